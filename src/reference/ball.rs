@@ -1,0 +1,487 @@
+//! Real balls: a midpoint in MPFR and a radius that bounds the distance to the true value.
+//!
+//! # Contract
+//! For every operation here: if each operand's ball contains a number, the result's ball contains
+//! the exact result of the operation on those numbers. The midpoint is rounded to nearest by MPFR
+//! (correctly rounded, so its error is at most half a unit in the last place: Fousse et al.,
+//! *MPFR*, ACM TOMS 33(2), 2007, art. 13); the radius is propagated with the bound written at each
+//! operation and rounded up ([`Mag`]).
+
+use super::mag::Mag;
+use rug::float::{Constant, Round};
+use rug::ops::{AddAssignRound, NegAssign};
+use rug::{Float, Rational};
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number known to lie in `[mid − rad, mid + rad]`.
+#[derive(Clone, Debug)]
+pub struct Ball {
+    mid: Float,
+    rad: Mag,
+}
+
+/// Half a unit in the last place of a midpoint that was rounded to nearest.
+fn rounding(mid: &Float, ordering: Ordering) -> Mag {
+    if ordering == Ordering::Equal {
+        return Mag::ZERO;
+    }
+    match mid.get_exp() {
+        Some(e) => Mag::power_of_two(i64::from(e) - i64::from(mid.prec()) - 1),
+        // Rounded to zero or infinity: outside MPFR's exponent range.
+        None => Mag::INFINITY,
+    }
+}
+
+impl Ball {
+    /// A ball from its parts. A NaN or infinite midpoint gives the whole line.
+    pub fn new(mid: Float, rad: Mag) -> Ball {
+        if mid.is_finite() {
+            Ball { mid, rad }
+        } else {
+            Ball {
+                mid: Float::new(mid.prec()),
+                rad: Mag::INFINITY,
+            }
+        }
+    }
+
+    fn rounded((mid, ordering): (Float, Ordering), propagated: Mag) -> Ball {
+        let rad = propagated.add(rounding(&mid, ordering));
+        Ball::new(mid, rad)
+    }
+
+    /// An exact integer (at least 64 bits are kept, so it is exact).
+    pub fn integer(prec: u32, n: i64) -> Ball {
+        Ball::new(Float::with_val(prec.max(64), n), Mag::ZERO)
+    }
+
+    /// An exact `f64`. NaN and infinities give the whole line.
+    pub fn exact(prec: u32, x: f64) -> Ball {
+        Ball::new(Float::with_val(prec.max(53), x), Mag::ZERO)
+    }
+
+    /// The ball around an exact rational, rounded to `prec` bits.
+    pub fn rational(prec: u32, q: &Rational) -> Ball {
+        Ball::rounded(Float::with_val_round(prec, q, Round::Nearest), Mag::ZERO)
+    }
+
+    /// π to `prec` bits.
+    pub fn pi(prec: u32) -> Ball {
+        Ball::rounded(
+            Float::with_val_round(prec, Constant::Pi, Round::Nearest),
+            Mag::ZERO,
+        )
+    }
+
+    /// The midpoint.
+    pub fn mid(&self) -> &Float {
+        &self.mid
+    }
+
+    /// The radius.
+    pub fn rad(&self) -> Mag {
+        self.rad
+    }
+
+    /// Working precision of the midpoint in bits.
+    pub fn prec(&self) -> u32 {
+        self.mid.prec()
+    }
+
+    /// Whether the ball bounds anything.
+    pub fn is_finite(&self) -> bool {
+        self.rad.is_finite()
+    }
+
+    /// The same midpoint with the radius enlarged by `extra`.
+    pub fn widened(&self, extra: Mag) -> Ball {
+        Ball::new(self.mid.clone(), self.rad.add(extra))
+    }
+
+    /// The same number at another precision (a superset when bits are dropped).
+    pub fn with_prec(&self, prec: u32) -> Ball {
+        Ball::rounded(
+            Float::with_val_round(prec, &self.mid, Round::Nearest),
+            self.rad,
+        )
+    }
+
+    /// An upper bound on the absolute value.
+    pub fn magnitude(&self) -> Mag {
+        Mag::above(&self.mid).add(self.rad)
+    }
+
+    /// A lower bound on the absolute value; zero if the ball contains zero.
+    pub fn mignitude(&self) -> Mag {
+        if self.is_finite() {
+            Mag::below(&self.mid).sub_below(self.rad)
+        } else {
+            Mag::ZERO
+        }
+    }
+
+    /// Whether zero may be the value.
+    pub fn contains_zero(&self) -> bool {
+        self.lower() <= 0 && self.upper() >= 0
+    }
+
+    /// Certainly greater than zero.
+    pub fn is_positive(&self) -> bool {
+        self.is_finite() && self.lower() > 0
+    }
+
+    /// Certainly less than zero.
+    pub fn is_negative(&self) -> bool {
+        self.is_finite() && self.upper() < 0
+    }
+
+    /// Certainly zero.
+    pub fn is_zero(&self) -> bool {
+        self.rad.is_zero() && self.mid.is_zero()
+    }
+
+    /// The lower end, rounded down.
+    pub fn lower(&self) -> Float {
+        let mut x = self.mid.clone();
+        x.add_assign_round(-self.rad.to_float(), Round::Down);
+        x
+    }
+
+    /// The upper end, rounded up.
+    pub fn upper(&self) -> Float {
+        let mut x = self.mid.clone();
+        x.add_assign_round(self.rad.to_float(), Round::Up);
+        x
+    }
+
+    /// The smallest ball at `prec` bits that holds `[lo, hi]`.
+    pub fn between(prec: u32, lo: &Float, hi: &Float) -> Ball {
+        let mid = Float::with_val(prec, lo + hi) >> 1u32;
+        let wide = prec.max(lo.prec()).max(hi.prec()) + 64;
+        let up = Float::with_val_round(wide, hi - &mid, Round::Up).0;
+        let down = Float::with_val_round(wide, &mid - lo, Round::Up).0;
+        let rad = Mag::above(&up).max(Mag::above(&down));
+        Ball::new(mid, rad)
+    }
+
+    /// The smallest ball that holds both.
+    pub fn union(&self, other: &Ball) -> Ball {
+        let (a, b) = (self.lower(), other.lower());
+        let (c, d) = (self.upper(), other.upper());
+        let prec = self.prec().max(other.prec());
+        Ball::between(prec, if a < b { &a } else { &b }, if c > d { &c } else { &d })
+    }
+
+    /// Whether the exact number `x` lies in the ball.
+    pub fn contains(&self, x: &Rational) -> bool {
+        if !self.is_finite() {
+            return true;
+        }
+        let mid = self.mid.to_rational().expect("finite midpoint");
+        let rad = self.rad.to_float().to_rational().expect("finite radius");
+        Rational::from(x - mid).abs() <= rad
+    }
+
+    /// Whether every point of `other` lies in the ball.
+    pub fn contains_ball(&self, other: &Ball) -> bool {
+        if !self.is_finite() {
+            return true;
+        }
+        if !other.is_finite() {
+            return false;
+        }
+        let q = |f: &Float| f.to_rational().expect("finite");
+        let gap = Rational::from(q(&self.mid) - q(&other.mid)).abs();
+        gap + q(&other.rad.to_float()) <= q(&self.rad.to_float())
+    }
+
+    /// Whether the two balls share a point.
+    pub fn overlaps(&self, other: &Ball) -> bool {
+        if !self.is_finite() || !other.is_finite() {
+            return true;
+        }
+        let q = |f: &Float| f.to_rational().expect("finite");
+        let gap = Rational::from(q(&self.mid) - q(&other.mid)).abs();
+        gap <= q(&self.rad.to_float()) + q(&other.rad.to_float())
+    }
+
+    /// Bits of relative accuracy: `log2(|mid| / rad)`, rounded down. An exact ball has as many as
+    /// anybody asks for.
+    pub fn accuracy_bits(&self) -> i64 {
+        if self.rad.is_zero() {
+            return i64::MAX;
+        }
+        match (self.mid.get_exp(), self.rad.exponent()) {
+            (Some(m), Some(r)) => i64::from(m) - 1 - (r + 1),
+            _ => i64::MIN,
+        }
+    }
+
+    /// `√x`: `|√x − √m| ≤ r/√m`, for balls without negative numbers. A ball that reaches below
+    /// zero gives the whole line.
+    pub fn sqrt(&self) -> Ball {
+        if self.is_zero() {
+            return self.clone();
+        }
+        if !self.is_finite() || self.lower() < 0 || self.mid.is_zero() {
+            return Ball::new(self.mid.clone(), Mag::INFINITY);
+        }
+        let root = Float::with_val_round(self.prec(), self.mid.sqrt_ref(), Round::Nearest);
+        // A lower bound on the exact root of the midpoint: one step below the rounded one.
+        let mut low = root.0.clone();
+        low.next_down();
+        let propagated = self.rad.div(Mag::below(&low));
+        Ball::rounded(root, propagated)
+    }
+
+    /// `(sin x, cos x)`; both are 1-Lipschitz and bounded by one, so the propagated radius is
+    /// `min(r, 2)`.
+    pub fn sin_cos(&self) -> (Ball, Ball) {
+        let p = self.prec();
+        let two = Mag::from_f64(2.0);
+        let propagated = if self.rad < two { self.rad } else { two };
+        let (s, c) = (self.mid.sin_ref(), self.mid.cos_ref());
+        (
+            Ball::rounded(Float::with_val_round(p, s, Round::Nearest), propagated),
+            Ball::rounded(Float::with_val_round(p, c, Round::Nearest), propagated),
+        )
+    }
+
+    /// The angle of the point `(x, y)`, `self` being `y`, in `(−π, π]`, continued beyond ±π where
+    /// the box crosses the negative x-axis.
+    ///
+    /// If the box stays off the origin, the angle turns by at most `asin(ρ/|z|) ≤ (π/2) ρ/|z|`
+    /// over it, with ρ the half-diagonal of the box.
+    pub fn atan2(&self, x: &Ball) -> Ball {
+        let p = self.prec().max(x.prec());
+        let rho = self.rad.mul(self.rad).add(x.rad.mul(x.rad)).sqrt();
+        let mid = Float::with_val_round(p, self.mid.atan2_ref(&x.mid), Round::Nearest);
+        if rho.is_zero() {
+            if self.mid.is_zero() && x.mid.is_zero() {
+                return Ball::new(mid.0, Mag::INFINITY);
+            }
+            return Ball::rounded(mid, Mag::ZERO);
+        }
+        // |z| ≥ max(|x|, |y|) is enough for a bound.
+        let away = Mag::below(&self.mid).max(Mag::below(&x.mid));
+        if !(rho < away) {
+            return Ball::new(mid.0, Mag::INFINITY);
+        }
+        let propagated = Mag::from_f64(1.5707963267948968).mul(rho).div(away);
+        Ball::rounded(mid, propagated)
+    }
+
+    /// `x²`, never negative at its midpoint; radius `2|m| r + r²`.
+    pub fn square(&self) -> Ball {
+        let mid = Float::with_val_round(self.prec(), self.mid.square_ref(), Round::Nearest);
+        let m = Mag::above(&self.mid);
+        let propagated = m.shift(1).mul(self.rad).add(self.rad.mul(self.rad));
+        Ball::rounded(mid, propagated)
+    }
+
+    /// `|x|`.
+    pub fn abs(&self) -> Ball {
+        Ball {
+            mid: self.mid.clone().abs(),
+            rad: self.rad,
+        }
+    }
+
+    /// `x · 2^k`; exact.
+    pub fn shift(&self, k: i32) -> Ball {
+        Ball::new(self.mid.clone() << k, self.rad.shift(i64::from(k)))
+    }
+
+    /// The multiplicative inverse.
+    pub fn recip(&self) -> Ball {
+        &Ball::integer(self.prec(), 1) / self
+    }
+}
+
+/// Sum of products, `Σ a_i b_i`.
+pub fn dot<'a>(prec: u32, terms: impl IntoIterator<Item = (&'a Ball, &'a Ball)>) -> Ball {
+    let mut sum = Ball::integer(prec, 0);
+    for (a, b) in terms {
+        sum = &sum + &(a * b);
+    }
+    sum
+}
+
+fn add(a: &Ball, b: &Ball) -> Ball {
+    let p = a.prec().max(b.prec());
+    Ball::rounded(
+        Float::with_val_round(p, &a.mid + &b.mid, Round::Nearest),
+        a.rad.add(b.rad),
+    )
+}
+
+fn sub(a: &Ball, b: &Ball) -> Ball {
+    let p = a.prec().max(b.prec());
+    Ball::rounded(
+        Float::with_val_round(p, &a.mid - &b.mid, Round::Nearest),
+        a.rad.add(b.rad),
+    )
+}
+
+/// Radius `|a| r_b + |b| r_a + r_a r_b`.
+fn mul(a: &Ball, b: &Ball) -> Ball {
+    let p = a.prec().max(b.prec());
+    let mid = Float::with_val_round(p, &a.mid * &b.mid, Round::Nearest);
+    let propagated = if a.rad.is_zero() && b.rad.is_zero() {
+        Mag::ZERO
+    } else {
+        let (x, y) = (Mag::above(&a.mid), Mag::above(&b.mid));
+        x.add(a.rad).mul(b.rad).add(y.mul(a.rad))
+    };
+    Ball::rounded(mid, propagated)
+}
+
+/// Radius `(|a| r_b + |b| r_a) / (|b| (|b| − r_b))`; the whole line if the divisor may be zero.
+fn div(a: &Ball, b: &Ball) -> Ball {
+    let p = a.prec().max(b.prec());
+    let low = Mag::below(&b.mid);
+    let reach = b.mignitude();
+    if reach.is_zero() {
+        return Ball::new(Float::new(p), Mag::INFINITY);
+    }
+    let mid = Float::with_val_round(p, &a.mid / &b.mid, Round::Nearest);
+    let propagated = if a.rad.is_zero() && b.rad.is_zero() {
+        Mag::ZERO
+    } else {
+        // a r_b / (b (b − r_b)) + r_a / (b − r_b)
+        let (x, r) = (Mag::above(&a.mid), b.rad);
+        x.mul(r).div(low).add(a.rad).div(reach)
+    };
+    Ball::rounded(mid, propagated)
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $f:ident) => {
+        impl $trait<&Ball> for &Ball {
+            type Output = Ball;
+            fn $method(self, other: &Ball) -> Ball {
+                $f(self, other)
+            }
+        }
+        impl $trait<Ball> for &Ball {
+            type Output = Ball;
+            fn $method(self, other: Ball) -> Ball {
+                $f(self, &other)
+            }
+        }
+        impl $trait<&Ball> for Ball {
+            type Output = Ball;
+            fn $method(self, other: &Ball) -> Ball {
+                $f(&self, other)
+            }
+        }
+        impl $trait<Ball> for Ball {
+            type Output = Ball;
+            fn $method(self, other: Ball) -> Ball {
+                $f(&self, &other)
+            }
+        }
+    };
+}
+operator!(Add, add, add);
+operator!(Sub, sub, sub);
+operator!(Mul, mul, mul);
+operator!(Div, div, div);
+
+impl Neg for &Ball {
+    type Output = Ball;
+    fn neg(self) -> Ball {
+        -self.clone()
+    }
+}
+
+impl Neg for Ball {
+    type Output = Ball;
+    fn neg(mut self) -> Ball {
+        self.mid.neg_assign();
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const P: u32 = 60;
+    const HIGH: u32 = 400;
+
+    /// A ball of low precision and a point of high precision inside it.
+    fn ball() -> impl Strategy<Value = (Ball, Float)> {
+        (-1e3f64..1e3, 0u32..60, -1.0f64..1.0).prop_map(|(m, k, t)| {
+            let rad = Mag::power_of_two(-i64::from(k));
+            let point = Float::with_val(HIGH, t) * rad.to_float() + m;
+            (Ball::new(Float::with_val(P, m), rad), point)
+        })
+    }
+
+    fn holds(b: &Ball, x: &Float) -> bool {
+        // The high-precision value is itself within 2^-300 of the truth.
+        b.widened(Mag::power_of_two(-300))
+            .contains(&x.to_rational().unwrap())
+    }
+
+    proptest! {
+        #[test]
+        fn containment((a, x) in ball(), (b, y) in ball()) {
+            prop_assert!(holds(&(&a + &b), &Float::with_val(HIGH, &x + &y)));
+            prop_assert!(holds(&(&a - &b), &Float::with_val(HIGH, &x - &y)));
+            prop_assert!(holds(&(&a * &b), &Float::with_val(HIGH, &x * &y)));
+            prop_assert!(holds(&(&a / &b), &Float::with_val(HIGH, &x / &y)));
+            prop_assert!(holds(&a.square(), &Float::with_val(HIGH, x.square_ref())));
+            prop_assert!(holds(&a.abs(), &Float::with_val(HIGH, x.abs_ref())));
+            let (s, c) = a.sin_cos();
+            prop_assert!(holds(&s, &Float::with_val(HIGH, x.sin_ref())));
+            prop_assert!(holds(&c, &Float::with_val(HIGH, x.cos_ref())));
+            if a.is_positive() {
+                prop_assert!(holds(&a.sqrt(), &Float::with_val(HIGH, x.sqrt_ref())));
+            }
+            let u = a.union(&b);
+            prop_assert!(u.contains_ball(&a) && u.contains_ball(&b));
+        }
+
+        #[test]
+        fn angle_containment((a, y) in ball(), (b, x) in ball()) {
+            let angle = a.atan2(&b);
+            let exact = Float::with_val(HIGH, y.atan2_ref(&x));
+            let turn = Float::with_val(HIGH, Constant::Pi) * 2;
+            let shifted = [exact.clone(), Float::with_val(HIGH, &exact + &turn), Float::with_val(HIGH, &exact - &turn)];
+            prop_assert!(shifted.iter().any(|t| holds(&angle, t)));
+        }
+
+        #[test]
+        fn radii_are_tight(m in 1.0f64..1e3, n in 1.0f64..1e3) {
+            let (a, b) = (Ball::exact(P, m), Ball::exact(P, n));
+            prop_assert!((&a + &b).accuracy_bits() >= 58);
+            prop_assert!((&a * &b).accuracy_bits() >= 58);
+            prop_assert!((&a / &b).accuracy_bits() >= 58);
+            prop_assert!(a.sqrt().accuracy_bits() >= 57);
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_decided_is_the_whole_line() {
+        let wide = Ball::new(Float::with_val(P, 0.5), Mag::from_f64(1.0));
+        assert!(!(Ball::integer(P, 1) / &wide).is_finite());
+        assert!(!wide.sqrt().is_finite());
+        assert!(!Ball::exact(P, f64::NAN).is_finite());
+        assert!(!Ball::exact(P, f64::INFINITY).is_finite());
+        assert!(!wide.atan2(&wide).is_finite());
+        assert!(wide.contains_zero() && !wide.is_positive() && !wide.is_negative());
+    }
+
+    #[test]
+    fn exact_stays_exact() {
+        let a = Ball::exact(P, 0.75);
+        assert!((&a + &a).rad().is_zero());
+        assert!((&a * &a).rad().is_zero());
+        assert!(Ball::rational(P, &Rational::from((3, 8))).rad().is_zero());
+        assert!(!Ball::rational(P, &Rational::from((1, 3))).rad().is_zero());
+    }
+}

@@ -1,0 +1,284 @@
+//! Upper bounds on magnitudes with an unlimited exponent: the radius of a [`Ball`](super::Ball).
+
+use rug::Float;
+use rug::float::Round;
+use std::cmp::Ordering;
+
+/// A non-negative number `m · 2^e` that is only ever rounded **up**, so that it stays an upper
+/// bound through any chain of operations.
+///
+/// `m` lies in `[1, 2)`, or is 0, or is infinite; `e` is a 64-bit exponent, so radii of
+/// 10 000-digit balls neither underflow nor overflow. Each operation is one `f64` operation
+/// rounded to nearest followed by [`f64::next_up`], which is an upper bound because the rounding
+/// error is at most half the spacing to the neighbour above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mag {
+    m: f64,
+    e: i64,
+}
+
+/// `2^k` as an `f64`, for `k` in the normal range.
+fn pow2(k: i64) -> f64 {
+    f64::from_bits(((k + 1023) as u64) << 52)
+}
+
+impl Mag {
+    /// Zero: an exact value.
+    pub const ZERO: Mag = Mag { m: 0.0, e: 0 };
+    /// No bound at all.
+    pub const INFINITY: Mag = Mag {
+        m: f64::INFINITY,
+        e: 0,
+    };
+
+    /// Brings `m > 0` back into `[1, 2)`; exact.
+    fn normal(m: f64, e: i64) -> Mag {
+        if m == 0.0 || m.is_infinite() {
+            return Mag { m, e: 0 };
+        }
+        let k = ((m.to_bits() >> 52) & 0x7ff) as i64 - 1023;
+        if k == -1023 {
+            // Subnormal: scale into the normal range first.
+            return Mag::normal(m * pow2(200), e - 200);
+        }
+        Mag {
+            m: m * pow2(-k / 2) * pow2(-k - (-k / 2)),
+            e: e + k,
+        }
+    }
+
+    /// The magnitude of `x`, exactly; infinite for NaN.
+    pub fn from_f64(x: f64) -> Mag {
+        if x.is_nan() {
+            return Mag::INFINITY;
+        }
+        Mag::normal(x.abs(), 0)
+    }
+
+    /// `2^k`.
+    pub fn power_of_two(k: i64) -> Mag {
+        Mag { m: 1.0, e: k }
+    }
+
+    /// An upper bound on `|x|` (53 bits, rounded away from zero).
+    pub fn above(x: &Float) -> Mag {
+        Mag::of_float(x, Round::AwayZero)
+    }
+
+    /// A lower bound on `|x|` (53 bits, rounded towards zero). NaN gives zero.
+    pub fn below(x: &Float) -> Mag {
+        if x.is_nan() {
+            return Mag::ZERO;
+        }
+        Mag::of_float(x, Round::Zero)
+    }
+
+    fn of_float(x: &Float, round: Round) -> Mag {
+        if x.is_zero() {
+            return Mag::ZERO;
+        }
+        if !x.is_finite() {
+            return Mag::INFINITY;
+        }
+        let (m, e) = x.to_f64_exp_round(round);
+        Mag::normal(m.abs(), i64::from(e))
+    }
+
+    /// Whether this is exactly zero.
+    pub fn is_zero(self) -> bool {
+        self.m == 0.0
+    }
+
+    /// Whether this bounds anything.
+    pub fn is_finite(self) -> bool {
+        self.m.is_finite()
+    }
+
+    /// The exponent: the value lies in `[2^e, 2^(e+1))`. `None` for zero and infinity.
+    pub fn exponent(self) -> Option<i64> {
+        (self.m != 0.0 && self.m.is_finite()).then_some(self.e)
+    }
+
+    /// `self · 2^k`; exact.
+    pub fn shift(self, k: i64) -> Mag {
+        match self.exponent() {
+            Some(e) => Mag { m: self.m, e: e + k },
+            None => self,
+        }
+    }
+
+    /// An upper bound on `self + other`.
+    #[allow(clippy::should_implement_trait)]
+    pub fn add(self, other: Mag) -> Mag {
+        if self.is_zero() {
+            return other;
+        }
+        if other.is_zero() {
+            return self;
+        }
+        if !self.is_finite() || !other.is_finite() {
+            return Mag::INFINITY;
+        }
+        let (big, small) = if self.e >= other.e {
+            (self, other)
+        } else {
+            (other, self)
+        };
+        let d = big.e - small.e;
+        let m = if d > 60 {
+            big.m.next_up()
+        } else {
+            (big.m + small.m * pow2(-d)).next_up()
+        };
+        Mag::normal(m, big.e)
+    }
+
+    /// An upper bound on `self · other`; zero times anything finite is zero.
+    #[allow(clippy::should_implement_trait)]
+    pub fn mul(self, other: Mag) -> Mag {
+        if !self.is_finite() || !other.is_finite() {
+            return Mag::INFINITY;
+        }
+        if self.is_zero() || other.is_zero() {
+            return Mag::ZERO;
+        }
+        Mag::normal((self.m * other.m).next_up(), self.e + other.e)
+    }
+
+    /// An upper bound on `self / lower` where `lower` is a **lower** bound of the divisor.
+    /// Infinite when `lower` is zero and `self` is not.
+    pub fn div(self, lower: Mag) -> Mag {
+        if self.is_zero() {
+            return Mag::ZERO;
+        }
+        if lower.is_zero() || !self.is_finite() {
+            return Mag::INFINITY;
+        }
+        if !lower.is_finite() {
+            return Mag::ZERO;
+        }
+        Mag::normal((self.m / lower.m).next_up(), self.e - lower.e)
+    }
+
+    /// A **lower** bound on `self − upper`, where `self` is a lower bound and `upper` an upper
+    /// bound; zero if the difference may be negative.
+    pub fn sub_below(self, upper: Mag) -> Mag {
+        if upper.is_zero() {
+            return self;
+        }
+        if self.partial_cmp(&upper) != Some(Ordering::Greater) || !upper.is_finite() {
+            return Mag::ZERO;
+        }
+        if !self.is_finite() {
+            return self;
+        }
+        let d = self.e - upper.e;
+        let m = if d > 60 {
+            self.m.next_down()
+        } else {
+            (self.m - upper.m * pow2(-d)).next_down()
+        };
+        if m <= 0.0 {
+            Mag::ZERO
+        } else {
+            Mag::normal(m, self.e)
+        }
+    }
+
+    /// An upper bound on `√self`.
+    pub fn sqrt(self) -> Mag {
+        match self.exponent() {
+            None => self,
+            Some(e) => {
+                let odd = e.rem_euclid(2);
+                Mag::normal((self.m * pow2(odd)).sqrt().next_up(), (e - odd) / 2)
+            }
+        }
+    }
+
+    /// The larger of the two.
+    pub fn max(self, other: Mag) -> Mag {
+        if self.partial_cmp(&other) == Some(Ordering::Less) {
+            other
+        } else {
+            self
+        }
+    }
+
+    /// An upper bound as an `f64` (infinite beyond its range, at least the smallest subnormal for
+    /// anything positive).
+    pub fn to_f64(self) -> f64 {
+        match self.exponent() {
+            None => self.m,
+            Some(e) if e > 1023 => f64::INFINITY,
+            Some(e) if e < -1021 => {
+                if e < -1074 {
+                    return f64::from_bits(1);
+                }
+                (self.m * pow2(e + 200) * pow2(-200)).next_up()
+            }
+            Some(e) => self.m * pow2(e),
+        }
+    }
+
+    /// The exact value as a 53-bit float.
+    pub fn to_float(self) -> Float {
+        let f = Float::with_val(53, self.m);
+        match self.exponent() {
+            Some(e) => f << i32::try_from(e).unwrap_or(i32::MAX),
+            None => f,
+        }
+    }
+}
+
+impl PartialOrd for Mag {
+    fn partial_cmp(&self, other: &Mag) -> Option<Ordering> {
+        let special = |x: &Mag| x.m == 0.0 || x.m.is_infinite();
+        if special(self) || special(other) {
+            return self.m.partial_cmp(&other.m);
+        }
+        Some(
+            self.e
+                .cmp(&other.e)
+                .then(self.m.partial_cmp(&other.m).unwrap_or(Ordering::Equal)),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn exact(m: Mag) -> Float {
+        Float::with_val(4000, m.to_float())
+    }
+
+    proptest! {
+        #[test]
+        fn every_operation_is_an_upper_bound(a in 1e-300f64..1e300, b in 1e-300f64..1e300) {
+            let (x, y) = (Mag::from_f64(a), Mag::from_f64(b));
+            prop_assert_eq!(exact(x), a);
+            prop_assert!(exact(x.add(y)) >= Float::with_val(4000, a) + b);
+            prop_assert!(exact(x.mul(y)) >= Float::with_val(4000, a) * b);
+            prop_assert!(exact(x.div(y)) >= Float::with_val(4000, a) / b);
+            prop_assert!(exact(x.sqrt()) >= Float::with_val(4000, a).sqrt());
+            let d = exact(x.sub_below(y));
+            prop_assert!(d == 0 || d <= Float::with_val(4000, a) - b);
+            // And a tight one.
+            prop_assert!(exact(x.mul(y)) <= Float::with_val(4000, a) * b * (1.0 + 1e-15));
+        }
+    }
+
+    #[test]
+    fn the_ends_of_the_range() {
+        assert_eq!(Mag::from_f64(f64::from_bits(1)).to_f64(), f64::from_bits(2));
+        assert_eq!(Mag::from_f64(f64::MAX).to_f64(), f64::MAX);
+        assert_eq!(Mag::power_of_two(5000).to_f64(), f64::INFINITY);
+        assert_eq!(Mag::power_of_two(-5000).to_f64(), f64::from_bits(1));
+        assert!(!Mag::from_f64(f64::NAN).is_finite());
+        assert!(!Mag::ZERO.mul(Mag::INFINITY).is_finite());
+        assert!(!Mag::from_f64(1.0).div(Mag::ZERO).is_finite());
+        assert!(Mag::power_of_two(-40000) < Mag::power_of_two(40000));
+    }
+}

@@ -1,0 +1,22 @@
+//! Arbitrary-precision references: every value a [`Ball`] with a proven radius, or exact.
+//!
+//! Nothing here knows the solvers or who audits them. A reference that cannot decide returns
+//! [`Undecided`]; it never falls back on anything else.
+
+mod ball;
+mod decimal;
+mod mag;
+
+pub use ball::{Ball, dot};
+pub use decimal::{Decimal, DecimalError};
+pub use mag::Mag;
+
+/// The reference could not decide at the precision it was allowed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("undecided at {bits} bits: {reason}")]
+pub struct Undecided {
+    /// The highest precision tried.
+    pub bits: u32,
+    /// What stayed open.
+    pub reason: String,
+}

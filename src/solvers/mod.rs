@@ -1,0 +1,3 @@
+//! Fast `f64` solvers. They know nothing of references or audits and need neither GMP nor MPFR.
+
+pub mod units;
