@@ -1,1 +1,26 @@
-//! audit
+//! The audit: domains, cases, budgets and the judge that compares a solver with its reference.
+//!
+//! Only a pass passes: NaN, the wrong infinity, an undecided reference, a missing value and a
+//! panic all fail. What is audited is described by the [`Method`] trait; this module knows no
+//! particular method.
+
+mod budget;
+mod case;
+mod domain;
+mod judge;
+mod method;
+mod run;
+mod ulp;
+
+pub use budget::{Budget, Limit};
+pub use case::{Case, Origin, hex_float};
+pub use domain::{CheckPoint, Domain, Draw, Region};
+pub use judge::{ComponentJudgement, Judgement, Verdict, judge};
+pub use method::{
+    Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
+    conditions_by_differences,
+};
+pub use run::{
+    CaseReport, LawReport, MethodReport, OutputStatistics, Settings, audit_case, audit_method,
+};
+pub use ulp::{ulp_exponent, ulps};

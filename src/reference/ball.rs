@@ -170,7 +170,11 @@ impl Ball {
         let (a, b) = (self.lower(), other.lower());
         let (c, d) = (self.upper(), other.upper());
         let prec = self.prec().max(other.prec());
-        Ball::between(prec, if a < b { &a } else { &b }, if c > d { &c } else { &d })
+        Ball::between(
+            prec,
+            if a < b { &a } else { &b },
+            if c > d { &c } else { &d },
+        )
     }
 
     /// Whether the exact number `x` lies in the ball.

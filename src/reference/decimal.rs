@@ -93,7 +93,9 @@ impl Ball {
         if self.rad() > Mag::power_of_two(e - unit_bits.ceil() as i64) {
             return None;
         }
-        let text = self.mid().to_string_radix_round(10, Some(digits), rug::float::Round::Nearest);
+        let text = self
+            .mid()
+            .to_string_radix_round(10, Some(digits), rug::float::Round::Nearest);
         Some(plain(&text))
     }
 
@@ -178,7 +180,19 @@ mod tests {
             assert_eq!(x.value, Rational::from((n, d)), "{text}");
             assert_eq!(x.places, places, "{text}");
         }
-        for text in ["", "-", ".", "1,5", "nan", "inf", "1e", "1e999999999", "0x10", "1.2.3", "--1"] {
+        for text in [
+            "",
+            "-",
+            ".",
+            "1,5",
+            "nan",
+            "inf",
+            "1e",
+            "1e999999999",
+            "0x10",
+            "1.2.3",
+            "--1",
+        ] {
             assert!(Decimal::parse(text).is_err(), "{text:?}");
         }
     }

@@ -102,7 +102,10 @@ impl Mag {
     /// `self · 2^k`; exact.
     pub fn shift(self, k: i64) -> Mag {
         match self.exponent() {
-            Some(e) => Mag { m: self.m, e: e + k },
+            Some(e) => Mag {
+                m: self.m,
+                e: e + k,
+            },
             None => self,
         }
     }

@@ -1,0 +1,65 @@
+//! How much error a method is allowed, and why.
+
+use serde::Serialize;
+
+/// The largest error that passes. Always finite.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Limit {
+    /// `|got − ref| ≤ k · ulp(ref)`.
+    Ulps(f64),
+    /// `|got − ref| ≤ k · 2⁻⁵³ · (|ref| + Σ_j |x_j ∂ref/∂x_j|)`: what a backward-stable method
+    /// achieves when each input is known to half an ulp.
+    Conditioned(f64),
+    /// `|got − ref| ≤ k · 2⁻⁵³ · max_i (|ref_i| + Σ_j |x_j ∂ref_i/∂x_j|)`, the maximum over all
+    /// values of the same output.
+    Normwise(f64),
+}
+
+impl Limit {
+    /// The factor `k`.
+    pub fn factor(self) -> f64 {
+        match self {
+            Limit::Ulps(k) | Limit::Conditioned(k) | Limit::Normwise(k) => k,
+        }
+    }
+
+    /// Whether the limit needs condition numbers.
+    pub fn needs_conditions(self) -> bool {
+        !matches!(self, Limit::Ulps(_))
+    }
+}
+
+impl std::fmt::Display for Limit {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Limit::Ulps(k) => write!(f, "{k} ulp"),
+            Limit::Conditioned(k) => write!(f, "{k} u (1 + cond)"),
+            Limit::Normwise(k) => write!(f, "{k} u (1 + cond), normwise"),
+        }
+    }
+}
+
+/// A limit with the reason for it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Budget {
+    /// The limit.
+    pub limit: Limit,
+    /// Why this much and no more.
+    pub reason: &'static str,
+}
+
+impl Budget {
+    /// A budget.
+    ///
+    /// # Panics
+    /// When the limit is not a finite positive number: an unbounded budget is no budget.
+    pub fn new(limit: Limit, reason: &'static str) -> Budget {
+        let k = limit.factor();
+        assert!(
+            k.is_finite() && k > 0.0,
+            "a budget is finite and positive, got {k}"
+        );
+        Budget { limit, reason }
+    }
+}

@@ -1,0 +1,154 @@
+//! What an audited method has to say about itself.
+
+use super::budget::Budget;
+use super::domain::Domain;
+use crate::reference::{Ball, Mag};
+use rug::{Float, Rational};
+use serde::Serialize;
+
+/// Why a reference value is to be believed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Proof {
+    /// Exact rational arithmetic.
+    Exact,
+    /// Balls whose radius follows from the cited bound.
+    Bounded(&'static str),
+}
+
+/// Reference values with their proof.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    /// One ball for each value of the solver.
+    pub values: Vec<Ball>,
+    /// Why they hold.
+    pub proof: Proof,
+}
+
+/// What a reference answers.
+#[derive(Clone, Debug)]
+pub enum ReferenceAnswer {
+    /// The values.
+    Values(Reference),
+    /// There is no value, for the named reason; the solver must refuse with the same word.
+    Refuses(&'static str),
+    /// Not decided at this precision.
+    Undecided(String),
+    /// The reference itself failed: never a pass.
+    Failed(String),
+}
+
+/// What the code under test answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolverAnswer {
+    /// The values.
+    Values(Vec<f64>),
+    /// A typed error, by its name.
+    Refuses(&'static str),
+}
+
+/// One value of the output, repeated cyclically over the answer: value `i` belongs to output
+/// `i mod outputs.len()`.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Output {
+    /// The symbol.
+    pub name: &'static str,
+    /// The unit, `1` if none.
+    pub unit: &'static str,
+    /// What it may be wrong by.
+    pub budget: Budget,
+}
+
+/// One part of the input's layout, for the documentation.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Input {
+    /// The symbol, with its shape: `phi1`, `a[n]`.
+    pub name: &'static str,
+    /// The unit, `1` if none.
+    pub unit: &'static str,
+}
+
+/// An identity that the solver's own values have to satisfy.
+#[derive(Clone, Copy)]
+pub struct Law {
+    /// A short name.
+    pub name: &'static str,
+    /// The identity, and how closely it has to hold.
+    pub statement: &'static str,
+    /// Residual divided by what is allowed (≤ 1 passes); `None` where the law does not apply.
+    pub residual: fn(&[f64]) -> Option<f64>,
+}
+
+/// A solver, its reference, domain, budget and source: everything an audit needs.
+///
+/// One file in `src/methods/` implements this for each audited method.
+pub trait Method: Sync {
+    /// The name used on the command line: lower case, words joined by hyphens.
+    fn name(&self) -> &'static str;
+    /// One line in plain words.
+    fn summary(&self) -> &'static str;
+    /// Where the method comes from, with equation numbers.
+    fn source(&self) -> &'static str;
+    /// The layout of the input vector.
+    fn inputs(&self) -> Vec<Input>;
+    /// The outputs with their budgets.
+    fn outputs(&self) -> Vec<Output>;
+    /// Where it is audited.
+    fn domain(&self) -> Domain;
+    /// Calls the code under test.
+    fn solve(&self, input: &[f64]) -> SolverAnswer;
+    /// The reference at a working precision of `bits`.
+    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer;
+
+    /// `Σ_j |x_j ∂f_i/∂x_j|` for each value `i`; `None` if it cannot be had.
+    ///
+    /// By default one-sided differences of the reference; see [`conditions_by_differences`].
+    fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
+        conditions_by_differences(self, input, |_| true)
+    }
+
+    /// Identities of the solver's values.
+    fn laws(&self) -> Vec<Law> {
+        Vec::new()
+    }
+}
+
+/// Estimates `Σ_j |x_j ∂f_i/∂x_j|` from the reference at `x` and at `x` with each `x_j` in turn
+/// multiplied by `1 + 2⁻⁴⁰`, at 256 bits.
+///
+/// An estimate: its relative error is of the order of 2⁻⁴⁰ times the second derivative. Inputs
+/// for which `is_data` is false (counts, choices) are left alone.
+pub fn conditions_by_differences<M: Method + ?Sized>(
+    method: &M,
+    input: &[f64],
+    is_data: impl Fn(usize) -> bool,
+) -> Option<Vec<f64>> {
+    const BITS: u32 = 256;
+    let exact: Option<Vec<Rational>> = input.iter().map(|&x| Rational::from_f64(x)).collect();
+    let mut x = exact?;
+    let ReferenceAnswer::Values(base) = method.reference(&x, BITS) else {
+        return None;
+    };
+    let mut sum = vec![Mag::ZERO; base.values.len()];
+    let scale = Rational::from(1) + (Rational::from(1) >> 40u32);
+    for j in 0..x.len() {
+        if x[j] == 0 || !is_data(j) {
+            continue;
+        }
+        let moved = Rational::from(&x[j] * &scale);
+        let old = std::mem::replace(&mut x[j], moved);
+        let answer = method.reference(&x, BITS);
+        x[j] = old;
+        let ReferenceAnswer::Values(shifted) = answer else {
+            return None;
+        };
+        if shifted.values.len() != sum.len() {
+            return None;
+        }
+        for ((s, a), b) in sum.iter_mut().zip(&shifted.values).zip(&base.values) {
+            let d = Float::with_val(64, a.mid() - b.mid());
+            *s = s.add(Mag::above(&d).shift(40));
+        }
+    }
+    Some(sum.into_iter().map(Mag::to_f64).collect())
+}

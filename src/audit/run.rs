@@ -1,0 +1,309 @@
+//! Runs a method over its domain and gathers what was found.
+
+use super::case::{Case, Origin};
+use super::domain::Draw;
+use super::judge::{ComponentJudgement, Judgement, Verdict, judge};
+use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
+use rayon::prelude::*;
+use rug::Rational;
+use serde::Serialize;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// The settings of a run; all of them are printed with it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Settings {
+    /// Key of the random stream.
+    pub seed: u64,
+    /// Random cases drawn in each region.
+    pub cases_per_region: u64,
+    /// Working precision the references start from, in bits.
+    pub first_bits: u32,
+    /// Working precision at which an open case is called undecided, in bits.
+    pub last_bits: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            seed: 1,
+            cases_per_region: 200,
+            first_bits: 128,
+            last_bits: 2048,
+        }
+    }
+}
+
+/// One case with its judgement.
+#[derive(Clone, Debug, Serialize)]
+pub struct CaseReport {
+    /// The case.
+    pub case: Case,
+    /// What the solver answered.
+    #[serde(skip)]
+    pub answer: Option<SolverAnswer>,
+    /// The judgement.
+    pub judgement: Judgement,
+    /// The working precision that decided.
+    pub bits: u32,
+    /// The reference's values to 20 digits, where it certifies them.
+    pub reference: Vec<Option<String>>,
+    /// Why the reference holds.
+    pub proof: Option<Proof>,
+}
+
+/// What was found for one output.
+#[derive(Clone, Debug, Serialize)]
+pub struct OutputStatistics {
+    /// The output.
+    pub name: &'static str,
+    /// Values judged.
+    pub values: usize,
+    /// Largest error found, in ulps.
+    pub max_ulps: f64,
+    /// 99th percentile of the errors, in ulps.
+    pub p99_ulps: f64,
+    /// Root mean square of the errors, in ulps.
+    pub rms_ulps: f64,
+    /// Largest share of the budget found.
+    pub max_of_budget: f64,
+    /// Largest condition number met.
+    pub max_condition: f64,
+    /// The case with the largest share of the budget.
+    pub worst: Option<Case>,
+}
+
+/// What was found about one law.
+#[derive(Clone, Debug, Serialize)]
+pub struct LawReport {
+    /// Its name.
+    pub name: &'static str,
+    /// The identity.
+    pub statement: &'static str,
+    /// Cases it was tried on.
+    pub cases: usize,
+    /// Largest residual found, divided by what is allowed.
+    pub worst: f64,
+    /// The case with the largest residual.
+    pub worst_case: Option<Case>,
+}
+
+/// What was found about one method.
+#[derive(Clone, Debug, Serialize)]
+pub struct MethodReport {
+    /// The method.
+    pub method: &'static str,
+    /// In plain words.
+    pub summary: &'static str,
+    /// Its source.
+    pub source: &'static str,
+    /// The settings.
+    pub settings: Settings,
+    /// Cases judged.
+    pub cases: usize,
+    /// Cases passed.
+    pub passed: usize,
+    /// For each output.
+    pub outputs: Vec<OutputStatistics>,
+    /// For each law.
+    pub laws: Vec<LawReport>,
+    /// Largest normwise error found, in units of 2⁻⁵³.
+    pub max_normwise: f64,
+    /// The cases that did not pass.
+    pub failures: Vec<CaseReport>,
+}
+
+impl MethodReport {
+    /// Whether every case and every law passed, and there was at least one case.
+    pub fn passed(&self) -> bool {
+        self.cases > 0 && self.passed == self.cases && self.laws.iter().all(|l| l.worst <= 1.0)
+    }
+}
+
+/// The cases of a run, check points first.
+pub(crate) fn cases(method: &dyn Method, settings: &Settings) -> Vec<Case> {
+    let domain = method.domain();
+    let named = domain.check_points.into_iter().map(|p| Case {
+        method: method.name(),
+        region: "check-points",
+        input: p.input,
+        origin: Origin::CheckPoint { name: p.name },
+    });
+    let mut all: Vec<Case> = named.collect();
+    for region in &domain.regions {
+        all.extend((0..settings.cases_per_region).map(|index| {
+            let mut draw = Draw::new(settings.seed, method.name(), region.name, index);
+            Case {
+                method: method.name(),
+                region: region.name,
+                input: (region.sample)(&mut draw),
+                origin: Origin::Random {
+                    seed: settings.seed,
+                    index,
+                },
+            }
+        }));
+    }
+    all
+}
+
+/// Audits one case: the precision doubles until the judge can decide.
+pub fn audit_case(method: &dyn Method, case: Case, settings: &Settings) -> CaseReport {
+    let exact: Option<Vec<Rational>> = case.input.iter().map(|&x| Rational::from_f64(x)).collect();
+    let solved = catch_unwind(AssertUnwindSafe(|| method.solve(&case.input)));
+    let answer = solved.unwrap_or(SolverAnswer::Refuses("panicked"));
+    let outputs = method.outputs();
+    let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
+    let finite = exact.is_some();
+    let conditions = if finite && conditional {
+        method.conditions(&case.input)
+    } else {
+        None
+    };
+    let mut bits = settings.first_bits;
+    loop {
+        let reference = match &exact {
+            Some(x) => method.reference(x, bits),
+            None => ReferenceAnswer::Refuses("not finite"),
+        };
+        let judgement = judge(&outputs, &answer, &reference, conditions.as_deref());
+        if judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
+            bits *= 2;
+            continue;
+        }
+        let (values, proof) = match &reference {
+            ReferenceAnswer::Values(r) => (
+                r.values.iter().map(|b| b.to_decimal(20)).collect(),
+                Some(r.proof),
+            ),
+            _ => (Vec::new(), None),
+        };
+        return CaseReport {
+            case,
+            answer: Some(answer),
+            judgement,
+            bits,
+            reference: values,
+            proof,
+        };
+    }
+}
+
+/// Audits a method over its whole domain, on all cores. `progress` is called once for each case.
+pub fn audit_method(
+    method: &dyn Method,
+    settings: &Settings,
+    progress: &(dyn Fn() + Sync),
+) -> MethodReport {
+    let reports: Vec<CaseReport> = cases(method, settings)
+        .into_par_iter()
+        .map(|case| {
+            let report = audit_case(method, case, settings);
+            progress();
+            report
+        })
+        .collect();
+    let outputs = method.outputs();
+    let statistics = (0..outputs.len())
+        .map(|o| statistics(o, outputs.len(), outputs[o].name, &reports))
+        .collect();
+    let laws = method
+        .laws()
+        .iter()
+        .map(|law| law_report(law, &reports))
+        .collect();
+    let max_normwise = reports
+        .iter()
+        .filter(|r| !r.judgement.components.is_empty())
+        .map(|r| r.judgement.normwise)
+        .fold(0.0, f64::max);
+    MethodReport {
+        method: method.name(),
+        summary: method.summary(),
+        source: method.source(),
+        settings: settings.clone(),
+        cases: reports.len(),
+        passed: reports
+            .iter()
+            .filter(|r| r.judgement.verdict == Verdict::Pass)
+            .count(),
+        outputs: statistics,
+        laws,
+        max_normwise,
+        failures: reports
+            .into_iter()
+            .filter(|r| r.judgement.verdict != Verdict::Pass)
+            .collect(),
+    }
+}
+
+fn law_report(law: &super::method::Law, reports: &[CaseReport]) -> LawReport {
+    let mut found = LawReport {
+        name: law.name,
+        statement: law.statement,
+        cases: 0,
+        worst: 0.0,
+        worst_case: None,
+    };
+    for r in reports {
+        if let Some(x) = (law.residual)(&r.case.input) {
+            // A residual that is not a number breaks the law.
+            let x = if x.is_nan() { f64::INFINITY } else { x };
+            found.cases += 1;
+            if x > found.worst {
+                found.worst = x;
+                found.worst_case = Some(r.case.clone());
+            }
+        }
+    }
+    found
+}
+
+fn statistics(
+    o: usize,
+    outputs: usize,
+    name: &'static str,
+    reports: &[CaseReport],
+) -> OutputStatistics {
+    let of_output = |r: &CaseReport| -> Vec<ComponentJudgement> {
+        r.judgement
+            .components
+            .iter()
+            .skip(o)
+            .step_by(outputs)
+            .cloned()
+            .collect()
+    };
+    let mut ulps = Vec::new();
+    let mut found = OutputStatistics {
+        name,
+        values: 0,
+        max_ulps: 0.0,
+        p99_ulps: 0.0,
+        rms_ulps: 0.0,
+        max_of_budget: 0.0,
+        max_condition: 0.0,
+        worst: None,
+    };
+    for r in reports {
+        for c in of_output(r) {
+            ulps.push(c.ulps);
+            if c.condition > found.max_condition {
+                found.max_condition = c.condition;
+            }
+            if c.of_budget > found.max_of_budget {
+                found.max_of_budget = c.of_budget;
+                found.worst = Some(r.case.clone());
+            }
+        }
+    }
+    ulps.sort_by(f64::total_cmp);
+    found.values = ulps.len();
+    if let Some(&max) = ulps.last() {
+        found.max_ulps = max;
+        // Nearest-rank percentile.
+        let rank = (ulps.len() as f64 * 0.99).ceil() as usize;
+        found.p99_ulps = ulps[rank.max(1) - 1];
+        found.rms_ulps = (ulps.iter().map(|u| u * u).sum::<f64>() / ulps.len() as f64).sqrt();
+    }
+    found
+}
