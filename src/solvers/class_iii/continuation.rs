@@ -1,0 +1,248 @@
+//! Continuation along a branch that cannot jump to another one unseen.
+//!
+//! The Jacobian J of the loop equations depends on the links' angles alone and is Lipschitz with
+//! the constant K. Turning the crank by s from a solution x changes the residual by at most
+//! `l1 |s|`. With `β = ‖J(x)⁻¹‖` the Newton–Kantorovich theorem (Kantorovich & Akilov,
+//! *Functional Analysis*, ch. XVIII) gives, as long as `h = β² K l1 |s| ≤ ½`, exactly one solution
+//! within `(1 + √(1 − 2h))/(βK)` of x for **every** crank angle on the way. A step of that length
+//! therefore stays on the branch; longer ones are divided. Near a fold the steps shrink to
+//! nothing, and the fold is reported.
+
+use super::ClassIii;
+use super::kinematics::{Positions, State};
+use super::loops::{Frame, Jacobian, unit};
+use num_complex::Complex64;
+
+/// The branch could not be followed.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ContinuationError {
+    /// The branch ends: two assembly modes merge in a singular position.
+    #[error("the branch ends at the crank angle {phi1} rad: two assembly modes merge there")]
+    Fold {
+        /// Crank angle in radians up to which the branch was followed.
+        phi1: f64,
+    },
+    /// The start is not a solution of the loop equations.
+    #[error("the start at {phi1} rad does not close the loops (correction {correction} rad)")]
+    NotClosed {
+        /// Crank angle in radians.
+        phi1: f64,
+        /// Size of the Newton correction in radians.
+        correction: f64,
+    },
+    /// The target angle is NaN or infinite.
+    #[error("the crank angle {phi1} is not a finite number")]
+    NotFinite {
+        /// The value.
+        phi1: f64,
+    },
+}
+
+/// Below this step, in radians, a branch counts as ended.
+const SMALLEST_STEP: f64 = 1e-9;
+
+impl ClassIii {
+    /// Follows the branch from a configuration to the crank angle `to` and returns it there, its
+    /// angles unwrapped.
+    ///
+    /// # Errors
+    /// [`ContinuationError::Fold`] when the branch ends before `to`.
+    pub fn follow(&self, from: &State, to: f64) -> Result<State, ContinuationError> {
+        if !to.is_finite() {
+            return Err(ContinuationError::NotFinite { phi1: to });
+        }
+        let k = self.l.lipschitz();
+        let mut here = *from;
+        loop {
+            let left = to - here.phi1;
+            if left == 0.0 {
+                return Ok(here);
+            }
+            let f = Frame::new(&self.l, &here.positions);
+            let beta = Jacobian::new(&self.l, &f).inverse_norm();
+            // 0.98 of the theorem's step leaves room for rounding.
+            let longest = 0.49 / (beta * beta * k * self.l.l1);
+            if !(longest >= SMALLEST_STEP) {
+                return Err(ContinuationError::Fold { phi1: here.phi1 });
+            }
+            let step = left.clamp(-longest, longest);
+            let phi1 = if step == left { to } else { here.phi1 + step };
+            let h = beta * beta * k * self.l.l1 * step.abs();
+            let unique = (1.0 + (1.0 - 2.0 * h).max(0.0).sqrt()) / (beta * k);
+            here = self
+                .correct(&here, phi1, unique)
+                .ok_or(ContinuationError::Fold { phi1: here.phi1 })?;
+        }
+    }
+
+    /// The solution at `phi1` within `unique` radians of `from`.
+    fn correct(&self, from: &State, phi1: f64, unique: f64) -> Option<State> {
+        let e1 = unit(phi1);
+        let s = phi1 - from.phi1;
+        let r = &from.rates;
+        let predicted = from.positions.plus(std::array::from_fn(|i| {
+            (r.first[i] + 0.5 * r.second[i] * s) * s
+        }));
+        let inside = |p: &Positions| {
+            let (a, b) = (p.to_array(), from.positions.to_array());
+            a.iter().zip(b).all(|(x, y)| (x - y).abs() <= unique)
+        };
+        // A predictor outside the ball would prove nothing; the centre always lies inside.
+        let starts = [predicted, from.positions];
+        let found = starts
+            .into_iter()
+            .find_map(|start| self.newton(e1, start).filter(&inside))?;
+        self.state(phi1, found)
+    }
+
+    /// A checked start for [`ClassIii::follow`]: the solution at `phi1` near `guess`.
+    ///
+    /// # Errors
+    /// When Newton's method does not settle within `1e-2` rad of the guess, or the position is
+    /// singular.
+    pub fn state_near(&self, phi1: f64, guess: Positions) -> Result<State, ContinuationError> {
+        if !phi1.is_finite() {
+            return Err(ContinuationError::NotFinite { phi1 });
+        }
+        let found = self
+            .newton(unit(phi1), guess)
+            .filter(|p| p.distance(guess) <= 1e-2);
+        let not_closed = ContinuationError::NotClosed {
+            phi1,
+            correction: self.first_correction(unit(phi1), &guess),
+        };
+        self.state(phi1, found.ok_or(not_closed)?)
+            .ok_or(ContinuationError::Fold { phi1 })
+    }
+
+    fn first_correction(&self, e1: Complex64, p: &Positions) -> f64 {
+        let f = Frame::new(&self.l, p);
+        let (r1, r2) = self.residual(e1, &f);
+        match Jacobian::new(&self.l, &f).solve(-r1, -r2) {
+            Some(d) => d.iter().fold(0.0, |m: f64, x| m.max(x.abs())),
+            None => f64::INFINITY,
+        }
+    }
+
+    /// The states at the given crank angles (radians), each followed from the one before.
+    ///
+    /// # Errors
+    /// With the states up to there, when the branch ends.
+    pub fn sweep(
+        &self,
+        start: &State,
+        angles: impl IntoIterator<Item = f64>,
+    ) -> Result<Vec<State>, (Vec<State>, ContinuationError)> {
+        let mut states = Vec::new();
+        let mut here = *start;
+        for phi1 in angles {
+            match self.follow(&here, phi1) {
+                Ok(s) => here = s,
+                Err(e) => return Err((states, e)),
+            }
+            states.push(here);
+        }
+        Ok(states)
+    }
+
+    /// [`ClassIii::sweep`] on all cores: the branch is first followed from chunk to chunk, then
+    /// within the chunks in parallel. The angles should be in order.
+    ///
+    /// # Errors
+    /// When the branch ends before one of the angles.
+    #[cfg(feature = "parallel")]
+    pub fn sweep_parallel(
+        &self,
+        start: &State,
+        angles: &[f64],
+    ) -> Result<Vec<State>, ContinuationError> {
+        use rayon::prelude::*;
+        let size = angles
+            .len()
+            .div_ceil(4 * rayon::current_num_threads())
+            .max(64);
+        let mut heads = Vec::new();
+        let mut here = *start;
+        for chunk in angles.chunks(size) {
+            here = self.follow(&here, chunk[0])?;
+            heads.push(here);
+        }
+        let parts: Result<Vec<Vec<State>>, ContinuationError> = angles
+            .par_chunks(size)
+            .zip(heads)
+            .map(|(chunk, head)| self.sweep(&head, chunk.iter().copied()).map_err(|e| e.1))
+            .collect();
+        Ok(parts?.concat())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::zinchenko;
+    use super::*;
+
+    #[test]
+    fn a_whole_turn_closes() {
+        let linkage = zinchenko();
+        let phi1 = 14.426f64.to_radians();
+        let paper = linkage.assembly_modes(phi1).modes[2];
+        let start = linkage.state_near(phi1, paper).unwrap();
+        let end = linkage
+            .follow(&start, phi1 + std::f64::consts::TAU)
+            .unwrap();
+        let (a, b) = (start.positions.to_array(), end.positions.to_array());
+        assert!(a.iter().zip(b).all(|(x, y)| (x - y).abs() < 1e-13));
+        // Steps of any size give the same states.
+        let angles: Vec<f64> = (0..=1000).map(|k| phi1 + k as f64 * 1e-3).collect();
+        let fine = linkage.sweep(&start, angles.iter().copied()).unwrap();
+        let coarse = linkage.follow(&start, angles[1000]).unwrap();
+        assert!(fine[1000].positions.distance(coarse.positions) < 1e-13);
+        #[cfg(feature = "parallel")]
+        {
+            let parallel = linkage.sweep_parallel(&start, &angles).unwrap();
+            for (a, b) in fine.iter().zip(&parallel) {
+                assert!(a.positions.distance(b.positions) < 1e-13);
+            }
+        }
+    }
+
+    #[test]
+    fn a_fold_ends_the_branch() {
+        let linkage = zinchenko();
+        let phi1 = 200f64.to_radians();
+        let modes = linkage.assembly_modes(phi1).modes;
+        let folding = modes
+            .iter()
+            .filter_map(|m| {
+                linkage
+                    .follow(&linkage.state_near(phi1, *m).unwrap(), 4.0)
+                    .err()
+            })
+            .collect::<Vec<_>>();
+        assert_eq!(folding.len(), 2);
+        for e in folding {
+            let ContinuationError::Fold { phi1 } = e else {
+                panic!("{e}")
+            };
+            // The reported angle is the last one certified, at most a little short of the fold.
+            let short = 217.270876406 - phi1.to_degrees();
+            assert!((0.0..1e-4).contains(&short), "{short}");
+        }
+    }
+
+    #[test]
+    fn bad_starts_are_refused() {
+        let linkage = zinchenko();
+        let p = Positions::from_array([0.0; 4]);
+        assert!(matches!(
+            linkage.state_near(0.3, p),
+            Err(ContinuationError::NotClosed { .. })
+        ));
+        for bad in [f64::NAN, f64::INFINITY] {
+            assert!(matches!(
+                linkage.state_near(bad, p),
+                Err(ContinuationError::NotFinite { .. })
+            ));
+        }
+    }
+}
