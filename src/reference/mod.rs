@@ -4,11 +4,16 @@
 //! [`Undecided`]; it never falls back on anything else.
 
 mod ball;
+pub mod class_iii;
+mod complex;
 mod decimal;
+mod linear;
 mod mag;
 
 pub use ball::{Ball, dot};
+pub use complex::ComplexBall;
 pub use decimal::{Decimal, DecimalError};
+pub use linear::BallLu;
 pub use mag::Mag;
 
 /// The reference could not decide at the precision it was allowed.

@@ -1,0 +1,174 @@
+//! What an audit of a paper reports.
+
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Version of the JSON layout; changes when a field is removed or changes its meaning.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The paper.
+#[derive(Clone, Debug, Serialize)]
+pub struct Citation {
+    /// The name used on the command line.
+    pub key: &'static str,
+    /// Authors.
+    pub authors: &'static str,
+    /// Title, in English.
+    pub title: &'static str,
+    /// Year.
+    pub year: u16,
+    /// Where it appeared.
+    pub venue: &'static str,
+}
+
+/// Everything found about one paper.
+#[derive(Clone, Debug, Serialize)]
+pub struct PaperReport {
+    /// [`SCHEMA_VERSION`].
+    pub schema_version: u32,
+    /// Program version.
+    pub mechaudit_version: &'static str,
+    /// The paper.
+    pub paper: Citation,
+    /// What was found, in plain words with figures.
+    pub findings: Vec<Finding>,
+    /// How many entries agree, by variant of the data and column.
+    pub tallies: Vec<Tally>,
+    /// Every printed entry.
+    pub entries: Vec<Entry>,
+}
+
+impl PaperReport {
+    /// Whether every finding is as recorded.
+    pub fn as_recorded(&self) -> bool {
+        !self.findings.is_empty() && self.findings.iter().all(|f| f.as_recorded)
+    }
+}
+
+/// What a finding is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Subject {
+    /// Input data.
+    Data,
+    /// Printed tables.
+    Tables,
+    /// A formula or step.
+    Formula,
+    /// A claim or conclusion.
+    Claim,
+}
+
+/// What was made of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FindingVerdict {
+    /// The print is right.
+    Confirmed,
+    /// Wrong in the paper.
+    ErrorOfPaper,
+    /// Wrong as it stands; the scan may be to blame.
+    PrintOrScan,
+    /// A claim that does not hold.
+    Refuted,
+    /// Missing in the paper and worked out from its tables.
+    Recovered,
+    /// Left open.
+    Unexplained,
+}
+
+/// A figure that belongs to a finding.
+#[derive(Clone, Debug, Serialize)]
+pub struct Figure {
+    /// What it is.
+    pub name: String,
+    /// Its value, written with the digits that hold.
+    pub value: String,
+    /// Its unit, `1` if none.
+    pub unit: &'static str,
+}
+
+/// One finding.
+#[derive(Clone, Debug, Serialize)]
+pub struct Finding {
+    /// A stable name.
+    pub id: &'static str,
+    /// What it is about.
+    pub subject: Subject,
+    /// Where in the paper: a formula number, table or section.
+    pub place: &'static str,
+    /// One line.
+    pub title: String,
+    /// The verdict.
+    pub verdict: FindingVerdict,
+    /// A paragraph in plain words.
+    pub text: String,
+    /// The figures.
+    pub figures: Vec<Figure>,
+    /// Whether this run found what earlier runs recorded. False makes the program exit with 1.
+    pub as_recorded: bool,
+}
+
+/// What is made of a printed entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum EntryVerdict {
+    /// Within half a unit of the last printed digit: the correct rounding.
+    Agrees,
+    /// Within one unit: rounded from inexact intermediate values.
+    Rounding,
+    /// Off by more, with one wrong or superfluous character that explains it.
+    Misprint,
+    /// Off by more, without an explanation.
+    Unexplained,
+}
+
+/// A printed entry under one variant of the data.
+#[derive(Clone, Debug, Serialize)]
+pub struct VariantResult {
+    /// The certified value, at least 20 significant digits.
+    pub recomputed: String,
+    /// `(printed − recomputed)` in units of the last printed digit.
+    pub units_in_last_digit: f64,
+    /// The verdict.
+    pub verdict: EntryVerdict,
+    /// What explains a misprint.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
+}
+
+/// One printed entry.
+#[derive(Clone, Debug, Serialize)]
+pub struct Entry {
+    /// Table number.
+    pub table: u32,
+    /// Row, as printed.
+    pub row: u32,
+    /// Column.
+    pub column: &'static str,
+    /// The text as printed, with a decimal point.
+    pub printed: String,
+    /// By variant of the data: `as_printed`, `recovered`, `recovered_fitted_nodes`.
+    pub variants: BTreeMap<&'static str, VariantResult>,
+}
+
+/// How many entries of a column agree.
+#[derive(Clone, Debug, Serialize)]
+pub struct Tally {
+    /// Variant of the data.
+    pub variant: &'static str,
+    /// Table number.
+    pub table: u32,
+    /// Column.
+    pub column: &'static str,
+    /// Entries.
+    pub entries: usize,
+    /// Within half a unit of the last digit.
+    pub within_half: usize,
+    /// Within one unit.
+    pub within_one: usize,
+    /// Largest deviation in units of the last digit.
+    pub worst_units: f64,
+    /// Largest absolute deviation.
+    pub worst: f64,
+}
