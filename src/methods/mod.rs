@@ -13,7 +13,7 @@ macro_rules! registry {
     };
 }
 
-registry![];
+registry![class_iii, class_iii_assembly_modes];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {

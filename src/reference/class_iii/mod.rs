@@ -67,6 +67,24 @@ pub struct Geometry {
     pub o5: [Rational; 2],
 }
 
+impl Geometry {
+    /// From `l1, l2, l3, l4, l5, lB, φB (rad), x3, y3, x5, y5`.
+    pub fn from_values(v: &[Rational; 11]) -> Geometry {
+        let q = |i: usize| v[i].clone();
+        Geometry {
+            l1: q(0),
+            l2: q(1),
+            l3: q(2),
+            l4: q(3),
+            l5: q(4),
+            lb: q(5),
+            phi_b: ExactAngle::Radians(q(6)),
+            o3: [q(7), q(8)],
+            o5: [q(9), q(10)],
+        }
+    }
+}
+
 /// The geometry at a working precision.
 #[derive(Clone, Debug)]
 pub struct Linkage {

@@ -1,0 +1,174 @@
+//! All assembly modes of the class-III linkage: their number and every angle.
+
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, Input, Limit, Method, Output, Proof, Reference,
+    ReferenceAnswer, Region, SolverAnswer,
+};
+use crate::reference::class_iii::{self as exact, Linkage};
+use crate::reference::{Ball, Mag};
+use crate::solvers::class_iii::{ClassIii, Geometry};
+use rug::{Float, Rational};
+use std::f64::consts::TAU;
+
+/// See the module.
+pub struct Audit;
+
+const BUDGET: Budget = Budget {
+    limit: Limit::Conditioned(4.0),
+    reason: "each mode is polished by Newton's method on the loop equations, whose residual is a \
+             few rounding errors of the lengths",
+};
+
+const PAPER: [f64; 11] = [
+    0.10, 1.04, 0.60, 0.64, 0.485, 0.22, -0.685_914_396, 0.75, 0.93, 1.285, 1.035,
+];
+
+fn linkage(x: &[Rational], bits: u32) -> Option<Linkage> {
+    let values: &[Rational; 11] = x.get(..11)?.try_into().ok()?;
+    Some(Linkage::new(&exact::Geometry::from_values(values), bits))
+}
+
+impl Method for Audit {
+    fn name(&self) -> &'static str {
+        "class-iii-assembly-modes"
+    }
+
+    fn summary(&self) -> &'static str {
+        "every assembly mode of the class-III linkage: their number and all angles"
+    }
+
+    fn source(&self) -> &'static str {
+        "elimination of joint C from the loop equations of Zinchenko (2008): degree 6 in e^(i phi4)"
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        let i = |name, unit| Input { name, unit };
+        vec![
+            i("l1, l2, l3, l4, l5, lB", "m"),
+            i("phiB", "rad"),
+            i("x3, y3, x5, y5", "m"),
+            i("phi1", "rad"),
+        ]
+    }
+
+    fn outputs(&self) -> Vec<Output> {
+        ["phi2", "phi3", "phi4", "phi5"]
+            .map(|name| Output {
+                name,
+                unit: "rad",
+                budget: BUDGET,
+            })
+            .to_vec()
+    }
+
+    fn domain(&self) -> Domain {
+        let mut row = PAPER.to_vec();
+        row.push(14.426f64.to_radians());
+        Domain {
+            regions: vec![
+                Region {
+                    name: "paper",
+                    description: "Zinchenko's linkage at any crank angle",
+                    sample: |d| {
+                        let mut x = PAPER.to_vec();
+                        x.push(d.uniform(0.0, TAU));
+                        x
+                    },
+                },
+                Region {
+                    name: "random",
+                    description: "random lengths (factor 10) and pivots within reach; two to six \
+                                  modes, or none",
+                    sample: random,
+                },
+            ],
+            check_points: vec![CheckPoint {
+                name: "paper-row-0",
+                input: row,
+            }],
+        }
+    }
+
+    fn solve(&self, x: &[f64]) -> SolverAnswer {
+        let Some(values) = x.get(..11).and_then(|v| <&[f64; 11]>::try_from(v).ok()) else {
+            return SolverAnswer::Refuses("layout");
+        };
+        let Ok(linkage) = ClassIii::new(Geometry::from_values(values)) else {
+            return SolverAnswer::Refuses("geometry");
+        };
+        let found = linkage.assembly_modes(x[11]);
+        if found.modes.is_empty() {
+            return SolverAnswer::Refuses("cannot be assembled");
+        }
+        SolverAnswer::Values(found.modes.iter().flat_map(|m| m.to_array()).collect())
+    }
+
+    fn reference(&self, x: &[Rational], bits: u32) -> ReferenceAnswer {
+        let Some(linkage) = linkage(x, bits).filter(|_| x.len() == 12) else {
+            return ReferenceAnswer::Refuses("layout");
+        };
+        let modes = match linkage.modes(&Ball::rational(bits, &x[11])) {
+            Ok(modes) if modes.is_empty() => return ReferenceAnswer::Refuses("cannot be assembled"),
+            Ok(modes) => modes,
+            Err(e) => return ReferenceAnswer::Undecided(e.reason),
+        };
+        let mut values = Vec::new();
+        for mode in &modes {
+            match linkage.kinematics(&mode.configuration) {
+                Ok(k) => values.extend(k.angles),
+                Err(e) => return ReferenceAnswer::Undecided(e.reason),
+            }
+        }
+        ReferenceAnswer::Values(Reference {
+            values,
+            proof: Proof::Bounded(
+                "Krawczyk (1969); Neumaier (1990), Thm 5.1.8; all modes by bisection with a Taylor \
+                 bound",
+            ),
+        })
+    }
+
+    /// As [`crate::audit::conditions_by_differences`], enclosing each moved mode from the unmoved.
+    fn conditions(&self, x: &[f64]) -> Option<Vec<f64>> {
+        const BITS: u32 = 192;
+        let mut q: Vec<Rational> = x.iter().map(|&v| Rational::from_f64(v)).collect::<Option<_>>()?;
+        let base = linkage(&q, BITS)?;
+        let modes = base.modes(&Ball::rational(BITS, &q[11])).ok()?;
+        let mut sum = vec![Mag::ZERO; 4 * modes.len()];
+        let angles: Vec<Ball> = modes
+            .iter()
+            .map(|m| base.kinematics(&m.configuration).map(|k| k.angles))
+            .collect::<Result<Vec<_>, _>>()
+            .ok()?
+            .concat();
+        let scale = Rational::from(1) + (Rational::from(1) >> 60u32);
+        for j in 0..12 {
+            let moved = Rational::from(&q[j] * &scale);
+            let old = std::mem::replace(&mut q[j], moved);
+            let linkage = linkage(&q, BITS)?;
+            let phi1 = Ball::rational(BITS, &q[11]);
+            q[j] = old;
+            for (m, mode) in modes.iter().enumerate() {
+                let [cx, cy, dx, dy] = mode.configuration.coordinates().map(|f| f.to_f64());
+                let at = linkage.near(&phi1, [cx, cy], [dx, dy])?;
+                let k = linkage.kinematics(&at).ok()?;
+                for (i, a) in k.angles.iter().enumerate() {
+                    let d = Float::with_val(64, a.mid() - angles[4 * m + i].mid());
+                    sum[4 * m + i] = sum[4 * m + i].add(Mag::above(&d).shift(60));
+                }
+            }
+        }
+        Some(sum.into_iter().map(Mag::to_f64).collect())
+    }
+}
+
+fn random(d: &mut Draw) -> Vec<f64> {
+    let mut x: Vec<f64> = (0..6).map(|_| d.log_uniform(0.1, 1.0)).collect();
+    x.push(d.uniform(-3.1, 3.1));
+    for _ in 0..2 {
+        let (r, a) = (d.uniform(0.05, 1.2), d.uniform(-3.1, 3.1));
+        x.extend([r * a.cos(), r * a.sin()]);
+    }
+    x.push(d.uniform(-3.1, 3.1));
+    x
+}
