@@ -1,0 +1,98 @@
+//! How the printed columns were made: periodic cubic splines through N nodes, read every 7.5°.
+
+use super::data;
+use super::tables::{Column, ROWS, Source};
+use crate::reference::class_iii::Masses;
+use crate::reference::cubic_spline::{PeriodicUniform, periodic_uniform};
+use crate::reference::{Ball, Undecided};
+use rug::Rational;
+
+/// Nodes of the paper's splines.
+pub(super) const NODES: usize = 12;
+
+/// I_n, dI_n/dφ and M_o at equally spaced crank angles, from row 0 on.
+#[derive(Clone, Debug)]
+pub(super) struct Nodes {
+    pub inertia: Vec<Ball>,
+    pub derivative: Vec<Ball>,
+    pub moment: Vec<Ball>,
+}
+
+/// The certified values at `n` nodes over the turn, followed along the paper's branch.
+pub(super) fn exact_nodes(masses: &Masses, n: usize, bits: u32) -> Result<Nodes, Undecided> {
+    let (linkage, start) = data::start(bits)?;
+    let mut nodes = Nodes {
+        inertia: Vec::new(),
+        derivative: Vec::new(),
+        moment: Vec::new(),
+    };
+    let angle = |j: usize| {
+        let row = Rational::from((48 * j as u32, n as u32));
+        data::row_angle(&row).to_ball(bits)
+    };
+    let mut here = start;
+    for j in 0..n {
+        if j > 0 {
+            here = linkage
+                .follow(&here, &angle(j - 1), &angle(j))
+                .ok_or_else(|| Undecided {
+                    bits,
+                    reason: format!("the branch could not be followed to node {j}"),
+                })?;
+        }
+        let k = linkage.kinematics(&here)?;
+        let r = linkage.reduce(&k, masses);
+        nodes.inertia.push(r.inertia);
+        nodes.derivative.push(r.inertia_derivative);
+        nodes.moment.push(r.moment);
+    }
+    Ok(nodes)
+}
+
+/// The splines through the nodes.
+pub(super) struct Splines {
+    nodes: usize,
+    inertia: PeriodicUniform,
+    derivative: PeriodicUniform,
+    moment: PeriodicUniform,
+}
+
+impl Splines {
+    pub(super) fn new(nodes: &Nodes) -> Splines {
+        let n = nodes.inertia.len();
+        let bits = nodes.inertia[0].prec();
+        let h = &Ball::pi(bits).shift(1) / &Ball::integer(bits, n as i64);
+        Splines {
+            nodes: n,
+            inertia: periodic_uniform(&nodes.inertia, &h),
+            derivative: periodic_uniform(&nodes.derivative, &h),
+            moment: periodic_uniform(&nodes.moment, &h),
+        }
+    }
+
+    /// The value that the recipe puts into a column at a row.
+    pub(super) fn entry(&self, column: Column, row: usize) -> Ball {
+        let at = Rational::from(((row % 48 * self.nodes) as u32, 48));
+        let segment = at.clone().floor().to_f64() as usize;
+        let k = at.fract_floor(Default::default()).0;
+        let read = |s: &PeriodicUniform, slope: bool| {
+            if slope {
+                s.derivative(segment, &k)
+            } else {
+                s.value(segment, &k)
+            }
+        };
+        match column.source() {
+            Source::Inertia(slope) => read(&self.inertia, slope),
+            Source::Derivative(slope) => read(&self.derivative, slope),
+            Source::Moment(slope) => read(&self.moment, slope),
+            Source::Difference => read(&self.derivative, false) - read(&self.inertia, true),
+        }
+    }
+
+    /// Every column, in the order of [`Column::ALL`].
+    pub(super) fn columns(&self) -> Vec<Vec<Ball>> {
+        let column = |c: &Column| (0..ROWS).map(|row| self.entry(*c, row)).collect();
+        Column::ALL.iter().map(column).collect()
+    }
+}
