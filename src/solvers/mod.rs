@@ -1,3 +1,5 @@
 //! Fast `f64` solvers. They know nothing of references or audits and need neither GMP nor MPFR.
 
+pub mod cyclic_tridiagonal;
+pub mod tridiagonal;
 pub mod units;
