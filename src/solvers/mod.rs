@@ -1,5 +1,8 @@
 //! Fast `f64` solvers. They know nothing of references or audits and need neither GMP nor MPFR.
 
 pub mod class_iii;
+pub mod cubic_spline;
+pub mod cyclic_tridiagonal;
 pub mod reduction;
+pub mod tridiagonal;
 pub mod units;

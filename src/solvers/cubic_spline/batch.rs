@@ -1,0 +1,180 @@
+//! Values at many points.
+
+use super::grid::Grid;
+use super::{EvaluationError as Error, Jet, Spline};
+
+/// Points examined at a time, so that they stay in the first-level cache.
+const BLOCK: usize = 1024;
+
+impl<G: Grid> Spline<G> {
+    /// `S` at points in any order.
+    ///
+    /// # Errors
+    /// Lengths that differ; as [`Spline::value`] for the first point that fails. `out` is then
+    /// partly written.
+    pub fn values(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        check_room(x, out)?;
+        self.values_from(0, x, out)
+    }
+
+    fn values_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        for (i, (x, out)) in x.iter().zip(out).enumerate() {
+            *out = self.value_in_batch(offset + i, *x)?;
+        }
+        Ok(())
+    }
+
+    /// `S`, `S'`, `S''`, `S'''` at points in any order.
+    ///
+    /// # Errors
+    /// As [`Spline::value`]; the index is the place in `x`.
+    pub fn jets(&self, x: &[f64]) -> Result<Vec<Jet>, Error> {
+        let one = |(i, x): (usize, &f64)| {
+            self.place(i, *x)?;
+            self.jet(*x)
+        };
+        x.iter().enumerate().map(one).collect()
+    }
+
+    /// `S` at points in ascending order: each segment is prepared once. The values are those of
+    /// [`Spline::value`], bit for bit.
+    ///
+    /// # Errors
+    /// Lengths that differ; a point smaller than its predecessor; as [`Spline::value`]. `out` is
+    /// then partly written.
+    ///
+    /// ```
+    /// use mechaudit::solvers::cubic_spline::{Boundary, UniformCubicSpline};
+    /// let s = UniformCubicSpline::fit(0.0, 1.0, vec![0.0, 1.0, 0.0], Boundary::NATURAL)?;
+    /// let mut out = [0.0; 3];
+    /// s.values_sorted(&[0.5, 1.0, 1.5], &mut out)?;
+    /// assert_eq!(out, [0.6875, 1.0, 0.6875]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn values_sorted(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        check_room(x, out)?;
+        self.sorted_from(0, x, out)
+    }
+
+    fn sorted_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        let mut before = f64::NEG_INFINITY;
+        let mut segment = 0;
+        let mut done = 0;
+        for (x, out) in x.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            let ascending = x[0] >= before && x.windows(2).all(|p| p[0] <= p[1]);
+            let (first, last) = self.grid.span();
+            if !ascending || x[0] < first || x[x.len() - 1] > last {
+                self.exceptional(offset + done, before, x, out)?;
+            } else {
+                segment = self.block(segment, x, out);
+            }
+            before = x[x.len() - 1];
+            done += x.len();
+        }
+        Ok(())
+    }
+
+    /// A block that is out of order or reaches beyond the knots.
+    fn exceptional(
+        &self,
+        offset: usize,
+        mut before: f64,
+        x: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), Error> {
+        for (i, (&x, out)) in x.iter().zip(out).enumerate() {
+            let index = offset + i;
+            if x < before {
+                return Err(Error::NotSorted { index });
+            }
+            *out = self.value_in_batch(index, x)?;
+            before = x;
+        }
+        Ok(())
+    }
+
+    /// An ascending block between the knots; `segment` is not behind its first point. Returns the
+    /// segment of the last point.
+    fn block(&self, mut segment: usize, x: &[f64], out: &mut [f64]) -> usize {
+        let end = self.grid.segments() - 1;
+        let mut start = 0;
+        while start < x.len() {
+            // The next segment is the usual case; a search when it is further away.
+            let mut right = self.grid.interval(segment).right;
+            let mut steps = 0;
+            while segment < end && (x[start] - right.0) - right.1 >= 0.0 {
+                steps += 1;
+                segment = if steps < 8 {
+                    segment + 1
+                } else {
+                    self.grid.locate(x[start])
+                };
+                right = self.grid.interval(segment).right;
+            }
+            let mut stop = start + 1;
+            if segment == end {
+                stop = x.len();
+            } else {
+                while stop < x.len() && (x[stop] - right.0) - right.1 < 0.0 {
+                    stop += 1;
+                }
+            }
+            let cell = self.cell(segment);
+            for (x, out) in x[start..stop].iter().zip(&mut out[start..stop]) {
+                *out = cell.value(*x);
+            }
+            start = stop;
+        }
+        segment
+    }
+}
+
+#[cfg(feature = "parallel")]
+impl<G: Grid> Spline<G> {
+    /// [`Spline::values`] over all cores.
+    ///
+    /// # Errors
+    /// As [`Spline::values`]; of several points that fail, any may be named.
+    pub fn par_values(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        use rayon::prelude::*;
+        check_room(x, out)?;
+        x.par_chunks(PARALLEL)
+            .zip(out.par_chunks_mut(PARALLEL))
+            .enumerate()
+            .try_for_each(|(i, (x, out))| self.values_from(i * PARALLEL, x, out))
+    }
+
+    /// [`Spline::values_sorted`] over all cores.
+    ///
+    /// # Errors
+    /// As [`Spline::values_sorted`]; of several points that fail, any may be named.
+    pub fn par_values_sorted(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        use rayon::prelude::*;
+        check_room(x, out)?;
+        x.par_chunks(PARALLEL)
+            .zip(out.par_chunks_mut(PARALLEL))
+            .enumerate()
+            .try_for_each(|(i, (part, out))| {
+                let start = i * PARALLEL;
+                if start > 0 && part[0] < x[start - 1] {
+                    return Err(Error::NotSorted { index: start });
+                }
+                self.sorted_from(start, part, out)
+            })
+    }
+}
+
+/// Points handed to a core at a time.
+#[cfg(feature = "parallel")]
+const PARALLEL: usize = 1 << 16;
+
+fn check_room(x: &[f64], out: &[f64]) -> Result<(), Error> {
+    if x.len() == out.len() {
+        Ok(())
+    } else {
+        Err(Error::Length {
+            points: x.len(),
+            room: out.len(),
+        })
+    }
+}

@@ -1,0 +1,283 @@
+//! Values, derivatives and integrals at single points.
+
+use super::grid::{Grid, Interval};
+use super::{EvaluationError as Error, Spline};
+
+/// What a spline is outside its knots.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Extrapolation {
+    /// [`EvaluationError::Outside`](super::EvaluationError::Outside).
+    #[default]
+    Error,
+    /// The cubic of the first or last segment goes on.
+    EndPolynomial,
+    /// The tangent at the end goes on.
+    Linear,
+    /// The ordinate of the end is held, with zero derivatives.
+    Clamp,
+    /// The spline repeats with the period `last − first`. Smooth only for a periodic spline.
+    Wrap,
+}
+
+/// Value and derivatives at a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Jet {
+    /// `S`.
+    pub value: f64,
+    /// `S'`.
+    pub first: f64,
+    /// `S''`.
+    pub second: f64,
+    /// `S'''`, of the segment to the right at a knot.
+    pub third: f64,
+}
+
+/// One segment ready for evaluation.
+#[derive(Clone, Copy)]
+pub(super) struct Cell {
+    at: Interval,
+    y0: f64,
+    y1: f64,
+    /// `h² m_i / 6` and `h² m_{i+1} / 6`.
+    p: f64,
+    q: f64,
+    m0: f64,
+    m1: f64,
+}
+
+impl Cell {
+    /// `k` and `w`.
+    #[inline(always)]
+    fn fractions(&self, x: f64) -> (f64, f64) {
+        let a = (x - self.at.left.0) - self.at.left.1;
+        let b = (self.at.right.0 - x) + self.at.right.1;
+        (a / self.at.h, b / self.at.h)
+    }
+
+    #[inline(always)]
+    fn value_at(&self, (k, w): (f64, f64)) -> f64 {
+        (w * self.y0 + k * self.y1) - (k * w) * ((1.0 + w) * self.p + (1.0 + k) * self.q)
+    }
+
+    /// `S(x)`.
+    #[inline(always)]
+    pub(super) fn value(&self, x: f64) -> f64 {
+        self.value_at(self.fractions(x))
+    }
+
+    pub(super) fn jet(&self, x: f64) -> Jet {
+        let (k, w) = self.fractions(x);
+        let bend = (3.0 * k * k - 1.0) * self.q - (3.0 * w * w - 1.0) * self.p;
+        Jet {
+            value: self.value_at((k, w)),
+            first: ((self.y1 - self.y0) + bend) / self.at.h,
+            second: w * self.m0 + k * self.m1,
+            third: (self.m1 - self.m0) / self.at.h,
+        }
+    }
+
+    /// The integral over `length` between two points of the segment, by Simpson's rule, which is
+    /// exact for cubics and does not subtract antiderivatives.
+    fn integral(&self, a: (f64, f64), b: (f64, f64), length: f64) -> f64 {
+        let mid = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
+        let ends = self.value_at(a) + self.value_at(b);
+        length * (ends + 4.0 * self.value_at(mid)) / 6.0
+    }
+
+    fn whole(&self) -> f64 {
+        self.at.h * (0.5 * (self.y0 + self.y1) - 0.25 * (self.p + self.q))
+    }
+}
+
+/// Where a point lies.
+pub(super) enum Place {
+    /// Between the knots, after wrapping if that is asked for.
+    Inside(f64),
+    Before,
+    After,
+}
+
+/// Neumaier's compensated sum.
+#[derive(Default)]
+struct Sum {
+    sum: f64,
+    rest: f64,
+}
+
+impl Sum {
+    fn add(&mut self, x: f64) {
+        let s = self.sum + x;
+        self.rest += if self.sum.abs() >= x.abs() {
+            (self.sum - s) + x
+        } else {
+            (x - s) + self.sum
+        };
+        self.sum = s;
+    }
+}
+
+impl<G: Grid> Spline<G> {
+    #[inline]
+    pub(super) fn cell(&self, i: usize) -> Cell {
+        let at = self.grid.interval(i);
+        let c = self.grid.curvature_per_bend(at.h);
+        let f = self.grid.second_per_bend();
+        let (b0, b1) = (self.bend[i], self.bend[i + 1]);
+        Cell {
+            at,
+            y0: self.y[i],
+            y1: self.y[i + 1],
+            p: c * b0,
+            q: c * b1,
+            m0: f * b0,
+            m1: f * b1,
+        }
+    }
+
+    pub(super) fn place(&self, index: usize, x: f64) -> Result<Place, Error> {
+        if !x.is_finite() {
+            return Err(Error::NotFinite { index, x });
+        }
+        let (first, last) = self.grid.span();
+        if first <= x && x <= last {
+            return Ok(Place::Inside(x));
+        }
+        match self.extrapolation {
+            Extrapolation::Error => Err(Error::Outside {
+                index,
+                x,
+                first,
+                last,
+            }),
+            Extrapolation::Wrap => {
+                let offset = (x - first).rem_euclid(last - first);
+                let wrapped = first + offset;
+                // The distance overflows only when nothing of the point's place is left.
+                if wrapped.is_nan() {
+                    return Err(Error::NotFinite { index, x });
+                }
+                Ok(Place::Inside(wrapped.clamp(first, last)))
+            }
+            _ if x < first => Ok(Place::Before),
+            _ => Ok(Place::After),
+        }
+    }
+
+    fn outside(&self, x: f64, before: bool) -> Jet {
+        let (first, last) = self.grid.span();
+        let (cell, end) = if before {
+            (self.cell(0), first)
+        } else {
+            (self.cell(self.grid.segments() - 1), last)
+        };
+        match self.extrapolation {
+            Extrapolation::EndPolynomial => cell.jet(x),
+            Extrapolation::Clamp => Jet {
+                value: cell.value(end),
+                ..Jet::default()
+            },
+            _ => {
+                let at = cell.jet(end);
+                Jet {
+                    value: at.value + at.first * (x - end),
+                    first: at.first,
+                    ..Jet::default()
+                }
+            }
+        }
+    }
+
+    pub(super) fn value_in_batch(&self, index: usize, x: f64) -> Result<f64, Error> {
+        Ok(match self.place(index, x)? {
+            Place::Inside(x) => self.cell(self.grid.locate(x)).value(x),
+            Place::Before => self.outside(x, true).value,
+            Place::After => self.outside(x, false).value,
+        })
+    }
+
+    /// `S(x)`.
+    ///
+    /// # Errors
+    /// `x` is not finite, or outside the knots under [`Extrapolation::Error`]. Far outside, the
+    /// result may overflow to an infinity.
+    pub fn value(&self, x: f64) -> Result<f64, Error> {
+        self.value_in_batch(0, x)
+    }
+
+    /// `S`, `S'`, `S''` and `S'''` at `x`.
+    ///
+    /// # Errors
+    /// As [`Spline::value`].
+    pub fn jet(&self, x: f64) -> Result<Jet, Error> {
+        Ok(match self.place(0, x)? {
+            Place::Inside(x) => self.cell(self.grid.locate(x)).jet(x),
+            Place::Before => self.outside(x, true),
+            Place::After => self.outside(x, false),
+        })
+    }
+
+    /// `∫ S dx` from `a` to `b`; `b < a` gives the negative of the integral from `b` to `a`.
+    /// Linear in the number of knots between the limits.
+    ///
+    /// # Errors
+    /// As [`Spline::value`], for either limit (index 0 and 1).
+    pub fn integral(&self, a: f64, b: f64) -> Result<f64, Error> {
+        self.place(0, a)?;
+        self.place(1, b)?;
+        let sign = if a <= b { 1.0 } else { -1.0 };
+        let (a, b) = if a <= b { (a, b) } else { (b, a) };
+        let (first, last) = self.grid.span();
+        let mut sum = Sum::default();
+        if self.extrapolation == Extrapolation::Wrap && (a < first || b > last) {
+            let period = last - first;
+            let turns = |x: f64| ((x - first) / period).floor();
+            let offset = |x: f64| (first + (x - first).rem_euclid(period)).clamp(first, last);
+            // ∫ from a to the end of its turn, whole turns, from the start of b's turn to b.
+            let whole = turns(b) - turns(a);
+            if whole == 0.0 {
+                self.inside(offset(a), offset(b).max(offset(a)), &mut sum);
+            } else {
+                self.inside(offset(a), last, &mut sum);
+                self.inside(first, offset(b), &mut sum);
+                if whole > 1.0 {
+                    let mut turn = Sum::default();
+                    self.inside(first, last, &mut turn);
+                    sum.add((whole - 1.0) * (turn.sum + turn.rest));
+                }
+            }
+            return Ok(sign * (sum.sum + sum.rest));
+        }
+        if a < first {
+            sum.add(self.tail(a, b.min(first), true));
+        }
+        if b > last {
+            sum.add(self.tail(a.max(last), b, false));
+        }
+        if a < last && b > first {
+            self.inside(a.max(first), b.min(last), &mut sum);
+        }
+        Ok(sign * (sum.sum + sum.rest))
+    }
+
+    /// Simpson's rule on a cubic outside the knots.
+    fn tail(&self, a: f64, b: f64, before: bool) -> f64 {
+        let f = |x| self.outside(x, before).value;
+        (b - a) * (f(a) + 4.0 * f(0.5 * a + 0.5 * b) + f(b)) / 6.0
+    }
+
+    /// Adds the integral between two points of the span, `a ≤ b`.
+    fn inside(&self, a: f64, b: f64, sum: &mut Sum) {
+        let (i, j) = (self.grid.locate(a), self.grid.locate(b));
+        let (from, to) = (self.cell(i), self.cell(j));
+        let (start, stop) = (from.fractions(a), to.fractions(b));
+        if i == j {
+            sum.add(from.integral(start, stop, b - a));
+            return;
+        }
+        sum.add(from.integral(start, (1.0, 0.0), start.1 * from.at.h));
+        for c in i + 1..j {
+            sum.add(self.cell(c).whole());
+        }
+        sum.add(to.integral((0.0, 1.0), stop, stop.0 * to.at.h));
+    }
+}

@@ -1,0 +1,317 @@
+use super::*;
+use proptest::prelude::*;
+
+const ENDS: [End; 4] = [
+    End::SecondDerivative(0.7),
+    End::FirstDerivative(-0.4),
+    End::NotAKnot,
+    End::SecondDerivative(0.0),
+];
+
+fn wiggle(n: usize) -> Vec<f64> {
+    (0..n)
+        .map(|i| ((i * i * 7 + 3) % 11) as f64 - 5.0)
+        .collect()
+}
+
+/// S, S' and S'' from both sides of every inner knot, the ordinates, and the end conditions.
+fn check<G: Grid>(s: &Spline<G>, boundary: Boundary) {
+    let n = s.grid.segments();
+    let m = s.second_derivatives();
+    let scale = m.iter().fold(1f64, |a, b| a.max(b.abs())) * 1e-11;
+    for i in 0..n {
+        let c = s.grid.interval(i);
+        assert_eq!(s.cell(i).value(c.left.0), s.y[i]);
+        assert_eq!(s.cell(i).value(c.right.0), s.y[i + 1]);
+    }
+    let jet = |i: usize, x: f64| s.cell(i).jet(x);
+    for i in 1..n {
+        let x = s.grid.interval(i).left.0;
+        let (a, b) = (jet(i - 1, x), jet(i, x));
+        assert!(
+            (a.first - b.first).abs() < scale,
+            "S' at knot {i} of {n}: {boundary:?}"
+        );
+        assert!((a.second - b.second).abs() < scale);
+    }
+    let (first, last) = s.grid.span();
+    let (a, b) = (jet(0, first), jet(n - 1, last));
+    match boundary {
+        Boundary::Periodic => {
+            assert!((a.first - b.first).abs() < scale && (a.second - b.second).abs() < scale);
+        }
+        Boundary::Ends(l, r) => {
+            for (end, at, own, next) in [(l, a, 0, 1), (r, b, n - 1, n.max(2) - 2)] {
+                match end {
+                    End::SecondDerivative(v) => assert!((at.second - v).abs() < scale),
+                    End::FirstDerivative(v) => assert!((at.first - v).abs() < scale),
+                    End::NotAKnot if n > 1 => {
+                        let third = |i: usize| jet(i, s.grid.interval(i).left.0).third;
+                        let (p, q) = (third(own), third(next.min(n - 1)));
+                        assert!((p - q).abs() < 100.0 * scale, "{p} {q} {n} {boundary:?}");
+                    }
+                    End::NotAKnot => assert_eq!(at.second, 0.0),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn conditions_hold_for_every_pair_of_ends_and_every_size() {
+    for n in (2..80).chain([200, 1001]) {
+        let x: Vec<f64> = (0..n)
+            .map(|i| i as f64 + 0.3 * ((i * 5) % 3) as f64)
+            .collect();
+        for l in ENDS {
+            for r in ENDS {
+                let b = Boundary::Ends(l, r);
+                let a = CubicSpline::fit(x.clone(), wiggle(n), b);
+                let u = UniformCubicSpline::fit(-1.0, 0.25, wiggle(n), b);
+                if n < 3 && (l == End::NotAKnot) != (r == End::NotAKnot) {
+                    assert_eq!(
+                        a.unwrap_err(),
+                        CubicSplineError::TooFewKnots { needed: 3, got: 2 }
+                    );
+                    assert_eq!(
+                        u.unwrap_err(),
+                        CubicSplineError::TooFewKnots { needed: 3, got: 2 }
+                    );
+                    continue;
+                }
+                check(&a.unwrap(), b);
+                check(&u.unwrap(), b);
+            }
+        }
+        let mut y = wiggle(n);
+        y[n - 1] = y[0];
+        check(
+            &CubicSpline::fit(x, y.clone(), Boundary::Periodic).unwrap(),
+            Boundary::Periodic,
+        );
+        check(
+            &UniformCubicSpline::fit(3.0, 0.5, y, Boundary::Periodic).unwrap(),
+            Boundary::Periodic,
+        );
+    }
+}
+
+#[test]
+fn both_kinds_agree() {
+    for b in [
+        Boundary::NATURAL,
+        Boundary::NOT_A_KNOT,
+        Boundary::clamped(1.0, 2.0),
+    ] {
+        let n = 100;
+        let x: Vec<f64> = (0..n).map(|i| i as f64 * 0.5).collect();
+        let a = CubicSpline::fit(x, wiggle(n), b)
+            .unwrap()
+            .second_derivatives();
+        let u = UniformCubicSpline::fit(0.0, 0.5, wiggle(n), b)
+            .unwrap()
+            .second_derivatives();
+        for (a, u) in a.iter().zip(&u) {
+            assert!((a - u).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn sorted_batches_are_bit_identical() {
+    let n = 300;
+    let u = UniformCubicSpline::fit(-7.3, 0.1, wiggle(n), Boundary::NATURAL)
+        .unwrap()
+        .with_extrapolation(Extrapolation::Linear);
+    let knots: Vec<f64> = (0..n).map(|i| (i as f64).sqrt() - 8.0).collect();
+    let v = CubicSpline::fit(knots.clone(), wiggle(n), Boundary::NOT_A_KNOT)
+        .unwrap()
+        .with_extrapolation(Extrapolation::EndPolynomial);
+    for step in [0.001, 0.0123, 0.4, 3.0] {
+        let mut x: Vec<f64> = (0..6000).map(|i| -9.0 + step * i as f64).collect();
+        x.extend(&knots);
+        x.extend((0..n).map(|i| -7.3 + 0.1 * i as f64));
+        x.sort_by(f64::total_cmp);
+        let (mut a, mut b) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+        u.values_sorted(&x, &mut a).unwrap();
+        v.values_sorted(&x, &mut b).unwrap();
+        for (i, &x) in x.iter().enumerate() {
+            assert_eq!(a[i].to_bits(), u.value(x).unwrap().to_bits());
+            assert_eq!(b[i].to_bits(), v.value(x).unwrap().to_bits());
+        }
+        let mut c = vec![0.0; x.len()];
+        u.values(&x, &mut c).unwrap();
+        assert_eq!(a, c);
+        #[cfg(feature = "parallel")]
+        {
+            u.par_values(&x, &mut c).unwrap();
+            assert_eq!(a, c);
+            u.par_values_sorted(&x, &mut c).unwrap();
+            assert_eq!(a, c);
+        }
+    }
+}
+
+#[test]
+fn extrapolation() {
+    let y = vec![1.0, 3.0, 2.0, 1.0];
+    let s = CubicSpline::fit(vec![0.0, 1.0, 2.0, 3.0], y, Boundary::Periodic).unwrap();
+    assert!(matches!(
+        s.value(3.5),
+        Err(EvaluationError::Outside { index: 0, .. })
+    ));
+    assert!(matches!(
+        s.value(f64::NAN),
+        Err(EvaluationError::NotFinite { .. })
+    ));
+    let e = s.values_sorted(&[0.0, 2.0, 1.0], &mut [0.0; 3]);
+    assert_eq!(e, Err(EvaluationError::NotSorted { index: 2 }));
+    let e = s.values_sorted(&[0.0, f64::NAN, 1.0], &mut [0.0; 3]);
+    assert!(matches!(
+        e,
+        Err(EvaluationError::NotFinite { index: 1, .. })
+    ));
+    let e = s.values(&[0.0], &mut []);
+    assert_eq!(e, Err(EvaluationError::Length { points: 1, room: 0 }));
+    let w = s.clone().with_extrapolation(Extrapolation::Wrap);
+    assert_eq!(w.value(7.25), s.value(1.25));
+    assert_eq!(w.value(-0.5), s.value(2.5));
+    let turn = s.integral(0.0, 3.0).unwrap();
+    let part = s.integral(1.0, 3.0).unwrap() + s.integral(0.0, 0.5).unwrap();
+    assert!((w.integral(-2.0, 6.5).unwrap() - (2.0 * turn + part)).abs() < 1e-13);
+    assert!((w.integral(6.5, -2.0).unwrap() + (2.0 * turn + part)).abs() < 1e-13);
+    let c = s.clone().with_extrapolation(Extrapolation::Clamp);
+    assert_eq!(
+        c.jet(5.0).unwrap(),
+        Jet {
+            value: 1.0,
+            ..Jet::default()
+        }
+    );
+    assert!((c.integral(-1.0, 5.0).unwrap() - (turn + 3.0)).abs() < 1e-13);
+    let l = s.clone().with_extrapolation(Extrapolation::Linear);
+    let slope = s.jet(0.0).unwrap().first;
+    assert!((l.value(-2.0).unwrap() - (1.0 - 2.0 * slope)).abs() < 1e-14);
+    let p = s.with_extrapolation(Extrapolation::EndPolynomial);
+    let third = p.jet(3.0).unwrap().third;
+    assert!((p.jet(4.0).unwrap().second - (p.jet(3.0).unwrap().second + third)).abs() < 1e-13);
+}
+
+#[test]
+fn typed_errors() {
+    use CubicSplineError as E;
+    let fit = |x: &[f64], y: &[f64]| {
+        CubicSpline::fit(x.to_vec(), y.to_vec(), Boundary::NATURAL).unwrap_err()
+    };
+    assert_eq!(fit(&[1.0], &[1.0]), E::TooFewKnots { needed: 2, got: 1 });
+    assert_eq!(
+        fit(&[], &[1.0]),
+        E::Length {
+            knots: 0,
+            values: 1
+        }
+    );
+    let e = fit(&[0.0, 1.0, 1.0], &[0.0; 3]);
+    assert_eq!(
+        e,
+        E::NotIncreasing {
+            index: 2,
+            previous: 1.0,
+            value: 1.0
+        }
+    );
+    let e = fit(&[0.0, 1.0], &[0.0, f64::INFINITY]);
+    assert!(matches!(
+        e,
+        E::NotFinite {
+            name: "values",
+            index: 1,
+            ..
+        }
+    ));
+    assert_eq!(fit(&[0.0, 1.0], &[1e305, 0.0]), E::Overflow { knot: 0 });
+    assert_eq!(fit(&[-1e308, 1e308], &[0.0; 2]), E::Overflow { knot: 1 });
+    let uniform = |o: f64, h: f64, y: &[f64], b| UniformCubicSpline::fit(o, h, y.to_vec(), b);
+    for h in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-310, 1e-17] {
+        let e = uniform(1.0, h, &[0.0; 4], Boundary::NATURAL).unwrap_err();
+        assert!(matches!(e, E::Step { .. }), "{h}: {e}");
+    }
+    for i in 0..200 {
+        for bad in [f64::NAN, f64::INFINITY] {
+            let mut y = wiggle(200);
+            y[i] = bad;
+            let e = uniform(0.0, 1.0, &y, Boundary::NATURAL).unwrap_err();
+            assert!(matches!(e, E::NotFinite { index, .. } if index == i), "{e}");
+        }
+        let mut y = wiggle(200);
+        y[i] = 1e302;
+        let e = uniform(0.0, 1.0, &y, Boundary::NOT_A_KNOT).unwrap_err();
+        assert_eq!(e, E::Overflow { knot: i });
+    }
+    let e = uniform(0.0, 1.0, &[0.0, 1.0, 2.0], Boundary::Periodic).unwrap_err();
+    assert!(matches!(e, E::NotPeriodic { .. }));
+    let e = uniform(0.0, 1.0, &[0.0; 3], Boundary::clamped(0.0, f64::NAN)).unwrap_err();
+    assert!(matches!(
+        e,
+        E::NotFinite {
+            name: "ends",
+            index: 1,
+            ..
+        }
+    ));
+}
+
+proptest! {
+    #[test]
+    fn no_bits_panic(v in prop::collection::vec(any::<u64>(), 0..40), kind in 0usize..6, mild: bool) {
+        let take = |b: u64| if mild {
+            // Exponents near that of 1, so that fits succeed.
+            f64::from_bits((b & !(0x7ff << 52)) | ((1019 + (b >> 52) % 8) << 52))
+        } else {
+            f64::from_bits(b)
+        };
+        let v: Vec<f64> = v.into_iter().map(take).collect();
+        let at = |i: usize| v.get(i).copied().unwrap_or(0.5);
+        let boundary = match kind {
+            0 => Boundary::Periodic,
+            1 => Boundary::NOT_A_KNOT,
+            2 => Boundary::clamped(at(0), at(1)),
+            3 => Boundary::second_derivatives(at(0), at(1)),
+            4 => Boundary::Ends(End::NotAKnot, End::FirstDerivative(at(2))),
+            _ => Boundary::NATURAL,
+        };
+        let (x, y) = v.split_at(v.len() / 2);
+        let mut x = x.to_vec();
+        x.sort_by(f64::total_cmp);
+        let modes = [Extrapolation::Error, Extrapolation::EndPolynomial, Extrapolation::Linear,
+            Extrapolation::Clamp, Extrapolation::Wrap];
+        let a = CubicSpline::fit(x.clone(), y.to_vec(), boundary);
+        let u = UniformCubicSpline::fit(at(3), at(4).abs(), y.to_vec(), boundary);
+        for mode in modes {
+            if let Ok(s) = &a {
+                exercise(&s.clone().with_extrapolation(mode), &v);
+            }
+            if let Ok(s) = &u {
+                exercise(&s.clone().with_extrapolation(mode), &v);
+            }
+        }
+    }
+}
+
+fn exercise<G: Grid>(s: &Spline<G>, points: &[f64]) {
+    let (first, last) = s.grid.span();
+    let mut sorted = points.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let mut out = vec![0.0; points.len()];
+    let _ = s.values_sorted(&sorted, &mut out);
+    for (i, &x) in points.iter().enumerate() {
+        let _ = s.jet(x);
+        let _ = s.integral(x, points[i / 2]);
+        if let Ok(v) = s.value(x) {
+            assert!(
+                !(first..=last).contains(&x) || v.is_finite(),
+                "S({x}) = {v}"
+            );
+        }
+    }
+}
