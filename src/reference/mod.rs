@@ -5,6 +5,7 @@
 
 mod ball;
 mod decimal;
+pub mod dyad;
 mod mag;
 
 pub use ball::{Ball, dot};
