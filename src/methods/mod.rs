@@ -13,7 +13,7 @@ macro_rules! registry {
     };
 }
 
-registry![];
+registry![four_bar, slider_crank];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {

@@ -29,6 +29,9 @@ pub enum DyadRefusal {
     /// A length that has to be positive is not.
     #[error("a length is not positive")]
     NotPositive,
+    /// The links cannot be joined in any position, or only in one where all lie on one line.
+    #[error("one length is not shorter than the others together")]
+    CannotClose,
     /// The dyad certainly cannot be joined.
     #[error("the dyad cannot be joined in this position")]
     Unreachable,
@@ -161,6 +164,10 @@ pub fn four_bar(
 ) -> Result<FourBarBalls, DyadRefusal> {
     if lengths.iter().any(|l| l.cmp0() != Ordering::Greater) {
         return Err(DyadRefusal::NotPositive);
+    }
+    let perimeter: Rational = lengths.iter().sum();
+    if lengths.iter().any(|l| Rational::from(l * 2) >= perimeter) {
+        return Err(DyadRefusal::CannotClose);
     }
     let [ra, rb, rc, rd] = lengths;
     // Constants of the discriminant, exact.
@@ -296,6 +303,9 @@ pub fn slider_crank(
     if ra.cmp0() != Ordering::Greater || rb.cmp0() != Ordering::Greater {
         return Err(DyadRefusal::NotPositive);
     }
+    if re.clone().abs() >= Rational::from(ra + rb) {
+        return Err(DyadRefusal::CannotClose);
+    }
     if phi == delta {
         match re.clone().abs().cmp(rb) {
             Ordering::Greater => return Err(DyadRefusal::Unreachable),
@@ -379,8 +389,8 @@ mod tests {
     #[test]
     fn exact_refusals() {
         let at = |l: [i64; 4], bits| four_bar(&l.map(Rational::from), &q(0, 1), true, bits);
-        assert_eq!(at([1, 2, 3, 6], 128).unwrap_err(), DyadRefusal::Singular);
-        assert_eq!(at([1, 2, 3, 7], 128).unwrap_err(), DyadRefusal::Unreachable);
+        assert_eq!(at([1, 2, 3, 6], 128).unwrap_err(), DyadRefusal::CannotClose);
+        assert_eq!(at([1, 9, 3, 5], 128).unwrap_err(), DyadRefusal::CannotClose);
         assert_eq!(at([2, 7, 3, 6], 128).unwrap_err(), DyadRefusal::Singular);
         assert_eq!(at([2, 8, 3, 6], 128).unwrap_err(), DyadRefusal::Unreachable);
         assert_eq!(at([2, 8, 0, 6], 128).unwrap_err(), DyadRefusal::NotPositive);
@@ -394,7 +404,18 @@ mod tests {
             )
         };
         assert_eq!(slide(5).unwrap_err(), DyadRefusal::Singular);
-        assert_eq!(slide(-6).unwrap_err(), DyadRefusal::Unreachable);
+        assert_eq!(slide(-6).unwrap_err(), DyadRefusal::CannotClose);
+        assert_eq!(
+            slider_crank(
+                &[2, 5, 6].map(Rational::from),
+                &q(1, 3),
+                &q(1, 3),
+                true,
+                128
+            )
+            .unwrap_err(),
+            DyadRefusal::Unreachable
+        );
         assert!(slide(4).is_ok());
     }
 

@@ -108,7 +108,10 @@ impl FourBar {
     /// Position and derivatives at the crank angle φ1.
     ///
     /// With `e_i = (cos φi, sin φi)` the loop equation is `a e1 + b e2 = (d, 0) + c e3`; the dyad
-    /// spans `D = (d, 0) − a e1`, with `D' = −a e1⊥` and `D'' = a e1`, in (2) to (4).
+    /// spans `D = (d, 0) − a e1`, with `D' = −a e1⊥` and `D'' = a e1`, in (2) to (4). For `a > d`
+    /// the same equations are used in axes that turn with the crank, where only the frame moves,
+    /// `D' = (0, −d)` and `D'' = (−d, 0)`, and `φ'` is one more than the rate found: with crank
+    /// and rocker long and nearly equal the terms of (3) would cancel in fixed axes.
     ///
     /// # Which angle
     /// Coupler and rocker angles are continuous in φ1 over the whole real line where the crank
@@ -150,12 +153,24 @@ impl FourBar {
         let x = d - a * cos;
         let span = Span {
             d: [x, -a * sin],
-            d1: [a * sin, -a * cos],
-            d2: [a * cos, a * sin],
-            // D·D' = a d sin φ1, D·D'' = −a (a − d cos φ1).
-            radial: Some([a * d * sin, a * (d * cos - a)]),
+            d1: if a <= d {
+                [a * sin, -a * cos]
+            } else {
+                [0.0, -d]
+            },
+            d2: if a <= d {
+                [a * cos, a * sin]
+            } else {
+                [-d, 0.0]
+            },
+            // D·D' = a d sin φ1 in both frames.
+            radial: Some([a * d * sin, if a <= d { a * (d * cos - a) } else { -d * x }]),
         };
-        let k = solve_span(&span, b, c, assembly, self.exponent)?;
+        let mut k = solve_span(&span, b, c, assembly, self.exponent)?;
+        if a > d {
+            k.rates2[0] += 1.0;
+            k.rates3[0] += 1.0;
+        }
         let s = assembly.sign();
         let (phi2, phi3) = if a <= d {
             let theta = span.d[1].atan2(span.d[0]);
