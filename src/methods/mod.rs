@@ -13,7 +13,7 @@ macro_rules! registry {
     };
 }
 
-registry![class_iii, class_iii_assembly_modes];
+registry![class_iii, class_iii_assembly_modes, four_bar, slider_crank];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {

@@ -7,6 +7,7 @@ mod ball;
 pub mod class_iii;
 mod complex;
 mod decimal;
+pub mod dyad;
 mod linear;
 mod mag;
 

@@ -1,0 +1,318 @@
+//! The slider-crank.
+
+use super::four_bar::refusal;
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
+    ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
+};
+use crate::reference::dyad::slider_crank;
+use crate::solvers::dyad::{Assembly, SliderCrank, SliderCrankMotion};
+use crate::solvers::units::{Angle, Length};
+use rug::Rational;
+use std::cmp::Ordering;
+use std::f64::consts::PI;
+
+/// Crank and RRP dyad: slider and rod with both derivatives, transmission angle.
+pub struct Audit;
+
+const POSITION: &str = "a mixed forward-backward stable position: a few roundings of each length \
+    and of the difference of the two angles";
+const FIRST: &str = "the position's errors pass into one quotient and one product";
+const SECOND: &str = "a square of the first derivative, one more quotient, three terms added";
+
+fn motion(x: &[f64]) -> Result<SliderCrankMotion, &'static str> {
+    let &[a, b, e, delta, phi, side] = x else {
+        return Err("layout");
+    };
+    let [a, b, e] = [a, b, e].map(Length::from_m);
+    let side = if side > 0.0 {
+        Assembly::Positive
+    } else {
+        Assembly::Negative
+    };
+    SliderCrank::new(a, b, e, Angle::from_rad(delta))
+        .and_then(|l| l.position(Angle::from_rad(phi), side))
+        .map_err(|e| e.name())
+}
+
+fn values(m: &SliderCrankMotion) -> Vec<f64> {
+    vec![
+        m.slider_m,
+        m.slider_first_m,
+        m.slider_second_m,
+        m.rod.angle.rad(),
+        m.rod.first,
+        m.rod.second,
+        m.transmission.rad(),
+    ]
+}
+
+impl Method for Audit {
+    fn name(&self) -> &'static str {
+        "slider-crank"
+    }
+
+    fn summary(&self) -> &'static str {
+        "slider-crank with offset: slider, rod, derivatives by the crank angle, transmission angle"
+    }
+
+    fn source(&self) -> &'static str {
+        "loop equation and its derivatives, equations (7) and (8) of the solver; Artobolevskii, \
+         Theory of Mechanisms and Machines, class-II groups"
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        let input = |name, unit| Input { name, unit };
+        vec![
+            input("a (crank)", "m"),
+            input("b (rod)", "m"),
+            input("e (offset)", "m"),
+            input("delta (guide)", "rad"),
+            input("phi1", "rad"),
+            input("assembly (1 or -1)", "1"),
+        ]
+    }
+
+    fn outputs(&self) -> Vec<Output> {
+        let output = |name, unit, k, reason| Output {
+            name,
+            unit,
+            budget: Budget::new(Limit::Conditioned(k), reason),
+        };
+        vec![
+            output("x", "m", 4.0, POSITION),
+            output("x'", "m", 8.0, FIRST),
+            output("x''", "m", 16.0, SECOND),
+            output("phi2", "rad", 4.0, POSITION),
+            output("phi2'", "1", 8.0, FIRST),
+            output("phi2''", "1", 16.0, SECOND),
+            output("mu", "rad", 4.0, POSITION),
+        ]
+    }
+
+    fn domain(&self) -> Domain {
+        let region = |name, description, sample| Region {
+            name,
+            description,
+            sample,
+        };
+        let point = |name, input: [f64; 6]| CheckPoint {
+            name,
+            input: input.to_vec(),
+        };
+        Domain {
+            regions: vec![
+                region(
+                    "central",
+                    "e = 0, b/a in [1.5, 8], any direction, phi1 over several turns",
+                    |r| {
+                        let a = r.uniform(0.05, 1.0);
+                        let b = a * r.uniform(1.5, 8.0);
+                        let delta = r.uniform(-PI, PI);
+                        let phi = r.uniform(-20.0, 20.0);
+                        finish(r, a, b, 0.0, delta, phi)
+                    },
+                ),
+                region(
+                    "offset",
+                    "b > a + |e|, any direction, phi1 in [-pi, pi]",
+                    |r| {
+                        let (a, e) = (r.uniform(0.05, 1.0), r.uniform(-1.0, 1.0));
+                        let b = (a + e.abs()) * r.uniform(1.05, 5.0);
+                        let delta = r.uniform(-PI, PI);
+                        let phi = r.uniform(-PI, PI);
+                        finish(r, a, b, e, delta, phi)
+                    },
+                ),
+                region(
+                    "horizontal",
+                    "delta = 0, b > a + |e|, phi1 down to 1e-6 from zero",
+                    |r| {
+                        let (a, e) = (r.uniform(0.05, 1.0), r.uniform(-1.0, 1.0));
+                        let b = (a + e.abs()) * r.uniform(1.05, 5.0);
+                        let size = r.log_uniform(1e-6, PI);
+                        let phi = r.signed(size);
+                        finish(r, a, b, e, 0.0, phi)
+                    },
+                ),
+                region(
+                    "near-normal",
+                    "the rod within 1e-10 to 1e-2 (in 1 - |sin|) of normal to the guide",
+                    |r| {
+                        let gap = r.log_uniform(1e-10, 1e-2);
+                        near_limit(r, 1.0 - gap)
+                    },
+                ),
+                region(
+                    "different-lengths",
+                    "a, b, e over eight decades, the rod within reach",
+                    |r| loop {
+                        let [a, b, e] = [(); 3].map(|()| r.log_uniform(1e-6, 1e2));
+                        let e = r.signed(e);
+                        let (delta, phi) = (r.uniform(-PI, PI), r.uniform(-PI, PI));
+                        if (e - a * (phi - delta).sin()).abs() < 0.999 * b {
+                            return finish(r, a, b, e, delta, phi);
+                        }
+                    },
+                ),
+                region(
+                    "swinging-crank",
+                    "b < a + |e|: the crank does not turn fully; within its range",
+                    |r| loop {
+                        let [a, b] = [(); 2].map(|()| r.uniform(0.2, 2.0));
+                        let e = r.uniform(-2.0, 2.0);
+                        let (delta, phi) = (r.uniform(-PI, PI), r.uniform(-PI, PI));
+                        let h = e - a * (phi - delta).sin();
+                        if b < a + e.abs() && h.abs() < 0.999 * b {
+                            return finish(r, a, b, e, delta, phi);
+                        }
+                    },
+                ),
+                region(
+                    "unreachable",
+                    "the guide 1e-9 to 0.5 farther from the crank's end than the rod is long",
+                    |r| {
+                        let gap = r.log_uniform(1e-9, 0.5);
+                        near_limit(r, 1.0 + gap)
+                    },
+                ),
+            ],
+            check_points: vec![
+                point("triangle-3-4-5", [3.0, 5.0, 0.0, 0.0, PI / 2.0, 1.0]),
+                point("offset-triangle", [1.0, 5.0, 3.0, 0.0, 0.0, 1.0]),
+                point("offset-triangle-behind", [1.0, 5.0, 3.0, 0.0, 0.0, -1.0]),
+                point("upper-dead-centre", [1.0, 4.0, 0.0, 0.0, 0.0, 1.0]),
+                point("lower-dead-centre", [1.0, 4.0, 0.0, 0.0, PI, 1.0]),
+                point("along-the-guide", [1.0, 4.0, 0.5, 0.7, 0.7, 1.0]),
+                point("vertical-guide", [0.1, 0.35, 0.0, PI / 2.0, 1.0, 1.0]),
+                point("equal-crank-and-rod", [1.0, 1.0, 0.0, 0.0, 1.0, 1.0]),
+                point("rod-normal-exactly", [1.0, 5.0, 5.0, 0.3, 0.3, 1.0]),
+                point("out-of-reach", [1.0, 5.0, 5.5, 0.3, 0.3, 1.0]),
+                point("never-closed", [1.0, 5.0, -6.0, 0.3, 0.3, 1.0]),
+            ],
+        }
+    }
+
+    fn solve(&self, input: &[f64]) -> SolverAnswer {
+        match motion(input) {
+            Ok(m) => SolverAnswer::Values(values(&m)),
+            Err(name) => SolverAnswer::Refuses(name),
+        }
+    }
+
+    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        let [a, b, e, delta, phi, side] = input else {
+            return ReferenceAnswer::Failed("six inputs are due".into());
+        };
+        let lengths = [a, b, e].map(Rational::clone);
+        let ahead = side.cmp0() == Ordering::Greater;
+        let m = match slider_crank(&lengths, delta, phi, ahead, bits) {
+            Ok(m) => m,
+            Err(why) => return refusal(why),
+        };
+        let mut values = m.slider.to_vec();
+        values.extend(m.rod);
+        values.push(m.transmission);
+        ReferenceAnswer::Values(Reference {
+            values,
+            proof: Proof::Bounded(
+                "intersection of circle and line in ball arithmetic, implicit differentiation",
+            ),
+        })
+    }
+
+    fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
+        conditions_by_differences(self, input, |j| j != 5)
+    }
+
+    fn laws(&self) -> Vec<Law> {
+        vec![
+            Law {
+                name: "closure",
+                statement: "the slider is b from the crank's end within 16 u of the lengths",
+                residual: closure,
+            },
+            Law {
+                name: "scale",
+                statement: "lengths times 2^7 scale the slider and leave angles bit for bit",
+                residual: scale_law,
+            },
+            Law {
+                name: "mirror",
+                statement: "-e, -delta, -phi1 keep the slider and mirror the rod bit for bit",
+                residual: mirror,
+            },
+            Law {
+                name: "velocity",
+                statement: "x' is the central difference of x, away from singular positions",
+                residual: velocity,
+            },
+        ]
+    }
+}
+
+fn finish(r: &mut Draw, a: f64, b: f64, e: f64, delta: f64, phi: f64) -> Vec<f64> {
+    let side = r.signed(1.0);
+    vec![a, b, e, delta, phi, side]
+}
+
+/// The guide at `share` of the rod's length from the crank's end.
+fn near_limit(r: &mut Draw, share: f64) -> Vec<f64> {
+    loop {
+        let [a, b] = [(); 2].map(|()| r.uniform(0.2, 2.0));
+        let (delta, phi) = (r.uniform(-PI, PI), r.uniform(-PI, PI));
+        let h = r.signed(b * share);
+        let e = h + a * (phi - delta).sin();
+        // The linkage as such has to close.
+        if e.abs() < (a + b) * (1.0 - 1e-9) {
+            return finish(r, a, b, e, delta, phi);
+        }
+    }
+}
+
+const U: f64 = f64::EPSILON / 2.0;
+
+fn closure(x: &[f64]) -> Option<f64> {
+    let m = motion(x).ok()?;
+    let [a, b, e, delta, phi, _] = *x else { return None };
+    let psi = phi - delta;
+    let along = m.slider_m - a * psi.cos();
+    let across = e - a * psi.sin();
+    Some((along.hypot(across) - b).abs() / (16.0 * U * (a + b + e.abs())))
+}
+
+fn scale_law(x: &[f64]) -> Option<f64> {
+    let here = values(&motion(x).ok()?);
+    let mut y = x.to_vec();
+    y[..3].iter_mut().for_each(|l| *l *= 128.0);
+    let there = values(&motion(&y).ok()?);
+    let slider = (0..3).all(|i| here[i] * 128.0 == there[i]);
+    Some(if slider && here[3..] == there[3..] { 0.0 } else { f64::INFINITY })
+}
+
+fn mirror(x: &[f64]) -> Option<f64> {
+    let here = values(&motion(x).ok()?);
+    let mut y = x.to_vec();
+    y[2..5].iter_mut().for_each(|l| *l = -*l);
+    let there = values(&motion(&y).ok()?);
+    // x and x'' are even in the crank angle, x' is odd; the rod's angle is odd where the slider is
+    // ahead (behind, it is mirrored at π).
+    let even = [0, 2, 4, 6].iter().all(|&i| here[i] == there[i]);
+    let odd = [1, 5].iter().all(|&i| here[i] == -there[i]);
+    let angle = x[5] < 0.0 || here[3] == -there[3];
+    Some(if even && odd && angle { 0.0 } else { f64::INFINITY })
+}
+
+fn velocity(x: &[f64]) -> Option<f64> {
+    const H: f64 = 1e-4;
+    let m = motion(x).ok()?;
+    let at = |h: f64| {
+        let mut y = x.to_vec();
+        y[4] += h;
+        motion(&y).ok().map(|m| (m.slider_m, y[4]))
+    };
+    let ((p, hi), (q, lo)) = (at(H)?, at(-H)?);
+    let size = x[0] + x[1] + x[2].abs();
+    let calm = m.transmission.rad().sin() > 0.3 && size < 10.0 * x[1];
+    calm.then(|| ((p - q) / (hi - lo) - m.slider_first_m).abs() / (1e4 * H * H * size))
+}
