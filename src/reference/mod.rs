@@ -4,8 +4,10 @@
 //! [`Undecided`]; it never falls back on anything else.
 
 mod ball;
+pub mod cubic_spline;
 mod decimal;
 mod mag;
+pub mod tridiagonal;
 
 pub use ball::{Ball, dot};
 pub use decimal::{Decimal, DecimalError};
