@@ -13,7 +13,7 @@ macro_rules! registry {
     };
 }
 
-registry![];
+registry![tridiagonal, cyclic_tridiagonal];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {
