@@ -13,7 +13,14 @@ macro_rules! registry {
     };
 }
 
-registry![class_iii, class_iii_assembly_modes, four_bar, slider_crank];
+registry![
+    class_iii,
+    class_iii_assembly_modes,
+    cyclic_tridiagonal,
+    four_bar,
+    slider_crank,
+    tridiagonal
+];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {

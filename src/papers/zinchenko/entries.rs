@@ -52,7 +52,10 @@ fn single_edit(text: &str, value: &Ball) -> Option<String> {
     }
     for &i in digits.iter().filter(|&&i| i != last) {
         let what = format!("one digit too many ({})", chars[i]);
-        edits.push((with(&|c| drop(c.remove(i))), what));
+        let shorter = with(&|c| {
+            c.remove(i);
+        });
+        edits.push((shorter, what));
     }
     edits.into_iter().find_map(|(edited, what)| {
         let written = Decimal::parse(&edited).ok()?;

@@ -53,7 +53,17 @@ pub(super) fn hidden_recipe(projections: &[Projection], aliases: &[Alias]) -> Fi
                 "1",
             )
         });
+    let worst_column = projections
+        .iter()
+        .filter(|p| (p.nodes, p.offset) == (12, 0))
+        .max_by(|a, b| a.ratio.total_cmp(&b.ratio))
+        .map_or("none", |p| p.column.name());
     let mut figures = vec![
+        figure(
+            "column with the worst residual, 12 nodes",
+            worst_column,
+            "1",
+        ),
         figure(
             "worst rms residual over rounding, 12 nodes at rows 0, 4, 8, …",
             format!("{twelve:.2}"),
@@ -544,6 +554,11 @@ pub(super) fn moment(residual: &MomentResidual, fitted: &FittedMoment) -> Findin
                 "fitted minus exact nodes, rows 0, 4, … 44",
                 list.join(" "),
                 "1e-4 N m",
+            ),
+            figure(
+                "entries left out of the fit as misprints",
+                fitted.left_out.len().to_string(),
+                "entries",
             ),
             figure(
                 "standard deviation of a fitted node",

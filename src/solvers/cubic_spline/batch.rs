@@ -6,6 +6,9 @@ use super::{EvaluationError as Error, Jet, Spline};
 /// Points examined at a time, so that they stay in the first-level cache.
 const BLOCK: usize = 1024;
 
+/// Points evaluated together within a block.
+const GROUP: usize = 4;
+
 impl<G: Grid> Spline<G> {
     /// `S` at points in any order.
     ///
@@ -98,32 +101,61 @@ impl<G: Grid> Spline<G> {
     fn block(&self, mut segment: usize, x: &[f64], out: &mut [f64]) -> usize {
         let end = self.grid.segments() - 1;
         let mut start = 0;
+        let mut at = self.grid.interval(segment);
         while start < x.len() {
             // The next segment is the usual case; a search when it is further away.
-            let mut right = self.grid.interval(segment).right;
             let mut steps = 0;
-            while segment < end && (x[start] - right.0) - right.1 >= 0.0 {
+            while segment < end && !at.is_right_of(x[start]) {
                 steps += 1;
-                segment = if steps < 8 {
-                    segment + 1
+                if steps < 8 {
+                    segment += 1;
+                    at = self.grid.following(segment, at);
                 } else {
-                    self.grid.locate(x[start])
-                };
-                right = self.grid.interval(segment).right;
-            }
-            let mut stop = start + 1;
-            if segment == end {
-                stop = x.len();
-            } else {
-                while stop < x.len() && (x[stop] - right.0) - right.1 < 0.0 {
-                    stop += 1;
+                    segment = self.grid.locate(x[start]);
+                    at = self.grid.interval(segment);
                 }
             }
-            let cell = self.cell(segment);
-            for (x, out) in x[start..stop].iter().zip(&mut out[start..stop]) {
+            // Full groups: the points behind the end of the segment get a value too, which the
+            // next segment overwrites. That costs less than a branch on where the segment ends.
+            while segment < end
+                && let (Some(x), Some(out)) = (
+                    x[start..].first_chunk::<GROUP>(),
+                    out[start..].first_chunk_mut::<GROUP>(),
+                )
+            {
+                let cell = self.cell_on(segment, at);
+                let mut inside = 0;
+                for (x, out) in x.iter().zip(out) {
+                    *out = cell.value(*x);
+                    inside += usize::from(at.is_right_of(*x));
+                }
+                start += inside;
+                if inside < GROUP {
+                    segment += 1;
+                    at = self.grid.following(segment, at);
+                    if inside == 0 {
+                        break;
+                    }
+                }
+            }
+            if start == x.len() {
+                break;
+            }
+            if segment < end && !at.is_right_of(x[start]) {
+                continue;
+            }
+            let rest = &x[start..];
+            let count = if segment == end {
+                rest.len()
+            } else {
+                let beyond = rest.iter().position(|x| !at.is_right_of(*x));
+                beyond.unwrap_or(rest.len())
+            };
+            let cell = self.cell_on(segment, at);
+            for (x, out) in rest[..count].iter().zip(&mut out[start..start + count]) {
                 *out = cell.value(*x);
             }
-            start = stop;
+            start += count;
         }
         segment
     }

@@ -41,14 +41,31 @@ pub(super) struct Cell {
     /// `h² m_i / 6` and `h² m_{i+1} / 6`.
     p: f64,
     q: f64,
+    bend: f64,
     m0: f64,
     m1: f64,
 }
 
+/// The smaller of `t` and 1, as one instruction.
+#[inline(always)]
+fn at_most_one(t: f64) -> f64 {
+    if t < 1.0 { t } else { 1.0 }
+}
+
 impl Cell {
-    /// `k` and `w`.
+    /// `k` and `w` of a point of the segment. At the ends they are 0 and 1, exactly.
     #[inline(always)]
     fn fractions(&self, x: f64) -> (f64, f64) {
+        let a = (x - self.at.left.0) - self.at.left.1;
+        let b = (self.at.right.0 - x) + self.at.right.1;
+        (
+            at_most_one(a * self.at.per_h),
+            at_most_one(b * self.at.per_h),
+        )
+    }
+
+    /// `k` and `w` of a point outside the segment.
+    fn fractions_outside(&self, x: f64) -> (f64, f64) {
         let a = (x - self.at.left.0) - self.at.left.1;
         let b = (self.at.right.0 - x) + self.at.right.1;
         (a / self.at.h, b / self.at.h)
@@ -56,7 +73,8 @@ impl Cell {
 
     #[inline(always)]
     fn value_at(&self, (k, w): (f64, f64)) -> f64 {
-        (w * self.y0 + k * self.y1) - (k * w) * ((1.0 + w) * self.p + (1.0 + k) * self.q)
+        let bend = self.bend + (w * self.p + k * self.q);
+        (w * self.y0 + k * self.y1) - (k * w) * bend
     }
 
     /// `S(x)`.
@@ -66,7 +84,10 @@ impl Cell {
     }
 
     pub(super) fn jet(&self, x: f64) -> Jet {
-        let (k, w) = self.fractions(x);
+        self.jet_at(self.fractions(x))
+    }
+
+    fn jet_at(&self, (k, w): (f64, f64)) -> Jet {
         let bend = (3.0 * k * k - 1.0) * self.q - (3.0 * w * w - 1.0) * self.p;
         Jet {
             value: self.value_at((k, w)),
@@ -119,16 +140,22 @@ impl Sum {
 impl<G: Grid> Spline<G> {
     #[inline]
     pub(super) fn cell(&self, i: usize) -> Cell {
-        let at = self.grid.interval(i);
+        self.cell_on(i, self.grid.interval(i))
+    }
+
+    #[inline]
+    pub(super) fn cell_on(&self, i: usize, at: Interval) -> Cell {
         let c = self.grid.curvature_per_bend(at.h);
         let f = self.grid.second_per_bend();
         let (b0, b1) = (self.bend[i], self.bend[i + 1]);
+        let (p, q) = (c * b0, c * b1);
         Cell {
             at,
             y0: self.y[i],
             y1: self.y[i + 1],
-            p: c * b0,
-            q: c * b1,
+            p,
+            q,
+            bend: p + q,
             m0: f * b0,
             m1: f * b1,
         }
@@ -171,7 +198,7 @@ impl<G: Grid> Spline<G> {
             (self.cell(self.grid.segments() - 1), last)
         };
         match self.extrapolation {
-            Extrapolation::EndPolynomial => cell.jet(x),
+            Extrapolation::EndPolynomial => cell.jet_at(cell.fractions_outside(x)),
             Extrapolation::Clamp => Jet {
                 value: cell.value(end),
                 ..Jet::default()
