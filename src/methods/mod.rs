@@ -13,7 +13,17 @@ macro_rules! registry {
     };
 }
 
-registry![tridiagonal, cyclic_tridiagonal];
+mod cubic_spline_common;
+mod cubic_spline_conditions;
+
+registry![
+    tridiagonal,
+    cyclic_tridiagonal,
+    cubic_spline_second_derivatives,
+    cubic_spline_clamped,
+    cubic_spline_not_a_knot,
+    cubic_spline_periodic,
+];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {
