@@ -8,7 +8,7 @@ audit!(
     KIND,
     "cubic-spline-clamped",
     "cubic spline with given first derivatives at the ends",
-    32.0,
+    16.0,
     knots_law(|v| KIND.knots_residual(v)),
     scaling_law(|v| KIND.scaling_residual(v))
 );

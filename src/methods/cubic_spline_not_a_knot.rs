@@ -8,7 +8,7 @@ audit!(
     KIND,
     "cubic-spline-not-a-knot",
     "cubic spline whose third derivative is continuous at the second knots from the ends",
-    32.0,
+    16.0,
     knots_law(|v| KIND.knots_residual(v)),
     scaling_law(|v| KIND.scaling_residual(v))
 );

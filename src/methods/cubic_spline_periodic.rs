@@ -8,7 +8,7 @@ audit!(
     KIND,
     "cubic-spline-periodic",
     "periodic cubic spline",
-    32.0,
+    16.0,
     knots_law(|v| KIND.knots_residual(v)),
     scaling_law(|v| KIND.scaling_residual(v))
 );

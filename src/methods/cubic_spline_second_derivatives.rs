@@ -8,7 +8,7 @@ audit!(
     KIND,
     "cubic-spline-second-derivatives",
     "cubic spline with given second derivatives at the ends (natural if zero)",
-    32.0,
+    16.0,
     knots_law(|v| KIND.knots_residual(v)),
     scaling_law(|v| KIND.scaling_residual(v))
 );

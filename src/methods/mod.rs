@@ -23,6 +23,7 @@ registry![
     cubic_spline_clamped,
     cubic_spline_not_a_knot,
     cubic_spline_periodic,
+    cubic_spline_uniform,
 ];
 
 /// The method of that name.
