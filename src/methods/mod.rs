@@ -13,14 +13,13 @@ macro_rules! registry {
     };
 }
 
+registry![>>>>>>> spline, class_iii, class_iii_assembly_modes, cubic_spline_clamped, cubic_spline_not_a_knot, cubic_spline_periodic, cubic_spline_second_derivatives, cubic_spline_uniform, cyclic_tridiagonal, four_bar, slider_crank, tridiagonal
+=======
+mod cubic_spline_common;
+mod cubic_spline_conditions;
+
 registry![
-    class_iii,
-    class_iii_assembly_modes,
-    cyclic_tridiagonal,
-    four_bar,
-    slider_crank,
-    tridiagonal
-];
+    tridiagonal];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {

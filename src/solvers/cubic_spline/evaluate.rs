@@ -46,29 +46,15 @@ pub(super) struct Cell {
     m1: f64,
 }
 
-/// The smaller of `t` and 1, as one instruction.
-#[inline(always)]
-fn at_most_one(t: f64) -> f64 {
-    if t < 1.0 { t } else { 1.0 }
-}
-
 impl Cell {
-    /// `k` and `w` of a point of the segment. At the ends they are 0 and 1, exactly.
+    /// `k` and `w`: the smaller of the two from its own knot, so that it keeps its relative
+    /// accuracy down to 0, the other one as its complement, so that it is exactly 1 there.
     #[inline(always)]
     fn fractions(&self, x: f64) -> (f64, f64) {
         let a = (x - self.at.left.0) - self.at.left.1;
         let b = (self.at.right.0 - x) + self.at.right.1;
-        (
-            at_most_one(a * self.at.per_h),
-            at_most_one(b * self.at.per_h),
-        )
-    }
-
-    /// `k` and `w` of a point outside the segment.
-    fn fractions_outside(&self, x: f64) -> (f64, f64) {
-        let a = (x - self.at.left.0) - self.at.left.1;
-        let b = (self.at.right.0 - x) + self.at.right.1;
-        (a / self.at.h, b / self.at.h)
+        let (k, w) = (a * self.at.per_h, b * self.at.per_h);
+        if k <= 0.5 { (k, 1.0 - k) } else { (1.0 - w, w) }
     }
 
     #[inline(always)]
@@ -81,10 +67,6 @@ impl Cell {
     #[inline(always)]
     pub(super) fn value(&self, x: f64) -> f64 {
         self.value_at(self.fractions(x))
-    }
-
-    pub(super) fn jet(&self, x: f64) -> Jet {
-        self.jet_at(self.fractions(x))
     }
 
     fn jet_at(&self, (k, w): (f64, f64)) -> Jet {
@@ -138,6 +120,19 @@ impl Sum {
 }
 
 impl<G: Grid> Spline<G> {
+    /// Value and derivatives with the cubic of segment `i`.
+    pub(super) fn jet_on(&self, i: usize, x: f64) -> Jet {
+        let mut jet = self.cell(i).jet_at(self.cell(i).fractions(x));
+        let first = if i < 2 { self.third[0] } else { None };
+        let last = if i + 2 >= self.grid.segments() {
+            self.third[1]
+        } else {
+            None
+        };
+        jet.third = first.or(last).unwrap_or(jet.third);
+        jet
+    }
+
     #[inline]
     pub(super) fn cell(&self, i: usize) -> Cell {
         self.cell_on(i, self.grid.interval(i))
@@ -192,19 +187,19 @@ impl<G: Grid> Spline<G> {
 
     fn outside(&self, x: f64, before: bool) -> Jet {
         let (first, last) = self.grid.span();
-        let (cell, end) = if before {
-            (self.cell(0), first)
+        let (i, end) = if before {
+            (0, first)
         } else {
-            (self.cell(self.grid.segments() - 1), last)
+            (self.grid.segments() - 1, last)
         };
         match self.extrapolation {
-            Extrapolation::EndPolynomial => cell.jet_at(cell.fractions_outside(x)),
+            Extrapolation::EndPolynomial => self.jet_on(i, x),
             Extrapolation::Clamp => Jet {
-                value: cell.value(end),
+                value: self.cell(i).value(end),
                 ..Jet::default()
             },
             _ => {
-                let at = cell.jet(end);
+                let at = self.jet_on(i, end);
                 Jet {
                     value: at.value + at.first * (x - end),
                     first: at.first,
@@ -237,7 +232,7 @@ impl<G: Grid> Spline<G> {
     /// As [`Spline::value`].
     pub fn jet(&self, x: f64) -> Result<Jet, Error> {
         Ok(match self.place(0, x)? {
-            Place::Inside(x) => self.cell(self.grid.locate(x)).jet(x),
+            Place::Inside(x) => self.jet_on(self.grid.locate(x), x),
             Place::Before => self.outside(x, true),
             Place::After => self.outside(x, false),
         })

@@ -14,15 +14,8 @@ pub struct Interval {
     pub(super) left: (f64, f64),
     pub(super) right: (f64, f64),
     pub(super) h: f64,
-    /// `1/h`, rounded so that `h` times it is not below 1.
+    /// `1/h`.
     pub(super) per_h: f64,
-}
-
-/// `1/h`, enlarged by one unit in the last place if the product with `h` falls below 1.
-#[inline]
-fn reciprocal(h: f64) -> f64 {
-    let r = 1.0 / h;
-    if h * r < 1.0 { r.next_up() } else { r }
 }
 
 impl Interval {
@@ -118,7 +111,7 @@ impl Grid for Knots {
             left: (a, 0.0),
             right: (b, 0.0),
             h: b - a,
-            per_h: reciprocal(b - a),
+            per_h: 1.0 / (b - a),
         }
     }
 
@@ -195,7 +188,7 @@ impl UniformKnots {
         let mut grid = UniformKnots {
             origin,
             step,
-            per_step: reciprocal(step),
+            per_step: 1.0 / step,
             second_per_bend: 6.0 / step / step,
             segments,
             high,

@@ -61,6 +61,7 @@ impl UniformCubicSpline {
             grid,
             y,
             bend,
+            third: [None; 2],
             extrapolation: Extrapolation::Error,
         })
     }
