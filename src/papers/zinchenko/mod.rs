@@ -5,7 +5,7 @@
 //! centres of mass that belong to them, every entry's deviation, and what the paper's claim about
 //! the spline's derivative is worth.
 
-mod data;
+pub mod data;
 mod derivative_claim;
 mod design;
 mod entries;
