@@ -14,7 +14,7 @@ pub struct Audit;
 
 fn split<T>(input: &[T]) -> Option<[&[T]; 4]> {
     let n = input.len() / 4;
-    if n < 3 || input.len() % 4 != 0 {
+    if n < 3 || !input.len().is_multiple_of(4) {
         return None;
     }
     Some([0, 1, 2, 3].map(|k| &input[k * n..(k + 1) * n]))

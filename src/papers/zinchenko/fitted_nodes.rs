@@ -16,6 +16,14 @@ pub(super) struct FittedMoment {
     pub left_out: Vec<(Column, usize)>,
 }
 
+/// One printed entry as an equation for the nodes.
+struct Equation {
+    design: DVector<f64>,
+    printed: f64,
+    unit: f64,
+    place: (Column, usize),
+}
+
 /// Fits the nodes to the columns M_o and S'_Mo by weighted least squares; entries that stay off by
 /// more than one unit are left out, worst first, and the fit is repeated.
 pub(super) fn fit(printed: &[Printed]) -> FittedMoment {
@@ -23,23 +31,27 @@ pub(super) fn fit(printed: &[Printed]) -> FittedMoment {
     let slope = spline_rows(NODES, 0, true);
     let mut left_out: Vec<(Column, usize)> = Vec::new();
     loop {
-        let mut rows: Vec<(DVector<f64>, f64, f64, (Column, usize))> = Vec::new();
+        let mut rows: Vec<Equation> = Vec::new();
         for (c, design) in [(Column::Moment, &value), (Column::MomentSlope, &slope)] {
             for e in column(printed, c) {
                 if !left_out.contains(&(c, e.row)) {
-                    let d = design.row(e.row % TURN).transpose();
-                    rows.push((d, e.to_f64(), e.unit(), (c, e.row)));
+                    rows.push(Equation {
+                        design: design.row(e.row % TURN).transpose(),
+                        printed: e.to_f64(),
+                        unit: e.unit(),
+                        place: (c, e.row),
+                    });
                 }
             }
         }
-        let a = DMatrix::from_fn(rows.len(), NODES, |i, j| rows[i].0[j]);
-        let b = DVector::from_fn(rows.len(), |i, _| rows[i].1);
-        let sigma = DVector::from_fn(rows.len(), |i, _| rounding_deviation(rows[i].2));
+        let a = DMatrix::from_fn(rows.len(), NODES, |i, j| rows[i].design[j]);
+        let b = DVector::from_fn(rows.len(), |i, _| rows[i].printed);
+        let sigma = DVector::from_fn(rows.len(), |i, _| rounding_deviation(rows[i].unit));
         let fit = least_squares(&a, &b, &sigma);
-        let units = |i: usize| (fit.residuals[i] * sigma[i] / rows[i].2).abs();
+        let units = |i: usize| (fit.residuals[i] * sigma[i] / rows[i].unit).abs();
         let worst = (0..rows.len()).max_by(|&i, &j| units(i).total_cmp(&units(j)));
         match worst {
-            Some(i) if units(i) > 1.0 && left_out.len() < 8 => left_out.push(rows[i].3),
+            Some(i) if units(i) > 1.0 && left_out.len() < 8 => left_out.push(rows[i].place),
             _ => {
                 return FittedMoment {
                     nodes: std::array::from_fn(|j| (fit.x[j] * 1e6).round() / 1e6),
