@@ -57,9 +57,11 @@ mod planted {
     };
     use rug::Rational;
 
+    type Fault = fn(&mut Vec<f64>);
+
     struct Faulty {
         method: Box<dyn Method>,
-        fault: fn(&mut Vec<f64>),
+        fault: Fault,
     }
 
     impl Method for Faulty {
@@ -100,7 +102,7 @@ mod planted {
 
     #[test]
     fn faults_are_found_in_every_method() {
-        let faults: [(&str, fn(&mut Vec<f64>)); 6] = [
+        let faults: [(&str, Fault); 6] = [
             ("nan", |v| v[0] = f64::NAN),
             ("infinity", |v| *v.last_mut().unwrap() = f64::INFINITY),
             ("sign", |v| v.iter_mut().for_each(|x| *x = -*x)),
