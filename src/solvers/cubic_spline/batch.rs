@@ -6,9 +6,6 @@ use super::{EvaluationError as Error, Jet, Spline};
 /// Points examined at a time, so that they stay in the first-level cache.
 const BLOCK: usize = 1024;
 
-/// Points evaluated together within a block.
-const GROUP: usize = 8;
-
 impl<G: Grid> Spline<G> {
     /// `S` at points in any order.
     ///
@@ -126,34 +123,17 @@ impl<G: Grid> Spline<G> {
                 ahead = ahead_of(segment, at);
             }
             let cell = self.cell_on(segment, at);
-            // Full groups: the points behind the end of the segment get a value too, which the
-            // next segment overwrites. That costs less than a branch on where the segment ends.
-            let limit = if segment == end {
-                (f64::INFINITY, 0.0)
+            let rest = &x[start..];
+            let count = if segment == end {
+                rest.len()
             } else {
-                at.right
+                let beyond = rest.iter().position(|x| !at.is_right_of(*x));
+                beyond.unwrap_or(rest.len())
             };
-            let mut inside = GROUP;
-            while inside == GROUP
-                && let (Some(x), Some(out)) = (
-                    x[start..].first_chunk::<GROUP>(),
-                    out[start..].first_chunk_mut::<GROUP>(),
-                )
-            {
-                *out = x.map(|x| cell.value(x));
-                inside = x
-                    .map(|x| usize::from((x - limit.0) - limit.1 < 0.0))
-                    .iter()
-                    .sum();
-                start += inside;
+            for (x, out) in rest[..count].iter().zip(&mut out[start..start + count]) {
+                *out = cell.value(*x);
             }
-            if inside == GROUP {
-                // Fewer points are left than a group holds.
-                while start < x.len() && (x[start] - limit.0) - limit.1 < 0.0 {
-                    out[start] = cell.value(x[start]);
-                    start += 1;
-                }
-            }
+            start += count;
         }
         segment
     }
