@@ -111,8 +111,8 @@ impl<'a> Slopes<'a> {
                 smooth(row, (before, i), (before, i, (i + 1) % n));
             }
         } else {
-            for i in 1..n {
-                smooth(&mut rows[i], (i - 1, i), (i - 1, i, i + 1));
+            for (i, row) in rows.iter_mut().enumerate().take(n).skip(1) {
+                smooth(row, (i - 1, i), (i - 1, i, i + 1));
             }
         }
         match kind {

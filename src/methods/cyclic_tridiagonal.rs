@@ -95,7 +95,16 @@ impl Method for Audit {
                 Region {
                     name: "nearly-singular",
                     description: "dominance by 1e-12..1e-3 only",
-                    sample: |d| assemble(d, |_| 1.0, |d| d.log_uniform(1e-12, 1e-3)),
+                    sample: |d| {
+                        // One sign off the diagonal and the other on it: constants are almost
+                        // in the kernel.
+                        let mut v = assemble(d, |_| 1.0, |d| d.log_uniform(1e-12, 1e-3));
+                        let n = v.len() / 4;
+                        for (i, v) in v[..3 * n].iter_mut().enumerate() {
+                            *v = if i / n == 1 { v.abs() } else { -v.abs() };
+                        }
+                        v
+                    },
                 },
             ],
             check_points: vec![

@@ -270,8 +270,8 @@ mod tests {
             eta[1] = d[0].clone();
         }
         for i in 1..n {
-            let p = Rational::from(-4 - lambda[i].clone());
-            lambda[i + 1] = Rational::from(1 / p.clone());
+            let p = -4 - lambda[i].clone();
+            lambda[i + 1] = p.clone().recip();
             eta[i + 1] = Rational::from(&eta[i] - &d[i]) / p;
         }
         let mut m = vec![Rational::new(); n + 1];

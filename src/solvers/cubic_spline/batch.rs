@@ -1,13 +1,10 @@
 //! Values at many points.
 
-use super::grid::Grid;
+use super::grid::{Grid, Interval};
 use super::{EvaluationError as Error, Jet, Spline};
 
 /// Points examined at a time, so that they stay in the first-level cache.
 const BLOCK: usize = 1024;
-
-/// Points evaluated together within a block.
-const GROUP: usize = 4;
 
 impl<G: Grid> Spline<G> {
     /// `S` at points in any order.
@@ -102,6 +99,15 @@ impl<G: Grid> Spline<G> {
         let end = self.grid.segments() - 1;
         let mut start = 0;
         let mut at = self.grid.interval(segment);
+        // One segment ahead, so that nothing waits for its knots.
+        let ahead_of = |segment: usize, at: Interval| {
+            if segment < end {
+                self.grid.following(segment + 1, at)
+            } else {
+                at
+            }
+        };
+        let mut ahead = ahead_of(segment, at);
         while start < x.len() {
             // The next segment is the usual case; a search when it is further away.
             let mut steps = 0;
@@ -109,41 +115,14 @@ impl<G: Grid> Spline<G> {
                 steps += 1;
                 if steps < 8 {
                     segment += 1;
-                    at = self.grid.following(segment, at);
+                    at = ahead;
                 } else {
                     segment = self.grid.locate(x[start]);
                     at = self.grid.interval(segment);
                 }
+                ahead = ahead_of(segment, at);
             }
-            // Full groups: the points behind the end of the segment get a value too, which the
-            // next segment overwrites. That costs less than a branch on where the segment ends.
-            while segment < end
-                && let (Some(x), Some(out)) = (
-                    x[start..].first_chunk::<GROUP>(),
-                    out[start..].first_chunk_mut::<GROUP>(),
-                )
-            {
-                let cell = self.cell_on(segment, at);
-                let mut inside = 0;
-                for (x, out) in x.iter().zip(out) {
-                    *out = cell.value(*x);
-                    inside += usize::from(at.is_right_of(*x));
-                }
-                start += inside;
-                if inside < GROUP {
-                    segment += 1;
-                    at = self.grid.following(segment, at);
-                    if inside == 0 {
-                        break;
-                    }
-                }
-            }
-            if start == x.len() {
-                break;
-            }
-            if segment < end && !at.is_right_of(x[start]) {
-                continue;
-            }
+            let cell = self.cell_on(segment, at);
             let rest = &x[start..];
             let count = if segment == end {
                 rest.len()
@@ -151,7 +130,6 @@ impl<G: Grid> Spline<G> {
                 let beyond = rest.iter().position(|x| !at.is_right_of(*x));
                 beyond.unwrap_or(rest.len())
             };
-            let cell = self.cell_on(segment, at);
             for (x, out) in rest[..count].iter().zip(&mut out[start..start + count]) {
                 *out = cell.value(*x);
             }

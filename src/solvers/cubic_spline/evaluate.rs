@@ -47,14 +47,15 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// `k` and `w`: the smaller of the two from its own knot, so that it keeps its relative
-    /// accuracy down to 0, the other one as its complement, so that it is exactly 1 there.
+    /// `k` and `w`, each from its own knot, so that it keeps its relative accuracy down to 0; then
+    /// both divided by their sum, to first order, so that the other one is exactly 1 there.
     #[inline(always)]
     fn fractions(&self, x: f64) -> (f64, f64) {
         let a = (x - self.at.left.0) - self.at.left.1;
         let b = (self.at.right.0 - x) + self.at.right.1;
         let (k, w) = (a * self.at.per_h, b * self.at.per_h);
-        if k <= 0.5 { (k, 1.0 - k) } else { (1.0 - w, w) }
+        let rest = 1.0 - (k + w);
+        (k + k * rest, w + w * rest)
     }
 
     #[inline(always)]

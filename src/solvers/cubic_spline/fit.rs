@@ -8,7 +8,7 @@ use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
 pub(super) const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 
 pub(super) fn check_values(y: &[f64]) -> Result<(), Error> {
-    match y.iter().position(|v| !(v.abs() <= LARGEST)) {
+    match y.iter().position(|v| v.is_nan() || v.abs() > LARGEST) {
         None => Ok(()),
         Some(index) if y[index].is_finite() => Err(Error::Overflow { knot: index }),
         Some(index) => Err(Error::NotFinite {
@@ -86,7 +86,8 @@ impl CubicSpline {
         })?;
         for i in 0..m.len() {
             let widest = h[i.min(h.len() - 1)].max(h[i.saturating_sub(1)]);
-            if !(m[i].abs() <= LARGEST && (m[i] * (widest * widest)).abs() <= LARGEST) {
+            let size = m[i].abs().max((m[i] * (widest * widest)).abs());
+            if m[i].is_nan() || size > LARGEST {
                 return Err(Error::Overflow { knot: i });
             }
         }
