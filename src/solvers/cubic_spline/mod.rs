@@ -133,7 +133,7 @@ pub enum CubicSplineError {
         /// The last ordinate.
         last: f64,
     },
-    /// The spline does not fit in `f64`: an ordinate beyond 2^1000, or a step or a second
+    /// The spline does not fit in `f64`: a knot or ordinate beyond 2^1000, or a step or a second
     /// derivative that over- or underflows.
     #[error("the spline overflows or underflows at knot {knot}")]
     Overflow {
