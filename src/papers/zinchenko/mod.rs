@@ -1,0 +1,3 @@
+//! Zinchenko (2008): dynamics of the screening mechanism for moulding sand.
+
+pub mod formulas;
