@@ -1,7 +1,7 @@
 //! The paper's formulas, evaluated as they are printed.
 //!
 //! A formula is data here: a function of exact rationals or of balls that does what the print says.
-//! Each check either proves it (an identity of polynomials on a full grid, [`exact`]; elsewhere
+//! Each check either proves it (an identity of polynomials on a full grid, module `exact`; elsewhere
 //! balls that contain zero and are narrower than 10⁻⁴⁰) or gives a counter-example, and then the
 //! corrected form is put through the same check. A finding is `as_recorded` only when every
 //! outcome is the recorded one; its tests plant a fault in each formula and see that change.
@@ -80,7 +80,19 @@ fn largest<'a>(residuals: impl IntoIterator<Item = &'a Ball>) -> String {
         .into_iter()
         .map(|r| r.magnitude().to_f64())
         .fold(0.0, f64::max);
-    format!("{largest:.1e}")
+    rounded_up(largest)
+}
+
+/// Two digits, not below `x`.
+fn rounded_up(x: f64) -> String {
+    let text = format!("{x:.1e}");
+    match (text.parse::<f64>(), text.split_once('e')) {
+        (Ok(shown), Some((_, exponent))) if shown < x => {
+            let step: f64 = format!("1e{exponent}").parse().unwrap_or(0.0);
+            format!("{:.1e}", shown + 0.1 * step)
+        }
+        _ => text,
+    }
 }
 
 fn figure(name: impl Into<String>, value: impl ToString, unit: &'static str) -> Figure {
@@ -187,6 +199,18 @@ mod tests {
         }
         let names: BTreeSet<_> = all.iter().map(|f| f.id).collect();
         assert_eq!((all.len(), names.len()), (19, 19));
+    }
+
+    #[test]
+    fn bounds_are_not_rounded_down() {
+        for (x, text) in [
+            (0.0, "0.0e0"),
+            (1.23e-40, "1.3e-40"),
+            (9.96e5, "1.0e6"),
+            (9.93e5, "1.0e6"),
+        ] {
+            assert_eq!(rounded_up(x), text);
+        }
     }
 
     #[test]

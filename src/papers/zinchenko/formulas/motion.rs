@@ -13,21 +13,24 @@ pub(super) const PRINTED_1: Acceleration = |i, di, psi, md, mo| (md + mo - psi *
 
 /// The power balance `d/dt(½ I ψ²) = (M_d + M_o) ψ`, right minus left. With `dI/dt = I' ψ` the left
 /// side is `½ I' ψ³ + I ψ dψ/dt`. Degrees: 1 in I, I', M_d, M_o and 3 in ψ.
-fn balance(form: Acceleration, sign_of_mo: i32) -> Identity {
+/// M_o enters the right side `taken` times, and `owed M_o ψ` are added to it.
+fn balance(form: Acceleration, taken: i32, owed: i32) -> Identity {
     Grid::new(&[1, 1, 3, 1, 1]).vanishes(|v| {
         let [i, di, psi, md, mo] = v else {
             return Q::from(1);
         };
         let a = form(i, di, psi, md, mo);
-        let mo = mo * sign_of_mo;
-        (md + mo) * psi - psi * psi * psi * di / 2 - i * psi * a
+        let added = mo * owed * psi;
+        let mo = mo * taken;
+        added + (md + mo) * psi - psi * psi * psi * di / 2 - i * psi * a
     })
 }
 
 /// Formula (1).
 pub(super) fn equation_of_motion(form: Acceleration) -> Finding {
-    let signed = balance(form, 1);
-    let unsigned = balance(form, -1);
+    let signed = balance(form, 1, 0);
+    let unsigned = balance(form, -1, 0);
+    let exactly = balance(form, -1, 2);
     Draft {
         id: "formula-1",
         place: "(1)",
@@ -51,6 +54,7 @@ pub(super) fn equation_of_motion(form: Acceleration) -> Finding {
         checks: vec![
             (signed.outcome(), Outcome::Holds),
             (unsigned.outcome(), Outcome::Fails),
+            (exactly.outcome(), Outcome::Holds),
         ],
     }
     .finding()
@@ -165,8 +169,8 @@ pub(super) fn kloss(motor: &Motor) -> Finding {
                the paper takes the right one: the other is its reciprocal and would put the rated \
                point on the unstable side of the maximum. M_k is the largest torque, reached at \
                S_k, and the slip runs from 1 at standstill to 0 at synchronous speed. The legend of \
-               the scan has a Greek index for the rated values and M_φ twice, which is noise of the \
-               text layer.",
+               the scan has a Greek index for the rated values and M_φ twice; that looks like noise \
+               of its text layer.",
         figures: vec![
             decimals("S_k/S_n for k = 2.2", &ratio, 12, "1"),
             decimals("S_k for k = 2.2 and S_n = 0.05", &example, 12, "1"),

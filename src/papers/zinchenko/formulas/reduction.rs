@@ -1,11 +1,17 @@
 //! Reduction to the crank: formulas (3) to (7).
 
-use super::sample::{BITS, Dimensions, Loads, Position, Rockers, Sample, masses, number};
+use super::exact::{Grid, Q};
+use super::sample::{
+    BITS, Dimensions, Loads, Position, ROWS, Rockers, Sample, ball, masses, number,
+};
 use super::{Draft, Outcome, decimals, figure, largest};
 use crate::papers::{Finding, FindingVerdict};
 use crate::reference::class_iii::{Masses, Reduced};
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
+
+/// The row whose values are shown.
+const FIRST: u32 = ROWS[0];
 
 /// Speeds of links and centres of mass 2 to 5 as the formulas ask for them, in the unit of length
 /// of the dimensions used.
@@ -25,6 +31,8 @@ pub(super) struct Speeds {
 pub(super) struct Forms {
     /// Twice the kinetic energy (3) over ω1².
     energy: fn(&Speeds, &Loads) -> Ball,
+    /// m_n from I_n and l1.
+    mass: fn(&Q, &Q) -> Q,
     /// (4).
     inertia: fn(&Speeds, &Loads) -> Ball,
     /// (5).
@@ -48,6 +56,7 @@ pub(super) const PRINTED: Forms = Forms {
             + &b.i[3] * &part(w4)
             + &b.i[4] * &part(w5)
     },
+    mass: |inertia, l1| inertia / (l1 * l1),
     inertia: |s, b| {
         let [w2, w3, w4, w5] = &s.omega;
         let sum = &b.m[0] * &s.v[0].square()
@@ -209,6 +218,12 @@ fn energy(f: &Forms, sample: &Sample) -> Finding {
         .fold(Ball::integer(BITS, 0), |a, b| {
             if (&b - &a).is_positive() { b } else { a }
         });
+    let small = (ball("0.02") - &gap).is_positive();
+    // m_n (l1 ω)² = I_n ω², of degree at most 2 after multiplication by l1².
+    let same_energy = Grid::new(&[2, 2, 2]).vanishes(|v| {
+        let (i, l1, omega) = (&v[0], &v[1], &v[2]);
+        (f.mass)(i, l1) * l1 * omega * l1 * omega - i * omega * omega
+    });
     Draft {
         id: "formula-3",
         place: "(3)",
@@ -218,9 +233,9 @@ fn energy(f: &Forms, sample: &Sample) -> Finding {
                taken about O_3 and O_5; I_2 and I_4 are about the centres of mass. Read so, the braces \
                of (3) agree with the reduced moment of inertia of the certified motion, and with \
                König's sum over centres of mass after Steiner's theorem. Read as moments about the \
-               centres of mass they would leave out m s² ω² of both rockers, a few tenths of a \
-               kilogram square metre at the most on the rows tried. The paper does not say which is \
-               meant.",
+               centres of mass they would leave out m s² ω² of both rockers, less than \
+               0.02 kg m² on the rows tried. The paper does not say which is meant. The reduced mass \
+               m_n = I_n/l_1² that follows is right, too.",
         figures: vec![
             figure("largest possible residual", largest(pivot.iter().chain(&konig)), "kg m^2"),
             decimals("largest part left out by the other reading", &gap, 6, "kg m^2"),
@@ -230,6 +245,8 @@ fn energy(f: &Forms, sample: &Sample) -> Finding {
             (Outcome::enclosed(&konig), Outcome::Holds),
             (Outcome::of(positive), Outcome::Holds),
             (Outcome::enclosed(&other), Outcome::Fails),
+            (Outcome::of(small), Outcome::Holds),
+            (same_energy.outcome(), Outcome::Holds),
         ],
     }
     .finding()
@@ -258,9 +275,9 @@ fn reduced_inertia(f: &Forms, sample: &Sample) -> Finding {
                stand the speeds have to be multiplied by 0.01. The paper does not say so; its tables \
                have it.",
         figures: vec![
-            decimals("I_n at row 6, lengths in metres", &paper.value(f.inertia, 0, 1, &m), 6, "kg m^2"),
+            decimals(format!("I_n at row {FIRST}, lengths in metres"), &paper.value(f.inertia, 0, 1, &m), 6, "kg m^2"),
             decimals(
-                "I_n at row 6, lengths as printed",
+                format!("I_n at row {FIRST}, lengths as printed"),
                 &paper.value(f.inertia, 0, 1, &cm),
                 3,
                 "mixed units",
@@ -322,7 +339,7 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
         });
     let mut figures = vec![
         decimals(
-            "dI_n/dφ at row 6, omega_1 = 1",
+            format!("dI_n/dφ at row {FIRST}, omega_1 = 1"),
             &c.value(f.derivative, 0, 1, &m),
             9,
             "kg m^2/rad",
@@ -340,7 +357,7 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
         ),
     ];
     if let Some((quotient, _)) = &mean {
-        let name = "difference quotient of I_n at row 6 over 2^-100 rad";
+        let name = format!("difference quotient of I_n at row {FIRST} over 2^-100 rad");
         figures.push(decimals(name, quotient, 20, "kg m^2/rad"));
     }
     Draft {
@@ -385,8 +402,8 @@ fn power(f: &Forms, sample: &Sample) -> Finding {
         title: "The reduction of forces by equal power is right",
         verdict: FindingVerdict::Confirmed,
         text: "With the weights as forces, (6) gives −dU/dφ_1, the reduced moment that follows from \
-               the potential energy of the certified positions, for either sense of rotation and any \
-               crank speed. No moments M_j act on the links here, so only the first sum was tried.",
+               the potential energy of the certified positions; tried with crank speeds 1 and \
+               −2 rad/s, so for both senses of rotation. No moments M_j act on the links here, so only the first sum was tried.",
         figures: vec![
             figure("rows and crank speeds tried", r.len(), "1"),
             figure("largest possible residual", largest(&r), "N m"),
@@ -414,10 +431,10 @@ fn reduced_moment(f: &Forms, sample: &Sample) -> Finding {
                does not matter at the paper's ω_1 = 1, and speeds in cm/s make the moment a hundred \
                times too large. With both factors it equals −dU/dφ_1 at every row tried.",
         figures: vec![
-            decimals("M_o at row 6 with both factors", &c.value(divided, 0, 2, &cm), 6, "N m"),
-            decimals("M_o at row 6 with omega_1 = 2, metres", &c.value(f.moment, 0, 2, &m), 6, "N m"),
+            decimals(format!("M_o at row {FIRST} with both factors"), &c.value(divided, 0, 2, &cm), 6, "N m"),
+            decimals(format!("M_o at row {FIRST} with omega_1 = 2, metres"), &c.value(f.moment, 0, 2, &m), 6, "N m"),
             decimals(
-                "M_o at row 6 with omega_1 = 1, centimetres",
+                format!("M_o at row {FIRST} with omega_1 = 1, centimetres"),
                 &c.value(f.moment, 0, 1, &cm),
                 4,
                 "N cm",
@@ -464,6 +481,13 @@ mod tests {
         assert_eq!(
             lost(Forms {
                 energy: |s, b| (PRINTED.energy)(s, b) - &b.i[0],
+                ..good
+            }),
+            ["formula-3"]
+        );
+        assert_eq!(
+            lost(Forms {
+                mass: |i, l1| i / l1,
                 ..good
             }),
             ["formula-3"]

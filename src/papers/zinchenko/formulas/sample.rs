@@ -105,7 +105,6 @@ pub(super) struct Dimensions {
 /// Angles of links 1 to 5 with their derivatives by the crank angle, certified by a reference that
 /// uses none of the paper's equations.
 pub(super) struct Position {
-    pub row: u32,
     pub configuration: Configuration,
     pub kinematics: Kinematics,
     /// φ1 … φ5.
@@ -145,7 +144,6 @@ impl Sample {
                 [first, a, b, c, d]
             };
             positions.push(Position {
-                row,
                 configuration: here.clone(),
                 phi: five(angle(row), &k.angles),
                 first: five(Ball::integer(BITS, 1), &k.first),

@@ -195,6 +195,19 @@ fn last_row(f: &Forms) -> Finding {
     let mut forms = CORRECTED;
     forms.table[2] = f.table[2];
     let bypassed = problem.sweep(&forms, n - 1).is_some_and(|m| solves(&m));
+    // How fast the wrong end value fades: 10 at the end, less at each node before it.
+    let change = |i: usize| match (printed.get(i), corrected.get(i)) {
+        (Some(a), Some(b)) => (a - b).abs(),
+        _ => Q::from(0),
+    };
+    let fades = (1..3).all(|j| {
+        let (outer, inner) = (change(n + 1 - j), change(n - j));
+        outer.0 > (&inner * q(37, 10)).0 && outer.0 < (&inner * q(38, 10)).0
+    });
+    let level = self::problem(3, 0);
+    let harmless = level
+        .sweep(&forms, n)
+        .is_some_and(|m| all_zero(&level.residuals(&m)));
     let shown = |m: &[Q], i: usize| m.get(i).map_or("undecided".into(), Q::to_string);
     Draft {
         id: "table-1-last-row",
@@ -217,6 +230,8 @@ fn last_row(f: &Forms) -> Finding {
             (Outcome::of(mirrored), Outcome::Holds),
             (Outcome::of(solves(&corrected)), Outcome::Holds),
             (Outcome::of(bypassed), Outcome::Holds),
+            (Outcome::of(fades), Outcome::Holds),
+            (Outcome::of(harmless), Outcome::Holds),
         ],
     }
     .finding()
