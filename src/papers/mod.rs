@@ -8,3 +8,17 @@ pub use report::{
     Citation, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, SCHEMA_VERSION,
     Subject, Tally, VariantResult,
 };
+
+/// Audits a paper, reporting progress as phase, steps done, steps in all.
+pub type AuditPaper =
+    fn(&(dyn Fn(&str, u64, u64) + Sync)) -> Result<PaperReport, crate::reference::Undecided>;
+
+/// The names of the papers.
+pub fn keys() -> &'static [&'static str] {
+    &[zinchenko::KEY]
+}
+
+/// The audit of the paper of that name.
+pub fn find(key: &str) -> Option<AuditPaper> {
+    (key == zinchenko::KEY).then_some(zinchenko::report as AuditPaper)
+}

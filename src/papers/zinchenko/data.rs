@@ -9,7 +9,7 @@ use rug::Rational;
 
 /// Lengths as printed, in centimetres: the paper names no unit, and only centimetres reproduce its
 /// tables.
-const LENGTHS_CM: [(&str, &str); 10] = [
+pub(super) const LENGTHS_CM: [(&str, &str); 10] = [
     ("l1", "10"),
     ("l2", "104"),
     ("l3", "60"),

@@ -592,6 +592,7 @@ pub(super) fn moment(residual: &MomentResidual, fitted: &FittedMoment) -> Findin
             && negative == 0
             && fitted.worst_units < 0.5
             && residual.errors[9] > 2.0 * residual.errors[3]
-            && residual.errors[4] > 2.0 * residual.errors[8] && residual.exact_mean.abs().upper() < 1e-7,
+            && residual.errors[4] > 2.0 * residual.errors[8]
+            && residual.exact_mean.abs().upper() < 1e-7,
     }
 }

@@ -11,6 +11,7 @@ mod design;
 mod entries;
 mod findings;
 mod fitted_nodes;
+mod formulas;
 mod hidden_recipe;
 mod moment_residual;
 mod recipe;
@@ -87,6 +88,7 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("the claim", 4, STEPS);
     all.extend(claims(&printed, &variants[1])?);
     progress("formulas", 5, STEPS);
+    all.extend(formulas::findings());
     progress("done", STEPS, STEPS);
     Ok(PaperReport {
         schema_version: SCHEMA_VERSION,

@@ -262,7 +262,7 @@ pub(crate) mod tests {
                 let modes = linkage.modes(&phi1.to_ball(bits)).ok()?;
                 let rates: Result<Vec<Kinematics>, _> =
                     modes.iter().map(|m| linkage.kinematics(&m.configuration)).collect();
-                Some(rates.ok()?)
+                rates.ok()
             };
             // Undecided is allowed (a fold nearby), wrong is not.
             if let (Some(a), Some(b)) = (at(low), at(low + more)) {

@@ -1,0 +1,435 @@
+//! The cubic spline: formulas (8) to (17) and the inline right-hand sides.
+
+use super::exact::{Grid, Identity, Q, q};
+use super::{Draft, Outcome, figure};
+use crate::papers::{Finding, FindingVerdict};
+
+/// One section of the spline, between nodes i and i + 1.
+pub(super) struct Section {
+    /// Dimensionless argument.
+    k: Q,
+    /// Second derivatives at the ends.
+    m: [Q; 2],
+    /// Ordinates at the ends.
+    y: [Q; 2],
+    /// Step.
+    h: Q,
+}
+
+/// Three neighbouring nodes.
+pub(super) struct Nodes {
+    m: [Q; 3],
+    y: [Q; 3],
+    h: Q,
+}
+
+type OnSection = fn(&Section) -> Q;
+type OnNodes = fn(&Nodes) -> Q;
+
+/// The formulas, as functions.
+#[derive(Clone, Copy)]
+pub(super) struct Forms {
+    /// (8).
+    second: OnSection,
+    /// (9), with C1 apart.
+    slope: fn(&Section, &Q) -> Q,
+    /// (10), with C1 and C2 apart.
+    value: fn(&Section, &Q, &Q) -> Q,
+    c1: OnSection,
+    c2: OnSection,
+    /// (11).
+    slope_collected: OnSection,
+    /// The line between (11) and (12).
+    value_substituted: OnSection,
+    /// (12).
+    value_collected: OnSection,
+    /// (13).
+    slope_left: OnNodes,
+    /// (14).
+    slope_right: OnNodes,
+    /// (15), left and right side.
+    continuity: (OnNodes, OnNodes),
+    /// (16), left and right side.
+    moments: (OnNodes, OnNodes),
+    /// d_i as given in the text.
+    inline: OnNodes,
+    /// `d_i h²/6` as given in table 1.
+    table: OnNodes,
+}
+
+/// As printed.
+pub(super) const PRINTED: Forms = Forms {
+    second: |s| &s.m[0] + &s.k * (&s.m[1] - &s.m[0]),
+    slope: |s, c1| (&s.m[1] - &s.m[0]) * (&s.k * &s.k * &s.h / 2) + &s.m[0] * &s.k * &s.h + c1,
+    value: |s, c1, c2| {
+        let kh = &s.k * &s.h;
+        (&s.m[1] - &s.m[0]) * (&s.k * &kh * &kh / 6) + &s.m[0] * (&kh * &kh / 2) + c1 * &kh + c2
+    },
+    c1: |s| (&s.y[1] - &s.y[0]) / &s.h - (&s.m[1] - &s.m[0]) * (&s.h / 6) - &s.m[0] * (&s.h / 2),
+    c2: |s| s.y[0].clone(),
+    slope_collected: |s| {
+        let kk = &s.k * &s.k;
+        let left = Q::from(2) - &s.k * 6 + &kk * 3;
+        let right = Q::from(1) - &kk * 3;
+        (&s.y[1] - &s.y[0]) / &s.h - (&s.h / 6) * (left * &s.m[0] + right * &s.m[1])
+    },
+    value_substituted: |s| {
+        let (k, h) = (&s.k, &s.h);
+        let rise = (&s.y[1] - &s.y[0]) / h - (&s.m[1] - &s.m[0]) * (h / 6) - &s.m[0] * (h / 2);
+        (&s.m[1] - &s.m[0]) * (k * k * k * h * h / 6)
+            + &s.m[0] * k * k * (h * h * 3 / 6)
+            + k * h * rise
+            + &s.y[0]
+    },
+    value_collected: |s| {
+        let (k, h) = (&s.k, &s.h);
+        let inner = k * ((&s.m[1] - &s.m[0]) * k + &s.m[0] * 3) - (&s.m[1] + &s.m[0] * 2);
+        &s.y[1] * k + &s.y[0] * (Q::from(1) - k) + k * h * h / 6 * inner
+    },
+    slope_left: |n| (&n.y[1] - &n.y[0]) / &n.h - &n.h / 6 * (-&n.m[0] - &n.m[1] * 2),
+    slope_right: |n| (&n.y[2] - &n.y[1]) / &n.h - &n.h / 6 * (&n.m[2] + &n.m[1] * 2),
+    continuity: (
+        |n| (&n.y[1] - &n.y[0]) / &n.h - &n.h / 6 * (-&n.m[0] - &n.m[1] * 2),
+        |n| (&n.y[2] - &n.y[1]) / &n.h - &n.h / 6 * (&n.m[1] * 2 + &n.m[2]),
+    ),
+    moments: (
+        |n| &n.m[0] + &n.m[1] * 4 + &n.m[2],
+        |n| Q::from(6) / (&n.h * &n.h) * (&n.y[0] - &n.y[1] * 2 + &n.y[2]),
+    ),
+    inline: |n| Q::from(6) / (&n.h * &n.h) * (&n.y[0] - &n.y[1] * 2 + &n.y[2]),
+    table: |n| &n.y[2] - &n.y[1] * 2 + &n.y[0],
+};
+
+/// `∫ f dk` from 0 to k by Simpson's rule, which is exact for cubics.
+fn simpson(s: &Section, f: impl Fn(&Section) -> Q) -> Q {
+    let at = |k: Q| {
+        f(&Section {
+            k,
+            m: s.m.clone(),
+            y: s.y.clone(),
+            h: s.h.clone(),
+        })
+    };
+    &s.k / 6 * (at(Q::from(0)) + at(&s.k / 2) * 4 + at(s.k.clone()))
+}
+
+/// Degrees at most 4 in k, 1 in every m and y, and 4 in h after multiplication by h.
+fn on_sections(f: impl Fn(&Section) -> Q) -> Identity {
+    Grid::new(&[4, 1, 1, 1, 1, 4]).vanishes(|v| {
+        f(&Section {
+            k: v[0].clone(),
+            m: [v[1].clone(), v[2].clone()],
+            y: [v[3].clone(), v[4].clone()],
+            h: v[5].clone(),
+        })
+    })
+}
+
+/// Degrees at most 1 in every m and y, and 4 in h after multiplication by h².
+fn on_nodes(f: impl Fn(&Nodes) -> Q) -> Identity {
+    Grid::new(&[1, 1, 1, 1, 1, 1, 4]).vanishes(|v| {
+        f(&Nodes {
+            m: [v[0].clone(), v[1].clone(), v[2].clone()],
+            y: [v[3].clone(), v[4].clone(), v[5].clone()],
+            h: v[6].clone(),
+        })
+    })
+}
+
+/// The same section at another k.
+fn at(s: &Section, k: i32) -> Section {
+    Section {
+        k: Q::from(k),
+        m: s.m.clone(),
+        y: s.y.clone(),
+        h: s.h.clone(),
+    }
+}
+
+fn construction(f: &Forms) -> Finding {
+    let slope = |s: &Section| (f.slope)(s, &(f.c1)(s));
+    let value = |s: &Section| (f.value)(s, &(f.c1)(s), &(f.c2)(s));
+    let identities = [
+        // (8) takes the nodal values.
+        on_sections(|s| (f.second)(&at(s, 0)) - &s.m[0]),
+        on_sections(|s| (f.second)(&at(s, 1)) - &s.m[1]),
+        // (9) and (10) are its integrals over x = k h.
+        on_sections(|s| slope(s) - slope(&at(s, 0)) - simpson(s, f.second) * &s.h),
+        on_sections(|s| value(s) - value(&at(s, 0)) - simpson(s, slope) * &s.h),
+        // C1 and C2 make the section pass through both nodes.
+        on_sections(|s| value(&at(s, 0)) - &s.y[0]),
+        on_sections(|s| value(&at(s, 1)) - &s.y[1]),
+        // (11), the line before (12), and (12) are the same polynomials.
+        on_sections(|s| (f.slope_collected)(s) - slope(s)),
+        on_sections(|s| (f.value_substituted)(s) - value(s)),
+        on_sections(|s| (f.value_collected)(s) - value(s)),
+    ];
+    let (outcome, points) = Identity::all(&identities);
+    Draft {
+        id: "formula-8-12",
+        place: "(8)-(12), C1, C2",
+        title: "The spline on one section is right, including (12)",
+        verdict: FindingVerdict::Confirmed,
+        text: "Integrating (8) twice gives (9) and (10); the printed C1 and C2 make the section pass \
+               through its two nodes; (11), the unnumbered line after it, and (12) are the same \
+               polynomials collected differently. Each step was proved as an identity of \
+               polynomials in k, h and the nodal values, in exact rationals.",
+        figures: vec![
+            figure("identities proved", identities.len(), "1"),
+            figure("exact evaluations", points, "1"),
+        ],
+        checks: vec![(outcome, Outcome::Holds)],
+    }
+    .finding()
+}
+
+/// The sections left and right of the middle node.
+fn sections(n: &Nodes) -> [Section; 2] {
+    let section = |i: usize, k: i32| Section {
+        k: Q::from(k),
+        m: [n.m[i].clone(), n.m[i + 1].clone()],
+        y: [n.y[i].clone(), n.y[i + 1].clone()],
+        h: n.h.clone(),
+    };
+    [section(0, 1), section(1, 0)]
+}
+
+fn continuity(f: &Forms) -> Finding {
+    let gap = |n: &Nodes| (f.continuity.1)(n) - (f.continuity.0)(n);
+    let identities = [
+        on_nodes(|n| (f.slope_left)(n) - (f.slope_collected)(&sections(n)[0])),
+        on_nodes(|n| (f.slope_right)(n) - (f.slope_collected)(&sections(n)[1])),
+        on_nodes(|n| (f.continuity.0)(n) - (f.slope_left)(n)),
+        on_nodes(|n| (f.continuity.1)(n) - (f.slope_right)(n)),
+        // (15), right minus left, is h/6 times (16), right minus left.
+        on_nodes(|n| gap(n) - &n.h / 6 * ((f.moments.1)(n) - (f.moments.0)(n))),
+    ];
+    let (outcome, points) = Identity::all(&identities);
+    Draft {
+        id: "formula-13-16",
+        place: "(13)-(16)",
+        title: "The continuity of the slope leads to (16) as printed",
+        verdict: FindingVerdict::Confirmed,
+        text: "(13) and (14) are formula (11) at the end of one section and at the start of the next, \
+               (15) equates them, and (16) is (15) multiplied by 6/h. All signs are right, also the \
+               two minus signs in the bracket of (13). Proved as identities in exact rationals.",
+        figures: vec![
+            figure("identities proved", identities.len(), "1"),
+            figure("exact evaluations", points, "1"),
+        ],
+        checks: vec![(outcome, Outcome::Holds)],
+    }
+    .finding()
+}
+
+fn inline(f: &Forms) -> Finding {
+    let identities = [
+        on_nodes(|n| (f.inline)(n) - (f.moments.1)(n)),
+        on_nodes(|n| (f.inline)(n) * &n.h * &n.h / 6 - (f.table)(n)),
+    ];
+    let (outcome, points) = Identity::all(&identities);
+    // The fragment's factor 6/2 in place of 6/h², in general and on y = 0, 0, 1 with h = 1.
+    let fragment = on_nodes(|n| (f.table)(n) * 3 - (f.moments.1)(n));
+    let simple = Nodes {
+        m: [0, 0, 0].map(Q::from),
+        y: [0, 0, 1].map(Q::from),
+        h: Q::from(1),
+    };
+    Draft {
+        id: "inline-d",
+        place: "text after (17), table 1",
+        title: "The right-hand sides d_i are right; a garbled copy stands before them in the scan",
+        verdict: FindingVerdict::Confirmed,
+        text: "The d_i of the text and the column d_i h²/6 of Table 1 are both the right-hand side of \
+               (16), proved exactly. The text layer of the scan has a broken copy of the same line \
+               in front of it that reads m_1 = 6/2 (m_2 = 2m + m_2). It is no formula, and a factor \
+               6/2 in place of 6/h² would be wrong for every step but √2.",
+        figures: vec![
+            figure("exact evaluations", points, "1"),
+            figure("d_i for y = 0, 0, 1 and h = 1", (f.inline)(&simple), "1"),
+            figure("the same with the factor 6/2", (f.table)(&simple) * 3, "1"),
+        ],
+        checks: vec![
+            (outcome, Outcome::Holds),
+            (fragment.outcome(), Outcome::Fails),
+        ],
+    }
+    .finding()
+}
+
+/// Longest chain of sections that (17) is tried on.
+const LONGEST: usize = 200;
+
+/// m_0 … m_n from m_0 and m_1 by (16), for given right-hand sides.
+fn shoot(d: &[Q], m0: &Q, m1: &Q) -> Vec<Q> {
+    let mut m = vec![m0.clone(), m1.clone()];
+    for (i, d) in d.iter().enumerate() {
+        m.push(d - &m[i + 1] * 4 - &m[i]);
+    }
+    m
+}
+
+fn ends(f: &Forms) -> Finding {
+    // Any m_0 and m_1 can be continued by (16): two conditions are missing, not more, not fewer.
+    let d: Vec<Q> = (1..LONGEST as i32).map(|i| q(i * i % 17 - 8, 3)).collect();
+    let unit = |m: &[Q], i: usize| Nodes {
+        m: [m[i - 1].clone(), m[i].clone(), m[i + 1].clone()],
+        y: [Q::from(0), Q::from(0), Q::from(0)],
+        h: Q::from(1),
+    };
+    let solves = |m: &[Q]| (1..m.len() - 1).all(|i| (f.moments.0)(&unit(m, i)) == d[i - 1]);
+    let free = [(0, 0), (1, 0), (0, 1), (-2, 5)]
+        .iter()
+        .all(|&(a, b)| solves(&shoot(&d, &Q::from(a), &Q::from(b))));
+    // With m_0 given, m_n = (known) + g_n m_1: (17) has one solution exactly when g_n is not zero.
+    let none = vec![Q::from(0); LONGEST - 1];
+    let gain = shoot(&none, &Q::from(0), &Q::from(1));
+    let closed = gain[2..].iter().all(|g| !g.is_zero());
+    Draft {
+        id: "formula-17",
+        place: "(17)",
+        title: "Prescribed end values close the system, for functions that are not periodic",
+        verdict: FindingVerdict::Confirmed,
+        text: "The n − 1 equations (16) leave exactly two values free, and prescribing m_0 and m_n \
+               fixes them: with m_0 given, m_n depends on m_1 through a factor that is not zero, \
+               computed exactly for every n up to 200. \
+               The paper itself reserves (17) for functions that are not periodic. I_n, dI_n/dφ and \
+               M_o are periodic in the crank angle, so its own tables call for the other kind of \
+               end conditions; see the finding on the tables.",
+        figures: vec![
+            figure("numbers of sections tried, from 2 to", LONGEST, "1"),
+            figure("factor of m_1 in m_n for n = 12", &gain[12], "1"),
+        ],
+        checks: vec![
+            (Outcome::of(free), Outcome::Holds),
+            (Outcome::of(closed), Outcome::Holds),
+        ],
+    }
+    .finding()
+}
+
+/// The findings on the spline.
+pub(super) fn findings(f: &Forms) -> Vec<Finding> {
+    vec![construction(f), continuity(f), ends(f), inline(f)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Names of the findings that are not as recorded.
+    fn lost(f: Forms) -> Vec<&'static str> {
+        let all = findings(&f);
+        all.iter()
+            .filter(|f| !f.as_recorded)
+            .map(|f| f.id)
+            .collect()
+    }
+
+    #[test]
+    fn planted_faults_are_found() {
+        let good = PRINTED;
+        assert_eq!(lost(good), Vec::<&str>::new());
+        let first = vec!["formula-8-12"];
+        let second = vec!["formula-13-16"];
+        assert_eq!(
+            lost(Forms {
+                second: |s| &s.m[1] + &s.k * (&s.m[1] - &s.m[0]),
+                ..good
+            }),
+            first
+        );
+        assert_eq!(
+            lost(Forms {
+                slope: |s, c| (PRINTED.slope)(s, c) + &s.k,
+                ..good
+            }),
+            first
+        );
+        assert_eq!(
+            lost(Forms {
+                value: |s, a, _| (PRINTED.value)(s, a, &s.y[1]),
+                ..good
+            }),
+            first
+        );
+        assert_eq!(
+            lost(Forms {
+                c1: |s| (PRINTED.c1)(s) + &s.m[1] * &s.h,
+                ..good
+            }),
+            first
+        );
+        assert_eq!(
+            lost(Forms {
+                c2: |s| s.y[1].clone(),
+                ..good
+            }),
+            first
+        );
+        assert_eq!(
+            lost(Forms {
+                value_collected: |s| (PRINTED.value_collected)(s) + &s.k - 1,
+                ..good
+            }),
+            first
+        );
+        assert_eq!(
+            lost(Forms {
+                value_substituted: |s| (PRINTED.value_substituted)(s) - &s.h,
+                ..good
+            }),
+            first
+        );
+        assert_eq!(
+            lost(Forms {
+                slope_collected: |s| (PRINTED.slope_collected)(s) + &s.m[1],
+                ..good
+            }),
+            ["formula-8-12", "formula-13-16"]
+        );
+        // The bracket of (13) without its signs.
+        assert_eq!(
+            lost(Forms {
+                slope_left: |n| (&n.y[1] - &n.y[0]) / &n.h - &n.h / 6 * (&n.m[0] + &n.m[1] * 2),
+                ..good
+            }),
+            second
+        );
+        assert_eq!(
+            lost(Forms {
+                slope_right: |n| (PRINTED.slope_right)(n) + 1,
+                ..good
+            }),
+            second
+        );
+        assert_eq!(
+            lost(Forms {
+                continuity: (|n| n.h.clone(), PRINTED.continuity.1),
+                ..good
+            }),
+            second
+        );
+        assert_eq!(
+            lost(Forms {
+                moments: (|n| &n.m[0] + &n.m[1] * 3 + &n.m[2], PRINTED.moments.1),
+                ..good
+            }),
+            ["formula-13-16", "formula-17"]
+        );
+        assert_eq!(
+            lost(Forms {
+                inline: |n| (PRINTED.table)(n) * 3,
+                ..good
+            }),
+            ["inline-d"]
+        );
+        assert_eq!(
+            lost(Forms {
+                table: |n| (PRINTED.table)(n) * 2,
+                ..good
+            }),
+            ["inline-d"]
+        );
+    }
+}
