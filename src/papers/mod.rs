@@ -7,3 +7,22 @@ pub use report::{
     Citation, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, SCHEMA_VERSION,
     Subject, Tally, VariantResult,
 };
+
+/// Called now and then with the phase, how much of it is done, and its whole.
+pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
+
+/// Audits a paper.
+pub type PaperAudit = fn(Progress) -> PaperReport;
+
+/// The papers known by their key.
+const PAPERS: &[(&str, PaperAudit)] = &[];
+
+/// The audit of the paper of that key.
+pub fn find(key: &str) -> Option<PaperAudit> {
+    PAPERS.iter().find(|p| p.0 == key).map(|p| p.1)
+}
+
+/// The keys of all papers.
+pub fn keys() -> Vec<&'static str> {
+    PAPERS.iter().map(|p| p.0).collect()
+}
