@@ -11,13 +11,15 @@ use std::f64::consts::TAU;
 const TRIED: u32 = 3600;
 /// Turns after which a branch is given up to close.
 const TURNS: u32 = 12;
+/// How close to a fold rows are computed, in radians.
+const MARGIN: f64 = 1e-6;
 
 /// The end of a branch, where the linkage is singular.
 #[derive(Clone, Copy, Debug)]
 pub struct End {
     /// Crank angle of the fold in radians, on the branch's own count of turns.
     pub phi1: f64,
-    /// The last crank angle that was reached.
+    /// The last crank angle in use, a millionth of a radian within the branch.
     pub reached: f64,
     /// φ4 of the two modes that merge, in radians.
     pub phi4: f64,
@@ -191,9 +193,10 @@ fn end(
         Err(ContinuationError::Fold { .. }) => *start,
         Err(e) => return Err(Failure::new(e.to_string())),
     };
+    let inset = MARGIN.min(0.5 * (last.phi1 - start.phi1).abs());
     let plain = End {
         phi1: reached,
-        reached: last.phi1,
+        reached: last.phi1 - direction * inset,
         phi4: last.positions.phi4,
     };
     // From a little before the last angle reached to a little beyond the fold.

@@ -304,15 +304,14 @@ fn all_branches(args: &LinkageArgs, linkage: &Linkage, grid: &Grid) -> Result<Ou
         counts.iter().max().unwrap_or(&0)
     ));
     for fold in &map.folds {
+        let mut branches = fold.branches.clone();
+        branches.sort_unstable();
+        let branches: Vec<String> = branches.iter().map(usize::to_string).collect();
         complain(&format!(
             "fold at phi1 = {:.9} deg, phi4 = {:.6} deg: branches {} {} there",
             fold.phi1.to_degrees(),
             fold.phi4.to_degrees(),
-            fold.branches
-                .iter()
-                .map(usize::to_string)
-                .collect::<Vec<_>>()
-                .join(" and "),
+            branches.join(" and "),
             if fold.begins { "begin" } else { "end" }
         ));
     }

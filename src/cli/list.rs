@@ -5,7 +5,7 @@ use super::audit::print_json;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::text::{BOLD, paint, width, wrap};
-use mechaudit::audit::Method;
+use mechaudit::audit::{Budget, Method};
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
 
@@ -38,30 +38,38 @@ fn line(label: &str, text: &str, width: usize) -> String {
     format!("  {label:<13}{}\n", wrap(text, 15, width))
 }
 
+/// A unit in brackets, nothing where there is none.
+fn unit(unit: &str) -> String {
+    match unit {
+        "1" => String::new(),
+        u => format!(" [{u}]"),
+    }
+}
+
+/// Names of the outputs that share a budget, with the budget.
+fn outputs(method: &dyn Method) -> Vec<(Vec<String>, Budget)> {
+    let mut groups: Vec<(Vec<String>, Budget)> = Vec::new();
+    for o in method.outputs() {
+        let name = format!("{}{}", o.name, unit(o.unit));
+        match groups.iter_mut().find(|g| g.1 == o.budget) {
+            Some(group) => group.0.push(name),
+            None => groups.push((vec![name], o.budget)),
+        }
+    }
+    groups
+}
+
 fn text(method: &dyn Method, width: usize) -> String {
     let mut out = format!("{}\n", paint(BOLD, method.name()));
     out.push_str(&line("", method.summary(), width).replacen(&" ".repeat(15), "  ", 1));
-    let unit = |u: &str| {
-        if u == "1" {
-            String::new()
-        } else {
-            format!(" [{u}]")
-        }
-    };
     let inputs: Vec<String> = method
         .inputs()
         .iter()
         .map(|i| format!("{}{}", i.name, unit(i.unit)))
         .collect();
     out.push_str(&line("input", &inputs.join(", "), width));
-    for (i, o) in method.outputs().iter().enumerate() {
-        let text = format!(
-            "{}{}: {}. {}",
-            o.name,
-            unit(o.unit),
-            o.budget.limit,
-            o.budget.reason
-        );
+    for (i, (names, budget)) in outputs(method).iter().enumerate() {
+        let text = format!("{}: {}; {}", names.join(", "), budget.limit, budget.reason);
         out.push_str(&line(if i == 0 { "output" } else { "" }, &text, width));
     }
     let domain = method.domain();

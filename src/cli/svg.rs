@@ -37,7 +37,7 @@ pub fn draw(folder: &Path, linkage: &Linkage, branch: &Branch) -> Result<(), Fai
                 .iter()
                 .map(|s| (s.phi1.to_degrees(), masses.solver.reduce(s)))
                 .collect();
-            save("reduced.svg", svg_reduced::draw(name, &reduced)?)
+            save("reduced.svg", svg_reduced::draw(name, &reduced, whole)?)
         }
         None => {
             complain("reduced.svg is not drawn: the file gives no masses");

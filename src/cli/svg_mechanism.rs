@@ -72,13 +72,20 @@ pub fn draw(name: &str, geometry: &Geometry, path: &[State], whole: bool) -> Str
          <text x=\"24\" y=\"36\" font-size=\"22\" font-weight=\"600\" fill=\"#1d2125\">{title}</text>\n",
         title = escape(name)
     );
-    joint_paths(&mut out, &view, path);
     let chosen = positions(path, whole);
-    for (i, state) in chosen.iter().enumerate().rev() {
-        links(&mut out, &view, state, [o1, o3, o5], i == 0);
+    let pivots = [(o1, "O1", 0), (o3, "O3", 2), (o5, "O5", 3)];
+    for (pivot, label, joint) in pivots {
+        ground(&mut out, &view, pivot, label, hangs(path, pivot, joint));
     }
-    for (pivot, label) in [(o1, "O1"), (o3, "O3"), (o5, "O5")] {
-        ground(&mut out, &view, pivot, label);
+    for state in chosen.iter().skip(1) {
+        links(&mut out, &view, state, [o1, o3, o5], false);
+    }
+    joint_paths(&mut out, &view, path);
+    if let Some(first) = chosen.first() {
+        links(&mut out, &view, first, [o1, o3, o5], true);
+    }
+    for (pivot, _, _) in pivots {
+        circle(&mut out, &view, pivot, "#1d2125", 1.6);
     }
     if let Some(first) = chosen.first() {
         joints(&mut out, &view, first);
@@ -159,7 +166,9 @@ fn number(out: &mut String, view: &View, label: &str, at: [f64; 2], p: [f64; 2],
     let (x, y) = view.at(at);
     let ((px, py), (qx, qy)) = (view.at(p), view.at(q));
     let length = (px - qx).hypot(py - qy).max(1e-9);
-    let (nx, ny) = (-(py - qy) / length, (px - qx) / length);
+    // On the upper side.
+    let up = if px > qx { -1.0 } else { 1.0 };
+    let (nx, ny) = (-up * (py - qy) / length, up * (px - qx) / length);
     text(
         out,
         label,
@@ -179,38 +188,55 @@ fn text(out: &mut String, text: &str, x: f64, y: f64, anchor: &str, colour: &str
     );
 }
 
-/// A fixed pivot on hatched ground.
-fn ground(out: &mut String, view: &View, p: [f64; 2], label: &str) {
+/// Whether the link at the pivot stays below it.
+fn hangs(path: &[State], pivot: [f64; 2], joint: usize) -> bool {
+    path.iter().all(|s| s.joints()[joint][1] < pivot[1])
+}
+
+/// Hatched ground under a fixed pivot, above it where the link hangs.
+fn ground(out: &mut String, view: &View, p: [f64; 2], label: &str, above: bool) {
     let (x, y) = view.at(p);
-    let base = y + 22.0;
+    let flip = if above { -1.0 } else { 1.0 };
+    let base = y + 22.0 * flip;
     let _ = writeln!(
         out,
         "<g stroke=\"#1d2125\" stroke-width=\"1.6\">\n\
-         <path d=\"M{x:.1} {y:.1}l-13 22h26z\" fill=\"#ffffff\"/>\n\
+         <path d=\"M{x:.1} {y:.1}L{:.1} {base:.1}h26z\" fill=\"#ffffff\"/>\n\
          <path d=\"M{:.1} {base:.1}h44\"/>",
+        x - 13.0,
         x - 22.0
     );
     for k in 0..6 {
         let foot = x - 18.0 + 8.0 * f64::from(k);
+        let drop = 8.0 * flip;
         let _ = writeln!(
             out,
-            "<path d=\"M{foot:.1} {base:.1}l-7 8\" stroke-width=\"1.1\"/>"
+            "<path d=\"M{foot:.1} {base:.1}l-7 {drop}\" stroke-width=\"1.1\"/>"
         );
     }
+    out.push_str("</g>\n");
+    text(
+        out,
+        label,
+        x + 26.0,
+        y + 17.0 * flip + 2.0,
+        "start",
+        "#1d2125",
+    );
+}
+
+fn circle(out: &mut String, view: &View, p: [f64; 2], colour: &str, width: f64) {
+    let (x, y) = view.at(p);
     let _ = writeln!(
         out,
-        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"6\" fill=\"#ffffff\"/>\n</g>"
+        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"6\" fill=\"#ffffff\" stroke=\"{colour}\" stroke-width=\"{width}\"/>"
     );
-    text(out, label, x + 20.0, y + 18.0, "start", "#1d2125");
 }
 
 fn joints(out: &mut String, view: &View, state: &State) {
     for (p, (label, colour)) in state.joints().into_iter().zip(COLOURS) {
         let (x, y) = view.at(p);
-        let _ = writeln!(
-            out,
-            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"6\" fill=\"#ffffff\" stroke=\"{colour}\" stroke-width=\"3\"/>"
-        );
+        circle(out, view, p, colour, 3.0);
         text(out, label, x + 11.0, y - 10.0, "start", colour);
     }
 }

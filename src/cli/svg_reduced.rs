@@ -15,9 +15,12 @@ const PANELS: [(&str, RGBColor, Curve); 3] = [
 ];
 
 /// The drawing of (crank angle in degrees, reduced quantities).
-pub fn draw(name: &str, rows: &[(f64, Reduced)]) -> Result<String, Failure> {
+///
+/// Beside the ends of a branch the quantities grow without bound; where the rows are not a `whole`
+/// turn, the vertical range is that of their middle nine tenths.
+pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> Result<String, Failure> {
     let mut out = String::new();
-    panels(&mut out, name, rows).map_err(|e| Failure::new(format!("cannot draw: {e}")))?;
+    panels(&mut out, name, rows, whole).map_err(|e| Failure::new(format!("cannot draw: {e}")))?;
     Ok(out)
 }
 
@@ -25,6 +28,7 @@ fn panels(
     out: &mut String,
     name: &str,
     rows: &[(f64, Reduced)],
+    whole: bool,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
         return Ok(());
@@ -34,12 +38,20 @@ fn panels(
     let ink = RGBColor(29, 33, 37);
     let title = ("sans-serif", 24).into_font().color(&ink);
     root.draw(&Text::new(name.to_string(), (24, 20), title))?;
-    let body = root.margin(56, 10, 10, 24);
+    if !whole {
+        let note = "the crank does not turn fully; beyond the drawing the curves grow without bound at both ends";
+        let font = ("sans-serif", 15)
+            .into_font()
+            .color(&RGBColor(91, 100, 109));
+        root.draw(&Text::new(note, (24, 46), font))?;
+    }
+    let body = root.margin(68, 10, 10, 24);
     for (k, (area, (label, colour, curve))) in
         body.split_evenly((3, 1)).iter().zip(PANELS).enumerate()
     {
-        let values = || rows.iter().map(|(_, r)| curve(r));
-        let (low, high) = padded(values());
+        let skip = if whole { 0 } else { rows.len() / 20 };
+        let middle = &rows[skip..rows.len() - skip];
+        let (low, high) = padded(middle.iter().map(|(_, r)| curve(r)));
         let mut chart = ChartBuilder::on(area)
             .margin(8)
             .x_label_area_size(if k == 2 { 48 } else { 28 })
@@ -50,7 +62,7 @@ fn panels(
             .x_labels(13)
             .y_labels(7)
             .x_label_formatter(&|x| format!("{x:.0}"))
-            .y_label_formatter(&|y| super::text::short(*y))
+            .y_label_formatter(&|y| tick(*y))
             .x_desc(if k == 2 {
                 "crank angle φ1, degrees"
             } else {
@@ -70,12 +82,24 @@ fn panels(
                 RGBColor(120, 128, 136).stroke_width(1),
             ))?;
         }
-        let line = rows.iter().map(|(x, r)| (*x, curve(r)));
-        chart.draw_series(LineSeries::new(line, colour.stroke_width(2)))?;
+        let line: Vec<(f64, f64)> = rows.iter().map(|(x, r)| (*x, curve(r))).collect();
+        for part in line.split(|p| !(low..=high).contains(&p.1)) {
+            let part = part.iter().copied();
+            chart.draw_series(LineSeries::new(part, colour.stroke_width(2)))?;
+        }
     }
     root.present()?;
     drop(body);
     Ok(())
+}
+
+/// A tick's label without needless zeros.
+fn tick(y: f64) -> String {
+    match y.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e6).contains(&size) => ((y * 1e6).round() / 1e6).to_string(),
+        _ => format!("{y:.2e}"),
+    }
 }
 
 /// The range of the values with some air; zero belongs to it where it is near.

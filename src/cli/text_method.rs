@@ -79,7 +79,7 @@ fn laws(report: &MethodReport, width: usize) -> String {
         let holds = law.worst <= 1.0;
         let (mark, style) = if holds { ("✓", GOOD) } else { ("✗", BAD) };
         let text = format!(
-            "{}: {} Worst residual {} of what is allowed, {} cases.",
+            "{}: {} (worst residual {} of what is allowed, {} cases)",
             law.name,
             law.statement,
             percent(law.worst),
