@@ -1,4 +1,59 @@
-//! mechaudit
+//! An accuracy oracle for the dynamics of mechanisms.
+//!
+//! Fast `f64` solvers stand beside arbitrary-precision references that carry a proof of their
+//! error, an audit compares the two, and published papers are taken apart with both.
+//!
+//! | room | what it holds | needs |
+//! |---|---|---|
+//! | [`solvers`] | tridiagonal systems, cubic splines, class-III linkages, dyads, reduction to the crank | nothing but `f64` |
+//! | `reference` | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
+//! | `audit` | domains, cases, budgets, the judge, statistics | feature `oracle` |
+//! | `methods` | one file for each audited method | feature `oracle` |
+//! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
+//!
+//! With `default-features = false` only the solvers are built, without GMP, MPFR or any
+//! command-line crate; feature `parallel` adds batches on all cores.
+//!
+//! # A linkage
+//! ```
+//! use mechaudit::solvers::class_iii::{ClassIii, Geometry};
+//! use mechaudit::solvers::units::{Angle, Length};
+//!
+//! let cm = Length::from_cm;
+//! let linkage = ClassIii::new(Geometry {
+//!     l1: cm(10.0), l2: cm(104.0), l3: cm(60.0), l4: cm(64.0), l5: cm(48.5),
+//!     lb: cm(22.0), phi_b: Angle::from_deg(-39.3),
+//!     x3: cm(75.0), y3: cm(93.0), x5: cm(128.5), y5: cm(103.5),
+//! })?;
+//! let phi1 = 0.5;
+//! let mode = linkage.assembly_modes(phi1).modes[2];
+//! let start = linkage.state_near(phi1, mode)?;
+//! // Follow the branch; each step is proved to stay on it.
+//! let end = linkage.follow(&start, phi1 + std::f64::consts::TAU)?;
+//! assert!((end.positions.phi4 - start.positions.phi4).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # An audit
+#![cfg_attr(feature = "oracle", doc = "```")]
+#![cfg_attr(not(feature = "oracle"), doc = "```ignore")]
+//! use mechaudit::audit::{audit_method, Settings};
+//! use mechaudit::methods;
+//!
+//! let method = methods::find("tridiagonal").unwrap();
+//! let settings = Settings { cases_per_region: 10, ..Settings::default() };
+//! let report = audit_method(&*method, &settings, &|| ());
+//! assert!(report.passed());
+//! ```
+//!
+//! # What the words mean
+//! * A **ball** is a midpoint and a radius that bounds the distance to the true value.
+//! * An **ulp** of a reference value in `[2^e, 2^(e+1))` is `2^(e−52)`; errors are fractional ulps
+//!   against the unrounded reference.
+//! * The **condition** of an output is `Σ_j |x_j ∂f/∂x_j| / |f|`: how many relative errors of the
+//!   inputs it takes up.
+//! * **u** is `2⁻⁵³`, half an ulp of 1.
+//! * **Worst found** is the largest of a sample, never a bound.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

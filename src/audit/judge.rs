@@ -28,8 +28,12 @@ pub enum Verdict {
 pub struct ComponentJudgement {
     /// The verdict.
     pub verdict: Verdict,
-    /// The error in ulps of the reference, an upper bound.
+    /// The error in ulps of the reference, an upper bound; NaN where the reference cannot be told
+    /// from zero, whose ulps mean nothing.
     pub ulps: f64,
+    /// The error in units of `2⁻⁵³ (|ref| + Σ_j |x_j ∂ref/∂x_j|)`, an upper bound; NaN without
+    /// condition numbers.
+    pub conditioned: f64,
     /// The error divided by what the budget allows, an upper bound.
     pub of_budget: f64,
     /// The condition number `Σ_j |x_j ∂f/∂x_j| / |f|`.
@@ -194,9 +198,18 @@ fn component(
             _ => Verdict::Undecided,
         }
     };
+    let conditioned = condition.map_or(f64::NAN, |c| {
+        hi.div(size.add(Mag::from_f64(c)).shift(-53)).to_f64()
+    });
+    let ulps = if size.is_zero() {
+        f64::NAN
+    } else {
+        hi.shift(-ulp).to_f64()
+    };
     ComponentJudgement {
         verdict,
-        ulps: hi.shift(-ulp).to_f64(),
+        ulps,
+        conditioned,
         of_budget: allowed.map_or(f64::INFINITY, |a| hi.div(a).to_f64()),
         condition: relative,
     }

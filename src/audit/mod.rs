@@ -21,6 +21,7 @@ pub use method::{
     conditions_by_differences,
 };
 pub use run::{
-    CaseReport, LawReport, MethodReport, OutputStatistics, Settings, audit_case, audit_method,
+    CaseReport, LawReport, MethodReport, OutputStatistics, Settings, Spread, audit_case,
+    audit_method,
 };
 pub use ulp::{ulp_exponent, ulps};

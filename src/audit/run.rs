@@ -58,18 +58,49 @@ pub struct OutputStatistics {
     pub name: &'static str,
     /// Values judged.
     pub values: usize,
-    /// Largest error found, in ulps.
-    pub max_ulps: f64,
-    /// 99th percentile of the errors, in ulps.
-    pub p99_ulps: f64,
-    /// Root mean square of the errors, in ulps.
-    pub rms_ulps: f64,
+    /// Errors in ulps, over the values that are not zero.
+    pub ulps: Spread,
+    /// Errors in units of `2⁻⁵³ (|ref| + Σ_j |x_j ∂ref/∂x_j|)`: what is left of them when each
+    /// input's last half-ulp is forgiven. Nothing where no condition numbers are asked for.
+    pub conditioned: Spread,
     /// Largest share of the budget found.
     pub max_of_budget: f64,
-    /// Largest condition number met.
+    /// Largest finite condition number met.
     pub max_condition: f64,
     /// The case with the largest share of the budget.
     pub worst: Option<Case>,
+}
+
+/// How errors are spread; zeros if there are none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Spread {
+    /// Number of errors.
+    pub count: usize,
+    /// The largest found.
+    pub max: f64,
+    /// 99th percentile (nearest rank).
+    pub p99: f64,
+    /// Root mean square.
+    pub rms: f64,
+}
+
+impl Spread {
+    /// Of all values that are numbers.
+    fn of(values: impl Iterator<Item = f64>) -> Spread {
+        let mut sorted: Vec<f64> = values.filter(|v| !v.is_nan()).collect();
+        sorted.sort_by(f64::total_cmp);
+        let Some(&max) = sorted.last() else {
+            return Spread::default();
+        };
+        let n = sorted.len() as f64;
+        let rank = (n * 0.99).ceil() as usize;
+        Spread {
+            count: sorted.len(),
+            max,
+            p99: sorted[rank.max(1) - 1],
+            rms: (sorted.iter().map(|u| u * u).sum::<f64>() / n).sqrt(),
+        }
+    }
 }
 
 /// What was found about one law.
@@ -264,46 +295,52 @@ fn statistics(
     name: &'static str,
     reports: &[CaseReport],
 ) -> OutputStatistics {
-    let of_output = |r: &CaseReport| -> Vec<ComponentJudgement> {
-        r.judgement
-            .components
-            .iter()
-            .skip(o)
-            .step_by(outputs)
-            .cloned()
-            .collect()
-    };
-    let mut ulps = Vec::new();
-    let mut found = OutputStatistics {
-        name,
-        values: 0,
-        max_ulps: 0.0,
-        p99_ulps: 0.0,
-        rms_ulps: 0.0,
-        max_of_budget: 0.0,
-        max_condition: 0.0,
-        worst: None,
-    };
-    for r in reports {
-        for c in of_output(r) {
-            ulps.push(c.ulps);
-            if c.condition > found.max_condition {
-                found.max_condition = c.condition;
-            }
-            if c.of_budget > found.max_of_budget {
-                found.max_of_budget = c.of_budget;
-                found.worst = Some(r.case.clone());
-            }
+    let judged: Vec<(&Case, &ComponentJudgement)> = reports
+        .iter()
+        .flat_map(|r| {
+            let own = r.judgement.components.iter().skip(o).step_by(outputs);
+            own.map(move |c| (&r.case, c))
+        })
+        .collect();
+    // A share that is not a number is the worst of all.
+    let share = |c: &ComponentJudgement| {
+        if c.of_budget.is_nan() {
+            f64::INFINITY
+        } else {
+            c.of_budget
         }
+    };
+    let worst = judged
+        .iter()
+        .max_by(|a, b| share(a.1).total_cmp(&share(b.1)));
+    OutputStatistics {
+        name,
+        values: judged.len(),
+        ulps: Spread::of(judged.iter().map(|(_, c)| c.ulps)),
+        conditioned: Spread::of(judged.iter().map(|(_, c)| c.conditioned)),
+        max_of_budget: worst.map_or(0.0, |(_, c)| share(c)),
+        max_condition: judged
+            .iter()
+            .map(|(_, c)| c.condition)
+            .filter(|c| c.is_finite())
+            .fold(0.0, f64::max),
+        worst: worst.map(|(case, _)| (*case).clone()),
     }
-    ulps.sort_by(f64::total_cmp);
-    found.values = ulps.len();
-    if let Some(&max) = ulps.last() {
-        found.max_ulps = max;
-        // Nearest-rank percentile.
-        let rank = (ulps.len() as f64 * 0.99).ceil() as usize;
-        found.p99_ulps = ulps[rank.max(1) - 1];
-        found.rms_ulps = (ulps.iter().map(|u| u * u).sum::<f64>() / ulps.len() as f64).sqrt();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Spread;
+
+    #[test]
+    fn spread() {
+        let s = Spread::of((1..=200).map(f64::from).chain([f64::NAN]));
+        assert_eq!((s.count, s.max, s.p99), (200, 200.0, 198.0));
+        assert!((s.rms - (201.0f64 * 401.0 / 6.0).sqrt()).abs() < 1e-12);
+        assert_eq!(Spread::of(std::iter::empty()), Spread::default());
+        assert_eq!(
+            Spread::of([3.0, f64::INFINITY].into_iter()).max,
+            f64::INFINITY
+        );
     }
-    found
 }

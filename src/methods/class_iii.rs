@@ -99,7 +99,7 @@ fn masses(x: &[f64]) -> Option<Masses> {
 
 /// Links 1, 3 and 5 (indices 0, 2, 4) may have their inertia about the pivot.
 fn about_pivot(i: usize, flag: impl Fn(usize) -> bool) -> bool {
-    i % 2 == 0 && flag(PIVOTS + i / 2)
+    i.is_multiple_of(2) && flag(PIVOTS + i / 2)
 }
 
 fn exact_masses(x: &[Rational]) -> exact::Masses {
@@ -190,22 +190,22 @@ impl Method for Audit {
                 region(
                     "paper",
                     "Zinchenko's linkage at any crank angle and assembly mode",
-                    |d| paper(d),
+                    paper,
                 ),
                 region(
                     "perturbed",
                     "its dimensions and masses each changed by up to 30 %",
-                    |d| perturbed(d),
+                    perturbed,
                 ),
                 region(
                     "random",
                     "random lengths (factor 10), pivots placed so that it can be assembled",
-                    |d| random(d),
+                    random,
                 ),
                 region(
                     "scaled",
                     "the paper's linkage from micrometres to kilometres",
-                    |d| scaled(d),
+                    scaled,
                 ),
                 region(
                     "near-dead",
@@ -220,7 +220,7 @@ impl Method for Audit {
                 region(
                     "apart",
                     "pivots too far apart for the links: must be refused",
-                    |d| apart(d),
+                    apart,
                 ),
             ],
             check_points: vec![

@@ -1,5 +1,8 @@
 //! The registry: one file for each audited method, one word in the list below.
 
+mod cubic_spline_common;
+mod cubic_spline_conditions;
+
 use crate::audit::Method;
 
 macro_rules! registry {
@@ -13,9 +16,62 @@ macro_rules! registry {
     };
 }
 
-registry![class_iii, class_iii_assembly_modes, four_bar, slider_crank];
+registry![
+    tridiagonal,
+    cyclic_tridiagonal,
+    cubic_spline_second_derivatives,
+    cubic_spline_clamped,
+    cubic_spline_not_a_knot,
+    cubic_spline_periodic,
+    cubic_spline_uniform,
+    four_bar,
+    slider_crank,
+    class_iii_assembly_modes,
+    class_iii,
+];
 
 /// The method of that name.
 pub fn find(name: &str) -> Option<Box<dyn Method>> {
     registry().into_iter().find(|m| m.name() == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::registry;
+    use std::collections::HashSet;
+
+    #[test]
+    fn every_method_can_be_named_and_sampled() {
+        let methods = registry();
+        let names: HashSet<&str> = methods.iter().map(|m| m.name()).collect();
+        assert_eq!(names.len(), methods.len(), "two methods share a name");
+        for m in &methods {
+            let word = |s: &str| {
+                !s.is_empty()
+                    && s.bytes()
+                        .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
+            };
+            assert!(word(m.name()), "{}", m.name());
+            assert!(
+                !m.outputs().is_empty() && !m.inputs().is_empty(),
+                "{}",
+                m.name()
+            );
+            let domain = m.domain();
+            assert!(
+                !domain.check_points.is_empty(),
+                "{} has no check point",
+                m.name()
+            );
+            let places: Vec<&str> = domain
+                .regions
+                .iter()
+                .map(|r| r.name)
+                .chain(domain.check_points.iter().map(|c| c.name))
+                .collect();
+            assert!(places.iter().all(|p| word(p)), "{}: {places:?}", m.name());
+            let distinct: HashSet<&&str> = places.iter().collect();
+            assert_eq!(distinct.len(), places.len(), "{}: {places:?}", m.name());
+        }
+    }
 }

@@ -184,7 +184,7 @@ impl Ball {
         }
         let mid = self.mid.to_rational().expect("finite midpoint");
         let rad = self.rad.to_float().to_rational().expect("finite radius");
-        Rational::from(x - mid).abs() <= rad
+        (x - mid).abs() <= rad
     }
 
     /// Whether every point of `other` lies in the ball.
@@ -196,7 +196,7 @@ impl Ball {
             return false;
         }
         let q = |f: &Float| f.to_rational().expect("finite");
-        let gap = Rational::from(q(&self.mid) - q(&other.mid)).abs();
+        let gap = (q(&self.mid) - q(&other.mid)).abs();
         gap + q(&other.rad.to_float()) <= q(&self.rad.to_float())
     }
 
@@ -206,7 +206,7 @@ impl Ball {
             return true;
         }
         let q = |f: &Float| f.to_rational().expect("finite");
-        let gap = Rational::from(q(&self.mid) - q(&other.mid)).abs();
+        let gap = (q(&self.mid) - q(&other.mid)).abs();
         gap <= q(&self.rad.to_float()) + q(&other.rad.to_float())
     }
 

@@ -109,14 +109,14 @@ fn sign(x: &Ball, bits: u32, what: &str) -> Result<Ordering, DyadRefusal> {
     }
 }
 
-/// `x + 2πk` with the integer `k` that brings it next to `near`; the distance has to be certainly
-/// less than a quarter turn from a whole number of turns.
+/// `x + 2πk` with the integer `k` that brings it next to `near`. What is left between the two, at
+/// most a quarter turn wherever this is called, has to be certainly less than 0.4 turns.
 fn lifted(x: &Ball, near: &Ball, bits: u32) -> Result<Ball, DyadRefusal> {
     let turn = Ball::pi(bits + 32).shift(1);
     let turns = &(near - x) / &turn;
     let whole = Float::with_val(turns.prec(), turns.mid().round_ref());
     let k = Ball::new(whole, Mag::ZERO);
-    if (&turns - &k).magnitude() < Mag::from_f64(0.25) {
+    if (&turns - &k).magnitude() < Mag::from_f64(0.4) {
         if k.is_zero() {
             return Ok(x.clone());
         }
@@ -231,7 +231,7 @@ pub fn four_bar(
         (&theta + v.atan2(&u), &theta + v.atan2(&(&u - &one)))
     } else {
         let principal = (-&span[1]).atan2(&-&span[0]);
-        let eta = turn_towards(&principal, &ball(phi), bits)?;
+        let eta = lifted(&principal, &ball(phi), bits)?;
         let minus = -&v;
         (&eta + minus.atan2(&-&u), &eta + minus.atan2(&(&one - &u)))
     };
@@ -256,20 +256,6 @@ pub fn four_bar(
     let all = out.joint.iter().chain(&out.coupler).chain(&out.rocker);
     all_finite(all.chain([&out.transmission, &out.determinant]), bits)?;
     Ok(out)
-}
-
-/// `x + 2πk` within a quarter turn of `target`.
-fn turn_towards(x: &Ball, target: &Ball, bits: u32) -> Result<Ball, DyadRefusal> {
-    let turn = Ball::pi(bits + 32).shift(1);
-    let turns = &(target - x) / &turn;
-    let whole = Float::with_val(turns.prec(), turns.mid().round_ref());
-    let k = Ball::new(whole, Mag::ZERO);
-    // The distance is at most a quarter turn; anything below a half decides.
-    if (&turns - &k).magnitude() < Mag::from_f64(0.4) {
-        Ok(x + k * turn)
-    } else {
-        Err(undecided(bits, "the turn of the crank's end"))
-    }
 }
 
 /// The slider-crank with `[crank, rod, offset]`, guide direction `delta` and crank angle `phi`

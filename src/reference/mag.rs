@@ -150,6 +150,7 @@ impl Mag {
 
     /// An upper bound on `self / lower` where `lower` is a **lower** bound of the divisor.
     /// Infinite when `lower` is zero and `self` is not.
+    #[allow(clippy::should_implement_trait)]
     pub fn div(self, lower: Mag) -> Mag {
         if self.is_zero() {
             return Mag::ZERO;

@@ -6,10 +6,12 @@
 mod ball;
 pub mod class_iii;
 mod complex;
+pub mod cubic_spline;
 mod decimal;
 pub mod dyad;
 mod linear;
 mod mag;
+pub mod tridiagonal;
 
 pub use ball::{Ball, dot};
 pub use complex::ComplexBall;

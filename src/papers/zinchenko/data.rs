@@ -23,29 +23,29 @@ const LENGTHS_CM: [(&str, &str); 10] = [
 ];
 
 /// φB as printed, in degrees.
-pub(super) const PHI_B_DEG: &str = "-39.3";
+pub const PHI_B_DEG: &str = "-39.3";
 /// Crank angle of row 0, in degrees.
-pub(super) const START_DEG: &str = "14.426";
+pub const START_DEG: &str = "14.426";
 /// φ4 printed for row 0, in degrees: it selects the assembly mode.
-pub(super) const START_PHI4_DEG: &str = "22.558";
+pub const START_PHI4_DEG: &str = "22.558";
 /// Masses of links 2 to 5 in kg, as printed.
-pub(super) const MASSES_KG: [&str; 4] = ["10", "5", "550", "3.5"];
+pub const MASSES_KG: [&str; 4] = ["10", "5", "550", "3.5"];
 /// Moments of inertia of links 2 to 5 in kg·m², as printed.
-pub(super) const INERTIAS_KG_M2: [&str; 4] = ["0.8", "0.5", "18", "0.2"];
+pub const INERTIAS_KG_M2: [&str; 4] = ["0.8", "0.5", "18", "0.2"];
 /// Acceleration of gravity in m/s²; not printed.
-pub(super) const GRAVITY: &str = "9.81";
+pub const GRAVITY: &str = "9.81";
 /// Angle between rows, in degrees.
-pub(super) const STEP_DEG: (i32, i32) = (15, 2);
+pub const STEP_DEG: (i32, i32) = (15, 2);
 
 /// Centre of mass of a link: radius in centimetres, angle in degrees from the link's axis.
-pub(super) type Polar = (&'static str, &'static str);
+pub type Polar = (&'static str, &'static str);
 
 /// The centres of mass of links 2 to 5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Centres(pub [Polar; 4]);
+pub struct Centres(pub [Polar; 4]);
 
 /// As printed: l_S2 = 0.53 l2, l_S3 = 0.3 l3, l_S4 = 0.25 l_B (on C–B), l_S5 = 0.2 l5.
-pub(super) const PRINTED: Centres = Centres([
+pub const PRINTED: Centres = Centres([
     ("55.12", "0"),
     ("18", "0"),
     ("5.5", PHI_B_DEG),
@@ -53,8 +53,7 @@ pub(super) const PRINTED: Centres = Centres([
 ]);
 
 /// As recovered from the tables (see the recovery).
-pub(super) const RECOVERED: Centres =
-    Centres([("50", "0"), ("30", "0"), ("25", "-12"), ("20", "0")]);
+pub const RECOVERED: Centres = Centres([("50", "0"), ("30", "0"), ("25", "-12"), ("20", "0")]);
 
 pub(super) fn decimal(text: &str) -> Rational {
     Decimal::parse(text).expect("a decimal in the source").value
@@ -70,7 +69,7 @@ fn length(name: &str) -> Rational {
 }
 
 /// The dimensions, exactly, in metres.
-pub(super) fn geometry() -> Geometry {
+pub fn geometry() -> Geometry {
     Geometry {
         l1: length("l1"),
         l2: length("l2"),
@@ -85,7 +84,7 @@ pub(super) fn geometry() -> Geometry {
 }
 
 /// The masses, exactly: inertias of links 3 and 5 about their pivots as formula (3) has them.
-pub(super) fn masses(centres: Centres) -> Masses {
+pub fn masses(centres: Centres) -> Masses {
     let nothing = || Body {
         mass: Rational::new(),
         inertia: Rational::new(),
@@ -107,7 +106,7 @@ pub(super) fn masses(centres: Centres) -> Masses {
 }
 
 /// Crank angle of a row (possibly fractional) in degrees.
-pub(super) fn row_angle(row: &Rational) -> ExactAngle {
+pub fn row_angle(row: &Rational) -> ExactAngle {
     let step = Rational::from(STEP_DEG);
     ExactAngle::Degrees(decimal(START_DEG) + step * row)
 }
@@ -117,7 +116,10 @@ fn nearest(text: &str) -> f64 {
 }
 
 /// The dimensions for the f64 solver.
-pub(super) fn solver_linkage() -> f64_linkage::ClassIii {
+///
+/// # Panics
+/// Never: the paper's geometry is valid.
+pub fn solver_linkage() -> f64_linkage::ClassIii {
     let cm = |name: &str| {
         let found = LENGTHS_CM.iter().find(|l| l.0 == name);
         Length::from_cm(nearest(found.expect("a known length").1))
@@ -140,7 +142,7 @@ pub(super) fn solver_linkage() -> f64_linkage::ClassIii {
 
 /// Everything about the masses that the tables may determine, as plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct MassParameters {
+pub struct MassParameters {
     /// Masses of links 2 to 5, kg.
     pub mass: [f64; 4],
     /// Inertias of links 2 to 5, kg·m².
@@ -152,7 +154,8 @@ pub(super) struct MassParameters {
 }
 
 impl MassParameters {
-    pub(super) fn new(centres: Centres) -> MassParameters {
+    /// The printed masses and inertias with these centres of mass.
+    pub fn new(centres: Centres) -> MassParameters {
         MassParameters {
             mass: MASSES_KG.map(nearest),
             inertia: INERTIAS_KG_M2.map(nearest),
@@ -168,7 +171,7 @@ impl MassParameters {
     ///
     /// # Panics
     /// When a mass is negative or not finite.
-    pub(super) fn masses(&self) -> reduction::Masses {
+    pub fn masses(&self) -> reduction::Masses {
         let body = |i: usize| {
             let j = Inertia::from_kg_m2(self.inertia[i]);
             let [x, y] = self.centre[i];
@@ -197,7 +200,10 @@ impl MassParameters {
 
 /// The reference linkage and the certified configuration of row 0 on the paper's assembly mode:
 /// the one whose φ4 rounds to the printed value.
-pub(super) fn start(
+///
+/// # Errors
+/// [`crate::reference::Undecided`] when the precision does not decide which one that is.
+pub fn start(
     bits: u32,
 ) -> Result<(class_iii::Linkage, class_iii::Configuration), crate::reference::Undecided> {
     let linkage = class_iii::Linkage::new(&geometry(), bits);

@@ -62,11 +62,12 @@ impl Splines {
         let n = nodes.inertia.len();
         let bits = nodes.inertia[0].prec();
         let h = &Ball::pi(bits).shift(1) / &Ball::integer(bits, n as i64);
+        let spline = |y: &[Ball]| periodic_uniform(y, &h).expect("at least one node");
         Splines {
             nodes: n,
-            inertia: periodic_uniform(&nodes.inertia, &h),
-            derivative: periodic_uniform(&nodes.derivative, &h),
-            moment: periodic_uniform(&nodes.moment, &h),
+            inertia: spline(&nodes.inertia),
+            derivative: spline(&nodes.derivative),
+            moment: spline(&nodes.moment),
         }
     }
 

@@ -126,8 +126,10 @@ pub(super) fn printed() -> Vec<Printed> {
             .comment(Some(b'#'))
             .from_reader(text.as_bytes());
         let headers = reader.headers().expect("a published table").clone();
-        let records: Vec<csv::StringRecord> =
-            reader.records().map(|r| r.expect("a published table")).collect();
+        let records: Vec<csv::StringRecord> = reader
+            .records()
+            .map(|r| r.expect("a published table"))
+            .collect();
         assert_eq!(records.len(), ROWS, "rows of a published table");
         for &column in columns {
             let at = headers.iter().position(|h| h == column.name());

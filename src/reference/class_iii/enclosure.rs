@@ -142,7 +142,8 @@ impl Linkage {
         let mut z: Point4 = std::array::from_fn(|i| Float::with_val(self.bits, &guess[i]));
         let mut y = self.approximate_inverse(&a, &z)?;
         let mut last = Mag::INFINITY;
-        for round in 0..60 {
+        // Each round gains some 40 bits or more; the count is only a guard.
+        for round in 0..40 + self.bits / 16 {
             let (c, d) = exact(&z);
             let step = apply(&y, &self.residual(&a, &c, &d));
             let size = largest(&step);

@@ -1,6 +1,6 @@
 //! Values at many points.
 
-use super::grid::Grid;
+use super::grid::{Grid, Interval};
 use super::{EvaluationError as Error, Jet, Spline};
 
 /// Points examined at a time, so that they stay in the first-level cache.
@@ -98,32 +98,42 @@ impl<G: Grid> Spline<G> {
     fn block(&self, mut segment: usize, x: &[f64], out: &mut [f64]) -> usize {
         let end = self.grid.segments() - 1;
         let mut start = 0;
+        let mut at = self.grid.interval(segment);
+        // One segment ahead, so that nothing waits for its knots.
+        let ahead_of = |segment: usize, at: Interval| {
+            if segment < end {
+                self.grid.following(segment + 1, at)
+            } else {
+                at
+            }
+        };
+        let mut ahead = ahead_of(segment, at);
         while start < x.len() {
             // The next segment is the usual case; a search when it is further away.
-            let mut right = self.grid.interval(segment).right;
             let mut steps = 0;
-            while segment < end && (x[start] - right.0) - right.1 >= 0.0 {
+            while segment < end && !at.is_right_of(x[start]) {
                 steps += 1;
-                segment = if steps < 8 {
-                    segment + 1
+                if steps < 8 {
+                    segment += 1;
+                    at = ahead;
                 } else {
-                    self.grid.locate(x[start])
-                };
-                right = self.grid.interval(segment).right;
-            }
-            let mut stop = start + 1;
-            if segment == end {
-                stop = x.len();
-            } else {
-                while stop < x.len() && (x[stop] - right.0) - right.1 < 0.0 {
-                    stop += 1;
+                    segment = self.grid.locate(x[start]);
+                    at = self.grid.interval(segment);
                 }
+                ahead = ahead_of(segment, at);
             }
-            let cell = self.cell(segment);
-            for (x, out) in x[start..stop].iter().zip(&mut out[start..stop]) {
+            let cell = self.cell_on(segment, at);
+            let rest = &x[start..];
+            let count = if segment == end {
+                rest.len()
+            } else {
+                let beyond = rest.iter().position(|x| !at.is_right_of(*x));
+                beyond.unwrap_or(rest.len())
+            };
+            for (x, out) in rest[..count].iter().zip(&mut out[start..start + count]) {
                 *out = cell.value(*x);
             }
-            start = stop;
+            start += count;
         }
         segment
     }

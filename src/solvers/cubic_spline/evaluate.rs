@@ -41,22 +41,27 @@ pub(super) struct Cell {
     /// `h² m_i / 6` and `h² m_{i+1} / 6`.
     p: f64,
     q: f64,
+    bend: f64,
     m0: f64,
     m1: f64,
 }
 
 impl Cell {
-    /// `k` and `w`.
+    /// `k` and `w`, each from its own knot, so that it keeps its relative accuracy down to 0; then
+    /// both divided by their sum, to first order, so that the other one is exactly 1 there.
     #[inline(always)]
     fn fractions(&self, x: f64) -> (f64, f64) {
         let a = (x - self.at.left.0) - self.at.left.1;
         let b = (self.at.right.0 - x) + self.at.right.1;
-        (a / self.at.h, b / self.at.h)
+        let (k, w) = (a * self.at.per_h, b * self.at.per_h);
+        let rest = 1.0 - (k + w);
+        (k + k * rest, w + w * rest)
     }
 
     #[inline(always)]
     fn value_at(&self, (k, w): (f64, f64)) -> f64 {
-        (w * self.y0 + k * self.y1) - (k * w) * ((1.0 + w) * self.p + (1.0 + k) * self.q)
+        let bend = self.bend + (w * self.p + k * self.q);
+        (w * self.y0 + k * self.y1) - (k * w) * bend
     }
 
     /// `S(x)`.
@@ -65,8 +70,7 @@ impl Cell {
         self.value_at(self.fractions(x))
     }
 
-    pub(super) fn jet(&self, x: f64) -> Jet {
-        let (k, w) = self.fractions(x);
+    fn jet_at(&self, (k, w): (f64, f64)) -> Jet {
         let bend = (3.0 * k * k - 1.0) * self.q - (3.0 * w * w - 1.0) * self.p;
         Jet {
             value: self.value_at((k, w)),
@@ -117,18 +121,37 @@ impl Sum {
 }
 
 impl<G: Grid> Spline<G> {
+    /// Value and derivatives with the cubic of segment `i`.
+    pub(super) fn jet_on(&self, i: usize, x: f64) -> Jet {
+        let mut jet = self.cell(i).jet_at(self.cell(i).fractions(x));
+        let first = if i < 2 { self.third[0] } else { None };
+        let last = if i + 2 >= self.grid.segments() {
+            self.third[1]
+        } else {
+            None
+        };
+        jet.third = first.or(last).unwrap_or(jet.third);
+        jet
+    }
+
     #[inline]
     pub(super) fn cell(&self, i: usize) -> Cell {
-        let at = self.grid.interval(i);
+        self.cell_on(i, self.grid.interval(i))
+    }
+
+    #[inline]
+    pub(super) fn cell_on(&self, i: usize, at: Interval) -> Cell {
         let c = self.grid.curvature_per_bend(at.h);
         let f = self.grid.second_per_bend();
         let (b0, b1) = (self.bend[i], self.bend[i + 1]);
+        let (p, q) = (c * b0, c * b1);
         Cell {
             at,
             y0: self.y[i],
             y1: self.y[i + 1],
-            p: c * b0,
-            q: c * b1,
+            p,
+            q,
+            bend: p + q,
             m0: f * b0,
             m1: f * b1,
         }
@@ -165,19 +188,19 @@ impl<G: Grid> Spline<G> {
 
     fn outside(&self, x: f64, before: bool) -> Jet {
         let (first, last) = self.grid.span();
-        let (cell, end) = if before {
-            (self.cell(0), first)
+        let (i, end) = if before {
+            (0, first)
         } else {
-            (self.cell(self.grid.segments() - 1), last)
+            (self.grid.segments() - 1, last)
         };
         match self.extrapolation {
-            Extrapolation::EndPolynomial => cell.jet(x),
+            Extrapolation::EndPolynomial => self.jet_on(i, x),
             Extrapolation::Clamp => Jet {
-                value: cell.value(end),
+                value: self.cell(i).value(end),
                 ..Jet::default()
             },
             _ => {
-                let at = cell.jet(end);
+                let at = self.jet_on(i, end);
                 Jet {
                     value: at.value + at.first * (x - end),
                     first: at.first,
@@ -210,7 +233,7 @@ impl<G: Grid> Spline<G> {
     /// As [`Spline::value`].
     pub fn jet(&self, x: f64) -> Result<Jet, Error> {
         Ok(match self.place(0, x)? {
-            Place::Inside(x) => self.cell(self.grid.locate(x)).jet(x),
+            Place::Inside(x) => self.jet_on(self.grid.locate(x), x),
             Place::Before => self.outside(x, true),
             Place::After => self.outside(x, false),
         })

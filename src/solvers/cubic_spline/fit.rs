@@ -1,6 +1,5 @@
 //! Second derivatives on arbitrary knots.
 
-use super::grid::Grid;
 use super::{Boundary, CubicSpline, CubicSplineError as Error, End, Extrapolation, Knots, Spline};
 use crate::solvers::cyclic_tridiagonal::CyclicSweep;
 use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
@@ -9,7 +8,7 @@ use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
 pub(super) const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 
 pub(super) fn check_values(y: &[f64]) -> Result<(), Error> {
-    match y.iter().position(|v| !(v.abs() <= LARGEST)) {
+    match y.iter().position(|v| v.is_nan() || v.abs() > LARGEST) {
         None => Ok(()),
         Some(index) if y[index].is_finite() => Err(Error::Overflow { knot: index }),
         Some(index) => Err(Error::NotFinite {
@@ -87,17 +86,41 @@ impl CubicSpline {
         })?;
         for i in 0..m.len() {
             let widest = h[i.min(h.len() - 1)].max(h[i.saturating_sub(1)]);
-            if !(m[i].abs() <= LARGEST && (m[i] * (widest * widest)).abs() <= LARGEST) {
+            let size = m[i].abs().max((m[i] * (widest * widest)).abs());
+            if m[i].is_nan() || size > LARGEST {
                 return Err(Error::Overflow { knot: i });
             }
         }
-        debug_assert_eq!(grid.segments() + 1, m.len());
+        let third = shared_third(boundary, &h, &m);
         Ok(Spline {
             grid,
             y,
             bend: m,
+            third,
             extrapolation: Extrapolation::Error,
         })
+    }
+}
+
+/// The third derivatives that not-a-knot makes common to two segments, from the longest of them:
+/// over a short one the difference of two nearly equal second derivatives has few digits.
+fn shared_third(boundary: Boundary, h: &[f64], m: &[f64]) -> [Option<f64>; 2] {
+    let Boundary::Ends(first, last) = boundary else {
+        return [None; 2];
+    };
+    let n = h.len();
+    let of = |i: usize| (m[i + 1] - m[i]) / h[i];
+    let longest =
+        |range: std::ops::Range<usize>| range.max_by(|&i, &j| h[i].total_cmp(&h[j])).map(of);
+    match (
+        first == End::NotAKnot && n > 1,
+        last == End::NotAKnot && n > 1,
+    ) {
+        (true, true) if n <= 3 => [longest(0..n); 2],
+        (l, r) => [
+            if l { longest(0..2) } else { None },
+            if r { longest(n - 2..n) } else { None },
+        ],
     }
 }
 

@@ -14,6 +14,16 @@ pub struct Interval {
     pub(super) left: (f64, f64),
     pub(super) right: (f64, f64),
     pub(super) h: f64,
+    /// `1/h`.
+    pub(super) per_h: f64,
+}
+
+impl Interval {
+    /// Whether the right end is greater than `x`.
+    #[inline(always)]
+    pub(super) fn is_right_of(&self, x: f64) -> bool {
+        (x - self.right.0) - self.right.1 < 0.0
+    }
 }
 
 /// The knots of a spline. Implemented by [`Knots`] and [`UniformKnots`] only.
@@ -25,6 +35,9 @@ pub trait Grid: sealed::Sealed + Sync {
     /// Segment `i`.
     #[doc(hidden)]
     fn interval(&self, i: usize) -> Interval;
+    /// Segment `i`, given the one before it.
+    #[doc(hidden)]
+    fn following(&self, i: usize, before: Interval) -> Interval;
     /// The segment that holds `x`, which lies in the span: the one that begins at `x` if `x` is an
     /// interior knot.
     #[doc(hidden)]
@@ -98,7 +111,13 @@ impl Grid for Knots {
             left: (a, 0.0),
             right: (b, 0.0),
             h: b - a,
+            per_h: 1.0 / (b - a),
         }
+    }
+
+    #[inline]
+    fn following(&self, i: usize, _: Interval) -> Interval {
+        self.interval(i)
     }
 
     #[inline]
@@ -123,6 +142,8 @@ impl Grid for Knots {
 pub struct UniformKnots {
     origin: f64,
     step: f64,
+    per_step: f64,
+    second_per_bend: f64,
     segments: usize,
     /// The step split in two halves whose products with an index are exact.
     high: f64,
@@ -167,6 +188,8 @@ impl UniformKnots {
         let mut grid = UniformKnots {
             origin,
             step,
+            per_step: 1.0 / step,
+            second_per_bend: 6.0 / step / step,
             segments,
             high,
             low: step - high,
@@ -218,13 +241,24 @@ impl Grid for UniformKnots {
             left: self.knot(i),
             right: self.knot(i + 1),
             h: self.step,
+            per_h: self.per_step,
+        }
+    }
+
+    #[inline]
+    fn following(&self, i: usize, before: Interval) -> Interval {
+        Interval {
+            left: before.right,
+            right: self.knot(i + 1),
+            h: self.step,
+            per_h: self.per_step,
         }
     }
 
     #[inline]
     fn locate(&self, x: f64) -> usize {
         let last = self.segments - 1;
-        let i = (((x - self.origin) / self.step) as usize).min(last);
+        let i = (((x - self.origin) * self.per_step) as usize).min(last);
         // The quotient may be off by one next to a knot; the offsets decide.
         let below = |k: (f64, f64)| (x - k.0) - k.1 < 0.0;
         if i > 0 && below(self.knot(i)) {
@@ -242,6 +276,6 @@ impl Grid for UniformKnots {
     }
 
     fn second_per_bend(&self) -> f64 {
-        6.0 / self.step / self.step
+        self.second_per_bend
     }
 }

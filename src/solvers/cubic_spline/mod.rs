@@ -188,6 +188,9 @@ pub struct Spline<G: Grid> {
     y: Vec<f64>,
     /// Second derivatives in the grid's own scale, see [`Grid`].
     bend: Vec<f64>,
+    /// The third derivative of the first two and of the last two segments, where not-a-knot makes
+    /// them equal.
+    third: [Option<f64>; 2],
     extrapolation: Extrapolation,
 }
 

@@ -128,12 +128,13 @@ impl FourBar {
     /// ```
     /// use mechaudit::solvers::dyad::{Assembly, FourBar};
     /// use mechaudit::solvers::units::{Angle, Length};
-    /// // A parallelogram: the coupler stays parallel to the frame.
+    /// // A parallelogram: the coupler stays parallel to the frame. The other assembly is the
+    /// // antiparallelogram.
     /// let [a, b] = [0.2, 0.5].map(Length::from_m);
-    /// let m = FourBar::new(a, b, a, b)?.position(Angle::from_deg(60.0), Assembly::Negative)?;
-    /// assert!(m.coupler.angle.rad().abs() < 1e-15);
     /// let m = FourBar::new(a, b, a, b)?.position(Angle::from_deg(60.0), Assembly::Positive)?;
-    /// assert!(m.transmission.deg() > 0.0);
+    /// assert!(m.coupler.angle.rad().abs() < 1e-15);
+    /// assert!((m.rocker.angle.deg() - 60.0).abs() < 1e-13);
+    /// assert!((m.rocker.first - 1.0).abs() < 1e-14);
     /// # Ok::<(), mechaudit::solvers::dyad::DyadError>(())
     /// ```
     ///

@@ -84,9 +84,9 @@ impl FourBar {
     /// ```
     /// use mechaudit::solvers::dyad::{FourBar, GrashofType};
     /// use mechaudit::solvers::units::Length;
-    /// let [a, b, c, d] = [2.0, 7.0, 9.0, 6.0].map(Length::from_cm);
-    /// assert_eq!(FourBar::new(a, b, c, d)?.grashof_type(), GrashofType::TripleRocker);
-    /// assert_eq!(FourBar::new(a, b, d, b)?.grashof_type(), GrashofType::CrankRocker);
+    /// let [a, b, c, d] = [10.0, 40.0, 30.0, 35.0].map(Length::from_cm);
+    /// assert_eq!(FourBar::new(a, b, c, d)?.grashof_type(), GrashofType::CrankRocker);
+    /// assert_eq!(FourBar::new(d, b, c, a)?.grashof_type(), GrashofType::DoubleCrank);
     /// # Ok::<(), mechaudit::solvers::dyad::DyadError>(())
     /// ```
     pub fn grashof_type(&self) -> GrashofType {

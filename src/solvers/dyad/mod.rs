@@ -34,6 +34,8 @@ mod numeric;
 mod rrp;
 mod rrr;
 mod slider_crank;
+#[cfg(test)]
+mod tests;
 
 pub use four_bar::{FourBar, FourBarMotion};
 pub use linkage_type::{CrankRange, DeadPosition, DeadPositions, GrashofType};

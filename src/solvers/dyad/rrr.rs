@@ -226,9 +226,22 @@ pub(super) fn solve_span(
     let (v2, v3) = project(span.d1, span.radial.map(|r| r[0]));
     let (w2, w3) = (v3 / sigma_b, v2 / sigma_c);
     let (a2, a3) = project(span.d2, span.radial.map(|r| r[1]));
-    let (n2, n3) = (b * w2 * w2, c * w3 * w3);
-    let x2 = (a3 + n2 * cos_gamma - n3) / sigma_b;
-    let x3 = (a2 + n2 - n3 * cos_gamma) / sigma_c;
+    // The centripetal terms of (3) and (4). Where the span is the shortest side, links and rates
+    // are nearly equal and their difference is taken first: b cos γ − c = D·e3,
+    // b − c cos γ = D·e2 and φ3' − φ2' = D·D'/(b c σ).
+    let (m2, m3) = if d < b.min(c) {
+        let radial = span.radial.map_or_else(|| dot(span.d, span.d1), |r| r[0]);
+        let both = radial / determinant * (w2 + w3);
+        (
+            w2 * w2 * dot(span.d, e3) - c * both,
+            w3 * w3 * dot(span.d, e2) - b * both,
+        )
+    } else {
+        let (n2, n3) = (b * w2 * w2, c * w3 * w3);
+        (n2 * cos_gamma - n3, n2 - n3 * cos_gamma)
+    };
+    let x2 = (a3 + m2) / sigma_b;
+    let x3 = (a2 + m3) / sigma_c;
     Ok(Kernel {
         e2,
         e3,

@@ -1,0 +1,437 @@
+//! What the audited splines on arbitrary knots share.
+//!
+//! Input: `x[n]`, `y[n]`, then two end values for the kinds that have them, then the two query
+//! points `q0`, `q1`. Output, for each query: `S`, `S'`, `S''`, `S'''` there and the integral from
+//! it to the other query.
+
+use super::cubic_spline_conditions as sensitivity;
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
+    Region, SolverAnswer,
+};
+use crate::reference::Ball;
+use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
+use crate::solvers::cubic_spline::{
+    Boundary, CubicSpline, CubicSplineError, EvaluationError, Grid, Spline,
+};
+use rug::Rational;
+
+/// The end conditions.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    SecondDerivatives,
+    Clamped,
+    NotAKnot,
+    Periodic,
+}
+
+/// An input taken apart.
+pub(super) struct Parts<'a, T> {
+    pub x: &'a [T],
+    pub y: &'a [T],
+    pub ends: &'a [T],
+    pub queries: &'a [T],
+}
+
+impl Kind {
+    fn end_values(self) -> usize {
+        match self {
+            Kind::SecondDerivatives | Kind::Clamped => 2,
+            Kind::NotAKnot | Kind::Periodic => 0,
+        }
+    }
+
+    pub(super) fn split<T>(self, input: &[T]) -> Option<Parts<'_, T>> {
+        let data = input.len().checked_sub(2 + self.end_values())?;
+        if data % 2 != 0 {
+            return None;
+        }
+        let (x, rest) = input.split_at(data / 2);
+        let (y, rest) = rest.split_at(data / 2);
+        let (ends, queries) = rest.split_at(self.end_values());
+        Some(Parts {
+            x,
+            y,
+            ends,
+            queries,
+        })
+    }
+
+    fn fit(self, p: &Parts<f64>) -> Result<CubicSpline, &'static str> {
+        let boundary = match self {
+            Kind::SecondDerivatives => Boundary::second_derivatives(p.ends[0], p.ends[1]),
+            Kind::Clamped => Boundary::clamped(p.ends[0], p.ends[1]),
+            Kind::NotAKnot => Boundary::NOT_A_KNOT,
+            Kind::Periodic => Boundary::Periodic,
+        };
+        CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary).map_err(|e| word(&e))
+    }
+
+    pub(super) fn solve(self, input: &[f64]) -> SolverAnswer {
+        let run = || {
+            let p = self.split(input).ok_or("bad layout")?;
+            outputs_of(&self.fit(&p)?, p.queries)
+        };
+        match run() {
+            Ok(v) => SolverAnswer::Values(v),
+            Err(why) => SolverAnswer::Refuses(why),
+        }
+    }
+
+    pub(super) fn reference(self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        let Some(p) = self.split(input) else {
+            return ReferenceAnswer::Refuses("bad layout");
+        };
+        let spline = match self {
+            Kind::SecondDerivatives => {
+                ExactSpline::second_derivatives(p.x, p.y, &p.ends[0], &p.ends[1])
+            }
+            Kind::Clamped => ExactSpline::clamped(p.x, p.y, &p.ends[0], &p.ends[1]),
+            Kind::NotAKnot => ExactSpline::not_a_knot(p.x, p.y),
+            Kind::Periodic => ExactSpline::periodic(p.x, p.y),
+        };
+        match spline {
+            Ok(s) => reference_of(&s, p.x, p.queries, bits),
+            Err(SplineError::TooFew(_)) => ReferenceAnswer::Refuses("too few knots"),
+            Err(SplineError::Length { .. }) => ReferenceAnswer::Refuses("bad layout"),
+            Err(SplineError::NotIncreasing(_)) => ReferenceAnswer::Refuses("knots not increasing"),
+            Err(SplineError::NotPeriodic) => ReferenceAnswer::Refuses("not periodic"),
+        }
+    }
+
+    pub(super) fn conditions(self, input: &[f64]) -> Option<Vec<f64>> {
+        sensitivity::conditions(self, input)
+    }
+
+    pub(super) fn inputs(self) -> Vec<Input> {
+        let ends: &[(&str, &str)] = match self {
+            Kind::SecondDerivatives => &[("m0", "y/x^2"), ("mn", "y/x^2")],
+            Kind::Clamped => &[("s0", "y/x"), ("sn", "y/x")],
+            Kind::NotAKnot | Kind::Periodic => &[],
+        };
+        [("x[n]", "x"), ("y[n]", "y")]
+            .iter()
+            .chain(ends)
+            .chain(&[("q0", "x"), ("q1", "x")])
+            .map(|&(name, unit)| Input { name, unit })
+            .collect()
+    }
+
+    fn sample(self, draw: &mut Draw, shape: Shape) -> Vec<f64> {
+        let n = draw.integer(if shape == Shape::Wild { 4 } else { 2 }, 9);
+        let (sx, sy) = match shape {
+            Shape::Scaled => (draw.log_uniform(1e-30, 1e30), draw.log_uniform(1e-30, 1e30)),
+            _ => (1.0, 1.0),
+        };
+        let mut x = vec![draw.uniform(-5.0, 5.0) * sx];
+        for _ in 1..n {
+            let step = match shape {
+                Shape::Wild => draw.log_uniform(1e-6, 1e3),
+                _ => draw.uniform(0.3, 2.0),
+            };
+            x.push(x[x.len() - 1] + step * sx);
+        }
+        let ordinate = |draw: &mut Draw| {
+            let v = draw.uniform(-5.0, 5.0) * sy;
+            if shape == Shape::Scaled {
+                v * draw.log_uniform(1e-8, 1e8)
+            } else {
+                v
+            }
+        };
+        let mut y: Vec<f64> = (0..n).map(|_| ordinate(draw)).collect();
+        if self == Kind::Periodic {
+            y[n - 1] = y[0];
+        }
+        let end_unit = match self {
+            Kind::SecondDerivatives => sy / sx / sx,
+            _ => sy / sx,
+        };
+        let ends: Vec<f64> = (0..self.end_values())
+            .map(|_| draw.uniform(-5.0, 5.0) * end_unit)
+            .collect();
+        let (first, last) = (x[0], x[n - 1]);
+        let query = |draw: &mut Draw| {
+            let q = match shape {
+                Shape::NearKnots => {
+                    let mut q = x[draw.integer(0, n - 1)];
+                    for _ in 0..draw.integer(0, 3) {
+                        q = if draw.chance(0.5) {
+                            q.next_up()
+                        } else {
+                            q.next_down()
+                        };
+                    }
+                    q
+                }
+                Shape::Wild => {
+                    let i = draw.integer(0, n - 2);
+                    x[i] + draw.unit() * (x[i + 1] - x[i])
+                }
+                _ => draw.uniform(first, last),
+            };
+            q.clamp(first, last)
+        };
+        let queries = vec![query(draw), query(draw)];
+        [x, y, ends, queries].concat()
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Shape {
+    Well,
+    Scaled,
+    NearKnots,
+    Wild,
+}
+
+fn word(e: &CubicSplineError) -> &'static str {
+    match e {
+        CubicSplineError::TooFewKnots { .. } => "too few knots",
+        CubicSplineError::NotIncreasing { .. } => "knots not increasing",
+        CubicSplineError::NotPeriodic { .. } => "not periodic",
+        CubicSplineError::NotFinite { .. } => "not finite",
+        CubicSplineError::Overflow { .. } => "overflow",
+        CubicSplineError::Step { .. } => "bad step",
+        _ => "bad layout",
+    }
+}
+
+/// What the solver gives for the two queries.
+pub(super) fn outputs_of<G: Grid>(s: &Spline<G>, q: &[f64]) -> Result<Vec<f64>, &'static str> {
+    let refuse = |e: EvaluationError| match e {
+        EvaluationError::Outside { .. } => "outside",
+        _ => "not finite",
+    };
+    let mut out = Vec::with_capacity(10);
+    for (a, b) in [(q[0], q[1]), (q[1], q[0])] {
+        let j = s.jet(a).map_err(refuse)?;
+        let integral = s.integral(a, b).map_err(refuse)?;
+        out.extend([j.value, j.first, j.second, j.third, integral]);
+    }
+    Ok(out)
+}
+
+/// What the exact spline gives for the two queries.
+pub(super) fn reference_of(
+    s: &ExactSpline,
+    x: &[Rational],
+    q: &[Rational],
+    bits: u32,
+) -> ReferenceAnswer {
+    if q.iter().any(|q| *q < x[0] || *q > x[x.len() - 1]) {
+        return ReferenceAnswer::Refuses("outside");
+    }
+    let mut values = Vec::with_capacity(10);
+    for (a, b) in [(&q[0], &q[1]), (&q[1], &q[0])] {
+        values.extend(s.eval(a));
+        values.push(s.integral(a, b));
+    }
+    ReferenceAnswer::Values(Reference {
+        values: values.iter().map(|v| Ball::rational(bits, v)).collect(),
+        proof: Proof::Exact,
+    })
+}
+
+const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few factors, each with a \
+    relative error of a few u, and the second derivatives come from a system dominant by rows, solved \
+    with a componentwise backward error of 13 u at most; the sum over the data is the condition";
+
+/// The five outputs with their budgets in units of the conditioned limit.
+pub(super) fn outputs(k: f64) -> Vec<Output> {
+    [
+        ("S", "y"),
+        ("S'", "y/x"),
+        ("S''", "y/x^2"),
+        ("S'''", "y/x^3"),
+        ("integral", "x y"),
+    ]
+    .map(|(name, unit)| Output {
+        name,
+        unit,
+        budget: Budget::new(Limit::Conditioned(k), REASON),
+    })
+    .to_vec()
+}
+
+/// Regions and check points; the samplers are those of `kind`.
+macro_rules! domain {
+    ($kind:expr) => {
+        crate::methods::cubic_spline_common::domain_of(
+            $kind,
+            [
+                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::Well),
+                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::Scaled),
+                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::NearKnots),
+                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::Wild),
+            ],
+        )
+    };
+}
+pub(super) use domain;
+
+/// Implements [`Method`](crate::audit::Method) for a kind of end condition.
+macro_rules! audit {
+    ($kind:expr, $name:literal, $summary:literal, $budget:literal, $($laws:expr),*) => {
+        /// Input `x[n], y[n]`, the end values if there are any, `q0, q1`; output `S, S', S'', S'''`
+        /// and the integral to the other query, for each query.
+        pub struct Audit;
+
+        impl crate::audit::Method for Audit {
+            fn name(&self) -> &'static str {
+                $name
+            }
+            fn summary(&self) -> &'static str {
+                $summary
+            }
+            fn source(&self) -> &'static str {
+                "Zinchenko 2008, eqs (8)-(17), on arbitrary knots"
+            }
+            fn inputs(&self) -> Vec<crate::audit::Input> {
+                $kind.inputs()
+            }
+            fn outputs(&self) -> Vec<crate::audit::Output> {
+                crate::methods::cubic_spline_common::outputs($budget)
+            }
+            fn domain(&self) -> crate::audit::Domain {
+                crate::methods::cubic_spline_common::domain!($kind)
+            }
+            fn solve(&self, input: &[f64]) -> crate::audit::SolverAnswer {
+                $kind.solve(input)
+            }
+            fn reference(&self, input: &[rug::Rational], bits: u32) -> crate::audit::ReferenceAnswer {
+                $kind.reference(input, bits)
+            }
+            fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
+                $kind.conditions(input)
+            }
+            fn laws(&self) -> Vec<crate::audit::Law> {
+                vec![$($laws),*]
+            }
+        }
+    };
+}
+pub(super) use audit;
+
+impl Kind {
+    pub(super) fn draw(self, draw: &mut Draw, shape: Shape) -> Vec<f64> {
+        self.sample(draw, shape)
+    }
+
+    /// `S(x_i) = y_i` bit for bit.
+    pub(super) fn knots_residual(self, input: &[f64]) -> Option<f64> {
+        let p = self.split(input)?;
+        let s = self.fit(&p).ok()?;
+        let hit = |(x, y): (&f64, &f64)| s.value(*x).is_ok_and(|v| v == *y);
+        Some(if p.x.iter().zip(p.y).all(hit) {
+            0.0
+        } else {
+            f64::INFINITY
+        })
+    }
+
+    /// Abscissae times 4 and ordinates times 8 give the same bits in the new units.
+    pub(super) fn scaling_residual(self, input: &[f64]) -> Option<f64> {
+        let SolverAnswer::Values(base) = self.solve(input) else {
+            return None;
+        };
+        let p = self.split(input)?;
+        let end = match self {
+            Kind::SecondDerivatives => 0.5,
+            _ => 2.0,
+        };
+        let times = |v: &[f64], f: f64| -> Vec<f64> { v.iter().map(|v| v * f).collect() };
+        let parts = [
+            times(p.x, 4.0),
+            times(p.y, 8.0),
+            times(p.ends, end),
+            times(p.queries, 4.0),
+        ];
+        let SolverAnswer::Values(scaled) = self.solve(&parts.concat()) else {
+            return Some(f64::INFINITY);
+        };
+        let units = [8.0, 2.0, 0.5, 0.125, 32.0];
+        let same = base
+            .iter()
+            .zip(&scaled)
+            .zip(units.iter().cycle())
+            .all(|((a, b), u)| a * u == *b);
+        Some(if same { 0.0 } else { f64::INFINITY })
+    }
+}
+
+/// The law of [`Kind::knots_residual`].
+pub(super) fn knots_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
+    Law {
+        name: "interpolation",
+        statement: "S(x_i) = y_i at every knot, exactly",
+        residual,
+    }
+}
+
+/// The law of [`Kind::scaling_residual`].
+pub(super) fn scaling_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
+    Law {
+        name: "scaling",
+        statement: "x -> 4x, y -> 8y changes every output by a power of two, exactly",
+        residual,
+    }
+}
+
+pub(super) fn domain_of(kind: Kind, samplers: [fn(&mut Draw) -> Vec<f64>; 4]) -> Domain {
+    let [well, scaled, near, wild] = samplers;
+    let ends = |a: f64, b: f64| [a, b][..kind.end_values()].to_vec();
+    let point = |name, x: &[f64], y: &[f64], q: [f64; 2]| CheckPoint {
+        name,
+        input: [x, y, &ends(3.0, -5.0), &q[..]].concat(),
+    };
+    Domain {
+        regions: vec![
+            Region {
+                name: "well-scaled",
+                description: "2 to 9 knots with steps 0.3..2, ordinates and end values -5..5",
+                sample: well,
+            },
+            Region {
+                name: "badly-scaled",
+                description: "as well-scaled, units of x and y from 1e-30 to 1e30, ordinates spread \
+                              over 16 orders",
+                sample: scaled,
+            },
+            Region {
+                name: "near-knots",
+                description: "as well-scaled, queries at most three floats away from a knot",
+                sample: near,
+            },
+            Region {
+                name: "wild-spacing",
+                description: "4 to 9 knots with steps 1e-6..1e3, log-uniform",
+                sample: wild,
+            },
+        ],
+        check_points: vec![
+            point("two-knots", &[0.0, 1.0], &[1.0, 1.0], [0.25, 1.0]),
+            point(
+                "three-knots",
+                &[0.0, 1.0, 3.0],
+                &[1.0, -2.0, 1.0],
+                [0.0, 2.5],
+            ),
+            point(
+                "four-knots",
+                &[-1.0, 0.0, 1.0, 2.0],
+                &[0.0, 1.0, 2.0, 0.0],
+                [-1.0, 2.0],
+            ),
+            point("one-knot", &[0.0], &[1.0], [0.0, 0.0]),
+            point(
+                "equal-knots",
+                &[0.0, 1.0, 1.0],
+                &[1.0, 2.0, 1.0],
+                [0.0, 1.0],
+            ),
+            point("outside", &[0.0, 1.0, 2.0], &[1.0, 2.0, 1.0], [0.0, 2.5]),
+            point("same-point", &[0.0, 1.0, 2.0], &[1.0, 2.0, 1.0], [1.0, 1.0]),
+        ],
+    }
+}

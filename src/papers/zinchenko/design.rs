@@ -1,0 +1,122 @@
+//! Least-squares designs: how the values of a periodic cubic spline at the table's rows depend on
+//! its nodes.
+
+use crate::solvers::cubic_spline::{Boundary, UniformCubicSpline};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// Different rows of the tables in one turn.
+pub(super) const TURN: usize = 48;
+
+/// Standard deviation of rounding to a unit.
+pub(super) fn rounding_deviation(unit: f64) -> f64 {
+    unit / 12f64.sqrt()
+}
+
+/// The matrix that takes the values at `n` equally spaced nodes, the first of them at row
+/// `offset`, to the spline (or its derivative, per radian) at the 48 rows.
+pub(super) fn spline_rows(n: usize, offset: usize, slope: bool) -> DMatrix<f64> {
+    let h = TAU / n as f64;
+    let mut matrix = DMatrix::zeros(TURN, n);
+    for node in 0..n {
+        let mut y = vec![0.0; n + 1];
+        y[node] = 1.0;
+        y[n] = y[0];
+        let spline = UniformCubicSpline::fit(0.0, h, y, Boundary::Periodic)
+            .expect("a periodic spline through finite values");
+        for row in 0..TURN {
+            let x = ((row + TURN - offset) % TURN) as f64 * (TAU / TURN as f64);
+            let jet = spline.jet(x).expect("a row within the turn");
+            matrix[(row, node)] = if slope { jet.first } else { jet.value };
+        }
+    }
+    matrix
+}
+
+/// A weighted linear least-squares fit.
+pub(super) struct Fit {
+    /// The parameters.
+    pub x: DVector<f64>,
+    /// Residuals divided by their standard deviations.
+    pub residuals: DVector<f64>,
+    /// Covariance of the parameters.
+    pub covariance: DMatrix<f64>,
+}
+
+/// Solves `min ‖(A x − b)/σ‖` by the singular value decomposition. Directions with a singular value
+/// below `1e-10` of the largest are left at zero and have infinite variance.
+pub(super) fn least_squares(a: &DMatrix<f64>, b: &DVector<f64>, sigma: &DVector<f64>) -> Fit {
+    let mut weighted = a.clone();
+    let mut right = b.clone();
+    for i in 0..a.nrows() {
+        weighted.row_mut(i).scale_mut(1.0 / sigma[i]);
+        right[i] /= sigma[i];
+    }
+    let svd = weighted.clone().svd(true, true);
+    let (u, vt) = (svd.u.expect("requested"), svd.v_t.expect("requested"));
+    let s = &svd.singular_values;
+    let least = s.max() * 1e-10;
+    let n = a.ncols();
+    let mut x = DVector::zeros(n);
+    let mut covariance = DMatrix::zeros(n, n);
+    for k in 0..s.len() {
+        let v = vt.row(k).transpose();
+        if s[k] > least {
+            x += &v * (u.column(k).dot(&right) / s[k]);
+            covariance += &v * v.transpose() / (s[k] * s[k]);
+        } else {
+            // Only where the direction takes part.
+            for i in 0..n {
+                if v[i].abs() > 1e-6 {
+                    covariance[(i, i)] = f64::INFINITY;
+                }
+            }
+        }
+    }
+    Fit {
+        residuals: &weighted * &x - right,
+        x,
+        covariance,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_design_interpolates() {
+        let a = spline_rows(12, 0, false);
+        for node in 0..12 {
+            for row in (0..TURN).step_by(4) {
+                let due = if row == 4 * node { 1.0 } else { 0.0 };
+                assert!((a[(row, node)] - due).abs() < 1e-15);
+            }
+        }
+        // A constant has no slope.
+        let s = spline_rows(12, 3, true);
+        assert!((&s * DVector::from_element(12, 1.0)).amax() < 1e-14);
+    }
+
+    #[test]
+    fn a_line_is_fitted() {
+        let a = DMatrix::from_fn(5, 2, |i, j| (i as f64).powi(j as i32));
+        let b = DVector::from_fn(5, |i, _| 2.0 - 3.0 * i as f64);
+        let fit = least_squares(&a, &b, &DVector::from_element(5, 0.1));
+        assert!((fit.x[0] - 2.0).abs() < 1e-12 && (fit.x[1] + 3.0).abs() < 1e-12);
+        assert!(fit.residuals.amax() < 1e-10);
+        // Variance of the slope: σ²/Σ(i − 2)².
+        assert!((fit.covariance[(1, 1)] - 0.01 / 10.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_undetermined_direction_has_infinite_variance() {
+        let a = DMatrix::from_fn(5, 2, |i, _| 1.0 + i as f64);
+        let fit = least_squares(
+            &a,
+            &DVector::from_element(5, 1.0),
+            &DVector::from_element(5, 1.0),
+        );
+        assert!(fit.covariance[(0, 0)].is_infinite());
+    }
+}

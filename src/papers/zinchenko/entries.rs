@@ -1,0 +1,201 @@
+//! Every printed entry against its recomputed value.
+
+use super::tables::{Column, Printed, ROWS};
+use crate::papers::{Entry, EntryVerdict, Tally, VariantResult};
+use crate::reference::{Ball, Decimal};
+use std::collections::BTreeMap;
+
+/// Digits of the recomputed values.
+const DIGITS: usize = 25;
+
+/// A variant of the data with its recomputed columns, in the order of [`Column::ALL`].
+pub(super) struct Variant {
+    pub name: &'static str,
+    pub columns: Vec<Vec<Ball>>,
+}
+
+/// `(printed − recomputed)` in units of a written decimal's last digit.
+fn units(written: &Decimal, value: &Ball) -> Ball {
+    let bits = value.prec();
+    let d = &Ball::rational(bits, &written.value) - value;
+    &d / &Ball::rational(bits, &written.unit())
+}
+
+/// Certainly within `limit` units.
+fn within(written: &Decimal, value: &Ball, limit: f64) -> bool {
+    let u = units(written, value);
+    u.is_finite() && u.abs().upper() <= limit
+}
+
+/// One digit other than the last replaced or left out, or two neighbours exchanged, such that the
+/// result is the correct rounding. (A change of the last digit would explain anything.)
+fn single_edit(text: &str, value: &Ball) -> Option<String> {
+    let chars: Vec<char> = text.chars().collect();
+    let digits: Vec<usize> = (0..chars.len())
+        .filter(|&i| chars[i].is_ascii_digit())
+        .collect();
+    let last = *digits.last()?;
+    let with = |change: &dyn Fn(&mut Vec<char>)| {
+        let mut c = chars.clone();
+        change(&mut c);
+        c.into_iter().collect::<String>()
+    };
+    // The least change first: the length stays, then a character goes.
+    let mut edits: Vec<(String, String)> = Vec::new();
+    for &i in digits.iter().filter(|&&i| i != last) {
+        for d in '0'..='9' {
+            edits.push((with(&|c| c[i] = d), "one wrong digit".into()));
+        }
+        if chars[i + 1].is_ascii_digit() {
+            edits.push((with(&|c| c.swap(i, i + 1)), "two digits exchanged".into()));
+        }
+    }
+    for &i in digits.iter().filter(|&&i| i != last) {
+        let what = format!("one digit too many ({})", chars[i]);
+        let shorter = with(&|c| {
+            c.remove(i);
+        });
+        edits.push((shorter, what));
+    }
+    edits.into_iter().find_map(|(edited, what)| {
+        let written = Decimal::parse(&edited).ok()?;
+        within(&written, value, 0.5).then(|| format!("{what}: {edited} would agree"))
+    })
+}
+
+fn judge(
+    printed: &[Printed],
+    at: usize,
+    value: &Ball,
+    twin: Option<(&Printed, &Ball)>,
+    column_agrees: bool,
+) -> VariantResult {
+    let p = &printed[at];
+    let (verdict, note) = if within(&p.value, value, 0.5) {
+        (EntryVerdict::Agrees, None)
+    } else if within(&p.value, value, 1.0) {
+        (EntryVerdict::Rounding, None)
+    } else {
+        let by_twin = twin.and_then(|(t, v)| {
+            within(&t.value, v, 0.5).then(|| {
+                let table = t.column.table();
+                format!(
+                    "Table {table} prints {} for the same quantity, which agrees",
+                    t.text
+                )
+            })
+        });
+        match by_twin
+            .or_else(|| single_edit(&p.text, value))
+            .filter(|_| column_agrees)
+        {
+            Some(note) => (EntryVerdict::Misprint, Some(note)),
+            None => (EntryVerdict::Unexplained, None),
+        }
+    };
+    let u = units(&p.value, value);
+    VariantResult {
+        recomputed: value
+            .to_decimal(DIGITS)
+            .unwrap_or_else(|| "undecided".into()),
+        units_in_last_digit: (u.to_f64() * 1e6).round() / 1e6,
+        verdict,
+        note,
+    }
+}
+
+/// Judges every entry under every variant.
+pub(super) fn entries(printed: &[Printed], variants: &[Variant]) -> (Vec<Entry>, Vec<Tally>) {
+    let mut all: Vec<Entry> = printed
+        .iter()
+        .map(|p| Entry {
+            table: p.column.table(),
+            row: p.row as u32,
+            column: p.column.name(),
+            printed: p.text.clone(),
+            variants: BTreeMap::new(),
+        })
+        .collect();
+    let mut tallies = Vec::new();
+    let index = |c: Column| Column::ALL.iter().position(|&x| x == c).expect("a column");
+    for v in variants {
+        for (c, &column) in Column::ALL.iter().enumerate() {
+            let first = c * ROWS;
+            let value = |row: usize| &v.columns[c][row];
+            let count = |limit: f64| {
+                (0..ROWS)
+                    .filter(|&row| within(&printed[first + row].value, value(row), limit))
+                    .count()
+            };
+            let (within_half, within_one) = (count(0.5), count(1.0));
+            // A misprint stands out only where nearly everything else agrees.
+            let column_agrees = within_one * 10 >= ROWS * 9;
+            let mut tally = Tally {
+                variant: v.name,
+                table: column.table(),
+                column: column.name(),
+                entries: ROWS,
+                within_half,
+                within_one,
+                worst_units: 0.0,
+                worst: 0.0,
+            };
+            for row in 0..ROWS {
+                let twin = column.twin().map(|t| {
+                    let k = index(t);
+                    (&printed[k * ROWS + row], &v.columns[k][row])
+                });
+                let result = judge(printed, first + row, value(row), twin, column_agrees);
+                let off = result.units_in_last_digit.abs();
+                tally.worst_units = tally.worst_units.max(off);
+                tally.worst = tally.worst.max(off * printed[first + row].unit());
+                all[first + row].variants.insert(v.name, result);
+            }
+            tallies.push(tally);
+        }
+    }
+    (all, tallies)
+}
+
+/// `(within half a unit, within one)` over all columns of a variant.
+pub(super) fn totals(tallies: &[Tally], variant: &str) -> (usize, usize) {
+    let of = tallies.iter().filter(|t| t.variant == variant);
+    of.fold((0, 0), |(a, b), t| (a + t.within_half, b + t.within_one))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::Rational;
+
+    fn ball(text: &str) -> Ball {
+        Ball::rational(200, &Decimal::parse(text).unwrap().value)
+    }
+
+    #[test]
+    fn single_edits() {
+        let note = single_edit("-10.553", &ball("-10.5334")).unwrap();
+        assert!(note.contains("-10.533"), "{note}");
+        let note = single_edit("-110.0421", &ball("-110.04103")).unwrap();
+        assert!(
+            note.contains("-110.041") && note.contains("too many"),
+            "{note}"
+        );
+        // Merely a few units off is no misprint.
+        assert_eq!(single_edit("3.060", &ball("3.0634")), None);
+        assert_eq!(single_edit("3.060", &ball("3.0671")), None);
+    }
+
+    #[test]
+    fn the_limits_are_exact() {
+        let d = Decimal::parse("0.034").unwrap();
+        assert!(within(&d, &ball("0.03449999999"), 0.5));
+        assert!(!within(&d, &ball("0.03450000001"), 0.5));
+        let wide = Ball::new(
+            ball("0.034").mid().clone(),
+            crate::reference::Mag::from_f64(1.0),
+        );
+        assert!(!within(&d, &wide, 0.5));
+        assert!(units(&d, &ball("0.033")).contains(&Rational::from(1)));
+    }
+}

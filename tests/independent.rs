@@ -1,0 +1,47 @@
+//! Our certified values beside those of another program: mpmath, through the loop equations in
+//! angles and numerical differentiation (`reference/independent/class_iii_rows.py`).
+//!
+//! The other program proves nothing; it is a witness that the same problem was solved.
+#![cfg(feature = "oracle")]
+
+use mechaudit::papers::zinchenko::data;
+use mechaudit::reference::{Ball, Decimal};
+use rug::Rational;
+
+const BITS: u32 = 256;
+
+#[test]
+fn mpmath_agrees_to_thirty_digits() {
+    let text = include_str!("../reference/independent/class_iii_rows.csv");
+    let (linkage, start) = data::start(BITS).expect("decided");
+    let masses = data::masses(data::RECOVERED);
+    let mut here = start;
+    let mut rows = 0;
+    for (row, line) in text.lines().skip(1).enumerate() {
+        let angle = |r: usize| data::row_angle(&Rational::from(r as u32)).to_ball(BITS);
+        if row > 0 {
+            here = linkage
+                .follow(&here, &angle(row - 1), &angle(row))
+                .expect("the branch goes on");
+        }
+        let k = linkage.kinematics(&here).expect("decided");
+        let r = linkage.reduce(&k, &masses);
+        let mut ours = k.angles.to_vec();
+        ours.extend([
+            r.inertia,
+            r.inertia_derivative,
+            r.moment,
+            r.moment_derivative,
+        ]);
+        let theirs: Vec<&str> = line.split(',').skip(1).collect();
+        assert_eq!(theirs.len(), ours.len());
+        for (a, b) in ours.iter().zip(theirs) {
+            let b = Ball::rational(BITS, &Decimal::parse(b).expect("a number").value);
+            let gap = (a - &b).abs().upper();
+            assert!(gap < 1e-30, "row {row}: {} and {}", a.mid(), b.mid());
+            assert!(a.accuracy_bits() > 150, "row {row}");
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 48);
+}

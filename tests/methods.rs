@@ -1,0 +1,154 @@
+//! Every audited method passes over its whole domain.
+//!
+//! `MECHAUDIT_EFFORT` (a positive number, default 1) multiplies the number of cases.
+#![cfg(feature = "oracle")]
+
+use mechaudit::audit::{Settings, audit_method, hex_float};
+use mechaudit::methods;
+
+fn effort() -> f64 {
+    match std::env::var("MECHAUDIT_EFFORT") {
+        Err(_) => 1.0,
+        Ok(text) => match text.parse::<f64>() {
+            Ok(x) if x.is_finite() && x > 0.0 => x,
+            _ => panic!("MECHAUDIT_EFFORT={text:?} is not a positive number"),
+        },
+    }
+}
+
+#[test]
+fn all_methods_pass() {
+    let settings = Settings {
+        seed: 20_081_127,
+        cases_per_region: (50.0 * effort()).ceil() as u64,
+        ..Settings::default()
+    };
+    let mut failed = String::new();
+    for method in methods::registry() {
+        let report = audit_method(&*method, &settings, &|| ());
+        for f in report.failures.iter().take(3) {
+            let hex: Vec<String> = f.case.input.iter().map(|&x| hex_float(x)).collect();
+            failed += &format!(
+                "{}: {:?} {}\n  {}\n  input {:?}\n  = {}\n",
+                report.method,
+                f.judgement.verdict,
+                f.judgement.reason.as_deref().unwrap_or(""),
+                f.case.reproduce(),
+                f.case.input,
+                hex.join(" "),
+            );
+        }
+        for law in report.laws.iter().filter(|l| !(l.worst <= 1.0)) {
+            failed += &format!(
+                "{}: law {} broken, {}\n",
+                report.method, law.name, law.worst
+            );
+        }
+        assert!(report.cases > 0, "{} has no cases", report.method);
+    }
+    assert!(failed.is_empty(), "\n{failed}");
+}
+
+/// A solver with a planted fault fails its own method's audit.
+mod planted {
+    use super::*;
+    use mechaudit::audit::{
+        Domain, Input, Method, Output, ReferenceAnswer, SolverAnswer, Verdict, audit_case,
+    };
+    use rug::Rational;
+
+    type Fault = fn(&mut Vec<f64>);
+
+    struct Faulty {
+        method: Box<dyn Method>,
+        fault: Fault,
+    }
+
+    impl Method for Faulty {
+        fn name(&self) -> &'static str {
+            self.method.name()
+        }
+        fn summary(&self) -> &'static str {
+            self.method.summary()
+        }
+        fn source(&self) -> &'static str {
+            self.method.source()
+        }
+        fn inputs(&self) -> Vec<Input> {
+            self.method.inputs()
+        }
+        fn outputs(&self) -> Vec<Output> {
+            self.method.outputs()
+        }
+        fn domain(&self) -> Domain {
+            self.method.domain()
+        }
+        fn solve(&self, input: &[f64]) -> SolverAnswer {
+            match self.method.solve(input) {
+                SolverAnswer::Values(mut v) => {
+                    (self.fault)(&mut v);
+                    SolverAnswer::Values(v)
+                }
+                refused => refused,
+            }
+        }
+        fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+            self.method.reference(input, bits)
+        }
+        fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
+            self.method.conditions(input)
+        }
+    }
+
+    #[test]
+    fn faults_are_found_in_every_method() {
+        let faults: [(&str, Fault); 6] = [
+            ("nan", |v| v[0] = f64::NAN),
+            ("infinity", |v| *v.last_mut().unwrap() = f64::INFINITY),
+            ("sign", |v| v.iter_mut().for_each(|x| *x = -*x)),
+            ("relative error 1e-6", |v| {
+                v.iter_mut().for_each(|x| *x *= 1.0 + 1e-6)
+            }),
+            ("one value missing", |v| v.truncate(v.len() - 1)),
+            ("panic", |_| panic!("planted")),
+        ];
+        let hook = std::panic::take_hook();
+        std::panic::set_hook(Box::new(|_| ()));
+        let settings = Settings {
+            cases_per_region: 5,
+            ..Settings::default()
+        };
+        let mut missed = Vec::new();
+        for name in methods::registry().iter().map(|m| m.name()) {
+            for (what, fault) in faults {
+                let faulty = Faulty {
+                    method: methods::find(name).unwrap(),
+                    fault,
+                };
+                let report = audit_method(&faulty, &settings, &|| ());
+                if report.passed() || report.failures.is_empty() {
+                    missed.push(format!("{name}: {what}"));
+                }
+            }
+        }
+        std::panic::set_hook(hook);
+        assert!(missed.is_empty(), "{missed:?}");
+    }
+
+    #[test]
+    fn a_failing_case_is_reproduced_from_its_origin() {
+        let method = Faulty {
+            method: methods::find("tridiagonal").unwrap(),
+            fault: |v| v[0] += 1.0,
+        };
+        let settings = Settings {
+            cases_per_region: 3,
+            ..Settings::default()
+        };
+        let report = audit_method(&method, &settings, &|| ());
+        let failure = &report.failures[0];
+        let again = audit_case(&method, failure.case.clone(), &settings);
+        assert_eq!(again.judgement.verdict, failure.judgement.verdict);
+        assert_ne!(again.judgement.verdict, Verdict::Pass);
+    }
+}
