@@ -417,6 +417,10 @@ fn branches_can_be_chosen() {
         &linkage_of(&without, &["--step-deg", "90", "--branch", "4"]),
         "there is no branch 4",
     );
+    refused(
+        &linkage_of(&screen("22.6 deg", "100 deg"), &["--step-deg", "90"]),
+        "has phi4 within 15 deg of start.phi4 = 100",
+    );
 }
 
 #[test]
@@ -468,7 +472,8 @@ fn certified_digits_agree_with_floats_and_with_more_digits() {
 
 #[test]
 fn a_digit_left_open_is_a_finding() {
-    // Links 3, 4 and 5 form a parallelogram: φ4 is exactly 0, of which no digit can be certified.
+    // O3-O5 and links 3, 4, 5 form a kite: φ5 stays at 180 degrees, and of its zero rate no digit
+    // can be certified.
     let file = br#"
         [geometry]
         l1 = "1 m"
@@ -484,14 +489,14 @@ fn a_digit_left_open_is_a_finding() {
         y5 = "3 m"
         [start]
         phi1 = "10 deg"
-        phi4 = "0 deg"
+        phi4 = "-105 deg"
     "#;
     let d = linkage_of(file, &["--step-deg", "360", "--digits", "20"]);
     assert_eq!(d.code, 1, "{}{}", d.out, d.err);
     assert!(d.err.contains("undecided: "), "{}", d.err);
     let (head, rows) = csv(&d.out);
     let cell = |name: &str| &rows[0][head.iter().position(|h| h == name).unwrap()];
-    assert_eq!(cell("phi4_deg"), "undecided");
+    assert_eq!(cell("dphi5_dphi1"), "undecided");
     assert!(cell("phi2_deg").parse::<f64>().is_ok());
 }
 

@@ -6,12 +6,13 @@ use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
-use super::{text_method, text_paper};
+use super::{complain, text_method, text_paper};
 use mechaudit::audit::{
     Case, CaseReport, Domain, Draw, Input, Law, Method, MethodReport, Origin, Output,
     ReferenceAnswer, Settings, SolverAnswer, Verdict, audit_case, audit_method,
 };
 use mechaudit::papers::PaperReport;
+use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
 use rug::Rational;
 use serde_json::{Value, json};
@@ -57,12 +58,20 @@ pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
     let mut found = 0;
     let keys = papers::keys();
     for key in &keys {
-        if let Some(report) = paper(key, &progress) {
-            good &= report.as_recorded();
-            found += report.findings.len();
-            progress.clear();
-            let text = text_paper::paper(&report, width);
-            write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+        let report = paper(key, &progress);
+        progress.clear();
+        match report {
+            Some(Ok(report)) => {
+                good &= report.as_recorded();
+                found += report.findings.len();
+                let text = text_paper::paper(&report, width);
+                write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+            }
+            Some(Err(e)) => {
+                good = false;
+                complain(&format!("paper {key}: {e}"));
+            }
+            None => {}
         }
     }
     let mut totals = Totals::default();
@@ -95,7 +104,7 @@ fn close(summary: &str, good: bool, settings: &Settings) -> Result<(), Failure> 
 }
 
 /// Audits a paper; `None` if there is none of that key.
-pub fn paper(key: &str, progress: &Progress) -> Option<PaperReport> {
+pub fn paper(key: &str, progress: &Progress) -> Option<Result<PaperReport, Undecided>> {
     let audit = papers::find(key)?;
     Some(audit(&|phase: &str, done, total| {
         progress.show(phase, done, total);

@@ -11,6 +11,8 @@ use std::f64::consts::TAU;
 const TRIED: u32 = 3600;
 /// Turns after which a branch is given up to close.
 const TURNS: u32 = 12;
+/// How near φ4 has to be to choose a mode: 15 degrees, as a chord.
+const NEAR: f64 = 0.261;
 /// How close to a fold rows are computed, in radians.
 const MARGIN: f64 = 1e-6;
 
@@ -66,10 +68,18 @@ pub fn choose(
             )));
         }
         (None, Some(phi4)) => {
-            let off = |k: usize| (0.5 * (modes[k].phi4 - phi4.to_f64())).sin().abs();
-            (0..modes.len())
-                .min_by(|&a, &b| off(a).total_cmp(&off(b)))
-                .unwrap_or(0)
+            let off = |k: usize| 2.0 * (0.5 * (modes[k].phi4 - phi4.to_f64())).sin().abs();
+            let nearest = (0..modes.len()).min_by(|&a, &b| off(a).total_cmp(&off(b)));
+            match nearest.filter(|&k| off(k) <= NEAR) {
+                Some(k) => k,
+                None => {
+                    return Err(Failure::new(format!(
+                        "no assembly mode at phi1 = {degrees} deg has phi4 within 15 deg of start.phi4 = {} deg; {}",
+                        phi4.to_f64().to_degrees(),
+                        listed(&modes)
+                    )));
+                }
+            }
         }
         (None, None) if modes.len() == 1 => 0,
         (None, None) => {

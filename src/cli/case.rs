@@ -97,7 +97,7 @@ fn values(report: &CaseReport, got: &[f64]) -> String {
             None => "none".into(),
         };
         let judged = report.judgement.components.get(i);
-        let number = |x: Option<f64>| x.map_or("–".into(), short);
+        let number = |x: Option<f64>| x.filter(|x| !x.is_nan()).map_or("–".into(), short);
         let style = judged.map_or(PLAIN, |c| match c.verdict {
             Verdict::Pass => PLAIN,
             Verdict::Undecided => DOUBT,

@@ -377,12 +377,12 @@ mod tests {
     #[test]
     fn the_example_is_read_exactly() {
         let l = read_text(GOOD).unwrap();
-        assert_eq!(l.exact.l5, (485, 1000));
+        assert_eq!(l.exact.l5, Rational::from((485, 1000)));
         assert_eq!(l.solver.geometry().l5.m(), 0.485);
         let masses = l.masses.unwrap();
         assert_eq!(masses.exact.bodies[3].mass, 550);
         assert!(masses.exact.bodies[2].about_pivot && !masses.exact.bodies[1].about_pivot);
-        assert_eq!(masses.exact.gravity, (981, 100));
+        assert_eq!(masses.exact.gravity, Rational::from((981, 100)));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::args::{PaperArgs, PaperFormat};
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
-use super::{audit, html, paper_csv, text, text_paper};
+use super::{audit, complain, html, paper_csv, text, text_paper};
 use mechaudit::papers;
 
 /// Audits the paper and writes its report.
@@ -18,6 +18,13 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
         ))
     })?;
     progress.clear();
+    let report = match report {
+        Ok(report) => report,
+        Err(e) => {
+            complain(&format!("paper {}: {e}", args.key));
+            return Ok(Outcome::Finding);
+        }
+    };
     write_to(args.output.as_deref(), |out| match args.format {
         PaperFormat::Text => {
             let width = if args.output.is_some() {

@@ -218,20 +218,26 @@ mod tests {
 
     #[test]
     fn quantities_are_exact() {
-        assert_eq!(si(Kind::Length, "48.5 cm"), (485, 1000));
-        assert_eq!(si(Kind::Length, "48.5cm"), (485, 1000));
-        assert_eq!(si(Kind::Length, "-1.5e1 mm"), (-15, 1000));
-        assert_eq!(si(Kind::Length, "2 in"), (508, 10_000));
-        assert_eq!(si(Kind::Inertia, "20 kg cm^2"), (2, 1000));
+        assert_eq!(si(Kind::Length, "48.5 cm"), Rational::from((485, 1000)));
+        assert_eq!(si(Kind::Length, "48.5cm"), Rational::from((485, 1000)));
+        assert_eq!(si(Kind::Length, "-1.5e1 mm"), Rational::from((-15, 1000)));
+        assert_eq!(si(Kind::Length, "2 in"), Rational::from((508, 10_000)));
+        assert_eq!(si(Kind::Inertia, "20 kg cm^2"), Rational::from((2, 1000)));
         assert_eq!(si(Kind::Inertia, "20 kg·m²"), 20);
-        assert_eq!(si(Kind::Inertia, "3 g*mm^2"), (3, 1_000_000_000u64));
-        assert_eq!(si(Kind::Acceleration, "981 cm/s^2"), (981, 100));
+        assert_eq!(
+            si(Kind::Inertia, "3 g*mm^2"),
+            Rational::from((3, 1_000_000_000u64))
+        );
+        assert_eq!(
+            si(Kind::Acceleration, "981 cm/s^2"),
+            Rational::from((981, 100))
+        );
         assert_eq!(si(Kind::AngularVelocity, "60 rpm"), 360);
         assert_eq!(si(Kind::AngularVelocity, "2 rev/min"), 12);
         let q = Quantity::parse(Kind::Angle, "-39.3 deg").unwrap();
-        assert!(q.degrees && q.value == (-393, 10));
+        assert!(q.degrees && q.value == Rational::from((-393, 10)));
         assert_eq!(q.to_f64(), (-39.3f64).to_radians());
-        assert_eq!(si(Kind::Mass, "0.1 kg"), (1, 10));
+        assert_eq!(si(Kind::Mass, "0.1 kg"), Rational::from((1, 10)));
         assert_eq!(nearest(&si(Kind::Mass, "0.1 kg")), 0.1);
     }
 

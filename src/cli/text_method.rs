@@ -49,7 +49,8 @@ fn outputs(statistics: &[OutputStatistics]) -> String {
             "worst ulps",
             "p99",
             "RMS",
-            "share of budget",
+            "worst u(1+cond)",
+            "of budget",
             "worst condition",
         ],
         &[0],
@@ -60,12 +61,21 @@ fn outputs(statistics: &[OutputStatistics]) -> String {
             x if x > 0.5 => DOUBT,
             _ => PLAIN,
         };
+        let ulps = |x: f64| match s.ulps.count {
+            0 => "–".to_string(),
+            _ => short(x),
+        };
+        let conditioned = match s.conditioned.count {
+            0 => "–".to_string(),
+            _ => short(s.conditioned.max),
+        };
         table.row(vec![
             (s.name.into(), PLAIN),
             (s.values.to_string(), DIM),
-            (short(s.max_ulps), PLAIN),
-            (short(s.p99_ulps), PLAIN),
-            (short(s.rms_ulps), PLAIN),
+            (ulps(s.ulps.max), PLAIN),
+            (ulps(s.ulps.p99), PLAIN),
+            (ulps(s.ulps.rms), PLAIN),
+            (conditioned, PLAIN),
             (percent(s.max_of_budget), share),
             (short(s.max_condition), DIM),
         ]);
@@ -101,7 +111,7 @@ mod tests {
     use super::*;
     use mechaudit::audit::{
         Case, CaseReport, ComponentJudgement, Judgement, LawReport, Origin, Proof, Settings,
-        SolverAnswer, Verdict,
+        SolverAnswer, Spread, Verdict,
     };
 
     pub fn fabricated() -> MethodReport {
@@ -121,9 +131,13 @@ mod tests {
             outputs: vec![OutputStatistics {
                 name: "phi2",
                 values: 400,
-                max_ulps: 7.25,
-                p99_ulps: 1.5,
-                rms_ulps: 0.4,
+                ulps: Spread {
+                    count: 400,
+                    max: 7.25,
+                    p99: 1.5,
+                    rms: 0.4,
+                },
+                conditioned: Spread::default(),
                 max_of_budget: 1.75,
                 max_condition: 31.0,
                 worst: Some(case.clone()),
@@ -145,6 +159,7 @@ mod tests {
                     components: vec![ComponentJudgement {
                         verdict: Verdict::Over,
                         ulps: 7.25,
+                        conditioned: 0.4,
                         of_budget: 1.75,
                         condition: 31.0,
                     }],

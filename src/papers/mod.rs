@@ -9,11 +9,13 @@ pub use report::{
     Subject, Tally, VariantResult,
 };
 
+use crate::reference::Undecided;
+
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
 
-/// Audits a paper.
-pub type PaperAudit = fn(Progress) -> PaperReport;
+/// Audits a paper; undecided when a certified value cannot be had.
+pub type PaperAudit = fn(Progress) -> Result<PaperReport, Undecided>;
 
 /// The papers known by their key.
 const PAPERS: &[(&str, PaperAudit)] = &[];
