@@ -418,8 +418,8 @@ fn branches_can_be_chosen() {
         "there is no branch 4",
     );
     refused(
-        &linkage_of(&screen("22.6 deg", "100 deg"), &["--step-deg", "90"]),
-        "has phi4 within 15 deg of start.phi4 = 100",
+        &linkage_of(&screen("22.6 deg", "60 deg"), &["--step-deg", "90"]),
+        "has phi4 within 15 deg of start.phi4 = 60",
     );
 }
 

@@ -75,7 +75,7 @@ pub fn choose(
                 None => {
                     return Err(Failure::new(format!(
                         "no assembly mode at phi1 = {degrees} deg has phi4 within 15 deg of start.phi4 = {} deg; {}",
-                        phi4.to_f64().to_degrees(),
+                        (phi4.to_f64().to_degrees() * 1e6).round() / 1e6,
                         listed(&modes)
                     )));
                 }

@@ -99,7 +99,9 @@ fn tallies(report: &PaperReport) -> String {
          <th>entries</th><th>within ½</th><th>within 1</th><th>worst units</th>\
          <th>worst deviation</th></tr>\n",
     );
-    for t in &report.tallies {
+    let mut tallies: Vec<_> = report.tallies.iter().collect();
+    tallies.sort_by_key(|t| t.table);
+    for t in tallies {
         let class = match t.entries {
             n if n == t.within_half => "agrees",
             n if n == t.within_one => "rounding",
@@ -134,21 +136,23 @@ fn entries(report: &PaperReport) -> String {
         out.push_str(&format!("<h2>Table {number} as printed</h2>\n"));
         if i == 0 {
             out.push_str(
-                "<p class=\"legend\"><span class=\"agrees\">agrees</span>\
+                "<p class=\"soft\">Point at an entry for the recomputed value.</p>\n\
+                 <p class=\"legend\"><span class=\"agrees\">agrees</span>\
                  <span class=\"rounding\">within one unit</span>\
                  <span class=\"misprint\">misprint</span>\
                  <span class=\"unexplained\">unexplained</span></p>\n",
             );
         }
         let variants: BTreeSet<&str> = of.iter().flat_map(|e| e.variants.keys().copied()).collect();
-        for (k, variant) in variants.into_iter().enumerate() {
-            let open = if k == 0 { " open" } else { "" };
+        out.push_str("<div class=\"side\">\n");
+        for variant in variants {
             out.push_str(&format!(
-                "<details{open}><summary>Compared with the data: {}</summary>\n{}</details>\n",
+                "<details open><summary>Data: {}</summary>\n{}</details>\n",
                 escape(&variant.replace('_', " ")),
                 grid(&of, variant)
             ));
         }
+        out.push_str("</div>\n");
     }
     out
 }
@@ -162,7 +166,7 @@ fn grid(entries: &[&Entry], variant: &str) -> String {
         }
         rows.entry(e.row).or_default().push(e);
     }
-    let mut out = String::from("<div class=\"scroll\"><table class=\"entries\">\n<tr><th>row</th>");
+    let mut out = String::from("<table class=\"entries\">\n<tr><th>row</th>");
     columns
         .iter()
         .for_each(|c| out.push_str(&format!("<th>{}</th>", escape(c))));
@@ -177,7 +181,7 @@ fn grid(entries: &[&Entry], variant: &str) -> String {
         }
         out.push_str("</tr>\n");
     }
-    out.push_str("</table></div>\n");
+    out.push_str("</table>\n");
     out
 }
 

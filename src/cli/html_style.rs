@@ -34,11 +34,11 @@ th.left, td.left { text-align: left; }
 .agrees { background: var(--agrees); } .rounding { background: var(--rounding); }
 .misprint { background: var(--misprint); } .unexplained { background: var(--unexplained); }
 .entries td[data-tip]:hover::after, .entries td[data-tip]:focus::after { content: attr(data-tip);
-  position: absolute; z-index: 2; right: 0; top: 100%; padding: .4rem .6rem; text-align: left;
+  position: absolute; z-index: 2; left: 0; top: 100%; padding: .4rem .6rem; text-align: left;
   white-space: pre; background: var(--fg); color: var(--bg); border-radius: .25rem;
   pointer-events: none; }
-/* Room for the tip of the last rows inside the scrolling box. */
-.entries { margin-bottom: 6rem; }
+.side { display: flex; flex-wrap: wrap; gap: 1rem 2rem; }
+.side details:last-child td[data-tip]:nth-last-child(-n+2)::after { left: auto; right: 0; }
 details { margin: .6rem 0; } summary { cursor: pointer; font-weight: 600; padding: .2rem 0; }
 .legend span { padding: .1rem .5rem; border: 1px solid var(--line); border-radius: .25rem;
   margin-right: .4rem; }

@@ -5,6 +5,7 @@ mod audit;
 mod branch;
 mod case;
 mod certified;
+mod crank_angles;
 mod failure;
 mod html;
 mod html_style;

@@ -59,23 +59,19 @@ pub fn of_subject(report: &PaperReport, subject: Subject) -> Vec<&Finding> {
 pub fn counts(report: &PaperReport) -> String {
     use FindingVerdict as V;
     let kinds = [
-        (V::Confirmed, "confirmed"),
-        (V::ErrorOfPaper, "errors of the paper"),
-        (V::Refuted, "refuted"),
-        (V::PrintOrScan, "of print or scan"),
-        (V::Recovered, "recovered"),
-        (V::Unexplained, "unexplained"),
+        (V::Confirmed, "confirmed", "confirmed"),
+        (V::ErrorOfPaper, "error of the paper", "errors of the paper"),
+        (V::Refuted, "refuted", "refuted"),
+        (V::PrintOrScan, "of print or scan", "of print or scan"),
+        (V::Recovered, "recovered", "recovered"),
+        (V::Unexplained, "unexplained", "unexplained"),
     ];
+    let number = |v| report.findings.iter().filter(|f| f.verdict == v).count();
     let parts: Vec<String> = kinds
         .iter()
-        .map(|(v, name)| {
-            (
-                report.findings.iter().filter(|f| f.verdict == *v).count(),
-                name,
-            )
-        })
-        .filter(|(n, _)| *n > 0)
-        .map(|(n, name)| format!("{n} {name}"))
+        .map(|&(v, one, many)| (number(v), one, many))
+        .filter(|k| k.0 > 0)
+        .map(|(n, one, many)| format!("{n} {}", if n == 1 { one } else { many }))
         .collect();
     let changed = report.findings.iter().filter(|f| !f.as_recorded).count();
     let recorded = match changed {
@@ -107,9 +103,21 @@ fn finding(f: &Finding, width: usize) -> String {
     let column = widest.unwrap_or(0).min(width.saturating_sub(40));
     for g in &f.figures {
         let gap = column.saturating_sub(g.name.chars().count());
-        let line = format!("{} {} {}", g.name, ".".repeat(gap + 3), g.value);
-        let line = format!("      {line} {}", unit(g.unit));
-        out.push_str(&paint(DIM, line.trim_end()));
+        let value = format!("{} {}", g.value, unit(g.unit));
+        let line = format!(
+            "      {} {} {}",
+            g.name,
+            ".".repeat(gap + 3),
+            value.trim_end()
+        );
+        let line = match line.chars().count() {
+            n if n <= width => line,
+            _ => {
+                let whole = format!("{}: {}", g.name, value.trim_end());
+                format!("      {}", wrap(&whole, 8, width))
+            }
+        };
+        out.push_str(&paint(DIM, &line));
         out.push('\n');
     }
     out
