@@ -42,6 +42,11 @@ fn effort(value: Option<&std::ffi::OsStr>) -> Result<f64, Failure> {
     }
 }
 
+/// A number of things in words.
+fn number(n: usize, thing: &str) -> String {
+    format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
+}
+
 fn settings_line(s: &Settings) -> String {
     format!(
         "seed {}, {} random cases per region, references from {} to {} bits",
@@ -84,8 +89,9 @@ pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
     }
     good &= totals.good();
     let summary = format!(
-        "{} papers with {found} findings; {}",
-        keys.len(),
+        "{} with {}; {}",
+        number(keys.len(), "paper"),
+        number(found, "finding"),
         totals.words()
     );
     close(&summary, good, &settings)?;

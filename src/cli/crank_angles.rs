@@ -66,7 +66,7 @@ impl Grid {
     }
 
     pub fn angle(&self, k: i64) -> Rational {
-        Rational::from(&self.step * Rational::from(k)) + &self.from
+        &self.step * Rational::from(k) + &self.from
     }
 }
 
@@ -123,7 +123,7 @@ impl Plan {
     /// Each angle as asked for, and on the branch's own count of turns.
     pub fn angles(&self) -> impl Iterator<Item = (Rational, Rational)> + '_ {
         (self.first..=self.last).filter_map(|k| {
-            let shown = Rational::from(&self.step * Rational::from(k)) + &self.from;
+            let shown = &self.step * Rational::from(k) + &self.from;
             let at = match &self.limits {
                 None => shown.clone(),
                 Some((low, high)) => {
