@@ -435,3 +435,73 @@ pub(super) fn domain_of(kind: Kind, samplers: [fn(&mut Draw) -> Vec<f64>; 4]) ->
         ],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::{Method, Settings, Verdict, audit_method, judge};
+
+    const NAMES: [&str; 7] = [
+        "tridiagonal",
+        "cyclic-tridiagonal",
+        "cubic-spline-second-derivatives",
+        "cubic-spline-clamped",
+        "cubic-spline-not-a-knot",
+        "cubic-spline-periodic",
+        "cubic-spline-uniform",
+    ];
+
+    #[test]
+    fn a_short_audit_passes() {
+        let settings = Settings {
+            seed: 20,
+            cases_per_region: 12,
+            ..Settings::default()
+        };
+        for name in NAMES {
+            let method = crate::methods::find(name).expect("registered");
+            let report = audit_method(&*method, &settings, &|| {});
+            assert!(report.passed(), "{name}: {:?}", report.failures.first());
+        }
+    }
+
+    #[test]
+    fn planted_faults_are_over_budget() {
+        for name in NAMES {
+            let method = crate::methods::find(name).expect("registered");
+            let case = (method.domain().regions[0].sample)(&mut Draw::new(3, name, "planted", 1));
+            let exact: Vec<Rational> = case.iter().filter_map(|&x| Rational::from_f64(x)).collect();
+            let reference = method.reference(&exact, 128);
+            let conditions = method.conditions(&case);
+            let SolverAnswer::Values(good) = method.solve(&case) else {
+                panic!("{name} refuses its own sample");
+            };
+            let verdict = |v: Vec<f64>| {
+                let answer = SolverAnswer::Values(v);
+                judge(
+                    &method.outputs(),
+                    &answer,
+                    &reference,
+                    conditions.as_deref(),
+                )
+                .verdict
+            };
+            assert_eq!(verdict(good.clone()), Verdict::Pass, "{name}");
+            for i in 0..good.len() {
+                let mut bad = good.clone();
+                bad[i] = bad[i] * (1.0 + 1e-3) + 1e-6;
+                assert_eq!(verdict(bad), Verdict::Over, "{name}, value {i}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_end_values_enter_the_conditions() {
+        let input = [0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.5, 1.5];
+        let c = super::sensitivity::conditions(Kind::SecondDerivatives, &input).unwrap();
+        assert_eq!(c.len(), 10);
+        assert!(c.iter().all(|c| c.is_finite() && *c > 0.0));
+        let audit = crate::methods::find("cubic-spline-second-derivatives").unwrap();
+        assert_eq!(Method::conditions(&*audit, &input), Some(c));
+    }
+}

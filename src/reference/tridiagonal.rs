@@ -270,7 +270,7 @@ mod tests {
             eta[1] = d[0].clone();
         }
         for i in 1..n {
-            let p = -4 - lambda[i].clone();
+            let p: Rational = -4i32 - lambda[i].clone();
             lambda[i + 1] = p.clone().recip();
             eta[i + 1] = Rational::from(&eta[i] - &d[i]) / p;
         }

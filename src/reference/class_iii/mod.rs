@@ -221,4 +221,60 @@ pub(crate) mod tests {
         assert_eq!(linkage.modes(&at("217.270876405")).unwrap().len(), 4);
         assert_eq!(linkage.modes(&at("217.270876407")).unwrap().len(), 2);
     }
+
+    proptest::proptest! {
+        #![proptest_config(proptest::prelude::ProptestConfig::with_cases(60))]
+
+        /// Balls of random low precision hold the values of a random higher one.
+        #[test]
+        fn low_precision_holds_high(
+            lengths in proptest::array::uniform6(10i64..100),
+            angles in proptest::array::uniform5(-300i64..300),
+            phi_b in -300i64..300,
+            low in 90u32..140,
+            more in 1u32..300,
+        ) {
+            // Links in centimetres and angles in hundredths of a radian place the pivots, rounded
+            // to micrometres, so that at least one mode exists or nearly exists.
+            let f = |a: i64| a as f64 / 100.0;
+            let end = |l: i64, a: f64| [f(l) * a.cos(), f(l) * a.sin()];
+            let arms = [
+                end(lengths[0], f(angles[0])),
+                end(lengths[1], f(angles[1])),
+                end(lengths[2], f(angles[2])),
+                end(lengths[3], f(angles[3])),
+                end(lengths[4], f(angles[4])),
+                end(lengths[5], f(angles[3]) + f(phi_b)),
+            ];
+            let exact = |x: f64| Rational::from(((x * 1e6).round() as i64, 1_000_000));
+            let o3 = [0, 1].map(|k| arms[0][k] + arms[1][k] - arms[2][k] - arms[5][k]);
+            let o5 = [0, 1].map(|k| o3[k] + arms[2][k] + arms[3][k] - arms[4][k]);
+            let length = |i: usize| Rational::from((lengths[i], 100));
+            let g = Geometry {
+                l1: length(0), l2: length(1), l3: length(2), l4: length(3), l5: length(4), lb: length(5),
+                phi_b: ExactAngle::Radians(Rational::from((phi_b, 100))),
+                o3: o3.map(exact),
+                o5: o5.map(exact),
+            };
+            let phi1 = ExactAngle::Radians(Rational::from((angles[0], 100)));
+            let at = |bits: u32| {
+                let linkage = Linkage::new(&g, bits);
+                let modes = linkage.modes(&phi1.to_ball(bits)).ok()?;
+                let rates: Result<Vec<Kinematics>, _> =
+                    modes.iter().map(|m| linkage.kinematics(&m.configuration)).collect();
+                Some(rates.ok()?)
+            };
+            // Undecided is allowed (a fold nearby), wrong is not.
+            if let (Some(a), Some(b)) = (at(low), at(low + more)) {
+                proptest::prop_assert_eq!(a.len(), b.len());
+                for (x, y) in a.iter().zip(&b) {
+                    for i in 0..4 {
+                        proptest::prop_assert!(x.angles[i].overlaps(&y.angles[i]));
+                        proptest::prop_assert!(x.first[i].overlaps(&y.first[i]));
+                        proptest::prop_assert!(x.second[i].overlaps(&y.second[i]));
+                    }
+                }
+            }
+        }
+    }
 }

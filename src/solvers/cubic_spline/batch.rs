@@ -1,6 +1,6 @@
 //! Values at many points.
 
-use super::grid::{Grid, Interval};
+use super::grid::{GROUP, Grid};
 use super::{EvaluationError as Error, Jet, Spline};
 
 /// Points examined at a time, so that they stay in the first-level cache.
@@ -18,8 +18,21 @@ impl<G: Grid> Spline<G> {
     }
 
     fn values_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
-        for (i, (x, out)) in x.iter().zip(out).enumerate() {
-            *out = self.value_in_batch(offset + i, *x)?;
+        let mut start = 0;
+        while start < x.len() {
+            let found = x[start..]
+                .first_chunk::<GROUP>()
+                .and_then(|x| self.grid.group(&self.y, &self.bend, x));
+            if let Some(found) = found {
+                out[start..start + GROUP].copy_from_slice(&found);
+                start += GROUP;
+                continue;
+            }
+            let stop = x.len().min(start + GROUP);
+            for i in start..stop {
+                out[i] = self.value_in_batch(offset + i, x[i])?;
+            }
+            start = stop;
         }
         Ok(())
     }
@@ -61,10 +74,14 @@ impl<G: Grid> Spline<G> {
         let mut segment = 0;
         let mut done = 0;
         for (x, out) in x.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            let ascending = x[0] >= before && x.windows(2).all(|p| p[0] <= p[1]);
+            // Without an early end, so that it becomes vector instructions.
+            let pairs = x.iter().zip(&x[1..]);
+            let ascending = pairs.fold(x[0] >= before, |all, (a, b)| all & (a <= b));
             let (first, last) = self.grid.span();
             if !ascending || x[0] < first || x[x.len() - 1] > last {
                 self.exceptional(offset + done, before, x, out)?;
+            } else if G::GROUPS {
+                self.values_from(offset + done, x, out)?;
             } else {
                 segment = self.block(segment, x, out);
             }
@@ -98,36 +115,24 @@ impl<G: Grid> Spline<G> {
     fn block(&self, mut segment: usize, x: &[f64], out: &mut [f64]) -> usize {
         let end = self.grid.segments() - 1;
         let mut start = 0;
-        let mut at = self.grid.interval(segment);
-        // One segment ahead, so that nothing waits for its knots.
-        let ahead_of = |segment: usize, at: Interval| {
-            if segment < end {
-                self.grid.following(segment + 1, at)
-            } else {
-                at
-            }
-        };
-        let mut ahead = ahead_of(segment, at);
+        let mut cell = self.cell(segment);
         while start < x.len() {
             // The next segment is the usual case; a search when it is further away.
             let mut steps = 0;
-            while segment < end && !at.is_right_of(x[start]) {
+            while segment < end && !cell.is_left_of_end(x[start]) {
                 steps += 1;
-                if steps < 8 {
-                    segment += 1;
-                    at = ahead;
+                segment = if steps < 8 {
+                    segment + 1
                 } else {
-                    segment = self.grid.locate(x[start]);
-                    at = self.grid.interval(segment);
-                }
-                ahead = ahead_of(segment, at);
+                    self.grid.locate(x[start])
+                };
+                cell = self.cell(segment);
             }
-            let cell = self.cell_on(segment, at);
             let rest = &x[start..];
             let count = if segment == end {
                 rest.len()
             } else {
-                let beyond = rest.iter().position(|x| !at.is_right_of(*x));
+                let beyond = rest.iter().position(|x| !cell.is_left_of_end(*x));
                 beyond.unwrap_or(rest.len())
             };
             for (x, out) in rest[..count].iter().zip(&mut out[start..start + count]) {

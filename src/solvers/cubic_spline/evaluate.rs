@@ -1,7 +1,8 @@
 //! Values, derivatives and integrals at single points.
 
-use super::grid::{Grid, Interval};
+use super::grid::{Grid, Interval, blend, fractions};
 use super::{EvaluationError as Error, Spline};
+use std::marker::PhantomData;
 
 /// What a spline is outside its knots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,35 +34,33 @@ pub struct Jet {
 }
 
 /// One segment ready for evaluation.
-#[derive(Clone, Copy)]
-pub(super) struct Cell {
+pub(super) struct Cell<G> {
     at: Interval,
     y0: f64,
     y1: f64,
     /// `h² m_i / 6` and `h² m_{i+1} / 6`.
     p: f64,
     q: f64,
-    bend: f64,
     m0: f64,
     m1: f64,
+    grid: PhantomData<G>,
 }
 
-impl Cell {
-    /// `k` and `w`, each from its own knot, so that it keeps its relative accuracy down to 0; then
-    /// both divided by their sum, to first order, so that the other one is exactly 1 there.
+impl<G: Grid> Cell<G> {
     #[inline(always)]
     fn fractions(&self, x: f64) -> (f64, f64) {
-        let a = (x - self.at.left.0) - self.at.left.1;
-        let b = (self.at.right.0 - x) + self.at.right.1;
-        let (k, w) = (a * self.at.per_h, b * self.at.per_h);
-        let rest = 1.0 - (k + w);
-        (k + k * rest, w + w * rest)
+        fractions(G::offsets(&self.at, x), self.at.per_h)
     }
 
     #[inline(always)]
-    fn value_at(&self, (k, w): (f64, f64)) -> f64 {
-        let bend = self.bend + (w * self.p + k * self.q);
-        (w * self.y0 + k * self.y1) - (k * w) * bend
+    fn value_at(&self, at: (f64, f64)) -> f64 {
+        blend(at, (self.y0, self.y1), (self.p, self.q))
+    }
+
+    /// Whether the right end is greater than `x`.
+    #[inline(always)]
+    pub(super) fn is_left_of_end(&self, x: f64) -> bool {
+        G::offsets(&self.at, x).1 > 0.0
     }
 
     /// `S(x)`.
@@ -135,12 +134,8 @@ impl<G: Grid> Spline<G> {
     }
 
     #[inline]
-    pub(super) fn cell(&self, i: usize) -> Cell {
-        self.cell_on(i, self.grid.interval(i))
-    }
-
-    #[inline]
-    pub(super) fn cell_on(&self, i: usize, at: Interval) -> Cell {
+    pub(super) fn cell(&self, i: usize) -> Cell<G> {
+        let at = self.grid.interval(i);
         let c = self.grid.curvature_per_bend(at.h);
         let f = self.grid.second_per_bend();
         let (b0, b1) = (self.bend[i], self.bend[i + 1]);
@@ -151,9 +146,9 @@ impl<G: Grid> Spline<G> {
             y1: self.y[i + 1],
             p,
             q,
-            bend: p + q,
             m0: f * b0,
             m1: f * b1,
+            grid: PhantomData,
         }
     }
 

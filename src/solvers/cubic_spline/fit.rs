@@ -86,8 +86,10 @@ impl CubicSpline {
         })?;
         for i in 0..m.len() {
             let widest = h[i.min(h.len() - 1)].max(h[i.saturating_sub(1)]);
-            let size = m[i].abs().max((m[i] * (widest * widest)).abs());
-            if m[i].is_nan() || size > LARGEST {
+            // A step beyond 2^512 makes the square infinite, and the product not a number.
+            let scaled = m[i] * (widest * widest);
+            let in_range = |v: f64| v.abs() <= LARGEST;
+            if !(in_range(m[i]) && in_range(scaled)) {
                 return Err(Error::Overflow { knot: i });
             }
         }

@@ -1,6 +1,7 @@
 //! Knots: where they are, which segment holds a point, and offsets from them without cancellation.
 
 use super::CubicSplineError as Error;
+use super::fit::LARGEST;
 
 mod sealed {
     pub trait Sealed {}
@@ -8,23 +9,19 @@ mod sealed {
     impl Sealed for super::UniformKnots {}
 }
 
-/// One segment: both ends as unevaluated sums of two floats, and the step.
+/// One segment: its ends as offsets from an origin, each in two parts, and the step.
 #[derive(Clone, Copy, Debug)]
 pub struct Interval {
-    pub(super) left: (f64, f64),
-    pub(super) right: (f64, f64),
+    origin: f64,
+    left: (f64, f64),
+    right: (f64, f64),
     pub(super) h: f64,
     /// `1/h`.
     pub(super) per_h: f64,
 }
 
-impl Interval {
-    /// Whether the right end is greater than `x`.
-    #[inline(always)]
-    pub(super) fn is_right_of(&self, x: f64) -> bool {
-        (x - self.right.0) - self.right.1 < 0.0
-    }
-}
+/// Points evaluated together.
+pub(super) const GROUP: usize = 8;
 
 /// The knots of a spline. Implemented by [`Knots`] and [`UniformKnots`] only.
 pub trait Grid: sealed::Sealed + Sync {
@@ -35,9 +32,18 @@ pub trait Grid: sealed::Sealed + Sync {
     /// Segment `i`.
     #[doc(hidden)]
     fn interval(&self, i: usize) -> Interval;
-    /// Segment `i`, given the one before it.
+    /// Whether [`Grid::group`] does anything.
     #[doc(hidden)]
-    fn following(&self, i: usize, before: Interval) -> Interval;
+    const GROUPS: bool;
+    /// Knot `i`, rounded.
+    fn knot(&self, i: usize) -> f64;
+    /// `x − x_i` and `x_{i+1} − x`, both with a small relative error and exactly 0 at the knot.
+    #[doc(hidden)]
+    fn offsets(at: &Interval, x: f64) -> (f64, f64);
+    /// Values at some points, bit for bit those found one by one; `None` if one of them needs more
+    /// care or the grid has no quicker way.
+    #[doc(hidden)]
+    fn group(&self, y: &[f64], bend: &[f64], x: &[f64; GROUP]) -> Option<[f64; GROUP]>;
     /// The segment that holds `x`, which lies in the span: the one that begins at `x` if `x` is an
     /// interior knot.
     #[doc(hidden)]
@@ -59,7 +65,7 @@ impl Knots {
     ///
     /// # Errors
     /// Fewer than two, one that is not finite, one that is not greater than its predecessor, or a
-    /// step that overflows or is subnormal.
+    /// knot beyond 2^1000, or a step that is subnormal.
     pub fn new(x: Vec<f64>) -> Result<Knots, Error> {
         if x.len() < 2 {
             return Err(Error::TooFewKnots {
@@ -73,6 +79,9 @@ impl Knots {
                 index,
                 value: x[index],
             });
+        }
+        if let Some(knot) = x.iter().position(|v| v.abs() > LARGEST) {
+            return Err(Error::Overflow { knot });
         }
         for (i, pair) in x.windows(2).enumerate() {
             if pair[1] <= pair[0] {
@@ -96,6 +105,12 @@ impl Knots {
 }
 
 impl Grid for Knots {
+    const GROUPS: bool = false;
+
+    fn knot(&self, i: usize) -> f64 {
+        self.0[i]
+    }
+
     fn segments(&self) -> usize {
         self.0.len() - 1
     }
@@ -108,6 +123,7 @@ impl Grid for Knots {
     fn interval(&self, i: usize) -> Interval {
         let (a, b) = (self.0[i], self.0[i + 1]);
         Interval {
+            origin: 0.0,
             left: (a, 0.0),
             right: (b, 0.0),
             h: b - a,
@@ -115,9 +131,14 @@ impl Grid for Knots {
         }
     }
 
-    #[inline]
-    fn following(&self, i: usize, _: Interval) -> Interval {
-        self.interval(i)
+    #[inline(always)]
+    fn offsets(at: &Interval, x: f64) -> (f64, f64) {
+        (x - at.left.0, at.right.0 - x)
+    }
+
+    #[inline(always)]
+    fn group(&self, _: &[f64], _: &[f64], _: &[f64; GROUP]) -> Option<[f64; GROUP]> {
+        None
     }
 
     #[inline]
@@ -151,7 +172,24 @@ pub struct UniformKnots {
     last: f64,
 }
 
+/// `k` and `w`, each from its own knot, so that it keeps its relative accuracy down to 0; then both
+/// divided by their sum, to first order, so that the other one is exactly 1 there.
+#[inline(always)]
+pub(super) fn fractions((a, b): (f64, f64), per_h: f64) -> (f64, f64) {
+    let (k, w) = (a * per_h, b * per_h);
+    let rest = 1.0 - (k + w);
+    (k + k * rest, w + w * rest)
+}
+
+/// Eq. (12), with `p` and `q` the second derivatives times `h²/6`.
+#[inline(always)]
+pub(super) fn blend((k, w): (f64, f64), (y0, y1): (f64, f64), (p, q): (f64, f64)) -> f64 {
+    let bend = (p + q) + (w * p + k * q);
+    (w * y0 + k * y1) - (k * w) * bend
+}
+
 /// `a + b` as a rounded sum and its error, exact for any operands (Knuth).
+#[inline(always)]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     let t = s - a;
@@ -195,8 +233,12 @@ impl UniformKnots {
             low: step - high,
             last: 0.0,
         };
-        grid.last = grid.knot(segments).0;
-        if !grid.last.is_finite() {
+        grid.last = grid.knot(segments);
+        if origin.abs() > LARGEST {
+            return Err(Error::Overflow { knot: 0 });
+        }
+        // Also if the knot is not a number because the step overflows.
+        if grid.last.is_nan() || grid.last.abs() > LARGEST {
             return Err(Error::Overflow { knot: segments });
         }
         if step < 4.0 * f64::EPSILON * origin.abs().max(grid.last.abs()) {
@@ -215,18 +257,33 @@ impl UniformKnots {
         self.step
     }
 
-    /// Knot `i` as an unevaluated sum, the first part being its nearest `f64`.
-    #[inline]
-    fn knot(&self, i: usize) -> (f64, f64) {
-        let i = i as f64;
-        // Both products are exact: 26 bits times at most 27.
-        let (s, e) = two_sum(i * self.high, i * self.low);
-        let (t, f) = two_sum(self.origin, s);
-        two_sum(t, f + e)
+    /// `i h` in two parts, exactly: 26 bits times at most 27.
+    #[inline(always)]
+    fn offset(&self, i: f64) -> (f64, f64) {
+        (i * self.high, i * self.low)
     }
 }
 
+/// `x` seen from the two ends of a segment, `x` and the ends being given from one origin in two
+/// parts each. The first difference is exact next to the knot.
+#[inline(always)]
+fn from_both_ends(x: (f64, f64), left: (f64, f64), right: (f64, f64)) -> (f64, f64) {
+    (
+        ((x.0 - left.0) - left.1) + x.1,
+        ((right.0 - x.0) + right.1) - x.1,
+    )
+}
+
 impl Grid for UniformKnots {
+    const GROUPS: bool = true;
+
+    fn knot(&self, i: usize) -> f64 {
+        let (high, low) = self.offset(i as f64);
+        let (s, e) = two_sum(high, low);
+        let (t, f) = two_sum(self.origin, s);
+        t + (f + e)
+    }
+
     fn segments(&self) -> usize {
         self.segments
     }
@@ -237,37 +294,85 @@ impl Grid for UniformKnots {
 
     #[inline]
     fn interval(&self, i: usize) -> Interval {
+        let i = i as f64;
         Interval {
-            left: self.knot(i),
-            right: self.knot(i + 1),
+            origin: self.origin,
+            left: self.offset(i),
+            right: self.offset(i + 1.0),
             h: self.step,
             per_h: self.per_step,
         }
     }
 
-    #[inline]
-    fn following(&self, i: usize, before: Interval) -> Interval {
-        Interval {
-            left: before.right,
-            right: self.knot(i + 1),
-            h: self.step,
-            per_h: self.per_step,
-        }
+    #[inline(always)]
+    fn offsets(at: &Interval, x: f64) -> (f64, f64) {
+        from_both_ends(two_sum(x, -at.origin), at.left, at.right)
     }
 
     #[inline]
     fn locate(&self, x: f64) -> usize {
         let last = self.segments - 1;
         let i = (((x - self.origin) * self.per_step) as usize).min(last);
-        // The quotient may be off by one next to a knot; the offsets decide.
-        let below = |k: (f64, f64)| (x - k.0) - k.1 < 0.0;
-        if i > 0 && below(self.knot(i)) {
+        // The product may be off by one next to a knot; the offsets decide.
+        let (a, b) = Self::offsets(&self.interval(i), x);
+        if i > 0 && a < 0.0 {
             i - 1
-        } else if i < last && !below(self.knot(i + 1)) {
+        } else if i < last && b <= 0.0 {
             i + 1
         } else {
             i
         }
+    }
+
+    /// Every step is a loop of its own over the group, without a branch, so that the compiler can
+    /// use vector instructions for all but the loads.
+    #[inline(always)]
+    #[allow(clippy::needless_range_loop)] // the loops are over parallel arrays
+    fn group(&self, y: &[f64], bend: &[f64], x: &[f64; GROUP]) -> Option<[f64; GROUP]> {
+        // Adding 1.5 · 2^52 rounds to an integer, which then stands in the low bits. The bias makes
+        // it the integer below, also at a knot; just below a knot it fails, which is noticed.
+        const ROUND: f64 = 6_755_399_441_055_744.0;
+        const BIAS: f64 = 0.5 - 1e-9;
+        let (mut t, mut e) = ([0.0; GROUP], [0.0; GROUP]);
+        let (mut a, mut b) = ([0.0; GROUP], [0.0; GROUP]);
+        let (mut rounded, mut nearest) = ([0.0; GROUP], [0.0f64; GROUP]);
+        for j in 0..GROUP {
+            (t[j], e[j]) = two_sum(x[j], -self.origin);
+            rounded[j] = (t[j] * self.per_step - BIAS) + ROUND;
+        }
+        for j in 0..GROUP {
+            let i = rounded[j] - ROUND;
+            let (left, right) = (self.offset(i), self.offset(i + 1.0));
+            (a[j], b[j]) = from_both_ends((t[j], e[j]), left, right);
+        }
+        // The smaller offset is not negative, and the one from the right not zero.
+        for j in 0..GROUP {
+            let b = if b[j] > 0.0 { b[j] } else { -1.0 };
+            nearest[j] = if a[j] >= 0.0 { b } else { -1.0 };
+        }
+        let mut worst = nearest[0];
+        for v in nearest {
+            worst = if v < worst { v } else { worst };
+        }
+        if worst < 0.0 {
+            return None;
+        }
+        let (mut y0, mut y1) = ([0.0; GROUP], [0.0; GROUP]);
+        let (mut p, mut q) = ([0.0; GROUP], [0.0; GROUP]);
+        for j in 0..GROUP {
+            let i = rounded[j].to_bits().wrapping_sub(ROUND.to_bits()) as usize;
+            let (y, m) = (
+                y.get(i..)?.first_chunk::<2>()?,
+                bend.get(i..)?.first_chunk::<2>()?,
+            );
+            (y0[j], y1[j], p[j], q[j]) = (y[0], y[1], m[0], m[1]);
+        }
+        let mut out = [0.0; GROUP];
+        for j in 0..GROUP {
+            let at = fractions((a[j], b[j]), self.per_step);
+            out[j] = blend(at, (y0[j], y1[j]), (p[j], q[j]));
+        }
+        Some(out)
     }
 
     #[inline]

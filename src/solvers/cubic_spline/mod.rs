@@ -19,10 +19,15 @@
 //! sorted batches give bit-identical results. At a knot `S'''` is that of the segment to the
 //! right, at the last knot that of the last segment.
 //!
+//! # Accuracy
+//! Worst found over 200 random cases in each of four or five regions for each kind of ends, as a
+//! multiple of `u (|f| + Σ_j |x_j ∂f/∂x_j|)` with `u = 2⁻⁵³`: 2.4, for a clamped `S'`; 1.4 for
+//! everything else. `mechaudit audit cubic-spline-…` repeats the search.
+//!
 //! # Source
 //! Zinchenko 2008, eqs (8)–(17), numbers above. The form of (11) and (12) here is algebraically
-//! theirs but symmetric in `k` and `w`, each taken from the nearer difference of abscissae, so that
-//! `S(x_i) = y_i` holds bit for bit at both ends and weights near 0 keep their relative accuracy.
+//! theirs but symmetric in `k` and `w`, each computed from its own difference of abscissae, so that
+//! weights near 0 keep their relative accuracy and `S(x_i) = y_i` holds at both ends.
 
 mod batch;
 mod evaluate;
@@ -133,7 +138,7 @@ pub enum CubicSplineError {
         /// The last ordinate.
         last: f64,
     },
-    /// The spline does not fit in `f64`: an ordinate beyond 2^1000, or a step or a second
+    /// The spline does not fit in `f64`: a knot or ordinate beyond 2^1000, or a step or a second
     /// derivative that over- or underflows.
     #[error("the spline overflows or underflows at knot {knot}")]
     Overflow {

@@ -20,13 +20,12 @@ fn check<G: Grid>(s: &Spline<G>, boundary: Boundary) {
     let m = s.second_derivatives();
     let scale = m.iter().fold(1f64, |a, b| a.max(b.abs())) * 1e-11;
     for i in 0..n {
-        let c = s.grid.interval(i);
-        assert_eq!(s.cell(i).value(c.left.0), s.y[i]);
-        assert_eq!(s.cell(i).value(c.right.0), s.y[i + 1]);
+        assert_eq!(s.cell(i).value(s.grid.knot(i)), s.y[i]);
+        assert_eq!(s.cell(i).value(s.grid.knot(i + 1)), s.y[i + 1]);
     }
     let jet = |i: usize, x: f64| s.jet_on(i, x);
     for i in 1..n {
-        let x = s.grid.interval(i).left.0;
+        let x = s.grid.knot(i);
         let (a, b) = (jet(i - 1, x), jet(i, x));
         assert!(
             (a.first - b.first).abs() < scale,
@@ -46,7 +45,7 @@ fn check<G: Grid>(s: &Spline<G>, boundary: Boundary) {
                     End::SecondDerivative(v) => assert!((at.second - v).abs() < scale),
                     End::FirstDerivative(v) => assert!((at.first - v).abs() < scale),
                     End::NotAKnot if n > 1 => {
-                        let third = |i: usize| jet(i, s.grid.interval(i).left.0).third;
+                        let third = |i: usize| jet(i, s.grid.knot(i)).third;
                         let (p, q) = (third(own), third(next.min(n - 1)));
                         assert!((p - q).abs() < 100.0 * scale, "{p} {q} {n} {boundary:?}");
                     }
@@ -230,7 +229,8 @@ fn typed_errors() {
         }
     ));
     assert_eq!(fit(&[0.0, 1.0], &[1e305, 0.0]), E::Overflow { knot: 0 });
-    assert_eq!(fit(&[-1e308, 1e308], &[0.0; 2]), E::Overflow { knot: 1 });
+    assert_eq!(fit(&[-1e308, 1e308], &[0.0; 2]), E::Overflow { knot: 0 });
+    assert_eq!(fit(&[0.0, 1e155], &[0.0; 2]), E::Overflow { knot: 0 });
     let uniform = |o: f64, h: f64, y: &[f64], b| UniformCubicSpline::fit(o, h, y.to_vec(), b);
     for h in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-310, 1e-17] {
         let e = uniform(1.0, h, &[0.0; 4], Boundary::NATURAL).unwrap_err();
@@ -247,6 +247,10 @@ fn typed_errors() {
         y[i] = 1e302;
         let e = uniform(0.0, 1.0, &y, Boundary::NOT_A_KNOT).unwrap_err();
         assert_eq!(e, E::Overflow { knot: i });
+    }
+    for (o, h) in [(-1e308, 1e307), (0.0, 1e308), (-1e300, 1e301)] {
+        let e = uniform(o, h, &[0.0; 30], Boundary::NATURAL).unwrap_err();
+        assert!(matches!(e, E::Overflow { .. }), "{o} {h}: {e}");
     }
     let e = uniform(0.0, 1.0, &[0.0, 1.0, 2.0], Boundary::Periodic).unwrap_err();
     assert!(matches!(e, E::NotPeriodic { .. }));
