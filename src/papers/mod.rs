@@ -9,16 +9,23 @@ pub use report::{
     Subject, Tally, VariantResult,
 };
 
-/// Audits a paper, reporting progress as phase, steps done, steps in all.
-pub type AuditPaper =
-    fn(&(dyn Fn(&str, u64, u64) + Sync)) -> Result<PaperReport, crate::reference::Undecided>;
+use crate::reference::Undecided;
 
-/// The names of the papers.
-pub fn keys() -> &'static [&'static str] {
-    &[zinchenko::KEY]
+/// Called now and then with the phase, how much of it is done, and its whole.
+pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
+
+/// Audits a paper; undecided when a certified value cannot be had.
+pub type PaperAudit = fn(Progress) -> Result<PaperReport, Undecided>;
+
+/// The papers known by their key.
+const PAPERS: &[(&str, PaperAudit)] = &[(zinchenko::KEY, zinchenko::report)];
+
+/// The audit of the paper of that key.
+pub fn find(key: &str) -> Option<PaperAudit> {
+    PAPERS.iter().find(|p| p.0 == key).map(|p| p.1)
 }
 
-/// The audit of the paper of that name.
-pub fn find(key: &str) -> Option<AuditPaper> {
-    (key == zinchenko::KEY).then_some(zinchenko::report as AuditPaper)
+/// The keys of all papers.
+pub fn keys() -> Vec<&'static str> {
+    PAPERS.iter().map(|p| p.0).collect()
 }

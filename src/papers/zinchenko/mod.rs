@@ -18,7 +18,7 @@ mod recipe;
 mod recovery;
 mod tables;
 
-use super::{Citation, Finding, PaperReport, SCHEMA_VERSION};
+use super::{Citation, Finding, PaperReport, Progress, SCHEMA_VERSION};
 use crate::reference::{Ball, Undecided};
 use entries::Variant;
 use recipe::{NODES, Nodes, Splines};
@@ -31,9 +31,6 @@ const BITS: u32 = 192;
 
 /// The name used on the command line.
 pub const KEY: &str = "zinchenko";
-
-/// Reports progress: the phase, steps done, steps in all.
-pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
 
 fn citation() -> Citation {
     Citation {

@@ -1,0 +1,230 @@
+//! What may be written on the command line.
+
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use mechaudit::reference::Decimal;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  mechaudit                                    audit every paper and every method
+  mechaudit --cases 1000 --seed 7              more cases from another stream
+  mechaudit list                               what is audited, where and how closely
+  mechaudit linkage examples/sand-screen.toml --step-deg 7.5 --format csv
+
+Environment:
+  MECHAUDIT_EFFORT   a positive number that multiplies the numbers of random cases
+  NO_COLOR           no colour; output that is not a terminal never has any
+
+Exit codes:
+  0  all as expected
+  1  an accuracy finding that is not a recorded one, or a digit left undecided
+  2  bad usage or input";
+
+const AUDIT_EXAMPLES: &str = "\
+Examples:
+  mechaudit audit                              every method
+  mechaudit audit four-bar --cases 1000        one method, 1000 cases in each region
+  mechaudit audit four-bar --region NAME --seed 1 --case 17
+  mechaudit audit four-bar --check-point NAME --format json";
+
+const LIST_EXAMPLES: &str = "\
+Examples:
+  mechaudit list
+  mechaudit list --format json";
+
+const PAPER_EXAMPLES: &str = "\
+Examples:
+  mechaudit paper zinchenko
+  mechaudit paper zinchenko --format html --output zinchenko.html
+  mechaudit paper zinchenko --format csv | head";
+
+const LINKAGE_EXAMPLES: &str = "\
+Examples:
+  mechaudit linkage examples/sand-screen.toml --step-deg 7.5 --format csv
+  mechaudit linkage examples/sand-screen.toml --step-deg 30 --digits 30
+  mechaudit linkage examples/sand-screen.toml --from-deg 0 --to-deg 90 --step-deg 1 --format json
+  mechaudit linkage examples/no-full-turn.toml --step-deg 5 --svg drawings
+
+The file (TOML or JSON) gives every quantity as a string with its unit:
+  name = \"sand screen\"
+  gravity = \"9.81 m/s^2\"            # optional, standard gravity 9.80665 m/s^2 otherwise
+  crank_speed = \"60 rpm\"            # optional: velocities at this speed instead of ratios
+  [geometry]                        # crank pivot at the origin, y up
+  l1 = \"10 cm\"                      # and l2, l3, l4, l5, lb, x3, y3, x5, y5
+  phi_b = \"-39.3 deg\"
+  [start]                           # optional: which branch
+  phi1 = \"14.426 deg\"
+  phi4 = \"22.6 deg\"                 # near enough to choose; or mode = 2
+  [bodies.2]                        # optional, a link without a table has no mass
+  mass = \"10 kg\"
+  inertia = \"0.8 kg m^2\"
+  inertia_about = \"centre of mass\"  # or \"pivot\"
+  radius = \"50 cm\"
+  angle = \"0 deg\"";
+
+/// Audits the accuracy of mechanism solvers against certified references, and published tables
+/// against recomputed ones.
+#[derive(Debug, Parser)]
+#[command(
+    name = "mechaudit",
+    version,
+    after_help = EXAMPLES,
+    max_term_width = 100,
+    args_conflicts_with_subcommands = true
+)]
+pub struct Args {
+    #[command(flatten)]
+    pub run: RunArgs,
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// How much to run.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct RunArgs {
+    /// Key of the random stream [default: 1]
+    #[arg(long, value_name = "SEED")]
+    pub seed: Option<u64>,
+    /// Random cases in each region of a method's domain [default: 200]
+    #[arg(long, value_name = "N")]
+    pub cases: Option<u64>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Audit one method, one region or one case
+    #[command(after_help = AUDIT_EXAMPLES)]
+    Audit(AuditArgs),
+    /// List the methods with their domains and budgets, and the papers
+    #[command(after_help = LIST_EXAMPLES)]
+    List(ListArgs),
+    /// Audit one paper
+    #[command(after_help = PAPER_EXAMPLES)]
+    Paper(PaperArgs),
+    /// Compute a linkage given in a file over the crank's turn
+    #[command(after_help = LINKAGE_EXAMPLES)]
+    Linkage(LinkageArgs),
+}
+
+/// Arguments of `audit`.
+#[derive(ClapArgs, Debug)]
+pub struct AuditArgs {
+    /// The method; all methods if left out
+    pub method: Option<String>,
+    /// Only this region of its domain
+    #[arg(long, value_name = "REGION", requires = "method")]
+    pub region: Option<String>,
+    /// Only this case of the region
+    #[arg(long, value_name = "I", requires = "region")]
+    pub case: Option<u64>,
+    /// Only this check point
+    #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
+    pub check_point: Option<String>,
+    #[command(flatten)]
+    pub run: RunArgs,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}
+
+/// Arguments of `list`.
+#[derive(ClapArgs, Debug)]
+pub struct ListArgs {
+    /// Form of the list
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}
+
+/// Arguments of `paper`.
+#[derive(ClapArgs, Debug)]
+pub struct PaperArgs {
+    /// The paper's key, see `mechaudit list`
+    pub key: String,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: PaperFormat,
+    /// Write to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `linkage`.
+#[derive(ClapArgs, Debug)]
+pub struct LinkageArgs {
+    /// The linkage in TOML or JSON; `-` reads standard input
+    pub file: PathBuf,
+    /// Step of the crank angle in degrees
+    #[arg(long, value_name = "DEG", value_parser = decimal, allow_hyphen_values = true)]
+    pub step_deg: Decimal,
+    /// Form of the rows
+    #[arg(long, value_enum, default_value = "csv")]
+    pub format: CsvOrJson,
+    /// First crank angle in degrees [default: start.phi1 of the file, else 0]
+    #[arg(long, value_name = "A", value_parser = decimal, allow_hyphen_values = true)]
+    pub from_deg: Option<Decimal>,
+    /// Last crank angle in degrees, itself included [default: one turn, its end left out]
+    #[arg(long, value_name = "B", value_parser = decimal, allow_hyphen_values = true)]
+    pub to_deg: Option<Decimal>,
+    /// Follow the assembly mode of this number at the first crank angle, counted from 0 by phi4
+    #[arg(long, value_name = "N", conflicts_with = "all_branches")]
+    pub branch: Option<usize>,
+    /// Every assembly mode at every crank angle, numbered by branch
+    #[arg(long)]
+    pub all_branches: bool,
+    /// Certified decimals with this many significant digits instead of floating-point numbers
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub digits: Option<u32>,
+    /// Draw mechanism.svg and, with masses, reduced.svg into this folder
+    #[arg(long, value_name = "DIR")]
+    pub svg: Option<PathBuf>,
+    /// Write the rows to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+fn decimal(text: &str) -> Result<Decimal, String> {
+    Decimal::parse(text).map_err(|e| e.to_string())
+}
+
+/// Text for people or JSON for programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TextOrJson {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
+
+/// The forms of a paper's report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum PaperFormat {
+    /// Findings and tallies for people
+    Text,
+    /// Everything
+    Json,
+    /// One line for each printed entry and variant of the data
+    Csv,
+    /// One page without outside parts
+    Html,
+}
+
+/// The forms of a linkage's rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CsvOrJson {
+    /// One line for each position
+    Csv,
+    /// With what is known of the whole turn
+    Json,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_grammar_is_sound() {
+        Args::command().debug_assert();
+    }
+}

@@ -1,0 +1,136 @@
+//! One judged case for people and for programs.
+
+use super::text::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, Table, paint, paragraph, percent, short};
+use anstyle::Style;
+use mechaudit::audit::{Case, CaseReport, SolverAnswer, Verdict, hex_float};
+use serde_json::{Value, json};
+
+fn verdict(v: Verdict) -> (&'static str, Style) {
+    match v {
+        Verdict::Pass => ("pass", GOOD),
+        Verdict::Undecided => ("undecided", DOUBT),
+        Verdict::Over => ("over budget", BAD),
+        Verdict::WrongKind => ("wrong kind", BAD),
+        Verdict::OracleError => ("reference failed", BAD),
+    }
+}
+
+/// The input in decimal and in hexadecimal.
+pub fn input(case: &Case, indent: usize) -> String {
+    let method = mechaudit::methods::find(case.method);
+    let inputs = method.map(|m| m.inputs()).unwrap_or_default();
+    let named = inputs.len() == case.input.len();
+    let mut table = Table::new(&["input", "unit", "decimal", "hexadecimal"], &[0, 1, 3]);
+    for (i, x) in case.input.iter().enumerate() {
+        let (name, unit) = match named {
+            true => (inputs[i].name.to_string(), inputs[i].unit),
+            false => (format!("[{i}]"), ""),
+        };
+        table.row(vec![
+            (name, PLAIN),
+            (unit.into(), DIM),
+            (format!("{x:?}"), PLAIN),
+            (hex_float(*x), DIM),
+        ]);
+    }
+    table.render(indent)
+}
+
+/// The case with everything that was found about it.
+pub fn text(report: &CaseReport, width: usize) -> String {
+    let case = &report.case;
+    let (word, style) = verdict(report.judgement.verdict);
+    let mut out = format!(
+        "  {}  {} / {}, decided at {} bits\n",
+        paint(style, word),
+        paint(BOLD, case.method),
+        case.region,
+        report.bits
+    );
+    if let Some(reason) = &report.judgement.reason {
+        out.push_str(&paragraph(reason, 4, width));
+    }
+    out.push_str(&input(case, 4));
+    match &report.answer {
+        Some(SolverAnswer::Values(got)) => out.push_str(&values(report, got)),
+        Some(SolverAnswer::Refuses(why)) => {
+            out.push_str(&format!("    got        refusal: {why}\n"))
+        }
+        None => out.push_str("    got        nothing\n"),
+    }
+    if let Some(proof) = report.proof {
+        let proof = match proof {
+            mechaudit::audit::Proof::Exact => "exact arithmetic",
+            mechaudit::audit::Proof::Bounded(why) => why,
+        };
+        out.push_str("    proof      ");
+        out.push_str(&super::text::wrap(proof, 15, width));
+        out.push('\n');
+    }
+    out.push_str(&format!("    reproduce  {}\n", case.reproduce()));
+    out
+}
+
+fn values(report: &CaseReport, got: &[f64]) -> String {
+    let method = mechaudit::methods::find(report.case.method);
+    let outputs = method.map(|m| m.outputs()).unwrap_or_default();
+    let mut table = Table::new(
+        &[
+            "output",
+            "got",
+            "reference",
+            "ulps",
+            "of budget",
+            "condition",
+        ],
+        &[0, 1, 2],
+    );
+    for (i, x) in got.iter().enumerate() {
+        let name = match outputs.len() {
+            0 => format!("[{i}]"),
+            n if got.len() == n => outputs[i].name.to_string(),
+            n => format!("{}[{}]", outputs[i % n].name, i / n),
+        };
+        let reference = match report.reference.get(i) {
+            Some(Some(digits)) => digits.clone(),
+            Some(None) => "not certified".into(),
+            None => "none".into(),
+        };
+        let judged = report.judgement.components.get(i);
+        let number = |x: Option<f64>| x.filter(|x| !x.is_nan()).map_or("–".into(), short);
+        let style = judged.map_or(PLAIN, |c| match c.verdict {
+            Verdict::Pass => PLAIN,
+            Verdict::Undecided => DOUBT,
+            _ => BAD,
+        });
+        table.row(vec![
+            (name, style),
+            (format!("{x:?}"), PLAIN),
+            (reference, PLAIN),
+            (number(judged.map(|c| c.ulps)), style),
+            (judged.map_or("–".into(), |c| percent(c.of_budget)), style),
+            (number(judged.map(|c| c.condition)), DIM),
+        ]);
+    }
+    table.render(4)
+}
+
+/// The case for programs: the report with the answer, exact inputs and the command.
+pub fn json(report: &CaseReport) -> Value {
+    let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
+    let hex: Vec<String> = report.case.input.iter().map(|x| hex_float(*x)).collect();
+    let got = match &report.answer {
+        Some(SolverAnswer::Values(v)) => json!({
+            "values": v,
+            "hexadecimal": v.iter().map(|x| hex_float(*x)).collect::<Vec<_>>(),
+        }),
+        Some(SolverAnswer::Refuses(why)) => json!({ "refuses": why }),
+        None => Value::Null,
+    };
+    if let Some(object) = value.as_object_mut() {
+        object.insert("input_hexadecimal".into(), json!(hex));
+        object.insert("got".into(), got);
+        object.insert("reproduce".into(), json!(report.case.reproduce()));
+    }
+    value
+}

@@ -1,0 +1,45 @@
+//! The style sheet of the page, for light and dark.
+
+/// CSS; colours are variables that the dark scheme sets anew.
+pub const CSS: &str = "
+:root { color-scheme: light dark; --bg: #fcfcfa; --fg: #1d2125; --soft: #5b646d; --line: #d8dcdf;
+  --card: #ffffff; --agrees: #dff0e1; --rounding: #eef3d0; --misprint: #f8dcc0;
+  --unexplained: #f6c9cb; --good: #1e7a34; --bad: #b3261e; --doubt: #8a5a00; --new: #0a6178; }
+@media (prefers-color-scheme: dark) { :root { --bg: #15181b; --fg: #e4e7ea; --soft: #9aa4ad;
+  --line: #343b41; --card: #1c2125; --agrees: #1c3a25; --rounding: #3a3e1a; --misprint: #573718;
+  --unexplained: #5d2327; --good: #6fd08a; --bad: #ff8a80; --doubt: #e6b450; --new: #67cbe3; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2rem 1.25rem 5rem; max-width: 76rem; background: var(--bg);
+  color: var(--fg); font: 16px/1.55 system-ui, sans-serif; }
+h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .25rem; }
+h2 { font-size: 1.2rem; margin: 2.5rem 0 .75rem; padding-bottom: .25rem;
+  border-bottom: 1px solid var(--line); }
+p { margin: .4rem 0; max-width: 46rem; }
+.soft { color: var(--soft); }
+.finding { background: var(--card); border: 1px solid var(--line); border-left: .3rem solid
+  var(--tone); border-radius: .3rem; padding: .7rem 1rem; margin: .8rem 0; }
+.finding h3 { font-size: 1rem; margin: 0; }
+.tag { color: var(--tone); font-size: .85rem; font-weight: 600; }
+.alarm { color: var(--bad); font-weight: 700; }
+.t-good { --tone: var(--good); } .t-bad { --tone: var(--bad); }
+.t-doubt { --tone: var(--doubt); } .t-new { --tone: var(--new); }
+.scroll { overflow-x: auto; padding-bottom: .5rem; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .85rem; }
+th, td { padding: .2rem .55rem; border: 1px solid var(--line); text-align: right;
+  white-space: nowrap; }
+th { background: var(--card); font-weight: 600; }
+th.left, td.left { text-align: left; }
+.figures td { border: 0; padding: .05rem 1.2rem .05rem 0; }
+.entries td { position: relative; }
+.agrees { background: var(--agrees); } .rounding { background: var(--rounding); }
+.misprint { background: var(--misprint); } .unexplained { background: var(--unexplained); }
+.entries td[data-tip]:hover::after, .entries td[data-tip]:focus::after { content: attr(data-tip);
+  position: absolute; z-index: 2; left: 0; top: 100%; padding: .4rem .6rem; text-align: left;
+  white-space: pre; background: var(--fg); color: var(--bg); border-radius: .25rem;
+  pointer-events: none; }
+.side { display: flex; flex-wrap: wrap; gap: 1rem 2rem; }
+.side details:last-child td[data-tip]:nth-last-child(-n+2)::after { left: auto; right: 0; }
+details { margin: .6rem 0; } summary { cursor: pointer; font-weight: 600; padding: .2rem 0; }
+.legend span { padding: .1rem .5rem; border: 1px solid var(--line); border-radius: .25rem;
+  margin-right: .4rem; }
+";

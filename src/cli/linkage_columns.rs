@@ -1,0 +1,69 @@
+//! The columns of a linkage's rows, and a row in floating point.
+
+use super::linkage_file::Linkage;
+use super::rows::Cell;
+use mechaudit::solvers::class_iii::State;
+use mechaudit::solvers::units::AngularVelocity;
+
+/// The columns' names with their units. The condition number is an estimate in floating point and
+/// has no certified digits.
+pub fn names(linkage: &Linkage, certified: bool) -> Vec<String> {
+    let mut all: Vec<String> = vec!["phi1_deg".into(), "branch".into()];
+    let mut links = |prefix: &str, suffix: &str| {
+        all.extend((2..=5).map(|k| format!("{prefix}{k}{suffix}")));
+    };
+    links("phi", "_deg");
+    if linkage.crank.is_some() {
+        links("omega", "_rad_per_s");
+        links("epsilon", "_rad_per_s2");
+    } else {
+        links("dphi", "_dphi1");
+        links("d2phi", "_dphi1_2_per_rad");
+    }
+    if linkage.masses.is_some() {
+        let reduced = [
+            "I_n_kg_m2",
+            "dI_n_dphi_kg_m2_per_rad",
+            "M_o_N_m",
+            "dM_o_dphi_N_m_per_rad",
+        ];
+        all.extend(reduced.map(String::from));
+    }
+    all.push("det_J_m4".into());
+    if !certified {
+        all.push("condition".into());
+    }
+    all.push("pressure_angle_deg".into());
+    all
+}
+
+/// A row in floating point.
+pub fn row(linkage: &Linkage, degrees: f64, branch: usize, state: &State) -> Vec<Cell> {
+    let mut cells = vec![Cell::Float(degrees), Cell::Count(branch)];
+    let mut push = |values: &[f64]| cells.extend(values.iter().map(|x| Cell::Float(*x)));
+    push(&state.positions.wrapped().to_array().map(f64::to_degrees));
+    let (first, second) = match &linkage.crank {
+        Some(c) => {
+            let omega = AngularVelocity::from_rad_per_s(c.omega.to_f64());
+            state.rates.at_crank_speed(omega, c.epsilon.to_f64())
+        }
+        None => (state.rates.first, state.rates.second),
+    };
+    push(&first);
+    push(&second);
+    if let Some(masses) = &linkage.masses {
+        let r = masses.solver.reduce(state);
+        push(&[
+            r.inertia_kg_m2,
+            r.inertia_derivative_kg_m2,
+            r.moment_n_m,
+            r.moment_derivative_n_m,
+        ]);
+    }
+    push(&[
+        state.determinant,
+        state.condition,
+        state.pressure_angle.to_degrees(),
+    ]);
+    cells
+}

@@ -1,0 +1,111 @@
+//! What there is to audit.
+
+use super::args::{ListArgs, TextOrJson};
+use super::audit::print_json;
+use super::failure::{Failure, Outcome};
+use super::output::write_to;
+use super::text::{BOLD, paint, width, wrap};
+use mechaudit::audit::{Budget, Method};
+use mechaudit::{methods, papers};
+use serde_json::{Value, json};
+
+/// Lists methods and papers.
+pub fn list(args: &ListArgs) -> Result<Outcome, Failure> {
+    match args.format {
+        TextOrJson::Text => write_to(None, |out| {
+            for method in methods::registry() {
+                writeln!(out, "{}", text(method.as_ref(), width()))?;
+            }
+            writeln!(out, "{}", paint(BOLD, "Papers"))?;
+            for key in papers::keys() {
+                writeln!(out, "  {key:<20} mechaudit paper {key}")?;
+            }
+            Ok(())
+        })?,
+        TextOrJson::Json => {
+            let all: Vec<Value> = methods::registry()
+                .iter()
+                .map(|m| json(m.as_ref()))
+                .collect();
+            print_json(&json!({ "methods": all, "papers": papers::keys() }))?;
+        }
+    }
+    Ok(Outcome::AsExpected)
+}
+
+/// A line "label  text" with the text wrapped beside the label.
+fn line(label: &str, text: &str, width: usize) -> String {
+    format!("  {label:<13}{}\n", wrap(text, 15, width))
+}
+
+/// A unit in brackets, nothing where there is none.
+fn unit(unit: &str) -> String {
+    match unit {
+        "1" => String::new(),
+        u => format!(" [{u}]"),
+    }
+}
+
+/// Names of the outputs that share a budget, with the budget.
+fn outputs(method: &dyn Method) -> Vec<(Vec<String>, Budget)> {
+    let mut groups: Vec<(Vec<String>, Budget)> = Vec::new();
+    for o in method.outputs() {
+        let name = format!("{}{}", o.name, unit(o.unit));
+        match groups.iter_mut().find(|g| g.1 == o.budget) {
+            Some(group) => group.0.push(name),
+            None => groups.push((vec![name], o.budget)),
+        }
+    }
+    groups
+}
+
+fn text(method: &dyn Method, width: usize) -> String {
+    let mut out = format!("{}\n", paint(BOLD, method.name()));
+    out.push_str(&line("", method.summary(), width).replacen(&" ".repeat(15), "  ", 1));
+    let inputs: Vec<String> = method
+        .inputs()
+        .iter()
+        .map(|i| format!("{}{}", i.name, unit(i.unit)))
+        .collect();
+    out.push_str(&line("input", &inputs.join(", "), width));
+    for (i, (names, budget)) in outputs(method).iter().enumerate() {
+        let text = format!("{}: {}; {}", names.join(", "), budget.limit, budget.reason);
+        out.push_str(&line(if i == 0 { "output" } else { "" }, &text, width));
+    }
+    let domain = method.domain();
+    for (i, r) in domain.regions.iter().enumerate() {
+        let text = format!("{}: {}", r.name, r.description);
+        out.push_str(&line(if i == 0 { "regions" } else { "" }, &text, width));
+    }
+    let points: Vec<&str> = domain.check_points.iter().map(|p| p.name).collect();
+    if !points.is_empty() {
+        out.push_str(&line("check points", &points.join(", "), width));
+    }
+    for (i, law) in method.laws().iter().enumerate() {
+        let text = format!("{}: {}", law.name, law.statement);
+        out.push_str(&line(if i == 0 { "laws" } else { "" }, &text, width));
+    }
+    out.push_str(&line("source", method.source(), width));
+    out
+}
+
+fn json(method: &dyn Method) -> Value {
+    let domain = method.domain();
+    let regions = domain.regions.iter();
+    let laws = method.laws();
+    json!({
+        "name": method.name(),
+        "summary": method.summary(),
+        "source": method.source(),
+        "inputs": method.inputs(),
+        "outputs": method.outputs(),
+        "regions": regions
+            .map(|r| json!({ "name": r.name, "description": r.description }))
+            .collect::<Vec<_>>(),
+        "check_points": domain.check_points.iter().map(|p| p.name).collect::<Vec<_>>(),
+        "laws": laws
+            .iter()
+            .map(|l| json!({ "name": l.name, "statement": l.statement }))
+            .collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,82 @@
+//! The command-line program: arguments in, reports out. Numbers come from the library.
+
+mod args;
+mod audit;
+mod branch;
+mod case;
+mod certified;
+mod crank_angles;
+mod failure;
+mod html;
+mod html_style;
+mod linkage;
+mod linkage_columns;
+mod linkage_file;
+mod list;
+mod output;
+mod paper;
+mod paper_csv;
+mod progress;
+mod quantity;
+mod rows;
+mod svg;
+mod svg_mechanism;
+mod svg_reduced;
+mod text;
+mod text_method;
+mod text_paper;
+
+use args::{Args, Command};
+use clap::Parser;
+use failure::{Failure, Outcome};
+use std::process::ExitCode;
+
+/// Runs the program and turns its outcome into an exit code: 0 as expected, 1 a finding, 2 bad
+/// usage or input. A closed pipe ends it quietly.
+pub fn main() -> ExitCode {
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(e) => return usage(&e),
+    };
+    match run(args) {
+        Ok(Outcome::AsExpected) => ExitCode::SUCCESS,
+        Ok(Outcome::Finding) => ExitCode::from(1),
+        Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(Failure::Message(text)) => {
+            complain(&text);
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(args: Args) -> Result<Outcome, Failure> {
+    match args.command {
+        None => audit::everything(&args.run),
+        Some(Command::Audit(a)) => audit::methods(&a),
+        Some(Command::List(a)) => list::list(&a),
+        Some(Command::Paper(a)) => paper::paper(&a),
+        Some(Command::Linkage(a)) => linkage::linkage(&a),
+    }
+}
+
+/// One line on stderr.
+fn complain(text: &str) {
+    use std::io::Write;
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    // Nothing can be done if stderr is closed.
+    let _ = writeln!(anstream::stderr(), "mechaudit: {line}");
+}
+
+/// Help and version as asked for; a usage error as one line.
+fn usage(e: &clap::Error) -> ExitCode {
+    if !e.use_stderr() {
+        let _ = e.print();
+        return ExitCode::SUCCESS;
+    }
+    let text = e.to_string();
+    let text = text.strip_prefix("error: ").unwrap_or(&text);
+    let end = text.find("\n\nUsage").or_else(|| text.find("\n\nFor more"));
+    let line = text[..end.unwrap_or(text.len())].trim();
+    complain(&format!("{line} (see mechaudit --help)"));
+    ExitCode::from(2)
+}

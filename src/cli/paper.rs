@@ -1,0 +1,45 @@
+//! One paper's report in the form asked for.
+
+use super::args::{PaperArgs, PaperFormat};
+use super::failure::{Failure, Outcome};
+use super::output::write_to;
+use super::progress::Progress;
+use super::{audit, complain, html, paper_csv, text, text_paper};
+use mechaudit::papers;
+
+/// Audits the paper and writes its report.
+pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
+    let progress = Progress::new();
+    let report = audit::paper(&args.key, &progress).ok_or_else(|| {
+        let known = papers::keys().join(", ");
+        Failure::new(format!(
+            "there is no paper {:?}; there are: {known}",
+            args.key
+        ))
+    })?;
+    progress.clear();
+    let report = match report {
+        Ok(report) => report,
+        Err(e) => {
+            complain(&format!("paper {}: {e}", args.key));
+            return Ok(Outcome::Finding);
+        }
+    };
+    write_to(args.output.as_deref(), |out| match args.format {
+        PaperFormat::Text => {
+            let width = if args.output.is_some() {
+                100
+            } else {
+                text::width()
+            };
+            Ok(write!(out, "{}", text_paper::paper(&report, width))?)
+        }
+        PaperFormat::Json => {
+            serde_json::to_writer_pretty(&mut *out, &report)?;
+            Ok(writeln!(out)?)
+        }
+        PaperFormat::Csv => paper_csv::write(&report, out),
+        PaperFormat::Html => Ok(out.write_all(html::page(&report).as_bytes())?),
+    })?;
+    Ok(Outcome::of(report.as_recorded()))
+}

@@ -1,0 +1,192 @@
+//! A method's report for people.
+
+use super::case;
+use super::text::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, Table, paint, paragraph, percent, short};
+use mechaudit::audit::{MethodReport, OutputStatistics};
+
+/// Failing cases printed in full for each method.
+const FAILURES_SHOWN: usize = 10;
+
+/// The report of one method.
+pub fn method(report: &MethodReport, width: usize) -> String {
+    let mut out = heading(report, width);
+    out.push_str(&outputs(&report.outputs));
+    out.push_str(&laws(report, width));
+    for failure in report.failures.iter().take(FAILURES_SHOWN) {
+        out.push('\n');
+        out.push_str(&case::text(failure, width));
+    }
+    let left = report.failures.len().saturating_sub(FAILURES_SHOWN);
+    if left > 0 {
+        let text = format!("{left} more failing cases; --format json lists all of them.");
+        out.push_str(&paragraph(&text, 2, width));
+    }
+    out
+}
+
+fn heading(report: &MethodReport, width: usize) -> String {
+    let (word, style) = match report.passed() {
+        true => ("pass", GOOD),
+        false => ("FAIL", BAD),
+    };
+    let count = format!("{} of {} cases", report.passed, report.cases);
+    let used = report.method.chars().count() + word.len() + 2 + count.len();
+    let gap = width.saturating_sub(used).max(2);
+    format!(
+        "{}{}{}  {count}\n{}",
+        paint(BOLD, report.method),
+        " ".repeat(gap),
+        paint(style, word),
+        paragraph(report.summary, 2, width)
+    )
+}
+
+fn outputs(statistics: &[OutputStatistics]) -> String {
+    let mut table = Table::new(
+        &[
+            "output",
+            "values",
+            "worst ulps",
+            "p99",
+            "RMS",
+            "worst u(1+cond)",
+            "of budget",
+            "worst condition",
+        ],
+        &[0],
+    );
+    for s in statistics {
+        let share = match s.max_of_budget {
+            x if x > 1.0 => BAD,
+            x if x > 0.5 => DOUBT,
+            _ => PLAIN,
+        };
+        let ulps = |x: f64| match s.ulps.count {
+            0 => "–".to_string(),
+            _ => short(x),
+        };
+        let conditioned = match s.conditioned.count {
+            0 => "–".to_string(),
+            _ => short(s.conditioned.max),
+        };
+        table.row(vec![
+            (s.name.into(), PLAIN),
+            (s.values.to_string(), DIM),
+            (ulps(s.ulps.max), PLAIN),
+            (ulps(s.ulps.p99), PLAIN),
+            (ulps(s.ulps.rms), PLAIN),
+            (conditioned, PLAIN),
+            (percent(s.max_of_budget), share),
+            (short(s.max_condition), DIM),
+        ]);
+    }
+    table.render(2)
+}
+
+fn laws(report: &MethodReport, width: usize) -> String {
+    let mut out = String::new();
+    for law in &report.laws {
+        let holds = law.worst <= 1.0;
+        let (mark, style) = if holds { ("✓", GOOD) } else { ("✗", BAD) };
+        let text = format!(
+            "{}: {} (worst residual {} of what is allowed, {} cases)",
+            law.name,
+            law.statement,
+            percent(law.worst),
+            law.cases
+        );
+        out.push_str(&format!("  {} ", paint(style, mark)));
+        out.push_str(&super::text::wrap(&text, 4, width));
+        out.push('\n');
+        if !holds && let Some(worst) = &law.worst_case {
+            out.push_str(&case::input(worst, 4));
+            out.push_str(&format!("    reproduce  {}\n", worst.reproduce()));
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::audit::{
+        Case, CaseReport, ComponentJudgement, Judgement, LawReport, Origin, Proof, Settings,
+        SolverAnswer, Spread, Verdict,
+    };
+
+    pub fn fabricated() -> MethodReport {
+        let case = Case {
+            method: "a-method",
+            region: "wide",
+            input: vec![0.1, -2.0],
+            origin: Origin::Random { seed: 1, index: 17 },
+        };
+        MethodReport {
+            method: "a-method",
+            summary: "A method that exists for this test.",
+            source: "Nobody (1900), (1)",
+            settings: Settings::default(),
+            cases: 400,
+            passed: 399,
+            outputs: vec![OutputStatistics {
+                name: "phi2",
+                values: 400,
+                ulps: Spread {
+                    count: 400,
+                    max: 7.25,
+                    p99: 1.5,
+                    rms: 0.4,
+                },
+                conditioned: Spread::default(),
+                max_of_budget: 1.75,
+                max_condition: 31.0,
+                worst: Some(case.clone()),
+            }],
+            laws: vec![LawReport {
+                name: "energy",
+                statement: "The sum is constant within 4 ulp.",
+                cases: 400,
+                worst: 0.25,
+                worst_case: None,
+            }],
+            max_normwise: 3.0,
+            failures: vec![CaseReport {
+                case,
+                answer: Some(SolverAnswer::Values(vec![0.75])),
+                judgement: Judgement {
+                    verdict: Verdict::Over,
+                    reason: Some("phi2 (value 0) is 1.750 times its budget off".into()),
+                    components: vec![ComponentJudgement {
+                        verdict: Verdict::Over,
+                        ulps: 7.25,
+                        conditioned: 0.4,
+                        of_budget: 1.75,
+                        condition: 31.0,
+                    }],
+                    normwise: 3.0,
+                },
+                bits: 128,
+                reference: vec![Some("0.75000000000000080491".into())],
+                proof: Some(Proof::Exact),
+            }],
+        }
+    }
+
+    #[test]
+    fn a_failing_case_has_all_it_needs() {
+        let text = method(&fabricated(), 100);
+        let text = anstream::adapter::strip_str(&text).to_string();
+        for part in [
+            "FAIL  399 of 400 cases",
+            "175.0 %",
+            "0x1.999999999999ap-4",
+            "0.75000000000000080491",
+            "mechaudit audit a-method --region wide --seed 1 --case 17",
+            "✓ energy",
+            "31.00",
+        ] {
+            assert!(text.contains(part), "{part} is missing in\n{text}");
+        }
+        assert!(text.lines().all(|l| l.chars().count() <= 100), "{text}");
+    }
+}
