@@ -181,6 +181,19 @@ impl<'a> Resultant<'a> {
             .to_vec()
     }
 
+    /// Values of φ4 at which one of the linear equations vanishes altogether: `p(τ) = 0` if
+    /// `|O3 − O5| = l4` (links 3 and 5 then move in parallel if they are of one length), `q(τ) = 0`
+    /// if `|O3 − A| = lB`. T only touches zero there, so no sign change shows them.
+    fn translations(&self) -> Vec<f64> {
+        let vanishing = |constant: Complex64, factor: Complex64| {
+            let gap = (constant.norm() - factor.norm()).abs();
+            (gap <= 1e-7 * factor.norm()).then(|| (-constant / factor).arg())
+        };
+        let l4 = Complex64::new(self.l.l4, 0.0);
+        let found = [vanishing(self.p0, l4), vanishing(self.q0, self.q1)];
+        found.into_iter().flatten().collect()
+    }
+
     fn positions(&self, theta: f64, u: Complex64) -> Positions {
         let l = self.l;
         let tau = unit(theta);
@@ -312,15 +325,10 @@ impl ClassIii {
                 continue;
             }
             let theta = resultant.zero_between(lo, hi, a.t);
-            for u in resultant.candidates(theta) {
-                let start = resultant.positions(theta, u);
-                if let Some(p) = self.newton(e1, start) {
-                    let known = modes.iter().any(|m| m.distance(p) < 1e-9);
-                    if !known && p.distance(start) < 1e-2 {
-                        modes.push(p.wrapped());
-                    }
-                }
-            }
+            self.collect(&resultant, e1, theta, &mut modes);
+        }
+        for theta in resultant.translations() {
+            self.collect(&resultant, e1, theta, &mut modes);
         }
         modes.sort_by(|a, b| a.phi4.total_cmp(&b.phi4));
         AssemblyModes {
@@ -331,10 +339,51 @@ impl ClassIii {
     }
 }
 
+impl ClassIii {
+    /// Adds the modes with φ4 = `theta` that are not known yet.
+    fn collect(
+        &self,
+        resultant: &Resultant,
+        e1: Complex64,
+        theta: f64,
+        modes: &mut Vec<Positions>,
+    ) {
+        for u in resultant.candidates(theta) {
+            let start = resultant.positions(theta, u);
+            if let Some(p) = self.newton(e1, start) {
+                let known = modes.iter().any(|m| m.distance(p) < 1e-9);
+                if !known && p.distance(start) < 1e-2 {
+                    modes.push(p.wrapped());
+                }
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::tests::zinchenko;
+    use super::super::{Geometry, GeometryError};
     use super::*;
+
+    #[test]
+    fn a_parallelogram_has_the_modes_of_translation() -> Result<(), GeometryError> {
+        // l3 = l5 and l4 = |O3 O5|: link 4 may move without turning, at phi4 = 0.
+        let phi_b = (-40f64).to_radians();
+        let linkage = ClassIii::new(Geometry::from_values(&[
+            1.0, 5.6, 2.0, 2.0, 2.0, 1.0, phi_b, 5.0, 3.0, 7.0, 3.0,
+        ]))?;
+        let phi1 = 10f64.to_radians();
+        let modes = linkage.assembly_modes(phi1).modes;
+        let parallel: Vec<_> = modes.iter().filter(|m| m.phi4.abs() < 1e-12).collect();
+        assert_eq!(parallel.len(), 2, "{modes:?}");
+        for m in &modes {
+            let f = super::super::loops::Frame::new(&linkage.l, m);
+            let (a, b) = linkage.residual(unit(phi1), &f);
+            assert!(a.norm() < 1e-14 && b.norm() < 1e-14);
+        }
+        Ok(())
+    }
 
     #[test]
     fn the_modes_of_the_paper() {

@@ -36,10 +36,42 @@ pub enum ContinuationError {
         /// The value.
         phi1: f64,
     },
+    /// The linkage is so close to singular for so long that the proof needs too many steps.
+    #[error(
+        "gave up at the crank angle {phi1} rad after {steps} steps: the linkage stays nearly singular"
+    )]
+    TooManySteps {
+        /// Crank angle in radians up to which the branch was followed.
+        phi1: f64,
+        /// Steps taken.
+        steps: u32,
+    },
+    /// The target angle is so large that floats no longer tell crank angles apart well.
+    #[error("the crank angle {phi1} rad is beyond 1e6 rad: reduce it by whole turns")]
+    TooFar {
+        /// The value.
+        phi1: f64,
+    },
 }
 
 /// Below this step, in radians, a branch counts as ended.
 const SMALLEST_STEP: f64 = 1e-9;
+
+/// Crank angles beyond this, in radians, are refused: a step of [`SMALLEST_STEP`] has to remain one.
+const LARGEST_ANGLE: f64 = 1e6;
+
+/// Steps of one call; the paper's linkage takes about a hundred a turn.
+const MOST_STEPS: u32 = 2_000_000;
+
+fn checked(phi1: f64) -> Result<(), ContinuationError> {
+    if !phi1.is_finite() {
+        Err(ContinuationError::NotFinite { phi1 })
+    } else if phi1.abs() > LARGEST_ANGLE {
+        Err(ContinuationError::TooFar { phi1 })
+    } else {
+        Ok(())
+    }
+}
 
 impl ClassIii {
     /// Follows the branch from a configuration to the crank angle `to` and returns it there, its
@@ -48,12 +80,10 @@ impl ClassIii {
     /// # Errors
     /// [`ContinuationError::Fold`] when the branch ends before `to`.
     pub fn follow(&self, from: &State, to: f64) -> Result<State, ContinuationError> {
-        if !to.is_finite() {
-            return Err(ContinuationError::NotFinite { phi1: to });
-        }
+        checked(to)?;
         let k = self.l.lipschitz();
         let mut here = *from;
-        loop {
+        for _ in 0..MOST_STEPS {
             let left = to - here.phi1;
             if left == 0.0 {
                 return Ok(here);
@@ -73,6 +103,10 @@ impl ClassIii {
                 .correct(&here, phi1, unique)
                 .ok_or(ContinuationError::Fold { phi1: here.phi1 })?;
         }
+        Err(ContinuationError::TooManySteps {
+            phi1: here.phi1,
+            steps: MOST_STEPS,
+        })
     }
 
     /// The solution at `phi1` within `unique` radians of `from`.
@@ -101,9 +135,7 @@ impl ClassIii {
     /// When Newton's method does not settle within `1e-2` rad of the guess, or the position is
     /// singular.
     pub fn state_near(&self, phi1: f64, guess: Positions) -> Result<State, ContinuationError> {
-        if !phi1.is_finite() {
-            return Err(ContinuationError::NotFinite { phi1 });
-        }
+        checked(phi1)?;
         let found = self
             .newton(unit(phi1), guess)
             .filter(|p| p.distance(guess) <= 1e-2);
@@ -228,6 +260,44 @@ mod tests {
             let short = 217.270876406 - phi1.to_degrees();
             assert!((0.0..1e-4).contains(&short), "{short}");
         }
+    }
+
+    proptest::proptest! {
+        /// Whatever the bits, an answer or a typed error.
+        #[test]
+        fn any_bits(
+            geometry in proptest::array::uniform11(proptest::num::f64::ANY),
+            scale in proptest::array::uniform11(0.1f64..3.0),
+            phi1 in proptest::num::f64::ANY,
+            to in proptest::num::f64::ANY,
+            small in -3.0f64..3.0,
+        ) {
+            use super::super::Geometry;
+            for values in [geometry, scale] {
+                let Ok(linkage) = ClassIii::new(Geometry::from_values(&values)) else {
+                    continue;
+                };
+                for at in [phi1, small] {
+                    for mode in linkage.assembly_modes(at).modes {
+                        if let Ok(state) = linkage.state_near(at, mode) {
+                            let _ = linkage.follow(&state, to);
+                            let _ = linkage.follow(&state, small);
+                            let _ = linkage.dead_positions(&state, at + 0.1);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn far_angles_are_refused() {
+        let linkage = zinchenko();
+        let start = linkage
+            .state_near(0.3, linkage.assembly_modes(0.3).modes[2])
+            .unwrap();
+        let e = linkage.follow(&start, 1e7).unwrap_err();
+        assert!(matches!(e, ContinuationError::TooFar { .. }), "{e}");
     }
 
     #[test]

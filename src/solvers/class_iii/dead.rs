@@ -31,6 +31,9 @@ impl ClassIii {
         start: &State,
         to: f64,
     ) -> Result<Vec<DeadPosition>, (Vec<DeadPosition>, ContinuationError)> {
+        if !to.is_finite() {
+            return Err((Vec::new(), ContinuationError::NotFinite { phi1: to }));
+        }
         let steps = ((to - start.phi1).abs() / 0.02).ceil().max(1.0) as usize;
         let mut found = Vec::new();
         let mut here = *start;
