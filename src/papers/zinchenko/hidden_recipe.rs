@@ -12,6 +12,7 @@
 
 use super::design::{TURN, least_squares, rounding_deviation, spline_rows};
 use super::tables::{Column, Printed, Source, column};
+use crate::solvers::cubic_spline::{Boundary, Extrapolation, UniformCubicSpline};
 use nalgebra::DVector;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -145,6 +146,22 @@ pub(super) fn aliases(printed: &[Printed]) -> Vec<Alias> {
         }
     }
     found
+}
+
+/// Worst deviation of the printed S'_In from the derivative of a spline through the thirteen printed
+/// I_n of rows 0, 4, …, 48, with the given ends.
+pub(super) fn ends_misfit(printed: &[Printed], ends: Boundary) -> f64 {
+    let inertia = column(printed, Column::Inertia);
+    let slope = column(printed, Column::InertiaSlope);
+    let nodes = inertia.iter().step_by(4).map(|e| e.to_f64()).collect();
+    let spline = UniformCubicSpline::fit(0.0, TAU / 12.0, nodes, ends)
+        .expect("a spline through printed numbers")
+        .with_extrapolation(Extrapolation::Clamp);
+    slope.iter().fold(0.0, |worst, e| {
+        let x = e.row as f64 * (TAU / TURN as f64);
+        let s = spline.jet(x).expect("within the turn or clamped").first;
+        f64::max(worst, (s - e.to_f64()).abs())
+    })
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ mod tables;
 
 use super::{Citation, Finding, PaperReport, Progress, SCHEMA_VERSION};
 use crate::reference::{Ball, Undecided};
+use crate::solvers::cubic_spline::Boundary;
 use entries::Variant;
 use recipe::{NODES, Nodes, Splines};
 use recovery::{ALL_COLUMNS, INERTIA_COLUMNS, Model, Parameter};
@@ -74,6 +75,8 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
         findings::hidden_recipe(
             &hidden_recipe::projections(&printed),
             &hidden_recipe::aliases(&printed),
+            [Boundary::Periodic, Boundary::NATURAL]
+                .map(|ends| hidden_recipe::ends_misfit(&printed, ends)),
         ),
         findings::reproduction(&tallies, &entries),
         findings::misprints(&entries),
