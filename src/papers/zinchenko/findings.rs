@@ -4,7 +4,7 @@ use super::derivative_claim::{FINE, NodeErrors, degrees};
 use super::fitted_nodes::FittedMoment;
 use super::hidden_recipe::{Alias, Projection};
 use super::moment_residual::MomentResidual;
-use super::recovery::{Estimate, Parameter, Recovery};
+use super::recovery::{Estimate, Identifiability, Parameter, Recovery};
 use super::tables::Column;
 use crate::papers::{Entry, EntryVerdict, Figure, Finding, FindingVerdict, Subject, Tally};
 use crate::reference::Ball;
@@ -311,6 +311,58 @@ pub(super) fn recovered_centres(inertia: &Recovery, all: &Recovery, ranks: [usiz
             && inside(s5.value, 0.20, s5.deviation)
             && ranks == [3, 12]
             && (inertia.rank, all.rank) == (3, 5),
+    }
+}
+
+/// Which parameters the tables determine.
+pub(super) fn identifiability(found: &[Identifiability]) -> Finding {
+    let figures = found
+        .iter()
+        .map(|i| {
+            let (unit, per_si) = i.parameter.shown_unit();
+            let deviation = |x: f64| {
+                if x.is_finite() {
+                    format!("{:.2e}", x * per_si)
+                } else {
+                    "not at all".into()
+                }
+            };
+            figure(
+                format!(
+                    "{} = {:.4}: alone / with all others free",
+                    i.parameter.name(),
+                    i.value * per_si
+                ),
+                format!("{} / {}", deviation(i.alone), deviation(i.together)),
+                unit,
+            )
+        })
+        .collect();
+    let alone = found.iter().filter(|i| i.alone.is_finite()).count();
+    // Within one of the units shown; a standard deviation of metres determines nothing.
+    let together: Vec<String> = found
+        .iter()
+        .filter(|i| i.together * i.parameter.shown_unit().1 < 1.0)
+        .map(|i| i.parameter.name())
+        .collect();
+    Finding {
+        id: "identifiability",
+        subject: Subject::Data,
+        place: "results, masses and inertias",
+        title: format!(
+            "{alone} of {} mass parameters leave a trace in the tables, but with all of them free only {} stay determined",
+            found.len(),
+            together.join(" and "),
+        ),
+        verdict: FindingVerdict::Recovered,
+        text: "Standard deviations of each mass, inertia, centre of mass and of g, at the recovered \
+               values: first with all the others taken as known, then with all of them free. Entries \
+               are weighted by rounding, those of M_o by their own larger error. What is \"not at all\" \
+               determined can be traded against others without a trace in the tables: only the \
+               printed masses and inertias, taken as given, make the centres of mass identifiable."
+            .into(),
+        as_recorded: alone == found.len() && together == ["s2 across the link", "g"],
+        figures,
     }
 }
 

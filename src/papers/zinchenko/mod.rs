@@ -80,9 +80,9 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
         ),
         findings::reproduction(&tallies, &entries),
         findings::misprints(&entries),
-        recovered_centres(&printed),
         findings::units_of_length(&tallies, in_metres_worst(&printed)),
     ];
+    all.extend(recovered_centres(&printed));
     let residual = moment_residual::moment_residual(&printed, &exact, &fitted);
     all.push(findings::moment(&residual, &fitted));
     progress("the claim", 4, STEPS);
@@ -105,7 +105,7 @@ fn exact_micro(x: f64) -> Ball {
     Ball::rational(BITS, &Rational::from(((x * 1e6).round() as i64, 1_000_000)))
 }
 
-fn recovered_centres(printed: &[Printed]) -> Finding {
+fn recovered_centres(printed: &[Printed]) -> [Finding; 2] {
     let model = Model::new();
     let centre = |i, k| Parameter::Centre(i, k);
     let seen = [centre(0, 0), centre(2, 0), centre(2, 1)];
@@ -127,14 +127,20 @@ fn recovered_centres(printed: &[Printed]) -> Finding {
         })
         .collect();
     everything.push(Parameter::Gravity);
-    findings::recovered_centres(
-        &model.recover(printed, &INERTIA_COLUMNS, &seen),
-        &model.recover_with_moment(printed, &five),
-        [
-            model.rank_at_recovered(&INERTIA_COLUMNS, &five),
-            model.rank_at_recovered(&ALL_COLUMNS, &everything),
-        ],
-    )
+    let with_moment = model.recover_with_moment(printed, &five);
+    let scales = &with_moment.scales;
+    let found = model.identifiability(printed, &ALL_COLUMNS, &everything, scales);
+    [
+        findings::recovered_centres(
+            &model.recover(printed, &INERTIA_COLUMNS, &seen),
+            &with_moment,
+            [
+                model.rank_at_recovered(&INERTIA_COLUMNS, &five),
+                model.rank_at_recovered(&ALL_COLUMNS, &everything),
+            ],
+        ),
+        findings::identifiability(&found),
+    ]
 }
 
 /// Worst deviation of the I_n column if the printed numbers are taken as metres: what the centres

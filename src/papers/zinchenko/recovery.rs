@@ -25,6 +25,27 @@ pub(super) enum Parameter {
 }
 
 impl Parameter {
+    /// Its name in the paper.
+    pub(super) fn name(self) -> String {
+        match self {
+            Parameter::Mass(i) => format!("m{}", i + 2),
+            Parameter::Inertia(i) => format!("I{}", i + 2),
+            Parameter::Centre(i, 0) => format!("s{} along the link", i + 2),
+            Parameter::Centre(i, _) => format!("s{} across the link", i + 2),
+            Parameter::Gravity => "g".into(),
+        }
+    }
+
+    /// The unit it is shown in and how many of them make the SI unit.
+    pub(super) fn shown_unit(self) -> (&'static str, f64) {
+        match self {
+            Parameter::Mass(_) => ("kg", 1.0),
+            Parameter::Inertia(_) => ("kg m^2", 1.0),
+            Parameter::Centre(..) => ("cm", 100.0),
+            Parameter::Gravity => ("m/s^2", 1.0),
+        }
+    }
+
     fn of(self, p: &mut MassParameters) -> &mut f64 {
         match self {
             Parameter::Mass(i) => &mut p.mass[i],
@@ -56,6 +77,8 @@ pub(super) struct Recovery {
     pub left_out: usize,
     /// Number of singular values of the scaled design above 1e-10 of the largest.
     pub rank: usize,
+    /// What the columns' deviations were raised by.
+    pub scales: Vec<f64>,
     /// Covariance in SI units.
     pub covariance: DMatrix<f64>,
 }
@@ -67,6 +90,17 @@ impl Recovery {
             .find(|e| e.parameter == p)
             .expect("a fitted parameter")
     }
+}
+
+/// How closely a parameter is determined, in SI units; infinite where it is not.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Identifiability {
+    pub parameter: Parameter,
+    pub value: f64,
+    /// Standard deviation with every other parameter known.
+    pub alone: f64,
+    /// Standard deviation with every other parameter unknown too.
+    pub together: f64,
 }
 
 /// The columns that depend on I_n alone.
@@ -222,6 +256,7 @@ impl Model {
         Recovery {
             misfit: (fit.residuals.norm_squared() / freedom).sqrt(),
             column_misfits,
+            scales: scales.to_vec(),
             used,
             left_out,
             rank: self.rank(&p, columns, which, &sigma),
@@ -236,6 +271,42 @@ impl Model {
                 .collect(),
             covariance: fit.covariance,
         }
+    }
+
+    /// How closely the tables determine each parameter at the recovered masses: alone, with all
+    /// others known, and together with all others. `scales` raise the deviations of the columns
+    /// above rounding.
+    pub(super) fn identifiability(
+        &self,
+        printed: &[Printed],
+        columns: &[Column],
+        which: &[Parameter],
+        scales: &[f64],
+    ) -> Vec<Identifiability> {
+        let mut p = MassParameters::new(data::RECOVERED);
+        let entries: Vec<&Printed> = columns
+            .iter()
+            .flat_map(|&c| column(printed, c).into_iter().take(TURN))
+            .collect();
+        let sigma = DVector::from_fn(entries.len(), |i, _| {
+            rounding_deviation(entries[i].unit()) * scales[i / TURN]
+        });
+        let design = self.jacobian(&p, columns, which);
+        let nothing = DVector::zeros(entries.len());
+        let joint = least_squares(&design, &nothing, &sigma).covariance;
+        which
+            .iter()
+            .enumerate()
+            .map(|(k, &parameter)| {
+                let weight = design.column(k).component_div(&sigma).norm();
+                Identifiability {
+                    parameter,
+                    value: *parameter.of(&mut p),
+                    alone: 1.0 / weight,
+                    together: joint[(k, k)].sqrt(),
+                }
+            })
+            .collect()
     }
 
     /// Rank of the design at the recovered masses, each parameter scaled to its size.
