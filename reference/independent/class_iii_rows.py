@@ -5,10 +5,13 @@ Positions: findroot on the loop equations in the link angles. Derivatives: Taylo
 the solved angles by repeated implicit differentiation, here simply mpmath's numerical `diff` at
 high precision. Reduced quantities from their definitions. Nothing of mechaudit is used.
 
-    python3 reference/independent/class_iii_rows.py > reference/independent/class_iii_rows.csv
+    python3 reference/independent/class_iii_rows.py            # writes class_iii_rows.csv beside it
+    python3 reference/independent/class_iii_rows.py --check    # compares instead, exit 1 if it differs
 
 Columns: row, phi2..phi5 (rad), I_n, dI_n/dphi (kg m^2), M_o, dM_o/dphi (N m); 40 digits.
 """
+import os
+import pathlib
 import sys
 
 import mpmath as mp
@@ -72,7 +75,7 @@ def main():
     w = {1: mp.mpf(4) / 5, 2: -mp.mpf(1) / 5, 3: mp.mpf(4) / 105, 4: -mp.mpf(1) / 280}
     w2 = {0: -mp.mpf(205) / 72, 1: mp.mpf(8) / 5, 2: -mp.mpf(1) / 5, 3: mp.mpf(8) / 315, 4: -mp.mpf(1) / 560}
     start = [x * deg for x in (mp.mpf("14.426"), mp.mpf("-76.174"), mp.mpf("22.558"), mp.mpf("-65.721"))]
-    print("row,phi2_rad,phi3_rad,phi4_rad,phi5_rad,I_n_kg_m2,dI_n_kg_m2,M_o_N_m,dM_o_N_m")
+    lines = ["row,phi2_rad,phi3_rad,phi4_rad,phi5_rad,I_n_kg_m2,dI_n_kg_m2,M_o_N_m,dM_o_N_m"]
     for row in range(48):
         phi1 = (mp.mpf("14.426") + mp.mpf(15) * row / 2) * deg
         data = {k: energies(phi1 + k * h, start, h) for k in range(-4, 5)}
@@ -81,8 +84,20 @@ def main():
         moment = -sum(w[k] * (data[k][1] - data[-k][1]) for k in w) / h
         second = sum(w2[k] * ((data[k][1] + data[-k][1]) if k else data[0][1]) for k in w2) / h**2
         values = [*start, i_n, d_i, moment, -second]
-        print(row, *[mp.nstr(v, DIGITS, min_fixed=-5, max_fixed=50) for v in values], sep=",")
-        print(row, file=sys.stderr)
+        digits = [mp.nstr(v, DIGITS, min_fixed=-5, max_fixed=50) for v in values]
+        lines.append(",".join([str(row), *digits]))
+    text = "\n".join(lines) + "\n"
+    path = pathlib.Path(__file__).with_suffix(".csv")
+    if sys.argv[1:] == ["--check"]:
+        if path.read_text() != text:
+            sys.exit(f"{path.name} differs from what mpmath {mp.__version__} gives")
+        print(f"{path.name}: {len(lines) - 1} rows as recorded")
+    elif not sys.argv[1:]:
+        temporary = path.with_suffix(".tmp")
+        temporary.write_text(text)
+        os.replace(temporary, path)
+    else:
+        sys.exit(f"unknown argument {sys.argv[1]!r}: only --check is known")
 
 
 if __name__ == "__main__":
