@@ -350,6 +350,39 @@ fn what_cannot_be_proved_is_undecided() {
 }
 
 #[test]
+fn a_drawing_is_well_formed_and_inside_its_frame() {
+    let folder = tempfile::tempdir().unwrap();
+    let inside = folder.path().join("new");
+    let partial = slider("2", "1", "direction = \"50 deg\"");
+    let named = format!("name = \"a < b & c\"\n{partial}");
+    for (text, name) in [
+        (FOUR_BAR, "crank-rocker"),
+        (SLIDER, "offset slider-crank"),
+        (&partial, "slider-crank"),
+        (&named, "a &lt; b &amp; c"),
+        (&four_bar(["20", "50", "20", "50"]), "four-bar"),
+    ] {
+        let args = ["--step-deg", "90", "--svg", inside.to_str().unwrap()];
+        let d = linkage(text, &args);
+        assert_eq!(d.code, 0, "{}", d.err);
+        let svg = std::fs::read_to_string(inside.join("mechanism.svg")).unwrap();
+        assert!(svg.contains(&format!("<title>{name}</title>")), "{svg}");
+        assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"));
+        assert_eq!(svg.matches("<g ").count(), svg.matches("</g>").count());
+        let lines = svg.split("points=\"").skip(1);
+        let points: Vec<&str> = lines
+            .flat_map(|l| l.split('"').next().unwrap().split(' '))
+            .collect();
+        assert!(points.len() > 1000, "{}", points.len());
+        for p in points {
+            let (x, y) = p.split_once(',').expect("a point");
+            let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
+            assert!((0.0..=1000.0).contains(&x) && y > 60.0, "{p}");
+        }
+    }
+}
+
+#[test]
 fn json_has_the_facts() {
     let d = linkage(
         FOUR_BAR,
@@ -454,8 +487,8 @@ fn refusals() {
     }
     for (more, part) in [
         (
-            &["--svg", "drawings"][..],
-            "--svg draws class-iii linkages only",
+            &["--svg", "drawings", "--all-branches"][..],
+            "--svg draws one branch",
         ),
         (
             &["--branch", "2"],

@@ -65,7 +65,7 @@ The file (TOML or JSON) gives every quantity as a string with its unit:
   radius = \"50 cm\"
   angle = \"0 deg\"
 
-With type = \"four-bar\" or \"slider-crank\", without [bodies] and --svg:
+With type = \"four-bar\" or \"slider-crank\", without [bodies]:
   [geometry]
   crank = \"10 cm\"                   # and coupler, rocker, frame: rocker pivot at (frame, 0)
                                     # or rod, offset (0 m if left out), direction (0 deg)
@@ -188,7 +188,7 @@ pub struct LinkageArgs {
     /// Certified decimals with this many significant digits instead of floating-point numbers
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub digits: Option<u32>,
-    /// Draw mechanism.svg and, with masses, reduced.svg into this folder (class-iii)
+    /// Draw mechanism.svg and, with masses, reduced.svg into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
     /// Write the rows to this file, whole or not at all

@@ -1,7 +1,6 @@
 //! A four-bar linkage or slider-crank given in a file, computed over the turn of its crank.
 
 use super::args::LinkageArgs;
-use super::complain;
 use super::crank_angles::Grid;
 use super::dyad_certified::{self, Proved};
 use super::dyad_facts as facts;
@@ -11,6 +10,7 @@ use super::linkage::{decided, write_to_result};
 use super::progress::Progress;
 use super::quantity::nearest;
 use super::rows::{Cell, Rows};
+use super::{complain, svg_dyad};
 use mechaudit::solvers::dyad::{Assembly, DyadError};
 use mechaudit::solvers::units::Angle;
 use rug::Rational;
@@ -31,10 +31,10 @@ pub fn number(assembly: Assembly) -> usize {
 /// Computes the linkage as the arguments ask for.
 pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let kind = dyad.shape.kind();
-    if args.svg.is_some() {
-        return Err(Failure::new(format!(
-            "--svg draws class-iii linkages only for now, not type = {kind:?}"
-        )));
+    if args.svg.is_some() && args.all_branches {
+        return Err(Failure::new(
+            "--svg draws one branch: leave out --all-branches",
+        ));
     }
     let assemblies = match (args.all_branches, args.branch) {
         (true, _) => ASSEMBLIES.to_vec(),
@@ -66,6 +66,9 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     }
     if count == 0 {
         complain("no crank angle of the window asked for lies in that range");
+    }
+    if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
+        svg_dyad::draw(folder, dyad, *assembly)?;
     }
     Ok(outcome)
 }

@@ -7,7 +7,7 @@ use mechaudit::solvers::dyad::{Assembly, CrankRange, FourBar, GrashofType, Slide
 use serde_json::{Map, Value, json};
 
 /// The crank angles within one turn, in degrees.
-enum Turn {
+pub enum Turn {
     /// Every angle, with or without positions where the assembly may change.
     Full {
         change_points: bool,
@@ -23,7 +23,8 @@ struct Dead {
     output: f64,
 }
 
-fn turn(shape: &Shape) -> Turn {
+/// The crank angles that can be reached.
+pub fn turn(shape: &Shape) -> Turn {
     match shape {
         Shape::FourBar { solver, .. } => four_bar_turn(solver),
         Shape::SliderCrank { solver, .. } => slider_turn(solver),
@@ -93,9 +94,11 @@ fn dead(shape: &Shape, assembly: Assembly) -> Vec<Dead> {
     }
 }
 
-/// The rocker's swing in degrees between its dead positions, where the crank turns fully.
+/// The rocker's swing in degrees between its dead positions, where the crank turns fully and the
+/// assembly cannot change.
 fn swing(solver: &FourBar, assembly: Assembly) -> Option<f64> {
-    let full = solver.crank_range() == CrankRange::Full;
+    let full = solver.crank_range() == CrankRange::Full
+        && solver.grashof_type() != GrashofType::ChangePoint;
     let swing = solver.dead_positions(assembly).swing();
     swing.filter(|_| full).map(|s| s.deg())
 }

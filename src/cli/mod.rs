@@ -24,6 +24,7 @@ mod progress;
 mod quantity;
 mod rows;
 mod svg;
+mod svg_dyad;
 mod svg_mechanism;
 mod svg_reduced;
 mod text;
