@@ -44,8 +44,11 @@ Examples:
   mechaudit linkage examples/sand-screen.toml --step-deg 30 --digits 30
   mechaudit linkage examples/sand-screen.toml --from-deg 0 --to-deg 90 --step-deg 1 --format json
   mechaudit linkage examples/no-full-turn.toml --step-deg 5 --svg drawings
+  mechaudit linkage examples/four-bar.toml --step-deg 10 --all-branches
+  mechaudit linkage examples/slider-crank.toml --step-deg 15 --digits 20
 
 The file (TOML or JSON) gives every quantity as a string with its unit:
+  type = \"class-iii\"                # or \"four-bar\", \"slider-crank\": see below
   name = \"sand screen\"
   gravity = \"9.81 m/s^2\"            # optional, standard gravity 9.80665 m/s^2 otherwise
   crank_speed = \"60 rpm\"            # optional: velocities at this speed instead of ratios
@@ -60,7 +63,16 @@ The file (TOML or JSON) gives every quantity as a string with its unit:
   inertia = \"0.8 kg m^2\"
   inertia_about = \"centre of mass\"  # or \"pivot\"
   radius = \"50 cm\"
-  angle = \"0 deg\"";
+  angle = \"0 deg\"
+
+With type = \"four-bar\" or \"slider-crank\", without [bodies]:
+  [geometry]
+  crank = \"10 cm\"                   # and coupler, rocker, frame: rocker pivot at (frame, 0)
+                                    # or rod, offset (0 m if left out), direction (0 deg)
+  [start]                           # optional
+  phi1 = \"0 deg\"
+  assembly = \"positive\"             # joint left of the line from the crank's end to the rocker's
+                                    # pivot, slider ahead: branch 0; or \"negative\": branch 1";
 
 /// Audits the accuracy of mechanism solvers against certified references, and published tables
 /// against recomputed ones.
@@ -167,6 +179,7 @@ pub struct LinkageArgs {
     #[arg(long, value_name = "B", value_parser = decimal, allow_hyphen_values = true)]
     pub to_deg: Option<Decimal>,
     /// Follow the assembly mode of this number at the first crank angle, counted from 0 by phi4
+    /// (four-bar, slider-crank: 0 positive, 1 negative assembly)
     #[arg(long, value_name = "N", conflicts_with = "all_branches")]
     pub branch: Option<usize>,
     /// Every assembly mode at every crank angle, numbered by branch

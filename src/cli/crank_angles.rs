@@ -4,7 +4,7 @@ use super::args::LinkageArgs;
 use super::branch::{Branch, Reach};
 use super::failure::Failure;
 use super::linkage_file::Linkage;
-use super::quantity::nearest;
+use super::quantity::{Quantity, nearest};
 use rug::Rational;
 
 /// Rows at most.
@@ -22,7 +22,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    pub fn new(args: &LinkageArgs, linkage: &Linkage) -> Result<Grid, Failure> {
+    /// The grid asked for; it begins at `start` if the arguments do not say where.
+    pub fn new(args: &LinkageArgs, start: Option<Rational>) -> Result<Grid, Failure> {
         let step = args.step_deg.value.clone();
         if step <= 0 {
             let text = nearest(&step);
@@ -30,7 +31,7 @@ impl Grid {
                 "--step-deg must be positive, got {text}"
             )));
         }
-        let from = match (&args.from_deg, start_degrees(linkage)) {
+        let from = match (&args.from_deg, start) {
             (Some(from), _) => from.value.clone(),
             (None, Some(start)) => start,
             (None, None) => Rational::new(),
@@ -72,7 +73,11 @@ impl Grid {
 
 /// The file's start angle in degrees.
 pub fn start_degrees(linkage: &Linkage) -> Option<Rational> {
-    let q = linkage.start.phi1.as_ref()?;
+    in_degrees(linkage.start.phi1.as_ref()?)
+}
+
+/// An angle in degrees; one given in radians is rounded.
+pub fn in_degrees(q: &Quantity) -> Option<Rational> {
     if q.degrees {
         return Some(q.value.clone());
     }

@@ -6,7 +6,7 @@ use super::certified::Certifier;
 use super::crank_angles::{Grid, Plan, plan, start_degrees};
 use super::failure::{Failure, Outcome};
 use super::linkage_columns as columns;
-use super::linkage_file::{self, Linkage};
+use super::linkage_file::{self, Described, Linkage};
 use super::output::write_to;
 use super::progress::Progress;
 use super::quantity::nearest;
@@ -18,8 +18,14 @@ use serde_json::{Map, Value, json};
 
 /// Computes the linkage as the arguments ask for.
 pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
-    let linkage = linkage_file::read(&args.file)?;
-    let grid = Grid::new(args, &linkage)?;
+    match linkage_file::read(&args.file)? {
+        Described::ClassIii(linkage) => class_iii(args, &linkage),
+        Described::Dyad(dyad) => super::dyad::linkage(args, &dyad),
+    }
+}
+
+fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> {
+    let grid = Grid::new(args, start_degrees(linkage))?;
     let about = |f: Failure| match f {
         Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),
         other => other,
@@ -30,10 +36,10 @@ pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
                 "--svg draws one branch: leave out --all-branches",
             ));
         }
-        return all_branches(args, &linkage, &grid).map_err(about);
+        return all_branches(args, linkage, &grid).map_err(about);
     }
     let start = match args.branch {
-        None => start_degrees(&linkage).unwrap_or_else(|| grid.from.clone()),
+        None => start_degrees(linkage).unwrap_or_else(|| grid.from.clone()),
         Some(_) => grid.from.clone(),
     };
     let branch =
@@ -42,12 +48,12 @@ pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
     let reached = plan.len();
     let outcome = write_to_result(args, |out| {
         let certified = args.digits.is_some();
-        let facts = facts(&linkage, &branch);
-        let names = columns::names(&linkage, certified);
+        let facts = facts(linkage, &branch);
+        let names = columns::names(linkage, certified);
         let mut rows = Rows::begin(out, args.format, names, &facts)?;
         let outcome = match args.digits {
-            None => floating(&linkage, &branch, plan, &mut rows)?,
-            Some(digits) => certified_rows(&linkage, &branch, plan, digits, &mut rows)?,
+            None => floating(linkage, &branch, plan, &mut rows)?,
+            Some(digits) => certified_rows(linkage, &branch, plan, digits, &mut rows)?,
         };
         rows.end()?;
         Ok(outcome)
@@ -60,13 +66,13 @@ pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
         complain("no crank angle of the window asked for lies in that range");
     }
     if let Some(folder) = &args.svg {
-        svg::draw(folder, &linkage, &branch)?;
+        svg::draw(folder, linkage, &branch)?;
     }
     Ok(outcome)
 }
 
 /// [`write_to`] with an outcome.
-fn write_to_result(
+pub fn write_to_result(
     args: &LinkageArgs,
     write: impl FnOnce(&mut dyn std::io::Write) -> Result<Outcome, Failure>,
 ) -> Result<Outcome, Failure> {
@@ -132,7 +138,7 @@ fn certified_rows(
     Ok(decided(undecided, digits))
 }
 
-fn decided(undecided: usize, digits: u32) -> Outcome {
+pub fn decided(undecided: usize, digits: u32) -> Outcome {
     if undecided > 0 {
         complain(&format!(
             "undecided: {undecided} values could not be certified to {digits} digits"

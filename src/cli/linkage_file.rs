@@ -1,5 +1,6 @@
 //! The file that describes a linkage, in TOML or JSON. Every quantity is a string with its unit.
 
+use super::dyad_file::{self, Dyad};
 use super::failure::Failure;
 use super::quantity::{Kind, Quantity};
 use mechaudit::reference::class_iii as exact;
@@ -18,7 +19,7 @@ const LONGEST_FILE: u64 = 1 << 20;
 
 /// A value as written: a string, or a bare number, which is refused with its field's name.
 #[derive(Clone, Debug)]
-enum Written {
+pub enum Written {
     Text(String),
     Bare(String),
 }
@@ -51,8 +52,9 @@ impl<'de> Deserialize<'de> for Written {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
+    /// Read in [`Head`].
     #[serde(rename = "type")]
-    kind: Option<String>,
+    _kind: Option<String>,
     name: Option<String>,
     gravity: Option<Written>,
     crank_speed: Option<Written>,
@@ -131,8 +133,21 @@ pub struct Linkage {
     pub start: Start,
 }
 
+/// A linkage of one of the known types.
+pub enum Described {
+    ClassIii(Box<Linkage>),
+    Dyad(Box<Dyad>),
+}
+
+/// The type alone; everything else is read by the type's own table.
+#[derive(Deserialize)]
+struct Head {
+    #[serde(rename = "type")]
+    kind: Option<String>,
+}
+
 /// Reads the description in `path`, or on standard input if that is `-`.
-pub fn read(path: &Path) -> Result<Linkage, Failure> {
+pub fn read(path: &Path) -> Result<Described, Failure> {
     let name = path.display().to_string();
     let about = |what: String| Failure::new(format!("{name}: {what}"));
     let bytes = bytes(path).map_err(|e| about(e.to_string()))?;
@@ -152,8 +167,23 @@ pub fn read(path: &Path) -> Result<Linkage, Failure> {
         Some("toml") => false,
         _ => text.trim_start().starts_with('{'),
     };
-    let file: File = parse(text, json).map_err(about)?;
-    file.check().map_err(about)
+    described(text, json).map_err(about)
+}
+
+fn described(text: &str, json: bool) -> Result<Described, String> {
+    let head: Head = parse(text, json)?;
+    match head.kind.as_deref() {
+        None | Some("class-iii") => {
+            let file: File = parse(text, json)?;
+            Ok(Described::ClassIii(Box::new(file.check()?)))
+        }
+        Some(kind) if dyad_file::TYPES.contains(&kind) => Ok(Described::Dyad(Box::new(
+            dyad_file::read(kind, text, json)?,
+        ))),
+        Some(other) => Err(format!(
+            "type = {other:?} is not known here; write \"class-iii\", \"four-bar\" or \"slider-crank\""
+        )),
+    }
 }
 
 fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
@@ -168,7 +198,8 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn parse<T: DeserializeOwned>(text: &str, json: bool) -> Result<T, String> {
+/// Reads TOML or JSON; a refusal is one line.
+pub fn parse<T: DeserializeOwned>(text: &str, json: bool) -> Result<T, String> {
     if json {
         return serde_json::from_str(text).map_err(|e| e.to_string());
     }
@@ -183,12 +214,12 @@ fn parse<T: DeserializeOwned>(text: &str, json: bool) -> Result<T, String> {
 }
 
 /// A required quantity.
-fn need(kind: Kind, field: &str, written: &Option<Written>) -> Result<Quantity, String> {
+pub fn need(kind: Kind, field: &str, written: &Option<Written>) -> Result<Quantity, String> {
     may(kind, field, written)?.ok_or_else(|| format!("{field} is missing"))
 }
 
 /// An optional quantity.
-fn may(kind: Kind, field: &str, written: &Option<Written>) -> Result<Option<Quantity>, String> {
+pub fn may(kind: Kind, field: &str, written: &Option<Written>) -> Result<Option<Quantity>, String> {
     let text = match written {
         None => return Ok(None),
         Some(Written::Text(text) | Written::Bare(text)) => text,
@@ -197,16 +228,26 @@ fn may(kind: Kind, field: &str, written: &Option<Written>) -> Result<Option<Quan
     Ok(Some(quantity))
 }
 
+/// The motion of the crank, if given.
+pub fn crank_motion(
+    speed: &Option<Written>,
+    acceleration: &Option<Written>,
+) -> Result<Option<CrankMotion>, String> {
+    let omega = may(Kind::AngularVelocity, "crank_speed", speed)?;
+    let field = "crank_acceleration";
+    let epsilon = may(Kind::AngularAcceleration, field, acceleration)?;
+    match (omega, epsilon) {
+        (Some(omega), epsilon) => Ok(Some(CrankMotion {
+            omega,
+            epsilon: epsilon.unwrap_or_else(|| Quantity::si(Rational::new())),
+        })),
+        (None, None) => Ok(None),
+        (None, Some(_)) => Err("crank_acceleration needs crank_speed".into()),
+    }
+}
+
 impl File {
     fn check(self) -> Result<Linkage, String> {
-        match self.kind.as_deref() {
-            None | Some("class-iii") => {}
-            Some(other) => {
-                return Err(format!(
-                    "type = {other:?} is not known here; write type = \"class-iii\""
-                ));
-            }
-        }
         let table = self
             .geometry
             .as_ref()
@@ -214,17 +255,7 @@ impl File {
         let (geometry, exact) = table.read()?;
         let gravity = may(Kind::Acceleration, "gravity", &self.gravity)?
             .unwrap_or_else(|| Quantity::si(Rational::from((980_665, 100_000))));
-        let omega = may(Kind::AngularVelocity, "crank_speed", &self.crank_speed)?;
-        let field = "crank_acceleration";
-        let epsilon = may(Kind::AngularAcceleration, field, &self.crank_acceleration)?;
-        let crank = match (omega, epsilon) {
-            (Some(omega), epsilon) => Some(CrankMotion {
-                omega,
-                epsilon: epsilon.unwrap_or_else(|| Quantity::si(Rational::new())),
-            }),
-            (None, None) => None,
-            (None, Some(_)) => return Err("crank_acceleration needs crank_speed".into()),
-        };
+        let crank = crank_motion(&self.crank_speed, &self.crank_acceleration)?;
         Ok(Linkage {
             name: self.name.clone(),
             solver: ClassIii::new(geometry).map_err(|e| format!("geometry: {e}"))?,
@@ -369,7 +400,10 @@ mod tests {
     use super::*;
 
     fn read_text(text: &str) -> Result<Linkage, String> {
-        parse::<File>(text, false)?.check()
+        match described(text, false)? {
+            Described::ClassIii(linkage) => Ok(*linkage),
+            Described::Dyad(_) => Err("not of class III".into()),
+        }
     }
 
     const GOOD: &str = include_str!("../../examples/sand-screen.toml");

@@ -3,7 +3,7 @@
 use mechaudit::solvers::class_iii::{Geometry, State};
 use std::fmt::Write;
 
-const WIDTH: f64 = 1000.0;
+pub const WIDTH: f64 = 1000.0;
 const MARGIN: f64 = 70.0;
 const HEAD: f64 = 56.0;
 const COLOURS: [(&str, &str); 4] = [
@@ -14,15 +14,15 @@ const COLOURS: [(&str, &str); 4] = [
 ];
 
 /// From metres, y up, to the drawing, y down.
-struct View {
+pub struct View {
     scale: f64,
     left: f64,
     top: f64,
-    height: f64,
+    pub height: f64,
 }
 
 impl View {
-    fn new(points: &[[f64; 2]]) -> View {
+    pub fn new(points: &[[f64; 2]]) -> View {
         let range = |i: usize| {
             let fold = |f: fn(f64, f64) -> f64, start| points.iter().map(|p| p[i]).fold(start, f);
             (
@@ -43,11 +43,11 @@ impl View {
         }
     }
 
-    fn at(&self, p: [f64; 2]) -> (f64, f64) {
+    pub fn at(&self, p: [f64; 2]) -> (f64, f64) {
         (self.left + p[0] * self.scale, self.top - p[1] * self.scale)
     }
 
-    fn points(&self, points: &[[f64; 2]]) -> String {
+    pub fn points(&self, points: &[[f64; 2]]) -> String {
         let text = |p: &[f64; 2]| {
             let (x, y) = self.at(*p);
             format!("{x:.2},{y:.2}")
@@ -95,7 +95,7 @@ pub fn draw(name: &str, geometry: &Geometry, path: &[State], whole: bool) -> Str
     out
 }
 
-fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
@@ -162,7 +162,7 @@ fn links(out: &mut String, view: &View, state: &State, pivots: [[f64; 2]; 3], le
 }
 
 /// A link's number beside its middle.
-fn number(out: &mut String, view: &View, label: &str, at: [f64; 2], p: [f64; 2], q: [f64; 2]) {
+pub fn number(out: &mut String, view: &View, label: &str, at: [f64; 2], p: [f64; 2], q: [f64; 2]) {
     let (x, y) = view.at(at);
     let ((px, py), (qx, qy)) = (view.at(p), view.at(q));
     let length = (px - qx).hypot(py - qy).max(1e-9);
@@ -179,7 +179,7 @@ fn number(out: &mut String, view: &View, label: &str, at: [f64; 2], p: [f64; 2],
     );
 }
 
-fn text(out: &mut String, text: &str, x: f64, y: f64, anchor: &str, colour: &str) {
+pub fn text(out: &mut String, text: &str, x: f64, y: f64, anchor: &str, colour: &str) {
     // A white edge keeps labels readable on lines.
     let _ = writeln!(
         out,
@@ -194,7 +194,7 @@ fn hangs(path: &[State], pivot: [f64; 2], joint: usize) -> bool {
 }
 
 /// Hatched ground under a fixed pivot, above it where the link hangs.
-fn ground(out: &mut String, view: &View, p: [f64; 2], label: &str, above: bool) {
+pub fn ground(out: &mut String, view: &View, p: [f64; 2], label: &str, above: bool) {
     let (x, y) = view.at(p);
     let flip = if above { -1.0 } else { 1.0 };
     let base = y + 22.0 * flip;
@@ -225,7 +225,7 @@ fn ground(out: &mut String, view: &View, p: [f64; 2], label: &str, above: bool) 
     );
 }
 
-fn circle(out: &mut String, view: &View, p: [f64; 2], colour: &str, width: f64) {
+pub fn circle(out: &mut String, view: &View, p: [f64; 2], colour: &str, width: f64) {
     let (x, y) = view.at(p);
     let _ = writeln!(
         out,

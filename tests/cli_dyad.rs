@@ -1,0 +1,515 @@
+//! `mechaudit linkage` for four-bar linkages and slider-cranks, as its user meets it.
+#![cfg(feature = "cli")]
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const FOUR_BAR: &str = include_str!("../examples/four-bar.toml");
+const SLIDER: &str = include_str!("../examples/slider-crank.toml");
+
+struct Done {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+/// Runs `linkage` on a description given on standard input.
+fn linkage(text: &str, args: &[&str]) -> Done {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
+        .args(["linkage", "-"])
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A refusal of the arguments closes the pipe early.
+    let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
+    let o = child.wait_with_output().unwrap();
+    Done {
+        code: o.status.code().expect("no signal"),
+        out: String::from_utf8(o.stdout).expect("UTF-8"),
+        err: String::from_utf8(o.stderr).expect("UTF-8"),
+    }
+}
+
+fn changed(text: &str, from: &str, to: &str) -> String {
+    let new = text.replacen(from, to, 1);
+    assert_ne!(new, text, "{from:?} is not in the example");
+    new
+}
+
+fn four_bar(lengths: [&str; 4]) -> String {
+    let [a, b, c, d] = lengths;
+    format!(
+        "type = \"four-bar\"\n[geometry]\ncrank = \"{a} cm\"\ncoupler = \"{b} cm\"\nrocker = \"{c} cm\"\nframe = \"{d} cm\"\n"
+    )
+}
+
+fn slider(crank: &str, rod: &str, more: &str) -> String {
+    format!(
+        "type = \"slider-crank\"\n[geometry]\ncrank = \"{crank} m\"\nrod = \"{rod} m\"\n{more}\n"
+    )
+}
+
+fn refused(d: &Done, part: &str) {
+    assert_eq!(d.code, 2, "{}{}", d.out, d.err);
+    assert_eq!(d.err.lines().count(), 1, "{}", d.err);
+    assert!(d.err.starts_with("mechaudit: "), "{}", d.err);
+    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+    assert_eq!(d.out, "");
+}
+
+fn texts(out: &str, name: &str) -> Vec<String> {
+    let mut lines = out.lines().map(|l| l.split(',').collect::<Vec<_>>());
+    let head = lines.next().expect("a header");
+    let k = head.iter().position(|h| *h == name).expect(name);
+    lines
+        .map(|r| {
+            assert_eq!(r.len(), head.len());
+            r[k].to_string()
+        })
+        .collect()
+}
+
+fn column(out: &str, name: &str) -> Vec<f64> {
+    let texts = texts(out, name);
+    texts.iter().map(|t| t.parse().expect("a number")).collect()
+}
+
+fn close(x: f64, y: f64) {
+    assert!((x - y).abs() <= 1e-9 * (1.0 + y.abs()), "{x} {y}");
+}
+
+#[test]
+fn the_four_bar_closes_and_its_derivatives_are_those_of_its_angles() {
+    let text = changed(FOUR_BAR, "crank_speed", "#");
+    let d = linkage(&text, &["--step-deg", "0.01"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let [p1, p2, p3] = ["phi1_deg", "phi2_deg", "phi3_deg"].map(|n| column(&d.out, n));
+    assert_eq!(p1.len(), 36_000);
+    let f3 = column(&d.out, "dphi3_dphi1");
+    let s3 = column(&d.out, "d2phi3_dphi1_2_per_rad");
+    for k in (1..35_999).step_by(97) {
+        let [a, b, c] = [p1[k], p2[k], p3[k]].map(f64::to_radians);
+        close(0.1 * a.cos() + 0.4 * b.cos(), 0.35 + 0.3 * c.cos());
+        close(0.1 * a.sin() + 0.4 * b.sin(), 0.3 * c.sin());
+        let slope = (p3[k + 1] - p3[k - 1]) / 0.02;
+        assert!((slope - f3[k]).abs() < 1e-6, "{slope} {}", f3[k]);
+        let slope = (f3[k + 1] - f3[k - 1]) / 0.02f64.to_radians();
+        assert!((slope - s3[k]).abs() < 1e-5, "{slope} {}", s3[k]);
+    }
+    assert!(
+        d.err
+            .contains("crank-rocker by Grashof's rule; the crank turns fully")
+    );
+    assert!(
+        d.err.contains("the rocker swings 45.971895 deg"),
+        "{}",
+        d.err
+    );
+}
+
+#[test]
+fn the_slider_crank_is_the_closed_form() {
+    let more = "offset = \"1 m\"\ndirection = \"30 deg\"";
+    let d = linkage(
+        &slider("2", "5", more),
+        &["--step-deg", "10", "--all-branches"],
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    let [p1, branch, x, p2, v] = [
+        "phi1_deg",
+        "branch",
+        "slider_m",
+        "phi2_deg",
+        "dslider_dphi1_m_per_rad",
+    ]
+    .map(|n| column(&d.out, n));
+    assert_eq!(p1.len(), 72);
+    for k in 0..72 {
+        let psi = (p1[k] - 30.0).to_radians();
+        let height = 1.0 - 2.0 * psi.sin();
+        let root = (25.0 - height * height).sqrt();
+        let s = 1.0 - 2.0 * branch[k];
+        close(x[k], 2.0 * psi.cos() + s * root);
+        close(5.0 * (p2[k] - 30.0).to_radians().sin(), height);
+        close(v[k], -2.0 * psi.sin() + s * height * 2.0 * psi.cos() / root);
+    }
+    // √((5+2)² − 1) − √((5−2)² − 1)
+    let stroke = 48f64.sqrt() - 8f64.sqrt();
+    assert!(
+        d.err.contains(&format!("a stroke of {stroke:.9} m")),
+        "{}",
+        d.err
+    );
+    assert_eq!(d.err.lines().count(), 3, "{}", d.err);
+}
+
+#[test]
+fn the_crank_speed_turns_derivatives_into_rates() {
+    let speed = "crank_speed = \"3 rad/s\"\ncrank_acceleration = \"-2 rad/s^2\"\n";
+    for (text, pairs) in [
+        (
+            four_bar(["10", "40", "30", "35"]),
+            [
+                (
+                    "dphi3_dphi1",
+                    "d2phi3_dphi1_2_per_rad",
+                    "omega3_rad_per_s",
+                    "epsilon3_rad_per_s2",
+                ),
+                (
+                    "dphi2_dphi1",
+                    "d2phi2_dphi1_2_per_rad",
+                    "omega2_rad_per_s",
+                    "epsilon2_rad_per_s2",
+                ),
+            ],
+        ),
+        (
+            slider("1", "3", "offset = \"20 cm\""),
+            [
+                (
+                    "dslider_dphi1_m_per_rad",
+                    "d2slider_dphi1_2_m_per_rad2",
+                    "slider_velocity_m_per_s",
+                    "slider_acceleration_m_per_s2",
+                ),
+                (
+                    "dphi2_dphi1",
+                    "d2phi2_dphi1_2_per_rad",
+                    "omega2_rad_per_s",
+                    "epsilon2_rad_per_s2",
+                ),
+            ],
+        ),
+    ] {
+        for digits in [&[][..], &["--digits", "12"]] {
+            let args = [&["--step-deg", "17"][..], digits].concat();
+            let plain = linkage(&text, &args);
+            let fast = linkage(&format!("{speed}{text}"), &args);
+            assert_eq!((plain.code, fast.code), (0, 0), "{}", fast.err);
+            for (first, second, omega, epsilon) in pairs {
+                let [f, s] = [first, second].map(|n| column(&plain.out, n));
+                let [w, e] = [omega, epsilon].map(|n| column(&fast.out, n));
+                for k in 0..f.len() {
+                    close(w[k], 3.0 * f[k]);
+                    close(e[k], 9.0 * s[k] - 2.0 * f[k]);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn certified_digits_agree_with_floating_point_and_with_more_digits() {
+    for text in [
+        FOUR_BAR.to_string(),
+        SLIDER.to_string(),
+        four_bar(["35", "40", "30", "10"]),
+        four_bar(["30", "40", "30", "35"]),
+        slider("2", "3", "direction = \"0.7 rad\"\noffset = \"-1.5 m\""),
+    ] {
+        let run = |digits: &str| {
+            let args = [
+                "--step-deg",
+                "22.5",
+                "--all-branches",
+                "--from-deg",
+                "-180",
+                "--to-deg",
+                "540",
+            ];
+            let d = match digits {
+                "" => linkage(&text, &args),
+                n => linkage(&text, &[&args[..], &["--digits", n]].concat()),
+            };
+            assert_eq!(d.code, 0, "{text}{}", d.err);
+            d.out
+        };
+        let (plain, few, many) = (run(""), run("15"), run("60"));
+        let head: Vec<&str> = plain.lines().next().unwrap().split(',').collect();
+        assert!(plain.lines().count() > 20);
+        for name in head {
+            let [p, f, m] = [&plain, &few, &many].map(|t| column(t, name));
+            assert_eq!(p.len(), f.len());
+            for k in 0..p.len() {
+                assert!(
+                    (p[k] - f[k]).abs() <= 1e-11 * (1.0 + p[k].abs()),
+                    "{name} {k}: {} {}",
+                    p[k],
+                    f[k]
+                );
+                assert!(
+                    (m[k] - f[k]).abs() <= 2e-14 * m[k].abs(),
+                    "{name} {k}: {} {}",
+                    m[k],
+                    f[k]
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn certified_digits_are_those_of_known_numbers() {
+    // Slider of a central crank 1, rod 2 at 60 deg: 1/2 + √(4 − 3/4) = 1/2 + √13/2.
+    let d = linkage(
+        &slider("1", "2", ""),
+        &["--step-deg", "30", "--digits", "30"],
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    let x = texts(&d.out, "slider_m");
+    assert_eq!(x[2], "2.30277563773199464655961063374");
+    // What is exactly zero is written so.
+    let zeros = [
+        ("phi2_deg", [0, 6]),
+        ("dslider_dphi1_m_per_rad", [0, 6]),
+        ("d2phi2_dphi1_2_per_rad", [0, 6]),
+        ("dphi2_dphi1", [3, 9]),
+    ];
+    for (name, at) in zeros {
+        let column = texts(&d.out, name);
+        for (k, text) in column.iter().enumerate() {
+            assert_eq!(text == "0", at.contains(&k), "{name} at {k}: {text}");
+        }
+    }
+    // A parallelogram: the rocker follows the crank, the coupler stays.
+    let d = linkage(
+        &four_bar(["20", "50", "20", "50"]),
+        &[
+            "--from-deg",
+            "10",
+            "--to-deg",
+            "170",
+            "--step-deg",
+            "40",
+            "--digits",
+            "25",
+        ],
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!(texts(&d.out, "phi2_deg").iter().all(|t| t == "0"));
+    assert_eq!(texts(&d.out, "phi3_deg")[1], "50.00000000000000000000000");
+    assert!(d.err.contains("change-point"), "{}", d.err);
+}
+
+#[test]
+fn a_crank_that_cannot_turn_gives_its_range_and_the_rows_within() {
+    let d = linkage(&four_bar(["30", "40", "30", "35"]), &["--step-deg", "1"]);
+    assert_eq!(d.code, 0);
+    let limit = "it reaches from 15.358886 deg to 344.641114 deg";
+    assert!(d.err.contains(limit), "{}", d.err);
+    let p1 = column(&d.out, "phi1_deg");
+    assert_eq!((p1[0], p1[p1.len() - 1], p1.len()), (16.0, 344.0, 329));
+    // Crank longer than the rod: sin φ1 from −1/2 to 1/2, the ends singular.
+    for digits in [&[][..], &["--digits", "5"]] {
+        let args = [&["--step-deg", "15"][..], digits].concat();
+        let d = linkage(&slider("2", "1", ""), &args);
+        assert_eq!(d.code, 0, "{}", d.err);
+        let range =
+            "from -30.000000 deg to 30.000000 deg and from 150.000000 deg to 210.000000 deg";
+        assert!(d.err.contains(range), "{}", d.err);
+        assert_eq!(
+            column(&d.out, "phi1_deg"),
+            [0.0, 15.0, 165.0, 180.0, 195.0, 345.0]
+        );
+    }
+    let d = linkage(
+        &slider("2", "1", ""),
+        &["--from-deg", "40", "--to-deg", "50", "--step-deg", "5"],
+    );
+    assert_eq!((d.code, d.out.lines().count()), (0, 1));
+    assert!(d.err.contains("no crank angle of the window"), "{}", d.err);
+}
+
+#[test]
+fn what_cannot_be_proved_is_undecided() {
+    // A rhombus folded on itself: the joint stays at the crank's pivot and the rocker at rest, but
+    // an enclosure cannot tell a small number from zero.
+    let d = linkage(
+        &four_bar(["20", "20", "20", "20"]),
+        &[
+            "--from-deg",
+            "90",
+            "--to-deg",
+            "90",
+            "--step-deg",
+            "1",
+            "--digits",
+            "10",
+            "--branch",
+            "1",
+        ],
+    );
+    assert_eq!(d.code, 1, "{}{}", d.out, d.err);
+    assert_eq!(texts(&d.out, "dphi3_dphi1"), ["undecided"]);
+    assert_eq!(texts(&d.out, "phi2_deg"), ["-90.00000000"]);
+    assert!(d.err.contains("could not be certified to 10 digits"));
+}
+
+#[test]
+fn a_drawing_is_well_formed_and_inside_its_frame() {
+    let folder = tempfile::tempdir().unwrap();
+    let inside = folder.path().join("new");
+    let partial = slider("2", "1", "direction = \"50 deg\"");
+    let named = format!("name = \"a < b & c\"\n{partial}");
+    for (text, name) in [
+        (FOUR_BAR, "crank-rocker"),
+        (SLIDER, "offset slider-crank"),
+        (&partial, "slider-crank"),
+        (&named, "a &lt; b &amp; c"),
+        (&four_bar(["20", "50", "20", "50"]), "four-bar"),
+    ] {
+        let args = ["--step-deg", "90", "--svg", inside.to_str().unwrap()];
+        let d = linkage(text, &args);
+        assert_eq!(d.code, 0, "{}", d.err);
+        let svg = std::fs::read_to_string(inside.join("mechanism.svg")).unwrap();
+        assert!(svg.contains(&format!("<title>{name}</title>")), "{svg}");
+        assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"));
+        assert_eq!(svg.matches("<g ").count(), svg.matches("</g>").count());
+        let lines = svg.split("points=\"").skip(1);
+        let points: Vec<&str> = lines
+            .flat_map(|l| l.split('"').next().unwrap().split(' '))
+            .collect();
+        assert!(points.len() > 1000, "{}", points.len());
+        for p in points {
+            let (x, y) = p.split_once(',').expect("a point");
+            let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
+            assert!((0.0..=1000.0).contains(&x) && y > 60.0, "{p}");
+        }
+    }
+}
+
+#[test]
+fn json_has_the_facts() {
+    let d = linkage(
+        FOUR_BAR,
+        &["--step-deg", "90", "--format", "json", "--all-branches"],
+    );
+    let v: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    assert_eq!(v["type"], "four-bar");
+    assert_eq!(v["grashof_type"], "crank-rocker");
+    assert_eq!(v["full_rotation"], true);
+    assert_eq!(v["branches"].as_array().unwrap().len(), 2);
+    close(
+        v["branches"][0]["swing_deg"].as_f64().unwrap(),
+        45.97189532412701,
+    );
+    assert_eq!(v["rows"].as_array().unwrap().len(), 8);
+    let d = linkage(
+        &slider("2", "1", ""),
+        &["--step-deg", "90", "--format", "json"],
+    );
+    let v: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    assert_eq!(v["stroke_m"], serde_json::Value::Null);
+    assert_eq!(v["full_rotation"], false);
+    close(v["crank_ranges"][1]["from_deg"].as_f64().unwrap(), 150.0);
+}
+
+#[test]
+fn a_json_description_is_the_same() {
+    let json = r#"{"type": "four-bar", "crank_speed": "60 rpm", "geometry": {"crank": "100 mm",
+        "coupler": "0.4 m", "rocker": "30 cm", "frame": "35 cm"}}"#;
+    let args = ["--step-deg", "45", "--digits", "20"];
+    assert_eq!(linkage(json, &args).out, linkage(FOUR_BAR, &args).out);
+}
+
+#[test]
+fn refusals() {
+    let args = ["--step-deg", "10"];
+    for (example, from, to, part) in [
+        (
+            FOUR_BAR,
+            "\"10 cm\"",
+            "10",
+            "geometry.crank = \"10\" has no unit",
+        ),
+        (FOUR_BAR, "\"10 cm\"", "\"10 kg\"", "is not a length"),
+        (FOUR_BAR, "\"10 cm\"", "nan", "geometry.crank"),
+        (
+            FOUR_BAR,
+            "\"10 cm\"",
+            "\"0 cm\"",
+            "crank is 0 m; it has to be greater than zero",
+        ),
+        (FOUR_BAR, "\"10 cm\"", "\"-1 cm\"", "crank is -0.01 m"),
+        (
+            FOUR_BAR,
+            "\"10 cm\"",
+            "\"105 cm\"",
+            "has to be shorter than the other lengths together",
+        ),
+        (FOUR_BAR, "frame =", "rod =", "unknown field `rod`"),
+        (FOUR_BAR, "frame =", "#", "geometry.frame is missing"),
+        (
+            FOUR_BAR,
+            "[geometry]",
+            "[bodies.2]",
+            "for class-iii only for now",
+        ),
+        (
+            FOUR_BAR,
+            "\"four-bar\"",
+            "\"five-bar\"",
+            "write \"class-iii\", \"four-bar\" or \"slider-crank\"",
+        ),
+        (
+            FOUR_BAR,
+            "\"positive\"",
+            "\"up\"",
+            "start.assembly = \"up\" must be",
+        ),
+        (
+            FOUR_BAR,
+            "crank_speed",
+            "crank_acceleration",
+            "is not an angular acceleration",
+        ),
+        (
+            SLIDER,
+            "\"15 mm\"",
+            "\"240 mm\"",
+            "offset of 0.24 m has to be shorter",
+        ),
+        (
+            SLIDER,
+            "\"0 deg\"",
+            "\"0 mm\"",
+            "geometry.direction = \"0 mm\" is not an angle",
+        ),
+        (SLIDER, "rod =", "coupler =", "unknown field `coupler`"),
+        (SLIDER, "\"slider-crank\"", "7", "line 2"),
+    ] {
+        let d = linkage(&changed(example, from, to), &args);
+        refused(&d, part);
+    }
+    for (more, part) in [
+        (
+            &["--svg", "drawings", "--all-branches"][..],
+            "--svg draws one branch",
+        ),
+        (
+            &["--branch", "2"],
+            "branches 0 (positive assembly) and 1 (negative)",
+        ),
+        (&["--to-deg", "-1"], "--to-deg -1 must not be less"),
+        (&["--digits", "0"], "--digits"),
+    ] {
+        refused(&linkage(SLIDER, &[&args[..], more].concat()), part);
+    }
+    refused(
+        &linkage(SLIDER, &["--step-deg", "0"]),
+        "--step-deg must be positive",
+    );
+    let huge = format!("crank_speed = \"1e200 rad/s\"\n{}", slider("1", "2", ""));
+    let d = linkage(&huge, &args);
+    assert_eq!(d.code, 2);
+    assert!(
+        d.err
+            .contains("exceeds the range of floating-point numbers"),
+        "{}",
+        d.err
+    );
+}
