@@ -167,7 +167,13 @@ pub struct LinkageArgs {
     /// The linkage in TOML or JSON; `-` reads standard input
     pub file: PathBuf,
     /// Step of the crank angle in degrees
-    #[arg(long, value_name = "DEG", value_parser = decimal, allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value = "7.5",
+        value_parser = decimal,
+        allow_hyphen_values = true
+    )]
     pub step_deg: Decimal,
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
