@@ -78,7 +78,7 @@ def main():
         print(f"{name:26}{mine[name]:10.4f}  {scipy_fit / mine[name]:8.1f}")
     print(f"{'scipy values':26}{scipy_values:10.4f}")
     for name in mine:
-        if name.startswith("values"):
+        if name.startswith(("values", "floor")):
             print(f"{name:26}{mine[name]:10.4f}  {scipy_values / mine[name]:8.1f}")
     return 0 if difference < 1e-14 else 1
 
