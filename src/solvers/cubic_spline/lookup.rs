@@ -74,15 +74,19 @@ mod x86 {
     use pulp::cast;
     use pulp::x86::{V3, V4};
 
+    /// For points too far apart. A function of its own, lest its address arithmetic is done
+    /// beforehand for every group.
+    #[inline(never)]
+    fn scattered(y: &[f64], bend: &[f64], i: &Lane<u64>) -> Option<[Lane<f64>; 4]> {
+        Plain.ends(y, bend, i)
+    }
+
     impl Lookup for V4 {
         #[inline(always)]
         fn ends(self, y: &[f64], bend: &[f64], i: &Lane<u64>) -> Option<[Lane<f64>; 4]> {
             let from = i[0] as usize;
-            let mut ahead = [0; GROUP];
-            for j in 0..GROUP {
-                ahead[j] = i[j].wrapping_sub(i[0]);
-            }
-            let ahead = cast(ahead);
+            let first = self.avx512f._mm512_set1_epi64(i[0] as i64);
+            let ahead = self.avx512f._mm512_sub_epi64(cast(*i), first);
             let far = self
                 .avx512f
                 ._mm512_cmpgt_epu64_mask(ahead, cast([GROUP as u64 - 1; GROUP]));
@@ -90,10 +94,10 @@ mod x86 {
                 y.get(from..).and_then(|y| y.first_chunk::<9>()),
                 bend.get(from..).and_then(|m| m.first_chunk::<9>()),
             ) else {
-                return Plain.ends(y, bend, i);
+                return scattered(y, bend, i);
             };
             if far != 0 {
-                return Plain.ends(y, bend, i);
+                return scattered(y, bend, i);
             }
             let pick = |from: Option<&Lane<f64>>| -> Option<Lane<f64>> {
                 let from = cast(*from?);
@@ -118,7 +122,7 @@ mod x86 {
             }
             let any = ahead.iter().fold(0, |all, a| all | a);
             if any >= HALF as u64 {
-                return Plain.ends(y, bend, i);
+                return scattered(y, bend, i);
             }
             let mut found = [[0.0; GROUP]; 4];
             for half in [0, HALF] {
@@ -127,7 +131,7 @@ mod x86 {
                     y.get(from..).and_then(|y| y.first_chunk::<5>()),
                     bend.get(from..).and_then(|m| m.first_chunk::<5>()),
                 ) else {
-                    return Plain.ends(y, bend, i);
+                    return scattered(y, bend, i);
                 };
                 // Each f64 is moved as two halves: numbers 2k and 2k + 1.
                 let mut words = [0u64; HALF];
