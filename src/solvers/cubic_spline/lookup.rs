@@ -73,12 +73,13 @@ mod x86 {
     use super::{GROUP, Lane, Lookup, Plain};
     use pulp::cast;
     use pulp::x86::{V3, V4};
+    use std::hint::black_box;
 
-    /// For points too far apart. A function of its own, lest its address arithmetic is done
-    /// beforehand for every group.
-    #[inline(never)]
+    /// For points too far apart. The segments are hidden from the compiler, lest it takes them
+    /// apart beforehand for every group.
+    #[inline(always)]
     fn scattered(y: &[f64], bend: &[f64], i: &Lane<u64>) -> Option<[Lane<f64>; 4]> {
-        Plain.ends(y, bend, i)
+        Plain.ends(y, bend, black_box(i))
     }
 
     impl Lookup for V4 {
