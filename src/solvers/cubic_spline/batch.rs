@@ -78,7 +78,8 @@ impl<G: Grid> Spline<G> {
     }
 
     /// `S` at points in ascending order: each segment is prepared once. The values are those of
-    /// [`Spline::value`], bit for bit.
+    /// [`Spline::value`], bit for bit. On uniform knots this is [`Spline::values`] with a check of
+    /// the order; points close together are quick either way.
     ///
     /// # Errors
     /// Lengths that differ; a point smaller than its predecessor; as [`Spline::value`]. `out` is
