@@ -16,7 +16,8 @@ whole evaluation. So both sides are measured both ways, and like is divided by l
 `floor` is the loop `out[i] = 2 x[i]` in the same program with the same memory: what reading the
 points and writing the results costs at least. numpy asks the system for huge pages and `Vec` does
 not, so that the fresh floors differ; on Linux with glibc, `GLIBC_TUNABLES=glibc.malloc.hugetlb=1`
-makes `Vec` ask too, and those lines are repeated with it.
+makes `Vec` ask too, and those lines are repeated with it. Whether it gets them varied from process
+to process when this was written; `floor_huge_pages_fresh` tells.
 """
 
 import os
