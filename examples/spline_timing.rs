@@ -3,9 +3,15 @@
 //! Usage: `spline_timing KNOTS POINTS IN-FILE OUT-FILE`. Ordinates and abscissae are read as raw
 //! little-endian `f64` from the first file (ordinates, then points), values are written to the
 //! second the same way. Prints `name seconds` lines: the best of eleven runs.
+//!
+//! Values go to a buffer that has been written before, so that no page is touched for the first
+//! time while the clock runs; `…_fresh` allocates the result within the measured time, as scipy
+//! does. `floor` is the loop `out[i] = 2 x[i]` between the same two buffers, `floor_fresh` the same
+//! into a new vector: what reading the points and writing the values costs on this machine.
 
 use mechaudit::solvers::cubic_spline::{Boundary, CubicSpline, UniformCubicSpline};
 use std::error::Error;
+use std::hint::black_box;
 use std::time::Instant;
 
 const RUNS: usize = 11;
@@ -19,6 +25,12 @@ fn best<T>(mut f: impl FnMut() -> (f64, T)) -> (f64, T) {
         }
     }
     found
+}
+
+fn double(x: &[f64], out: &mut [f64]) {
+    for (out, x) in out.iter_mut().zip(x) {
+        *out = 2.0 * x;
+    }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -61,7 +73,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     let general = general?;
     println!("fit_any_knots {fit}");
 
-    let mut out = vec![0.0; points];
+    // Zeroed memory may come without pages; ones have to be written.
+    let mut out = vec![1.0; points];
+    let (seconds, ()) = best(|| {
+        let start = Instant::now();
+        double(black_box(x), black_box(&mut out));
+        (start.elapsed().as_secs_f64(), ())
+    });
+    println!("floor {seconds}");
+    let (seconds, _) = best(|| {
+        let start = Instant::now();
+        let mut out = vec![0.0; points];
+        double(black_box(x), black_box(&mut out));
+        (start.elapsed().as_secs_f64(), out)
+    });
+    println!("floor_fresh {seconds}");
+
     let (seconds, done) = best(|| {
         let start = Instant::now();
         let r = spline.values_sorted(x, &mut out);
@@ -71,6 +98,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("values_sorted {seconds}");
     let bytes: Vec<u8> = out.iter().flat_map(|v| v.to_le_bytes()).collect();
     std::fs::write(output, bytes)?;
+
+    let (seconds, done) = best(|| {
+        let start = Instant::now();
+        let mut out = vec![0.0; points];
+        let r = spline.values_sorted(x, &mut out);
+        (start.elapsed().as_secs_f64(), r.map(|()| out))
+    });
+    done?;
+    println!("values_sorted_fresh {seconds}");
 
     let (seconds, done) = best(|| {
         let start = Instant::now();

@@ -1,6 +1,7 @@
 //! Values at many points.
 
-use super::grid::{GROUP, Grid};
+use super::grid::Grid;
+use super::lookup::{GROUP, Lookup, Work, with_best};
 use super::{EvaluationError as Error, Jet, Spline};
 
 /// Points examined at a time, so that they stay in the first-level cache.
@@ -18,11 +19,38 @@ impl<G: Grid> Spline<G> {
     }
 
     fn values_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        with_best(Batch {
+            spline: self,
+            offset,
+            x,
+            out,
+            sorted: false,
+        })
+    }
+
+    fn sorted_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        with_best(Batch {
+            spline: self,
+            offset,
+            x,
+            out,
+            sorted: true,
+        })
+    }
+
+    #[inline(always)]
+    fn any_order<L: Lookup>(
+        &self,
+        lookup: L,
+        offset: usize,
+        x: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), Error> {
         let mut start = 0;
         while start < x.len() {
             let found = x[start..]
                 .first_chunk::<GROUP>()
-                .and_then(|x| self.grid.group(&self.y, &self.bend, x));
+                .and_then(|x| self.grid.group(lookup, &self.y, &self.bend, x));
             if let Some(found) = found {
                 out[start..start + GROUP].copy_from_slice(&found);
                 start += GROUP;
@@ -50,7 +78,8 @@ impl<G: Grid> Spline<G> {
     }
 
     /// `S` at points in ascending order: each segment is prepared once. The values are those of
-    /// [`Spline::value`], bit for bit.
+    /// [`Spline::value`], bit for bit. On uniform knots this is [`Spline::values`] with a check of
+    /// the order; points close together are quick either way.
     ///
     /// # Errors
     /// Lengths that differ; a point smaller than its predecessor; as [`Spline::value`]. `out` is
@@ -69,7 +98,14 @@ impl<G: Grid> Spline<G> {
         self.sorted_from(0, x, out)
     }
 
-    fn sorted_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+    #[inline(always)]
+    fn ascending<L: Lookup>(
+        &self,
+        lookup: L,
+        offset: usize,
+        x: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), Error> {
         let mut before = f64::NEG_INFINITY;
         let mut segment = 0;
         let mut done = 0;
@@ -81,7 +117,7 @@ impl<G: Grid> Spline<G> {
             if !ascending || x[0] < first || x[x.len() - 1] > last {
                 self.exceptional(offset + done, before, x, out)?;
             } else if G::GROUPS {
-                self.values_from(offset + done, x, out)?;
+                self.any_order(lookup, offset + done, x, out)?;
             } else {
                 segment = self.block(segment, x, out);
             }
@@ -141,6 +177,28 @@ impl<G: Grid> Spline<G> {
             start += count;
         }
         segment
+    }
+}
+
+/// Points of which the first is number `offset` of those given by the caller.
+pub(super) struct Batch<'a, G: Grid> {
+    pub(super) spline: &'a Spline<G>,
+    pub(super) offset: usize,
+    pub(super) x: &'a [f64],
+    pub(super) out: &'a mut [f64],
+    pub(super) sorted: bool,
+}
+
+impl<G: Grid> Work for Batch<'_, G> {
+    type Output = Result<(), Error>;
+
+    #[inline(always)]
+    fn run<L: Lookup>(self, lookup: L) -> Result<(), Error> {
+        if self.sorted {
+            self.spline.ascending(lookup, self.offset, self.x, self.out)
+        } else {
+            self.spline.any_order(lookup, self.offset, self.x, self.out)
+        }
     }
 }
 

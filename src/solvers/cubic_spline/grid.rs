@@ -2,6 +2,7 @@
 
 use super::CubicSplineError as Error;
 use super::fit::LARGEST;
+use super::lookup::{GROUP, Lookup};
 
 mod sealed {
     pub trait Sealed {}
@@ -19,9 +20,6 @@ pub struct Interval {
     /// `1/h`.
     pub(super) per_h: f64,
 }
-
-/// Points evaluated together.
-pub(super) const GROUP: usize = 8;
 
 /// The knots of a spline. Implemented by [`Knots`] and [`UniformKnots`] only.
 pub trait Grid: sealed::Sealed + Sync {
@@ -43,7 +41,7 @@ pub trait Grid: sealed::Sealed + Sync {
     /// Values at some points, bit for bit those found one by one; `None` if one of them needs more
     /// care or the grid has no quicker way.
     #[doc(hidden)]
-    fn group(&self, y: &[f64], bend: &[f64], x: &[f64; GROUP]) -> Option<[f64; GROUP]>;
+    fn group<L: Lookup>(&self, at: L, y: &[f64], bend: &[f64], x: &[f64; 8]) -> Option<[f64; 8]>;
     /// The segment that holds `x`, which lies in the span: the one that begins at `x` if `x` is an
     /// interior knot.
     #[doc(hidden)]
@@ -137,7 +135,7 @@ impl Grid for Knots {
     }
 
     #[inline(always)]
-    fn group(&self, _: &[f64], _: &[f64], _: &[f64; GROUP]) -> Option<[f64; GROUP]> {
+    fn group<L: Lookup>(&self, _: L, _: &[f64], _: &[f64], _: &[f64; 8]) -> Option<[f64; 8]> {
         None
     }
 
@@ -328,14 +326,20 @@ impl Grid for UniformKnots {
     /// use vector instructions for all but the loads.
     #[inline(always)]
     #[allow(clippy::needless_range_loop)] // the loops are over parallel arrays
-    fn group(&self, y: &[f64], bend: &[f64], x: &[f64; GROUP]) -> Option<[f64; GROUP]> {
+    fn group<L: Lookup>(
+        &self,
+        lookup: L,
+        y: &[f64],
+        bend: &[f64],
+        x: &[f64; GROUP],
+    ) -> Option<[f64; GROUP]> {
         // Adding 1.5 · 2^52 rounds to an integer, which then stands in the low bits. The bias makes
         // it the integer below, also at a knot; just below a knot it fails, which is noticed.
         const ROUND: f64 = 6_755_399_441_055_744.0;
         const BIAS: f64 = 0.5 - 1e-9;
         let (mut t, mut e) = ([0.0; GROUP], [0.0; GROUP]);
         let (mut a, mut b) = ([0.0; GROUP], [0.0; GROUP]);
-        let (mut rounded, mut nearest) = ([0.0; GROUP], [0.0f64; GROUP]);
+        let mut rounded = [0.0f64; GROUP];
         for j in 0..GROUP {
             (t[j], e[j]) = two_sum(x[j], -self.origin);
             rounded[j] = (t[j] * self.per_step - BIAS) + ROUND;
@@ -345,28 +349,18 @@ impl Grid for UniformKnots {
             let (left, right) = (self.offset(i), self.offset(i + 1.0));
             (a[j], b[j]) = from_both_ends((t[j], e[j]), left, right);
         }
-        // The smaller offset is not negative, and the one from the right not zero.
+        let mut inside = true;
         for j in 0..GROUP {
-            let b = if b[j] > 0.0 { b[j] } else { -1.0 };
-            nearest[j] = if a[j] >= 0.0 { b } else { -1.0 };
+            inside &= (a[j] >= 0.0) & (b[j] > 0.0);
         }
-        let mut worst = nearest[0];
-        for v in nearest {
-            worst = if v < worst { v } else { worst };
-        }
-        if worst < 0.0 {
+        if !inside {
             return None;
         }
-        let (mut y0, mut y1) = ([0.0; GROUP], [0.0; GROUP]);
-        let (mut p, mut q) = ([0.0; GROUP], [0.0; GROUP]);
+        let mut segment = [0; GROUP];
         for j in 0..GROUP {
-            let i = rounded[j].to_bits().wrapping_sub(ROUND.to_bits()) as usize;
-            let (y, m) = (
-                y.get(i..)?.first_chunk::<2>()?,
-                bend.get(i..)?.first_chunk::<2>()?,
-            );
-            (y0[j], y1[j], p[j], q[j]) = (y[0], y[1], m[0], m[1]);
+            segment[j] = rounded[j].to_bits().wrapping_sub(ROUND.to_bits());
         }
+        let [y0, y1, p, q] = lookup.ends(y, bend, &segment)?;
         let mut out = [0.0; GROUP];
         for j in 0..GROUP {
             let at = fractions((a[j], b[j]), self.per_step);

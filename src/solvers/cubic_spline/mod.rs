@@ -33,6 +33,7 @@ mod batch;
 mod evaluate;
 mod fit;
 mod grid;
+mod lookup;
 mod uniform;
 
 pub use evaluate::{Extrapolation, Jet};

@@ -319,3 +319,85 @@ fn exercise<G: Grid>(s: &Spline<G>, points: &[f64]) {
         }
     }
 }
+
+/// Values with each lookup that this processor has, beside those of single points. Returns how many
+/// lookups there were.
+fn every_lookup_agrees(s: &UniformCubicSpline, x: &[f64], sorted: bool) -> usize {
+    let single: Vec<u64> = x.iter().map(|x| s.value(*x).unwrap().to_bits()).collect();
+    let mut tried = 0;
+    let mut compare = |name: &str, run: &mut dyn FnMut(batch::Batch<UniformKnots>)| {
+        let mut out = vec![f64::NAN; x.len()];
+        run(batch::Batch {
+            spline: s,
+            offset: 0,
+            x,
+            out: &mut out,
+            sorted,
+        });
+        for (i, out) in out.iter().enumerate() {
+            assert_eq!(out.to_bits(), single[i], "{name}, S({:e}) = {out:e}", x[i]);
+        }
+        tried += 1;
+    };
+    use lookup::Work;
+    compare("plain", &mut |b| b.run(lookup::Plain).unwrap());
+    #[cfg(target_arch = "x86_64")]
+    {
+        use pulp::x86::{V3, V4};
+        if let Some(v) = V3::try_new() {
+            compare("256 bits", &mut |b| {
+                v.vectorize(
+                    #[inline(always)]
+                    || b.run(v),
+                )
+                .unwrap()
+            });
+        }
+        if let Some(v) = V4::try_new() {
+            compare("512 bits", &mut |b| {
+                v.vectorize(
+                    #[inline(always)]
+                    || b.run(v),
+                )
+                .unwrap()
+            });
+        }
+    }
+    tried
+}
+
+#[test]
+fn every_lookup_gives_the_bits_of_single_points() {
+    for (n, origin, step) in [
+        (2, 0.0, 1.0),
+        (9, -1e9, 3.7),
+        (10, 0.1, 0.1),
+        (300, -7.3, 1e-3),
+        (5000, 1e6, 0.3),
+    ] {
+        let s = UniformCubicSpline::fit(origin, step, wiggle(n), Boundary::NATURAL).unwrap();
+        let (first, last) = s.grid.span();
+        // From many points in a segment to many segments between points; knots and their
+        // neighbours among them.
+        for count in [1, 7, 8, 9, 64, 4001, 60_000] {
+            let mut x: Vec<f64> = (0..count)
+                .map(|i| first + (last - first) * (i as f64 / count as f64))
+                .collect();
+            if count > 8 {
+                for i in 0..n {
+                    let knot = s.grid.knot(i);
+                    x.extend([knot.next_down(), knot, knot.next_up()]);
+                }
+            }
+            x.retain(|x| (first..=last).contains(x));
+            x.sort_by(f64::total_cmp);
+            let tried = every_lookup_agrees(&s, &x, true);
+            assert_eq!(every_lookup_agrees(&s, &x, false), tried);
+            // Descending, and in leaps.
+            x.reverse();
+            every_lookup_agrees(&s, &x, false);
+            let leaps: Vec<f64> = (0..x.len()).map(|i| x[i * 7919 % x.len()]).collect();
+            every_lookup_agrees(&s, &leaps, false);
+        }
+    }
+}
