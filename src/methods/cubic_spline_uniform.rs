@@ -5,9 +5,9 @@ use super::tridiagonal::identical;
 use crate::audit::{
     CheckPoint, Domain, Draw, Input, Law, Method, Output, ReferenceAnswer, Region, SolverAnswer,
 };
+use crate::reference::Ball;
 use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
 use crate::solvers::cubic_spline::{Boundary, CubicSplineError, UniformCubicSpline};
-use crate::solvers::tridiagonal::Sweep;
 use rug::Rational;
 
 /// Input `x0, h, m0, mn, q0, q1, y[n+1]`; output `S, S', S'', S'''` and the integral to the other
@@ -72,9 +72,9 @@ enum Shape {
 
 /// `Σ |y_j ∂f/∂y_j| + Σ |end ∂f/∂end|` of the functional `Σ e_j y_j + Σ c_j M_j`, where `M` solves
 /// the spline's system: one solve with the transposed matrix.
-fn linear_condition(y: &[f64], ends: [f64; 2], transposed: &Sweep, e: Vec<f64>, c: &[f64]) -> Option<f64> {
+fn linear_condition(y: &[f64], ends: [f64; 2], e: Vec<f64>, c: &[f64]) -> Option<f64> {
     let n = y.len() - 1;
-    let z = transposed.solve(c).ok()?;
+    let z = transposed_solve(c);
     let mut weight = e;
     for i in 1..n {
         weight[i - 1] += z[i];
@@ -83,6 +83,29 @@ fn linear_condition(y: &[f64], ends: [f64; 2], transposed: &Sweep, e: Vec<f64>, 
     }
     let values: f64 = weight.iter().zip(y).map(|(w, y)| (w * y).abs()).sum();
     Some(values + (ends[0] * z[0]).abs() + (ends[1] * z[n]).abs())
+}
+
+/// Solves `Aᵀ z = c` for the spline's matrix: rows `1, 4, 1` between unit rows at both ends. The
+/// unknowns between the ends form a symmetric system of their own, eliminated from the last to the
+/// first; nothing of the solver under audit is used.
+fn transposed_solve(c: &[f64]) -> Vec<f64> {
+    let n = c.len() - 1;
+    let mut z = c.to_vec();
+    if n < 2 {
+        return z;
+    }
+    let mut pivot = vec![4.0; n];
+    for i in (1..n - 1).rev() {
+        pivot[i] = 4.0 - 1.0 / pivot[i + 1];
+        z[i] -= z[i + 1] / pivot[i + 1];
+    }
+    z[1] /= pivot[1];
+    for i in 2..n {
+        z[i] = (z[i] - z[i - 1]) / pivot[i];
+    }
+    z[0] -= z[1];
+    z[n] -= z[n - 1];
+    z
 }
 
 impl Method for Audit {
@@ -206,14 +229,13 @@ impl Method for Audit {
     /// The spline is linear in ordinates and end values, whose weights come from one transposed
     /// solve each; moving or stretching the abscissae acts through the spline's own derivatives.
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
-        let base = solve(input).ok()?;
+        let exact: Option<Vec<Rational>> = input.iter().map(|&v| Rational::from_f64(v)).collect();
+        let ReferenceAnswer::Values(reference) = self.reference(&exact?, 128) else {
+            return None;
+        };
+        let base: Vec<f64> = reference.values.iter().map(Ball::to_f64).collect();
         let (x0, h, y) = (input[0], input[1], &input[HEAD..]);
         let n = y.len() - 1;
-        let mut diagonal = vec![4.0; n + 1];
-        (diagonal[0], diagonal[n]) = (1.0, 1.0);
-        let (mut lower, mut upper) = (vec![1.0; n], vec![1.0; n]);
-        (upper[0], lower[n - 1]) = (0.0, 0.0);
-        let transposed = Sweep::factor(&upper, &diagonal, &lower).ok()?;
         let ends = [input[2], input[3]].map(|m| m * (h * h / 6.0));
         let locate = |q: f64| {
             let t = (q - x0) / h;
@@ -223,7 +245,7 @@ impl Method for Audit {
         let linear = |f: &dyn Fn(&mut [f64], &mut [f64])| {
             let (mut e, mut c) = (vec![0.0; n + 1], vec![0.0; n + 1]);
             f(&mut e, &mut c);
-            linear_condition(y, ends, &transposed, e, &c)
+            linear_condition(y, ends, e, &c)
         };
         // ∫ from x_0 to the query, over h.
         let area = |q: f64, sign: f64, e: &mut [f64], c: &mut [f64]| {
