@@ -356,3 +356,29 @@ impl Method for Restricted<'_> {
         self.method.laws()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Outcome, Totals, effort};
+
+    #[test]
+    fn one_failing_method_or_none_at_all_is_a_finding() {
+        let totals = |methods, passed_methods| Totals {
+            methods,
+            passed_methods,
+            ..Totals::default()
+        };
+        assert_eq!(Outcome::of(totals(2, 2).good()), Outcome::AsExpected);
+        assert_eq!(Outcome::of(totals(2, 1).good()), Outcome::Finding);
+        assert_eq!(Outcome::of(totals(0, 0).good()), Outcome::Finding);
+    }
+
+    #[test]
+    fn effort_is_a_positive_number() {
+        assert_eq!(effort(None).unwrap(), 1.0);
+        assert_eq!(effort(Some("2.5".as_ref())).unwrap(), 2.5);
+        for bad in ["", "0", "-1", "nan", "inf", "ten"] {
+            assert!(effort(Some(bad.as_ref())).is_err(), "{bad}");
+        }
+    }
+}

@@ -111,8 +111,8 @@ pub struct State {
     /// Determinant of the loop equations' Jacobian, in m⁴; it changes sign from branch to branch
     /// at a singular position.
     pub determinant: f64,
-    /// `max |φ_i| per residual` times the largest row length: the condition number of the loop
-    /// equations, an upper bound in the norms described at the continuation.
+    /// `‖J⁻¹‖ K`, with the norm and the Lipschitz constant K that [`ClassIii::follow`] uses: an
+    /// upper bound on the condition number of the loop equations.
     pub condition: f64,
     /// Angle in radians between link 2 and the path of B, in [0, π/2]: 0 is best, π/2 is a
     /// singular position.
