@@ -3,8 +3,9 @@
 use super::args::LinkageArgs;
 use super::branch::{Branch, Reach};
 use super::failure::Failure;
+use super::fields::in_degrees;
 use super::linkage_file::Linkage;
-use super::quantity::{Quantity, nearest};
+use super::quantity::nearest;
 use rug::Rational;
 
 /// Rows at most.
@@ -74,14 +75,6 @@ impl Grid {
 /// The file's start angle in degrees.
 pub fn start_degrees(linkage: &Linkage) -> Option<Rational> {
     in_degrees(linkage.start.phi1.as_ref()?)
-}
-
-/// An angle in degrees; one given in radians is rounded.
-pub fn in_degrees(q: &Quantity) -> Option<Rational> {
-    if q.degrees {
-        return Some(q.value.clone());
-    }
-    Rational::from_f64(q.to_f64().to_degrees())
 }
 
 /// The crank angles that can be reached: as asked for, and on the branch's own count of turns.

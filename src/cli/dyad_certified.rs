@@ -21,8 +21,8 @@
 //! |f| ≤ |N|/m     |f'| ≤ (|N'| + |f||D'|)/m     |f''| ≤ (|N''| + 2|f'||D'| + |f||D''|)/m
 //! ```
 
-use super::dyad::{Values, at_crank_speed};
 use super::dyad_file::{Dyad, Shape};
+use super::dyad_values::{Values, at_crank_speed};
 use super::rows::Cell;
 use mechaudit::reference::dyad::{four_bar, slider_crank};
 use mechaudit::reference::{Ball, Mag};

@@ -1,8 +1,8 @@
 //! What is known of a four-bar linkage or slider-crank as a whole: type, crank range, dead
 //! positions.
 
-use super::dyad::number;
 use super::dyad_file::{Dyad, Shape};
+use super::dyad_values::number;
 use mechaudit::solvers::dyad::{Assembly, CrankRange, FourBar, GrashofType, SliderCrank};
 use serde_json::{Map, Value, json};
 

@@ -1,7 +1,6 @@
 //! The file that describes a four-bar linkage or a slider-crank.
 
-use super::crank_angles::in_degrees;
-use super::linkage_file::{CrankMotion, Written, crank_motion, may, need, parse};
+use super::fields::{CrankMotion, Written, crank_motion, in_degrees, may, need, parse};
 use super::quantity::{Kind, Quantity, nearest};
 use mechaudit::reference::Ball;
 use mechaudit::reference::class_iii::ExactAngle;

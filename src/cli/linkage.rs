@@ -7,9 +7,9 @@ use super::crank_angles::{Grid, Plan, plan, start_degrees};
 use super::failure::{Failure, Outcome};
 use super::linkage_columns as columns;
 use super::linkage_file::{self, Described, Linkage};
-use super::output::write_to;
 use super::progress::Progress;
 use super::quantity::nearest;
+use super::result::{decided, write_to_result};
 use super::rows::{Cell, Rows};
 use super::{complain, svg};
 use mechaudit::solvers::class_iii::{BranchMap, Fold};
@@ -71,19 +71,6 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
     Ok(outcome)
 }
 
-/// [`write_to`] with an outcome.
-pub fn write_to_result(
-    args: &LinkageArgs,
-    write: impl FnOnce(&mut dyn std::io::Write) -> Result<Outcome, Failure>,
-) -> Result<Outcome, Failure> {
-    let mut outcome = Outcome::AsExpected;
-    write_to(args.output.as_deref(), |out| {
-        outcome = write(out)?;
-        Ok(())
-    })?;
-    Ok(outcome)
-}
-
 fn floating(
     linkage: &Linkage,
     branch: &Branch,
@@ -136,15 +123,6 @@ fn certified_rows(
         progress.show("certified rows", done as u64, total);
     }
     Ok(decided(undecided, digits))
-}
-
-pub fn decided(undecided: usize, digits: u32) -> Outcome {
-    if undecided > 0 {
-        complain(&format!(
-            "undecided: {undecided} values could not be certified to {digits} digits"
-        ));
-    }
-    Outcome::of(undecided == 0)
 }
 
 fn all_branches(args: &LinkageArgs, linkage: &Linkage, grid: &Grid) -> Result<Outcome, Failure> {

@@ -2,6 +2,7 @@
 
 use super::dyad_file::{self, Dyad};
 use super::failure::Failure;
+use super::fields::{CrankMotion, Written, crank_motion, may, need, parse};
 use super::quantity::{Kind, Quantity};
 use mechaudit::reference::class_iii as exact;
 use mechaudit::solvers::class_iii::{ClassIii, Geometry};
@@ -9,45 +10,12 @@ use mechaudit::solvers::reduction::{Body, Masses, MomentOfInertia};
 use mechaudit::solvers::units::{Acceleration, Angle, Inertia, Length, Mass};
 use rug::Rational;
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Deserializer, Visitor};
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
 
 /// Files longer than this are not descriptions of a linkage.
 const LONGEST_FILE: u64 = 1 << 20;
-
-/// A value as written: a string, or a bare number, which is refused with its field's name.
-#[derive(Clone, Debug)]
-pub enum Written {
-    Text(String),
-    Bare(String),
-}
-
-impl<'de> Deserialize<'de> for Written {
-    fn deserialize<D: Deserializer<'de>>(d: D) -> Result<Written, D::Error> {
-        struct V;
-        impl Visitor<'_> for V {
-            type Value = Written;
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("a string with a number and its unit")
-            }
-            fn visit_str<E>(self, v: &str) -> Result<Written, E> {
-                Ok(Written::Text(v.into()))
-            }
-            fn visit_i64<E>(self, v: i64) -> Result<Written, E> {
-                Ok(Written::Bare(v.to_string()))
-            }
-            fn visit_u64<E>(self, v: u64) -> Result<Written, E> {
-                Ok(Written::Bare(v.to_string()))
-            }
-            fn visit_f64<E>(self, v: f64) -> Result<Written, E> {
-                Ok(Written::Bare(v.to_string()))
-            }
-        }
-        d.deserialize_any(V)
-    }
-}
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -108,13 +76,6 @@ pub struct Start {
     pub phi4: Option<Quantity>,
     /// The mode of this number, counted from 0 by φ4.
     pub mode: Option<usize>,
-}
-
-/// The motion of the crank.
-#[derive(Clone, Debug)]
-pub struct CrankMotion {
-    pub omega: Quantity,
-    pub epsilon: Quantity,
 }
 
 /// Masses for the solver and for the reference.
@@ -196,54 +157,6 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
         file.take(LONGEST_FILE + 1).read_to_end(&mut bytes)?;
     }
     Ok(bytes)
-}
-
-/// Reads TOML or JSON; a refusal is one line.
-pub fn parse<T: DeserializeOwned>(text: &str, json: bool) -> Result<T, String> {
-    if json {
-        return serde_json::from_str(text).map_err(|e| e.to_string());
-    }
-    toml::from_str(text).map_err(|e| {
-        let line = e.span().map(|s| text[..s.start].matches('\n').count() + 1);
-        let message = e.message().split_whitespace().collect::<Vec<_>>().join(" ");
-        match line {
-            Some(line) => format!("line {line}: {message}"),
-            None => message,
-        }
-    })
-}
-
-/// A required quantity.
-pub fn need(kind: Kind, field: &str, written: &Option<Written>) -> Result<Quantity, String> {
-    may(kind, field, written)?.ok_or_else(|| format!("{field} is missing"))
-}
-
-/// An optional quantity.
-pub fn may(kind: Kind, field: &str, written: &Option<Written>) -> Result<Option<Quantity>, String> {
-    let text = match written {
-        None => return Ok(None),
-        Some(Written::Text(text) | Written::Bare(text)) => text,
-    };
-    let quantity = Quantity::parse(kind, text).map_err(|e| format!("{field} = {e}"))?;
-    Ok(Some(quantity))
-}
-
-/// The motion of the crank, if given.
-pub fn crank_motion(
-    speed: &Option<Written>,
-    acceleration: &Option<Written>,
-) -> Result<Option<CrankMotion>, String> {
-    let omega = may(Kind::AngularVelocity, "crank_speed", speed)?;
-    let field = "crank_acceleration";
-    let epsilon = may(Kind::AngularAcceleration, field, acceleration)?;
-    match (omega, epsilon) {
-        (Some(omega), epsilon) => Ok(Some(CrankMotion {
-            omega,
-            epsilon: epsilon.unwrap_or_else(|| Quantity::si(Rational::new())),
-        })),
-        (None, None) => Ok(None),
-        (None, Some(_)) => Err("crank_acceleration needs crank_speed".into()),
-    }
 }
 
 impl File {
