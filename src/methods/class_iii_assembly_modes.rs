@@ -23,6 +23,9 @@ const PAPER: [f64; 11] = [
     0.10, 1.04, 0.60, 0.64, 0.485, 0.22, -0.685_914_396, 0.75, 0.93, 1.285, 1.035,
 ];
 
+/// Crank angle of the fold at 217.27° for the numbers above.
+const FOLD: f64 = 3.792_092_161_844_882;
+
 fn linkage(x: &[Rational], bits: u32) -> Option<Linkage> {
     let values: &[Rational; 11] = x.get(..11)?.try_into().ok()?;
     Some(Linkage::new(&exact::Geometry::from_values(values), bits))
@@ -72,6 +75,17 @@ impl Method for Audit {
                     sample: |d| {
                         let mut x = PAPER.to_vec();
                         x.push(d.uniform(0.0, TAU));
+                        x
+                    },
+                },
+                Region {
+                    name: "near-fold",
+                    description: "1e-1 to 1e-8 rad on either side of where two of its modes merge: \
+                                  the number has to be right",
+                    sample: |d| {
+                        let offset = d.log_uniform(1e-8, 0.1);
+                        let mut x = PAPER.to_vec();
+                        x.push(FOLD + d.signed(offset));
                         x
                     },
                 },
