@@ -28,7 +28,7 @@
 //! let phi1 = 0.5;
 //! let mode = linkage.assembly_modes(phi1).modes[2];
 //! let start = linkage.state_near(phi1, mode)?;
-//! // Follow the branch; each step is proved to stay on it.
+//! // Follow the branch: steps are as short as the Newton-Kantorovich theorem asks for.
 //! let end = linkage.follow(&start, phi1 + std::f64::consts::TAU)?;
 //! assert!((end.positions.phi4 - start.positions.phi4).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

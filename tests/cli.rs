@@ -661,3 +661,11 @@ fn papers_in_every_form() {
         assert!(!form("text").out.contains('\u{1b}'));
     }
 }
+
+#[test]
+fn a_drawing_folder_that_cannot_be_made_stops_the_run_before_any_row() {
+    for file in ["examples/sand-screen.toml", "examples/four-bar.toml"] {
+        let d = run(&["linkage", file, "--svg", "README.md"]);
+        refused(&d, "cannot make the folder README.md");
+    }
+}

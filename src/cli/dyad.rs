@@ -37,6 +37,10 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
         },
     };
     let grid = Grid::new(args, dyad.start.clone())?;
+    // Before the rows: a folder that cannot be written stops the run before any output.
+    if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
+        svg_dyad::draw(folder, dyad, *assembly)?;
+    }
     let mut count = 0;
     let outcome = write_to_result(args, |out| {
         let about = facts::json(dyad, &assemblies);
@@ -54,9 +58,6 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     }
     if count == 0 {
         complain("no crank angle of the window asked for lies in that range");
-    }
-    if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
-        svg_dyad::draw(folder, dyad, *assembly)?;
     }
     Ok(outcome)
 }

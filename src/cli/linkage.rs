@@ -44,6 +44,10 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
     };
     let branch =
         branch::choose(&linkage.solver, &start, args.branch, &linkage.start).map_err(about)?;
+    // Before the rows: a folder that cannot be written stops the run before any output.
+    if let Some(folder) = &args.svg {
+        svg::draw(folder, linkage, &branch)?;
+    }
     let plan = plan(&grid, &branch);
     let reached = plan.len();
     let outcome = write_to_result(args, |out| {
@@ -64,9 +68,6 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
     }
     if reached == 0 {
         complain("no crank angle of the window asked for lies in that range");
-    }
-    if let Some(folder) = &args.svg {
-        svg::draw(folder, linkage, &branch)?;
     }
     Ok(outcome)
 }

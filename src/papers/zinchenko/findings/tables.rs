@@ -247,7 +247,7 @@ pub(in crate::papers::zinchenko) fn moment(
              agree within {:.2} units. The nodes are off by up to {worst:.1e} N·m, none of them \
              clearly downwards. Rows j and 48 − j have links 3, 4 and 5 in nearly the same place \
              with opposite speeds, yet rows 12 and 36 are off by {:.1} and {:.1}, rows 16 and 32 by \
-             {:.1} and {:.1} (1e-4 N·m): no function of the position and speed of those links alone \
+             {:.1} and {:.1} (1e-4 N·m): no smooth function of the position and speed of those links alone \
              does that, so the error depends on the crank or on the way there. A cause is not known.",
             residual.printed_mean,
             2 * ROWS,
