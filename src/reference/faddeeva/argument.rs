@@ -9,6 +9,8 @@ pub(super) enum Real {
     Double(f64),
     Float(Float),
     Rational(Rational),
+    /// `√q`, or `−√q` when the flag is set.
+    Root(bool, Rational),
 }
 
 impl Real {
@@ -18,6 +20,10 @@ impl Real {
             Real::Double(x) => Ball::new(Float::with_val(prec.max(53), x), Mag::ZERO),
             Real::Float(x) => Ball::new(Float::with_val(prec.max(x.prec()), x), Mag::ZERO),
             Real::Rational(q) => Ball::rational(prec, q),
+            Real::Root(minus, q) => {
+                let root = Ball::rational(prec + 2, q).sqrt();
+                if *minus { -root } else { root }
+            }
         }
     }
 
@@ -25,7 +31,7 @@ impl Real {
         match self {
             Real::Double(x) => *x == 0.0,
             Real::Float(x) => x.is_zero(),
-            Real::Rational(q) => *q == 0,
+            Real::Rational(q) | Real::Root(_, q) => *q == 0,
         }
     }
 
@@ -34,6 +40,7 @@ impl Real {
             Real::Double(x) => *x < 0.0,
             Real::Float(x) => x.is_sign_negative() && !x.is_zero(),
             Real::Rational(q) => *q < 0,
+            Real::Root(minus, q) => *minus && *q != 0,
         }
     }
 
@@ -42,6 +49,7 @@ impl Real {
             Real::Double(x) => Real::Double(-x),
             Real::Float(x) => Real::Float(-x.clone()),
             Real::Rational(q) => Real::Rational(Rational::from(-q)),
+            Real::Root(minus, q) => Real::Root(!minus, q.clone()),
         }
     }
 
@@ -50,7 +58,9 @@ impl Real {
         match self {
             Real::Double(_) => 64,
             Real::Float(x) => x.prec() + 32,
-            Real::Rational(q) => q.numer().significant_bits() + q.denom().significant_bits(),
+            Real::Rational(q) | Real::Root(_, q) => {
+                q.numer().significant_bits() + q.denom().significant_bits()
+            }
         }
     }
 }

@@ -61,6 +61,7 @@ use super::argument::Argument;
 use super::fixed;
 use super::gaussian::Gaussian;
 use super::scaled::Scaled;
+use super::ziv::Kind;
 use crate::reference::{Ball, Mag};
 use rug::Integer;
 
@@ -118,9 +119,9 @@ fn terms(log_r: f64, prec: u32) -> Option<u64> {
     Some(high)
 }
 
-/// W by components, relative to a common power of two; `None` where the series does not reach
+/// w (or w − e^{−z²}, first quadrant only) by components; `None` where the series does not reach
 /// `prec` bits. `z.x` must not be negative.
-pub(super) fn w(z: &Argument, prec: u32) -> Option<[Scaled; 2]> {
+pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> {
     let log_r = z.norm_log2() - 1e-8;
     let n = terms(log_r, prec)?;
     let inner = prec + 24;
@@ -160,7 +161,7 @@ pub(super) fn w(z: &Argument, prec: u32) -> Option<[Scaled; 2]> {
     // Is e^{−z²} needed at all?
     let absent = Mag::power_of_two(-i64::from(prec) - 8);
     let re_size = re.mignitude();
-    if !lower && plain <= absent.mul(re_size) {
+    if kind == Kind::W && !lower && plain <= absent.mul(re_size) {
         return Some([
             plain_scaled(re.widened(plain)),
             plain_scaled(im.widened(im_error)),
@@ -171,7 +172,12 @@ pub(super) fn w(z: &Argument, prec: u32) -> Option<[Scaled; 2]> {
     let wide = inner + extra;
     let e = Gaussian::new(&z.x.ball(wide), &z.y.ball(wide).abs(), inner);
     if z.y.is_zero() {
-        return Some([Scaled::new(e.c, e.k), plain_scaled(im.widened(im_error))]);
+        // S_N and the remainder contribute nothing to Re w. Im e^{−z²} is zero.
+        let re = match kind {
+            Kind::W => Scaled::new(e.c, e.k),
+            Kind::Dawson => plain_scaled(re),
+        };
+        return Some([re, plain_scaled(im.widened(im_error))]);
     }
     let zero = Integer::new();
     let by = if e.k > 0 { &e.k } else { &zero };
@@ -188,11 +194,13 @@ pub(super) fn w(z: &Argument, prec: u32) -> Option<[Scaled; 2]> {
     let re_error = if with_gaussian { beside } else { scale(plain) };
     let im = im.widened(scale(im_error));
     let re = re.widened(re_error);
-    let (re, im) = match (lower, with_gaussian) {
-        (false, false) => (re, im),
-        (false, true) => (&ec + &re, im),
-        (true, false) => (ec.shift(1) - &re, es.shift(1) + &im),
-        (true, true) => (ec - &re, es.shift(1) + &im),
+    let (re, im) = match (kind, lower, with_gaussian) {
+        (Kind::Dawson, _, true) => (re, im + &es),
+        (Kind::Dawson, _, false) => (re - &ec, im + &es),
+        (_, false, false) => (re, im),
+        (_, false, true) => (&ec + &re, im),
+        (_, true, false) => (ec.shift(1) - &re, es.shift(1) + &im),
+        (_, true, true) => (ec - &re, es.shift(1) + &im),
     };
     Some([Scaled::new(re, by.clone()), Scaled::new(im, by.clone())])
 }

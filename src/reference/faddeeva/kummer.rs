@@ -28,6 +28,7 @@
 use super::argument::Argument;
 use super::fixed;
 use super::gaussian::Gaussian;
+use super::ziv::Kind;
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::Integer;
 
@@ -61,9 +62,9 @@ fn terms(c: f64, bits: f64) -> u64 {
     high
 }
 
-/// W at relative precision about 2^-prec of its modulus in the upper half-plane.
+/// w, or w − e^{−z²}, at relative precision about 2^-prec of its modulus in the upper half-plane.
 /// `|z|²` has to be below 2^31.
-pub(super) fn w(z: &Argument, prec: u32) -> ComplexBall {
+pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> ComplexBall {
     let size = z.norm_f64();
     let loss = (size * std::f64::consts::LOG2_E).ceil() as u32;
     let guard = 12 + 2 * (1.0 + size).log2().ceil() as u32;
@@ -87,10 +88,13 @@ pub(super) fn w(z: &Argument, prec: u32) -> ComplexBall {
         big_s.with_prec(inner).widened(tail),
     );
 
+    let factor = Ball::integer(inner, 2) / &Ball::pi(inner).sqrt();
+    let re = -((&factor * &y) * &(&big_p - &(&x2 * &big_s)));
+    let im = (&factor * &x) * &(&big_p + &(&y2 * &big_s));
+    if kind == Kind::Dawson {
+        return ComplexBall::new(re, im);
+    }
     let e = Gaussian::new(&x, &y, inner);
     let (ec, es) = e.relative_to(&Integer::new());
-    let factor = Ball::integer(inner, 2) / &Ball::pi(inner).sqrt();
-    let re = ec - &(&factor * &y) * &(&big_p - &(&x2 * &big_s));
-    let im = (&factor * &x) * &(&big_p + &(&y2 * &big_s)) - &es;
-    ComplexBall::new(re, im)
+    ComplexBall::new(ec + &re, im - &es)
 }

@@ -18,16 +18,24 @@
 
 mod argument;
 mod asymptotic;
+mod derivatives;
 mod fixed;
 mod gaussian;
 mod kummer;
+mod related;
 mod scaled;
+mod zeros;
+mod ziv;
 
 use super::{Ball, ComplexBall, Mag, Undecided};
-use argument::{Argument, Real};
-use rug::{Float, Integer, Rational};
+use argument::Real;
+use rug::{Float, Rational};
+use ziv::{balls, once, scaled};
 
+pub use derivatives::{taylor, w_derivative};
+pub use related::{dawson, erf, erfc, erfcx, erfi, voigt};
 pub use scaled::Scaled;
+pub use zeros::zero;
 
 /// w(z) for z = re + i im, each component with a relative radius of at most 2^-bits.
 ///
@@ -96,7 +104,9 @@ pub fn w_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], 
 /// e^{−t²+2izt} dt`, all z): `|w'| ≤ 2/√π` for Im z ≥ 0, and
 /// `|w'| ≤ 2/√π + 4h e^{h²}` for Im z ≥ −h, because `∫_0^∞ 2t e^{−t²+2ht} dt = 1 + √π h e^{h²} erfc(−h)`.
 /// For |z| ≥ 1 and Im z ≥ 0 also `|w'| ≤ (1/√π + 5.8/|z|²)/|z|²`: one term of the asymptotic
-/// series and `D_1` (`asymptotic.rs`: `|z R_1'| ≤ √e(√2.5 + 5) Γ(3/2)/(π|z|³) ≤ 3.07/|z|³`).
+/// series and `D_1` (`asymptotic.rs`: `|z R_1'| ≤ √e(√2.5 + 5) Γ(3/2)/(π|z|³) ≤ 3.07/|z|³`). And for
+/// small ρ anywhere: w' = −2zw + 2i/√π gives, with Z = sup |z| and Grönwall's lemma along a radius,
+/// `|w| ≤ e^{2Zρ} (|w(m)| + 2ρ/√π)`, and with it a bound on |w'|.
 pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
     let whole = || {
         let line = Ball::new(Float::new(prec), Mag::INFINITY);
@@ -106,24 +116,32 @@ pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
         return whole();
     }
     let (x, y) = (z.re.mid(), z.im.mid());
-    let argument = (Real::Float(x.clone()), Real::Float(y.clone()));
-    let Some(parts) = once(argument.0, argument.1, prec.max(16)) else {
+    let (x, y) = (Real::Float(x.clone()), Real::Float(y.clone()));
+    let Some(parts) = once(x, y, prec.max(16)) else {
         return whole();
     };
-    let [re, im] = parts;
-    let value = ComplexBall::new(re.to_ball(), im.to_ball());
+    let [re, im] = parts.map(|part| part.to_ball_or_tiny());
+    let value = ComplexBall::new(re, im);
     let rho = z.radius();
     if rho.is_zero() {
         return value;
     }
-    value.widened(rho.mul(slope(z)))
+    let slope = slope(z, rho, value.magnitude());
+    value.widened(rho.mul(slope))
 }
 
-/// An upper bound on |w'| over the ball.
-fn slope(z: &ComplexBall) -> Mag {
+/// An upper bound on |w'| over the ball; `rho` its radius, `size` a bound on |w| at its midpoint.
+fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
     let low = z.im.lower();
     let flat = Mag::from_f64(1.1283791670955128);
     if low < 0 {
+        let t = z.magnitude().mul(rho).shift(1);
+        if t <= Mag::from_f64(1.0) {
+            // e^t ≤ 1 + 2t.
+            let grown = Mag::from_f64(1.0).add(t.shift(1));
+            let w = grown.mul(size.add(flat.mul(rho)));
+            return z.magnitude().shift(1).mul(w).add(flat);
+        }
         let h = Ball::new(low, Mag::ZERO);
         let grown = h.square().exp().magnitude();
         return flat.add(h.magnitude().mul(grown).shift(2));
@@ -136,100 +154,4 @@ fn slope(z: &ComplexBall) -> Mag {
     let inverse = one.div(r).mul(one.div(r));
     let bound = inverse.mul(Mag::from_f64(0.5642).add(Mag::from_f64(5.8).mul(inverse)));
     if bound < flat { bound } else { flat }
-}
-
-/// Both components of a scaled result as balls.
-fn balls([re, im]: [Scaled; 2], bits: u32) -> Result<ComplexBall, Undecided> {
-    let open = |name: &str, part: &Scaled| Undecided {
-        bits,
-        reason: format!(
-            "the {name} part of w has a binary exponent of {} bits, beyond what a ball holds",
-            part.exponent.significant_bits()
-        ),
-    };
-    let value = ComplexBall::new(re.to_ball(), im.to_ball());
-    if !value.re.is_finite() {
-        return Err(open("real", &re));
-    }
-    if !value.im.is_finite() {
-        return Err(open("imaginary", &im));
-    }
-    Ok(value)
-}
-
-/// One evaluation at a given precision; `None` where |z| is too large for Kummer's series and the
-/// asymptotic series does not reach (impossible: it reaches wherever |z|² exceeds the precision).
-fn once(x: Real, y: Real, prec: u32) -> Option<[Scaled; 2]> {
-    let mirrored = x.is_negative();
-    let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let [re, im] = at(&z, prec)?;
-    Some(if mirrored {
-        [re, negated(im)]
-    } else {
-        [re, im]
-    })
-}
-
-fn at(z: &Argument, prec: u32) -> Option<[Scaled; 2]> {
-    if let Some(parts) = asymptotic::w(z, prec) {
-        return Some(parts);
-    }
-    if !(z.norm_f64() < 1e8) {
-        return None;
-    }
-    let value = kummer::w(z, prec);
-    let part = |b| Scaled::new(b, Integer::new());
-    Some([part(value.re), part(value.im)])
-}
-
-fn negated(s: Scaled) -> Scaled {
-    Scaled::new(-s.ball, s.exponent)
-}
-
-/// Bits that are missing from what is asked for; zero for an exact zero.
-fn missing(part: &Scaled, bits: u32) -> Option<u32> {
-    if part.ball.is_zero() {
-        return Some(0);
-    }
-    let have = part.ball.accuracy_bits();
-    if !part.ball.is_finite() || have < 1 {
-        return None;
-    }
-    Some(u32::try_from(i64::from(bits) - have.min(i64::from(bits))).unwrap_or(0))
-}
-
-/// Ziv's loop.
-fn scaled(x: Real, y: Real, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    let bits = bits.max(2);
-    let length = x.length().saturating_add(y.length());
-    let cap = bits
-        .saturating_add(length)
-        .saturating_mul(4)
-        .saturating_add(4096);
-    let mirrored = x.is_negative();
-    let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let mut prec = bits + 12;
-    loop {
-        let mut more = prec;
-        if let Some([re, im]) = at(&z, prec) {
-            match (missing(&re, bits), missing(&im, bits)) {
-                (Some(0), Some(0)) => {
-                    return Ok(if mirrored {
-                        [re, negated(im)]
-                    } else {
-                        [re, im]
-                    });
-                }
-                (Some(a), Some(b)) => more = a.max(b) + 6,
-                _ => {}
-            }
-        }
-        if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "a component of w is zero or cannot be told from zero".into(),
-            });
-        }
-        prec = prec.saturating_add(more).min(cap);
-    }
 }
