@@ -12,11 +12,7 @@ use super::real::{ROUND, Real};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.
-const LN_2: [f64; 3] = [
-    0.693_147_180_559_663,
-    2.823_529_056_303_157_7e-13,
-    1.947_045_092_380_75e-31,
-];
+const LN_2: [f64; 2] = [0.693_147_180_559_663, 2.823_529_056_303_157_7e-13];
 const TWO_OVER_PI: f64 = std::f64::consts::FRAC_2_PI;
 /// π/2.
 pub(super) const HALF_PI: [f64; 3] = [
@@ -37,6 +33,13 @@ pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
     let (d, s) = (two_sum(y, -a), two_sum(y, a));
     let p = two_prod(d.hi, s.hi);
     fast_two_sum(p.hi, d.lo.fma(s.lo, d.hi.fma(s.lo, d.lo.fma(s.hi, p.lo))))
+}
+
+/// `y² − a²` for |y| ≤ 1/8, `a ≥ 7`.
+#[inline(always)]
+pub(super) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
+    let p = two_prod(a, a);
+    Dd::new(-p.hi, y.fma(y, -p.lo))
 }
 
 /// `2 a y`, exactly.
@@ -104,11 +107,9 @@ pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| x.hi.like(c);
     let (h, n) = binary_exponent(x.hi);
     let k = n - like(ROUND);
-    // h − k ln 2, the first product exact.
+    // h − k ln 2, the first product and difference exact; what the second one rounds is 2⁻⁸⁴.
     let r = (-k).fma(like(LN_2[0]), h);
-    let s = two_prod(k, like(LN_2[1]));
-    let r = two_sum(r, -s.hi);
-    let r = two_sum(r.hi, r.lo - s.lo + x.lo);
+    let r = two_sum(r, (-k).fma(like(LN_2[1]), x.lo));
     // 1 + r + r²/2 + …
     let q = two_sum(like(1.0), r.hi);
     let tail = (r.hi * r.hi).fma(paired(&EXP, r.hi), r.lo.fma(r.hi, r.lo));

@@ -46,8 +46,12 @@ impl batch::Points for Interleaved<'_> {
         self.z.len()
     }
     #[inline(always)]
-    fn get(&self, i: usize) -> (f64, f64) {
-        (self.z[i].re, self.z[i].im)
+    fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]) {
+        let n = x.len();
+        for ((z, x), y) in self.z[start..start + n].iter().zip(x).zip(y) {
+            *x = z.re;
+            *y = z.im;
+        }
     }
     #[inline(always)]
     fn put(&mut self, i: usize, re: f64, im: f64) {

@@ -19,8 +19,8 @@ pub(super) trait Wide: Simd {
     fn is_one(self, a: Self::u64s) -> Self::m64s;
     /// Numbers `at … at + 3` of each row: four vectors, one place for each row.
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
-    /// The numbers, up to eight.
-    fn load(self, x: &[f64; 8]) -> Self::f64s;
+    /// The numbers from `at` on.
+    fn load(self, x: &[f64], at: usize) -> Self::f64s;
     /// The numbers, up to eight.
     fn store(self, v: Self::f64s, x: &mut [f64; 8]);
 }
@@ -62,8 +62,9 @@ impl Wide for V3 {
         ]
     }
     #[inline(always)]
-    fn load(self, x: &[f64; 8]) -> Self::f64s {
-        cast(four(x, 0))
+    fn load(self, x: &[f64], at: usize) -> Self::f64s {
+        let v: &[f64; 4] = x[at..at + 4].try_into().expect("four");
+        cast(*v)
     }
     #[inline(always)]
     fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
@@ -111,8 +112,9 @@ impl Wide for V4 {
         ]
     }
     #[inline(always)]
-    fn load(self, x: &[f64; 8]) -> Self::f64s {
-        cast(*x)
+    fn load(self, x: &[f64], at: usize) -> Self::f64s {
+        let v: &[f64; 8] = x[at..at + 8].try_into().expect("eight");
+        cast(*v)
     }
     #[inline(always)]
     fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
@@ -125,19 +127,31 @@ impl Wide for V4 {
 pub(super) struct Pack<S: Wide>(pub S, pub S::f64s);
 
 impl<S: Wide> Pack<S> {
+    /// The numbers from `at` on.
     #[inline(always)]
-    pub(super) fn load(simd: S, x: &[f64; 8]) -> Pack<S> {
-        Pack(simd, simd.load(x))
-    }
-
-    #[inline(always)]
-    pub(super) fn splat(simd: S, x: f64) -> Pack<S> {
-        Pack(simd, simd.splat_f64s(x))
+    pub(super) fn load(simd: S, x: &[f64], at: usize) -> Pack<S> {
+        Pack(simd, simd.load(x, at))
     }
 
     #[inline(always)]
     pub(super) fn store(self, x: &mut [f64; 8]) {
         self.0.store(self.1, x);
+    }
+
+    /// `self`, negated where `x` has a minus sign.
+    #[inline(always)]
+    pub(super) fn with_sign_of(self, x: Self) -> Self {
+        let s = self.0;
+        let sign = s.and_u64s(s.transmute_u64s_f64s(x.1), s.splat_u64s(1 << 63));
+        let bits = s.xor_u64s(s.transmute_u64s_f64s(self.1), sign);
+        Pack(s, s.transmute_f64s_u64s(bits))
+    }
+
+    /// Whether all numbers, none of them negative, are zero.
+    #[inline(always)]
+    pub(super) fn is_zero(self) -> bool {
+        let s = self.0;
+        s.first_true_m64s(s.less_than_f64s(s.splat_f64s(0.0), self.1)) >= S::WIDTH
     }
 }
 

@@ -2,17 +2,18 @@
 
 use super::asymptotic::{large, series};
 use super::double_double::{Dd, fast_two_sum, two_sum};
-use super::exponential::{binary_exponent, exp, exp_minus_square, exp_minus_square_any, exponent};
+use super::exponential::{binary_exponent, exp, exp_minus_square_any, exponent, exponent_in_strip};
 use super::lanes::{Lanes, Task};
 use super::real::{ROUND, Real, scaled};
-use super::tables::{CELL, CELLS, IMAGINARY_AXIS, REAL_AXIS};
-use super::taylor::{complex_row, real_row};
+use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
+use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::{special, trapezoidal, zeros};
 
 /// |z|² from which the asymptotic series is used.
 const FAR: f64 = 49.0;
-/// |z|² from which the series needs 13, 6, 2 terms instead of 23.
+/// |z|² from which the series needs 13, 9, 6, 2 terms instead of 23.
 const TERMS_13: f64 = 100.0;
+const TERMS_9: f64 = 256.0;
 const TERMS_6: f64 = 1000.0;
 const TERMS_2: f64 = 1e6;
 /// |z|² above this is scaled first.
@@ -26,40 +27,49 @@ const FINE: f64 = 3.75;
 const APART: f64 = 1.125;
 /// Re z beyond which `e^{−z²}` is below every `f64` in the strip.
 const GONE: f64 = 27.5;
+/// |z|² below which cells of the lower half-plane are tabulated.
+const DISC_EDGE: f64 = 1.0;
 /// A component smaller than this part of its terms is computed again in double-double.
-const CANCELLED: f64 = 1.0 / 16.0;
+const CANCELLED: f64 = 1.0 / 8.0;
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
-/// The formula for W(z) in the closed upper half-plane, or beside the real axis.
+/// The formula for W(z). Up to [`Kind::Series2`] it gives `w(a + i|y|)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Kind {
     Cell,
     ImaginaryAxis,
-    RealAxis,
     Series23,
     Series13,
+    Series9,
     Series6,
     Series2,
+    Disc,
+    RealAxis,
     Strip23,
     Strip13,
+    Strip9,
     Other,
 }
 
-impl Kind {
-    pub(super) const COUNT: usize = 10;
+/// Half the width of the strip beside the imaginary axis.
+#[inline(always)]
+fn axis_width(a: f64, b: f64) -> f64 {
+    if a.max(b) < FINE { STRIP } else { 2.0 * STRIP }
 }
 
-/// The formula at `|z| = a + i b`.
+/// The formula at `a + i y`, `a ≥ 0`.
 #[inline(always)]
-pub(super) fn kind(a: f64, b: f64) -> Kind {
+pub(super) fn kind(a: f64, y: f64) -> Kind {
+    let b = y.abs();
     let r2 = a.mul_add(a, b * b);
     if r2 < FAR {
-        let width = if a.max(b) < FINE { STRIP } else { 2.0 * STRIP };
-        if a < width {
+        if (y < 0.0) & (r2 < DISC_EDGE) {
+            Kind::Disc
+        } else if a < axis_width(a, b) {
             Kind::ImaginaryAxis
-        } else if (b < width) & (a >= APART) {
+        } else if (b < STRIP) & (a >= APART) {
             Kind::RealAxis
         } else {
             Kind::Cell
@@ -67,13 +77,17 @@ pub(super) fn kind(a: f64, b: f64) -> Kind {
     } else if (b < STRIP) & (a < GONE) {
         if r2 < TERMS_13 {
             Kind::Strip23
-        } else {
+        } else if r2 < TERMS_9 {
             Kind::Strip13
+        } else {
+            Kind::Strip9
         }
     } else if r2 < TERMS_13 {
         Kind::Series23
-    } else if r2 < TERMS_6 {
+    } else if r2 < TERMS_9 {
         Kind::Series13
+    } else if r2 < TERMS_6 {
+        Kind::Series9
     } else if r2 < TERMS_2 {
         Kind::Series6
     } else if r2 < HUGE {
@@ -83,23 +97,96 @@ pub(super) fn kind(a: f64, b: f64) -> Kind {
     }
 }
 
-/// `ROUND` plus the column and row of the cell around `a + i b`, and the distance from its centre.
+/// Room for the numbers of all buckets, and two more.
+pub(super) const BUCKETS: usize = 32;
+/// What is added to the number of the bucket in the lower half-plane.
+pub(super) const LOWER: usize = Kind::Other as usize + 1;
+
+/// The bucket as a number, plus `ROUND`: that of the kind, plus [`LOWER`] for the kinds up to
+/// [`Kind::Series2`] in the lower half-plane.
 #[inline(always)]
-pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 4] {
-    let fine = a.at_least(b).below(a.like(FINE));
-    let step = a.pick(fine, a.like(4.0), a.like(2.0));
-    let unit = a.pick(fine, a.like(-0.25), a.like(-0.5));
-    let round = a.like(ROUND);
-    let (i, j) = (a.fma(step, round), b.fma(step, round));
-    [i, j, (i - round).fma(unit, a), (j - round).fma(unit, b)]
+pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
+    let code = |k: Kind| a.like(f64::from(k as u8));
+    let under = |x: R, limit: f64, yes: R, no: R| x.pick(x.below(x.like(limit)), yes, no);
+    let b = y.magnitude();
+    let r2 = a.fma(a, b * b);
+    let lower = a.pick(y.below(a.like(0.0)), a.like(LOWER as f64), a.like(0.0));
+    let series = under(r2, TERMS_2, code(Kind::Series6), code(Kind::Series2));
+    let series = under(r2, TERMS_6, code(Kind::Series9), series);
+    let series = under(r2, TERMS_9, code(Kind::Series13), series);
+    let series = under(r2, TERMS_13, code(Kind::Series23), series) + lower;
+    let far = under(r2, HUGE, series, code(Kind::Other));
+    let strip = under(r2, TERMS_9, code(Kind::Strip13), code(Kind::Strip9));
+    let strip = under(r2, TERMS_13, code(Kind::Strip23), strip);
+    let far = under(b, STRIP, under(a, GONE, strip, far), far);
+    let width = under(a.at_least(b), FINE, a.like(STRIP), a.like(2.0 * STRIP));
+    let near = code(Kind::Cell) + lower;
+    let near = under(b, STRIP, under(a, APART, near, code(Kind::RealAxis)), near);
+    let near = a.pick(a.below(width), code(Kind::ImaginaryAxis) + lower, near);
+    let near = a.pick(
+        y.below(a.like(0.0)),
+        under(r2, DISC_EDGE, code(Kind::Disc), near),
+        near,
+    );
+    under(r2, FAR, near, far) + a.like(ROUND)
 }
 
-/// The row of the cell in column `i`, row `j`.
+/// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
 #[inline(always)]
-pub(super) fn cell_row(a: f64, b: f64, i: f64, j: f64) -> usize {
-    let base = if a.max(b) < FINE { 0 } else { 256 };
-    let at = base + (j.to_bits() as usize & 15) * 16 + (i.to_bits() as usize & 15);
-    CELL[at] as usize
+pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
+    let like = |x: f64| a.like(x);
+    // Beside the real axis the fine cells go on.
+    let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
+    let step = a.pick(fine, like(4.0), like(2.0));
+    let unit = a.pick(fine, like(-0.25), like(-0.5));
+    let base = a.pick(fine, like(ROUND), like(ROUND + 512.0));
+    let round = like(ROUND);
+    let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
+    [j.fma(like(32.0), i) + base, i.fma(unit, a), j.fma(unit, b)]
+}
+
+/// The row of cell number `n`.
+#[inline(always)]
+pub(super) fn cell_row(n: f64) -> &'static ComplexRow {
+    &CELLS[CELL[n.to_bits() as usize & 1023] as usize]
+}
+
+/// The number of the centre on the real axis next to `a`, plus `ROUND`, and the distance from it.
+#[inline(always)]
+pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
+    let round = a.like(ROUND);
+    let n = a.fma(a.like(8.0), round);
+    (n, (n - round).fma(a.like(-0.125), a))
+}
+
+/// The row of centre `n` on the real axis.
+#[inline(always)]
+pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
+    &REAL_AXIS[((n.to_bits() as usize & 63).wrapping_sub(9)).min(REAL_AXIS.len() - 1)]
+}
+
+/// Whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
+/// `y D′(x)`, which is about `y Im w/x`.
+#[inline(always)]
+pub(super) fn cancels_beside_real_axis<R: Real>(a: R, y: R, re: R, im: R) -> R::Mask {
+    let part = -y * im * a.like(0.5);
+    (re.magnitude() * a).below(part)
+}
+
+/// The number of the cell of the lower half-disc around `a + i y`, plus `ROUND`, and the distance
+/// from its centre.
+#[inline(always)]
+pub(super) fn disc_cell<R: Real>(a: R, y: R) -> [R; 3] {
+    let (i, dx) = on_axis(a);
+    let (j, dy) = on_axis(y);
+    let round = a.like(ROUND);
+    [(j - round).fma(a.like(-5.0), i), dx, dy]
+}
+
+/// The row of cell number `n` of the lower half-disc.
+#[inline(always)]
+pub(super) fn disc_row(n: f64) -> &'static ComplexRow {
+    &DISC[(n.to_bits() as usize & 31).min(24)]
 }
 
 /// `ROUND` plus the number of the centre on an axis next to `x`, and the distance from it.
@@ -110,10 +197,10 @@ pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
     (n, (n - round).fma(x.like(-0.25), x))
 }
 
-/// The row of centre `n` on an axis.
+/// The row of centre `n` on the imaginary axis.
 #[inline(always)]
-pub(super) fn axis_row(n: f64) -> usize {
-    (n.to_bits() as usize & 31).min(28)
+pub(super) fn imaginary_axis_row(n: f64) -> &'static RealRow {
+    &IMAGINARY_AXIS[(n.to_bits() as usize & 31).min(28)]
 }
 
 /// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.
@@ -124,35 +211,11 @@ pub(super) fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>
     (p, fast_two_sum(m, minus.fma(s.lo, minus.fma(s.hi, -m))))
 }
 
-/// w beside the real axis from `e^{−z²}` and the expansion of `D`, real on the axis, with
-/// `w = e^{−z²} + i D(z)`; `true` where the terms of the real part cancel.
-#[inline(always)]
-pub(super) fn from_dawson<R: Real>(a: R, y: R, (p, s): (Dd<R>, Dd<R>)) -> (R, R, R::Mask) {
-    let (c, e, n) = exp_minus_square(a, y);
-    let factor = n.power_of_two();
-    let (c, e) = (
-        Dd::new(c.hi * factor, c.lo * factor),
-        Dd::new(e.hi * factor, e.lo * factor),
-    );
-    let minus = -y;
-    let m = minus * s.hi;
-    let lo = minus.fma(s.lo, minus.fma(s.hi, -m));
-    let u = two_sum(c.hi, m);
-    let re = u.hi + (u.lo + (c.lo + lo));
-    let v = two_sum(p.hi, e.hi);
-    let im = v.hi + (v.lo + (p.lo + e.lo));
-    (
-        re,
-        im,
-        re.magnitude().below(c.hi.magnitude() * a.like(CANCELLED)),
-    )
-}
-
 /// w in the strip beside the real axis from the series (`u`, `v` at `a + i b`) and
 /// `e^{b² − a²} cos 2ab`, which matters only if `2ab` is small; `true` where the terms cancel.
 #[inline(always)]
 pub(super) fn in_strip<R: Real>(a: R, y: R, u: R, v: R) -> (R, R, R::Mask) {
-    let (e, n) = exp(exponent(a, y));
+    let (e, n) = exp(exponent_in_strip(a, y));
     let t = ((a + a) * y).magnitude().at_most(a.like(0.5));
     let tt = t * t;
     let cos = tt
@@ -211,13 +274,8 @@ pub(super) struct Cancelled {
 impl Task for Cancelled {
     type Output = (f64, f64);
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
+    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
         let Cancelled { a, b } = self;
-        if let Some(k) = zeros::nearest(a, b)
-            && let Some((re, im)) = zeros::near_zero(lanes, k, a, b)
-        {
-            return (re.value(), im.value());
-        }
         let (re, im) = if a.max(b) < 4096.0 {
             trapezoidal::lower(a, b)
         } else {
@@ -231,36 +289,47 @@ impl Task for Cancelled {
 #[inline(always)]
 pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
     let b = y.abs();
-    let kind = kind(a, b);
+    let kind = kind(a, y);
     let lower = y < 0.0;
+    if lower
+        && let Some(k) = zeros::nearest(a, b)
+        && let Some((re, im)) = zeros::near_zero(lanes, k, a, b)
+    {
+        return (re.value(), im.value());
+    }
     let (u, v) = match kind {
         Kind::Cell => {
-            let [i, j, dx, dy] = cell(a, b);
-            complex_row(lanes, &CELLS[cell_row(a, b, i, j)], dx, dy)
+            let [n, dx, dy] = cell(a, b);
+            complex_row(lanes, cell_row(n), dx, dy)
         }
         Kind::ImaginaryAxis => {
             let (n, t) = on_axis(b);
-            from_erfcx(a, real_row(lanes, &IMAGINARY_AXIS[axis_row(n)], t, a))
+            from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
         }
         Kind::RealAxis => {
-            let (n, t) = on_axis(a);
-            let row = real_row(lanes, &REAL_AXIS[axis_row(n)], t, y);
-            let (re, im, lost) = from_dawson(a, y, row);
-            return if lost {
+            let (n, t) = on_real_axis(a);
+            let (re, im) = complex_row(lanes, real_axis_row(n), t, y);
+            return if cancels_beside_real_axis(a, y, re.hi, im.hi) {
                 lanes.call(Cancelled { a, b })
             } else {
-                (re, im)
+                (re.hi, im.hi)
             };
         }
         Kind::Series23 => series::<_, 23>(a, b),
         Kind::Series13 => series::<_, 13>(a, b),
+        Kind::Series9 => series::<_, 9>(a, b),
         Kind::Series6 => series::<_, 6>(a, b),
         Kind::Series2 => series::<_, 2>(a, b),
-        Kind::Strip23 | Kind::Strip13 => {
-            let (u, v) = if kind == Kind::Strip23 {
-                series::<_, 23>(a, b)
-            } else {
-                series::<_, 13>(a, b)
+        Kind::Disc => {
+            let [n, dx, dy] = disc_cell(a, y);
+            let (re, im) = complex_row(lanes, disc_row(n), dx, dy);
+            return (re.hi, im.hi);
+        }
+        Kind::Strip23 | Kind::Strip13 | Kind::Strip9 => {
+            let (u, v) = match kind {
+                Kind::Strip23 => series::<_, 23>(a, b),
+                Kind::Strip13 => series::<_, 13>(a, b),
+                _ => series::<_, 9>(a, b),
             };
             let (re, im, lost) = in_strip(a, y, u.hi, v.hi);
             return if lost {

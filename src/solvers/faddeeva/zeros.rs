@@ -19,7 +19,7 @@ use super::taylor::{polynomial, square};
 pub(super) struct ZeroRow(pub [f64; 46]);
 
 /// Half the side of the squares around the zeros in which the expansions are used.
-const REACH: f64 = 0.09375;
+const REACH: f64 = 0.0625;
 
 /// 2/√π.
 const TWO_OVER_SQRT_PI: Dd = Dd::new(1.128_379_167_095_512_6, 1.533_545_961_316_588e-17);
@@ -54,7 +54,8 @@ pub(super) fn near_zero<L: Lanes>(lanes: L, k: usize, a: f64, b: f64) -> Option<
     let (qr, qi) = polynomial(lanes, c, (6, 38), (x, y), (x2, y2));
     let (hr, hi) = (x2.mul_add(qr, -(y2 * qi)), x2.mul_add(qi, y2 * qr));
     let (u, v) = (dx.add_f(hr), dy.add_f(hi));
-    let size = hr.abs().max(hi.abs());
+    // The last part is wrong by three units of its own in the last place at most.
+    let size = 1.5 * hr.abs().max(hi.abs());
     if u.hi.abs() < size || v.hi.abs() < size {
         return None;
     }
