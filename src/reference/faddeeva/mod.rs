@@ -24,6 +24,7 @@ mod gaussian;
 mod kummer;
 mod related;
 mod scaled;
+pub mod trapezoidal;
 mod zeros;
 mod ziv;
 
@@ -155,3 +156,6 @@ fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
     let bound = inverse.mul(Mag::from_f64(0.5642).add(Mag::from_f64(5.8).mul(inverse)));
     if bound < flat { bound } else { flat }
 }
+
+#[cfg(test)]
+mod tests;
