@@ -16,9 +16,8 @@ fn main() {
 
 fn points(count: usize, x: (f64, f64), y: (f64, f64)) -> Vec<(f64, f64)> {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
-    let mut uniform = move |(a, b): (f64, f64)| {
-        a + (b - a) * (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut uniform =
+        move |(a, b): (f64, f64)| a + (b - a) * (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
     (0..count).map(|_| (uniform(x), uniform(y))).collect()
 }
 

@@ -66,12 +66,12 @@ use crate::reference::{Ball, Mag};
 use rug::Integer;
 
 /// `log2` of upper bounds on `T_N`, `B_N` and `D_N`; `log_r` is `log2 |z|²` or a little less.
-struct Remainder {
-    plain: f64,
-    turning: f64,
+pub(super) struct Remainder {
+    pub plain: f64,
+    pub turning: f64,
 }
 
-fn remainder(n: u64, log_r: f64) -> Remainder {
+pub(super) fn remainder(n: u64, log_r: f64) -> Remainder {
     let n = n as f64;
     let s = n + 0.5;
     // ln Γ(s) ≤ (s − 1/2) ln s − s + ln(2π)/2 + 1/(12 s), DLMF 5.11.1.
@@ -89,7 +89,7 @@ fn remainder(n: u64, log_r: f64) -> Remainder {
 
 /// The number of terms that makes the remainder small enough for `prec` bits of each component,
 /// if there is one.
-fn terms(log_r: f64, prec: u32) -> Option<u64> {
+pub(super) fn terms(log_r: f64, prec: u32) -> Option<u64> {
     let wanted = -f64::from(prec) - 0.5 * log_r - 3.0;
     if log_r < 3.0 {
         return None;

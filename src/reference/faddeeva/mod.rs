@@ -19,6 +19,7 @@
 mod argument;
 mod asymptotic;
 mod derivatives;
+mod fast;
 mod fixed;
 mod gaussian;
 mod kummer;
@@ -67,6 +68,11 @@ pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
             bits,
             reason: format!("w at the argument ({re}, {im}), which is not finite"),
         });
+    }
+    if bits <= fast::MOST_BITS
+        && let Some(w) = fast::w(re, im, bits)
+    {
+        return Ok(w);
     }
     balls(scaled(Real::Double(re), Real::Double(im), bits)?, bits)
 }

@@ -66,6 +66,29 @@ proptest! {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn fixed_point_holds(x in coordinate(), y in coordinate(), bits in 53u32..104, k in 0u32..4) {
+        // Anywhere; next to the axes; at the borders of the cells; further out.
+        let (x, y) = match k {
+            0 => (x, y),
+            1 => (x * 1.1, y * 1e-5),
+            2 => ((4.0 * x).round() / 4.0, (4.0 * y).round() / 4.0 + 1e-12),
+            _ => (2.0 * x, 2.0 * y.abs()),
+        };
+        if let Some(fast) = fast::w(x, y, bits) {
+            let slow = scaled(Real::Double(x), Real::Double(y), 130).unwrap();
+            let slow = balls(slow, 130).unwrap();
+            prop_assert!(agree(&fast, bits, &slow, 130), "{x} {y}: {fast:?} {slow:?}");
+        } else {
+            // It does answer in ordinary places.
+            prop_assert!(!(bits < 80 && x.abs() < 9.0 && y > 0.3 && y < 9.0 && x.abs() > 0.3));
+        }
+    }
+}
+
+proptest! {
     #![proptest_config(ProptestConfig { cases: 60, ..ProptestConfig::default() })]
 
     #[test]
