@@ -50,8 +50,8 @@
 //! the axis, and e^{−x²} on it, keep their relative accuracy.
 //!
 //! # Lower half-plane
-//! `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) and `w(−conj z) = conj w(z)` (DLMF 7.4.4-like, from the
-//! integral): `w(x − ih) = 2e^{−z²} − conj w(x + ih)`.
+//! `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) and `w(−conj z) = conj w(z)` (w is real on the
+//! imaginary axis; Schwarz): `w(x − ih) = 2e^{−z²} − conj w(x + ih)`.
 //!
 //! # Evaluation
 //! With `u = 1/z = a + ib`, `v = C u²`, C a power of two with |v| ≤ 1, `Σ (1/2)_m C^{−m} v^m = P + i q S`,
@@ -167,10 +167,13 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> 
             plain_scaled(im.widened(im_error)),
         ]);
     }
-    // Digits of the exponent and of the angle 2xy.
-    let extra = (log_r.max(0.0) as u32) + 16;
-    let wide = inner + extra;
-    let e = Gaussian::new(&z.x.ball(wide), &z.y.ball(wide).abs(), inner);
+    let e = if !z.y.is_zero() && negligible(z) <= absent.mul(re_size) {
+        Gaussian::absent(negligible(z), inner)
+    } else {
+        // Digits of the exponent and of the angle 2xy.
+        let wide = inner + (log_r.max(0.0) as u32) + 16;
+        Gaussian::new(&z.x.ball(wide), &z.y.ball(wide).abs(), inner)
+    };
     if z.y.is_zero() {
         // S_N and the remainder contribute nothing to Re w. Im e^{−z²} is zero.
         let re = match kind {
@@ -205,12 +208,21 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> 
     Some([Scaled::new(re, by.clone()), Scaled::new(im, by.clone())])
 }
 
+/// An upper bound on `|e^{−z²}| = e^{y²−x²}`, by a power of two: `e^{−g} ≤ 2^{−1.44 g}`.
+fn negligible(z: &Argument) -> Mag {
+    let gap = z.x.ball(64).square() - z.y.ball(64).square();
+    if !gap.is_positive() {
+        return Mag::INFINITY;
+    }
+    Mag::power_of_two(-((gap.mignitude().to_f64().min(3e8) * 1.44) as i64))
+}
+
 fn plain_scaled(b: Ball) -> Scaled {
     Scaled::new(b, Integer::new())
 }
 
 fn power(log2: f64) -> Mag {
-    Mag::power_of_two(log2.ceil().max(-1e12) as i64)
+    Mag::power_of_two(log2.ceil().max(-5e8) as i64)
 }
 
 fn least(a: Mag, b: Mag) -> Mag {

@@ -2,7 +2,8 @@
 //!
 //! # Formula
 //! `w(z) = e^{−z²} + (2i/√π) F(z)` (DLMF 7.5.1) with Dawson's function
-//! `F(z) = z ₁F₁(1; 3/2; −z²) = z Σ_k (−2z²)^k/(2k+1)!!` (DLMF 7.6.2 times e^{−z²}). Put
+//! `F(z) = z ₁F₁(1; 3/2; −z²) = z Σ_k (−2z²)^k/(2k+1)!!` (DLMF 7.6.2 at iz, with
+//! `F(z) = (√π/(2i)) e^{−z²} erf(iz)`). Put
 //! `v' = −2z² = C v` with a number C = c/2^s not much larger than |v'|, so that `|v| ≤ 1`, and `Σ = P + i q S` with `q = Im v = −4xy/C` ([`super::fixed`]). Then
 //!
 //! ```text

@@ -107,8 +107,8 @@ pub fn w_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], 
 /// its radius.
 ///
 /// With the midpoint m and all points within ρ of it, `|w(z) − w(m)| ≤ ρ sup |w'|`. From
-/// `w'(z) = (4i/√π) ∫_0^∞ t e^{−t² + 2izt} dt` (from DLMF 7.7.1-like `w = (2/√π) ∫_0^∞
-/// e^{−t²+2izt} dt`, all z): `|w'| ≤ 2/√π` for Im z ≥ 0, and
+/// `w(z) = (2/√π) ∫_0^∞ e^{−t²+2izt} dt` (complete the square in DLMF 7.2.2; all z) follows
+/// `w'(z) = (4i/√π) ∫_0^∞ t e^{−t² + 2izt} dt`, hence `|w'| ≤ 2/√π` for Im z ≥ 0, and
 /// `|w'| ≤ 2/√π + 4h e^{h²}` for Im z ≥ −h, because `∫_0^∞ 2t e^{−t²+2ht} dt = 1 + √π h e^{h²} erfc(−h)`.
 /// For |z| ≥ 1 and Im z ≥ 0 also `|w'| ≤ (1/√π + 5.8/|z|²)/|z|²`: one term of the asymptotic
 /// series and `D_1` (`asymptotic.rs`: `|z R_1'| ≤ √e(√2.5 + 5) Γ(3/2)/(π|z|³) ≤ 3.07/|z|³`). And for

@@ -217,6 +217,14 @@ fn exponents_beyond_any_float() {
     let expected = -(Ball::rational(3000, &decimal("1e600")) / &Ball::integer(3000, 2).ln());
     assert!((&log2 - &expected).magnitude() < Mag::power_of_two(-50));
     assert!(accurate(&re.ball, 60) && accurate(&im.ball, 60));
+    // A decimal exponent of 600 digits; by hand: 10^600/ln 10 = 4342944819…(600 digits).
+    let text = re.to_decimal(12).unwrap();
+    assert!(
+        text.contains("e-43429448190325182765112891891660508229439700580366"),
+        "{text}"
+    );
+    assert_eq!(text.len(), "1.23456789012e-".len() + 600);
+    assert!(re.to_decimal(40).is_none());
     // Far below the axis 2e^{−z²} is everything.
     let [re, im] = w_scaled(&Rational::from(1), &decimal("-1e300"), 60).unwrap();
     assert!(accurate(&re.ball, 60) && accurate(&im.ball, 60));

@@ -2,7 +2,7 @@
 //!
 //! # Start
 //! With `λ = √((k − 1/8)π)` and `μ = ln(λ√(2π))` the k-th zero of erfc in the second quadrant is
-//! `−λ + μ/(4λ) + i(λ + μ/(4λ))` and terms of order λ^-3 (DLMF 7.13.4); erfc(ζ) = 0 means
+//! `−λ + μ/(4λ) + i(λ + μ/(4λ))` and terms of order λ^-3 (DLMF §7.13(ii)); erfc(ζ) = 0 means
 //! `w(iζ) = 0`, and the mirror image of iζ is `λ + μ/(4λ) − i(λ − μ/(4λ))`.
 //!
 //! # Certificate
@@ -56,7 +56,7 @@ fn certificate(z: &ComplexBall, prec: u32) -> Option<Mag> {
 }
 
 /// The k-th zero of w (k = 1, 2, …) with positive real part, counted by the asymptotic expansion
-/// (DLMF 7.13.4), i.e. by increasing modulus. Existence and uniqueness in a neighbourhood are
+/// (DLMF §7.13(ii)), i.e. by increasing modulus. Existence and uniqueness in a neighbourhood are
 /// proved; each component has a relative radius of at most 2^-bits. Its mirror image `−conj z` is a
 /// zero as well, and there are no others in the plane.
 ///
