@@ -64,6 +64,7 @@ use super::scaled::Scaled;
 use super::ziv::Kind;
 use crate::reference::{Ball, Mag};
 use rug::Integer;
+use std::f64::consts::FRAC_PI_2;
 
 /// `log2` of upper bounds on `T_N`, `B_N` and `D_N`; `log_r` is `log2 |z|²` or a little less.
 pub(super) struct Remainder {
@@ -153,7 +154,7 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> 
         let r = z.norm.mignitude();
         // θ ≤ (π/2) sin θ = (π/2) small/|z|.
         let sine = small.magnitude().mul(small.magnitude()).div(r).sqrt();
-        Mag::from_f64(1.5707963267948968).mul(sine)
+        Mag::from_f64(FRAC_PI_2.next_up()).mul(sine)
     };
     let im_error = least(plain, arc(&x).mul(turning));
 

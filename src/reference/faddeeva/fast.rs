@@ -163,8 +163,8 @@ impl Part {
         Part { mid, ..self }
     }
 
-    /// With the roundings of the floats: all sums so far were of numbers below the error over
-    /// 2^-150, or their rounding is below 2^-150 of the result and of what cancelled.
+    /// The ball, with the roundings of the few operations on floats (each relative to a result of
+    /// 160 bits): 2^-150 of the number and of what it may have been cancelled from.
     fn ball(self, cancelled: Mag) -> Ball {
         let rounding = Mag::above(&self.mid).add(cancelled).shift(-150);
         Ball::new(self.mid, self.error.add(rounding))

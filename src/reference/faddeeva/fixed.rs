@@ -191,7 +191,7 @@ fn sum_checked(
     let (mut t, mut u) = (Integer::new(), Integer::new());
     let mut end = n;
     while end > 0 {
-        if end < n && end % m == 0 {
+        if end < n && end.is_multiple_of(m) {
             let r = size(&re, i64::from(bits) + shift);
             let s = size(&im, i64::from(bits) + shift);
             t.assign(&top.re * &re);

@@ -32,6 +32,7 @@ mod ziv;
 use super::{Ball, ComplexBall, Mag, Undecided};
 use argument::Real;
 use rug::{Float, Rational};
+use std::f64::consts::FRAC_2_SQRT_PI;
 use ziv::{balls, once, scaled};
 
 pub use derivatives::{taylor, w_derivative};
@@ -110,7 +111,7 @@ pub fn w_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], 
 /// `w(z) = (2/√π) ∫_0^∞ e^{−t²+2izt} dt` (complete the square in DLMF 7.2.2; all z) follows
 /// `w'(z) = (4i/√π) ∫_0^∞ t e^{−t² + 2izt} dt`, hence `|w'| ≤ 2/√π` for Im z ≥ 0, and
 /// `|w'| ≤ 2/√π + 4h e^{h²}` for Im z ≥ −h, because `∫_0^∞ 2t e^{−t²+2ht} dt = 1 + √π h e^{h²} erfc(−h)`.
-/// For |z| ≥ 1 and Im z ≥ 0 also `|w'| ≤ (1/√π + 5.8/|z|²)/|z|²`: one term of the asymptotic
+/// For |z| ≥ 1 and Im z ≥ 0 also `|w'| ≤ (1/√π + 3.07/|z|²)/|z|²`: one term of the asymptotic
 /// series and `D_1` (`asymptotic.rs`: `|z R_1'| ≤ √e(√2.5 + 5) Γ(3/2)/(π|z|³) ≤ 3.07/|z|³`). And for
 /// small ρ anywhere: w' = −2zw + 2i/√π gives, with Z = sup |z| and Grönwall's lemma along a radius,
 /// `|w| ≤ e^{2Zρ} (|w(m)| + 2ρ/√π)`, and with it a bound on |w'|.
@@ -140,7 +141,7 @@ pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
 /// An upper bound on |w'| over the ball; `rho` its radius, `size` a bound on |w| at its midpoint.
 fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
     let low = z.im.lower();
-    let flat = Mag::from_f64(1.1283791670955128);
+    let flat = Mag::from_f64(FRAC_2_SQRT_PI.next_up());
     if low < 0 {
         let t = z.magnitude().mul(rho).shift(1);
         if t <= Mag::from_f64(1.0) {
@@ -159,7 +160,7 @@ fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
         return flat;
     }
     let inverse = one.div(r).mul(one.div(r));
-    let bound = inverse.mul(Mag::from_f64(0.5642).add(Mag::from_f64(5.8).mul(inverse)));
+    let bound = inverse.mul(Mag::from_f64(0.5642).add(Mag::from_f64(3.07).mul(inverse)));
     if bound < flat { bound } else { flat }
 }
 

@@ -38,6 +38,7 @@
 
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
+use std::f64::consts::FRAC_2_PI;
 
 /// An enclosure of w(z), z = re + i im, with an absolute error of about 2^-prec times
 /// `max(1, |e^{−z²}|)`.
@@ -107,7 +108,7 @@ fn upper(z: &ComplexBall, prec: u32, inner: u32) -> ComplexBall {
     // In units of the actual distance d h instead of h/4: 1/(πd) per unit of the two sums.
     let tail = e
         .mul(Mag::from_f64(1.0).add(Mag::from_f64(1.0).div(step)))
-        .mul(Mag::from_f64(0.6366197723675815))
+        .mul(Mag::from_f64(FRAC_2_PI.next_up()))
         .div(distance);
     let rule = (-(a.square() * &Ball::exact(inner, 0.75)))
         .exp()

@@ -19,6 +19,7 @@
 use super::w_ball;
 use crate::reference::{Ball, ComplexBall, Mag, Undecided};
 use rug::Float;
+use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// `w'(z) = −2z w + 2i/√π`.
 fn slope(z: &ComplexBall, w: &ComplexBall, prec: u32) -> ComplexBall {
@@ -47,11 +48,12 @@ fn certificate(z: &ComplexBall, prec: u32) -> Option<Mag> {
     if !(t <= Mag::from_f64(1.0)) {
         return None;
     }
-    // e^t ≤ 1 + 2t for t ≤ 1; 2/√π < 1.1284, 4/√π < 2.2568.
+    // e^t ≤ 1 + 2t for t ≤ 1.
     let grown = Mag::from_f64(1.0).add(t.shift(1));
-    let w = grown.mul(size.add(Mag::from_f64(1.1284).mul(r)));
+    let slope = Mag::from_f64(FRAC_2_SQRT_PI.next_up());
+    let w = grown.mul(size.add(slope.mul(r)));
     let four = z.mul(z).shift(2).add(Mag::from_f64(2.0));
-    let m = four.mul(w).add(Mag::from_f64(2.2568).mul(z));
+    let m = four.mul(w).add(slope.shift(1).mul(z));
     (eta.mul(m).div(below) <= Mag::from_f64(0.5)).then_some(r)
 }
 
