@@ -1,5 +1,5 @@
-//! W at doubles to about 100 bits, quickly: Taylor series in 128-bit fixed point for |Re z|, |Im z|
-//! below 9.75, and the asymptotic series beyond.
+//! W to about 100 bits, quickly: Taylor series in 128-bit fixed point for |Re z|, |Im z|
+//! below 9.74, and the asymptotic series beyond.
 //!
 //! Whoever asks for more bits than come out, or for a component that loses too many, gets the
 //! general evaluation: this file only ever answers with proven balls or not at all.
@@ -42,6 +42,7 @@
 //!
 //! Everything is below 2^9 units.
 
+use super::argument::Real;
 use super::asymptotic::{remainder, terms};
 use super::derivatives::taylor;
 use crate::reference::{Ball, ComplexBall, Mag};
@@ -136,6 +137,47 @@ fn real_series<'a>(
     (p, q)
 }
 
+/// The modulus of a coordinate: a float with a relative error below 2^-158, and the nearest double.
+struct Coordinate {
+    value: Float,
+    double: f64,
+    exact: bool,
+}
+
+impl Coordinate {
+    fn new(x: &Real) -> Coordinate {
+        if let Real::Double(x) = x {
+            return Coordinate {
+                value: Float::with_val(PREC, x.abs()),
+                double: x.abs(),
+                exact: true,
+            };
+        }
+        let value = x.ball(PREC).mid().clone().abs();
+        Coordinate {
+            double: value.to_f64(),
+            value,
+            exact: false,
+        }
+    }
+
+    /// Twice the coordinate of the nearest centre.
+    fn centre(&self) -> f64 {
+        (2.0 * self.double).round()
+    }
+
+    /// The distance from there in units, wrong by one unit at most. For a double the difference is
+    /// exact (Sterbenz, or the centre is zero).
+    fn offset(&self) -> Option<i128> {
+        let centre = self.centre() / 2.0;
+        if self.exact {
+            return Some(fixed(self.double - centre));
+        }
+        let s = Float::with_val(PREC, &self.value - centre) << SCALE;
+        s.to_integer()?.to_i128()
+    }
+}
+
 /// A number with an error bound.
 struct Part {
     mid: Float,
@@ -144,16 +186,24 @@ struct Part {
 
 impl Part {
     /// `n 2^-SCALE factor`, n wrong by 2^9 units.
-    fn sum(n: i128, factor: f64) -> Part {
+    fn sum(n: i128, factor: &Float) -> Part {
         let mid = (Float::with_val(PREC, n) >> SCALE) * factor;
-        let error = Mag::from_f64(factor).mul(Mag::power_of_two(SUM_ERROR));
+        let error = Mag::above(factor).mul(Mag::power_of_two(SUM_ERROR));
         Part { mid, error }
     }
 
-    /// `self + k g`, where g has a relative error of 2^-140.
-    fn plus(self, g: &Float, k: i32) -> Part {
+    /// The same with the factor one.
+    fn plain(n: i128) -> Part {
+        let mid = Float::with_val(PREC, n) >> SCALE;
+        let error = Mag::power_of_two(SUM_ERROR);
+        Part { mid, error }
+    }
+
+    /// `self + k g`, |k| ≤ 2, where g has a relative error of 2^-140 and the absolute error `slack`.
+    fn plus(self, g: &Float, k: i32, slack: Mag) -> Part {
         let term = Float::with_val(PREC, g * k);
-        let error = self.error.add(Mag::above(&term).shift(-140));
+        let relative = Mag::above(&term).shift(-140);
+        let error = self.error.add(relative).add(slack.shift(1));
         let mid = self.mid + term;
         Part { mid, error }
     }
@@ -171,26 +221,32 @@ impl Part {
     }
 }
 
-/// `e^{−(x+iy)²} = c − i s`, each with a relative error below 2^-140. t = y² − x² is formed with a
-/// relative error of 3·2^-160 and is below 400 in modulus, so that its absolute error is below
-/// 2^-149; 2xy is exact (106 bits).
-fn gaussian(x: f64, y: f64) -> (Float, Float) {
-    let (fx, fy) = (Float::with_val(PREC, x), Float::with_val(PREC, y));
-    let t = Float::with_val(PREC, &fy - &fx) * Float::with_val(PREC, &fy + &fx);
+/// `e^{−(x+iy)²} = c − i s`, each with a relative error below 2^-140 and an absolute one of the third
+/// result. x and y are below 10 and known to 2^-158: the error of y − x is below 2^-153, that of
+/// t = y² − x² below 2^-148. The angle 2xy has a relative error below 2^-156, and so sin and cos the
+/// absolute error 2xy 2^-156; both coordinates exact, the angle is exact (106 bits).
+fn gaussian(x: &Coordinate, y: &Coordinate) -> (Float, Float, Mag) {
+    let (a, b) = (&x.value, &y.value);
+    let t = Float::with_val(PREC, b - a) * Float::with_val(PREC, b + a);
     let e = t.exp();
-    let angle = (fx * fy) << 1u32;
+    let angle = Float::with_val(PREC, a * b) << 1u32;
+    let slack = if x.exact && y.exact {
+        Mag::ZERO
+    } else {
+        Mag::above(&angle).mul(Mag::above(&e)).shift(-155)
+    };
     let (s, c) = angle.sin_cos(Float::new(PREC));
-    (c * &e, s * e)
+    (c * &e, s * e, slack)
 }
 
 /// w(x + iy) with components of at least `bits` bits, or nothing.
-pub(super) fn w(x: f64, y: f64, bits: u32) -> Option<ComplexBall> {
-    let (a, h) = (x.abs(), y.abs());
-    let limit = SIDE as f64 / 2.0 - 0.25;
-    let w = if a < limit && h < limit {
-        near(a, h, y < 0.0)?
-    } else if y >= 0.0 {
-        far(a, h, bits)?
+pub(super) fn w(x: &Real, y: &Real, bits: u32) -> Option<ComplexBall> {
+    let (a, h) = (Coordinate::new(x), Coordinate::new(y));
+    let limit = SIDE as f64 / 2.0 - 0.26;
+    let w = if a.double < limit && h.double < limit {
+        near(&a, &h, y.is_negative())?
+    } else if !y.is_negative() {
+        far(&a.value, &h.value, bits)?
     } else {
         return None;
     };
@@ -198,7 +254,7 @@ pub(super) fn w(x: f64, y: f64, bits: u32) -> Option<ComplexBall> {
     if !(enough(&w.re) && enough(&w.im)) {
         return None;
     }
-    Some(if x < 0.0 {
+    Some(if x.is_negative() {
         ComplexBall::new(w.re, -w.im)
     } else {
         w
@@ -206,29 +262,27 @@ pub(super) fn w(x: f64, y: f64, bits: u32) -> Option<ComplexBall> {
 }
 
 /// The cells. `lower`: at a − ih instead of a + ih.
-fn near(a: f64, h: f64, lower: bool) -> Option<ComplexBall> {
-    let (i, j) = ((2.0 * a).round(), (2.0 * h).round());
+fn near(a: &Coordinate, h: &Coordinate, lower: bool) -> Option<ComplexBall> {
+    let (i, j) = (a.centre(), h.centre());
     let cell = cell(i as usize, j as usize)?;
-    // Exact: neighbouring multiples of the coarser spacing (Sterbenz), or the centre is zero.
-    let (s, v) = (a - i / 2.0, h - j / 2.0);
-    let (fs, fv) = (fixed(s), fixed(v));
+    let (fs, fv) = (a.offset()?, h.offset()?);
     let (re, im) = match (i == 0.0, j == 0.0) {
         (true, true) => {
             // D = i z Σ d_{2k+1} z^{2k}, z² = p + iq: Re D = −h (P + 2a²S), Im D = a (P − 2h²S).
             let (aa, hh) = (mul(fs, fs), mul(fv, fv));
             let odd = cell.iter().skip(1).step_by(2);
             let (p, q) = real_series(odd, aa - hh, 4 * mul(aa, hh));
-            let re = Part::sum(p + 2 * mul(aa, q), -h);
-            (re, Part::sum(p - 2 * mul(hh, q), a))
+            let re = Part::sum(-(p + 2 * mul(aa, q)), &h.value);
+            (re, Part::sum(p - 2 * mul(hh, q), &a.value))
         }
         (_, true) => {
             let (p, q) = real_series(cell.iter(), fs, mul(fv, fv));
-            (Part::sum(q, -h), Part::sum(p, 1.0))
+            (Part::sum(-q, &h.value), Part::plain(p))
         }
         (true, _) => {
             // erfcx at h − ia: the real shift is v, the imaginary one −a.
             let (p, q) = real_series(cell.iter(), fv, mul(fs, fs));
-            (Part::sum(p, 1.0), Part::sum(q, -a))
+            (Part::plain(p), Part::sum(-q, &a.value))
         }
         _ => {
             let (mut p, mut q) = (0, 0);
@@ -238,20 +292,20 @@ fn near(a: f64, h: f64, lower: bool) -> Option<ComplexBall> {
                     mul(fs, q) + mul(fv, p) + c[1],
                 );
             }
-            (Part::sum(p, 1.0), Part::sum(q, 1.0))
+            (Part::plain(p), Part::plain(q))
         }
     };
     let dawson = j == 0.0;
     if !dawson && !lower {
         return Some(ComplexBall::new(re.ball(Mag::ZERO), im.ball(Mag::ZERO)));
     }
-    let (c, s) = gaussian(a, h);
+    let (c, s, slack) = gaussian(a, h);
     let (cm, sm) = (Mag::above(&c).shift(1), Mag::above(&s).shift(1));
     // Above: D + E (E = c − is) or w. Below: 2E − conj of that, E at a − ih being c + is.
     let (re, im) = match (dawson, lower) {
-        (true, false) => (re.plus(&c, 1), im.plus(&s, -1)),
-        (true, true) => (re.negated().plus(&c, 1), im.plus(&s, 1)),
-        _ => (re.negated().plus(&c, 2), im.plus(&s, 2)),
+        (true, false) => (re.plus(&c, 1, slack), im.plus(&s, -1, slack)),
+        (true, true) => (re.negated().plus(&c, 1, slack), im.plus(&s, 1, slack)),
+        _ => (re.negated().plus(&c, 2, slack), im.plus(&s, 2, slack)),
     };
     Some(ComplexBall::new(re.ball(cm), im.ball(sm)))
 }
@@ -263,14 +317,15 @@ fn near(a: f64, h: f64, lower: bool) -> Option<ComplexBall> {
 /// sum from term k on equal to P + iqS: `P ← 1 + ρ (pP − q²S)`, `S ← ρ (P + pS)`. The errors E of P and
 /// F of S obey `E' = ρ (|p| E + q² F + 6 + 3|P| + 20|S|) + 1`, `F' = ρ (E + |p| F + 3 + 3|S|) + 1` (Ca² and
 /// Cb² are wrong by one unit, hence p by 3 and `q² = 4 Ca² Cb²` by 4 (3 + 2)), evaluated in `f64` and enlarged by 1 %.
-fn far(x: f64, y: f64, bits: u32) -> Option<ComplexBall> {
+fn far(x: &Float, y: &Float, bits: u32) -> Option<ComplexBall> {
     const UNIT: u32 = 114;
-    let float = |x: f64| Float::with_val(PREC, x);
-    let norm = float(x).square() + float(y).square();
+    let square = |x: &Float| Float::with_val(PREC, x.square_ref());
+    let norm = square(x) + square(y);
     let (m, e) = norm.to_f64_exp();
     let log_r = m.log2() + f64::from(e) - 1e-8;
     let n = terms(log_r, bits + 4)?;
-    let (a, b) = (float(x) / &norm, float(y) / &norm);
+    let over = |x: &Float| Float::with_val(PREC, x / &norm);
+    let (a, b) = (over(x), over(y));
     let log_c = (log_r.floor() as i64).clamp(0, 40) as u32;
     let units = |f: &Float| -> Option<i128> {
         let square = Float::with_val(PREC, f.square_ref()) << (log_c + UNIT);

@@ -33,7 +33,7 @@ use super::{Ball, ComplexBall, Mag, Undecided};
 use argument::Real;
 use rug::{Float, Rational};
 use std::f64::consts::FRAC_2_SQRT_PI;
-use ziv::{balls, once, scaled};
+use ziv::{once, scaled, value};
 
 pub use derivatives::{taylor, w_derivative};
 pub use related::{dawson, erf, erfc, erfcx, erfi, voigt};
@@ -56,10 +56,11 @@ pub use zeros::zero;
 /// See the [module](self).
 pub fn w(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Undecided> {
     let real = |q: &Rational| Real::Rational(q.clone());
-    balls(scaled(real(re), real(im), bits)?, bits)
+    value(real(re), real(im), bits)
 }
 
-/// [`w`] at an exact pair of doubles. NaN and infinities are refused.
+/// [`w`] at an exact pair of doubles. NaN and infinities are refused. Up to about 100 bits this
+/// takes a microsecond or a few almost everywhere (`fast.rs`; its tables are made on first use).
 ///
 /// # Errors
 /// See the [module](self).
@@ -70,12 +71,7 @@ pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
             reason: format!("w at the argument ({re}, {im}), which is not finite"),
         });
     }
-    if bits <= fast::MOST_BITS
-        && let Some(w) = fast::w(re, im, bits)
-    {
-        return Ok(w);
-    }
-    balls(scaled(Real::Double(re), Real::Double(im), bits)?, bits)
+    value(Real::Double(re), Real::Double(im), bits)
 }
 
 /// [`w`] at an exact pair of floats.
@@ -83,17 +79,13 @@ pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
 /// # Errors
 /// See the [module](self). A NaN or an infinity is refused.
 pub fn w_float(re: &Float, im: &Float, bits: u32) -> Result<ComplexBall, Undecided> {
-    balls(w_float_scaled(re, im, bits)?, bits)
-}
-
-fn w_float_scaled(re: &Float, im: &Float, bits: u32) -> Result<[Scaled; 2], Undecided> {
     if !(re.is_finite() && im.is_finite()) {
         return Err(Undecided {
             bits,
             reason: format!("w at the argument ({re}, {im}), which is not finite"),
         });
     }
-    scaled(Real::Float(re.clone()), Real::Float(im.clone()), bits)
+    value(Real::Float(re.clone()), Real::Float(im.clone()), bits)
 }
 
 /// [`w`] with exponents of any size: real and imaginary part.
@@ -129,13 +121,13 @@ pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
         return whole();
     };
     let [re, im] = parts.map(|part| part.to_ball_or_tiny());
-    let value = ComplexBall::new(re, im);
+    let at_mid = ComplexBall::new(re, im);
     let rho = z.radius();
     if rho.is_zero() {
-        return value;
+        return at_mid;
     }
-    let slope = slope(z, rho, value.magnitude());
-    value.widened(rho.mul(slope))
+    let slope = slope(z, rho, at_mid.magnitude());
+    at_mid.widened(rho.mul(slope))
 }
 
 /// An upper bound on |w'| over the ball; `rho` its radius, `size` a bound on |w| at its midpoint.

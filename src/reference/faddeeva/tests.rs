@@ -1,5 +1,6 @@
 //! Random arguments: two precisions, two routes, identities, and the edges of the range.
 
+use super::ziv::balls;
 use super::*;
 use crate::reference::Decimal;
 use proptest::prelude::*;
@@ -77,11 +78,16 @@ proptest! {
             2 => ((4.0 * x).round() / 4.0, (4.0 * y).round() / 4.0 + 1e-12),
             _ => (2.0 * x, 2.0 * y.abs()),
         };
-        if let Some(fast) = fast::w(x, y, bits) {
-            let slow = scaled(Real::Double(x), Real::Double(y), 130).unwrap();
-            let slow = balls(slow, 130).unwrap();
-            prop_assert!(agree(&fast, bits, &slow, 130), "{x} {y}: {fast:?} {slow:?}");
-        } else {
+        let (dx, dy) = (Real::Double(x), Real::Double(y));
+        // The same plus something no double holds.
+        let third = |x: f64| Real::Rational(q(x) + q(x) / 3u32);
+        for (x, y) in [(&dx, &dy), (&third(x), &third(y))] {
+            if let Some(fast) = fast::w(x, y, bits) {
+                let slow = balls(scaled(x.clone(), y.clone(), 130).unwrap(), 130).unwrap();
+                prop_assert!(agree(&fast, bits, &slow, 130), "{fast:?} {slow:?}");
+            }
+        }
+        if fast::w(&dx, &dy, bits).is_none() {
             // It does answer in ordinary places.
             prop_assert!(!(bits < 80 && x.abs() < 9.0 && y > 0.3 && y < 9.0 && x.abs() > 0.3));
         }
@@ -336,6 +342,42 @@ fn near_a_zero_known_to_three_thousand_bits() {
     let tiny = w(&near(&z.re), &near(&z.im), 60).unwrap();
     assert!(accurate(&tiny.re, 60) && accurate(&tiny.im, 60));
     assert!(tiny.magnitude() < Mag::power_of_two(-2990));
+}
+
+#[test]
+fn next_to_a_component_s_zero() {
+    // Bisection in doubles for Re w(x − ih) = 0 and Im w(x − ih) = 0: what is left is decided.
+    for (x, real) in [(3.0, true), (5.5, true), (2.0, false), (7.25, false)] {
+        let part = |h: f64| {
+            let w = w_f64(x, -h, 90).unwrap();
+            if real { w.re } else { w.im }
+        };
+        let (mut low, mut high) = (1e-9, 0.0);
+        for k in 1..4000 {
+            high = f64::from(k) * 0.002;
+            if part(high).is_positive() != part(low).is_positive() {
+                break;
+            }
+        }
+        assert!(part(high).is_positive() != part(low).is_positive());
+        for _ in 0..80 {
+            let mid = (low + high) / 2.0;
+            if part(mid).is_positive() == part(low).is_positive() {
+                low = mid;
+            } else {
+                high = mid;
+            }
+        }
+        assert!(high - low < 1e-14);
+        for h in [low, high] {
+            assert!(accurate(&part(h), 90) && part(h).magnitude() < Mag::from_f64(1e-11));
+        }
+    }
+    let (x, y) = (Float::with_val(300, 2).sqrt(), Float::with_val(90, -1.5));
+    let a = w_float(&x, &y, 80).unwrap();
+    let b = w_float(&x, &y, 300).unwrap();
+    assert!(agree(&a, 80, &b, 300));
+    assert!(w_float(&Float::with_val(53, f64::NAN), &y, 80).is_err());
 }
 
 #[test]
