@@ -229,3 +229,45 @@ fn power(log2: f64) -> Mag {
 fn least(a: Mag, b: Mag) -> Mag {
     if b < a { b } else { a }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::ComplexBall;
+    use crate::reference::faddeeva::argument::Real;
+    use crate::reference::faddeeva::taylor;
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    proptest! {
+        /// w and w' at moderate |z| (Kummer's series) against N terms: both remainders obey their
+        /// bounds over the closed quadrant.
+        #[test]
+        fn remainders_obey_their_bounds(r in 0.8f64..7.0, turn in 0.0f64..1.0, k in 0u32..4, n in 1u64..40) {
+            let turn = [turn * FRAC_PI_2, turn * 0.01, FRAC_PI_2 - turn * 0.01, 0.0][k as usize];
+            let q = |x: f64| Rational::from_f64(x.max(0.0)).unwrap();
+            let (x, y) = (q(r * turn.cos()), q(r * turn.sin()));
+            let prec = 200;
+            let c = taylor(&x, &y, 1, prec).unwrap();
+            let z = ComplexBall::rational(prec, &x, &y);
+            let one = ComplexBall::new(Ball::integer(prec, 1), Ball::integer(prec, 0));
+            let inverse = one.div(&z);
+            let square = inverse.square();
+            // t = (1/2)_m z^{−2m−1}; z (t)' = −(2m+1) t.
+            let mut t = inverse;
+            let (mut s, mut slope) = (ComplexBall::zero(prec), ComplexBall::zero(prec));
+            for m in 0..n {
+                s = &s + &t;
+                slope = &slope - &t.scaled(&Ball::integer(prec, 2 * m as i64 + 1));
+                t = (&t * &square).scaled(&Ball::rational(prec, &Rational::from((2 * m + 1, 2))));
+            }
+            let factor = Ball::pi(prec).sqrt().recip();
+            let rest = &c[0] - &s.scaled(&factor).turned();
+            let turning = &(&z * &c[1]) - &slope.scaled(&factor).turned();
+            let z = Argument::new(Real::Rational(x), Real::Rational(y));
+            let bound = remainder(n, z.norm_log2() - 1e-8);
+            prop_assert!(rest.mignitude() <= power(bound.plain), "{rest:?}");
+            prop_assert!(turning.mignitude() <= power(bound.turning), "{turning:?}");
+        }
+    }
+}

@@ -273,3 +273,53 @@ fn sum_checked(
     };
     Some((ball(&re, e.re), ball(&im, e.im)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    proptest! {
+        #[test]
+        fn balls_hold_the_exact_sum(
+            r in 0.0f64..1.0, turn in 0.0f64..1.6, k in 0u32..3, n in 1u64..40,
+            bits in 60u32..200, top in 1u64..60, down in 0u32..30,
+        ) {
+            // q of order one, tiny, or zero.
+            let (p, q) = (r * turn.cos(), r * turn.sin() * [1.0, 1e-9, 0.0][k as usize]);
+            let (p, q) = (Rational::from_f64(p).unwrap(), Rational::from_f64(q).unwrap());
+            let q2 = Rational::from(q.square_ref());
+            let ratio = |k: u64| (top, (2 * k + 3) << down);
+            let (mut power, mut term) = ((Rational::from(1), Rational::new()), Rational::from(1));
+            let (mut re, mut im) = (Rational::new(), Rational::new());
+            for k in 0..n {
+                re += Rational::from(&power.0 * &term);
+                im += Rational::from(&power.1 * &term);
+                let next = Rational::from(&p * &power.0) - Rational::from(&q2 * &power.1);
+                power.1 = Rational::from(&p * &power.1) + &power.0;
+                power.0 = next;
+                let (a, b) = ratio(k);
+                term *= Rational::from((a, b));
+            }
+            // Inputs with a radius, and none.
+            let wide = Mag::power_of_two(-i64::from(bits));
+            let given = |x: &Rational| Ball::rational(bits + 20, x).widened(wide);
+            let exact = |x: &Rational| Ball::rational(4000, x);
+            for (p, q2) in [(given(&p), given(&q2)), (exact(&p), exact(&q2))] {
+                let (a, b) = sum(&p, &q2, bits, n, ratio);
+                prop_assert!(a.contains(&re) && b.contains(&im), "{a:?} {b:?}");
+                let growth = (f64::from(top as u32) / 2.0) * std::f64::consts::LOG2_E;
+                let most = Mag::power_of_two(growth as i64 + 24 - i64::from(bits));
+                prop_assert!(a.rad() <= most && b.rad() <= most, "{a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn too_few_bits_bound_nothing() {
+        let half = Ball::exact(64, 0.5);
+        let (a, b) = sum(&half, &half, 12, 30, |k| (1, k + 1));
+        assert!(!a.is_finite() && !b.is_finite());
+    }
+}

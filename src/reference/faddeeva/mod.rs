@@ -9,7 +9,9 @@
 //!   components beside the axes (`asymptotic.rs`), wherever it reaches the precision.
 //!
 //! Both are derived at the head of their files. A loop raises the working precision until both
-//! components are decided (Ziv, *ACM TOMS* 17, 1991, 410).
+//! components are decided (Ziv, *ACM TOMS* 17, 1991, 410). Up to about 100 bits a third one, Taylor
+//! series in 128-bit fixed point (`fast.rs`), is asked first; it declines what it cannot prove.
+//! [`trapezoidal`] is a witness by an independent formula.
 //!
 //! # Errors
 //! [`Undecided`] when the precision reaches its cap, `4 (bits + length of the input) + 4096` bits: a
