@@ -45,3 +45,46 @@ fn mpmath_agrees_to_thirty_digits() {
     }
     assert_eq!(rows, 48);
 }
+
+#[test]
+fn mpmath_and_arb_agree_on_the_faddeeva_function() {
+    use mechaudit::reference::faddeeva as f;
+    const DIGITS: usize = 38;
+    let text = include_str!("../reference/independent/faddeeva_values.csv");
+    let mut rows = 0;
+    for line in text.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [name, re, im, theirs @ ..] = &cells[..] else {
+            panic!("{line}");
+        };
+        let number = |text: &str| Decimal::parse(text).expect("a number").value;
+        let (x, y) = (number(re), number(im));
+        let ours = match *name {
+            "w" => f::w(&x, &y, BITS),
+            "erf" => f::erf(&x, &y, BITS),
+            "erfc" => f::erfc(&x, &y, BITS),
+            "erfcx" => f::erfcx(&x, &y, BITS),
+            "erfi" => f::erfi(&x, &y, BITS),
+            "dawson" => f::dawson(&x, &y, BITS),
+            "w_derivative_1" => f::w_derivative(1, &x, &y, BITS),
+            "w_derivative_5" => f::w_derivative(5, &x, &y, BITS),
+            "w_zero" => f::zero(x.numer().to_u32().expect("small"), BITS),
+            other => panic!("{other}"),
+        }
+        .expect("decided");
+        for (i, text) in theirs.iter().enumerate() {
+            let part = if i % 2 == 0 { &ours.re } else { &ours.im };
+            let there = Ball::rational(BITS, &number(text));
+            if there.is_zero() {
+                assert!(part.is_zero(), "{line}");
+                continue;
+            }
+            assert!(part.accuracy_bits() >= i64::from(BITS) - 1, "{line}");
+            let gap = ((part - &there) / &there).abs().upper();
+            let allowed = rug::Float::with_val(64, rug::Float::u_pow_u(10, DIGITS as u32)).recip();
+            assert!(gap < allowed, "{line}: {}", part.mid());
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 113);
+}

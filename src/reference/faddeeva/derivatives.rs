@@ -39,6 +39,9 @@ fn coefficients(x: &Real, y: &Real, n: usize, prec: u32) -> Option<Vec<ComplexBa
 /// its modulus (per coefficient, not per component; components that are zero by symmetry are
 /// exactly zero).
 ///
+/// On the real axis the imaginary parts are `(2/√π) F^{(k)}(x)/k!` with Dawson's function F; on the
+/// imaginary axis `i^k c_k` are the real Taylor coefficients of erfcx at Im z.
+///
 /// # Errors
 /// See the [module](super).
 pub fn taylor(

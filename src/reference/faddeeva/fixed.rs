@@ -16,7 +16,8 @@
 //! Rectangular splitting (Smith, *Math. Comp.* 52, 1989, 131): the powers up to `v^m`, m about √n,
 //! are tabulated; then from the last term down `S_k = v^{k mod m} + (a_k/b_k) S_{k+1}`, with one
 //! multiplication by `v^m` whenever k+1 is a multiple of m. Almost all steps cost only products
-//! and quotients by one machine word.
+//! and quotients by one machine word. As many terms as fit are brought to one denominator `Π b_k` of
+//! a word, so that one quotient serves them all.
 //!
 //! # Error
 //! Every rounding (a shift to the left integer, or a quotient truncated) is an error of at most
@@ -40,7 +41,7 @@
 //! both.
 
 use crate::reference::{Ball, Mag};
-use rug::{Float, Integer};
+use rug::{Assign, Float, Integer};
 
 /// Error bounds of one number, in units.
 #[derive(Clone, Copy, Default)]
@@ -72,6 +73,9 @@ impl Errors {
         self.re.max(self.im).max(self.both)
     }
 }
+
+/// Terms with a common denominator, at most.
+const GROUP: usize = 12;
 
 /// Error bounds beyond this are kept as multiples of it.
 const STEP: i64 = 512;
@@ -178,52 +182,81 @@ fn sum_checked(
     let g_m = qq * top.errors.im + eq * s_m + 1.0;
     let q2s_size = (qq * s_m).min(q);
 
-    // Terms, from the last one down.
+    // Terms, from the last one down, in groups that share one quotient.
     let mut re = Integer::new();
     let mut im = Integer::new();
     let mut e = Errors::default();
     // Bounds are multiples of 2^shift, one unit is `unit` of them.
     let (mut shift, mut unit) = (0i64, 1.0f64);
     let (mut t, mut u) = (Integer::new(), Integer::new());
-    for k in (0..n).rev() {
-        if k + 1 < n {
-            if (k + 1) % m == 0 {
-                use rug::Assign;
-                let r = size(&re, i64::from(bits) + shift);
-                let s = size(&im, i64::from(bits) + shift);
-                t.assign(&top.re * &re);
-                t -= &q2s * &im;
-                u.assign(&top.re * &im);
-                u += &top.im * &re;
-                re.assign(&t >> bits);
-                im.assign(&u >> bits);
-                let a = top.errors.re * r + g_m * s + unit;
-                let b = top.errors.im * r + top.errors.re * s + unit;
-                e = Errors {
-                    re: e.re + q2s_size * e.im + a,
-                    im: e.im + s_m * e.re + b,
-                    both: e.both + a + q * b,
-                }
-                .least(low);
+    let mut end = n;
+    while end > 0 {
+        if end < n && end.is_multiple_of(m) {
+            let r = size(&re, i64::from(bits) + shift);
+            let s = size(&im, i64::from(bits) + shift);
+            t.assign(&top.re * &re);
+            t -= &q2s * &im;
+            u.assign(&top.re * &im);
+            u += &top.im * &re;
+            re.assign(&t >> bits);
+            im.assign(&u >> bits);
+            let a = top.errors.re * r + g_m * s + unit;
+            let b = top.errors.im * r + top.errors.re * s + unit;
+            e = Errors {
+                re: e.re + q2s_size * e.im + a,
+                im: e.im + s_m * e.re + b,
+                both: e.both + a + q * b,
             }
+            .least(low);
+        }
+        // Terms start..end: their coefficients over the common denominator.
+        let floor = (end - 1) / m * m;
+        let mut group = [(1u64, 1u64); GROUP];
+        let (mut len, mut denominator, mut largest_factor) = (0, 1u64, 1u64);
+        while len < GROUP && end - len as u64 > floor {
+            let k = end - 1 - len as u64;
             let (a, b) = ratio(k);
-            re *= a;
-            im *= a;
-            re /= b;
-            im /= b;
+            let (Some(x), Some(y)) = (largest_factor.checked_mul(a), denominator.checked_mul(b))
+            else {
+                break;
+            };
+            (denominator, largest_factor) = (y, x.max(y));
+            group[len] = (a, y);
+            len += 1;
             e = e.times(a as f64 / b as f64);
             if e.largest() > pow2(STEP) {
                 e = e.times(pow2(-STEP));
                 shift += STEP;
                 unit = pow2(-shift.min(1000));
             }
+            let power = &powers[(k % m) as usize].errors;
+            e.re += (power.re + 1.0) * unit;
+            e.im += (power.im + 1.0) * unit;
+            e.both += (power.both + 1.0 + q) * unit;
         }
-        let power = &powers[(k % m) as usize];
-        re += &power.re;
-        im += &power.im;
-        e.re += (power.errors.re + 1.0) * unit;
-        e.im += (power.errors.im + 1.0) * unit;
-        e.both += (power.errors.both + 1.0 + q) * unit;
+        if len == 0 {
+            return None;
+        }
+        // S_start D = Σ_j (Π_{i<j} a_i) (Π_{i≥j} b_i) v^j + (Π a_i) S_end
+        let mut product = 1u64;
+        t.assign(0);
+        u.assign(0);
+        for (i, (a, below)) in group[..len].iter().enumerate().rev() {
+            let power = &powers[((end - 1 - i as u64) % m) as usize];
+            t += &power.re * (product * below);
+            u += &power.im * (product * below);
+            product *= a;
+        }
+        for (s, t) in [(&mut re, &t), (&mut im, &u)] {
+            *s *= product;
+            *s += t;
+            if denominator.is_power_of_two() {
+                *s >>= denominator.trailing_zeros();
+            } else {
+                *s /= denominator;
+            }
+        }
+        end -= len as u64;
     }
     let e = e.least(low);
     // Stored powers are near the exact ones.
@@ -239,4 +272,54 @@ fn sum_checked(
         )
     };
     Some((ball(&re, e.re), ball(&im, e.im)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    proptest! {
+        #[test]
+        fn balls_hold_the_exact_sum(
+            r in 0.0f64..1.0, turn in 0.0f64..1.6, k in 0u32..3, n in 1u64..40,
+            bits in 60u32..200, top in 1u64..60, down in 0u32..30,
+        ) {
+            // q of order one, tiny, or zero.
+            let (p, q) = (r * turn.cos(), r * turn.sin() * [1.0, 1e-9, 0.0][k as usize]);
+            let (p, q) = (Rational::from_f64(p).unwrap(), Rational::from_f64(q).unwrap());
+            let q2 = Rational::from(q.square_ref());
+            let ratio = |k: u64| (top, (2 * k + 3) << down);
+            let (mut power, mut term) = ((Rational::from(1), Rational::new()), Rational::from(1));
+            let (mut re, mut im) = (Rational::new(), Rational::new());
+            for k in 0..n {
+                re += Rational::from(&power.0 * &term);
+                im += Rational::from(&power.1 * &term);
+                let next = Rational::from(&p * &power.0) - Rational::from(&q2 * &power.1);
+                power.1 = Rational::from(&p * &power.1) + &power.0;
+                power.0 = next;
+                let (a, b) = ratio(k);
+                term *= Rational::from((a, b));
+            }
+            // Inputs with a radius, and none.
+            let wide = Mag::power_of_two(-i64::from(bits));
+            let given = |x: &Rational| Ball::rational(bits + 20, x).widened(wide);
+            let exact = |x: &Rational| Ball::rational(4000, x);
+            for (p, q2) in [(given(&p), given(&q2)), (exact(&p), exact(&q2))] {
+                let (a, b) = sum(&p, &q2, bits, n, ratio);
+                prop_assert!(a.contains(&re) && b.contains(&im), "{a:?} {b:?}");
+                let growth = (f64::from(top as u32) / 2.0) * std::f64::consts::LOG2_E;
+                let most = Mag::power_of_two(growth as i64 + 24 - i64::from(bits));
+                prop_assert!(a.rad() <= most && b.rad() <= most, "{a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn too_few_bits_bound_nothing() {
+        let half = Ball::exact(64, 0.5);
+        let (a, b) = sum(&half, &half, 12, 30, |k| (1, k + 1));
+        assert!(!a.is_finite() && !b.is_finite());
+    }
 }

@@ -5,7 +5,7 @@
 //! error is below 2^-prec however large z is.
 
 use super::scaled::Scaled;
-use crate::reference::Ball;
+use crate::reference::{Ball, Mag};
 use rug::{Float, Integer};
 
 /// `e^{−z²} = 2^k (c − i s)`.
@@ -30,6 +30,16 @@ impl Gaussian {
         }
     }
 
+    /// Only a bound on the modulus is known.
+    pub fn absent(bound: Mag, prec: u32) -> Gaussian {
+        let around_zero = Ball::new(Float::new(prec), bound);
+        Gaussian {
+            c: around_zero.clone(),
+            s: around_zero,
+            k: Integer::new(),
+        }
+    }
+
     /// The two components `(cos, sin)` times two to the power asked for, relative to 2^by:
     /// `(c, s) 2^(k − by)`. What falls below 2^-(2^29) becomes `0 ± 2^-(2^29)`.
     pub fn relative_to(&self, by: &Integer) -> (Ball, Ball) {
@@ -49,10 +59,7 @@ pub(super) fn exp_scaled(t: &Ball, prec: u32) -> (Ball, Integer) {
     let Some(k) = k.to_integer() else {
         return (t.exp(), Integer::new());
     };
-    let turns = Ball::new(
-        Float::with_val(k.significant_bits().max(64), &k),
-        crate::reference::Mag::ZERO,
-    );
+    let turns = Ball::new(Float::with_val(k.significant_bits().max(64), &k), Mag::ZERO);
     let rest = t - &(&turns * &ln2);
     (rest.with_prec(prec).exp(), k)
 }

@@ -2,9 +2,9 @@
 //!
 //! # Formula
 //! `w(z) = e^{−z²} + (2i/√π) F(z)` (DLMF 7.5.1) with Dawson's function
-//! `F(z) = z ₁F₁(1; 3/2; −z²) = z Σ_k (−2z²)^k/(2k+1)!!` (DLMF 7.6.2 times e^{−z²}). Put
-//! `v' = −2z² = C v` with a rational C = c/16 such that `|v'| ≤ C ≤ |v'| + 1/16 + tiny`, so that
-//! `|v| ≤ 1`, and `Σ = P + i q S` with `q = Im v = −4xy/C` ([`super::fixed`]). Then
+//! `F(z) = z ₁F₁(1; 3/2; −z²) = z Σ_k (−2z²)^k/(2k+1)!!` (DLMF 7.6.2 at iz, with
+//! `F(z) = (√π/(2i)) e^{−z²} erf(iz)`). Put
+//! `v' = −2z² = C v` with a number C = c/2^s not much larger than |v'|, so that `|v| ≤ 1`, and `Σ = P + i q S` with `q = Im v = −4xy/C` ([`super::fixed`]). Then
 //!
 //! ```text
 //! Re w = Re e^{−z²} − (2/√π) y (P − (4x²/C) S)
@@ -15,7 +15,7 @@
 //! size), and its relative accuracy does not suffer.
 //!
 //! # Truncation
-//! The term of index k is at most `C^k/(2k+1)!!` in P, and at most k times that in S, because
+//! The term of index k is at most `C^k/(2k+1)!!` in P (|v| ≤ 1), and at most k times that in S, because
 //! `|Im v^k / q| ≤ k |v|^{k−1} ≤ k`. With `T_k = k C^k/(2k+1)!!` and
 //! `T_{k+1}/T_k = C (k+1)/(k (2k+3)) ≤ 1/2` for all k ≥ n both tails are at most `2 T_n`. `T_n` is
 //! bounded through `(2n+1)!! = 2^{n+1} Γ(n+3/2)/√π` and `ln Γ(s) ≥ (s − 1/2) ln s − s + ln(2π)/2`
@@ -62,6 +62,21 @@ fn terms(c: f64, bits: f64) -> u64 {
     high
 }
 
+/// `(c, s)` with `size ≤ c/2^s`, few digits, at most a quarter too large above 1 and a factor of two
+/// below (or 2^-32).
+fn scale(size: f64) -> (u64, u32) {
+    let size = size * (1.0 + 1e-12);
+    if size >= 16.0 {
+        (size.ceil() as u64, 0)
+    } else if size > 1.0 {
+        ((size * 4.0).ceil() as u64, 2)
+    } else {
+        let s = (-size.log2()).floor().clamp(0.0, 32.0);
+        // The logarithm may be rounded to the wrong side of an integer.
+        (if size * s.exp2() > 1.0 { 2 } else { 1 }, s as u32)
+    }
+}
+
 /// w, or w − e^{−z²}, at relative precision about 2^-prec of its modulus in the upper half-plane.
 /// `|z|²` has to be below 2^31.
 pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> ComplexBall {
@@ -72,16 +87,17 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> ComplexBall {
     let inner = target + 16;
     let (x, y) = (z.x.ball(inner), z.y.ball(inner));
 
-    let c16 = (32.0 * size * (1.0 + 1e-12)).ceil().max(1.0) as u64;
-    let c = c16 as f64 / 16.0;
+    let (c_top, c_down) = scale(2.0 * size);
+    let c = c_top as f64 / (c_down as f64).exp2();
     let n = terms(c, f64::from(target));
     let bits = target + 2 * (64 - n.leading_zeros()) / 2 + 4;
-    let inverse = &Ball::integer(inner, 16) / &Ball::integer(inner, c16 as i64);
+    let inverse =
+        (&Ball::integer(inner, 1) / &Ball::integer(inner, c_top as i64)).shift(c_down as i32);
     let (xx, yy) = (x.square(), y.square());
     let p = (&(&yy - &xx) * &inverse).shift(1);
     let (x2, y2) = ((&xx * &inverse).shift(2), (&yy * &inverse).shift(2));
     let q2 = (&x2 * &yy).shift(2) * &inverse;
-    let (big_p, big_s) = fixed::sum(&p, &q2, bits, n, |k| (c16, 16 * (2 * k + 3)));
+    let (big_p, big_s) = fixed::sum(&p, &q2, bits, n, |k| (c_top, (2 * k + 3) << c_down));
     let tail = Mag::power_of_two(-i64::from(target));
     let (big_p, big_s) = (
         big_p.with_prec(inner).widened(tail),

@@ -9,7 +9,9 @@
 //!   components beside the axes (`asymptotic.rs`), wherever it reaches the precision.
 //!
 //! Both are derived at the head of their files. A loop raises the working precision until both
-//! components are decided (Ziv, *ACM TOMS* 17, 1991, 410).
+//! components are decided (Ziv, *ACM TOMS* 17, 1991, 410). Up to about 100 bits a third one, Taylor
+//! series in 128-bit fixed point (`fast.rs`), is asked first; it declines what it cannot prove.
+//! [`trapezoidal`] is a witness by an independent formula.
 //!
 //! # Errors
 //! [`Undecided`] when the precision reaches its cap, `4 (bits + length of the input) + 4096` bits: a
@@ -19,18 +21,21 @@
 mod argument;
 mod asymptotic;
 mod derivatives;
+mod fast;
 mod fixed;
 mod gaussian;
 mod kummer;
 mod related;
 mod scaled;
+pub mod trapezoidal;
 mod zeros;
 mod ziv;
 
 use super::{Ball, ComplexBall, Mag, Undecided};
 use argument::Real;
 use rug::{Float, Rational};
-use ziv::{balls, once, scaled};
+use std::f64::consts::FRAC_2_SQRT_PI;
+use ziv::{once, scaled, value};
 
 pub use derivatives::{taylor, w_derivative};
 pub use related::{dawson, erf, erfc, erfcx, erfi, voigt};
@@ -53,10 +58,11 @@ pub use zeros::zero;
 /// See the [module](self).
 pub fn w(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Undecided> {
     let real = |q: &Rational| Real::Rational(q.clone());
-    balls(scaled(real(re), real(im), bits)?, bits)
+    value(real(re), real(im), bits)
 }
 
-/// [`w`] at an exact pair of doubles. NaN and infinities are refused.
+/// [`w`] at an exact pair of doubles. NaN and infinities are refused. Up to about 100 bits this
+/// takes a microsecond or a few almost everywhere (`fast.rs`; its tables are made on first use).
 ///
 /// # Errors
 /// See the [module](self).
@@ -67,7 +73,7 @@ pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
             reason: format!("w at the argument ({re}, {im}), which is not finite"),
         });
     }
-    balls(scaled(Real::Double(re), Real::Double(im), bits)?, bits)
+    value(Real::Double(re), Real::Double(im), bits)
 }
 
 /// [`w`] at an exact pair of floats.
@@ -75,17 +81,13 @@ pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
 /// # Errors
 /// See the [module](self). A NaN or an infinity is refused.
 pub fn w_float(re: &Float, im: &Float, bits: u32) -> Result<ComplexBall, Undecided> {
-    balls(w_float_scaled(re, im, bits)?, bits)
-}
-
-fn w_float_scaled(re: &Float, im: &Float, bits: u32) -> Result<[Scaled; 2], Undecided> {
     if !(re.is_finite() && im.is_finite()) {
         return Err(Undecided {
             bits,
             reason: format!("w at the argument ({re}, {im}), which is not finite"),
         });
     }
-    scaled(Real::Float(re.clone()), Real::Float(im.clone()), bits)
+    value(Real::Float(re.clone()), Real::Float(im.clone()), bits)
 }
 
 /// [`w`] with exponents of any size: real and imaginary part.
@@ -100,10 +102,10 @@ pub fn w_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], 
 /// its radius.
 ///
 /// With the midpoint m and all points within ρ of it, `|w(z) − w(m)| ≤ ρ sup |w'|`. From
-/// `w'(z) = (4i/√π) ∫_0^∞ t e^{−t² + 2izt} dt` (from DLMF 7.7.1-like `w = (2/√π) ∫_0^∞
-/// e^{−t²+2izt} dt`, all z): `|w'| ≤ 2/√π` for Im z ≥ 0, and
+/// `w(z) = (2/√π) ∫_0^∞ e^{−t²+2izt} dt` (complete the square in DLMF 7.2.2; all z) follows
+/// `w'(z) = (4i/√π) ∫_0^∞ t e^{−t² + 2izt} dt`, hence `|w'| ≤ 2/√π` for Im z ≥ 0, and
 /// `|w'| ≤ 2/√π + 4h e^{h²}` for Im z ≥ −h, because `∫_0^∞ 2t e^{−t²+2ht} dt = 1 + √π h e^{h²} erfc(−h)`.
-/// For |z| ≥ 1 and Im z ≥ 0 also `|w'| ≤ (1/√π + 5.8/|z|²)/|z|²`: one term of the asymptotic
+/// For |z| ≥ 1 and Im z ≥ 0 also `|w'| ≤ (1/√π + 3.07/|z|²)/|z|²`: one term of the asymptotic
 /// series and `D_1` (`asymptotic.rs`: `|z R_1'| ≤ √e(√2.5 + 5) Γ(3/2)/(π|z|³) ≤ 3.07/|z|³`). And for
 /// small ρ anywhere: w' = −2zw + 2i/√π gives, with Z = sup |z| and Grönwall's lemma along a radius,
 /// `|w| ≤ e^{2Zρ} (|w(m)| + 2ρ/√π)`, and with it a bound on |w'|.
@@ -121,19 +123,19 @@ pub fn w_ball(z: &ComplexBall, prec: u32) -> ComplexBall {
         return whole();
     };
     let [re, im] = parts.map(|part| part.to_ball_or_tiny());
-    let value = ComplexBall::new(re, im);
+    let at_mid = ComplexBall::new(re, im);
     let rho = z.radius();
     if rho.is_zero() {
-        return value;
+        return at_mid;
     }
-    let slope = slope(z, rho, value.magnitude());
-    value.widened(rho.mul(slope))
+    let slope = slope(z, rho, at_mid.magnitude());
+    at_mid.widened(rho.mul(slope))
 }
 
 /// An upper bound on |w'| over the ball; `rho` its radius, `size` a bound on |w| at its midpoint.
 fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
     let low = z.im.lower();
-    let flat = Mag::from_f64(1.1283791670955128);
+    let flat = Mag::from_f64(FRAC_2_SQRT_PI.next_up());
     if low < 0 {
         let t = z.magnitude().mul(rho).shift(1);
         if t <= Mag::from_f64(1.0) {
@@ -152,6 +154,9 @@ fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
         return flat;
     }
     let inverse = one.div(r).mul(one.div(r));
-    let bound = inverse.mul(Mag::from_f64(0.5642).add(Mag::from_f64(5.8).mul(inverse)));
+    let bound = inverse.mul(Mag::from_f64(0.5642).add(Mag::from_f64(3.07).mul(inverse)));
     if bound < flat { bound } else { flat }
 }
+
+#[cfg(test)]
+mod tests;

@@ -14,7 +14,7 @@
 use super::argument::Real;
 use super::gaussian::Gaussian;
 use super::scaled::{Scaled, aligned};
-use super::ziv::{balls, decide, once, once_dawson, scaled};
+use super::ziv::{balls, decide, once, once_dawson, value};
 use crate::reference::{Ball, ComplexBall, Mag, Undecided};
 use rug::{Integer, Rational};
 
@@ -118,7 +118,7 @@ pub fn erfc(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Unde
 /// # Errors
 /// See the [module](super).
 pub fn erfcx(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Undecided> {
-    balls(scaled(real(im).negated(), real(re), bits)?, bits)
+    value(real(im).negated(), real(re), bits)
 }
 
 /// The imaginary error function `erfi z = −i erf(iz)`.

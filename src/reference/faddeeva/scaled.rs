@@ -1,6 +1,7 @@
 //! A ball times a power of two beyond MPFR's exponents.
 
 use crate::reference::{Ball, Mag};
+use rug::float::Round;
 use rug::{Float, Integer};
 use std::ops::Neg;
 
@@ -18,6 +19,44 @@ pub struct Scaled {
 }
 
 impl Scaled {
+    /// The number with `digits` significant decimal digits, as [`Ball::to_decimal`] gives them, with
+    /// a decimal exponent of any size; `None` when the radius does not allow that many.
+    ///
+    /// ```
+    /// use mechaudit::reference::faddeeva;
+    /// use rug::Rational;
+    /// // Re w on the real axis is e^{−x²}.
+    /// let [re, _] = faddeeva::w_scaled(&Rational::from(100_000), &Rational::new(), 100)?;
+    /// assert_eq!(re.to_decimal(20).unwrap(), "9.2785844203248725781e-4342944820");
+    /// # Ok::<(), mechaudit::reference::Undecided>(())
+    /// ```
+    pub fn to_decimal(&self, digits: usize) -> Option<String> {
+        let direct = self.to_ball();
+        if direct.is_finite() {
+            return direct.to_decimal(digits);
+        }
+        // b 2^k = (b 2^k 10^-e) 10^e with e near k log10 2, the factor by logarithms.
+        let size = self.exponent.significant_bits();
+        let prec = self.ball.prec() + size + 16;
+        let (ln2, ln10) = (Ball::integer(prec, 2).ln(), Ball::integer(prec, 10).ln());
+        let k = Ball::new(Float::with_val(size.max(64), &self.exponent), Mag::ZERO);
+        let e = (&(&k * &ln2) / &ln10).mid().to_integer()?;
+        let f = Ball::new(Float::with_val(e.significant_bits().max(64), &e), Mag::ZERO);
+        let rest = (&(&k * &ln2) - &(&f * &ln10)).exp();
+        let value = &self.ball * &rest.with_prec(self.ball.prec() + 16);
+        value.to_decimal(digits)?;
+        let (minus, text, exponent) =
+            value
+                .mid()
+                .to_sign_string_exp_round(10, Some(digits.max(1)), Round::Nearest);
+        // 0.text · 10^exponent
+        let exponent = e + exponent? - 1;
+        let sign = if minus { "-" } else { "" };
+        let (first, others) = text.split_at(1);
+        let point = if others.is_empty() { "" } else { "." };
+        Some(format!("{sign}{first}{point}{others}e{exponent}"))
+    }
+
     pub(super) fn new(ball: Ball, exponent: Integer) -> Scaled {
         Scaled { ball, exponent }
     }

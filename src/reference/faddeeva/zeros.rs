@@ -2,7 +2,7 @@
 //!
 //! # Start
 //! With `λ = √((k − 1/8)π)` and `μ = ln(λ√(2π))` the k-th zero of erfc in the second quadrant is
-//! `−λ + μ/(4λ) + i(λ + μ/(4λ))` and terms of order λ^-3 (DLMF 7.13.4); erfc(ζ) = 0 means
+//! `−λ + μ/(4λ) + i(λ + μ/(4λ))` and terms of order λ^-3 (DLMF §7.13(ii)); erfc(ζ) = 0 means
 //! `w(iζ) = 0`, and the mirror image of iζ is `λ + μ/(4λ) − i(λ − μ/(4λ))`.
 //!
 //! # Certificate
@@ -19,6 +19,7 @@
 use super::w_ball;
 use crate::reference::{Ball, ComplexBall, Mag, Undecided};
 use rug::Float;
+use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// `w'(z) = −2z w + 2i/√π`.
 fn slope(z: &ComplexBall, w: &ComplexBall, prec: u32) -> ComplexBall {
@@ -47,16 +48,17 @@ fn certificate(z: &ComplexBall, prec: u32) -> Option<Mag> {
     if !(t <= Mag::from_f64(1.0)) {
         return None;
     }
-    // e^t ≤ 1 + 2t for t ≤ 1; 2/√π < 1.1284, 4/√π < 2.2568.
+    // e^t ≤ 1 + 2t for t ≤ 1.
     let grown = Mag::from_f64(1.0).add(t.shift(1));
-    let w = grown.mul(size.add(Mag::from_f64(1.1284).mul(r)));
+    let slope = Mag::from_f64(FRAC_2_SQRT_PI.next_up());
+    let w = grown.mul(size.add(slope.mul(r)));
     let four = z.mul(z).shift(2).add(Mag::from_f64(2.0));
-    let m = four.mul(w).add(Mag::from_f64(2.2568).mul(z));
+    let m = four.mul(w).add(slope.shift(1).mul(z));
     (eta.mul(m).div(below) <= Mag::from_f64(0.5)).then_some(r)
 }
 
 /// The k-th zero of w (k = 1, 2, …) with positive real part, counted by the asymptotic expansion
-/// (DLMF 7.13.4), i.e. by increasing modulus. Existence and uniqueness in a neighbourhood are
+/// (DLMF §7.13(ii)), i.e. by increasing modulus. Existence and uniqueness in a neighbourhood are
 /// proved; each component has a relative radius of at most 2^-bits. Its mirror image `−conj z` is a
 /// zero as well, and there are no others in the plane.
 ///

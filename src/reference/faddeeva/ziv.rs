@@ -2,7 +2,7 @@
 
 use super::argument::{Argument, Real};
 use super::scaled::Scaled;
-use super::{asymptotic, kummer};
+use super::{asymptotic, fast, kummer};
 use crate::reference::{ComplexBall, Undecided};
 use rug::Integer;
 
@@ -94,6 +94,16 @@ pub(super) fn decide(
         }
         prec = prec.saturating_add(more).min(cap);
     }
+}
+
+/// w with both components decided, as balls.
+pub(super) fn value(x: Real, y: Real, bits: u32) -> Result<ComplexBall, Undecided> {
+    if bits <= fast::MOST_BITS
+        && let Some(w) = fast::w(&x, &y, bits)
+    {
+        return Ok(w);
+    }
+    balls(scaled(x, y, bits)?, bits)
 }
 
 /// w with both components decided.
