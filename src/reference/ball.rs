@@ -46,7 +46,8 @@ impl Ball {
         }
     }
 
-    fn rounded((mid, ordering): (Float, Ordering), propagated: Mag) -> Ball {
+    /// A correctly rounded midpoint with what was propagated from the operands.
+    pub(super) fn rounded((mid, ordering): (Float, Ordering), propagated: Mag) -> Ball {
         let rad = propagated.add(rounding(&mid, ordering));
         Ball::new(mid, rad)
     }

@@ -9,6 +9,8 @@ mod complex;
 pub mod cubic_spline;
 mod decimal;
 pub mod dyad;
+mod elementary;
+pub mod faddeeva;
 mod linear;
 mod mag;
 pub mod tridiagonal;
