@@ -4,6 +4,7 @@ pub mod class_iii;
 pub mod cubic_spline;
 pub mod cyclic_tridiagonal;
 pub mod dyad;
+pub mod faddeeva;
 pub mod reduction;
 pub mod tridiagonal;
 pub mod units;

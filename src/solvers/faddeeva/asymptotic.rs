@@ -1,0 +1,84 @@
+//! The asymptotic series of W(z) for large |z|.
+//!
+//! ```text
+//! w(z) ~ i/(√π z) · (1 + a₁/z² + a₂/z⁴ + …),   a_n = (2n − 1)!!/2ⁿ      (DLMF 7.12.1)
+//! ```
+//!
+//! The coefficients are real, so that the polynomial in `q = 1/z²` takes two real multiplications
+//! for each term (Knuth, *TAOCP* 2, 4.6.4) and its imaginary part comes out with the factor
+//! `Im q`: both components of w keep their relative accuracy beside the axes.
+
+use super::double_double::{Dd, fast_two_sum, two_prod};
+use super::exponential::scaled;
+
+/// Coefficients available.
+const TERMS: usize = 24;
+
+/// `a_n = (2n − 1)!!/2ⁿ`: every partial product is exact up to `a₁₃`, and rounded afterwards.
+const A: [f64; TERMS] = {
+    let mut a = [1.0; TERMS];
+    let mut n = 1;
+    while n < TERMS {
+        a[n] = a[n - 1] * (n as f64 - 0.5);
+        n += 1;
+    }
+    a
+};
+
+/// `1/√π`.
+const INV_SQRT_PI: Dd = Dd::new(0.564_189_583_547_756_3, 7.667_729_806_582_94e-18);
+
+/// Real and imaginary part of the series with the terms up to `a_N` for `a = |Re z|`,
+/// `b = |Im z|`; `|z|` between 2⁻¹⁰⁰ and 2⁵⁰⁰.
+#[inline(always)]
+pub(super) fn series<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
+    // r² and 1/(√π r²), as hi + lo.
+    let (xx, yy) = (two_prod(a, a), two_prod(b, b));
+    let (big, small) = if xx.hi >= yy.hi { (xx, yy) } else { (yy, xx) };
+    let r2 = fast_two_sum(big.hi, small.hi);
+    let r2_lo = r2.lo + (big.lo + small.lo);
+    let i0 = 1.0 / r2.hi;
+    let e = (-r2.hi).mul_add(i0, 1.0) - r2_lo * i0;
+    let p = two_prod(i0, INV_SQRT_PI.hi);
+    let inv_lo = p.lo + i0.mul_add(INV_SQRT_PI.lo, p.hi * e);
+
+    // q = z̄²/r⁴.
+    let t = i0 * i0;
+    let s = 2.0 * (xx.hi - yy.hi) * t;
+    let (mut b1, mut b2) = (A[N], 0.0);
+    let mut k = N;
+    while k > 1 {
+        k -= 1;
+        let next = s.mul_add(b1, (-t).mul_add(b2, A[k]));
+        b2 = b1;
+        b1 = next;
+    }
+    let gu = t * (3.0 * xx.hi - yy.hi).mul_add(b1, -b2);
+    let gv = t * (xx.hi - 3.0 * yy.hi).mul_add(b1, -b2);
+    let part = |x: f64, g: f64| {
+        let m = two_prod(x, p.hi);
+        fast_two_sum(m.hi, g.mul_add(m.hi, x.mul_add(inv_lo, m.lo)))
+    };
+    (part(b, gu), part(a, gv))
+}
+
+/// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
+/// double-double, to about 2⁻¹⁰⁰ of the larger of the two.
+pub(super) fn large(a: f64, b: f64) -> (Dd, Dd) {
+    let (xx, yy) = (two_prod(a, a), two_prod(b, b));
+    let r2 = xx + yy;
+    let inv = INV_SQRT_PI.div(r2);
+    let t = 1.0 / (r2.hi * r2.hi);
+    // Terms 1/(2z²), 3/(4z⁴) and 15/(8z⁶); the next one is below 2⁻⁹³ of the first.
+    let s = 2.0 * (xx.hi - yy.hi) * t;
+    let b3 = A[3];
+    let b2 = s.mul_add(b3, A[2]);
+    let b1 = s.mul_add(b2, (-t).mul_add(b3, A[1]));
+    let gu = t * (3.0 * xx.hi - yy.hi).mul_add(b1, -b2);
+    let gv = t * (xx.hi - 3.0 * yy.hi).mul_add(b1, -b2);
+    let u = inv.mul_f(b) * Dd::new(1.0, gu).normal();
+    let v = inv.mul_f(a) * Dd::new(1.0, gv).normal();
+    let (c, s, k) = super::double_double_functions::exp_minus_square(a, -b);
+    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1), scaled(t.lo, k + 1));
+    (by(c) - u, by(s) + v)
+}

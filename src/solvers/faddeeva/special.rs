@@ -1,0 +1,55 @@
+//! W(z) for arguments that are not finite or so large that `|z|²` overflows.
+
+use super::double_double::{Dd, two_prod};
+use super::exponential::{exponent, scaled, sin_cos_reduced, turn};
+use super::payne_hanek;
+
+const INV_SQRT_PI: Dd = Dd::new(0.564_189_583_547_756_3, 7.667_729_806_582_94e-18);
+
+/// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.
+#[cold]
+#[inline(never)]
+pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
+    if a.is_nan() || y.is_nan() {
+        // On the imaginary axis w is real whatever y is.
+        return (f64::NAN, if a == 0.0 { 0.0 } else { f64::NAN });
+    }
+    let b = y.abs();
+    // The direction z/|z|, scaled to about one: w ~ i/(√π z).
+    let (u, v) = if a.is_infinite() || b.is_infinite() {
+        (0.0, 0.0)
+    } else {
+        let k = -((a.max(b).to_bits() >> 52) as i32 - 1023);
+        let (p, q) = (scaled(a, k), scaled(b, k));
+        let r2 = p.mul_add(p, q * q);
+        let part = |x: f64| {
+            let t = two_prod(x / r2, INV_SQRT_PI.hi);
+            scaled(t.hi + t.lo, k)
+        };
+        (part(q), part(p))
+    };
+    if y >= 0.0 {
+        return (u, v);
+    }
+    // 2 e^{−z²} − w(−z).
+    if a == 0.0 {
+        return (f64::INFINITY, 0.0);
+    }
+    if b.is_infinite() {
+        // The modulus grows beyond all bounds (or has no limit); the direction is not defined.
+        return (f64::NAN, f64::NAN);
+    }
+    if a > b {
+        // a² − b² ≥ |z| ulp(|z|) is far beyond 745.
+        return (-u, v);
+    }
+    let (r, quadrant) = payne_hanek::reduce(a, y);
+    let (s, c) = sin_cos_reduced(r);
+    let (s, c) = turn(s, c, quadrant);
+    let (s, c) = (-s.hi, c.hi);
+    if b > a {
+        return (f64::INFINITY.copysign(c), f64::INFINITY.copysign(s));
+    }
+    debug_assert!(exponent(0.0, 0.0).hi == 0.0);
+    (2.0 * c - u, 2.0 * s + v)
+}
