@@ -228,7 +228,9 @@ mod tests {
         let codes = [
             code("right", true, rounded),
             code("off", true, |z| rounded(z) * (1.0 + 8.0 * f64::EPSILON)),
-            code("nan", false, |z| if z.re > 0.0 { rounded(z) } else { z * f64::NAN }),
+            code("nan", false, |z| {
+                if z.re > 0.0 { rounded(z) } else { z * f64::NAN }
+            }),
             code("panics", false, |z| {
                 assert!(z.re > 0.0, "planted");
                 rounded(z)
@@ -250,7 +252,11 @@ mod tests {
             assert!((6.5..9.5).contains(&off.normwise.worst()));
             assert_eq!(off.differs, Some(600));
             let left = regions.iter().find(|r| r.name == region.region).unwrap();
-            let left = left.points(1, 0, 600).iter().filter(|z| z.re <= 0.0).count() as u64;
+            let left = left
+                .points(1, 0, 600)
+                .iter()
+                .filter(|z| z.re <= 0.0)
+                .count() as u64;
             assert_eq!((nan.wrong_kind, nan.panics), (left, 0));
             assert_eq!((panics.wrong_kind, panics.panics), (left, left));
         }

@@ -32,24 +32,16 @@ pub fn add(codes: &mut Codes) {
     if given.is_empty() {
         let found = pkg_config_folder("libcerf").and_then(|d| library_in(&d, &stems));
         let path = found.unwrap_or_else(|| PathBuf::from(file_name("libcerf")));
-        let outcome = libcerf("libcerf", &path)
+        let outcome = libcerf(&path)
             .map_err(|e| format!("neither LIBCERF_DIR nor pkg-config nor the loader has it: {e}"));
         codes.add("libcerf", outcome);
     }
-    for (i, folder) in given.iter().enumerate() {
-        let name = match i {
-            0 => "libcerf".to_owned(),
-            _ => format!("libcerf #{}", i + 1),
-        };
+    for folder in &given {
         let outcome = match library_in(folder, &stems) {
-            Some(path) => libcerf(&name, &path),
-            None => Err(format!(
-                "no {} in {}",
-                file_name("libcerf"),
-                folder.display()
-            )),
+            Some(path) => libcerf(&path),
+            None => Err(format!("no libcerf in {}", folder.display())),
         };
-        codes.add(&name, outcome);
+        codes.add("libcerf", outcome);
     }
 
     let stems = ["libfaddeeva", "libFaddeeva", "libopenspecfun"];
@@ -123,12 +115,26 @@ fn origin(path: &Path) -> String {
     }
 }
 
-fn libcerf(name: &str, path: &Path) -> Result<Box<dyn Code>, String> {
+/// What follows `.so.` in the name of the file itself: `3.1`.
+fn file_version(path: &Path) -> String {
+    let real = path.canonicalize().unwrap_or_default();
+    let name = real
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    name.split_once(".so.")
+        .map_or(String::new(), |n| n.1.to_owned())
+}
+
+fn libcerf(path: &Path) -> Result<Box<dyn Code>, String> {
     let library = open(path)?;
     // SAFETY: cerf.h of all versions: `double _Complex w_of_z(double _Complex)`.
     let w: Plain = *unsafe { library.get(b"w_of_z\0") }.map_err(|e| e.to_string())?;
     Ok(Box::new(Scalar {
-        name: name.to_owned(),
+        name: format!("libcerf {}", file_version(path))
+            .trim_end()
+            .to_owned(),
         version: origin(path),
         own: false,
         w: move |z: Complex64| {

@@ -80,7 +80,8 @@ pub fn compare(got: Complex64, reference: &ComplexBall) -> Outcome {
         relative[i] = hi / size[i].0.max(1.0);
     }
     let top = size[0].1.max(size[1].1);
-    let in_top = |x: [f64; 2]| (x[0] * two_to(size[0].1 - top)).hypot(x[1] * two_to(size[1].1 - top));
+    let in_top =
+        |x: [f64; 2]| (x[0] * two_to(size[0].1 - top)).hypot(x[1] * two_to(size[1].1 - top));
     let norm = in_top([size[0].0, size[1].0]);
     Outcome::Finite(Errors {
         normwise: in_top(high) / norm.max(1.0),
@@ -141,12 +142,21 @@ mod tests {
         for (re, im) in [(f64::NAN, 1.0), (1.0, f64::NAN), (f64::INFINITY, 1.0)] {
             assert!(matches!(at(re, im, &one), Outcome::WrongKind));
         }
-        let huge = Ball::new(Float::with_val(128, f64::MAX) * 2u32, mechaudit::reference::Mag::ZERO);
+        let huge = Ball::new(
+            Float::with_val(128, f64::MAX) * 2u32,
+            mechaudit::reference::Mag::ZERO,
+        );
         let huge = ComplexBall::new(-huge, Ball::exact(128, 1.0));
-        assert!(matches!(at(f64::NEG_INFINITY, 1.0, &huge), Outcome::Infinite));
+        assert!(matches!(
+            at(f64::NEG_INFINITY, 1.0, &huge),
+            Outcome::Infinite
+        ));
         assert!(matches!(at(f64::INFINITY, 1.0, &huge), Outcome::WrongKind));
         assert!(matches!(at(f64::MIN, 1.0, &huge), Outcome::WrongKind));
-        let vague = Ball::new(Float::with_val(128, 1.0), mechaudit::reference::Mag::from_f64(1e-16));
+        let vague = Ball::new(
+            Float::with_val(128, 1.0),
+            mechaudit::reference::Mag::from_f64(1e-16),
+        );
         let vague = ComplexBall::new(vague, Ball::exact(128, 1.0));
         assert!(matches!(at(1.0, 1.0, &vague), Outcome::Undecided));
     }

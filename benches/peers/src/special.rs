@@ -142,7 +142,9 @@ pub fn table(codes: &[&dyn Code]) -> Vec<SpecialValue> {
                 let panicked = evaluate(*code, &[z], &mut got) > 0;
                 let (right_kind, ulps) = match (right, &ball) {
                     _ if panicked => (false, None),
-                    (Right::Limit(re, im), _) => (alike(got[0].re, re) && alike(got[0].im, im), None),
+                    (Right::Limit(re, im), _) => {
+                        (alike(got[0].re, re) && alike(got[0].im, im), None)
+                    }
                     (Right::Turning, _) => (turning(got[0]), None),
                     (Right::Reference, None) => (false, None),
                     (Right::Reference, Some(b)) => match compare(got[0], b) {

@@ -46,7 +46,11 @@ impl Spread {
 
     /// The largest found; NaN without any.
     pub fn worst(&self) -> f64 {
-        if self.count == 0 { f64::NAN } else { self.worst }
+        if self.count == 0 {
+            f64::NAN
+        } else {
+            self.worst
+        }
     }
 
     /// Where.
