@@ -112,10 +112,12 @@ fn short(x: f64) -> String {
 
 fn complex(z: Complex64, part: fn(f64) -> String) -> String {
     let im = part(z.im);
-    match im.strip_prefix('-') {
-        Some(im) => format!("{} - {im}i", part(z.re)),
-        None => format!("{} + {im}i", part(z.re)),
-    }
+    let (sign, im) = match im.strip_prefix('-') {
+        Some(im) => ('-', im),
+        None => ('+', im.as_str()),
+    };
+    let space = if z.im.is_finite() { "" } else { " " };
+    format!("{} {sign} {im}{space}i", part(z.re))
 }
 
 /// Asks every code at every point.

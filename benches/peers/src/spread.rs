@@ -13,7 +13,9 @@ pub struct Spread {
     count: u64,
     worst: f64,
     worst_at: Complex64,
+    /// Sum of the squares of the errors divided by `scale`, the largest error.
     squares: f64,
+    scale: f64,
     bins: BTreeMap<i32, u64>,
 }
 
@@ -25,7 +27,7 @@ impl Spread {
             self.worst_at = z;
         }
         self.count += 1;
-        self.squares += error * error;
+        self.add_squares(1.0, error);
         // Zero goes into the lowest bin, infinity into the highest: the cast saturates.
         let bin = (error.log2() * BINS).ceil() as i32;
         *self.bins.entry(bin).or_default() += 1;
@@ -38,10 +40,26 @@ impl Spread {
             self.worst_at = other.worst_at;
         }
         self.count += other.count;
-        self.squares += other.squares;
+        self.add_squares(other.squares, other.scale);
         for (&bin, n) in &other.bins {
             *self.bins.entry(bin).or_default() += n;
         }
+    }
+
+    /// Adds `squares scale²` without overflow.
+    fn add_squares(&mut self, squares: f64, scale: f64) {
+        if !(scale > 0.0) {
+            return;
+        }
+        if scale > self.scale {
+            self.squares *= (self.scale / scale).powi(2);
+            self.scale = scale;
+        }
+        // One infinity makes it infinite.
+        self.squares += match scale.is_infinite() {
+            true => f64::INFINITY,
+            false => squares * (scale / self.scale).powi(2),
+        };
     }
 
     /// The largest found; NaN without any.
@@ -53,14 +71,13 @@ impl Spread {
         }
     }
 
-    /// Where.
-    pub fn worst_at(&self) -> Complex64 {
-        self.worst_at
-    }
-
     /// Root mean square; NaN without any.
     pub fn rms(&self) -> f64 {
-        (self.squares / self.count as f64).sqrt()
+        let mean = self.squares / self.count as f64;
+        if mean == 0.0 {
+            return 0.0;
+        }
+        self.scale * mean.sqrt()
     }
 
     /// The 99th percentile (nearest rank): the upper edge of its bin; NaN without any.
@@ -113,7 +130,7 @@ mod tests {
         let [mut a, b] = parts;
         a.merge(&b);
         for s in [&whole, &a] {
-            assert_eq!((s.worst(), s.worst_at().re), (1000.0, 1000.0));
+            assert_eq!((s.worst(), s.worst_at.re), (1000.0, 1000.0));
             assert!((990.0..1001.0).contains(&s.p99()));
             assert!((s.rms() - 333_833.5f64.sqrt()).abs() < 1e-9);
         }
@@ -126,6 +143,16 @@ mod tests {
         s.add(0.0, Complex64::ZERO);
         assert_eq!((s.worst(), s.p99(), s.rms()), (0.0, 0.0, 0.0));
         s.add(f64::INFINITY, Complex64::ONE);
-        assert_eq!((s.worst(), s.p99()), (f64::INFINITY, f64::INFINITY));
+        assert_eq!([s.worst(), s.p99(), s.rms()], [f64::INFINITY; 3]);
+    }
+
+    #[test]
+    fn huge_errors_have_a_mean() {
+        let mut s = Spread::default();
+        let mut t = Spread::default();
+        s.add(3e300, Complex64::ONE);
+        t.add(4e300, Complex64::ONE);
+        s.merge(&t);
+        assert!((s.rms() / (12.5f64.sqrt() * 1e300) - 1.0).abs() < 1e-12);
     }
 }

@@ -33,8 +33,8 @@ pub fn report(report: &Report) -> String {
             let _ = writeln!(s, "\n{}: {}", region.region, region.description);
             let _ = writeln!(
                 s,
-                "{:18}{:^21}{:^21}{:^21}{:^13}{:>6}",
-                "", "normwise, eps", "Re, eps", "Im, eps", "worst, ulp", ""
+                "{:18}{:>21}{:>21}{:>21}{:>13}",
+                "", "normwise, eps", "Re, eps", "Im, eps", "worst, ulp"
             );
             let _ = write!(s, "{:18}", "");
             for _ in 0..3 {
