@@ -107,24 +107,11 @@ fn open(path: &Path) -> Result<&'static Library, String> {
     Ok(Box::leak(Box::new(library)))
 }
 
-/// Where the file really is; its name usually carries the version.
-fn origin(path: &Path) -> String {
-    match path.canonicalize() {
-        Ok(real) => real.display().to_string(),
-        Err(_) => path.display().to_string(),
-    }
-}
-
-/// What follows `.so.` in the name of the file itself: `3.1`.
-fn file_version(path: &Path) -> String {
-    let real = path.canonicalize().unwrap_or_default();
-    let name = real
-        .file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
-    name.split_once(".so.")
-        .map_or(String::new(), |n| n.1.to_owned())
+/// The name of the file itself; it usually carries the version.
+fn file(path: &Path) -> String {
+    let real = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let name = real.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
 }
 
 fn libcerf(path: &Path) -> Result<Box<dyn Code>, String> {
@@ -132,10 +119,11 @@ fn libcerf(path: &Path) -> Result<Box<dyn Code>, String> {
     // SAFETY: cerf.h of all versions: `double _Complex w_of_z(double _Complex)`.
     let w: Plain = *unsafe { library.get(b"w_of_z\0") }.map_err(|e| e.to_string())?;
     Ok(Box::new(Scalar {
-        name: format!("libcerf {}", file_version(path))
-            .trim_end()
-            .to_owned(),
-        version: origin(path),
+        name: match file(path).split_once(".so.") {
+            Some((_, version)) => format!("libcerf {version}"),
+            None => "libcerf".into(),
+        },
+        version: file(path),
         own: false,
         w: move |z: Complex64| {
             // SAFETY: a pure function of its argument.
@@ -156,7 +144,7 @@ fn mit(path: &Path) -> Result<Box<dyn Code>, String> {
     let w: WithTolerance = *found.map_err(|e| e.to_string())?;
     Ok(Box::new(Scalar {
         name: "MIT Faddeeva".into(),
-        version: origin(path),
+        version: file(path),
         own: false,
         w: move |z: Complex64| {
             // SAFETY: a pure function of its arguments; 0 asks for full accuracy.

@@ -99,10 +99,11 @@ fn run(arguments: &Arguments) -> Result<String, String> {
     let codes = codes(&arguments.codes);
     let found: Vec<&dyn Code> = codes.found.iter().map(|c| &**c).collect();
     if found.is_empty() {
-        return Err(format!(
-            "no code is called {}",
-            arguments.codes.join(" or ")
-        ));
+        let mut message = format!("no code found is called {}", arguments.codes.join(" or "));
+        for m in &codes.missing {
+            message.push_str(&format!("\n{} is missing: {}", m.name, m.reason));
+        }
+        return Err(message);
     }
 
     let accuracy = match arguments.accuracy {

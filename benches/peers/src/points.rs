@@ -47,9 +47,13 @@ pub const REGIONS: [Region; 7] = [
     },
     Region {
         name: "e",
-        description: "both diagonal rays (1-i)(s+i|s|r), |z| log-uniform in 0.01..1e4, r in 0..0.1",
+        description: "diagonal rays (1-i)(s+i|s|r), |z| log-uniform in 0.01..1e4, r in 0..0.1, half log-uniform",
         sample: |d| {
-            let r = d.uniform(0.0, 0.1);
+            // Beside the ray itself the residue 2 e^{-z²} counts at every |z|.
+            let r = match d.chance(0.5) {
+                true => d.uniform(0.0, 0.1),
+                false => d.log_uniform(1e-10, 0.1),
+            };
             let length = d.log_uniform(1e-2, 1e4);
             let s = d.signed(length * FRAC_1_SQRT_2 / (1.0 + r * r).sqrt());
             let n = s.abs() * r;

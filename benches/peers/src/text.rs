@@ -14,12 +14,8 @@ pub fn report(report: &Report) -> String {
         let _ = writeln!(s, "  {:<18} {}", c.code, c.version);
     }
     for m in &report.missing {
-        wrapped(
-            &mut s,
-            &format!("  {:<18} MISSING: ", m.name),
-            &[m.reason.clone()],
-            " ",
-        );
+        let words: Vec<String> = m.reason.split(' ').map(str::to_owned).collect();
+        wrapped(&mut s, &format!("  {:<18} MISSING: ", m.name), &words, " ");
     }
     if let Some(a) = &report.accuracy {
         let _ = writeln!(
