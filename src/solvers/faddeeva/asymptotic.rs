@@ -8,8 +8,8 @@
 //! for each term (Knuth, *TAOCP* 2, 4.6.4) and its imaginary part comes out with the factor
 //! `Im q`: both components of w keep their relative accuracy beside the axes.
 
-use super::double_double::{Dd, fast_two_sum, two_prod};
-use super::exponential::scaled;
+use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use super::real::{Real, scaled};
 
 /// Coefficients available.
 const TERMS: usize = 24;
@@ -28,38 +28,43 @@ const A: [f64; TERMS] = {
 /// `1/√π`.
 const INV_SQRT_PI: Dd = Dd::new(0.564_189_583_547_756_3, 7.667_729_806_582_94e-18);
 
+/// `x (hi + lo)(1 + g)`
+#[inline(always)]
+fn part<R: Real>(x: R, g: R, hi: R, lo: R) -> Dd<R> {
+    let m = two_prod(x, hi);
+    fast_two_sum(m.hi, g.fma(m.hi, x.fma(lo, m.lo)))
+}
+
 /// Real and imaginary part of the series with the terms up to `a_N` for `a = |Re z|`,
 /// `b = |Im z|`; `|z|` between 2⁻¹⁰⁰ and 2⁵⁰⁰.
 #[inline(always)]
-pub(super) fn series<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
+    let like = |c: f64| a.like(c);
     // r² and 1/(√π r²), as hi + lo.
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
-    let (big, small) = if xx.hi >= yy.hi { (xx, yy) } else { (yy, xx) };
-    let r2 = fast_two_sum(big.hi, small.hi);
-    let r2_lo = r2.lo + (big.lo + small.lo);
-    let i0 = 1.0 / r2.hi;
-    let e = (-r2.hi).mul_add(i0, 1.0) - r2_lo * i0;
-    let p = two_prod(i0, INV_SQRT_PI.hi);
-    let inv_lo = p.lo + i0.mul_add(INV_SQRT_PI.lo, p.hi * e);
+    let r2 = two_sum(xx.hi, yy.hi);
+    let r2_lo = r2.lo + (xx.lo + yy.lo);
+    let i0 = like(1.0) / r2.hi;
+    let e = (-r2.hi).fma(i0, like(1.0)) - r2_lo * i0;
+    let p = two_prod(i0, like(INV_SQRT_PI.hi));
+    let inv_lo = p.lo + i0.fma(like(INV_SQRT_PI.lo), p.hi * e);
 
     // q = z̄²/r⁴.
     let t = i0 * i0;
-    let s = 2.0 * (xx.hi - yy.hi) * t;
-    let (mut b1, mut b2) = (A[N], 0.0);
+    let s = like(2.0) * (xx.hi - yy.hi) * t;
+    let minus_t = -t;
+    let (mut b1, mut b2) = (like(A[N]), like(0.0));
     let mut k = N;
     while k > 1 {
         k -= 1;
-        let next = s.mul_add(b1, (-t).mul_add(b2, A[k]));
+        let next = s.fma(b1, minus_t.fma(b2, like(A[k])));
         b2 = b1;
         b1 = next;
     }
-    let gu = t * (3.0 * xx.hi - yy.hi).mul_add(b1, -b2);
-    let gv = t * (xx.hi - 3.0 * yy.hi).mul_add(b1, -b2);
-    let part = |x: f64, g: f64| {
-        let m = two_prod(x, p.hi);
-        fast_two_sum(m.hi, g.mul_add(m.hi, x.mul_add(inv_lo, m.lo)))
-    };
-    (part(b, gu), part(a, gv))
+    let three = like(3.0);
+    let gu = t * (three * xx.hi - yy.hi).fma(b1, -b2);
+    let gv = t * (xx.hi - three * yy.hi).fma(b1, -b2);
+    (part(b, gu, p.hi, inv_lo), part(a, gv, p.hi, inv_lo))
 }
 
 /// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
@@ -79,6 +84,6 @@ pub(super) fn large(a: f64, b: f64) -> (Dd, Dd) {
     let u = inv.mul_f(b) * Dd::new(1.0, gu).normal();
     let v = inv.mul_f(a) * Dd::new(1.0, gv).normal();
     let (c, s, k) = super::double_double_functions::exp_minus_square(a, -b);
-    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1), scaled(t.lo, k + 1));
+    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (by(c) - u, by(s) + v)
 }

@@ -3,6 +3,7 @@
 use super::double_double::{Dd, two_prod, two_sum};
 use super::exponential::{HALF_PI, LARGE_PHASE, exponent, phase, turn};
 use super::payne_hanek;
+use super::real::ROUND;
 use super::tables::INVERSE_FACTORIAL;
 
 const LN_2: [f64; 3] = [
@@ -39,8 +40,8 @@ fn series<const N: usize>(x: Dd, first: usize, step: usize, sign: f64, dd: usize
     p
 }
 
-/// `e^x = m · 2^k`; `x` within ±1500.
-pub(super) fn exp(x: Dd) -> (Dd, i32) {
+/// `e^x = m · 2^k` as `m` and `ROUND + k`; `x` within ±1500.
+pub(super) fn exp(x: Dd) -> (Dd, f64) {
     let k = (x.hi * std::f64::consts::LOG2_E).round();
     // e^r = (e^{r/8})^8.
     let r = minus_multiple(x, k, LN_2).scale(0.125);
@@ -49,7 +50,7 @@ pub(super) fn exp(x: Dd) -> (Dd, i32) {
     for _ in 0..3 {
         m = m.scale(2.0) + m.square();
     }
-    (m.add_f(1.0), k as i32)
+    (m.add_f(1.0), ROUND + k)
 }
 
 /// `(sin r, cos r)` for |r| ≤ π/4.
@@ -60,14 +61,14 @@ pub(super) fn sin_cos_reduced(r: Dd) -> (Dd, Dd) {
     (s, c)
 }
 
-/// `x` modulo π/2 and the quadrant, for |x| < 2³⁰.
-pub(super) fn reduce(x: Dd) -> (Dd, i32) {
+/// `x` modulo π/2 and `ROUND` plus the quadrant, for |x| < 2³⁰.
+pub(super) fn reduce(x: Dd) -> (Dd, f64) {
     let k = (x.hi * std::f64::consts::FRAC_2_PI).round();
-    (minus_multiple(x, k, HALF_PI), k as i64 as i32)
+    (minus_multiple(x, k, HALF_PI), ROUND + k)
 }
 
-/// `e^{−z²} = (re + i im) 2^k` at `z = a + i y`, `a ≥ 0`, without the power of two.
-pub(super) fn exp_minus_square(a: f64, y: f64) -> (Dd, Dd, i32) {
+/// `e^{−z²} = (re + i im) 2^k` at `z = a + i y`, `a ≥ 0`, without the power of two, and `ROUND + k`.
+pub(super) fn exp_minus_square(a: f64, y: f64) -> (Dd, Dd, f64) {
     let (e, k) = exp(exponent(a, y));
     let theta = phase(a, y);
     let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {

@@ -8,9 +8,7 @@
 
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::payne_hanek;
-
-/// Adding and subtracting this rounds an `f64` below 2⁵¹ to an integer.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+use super::real::{ROUND, Real};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.
@@ -33,34 +31,18 @@ pub(super) const LARGE_PHASE: f64 = 1_073_741_824.0;
 /// Exponents are cut here: `e^{±1500}` is outside the range of `f64` whatever it is multiplied by.
 const CUT: f64 = 1500.0;
 
-/// 2^k for a whole `k` within the normal exponents.
-#[inline(always)]
-pub(super) fn power_of_two(k: i32) -> f64 {
-    f64::from_bits(((k + 1023) as u64) << 52)
-}
-
-/// `x · 2^k` for |k| < 2045, in two steps, so that only the last one may round or overflow.
-#[inline(always)]
-pub(super) fn scaled(x: f64, k: i32) -> f64 {
-    let half = k >> 1;
-    x * power_of_two(half) * power_of_two(k - half)
-}
-
 /// `y² − a² = (y − a)(y + a)`.
 #[inline(always)]
-pub(super) fn exponent(a: f64, y: f64) -> Dd {
+pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
     let (d, s) = (two_sum(y, -a), two_sum(y, a));
     let p = two_prod(d.hi, s.hi);
-    fast_two_sum(
-        p.hi,
-        d.lo.mul_add(s.lo, d.hi.mul_add(s.lo, d.lo.mul_add(s.hi, p.lo))),
-    )
+    fast_two_sum(p.hi, d.lo.fma(s.lo, d.hi.fma(s.lo, d.lo.fma(s.hi, p.lo))))
 }
 
 /// `2 a y`, exactly.
 #[inline(always)]
-pub(super) fn phase(a: f64, y: f64) -> Dd {
-    two_prod(2.0 * a, y)
+pub(super) fn phase<R: Real>(a: R, y: R) -> Dd<R> {
+    two_prod(a + a, y)
 }
 
 /// `1/n!`
@@ -93,91 +75,117 @@ const COS: [f64; 7] = reciprocals(4, 2, -1.0);
 
 /// `Σ c_k x^k` by even and odd terms: half the length of the chain of dependent operations.
 #[inline(always)]
-fn paired<const N: usize>(c: &[f64; N], x: f64) -> f64 {
+fn paired<R: Real, const N: usize>(c: &[f64; N], x: R) -> R {
     let xx = x * x;
-    let (mut even, mut odd) = (0.0, 0.0);
-    let mut k = N;
+    let top = |k: usize| x.like(c[k]);
+    let (mut even, mut odd) = (top((N - 1) & !1), top((N - 2) | 1));
+    let mut k = N - 2;
     while k > 0 {
         k -= 1;
         if k % 2 == 0 {
-            even = xx.mul_add(even, c[k]);
+            even = xx.fma(even, x.like(c[k]));
         } else {
-            odd = xx.mul_add(odd, c[k]);
+            odd = xx.fma(odd, x.like(c[k]));
         }
     }
-    x.mul_add(odd, even)
+    x.fma(odd, even)
 }
 
-/// `e^x = (hi + lo) 2^k`, with `hi` between 0.7 and 1.42.
+/// `ROUND + k` for the `k` with `e^x = m 2^k`, |x| cut at 1500.
 #[inline(always)]
-pub(super) fn exp(x: Dd) -> (Dd, i32) {
-    let h = x.hi.clamp(-CUT, CUT);
-    let n = h.mul_add(LOG2_E, ROUND);
-    let k = n - ROUND;
+pub(super) fn binary_exponent<R: Real>(x: R) -> (R, R) {
+    let h = x.at_least(x.like(-CUT)).at_most(x.like(CUT));
+    (h, h.fma(x.like(LOG2_E), x.like(ROUND)))
+}
+
+/// `e^x = (hi + lo) 2^k`, with `hi` between 0.7 and 1.42, and `ROUND + k`.
+#[inline(always)]
+pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
+    let like = |c: f64| x.hi.like(c);
+    let (h, n) = binary_exponent(x.hi);
+    let k = n - like(ROUND);
     // h − k ln 2, the first product exact.
-    let r = (-k).mul_add(LN_2[0], h);
-    let s = two_prod(k, LN_2[1]);
+    let r = (-k).fma(like(LN_2[0]), h);
+    let s = two_prod(k, like(LN_2[1]));
     let r = two_sum(r, -s.hi);
     let r = two_sum(r.hi, r.lo - s.lo + x.lo);
     // 1 + r + r²/2 + …
-    let q = two_sum(1.0, r.hi);
-    let tail = (r.hi * r.hi).mul_add(paired(&EXP, r.hi), r.lo.mul_add(r.hi, r.lo));
-    (fast_two_sum(q.hi, q.lo + tail), n.to_bits() as i32)
+    let q = two_sum(like(1.0), r.hi);
+    let tail = (r.hi * r.hi).fma(paired(&EXP, r.hi), r.lo.fma(r.hi, r.lo));
+    (fast_two_sum(q.hi, q.lo + tail), n)
 }
 
-/// A phase modulo π/2: the rest in [−π/4, π/4] and the quadrant (modulo four).
+/// A phase modulo π/2: the rest in [−π/4, π/4] and `ROUND` plus the quadrant.
 #[inline(always)]
-pub(super) fn reduce(theta: Dd) -> (Dd, i32) {
-    let n = theta.hi.mul_add(TWO_OVER_PI, ROUND);
-    let k = n - ROUND;
+pub(super) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {
+    let like = |c: f64| theta.hi.like(c);
+    let n = theta.hi.fma(like(TWO_OVER_PI), like(ROUND));
+    let k = n - like(ROUND);
     // Exact: both are multiples of 2⁻⁵³ and the difference is below one.
-    let r = (-k).mul_add(HALF_PI[0], theta.hi);
-    let p = two_prod(k, HALF_PI[1]);
+    let r = (-k).fma(like(HALF_PI[0]), theta.hi);
+    let p = two_prod(k, like(HALF_PI[1]));
     let s = two_sum(r, -p.hi);
     let t = two_sum(s.hi, theta.lo);
-    let lo = (s.lo + t.lo) - p.lo - k * HALF_PI[2];
-    (fast_two_sum(t.hi, lo), n.to_bits() as i32)
+    let lo = (s.lo + t.lo) - p.lo - k * like(HALF_PI[2]);
+    (fast_two_sum(t.hi, lo), n)
 }
 
 /// `(sin, cos)` of a reduced phase.
 #[inline(always)]
-pub(super) fn sin_cos_reduced(r: Dd) -> (Dd, Dd) {
+pub(super) fn sin_cos_reduced<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     let (x, xx) = (r.hi, r.hi * r.hi);
+    let like = |c: f64| x.like(c);
     let s_lo = -(x * xx) * paired(&SIN, xx);
-    let sin = fast_two_sum(x, r.lo.mul_add((-0.5f64).mul_add(xx, 1.0), s_lo));
-    let h = two_prod(x, 0.5 * x);
-    let c = fast_two_sum(1.0, -h.hi);
-    let cos_lo = (xx * xx).mul_add(paired(&COS, xx), (c.lo - h.lo) - x * r.lo);
+    let sin = fast_two_sum(x, r.lo.fma(like(-0.5).fma(xx, like(1.0)), s_lo));
+    let h = two_prod(x, like(0.5) * x);
+    let c = fast_two_sum(like(1.0), -h.hi);
+    let cos_lo = (xx * xx).fma(paired(&COS, xx), (c.lo - h.lo) - x * r.lo);
     let cos = fast_two_sum(c.hi, cos_lo);
     (sin, cos)
 }
 
-/// Chooses and signs `(sin, cos)` by the quadrant.
+/// Chooses and signs `(sin, cos)` by the quadrant, given as `ROUND + k`.
 #[inline(always)]
-pub(super) fn turn(sin: Dd, cos: Dd, quadrant: i32) -> (Dd, Dd) {
-    let swap = quadrant & 1 != 0;
-    let (s, c) = if swap { (cos, sin) } else { (sin, cos) };
-    let s = if quadrant & 2 != 0 { -s } else { s };
-    let c = if (quadrant + 1) & 2 != 0 { -c } else { c };
-    (s, c)
+pub(super) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
+    let swap = n.is_odd();
+    let s = Dd::new(n.pick(swap, cos.hi, sin.hi), n.pick(swap, cos.lo, sin.lo));
+    let c = Dd::new(n.pick(swap, sin.hi, cos.hi), n.pick(swap, sin.lo, cos.lo));
+    let next = n + n.like(1.0);
+    (
+        Dd::new(n.flip(s.hi), n.flip(s.lo)),
+        Dd::new(next.flip(c.hi), next.flip(c.lo)),
+    )
 }
 
-/// `e^{−z²} = (re + i im) 2^k` at `z = a + i y`, `a ≥ 0`, without the power of two; the phase has
-/// to be below [`LARGE_PHASE`] unless `ANY` is true.
+/// `e^{−z²} = (re + i im) 2^k` at `z = a + i y`, `a ≥ 0`, without the power of two, and
+/// `ROUND + k`; the phase has to be below [`LARGE_PHASE`].
 #[inline(always)]
-pub(super) fn exp_minus_square<const ANY: bool>(a: f64, y: f64) -> (Dd, Dd, i32) {
-    let (e, k) = exp(exponent(a, y));
+pub(super) fn exp_minus_square<R: Real>(a: R, y: R) -> (Dd<R>, Dd<R>, R) {
+    product(exp(exponent(a, y)), reduce(phase(a, y)))
+}
+
+/// The same for a phase of any size.
+#[inline(always)]
+pub(super) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
     let theta = phase(a, y);
-    let (r, quadrant) = if ANY && !(theta.hi.abs() < LARGE_PHASE) {
-        payne_hanek::reduce(a, y)
-    } else {
+    let reduced = if theta.hi.abs() < LARGE_PHASE {
         reduce(theta)
+    } else {
+        payne_hanek::reduce(a, y)
     };
+    product(exp(exponent(a, y)), reduced)
+}
+
+#[inline(always)]
+fn product<R: Real>((e, n): (Dd<R>, R), (r, quadrant): (Dd<R>, R)) -> (Dd<R>, Dd<R>, R) {
     let (sin, cos) = sin_cos_reduced(r);
     let (s, c) = turn(sin, cos, quadrant);
-    let by = |t: Dd| {
-        let p = two_prod(e.hi, t.hi);
-        fast_two_sum(p.hi, e.hi.mul_add(t.lo, e.lo.mul_add(t.hi, p.lo)))
-    };
-    (by(c), -by(s), k)
+    (short_product(e, c), -short_product(e, s), n)
+}
+
+/// `a b` to about 2⁻¹⁰⁴, the parts not quite normalised.
+#[inline(always)]
+fn short_product<R: Real>(a: Dd<R>, b: Dd<R>) -> Dd<R> {
+    let p = two_prod(a.hi, b.hi);
+    fast_two_sum(p.hi, a.hi.fma(b.lo, a.lo.fma(b.hi, p.lo)))
 }

@@ -1,10 +1,16 @@
 //! The Faddeeva function.
 mod asymptotic;
+#[cfg(target_arch = "x86_64")]
+mod batch;
 mod double_double;
 mod double_double_functions;
 mod exponential;
+mod lanes;
+#[cfg(target_arch = "x86_64")]
+mod pack;
 mod payne_hanek;
 mod plane;
+mod real;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]
@@ -15,17 +21,55 @@ mod zeros;
 
 use num_complex::Complex;
 
+use lanes::{Lanes, Task, with_best};
+
+struct One(f64, f64);
+
+impl Task for One {
+    type Output = (f64, f64);
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
+        plane::w(lanes, self.0, self.1)
+    }
+}
+
+/// Values at points stored as complex numbers.
+struct Interleaved<'a> {
+    z: &'a [Complex<f64>],
+    w: &'a mut [Complex<f64>],
+}
+
+#[cfg(target_arch = "x86_64")]
+impl batch::Points for Interleaved<'_> {
+    #[inline(always)]
+    fn len(&self) -> usize {
+        self.z.len()
+    }
+    #[inline(always)]
+    fn get(&self, i: usize) -> (f64, f64) {
+        (self.z[i].re, self.z[i].im)
+    }
+    #[inline(always)]
+    fn put(&mut self, i: usize, re: f64, im: f64) {
+        self.w[i] = Complex::new(re, im);
+    }
+}
+
 /// w
 #[inline]
 pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
-    #[cfg(target_arch = "x86_64")]
-    if let Some(v) = pulp::x86::V3::try_new() {
-        let (re, im) = v.vectorize(
-            #[inline(always)]
-            || plane::w(z.re, z.im),
-        );
-        return Complex::new(re, im);
-    }
-    let (re, im) = plane::w(z.re, z.im);
+    let (re, im) = with_best(One(z.re, z.im));
     Complex::new(re, im)
+}
+
+/// batch
+pub fn faddeeva_batch(z: &[Complex<f64>], w: &mut [Complex<f64>]) {
+    assert_eq!(z.len(), w.len());
+    #[cfg(target_arch = "x86_64")]
+    if pack::batch_with_best(&mut Interleaved { z, w }) {
+        return;
+    }
+    for (w, z) in w.iter_mut().zip(z) {
+        *w = faddeeva(*z);
+    }
 }

@@ -6,6 +6,7 @@
 
 use super::double_double::Dd;
 use super::exponential::HALF_PI;
+use super::real::{ROUND, Real};
 use super::tables::TWO_OVER_PI_BITS;
 
 /// `|x| = m 2^e` with a whole `m` below 2⁵³.
@@ -37,13 +38,14 @@ fn digits(at: i64) -> u64 {
     }
 }
 
-/// The rest of `2 a y` in [−π/4, π/4] and the quadrant modulo four, for `a ≥ 0`.
+/// The rest of `2 a y` in [−π/4, π/4] and `ROUND` plus the quadrant, for
+/// `a ≥ 0`.
 ///
 /// The rest is the product of 2/π's window, 320 digits of it, with `m` below 2¹⁰⁶; what the window
 /// leaves out is below 2⁻²⁰⁸, so the rest has an absolute error below 2⁻¹⁰⁴ from its two `f64`.
 #[cold]
 #[inline(never)]
-pub(super) fn reduce(a: f64, y: f64) -> (Dd, i32) {
+pub(super) fn reduce(a: f64, y: f64) -> (Dd, f64) {
     let ((ma, ea), (my, ey)) = (parts(a), parts(y));
     let m = u128::from(ma) * u128::from(my);
     let e = i64::from(ea + ey) + 1;
@@ -92,7 +94,7 @@ pub(super) fn reduce(a: f64, y: f64) -> (Dd, i32) {
     let mut value = Dd::ZERO;
     for i in (zeros..(zeros + 3).min(N)).rev() {
         let w = f[i];
-        let unit = super::exponential::power_of_two(-64 * (i as i32 + 1));
+        let unit = (ROUND - 64.0 * (i + 1) as f64).power_of_two();
         // A word as two exact halves.
         let low = (w & 0xffff_ffff) as f64 * unit;
         let high = (w >> 32) as f64 * unit * 4_294_967_296.0;
@@ -104,8 +106,8 @@ pub(super) fn reduce(a: f64, y: f64) -> (Dd, i32) {
     }
     // 2 a y has the sign of y.
     if y < 0.0 {
-        (-r, -quadrant)
+        (-r, ROUND - f64::from(quadrant))
     } else {
-        (r, quadrant)
+        (r, ROUND + f64::from(quadrant))
     }
 }

@@ -1,8 +1,9 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::double_double::{Dd, two_prod};
-use super::exponential::{exponent, scaled, sin_cos_reduced, turn};
+use super::exponential::{sin_cos_reduced, turn};
 use super::payne_hanek;
+use super::real::{ROUND, scaled};
 
 const INV_SQRT_PI: Dd = Dd::new(0.564_189_583_547_756_3, 7.667_729_806_582_94e-18);
 
@@ -19,7 +20,7 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
     let (u, v) = if a.is_infinite() || b.is_infinite() {
         (0.0, 0.0)
     } else {
-        let k = -((a.max(b).to_bits() >> 52) as i32 - 1023);
+        let k = ROUND - ((a.max(b).to_bits() >> 52) as f64 - 1023.0);
         let (p, q) = (scaled(a, k), scaled(b, k));
         let r2 = p.mul_add(p, q * q);
         let part = |x: f64| {
@@ -50,6 +51,5 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
     if b > a {
         return (f64::INFINITY.copysign(c), f64::INFINITY.copysign(s));
     }
-    debug_assert!(exponent(0.0, 0.0).hi == 0.0);
     (2.0 * c - u, 2.0 * s + v)
 }

@@ -9,6 +9,10 @@
 //! interleaved polynomials in δ⁴, which the compiler turns into vector instructions.
 
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use super::lanes::Lanes;
+#[cfg(target_arch = "x86_64")]
+use super::pack::{Pack, Wide};
+use super::real::Real;
 
 /// `Re c₀` (hi, lo), `Im c₀`, `Re c₁`, `Im c₁`, then four blocks of four real and four imaginary
 /// parts of `q`.
@@ -24,88 +28,234 @@ fn block(c: &[f64], at: usize) -> [f64; 4] {
     [c[at], c[at + 1], c[at + 2], c[at + 3]]
 }
 
+/// `δ², δ³, δ⁴` as real and imaginary parts, with `δ²` given.
 #[inline(always)]
-fn sum(v: [f64; 4]) -> f64 {
-    (v[0] + v[2]) + (v[1] + v[3])
+fn powers<R: Real>((dx, dy): (R, R), (x2, y2): (R, R)) -> [(R, R); 2] {
+    let (x3, y3) = (x2.fma(dx, -(y2 * dy)), x2.fma(dy, y2 * dx));
+    let (x4, y4) = (x2.fma(x2, -(y2 * y2)), (x2 + x2) * y2);
+    [(x3, y3), (x4, y4)]
 }
 
-/// Real and imaginary part of `w(c + dx + i dy)`, unevaluated.
+/// `δ²`
 #[inline(always)]
-pub(super) fn complex_row(row: &ComplexRow, dx: f64, dy: f64) -> (Dd, Dd) {
-    let c = &row.0;
-    // δ², δ³, δ⁴.
-    let (x2, y2) = (dx.mul_add(dx, -(dy * dy)), 2.0 * dx * dy);
-    let (x3, y3) = (x2.mul_add(dx, -(y2 * dy)), x2.mul_add(dy, y2 * dx));
-    let (x4, y4) = (x2.mul_add(x2, -(y2 * y2)), 2.0 * x2 * y2);
-    let mut re = block(c, 32);
-    let mut im = block(c, 36);
-    for k in (0..3).rev() {
-        let (a, b) = (block(c, 8 + 8 * k), block(c, 12 + 8 * k));
-        for m in 0..4 {
-            let r = x4.mul_add(re[m], (-y4).mul_add(im[m], a[m]));
-            let i = x4.mul_add(im[m], y4.mul_add(re[m], b[m]));
-            re[m] = r;
-            im[m] = i;
-        }
-    }
-    let (px, py) = ([1.0, dx, x2, x3], [0.0, dy, y2, y3]);
-    let (mut sr, mut si) = ([0.0; 4], [0.0; 4]);
-    for m in 0..4 {
-        sr[m] = px[m].mul_add(re[m], -(py[m] * im[m]));
-        si[m] = px[m].mul_add(im[m], py[m] * re[m]);
-    }
-    let (qr, qi) = (sum(sr), sum(si));
-    let (tr, ti) = (x2.mul_add(qr, -(y2 * qi)), x2.mul_add(qi, y2 * qr));
+pub(super) fn square<R: Real>(dx: R, dy: R) -> (R, R) {
+    (dx.fma(dx, -(dy * dy)), (dx + dx) * dy)
+}
 
-    // c₀ + c₁δ with exact products.
+/// `q₀ + q₁δ + …` from blocks of four real and four imaginary parts, the first one at `first`, the
+/// last one at `last`, with `δ² = x2 + i y2`.
+#[inline(always)]
+pub(super) fn polynomial<L: Lanes>(
+    lanes: L,
+    c: &[f64],
+    (first, last): (usize, usize),
+    (dx, dy): (f64, f64),
+    (x2, y2): (f64, f64),
+) -> (f64, f64) {
+    let [(x3, y3), (x4, y4)] = powers((dx, dy), (x2, y2));
+    let (x4, y4) = (lanes.splat(x4), lanes.splat(y4));
+    let mut re = lanes.load(block(c, last));
+    let mut im = lanes.load(block(c, last + 4));
+    let mut at = last;
+    while at > first {
+        at -= 8;
+        let (a, b) = (lanes.load(block(c, at)), lanes.load(block(c, at + 4)));
+        let r = lanes.mul_add(x4, re, lanes.neg_mul_add(y4, im, a));
+        im = lanes.mul_add(x4, im, lanes.mul_add(y4, re, b));
+        re = r;
+    }
+    let (px, py) = (lanes.load([1.0, dx, x2, x3]), lanes.load([0.0, dy, y2, y3]));
+    let sr = lanes.neg_mul_add(py, im, lanes.mul(px, re));
+    let si = lanes.mul_add(px, im, lanes.mul(py, re));
+    (lanes.sum(sr), lanes.sum(si))
+}
+
+/// `c₀ + c₁δ + δ²q` with exact products; `c` as at the beginning of a [`ComplexRow`].
+#[inline(always)]
+fn complex_sum<R: Real>(
+    c: [R; 8],
+    (dx, dy): (R, R),
+    (x2, y2): (R, R),
+    (qr, qi): (R, R),
+) -> (Dd<R>, Dd<R>) {
+    let (tr, ti) = (x2.fma(qr, -(y2 * qi)), x2.fma(qi, y2 * qr));
     let (a, b) = (two_prod(c[4], dx), two_prod(c[6], dy));
     let s = two_sum(a.hi, -b.hi);
-    let lo = s.lo + (a.lo - b.lo) + c[5].mul_add(dx, -(c[7] * dy)) + c[1] + tr;
+    let lo = s.lo + (a.lo - b.lo) + c[5].fma(dx, -(c[7] * dy)) + c[1] + tr;
     let h = two_sum(c[0], s.hi);
     let re = fast_two_sum(h.hi, h.lo + lo);
 
     let (a, b) = (two_prod(c[4], dy), two_prod(c[6], dx));
     let s = two_sum(a.hi, b.hi);
-    let lo = s.lo + (a.lo + b.lo) + c[5].mul_add(dy, c[7] * dx) + c[3] + ti;
+    let lo = s.lo + (a.lo + b.lo) + c[5].fma(dy, c[7] * dx) + c[3] + ti;
     let h = two_sum(c[2], s.hi);
     let im = fast_two_sum(h.hi, h.lo + lo);
+    (re, im)
+}
+
+/// Real and imaginary part of `w(c + dx + i dy)`, unevaluated.
+#[inline(always)]
+pub(super) fn complex_row<L: Lanes>(lanes: L, row: &ComplexRow, dx: f64, dy: f64) -> (Dd, Dd) {
+    let c = &row.0;
+    let d2 = square(dx, dy);
+    let q = polynomial(lanes, c, (8, 32), (dx, dy), d2);
+    complex_sum(
+        std::array::from_fn(
+            #[inline(always)]
+            |i| c[i],
+        ),
+        (dx, dy),
+        d2,
+        q,
+    )
+}
+
+/// The powers of `δ = t + i b` up to the fourth: real parts, and imaginary parts divided by `b`.
+#[inline(always)]
+fn real_powers<R: Real>(t: R, bb: R) -> ([R; 5], [R; 5]) {
+    let (p2, s2) = (t.fma(t, -bb), t + t);
+    let (p3, s3) = (t.fma(p2, -(bb * s2)), t.fma(s2, p2));
+    let (p4, s4) = (p2.fma(p2, -(bb * s2 * s2)), (p2 + p2) * s2);
+    let (one, zero) = (t.like(1.0), t.like(0.0));
+    ([one, t, p2, p3, p4], [zero, one, s2, s3, s4])
+}
+
+/// `c₀ + c₁δ + δ²q`; `c` as at the beginning of a [`RealRow`].
+#[inline(always)]
+fn real_sum<R: Real>(
+    c: [R; 4],
+    (t, bb): (R, R),
+    (p2, s2): (R, R),
+    (qr, qs): (R, R),
+) -> (Dd<R>, Dd<R>) {
+    let (tr, ts) = (p2.fma(qr, -(bb * s2 * qs)), p2.fma(qs, s2 * qr));
+    let a = two_prod(c[2], t);
+    let h = two_sum(c[0], a.hi);
+    let re = fast_two_sum(h.hi, h.lo + (a.lo + c[3].fma(t, c[1]) + tr));
+    let im = fast_two_sum(c[2], c[3] + ts);
     (re, im)
 }
 
 /// For a function `f` real on the real axis and expanded about a real centre: the real part of
 /// `f(c + t + i b)` and its imaginary part divided by `b`.
 #[inline(always)]
-pub(super) fn real_row(row: &RealRow, t: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn real_row<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (Dd, Dd) {
     let c = &row.0;
     let bb = b * b;
-    // δⁿ = pₙ + i b sₙ.
-    let (p2, s2) = (t.mul_add(t, -bb), 2.0 * t);
-    let (p3, s3) = (t.mul_add(p2, -(bb * s2)), t.mul_add(s2, p2));
-    let (p4, s4) = (p2.mul_add(p2, -(bb * s2 * s2)), 2.0 * p2 * s2);
-    let bs4 = bb * s4;
-    let mut re = block(c, 16);
-    let mut im = [0.0; 4];
-    for k in (0..3).rev() {
-        let v = block(c, 4 + 4 * k);
+    let (p, s) = real_powers(t, bb);
+    let (p4, s4, bs4) = (lanes.splat(p[4]), lanes.splat(s[4]), lanes.splat(bb * s[4]));
+    let mut re = lanes.load(block(c, 16));
+    let mut im = lanes.mul(s4, re);
+    re = lanes.mul_add(p4, re, lanes.load(block(c, 12)));
+    for at in [8, 4] {
+        let v = lanes.load(block(c, at));
+        let r = lanes.mul_add(p4, re, lanes.neg_mul_add(bs4, im, v));
+        im = lanes.mul_add(p4, im, lanes.mul(s4, re));
+        re = r;
+    }
+    let bs = lanes.load([0.0, bb, bb * s[2], bb * s[3]]);
+    let (pv, sv) = (
+        lanes.load([1.0, t, p[2], p[3]]),
+        lanes.load([0.0, 1.0, s[2], s[3]]),
+    );
+    let qr = lanes.sum(lanes.neg_mul_add(bs, im, lanes.mul(pv, re)));
+    let qs = lanes.sum(lanes.mul_add(pv, im, lanes.mul(sv, re)));
+    real_sum(
+        std::array::from_fn(
+            #[inline(always)]
+            |i| c[i],
+        ),
+        (t, bb),
+        (p[2], s[2]),
+        (qr, qs),
+    )
+}
+
+/// Numbers `at … at + 3` of each row.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn columns<S: Wide, const N: usize>(simd: S, rows: &[&[f64; N]; 8], at: usize) -> [Pack<S>; 4] {
+    let [a, b, c, d] = simd.columns(rows, at);
+    [Pack(simd, a), Pack(simd, b), Pack(simd, c), Pack(simd, d)]
+}
+
+/// [`complex_row`] for several points with a row each.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn complex_rows<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 40]; 8],
+    dx: Pack<S>,
+    dy: Pack<S>,
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let d2 = square(dx, dy);
+    let [(x3, y3), (x4, y4)] = powers((dx, dy), d2);
+    let (mut re, mut im) = (columns(simd, rows, 32), columns(simd, rows, 36));
+    let mut at = 32;
+    while at > 8 {
+        at -= 8;
+        let (a, b) = (columns(simd, rows, at), columns(simd, rows, at + 4));
         for m in 0..4 {
-            let r = p4.mul_add(re[m], (-bs4).mul_add(im[m], v[m]));
-            let i = p4.mul_add(im[m], s4 * re[m]);
+            let r = x4.fma(re[m], (-y4).fma(im[m], a[m]));
+            im[m] = x4.fma(im[m], y4.fma(re[m], b[m]));
             re[m] = r;
-            im[m] = i;
         }
     }
-    let (p, s) = ([1.0, t, p2, p3], [0.0, 1.0, s2, s3]);
-    let (mut qr, mut qs) = ([0.0; 4], [0.0; 4]);
-    for m in 0..4 {
-        qr[m] = p[m].mul_add(re[m], -(bb * s[m] * im[m]));
-        qs[m] = p[m].mul_add(im[m], s[m] * re[m]);
+    let (px, py) = ([dx, dx, d2.0, x3], [dy, dy, d2.1, y3]);
+    let (mut sr, mut si) = (re, im);
+    for m in 1..4 {
+        sr[m] = (-py[m]).fma(im[m], px[m] * re[m]);
+        si[m] = px[m].fma(im[m], py[m] * re[m]);
     }
-    let (qr, qs) = (sum(qr), sum(qs));
-    let (tr, ts) = (p2.mul_add(qr, -(bb * s2 * qs)), p2.mul_add(qs, s2 * qr));
+    let q = (
+        (sr[0] + sr[2]) + (sr[1] + sr[3]),
+        (si[0] + si[2]) + (si[1] + si[3]),
+    );
+    let (a, b) = (columns(simd, rows, 0), columns(simd, rows, 4));
+    complex_sum(
+        [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]],
+        (dx, dy),
+        d2,
+        q,
+    )
+}
 
-    let a = two_prod(c[2], t);
-    let h = two_sum(c[0], a.hi);
-    let re = fast_two_sum(h.hi, h.lo + (a.lo + c[3].mul_add(t, c[1]) + tr));
-    let im = fast_two_sum(c[2], c[3] + ts);
-    (re, im)
+/// [`real_row`] for several points with a row each.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn real_rows<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let bb = b * b;
+    let (p, s) = real_powers(t, bb);
+    let bs4 = bb * s[4];
+    let mut re = columns(simd, rows, 16);
+    let v = columns(simd, rows, 12);
+    let mut im = re;
+    for m in 0..4 {
+        im[m] = s[4] * re[m];
+        re[m] = p[4].fma(re[m], v[m]);
+    }
+    for at in [8, 4] {
+        let v = columns(simd, rows, at);
+        for m in 0..4 {
+            let r = p[4].fma(re[m], (-bs4).fma(im[m], v[m]));
+            im[m] = p[4].fma(im[m], s[4] * re[m]);
+            re[m] = r;
+        }
+    }
+    let bs = [bb, bb, bb * s[2], bb * s[3]];
+    let (mut qr, mut qs) = (re, im);
+    for m in 1..4 {
+        qr[m] = (-bs[m]).fma(im[m], p[m] * re[m]);
+        qs[m] = p[m].fma(im[m], s[m] * re[m]);
+    }
+    let q = (
+        (qr[0] + qr[2]) + (qr[1] + qr[3]),
+        (qs[0] + qs[2]) + (qs[1] + qs[3]),
+    );
+    real_sum(columns(simd, rows, 0), (t, bb), (p[2], s[2]), q)
 }

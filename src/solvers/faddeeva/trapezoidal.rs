@@ -19,7 +19,8 @@
 
 use super::double_double::{Dd, two_prod};
 use super::double_double_functions::{exp, exp_minus_square, reduce, sin_cos_reduced};
-use super::exponential::{scaled, turn};
+use super::exponential::turn;
+use super::real::scaled;
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 
 /// Nodes of each rule.
@@ -88,6 +89,6 @@ pub(super) fn lower(a: f64, b: f64) -> (Dd, Dd) {
     } else {
         (c, s)
     };
-    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1), scaled(t.lo, k + 1));
+    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (re + by(c), im + by(s))
 }

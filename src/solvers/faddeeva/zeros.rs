@@ -9,7 +9,9 @@
 //! and the zeros are stored as three `f64`, from which δ keeps 100 bits however small it is.
 
 use super::double_double::{Dd, two_sum};
+use super::lanes::Lanes;
 use super::tables::ZEROS;
+use super::taylor::{polynomial, square};
 
 /// `Re z_k` and `Im z_k` in three parts each, then five blocks of four real and four imaginary
 /// parts of `g`.
@@ -40,7 +42,7 @@ pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
 /// `w(a − i b)` next to zero `k`; `None` if a component cannot be had to a few units in the last
 /// place this way.
 #[inline(always)]
-pub(super) fn near_zero(k: usize, a: f64, b: f64) -> Option<(Dd, Dd)> {
+pub(super) fn near_zero<L: Lanes>(lanes: L, k: usize, a: f64, b: f64) -> Option<(Dd, Dd)> {
     let c = &ZEROS[k].0;
     let difference = |x: f64, at: usize| {
         let s = two_sum(x, -c[at]);
@@ -48,28 +50,8 @@ pub(super) fn near_zero(k: usize, a: f64, b: f64) -> Option<(Dd, Dd)> {
     };
     let (dx, dy) = (difference(a, 0), difference(-b, 3));
     let (x, y) = (dx.hi, dy.hi);
-    let (x2, y2) = (x.mul_add(x, -(y * y)), 2.0 * x * y);
-    let (x3, y3) = (x2.mul_add(x, -(y2 * y)), x2.mul_add(y, y2 * x));
-    let (x4, y4) = (x2.mul_add(x2, -(y2 * y2)), 2.0 * x2 * y2);
-    let block = |at: usize| [c[at], c[at + 1], c[at + 2], c[at + 3]];
-    let (mut re, mut im) = (block(38), block(42));
-    for k in (0..4).rev() {
-        let (p, q) = (block(6 + 8 * k), block(10 + 8 * k));
-        for m in 0..4 {
-            let r = x4.mul_add(re[m], (-y4).mul_add(im[m], p[m]));
-            let i = x4.mul_add(im[m], y4.mul_add(re[m], q[m]));
-            re[m] = r;
-            im[m] = i;
-        }
-    }
-    let (px, py) = ([1.0, x, x2, x3], [0.0, y, y2, y3]);
-    let (mut sr, mut si) = ([0.0; 4], [0.0; 4]);
-    for m in 0..4 {
-        sr[m] = px[m].mul_add(re[m], -(py[m] * im[m]));
-        si[m] = px[m].mul_add(im[m], py[m] * re[m]);
-    }
-    let qr = (sr[0] + sr[2]) + (sr[1] + sr[3]);
-    let qi = (si[0] + si[2]) + (si[1] + si[3]);
+    let (x2, y2) = square(x, y);
+    let (qr, qi) = polynomial(lanes, c, (6, 38), (x, y), (x2, y2));
     let (hr, hi) = (x2.mul_add(qr, -(y2 * qi)), x2.mul_add(qi, y2 * qr));
     let (u, v) = (dx.add_f(hr), dy.add_f(hi));
     let size = hr.abs().max(hi.abs());

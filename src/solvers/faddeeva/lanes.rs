@@ -1,0 +1,129 @@
+//! Four numbers at once: the processor's vectors behind an interface that plain arrays satisfy too.
+//!
+//! Every operation is one correctly rounded operation on each number, so that the results have the
+//! same bits whatever carries them out.
+
+/// A set of instructions.
+pub(super) trait Lanes: Copy {
+    /// Four numbers.
+    type V: Copy;
+    fn load(self, x: [f64; 4]) -> Self::V;
+    fn splat(self, x: f64) -> Self::V;
+    fn mul(self, a: Self::V, b: Self::V) -> Self::V;
+    /// `a b + c`
+    fn mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
+    /// `c − a b`
+    fn neg_mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
+    /// `(x₀ + x₂) + (x₁ + x₃)`
+    fn sum(self, x: Self::V) -> f64;
+    /// Runs the task as a function of its own, compiled for these instructions.
+    fn call<T: Task>(self, task: T) -> T::Output;
+}
+
+/// Something to be run with a set of instructions. `run` has to be inlined.
+pub(super) trait Task {
+    type Output;
+    fn run<L: Lanes>(self, lanes: L) -> Self::Output;
+}
+
+/// Runs the task with the best instructions of this processor.
+#[inline(always)]
+pub(super) fn with_best<T: Task>(task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(v) = pulp::x86::V3::try_new() {
+        return v.call(task);
+    }
+    Plain.run(task)
+}
+
+/// Arrays.
+#[derive(Clone, Copy)]
+pub(super) struct Plain;
+
+impl Plain {
+    #[inline(never)]
+    fn run<T: Task>(self, task: T) -> T::Output {
+        task.run(self)
+    }
+}
+
+impl Lanes for Plain {
+    type V = [f64; 4];
+    #[inline(always)]
+    fn load(self, x: [f64; 4]) -> [f64; 4] {
+        x
+    }
+    #[inline(always)]
+    fn splat(self, x: f64) -> [f64; 4] {
+        [x; 4]
+    }
+    #[inline(always)]
+    fn mul(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|i| a[i] * b[i])
+    }
+    #[inline(always)]
+    fn mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|i| a[i].mul_add(b[i], c[i]))
+    }
+    #[inline(always)]
+    fn neg_mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|i| (-a[i]).mul_add(b[i], c[i]))
+    }
+    #[inline(always)]
+    fn sum(self, x: [f64; 4]) -> f64 {
+        (x[0] + x[2]) + (x[1] + x[3])
+    }
+    #[inline(always)]
+    fn call<T: Task>(self, task: T) -> T::Output {
+        self.run(task)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::{Lanes, Task};
+    use pulp::x86::V3;
+    use pulp::{NullaryFnOnce, cast, f64x4};
+
+    struct Compiled<T>(V3, T);
+
+    impl<T: Task> NullaryFnOnce for Compiled<T> {
+        type Output = T::Output;
+        #[inline(always)]
+        fn call(self) -> T::Output {
+            self.1.run(self.0)
+        }
+    }
+
+    impl Lanes for V3 {
+        type V = f64x4;
+        #[inline(always)]
+        fn load(self, x: [f64; 4]) -> f64x4 {
+            cast(x)
+        }
+        #[inline(always)]
+        fn splat(self, x: f64) -> f64x4 {
+            self.splat_f64x4(x)
+        }
+        #[inline(always)]
+        fn mul(self, a: f64x4, b: f64x4) -> f64x4 {
+            self.mul_f64x4(a, b)
+        }
+        #[inline(always)]
+        fn mul_add(self, a: f64x4, b: f64x4, c: f64x4) -> f64x4 {
+            self.mul_add_f64x4(a, b, c)
+        }
+        #[inline(always)]
+        fn neg_mul_add(self, a: f64x4, b: f64x4, c: f64x4) -> f64x4 {
+            self.negate_mul_add_f64x4(a, b, c)
+        }
+        #[inline(always)]
+        fn sum(self, x: f64x4) -> f64 {
+            (x.0 + x.2) + (x.1 + x.3)
+        }
+        #[inline(always)]
+        fn call<T: Task>(self, task: T) -> T::Output {
+            self.vectorize(Compiled(self, task))
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Vectors of four (AVX2) and eight (AVX-512) numbers as [`Real`]s, and the rows of a table for
+//! as many points, transposed.
+
+use super::batch::{Points, batch};
+use super::real::Real;
+use pulp::x86::{V3, V4};
+use pulp::{NullaryFnOnce, Simd, cast};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A set of instructions for several points at once.
+pub(super) trait Wide: Simd {
+    /// Points side by side.
+    const WIDTH: usize;
+    /// `(x + add) << 52`
+    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s;
+    /// `x << 62`
+    fn to_sign(self, x: Self::u64s) -> Self::u64s;
+    /// Whether `a = b` as integers, for 0 and 1 only.
+    fn is_one(self, a: Self::u64s) -> Self::m64s;
+    /// Numbers `at … at + 3` of each row: four vectors, one place for each row.
+    fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
+    /// The numbers, up to eight.
+    fn load(self, x: &[f64; 8]) -> Self::f64s;
+    /// The numbers, up to eight.
+    fn store(self, v: Self::f64s, x: &mut [f64; 8]);
+}
+
+#[inline(always)]
+fn four<const N: usize>(row: &[f64; N], at: usize) -> [f64; 4] {
+    [row[at], row[at + 1], row[at + 2], row[at + 3]]
+}
+
+impl Wide for V3 {
+    const WIDTH: usize = 4;
+    #[inline(always)]
+    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
+        cast(
+            self.avx2
+                ._mm256_slli_epi64::<52>(self.avx2._mm256_add_epi64(cast(x), cast(add))),
+        )
+    }
+    #[inline(always)]
+    fn to_sign(self, x: Self::u64s) -> Self::u64s {
+        cast(self.avx2._mm256_slli_epi64::<62>(cast(x)))
+    }
+    #[inline(always)]
+    fn is_one(self, a: Self::u64s) -> Self::m64s {
+        self.equal_u64s(a, self.splat_u64s(1))
+    }
+    #[inline(always)]
+    fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
+        let r = |i: usize| cast(four(rows[i], at));
+        let (a, b, c, d) = (r(0), r(1), r(2), r(3));
+        let x = self.avx;
+        let (p, q) = (x._mm256_unpacklo_pd(a, b), x._mm256_unpackhi_pd(a, b));
+        let (s, t) = (x._mm256_unpacklo_pd(c, d), x._mm256_unpackhi_pd(c, d));
+        [
+            cast(x._mm256_permute2f128_pd::<0x20>(p, s)),
+            cast(x._mm256_permute2f128_pd::<0x20>(q, t)),
+            cast(x._mm256_permute2f128_pd::<0x31>(p, s)),
+            cast(x._mm256_permute2f128_pd::<0x31>(q, t)),
+        ]
+    }
+    #[inline(always)]
+    fn load(self, x: &[f64; 8]) -> Self::f64s {
+        cast(four(x, 0))
+    }
+    #[inline(always)]
+    fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
+        let v: [f64; 4] = cast(v);
+        x[..4].copy_from_slice(&v);
+    }
+}
+
+impl Wide for V4 {
+    const WIDTH: usize = 8;
+    #[inline(always)]
+    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
+        self.shl_const_u64x8::<52>(self.wrapping_add_u64x8(x, add))
+    }
+    #[inline(always)]
+    fn to_sign(self, x: Self::u64s) -> Self::u64s {
+        self.shl_const_u64x8::<62>(x)
+    }
+    #[inline(always)]
+    fn is_one(self, a: Self::u64s) -> Self::m64s {
+        self.equal_u64s(a, self.splat_u64s(1))
+    }
+    #[inline(always)]
+    fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
+        // Two rows side by side; the order of the rows is such that the shuffles restore it.
+        let r = |i: usize, j: usize| -> pulp::f64x8 {
+            let (p, q) = (four(rows[i], at), four(rows[j], at));
+            cast([p, q])
+        };
+        let (a, b, c, d) = (r(0, 2), r(1, 3), r(4, 6), r(5, 7));
+        let x = self.avx512f;
+        let (p, q) = (
+            x._mm512_unpacklo_pd(cast(a), cast(b)),
+            x._mm512_unpackhi_pd(cast(a), cast(b)),
+        );
+        let (s, t) = (
+            x._mm512_unpacklo_pd(cast(c), cast(d)),
+            x._mm512_unpackhi_pd(cast(c), cast(d)),
+        );
+        [
+            cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(p, s)),
+            cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(q, t)),
+            cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(p, s)),
+            cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(q, t)),
+        ]
+    }
+    #[inline(always)]
+    fn load(self, x: &[f64; 8]) -> Self::f64s {
+        cast(*x)
+    }
+    #[inline(always)]
+    fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
+        *x = cast(v);
+    }
+}
+
+/// Several numbers.
+#[derive(Clone, Copy)]
+pub(super) struct Pack<S: Wide>(pub S, pub S::f64s);
+
+impl<S: Wide> Pack<S> {
+    #[inline(always)]
+    pub(super) fn load(simd: S, x: &[f64; 8]) -> Pack<S> {
+        Pack(simd, simd.load(x))
+    }
+
+    #[inline(always)]
+    pub(super) fn splat(simd: S, x: f64) -> Pack<S> {
+        Pack(simd, simd.splat_f64s(x))
+    }
+
+    #[inline(always)]
+    pub(super) fn store(self, x: &mut [f64; 8]) {
+        self.0.store(self.1, x);
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $f:ident) => {
+        impl<S: Wide> $trait for Pack<S> {
+            type Output = Pack<S>;
+            #[inline(always)]
+            fn $method(self, other: Pack<S>) -> Pack<S> {
+                Pack(self.0, self.0.$f(self.1, other.1))
+            }
+        }
+    };
+}
+operator!(Add, add, add_f64s);
+operator!(Sub, sub, sub_f64s);
+operator!(Mul, mul, mul_f64s);
+operator!(Div, div, div_f64s);
+
+impl<S: Wide> Neg for Pack<S> {
+    type Output = Pack<S>;
+    #[inline(always)]
+    fn neg(self) -> Pack<S> {
+        Pack(self.0, self.0.neg_f64s(self.1))
+    }
+}
+
+impl<S: Wide> Real for Pack<S> {
+    type Mask = S::m64s;
+    #[inline(always)]
+    fn like(self, x: f64) -> Self {
+        Pack(self.0, self.0.splat_f64s(x))
+    }
+    #[inline(always)]
+    fn fma(self, b: Self, c: Self) -> Self {
+        Pack(self.0, self.0.mul_add_e_f64s(self.1, b.1, c.1))
+    }
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        Pack(self.0, self.0.abs_f64s(self.1))
+    }
+    #[inline(always)]
+    fn at_least(self, low: Self) -> Self {
+        self.pick(self.below(low), low, self)
+    }
+    #[inline(always)]
+    fn at_most(self, high: Self) -> Self {
+        self.pick(high.below(self), high, self)
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> S::m64s {
+        self.0.less_than_f64s(self.1, other.1)
+    }
+    #[inline(always)]
+    fn or(self, a: S::m64s, b: S::m64s) -> S::m64s {
+        self.0.or_m64s(a, b)
+    }
+    #[inline(always)]
+    fn pick(self, mask: S::m64s, yes: Self, no: Self) -> Self {
+        Pack(self.0, self.0.select_f64s(mask, yes.1, no.1))
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let s = self.0;
+        let bits = s.transmute_u64s_f64s(self.1);
+        Pack(
+            s,
+            s.transmute_f64s_u64s(s.exponent(bits, s.splat_u64s(1023))),
+        )
+    }
+    #[inline(always)]
+    fn is_odd(self) -> S::m64s {
+        let s = self.0;
+        let bits = s.transmute_u64s_f64s(self.1);
+        s.is_one(s.and_u64s(bits, s.splat_u64s(1)))
+    }
+    #[inline(always)]
+    fn flip(self, x: Self) -> Self {
+        let s = self.0;
+        let bits = s.and_u64s(s.transmute_u64s_f64s(self.1), s.splat_u64s(2));
+        let x = s.transmute_u64s_f64s(x.1);
+        Pack(s, s.transmute_f64s_u64s(s.xor_u64s(x, s.to_sign(bits))))
+    }
+}
+
+/// Runs the batch with the widest vectors of this processor; `false` if it has none.
+pub(super) fn batch_with_best<P: Points>(points: &mut P) -> bool {
+    struct Run<'a, S, P>(S, V3, &'a mut P);
+    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            batch(self.0, self.1, self.2);
+        }
+    }
+    if let Some(v) = V4::try_new()
+        && std::env::var_os("NO512").is_none()
+    {
+        v.vectorize(Run(v, *v, points));
+        return true;
+    }
+    if let Some(v) = V3::try_new() {
+        v.vectorize(Run(v, v, points));
+        return true;
+    }
+    false
+}

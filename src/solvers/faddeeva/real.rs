@@ -1,0 +1,98 @@
+//! One number or several side by side: the formulas are written once, for an `f64` and for vectors
+//! of four or eight of them.
+//!
+//! Every operation is correctly rounded in each place, so that a value has the same bits whichever
+//! way it was computed.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Adding and subtracting this rounds a number below 2⁵¹ to an integer `k`; the low bits of the
+/// sum are those of `k`.
+pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
+
+/// A real number, or several in places of their own.
+pub(super) trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Truth values.
+    type Mask: Copy;
+    /// The constant `x` in every place.
+    fn like(self, x: f64) -> Self;
+    /// `self · b + c` with one rounding.
+    fn fma(self, b: Self, c: Self) -> Self;
+    fn magnitude(self) -> Self;
+    fn at_least(self, low: Self) -> Self;
+    fn at_most(self, high: Self) -> Self;
+    fn below(self, other: Self) -> Self::Mask;
+    fn or(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    fn pick(self, mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// 2^k, where `self` is `ROUND + k` and `k` within the normal exponents.
+    fn power_of_two(self) -> Self;
+    /// Whether `k` is odd, where `self` is `ROUND + k`.
+    fn is_odd(self) -> Self::Mask;
+    /// `x`, negated if the second bit of `k` is set, where `self` is `ROUND + k`.
+    fn flip(self, x: Self) -> Self;
+}
+
+impl Real for f64 {
+    type Mask = bool;
+    #[inline(always)]
+    fn like(self, x: f64) -> f64 {
+        x
+    }
+    #[inline(always)]
+    fn fma(self, b: f64, c: f64) -> f64 {
+        self.mul_add(b, c)
+    }
+    #[inline(always)]
+    fn magnitude(self) -> f64 {
+        self.abs()
+    }
+    #[inline(always)]
+    fn at_least(self, low: f64) -> f64 {
+        if self < low { low } else { self }
+    }
+    #[inline(always)]
+    fn at_most(self, high: f64) -> f64 {
+        if self > high { high } else { self }
+    }
+    #[inline(always)]
+    fn below(self, other: f64) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn or(self, a: bool, b: bool) -> bool {
+        a | b
+    }
+    #[inline(always)]
+    fn pick(self, mask: bool, yes: f64, no: f64) -> f64 {
+        if mask { yes } else { no }
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> f64 {
+        f64::from_bits((self.to_bits().wrapping_add(1023)) << 52)
+    }
+    #[inline(always)]
+    fn is_odd(self) -> bool {
+        self.to_bits() & 1 != 0
+    }
+    #[inline(always)]
+    fn flip(self, x: f64) -> f64 {
+        f64::from_bits(x.to_bits() ^ (self.to_bits() & 2) << 62)
+    }
+}
+
+/// `x · 2^k` where `n = ROUND + k`, in two steps, so that only the last one may round or overflow.
+#[inline(always)]
+pub(super) fn scaled<R: Real>(x: R, n: R) -> R {
+    let round = x.like(ROUND);
+    let k = n - round;
+    let half = k.fma(x.like(0.5), round);
+    let rest = (k - (half - round)) + round;
+    x * half.power_of_two() * rest.power_of_two()
+}
