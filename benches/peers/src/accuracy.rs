@@ -105,20 +105,20 @@ impl Accuracy {
     }
 }
 
-/// Evaluates; a value at which the code panics becomes NaN. Returns how often that happened.
-pub fn evaluate(code: &dyn Code, z: &[Complex64], out: &mut [Complex64]) -> u64 {
+/// Evaluates; a value at which the code panics becomes NaN. Returns their numbers.
+pub fn evaluate(code: &dyn Code, z: &[Complex64], out: &mut [Complex64]) -> Vec<usize> {
     let whole = catch_unwind(AssertUnwindSafe(|| code.evaluate(z, out)));
     if whole.is_ok() {
-        return 0;
+        return Vec::new();
     }
-    let mut panics = 0;
+    let mut panics = Vec::new();
     for i in 0..z.len() {
         let one = catch_unwind(AssertUnwindSafe(|| {
             code.evaluate(&z[i..=i], &mut out[i..=i]);
         }));
         if one.is_err() {
             out[i] = Complex64::new(f64::NAN, f64::NAN);
-            panics += 1;
+            panics.push(i);
         }
     }
     panics
@@ -137,7 +137,7 @@ fn block(codes: &[&dyn Code], z: &[Complex64]) -> Vec<Accuracy> {
     for code in codes {
         let mut accuracy = Accuracy {
             code: code.name().to_owned(),
-            panics: evaluate(*code, z, &mut out),
+            panics: evaluate(*code, z, &mut out).len() as u64,
             ..Accuracy::default()
         };
         for ((&z, &got), r) in z.iter().zip(&out).zip(&references) {

@@ -1,11 +1,12 @@
 //! This project's solver.
 
-use crate::code::{Codes, Scalar};
+use crate::code::{Code, Codes, Scalar, Shape};
 use mechaudit::solvers::faddeeva;
+use num_complex::Complex64;
 
 const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), ", this checkout");
 
-/// Adds it.
+/// Adds its shapes.
 pub fn add(codes: &mut Codes) {
     codes.found.push(Box::new(Scalar {
         name: "mechaudit".into(),
@@ -13,43 +14,49 @@ pub fn add(codes: &mut Codes) {
         own: true,
         w: faddeeva::faddeeva,
     }));
-    slices::add(codes);
+    codes.found.push(Box::new(Batch));
+    codes.add("mechaudit SoA", soa());
 }
 
-#[cfg(feature = "batch")]
-mod slices {
+struct Batch;
+
+impl Code for Batch {
+    fn name(&self) -> &str {
+        "mechaudit batch"
+    }
+    fn version(&self) -> &str {
+        VERSION
+    }
+    fn shape(&self) -> Shape {
+        Shape::Batch
+    }
+    fn own(&self) -> bool {
+        true
+    }
+    fn evaluate(&self, z: &[Complex64], out: &mut [Complex64]) {
+        faddeeva::faddeeva_batch(z, out);
+    }
+}
+
+#[cfg(feature = "soa")]
+fn soa() -> Result<Box<dyn Code>, String> {
+    Ok(Box::new(parts::Soa))
+}
+
+#[cfg(not(feature = "soa"))]
+fn soa() -> Result<Box<dyn Code>, String> {
+    Err("not compiled in: --features soa".into())
+}
+
+#[cfg(feature = "soa")]
+mod parts {
     use super::VERSION;
-    use crate::code::{Code, Codes, Shape, timed};
-    use mechaudit::solvers::faddeeva::{faddeeva_batch, faddeeva_soa};
+    use crate::code::{Code, Shape, timed};
+    use mechaudit::solvers::faddeeva::faddeeva_soa;
     use num_complex::Complex64;
     use std::time::Duration;
 
-    pub fn add(codes: &mut Codes) {
-        codes.found.push(Box::new(Batch));
-        codes.found.push(Box::new(Soa));
-    }
-
-    struct Batch;
-
-    impl Code for Batch {
-        fn name(&self) -> &str {
-            "mechaudit batch"
-        }
-        fn version(&self) -> &str {
-            VERSION
-        }
-        fn shape(&self) -> Shape {
-            Shape::Batch
-        }
-        fn own(&self) -> bool {
-            true
-        }
-        fn evaluate(&self, z: &[Complex64], out: &mut [Complex64]) {
-            faddeeva_batch(z, out);
-        }
-    }
-
-    struct Soa;
+    pub struct Soa;
 
     impl Code for Soa {
         fn name(&self) -> &str {
@@ -76,20 +83,6 @@ mod slices {
                 *w = Complex64::new(re, im);
             }
             taken
-        }
-    }
-}
-
-#[cfg(not(feature = "batch"))]
-mod slices {
-    use crate::code::{Codes, Missing};
-
-    pub fn add(codes: &mut Codes) {
-        for name in ["mechaudit batch", "mechaudit SoA"] {
-            codes.missing.push(Missing {
-                name: name.into(),
-                reason: "not compiled in: --features batch".into(),
-            });
         }
     }
 }

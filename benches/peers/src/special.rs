@@ -120,11 +120,21 @@ fn complex(z: Complex64, part: fn(f64) -> String) -> String {
     format!("{} {sign} {im}{space}i", part(z.re))
 }
 
-/// Asks every code at every point.
+/// Asks every code at every point; one that takes slices gets all points in one.
 pub fn table(codes: &[&dyn Code]) -> Vec<SpecialValue> {
+    let z = POINTS.map(|(x, y, _)| Complex64::new(x, y));
+    let all: Vec<_> = codes
+        .iter()
+        .map(|code| {
+            let mut got = z.map(|_| Complex64::ZERO);
+            let panicked = evaluate(*code, &z, &mut got);
+            (got, panicked)
+        })
+        .collect();
     POINTS
         .iter()
-        .map(|&(x, y, right)| {
+        .enumerate()
+        .map(|(i, &(x, y, right))| {
             let z = Complex64::new(x, y);
             let ball = match right {
                 Right::Reference => reference(z),
@@ -139,37 +149,36 @@ pub fn table(codes: &[&dyn Code]) -> Vec<SpecialValue> {
                     complex(rounded, short)
                 }
             };
-            let answer = |code: &&dyn Code| {
-                let mut got = [Complex64::ZERO];
-                let panicked = evaluate(*code, &[z], &mut got) > 0;
-                let (right_kind, ulps) = match (right, &ball) {
-                    _ if panicked => (false, None),
-                    (Right::Limit(re, im), _) => {
-                        (alike(got[0].re, re) && alike(got[0].im, im), None)
+            let answer =
+                |(code, (got, panics)): (&&dyn Code, &([Complex64; POINTS.len()], Vec<usize>))| {
+                    let got = got[i];
+                    let panicked = panics.contains(&i);
+                    let (right_kind, ulps) = match (right, &ball) {
+                        _ if panicked => (false, None),
+                        (Right::Limit(re, im), _) => (alike(got.re, re) && alike(got.im, im), None),
+                        (Right::Turning, _) => (turning(got), None),
+                        (Right::Reference, None) => (false, None),
+                        (Right::Reference, Some(b)) => match compare(got, b) {
+                            Outcome::Finite(e) => (true, Some(e.ulps[0].max(e.ulps[1]))),
+                            Outcome::Infinite => (true, None),
+                            Outcome::WrongKind | Outcome::Undecided => (false, None),
+                        },
+                    };
+                    Answer {
+                        code: code.name().to_owned(),
+                        value: if panicked {
+                            "panic".into()
+                        } else {
+                            complex(got, short)
+                        },
+                        right_kind,
+                        ulps,
                     }
-                    (Right::Turning, _) => (turning(got[0]), None),
-                    (Right::Reference, None) => (false, None),
-                    (Right::Reference, Some(b)) => match compare(got[0], b) {
-                        Outcome::Finite(e) => (true, Some(e.ulps[0].max(e.ulps[1]))),
-                        Outcome::Infinite => (true, None),
-                        Outcome::WrongKind | Outcome::Undecided => (false, None),
-                    },
                 };
-                Answer {
-                    code: code.name().to_owned(),
-                    value: if panicked {
-                        "panic".into()
-                    } else {
-                        complex(got[0], short)
-                    },
-                    right_kind,
-                    ulps,
-                }
-            };
             SpecialValue {
                 z: complex(z, number),
                 right: truth,
-                answers: codes.iter().map(answer).collect(),
+                answers: codes.iter().zip(&all).map(answer).collect(),
             }
         })
         .collect()
