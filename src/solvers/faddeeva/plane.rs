@@ -262,12 +262,12 @@ pub(super) struct Cancelled {
 impl Task for Cancelled {
     type Output = (f64, f64);
     #[inline(always)]
-    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Cancelled { a, b } = self;
         let (re, im) = if a.max(b) < 4096.0 {
-            trapezoidal::lower(a, b)
+            trapezoidal::lower(lanes, a, b)
         } else {
-            large(a, b)
+            large(lanes, a, b)
         };
         (re.value(), im.value())
     }
