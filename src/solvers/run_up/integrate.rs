@@ -228,9 +228,32 @@ impl<'a> Integrator<'a> {
         d
     }
 
+    /// A first step short beside everything that changes at the start; the library would try one
+    /// over a good part of the whole time, where there may be no linkage or motor any more. Steps
+    /// grow up to tenfold at a time.
+    fn first_step(&self, end: f64) -> f64 {
+        let (d, psi) = (self.derivative(&self.y), self.y[PSI].abs());
+        let (acceleration, damping) = (d[PSI].abs(), d[DAMPING].abs());
+        let shortest = [
+            1.0 / damping,
+            (1.0 + psi) / acceleration,
+            1.0 / (psi + acceleration.sqrt()),
+            end - self.t,
+        ];
+        1e-3 * shortest
+            .iter()
+            .copied()
+            .filter(|h| *h > 0.0)
+            .fold(1.0, f64::min)
+    }
+
     fn begin(&self, end: f64) -> Result<Box<dyn Stepper>, Stuck> {
+        let h = match self.h {
+            0.0 => self.first_step(end),
+            h => h,
+        };
         // The library refuses a first step beyond the end.
-        let h = self.h.min(end - self.t);
+        let h = h.min(end - self.t);
         begin(
             self.settings.method,
             &self.tolerances,
