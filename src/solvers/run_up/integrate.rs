@@ -254,14 +254,19 @@ impl<'a> Integrator<'a> {
         };
         // The library refuses a first step beyond the end.
         let h = h.min(end - self.t);
-        begin(
+        let stepper = begin(
             self.settings.method,
             &self.tolerances,
             &self.rhs,
             (self.t, &self.y),
             (end, h),
         )
-        .map_err(|e| self.stuck(e))
+        .map_err(|e| self.stuck(e))?;
+        // Where the equation has no right-hand side at the start itself, no step can help.
+        match self.rhs.refused.borrow_mut().take() {
+            Some(e) => Err(Stuck::Equation(e)),
+            None => Ok(stepper),
+        }
     }
 
     /// Whether a step was computed without a refusal.
@@ -340,7 +345,9 @@ impl<'a> Integrator<'a> {
                     return Err(self.stuck("the state is not finite".into()));
                 }
                 self.h = h;
+                let cause = self.rhs.refused.borrow_mut().take();
                 stepper = self.begin(end)?;
+                *self.rhs.refused.borrow_mut() = cause;
                 continue;
             }
             match tried {
@@ -352,6 +359,7 @@ impl<'a> Integrator<'a> {
                     // Its linear system belongs to the step that failed, and it keeps it.
                     if self.settings.method == Method::Radau5 && rejections % STUBBORN == 0 {
                         self.h = h;
+                        self.rhs.refused.borrow_mut().take();
                         stepper = self.begin(end)?;
                     }
                     continue;
