@@ -22,7 +22,7 @@ const TOLERANCE: f64 = 1e-11;
 /// Seconds of the run.
 const DURATION: f64 = 3.0;
 /// Moments of the run at which speeds are compared: worst errors are those found at them.
-pub(super) const MOMENTS: f64 = 6000.0;
+pub(super) const MOMENTS: f64 = 30_000.0;
 
 /// One model's motion against the exact one's.
 #[derive(Clone, Copy, Debug)]
@@ -228,7 +228,8 @@ mod tests {
         near(f.exact.mean, 9.985_72, 5e-6);
         near(f.exact.fluctuation, 0.141_03, 5e-6);
         near(f.exact_free, 1.0, 1e-10);
-        near(f.splines[0].run_up, 1.27e-2, 5e-5);
+        // 1.27e-2 at coarser moments, which miss the peak in the first millisecond.
+        near(f.splines[0].run_up, 1.68e-2, 5e-5);
         near(f.splines[0].steady, 1.2e-2, 5e-4);
         near(f.splines[0].period / f.exact.period, -1.0e-5, 5e-7);
         near(f.splines[0].fluctuation, 5.7e-6, 2e-7);
