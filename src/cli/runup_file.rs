@@ -204,7 +204,7 @@ fn plan(args: &RunupArgs, run: &RunTable, phi: f64, psi: f64) -> Result<Plan, St
 
 fn class_iii(linkage: &Linkage) -> Result<(Box<dyn ReducedModel>, f64), Failure> {
     let masses = linkage.masses.as_ref().ok_or_else(no_bodies)?;
-    let start = start_degrees(linkage).unwrap_or_else(Rational::new);
+    let start = start_degrees(linkage).unwrap_or_default();
     let branch = branch::choose(&linkage.solver, &start, None, &linkage.start)?;
     if let Reach::Part { .. } = branch.reach {
         super::complain(&branch.range_line());

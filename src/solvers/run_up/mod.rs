@@ -43,11 +43,15 @@ mod model;
 mod motor;
 
 #[cfg(feature = "run-up")]
+mod crossing;
+#[cfg(feature = "run-up")]
 mod flywheel;
 #[cfg(feature = "run-up")]
 mod integrate;
 #[cfg(feature = "run-up")]
 mod motion;
+#[cfg(feature = "run-up")]
+mod runner;
 #[cfg(feature = "run-up")]
 mod steady;
 #[cfg(feature = "run-up")]
@@ -70,7 +74,9 @@ pub use flywheel::{Flywheel, FlywheelError, flywheel};
 #[cfg(feature = "run-up")]
 pub use integrate::{Counts, Settings, SettingsError};
 #[cfg(feature = "run-up")]
-pub use motion::{Event, EventKind, Motion, Outcome, Plan, RunError, Sample, Turn, run};
+pub use motion::{Event, EventKind, Motion, Outcome, Plan, RunError, Sample, Turn};
+#[cfg(feature = "run-up")]
+pub use runner::run;
 #[cfg(feature = "run-up")]
 pub use steady::{Cycle, CycleError, steady_cycle};
 #[cfg(feature = "run-up")]

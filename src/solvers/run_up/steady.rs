@@ -10,11 +10,11 @@
 //!
 //! At the cycle it is the multiplier: how much of a disturbance of the speed is left after a turn.
 
+use super::crossing::{Limits, Pause};
 use super::equation::Equation;
-use super::integrate::{
-    Counts, DAMPING, Integrator, Limits, PHI, PSI, Pause, Settings, Stuck, WORK,
-};
-use super::motion::{RunError, neighbours};
+use super::integrate::{Counts, DAMPING, Integrator, PHI, PSI, Settings, Stuck, WORK};
+use super::motion::RunError;
+use super::runner::neighbours;
 use std::f64::consts::TAU;
 
 /// A steady cycle.
