@@ -5,5 +5,6 @@ pub mod cubic_spline;
 pub mod cyclic_tridiagonal;
 pub mod dyad;
 pub mod reduction;
+pub mod run_up;
 pub mod tridiagonal;
 pub mod units;

@@ -131,35 +131,8 @@ impl Masses {
     /// and gravity not negative; no pivot on floating links.
     pub fn new(bodies: [Body; 5], gravity: Acceleration) -> Result<Masses, BodyError> {
         for (i, b) in bodies.iter().enumerate() {
-            let link = i + 1;
-            let values = [
-                ("mass", b.mass.kg(), "kg"),
-                ("inertia", b.inertia.inertia().kg_m2(), "kg·m²"),
-                ("centre-of-mass radius", b.radius.m(), "m"),
-                ("gravity", gravity.m_per_s2(), "m/s²"),
-            ];
-            for (name, value, unit) in values {
-                if !value.is_finite() {
-                    return Err(BodyError::NotFinite { name, link, value });
-                }
-                if value < 0.0 {
-                    return Err(BodyError::Negative {
-                        name,
-                        link,
-                        value,
-                        unit,
-                    });
-                }
-            }
-            let value = b.angle.rad();
-            if !value.is_finite() {
-                let name = "centre-of-mass angle";
-                return Err(BodyError::NotFinite { name, link, value });
-            }
             let floating = matches!(LINKS[i], Link::Link2 | Link::Link4);
-            if floating && matches!(b.inertia, MomentOfInertia::AboutPivot(_)) {
-                return Err(BodyError::NoPivot { link });
-            }
+            check_body(i + 1, b, floating, gravity)?;
         }
         Ok(Masses {
             bodies,
@@ -206,6 +179,44 @@ impl Masses {
     pub fn reduce_parallel(&self, states: &[State]) -> Vec<Reduced> {
         use rayon::prelude::*;
         states.par_iter().map(|s| self.reduce(s)).collect()
+    }
+}
+
+/// The rules for one body: finite; mass, inertia, radius and gravity not negative; no pivot on
+/// a floating link.
+pub(super) fn check_body(
+    link: usize,
+    b: &Body,
+    floating: bool,
+    gravity: Acceleration,
+) -> Result<(), BodyError> {
+    let values = [
+        ("mass", b.mass.kg(), "kg"),
+        ("inertia", b.inertia.inertia().kg_m2(), "kg·m²"),
+        ("centre-of-mass radius", b.radius.m(), "m"),
+        ("gravity", gravity.m_per_s2(), "m/s²"),
+    ];
+    for (name, value, unit) in values {
+        if !value.is_finite() {
+            return Err(BodyError::NotFinite { name, link, value });
+        }
+        if value < 0.0 {
+            return Err(BodyError::Negative {
+                name,
+                link,
+                value,
+                unit,
+            });
+        }
+    }
+    let value = b.angle.rad();
+    if !value.is_finite() {
+        let name = "centre-of-mass angle";
+        return Err(BodyError::NotFinite { name, link, value });
+    }
+    match floating && matches!(b.inertia, MomentOfInertia::AboutPivot(_)) {
+        true => Err(BodyError::NoPivot { link }),
+        false => Ok(()),
     }
 }
 
