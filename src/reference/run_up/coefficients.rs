@@ -5,7 +5,7 @@ use crate::reference::class_iii::{Configuration, ExactAngle, Geometry, Linkage, 
 use crate::reference::cubic_spline::{PeriodicUniform, periodic_uniform};
 use crate::reference::taylor_model::TaylorModel;
 use crate::reference::{Ball, Undecided};
-use rug::{Float, Rational};
+use rug::Rational;
 use std::sync::{Arc, Mutex};
 
 /// The exact functions of a class-III linkage on one branch, computed where they are asked for.
@@ -192,9 +192,14 @@ enum Source {
 pub struct Coefficients {
     source: Source,
     pub(super) bits: u32,
+    /// Panels in a period of `turns` turns.
     pub(super) panels: u32,
+    pub(super) turns: u32,
     pub(super) offset: ExactAngle,
 }
+
+/// Turns in the one panel of constant coefficients, so that it limits no step.
+const LONG: u32 = 1 << 16;
 
 impl Coefficients {
     /// Constant inertia and moment.
@@ -208,6 +213,7 @@ impl Coefficients {
             })),
             bits,
             panels: 1,
+            turns: LONG,
             offset: ExactAngle::Radians(Rational::new()),
         }
     }
@@ -217,6 +223,7 @@ impl Coefficients {
         Coefficients {
             bits: curve.bits,
             panels: curve.panels,
+            turns: 1,
             offset: curve.offset.clone(),
             source: Source::Exact(curve.clone()),
         }
@@ -242,6 +249,7 @@ impl Coefficients {
             source: Source::Splines((0..nodes).map(panel).collect()),
             bits: curve.bits,
             panels: nodes,
+            turns: 1,
             offset: curve.offset.clone(),
         })
     }
@@ -272,6 +280,7 @@ impl Coefficients {
         Ok(Coefficients {
             bits: curve.bits,
             panels: curve.panels,
+            turns: 1,
             offset: curve.offset.clone(),
             source: Source::Hybrid(curve.clone(), slopes.collect()),
         })
@@ -296,7 +305,7 @@ impl Coefficients {
 
     /// Half the width of a panel in radians.
     pub(super) fn half_width(&self) -> Ball {
-        half_step(self.bits, self.panels)
+        half_step(self.bits, self.panels) * Ball::integer(self.bits, i64::from(self.turns))
     }
 
     /// The working precision in bits.
@@ -304,10 +313,10 @@ impl Coefficients {
         self.bits
     }
 
-    /// `(φ − offset)/(2π) · panels` for a crank angle.
+    /// The crank angle in panels from the offset.
     pub(super) fn place(&self, phi: &ExactAngle) -> Ball {
         let b = |q: &Rational| Ball::rational(self.bits, q);
-        let panels = Rational::from(self.panels);
+        let panels = Rational::from((self.panels, self.turns));
         match (phi, &self.offset) {
             (ExactAngle::Degrees(a), ExactAngle::Degrees(o)) => b(&(Rational::from(a - o) / 360 * panels)),
             (ExactAngle::Radians(a), ExactAngle::Radians(o)) => {
@@ -357,11 +366,6 @@ fn per_radian(c: &[Ball; 4], h: &Ball) -> TaylorModel {
         .map(|k| &(&c[k] * &Ball::integer(64, k as i64)) / h)
         .collect();
     TaylorModel::from_balls(&d)
-}
-
-/// The nearest number of `bits` bits to a ball's midpoint, for tests and step positions.
-pub(super) fn rounded(b: &Ball, bits: u32) -> Float {
-    Float::with_val(bits, b.mid())
 }
 
 #[cfg(test)]

@@ -58,7 +58,7 @@ pub fn free_motion_factor(model: &Coefficients, rotor_inertia: &Rational) -> Res
             }
         }
     }
-    let integral = sum * &model.half_width();
+    let integral = sum * &model.half_width() / Ball::integer(bits, i64::from(model.turns));
     let factor = exp(&-integral.shift(-1));
     Ok(FreeTurn { integral, factor })
 }

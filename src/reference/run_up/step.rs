@@ -50,7 +50,7 @@ use rug::float::Round;
 /// Half-width of the tube, relative: 2^−16.
 const TUBE: i64 = -16;
 /// Positions within a panel are multiples of 2^−GRID of its half-width.
-pub(super) const GRID: u32 = 40;
+pub(super) const GRID: u32 = 64;
 
 /// What stays the same over a run.
 pub(super) struct Setting {
@@ -101,9 +101,9 @@ pub(super) struct Piece {
 /// Why a step could not be proved.
 pub(super) type Refusal = &'static str;
 
-/// `c` at the larger scale, brought down to the share f.
-fn rescaled(c: &[Float], f: &Float, bits: u32) -> Vec<Float> {
-    let mut power = Float::with_val(bits, 1);
+/// `first · c(f u)`.
+fn rescaled(c: &[Float], f: &Float, first: Float, bits: u32) -> Vec<Float> {
+    let mut power = first;
     c.iter()
         .map(|x| {
             let y = Float::with_val(bits, x * &power);
@@ -258,8 +258,15 @@ pub(super) fn step(
     if rest {
         f.sqrt_mut();
     }
-    let chi = TaylorModel::polynomial(rescaled(&chi, &f, bits));
-    let inverse = TaylorModel::polynomial(rescaled(&inverse, &f, bits));
+    // From rest p = u χ, so χ takes one factor more, and its reciprocal one less.
+    let one = Float::with_val(bits, 1);
+    let (more, less) = if rest {
+        (f.clone(), Float::with_val(bits, &one / &f))
+    } else {
+        (one.clone(), one)
+    };
+    let chi = TaylorModel::polynomial(rescaled(&chi, &f, more, bits));
+    let inverse = TaylorModel::polynomial(rescaled(&inverse, &f, less, bits));
 
     // Models over the step: from the true start to x1.
     let theta = Ball::new(theta, start.slack);
