@@ -59,6 +59,11 @@ impl LinkageCurve {
         }
     }
 
+    /// The working precision in bits.
+    pub fn bits(&self) -> u32 {
+        self.bits
+    }
+
     fn undecided(&self, reason: impl Into<String>) -> Undecided {
         Undecided {
             bits: self.bits,

@@ -105,10 +105,10 @@ mod tests {
 
     #[test]
     fn exponential() {
-        for (x, r) in [(0.3, 0.0), (-2.0, 1e-9), (1.5, 0.25)] {
+        for (x, r) in [(0.3f64, 0.0f64), (-2.0, 1e-9), (1.5, 0.25)] {
             let e = exp(&Ball::new(Float::with_val(90, x), Mag::from_f64(r)));
-            for t in [-1.0, -0.3, 0.0, 1.0] {
-                let at = Float::with_val(300, r) * t + x;
+            for t in [-1.0f64, -0.3, 0.0, 1.0] {
+                let at: Float = Float::with_val(300, r) * t + x;
                 assert!(e.contains_ball(&Ball::new(at.exp(), Mag::power_of_two(-280))));
             }
             assert!(r > 0.0 || e.rad() < Mag::power_of_two(-80));

@@ -31,6 +31,17 @@ pub struct Sample {
     pub speed: Ball,
 }
 
+impl Sample {
+    /// What holds both, of the same time.
+    fn union(&self, other: &Sample) -> Sample {
+        Sample {
+            time: self.time.clone(),
+            angle: self.angle.union(&other.angle),
+            speed: self.speed.union(&other.speed),
+        }
+    }
+}
+
 /// A proved motion.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -105,24 +116,30 @@ pub fn integrate_with(
         pending = rest;
     }
     let (mut steps, mut largest_radius) = (0, Mag::ZERO);
-    while let Some(next) = pending.first() {
+    // A time that may lie on either side of the end of a step is read from both steps.
+    let mut earlier: Option<Sample> = None;
+    while !pending.is_empty() {
         if steps == MOST_STEPS {
             return Err(undecided("too many steps"));
         }
-        let next = Ball::rational(bits, next);
-        let piece = walk.step(&next)?;
+        let piece = walk.step()?;
         let end = &walk.time + &piece.duration;
         while let [first, rest @ ..] = pending {
             let t = Ball::rational(bits, first);
-            if !(&end - &t).is_positive() {
+            let left = &end - &t;
+            if left.is_negative() {
                 break;
             }
-            let (x, speed) = piece.at(&(&t - &walk.time));
-            samples.push(Sample {
-                time: first.clone(),
-                angle: walk.angle(&x),
-                speed: if walk.set.backward { -speed } else { speed },
-            });
+            let sample = walk.sample(&piece, first, &t);
+            let sample = match earlier.take() {
+                Some(before) => before.union(&sample),
+                None => sample,
+            };
+            if !left.is_positive() {
+                earlier = Some(sample);
+                break;
+            }
+            samples.push(sample);
             pending = rest;
         }
         steps += 1;
@@ -203,32 +220,33 @@ impl Walk<'_> {
         })
     }
 
-    /// A proved step whose end cannot be mistaken for the time `next`.
-    fn step(&self, next: &Ball) -> Result<Piece, Undecided> {
+    /// A proved step: as long as it can be, shorter where the proof fails.
+    fn step(&self) -> Result<Piece, Undecided> {
         let panel = self.model.panel(self.index)?;
         let limit = Float::with_val(64, if self.set.backward { -1 } else { 1 });
         let mut longest = LONGEST;
         let mut reason = "";
         for _ in 0..GRID {
             match step(&self.set, &panel, &self.here, &limit, longest) {
-                Ok(piece) => {
-                    let end = &self.time + &piece.duration;
-                    if !end.overlaps(next) {
-                        return Ok(piece);
-                    }
-                    reason = "a time cannot be told from the end of a step";
-                    longest = longest.min(1.0) * 0.75;
-                }
-                Err(why) => {
-                    reason = why;
-                    longest *= 0.5;
-                }
+                Ok(piece) => return Ok(piece),
+                Err(why) => reason = why,
             }
+            longest *= 0.5;
         }
         Err(Undecided {
             bits: self.set.bits,
             reason: format!("at t = {:.6} s: {reason}", self.time.to_f64()),
         })
+    }
+
+    /// The motion at a time within a step.
+    fn sample(&self, piece: &Piece, time: &Rational, t: &Ball) -> Sample {
+        let (x, speed) = piece.at(&(t - &self.time));
+        Sample {
+            time: time.clone(),
+            angle: self.angle(&x),
+            speed: if self.set.backward { -speed } else { speed },
+        }
     }
 
     fn angle(&self, x: &Ball) -> Ball {
