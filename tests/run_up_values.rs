@@ -11,9 +11,9 @@ use mechaudit::reference::run_up::{
 use rug::Rational;
 use std::sync::Arc;
 
-const BITS: u32 = 160;
+const BITS: u32 = 120;
 const TIMES: [&str; 7] = ["0.001", "0.01", "0.1", "0.5", "1", "2", "3"];
-const DIGITS: usize = 28;
+const DIGITS: usize = 20;
 
 fn q(text: &str) -> Rational {
     Decimal::parse(text).expect("a decimal").value
