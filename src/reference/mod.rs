@@ -11,6 +11,8 @@ mod decimal;
 pub mod dyad;
 mod linear;
 mod mag;
+pub mod run_up;
+mod taylor_model;
 pub mod tridiagonal;
 
 pub use ball::{Ball, dot};
