@@ -48,8 +48,8 @@ const PANELS: [(&str, &[Curve]); 3] = [
     ),
 ];
 
-/// Columns of the drawing: two points in each, one pixel and a half wide, are all that can be seen.
-const BINS: usize = 600;
+/// Columns of the drawing: with two points in each it looks like all of them.
+const BINS: usize = 1600;
 
 /// The drawing of a run.
 pub fn draw(name: &str, samples: &[Sample]) -> Result<String, Failure> {
