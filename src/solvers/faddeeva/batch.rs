@@ -28,6 +28,8 @@ struct Chunk<'a, P> {
     start: usize,
     x: [f64; CHUNK],
     y: [f64; CHUNK],
+    re: [f64; CHUNK],
+    im: [f64; CHUNK],
     /// The points of each bucket: how many, and their numbers.
     len: [usize; BUCKETS],
     index: [[u8; ROOM]; BUCKETS],
@@ -49,6 +51,8 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         start: 0,
         x: [0.0; CHUNK],
         y: [0.0; CHUNK],
+        re: [0.0; CHUNK],
+        im: [0.0; CHUNK],
         len: [0; BUCKETS],
         index: [[0; ROOM]; BUCKETS],
     };
@@ -158,6 +162,13 @@ impl<P: Points> Chunk<'_, P> {
         }
     }
 
+    /// Takes the value at point `k` of the chunk.
+    #[inline(always)]
+    fn put(&mut self, k: usize, re: f64, im: f64) {
+        self.re[k & (CHUNK - 1)] = re;
+        self.im[k & (CHUNK - 1)] = im;
+    }
+
     #[inline(always)]
     fn push(&mut self, bucket: usize, point: usize) {
         let at = self.len[bucket];
@@ -181,6 +192,7 @@ impl<P: Points> Chunk<'_, P> {
             }
             at += S::WIDTH;
         }
+        self.points.store(self.start, &self.re[..n], &self.im[..n]);
     }
 
     /// The points next to a zero.
@@ -209,7 +221,7 @@ impl<P: Points> Chunk<'_, P> {
             let (x, y) = (self.x[k], self.y[k]);
             let (re, im) = formula(x.abs(), y);
             let im = if x.is_sign_negative() { -im } else { im };
-            self.points.put(self.start + k, re, im);
+            self.put(k, re, im);
         }
     }
 
@@ -288,7 +300,7 @@ impl<P: Points> Chunk<'_, P> {
             let n = (len - at).min(S::WIDTH);
             if state.is_zero() {
                 for m in 0..n {
-                    self.points.put(self.start + index[m], re[m], im[m]);
+                    self.put(index[m], re[m], im[m]);
                 }
             } else {
                 let state = array(state);
@@ -299,7 +311,7 @@ impl<P: Points> Chunk<'_, P> {
                         continue;
                     }
                     match state[m] as u8 & 3 {
-                        0 => self.points.put(self.start + k, re[m], im[m]),
+                        0 => self.put(k, re[m], im[m]),
                         1 => self.push(CANCELLED, k),
                         _ => self.push(SCALAR, k),
                     }

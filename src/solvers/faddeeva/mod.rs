@@ -163,8 +163,8 @@ trait Points {
     fn len(&self) -> usize;
     /// The real and the imaginary parts of the points from `start` on.
     fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]);
-    /// Takes the value at point `i`.
-    fn put(&mut self, i: usize, re: f64, im: f64);
+    /// Takes the values at the points from `start` on.
+    fn store(&mut self, start: usize, re: &[f64], im: &[f64]);
 }
 
 /// Batches shorter than this are not worth sorting.
@@ -180,7 +180,7 @@ fn all<P: Points>(points: &mut P) {
         let (mut x, mut y) = ([0.0], [0.0]);
         points.load(i, &mut x, &mut y);
         let (re, im) = with_best(One { x: x[0], y: y[0] });
-        points.put(i, re, im);
+        points.store(i, &[re], &[im]);
     }
 }
 
@@ -204,8 +204,11 @@ impl Points for Interleaved<'_> {
         }
     }
     #[inline(always)]
-    fn put(&mut self, i: usize, re: f64, im: f64) {
-        self.w[i] = Complex::new(re, im);
+    fn store(&mut self, start: usize, re: &[f64], im: &[f64]) {
+        let w = &mut self.w[start..start + re.len()];
+        for ((w, re), im) in w.iter_mut().zip(re).zip(im) {
+            *w = Complex::new(*re, *im);
+        }
     }
 }
 
@@ -229,8 +232,8 @@ impl Points for Apart<'_> {
         y.copy_from_slice(&self.y[start..start + n]);
     }
     #[inline(always)]
-    fn put(&mut self, i: usize, re: f64, im: f64) {
-        self.re[i] = re;
-        self.im[i] = im;
+    fn store(&mut self, start: usize, re: &[f64], im: &[f64]) {
+        self.re[start..start + re.len()].copy_from_slice(re);
+        self.im[start..start + im.len()].copy_from_slice(im);
     }
 }
