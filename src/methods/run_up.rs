@@ -228,13 +228,14 @@ impl Method for Audit {
             regions: vec![
                 region(
                     "bare-rotor",
-                    "constant inertia, any motor, forward and backward, 1 ms to 100 s",
+                    "constant inertia, any motor, forward and backward, for 0.01 to 10 times the \
+                     time that the torque takes to bring it to speed",
                     bare_rotor,
                 ),
                 region(
                     "from-rest",
                     "the sand screen under a Kloss motor from rest near a dead position, with and \
-                     without a rotor, 0.1 to 2 ms",
+                     without a rotor, 0.5 to 4 ms",
                     from_rest,
                 ),
                 region(
@@ -351,19 +352,27 @@ fn any_motor(d: &mut Draw, x: &mut [f64], torque: f64, speed: f64) {
 }
 
 fn bare_rotor(d: &mut Draw) -> Vec<f64> {
-    let mut x = sand_screen(CONSTANT, 0.0, d.log_uniform(1e-3, 100.0));
+    let mut x = sand_screen(CONSTANT, 0.0, 0.0);
     any_motor(d, &mut x, 10.0, 150.0);
+    let (torque, speed) = (x[MOTOR_VALUES], x[MOTOR_VALUES + 3]);
     x[ROTOR] = d.log_uniform(0.01, 10.0);
+    // In units of the time that the torque takes to bring it to that speed.
+    x[DURATION] = x[ROTOR] * speed / torque * d.log_uniform(0.01, 10.0);
     x[ANGLE] = d.uniform(1.0, 6.0);
     if d.chance(0.5) {
         // Moving with its motor, at up to twice its speed.
-        x[SPEED] = x[MOTOR_VALUES + 3] * d.uniform(0.01, 2.0);
+        x[SPEED] = speed * d.uniform(0.01, 2.0);
+    }
+    if x[MOTOR] == STEADY && d.chance(0.5) {
+        for k in [MOTOR_VALUES, ANGLE, SPEED] {
+            x[k] = -x[k];
+        }
     }
     x
 }
 
 fn from_rest(d: &mut Draw) -> Vec<f64> {
-    let mut x = sand_screen(EXACT, 0.0, d.log_uniform(1e-4, 2e-3));
+    let mut x = sand_screen(EXACT, 0.0, d.log_uniform(5e-4, 4e-3));
     x[MOTOR_VALUES] = d.uniform(100.0, 400.0);
     x[MOTOR_VALUES + 1] = d.uniform(1.5, 3.0);
     x[MOTOR_VALUES + 2] = d.uniform(0.02, 0.1);
