@@ -37,7 +37,13 @@ fn computed() -> String {
         speed: Rational::new(),
     };
     let mut text = String::from("model,nodes,quantity,t_s,value\n");
-    let models = [("exact", 0), ("splines", 12), ("splines", 48), ("hybrid", 12), ("hybrid", 48)];
+    let models = [
+        ("exact", 0),
+        ("splines", 12),
+        ("splines", 48),
+        ("hybrid", 12),
+        ("hybrid", 48),
+    ];
     for (name, nodes) in models {
         let model = match name {
             "exact" => Ok(Coefficients::exact(&curve)),
@@ -49,7 +55,9 @@ fn computed() -> String {
         for (s, t) in motion.samples.iter().zip(TIMES) {
             let phi = s.angle.to_decimal(DIGITS).expect("certified");
             let psi = s.speed.to_decimal(DIGITS).expect("certified");
-            text += &format!("{name},{nodes},phi_rad,{t},{phi}\n{name},{nodes},psi_rad_per_s,{t},{psi}\n");
+            text += &format!(
+                "{name},{nodes},phi_rad,{t},{phi}\n{name},{nodes},psi_rad_per_s,{t},{psi}\n"
+            );
         }
         if name == "hybrid" {
             let turn = free_motion_factor(&model, &Rational::new()).expect("decided");

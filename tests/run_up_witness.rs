@@ -33,7 +33,10 @@ fn unit(a: &Float) -> Vec2 {
 }
 
 fn times(k: &Float, v: &Vec2) -> Vec2 {
-    [Float::with_val(BITS, k * &v[0]), Float::with_val(BITS, k * &v[1])]
+    [
+        Float::with_val(BITS, k * &v[0]),
+        Float::with_val(BITS, k * &v[1]),
+    ]
 }
 
 /// A quarter turn.
@@ -42,7 +45,10 @@ fn turned(v: &Vec2) -> Vec2 {
 }
 
 fn plus(a: &Vec2, b: &Vec2) -> Vec2 {
-    [Float::with_val(BITS, &a[0] + &b[0]), Float::with_val(BITS, &a[1] + &b[1])]
+    [
+        Float::with_val(BITS, &a[0] + &b[0]),
+        Float::with_val(BITS, &a[1] + &b[1]),
+    ]
 }
 
 fn dot(a: &Vec2, b: &Vec2) -> Float {
@@ -53,7 +59,9 @@ fn dot(a: &Vec2, b: &Vec2) -> Float {
 fn solve(mut m: [[Float; 4]; 4], mut b: [Float; 4]) -> [Float; 4] {
     for k in 0..4 {
         let size = |i: usize| m[i][k].clone().abs();
-        let best = (k..4).max_by(|&i, &j| size(i).total_cmp(&size(j))).expect("not empty");
+        let best = (k..4)
+            .max_by(|&i, &j| size(i).total_cmp(&size(j)))
+            .expect("not empty");
         m.swap(k, best);
         b.swap(k, best);
         for i in k + 1..4 {
@@ -102,7 +110,13 @@ impl Machine {
             o5: point(&g.o5),
             bodies: [1, 2, 3, 4].map(|i| {
                 let b = &m.bodies[i];
-                (f(b.mass.clone()), f(b.inertia.clone()), b.about_pivot, f(b.radius.clone()), angle(&b.angle))
+                (
+                    f(b.mass.clone()),
+                    f(b.inertia.clone()),
+                    b.about_pivot,
+                    f(b.radius.clone()),
+                    angle(&b.angle),
+                )
             }),
             gravity: f(m.gravity),
             angles: ["14.426", "-76.174", "22.558", "-65.721"].map(degrees),
@@ -129,7 +143,12 @@ impl Machine {
             if r < 2 {
                 [t[0][r].clone(), -t[1][r].clone(), -t[4][r].clone(), zero()]
             } else {
-                [zero(), t[1][r - 2].clone(), t[2][r - 2].clone(), -t[3][r - 2].clone()]
+                [
+                    zero(),
+                    t[1][r - 2].clone(),
+                    t[2][r - 2].clone(),
+                    -t[3][r - 2].clone(),
+                ]
             }
         })
     }
@@ -140,9 +159,20 @@ impl Machine {
         let minus = |v: &Vec2| [-v[0].clone(), -v[1].clone()];
         for _ in 0..60 {
             let v = self.vectors();
-            let one = plus(&plus(&crank, &v[0]), &minus(&plus(&plus(&self.o3, &v[1]), &v[4])));
-            let two = plus(&plus(&plus(&self.o3, &v[1]), &v[2]), &minus(&plus(&self.o5, &v[3])));
-            let rhs = [-one[0].clone(), -one[1].clone(), -two[0].clone(), -two[1].clone()];
+            let one = plus(
+                &plus(&crank, &v[0]),
+                &minus(&plus(&plus(&self.o3, &v[1]), &v[4])),
+            );
+            let two = plus(
+                &plus(&plus(&self.o3, &v[1]), &v[2]),
+                &minus(&plus(&self.o5, &v[3])),
+            );
+            let rhs = [
+                -one[0].clone(),
+                -one[1].clone(),
+                -two[0].clone(),
+                -two[1].clone(),
+            ];
             let step = solve(Self::matrix(&v), rhs);
             let mut largest = 0f64;
             for (a, s) in self.angles.iter_mut().zip(&step) {
@@ -156,7 +186,10 @@ impl Machine {
         let v = self.vectors();
         let a1 = turned(&crank);
         let zero = || Float::new(BITS);
-        let w = solve(Self::matrix(&v), [-a1[0].clone(), -a1[1].clone(), zero(), zero()]);
+        let w = solve(
+            Self::matrix(&v),
+            [-a1[0].clone(), -a1[1].clone(), zero(), zero()],
+        );
         let square = |k: usize| Float::with_val(BITS, w[k].square_ref());
         let bend = |r: usize| {
             Float::with_val(BITS, &crank[r] + &(square(0) * &v[0][r]))
@@ -168,10 +201,18 @@ impl Machine {
         let still = || [zero(), zero()];
         let c1 = times(&w[1], &turned(&v[1]));
         let c2 = plus(&times(&e[1], &turned(&v[1])), &times(&-square(1), &v[1]));
-        let origins = [(a1, minus(&crank)), (still(), still()), (c1, c2), (still(), still())];
+        let origins = [
+            (a1, minus(&crank)),
+            (still(), still()),
+            (c1, c2),
+            (still(), still()),
+        ];
         let mut sums = [zero(), zero(), zero()];
         for (k, (mass, inertia, pivot, radius, angle)) in self.bodies.iter().enumerate() {
-            let arm = times(radius, &unit(&Float::with_val(BITS, &self.angles[k] + angle)));
+            let arm = times(
+                radius,
+                &unit(&Float::with_val(BITS, &self.angles[k] + angle)),
+            );
             let v = plus(&origins[k].0, &times(&w[k], &turned(&arm)));
             let spin = times(&e[k], &turned(&arm));
             let a = plus(&origins[k].1, &plus(&spin, &times(&-square(k), &arm)));
@@ -209,7 +250,10 @@ impl Machine {
             before = std::mem::replace(&mut here, next);
         }
         let last = times(&h, &self.right_side(&here));
-        times(&f(Rational::from((1, 2))), &plus(&plus(&here, &before), &last))
+        times(
+            &f(Rational::from((1, 2))),
+            &plus(&plus(&here, &before), &last),
+        )
     }
 
     /// A step with the columns that it takes; `None` if twelve do not reach the tolerance.
@@ -333,7 +377,10 @@ fn mpmath_agrees_to_fifteen_digits() {
                 }),
             ),
         };
-        let s = integrate(model, &run, &[q(cells[1])]).expect("decided").samples.remove(0);
+        let s = integrate(model, &run, &[q(cells[1])])
+            .expect("decided")
+            .samples
+            .remove(0);
         for (ours, theirs) in [(&s.angle, cells[2]), (&s.speed, cells[3])] {
             if theirs.is_empty() {
                 continue;

@@ -38,7 +38,14 @@ fn norm(c: &[Float]) -> Mag {
 }
 
 /// Coefficient k of the product of two series, from terms `from..=to` of the first.
-pub(crate) fn convolution(a: &[Float], b: &[Float], k: usize, from: usize, to: usize, bits: u32) -> Float {
+pub(crate) fn convolution(
+    a: &[Float],
+    b: &[Float],
+    k: usize,
+    from: usize,
+    to: usize,
+    bits: u32,
+) -> Float {
     let mut sum = Float::new(bits);
     let low = from.max((k + 1).saturating_sub(b.len()));
     let high = to.min(k).min(a.len().wrapping_sub(1));
@@ -159,7 +166,11 @@ impl TaylorModel {
     pub(crate) fn scaled(&self, k: &Ball) -> TaylorModel {
         let bits = self.bits();
         let k = k.with_prec(bits);
-        let c: Vec<Float> = self.c.iter().map(|x| Float::with_val(bits, x * k.mid())).collect();
+        let c: Vec<Float> = self
+            .c
+            .iter()
+            .map(|x| Float::with_val(bits, x * k.mid()))
+            .collect();
         let rad = self
             .rad
             .mul(k.magnitude())
@@ -174,16 +185,24 @@ impl TaylorModel {
         let (a, b) = (&self.c, &other.c);
         if a.is_empty() || b.is_empty() {
             let rad = self.norm().mul(other.norm());
-            return TaylorModel { c: vec![Float::new(bits)], rad };
+            return TaylorModel {
+                c: vec![Float::new(bits)],
+                rad,
+            };
         }
         let top = (a.len() + b.len() - 2).min(order);
         let c: Vec<Float> = if std::ptr::eq(self, other) {
             (0..=top).map(|k| square_coefficient(a, k, bits)).collect()
         } else {
-            (0..=top).map(|k| convolution(a, b, k, 0, k, bits)).collect()
+            (0..=top)
+                .map(|k| convolution(a, b, k, 0, k, bits))
+                .collect()
         };
         let (na, nb) = (norm(a), norm(b));
-        let mut rad = na.mul(other.rad).add(nb.mul(self.rad)).add(self.rad.mul(other.rad));
+        let mut rad = na
+            .mul(other.rad)
+            .add(nb.mul(self.rad))
+            .add(self.rad.mul(other.rad));
         let terms = a.len().min(b.len()).min(top + 1) + 1;
         rad = rad.add(gamma(terms, bits).mul(na).mul(nb));
         rad = rad.add(left_out(a, b, order));
@@ -233,7 +252,11 @@ impl TaylorModel {
             }
         }
         let width = Mag::above(x0).add(reach);
-        let majorant = self.c.iter().rev().fold(Mag::ZERO, |s, x| s.mul(width).add(Mag::above(x)));
+        let majorant = self
+            .c
+            .iter()
+            .rev()
+            .fold(Mag::ZERO, |s, x| s.mul(width).add(Mag::above(x)));
         TaylorModel {
             c,
             rad: self.rad.add(gamma(2 * n + 1, self.bits()).mul(majorant)),
@@ -286,7 +309,11 @@ impl TaylorModel {
             .skip(1)
             .map(|(k, x)| Float::with_val(bits, x * k as u32))
             .collect();
-        let c = if c.is_empty() { vec![Float::new(bits)] } else { c };
+        let c = if c.is_empty() {
+            vec![Float::new(bits)]
+        } else {
+            c
+        };
         TaylorModel {
             rad: tail.add(gamma(1, bits).mul(norm(&c).shift(1))),
             c,
@@ -385,7 +412,9 @@ mod tests {
     }
 
     fn exact(c: &[f64], x: &Rational) -> Rational {
-        c.iter().rev().fold(Rational::new(), |s, &c| s * x + Rational::from_f64(c).unwrap())
+        c.iter().rev().fold(Rational::new(), |s, &c| {
+            s * x + Rational::from_f64(c).unwrap()
+        })
     }
 
     fn holds(m: &TaylorModel, x: &Rational, value: &Rational) -> bool {
@@ -454,6 +483,10 @@ mod tests {
         let f = model(&[1.0, 1.0]);
         let square = f.squared(1);
         assert!(holds(&square, &Rational::from(1), &Rational::from(4)));
-        assert!(!holds(&square.centre(), &Rational::from(1), &Rational::from(4)));
+        assert!(!holds(
+            &square.centre(),
+            &Rational::from(1),
+            &Rational::from(4)
+        ));
     }
 }

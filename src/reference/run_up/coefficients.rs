@@ -92,14 +92,29 @@ impl LinkageCurve {
         let n = self.panels as usize;
         self.extend(&mut chain.forward, n - 1, 1)?;
         let last = &chain.forward[n - 1].configuration;
-        let end = self.follow(last, &self.angle(2 * n as i64 - 1), &self.angle(2 * n as i64))?;
+        let end = self.follow(
+            last,
+            &self.angle(2 * n as i64 - 1),
+            &self.angle(2 * n as i64),
+        )?;
         let touches = |a: &Configuration, b: &Configuration| {
-            let pairs = [(&a.c.re, &b.c.re), (&a.c.im, &b.c.im), (&a.d.re, &b.d.re), (&a.d.im, &b.d.im)];
+            let pairs = [
+                (&a.c.re, &b.c.re),
+                (&a.c.im, &b.c.im),
+                (&a.d.re, &b.d.re),
+                (&a.d.im, &b.d.im),
+            ];
             pairs.iter().all(|(x, y)| x.overlaps(y))
         };
         let modes = self.linkage.modes(&self.offset.to_ball(self.bits))?;
-        let own: Vec<bool> = modes.iter().map(|m| touches(&m.configuration, &self.start)).collect();
-        let there: Vec<bool> = modes.iter().map(|m| touches(&m.configuration, &end)).collect();
+        let own: Vec<bool> = modes
+            .iter()
+            .map(|m| touches(&m.configuration, &self.start))
+            .collect();
+        let there: Vec<bool> = modes
+            .iter()
+            .map(|m| touches(&m.configuration, &end))
+            .collect();
         let one = |v: &[bool]| v.iter().filter(|&&x| x).count() == 1;
         let closed = one(&own) && own == there;
         chain.closed = Some(closed);
@@ -176,7 +191,9 @@ impl LinkageCurve {
             if j > 0 {
                 here = self.follow(&here, &angle(j - 1), &angle(j))?;
             }
-            let r = self.linkage.reduce(&self.linkage.kinematics(&here)?, &self.masses);
+            let r = self
+                .linkage
+                .reduce(&self.linkage.kinematics(&here)?, &self.masses);
             inertia.push(r.inertia);
             moment.push(r.moment);
         }
@@ -280,7 +297,10 @@ impl Coefficients {
             let x0 = Ball::rational(curve.bits, &centre);
             let exact = x0.mid().clone();
             let slack = whole.motion(x0.rad());
-            whole.shifted(&exact, part.magnitude()).widened(slack).contracted(&part)
+            whole
+                .shifted(&exact, part.magnitude())
+                .widened(slack)
+                .contracted(&part)
         });
         Ok(Coefficients {
             bits: curve.bits,
@@ -323,7 +343,9 @@ impl Coefficients {
         let b = |q: &Rational| Ball::rational(self.bits, q);
         let panels = Rational::from((self.panels, self.turns));
         match (phi, &self.offset) {
-            (ExactAngle::Degrees(a), ExactAngle::Degrees(o)) => b(&(Rational::from(a - o) / 360 * panels)),
+            (ExactAngle::Degrees(a), ExactAngle::Degrees(o)) => {
+                b(&(Rational::from(a - o) / 360 * panels))
+            }
             (ExactAngle::Radians(a), ExactAngle::Radians(o)) => {
                 b(&(Rational::from(a - o) / 2 * panels)) / Ball::pi(self.bits)
             }
@@ -339,7 +361,10 @@ fn half_step(bits: u32, parts: u32) -> Ball {
     Ball::pi(bits) / Ball::integer(bits, i64::from(parts))
 }
 
-fn spline_pair(curve: &LinkageCurve, nodes: u32) -> Result<(PeriodicUniform, PeriodicUniform), Undecided> {
+fn spline_pair(
+    curve: &LinkageCurve,
+    nodes: u32,
+) -> Result<(PeriodicUniform, PeriodicUniform), Undecided> {
     if nodes < 3 {
         return Err(curve.undecided("a periodic spline needs three nodes"));
     }
@@ -380,7 +405,10 @@ mod tests {
 
     #[test]
     fn the_cubic_of_a_segment_is_the_spline() {
-        let y: Vec<Ball> = [3, -1, 4, 1, -5].iter().map(|&v| Ball::integer(150, v)).collect();
+        let y: Vec<Ball> = [3, -1, 4, 1, -5]
+            .iter()
+            .map(|&v| Ball::integer(150, v))
+            .collect();
         let step = Ball::rational(150, &Rational::from((7, 5)));
         let spline = periodic_uniform(&y, &step).unwrap();
         let h = step.shift(-1);

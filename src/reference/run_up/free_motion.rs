@@ -33,7 +33,10 @@ const DEEPEST: u32 = 30;
 /// # Errors
 /// [`Undecided`] when I_n + I_1 cannot be told from zero somewhere, or the linkage cannot be
 /// followed over the turn.
-pub fn free_motion_factor(model: &Coefficients, rotor_inertia: &Rational) -> Result<FreeTurn, Undecided> {
+pub fn free_motion_factor(
+    model: &Coefficients,
+    rotor_inertia: &Rational,
+) -> Result<FreeTurn, Undecided> {
     let bits = model.bits;
     let rotor = Ball::rational(bits, rotor_inertia);
     let order = bits as usize / 3 + 8;
@@ -75,7 +78,10 @@ fn part(panel: &Panel, rotor: &Ball, centre: &Float, depth: u32, order: usize) -
         return None;
     }
     let q = TaylorModel::polynomial(reciprocal(inertia.coefficients(), order, bits));
-    let off = inertia.times(&q, order).plus_ball(&Ball::integer(bits, -1)).norm();
+    let off = inertia
+        .times(&q, order)
+        .plus_ball(&Ball::integer(bits, -1))
+        .norm();
     // As good as the coefficients are, or as the arithmetic allows.
     let inherent = inertia.rad().div(range.mignitude()).shift(2);
     if !(off <= inherent.max(Mag::power_of_two(12 - i64::from(bits)))) {
@@ -95,7 +101,9 @@ fn exp(x: &Ball) -> Ball {
     let mut growth = x.rad().to_float();
     growth.exp_m1_round(Round::Up);
     let size = Mag::above(&mid).add(Mag::above(&mid).shift(-i64::from(bits)));
-    let rad = size.mul(Mag::above(&growth)).add(size.shift(-i64::from(bits)));
+    let rad = size
+        .mul(Mag::above(&growth))
+        .add(size.shift(-i64::from(bits)));
     Ball::new(mid, rad)
 }
 

@@ -100,7 +100,9 @@ pub fn integrate_with(
         return Err(undecided("I_1 must not be negative"));
     }
     if times.first().is_some_and(|t| *t < 0) || times.windows(2).any(|w| w[0] >= w[1]) {
-        return Err(undecided("the times must not be negative and must increase"));
+        return Err(undecided(
+            "the times must not be negative and must increase",
+        ));
     }
     let mut walk = Walk::new(model, run, order)?;
     let mut samples = Vec::with_capacity(times.len());
@@ -174,7 +176,9 @@ impl Walk<'_> {
         let below = place.lower().floor();
         let exact = place.rad().is_zero() && place.mid().is_integer();
         if !exact && below != place.upper().floor() {
-            return Err(undecided("the start cannot be told from the end of a panel"));
+            return Err(undecided(
+                "the start cannot be told from the end of a panel",
+            ));
         }
         let mut index = below
             .to_integer()
@@ -189,7 +193,9 @@ impl Walk<'_> {
             let moment = panel.moment.eval(&inside);
             let force = moment + motor.torque(&Ball::integer(bits, 0));
             if !force.is_positive() && !force.is_negative() {
-                return Err(undecided("the torque at the start cannot be told from zero"));
+                return Err(undecided(
+                    "the torque at the start cannot be told from zero",
+                ));
             }
             force.is_negative()
         } else {

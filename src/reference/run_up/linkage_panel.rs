@@ -157,7 +157,10 @@ impl Mechanism {
             let mut v = [
                 [cx.clone(), cy.clone()],
                 [dx.clone(), dy.clone()],
-                [Float::with_val(bits, dx - cx), Float::with_val(bits, dy - cy)],
+                [
+                    Float::with_val(bits, dx - cx),
+                    Float::with_val(bits, dy - cy),
+                ],
                 [
                     Float::with_val(bits, &l[0] * cx - &l[1] * cy)
                         + Float::with_val(bits, &k[0] * dx - &k[1] * dy),
@@ -185,7 +188,11 @@ impl Mechanism {
                 }
             }
         };
-        push(&mut p, link([&z[0][0], &z[1][0], &z[2][0], &z[3][0]], true), 0);
+        push(
+            &mut p,
+            link([&z[0][0], &z[1][0], &z[2][0], &z[3][0]], true),
+            0,
+        );
         let q = |e: usize, i: usize| p[e][i][0].clone();
         let neg = |x: Float| -x;
         let conj = |k: &[Float; 2]| {
@@ -231,8 +238,16 @@ impl Mechanism {
                 }
                 z.push(x);
             }
-            push(&mut p, link([&z[0][j], &z[1][j], &z[2][j], &z[3][j]], false), j);
-            quiet = if largest < Float::with_val(64, &scale * &small) { quiet + 1 } else { 0 };
+            push(
+                &mut p,
+                link([&z[0][j], &z[1][j], &z[2][j], &z[3][j]], false),
+                j,
+            );
+            quiet = if largest < Float::with_val(64, &scale * &small) {
+                quiet + 1
+            } else {
+                0
+            };
             if quiet == 3 {
                 return Some(z);
             }
@@ -258,7 +273,12 @@ impl Mechanism {
             [u[0].clone(), u[1].clone(), zero(), zero()],
             [zero(), zero(), v[0].clone(), v[1].clone()],
             [negative(&w[0]), negative(&w[1]), w[0].clone(), w[1].clone()],
-            [gc.0[0].clone(), gc.0[1].clone(), gd.0[0].clone(), gd.0[1].clone()],
+            [
+                gc.0[0].clone(),
+                gc.0[1].clone(),
+                gd.0[0].clone(),
+                gd.0[1].clone(),
+            ],
         ];
         let first = |t: &TaylorModel| t.coefficients()[0].to_f64();
         let y = Matrix4::from_fn(|i, j| first(&jacobian[i][j])).try_inverse()?;
@@ -287,7 +307,9 @@ impl Mechanism {
         // s = |Re κ| + |Im κ| + |Re (1 − κ)| + |Im (1 − κ)|; four in a row.
         let s = [&self.kappa, &self.one_minus_kappa]
             .into_iter()
-            .fold(Mag::ZERO, |s, k| s.add(k.re.magnitude()).add(k.im.magnitude()));
+            .fold(Mag::ZERO, |s, k| {
+                s.add(k.re.magnitude()).add(k.im.magnitude())
+            });
         let lipschitz = s.mul(s).max(Mag::from_f64(2.0)).shift(2);
         q = q.add(rows.mul(lipschitz).mul(r));
         (q <= Mag::from_f64(0.5) && r.is_finite()).then_some(r)
@@ -295,12 +317,21 @@ impl Mechanism {
 
     /// I_n, dI_n/dφ and M_o from the joints' models and the radius r on the disc of half-width
     /// `disc`.
-    fn reduced(&self, a: &Vector, c: &Vector, d: &Vector, r: Mag, disc: &Ball, order: usize) -> Panel {
+    fn reduced(
+        &self,
+        a: &Vector,
+        c: &Vector,
+        d: &Vector,
+        r: Mag,
+        disc: &Ball,
+        order: usize,
+    ) -> Panel {
         let bits = self.bits;
         let fraction = |p: i32, q: i32| Ball::rational(bits, &Rational::from((p, q)));
         // x = ¾ y; |d(z − z̃)/dx| ≤ r/(1 − ¾) and d/dy = ¾ d/dx.
         let outer = fraction(3, 4);
-        let rate = |v: &Vector| v.map(|t| t.contracted(&outer).derivative(r.mul(Mag::from_f64(3.0))));
+        let rate =
+            |v: &Vector| v.map(|t| t.contracted(&outer).derivative(r.mul(Mag::from_f64(3.0))));
         let (c1, d1) = (rate(c), rate(d));
         // dA/dy = ¾ H i A, exactly.
         let step = disc * &outer;
@@ -323,7 +354,10 @@ impl Mechanism {
         let mut height = TaylorModel::constant(&Ball::integer(bits, 0));
         for (body, (origin, vector, length)) in self.bodies.iter().zip(&frames) {
             let (m, j, about_pivot, share) = body;
-            let centre = origin.clone().unwrap_or_else(none).plus(&vector.turned(share));
+            let centre = origin
+                .clone()
+                .unwrap_or_else(none)
+                .plus(&vector.turned(share));
             if !about_pivot && !m.is_zero() {
                 inertia = inertia.plus(&centre.squared(order).scaled(m));
             }

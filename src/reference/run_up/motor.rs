@@ -114,11 +114,7 @@ impl Characteristic {
         let n0 = (torque * slip).shift(1);
         let n1 = &n0 * &inverse;
         Characteristic {
-            denominator: Some([
-                &one + &slip.square(),
-                -inverse.shift(1),
-                inverse.square(),
-            ]),
+            denominator: Some([&one + &slip.square(), -inverse.shift(1), inverse.square()]),
             numerator: [n0, -&n1],
             kloss: Some([n1, slip.clone(), synchronous.clone()]),
         }
@@ -173,7 +169,10 @@ impl Characteristic {
     pub(super) fn midpoints(&self) -> ([Float; 2], Option<[Float; 3]>) {
         let mid = |b: &Ball| b.mid().clone();
         let n = [mid(&self.numerator[0]), mid(&self.numerator[1])];
-        let d = self.denominator.as_ref().map(|d| [mid(&d[0]), mid(&d[1]), mid(&d[2])]);
+        let d = self
+            .denominator
+            .as_ref()
+            .map(|d| [mid(&d[0]), mid(&d[1]), mid(&d[2])]);
         (n, d)
     }
 }

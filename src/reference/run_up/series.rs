@@ -53,7 +53,11 @@ impl Equation<'_> {
             p2.push(conv(&p, &p, k, 0, k));
             let half = conv(self.slope, &p2, k, 0, k) >> 1u32;
             x.push(get(self.moment, k) - half);
-            let mut own = if k == 0 { self.numerator[0].clone() } else { zero() };
+            let mut own = if k == 0 {
+                self.numerator[0].clone()
+            } else {
+                zero()
+            };
             own += &self.numerator[1] * &p[k];
             let r = match &self.denominator {
                 None => x[k].clone() + own,
@@ -81,7 +85,10 @@ impl Equation<'_> {
                 sum /= Float::with_val(bits, &v[0] * (k as u32 + 1));
                 chi.push(sum);
             } else if k == 0 {
-                let jd = Float::with_val(bits, &self.inertia[0] * d.first().unwrap_or(&Float::with_val(bits, 1)));
+                let jd = Float::with_val(
+                    bits,
+                    &self.inertia[0] * d.first().unwrap_or(&Float::with_val(bits, 1)),
+                );
                 let square = r / &jd;
                 if !(square > 0) {
                     return None;

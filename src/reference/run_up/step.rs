@@ -136,7 +136,11 @@ fn usable(c: &[Float], bits: u32, sum: f64) -> f64 {
         .filter_map(|(k, x)| {
             let e = x.get_exp()?;
             let m = Float::with_val(53, x / &c[0]).abs().to_f64();
-            let log = if m > 0.0 && m.is_finite() { m.log2() } else { f64::from(e - e0) };
+            let log = if m > 0.0 && m.is_finite() {
+                m.log2()
+            } else {
+                f64::from(e - e0)
+            };
             Some((k as f64 + 1.0, log))
         })
         .collect();
@@ -168,11 +172,19 @@ fn growth(rest: bool, rate: f64, start: Mag, defect: Mag) -> Growth {
     if rest {
         // |e|/u².
         let all = defect.shift(-1).mul(exp_above(rate.max(0.0)));
-        return Growth { end: all, most: all, mean: all };
+        return Growth {
+            end: all,
+            most: all,
+            mean: all,
+        };
     }
     if rate > 0.0 {
         let all = start.add(defect).mul(exp_above(rate));
-        return Growth { end: all, most: all, mean: all };
+        return Growth {
+            end: all,
+            most: all,
+            mean: all,
+        };
     }
     let one = Mag::from_f64(1.0);
     let share = one.div(Mag::from_f64(rate));
@@ -203,7 +215,9 @@ pub(super) fn step(
     let reach = Mag::above(&scale);
     let here = Float::with_val(bits, &start.x);
     let moved = |m: &TaylorModel| {
-        let slack = start.slack.add(Mag::above(&Float::with_val(64, &here - &start.x)));
+        let slack = start
+            .slack
+            .add(Mag::above(&Float::with_val(64, &here - &start.x)));
         m.shifted(&here, reach).widened(m.motion(slack.shift(1)))
     };
     let inertia = moved(&panel.inertia).plus_ball(&set.rotor);
@@ -277,7 +291,15 @@ pub(super) fn step(
     let inertia = along(&inertia, &theta);
     let slope = along(&slope, &theta).scaled(&signed);
     let moment = along(&moment, &theta).scaled(&signed);
-    let proof = Proof { set, rest, chi, inertia, slope, moment, s1: &s1 };
+    let proof = Proof {
+        set,
+        rest,
+        chi,
+        inertia,
+        slope,
+        moment,
+        s1: &s1,
+    };
     let done = proof.bound(start.speed.as_ref(), &inverse)?;
     Ok(Piece {
         x0: start.x.clone(),
@@ -339,7 +361,11 @@ impl Proof<'_> {
     /// F/u^w of (2).
     fn defect(&self) -> TaylorModel {
         let (bits, order) = (self.set.bits, self.set.order);
-        let p = if self.rest { self.chi.times_x() } else { self.chi.clone() };
+        let p = if self.rest {
+            self.chi.times_x()
+        } else {
+            self.chi.clone()
+        };
         let rate = p.derivative(Mag::ZERO);
         let p2 = p.squared(order);
         let half = Ball::exact(bits, 0.5);
@@ -386,22 +412,46 @@ impl Proof<'_> {
         };
         let m = self.set.motor.slope(&speeds).with_prec(64).upper();
         let point = |x: Float| Ball::new(x, Mag::ZERO);
-        let (jm, cm) = if m < 0 { (j.upper(), tube.upper()) } else { (j.lower(), tube.lower()) };
-        let s1 = if m < 0 { self.s1.lower() } else { self.s1.upper() };
+        let (jm, cm) = if m < 0 {
+            (j.upper(), tube.upper())
+        } else {
+            (j.lower(), tube.lower())
+        };
+        let s1 = if m < 0 {
+            self.s1.lower()
+        } else {
+            self.s1.upper()
+        };
         let motor = point(m) * point(s1.clone()) / (point(jm) * point(cm));
         let j_u = centre.derivative(Mag::ZERO);
-        let g = if self.rest { self.slope.times_x() } else { self.slope.clone() };
+        let g = if self.rest {
+            self.slope.times_x()
+        } else {
+            self.slope.clone()
+        };
         let inconsistent = j_u.minus(&g).norm().div(j_low);
         let tails = j_u.norm().mul(self.inertia.rad()).div(j_low).div(jc_low);
-        let rate = motor.with_prec(64).widened(inconsistent.add(tails)).upper().to_f64_round(Round::Up);
+        let rate = motor
+            .with_prec(64)
+            .widened(inconsistent.add(tails))
+            .upper()
+            .to_f64_round(Round::Up);
         if !rate.is_finite() {
             return Err("the error's growth over the step is not bounded");
         }
         // b and e(0).
         let ratio = Mag::from_f64(1.0).add(self.inertia.rad().div(j_low));
-        let defect = self.defect().norm().div(self.set.motor.denominator_below()).mul(ratio);
+        let defect = self
+            .defect()
+            .norm()
+            .div(self.set.motor.denominator_below())
+            .mul(ratio);
         #[cfg(test)]
-        let defect = if planted::FORGET_DEFECT.get() { Mag::ZERO } else { defect };
+        let defect = if planted::FORGET_DEFECT.get() {
+            Mag::ZERO
+        } else {
+            defect
+        };
         let e0 = start.map_or(Mag::ZERO, |v| {
             let j0 = Mag::above(&centre.coefficients()[0]);
             j0.mul(v.magnitude()).mul(v.rad())
@@ -414,9 +464,15 @@ impl Proof<'_> {
         // Speed at the end.
         let one = Ball::integer(bits, 1);
         let v = self.chi.eval(&one);
-        let end = e.end.div(centre.eval(&one).mignitude()).div(v.mignitude().sub_below(slack));
+        let end = e
+            .end
+            .div(centre.eval(&one).mignitude())
+            .div(v.mignitude().sub_below(slack));
         // Time.
-        let residual = self.chi.times(inverse, self.set.order).plus_ball(&Ball::integer(bits, -1));
+        let residual = self
+            .chi
+            .times(inverse, self.set.order)
+            .plus_ball(&Ball::integer(bits, -1));
         let off = residual
             .norm()
             .div(low)
@@ -448,9 +504,13 @@ impl Piece {
         // A root of the polynomial by the false position of its slope, kept in [0, 1].
         let value = |u: &Float| c.iter().rev().fold(Float::new(bits), |s, x| s * u + x);
         let slope = |u: &Float| {
-            c.iter().enumerate().skip(1).rev().fold(Float::new(bits), |s, (k, x)| {
-                s * u + Float::with_val(bits, x * k as u32)
-            })
+            c.iter()
+                .enumerate()
+                .skip(1)
+                .rev()
+                .fold(Float::new(bits), |s, (k, x)| {
+                    s * u + Float::with_val(bits, x * k as u32)
+                })
         };
         let mut u = Float::with_val(bits, since.mid() / self.duration.mid());
         for _ in 0..60 {
@@ -480,7 +540,11 @@ impl Piece {
         };
         let way = &advance * &self.theta;
         let from = Ball::new(self.x0.clone(), self.slack);
-        let x = if self.backward { from - way } else { from + way };
+        let x = if self.backward {
+            from - way
+        } else {
+            from + way
+        };
         (x, speed)
     }
 }

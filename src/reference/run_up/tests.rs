@@ -55,7 +55,14 @@ fn curve(bits: u32, gravity: &str) -> Arc<LinkageCurve> {
     let linkage = Linkage::new(&geometry(), bits);
     let modes = linkage.modes(&start().to_ball(bits)).unwrap();
     let at = &modes[2].configuration;
-    Arc::new(LinkageCurve::new(&geometry(), &masses(gravity), &start(), at, 48, bits))
+    Arc::new(LinkageCurve::new(
+        &geometry(),
+        &masses(gravity),
+        &start(),
+        at,
+        48,
+        bits,
+    ))
 }
 
 static LOW: LazyLock<Arc<LinkageCurve>> = LazyLock::new(|| curve(72, "9.81"));
@@ -85,8 +92,16 @@ fn run(motor: Motor, rotor: &str, angle: &str, speed: &str) -> Run {
 
 fn near(b: &Ball, digits: &str, places: i32) {
     let gap = (b - &Ball::rational(b.prec(), &q(digits))).abs().upper();
-    assert!(gap < Float::with_val(64, 10f64.powi(-places)), "{} and {digits}", b.mid());
-    assert!(b.rad() < Mag::from_f64(10f64.powi(-places)), "{:?}", b.rad());
+    assert!(
+        gap < Float::with_val(64, 10f64.powi(-places)),
+        "{} and {digits}",
+        b.mid()
+    );
+    assert!(
+        b.rad() < Mag::from_f64(10f64.powi(-places)),
+        "{:?}",
+        b.rad()
+    );
 }
 
 #[test]
@@ -133,7 +148,12 @@ fn the_closed_form_of_a_bare_rotor() {
 
 #[test]
 fn constant_torque_is_exact() {
-    for (torque, speed, sign) in [("3", "0", 1), ("3", "2", 1), ("-3", "0", -1), ("-3", "-2", -1)] {
+    for (torque, speed, sign) in [
+        ("3", "0", 1),
+        ("3", "2", 1),
+        ("-3", "0", -1),
+        ("-3", "-2", -1),
+    ] {
         let motor = Motor::Constant { torque: q(torque) };
         let model = Coefficients::constant(&q("0.5"), &q("0"), 100);
         let times = ["0", "0.1", "0.7"].map(q);
@@ -187,7 +207,9 @@ fn energy_is_conserved() {
 fn free_motion_over_a_turn() {
     let factor = |m: &Coefficients| free_motion_factor(m, &q("0")).unwrap();
     let exact = factor(&Coefficients::exact(&HIGH));
-    assert!(exact.integral.contains(&Rational::new()) && exact.integral.rad() < Mag::from_f64(1e-34));
+    assert!(
+        exact.integral.contains(&Rational::new()) && exact.integral.rad() < Mag::from_f64(1e-34)
+    );
     let pair = factor(&Coefficients::splines(&HIGH, 12).unwrap());
     assert!(pair.factor.contains(&Rational::from(1)) && pair.factor.rad() < Mag::from_f64(1e-34));
     let hybrid = factor(&Coefficients::hybrid(&HIGH, 12).unwrap());
@@ -206,7 +228,12 @@ fn the_hybrid_motion_loses_speed() {
     // Where I_n is large and the speed changes little.
     let run = run(free(), "0", "284.426", "7");
     let end = ExactAngle::Degrees(q("644.426")).to_ball(100);
-    let at = |t: &Rational| integrate(&model, &run, std::slice::from_ref(t)).unwrap().samples.remove(0);
+    let at = |t: &Rational| {
+        integrate(&model, &run, std::slice::from_ref(t))
+            .unwrap()
+            .samples
+            .remove(0)
+    };
     let mut t = q("0.6");
     for _ in 0..10 {
         // Newton's method on φ(t) = end.
@@ -225,19 +252,32 @@ fn the_hybrid_motion_loses_speed() {
 fn a_forgotten_defect_is_found() {
     let truth = {
         let model = Coefficients::exact(&HIGH);
-        let m = integrate(&model, &run(rated("200"), "0", "14.426", "0"), &[q("0.004")]);
+        let m = integrate(
+            &model,
+            &run(rated("200"), "0", "14.426", "0"),
+            &[q("0.004")],
+        );
         m.unwrap().samples.remove(0)
     };
     let model = Coefficients::exact(&LOW);
     let case = run(rated("200"), "0", "14.426", "0");
     // A low order leaves a defect far above rounding.
-    let coarse = || integrate_with(&model, &case, &[q("0.004")], 8).unwrap().samples.remove(0);
+    let coarse = || {
+        integrate_with(&model, &case, &[q("0.004")], 8)
+            .unwrap()
+            .samples
+            .remove(0)
+    };
     let sound = coarse();
     assert!(sound.speed.contains_ball(&truth.speed) && sound.angle.contains_ball(&truth.angle));
     FORGET_DEFECT.set(true);
     let faulty = coarse();
     FORGET_DEFECT.set(false);
-    assert!(!faulty.speed.overlaps(&truth.speed), "{:?}", faulty.speed.rad());
+    assert!(
+        !faulty.speed.overlaps(&truth.speed),
+        "{:?}",
+        faulty.speed.rad()
+    );
 }
 
 #[test]
@@ -247,7 +287,16 @@ fn refusals() {
     let good = run(rated("200"), "0", "14.426", "0");
     assert!(why(&good, &[q("1"), q("1")]).contains("increase"));
     assert!(why(&good, &[q("-1")]).contains("negative"));
-    assert!(why(&Run { rotor_inertia: q("-1"), ..good.clone() }, &[q("1")]).contains("I_1"));
+    assert!(
+        why(
+            &Run {
+                rotor_inertia: q("-1"),
+                ..good.clone()
+            },
+            &[q("1")]
+        )
+        .contains("I_1")
+    );
     let mut bad = good.clone();
     bad.motor = Motor::Rated {
         torque: q("1"),
@@ -275,7 +324,14 @@ fn a_linkage_that_does_not_rotate_fully_is_undecided() {
     let linkage = Linkage::new(&geometry(), 72);
     // Modes 0 and 1 merge near 217 degrees.
     let at = &linkage.modes(&start().to_ball(72)).unwrap()[0].configuration;
-    let short = Arc::new(LinkageCurve::new(&geometry(), &masses("9.81"), &start(), at, 48, 72));
+    let short = Arc::new(LinkageCurve::new(
+        &geometry(),
+        &masses("9.81"),
+        &start(),
+        at,
+        48,
+        72,
+    ));
     let model = Coefficients::exact(&short);
     let moving = run(rated("200"), "1", "14.426", "9.5");
     assert!(integrate(&model, &moving, &[q("0.05")]).is_ok());

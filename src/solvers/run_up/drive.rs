@@ -29,7 +29,8 @@ impl Resistance {
             self.viscous_n_m_s,
             self.quadratic_n_m_s2,
         );
-        let torque = -(c0 * sign + c1 * psi + c2 * psi.abs() * psi);
+        // From zero, so that no resistance is 0 and not −0.
+        let torque = 0.0 - (c0 * sign + c1 * psi + c2 * psi.abs() * psi);
         (torque, -(c1 + 2.0 * c2 * psi.abs()))
     }
 }

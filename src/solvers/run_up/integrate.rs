@@ -1,6 +1,7 @@
 //! Integration over time with stops: the library takes the steps, this file ends them where
 //! something happens.
 
+use super::crossing::{Limits, Pause, crossing};
 use super::equation::{Equation, EquationError};
 use super::stepper::{Method, State, Stepper, Tolerances, Tried, begin};
 use differential_equations::ode::ODE;
@@ -146,30 +147,6 @@ impl ODE<f64, State> for Rhs<'_> {
     }
 }
 
-/// Where the integration has to pause.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Limits {
-    /// Time.
-    pub end: f64,
-    /// Crank angles: the motion starts inside or on an edge.
-    pub angles: (f64, f64),
-    /// Crank speeds, likewise.
-    pub speeds: (f64, f64),
-    /// Whether to pause where the acceleration changes its sign.
-    pub extrema: bool,
-}
-
-/// Why it paused.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Pause {
-    End,
-    /// At this edge of the angles, exactly.
-    Angle(f64),
-    /// At this edge of the speeds, exactly.
-    Speed(f64),
-    Extremum,
-}
-
 /// Called for every stretch of the motion, with its ends and the state between.
 pub(super) type Watch<'w> = &'w mut dyn FnMut(f64, f64, &mut dyn FnMut(f64) -> State);
 
@@ -185,9 +162,6 @@ pub(super) struct Integrator<'a> {
     at_extremum: bool,
     pub counts: Counts,
 }
-
-/// Inner points of a step at which the limits are looked at.
-const LOOKS: u32 = 4;
 
 /// Steps in a row without a right-hand side, each a quarter of the one before: after so many what
 /// stops the motion is closer than rounding.
@@ -228,17 +202,45 @@ impl<'a> Integrator<'a> {
         d
     }
 
+    /// A first step short beside everything that changes at the start; the library would try one
+    /// over a good part of the whole time, where there may be no linkage or motor any more. Steps
+    /// grow up to tenfold at a time.
+    fn first_step(&self, end: f64) -> f64 {
+        let (d, psi) = (self.derivative(&self.y), self.y[PSI].abs());
+        let (acceleration, damping) = (d[PSI].abs(), d[DAMPING].abs());
+        let shortest = [
+            1.0 / damping,
+            (1.0 + psi) / acceleration,
+            1.0 / (psi + acceleration.sqrt()),
+            end - self.t,
+        ];
+        1e-3 * shortest
+            .iter()
+            .copied()
+            .filter(|h| *h > 0.0)
+            .fold(1.0, f64::min)
+    }
+
     fn begin(&self, end: f64) -> Result<Box<dyn Stepper>, Stuck> {
+        let h = match self.h {
+            0.0 => self.first_step(end),
+            h => h,
+        };
         // The library refuses a first step beyond the end.
-        let h = self.h.min(end - self.t);
-        begin(
+        let h = h.min(end - self.t);
+        let stepper = begin(
             self.settings.method,
             &self.tolerances,
             &self.rhs,
             (self.t, &self.y),
             (end, h),
         )
-        .map_err(|e| self.stuck(e))
+        .map_err(|e| self.stuck(e))?;
+        // Where the equation has no right-hand side at the start itself, no step can help.
+        match self.rhs.refused.borrow_mut().take() {
+            Some(e) => Err(Stuck::Equation(e)),
+            None => Ok(stepper),
+        }
     }
 
     /// Whether a step was computed without a refusal.
@@ -317,7 +319,9 @@ impl<'a> Integrator<'a> {
                     return Err(self.stuck("the state is not finite".into()));
                 }
                 self.h = h;
+                let cause = self.rhs.refused.borrow_mut().take();
                 stepper = self.begin(end)?;
+                *self.rhs.refused.borrow_mut() = cause;
                 continue;
             }
             match tried {
@@ -329,6 +333,7 @@ impl<'a> Integrator<'a> {
                     // Its linear system belongs to the step that failed, and it keeps it.
                     if self.settings.method == Method::Radau5 && rejections % STUBBORN == 0 {
                         self.h = h;
+                        self.rhs.refused.borrow_mut().take();
                         stepper = self.begin(end)?;
                     }
                     continue;
@@ -348,11 +353,13 @@ impl<'a> Integrator<'a> {
                 }
             }
             (rejections, unsound) = (0, 0);
-            if let Some(limits) = limits {
-                if let Some(found) = self.crossing(&mut *stepper, limits, &mut acceleration) {
-                    self.h = step;
-                    return Ok(Some(found));
-                }
+            let found = limits.and_then(|limits| {
+                let of = |y: &State| self.derivative(y)[PSI];
+                crossing(&mut *stepper, limits, &mut acceleration, &of)
+            });
+            if found.is_some() {
+                self.h = step;
+                return Ok(found);
             }
             self.counts.steps += 1;
             let (a, b) = (stepper.t_before(), stepper.t());
@@ -368,83 +375,6 @@ impl<'a> Integrator<'a> {
             }
             self.h = h;
         }
-    }
-
-    /// The first crossing of a limit within the step just taken.
-    fn crossing(
-        &self,
-        stepper: &mut dyn Stepper,
-        limits: &Limits,
-        acceleration: &mut Option<f64>,
-    ) -> Option<(f64, Pause)> {
-        let (a, b) = (stepper.t_before(), stepper.t());
-        let mut left = a;
-        let mut before = *acceleration;
-        for look in 1..=LOOKS {
-            let right = if look == LOOKS {
-                b
-            } else {
-                a + (b - a) * f64::from(look) / f64::from(LOOKS)
-            };
-            let y = if look == LOOKS {
-                *stepper.y()
-            } else {
-                stepper.between(right)
-            };
-            let outside = |y: &State| {
-                let ((p0, p1), (s0, s1)) = (limits.angles, limits.speeds);
-                if y[PHI] > p1 {
-                    Some(Pause::Angle(p1))
-                } else if y[PHI] < p0 {
-                    Some(Pause::Angle(p0))
-                } else if y[PSI] > s1 {
-                    Some(Pause::Speed(s1))
-                } else if y[PSI] < s0 {
-                    Some(Pause::Speed(s0))
-                } else {
-                    None
-                }
-            };
-            let now = before.map(|_| self.derivative(&y)[PSI]);
-            let turned = |y: &State, reference: f64| self.derivative(y)[PSI] * reference < 0.0;
-            let mut found = outside(&y);
-            let reference = before.filter(|b| *b != 0.0);
-            if found.is_none() {
-                if let (Some(b), Some(n)) = (reference, now) {
-                    if b * n < 0.0 {
-                        found = Some(Pause::Extremum);
-                    }
-                }
-            }
-            if found.is_some() {
-                // Halving on the dense output; what is found first may change on the way.
-                let (mut lo, mut hi) = (left, right);
-                for _ in 0..60 {
-                    let middle = 0.5 * (lo + hi);
-                    if !(lo < middle && middle < hi) {
-                        break;
-                    }
-                    let y = stepper.between(middle);
-                    let here = outside(&y).or_else(|| {
-                        reference
-                            .filter(|r| turned(&y, *r))
-                            .map(|_| Pause::Extremum)
-                    });
-                    match here {
-                        Some(pause) => {
-                            hi = middle;
-                            found = Some(pause);
-                        }
-                        None => lo = middle,
-                    }
-                }
-                return found.map(|pause| (hi, pause));
-            }
-            left = right;
-            before = now.or(before);
-        }
-        *acceleration = before;
-        None
     }
 
     /// Puts the state on the limit exactly: what is left is the difference between the dense output

@@ -10,11 +10,11 @@
 //!
 //! At the cycle it is the multiplier: how much of a disturbance of the speed is left after a turn.
 
+use super::crossing::{Limits, Pause};
 use super::equation::Equation;
-use super::integrate::{
-    Counts, DAMPING, Integrator, Limits, PHI, PSI, Pause, Settings, Stuck, WORK,
-};
-use super::motion::{RunError, neighbours};
+use super::integrate::{Counts, DAMPING, Integrator, PHI, PSI, Settings, Stuck, WORK};
+use super::motion::RunError;
+use super::runner::neighbours;
 use std::f64::consts::TAU;
 
 /// A steady cycle.
@@ -192,14 +192,25 @@ pub fn steady_cycle(
     let mut psi = guess;
     let mut counts = Counts::default();
     let mut change = f64::INFINITY;
+    // Where the last turn ended, in case Newton's step leads nowhere.
+    let mut fallback = None;
     for iterations in 1..=MOST_ITERATIONS {
-        let l = lap(equation, settings, phi, psi, false)?;
+        let l = match (lap(equation, settings, phi, psi, false), fallback.take()) {
+            (Err(_), Some(after)) => {
+                psi = after;
+                lap(equation, settings, phi, psi, false)?
+            }
+            (l, _) => l?,
+        };
         counts = counts.plus(l.counts);
         let last = change;
         change = l.psi - psi;
         // A neutral cycle (no motor) is one already, and Newton's step would be 0/0.
         let newton = psi + change / (1.0 - l.slope);
         let usable = newton.is_finite() && newton * guess > 0.0 && l.slope < 0.9;
+        // Far from the cycle the straight line of Newton's step does not carry far.
+        let newton = newton.abs().clamp(0.5 * psi.abs(), 2.0 * psi.abs()) * psi.signum();
+        fallback = usable.then_some(l.psi);
         psi = if usable { newton } else { l.psi };
         let small = change.abs() <= 4.0 * settings.tolerance * psi.abs();
         // Rounding and the tolerance set the floor below which it no longer shrinks.

@@ -69,7 +69,7 @@ pub(super) trait Stepper {
     fn between(&mut self, t: f64) -> State;
 }
 
-/// The method, ready at `(t, y)`; `h` is the first step, 0 for the library's own choice.
+/// The method, ready at `(t, y)`; `h` is the first step.
 pub(super) fn begin(
     method: Method,
     tolerance: &Tolerances,
