@@ -228,7 +228,7 @@ impl Method for Audit {
             regions: vec![
                 region(
                     "bare-rotor",
-                    "constant inertia, any motor, forward and backward, for 0.01 to 10 times the \
+                    "constant inertia, any motor, forward and backward, for 0.01 to 3 times the \
                      time that the torque takes to bring it to speed",
                     bare_rotor,
                 ),
@@ -353,11 +353,11 @@ fn any_motor(d: &mut Draw, x: &mut [f64], torque: f64, speed: f64) {
 
 fn bare_rotor(d: &mut Draw) -> Vec<f64> {
     let mut x = sand_screen(CONSTANT, 0.0, 0.0);
-    any_motor(d, &mut x, 10.0, 150.0);
+    any_motor(d, &mut x, 10.0, 50.0);
     let (torque, speed) = (x[MOTOR_VALUES], x[MOTOR_VALUES + 3]);
-    x[ROTOR] = d.log_uniform(0.01, 10.0);
+    x[ROTOR] = d.log_uniform(0.01, 1.0);
     // In units of the time that the torque takes to bring it to that speed.
-    x[DURATION] = x[ROTOR] * speed / torque * d.log_uniform(0.01, 10.0);
+    x[DURATION] = x[ROTOR] * speed / torque * d.log_uniform(0.01, 3.0);
     x[ANGLE] = d.uniform(1.0, 6.0);
     if d.chance(0.5) {
         // Moving with its motor, at up to twice its speed.
