@@ -115,7 +115,8 @@ fn motion(x: &[f64], from: (f64, f64), duration: f64) -> Result<Motion, &'static
 }
 
 /// Curves of linkages met lately, by input and precision.
-static CURVES: Mutex<Vec<(Vec<Rational>, u32, Arc<LinkageCurve>)>> = Mutex::new(Vec::new());
+static CURVES: Mutex<Vec<Known>> = Mutex::new(Vec::new());
+type Known = (Vec<Rational>, u32, Arc<LinkageCurve>);
 const CURVES_KEPT: usize = 8;
 
 fn curve(y: &[Rational], bits: u32) -> Result<Arc<LinkageCurve>, ReferenceAnswer> {
