@@ -2,7 +2,8 @@
 
 use super::coefficients::Coefficients;
 use super::motor::Motor;
-use super::step::{GRID, Piece, Setting, Start, step};
+use super::piece::Piece;
+use super::step::{GRID, Setting, Start, step};
 use crate::reference::class_iii::ExactAngle;
 use crate::reference::{Ball, Mag, Undecided};
 use rug::{Float, Rational};

@@ -138,7 +138,9 @@ impl Mechanism {
         let model = |k: usize| TaylorModel::polynomial(series[k].clone());
         let c = Vector([model(0), model(1)]);
         let d = Vector([model(2), model(3)]);
-        let r = self.contraction(&a, &c, &d, order)?;
+        let joints = [&at.c.re, &at.c.im, &at.d.re, &at.d.im];
+        let known = joints.iter().fold(Mag::ZERO, |m, b| m.max(b.rad()));
+        let r = self.contraction(&a, &c, &d, order, known)?;
         Some(self.reduced(&a, &c, &d, r, &disc, order))
     }
 
@@ -255,8 +257,15 @@ impl Mechanism {
         None
     }
 
-    /// The radius r of the contraction about the polynomials; see the module.
-    fn contraction(&self, a: &Vector, c: &Vector, d: &Vector, order: usize) -> Option<Mag> {
+    /// The radius r of the contraction about the polynomials, at least `known`; see the module.
+    fn contraction(
+        &self,
+        a: &Vector,
+        c: &Vector,
+        d: &Vector,
+        order: usize,
+        known: Mag,
+    ) -> Option<Mag> {
         const BITS: u32 = 64;
         let links = self.links(a, c, d);
         let residual: [TaylorModel; 4] = std::array::from_fn(|e| {
@@ -302,7 +311,8 @@ impl Mechanism {
             let weights = (0..4).fold(Mag::ZERO, |s, m| s.add(Mag::from_f64(y[(i, m)])));
             rows = rows.max(weights);
         }
-        let r = size.shift(1);
+        // At least as wide as the enclosure at the centre, so that its zero is the one found here.
+        let r = size.shift(1).max(known);
         // Entries of G_z are linear in z: over |z − z̃| ≤ r each moves by at most max(2, s²) r with
         // s = |Re κ| + |Im κ| + |Re (1 − κ)| + |Im (1 − κ)|; four in a row.
         let s = [&self.kappa, &self.one_minus_kappa]

@@ -20,7 +20,7 @@
 //!    The panels of one turn are used again in the next once the branch is proved to be closed.
 //! 2. `series`: Taylor coefficients of the speed along the path by the recurrences of series
 //!    arithmetic, in plain floating point.
-//! 3. `step`: the defect of that polynomial, bounded over the whole step in Taylor models, and the
+//! 3. `step`, `proof`: the defect of that polynomial, bounded over the whole step in Taylor models, and the
 //!    error that follows from it by a differential inequality in a tube that proves itself. No
 //!    a-priori box has to be found first, and no high derivative is evaluated over a box.
 //!    The start from rest is a step in `√(φ − φ_0)`, in which the motion is analytic.
@@ -56,14 +56,18 @@
 mod coefficients;
 mod free_motion;
 mod integrate;
+mod linkage_curve;
 mod linkage_panel;
 mod motor;
+mod piece;
+mod proof;
 mod series;
 mod step;
 #[cfg(test)]
 mod tests;
 
-pub use coefficients::{Coefficients, LinkageCurve};
+pub use coefficients::Coefficients;
 pub use free_motion::{FreeTurn, free_motion_factor};
 pub use integrate::{Motion, Run, Sample, integrate, integrate_with};
+pub use linkage_curve::LinkageCurve;
 pub use motor::Motor;

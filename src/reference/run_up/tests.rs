@@ -1,6 +1,6 @@
 //! Enclosures against exact solutions, conservation laws and each other.
 
-use super::step::planted::FORGET_DEFECT;
+use super::proof::planted::FORGET_DEFECT;
 use super::*;
 use crate::reference::class_iii::{Body, ExactAngle, Geometry, Linkage, Masses};
 use crate::reference::{Ball, Decimal, Mag, Undecided};
