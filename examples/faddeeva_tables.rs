@@ -27,6 +27,8 @@ const LAST_BITS: u32 = 8192;
 
 /// Coefficients `c_0 … c_17` of each row.
 const ORDER: usize = 17;
+/// The last centre on the real axis, in eighths.
+const REAL_AXIS_END: i64 = 72;
 /// Zeros, and coefficients `g_0 … g_19` of each.
 const ZEROS: u32 = 12;
 const ZERO_TERMS: usize = 20;
@@ -252,9 +254,9 @@ fn cell_tables(tables: &mut Tables) -> Outcome<()> {
         (&disc, 4),
         complex_row,
     )?;
-    let real: Vec<_> = (9..57).map(|i| (i, 0)).collect();
+    let real: Vec<_> = (9..=REAL_AXIS_END).map(|i| (i, 0)).collect();
     tables.taylor(
-        "Taylor coefficients of w about `9/8, 10/8, … 56/8`.",
+        "Taylor coefficients of w about `9/8, 10/8, …` on the real axis.",
         ("REAL_AXIS", "ComplexRow"),
         (&real, 8),
         complex_row,

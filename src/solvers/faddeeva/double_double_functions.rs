@@ -80,3 +80,7 @@ pub(super) fn exp_minus_square(a: f64, y: f64) -> (Dd, Dd, f64) {
     let (s, c) = turn(s, c, quadrant);
     (e * c, -(e * s), k)
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/double_double_functions.rs"]
+mod tests;

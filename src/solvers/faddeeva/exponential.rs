@@ -190,3 +190,7 @@ fn short_product<R: Real>(a: Dd<R>, b: Dd<R>) -> Dd<R> {
     let p = two_prod(a.hi, b.hi);
     fast_two_sum(p.hi, a.hi.fma(b.lo, a.lo.fma(b.hi, p.lo)))
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/exponential.rs"]
+mod tests;

@@ -77,3 +77,6 @@ pub fn faddeeva_batch(z: &[Complex<f64>], w: &mut [Complex<f64>]) {
         *w = faddeeva(*z);
     }
 }
+
+#[cfg(test)]
+mod tests;

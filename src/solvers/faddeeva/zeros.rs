@@ -61,3 +61,7 @@ pub(super) fn near_zero<L: Lanes>(lanes: L, k: usize, a: f64, b: f64) -> Option<
     }
     Some((-(v * TWO_OVER_SQRT_PI), u * TWO_OVER_SQRT_PI))
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/zeros.rs"]
+mod tests;
