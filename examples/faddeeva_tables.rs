@@ -27,8 +27,8 @@ const LAST_BITS: u32 = 8192;
 
 /// Coefficients `c_0 … c_17` of each row.
 const ORDER: usize = 17;
-/// The last centre on the real axis, in eighths.
-const REAL_AXIS_END: i64 = 72;
+/// Centres on the real axis: the first and the last one, in units of one part of this many.
+const REAL_AXIS: (i64, i64, i64) = (9, 72, 8);
 /// Zeros, and coefficients `g_0 … g_19` of each.
 const ZEROS: u32 = 12;
 const ZERO_TERMS: usize = 20;
@@ -254,11 +254,15 @@ fn cell_tables(tables: &mut Tables) -> Outcome<()> {
         (&disc, 4),
         complex_row,
     )?;
-    let real: Vec<_> = (9..=REAL_AXIS_END).map(|i| (i, 0)).collect();
+    let (first, last, per) = REAL_AXIS;
+    let real: Vec<_> = (first..=last).map(|i| (i, 0)).collect();
     tables.taylor(
-        "Taylor coefficients of w about `9/8, 10/8, …` on the real axis.",
+        &format!(
+            "Taylor coefficients of w about `{first}/{per}, {}/{per}, …` on the real axis.",
+            first + 1
+        ),
         ("REAL_AXIS", "ComplexRow"),
-        (&real, 8),
+        (&real, per),
         complex_row,
     )?;
     let imaginary: Vec<_> = (0..29).map(|j| (0, j)).collect();

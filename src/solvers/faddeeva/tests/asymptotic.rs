@@ -1,3 +1,4 @@
+use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, rational, w, wide};
 use super::*;
@@ -22,7 +23,7 @@ fn constants() {
 
 /// The sum of two terms that cancel, against the exact one, by the larger of the two.
 fn check(a: f64, b: f64) -> f64 {
-    let (re, im) = large(a, b);
+    let (re, im) = large(Plain, a, b);
     let exact = w(a, -b);
     let (u, v) = w(a, b);
     let (c, s) = gaussian(a, -b);
@@ -35,7 +36,9 @@ fn check(a: f64, b: f64) -> f64 {
         &exact.1,
         &larger(v, s * 2),
     ));
-    assert!(worst < 2f64.powi(-90), "{a:e} − {b:e} i: {worst:e}");
+    // The factor 1 + 1/(2z²) + … is an f64 in its second part.
+    let bound = 2f64.powi(-95) + 2f64.powi(-52) / (a * a);
+    assert!(worst < bound, "{a:e} − {b:e} i: {worst:e}, bound {bound:e}");
     worst
 }
 
@@ -69,12 +72,10 @@ fn series_in_the_upper_half_plane() {
         } else {
             t.sin()
         };
-        let each: [(f64, fn(f64, f64) -> (Dd, Dd)); 5] = [
-            (7.0, series::<_, 23>),
-            (10.0, series::<_, 13>),
-            (16.0, series::<_, 9>),
-            (32.0, series::<_, 6>),
-            (1000.0, series::<_, 2>),
+        let each: [(f64, fn(f64, f64) -> (Dd, Dd)); 3] = [
+            (7.0, series::<_, 24>),
+            (10.0, series::<_, 14>),
+            (1000f64.sqrt(), series::<_, 6>),
         ];
         for (least, series) in each {
             let (a, b) = (

@@ -1,3 +1,4 @@
+use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, shifted, wide};
 use super::*;
@@ -44,7 +45,12 @@ fn sine_and_cosine() {
             random.between(-0.785_398, 0.785_398)
         };
         let r = two_sum(x, x * random.number(-70, -54));
-        let (s, c) = sin_cos_reduced(r);
+        let zero = (Dd::ZERO, ROUND);
+        let [(s, c), other] = factors(Plain, [(r, ROUND), zero], [Dd::ZERO; 2]).circle;
+        assert_eq!((other.0.hi, other.1.hi), (0.0, 1.0));
+        let [other, same] = factors(Plain, [zero, (r, ROUND)], [Dd::ZERO; 2]).circle;
+        assert_eq!((other.0.hi, other.1.hi), (0.0, 1.0));
+        assert_eq!(same, (s, c));
         let exact = wide(r);
         let (es, ec) = (
             Float::with_val(640, exact.sin_ref()),
@@ -77,7 +83,7 @@ fn gaussian_of_a_complex_number() {
         if exponent(a, y).hi.abs() > 1400.0 {
             continue;
         }
-        let (c, s, n) = exp_minus_square(a, y);
+        let ((c, s, n), ..) = exp_minus_square(Plain, a, -y, Dd::ZERO, Dd::ZERO);
         let exact = gaussian(a, y);
         let size = Float::with_val(640, exact.0.hypot_ref(&exact.1));
         let off =

@@ -7,7 +7,7 @@ use super::Random;
 /// The bucket by the scalar rule.
 fn expected(a: f64, y: f64) -> f64 {
     let kind = kind(a, y);
-    let both = (kind as u8) <= Kind::Series2 as u8;
+    let both = (kind as u8) <= Kind::Series6 as u8;
     let lower = if both && y < 0.0 { LOWER } else { 0 };
     f64::from(kind as u8) + lower as f64 + ROUND
 }
@@ -23,6 +23,8 @@ fn points() -> Vec<(f64, f64)> {
         0.25,
         1.0,
         1.125,
+        9.0,
+        0.007_812_5,
         3.75,
         7.0,
         10.0,

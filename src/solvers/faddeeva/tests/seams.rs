@@ -46,7 +46,7 @@ fn cells() {
 #[test]
 fn lines() {
     let mut points = Vec::new();
-    for seam in [0.125, 0.25, 0.375, 1.125, 1.0, 3.75, 27.5] {
+    for seam in [0.125, 0.25, 0.375, 1.125, 1.0, 3.75, 7.0, 9.0, 27.5] {
         for t in [seam, f64::next_up(seam), f64::next_down(seam)] {
             for k in 0..260 {
                 let s = f64::from(k) * 0.11 + 1e-3;
@@ -62,7 +62,16 @@ fn lines() {
 #[test]
 fn circles() {
     let mut points = Vec::new();
-    for r in [1.0f64, 7.0, 10.0, 16.0, 1000f64.sqrt(), 1000.0, 1e100] {
+    for r in [
+        1.0f64 / 128.0,
+        1.0,
+        7.0,
+        10.0,
+        16.0,
+        1000f64.sqrt(),
+        1000.0,
+        1e100,
+    ] {
         for k in 0..120 {
             let (s, c) = (f64::from(k) * 0.75 + 0.01).to_radians().sin_cos();
             for f in [1.0 - 1e-15, 1.0, 1.0 + 1e-15] {

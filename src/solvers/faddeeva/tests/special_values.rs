@@ -71,9 +71,52 @@ fn overflow_in_the_lower_half_plane() {
     assert_is((0.0, -26.7), INF, 0.0);
     assert_is((0.0, -1e300), INF, 0.0);
     assert_is((0.0, -f64::MAX), INF, 0.0);
-    // Both components with the signs of cos 2xy and −sin 2x(−|y|).
-    let v = w(1e-3, -1e5);
-    let (s, c) = (2.0f64 * 1e-3 * 1e5).sin_cos();
-    assert_eq!(v.re, INF.copysign(c));
-    assert_eq!(v.im, INF.copysign(s));
+    for y in [-27.0, -37.0, -40.0, -100.0, -1e10, -1e99] {
+        assert_is((0.0, y), INF, 0.0);
+    }
+}
+
+/// Both components with the signs of `cos 2xy` and `−sin 2xy`, however large `e^{y² − x²}` is.
+#[cfg(feature = "oracle")]
+#[test]
+fn signs_of_infinity() {
+    use super::Random;
+    use rug::Float;
+    let mut random = Random(121);
+    for k in 0..20_000 {
+        let y = -random.power(4.8, if k % 2 == 0 { 10.0 } else { 1000.0 });
+        let x = match k % 3 {
+            0 => random.power(-60.0, 0.0),
+            1 => -y * random.power(-40.0, -0.1),
+            _ => random.power(-3.0, 4.0),
+        };
+        if (y + x) * (y - x) < 800.0 {
+            continue;
+        }
+        let phase: Float = Float::with_val(2600, x) * y * 2;
+        let signs = (phase.clone().cos().to_f64(), -phase.sin().to_f64());
+        for (x, s) in [(x, signs.1), (-x, -signs.1)] {
+            assert_is((x, y), INF.copysign(signs.0), INF.copysign(s));
+        }
+    }
+}
+
+/// Beside the real axis, where `e^{−z²}` is nothing and Im z may be nothing but for its sign.
+#[cfg(feature = "oracle")]
+#[test]
+fn far_to_the_side() {
+    use super::Random;
+    use super::exact::{error, float, w as exact};
+    let mut random = Random(122);
+    for _ in 0..20_000 {
+        let (x, b) = (random.power(4.8, 340.0), random.power(-1074.0, 3.0));
+        for y in [b, -b] {
+            let (got, wanted) = (w(x, y), exact(x, y));
+            for (got, wanted) in [(got.re, wanted.0), (got.im, wanted.1)] {
+                let ulp = (wanted.to_f64().abs() * f64::EPSILON).max(5e-324);
+                let off = error(&float(got), &wanted, &float(ulp));
+                assert!(off <= 2.0, "{x:e} {y:e}: {got:e}, {off} ulp");
+            }
+        }
+    }
 }

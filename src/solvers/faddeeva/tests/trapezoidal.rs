@@ -1,3 +1,4 @@
+use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, rational, w, wide};
 use super::*;
@@ -8,6 +9,8 @@ use rug::{Float, Rational};
 #[test]
 fn constants() {
     assert!(are_parts(&Ball::pi(300).shift(1), &[TWO_PI.hi, TWO_PI.lo]));
+    let part = Ball::pi(300).shift(1) / &Ball::integer(300, 23);
+    assert!(are_parts(&part, &[TWO_PI_OVER_PER.hi, TWO_PI_OVER_PER.lo]));
     for rule in 0..2 {
         for k in 0..NODES {
             let t = Rational::from(((2 * k + rule) as u64 * 23, 128u32));
@@ -23,7 +26,7 @@ fn constants() {
 
 /// The error of each component by the larger of the terms it is the sum of.
 fn check(a: f64, b: f64) -> f64 {
-    let (re, im) = lower(a, b);
+    let (re, im) = lower(Plain, a, b);
     let exact = w(a, -b);
     let (u, v) = w(a, b);
     let (c, s) = gaussian(a, -b);
