@@ -28,7 +28,7 @@ const LAST_BITS: u32 = 8192;
 /// Coefficients `c_0 … c_17` of each row.
 const ORDER: usize = 17;
 /// Centres on the real axis: the first and the last one, in units of one part of this many.
-const REAL_AXIS: (i64, i64, i64) = (9, 72, 8);
+const REAL_AXIS: (i64, i64, i64) = (18, 144, 16);
 /// Zeros, and coefficients `g_0 … g_19` of each.
 const ZEROS: u32 = 12;
 const ZERO_TERMS: usize = 20;

@@ -1,7 +1,7 @@
 //! One at a time or many, with vectors or without: the same bits.
 
 use super::super::lanes::{Lanes, Plain, with_best};
-use super::super::{One, faddeeva, faddeeva_batch};
+use super::super::{One, faddeeva, faddeeva_batch, faddeeva_soa};
 use super::Random;
 use num_complex::Complex;
 use proptest::prelude::*;
@@ -58,7 +58,18 @@ fn batches_of_one_kind() {
 }
 
 #[test]
-#[should_panic]
+fn parts_apart() {
+    let z = points(32, 5000);
+    let (x, y): (Vec<f64>, Vec<f64>) = z.iter().map(|z| (z.re, z.im)).unzip();
+    let (mut re, mut im) = (vec![7.0; z.len()], vec![7.0; z.len()]);
+    faddeeva_soa(&x, &y, &mut re, &mut im);
+    let pair = |(re, im): (&f64, &f64)| Complex::new(*re, *im);
+    let w: Vec<_> = re.iter().zip(&im).map(pair).collect();
+    assert_same(&z, &w);
+}
+
+#[test]
+#[should_panic(expected = "as many values as points")]
 fn lengths_have_to_agree() {
     faddeeva_batch(&points(1, 3), &mut [Complex::new(0.0, 0.0); 2]);
 }
@@ -67,7 +78,8 @@ fn lengths_have_to_agree() {
 #[test]
 fn every_set_of_vectors() {
     use super::super::Interleaved;
-    use super::super::batch::{Points, batch};
+    use super::super::Points;
+    use super::super::batch::batch;
     use super::super::pack::Wide;
     use pulp::x86::{V3, V4};
     use pulp::{NullaryFnOnce, Simd};
@@ -100,8 +112,8 @@ fn every_set_of_vectors() {
 #[test]
 fn plain_arrays() {
     for z in points(41, 50_000) {
-        let (re, im) = Plain.call(One(z.re, z.im));
-        let best = with_best(One(z.re, z.im));
+        let (re, im) = Plain.call(One { x: z.re, y: z.im });
+        let best = with_best(One { x: z.re, y: z.im });
         assert!(
             same(re, best.0) && same(im, best.1),
             "w({:e} + {:e} i): {re:e} {im:e}, with vectors {best:?}",
@@ -120,9 +132,9 @@ proptest! {
         let w = faddeeva(z);
         let mirrored = faddeeva(Complex::new(-z.re, z.im));
         prop_assert!(same(w.re, mirrored.re) && same(w.im, -mirrored.im));
-        let mut one = [Complex::new(0.0, 0.0)];
-        faddeeva_batch(&[z], &mut one);
-        prop_assert!(same(w.re, one[0].re) && same(w.im, one[0].im));
+        let mut many = [Complex::new(0.0, 0.0); 32];
+        faddeeva_batch(&[z; 32], &mut many);
+        prop_assert!(many.iter().all(|v| same(w.re, v.re) && same(w.im, v.im)));
         if !z.re.is_nan() && !z.im.is_nan() && z.im >= 0.0 {
             // |w| ≤ 1 in the closed upper half-plane.
             prop_assert!(w.re.hypot(w.im) <= 1.0 && w.re >= 0.0, "{z:?} {w:?}");
