@@ -132,3 +132,7 @@ pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (by(c) - u, by(s) + v)
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/asymptotic.rs"]
+mod tests;

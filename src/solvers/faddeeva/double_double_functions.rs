@@ -145,3 +145,7 @@ pub(super) fn exp_minus_square<L: Lanes>(
     let ([(s, c), circle], [(e, k), other]) = (f.circle, f.exponentials);
     ((e * c, -(e * s), k), circle, other)
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/double_double_functions.rs"]
+mod tests;

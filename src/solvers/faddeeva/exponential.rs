@@ -24,8 +24,9 @@ pub(super) const HALF_PI: [f64; 3] = [
 /// Phases below this are reduced by [`reduce`].
 pub(super) const LARGE_PHASE: f64 = 1_073_741_824.0;
 
-/// Exponents are cut here: `e^{±1500}` is outside the range of `f64` whatever it is multiplied by.
-const CUT: f64 = 1500.0;
+/// Exponents are cut here: `e^{±1400}` is outside the range of `f64` whatever it is multiplied by,
+/// and half of its binary exponent inside.
+const CUT: f64 = 1400.0;
 
 /// `y² − a² = (y − a)(y + a)`.
 #[inline(always)]
@@ -95,7 +96,7 @@ fn paired<R: Real, const N: usize>(c: &[f64; N], x: R) -> R {
     x.fma(odd, even)
 }
 
-/// `ROUND + k` for the `k` with `e^x = m 2^k`, |x| cut at 1500.
+/// `ROUND + k` for the `k` with `e^x = m 2^k`, |x| cut at 1400.
 #[inline(always)]
 pub(super) fn binary_exponent<R: Real>(x: R) -> (R, R) {
     let h = x.at_least(x.like(-CUT)).at_most(x.like(CUT));
@@ -108,9 +109,11 @@ pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| x.hi.like(c);
     let (h, n) = binary_exponent(x.hi);
     let k = n - like(ROUND);
+    // Below one unless the exponent was cut.
+    let lo = x.lo.at_least(like(-1.0)).at_most(like(1.0));
     // h − k ln 2, the first product and difference exact; what the second one rounds is 2⁻⁸⁴.
     let r = (-k).fma(like(LN_2[0]), h);
-    let r = two_sum(r, (-k).fma(like(LN_2[1]), x.lo));
+    let r = two_sum(r, (-k).fma(like(LN_2[1]), lo));
     // 1 + r + r²/2 + …
     let q = two_sum(like(1.0), r.hi);
     let tail = (r.hi * r.hi).fma(paired(&EXP, r.hi), r.lo.fma(r.hi, r.lo));
@@ -205,3 +208,7 @@ fn short_product<R: Real>(a: Dd<R>, b: Dd<R>) -> Dd<R> {
     let p = two_prod(a.hi, b.hi);
     fast_two_sum(p.hi, a.hi.fma(b.lo, a.lo.fma(b.hi, p.lo)))
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/exponential.rs"]
+mod tests;

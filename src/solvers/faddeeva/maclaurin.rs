@@ -55,3 +55,7 @@ pub(super) fn maclaurin<R: Real>(a: R, y: R) -> (R, R) {
     let im = q.hi + (-a).fma(factor + c1[1], q.lo);
     (re, im)
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/maclaurin.rs"]
+mod tests;

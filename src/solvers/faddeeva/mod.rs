@@ -237,3 +237,6 @@ impl Points for Apart<'_> {
         self.im[start..start + im.len()].copy_from_slice(im);
     }
 }
+
+#[cfg(test)]
+mod tests;

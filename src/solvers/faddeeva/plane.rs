@@ -20,8 +20,8 @@ const TERMS_6: f64 = 1000.0;
 /// |z|² above this is scaled first.
 const HUGE: f64 = 1e200;
 /// Half the distance of the centres of the fine cells, and half the width of the strip beside the
-/// real axis.
-const STRIP: f64 = 0.125;
+/// real axis; 1/8 belongs to the strip, where [`cell`] would round to a centre on the axis.
+const STRIP: f64 = 0.125_f64.next_up();
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
 const FINE: f64 = 3.75;
 /// Re z from which the strip has rows of its own, and from which it has the asymptotic series with
@@ -311,7 +311,9 @@ pub(super) fn reflect<R: Real>(
     (u, v): (Dd<R>, Dd<R>),
     (c, s, n): (Dd<R>, Dd<R>, R),
 ) -> (R, R, R::Mask) {
-    let factor = (n + n.like(1.0)).power_of_two();
+    // Below the smallest f64 beside components that may be subnormal.
+    let none = n.below(n.like(ROUND - 1021.0));
+    let factor = n.pick(none, n.like(0.0), (n + n.like(1.0)).power_of_two());
     let (re, im) = (scaled_sum(c, factor, -u), scaled_sum(s, factor, v));
     let part = n.like(CANCELLED);
     let lost = n.or(

@@ -53,3 +53,7 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
     }
     (2.0 * c - u, 2.0 * s + v)
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/special.rs"]
+mod tests;

@@ -96,3 +96,7 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (re + by(c), im + by(s))
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/trapezoidal.rs"]
+mod tests;

@@ -131,3 +131,7 @@ pub(super) fn near_zeros<S: Wide>(
 pub(super) fn row(k: usize) -> &'static [f64; 46] {
     &ZEROS[k.min(ZEROS.len() - 1)].0
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/zeros.rs"]
+mod tests;

@@ -1,0 +1,466 @@
+//! Makes `src/solvers/faddeeva/tables.rs`, the numbers behind the `f64` Faddeeva function, from the
+//! certified reference.
+//!
+//! ```text
+//! cargo run --release --example faddeeva_tables -- --write   # makes the file
+//! cargo run --release --example faddeeva_tables -- --check   # compares; exit 1 at a difference
+//! ```
+//!
+//! Every number is the `f64` nearest to the exact one, and every second or third part of a number
+//! the `f64` nearest to the exact rest: both ends of a ball have to round to it. Where they do not,
+//! the precision is doubled; at [`LAST_BITS`] the program gives up and writes nothing.
+
+use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
+use rug::float::Round;
+use rug::ops::Pow;
+use rug::{Float, Integer, Rational};
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::ExitCode;
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+const FILE: &str = "src/solvers/faddeeva/tables.rs";
+const FIRST_BITS: u32 = 256;
+const LAST_BITS: u32 = 8192;
+
+/// Coefficients `c_0 … c_17` of each row.
+const ORDER: usize = 17;
+/// Centres on the real axis: the first and the last one, in units of one part of this many.
+const REAL_AXIS: (i64, i64, i64) = (18, 144, 16);
+/// Zeros, and coefficients `g_0 … g_19` of each.
+const ZEROS: u32 = 12;
+const ZERO_TERMS: usize = 20;
+/// Binary digits of 2/π in words of 64: the product with `2^1024 · 2^1025` needs those up to 2300.
+const WORDS: u32 = 40;
+/// `1/n!` for n below this.
+const FACTORIALS: u32 = 32;
+/// The step 23/64 of the trapezoidal rule, and its nodes.
+const STEP: (i64, i64) = (23, 64);
+const NODES: i64 = 24;
+
+/// The `f64` nearest to every point of the ball.
+fn nearest(ball: &Ball) -> Option<f64> {
+    if ball.is_zero() {
+        return Some(0.0);
+    }
+    let (low, high) = (ball.lower().to_f64(), ball.upper().to_f64());
+    (ball.is_finite() && low.to_bits() == high.to_bits()).then_some(low)
+}
+
+/// The number as `N` parts, each the `f64` nearest to what is left.
+fn parts<const N: usize>(ball: &Ball) -> Option<[f64; N]> {
+    let mut rest = ball.clone();
+    let mut parts = [0.0; N];
+    for part in &mut parts {
+        *part = nearest(&rest)?;
+        rest = &rest - &Ball::exact(rest.prec(), *part);
+    }
+    Some(parts)
+}
+
+/// Repeats a calculation at rising precision until all its roundings are decided.
+fn decided<T>(what: &str, f: impl Fn(u32) -> Result<Option<T>, Undecided>) -> Outcome<T> {
+    let mut bits = FIRST_BITS;
+    while bits <= LAST_BITS {
+        if let Some(value) = f(bits)? {
+            return Ok(value);
+        }
+        bits *= 2;
+    }
+    Err(format!("{what}: a rounding is undecided at {LAST_BITS} bits").into())
+}
+
+/// `c_0`, `c_1` in two parts, then blocks of four real and four imaginary parts.
+fn complex_row(c: &[ComplexBall]) -> Option<Vec<f64>> {
+    let mut row = Vec::with_capacity(40);
+    for c in &c[..2] {
+        row.extend(parts::<2>(&c.re)?);
+        row.extend(parts::<2>(&c.im)?);
+    }
+    blocks(&mut row, &c[2..])?;
+    Some(row)
+}
+
+fn blocks(row: &mut Vec<f64>, c: &[ComplexBall]) -> Option<()> {
+    for four in c.chunks_exact(4) {
+        for c in four {
+            row.push(nearest(&c.re)?);
+        }
+        for c in four {
+            row.push(nearest(&c.im)?);
+        }
+    }
+    Some(())
+}
+
+/// `i^n c_n`, which is real on the imaginary axis: `c_0` and `c_1` in two parts, then the others.
+fn erfcx_row(c: &[ComplexBall]) -> Option<Vec<f64>> {
+    let turned = |n: usize| match n % 4 {
+        0 => c[n].re.clone(),
+        1 => -&c[n].im,
+        2 => -&c[n].re,
+        _ => c[n].im.clone(),
+    };
+    let mut row = Vec::with_capacity(20);
+    for n in 0..2 {
+        row.extend(parts::<2>(&turned(n))?);
+    }
+    for n in 2..c.len() {
+        row.push(nearest(&turned(n))?);
+    }
+    Some(row)
+}
+
+/// The zero in three parts, then `g_n = c_{n+2}/c_1`, where `c_0 = 0` and
+/// `c_{n+2} = −(2/(n + 2)) (z c_{n+1} + c_n)` (DLMF 7.10.3).
+fn zero_row(k: u32, bits: u32) -> Result<Option<Vec<f64>>, Undecided> {
+    let z = faddeeva::zero(k, bits)?;
+    let one = Ball::integer(bits, 1);
+    let mut g = vec![
+        ComplexBall::zero(bits),
+        ComplexBall::new(one.clone(), &one - &one),
+    ];
+    for n in 2..ZERO_TERMS + 2 {
+        let factor = Ball::rational(bits, &Rational::from((-2, n as i64)));
+        let next = (&(&z * &g[n - 1]) + &g[n - 2]).scaled(&factor);
+        g.push(next);
+    }
+    let row = || {
+        let mut row = Vec::with_capacity(46);
+        row.extend(parts::<3>(&z.re)?);
+        row.extend(parts::<3>(&z.im)?);
+        blocks(&mut row, &g[2..])?;
+        Some(row)
+    };
+    Ok(row())
+}
+
+/// The file as it grows, and the digest of what went into it.
+struct Tables {
+    text: String,
+    digest: u64,
+}
+
+impl Tables {
+    /// FNV-1a.
+    fn digest(&mut self, input: &str) {
+        for byte in input.bytes() {
+            self.digest = (self.digest ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    fn open(&mut self, doc: &str, name: &str, kind: &str) {
+        self.digest(name);
+        for line in doc.lines() {
+            let _ = writeln!(self.text, "{}", format!("/// {line}").trim_end());
+        }
+        let _ = writeln!(self.text, "pub(super) static {name}: {kind} = [");
+    }
+
+    fn close(&mut self) {
+        self.text.push_str("];\n\n");
+    }
+
+    /// A table of rows of Taylor coefficients about the centres, given in units of `1/per`.
+    fn taylor(
+        &mut self,
+        doc: &str,
+        (name, row): (&str, &str),
+        (centres, per): (&[(i64, i64)], i64),
+        make: fn(&[ComplexBall]) -> Option<Vec<f64>>,
+    ) -> Outcome<()> {
+        let centres: Vec<_> = centres.iter().map(|&(x, y)| (x, y, per)).collect();
+        self.rows(doc, (name, row), &centres, make)
+    }
+
+    fn rows(
+        &mut self,
+        doc: &str,
+        (name, kind): (&str, &str),
+        centres: &[(i64, i64, i64)],
+        make: fn(&[ComplexBall]) -> Option<Vec<f64>>,
+    ) -> Outcome<()> {
+        self.open(doc, name, &format!("[{kind}; {}]", centres.len()));
+        for &(x, y, per) in centres {
+            let (x, y) = (Rational::from((x, per)), Rational::from((y, per)));
+            let what = format!("{name} at {x} + {y} i");
+            self.digest(&what);
+            let row = decided(&what, |bits| {
+                Ok(make(&faddeeva::taylor(&x, &y, ORDER, bits)?))
+            })?;
+            let _ = writeln!(self.text, "    {kind}({row:?}),");
+        }
+        self.close();
+        Ok(())
+    }
+}
+
+/// The cells of the upper quadrant: where each begins in the index, and its centre.
+fn cells() -> Vec<(usize, (i64, i64, i64))> {
+    let mut cells = Vec::new();
+    // Squares with side 1/4, up to |Re z|, |Im z| = 3.75, and a second line along the real axis.
+    for j in 0..16 {
+        for i in 1..29 {
+            let wanted = if j == 0 { i <= 4 } else { i <= 15 || j == 1 };
+            if wanted {
+                cells.push(((32 * j + i) as usize, (i, j, 4)));
+            }
+        }
+    }
+    // Squares with side 1/2 outside, as far as they reach into |z| < 7.
+    for j in 1..15 {
+        for i in 1..15 {
+            let (p, q) = (2 * i - 1, 2 * j - 1);
+            if (i > 7 || j > 7) && p * p + q * q < 16 * 49 {
+                cells.push(((512 + 32 * j + i) as usize, (i, j, 2)));
+            }
+        }
+    }
+    cells
+}
+
+fn cell_tables(tables: &mut Tables) -> Outcome<()> {
+    let cells = cells();
+    let mut index = [0u16; 1024];
+    for (row, (at, _)) in cells.iter().enumerate() {
+        index[*at] = row.try_into()?;
+    }
+    tables.open(
+        "The row of [`CELLS`] of a cell: the centre `(p + q i)/4` at `32 q + p`, the centre\n\
+         `(p + q i)/2` at `512 + 32 q + p`. Places without a cell hold zero.",
+        "CELL",
+        "[u16; 1024]",
+    );
+    for line in index.chunks(32) {
+        let line: Vec<_> = line.iter().map(u16::to_string).collect();
+        let _ = writeln!(tables.text, "    {},", line.join(", "));
+    }
+    tables.close();
+    let centres: Vec<_> = cells.iter().map(|&(_, centre)| centre).collect();
+    tables.rows(
+        "Taylor coefficients of w about the centres of the cells of the upper quadrant.",
+        ("CELLS", "ComplexRow"),
+        &centres,
+        complex_row,
+    )?;
+
+    let disc: Vec<_> = (0..5).flat_map(|j| (0..5).map(move |i| (i, -j))).collect();
+    tables.taylor(
+        "Taylor coefficients of w about the centres `(p − q i)/4` of the lower half-disc, at\n\
+         `5 q + p`.",
+        ("DISC", "ComplexRow"),
+        (&disc, 4),
+        complex_row,
+    )?;
+    let (first, last, per) = REAL_AXIS;
+    let real: Vec<_> = (first..=last).map(|i| (i, 0)).collect();
+    tables.taylor(
+        &format!(
+            "Taylor coefficients of w about `{first}/{per}, {}/{per}, …` on the real axis.",
+            first + 1
+        ),
+        ("REAL_AXIS", "ComplexRow"),
+        (&real, per),
+        complex_row,
+    )?;
+    let imaginary: Vec<_> = (0..29).map(|j| (0, j)).collect();
+    tables.taylor(
+        "Taylor coefficients of `erfcx s = w(i s)` about `0, 1/4, … 28/4`.",
+        ("IMAGINARY_AXIS", "RealRow"),
+        (&imaginary, 4),
+        erfcx_row,
+    )
+}
+
+fn zero_table(tables: &mut Tables) -> Outcome<()> {
+    tables.open(
+        "The zeros of w in the fourth quadrant by increasing modulus, and `g_n = c_{n+2}/c_1` there.",
+        "ZEROS",
+        &format!("[ZeroRow; {ZEROS}]"),
+    );
+    for k in 1..=ZEROS {
+        let what = format!("zero {k}");
+        tables.digest(&what);
+        let row = decided(&what, |bits| zero_row(k, bits))?;
+        let _ = writeln!(tables.text, "    ZeroRow({row:?}),");
+    }
+    tables.close();
+    Ok(())
+}
+
+fn two_over_pi(tables: &mut Tables) -> Outcome<()> {
+    tables.open(
+        "The binary digits of 2/π after the point, sixty-four in a word.",
+        "TWO_OVER_PI_BITS",
+        &format!("[u64; {WORDS}]"),
+    );
+    let digits = 64 * WORDS;
+    let whole = decided("2/π", |bits| {
+        let prec = digits + bits;
+        let q = Ball::integer(prec, 2) / &Ball::pi(prec);
+        let floor = |x: &Float| -> Option<Integer> {
+            let x = Float::with_val(prec, x << digits);
+            Some(x.to_integer_round(Round::Down)?.0)
+        };
+        let (low, high) = (floor(&q.lower()), floor(&q.upper()));
+        Ok(if low == high { low } else { None })
+    })?;
+    for at in (0..WORDS).rev() {
+        let word = Integer::from(&whole >> (64 * at)).to_u64_wrapping();
+        let _ = writeln!(tables.text, "    {word:#018x},");
+    }
+    tables.close();
+    Ok(())
+}
+
+fn factorials(tables: &mut Tables) -> Outcome<()> {
+    tables.open(
+        "`1/n!` in two parts.",
+        "INVERSE_FACTORIAL",
+        &format!("[[f64; 2]; {FACTORIALS}]"),
+    );
+    for n in 0..FACTORIALS {
+        let q = Rational::from((1, Integer::from(Integer::factorial(n))));
+        let row = decided("1/n!", |bits| Ok(parts::<2>(&Ball::rational(bits, &q))))?;
+        let _ = writeln!(tables.text, "    {row:?},");
+    }
+    tables.close();
+    Ok(())
+}
+
+/// The square of node `k` of a rule.
+fn node_square(rule: i64, k: i64) -> Rational {
+    Rational::from(((2 * k + rule) * STEP.0, 2 * STEP.1)).pow(2)
+}
+
+fn trapezoidal(tables: &mut Tables) -> Outcome<()> {
+    let what = format!("h = {}/{}", STEP.0, STEP.1);
+    tables.digest(&what);
+    tables.open(
+        "The squares `τ = (k + σ)²h²` of the nodes of the trapezoidal rule, exactly: `h = 23/64`,\n\
+         σ = 0 and σ = 1/2.",
+        "TRAPEZOIDAL_NODES",
+        &format!("[[f64; {NODES}]; 2]"),
+    );
+    for rule in 0..2 {
+        let mut row = Vec::new();
+        for k in 0..NODES {
+            let tau = node_square(rule, k);
+            let value = tau.to_f64();
+            if tau != value {
+                return Err(format!("the square of node {k} is not an f64").into());
+            }
+            row.push(value);
+        }
+        let _ = writeln!(tables.text, "    {row:?},");
+    }
+    tables.close();
+
+    tables.open(
+        "The weights `(2h/π) e^{−τ}` (half of it for τ = 0) of the nodes: for each rule the first\n\
+         parts and the second ones.",
+        "TRAPEZOIDAL_WEIGHTS",
+        &format!("[[[f64; {NODES}]; 2]; 2]"),
+    );
+    for rule in 0..2 {
+        let (mut high, mut low) = (Vec::new(), Vec::new());
+        for k in 0..NODES {
+            let tau = node_square(rule, k);
+            let factor = Rational::from((if tau == 0 { 1 } else { 2 } * STEP.0, STEP.1));
+            let [a, b] = decided("a weight", |bits| {
+                let e = Ball::rational(bits, &Rational::from(-&tau)).exp();
+                let weight = &(&Ball::rational(bits, &factor) * &e) / &Ball::pi(bits);
+                Ok(parts::<2>(&weight))
+            })?;
+            high.push(a);
+            low.push(b);
+        }
+        let _ = writeln!(
+            tables.text,
+            "    [\n        {high:?},\n        {low:?},\n    ],"
+        );
+    }
+    tables.close();
+    Ok(())
+}
+
+fn make() -> Outcome<String> {
+    let mut tables = Tables {
+        text: String::new(),
+        digest: 0xcbf2_9ce4_8422_2325,
+    };
+    cell_tables(&mut tables)?;
+    zero_table(&mut tables)?;
+    two_over_pi(&mut tables)?;
+    factorials(&mut tables)?;
+    trapezoidal(&mut tables)?;
+    Ok(format!(
+        "//! Coefficients of the Faddeeva function, each the nearest `f64` by the certified reference.\n\
+         //!\n\
+         //! Made by `cargo run --release --example faddeeva_tables -- --write`; not to be edited.\n\
+         //! Centres and sizes have the digest {:016x} (FNV-1a).\n\
+         \n\
+         use super::taylor::{{ComplexRow, RealRow}};\n\
+         use super::zeros::ZeroRow;\n\
+         \n\
+         {}\n",
+        tables.digest,
+        tables.text.trim_end(),
+    ))
+}
+
+/// The first line in which the file differs from what it should be.
+fn difference(found: &str, wanted: &str) -> Option<String> {
+    let (mut a, mut b) = (found.lines(), wanted.lines());
+    let mut line = 0;
+    loop {
+        line += 1;
+        match (a.next(), b.next()) {
+            (None, None) => return (found != wanted).then(|| "line ends differ".into()),
+            (a, b) if a != b => {
+                let show = |x: Option<&str>| x.unwrap_or("(end of file)").to_owned();
+                return Some(format!(
+                    "line {line}\n  found  {}\n  wanted {}",
+                    show(a),
+                    show(b)
+                ));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn run() -> Outcome<ExitCode> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(FILE);
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["--check"] => {
+            let found = std::fs::read_to_string(&path)?;
+            if let Some(difference) = difference(&found, &make()?) {
+                eprintln!("{FILE} is not what the reference gives: {difference}");
+                return Ok(ExitCode::FAILURE);
+            }
+            println!("{FILE} is what the reference gives");
+        }
+        ["--write"] => {
+            let unfinished = path.with_extension("rs.new");
+            std::fs::write(&unfinished, make()?)?;
+            std::fs::rename(&unfinished, &path)?;
+            println!("{FILE} written");
+        }
+        _ => {
+            eprintln!("usage: faddeeva_tables --check | --write");
+            return Ok(ExitCode::from(2));
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn main() -> ExitCode {
+    run().unwrap_or_else(|error| {
+        eprintln!("{error}");
+        ExitCode::FAILURE
+    })
+}

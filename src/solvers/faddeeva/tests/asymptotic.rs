@@ -1,0 +1,103 @@
+use super::super::lanes::Plain;
+use super::super::tests::Random;
+use super::super::tests::exact::{are_parts, error, gaussian, rational, w, wide};
+use super::*;
+use crate::reference::Ball;
+use rug::{Float, Rational};
+
+#[test]
+fn constants() {
+    let inverse = Ball::integer(300, 1) / &Ball::pi(300).sqrt();
+    assert!(are_parts(&inverse, &[INV_SQRT_PI.hi, INV_SQRT_PI.lo]));
+    // Products rounded one after the other: half a unit each from the fourteenth on.
+    let mut exact = Rational::from(1);
+    for (n, a) in A.iter().enumerate() {
+        if n > 0 {
+            exact *= Rational::from((2 * n as u64 - 1, 2u32));
+        }
+        let off = (rational(*a) / &exact - 1u32).abs();
+        let bound = f64::EPSILON / 2.0 * (n.max(13) - 13) as f64;
+        assert!(off.to_f64() <= bound, "a_{n}");
+    }
+}
+
+/// The sum of two terms that cancel, against the exact one, by the larger of the two.
+fn check(a: f64, b: f64) -> f64 {
+    let (re, im) = large(Plain, a, b);
+    let exact = w(a, -b);
+    let (u, v) = w(a, b);
+    let (c, s) = gaussian(a, -b);
+    let larger = |x: Float, y: Float| {
+        let (x, y) = (x.abs(), y.abs());
+        if x > y { x } else { y }
+    };
+    let worst = error(&wide(re), &exact.0, &larger(u, c * 2)).max(error(
+        &wide(im),
+        &exact.1,
+        &larger(v, s * 2),
+    ));
+    // The factor 1 + 1/(2z²) + … is an f64 in its second part.
+    let bound = 2f64.powi(-95) + 2f64.powi(-52) / (a * a);
+    assert!(worst < bound, "{a:e} − {b:e} i: {worst:e}, bound {bound:e}");
+    worst
+}
+
+#[test]
+fn cancelling_terms() {
+    let mut random = Random(51);
+    let mut worst = 0.0f64;
+    for k in 0..3000 {
+        let a = random.power(12.0, if k % 3 == 0 { 300.0 } else { 26.0 });
+        // e^{b² − a²} between e^-60 and e^10 as far as the digits of b allow.
+        let b = a + random.between(-30.0, 5.0) / a;
+        worst = worst.max(check(a, b));
+        if a > 1e8 {
+            worst = worst.max(check(a, a));
+        }
+    }
+    println!("2^{:.1}", worst.log2());
+}
+
+#[test]
+fn series_in_the_upper_half_plane() {
+    // Both components to a tenth of a unit: the last term, and the roundings of the series' sum.
+    let mut random = Random(52);
+    for _ in 0..3000 {
+        let (t, r) = (
+            random.between(0.0, 90.0).to_radians(),
+            random.power(0.0, 100.0),
+        );
+        let b = if random.below(3) == 0 {
+            random.power(-300.0, 0.0)
+        } else {
+            t.sin()
+        };
+        let each: [(f64, fn(f64, f64) -> (Dd, Dd)); 3] = [
+            (7.0, series::<_, 24>),
+            (10.0, series::<_, 14>),
+            (1000f64.sqrt(), series::<_, 6>),
+        ];
+        for (least, series) in each {
+            let (a, b) = (
+                least * (1.0 + 1e-9) * r * t.cos(),
+                least * (1.0 + 1e-9) * r * b,
+            );
+            if a.hypot(b) < least {
+                continue;
+            }
+            let (u, v) = series(a, b);
+            let (re, im) = w(a, b);
+            for (x, y) in [(u, re), (v, im)] {
+                // Beside the real axis e^{−x²} is not part of the series.
+                if b < 0.125 && a < 27.5 {
+                    continue;
+                }
+                let off = error(&wide(x), &y, &y);
+                assert!(
+                    off < 0.3 * f64::EPSILON,
+                    "from {least}: {a:e} + {b:e} i: {off:e}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! One at a time or many, with vectors or without: the same bits.
+
+use super::super::lanes::{Lanes, Plain, with_best};
+use super::super::{One, faddeeva, faddeeva_batch, faddeeva_soa};
+use super::Random;
+use num_complex::Complex;
+use proptest::prelude::*;
+
+fn points(seed: u64, n: usize) -> Vec<Complex<f64>> {
+    let mut random = Random(seed);
+    let point = |_| {
+        let (x, y) = random.point();
+        Complex::new(x, y)
+    };
+    (0..n).map(point).collect()
+}
+
+/// The same bits, or both not a number.
+fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+}
+
+fn assert_same(z: &[Complex<f64>], w: &[Complex<f64>]) {
+    assert_eq!(z.len(), w.len());
+    for (i, (z, w)) in z.iter().zip(w).enumerate() {
+        let one = faddeeva(*z);
+        assert!(
+            same(one.re, w.re) && same(one.im, w.im),
+            "point {i}: w({:e} + {:e} i) = {one:?} alone, {w:?} in the batch",
+            z.re,
+            z.im
+        );
+    }
+}
+
+#[test]
+fn batches_of_any_length() {
+    for n in 0..600 {
+        let z = points(n as u64, n);
+        let mut w = vec![Complex::new(7.0, 7.0); n];
+        faddeeva_batch(&z, &mut w);
+        assert_same(&z, &w);
+    }
+}
+
+#[test]
+fn batches_of_one_kind() {
+    // A chunk full of points that need the same formula, and each of them in every place.
+    let mut random = Random(31);
+    for _ in 0..300 {
+        let (x, y) = random.point();
+        let n = 1 + random.below(300) as usize;
+        let z = vec![Complex::new(x, y); n];
+        let mut w = vec![Complex::new(0.0, 0.0); n];
+        faddeeva_batch(&z, &mut w);
+        assert_same(&z, &w);
+    }
+}
+
+#[test]
+fn parts_apart() {
+    let z = points(32, 5000);
+    let (x, y): (Vec<f64>, Vec<f64>) = z.iter().map(|z| (z.re, z.im)).unzip();
+    let (mut re, mut im) = (vec![7.0; z.len()], vec![7.0; z.len()]);
+    faddeeva_soa(&x, &y, &mut re, &mut im);
+    let pair = |(re, im): (&f64, &f64)| Complex::new(*re, *im);
+    let w: Vec<_> = re.iter().zip(&im).map(pair).collect();
+    assert_same(&z, &w);
+}
+
+#[test]
+#[should_panic(expected = "as many values as points")]
+fn lengths_have_to_agree() {
+    faddeeva_batch(&points(1, 3), &mut [Complex::new(0.0, 0.0); 2]);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[test]
+fn every_set_of_vectors() {
+    use super::super::Interleaved;
+    use super::super::Points;
+    use super::super::batch::batch;
+    use super::super::pack::Wide;
+    use pulp::x86::{V3, V4};
+    use pulp::{NullaryFnOnce, Simd};
+
+    struct Run<'a, S, P>(S, V3, &'a mut P);
+    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            batch(self.0, self.1, self.2);
+        }
+    }
+    fn check<S: Wide + Simd>(simd: S, lanes: V3) {
+        for n in (0..600).chain([20_000]) {
+            let z = points(1000 + n as u64, n);
+            let mut w = vec![Complex::new(7.0, 7.0); n];
+            let points = &mut Interleaved { z: &z, w: &mut w };
+            simd.vectorize(Run(simd, lanes, points));
+            assert_same(&z, &w);
+        }
+    }
+    if let Some(simd) = V3::try_new() {
+        check(simd, simd);
+    }
+    if let Some(simd) = V4::try_new() {
+        check(simd, *simd);
+    }
+}
+
+#[test]
+fn plain_arrays() {
+    for z in points(41, 50_000) {
+        let (re, im) = Plain.call(One { x: z.re, y: z.im });
+        let best = with_best(One { x: z.re, y: z.im });
+        assert!(
+            same(re, best.0) && same(im, best.1),
+            "w({:e} + {:e} i): {re:e} {im:e}, with vectors {best:?}",
+            z.re,
+            z.im
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+    /// Any bit pattern gives a value, mirrored points the conjugate one, and the batch the same.
+    #[test]
+    fn any_bits(x in any::<u64>(), y in any::<u64>()) {
+        let z = Complex::new(f64::from_bits(x), f64::from_bits(y));
+        let w = faddeeva(z);
+        let mirrored = faddeeva(Complex::new(-z.re, z.im));
+        prop_assert!(same(w.re, mirrored.re) && same(w.im, -mirrored.im));
+        let mut many = [Complex::new(0.0, 0.0); 32];
+        faddeeva_batch(&[z; 32], &mut many);
+        prop_assert!(many.iter().all(|v| same(w.re, v.re) && same(w.im, v.im)));
+        if !z.re.is_nan() && !z.im.is_nan() && z.im >= 0.0 {
+            // |w| ≤ 1 in the closed upper half-plane.
+            prop_assert!(w.re.hypot(w.im) <= 1.0 && w.re >= 0.0, "{z:?} {w:?}");
+        }
+    }
+}

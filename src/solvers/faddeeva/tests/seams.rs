@@ -1,0 +1,83 @@
+//! Both sides of every seam between formulas and cells, and the seams themselves.
+
+use super::super::faddeeva;
+use super::exact::{float, w};
+use num_complex::Complex;
+use rug::Float;
+
+/// The error by the modulus, in units of ε.
+fn off(x: f64, y: f64) -> f64 {
+    if y < 0.0 && (y - x.abs()) * (y + x.abs()) > 700.0 {
+        // Next to overflow and beyond.
+        return 0.0;
+    }
+    let got = faddeeva(Complex::new(x, y));
+    let (re, im) = w(x.abs(), y);
+    let im = if x.is_sign_negative() { -im } else { im };
+    let size = Float::with_val(64, re.hypot_ref(&im));
+    let d =
+        Float::with_val(640, float(got.re) - re).hypot(&Float::with_val(640, float(got.im) - im));
+    (d / size).to_f64() / f64::EPSILON
+}
+
+fn check(points: impl IntoIterator<Item = (f64, f64)>) {
+    let mut bad = Vec::new();
+    for (x, y) in points {
+        for y in [y, -y] {
+            let off = off(x, y);
+            if !(off <= 2.0) {
+                bad.push((x, y, off));
+            }
+        }
+    }
+    bad.sort_by(|p, q| q.2.total_cmp(&p.2));
+    let shown = &bad[..bad.len().min(40)];
+    assert!(bad.is_empty(), "{} points beyond 2 ε: {shown:?}", bad.len());
+}
+
+/// Middles and corners of all cells.
+#[test]
+fn cells() {
+    let lattice = |n: usize| (0..n).map(|k| k as f64 / 16.0);
+    check(lattice(118).flat_map(|x| lattice(118).map(move |y| (x, y))));
+}
+
+/// Neighbours of the straight seams.
+#[test]
+fn lines() {
+    let mut points = Vec::new();
+    for seam in [0.125, 0.25, 0.375, 1.125, 1.0, 3.75, 7.0, 9.0, 27.5] {
+        for t in [seam, f64::next_up(seam), f64::next_down(seam)] {
+            for k in 0..260 {
+                let s = f64::from(k) * 0.11 + 1e-3;
+                points.extend([(t, s), (s, t)]);
+            }
+            points.push((t, t));
+        }
+    }
+    check(points);
+}
+
+/// Both sides of the circles.
+#[test]
+fn circles() {
+    let mut points = Vec::new();
+    for r in [
+        1.0f64 / 128.0,
+        1.0,
+        7.0,
+        10.0,
+        16.0,
+        1000f64.sqrt(),
+        1000.0,
+        1e100,
+    ] {
+        for k in 0..120 {
+            let (s, c) = (f64::from(k) * 0.75 + 0.01).to_radians().sin_cos();
+            for f in [1.0 - 1e-15, 1.0, 1.0 + 1e-15] {
+                points.push((f * r * c, f * r * s));
+            }
+        }
+    }
+    check(points);
+}
