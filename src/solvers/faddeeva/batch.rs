@@ -5,6 +5,7 @@ use super::asymptotic::series;
 use super::double_double::Dd;
 use super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::lanes::Lanes;
+use super::maclaurin::maclaurin;
 use super::pack::{Pack, Wide};
 use super::plane::{
     ALONE, BUCKETS, Cancelled, Kind, LOWER, bucket, cancels_beside_real_axis, cell, cell_row,
@@ -43,6 +44,8 @@ struct Chunk<'a, P> {
 
 /// Points whose terms cancel.
 const CANCELLED: usize = BUCKETS - 2;
+/// Points next to a zero.
+const ZERO: usize = BUCKETS - 3;
 /// Points that turn out to need the scalar code.
 const SCALAR: usize = BUCKETS - 1;
 
@@ -95,21 +98,15 @@ impl<P: Points> Chunk<'_, P> {
         );
         self.both(
             simd,
-            Kind::Series23,
+            Kind::Series24,
             #[inline(always)]
-            |_, a, b| series::<_, 23>(a, b),
+            |_, a, b| series::<_, 24>(a, b),
         );
         self.both(
             simd,
-            Kind::Series13,
+            Kind::Series14,
             #[inline(always)]
-            |_, a, b| series::<_, 13>(a, b),
-        );
-        self.both(
-            simd,
-            Kind::Series9,
-            #[inline(always)]
-            |_, a, b| series::<_, 9>(a, b),
+            |_, a, b| series::<_, 14>(a, b),
         );
         self.both(
             simd,
@@ -117,13 +114,16 @@ impl<P: Points> Chunk<'_, P> {
             #[inline(always)]
             |_, a, b| series::<_, 6>(a, b),
         );
-        self.both(
-            simd,
-            Kind::Series2,
-            #[inline(always)]
-            |_, a, b| series::<_, 2>(a, b),
-        );
 
+        self.points(
+            simd,
+            Kind::Small as usize,
+            #[inline(always)]
+            |_, a, y| {
+                let (re, im) = maclaurin(a, y);
+                (re, im, a.like(0.0))
+            },
+        );
         self.points(
             simd,
             Kind::Disc as usize,
@@ -147,40 +147,19 @@ impl<P: Points> Chunk<'_, P> {
         );
         self.points(
             simd,
-            Kind::Strip23 as usize,
+            Kind::Strip as usize,
             #[inline(always)]
             |_, a, y| {
-                let (u, v) = series::<_, 23>(a, y.magnitude());
-                lost(in_strip(a, y, u.hi, v.hi))
-            },
-        );
-        self.points(
-            simd,
-            Kind::Strip13 as usize,
-            #[inline(always)]
-            |_, a, y| {
-                let (u, v) = series::<_, 13>(a, y.magnitude());
-                lost(in_strip(a, y, u.hi, v.hi))
-            },
-        );
-        self.points(
-            simd,
-            Kind::Strip9 as usize,
-            #[inline(always)]
-            |_, a, y| {
-                let (u, v) = series::<_, 9>(a, y.magnitude());
+                let (u, v) = series::<_, 16>(a, y.magnitude());
                 lost(in_strip(a, y, u.hi, v.hi))
             },
         );
 
+        self.near_zeros(simd);
         self.one_by_one(
             CANCELLED,
             #[inline(always)]
-            |a, y| match zeros::nearest(a, -y) {
-                // The scalar code knows the zeros.
-                Some(_) => right_half_plane(lanes, a, y),
-                None => lanes.call(Cancelled { a, b: y.abs() }),
-            },
+            |a, y| lanes.call(Cancelled { a, b: y.abs() }),
         );
         for bucket in [SCALAR, Kind::Other as usize] {
             self.one_by_one(
@@ -214,6 +193,31 @@ impl<P: Points> Chunk<'_, P> {
             }
             at += S::WIDTH;
         }
+    }
+
+    /// The cancelled points next to a zero.
+    #[inline(always)]
+    fn near_zeros<S: Wide>(&mut self, simd: S) {
+        let cancelled = self.len[CANCELLED];
+        self.len[CANCELLED] = 0;
+        for i in 0..cancelled {
+            let k = self.index[CANCELLED][i & (ROOM - 1)] as usize;
+            let next = zeros::nearest(self.x[k].abs(), -self.y[k]);
+            self.push(if next.is_some() { ZERO } else { CANCELLED }, k);
+        }
+        self.points(
+            simd,
+            ZERO,
+            #[inline(always)]
+            |simd, a, y| {
+                let (ai, yi) = (array(a), array(y));
+                let mut rows = [zeros::row(0); 8];
+                for m in 0..S::WIDTH {
+                    rows[m] = zeros::row(zeros::nearest(ai[m], -yi[m]).unwrap_or(0));
+                }
+                lost(zeros::near_zeros(simd, &rows, a, y))
+            },
+        );
     }
 
     /// A bucket whose points are computed one after the other.

@@ -35,7 +35,7 @@ pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
     fast_two_sum(p.hi, d.lo.fma(s.lo, d.hi.fma(s.lo, d.lo.fma(s.hi, p.lo))))
 }
 
-/// `y² − a²` for |y| ≤ 1/8, `a ≥ 7`.
+/// `y² − a²` for |y| ≤ 1/8, `a ≥ 9`.
 #[inline(always)]
 pub(super) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
     let p = two_prod(a, a);
@@ -114,6 +114,20 @@ pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     let q = two_sum(like(1.0), r.hi);
     let tail = (r.hi * r.hi).fma(paired(&EXP, r.hi), r.lo.fma(r.hi, r.lo));
     (fast_two_sum(q.hi, q.lo + tail), n)
+}
+
+/// `e^x = m 2^k` as one number `m` between 0.7 and 1.42, to about six tenths of a unit in the last
+/// place, and `ROUND + k`.
+#[inline(always)]
+pub(super) fn exp_rounded<R: Real>(x: Dd<R>) -> (R, R) {
+    let like = |c: f64| x.hi.like(c);
+    let (h, n) = binary_exponent(x.hi);
+    let k = n - like(ROUND);
+    let r = (-k).fma(like(LN_2[0]), h);
+    let lo = (-k).fma(like(LN_2[1]), x.lo);
+    let s = r + lo;
+    let lo = lo - (s - r);
+    (like(1.0) + (s + (s * s).fma(paired(&EXP, s), lo)), n)
 }
 
 /// A phase modulo π/2: the rest in [−π/4, π/4] and `ROUND` plus the quadrant.

@@ -6,6 +6,7 @@ mod double_double;
 mod double_double_functions;
 mod exponential;
 mod lanes;
+mod maclaurin;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 mod payne_hanek;
