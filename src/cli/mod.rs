@@ -29,10 +29,15 @@ mod progress;
 mod quantity;
 mod result;
 mod rows;
+mod runup;
+mod runup_facts;
+mod runup_file;
+mod runup_precision;
 mod svg;
 mod svg_dyad;
 mod svg_mechanism;
 mod svg_reduced;
+mod svg_runup;
 mod text;
 mod text_method;
 mod text_paper;
@@ -68,6 +73,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),
         Some(Command::Eval(a)) => eval::eval(&a),
+        Some(Command::Runup(a)) => runup::runup(&a),
     }
 }
 

@@ -32,6 +32,7 @@ registry![
     class_iii_assembly_modes,
     class_iii,
     faddeeva,
+    run_up,
 ];
 
 /// The method of that name.

@@ -14,6 +14,8 @@ pub mod faddeeva;
 mod hex_float;
 mod linear;
 mod mag;
+pub mod run_up;
+mod taylor_model;
 pub mod tridiagonal;
 
 pub use ball::{Ball, dot};
