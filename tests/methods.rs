@@ -53,7 +53,8 @@ fn all_methods_pass() {
 mod planted {
     use super::*;
     use mechaudit::audit::{
-        Domain, Input, Method, Output, ReferenceAnswer, SolverAnswer, Verdict, audit_case,
+        Domain, Input, Method, NormBudget, Output, ReferenceAnswer, SolverAnswer, Verdict,
+        audit_case,
     };
     use rug::Rational;
 
@@ -80,6 +81,9 @@ mod planted {
         fn outputs(&self) -> Vec<Output> {
             self.method.outputs()
         }
+        fn norm_budget(&self) -> Option<NormBudget> {
+            self.method.norm_budget()
+        }
         fn domain(&self) -> Domain {
             self.method.domain()
         }
@@ -94,6 +98,9 @@ mod planted {
         }
         fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
             self.method.reference(input, bits)
+        }
+        fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
+            self.method.reference_not_finite(input)
         }
         fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
             self.method.conditions(input)

@@ -40,6 +40,38 @@ impl std::fmt::Display for Limit {
     }
 }
 
+/// What all values of an answer together may be wrong by, where they share a unit:
+/// `‖got − ref‖₂ ≤ k · 2⁻⁵³ · max(‖ref‖₂, 2⁻¹⁰²²)`.
+///
+/// It is judged besides the budgets of the outputs, where all values are due as numbers and are.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct NormBudget {
+    /// The factor `k`.
+    pub factor: f64,
+    /// Why this much and no more.
+    pub reason: &'static str,
+}
+
+impl NormBudget {
+    /// A budget.
+    ///
+    /// # Panics
+    /// When the factor is not a finite positive number.
+    pub fn new(factor: f64, reason: &'static str) -> NormBudget {
+        assert!(
+            factor.is_finite() && factor > 0.0,
+            "a budget is finite and positive, got {factor}"
+        );
+        NormBudget { factor, reason }
+    }
+}
+
+impl std::fmt::Display for NormBudget {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} u of the norm", self.factor)
+    }
+}
+
 /// A limit with the reason for it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Budget {

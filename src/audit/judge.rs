@@ -1,10 +1,12 @@
 //! The judge: one solver answer against one reference answer.
 
-use super::budget::Limit;
+use super::budget::{Limit, NormBudget};
+use super::due::{Due, overflow};
 use super::method::{Output, ReferenceAnswer, SolverAnswer};
-use super::ulp::{distance, ulp_exponent};
+use super::ulp::ulp_exponent;
 use crate::reference::{Ball, Mag};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// The outcome of one comparison. Only [`Verdict::Pass`] passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -16,8 +18,8 @@ pub enum Verdict {
     Undecided,
     /// Certainly over the budget.
     Over,
-    /// A value where an error is due, an error where a value is due, NaN, an infinity, or a
-    /// different number of values.
+    /// A value where an error is due, an error where a value is due, NaN or an infinity where it is
+    /// not due (or not there where it is), or a different number of values.
     WrongKind,
     /// The reference failed.
     OracleError,
@@ -29,7 +31,7 @@ pub struct ComponentJudgement {
     /// The verdict.
     pub verdict: Verdict,
     /// The error in ulps of the reference, an upper bound; NaN where the reference cannot be told
-    /// from zero, whose ulps mean nothing.
+    /// from zero, whose ulps mean nothing, and where no number is due.
     pub ulps: f64,
     /// The error in units of `2⁻⁵³ (|ref| + Σ_j |x_j ∂ref/∂x_j|)`, an upper bound; NaN without
     /// condition numbers.
@@ -50,7 +52,7 @@ pub struct Judgement {
     /// One entry for each value.
     pub components: Vec<ComponentJudgement>,
     /// `‖got − ref‖₂ / ‖ref‖₂` in units of 2⁻⁵³, an upper bound; over all values, so of meaning
-    /// only where they share a unit.
+    /// only where they share a unit. NaN unless all values are due as numbers.
     pub normwise: f64,
 }
 
@@ -69,8 +71,23 @@ impl Judgement {
 ///
 /// `conditions` holds `Σ_j |x_j ∂f_i/∂x_j|` for each value. Without it every limit that needs it
 /// is undecided.
+///
+/// Values beyond the range of `f64` are due as infinities: an infinite answer is as wrong as the
+/// nearest number that rounds to it, so it passes from half a unit beyond the largest `f64` on and,
+/// within the budget, just below.
 pub fn judge(
     outputs: &[Output],
+    answer: &SolverAnswer,
+    reference: &ReferenceAnswer,
+    conditions: Option<&[f64]>,
+) -> Judgement {
+    judge_with_norm(outputs, None, answer, reference, conditions)
+}
+
+/// [`judge`], and the norm of all errors against a budget of its own.
+pub fn judge_with_norm(
+    outputs: &[Output],
+    norm: Option<&NormBudget>,
     answer: &SolverAnswer,
     reference: &ReferenceAnswer,
     conditions: Option<&[f64]>,
@@ -93,7 +110,7 @@ pub fn judge(
                 format!("refused as {a:?}, the reference as {b:?}"),
             );
         }
-        (SolverAnswer::Refuses(a), R::Values(_)) => {
+        (SolverAnswer::Refuses(a), R::Values(_) | R::Dues(..)) => {
             return Judgement::whole(
                 Verdict::WrongKind,
                 format!("refused as {a:?} where values exist"),
@@ -105,26 +122,28 @@ pub fn judge(
                 format!("values given where the reference refuses as {b:?}"),
             );
         }
-        (SolverAnswer::Values(got), R::Values(r)) => (got, &r.values),
+        (SolverAnswer::Values(got), R::Values(r)) => {
+            let numbers = r.values.iter().cloned().map(Due::Number);
+            (got, Cow::Owned(numbers.collect::<Vec<_>>()))
+        }
+        (SolverAnswer::Values(got), R::Dues(dues, _)) => (got, Cow::Borrowed(dues.as_slice())),
     };
     if outputs.is_empty() || got.len() != values.len() {
         let reason = format!("{} values where {} are due", got.len(), values.len());
         return Judgement::whole(Verdict::WrongKind, reason);
     }
     let conditions = conditions.filter(|c| c.len() == values.len());
-    let scales = output_scales(outputs.len(), values, conditions);
+    let scales = output_scales(outputs.len(), &values, conditions);
     let mut components = Vec::with_capacity(got.len());
     let mut worst = (Verdict::Pass, None);
-    let (mut error2, mut norm2) = (Mag::ZERO, Mag::ZERO);
-    for (i, (&g, r)) in got.iter().zip(values).enumerate() {
+    let mut squares = Squares::default();
+    for (i, (&g, due)) in got.iter().zip(values.iter()).enumerate() {
         let o = i % outputs.len();
-        let (lo, hi) = distance(g, r);
-        error2 = error2.add(hi.mul(hi));
-        let low = r.mignitude();
-        norm2 = norm2.add(low.mul(low));
+        let (lo, hi) = due.distance(g);
+        squares.add(due, lo, hi);
         let c = component(
             g,
-            r,
+            due,
             lo,
             hi,
             outputs[o].budget.limit,
@@ -142,34 +161,116 @@ pub fn judge(
         }
         components.push(c);
     }
-    let normwise = error2.sqrt().div(norm2.sqrt()).shift(53).to_f64();
+    let numbers = got.iter().all(|g| g.is_finite());
+    if let Some(budget) = norm.filter(|_| numbers && squares.numbers) {
+        let verdict = squares.verdict(budget);
+        if verdict > worst.0 {
+            let reason = match verdict {
+                Verdict::Over => "the norm of the errors is over its budget",
+                _ => "the norm of the errors cannot be decided against its budget",
+            };
+            worst = (verdict, Some(reason.into()));
+        }
+    }
     Judgement {
         verdict: worst.0,
         reason: worst.1,
         components,
-        normwise,
+        normwise: squares.normwise(),
+    }
+}
+
+/// Sums of squares over all values: bounds on the errors, a lower bound on the references.
+struct Squares {
+    /// Whether every value is due as a number.
+    numbers: bool,
+    low: Mag,
+    high: Mag,
+    norm: Mag,
+}
+
+impl Default for Squares {
+    fn default() -> Squares {
+        Squares {
+            numbers: true,
+            low: Mag::ZERO,
+            high: Mag::ZERO,
+            norm: Mag::ZERO,
+        }
+    }
+}
+
+impl Squares {
+    fn add(&mut self, due: &Due, lo: Mag, hi: Mag) {
+        let Some(reference) = due.number() else {
+            self.numbers = false;
+            return;
+        };
+        self.low = self.low.add(lo.mul(lo));
+        self.high = self.high.add(hi.mul(hi));
+        let size = reference.mignitude();
+        self.norm = self.norm.add(size.mul(size));
+    }
+
+    /// A lower bound on the root of a sum: `Mag` rounds up, by less than 2⁻⁴⁰ in all.
+    fn root_below(sum: Mag) -> Mag {
+        sum.sqrt().mul(Mag::from_f64(1.0 - 2f64.powi(-40)))
+    }
+
+    fn normwise(&self) -> f64 {
+        if !self.numbers {
+            return f64::NAN;
+        }
+        let size = Squares::root_below(self.norm);
+        self.high.sqrt().div(size).shift(53).to_f64()
+    }
+
+    fn verdict(&self, budget: &NormBudget) -> Verdict {
+        let size = Squares::root_below(self.norm).max(Mag::from_f64(f64::MIN_POSITIVE));
+        let allowed = Mag::from_f64(budget.factor).mul(size).shift(-53);
+        if self.high.sqrt() <= allowed {
+            Verdict::Pass
+        } else if Squares::root_below(self.low) > allowed {
+            Verdict::Over
+        } else {
+            Verdict::Undecided
+        }
     }
 }
 
 /// `max_i (|ref_i| + cond_i)` for each output, for the normwise limits.
-fn output_scales(outputs: usize, values: &[Ball], conditions: Option<&[f64]>) -> Vec<Mag> {
+fn output_scales(outputs: usize, values: &[Due], conditions: Option<&[f64]>) -> Vec<Mag> {
     let mut scales = vec![Mag::ZERO; outputs];
     for (i, v) in values.iter().enumerate() {
         let c = conditions.map_or(Mag::ZERO, |c| Mag::from_f64(c[i]));
-        scales[i % outputs] = scales[i % outputs].max(v.mignitude().add(c));
+        let size = v.number().map_or(Mag::ZERO, Ball::mignitude);
+        scales[i % outputs] = scales[i % outputs].max(size.add(c));
     }
     scales
 }
 
 fn component(
     got: f64,
-    reference: &Ball,
+    due: &Due,
     lo: Mag,
     hi: Mag,
     limit: Limit,
     condition: Option<f64>,
     scale: Mag,
 ) -> ComponentJudgement {
+    let Some(reference) = due.number() else {
+        let (verdict, of_budget) = match lo.is_zero() {
+            true => (Verdict::Pass, 0.0),
+            false => (Verdict::WrongKind, f64::INFINITY),
+        };
+        return ComponentJudgement {
+            verdict,
+            ulps: f64::NAN,
+            conditioned: f64::NAN,
+            of_budget,
+            condition: f64::NAN,
+        };
+    };
     let ulp = ulp_exponent(reference.mid());
     let size = reference.mignitude();
     // An infinite or absurd condition number allows nothing rather than everything.
@@ -188,15 +289,14 @@ fn component(
         (Limit::Normwise(_), Some(_)) => Some(factor.mul(scale).shift(-53)),
         _ => None,
     };
-    let verdict = if !got.is_finite() {
-        Verdict::WrongKind
-    } else {
-        match allowed {
-            _ if !reference.is_finite() => Verdict::Undecided,
-            Some(a) if hi <= a => Verdict::Pass,
-            Some(a) if lo > a => Verdict::Over,
-            _ => Verdict::Undecided,
-        }
+    let verdict = match allowed {
+        _ if got.is_nan() => Verdict::WrongKind,
+        _ if !reference.is_finite() => Verdict::Undecided,
+        Some(a) if hi <= a => Verdict::Pass,
+        // An infinity for a number or a number for an infinity.
+        Some(a) if lo > a && (got.is_infinite() || overflows(reference)) => Verdict::WrongKind,
+        Some(a) if lo > a => Verdict::Over,
+        _ => Verdict::Undecided,
     };
     let conditioned = condition.map_or(f64::NAN, |c| {
         hi.div(size.add(Mag::from_f64(c)).shift(-53)).to_f64()
@@ -215,163 +315,10 @@ fn component(
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::audit::{Budget, Proof, Reference};
-    use rug::Float;
-
-    fn outputs(limit: Limit) -> Vec<Output> {
-        vec![Output {
-            name: "x",
-            unit: "1",
-            budget: Budget::new(limit, "planted"),
-        }]
-    }
-
-    fn truth() -> Vec<f64> {
-        vec![1.25, -3.0e-5, 7.0e8]
-    }
-
-    fn exact(values: &[f64]) -> ReferenceAnswer {
-        ReferenceAnswer::Values(Reference {
-            values: values.iter().map(|&x| Ball::exact(128, x)).collect(),
-            proof: Proof::Exact,
-        })
-    }
-
-    fn verdict(got: Vec<f64>, limit: Limit) -> Verdict {
-        let c = [1.25, 3.0e-5, 7.0e8];
-        judge(
-            &outputs(limit),
-            &SolverAnswer::Values(got),
-            &exact(&truth()),
-            Some(&c),
-        )
-        .verdict
-    }
-
-    const LIMITS: [Limit; 3] = [
-        Limit::Ulps(4.0),
-        Limit::Conditioned(4.0),
-        Limit::Normwise(4.0),
-    ];
-
-    #[test]
-    fn the_truth_passes() {
-        for limit in LIMITS {
-            assert_eq!(verdict(truth(), limit), Verdict::Pass);
-        }
-    }
-
-    #[test]
-    fn planted_faults_fail_under_every_limit() {
-        for limit in LIMITS {
-            for (fault, verdict_due) in [
-                (f64::NAN, Verdict::WrongKind),
-                (f64::INFINITY, Verdict::WrongKind),
-                (f64::NEG_INFINITY, Verdict::WrongKind),
-            ] {
-                for i in 0..3 {
-                    let mut got = truth();
-                    got[i] = fault;
-                    assert_eq!(verdict(got, limit), verdict_due);
-                }
-            }
-            let mut swapped = truth();
-            swapped.swap(0, 2);
-            assert_eq!(verdict(swapped, limit), Verdict::Over);
-            let mut sign = truth();
-            sign[2] = -sign[2];
-            assert_eq!(verdict(sign, limit), Verdict::Over);
-            assert_eq!(verdict(truth()[..2].to_vec(), limit), Verdict::WrongKind);
-            assert_eq!(verdict(vec![], limit), Verdict::WrongKind);
-        }
-        // A wrong sign on the small value is lost in a norm, and only there.
-        let mut sign = truth();
-        sign[1] = -sign[1];
-        assert_eq!(verdict(sign.clone(), Limit::Ulps(4.0)), Verdict::Over);
-        assert_eq!(verdict(sign, Limit::Conditioned(4.0)), Verdict::Over);
-    }
-
-    #[test]
-    fn one_ulp_over_the_budget_fails() {
-        let shifted = |k: u64| vec![f64::from_bits(1.25f64.to_bits() + k), -3.0e-5, 7.0e8];
-        assert_eq!(verdict(shifted(4), Limit::Ulps(4.0)), Verdict::Pass);
-        assert_eq!(verdict(shifted(5), Limit::Ulps(4.0)), Verdict::Over);
-        // 1.25 + cond 1.25 is 2.5, and 2^-53 · 2.5 is 1.25 ulps of 1.25.
-        assert_eq!(verdict(shifted(5), Limit::Conditioned(4.0)), Verdict::Pass);
-        assert_eq!(verdict(shifted(6), Limit::Conditioned(4.0)), Verdict::Over);
-    }
-
-    #[test]
-    fn a_reference_that_proves_nothing_passes_nothing() {
-        let o = outputs(Limit::Ulps(4.0));
-        let got = SolverAnswer::Values(vec![1.0]);
-        let infinite = ReferenceAnswer::Values(Reference {
-            values: vec![Ball::new(Float::with_val(64, 1.0), Mag::INFINITY)],
-            proof: Proof::Exact,
-        });
-        assert_eq!(judge(&o, &got, &infinite, None).verdict, Verdict::Undecided);
-        let coarse = ReferenceAnswer::Values(Reference {
-            values: vec![Ball::new(Float::with_val(64, 1.0), Mag::from_f64(1e-15))],
-            proof: Proof::Exact,
-        });
-        assert_eq!(judge(&o, &got, &coarse, None).verdict, Verdict::Undecided);
-        let undecided = ReferenceAnswer::Undecided("planted".into());
-        assert_eq!(
-            judge(&o, &got, &undecided, None).verdict,
-            Verdict::Undecided
-        );
-        let failed = ReferenceAnswer::Failed("planted".into());
-        assert_eq!(judge(&o, &got, &failed, None).verdict, Verdict::OracleError);
-        let refused = SolverAnswer::Refuses("singular");
-        assert_eq!(
-            judge(&o, &refused, &failed, None).verdict,
-            Verdict::OracleError
-        );
-    }
-
-    #[test]
-    fn refusals_have_to_match() {
-        let o = outputs(Limit::Ulps(4.0));
-        let singular = ReferenceAnswer::Refuses("singular");
-        let refused = SolverAnswer::Refuses("singular");
-        let other = SolverAnswer::Refuses("not finite");
-        assert_eq!(judge(&o, &refused, &singular, None).verdict, Verdict::Pass);
-        assert_eq!(
-            judge(&o, &other, &singular, None).verdict,
-            Verdict::WrongKind
-        );
-        assert_eq!(
-            judge(&o, &refused, &exact(&[1.0]), None).verdict,
-            Verdict::WrongKind
-        );
-        let value = SolverAnswer::Values(vec![1.0]);
-        assert_eq!(
-            judge(&o, &value, &singular, None).verdict,
-            Verdict::WrongKind
-        );
-    }
-
-    #[test]
-    fn missing_or_infinite_conditions_do_not_pass() {
-        let o = outputs(Limit::Conditioned(4.0));
-        let got = SolverAnswer::Values(vec![2.0]);
-        let r = exact(&[1.0]);
-        assert_eq!(judge(&o, &got, &r, None).verdict, Verdict::Undecided);
-        assert_eq!(
-            judge(&o, &got, &r, Some(&[f64::INFINITY])).verdict,
-            Verdict::Undecided
-        );
-        assert_eq!(
-            judge(&o, &got, &r, Some(&[f64::NAN])).verdict,
-            Verdict::Undecided
-        );
-        assert_eq!(
-            judge(&o, &got, &r, Some(&[1.0, 1.0])).verdict,
-            Verdict::Undecided
-        );
-        assert_eq!(judge(&o, &got, &r, Some(&[1.0])).verdict, Verdict::Over);
-    }
+/// Whether the number certainly rounds to an infinity.
+fn overflows(reference: &Ball) -> bool {
+    (&reference.abs() - &overflow()).lower() >= 0
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,7 +1,8 @@
 //! What an audited method has to say about itself.
 
-use super::budget::Budget;
+use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
+use super::due::Due;
 use crate::reference::{Ball, Mag};
 use rug::{Float, Rational};
 use serde::Serialize;
@@ -30,6 +31,9 @@ pub struct Reference {
 pub enum ReferenceAnswer {
     /// The values.
     Values(Reference),
+    /// One entry for each value of the solver, where infinities or NaN may be due, and why they
+    /// hold.
+    Dues(Vec<Due>, Proof),
     /// There is no value, for the named reason; the solver must refuse with the same word.
     Refuses(&'static str),
     /// Not decided at this precision.
@@ -93,12 +97,20 @@ pub trait Method: Sync {
     fn inputs(&self) -> Vec<Input>;
     /// The outputs with their budgets.
     fn outputs(&self) -> Vec<Output>;
+    /// What all values together may be wrong by, besides.
+    fn norm_budget(&self) -> Option<NormBudget> {
+        None
+    }
     /// Where it is audited.
     fn domain(&self) -> Domain;
     /// Calls the code under test.
     fn solve(&self, input: &[f64]) -> SolverAnswer;
     /// The reference at a working precision of `bits`.
     fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer;
+    /// What is due where an input is NaN or infinite: by default a refusal.
+    fn reference_not_finite(&self, _input: &[f64]) -> ReferenceAnswer {
+        ReferenceAnswer::Refuses("not finite")
+    }
 
     /// `Σ_j |x_j ∂f_i/∂x_j|` for each value `i`; `None` if it cannot be had.
     ///

@@ -7,15 +7,17 @@
 mod budget;
 mod case;
 mod domain;
+mod due;
 mod judge;
 mod method;
 mod run;
 mod ulp;
 
-pub use budget::{Budget, Limit};
+pub use budget::{Budget, Limit, NormBudget};
 pub use case::{Case, Origin, hex_float};
 pub use domain::{CheckPoint, Domain, Draw, Region};
-pub use judge::{ComponentJudgement, Judgement, Verdict, judge};
+pub use due::Due;
+pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
 pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
     conditions_by_differences,

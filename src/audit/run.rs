@@ -2,7 +2,7 @@
 
 use super::case::{Case, Origin};
 use super::domain::Draw;
-use super::judge::{ComponentJudgement, Judgement, Verdict, judge};
+use super::judge::{ComponentJudgement, Judgement, Verdict, judge_with_norm};
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
 use rayon::prelude::*;
 use rug::Rational;
@@ -183,6 +183,7 @@ pub fn audit_case(method: &dyn Method, case: Case, settings: &Settings) -> CaseR
     let solved = catch_unwind(AssertUnwindSafe(|| method.solve(&case.input)));
     let answer = solved.unwrap_or(SolverAnswer::Refuses("panicked"));
     let outputs = method.outputs();
+    let norm = method.norm_budget();
     let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
     let finite = exact.is_some();
     let conditions = if finite && conditional {
@@ -194,9 +195,10 @@ pub fn audit_case(method: &dyn Method, case: Case, settings: &Settings) -> CaseR
     loop {
         let reference = match &exact {
             Some(x) => method.reference(x, bits),
-            None => ReferenceAnswer::Refuses("not finite"),
+            None => method.reference_not_finite(&case.input),
         };
-        let judgement = judge(&outputs, &answer, &reference, conditions.as_deref());
+        let c = conditions.as_deref();
+        let judgement = judge_with_norm(&outputs, norm.as_ref(), &answer, &reference, c);
         if judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
             bits *= 2;
             continue;
@@ -205,6 +207,10 @@ pub fn audit_case(method: &dyn Method, case: Case, settings: &Settings) -> CaseR
             ReferenceAnswer::Values(r) => (
                 r.values.iter().map(|b| b.to_decimal(20)).collect(),
                 Some(r.proof),
+            ),
+            ReferenceAnswer::Dues(dues, proof) => (
+                dues.iter().map(|d| d.to_decimal(20)).collect(),
+                Some(*proof),
             ),
             _ => (Vec::new(), None),
         };
@@ -275,8 +281,12 @@ fn law_report(law: &super::method::Law, reports: &[CaseReport]) -> LawReport {
         worst: 0.0,
         worst_case: None,
     };
-    for r in reports {
-        if let Some(x) = (law.residual)(&r.case.input) {
+    let residuals: Vec<Option<f64>> = reports
+        .par_iter()
+        .map(|r| (law.residual)(&r.case.input))
+        .collect();
+    for (r, residual) in reports.iter().zip(residuals) {
+        if let Some(x) = residual {
             // A residual that is not a number breaks the law.
             let x = if x.is_nan() { f64::INFINITY } else { x };
             found.cases += 1;

@@ -1,5 +1,6 @@
 //! Fractional ulps against an unrounded reference.
 
+use super::due::overflow;
 use crate::reference::{Ball, Mag};
 use rug::Float;
 
@@ -21,10 +22,22 @@ pub fn ulps(got: f64, reference: &Ball) -> (f64, f64) {
     (lo.shift(k).to_f64(), hi.shift(k).to_f64())
 }
 
-/// Bounds on `|got − ref|`. Not a number is infinitely far.
+/// Bounds on `|got − ref|`. Not a number is infinitely far. An infinity stands for all numbers that
+/// round to it, the nearest of which counts.
 pub(crate) fn distance(got: f64, reference: &Ball) -> (Mag, Mag) {
-    if !got.is_finite() {
+    if got.is_nan() {
         return (Mag::INFINITY, Mag::INFINITY);
+    }
+    if got.is_infinite() {
+        let gap = match got > 0.0 {
+            true => overflow() - reference,
+            false => overflow() + reference,
+        };
+        return match gap.is_finite() {
+            true if gap.upper() <= 0 => (Mag::ZERO, Mag::ZERO),
+            true => (gap.mignitude(), gap.magnitude()),
+            false => (Mag::ZERO, Mag::INFINITY),
+        };
     }
     let d = &Ball::exact(reference.prec().max(64), got) - reference;
     (d.mignitude(), d.magnitude())

@@ -8,7 +8,7 @@ use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
 use super::{complain, text_method, text_paper};
 use mechaudit::audit::{
-    Case, CaseReport, Domain, Draw, Input, Law, Method, MethodReport, Origin, Output,
+    Case, CaseReport, Domain, Draw, Input, Law, Method, MethodReport, NormBudget, Origin, Output,
     ReferenceAnswer, Settings, SolverAnswer, Verdict, audit_case, audit_method,
 };
 use mechaudit::papers::PaperReport;
@@ -335,6 +335,9 @@ impl Method for Restricted<'_> {
     fn outputs(&self) -> Vec<Output> {
         self.method.outputs()
     }
+    fn norm_budget(&self) -> Option<NormBudget> {
+        self.method.norm_budget()
+    }
     fn domain(&self) -> Domain {
         let mut domain = self.method.domain();
         if let Some(name) = self.region {
@@ -348,6 +351,9 @@ impl Method for Restricted<'_> {
     }
     fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
         self.method.reference(input, bits)
+    }
+    fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
+        self.method.reference_not_finite(input)
     }
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         self.method.conditions(input)

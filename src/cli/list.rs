@@ -72,6 +72,10 @@ fn text(method: &dyn Method, width: usize) -> String {
         let text = format!("{}: {}; {}", names.join(", "), budget.limit, budget.reason);
         out.push_str(&line(if i == 0 { "output" } else { "" }, &text, width));
     }
+    if let Some(norm) = method.norm_budget() {
+        let text = format!("all together: {norm}; {}", norm.reason);
+        out.push_str(&line("", &text, width));
+    }
     let domain = method.domain();
     for (i, r) in domain.regions.iter().enumerate() {
         let text = format!("{}: {}", r.name, r.description);
@@ -99,6 +103,7 @@ fn json(method: &dyn Method) -> Value {
         "source": method.source(),
         "inputs": method.inputs(),
         "outputs": method.outputs(),
+        "norm_budget": method.norm_budget(),
         "regions": regions
             .map(|r| json!({ "name": r.name, "description": r.description }))
             .collect::<Vec<_>>(),

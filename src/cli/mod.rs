@@ -11,6 +11,9 @@ mod dyad_certified;
 mod dyad_facts;
 mod dyad_file;
 mod dyad_values;
+mod eval;
+mod eval_functions;
+mod eval_number;
 mod failure;
 mod fields;
 mod html;
@@ -69,6 +72,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::List(a)) => list::list(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),
+        Some(Command::Eval(a)) => eval::eval(&a),
         Some(Command::Runup(a)) => runup::runup(&a),
     }
 }

@@ -2,6 +2,9 @@
 
 mod cubic_spline_common;
 mod cubic_spline_conditions;
+mod faddeeva_curves;
+mod faddeeva_laws;
+mod faddeeva_regions;
 
 use crate::audit::Method;
 
@@ -28,6 +31,7 @@ registry![
     slider_crank,
     class_iii_assembly_modes,
     class_iii,
+    faddeeva,
     run_up,
 ];
 

@@ -11,6 +11,7 @@ mod decimal;
 pub mod dyad;
 mod elementary;
 pub mod faddeeva;
+mod hex_float;
 mod linear;
 mod mag;
 pub mod run_up;
@@ -20,6 +21,7 @@ pub mod tridiagonal;
 pub use ball::{Ball, dot};
 pub use complex::ComplexBall;
 pub use decimal::{Decimal, DecimalError};
+pub use hex_float::{HexFloat, HexFloatError};
 pub use linear::BallLu;
 pub use mag::Mag;
 

@@ -1,0 +1,58 @@
+//! What is due for one value: a number, an infinity, or NaN.
+
+use super::ulp::distance;
+use crate::reference::{Ball, Mag};
+use rug::Float;
+
+/// What is due for one value.
+#[derive(Clone, Debug)]
+pub enum Due {
+    /// The number in the ball. From half a unit beyond the largest `f64` on, the infinity of its
+    /// sign is the exact answer, and a number so small that zero is within the budget may be zero.
+    Number(Ball),
+    /// This infinity: the number is larger than any ball holds, or the value really is infinite.
+    Infinity {
+        /// Whether it is −∞.
+        negative: bool,
+    },
+    /// NaN: there is no value.
+    NotANumber,
+}
+
+impl Due {
+    /// The number, if one is due.
+    pub fn number(&self) -> Option<&Ball> {
+        match self {
+            Due::Number(ball) => Some(ball),
+            _ => None,
+        }
+    }
+
+    /// For people: certified decimals, `inf`, `-inf` or `nan`.
+    pub fn to_decimal(&self, digits: usize) -> Option<String> {
+        match self {
+            Due::Number(ball) => ball.to_decimal(digits),
+            Due::Infinity { negative: false } => Some("inf".into()),
+            Due::Infinity { negative: true } => Some("-inf".into()),
+            Due::NotANumber => Some("nan".into()),
+        }
+    }
+
+    /// Bounds on the error of `got`, as [`distance`]; zero or infinite where no number is due.
+    pub(super) fn distance(&self, got: f64) -> (Mag, Mag) {
+        let right = match self {
+            Due::Number(ball) => return distance(got, ball),
+            Due::Infinity { negative } => got.is_infinite() && got.is_sign_negative() == *negative,
+            Due::NotANumber => got.is_nan(),
+        };
+        let error = if right { Mag::ZERO } else { Mag::INFINITY };
+        (error, error)
+    }
+}
+
+/// The smallest number that rounds to infinity: half a unit beyond the largest `f64`,
+/// `2¹⁰²⁴ − 2⁹⁷⁰`.
+pub(super) fn overflow() -> Ball {
+    let edge = (Float::with_val(64, 1) << 1024i32) - (Float::with_val(64, 1) << 970i32);
+    Ball::new(edge, Mag::ZERO)
+}

@@ -1,0 +1,307 @@
+//! Planted faults.
+
+use super::*;
+use crate::audit::{Budget, Proof, Reference};
+use rug::Float;
+
+fn outputs(limit: Limit) -> Vec<Output> {
+    vec![Output {
+        name: "x",
+        unit: "1",
+        budget: Budget::new(limit, "planted"),
+    }]
+}
+
+fn truth() -> Vec<f64> {
+    vec![1.25, -3.0e-5, 7.0e8]
+}
+
+fn exact(values: &[f64]) -> ReferenceAnswer {
+    ReferenceAnswer::Values(Reference {
+        values: values.iter().map(|&x| Ball::exact(128, x)).collect(),
+        proof: Proof::Exact,
+    })
+}
+
+fn verdict(got: Vec<f64>, limit: Limit) -> Verdict {
+    let c = [1.25, 3.0e-5, 7.0e8];
+    judge(
+        &outputs(limit),
+        &SolverAnswer::Values(got),
+        &exact(&truth()),
+        Some(&c),
+    )
+    .verdict
+}
+
+const LIMITS: [Limit; 3] = [
+    Limit::Ulps(4.0),
+    Limit::Conditioned(4.0),
+    Limit::Normwise(4.0),
+];
+
+#[test]
+fn the_truth_passes() {
+    for limit in LIMITS {
+        assert_eq!(verdict(truth(), limit), Verdict::Pass);
+    }
+}
+
+#[test]
+fn planted_faults_fail_under_every_limit() {
+    for limit in LIMITS {
+        for (fault, verdict_due) in [
+            (f64::NAN, Verdict::WrongKind),
+            (f64::INFINITY, Verdict::WrongKind),
+            (f64::NEG_INFINITY, Verdict::WrongKind),
+        ] {
+            for i in 0..3 {
+                let mut got = truth();
+                got[i] = fault;
+                assert_eq!(verdict(got, limit), verdict_due);
+            }
+        }
+        let mut swapped = truth();
+        swapped.swap(0, 2);
+        assert_eq!(verdict(swapped, limit), Verdict::Over);
+        let mut sign = truth();
+        sign[2] = -sign[2];
+        assert_eq!(verdict(sign, limit), Verdict::Over);
+        assert_eq!(verdict(truth()[..2].to_vec(), limit), Verdict::WrongKind);
+        assert_eq!(verdict(vec![], limit), Verdict::WrongKind);
+    }
+    // A wrong sign on the small value is lost in a norm, and only there.
+    let mut sign = truth();
+    sign[1] = -sign[1];
+    assert_eq!(verdict(sign.clone(), Limit::Ulps(4.0)), Verdict::Over);
+    assert_eq!(verdict(sign, Limit::Conditioned(4.0)), Verdict::Over);
+}
+
+#[test]
+fn one_ulp_over_the_budget_fails() {
+    let shifted = |k: u64| vec![f64::from_bits(1.25f64.to_bits() + k), -3.0e-5, 7.0e8];
+    assert_eq!(verdict(shifted(4), Limit::Ulps(4.0)), Verdict::Pass);
+    assert_eq!(verdict(shifted(5), Limit::Ulps(4.0)), Verdict::Over);
+    // 1.25 + cond 1.25 is 2.5, and 2^-53 · 2.5 is 1.25 ulps of 1.25.
+    assert_eq!(verdict(shifted(5), Limit::Conditioned(4.0)), Verdict::Pass);
+    assert_eq!(verdict(shifted(6), Limit::Conditioned(4.0)), Verdict::Over);
+}
+
+#[test]
+fn a_reference_that_proves_nothing_passes_nothing() {
+    let o = outputs(Limit::Ulps(4.0));
+    let got = SolverAnswer::Values(vec![1.0]);
+    let infinite = ReferenceAnswer::Values(Reference {
+        values: vec![Ball::new(Float::with_val(64, 1.0), Mag::INFINITY)],
+        proof: Proof::Exact,
+    });
+    assert_eq!(judge(&o, &got, &infinite, None).verdict, Verdict::Undecided);
+    let coarse = ReferenceAnswer::Values(Reference {
+        values: vec![Ball::new(Float::with_val(64, 1.0), Mag::from_f64(1e-15))],
+        proof: Proof::Exact,
+    });
+    assert_eq!(judge(&o, &got, &coarse, None).verdict, Verdict::Undecided);
+    let undecided = ReferenceAnswer::Undecided("planted".into());
+    assert_eq!(
+        judge(&o, &got, &undecided, None).verdict,
+        Verdict::Undecided
+    );
+    let failed = ReferenceAnswer::Failed("planted".into());
+    assert_eq!(judge(&o, &got, &failed, None).verdict, Verdict::OracleError);
+    let refused = SolverAnswer::Refuses("singular");
+    assert_eq!(
+        judge(&o, &refused, &failed, None).verdict,
+        Verdict::OracleError
+    );
+}
+
+#[test]
+fn refusals_have_to_match() {
+    let o = outputs(Limit::Ulps(4.0));
+    let singular = ReferenceAnswer::Refuses("singular");
+    let refused = SolverAnswer::Refuses("singular");
+    let other = SolverAnswer::Refuses("not finite");
+    assert_eq!(judge(&o, &refused, &singular, None).verdict, Verdict::Pass);
+    assert_eq!(
+        judge(&o, &other, &singular, None).verdict,
+        Verdict::WrongKind
+    );
+    assert_eq!(
+        judge(&o, &refused, &exact(&[1.0]), None).verdict,
+        Verdict::WrongKind
+    );
+    let value = SolverAnswer::Values(vec![1.0]);
+    assert_eq!(
+        judge(&o, &value, &singular, None).verdict,
+        Verdict::WrongKind
+    );
+}
+
+#[test]
+fn missing_or_infinite_conditions_do_not_pass() {
+    let o = outputs(Limit::Conditioned(4.0));
+    let got = SolverAnswer::Values(vec![2.0]);
+    let r = exact(&[1.0]);
+    assert_eq!(judge(&o, &got, &r, None).verdict, Verdict::Undecided);
+    assert_eq!(
+        judge(&o, &got, &r, Some(&[f64::INFINITY])).verdict,
+        Verdict::Undecided
+    );
+    assert_eq!(
+        judge(&o, &got, &r, Some(&[f64::NAN])).verdict,
+        Verdict::Undecided
+    );
+    assert_eq!(
+        judge(&o, &got, &r, Some(&[1.0, 1.0])).verdict,
+        Verdict::Undecided
+    );
+    assert_eq!(judge(&o, &got, &r, Some(&[1.0])).verdict, Verdict::Over);
+}
+
+fn judged(got: f64, due: Due) -> Verdict {
+    let outputs = outputs(Limit::Ulps(4.0));
+    let answer = SolverAnswer::Values(vec![got]);
+    judge(
+        &outputs,
+        &answer,
+        &ReferenceAnswer::Dues(vec![due], Proof::Exact),
+        None,
+    )
+    .verdict
+}
+
+/// `sign · (largest f64 + k ulps)` ± a radius of 2⁻⁶⁰ ulp or the one given.
+fn edge(k: f64, radius: Mag) -> Due {
+    let mid = Float::with_val(200, f64::MAX) + (Float::with_val(200, k) << 971i32);
+    Due::Number(Ball::new(mid, radius))
+}
+
+#[test]
+fn an_infinity_or_nan_that_is_due_passes_alone() {
+    let (inf, nan) = (f64::INFINITY, f64::NAN);
+    let plus = || Due::Infinity { negative: false };
+    let minus = || Due::Infinity { negative: true };
+    let number = || Due::Number(Ball::integer(64, 1));
+    for (got, due, verdict) in [
+        (inf, plus(), Verdict::Pass),
+        (-inf, plus(), Verdict::WrongKind),
+        (-inf, minus(), Verdict::Pass),
+        (inf, minus(), Verdict::WrongKind),
+        (nan, plus(), Verdict::WrongKind),
+        (nan, minus(), Verdict::WrongKind),
+        (f64::MAX, plus(), Verdict::WrongKind),
+        (0.0, minus(), Verdict::WrongKind),
+        (nan, Due::NotANumber, Verdict::Pass),
+        (-nan, Due::NotANumber, Verdict::Pass),
+        (inf, Due::NotANumber, Verdict::WrongKind),
+        (0.0, Due::NotANumber, Verdict::WrongKind),
+        (1.0, number(), Verdict::Pass),
+        (nan, number(), Verdict::WrongKind),
+        (inf, number(), Verdict::WrongKind),
+        (-inf, number(), Verdict::WrongKind),
+    ] {
+        let shown = format!("{got} for {due:?}");
+        assert_eq!(judged(got, due), verdict, "{shown}");
+    }
+}
+
+#[test]
+fn overflow_begins_half_a_unit_beyond_the_largest_number() {
+    let sharp = Mag::power_of_two(900);
+    let (inf, max) = (f64::INFINITY, f64::MAX);
+    for (got, k, verdict) in [
+        // Beyond 4 ulps of the largest number only infinity is right …
+        (inf, 10.0, Verdict::Pass),
+        (-inf, 10.0, Verdict::WrongKind),
+        (f64::NAN, 10.0, Verdict::WrongKind),
+        (max, 10.0, Verdict::WrongKind),
+        (max, 1e9, Verdict::WrongKind),
+        // … within them the largest number is as good (its ulp is twice as large from 2^1024 on) …
+        (inf, 0.5, Verdict::Pass),
+        (max, 0.5, Verdict::Pass),
+        (max, 1.0, Verdict::Pass),
+        (max, 7.9, Verdict::Pass),
+        (max, 8.1, Verdict::WrongKind),
+        // … and infinity from 4 ulps below half a unit beyond it.
+        (max, 0.25, Verdict::Pass),
+        (inf, 0.25, Verdict::Pass),
+        (inf, -3.4, Verdict::Pass),
+        (inf, -3.6, Verdict::WrongKind),
+        (-inf, -3.4, Verdict::WrongKind),
+        (inf, -1e9, Verdict::WrongKind),
+    ] {
+        assert_eq!(
+            judged(got, edge(k, sharp)),
+            verdict,
+            "{got} for max + {k} ulps"
+        );
+        // The same below zero.
+        let Due::Number(b) = edge(k, sharp) else {
+            unreachable!()
+        };
+        assert_eq!(
+            judged(-got, Due::Number(-b)),
+            verdict,
+            "{} for −max − {k} ulps",
+            -got
+        );
+    }
+    // A ball that reaches over the border decides nothing there.
+    let blunt = Mag::power_of_two(970);
+    assert_eq!(judged(inf, edge(-3.5, blunt)), Verdict::Undecided);
+    assert_eq!(judged(max, edge(8.0, blunt)), Verdict::Undecided);
+    assert_eq!(judged(inf, edge(0.5, blunt)), Verdict::Pass);
+}
+
+#[test]
+fn what_rounds_to_zero_may_be_zero() {
+    let tiny = |k: i64| Due::Number(Ball::new(Float::new(64), Mag::power_of_two(k)));
+    assert_eq!(judged(0.0, tiny(-2000)), Verdict::Pass);
+    assert_eq!(judged(-0.0, tiny(-2000)), Verdict::Pass);
+    assert_eq!(judged(f64::from_bits(5), tiny(-2000)), Verdict::Over);
+    assert_eq!(judged(f64::MIN_POSITIVE, tiny(-2000)), Verdict::Over);
+    assert_eq!(judged(f64::NAN, tiny(-2000)), Verdict::WrongKind);
+    assert_eq!(judged(0.0, tiny(-1000)), Verdict::Undecided);
+    // Five of the smallest numbers are not zero.
+    let five = Due::Number(Ball::exact(64, f64::from_bits(5)));
+    assert_eq!(judged(0.0, five.clone()), Verdict::Over);
+    assert_eq!(judged(f64::from_bits(4), five), Verdict::Pass);
+}
+
+fn in_the_norm(got: [f64; 2], due: [f64; 2], factor: f64) -> Verdict {
+    let outputs = outputs(Limit::Ulps(1e300));
+    let norm = NormBudget::new(factor, "planted");
+    let answer = SolverAnswer::Values(got.to_vec());
+    judge_with_norm(&outputs, Some(&norm), &answer, &exact(&due), None).verdict
+}
+
+#[test]
+fn the_norm_has_a_budget_of_its_own() {
+    let e = f64::EPSILON;
+    // The error of (3 + 3i) · 2u against |1| = 1: √18 = 4.24 ε = 8.5 u.
+    let got = [1.0 + 3.0 * e, 1e-9 + 3.0 * e];
+    assert_eq!(in_the_norm(got, [1.0, 1e-9], 8.6), Verdict::Pass);
+    assert_eq!(in_the_norm(got, [1.0, 1e-9], 8.4), Verdict::Over);
+    assert_eq!(
+        in_the_norm([1.0, 1e-9 + 1e-16], [1.0, 1e-9], 2.0),
+        Verdict::Pass
+    );
+    assert_eq!(in_the_norm([0.0, 1.0], [1.0, 0.0], 4.0), Verdict::Over);
+    // The components' own faults stay.
+    assert_eq!(
+        in_the_norm([f64::NAN, 1.0], [1.0, 0.0], 1e9),
+        Verdict::WrongKind
+    );
+    // In the subnormal range the smallest normal number counts instead.
+    let s = f64::from_bits;
+    assert_eq!(
+        in_the_norm([s(12), s(9)], [s(10), s(9)], 4.0),
+        Verdict::Pass
+    );
+    assert_eq!(
+        in_the_norm([s(13), s(9)], [s(10), s(9)], 4.0),
+        Verdict::Over
+    );
+    assert_eq!(in_the_norm([0.0, 0.0], [0.0, 0.0], 4.0), Verdict::Pass);
+    assert_eq!(in_the_norm([s(3), 0.0], [0.0, 0.0], 4.0), Verdict::Over);
+}

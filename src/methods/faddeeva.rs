@@ -1,0 +1,189 @@
+//! The Faddeeva function.
+
+use super::faddeeva_laws as laws;
+use super::faddeeva_regions as regions;
+use crate::audit::{
+    Budget, CheckPoint, Domain, Due, Input, Law, Limit, Method, NormBudget, Output, Proof,
+    ReferenceAnswer, SolverAnswer,
+};
+use crate::reference::faddeeva::{Scaled, w, w_scaled};
+use crate::reference::{Ball, Mag};
+use crate::solvers::faddeeva::faddeeva;
+use num_complex::Complex;
+use rug::{Float, Rational};
+
+/// Input `Re z, Im z`, output `Re W, Im W`.
+pub struct Audit;
+
+/// The reference is asked for so many bits less than the working precision: each component comes
+/// out with the accuracy asked for, and 80 bits settle every budget here.
+const SPARED: u32 = 48;
+
+/// A component as it is due. What no ball holds is beyond every `f64` or below all of them.
+fn due(part: &Scaled) -> Due {
+    let direct = part.to_ball();
+    if direct.is_finite() {
+        return Due::Number(direct);
+    }
+    if !part.ball.is_finite() || part.ball.contains_zero() {
+        return Due::Number(part.ball.widened(Mag::INFINITY));
+    }
+    // The factor is within 2^±(2^29), the exponent beyond that of a ball.
+    match part.exponent < 0 {
+        true => Due::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
+        false => Due::Infinity {
+            negative: part.ball.is_negative(),
+        },
+    }
+}
+
+fn dues(re: &Rational, im: &Rational, bits: u32) -> ReferenceAnswer {
+    let bits = bits.saturating_sub(SPARED).max(64);
+    let values = match w(re, im, bits) {
+        Ok(w) => vec![Due::Number(w.re), Due::Number(w.im)],
+        Err(_) => match w_scaled(re, im, bits) {
+            Ok(parts) => parts.iter().map(due).collect(),
+            Err(e) => return ReferenceAnswer::Undecided(e.to_string()),
+        },
+    };
+    let proof = "Taylor, Kummer and asymptotic series with remainder bounds (reference::faddeeva)";
+    ReferenceAnswer::Dues(values, Proof::Bounded(proof))
+}
+
+/// The limits at infinity, where there are any. W tends to 0 in the closed upper half-plane and
+/// for Im z < 0 with Re z → ±∞, to +∞ down the imaginary axis, on which it is real.
+fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
+    let zero = || Due::Number(Ball::integer(64, 0));
+    if x == 0.0 && y == f64::NEG_INFINITY {
+        return [Due::Infinity { negative: false }, zero()];
+    }
+    if x.is_nan() || y.is_nan() {
+        let im = if x == 0.0 { zero() } else { Due::NotANumber };
+        return [Due::NotANumber, im];
+    }
+    if y > f64::NEG_INFINITY {
+        return [zero(), zero()];
+    }
+    [Due::NotANumber, Due::NotANumber]
+}
+
+impl Method for Audit {
+    fn name(&self) -> &'static str {
+        "faddeeva"
+    }
+
+    fn summary(&self) -> &'static str {
+        "Faddeeva function W(z) = exp(-z^2) erfc(-iz) in the whole plane"
+    }
+
+    fn source(&self) -> &'static str {
+        "DLMF 7.2.3; Faddeyeva & Terent'ev 1961"
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        ["Re z", "Im z"]
+            .map(|name| Input { name, unit: "1" })
+            .to_vec()
+    }
+
+    fn outputs(&self) -> Vec<Output> {
+        let budget = Budget::new(
+            Limit::Ulps(4.0),
+            "every component comes from sums without cancellation or in double-double, rounded \
+             once; 4 ulp leave the exponential, the scaling and the table entries an ulp each",
+        );
+        ["Re W", "Im W"]
+            .map(|name| Output {
+                name,
+                unit: "1",
+                budget,
+            })
+            .to_vec()
+    }
+
+    fn norm_budget(&self) -> Option<NormBudget> {
+        Some(NormBudget::new(
+            4.0,
+            "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
+             for what happens before",
+        ))
+    }
+
+    fn domain(&self) -> Domain {
+        let points: Vec<CheckPoint> = regions::check_points();
+        Domain {
+            regions: regions::all(),
+            check_points: points,
+        }
+    }
+
+    fn solve(&self, input: &[f64]) -> SolverAnswer {
+        let &[x, y] = input else {
+            return SolverAnswer::Refuses("bad layout");
+        };
+        let w = faddeeva(Complex::new(x, y));
+        SolverAnswer::Values(vec![w.re, w.im])
+    }
+
+    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        match input {
+            [x, y] => dues(x, y, bits),
+            _ => ReferenceAnswer::Refuses("bad layout"),
+        }
+    }
+
+    fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
+        match input {
+            &[x, y] => ReferenceAnswer::Dues(dues_not_finite(x, y).to_vec(), Proof::Exact),
+            _ => ReferenceAnswer::Refuses("bad layout"),
+        }
+    }
+
+    fn laws(&self) -> Vec<Law> {
+        laws::all()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn reference(x: f64, y: f64) -> Vec<Due> {
+        let exact = [x, y].map(|v| Rational::from_f64(v).unwrap());
+        match Audit.reference(&exact, 128) {
+            ReferenceAnswer::Dues(dues, _) => dues,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn what_no_ball_holds() {
+        // Re W(10^200) = e^{-10^400} is not zero, Im W = 10^-200/√π.
+        let d = reference(1e200, 0.0);
+        assert!(d[0].number().unwrap().magnitude() < Mag::power_of_two(-1100));
+        assert_eq!(d[1].to_decimal(5).unwrap(), "5.6419e-201");
+        // W(−10^200 i) = 2e^{10^400}.
+        let d = reference(0.0, -1e200);
+        assert!(matches!(d[0], Due::Infinity { negative: false }));
+        assert!(d[1].number().unwrap().is_zero());
+        // Off the axis both components have the sign of the phase −2xy: here cos 2 < 0, sin 2 > 0.
+        let tiny = 2f64.powi(-600);
+        let d = reference(tiny, -(2f64.powi(600)));
+        assert!(matches!(d[0], Due::Infinity { negative: true }));
+        assert!(matches!(d[1], Due::Infinity { negative: false }));
+    }
+
+    #[test]
+    fn at_infinity() {
+        let inf = f64::INFINITY;
+        let shown = |x, y| dues_not_finite(x, y).map(|d| d.to_decimal(3).unwrap());
+        assert_eq!(shown(inf, 0.0), ["0", "0"]);
+        assert_eq!(shown(-inf, -5.0), ["0", "0"]);
+        assert_eq!(shown(3.0, inf), ["0", "0"]);
+        assert_eq!(shown(-0.0, -inf), ["inf", "0"]);
+        assert_eq!(shown(1.0, -inf), ["nan", "nan"]);
+        assert_eq!(shown(inf, -inf), ["nan", "nan"]);
+        assert_eq!(shown(0.0, f64::NAN), ["nan", "0"]);
+        assert_eq!(shown(f64::NAN, 1.0), ["nan", "nan"]);
+    }
+}

@@ -1,0 +1,158 @@
+//! Identities of the Faddeeva function.
+
+use crate::audit::Law;
+use crate::reference::Ball;
+use crate::solvers::faddeeva::{faddeeva, faddeeva_batch};
+use num_complex::Complex;
+use std::f64::consts::FRAC_2_SQRT_PI;
+
+type C = Complex<f64>;
+
+/// u = 2⁻⁵³.
+const U: f64 = f64::EPSILON / 2.0;
+
+fn point(input: &[f64]) -> Option<C> {
+    match input {
+        &[x, y] => Some(Complex::new(x, y)),
+        _ => None,
+    }
+}
+
+/// The same bits, or both NaN.
+fn same(a: C, b: C) -> bool {
+    let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
+    same(a.re, b.re) && same(a.im, b.im)
+}
+
+fn broken(held: bool) -> Option<f64> {
+    Some(if held { 0.0 } else { f64::INFINITY })
+}
+
+fn conjugation(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let w = faddeeva(-z.conj());
+    broken(same(w, faddeeva(z).conj()))
+}
+
+/// The batch at the point and around it, of every length up to 19.
+fn batch(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let n = 1 + (z.re.to_bits() ^ z.im.to_bits().rotate_left(7)) as usize % 19;
+    let around = |k: usize| match k % 6 {
+        0 => z,
+        1 => -z,
+        2 => z.conj(),
+        3 => Complex::new(z.im, z.re),
+        4 => Complex::new(z.re + k as f64 / 16.0, z.im - k as f64 / 32.0),
+        _ => Complex::new(z.re * 0.5, z.im * 1.5),
+    };
+    let points: Vec<C> = (0..n).map(around).collect();
+    let mut values = vec![C::default(); n];
+    faddeeva_batch(&points, &mut values);
+    broken(
+        points
+            .iter()
+            .zip(&values)
+            .all(|(&z, &w)| same(w, faddeeva(z))),
+    )
+}
+
+/// `2e^{−z²}` to 1e-30, for |z| ≤ 1e8.
+fn gaussian(z: C) -> C {
+    const PREC: u32 = 192;
+    let (x, y) = (Ball::exact(PREC, z.re), Ball::exact(PREC, z.im));
+    let e = ((&y - &x) * &(&y + &x)).exp().shift(1);
+    let (sin, cos) = (&x * &y).shift(1).sin_cos();
+    Complex::new((&e * &cos).to_f64(), -(&e * &sin).to_f64())
+}
+
+fn reflection(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    if !(z.norm() <= 1e8) {
+        return None;
+    }
+    let (p, m) = (faddeeva(z), faddeeva(-z));
+    let size = p.norm() + m.norm();
+    if !(size < 1e307) {
+        return None;
+    }
+    let rest = (p - gaussian(z)) + m;
+    // 4u of each value, and the rounding of the three terms.
+    Some(rest.norm() / (7.0 * U * size.max(f64::MIN_POSITIVE)))
+}
+
+/// W at z + h by the Taylor series at z, whose coefficients follow from W(z) alone.
+fn equation(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let r = z.norm();
+    if !(r <= 1e6) {
+        return None;
+    }
+    // A step of about 1/(8|z|), or 1/8, turned by one radian; exact as a difference.
+    let step = 0.125 / r.max(1.0);
+    let to = C::new(z.re + 0.54 * step, z.im + 0.84 * step);
+    let h = to - z;
+    let (start, end) = (faddeeva(z), faddeeva(to));
+    if !(start.norm() < 1e300 && end.norm() < 1e300) {
+        return None;
+    }
+    let mut c = [start, -2.0 * z * start + C::new(0.0, FRAC_2_SQRT_PI)];
+    let mut power = h;
+    let mut sum = start + c[1] * h;
+    for n in 2..30 {
+        let next = -(z * c[1] + c[0]) * (2.0 / n as f64);
+        c = [c[1], next];
+        power *= h;
+        sum += next * power;
+    }
+    // Errors of 4u in both values, the first grown by e^{1/4}, and some ten operations of the
+    // first terms with 1u each, of the size of 2/√π h where W is smaller.
+    let size = start.norm() + end.norm() + h.norm();
+    Some((sum - end).norm() / (16.0 * U * size))
+}
+
+/// W falls along the imaginary axis.
+fn monotonic(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    if !z.im.is_finite() {
+        return None;
+    }
+    let on_axis = |y: f64| faddeeva(Complex::new(0.0, y));
+    let next = [z.im.next_up(), z.im + z.im.abs() * 2f64.powi(-40)];
+    let here = on_axis(z.im);
+    broken(here.im == 0.0 && next.iter().all(|&y| on_axis(y).re <= here.re))
+}
+
+/// The laws.
+pub(super) fn all() -> Vec<Law> {
+    vec![
+        Law {
+            name: "conjugation",
+            statement: "W(-conj z) = conj W(z), bit for bit",
+            residual: conjugation,
+        },
+        Law {
+            name: "batch",
+            statement: "a batch of 1 to 19 points around z gives the scalar values, bit for bit",
+            residual: batch,
+        },
+        Law {
+            name: "reflection",
+            statement: "W(z) + W(-z) = 2 exp(-z^2) within 7 u (|W(z)| + |W(-z)|), for |z| <= 1e8",
+            residual: reflection,
+        },
+        Law {
+            name: "differential-equation",
+            statement: "the Taylor series of W' = -2 z W + 2i/sqrt(pi) from W(z) gives W(z + h), \
+                        |h| = 1/(8 max(|z|, 1)), within 16 u (|W(z)| + |W(z + h)| + |h|), for \
+                        |z| <= 1e6",
+            residual: equation,
+        },
+        Law {
+            name: "monotonicity",
+            statement: "W(iy) is real and does not grow from y to the next number or to \
+                        y + 2^-40 |y|",
+            residual: monotonic,
+        },
+    ]
+}
