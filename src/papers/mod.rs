@@ -1,6 +1,8 @@
 //! Published papers taken apart: their data as printed, their tables, their formulas, and what was
 //! found. Each paper is a module; what it finds has the common shape defined here.
 
+pub mod gembara_senyk;
+pub mod ledger;
 mod report;
 pub mod zinchenko;
 
