@@ -320,17 +320,23 @@ fn half_turns(p: &Fraction) -> (Gauss, Fraction) {
     let Some(pi) = Symbol::new("pi") else {
         return one();
     };
-    if !p.den().is_one() {
+    // p = c π + (the rest), with c read off at π times the leading monomial of the denominator.
+    let Some((lead, _)) = p.den().terms().last() else {
         return one();
-    }
-    let Some((_, c)) = p.num().terms().find(|(m, _)| ***m == [(pi, 1)]) else {
+    };
+    let at = &Poly::symbol(pi) * &Poly::monomial(lead);
+    let Some((_, c)) = at
+        .terms()
+        .next()
+        .and_then(|(m, _)| p.num().terms().find(|t| t.0 == m))
+    else {
         return one();
     };
     let twice = Rational::from(&c.im * 2u32);
     match twice.numer().to_i64() {
         Some(k) if c.re.is_zero() && *twice.denom() == 1 => {
-            let turned = Poly::symbol(pi).scaled(c);
-            (Gauss::i_power(k), Fraction::from(p.num() - &turned))
+            let turned = Fraction::from(Poly::symbol(pi).scaled(c));
+            (Gauss::i_power(k), p - &turned)
         }
         _ => one(),
     }

@@ -37,22 +37,27 @@ pub(super) fn quotient(a: &ComplexBall, b: &ComplexBall) -> Option<ComplexBall> 
         .then(|| (a * &b.conj()).scaled(&norm.recip()))
 }
 
-/// `√z` of a real number.
+/// `√z`, the root with positive real part; of a negative number the one above the real axis.
 pub(super) fn sqrt(z: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
-    let real = z.im.is_zero() || (z.im.contains_zero() && z.im.rad().to_f64() < 1e-12);
+    let wide = || SymbolicError::Wide("a root".into());
     let zero = Ball::integer(z.re.prec(), 0);
-    if real && z.re.is_positive() {
-        // |√(x + iy) − √x| ≤ |y|/√x.
-        let root = z.re.sqrt();
-        let slack = (&z.im.abs() / &root).magnitude();
-        return Ok(ComplexBall::new(root.widened(slack), zero.widened(slack)));
+    if z.im.is_zero() {
+        return match () {
+            () if z.re.is_zero() => Ok(ComplexBall::new(zero.clone(), zero)),
+            () if z.re.is_positive() => Ok(ComplexBall::new(z.re.sqrt(), zero)),
+            () if z.re.is_negative() => Ok(ComplexBall::new(zero, (-&z.re).sqrt())),
+            () => Err(wide()),
+        };
     }
-    if real && z.re.is_negative() && z.im.is_zero() {
-        return Ok(ComplexBall::new(zero, (-&z.re).sqrt()));
+    // (x + iy)² = z: x² = (|z| + re)/2, 2xy = im.
+    let size = z.norm_sqr().sqrt();
+    let half = (&size + &z.re).shift(-1);
+    if z.re.is_positive() || (half.is_positive() && !z.im.contains_zero()) {
+        let x = half.sqrt();
+        let y = &z.im / &x.shift(1);
+        return Ok(ComplexBall::new(x, y));
     }
-    Err(SymbolicError::Unsupported(
-        "the root of a number that is not real".into(),
-    ))
+    Err(wide())
 }
 
 /// Upper bound on `|z|`.
@@ -131,6 +136,26 @@ mod tests {
         );
         assert!(!exp_real(&Ball::exact(64, 1e300)).is_finite());
         assert!(exp_real(&Ball::exact(64, -1e300)).magnitude().to_f64() < 1e-100);
+    }
+
+    #[test]
+    fn roots() {
+        for z in [
+            at((3, 2), (-2, 7)),
+            at((-3, 2), (1, 7)),
+            at((2, 1), (0, 1)),
+            at((-2, 1), (0, 1)),
+        ] {
+            let root = sqrt(&z).unwrap();
+            let square = &root * &root;
+            assert!(square.re.overlaps(&z.re) && square.im.overlaps(&z.im));
+            assert!(root.re.to_f64() >= 0.0 && root.re.rad().to_f64() < 1e-30);
+        }
+        let around = ComplexBall::new(
+            Ball::integer(64, 0).widened(Mag::from_f64(0.5)),
+            Ball::integer(64, 0),
+        );
+        assert!(sqrt(&around).is_err());
     }
 
     #[test]

@@ -67,6 +67,40 @@ impl Enclosures<'_> {
 /// Radius of the circle for Cauchy's bound, the path of integration having length one.
 const CIRCLE: i64 = 4;
 
+impl Enclosures<'_> {
+    /// The integral over a straight path, by the Taylor series of the integrand, with Cauchy's
+    /// bound `|f_k| ≤ M R^{-k}` for the coefficients that are left out.
+    fn piece(
+        &mut self,
+        scope: &mut Scope<ComplexBall>,
+        bound: &Bound,
+        from: &ComplexBall,
+        step: &ComplexBall,
+    ) -> Result<ComplexBall, SymbolicError> {
+        let mut jets = Jets { point: self.point };
+        let mut inner = scope.with_values(|v| vec![v.clone()]);
+        inner
+            .bound
+            .push((bound.var.clone(), vec![from.clone(), step.clone()]));
+        let series = walk(&mut jets, &mut inner, &bound.body)?;
+        let mut sum = ComplexBall::zero(BITS);
+        for (k, c) in series.iter().enumerate() {
+            sum = &sum + &c.scaled(&Ball::integer(BITS, k as i64 + 1).recip());
+        }
+        let reach = Mag::from_f64(complex::size(step) * CIRCLE as f64);
+        let disc = ComplexBall::new(from.re.widened(reach), from.im.widened(reach));
+        scope.bound.push((bound.var.clone(), disc));
+        let on_disc = walk(self, scope, &bound.body);
+        scope.bound.pop();
+        let largest = complex::size(&on_disc?);
+        // Σ_{k≥N} R^{-k}/(k+1) ≤ R^{-N} (4/3)/(N+1).
+        let n = Jets::ORDER as i32;
+        let tail = Mag::from_f64(largest * (CIRCLE as f64).powi(-n) * 1.34 / f64::from(n));
+        let out = ComplexBall::new(sum.re.widened(tail), sum.im.widened(tail));
+        Ok(&out * step)
+    }
+}
+
 impl Domain for Enclosures<'_> {
     type V = ComplexBall;
 
@@ -113,8 +147,6 @@ impl Domain for Enclosures<'_> {
         }
     }
 
-    /// By the Taylor series of the integrand along the straight path, with Cauchy's bound
-    /// `|f_k| ≤ M R^{-k}` for the coefficients that are left out.
     fn integral(
         &mut self,
         scope: &mut Scope<ComplexBall>,
@@ -123,29 +155,23 @@ impl Domain for Enclosures<'_> {
         let a = walk(self, scope, &bound.from)?;
         let b = walk(self, scope, &bound.to)?;
         let step = &b - &a;
-        let mut jets = Jets { point: self.point };
-        let mut inner = scope.with_values(|v| vec![v.clone()]);
-        let path = vec![a.clone(), step.clone()];
-        inner.bound.push((bound.var.clone(), path));
-        let series = walk(&mut jets, &mut inner, &bound.body)?;
-        let mut sum = ComplexBall::zero(BITS);
-        for (k, c) in series.iter().enumerate() {
-            sum = &sum + &c.scaled(&Ball::integer(BITS, k as i64 + 1).recip());
+        let mut found = Err(SymbolicError::Wide("an integral".into()));
+        // Shorter pieces if the bound on a disc is too coarse.
+        for pieces in [1_i64, 4, 16] {
+            let part = step.scaled(&Ball::rational(BITS, &Rational::from((1, pieces))));
+            let mut sum = ComplexBall::zero(BITS);
+            let mut from = a.clone();
+            for _ in 0..pieces {
+                sum = &sum + &self.piece(scope, bound, &from, &part)?;
+                from = &from + &part;
+            }
+            let narrow = sum.re.rad().max(sum.im.rad()) < Mag::power_of_two(-40);
+            found = Ok(sum);
+            if narrow {
+                break;
+            }
         }
-        let reach = Mag::from_f64(complex::size(&step) * CIRCLE as f64);
-        let disc = ComplexBall::new(a.re.widened(reach), a.im.widened(reach));
-        scope.bound.push((bound.var.clone(), disc));
-        let on_disc = walk(self, scope, &bound.body);
-        scope.bound.pop();
-        let largest = complex::size(&on_disc?);
-        // Σ_{k≥N} R^{-k}/(k+1) ≤ R^{-N} (4/3)/(N+1).
-        let n = Jets::ORDER as i32;
-        let tail = Mag::from_f64(largest * (CIRCLE as f64).powi(-n) * 1.34 / f64::from(n));
-        if !tail.is_finite() {
-            return Err(SymbolicError::Wide("an integral".into()));
-        }
-        let out = ComplexBall::new(sum.re.widened(tail), sum.im.widened(tail));
-        Ok(&out * &step)
+        found
     }
 
     fn derivative(

@@ -96,15 +96,6 @@ impl Identity {
             error: form.err(),
         }
     }
-
-    /// Whether it fails at the first point, without a proof if it does not: a quick look.
-    pub fn fails_at(definitions: &Definitions, equation: &Equation, point: &Point) -> bool {
-        let difference = difference(equation);
-        if has_derivative(definitions, &difference) {
-            return false;
-        }
-        enclose(definitions, &difference, point).is_ok_and(|v| excludes_zero(&v))
-    }
 }
 
 fn difference(equation: &Equation) -> Expr {

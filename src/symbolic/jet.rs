@@ -15,7 +15,7 @@ pub(super) struct Jets<'a> {
 
 impl Jets<'_> {
     /// Number of coefficients.
-    pub const ORDER: usize = 72;
+    pub const ORDER: usize = 48;
 }
 
 type Series = Vec<ComplexBall>;

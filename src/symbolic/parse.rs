@@ -242,8 +242,7 @@ impl Parser {
                     body,
                 })))
             }
-            "D" => {
-                self.expect('(')?;
+            "D" if self.taken('(') => {
                 let x = self.sum()?;
                 self.expect(',')?;
                 let by = self.name()?;

@@ -60,6 +60,11 @@ impl Poly {
         Poly::term(vec![(x, 1)], Gauss::real(1))
     }
 
+    /// A monomial with coefficient one.
+    pub fn monomial(m: &Monomial) -> Poly {
+        Poly::term(m.clone(), Gauss::real(1))
+    }
+
     fn term(m: Monomial, c: Gauss) -> Poly {
         let mut out = Poly::default();
         out.accumulate(m, &c);

@@ -3,7 +3,7 @@
 use super::expr::{Bound, EACH, Expr, Func, HARMONICS};
 use super::{Gauss, SymbolicError, parse};
 use rug::Rational;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Names and what they stand for.
 #[derive(Clone, Debug, Default)]
@@ -18,6 +18,24 @@ impl Definitions {
     /// Adds or replaces a definition.
     pub fn set(&mut self, name: &str, value: Expr) {
         self.names.insert(name.into(), value);
+    }
+
+    /// Whether one of the names occurs in the expression, definitions followed.
+    pub fn reaches(&self, e: &Expr, names: &[&str]) -> bool {
+        let mut open = vec![e];
+        let mut seen: BTreeSet<&str> = BTreeSet::new();
+        while let Some(e) = open.pop() {
+            if let Expr::Sym(name) = e
+                && seen.insert(name)
+            {
+                if names.contains(&name.as_str()) {
+                    return true;
+                }
+                open.extend(self.names.get(name));
+            }
+            open.extend(e.children());
+        }
+        false
     }
 
     /// From texts `name = expression`; derivatives are written `t: x = expression`.

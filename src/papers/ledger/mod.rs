@@ -120,6 +120,8 @@ pub struct Repair {
     pub pairs: usize,
     /// How many of those hold.
     pub pairs_that_hold: usize,
+    /// Edits that make the formula divide by zero.
+    pub without_value: usize,
     /// Edits that were neither proved nor refuted.
     pub undecided: usize,
     /// The repairs that hold, without those that say the same in another way.

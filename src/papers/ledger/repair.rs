@@ -2,25 +2,100 @@
 
 use super::decide::bound;
 use super::{Formula, Repair, Requirement};
+use crate::reference::ComplexBall;
 use crate::symbolic::{
-    Definitions, Edit, Equation, Exact, Expr, Family, Outcome, edits, latex_equation,
+    Definitions, Edit, Equation, Exact, Expr, Family, Outcome, Point, SymbolicError, edits,
+    enclose, has_derivative, latex_equation,
 };
 use std::collections::BTreeSet;
 
 /// What a candidate turned out to be.
-fn judge(requirements: &[Requirement], definitions: &Definitions) -> Outcome {
-    if requirements.iter().any(|r| r.fails_quickly(definitions)) {
-        return Outcome::Refuted;
-    }
-    let mut out = Outcome::Proved;
-    for r in requirements {
-        match r.decide(definitions).outcome {
-            Outcome::Refuted => return Outcome::Refuted,
-            Outcome::Undecided => out = Outcome::Undecided,
-            Outcome::Proved => {}
+enum Judged {
+    Holds,
+    Fails,
+    /// It divides by zero whatever the values are.
+    WithoutValue,
+    Undecided,
+}
+
+/// The requirements, with the sides that do not depend on the printed form enclosed beforehand.
+struct Judge<'a> {
+    definitions: &'a Definitions,
+    requirements: &'a [Requirement],
+    fixed: Vec<[Option<ComplexBall>; 2]>,
+    point: Point,
+}
+
+impl<'a> Judge<'a> {
+    fn new(
+        printed: &Equation,
+        definitions: &'a Definitions,
+        requirements: &'a [Requirement],
+    ) -> Judge<'a> {
+        let point = Point::default();
+        let mut names = vec!["left", "right"];
+        if let Expr::Sym(name) = &printed.left {
+            names.push(name);
+        }
+        let enclosed = |e: &Expr| match definitions.reaches(e, &names) {
+            true => None,
+            false => enclose(definitions, e, &point).ok(),
+        };
+        let fixed = requirements
+            .iter()
+            .map(|r| match r {
+                Requirement::Equal(e) => [enclosed(&e.left), enclosed(&e.right)],
+                _ => [None, None],
+            })
+            .collect();
+        Judge {
+            definitions,
+            requirements,
+            fixed,
+            point,
         }
     }
-    out
+
+    /// Whether an enclosure refutes an equation at the first point.
+    fn fails_quickly(&self, with: &Definitions) -> bool {
+        self.requirements.iter().zip(&self.fixed).any(|(r, fixed)| {
+            let Requirement::Equal(e) = r else {
+                return false;
+            };
+            let value = |e: &Expr, fixed: &Option<ComplexBall>| match fixed {
+                Some(v) => Some(v.clone()),
+                None if has_derivative(with, e) => None,
+                None => enclose(with, e, &self.point).ok(),
+            };
+            let Some(left) = value(&e.left, &fixed[0]) else {
+                return false;
+            };
+            let Some(right) = value(&e.right, &fixed[1]) else {
+                return false;
+            };
+            !left.re.overlaps(&right.re) || !left.im.overlaps(&right.im)
+        })
+    }
+
+    fn judge(&self, candidate: &Equation) -> Judged {
+        let with = bound(self.definitions, candidate);
+        if self.fails_quickly(&with) {
+            return Judged::Fails;
+        }
+        let mut out = Judged::Holds;
+        for r in self.requirements {
+            let found = r.decide(&with);
+            match (found.outcome, found.error) {
+                (Outcome::Refuted, _) => return Judged::Fails,
+                (Outcome::Proved, _) => {}
+                (Outcome::Undecided, Some(SymbolicError::NotInvertible(_))) => {
+                    out = Judged::WithoutValue;
+                }
+                (Outcome::Undecided, _) => return Judged::Undecided,
+            }
+        }
+        out
+    }
 }
 
 /// Whether two repairs say the same: equal right sides under one name, or differences of the sides
@@ -51,6 +126,7 @@ pub(super) fn search(
     requirements: &[Requirement],
 ) -> (Repair, Option<Equation>) {
     let singles = edits(printed, family);
+    let judge = Judge::new(printed, definitions, requirements);
     let mut out = Repair {
         single_edits: singles.len(),
         ..Repair::default()
@@ -59,10 +135,11 @@ pub(super) fn search(
     let mut tried: BTreeSet<String> = BTreeSet::from([printed.to_string()]);
     for (edit, candidate) in &singles {
         tried.insert(candidate.to_string());
-        match judge(requirements, &bound(definitions, candidate)) {
-            Outcome::Proved => holding.push((vec![edit.clone()], candidate.clone())),
-            Outcome::Undecided => out.undecided += 1,
-            Outcome::Refuted => {}
+        match judge.judge(candidate) {
+            Judged::Holds => holding.push((vec![edit.clone()], candidate.clone())),
+            Judged::Undecided => out.undecided += 1,
+            Judged::WithoutValue => out.without_value += 1,
+            Judged::Fails => {}
         }
     }
     out.single_that_hold = holding.len();
@@ -73,10 +150,11 @@ pub(super) fn search(
                     continue;
                 }
                 out.pairs += 1;
-                match judge(requirements, &bound(definitions, &candidate)) {
-                    Outcome::Proved => holding.push((vec![first.clone(), second], candidate)),
-                    Outcome::Undecided => out.undecided += 1,
-                    Outcome::Refuted => {}
+                match judge.judge(&candidate) {
+                    Judged::Holds => holding.push((vec![first.clone(), second], candidate)),
+                    Judged::Undecided => out.undecided += 1,
+                    Judged::WithoutValue => out.without_value += 1,
+                    Judged::Fails => {}
                 }
             }
         }

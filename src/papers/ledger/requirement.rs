@@ -90,14 +90,6 @@ impl Requirement {
             error: slack.err(),
         }
     }
-
-    /// A quick refutation; false if there is none.
-    pub fn fails_quickly(&self, definitions: &Definitions) -> bool {
-        match self {
-            Requirement::Equal(e) => Identity::fails_at(definitions, e, &Point::default()),
-            other => other.decide(definitions).outcome == Outcome::Refuted,
-        }
-    }
 }
 
 fn shown(x: &Ball) -> String {

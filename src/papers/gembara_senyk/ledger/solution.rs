@@ -94,7 +94,7 @@ fn equations() -> Vec<Item> {
                 "psi_1 = omega_star^2/omega_3*D_n*int(tau, 0, t, exp(-i*at(Theta_n, t, tau) \
                    - n_star*(t - tau))*exp(i*omega_3*(t - tau))/(2*i))",
             ])
-            .misprint(1, &["omega_3 n_star omega_star"], "tau t"),
+            .misprint(1, &["omega_3 n_star omega_star"], ""),
         Item::new("gs-split-second", "after (11), second integral", Step)
             .printed(
                 "psi_2 = -omega_star^2/(2*i*omega_3)*series(n, \
