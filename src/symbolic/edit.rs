@@ -116,7 +116,7 @@ fn node_edits(e: &Expr, family: &Family, out: &mut Edited) {
             }
         }
         Expr::Pow(x, k) => {
-            for other in [1, 2, 3, -k].into_iter().filter(|o| o != k) {
+            for other in [1, 2, 3].into_iter().filter(|o| o != k) {
                 let power = match other {
                     1 => (**x).clone(),
                     other => Expr::Pow(x.clone(), other),
@@ -148,7 +148,10 @@ fn node_edits(e: &Expr, family: &Family, out: &mut Edited) {
         }
         Expr::Div(a, b) => {
             push(out, "superfluous divisor", e, (**a).clone());
-            push(out, "inverted quotient", e, Expr::Div(b.clone(), a.clone()));
+            // A bare constant below makes no sense above.
+            if !matches!(**b, Expr::Num(_)) {
+                push(out, "inverted quotient", e, Expr::Div(b.clone(), a.clone()));
+            }
         }
         Expr::Call(Func::Arctan, x) => {
             if let Expr::Div(a, b) = &**x
@@ -177,8 +180,8 @@ fn all(e: &Expr, is_term: bool, family: &Family, out: &mut Edited) {
             Expr::Int(_) | Expr::Sum(_) => k == 2,
             _ => false,
         };
-        // Which terms a series has is not in question.
-        if matches!(e, Expr::Sum(_)) && k < 2 {
+        // Which terms a series has is not in question, nor the index that numbers them.
+        if matches!(e, Expr::Index(..)) || (matches!(e, Expr::Sum(_)) && k < 2) {
             continue;
         }
         let mut inner = Edited::new();

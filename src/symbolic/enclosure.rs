@@ -8,6 +8,7 @@ use super::walk::{Definitions, Domain, Scope, walk};
 use super::{Algebra, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// Working precision of enclosures.
@@ -44,13 +45,55 @@ fn gauss(c: &Gauss) -> ComplexBall {
     ComplexBall::new(Ball::rational(BITS, &c.re), Ball::rational(BITS, &c.im))
 }
 
-/// Evaluates in balls at a point.
-pub struct Enclosures<'a> {
-    /// The point.
-    pub point: &'a Point,
+/// Values of definitions and integrals at one point, for the many candidates of a search that
+/// differ in the printed form only.
+#[derive(Debug, Default)]
+pub struct Cache {
+    changing: Vec<String>,
+    values: RefCell<BTreeMap<String, ComplexBall>>,
 }
 
-impl Enclosures<'_> {
+impl Cache {
+    /// Empty; whatever depends on one of these names is not kept.
+    pub fn new(changing: &[&str]) -> Cache {
+        Cache {
+            changing: changing.iter().map(|n| n.to_string()).collect(),
+            values: RefCell::default(),
+        }
+    }
+
+    fn get(&self, key: &str) -> Option<ComplexBall> {
+        self.values.borrow().get(key).cloned()
+    }
+
+    fn keep(&self, definitions: &Definitions, e: &Expr, key: String, value: &ComplexBall) {
+        let changing: Vec<&str> = self.changing.iter().map(String::as_str).collect();
+        if !definitions.reaches(e, &changing) {
+            self.values.borrow_mut().insert(key, value.clone());
+        }
+    }
+}
+
+/// Evaluates in balls at a point.
+pub struct Enclosures<'a> {
+    point: &'a Point,
+    cache: Option<&'a Cache>,
+}
+
+impl<'a> Enclosures<'a> {
+    /// At that point.
+    pub fn new(point: &'a Point) -> Enclosures<'a> {
+        Enclosures { point, cache: None }
+    }
+
+    /// At that point, which has to be the same whenever this cache is used.
+    pub fn remembering(point: &'a Point, cache: &'a Cache) -> Enclosures<'a> {
+        Enclosures {
+            point,
+            cache: Some(cache),
+        }
+    }
+
     /// An enclosure of the value.
     ///
     /// # Errors
@@ -152,12 +195,22 @@ impl Domain for Enclosures<'_> {
         scope: &mut Scope<ComplexBall>,
         bound: &Bound,
     ) -> Result<ComplexBall, SymbolicError> {
+        let key = match (self.cache, scope.bound.is_empty()) {
+            (Some(cache), true) => {
+                let key = Expr::Int(Box::new(bound.clone())).to_string();
+                if let Some(found) = cache.get(&key) {
+                    return Ok(found);
+                }
+                Some(key)
+            }
+            _ => None,
+        };
         let a = walk(self, scope, &bound.from)?;
         let b = walk(self, scope, &bound.to)?;
         let step = &b - &a;
         let mut found = Err(SymbolicError::Wide("an integral".into()));
         // Shorter pieces if the bound on a disc is too coarse.
-        for pieces in [1_i64, 4, 16] {
+        for pieces in [1_i64, 4, 16, 64] {
             let part = step.scaled(&Ball::rational(BITS, &Rational::from((1, pieces))));
             let mut sum = ComplexBall::zero(BITS);
             let mut from = a.clone();
@@ -171,7 +224,21 @@ impl Domain for Enclosures<'_> {
                 break;
             }
         }
+        if let (Some(cache), Some(key), Ok(value)) = (self.cache, key, &found) {
+            let whole = Expr::Int(Box::new(bound.clone()));
+            cache.keep(scope.definitions, &whole, key, value);
+        }
         found
+    }
+
+    fn recall(&mut self, name: &str) -> Option<ComplexBall> {
+        self.cache?.get(name)
+    }
+
+    fn keep(&mut self, definitions: &Definitions, name: &str, value: &ComplexBall) {
+        if let Some(cache) = self.cache {
+            cache.keep(definitions, &Expr::Sym(name.into()), name.into(), value);
+        }
     }
 
     fn derivative(
@@ -219,7 +286,7 @@ pub fn enclose(
         let form = exact.value(definitions, e)?;
         return enclose_form(&exact.algebra, &form, point);
     }
-    Enclosures { point }.value(definitions, e)
+    Enclosures::new(point).value(definitions, e)
 }
 
 /// An enclosure of a normal form.
@@ -282,5 +349,5 @@ fn enclose_symbol(
     if let Some((_, z)) = algebra.antiderivatives().iter().find(|(g, _)| *g == x) {
         return complex::antiderivative(&enclose_fraction(algebra, z, point)?);
     }
-    Enclosures { point }.symbol(&x.name())
+    Enclosures::new(point).symbol(&x.name())
 }

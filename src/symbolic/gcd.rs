@@ -49,7 +49,8 @@ pub fn gcd(a: &Poly, b: &Poly) -> Poly {
         }
         let c = content(&r, x);
         p = q;
-        q = r.divided_by(&c).unwrap_or(r);
+        // Monic, or the numbers would grow with every step.
+        q = monic(&r.divided_by(&c).unwrap_or(r));
     }
 }
 

@@ -33,11 +33,11 @@ impl Domain for Jets<'_> {
     type V = Series;
 
     fn constant(&mut self, c: &Gauss) -> Series {
-        vec![Enclosures { point: self.point }.constant(c)]
+        vec![Enclosures::new(self.point).constant(c)]
     }
 
     fn symbol(&mut self, name: &str) -> Result<Series, SymbolicError> {
-        Ok(vec![Enclosures { point: self.point }.symbol(name)?])
+        Ok(vec![Enclosures::new(self.point).symbol(name)?])
     }
 
     fn add(&mut self, a: &Series, b: &Series) -> Series {
@@ -71,7 +71,7 @@ impl Domain for Jets<'_> {
     fn call(&mut self, f: Func, x: &Series) -> Result<Series, SymbolicError> {
         if f != Func::Exp {
             let x = number(x, f.name())?;
-            return Ok(vec![Enclosures { point: self.point }.call(f, x)?]);
+            return Ok(vec![Enclosures::new(self.point).call(f, x)?]);
         }
         let Some(first) = x.first() else {
             return Ok(self.constant(&Gauss::real(1)));

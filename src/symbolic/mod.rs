@@ -65,7 +65,7 @@ mod walk;
 
 pub use algebra::{Algebra, Derivation};
 pub use edit::{Edit, Family, edits};
-pub use enclosure::{BITS, Enclosures, Point, enclose, enclose_form, has_derivative};
+pub use enclosure::{BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative};
 pub use error::SymbolicError;
 pub use exact::Exact;
 pub use expr::{Bound, Equation, Expr, Func, HARMONICS};

@@ -151,7 +151,7 @@ proptest! {
         let e = parse(&a).unwrap();
         let form = exact.value(&definitions, &e).unwrap();
         let through = enclose_form(&exact.algebra, &form, &point).unwrap();
-        let straight = Enclosures { point: &point }.value(&definitions, &e).unwrap();
+        let straight = Enclosures::new(&point).value(&definitions, &e).unwrap();
         prop_assert!(overlap(&through, &straight), "{a}: {form}");
         let size = 1.0 + straight.re.magnitude().to_f64() + straight.im.magnitude().to_f64();
         prop_assert!(straight.re.rad().to_f64() / size < 1e-15, "{a}");
@@ -165,7 +165,7 @@ proptest! {
                 let t = Rational::from((3, 4)) + Rational::from((k, 1 << h));
                 let named = [("t".to_string(), t)].into();
                 let point = Point { named, ..Point::default() };
-                let z = Enclosures { point: &point }.value(&definitions, &parse(&a).unwrap());
+                let z = Enclosures::new(&point).value(&definitions, &parse(&a).unwrap());
                 let z = z.unwrap();
                 (z.re.to_f64(), z.im.to_f64())
             };

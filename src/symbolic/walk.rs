@@ -130,6 +130,12 @@ pub trait Domain: Sized {
         body: &Expr,
         by: &str,
     ) -> Result<Self::V, SymbolicError>;
+    /// The value of a definition that was kept before.
+    fn recall(&mut self, _name: &str) -> Option<Self::V> {
+        None
+    }
+    /// May keep the value of a definition, nothing being bound.
+    fn keep(&mut self, _definitions: &Definitions, _name: &str, _value: &Self::V) {}
     /// The value at a value of a symbol; by binding unless the domain knows better.
     fn at(
         &mut self,
@@ -280,8 +286,15 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
     if scope.depth >= DEEPEST {
         return Err(SymbolicError::Circular(name.into()));
     }
+    let free = scope.bound.is_empty() && scope.indices.is_empty();
+    if let Some(kept) = free.then(|| d.recall(name)).flatten() {
+        return Ok(kept);
+    }
     scope.depth += 1;
     let out = walk(d, scope, e);
     scope.depth -= 1;
+    if let (true, Ok(value)) = (free, &out) {
+        d.keep(definitions, name, value);
+    }
     out
 }

@@ -4,8 +4,8 @@ use super::decide::bound;
 use super::{Formula, Repair, Requirement};
 use crate::reference::ComplexBall;
 use crate::symbolic::{
-    Definitions, Edit, Equation, Exact, Expr, Family, Outcome, Point, SymbolicError, edits,
-    enclose, has_derivative, latex_equation,
+    Cache, Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome, Point,
+    SymbolicError, edits, enclose, has_derivative, latex_equation,
 };
 use std::collections::BTreeSet;
 
@@ -24,6 +24,7 @@ struct Judge<'a> {
     requirements: &'a [Requirement],
     fixed: Vec<[Option<ComplexBall>; 2]>,
     point: Point,
+    cache: Cache,
 }
 
 impl<'a> Judge<'a> {
@@ -53,6 +54,7 @@ impl<'a> Judge<'a> {
             requirements,
             fixed,
             point,
+            cache: Cache::new(&names),
         }
     }
 
@@ -65,7 +67,10 @@ impl<'a> Judge<'a> {
             let value = |e: &Expr, fixed: &Option<ComplexBall>| match fixed {
                 Some(v) => Some(v.clone()),
                 None if has_derivative(with, e) => None,
-                None => enclose(with, e, &self.point).ok(),
+                None => {
+                    let mut enclosures = Enclosures::remembering(&self.point, &self.cache);
+                    enclosures.value(with, e).ok()
+                }
             };
             let Some(left) = value(&e.left, &fixed[0]) else {
                 return false;
