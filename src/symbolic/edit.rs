@@ -187,6 +187,10 @@ fn all(e: &Expr, is_term: bool, family: &Family, out: &mut Edited) {
         let mut inner = Edited::new();
         all(child, term, family, &mut inner);
         for (edit, new) in inner {
+            // A power of a power is not a slip.
+            if matches!(e, Expr::Pow(..)) && edit.kind == "missing exponent" {
+                continue;
+            }
             let mut changed = children.clone();
             changed[k] = new;
             out.push((edit, e.with_children(changed)));

@@ -86,7 +86,7 @@ pub enum Expr {
     Call(Func, Box<Expr>),
     /// An integral.
     Int(Box<Bound>),
-    /// A sum over an index; up to `inf` it is cut off after [`HARMONICS`] terms; `series(n, f)`,
+    /// A sum over an index; up to `inf`, or to `n_num` for an unspecified number, it is cut off after [`HARMONICS`] terms; `series(n, f)`,
     /// which has the upper limit `each`, stands for its term with indeterminate n.
     Sum(Box<Bound>),
     /// A derivative: by a derivation of that name, or partial.

@@ -55,6 +55,12 @@ fn symbol(name: &str) -> String {
     if let Some((_, tex)) = SPECIAL.iter().find(|s| s.0 == name) {
         return (*tex).into();
     }
+    // Derivatives by φ: dI_n, dv_S2, domega_3.
+    if let Some(rest) = name.strip_prefix('d')
+        && ["I_", "v_", "omega_"].iter().any(|p| rest.starts_with(p))
+    {
+        return format!(r"\frac{{d{}}}{{d\varphi}}", symbol(rest));
+    }
     let primes = name.chars().rev().take_while(|c| *c == '\'').count();
     let bare = &name[..name.len() - primes];
     let mut parts = bare.split('_');

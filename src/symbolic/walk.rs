@@ -163,7 +163,7 @@ use rug::ops::Pow;
 fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
     match e {
         Expr::Num(n) => n.parse().ok(),
-        Expr::Sym(s) if s == "inf" => Some(HARMONICS),
+        Expr::Sym(s) if s == "inf" || s == "n_num" => Some(HARMONICS),
         Expr::Sym(s) => {
             let found = scope.indices.iter().rev().find(|b| b.0 == *s);
             found.map(|b| b.1)

@@ -6,14 +6,14 @@ use crate::symbolic::{
     Definitions, Equation, Expr, Identity, Outcome, SymbolicError, latex_equation, parse_equation,
 };
 
-/// The definitions with the printed form put in.
-pub(super) fn bound(definitions: &Definitions, printed: &Equation) -> Definitions {
+/// The definitions with a form put in: under the name that the printed form has, if it has one.
+pub(super) fn bound(definitions: &Definitions, printed: &Equation, form: &Equation) -> Definitions {
     let mut out = definitions.clone();
     if let Expr::Sym(name) = &printed.left {
-        out.set(name, printed.right.clone());
+        out.set(name, form.right.clone());
     }
-    out.set("left", printed.left.clone());
-    out.set("right", printed.right.clone());
+    out.set("left", form.left.clone());
+    out.set("right", form.right.clone());
     out
 }
 
@@ -79,7 +79,7 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
     let definitions = Definitions::read(&item.definitions)?;
     let printed = item.printed.map(parse_equation).transpose()?;
     let with = match &printed {
-        Some(e) => bound(&definitions, e),
+        Some(e) => bound(&definitions, e, e),
         None => definitions.clone(),
     };
     let parsed = |t: &&str| Requirement::parse(t);
@@ -112,7 +112,7 @@ fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
         let (repair, corrected) = search(e, family, item.most_edits, &definitions, &requirements);
         if let Some(corrected) = corrected {
             entry.verdict = Verdict::Misprint;
-            let with = bound(&definitions, &corrected);
+            let with = bound(&definitions, e, &corrected);
             for (o, r) in obligations.iter_mut().zip(&requirements) {
                 o.corrected = Some(r.decide(&with).outcome);
             }

@@ -20,6 +20,7 @@ enum Judged {
 
 /// The requirements, with the sides that do not depend on the printed form enclosed beforehand.
 struct Judge<'a> {
+    printed: &'a Equation,
     definitions: &'a Definitions,
     requirements: &'a [Requirement],
     fixed: Vec<[Option<ComplexBall>; 2]>,
@@ -29,7 +30,7 @@ struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     fn new(
-        printed: &Equation,
+        printed: &'a Equation,
         definitions: &'a Definitions,
         requirements: &'a [Requirement],
     ) -> Judge<'a> {
@@ -50,6 +51,7 @@ impl<'a> Judge<'a> {
             })
             .collect();
         Judge {
+            printed,
             definitions,
             requirements,
             fixed,
@@ -83,7 +85,7 @@ impl<'a> Judge<'a> {
     }
 
     fn judge(&self, candidate: &Equation) -> Judged {
-        let with = bound(self.definitions, candidate);
+        let with = bound(self.definitions, self.printed, candidate);
         if self.fails_quickly(&with) {
             return Judged::Fails;
         }

@@ -13,6 +13,7 @@ mod findings;
 mod fitted_nodes;
 mod formulas;
 mod hidden_recipe;
+mod ledger;
 mod moment_residual;
 mod recipe;
 mod recovery;
@@ -41,6 +42,11 @@ fn citation() -> Citation {
         year: 2008,
         venue: "NTU KhPI, Kharkiv (in Ukrainian)",
     }
+}
+
+/// Every formula, step, table definition and inline number, decided.
+pub fn ledger() -> super::ledger::Ledger {
+    super::ledger::Ledger::of(citation(), &ledger::items())
 }
 
 /// Audits the paper.
@@ -187,6 +193,21 @@ fn claims(printed: &[Printed], recovered: &Variant) -> Result<Vec<Finding>, Unde
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_entry_of_the_ledger_is_as_recorded() {
+        let mut wrong = Vec::new();
+        for item in ledger::items() {
+            let start = std::time::Instant::now();
+            let e = crate::papers::ledger::decide(&item);
+            println!("{:24} {:?} {:?}", e.id, e.verdict, start.elapsed());
+            if !e.as_recorded {
+                println!("{e:#?}");
+                wrong.push(e.id);
+            }
+        }
+        assert!(wrong.is_empty(), "{wrong:?}");
+    }
 
     #[test]
     fn every_finding_is_as_recorded() {
