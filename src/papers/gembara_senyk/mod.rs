@@ -21,8 +21,8 @@ pub fn citation() -> Citation {
         key: KEY,
         authors: "V. M. Gembara, D. M. Senyk",
         title: "Dynamics of oscillating-follower cam mechanisms in a non-stationary regime",
-        year: 1969,
-        venue: "Polihrafiia i vydavnycha sprava, Lviv (in Ukrainian); year not in the text layer",
+        year: None,
+        venue: "Polihrafiia i vydavnycha sprava, Lviv (in Ukrainian), 1968 or later",
     }
 }
 

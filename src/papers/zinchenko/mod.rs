@@ -39,7 +39,7 @@ fn citation() -> Citation {
         key: KEY,
         authors: "O. I. Zinchenko",
         title: "Dynamic study of a sieving mechanism for moulding sand",
-        year: 2008,
+        year: Some(2008),
         venue: "NTU KhPI, Kharkiv (in Ukrainian)",
     }
 }

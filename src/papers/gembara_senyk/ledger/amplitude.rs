@@ -89,17 +89,19 @@ pub(super) fn items() -> Vec<Item> {
             .misprint(1, &["U_n V_n", "U_n0 V_n0"], ""),
         Item::new("gs-19-sum", "(16) and (19)", Statement)
             .claims("The largest deflection is the sum of the |A_n|.")
-            .with(&["phi = abs(A_1)*cos(x) + abs(A_2)*cos(2*x + pi)"])
+            .with(&["phi = abs(A_1)*cos(x) + abs(A_2)*cos(2*x - pi/2)"])
             .with(&["A_1 = 1", "A_2 = 1"])
             .model()
-            .also("phi = 9/8 - 2*(cos(x) - 1/4)^2")
-            .also("9/8 < A_1 + A_2")
-            .also("(-1/4 - 1)^2*2 - 9/8 ~ 2 within 0")
+            .also(
+                "4 - phi^2 = (2*sin(x)^2 + sin(x) - 7/5)^2 + 8/5*(sin(x) - 3/8)^2 + 163/200",
+            )
+            .also("sqrt(4 - 163/200) < 1.785")
+            .also("1.785 < A_1 + A_2")
             .note(
-                "The sum is an upper bound. With two harmonics of modulus 1 and this phase the \
-                 largest deflection to the positive side is 9/8, not 2, although -2 is reached on \
-                 the other side. And D_n of the displacement make (19) a bound of displacements, \
-                 not of the accelerations that figure 5 compares.",
+                "The sum is an upper bound only. For two harmonics of modulus 1 with this phase \
+                 4 - φ² is a sum of squares and 163/200, so the deflection stays below 1.785 where \
+                 the sum is 2. And D_n of the displacement make (19) a bound of displacements, not \
+                 of the accelerations that figure 5 compares.",
             ),
     ]
 }
