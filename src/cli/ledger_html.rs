@@ -11,14 +11,15 @@ use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
 /// What a ledger needs beyond the style sheet of reports.
 const EXTRA: &str = "
-.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr));
+.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr));
   gap: .4rem 1.5rem; margin: .5rem 0; }
-.pair > div { overflow-x: auto; padding: .3rem .6rem; border: 1px solid var(--line);
+body { max-width: 92rem; }
+.pair > div { overflow: auto hidden; padding: .3rem .6rem .6rem; border: 1px solid var(--line);
   border-radius: .25rem; }
 .pair .wrong { background: var(--misprint); } .pair .right { background: var(--agrees); }
 .cap { display: block; font-size: .75rem; color: var(--soft); }
-math { font-size: 1.1rem; } code { font-size: .8rem; overflow-wrap: anywhere; }
-.ob { margin: .25rem 0; overflow-x: auto; } .ok { color: var(--good); } .no { color: var(--bad); }
+math { font-size: 1.05rem; } code { font-size: .8rem; overflow-wrap: anywhere; }
+.ob { margin: .25rem 0; padding: .2rem 0 .4rem; overflow: auto hidden; } .ok { color: var(--good); } .no { color: var(--bad); }
 ";
 
 /// MathML of a formula; the text form if it cannot be typeset.
@@ -94,7 +95,11 @@ fn entry(e: &LedgerEntry) -> String {
             _ => "",
         };
         out.push_str("<div class=\"pair\">\n");
-        out.push_str(&cell(class, "printed", printed));
+        let caption = match e.composed {
+            true => "of corrected parts",
+            false => "printed",
+        };
+        out.push_str(&cell(class, caption, printed));
         if let Some(corrected) = &e.corrected {
             out.push_str(&cell("right", "corrected", corrected));
         }

@@ -53,7 +53,12 @@ fn entry(e: &LedgerEntry) -> String {
         escape(e.claim)
     );
     if let Some(f) = &e.printed {
-        out.push_str(&shown("Printed:", f));
+        let caption = if e.composed {
+            "Of corrected parts:"
+        } else {
+            "Printed:"
+        };
+        out.push_str(&shown(caption, f));
     }
     if let Some(f) = &e.corrected {
         out.push_str(&shown("Corrected:", f));

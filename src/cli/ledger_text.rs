@@ -55,7 +55,8 @@ fn entry(e: &LedgerEntry, width: usize) -> String {
     }
     out.push_str(&paragraph(e.claim, 4, width));
     if let Some(f) = &e.printed {
-        out.push_str(&labelled("printed", &f.text, width));
+        let label = if e.composed { "composed" } else { "printed" };
+        out.push_str(&labelled(label, &f.text, width));
     }
     if let Some(f) = &e.corrected {
         out.push_str(&labelled("corrected", &f.text, width));

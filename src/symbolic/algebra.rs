@@ -238,6 +238,21 @@ impl Algebra {
         Ok(Fraction::symbol(g))
     }
 
+    /// A normal form as text, with `sqrt(…)` for the roots and `G(…)` for the antiderivative.
+    pub fn text(&self, e: &ExpSum) -> String {
+        let mut out = e.to_string();
+        // Last first, so that G:12 is not taken for G:1.
+        for (g, z) in self.antiderivatives.iter().rev() {
+            out = out.replace(&g.name(), &format!("G({z})"));
+        }
+        let mut roots: Vec<_> = self.roots.iter().collect();
+        roots.sort_by_key(|(s, _)| std::cmp::Reverse(s.name().len()));
+        for (s, p) in roots {
+            out = out.replace(&s.name(), &format!("sqrt({p})"));
+        }
+        out
+    }
+
     /// Conjugated, all symbols being real and under roots positive.
     ///
     /// # Errors

@@ -57,7 +57,7 @@ impl Identity {
         let difference = difference(equation);
         let mut exact = Exact::default();
         let form = exact.value(definitions, &difference);
-        let residual = form.as_ref().ok().map(|f| f.to_string());
+        let residual = form.as_ref().ok().map(|f| exact.algebra.text(f));
         if form.as_ref().is_ok_and(ExpSum::is_zero) {
             return Identity {
                 outcome: Outcome::Proved,
@@ -191,6 +191,8 @@ fn coordinates(definitions: &Definitions, e: &Expr, point: &Point) -> Vec<(Strin
             Expr::Int(b) | Expr::Sum(b) => {
                 inner.remove(&b.var);
                 inner.remove("inf");
+                inner.remove("each");
+                inner.remove("n_num");
             }
             Expr::At(_, s, _) => {
                 inner.remove(s);

@@ -20,7 +20,7 @@ impl Definitions {
         self.names.insert(name.into(), value);
     }
 
-    /// Whether one of the names occurs in the expression, definitions followed.
+    /// Whether one of the names occurs in the expression, definitions and derivations followed.
     pub fn reaches(&self, e: &Expr, names: &[&str]) -> bool {
         let mut open = vec![e];
         let mut seen: BTreeSet<&str> = BTreeSet::new();
@@ -32,6 +32,10 @@ impl Definitions {
                     return true;
                 }
                 open.extend(self.names.get(name));
+            }
+            if let Expr::Diff(_, by) = e {
+                let images = self.derivations.get(by).into_iter().flatten();
+                open.extend(images.map(|i| &i.1));
             }
             open.extend(e.children());
         }

@@ -6,7 +6,7 @@
 
 mod ledger;
 
-use super::ledger::{Ledger, Verdict};
+use super::ledger::{Item, Ledger, Verdict};
 use super::{
     Citation, Figure, Finding, FindingVerdict, PaperReport, Progress, SCHEMA_VERSION, Subject,
 };
@@ -28,7 +28,12 @@ pub fn citation() -> Citation {
 
 /// Every formula, step and inline number, decided.
 pub fn ledger() -> Ledger {
-    Ledger::of(citation(), &ledger::items())
+    Ledger::of(citation(), &ledger_items())
+}
+
+/// The entries of the ledger before they are decided.
+pub fn ledger_items() -> Vec<Item> {
+    ledger::items()
 }
 
 /// The findings of the ledger: what is wrong, and one finding for what is proved. Tables and graphs

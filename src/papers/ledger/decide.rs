@@ -59,6 +59,7 @@ fn blank(item: &Item) -> LedgerEntry {
         kind: item.kind,
         claim: item.claim,
         printed: None,
+        composed: item.composed,
         verdict: Verdict::Undecided,
         corrected: None,
         obligations: Vec::new(),

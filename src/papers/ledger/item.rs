@@ -15,6 +15,8 @@ pub struct Item {
     pub kind: Kind,
     /// The printed form.
     pub printed: Option<&'static str>,
+    /// Whether the form is put together from corrected parts instead of printed.
+    pub composed: bool,
     /// What it claims.
     pub claim: &'static str,
     /// Definitions that its requirements need, `name = expression` or `t: x = expression`.
@@ -41,6 +43,7 @@ impl Item {
             place,
             kind,
             printed: None,
+            composed: false,
             claim: "",
             definitions: Vec::new(),
             requirements: Vec::new(),
@@ -65,6 +68,13 @@ impl Item {
     pub fn claims(mut self, text: &'static str) -> Item {
         self.claim = text;
         self
+    }
+
+    /// A form that is not printed but put together from parts that were corrected.
+    #[must_use]
+    pub fn composed(mut self, text: &'static str) -> Item {
+        self.composed = true;
+        self.printed(text)
     }
 
     /// Definitions in use.

@@ -143,6 +143,9 @@ pub struct LedgerEntry {
     pub claim: &'static str,
     /// As printed.
     pub printed: Option<Formula>,
+    /// Whether the form is not printed like that but put together from parts that were corrected.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub composed: bool,
     /// The verdict.
     pub verdict: Verdict,
     /// The corrected form.

@@ -46,7 +46,12 @@ fn citation() -> Citation {
 
 /// Every formula, step, table definition and inline number, decided.
 pub fn ledger() -> super::ledger::Ledger {
-    super::ledger::Ledger::of(citation(), &ledger::items())
+    super::ledger::Ledger::of(citation(), &ledger_items())
+}
+
+/// The entries of the ledger before they are decided.
+pub fn ledger_items() -> Vec<super::ledger::Item> {
+    ledger::items()
 }
 
 /// Audits the paper.

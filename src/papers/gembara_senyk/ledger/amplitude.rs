@@ -24,8 +24,8 @@ pub(super) fn items() -> Vec<Item> {
         Item::new("gs-17", "(17)", Formula)
             .printed("delta_star_n = -arctan(im(A_n)/re(A_n))")
             .claims("With it (16) is the real part of (15), whatever the quadrant of A_n.")
-            .with(&["Theta_n = n*eps*t^2/2 + delta_n", "A_n = rho*exp(i*alpha)"])
-            .with(&["alpha = 2*pi/3 + beta - beta"])
+            .with(&MODULUS)
+            .with(&["alpha = 2*pi/3"])
             .requires(&["rho*cos(Theta_n + delta_star_n) = re(A_n*exp(-i*Theta_n))"])
             .misprint(1, &[], "")
             .note(

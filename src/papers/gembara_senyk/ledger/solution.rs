@@ -113,7 +113,7 @@ fn equations() -> Vec<Item> {
                  solution of (10); it is the solution of (9).",
             ),
         Item::new("gs-split", "after (11), sum", Step)
-            .printed("psi = first + second")
+            .composed("psi = first + second")
             .claims("Both integrals, corrected, are (10).")
             .with(&HARMONIC)
             .requires(&["psi = psi_10"]),
@@ -166,7 +166,7 @@ fn substitution() -> Vec<Item> {
             .requires(&["(i - 1)*omega_star^2/(2*omega_3)*D_n/s*B_2*exp(-i*Theta_n) = second"])
             .misprint(2, &["V_n U_n", "V_n0 U_n0"], ""),
         Item::new("gs-14", "(14), with its terms corrected", Formula)
-            .printed(
+            .composed(
                 "A_n = (i - 1)*omega_star^2/(2*omega_3)*(D_n/sqrt(n*eps))\
                  *(exp(-V_n^2)*int(V, V_n0, V_n, exp(V^2)) \
                  + exp(-U_n^2)*int(U, U_n0, U_n, exp(U^2)))",
