@@ -118,7 +118,7 @@ pub mod tests {
     pub fn fabricated() -> Ledger {
         let paper = Citation {
             key: "test",
-            authors: "A. & B.",
+            authors: "A & B",
             title: "On <tests>",
             year: None,
             venue: "Nowhere",
@@ -131,9 +131,9 @@ pub mod tests {
                     .claims("A square.")
                     .requires(&["y = a^2 + 2*a*b + b^2"]),
                 Item::new("slip", "(2)", Kind::Formula)
-                    .printed("y = (a - b)^2")
+                    .printed("y = a^2 - 2*a*b + b^2")
                     .claims("A square & more.")
-                    .requires(&["y = a^2 + 2*a*b + b^2"])
+                    .requires(&["y = (a + b)^2"])
                     .misprint(1, &["a b"], ""),
                 Item::new("claim", "(3)", Kind::Statement)
                     .claims("Nothing.")
@@ -149,9 +149,9 @@ pub mod tests {
         for part in [
             "3 entries: 1 proved, 1 misprint, 1 model claim tested; all as recorded.",
             "~ (2) [misprint; slip]",
-            "printed    y = (a - b)^2",
-            "corrected  y = (a + b)^2",
-            "edit       sign: -b becomes b",
+            "printed    y = a^2 - 2*a*b + b^2",
+            "corrected  y = a^2 + 2*a*b + b^2",
+            "edit       sign: -2*a*b becomes 2*a*b",
             "[refuted as printed, proved as corrected]",
             "residual   -4*a*b",
             "fact       1/2 < 1/3 [refuted]",

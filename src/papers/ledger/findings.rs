@@ -7,7 +7,13 @@ use crate::symbolic::Outcome;
 /// What an entry that is wrong, or a claim about the model that was tested, contributes to the
 /// report; nothing for the others.
 pub fn finding(e: &LedgerEntry) -> Option<Finding> {
+    // Slips of reasoning, not of print: a lost quadrant, a value taken to be zero.
+    let slips = e.repair.iter().flat_map(|r| &r.edits);
+    let of_the_paper = slips
+        .into_iter()
+        .any(|s| matches!(s.kind, "quadrant" | "zero for a symbol"));
     let verdict = match e.verdict {
+        Verdict::Misprint if of_the_paper => FindingVerdict::ErrorOfPaper,
         Verdict::Misprint => FindingVerdict::PrintOrScan,
         Verdict::Refuted => FindingVerdict::ErrorOfPaper,
         Verdict::Undecided => FindingVerdict::Unexplained,
@@ -17,7 +23,9 @@ pub fn finding(e: &LedgerEntry) -> Option<Finding> {
         _ => return None,
     };
     let (subject, title) = match e.verdict {
-        Verdict::Misprint => (Subject::Formula, format!("{} is misprinted", e.place)),
+        Verdict::Misprint if !of_the_paper => {
+            (Subject::Formula, format!("{} is misprinted", e.place))
+        }
         Verdict::Model => (Subject::Claim, e.claim.trim_end_matches('.').to_string()),
         _ => (Subject::Formula, format!("{} is wrong", e.place)),
     };
