@@ -9,6 +9,7 @@
 //! | `reference` | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
+//! | `symbolic` | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
 //! With `default-features = false` only the solvers are built, without GMP, MPFR or any
@@ -66,3 +67,5 @@ pub mod papers;
 #[cfg(feature = "oracle")]
 pub mod reference;
 pub mod solvers;
+#[cfg(feature = "oracle")]
+pub mod symbolic;

@@ -37,7 +37,9 @@ const PAPER_EXAMPLES: &str = "\
 Examples:
   mechaudit paper zinchenko
   mechaudit paper zinchenko --format html --output zinchenko.html
-  mechaudit paper zinchenko --format csv | head";
+  mechaudit paper zinchenko --format csv | head
+  mechaudit paper gembara-senyk --ledger
+  mechaudit paper gembara-senyk --ledger --format html --output ledger.html";
 
 const LINKAGE_EXAMPLES: &str = "\
 Examples:
@@ -215,6 +217,12 @@ pub struct ListArgs {
 pub struct PaperArgs {
     /// The paper's key, see `mechaudit list`
     pub key: String,
+    /// Every formula with its proof, its refutation or its smallest repair
+    #[arg(long)]
+    pub ledger: bool,
+    /// Compare the ledger with the file instead of writing it; exit code 1 if they differ
+    #[arg(long, requires_all = ["ledger", "output"])]
+    pub check: bool,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: PaperFormat,
@@ -343,6 +351,10 @@ pub enum PaperFormat {
     Csv,
     /// One page without outside parts
     Html,
+    /// The ledger as a LaTeX document
+    Latex,
+    /// What is wrong in the ledger, as JSON
+    Errata,
 }
 
 /// The forms of a linkage's rows.

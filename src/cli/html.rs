@@ -8,7 +8,7 @@ use mechaudit::papers::{Entry, EntryVerdict, Finding, FindingVerdict, PaperRepor
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The characters of `text` that mean something in HTML, written out.
-fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -31,9 +31,9 @@ pub fn page(report: &PaperReport) -> String {
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}: audit</title>\n<style>{CSS}</style>\n</head>\n<body>\n\
-         <h1>{title}</h1>\n<p class=\"soft\">{} ({}), {}</p>\n<p>{}</p>\n",
+         <h1>{title}</h1>\n<p class=\"soft\">{}{}, {}</p>\n<p>{}</p>\n",
         escape(p.authors),
-        p.year,
+        p.year.map_or(String::new(), |y| format!(" ({y})")),
         escape(p.venue),
         escape(&counts(report))
     );

@@ -7,16 +7,22 @@ use super::progress::Progress;
 use super::{audit, complain, html, paper_csv, text, text_paper};
 use mechaudit::papers;
 
+/// No paper of that key.
+pub fn unknown(key: &str) -> Failure {
+    let known = papers::keys().join(", ");
+    Failure::new(format!("there is no paper {key:?}; there are: {known}"))
+}
+
 /// Audits the paper and writes its report.
 pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
+    if args.ledger {
+        return super::ledger::ledger(args);
+    }
+    if matches!(args.format, PaperFormat::Latex | PaperFormat::Errata) {
+        return Err(Failure::new("this form is one of the ledger: add --ledger"));
+    }
     let progress = Progress::new();
-    let report = audit::paper(&args.key, &progress).ok_or_else(|| {
-        let known = papers::keys().join(", ");
-        Failure::new(format!(
-            "there is no paper {:?}; there are: {known}",
-            args.key
-        ))
-    })?;
+    let report = audit::paper(&args.key, &progress).ok_or_else(|| unknown(&args.key))?;
     progress.clear();
     let report = match report {
         Ok(report) => report,
@@ -39,6 +45,7 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
             Ok(writeln!(out)?)
         }
         PaperFormat::Csv => paper_csv::write(&report, out),
+        PaperFormat::Latex | PaperFormat::Errata => Ok(()),
         PaperFormat::Html => Ok(out.write_all(html::page(&report).as_bytes())?),
     })?;
     Ok(Outcome::of(report.as_recorded()))

@@ -32,7 +32,8 @@ pub fn unit(unit: &str) -> &str {
 /// The report of one paper.
 pub fn paper(report: &PaperReport, width: usize) -> String {
     let p = &report.paper;
-    let title = format!("{} ({}). {}. {}.", p.authors, p.year, p.title, p.venue);
+    let year = p.year.map_or(String::new(), |y| format!(" ({y})"));
+    let title = format!("{}{year}. {}. {}.", p.authors, p.title, p.venue);
     let mut out = paint(BOLD, &wrap(&title, 0, width));
     out.push_str("\n\n");
     out.push_str(&paragraph(&counts(report), 0, width));
@@ -201,7 +202,7 @@ pub mod tests {
                 key: "nobody",
                 authors: "A. Nobody",
                 title: "On <tests> & such",
-                year: 1900,
+                year: Some(1900),
                 venue: "Proceedings of Nowhere 1, 1–2",
             },
             findings: vec![

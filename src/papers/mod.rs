@@ -1,6 +1,8 @@
 //! Published papers taken apart: their data as printed, their tables, their formulas, and what was
 //! found. Each paper is a module; what it finds has the common shape defined here.
 
+pub mod gembara_senyk;
+pub mod ledger;
 mod report;
 pub mod zinchenko;
 
@@ -17,15 +19,41 @@ pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
 /// Audits a paper; undecided when a certified value cannot be had.
 pub type PaperAudit = fn(Progress) -> Result<PaperReport, Undecided>;
 
-/// The papers known by their key.
-const PAPERS: &[(&str, PaperAudit)] = &[(zinchenko::KEY, zinchenko::report)];
+/// A paper that is known.
+struct Paper {
+    key: &'static str,
+    audit: PaperAudit,
+    ledger: fn() -> ledger::Ledger,
+}
+
+const PAPERS: &[Paper] = &[
+    Paper {
+        key: zinchenko::KEY,
+        audit: zinchenko::report,
+        ledger: zinchenko::ledger,
+    },
+    Paper {
+        key: gembara_senyk::KEY,
+        audit: gembara_senyk::report,
+        ledger: gembara_senyk::ledger,
+    },
+];
+
+fn paper(key: &str) -> Option<&'static Paper> {
+    PAPERS.iter().find(|p| p.key == key)
+}
 
 /// The audit of the paper of that key.
 pub fn find(key: &str) -> Option<PaperAudit> {
-    PAPERS.iter().find(|p| p.0 == key).map(|p| p.1)
+    paper(key).map(|p| p.audit)
+}
+
+/// The ledger of the paper of that key, decided now.
+pub fn ledger_of(key: &str) -> Option<ledger::Ledger> {
+    paper(key).map(|p| (p.ledger)())
 }
 
 /// The keys of all papers.
 pub fn keys() -> Vec<&'static str> {
-    PAPERS.iter().map(|p| p.0).collect()
+    PAPERS.iter().map(|p| p.key).collect()
 }

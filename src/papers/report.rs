@@ -15,8 +15,8 @@ pub struct Citation {
     pub authors: &'static str,
     /// Title, in English.
     pub title: &'static str,
-    /// Year.
-    pub year: u16,
+    /// Year, where it is known.
+    pub year: Option<u16>,
     /// Where it appeared.
     pub venue: &'static str,
 }

@@ -13,6 +13,7 @@ mod findings;
 mod fitted_nodes;
 mod formulas;
 mod hidden_recipe;
+mod ledger;
 mod moment_residual;
 mod recipe;
 mod recovery;
@@ -39,9 +40,19 @@ fn citation() -> Citation {
         key: KEY,
         authors: "O. I. Zinchenko",
         title: "Dynamic study of a sieving mechanism for moulding sand",
-        year: 2008,
+        year: Some(2008),
         venue: "NTU KhPI, Kharkiv (in Ukrainian)",
     }
+}
+
+/// Every formula, step, table definition and inline number, decided.
+pub fn ledger() -> super::ledger::Ledger {
+    super::ledger::Ledger::of(citation(), &ledger_items())
+}
+
+/// The entries of the ledger before they are decided.
+pub fn ledger_items() -> Vec<super::ledger::Item> {
+    ledger::items()
 }
 
 /// Audits the paper.
@@ -190,6 +201,21 @@ fn claims(printed: &[Printed], recovered: &Variant) -> Result<Vec<Finding>, Unde
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_entry_of_the_ledger_is_as_recorded() {
+        let mut wrong = Vec::new();
+        for item in ledger::items() {
+            let start = std::time::Instant::now();
+            let e = crate::papers::ledger::decide(&item);
+            println!("{:24} {:?} {:?}", e.id, e.verdict, start.elapsed());
+            if !e.as_recorded {
+                println!("{e:#?}");
+                wrong.push(e.id);
+            }
+        }
+        assert!(wrong.is_empty(), "{wrong:?}");
+    }
 
     #[test]
     fn every_finding_is_as_recorded() {

@@ -1,0 +1,102 @@
+//! Gembara and Senyk, *Dynamics of oscillating-follower cam mechanisms in a non-stationary regime*:
+//! the driven link of a cam mechanism as one mass on a spring while the shaft speeds up or runs down,
+//! solved with the probability integral of complex argument.
+//!
+//! So far the formulas only: [`ledger()`] decides every one of them, and [`report`] sums that up.
+
+mod ledger;
+
+use super::ledger::{Item, Ledger, Verdict};
+use super::{
+    Citation, Figure, Finding, FindingVerdict, PaperReport, Progress, SCHEMA_VERSION, Subject,
+};
+use crate::reference::Undecided;
+
+/// The name used on the command line.
+pub const KEY: &str = "gembara-senyk";
+
+/// The paper. The text layer at hand names neither year nor issue; its latest reference is of 1968.
+pub fn citation() -> Citation {
+    Citation {
+        key: KEY,
+        authors: "V. M. Gembara, D. M. Senyk",
+        title: "Dynamics of oscillating-follower cam mechanisms in a non-stationary regime",
+        year: None,
+        venue: "Polihrafiia i vydavnycha sprava, Lviv (in Ukrainian), 1968 or later",
+    }
+}
+
+/// Every formula, step and inline number, decided.
+pub fn ledger() -> Ledger {
+    Ledger::of(citation(), &ledger_items())
+}
+
+/// The entries of the ledger before they are decided.
+pub fn ledger_items() -> Vec<Item> {
+    ledger::items()
+}
+
+/// The findings of the ledger: what is wrong, and one finding for what is proved. Tables and graphs
+/// of the paper are not recomputed.
+///
+/// # Errors
+/// None; the signature is that of every paper.
+pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
+    progress("ledger", 0, 1);
+    let ledger = ledger();
+    progress("done", 1, 1);
+    Ok(PaperReport {
+        schema_version: SCHEMA_VERSION,
+        mechaudit_version: env!("CARGO_PKG_VERSION"),
+        paper: citation(),
+        findings: findings(&ledger),
+        tallies: Vec::new(),
+        entries: Vec::new(),
+    })
+}
+
+fn findings(ledger: &Ledger) -> Vec<Finding> {
+    let mut out: Vec<Finding> = ledger
+        .entries
+        .iter()
+        .filter_map(super::ledger::finding)
+        .collect();
+    let proved = ledger.count(Verdict::Proved);
+    out.push(Finding {
+        id: "ledger-proved",
+        subject: Subject::Formula,
+        place: "(1)-(19)",
+        title: format!("{proved} formulas and steps are proved as printed"),
+        verdict: FindingVerdict::Confirmed,
+        text: "The difference of both sides has the normal form zero in the exact algebra. The \
+               ledger lists every entry with its requirements."
+            .into(),
+        figures: vec![Figure {
+            name: "entries of the ledger".into(),
+            value: ledger.entries.len().to_string(),
+            unit: "1",
+        }],
+        as_recorded: ledger.as_recorded(),
+    });
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_entry_is_as_recorded() {
+        let mut wrong = Vec::new();
+        for item in ledger::items() {
+            let start = std::time::Instant::now();
+            let e = crate::papers::ledger::decide(&item);
+            println!("{:24} {:?} {:?}", e.id, e.verdict, start.elapsed());
+            if !e.as_recorded {
+                println!("{e:#?}");
+                wrong.push(e.id);
+            }
+        }
+        assert!(wrong.is_empty(), "{wrong:?}");
+    }
+}

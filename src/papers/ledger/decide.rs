@@ -1,0 +1,144 @@
+//! From data to verdict.
+
+use super::repair::search;
+use super::{Formula, Item, LedgerEntry, Obligation, Requirement, Verdict};
+use crate::symbolic::{
+    Definitions, Equation, Expr, Identity, Outcome, SymbolicError, latex_equation, parse_equation,
+};
+
+/// The definitions with a form put in: under the name that the printed form has, if it has one.
+pub(super) fn bound(definitions: &Definitions, printed: &Equation, form: &Equation) -> Definitions {
+    let mut out = definitions.clone();
+    if let Expr::Sym(name) = &printed.left {
+        out.set(name, form.right.clone());
+    }
+    out.set("left", form.left.clone());
+    out.set("right", form.right.clone());
+    out
+}
+
+fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Obligation {
+    Obligation {
+        formula: r.formula(),
+        printed: found.outcome,
+        residual: found.residual.filter(|_| found.outcome != Outcome::Proved),
+        witness: found.witness,
+        corrected: None,
+        recorded,
+    }
+}
+
+/// Decides one item.
+pub fn decide(item: &Item) -> LedgerEntry {
+    match evaluate(item) {
+        Ok(entry) => entry,
+        // Data that cannot be read are shown as undecided, which is never on record.
+        Err(error) => LedgerEntry {
+            verdict: Verdict::Undecided,
+            as_recorded: false,
+            obligations: vec![Obligation {
+                formula: Formula {
+                    text: error.to_string(),
+                    latex: String::new(),
+                },
+                printed: Outcome::Undecided,
+                residual: None,
+                witness: None,
+                corrected: None,
+                recorded: None,
+            }],
+            ..blank(item)
+        },
+    }
+}
+
+fn blank(item: &Item) -> LedgerEntry {
+    LedgerEntry {
+        id: item.id,
+        place: item.place,
+        kind: item.kind,
+        claim: item.claim,
+        printed: None,
+        composed: item.composed,
+        verdict: Verdict::Undecided,
+        corrected: None,
+        obligations: Vec::new(),
+        repair: None,
+        note: item.note,
+        as_recorded: false,
+    }
+}
+
+fn formula(e: &Equation) -> Formula {
+    Formula {
+        text: e.to_string(),
+        latex: latex_equation(e),
+    }
+}
+
+fn evaluate(item: &Item) -> Result<LedgerEntry, SymbolicError> {
+    let definitions = Definitions::read(&item.definitions)?;
+    let printed = item.printed.map(parse_equation).transpose()?;
+    let with = match &printed {
+        Some(e) => bound(&definitions, e, e),
+        None => definitions.clone(),
+    };
+    let parsed = |t: &&str| Requirement::parse(t);
+    let requirements: Vec<Requirement> = item
+        .requirements
+        .iter()
+        .map(parsed)
+        .collect::<Result<_, _>>()?;
+    let mut obligations: Vec<Obligation> = requirements
+        .iter()
+        .map(|r| obligation(r, r.decide(&with), None))
+        .collect();
+    let outcome = |o: Outcome| obligations.iter().any(|x| x.printed == o);
+    let (failed, open) = (outcome(Outcome::Refuted), outcome(Outcome::Undecided));
+
+    let mut entry = blank(item);
+    entry.printed = printed.as_ref().map(formula);
+    entry.verdict = match item.expected {
+        declared @ (Verdict::Model | Verdict::Definition | Verdict::Undefined)
+            if requirements.is_empty() =>
+        {
+            declared
+        }
+        _ if requirements.is_empty() => Verdict::Undecided,
+        _ if failed => Verdict::Refuted,
+        _ if open => Verdict::Undecided,
+        _ => Verdict::Proved,
+    };
+    if let (true, Some(e), Some(family)) = (failed, &printed, &item.family) {
+        let (repair, corrected) = search(e, family, item.most_edits, &definitions, &requirements);
+        if let Some(corrected) = corrected {
+            entry.verdict = Verdict::Misprint;
+            let with = bound(&definitions, e, &corrected);
+            for (o, r) in obligations.iter_mut().zip(&requirements) {
+                o.corrected = Some(r.decide(&with).outcome);
+            }
+            entry.corrected = Some(formula(&corrected));
+        }
+        entry.repair = Some(repair);
+    }
+    for (text, recorded) in &item.facts {
+        let r = Requirement::parse(text)?;
+        let found = r.decide(&with);
+        obligations.push(obligation(&r, found, Some(*recorded)));
+    }
+    // A claim that is called tested has to be tested.
+    let tested = item.expected != Verdict::Model || !item.facts.is_empty();
+    entry.as_recorded = entry.verdict == item.expected
+        && tested
+        && obligations
+            .iter()
+            .all(|o| o.recorded.is_none_or(|r| r == o.printed))
+        && obligations
+            .iter()
+            .all(|o| o.corrected.is_none_or(|c| c == Outcome::Proved))
+        && entry.repair.as_ref().is_none_or(|r| {
+            r.undecided == 0 && (r.edits.is_empty() || r.edits.len() == item.most_edits)
+        });
+    entry.obligations = obligations;
+    Ok(entry)
+}

@@ -1,0 +1,68 @@
+//! An entry of a ledger as a finding of a paper's report.
+
+use super::{LedgerEntry, Verdict};
+use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use crate::symbolic::Outcome;
+
+/// What an entry that is wrong, or a claim about the model that was tested, contributes to the
+/// report; nothing for the others.
+pub fn finding(e: &LedgerEntry) -> Option<Finding> {
+    // Slips of reasoning, not of print: a lost quadrant, a value taken to be zero.
+    let slips = e.repair.iter().flat_map(|r| &r.edits);
+    let of_the_paper = slips
+        .into_iter()
+        .any(|s| matches!(s.kind, "quadrant" | "zero for a symbol"));
+    let verdict = match e.verdict {
+        Verdict::Misprint if of_the_paper => FindingVerdict::ErrorOfPaper,
+        Verdict::Misprint => FindingVerdict::PrintOrScan,
+        Verdict::Refuted => FindingVerdict::ErrorOfPaper,
+        Verdict::Undecided => FindingVerdict::Unexplained,
+        Verdict::Model if e.obligations.iter().any(|o| o.printed == Outcome::Refuted) => {
+            FindingVerdict::Refuted
+        }
+        _ => return None,
+    };
+    let (subject, title) = match e.verdict {
+        Verdict::Misprint if !of_the_paper => {
+            (Subject::Formula, format!("{} is misprinted", e.place))
+        }
+        Verdict::Model => (Subject::Claim, e.claim.trim_end_matches('.').to_string()),
+        _ => (Subject::Formula, format!("{} is wrong", e.place)),
+    };
+    let mut figures = Vec::new();
+    let mut figure = |name: &str, value: String| {
+        figures.push(Figure {
+            name: name.into(),
+            value,
+            unit: "1",
+        });
+    };
+    if let Some(f) = &e.printed {
+        figure("printed", f.text.clone());
+    }
+    if let Some(f) = &e.corrected {
+        figure("corrected", f.text.clone());
+    }
+    if let Some(r) = &e.repair {
+        figure("single edits tried", r.single_edits.to_string());
+        figure("single edits that hold", r.single_that_hold.to_string());
+        if r.pairs > 0 {
+            figure("pairs of edits tried", r.pairs.to_string());
+            figure("pairs that hold", r.pairs_that_hold.to_string());
+        }
+    }
+    let text = match e.note {
+        "" => e.claim.to_string(),
+        note => format!("{} {note}", e.claim),
+    };
+    Some(Finding {
+        id: e.id,
+        subject,
+        place: e.place,
+        title,
+        verdict,
+        text,
+        figures,
+        as_recorded: e.as_recorded,
+    })
+}

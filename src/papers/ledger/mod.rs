@@ -1,0 +1,261 @@
+//! The ledger of a paper: every formula, step, table definition and inline number with what it
+//! claims, what was proved or refuted, and the smallest repair.
+//!
+//! The printed form is data ([`Equation`](crate::symbolic::Equation)). It is rendered, and it is
+//! evaluated: an entry's requirements are equations in which the printed form is put in by name.
+//! The verdict follows from their outcomes; what the ledger's author expected is only compared.
+//!
+//! A repair is looked for among all single edits of the printed form (see
+//! [`edits`](crate::symbolic::edits())), then, where the entry says so, among all pairs of edits. Every
+//! edit that does not work is refuted by an enclosure that excludes zero at a rational point; every
+//! edit that works is proved.
+
+mod decide;
+mod findings;
+mod item;
+mod repair;
+mod requirement;
+
+pub use decide::decide;
+pub use findings::finding;
+pub use item::Item;
+pub use requirement::Requirement;
+
+use super::Citation;
+use crate::symbolic::{Edit, Outcome, Witness};
+use serde::Serialize;
+
+/// Version of the JSON layout; changes when a field is removed or changes its meaning.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// What an entry is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// A numbered formula, or a part of one.
+    Formula,
+    /// A step without a number.
+    Step,
+    /// A row of a table that defines something.
+    Table,
+    /// A number in the text.
+    Number,
+    /// A statement of the text about the model.
+    Statement,
+}
+
+/// What was made of an entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Everything it has to satisfy is proved for the printed form.
+    Proved,
+    /// Wrong as printed, and no repair in the family.
+    Refuted,
+    /// Wrong as printed, with a smallest repair for which everything is proved.
+    Misprint,
+    /// A claim about the model rather than about the formula, tested; its requirements say how.
+    Model,
+    /// A definition or datum: nothing follows that could be tested.
+    Definition,
+    /// The paper does not say enough to test it.
+    Undefined,
+    /// Neither proved nor refuted.
+    Undecided,
+}
+
+impl Verdict {
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Verdict::Proved => "proved",
+            Verdict::Refuted => "refuted",
+            Verdict::Misprint => "misprint",
+            Verdict::Model => "model claim tested",
+            Verdict::Definition => "definition",
+            Verdict::Undefined => "undefined in the paper",
+            Verdict::Undecided => "undecided",
+        }
+    }
+}
+
+/// A formula in both forms.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Formula {
+    /// The text form, which is read back and evaluated.
+    pub text: String,
+    /// LaTeX without delimiters.
+    pub latex: String,
+}
+
+/// One requirement with its outcome.
+#[derive(Clone, Debug, Serialize)]
+pub struct Obligation {
+    /// The requirement.
+    pub formula: Formula,
+    /// For the printed form.
+    pub printed: Outcome,
+    /// Left minus right in normal form where that is not zero.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub residual: Option<String>,
+    /// Where it fails.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub witness: Option<Witness>,
+    /// For the corrected form, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corrected: Option<Outcome>,
+    /// The outcome on record for the printed form, where it is not the entry's verdict that says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recorded: Option<Outcome>,
+}
+
+/// A search for the smallest repair.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Repair {
+    /// How many single edits the family has for this formula.
+    pub single_edits: usize,
+    /// How many of them make everything true.
+    pub single_that_hold: usize,
+    /// Pairs of edits tried; zero if a single edit does or pairs were not asked for.
+    pub pairs: usize,
+    /// How many of those hold.
+    pub pairs_that_hold: usize,
+    /// Edits that make the formula divide by zero.
+    pub without_value: usize,
+    /// Edits that were neither proved nor refuted.
+    pub undecided: usize,
+    /// The repairs that hold, without those that say the same in another way.
+    pub distinct: Vec<Formula>,
+    /// The edits of the first of them.
+    pub edits: Vec<Edit>,
+}
+
+/// One entry, decided.
+#[derive(Clone, Debug, Serialize)]
+pub struct LedgerEntry {
+    /// A stable name.
+    pub id: &'static str,
+    /// Where in the paper.
+    pub place: &'static str,
+    /// What it is about.
+    pub kind: Kind,
+    /// What it claims.
+    pub claim: &'static str,
+    /// As printed.
+    pub printed: Option<Formula>,
+    /// Whether the form is not printed like that but put together from parts that were corrected.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub composed: bool,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The corrected form.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corrected: Option<Formula>,
+    /// What it has to satisfy.
+    pub obligations: Vec<Obligation>,
+    /// How the correction was found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub repair: Option<Repair>,
+    /// What else is to be said.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub note: &'static str,
+    /// Whether the verdict and every outcome are those on record.
+    pub as_recorded: bool,
+}
+
+/// A paper's ledger.
+#[derive(Clone, Debug, Serialize)]
+pub struct Ledger {
+    /// [`SCHEMA_VERSION`].
+    pub schema_version: u32,
+    /// Program version.
+    pub mechaudit_version: &'static str,
+    /// The paper.
+    pub paper: Citation,
+    /// The entries in the order of the paper.
+    pub entries: Vec<LedgerEntry>,
+}
+
+impl Ledger {
+    /// Decides every item.
+    pub fn of(paper: Citation, items: &[Item]) -> Ledger {
+        Ledger {
+            schema_version: SCHEMA_VERSION,
+            mechaudit_version: env!("CARGO_PKG_VERSION"),
+            paper,
+            entries: items.iter().map(decide).collect(),
+        }
+    }
+
+    /// Whether every entry is as recorded.
+    pub fn as_recorded(&self) -> bool {
+        !self.entries.is_empty() && self.entries.iter().all(|e| e.as_recorded)
+    }
+
+    /// How many entries have that verdict.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.entries.iter().filter(|e| e.verdict == verdict).count()
+    }
+
+    /// The short list of what is wrong as printed.
+    pub fn errata(&self) -> Errata {
+        let wrong = |e: &&LedgerEntry| matches!(e.verdict, Verdict::Misprint | Verdict::Refuted);
+        Errata {
+            paper: self.paper.clone(),
+            source: "text layer of a scan; a misprint may be one of the paper or of the text layer",
+            errata: self.entries.iter().filter(wrong).map(Erratum::of).collect(),
+        }
+    }
+}
+
+/// What is wrong in a paper as printed, for programs.
+#[derive(Clone, Debug, Serialize)]
+pub struct Errata {
+    /// The paper.
+    pub paper: Citation,
+    /// What the printed forms were taken from.
+    pub source: &'static str,
+    /// One for each wrong entry.
+    pub errata: Vec<Erratum>,
+}
+
+/// One erratum.
+#[derive(Clone, Debug, Serialize)]
+pub struct Erratum {
+    /// The entry of the ledger.
+    pub id: &'static str,
+    /// Where in the paper.
+    pub place: &'static str,
+    /// Misprint or refuted.
+    pub verdict: Verdict,
+    /// As printed.
+    pub printed: Option<Formula>,
+    /// Corrected, if a repair was found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corrected: Option<Formula>,
+    /// The edits that lead from one to the other.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub edits: Vec<Edit>,
+    /// The residual of the first requirement that fails.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub residual: Option<String>,
+}
+
+impl Erratum {
+    fn of(e: &LedgerEntry) -> Erratum {
+        let failed = e.obligations.iter().find(|o| o.printed == Outcome::Refuted);
+        let residual = failed.and_then(|o| {
+            let at = o.witness.as_ref().map(|w| w.residual.clone());
+            o.residual.clone().filter(|r| r.len() <= 160).or(at)
+        });
+        Erratum {
+            id: e.id,
+            place: e.place,
+            verdict: e.verdict,
+            printed: e.printed.clone(),
+            corrected: e.corrected.clone(),
+            edits: e.repair.as_ref().map_or_else(Vec::new, |r| r.edits.clone()),
+            residual,
+        }
+    }
+}

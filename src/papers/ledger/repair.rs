@@ -1,0 +1,187 @@
+//! The search for the smallest repair.
+
+use super::decide::bound;
+use super::{Formula, Repair, Requirement};
+use crate::reference::ComplexBall;
+use crate::symbolic::{
+    Cache, Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome, Point,
+    SymbolicError, edits, enclose, has_derivative, latex_equation,
+};
+use std::collections::BTreeSet;
+
+/// What a candidate turned out to be.
+enum Judged {
+    Holds,
+    Fails,
+    /// It divides by zero whatever the values are.
+    WithoutValue,
+    Undecided,
+}
+
+/// The requirements, with the sides that do not depend on the printed form enclosed beforehand.
+struct Judge<'a> {
+    printed: &'a Equation,
+    definitions: &'a Definitions,
+    requirements: &'a [Requirement],
+    fixed: Vec<[Option<ComplexBall>; 2]>,
+    point: Point,
+    cache: Cache,
+}
+
+impl<'a> Judge<'a> {
+    fn new(
+        printed: &'a Equation,
+        definitions: &'a Definitions,
+        requirements: &'a [Requirement],
+    ) -> Judge<'a> {
+        let point = Point::default();
+        let mut names = vec!["left", "right"];
+        if let Expr::Sym(name) = &printed.left {
+            names.push(name);
+        }
+        let enclosed = |e: &Expr| match definitions.reaches(e, &names) {
+            true => None,
+            false => enclose(definitions, e, &point).ok(),
+        };
+        let fixed = requirements
+            .iter()
+            .map(|r| match r {
+                Requirement::Equal(e) => [enclosed(&e.left), enclosed(&e.right)],
+                _ => [None, None],
+            })
+            .collect();
+        Judge {
+            printed,
+            definitions,
+            requirements,
+            fixed,
+            point,
+            cache: Cache::new(&names),
+        }
+    }
+
+    /// Whether an enclosure refutes an equation at the first point.
+    fn fails_quickly(&self, with: &Definitions) -> bool {
+        self.requirements.iter().zip(&self.fixed).any(|(r, fixed)| {
+            let Requirement::Equal(e) = r else {
+                return false;
+            };
+            let value = |e: &Expr, fixed: &Option<ComplexBall>| match fixed {
+                Some(v) => Some(v.clone()),
+                None if has_derivative(with, e) => None,
+                None => {
+                    let mut enclosures = Enclosures::remembering(&self.point, &self.cache);
+                    enclosures.value(with, e).ok()
+                }
+            };
+            let Some(left) = value(&e.left, &fixed[0]) else {
+                return false;
+            };
+            let Some(right) = value(&e.right, &fixed[1]) else {
+                return false;
+            };
+            !left.re.overlaps(&right.re) || !left.im.overlaps(&right.im)
+        })
+    }
+
+    fn judge(&self, candidate: &Equation) -> Judged {
+        let with = bound(self.definitions, self.printed, candidate);
+        if self.fails_quickly(&with) {
+            return Judged::Fails;
+        }
+        let mut out = Judged::Holds;
+        for r in self.requirements {
+            let found = r.decide(&with);
+            match (found.outcome, found.error) {
+                (Outcome::Refuted, _) => return Judged::Fails,
+                (Outcome::Proved, _) => {}
+                (Outcome::Undecided, Some(SymbolicError::NotInvertible(_))) => {
+                    out = Judged::WithoutValue;
+                }
+                (Outcome::Undecided, _) => return Judged::Undecided,
+            }
+        }
+        out
+    }
+}
+
+/// Whether two repairs say the same: equal right sides under one name, or differences of the sides
+/// that are equal up to sign.
+fn same(definitions: &Definitions, a: &Equation, b: &Equation) -> bool {
+    let difference = |e: &Equation| {
+        let parts = vec![e.left.clone(), Expr::Neg(Box::new(e.right.clone()))];
+        match e.left {
+            Expr::Sym(_) | Expr::Index(..) => e.right.clone(),
+            _ => Expr::Add(parts),
+        }
+    };
+    let (a, b) = (difference(a), difference(b));
+    let vanishes = |e: Expr| {
+        let form = Exact::default().value(definitions, &e);
+        form.is_ok_and(|f| f.is_zero())
+    };
+    let minus = Expr::Add(vec![a.clone(), Expr::Neg(Box::new(b.clone()))]);
+    vanishes(minus) || vanishes(Expr::Add(vec![a, b]))
+}
+
+/// Looks for the smallest repair of a printed form that fails. Gives the first one that holds.
+pub(super) fn search(
+    printed: &Equation,
+    family: &Family,
+    most: usize,
+    definitions: &Definitions,
+    requirements: &[Requirement],
+) -> (Repair, Option<Equation>) {
+    let singles = edits(printed, family);
+    let judge = Judge::new(printed, definitions, requirements);
+    let mut out = Repair {
+        single_edits: singles.len(),
+        ..Repair::default()
+    };
+    let mut holding: Vec<(Vec<Edit>, Equation)> = Vec::new();
+    let mut tried: BTreeSet<String> = BTreeSet::from([printed.to_string()]);
+    for (edit, candidate) in &singles {
+        tried.insert(candidate.to_string());
+        match judge.judge(candidate) {
+            Judged::Holds => holding.push((vec![edit.clone()], candidate.clone())),
+            Judged::Undecided => out.undecided += 1,
+            Judged::WithoutValue => out.without_value += 1,
+            Judged::Fails => {}
+        }
+    }
+    out.single_that_hold = holding.len();
+    if holding.is_empty() && most > 1 {
+        for (first, between) in &singles {
+            for (second, candidate) in edits(between, family) {
+                if !tried.insert(candidate.to_string()) {
+                    continue;
+                }
+                out.pairs += 1;
+                match judge.judge(&candidate) {
+                    Judged::Holds => holding.push((vec![first.clone(), second], candidate)),
+                    Judged::Undecided => out.undecided += 1,
+                    Judged::WithoutValue => out.without_value += 1,
+                    Judged::Fails => {}
+                }
+            }
+        }
+        out.pairs_that_hold = holding.len();
+    }
+    let mut distinct: Vec<&Equation> = Vec::new();
+    for (_, e) in &holding {
+        if !distinct.iter().any(|d| same(definitions, d, e)) {
+            distinct.push(e);
+        }
+    }
+    out.distinct = distinct
+        .iter()
+        .map(|e| Formula {
+            text: e.to_string(),
+            latex: latex_equation(e),
+        })
+        .collect();
+    let first = holding.into_iter().next();
+    let (edits, corrected) = first.map_or((Vec::new(), None), |(e, c)| (e, Some(c)));
+    out.edits = edits;
+    (out, corrected)
+}

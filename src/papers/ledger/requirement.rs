@@ -1,0 +1,98 @@
+//! Requirements: equations, closeness, inequalities.
+
+use crate::reference::Ball;
+use crate::symbolic::{
+    Definitions, Equation, Expr, Identity, Outcome, Point, SymbolicError, Witness, enclose, latex,
+    parse, parse_equation,
+};
+
+/// What an entry has to satisfy.
+#[derive(Clone, Debug)]
+pub enum Requirement {
+    /// `left = right`, for all values of the symbols.
+    Equal(Equation),
+    /// `left ~ right within bound`: `|left − right| ≤ bound`, of numbers.
+    Near(Expr, Expr, Expr),
+    /// `left < right`, of numbers.
+    Less(Expr, Expr),
+}
+
+impl Requirement {
+    /// Reads a requirement.
+    ///
+    /// # Errors
+    /// As [`parse()`].
+    pub fn parse(text: &str) -> Result<Requirement, SymbolicError> {
+        if let Some((left, rest)) = text.split_once('~') {
+            let (right, bound) =
+                rest.split_once(" within ")
+                    .ok_or_else(|| SymbolicError::Parse {
+                        at: left.len(),
+                        reason: "expected 'within'".into(),
+                    })?;
+            return Ok(Requirement::Near(
+                parse(left)?,
+                parse(right)?,
+                parse(bound)?,
+            ));
+        }
+        if let Some((left, right)) = text.split_once('<') {
+            return Ok(Requirement::Less(parse(left)?, parse(right)?));
+        }
+        parse_equation(text).map(Requirement::Equal)
+    }
+
+    /// The text and LaTeX forms.
+    pub fn formula(&self) -> super::Formula {
+        let (text, latex) = match self {
+            Requirement::Equal(e) => (e.to_string(), crate::symbolic::latex_equation(e)),
+            Requirement::Near(a, b, c) => (
+                format!("{a} ~ {b} within {c}"),
+                format!(r"\left|{} - {}\right| \le {}", latex(a), latex(b), latex(c)),
+            ),
+            Requirement::Less(a, b) => {
+                (format!("{a} < {b}"), format!("{} < {}", latex(a), latex(b)))
+            }
+        };
+        super::Formula { text, latex }
+    }
+
+    /// Decides it.
+    pub fn decide(&self, definitions: &Definitions) -> Identity {
+        let point = Point::default();
+        let minus = |a: &Expr, b: &Expr| Expr::Add(vec![a.clone(), Expr::Neg(Box::new(b.clone()))]);
+        let real = |e: &Expr| enclose(definitions, e, &point).map(|z| z.re);
+        // What has to be non-negative, or positive.
+        let (difference, slack, strict) = match self {
+            Requirement::Equal(e) => return Identity::at(definitions, e, &point),
+            Requirement::Near(a, b, bound) => {
+                let difference = real(&minus(a, b));
+                let slack = difference
+                    .clone()
+                    .and_then(|d| real(bound).map(|c| c - d.abs()));
+                (difference, slack, false)
+            }
+            Requirement::Less(a, b) => (real(&minus(a, b)), real(&minus(b, a)), true),
+        };
+        let outcome = match &slack {
+            Ok(s) if s.is_positive() || (!strict && s.is_zero()) => Outcome::Proved,
+            Ok(s) if s.is_negative() || (strict && s.is_zero()) => Outcome::Refuted,
+            _ => Outcome::Undecided,
+        };
+        let witness = difference.as_ref().ok().map(|d| Witness {
+            point: Vec::new(),
+            residual: shown(d),
+        });
+        Identity {
+            outcome,
+            residual: None,
+            witness: witness.filter(|_| outcome == Outcome::Refuted),
+            error: slack.err(),
+        }
+    }
+}
+
+fn shown(x: &Ball) -> String {
+    x.to_decimal(6)
+        .unwrap_or_else(|| format!("{:.6e}", x.to_f64()))
+}

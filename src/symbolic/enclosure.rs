@@ -1,0 +1,353 @@
+//! Expressions in balls, straight from the data and without the algebra; normal forms in balls.
+
+use super::complex;
+use super::exact::Exact;
+use super::expr::{Bound, Expr, Func};
+use super::jet::Jets;
+use super::walk::{Definitions, Domain, Scope, walk};
+use super::{Algebra, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
+use crate::reference::{Ball, ComplexBall, Mag};
+use rug::Rational;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// Working precision of enclosures.
+pub const BITS: u32 = 128;
+
+/// Rational values of the symbols. A symbol that is not named has a value between 1/2 and 3/2 that
+/// depends on its name, so that distinct symbols have distinct values.
+#[derive(Clone, Debug, Default)]
+pub struct Point {
+    /// The named values.
+    pub named: BTreeMap<String, Rational>,
+    /// Changes the other values.
+    pub turn: u32,
+}
+
+impl Point {
+    /// The value of a symbol.
+    pub fn value(&self, name: &str) -> Rational {
+        if let Some(q) = self.named.get(name) {
+            return q.clone();
+        }
+        // FNV-1a, reduced to a fraction with a small denominator.
+        let start = 0xcbf2_9ce4_8422_2325 ^ u64::from(self.turn);
+        let hash = name.bytes().fold(start, |h, b| {
+            (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3)
+        });
+        let below = 89 + (hash >> 40) % 30;
+        let above = below / 2 + (hash >> 8) % below;
+        Rational::from((above, below))
+    }
+}
+
+fn gauss(c: &Gauss) -> ComplexBall {
+    ComplexBall::new(Ball::rational(BITS, &c.re), Ball::rational(BITS, &c.im))
+}
+
+/// Values of definitions and integrals at one point, for the many candidates of a search that
+/// differ in the printed form only.
+#[derive(Debug, Default)]
+pub struct Cache {
+    changing: Vec<String>,
+    values: RefCell<BTreeMap<String, ComplexBall>>,
+}
+
+impl Cache {
+    /// Empty; whatever depends on one of these names is not kept.
+    pub fn new(changing: &[&str]) -> Cache {
+        Cache {
+            changing: changing.iter().map(|n| n.to_string()).collect(),
+            values: RefCell::default(),
+        }
+    }
+
+    fn get(&self, key: &str) -> Option<ComplexBall> {
+        self.values.borrow().get(key).cloned()
+    }
+
+    fn keep(&self, definitions: &Definitions, e: &Expr, key: String, value: &ComplexBall) {
+        let changing: Vec<&str> = self.changing.iter().map(String::as_str).collect();
+        if !definitions.reaches(e, &changing) {
+            self.values.borrow_mut().insert(key, value.clone());
+        }
+    }
+}
+
+/// Evaluates in balls at a point.
+pub struct Enclosures<'a> {
+    point: &'a Point,
+    cache: Option<&'a Cache>,
+}
+
+impl<'a> Enclosures<'a> {
+    /// At that point.
+    pub fn new(point: &'a Point) -> Enclosures<'a> {
+        Enclosures { point, cache: None }
+    }
+
+    /// At that point, which has to be the same whenever this cache is used.
+    pub fn remembering(point: &'a Point, cache: &'a Cache) -> Enclosures<'a> {
+        Enclosures {
+            point,
+            cache: Some(cache),
+        }
+    }
+
+    /// An enclosure of the value.
+    ///
+    /// # Errors
+    /// Divisors that may be zero, roots of complex numbers, derivatives.
+    pub fn value(
+        &mut self,
+        definitions: &Definitions,
+        e: &Expr,
+    ) -> Result<ComplexBall, SymbolicError> {
+        walk(self, &mut Scope::new(definitions), e)
+    }
+}
+
+/// Radius of the circle for Cauchy's bound, the path of integration having length one.
+const CIRCLE: i64 = 4;
+
+impl Enclosures<'_> {
+    /// The integral over a straight path, by the Taylor series of the integrand, with Cauchy's
+    /// bound `|f_k| ≤ M R^{-k}` for the coefficients that are left out.
+    fn piece(
+        &mut self,
+        scope: &mut Scope<ComplexBall>,
+        bound: &Bound,
+        from: &ComplexBall,
+        step: &ComplexBall,
+    ) -> Result<ComplexBall, SymbolicError> {
+        let mut jets = Jets { point: self.point };
+        let mut inner = scope.with_values(|v| vec![v.clone()]);
+        inner
+            .bound
+            .push((bound.var.clone(), vec![from.clone(), step.clone()]));
+        let series = walk(&mut jets, &mut inner, &bound.body)?;
+        let mut sum = ComplexBall::zero(BITS);
+        for (k, c) in series.iter().enumerate() {
+            sum = &sum + &c.scaled(&Ball::integer(BITS, k as i64 + 1).recip());
+        }
+        let reach = Mag::from_f64(complex::size(step) * CIRCLE as f64);
+        let disc = ComplexBall::new(from.re.widened(reach), from.im.widened(reach));
+        scope.bound.push((bound.var.clone(), disc));
+        let on_disc = walk(self, scope, &bound.body);
+        scope.bound.pop();
+        let largest = complex::size(&on_disc?);
+        // Σ_{k≥N} R^{-k}/(k+1) ≤ R^{-N} (4/3)/(N+1).
+        let n = Jets::ORDER as i32;
+        let tail = Mag::from_f64(largest * (CIRCLE as f64).powi(-n) * 1.34 / f64::from(n));
+        let out = ComplexBall::new(sum.re.widened(tail), sum.im.widened(tail));
+        Ok(&out * step)
+    }
+}
+
+impl Domain for Enclosures<'_> {
+    type V = ComplexBall;
+
+    fn constant(&mut self, c: &Gauss) -> ComplexBall {
+        gauss(c)
+    }
+
+    fn symbol(&mut self, name: &str) -> Result<ComplexBall, SymbolicError> {
+        let re = match name {
+            "pi" => Ball::pi(BITS),
+            name => Ball::rational(BITS, &self.point.value(name)),
+        };
+        Ok(ComplexBall::new(re, Ball::integer(BITS, 0)))
+    }
+
+    fn add(&mut self, a: &ComplexBall, b: &ComplexBall) -> ComplexBall {
+        a + b
+    }
+
+    fn mul(&mut self, a: &ComplexBall, b: &ComplexBall) -> ComplexBall {
+        a * b
+    }
+
+    fn div(&mut self, a: &ComplexBall, b: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
+        complex::quotient(a, b)
+            .ok_or_else(|| SymbolicError::NotInvertible("a number that may be zero".into()))
+    }
+
+    fn call(&mut self, f: Func, x: &ComplexBall) -> Result<ComplexBall, SymbolicError> {
+        let real = |re: Ball| ComplexBall::new(re, Ball::integer(BITS, 0));
+        match f {
+            Func::Exp => Ok(complex::exp(x)),
+            Func::Sqrt => complex::sqrt(x),
+            Func::W => complex::w(x),
+            Func::Re => Ok(real(x.re.clone())),
+            Func::Im => Ok(real(x.im.clone())),
+            Func::Abs => Ok(real(x.norm_sqr().sqrt())),
+            Func::Arg => Ok(real(x.arg())),
+            Func::Arctan if x.im.contains_zero() => Ok(real(x.re.atan2(&Ball::integer(BITS, 1)))),
+            Func::Arctan => Err(SymbolicError::Unsupported(
+                "arctan of a complex number".into(),
+            )),
+            Func::Sin | Func::Cos => Err(SymbolicError::Unsupported(f.name().into())),
+        }
+    }
+
+    fn integral(
+        &mut self,
+        scope: &mut Scope<ComplexBall>,
+        bound: &Bound,
+    ) -> Result<ComplexBall, SymbolicError> {
+        let key = match (self.cache, scope.bound.is_empty()) {
+            (Some(cache), true) => {
+                let key = Expr::Int(Box::new(bound.clone())).to_string();
+                if let Some(found) = cache.get(&key) {
+                    return Ok(found);
+                }
+                Some(key)
+            }
+            _ => None,
+        };
+        let a = walk(self, scope, &bound.from)?;
+        let b = walk(self, scope, &bound.to)?;
+        let step = &b - &a;
+        let mut found = Err(SymbolicError::Wide("an integral".into()));
+        // Shorter pieces if the bound on a disc is too coarse.
+        for pieces in [1_i64, 4, 16, 64] {
+            let part = step.scaled(&Ball::rational(BITS, &Rational::from((1, pieces))));
+            let mut sum = ComplexBall::zero(BITS);
+            let mut from = a.clone();
+            for _ in 0..pieces {
+                sum = &sum + &self.piece(scope, bound, &from, &part)?;
+                from = &from + &part;
+            }
+            let narrow = sum.re.rad().max(sum.im.rad()) < Mag::power_of_two(-40);
+            found = Ok(sum);
+            if narrow {
+                break;
+            }
+        }
+        if let (Some(cache), Some(key), Ok(value)) = (self.cache, key, &found) {
+            let whole = Expr::Int(Box::new(bound.clone()));
+            cache.keep(scope.definitions, &whole, key, value);
+        }
+        found
+    }
+
+    fn recall(&mut self, name: &str) -> Option<ComplexBall> {
+        self.cache?.get(name)
+    }
+
+    fn keep(&mut self, definitions: &Definitions, name: &str, value: &ComplexBall) {
+        if let Some(cache) = self.cache {
+            cache.keep(definitions, &Expr::Sym(name.into()), name.into(), value);
+        }
+    }
+
+    fn derivative(
+        &mut self,
+        _: &mut Scope<ComplexBall>,
+        _: &Expr,
+        by: &str,
+    ) -> Result<ComplexBall, SymbolicError> {
+        Err(SymbolicError::Unsupported(format!(
+            "a derivative by {by} in balls"
+        )))
+    }
+}
+
+/// Whether a derivative occurs, definitions followed.
+pub fn has_derivative(definitions: &Definitions, e: &Expr) -> bool {
+    fn look(definitions: &Definitions, e: &Expr, seen: &mut Vec<String>) -> bool {
+        if matches!(e, Expr::Diff(..)) {
+            return true;
+        }
+        if let Expr::Sym(name) = e
+            && let Some(body) = definitions.names.get(name)
+            && !seen.contains(name)
+        {
+            seen.push(name.clone());
+            return look(definitions, body, seen);
+        }
+        e.children().into_iter().any(|c| look(definitions, c, seen))
+    }
+    look(definitions, e, &mut Vec::new())
+}
+
+/// An enclosure of an expression: straight from the data, or through the normal form where there is
+/// a derivative.
+///
+/// # Errors
+/// As [`Enclosures::value`] or [`Exact::value`].
+pub fn enclose(
+    definitions: &Definitions,
+    e: &Expr,
+    point: &Point,
+) -> Result<ComplexBall, SymbolicError> {
+    if has_derivative(definitions, e) {
+        let mut exact = Exact::default();
+        let form = exact.value(definitions, e)?;
+        return enclose_form(&exact.algebra, &form, point);
+    }
+    Enclosures::new(point).value(definitions, e)
+}
+
+/// An enclosure of a normal form.
+///
+/// # Errors
+/// As [`Enclosures::value`].
+pub fn enclose_form(
+    algebra: &Algebra,
+    form: &ExpSum,
+    point: &Point,
+) -> Result<ComplexBall, SymbolicError> {
+    let mut sum = ComplexBall::zero(BITS);
+    for (p, c) in form.terms() {
+        let p = enclose_fraction(algebra, p, point)?;
+        let c = enclose_fraction(algebra, c, point)?;
+        sum = &sum + &(&c * &complex::exp(&p));
+    }
+    Ok(sum)
+}
+
+fn enclose_fraction(
+    algebra: &Algebra,
+    f: &Fraction,
+    point: &Point,
+) -> Result<ComplexBall, SymbolicError> {
+    let num = enclose_poly(algebra, f.num(), point)?;
+    if f.den().is_one() {
+        return Ok(num);
+    }
+    let den = enclose_poly(algebra, f.den(), point)?;
+    complex::quotient(&num, &den).ok_or_else(|| SymbolicError::NotInvertible(f.den().to_string()))
+}
+
+fn enclose_poly(algebra: &Algebra, p: &Poly, point: &Point) -> Result<ComplexBall, SymbolicError> {
+    let mut values: BTreeMap<Symbol, ComplexBall> = BTreeMap::new();
+    let mut sum = ComplexBall::zero(BITS);
+    for (m, c) in p.terms() {
+        let mut product = gauss(c);
+        for (x, k) in m {
+            if !values.contains_key(x) {
+                values.insert(*x, enclose_symbol(algebra, *x, point)?);
+            }
+            for _ in 0..*k {
+                product = &product * &values[x];
+            }
+        }
+        sum = &sum + &product;
+    }
+    Ok(sum)
+}
+
+fn enclose_symbol(
+    algebra: &Algebra,
+    x: Symbol,
+    point: &Point,
+) -> Result<ComplexBall, SymbolicError> {
+    if let Some((_, p)) = algebra.roots().iter().find(|(s, _)| *s == x) {
+        return complex::sqrt(&enclose_poly(algebra, p, point)?);
+    }
+    if let Some((_, z)) = algebra.antiderivatives().iter().find(|(g, _)| *g == x) {
+        return complex::antiderivative(&enclose_fraction(algebra, z, point)?);
+    }
+    Enclosures::new(point).symbol(&x.name())
+}

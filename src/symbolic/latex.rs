@@ -1,0 +1,218 @@
+//! Expressions in LaTeX.
+
+use super::expr::{Equation, Expr, Func};
+
+const GREEK: [&str; 24] = [
+    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
+    "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "chi", "psi", "omega", "Theta", "Omega",
+    "Psi",
+];
+
+/// Names whose LaTeX is not made of their parts.
+const SPECIAL: [(&str, &str); 11] = [
+    ("inf", r"\infty"),
+    ("each", r"\infty"),
+    ("n_star", "n_*"),
+    ("omega_star", r"\omega_*"),
+    ("nabla_n", r"\nabla_n"),
+    ("phi_dot", r"\dot{\varphi}"),
+    ("phi_ddot", r"\ddot{\varphi}"),
+    ("psi_dot", r"\dot{\psi}"),
+    ("psi_ddot", r"\ddot{\psi}"),
+    ("delta_star_n", r"\delta_n^*"),
+    ("n_num", "n"),
+];
+
+fn base(name: &str) -> String {
+    match name {
+        "phi" => r"\varphi".into(),
+        "eps" => r"\varepsilon".into(),
+        n if GREEK.contains(&n) => format!(r"\{n}"),
+        n if n.chars().count() == 1 => n.into(),
+        n => format!(r"\mathrm{{{n}}}"),
+    }
+}
+
+fn subscript(name: &str) -> String {
+    match name {
+        "im1" => "i-1".into(),
+        "ip1" => "i+1".into(),
+        "nm1" => "n-1".into(),
+        "np1" => "n+1".into(),
+        "star" => "*".into(),
+        "kr" => "k".into(),
+        n if n.chars().all(|c| c.is_ascii_digit()) || n.chars().count() == 1 => n.into(),
+        "phi" | "eps" => base(name),
+        n if GREEK.contains(&n) => base(n),
+        // Two indices without a separator, as in V_{n0} and v_{S2}.
+        n if n.len() == 2 => n.into(),
+        n => format!(r"\mathrm{{{n}}}"),
+    }
+}
+
+/// A symbol in LaTeX: `omega_3` is ω₃, `m_im1` is m with the index i−1.
+fn symbol(name: &str) -> String {
+    if let Some((_, tex)) = SPECIAL.iter().find(|s| s.0 == name) {
+        return (*tex).into();
+    }
+    // Derivatives by φ: dI_n, dv_S2, domega_3.
+    if let Some(rest) = name.strip_prefix('d')
+        && ["I_", "v_", "omega_"].iter().any(|p| rest.starts_with(p))
+    {
+        return format!(r"\frac{{d{}}}{{d\varphi}}", symbol(rest));
+    }
+    let primes = name.chars().rev().take_while(|c| *c == '\'').count();
+    let bare = &name[..name.len() - primes];
+    let mut parts = bare.split('_');
+    let mut out = base(parts.next().unwrap_or(bare));
+    let indices: Vec<String> = parts.map(subscript).collect();
+    if !indices.is_empty() {
+        out.push_str(&format!("_{{{}}}", indices.join("")));
+    }
+    out.push_str(&"'".repeat(primes));
+    out
+}
+
+fn bracketed(e: &Expr) -> String {
+    format!(r"\left({}\right)", latex(e))
+}
+
+fn at_least(e: &Expr, strength: u8) -> String {
+    match e.strength() >= strength {
+        true => latex(e),
+        false => bracketed(e),
+    }
+}
+
+fn product(factors: &[Expr]) -> String {
+    let mut out = String::new();
+    for (k, x) in factors.iter().enumerate() {
+        let text = match x {
+            // An integral or a sum swallows what follows it.
+            Expr::Int(_) | Expr::Sum(_) if k + 1 < factors.len() => bracketed(x),
+            Expr::Div(..) => latex(x),
+            x => at_least(x, 2),
+        };
+        if k > 0 {
+            let digit = text.starts_with(|c: char| c.is_ascii_digit());
+            out.push_str(if digit { r" \cdot " } else { r"\, " });
+        }
+        out.push_str(&text);
+    }
+    out
+}
+
+/// The expression in LaTeX, without delimiters.
+pub fn latex(e: &Expr) -> String {
+    match e {
+        Expr::Num(n) => n.clone(),
+        Expr::I => "i".into(),
+        Expr::Sym(s) => symbol(s),
+        Expr::Index(s, k) => format!("{}_{{{}}}", symbol(s), latex(k)),
+        Expr::Neg(x) => format!("-{}", at_least(x, 2)),
+        Expr::Add(terms) => {
+            let mut out = String::new();
+            for (k, x) in terms.iter().enumerate() {
+                match (k, x) {
+                    (0, x) => out.push_str(&at_least(x, 1)),
+                    (_, Expr::Neg(y)) => out.push_str(&format!(" - {}", at_least(y, 2))),
+                    (_, x) => out.push_str(&format!(" + {}", at_least(x, 2))),
+                }
+            }
+            out
+        }
+        Expr::Mul(factors) => product(factors),
+        Expr::Div(a, b) => format!(r"\frac{{{}}}{{{}}}", latex(a), latex(b)),
+        Expr::Pow(x, k) => match &**x {
+            Expr::Call(Func::Sin | Func::Cos, _) => format!("{}^{{{k}}}", bracketed(x)),
+            x => format!("{{{}}}^{{{k}}}", at_least(x, 4)),
+        },
+        Expr::Call(f, x) => call(*f, x),
+        Expr::Int(b) => format!(
+            r"\int_{{{}}}^{{{}}} {} \, d{}",
+            latex(&b.from),
+            latex(&b.to),
+            at_least(&b.body, 2),
+            symbol(&b.var)
+        ),
+        Expr::Sum(b) => format!(
+            r"\sum_{{{}={}}}^{{{}}} {}",
+            symbol(&b.var),
+            latex(&b.from),
+            latex(&b.to),
+            at_least(&b.body, 2)
+        ),
+        Expr::Diff(x, by) => match &**x {
+            Expr::Sym(s) => format!(r"\frac{{d{}}}{{d{}}}", symbol(s), symbol(by)),
+            x => format!(r"\frac{{d}}{{d{}}}{}", symbol(by), at_least(x, 3)),
+        },
+        Expr::At(x, s, v) => format!(
+            r"\left.{}\right|_{{{}={}}}",
+            at_least(x, 2),
+            symbol(s),
+            latex(v)
+        ),
+    }
+}
+
+fn call(f: Func, x: &Expr) -> String {
+    match f {
+        Func::Exp => format!("e^{{{}}}", latex(x)),
+        Func::Sqrt => format!(r"\sqrt{{{}}}", latex(x)),
+        Func::Abs => format!(r"\left|{}\right|", latex(x)),
+        Func::W => format!(r"W{}", bracketed(x)),
+        Func::Sin | Func::Cos | Func::Arg => format!(r"\{}{}", f.name(), argument(x)),
+        Func::Arctan => format!(r"\arctan{}", argument(x)),
+        Func::Re => format!(r"\operatorname{{Re}}{}", argument(x)),
+        Func::Im => format!(r"\operatorname{{Im}}{}", argument(x)),
+    }
+}
+
+/// Without brackets where none are needed.
+fn argument(x: &Expr) -> String {
+    match x {
+        Expr::Sym(_) | Expr::Div(..) => format!(" {}", latex(x)),
+        x => bracketed(x),
+    }
+}
+
+/// The equation in LaTeX, without delimiters.
+pub fn latex_equation(e: &Equation) -> String {
+    format!("{} = {}", latex(&e.left), latex(&e.right))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{parse, parse_equation};
+    use super::*;
+
+    #[test]
+    fn typeset() {
+        for (text, tex) in [
+            ("omega_star^2*f", r"{\omega_*}^{2}\, f"),
+            (
+                "-(a - b)/sqrt(n*eps)",
+                r"-\frac{a - b}{\sqrt{n\, \varepsilon}}",
+            ),
+            ("2*3*m_im1", r"2 \cdot 3\, m_{i-1}"),
+            ("exp(-i*Theta_n)", r"e^{-i\, \Theta_{n}}"),
+            (
+                "int(x, 0, t, a + x)",
+                r"\int_{0}^{t} \left(a + x\right) \, dx",
+            ),
+            (
+                "sum(n, 1, inf, a[n]*cos(n*x))",
+                r"\sum_{n=1}^{\infty} a_{n}\, \cos\left(n\, x\right)",
+            ),
+            ("a - (b + c)", r"a - \left(b + c\right)"),
+            ("v_S2'", "v_{S2}'"),
+        ] {
+            assert_eq!(latex(&parse(text).unwrap()), tex);
+        }
+        let e = parse_equation("y = arctan(im(A)/re(A))").unwrap();
+        assert_eq!(
+            latex_equation(&e),
+            r"y = \arctan \frac{\operatorname{Im} A}{\operatorname{Re} A}"
+        );
+    }
+}

@@ -1,0 +1,61 @@
+//! Names of indeterminates.
+
+use std::fmt;
+
+/// An indeterminate. Names have up to 16 ASCII characters and are ordered as text, so that normal
+/// forms do not depend on the order in which symbols are first met.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Symbol(u128);
+
+impl Symbol {
+    /// The longest name, in bytes.
+    pub const LONGEST: usize = 16;
+
+    /// The symbol of that name; `None` if it is empty, too long, or not printable ASCII.
+    pub fn new(name: &str) -> Option<Symbol> {
+        let good = (1..=Symbol::LONGEST).contains(&name.len())
+            && name.bytes().all(|b| b.is_ascii_graphic());
+        good.then(|| {
+            let mut bytes = [0; Symbol::LONGEST];
+            bytes[..name.len()].copy_from_slice(name.as_bytes());
+            Symbol(u128::from_be_bytes(bytes))
+        })
+    }
+
+    /// Its name.
+    pub fn name(self) -> String {
+        let bytes = self.0.to_be_bytes();
+        bytes
+            .iter()
+            .take_while(|b| **b != 0)
+            .map(|b| char::from(*b))
+            .collect()
+    }
+}
+
+impl fmt::Display for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.name())
+    }
+}
+
+impl fmt::Debug for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_come_back_in_order() {
+        let s = |n| Symbol::new(n).unwrap();
+        assert_eq!(s("omega_star").name(), "omega_star");
+        assert!(s("a") < s("ab") && s("ab") < s("b"));
+        for bad in ["", "a name with blanks", "seventeen_letters", "ω"] {
+            assert_eq!(Symbol::new(bad), None, "{bad}");
+        }
+    }
+}

@@ -1,0 +1,261 @@
+//! Property tests of the normal forms: ring axioms, differentiation rules, agreement with balls.
+
+use super::*;
+use crate::reference::ComplexBall;
+use proptest::prelude::*;
+use rug::Rational;
+
+fn small() -> impl Strategy<Value = Gauss> {
+    (-3_i32..4, 1_i32..4, -2_i32..3).prop_map(|(a, b, c)| Gauss::new((a, b), c))
+}
+
+fn poly() -> impl Strategy<Value = Poly> {
+    let term = (small(), 0_u32..3, 0_u32..3, 0_u32..2);
+    prop::collection::vec(term, 0..4).prop_map(|terms| {
+        let x = |n: &str| Poly::symbol(Symbol::new(n).unwrap());
+        terms.into_iter().fold(Poly::zero(), |sum, (c, i, j, k)| {
+            let m = &(&x("x").pow(i) * &x("y").pow(j)) * &x("z").pow(k);
+            &sum + &m.scaled(&c)
+        })
+    })
+}
+
+fn nonzero() -> impl Strategy<Value = Poly> {
+    poly().prop_filter("not zero", |p| !p.is_zero())
+}
+
+/// Of low degree, because sums of three of them have common denominators of three times that.
+fn fraction() -> impl Strategy<Value = Fraction> {
+    let linear = || {
+        (small(), small(), small()).prop_map(|(a, b, c)| {
+            let x = |n: &str, c: &Gauss| Poly::symbol(Symbol::new(n).unwrap()).scaled(c);
+            &(&x("x", &a) + &x("y", &b)) + &Poly::constant(c)
+        })
+    };
+    let below = linear().prop_filter("not zero", |p| !p.is_zero());
+    (linear(), linear(), below).prop_map(|(a, b, c)| Fraction::new(&a * &b, c).unwrap())
+}
+
+/// Text of an expression in x, y, t with a root, exponentials and an integral.
+fn text() -> impl Strategy<Value = String> {
+    let leaf = prop_oneof![
+        Just("x".to_string()),
+        Just("y".to_string()),
+        Just("t".to_string()),
+        Just("i".to_string()),
+        Just("sqrt(2*x)".to_string()),
+        Just("sqrt(x + y)".to_string()),
+        Just("exp(i*t - x)".to_string()),
+        Just("cos(2*t)".to_string()),
+        Just("W(x*t)".to_string()),
+        Just("int(s, 0, t, exp(-i*s^2 + y*s))".to_string()),
+        (1_u32..5).prop_map(|n| n.to_string()),
+    ];
+    leaf.prop_recursive(3, 8, 2, |inner| {
+        prop_oneof![
+            (inner.clone(), inner.clone()).prop_map(|(a, b)| format!("({a} + {b})")),
+            (inner.clone(), inner.clone()).prop_map(|(a, b)| format!("({a} - {b})")),
+            (inner.clone(), inner.clone()).prop_map(|(a, b)| format!("{a}*{b}")),
+            (inner.clone(), 1_u32..3).prop_map(|(a, k)| format!("({a})^{k}")),
+            (inner, 1_u32..4).prop_map(|(a, k)| format!("({a})/(x + {k})")),
+        ]
+    })
+}
+
+fn value(exact: &mut Exact, text: &str) -> ExpSum {
+    exact
+        .value(&Definitions::default(), &parse(text).unwrap())
+        .unwrap()
+}
+
+fn overlap(a: &ComplexBall, b: &ComplexBall) -> bool {
+    a.re.overlaps(&b.re) && a.im.overlaps(&b.im)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+
+    #[test]
+    fn polynomials_are_a_ring(a in poly(), b in poly(), c in poly()) {
+        prop_assert_eq!(&a + &b, &b + &a);
+        prop_assert_eq!(&a * &b, &b * &a);
+        prop_assert_eq!(&(&a + &b) + &c, &a + &(&b + &c));
+        prop_assert_eq!(&(&a * &b) * &c, &a * &(&b * &c));
+        prop_assert_eq!(&a * &(&b + &c), &(&a * &b) + &(&a * &c));
+        prop_assert_eq!(&a - &a, Poly::zero());
+        prop_assert_eq!(&a * &Poly::integer(1), a.clone());
+        let x = Symbol::new("x").unwrap();
+        prop_assert_eq!(Poly::from_coefficients(x, &a.coefficients(x)), a.clone());
+        prop_assert_eq!((&a * &b).conj(), &a.conj() * &b.conj());
+    }
+
+    #[test]
+    fn division_and_common_divisors(a in nonzero(), b in nonzero(), c in nonzero()) {
+        let product = &a * &c;
+        prop_assert_eq!(product.divided_by(&c), Some(a.clone()));
+        let g = gcd(&product, &(&b * &c));
+        prop_assert!(g.divided_by(&c).is_some(), "{} does not divide {}", c, g);
+        prop_assert!(product.divided_by(&g).is_some());
+        prop_assert!((&b * &c).divided_by(&g).is_some());
+    }
+
+    #[test]
+    fn fractions_are_a_field(a in fraction(), b in fraction(), c in fraction()) {
+        prop_assert_eq!(&a + &b, &b + &a);
+        prop_assert_eq!(&(&a + &b) + &c, &a + &(&b + &c));
+        prop_assert_eq!(&a * &(&b + &c), &(&a * &b) + &(&a * &c));
+        prop_assert!((&a - &a).is_zero());
+        if let Some(inverse) = a.inverse() {
+            prop_assert_eq!(&a * &inverse, Fraction::integer(1));
+        }
+        // Leibniz and the quotient rule.
+        let x = Symbol::new("x").unwrap();
+        let leibniz = &(&a.derivative(x) * &b) + &(&a * &b.derivative(x));
+        prop_assert_eq!((&a * &b).derivative(x), leibniz);
+    }
+
+    #[test]
+    fn sums_of_exponentials_are_a_ring(a in text(), b in text(), c in text()) {
+        let e = &mut Exact::default();
+        let (a, b, c) = (value(e, &a), value(e, &b), value(e, &c));
+        let p = |x: &ExpSum, y: &ExpSum| e.algebra.product(x, y);
+        prop_assert_eq!(p(&a, &b), p(&b, &a));
+        prop_assert_eq!(p(&p(&a, &b), &c), p(&a, &p(&b, &c)));
+        prop_assert_eq!(p(&a, &(&b + &c)), &p(&a, &b) + &p(&a, &c));
+        prop_assert!((&a - &a).is_zero());
+        prop_assert_eq!(e.algebra.reduce(&a), a);
+    }
+
+    #[test]
+    fn derivations_are_linear_and_obey_leibniz(a in text(), b in text()) {
+        let e = &mut Exact::default();
+        let (a, b) = (value(e, &a), value(e, &b));
+        let s = |n| Symbol::new(n).unwrap();
+        let d = Derivation::from([
+            (s("t"), ExpSum::integer(1)),
+            (s("x"), value(e, "y*exp(i*t)")),
+        ]);
+        let algebra = &e.algebra;
+        let d = |x: &ExpSum| algebra.derive(x, &d).unwrap();
+        prop_assert_eq!(d(&(&a + &b)), &d(&a) + &d(&b));
+        let product = algebra.product(&a, &b);
+        let leibniz = &algebra.product(&d(&a), &b) + &algebra.product(&a, &d(&b));
+        prop_assert_eq!(d(&product), algebra.reduce(&leibniz));
+    }
+
+    #[test]
+    fn normal_forms_agree_with_balls(a in text(), turn in 0_u32..4) {
+        let definitions = Definitions::default();
+        let point = Point { turn, ..Point::default() };
+        let mut exact = Exact::default();
+        let e = parse(&a).unwrap();
+        let form = exact.value(&definitions, &e).unwrap();
+        let through = enclose_form(&exact.algebra, &form, &point).unwrap();
+        let straight = Enclosures::new(&point).value(&definitions, &e).unwrap();
+        prop_assert!(overlap(&through, &straight), "{a}: {form}");
+        let size = 1.0 + straight.re.magnitude().to_f64() + straight.im.magnitude().to_f64();
+        prop_assert!(straight.re.rad().to_f64() / size < 1e-15, "{a}");
+    }
+
+    #[test]
+    fn derivatives_agree_with_difference_quotients(a in text()) {
+        let definitions = Definitions::default();
+        let quotient = |h: i32| {
+            let value = |k: i32| {
+                let t = Rational::from((3, 4)) + Rational::from((k, 1 << h));
+                let named = [("t".to_string(), t)].into();
+                let point = Point { named, ..Point::default() };
+                let z = Enclosures::new(&point).value(&definitions, &parse(&a).unwrap());
+                let z = z.unwrap();
+                (z.re.to_f64(), z.im.to_f64())
+            };
+            let (up, down) = (value(1), value(-1));
+            let step = f64::from(1 << h) / 2.0;
+            ((up.0 - down.0) * step, (up.1 - down.1) * step)
+        };
+        let point = Point {
+            named: [("t".to_string(), Rational::from((3, 4)))].into(),
+            ..Point::default()
+        };
+        let d = enclose(&definitions, &parse(&format!("D({a}, t)")).unwrap(), &point).unwrap();
+        let near = quotient(12);
+        let size = 1.0 + d.re.to_f64().abs() + d.im.to_f64().abs();
+        let off = (near.0 - d.re.to_f64()).abs() + (near.1 - d.im.to_f64()).abs();
+        // The second-order term is 10^-7 times a third derivative.
+        prop_assert!(off / size < 1e-2, "{a}: {near:?} against {d:?}");
+    }
+}
+
+fn decided(text: &str) -> Identity {
+    Identity::of(&Definitions::default(), &parse_equation(text).unwrap())
+}
+
+#[test]
+fn identities() {
+    for text in [
+        "exp(i*pi) = -1",
+        "exp(3*i*pi/2 + x) = -i*exp(x)",
+        "sin(x)^2 + cos(x)^2 = 1",
+        "sqrt(8*x^3*y) = 2*x*sqrt(2)*sqrt(x)*sqrt(y)",
+        "1/(a + sqrt(n*eps)) = (a - sqrt(n*eps))/(a^2 - n*eps)",
+        "sqrt(-i/2) = (1 - i)/2",
+        "D(W(z), z) = -2*z*W(z) + 2*i/sqrt(pi)",
+        "W(-z) = 2*exp(-z^2) - W(z)",
+        "D(int(s, 0, t, exp(-i*s^2/2)*cos(w*(t - s))), t) \
+           = exp(-i*t^2/2) - w*int(s, 0, t, exp(-i*s^2/2)*sin(w*(t - s)))",
+        "at(D(exp(a*t), t), t, 0) = a",
+        "int(x, a, b, x^2) = (b^3 - a^3)/3",
+        "sum(k, 1, 3, k*a[k]) = a_1 + 2*a_2 + 3*a_3",
+        "re(exp(i*x)) = cos(x)",
+        "abs(r*exp(i*x)) = r",
+        "arg(r*exp(i*x)) = x",
+        "1/T*int(t, 0, T, cos(2*pi*3*t/T)^2) = 1/2",
+        "0.94*50 = 47",
+    ] {
+        let found = decided(text);
+        assert_eq!(found.outcome, Outcome::Proved, "{text}: {found:?}");
+    }
+}
+
+#[test]
+fn refutations_have_a_witness() {
+    for text in [
+        "sin(x)^2 - cos(x)^2 = 1",
+        "exp(x)*exp(y) = exp(x*y)",
+        "sqrt(n*eps) = n*eps",
+        "W(-z) = W(z)",
+        "int(s, 0, 1, exp(s^2)) = int(s, 0, 1, exp(-s^2))",
+        "arctan(im(x + i*y)/re(x + i*y)) = arg(-x - i*y)",
+    ] {
+        let found = decided(text);
+        assert_eq!(found.outcome, Outcome::Refuted, "{text}");
+        assert!(found.witness.is_some_and(|w| w.residual != "0"), "{text}");
+    }
+    let exact = decided("(a + b)^2 = a^2 + b^2");
+    assert_eq!(exact.residual.as_deref(), Some("2*a*b"));
+}
+
+#[test]
+fn what_cannot_be_said_is_undecided_or_an_error() {
+    // True for positive x, but outside the algebra.
+    let found = decided("arctan(x) + arctan(1/x) = pi/2");
+    assert_eq!(found.outcome, Outcome::Undecided);
+    assert!(found.error.is_some());
+    let zero = Definitions::default();
+    let mut e = Exact::default();
+    for text in [
+        "1/(x - x)",
+        "1/(1 + exp(x))",
+        "exp(exp(x))",
+        "sqrt(x/(x + y))",
+        "int(s, 0, 1, exp(s^3))",
+        "int(s, 0, 1, s*exp(s))",
+    ] {
+        assert!(e.value(&zero, &parse(text).unwrap()).is_err(), "{text}");
+    }
+    let mut circle = Definitions::default();
+    circle.set("a", parse("b + 1").unwrap());
+    circle.set("b", parse("a").unwrap());
+    let found = Exact::default().value(&circle, &parse("a").unwrap());
+    assert!(matches!(found, Err(SymbolicError::Circular(_))));
+}

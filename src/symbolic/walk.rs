@@ -1,0 +1,304 @@
+//! One way through an expression for every kind of value.
+
+use super::expr::{Bound, EACH, Expr, Func, HARMONICS};
+use super::{Gauss, SymbolicError, parse};
+use rug::Rational;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Names and what they stand for.
+#[derive(Clone, Debug, Default)]
+pub struct Definitions {
+    /// Names that stand for expressions.
+    pub names: BTreeMap<String, Expr>,
+    /// Derivations by name: pairs of a symbol and its image.
+    pub derivations: BTreeMap<String, Vec<(String, Expr)>>,
+}
+
+impl Definitions {
+    /// Adds or replaces a definition.
+    pub fn set(&mut self, name: &str, value: Expr) {
+        self.names.insert(name.into(), value);
+    }
+
+    /// Whether one of the names occurs in the expression, definitions and derivations followed.
+    pub fn reaches(&self, e: &Expr, names: &[&str]) -> bool {
+        let mut open = vec![e];
+        let mut seen: BTreeSet<&str> = BTreeSet::new();
+        while let Some(e) = open.pop() {
+            if let Expr::Sym(name) = e
+                && seen.insert(name)
+            {
+                if names.contains(&name.as_str()) {
+                    return true;
+                }
+                open.extend(self.names.get(name));
+            }
+            if let Expr::Diff(_, by) = e {
+                let images = self.derivations.get(by).into_iter().flatten();
+                open.extend(images.map(|i| &i.1));
+            }
+            open.extend(e.children());
+        }
+        false
+    }
+
+    /// From texts `name = expression`; derivatives are written `t: x = expression`.
+    ///
+    /// # Errors
+    /// As [`parse()`].
+    pub fn read(lines: &[&str]) -> Result<Definitions, SymbolicError> {
+        let mut out = Definitions::default();
+        for line in lines {
+            let missing = || SymbolicError::Parse {
+                at: 0,
+                reason: format!("expected '=' in {line:?}"),
+            };
+            let (left, right) = line.split_once('=').ok_or_else(missing)?;
+            let value = parse(right)?;
+            match left.split_once(':') {
+                Some((by, symbol)) => out
+                    .derivations
+                    .entry(by.trim().into())
+                    .or_default()
+                    .push((symbol.trim().into(), value)),
+                None => out.set(left.trim(), value),
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// Values bound on the way, innermost last, and how deep the definitions are nested.
+#[derive(Clone, Debug)]
+pub struct Scope<'a, V> {
+    /// The definitions.
+    pub definitions: &'a Definitions,
+    /// Bound names.
+    pub bound: Vec<(String, V)>,
+    /// Indices of sums.
+    pub indices: Vec<(String, i64)>,
+    depth: usize,
+}
+
+impl<'a, V> Scope<'a, V> {
+    /// Nothing bound.
+    pub fn new(definitions: &'a Definitions) -> Scope<'a, V> {
+        Scope {
+            definitions,
+            bound: Vec::new(),
+            indices: Vec::new(),
+            depth: 0,
+        }
+    }
+
+    /// The same scope with other values.
+    pub fn with_values<U>(&self, f: impl Fn(&V) -> U) -> Scope<'a, U> {
+        Scope {
+            definitions: self.definitions,
+            bound: self.bound.iter().map(|(n, v)| (n.clone(), f(v))).collect(),
+            indices: self.indices.clone(),
+            depth: self.depth,
+        }
+    }
+}
+
+/// Definitions within definitions.
+const DEEPEST: usize = 40;
+
+/// A kind of value that expressions can have.
+pub trait Domain: Sized {
+    /// The values.
+    type V: Clone;
+    /// A number.
+    fn constant(&mut self, c: &Gauss) -> Self::V;
+    /// A free symbol.
+    fn symbol(&mut self, name: &str) -> Result<Self::V, SymbolicError>;
+    /// Sum.
+    fn add(&mut self, a: &Self::V, b: &Self::V) -> Self::V;
+    /// Product.
+    fn mul(&mut self, a: &Self::V, b: &Self::V) -> Self::V;
+    /// Quotient.
+    fn div(&mut self, a: &Self::V, b: &Self::V) -> Result<Self::V, SymbolicError>;
+    /// A function other than sine and cosine, which are made of exponentials.
+    fn call(&mut self, f: Func, x: &Self::V) -> Result<Self::V, SymbolicError>;
+    /// An integral.
+    fn integral(
+        &mut self,
+        scope: &mut Scope<Self::V>,
+        bound: &Bound,
+    ) -> Result<Self::V, SymbolicError>;
+    /// A derivative.
+    fn derivative(
+        &mut self,
+        scope: &mut Scope<Self::V>,
+        body: &Expr,
+        by: &str,
+    ) -> Result<Self::V, SymbolicError>;
+    /// The value of a definition that was kept before.
+    fn recall(&mut self, _name: &str) -> Option<Self::V> {
+        None
+    }
+    /// May keep the value of a definition, nothing being bound.
+    fn keep(&mut self, _definitions: &Definitions, _name: &str, _value: &Self::V) {}
+    /// The value at a value of a symbol; by binding unless the domain knows better.
+    fn at(
+        &mut self,
+        scope: &mut Scope<Self::V>,
+        body: &Expr,
+        symbol: &str,
+        value: Self::V,
+    ) -> Result<Self::V, SymbolicError> {
+        scope.bound.push((symbol.into(), value));
+        let out = walk(self, scope, body);
+        scope.bound.pop();
+        out
+    }
+}
+
+/// A decimal number.
+pub(super) fn decimal(text: &str) -> Rational {
+    let (whole, part) = text.split_once('.').unwrap_or((text, ""));
+    let digits: rug::Integer = format!("{whole}{part}").parse().unwrap_or_default();
+    Rational::from((digits, rug::Integer::from(10).pow(part.len() as u32)))
+}
+
+use rug::ops::Pow;
+
+fn integer<V>(scope: &Scope<V>, e: &Expr) -> Option<i64> {
+    match e {
+        Expr::Num(n) => n.parse().ok(),
+        Expr::Sym(s) if s == "inf" || s == "n_num" => Some(HARMONICS),
+        Expr::Sym(s) => {
+            let found = scope.indices.iter().rev().find(|b| b.0 == *s);
+            found.map(|b| b.1)
+        }
+        Expr::Neg(x) => Some(-integer(scope, x)?),
+        Expr::Add(x) => x.iter().map(|x| integer(scope, x)).sum(),
+        _ => None,
+    }
+}
+
+/// The value of an expression.
+///
+/// # Errors
+/// What the domain cannot do, and definitions that do not end.
+pub fn walk<D: Domain>(
+    d: &mut D,
+    scope: &mut Scope<D::V>,
+    e: &Expr,
+) -> Result<D::V, SymbolicError> {
+    match e {
+        Expr::Num(n) => Ok(d.constant(&Gauss::real(decimal(n)))),
+        Expr::I => Ok(d.constant(&Gauss::i())),
+        Expr::Sym(name) => named(d, scope, name),
+        Expr::Index(name, index) => match (integer(scope, index), &**index) {
+            (Some(k), _) => named(d, scope, &format!("{name}_{k}")),
+            (None, Expr::Sym(s)) => named(d, scope, &format!("{name}_{s}")),
+            _ => Err(SymbolicError::Unsupported(format!("the index {index}"))),
+        },
+        Expr::Neg(x) => {
+            let x = walk(d, scope, x)?;
+            let minus = d.constant(&Gauss::real(-1));
+            Ok(d.mul(&minus, &x))
+        }
+        Expr::Add(terms) => {
+            let mut sum = d.constant(&Gauss::default());
+            for x in terms {
+                let x = walk(d, scope, x)?;
+                sum = d.add(&sum, &x);
+            }
+            Ok(sum)
+        }
+        Expr::Mul(factors) => {
+            let mut product = d.constant(&Gauss::real(1));
+            for x in factors {
+                let x = walk(d, scope, x)?;
+                product = d.mul(&product, &x);
+            }
+            Ok(product)
+        }
+        Expr::Div(a, b) => {
+            let (a, b) = (walk(d, scope, a)?, walk(d, scope, b)?);
+            d.div(&a, &b)
+        }
+        Expr::Pow(x, k) => {
+            let x = walk(d, scope, x)?;
+            let one = d.constant(&Gauss::real(1));
+            let mut product = one.clone();
+            for _ in 0..k.unsigned_abs() {
+                product = d.mul(&product, &x);
+            }
+            match *k < 0 {
+                true => d.div(&one, &product),
+                false => Ok(product),
+            }
+        }
+        Expr::Call(f @ (Func::Sin | Func::Cos), x) => {
+            let x = walk(d, scope, x)?;
+            let i = d.constant(&Gauss::i());
+            let minus_i = d.constant(&Gauss::i_power(3));
+            let (up, down) = (d.mul(&i, &x), d.mul(&minus_i, &x));
+            let (up, down) = (d.call(Func::Exp, &up)?, d.call(Func::Exp, &down)?);
+            let (half, sign) = match f {
+                Func::Cos => (Gauss::real((1, 2)), Gauss::real(1)),
+                _ => (Gauss::new(0, (-1, 2)), Gauss::real(-1)),
+            };
+            let (half, sign) = (d.constant(&half), d.constant(&sign));
+            let down = d.mul(&sign, &down);
+            let sum = d.add(&up, &down);
+            Ok(d.mul(&half, &sum))
+        }
+        Expr::Call(f, x) => {
+            let x = walk(d, scope, x)?;
+            d.call(*f, &x)
+        }
+        Expr::Int(bound) => d.integral(scope, bound),
+        Expr::Sum(bound) if bound.to == Expr::Sym(EACH.into()) => walk(d, scope, &bound.body),
+        Expr::Sum(bound) => {
+            let limits = (integer(scope, &bound.from), integer(scope, &bound.to));
+            let (Some(from), Some(to)) = limits else {
+                return Err(SymbolicError::Unsupported("the limits of a sum".into()));
+            };
+            let mut sum = d.constant(&Gauss::default());
+            for k in from..=to {
+                let value = d.constant(&Gauss::real(k));
+                scope.bound.push((bound.var.clone(), value));
+                scope.indices.push((bound.var.clone(), k));
+                let x = walk(d, scope, &bound.body);
+                scope.indices.pop();
+                scope.bound.pop();
+                sum = d.add(&sum, &x?);
+            }
+            Ok(sum)
+        }
+        Expr::Diff(body, by) => d.derivative(scope, body, by),
+        Expr::At(body, symbol, value) => {
+            let value = walk(d, scope, value)?;
+            d.at(scope, body, symbol, value)
+        }
+    }
+}
+
+fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D::V, SymbolicError> {
+    if let Some((_, v)) = scope.bound.iter().rev().find(|b| b.0 == name) {
+        return Ok(v.clone());
+    }
+    let definitions = scope.definitions;
+    let Some(e) = definitions.names.get(name) else {
+        return d.symbol(name);
+    };
+    if scope.depth >= DEEPEST {
+        return Err(SymbolicError::Circular(name.into()));
+    }
+    let free = scope.bound.is_empty() && scope.indices.is_empty();
+    if let Some(kept) = free.then(|| d.recall(name)).flatten() {
+        return Ok(kept);
+    }
+    scope.depth += 1;
+    let out = walk(d, scope, e);
+    scope.depth -= 1;
+    if let (true, Ok(value)) = (free, &out) {
+        d.keep(definitions, name, value);
+    }
+    out
+}
