@@ -42,7 +42,7 @@ fn sine_and_cosine() {
         let x = if k % 3 == 0 {
             random.number(-80, -2)
         } else {
-            random.between(-0.785_398, 0.785_398)
+            random.between(-0.785, 0.785)
         };
         let r = two_sum(x, x * random.number(-70, -54));
         let zero = (Dd::ZERO, ROUND);
