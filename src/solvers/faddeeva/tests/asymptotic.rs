@@ -72,7 +72,8 @@ fn series_in_the_upper_half_plane() {
         } else {
             t.sin()
         };
-        let each: [(f64, fn(f64, f64) -> (Dd, Dd)); 3] = [
+        type Series = fn(f64, f64) -> (Dd, Dd);
+        let each: [(f64, Series); 3] = [
             (7.0, series::<_, 24>),
             (10.0, series::<_, 14>),
             (1000f64.sqrt(), series::<_, 6>),

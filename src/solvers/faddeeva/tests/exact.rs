@@ -44,7 +44,7 @@ pub fn in_squares(x: Dd, y: &Rational) -> f64 {
     if d == 0 {
         return 0.0;
     }
-    (d / Rational::from(y.abs_ref()) << 106u32).to_f64()
+    ((d / Rational::from(y.abs_ref())) << 106u32).to_f64()
 }
 
 /// Whether the parts are those of the number in the ball: each the nearest `f64` to what is left.
