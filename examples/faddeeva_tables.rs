@@ -120,7 +120,7 @@ fn zero_row(k: u32, bits: u32) -> Result<Option<Vec<f64>>, Undecided> {
     let one = Ball::integer(bits, 1);
     let mut g = vec![
         ComplexBall::zero(bits),
-        ComplexBall::new(one.clone(), &one - &one),
+        ComplexBall::new(one, Ball::integer(bits, 0)),
     ];
     for n in 2..ZERO_TERMS + 2 {
         let factor = Ball::rational(bits, &Rational::from((-2, n as i64)));

@@ -4,6 +4,7 @@ use super::super::tests::exact::{are_parts, error, gaussian, rational, shifted, 
 use super::*;
 use crate::reference::Ball;
 use rug::{Float, Rational};
+use std::f64::consts::FRAC_PI_4;
 
 /// u² = 2⁻¹⁰⁶.
 const SQUARE: f64 = f64::EPSILON * f64::EPSILON / 4.0;
@@ -107,7 +108,7 @@ fn sine_and_cosine() {
         let x = if k % 3 == 0 {
             random.number(-80, -2)
         } else {
-            random.between(-0.785, 0.785)
+            random.between(-FRAC_PI_4, FRAC_PI_4)
         };
         let r = two_sum(x, x * random.number(-70, -54));
         let (s, c) = sin_cos_reduced(r);

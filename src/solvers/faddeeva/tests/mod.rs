@@ -40,6 +40,7 @@ impl Random {
     }
 
     /// A significand in [1, 2): half of them with a few digits only, where roundings tie.
+    #[cfg(feature = "oracle")]
     pub fn significand(&mut self) -> f64 {
         let mut bits = self.bits() >> 12;
         if self.below(2) == 0 {
@@ -52,6 +53,7 @@ impl Random {
     }
 
     /// A number of either sign with an exponent of `low … high`.
+    #[cfg(feature = "oracle")]
     pub fn number(&mut self, low: i32, high: i32) -> f64 {
         let e = low + self.below((high - low + 1) as u64) as i32;
         let x = self.significand() * f64::exp2(f64::from(e));

@@ -8,6 +8,7 @@ use super::Random;
 use super::exact::pi;
 use rug::float::Constant;
 use rug::{Float, Integer};
+use std::f64::consts::FRAC_PI_4;
 
 /// Digits: 2048 for the largest phase, 212 for what is left, and some.
 const WIDE: u32 = 2560;
@@ -43,7 +44,7 @@ fn errors(a: f64, y: f64, (r, n): (Dd, f64)) -> (f64, f64) {
     }
     let exact = rest(a, y, &k);
     let d = (Float::with_val(WIDE, r.hi) + r.lo - &exact).abs();
-    assert!(r.hi.abs() < 0.785_398_163_4, "{a:e} {y:e}: {r:?}");
+    assert!(r.hi.abs() < FRAC_PI_4 + 1e-7, "{a:e} {y:e}: {r:?}");
     (d.to_f64(), (d / exact).abs().to_f64())
 }
 
