@@ -96,14 +96,14 @@ fn equation(input: &[f64]) -> Option<f64> {
     if !(start.norm() < 1e300 && end.norm() < 1e300) {
         return None;
     }
-    let mut c = [start, -2.0 * z * start + C::new(0.0, FRAC_2_SQRT_PI)];
-    let mut power = h;
-    let mut sum = start + c[1] * h;
+    // The terms c_n h^n, which stay of the size of W where the coefficients do not.
+    let zh = z * h;
+    let mut terms = [start, -2.0 * zh * start + C::new(0.0, FRAC_2_SQRT_PI) * h];
+    let mut sum = terms[0] + terms[1];
     for n in 2..30 {
-        let next = -(z * c[1] + c[0]) * (2.0 / n as f64);
-        c = [c[1], next];
-        power *= h;
-        sum += next * power;
+        let next = -(zh * terms[1] + h * h * terms[0]) * (2.0 / n as f64);
+        terms = [terms[1], next];
+        sum += next;
     }
     // Errors of 4u in both values, the first grown by e^{1/4}, and some ten operations of the
     // first terms with 1u each, of the size of 2/√π h where W is smaller.
