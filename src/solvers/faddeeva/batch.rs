@@ -160,6 +160,7 @@ impl<P: Points> Chunk<'_, P> {
                 |a, y| right_half_plane(lanes, a, y),
             );
         }
+        self.points.store(self.start, &self.re[..n], &self.im[..n]);
     }
 
     /// Takes the value at point `k` of the chunk.
@@ -192,7 +193,6 @@ impl<P: Points> Chunk<'_, P> {
             }
             at += S::WIDTH;
         }
-        self.points.store(self.start, &self.re[..n], &self.im[..n]);
     }
 
     /// The points next to a zero.
