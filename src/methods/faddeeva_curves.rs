@@ -64,8 +64,10 @@ fn crossing(f: impl Fn(f64) -> f64, a: f64, b: f64) -> Option<f64> {
     Some(b)
 }
 
+/// `x` moved by a relative 1e-12 or more: nearer to a zero curve a component is below 2⁻⁴⁰ of the
+/// terms it is the difference of, where the solver's double-double promises less than its budget.
 fn off(d: &mut Draw, x: f64, most: f64) -> f64 {
-    let shift = d.log_uniform(1e-17, most);
+    let shift = d.log_uniform(1e-12, most);
     x + x * d.signed(shift)
 }
 

@@ -1,7 +1,7 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::double_double::{Dd, two_prod};
-use super::exponential::{sin_cos_reduced, turn};
+use super::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
 use super::payne_hanek;
 use super::real::{ROUND, scaled};
 
@@ -44,7 +44,12 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
         // a² − b² ≥ |z| ulp(|z|) is far beyond 745.
         return (-u, v);
     }
-    let (r, quadrant) = payne_hanek::reduce(a, y);
+    let theta = phase(a, y);
+    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
+        reduce(theta)
+    } else {
+        payne_hanek::reduce(a, y)
+    };
     let (s, c) = sin_cos_reduced(r);
     let (s, c) = turn(s, c, quadrant);
     let (s, c) = (-s.hi, c.hi);

@@ -64,7 +64,7 @@ fn sums(rule: usize, r2: Dd, y2: Dd) -> (Dd, Dd) {
 }
 
 /// The value at `a − i b`, `a, b ≥ 0`, `|z| < 2²⁴`, away from overflow; relative error of each
-/// component about 2⁻¹⁰⁰ of the larger of the two terms it is the sum of.
+/// component about 2⁻⁹² of the larger of the two terms it is the sum of.
 #[inline(always)]
 pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     // The phase 2πa/h and G = e^{−2πb/h}.
@@ -86,15 +86,20 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
 
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let (plus, minus) = sums(rule, xx + yy, yy);
-    let (re, im) = (plus.mul_f(-b), minus.mul_f(a));
+    // Tiny parts are lifted, lest the low halves become subnormal.
+    let lift = if b < 1e-200 { 200.0 } else { 0.0 };
+    let (re, im) = (plus.mul_f(-scaled(b, ROUND + lift)), minus.mul_f(a));
 
     // 2 e^{−z²} (1 + κG − i G sin 2θ)/(1 + G² + 2κG).
     let g = g.scale(scaled(1.0, gk));
     let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
     let (p, q) = ((kappa * g).add_f(1.0), -(g * sine));
     let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
-    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
-    (re + by(c), im + by(s))
+    let by = |t: Dd, k: f64| Dd::new(scaled(t.hi, k), scaled(t.lo, k));
+    let re = re + by(c, k + (1.0 + lift));
+    // One rounding, at the end.
+    let re = Dd::from(scaled(re.value(), ROUND - lift));
+    (re, im + by(s, k + 1.0))
 }
 
 #[cfg(all(test, feature = "oracle"))]
