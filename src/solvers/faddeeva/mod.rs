@@ -2,14 +2,23 @@
 mod asymptotic;
 #[cfg(target_arch = "x86_64")]
 mod batch;
+mod constants;
+mod dawson;
+mod derivative;
 mod double_double;
 mod double_double_functions;
+mod erf;
+mod erf_real;
+mod erf_zeros;
+mod erfcx;
 mod exponential;
 mod lanes;
+mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 mod payne_hanek;
 mod plane;
+mod quadrant;
 mod real;
 mod special;
 #[rustfmt::skip]
@@ -17,9 +26,17 @@ mod special;
 mod tables;
 mod taylor;
 mod trapezoidal;
+mod voigt;
 mod zeros;
 
 use num_complex::Complex;
+
+pub use dawson::{dawson, dawson_real};
+pub use derivative::w_derivative;
+pub use erf::{erf, erfc, erfi};
+pub use erf_real::{erf_real, erfc_real, erfcx_real, erfi_real};
+pub use erfcx::erfcx;
+pub use voigt::voigt;
 
 use lanes::{Lanes, Task, with_best};
 

@@ -1,0 +1,245 @@
+//! Dawson's function `F(z) = e^{−z²} ∫₀^z e^{t²} dt` (DLMF 7.2.5).
+//!
+//! In the first quadrant, `w = u + i v`:
+//!
+//! ```text
+//! F(z) = (√π/2) i (e^{−z²} − w(z))          (DLMF 7.5.1)
+//! F(z) = z (1 − (2/3) z² + (4/15) z⁴ − …)   (DLMF 7.6.2)
+//! ```
+//!
+//! Beside the real axis the two terms share their real parts; there the imaginary parts of the
+//! coefficients of w about real centres are those of `(2/√π) F`.
+
+use super::constants::HALF_SQRT_PI;
+use super::double_double::{Dd, two_sum};
+use super::exponential::{exp_minus_square_any, sin_cos_reduced, turn};
+use super::lanes::{Lanes, Task, with_best};
+use super::odd_series::{self, odd, odd_real};
+use super::quadrant::{
+    HUGE, STRIP, dawson_in_strip, gaussian_exact, lifted, lost, pair_times_power, times_power, w,
+    w_exact,
+};
+use super::real::ROUND;
+use super::{erf_zeros, payne_hanek};
+use num_complex::Complex;
+
+/// Where F′ vanishes on the real axis: three parts.
+const MAXIMUM: [f64; 3] = [
+    0.924_138_873_004_591_7,
+    2.378_073_982_646_779_6e-17,
+    -1.182_372_417_104_555e-33,
+];
+/// Distance from the maximum up to which [`SLOPE`] is used.
+const BESIDE_MAXIMUM: f64 = 0.0625;
+
+/// Coefficients `n f_n`, n = 2, 3, … of F′ about the maximum: `f₀ = 1/(2x₀)`, `f₁ = 0`,
+/// `(n + 1) f_{n+1} = −2 (x₀ f_n + f_{n−1})`.
+const SLOPE: [f64; 20] = {
+    let mut s = [0.0; 20];
+    let x = MAXIMUM[0];
+    let (mut before, mut here) = (0.5 / x, 0.0);
+    let mut n = 0;
+    while n < 20 {
+        let product = -2.0 * (x * here + before);
+        s[n] = product;
+        before = here;
+        here = product / (n + 2) as f64;
+        n += 1;
+    }
+    s
+};
+
+/// `F′` on the real axis next to its zero, divided by nothing: `Σ SLOPE[n] t^{n+1}`.
+#[inline(always)]
+fn distance(x: f64) -> Dd {
+    let s = two_sum(x, -MAXIMUM[0]);
+    s.add_f(-MAXIMUM[1]).add_f(-MAXIMUM[2])
+}
+
+/// `Im F(x + i b)/b` for `x` next to the maximum, `b ≤` [`STRIP`].
+#[inline(always)]
+fn slope_beside_maximum(x: f64, b: f64) -> f64 {
+    // Im (t + ib)^{n+2}/b by the recurrence of powers; F = f₀ + Σ (SLOPE[n]/(n + 2)) δ^{n+2}.
+    let t = distance(x).value();
+    let r2 = t.mul_add(t, b * b);
+    let (mut s0, mut s1) = (1.0, 2.0 * t);
+    let mut sum = 0.0;
+    let mut n = 1;
+    // Largest terms last.
+    let mut terms = [0.0; 20];
+    terms[0] = SLOPE[0] * t;
+    while n < 20 {
+        let s = (2.0 * t).mul_add(s1, -(r2 * s0));
+        terms[n] = SLOPE[n] / (n + 2) as f64 * s;
+        s0 = s1;
+        s1 = s;
+        n += 1;
+    }
+    while n > 0 {
+        n -= 1;
+        sum += terms[n];
+    }
+    sum
+}
+
+/// `(√π/2) i (e^{−z²} − w)` in double-double.
+struct Exact {
+    x: f64,
+    y: f64,
+    down: (f64, f64),
+}
+
+impl Task for Exact {
+    type Output = (f64, f64);
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
+        let Exact { x, y, down } = self;
+        // F(z) = −i (√π/2) e^{−z²} erf(iz), and erf(iz) = erf(−y + ix) = −conj erf(y + ix).
+        if let Some((p, q)) = erf_zeros::near_zero_of_erf(y, x) {
+            // e^{ζ²} erf ζ at ζ = y + ix is p + iq; e^{−z²} = conj e^{ζ²}.
+            return ((q * HALF_SQRT_PI).value(), (p * HALF_SQRT_PI).value());
+        }
+        let (c, s, n) = gaussian_exact(x, y);
+        let (u, v) = w_exact(x, y);
+        let (re, im) = difference((c, s, n), (u, v));
+        (
+            times_power((re * HALF_SQRT_PI).value(), ROUND - down.0),
+            times_power((im * HALF_SQRT_PI).value(), ROUND - down.1),
+        )
+    }
+}
+
+/// `(v − Im e^{−z²}, Re e^{−z²} − u)`
+#[inline(always)]
+fn difference((c, s, n): (Dd, Dd, f64), (u, v): (Dd, Dd)) -> (Dd, Dd) {
+    (v - pair_times_power(s, n), pair_times_power(c, n) - u)
+}
+
+/// F in the first quadrant, below [`HUGE`].
+#[inline(always)]
+fn quadrant<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
+    let r2 = x.mul_add(x, y * y);
+    if r2 < odd_series::REACH {
+        let (re, im) = odd(&odd_series::DAWSON, x, y);
+        return (re.value(), im.value());
+    }
+    let ((x, x_down), (y, y_down)) = (lifted(x), lifted(y));
+    if y < STRIP {
+        let (re, im) = dawson_in_strip(lanes, x, y);
+        let im = if (x - MAXIMUM[0]).abs() < BESIDE_MAXIMUM {
+            y * slope_beside_maximum(x, y)
+        } else {
+            (im * HALF_SQRT_PI).value()
+        };
+        return ((re * HALF_SQRT_PI).value(), times_power(im, ROUND - y_down));
+    }
+    let (u, v) = w(lanes, x, y);
+    let (c, s, n) = exp_minus_square_any(x, y);
+    let root = HALF_SQRT_PI;
+    if n > ROUND + 200.0 {
+        return (
+            times_power(-(s * root).value(), n - x_down),
+            times_power((c * root).value(), n - y_down),
+        );
+    }
+    let (re, im) = difference((c, s, n), (u, v));
+    if lost(re, v) | lost(im, u) {
+        return lanes.call(Exact {
+            x,
+            y,
+            down: (x_down, y_down),
+        });
+    }
+    (
+        times_power((re * root).value(), ROUND - x_down),
+        times_power((im * root).value(), ROUND - y_down),
+    )
+}
+
+/// F in the first quadrant at points that are huge or not finite.
+#[cold]
+#[inline(never)]
+fn limits(x: f64, y: f64) -> (f64, f64) {
+    if x.is_nan() || y.is_nan() {
+        // Real on the real axis, imaginary on the imaginary axis.
+        let re = if x == 0.0 { x } else { f64::NAN };
+        let im = if y == 0.0 { y } else { f64::NAN };
+        return (re, im);
+    }
+    if x == 0.0 {
+        return (0.0, f64::INFINITY);
+    }
+    if y.is_infinite() {
+        return (f64::NAN, f64::NAN);
+    }
+    if x.is_infinite() {
+        return (0.0, if y > 0.0 { -0.0 } else { 0.0 });
+    }
+    // 1/(2z), without overflow of |z|²; Im F < 0 here, for F′ < 0.
+    let r = x.max(y);
+    let (p, q) = (x / r, y / r);
+    let m = 2.0 * (p * p + q * q);
+    let (u, v) = (p / m / r, -(q / m / r));
+    if x > y {
+        return (u, v);
+    }
+    let (r, quadrant) = payne_hanek::reduce(x, y);
+    let (s, c) = sin_cos_reduced(r);
+    let (s, c) = turn(s, c, quadrant);
+    if y > x {
+        return (f64::INFINITY.copysign(s.hi), f64::INFINITY.copysign(c.hi));
+    }
+    let half = HALF_SQRT_PI;
+    ((s * half).add_f(u).value(), (c * half).add_f(v).value())
+}
+
+/// Dawson's function.
+struct Dawson(f64, f64);
+
+impl Task for Dawson {
+    type Output = (f64, f64);
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
+        let (x, y) = (self.0.abs(), self.1.abs());
+        let (re, im) = if x < HUGE && y < HUGE {
+            quadrant(lanes, x, y)
+        } else {
+            limits(x, y)
+        };
+        (
+            if self.0.is_sign_negative() { -re } else { re },
+            if self.1.is_sign_negative() { -im } else { im },
+        )
+    }
+}
+
+/// Dawson's function of a real argument.
+struct DawsonReal(f64);
+
+impl Task for DawsonReal {
+    type Output = f64;
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
+        let x = self.0.abs();
+        let value = if x < 0.5 {
+            odd_real(&odd_series::DAWSON, x).value()
+        } else if x < HUGE {
+            (dawson_in_strip(lanes, x, 0.0).0 * HALF_SQRT_PI).value()
+        } else {
+            // NaN stays NaN.
+            0.5 / x
+        };
+        value.copysign(self.0)
+    }
+}
+
+/// DOC
+pub fn dawson(z: Complex<f64>) -> Complex<f64> {
+    let (re, im) = with_best(Dawson(z.re, z.im));
+    Complex::new(re, im)
+}
+
+/// DOC
+pub fn dawson_real(x: f64) -> f64 {
+    with_best(DawsonReal(x))
+}

@@ -1,0 +1,277 @@
+//! W(z) and W′(z) in the first quadrant as unevaluated sums, for the functions that are built on
+//! them.
+
+use super::asymptotic::{large_upper, series};
+use super::constants::INV_SQRT_PI;
+use super::double_double::{Dd, two_prod};
+use super::double_double_functions as exact;
+use super::exponential::{exp_minus_square_any, exponent};
+use super::lanes::Lanes;
+use super::plane::{
+    Kind, cell, cell_row, from_erfcx, imaginary_axis_row, kind, on_axis, on_real_axis,
+    real_axis_row,
+};
+use super::real::{ROUND, scaled};
+use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
+use super::trapezoidal;
+
+/// Beyond this |Re z| or |Im z| the functions are computed from their limits.
+pub(super) const HUGE: f64 = 1e100;
+/// Half the width of the strips beside the axes in which real expansions are used.
+pub(super) const STRIP: f64 = 0.125;
+/// A sum smaller than this part of its terms is computed again in double-double.
+const CANCELLED: f64 = 1.0 / 8.0;
+
+/// Whether a sum has lost digits against one of its two terms.
+#[inline(always)]
+pub(super) fn lost(sum: Dd, term: Dd) -> bool {
+    sum.hi.abs() < CANCELLED * term.hi.abs()
+}
+
+/// `t 2^k`, `n = ROUND + k`, for any `k`.
+#[inline(always)]
+pub(super) fn times_power(t: f64, n: f64) -> f64 {
+    scaled(t, n.clamp(ROUND - 2040.0, ROUND + 2040.0))
+}
+
+/// Both parts of `t 2^k`, `n = ROUND + k`, `k` below 1000.
+#[inline(always)]
+pub(super) fn pair_times_power(t: Dd, n: f64) -> Dd {
+    let n = n.max(ROUND - 2040.0);
+    Dd::new(scaled(t.hi, n), scaled(t.lo, n))
+}
+
+/// The product of two complex numbers; `true` if the terms of a component cancel.
+#[inline(always)]
+pub(super) fn product((a, b): (Dd, Dd), (c, d): (Dd, Dd)) -> (Dd, Dd, bool) {
+    let (ac, ad) = (a * c, a * d);
+    let (re, im) = (ac - b * d, ad + b * c);
+    (re, im, lost(re, ac) | lost(im, ad))
+}
+
+/// A coordinate so small that a function is linear in it, raised by 2³⁰⁰ so that its products keep
+/// all digits, and the exponent to subtract again.
+#[inline(always)]
+pub(super) fn lifted(x: f64) -> (f64, f64) {
+    const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+    const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
+    if x < SMALL {
+        (x * LIFT, 300.0)
+    } else {
+        (x, 0.0)
+    }
+}
+
+/// The series without `e^{−z²}` for `|z| ≥ 7`.
+#[inline(always)]
+pub(super) fn far(kind: Kind, a: f64, b: f64) -> (Dd, Dd) {
+    match kind {
+        Kind::Series23 | Kind::Strip23 => series::<_, 23>(a, b),
+        Kind::Series13 | Kind::Strip13 => series::<_, 13>(a, b),
+        Kind::Series9 | Kind::Strip9 => series::<_, 9>(a, b),
+        Kind::Series6 => series::<_, 6>(a, b),
+        _ => series::<_, 2>(a, b),
+    }
+}
+
+/// `(Re w, Im w)` at `a + i b`, `0 ≤ a, b < HUGE`.
+#[inline(always)]
+pub(super) fn w<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+    let kind = kind(a, b);
+    match kind {
+        Kind::Cell => {
+            let [n, dx, dy] = cell(a, b);
+            complex_row(lanes, cell_row(n), dx, dy)
+        }
+        Kind::ImaginaryAxis => {
+            let (n, t) = on_axis(b);
+            from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
+        }
+        Kind::RealAxis => {
+            let (n, t) = on_real_axis(a);
+            complex_row(lanes, real_axis_row(n), t, b)
+        }
+        Kind::Strip23 | Kind::Strip13 | Kind::Strip9 => {
+            let (u, v) = far(kind, a, b);
+            let (c, _, n) = exp_minus_square_any(a, b);
+            (u + pair_times_power(c, n), v)
+        }
+        _ => far(kind, a, b),
+    }
+}
+
+/// The row of the derivative.
+#[inline(always)]
+fn derived(row: &ComplexRow) -> ComplexRow {
+    let c = &row.0;
+    let at = |k: usize| 8 + 8 * (k / 4) + k % 4;
+    let mut d = [0.0; 40];
+    d[..4].copy_from_slice(&c[4..8]);
+    (d[4], d[6]) = (2.0 * c[8], 2.0 * c[12]);
+    let mut k = 0;
+    while k < 15 {
+        let f = (k + 3) as f64;
+        d[at(k)] = f * c[at(k + 1)];
+        d[at(k) + 4] = f * c[at(k + 1) + 4];
+        k += 1;
+    }
+    ComplexRow(d)
+}
+
+/// The same for a real row.
+#[inline(always)]
+fn derived_real(row: &RealRow) -> RealRow {
+    let c = &row.0;
+    let mut d = [0.0; 20];
+    (d[0], d[1], d[2]) = (c[2], c[3], 2.0 * c[4]);
+    let mut k = 0;
+    while k < 15 {
+        d[4 + k] = (k + 3) as f64 * c[5 + k];
+        k += 1;
+    }
+    RealRow(d)
+}
+
+/// Coefficients available.
+const TERMS: usize = 24;
+
+/// `(2n + 1) a_n`, `a_n = (2n − 1)!!/2ⁿ`.
+const SLOPE: [f64; TERMS] = {
+    let mut c = [1.0; TERMS];
+    let (mut a, mut n) = (1.0, 1);
+    while n < TERMS {
+        a *= n as f64 - 0.5;
+        c[n] = a * (2 * n + 1) as f64;
+        n += 1;
+    }
+    c
+};
+
+/// The derivative of the asymptotic series, `|z|` between 7 and [`HUGE`]:
+///
+/// ```text
+/// w′(z) ~ −(i/√π) q (1 + 3 a₁ q + 5 a₂ q² + …),   q = 1/z²
+/// ```
+#[inline(always)]
+pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = two_prod(a, a) + two_prod(b, b);
+    let t2 = Dd::from(1.0).div(r2);
+    let qr = (-exponent(a, b)) * t2 * t2;
+    let qi = two_prod(-2.0 * a, b) * t2 * t2;
+    let t = t2.hi * t2.hi;
+    let s = 2.0 * qr.hi;
+    let (mut b1, mut b2) = (SLOPE[N], 0.0);
+    let mut k = N;
+    while k > 1 {
+        k -= 1;
+        let next = s.mul_add(b1, (-t).mul_add(b2, SLOPE[k]));
+        b2 = b1;
+        b1 = next;
+    }
+    // 1 + p + i Im(q) b1 is the sum.
+    let p = qr.hi.mul_add(b1, -(t * b2));
+    let re = qi * Dd::from(qr.hi.mul_add(b1, p)).add_f(1.0);
+    let im = qr.add_f(qr.hi.mul_add(p, -(qi.hi * qi.hi * b1)));
+    (re * INV_SQRT_PI, -(im * INV_SQRT_PI))
+}
+
+/// [`series_derivative`] with the number of terms that `|z|` needs.
+#[inline(always)]
+fn far_derivative(kind: Kind, a: f64, b: f64) -> (Dd, Dd) {
+    match kind {
+        Kind::Series23 | Kind::Strip23 => series_derivative::<23>(a, b),
+        Kind::Series13 | Kind::Strip13 => series_derivative::<15>(a, b),
+        Kind::Series9 | Kind::Strip9 => series_derivative::<10>(a, b),
+        Kind::Series6 => series_derivative::<7>(a, b),
+        _ => series_derivative::<3>(a, b),
+    }
+}
+
+/// `(Re w′, Im w′)` at `a + i b`, `0 ≤ a, b < HUGE`.
+#[inline(always)]
+pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+    let kind = kind(a, b);
+    match kind {
+        Kind::Cell => {
+            let [n, dx, dy] = cell(a, b);
+            complex_row(lanes, &derived(cell_row(n)), dx, dy)
+        }
+        Kind::ImaginaryAxis => {
+            // w′(z) = −i f′(−iz), f = erfcx.
+            let (n, t) = on_axis(b);
+            let row = derived_real(imaginary_axis_row(n));
+            let (re, im) = from_erfcx(a, real_row(lanes, &row, t, a));
+            (im, -re)
+        }
+        Kind::RealAxis => {
+            let (n, t) = on_real_axis(a);
+            complex_row(lanes, &derived(real_axis_row(n)), t, b)
+        }
+        Kind::Strip23 | Kind::Strip13 | Kind::Strip9 => {
+            let (u, v) = far_derivative(kind, a, b);
+            let (c, s, n) = exp_minus_square_any(a, b);
+            let (p, q, _) = product((c, s), (Dd::from(-a), Dd::from(-b)));
+            let by = |t: Dd| pair_times_power(t, n + 1.0);
+            (u + by(p), v + by(q))
+        }
+        _ => far_derivative(kind, a, b),
+    }
+}
+
+/// For `(2/√π) F` with Dawson's function `F` at `t + i b`: the row about a real centre.
+#[inline(always)]
+fn dawson_part(row: &ComplexRow) -> RealRow {
+    // On the real axis w = e^{−x²} + i (2/√π) F(x).
+    let c = &row.0;
+    let mut d = [0.0; 20];
+    (d[0], d[1], d[2], d[3]) = (c[2], c[3], c[6], c[7]);
+    let mut k = 0;
+    while k < 4 {
+        d[4 + 4 * k..8 + 4 * k].copy_from_slice(&c[12 + 8 * k..16 + 8 * k]);
+        k += 1;
+    }
+    RealRow(d)
+}
+
+/// `(2/√π) F(t + i b)`, `F` Dawson's function: real part, and imaginary part, `½ ≤ t < HUGE`,
+/// `b ≤` [`STRIP`].
+#[inline(always)]
+pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
+    let row = match kind(t, 0.0) {
+        Kind::Cell => {
+            let [n, dx, _] = cell(t, 0.0);
+            (cell_row(n), dx)
+        }
+        Kind::RealAxis => {
+            let (n, dx) = on_real_axis(t);
+            (real_axis_row(n), dx)
+        }
+        far_kind => {
+            // (2/√π) F = −i (w − e^{−z²}).
+            let (u, v) = far(far_kind, t, b);
+            return (v, -u);
+        }
+    };
+    let (re, im) = real_row(lanes, &dawson_part(row.0), row.1, b);
+    (re, im.mul_f(b))
+}
+
+/// w at `a + i b`, `0 ≤ a, b < HUGE`, in double-double; to about 2⁻¹⁰⁰ of the larger component, from
+/// 4096 on to 2⁻⁷⁷.
+pub(super) fn w_exact(a: f64, b: f64) -> (Dd, Dd) {
+    if a.max(b) < 4096.0 {
+        trapezoidal::upper(a, b)
+    } else {
+        large_upper(a, b)
+    }
+}
+
+/// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, in double-double where it
+/// matters.
+pub(super) fn gaussian_exact(a: f64, y: f64) -> (Dd, Dd, f64) {
+    if exponent(a, y).hi.abs() < 1400.0 {
+        exact::exp_minus_square(a, y)
+    } else {
+        exp_minus_square_any(a, y)
+    }
+}
