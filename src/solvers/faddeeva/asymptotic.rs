@@ -12,7 +12,7 @@ use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::real::{Real, scaled};
 
 /// Coefficients available.
-const TERMS: usize = 24;
+const TERMS: usize = 25;
 
 /// `a_n = (2n − 1)!!/2ⁿ`: every partial product is exact up to `a₁₃`, and rounded afterwards.
 const A: [f64; TERMS] = {
@@ -35,6 +35,38 @@ fn part<R: Real>(x: R, g: R, hi: R, lo: R) -> Dd<R> {
     fast_two_sum(m.hi, g.fma(m.hi, x.fma(lo, m.lo)))
 }
 
+/// `(B, C)` with `a₁q + … + a_N q^N = B q − C t`, where `q² = s q − t` and `N` is even.
+///
+/// Odd and even terms apart, both as polynomials in `q² = ζ`, `ζ² = s₂ζ − t₂`: half the chain of
+/// dependent operations.
+#[inline(always)]
+fn polynomial<R: Real, const N: usize>(s: R, t: R) -> (R, R) {
+    let like = |c: f64| s.like(c);
+    let (s2, t2) = (s.fma(s, -(t + t)), t * t);
+    let minus = -t2;
+    let (mut o1, mut o2) = (like(A[N - 1]), like(0.0));
+    let (mut e1, mut e2) = (like(A[N]), like(0.0));
+    let mut k = N - 2;
+    while k > 2 {
+        let o = s2.fma(o1, minus.fma(o2, like(A[k - 1])));
+        let e = s2.fma(e1, minus.fma(e2, like(A[k])));
+        (o2, e2) = (o1, e1);
+        (o1, e1) = (o, e);
+        k -= 2;
+    }
+    // a₁ + a₃ζ + … = α + βζ, and the same with the even ones.
+    let (oa, ob, ea, eb) = if N > 2 {
+        (minus.fma(o2, like(A[1])), o1, minus.fma(e2, like(A[2])), e1)
+    } else {
+        (o1, o2, e1, e2)
+    };
+    // In powers of q.
+    let (oa, ob) = ((-t).fma(ob, oa), s * ob);
+    let (ea, eb) = ((-t).fma(eb, ea), s * eb);
+    let b = s.fma(ob + ea, s.fma(s, -t).fma(eb, oa));
+    (b, s.fma(eb, ob + ea))
+}
+
 /// Real and imaginary part of the series with the terms up to `a_N` for `a = |Re z|`,
 /// `b = |Im z|`; `|z|` between 2⁻¹⁰⁰ and 2⁵⁰⁰.
 #[inline(always)]
@@ -49,18 +81,10 @@ pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
     let p = two_prod(i0, like(INV_SQRT_PI.hi));
     let inv_lo = p.lo + i0.fma(like(INV_SQRT_PI.lo), p.hi * e);
 
-    // q = z̄²/r⁴.
+    // q = z̄²/r⁴ satisfies q² = s q − t.
     let t = i0 * i0;
     let s = like(2.0) * (xx.hi - yy.hi) * t;
-    let minus_t = -t;
-    let (mut b1, mut b2) = (like(A[N]), like(0.0));
-    let mut k = N;
-    while k > 1 {
-        k -= 1;
-        let next = s.fma(b1, minus_t.fma(b2, like(A[k])));
-        b2 = b1;
-        b1 = next;
-    }
+    let (b1, b2) = polynomial::<R, N>(s, t);
     let three = like(3.0);
     let gu = t * (three * xx.hi - yy.hi).fma(b1, -b2);
     let gv = t * (xx.hi - three * yy.hi).fma(b1, -b2);
@@ -68,7 +92,12 @@ pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
 }
 
 /// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
+<<<<<<< HEAD
 /// double-double, to about 2⁻⁷⁷ of the larger of the two.
+=======
+/// double-double, to about 2⁻¹⁰⁰ of the larger of the two.
+#[inline(always)]
+>>>>>>> main
 pub(super) fn large(a: f64, b: f64) -> (Dd, Dd) {
     let (u, v) = large_upper(a, b);
     let (c, s, k) = super::double_double_functions::exp_minus_square(a, -b);

@@ -5,6 +5,7 @@ use super::asymptotic::series;
 use super::double_double::Dd;
 use super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::lanes::Lanes;
+use super::maclaurin::maclaurin;
 use super::pack::{Pack, Wide};
 use super::plane::{
     ALONE, BUCKETS, Cancelled, Kind, LOWER, bucket, cancels_beside_real_axis, cell, cell_row,
@@ -95,21 +96,21 @@ impl<P: Points> Chunk<'_, P> {
         );
         self.both(
             simd,
-            Kind::Series23,
+            Kind::Series24,
             #[inline(always)]
-            |_, a, b| series::<_, 23>(a, b),
+            |_, a, b| series::<_, 24>(a, b),
         );
         self.both(
             simd,
-            Kind::Series13,
+            Kind::Series14,
             #[inline(always)]
-            |_, a, b| series::<_, 13>(a, b),
+            |_, a, b| series::<_, 14>(a, b),
         );
         self.both(
             simd,
-            Kind::Series9,
+            Kind::Series10,
             #[inline(always)]
-            |_, a, b| series::<_, 9>(a, b),
+            |_, a, b| series::<_, 10>(a, b),
         );
         self.both(
             simd,
@@ -124,6 +125,15 @@ impl<P: Points> Chunk<'_, P> {
             |_, a, b| series::<_, 2>(a, b),
         );
 
+        self.points(
+            simd,
+            Kind::Small as usize,
+            #[inline(always)]
+            |_, a, y| {
+                let (re, im) = maclaurin(a, y);
+                (re, im, a.like(0.0))
+            },
+        );
         self.points(
             simd,
             Kind::Disc as usize,
@@ -147,28 +157,28 @@ impl<P: Points> Chunk<'_, P> {
         );
         self.points(
             simd,
-            Kind::Strip23 as usize,
+            Kind::Strip24 as usize,
             #[inline(always)]
             |_, a, y| {
-                let (u, v) = series::<_, 23>(a, y.magnitude());
+                let (u, v) = series::<_, 24>(a, y.magnitude());
                 lost(in_strip(a, y, u.hi, v.hi))
             },
         );
         self.points(
             simd,
-            Kind::Strip13 as usize,
+            Kind::Strip14 as usize,
             #[inline(always)]
             |_, a, y| {
-                let (u, v) = series::<_, 13>(a, y.magnitude());
+                let (u, v) = series::<_, 14>(a, y.magnitude());
                 lost(in_strip(a, y, u.hi, v.hi))
             },
         );
         self.points(
             simd,
-            Kind::Strip9 as usize,
+            Kind::Strip10 as usize,
             #[inline(always)]
             |_, a, y| {
-                let (u, v) = series::<_, 9>(a, y.magnitude());
+                let (u, v) = series::<_, 10>(a, y.magnitude());
                 lost(in_strip(a, y, u.hi, v.hi))
             },
         );

@@ -13,6 +13,7 @@ const LN_2: [f64; 3] = [
 ];
 
 /// `x − k (c₀ + c₁ + c₂)`.
+#[inline(always)]
 fn minus_multiple(x: Dd, k: f64, c: [f64; 3]) -> Dd {
     let (p, q) = (two_prod(k, c[0]), two_prod(k, c[1]));
     let s = two_sum(x.hi, -p.hi);
@@ -23,6 +24,7 @@ fn minus_multiple(x: Dd, k: f64, c: [f64; 3]) -> Dd {
 }
 
 /// `Σ_{j<N} s^j x^j/(first + step j)!` with the leading `dd` terms in double-double.
+#[inline(always)]
 fn series<const N: usize>(x: Dd, first: usize, step: usize, sign: f64, dd: usize) -> Dd {
     let c = |j: usize| {
         let v = INVERSE_FACTORIAL[first + step * j];
@@ -41,6 +43,7 @@ fn series<const N: usize>(x: Dd, first: usize, step: usize, sign: f64, dd: usize
 }
 
 /// `e^x = m · 2^k` as `m` and `ROUND + k`; `x` within ±1500.
+#[inline(always)]
 pub(super) fn exp(x: Dd) -> (Dd, f64) {
     let k = (x.hi * std::f64::consts::LOG2_E).round();
     // e^r = (e^{r/8})^8.
@@ -54,6 +57,7 @@ pub(super) fn exp(x: Dd) -> (Dd, f64) {
 }
 
 /// `(sin r, cos r)` for |r| ≤ π/4.
+#[inline(always)]
 pub(super) fn sin_cos_reduced(r: Dd) -> (Dd, Dd) {
     let x = r.square();
     let s = series::<13>(x, 1, 2, -1.0, 7) * r;
@@ -62,12 +66,14 @@ pub(super) fn sin_cos_reduced(r: Dd) -> (Dd, Dd) {
 }
 
 /// `x` modulo π/2 and `ROUND` plus the quadrant, for |x| < 2³⁰.
+#[inline(always)]
 pub(super) fn reduce(x: Dd) -> (Dd, f64) {
     let k = (x.hi * std::f64::consts::FRAC_2_PI).round();
     (minus_multiple(x, k, HALF_PI), ROUND + k)
 }
 
 /// `e^{−z²} = (re + i im) 2^k` at `z = a + i y`, `a ≥ 0`, without the power of two, and `ROUND + k`.
+#[inline(always)]
 pub(super) fn exp_minus_square(a: f64, y: f64) -> (Dd, Dd, f64) {
     let (e, k) = exp(exponent(a, y));
     let theta = phase(a, y);

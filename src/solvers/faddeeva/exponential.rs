@@ -116,6 +116,20 @@ pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     (fast_two_sum(q.hi, q.lo + tail), n)
 }
 
+/// `e^x = m 2^k` as one number `m` between 0.7 and 1.42, to about six tenths of a unit in the last
+/// place, and `ROUND + k`.
+#[inline(always)]
+pub(super) fn exp_rounded<R: Real>(x: Dd<R>) -> (R, R) {
+    let like = |c: f64| x.hi.like(c);
+    let (h, n) = binary_exponent(x.hi);
+    let k = n - like(ROUND);
+    let r = (-k).fma(like(LN_2[0]), h);
+    let lo = (-k).fma(like(LN_2[1]), x.lo);
+    let s = r + lo;
+    let lo = lo - (s - r);
+    (like(1.0) + (s + (s * s).fma(paired(&EXP, s), lo)), n)
+}
+
 /// A phase modulo π/2: the rest in [−π/4, π/4] and `ROUND` plus the quadrant.
 #[inline(always)]
 pub(super) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {

@@ -13,6 +13,7 @@ mod erf_zeros;
 mod erfcx;
 mod exponential;
 mod lanes;
+mod maclaurin;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;

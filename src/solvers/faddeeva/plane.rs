@@ -2,8 +2,11 @@
 
 use super::asymptotic::{large, series};
 use super::double_double::{Dd, fast_two_sum, two_sum};
-use super::exponential::{binary_exponent, exp, exp_minus_square_any, exponent, exponent_in_strip};
+use super::exponential::{
+    binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip,
+};
 use super::lanes::{Lanes, Task};
+use super::maclaurin::maclaurin;
 use super::real::{ROUND, Real, scaled};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
@@ -11,9 +14,9 @@ use super::{special, trapezoidal, zeros};
 
 /// |z|² from which the asymptotic series is used.
 const FAR: f64 = 49.0;
-/// |z|² from which the series needs 13, 9, 6, 2 terms instead of 23.
-const TERMS_13: f64 = 100.0;
-const TERMS_9: f64 = 256.0;
+/// |z|² from which the series needs 14, 10, 6, 2 terms instead of 24.
+const TERMS_14: f64 = 100.0;
+const TERMS_10: f64 = 256.0;
 const TERMS_6: f64 = 1000.0;
 const TERMS_2: f64 = 1e6;
 /// |z|² above this is scaled first.
@@ -27,6 +30,8 @@ const FINE: f64 = 3.75;
 const APART: f64 = 1.125;
 /// Re z beyond which `e^{−z²}` is below every `f64` in the strip.
 const GONE: f64 = 27.5;
+/// |z|² below which the Maclaurin series is used.
+const SMALL: f64 = 1.0 / 16384.0;
 /// |z|² below which cells of the lower half-plane are tabulated.
 const DISC_EDGE: f64 = 1.0;
 /// A component smaller than this part of its terms is computed again in double-double.
@@ -40,16 +45,17 @@ pub(super) const ALONE: f64 = 200.0;
 pub(super) enum Kind {
     Cell,
     ImaginaryAxis,
-    Series23,
-    Series13,
-    Series9,
+    Series24,
+    Series14,
+    Series10,
     Series6,
     Series2,
+    Small,
     Disc,
     RealAxis,
-    Strip23,
-    Strip13,
-    Strip9,
+    Strip24,
+    Strip14,
+    Strip10,
     Other,
 }
 
@@ -65,7 +71,9 @@ pub(super) fn kind(a: f64, y: f64) -> Kind {
     let b = y.abs();
     let r2 = a.mul_add(a, b * b);
     if r2 < FAR {
-        if (y < 0.0) & (r2 < DISC_EDGE) {
+        if r2 < SMALL {
+            Kind::Small
+        } else if (y < 0.0) & (r2 < DISC_EDGE) {
             Kind::Disc
         } else if a < axis_width(a, b) {
             Kind::ImaginaryAxis
@@ -75,19 +83,19 @@ pub(super) fn kind(a: f64, y: f64) -> Kind {
             Kind::Cell
         }
     } else if (b < STRIP) & (a < GONE) {
-        if r2 < TERMS_13 {
-            Kind::Strip23
-        } else if r2 < TERMS_9 {
-            Kind::Strip13
+        if r2 < TERMS_14 {
+            Kind::Strip24
+        } else if r2 < TERMS_10 {
+            Kind::Strip14
         } else {
-            Kind::Strip9
+            Kind::Strip10
         }
-    } else if r2 < TERMS_13 {
-        Kind::Series23
-    } else if r2 < TERMS_9 {
-        Kind::Series13
+    } else if r2 < TERMS_14 {
+        Kind::Series24
+    } else if r2 < TERMS_10 {
+        Kind::Series14
     } else if r2 < TERMS_6 {
-        Kind::Series9
+        Kind::Series10
     } else if r2 < TERMS_2 {
         Kind::Series6
     } else if r2 < HUGE {
@@ -112,12 +120,12 @@ pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
     let r2 = a.fma(a, b * b);
     let lower = a.pick(y.below(a.like(0.0)), a.like(LOWER as f64), a.like(0.0));
     let series = under(r2, TERMS_2, code(Kind::Series6), code(Kind::Series2));
-    let series = under(r2, TERMS_6, code(Kind::Series9), series);
-    let series = under(r2, TERMS_9, code(Kind::Series13), series);
-    let series = under(r2, TERMS_13, code(Kind::Series23), series) + lower;
+    let series = under(r2, TERMS_6, code(Kind::Series10), series);
+    let series = under(r2, TERMS_10, code(Kind::Series14), series);
+    let series = under(r2, TERMS_14, code(Kind::Series24), series) + lower;
     let far = under(r2, HUGE, series, code(Kind::Other));
-    let strip = under(r2, TERMS_9, code(Kind::Strip13), code(Kind::Strip9));
-    let strip = under(r2, TERMS_13, code(Kind::Strip23), strip);
+    let strip = under(r2, TERMS_10, code(Kind::Strip14), code(Kind::Strip10));
+    let strip = under(r2, TERMS_14, code(Kind::Strip24), strip);
     let far = under(b, STRIP, under(a, GONE, strip, far), far);
     let width = under(a.at_least(b), FINE, a.like(STRIP), a.like(2.0 * STRIP));
     let near = code(Kind::Cell) + lower;
@@ -128,6 +136,7 @@ pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
         under(r2, DISC_EDGE, code(Kind::Disc), near),
         near,
     );
+    let near = under(r2, SMALL, code(Kind::Small), near);
     under(r2, FAR, near, far) + a.like(ROUND)
 }
 
@@ -215,7 +224,7 @@ pub(super) fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>
 /// `e^{b² − a²} cos 2ab`, which matters only if `2ab` is small; `true` where the terms cancel.
 #[inline(always)]
 pub(super) fn in_strip<R: Real>(a: R, y: R, u: R, v: R) -> (R, R, R::Mask) {
-    let (e, n) = exp(exponent_in_strip(a, y));
+    let (e, n) = exp_rounded(exponent_in_strip(a, y));
     let t = ((a + a) * y).magnitude().at_most(a.like(0.5));
     let tt = t * t;
     let cos = tt
@@ -223,10 +232,7 @@ pub(super) fn in_strip<R: Real>(a: R, y: R, u: R, v: R) -> (R, R, R::Mask) {
             tt.fma(a.like(-1.0 / 720.0), a.like(1.0 / 24.0)),
             a.like(-0.5),
         );
-    let t = scaled(
-        e.hi + e.hi.fma(cos, e.lo),
-        n.at_least(a.like(ROUND - 1100.0)),
-    );
+    let t = scaled(e.fma(cos, e), n.at_least(a.like(ROUND - 1100.0)));
     let lower = y.below(a.like(0.0));
     let re = t + y.pick(lower, -u, u);
     (re, v, re.magnitude().below(u * a.like(CANCELLED)))
@@ -315,21 +321,22 @@ pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64)
                 (re.hi, im.hi)
             };
         }
-        Kind::Series23 => series::<_, 23>(a, b),
-        Kind::Series13 => series::<_, 13>(a, b),
-        Kind::Series9 => series::<_, 9>(a, b),
+        Kind::Series24 => series::<_, 24>(a, b),
+        Kind::Series14 => series::<_, 14>(a, b),
+        Kind::Series10 => series::<_, 10>(a, b),
         Kind::Series6 => series::<_, 6>(a, b),
         Kind::Series2 => series::<_, 2>(a, b),
+        Kind::Small => return maclaurin(a, y),
         Kind::Disc => {
             let [n, dx, dy] = disc_cell(a, y);
             let (re, im) = complex_row(lanes, disc_row(n), dx, dy);
             return (re.hi, im.hi);
         }
-        Kind::Strip23 | Kind::Strip13 | Kind::Strip9 => {
+        Kind::Strip24 | Kind::Strip14 | Kind::Strip10 => {
             let (u, v) = match kind {
-                Kind::Strip23 => series::<_, 23>(a, b),
-                Kind::Strip13 => series::<_, 13>(a, b),
-                _ => series::<_, 9>(a, b),
+                Kind::Strip24 => series::<_, 24>(a, b),
+                Kind::Strip14 => series::<_, 14>(a, b),
+                _ => series::<_, 10>(a, b),
             };
             let (re, im, lost) = in_strip(a, y, u.hi, v.hi);
             return if lost {

@@ -8,8 +8,7 @@ use super::double_double_functions as exact;
 use super::exponential::{exp_minus_square_any, exponent};
 use super::lanes::Lanes;
 use super::plane::{
-    Kind, cell, cell_row, from_erfcx, imaginary_axis_row, kind, on_axis, on_real_axis,
-    real_axis_row,
+    cell, cell_row, from_erfcx, imaginary_axis_row, on_axis, on_real_axis, real_axis_row,
 };
 use super::real::{ROUND, scaled};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
@@ -62,41 +61,76 @@ pub(super) fn lifted(x: f64) -> (f64, f64) {
     }
 }
 
+/// Which expansion serves a point.
+#[derive(Clone, Copy)]
+enum Place {
+    Cell,
+    ImaginaryAxis,
+    RealAxis,
+    /// |z|² ≥ 49, beside the real axis.
+    Strip,
+    /// |z|² ≥ 49.
+    Far,
+}
+
+/// The place of `a + i b`.
+#[inline(always)]
+fn place(a: f64, b: f64) -> Place {
+    if a.mul_add(a, b * b) >= 49.0 {
+        // Beyond 27.5 the exponential is below every `f64`.
+        if (b < STRIP) & (a < 27.5) {
+            Place::Strip
+        } else {
+            Place::Far
+        }
+    } else if a < (if a.max(b) < 3.75 { STRIP } else { 2.0 * STRIP }) {
+        Place::ImaginaryAxis
+    } else if (b < STRIP) & (a >= 1.125) {
+        Place::RealAxis
+    } else {
+        Place::Cell
+    }
+}
+
 /// The series without `e^{−z²}` for `|z| ≥ 7`.
 #[inline(always)]
-pub(super) fn far(kind: Kind, a: f64, b: f64) -> (Dd, Dd) {
-    match kind {
-        Kind::Series23 | Kind::Strip23 => series::<_, 23>(a, b),
-        Kind::Series13 | Kind::Strip13 => series::<_, 13>(a, b),
-        Kind::Series9 | Kind::Strip9 => series::<_, 9>(a, b),
-        Kind::Series6 => series::<_, 6>(a, b),
-        _ => series::<_, 2>(a, b),
+pub(super) fn far(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = a.mul_add(a, b * b);
+    if r2 < 100.0 {
+        series::<_, 24>(a, b)
+    } else if r2 < 256.0 {
+        series::<_, 14>(a, b)
+    } else if r2 < 1000.0 {
+        series::<_, 10>(a, b)
+    } else if r2 < 1e6 {
+        series::<_, 6>(a, b)
+    } else {
+        series::<_, 2>(a, b)
     }
 }
 
 /// `(Re w, Im w)` at `a + i b`, `0 ≤ a, b < HUGE`.
 #[inline(always)]
 pub(super) fn w<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
-    let kind = kind(a, b);
-    match kind {
-        Kind::Cell => {
+    match place(a, b) {
+        Place::Cell => {
             let [n, dx, dy] = cell(a, b);
             complex_row(lanes, cell_row(n), dx, dy)
         }
-        Kind::ImaginaryAxis => {
+        Place::ImaginaryAxis => {
             let (n, t) = on_axis(b);
             from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
         }
-        Kind::RealAxis => {
+        Place::RealAxis => {
             let (n, t) = on_real_axis(a);
             complex_row(lanes, real_axis_row(n), t, b)
         }
-        Kind::Strip23 | Kind::Strip13 | Kind::Strip9 => {
-            let (u, v) = far(kind, a, b);
+        Place::Strip => {
+            let (u, v) = far(a, b);
             let (c, _, n) = exp_minus_square_any(a, b);
             (u + pair_times_power(c, n), v)
         }
-        _ => far(kind, a, b),
+        Place::Far => far(a, b),
     }
 }
 
@@ -133,7 +167,7 @@ fn derived_real(row: &RealRow) -> RealRow {
 }
 
 /// Coefficients available.
-const TERMS: usize = 24;
+const TERMS: usize = 26;
 
 /// `(2n + 1) a_n`, `a_n = (2n − 1)!!/2ⁿ`.
 const SLOPE: [f64; TERMS] = {
@@ -177,44 +211,48 @@ pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
 
 /// [`series_derivative`] with the number of terms that `|z|` needs.
 #[inline(always)]
-fn far_derivative(kind: Kind, a: f64, b: f64) -> (Dd, Dd) {
-    match kind {
-        Kind::Series23 | Kind::Strip23 => series_derivative::<23>(a, b),
-        Kind::Series13 | Kind::Strip13 => series_derivative::<15>(a, b),
-        Kind::Series9 | Kind::Strip9 => series_derivative::<10>(a, b),
-        Kind::Series6 => series_derivative::<7>(a, b),
-        _ => series_derivative::<3>(a, b),
+fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = a.mul_add(a, b * b);
+    if r2 < 100.0 {
+        series_derivative::<25>(a, b)
+    } else if r2 < 256.0 {
+        series_derivative::<15>(a, b)
+    } else if r2 < 1000.0 {
+        series_derivative::<11>(a, b)
+    } else if r2 < 1e6 {
+        series_derivative::<7>(a, b)
+    } else {
+        series_derivative::<3>(a, b)
     }
 }
 
 /// `(Re w′, Im w′)` at `a + i b`, `0 ≤ a, b < HUGE`.
 #[inline(always)]
 pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
-    let kind = kind(a, b);
-    match kind {
-        Kind::Cell => {
+    match place(a, b) {
+        Place::Cell => {
             let [n, dx, dy] = cell(a, b);
             complex_row(lanes, &derived(cell_row(n)), dx, dy)
         }
-        Kind::ImaginaryAxis => {
+        Place::ImaginaryAxis => {
             // w′(z) = −i f′(−iz), f = erfcx.
             let (n, t) = on_axis(b);
             let row = derived_real(imaginary_axis_row(n));
             let (re, im) = from_erfcx(a, real_row(lanes, &row, t, a));
             (im, -re)
         }
-        Kind::RealAxis => {
+        Place::RealAxis => {
             let (n, t) = on_real_axis(a);
             complex_row(lanes, &derived(real_axis_row(n)), t, b)
         }
-        Kind::Strip23 | Kind::Strip13 | Kind::Strip9 => {
-            let (u, v) = far_derivative(kind, a, b);
+        Place::Strip => {
+            let (u, v) = far_derivative(a, b);
             let (c, s, n) = exp_minus_square_any(a, b);
             let (p, q, _) = product((c, s), (Dd::from(-a), Dd::from(-b)));
             let by = |t: Dd| pair_times_power(t, n + 1.0);
             (u + by(p), v + by(q))
         }
-        _ => far_derivative(kind, a, b),
+        Place::Far => far_derivative(a, b),
     }
 }
 
@@ -237,22 +275,22 @@ fn dawson_part(row: &ComplexRow) -> RealRow {
 /// `b ≤` [`STRIP`].
 #[inline(always)]
 pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
-    let row = match kind(t, 0.0) {
-        Kind::Cell => {
+    let (row, dx) = match place(t, 0.0) {
+        Place::Cell => {
             let [n, dx, _] = cell(t, 0.0);
             (cell_row(n), dx)
         }
-        Kind::RealAxis => {
+        Place::RealAxis => {
             let (n, dx) = on_real_axis(t);
             (real_axis_row(n), dx)
         }
-        far_kind => {
+        _ => {
             // (2/√π) F = −i (w − e^{−z²}).
-            let (u, v) = far(far_kind, t, b);
+            let (u, v) = far(t, b);
             return (v, -u);
         }
     };
-    let (re, im) = real_row(lanes, &dawson_part(row.0), row.1, b);
+    let (re, im) = real_row(lanes, &dawson_part(row), dx, b);
     (re, im.mul_f(b))
 }
 
