@@ -92,21 +92,9 @@ pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
 }
 
 /// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
-<<<<<<< HEAD
-/// double-double, to about 2⁻⁷⁷ of the larger of the two.
-=======
 /// double-double, to about 2⁻¹⁰⁰ of the larger of the two.
 #[inline(always)]
->>>>>>> main
 pub(super) fn large(a: f64, b: f64) -> (Dd, Dd) {
-    let (u, v) = large_upper(a, b);
-    let (c, s, k) = super::double_double_functions::exp_minus_square(a, -b);
-    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
-    (by(c) - u, by(s) + v)
-}
-
-/// The value at `a + i b`, `4096 ≤ max(a, b) ≤ 2³³²`, without `e^{−z²}`.
-pub(super) fn large_upper(a: f64, b: f64) -> (Dd, Dd) {
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let r2 = xx + yy;
     let inv = INV_SQRT_PI.div(r2);
@@ -118,8 +106,9 @@ pub(super) fn large_upper(a: f64, b: f64) -> (Dd, Dd) {
     let b1 = s.mul_add(b2, (-t).mul_add(b3, A[1]));
     let gu = t * (3.0 * xx.hi - yy.hi).mul_add(b1, -b2);
     let gv = t * (xx.hi - 3.0 * yy.hi).mul_add(b1, -b2);
-    (
-        inv.mul_f(b) * Dd::new(1.0, gu).normal(),
-        inv.mul_f(a) * Dd::new(1.0, gv).normal(),
-    )
+    let u = inv.mul_f(b) * Dd::new(1.0, gu).normal();
+    let v = inv.mul_f(a) * Dd::new(1.0, gv).normal();
+    let (c, s, k) = super::double_double_functions::exp_minus_square(a, -b);
+    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
+    (by(c) - u, by(s) + v)
 }
