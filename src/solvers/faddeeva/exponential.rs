@@ -24,8 +24,8 @@ pub(super) const HALF_PI: [f64; 3] = [
 /// Phases below this are reduced by [`reduce`].
 pub(super) const LARGE_PHASE: f64 = 1_073_741_824.0;
 
-/// Exponents are cut here: `e^{±1500}` is outside the range of `f64` whatever it is multiplied by.
-const CUT: f64 = 1500.0;
+/// Exponents are cut here: `e^{±1400}` is outside the range of `f64` whatever it is multiplied by.
+const CUT: f64 = 1400.0;
 
 /// `y² − a² = (y − a)(y + a)`.
 #[inline(always)]
