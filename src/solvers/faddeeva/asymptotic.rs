@@ -9,6 +9,8 @@
 //! `Im q`: both components of w keep their relative accuracy beside the axes.
 
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use super::double_double_functions::exp_minus_square;
+use super::lanes::Lanes;
 use super::real::{Real, scaled};
 
 /// Coefficients available.
@@ -94,7 +96,7 @@ pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
 /// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
 /// double-double, to about 2⁻¹⁰⁰ of the larger of the two.
 #[inline(always)]
-pub(super) fn large(a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let r2 = xx + yy;
     let inv = INV_SQRT_PI.div(r2);
@@ -108,7 +110,7 @@ pub(super) fn large(a: f64, b: f64) -> (Dd, Dd) {
     let gv = t * (xx.hi - 3.0 * yy.hi).mul_add(b1, -b2);
     let u = inv.mul_f(b) * Dd::new(1.0, gu).normal();
     let v = inv.mul_f(a) * Dd::new(1.0, gv).normal();
-    let (c, s, k) = super::double_double_functions::exp_minus_square(a, -b);
+    let ((c, s, k), ..) = exp_minus_square(lanes, a, b, Dd::ZERO, Dd::ZERO);
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (by(c) - u, by(s) + v)
 }

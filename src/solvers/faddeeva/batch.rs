@@ -44,6 +44,8 @@ struct Chunk<'a, P> {
 
 /// Points whose terms cancel.
 const CANCELLED: usize = BUCKETS - 2;
+/// Points next to a zero.
+const ZERO: usize = BUCKETS - 3;
 /// Points that turn out to need the scalar code.
 const SCALAR: usize = BUCKETS - 1;
 
@@ -108,21 +110,9 @@ impl<P: Points> Chunk<'_, P> {
         );
         self.both(
             simd,
-            Kind::Series10,
-            #[inline(always)]
-            |_, a, b| series::<_, 10>(a, b),
-        );
-        self.both(
-            simd,
             Kind::Series6,
             #[inline(always)]
             |_, a, b| series::<_, 6>(a, b),
-        );
-        self.both(
-            simd,
-            Kind::Series2,
-            #[inline(always)]
-            |_, a, b| series::<_, 2>(a, b),
         );
 
         self.points(
@@ -157,40 +147,19 @@ impl<P: Points> Chunk<'_, P> {
         );
         self.points(
             simd,
-            Kind::Strip24 as usize,
+            Kind::Strip as usize,
             #[inline(always)]
             |_, a, y| {
-                let (u, v) = series::<_, 24>(a, y.magnitude());
-                lost(in_strip(a, y, u.hi, v.hi))
-            },
-        );
-        self.points(
-            simd,
-            Kind::Strip14 as usize,
-            #[inline(always)]
-            |_, a, y| {
-                let (u, v) = series::<_, 14>(a, y.magnitude());
-                lost(in_strip(a, y, u.hi, v.hi))
-            },
-        );
-        self.points(
-            simd,
-            Kind::Strip10 as usize,
-            #[inline(always)]
-            |_, a, y| {
-                let (u, v) = series::<_, 10>(a, y.magnitude());
+                let (u, v) = series::<_, 16>(a, y.magnitude());
                 lost(in_strip(a, y, u.hi, v.hi))
             },
         );
 
+        self.near_zeros(simd);
         self.one_by_one(
             CANCELLED,
             #[inline(always)]
-            |a, y| match zeros::nearest(a, -y) {
-                // The scalar code knows the zeros.
-                Some(_) => right_half_plane(lanes, a, y),
-                None => lanes.call(Cancelled { a, b: y.abs() }),
-            },
+            |a, y| lanes.call(Cancelled { a, b: y.abs() }),
         );
         for bucket in [SCALAR, Kind::Other as usize] {
             self.one_by_one(
@@ -224,6 +193,31 @@ impl<P: Points> Chunk<'_, P> {
             }
             at += S::WIDTH;
         }
+    }
+
+    /// The cancelled points next to a zero.
+    #[inline(always)]
+    fn near_zeros<S: Wide>(&mut self, simd: S) {
+        let cancelled = self.len[CANCELLED];
+        self.len[CANCELLED] = 0;
+        for i in 0..cancelled {
+            let k = self.index[CANCELLED][i & (ROOM - 1)] as usize;
+            let next = zeros::nearest(self.x[k].abs(), -self.y[k]);
+            self.push(if next.is_some() { ZERO } else { CANCELLED }, k);
+        }
+        self.points(
+            simd,
+            ZERO,
+            #[inline(always)]
+            |simd, a, y| {
+                let (ai, yi) = (array(a), array(y));
+                let mut rows = [zeros::row(0); 8];
+                for m in 0..S::WIDTH {
+                    rows[m] = zeros::row(zeros::nearest(ai[m], -yi[m]).unwrap_or(0));
+                }
+                lost(zeros::near_zeros(simd, &rows, a, y))
+            },
+        );
     }
 
     /// A bucket whose points are computed one after the other.

@@ -35,7 +35,7 @@ pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
     fast_two_sum(p.hi, d.lo.fma(s.lo, d.hi.fma(s.lo, d.lo.fma(s.hi, p.lo))))
 }
 
-/// `y² − a²` for |y| ≤ 1/8, `a ≥ 7`.
+/// `y² − a²` for |y| ≤ 1/8, `a ≥ 9`.
 #[inline(always)]
 pub(super) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
     let p = two_prod(a, a);

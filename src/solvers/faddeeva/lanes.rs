@@ -3,6 +3,8 @@
 //! Every operation is one correctly rounded operation on each number, so that the results have the
 //! same bits whatever carries them out.
 
+use super::real::{Four, Real};
+
 /// A set of instructions.
 pub(super) trait Lanes: Copy {
     /// Four numbers.
@@ -16,6 +18,10 @@ pub(super) trait Lanes: Copy {
     fn neg_mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
     /// `(x₀ + x₂) + (x₁ + x₃)`
     fn sum(self, x: Self::V) -> f64;
+    /// Four numbers as a [`Real`].
+    type Quad: Real;
+    fn quad(self, x: [f64; 4]) -> Self::Quad;
+    fn array(self, x: Self::Quad) -> [f64; 4];
     /// Runs the task as a function of its own, compiled for these instructions.
     fn call<T: Task>(self, task: T) -> T::Output;
 }
@@ -73,6 +79,15 @@ impl Lanes for Plain {
     fn sum(self, x: [f64; 4]) -> f64 {
         (x[0] + x[2]) + (x[1] + x[3])
     }
+    type Quad = Four;
+    #[inline(always)]
+    fn quad(self, x: [f64; 4]) -> Four {
+        Four(x)
+    }
+    #[inline(always)]
+    fn array(self, x: Four) -> [f64; 4] {
+        x.0
+    }
     #[inline(always)]
     fn call<T: Task>(self, task: T) -> T::Output {
         self.run(task)
@@ -81,6 +96,7 @@ impl Lanes for Plain {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
+    use super::super::pack::Pack;
     use super::{Lanes, Task};
     use pulp::x86::V3;
     use pulp::{NullaryFnOnce, cast, f64x4};
@@ -120,6 +136,15 @@ mod x86 {
         #[inline(always)]
         fn sum(self, x: f64x4) -> f64 {
             (x.0 + x.2) + (x.1 + x.3)
+        }
+        type Quad = Pack<V3>;
+        #[inline(always)]
+        fn quad(self, x: [f64; 4]) -> Pack<V3> {
+            Pack(self, cast(x))
+        }
+        #[inline(always)]
+        fn array(self, x: Pack<V3>) -> [f64; 4] {
+            cast(x.1)
         }
         #[inline(always)]
         fn call<T: Task>(self, task: T) -> T::Output {

@@ -14,20 +14,20 @@ use super::{special, trapezoidal, zeros};
 
 /// |z|² from which the asymptotic series is used.
 const FAR: f64 = 49.0;
-/// |z|² from which the series needs 14, 10, 6, 2 terms instead of 24.
+/// |z|² from which the series needs 14, 6 terms instead of 24.
 const TERMS_14: f64 = 100.0;
-const TERMS_10: f64 = 256.0;
 const TERMS_6: f64 = 1000.0;
-const TERMS_2: f64 = 1e6;
 /// |z|² above this is scaled first.
 const HUGE: f64 = 1e200;
-/// Half the distance of the centres of the fine cells; also half the width of the strip beside the real axis
-/// in which `e^{−z²}` is added to the asymptotic series.
+/// Half the distance of the centres of the fine cells, and half the width of the strip beside the
+/// real axis.
 const STRIP: f64 = 0.125;
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
 const FINE: f64 = 3.75;
-/// Re z from which the strip beside the real axis takes `e^{−z²}` apart.
+/// Re z from which the strip has rows of its own, and from which it has the asymptotic series with
+/// `e^{−z²}` added.
 const APART: f64 = 1.125;
+const BEYOND: f64 = 9.0;
 /// Re z beyond which `e^{−z²}` is below every `f64` in the strip.
 const GONE: f64 = 27.5;
 /// |z|² below which the Maclaurin series is used.
@@ -39,7 +39,7 @@ const CANCELLED: f64 = 1.0 / 8.0;
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
-/// The formula for W(z). Up to [`Kind::Series2`] it gives `w(a + i|y|)`.
+/// The formula for W(z). Up to [`Kind::Series6`] it gives `w(a + i|y|)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Kind {
@@ -47,15 +47,11 @@ pub(super) enum Kind {
     ImaginaryAxis,
     Series24,
     Series14,
-    Series10,
     Series6,
-    Series2,
     Small,
     Disc,
     RealAxis,
-    Strip24,
-    Strip14,
-    Strip10,
+    Strip,
     Other,
 }
 
@@ -70,36 +66,28 @@ fn axis_width(a: f64, b: f64) -> f64 {
 pub(super) fn kind(a: f64, y: f64) -> Kind {
     let b = y.abs();
     let r2 = a.mul_add(a, b * b);
-    if r2 < FAR {
+    if (b < STRIP) & (a >= APART) & (a < GONE) {
+        if a < BEYOND {
+            Kind::RealAxis
+        } else {
+            Kind::Strip
+        }
+    } else if r2 < FAR {
         if r2 < SMALL {
             Kind::Small
         } else if (y < 0.0) & (r2 < DISC_EDGE) {
             Kind::Disc
         } else if a < axis_width(a, b) {
             Kind::ImaginaryAxis
-        } else if (b < STRIP) & (a >= APART) {
-            Kind::RealAxis
         } else {
             Kind::Cell
         }
-    } else if (b < STRIP) & (a < GONE) {
-        if r2 < TERMS_14 {
-            Kind::Strip24
-        } else if r2 < TERMS_10 {
-            Kind::Strip14
-        } else {
-            Kind::Strip10
-        }
     } else if r2 < TERMS_14 {
         Kind::Series24
-    } else if r2 < TERMS_10 {
-        Kind::Series14
     } else if r2 < TERMS_6 {
-        Kind::Series10
-    } else if r2 < TERMS_2 {
-        Kind::Series6
+        Kind::Series14
     } else if r2 < HUGE {
-        Kind::Series2
+        Kind::Series6
     } else {
         Kind::Other
     }
@@ -111,33 +99,27 @@ pub(super) const BUCKETS: usize = 32;
 pub(super) const LOWER: usize = Kind::Other as usize + 1;
 
 /// The bucket as a number, plus `ROUND`: that of the kind, plus [`LOWER`] for the kinds up to
-/// [`Kind::Series2`] in the lower half-plane.
+/// [`Kind::Series6`] in the lower half-plane.
 #[inline(always)]
 pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
-    let code = |k: Kind| a.like(f64::from(k as u8));
+    let code = |k: Kind| a.like(ROUND + f64::from(k as u8));
     let under = |x: R, limit: f64, yes: R, no: R| x.pick(x.below(x.like(limit)), yes, no);
-    let b = y.magnitude();
+    let (zero, b) = (a.like(0.0), y.magnitude());
     let r2 = a.fma(a, b * b);
-    let lower = a.pick(y.below(a.like(0.0)), a.like(LOWER as f64), a.like(0.0));
-    let series = under(r2, TERMS_2, code(Kind::Series6), code(Kind::Series2));
-    let series = under(r2, TERMS_6, code(Kind::Series10), series);
-    let series = under(r2, TERMS_10, code(Kind::Series14), series);
-    let series = under(r2, TERMS_14, code(Kind::Series24), series) + lower;
-    let far = under(r2, HUGE, series, code(Kind::Other));
-    let strip = under(r2, TERMS_10, code(Kind::Strip14), code(Kind::Strip10));
-    let strip = under(r2, TERMS_14, code(Kind::Strip24), strip);
-    let far = under(b, STRIP, under(a, GONE, strip, far), far);
+    let low = y.below(zero);
+    let lower = a.pick(low, a.like(LOWER as f64), zero);
+    let far = under(r2, TERMS_6, code(Kind::Series14), code(Kind::Series6));
+    let far = under(r2, TERMS_14, code(Kind::Series24), far) + lower;
+    let far = under(r2, HUGE, far, code(Kind::Other));
     let width = under(a.at_least(b), FINE, a.like(STRIP), a.like(2.0 * STRIP));
-    let near = code(Kind::Cell) + lower;
-    let near = under(b, STRIP, under(a, APART, near, code(Kind::RealAxis)), near);
-    let near = a.pick(a.below(width), code(Kind::ImaginaryAxis) + lower, near);
-    let near = a.pick(
-        y.below(a.like(0.0)),
-        under(r2, DISC_EDGE, code(Kind::Disc), near),
-        near,
-    );
+    let near = a.pick(a.below(width), code(Kind::ImaginaryAxis), code(Kind::Cell)) + lower;
+    let disc = a.pick(low, code(Kind::Disc), near);
+    let near = under(r2, DISC_EDGE, disc, near);
     let near = under(r2, SMALL, code(Kind::Small), near);
-    under(r2, FAR, near, far) + a.like(ROUND)
+    let all = under(r2, FAR, near, far);
+    let strip = under(a, BEYOND, code(Kind::RealAxis), code(Kind::Strip));
+    let strip = under(a, APART, all, under(a, GONE, strip, all));
+    under(b, STRIP, strip, all)
 }
 
 /// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
@@ -171,7 +153,7 @@ pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
 /// The row of centre `n` on the real axis.
 #[inline(always)]
 pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
-    &REAL_AXIS[((n.to_bits() as usize & 63).wrapping_sub(9)).min(REAL_AXIS.len() - 1)]
+    &REAL_AXIS[((n.to_bits() as usize & 127).wrapping_sub(9)).min(REAL_AXIS.len() - 1)]
 }
 
 /// Whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
@@ -280,12 +262,12 @@ pub(super) struct Cancelled {
 impl Task for Cancelled {
     type Output = (f64, f64);
     #[inline(always)]
-    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Cancelled { a, b } = self;
         let (re, im) = if a.max(b) < 4096.0 {
-            trapezoidal::lower(a, b)
+            trapezoidal::lower(lanes, a, b)
         } else {
-            large(a, b)
+            large(lanes, a, b)
         };
         (re.value(), im.value())
     }
@@ -299,9 +281,9 @@ pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64)
     let lower = y < 0.0;
     if lower
         && let Some(k) = zeros::nearest(a, b)
-        && let Some((re, im)) = zeros::near_zero(lanes, k, a, b)
+        && let Some(w) = zeros::near_zero(lanes, k, a, b)
     {
-        return (re.value(), im.value());
+        return w;
     }
     let (u, v) = match kind {
         Kind::Cell => {
@@ -323,21 +305,15 @@ pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64)
         }
         Kind::Series24 => series::<_, 24>(a, b),
         Kind::Series14 => series::<_, 14>(a, b),
-        Kind::Series10 => series::<_, 10>(a, b),
         Kind::Series6 => series::<_, 6>(a, b),
-        Kind::Series2 => series::<_, 2>(a, b),
         Kind::Small => return maclaurin(a, y),
         Kind::Disc => {
             let [n, dx, dy] = disc_cell(a, y);
             let (re, im) = complex_row(lanes, disc_row(n), dx, dy);
             return (re.hi, im.hi);
         }
-        Kind::Strip24 | Kind::Strip14 | Kind::Strip10 => {
-            let (u, v) = match kind {
-                Kind::Strip24 => series::<_, 24>(a, b),
-                Kind::Strip14 => series::<_, 14>(a, b),
-                _ => series::<_, 10>(a, b),
-            };
+        Kind::Strip => {
+            let (u, v) = series::<_, 16>(a, b);
             let (re, im, lost) = in_strip(a, y, u.hi, v.hi);
             return if lost {
                 lanes.call(Cancelled { a, b })

@@ -96,3 +96,88 @@ pub(super) fn scaled<R: Real>(x: R, n: R) -> R {
     let rest = (k - (half - round)) + round;
     x * half.power_of_two() * rest.power_of_two()
 }
+
+/// Four numbers as an array, for processors without vectors of four.
+#[derive(Clone, Copy)]
+pub(super) struct Four(pub [f64; 4]);
+
+macro_rules! elementwise {
+    ($trait:ident, $method:ident) => {
+        impl $trait for Four {
+            type Output = Four;
+            #[inline(always)]
+            fn $method(self, other: Four) -> Four {
+                Four(std::array::from_fn(|i| self.0[i].$method(other.0[i])))
+            }
+        }
+    };
+}
+elementwise!(Add, add);
+elementwise!(Sub, sub);
+elementwise!(Mul, mul);
+elementwise!(Div, div);
+
+impl Neg for Four {
+    type Output = Four;
+    #[inline(always)]
+    fn neg(self) -> Four {
+        Four(self.0.map(|x| -x))
+    }
+}
+
+impl Four {
+    #[inline(always)]
+    fn zip(self, other: Four, f: impl Fn(f64, f64) -> f64) -> Four {
+        Four(std::array::from_fn(|i| f(self.0[i], other.0[i])))
+    }
+}
+
+impl Real for Four {
+    type Mask = [bool; 4];
+    #[inline(always)]
+    fn like(self, x: f64) -> Four {
+        Four([x; 4])
+    }
+    #[inline(always)]
+    fn fma(self, b: Four, c: Four) -> Four {
+        Four(std::array::from_fn(|i| self.0[i].mul_add(b.0[i], c.0[i])))
+    }
+    #[inline(always)]
+    fn magnitude(self) -> Four {
+        Four(self.0.map(f64::abs))
+    }
+    #[inline(always)]
+    fn at_least(self, low: Four) -> Four {
+        self.zip(low, f64::at_least)
+    }
+    #[inline(always)]
+    fn at_most(self, high: Four) -> Four {
+        self.zip(high, f64::at_most)
+    }
+    #[inline(always)]
+    fn below(self, other: Four) -> [bool; 4] {
+        std::array::from_fn(|i| self.0[i] < other.0[i])
+    }
+    #[inline(always)]
+    fn or(self, a: [bool; 4], b: [bool; 4]) -> [bool; 4] {
+        std::array::from_fn(|i| a[i] | b[i])
+    }
+    #[inline(always)]
+    fn pick(self, mask: [bool; 4], yes: Four, no: Four) -> Four {
+        Four(std::array::from_fn(|i| {
+            if mask[i] { yes.0[i] } else { no.0[i] }
+        }))
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Four {
+        Four(self.0.map(|x| x.power_of_two()))
+    }
+    #[inline(always)]
+    fn is_odd(self) -> [bool; 4] {
+        self.0.map(|x| x.is_odd())
+    }
+    #[inline(always)]
+    fn flip(self, x: Four) -> Four {
+        self.zip(x, |n, x| n.flip(x))
+    }
+}

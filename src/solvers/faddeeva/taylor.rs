@@ -174,25 +174,29 @@ pub(super) fn real_row<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (Dd
 /// Numbers `at … at + 3` of each row.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-fn columns<S: Wide, const N: usize>(simd: S, rows: &[&[f64; N]; 8], at: usize) -> [Pack<S>; 4] {
+pub(super) fn columns<S: Wide, const N: usize>(
+    simd: S,
+    rows: &[&[f64; N]; 8],
+    at: usize,
+) -> [Pack<S>; 4] {
     let [a, b, c, d] = simd.columns(rows, at);
     [Pack(simd, a), Pack(simd, b), Pack(simd, c), Pack(simd, d)]
 }
 
-/// [`complex_row`] for several points with a row each.
+/// [`polynomial`] for several points with a row each.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-pub(super) fn complex_rows<S: Wide>(
+pub(super) fn polynomials<S: Wide, const N: usize>(
     simd: S,
-    rows: &[&[f64; 40]; 8],
-    dx: Pack<S>,
-    dy: Pack<S>,
-) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-    let d2 = square(dx, dy);
+    rows: &[&[f64; N]; 8],
+    (first, last): (usize, usize),
+    (dx, dy): (Pack<S>, Pack<S>),
+    d2: (Pack<S>, Pack<S>),
+) -> (Pack<S>, Pack<S>) {
     let [(x3, y3), (x4, y4)] = powers((dx, dy), d2);
-    let (mut re, mut im) = (columns(simd, rows, 32), columns(simd, rows, 36));
-    let mut at = 32;
-    while at > 8 {
+    let (mut re, mut im) = (columns(simd, rows, last), columns(simd, rows, last + 4));
+    let mut at = last;
+    while at > first {
         at -= 8;
         let (a, b) = (columns(simd, rows, at), columns(simd, rows, at + 4));
         for m in 0..4 {
@@ -207,17 +211,26 @@ pub(super) fn complex_rows<S: Wide>(
         sr[m] = (-py[m]).fma(im[m], px[m] * re[m]);
         si[m] = px[m].fma(im[m], py[m] * re[m]);
     }
-    let q = (
+    (
         (sr[0] + sr[2]) + (sr[1] + sr[3]),
         (si[0] + si[2]) + (si[1] + si[3]),
-    );
-    let (a, b) = (columns(simd, rows, 0), columns(simd, rows, 4));
-    complex_sum(
-        [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]],
-        (dx, dy),
-        d2,
-        q,
     )
+}
+
+/// [`complex_row`] for several points with a row each.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn complex_rows<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 40]; 8],
+    dx: Pack<S>,
+    dy: Pack<S>,
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let d2 = square(dx, dy);
+    let q = polynomials(simd, rows, (8, 32), (dx, dy), d2);
+    let (a, b) = (columns(simd, rows, 0), columns(simd, rows, 4));
+    let c = [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]];
+    complex_sum(c, (dx, dy), d2, q)
 }
 
 /// [`real_row`] for several points with a row each.

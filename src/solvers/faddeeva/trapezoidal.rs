@@ -18,9 +18,9 @@
 //! ```
 
 use super::double_double::{Dd, two_prod};
-use super::double_double_functions::{exp, exp_minus_square, reduce, sin_cos_reduced};
-use super::exponential::turn;
-use super::real::scaled;
+use super::double_double_functions::exp_minus_square;
+use super::lanes::Lanes;
+use super::real::{ROUND, scaled};
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 
 /// Nodes of each rule.
@@ -28,7 +28,9 @@ pub(super) const NODES: usize = 24;
 const LANES: usize = 8;
 
 const TWO_PI: Dd = Dd::new(std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
-/// 1/h = 64/23, 2π/h.
+/// 2π/23.
+const TWO_PI_OVER_PER: Dd = Dd::new(0.2731819698773733, 1.5476159230086362e-17);
+/// 1/h = 64/23.
 const STEPS: f64 = 64.0;
 const PER: f64 = 23.0;
 
@@ -64,31 +66,33 @@ fn sums(rule: usize, r2: Dd, y2: Dd) -> (Dd, Dd) {
 /// The value at `a − i b`, `a, b ≥ 0`, `|z| < 2²⁴`, away from overflow; relative error of each
 /// component about 2⁻¹⁰⁰ of the larger of the two terms it is the sum of.
 #[inline(always)]
-pub(super) fn lower(a: f64, b: f64) -> (Dd, Dd) {
-    // The phase 2πa/h.
-    let n = (a * (STEPS / PER)).round();
+pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+    // The phase 2πa/h and G = e^{−2πb/h}.
+    let n = (a * (STEPS / PER) + ROUND) - ROUND;
     let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
-    let (r, quadrant) = reduce(f * TWO_PI);
-    let (s, c) = sin_cos_reduced(r);
-    let (s, c) = turn(s, c, quadrant);
+    let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
+        lanes,
+        a,
+        b,
+        f * TWO_PI,
+        two_prod(b.min(8.0), -STEPS) * TWO_PI_OVER_PER,
+    );
     // cos 2θ ≤ 0 for the rule chosen.
-    let (rule, kappa, sine) = if c.hi <= 0.0 { (0, -c, s) } else { (1, c, -s) };
+    let (rule, kappa, sine) = if cosine.hi <= 0.0 {
+        (0, -cosine, sine)
+    } else {
+        (1, cosine, -sine)
+    };
 
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let (plus, minus) = sums(rule, xx + yy, yy);
     let (re, im) = (plus.mul_f(-b), minus.mul_f(a));
 
-    // 2 e^{−z²} (1 + κG − i G sin 2θ)/(1 + G² + 2κG), G = e^{−2πb/h}.
-    let (c, s, k) = exp_minus_square(a, -b);
-    let (c, s) = if b < 4.5 {
-        let (g, gk) = exp(two_prod(b, -STEPS) * (TWO_PI.div(Dd::from(PER))));
-        let g = g.scale(scaled(1.0, gk));
-        let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
-        let (p, q) = ((kappa * g).add_f(1.0), -(g * sine));
-        ((c * p - s * q).div(den), (c * q + s * p).div(den))
-    } else {
-        (c, s)
-    };
+    // 2 e^{−z²} (1 + κG − i G sin 2θ)/(1 + G² + 2κG).
+    let g = g.scale(scaled(1.0, gk));
+    let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
+    let (p, q) = ((kappa * g).add_f(1.0), -(g * sine));
+    let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (re + by(c), im + by(s))
 }

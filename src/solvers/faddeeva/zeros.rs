@@ -8,9 +8,14 @@
 //!
 //! and the zeros are stored as three `f64`, from which δ keeps 100 bits however small it is.
 
-use super::double_double::{Dd, two_sum};
+use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::lanes::Lanes;
+#[cfg(target_arch = "x86_64")]
+use super::pack::{Pack, Wide};
+use super::real::Real;
 use super::tables::ZEROS;
+#[cfg(target_arch = "x86_64")]
+use super::taylor::{columns, polynomials};
 use super::taylor::{polynomial, square};
 
 /// `Re z_k` and `Im z_k` in three parts each, then five blocks of four real and four imaginary
@@ -42,24 +47,80 @@ pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
 /// `w(a − i b)` next to zero `k`; `None` if a component cannot be had to a few units in the last
 /// place this way.
 #[inline(always)]
-pub(super) fn near_zero<L: Lanes>(lanes: L, k: usize, a: f64, b: f64) -> Option<(Dd, Dd)> {
+pub(super) fn near_zero<L: Lanes>(lanes: L, k: usize, a: f64, b: f64) -> Option<(f64, f64)> {
     let c = &ZEROS[k].0;
-    let difference = |x: f64, at: usize| {
-        let s = two_sum(x, -c[at]);
-        Dd::new(s.hi, s.lo).add_f(-c[at + 1]).add_f(-c[at + 2])
-    };
-    let (dx, dy) = (difference(a, 0), difference(-b, 3));
-    let (x, y) = (dx.hi, dy.hi);
-    let (x2, y2) = square(x, y);
-    let (qr, qi) = polynomial(lanes, c, (6, 38), (x, y), (x2, y2));
-    let (hr, hi) = (x2.mul_add(qr, -(y2 * qi)), x2.mul_add(qi, y2 * qr));
-    let (u, v) = (dx.add_f(hr), dy.add_f(hi));
-    // The last part is wrong by three units of its own in the last place at most.
-    let size = 1.5 * hr.abs().max(hi.abs());
-    if u.hi.abs() < size || v.hi.abs() < size {
-        return None;
-    }
-    Some((-(v * TWO_OVER_SQRT_PI), u * TWO_OVER_SQRT_PI))
+    let (dx, dy) = (
+        difference(a, c[0], c[1], c[2]),
+        difference(-b, c[3], c[4], c[5]),
+    );
+    let d2 = square(dx.hi, dy.hi);
+    let q = polynomial(lanes, c, (6, 38), (dx.hi, dy.hi), d2);
+    let (re, im, lost) = assemble((dx, dy), d2, q);
+    if lost { None } else { Some((re, im)) }
+}
+
+/// `x − z`, `z` in three parts, for `|x − z|` below a sixteenth of `|z|`.
+#[inline(always)]
+fn difference<R: Real>(x: R, z0: R, z1: R, z2: R) -> Dd<R> {
+    // The first difference is exact (Sterbenz).
+    let d = two_sum(x - z0, -z1);
+    fast_two_sum(d.hi, d.lo - z2)
+}
+
+/// `(2i/√π)(δ + δ²q)`; `true` where a component of the sum is too small for the rounding error of
+/// the last part, three units in its last place at most.
+#[inline(always)]
+fn assemble<R: Real>(
+    (dx, dy): (Dd<R>, Dd<R>),
+    (x2, y2): (R, R),
+    (qr, qi): (R, R),
+) -> (R, R, R::Mask) {
+    let (hr, hi) = (x2.fma(qr, -(y2 * qi)), x2.fma(qi, y2 * qr));
+    let (u, v) = (two_sum(dx.hi, hr), two_sum(dy.hi, hi));
+    let (u, v) = (
+        fast_two_sum(u.hi, u.lo + dx.lo),
+        fast_two_sum(v.hi, v.lo + dy.lo),
+    );
+    let (ah, bh) = (hr.magnitude(), hi.magnitude());
+    let size = hr.like(1.5) * ah.pick(ah.below(bh), bh, ah);
+    let lost = hr.or(u.hi.magnitude().below(size), v.hi.magnitude().below(size));
+    (-times_two_over_sqrt_pi(v), times_two_over_sqrt_pi(u), lost)
+}
+
+#[inline(always)]
+fn times_two_over_sqrt_pi<R: Real>(x: Dd<R>) -> R {
+    let (ch, cl) = (
+        x.hi.like(TWO_OVER_SQRT_PI.hi),
+        x.hi.like(TWO_OVER_SQRT_PI.lo),
+    );
+    let p = two_prod(x.hi, ch);
+    p.hi + x.hi.fma(cl, x.lo.fma(ch, p.lo))
+}
+
+/// [`near_zero`] for several points with a zero each: `true` where it fails.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn near_zeros<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 46]; 8],
+    a: Pack<S>,
+    y: Pack<S>,
+) -> (Pack<S>, Pack<S>, S::m64s) {
+    let (z, t) = (columns(simd, rows, 0), columns(simd, rows, 4));
+    let (dx, dy) = (
+        difference(a, z[0], z[1], z[2]),
+        difference(y, z[3], t[0], t[1]),
+    );
+    let d2 = square(dx.hi, dy.hi);
+    let q = polynomials::<S, 46>(simd, rows, (6, 38), (dx.hi, dy.hi), d2);
+    assemble((dx, dy), d2, q)
+}
+
+/// The row of zero `k`.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn row(k: usize) -> &'static [f64; 46] {
+    &ZEROS[k.min(ZEROS.len() - 1)].0
 }
 
 /// `w(a − i b)` if zero `k` is closer than `distance` in both components: to `distance` units in the
