@@ -11,7 +11,7 @@
 //! coefficients of w about real centres are those of `(2/√π) F`.
 
 use super::constants::HALF_SQRT_PI;
-use super::double_double::{Dd, two_sum};
+use super::double_double::{Dd, two_prod, two_sum};
 use super::exponential::{exp_minus_square_any, sin_cos_reduced, turn};
 use super::lanes::{Lanes, Task, with_best};
 use super::odd_series::{self, odd, odd_real};
@@ -29,57 +29,52 @@ const MAXIMUM: [f64; 3] = [
     2.378_073_982_646_779_6e-17,
     -1.182_372_417_104_555e-33,
 ];
-/// Distance from the maximum up to which [`SLOPE`] is used.
+/// Distance from the maximum up to which the expansion about it is used.
 const BESIDE_MAXIMUM: f64 = 0.0625;
 
-/// Coefficients `n f_n`, n = 2, 3, … of F′ about the maximum: `f₀ = 1/(2x₀)`, `f₁ = 0`,
-/// `(n + 1) f_{n+1} = −2 (x₀ f_n + f_{n−1})`.
-const SLOPE: [f64; 20] = {
-    let mut s = [0.0; 20];
-    let x = MAXIMUM[0];
-    let (mut before, mut here) = (0.5 / x, 0.0);
-    let mut n = 0;
-    while n < 20 {
-        let product = -2.0 * (x * here + before);
-        s[n] = product;
-        before = here;
-        here = product / (n + 2) as f64;
+/// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
+const LEADING: [Dd; 2] = [
+    Dd::new(-1.0820884492703633, -1.018605562865343e-16),
+    Dd::new(1.0 / 3.0, 1.850371707708594e-17),
+];
+/// Terms used.
+const ORDER: usize = 16;
+/// `f_n = F⁽ⁿ⁾(x₀)/n!`: `f₀ = 1/(2x₀)`, `f₁ = 0`, `(n + 1) f_{n+1} = −2 (x₀ f_n + f_{n−1})`.
+const COEFFICIENTS: [f64; ORDER] = {
+    let mut f = [0.0; ORDER];
+    f[0] = 0.5 / MAXIMUM[0];
+    let mut n = 1;
+    while n + 1 < ORDER {
+        f[n + 1] = -2.0 * (MAXIMUM[0] * f[n] + f[n - 1]) / (n + 1) as f64;
         n += 1;
     }
-    s
+    f
 };
 
-/// `F′` on the real axis next to its zero, divided by nothing: `Σ SLOPE[n] t^{n+1}`.
+/// `Im F(x + i b)/b` for `x` next to the maximum, `b ≤` [`STRIP`]: with `t = x − x₀`,
+///
+/// ```text
+/// 2 f₂ t + f₃ (3t² − b²) + f₄ (4t³ − 4tb²) + …
+/// ```
 #[inline(always)]
-fn distance(x: f64) -> Dd {
+fn slope_beside_maximum(x: f64, b: f64) -> Dd {
     let s = two_sum(x, -MAXIMUM[0]);
-    s.add_f(-MAXIMUM[1]).add_f(-MAXIMUM[2])
-}
-
-/// `Im F(x + i b)/b` for `x` next to the maximum, `b ≤` [`STRIP`].
-#[inline(always)]
-fn slope_beside_maximum(x: f64, b: f64) -> f64 {
-    // Im (t + ib)^{n+2}/b by the recurrence of powers; F = f₀ + Σ (SLOPE[n]/(n + 2)) δ^{n+2}.
-    let t = distance(x).value();
+    let distance = Dd::new(s.hi, s.lo).add_f(-MAXIMUM[1]).add_f(-MAXIMUM[2]);
+    let t = distance.hi;
+    // Im δⁿ/b by the recurrence δⁿ⁺¹ = 2t δⁿ − |δ|² δⁿ⁻¹.
     let r2 = t.mul_add(t, b * b);
-    let (mut s0, mut s1) = (1.0, 2.0 * t);
+    let square = distance.square();
+    let third = square + square.scale(2.0) - two_prod(b, b);
+    let (mut before, mut here) = (2.0 * t, third.hi);
     let mut sum = 0.0;
-    let mut n = 1;
-    // Largest terms last.
-    let mut terms = [0.0; 20];
-    terms[0] = SLOPE[0] * t;
-    while n < 20 {
-        let s = (2.0 * t).mul_add(s1, -(r2 * s0));
-        terms[n] = SLOPE[n] / (n + 2) as f64 * s;
-        s0 = s1;
-        s1 = s;
+    let mut n = 4;
+    while n < ORDER {
+        let next = (2.0 * t).mul_add(here, -(r2 * before));
+        sum = COEFFICIENTS[n].mul_add(next, sum);
+        (before, here) = (here, next);
         n += 1;
     }
-    while n > 0 {
-        n -= 1;
-        sum += terms[n];
-    }
-    sum
+    (LEADING[0] * distance + LEADING[1] * third).add_f(sum)
 }
 
 /// `(√π/2) i (e^{−z²} − w)` in double-double.
@@ -92,15 +87,15 @@ struct Exact {
 impl Task for Exact {
     type Output = (f64, f64);
     #[inline(always)]
-    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Exact { x, y, down } = self;
         // F(z) = −i (√π/2) e^{−z²} erf(iz), and erf(iz) = erf(−y + ix) = −conj erf(y + ix).
         if let Some((p, q)) = erf_zeros::near_zero_of_erf(y, x) {
             // e^{ζ²} erf ζ at ζ = y + ix is p + iq; e^{−z²} = conj e^{ζ²}.
             return ((q * HALF_SQRT_PI).value(), (p * HALF_SQRT_PI).value());
         }
-        let (c, s, n) = gaussian_exact(x, y);
-        let (u, v) = w_exact(x, y);
+        let (c, s, n) = gaussian_exact(lanes, x, y);
+        let (u, v) = w_exact(lanes, x, y);
         let (re, im) = difference((c, s, n), (u, v));
         (
             times_power((re * HALF_SQRT_PI).value(), ROUND - down.0),
@@ -120,14 +115,14 @@ fn difference((c, s, n): (Dd, Dd, f64), (u, v): (Dd, Dd)) -> (Dd, Dd) {
 fn quadrant<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
     let r2 = x.mul_add(x, y * y);
     if r2 < odd_series::REACH {
-        let (re, im) = odd(&odd_series::DAWSON, x, y);
+        let (re, im) = odd(odd_series::DAWSON, x, y);
         return (re.value(), im.value());
     }
     let ((x, x_down), (y, y_down)) = (lifted(x), lifted(y));
     if y < STRIP {
         let (re, im) = dawson_in_strip(lanes, x, y);
         let im = if (x - MAXIMUM[0]).abs() < BESIDE_MAXIMUM {
-            y * slope_beside_maximum(x, y)
+            y * slope_beside_maximum(x, y).value()
         } else {
             (im * HALF_SQRT_PI).value()
         };
@@ -222,7 +217,7 @@ impl Task for DawsonReal {
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let x = self.0.abs();
         let value = if x < 0.5 {
-            odd_real(&odd_series::DAWSON, x).value()
+            odd_real(odd_series::DAWSON, x).value()
         } else if x < HUGE {
             (dawson_in_strip(lanes, x, 0.0).0 * HALF_SQRT_PI).value()
         } else {

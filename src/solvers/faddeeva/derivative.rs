@@ -15,11 +15,17 @@ use super::exponential::{exp_minus_square_any, sin_cos_reduced, turn};
 use super::lanes::{Lanes, Task, with_best};
 use super::payne_hanek;
 use super::quadrant::{
-    HUGE, STRIP, derivative, gaussian_exact, lifted, lost, pair_times_power, product,
-    series_derivative, times_power, w_exact,
+    HUGE, derivative, gaussian_exact, lifted, pair_times_power, product, series_derivative,
+    times_power, w_exact,
 };
 use super::real::{ROUND, scaled};
 use num_complex::Complex;
+
+/// As `lost`, for the sums of Taylor terms here, whose slope is rounded.
+#[inline(always)]
+fn cancelled(sum: Dd, term: Dd) -> bool {
+    sum.hi.abs() < 0.25 * term.hi.abs()
+}
 
 /// w′ in double-double, at `a + i b` or `a − i b`.
 struct Exact {
@@ -32,17 +38,17 @@ struct Exact {
 impl Task for Exact {
     type Output = (f64, f64);
     #[inline(always)]
-    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Exact { a, b, lower, down } = self;
         let (u, v) = if a.max(b) < 4096.0 {
-            let (p, q) = w_exact(a, b);
+            let (p, q) = w_exact(lanes, a, b);
             let (re, im, _) = product((p, q), (Dd::from(-2.0 * a), Dd::from(-2.0 * b)));
             (re, im + TWO_OVER_SQRT_PI)
         } else {
             series_derivative::<3>(a, b)
         };
         let (re, im) = if lower {
-            let (c, s, n) = gaussian_exact(a, -b);
+            let (c, s, n) = gaussian_exact(lanes, a, -b);
             let (p, q, _) = product((c, s), (Dd::from(-a), Dd::from(b)));
             let n = n + 2.0;
             if n > ROUND + 500.0 {
@@ -61,13 +67,11 @@ impl Task for Exact {
 fn half_plane<L: Lanes>(lanes: L, a: f64, b: f64, lower: bool) -> (f64, f64) {
     let (a, down) = lifted(a);
     let exact = Exact { a, b, lower, down };
-    let (u, v) = derivative(lanes, a, b);
-    // Beside the axes a component is small without having lost digits.
-    let inside = (a >= STRIP) & (b >= STRIP) | (a < 1.125);
+    let (u, v, less) = derivative(lanes, a, b);
+    if less {
+        return lanes.call(exact);
+    }
     if !lower {
-        if inside & (lost(v, u) | (lost(u, v) & (a >= STRIP))) {
-            return lanes.call(exact);
-        }
         return (times_power(u.value(), ROUND - down), v.value());
     }
     let (c, s, n) = exp_minus_square_any(a, -b);
@@ -80,7 +84,7 @@ fn half_plane<L: Lanes>(lanes: L, a: f64, b: f64, lower: bool) -> (f64, f64) {
         return (times_power(p.value(), n - down), times_power(q.value(), n));
     }
     let (re, im) = (pair_times_power(p, n) - u, pair_times_power(q, n) + v);
-    if lost(re, u) | lost(im, v) {
+    if cancelled(re, u) | cancelled(im, v) {
         return lanes.call(exact);
     }
     (times_power(re.value(), ROUND - down), im.value())

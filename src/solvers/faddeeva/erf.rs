@@ -93,14 +93,14 @@ impl Task for Exact {
         let zero = match which {
             Which::Erf => erf_zeros::near_zero_of_erf(x, y),
             Which::Erfc => None,
-            Which::Erfcm => erf_zeros::near_zero_of_erfc(lanes, x, y),
+            Which::Erfcm => erf_zeros::near_zero_of_erfc(x, y),
         };
-        let (c, s, n) = gaussian_exact(x, y);
+        let (c, s, n) = gaussian_exact(lanes, x, y);
         if let Some((u, v)) = zero {
             let (re, im, _) = product((c, s), (u, v));
             return (times_power(re.value(), n), times_power(im.value(), n));
         }
-        let (u, v) = w_exact(y, x);
+        let (u, v) = w_exact(lanes, y, x);
         let (re, im, _) = product((c, s), (u, -v));
         let (offset, sign) = which.of_erfc();
         (
@@ -120,7 +120,7 @@ fn quadrant<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
         true
     };
     if r2 < odd_series::REACH && near {
-        let (re, im) = odd(&odd_series::ERF, x, y);
+        let (re, im) = odd(odd_series::ERF, x, y);
         let (offset, sign) = which.of_erf();
         let (re, _) = shifted((offset, sign), re * TWO_OVER_SQRT_PI, ROUND);
         return (re, sign * (im * TWO_OVER_SQRT_PI).value());

@@ -34,7 +34,7 @@ impl Task for ErfReal {
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let x = self.0.abs();
         let value = if x < 0.5 {
-            (odd_real(&ERF, x) * TWO_OVER_SQRT_PI).value()
+            (odd_real(ERF, x) * TWO_OVER_SQRT_PI).value()
         } else if x < 6.0 {
             let (t, n) = erfc_right(lanes, x);
             (-pair_times_power(t, n)).add_f(1.0).value()
@@ -57,7 +57,7 @@ impl Task for ErfcReal {
         let x = self.0;
         let b = x.abs();
         if b < COMPLEMENT {
-            return (-(odd_real(&ERF, x) * TWO_OVER_SQRT_PI)).add_f(1.0).value();
+            return (-(odd_real(ERF, x) * TWO_OVER_SQRT_PI)).add_f(1.0).value();
         }
         if b < 30.0 {
             let (t, n) = erfc_right(lanes, b);
@@ -87,7 +87,7 @@ impl Task for ErfiReal {
         let x = self.0.abs();
         let value = if x < 0.5 {
             // erfi x = −i erf(ix): the signs of the coefficients alternate no more.
-            let (_, im) = odd(&ERF, 0.0, x);
+            let (_, im) = odd(ERF, 0.0, x);
             (im * TWO_OVER_SQRT_PI).value()
         } else if x < 30.0 {
             let (e, n) = exp(exponent(0.0, x));

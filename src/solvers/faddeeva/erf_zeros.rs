@@ -2,11 +2,11 @@
 
 use super::constants::TWO_OVER_SQRT_PI;
 use super::double_double::{Dd, two_sum};
-use super::lanes::Lanes;
-use super::zeros;
+use super::quadrant::product;
+use super::tables::ZEROS;
 
 /// Beyond this distance double-double sums are as good.
-const CLOSE: f64 = 1.0 / 16_777_216.0;
+const CLOSE: f64 = 1.0 / 131_072.0;
 
 /// The zeros of erf in the first quadrant (DLMF 7.13(i)): real and imaginary part in three `f64` each.
 pub(super) const ZEROS_OF_ERF: [[f64; 6]; 14] = [
@@ -124,34 +124,58 @@ pub(super) const ZEROS_OF_ERF: [[f64; 6]; 14] = [
     ],
 ];
 
-/// `erf(z)/e^{−z²}` next to a zero of erf in the first quadrant.
+/// `δ + g₂δ² + g₃δ³ + …` with `δ = x + i y − z` and `(n + 1) g_{n+1} = 2 sign (z g_n + g_{n−1})`,
+/// `g₀ = 0`, `g₁ = 1`; for `z` given in three parts and δ below [`CLOSE`].
 ///
-/// With `erf′ = (2/√π) e^{−z²}` the quotient `g = e^{z²} erf z` obeys `g′ = 2zg + 2/√π`, hence
-/// `g(z_k + δ) = (2/√π)(δ + z_k δ² + (2/3)(z_k² + 1) δ³ + …)`.
-pub(super) fn near_zero_of_erf(x: f64, y: f64) -> Option<(Dd, Dd)> {
-    let row = ZEROS_OF_ERF
-        .iter()
-        .find(|z| (x - z[0]).abs() < CLOSE && (y - z[3]).abs() < CLOSE)?;
+/// `g = e^{z²} erf z` obeys `g′ = 2zg + 2/√π` (DLMF 7.10.2 rearranged), w obeys
+/// `w′ = −2zw + 2i/√π`: their expansions about zeros, up to the factors `2/√π` and `2i/√π`.
+fn expansion(zero: &[f64], sign: f64, x: f64, y: f64) -> Option<(Dd, Dd)> {
+    let (zx, zy) = (zero[0], zero[3]);
+    if !((x - zx).abs() < CLOSE && (y - zy).abs() < CLOSE) {
+        return None;
+    }
     let difference = |x: f64, at: usize| {
-        let s = two_sum(x, -row[at]);
-        Dd::new(s.hi, s.lo).add_f(-row[at + 1]).add_f(-row[at + 2])
+        let s = two_sum(x, -zero[at]);
+        s.add_f(-zero[at + 1]).add_f(-zero[at + 2])
     };
     let (p, q) = (difference(x, 0), difference(y, 3));
     let (dx, dy) = (p.hi, q.hi);
-    let (zx, zy) = (row[0], row[3]);
-    // δ² and (2/3)(z² + 1) δ.
-    let (sx, sy) = ((dx - dy) * (dx + dy), 2.0 * dx * dy);
-    let (kx, ky) = (((zx - zy) * (zx + zy) + 1.0) / 1.5, 2.0 * zx * zy / 1.5);
-    let (fx, fy) = (zx + (kx * dx - ky * dy), zy + (kx * dy + ky * dx));
-    let (hx, hy) = (sx * fx - sy * fy, sx * fy + sy * fx);
-    Some((
-        p.add_f(hx) * TWO_OVER_SQRT_PI,
-        q.add_f(hy) * TWO_OVER_SQRT_PI,
-    ))
+    // Σ_{n≥3} g_n δⁿ⁻³, the coefficients going up, the powers too.
+    let times = |(a, b): (f64, f64), (c, d): (f64, f64)| (a * c - b * d, a * d + b * c);
+    let (z, delta) = ((zx, zy), (dx, dy));
+    let (mut before, mut here) = ((1.0, 0.0), (sign * zx, sign * zy));
+    let (mut power, mut sum) = ((1.0, 0.0), (0.0, 0.0));
+    let mut n = 2;
+    while n < 8 {
+        let (c, d) = times(z, here);
+        let f = 2.0 * sign / (n + 1) as f64;
+        let next = (f * (c + before.0), f * (d + before.1));
+        let (a, b) = times(next, power);
+        sum = (sum.0 + a, sum.1 + b);
+        (before, here) = (here, next);
+        power = times(power, delta);
+        n += 1;
+    }
+    // z δ² with all digits.
+    let z = (Dd::new(zx, zero[1]), Dd::new(zy, zero[4]));
+    let (a, b, _) = product((p, q), (p, q));
+    let square = (a.hi, b.hi);
+    let (a, b, _) = product((a, b), z);
+    let (c, d) = times(times(square, delta), sum);
+    let by = |t: Dd| if sign < 0.0 { -t } else { t };
+    Some((p + by(a).add_f(c), q + by(b).add_f(d)))
+}
+
+/// `erf(z)/e^{−z²}` next to a zero of erf in the first quadrant.
+pub(super) fn near_zero_of_erf(x: f64, y: f64) -> Option<(Dd, Dd)> {
+    let (u, v) = ZEROS_OF_ERF.iter().find_map(|z| expansion(z, 1.0, x, y))?;
+    Some((u * TWO_OVER_SQRT_PI, v * TWO_OVER_SQRT_PI))
 }
 
 /// `erfc(−z)/e^{−z²}`, `z = x + i y` in the first quadrant, next to a zero: `w(−iz) = w(y − ix)`.
-pub(super) fn near_zero_of_erfc<L: Lanes>(lanes: L, x: f64, y: f64) -> Option<(Dd, Dd)> {
-    let k = zeros::nearest(y, x)?;
-    zeros::closer_than(lanes, k, y, x, CLOSE)
+pub(super) fn near_zero_of_erfc(x: f64, y: f64) -> Option<(Dd, Dd)> {
+    let (u, v) = ZEROS
+        .iter()
+        .find_map(|z| expansion(&z.0[..6], -1.0, y, -x))?;
+    Some((-(v * TWO_OVER_SQRT_PI), u * TWO_OVER_SQRT_PI))
 }

@@ -21,7 +21,8 @@ const TERMS_6: f64 = 1000.0;
 const HUGE: f64 = 1e200;
 /// Half the distance of the centres of the fine cells, and half the width of the strip beside the
 /// real axis.
-const STRIP: f64 = 0.125;
+/// Just above 1/8: the edge itself, halfway between two centres, is inside; no cell begins there.
+const STRIP: f64 = 0.125f64.next_up();
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
 const FINE: f64 = 3.75;
 /// Re z from which the strip has rows of its own, and from which it has the asymptotic series with

@@ -16,8 +16,8 @@ use super::trapezoidal;
 
 /// Beyond this |Re z| or |Im z| the functions are computed from their limits.
 pub(super) const HUGE: f64 = 1e100;
-/// Half the width of the strips beside the axes in which real expansions are used.
-pub(super) const STRIP: f64 = 0.125;
+/// Half the width of the strips beside the axes in which real expansions are used; the edge is inside.
+pub(super) const STRIP: f64 = 0.125f64.next_up();
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 8.0;
 
@@ -226,33 +226,43 @@ fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
     }
 }
 
-/// `(Re w′, Im w′)` at `a + i b`, `0 ≤ a, b < HUGE`.
+/// `(Re w′, Im w′)` at `a + i b`, `0 ≤ a, b < HUGE`; `true` if a component has lost digits.
 #[inline(always)]
-pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
     match place(a, b) {
         Place::Cell => {
             let [n, dx, dy] = cell(a, b);
-            complex_row(lanes, &derived(cell_row(n)), dx, dy)
+            let (u, v) = complex_row(lanes, &derived(cell_row(n)), dx, dy);
+            (u, v, lost(u, v) | lost(v, u))
         }
         Place::ImaginaryAxis => {
             // w′(z) = −i f′(−iz), f = erfcx.
             let (n, t) = on_axis(b);
             let row = derived_real(imaginary_axis_row(n));
             let (re, im) = from_erfcx(a, real_row(lanes, &row, t, a));
-            (im, -re)
+            (im, -re, false)
         }
         Place::RealAxis => {
             let (n, t) = on_real_axis(a);
-            complex_row(lanes, &derived(real_axis_row(n)), t, b)
+            let (u, v) = complex_row(lanes, &derived(real_axis_row(n)), t, b);
+            (u, v, false)
         }
         Place::Strip => {
             let (u, v) = far_derivative(a, b);
             let (c, s, n) = exp_minus_square_any(a, b);
             let (p, q, _) = product((c, s), (Dd::from(-a), Dd::from(-b)));
             let by = |t: Dd| pair_times_power(t, n + 1.0);
-            (u + by(p), v + by(q))
+            (u + by(p), v + by(q), false)
         }
-        Place::Far => far_derivative(a, b),
+        Place::Far => {
+            let (u, v) = far_derivative(a, b);
+            // Next to the diagonal all terms but the first are rounded.
+            (
+                u,
+                v,
+                (v.hi.abs() < u.hi.abs() * (1.0 / 32.0)) & (a.max(b) < 4096.0) & (b > 1.0),
+            )
+        }
     }
 }
 
@@ -312,9 +322,10 @@ fn large(a: f64, b: f64) -> (Dd, Dd) {
 
 /// w at `a + i b`, `0 ≤ a, b < HUGE`, in double-double; to about 2⁻¹⁰⁰ of the larger component, from
 /// 4096 on to 2⁻⁷⁷.
-pub(super) fn w_exact(a: f64, b: f64) -> (Dd, Dd) {
+#[inline(always)]
+pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     if a.max(b) < 4096.0 {
-        trapezoidal::upper(a, b)
+        trapezoidal::upper(lanes, a, b)
     } else {
         large(a, b)
     }
@@ -322,9 +333,10 @@ pub(super) fn w_exact(a: f64, b: f64) -> (Dd, Dd) {
 
 /// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, in double-double where it
 /// matters.
-pub(super) fn gaussian_exact(a: f64, y: f64) -> (Dd, Dd, f64) {
+#[inline(always)]
+pub(super) fn gaussian_exact<L: Lanes>(lanes: L, a: f64, y: f64) -> (Dd, Dd, f64) {
     if exponent(a, y).hi.abs() < 1400.0 {
-        exact::exp_minus_square(a, y)
+        exact::exp_minus_square(lanes, a, -y, Dd::ZERO, Dd::ZERO).0
     } else {
         exp_minus_square_any(a, y)
     }

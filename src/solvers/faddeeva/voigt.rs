@@ -100,7 +100,7 @@ impl Task for Voigt {
             return gauss(p, (ms, es)) + times_power(t, ROUND + (eg - 2.0 * es));
         }
         let (u, _) = w(lanes, p.hi, q.hi);
-        let (du, dv) = derivative(lanes, p.hi, q.hi);
+        let (du, dv, _) = derivative(lanes, p.hi, q.hi);
         let u = u.add_f(du.hi * p.lo - dv.hi * q.lo);
         times_power((u * INV_SQRT_2_PI).div(Dd::from(ms)).value(), ROUND - es)
     }

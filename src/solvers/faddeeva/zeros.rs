@@ -122,30 +122,3 @@ pub(super) fn near_zeros<S: Wide>(
 pub(super) fn row(k: usize) -> &'static [f64; 46] {
     &ZEROS[k.min(ZEROS.len() - 1)].0
 }
-
-/// `w(a − i b)` if zero `k` is closer than `distance` in both components: to `distance` units in the
-/// last place of `|w|`.
-#[inline(always)]
-pub(super) fn closer_than<L: Lanes>(
-    lanes: L,
-    k: usize,
-    a: f64,
-    b: f64,
-    distance: f64,
-) -> Option<(Dd, Dd)> {
-    let c = &ZEROS[k].0;
-    let difference = |x: f64, at: usize| {
-        let s = two_sum(x, -c[at]);
-        Dd::new(s.hi, s.lo).add_f(-c[at + 1]).add_f(-c[at + 2])
-    };
-    let (dx, dy) = (difference(a, 0), difference(-b, 3));
-    let (x, y) = (dx.hi, dy.hi);
-    if !(x.abs() < distance && y.abs() < distance) {
-        return None;
-    }
-    let (x2, y2) = square(x, y);
-    let (qr, qi) = polynomial(lanes, c, (6, 38), (x, y), (x2, y2));
-    let (hr, hi) = (x2.mul_add(qr, -(y2 * qi)), x2.mul_add(qi, y2 * qr));
-    let (u, v) = (dx.add_f(hr), dy.add_f(hi));
-    Some((-(v * TWO_OVER_SQRT_PI), u * TWO_OVER_SQRT_PI))
-}
