@@ -308,6 +308,109 @@ fn measure(f: &Function, region: &Region, points: usize) -> Worst {
     worst
 }
 
+/// A function of a real argument and its reference.
+type RealFunction = (
+    &'static str,
+    fn(f64) -> f64,
+    fn(&Rational, u32) -> Result<Ball, Undecided>,
+);
+
+const REAL_FUNCTIONS: [RealFunction; 5] = [
+    ("erfcx_real", solver::erfcx_real, |x, b| {
+        Ok(reference::erfcx(x, &Rational::new(), b)?.re)
+    }),
+    ("erfc_real", solver::erfc_real, |x, b| {
+        Ok(reference::erfc(x, &Rational::new(), b)?.re)
+    }),
+    ("erf_real", solver::erf_real, |x, b| {
+        Ok(reference::erf(x, &Rational::new(), b)?.re)
+    }),
+    ("erfi_real", solver::erfi_real, |x, b| {
+        Ok(reference::erfi(x, &Rational::new(), b)?.re)
+    }),
+    ("dawson_real", solver::dawson_real, |x, b| {
+        Ok(reference::dawson(x, &Rational::new(), b)?.re)
+    }),
+];
+
+fn measure_real(f: &RealFunction, points: usize) -> (f64, f64) {
+    let mut r = Random(f.0.len() as u64);
+    let mut worst = (0.0, 0.0);
+    for _ in 0..points {
+        let x = match r.bits() % 4 {
+            0 => r.between(-10.0, 10.0),
+            1 => r.between(-30.0, 30.0),
+            2 => r.sign() * r.power(-320.0, 0.0),
+            _ => r.sign() * r.power(0.0, 300.0),
+        };
+        if let Ok(exact) = (f.2)(&rational(x), BITS) {
+            let u = distance((f.1)(x), &exact).1;
+            if !(u <= worst.0) {
+                worst = (u, x);
+            }
+        }
+    }
+    worst
+}
+
+/// Regions of (x, σ, γ).
+type VoigtRegion = (&'static str, fn(&mut Random) -> [f64; 3]);
+
+const VOIGT_REGIONS: [VoigtRegion; 5] = [
+    ("comparable", |r| {
+        [
+            r.between(-12.0, 12.0),
+            r.between(0.05, 2.0),
+            r.between(0.0, 3.0),
+        ]
+    }),
+    ("narrow Lorentz", |r| {
+        [
+            r.between(-40.0, 40.0),
+            r.between(0.5, 2.0),
+            r.power(-320.0, 0.0),
+        ]
+    }),
+    ("narrow Gauss", |r| {
+        [
+            r.between(-5.0, 5.0),
+            r.power(-320.0, 0.0),
+            r.between(0.1, 2.0),
+        ]
+    }),
+    ("all sizes", |r| {
+        [
+            r.sign() * r.power(-100.0, 100.0),
+            r.power(-100.0, 100.0),
+            r.power(-100.0, 100.0),
+        ]
+    }),
+    ("pure", |r| {
+        let (x, w) = (r.between(-40.0, 40.0), r.power(-2.0, 2.0));
+        if r.bits() & 1 == 0 {
+            [x, w, 0.0]
+        } else {
+            [x, 0.0, w]
+        }
+    }),
+];
+
+fn measure_voigt(region: &VoigtRegion, points: usize) -> (f64, [f64; 3]) {
+    let mut r = Random(region.0.len() as u64);
+    let mut worst = (0.0, [0.0; 3]);
+    for _ in 0..points {
+        let p = (region.1)(&mut r);
+        let [x, s, g] = p.map(rational);
+        if let Ok(exact) = reference::voigt(&x, &s, &g, BITS) {
+            let u = distance(solver::voigt(p[0], p[1], p[2]), &exact).1;
+            if !(u <= worst.0) {
+                worst = (u, p);
+            }
+        }
+    }
+    worst
+}
+
 fn effort() -> f64 {
     match std::env::var("MECHAUDIT_EFFORT") {
         Ok(text) => text.parse().expect("a positive number"),
@@ -343,6 +446,20 @@ fn table() {
                 w.norm.1,
                 w.re.1,
                 w.im.1
+            );
+        }
+    }
+    for f in &REAL_FUNCTIONS {
+        if f.0.contains(&only) {
+            println!("| {} | {points} | {:?} |", f.0, measure_real(f, points));
+        }
+    }
+    for region in &VOIGT_REGIONS {
+        if format!("voigt {}", region.0).contains(&only) {
+            println!(
+                "| voigt | {} | {points} | {:?} |",
+                region.0,
+                measure_voigt(region, points)
             );
         }
     }

@@ -3,7 +3,7 @@
 
 use super::asymptotic::series;
 use super::constants::INV_SQRT_PI;
-use super::double_double::{Dd, two_prod};
+use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::double_double_functions as exact;
 use super::exponential::{exp_minus_square_any, exponent};
 use super::lanes::Lanes;
@@ -134,9 +134,23 @@ pub(super) fn w<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     }
 }
 
-/// The row of the derivative.
+/// `(a + i b)(c + i d)`, rounded.
 #[inline(always)]
-fn derived(row: &ComplexRow) -> ComplexRow {
+fn times((a, b): (f64, f64), (c, d): (f64, f64)) -> (f64, f64) {
+    (a.mul_add(c, -(b * d)), a.mul_add(d, b * c))
+}
+
+/// The derivative of a row at distance δ from its centre.
+///
+/// The derivative loses accuracy with the last terms, so the next coefficients are added by
+/// `n c_n = −2 (z₀ c_{n−1} + c_{n−2})`, a recurrence unstable only in the long run.
+#[inline(always)]
+fn complex_derivative<L: Lanes>(
+    lanes: L,
+    row: &ComplexRow,
+    centre: (f64, f64),
+    (dx, dy): (f64, f64),
+) -> (Dd, Dd) {
     let c = &row.0;
     let at = |k: usize| 8 + 8 * (k / 4) + k % 4;
     let mut d = [0.0; 40];
@@ -149,12 +163,38 @@ fn derived(row: &ComplexRow) -> ComplexRow {
         d[at(k) + 4] = f * c[at(k + 1) + 4];
         k += 1;
     }
-    ComplexRow(d)
+    // n c_n for n = 18 … 21.
+    let mut before = (c[at(14)], c[at(14) + 4]);
+    let mut here = (c[at(15)], c[at(15) + 4]);
+    let mut next = [(0.0, 0.0); 4];
+    let mut n = 18;
+    for slope in &mut next {
+        let (p, q) = times(centre, here);
+        *slope = (-2.0 * (p + before.0), -2.0 * (q + before.1));
+        before = here;
+        here = (slope.0 / n as f64, slope.1 / n as f64);
+        n += 1;
+    }
+    (d[at(15)], d[at(15) + 4]) = next[0];
+    let delta = (dx, dy);
+    let (p, q) = times(delta, next[3]);
+    let (p, q) = times(delta, (p + next[2].0, q + next[2].1));
+    let square = times(delta, delta);
+    let eighth = times(times(square, square), times(square, square));
+    let more = times(
+        times(times(eighth, eighth), square),
+        (p + next[1].0, q + next[1].1),
+    );
+    let (u, v) = complex_row(lanes, &ComplexRow(d), dx, dy);
+    (
+        fast_two_sum(u.hi, u.lo + more.0),
+        fast_two_sum(v.hi, v.lo + more.1),
+    )
 }
 
-/// The same for a real row.
+/// The row of the derivative of erfcx about `centre`.
 #[inline(always)]
-fn derived_real(row: &RealRow) -> RealRow {
+fn derived_real(row: &RealRow, centre: f64) -> RealRow {
     let c = &row.0;
     let mut d = [0.0; 20];
     (d[0], d[1], d[2]) = (c[2], c[3], 2.0 * c[4]);
@@ -163,11 +203,13 @@ fn derived_real(row: &RealRow) -> RealRow {
         d[4 + k] = (k + 3) as f64 * c[5 + k];
         k += 1;
     }
+    // n c_n = 2 (s₀ c_{n−1} + c_{n−2}), n = 18.
+    d[19] = 2.0 * centre.mul_add(c[19], c[18]);
     RealRow(d)
 }
 
 /// Coefficients available.
-const TERMS: usize = 26;
+const TERMS: usize = 34;
 
 /// `(2n + 1) a_n`, `a_n = (2n − 1)!!/2ⁿ`.
 const SLOPE: [f64; TERMS] = {
@@ -214,7 +256,7 @@ pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
 fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
     let r2 = a.mul_add(a, b * b);
     if r2 < 100.0 {
-        series_derivative::<25>(a, b)
+        series_derivative::<33>(a, b)
     } else if r2 < 256.0 {
         series_derivative::<15>(a, b)
     } else if r2 < 1000.0 {
@@ -232,19 +274,22 @@ pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
     match place(a, b) {
         Place::Cell => {
             let [n, dx, dy] = cell(a, b);
-            let (u, v) = complex_row(lanes, &derived(cell_row(n)), dx, dy);
-            (u, v, lost(u, v) | lost(v, u))
+            let (u, v) = complex_derivative(lanes, cell_row(n), (a - dx, b - dy), (dx, dy));
+            // Next to the origin the slope is large beside the value.
+            let part = if a.max(b) < 2.0 { 0.25 } else { CANCELLED };
+            let (p, q) = (u.hi.abs(), v.hi.abs());
+            (u, v, (p < part * q) | (q < part * p))
         }
         Place::ImaginaryAxis => {
             // w′(z) = −i f′(−iz), f = erfcx.
             let (n, t) = on_axis(b);
-            let row = derived_real(imaginary_axis_row(n));
+            let row = derived_real(imaginary_axis_row(n), b - t);
             let (re, im) = from_erfcx(a, real_row(lanes, &row, t, a));
             (im, -re, false)
         }
         Place::RealAxis => {
             let (n, t) = on_real_axis(a);
-            let (u, v) = complex_row(lanes, &derived(real_axis_row(n)), t, b);
+            let (u, v) = complex_derivative(lanes, real_axis_row(n), (a - t, 0.0), (t, b));
             (u, v, false)
         }
         Place::Strip => {
