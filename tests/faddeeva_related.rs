@@ -161,16 +161,18 @@ const REGIONS: [Region; 11] = [
     MAXIMUM,
 ];
 
-/// A function of a complex argument, its reference and a bound on |f′| from a value of it.
+/// A function of a complex argument, its reference and its derivative from a value of it.
 struct Function {
     name: &'static str,
     f: fn(Complex<f64>) -> Complex<f64>,
     reference: fn(&Rational, &Rational, u32) -> Result<ComplexBall, Undecided>,
-    slope: fn(Complex<f64>, Complex<f64>) -> f64,
+    slope: fn(Complex<f64>, Complex<f64>) -> Complex<f64>,
 }
 
-fn gaussian(z: Complex<f64>) -> f64 {
-    1.13 * ((z.im - z.re) * (z.im + z.re)).exp()
+/// `(2/√π) e^{−z²}`, roughly.
+fn gaussian(z: Complex<f64>) -> Complex<f64> {
+    let size = 1.13 * ((z.im - z.re) * (z.im + z.re)).exp();
+    Complex::from_polar(size, -2.0 * z.re * z.im)
 }
 
 const FUNCTIONS: [Function; 6] = [
@@ -178,7 +180,7 @@ const FUNCTIONS: [Function; 6] = [
         name: "erfcx",
         f: solver::erfcx,
         reference: reference::erfcx,
-        slope: |z, f| (2.0 * z * f - 1.1283791670955126).norm(),
+        slope: |z, f| 2.0 * z * f - 1.1283791670955126,
     },
     Function {
         name: "erfc",
@@ -202,13 +204,13 @@ const FUNCTIONS: [Function; 6] = [
         name: "dawson",
         f: solver::dawson,
         reference: reference::dawson,
-        slope: |z, f| (1.0 - 2.0 * z * f).norm(),
+        slope: |z, f| 1.0 - 2.0 * z * f,
     },
     Function {
         name: "w'",
         f: solver::w_derivative,
         reference: |x, y, bits| reference::w_derivative(1, x, y, bits),
-        slope: |z, f| 2.0 * (z * f).norm() + 4.0,
+        slope: |z, f| -2.0 * z * f - 2.0 * solver::faddeeva(z),
     },
 ];
 
@@ -271,11 +273,14 @@ impl Worst {
             .shift(52)
             .to_f64();
         keep(&mut self.norm, norm, z);
-        // What half an ulp of each coordinate does to the value.
+        // What half an ulp of each coordinate does to the components.
         let slope = (f.slope)(z, got);
         let ulp = |x: f64| (x.abs() * f64::EPSILON).max(f64::from_bits(1));
-        let moved = slope * 0.5 * ulp(z.re).max(ulp(z.im));
-        for (at, u, exact) in [(&mut self.re, ur, &exact.re), (&mut self.im, ui, &exact.im)] {
+        let moved = |p: f64, q: f64| 0.5 * (p.abs() * ulp(z.re) + q.abs() * ulp(z.im));
+        for (at, u, exact, moved) in [
+            (&mut self.re, ur, &exact.re, moved(slope.re, slope.im)),
+            (&mut self.im, ui, &exact.im, moved(slope.im, slope.re)),
+        ] {
             let part = exact.mid().to_f64().abs();
             if part < moved && part > 0.0 && u > 4.0 {
                 self.at_zero += 1;

@@ -12,15 +12,16 @@
 
 use super::constants::HALF_SQRT_PI;
 use super::double_double::{Dd, two_prod, two_sum};
-use super::exponential::{exp_minus_square_any, sin_cos_reduced, turn};
+use super::erf_zeros;
+use super::exponential::exp_minus_square_any;
 use super::lanes::{Lanes, Task, with_best};
+use super::lengths::{LengthMismatch, same_length};
 use super::odd_series::{self, odd, odd_real};
 use super::quadrant::{
-    HUGE, STRIP, dawson_in_strip, gaussian_exact, lifted, lost, pair_times_power, times_power, w,
-    w_exact,
+    HUGE, STRIP, circle, dawson_in_strip, gaussian_exact, lifted, lost, pair_times_power,
+    times_power, w, w_exact,
 };
 use super::real::ROUND;
-use super::{erf_zeros, payne_hanek};
 use num_complex::Complex;
 
 /// Where F′ vanishes on the real axis: three parts.
@@ -178,9 +179,7 @@ fn limits(x: f64, y: f64) -> (f64, f64) {
     if x > y {
         return (u, v);
     }
-    let (r, quadrant) = payne_hanek::reduce(x, y);
-    let (s, c) = sin_cos_reduced(r);
-    let (s, c) = turn(s, c, quadrant);
+    let (s, c) = circle(x, y);
     if y > x {
         return (f64::INFINITY.copysign(s.hi), f64::INFINITY.copysign(c.hi));
     }
@@ -237,4 +236,24 @@ pub fn dawson(z: Complex<f64>) -> Complex<f64> {
 /// DOC
 pub fn dawson_real(x: f64) -> f64 {
     with_best(DawsonReal(x))
+}
+
+struct Batch<'a>(&'a [Complex<f64>], &'a mut [Complex<f64>]);
+
+impl Task for Batch<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        for (f, z) in self.1.iter_mut().zip(self.0) {
+            let (re, im) = Dawson(z.re, z.im).run(lanes);
+            *f = Complex::new(re, im);
+        }
+    }
+}
+
+/// DOC
+pub fn dawson_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
+    same_length(z.len(), f.len())?;
+    with_best(Batch(z, f));
+    Ok(())
 }

@@ -11,11 +11,10 @@
 
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::Dd;
-use super::exponential::{exp_minus_square_any, sin_cos_reduced, turn};
+use super::exponential::exp_minus_square_any;
 use super::lanes::{Lanes, Task, with_best};
-use super::payne_hanek;
 use super::quadrant::{
-    HUGE, derivative, gaussian_exact, lifted, pair_times_power, product, series_derivative,
+    HUGE, circle, derivative, gaussian_exact, lifted, pair_times_power, product, series_derivative,
     times_power, w_exact,
 };
 use super::real::{ROUND, scaled};
@@ -121,9 +120,7 @@ fn limits(a: f64, y: f64) -> (f64, f64) {
     if a > b {
         return (-u, v);
     }
-    let (r, quadrant) = payne_hanek::reduce(a, y);
-    let (s, c) = sin_cos_reduced(r);
-    let (s, c) = turn(s, c, quadrant);
+    let (s, c) = circle(a, y);
     // −4z e^{−z²} with z and e^{−z²} = c − i s of modulus one.
     let (p, q) = (a / b, 1.0);
     let re = -(p * c.hi - q * s.hi);

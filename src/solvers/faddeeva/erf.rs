@@ -15,13 +15,12 @@
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::Dd;
 use super::erf_zeros;
-use super::exponential::{exp_minus_square_any, sin_cos_reduced, turn};
+use super::exponential::exp_minus_square_any;
 use super::lanes::{Lanes, Task, with_best};
 use super::odd_series::{self, odd};
-use super::payne_hanek;
 use super::quadrant::{
-    HUGE, STRIP, dawson_in_strip, gaussian_exact, lifted, lost, pair_times_power, product,
-    times_power, w, w_exact,
+    HUGE, STRIP, circle, dawson_in_strip, gaussian_exact, lifted, lost, pair_times_power, product,
+    size, times_power, w, w_exact,
 };
 use super::real::ROUND;
 use num_complex::Complex;
@@ -64,10 +63,7 @@ impl Which {
 /// `offset + sign · t 2^k`, `n = ROUND + k`; `true` if the two cancel.
 #[inline(always)]
 fn shifted((offset, sign): (f64, f64), t: Dd, n: f64) -> (f64, bool) {
-    if offset == 0.0 || n > ROUND + 500.0 {
-        if t.hi == 0.0 {
-            return (offset + sign * t.hi, false);
-        }
+    if offset == 0.0 || size(t.hi, n) > 200.0 {
         return (times_power(sign * t.value(), n), false);
     }
     let t = pair_times_power(t, n);
@@ -172,9 +168,7 @@ fn limits(which: Which, x: f64, y: f64) -> (f64, f64) {
         return (f64::NAN, f64::NAN);
     }
     // erfc ~ e^{−2ixy} (x − i y)/(√π r²), of modulus e^{y² − x²}/(√π r).
-    let (r, quadrant) = payne_hanek::reduce(x, y);
-    let (s, c) = sin_cos_reduced(r);
-    let (s, c) = turn(s, c, quadrant);
+    let (s, c) = circle(x, y);
     if y > x {
         // Exponents apart, so that nothing overflows; the signs are those of −erfc.
         let ratio = x / y;

@@ -13,6 +13,7 @@ mod erf_zeros;
 mod erfcx;
 mod exponential;
 mod lanes;
+mod lengths;
 mod maclaurin;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]
@@ -32,12 +33,13 @@ mod zeros;
 
 use num_complex::Complex;
 
-pub use dawson::{dawson, dawson_real};
+pub use dawson::{dawson, dawson_batch, dawson_real};
 pub use derivative::w_derivative;
 pub use erf::{erf, erfc, erfi};
 pub use erf_real::{erf_real, erfc_real, erfcx_real, erfi_real};
-pub use erfcx::erfcx;
-pub use voigt::voigt;
+pub use erfcx::{erfcx, erfcx_batch};
+pub use lengths::LengthMismatch;
+pub use voigt::{voigt, voigt_batch};
 
 use lanes::{Lanes, Task, with_best};
 

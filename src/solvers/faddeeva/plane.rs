@@ -245,13 +245,14 @@ pub(super) fn reflect<R: Real>(
     (re, im, lost)
 }
 
-/// Whether `2e^{−z²}` is below 2⁻⁶⁶ of both components of w(−z).
+/// Whether `2e^{−z²}` is below 2⁻⁶⁶ of both components of w(−z), or below every `f64`.
 #[inline(always)]
 pub(super) fn negligible<R: Real>(a: R, b: R, u: R, v: R) -> R::Mask {
-    let e = exponent(a, b).hi.at_least(a.like(-708.0));
-    let (_, n) = binary_exponent(e.at_most(a.like(0.0)));
+    let e = exponent(a, b).hi;
+    let within = e.at_least(a.like(-708.0)).at_most(a.like(0.0));
+    let (_, n) = binary_exponent(within);
     let small = (n + n.like(68.0)).power_of_two();
-    small.below(u.at_most(v))
+    a.or(small.below(u.at_most(v)), e.below(a.like(-746.0)))
 }
 
 /// w in the lower half-plane where terms cancel, at `a − i b`.

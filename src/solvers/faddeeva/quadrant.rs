@@ -5,8 +5,11 @@ use super::asymptotic::series;
 use super::constants::INV_SQRT_PI;
 use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::double_double_functions as exact;
-use super::exponential::{exp_minus_square_any, exponent};
+use super::exponential::{
+    LARGE_PHASE, exp_minus_square_any, exponent, phase, reduce, sin_cos_reduced, turn,
+};
 use super::lanes::Lanes;
+use super::payne_hanek;
 use super::plane::{
     cell, cell_row, from_erfcx, imaginary_axis_row, on_axis, on_real_axis, real_axis_row,
 };
@@ -19,7 +22,7 @@ pub(super) const HUGE: f64 = 1e100;
 /// Half the width of the strips beside the axes in which real expansions are used; the edge is inside.
 pub(super) const STRIP: f64 = 0.125f64.next_up();
 /// A sum smaller than this part of its terms is computed again in double-double.
-const CANCELLED: f64 = 1.0 / 8.0;
+const CANCELLED: f64 = 1.0 / 6.0;
 
 /// Whether a sum has lost digits against one of its two terms.
 #[inline(always)]
@@ -38,6 +41,25 @@ pub(super) fn times_power(t: f64, n: f64) -> f64 {
 pub(super) fn pair_times_power(t: Dd, n: f64) -> Dd {
     let n = n.max(ROUND - 2040.0);
     Dd::new(scaled(t.hi, n), scaled(t.lo, n))
+}
+
+/// The binary exponent of `t 2^k`, `n = ROUND + k`; that of zero is very low.
+#[inline(always)]
+pub(super) fn size(t: f64, n: f64) -> f64 {
+    ((t.to_bits() >> 52) & 0x7ff) as f64 - 1023.0 + (n - ROUND)
+}
+
+/// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.
+#[inline(always)]
+pub(super) fn circle(a: f64, y: f64) -> (Dd, Dd) {
+    let theta = phase(a, y);
+    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
+        reduce(theta)
+    } else {
+        payne_hanek::reduce(a, y)
+    };
+    let (s, c) = sin_cos_reduced(r);
+    turn(s, c, quadrant)
 }
 
 /// The product of two complex numbers; `true` if the terms of a component cancel.

@@ -4,6 +4,7 @@ use super::constants::{INV_PI, INV_SQRT_2, INV_SQRT_2_PI};
 use super::double_double::{Dd, two_prod};
 use super::exponential::exp;
 use super::lanes::{Lanes, Task, with_best};
+use super::lengths::{LengthMismatch, same_length};
 use super::quadrant::{derivative, times_power, w};
 use super::real::ROUND;
 
@@ -109,4 +110,29 @@ impl Task for Voigt {
 /// DOC
 pub fn voigt(x: f64, sigma: f64, gamma: f64) -> f64 {
     with_best(Voigt { x, sigma, gamma })
+}
+
+struct Batch<'a> {
+    x: &'a [f64],
+    sigma: f64,
+    gamma: f64,
+    v: &'a mut [f64],
+}
+
+impl Task for Batch<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) {
+        let Batch { x, sigma, gamma, v } = self;
+        for (v, &x) in v.iter_mut().zip(x) {
+            *v = Voigt { x, sigma, gamma }.run(lanes);
+        }
+    }
+}
+
+/// DOC
+pub fn voigt_batch(x: &[f64], sigma: f64, gamma: f64, v: &mut [f64]) -> Result<(), LengthMismatch> {
+    same_length(x.len(), v.len())?;
+    with_best(Batch { x, sigma, gamma, v });
+    Ok(())
 }
