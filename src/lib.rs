@@ -5,7 +5,7 @@
 //!
 //! | room | what it holds | needs |
 //! |---|---|---|
-//! | [`solvers`] | tridiagonal systems, cubic splines, class-III linkages, dyads, reduction to the crank | nothing but `f64` |
+//! | [`solvers`] | tridiagonal systems, cubic splines, class-III linkages, dyads, reduction to the crank, run-up under a motor | nothing but `f64`; time integration: feature `run-up` |
 //! | `reference` | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |

@@ -443,12 +443,7 @@ fn refusals() {
         ),
         (FOUR_BAR, "frame =", "rod =", "unknown field `rod`"),
         (FOUR_BAR, "frame =", "#", "geometry.frame is missing"),
-        (
-            FOUR_BAR,
-            "[geometry]",
-            "[bodies.2]",
-            "for class-iii only for now",
-        ),
+        (FOUR_BAR, "[geometry]", "[bodies.2]", "for class-iii only"),
         (
             FOUR_BAR,
             "\"four-bar\"",

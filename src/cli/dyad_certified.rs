@@ -253,7 +253,7 @@ mod tests {
 
     fn shape(kind: &str, geometry: &str) -> Shape {
         let text = format!("type = \"{kind}\"\n[geometry]\n{geometry}");
-        dyad_file::read(kind, &text, false).unwrap().shape
+        dyad_file::read(kind, &text, false, false).unwrap().shape
     }
 
     /// Every value within the distance lies in the widened ball, and the bounds are not idle.

@@ -25,6 +25,13 @@ struct File<G> {
     geometry: Option<G>,
     start: Option<StartTable>,
     bodies: Option<IgnoredAny>,
+    /// These belong to `runup`.
+    #[serde(rename = "motor")]
+    _motor: Option<IgnoredAny>,
+    #[serde(rename = "load")]
+    _load: Option<IgnoredAny>,
+    #[serde(rename = "run")]
+    _run: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -32,6 +39,8 @@ struct File<G> {
 struct StartTable {
     phi1: Option<Written>,
     assembly: Option<String>,
+    #[serde(rename = "speed")]
+    _speed: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -79,19 +88,23 @@ pub struct Dyad {
 }
 
 /// Reads the description of a linkage of one of the [`TYPES`].
-pub fn read(kind: &str, text: &str, json: bool) -> Result<Dyad, String> {
+pub fn read(kind: &str, text: &str, json: bool, with_bodies: bool) -> Result<Dyad, String> {
     if kind == TYPES[0] {
-        File::check(parse(text, json)?, FourBarTable::shape)
+        File::check(parse(text, json)?, FourBarTable::shape, with_bodies)
     } else {
-        File::check(parse(text, json)?, SliderCrankTable::shape)
+        File::check(parse(text, json)?, SliderCrankTable::shape, with_bodies)
     }
 }
 
 impl<G: DeserializeOwned> File<G> {
-    fn check(self, shape: impl FnOnce(&G) -> Result<Shape, String>) -> Result<Dyad, String> {
-        if self.bodies.is_some() {
+    fn check(
+        self,
+        shape: impl FnOnce(&G) -> Result<Shape, String>,
+        with_bodies: bool,
+    ) -> Result<Dyad, String> {
+        if self.bodies.is_some() && !with_bodies {
             return Err(format!(
-                "[bodies] is not possible with type = {:?}: the reduction to the crank is for class-iii only for now",
+                "[bodies] is not possible with type = {:?} here: rows with masses are for class-iii only; runup takes them",
                 self.kind
             ));
         }

@@ -10,6 +10,7 @@ use mechaudit::solvers::reduction::{Body, Masses, MomentOfInertia};
 use mechaudit::solvers::units::{Acceleration, Angle, Inertia, Length, Mass};
 use rug::Rational;
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
@@ -31,6 +32,13 @@ struct File {
     start: Option<StartTable>,
     #[serde(default)]
     bodies: BTreeMap<String, BodyTable>,
+    /// These belong to `runup`.
+    #[serde(rename = "motor")]
+    _motor: Option<IgnoredAny>,
+    #[serde(rename = "load")]
+    _load: Option<IgnoredAny>,
+    #[serde(rename = "run")]
+    _run: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -55,12 +63,15 @@ struct StartTable {
     phi1: Option<Written>,
     phi4: Option<Written>,
     mode: Option<usize>,
+    #[serde(rename = "speed")]
+    _speed: Option<IgnoredAny>,
 }
 
+/// A body's table.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct BodyTable {
-    mass: Option<Written>,
+pub struct BodyTable {
+    pub mass: Option<Written>,
     inertia: Option<Written>,
     inertia_about: Option<String>,
     radius: Option<Written>,
@@ -109,6 +120,13 @@ struct Head {
 
 /// Reads the description in `path`, or on standard input if that is `-`.
 pub fn read(path: &Path) -> Result<Described, Failure> {
+    let (text, json) = text(path)?;
+    described(&text, json, false)
+        .map_err(|what| Failure::new(format!("{}: {what}", path.display())))
+}
+
+/// The text of a description and whether it is JSON.
+pub fn text(path: &Path) -> Result<(String, bool), Failure> {
     let name = path.display().to_string();
     let about = |what: String| Failure::new(format!("{name}: {what}"));
     let bytes = bytes(path).map_err(|e| about(e.to_string()))?;
@@ -128,10 +146,11 @@ pub fn read(path: &Path) -> Result<Described, Failure> {
         Some("toml") => false,
         _ => text.trim_start().starts_with('{'),
     };
-    described(text, json).map_err(about)
+    Ok((text.to_owned(), json))
 }
 
-fn described(text: &str, json: bool) -> Result<Described, String> {
+/// Reads a description; a dyad may have bodies only where they are of use.
+pub fn described(text: &str, json: bool, dyads_with_bodies: bool) -> Result<Described, String> {
     let head: Head = parse(text, json)?;
     match head.kind.as_deref() {
         None | Some("class-iii") => {
@@ -139,7 +158,7 @@ fn described(text: &str, json: bool) -> Result<Described, String> {
             Ok(Described::ClassIii(Box::new(file.check()?)))
         }
         Some(kind) if dyad_file::TYPES.contains(&kind) => Ok(Described::Dyad(Box::new(
-            dyad_file::read(kind, text, json)?,
+            dyad_file::read(kind, text, json, dyads_with_bodies)?,
         ))),
         Some(other) => Err(format!(
             "type = {other:?} is not known here; write \"class-iii\", \"four-bar\" or \"slider-crank\""
@@ -231,7 +250,8 @@ impl File {
     }
 }
 
-fn rounded(b: &exact::Body) -> Body {
+/// A body in floating point.
+pub fn rounded(b: &exact::Body) -> Body {
     let si = super::quantity::nearest;
     let inertia = Inertia::from_kg_m2(si(&b.inertia));
     Body {
@@ -284,7 +304,8 @@ impl GeometryTable {
 }
 
 impl BodyTable {
-    fn read(&self, at: &str) -> Result<exact::Body, String> {
+    /// The body, exactly; `at` names the table.
+    pub fn read(&self, at: &str) -> Result<exact::Body, String> {
         let field = |name: &str| format!("{at}.{name}");
         let about_pivot = match self.inertia_about.as_deref() {
             None | Some("centre of mass") => false,
@@ -313,7 +334,7 @@ mod tests {
     use super::*;
 
     fn read_text(text: &str) -> Result<Linkage, String> {
-        match described(text, false)? {
+        match described(text, false, false)? {
             Described::ClassIii(linkage) => Ok(*linkage),
             Described::Dyad(_) => Err("not of class III".into()),
         }

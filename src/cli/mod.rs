@@ -26,10 +26,15 @@ mod progress;
 mod quantity;
 mod result;
 mod rows;
+mod runup;
+mod runup_facts;
+mod runup_file;
+mod runup_precision;
 mod svg;
 mod svg_dyad;
 mod svg_mechanism;
 mod svg_reduced;
+mod svg_runup;
 mod text;
 mod text_method;
 mod text_paper;
@@ -64,6 +69,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::List(a)) => list::list(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),
+        Some(Command::Runup(a)) => runup::runup(&a),
     }
 }
 

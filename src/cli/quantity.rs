@@ -14,6 +14,12 @@ pub enum Kind {
     Acceleration,
     AngularVelocity,
     AngularAcceleration,
+    Torque,
+    Time,
+    /// Torque per angular velocity.
+    Damping,
+    /// Torque per angular velocity squared.
+    QuadraticDamping,
 }
 
 impl Kind {
@@ -27,6 +33,10 @@ impl Kind {
             Kind::Acceleration => ("an acceleration", "m/s^2"),
             Kind::AngularVelocity => ("an angular velocity", "rad/s"),
             Kind::AngularAcceleration => ("an angular acceleration", "rad/s^2"),
+            Kind::Torque => ("a torque", "N m"),
+            Kind::Time => ("a time", "s"),
+            Kind::Damping => ("a viscous resistance", "N m s"),
+            Kind::QuadraticDamping => ("a quadratic resistance", "N m s^2"),
         }
     }
 
@@ -40,6 +50,10 @@ impl Kind {
             Kind::Acceleration => [1, 0, -2, 0],
             Kind::AngularVelocity => [0, 0, -1, 1],
             Kind::AngularAcceleration => [0, 0, -2, 1],
+            Kind::Torque => [2, 1, -2, 0],
+            Kind::Time => [0, 0, 1, 0],
+            Kind::Damping => [2, 1, -1, 0],
+            Kind::QuadraticDamping => [2, 1, 0, 0],
         }
     }
 }
@@ -83,6 +97,8 @@ fn base(name: &str) -> Option<Unit> {
         "g" => unit(1, 1000, [0, 1, 0, 0]),
         "t" => unit(1000, 1, [0, 1, 0, 0]),
         "lb" => unit(45_359_237, 100_000_000, [0, 1, 0, 0]),
+        "N" => unit(1, 1, [1, 1, -2, 0]),
+        "kN" => unit(1000, 1, [1, 1, -2, 0]),
         "s" => unit(1, 1, [0, 0, 1, 0]),
         "ms" => unit(1, 1000, [0, 0, 1, 0]),
         "min" => unit(60, 1, [0, 0, 1, 0]),
@@ -232,6 +248,10 @@ mod tests {
             si(Kind::Acceleration, "981 cm/s^2"),
             Rational::from((981, 100))
         );
+        assert_eq!(si(Kind::Torque, "2.5 kN cm"), 25);
+        assert_eq!(si(Kind::Torque, "3 N·m"), 3);
+        assert_eq!(si(Kind::Damping, "3 N m s"), 3);
+        assert_eq!(si(Kind::Time, "5 ms"), Rational::from((5, 1000)));
         assert_eq!(si(Kind::AngularVelocity, "60 rpm"), 360);
         assert_eq!(si(Kind::AngularVelocity, "2 rev/min"), 12);
         let q = Quantity::parse(Kind::Angle, "-39.3 deg").unwrap();

@@ -12,6 +12,8 @@ pub enum Cell {
     Float(f64),
     /// A certified decimal.
     Decimal(String),
+    /// A word.
+    Name(&'static str),
     /// No digits could be certified.
     Undecided,
 }
@@ -22,6 +24,7 @@ impl Cell {
             Cell::Count(n) => n.to_string(),
             Cell::Float(x) => shortest(*x),
             Cell::Decimal(d) => d.clone(),
+            Cell::Name(n) => (*n).into(),
             Cell::Undecided => "undecided".into(),
         }
     }
@@ -31,6 +34,7 @@ impl Cell {
             Cell::Count(n) => (*n).into(),
             Cell::Float(x) => (*x).into(),
             Cell::Decimal(d) => d.as_str().into(),
+            Cell::Name(n) => (*n).into(),
             Cell::Undecided => Value::Null,
         }
     }

@@ -94,7 +94,7 @@ fn panels(
 }
 
 /// A tick's label without needless zeros.
-fn tick(y: f64) -> String {
+pub(super) fn tick(y: f64) -> String {
     match y.abs() {
         0.0 => "0".into(),
         size if (1e-3..1e6).contains(&size) => ((y * 1e6).round() / 1e6).to_string(),
@@ -103,7 +103,7 @@ fn tick(y: f64) -> String {
 }
 
 /// The range of the values with some air; zero belongs to it where it is near.
-fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
+pub(super) fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for v in values.filter(|v| v.is_finite()) {
         low = low.min(v);

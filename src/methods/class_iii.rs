@@ -16,12 +16,12 @@ use std::f64::consts::TAU;
 pub struct Audit;
 
 /// Where the parts of the input begin.
-const PHI1: usize = 11;
-const MODE: usize = 12;
-const GRAVITY: usize = 13;
-const BODIES: usize = 14;
-const PIVOTS: usize = 34;
-const LENGTH: usize = 37;
+pub(super) const PHI1: usize = 11;
+pub(super) const MODE: usize = 12;
+pub(super) const GRAVITY: usize = 13;
+pub(super) const BODIES: usize = 14;
+pub(super) const PIVOTS: usize = 34;
+pub(super) const LENGTH: usize = 37;
 const BITS_OF_CONDITIONS: u32 = 192;
 
 const LINKAGE: Budget = Budget {
@@ -75,11 +75,11 @@ fn solver_row(x: &[f64]) -> Result<Row, &'static str> {
     })
 }
 
-fn linkage(x: &[f64]) -> Option<ClassIii> {
+pub(super) fn linkage(x: &[f64]) -> Option<ClassIii> {
     ClassIii::new(Geometry::from_values(x[..11].try_into().ok()?)).ok()
 }
 
-fn masses(x: &[f64]) -> Option<Masses> {
+pub(super) fn masses(x: &[f64]) -> Option<Masses> {
     let bodies = std::array::from_fn(|i| {
         let b = &x[BODIES + 4 * i..BODIES + 4 * i + 4];
         let inertia = Inertia::from_kg_m2(b[1]);
@@ -102,7 +102,7 @@ fn about_pivot(i: usize, flag: impl Fn(usize) -> bool) -> bool {
     i.is_multiple_of(2) && flag(PIVOTS + i / 2)
 }
 
-fn exact_masses(x: &[Rational]) -> exact::Masses {
+pub(super) fn exact_masses(x: &[Rational]) -> exact::Masses {
     exact::Masses {
         bodies: std::array::from_fn(|i| {
             let b = &x[BODIES + 4 * i..BODIES + 4 * i + 4];
@@ -354,7 +354,7 @@ fn round_trip_law(x: &[f64]) -> Option<f64> {
 }
 
 /// The paper's dimensions in metres, angle φB, a mode and the recovered masses.
-fn at_degrees(phi1_deg: f64, mode: f64) -> Vec<f64> {
+pub(super) fn at_degrees(phi1_deg: f64, mode: f64) -> Vec<f64> {
     let mut x = vec![
         0.10,
         1.04,

@@ -28,6 +28,7 @@ registry![
     slider_crank,
     class_iii_assembly_modes,
     class_iii,
+    run_up,
 ];
 
 /// The method of that name.

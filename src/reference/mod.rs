@@ -13,6 +13,8 @@ mod elementary;
 pub mod faddeeva;
 mod linear;
 mod mag;
+pub mod run_up;
+mod taylor_model;
 pub mod tridiagonal;
 
 pub use ball::{Ball, dot};

@@ -6,5 +6,6 @@ pub mod cyclic_tridiagonal;
 pub mod dyad;
 pub mod faddeeva;
 pub mod reduction;
+pub mod run_up;
 pub mod tridiagonal;
 pub mod units;

@@ -14,7 +14,7 @@
 //! may be given about its fixed pivot, as the paper does for links 3 and 5; its mass then enters
 //! the weight only.
 
-use super::class_iii::{ClassIii, Link, PointMotion, State};
+use super::class_iii::{ClassIii, Link, PointMotion, State, Velocities};
 use super::units::{Acceleration, Angle, Inertia, Length, Mass};
 use num_complex::Complex64;
 
@@ -131,35 +131,8 @@ impl Masses {
     /// and gravity not negative; no pivot on floating links.
     pub fn new(bodies: [Body; 5], gravity: Acceleration) -> Result<Masses, BodyError> {
         for (i, b) in bodies.iter().enumerate() {
-            let link = i + 1;
-            let values = [
-                ("mass", b.mass.kg(), "kg"),
-                ("inertia", b.inertia.inertia().kg_m2(), "kg·m²"),
-                ("centre-of-mass radius", b.radius.m(), "m"),
-                ("gravity", gravity.m_per_s2(), "m/s²"),
-            ];
-            for (name, value, unit) in values {
-                if !value.is_finite() {
-                    return Err(BodyError::NotFinite { name, link, value });
-                }
-                if value < 0.0 {
-                    return Err(BodyError::Negative {
-                        name,
-                        link,
-                        value,
-                        unit,
-                    });
-                }
-            }
-            let value = b.angle.rad();
-            if !value.is_finite() {
-                let name = "centre-of-mass angle";
-                return Err(BodyError::NotFinite { name, link, value });
-            }
             let floating = matches!(LINKS[i], Link::Link2 | Link::Link4);
-            if floating && matches!(b.inertia, MomentOfInertia::AboutPivot(_)) {
-                return Err(BodyError::NoPivot { link });
-            }
+            check_body(i + 1, b, floating, gravity)?;
         }
         Ok(Masses {
             bodies,
@@ -201,11 +174,65 @@ impl Masses {
         )
     }
 
+    /// I_n (kg·m²) and M_o (N·m), which need no accelerations.
+    pub fn inertia_and_moment(&self, v: &Velocities) -> (f64, f64) {
+        let (mut inertia, mut moment) = (0.0, 0.0);
+        for (i, body) in self.bodies.iter().enumerate() {
+            let w = if i == 0 { 1.0 } else { v.first[i - 1] };
+            let [x, y] = v.point_along(LINKS[i], self.arms[i]);
+            let m = body.mass.kg();
+            if let MomentOfInertia::AboutCentreOfMass(_) = body.inertia {
+                inertia += m * (x * x + y * y);
+            }
+            inertia += body.inertia.inertia().kg_m2() * w * w;
+            moment -= m * self.gravity * y;
+        }
+        (inertia, moment)
+    }
+
     /// The reduced quantities at each of many positions, on all cores.
     #[cfg(feature = "parallel")]
     pub fn reduce_parallel(&self, states: &[State]) -> Vec<Reduced> {
         use rayon::prelude::*;
         states.par_iter().map(|s| self.reduce(s)).collect()
+    }
+}
+
+/// The rules for one body: finite; mass, inertia, radius and gravity not negative; no pivot on
+/// a floating link.
+pub(super) fn check_body(
+    link: usize,
+    b: &Body,
+    floating: bool,
+    gravity: Acceleration,
+) -> Result<(), BodyError> {
+    let values = [
+        ("mass", b.mass.kg(), "kg"),
+        ("inertia", b.inertia.inertia().kg_m2(), "kg·m²"),
+        ("centre-of-mass radius", b.radius.m(), "m"),
+        ("gravity", gravity.m_per_s2(), "m/s²"),
+    ];
+    for (name, value, unit) in values {
+        if !value.is_finite() {
+            return Err(BodyError::NotFinite { name, link, value });
+        }
+        if value < 0.0 {
+            return Err(BodyError::Negative {
+                name,
+                link,
+                value,
+                unit,
+            });
+        }
+    }
+    let value = b.angle.rad();
+    if !value.is_finite() {
+        let name = "centre-of-mass angle";
+        return Err(BodyError::NotFinite { name, link, value });
+    }
+    match floating && matches!(b.inertia, MomentOfInertia::AboutPivot(_)) {
+        true => Err(BodyError::NoPivot { link }),
+        false => Ok(()),
     }
 }
 
@@ -341,6 +368,20 @@ pub(crate) mod tests {
             mid.moment_derivative_n_m,
             max_relative = 1e-8
         );
+    }
+
+    #[test]
+    fn velocities_alone_give_inertia_and_moment() {
+        let (linkage, masses) = (zinchenko(), recovered());
+        for mode in linkage.assembly_modes(1.0).modes {
+            let state = linkage.state_near(1.0, mode).unwrap();
+            let full = masses.reduce(&state);
+            let v = linkage.velocities(1.0, state.positions).unwrap();
+            let (inertia, moment) = masses.inertia_and_moment(&v);
+            approx::assert_relative_eq!(inertia, full.inertia_kg_m2, max_relative = 1e-14);
+            approx::assert_relative_eq!(moment, full.moment_n_m, max_relative = 1e-13);
+            assert_eq!(v.accelerations().unwrap(), state.rates.second);
+        }
     }
 
     #[test]

@@ -81,6 +81,10 @@ quantity!(
     AngularVelocity, rad_per_s, from_rad_per_s
 );
 quantity!(
+    /// A torque; SI unit N·m.
+    Torque, n_m, from_n_m
+);
+quantity!(
     /// An acceleration of a point; SI unit m/s².
     Acceleration, m_per_s2, from_m_per_s2
 );

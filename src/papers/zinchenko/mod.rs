@@ -16,6 +16,7 @@ mod hidden_recipe;
 mod moment_residual;
 mod recipe;
 mod recovery;
+mod run_up;
 mod tables;
 
 use super::{Citation, Finding, PaperReport, Progress, SCHEMA_VERSION};
@@ -48,7 +49,7 @@ fn citation() -> Citation {
 /// # Errors
 /// [`Undecided`] when a certified value cannot be had at the working precision.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
-    const STEPS: u64 = 6;
+    const STEPS: u64 = 7;
     let printed = tables::printed();
     progress("exact nodes", 0, STEPS);
     let exact = recipe::exact_nodes(&data::masses(data::RECOVERED), NODES, BITS)?;
@@ -87,7 +88,9 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     all.push(findings::moment(&residual, &fitted));
     progress("the claim", 4, STEPS);
     all.extend(claims(&printed, &variants[1])?);
-    progress("formulas", 5, STEPS);
+    progress("run-up", 5, STEPS);
+    all.extend(findings::run_up(run_up::figures().as_ref()));
+    progress("formulas", 6, STEPS);
     all.extend(formulas::findings());
     progress("done", STEPS, STEPS);
     Ok(PaperReport {

@@ -122,22 +122,69 @@ pub struct State {
     l: super::Lengths,
 }
 
+/// First derivatives at one crank angle, with the factored matrix that they came from.
+#[derive(Clone, Copy, Debug)]
+pub struct Velocities {
+    /// `dφ/dφ1` of links 2, 3, 4, 5.
+    pub first: [f64; 4],
+    jacobian: Jacobian,
+    frame: Frame,
+    e1: Complex64,
+    l: super::Lengths,
+}
+
+impl Velocities {
+    /// `d²φ/dφ1²` of links 2, 3, 4, 5: another right-hand side for the same factors. `None` at a
+    /// singular position.
+    pub fn accelerations(&self) -> Option<[f64; 4]> {
+        let (f, l) = (&self.frame, &self.l);
+        let [w2, w3, w4, w5] = self.first.map(|w| w * w);
+        let r1 = self.e1 * l.l1 + f.e2 * (l.l2 * w2) - f.e3 * (l.l3 * w3) - f.e4b * (l.lb * w4);
+        let r2 = f.e3 * (l.l3 * w3) + f.e4 * (l.l4 * w4) - f.e5 * (l.l5 * w5);
+        self.jacobian.solve(r1, r2)
+    }
+
+    /// `dr/dφ1` in metres of the point with the polar vector `s` in the link's frame.
+    pub(crate) fn point_along(&self, link: Link, s: Complex64) -> [f64; 2] {
+        let (l, f, d) = (&self.l, &self.frame, &self.first);
+        let turn = |z: Complex64, w: f64| Complex64::new(-z.im * w, z.re * w);
+        let v = match link {
+            Link::Crank => turn(self.e1 * s, 1.0),
+            Link::Link2 => turn(self.e1 * l.l1, 1.0) + turn(f.e2 * s, d[0]),
+            Link::Link3 => turn(f.e3 * s, d[1]),
+            Link::Link4 => turn(f.e3 * l.l3, d[1]) + turn(f.e4 * s, d[2]),
+            Link::Link5 => turn(f.e5 * s, d[3]),
+        };
+        [v.re, v.im]
+    }
+}
+
 impl ClassIii {
+    /// First derivatives at a configuration that closes the loops; `None` at a singular position.
+    pub fn velocities(&self, phi1: f64, positions: Positions) -> Option<Velocities> {
+        let l = &self.l;
+        let e1 = unit(phi1);
+        let frame = Frame::new(l, &positions);
+        let jacobian = Jacobian::new(l, &frame);
+        let zero = Complex64::new(0.0, 0.0);
+        let first = jacobian.solve(-(Complex64::i() * e1) * l.l1, zero)?;
+        Some(Velocities {
+            first,
+            jacobian,
+            frame,
+            e1,
+            l: *l,
+        })
+    }
+
     /// Rates at a configuration that closes the loops; `None` at a singular position.
     ///
     /// The accelerations use the same factored matrix as the velocities.
     pub fn state(&self, phi1: f64, positions: Positions) -> Option<State> {
         let l = &self.l;
-        let e1 = unit(phi1);
-        let f = Frame::new(l, &positions);
-        let jacobian = Jacobian::new(l, &f);
-        let i = Complex64::i();
-        let zero = Complex64::new(0.0, 0.0);
-        let first = jacobian.solve(-(i * e1) * l.l1, zero)?;
-        let [w2, w3, w4, w5] = first.map(|w| w * w);
-        let r1 = e1 * l.l1 + f.e2 * (l.l2 * w2) - f.e3 * (l.l3 * w3) - f.e4b * (l.lb * w4);
-        let r2 = f.e3 * (l.l3 * w3) + f.e4 * (l.l4 * w4) - f.e5 * (l.l5 * w5);
-        let second = jacobian.solve(r1, r2)?;
+        let v = self.velocities(phi1, positions)?;
+        let second = v.accelerations()?;
+        let (f, jacobian, i) = (v.frame, v.jacobian, Complex64::i());
         // Path of B when the second loop moves freely; det M = e2 · path.
         let path =
             i * f.e3 * (l.l3 * -jacobian.m[(1, 1)]) + i * f.e4b * (l.lb * jacobian.m[(1, 0)]);
@@ -146,12 +193,15 @@ impl ClassIii {
         Some(State {
             phi1,
             positions,
-            rates: Rates { first, second },
+            rates: Rates {
+                first: v.first,
+                second,
+            },
             determinant: jacobian.determinant(),
             condition: jacobian.inverse_norm() * l.lipschitz(),
             pressure_angle: across.atan2(along),
             frame: f,
-            e1,
+            e1: v.e1,
             l: *l,
         })
     }

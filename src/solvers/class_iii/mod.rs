@@ -32,7 +32,7 @@ pub use assembly::AssemblyModes;
 pub use branches::{BranchMap, BranchSample, Fold};
 pub use continuation::ContinuationError;
 pub use dead::DeadPosition;
-pub use kinematics::{Link, PointMotion, Positions, Rates, State};
+pub use kinematics::{Link, PointMotion, Positions, Rates, State, Velocities};
 
 use super::units::{Angle, Length};
 use num_complex::Complex64;

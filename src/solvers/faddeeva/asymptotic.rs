@@ -70,10 +70,28 @@ fn polynomial<R: Real, const N: usize>(s: R, t: R) -> (R, R) {
 }
 
 /// Real and imaginary part of the series with the terms up to `a_N` for `a = |Re z|`,
-/// `b = |Im z|`; `|z|` between 2⁻¹⁰⁰ and 2⁵⁰⁰.
+/// `b = |Im z|`; `|z|` between 7 and 2⁵⁰⁰.
 #[inline(always)]
 pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
+    let [gu, gv, hi, lo] = factors::<R, N>(a, b);
+    (part(b, gu, hi, lo), part(a, gv, hi, lo))
+}
+
+/// The same beside the real axis: the real part divided by `b`, and the imaginary part.
+#[inline(always)]
+pub(super) fn series_beside_real_axis<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
+    let [gu, gv, hi, lo] = factors::<R, N>(a, b);
+    (hi + gu.fma(hi, lo), part(a, gv, hi, lo).hi)
+}
+
+/// `gu`, `gv` and the two parts of `f = 1/(√π r²)` with `Re w = b f (1 + gu)`,
+/// `Im w = a f (1 + gv)`.
+#[inline(always)]
+fn factors<R: Real, const N: usize>(a: R, b: R) -> [R; 4] {
     let like = |c: f64| a.like(c);
+    // Smaller numbers do not count in r², and their squares would be subnormal, which is slow.
+    let least = like(1e-140);
+    let (a, b) = (a.at_least(least), b.at_least(least));
     // r² and 1/(√π r²), as hi + lo.
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let r2 = two_sum(xx.hi, yy.hi);
@@ -90,7 +108,7 @@ pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
     let three = like(3.0);
     let gu = t * (three * xx.hi - yy.hi).fma(b1, -b2);
     let gv = t * (xx.hi - three * yy.hi).fma(b1, -b2);
-    (part(b, gu, p.hi, inv_lo), part(a, gv, p.hi, inv_lo))
+    [gu, gv, p.hi, inv_lo]
 }
 
 /// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in

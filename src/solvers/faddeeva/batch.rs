@@ -1,6 +1,7 @@
 //! Many points at a time: sorted by the formula they need, a few hundred at a time on the stack,
 //! then computed side by side.
 
+use super::Points;
 use super::asymptotic::series;
 use super::double_double::Dd;
 use super::exponential::{LARGE_PHASE, exp_minus_square};
@@ -20,16 +21,6 @@ use super::zeros;
 const CHUNK: usize = 256;
 /// Room for the numbers of the points in a bucket, and some to repeat the last one.
 const ROOM: usize = 512;
-
-/// Where points come from and values go to.
-pub(super) trait Points {
-    /// How many there are.
-    fn len(&self) -> usize;
-    /// The real and the imaginary parts of the points from `start` on.
-    fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]);
-    /// Takes the value at point `i`.
-    fn put(&mut self, i: usize, re: f64, im: f64);
-}
 
 /// The buffers for one chunk.
 struct Chunk<'a, P> {
@@ -149,10 +140,7 @@ impl<P: Points> Chunk<'_, P> {
             simd,
             Kind::Strip as usize,
             #[inline(always)]
-            |_, a, y| {
-                let (u, v) = series::<_, 16>(a, y.magnitude());
-                lost(in_strip(a, y, u.hi, v.hi))
-            },
+            |_, a, y| lost(in_strip(a, y)),
         );
 
         self.near_zeros(simd);
@@ -195,16 +183,9 @@ impl<P: Points> Chunk<'_, P> {
         }
     }
 
-    /// The cancelled points next to a zero.
+    /// The points next to a zero.
     #[inline(always)]
     fn near_zeros<S: Wide>(&mut self, simd: S) {
-        let cancelled = self.len[CANCELLED];
-        self.len[CANCELLED] = 0;
-        for i in 0..cancelled {
-            let k = self.index[CANCELLED][i & (ROOM - 1)] as usize;
-            let next = zeros::nearest(self.x[k].abs(), -self.y[k]);
-            self.push(if next.is_some() { ZERO } else { CANCELLED }, k);
-        }
         self.points(
             simd,
             ZERO,
@@ -263,6 +244,9 @@ impl<P: Points> Chunk<'_, P> {
                 let phase = ((a + a) * y).magnitude();
                 let state = re.pick(phase.below(re.like(LARGE_PHASE)), state, two);
                 let state = re.pick(e.2.below(re.like(ROUND + ALONE)), state, two);
+                // Four more: perhaps next to a zero.
+                let more = re.pick(zeros::candidate(a, y.magnitude()), re.like(4.0), zero);
+                let state = state + more;
                 (
                     re.pick(none, -u.hi, re),
                     im.pick(none, v.hi, im),
@@ -309,12 +293,15 @@ impl<P: Points> Chunk<'_, P> {
             } else {
                 let state = array(state);
                 for m in 0..n {
-                    if state[m] == 0.0 {
-                        self.points.put(self.start + index[m], re[m], im[m]);
-                    } else if state[m] == 1.0 {
-                        self.push(CANCELLED, index[m]);
-                    } else {
-                        self.push(SCALAR, index[m]);
+                    let k = index[m];
+                    if state[m] >= 4.0 && zeros::nearest(self.x[k].abs(), -self.y[k]).is_some() {
+                        self.push(ZERO, k);
+                        continue;
+                    }
+                    match state[m] as u8 & 3 {
+                        0 => self.points.put(self.start + k, re[m], im[m]),
+                        1 => self.push(CANCELLED, k),
+                        _ => self.push(SCALAR, k),
                     }
                 }
             }

@@ -118,6 +118,9 @@ fn factors<L: Lanes>(lanes: L, phases: [(Dd, f64); 2], exponents: [Dd; 2]) -> Fa
     }
 }
 
+/// Real and imaginary part of `e^{−z²}` without the power of two, and `ROUND` plus that.
+pub(super) type Gaussian = (Dd, Dd, f64);
+
 /// `e^{−z²} = (re + i im) 2^k` at `z = a − i b`, without the power of two and with `ROUND + k`, and
 /// beside it `(sin, cos)` of another phase (below 2³⁰) and another exponential.
 #[inline(always)]
@@ -127,7 +130,7 @@ pub(super) fn exp_minus_square<L: Lanes>(
     b: f64,
     other_phase: Dd,
     other_exponent: Dd,
-) -> ((Dd, Dd, f64), (Dd, Dd), (Dd, f64)) {
+) -> (Gaussian, (Dd, Dd), (Dd, f64)) {
     let theta = phase(a, -b);
     let reduced = if theta.hi.abs() < LARGE_PHASE {
         reduce(theta)

@@ -39,6 +39,7 @@ pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
 #[inline(always)]
 pub(super) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
     let p = two_prod(a, a);
+    let y = y.magnitude().at_least(a.like(1e-140));
     Dd::new(-p.hi, y.fma(y, -p.lo))
 }
 
@@ -85,7 +86,7 @@ fn paired<R: Real, const N: usize>(c: &[f64; N], x: R) -> R {
     let mut k = N - 2;
     while k > 0 {
         k -= 1;
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             even = xx.fma(even, x.like(c[k]));
         } else {
             odd = xx.fma(odd, x.like(c[k]));

@@ -10,7 +10,7 @@ use super::double_double::{fast_two_sum, two_prod};
 use super::real::Real;
 
 /// 2/√π.
-const TWO_OVER_SQRT_PI: [f64; 2] = [1.128_379_167_095_512_6, 1.533_545_961_316_588e-17];
+const TWO_OVER_SQRT_PI: [f64; 2] = [std::f64::consts::FRAC_2_SQRT_PI, 1.533_545_961_316_588e-17];
 /// 1/√π.
 const INV_SQRT_PI: f64 = 0.564_189_583_547_756_3;
 

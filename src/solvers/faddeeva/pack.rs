@@ -1,7 +1,8 @@
 //! Vectors of four (AVX2) and eight (AVX-512) numbers as [`Real`]s, and the rows of a table for
 //! as many points, transposed.
 
-use super::batch::{Points, batch};
+use super::Points;
+use super::batch::batch;
 use super::real::Real;
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast};
@@ -247,9 +248,7 @@ pub(super) fn batch_with_best<P: Points>(points: &mut P) -> bool {
             batch(self.0, self.1, self.2);
         }
     }
-    if let Some(v) = V4::try_new()
-        && std::env::var_os("NO512").is_none()
-    {
+    if let Some(v) = V4::try_new() {
         v.vectorize(Run(v, *v, points));
         return true;
     }

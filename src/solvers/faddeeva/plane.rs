@@ -1,6 +1,6 @@
 //! Which formula computes W(z) where.
 
-use super::asymptotic::{large, series};
+use super::asymptotic::{large, series, series_beside_real_axis};
 use super::double_double::{Dd, fast_two_sum, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip,
@@ -56,6 +56,80 @@ pub(super) enum Kind {
     Other,
 }
 
+/// A formula for W(z).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Branch {
+    /// Maclaurin series.
+    Maclaurin {
+        /// Terms.
+        terms: u32,
+    },
+    /// Taylor series about the centre of a cell.
+    Cell {
+        /// Terms.
+        terms: u32,
+    },
+    /// Taylor series about the centre of a cell in the lower half-plane, `|z| < 1`.
+    LowerCell {
+        /// Terms.
+        terms: u32,
+    },
+    /// Taylor series of erfcx about a centre on the imaginary axis.
+    ImaginaryAxis {
+        /// Terms.
+        terms: u32,
+    },
+    /// Taylor series about a centre on the real axis, on either side of it.
+    RealAxis {
+        /// Terms.
+        terms: u32,
+    },
+    /// Asymptotic series and `e^{−z²}`, on either side of the real axis.
+    Strip {
+        /// Terms.
+        terms: u32,
+    },
+    /// Asymptotic series.
+    Asymptotic {
+        /// Terms.
+        terms: u32,
+    },
+    /// Taylor series about zero number `zero` (from 1) in the lower half-plane.
+    Zero {
+        /// The number of the zero, by modulus.
+        zero: u32,
+        /// Terms.
+        terms: u32,
+    },
+    /// `i/(√π z)`, scaled; and everything that is not finite.
+    Huge,
+}
+
+/// The formula at `a + i y`, `a ≥ 0`.
+pub(super) fn branch(a: f64, y: f64) -> Branch {
+    if y < 0.0
+        && let Some(k) = zeros::nearest(a, -y)
+    {
+        return Branch::Zero {
+            zero: k as u32 + 1,
+            terms: 21,
+        };
+    }
+    match kind(a, y) {
+        Kind::Small => Branch::Maclaurin { terms: 10 },
+        Kind::Cell => Branch::Cell { terms: 18 },
+        Kind::Disc => Branch::LowerCell { terms: 18 },
+        Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
+        Kind::RealAxis => Branch::RealAxis { terms: 18 },
+        Kind::Strip => Branch::Strip { terms: 16 },
+        Kind::Series24 => Branch::Asymptotic { terms: 24 },
+        Kind::Series14 => Branch::Asymptotic { terms: 14 },
+        Kind::Series6 => Branch::Asymptotic { terms: 6 },
+        Kind::Other => Branch::Huge,
+    }
+}
+
 /// Half the width of the strip beside the imaginary axis.
 #[inline(always)]
 fn axis_width(a: f64, b: f64) -> f64 {
@@ -67,7 +141,7 @@ fn axis_width(a: f64, b: f64) -> f64 {
 pub(super) fn kind(a: f64, y: f64) -> Kind {
     let b = y.abs();
     let r2 = a.mul_add(a, b * b);
-    if (b < STRIP) & (a >= APART) & (a < GONE) {
+    if (b < STRIP) & (APART..GONE).contains(&a) {
         if a < BEYOND {
             Kind::RealAxis
         } else {
@@ -147,14 +221,14 @@ pub(super) fn cell_row(n: f64) -> &'static ComplexRow {
 #[inline(always)]
 pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
     let round = a.like(ROUND);
-    let n = a.fma(a.like(8.0), round);
-    (n, (n - round).fma(a.like(-0.125), a))
+    let n = a.fma(a.like(16.0), round);
+    (n, (n - round).fma(a.like(-0.0625), a))
 }
 
 /// The row of centre `n` on the real axis.
 #[inline(always)]
 pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
-    &REAL_AXIS[((n.to_bits() as usize & 127).wrapping_sub(9)).min(REAL_AXIS.len() - 1)]
+    &REAL_AXIS[((n.to_bits() as usize & 255).wrapping_sub(18)).min(REAL_AXIS.len() - 1)]
 }
 
 /// Whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
@@ -203,12 +277,15 @@ pub(super) fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>
     (p, fast_two_sum(m, minus.fma(s.lo, minus.fma(s.hi, -m))))
 }
 
-/// w in the strip beside the real axis from the series (`u`, `v` at `a + i b`) and
-/// `e^{b² − a²} cos 2ab`, which matters only if `2ab` is small; `true` where the terms cancel.
+/// w in the strip beside the real axis from the asymptotic series and `e^{y² − a²} cos 2ay`, which
+/// matters only if `2ay` is small; `true` where the terms cancel.
 #[inline(always)]
-pub(super) fn in_strip<R: Real>(a: R, y: R, u: R, v: R) -> (R, R, R::Mask) {
+pub(super) fn in_strip<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
+    let (u, v) = series_beside_real_axis::<R, 16>(a, y.magnitude());
     let (e, n) = exp_rounded(exponent_in_strip(a, y));
     let t = ((a + a) * y).magnitude().at_most(a.like(0.5));
+    // The square of a smaller number would be subnormal.
+    let t = t.at_least(a.like(1e-140));
     let tt = t * t;
     let cos = tt
         * tt.fma(
@@ -216,9 +293,9 @@ pub(super) fn in_strip<R: Real>(a: R, y: R, u: R, v: R) -> (R, R, R::Mask) {
             a.like(-0.5),
         );
     let t = scaled(e.fma(cos, e), n.at_least(a.like(ROUND - 1100.0)));
-    let lower = y.below(a.like(0.0));
-    let re = t + y.pick(lower, -u, u);
-    (re, v, re.magnitude().below(u * a.like(CANCELLED)))
+    let re = y.fma(u, t);
+    // t + |y| u is small if either is: y is negative then.
+    (re, v, re.magnitude().below(t * a.like(CANCELLED)))
 }
 
 /// `t · factor + x`
@@ -281,11 +358,11 @@ pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64)
     let b = y.abs();
     let kind = kind(a, y);
     let lower = y < 0.0;
-    if lower
-        && let Some(k) = zeros::nearest(a, b)
-        && let Some(w) = zeros::near_zero(lanes, k, a, b)
-    {
-        return w;
+    if lower && let Some(k) = zeros::nearest(a, b) {
+        return match zeros::near_zero(lanes, k, a, b) {
+            Some(w) => w,
+            None => lanes.call(Cancelled { a, b }),
+        };
     }
     let (u, v) = match kind {
         Kind::Cell => {
@@ -315,8 +392,7 @@ pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64)
             return (re.hi, im.hi);
         }
         Kind::Strip => {
-            let (u, v) = series::<_, 16>(a, b);
-            let (re, im, lost) = in_strip(a, y, u.hi, v.hi);
+            let (re, im, lost) = in_strip(a, y);
             return if lost {
                 lanes.call(Cancelled { a, b })
             } else {

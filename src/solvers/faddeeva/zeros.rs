@@ -27,7 +27,7 @@ pub(super) struct ZeroRow(pub [f64; 46]);
 const REACH: f64 = 0.0625;
 
 /// 2/√π.
-const TWO_OVER_SQRT_PI: Dd = Dd::new(1.128_379_167_095_512_6, 1.533_545_961_316_588e-17);
+const TWO_OVER_SQRT_PI: Dd = Dd::new(std::f64::consts::FRAC_2_SQRT_PI, 1.533_545_961_316_588e-17);
 
 /// Beyond this no zero is stored.
 const OUTERMOST: f64 = 6.5;
@@ -42,6 +42,15 @@ pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
     let k = (a * b * std::f64::consts::FRAC_1_PI - 0.365) as usize;
     let z = &ZEROS.get(k)?.0;
     ((a - z[0]).abs() <= REACH && (b + z[3]).abs() <= REACH).then_some(k)
+}
+
+/// Whether the point `a − i b` may lie in the square of a zero: there `a² − b²` is between 1.6 and 5.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
+    let e = (a - b) * (a + b) - a.like(3.3);
+    let far = a.pick(a.below(a.like(OUTERMOST)), a.like(0.0), a.like(9.0));
+    (e.magnitude() + far).below(a.like(1.7))
 }
 
 /// `w(a − i b)` next to zero `k`; `None` if a component cannot be had to a few units in the last

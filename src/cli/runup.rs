@@ -1,0 +1,110 @@
+//! A machine given in a file, run up or down.
+
+use super::args::RunupArgs;
+use super::complain;
+use super::failure::{Failure, Outcome};
+use super::output::write_to;
+use super::rows::{Cell, Rows};
+use super::runup_facts::{self as facts, Steady};
+use super::runup_file::{self, Coefficients, Machine};
+use super::{runup_precision, svg_runup};
+use mechaudit::solvers::run_up::{
+    Equation, Hybrid, Motion, ReducedModel, Sample, Splined, inertia_range, run,
+};
+
+/// The columns of a row with their units.
+const COLUMNS: [&str; 13] = [
+    "t_s",
+    "phi1_deg",
+    "omega_rad_per_s",
+    "epsilon_rad_per_s2",
+    "I_kg_m2",
+    "M_motor_N_m",
+    "M_o_N_m",
+    "M_load_N_m",
+    "kinetic_energy_J",
+    "work_motor_J",
+    "work_weights_J",
+    "work_load_J",
+    "energy_balance_J",
+];
+
+/// Runs the machine as the arguments ask for.
+pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
+    let machine = runup_file::read(args)?;
+    let about = |e: String| Failure::new(format!("{}: {e}", args.file.display()));
+    let exact = &*machine.model;
+    let (splined, hybrid);
+    let first = machine.plan.phi;
+    let splines = |e: mechaudit::solvers::run_up::SplinedError| about(format!("splines: {e}"));
+    let model: &dyn ReducedModel = match machine.coefficients {
+        Coefficients::Exact => exact,
+        Coefficients::Splines => {
+            splined = Splined::new(exact, first, machine.nodes).map_err(splines)?;
+            &splined
+        }
+        Coefficients::Hybrid => {
+            hybrid = Hybrid::new(exact, first, machine.nodes).map_err(splines)?;
+            &hybrid
+        }
+    };
+    let equation = Equation::new(model, &machine.drive);
+    if args.work_precision {
+        return runup_precision::table(args, &machine, &equation).map_err(|f| named(args, f));
+    }
+    let warning = inertia_range(exact, first)
+        .ok()
+        .and_then(|range| facts::light(&machine, &range));
+    let motion = run(&equation, &machine.plan).map_err(|e| about(e.to_string()))?;
+    let steady = Steady::of(&machine, &equation, &motion);
+    // Before the rows: a folder that cannot be written stops the run before any output.
+    if let Some(folder) = &args.svg {
+        let text = svg_runup::draw(&machine.name, &motion.samples)?;
+        svg_runup::save(folder, "run-up.svg", &text)?;
+    }
+    write_to(args.output.as_deref(), |out| {
+        let about = facts::json(&machine, &motion, &steady, warning.as_deref());
+        let names = COLUMNS.map(String::from).to_vec();
+        let mut rows = Rows::begin(out, args.format, names, &about)?;
+        for sample in &motion.samples {
+            rows.row(&row(sample))?;
+        }
+        rows.end()
+    })?;
+    for line in warning.into_iter().chain(lines(&machine, &motion, &steady)) {
+        complain(&line);
+    }
+    Ok(Outcome::AsExpected)
+}
+
+fn named(args: &RunupArgs, f: Failure) -> Failure {
+    match f {
+        Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),
+        other => other,
+    }
+}
+
+fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
+    let mut lines = vec![facts::ending(motion), facts::cost(machine, motion)];
+    lines.extend(steady.lines());
+    lines
+}
+
+fn row(s: &Sample) -> Vec<Cell> {
+    let values = [
+        s.t,
+        s.phi.to_degrees(),
+        s.psi,
+        s.acceleration,
+        s.inertia,
+        s.motor,
+        s.weights,
+        s.resistance,
+        s.kinetic_energy,
+        s.work[0],
+        s.work[1],
+        s.work[2],
+        s.balance,
+    ];
+    values.map(Cell::Float).to_vec()
+}

@@ -1,0 +1,492 @@
+//! Taylor models: a polynomial with floating-point coefficients and one bound for all that it
+//! leaves out.
+//!
+//! A [`TaylorModel`] stands for every function f on a set X inside the closed complex unit disc
+//! with `|f(x) − Σ c_k x^k| ≤ rad` for all x in X. X is the whole disc or a part of it (a real
+//! segment); the operations do not care, because they only use `|x| ≤ 1`:
+//!
+//! * `|Σ c_k x^k| ≤ ‖c‖ = Σ |c_k|`;
+//! * a product leaves out the powers above the order, at most `Σ_{i+j>N} |a_i||b_j|`, and
+//!   `‖a‖ rad_b + ‖b‖ rad_a + rad_a rad_b`;
+//! * each coefficient is a sum of at most n products, accumulated with one rounding each, so that
+//!   all coefficients together are wrong by at most `γ_n ‖a‖ ‖b‖`, `γ_n = nu/(1 − nu)`, `u = 2^−p`
+//!   (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed. 2002, §3.1; the fused
+//!   product saves a rounding).
+//!
+//! Makino, Berz, *Int. J. Pure Appl. Math.* 4 (2003) 379–456, describe the arithmetic.
+
+use super::ball::Ball;
+use super::mag::Mag;
+use rug::Float;
+
+/// A polynomial in one variable, `|x| ≤ 1`, and a bound on the distance to the function.
+#[derive(Clone, Debug)]
+pub(crate) struct TaylorModel {
+    c: Vec<Float>,
+    rad: Mag,
+}
+
+/// An upper bound on `n u / (1 − n u)` at `bits` bits, for `n u < 1/2`.
+fn gamma(n: usize, bits: u32) -> Mag {
+    debug_assert!(bits >= 40 && n < 1 << 30);
+    Mag::from_f64(n as f64 * 1.0001).shift(-i64::from(bits))
+}
+
+/// `Σ |c_k|`, rounded up.
+fn norm(c: &[Float]) -> Mag {
+    c.iter().fold(Mag::ZERO, |s, x| s.add(Mag::above(x)))
+}
+
+/// Coefficient k of the product of two series, from terms `from..=to` of the first.
+pub(crate) fn convolution(
+    a: &[Float],
+    b: &[Float],
+    k: usize,
+    from: usize,
+    to: usize,
+    bits: u32,
+) -> Float {
+    let mut sum = Float::new(bits);
+    let low = from.max((k + 1).saturating_sub(b.len()));
+    let high = to.min(k).min(a.len().wrapping_sub(1));
+    if a.is_empty() || b.is_empty() {
+        return sum;
+    }
+    for i in low..=high {
+        sum += &a[i] * &b[k - i];
+    }
+    sum
+}
+
+impl TaylorModel {
+    /// From coefficients taken as exact.
+    pub(crate) fn polynomial(c: Vec<Float>) -> TaylorModel {
+        TaylorModel { c, rad: Mag::ZERO }
+    }
+
+    /// From balls.
+    pub(crate) fn from_balls(c: &[Ball]) -> TaylorModel {
+        TaylorModel {
+            rad: c.iter().fold(Mag::ZERO, |s, b| s.add(b.rad())),
+            c: c.iter().map(|b| b.mid().clone()).collect(),
+        }
+    }
+
+    /// A number.
+    pub(crate) fn constant(c: &Ball) -> TaylorModel {
+        TaylorModel::from_balls(std::slice::from_ref(c))
+    }
+
+    /// The coefficients.
+    pub(crate) fn coefficients(&self) -> &[Float] {
+        &self.c
+    }
+
+    /// The bound on what the polynomial leaves out.
+    pub(crate) fn rad(&self) -> Mag {
+        self.rad
+    }
+
+    /// Working precision in bits.
+    pub(crate) fn bits(&self) -> u32 {
+        self.c.first().map_or(64, Float::prec)
+    }
+
+    /// With the bound enlarged.
+    pub(crate) fn widened(mut self, extra: Mag) -> TaylorModel {
+        self.rad = self.rad.add(extra);
+        self
+    }
+
+    /// An upper bound on |f|.
+    pub(crate) fn norm(&self) -> Mag {
+        norm(&self.c).add(self.rad)
+    }
+
+    /// A 64-bit ball that holds every value.
+    pub(crate) fn range(&self) -> Ball {
+        let Some(first) = self.c.first() else {
+            return Ball::integer(64, 0).widened(self.rad);
+        };
+        let rest = norm(&self.c[1..]).add(self.rad);
+        Ball::new(first.clone(), rest).with_prec(64)
+    }
+
+    /// At another working precision.
+    pub(crate) fn with_prec(&self, bits: u32) -> TaylorModel {
+        let c: Vec<Float> = self.c.iter().map(|x| Float::with_val(bits, x)).collect();
+        TaylorModel {
+            rad: self.rad.add(gamma(1, bits).mul(norm(&c).shift(1))),
+            c,
+        }
+    }
+
+    /// The value at a point of X.
+    pub(crate) fn eval(&self, x: &Ball) -> Ball {
+        let bits = self.bits();
+        let mut sum = Ball::integer(bits, 0);
+        for c in self.c.iter().rev() {
+            sum = &sum * x + Ball::new(c.clone(), Mag::ZERO);
+        }
+        sum.widened(self.rad)
+    }
+
+    fn linear(&self, other: &TaylorModel, f: impl Fn(&Float, &Float) -> Float) -> TaylorModel {
+        let bits = self.bits().max(other.bits());
+        let zero = Float::new(bits);
+        let n = self.c.len().max(other.c.len());
+        let at = |m: &'_ TaylorModel, k: usize| m.c.get(k).cloned().unwrap_or_else(|| zero.clone());
+        let c: Vec<Float> = (0..n).map(|k| f(&at(self, k), &at(other, k))).collect();
+        // Each sum is rounded once, by at most u times its rounded value (1 + u).
+        let rounding = gamma(1, bits).mul(norm(&c).shift(1));
+        TaylorModel {
+            rad: self.rad.add(other.rad).add(rounding),
+            c,
+        }
+    }
+
+    /// Sum.
+    pub(crate) fn plus(&self, other: &TaylorModel) -> TaylorModel {
+        let bits = self.bits().max(other.bits());
+        self.linear(other, |a, b| Float::with_val(bits, a + b))
+    }
+
+    /// Difference.
+    pub(crate) fn minus(&self, other: &TaylorModel) -> TaylorModel {
+        let bits = self.bits().max(other.bits());
+        self.linear(other, |a, b| Float::with_val(bits, a - b))
+    }
+
+    /// Sum with a number.
+    pub(crate) fn plus_ball(&self, b: &Ball) -> TaylorModel {
+        self.plus(&TaylorModel::constant(&b.with_prec(self.bits())))
+    }
+
+    /// Product with a number.
+    pub(crate) fn scaled(&self, k: &Ball) -> TaylorModel {
+        let bits = self.bits();
+        let k = k.with_prec(bits);
+        let c: Vec<Float> = self
+            .c
+            .iter()
+            .map(|x| Float::with_val(bits, x * k.mid()))
+            .collect();
+        let rad = self
+            .rad
+            .mul(k.magnitude())
+            .add(norm(&self.c).mul(k.rad()))
+            .add(gamma(1, bits).mul(norm(&c).shift(1)));
+        TaylorModel { c, rad }
+    }
+
+    /// Product, powers above `order` moved into the bound.
+    pub(crate) fn times(&self, other: &TaylorModel, order: usize) -> TaylorModel {
+        let bits = self.bits().max(other.bits());
+        let (a, b) = (&self.c, &other.c);
+        if a.is_empty() || b.is_empty() {
+            let rad = self.norm().mul(other.norm());
+            return TaylorModel {
+                c: vec![Float::new(bits)],
+                rad,
+            };
+        }
+        let top = (a.len() + b.len() - 2).min(order);
+        let c: Vec<Float> = if std::ptr::eq(self, other) {
+            (0..=top).map(|k| square_coefficient(a, k, bits)).collect()
+        } else {
+            (0..=top)
+                .map(|k| convolution(a, b, k, 0, k, bits))
+                .collect()
+        };
+        let (na, nb) = (norm(a), norm(b));
+        let mut rad = na
+            .mul(other.rad)
+            .add(nb.mul(self.rad))
+            .add(self.rad.mul(other.rad));
+        let terms = a.len().min(b.len()).min(top + 1) + 1;
+        rad = rad.add(gamma(terms, bits).mul(na).mul(nb));
+        rad = rad.add(left_out(a, b, order));
+        TaylorModel { c, rad }
+    }
+
+    /// Square.
+    pub(crate) fn squared(&self, order: usize) -> TaylorModel {
+        self.times(self, order)
+    }
+
+    /// `f(θ y)` as a model in y, for `|θ| ≤ 1`; coefficients of powers above `order` that are left
+    /// over stay (the degree does not grow).
+    pub(crate) fn contracted(&self, theta: &Ball) -> TaylorModel {
+        let bits = self.bits();
+        let mut rad = self.rad;
+        let mut power = Ball::integer(bits, 1);
+        let mut c = Vec::with_capacity(self.c.len());
+        for x in &self.c {
+            let y = Float::with_val(bits, x * power.mid());
+            // |x|·rad + one rounding.
+            rad = rad.add(Mag::above(x).mul(power.rad()));
+            rad = rad.add(Mag::above(&y).shift(1 - i64::from(bits)));
+            c.push(y);
+            power = power * theta;
+        }
+        TaylorModel { c, rad }
+    }
+
+    /// `f(x0 + y)` as a polynomial in y for an exact x0, with the bound that holds where `x0 + y`
+    /// is in X and `|y| ≤ reach`.
+    ///
+    /// Repeated synthetic division. A monomial meets at most `2n` roundings on its way, and with
+    /// all signs positive the results add up to at most `Σ |c_k| (|x0| + reach)^k` there, so the
+    /// rounding is at most `γ_{2n}` times that. Powers of y are not rescaled here, so the caller
+    /// must rescale with [`TaylorModel::contracted`] before taking a norm.
+    pub(crate) fn shifted(&self, x0: &Float, reach: Mag) -> TaylorModel {
+        let n = self.c.len();
+        if x0.is_zero() {
+            return self.clone();
+        }
+        let mut c = self.c.clone();
+        for i in 0..n.saturating_sub(1) {
+            for j in (i..n - 1).rev() {
+                let (low, high) = c.split_at_mut(j + 1);
+                low[j] += x0 * &high[0];
+            }
+        }
+        let width = Mag::above(x0).add(reach);
+        let majorant = self
+            .c
+            .iter()
+            .rev()
+            .fold(Mag::ZERO, |s, x| s.mul(width).add(Mag::above(x)));
+        TaylorModel {
+            c,
+            rad: self.rad.add(gamma(2 * n + 1, self.bits()).mul(majorant)),
+        }
+    }
+
+    /// A bound on how much the polynomial part changes when its argument moves by at most `by`
+    /// inside the unit disc: `by Σ k |c_k|`.
+    pub(crate) fn motion(&self, by: Mag) -> Mag {
+        let slope = self.c.iter().enumerate().fold(Mag::ZERO, |s, (k, x)| {
+            s.add(Mag::above(x).mul(Mag::from_f64(k as f64)))
+        });
+        slope.mul(by)
+    }
+
+    /// `f(u²)` up to the power `order`.
+    pub(crate) fn of_square(&self, order: usize) -> TaylorModel {
+        let bits = self.bits();
+        let kept = self.c.len().min(order / 2 + 1);
+        let mut c = vec![Float::new(bits); (2 * kept).saturating_sub(1)];
+        for (k, x) in self.c[..kept].iter().enumerate() {
+            c[2 * k] = x.clone();
+        }
+        TaylorModel {
+            c,
+            rad: self.rad.add(norm(&self.c[kept..])),
+        }
+    }
+
+    /// `x f(x)`.
+    pub(crate) fn times_x(&self) -> TaylorModel {
+        let mut c = Vec::with_capacity(self.c.len() + 1);
+        c.push(Float::new(self.bits()));
+        c.extend(self.c.iter().cloned());
+        TaylorModel { c, rad: self.rad }
+    }
+
+    /// The polynomial alone.
+    pub(crate) fn centre(&self) -> TaylorModel {
+        TaylorModel::polynomial(self.c.clone())
+    }
+
+    /// The derivative of the polynomial; `tail` bounds the derivative of the rest.
+    pub(crate) fn derivative(&self, tail: Mag) -> TaylorModel {
+        let bits = self.bits();
+        let c: Vec<Float> = self
+            .c
+            .iter()
+            .enumerate()
+            .skip(1)
+            .map(|(k, x)| Float::with_val(bits, x * k as u32))
+            .collect();
+        let c = if c.is_empty() {
+            vec![Float::new(bits)]
+        } else {
+            c
+        };
+        TaylorModel {
+            rad: tail.add(gamma(1, bits).mul(norm(&c).shift(1))),
+            c,
+        }
+    }
+
+    /// `∫_0^x`.
+    pub(crate) fn integral(&self) -> TaylorModel {
+        let bits = self.bits();
+        let mut c = vec![Float::new(bits)];
+        c.extend(
+            self.c
+                .iter()
+                .enumerate()
+                .map(|(k, x)| Float::with_val(bits, x / (k as u32 + 1))),
+        );
+        TaylorModel {
+            rad: self.rad.add(gamma(1, bits).mul(norm(&c).shift(1))),
+            c,
+        }
+    }
+
+    /// `e^{i(φ + h x)}` as (cosine, sine), for `h ≤ 1`.
+    ///
+    /// The terms above the order N ≥ 1 add up to at most twice the first of them,
+    /// `h^{N+1}/(N+1)!`, since each is at most half its predecessor.
+    pub(crate) fn cos_sin(phi: &Ball, h: &Ball, order: usize) -> (TaylorModel, TaylorModel) {
+        let bits = phi.prec();
+        let (s, c) = phi.sin_cos();
+        let mut power = Ball::integer(bits, 1);
+        let (mut cosine, mut sine) = (Vec::new(), Vec::new());
+        for k in 0..=order {
+            let (p, q) = match k % 4 {
+                0 => (c.clone(), s.clone()),
+                1 => (-&s, c.clone()),
+                2 => (-&c, -&s),
+                _ => (s.clone(), -&c),
+            };
+            cosine.push(&power * &p);
+            sine.push(&power * &q);
+            power = &power * h / Ball::integer(bits, k as i64 + 1);
+        }
+        let tail = if order >= 1 && h.magnitude() <= Mag::from_f64(1.0) {
+            power.magnitude().shift(1)
+        } else {
+            Mag::INFINITY
+        };
+        let model = |v: &[Ball]| TaylorModel::from_balls(v).widened(tail);
+        (model(&cosine), model(&sine))
+    }
+}
+
+fn square_coefficient(a: &[Float], k: usize, bits: u32) -> Float {
+    let low = (k + 1).saturating_sub(a.len());
+    let mut sum = Float::new(bits);
+    for i in low..k.div_ceil(2) {
+        sum += &a[i] * &a[k - i];
+    }
+    sum <<= 1u32;
+    if k.is_multiple_of(2) {
+        sum += &a[k / 2] * &a[k / 2];
+    }
+    sum
+}
+
+/// `Σ_{i+j>order} |a_i||b_j|`, rounded up.
+fn left_out(a: &[Float], b: &[Float], order: usize) -> Mag {
+    if a.len() + b.len() < order + 3 {
+        return Mag::ZERO;
+    }
+    // suffix[j] = Σ_{m ≥ j} |b_m|
+    let mut suffix = vec![Mag::ZERO; b.len() + 1];
+    for j in (0..b.len()).rev() {
+        suffix[j] = suffix[j + 1].add(Mag::above(&b[j]));
+    }
+    let mut sum = Mag::ZERO;
+    for (i, x) in a.iter().enumerate() {
+        let from = (order + 1).saturating_sub(i);
+        if from < b.len() {
+            sum = sum.add(Mag::above(x).mul(suffix[from]));
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use rug::Rational;
+
+    const P: u32 = 60;
+
+    fn model(c: &[f64]) -> TaylorModel {
+        TaylorModel::polynomial(c.iter().map(|&x| Float::with_val(P, x)).collect())
+    }
+
+    fn exact(c: &[f64], x: &Rational) -> Rational {
+        c.iter().rev().fold(Rational::new(), |s, &c| {
+            s * x + Rational::from_f64(c).unwrap()
+        })
+    }
+
+    fn holds(m: &TaylorModel, x: &Rational, value: &Rational) -> bool {
+        m.eval(&Ball::rational(200, x)).contains(value)
+    }
+
+    proptest! {
+        #[test]
+        fn operations_hold_the_exact_polynomials(
+            a in prop::collection::vec(-1.0f64..1.0, 1..9),
+            b in prop::collection::vec(-1.0f64..1.0, 1..9),
+            order in 0usize..14,
+            t in -64i32..=64,
+            s in -32i32..=32,
+        ) {
+            let x = Rational::from((t, 64));
+            let (f, g) = (model(&a), model(&b));
+            let (fx, gx) = (exact(&a, &x), exact(&b, &x));
+            prop_assert!(holds(&f.plus(&g), &x, &Rational::from(&fx + &gx)));
+            prop_assert!(holds(&f.minus(&g), &x, &Rational::from(&fx - &gx)));
+            prop_assert!(holds(&f.times(&g, order), &x, &Rational::from(&fx * &gx)));
+            prop_assert!(holds(&f.squared(order), &x, &fx.clone().square()));
+            let third = Ball::rational(P, &Rational::from((1, 3)));
+            let y = Rational::from(&x / 3);
+            prop_assert!(holds(&f.contracted(&third), &x, &exact(&a, &y)));
+            // x0 + y with |x0| + |y| ≤ 1/2 + 1/2.
+            let x0 = Rational::from((s, 64));
+            let y = Rational::from((t, 128));
+            let moved = f.shifted(&Float::with_val(P, &x0), Mag::from_f64(0.5));
+            prop_assert!(holds(&moved, &y, &exact(&a, &Rational::from(&x0 + &y))));
+            prop_assert!(holds(&f.of_square(order), &x, &exact(&a, &x.clone().square())));
+            prop_assert!(holds(&f.times_x(), &x, &Rational::from(&fx * &x)));
+            let mut primitive = vec![0.0; 1];
+            primitive.extend(a.iter());
+            let whole: Rational = a.iter().enumerate().fold(Rational::new(), |sum, (k, &c)| {
+                let mut p = Rational::from(1);
+                for _ in 0..=k { p *= &x; }
+                sum + Rational::from_f64(c).unwrap() * p / (k as u32 + 1)
+            });
+            prop_assert!(holds(&f.integral(), &x, &whole));
+            let value = f.range();
+            prop_assert!(value.contains(&fx));
+        }
+    }
+
+    #[test]
+    fn cosine_and_sine() {
+        let phi = Ball::exact(P, 0.7);
+        let h = Ball::rational(P, &Rational::from((1, 3)));
+        for order in [1, 4, 9, 20] {
+            let (c, s) = TaylorModel::cos_sin(&phi, &h, order);
+            for t in [-4i32, -1, 3, 4] {
+                let x = Rational::from((t, 4));
+                let angle = Ball::exact(300, 0.7) + Ball::rational(300, &Rational::from((t, 12)));
+                let (sine, cosine) = angle.sin_cos();
+                let at = Ball::rational(300, &x);
+                assert!(c.eval(&at).contains_ball(&cosine));
+                assert!(s.eval(&at).contains_ball(&sine));
+            }
+        }
+    }
+
+    #[test]
+    fn a_bound_that_forgets_the_left_out_powers_is_wrong() {
+        // (1 + x)² to order 1 is 1 + 2x ± 1; without the bound it would miss the value at x = 1.
+        let f = model(&[1.0, 1.0]);
+        let square = f.squared(1);
+        assert!(holds(&square, &Rational::from(1), &Rational::from(4)));
+        assert!(!holds(
+            &square.centre(),
+            &Rational::from(1),
+            &Rational::from(4)
+        ));
+    }
+}

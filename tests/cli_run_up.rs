@@ -1,0 +1,362 @@
+//! `mechaudit runup` as its user meets it.
+#![cfg(feature = "cli")]
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const SCREEN: &str = include_str!("../examples/sand-screen-run-up.toml");
+const FOUR_BAR: &str = include_str!("../examples/four-bar-run-up.toml");
+
+struct Done {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn mechaudit(args: &[&str], text: &str) -> Done {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A refusal of the arguments closes the pipe early.
+    let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
+    let o = child.wait_with_output().unwrap();
+    Done {
+        code: o.status.code().expect("no signal"),
+        out: String::from_utf8(o.stdout).expect("UTF-8"),
+        err: String::from_utf8(o.stderr).expect("UTF-8"),
+    }
+}
+
+fn runup(text: &str, args: &[&str]) -> Done {
+    let mut all = vec!["runup", "-"];
+    all.extend(args);
+    mechaudit(&all, text)
+}
+
+fn changed(text: &str, from: &str, to: &str) -> String {
+    let new = text.replacen(from, to, 1);
+    assert_ne!(new, text, "{from:?} is not in the example");
+    new
+}
+
+fn column(out: &str, name: &str) -> Vec<f64> {
+    let mut lines = out.lines().map(|l| l.split(',').collect::<Vec<_>>());
+    let head = lines.next().expect("a header");
+    let k = head.iter().position(|h| *h == name).expect(name);
+    lines.map(|r| r[k].parse().expect("a number")).collect()
+}
+
+fn refused(d: &Done, part: &str) {
+    assert_eq!(d.code, 2, "{}{}", d.out, d.err);
+    assert_eq!(d.err.lines().count(), 1, "{}", d.err);
+    assert!(d.err.starts_with("mechaudit: "), "{}", d.err);
+    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+    assert_eq!(d.out, "");
+}
+
+#[test]
+fn the_screen_runs_up() {
+    let d = runup(SCREEN, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let (t, omega) = (column(&d.out, "t_s"), column(&d.out, "omega_rad_per_s"));
+    assert_eq!((t.len(), t[0], t[3000]), (3001, 0.0, 3.0));
+    for (k, due) in [
+        (10, 9.893_806_153_974_392),
+        (100, 9.654_357_617_467_618),
+        (1000, 9.504_285_733_743_605),
+        (3000, 9.704_704_223_655_904),
+    ] {
+        assert!((omega[k] - due).abs() < 1e-10, "{k}: {}", omega[k]);
+    }
+    let balance = column(&d.out, "energy_balance_J");
+    assert!(balance.iter().all(|b| b.abs() < 1e-8));
+    // The light dead position, with its cause.
+    assert!(d.err.contains("falls to 0.03435 kg m^2"), "{}", d.err);
+    assert!(
+        d.err
+            .contains("I_1 = 0: the file gives neither motor.rotor_inertia")
+    );
+    assert!(d.err.contains("9.985716 rad/s in the mean"), "{}", d.err);
+    assert!(d.err.contains("flywheel: 57.1159 kg m^2 more"), "{}", d.err);
+    let geared = changed(SCREEN, "# rotor_inertia", "rotor_inertia");
+    let geared = changed(&geared, "# ratio = 15 ", "ratio = 15 ");
+    let geared = changed(&geared, "\"10 rad/s\"", "\"150 rad/s\"");
+    let geared = changed(&geared, "\"200 N m\"", "\"13.3333333333 N m\"");
+    let d = runup(&geared, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!(!d.err.contains("warning"), "{}", d.err);
+}
+
+#[test]
+fn coefficients_and_methods_can_be_chosen() {
+    // Without the search for a flywheel.
+    let screen = changed(SCREEN, "fluctuation = 0.05", "");
+    let last = |args: &[&str]| {
+        let d = runup(&screen, args);
+        assert_eq!(d.code, 0, "{args:?}: {}", d.err);
+        (*column(&d.out, "omega_rad_per_s").last().unwrap(), d)
+    };
+    let (exact, _) = last(&[]);
+    let (hybrid, d) = last(&["--coefficients", "hybrid", "--nodes", "12"]);
+    assert!((hybrid - exact).abs() > 1e-4 && (hybrid - exact).abs() < 2e-2);
+    assert!(d.err.contains("energy is not kept"), "{}", d.err);
+    let lost = *column(&d.out, "energy_balance_J").last().unwrap();
+    assert!((lost + 0.8275).abs() < 1e-3, "{lost}");
+    let (splines, _) = last(&["--coefficients", "splines", "--nodes", "48"]);
+    assert!((splines - exact).abs() < 2e-4);
+    for method in ["dop853", "radau5"] {
+        let (other, d) = last(&["--method", method, "--tolerance", "1e-11"]);
+        assert!((other - exact).abs() < 1e-8, "{method}: {other}");
+        assert!(d.err.contains(method), "{}", d.err);
+    }
+}
+
+#[test]
+fn json_says_what_happened() {
+    let text = changed(FOUR_BAR, "step = \"2 ms\"", "target_speed = \"20 rad/s\"");
+    let d = runup(&text, &["--format", "json"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    assert_eq!(json["type"], "four-bar");
+    assert_eq!(json["outcome"]["kind"], "target");
+    let rows = json["rows"].as_array().unwrap();
+    assert_eq!(rows.last().unwrap()["omega_rad_per_s"], 20.0);
+    let events = json["events"].as_array().unwrap();
+    assert_eq!(events.last().unwrap()["kind"], "target_speed");
+    assert!(json["steady_cycle"]["mean_rad_per_s"].as_f64().unwrap() > 30.0);
+    let first = json["events"].as_array().unwrap().iter();
+    assert!(first.filter(|e| e["kind"] == "dead_position").count() >= 2);
+}
+
+#[test]
+fn stalls_and_captures_are_reported_at_once() {
+    let weak = changed(SCREEN, "\"200 N m\"", "\"5 N m\"");
+    let weak = changed(&weak, "[run]", "[load]\nconstant = \"10 N m\"\n[run]");
+    let weak = changed(&weak, "\"3 s\"", "\"10000 s\"");
+    let weak = changed(&weak, "step = \"1 ms\"", "step = \"10 ms\"");
+    let d = runup(&weak, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!(d.err.contains("stalled: the crank"), "{}", d.err);
+    let held = changed(
+        &weak,
+        "\"14.426 deg\"\nphi4 = \"22.6 deg\"",
+        "\"320 deg\"\nmode = 2",
+    );
+    let d = runup(&held, &[]);
+    assert!(
+        d.err.contains("does not start at phi1 = 320.000 deg"),
+        "{}",
+        d.err
+    );
+    assert_eq!(d.out.lines().count(), 2);
+    let fan = changed(FOUR_BAR, "\"0.05 N m s\"", "\"1.5 N m s\"");
+    let fan = changed(&fan, "\"2 s\"", "\"1000 s\"\nsettle = 1e-7");
+    let fan = changed(
+        &fan,
+        "step = \"2 ms\"",
+        "step = \"100 ms\"\ntarget_speed = \"30 rad/s\"",
+    );
+    let d = runup(&fan, &[]);
+    assert!(d.err.contains("captured after"), "{}", d.err);
+}
+
+#[test]
+fn drawings_and_files_are_written_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let pictures = folder.path().join("pictures");
+    let rows = folder.path().join("rows.csv");
+    let (p, r) = (pictures.to_str().unwrap(), rows.to_str().unwrap());
+    let d = runup(FOUR_BAR, &["--svg", p, "--output", r]);
+    assert_eq!((d.code, d.out.as_str()), (0, ""), "{}", d.err);
+    assert_eq!(
+        std::fs::read_to_string(&rows).unwrap().lines().count(),
+        1002
+    );
+    let svg = std::fs::read_to_string(pictures.join("run-up.svg")).unwrap();
+    assert!(svg.contains("crank speed") && svg.contains("work of the motor"));
+    assert!(!svg.contains("NaN"));
+    let taken = folder.path().join("taken");
+    std::fs::write(&taken, "").unwrap();
+    let d = runup(FOUR_BAR, &["--svg", taken.to_str().unwrap()]);
+    refused(&d, "cannot make the folder");
+    refused(&runup(FOUR_BAR, &["--output", p]), "is a folder");
+}
+
+#[test]
+fn the_same_file_serves_linkage() {
+    let d = mechaudit(&["linkage", "-", "--step-deg", "90"], SCREEN);
+    assert_eq!((d.code, d.out.lines().count()), (0, 5), "{}", d.err);
+}
+
+#[test]
+fn slider_cranks_run_too() {
+    let text = r#"
+type = "slider-crank"
+[geometry]
+crank = "50 mm"
+rod = "180 mm"
+[bodies.rod]
+mass = "1 kg"
+inertia = "0.003 kg m^2"
+radius = "60 mm"
+[bodies.slider]
+mass = "2 kg"
+[motor]
+kind = "linear"
+standstill_torque = "20 N m"
+no_load_speed = "300 rpm"
+flywheel = "0.05 kg m^2"
+[run]
+duration = "1 s"
+"#;
+    let d = runup(text, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let omega = column(&d.out, "omega_rad_per_s");
+    assert_eq!(omega.len(), 1001);
+    assert!((omega[1000] - 31.4).abs() < 3.0, "{}", omega[1000]);
+    refused(
+        &runup(&changed(text, "bodies.slider", "bodies.piston"), &[]),
+        "[bodies.piston]: the links are crank, rod, slider",
+    );
+    refused(
+        &runup(&changed(text, "\"2 kg\"", "\"-2 kg\""), &[]),
+        "mass of link 3 = -2 kg",
+    );
+}
+
+#[test]
+fn bad_input_is_one_clear_line() {
+    let with = |from: &str, to: &str| runup(&changed(SCREEN, from, to), &[]);
+    let (motor, _) = SCREEN.split_once("[motor]").unwrap();
+    refused(&runup(motor, &[]), "the table [motor] is missing");
+    let (no_run, _) = SCREEN.split_once("[run]").unwrap();
+    refused(&runup(no_run, &[]), "the table [run] is missing");
+    refused(&runup("", &[]), "the file is empty");
+    refused(
+        &with("\"kloss\"", "\"steam\""),
+        "motor.kind = \"steam\" must be one of",
+    );
+    refused(
+        &with("\"kloss\"", "\"linear\""),
+        "motor.synchronous_speed has no meaning with kind = \"linear\"",
+    );
+    refused(
+        &with("overload = 2.2", "overload = 0.5"),
+        "k = 0.5 must be at least 1",
+    );
+    refused(
+        &with("overload = 2.2", "overload = nan"),
+        "overload factor = NaN is not a finite number",
+    );
+    refused(&with("overload = 2.2", ""), "motor.overload is missing");
+    refused(
+        &with("overload = 2.2", "overload = \"2.2\""),
+        "expected f64",
+    );
+    refused(
+        &with("rated_slip = 0.05", "rated_slip = 1.5"),
+        "slip 1.5 must lie between 0 and 1",
+    );
+    refused(
+        &with(
+            "rated_slip = 0.05",
+            "rated_slip = 0.05\ncritical_slip = 0.2",
+        ),
+        "exclude each other",
+    );
+    refused(
+        &with("\"200 N m\"", "200"),
+        "motor.rated_torque = \"200\" has no unit",
+    );
+    refused(&with("\"200 N m\"", "\"200 N\""), "is not a torque");
+    refused(
+        &with("\"200 N m\"", "\"-200 N m\""),
+        "rated torque = -200 N m must be greater than zero",
+    );
+    refused(
+        &with("rated_slip = 0.05", "rated_slip = 0.05\nratio = 0"),
+        "must not be zero",
+    );
+    refused(
+        &with(
+            "rated_slip = 0.05",
+            "rated_slip = 0.05\nrotor_inertia = \"-1 kg m^2\"",
+        ),
+        "rotor inertia = -1",
+    );
+    refused(
+        &with("rated_slip", "rated_slop"),
+        "unknown field `rated_slop`",
+    );
+    refused(
+        &with("\"3 s\"", "\"0 s\""),
+        "duration = 0 must be greater than zero",
+    );
+    refused(&with("\"3 s\"", "\"3 m\""), "is not a time");
+    refused(
+        &with("\"1 ms\"", "\"1e-9 s\""),
+        "more than ten million samples",
+    );
+    refused(&with("1e-12", "1e-20"), "must lie between 1e-14 and 1e-2");
+    refused(
+        &with("[run]", "[load]\nviscous = \"-1 N m s\"\n[run]"),
+        "viscous resistance = -1",
+    );
+    refused(
+        &runup(SCREEN, &["--method", "euler"]),
+        "method = \"euler\" must be one of \"verner98\"",
+    );
+    refused(
+        &runup(SCREEN, &["--coefficients", "none"]),
+        "must be \"exact\", \"splines\" or \"hybrid\"",
+    );
+    refused(
+        &runup(SCREEN, &["--coefficients", "splines", "--nodes", "2"]),
+        "at least 3",
+    );
+    refused(&runup(SCREEN, &["--tolerance", "x"]), "invalid value");
+    let bodiless = SCREEN.replace("bodies.2", "x2").replace("[x2]", "[[x]]");
+    refused(&runup(&bodiless, &[]), "unknown field `x`");
+    let (head, tail) = SCREEN.split_once("[motor]").unwrap();
+    let (_, run) = tail.split_once("[run]").unwrap();
+    let table = |points: &str| {
+        let motor = format!("[motor]\nkind = \"table\"\nreading = \"linear\"\n{points}\n");
+        runup(&format!("{head}{motor}[run]{run}"), &[])
+    };
+    refused(&table(""), "motor.points is missing");
+    refused(&table("points = []"), "0 knots, at least 2");
+    refused(
+        &table("points = [[\"1 rpm\", \"1 N m\"], [\"1 rpm\", \"2 N m\"]]"),
+        "not greater than its predecessor",
+    );
+    refused(
+        &table("points = [[\"0 rpm\", \"900 N m\"], [\"1 rpm\", \"900 N m\"]]"),
+        "tabulated from 0 to",
+    );
+}
+
+#[test]
+fn work_and_precision() {
+    let short = changed(FOUR_BAR, "\"2 s\"", "\"0.05 s\"");
+    let folder = tempfile::tempdir().unwrap();
+    let d = runup(
+        &short,
+        &["--work-precision", "--svg", folder.path().to_str().unwrap()],
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert_eq!(d.out.lines().count(), 1 + 3 * 19);
+    for method in ["verner98", "dop853", "radau5"] {
+        let own = d.out.lines().filter(|l| l.starts_with(method));
+        let error = own.map(|l| l.rsplit(',').next().unwrap().parse::<f64>().unwrap());
+        let errors: Vec<f64> = error.collect();
+        assert!(
+            errors[18] < 1e-9 && errors[18] <= errors[0],
+            "{method}: {errors:?}"
+        );
+    }
+    assert!(folder.path().join("work-precision.svg").exists());
+}
