@@ -28,6 +28,9 @@ use num_complex::Complex;
 /// Re z from which erfc is not computed as 1 − erf.
 const COMPLEMENT: f64 = 0.25;
 
+/// xy below which, x being small, Re erf is linear in it.
+const LINEAR: f64 = 1.0 / 4_294_967_296.0;
+
 /// Which function: `offset + sign · erf` in the real part, `sign · erf` in the imaginary part.
 #[derive(Clone, Copy, PartialEq)]
 enum Which {
@@ -98,11 +101,15 @@ impl Task for Exact {
         }
         let (u, v) = w_exact(lanes, y, x);
         let (re, im, _) = product((c, s), (u, -v));
-        let (offset, sign) = which.of_erfc();
-        (
-            shifted((offset, sign), re, n - down.0).0,
-            times_power(sign * im.value(), n - down.1),
-        )
+        let sign = which.of_erfc().1;
+        let re = if x < STRIP && x * y < LINEAR {
+            // Re erf = (2/√π) x e^{y²} (1 + O(x²y²)); e^{−z²}w is far larger.
+            let linear = (c * TWO_OVER_SQRT_PI).mul_f(x);
+            shifted(which.of_erf(), linear, n - down.0).0
+        } else {
+            shifted(which.of_erfc(), re, n - down.0).0
+        };
+        (re, times_power(sign * im.value(), n - down.1))
     }
 }
 
