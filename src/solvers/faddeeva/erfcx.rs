@@ -2,9 +2,7 @@
 
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
-#[cfg(target_arch = "x86_64")]
-use super::{batch, pack};
-use super::{plane, real};
+use super::{Points, all, plane, real};
 use num_complex::Complex;
 
 /// Below this |Im z| the products in W keep no digits, and Im erfcx is linear in it.
@@ -43,14 +41,12 @@ pub fn erfcx(z: Complex<f64>) -> Complex<f64> {
 }
 
 /// `W(iz)` at points stored as complex numbers.
-#[cfg(target_arch = "x86_64")]
 struct Turned<'a> {
     z: &'a [Complex<f64>],
     f: &'a mut [Complex<f64>],
 }
 
-#[cfg(target_arch = "x86_64")]
-impl batch::Points for Turned<'_> {
+impl Points for Turned<'_> {
     #[inline(always)]
     fn len(&self) -> usize {
         self.z.len()
@@ -72,17 +68,11 @@ impl batch::Points for Turned<'_> {
 /// DOC
 pub fn erfcx_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
     same_length(z.len(), f.len())?;
-    #[cfg(target_arch = "x86_64")]
-    if pack::batch_with_best(&mut Turned { z, f }) {
-        for (f, z) in f.iter_mut().zip(z) {
-            if z.im.abs() < TINY && z.re < 0.0 {
-                *f = erfcx(*z);
-            }
-        }
-        return Ok(());
-    }
+    all(&mut Turned { z, f });
     for (f, z) in f.iter_mut().zip(z) {
-        *f = erfcx(*z);
+        if z.im.abs() < TINY && z.re < 0.0 {
+            *f = erfcx(*z);
+        }
     }
     Ok(())
 }
