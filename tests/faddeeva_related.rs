@@ -423,6 +423,188 @@ fn effort() -> f64 {
     }
 }
 
+/// Every component within 4 ulps (7 for erfcx, see there) except within rounding of a zero of itself,
+/// and the norm within 2 ε.
+#[test]
+fn components_and_norms() {
+    let points = (300.0 * effort()).ceil() as usize;
+    for f in &FUNCTIONS {
+        let ulps = if f.name == "erfcx" { 9.0 } else { 4.5 };
+        for region in &REGIONS {
+            let w = measure(f, region, points);
+            let context = format!("{} {}: {w:?}", f.name, region.0);
+            assert!(w.norm.0 <= 2.0, "{context}");
+            assert!(w.re.0 <= ulps && w.im.0 <= ulps, "{context}");
+            // Undecided: exponents beyond those of a ball.
+            assert!(w.points >= points / 3, "{context}");
+        }
+    }
+}
+
+#[test]
+fn real_arguments() {
+    let points = (2000.0 * effort()).ceil() as usize;
+    for f in &REAL_FUNCTIONS {
+        let worst = measure_real(f, points);
+        assert!(worst.0 <= 2.0, "{}: {worst:?}", f.0);
+    }
+}
+
+#[test]
+fn voigt_profiles() {
+    let points = (1000.0 * effort()).ceil() as usize;
+    for region in &VOIGT_REGIONS {
+        let worst = measure_voigt(region, points);
+        assert!(worst.0 <= 3.0, "{}: {worst:?}", region.0);
+    }
+}
+
+/// The stored zeros of erf are those of the certified function, to the last bit of their leading
+/// parts: erf changes sign in a cell of two units around each, seen along both coordinates.
+#[test]
+fn next_to_zeros_of_erf_the_value_is_relative() {
+    for (x, y) in ERF_ZEROS {
+        let z = Complex::new(x, y);
+        let exact = reference::erf(&rational(x), &rational(y), BITS).expect("decided");
+        let got = solver::erf(z);
+        // The distance from the zero is below an ulp: nothing but the low parts tells it.
+        for (got, exact) in [(got.re, &exact.re), (got.im, &exact.im)] {
+            assert!(distance(got, exact).1 <= 4.0, "{z} {got}");
+        }
+        assert!(got.norm() < 1e-13);
+    }
+}
+
+/// Equal or both NaN, the sign of zero included.
+fn same(a: f64, b: f64) -> bool {
+    a.is_nan() && b.is_nan() || a.to_bits() == b.to_bits()
+}
+
+#[test]
+fn special_values() {
+    const INF: f64 = f64::INFINITY;
+    const NAN: f64 = f64::NAN;
+    type F = fn(Complex<f64>) -> Complex<f64>;
+    let rows: &[(&str, F, [f64; 2], [f64; 2])] = &[
+        ("erf", solver::erf, [0.0, 0.0], [0.0, 0.0]),
+        ("erf", solver::erf, [-0.0, 0.0], [-0.0, 0.0]),
+        ("erf", solver::erf, [INF, -2.0], [1.0, -0.0]),
+        ("erf", solver::erf, [-INF, 2.0], [-1.0, 0.0]),
+        ("erf", solver::erf, [0.0, -INF], [0.0, -INF]),
+        ("erf", solver::erf, [1.0, INF], [NAN, NAN]),
+        ("erf", solver::erf, [INF, INF], [NAN, NAN]),
+        ("erf", solver::erf, [NAN, 0.0], [NAN, 0.0]),
+        ("erf", solver::erf, [-0.0, NAN], [-0.0, NAN]),
+        ("erf", solver::erf, [NAN, 1.0], [NAN, NAN]),
+        ("erf", solver::erf, [1e-320, 1e200], [INF, INF]),
+        ("erf", solver::erf, [1e200, 1e199], [1.0, 0.0]),
+        ("erfc", solver::erfc, [INF, 2.0], [0.0, -0.0]),
+        ("erfc", solver::erfc, [-INF, 2.0], [2.0, -0.0]),
+        ("erfc", solver::erfc, [0.0, INF], [1.0, -INF]),
+        (
+            "erfc",
+            solver::erfc,
+            [0.0, 3.0e-310],
+            [1.0, -3.385137501286538e-310],
+        ),
+        ("erfi", solver::erfi, [2.0, INF], [0.0, 1.0]),
+        ("erfi", solver::erfi, [-INF, 0.0], [-INF, 0.0]),
+        ("dawson", solver::dawson, [INF, 1.0], [0.0, -0.0]),
+        ("dawson", solver::dawson, [-INF, 0.0], [-0.0, 0.0]),
+        ("dawson", solver::dawson, [0.0, -INF], [0.0, -INF]),
+        ("dawson", solver::dawson, [1.0, INF], [NAN, NAN]),
+        ("dawson", solver::dawson, [NAN, -0.0], [NAN, -0.0]),
+        ("w'", solver::w_derivative, [0.0, -INF], [0.0, INF]),
+        ("w'", solver::w_derivative, [1.0, -INF], [NAN, NAN]),
+        ("w'", solver::w_derivative, [0.0, NAN], [0.0, NAN]),
+        ("erfcx", solver::erfcx, [NAN, 1.0], [NAN, NAN]),
+        ("erfcx", solver::erfcx, [-40.0, 0.0], [INF, 0.0]),
+    ];
+    for (name, f, [x, y], [u, v]) in rows {
+        let got = f(Complex::new(*x, *y));
+        assert!(
+            same(got.re, *u) && (same(got.im, *v) || *name == "erfcx"),
+            "{name}({x}, {y}) = {got}"
+        );
+    }
+    for x in [NAN, INF, -INF, 1e308, -1e308] {
+        let gone = |v: f64| same(v, if x.is_nan() { NAN } else { v });
+        assert!(gone(solver::erf_real(x)) && gone(solver::erfc_real(x)));
+        assert!(
+            gone(solver::dawson_real(x))
+                && gone(solver::erfi_real(x))
+                && gone(solver::erfcx_real(x))
+        );
+    }
+    assert_eq!(solver::voigt(0.0, 0.0, 0.0), INF);
+    assert_eq!(solver::voigt(1.0, 0.0, 0.0), 0.0);
+    assert_eq!(solver::voigt(INF, 1.0, 1.0), 0.0);
+    for bad in [
+        [0.0, -1.0, 1.0],
+        [0.0, 1.0, -1.0],
+        [NAN, 1.0, 1.0],
+        [0.0, NAN, 1.0],
+        [0.0, 1.0, NAN],
+    ] {
+        assert!(solver::voigt(bad[0], bad[1], bad[2]).is_nan(), "{bad:?}");
+    }
+}
+
+/// Any bit pattern gives a value; symmetries hold to the last bit.
+#[test]
+fn any_bits_and_symmetries() {
+    let mut r = Random(5);
+    for _ in 0..(20_000.0 * effort()) as usize {
+        let z = Complex::new(f64::from_bits(r.bits()), f64::from_bits(r.bits()));
+        let odd: [fn(Complex<f64>) -> Complex<f64>; 3] =
+            [solver::erf, solver::erfi, solver::dawson];
+        for f in odd {
+            let (a, b, c) = (f(z), f(-z), f(z.conj()));
+            assert!(same(a.re, -b.re) && same(a.im, -b.im), "{z} {a} {b}");
+            assert!(same(a.re, c.re) && same(a.im, -c.im), "{z} {a} {c}");
+        }
+        for f in [solver::erfc, solver::erfcx] {
+            let (a, c) = (f(z), f(z.conj()));
+            assert!(same(a.re, c.re) && (same(a.im, -c.im)), "{z} {a} {c}");
+        }
+        let (a, b) = (solver::w_derivative(z), solver::w_derivative(-z.conj()));
+        assert!(same(a.re, -b.re) && same(a.im, b.im), "{z} {a} {b}");
+        let v = solver::voigt(z.re, z.im.abs(), 1.0);
+        assert!(v >= 0.0 || z.re.is_nan() || z.im.is_nan());
+    }
+}
+
+#[test]
+fn batches() {
+    let mut r = Random(6);
+    let z: Vec<Complex<f64>> = (0..1000)
+        .map(|_| {
+            let region = *r.pick(&REGIONS);
+            (region.1)(&mut r)
+        })
+        .collect();
+    let mut f = vec![Complex::default(); z.len()];
+    solver::erfcx_batch(&z, &mut f).expect("equal lengths");
+    for (z, f) in z.iter().zip(&f) {
+        let one = solver::erfcx(*z);
+        assert!(same(one.re, f.re) && same(one.im, f.im), "{z}: {one} {f}");
+    }
+    solver::dawson_batch(&z, &mut f).expect("equal lengths");
+    assert!(z.iter().zip(&f).all(|(z, f)| solver::dawson(*z) == *f));
+    let x: Vec<f64> = z.iter().map(|z| z.re).collect();
+    let mut v = vec![0.0; x.len()];
+    solver::voigt_batch(&x, 0.3, 0.1, &mut v).expect("equal lengths");
+    assert!(
+        x.iter()
+            .zip(&v)
+            .all(|(x, v)| solver::voigt(*x, 0.3, 0.1) == *v)
+    );
+    let e = solver::voigt_batch(&x, 0.3, 0.1, &mut v[1..]).expect_err("too short");
+    assert_eq!((e.points, e.values), (1000, 999));
+    assert!(e.to_string().contains("999"));
+    solver::erfcx_batch(&[], &mut []).expect("nothing to do");
+}
+
 #[test]
 #[ignore = "takes minutes; prints the table in the documentation"]
 fn table() {

@@ -18,12 +18,14 @@ use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::odd_series::{self, odd, odd_real};
 use super::quadrant::{
-    HUGE, STRIP, circle, dawson_in_strip, gaussian_exact, lifted, lost, pair_times_power,
-    times_power, w, w_exact,
+    HUGE, STRIP, circle, dawson_in_strip, gaussian_exact, lifted, pair_times_power, times_power, w,
+    w_exact,
 };
 use super::real::ROUND;
 use num_complex::Complex;
 
+/// A component smaller than this part of its terms is computed again in double-double.
+const CANCELLED: f64 = 0.25;
 /// Where F′ vanishes on the real axis: three parts.
 const MAXIMUM: [f64; 3] = [
     0.924_138_873_004_591_7,
@@ -31,7 +33,7 @@ const MAXIMUM: [f64; 3] = [
     -1.182_372_417_104_555e-33,
 ];
 /// Distance from the maximum up to which the expansion about it is used.
-const BESIDE_MAXIMUM: f64 = 0.0625;
+const BESIDE_MAXIMUM: f64 = 0.1875;
 
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
@@ -39,7 +41,7 @@ const LEADING: [Dd; 2] = [
     Dd::new(1.0 / 3.0, 1.850371707708594e-17),
 ];
 /// Terms used.
-const ORDER: usize = 16;
+const ORDER: usize = 24;
 /// `f_n = F⁽ⁿ⁾(x₀)/n!`: `f₀ = 1/(2x₀)`, `f₁ = 0`, `(n + 1) f_{n+1} = −2 (x₀ f_n + f_{n−1})`.
 const COEFFICIENTS: [f64; ORDER] = {
     let mut f = [0.0; ORDER];
@@ -139,7 +141,7 @@ fn quadrant<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
         );
     }
     let (re, im) = difference((c, s, n), (u, v));
-    if lost(re, v) | lost(im, u) {
+    if (re.hi.abs() < CANCELLED * v.hi.abs()) | (im.hi.abs() < CANCELLED * u.hi.abs()) {
         return lanes.call(Exact {
             x,
             y,
@@ -227,13 +229,43 @@ impl Task for DawsonReal {
     }
 }
 
-/// DOC
+/// Dawson's function `F(z) = e^{−z²} ∫₀^z e^{t²} dt` (DLMF 7.2.5), on the whole plane.
+///
+/// # Accuracy
+/// Worst found against the certified reference, 10⁵ points in each of eleven regions
+/// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place; beside
+/// the axes and beside the zero 0.924… of F′, where Im F changes sign, too. Next to its zeros as
+/// [`erf`](super::erf()).
+///
+/// # Special values
+/// | z | F(z) |
+/// |---|---|
+/// | `±∞ + iy`, y finite | `±0 ∓ 0i` |
+/// | `0 ± i∞` | `0 ± i∞` |
+/// | `x ± i∞`, x ≠ 0 | `NaN + NaN i`: no limit |
+/// | a component NaN | `NaN + NaN i`; Im is ±0 on the real axis, Re is ±0 on the imaginary axis |
+/// | above the range | the infinity of the right sign for each component above it |
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::dawson;
+/// use num_complex::Complex;
+///
+/// let f = dawson(Complex::new(1.0, 0.0));
+/// assert!((f.re - 0.5380795069127684).abs() < 1e-15 && f.im == 0.0);
+/// ```
 pub fn dawson(z: Complex<f64>) -> Complex<f64> {
     let (re, im) = with_best(Dawson(z.re, z.im));
     Complex::new(re, im)
 }
 
-/// DOC
+/// [`dawson`] of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 0.6 units in the last place. ±0 at ±∞, NaN for NaN.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::dawson_real;
+/// assert!((dawson_real(1.0) - 0.5380795069127684).abs() < 1e-15);
+/// ```
 pub fn dawson_real(x: f64) -> f64 {
     with_best(DawsonReal(x))
 }
@@ -251,7 +283,21 @@ impl Task for Batch<'_> {
     }
 }
 
-/// DOC
+/// [`dawson`] at many points; the values have the same bits.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::{dawson, dawson_batch};
+/// use num_complex::Complex;
+///
+/// let z = [Complex::new(0.5, 1.0), Complex::new(9.0, -2.0)];
+/// let mut f = [Complex::default(); 2];
+/// dawson_batch(&z, &mut f)?;
+/// assert_eq!(f, z.map(dawson));
+/// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
+/// ```
 pub fn dawson_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
     same_length(z.len(), f.len())?;
     with_best(Batch(z, f));

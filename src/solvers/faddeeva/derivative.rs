@@ -23,7 +23,7 @@ use num_complex::Complex;
 /// As `lost`, for the sums of Taylor terms here, whose slope is rounded.
 #[inline(always)]
 fn cancelled(sum: Dd, term: Dd) -> bool {
-    sum.hi.abs() < 0.25 * term.hi.abs()
+    sum.hi.abs() < 0.4 * term.hi.abs()
 }
 
 /// w′ in double-double, at `a + i b` or `a − i b`.
@@ -153,7 +153,30 @@ impl Task for Derivative {
     }
 }
 
-/// DOC
+/// The derivative `w′(z) = −2z w(z) + 2i/√π` (DLMF 7.10.2) of the Faddeeva function, on the whole
+/// plane and without that sum's cancellation for large |z|.
+///
+/// # Accuracy
+/// Worst found against the certified reference, 10⁵ points in each of eleven regions
+/// (`tests/faddeeva_related.rs`): norm 0.7 ε (ε = 2⁻⁵²), components 4 units in their last place.
+///
+/// # Special values
+/// | z | w′(z) |
+/// |---|---|
+/// | infinite, Im z ≥ 0 or `±∞ + iy`, y finite | 0 with the signs of `−i/z²` |
+/// | `0 − i∞` | `0 + i∞` |
+/// | `x − i∞`, x ≠ 0 | `NaN + NaN i`: no limit |
+/// | a component NaN | `NaN + NaN i`; Re is ±0 on the imaginary axis |
+/// | above the range | the infinity of the right sign for each component above it |
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::w_derivative;
+/// use num_complex::Complex;
+///
+/// // w′ ~ −i/(√π z²).
+/// let d = w_derivative(Complex::new(0.0, 1e6));
+/// assert!((d.im / 5.6418958354691e-13 - 1.0).abs() < 1e-15 && d.re == 0.0);
+/// ```
 pub fn w_derivative(z: Complex<f64>) -> Complex<f64> {
     let (re, im) = with_best(Derivative(z.re, z.im));
     Complex::new(re, im)

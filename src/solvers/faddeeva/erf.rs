@@ -241,19 +241,76 @@ impl Task for Erfc {
     }
 }
 
-/// DOC
+/// The error function `erf z = (2/√π) ∫₀^z e^{−t²} dt` (DLMF 7.2.1), on the whole plane.
+///
+/// # Accuracy
+/// Worst found against the certified reference, 10⁵ points in each of eleven regions
+/// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place. Both
+/// components keep their relative accuracy next to zero and beside the axes. Next to the first 14
+/// zeros (`|z| < 9.4`) so does the norm; beyond, within 10⁻¹² of a zero, the error is 2⁻¹⁰⁰ of
+/// `e^{−z²} w(iz)`.
+///
+/// # Special values
+/// | z | erf z |
+/// |---|---|
+/// | `±∞ + iy`, y finite | `±1 ± 0i` (the signs of x and y) |
+/// | `0 ± i∞` | `0 ± i∞` |
+/// | `x ± i∞`, x ≠ 0 | `NaN + NaN i`: no limit |
+/// | a component NaN | `NaN + NaN i`; Im is ±0 on the real axis, Re is ±0 on the imaginary axis |
+/// | above the range | the infinity of the right sign for each component above it |
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::erf;
+/// use num_complex::Complex;
+///
+/// // Next to zero erf z is (2/√π) z.
+/// let f = erf(Complex::new(1e-300, 2.0));
+/// assert!((f.re / 6.160741505935513e-299 - 1.0).abs() < 1e-15);
+/// assert!((f.im / 18.564802414575553 - 1.0).abs() < 1e-15);
+/// ```
 pub fn erf(z: Complex<f64>) -> Complex<f64> {
     let (re, im) = with_best(Erf(z.re, z.im));
     Complex::new(re, im)
 }
 
-/// DOC
+/// The complementary error function `erfc z = 1 − erf z = e^{−z²} w(iz)` (DLMF 7.2.2, 7.2.3), on the
+/// whole plane.
+///
+/// # Accuracy
+/// Worst found against the certified reference, 10⁵ points in each of eleven regions
+/// (`tests/faddeeva_related.rs`): norm 1.0 ε (ε = 2⁻⁵²; at gradual underflow in units of it), components
+/// 3.7 units in their last place. Next to the first twelve zeros (`|z| < 9`) the norm keeps its
+/// relative accuracy; beyond, within 10⁻¹² of a zero, the error is 2⁻¹⁰⁰.
+///
+/// # Special values
+/// `1 − erf z`, with the table of [`erf`]: `+0 ∓ 0i` at `+∞ ± iy`, `2 ∓ 0i` at `−∞ ± iy`, `1 ∓ i∞` at
+/// `0 ± i∞`, NaN as there.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::erfc;
+/// use num_complex::Complex;
+///
+/// let f = erfc(Complex::new(20.0, 0.0));
+/// assert!((f.re / 5.395865611607901e-176 - 1.0).abs() < 1e-15);
+/// ```
 pub fn erfc(z: Complex<f64>) -> Complex<f64> {
     let (re, im) = with_best(Erfc(z.re, z.im));
     Complex::new(re, im)
 }
 
-/// DOC
+/// The imaginary error function `erfi z = −i erf(iz) = (2/√π) e^{z²} F(z)` (DLMF 7.5.1), on the whole
+/// plane.
+///
+/// # Accuracy
+/// That of [`erf`]. Special values: those of [`erf`] at `iz`.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::erfi;
+/// use num_complex::Complex;
+///
+/// let f = erfi(Complex::new(1.0, 0.0));
+/// assert!((f.re / 1.6504257587975428 - 1.0).abs() < 1e-15 && f.im == 0.0);
+/// ```
 pub fn erfi(z: Complex<f64>) -> Complex<f64> {
     let (re, im) = with_best(Erf(-z.im, z.re));
     Complex::new(im, -re)

@@ -130,22 +130,53 @@ impl Task for ErfcxReal {
     }
 }
 
-/// DOC
+/// [`erf`](super::erf()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 0.9 units in the last place. `erf(±∞) = ±1`, NaN for NaN.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::erf_real;
+/// assert_eq!(erf_real(0.5), 0.5204998778130465);
+/// ```
 pub fn erf_real(x: f64) -> f64 {
     with_best(ErfReal(x))
 }
 
-/// DOC
+/// [`erfc`](super::erfc()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 0.7 units in the last place, gradual underflow from
+/// 26.5 to 27.2 included. `erfc(∞) = 0`, `erfc(−∞) = 2`, NaN for NaN.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::erfc_real;
+/// assert!((erfc_real(27.0) / 5.23705e-319 - 1.0).abs() < 1e-4);
+/// ```
 pub fn erfc_real(x: f64) -> f64 {
     with_best(ErfcReal(x))
 }
 
-/// DOC
+/// [`erfi`](super::erfi()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 0.9 units in the last place. ±∞ beyond ±26.65, NaN for
+/// NaN.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::erfi_real;
+/// assert_eq!(erfi_real(27.0), f64::INFINITY);
+/// ```
 pub fn erfi_real(x: f64) -> f64 {
     with_best(ErfiReal(x))
 }
 
-/// DOC
+/// [`erfcx`](super::erfcx()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 1.8 units in the last place. `erfcx(∞) = 0`, +∞ below
+/// −26.63, NaN for NaN.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::erfcx_real;
+/// assert!((erfcx_real(1.0) - 0.427583576155807).abs() < 1e-15);
+/// ```
 pub fn erfcx_real(x: f64) -> f64 {
     with_best(ErfcxReal(x))
 }

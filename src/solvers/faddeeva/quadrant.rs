@@ -260,16 +260,20 @@ pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
     let s = 2.0 * qr.hi;
     let (mut b1, mut b2) = (SLOPE[N], 0.0);
     let mut k = N;
-    while k > 1 {
+    while k > 2 {
         k -= 1;
         let next = s.mul_add(b1, (-t).mul_add(b2, SLOPE[k]));
         b2 = b1;
         b1 = next;
     }
-    // 1 + p + i Im(q) b1 is the sum.
+    // The sum is 1 + 3a₁q + p + i Im(q) b1; 3a₁q² is formed with all digits, because the real
+    // part of q is as small next to the diagonal.
+    let (b1, b2) = (s.mul_add(b1, -(t * b2)), b1);
     let p = qr.hi.mul_add(b1, -(t * b2));
-    let re = qi * Dd::from(qr.hi.mul_add(b1, p)).add_f(1.0);
-    let im = qr.add_f(qr.hi.mul_add(p, -(qi.hi * qi.hi * b1)));
+    let first = (qr * qr - qi * qi) * Dd::from(SLOPE[1]);
+    let both = 2.0 * SLOPE[1];
+    let re = qi * Dd::from(qr.hi.mul_add(b1 + both, p)).add_f(1.0);
+    let im = qr + first.add_f(qr.hi.mul_add(p, -(qi.hi * qi.hi * b1)));
     (re * INV_SQRT_PI, -(im * INV_SQRT_PI))
 }
 
@@ -298,7 +302,7 @@ pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
             let [n, dx, dy] = cell(a, b);
             let (u, v) = complex_derivative(lanes, cell_row(n), (a - dx, b - dy), (dx, dy));
             // Next to the origin the slope is large beside the value.
-            let part = if a.max(b) < 2.0 { 0.25 } else { CANCELLED };
+            let part = if a.max(b) < 2.0 { 0.4 } else { CANCELLED };
             let (p, q) = (u.hi.abs(), v.hi.abs());
             (u, v, (p < part * q) | (q < part * p))
         }

@@ -107,7 +107,34 @@ impl Task for Voigt {
     }
 }
 
-/// DOC
+/// The Voigt profile, `Re w((x + iγ)/(σ√2))/(σ√(2π))` (DLMF 7.19.1 in other units): the density at x
+/// of the sum of a normal variable of standard deviation σ and a Cauchy variable of half-width γ.
+///
+/// x, σ and γ share a unit, the value has its inverse. The quotients are kept to 100 bits, so that
+/// the wings of a narrow line, where `e^{−x²/(2σ²)}` magnifies their rounding, are as accurate as the
+/// rest.
+///
+/// # Accuracy
+/// Worst found against the certified reference, 10⁵ points in each of five regions, σ and γ from
+/// 10⁻³²⁰ (`tests/faddeeva_related.rs`): 2.4 units in the last place.
+///
+/// # Special values
+/// | arguments | value |
+/// |---|---|
+/// | σ = 0 | Lorentz's `γ/(π(x² + γ²))` |
+/// | γ = 0 | the normal density |
+/// | σ = γ = 0 | a point mass: ∞ at x = 0, else 0 |
+/// | x, σ or γ infinite | 0 |
+/// | σ or γ negative, anything NaN | NaN |
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::voigt;
+///
+/// assert!((voigt(0.0, 1.0, 0.0) - 0.3989422804014327).abs() < 1e-16);
+/// assert!((voigt(0.0, 0.0, 2.0) - 0.15915494309189535).abs() < 1e-16);
+/// assert!((voigt(1.0, 1.0, 1.0) / 0.16579566268916646 - 1.0).abs() < 1e-15);
+/// assert!(voigt(0.0, -1.0, 1.0).is_nan());
+/// ```
 pub fn voigt(x: f64, sigma: f64, gamma: f64) -> f64 {
     with_best(Voigt { x, sigma, gamma })
 }
@@ -130,7 +157,20 @@ impl Task for Batch<'_> {
     }
 }
 
-/// DOC
+/// [`voigt`] at many x; the values have the same bits.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit::solvers::faddeeva::{voigt, voigt_batch};
+///
+/// let x = [-1.0, 0.0, 3.5];
+/// let mut v = [0.0; 3];
+/// voigt_batch(&x, 1.0, 0.2, &mut v)?;
+/// assert_eq!(v[2], voigt(3.5, 1.0, 0.2));
+/// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
+/// ```
 pub fn voigt_batch(x: &[f64], sigma: f64, gamma: f64, v: &mut [f64]) -> Result<(), LengthMismatch> {
     same_length(x.len(), v.len())?;
     with_best(Batch { x, sigma, gamma, v });
