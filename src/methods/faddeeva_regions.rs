@@ -32,7 +32,7 @@ fn both_signs(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
 }
 
 /// Borders between formulas on circles.
-const CIRCLES: [f64; 7] = [1.0, 7.0, 10.0, 16.0, 31.622776601683793, 1e3, 1e100];
+const CIRCLES: [f64; 7] = [0.0078125, 1.0, 7.0, 10.0, 31.622776601683793, 1e3, 1e100];
 
 /// The regions.
 pub(super) fn all() -> Vec<Region> {
@@ -237,7 +237,7 @@ pub(super) fn all() -> Vec<Region> {
         ),
         region(
             "seam-circles",
-            "|z|^2 = 2^-14, 1, 49, 100, 1000, 1e200, exactly or off by 1e-17..1e-3",
+            "|z|^2 = 2^-14, 1, 49, 100, 1000, 1e6, 1e200, exactly or off by 1e-17..1e-3",
             |d| {
                 let r = one_of(d, &CIRCLES);
                 let r = beside(d, r);

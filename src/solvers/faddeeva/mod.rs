@@ -48,15 +48,25 @@
 mod asymptotic;
 #[cfg(target_arch = "x86_64")]
 mod batch;
+mod constants;
+mod dawson;
+mod derivative;
 mod double_double;
 mod double_double_functions;
+mod erf;
+mod erf_real;
+mod erf_zeros;
+mod erfcx;
 mod exponential;
 mod lanes;
+mod lengths;
 mod maclaurin;
+mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 mod payne_hanek;
 mod plane;
+mod quadrant;
 mod real;
 mod special;
 #[rustfmt::skip]
@@ -64,9 +74,18 @@ mod special;
 mod tables;
 mod taylor;
 mod trapezoidal;
+mod voigt;
 mod zeros;
 
 pub use plane::Branch;
+
+pub use dawson::{dawson, dawson_batch, dawson_real};
+pub use derivative::w_derivative;
+pub use erf::{erf, erfc, erfi};
+pub use erf_real::{erf_real, erfc_real, erfcx_real, erfi_real};
+pub use erfcx::{erfcx, erfcx_batch};
+pub use lengths::LengthMismatch;
+pub use voigt::{voigt, voigt_batch};
 
 use lanes::{Lanes, Task, with_best};
 use num_complex::Complex;

@@ -96,10 +96,48 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     let (p, q) = ((kappa * g).add_f(1.0), -(g * sine));
     let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
     let by = |t: Dd, k: f64| Dd::new(scaled(t.hi, k), scaled(t.lo, k));
-    let re = re + by(c, k + (1.0 + lift));
-    // One rounding, at the end.
-    let re = Dd::from(scaled(re.value(), ROUND - lift));
+    let mut re = re + by(c, k + (1.0 + lift));
+    if lift != 0.0 {
+        // One rounding, at the end.
+        re = Dd::from(scaled(re.value(), ROUND - lift));
+    }
     (re, im + by(s, k + 1.0))
+}
+
+/// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of the
+/// larger of the two terms it is the sum of.
+#[inline(always)]
+pub(super) fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+    let n = (a * (STEPS / PER) + ROUND) - ROUND;
+    let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
+    // Beyond, what is left of the residue is below the error of the rule.
+    let outside = b > 8.0 || a > 30.0;
+    let (x, y) = if outside { (0.0, 0.0) } else { (a, b) };
+    let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
+        lanes,
+        x,
+        -y,
+        f * TWO_PI,
+        two_prod(y, -STEPS) * TWO_PI_OVER_PER,
+    );
+    let (rule, kappa, sine) = if cosine.hi <= 0.0 {
+        (0, -cosine, sine)
+    } else {
+        (1, cosine, -sine)
+    };
+    let (xx, yy) = (two_prod(a, a), two_prod(b, b));
+    let (plus, minus) = sums(rule, xx + yy, yy);
+    let (re, im) = (plus.mul_f(b), minus.mul_f(a));
+    if outside {
+        return (re, im);
+    }
+    // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
+    let g = g.scale(scaled(1.0, gk));
+    let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
+    let (p, q) = (g * (g + kappa), -(g * sine));
+    let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
+    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
+    (re + by(c), im + by(s))
 }
 
 #[cfg(all(test, feature = "oracle"))]

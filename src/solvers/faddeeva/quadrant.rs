@@ -1,0 +1,414 @@
+//! W(z) and W′(z) in the first quadrant as unevaluated sums, for the functions that are built on
+//! them.
+
+use super::asymptotic::series;
+use super::constants::INV_SQRT_PI;
+use super::double_double::{Dd, fast_two_sum, two_prod};
+use super::double_double_functions as exact;
+use super::exponential::{
+    LARGE_PHASE, exp_minus_square_any, exponent, phase, reduce, sin_cos_reduced, turn,
+};
+use super::lanes::Lanes;
+use super::payne_hanek;
+use super::plane::{
+    cell, cell_row, from_erfcx, imaginary_axis_row, on_axis, on_real_axis, real_axis_row,
+};
+use super::real::{ROUND, scaled};
+use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
+use super::trapezoidal;
+
+/// Beyond this |Re z| or |Im z| the functions are computed from their limits.
+pub(super) const HUGE: f64 = 1e100;
+/// Half the width of the strips beside the axes in which real expansions are used; the edge is inside.
+pub(super) const STRIP: f64 = 0.125f64.next_up();
+/// A sum smaller than this part of its terms is computed again in double-double.
+const CANCELLED: f64 = 1.0 / 6.0;
+
+/// Whether a sum has lost digits against one of its two terms.
+#[inline(always)]
+pub(super) fn lost(sum: Dd, term: Dd) -> bool {
+    sum.hi.abs() < CANCELLED * term.hi.abs()
+}
+
+/// `t 2^k`, `n = ROUND + k`, for any `k`.
+#[inline(always)]
+pub(super) fn times_power(t: f64, n: f64) -> f64 {
+    scaled(t, n.clamp(ROUND - 2040.0, ROUND + 2040.0))
+}
+
+/// Both parts of `t 2^k`, `n = ROUND + k`, `k` below 1000.
+#[inline(always)]
+pub(super) fn pair_times_power(t: Dd, n: f64) -> Dd {
+    let n = n.max(ROUND - 2040.0);
+    Dd::new(scaled(t.hi, n), scaled(t.lo, n))
+}
+
+/// The binary exponent of `t 2^k`, `n = ROUND + k`; that of zero is very low.
+#[inline(always)]
+pub(super) fn size(t: f64, n: f64) -> f64 {
+    ((t.to_bits() >> 52) & 0x7ff) as f64 - 1023.0 + (n - ROUND)
+}
+
+/// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.
+#[inline(always)]
+pub(super) fn circle(a: f64, y: f64) -> (Dd, Dd) {
+    let theta = phase(a, y);
+    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
+        reduce(theta)
+    } else {
+        payne_hanek::reduce(a, y)
+    };
+    let (s, c) = sin_cos_reduced(r);
+    turn(s, c, quadrant)
+}
+
+/// The product of two complex numbers; `true` if the terms of a component cancel.
+#[inline(always)]
+pub(super) fn product((a, b): (Dd, Dd), (c, d): (Dd, Dd)) -> (Dd, Dd, bool) {
+    let (ac, ad) = (a * c, a * d);
+    let (re, im) = (ac - b * d, ad + b * c);
+    (re, im, lost(re, ac) | lost(im, ad))
+}
+
+/// A coordinate so small that a function is linear in it, raised by 2³⁰⁰ so that its products keep
+/// all digits, and the exponent to subtract again.
+#[inline(always)]
+pub(super) fn lifted(x: f64) -> (f64, f64) {
+    const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+    const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
+    if x < SMALL {
+        (x * LIFT, 300.0)
+    } else {
+        (x, 0.0)
+    }
+}
+
+/// Which expansion serves a point.
+#[derive(Clone, Copy)]
+enum Place {
+    Cell,
+    ImaginaryAxis,
+    RealAxis,
+    /// |z|² ≥ 49, beside the real axis.
+    Strip,
+    /// |z|² ≥ 49.
+    Far,
+}
+
+/// The place of `a + i b`.
+#[inline(always)]
+fn place(a: f64, b: f64) -> Place {
+    if a.mul_add(a, b * b) >= 49.0 {
+        // Beyond 27.5 the exponential is below every `f64`.
+        if (b < STRIP) & (a < 27.5) {
+            Place::Strip
+        } else {
+            Place::Far
+        }
+    } else if a < (if a.max(b) < 3.75 { STRIP } else { 2.0 * STRIP }) {
+        Place::ImaginaryAxis
+    } else if (b < STRIP) & (a >= 1.125) {
+        Place::RealAxis
+    } else {
+        Place::Cell
+    }
+}
+
+/// The series without `e^{−z²}` for `|z| ≥ 7`.
+#[inline(always)]
+pub(super) fn far(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = a.mul_add(a, b * b);
+    if r2 < 100.0 {
+        series::<_, 24>(a, b)
+    } else if r2 < 256.0 {
+        series::<_, 14>(a, b)
+    } else if r2 < 1000.0 {
+        series::<_, 10>(a, b)
+    } else if r2 < 1e6 {
+        series::<_, 6>(a, b)
+    } else {
+        series::<_, 2>(a, b)
+    }
+}
+
+/// `(Re w, Im w)` at `a + i b`, `0 ≤ a, b < HUGE`.
+#[inline(always)]
+pub(super) fn w<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+    match place(a, b) {
+        Place::Cell => {
+            let [n, dx, dy] = cell(a, b);
+            complex_row(lanes, cell_row(n), dx, dy)
+        }
+        Place::ImaginaryAxis => {
+            let (n, t) = on_axis(b);
+            from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
+        }
+        Place::RealAxis => {
+            let (n, t) = on_real_axis(a);
+            complex_row(lanes, real_axis_row(n), t, b)
+        }
+        Place::Strip => {
+            let (u, v) = far(a, b);
+            let (c, _, n) = exp_minus_square_any(a, b);
+            (u + pair_times_power(c, n), v)
+        }
+        Place::Far => far(a, b),
+    }
+}
+
+/// `(a + i b)(c + i d)`, rounded.
+#[inline(always)]
+fn times((a, b): (f64, f64), (c, d): (f64, f64)) -> (f64, f64) {
+    (a.mul_add(c, -(b * d)), a.mul_add(d, b * c))
+}
+
+/// The derivative of a row at distance δ from its centre.
+///
+/// The derivative loses accuracy with the last terms, so the next coefficients are added by
+/// `n c_n = −2 (z₀ c_{n−1} + c_{n−2})`, a recurrence unstable only in the long run.
+#[inline(always)]
+fn complex_derivative<L: Lanes>(
+    lanes: L,
+    row: &ComplexRow,
+    centre: (f64, f64),
+    (dx, dy): (f64, f64),
+) -> (Dd, Dd) {
+    let c = &row.0;
+    let at = |k: usize| 8 + 8 * (k / 4) + k % 4;
+    let mut d = [0.0; 40];
+    d[..4].copy_from_slice(&c[4..8]);
+    (d[4], d[6]) = (2.0 * c[8], 2.0 * c[12]);
+    let mut k = 0;
+    while k < 15 {
+        let f = (k + 3) as f64;
+        d[at(k)] = f * c[at(k + 1)];
+        d[at(k) + 4] = f * c[at(k + 1) + 4];
+        k += 1;
+    }
+    // n c_n for n = 18 … 21.
+    let mut before = (c[at(14)], c[at(14) + 4]);
+    let mut here = (c[at(15)], c[at(15) + 4]);
+    let mut next = [(0.0, 0.0); 4];
+    let mut n = 18;
+    for slope in &mut next {
+        let (p, q) = times(centre, here);
+        *slope = (-2.0 * (p + before.0), -2.0 * (q + before.1));
+        before = here;
+        here = (slope.0 / n as f64, slope.1 / n as f64);
+        n += 1;
+    }
+    (d[at(15)], d[at(15) + 4]) = next[0];
+    let delta = (dx, dy);
+    let (p, q) = times(delta, next[3]);
+    let (p, q) = times(delta, (p + next[2].0, q + next[2].1));
+    let square = times(delta, delta);
+    let eighth = times(times(square, square), times(square, square));
+    let more = times(
+        times(times(eighth, eighth), square),
+        (p + next[1].0, q + next[1].1),
+    );
+    let (u, v) = complex_row(lanes, &ComplexRow(d), dx, dy);
+    (
+        fast_two_sum(u.hi, u.lo + more.0),
+        fast_two_sum(v.hi, v.lo + more.1),
+    )
+}
+
+/// The row of the derivative of erfcx about `centre`.
+#[inline(always)]
+fn derived_real(row: &RealRow, centre: f64) -> RealRow {
+    let c = &row.0;
+    let mut d = [0.0; 20];
+    (d[0], d[1], d[2]) = (c[2], c[3], 2.0 * c[4]);
+    let mut k = 0;
+    while k < 15 {
+        d[4 + k] = (k + 3) as f64 * c[5 + k];
+        k += 1;
+    }
+    // n c_n = 2 (s₀ c_{n−1} + c_{n−2}), n = 18.
+    d[19] = 2.0 * centre.mul_add(c[19], c[18]);
+    RealRow(d)
+}
+
+/// Coefficients available.
+const TERMS: usize = 34;
+
+/// `(2n + 1) a_n`, `a_n = (2n − 1)!!/2ⁿ`.
+const SLOPE: [f64; TERMS] = {
+    let mut c = [1.0; TERMS];
+    let (mut a, mut n) = (1.0, 1);
+    while n < TERMS {
+        a *= n as f64 - 0.5;
+        c[n] = a * (2 * n + 1) as f64;
+        n += 1;
+    }
+    c
+};
+
+/// The derivative of the asymptotic series, `|z|` between 7 and [`HUGE`]:
+///
+/// ```text
+/// w′(z) ~ −(i/√π) q (1 + 3 a₁ q + 5 a₂ q² + …),   q = 1/z²
+/// ```
+#[inline(always)]
+pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = two_prod(a, a) + two_prod(b, b);
+    let t2 = Dd::from(1.0).div(r2);
+    let qr = (-exponent(a, b)) * t2 * t2;
+    let qi = two_prod(-2.0 * a, b) * t2 * t2;
+    let t = t2.hi * t2.hi;
+    let s = 2.0 * qr.hi;
+    let (mut b1, mut b2) = (SLOPE[N], 0.0);
+    let mut k = N;
+    while k > 2 {
+        k -= 1;
+        let next = s.mul_add(b1, (-t).mul_add(b2, SLOPE[k]));
+        b2 = b1;
+        b1 = next;
+    }
+    // The sum is 1 + 3a₁q + p + i Im(q) b1; 3a₁q² is formed with all digits, because the real
+    // part of q is as small next to the diagonal.
+    let (b1, b2) = (s.mul_add(b1, -(t * b2)), b1);
+    let p = qr.hi.mul_add(b1, -(t * b2));
+    let first = (qr * qr - qi * qi) * Dd::from(SLOPE[1]);
+    let both = 2.0 * SLOPE[1];
+    let re = qi * Dd::from(qr.hi.mul_add(b1 + both, p)).add_f(1.0);
+    let im = qr + first.add_f(qr.hi.mul_add(p, -(qi.hi * qi.hi * b1)));
+    (re * INV_SQRT_PI, -(im * INV_SQRT_PI))
+}
+
+/// [`series_derivative`] with the number of terms that `|z|` needs.
+#[inline(always)]
+fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = a.mul_add(a, b * b);
+    if r2 < 100.0 {
+        series_derivative::<33>(a, b)
+    } else if r2 < 256.0 {
+        series_derivative::<15>(a, b)
+    } else if r2 < 1000.0 {
+        series_derivative::<11>(a, b)
+    } else if r2 < 1e6 {
+        series_derivative::<7>(a, b)
+    } else {
+        series_derivative::<3>(a, b)
+    }
+}
+
+/// `(Re w′, Im w′)` at `a + i b`, `0 ≤ a, b < HUGE`; `true` if a component has lost digits.
+#[inline(always)]
+pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
+    match place(a, b) {
+        Place::Cell => {
+            let [n, dx, dy] = cell(a, b);
+            let (u, v) = complex_derivative(lanes, cell_row(n), (a - dx, b - dy), (dx, dy));
+            // Next to the origin the slope is large beside the value.
+            let part = if a.max(b) < 2.0 { 0.4 } else { CANCELLED };
+            let (p, q) = (u.hi.abs(), v.hi.abs());
+            (u, v, (p < part * q) | (q < part * p))
+        }
+        Place::ImaginaryAxis => {
+            // w′(z) = −i f′(−iz), f = erfcx.
+            let (n, t) = on_axis(b);
+            let row = derived_real(imaginary_axis_row(n), b - t);
+            let (re, im) = from_erfcx(a, real_row(lanes, &row, t, a));
+            (im, -re, false)
+        }
+        Place::RealAxis => {
+            let (n, t) = on_real_axis(a);
+            let (u, v) = complex_derivative(lanes, real_axis_row(n), (a - t, 0.0), (t, b));
+            (u, v, false)
+        }
+        Place::Strip => {
+            let (u, v) = far_derivative(a, b);
+            let (c, s, n) = exp_minus_square_any(a, b);
+            let (p, q, _) = product((c, s), (Dd::from(-a), Dd::from(-b)));
+            let by = |t: Dd| pair_times_power(t, n + 1.0);
+            (u + by(p), v + by(q), false)
+        }
+        Place::Far => {
+            let (u, v) = far_derivative(a, b);
+            // Next to the diagonal all terms but the first are rounded.
+            (
+                u,
+                v,
+                (v.hi.abs() < u.hi.abs() * (1.0 / 32.0)) & (a.max(b) < 4096.0) & (b > 1.0),
+            )
+        }
+    }
+}
+
+/// For `(2/√π) F` with Dawson's function `F` at `t + i b`: the row about a real centre.
+#[inline(always)]
+fn dawson_part(row: &ComplexRow) -> RealRow {
+    // On the real axis w = e^{−x²} + i (2/√π) F(x).
+    let c = &row.0;
+    let mut d = [0.0; 20];
+    (d[0], d[1], d[2], d[3]) = (c[2], c[3], c[6], c[7]);
+    let mut k = 0;
+    while k < 4 {
+        d[4 + 4 * k..8 + 4 * k].copy_from_slice(&c[12 + 8 * k..16 + 8 * k]);
+        k += 1;
+    }
+    RealRow(d)
+}
+
+/// `(2/√π) F(t + i b)`, `F` Dawson's function: real part, and imaginary part, `½ ≤ t < HUGE`,
+/// `b ≤` [`STRIP`].
+#[inline(always)]
+pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
+    let (row, dx) = match place(t, 0.0) {
+        Place::Cell => {
+            let [n, dx, _] = cell(t, 0.0);
+            (cell_row(n), dx)
+        }
+        Place::RealAxis => {
+            let (n, dx) = on_real_axis(t);
+            (real_axis_row(n), dx)
+        }
+        _ => {
+            // (2/√π) F = −i (w − e^{−z²}).
+            let (u, v) = far(t, b);
+            return (v, -u);
+        }
+    };
+    let (re, im) = real_row(lanes, &dawson_part(row), dx, b);
+    (re, im.mul_f(b))
+}
+
+/// w at `a + i b` without `e^{−z²}`, `4096 ≤ max(a, b) <` [`HUGE`]: three terms of the series.
+fn large(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = two_prod(a, a) + two_prod(b, b);
+    let inv = INV_SQRT_PI.div(r2);
+    let t = 1.0 / (r2.hi * r2.hi);
+    let s = 2.0 * (a - b) * (a + b) * t;
+    // 1/2, 3/4, 15/8; the next term is below 2⁻⁹³ of the first.
+    let b2 = s.mul_add(1.875, 0.75);
+    let b1 = s.mul_add(b2, (-t).mul_add(1.875, 0.5));
+    let (aa, bb) = (a * a, b * b);
+    let gu = t * (3.0 * aa - bb).mul_add(b1, -b2);
+    let gv = t * (aa - 3.0 * bb).mul_add(b1, -b2);
+    let part = |x: f64, g: f64| inv.mul_f(x) * Dd::new(1.0, g).normal();
+    (part(b, gu), part(a, gv))
+}
+
+/// w at `a + i b`, `0 ≤ a, b < HUGE`, in double-double; to about 2⁻¹⁰⁰ of the larger component, from
+/// 4096 on to 2⁻⁷⁷.
+#[inline(always)]
+pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+    if a.max(b) < 4096.0 {
+        trapezoidal::upper(lanes, a, b)
+    } else {
+        large(a, b)
+    }
+}
+
+/// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, in double-double where it
+/// matters.
+#[inline(always)]
+pub(super) fn gaussian_exact<L: Lanes>(lanes: L, a: f64, y: f64) -> (Dd, Dd, f64) {
+    if exponent(a, y).hi.abs() < 1400.0 {
+        exact::exp_minus_square(lanes, a, -y, Dd::ZERO, Dd::ZERO).0
+    } else {
+        exp_minus_square_any(a, y)
+    }
+}
