@@ -459,15 +459,14 @@ fn voigt_profiles() {
     }
 }
 
-/// The stored zeros of erf are those of the certified function, to the last bit of their leading
-/// parts: erf changes sign in a cell of two units around each, seen along both coordinates.
+/// At the `f64` next to a zero of erf the value is the distance from the zero, which only the low
+/// parts of the stored zeros tell.
 #[test]
 fn next_to_zeros_of_erf_the_value_is_relative() {
     for (x, y) in ERF_ZEROS {
         let z = Complex::new(x, y);
         let exact = reference::erf(&rational(x), &rational(y), BITS).expect("decided");
         let got = solver::erf(z);
-        // The distance from the zero is below an ulp: nothing but the low parts tells it.
         for (got, exact) in [(got.re, &exact.re), (got.im, &exact.im)] {
             assert!(distance(got, exact).1 <= 4.0, "{z} {got}");
         }
