@@ -189,13 +189,11 @@ fn complex_derivative<L: Lanes>(
     let mut before = (c[at(14)], c[at(14) + 4]);
     let mut here = (c[at(15)], c[at(15) + 4]);
     let mut next = [(0.0, 0.0); 4];
-    let mut n = 18;
-    for slope in &mut next {
+    for (n, slope) in (18..).zip(next.iter_mut()) {
         let (p, q) = times(centre, here);
         *slope = (-2.0 * (p + before.0), -2.0 * (q + before.1));
         before = here;
-        here = (slope.0 / n as f64, slope.1 / n as f64);
-        n += 1;
+        here = (slope.0 / f64::from(n), slope.1 / f64::from(n));
     }
     (d[at(15)], d[at(15) + 4]) = next[0];
     let delta = (dx, dy);

@@ -96,11 +96,9 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     let (p, q) = ((kappa * g).add_f(1.0), -(g * sine));
     let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
     let by = |t: Dd, k: f64| Dd::new(scaled(t.hi, k), scaled(t.lo, k));
-    let mut re = re + by(c, k + (1.0 + lift));
-    if lift != 0.0 {
-        // One rounding, at the end.
-        re = Dd::from(scaled(re.value(), ROUND - lift));
-    }
+    let re = re + by(c, k + (1.0 + lift));
+    let down = ROUND - lift;
+    let re = Dd::new(scaled(re.hi, down), scaled(re.lo, down));
     (re, im + by(s, k + 1.0))
 }
 
