@@ -3,12 +3,14 @@
 //! # Accuracy
 //! Each component within a few units in its own last place wherever it is representable: beside
 //! the axes, on the diagonals, in the lower half-plane and next to the zeros of w and of its
-//! components. Worst found against the certified reference, 10⁵ points and more in each region:
-//! 0.7 units (Re) and 1.1 units (Im) in the upper half-plane at large, 1.2 beside the real axis,
-//! 3 in the lower half-plane and next to zeros. Where a component is below 2⁻⁴⁵ of the terms it is the
-//! difference of (an `f64` or two from a curve on which it is zero), double-double is not enough for
-//! that: its absolute error is below about 2⁻⁹⁶ of the larger term, which was 68 units of the
-//! component at the worst point found. `benches/peers` repeats the measurement beside
+//! components. Worst found against the certified reference, in units in the last place of the
+//! component: 1.9 in the upper half-plane and the unit disc (10⁵ points in each of three regions);
+//! 1.5 beside the real axis, 2.6 in the lower half-plane, on the diagonals and next to zeros (4·10⁵ in
+//! each of four). Known to be worse: 7 units (Re) at 18.176939417717378 − 1.6131960603307438e-141 i,
+//! where `e^{−x²}` and the asymptotic series cancel; components below 2⁻⁴⁵ of the terms they are the
+//! difference of (an `f64` or two from a curve on which they are zero), for which double-double is not
+//! enough, 68 units at the worst point found; Im w where Re z is subnormal, below the axis.
+//! `benches/peers` repeats the measurement beside
 //! other codes, `mechaudit audit faddeeva` judges it.
 //!
 //! # Method
