@@ -1,46 +1,46 @@
-//! Many points at a time: sorted by the formula they need, a few hundred at a time on the stack,
-//! then computed side by side.
+//! Many points at a time: put into buckets by the formula they need, a few hundred at a time on the
+//! stack, then computed side by side.
 
 use super::Points;
-use super::asymptotic::series;
+use super::asymptotic::{series, series_rounded};
 use super::double_double::Dd;
 use super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::lanes::Lanes;
-use super::maclaurin::maclaurin;
 use super::pack::{Pack, Wide};
 use super::plane::{
-    ALONE, BUCKETS, Cancelled, Kind, LOWER, bucket, cancels_beside_real_axis, cell, cell_row,
-    disc_cell, disc_row, from_erfcx, imaginary_axis_row, in_strip, negligible, on_axis,
-    on_real_axis, real_axis_row, reflect, right_half_plane,
+    ALONE, BUCKETS, Cancelled, Kind, LOWER, above_real_axis, below_real_axis, bucket,
+    cancels_beside_real_axis, cell, cell_row, disc_cell, disc_row, from_erfcx, from_erfcx_rounded,
+    imaginary_axis_row, in_strip, negligible, on_axis, on_real_axis, real_axis_row, reflect, w,
 };
+use super::power_series::{far, near};
 use super::real::{ROUND, Real};
-use super::taylor::{ComplexRow, complex_rows, real_rows};
+use super::taylor::{ComplexRow, complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
 use super::zeros;
 
-/// Points sorted at a time: their numbers fit into a byte.
+/// Points sorted at a time.
 const CHUNK: usize = 256;
-/// Room for the numbers of the points in a bucket, and some to repeat the last one.
-const ROOM: usize = 512;
+/// Places of a bucket: room for all points, and for repeating the last one.
+const ROOM: usize = CHUNK + 8;
+const PLACES: usize = BUCKETS * ROOM;
 
 /// The buffers for one chunk.
 struct Chunk<'a, P> {
     points: &'a mut P,
     start: usize,
+    /// The points as they come.
     x: [f64; CHUNK],
     y: [f64; CHUNK],
-    re: [f64; CHUNK],
-    im: [f64; CHUNK],
-    /// The points of each bucket: how many, and their numbers.
+    /// The place of each in the buckets.
+    place: [u16; CHUNK],
+    /// How many points each bucket has.
     len: [usize; BUCKETS],
-    index: [[u8; ROOM]; BUCKETS],
+    /// The points of the buckets, later the real and imaginary parts of their values.
+    re: [f64; PLACES],
+    im: [f64; PLACES],
+    /// The places of points next to a zero.
+    zeros: [u16; ROOM],
+    near_zeros: usize,
 }
-
-/// Points whose terms cancel.
-const CANCELLED: usize = BUCKETS - 2;
-/// Points next to a zero.
-const ZERO: usize = BUCKETS - 3;
-/// Points that turn out to need the scalar code.
-const SCALAR: usize = BUCKETS - 1;
 
 /// Computes W at all points.
 #[inline(always)]
@@ -51,10 +51,12 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         start: 0,
         x: [0.0; CHUNK],
         y: [0.0; CHUNK],
-        re: [0.0; CHUNK],
-        im: [0.0; CHUNK],
+        place: [0; CHUNK],
         len: [0; BUCKETS],
-        index: [[0; ROOM]; BUCKETS],
+        re: [0.0; PLACES],
+        im: [0.0; PLACES],
+        zeros: [0; ROOM],
+        near_zeros: 0,
     };
     while chunk.start < total {
         chunk.run(simd, lanes, (total - chunk.start).min(CHUNK));
@@ -66,10 +68,22 @@ impl<P: Points> Chunk<'_, P> {
     #[inline(always)]
     fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L, n: usize) {
         self.len = [0; BUCKETS];
+        self.near_zeros = 0;
         self.sort(simd, n);
 
-        self.both(
+        self.rounded(
             simd,
+            lanes,
+            Kind::Cell as usize,
+            #[inline(always)]
+            |simd, a, y| {
+                let [n, dx, dy] = cell(a, y.magnitude());
+                complex_rows_rounded(simd, &rows(n, cell_row), dx, dy)
+            },
+        );
+        self.reflected(
+            simd,
+            lanes,
             Kind::Cell,
             #[inline(always)]
             |simd, a, b| {
@@ -77,104 +91,103 @@ impl<P: Points> Chunk<'_, P> {
                 complex_rows(simd, &rows(n, cell_row), dx, dy)
             },
         );
-        self.both(
+        self.rounded(
             simd,
+            lanes,
+            Kind::ImaginaryAxis as usize,
+            #[inline(always)]
+            |simd, a, y| {
+                let (n, t) = on_axis(y.magnitude());
+                from_erfcx_rounded(a, real_rows_rounded(simd, &imaginary_axis_rows(n), t, a))
+            },
+        );
+        self.reflected(
+            simd,
+            lanes,
             Kind::ImaginaryAxis,
             #[inline(always)]
             |simd, a, b| {
                 let (n, t) = on_axis(b);
-                let n = array(n);
-                let mut rows = [&imaginary_axis_row(ROUND).0; 8];
-                for m in 0..S::WIDTH {
-                    rows[m] = &imaginary_axis_row(n[m]).0;
-                }
-                from_erfcx(a, real_rows(simd, &rows, t, a))
+                from_erfcx(a, real_rows(simd, &imaginary_axis_rows(n), t, a))
             },
         );
-        self.both(
-            simd,
-            Kind::Series24,
-            #[inline(always)]
-            |_, a, b| series::<_, 24>(a, b),
-        );
-        self.both(
-            simd,
-            Kind::Series14,
-            #[inline(always)]
-            |_, a, b| series::<_, 14>(a, b),
-        );
-        self.both(
-            simd,
-            Kind::Series6,
-            #[inline(always)]
-            |_, a, b| series::<_, 6>(a, b),
-        );
+        self.asymptotic::<S, L, 24>(simd, lanes, Kind::Series24);
+        self.asymptotic::<S, L, 14>(simd, lanes, Kind::Series14);
+        self.asymptotic::<S, L, 6>(simd, lanes, Kind::Series6);
 
-        self.points(
+        self.rounded(
             simd,
-            Kind::Small as usize,
+            lanes,
+            Kind::Near as usize,
             #[inline(always)]
-            |_, a, y| {
-                let (re, im) = maclaurin(a, y);
-                (re, im, a.like(0.0))
-            },
+            |_, a, y| near(a, y),
         );
-        self.points(
+        self.rounded(
             simd,
+            lanes,
+            Kind::Far as usize,
+            #[inline(always)]
+            |_, a, y| far(a, y.magnitude()),
+        );
+        self.rounded(
+            simd,
+            lanes,
             Kind::Disc as usize,
             #[inline(always)]
             |simd, a, y| {
                 let [n, dx, dy] = disc_cell(a, y);
-                let (re, im) = complex_rows(simd, &rows(n, disc_row), dx, dy);
-                (re.hi, im.hi, a.like(0.0))
+                complex_rows_rounded(simd, &rows(n, disc_row), dx, dy)
             },
         );
-        self.points(
+        self.rounded(
             simd,
+            lanes,
             Kind::RealAxis as usize,
             #[inline(always)]
             |simd, a, y| {
                 let (n, t) = on_real_axis(a);
-                let (re, im) = complex_rows(simd, &rows(n, real_axis_row), t, y);
+                complex_rows_rounded(
+                    simd,
+                    &rows(n, real_axis_row),
+                    t,
+                    above_real_axis(y.magnitude()),
+                )
+            },
+        );
+        self.points(
+            simd,
+            lanes,
+            Kind::RealAxis as usize + LOWER,
+            #[inline(always)]
+            |simd, a, y| {
+                let (n, t) = on_real_axis(a);
+                let (re, im) = complex_rows(simd, &rows(n, real_axis_row), t, below_real_axis(y));
                 let cancels = cancels_beside_real_axis(a, y, re.hi, im.hi);
                 lost((re.hi, im.hi, cancels))
             },
         );
         self.points(
             simd,
+            lanes,
             Kind::Strip as usize,
             #[inline(always)]
             |_, a, y| lost(in_strip(a, y)),
         );
 
-        self.near_zeros(simd);
-        self.one_by_one(
-            CANCELLED,
-            #[inline(always)]
-            |a, y| lanes.call(Cancelled { a, b: y.abs() }),
-        );
-        for bucket in [SCALAR, Kind::Other as usize] {
-            self.one_by_one(
-                bucket,
-                #[inline(always)]
-                |a, y| right_half_plane(lanes, a, y),
-            );
+        for at in 0..self.len[Kind::Other as usize] {
+            self.alone(lanes, Kind::Other as usize * ROOM + at);
         }
-        self.points.store(self.start, &self.re[..n], &self.im[..n]);
-    }
-
-    /// Takes the value at point `k` of the chunk.
-    #[inline(always)]
-    fn put(&mut self, k: usize, re: f64, im: f64) {
-        self.re[k & (CHUNK - 1)] = re;
-        self.im[k & (CHUNK - 1)] = im;
-    }
-
-    #[inline(always)]
-    fn push(&mut self, bucket: usize, point: usize) {
-        let at = self.len[bucket];
-        self.index[bucket][at & (ROOM - 1)] = point as u8;
-        self.len[bucket] = at + 1;
+        self.next_to_zeros(simd, lanes);
+        let (place, re, im) = (&self.place, &self.re, &self.im);
+        self.points.store(
+            self.start,
+            n,
+            #[inline(always)]
+            |i| {
+                let at = (place[i] as usize).min(PLACES - 1);
+                (re[at], im[at])
+            },
+        );
     }
 
     /// Sorts `n` points into the buckets.
@@ -186,64 +199,144 @@ impl<P: Points> Chunk<'_, P> {
         while at < n {
             let x = Pack::load(simd, &self.x, at);
             let y = Pack::load(simd, &self.y, at);
-            let code = array(bucket(x.magnitude(), y));
-            for (i, code) in code.iter().enumerate().take((n - at).min(S::WIDTH)) {
-                // Below 2⁵¹ and whole: the low bits after adding ROUND.
-                self.push(code.to_bits() as usize & (BUCKETS - 1), at + i);
+            let code = bucket(x.magnitude(), y);
+            let codes = array(code);
+            let here = (n - at).min(S::WIDTH);
+            if here == S::WIDTH && (code - code.like(codes[0])).magnitude().is_zero() {
+                let (bucket, place) = self.next_place(codes[0]);
+                x.store_at(&mut self.re, place);
+                y.store_at(&mut self.im, place);
+                for i in 0..S::WIDTH {
+                    self.place[at + i] = (place + i) as u16;
+                }
+                self.len[bucket] += S::WIDTH;
+            } else {
+                for i in 0..here {
+                    let (bucket, place) = self.next_place(codes[i]);
+                    self.place[at + i] = place as u16;
+                    self.re[place] = self.x[at + i];
+                    self.im[place] = self.y[at + i];
+                    self.len[bucket] += 1;
+                }
             }
             at += S::WIDTH;
         }
     }
 
+    /// The bucket with this number plus `ROUND`, and its first free place.
+    #[inline(always)]
+    fn next_place(&self, code: f64) -> (usize, usize) {
+        // Below 2⁵¹ and whole: the low bits after adding ROUND.
+        let bucket = (code.to_bits() as usize & 31).min(BUCKETS - 1);
+        (bucket, (bucket * ROOM + self.len[bucket]).min(PLACES - 8))
+    }
+
+    /// The point at this place by the scalar code.
+    #[cold]
+    #[inline(always)]
+    fn alone<L: Lanes>(&mut self, lanes: L, place: usize) {
+        let (re, im) = w(lanes, self.re[place], self.im[place]);
+        (self.re[place], self.im[place]) = (re, im);
+    }
+
+    /// The point at this place in double-double.
+    #[inline(always)]
+    fn cancelled<L: Lanes>(&mut self, lanes: L, place: usize) {
+        let (x, y) = (self.re[place], self.im[place]);
+        let (re, im) = lanes.call(Cancelled {
+            a: x.abs(),
+            b: y.abs(),
+        });
+        self.re[place] = re;
+        self.im[place] = if x.is_sign_negative() { -im } else { im };
+    }
+
     /// The points next to a zero.
     #[inline(always)]
-    fn near_zeros<S: Wide>(&mut self, simd: S) {
+    fn next_to_zeros<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
+        let len = self.near_zeros;
+        if len == 0 {
+            return;
+        }
+        let last = self.zeros[(len - 1).min(CHUNK)];
+        self.zeros[len.min(CHUNK)..][..8].fill(last);
+        let mut at = 0;
+        while at < len {
+            let (mut x, mut y) = ([0.0; 8], [0.0; 8]);
+            let mut rows = [zeros::row(0); 8];
+            for m in 0..S::WIDTH {
+                let place = self.zeros[at + m] as usize;
+                (x[m], y[m]) = (self.re[place], self.im[place]);
+                rows[m] = zeros::row(zeros::nearest(x[m].abs(), -y[m]).unwrap_or(0));
+            }
+            let (x, y) = (Pack::load(simd, &x, 0), Pack::load(simd, &y, 0));
+            let (re, im, lost) = lost(zeros::near_zeros(simd, &rows, x.magnitude(), y));
+            let (re, im, lost) = (array(re), array(im.with_sign_of(x)), array(lost));
+            let n = (len - at).min(S::WIDTH);
+            for m in 0..n {
+                let place = self.zeros[at + m] as usize;
+                if lost[m] == 0.0 {
+                    (self.re[place], self.im[place]) = (re[m], im[m]);
+                } else {
+                    self.cancelled(lanes, place);
+                }
+            }
+            at += n;
+        }
+    }
+
+    /// The buckets of the asymptotic series.
+    #[inline(always)]
+    fn asymptotic<S: Wide, L: Lanes, const N: usize>(&mut self, simd: S, lanes: L, kind: Kind) {
+        self.rounded(
+            simd,
+            lanes,
+            kind as usize,
+            #[inline(always)]
+            |_, a, y| series_rounded::<_, N>(a, y.magnitude()),
+        );
+        self.reflected(
+            simd,
+            lanes,
+            kind,
+            #[inline(always)]
+            |_, a, b| series::<_, N>(a, b),
+        );
+    }
+
+    /// A bucket whose formula gives the value.
+    #[inline(always)]
+    fn rounded<S: Wide, L: Lanes>(
+        &mut self,
+        simd: S,
+        lanes: L,
+        bucket: usize,
+        formula: impl Fn(S, Pack<S>, Pack<S>) -> (Pack<S>, Pack<S>),
+    ) {
         self.points(
             simd,
-            ZERO,
+            lanes,
+            bucket,
             #[inline(always)]
             |simd, a, y| {
-                let (ai, yi) = (array(a), array(y));
-                let mut rows = [zeros::row(0); 8];
-                for m in 0..S::WIDTH {
-                    rows[m] = zeros::row(zeros::nearest(ai[m], -yi[m]).unwrap_or(0));
-                }
-                lost(zeros::near_zeros(simd, &rows, a, y))
+                let (re, im) = formula(simd, a, y);
+                (re, im, a.like(0.0))
             },
         );
     }
 
-    /// A bucket whose points are computed one after the other.
+    /// The bucket in the lower half-plane of a formula that gives `w(a + i|y|)`.
     #[inline(always)]
-    fn one_by_one(&mut self, bucket: usize, formula: impl Fn(f64, f64) -> (f64, f64)) {
-        for i in 0..self.len[bucket] {
-            let k = self.index[bucket][i & (ROOM - 1)] as usize;
-            let (x, y) = (self.x[k], self.y[k]);
-            let (re, im) = formula(x.abs(), y);
-            let im = if x.is_sign_negative() { -im } else { im };
-            self.put(k, re, im);
-        }
-    }
-
-    /// The two buckets of a formula that gives `w(a + i|y|)`.
-    #[inline(always)]
-    fn both<S: Wide>(
+    fn reflected<S: Wide, L: Lanes>(
         &mut self,
         simd: S,
+        lanes: L,
         kind: Kind,
         formula: impl Fn(S, Pack<S>, Pack<S>) -> (Dd<Pack<S>>, Dd<Pack<S>>),
     ) {
         self.points(
             simd,
-            kind as usize,
-            #[inline(always)]
-            |simd, a, y| {
-                let (u, v) = formula(simd, a, y.magnitude());
-                (u.hi, v.hi, a.like(0.0))
-            },
-        );
-        self.points(
-            simd,
+            lanes,
             kind as usize + LOWER,
             #[inline(always)]
             |simd, a, y| {
@@ -269,55 +362,59 @@ impl<P: Points> Chunk<'_, P> {
     }
 
     /// A bucket: the formula gives both parts and a state for each point: 0 is done, 1 asks for
-    /// double-double, 2 for the scalar code.
+    /// double-double, 2 for the scalar code; with 4 added the point may lie next to a zero.
     #[inline(always)]
-    fn points<S: Wide>(
+    fn points<S: Wide, L: Lanes>(
         &mut self,
         simd: S,
+        lanes: L,
         bucket: usize,
         formula: impl Fn(S, Pack<S>, Pack<S>) -> (Pack<S>, Pack<S>, Pack<S>),
     ) {
-        let len = self.len[bucket];
+        let len = self.len[bucket].min(CHUNK);
         if len == 0 {
             return;
         }
+        let first = bucket * ROOM;
         // The last group repeats the last point.
-        let last = self.index[bucket][len - 1];
-        self.index[bucket][len..len + 8].fill(last);
+        for part in [&mut self.re, &mut self.im] {
+            let part = &mut part[first..first + ROOM];
+            let last = part[len - 1];
+            part[len..len + 8].fill(last);
+        }
         let mut at = 0;
         while at < len {
-            let mut index = [0usize; 8];
-            let (mut x, mut y) = ([0.0; 8], [0.0; 8]);
-            for m in 0..S::WIDTH {
-                index[m] = self.index[bucket][(at + m) & (ROOM - 1)] as usize;
-                x[m] = self.x[index[m]];
-                y[m] = self.y[index[m]];
-            }
-            let (x, y) = (Pack::load(simd, &x, 0), Pack::load(simd, &y, 0));
+            let place = first + at;
+            let x = Pack::load(simd, &self.re, place);
+            let y = Pack::load(simd, &self.im, place);
             let (re, im, state) = formula(simd, x.magnitude(), y);
             let im = im.with_sign_of(x);
-            let (re, im) = (array(re), array(im));
-            let n = (len - at).min(S::WIDTH);
             if state.is_zero() {
-                for m in 0..n {
-                    self.put(index[m], re[m], im[m]);
-                }
+                re.store_at(&mut self.re, place);
+                im.store_at(&mut self.im, place);
             } else {
-                let state = array(state);
-                for m in 0..n {
-                    let k = index[m];
-                    if state[m] >= 4.0 && zeros::nearest(self.x[k].abs(), -self.y[k]).is_some() {
-                        self.push(ZERO, k);
-                        continue;
-                    }
-                    match state[m] as u8 & 3 {
-                        0 => self.put(k, re[m], im[m]),
-                        1 => self.push(CANCELLED, k),
-                        _ => self.push(SCALAR, k),
-                    }
+                let (re, im, state) = (array(re), array(im), array(state));
+                for m in 0..(len - at).min(S::WIDTH) {
+                    self.take(lanes, place + m, (re[m], im[m]), state[m]);
                 }
             }
-            at += n;
+            at += S::WIDTH;
+        }
+    }
+
+    /// Takes the value for the point at this place, or another as its state asks.
+    #[inline(always)]
+    fn take<L: Lanes>(&mut self, lanes: L, place: usize, (re, im): (f64, f64), state: f64) {
+        let (x, y) = (self.re[place], self.im[place]);
+        if state >= 4.0 && zeros::nearest(x.abs(), -y).is_some() {
+            self.zeros[self.near_zeros.min(CHUNK)] = place as u16;
+            self.near_zeros += 1;
+            return;
+        }
+        match state as u8 & 3 {
+            0 => (self.re[place], self.im[place]) = (re, im),
+            1 => self.cancelled(lanes, place),
+            _ => self.alone(lanes, place),
         }
     }
 }
@@ -329,6 +426,17 @@ fn rows<S: Wide>(n: Pack<S>, row: impl Fn(f64) -> &'static ComplexRow) -> [&'sta
     let mut rows = [&row(ROUND).0; 8];
     for m in 0..S::WIDTH {
         rows[m] = &row(n[m]).0;
+    }
+    rows
+}
+
+/// The rows with the numbers `n` on the imaginary axis.
+#[inline(always)]
+fn imaginary_axis_rows<S: Wide>(n: Pack<S>) -> [&'static [f64; 20]; 8] {
+    let n = array(n);
+    let mut rows = [&imaginary_axis_row(ROUND).0; 8];
+    for m in 0..S::WIDTH {
+        rows[m] = &imaginary_axis_row(n[m]).0;
     }
     rows
 }

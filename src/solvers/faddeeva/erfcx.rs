@@ -78,10 +78,10 @@ impl Points for Turned<'_> {
         }
     }
     #[inline(always)]
-    fn store(&mut self, start: usize, re: &[f64], im: &[f64]) {
-        let f = &mut self.f[start..start + re.len()];
-        for ((f, re), im) in f.iter_mut().zip(re).zip(im) {
-            *f = Complex::new(*re, *im);
+    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64)) {
+        for (i, f) in self.f[start..start + n].iter_mut().enumerate() {
+            let (re, im) = value(i);
+            *f = Complex::new(re, im);
         }
     }
 }

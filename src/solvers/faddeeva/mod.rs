@@ -62,12 +62,12 @@ mod erfcx;
 mod exponential;
 mod lanes;
 mod lengths;
-mod maclaurin;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 mod payne_hanek;
 mod plane;
+mod power_series;
 mod quadrant;
 mod real;
 mod special;
@@ -89,7 +89,6 @@ pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use voigt::{voigt, voigt_batch};
 
-use lanes::{Lanes, Task, with_best};
 use num_complex::Complex;
 
 /// The Faddeeva function `w(z) = e^{−z²} erfc(−iz)`.
@@ -109,7 +108,7 @@ use num_complex::Complex;
 /// ```
 #[inline]
 pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
-    let (re, im) = with_best(One { x: z.re, y: z.im });
+    let (re, im) = plane::w_with_best(z.re, z.im);
     Complex::new(re, im)
 }
 
@@ -167,32 +166,18 @@ pub fn branch(z: Complex<f64>) -> Branch {
     plane::branch(z.re.abs(), z.im)
 }
 
-/// One point.
-struct One {
-    x: f64,
-    y: f64,
-}
-
-impl Task for One {
-    type Output = (f64, f64);
-    #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        plane::w(lanes, self.x, self.y)
-    }
-}
-
 /// Where points come from and values go to.
 trait Points {
     /// How many there are.
     fn len(&self) -> usize;
     /// The real and the imaginary parts of the points from `start` on.
     fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]);
-    /// Takes the values at the points from `start` on.
-    fn store(&mut self, start: usize, re: &[f64], im: &[f64]);
+    /// Takes the values at the `n` points from `start` on.
+    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64));
 }
 
 /// Batches shorter than this are not worth sorting.
-const SHORT: usize = 24;
+const SHORT: usize = 64;
 
 /// W at all points.
 fn all<P: Points>(points: &mut P) {
@@ -203,8 +188,8 @@ fn all<P: Points>(points: &mut P) {
     for i in 0..points.len() {
         let (mut x, mut y) = ([0.0], [0.0]);
         points.load(i, &mut x, &mut y);
-        let (re, im) = with_best(One { x: x[0], y: y[0] });
-        points.store(i, &[re], &[im]);
+        let (re, im) = plane::w_with_best(x[0], y[0]);
+        points.store(i, 1, |_| (re, im));
     }
 }
 
@@ -228,10 +213,10 @@ impl Points for Interleaved<'_> {
         }
     }
     #[inline(always)]
-    fn store(&mut self, start: usize, re: &[f64], im: &[f64]) {
-        let w = &mut self.w[start..start + re.len()];
-        for ((w, re), im) in w.iter_mut().zip(re).zip(im) {
-            *w = Complex::new(*re, *im);
+    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64)) {
+        for (i, w) in self.w[start..start + n].iter_mut().enumerate() {
+            let (re, im) = value(i);
+            *w = Complex::new(re, im);
         }
     }
 }
@@ -256,9 +241,13 @@ impl Points for Apart<'_> {
         y.copy_from_slice(&self.y[start..start + n]);
     }
     #[inline(always)]
-    fn store(&mut self, start: usize, re: &[f64], im: &[f64]) {
-        self.re[start..start + re.len()].copy_from_slice(re);
-        self.im[start..start + im.len()].copy_from_slice(im);
+    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64)) {
+        let parts = self.re[start..start + n]
+            .iter_mut()
+            .zip(&mut self.im[start..start + n]);
+        for (i, (re, im)) in parts.enumerate() {
+            (*re, *im) = value(i);
+        }
     }
 }
 

@@ -22,6 +22,8 @@ pub(super) trait Wide: Simd {
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
     /// The numbers from `at` on.
     fn load(self, x: &[f64], at: usize) -> Self::f64s;
+    /// Stores the numbers from `at` on.
+    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize);
     /// The numbers, up to eight.
     fn store(self, v: Self::f64s, x: &mut [f64; 8]);
 }
@@ -66,6 +68,11 @@ impl Wide for V3 {
     fn load(self, x: &[f64], at: usize) -> Self::f64s {
         let v: &[f64; 4] = x[at..at + 4].try_into().expect("four");
         cast(*v)
+    }
+    #[inline(always)]
+    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
+        let v: [f64; 4] = cast(v);
+        x[at..at + 4].copy_from_slice(&v);
     }
     #[inline(always)]
     fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
@@ -118,6 +125,11 @@ impl Wide for V4 {
         cast(*v)
     }
     #[inline(always)]
+    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
+        let v: [f64; 8] = cast(v);
+        x[at..at + 8].copy_from_slice(&v);
+    }
+    #[inline(always)]
     fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
         *x = cast(v);
     }
@@ -137,6 +149,12 @@ impl<S: Wide> Pack<S> {
     #[inline(always)]
     pub(super) fn store(self, x: &mut [f64; 8]) {
         self.0.store(self.1, x);
+    }
+
+    /// Stores the numbers from `at` on.
+    #[inline(always)]
+    pub(super) fn store_at(self, x: &mut [f64], at: usize) {
+        self.0.store_at(self.1, x, at);
     }
 
     /// `self`, negated where `x` has a minus sign.

@@ -1,15 +1,17 @@
 //! Which formula computes W(z) where.
 
-use super::asymptotic::{large, series, series_beside_real_axis};
+use super::asymptotic::{large, series, series_beside_real_axis, series_rounded};
 use super::double_double::{Dd, fast_two_sum, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip,
 };
-use super::lanes::{Lanes, Task};
-use super::maclaurin::maclaurin;
+use super::lanes::{Lanes, Task, with_best};
+use super::power_series::{TERMS_FAR, TERMS_NEAR, far, near};
 use super::real::{ROUND, Real, scaled};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
-use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
+use super::taylor::{
+    ComplexRow, RealRow, complex_row, complex_row_rounded, real_row, real_row_rounded,
+};
 use super::{special, trapezoidal, zeros};
 
 /// |z|² from which the asymptotic series is used.
@@ -17,8 +19,14 @@ const FAR: f64 = 49.0;
 /// |z|² from which the series needs 14, 6 terms instead of 24.
 const TERMS_14: f64 = 100.0;
 const TERMS_6: f64 = 1000.0;
+/// |z|² from which it needs 4 in the upper half-plane.
+const TERMS_4: f64 = 5000.0;
 /// |z|² above this is scaled first.
 const HUGE: f64 = 1e200;
+/// Bounds for |z|² formed with other roundings: inside them the formula is the same.
+const TERMS_4_SURELY: f64 = TERMS_4 * (1.0 + 1e-15);
+const HUGE_SURELY: f64 = HUGE * (1.0 - 1e-15);
+const SMALL_SURELY: f64 = SMALL * (1.0 - 1e-15);
 /// Half the distance of the centres of the fine cells, and half the width of the strip beside the
 /// real axis; 1/8 belongs to the strip, where [`cell`] would round to a centre on the axis.
 const STRIP: f64 = 0.125_f64.next_up();
@@ -36,10 +44,16 @@ const SMALL: f64 = 1.0 / 16384.0;
 const DISC_EDGE: f64 = 1.0;
 /// A component smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 8.0;
+/// The same where the terms are rounded.
+const CANCELLED_ROUNDED: f64 = 0.6;
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
-/// The formula for W(z). Up to [`Kind::Series6`] it gives `w(a + i|y|)`.
+/// What the distance from the real axis is raised to beside it: no part of w is changed by that
+/// there, and products with smaller numbers would be subnormal.
+const LEAST: f64 = 1e-80;
+
+/// The formula for W(z).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Kind {
@@ -48,9 +62,10 @@ pub(super) enum Kind {
     Series24,
     Series14,
     Series6,
-    Small,
-    Disc,
     RealAxis,
+    Near,
+    Far,
+    Disc,
     Strip,
     Other,
 }
@@ -116,7 +131,8 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
         };
     }
     match kind(a, y) {
-        Kind::Small => Branch::Maclaurin { terms: 10 },
+        Kind::Near => Branch::Maclaurin { terms: TERMS_NEAR },
+        Kind::Far => Branch::Asymptotic { terms: TERMS_FAR },
         Kind::Cell => Branch::Cell { terms: 18 },
         Kind::Disc => Branch::LowerCell { terms: 18 },
         Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
@@ -148,7 +164,7 @@ pub(super) fn kind(a: f64, y: f64) -> Kind {
         }
     } else if r2 < FAR {
         if r2 < SMALL {
-            Kind::Small
+            Kind::Near
         } else if (y < 0.0) & (r2 < DISC_EDGE) {
             Kind::Disc
         } else if a < axis_width(a, b) {
@@ -161,19 +177,23 @@ pub(super) fn kind(a: f64, y: f64) -> Kind {
     } else if r2 < TERMS_6 {
         Kind::Series14
     } else if r2 < HUGE {
-        Kind::Series6
+        if y < 0.0 || r2 < TERMS_4 {
+            Kind::Series6
+        } else {
+            Kind::Far
+        }
     } else {
         Kind::Other
     }
 }
 
-/// Room for the numbers of all buckets, and two more.
-pub(super) const BUCKETS: usize = 32;
 /// What is added to the number of the bucket in the lower half-plane.
 pub(super) const LOWER: usize = Kind::Other as usize + 1;
+/// How many buckets there are.
+pub(super) const BUCKETS: usize = LOWER + Kind::RealAxis as usize + 1;
 
-/// The bucket as a number, plus `ROUND`: that of the kind, plus [`LOWER`] for the kinds up to
-/// [`Kind::Series6`] in the lower half-plane.
+/// The bucket as a number, plus `ROUND`: that of the kind, plus [`LOWER`] in the lower half-plane
+/// for the kinds up to [`Kind::RealAxis`].
 #[inline(always)]
 pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
     let code = |k: Kind| a.like(ROUND + f64::from(k as u8));
@@ -182,16 +202,18 @@ pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
     let r2 = a.fma(a, b * b);
     let low = y.below(zero);
     let lower = a.pick(low, a.like(LOWER as f64), zero);
-    let far = under(r2, TERMS_6, code(Kind::Series14), code(Kind::Series6));
-    let far = under(r2, TERMS_14, code(Kind::Series24), far) + lower;
+    let far = a.pick(low, code(Kind::Series6) + lower, code(Kind::Far));
+    let far = under(r2, TERMS_4, code(Kind::Series6) + lower, far);
+    let far = under(r2, TERMS_6, code(Kind::Series14) + lower, far);
+    let far = under(r2, TERMS_14, code(Kind::Series24) + lower, far);
     let far = under(r2, HUGE, far, code(Kind::Other));
     let width = under(a.at_least(b), FINE, a.like(STRIP), a.like(2.0 * STRIP));
     let near = a.pick(a.below(width), code(Kind::ImaginaryAxis), code(Kind::Cell)) + lower;
     let disc = a.pick(low, code(Kind::Disc), near);
     let near = under(r2, DISC_EDGE, disc, near);
-    let near = under(r2, SMALL, code(Kind::Small), near);
+    let near = under(r2, SMALL, code(Kind::Near), near);
     let all = under(r2, FAR, near, far);
-    let strip = under(a, BEYOND, code(Kind::RealAxis), code(Kind::Strip));
+    let strip = under(a, BEYOND, code(Kind::RealAxis) + lower, code(Kind::Strip));
     let strip = under(a, APART, all, under(a, GONE, strip, all));
     under(b, STRIP, strip, all)
 }
@@ -202,9 +224,11 @@ pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
     let like = |x: f64| a.like(x);
     // Beside the real axis the fine cells go on.
     let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
-    let step = a.pick(fine, like(4.0), like(2.0));
-    let unit = a.pick(fine, like(-0.25), like(-0.5));
-    let base = a.pick(fine, like(ROUND), like(ROUND + 512.0));
+    // Not three choices: they would become a branch.
+    let fine = a.pick(fine, like(1.0), like(0.0));
+    let step = fine.fma(like(2.0), like(2.0));
+    let unit = fine.fma(like(0.25), like(-0.5));
+    let base = fine.fma(like(-512.0), like(ROUND + 512.0));
     let round = like(ROUND);
     let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
     [j.fma(like(32.0), i) + base, i.fma(unit, a), j.fma(unit, b)]
@@ -276,6 +300,12 @@ pub(super) fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>
     (p, fast_two_sum(m, minus.fma(s.lo, minus.fma(s.hi, -m))))
 }
 
+/// The same from rounded numbers.
+#[inline(always)]
+pub(super) fn from_erfcx_rounded<R: Real>(a: R, (p, s): (R, R)) -> (R, R) {
+    (p, -a * s)
+}
+
 /// w in the strip beside the real axis from the asymptotic series and `e^{y² − a²} cos 2ay`, which
 /// matters only if `2ay` is small; `true` where the terms cancel.
 #[inline(always)]
@@ -293,8 +323,13 @@ pub(super) fn in_strip<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
         );
     let t = scaled(e.fma(cos, e), n.at_least(a.like(ROUND - 1100.0)));
     let re = y.fma(u, t);
-    // t + |y| u is small if either is: y is negative then.
-    (re, v, re.magnitude().below(t * a.like(CANCELLED)))
+    // The terms have opposite signs if y is negative.
+    let larger = t.at_least(-y * u);
+    (
+        re,
+        v,
+        re.magnitude().below(larger * a.like(CANCELLED_ROUNDED)),
+    )
 }
 
 /// `t · factor + x`
@@ -352,19 +387,63 @@ impl Task for Cancelled {
     }
 }
 
-/// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for any `y`.
+/// `(Re w, Im w)` at `a + i b`, `a ≥ 0`, `b ≥ 0`.
 #[inline(always)]
-pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
-    let b = y.abs();
-    let kind = kind(a, y);
-    let lower = y < 0.0;
-    if lower && let Some(k) = zeros::nearest(a, b) {
+fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
+    match kind(a, b) {
+        Kind::Cell => {
+            let [n, dx, dy] = cell(a, b);
+            complex_row_rounded(lanes, cell_row(n), dx, dy)
+        }
+        Kind::ImaginaryAxis => {
+            let (n, t) = on_axis(b);
+            from_erfcx_rounded(a, real_row_rounded(lanes, imaginary_axis_row(n), t, a))
+        }
+        Kind::RealAxis => {
+            let (n, t) = on_real_axis(a);
+            complex_row_rounded(lanes, real_axis_row(n), t, above_real_axis(b))
+        }
+        Kind::Strip => {
+            let (re, im, _) = in_strip(a, b);
+            (re, im)
+        }
+        Kind::Series24 => series_rounded::<_, 24>(a, b),
+        Kind::Series14 => series_rounded::<_, 14>(a, b),
+        Kind::Series6 => series_rounded::<_, 6>(a, b),
+        Kind::Near => near(a, b),
+        Kind::Far => far(a, b),
+        // The others are for the lower half-plane.
+        Kind::Disc | Kind::Other => special::huge(a, b),
+    }
+}
+
+/// The distance from the real axis where [`LEAST`] makes no difference.
+#[inline(always)]
+pub(super) fn above_real_axis<R: Real>(b: R) -> R {
+    b.at_least(b.like(LEAST))
+}
+
+/// The same below the real axis.
+#[inline(always)]
+pub(super) fn below_real_axis<R: Real>(y: R) -> R {
+    y.at_most(y.like(-LEAST))
+}
+
+/// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, `y < 0`.
+#[inline(always)]
+fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
+    let b = -y;
+    if let Some(k) = zeros::nearest(a, b) {
         return match zeros::near_zero(lanes, k, a, b) {
             Some(w) => w,
             None => lanes.call(Cancelled { a, b }),
         };
     }
-    let (u, v) = match kind {
+    let unless_lost = |(re, im, lost): (f64, f64, bool)| match lost {
+        true => lanes.call(Cancelled { a, b }),
+        false => (re, im),
+    };
+    let (u, v) = match kind(a, y) {
         Kind::Cell => {
             let [n, dx, dy] = cell(a, b);
             complex_row(lanes, cell_row(n), dx, dy)
@@ -373,37 +452,23 @@ pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64)
             let (n, t) = on_axis(b);
             from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
         }
-        Kind::RealAxis => {
-            let (n, t) = on_real_axis(a);
-            let (re, im) = complex_row(lanes, real_axis_row(n), t, y);
-            return if cancels_beside_real_axis(a, y, re.hi, im.hi) {
-                lanes.call(Cancelled { a, b })
-            } else {
-                (re.hi, im.hi)
-            };
-        }
         Kind::Series24 => series::<_, 24>(a, b),
         Kind::Series14 => series::<_, 14>(a, b),
         Kind::Series6 => series::<_, 6>(a, b),
-        Kind::Small => return maclaurin(a, y),
+        Kind::RealAxis => {
+            let (n, t) = on_real_axis(a);
+            let (re, im) = complex_row(lanes, real_axis_row(n), t, below_real_axis(y));
+            let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
+            return unless_lost((re.hi, im.hi, lost));
+        }
+        Kind::Near => return near(a, y),
         Kind::Disc => {
             let [n, dx, dy] = disc_cell(a, y);
-            let (re, im) = complex_row(lanes, disc_row(n), dx, dy);
-            return (re.hi, im.hi);
+            return complex_row_rounded(lanes, disc_row(n), dx, dy);
         }
-        Kind::Strip => {
-            let (re, im, lost) = in_strip(a, y);
-            return if lost {
-                lanes.call(Cancelled { a, b })
-            } else {
-                (re, im)
-            };
-        }
-        Kind::Other => return special::huge(a, y),
+        Kind::Strip => return unless_lost(in_strip(a, y)),
+        Kind::Far | Kind::Other => return special::huge(a, y),
     };
-    if !lower {
-        return (u.hi, v.hi);
-    }
     if negligible(a, b, u.hi, v.hi) {
         return (-u.hi, v.hi);
     }
@@ -413,18 +478,76 @@ pub(super) fn right_half_plane<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64)
         let n = n + 1.0;
         return (scaled(c.value(), n), scaled(s.value(), n));
     }
-    let (re, im, lost) = reflect((u, v), (c, s, n));
-    if lost {
-        lanes.call(Cancelled { a, b })
-    } else {
-        (re, im)
+    unless_lost(reflect((u, v), (c, s, n)))
+}
+
+/// [`upper`] and [`lower`] as functions of their own.
+struct Upper {
+    a: f64,
+    b: f64,
+}
+
+impl Task for Upper {
+    type Output = (f64, f64);
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
+        upper(lanes, self.a, self.b)
     }
+}
+
+struct Lower {
+    a: f64,
+    y: f64,
+}
+
+impl Task for Lower {
+    type Output = (f64, f64);
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
+        lower(lanes, self.a, self.y)
+    }
+}
+
+/// `(Re w, Im w)` at `x + i y`, with the best instructions of this processor.
+#[inline(always)]
+pub(super) fn w_with_best(x: f64, y: f64) -> (f64, f64) {
+    w_or(
+        x,
+        y,
+        #[inline(always)]
+        |a, y| match y < 0.0 {
+            true => with_best(Lower { a, y }),
+            false => with_best(Upper { a, b: y.abs() }),
+        },
+    )
 }
 
 /// `(Re w, Im w)` at `x + i y`.
 #[inline(always)]
 pub(super) fn w<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
-    let (re, im) = right_half_plane(lanes, x.abs(), y);
+    w_or(
+        x,
+        y,
+        #[inline(always)]
+        |a, y| match y < 0.0 {
+            true => lanes.call(Lower { a, y }),
+            false => lanes.call(Upper { a, b: y.abs() }),
+        },
+    )
+}
+
+/// [`near`] and [`far`] without a call where they surely apply, and `otherwise` at `|x| + i y`
+/// elsewhere.
+#[inline(always)]
+fn w_or(x: f64, y: f64, otherwise: impl FnOnce(f64, f64) -> (f64, f64)) -> (f64, f64) {
+    let r2 = x * x + y * y;
+    if (y >= 0.0) & (TERMS_4_SURELY..HUGE_SURELY).contains(&r2) {
+        return far(x, y.abs());
+    }
+    if r2 < SMALL_SURELY {
+        return near(x, y);
+    }
+    let (re, im) = otherwise(x.abs(), y);
     // w(−z̄) is the conjugate of w(z).
     (re, if x.is_sign_negative() { -im } else { im })
 }

@@ -28,6 +28,11 @@ fn block(c: &[f64], at: usize) -> [f64; 4] {
     [c[at], c[at + 1], c[at + 2], c[at + 3]]
 }
 
+#[inline(always)]
+fn block8(c: &[f64; 40]) -> [f64; 8] {
+    [c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]]
+}
+
 /// `δ², δ³, δ⁴` as real and imaginary parts, with `δ²` given.
 #[inline(always)]
 fn powers<R: Real>((dx, dy): (R, R), (x2, y2): (R, R)) -> [(R, R); 2] {
@@ -93,21 +98,43 @@ fn complex_sum<R: Real>(
     (re, im)
 }
 
+/// `c₀ + c₁δ + δ²q`, rounded, from the same numbers.
+#[inline(always)]
+fn complex_sum_rounded<R: Real>(
+    c: [R; 8],
+    (dx, dy): (R, R),
+    (x2, y2): (R, R),
+    (qr, qi): (R, R),
+) -> (R, R) {
+    let (tr, ti) = (x2.fma(qr, -(y2 * qi)), x2.fma(qi, y2 * qr));
+    let (tr, ti) = (
+        c[4].fma(dx, (-c[6]).fma(dy, tr)),
+        c[4].fma(dy, c[6].fma(dx, ti)),
+    );
+    (c[0] + (c[1] + tr), c[2] + (c[3] + ti))
+}
+
+/// Real and imaginary part of `w(c + dx + i dy)`, each as one number.
+#[inline(always)]
+pub(super) fn complex_row_rounded<L: Lanes>(
+    lanes: L,
+    row: &ComplexRow,
+    dx: f64,
+    dy: f64,
+) -> (f64, f64) {
+    let c = &row.0;
+    let d2 = square(dx, dy);
+    let q = polynomial(lanes, c, (8, 32), (dx, dy), d2);
+    complex_sum_rounded(block8(c), (dx, dy), d2, q)
+}
+
 /// Real and imaginary part of `w(c + dx + i dy)`, unevaluated.
 #[inline(always)]
 pub(super) fn complex_row<L: Lanes>(lanes: L, row: &ComplexRow, dx: f64, dy: f64) -> (Dd, Dd) {
     let c = &row.0;
     let d2 = square(dx, dy);
     let q = polynomial(lanes, c, (8, 32), (dx, dy), d2);
-    complex_sum(
-        std::array::from_fn(
-            #[inline(always)]
-            |i| c[i],
-        ),
-        (dx, dy),
-        d2,
-        q,
-    )
+    complex_sum(block8(c), (dx, dy), d2, q)
 }
 
 /// The powers of `δ = t + i b` up to the fourth: real parts, and imaginary parts divided by `b`.
@@ -136,10 +163,41 @@ fn real_sum<R: Real>(
     (re, im)
 }
 
+/// The same, rounded.
+#[inline(always)]
+fn real_sum_rounded<R: Real>(
+    c: [R; 4],
+    (t, bb): (R, R),
+    (p2, s2): (R, R),
+    (qr, qs): (R, R),
+) -> (R, R) {
+    let (tr, ts) = (p2.fma(qr, -(bb * s2 * qs)), p2.fma(qs, s2 * qr));
+    (c[0] + (c[1] + c[2].fma(t, tr)), c[2] + (c[3] + ts))
+}
+
 /// For a function `f` real on the real axis and expanded about a real centre: the real part of
 /// `f(c + t + i b)` and its imaginary part divided by `b`.
 #[inline(always)]
 pub(super) fn real_row<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (Dd, Dd) {
+    let (c, bb, powers, q) = real_polynomial(lanes, row, t, b);
+    real_sum(c, (t, bb), powers, q)
+}
+
+/// [`real_row`], each part as one number.
+#[inline(always)]
+pub(super) fn real_row_rounded<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (f64, f64) {
+    let (c, bb, powers, q) = real_polynomial(lanes, row, t, b);
+    real_sum_rounded(c, (t, bb), powers, q)
+}
+
+/// The first four numbers of the row, b², δ² and `q₀ + q₁δ + …`, imaginary parts divided by `b`.
+#[inline(always)]
+fn real_polynomial<L: Lanes>(
+    lanes: L,
+    row: &RealRow,
+    t: f64,
+    b: f64,
+) -> ([f64; 4], f64, (f64, f64), (f64, f64)) {
     let c = &row.0;
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
@@ -160,15 +218,7 @@ pub(super) fn real_row<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (Dd
     );
     let qr = lanes.sum(lanes.neg_mul_add(bs, im, lanes.mul(pv, re)));
     let qs = lanes.sum(lanes.mul_add(pv, im, lanes.mul(sv, re)));
-    real_sum(
-        std::array::from_fn(
-            #[inline(always)]
-            |i| c[i],
-        ),
-        (t, bb),
-        (p[2], s[2]),
-        (qr, qs),
-    )
+    (block(c, 0), bb, (p[2], s[2]), (qr, qs))
 }
 
 /// Numbers `at … at + 3` of each row.
@@ -228,9 +278,28 @@ pub(super) fn complex_rows<S: Wide>(
 ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
     let d2 = square(dx, dy);
     let q = polynomials(simd, rows, (8, 32), (dx, dy), d2);
+    complex_sum(eight_columns(simd, rows), (dx, dy), d2, q)
+}
+
+/// [`complex_row_rounded`] for several points with a row each.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn complex_rows_rounded<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 40]; 8],
+    dx: Pack<S>,
+    dy: Pack<S>,
+) -> (Pack<S>, Pack<S>) {
+    let d2 = square(dx, dy);
+    let q = polynomials(simd, rows, (8, 32), (dx, dy), d2);
+    complex_sum_rounded(eight_columns(simd, rows), (dx, dy), d2, q)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+fn eight_columns<S: Wide>(simd: S, rows: &[&[f64; 40]; 8]) -> [Pack<S>; 8] {
     let (a, b) = (columns(simd, rows, 0), columns(simd, rows, 4));
-    let c = [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]];
-    complex_sum(c, (dx, dy), d2, q)
+    [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]]
 }
 
 /// [`real_row`] for several points with a row each.
@@ -242,6 +311,33 @@ pub(super) fn real_rows<S: Wide>(
     t: Pack<S>,
     b: Pack<S>,
 ) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+    let (bb, powers, q) = real_polynomials(simd, rows, t, b);
+    real_sum(columns(simd, rows, 0), (t, bb), powers, q)
+}
+
+/// [`real_row_rounded`] for several points with a row each.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn real_rows_rounded<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Pack<S>, Pack<S>) {
+    let (bb, powers, q) = real_polynomials(simd, rows, t, b);
+    real_sum_rounded(columns(simd, rows, 0), (t, bb), powers, q)
+}
+
+/// b², δ² and `q₀ + q₁δ + …`, imaginary parts divided by `b`.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+#[allow(clippy::type_complexity)]
+fn real_polynomials<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 20]; 8],
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Pack<S>, (Pack<S>, Pack<S>), (Pack<S>, Pack<S>)) {
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
     let bs4 = bb * s[4];
@@ -270,5 +366,5 @@ pub(super) fn real_rows<S: Wide>(
         (qr[0] + qr[2]) + (qr[1] + qr[3]),
         (qs[0] + qs[2]) + (qs[1] + qs[3]),
     );
-    real_sum(columns(simd, rows, 0), (t, bb), (p[2], s[2]), q)
+    (bb, (p[2], s[2]), q)
 }

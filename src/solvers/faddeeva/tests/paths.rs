@@ -1,7 +1,7 @@
 //! One at a time or many, with vectors or without: the same bits.
 
-use super::super::lanes::{Lanes, Plain, with_best};
-use super::super::{One, faddeeva, faddeeva_batch, faddeeva_soa};
+use super::super::lanes::Plain;
+use super::super::{faddeeva, faddeeva_batch, faddeeva_soa, plane};
 use super::Random;
 use num_complex::Complex;
 use proptest::prelude::*;
@@ -112,8 +112,8 @@ fn every_set_of_vectors() {
 #[test]
 fn plain_arrays() {
     for z in points(41, 50_000) {
-        let (re, im) = Plain.call(One { x: z.re, y: z.im });
-        let best = with_best(One { x: z.re, y: z.im });
+        let (re, im) = plane::w(Plain, z.re, z.im);
+        let best = plane::w_with_best(z.re, z.im);
         assert!(
             same(re, best.0) && same(im, best.1),
             "w({:e} + {:e} i): {re:e} {im:e}, with vectors {best:?}",

@@ -5,20 +5,17 @@ use crate::reference::{Ball, faddeeva};
 use rug::{Float, Rational};
 
 #[test]
-fn constants() {
+fn coefficients_about_zero() {
     let root = Ball::pi(300).sqrt();
-    assert!(are_parts(
-        &(Ball::integer(300, 2) / &root),
-        &TWO_OVER_SQRT_PI
-    ));
     assert!(are_parts(&(Ball::integer(300, 1) / &root), &[INV_SQRT_PI]));
-    // w(iy) = Σ C_n yⁿ is real: two roundings each.
+    // w(iy) = 1 + Σ k_n yⁿ is real: two roundings each.
     let zero = Rational::new();
-    let c = faddeeva::taylor(&zero, &zero, 9, 200).expect("decided");
-    for (n, value) in C.iter().enumerate() {
-        // (−1)ⁿ/Γ(n/2 + 1) yⁿ = c_m (iy)ᵐ with m = n + 2.
-        let c = &c[n + 2];
-        let exact = match (n + 2) % 4 {
+    let c = faddeeva::taylor(&zero, &zero, ABOUT_ZERO.len() + 1, 200).expect("decided");
+    for (n, value) in ABOUT_ZERO.iter().enumerate() {
+        // k yⁿ = c_m (iy)ᵐ.
+        let m = n + 1;
+        let c = &c[m];
+        let exact = match m % 4 {
             0 => c.re.mid().clone(),
             1 => Float::with_val(200, -c.im.mid()),
             2 => Float::with_val(200, -c.re.mid()),
@@ -26,9 +23,36 @@ fn constants() {
         };
         assert!(
             error(&float(*value), &exact, &exact) <= 1.5 * f64::EPSILON,
-            "{n}"
+            "{m}"
         );
     }
+}
+
+#[test]
+fn coefficients_about_infinity() {
+    let mut exact = 1.0;
+    for (n, value) in ABOUT_INFINITY.iter().enumerate() {
+        exact *= n as f64 + 0.5;
+        assert_eq!(*value, exact, "{n}");
+    }
+}
+
+#[test]
+fn far_away() {
+    let mut random = Random(112);
+    let mut worst = 0.0f64;
+    for _ in 0..20_000 {
+        let (a, y) = (random.power(-60.0, 200.0), random.power(-60.0, 200.0));
+        if a * a + y * y < 5000.0 || a * a + y * y > 1e200 || (y < 0.126 && a < 27.5) {
+            continue;
+        }
+        let (re, im) = far(a, y);
+        let exact = w(a, y);
+        let off = error(&float(re), &exact.0, &exact.0).max(error(&float(im), &exact.1, &exact.1));
+        worst = worst.max(off);
+        assert!(off < 2.0 * f64::EPSILON, "{a:e} {y:e}: {off:e}");
+    }
+    println!("{} ε", worst / f64::EPSILON);
 }
 
 #[test]
@@ -41,7 +65,7 @@ fn next_to_zero() {
             continue;
         }
         for y in [y, -y] {
-            let (re, im) = maclaurin(a, y);
+            let (re, im) = near(a, y);
             let exact = w(a, y);
             let off =
                 error(&float(re), &exact.0, &exact.0).max(error(&float(im), &exact.1, &exact.1));
