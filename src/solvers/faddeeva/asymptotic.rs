@@ -30,6 +30,9 @@ const A: [f64; TERMS] = {
 /// `1/√π`.
 const INV_SQRT_PI: Dd = Dd::new(0.564_189_583_547_756_3, 7.667_729_806_582_94e-18);
 
+/// `√π`.
+const SQRT_PI: f64 = 1.772_453_850_905_516;
+
 /// `x (hi + lo)(1 + g)`
 #[inline(always)]
 fn part<R: Real>(x: R, g: R, hi: R, lo: R) -> Dd<R> {
@@ -77,33 +80,42 @@ pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
     (part(b, gu, hi, lo), part(a, gv, hi, lo))
 }
 
-/// The same, each part as one number: to about 2.6u by the count of its roundings.
+/// The same, each part as one number: two roundings, and what the correction adds.
 #[inline(always)]
 pub(super) fn series_rounded<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
-    let [gu, gv, f] = factors_rounded::<R, N>(a, b);
+    let least = a.like(LEAST);
+    let (x, y) = (a.at_least(least), b.at_least(least));
+    let [gu, gv, f] = factors_rounded::<R, N>((x * x, y * y), (x.at_least(y), x.at_most(y)));
     let (p, q) = (b * f, a * f);
     (gu.fma(p, p), gv.fma(q, q))
 }
 
-/// The same beside the real axis: the real part divided by `b`, and the imaginary part.
+/// The same for `a ≥ b`: the real part divided by `b`, and the imaginary part.
 #[inline(always)]
 pub(super) fn series_beside_real_axis<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
-    let [gu, gv, f] = factors_rounded::<R, N>(a, b);
+    let y = b.at_least(a.like(LEAST));
+    let [gu, gv, f] = factors_rounded::<R, N>((a * a, y * y), (a, y));
     let q = a * f;
     (gu.fma(f, f), gv.fma(q, q))
 }
 
-/// `gu`, `gv` and `f = 1/(√π r²)` as in [`factors`], `f` as one number.
+/// Smaller numbers do not count in r², and their squares would be subnormal, which is slow.
+const LEAST: f64 = 1e-140;
+
+/// `gu`, `gv` and `f = 1/(√π r²)` as in [`factors`], from a², b² and the larger and the smaller of a
+/// and b. `f` is one number; its relative error is part of `gu` and `gv`.
 #[inline(always)]
-fn factors_rounded<R: Real, const N: usize>(a: R, b: R) -> [R; 3] {
-    let like = |c: f64| a.like(c);
-    let least = like(1e-140);
-    let (a, b) = (a.at_least(least), b.at_least(least));
-    let (xx, yy) = (a * a, b * b);
-    let f = like(INV_SQRT_PI.hi) / a.fma(a, yy);
-    let t = f * f * like(std::f64::consts::PI);
-    let [gu, gv] = corrections::<R, N>(xx, yy, t);
-    [gu, gv, f]
+fn factors_rounded<R: Real, const N: usize>((xx, yy): (R, R), (large, small): (R, R)) -> [R; 3] {
+    let like = |c: f64| xx.like(c);
+    // r² = hi + lo; the difference is exact (Sterbenz).
+    let square = two_prod(large, large);
+    let hi = small.fma(small, square.hi);
+    let lo = small.fma(small, square.hi - hi) + square.lo;
+    let f = like(INV_SQRT_PI.hi) / hi;
+    let rest = (-hi).fma(f, like(INV_SQRT_PI.hi)) + (-f).fma(lo, like(INV_SQRT_PI.lo));
+    let error = rest * like(SQRT_PI);
+    let [gu, gv] = corrections::<R, N>(xx, yy, f * f * like(std::f64::consts::PI));
+    [gu + error, gv + error, f]
 }
 
 /// `gu`, `gv` and the two parts of `f = 1/(√π r²)` with `Re w = b f (1 + gu)`,
@@ -111,8 +123,7 @@ fn factors_rounded<R: Real, const N: usize>(a: R, b: R) -> [R; 3] {
 #[inline(always)]
 fn factors<R: Real, const N: usize>(a: R, b: R) -> [R; 4] {
     let like = |c: f64| a.like(c);
-    // Smaller numbers do not count in r², and their squares would be subnormal, which is slow.
-    let least = like(1e-140);
+    let least = like(LEAST);
     let (a, b) = (a.at_least(least), b.at_least(least));
     // r² and 1/(√π r²), as hi + lo.
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));

@@ -6,13 +6,13 @@ use super::asymptotic::{series, series_rounded};
 use super::double_double::Dd;
 use super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::lanes::Lanes;
+use super::maclaurin::maclaurin;
 use super::pack::{Pack, Wide};
 use super::plane::{
     ALONE, BUCKETS, Cancelled, Kind, LOWER, above_real_axis, below_real_axis, bucket,
     cancels_beside_real_axis, cell, cell_row, disc_cell, disc_row, from_erfcx, from_erfcx_rounded,
     imaginary_axis_row, in_strip, negligible, on_axis, on_real_axis, real_axis_row, reflect, w,
 };
-use super::power_series::{far, near};
 use super::real::{ROUND, Real};
 use super::taylor::{ComplexRow, complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
 use super::zeros;
@@ -118,16 +118,16 @@ impl<P: Points> Chunk<'_, P> {
         self.rounded(
             simd,
             lanes,
-            Kind::Near as usize,
+            Kind::Small as usize,
             #[inline(always)]
-            |_, a, y| near(a, y),
+            |_, a, y| maclaurin(a, y),
         );
         self.rounded(
             simd,
             lanes,
-            Kind::Far as usize,
+            Kind::Series4 as usize,
             #[inline(always)]
-            |_, a, y| far(a, y.magnitude()),
+            |_, a, y| series_rounded::<_, 4>(a, y.magnitude()),
         );
         self.rounded(
             simd,

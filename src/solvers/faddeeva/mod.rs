@@ -62,12 +62,12 @@ mod erfcx;
 mod exponential;
 mod lanes;
 mod lengths;
+mod maclaurin;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 mod payne_hanek;
 mod plane;
-mod power_series;
 mod quadrant;
 mod real;
 mod special;

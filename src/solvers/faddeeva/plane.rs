@@ -6,7 +6,7 @@ use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip,
 };
 use super::lanes::{Lanes, Task, with_best};
-use super::power_series::{TERMS_FAR, TERMS_NEAR, far, near};
+use super::maclaurin::{self, maclaurin};
 use super::real::{ROUND, Real, scaled};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{
@@ -16,17 +16,16 @@ use super::{special, trapezoidal, zeros};
 
 /// |z|² from which the asymptotic series is used.
 const FAR: f64 = 49.0;
-/// |z|² from which the series needs 14, 6 terms instead of 24.
+/// |z|² from which the series needs 14, 6, 4 terms instead of 24.
 const TERMS_14: f64 = 100.0;
 const TERMS_6: f64 = 1000.0;
-/// |z|² from which it needs 4 in the upper half-plane.
 const TERMS_4: f64 = 5000.0;
 /// |z|² above this is scaled first.
 const HUGE: f64 = 1e200;
-/// Bounds for |z|² formed with other roundings: inside them the formula is the same.
+/// The same however |z|² is rounded.
+const SMALL_SURELY: f64 = SMALL * (1.0 - 1e-15);
 const TERMS_4_SURELY: f64 = TERMS_4 * (1.0 + 1e-15);
 const HUGE_SURELY: f64 = HUGE * (1.0 - 1e-15);
-const SMALL_SURELY: f64 = SMALL * (1.0 - 1e-15);
 /// Half the distance of the centres of the fine cells, and half the width of the strip beside the
 /// real axis; 1/8 belongs to the strip, where [`cell`] would round to a centre on the axis.
 const STRIP: f64 = 0.125_f64.next_up();
@@ -63,8 +62,8 @@ pub(super) enum Kind {
     Series14,
     Series6,
     RealAxis,
-    Near,
-    Far,
+    Series4,
+    Small,
     Disc,
     Strip,
     Other,
@@ -131,8 +130,10 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
         };
     }
     match kind(a, y) {
-        Kind::Near => Branch::Maclaurin { terms: TERMS_NEAR },
-        Kind::Far => Branch::Asymptotic { terms: TERMS_FAR },
+        Kind::Small => Branch::Maclaurin {
+            terms: maclaurin::TERMS,
+        },
+        Kind::Series4 => Branch::Asymptotic { terms: 4 },
         Kind::Cell => Branch::Cell { terms: 18 },
         Kind::Disc => Branch::LowerCell { terms: 18 },
         Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
@@ -164,7 +165,7 @@ pub(super) fn kind(a: f64, y: f64) -> Kind {
         }
     } else if r2 < FAR {
         if r2 < SMALL {
-            Kind::Near
+            Kind::Small
         } else if (y < 0.0) & (r2 < DISC_EDGE) {
             Kind::Disc
         } else if a < axis_width(a, b) {
@@ -180,7 +181,7 @@ pub(super) fn kind(a: f64, y: f64) -> Kind {
         if y < 0.0 || r2 < TERMS_4 {
             Kind::Series6
         } else {
-            Kind::Far
+            Kind::Series4
         }
     } else {
         Kind::Other
@@ -202,7 +203,7 @@ pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
     let r2 = a.fma(a, b * b);
     let low = y.below(zero);
     let lower = a.pick(low, a.like(LOWER as f64), zero);
-    let far = a.pick(low, code(Kind::Series6) + lower, code(Kind::Far));
+    let far = a.pick(low, code(Kind::Series6) + lower, code(Kind::Series4));
     let far = under(r2, TERMS_4, code(Kind::Series6) + lower, far);
     let far = under(r2, TERMS_6, code(Kind::Series14) + lower, far);
     let far = under(r2, TERMS_14, code(Kind::Series24) + lower, far);
@@ -211,7 +212,7 @@ pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
     let near = a.pick(a.below(width), code(Kind::ImaginaryAxis), code(Kind::Cell)) + lower;
     let disc = a.pick(low, code(Kind::Disc), near);
     let near = under(r2, DISC_EDGE, disc, near);
-    let near = under(r2, SMALL, code(Kind::Near), near);
+    let near = under(r2, SMALL, code(Kind::Small), near);
     let all = under(r2, FAR, near, far);
     let strip = under(a, BEYOND, code(Kind::RealAxis) + lower, code(Kind::Strip));
     let strip = under(a, APART, all, under(a, GONE, strip, all));
@@ -410,8 +411,8 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
         Kind::Series24 => series_rounded::<_, 24>(a, b),
         Kind::Series14 => series_rounded::<_, 14>(a, b),
         Kind::Series6 => series_rounded::<_, 6>(a, b),
-        Kind::Near => near(a, b),
-        Kind::Far => far(a, b),
+        Kind::Series4 => series_rounded::<_, 4>(a, b),
+        Kind::Small => maclaurin(a, b),
         // The others are for the lower half-plane.
         Kind::Disc | Kind::Other => special::huge(a, b),
     }
@@ -461,13 +462,13 @@ fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
             let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
             return unless_lost((re.hi, im.hi, lost));
         }
-        Kind::Near => return near(a, y),
+        Kind::Small => return maclaurin(a, y),
         Kind::Disc => {
             let [n, dx, dy] = disc_cell(a, y);
             return complex_row_rounded(lanes, disc_row(n), dx, dy);
         }
         Kind::Strip => return unless_lost(in_strip(a, y)),
-        Kind::Far | Kind::Other => return special::huge(a, y),
+        Kind::Series4 | Kind::Other => return special::huge(a, y),
     };
     if negligible(a, b, u.hi, v.hi) {
         return (-u.hi, v.hi);
@@ -481,73 +482,87 @@ fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
     unless_lost(reflect((u, v), (c, s, n)))
 }
 
-/// [`upper`] and [`lower`] as functions of their own.
-struct Upper {
-    a: f64,
-    b: f64,
+/// Parts of the right half-plane as functions of their own: far above the real axis, on or above
+/// it, below it.
+struct Far(f64, f64);
+struct Upper(f64, f64);
+struct Lower(f64, f64);
+
+impl Task for Far {
+    type Output = (f64, f64);
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
+        series_rounded::<_, 4>(self.0, self.1)
+    }
 }
 
 impl Task for Upper {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        upper(lanes, self.a, self.b)
+        upper(lanes, self.0, self.1)
     }
-}
-
-struct Lower {
-    a: f64,
-    y: f64,
 }
 
 impl Task for Lower {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        lower(lanes, self.a, self.y)
+        lower(lanes, self.0, self.1)
+    }
+}
+
+/// Something that runs tasks.
+trait Runner {
+    fn run<T: Task>(self, task: T) -> T::Output;
+}
+
+/// With the best instructions of this processor.
+struct Best;
+
+impl Runner for Best {
+    #[inline(always)]
+    fn run<T: Task>(self, task: T) -> T::Output {
+        with_best(task)
+    }
+}
+
+/// With these instructions.
+struct With<L>(L);
+
+impl<L: Lanes> Runner for With<L> {
+    #[inline(always)]
+    fn run<T: Task>(self, task: T) -> T::Output {
+        self.0.call(task)
     }
 }
 
 /// `(Re w, Im w)` at `x + i y`, with the best instructions of this processor.
 #[inline(always)]
 pub(super) fn w_with_best(x: f64, y: f64) -> (f64, f64) {
-    w_or(
-        x,
-        y,
-        #[inline(always)]
-        |a, y| match y < 0.0 {
-            true => with_best(Lower { a, y }),
-            false => with_best(Upper { a, b: y.abs() }),
-        },
-    )
+    w_by(Best, x, y)
 }
 
 /// `(Re w, Im w)` at `x + i y`.
 #[inline(always)]
 pub(super) fn w<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
-    w_or(
-        x,
-        y,
-        #[inline(always)]
-        |a, y| match y < 0.0 {
-            true => lanes.call(Lower { a, y }),
-            false => lanes.call(Upper { a, b: y.abs() }),
-        },
-    )
+    w_by(With(lanes), x, y)
 }
 
-/// [`near`] and [`far`] without a call where they surely apply, and `otherwise` at `|x| + i y`
-/// elsewhere.
 #[inline(always)]
-fn w_or(x: f64, y: f64, otherwise: impl FnOnce(f64, f64) -> (f64, f64)) -> (f64, f64) {
+fn w_by(runner: impl Runner, x: f64, y: f64) -> (f64, f64) {
     let r2 = x * x + y * y;
-    if (y >= 0.0) & (TERMS_4_SURELY..HUGE_SURELY).contains(&r2) {
-        return far(x, y.abs());
-    }
     if r2 < SMALL_SURELY {
-        return near(x, y);
+        return maclaurin(x, y);
     }
-    let (re, im) = otherwise(x.abs(), y);
+    let (a, b) = (x.abs(), y.abs());
+    let (re, im) = if (y >= 0.0) & (TERMS_4_SURELY..HUGE_SURELY).contains(&r2) {
+        runner.run(Far(a, b))
+    } else if y < 0.0 {
+        runner.run(Lower(a, y))
+    } else {
+        runner.run(Upper(a, b))
+    };
     // w(−z̄) is the conjugate of w(z).
     (re, if x.is_sign_negative() { -im } else { im })
 }
