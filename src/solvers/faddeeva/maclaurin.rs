@@ -29,13 +29,13 @@ const K: [f64; 8] = [
 /// Terms of the series.
 pub(super) const TERMS: u32 = K.len() as u32 + 1;
 
-/// `k₀ + k₂v² + k₄v⁴ + k₆v⁶ = α + βv²` for the coefficients from `first` on, every other one, where
+/// `k₂v² + k₄v⁴ + k₆v⁶ = α + βv²` for the coefficients from `first` on, every other one, where
 /// `v⁴ = pv² − t`.
 #[inline(always)]
 fn every_other<R: Real>(first: usize, p: R, t: R) -> (R, R) {
     let k = |n: usize| p.like(K[first + n]);
     let b = k(4) + p * k(6);
-    (k(0) - t * b, (k(2) - t * k(6)) + p * b)
+    (-t * b, (k(2) - t * k(6)) + p * b)
 }
 
 /// `v (k₁ + k₂v + …)` with `v² = pv − t`: odd and even terms apart, for half the chain of dependent
@@ -44,12 +44,13 @@ fn every_other<R: Real>(first: usize, p: R, t: R) -> (R, R) {
 fn polynomial<R: Real>((p, t): (R, R), (vr, vi): (R, R)) -> (R, R) {
     let (pp, tt) = (p * p - (t + t), t * t);
     let ((oa, ob), (ea, eb)) = (every_other(0, pp, tt), every_other(1, pp, tt));
-    // In powers of v: o = (oa − t ob) + p ob v.
+    // In powers of v: o = (oa − t ob) + p ob v; k₂v is left to the end with k₁.
     let (oa, ob) = (oa - t * ob, p * ob);
     let (ea, eb) = (ea - t * eb, p * eb);
     // o + v e = α + βv.
     let (alpha, beta) = (oa - t * eb, (ob + ea) + p * eb);
-    let s = alpha + p * beta;
+    let beta = p.like(K[1]) + beta;
+    let s = p.like(K[0]) + (alpha + p * beta);
     (s * vr - t * beta, s * vi)
 }
 

@@ -36,7 +36,7 @@ const OUTERMOST: f64 = 6.5;
 /// `2k − 0.27`, nearly.
 #[inline(always)]
 pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
-    if !(a < OUTERMOST && b < OUTERMOST && a > 1.0 && b > 1.0) {
+    if !candidate(a, b) {
         return None;
     }
     let k = (a * b * std::f64::consts::FRAC_1_PI - 0.365) as usize;
@@ -45,7 +45,6 @@ pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
 }
 
 /// Whether the point `a − i b` may lie in the square of a zero: there `a² − b²` is between 1.6 and 5.
-#[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
     let e = (a - b) * (a + b) - a.like(3.3);
