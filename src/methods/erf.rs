@@ -80,8 +80,10 @@ fn by_w(input: &[f64]) -> Option<f64> {
     if !(z.re >= 0.0 && z.norm() <= 1e8) {
         return None;
     }
-    let e = erf(z);
+    let (e, w, g) = (erf(z), w(C::new(-z.im, z.re)), gaussian(z, 1));
+    if !(e.norm() < 1e290 && g.norm() < 1e290) {
+        return None;
+    }
     // 4 u of erf, 4 u of W, 6 u of the product's roundings and of the exponential's, 2 u of the sum.
-    let product = gaussian(z, 1) * w(C::new(-z.im, z.re));
-    within((e - 1.0) + product, 16.0, 1.0 + e.norm())
+    within((e - 1.0) + g * w, 16.0, 1.0 + e.norm())
 }

@@ -98,6 +98,11 @@ pub(super) fn gaussian(z: C, factor: i64) -> C {
     Complex::new((&e * &cos).to_f64(), -(&e * &sin).to_f64())
 }
 
+/// Whether products and sums of such values neither overflow nor lose digits to underflow.
+pub(super) fn plain(values: &[C]) -> bool {
+    values.iter().all(|v| (1e-290..1e290).contains(&v.norm()))
+}
+
 /// `‖rest‖` in units of `k u size`; nothing where the size is beyond what sums allow.
 pub(super) fn within(rest: C, k: f64, size: f64) -> Option<f64> {
     (size < 1e307).then(|| rest.norm() / (k * U * size.max(f64::MIN_POSITIVE)))

@@ -205,6 +205,19 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
             },
         ),
         region(
+            "edge-of-the-small-component",
+            "a coordinate 5e-324..1e-290, and |Re z^2| = 680..1480, where its product with the \
+             exponential overflows or underflows",
+            |d| {
+                let a = d.log_uniform(5e-324, 1e-290);
+                let b = d.uniform(680.0, 1480.0).sqrt();
+                match d.chance(0.5) {
+                    true => both_signs(d, a, b),
+                    false => both_signs(d, b, a),
+                }
+            },
+        ),
+        region(
             "subnormal",
             "a coordinate 5e-324..1e-290, the other likewise or 1e-3..30 or beyond 1e290",
             |d| {

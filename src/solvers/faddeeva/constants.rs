@@ -14,5 +14,7 @@ pub(super) const INV_SQRT_2: Dd =
     Dd::new(std::f64::consts::FRAC_1_SQRT_2, -4.833_646_656_726_457e-17);
 /// 1/√(2π).
 pub(super) const INV_SQRT_2_PI: Dd = Dd::new(0.398_942_280_401_432_7, -2.492_327_202_277_73e-17);
+/// ln 2.
+pub(super) const LN_2: Dd = Dd::new(std::f64::consts::LN_2, 2.319_046_813_846_299_6e-17);
 /// 1/π.
 pub(super) const INV_PI: Dd = Dd::new(std::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17);

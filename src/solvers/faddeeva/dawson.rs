@@ -13,13 +13,12 @@
 use super::constants::HALF_SQRT_PI;
 use super::double_double::{Dd, two_prod, two_sum};
 use super::erf_zeros;
-use super::exponential::exp_minus_square_any;
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::odd_series::{self, odd, odd_real};
 use super::quadrant::{
-    HUGE, STRIP, circle, dawson_in_strip, gaussian_exact, lifted, pair_times_power, times_power, w,
-    w_exact,
+    HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
+    times_power, w, w_exact,
 };
 use super::real::ROUND;
 use num_complex::Complex;
@@ -34,6 +33,8 @@ const MAXIMUM: [f64; 3] = [
 ];
 /// Distance from the maximum up to which the expansion about it is used.
 const BESIDE_MAXIMUM: f64 = 0.1875;
+/// Im z from which the sum there may have to be computed again.
+const ROUNDING_SHOWS: f64 = 1.0 / 2048.0;
 
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
@@ -59,8 +60,11 @@ const COEFFICIENTS: [f64; ORDER] = {
 /// ```text
 /// 2 f₂ t + f₃ (3t² − b²) + f₄ (4t³ − 4tb²) + …
 /// ```
+///
+/// `true` if the two leading terms cancel so far that the rounding of the others, of the size of
+/// b⁴, shows; it does not where b is small.
 #[inline(always)]
-fn slope_beside_maximum(x: f64, b: f64) -> Dd {
+fn slope_beside_maximum(x: f64, b: f64) -> (Dd, bool) {
     let s = two_sum(x, -MAXIMUM[0]);
     let distance = Dd::new(s.hi, s.lo).add_f(-MAXIMUM[1]).add_f(-MAXIMUM[2]);
     let t = distance.hi;
@@ -77,7 +81,10 @@ fn slope_beside_maximum(x: f64, b: f64) -> Dd {
         (before, here) = (here, next);
         n += 1;
     }
-    (LEADING[0] * distance + LEADING[1] * third).add_f(sum)
+    let linear = LEADING[0] * distance;
+    let slope = (linear + LEADING[1] * third).add_f(sum);
+    let cancelled = slope.hi.abs() < 0.0625 * linear.hi.abs() && b > ROUNDING_SHOWS;
+    (slope, cancelled)
 }
 
 /// `(√π/2) i (e^{−z²} − w)` in double-double.
@@ -121,18 +128,23 @@ fn quadrant<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
         let (re, im) = odd(odd_series::DAWSON, x, y);
         return (re.value(), im.value());
     }
-    let ((x, x_down), (y, y_down)) = (lifted(x), lifted(y));
+    let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
     if y < STRIP {
         let (re, im) = dawson_in_strip(lanes, x, y);
         let im = if (x - MAXIMUM[0]).abs() < BESIDE_MAXIMUM {
-            y * slope_beside_maximum(x, y).value()
+            let (slope, cancelled) = slope_beside_maximum(x, y);
+            if cancelled {
+                let down = (x_down, y_down);
+                return lanes.call(Exact { x, y, down });
+            }
+            y * slope.value()
         } else {
             (im * HALF_SQRT_PI).value()
         };
         return ((re * HALF_SQRT_PI).value(), times_power(im, ROUND - y_down));
     }
     let (u, v) = w(lanes, x, y);
-    let (c, s, n) = exp_minus_square_any(x, y);
+    let (c, s, n) = gaussian(x, y);
     let root = HALF_SQRT_PI;
     if n > ROUND + 200.0 {
         return (

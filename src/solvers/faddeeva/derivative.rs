@@ -11,11 +11,10 @@
 
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::Dd;
-use super::exponential::exp_minus_square_any;
 use super::lanes::{Lanes, Task, with_best};
 use super::quadrant::{
-    HUGE, circle, derivative, gaussian_exact, lifted, pair_times_power, product, series_derivative,
-    times_power, w_exact,
+    HUGE, circle, derivative, gaussian, gaussian_exact, lifted, pair_times_power, product,
+    series_derivative, times_power, w_exact,
 };
 use super::real::{ROUND, scaled};
 use num_complex::Complex;
@@ -64,7 +63,7 @@ impl Task for Exact {
 /// w′ at `a + i b` or `a − i b`, both below [`HUGE`].
 #[inline(always)]
 fn half_plane<L: Lanes>(lanes: L, a: f64, b: f64, lower: bool) -> (f64, f64) {
-    let (a, down) = lifted(a);
+    let (a, down) = lifted(a, b);
     let exact = Exact { a, b, lower, down };
     let (u, v, less) = derivative(lanes, a, b);
     if less {
@@ -73,7 +72,7 @@ fn half_plane<L: Lanes>(lanes: L, a: f64, b: f64, lower: bool) -> (f64, f64) {
     if !lower {
         return (times_power(u.value(), ROUND - down), v.value());
     }
-    let (c, s, n) = exp_minus_square_any(a, -b);
+    let (c, s, n) = gaussian(a, -b);
     let (p, q, any) = product((c, s), (Dd::from(-a), Dd::from(b)));
     let n = n + 2.0;
     if any {
@@ -112,7 +111,7 @@ fn limits(a: f64, y: f64) -> (f64, f64) {
         let (p, q) = (a / r, b / r);
         let m = p * p + q * q;
         let by = |t: f64| t / (m * m) * INV_SQRT_PI.hi / r / r;
-        (by(-2.0 * p * q), by(-(p - q) * (p + q)))
+        (by(-2.0 * p * q), by(-((a - b) / r) * (p + q)))
     };
     if y >= 0.0 {
         return (u, v);

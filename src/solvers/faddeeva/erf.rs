@@ -15,12 +15,11 @@
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::Dd;
 use super::erf_zeros;
-use super::exponential::exp_minus_square_any;
 use super::lanes::{Lanes, Task, with_best};
 use super::odd_series::{self, odd};
 use super::quadrant::{
-    HUGE, STRIP, circle, dawson_in_strip, gaussian_exact, lifted, lost, pair_times_power, product,
-    size, times_power, w, w_exact,
+    HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, lost, pair_times_power,
+    product, size, times_power, w, w_exact,
 };
 use super::real::ROUND;
 use num_complex::Complex;
@@ -66,6 +65,9 @@ impl Which {
 /// `offset + sign · t 2^k`, `n = ROUND + k`; `true` if the two cancel.
 #[inline(always)]
 fn shifted((offset, sign): (f64, f64), t: Dd, n: f64) -> (f64, bool) {
+    if t.hi == 0.0 {
+        return (offset, false);
+    }
     if offset == 0.0 || size(t.hi, n) > 200.0 {
         return (times_power(sign * t.value(), n), false);
     }
@@ -128,14 +130,14 @@ fn quadrant<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
         let (re, _) = shifted((offset, sign), re * TWO_OVER_SQRT_PI, ROUND);
         return (re, sign * (im * TWO_OVER_SQRT_PI).value());
     }
-    let ((x, x_down), (y, y_down)) = (lifted(x), lifted(y));
+    let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
     let exact = Exact {
         which,
         x,
         y,
         down: (x_down, y_down),
     };
-    let (c, s, n) = exp_minus_square_any(x, y);
+    let (c, s, n) = gaussian(x, y);
     let (re, im, form, any) = if x < STRIP {
         // i (c + i s)(p − i q), p + i q = (2/√π) F(y + i x).
         let (p, q) = dawson_in_strip(lanes, y, x);

@@ -2,12 +2,20 @@
 
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
+use super::quadrant::{gaussian, times_power};
 use super::{Points, all, plane, real};
 use num_complex::Complex;
 
 /// Below this |Im z| the products in W keep no digits, and Im erfcx is linear in it.
 const TINY: f64 = f64::from_bits((1023 - 900) << 52);
+/// Above this -Re z everything has overflowed, and the sign of Im erfcx is that of the true phase.
+const LARGE: f64 = f64::from_bits((1023 + 40) << 52);
 const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
+
+#[inline(always)]
+fn is_tiny(x: f64, y: f64) -> bool {
+    y.abs() < TINY && x < 0.0 && x > -LARGE
+}
 
 struct Erfcx(f64, f64);
 
@@ -16,7 +24,7 @@ impl Task for Erfcx {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let (x, y) = (self.0, self.1);
-        if y.abs() < TINY && x < 0.0 {
+        if is_tiny(x, y) {
             return lanes.call(Tiny(x, y));
         }
         plane::w(lanes, -y, x)
@@ -29,8 +37,16 @@ impl Task for Tiny {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        let (re, im) = plane::w(lanes, -(self.1 * LIFT), self.0);
-        (re, real::scaled(im, real::ROUND - 300.0))
+        let (x, y) = (self.0, self.1 * LIFT);
+        let down = 300.0;
+        if x < -27.0 {
+            // 2 e^{z²} is all of it; Re erfcx has overflowed.
+            let (_, s, n) = gaussian(y.abs(), x);
+            let im = times_power(s.value(), n + (1.0 - down));
+            return (f64::INFINITY, if y < 0.0 { -im } else { im });
+        }
+        let (re, im) = plane::w(lanes, -y, x);
+        (re, real::scaled(im, real::ROUND - down))
     }
 }
 
@@ -106,7 +122,7 @@ pub fn erfcx_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), Len
     same_length(z.len(), f.len())?;
     all(&mut Turned { z, f });
     for (f, z) in f.iter_mut().zip(z) {
-        if z.im.abs() < TINY && z.re < 0.0 {
+        if is_tiny(z.re, z.im) {
             *f = erfcx(*z);
         }
     }

@@ -2,10 +2,9 @@
 
 use super::constants::{INV_PI, INV_SQRT_2, INV_SQRT_2_PI};
 use super::double_double::{Dd, two_prod};
-use super::exponential::exp;
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
-use super::quadrant::{derivative, times_power, w};
+use super::quadrant::{derivative, exp_wide, times_power, w};
 use super::real::ROUND;
 
 /// Distance from the centre in units of `σ√2` from which the profile is Lorentz's.
@@ -50,7 +49,7 @@ fn gauss(t: Dd, (m, e): (f64, f64)) -> f64 {
     if !(t.hi < 60.0) {
         return 0.0;
     }
-    let (g, n) = exp(-(t.square()));
+    let (g, n) = exp_wide(-(t.square()));
     times_power((g * INV_SQRT_2_PI).div(Dd::from(m)).value(), n - e)
 }
 
