@@ -311,7 +311,7 @@ impl Task for Batch<'_> {
 /// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
 /// ```
 pub fn dawson_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
-    same_length(z.len(), f.len())?;
+    same_length(z.len(), [f.len()])?;
     with_best(Batch(z, f));
     Ok(())
 }

@@ -11,10 +11,11 @@
 
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::Dd;
+use super::exponential::exponent;
 use super::lanes::{Lanes, Task, with_best};
 use super::quadrant::{
-    HUGE, circle, derivative, gaussian, gaussian_exact, lifted, pair_times_power, product,
-    series_derivative, times_power, w_exact,
+    HUGE, circle, derivative, exp_wide, far_derivative, gaussian, gaussian_exact, lifted,
+    pair_times_power, product, series_derivative, times_power, w_exact,
 };
 use super::real::{ROUND, scaled};
 use num_complex::Complex;
@@ -60,9 +61,33 @@ impl Task for Exact {
     }
 }
 
+/// Re z up to which `e^{−a²}` is a subnormal number, and Im z from which w′ is linear in it.
+const UNDERFLOW: f64 = 28.0;
+const LINEAR: f64 = f64::from_bits((1023 - 900) << 52);
+
+/// w′ at `a ± i b` where Re w′ is a sum of subnormal numbers, each of which is rounded once.
+#[cold]
+#[inline(never)]
+fn underflowing(a: f64, b: f64, lower: bool) -> (f64, f64) {
+    const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
+    let (u, v) = far_derivative(a, b * LIFT);
+    let (e, n) = exp_wide(exponent(a, 0.0));
+    let on_axis = times_power((e * Dd::from(-a)).value(), n + 1.0);
+    let off_axis = times_power(u.value(), ROUND - 300.0);
+    let re = if lower {
+        on_axis - off_axis
+    } else {
+        on_axis + off_axis
+    };
+    (re, v.value())
+}
+
 /// w′ at `a + i b` or `a − i b`, both below [`HUGE`].
 #[inline(always)]
 fn half_plane<L: Lanes>(lanes: L, a: f64, b: f64, lower: bool) -> (f64, f64) {
+    if b < LINEAR && a > 26.0 && a < UNDERFLOW {
+        return underflowing(a, b, lower);
+    }
     let (a, down) = lifted(a, b);
     let exact = Exact { a, b, lower, down };
     let (u, v, less) = derivative(lanes, a, b);

@@ -105,8 +105,11 @@ impl Task for Exact {
         let (re, im, _) = product((c, s), (u, -v));
         let sign = which.of_erfc().1;
         let re = if x < STRIP && x * y < LINEAR {
-            // Re erf = (2/√π) x e^{y²} (1 + O(x²y²)); e^{−z²}w is far larger.
+            // Re erf = (2/√π) x e^{y²} (1 − x²(2y² + 1)/3 + …), and c = e^{y²} (1 − x²(2y² + 1) + …);
+            // e^{−z²}w is far larger.
             let linear = (c * TWO_OVER_SQRT_PI).mul_f(x);
+            let second = 2.0 / 3.0 * (x * x) * (2.0 * y).mul_add(y, 1.0);
+            let linear = linear.add_f(linear.hi * second);
             shifted(which.of_erf(), linear, n - down.0).0
         } else {
             shifted(which.of_erfc(), re, n - down.0).0

@@ -3,7 +3,7 @@
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::quadrant::{gaussian, times_power};
-use super::{Points, all, plane, real};
+use super::{Interleaved, Points, all, plane, real};
 use num_complex::Complex;
 
 /// Below this |Im z| the products in W keep no digits, and Im erfcx is linear in it.
@@ -43,7 +43,7 @@ impl Task for Tiny {
             // 2 e^{z²} is all of it; Re erfcx has overflowed.
             let (_, s, n) = gaussian(y.abs(), x);
             let im = times_power(s.value(), n + (1.0 - down));
-            return (f64::INFINITY, if y < 0.0 { -im } else { im });
+            return (f64::INFINITY, if y.is_sign_negative() { im } else { -im });
         }
         let (re, im) = plane::w(lanes, -y, x);
         (re, real::scaled(im, real::ROUND - down))
@@ -75,30 +75,23 @@ pub fn erfcx(z: Complex<f64>) -> Complex<f64> {
 }
 
 /// `W(iz)` at points stored as complex numbers.
-struct Turned<'a> {
-    z: &'a [Complex<f64>],
-    f: &'a mut [Complex<f64>],
-}
+struct Turned<'a>(Interleaved<'a>);
 
 impl Points for Turned<'_> {
     #[inline(always)]
     fn len(&self) -> usize {
-        self.z.len()
+        self.0.len()
     }
     #[inline(always)]
     fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]) {
-        let n = x.len();
-        for ((z, x), y) in self.z[start..start + n].iter().zip(x).zip(y) {
-            *x = -z.im;
-            *y = z.re;
+        self.0.load(start, y, x);
+        for x in x {
+            *x = -*x;
         }
     }
     #[inline(always)]
     fn store(&mut self, start: usize, re: &[f64], im: &[f64]) {
-        let f = &mut self.f[start..start + re.len()];
-        for ((f, re), im) in f.iter_mut().zip(re).zip(im) {
-            *f = Complex::new(*re, *im);
-        }
+        self.0.store(start, re, im);
     }
 }
 
@@ -119,8 +112,8 @@ impl Points for Turned<'_> {
 /// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
 /// ```
 pub fn erfcx_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
-    same_length(z.len(), f.len())?;
-    all(&mut Turned { z, f });
+    same_length(z.len(), [f.len()])?;
+    all(&mut Turned(Interleaved { z, w: f }));
     for (f, z) in f.iter_mut().zip(z) {
         if is_tiny(z.re, z.im) {
             *f = erfcx(*z);

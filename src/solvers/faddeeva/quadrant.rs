@@ -302,7 +302,7 @@ pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
 
 /// [`series_derivative`] with the number of terms that `|z|` needs.
 #[inline(always)]
-fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
     let r2 = a.mul_add(a, b * b);
     if r2 < 100.0 {
         series_derivative::<33>(a, b)

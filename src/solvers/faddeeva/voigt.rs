@@ -171,7 +171,7 @@ impl Task for Batch<'_> {
 /// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
 /// ```
 pub fn voigt_batch(x: &[f64], sigma: f64, gamma: f64, v: &mut [f64]) -> Result<(), LengthMismatch> {
-    same_length(x.len(), v.len())?;
+    same_length(x.len(), [v.len()])?;
     with_best(Batch { x, sigma, gamma, v });
     Ok(())
 }
