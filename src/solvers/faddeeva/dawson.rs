@@ -21,16 +21,11 @@ use super::quadrant::{
     times_power, w, w_exact,
 };
 use super::real::ROUND;
+use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
 use num_complex::Complex;
 
 /// A component smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 0.25;
-/// Where F′ vanishes on the real axis: three parts.
-const MAXIMUM: [f64; 3] = [
-    0.924_138_873_004_591_7,
-    2.378_073_982_646_779_6e-17,
-    -1.182_372_417_104_555e-33,
-];
 /// Distance from the maximum up to which the expansion about it is used.
 const BESIDE_MAXIMUM: f64 = 0.1875;
 /// Im z from which the sum there may have to be computed again.
@@ -38,7 +33,7 @@ const ROUNDING_SHOWS: f64 = 1.0 / 2048.0;
 
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
-    Dd::new(-1.0820884492703633, -1.018605562865343e-16),
+    Dd::new(MINUS_INVERSE_MAXIMUM[0], MINUS_INVERSE_MAXIMUM[1]),
     Dd::new(1.0 / 3.0, 1.850371707708594e-17),
 ];
 /// Terms used.

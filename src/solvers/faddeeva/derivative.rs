@@ -10,7 +10,7 @@
 //! In the lower half-plane `w′(z) = −4z e^{−z²} + w′(−z)` (DLMF 7.4.3).
 
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use super::double_double::Dd;
+use super::double_double::{Dd, two_prod};
 use super::exponential::exponent;
 use super::lanes::{Lanes, Task, with_best};
 use super::quadrant::{
@@ -132,11 +132,12 @@ fn limits(a: f64, y: f64) -> (f64, f64) {
     let (u, v) = if a.is_infinite() || b.is_infinite() {
         (-0.0, if b > a { 0.0 } else { -0.0 })
     } else {
-        let r = a.max(b);
-        let (p, q) = (a / r, b / r);
-        let m = p * p + q * q;
-        let by = |t: f64| t / (m * m) * INV_SQRT_PI.hi / r / r;
-        (by(-2.0 * p * q), by(-((a - b) / r) * (p + q)))
+        let k = (a.max(b).to_bits() >> 52) as f64 - 1023.0;
+        let (p, q) = (scaled(a, ROUND - k), scaled(b, ROUND - k));
+        let r2 = two_prod(p, p) + two_prod(q, q);
+        let over = INV_SQRT_PI.div(r2.square());
+        let by = |t: Dd| times_power((t * over).value(), ROUND - 2.0 * k);
+        (by(two_prod(-2.0 * p, q)), by(exponent(p, q)))
     };
     if y >= 0.0 {
         return (u, v);

@@ -70,6 +70,7 @@ mod payne_hanek;
 mod plane;
 mod quadrant;
 mod real;
+mod relatives_tables;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]
