@@ -109,8 +109,7 @@ pub fn tables() -> Outcome<String> {
     writeln!(
         text,
         "/// `−1/x₀` in two `f64`.\n\
-         pub(super) const MINUS_INVERSE_MAXIMUM: [f64; 2] = {};",
-        column(&minus_inverse, "")
+         pub(super) const MINUS_INVERSE_MAXIMUM: [f64; 2] = {minus_inverse:?};"
     )?;
     Ok(text)
 }

@@ -241,8 +241,8 @@ impl Task for DawsonReal {
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
 /// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place; beside
-/// the axes and beside the zero 0.924… of F′, where Im F changes sign, too. Next to its zeros as
-/// [`erf`](super::erf()).
+/// the axes and beside the zero 0.924… of F′, where Im F changes sign, too. Next to its zeros and to
+/// the zero curves of its components as [`erf`](super::erf()); `mechaudit audit dawson` judges it.
 ///
 /// # Special values
 /// | z | F(z) |

@@ -250,7 +250,9 @@ impl Task for Erfc {
 ///
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
-/// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place. Both
+/// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place;
+/// `mechaudit audit erf` judges it. A component may be worse within a relative 10⁻¹² of a curve on
+/// which it is zero, where it is below 2⁻⁴⁰ of the terms it is the difference of. Both
 /// components keep their relative accuracy next to zero and beside the axes. Next to the first 14
 /// zeros (`|z| < 9.4`) so does the norm; beyond, within 10⁻¹² of a zero, the error is 2⁻¹⁰⁰ of
 /// `e^{−z²} w(iz)`.
@@ -284,7 +286,8 @@ pub fn erf(z: Complex<f64>) -> Complex<f64> {
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
 /// (`tests/faddeeva_related.rs`): norm 1.0 ε (ε = 2⁻⁵²; at gradual underflow in units of it), components
-/// 3.7 units in their last place. Next to the first twelve zeros (`|z| < 9`) the norm keeps its
+/// 3.7 units in their last place; `mechaudit audit erfc` judges it, but for a relative 10⁻¹² about a
+/// component's zero curves. Next to the first twelve zeros (`|z| < 9`) the norm keeps its
 /// relative accuracy; beyond, within 10⁻¹² of a zero, the error is 2⁻¹⁰⁰.
 ///
 /// # Special values
@@ -307,7 +310,7 @@ pub fn erfc(z: Complex<f64>) -> Complex<f64> {
 /// plane.
 ///
 /// # Accuracy
-/// That of [`erf`]. Special values: those of [`erf`] at `iz`.
+/// That of [`erf`]; `mechaudit audit erfi` judges it. Special values: those of [`erf`] at `iz`.
 ///
 /// ```
 /// use mechaudit::solvers::faddeeva::erfi;
