@@ -1,14 +1,17 @@
-//! Makes `src/solvers/faddeeva/tables.rs`, the numbers behind the `f64` Faddeeva function, from the
-//! certified reference.
+//! Makes `tables.rs`, `constants.rs` and `relatives_tables.rs` in `src/solvers/faddeeva/`, the numbers
+//! behind the `f64` Faddeeva function and its relatives, from the certified reference.
 //!
 //! ```text
-//! cargo run --release --example faddeeva_tables -- --write   # makes the file
+//! cargo run --release --example faddeeva_tables -- --write   # makes the files
 //! cargo run --release --example faddeeva_tables -- --check   # compares; exit 1 at a difference
 //! ```
 //!
 //! Every number is the `f64` nearest to the exact one, and every second or third part of a number
 //! the `f64` nearest to the exact rest: both ends of a ball have to round to it. Where they do not,
 //! the precision is doubled; at [`LAST_BITS`] the program gives up and writes nothing.
+
+#[path = "faddeeva_tables_of/relatives.rs"]
+mod relatives;
 
 use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
 use rug::float::Round;
@@ -21,7 +24,15 @@ use std::process::ExitCode;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-const FILE: &str = "src/solvers/faddeeva/tables.rs";
+/// A file and what makes it.
+type Made = (&'static str, fn() -> Outcome<String>);
+
+const FOLDER: &str = "src/solvers/faddeeva";
+const FILES: [Made; 3] = [
+    ("tables.rs", make),
+    ("constants.rs", relatives::constants),
+    ("relatives_tables.rs", relatives::tables),
+];
 const FIRST_BITS: u32 = 256;
 const LAST_BITS: u32 = 8192;
 
@@ -433,22 +444,33 @@ fn difference(found: &str, wanted: &str) -> Option<String> {
 }
 
 fn run() -> Outcome<ExitCode> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(FILE);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["--check"] => {
-            let found = std::fs::read_to_string(&path)?;
-            if let Some(difference) = difference(&found, &make()?) {
-                eprintln!("{FILE} is not what the reference gives: {difference}");
+            let mut same = true;
+            for (name, make) in FILES {
+                let found = std::fs::read_to_string(folder.join(name))?;
+                match difference(&found, &make()?) {
+                    None => println!("{name} is what the reference gives"),
+                    Some(difference) => {
+                        eprintln!("{name} is not what the reference gives: {difference}");
+                        same = false;
+                    }
+                }
+            }
+            if !same {
                 return Ok(ExitCode::FAILURE);
             }
-            println!("{FILE} is what the reference gives");
         }
         ["--write"] => {
-            let unfinished = path.with_extension("rs.new");
-            std::fs::write(&unfinished, make()?)?;
-            std::fs::rename(&unfinished, &path)?;
-            println!("{FILE} written");
+            for (name, make) in FILES {
+                let path = folder.join(name);
+                let unfinished = path.with_extension("rs.new");
+                std::fs::write(&unfinished, make()?)?;
+                std::fs::rename(&unfinished, &path)?;
+                println!("{name} written");
+            }
         }
         _ => {
             eprintln!("usage: faddeeva_tables --check | --write");

@@ -261,3 +261,96 @@ fn usage() {
     refusal(&[W, "--threads", "many"], "--threads");
     refusal(&[W, "--list"], "--list");
 }
+
+/// The relatives of W: solver and reference under one name, in the same line protocol.
+mod relatives {
+    use super::*;
+    use mechaudit::solvers::faddeeva as solver;
+
+    type ComplexFunction = fn(Complex<f64>) -> Complex<f64>;
+
+    const COMPLEX: [(&str, ComplexFunction); 6] = [
+        ("faddeeva.erf", solver::erf),
+        ("faddeeva.erfc", solver::erfc),
+        ("faddeeva.erfcx", solver::erfcx),
+        ("faddeeva.erfi", solver::erfi),
+        ("faddeeva.dawson", solver::dawson),
+        ("faddeeva.w_derivative", solver::w_derivative),
+    ];
+
+    #[test]
+    fn hexadecimal_floats_of_the_solvers() {
+        let hex = mechaudit::audit::hex_float;
+        for (name, f) in COMPLEX {
+            let value = f(Complex::new(1.5, -0.25));
+            let due = format!("{},{}\n", hex(value.re), hex(value.im));
+            let out = good(&[name], "# a comment\n0x1.8p+0,-0x1p-2\n\n 1.5 , -.25\n");
+            assert_eq!(out, due.repeat(2), "{name}");
+            assert_eq!(good(&[name], "nan,1\n"), "nan,nan\n", "{name}");
+        }
+        let out = good(&["faddeeva.voigt"], "1,1,1\n0,0,0\n0,-1,1\n");
+        let value = hex(solver::voigt(1.0, 1.0, 1.0));
+        assert_eq!(out, format!("{value}\ninf\nnan\n"));
+    }
+
+    /// 30 digits by mpmath 1.3 at 60 digits.
+    #[test]
+    fn certified_digits_at_one_and_a_half() {
+        let digits = [
+            ("faddeeva.erf", ERF),
+            ("faddeeva.erfc", ERFC),
+            ("faddeeva.erfcx", ERFCX),
+            ("faddeeva.erfi", ERFI),
+            ("faddeeva.dawson", DAWSON),
+            ("faddeeva.w_derivative", W_DERIVATIVE),
+        ];
+        for (name, due) in digits {
+            let out = good(&[name, "--digits", "30"], "1.5,-0.25\n");
+            assert_eq!(out.trim_end(), due, "{name}");
+        }
+        let out = good(&["faddeeva.voigt", "--digits", "30"], "0.5,1.5,0.25\n");
+        assert_eq!(out.trim_end(), VOIGT);
+    }
+
+    #[test]
+    fn beyond_every_exponent() {
+        // F(iy) = i (√π/2) e^{y²} erf y, and erfc(10^6) ~ e^{-10^12}.
+        let out = good(&["faddeeva.dawson", "--digits", "8"], "0,1e10\n");
+        assert!(
+            out.starts_with("0,") && out.contains("e43429448190325182"),
+            "{out}"
+        );
+        let out = good(&["faddeeva.erfc", "--digits", "8"], "1e6,0\n");
+        assert!(out.contains("e-43429448") && out.ends_with(",0\n"), "{out}");
+        let out = good(&["faddeeva.voigt", "--digits", "8"], "1e12,1,0\n");
+        assert!(out.contains("e-2171472409516259"), "{out}");
+    }
+
+    #[test]
+    fn wrong_lines() {
+        let d = eval(&["faddeeva.voigt"], b"1,1,1\n1,1\n");
+        let one = good(&["faddeeva.voigt"], "1,1,1\n");
+        refused(&d, &["line 2", "3 are due: x,sigma,gamma"], &one);
+        // No density: nothing can be certified, which is a finding.
+        let d = eval(&["faddeeva.voigt", "--digits", "5"], b"0,-1,1\n");
+        assert_eq!(d.code, 1, "{}", d.err);
+        assert!(d.err.contains("σ ≥ 0"), "{}", d.err);
+        let list = good(&["--list"], "");
+        assert_eq!(list.lines().count(), 8, "{list}");
+        for (name, _) in COMPLEX {
+            assert!(
+                list.lines().any(|l| l.split(' ').next() == Some(name)),
+                "{name}"
+            );
+        }
+    }
+
+    const ERF: &str = "0.977075892537154476271289580721,-0.0275503504607330975612928446825";
+    const ERFC: &str = "0.0229241074628455237287104192789,0.0275503504607330975612928446825";
+    const ERFCX: &str = "0.316877774605057178129687280066,0.0403961692615149384749174982810";
+    const ERFI: &str = "3.65608742891315335552057984054,-2.38665832372883391444177417179";
+    const DAWSON: &str = "0.427751810570010655085803671336,0.0741602497455792348829448128222";
+    const W_DERIVATIVE: &str =
+        "-0.274808995763108479722115592740,-0.549846608568289185888578088379";
+    const VOIGT: &str = "0.222873634811780506387463876075";
+}

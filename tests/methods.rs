@@ -142,6 +142,37 @@ mod planted {
         assert!(missed.is_empty(), "{missed:?}");
     }
 
+    /// Where budgets are a few units in the last place and infinities are due.
+    #[test]
+    fn small_faults_are_found_in_the_relatives_of_w() {
+        let faults: [(&str, Fault); 3] = [
+            ("six units in the last place", |v| {
+                let finite = v.iter_mut().filter(|x| x.is_finite() && **x != 0.0);
+                finite.for_each(|x| *x = f64::from_bits(x.to_bits() + 6))
+            }),
+            ("infinities of the wrong sign", |v| {
+                let infinite = v.iter_mut().filter(|x| x.is_infinite());
+                infinite.for_each(|x| *x = -*x)
+            }),
+            ("a number for NaN", |v| {
+                let nan = v.iter_mut().filter(|x| x.is_nan());
+                nan.for_each(|x| *x = 0.0)
+            }),
+        ];
+        let settings = Settings {
+            cases_per_region: 2,
+            ..Settings::default()
+        };
+        let names = ["erf", "erfc", "erfcx", "erfi", "dawson", "voigt"];
+        for name in names.into_iter().chain(["faddeeva-derivative"]) {
+            for (what, fault) in faults {
+                let method = methods::find(name).unwrap();
+                let report = audit_method(&Faulty { method, fault }, &settings, &|| ());
+                assert!(!report.failures.is_empty(), "{name}: {what}");
+            }
+        }
+    }
+
     #[test]
     fn a_failing_case_is_reproduced_from_its_origin() {
         let method = Faulty {

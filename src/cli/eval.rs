@@ -52,7 +52,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::AsExpected;
     write_to(None, |out| {
         let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
-        outcome = stream(&function, args.digits, &pool, input, out)?;
+        outcome = stream(function, args.digits, &pool, input, out)?;
         Ok(())
     })?;
     Ok(outcome)
@@ -62,7 +62,7 @@ fn list() -> Result<Outcome, Failure> {
     write_to(None, |out| {
         for f in functions() {
             let (from, to) = (f.arguments.join(","), f.values.join(","));
-            writeln!(out, "{:<16} {from} -> {to}   {}", f.name, f.summary)?;
+            writeln!(out, "{:<22} {from:<13} -> {to:<6} {}", f.name, f.summary)?;
         }
         Ok(())
     })?;
@@ -178,7 +178,9 @@ fn answer(
                 .iter()
                 .map(|n| n.exact().map_err(input))
                 .collect::<Result<_, _>>()?;
-            (function.certify)(&x, digits as usize).map_err(Trouble::Undecided)?
+            function
+                .digits(&x, digits as usize)
+                .map_err(Trouble::Undecided)?
         }
     };
     Ok(Some(values.join(",")))
@@ -194,7 +196,7 @@ mod tests {
             let x = vec![0.5; f.arguments.len()];
             assert_eq!((f.solve)(&x).len(), f.values.len(), "{}", f.name);
             let q: Vec<Rational> = x.iter().filter_map(|x| Rational::from_f64(*x)).collect();
-            let digits = (f.certify)(&q, 30).unwrap();
+            let digits = f.digits(&q, 30).unwrap();
             assert_eq!(digits.len(), f.values.len(), "{}", f.name);
             for (text, value) in digits.iter().zip((f.solve)(&x)) {
                 let certified: f64 = text.parse().unwrap();

@@ -1,7 +1,8 @@
 //! The functions that `eval` knows: a solver and a reference under one name.
 
+use mechaudit::reference::Undecided;
 use mechaudit::reference::faddeeva as reference;
-use mechaudit::reference::{Ball, ComplexBall, Undecided};
+use mechaudit::reference::faddeeva::Scaled;
 use mechaudit::solvers::faddeeva as solver;
 use num_complex::Complex;
 use rug::Rational;
@@ -18,61 +19,117 @@ pub struct Function {
     pub values: &'static [&'static str],
     /// The solver; never refuses.
     pub solve: fn(&[f64]) -> Vec<f64>,
+    /// The certified values, each with a relative radius of at most 2^-bits.
+    certify: Certify,
+}
+
+type Certify = fn(&[Rational], u32) -> Result<Vec<Scaled>, Undecided>;
+
+impl Function {
+    /// A function of a complex argument with a complex value.
+    const fn complex(
+        name: &'static str,
+        summary: &'static str,
+        solve: fn(&[f64]) -> Vec<f64>,
+        certify: Certify,
+    ) -> Function {
+        const PARTS: &[&str] = &["re", "im"];
+        Function {
+            name,
+            summary,
+            arguments: PARTS,
+            values: PARTS,
+            solve,
+            certify,
+        }
+    }
+
     /// That many certified digits of each value, or why they cannot be had.
-    pub certify: fn(&[Rational], usize) -> Result<Vec<String>, String>,
+    pub fn digits(&self, x: &[Rational], digits: usize) -> Result<Vec<String>, String> {
+        let first = ((digits as f64 + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
+        // The references keep to the relative accuracy asked for, so that the first time is nearly
+        // always enough.
+        for bits in [first, 2 * first] {
+            let values = (self.certify)(x, bits).map_err(|e| e.to_string())?;
+            let texts = values.iter().map(|v| v.to_decimal(digits));
+            if let Some(texts) = texts.collect() {
+                return Ok(texts);
+            }
+        }
+        Err(format!("{digits} digits could not be certified"))
+    }
+}
+
+/// Both sides of a function of a complex argument.
+macro_rules! complex {
+    ($name:literal, $summary:literal, $solver:ident, $reference:ident) => {
+        Function::complex(
+            $name,
+            $summary,
+            |x| {
+                let value = solver::$solver(Complex::new(x[0], x[1]));
+                vec![value.re, value.im]
+            },
+            |x, bits| Ok(reference::$reference(&x[0], &x[1], bits)?.to_vec()),
+        )
+    };
 }
 
 /// All of them.
-pub fn functions() -> Vec<Function> {
-    vec![Function {
-        name: "faddeeva.w",
-        summary: "Faddeeva function W(z) = exp(-z^2) erfc(-iz)",
-        arguments: &["re", "im"],
-        values: &["re", "im"],
-        solve: |x| complex(solver::faddeeva, x),
-        certify: |x, digits| {
-            let balls = certified(digits, |bits| {
-                let w = reference::w(&x[0], &x[1], bits)?;
-                Ok(both(&w, |b: &Ball| b.to_decimal(digits)))
-            });
-            // A value beyond the exponents of a ball.
-            balls.or_else(|_| {
-                certified(digits, |bits| {
-                    let w = reference::w_scaled(&x[0], &x[1], bits)?;
-                    Ok(w.iter().map(|part| part.to_decimal(digits)).collect())
-                })
-            })
-        },
-    }]
+static FUNCTIONS: [Function; 8] = [
+    complex!(
+        "faddeeva.w",
+        "Faddeeva function W(z) = exp(-z^2) erfc(-iz)",
+        faddeeva,
+        w_scaled
+    ),
+    complex!(
+        "faddeeva.w_derivative",
+        "its derivative W'(z) = -2 z W(z) + 2i/sqrt(pi)",
+        w_derivative,
+        w_derivative_scaled
+    ),
+    complex!("faddeeva.erf", "error function erf(z)", erf, erf_scaled),
+    complex!(
+        "faddeeva.erfc",
+        "complementary error function erfc(z) = 1 - erf(z)",
+        erfc,
+        erfc_scaled
+    ),
+    complex!(
+        "faddeeva.erfcx",
+        "scaled complementary error function exp(z^2) erfc(z)",
+        erfcx,
+        erfcx_scaled
+    ),
+    complex!(
+        "faddeeva.erfi",
+        "imaginary error function erfi(z) = -i erf(iz)",
+        erfi,
+        erfi_scaled
+    ),
+    complex!(
+        "faddeeva.dawson",
+        "Dawson's function F(z) = exp(-z^2) int_0^z exp(t^2) dt",
+        dawson,
+        dawson_scaled
+    ),
+    Function {
+        name: "faddeeva.voigt",
+        summary: "Voigt profile at x: standard deviation sigma, half-width gamma",
+        arguments: &["x", "sigma", "gamma"],
+        values: &["value"],
+        solve: |x| vec![solver::voigt(x[0], x[1], x[2])],
+        certify: |x, bits| Ok(vec![reference::voigt_scaled(&x[0], &x[1], &x[2], bits)?]),
+    },
+];
+
+/// The table.
+pub fn functions() -> &'static [Function] {
+    &FUNCTIONS
 }
 
 /// The function of that name.
-pub fn find(name: &str) -> Option<Function> {
-    functions().into_iter().find(|f| f.name == name)
-}
-
-/// A complex function on fields.
-fn complex(f: impl Fn(Complex<f64>) -> Complex<f64>, x: &[f64]) -> Vec<f64> {
-    let w = f(Complex::new(x[0], x[1]));
-    vec![w.re, w.im]
-}
-
-fn both<T>(w: &ComplexBall, f: impl Fn(&Ball) -> T) -> Vec<T> {
-    vec![f(&w.re), f(&w.im)]
-}
-
-/// Asks at rising precision until every value has its digits. The references keep to the relative
-/// accuracy asked for, so that the first time is nearly always enough.
-fn certified(
-    digits: usize,
-    at: impl Fn(u32) -> Result<Vec<Option<String>>, Undecided>,
-) -> Result<Vec<String>, String> {
-    let first = ((digits as f64 + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
-    for bits in [first, 2 * first] {
-        let texts: Option<Vec<String>> = at(bits).map_err(|e| e.to_string())?.into_iter().collect();
-        if let Some(texts) = texts {
-            return Ok(texts);
-        }
-    }
-    Err(format!("{digits} digits could not be certified"))
+pub fn find(name: &str) -> Option<&'static Function> {
+    FUNCTIONS.iter().find(|f| f.name == name)
 }

@@ -20,7 +20,7 @@ pub struct Audit;
 const SPARED: u32 = 48;
 
 /// A component as it is due. What no ball holds is beyond every `f64` or below all of them.
-fn due(part: &Scaled) -> Due {
+pub(super) fn due(part: &Scaled) -> Due {
     let direct = part.to_ball();
     if direct.is_finite() {
         return Due::Number(direct);
@@ -52,7 +52,7 @@ fn dues(re: &Rational, im: &Rational, bits: u32) -> ReferenceAnswer {
 
 /// The limits at infinity, where there are any. W tends to 0 in the closed upper half-plane and
 /// for Im z < 0 with Re z → ±∞, to +∞ down the imaginary axis, on which it is real.
-fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
+pub(super) fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
     let zero = || Due::Number(Ball::integer(64, 0));
     if x == 0.0 && y == f64::NEG_INFINITY {
         return [Due::Infinity { negative: false }, zero()];

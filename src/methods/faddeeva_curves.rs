@@ -36,7 +36,7 @@ fn value(x: f64, y: f64, part: Part) -> f64 {
 }
 
 /// A sign change of f between a and b by bisection with steps of the secant (Illinois).
-fn crossing(f: impl Fn(f64) -> f64, a: f64, b: f64) -> Option<f64> {
+pub(super) fn crossing(f: impl Fn(f64) -> f64, a: f64, b: f64) -> Option<f64> {
     let (mut a, mut b) = (a, b);
     let (mut p, mut q) = (f(a), f(b));
     if !(p * q < 0.0) || !p.is_finite() || !q.is_finite() {
@@ -66,7 +66,7 @@ fn crossing(f: impl Fn(f64) -> f64, a: f64, b: f64) -> Option<f64> {
 
 /// `x` moved by a relative 1e-12 or more: nearer to a zero curve a component is below 2⁻⁴⁰ of the
 /// terms it is the difference of, where the solver's double-double promises less than its budget.
-fn off(d: &mut Draw, x: f64, most: f64) -> f64 {
+pub(super) fn off(d: &mut Draw, x: f64, most: f64) -> f64 {
     let shift = d.log_uniform(1e-12, most);
     x + x * d.signed(shift)
 }

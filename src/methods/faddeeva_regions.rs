@@ -5,16 +5,16 @@ use crate::audit::{CheckPoint, Draw, Region};
 use std::f64::consts::{PI, TAU};
 
 /// `r e^{iθ}`.
-fn polar(r: f64, theta: f64) -> Vec<f64> {
+pub(super) fn polar(r: f64, theta: f64) -> Vec<f64> {
     vec![r * theta.cos(), r * theta.sin()]
 }
 
-fn whole(d: &mut Draw) -> f64 {
+pub(super) fn whole(d: &mut Draw) -> f64 {
     d.uniform(-PI, PI)
 }
 
 /// `x` moved by a relative 1e-17 to 1e-3, to either side, or by nothing.
-fn beside(d: &mut Draw, x: f64) -> f64 {
+pub(super) fn beside(d: &mut Draw, x: f64) -> f64 {
     if d.chance(0.05) {
         return x;
     }
@@ -23,11 +23,11 @@ fn beside(d: &mut Draw, x: f64) -> f64 {
 }
 
 /// A random element.
-fn one_of(d: &mut Draw, all: &[f64]) -> f64 {
+pub(super) fn one_of(d: &mut Draw, all: &[f64]) -> f64 {
     all[d.integer(0, all.len() - 1)]
 }
 
-fn both_signs(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
+pub(super) fn both_signs(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
     vec![d.signed(x), d.signed(y)]
 }
 

@@ -5,6 +5,10 @@ mod cubic_spline_conditions;
 mod faddeeva_curves;
 mod faddeeva_laws;
 mod faddeeva_regions;
+mod faddeeva_relatives;
+mod faddeeva_relatives_laws;
+mod faddeeva_relatives_regions;
+mod voigt_regions;
 
 use crate::audit::Method;
 
@@ -32,6 +36,13 @@ registry![
     class_iii_assembly_modes,
     class_iii,
     faddeeva,
+    faddeeva_derivative,
+    erf,
+    erfc,
+    erfcx,
+    erfi,
+    dawson,
+    voigt,
     run_up,
 ];
 

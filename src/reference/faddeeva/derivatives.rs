@@ -11,7 +11,7 @@
 //! recurrence loses digits; it is run in balls, which know how many, at a rising precision.
 
 use super::argument::Real;
-use super::scaled::Scaled;
+use super::scaled::{Scaled, aligned};
 use super::ziv::{balls, cap, decide, once};
 use crate::reference::{Ball, ComplexBall, Undecided};
 use rug::{Integer, Rational};
@@ -85,6 +85,9 @@ pub fn w_derivative(
     im: &Rational,
     bits: u32,
 ) -> Result<ComplexBall, Undecided> {
+    if n == 1 {
+        return balls(w_derivative_scaled(re, im, bits)?, bits);
+    }
     let (x, y) = (Real::Rational(re.clone()), Real::Rational(im.clone()));
     let length = x.length().saturating_add(y.length());
     let factorial = Integer::from(Integer::factorial(n.min(u32::MAX as usize) as u32));
@@ -95,4 +98,38 @@ pub fn w_derivative(
         Some([part(&c.re), part(&c.im)])
     })?;
     balls(parts, bits)
+}
+
+fn real(q: &Rational) -> Real {
+    Real::Rational(q.clone())
+}
+
+/// `a + b`
+fn sum(a: &Scaled, b: &Scaled) -> Scaled {
+    let (a, b, k) = aligned(a, b);
+    Scaled::new(a + &b, k)
+}
+
+/// The first derivative, `w' = −2z w + 2i/√π`, with exponents of any size.
+///
+/// # Errors
+/// As [`w_derivative`], but not for the size of the result.
+pub fn w_derivative_scaled(
+    re: &Rational,
+    im: &Rational,
+    bits: u32,
+) -> Result<[Scaled; 2], Undecided> {
+    let (x, y) = (real(re), real(im));
+    let length = x.length().saturating_add(y.length());
+    decide("the derivative of w", bits, length, |prec| {
+        let [u, v] = once(x.clone(), y.clone(), prec)?;
+        let (p, q) = (x.ball(prec).shift(1), y.ball(prec).shift(1));
+        let times = |w: &Scaled, t: &Ball| Scaled::new(&w.ball * t, w.exponent.clone());
+        let slope = Ball::integer(prec, 2) / &Ball::pi(prec).sqrt();
+        let turned = sum(&times(&v, &p), &times(&u, &q));
+        Some([
+            sum(&times(&v, &q), &-times(&u, &p)),
+            sum(&Scaled::new(slope, Integer::new()), &-turned),
+        ])
+    })
 }

@@ -37,10 +37,13 @@ use rug::{Float, Rational};
 use std::f64::consts::FRAC_2_SQRT_PI;
 use ziv::{once, scaled, value};
 
-pub use derivatives::{taylor, w_derivative};
-pub use related::{dawson, erf, erfc, erfcx, erfi, voigt};
+pub use derivatives::{taylor, w_derivative, w_derivative_scaled};
+pub use related::{
+    dawson, dawson_scaled, erf, erf_scaled, erfc, erfc_scaled, erfcx, erfcx_scaled, erfi,
+    erfi_scaled, voigt, voigt_scaled,
+};
 pub use scaled::Scaled;
-pub use zeros::zero;
+pub use zeros::{zero, zero_of_erf};
 
 /// w(z) for z = re + i im, each component with a relative radius of at most 2^-bits.
 ///

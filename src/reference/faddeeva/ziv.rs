@@ -98,16 +98,16 @@ pub(super) fn decide(
 
 /// w with both components decided, as balls.
 pub(super) fn value(x: Real, y: Real, bits: u32) -> Result<ComplexBall, Undecided> {
-    if bits <= fast::MOST_BITS
-        && let Some(w) = fast::w(&x, &y, bits)
-    {
-        return Ok(w);
-    }
     balls(scaled(x, y, bits)?, bits)
 }
 
 /// w with both components decided.
 pub(super) fn scaled(x: Real, y: Real, bits: u32) -> Result<[Scaled; 2], Undecided> {
+    if bits <= fast::MOST_BITS
+        && let Some(w) = fast::w(&x, &y, bits)
+    {
+        return Ok([w.re, w.im].map(|part| Scaled::new(part, Integer::new())));
+    }
     let length = x.length().saturating_add(y.length());
     let mirrored = x.is_negative();
     let z = Argument::new(if mirrored { x.negated() } else { x }, y);

@@ -13,31 +13,27 @@
 use super::constants::HALF_SQRT_PI;
 use super::double_double::{Dd, two_prod, two_sum};
 use super::erf_zeros;
-use super::exponential::exp_minus_square_any;
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::odd_series::{self, odd, odd_real};
 use super::quadrant::{
-    HUGE, STRIP, circle, dawson_in_strip, gaussian_exact, lifted, pair_times_power, times_power, w,
-    w_exact,
+    HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
+    times_power, w, w_exact,
 };
 use super::real::ROUND;
+use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
 use num_complex::Complex;
 
 /// A component smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 0.25;
-/// Where F′ vanishes on the real axis: three parts.
-const MAXIMUM: [f64; 3] = [
-    0.924_138_873_004_591_7,
-    2.378_073_982_646_779_6e-17,
-    -1.182_372_417_104_555e-33,
-];
 /// Distance from the maximum up to which the expansion about it is used.
 const BESIDE_MAXIMUM: f64 = 0.1875;
+/// Im z from which the sum there may have to be computed again.
+const ROUNDING_SHOWS: f64 = 1.0 / 2048.0;
 
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
-    Dd::new(-1.0820884492703633, -1.018605562865343e-16),
+    Dd::new(MINUS_INVERSE_MAXIMUM[0], MINUS_INVERSE_MAXIMUM[1]),
     Dd::new(1.0 / 3.0, 1.850371707708594e-17),
 ];
 /// Terms used.
@@ -59,8 +55,11 @@ const COEFFICIENTS: [f64; ORDER] = {
 /// ```text
 /// 2 f₂ t + f₃ (3t² − b²) + f₄ (4t³ − 4tb²) + …
 /// ```
+///
+/// `true` if the two leading terms cancel so far that the rounding of the others, of the size of
+/// b⁴, shows; it does not where b is small.
 #[inline(always)]
-fn slope_beside_maximum(x: f64, b: f64) -> Dd {
+fn slope_beside_maximum(x: f64, b: f64) -> (Dd, bool) {
     let s = two_sum(x, -MAXIMUM[0]);
     let distance = Dd::new(s.hi, s.lo).add_f(-MAXIMUM[1]).add_f(-MAXIMUM[2]);
     let t = distance.hi;
@@ -77,7 +76,10 @@ fn slope_beside_maximum(x: f64, b: f64) -> Dd {
         (before, here) = (here, next);
         n += 1;
     }
-    (LEADING[0] * distance + LEADING[1] * third).add_f(sum)
+    let linear = LEADING[0] * distance;
+    let slope = (linear + LEADING[1] * third).add_f(sum);
+    let cancelled = slope.hi.abs() < 0.0625 * linear.hi.abs() && b > ROUNDING_SHOWS;
+    (slope, cancelled)
 }
 
 /// `(√π/2) i (e^{−z²} − w)` in double-double.
@@ -121,18 +123,23 @@ fn quadrant<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
         let (re, im) = odd(odd_series::DAWSON, x, y);
         return (re.value(), im.value());
     }
-    let ((x, x_down), (y, y_down)) = (lifted(x), lifted(y));
+    let ((x, x_down), (y, y_down)) = (lifted(x, y), lifted(y, x));
     if y < STRIP {
         let (re, im) = dawson_in_strip(lanes, x, y);
         let im = if (x - MAXIMUM[0]).abs() < BESIDE_MAXIMUM {
-            y * slope_beside_maximum(x, y).value()
+            let (slope, cancelled) = slope_beside_maximum(x, y);
+            if cancelled {
+                let down = (x_down, y_down);
+                return lanes.call(Exact { x, y, down });
+            }
+            y * slope.value()
         } else {
             (im * HALF_SQRT_PI).value()
         };
         return ((re * HALF_SQRT_PI).value(), times_power(im, ROUND - y_down));
     }
     let (u, v) = w(lanes, x, y);
-    let (c, s, n) = exp_minus_square_any(x, y);
+    let (c, s, n) = gaussian(x, y);
     let root = HALF_SQRT_PI;
     if n > ROUND + 200.0 {
         return (
@@ -234,8 +241,8 @@ impl Task for DawsonReal {
 /// # Accuracy
 /// Worst found against the certified reference, 10⁵ points in each of eleven regions
 /// (`tests/faddeeva_related.rs`): norm 0.8 ε (ε = 2⁻⁵²), components 4 units in their last place; beside
-/// the axes and beside the zero 0.924… of F′, where Im F changes sign, too. Next to its zeros as
-/// [`erf`](super::erf()).
+/// the axes and beside the zero 0.924… of F′, where Im F changes sign, too. Next to its zeros and to
+/// the zero curves of its components as [`erf`](super::erf()); `mechaudit audit dawson` judges it.
 ///
 /// # Special values
 /// | z | F(z) |
@@ -299,7 +306,7 @@ impl Task for Batch<'_> {
 /// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
 /// ```
 pub fn dawson_batch(z: &[Complex<f64>], f: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
-    same_length(z.len(), f.len())?;
+    same_length(z.len(), [f.len()])?;
     with_best(Batch(z, f));
     Ok(())
 }

@@ -1,21 +1,21 @@
 //! The one thing that can be wrong with a batch.
 
-/// The slice for the values is not as long as that of the points.
+/// A slice beside the first one differs from it in length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "{values} values cannot be written for {points} points: both slices have to be equally long"
-)]
+#[error("{points} points beside a slice of {values}: all slices have to be equally long")]
 pub struct LengthMismatch {
     /// Points given.
     pub points: usize,
-    /// Places for values given.
+    /// Length of the slice for values (or of another one) that differs.
     pub values: usize,
 }
 
-pub(super) fn same_length(points: usize, values: usize) -> Result<(), LengthMismatch> {
-    if points == values {
-        Ok(())
-    } else {
-        Err(LengthMismatch { points, values })
+pub(super) fn same_length<const N: usize>(
+    points: usize,
+    others: [usize; N],
+) -> Result<(), LengthMismatch> {
+    match others.into_iter().find(|&n| n != points) {
+        None => Ok(()),
+        Some(values) => Err(LengthMismatch { points, values }),
     }
 }

@@ -70,6 +70,7 @@ mod payne_hanek;
 mod plane;
 mod quadrant;
 mod real;
+mod relatives_tables;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]
@@ -89,6 +90,7 @@ pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use voigt::{voigt, voigt_batch};
 
+use lengths::same_length;
 use num_complex::Complex;
 
 /// The Faddeeva function `w(z) = e^{−z²} erfc(−iz)`.
@@ -114,8 +116,8 @@ pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
 
 /// [`faddeeva`] at many points, several times as fast; the values have the same bits.
 ///
-/// # Panics
-/// If the slices differ in length.
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
 ///
 /// ```
 /// use mechaudit::solvers::faddeeva::{faddeeva, faddeeva_batch};
@@ -123,32 +125,38 @@ pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
 ///
 /// let z: Vec<_> = (0..1000).map(|k| Complex::new(0.01 * f64::from(k), 0.5)).collect();
 /// let mut w = vec![Complex::default(); z.len()];
-/// faddeeva_batch(&z, &mut w);
+/// faddeeva_batch(&z, &mut w)?;
 /// assert_eq!(w[700], faddeeva(z[700]));
+/// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
 /// ```
-pub fn faddeeva_batch(z: &[Complex<f64>], w: &mut [Complex<f64>]) {
-    assert_eq!(z.len(), w.len(), "as many values as points");
+pub fn faddeeva_batch(z: &[Complex<f64>], w: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
+    same_length(z.len(), [w.len()])?;
     all(&mut Interleaved { z, w });
+    Ok(())
 }
 
 /// [`faddeeva_batch`] for real and imaginary parts in slices of their own.
 ///
-/// # Panics
-/// If the slices differ in length.
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
 ///
 /// ```
 /// use mechaudit::solvers::faddeeva::faddeeva_soa;
 ///
 /// let (mut re, mut im) = ([0.0; 2], [0.0; 2]);
-/// faddeeva_soa(&[0.0, 1.0], &[0.0, 0.0], &mut re, &mut im);
+/// faddeeva_soa(&[0.0, 1.0], &[0.0, 0.0], &mut re, &mut im)?;
 /// assert_eq!((re[0], im[0]), (1.0, 0.0));
+/// # Ok::<(), mechaudit::solvers::faddeeva::LengthMismatch>(())
 /// ```
-pub fn faddeeva_soa(x: &[f64], y: &[f64], re: &mut [f64], im: &mut [f64]) {
-    assert!(
-        x.len() == y.len() && x.len() == re.len() && x.len() == im.len(),
-        "as many values as points"
-    );
+pub fn faddeeva_soa(
+    x: &[f64],
+    y: &[f64],
+    re: &mut [f64],
+    im: &mut [f64],
+) -> Result<(), LengthMismatch> {
+    same_length(x.len(), [y.len(), re.len(), im.len()])?;
     all(&mut Apart { x, y, re, im });
+    Ok(())
 }
 
 /// Which formula [`faddeeva`] uses at `z`, and with how many terms.

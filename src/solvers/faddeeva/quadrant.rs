@@ -2,11 +2,11 @@
 //! them.
 
 use super::asymptotic::series;
-use super::constants::INV_SQRT_PI;
+use super::constants::{INV_SQRT_PI, LN_2};
 use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::double_double_functions as exact;
 use super::exponential::{
-    LARGE_PHASE, exp_minus_square_any, exponent, phase, reduce, sin_cos_reduced, turn,
+    LARGE_PHASE, exp, exp_minus_square_any, exponent, phase, reduce, sin_cos_reduced, turn,
 };
 use super::lanes::Lanes;
 use super::payne_hanek;
@@ -62,6 +62,30 @@ pub(super) fn circle(a: f64, y: f64) -> (Dd, Dd) {
     turn(s, c, quadrant)
 }
 
+/// `e^t` as [`exp`], whose exponents end at ±2020, with another 1024 of them: enough for
+/// `2^{-1074} e^t`.
+#[inline(always)]
+pub(super) fn exp_wide(t: Dd) -> (Dd, f64) {
+    if t.hi.abs() < 1000.0 {
+        return exp(t);
+    }
+    let k = 1024f64.copysign(t.hi);
+    let (e, n) = exp(t - LN_2.scale(k));
+    (e, n + k)
+}
+
+/// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, for any phase and as many
+/// exponents as [`exp_wide`] has.
+#[inline(always)]
+pub(super) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
+    let t = exponent(a, y);
+    if t.hi.abs() < 1000.0 {
+        return exp_minus_square_any(a, y);
+    }
+    let ((e, n), (s, c)) = (exp_wide(t), circle(a, y));
+    (e * c, -(e * s), n)
+}
+
 /// The product of two complex numbers; `true` if the terms of a component cancel.
 #[inline(always)]
 pub(super) fn product((a, b): (Dd, Dd), (c, d): (Dd, Dd)) -> (Dd, Dd, bool) {
@@ -71,16 +95,17 @@ pub(super) fn product((a, b): (Dd, Dd), (c, d): (Dd, Dd)) -> (Dd, Dd, bool) {
 }
 
 /// A coordinate so small that a function is linear in it, raised by 2³⁰⁰ so that its products keep
-/// all digits, and the exponent to subtract again.
+/// all digits, and the exponent to subtract again. Where the other one is large, by 2⁶⁰, so that the
+/// phase stays small: everything that grows with it has overflowed there.
 #[inline(always)]
-pub(super) fn lifted(x: f64) -> (f64, f64) {
+pub(super) fn lifted(x: f64, other: f64) -> (f64, f64) {
     const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
-    const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
-    if x < SMALL {
-        (x * LIFT, 300.0)
-    } else {
-        (x, 0.0)
+    const LARGE: f64 = f64::from_bits((1023 + 40) << 52);
+    if x >= SMALL {
+        return (x, 0.0);
     }
+    let lift = if other < LARGE { 300 } else { 60 };
+    (x * f64::from_bits((1023 + lift) << 52), lift as f64)
 }
 
 /// Which expansion serves a point.
@@ -277,7 +302,7 @@ pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
 
 /// [`series_derivative`] with the number of terms that `|z|` needs.
 #[inline(always)]
-fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
     let r2 = a.mul_add(a, b * b);
     if r2 < 100.0 {
         series_derivative::<33>(a, b)
@@ -407,6 +432,6 @@ pub(super) fn gaussian_exact<L: Lanes>(lanes: L, a: f64, y: f64) -> (Dd, Dd, f64
     if exponent(a, y).hi.abs() < 1400.0 {
         exact::exp_minus_square(lanes, a, -y, Dd::ZERO, Dd::ZERO).0
     } else {
-        exp_minus_square_any(a, y)
+        gaussian(a, y)
     }
 }

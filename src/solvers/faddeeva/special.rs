@@ -1,11 +1,10 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
-use super::double_double::{Dd, two_prod};
+use super::constants::INV_SQRT_PI;
+use super::double_double::two_prod;
 use super::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
 use super::payne_hanek;
 use super::real::{ROUND, scaled};
-
-const INV_SQRT_PI: Dd = Dd::new(0.564_189_583_547_756_3, 7.667_729_806_582_94e-18);
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.
 #[cold]

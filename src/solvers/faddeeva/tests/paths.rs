@@ -1,7 +1,7 @@
 //! One at a time or many, with vectors or without: the same bits.
 
 use super::super::lanes::Plain;
-use super::super::{faddeeva, faddeeva_batch, faddeeva_soa, plane};
+use super::super::{LengthMismatch, faddeeva, faddeeva_batch, faddeeva_soa, plane};
 use super::Random;
 use num_complex::Complex;
 use proptest::prelude::*;
@@ -38,7 +38,7 @@ fn batches_of_any_length() {
     for n in 0..600 {
         let z = points(n as u64, n);
         let mut w = vec![Complex::new(7.0, 7.0); n];
-        faddeeva_batch(&z, &mut w);
+        faddeeva_batch(&z, &mut w).expect("equal lengths");
         assert_same(&z, &w);
     }
 }
@@ -52,7 +52,7 @@ fn batches_of_one_kind() {
         let n = 1 + random.below(300) as usize;
         let z = vec![Complex::new(x, y); n];
         let mut w = vec![Complex::new(0.0, 0.0); n];
-        faddeeva_batch(&z, &mut w);
+        faddeeva_batch(&z, &mut w).expect("equal lengths");
         assert_same(&z, &w);
     }
 }
@@ -62,16 +62,23 @@ fn parts_apart() {
     let z = points(32, 5000);
     let (x, y): (Vec<f64>, Vec<f64>) = z.iter().map(|z| (z.re, z.im)).unzip();
     let (mut re, mut im) = (vec![7.0; z.len()], vec![7.0; z.len()]);
-    faddeeva_soa(&x, &y, &mut re, &mut im);
+    faddeeva_soa(&x, &y, &mut re, &mut im).expect("equal lengths");
     let pair = |(re, im): (&f64, &f64)| Complex::new(*re, *im);
     let w: Vec<_> = re.iter().zip(&im).map(pair).collect();
     assert_same(&z, &w);
 }
 
 #[test]
-#[should_panic(expected = "as many values as points")]
 fn lengths_have_to_agree() {
-    faddeeva_batch(&points(1, 3), &mut [Complex::new(0.0, 0.0); 2]);
+    let mismatch = |values| Err(LengthMismatch { points: 3, values });
+    let mut w = [Complex::new(7.0, 7.0); 2];
+    assert_eq!(faddeeva_batch(&points(1, 3), &mut w), mismatch(2));
+    assert_eq!(w, [Complex::new(7.0, 7.0); 2]);
+    let (a, mut b, mut c) = ([1.0; 3], [7.0; 3], [7.0; 4]);
+    assert_eq!(faddeeva_soa(&a, &a[1..], &mut b, &mut c[1..]), mismatch(2));
+    assert_eq!(faddeeva_soa(&a, &a, &mut c, &mut b), mismatch(4));
+    assert_eq!(faddeeva_soa(&a, &a, &mut b, &mut c), mismatch(4));
+    assert_eq!((b, c), ([7.0; 3], [7.0; 4]));
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -133,7 +140,7 @@ proptest! {
         let mirrored = faddeeva(Complex::new(-z.re, z.im));
         prop_assert!(same(w.re, mirrored.re) && same(w.im, -mirrored.im));
         let mut many = [Complex::new(0.0, 0.0); 32];
-        faddeeva_batch(&[z; 32], &mut many);
+        faddeeva_batch(&[z; 32], &mut many).expect("equal lengths");
         prop_assert!(many.iter().all(|v| same(w.re, v.re) && same(w.im, v.im)));
         if !z.re.is_nan() && !z.im.is_nan() && z.im >= 0.0 {
             // |w| ≤ 1 in the closed upper half-plane.

@@ -1,0 +1,172 @@
+//! What the audits of the complex relatives of the Faddeeva function share.
+
+use super::faddeeva::due;
+use super::faddeeva_relatives_regions as regions;
+use crate::audit::{
+    Budget, Domain, Due, Input, Law, Limit, Method, NormBudget, Output, Proof, ReferenceAnswer,
+    SolverAnswer,
+};
+use crate::reference::faddeeva::Scaled;
+use crate::reference::{Ball, Undecided};
+use num_complex::Complex;
+use rug::Rational;
+
+pub(super) type C = Complex<f64>;
+
+/// The zeros of a function next to which it is audited.
+pub(super) struct Zeros {
+    /// The `f64` next to the k-th one, k = 1, 2, …
+    pub at: fn(usize) -> [f64; 2],
+    /// Whether −x, −y belong to a zero as well.
+    pub mirrored: [bool; 2],
+    /// The solver stores so many of them; beyond it sums in double-double.
+    pub stored: usize,
+}
+
+/// A function of a complex argument: input `Re z, Im z`, output the two components.
+pub trait Relative: Sync + 'static {
+    const NAME: &'static str;
+    const SUMMARY: &'static str;
+    const SOURCE: &'static str;
+    /// The components.
+    const OUTPUTS: [&'static str; 2];
+    /// What a component may be wrong by, in units in its last place, and why.
+    const ULPS: (f64, &'static str);
+    /// What the norm may be wrong by, in units of 2⁻⁵³, and why.
+    const NORM: (f64, &'static str);
+    /// Where it is zero.
+    #[allow(private_interfaces)]
+    const ZEROS: Zeros;
+
+    /// The code under test.
+    fn value(z: Complex<f64>) -> Complex<f64>;
+    /// The certified value.
+    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided>;
+    /// What is due at an argument that is not finite.
+    fn limit(x: f64, y: f64) -> [Due; 2];
+    /// Identities of the values.
+    fn laws() -> Vec<Law>;
+}
+
+/// The reference is asked for so many bits less than the working precision: each component comes
+/// out with the accuracy asked for, and 80 bits settle every budget here.
+const SPARED: u32 = 48;
+
+/// The bits the reference is asked for at a working precision.
+pub(super) fn asked(bits: u32) -> u32 {
+    bits.saturating_sub(SPARED).max(64)
+}
+
+/// An exact small number.
+pub(super) fn number(n: i64) -> Due {
+    Due::Number(Ball::integer(64, n))
+}
+
+/// The infinity of the sign of `x`.
+pub(super) fn infinity(x: f64) -> Due {
+    Due::Infinity {
+        negative: x.is_sign_negative(),
+    }
+}
+
+/// `−d`
+pub(super) fn negated(d: Due) -> Due {
+    match d {
+        Due::Number(ball) => Due::Number(-ball),
+        Due::Infinity { negative } => Due::Infinity {
+            negative: !negative,
+        },
+        Due::NotANumber => Due::NotANumber,
+    }
+}
+
+/// The limits of an odd function that is real on the real axis and imaginary on the imaginary one,
+/// that tends to ±`right` for Re z → ±∞ and to ±i∞ along the imaginary axis.
+pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
+    let known = |zero| if zero { number(0) } else { Due::NotANumber };
+    if x.is_nan() || y.is_nan() {
+        return [known(x == 0.0), known(y == 0.0)];
+    }
+    match (x.is_infinite(), y.is_infinite()) {
+        (true, false) => [number(if x < 0.0 { -right } else { right }), number(0)],
+        (false, true) if x == 0.0 => [number(0), infinity(y)],
+        // No limit.
+        _ => [Due::NotANumber, Due::NotANumber],
+    }
+}
+
+impl<F: Relative> Method for F {
+    fn name(&self) -> &'static str {
+        F::NAME
+    }
+
+    fn summary(&self) -> &'static str {
+        F::SUMMARY
+    }
+
+    fn source(&self) -> &'static str {
+        F::SOURCE
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        ["Re z", "Im z"]
+            .map(|name| Input { name, unit: "1" })
+            .to_vec()
+    }
+
+    fn outputs(&self) -> Vec<Output> {
+        let budget = Budget::new(Limit::Ulps(F::ULPS.0), F::ULPS.1);
+        F::OUTPUTS
+            .map(|name| Output {
+                name,
+                unit: "1",
+                budget,
+            })
+            .to_vec()
+    }
+
+    fn norm_budget(&self) -> Option<NormBudget> {
+        Some(NormBudget::new(F::NORM.0, F::NORM.1))
+    }
+
+    fn domain(&self) -> Domain {
+        Domain {
+            regions: regions::all::<F>(),
+            check_points: regions::check_points::<F>(),
+        }
+    }
+
+    fn solve(&self, input: &[f64]) -> SolverAnswer {
+        let &[x, y] = input else {
+            return SolverAnswer::Refuses("bad layout");
+        };
+        let value = F::value(Complex::new(x, y));
+        SolverAnswer::Values(vec![value.re, value.im])
+    }
+
+    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        let [x, y] = input else {
+            return ReferenceAnswer::Refuses("bad layout");
+        };
+        match F::exact(x, y, asked(bits)) {
+            Ok(parts) => ReferenceAnswer::Dues(parts.iter().map(due).collect(), PROOF),
+            Err(e) => ReferenceAnswer::Undecided(e.to_string()),
+        }
+    }
+
+    fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
+        match input {
+            &[x, y] => ReferenceAnswer::Dues(F::limit(x, y).to_vec(), Proof::Exact),
+            _ => ReferenceAnswer::Refuses("bad layout"),
+        }
+    }
+
+    fn laws(&self) -> Vec<Law> {
+        F::laws()
+    }
+}
+
+/// Why the references hold.
+pub(super) const PROOF: Proof = Proof::Bounded(
+    "Taylor, Kummer and asymptotic series with remainder bounds (reference::faddeeva)",
+);
