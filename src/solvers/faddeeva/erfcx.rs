@@ -13,6 +13,8 @@ const TINY: f64 = f64::from_bits((1023 - 900) << 52);
 const FLAT: f64 = f64::from_bits((1023 - 60) << 52);
 /// Above this -Re z everything has overflowed, and the sign of Im erfcx is that of the true phase.
 const LARGE: f64 = f64::from_bits((1023 + 40) << 52);
+/// Where a sum is smaller than this part of its terms, it is W's.
+const CANCELLED: f64 = 1.0 / 64.0;
 const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
 
 #[inline(always)]
@@ -51,11 +53,16 @@ impl Task for Flat {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         const UP: f64 = 500.0;
-        let (_, im) = plane::w(lanes, -self.1, self.0);
+        let (re, im) = plane::w(lanes, -self.1, self.0);
         let (a, b) = (self.1.abs(), real::scaled(-self.0, real::ROUND + UP));
         let (e, n) = exp_wide(exponent(a, 0.0));
         let (_, slope, _) = derivative(lanes, a, 0.0);
-        let sum = pair_times_power(e, n + UP) + slope.mul_f(b);
+        let gaussian = pair_times_power(e, n + UP);
+        let sum = gaussian + slope.mul_f(b);
+        if sum.hi.abs() < CANCELLED * gaussian.hi {
+            // The slope has too few digits; W begins again with all of them.
+            return (re, im);
+        }
         (real::scaled(sum.value(), real::ROUND - UP), im)
     }
 }
