@@ -177,7 +177,7 @@ impl Exponent {
             let x = ComplexBall::new(&self.omega[end] + &lambda.im, -&lambda.re);
             scale * &x
         });
-        let w = [0, 1].map(|end| faddeeva::w_ball(&z[end], self.prec));
+        let w = [0, 1].map(|end| self.w(&z[end]));
         let e = factor * &(&w[0] - &(grown * &w[1]));
         if !with_slope {
             return (e, ComplexBall::zero(self.prec));
@@ -193,6 +193,15 @@ impl Exponent {
         let now = &rate * &slope[0];
         let then = &w[1].scaled(&self.t) + &(&rate * &slope[1]);
         (e, factor * &(&now - &(grown * &then)))
+    }
+
+    /// w, asked again with more bits where the working precision does not enclose it at all.
+    fn w(&self, z: &ComplexBall) -> ComplexBall {
+        [0, 24, 64]
+            .into_iter()
+            .map(|more| faddeeva::w_ball(z, self.prec + more))
+            .find(ComplexBall::is_finite)
+            .unwrap_or_else(|| faddeeva::w_ball(z, 2 * self.prec))
     }
 
     /// κ = 0: `E = (e^{pt} − 1)/p`, `E′ = (t e^{pt} − E)/p` with `p = λ + iν`, or `t` and `t²/2`.

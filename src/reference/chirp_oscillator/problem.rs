@@ -44,6 +44,16 @@ pub enum ProblemError {
     },
 }
 
+impl ProblemError {
+    /// One word for the kind of error.
+    pub fn name(&self) -> &'static str {
+        match self {
+            ProblemError::NotPositive { .. } => "not positive",
+            ProblemError::Negative { .. } => "negative",
+        }
+    }
+}
+
 impl Problem {
     /// From `w, n, ε, Ω₀, k, δ, y₀, v₀, t`.
     ///

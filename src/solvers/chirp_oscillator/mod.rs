@@ -12,14 +12,21 @@
 //! `|A_k| cos(θ_k + δ*_k)` with the envelope `|A_k|` and the phase `δ*_k = −arg A_k` by `atan2`, the
 //! form of Gembara & Senyk (15)–(17).
 
+mod direct;
 mod error;
+mod extended;
+mod free;
+mod harmonic;
+mod passage;
+mod phase;
+mod response;
+mod roots;
+mod rules;
+mod sweep;
 mod types;
 
 pub use error::ChirpError;
+pub use response::ChirpResponse;
 pub use types::{
     Chirp, Excitation, Forcing, Harmonic, HarmonicResponse, InitialState, Motion, Oscillator,
 };
-
-mod response;
-
-pub use response::ChirpResponse;
