@@ -15,6 +15,7 @@ pub(super) struct Free {
 }
 
 impl Free {
+    #[inline(always)]
     pub fn at(roots: &Roots, t: f64) -> Free {
         let Roots { w, n, .. } = *roots;
         if roots.over {
@@ -50,6 +51,7 @@ impl Free {
     }
 
     /// `y, y′, y″` from the state `(a, b)` at `t = 0`.
+    #[inline(always)]
     pub fn motion(&self, w: f64, a: Complex<f64>, b: Complex<f64>) -> [Complex<f64>; 3] {
         let ww = w * w;
         [

@@ -2,7 +2,7 @@
 
 use super::direct;
 use super::free::Free;
-use super::passage::{passage, passage_of_one};
+use super::passage::{left_behind, passage, passage_of_one};
 use super::roots::Roots;
 use super::sweep::{Amplitudes, Sweep};
 use super::types::{Chirp, Harmonic};
@@ -26,13 +26,15 @@ pub(super) struct Prepared {
     pub mirrored: bool,
     /// `−ψ(0), −ψ′(0)` of the particular solution, per `w²`.
     pub start: [C; 2],
-    /// `|p|` at `t = 0` for both roots.
-    size: [f64; 2],
+    /// What passages add to that, where they are constants.
+    pub left: Option<[[C; 2]; 2]>,
+    /// `|p|²` at `t = 0` for both roots.
+    norms: [f64; 2],
 }
 
 /// How the response is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+enum Way {
     /// Particular solution, free vibration, passages.
     Closed,
     /// Quadrature.
@@ -49,34 +51,46 @@ impl Prepared {
             false => (harmonic.k, harmonic.phase),
         };
         let sweep = Sweep::new(roots, k, chirp, delta);
-        let size = [0, 1].map(|i| roots.p(i, sweep.nu).norm());
+        let norms = [0, 1].map(|i| roots.p(i, sweep.nu).norm_sqr());
         let carrier = sweep.carrier(0.0);
         let Amplitudes { y, v, .. } = sweep.particular(roots, sweep.nu);
         Prepared {
+            left: left_behind(&sweep, roots),
             sweep,
             scale,
             mirrored,
             start: [-carrier * y, -carrier * v],
-            size,
+            norms,
         }
     }
 
-    pub fn way(&self, roots: &Roots, t: f64, omega: Dd) -> Way {
-        let phase = [0, 1].map(|i| self.size[i].max(roots.p(i, omega).norm()) * t);
+    /// Whether the closed form serves at time t, where `|p|²` has these values.
+    #[inline(always)]
+    pub fn is_closed(&self, norms: [f64; 2], t: f64) -> bool {
+        let limit = SHORT * SHORT;
+        let long = |i: usize| self.norms[i].max(norms[i]) * t * t > limit;
+        long(0) & long(1)
+    }
+
+    #[inline(always)]
+    fn way(&self, roots: &Roots, t: f64, omega: Dd) -> Way {
+        let norms = [0, 1].map(|i| roots.p(i, omega).norm_sqr());
+        if self.is_closed(norms, t) {
+            return Way::Closed;
+        }
+        let phase = [0, 1].map(|i| self.norms[i].max(norms[i]) * t * t);
         let (low, high) = match phase[0] < phase[1] {
             true => (0, phase[1]),
             false => (1, phase[0]),
         };
-        if phase[low] > SHORT {
-            Way::Closed
-        } else if high <= LONG {
-            Way::Direct
-        } else {
-            Way::Mixed(low)
+        match high <= LONG * LONG {
+            true => Way::Direct,
+            false => Way::Mixed(low),
         }
     }
 
     /// `ψ, ψ′, ψ″` at time t.
+    #[inline(always)]
     pub fn psi(&self, roots: &Roots, free: &Free, t: f64) -> [C; 3] {
         let omega = self.sweep.omega(t);
         let sum = match self.way(roots, t, omega) {
@@ -95,6 +109,8 @@ impl Prepared {
         sum.map(|x| x * self.scale)
     }
 
+    #[cold]
+    #[inline(never)]
     fn mixed(&self, roots: &Roots, short: usize, t: f64, omega: Dd) -> [C; 3] {
         let near = direct::one(&self.sweep, roots, short, t);
         let far = self.closed_one(roots, 1 - short, t, omega);

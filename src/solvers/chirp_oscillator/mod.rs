@@ -12,6 +12,7 @@
 //! `|A_k| cos(θ_k + δ*_k)` with the envelope `|A_k|` and the phase `δ*_k = −arg A_k` by `atan2`, the
 //! form of Gembara & Senyk (15)–(17).
 
+mod batch;
 mod direct;
 mod error;
 mod extended;

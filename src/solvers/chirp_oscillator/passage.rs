@@ -27,6 +27,7 @@ type C = Complex<f64>;
 const SQRT_PI: f64 = 1.772_453_850_905_516;
 
 /// `√(π/κ) (1 − i) e^{−ηX_t/κ} e^{i·phase}`, `phase = turned + (square)/(2κ) − δ`.
+#[inline(always)]
 fn term(sweep: &Sweep, decay: f64, turned: Dd, square: Dd) -> C {
     let phase = turned + square.div(sweep.kappa + sweep.kappa);
     let size = SQRT_PI / sweep.root_kappa.hi * (-decay).exp();
@@ -34,6 +35,7 @@ fn term(sweep: &Sweep, decay: f64, turned: Dd, square: Dd) -> C {
 }
 
 /// P for root number i.
+#[inline(always)]
 fn of_root(sweep: &Sweep, roots: &Roots, i: usize, t: f64, omega: Dd) -> C {
     let (eta, beta) = (roots.eta[i], roots.beta[i]);
     let (start, now) = (sweep.nu + beta, omega + beta);
@@ -52,6 +54,7 @@ fn sinhc(x: C) -> C {
 }
 
 /// The divided differences of `P, λP, λ²P` over the roots that have been passed between 0 and t.
+#[inline(always)]
 pub(super) fn passage(sweep: &Sweep, roots: &Roots, t: f64, omega: Dd) -> [C; 3] {
     let passed =
         [0, 1].map(|i| !sweep.beyond(roots, i, sweep.nu) && sweep.beyond(roots, i, omega));
@@ -98,3 +101,32 @@ pub(super) fn passage_of_one(sweep: &Sweep, roots: &Roots, i: usize, t: f64, ome
     let lambda = roots.lambda[i];
     [p, p * lambda, p * lambda * lambda]
 }
+
+/// The passages as states at `t = 0` of the free vibration, per `w²`: for each root that has its
+/// resonance ahead of it. `None` where they are no constants that `f64` holds, or would cancel.
+pub(super) fn left_behind(sweep: &Sweep, roots: &Roots) -> Option<[[C; 2]; 2]> {
+    if sweep.kappa.hi == 0.0 {
+        return Some([[C::ZERO; 2]; 2]);
+    }
+    if roots.over || sweep.joint {
+        return None;
+    }
+    let ahead = [0, 1].map(|i| !sweep.beyond(roots, i, sweep.nu));
+    let mut states = [[C::ZERO; 2]; 2];
+    for i in [0, 1] {
+        let before = (sweep.nu + roots.beta[i]).value();
+        if !ahead[i] {
+            continue;
+        }
+        if roots.n * before.abs() / sweep.kappa.hi > FOLDED {
+            return None;
+        }
+        let p = of_root(sweep, roots, i, 0.0, sweep.nu) / roots.gap;
+        let p = if i == 0 { p } else { -p };
+        states[i] = [p, p * roots.lambda[i]];
+    }
+    Some(states)
+}
+
+/// Largest decay, in nats, between the start and a passage that is folded into the start.
+const FOLDED: f64 = 300.0;

@@ -33,7 +33,7 @@ fn reduce_large(x: Dd) -> (Dd, f64) {
 }
 
 /// `e^{ix}`, rounded once.
-#[inline]
+#[inline(always)]
 pub(super) fn circle(x: Dd) -> Complex<f64> {
     let (rest, quadrant) = match x.hi.abs() < LARGE_PHASE {
         true => reduce(x),

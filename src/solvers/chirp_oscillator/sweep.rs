@@ -46,7 +46,7 @@ const TERMS: [(f64, usize); 5] = [
     (64.0, 22),
     (FAR, 27),
 ];
-const FAR: f64 = 49.0;
+pub(super) const FAR: f64 = 49.0;
 /// Roots closer together than this part of the scale of `F` are not told apart in `f64`.
 const APART: f64 = 0.5;
 /// Roots closer together than this part of `w`, or than √κ, pass their resonances together.
@@ -62,6 +62,7 @@ pub(super) struct Amplitudes {
 
 impl Amplitudes {
     /// From `F`, `R` and `λR` or their divided differences.
+    #[inline(always)]
     pub fn new(omega: f64, f: C, r: C, lr: C) -> Amplitudes {
         let turn = |x: C| C::new(omega * x.im, -omega * x.re);
         let v = turn(f) + r;
@@ -98,18 +99,20 @@ impl Sweep {
         }
     }
 
+    #[inline(always)]
     pub fn omega(&self, t: f64) -> Dd {
         self.nu + self.kappa.mul_f(t)
     }
 
     /// `e^{−iθ}`
+    #[inline(always)]
     pub fn carrier(&self, t: f64) -> C {
         let turned = (self.nu + self.kappa.mul_f(0.5 * t)).mul_f(t);
         circle(turned.add_f(self.delta)).conj()
     }
 
     /// `|z|²` for `p`.
-    #[inline]
+    #[inline(always)]
     fn distance(&self, p: C) -> f64 {
         match self.kappa.hi == 0.0 {
             true => f64::INFINITY,
@@ -118,6 +121,7 @@ impl Sweep {
     }
 
     /// Whether root number i has its resonance behind it at ω.
+    #[inline(always)]
     pub fn beyond(&self, roots: &Roots, i: usize, omega: Dd) -> bool {
         match self.joint {
             true => omega.value() > roots.n,
@@ -125,7 +129,22 @@ impl Sweep {
         }
     }
 
+    /// Whether the values of `F` for both roots are told apart in `f64`.
+    #[inline(always)]
+    pub fn apart(&self, roots: &Roots, p: [C; 2]) -> bool {
+        let scale = p.map(|p| p.norm_sqr().max(self.kappa.hi));
+        roots.gap.norm_sqr() >= APART * APART * scale[0].min(scale[1])
+    }
+
+    /// `F` by its series, where that serves.
+    #[inline(always)]
+    pub fn far_single(&self, p: C) -> Option<C> {
+        let distance = self.distance(p);
+        (distance >= FAR).then(|| series_of_one(p, self.kappa.hi, distance).0)
+    }
+
     /// `F` and `R` for one root.
+    #[inline(always)]
     pub fn single(&self, roots: &Roots, i: usize, omega: Dd) -> (C, C) {
         let p = roots.p(i, omega);
         let distance = self.distance(p);
@@ -146,20 +165,21 @@ impl Sweep {
     }
 
     /// `(1 − i)(ω + Im λ − i Re λ)/(2√κ)`, from `p`.
-    #[inline]
-    fn z(&self, p: C) -> C {
+    #[inline(always)]
+    pub fn z(&self, p: C) -> C {
         let by = 0.5 / self.root_kappa.hi;
         C::new((p.im - p.re) * by, (-p.re - p.im) * by)
     }
 
     /// `C`
-    #[inline]
-    fn factor(&self) -> C {
+    #[inline(always)]
+    pub fn factor(&self) -> C {
         let c = HALF_SQRT_PI / self.root_kappa.hi;
         C::new(c, -c)
     }
 
     /// The amplitudes of the particular solution for both roots, per `w²`.
+    #[inline(always)]
     pub fn particular(&self, roots: &Roots, omega: Dd) -> Amplitudes {
         let p = [0, 1].map(|i| roots.p(i, omega));
         let distance = p.map(|p| self.distance(p));
@@ -169,8 +189,7 @@ impl Sweep {
             let [f, r, lr] = series_of_both(p, self.kappa.hi, value, near);
             return Amplitudes::new(value, f, r, lr);
         }
-        let scale = p.map(|p| p.norm_sqr().max(self.kappa.hi));
-        if roots.gap.norm_sqr() < APART * APART * scale[0].min(scale[1]) {
+        if !self.apart(roots, p) {
             let [f, r, lr] = super::extended::differences(self, roots, omega);
             return Amplitudes::new(value, f, r, lr);
         }
@@ -188,12 +207,14 @@ impl Sweep {
 /// √π/2
 const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
 
-fn terms(distance: f64) -> usize {
+#[inline(always)]
+pub(super) fn terms(distance: f64) -> usize {
     let found = TERMS.iter().find(|(from, _)| distance >= *from);
     found.map_or(TERMS[4].1, |(_, terms)| *terms)
 }
 
 /// The series for one root: `F`, `R`.
+#[inline(always)]
 fn series_of_one(p: C, kappa: f64, distance: f64) -> (C, C) {
     let a = p.inv();
     // g_m/p^{2m} = (2m − 1) (−iκ/p²) times the one before.
@@ -206,6 +227,7 @@ fn series_of_one(p: C, kappa: f64, distance: f64) -> (C, C) {
 }
 
 /// The series for both roots: `F[·]`, `R[·]`, `(λR)[·]`.
+#[inline(always)]
 fn series_of_both(p: [C; 2], kappa: f64, omega: f64, distance: f64) -> [C; 3] {
     let q = (p[0] * p[1]).inv();
     let s = (p[0] + p[1]) * q;
