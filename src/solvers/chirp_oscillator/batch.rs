@@ -7,6 +7,7 @@
 
 use super::free::Free;
 use super::harmonic::Prepared;
+use super::inlined::two;
 use super::passage::passage;
 use super::response::ChirpResponse;
 use super::roots::Roots;
@@ -125,21 +126,24 @@ impl Near {
     #[inline(always)]
     fn push(&mut self, harmonic: &Prepared, roots: &Roots, i: usize, omega: Dd, carrier: C) -> bool {
         let sweep = &harmonic.sweep;
-        let p = [0, 1].map(|r| roots.p(r, omega));
+        let p = two(#[inline(always)] |r| roots.p(r, omega));
         if !sweep.apart(roots, p) {
             return false;
         }
-        let parts = [0, 1].map(|r| match sweep.far_single(p[r]) {
-            Some(f) => Part::Value(f),
-            None => {
-                let beyond = sweep.beyond(roots, r, omega);
-                let z = sweep.z(p[r]);
-                let z = if beyond { -z } else { z };
-                self.x.push(z.re);
-                self.y.push(z.im);
-                Part::Computed(self.x.len() - 1, beyond)
-            }
-        });
+        let mut parts = [Part::Value(C::ZERO); 2];
+        for r in [0, 1] {
+            parts[r] = match sweep.far_single(p[r]) {
+                Some(f) => Part::Value(f),
+                None => {
+                    let beyond = sweep.beyond(roots, r, omega);
+                    let z = sweep.z(p[r]);
+                    let z = if beyond { -z } else { z };
+                    self.x.push(z.re);
+                    self.y.push(z.im);
+                    Part::Computed(self.x.len() - 1, beyond)
+                }
+            };
+        }
         self.place.push((i, carrier));
         self.parts.push(parts);
         true
@@ -246,7 +250,7 @@ fn wide<R: Real>(harmonic: &Prepared, roots: &Roots, t: R) -> Wide<R> {
     let (rest, quadrant) = reduce(turned.add_f(t.like(s.delta)));
     let (sin, cos) = sin_cos_reduced(rest);
     let (sin, cos) = turn(sin, cos, quadrant);
-    let p = [0, 1].map(
+    let p = two(
         #[inline(always)]
         |i| {
             let x = (omega + like(t, roots.beta[i])).value();
@@ -255,9 +259,9 @@ fn wide<R: Real>(harmonic: &Prepared, roots: &Roots, t: R) -> Wide<R> {
     );
     Wide {
         carrier: Z(cos.value(), -sin.value()),
-        sizes: p.map(
+        sizes: two(
             #[inline(always)]
-            |p| p.0.fma(p.0, p.1 * p.1),
+            |i| p[i].0.fma(p[i].0, p[i].1 * p[i].1),
         ),
         p,
     }
@@ -308,26 +312,29 @@ impl Task for Forced<'_> {
         let constants = Constants::new(harmonic);
         let sweep = &harmonic.sweep;
         let kappa = sweep.kappa.hi;
+        // A passage is behind from here on; a little early where both roots pass as one.
+        let edge = two(|r| match sweep.joint {
+            true => roots.n - roots.half.hi.abs(),
+            false => -roots.lambda[r].re,
+        });
         let to_distance = if kappa == 0.0 { f64::INFINITY } else { 0.5 / kappa };
         let mut start = 0;
         while start < t.len() {
             let count = (t.len() - start).min(4);
-            let four: [f64; 4] = std::array::from_fn(|i| *t.get(start + i).unwrap_or(&last));
+            let mut four = [last; 4];
+            four[..count].copy_from_slice(&t[start..start + count]);
             let w = wide(harmonic, roots, lanes.quad(four));
-            let [m, n] = w.sizes.map(
-                #[inline(always)]
-                |x| lanes.array(x),
-            );
-            let distance: [f64; 4] = std::array::from_fn(|i| m[i].min(n[i]) * to_distance);
-            let least = distance.iter().fold(f64::INFINITY, |a, b| b.min(a));
+            let (m, n) = (lanes.array(w.sizes[0]), lanes.array(w.sizes[1]));
+            let mut distance = [0.0; 4];
+            for i in 0..4 {
+                distance[i] = m[i].min(n[i]) * to_distance;
+            }
+            let least = (distance[0].min(distance[1])).min(distance[2].min(distance[3]));
             let f = series(w.p, kappa, terms(least.max(FAR)));
             let forced = w.carrier.0.fma(f.0, -(w.carrier.1 * f.1));
             let forced = lanes.array(forced);
             let carrier = [lanes.array(w.carrier.0), lanes.array(w.carrier.1)];
-            let x = w.p.map(
-                #[inline(always)]
-                |p| lanes.array(p.1),
-            );
+            let x = [lanes.array(w.p[0].1), lanes.array(w.p[1].1)];
             for i in 0..count {
                 let at = start + i;
                 let time = t[at];
@@ -346,14 +353,13 @@ impl Task for Forced<'_> {
                     }
                 }
                 let [mut a, mut b] = constants.start;
-                if constants.folded {
-                    for r in [0, 1] {
-                        if x[r][i] > -roots.lambda[r].re {
-                            a += constants.passed[r][0];
-                            b += constants.passed[r][1];
-                        }
+                for r in [0, 1] {
+                    if x[r][i] > edge[r] {
+                        a += constants.passed[r][0];
+                        b += constants.passed[r][1];
                     }
-                } else {
+                }
+                if !constants.folded && (x[0][i] > edge[0]) | (x[1][i] > edge[1]) {
                     let left = passage(sweep, roots, time, sweep.omega(time));
                     sums.y[at] += left[0].re * harmonic.scale;
                 }

@@ -21,7 +21,7 @@ impl Free {
         if roots.over {
             // Slow and fast exponential; K by expm1, the others from it without differences of
             // equals.
-            let [slow, fast] = roots.lambda.map(|l| l.re);
+            let (slow, fast) = (roots.lambda[0].re, roots.lambda[1].re);
             let (a, b) = ((slow * t).exp(), (fast * t).exp());
             let wide = roots.gap.re;
             let k = a * (-(-wide * t).exp_m1() / wide);

@@ -1,6 +1,7 @@
 //! The response to one harmonic from rest.
 
 use super::direct;
+use super::inlined::{three, two};
 use super::free::Free;
 use super::passage::{left_behind, passage, passage_of_one};
 use super::roots::Roots;
@@ -51,7 +52,7 @@ impl Prepared {
             false => (harmonic.k, harmonic.phase),
         };
         let sweep = Sweep::new(roots, k, chirp, delta);
-        let norms = [0, 1].map(|i| roots.p(i, sweep.nu).norm_sqr());
+        let norms = two(|i| roots.p(i, sweep.nu).norm_sqr());
         let carrier = sweep.carrier(0.0);
         let Amplitudes { y, v, .. } = sweep.particular(roots, sweep.nu);
         Prepared {
@@ -74,11 +75,11 @@ impl Prepared {
 
     #[inline(always)]
     fn way(&self, roots: &Roots, t: f64, omega: Dd) -> Way {
-        let norms = [0, 1].map(|i| roots.p(i, omega).norm_sqr());
+        let norms = two(#[inline(always)] |i| roots.p(i, omega).norm_sqr());
         if self.is_closed(norms, t) {
             return Way::Closed;
         }
-        let phase = [0, 1].map(|i| self.norms[i].max(norms[i]) * t * t);
+        let phase = two(#[inline(always)] |i| self.norms[i].max(norms[i]) * t * t);
         let (low, high) = match phase[0] < phase[1] {
             true => (0, phase[1]),
             false => (1, phase[0]),
@@ -102,11 +103,11 @@ impl Prepared {
                 let left = passage(&self.sweep, roots, t, omega);
                 let carrier = self.sweep.carrier(t);
                 let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
-                let forced = [y, v, a].map(|x| x * carrier);
-                [0, 1, 2].map(|j| forced[j] + own[j] + left[j])
+                let forced = [y, v, a];
+                three(#[inline(always)] |j| forced[j] * carrier + own[j] + left[j])
             }
         };
-        sum.map(|x| x * self.scale)
+        three(#[inline(always)] |j| sum[j] * self.scale)
     }
 
     #[cold]
@@ -115,7 +116,7 @@ impl Prepared {
         let near = direct::one(&self.sweep, roots, short, t);
         let far = self.closed_one(roots, 1 - short, t, omega);
         let sign = if short == 0 { 1.0 } else { -1.0 };
-        [0, 1, 2].map(|j| sign * (near[j] - far[j]) / roots.gap)
+        three(|j| sign * (near[j] - far[j]) / roots.gap)
     }
 
     /// `φ, φ′, φ″` of root number i.

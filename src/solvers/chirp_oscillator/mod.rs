@@ -18,6 +18,7 @@ mod error;
 mod extended;
 mod free;
 mod harmonic;
+mod inlined;
 mod passage;
 mod phase;
 mod response;

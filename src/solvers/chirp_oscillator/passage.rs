@@ -16,6 +16,7 @@
 //! P[·] = P(λ̄) e^{−i gap²/(8κ)} d sinh(x)/x.
 //! ```
 
+use super::inlined::two;
 use super::phase::circle;
 use super::roots::Roots;
 use super::sweep::Sweep;
@@ -57,7 +58,7 @@ fn sinhc(x: C) -> C {
 #[inline(always)]
 pub(super) fn passage(sweep: &Sweep, roots: &Roots, t: f64, omega: Dd) -> [C; 3] {
     let passed =
-        [0, 1].map(|i| !sweep.beyond(roots, i, sweep.nu) && sweep.beyond(roots, i, omega));
+        two(#[inline(always)] |i| !sweep.beyond(roots, i, sweep.nu) && sweep.beyond(roots, i, omega));
     if passed == [false, false] {
         return [C::ZERO; 3];
     }
@@ -111,7 +112,7 @@ pub(super) fn left_behind(sweep: &Sweep, roots: &Roots) -> Option<[[C; 2]; 2]> {
     if roots.over || sweep.joint {
         return None;
     }
-    let ahead = [0, 1].map(|i| !sweep.beyond(roots, i, sweep.nu));
+    let ahead = two(|i| !sweep.beyond(roots, i, sweep.nu));
     let mut states = [[C::ZERO; 2]; 2];
     for i in [0, 1] {
         let before = (sweep.nu + roots.beta[i]).value();

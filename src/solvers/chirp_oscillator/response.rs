@@ -115,8 +115,9 @@ impl ChirpResponse {
     #[inline(always)]
     fn motion_here(&self, t: f64) -> Motion {
         let free = Free::at(&self.roots, t);
-        let [y0, v0] = self.start.map(|x| Complex::new(x, 0.0));
-        let mut sum = free.motion(self.roots.w, y0, v0).map(|x| x.re);
+        let (y0, v0) = (self.start[0], self.start[1]);
+        let own = free.motion(self.roots.w, y0.into(), v0.into());
+        let mut sum = [own[0].re, own[1].re, own[2].re];
         for harmonic in self.constant.iter().chain(&self.harmonics) {
             let psi = harmonic.psi(&self.roots, &free, t);
             for (sum, psi) in sum.iter_mut().zip(psi) {

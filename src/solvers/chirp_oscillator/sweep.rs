@@ -28,6 +28,7 @@
 //! F[λ₊, λ₋] = q Σ g_m h_{2m},  R[·] = q Σ_{m≥1} g_m h_{2m−1},  (λR)[·] = q Σ_{m≥1} g_m (h_{2m−2} − iω h_{2m−1}).
 //! ```
 
+use super::inlined::two;
 use super::phase::{circle, sqrt};
 use super::roots::Roots;
 use super::types::Chirp;
@@ -39,9 +40,15 @@ type C = Complex<f64>;
 const I: C = C::I;
 
 /// `|z|²` from which the asymptotic series is used, and with how many terms.
-const TERMS: [(f64, usize); 5] = [
+///
+/// With m terms the next one, `(2m + 1)!! (2m + 2)/(2|z|²)^m` of the first of R, is below 2⁻⁵⁴.
+const TERMS: [(f64, usize); 9] = [
+    (1e9, 2),
+    (1e7, 3),
     (1e5, 4),
+    (1e4, 6),
     (1e3, 8),
+    (300.0, 11),
     (100.0, 18),
     (64.0, 22),
     (FAR, 27),
@@ -132,8 +139,8 @@ impl Sweep {
     /// Whether the values of `F` for both roots are told apart in `f64`.
     #[inline(always)]
     pub fn apart(&self, roots: &Roots, p: [C; 2]) -> bool {
-        let scale = p.map(|p| p.norm_sqr().max(self.kappa.hi));
-        roots.gap.norm_sqr() >= APART * APART * scale[0].min(scale[1])
+        let [a, b] = two(#[inline(always)] |i| p[i].norm_sqr().max(self.kappa.hi));
+        roots.gap.norm_sqr() >= APART * APART * a.min(b)
     }
 
     /// `F` by its series, where that serves.
@@ -181,8 +188,8 @@ impl Sweep {
     /// The amplitudes of the particular solution for both roots, per `w²`.
     #[inline(always)]
     pub fn particular(&self, roots: &Roots, omega: Dd) -> Amplitudes {
-        let p = [0, 1].map(|i| roots.p(i, omega));
-        let distance = p.map(|p| self.distance(p));
+        let p = two(#[inline(always)] |i| roots.p(i, omega));
+        let distance = two(#[inline(always)] |i| self.distance(p[i]));
         let value = omega.value();
         let near = distance[0].min(distance[1]);
         if near >= FAR {
@@ -193,7 +200,7 @@ impl Sweep {
             let [f, r, lr] = super::extended::differences(self, roots, omega);
             return Amplitudes::new(value, f, r, lr);
         }
-        let [(f, r), (g, s)] = [0, 1].map(|i| self.single(roots, i, omega));
+        let [(f, r), (g, s)] = two(#[inline(always)] |i| self.single(roots, i, omega));
         let [plus, minus] = roots.lambda;
         Amplitudes::new(
             value,
@@ -209,8 +216,12 @@ const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
 
 #[inline(always)]
 pub(super) fn terms(distance: f64) -> usize {
-    let found = TERMS.iter().find(|(from, _)| distance >= *from);
-    found.map_or(TERMS[4].1, |(_, terms)| *terms)
+    for (from, terms) in TERMS {
+        if distance >= from {
+            return terms;
+        }
+    }
+    TERMS[8].1
 }
 
 /// The series for one root: `F`, `R`.
