@@ -210,6 +210,74 @@ impl Task for FreeAt<'_> {
     }
 }
 
+/// One harmonic's displacement and the state of the free vibration it has left.
+#[inline(always)]
+fn forced_once(harmonic: &Prepared, roots: &Roots, free: &Free, t: f64) -> [f64; 3] {
+    let sweep = &harmonic.sweep;
+    let kappa = sweep.kappa.hi;
+    let omega = sweep.omega(t);
+    let turned = (sweep.nu.hi.abs() + kappa * t) * t + sweep.delta.abs();
+    let p = two(
+        #[inline(always)]
+        |i| roots.p(i, omega),
+    );
+    let norms = [p[0].norm_sqr(), p[1].norm_sqr()];
+    let unfolded = || [harmonic.psi(roots, free, t)[0].re, 0.0, 0.0];
+    let Some(left) = &harmonic.left else {
+        return unfolded();
+    };
+    if !harmonic.is_closed(norms, t) || !(turned < LARGE_PHASE) {
+        return unfolded();
+    }
+    let distance = sweep.distance(p[0]).min(sweep.distance(p[1]));
+    let f = if distance >= FAR {
+        let f = series(
+            [Z(p[0].re, p[0].im), Z(p[1].re, p[1].im)],
+            kappa,
+            terms(distance),
+        );
+        C::new(f.0, f.1)
+    } else {
+        sweep.displacement_near(roots, omega)
+    };
+    let y = (sweep.carrier(t) * f).re;
+    let [mut a, mut b] = harmonic.start;
+    for i in [0, 1] {
+        if p[i].im > -roots.lambda[i].re {
+            a += left[i][0];
+            b += left[i][1];
+        }
+    }
+    let by = harmonic.scale;
+    [y * by, a.re * by, b.re * by]
+}
+
+/// The displacement at one time.
+pub(super) struct Once<'a> {
+    pub response: &'a ChirpResponse,
+    pub t: f64,
+}
+
+impl Task for Once<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> f64 {
+        let Once { response, t } = self;
+        let roots = &response.roots;
+        let free = Free::at(roots, t);
+        let [mut a, mut b] = response.start;
+        let mut sum = 0.0;
+        for harmonic in response.constant.iter().chain(&response.harmonics) {
+            let [y, c, d] = forced_once(harmonic, roots, &free, t);
+            sum += y;
+            a += c;
+            b += d;
+        }
+        a.mul_add(free.k0, b.mul_add(free.k, sum))
+    }
+}
+
 /// Real and imaginary part.
 #[derive(Clone, Copy)]
 struct Z<R>(R, R);

@@ -1,7 +1,8 @@
 //! Free vibration.
 
-use super::phase::circle;
+use super::phase::{circle, decay};
 use super::roots::Roots;
+use crate::solvers::faddeeva::double_double::two_prod;
 use num_complex::Complex;
 
 /// The impulse response `K` (`K(0) = 0`, `K′(0) = 1`) with two derivatives, and the response
@@ -22,7 +23,7 @@ impl Free {
             // Slow and fast exponential; K by expm1, the others from it without differences of
             // equals.
             let (slow, fast) = (roots.lambda[0].re, roots.lambda[1].re);
-            let (a, b) = ((slow * t).exp(), (fast * t).exp());
+            let (a, b) = (decay(roots.eta[0].mul_f(t)), decay(roots.eta[1].mul_f(t)));
             let wide = roots.gap.re;
             let k = a * (-(-wide * t).exp_m1() / wide);
             let k1 = slow.mul_add(k, b);
@@ -39,7 +40,7 @@ impl Free {
             true => t,
             false => turn.im / w3.value(),
         };
-        let e = (-n * t).exp();
+        let e = decay(two_prod(n, t));
         let c = turn.re;
         Free {
             k: e * s,

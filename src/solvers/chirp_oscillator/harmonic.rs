@@ -4,6 +4,7 @@ use super::direct;
 use super::inlined::{three, two};
 use super::free::Free;
 use super::passage::{left_behind, passage, passage_of_one};
+use super::phase::{circle, decay};
 use super::roots::Roots;
 use super::sweep::{Amplitudes, Sweep};
 use super::types::{Chirp, Harmonic};
@@ -98,9 +99,20 @@ impl Prepared {
             Way::Direct => direct::both(&self.sweep, roots, free, t),
             Way::Mixed(i) => self.mixed(roots, i, t, omega),
             Way::Closed => {
-                let [a, b] = self.start;
+                let [mut a, mut b] = self.start;
+                let mut left = [C::ZERO; 3];
+                match &self.left {
+                    Some(states) => {
+                        for i in [0, 1] {
+                            if self.sweep.beyond(roots, i, omega) {
+                                a += states[i][0];
+                                b += states[i][1];
+                            }
+                        }
+                    }
+                    None => left = passage(&self.sweep, roots, t, omega),
+                }
                 let own = free.motion(roots.w, a, b);
-                let left = passage(&self.sweep, roots, t, omega);
                 let carrier = self.sweep.carrier(t);
                 let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
                 let forced = [y, v, a];
@@ -128,9 +140,9 @@ impl Prepared {
         };
         let (now, then) = (at(omega), at(self.sweep.nu));
         let carrier = self.sweep.carrier(t);
-        let (eta, beta) = (roots.eta[i].value(), roots.beta[i]);
-        let decay = (-eta * t).exp();
-        let turned = super::phase::circle(beta.mul_f(t).add_f(-self.sweep.delta));
+        let beta = roots.beta[i];
+        let decay = decay(roots.eta[i].mul_f(t));
+        let turned = circle(beta.mul_f(t).add_f(-self.sweep.delta));
         let own = turned * (-decay) * then.y;
         let left = passage_of_one(&self.sweep, roots, i, t, omega);
         [

@@ -17,7 +17,7 @@
 //! ```
 
 use super::inlined::two;
-use super::phase::circle;
+use super::phase::{circle, decay};
 use super::roots::Roots;
 use super::sweep::Sweep;
 use crate::solvers::faddeeva::double_double::Dd;
@@ -29,9 +29,9 @@ const SQRT_PI: f64 = 1.772_453_850_905_516;
 
 /// `√(π/κ) (1 − i) e^{−ηX_t/κ} e^{i·phase}`, `phase = turned + (square)/(2κ) − δ`.
 #[inline(always)]
-fn term(sweep: &Sweep, decay: f64, turned: Dd, square: Dd) -> C {
+fn term(sweep: &Sweep, nats: Dd, turned: Dd, square: Dd) -> C {
     let phase = turned + square.div(sweep.kappa + sweep.kappa);
-    let size = SQRT_PI / sweep.root_kappa.hi * (-decay).exp();
+    let size = SQRT_PI / sweep.root_kappa.hi * decay(nats);
     circle(phase.add_f(-sweep.delta)) * C::new(size, -size)
 }
 
@@ -40,8 +40,8 @@ fn term(sweep: &Sweep, decay: f64, turned: Dd, square: Dd) -> C {
 fn of_root(sweep: &Sweep, roots: &Roots, i: usize, t: f64, omega: Dd) -> C {
     let (eta, beta) = (roots.eta[i], roots.beta[i]);
     let (start, now) = (sweep.nu + beta, omega + beta);
-    let decay = (eta * now).div(sweep.kappa).value();
-    term(sweep, decay, beta.mul_f(t), (start - eta) * (start + eta))
+    let nats = (eta * now).div(sweep.kappa);
+    term(sweep, nats, beta.mul_f(t), (start - eta) * (start + eta))
 }
 
 /// `sinh x/x` for `|x| ≤ 1`.
@@ -70,8 +70,8 @@ pub(super) fn passage(sweep: &Sweep, roots: &Roots, t: f64, omega: Dd) -> [C; 3]
             let half = roots.half.square();
             let half = if roots.over { half } else { -half };
             let square = sweep.nu.square() - n.square() - half;
-            let decay = n.mul_f(omega.value()).div(sweep.kappa).value();
-            let p = term(sweep, decay, Dd::ZERO, square);
+            let nats = (n * omega).div(sweep.kappa);
+            let p = term(sweep, nats, Dd::ZERO, square);
             let y = p * d * sinhc(x);
             let v = p * x.cosh() - y * roots.n;
             let a = -(v * (2.0 * roots.n) + y * (roots.w * roots.w));

@@ -43,3 +43,10 @@ pub(super) fn circle(x: Dd) -> Complex<f64> {
     let (sin, cos) = turn(sin, cos, quadrant);
     Complex::new(cos.value(), sin.value())
 }
+
+/// `e^{−x}` for `x ≥ 0`, without the error of a rounded `x`.
+#[inline(always)]
+pub(super) fn decay(x: Dd) -> f64 {
+    let e = (-x.hi).exp();
+    (-x.lo).mul_add(e, e)
+}

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "parallel")]
 use super::batch::CHUNK;
-use super::batch::displacements;
+use super::batch::{Once, displacements};
 use super::error::{ChirpError, finite, not_negative};
 use super::free::Free;
 use super::harmonic::Prepared;
@@ -105,6 +105,16 @@ impl ChirpResponse {
     /// A time that is negative or not finite.
     pub fn motion(&self, t: f64) -> Result<Motion, ChirpError> {
         Ok(self.motion_at(self.time(t)?))
+    }
+
+    /// The displacement alone at time `t ≥ 0`, about twice as fast. It differs from that of
+    /// [`ChirpResponse::motion`] by roundings.
+    ///
+    /// # Errors
+    /// A time that is negative or not finite.
+    pub fn displacement(&self, t: f64) -> Result<f64, ChirpError> {
+        let t = self.time(t)?;
+        Ok(with_best(Once { response: self, t }))
     }
 
     /// `t` in its own unit.

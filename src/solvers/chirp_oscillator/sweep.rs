@@ -120,7 +120,7 @@ impl Sweep {
 
     /// `|z|²` for `p`.
     #[inline(always)]
-    fn distance(&self, p: C) -> f64 {
+    pub fn distance(&self, p: C) -> f64 {
         match self.kappa.hi == 0.0 {
             true => f64::INFINITY,
             false => p.norm_sqr() / (2.0 * self.kappa.hi),
@@ -183,6 +183,24 @@ impl Sweep {
     pub fn factor(&self) -> C {
         let c = HALF_SQRT_PI / self.root_kappa.hi;
         C::new(c, -c)
+    }
+
+    /// `F[·]` beside a resonance, by w alone.
+    #[inline(always)]
+    pub fn displacement_near(&self, roots: &Roots, omega: Dd) -> C {
+        let p = two(#[inline(always)] |i| roots.p(i, omega));
+        if !self.apart(roots, p) {
+            return super::extended::differences(self, roots, omega)[0];
+        }
+        let [f, g] = two(
+            #[inline(always)]
+            |i| match self.far_single(p[i]) {
+                Some(f) => f,
+                None if self.beyond(roots, i, omega) => -self.factor() * faddeeva(-self.z(p[i])),
+                None => self.factor() * faddeeva(self.z(p[i])),
+            },
+        );
+        (f - g) / roots.gap
     }
 
     /// The amplitudes of the particular solution for both roots, per `w²`.
