@@ -50,7 +50,11 @@ fn at(problem: &Problem, bits: u32) -> Option<[f64; 5]> {
     add(&base.turned(&delta));
     let zero = Rational::new;
     let only = |y0: Rational, v0: Rational| {
-        let problem = Problem { y0, v0, ..problem.clone() };
+        let problem = Problem {
+            y0,
+            v0,
+            ..problem.clone()
+        };
         Row::free(super::free::vibration(&problem, bits))
     };
     add(&only(problem.y0.clone(), zero()));
@@ -108,7 +112,11 @@ impl Row {
     /// `δ ∂/∂δ`.
     fn turned(&self, delta: &Float) -> Row {
         Row(std::array::from_fn(|i| {
-            let x = if i < 6 { self.0[i].clone() } else { Float::new(64) };
+            let x = if i < 6 {
+                self.0[i].clone()
+            } else {
+                Float::new(64)
+            };
             x * delta
         }))
     }
@@ -121,7 +129,12 @@ impl Row {
     }
 
     fn magnitudes(&self) -> [Mag; 4] {
-        let size = |i: usize| Mag::above(&Float::with_val(64, self.0[2 * i].hypot_ref(&self.0[2 * i + 1])));
+        let size = |i: usize| {
+            Mag::above(&Float::with_val(
+                64,
+                self.0[2 * i].hypot_ref(&self.0[2 * i + 1]),
+            ))
+        };
         std::array::from_fn(|i| match i {
             3 => size(3),
             _ => size(i).add(Mag::above(&self.0[8 + i])),

@@ -136,16 +136,12 @@ fn panel(
                 };
                 // |wP| ≤ |u|.
                 let low = Mag::below(real(&p.w).mid()).sub_below(real(&p.w).rad());
-                return (
-                    integral(&sums.0, bound.div(low)),
-                    integral(&sums.1, bound),
-                );
+                return (integral(&sums.0, bound.div(low)), integral(&sums.1, bound));
             }
         }
         let share = Ball::integer(work, m);
-        let chirp = |now: &ComplexBall, old: &ComplexBall| {
-            (&now.scaled(&q) - &old.scaled(&sweep)).turned()
-        };
+        let chirp =
+            |now: &ComplexBall, old: &ComplexBall| (&now.scaled(&q) - &old.scaled(&sweep)).turned();
         let a = &here.1.scaled(&step) + &chirp(&here.0, &before.0);
         let b = &(&chirp(&here.1, &before.1) - &here.1.scaled(&twice)) - &here.0.scaled(&stiffness);
         let by = |x: ComplexBall| ComplexBall::new(&x.re / &share, &x.im / &share);

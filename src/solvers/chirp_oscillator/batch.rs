@@ -124,9 +124,19 @@ impl Near {
 
     /// A point; `false` if its roots have to be told apart in double-double.
     #[inline(always)]
-    fn push(&mut self, harmonic: &Prepared, roots: &Roots, i: usize, omega: Dd, carrier: C) -> bool {
+    fn push(
+        &mut self,
+        harmonic: &Prepared,
+        roots: &Roots,
+        i: usize,
+        omega: Dd,
+        carrier: C,
+    ) -> bool {
         let sweep = &harmonic.sweep;
-        let p = two(#[inline(always)] |r| roots.p(r, omega));
+        let p = two(
+            #[inline(always)]
+            |r| roots.p(r, omega),
+        );
         if !sweep.apart(roots, p) {
             return false;
         }
@@ -385,7 +395,11 @@ impl Task for Forced<'_> {
             true => roots.n - roots.half.hi.abs(),
             false => -roots.lambda[r].re,
         });
-        let to_distance = if kappa == 0.0 { f64::INFINITY } else { 0.5 / kappa };
+        let to_distance = if kappa == 0.0 {
+            f64::INFINITY
+        } else {
+            0.5 / kappa
+        };
         let mut start = 0;
         while start < t.len() {
             let count = (t.len() - start).min(4);

@@ -35,10 +35,7 @@ impl Sub for Cd {
 impl Mul for Cd {
     type Output = Cd;
     fn mul(self, o: Cd) -> Cd {
-        Cd(
-            self.0 * o.0 - self.1 * o.1,
-            self.0 * o.1 + self.1 * o.0,
-        )
+        Cd(self.0 * o.0 - self.1 * o.1, self.0 * o.1 + self.1 * o.0)
     }
 }
 

@@ -1,8 +1,8 @@
 //! The response to one harmonic from rest.
 
 use super::direct;
-use super::inlined::{three, two};
 use super::free::Free;
+use super::inlined::{three, two};
 use super::passage::{left_behind, passage, passage_of_one};
 use super::phase::{circle, decay};
 use super::roots::Roots;
@@ -76,11 +76,17 @@ impl Prepared {
 
     #[inline(always)]
     fn way(&self, roots: &Roots, t: f64, omega: Dd) -> Way {
-        let norms = two(#[inline(always)] |i| roots.p(i, omega).norm_sqr());
+        let norms = two(
+            #[inline(always)]
+            |i| roots.p(i, omega).norm_sqr(),
+        );
         if self.is_closed(norms, t) {
             return Way::Closed;
         }
-        let phase = two(#[inline(always)] |i| self.norms[i].max(norms[i]) * t * t);
+        let phase = two(
+            #[inline(always)]
+            |i| self.norms[i].max(norms[i]) * t * t,
+        );
         let (low, high) = match phase[0] < phase[1] {
             true => (0, phase[1]),
             false => (1, phase[0]),
@@ -116,10 +122,16 @@ impl Prepared {
                 let carrier = self.sweep.carrier(t);
                 let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
                 let forced = [y, v, a];
-                three(#[inline(always)] |j| forced[j] * carrier + own[j] + left[j])
+                three(
+                    #[inline(always)]
+                    |j| forced[j] * carrier + own[j] + left[j],
+                )
             }
         };
-        three(#[inline(always)] |j| sum[j] * self.scale)
+        three(
+            #[inline(always)]
+            |j| sum[j] * self.scale,
+        )
     }
 
     #[cold]

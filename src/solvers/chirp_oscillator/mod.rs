@@ -32,3 +32,6 @@ pub use response::ChirpResponse;
 pub use types::{
     Chirp, Excitation, Forcing, Harmonic, HarmonicResponse, InitialState, Motion, Oscillator,
 };
+
+#[cfg(test)]
+mod tests;

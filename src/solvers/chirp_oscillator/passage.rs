@@ -57,8 +57,10 @@ fn sinhc(x: C) -> C {
 /// The divided differences of `P, λP, λ²P` over the roots that have been passed between 0 and t.
 #[inline(always)]
 pub(super) fn passage(sweep: &Sweep, roots: &Roots, t: f64, omega: Dd) -> [C; 3] {
-    let passed =
-        two(#[inline(always)] |i| !sweep.beyond(roots, i, sweep.nu) && sweep.beyond(roots, i, omega));
+    let passed = two(
+        #[inline(always)]
+        |i| !sweep.beyond(roots, i, sweep.nu) && sweep.beyond(roots, i, omega),
+    );
     if passed == [false, false] {
         return [C::ZERO; 3];
     }

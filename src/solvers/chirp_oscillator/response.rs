@@ -51,7 +51,11 @@ pub struct ChirpResponse {
 
 /// The largest power of two up to `x`.
 fn power_of_two(x: f64) -> f64 {
-    let x = if x < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { x };
+    let x = if x < f64::MIN_POSITIVE {
+        f64::MIN_POSITIVE
+    } else {
+        x
+    };
     f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000)
 }
 
@@ -238,11 +242,7 @@ impl ChirpResponse {
     /// # Errors
     /// As [`ChirpResponse::motions`].
     #[cfg(feature = "parallel")]
-    pub fn displacements_parallel(
-        &self,
-        times: &[f64],
-        out: &mut [f64],
-    ) -> Result<(), ChirpError> {
+    pub fn displacements_parallel(&self, times: &[f64], out: &mut [f64]) -> Result<(), ChirpError> {
         use rayon::prelude::*;
         same_length(times, out)?;
         times

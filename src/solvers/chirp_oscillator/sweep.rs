@@ -139,7 +139,10 @@ impl Sweep {
     /// Whether the values of `F` for both roots are told apart in `f64`.
     #[inline(always)]
     pub fn apart(&self, roots: &Roots, p: [C; 2]) -> bool {
-        let [a, b] = two(#[inline(always)] |i| p[i].norm_sqr().max(self.kappa.hi));
+        let [a, b] = two(
+            #[inline(always)]
+            |i| p[i].norm_sqr().max(self.kappa.hi),
+        );
         roots.gap.norm_sqr() >= APART * APART * a.min(b)
     }
 
@@ -188,7 +191,10 @@ impl Sweep {
     /// `F[·]` beside a resonance, by w alone.
     #[inline(always)]
     pub fn displacement_near(&self, roots: &Roots, omega: Dd) -> C {
-        let p = two(#[inline(always)] |i| roots.p(i, omega));
+        let p = two(
+            #[inline(always)]
+            |i| roots.p(i, omega),
+        );
         if !self.apart(roots, p) {
             return super::extended::differences(self, roots, omega)[0];
         }
@@ -206,8 +212,14 @@ impl Sweep {
     /// The amplitudes of the particular solution for both roots, per `w²`.
     #[inline(always)]
     pub fn particular(&self, roots: &Roots, omega: Dd) -> Amplitudes {
-        let p = two(#[inline(always)] |i| roots.p(i, omega));
-        let distance = two(#[inline(always)] |i| self.distance(p[i]));
+        let p = two(
+            #[inline(always)]
+            |i| roots.p(i, omega),
+        );
+        let distance = two(
+            #[inline(always)]
+            |i| self.distance(p[i]),
+        );
         let value = omega.value();
         let near = distance[0].min(distance[1]);
         if near >= FAR {
@@ -218,7 +230,10 @@ impl Sweep {
             let [f, r, lr] = super::extended::differences(self, roots, omega);
             return Amplitudes::new(value, f, r, lr);
         }
-        let [(f, r), (g, s)] = two(#[inline(always)] |i| self.single(roots, i, omega));
+        let [(f, r), (g, s)] = two(
+            #[inline(always)]
+            |i| self.single(roots, i, omega),
+        );
         let [plus, minus] = roots.lambda;
         Amplitudes::new(
             value,

@@ -27,10 +27,7 @@ impl Task for Extended {
         let (u, v) = (re.hi, im.hi);
         let p = -2.0 * (x.hi * u - y.hi * v);
         let q = TWO_OVER_SQRT_PI.hi - 2.0 * (x.hi * v + y.hi * u);
-        (
-            re.add_f(p * x.lo - q * y.lo),
-            im.add_f(p * y.lo + q * x.lo),
-        )
+        (re.add_f(p * x.lo - q * y.lo), im.add_f(p * y.lo + q * x.lo))
     }
 }
 
