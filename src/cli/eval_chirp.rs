@@ -1,10 +1,10 @@
 //! `eval chirp.response`: the chirp-forced oscillator, one harmonic of unit amplitude.
 
 use super::eval_functions::{Function, certified};
-use mechaudit::reference::Undecided;
 use mechaudit::reference::chirp_oscillator::{Problem, response};
+use mechaudit::reference::{Ball, Undecided};
 use mechaudit::solvers::chirp_oscillator::{
-    Chirp, ChirpError, ChirpResponse, Excitation, Forcing, Harmonic, InitialState, Oscillator,
+    Chirp, ChirpError, ChirpResponse, Harmonic, InitialState, Oscillator,
 };
 use rug::Rational;
 
@@ -36,28 +36,24 @@ fn values(x: &[f64]) -> Result<Vec<f64>, ChirpError> {
     let &[w, n, eps, omega0, k, delta, y0, v0, t] = x else {
         unreachable!("the number of fields is checked")
     };
-    let excitation = Excitation {
-        chirp: Chirp { omega0, eps },
-        forcing: Forcing::Displacement,
-        static_term: 0.0,
-        harmonics: vec![Harmonic {
-            k,
-            amplitude: 1.0,
-            phase: delta,
-        }],
+    let harmonic = Harmonic {
+        k,
+        amplitude: 1.0,
+        phase: delta,
     };
     let initial = InitialState {
         displacement: y0,
         velocity: v0,
     };
-    let response = ChirpResponse::new(Oscillator::new(w, n)?, excitation, initial)?;
+    let chirp = Chirp { omega0, eps };
+    let response = ChirpResponse::of_harmonic(Oscillator::new(w, n)?, chirp, harmonic, initial)?;
     let m = response.motion(t)?;
     let a = response.harmonic(0, t)?.amplitude;
     Ok(vec![m.displacement, m.velocity, m.acceleration, a.re, a.im])
 }
 
 /// `y, v, a, Re A, Im A`, each with a relative radius of at most 2^-bits.
-fn certify(x: &[Rational], bits: u32) -> Result<Vec<mechaudit::reference::Ball>, Undecided> {
+fn certify(x: &[Rational], bits: u32) -> Result<Vec<Ball>, Undecided> {
     let undecided = |reason: String| Undecided { bits, reason };
     let values: &[Rational; 9] = x.try_into().map_err(|_| undecided("nine fields".into()))?;
     let problem = Problem::new(values).map_err(|e| undecided(e.to_string()))?;

@@ -7,7 +7,7 @@ use crate::audit::{
 };
 use crate::reference::chirp_oscillator::{Problem, conditions, enclose};
 use crate::solvers::chirp_oscillator::{
-    Chirp, ChirpError, ChirpResponse, Excitation, Forcing, Harmonic, InitialState, Oscillator,
+    Chirp, ChirpError, ChirpResponse, Harmonic, InitialState, Oscillator,
 };
 use rug::Rational;
 
@@ -24,21 +24,18 @@ const GUARD: u32 = 64;
 /// The values of the code under test.
 pub(super) fn values(input: &[f64]) -> Result<Vec<f64>, ChirpError> {
     let [w, n, eps, omega0, k, delta, y0, v0, t] = input.try_into().expect("nine inputs");
-    let excitation = Excitation {
-        chirp: Chirp { omega0, eps },
-        forcing: Forcing::Displacement,
-        static_term: 0.0,
-        harmonics: vec![Harmonic {
-            k,
-            amplitude: 1.0,
-            phase: delta,
-        }],
+    let harmonic = Harmonic {
+        k,
+        amplitude: 1.0,
+        phase: delta,
     };
     let initial = InitialState {
         displacement: y0,
         velocity: v0,
     };
-    let response = ChirpResponse::new(Oscillator::new(w, n)?, excitation, initial)?;
+    let chirp = Chirp { omega0, eps };
+    let response =
+        ChirpResponse::of_harmonic(Oscillator::new(w, n)?, chirp, harmonic, initial)?;
     let m = response.motion(t)?;
     let a = response.harmonic(0, t)?.amplitude;
     Ok(vec![m.displacement, m.velocity, m.acceleration, a.re, a.im])

@@ -190,7 +190,7 @@ fn by_gauss_legendre(values: [f64; 9], prec: u32) -> ComplexBall {
     let fastest = (k * omega0).abs().max((k * (omega0 + eps * t)).abs());
     let panels = ((w + 2.0 * n + fastest) * t / 2.0).ceil() as u32;
     let half = Rational::from(&p.t / (2 * panels));
-    let omega = Rational::from(p.kappa() * &p.t) + p.nu();
+    let omega = p.kappa() * &p.t + p.nu();
     let h = Ball::rational(prec, &half);
     let (omega, kappa) = (
         Ball::rational(prec, &omega),

@@ -98,6 +98,25 @@ impl ChirpResponse {
         })
     }
 
+    /// The response to one harmonic as a displacement.
+    ///
+    /// # Errors
+    /// As [`ChirpResponse::new`].
+    pub fn of_harmonic(
+        oscillator: Oscillator,
+        chirp: Chirp,
+        harmonic: Harmonic,
+        initial: InitialState,
+    ) -> Result<ChirpResponse, ChirpError> {
+        let excitation = Excitation {
+            chirp,
+            forcing: Forcing::Displacement,
+            static_term: 0.0,
+            harmonics: vec![harmonic],
+        };
+        ChirpResponse::new(oscillator, excitation, initial)
+    }
+
     /// The time in units of `1/unit`.
     pub(super) fn time(&self, t: f64) -> Result<f64, ChirpError> {
         not_negative("t", t).map(|t| t * self.unit)
