@@ -223,6 +223,8 @@ pub(super) fn all() -> Vec<Region> {
                 2 => 0.0,
                 _ => w * d.log_uniform(1e-3, 30.0),
             };
+            // At rest all that moves is the free vibration: below the range of f64 some time.
+            let t = if nu == 0.0 { t.min(600.0 / w) } else { t };
             let nu = d.signed(nu);
             finish(
                 d,
