@@ -17,13 +17,16 @@ pub struct Function {
     pub arguments: &'static [&'static str],
     /// The fields of a line of output.
     pub values: &'static [&'static str],
-    /// The solver; never refuses.
+    /// The solver.
     pub solve: fn(&[f64]) -> Vec<f64>,
     /// The certified values, each with a relative radius of at most 2^-bits.
-    certify: Certify,
+    pub certify: Certify,
+    /// Why these arguments are refused, if they are.
+    pub refusal: fn(&[f64]) -> Option<String>,
 }
 
-type Certify = fn(&[Rational], u32) -> Result<Vec<Scaled>, Undecided>;
+/// The reference of a function.
+pub type Certify = fn(&[Rational], u32) -> Result<Vec<Scaled>, Undecided>;
 
 impl Function {
     /// A function of a complex argument with a complex value.
@@ -41,6 +44,7 @@ impl Function {
             values: PARTS,
             solve,
             certify,
+            refusal: |_| None,
         }
     }
 
@@ -76,7 +80,7 @@ macro_rules! complex {
 }
 
 /// All of them.
-static FUNCTIONS: [Function; 8] = [
+static FUNCTIONS: [Function; 9] = [
     complex!(
         "faddeeva.w",
         "Faddeeva function W(z) = exp(-z^2) erfc(-iz)",
@@ -121,7 +125,9 @@ static FUNCTIONS: [Function; 8] = [
         values: &["value"],
         solve: |x| vec![solver::voigt(x[0], x[1], x[2])],
         certify: |x, bits| Ok(vec![reference::voigt_scaled(&x[0], &x[1], &x[2], bits)?]),
+        refusal: |_| None,
     },
+    super::eval_chirp::FUNCTION,
 ];
 
 /// The table.

@@ -1,5 +1,6 @@
 //! The registry: one file for each audited method, one word in the list below.
 
+mod chirp_regions;
 mod cubic_spline_common;
 mod cubic_spline_conditions;
 mod faddeeva_curves;
@@ -43,6 +44,7 @@ registry![
     erfi,
     dawson,
     voigt,
+    chirp_response,
     run_up,
 ];
 

@@ -4,6 +4,7 @@
 //! [`Undecided`]; it never falls back on anything else.
 
 mod ball;
+pub mod chirp_oscillator;
 pub mod class_iii;
 mod complex;
 pub mod cubic_spline;

@@ -1,5 +1,6 @@
 //! Fast `f64` solvers. They know nothing of references or audits and need neither GMP nor MPFR.
 
+pub mod chirp_oscillator;
 pub mod class_iii;
 pub mod cubic_spline;
 pub mod cyclic_tridiagonal;

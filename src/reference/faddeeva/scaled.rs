@@ -18,6 +18,12 @@ pub struct Scaled {
     pub exponent: Integer,
 }
 
+impl From<Ball> for Scaled {
+    fn from(ball: Ball) -> Scaled {
+        Scaled::new(ball, Integer::new())
+    }
+}
+
 impl Scaled {
     /// The number with `digits` significant decimal digits, as [`Ball::to_decimal`] gives them, with
     /// a decimal exponent of any size; `None` when the radius does not allow that many.

@@ -53,23 +53,24 @@ mod batch;
 mod constants;
 mod dawson;
 mod derivative;
-mod double_double;
+pub(in crate::solvers) mod double_double;
 mod double_double_functions;
 mod erf;
 mod erf_real;
 mod erf_zeros;
 mod erfcx;
-mod exponential;
-mod lanes;
+pub(in crate::solvers) mod exponential;
+mod extended;
+pub(in crate::solvers) mod lanes;
 mod lengths;
 mod maclaurin;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;
-mod payne_hanek;
+pub(in crate::solvers) mod payne_hanek;
 mod plane;
 mod quadrant;
-mod real;
+pub(in crate::solvers) mod real;
 mod relatives_tables;
 mod special;
 #[rustfmt::skip]
@@ -90,6 +91,7 @@ pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use voigt::{voigt, voigt_batch};
 
+pub(in crate::solvers) use extended::w_extended;
 use lengths::same_length;
 use num_complex::Complex;
 

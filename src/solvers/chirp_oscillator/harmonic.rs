@@ -1,0 +1,166 @@
+//! The response to one harmonic from rest.
+
+use super::direct;
+use super::free::Free;
+use super::inlined::{three, two};
+use super::passage::{left_behind, passage, passage_of_one};
+use super::phase::{circle, decay};
+use super::roots::Roots;
+use super::sweep::{Amplitudes, Sweep};
+use super::types::{Chirp, Harmonic};
+use crate::solvers::faddeeva::double_double::Dd;
+use num_complex::Complex;
+
+type C = Complex<f64>;
+
+/// The particular solution and the free vibration cancel where `|p| t` is below this.
+const SHORT: f64 = 4.0;
+/// The quadrature with both roots is used up to here where one of them needs it.
+const LONG: f64 = 16.0;
+
+/// A harmonic made ready.
+#[derive(Clone, Debug)]
+pub(super) struct Prepared {
+    pub sweep: Sweep,
+    /// `w² D`
+    pub scale: f64,
+    /// Whether k was negated to have `κ ≥ 0`: amplitudes are conjugated then.
+    pub mirrored: bool,
+    /// `−ψ(0), −ψ′(0)` of the particular solution, per `w²`.
+    pub start: [C; 2],
+    /// What passages add to that, where they are constants.
+    pub left: Option<[[C; 2]; 2]>,
+    /// `|p|²` at `t = 0` for both roots.
+    norms: [f64; 2],
+}
+
+/// How the response is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Way {
+    /// Particular solution, free vibration, passages.
+    Closed,
+    /// Quadrature.
+    Direct,
+    /// Quadrature for the root of this number, the closed form for the other.
+    Mixed(usize),
+}
+
+impl Prepared {
+    pub fn new(roots: &Roots, chirp: &Chirp, harmonic: &Harmonic, scale: f64) -> Prepared {
+        let mirrored = harmonic.k * chirp.eps < 0.0;
+        let (k, delta) = match mirrored {
+            true => (-harmonic.k, -harmonic.phase),
+            false => (harmonic.k, harmonic.phase),
+        };
+        let sweep = Sweep::new(roots, k, chirp, delta);
+        let norms = two(|i| roots.p(i, sweep.nu).norm_sqr());
+        let carrier = sweep.carrier(0.0);
+        let Amplitudes { y, v, .. } = sweep.particular(roots, sweep.nu);
+        Prepared {
+            left: left_behind(&sweep, roots),
+            sweep,
+            scale,
+            mirrored,
+            start: [-carrier * y, -carrier * v],
+            norms,
+        }
+    }
+
+    /// Whether the closed form serves at time t, where `|p|²` has these values.
+    #[inline(always)]
+    pub fn is_closed(&self, norms: [f64; 2], t: f64) -> bool {
+        let limit = SHORT * SHORT;
+        let long = |i: usize| self.norms[i].max(norms[i]) * t * t > limit;
+        long(0) & long(1)
+    }
+
+    #[inline(always)]
+    fn way(&self, roots: &Roots, t: f64, omega: Dd) -> Way {
+        let norms = two(
+            #[inline(always)]
+            |i| roots.p(i, omega).norm_sqr(),
+        );
+        if self.is_closed(norms, t) {
+            return Way::Closed;
+        }
+        let phase = two(
+            #[inline(always)]
+            |i| self.norms[i].max(norms[i]) * t * t,
+        );
+        let (low, high) = match phase[0] < phase[1] {
+            true => (0, phase[1]),
+            false => (1, phase[0]),
+        };
+        match high <= LONG * LONG {
+            true => Way::Direct,
+            false => Way::Mixed(low),
+        }
+    }
+
+    /// `ψ, ψ′, ψ″` at time t.
+    #[inline(always)]
+    pub fn psi(&self, roots: &Roots, free: &Free, t: f64) -> [C; 3] {
+        let omega = self.sweep.omega(t);
+        let sum = match self.way(roots, t, omega) {
+            Way::Direct => direct::both(&self.sweep, roots, free, t),
+            Way::Mixed(i) => self.mixed(roots, i, t, omega),
+            Way::Closed => {
+                let [mut a, mut b] = self.start;
+                let mut left = [C::ZERO; 3];
+                match &self.left {
+                    Some(states) => {
+                        for i in [0, 1] {
+                            if self.sweep.beyond(roots, i, omega) {
+                                a += states[i][0];
+                                b += states[i][1];
+                            }
+                        }
+                    }
+                    None => left = passage(&self.sweep, roots, t, omega),
+                }
+                let own = free.motion(roots.w, a, b);
+                let carrier = self.sweep.carrier(t);
+                let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
+                let forced = [y, v, a];
+                three(
+                    #[inline(always)]
+                    |j| forced[j] * carrier + own[j] + left[j],
+                )
+            }
+        };
+        three(
+            #[inline(always)]
+            |j| sum[j] * self.scale,
+        )
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn mixed(&self, roots: &Roots, short: usize, t: f64, omega: Dd) -> [C; 3] {
+        let near = direct::one(&self.sweep, roots, short, t);
+        let far = self.closed_one(roots, 1 - short, t, omega);
+        let sign = if short == 0 { 1.0 } else { -1.0 };
+        three(|j| sign * (near[j] - far[j]) / roots.gap)
+    }
+
+    /// `φ, φ′, φ″` of root number i.
+    fn closed_one(&self, roots: &Roots, i: usize, t: f64, omega: Dd) -> [C; 3] {
+        let lambda = roots.lambda[i];
+        let at = |omega: Dd| {
+            let (f, r) = self.sweep.single(roots, i, omega);
+            Amplitudes::new(omega.value(), f, r, lambda * r)
+        };
+        let (now, then) = (at(omega), at(self.sweep.nu));
+        let carrier = self.sweep.carrier(t);
+        let beta = roots.beta[i];
+        let decay = decay(roots.eta[i].mul_f(t));
+        let turned = circle(beta.mul_f(t).add_f(-self.sweep.delta));
+        let own = turned * (-decay) * then.y;
+        let left = passage_of_one(&self.sweep, roots, i, t, omega);
+        [
+            carrier * now.y + own + left[0],
+            carrier * now.v + own * lambda + left[1],
+            carrier * now.a + own * lambda * lambda + left[2],
+        ]
+    }
+}
