@@ -1,10 +1,12 @@
 //! Fast `f64` solvers. They know nothing of references or audits and need neither GMP nor MPFR.
 
+pub mod cam_law;
 pub mod class_iii;
 pub mod cubic_spline;
 pub mod cyclic_tridiagonal;
 pub mod dyad;
 pub mod faddeeva;
+pub mod fourier_series;
 pub mod reduction;
 pub mod run_up;
 pub mod tridiagonal;

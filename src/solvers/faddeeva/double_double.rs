@@ -11,14 +11,14 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// `hi + lo` with `|lo| ≤ ulp(hi)/2` after every operation that renormalises.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Dd<R = f64> {
+pub(in crate::solvers) struct Dd<R = f64> {
     pub hi: R,
     pub lo: R,
 }
 
 /// `a + b = s + e` exactly (Knuth).
 #[inline(always)]
-pub(super) fn two_sum<R: Real>(a: R, b: R) -> Dd<R> {
+pub(in crate::solvers) fn two_sum<R: Real>(a: R, b: R) -> Dd<R> {
     let s = a + b;
     let t = s - a;
     Dd {
@@ -29,7 +29,7 @@ pub(super) fn two_sum<R: Real>(a: R, b: R) -> Dd<R> {
 
 /// `a + b = s + e` exactly if `|a| ≥ |b|` or `a = 0` (Dekker).
 #[inline(always)]
-pub(super) fn fast_two_sum<R: Real>(a: R, b: R) -> Dd<R> {
+pub(in crate::solvers) fn fast_two_sum<R: Real>(a: R, b: R) -> Dd<R> {
     let s = a + b;
     Dd {
         hi: s,
@@ -39,7 +39,7 @@ pub(super) fn fast_two_sum<R: Real>(a: R, b: R) -> Dd<R> {
 
 /// `a b = p + e` exactly, barring underflow.
 #[inline(always)]
-pub(super) fn two_prod<R: Real>(a: R, b: R) -> Dd<R> {
+pub(in crate::solvers) fn two_prod<R: Real>(a: R, b: R) -> Dd<R> {
     let p = a * b;
     Dd {
         hi: p,
@@ -48,16 +48,16 @@ pub(super) fn two_prod<R: Real>(a: R, b: R) -> Dd<R> {
 }
 
 impl Dd {
-    pub(super) const ZERO: Dd = Dd { hi: 0.0, lo: 0.0 };
+    pub(in crate::solvers) const ZERO: Dd = Dd { hi: 0.0, lo: 0.0 };
 
     #[inline(always)]
-    pub(super) const fn from(hi: f64) -> Dd {
+    pub(in crate::solvers) const fn from(hi: f64) -> Dd {
         Dd { hi, lo: 0.0 }
     }
 
     /// Exact product with a power of two (barring underflow).
     #[inline(always)]
-    pub(super) fn scale(self, power_of_two: f64) -> Dd {
+    pub(in crate::solvers) fn scale(self, power_of_two: f64) -> Dd {
         Dd {
             hi: self.hi * power_of_two,
             lo: self.lo * power_of_two,
@@ -66,7 +66,7 @@ impl Dd {
 
     /// The square, relative error ≤ 5u².
     #[inline(always)]
-    pub(super) fn square(self) -> Dd {
+    pub(in crate::solvers) fn square(self) -> Dd {
         let p = two_prod(self.hi, self.hi);
         fast_two_sum(p.hi, (2.0 * self.hi).mul_add(self.lo, p.lo))
     }
@@ -74,7 +74,7 @@ impl Dd {
 
 impl<R> Dd<R> {
     #[inline(always)]
-    pub(super) const fn new(hi: R, lo: R) -> Dd<R> {
+    pub(in crate::solvers) const fn new(hi: R, lo: R) -> Dd<R> {
         Dd { hi, lo }
     }
 }
@@ -82,33 +82,33 @@ impl<R> Dd<R> {
 impl<R: Real> Dd<R> {
     /// The nearest `f64`.
     #[inline(always)]
-    pub(super) fn value(self) -> R {
+    pub(in crate::solvers) fn value(self) -> R {
         self.hi + self.lo
     }
 
     /// Renormalised; needs `|hi| ≥ |lo|`.
     #[inline(always)]
-    pub(super) fn normal(self) -> Dd<R> {
+    pub(in crate::solvers) fn normal(self) -> Dd<R> {
         fast_two_sum(self.hi, self.lo)
     }
 
     /// `DWPlusFP`, relative error ≤ 2u².
     #[inline(always)]
-    pub(super) fn add_f(self, b: R) -> Dd<R> {
+    pub(in crate::solvers) fn add_f(self, b: R) -> Dd<R> {
         let s = two_sum(self.hi, b);
         fast_two_sum(s.hi, s.lo + self.lo)
     }
 
     /// `DWTimesFP3`, relative error ≤ 2u².
     #[inline(always)]
-    pub(super) fn mul_f(self, b: R) -> Dd<R> {
+    pub(in crate::solvers) fn mul_f(self, b: R) -> Dd<R> {
         let p = two_prod(self.hi, b);
         fast_two_sum(p.hi, self.lo.fma(b, p.lo))
     }
 
     /// `DWDivDW3`-like quotient: one Newton correction, relative error ≤ 10u².
     #[inline(always)]
-    pub(super) fn div(self, b: Dd<R>) -> Dd<R> {
+    pub(in crate::solvers) fn div(self, b: Dd<R>) -> Dd<R> {
         let q = self.hi / b.hi;
         // self − q b, exactly in its leading part.
         let p = two_prod(q, b.hi);

@@ -53,7 +53,7 @@ mod batch;
 mod constants;
 mod dawson;
 mod derivative;
-mod double_double;
+pub(super) mod double_double;
 mod double_double_functions;
 mod erf;
 mod erf_real;
@@ -69,7 +69,7 @@ mod pack;
 mod payne_hanek;
 mod plane;
 mod quadrant;
-mod real;
+pub(super) mod real;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]

@@ -11,7 +11,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// A real number, or several in places of their own.
-pub(super) trait Real:
+pub(in crate::solvers) trait Real:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
