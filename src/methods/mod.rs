@@ -1,5 +1,6 @@
 //! The registry: one file for each audited method, one word in the list below.
 
+mod cam_law_input;
 mod cubic_spline_common;
 mod cubic_spline_conditions;
 mod faddeeva_curves;
@@ -32,6 +33,8 @@ registry![
     class_iii_assembly_modes,
     class_iii,
     faddeeva,
+    cam_law,
+    cam_fourier_series,
     run_up,
 ];
 

@@ -130,7 +130,11 @@ fn tails_are_bounded() {
         .iter()
         .map(|h| h.amplitude())
         .sum();
-    assert!(s.tail_bound(50, 0) < 20.0 * sum, "{sum} {}", s.tail_bound(50, 0));
+    assert!(
+        s.tail_bound(50, 0) < 20.0 * sum,
+        "{sum} {}",
+        s.tail_bound(50, 0)
+    );
 }
 
 #[test]

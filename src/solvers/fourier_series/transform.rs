@@ -26,6 +26,7 @@
 use super::quadrature::integral;
 use super::turns::Turns;
 use crate::solvers::cam_law::{MotionLaw, Scca, Shape};
+use crate::solvers::faddeeva::double_double::{Dd, two_sum};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -76,12 +77,16 @@ fn c(t: Turns) -> Complex64 {
 
 fn scca(law: &Scca, fraction: f64, t: Turns) -> Complex64 {
     let q = t.radians();
-    let half = |share: f64| {
-        let stretched = t.times(2.0 * share);
-        let end = t.times(share).cis() * c(stretched.times(law.b)).conj();
-        (end - c(stretched.times(law.d))) / (2.0 * share)
+    // 1 − λ in two parts: a millionth harmonic sees what rounding it would cost.
+    let half = |share: Dd| {
+        let stretched = t.times_pair(share.scale(2.0));
+        let end = t.times_pair(share).cis() * c(stretched.times(law.b)).conj();
+        (end - c(stretched.times(law.d))) / (2.0 * share.hi)
     };
-    let (up, down) = (half(fraction), half(1.0 - fraction).conj());
+    let (up, down) = (
+        half(Dd::from(fraction)),
+        half(two_sum(1.0, -fraction)).conj(),
+    );
     (up + down) * (-law.acceleration / (q * q))
 }
 

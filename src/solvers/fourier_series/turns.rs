@@ -21,6 +21,11 @@ impl Turns {
         Turns(self.0.mul_f(x))
     }
 
+    /// `self · x` for an `x` of two parts, with an error of 4u² of it.
+    pub(super) fn times_pair(self, x: Dd) -> Turns {
+        Turns(self.0 * x)
+    }
+
     /// The nearest number of turns.
     pub(super) fn turns(self) -> f64 {
         self.0.value()
