@@ -1,6 +1,7 @@
 //! The registry: one file for each audited method, one word in the list below.
 
 mod cam_law_input;
+mod chirp_regions;
 mod cubic_spline_common;
 mod cubic_spline_conditions;
 mod faddeeva_curves;
@@ -35,6 +36,7 @@ registry![
     faddeeva,
     cam_law,
     cam_fourier_series,
+    chirp_response,
     run_up,
 ];
 

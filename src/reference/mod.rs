@@ -5,6 +5,7 @@
 
 mod ball;
 pub mod cam_law;
+pub mod chirp_oscillator;
 pub mod class_iii;
 mod complex;
 pub mod cubic_spline;

@@ -1,6 +1,8 @@
 //! Fast `f64` solvers. They know nothing of references or audits and need neither GMP nor MPFR.
 
 pub mod cam_law;
+pub mod chirp_chart;
+pub mod chirp_oscillator;
 pub mod class_iii;
 pub mod cubic_spline;
 pub mod cyclic_tridiagonal;

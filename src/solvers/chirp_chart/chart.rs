@@ -147,11 +147,7 @@ fn point(
         displacement: peaks.displacement / lift,
         acceleration_bound: acceleration_bound / (lift * rate * rate),
         acceleration,
-        dynamic_coefficients: [
-            acceleration / rigid[0],
-            moment / rigid[1],
-            power / rigid[2],
-        ],
+        dynamic_coefficients: [acceleration / rigid[0], moment / rigid[1], power / rigid[2]],
         dwell_amplitude: vibration.map_or(f64::NAN, |v| v.amplitude / lift),
         dwell_phase: vibration.map_or(f64::NAN, |v| v.phase),
     })

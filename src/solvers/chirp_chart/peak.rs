@@ -45,7 +45,11 @@ fn golden(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
             y = [y[1], f(x[1])];
         }
     }
-    if y[0] > y[1] { (x[0], y[0]) } else { (x[1], y[1]) }
+    if y[0] > y[1] {
+        (x[0], y[0])
+    } else {
+        (x[1], y[1])
+    }
 }
 
 #[cfg(test)]
@@ -58,7 +62,9 @@ mod tests {
         let f = |x: f64| (8.0 * x).cos() + 0.3 * x.sin();
         let places: Vec<f64> = (0..=20).map(|i| f64::from(i) * 0.11).collect();
         let values: Vec<f64> = places.iter().map(|&x| f(x)).collect();
-        let fine = (0..200_000).map(|i| f(f64::from(i) * 1.1e-5).abs()).fold(0.0, f64::max);
+        let fine = (0..200_000)
+            .map(|i| f(f64::from(i) * 1.1e-5).abs())
+            .fold(0.0, f64::max);
         let (x, value) = largest(&places, &values, f);
         assert!((value - fine).abs() < 1e-8, "{x} {value} {fine}");
         assert!(values.iter().all(|v| v.abs() < value));

@@ -22,7 +22,7 @@ pub(super) const HALF_PI: [f64; 3] = [
 ];
 
 /// Phases below this are reduced by [`reduce`].
-pub(super) const LARGE_PHASE: f64 = 1_073_741_824.0;
+pub(in crate::solvers) const LARGE_PHASE: f64 = 1_073_741_824.0;
 
 /// Exponents are cut here: `e^{±1400}` is outside the range of `f64` whatever it is multiplied by,
 /// and half of its binary exponent inside.
@@ -136,7 +136,7 @@ pub(super) fn exp_rounded<R: Real>(x: Dd<R>) -> (R, R) {
 
 /// A phase modulo π/2: the rest in [−π/4, π/4] and `ROUND` plus the quadrant.
 #[inline(always)]
-pub(super) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {
+pub(in crate::solvers) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| theta.hi.like(c);
     let n = theta.hi.fma(like(TWO_OVER_PI), like(ROUND));
     let k = n - like(ROUND);
@@ -151,7 +151,7 @@ pub(super) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {
 
 /// `(sin, cos)` of a reduced phase.
 #[inline(always)]
-pub(super) fn sin_cos_reduced<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
+pub(in crate::solvers) fn sin_cos_reduced<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     let (x, xx) = (r.hi, r.hi * r.hi);
     let like = |c: f64| x.like(c);
     let s_lo = -(x * xx) * paired(&SIN, xx);
@@ -165,7 +165,7 @@ pub(super) fn sin_cos_reduced<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
 
 /// Chooses and signs `(sin, cos)` by the quadrant, given as `ROUND + k`.
 #[inline(always)]
-pub(super) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
+pub(in crate::solvers) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
     let swap = n.is_odd();
     let s = Dd::new(n.pick(swap, cos.hi, sin.hi), n.pick(swap, cos.lo, sin.lo));
     let c = Dd::new(n.pick(swap, sin.hi, cos.hi), n.pick(swap, sin.lo, cos.lo));

@@ -53,23 +53,24 @@ mod batch;
 mod constants;
 mod dawson;
 mod derivative;
-pub(super) mod double_double;
+pub(in crate::solvers) mod double_double;
 mod double_double_functions;
 mod erf;
 mod erf_real;
 mod erf_zeros;
 mod erfcx;
-mod exponential;
+pub(in crate::solvers) mod exponential;
+mod extended;
 mod lanes;
 mod lengths;
 mod maclaurin;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;
-mod payne_hanek;
+pub(in crate::solvers) mod payne_hanek;
 mod plane;
 mod quadrant;
-pub(super) mod real;
+pub(in crate::solvers) mod real;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]
@@ -89,6 +90,7 @@ pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use voigt::{voigt, voigt_batch};
 
+pub(in crate::solvers) use extended::w_extended;
 use lanes::{Lanes, Task, with_best};
 use num_complex::Complex;
 

@@ -45,7 +45,7 @@ fn digits(at: i64) -> u64 {
 /// leaves out is below 2⁻²⁰⁸, so the rest has an absolute error below 2⁻¹⁰⁴ from its two `f64`.
 #[cold]
 #[inline(never)]
-pub(super) fn reduce(a: f64, y: f64) -> (Dd, f64) {
+pub(in crate::solvers) fn reduce(a: f64, y: f64) -> (Dd, f64) {
     let ((ma, ea), (my, ey)) = (parts(a), parts(y));
     let m = u128::from(ma) * u128::from(my);
     let e = i64::from(ea + ey) + 1;

@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Adding and subtracting this rounds a number below 2⁵¹ to an integer `k`; the low bits of the
 /// sum are those of `k`.
-pub(super) const ROUND: f64 = 6_755_399_441_055_744.0;
+pub(in crate::solvers) const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// A real number, or several in places of their own.
 pub(in crate::solvers) trait Real:
@@ -89,7 +89,7 @@ impl Real for f64 {
 
 /// `x · 2^k` where `n = ROUND + k`, in two steps, so that only the last one may round or overflow.
 #[inline(always)]
-pub(super) fn scaled<R: Real>(x: R, n: R) -> R {
+pub(in crate::solvers) fn scaled<R: Real>(x: R, n: R) -> R {
     let round = x.like(ROUND);
     let k = n - round;
     let half = k.fma(x.like(0.5), round);

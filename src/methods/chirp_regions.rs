@@ -1,0 +1,510 @@
+//! Where the chirp-forced oscillator is audited.
+
+use crate::audit::{CheckPoint, Draw, Region};
+use std::f64::consts::PI;
+
+/// A case in the making: everything but the initial state.
+struct Sketch {
+    w: f64,
+    zeta: f64,
+    /// `kε` and `kΩ₀`
+    kappa: f64,
+    nu: f64,
+    t: f64,
+}
+
+/// Splits kε and kΩ₀ by a whole k, adds a phase and, in half of the cases, an initial state.
+fn finish(d: &mut Draw, s: Sketch) -> Vec<f64> {
+    let k = d.log_uniform(1.0, 60.0).floor();
+    let k = if d.chance(0.1) { -k } else { k };
+    let delta = d.uniform(-PI, PI);
+    let (y0, v0) = match d.chance(0.5) {
+        true => (0.0, 0.0),
+        false => (d.uniform(-1.0, 1.0), s.w * d.uniform(-1.0, 1.0)),
+    };
+    let n = s.w * s.zeta;
+    vec![s.w, n, s.kappa / k, s.nu / k, k, delta, y0, v0, s.t]
+}
+
+fn frequency(d: &mut Draw) -> f64 {
+    d.log_uniform(0.3, 30.0)
+}
+
+/// Damping ratios up to 30.
+fn ratio(d: &mut Draw) -> f64 {
+    match d.integer(0, 6) {
+        0 => 0.0,
+        1 => d.log_uniform(1e-6, 1e-2),
+        2 | 3 => d.log_uniform(1e-2, 0.7),
+        4 => near_one(d),
+        5 => d.uniform(0.0, 2.0),
+        _ => d.log_uniform(1.0, 30.0),
+    }
+}
+
+/// 1, exactly or off by 1e-16 to 0.3.
+fn near_one(d: &mut Draw) -> f64 {
+    if d.chance(0.1) {
+        return 1.0;
+    }
+    let off = d.log_uniform(1e-16, 0.3);
+    1.0 + d.signed(off)
+}
+
+fn sweep(d: &mut Draw) -> f64 {
+    d.log_uniform(1e-9, 1e2)
+}
+
+fn time(d: &mut Draw) -> f64 {
+    d.log_uniform(1e-3, 3e2)
+}
+
+/// Light to moderate damping.
+fn light(d: &mut Draw) -> f64 {
+    match d.chance(0.2) {
+        true => 0.0,
+        false => d.log_uniform(1e-6, 0.5),
+    }
+}
+
+/// `ν` such that ω at time t is a few resonance widths from ±w₃, or at a multiple of `√κ`.
+fn at_resonance(d: &mut Draw, w: f64, zeta: f64, kappa: f64, t: f64) -> f64 {
+    let w3 = w * (1.0 - zeta * zeta).abs().sqrt();
+    let off = d.uniform(-12.0, 12.0) * kappa.abs().sqrt().max(w * zeta);
+    let off = if d.chance(0.3) { off * 0.05 } else { off };
+    d.signed(w3) + off - kappa * t
+}
+
+pub(super) fn all() -> Vec<Region> {
+    let region = |name, description, sample| Region {
+        name,
+        description,
+        sample,
+    };
+    vec![
+        region(
+            "any",
+            "n/w = 0..30, |k eps| = 1e-9..1e2, |k omega0| = 1e-3..1e2, t = 1e-3..3e2",
+            |d| {
+                let (w, zeta, kappa, t) = (frequency(d), ratio(d), sweep(d), time(d));
+                let nu = d.log_uniform(1e-3, 1e2);
+                let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+                finish(
+                    d,
+                    Sketch {
+                        w,
+                        zeta,
+                        kappa,
+                        nu,
+                        t,
+                    },
+                )
+            },
+        ),
+        region(
+            "run-up",
+            "from rest or from a speed below resonance, eps > 0",
+            |d| {
+                let (w, zeta, kappa, t) = (frequency(d), ratio(d), sweep(d), time(d));
+                let nu = match d.chance(0.5) {
+                    true => 0.0,
+                    false => w * d.uniform(0.0, 1.0),
+                };
+                finish(
+                    d,
+                    Sketch {
+                        w,
+                        zeta,
+                        kappa,
+                        nu,
+                        t,
+                    },
+                )
+            },
+        ),
+        region(
+            "run-down",
+            "from above resonance towards a stop, eps < 0",
+            |d| {
+                let (w, zeta, kappa) = (frequency(d), ratio(d), sweep(d));
+                let nu = w * d.log_uniform(1.0, 30.0);
+                let t = (nu / kappa).min(300.0) * d.log_uniform(1e-3, 1.0);
+                finish(
+                    d,
+                    Sketch {
+                        w,
+                        zeta,
+                        kappa: -kappa,
+                        nu,
+                        t,
+                    },
+                )
+            },
+        ),
+        region("reversal", "through zero speed, eps of either sign", |d| {
+            let (w, zeta) = (frequency(d), ratio(d));
+            let (nu, t) = (w * d.log_uniform(0.1, 20.0), time(d));
+            let kappa = -nu / t * d.uniform(0.99, 3.0);
+            let turn = d.signed(1.0);
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta,
+                    kappa: kappa * turn,
+                    nu: nu * turn,
+                    t,
+                },
+            )
+        }),
+        region(
+            "resonance-passage",
+            "within 12 widths of a resonance at time t, n/w = 0..0.5",
+            |d| {
+                let (w, zeta, kappa, t) = (frequency(d), light(d), sweep(d), time(d));
+                let kappa = d.signed(kappa);
+                let nu = at_resonance(d, w, zeta, kappa, t);
+                finish(
+                    d,
+                    Sketch {
+                        w,
+                        zeta,
+                        kappa,
+                        nu,
+                        t,
+                    },
+                )
+            },
+        ),
+        region(
+            "quasi-static",
+            "speeds below w/30 throughout, n/w up to 30",
+            |d| {
+                let (w, zeta, t) = (frequency(d), ratio(d), time(d));
+                let nu = w * d.log_uniform(1e-9, 0.03);
+                let kappa = w / t * d.log_uniform(1e-9, 0.03);
+                let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+                finish(
+                    d,
+                    Sketch {
+                        w,
+                        zeta,
+                        kappa,
+                        nu,
+                        t,
+                    },
+                )
+            },
+        ),
+        region("stationary-limit", "|k eps| = 1e-300..1e-9", |d| {
+            let (w, zeta, t) = (frequency(d), ratio(d), time(d));
+            let kappa = d.log_uniform(1e-300, 1e-9);
+            let nu = w * d.log_uniform(1e-3, 30.0);
+            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta,
+                    kappa,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region("stationary", "eps = 0, resonance included", |d| {
+            let (w, zeta, t) = (frequency(d), ratio(d), time(d));
+            let nu = match d.integer(0, 3) {
+                0 => w,
+                1 => {
+                    let off = d.log_uniform(1e-15, 1e-1);
+                    w * (1.0 + d.signed(off))
+                }
+                2 => 0.0,
+                _ => w * d.log_uniform(1e-3, 30.0),
+            };
+            let nu = d.signed(nu);
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta,
+                    kappa: 0.0,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region("undamped", "n = 0, at and off resonance", |d| {
+            let (w, kappa, t) = (frequency(d), sweep(d), time(d));
+            let kappa = d.signed(kappa);
+            let nu = match d.chance(0.5) {
+                true => at_resonance(d, w, 0.0, kappa, t),
+                false => w * d.uniform(-5.0, 5.0),
+            };
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta: 0.0,
+                    kappa,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region("critical", "n/w = 1 exactly or off by 1e-16..0.3", |d| {
+            let (w, zeta, kappa, t) = (frequency(d), near_one(d), sweep(d), time(d));
+            let nu = w * d.log_uniform(1e-2, 30.0);
+            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta,
+                    kappa,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region(
+            "critical-passage",
+            "likewise, with omega = n within a few widths at time t",
+            |d| {
+                let (w, zeta, t) = (frequency(d), near_one(d), time(d));
+                let kappa = w * w * d.log_uniform(1e-3, 1e2);
+                let off = d.uniform(-2.0, 2.0) * kappa.sqrt().max(w);
+                let off = if d.chance(0.4) { off * 1e-3 } else { off };
+                let nu = w * zeta + off - kappa * t;
+                finish(
+                    d,
+                    Sketch {
+                        w,
+                        zeta,
+                        kappa,
+                        nu,
+                        t,
+                    },
+                )
+            },
+        ),
+        region("overdamped", "n/w = 1..1000", |d| {
+            let (w, kappa, t) = (frequency(d), sweep(d), time(d));
+            let zeta = d.log_uniform(1.0, 1e3);
+            let nu = w * d.log_uniform(1e-3, 30.0);
+            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta,
+                    kappa,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region("small-t", "w t = 1e-12..10", |d| {
+            let (w, zeta) = (frequency(d), ratio(d));
+            let t = d.log_uniform(1e-12, 10.0) / w;
+            let (kappa, nu) = (sweep(d), w * d.log_uniform(1e-3, 30.0));
+            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta,
+                    kappa,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region("fast-sweep", "|k eps|/w^2 = 1..1e6", |d| {
+            let (w, zeta) = (frequency(d), ratio(d));
+            let kappa = w * w * d.log_uniform(1.0, 1e6);
+            let t = d.log_uniform(1e-2, 1e3) / kappa.sqrt();
+            let kappa = d.signed(kappa);
+            let nu = match d.chance(0.5) {
+                true => at_resonance(d, w, zeta.min(1.0), kappa, t),
+                false => w * d.uniform(-5.0, 5.0),
+            };
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta,
+                    kappa,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region("huge-phases", "phases 1e6..1e9 rad", |d| {
+            let (w, zeta) = (frequency(d), light(d));
+            let t = d.log_uniform(1e3, 1e6);
+            let phase = d.log_uniform(1e6, 1e9);
+            let share = d.uniform(0.0, 1.0);
+            let (nu, kappa) = (phase * share / t, 2.0 * phase * (1.0 - share) / t / t);
+            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+            finish(
+                d,
+                Sketch {
+                    w,
+                    zeta: zeta * 1e-3,
+                    kappa,
+                    nu,
+                    t,
+                },
+            )
+        }),
+        region(
+            "seams",
+            "|z|^2 at time t beside 1, 49, 64, 100, 1000 or 1e5; omega beside w3 + n; |p| t beside 4, 16",
+            seam,
+        ),
+    ]
+}
+
+/// At or beside a border between formulas.
+fn seam(d: &mut Draw) -> Vec<f64> {
+    let (w, zeta) = (frequency(d), ratio(d));
+    let kappa = w * w * d.log_uniform(1e-6, 1e2);
+    let n = w * zeta;
+    let w3 = w * (1.0 - zeta * zeta).max(0.0).sqrt();
+    let off = d.log_uniform(1e-16, 1e-2);
+    let beside = 1.0 + d.signed(off);
+    let t = match d.chance(0.3) {
+        true => d.log_uniform(0.1, 30.0) / w,
+        false => time(d),
+    };
+    let omega = match d.integer(0, 3) {
+        0 => (w3 + n) * beside,
+        1 => n * beside,
+        _ => {
+            let z2 = [1.0, 49.0, 64.0, 100.0, 1e3, 1e5][d.integer(0, 5)] * beside;
+            let x = (2.0 * kappa * z2 - n * n).max(0.0).sqrt();
+            let side = d.signed(w3);
+            side + d.signed(x)
+        }
+    };
+    if d.chance(0.3) {
+        let nu = d.uniform(-4.0, 4.0) * w;
+        let size = n
+            .hypot(nu.abs().max((nu + kappa * t).abs()) + d.signed(w3))
+            .max(w * 0.1);
+        let t = [4.0, 16.0][d.integer(0, 1)] / size * beside;
+        return finish(
+            d,
+            Sketch {
+                w,
+                zeta,
+                kappa,
+                nu,
+                t,
+            },
+        );
+    }
+    finish(
+        d,
+        Sketch {
+            w,
+            zeta,
+            kappa,
+            nu: omega - kappa * t,
+            t,
+        },
+    )
+}
+
+pub(super) fn check_points() -> Vec<CheckPoint> {
+    let point = |name, input: [f64; 9]| CheckPoint {
+        name,
+        input: input.to_vec(),
+    };
+    let nan = f64::NAN;
+    vec![
+        point(
+            "run-up-from-rest",
+            [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
+        ),
+        point(
+            "run-down",
+            [10.0, 0.5, -4.0, 30.0, 2.0, 0.3, 0.1, -2.0, 8.0],
+        ),
+        point(
+            "at-time-zero",
+            [10.0, 0.5, 4.0, 3.0, 2.0, 0.25, 0.5, -2.0, 0.0],
+        ),
+        point(
+            "constant-force",
+            [10.0, 0.5, 4.0, 3.0, 0.0, 0.25, 0.0, 0.0, 0.7],
+        ),
+        point(
+            "constant-force-long-after",
+            [10.0, 0.5, 4.0, 3.0, 0.0, 0.25, 0.0, 0.0, 400.0],
+        ),
+        point(
+            "resonance-without-damping",
+            [10.0, 0.0, 0.0, 10.0, 1.0, 0.0, 0.0, 0.0, 100.0],
+        ),
+        point(
+            "resonance-with-damping",
+            [10.0, 0.1, 0.0, 10.0, 1.0, 0.0, 0.0, 0.0, 1e4],
+        ),
+        point(
+            "critical-from-rest",
+            [1.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 5.0],
+        ),
+        point(
+            "critical-both-passed",
+            [1.0, 1.0, 0.5, -3.0, 1.0, 0.0, 0.0, 0.0, 40.0],
+        ),
+        point(
+            "both-resonances-passed",
+            [2.0, 0.01, 0.5, -9.0, 1.0, 0.0, 0.0, 0.0, 40.0],
+        ),
+        point("no-speed", [3.0, 0.2, 0.0, 0.0, 5.0, 1.0, 0.0, 0.0, 2.0]),
+        point(
+            "negative-multiple",
+            [10.0, 0.5, 4.0, 1.0, -2.0, 0.5, 0.0, 0.0, 1.5],
+        ),
+        point(
+            "phase-beyond-the-fast-reduction",
+            [10.0, 1e-9, 0.0, 3e9, 1.0, 0.0, 0.0, 0.0, 10.0],
+        ),
+        point(
+            "slow-units",
+            [1e-9, 1e-10, 1e-18, 0.0, 2.0, 0.3, 0.0, 0.0, 3e9],
+        ),
+        point(
+            "fast-units",
+            [1e12, 1e11, 1e23, 1e12, 3.0, 0.3, 0.0, 0.0, 1e-11],
+        ),
+        point(
+            "no-frequency",
+            [0.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
+        ),
+        point(
+            "negative-frequency",
+            [-1.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
+        ),
+        point(
+            "negative-damping",
+            [10.0, -0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
+        ),
+        point(
+            "negative-time",
+            [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, -1.5],
+        ),
+        point(
+            "frequency-not-a-number",
+            [nan, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
+        ),
+        point(
+            "infinite-time",
+            [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, f64::INFINITY],
+        ),
+    ]
+}

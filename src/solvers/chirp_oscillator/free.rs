@@ -1,0 +1,61 @@
+//! Free vibration.
+
+use super::phase::circle;
+use super::roots::Roots;
+use num_complex::Complex;
+
+/// The impulse response `K` (`K(0) = 0`, `K′(0) = 1`) with two derivatives, and the response
+/// `K₀ = K′ + 2nK` to a unit displacement, at one time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Free {
+    pub k: f64,
+    pub k1: f64,
+    pub k2: f64,
+    pub k0: f64,
+}
+
+impl Free {
+    pub fn at(roots: &Roots, t: f64) -> Free {
+        let Roots { w, n, .. } = *roots;
+        if roots.over {
+            // Slow and fast exponential; K by expm1, the others from it without differences of
+            // equals.
+            let [slow, fast] = roots.lambda.map(|l| l.re);
+            let (a, b) = ((slow * t).exp(), (fast * t).exp());
+            let wide = roots.gap.re;
+            let k = a * (-(-wide * t).exp_m1() / wide);
+            let k1 = slow.mul_add(k, b);
+            return Free {
+                k,
+                k1,
+                k2: slow.mul_add(k1, fast * b),
+                k0: (-fast).mul_add(k, b),
+            };
+        }
+        let w3 = roots.half;
+        let turn = circle(w3.mul_f(t));
+        let s = match w3.hi == 0.0 {
+            true => t,
+            false => turn.im / w3.value(),
+        };
+        let e = (-n * t).exp();
+        let c = turn.re;
+        Free {
+            k: e * s,
+            k1: e * (-n).mul_add(s, c),
+            // 2n² − w² = n² − w3²
+            k2: e * (-2.0 * n).mul_add(c, (2.0 * n * n - w * w) * s),
+            k0: e * n.mul_add(s, c),
+        }
+    }
+
+    /// `y, y′, y″` from the state `(a, b)` at `t = 0`.
+    pub fn motion(&self, w: f64, a: Complex<f64>, b: Complex<f64>) -> [Complex<f64>; 3] {
+        let ww = w * w;
+        [
+            a * self.k0 + b * self.k,
+            b * self.k1 - a * (ww * self.k),
+            b * self.k2 - a * (ww * self.k1),
+        ]
+    }
+}

@@ -1,0 +1,219 @@
+//! One harmonic's frequency `ω = ν + κt` and the particular solution that has no memory of `t = 0`.
+//!
+//! For a root λ let `p = λ + iω` and
+//!
+//! ```text
+//! F = C w(z)       where ω + Im λ ≤ −Re λ,     C = (1 − i)√π/(2√κ),
+//! F = −C w(−z)     beyond,                     z = (1 − i)(ω − iλ)/(2√κ),
+//! ```
+//!
+//! so that w is only needed in the upper half-plane. `φ = e^{−iθ}F` solves `φ′ = λφ + e^{−iθ}`, hence
+//! `κ dF/dω = R = 1 + pF = −i(√π/2) w′(±z)`, and
+//!
+//! ```text
+//! φ′ = e^{−iθ} V,   V = −iωF + R,         φ″ = e^{−iθ} (−iωV + λR).
+//! ```
+//!
+//! The oscillator's particular solution is `w²` times the divided difference of φ over both roots.
+//! Far from both resonances, `|z|² ≥ 49`, it follows from
+//!
+//! ```text
+//! F ~ −Σ g_m/p^{2m+1},   R ~ −Σ_{m≥1} g_m/p^{2m},   g_m = (2m − 1)!! (−iκ)^m
+//! ```
+//!
+//! (DLMF 7.12.1) without a difference: with `a = 1/p₊`, `b = 1/p₋`, `q = ab` and
+//! `h_j = Σ a^i b^{j−i}`, which satisfy `h_j = (a + b) h_{j−1} − q h_{j−2}`,
+//!
+//! ```text
+//! F[λ₊, λ₋] = q Σ g_m h_{2m},  R[·] = q Σ_{m≥1} g_m h_{2m−1},  (λR)[·] = q Σ_{m≥1} g_m (h_{2m−2} − iω h_{2m−1}).
+//! ```
+
+use super::phase::{circle, sqrt};
+use super::roots::Roots;
+use super::types::Chirp;
+use crate::solvers::faddeeva::double_double::{Dd, two_prod};
+use crate::solvers::faddeeva::{faddeeva, w_derivative};
+use num_complex::Complex;
+
+type C = Complex<f64>;
+const I: C = C::I;
+
+/// `|z|²` from which the asymptotic series is used, and with how many terms.
+const TERMS: [(f64, usize); 5] = [(1e5, 4), (1e3, 8), (100.0, 18), (64.0, 22), (FAR, 27)];
+const FAR: f64 = 49.0;
+/// Roots closer together than this part of the scale of `F` are not told apart in `f64`.
+const APART: f64 = 0.5;
+/// Roots closer together than this part of `w`, or than √κ, pass their resonances together.
+const CLOSE: f64 = 0.5;
+
+/// `φ`, `φ′`, `φ″` without `e^{−iθ}`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Amplitudes {
+    pub y: C,
+    pub v: C,
+    pub a: C,
+}
+
+impl Amplitudes {
+    /// From `F`, `R` and `λR` or their divided differences.
+    pub fn new(omega: f64, f: C, r: C, lr: C) -> Amplitudes {
+        let turn = |x: C| C::new(omega * x.im, -omega * x.re);
+        let v = turn(f) + r;
+        Amplitudes {
+            y: f,
+            v,
+            a: turn(v) + lr,
+        }
+    }
+}
+
+/// `θ = νt + κt²/2 + δ` with `κ ≥ 0`.
+#[derive(Clone, Debug)]
+pub(super) struct Sweep {
+    pub nu: Dd,
+    pub kappa: Dd,
+    pub root_kappa: Dd,
+    pub delta: f64,
+    /// Whether the roots are so close together that their resonances are passed as one.
+    pub joint: bool,
+}
+
+impl Sweep {
+    /// `k (Ω₀ t + ε t²/2) + δ`, for `kε ≥ 0`.
+    pub fn new(roots: &Roots, k: f64, chirp: &Chirp, delta: f64) -> Sweep {
+        let kappa = two_prod(k, chirp.eps);
+        let root_kappa = sqrt(kappa);
+        Sweep {
+            nu: two_prod(k, chirp.omega0),
+            kappa,
+            root_kappa,
+            delta,
+            joint: roots.gap.norm() <= (CLOSE * roots.w).max(root_kappa.hi),
+        }
+    }
+
+    pub fn omega(&self, t: f64) -> Dd {
+        self.nu + self.kappa.mul_f(t)
+    }
+
+    /// `e^{−iθ}`
+    pub fn carrier(&self, t: f64) -> C {
+        let turned = (self.nu + self.kappa.mul_f(0.5 * t)).mul_f(t);
+        circle(turned.add_f(self.delta)).conj()
+    }
+
+    /// `|z|²` for `p`.
+    #[inline]
+    fn distance(&self, p: C) -> f64 {
+        match self.kappa.hi == 0.0 {
+            true => f64::INFINITY,
+            false => p.norm_sqr() / (2.0 * self.kappa.hi),
+        }
+    }
+
+    /// Whether root number i has its resonance behind it at ω.
+    pub fn beyond(&self, roots: &Roots, i: usize, omega: Dd) -> bool {
+        match self.joint {
+            true => omega.value() > roots.n,
+            false => (omega + roots.beta[i]).value() > roots.eta[i].value(),
+        }
+    }
+
+    /// `F` and `R` for one root.
+    pub fn single(&self, roots: &Roots, i: usize, omega: Dd) -> (C, C) {
+        let p = roots.p(i, omega);
+        let distance = self.distance(p);
+        if distance >= FAR {
+            return series_of_one(p, self.kappa.hi, distance);
+        }
+        let z = self.z(p);
+        let beyond = self.beyond(roots, i, omega);
+        let z = if beyond { -z } else { z };
+        if distance >= 1.0 {
+            let r = -I * HALF_SQRT_PI * w_derivative(z);
+            ((r - 1.0) / p, r)
+        } else {
+            let f = self.factor() * faddeeva(z);
+            let f = if beyond { -f } else { f };
+            (f, 1.0 + p * f)
+        }
+    }
+
+    /// `(1 − i)(ω + Im λ − i Re λ)/(2√κ)`, from `p`.
+    #[inline]
+    fn z(&self, p: C) -> C {
+        let by = 0.5 / self.root_kappa.hi;
+        C::new((p.im - p.re) * by, (-p.re - p.im) * by)
+    }
+
+    /// `C`
+    #[inline]
+    fn factor(&self) -> C {
+        let c = HALF_SQRT_PI / self.root_kappa.hi;
+        C::new(c, -c)
+    }
+
+    /// The amplitudes of the particular solution for both roots, per `w²`.
+    pub fn particular(&self, roots: &Roots, omega: Dd) -> Amplitudes {
+        let p = [0, 1].map(|i| roots.p(i, omega));
+        let distance = p.map(|p| self.distance(p));
+        let value = omega.value();
+        let near = distance[0].min(distance[1]);
+        if near >= FAR {
+            let [f, r, lr] = series_of_both(p, self.kappa.hi, value, near);
+            return Amplitudes::new(value, f, r, lr);
+        }
+        let scale = p.map(|p| p.norm_sqr().max(self.kappa.hi));
+        if roots.gap.norm_sqr() < APART * APART * scale[0].min(scale[1]) {
+            let [f, r, lr] = super::extended::differences(self, roots, omega);
+            return Amplitudes::new(value, f, r, lr);
+        }
+        let [(f, r), (g, s)] = [0, 1].map(|i| self.single(roots, i, omega));
+        let [plus, minus] = roots.lambda;
+        Amplitudes::new(
+            value,
+            (f - g) / roots.gap,
+            (r - s) / roots.gap,
+            (plus * r - minus * s) / roots.gap,
+        )
+    }
+}
+
+/// √π/2
+const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
+
+fn terms(distance: f64) -> usize {
+    let found = TERMS.iter().find(|(from, _)| distance >= *from);
+    found.map_or(TERMS[4].1, |(_, terms)| *terms)
+}
+
+/// The series for one root: `F`, `R`.
+fn series_of_one(p: C, kappa: f64, distance: f64) -> (C, C) {
+    let a = p.inv();
+    // g_m/p^{2m} = (2m − 1) (−iκ/p²) times the one before.
+    let x = -I * kappa * (a * a);
+    let mut sum = C::ZERO;
+    for m in (1..=terms(distance)).rev() {
+        sum = x * (2 * m - 1) as f64 * (1.0 + sum);
+    }
+    (-a * (1.0 + sum), -sum)
+}
+
+/// The series for both roots: `F[·]`, `R[·]`, `(λR)[·]`.
+fn series_of_both(p: [C; 2], kappa: f64, omega: f64, distance: f64) -> [C; 3] {
+    let q = (p[0] * p[1]).inv();
+    let s = (p[0] + p[1]) * q;
+    let (mut even, mut odd) = (C::ONE, s);
+    let (mut f, mut r, mut lr) = (C::ONE, C::ZERO, C::ZERO);
+    let mut g = C::ONE;
+    for m in 1..=terms(distance) {
+        g *= C::new(0.0, -kappa * (2 * m - 1) as f64);
+        // even = h_{2m−2}, odd = h_{2m−1}
+        r += g * odd;
+        lr += g * (even - C::new(-omega * odd.im, omega * odd.re));
+        even = s * odd - q * even;
+        f += g * even;
+        odd = s * even - q * odd;
+    }
+    [q * f, q * r, q * lr]
+}
