@@ -190,7 +190,7 @@ mod tests {
     fn pieces_agree_with_moments() {
         let c: Vec<Rational> = [0, 0, 0, 10, -15, 6].map(|c| r(c, 1)).into();
         let law = Law::polynomial(&c).unwrap();
-        for q in [r(1, 100), r(3, 7), r(5, 1)] {
+        for q in [r(1, 100), r(3, 7), r(16, 3)] {
             let direct = transform(&law, &q, 256);
             let radians = Ball::pi(256) * Ball::rational(256, &q);
             let series = by_moments(&moments(&law, 120, 256), &radians, 256);

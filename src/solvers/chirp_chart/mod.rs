@@ -8,7 +8,8 @@
 //! with the displacement `f` of a [`CamCycle`](super::cam_law::CamCycle). Its harmonics force
 //! [`ChirpResponse`](super::chirp_oscillator::ChirpResponse), which gives `y` and `y′`; the
 //! acceleration is `w² (f − y) − 2n y′` with `f` itself, so that of the harmonics left out only the
-//! filtered response is missing.
+//! filtered response is missing. At shaft speeds below `1.5 w/N` the `N` harmonics do not reach beyond
+//! the resonance, and the acceleration is theirs alone.
 //!
 //! # The frequency criterion
 //! Gembara & Senyk's `ξ = w/Ω` (1) takes for the period of the forcing the time of the **rise**

@@ -12,6 +12,8 @@ use std::f64::consts::{PI, TAU};
 
 /// Samples in the shortest period.
 const SAMPLES: f64 = 8.0;
+/// From this multiple of the natural frequency on the harmonics left out are taken as filtered.
+const REACH: f64 = 1.5;
 /// Least number of samples in a turn.
 const LEAST_SAMPLES: f64 = 200.0;
 
@@ -226,17 +228,26 @@ impl CamResponse {
 
     /// State at a time `t ≥ 0`.
     ///
+    /// While the highest harmonic is slower than 1.5 w the acceleration is that of the harmonics
+    /// alone, and smoother than the true one; take more of them for such speeds.
+    ///
     /// # Errors
     /// A time that is negative or not finite.
     pub fn state(&self, t: f64) -> Result<State, ChirpChartError> {
         let m = self.response.motion(t)?;
         let cam = self.drive.cam(t);
         let (w, n) = (self.drive.oscillator.w(), self.drive.oscillator.n());
-        let spring = w * w * (cam.displacement - m.displacement);
+        let speed = self.drive.speed(t);
+        // Harmonics left out are filtered away, or they are not and f must not have them either.
+        let highest = self.amplitudes.len() as f64 * speed.abs();
+        let spring = match highest >= REACH * w {
+            true => w * w * (cam.displacement - m.displacement),
+            false => m.acceleration + 2.0 * n * m.velocity,
+        };
         Ok(State {
             t,
             turns: self.drive.turns(t),
-            speed: self.drive.speed(t),
+            speed,
             cam: cam.displacement,
             cam_rate: cam.velocity,
             displacement: m.displacement,

@@ -45,23 +45,23 @@ fn the_state_is_that_of_the_equation_of_motion() {
         let r = CamResponse::new(d.clone(), 120, None).unwrap();
         let t = 2.3;
         let s = r.state(t).unwrap();
-        let [y, v] = integrated(&d, t, 40_000);
+        let [y, v] = integrated(&d, t, 20_000);
         assert!(
-            (s.displacement - y).abs() < 2e-9,
+            (s.displacement - y).abs() < 1e-8,
             "{eps} {} {y}",
             s.displacement
         );
-        assert!((s.velocity - v).abs() < 2e-6, "{eps} {} {v}", s.velocity);
+        assert!((s.velocity - v).abs() < 1e-5, "{eps} {} {v}", s.velocity);
         let rate = 1e4 * (s.cam - y) - 6.0 * v;
-        assert!((s.acceleration - rate).abs() < 1e-4, "{eps}");
+        assert!((s.acceleration - rate).abs() < 1e-3, "{eps}");
     }
 }
 
 #[test]
 fn peaks_and_bounds() {
-    let d = drive(MotionLaw::simple_harmonic(), 0.0, 4.0);
-    let r = CamResponse::new(d.clone(), 60, None).unwrap();
-    let grid: Vec<f64> = (4..24).map(|k| f64::from(k) * 0.5).collect();
+    let d = drive(MotionLaw::simple_harmonic(), 0.0, 0.5);
+    let r = CamResponse::new(d.clone(), 100, None).unwrap();
+    let grid: Vec<f64> = (4..12).map(f64::from).collect();
     let chart = Chart::new(&r, Period::Rise, &grid).unwrap();
     for (p, xi) in chart.points.iter().zip(grid) {
         assert!((p.xi_rise - xi).abs() < 1e-12 && (p.xi_turn - 4.0 * xi).abs() < 1e-12);
@@ -74,8 +74,8 @@ fn peaks_and_bounds() {
         let c_a = PI * PI / 2.0;
         assert!((p.dynamic_coefficients[0] * c_a - p.acceleration).abs() < 1e-12);
         let mut largest = 0.0f64;
-        for k in 0..=4000 {
-            let t = first + (last - first) * f64::from(k) / 4000.0;
+        for k in 0..=1000 {
+            let t = first + (last - first) * f64::from(k) / 1000.0;
             let rate = p.speed / (TAU * 0.25);
             let a = r.state(t).unwrap().acceleration.abs() / (0.02 * rate * rate);
             largest = largest.max(a);
@@ -91,7 +91,7 @@ fn peaks_and_bounds() {
 fn a_stiff_follower_has_coefficients_of_one() {
     let mut d = drive(MotionLaw::cycloidal(), 1.0, 0.01);
     d.oscillator = Oscillator::new(300.0, 60.0).unwrap();
-    let r = CamResponse::new(d, 80, None).unwrap();
+    let r = CamResponse::new(d, 500, None).unwrap();
     let chart = Chart::new(&r, Period::Turn, &[150.0]).unwrap();
     for k in chart.points[0].dynamic_coefficients {
         assert!((k - 1.0).abs() < 0.03, "{k}");
