@@ -135,6 +135,8 @@ const MOST_ROWS: f64 = 1e10;
 const MOST_POINTS: f64 = 1e5;
 /// What the harmonics left out may come to, in lifts.
 const TOLERANCE: f64 = 1e-4;
+/// Nobody waits for more than these without having asked for them.
+const MOST_UNASKED: u32 = 2000;
 /// How far the harmonics are to reach beyond the resonance.
 const REACH: f64 = 2.0;
 
@@ -379,7 +381,13 @@ fn harmonics(drive: &CamDrive, chart: Option<&ChartPlan>) -> Result<u32, String>
         let series = FourierSeries::new(&drive.cycle);
         let tolerance = TOLERANCE * drive.cycle.lift().abs();
         match series.harmonics_for(tolerance, 0) {
-            Ok(n) => most = most.max(n),
+            Ok(n) if n <= MOST_UNASKED => most = most.max(n),
+            Ok(n) => {
+                return Err(format!(
+                    "{n} harmonics would be needed to leave {TOLERANCE} of the lift; say how many \
+                     are to be taken: harmonics = ..."
+                ));
+            }
             Err(
                 e @ FourierSeriesError::TooMany { .. } | e @ FourierSeriesError::Diverges { .. },
             ) => {

@@ -89,7 +89,13 @@ fn panel(area: &Area, labels: (&str, &str), curves: &[Curve]) -> Drawn {
         .x_labels(11)
         .y_labels(7)
         .x_label_formatter(&|x| tick(*x))
-        .y_label_formatter(&|y| tick(*y))
+        .y_label_formatter(&|y| {
+            tick(if y.abs() < 1e-9 * (high - low) {
+                0.0
+            } else {
+                *y
+            })
+        })
         .x_desc(labels.0)
         .y_desc(labels.1)
         .label_style(("sans-serif", 15).into_font().color(&INK))
@@ -104,7 +110,10 @@ fn panel(area: &Area, labels: (&str, &str), curves: &[Curve]) -> Drawn {
     }
     for c in curves {
         let points = c.points.iter().copied();
-        let style = c.colour.stroke_width(2);
+        // A wave that fills its columns is drawn finer.
+        let style = c
+            .colour
+            .stroke_width(if c.points.len() > BINS { 1 } else { 2 });
         match c.dashed {
             true => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
             false => chart.draw_series(LineSeries::new(points, style))?,
@@ -200,8 +209,8 @@ pub fn history(machine: &Machine, run: &Run, response: &CamResponse) -> Result<S
         title(root, &machine.name, &note)?;
         let areas = root.margin(76, 10, 10, 24).split_evenly((3, 1));
         let motion = [
-            curve("y", thinned(0), BLUE),
             curve("cam f", thinned(1), GREEN),
+            curve("y", thinned(0), BLUE),
             dashed("envelope", along(&|b| mean + b.envelope), ORANGE),
             dashed("", along(&|b| mean - b.envelope), ORANGE),
         ];
@@ -307,6 +316,7 @@ pub fn spectrum(machine: &Machine) -> Result<String, Failure> {
             .build_cartesian_2d((0.9..last * 1.1).log_scale(), (low..high).log_scale())?;
         chart
             .configure_mesh()
+            .x_label_formatter(&|n| tick(*n))
             .y_label_formatter(&|y| format!("{y:.0e}"))
             .x_desc("harmonic n")
             .y_desc("D_n, lifts")

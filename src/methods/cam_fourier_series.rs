@@ -5,6 +5,8 @@ use crate::audit::{
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
+use crate::reference::Ball;
+use crate::reference::cam_law::Law as ExactLaw;
 use crate::reference::fourier_series::{self as exact, Stroke as ExactStroke};
 use crate::solvers::cam_law::{CamCycle, Stroke};
 use crate::solvers::fourier_series::FourierSeries;
@@ -210,16 +212,27 @@ impl Method for Audit {
 
     /// Of the mean all lengths are known to half an ulp, of the harmonics the lift alone; of a
     /// table also its data. Both follow from the values: the mean is a sum of terms proportional
-    /// to one length each, all positive but for the start of a cycle without a return.
+    /// to one length each.
     fn conditions(&self, x: &[f64]) -> Option<Vec<f64>> {
         let exact: Option<Vec<Rational>> = x.iter().map(|&x| Rational::from_f64(x)).collect();
-        let ReferenceAnswer::Values(base) = self.reference(&exact?, 128) else {
+        let exact = exact?;
+        let ReferenceAnswer::Values(base) = self.reference(&exact, 128) else {
             return None;
         };
-        let lengths = match x[FALL] == 0.0 {
-            true => x[LIFT].abs() * (x[START].abs() + x[RISE]),
-            false => base.values[0].magnitude().to_f64(),
+        let size = |part: Option<ExactLaw>, left: bool| {
+            let mean = part?.mean(128);
+            let mean = if left { Ball::integer(128, 1) - mean } else { mean };
+            Some(mean.magnitude().to_f64())
         };
+        let parts = laws(&exact)?;
+        let lengths = x[LIFT].abs()
+            * match x[FALL] == 0.0 {
+                true => x[START].abs() + x[RISE] * size(parts.rise.reference(), true)?,
+                false => {
+                    let rise = x[RISE] * size(parts.rise.reference(), false)?;
+                    rise + x[DWELL] + x[FALL] * size(parts.fall.reference(), true)?
+                }
+            };
         let own = base.values.iter().enumerate().map(|(i, v)| {
             let size = v.magnitude().to_f64();
             if i % 3 == 0 { size + lengths } else { size }

@@ -99,7 +99,7 @@ fn zones(b: &Rational, d: &Rational, fraction: &Rational) -> Vec<Zone> {
     for (share, down) in [(fraction, false), (&other, true)] {
         // Distances from the end of the stroke on this side.
         let sine = Rational::from(share * b);
-        let cosine = Rational::from(share * (q(1) - d));
+        let cosine = share * (q(1) - d);
         let amplitude = Rational::from(share * 2u32).recip();
         let wave = |part: &Rational| (Rational::from(share * part) * 2u32).recip();
         let parts = [

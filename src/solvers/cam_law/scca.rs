@@ -74,7 +74,7 @@ impl Scca {
     }
 
     /// `y − (1 − d)/2`, both differences exact.
-    fn from_cosine(&self, y: f64) -> f64 {
+    fn depth_in_cosine(&self, y: f64) -> f64 {
         if self.d >= 0.5 {
             y - 0.5 * (1.0 - self.d)
         } else {
@@ -98,7 +98,7 @@ impl Scca {
         } else {
             let (s1, v1) = (b * b * ((PI - 2.0) / (2.0 * PI * PI)), b / PI);
             if self.in_cosine(y) {
-                let t = self.from_cosine(y);
+                let t = self.depth_in_cosine(y);
                 let (s2, v2) = (s1 + 0.5 * c * (v1 + 0.25 * c), v1 + 0.5 * c);
                 let phi = PI * (t / d);
                 let half_sine = (0.5 * phi).sin();
