@@ -47,6 +47,36 @@ fn mpmath_agrees_to_thirty_digits() {
 }
 
 #[test]
+fn mpmath_agrees_on_the_chirp_forced_oscillator() {
+    use mechaudit::reference::chirp_oscillator::{Problem, response, taylor};
+    let text = include_str!("../reference/independent/chirp_response.csv");
+    let mut rows = 0;
+    for line in text.lines().skip(1) {
+        let cells: Vec<Rational> = line
+            .split(',')
+            .map(|text| Decimal::parse(text).expect("a number").value)
+            .collect();
+        let (inputs, theirs) = cells.split_at(9);
+        let problem = Problem::new(inputs.try_into().expect("nine")).expect("a problem");
+        let ours = response(&problem, BITS).expect("decided");
+        let panels = taylor::enclose(&problem, BITS).expect("few panels");
+        for ((a, c), b) in ours
+            .components()
+            .iter()
+            .zip(panels.components())
+            .zip(theirs)
+        {
+            assert!(a.overlaps(c), "{line}");
+            let gap = (*a - &Ball::rational(BITS, b)).abs().upper();
+            let size = a.magnitude().max(mechaudit::reference::Mag::from_f64(1e-5));
+            assert!(gap <= 1e-28 * size.to_float(), "{line}: {}", a.mid());
+        }
+        rows += 1;
+    }
+    assert_eq!(rows, 14);
+}
+
+#[test]
 fn mpmath_and_arb_agree_on_the_faddeeva_function() {
     use mechaudit::reference::faddeeva as f;
     const DIGITS: usize = 38;

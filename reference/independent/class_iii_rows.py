@@ -10,11 +10,9 @@ high precision. Reduced quantities from their definitions. Nothing of mechaudit 
 
 Columns: row, phi2..phi5 (rad), I_n, dI_n/dphi (kg m^2), M_o, dM_o/dphi (N m); 40 digits.
 """
-import os
-import pathlib
-import sys
-
 import mpmath as mp
+
+from check import run
 
 mp.mp.dps = 110
 DIGITS = 40
@@ -70,7 +68,7 @@ def energies(phi1, start, h):
     return total, u, at[0]
 
 
-def main():
+def table():
     h = mp.mpf(10) ** -8  # truncation h^8 = 1e-64, rounding 1e-110/1e-8
     w = {1: mp.mpf(4) / 5, 2: -mp.mpf(1) / 5, 3: mp.mpf(4) / 105, 4: -mp.mpf(1) / 280}
     w2 = {0: -mp.mpf(205) / 72, 1: mp.mpf(8) / 5, 2: -mp.mpf(1) / 5, 3: mp.mpf(8) / 315, 4: -mp.mpf(1) / 560}
@@ -86,19 +84,8 @@ def main():
         values = [*start, i_n, d_i, moment, -second]
         digits = [mp.nstr(v, DIGITS, min_fixed=-5, max_fixed=50) for v in values]
         lines.append(",".join([str(row), *digits]))
-    text = "\n".join(lines) + "\n"
-    path = pathlib.Path(__file__).with_suffix(".csv")
-    if sys.argv[1:] == ["--check"]:
-        if path.read_text() != text:
-            sys.exit(f"{path.name} differs from what mpmath {mp.__version__} gives")
-        print(f"{path.name}: {len(lines) - 1} rows as recorded")
-    elif not sys.argv[1:]:
-        temporary = path.with_suffix(".tmp")
-        temporary.write_text(text)
-        os.replace(temporary, path)
-    else:
-        sys.exit(f"unknown argument {sys.argv[1]!r}: only --check is known")
+    return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
-    main()
+    run(__file__, table)

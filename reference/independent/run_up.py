@@ -15,11 +15,9 @@ Nothing of mechaudit is used, and nothing is proved.
 
 Columns: case, t (s), phi (rad; empty for the rotor), psi (rad/s); 16 digits.
 """
-import os
-import pathlib
-import sys
-
 import mpmath as mp
+
+from check import run
 
 mp.mp.dps = 22
 DIGITS = 16
@@ -105,7 +103,7 @@ def motion(t, y):
     return [psi, (motor + moment - psi**2 * slope / 2) / inertia]
 
 
-def main():
+def table():
     show = lambda x: mp.nstr(x, DIGITS, min_fixed=-5, max_fixed=50)
     lines = ["case,t_s,phi_rad,psi_rad_per_s"]
     f = mp.odefun(motion, 0, [mp.mpf("14.426") * deg(), mp.mpf(0)], tol=mp.mpf(10) ** -19)
@@ -116,19 +114,8 @@ def main():
     for t, guess in (("1", "0.94"), ("10", "0.045")):
         time = lambda s: i * wc / (2 * mk) * (sk * mp.log(1 / s) + (1 - s**2) / (2 * sk)) - mp.mpf(t)
         lines.append(f"bare rotor,{t},,{show(wc * (1 - mp.findroot(time, mp.mpf(guess))))}")
-    text = "\n".join(lines) + "\n"
-    path = pathlib.Path(__file__).with_suffix(".csv")
-    if sys.argv[1:] == ["--check"]:
-        if path.read_text() != text:
-            sys.exit(f"{path.name} differs from what mpmath {mp.__version__} gives")
-        print(f"{path.name}: {len(lines) - 1} rows as recorded")
-    elif not sys.argv[1:]:
-        temporary = path.with_suffix(".tmp")
-        temporary.write_text(text)
-        os.replace(temporary, path)
-    else:
-        sys.exit(f"unknown argument {sys.argv[1]!r}: only --check is known")
+    return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
-    main()
+    run(__file__, table)

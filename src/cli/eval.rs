@@ -167,9 +167,12 @@ fn answer(
         .iter()
         .map(|f| Number::parse(f).map_err(input))
         .collect::<Result<_, _>>()?;
+    let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
+    if let Some(why) = function.refusal(&x) {
+        return Err(input(why));
+    }
     let values = match digits {
         None => {
-            let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
             let values = (function.solve)(&x);
             values.iter().map(|v| hex_float(*v)).collect::<Vec<_>>()
         }

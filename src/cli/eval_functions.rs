@@ -24,7 +24,7 @@ pub struct Function {
 
 /// All of them.
 pub fn functions() -> Vec<Function> {
-    vec![Function {
+    let w = Function {
         name: "faddeeva.w",
         summary: "Faddeeva function W(z) = exp(-z^2) erfc(-iz)",
         arguments: &["re", "im"],
@@ -43,7 +43,18 @@ pub fn functions() -> Vec<Function> {
                 })
             })
         },
-    }]
+    };
+    vec![w, super::eval_chirp::function()]
+}
+
+impl Function {
+    /// Why these arguments are refused, if they are.
+    pub fn refusal(&self, x: &[f64]) -> Option<String> {
+        match self.name {
+            super::eval_chirp::NAME => super::eval_chirp::refusal(x),
+            _ => None,
+        }
+    }
 }
 
 /// The function of that name.
@@ -63,7 +74,7 @@ fn both<T>(w: &ComplexBall, f: impl Fn(&Ball) -> T) -> Vec<T> {
 
 /// Asks at rising precision until every value has its digits. The references keep to the relative
 /// accuracy asked for, so that the first time is nearly always enough.
-fn certified(
+pub fn certified(
     digits: usize,
     at: impl Fn(u32) -> Result<Vec<Option<String>>, Undecided>,
 ) -> Result<Vec<String>, String> {

@@ -15,6 +15,7 @@ mod dyad_facts;
 mod dyad_file;
 mod dyad_values;
 mod eval;
+mod eval_chirp;
 mod eval_functions;
 mod eval_number;
 mod failure;

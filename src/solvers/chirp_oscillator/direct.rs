@@ -40,6 +40,8 @@ fn integrals(sweep: &Sweep, t: f64, rule: &[[f64; 2]], kernel: impl Fn(f64) -> C
 }
 
 /// `ψ, ψ′, ψ″` for both roots, per `w²`.
+#[cold]
+#[inline(never)]
 pub(super) fn both(sweep: &Sweep, roots: &Roots, free: &Free, t: f64) -> [C; 3] {
     let kernel = |s: f64| C::new(Free::at(roots, s).k, 0.0);
     let [y, v, a] = integrals(sweep, t, &RULE_32, kernel);

@@ -1,7 +1,8 @@
 //! Free vibration.
 
-use super::phase::circle;
+use super::phase::{circle, decay};
 use super::roots::Roots;
+use crate::solvers::faddeeva::double_double::two_prod;
 use num_complex::Complex;
 
 /// The impulse response `K` (`K(0) = 0`, `K′(0) = 1`) with two derivatives, and the response
@@ -15,13 +16,14 @@ pub(super) struct Free {
 }
 
 impl Free {
+    #[inline(always)]
     pub fn at(roots: &Roots, t: f64) -> Free {
         let Roots { w, n, .. } = *roots;
         if roots.over {
             // Slow and fast exponential; K by expm1, the others from it without differences of
             // equals.
-            let [slow, fast] = roots.lambda.map(|l| l.re);
-            let (a, b) = ((slow * t).exp(), (fast * t).exp());
+            let (slow, fast) = (roots.lambda[0].re, roots.lambda[1].re);
+            let (a, b) = (decay(roots.eta[0].mul_f(t)), decay(roots.eta[1].mul_f(t)));
             let wide = roots.gap.re;
             let k = a * (-(-wide * t).exp_m1() / wide);
             let k1 = slow.mul_add(k, b);
@@ -38,7 +40,7 @@ impl Free {
             true => t,
             false => turn.im / w3.value(),
         };
-        let e = (-n * t).exp();
+        let e = decay(two_prod(n, t));
         let c = turn.re;
         Free {
             k: e * s,
@@ -50,6 +52,7 @@ impl Free {
     }
 
     /// `y, y′, y″` from the state `(a, b)` at `t = 0`.
+    #[inline(always)]
     pub fn motion(&self, w: f64, a: Complex<f64>, b: Complex<f64>) -> [Complex<f64>; 3] {
         let ww = w * w;
         [

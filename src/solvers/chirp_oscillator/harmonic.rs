@@ -2,7 +2,9 @@
 
 use super::direct;
 use super::free::Free;
-use super::passage::{passage, passage_of_one};
+use super::inlined::{three, two};
+use super::passage::{left_behind, passage, passage_of_one};
+use super::phase::{circle, decay};
 use super::roots::Roots;
 use super::sweep::{Amplitudes, Sweep};
 use super::types::{Chirp, Harmonic};
@@ -26,13 +28,15 @@ pub(super) struct Prepared {
     pub mirrored: bool,
     /// `−ψ(0), −ψ′(0)` of the particular solution, per `w²`.
     pub start: [C; 2],
-    /// `|p|` at `t = 0` for both roots.
-    size: [f64; 2],
+    /// What passages add to that, where they are constants.
+    pub left: Option<[[C; 2]; 2]>,
+    /// `|p|²` at `t = 0` for both roots.
+    norms: [f64; 2],
 }
 
 /// How the response is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Way {
+enum Way {
     /// Particular solution, free vibration, passages.
     Closed,
     /// Quadrature.
@@ -49,57 +53,94 @@ impl Prepared {
             false => (harmonic.k, harmonic.phase),
         };
         let sweep = Sweep::new(roots, k, chirp, delta);
-        let size = [0, 1].map(|i| roots.p(i, sweep.nu).norm());
+        let norms = two(|i| roots.p(i, sweep.nu).norm_sqr());
         let carrier = sweep.carrier(0.0);
         let Amplitudes { y, v, .. } = sweep.particular(roots, sweep.nu);
         Prepared {
+            left: left_behind(&sweep, roots),
             sweep,
             scale,
             mirrored,
             start: [-carrier * y, -carrier * v],
-            size,
+            norms,
         }
     }
 
-    pub fn way(&self, roots: &Roots, t: f64, omega: Dd) -> Way {
-        let phase = [0, 1].map(|i| self.size[i].max(roots.p(i, omega).norm()) * t);
+    /// Whether the closed form serves at time t, where `|p|²` has these values.
+    #[inline(always)]
+    pub fn is_closed(&self, norms: [f64; 2], t: f64) -> bool {
+        let limit = SHORT * SHORT;
+        let long = |i: usize| self.norms[i].max(norms[i]) * t * t > limit;
+        long(0) & long(1)
+    }
+
+    #[inline(always)]
+    fn way(&self, roots: &Roots, t: f64, omega: Dd) -> Way {
+        let norms = two(
+            #[inline(always)]
+            |i| roots.p(i, omega).norm_sqr(),
+        );
+        if self.is_closed(norms, t) {
+            return Way::Closed;
+        }
+        let phase = two(
+            #[inline(always)]
+            |i| self.norms[i].max(norms[i]) * t * t,
+        );
         let (low, high) = match phase[0] < phase[1] {
             true => (0, phase[1]),
             false => (1, phase[0]),
         };
-        if phase[low] > SHORT {
-            Way::Closed
-        } else if high <= LONG {
-            Way::Direct
-        } else {
-            Way::Mixed(low)
+        match high <= LONG * LONG {
+            true => Way::Direct,
+            false => Way::Mixed(low),
         }
     }
 
     /// `ψ, ψ′, ψ″` at time t.
+    #[inline(always)]
     pub fn psi(&self, roots: &Roots, free: &Free, t: f64) -> [C; 3] {
         let omega = self.sweep.omega(t);
         let sum = match self.way(roots, t, omega) {
             Way::Direct => direct::both(&self.sweep, roots, free, t),
             Way::Mixed(i) => self.mixed(roots, i, t, omega),
             Way::Closed => {
-                let [a, b] = self.start;
+                let [mut a, mut b] = self.start;
+                let mut left = [C::ZERO; 3];
+                match &self.left {
+                    Some(states) => {
+                        for i in [0, 1] {
+                            if self.sweep.beyond(roots, i, omega) {
+                                a += states[i][0];
+                                b += states[i][1];
+                            }
+                        }
+                    }
+                    None => left = passage(&self.sweep, roots, t, omega),
+                }
                 let own = free.motion(roots.w, a, b);
-                let left = passage(&self.sweep, roots, t, omega);
                 let carrier = self.sweep.carrier(t);
                 let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
-                let forced = [y, v, a].map(|x| x * carrier);
-                [0, 1, 2].map(|j| forced[j] + own[j] + left[j])
+                let forced = [y, v, a];
+                three(
+                    #[inline(always)]
+                    |j| forced[j] * carrier + own[j] + left[j],
+                )
             }
         };
-        sum.map(|x| x * self.scale)
+        three(
+            #[inline(always)]
+            |j| sum[j] * self.scale,
+        )
     }
 
+    #[cold]
+    #[inline(never)]
     fn mixed(&self, roots: &Roots, short: usize, t: f64, omega: Dd) -> [C; 3] {
         let near = direct::one(&self.sweep, roots, short, t);
         let far = self.closed_one(roots, 1 - short, t, omega);
         let sign = if short == 0 { 1.0 } else { -1.0 };
-        [0, 1, 2].map(|j| sign * (near[j] - far[j]) / roots.gap)
+        three(|j| sign * (near[j] - far[j]) / roots.gap)
     }
 
     /// `φ, φ′, φ″` of root number i.
@@ -111,9 +152,9 @@ impl Prepared {
         };
         let (now, then) = (at(omega), at(self.sweep.nu));
         let carrier = self.sweep.carrier(t);
-        let (eta, beta) = (roots.eta[i].value(), roots.beta[i]);
-        let decay = (-eta * t).exp();
-        let turned = super::phase::circle(beta.mul_f(t).add_f(-self.sweep.delta));
+        let beta = roots.beta[i];
+        let decay = decay(roots.eta[i].mul_f(t));
+        let turned = circle(beta.mul_f(t).add_f(-self.sweep.delta));
         let own = turned * (-decay) * then.y;
         let left = passage_of_one(&self.sweep, roots, i, t, omega);
         [

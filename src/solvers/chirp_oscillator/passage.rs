@@ -16,7 +16,8 @@
 //! P[·] = P(λ̄) e^{−i gap²/(8κ)} d sinh(x)/x.
 //! ```
 
-use super::phase::circle;
+use super::inlined::two;
+use super::phase::{circle, decay};
 use super::roots::Roots;
 use super::sweep::Sweep;
 use crate::solvers::faddeeva::double_double::Dd;
@@ -27,18 +28,20 @@ type C = Complex<f64>;
 const SQRT_PI: f64 = 1.772_453_850_905_516;
 
 /// `√(π/κ) (1 − i) e^{−ηX_t/κ} e^{i·phase}`, `phase = turned + (square)/(2κ) − δ`.
-fn term(sweep: &Sweep, decay: f64, turned: Dd, square: Dd) -> C {
+#[inline(always)]
+fn term(sweep: &Sweep, nats: Dd, turned: Dd, square: Dd) -> C {
     let phase = turned + square.div(sweep.kappa + sweep.kappa);
-    let size = SQRT_PI / sweep.root_kappa.hi * (-decay).exp();
+    let size = SQRT_PI / sweep.root_kappa.hi * decay(nats);
     circle(phase.add_f(-sweep.delta)) * C::new(size, -size)
 }
 
 /// P for root number i.
+#[inline(always)]
 fn of_root(sweep: &Sweep, roots: &Roots, i: usize, t: f64, omega: Dd) -> C {
     let (eta, beta) = (roots.eta[i], roots.beta[i]);
     let (start, now) = (sweep.nu + beta, omega + beta);
-    let decay = (eta * now).div(sweep.kappa).value();
-    term(sweep, decay, beta.mul_f(t), (start - eta) * (start + eta))
+    let nats = (eta * now).div(sweep.kappa);
+    term(sweep, nats, beta.mul_f(t), (start - eta) * (start + eta))
 }
 
 /// `sinh x/x` for `|x| ≤ 1`.
@@ -52,8 +55,12 @@ fn sinhc(x: C) -> C {
 }
 
 /// The divided differences of `P, λP, λ²P` over the roots that have been passed between 0 and t.
+#[inline(always)]
 pub(super) fn passage(sweep: &Sweep, roots: &Roots, t: f64, omega: Dd) -> [C; 3] {
-    let passed = [0, 1].map(|i| !sweep.beyond(roots, i, sweep.nu) && sweep.beyond(roots, i, omega));
+    let passed = two(
+        #[inline(always)]
+        |i| !sweep.beyond(roots, i, sweep.nu) && sweep.beyond(roots, i, omega),
+    );
     if passed == [false, false] {
         return [C::ZERO; 3];
     }
@@ -65,8 +72,8 @@ pub(super) fn passage(sweep: &Sweep, roots: &Roots, t: f64, omega: Dd) -> [C; 3]
             let half = roots.half.square();
             let half = if roots.over { half } else { -half };
             let square = sweep.nu.square() - n.square() - half;
-            let decay = n.mul_f(omega.value()).div(sweep.kappa).value();
-            let p = term(sweep, decay, Dd::ZERO, square);
+            let nats = (n * omega).div(sweep.kappa);
+            let p = term(sweep, nats, Dd::ZERO, square);
             let y = p * d * sinhc(x);
             let v = p * x.cosh() - y * roots.n;
             let a = -(v * (2.0 * roots.n) + y * (roots.w * roots.w));
@@ -97,3 +104,32 @@ pub(super) fn passage_of_one(sweep: &Sweep, roots: &Roots, i: usize, t: f64, ome
     let lambda = roots.lambda[i];
     [p, p * lambda, p * lambda * lambda]
 }
+
+/// The passages as states at `t = 0` of the free vibration, per `w²`: for each root that has its
+/// resonance ahead of it. `None` where they are no constants that `f64` holds, or would cancel.
+pub(super) fn left_behind(sweep: &Sweep, roots: &Roots) -> Option<[[C; 2]; 2]> {
+    if sweep.kappa.hi == 0.0 {
+        return Some([[C::ZERO; 2]; 2]);
+    }
+    if roots.over || sweep.joint {
+        return None;
+    }
+    let ahead = two(|i| !sweep.beyond(roots, i, sweep.nu));
+    let mut states = [[C::ZERO; 2]; 2];
+    for i in [0, 1] {
+        let before = (sweep.nu + roots.beta[i]).value();
+        if !ahead[i] {
+            continue;
+        }
+        if roots.n * before.abs() / sweep.kappa.hi > FOLDED {
+            return None;
+        }
+        let p = of_root(sweep, roots, i, 0.0, sweep.nu) / roots.gap;
+        let p = if i == 0 { p } else { -p };
+        states[i] = [p, p * roots.lambda[i]];
+    }
+    Some(states)
+}
+
+/// Largest decay, in nats, between the start and a passage that is folded into the start.
+const FOLDED: f64 = 300.0;

@@ -33,7 +33,7 @@ fn reduce_large(x: Dd) -> (Dd, f64) {
 }
 
 /// `e^{ix}`, rounded once.
-#[inline]
+#[inline(always)]
 pub(super) fn circle(x: Dd) -> Complex<f64> {
     let (rest, quadrant) = match x.hi.abs() < LARGE_PHASE {
         true => reduce(x),
@@ -42,4 +42,11 @@ pub(super) fn circle(x: Dd) -> Complex<f64> {
     let (sin, cos) = sin_cos_reduced(rest);
     let (sin, cos) = turn(sin, cos, quadrant);
     Complex::new(cos.value(), sin.value())
+}
+
+/// `e^{−x}` for `x ≥ 0`, without the error of a rounded `x`.
+#[inline(always)]
+pub(super) fn decay(x: Dd) -> f64 {
+    let e = (-x.hi).exp();
+    (-x.lo).mul_add(e, e)
 }

@@ -1,5 +1,8 @@
 //! The response to an excitation.
 
+#[cfg(feature = "parallel")]
+use super::batch::CHUNK;
+use super::batch::{Once, displacements};
 use super::error::{ChirpError, finite, not_negative};
 use super::free::Free;
 use super::harmonic::Prepared;
@@ -7,6 +10,7 @@ use super::roots::Roots;
 use super::types::{
     Chirp, Excitation, Forcing, Harmonic, HarmonicResponse, InitialState, Motion, Oscillator,
 };
+use crate::solvers::faddeeva::lanes::{Lanes, Task, with_best};
 use num_complex::Complex;
 
 /// The response of an oscillator to an excitation from an initial state, in closed form.
@@ -94,6 +98,25 @@ impl ChirpResponse {
         })
     }
 
+    /// The response to one harmonic as a displacement.
+    ///
+    /// # Errors
+    /// As [`ChirpResponse::new`].
+    pub fn of_harmonic(
+        oscillator: Oscillator,
+        chirp: Chirp,
+        harmonic: Harmonic,
+        initial: InitialState,
+    ) -> Result<ChirpResponse, ChirpError> {
+        let excitation = Excitation {
+            chirp,
+            forcing: Forcing::Displacement,
+            static_term: 0.0,
+            harmonics: vec![harmonic],
+        };
+        ChirpResponse::new(oscillator, excitation, initial)
+    }
+
     /// The time in units of `1/unit`.
     pub(super) fn time(&self, t: f64) -> Result<f64, ChirpError> {
         not_negative("t", t).map(|t| t * self.unit)
@@ -107,11 +130,27 @@ impl ChirpResponse {
         Ok(self.motion_at(self.time(t)?))
     }
 
+    /// The displacement alone at time `t ≥ 0`, about twice as fast. It differs from that of
+    /// [`ChirpResponse::motion`] by roundings.
+    ///
+    /// # Errors
+    /// A time that is negative or not finite.
+    pub fn displacement(&self, t: f64) -> Result<f64, ChirpError> {
+        let t = self.time(t)?;
+        Ok(with_best(Once { response: self, t }))
+    }
+
     /// `t` in its own unit.
-    pub(super) fn motion_at(&self, t: f64) -> Motion {
+    fn motion_at(&self, t: f64) -> Motion {
+        with_best(MotionAt(self, t))
+    }
+
+    #[inline(always)]
+    fn motion_here(&self, t: f64) -> Motion {
         let free = Free::at(&self.roots, t);
-        let [y0, v0] = self.start.map(|x| Complex::new(x, 0.0));
-        let mut sum = free.motion(self.roots.w, y0, v0).map(|x| x.re);
+        let (y0, v0) = (self.start[0], self.start[1]);
+        let own = free.motion(self.roots.w, y0.into(), v0.into());
+        let mut sum = [own[0].re, own[1].re, own[2].re];
         for harmonic in self.constant.iter().chain(&self.harmonics) {
             let psi = harmonic.psi(&self.roots, &free, t);
             for (sum, psi) in sum.iter_mut().zip(psi) {
@@ -140,10 +179,7 @@ impl ChirpResponse {
             .harmonics
             .get(index)
             .ok_or(ChirpError::NoHarmonic { index, count })?;
-        let t = self.time(t)?;
-        let free = Free::at(&self.roots, t);
-        let psi = harmonic.psi(&self.roots, &free, t);
-        let amplitude = psi[0] * harmonic.sweep.carrier(t).conj();
+        let (psi, amplitude) = with_best(PsiAt(&self.roots, harmonic, self.time(t)?));
         Ok(HarmonicResponse {
             amplitude: match harmonic.mirrored {
                 true => amplitude.conj(),
@@ -159,11 +195,111 @@ impl ChirpResponse {
     /// A time that is negative or not finite.
     pub fn envelope(&self, t: f64) -> Result<f64, ChirpError> {
         let t = self.time(t)?;
-        let free = Free::at(&self.roots, t);
-        let sizes = self
-            .harmonics
-            .iter()
-            .map(|h| h.psi(&self.roots, &free, t)[0].norm());
-        Ok(sizes.sum())
+        let size = |h| with_best(PsiAt(&self.roots, h, t)).1.norm();
+        Ok(self.harmonics.iter().map(size).sum())
+    }
+
+    /// The amplitudes `A` of harmonic number `index` at many times, from rest.
+    ///
+    /// # Errors
+    /// As [`ChirpResponse::harmonic`]; slices of different lengths.
+    pub fn amplitudes(
+        &self,
+        index: usize,
+        times: &[f64],
+        out: &mut [Complex<f64>],
+    ) -> Result<(), ChirpError> {
+        same_length(times, out)?;
+        for (t, out) in times.iter().zip(out) {
+            *out = self.harmonic(index, *t)?.amplitude;
+        }
+        Ok(())
+    }
+
+    /// [`ChirpResponse::motion`] at many times.
+    ///
+    /// # Errors
+    /// A time that is negative or not finite; slices of different lengths.
+    pub fn motions(&self, times: &[f64], out: &mut [Motion]) -> Result<(), ChirpError> {
+        same_length(times, out)?;
+        for (t, out) in times.iter().zip(out) {
+            *out = self.motion(*t)?;
+        }
+        Ok(())
+    }
+
+    /// Displacements alone at many times, several times as fast. They differ from those of
+    /// [`ChirpResponse::motion`] by roundings.
+    ///
+    /// # Errors
+    /// As [`ChirpResponse::motions`].
+    pub fn displacements(&self, times: &[f64], out: &mut [f64]) -> Result<(), ChirpError> {
+        same_length(times, out)?;
+        for t in times {
+            self.time(*t)?;
+        }
+        displacements(self, times, out);
+        Ok(())
+    }
+
+    /// [`ChirpResponse::motions`] on all cores.
+    ///
+    /// # Errors
+    /// As [`ChirpResponse::motions`].
+    #[cfg(feature = "parallel")]
+    pub fn motions_parallel(&self, times: &[f64], out: &mut [Motion]) -> Result<(), ChirpError> {
+        use rayon::prelude::*;
+        same_length(times, out)?;
+        times
+            .par_chunks(CHUNK)
+            .zip(out.par_chunks_mut(CHUNK))
+            .try_for_each(|(times, out)| self.motions(times, out))
+    }
+
+    /// [`ChirpResponse::displacements`] on all cores.
+    ///
+    /// # Errors
+    /// As [`ChirpResponse::motions`].
+    #[cfg(feature = "parallel")]
+    pub fn displacements_parallel(&self, times: &[f64], out: &mut [f64]) -> Result<(), ChirpError> {
+        use rayon::prelude::*;
+        same_length(times, out)?;
+        times
+            .par_chunks(CHUNK)
+            .zip(out.par_chunks_mut(CHUNK))
+            .try_for_each(|(times, out)| self.displacements(times, out))
+    }
+}
+
+struct MotionAt<'a>(&'a ChirpResponse, f64);
+
+impl Task for MotionAt<'_> {
+    type Output = Motion;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> Motion {
+        self.0.motion_here(self.1)
+    }
+}
+
+/// `ψ, ψ′, ψ″` and `ψ e^{iθ}` of one harmonic.
+struct PsiAt<'a>(&'a Roots, &'a Prepared, f64);
+
+impl Task for PsiAt<'_> {
+    type Output = ([Complex<f64>; 3], Complex<f64>);
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, _: L) -> Self::Output {
+        let PsiAt(roots, harmonic, t) = self;
+        let psi = harmonic.psi(roots, &Free::at(roots, t), t);
+        (psi, psi[0] * harmonic.sweep.carrier(t).conj())
+    }
+}
+
+fn same_length<T>(times: &[f64], out: &[T]) -> Result<(), ChirpError> {
+    let (times, values) = (times.len(), out.len());
+    match times == values {
+        true => Ok(()),
+        false => Err(ChirpError::Lengths { times, values }),
     }
 }

@@ -52,7 +52,7 @@ impl Roots {
     }
 
     /// `λ_i + iω`, each component rounded once.
-    #[inline]
+    #[inline(always)]
     pub fn p(&self, i: usize, omega: Dd) -> Complex<f64> {
         Complex::new(self.lambda[i].re, (omega + self.beta[i]).value())
     }

@@ -28,6 +28,7 @@
 //! F[λ₊, λ₋] = q Σ g_m h_{2m},  R[·] = q Σ_{m≥1} g_m h_{2m−1},  (λR)[·] = q Σ_{m≥1} g_m (h_{2m−2} − iω h_{2m−1}).
 //! ```
 
+use super::inlined::two;
 use super::phase::{circle, sqrt};
 use super::roots::Roots;
 use super::types::Chirp;
@@ -39,8 +40,20 @@ type C = Complex<f64>;
 const I: C = C::I;
 
 /// `|z|²` from which the asymptotic series is used, and with how many terms.
-const TERMS: [(f64, usize); 5] = [(1e5, 4), (1e3, 8), (100.0, 18), (64.0, 22), (FAR, 27)];
-const FAR: f64 = 49.0;
+///
+/// With m terms the next one, `(2m + 1)!! (2m + 2)/(2|z|²)^m` of the first of R, is below 2⁻⁵⁴.
+const TERMS: [(f64, usize); 9] = [
+    (1e9, 2),
+    (1e7, 3),
+    (1e5, 4),
+    (1e4, 6),
+    (1e3, 8),
+    (300.0, 11),
+    (100.0, 18),
+    (64.0, 22),
+    (FAR, 27),
+];
+pub(super) const FAR: f64 = 49.0;
 /// Roots closer together than this part of the scale of `F` are not told apart in `f64`.
 const APART: f64 = 0.5;
 /// Roots closer together than this part of `w`, or than √κ, pass their resonances together.
@@ -56,6 +69,7 @@ pub(super) struct Amplitudes {
 
 impl Amplitudes {
     /// From `F`, `R` and `λR` or their divided differences.
+    #[inline(always)]
     pub fn new(omega: f64, f: C, r: C, lr: C) -> Amplitudes {
         let turn = |x: C| C::new(omega * x.im, -omega * x.re);
         let v = turn(f) + r;
@@ -92,19 +106,21 @@ impl Sweep {
         }
     }
 
+    #[inline(always)]
     pub fn omega(&self, t: f64) -> Dd {
         self.nu + self.kappa.mul_f(t)
     }
 
     /// `e^{−iθ}`
+    #[inline(always)]
     pub fn carrier(&self, t: f64) -> C {
         let turned = (self.nu + self.kappa.mul_f(0.5 * t)).mul_f(t);
         circle(turned.add_f(self.delta)).conj()
     }
 
     /// `|z|²` for `p`.
-    #[inline]
-    fn distance(&self, p: C) -> f64 {
+    #[inline(always)]
+    pub fn distance(&self, p: C) -> f64 {
         match self.kappa.hi == 0.0 {
             true => f64::INFINITY,
             false => p.norm_sqr() / (2.0 * self.kappa.hi),
@@ -112,6 +128,7 @@ impl Sweep {
     }
 
     /// Whether root number i has its resonance behind it at ω.
+    #[inline(always)]
     pub fn beyond(&self, roots: &Roots, i: usize, omega: Dd) -> bool {
         match self.joint {
             true => omega.value() > roots.n,
@@ -119,7 +136,25 @@ impl Sweep {
         }
     }
 
+    /// Whether the values of `F` for both roots are told apart in `f64`.
+    #[inline(always)]
+    pub fn apart(&self, roots: &Roots, p: [C; 2]) -> bool {
+        let [a, b] = two(
+            #[inline(always)]
+            |i| p[i].norm_sqr().max(self.kappa.hi),
+        );
+        roots.gap.norm_sqr() >= APART * APART * a.min(b)
+    }
+
+    /// `F` by its series, where that serves.
+    #[inline(always)]
+    pub fn far_single(&self, p: C) -> Option<C> {
+        let distance = self.distance(p);
+        (distance >= FAR).then(|| series_of_one(p, self.kappa.hi, distance).0)
+    }
+
     /// `F` and `R` for one root.
+    #[inline(always)]
     pub fn single(&self, roots: &Roots, i: usize, omega: Dd) -> (C, C) {
         let p = roots.p(i, omega);
         let distance = self.distance(p);
@@ -140,35 +175,65 @@ impl Sweep {
     }
 
     /// `(1 − i)(ω + Im λ − i Re λ)/(2√κ)`, from `p`.
-    #[inline]
-    fn z(&self, p: C) -> C {
+    #[inline(always)]
+    pub fn z(&self, p: C) -> C {
         let by = 0.5 / self.root_kappa.hi;
         C::new((p.im - p.re) * by, (-p.re - p.im) * by)
     }
 
     /// `C`
-    #[inline]
-    fn factor(&self) -> C {
+    #[inline(always)]
+    pub fn factor(&self) -> C {
         let c = HALF_SQRT_PI / self.root_kappa.hi;
         C::new(c, -c)
     }
 
+    /// `F[·]` beside a resonance, by w alone.
+    #[inline(always)]
+    pub fn displacement_near(&self, roots: &Roots, omega: Dd) -> C {
+        let p = two(
+            #[inline(always)]
+            |i| roots.p(i, omega),
+        );
+        if !self.apart(roots, p) {
+            return super::extended::differences(self, roots, omega)[0];
+        }
+        let [f, g] = two(
+            #[inline(always)]
+            |i| match self.far_single(p[i]) {
+                Some(f) => f,
+                None if self.beyond(roots, i, omega) => -self.factor() * faddeeva(-self.z(p[i])),
+                None => self.factor() * faddeeva(self.z(p[i])),
+            },
+        );
+        (f - g) / roots.gap
+    }
+
     /// The amplitudes of the particular solution for both roots, per `w²`.
+    #[inline(always)]
     pub fn particular(&self, roots: &Roots, omega: Dd) -> Amplitudes {
-        let p = [0, 1].map(|i| roots.p(i, omega));
-        let distance = p.map(|p| self.distance(p));
+        let p = two(
+            #[inline(always)]
+            |i| roots.p(i, omega),
+        );
+        let distance = two(
+            #[inline(always)]
+            |i| self.distance(p[i]),
+        );
         let value = omega.value();
         let near = distance[0].min(distance[1]);
         if near >= FAR {
             let [f, r, lr] = series_of_both(p, self.kappa.hi, value, near);
             return Amplitudes::new(value, f, r, lr);
         }
-        let scale = p.map(|p| p.norm_sqr().max(self.kappa.hi));
-        if roots.gap.norm_sqr() < APART * APART * scale[0].min(scale[1]) {
+        if !self.apart(roots, p) {
             let [f, r, lr] = super::extended::differences(self, roots, omega);
             return Amplitudes::new(value, f, r, lr);
         }
-        let [(f, r), (g, s)] = [0, 1].map(|i| self.single(roots, i, omega));
+        let [(f, r), (g, s)] = two(
+            #[inline(always)]
+            |i| self.single(roots, i, omega),
+        );
         let [plus, minus] = roots.lambda;
         Amplitudes::new(
             value,
@@ -182,12 +247,18 @@ impl Sweep {
 /// √π/2
 const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
 
-fn terms(distance: f64) -> usize {
-    let found = TERMS.iter().find(|(from, _)| distance >= *from);
-    found.map_or(TERMS[4].1, |(_, terms)| *terms)
+#[inline(always)]
+pub(super) fn terms(distance: f64) -> usize {
+    for (from, terms) in TERMS {
+        if distance >= from {
+            return terms;
+        }
+    }
+    TERMS[8].1
 }
 
 /// The series for one root: `F`, `R`.
+#[inline(always)]
 fn series_of_one(p: C, kappa: f64, distance: f64) -> (C, C) {
     let a = p.inv();
     // g_m/p^{2m} = (2m − 1) (−iκ/p²) times the one before.
@@ -200,6 +271,7 @@ fn series_of_one(p: C, kappa: f64, distance: f64) -> (C, C) {
 }
 
 /// The series for both roots: `F[·]`, `R[·]`, `(λR)[·]`.
+#[inline(always)]
 fn series_of_both(p: [C; 2], kappa: f64, omega: f64, distance: f64) -> [C; 3] {
     let q = (p[0] * p[1]).inv();
     let s = (p[0] + p[1]) * q;

@@ -6,7 +6,7 @@
 use super::real::{Four, Real};
 
 /// A set of instructions.
-pub(super) trait Lanes: Copy {
+pub(in crate::solvers) trait Lanes: Copy {
     /// Four numbers.
     type V: Copy;
     fn load(self, x: [f64; 4]) -> Self::V;
@@ -27,14 +27,14 @@ pub(super) trait Lanes: Copy {
 }
 
 /// Something to be run with a set of instructions. `run` has to be inlined.
-pub(super) trait Task {
+pub(in crate::solvers) trait Task {
     type Output;
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
 }
 
 /// Runs the task with the best instructions of this processor.
 #[inline(always)]
-pub(super) fn with_best<T: Task>(task: T) -> T::Output {
+pub(in crate::solvers) fn with_best<T: Task>(task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     if let Some(v) = pulp::x86::V3::try_new() {
         return v.call(task);

@@ -61,7 +61,7 @@ mod erf_zeros;
 mod erfcx;
 pub(in crate::solvers) mod exponential;
 mod extended;
-mod lanes;
+pub(in crate::solvers) mod lanes;
 mod lengths;
 mod maclaurin;
 mod odd_series;

@@ -9,7 +9,7 @@ use pulp::{NullaryFnOnce, Simd, cast};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A set of instructions for several points at once.
-pub(super) trait Wide: Simd {
+pub(in crate::solvers) trait Wide: Simd {
     /// Points side by side.
     const WIDTH: usize;
     /// `(x + add) << 52`
@@ -125,7 +125,7 @@ impl Wide for V4 {
 
 /// Several numbers.
 #[derive(Clone, Copy)]
-pub(super) struct Pack<S: Wide>(pub S, pub S::f64s);
+pub(in crate::solvers) struct Pack<S: Wide>(pub S, pub S::f64s);
 
 impl<S: Wide> Pack<S> {
     /// The numbers from `at` on.

@@ -99,7 +99,7 @@ pub(in crate::solvers) fn scaled<R: Real>(x: R, n: R) -> R {
 
 /// Four numbers as an array, for processors without vectors of four.
 #[derive(Clone, Copy)]
-pub(super) struct Four(pub [f64; 4]);
+pub(in crate::solvers) struct Four(pub [f64; 4]);
 
 macro_rules! elementwise {
     ($trait:ident, $method:ident) => {

@@ -1,0 +1,245 @@
+use super::*;
+use num_complex::Complex;
+
+const EPS: f64 = f64::EPSILON;
+
+fn harmonic(k: f64, amplitude: f64, phase: f64) -> Harmonic {
+    Harmonic {
+        k,
+        amplitude,
+        phase,
+    }
+}
+
+fn excitation(omega0: f64, eps: f64, harmonics: Vec<Harmonic>) -> Excitation {
+    Excitation {
+        chirp: Chirp { omega0, eps },
+        forcing: Forcing::Displacement,
+        static_term: 0.0,
+        harmonics,
+    }
+}
+
+fn response(w: f64, n: f64, excitation: Excitation) -> ChirpResponse {
+    let oscillator = Oscillator::new(w, n).unwrap();
+    ChirpResponse::new(oscillator, excitation, InitialState::default()).unwrap()
+}
+
+fn at(r: &ChirpResponse, t: f64) -> [f64; 3] {
+    let m = r.motion(t).unwrap();
+    [m.displacement, m.velocity, m.acceleration]
+}
+
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() <= tolerance, "{a} {b}");
+}
+
+/// w, n, ε, Ω₀ and the end of the history.
+const SWEEPS: &[(f64, f64, f64, f64, f64)] = &[
+    (100.0, 1.0, 0.05, 3.0, 100.0),
+    (100.0, 2.0, 2.0, 1.0, 25.0),
+    (10.0, 0.1, 4.0, 1.0, 25.0),
+    (10.0, 0.0, -4.0, 12.0, 6.0),
+    (10.0, 10.0, 4.0, -10.0, 6.0),
+    (10.0, 9.999999, 40.0, -10.0, 6.0),
+    (10.0, 14.1, 4.0, -10.0, 25.0),
+    (10.0, 0.3, 0.0, 10.0, 25.0),
+    (1.0, 0.1, 900.0, -30.0, 1.0),
+    (1.0, 0.6, 0.02, 1e7, 100.0),
+];
+
+#[test]
+fn batches_agree_with_single_values() {
+    for &(w, n, eps, omega0, end) in SWEEPS {
+        let harmonics =
+            (1..8).map(|k| harmonic(f64::from(k), 1.0 / f64::from(k * k), 0.3 * f64::from(k)));
+        let mut e = excitation(omega0, eps, harmonics.collect());
+        e.static_term = 0.2;
+        let initial = InitialState {
+            displacement: 0.1,
+            velocity: -0.2 * w,
+        };
+        let r = ChirpResponse::new(Oscillator::new(w, n).unwrap(), e, initial).unwrap();
+        // 1 203 is more than two chunks, and not a multiple of four.
+        let times: Vec<f64> = (0..1203).map(|i| end * f64::from(i) / 1202.0).collect();
+        let mut fast = vec![0.0; times.len()];
+        r.displacements(&times, &mut fast).unwrap();
+        let mut motions = vec![Motion::default(); times.len()];
+        r.motions(&times, &mut motions).unwrap();
+        let size = motions
+            .iter()
+            .fold(0.0f64, |m, x| m.max(x.displacement.abs()));
+        for ((t, y), m) in times.iter().zip(&fast).zip(&motions) {
+            close(*y, m.displacement, 40.0 * EPS * size);
+            close(
+                r.displacement(*t).unwrap(),
+                m.displacement,
+                40.0 * EPS * size,
+            );
+        }
+        #[cfg(feature = "parallel")]
+        {
+            let mut again = vec![0.0; times.len()];
+            r.displacements_parallel(&times, &mut again).unwrap();
+            assert_eq!(again, fast);
+            let mut again = vec![Motion::default(); times.len()];
+            r.motions_parallel(&times, &mut again).unwrap();
+            assert_eq!(again, motions);
+        }
+    }
+}
+
+#[test]
+fn the_equation_holds() {
+    for &(w, n, eps, omega0, end) in &SWEEPS[..9] {
+        let r = response(w, n, excitation(omega0, eps, vec![harmonic(2.0, 1.0, 0.4)]));
+        for i in 0..200 {
+            let t = end * f64::from(i) / 199.0;
+            let [y, v, a] = at(&r, t);
+            let theta = 2.0 * (omega0 * t + eps * t * t / 2.0) + 0.4;
+            let terms = [a, 2.0 * n * v, w * w * y, -w * w * theta.cos()];
+            let size: f64 = terms.iter().map(|x| x.abs()).sum::<f64>() + w * w * theta.abs();
+            close(terms.iter().sum(), 0.0, 64.0 * EPS * size);
+        }
+    }
+}
+
+/// Textbook results: magnification factor, secular growth, step response.
+#[test]
+fn stationary_limits() {
+    let (w, n, omega) = (10.0, 1.5, 7.0);
+    let r = response(w, n, excitation(omega, 0.0, vec![harmonic(1.0, 1.0, 0.0)]));
+    let h = r.harmonic(0, 60.0).unwrap();
+    let due = w * w / Complex::new(w * w - omega * omega, -2.0 * n * omega);
+    assert!((h.amplitude - due).norm() < 4.0 * EPS * due.norm());
+    close(h.phase(), -due.arg(), 4.0 * EPS);
+
+    let r = response(
+        2.0,
+        0.0,
+        excitation(2.0, 0.0, vec![harmonic(1.0, 1.0, 0.0)]),
+    );
+    for t in [0.1, 3.0, 50.0, 4000.0] {
+        // y = wt sin(wt)/2
+        close(at(&r, t)[0], t * (2.0 * t).sin(), 8.0 * EPS * t);
+    }
+
+    let mut e = excitation(1.0, 1.0, Vec::new());
+    e.static_term = 3.0;
+    let r = response(2.0, 0.5, e);
+    close(at(&r, 200.0)[0], 3.0, 4.0 * EPS);
+    // a₀ w² t²/2 (1 − 2nt/3 + …)
+    let t = 1e-5;
+    close(at(&r, t)[0] / (6.0 * t * t), 1.0 - t / 3.0, 1e-9);
+}
+
+#[test]
+fn forcing_by_accelerations() {
+    let e = excitation(3.0, 0.5, vec![harmonic(2.0, 0.5, 0.1)]);
+    let by_displacement = response(5.0, 0.2, e.clone());
+    let mut e = Excitation {
+        forcing: Forcing::Acceleration,
+        ..e
+    };
+    e.harmonics[0].amplitude *= 25.0;
+    let by_acceleration = response(5.0, 0.2, e);
+    for t in [0.3, 4.0, 20.0] {
+        let (a, b) = (at(&by_displacement, t), at(&by_acceleration, t));
+        for (a, b) in a.into_iter().zip(b) {
+            close(a, b, 8.0 * EPS * a.abs());
+        }
+    }
+}
+
+#[test]
+fn deflection_of_the_spring() {
+    let r = response(
+        50.0,
+        3.0,
+        excitation(0.02, 0.001, vec![harmonic(1.0, 1.0, 1.0)]),
+    );
+    let m = r.motion(12.0).unwrap();
+    let f = (0.02f64 * 12.0 + 0.001 * 72.0 + 1.0).cos();
+    let oscillator = Oscillator::new(50.0, 3.0).unwrap();
+    close(m.deflection(&oscillator), m.displacement - f, 4.0 * EPS);
+}
+
+#[test]
+fn envelopes_and_amplitudes() {
+    let harmonics = vec![harmonic(1.0, 1.0, 0.0), harmonic(3.0, -0.4, 1.0)];
+    let r = response(10.0, 0.3, excitation(1.0, 0.7, harmonics));
+    let mut a = [Complex::default(); 3];
+    let times = [0.5, 2.0, 9.0];
+    let mut sizes = [0.0; 3];
+    for index in [0, 1] {
+        r.amplitudes(index, &times, &mut a).unwrap();
+        for (size, a) in sizes.iter_mut().zip(a) {
+            *size += a.norm();
+        }
+    }
+    for (t, size) in times.into_iter().zip(sizes) {
+        close(r.envelope(t).unwrap(), size, 4.0 * EPS * size);
+        assert!(at(&r, t)[0].abs() <= size * (1.0 + EPS));
+    }
+}
+
+#[test]
+fn refusals() {
+    let message = |r: Result<Oscillator, ChirpError>| r.unwrap_err().to_string();
+    assert_eq!(
+        message(Oscillator::new(0.0, 1.0)),
+        "w = 0 must be greater than zero"
+    );
+    assert_eq!(
+        message(Oscillator::new(f64::NAN, 1.0)),
+        "w = NaN is not a finite number"
+    );
+    assert_eq!(
+        message(Oscillator::new(1.0, -1.0)),
+        "n = -1 must not be negative"
+    );
+    let e = excitation(1.0, f64::INFINITY, Vec::new());
+    let o = Oscillator::new(1.0, 0.0).unwrap();
+    let refused = ChirpResponse::new(o, e, InitialState::default()).unwrap_err();
+    assert_eq!(refused.to_string(), "eps = inf is not a finite number");
+    let r = response(
+        1.0,
+        0.1,
+        excitation(1.0, 0.0, vec![harmonic(1.0, 1.0, 0.0)]),
+    );
+    assert_eq!(r.motion(-1.0).unwrap_err().name(), "negative");
+    assert_eq!(r.displacement(f64::NAN).unwrap_err().name(), "not finite");
+    assert_eq!(r.harmonic(1, 0.0).unwrap_err().name(), "no such harmonic");
+    assert_eq!(
+        r.displacements(&[1.0], &mut []).unwrap_err().name(),
+        "lengths"
+    );
+    assert_eq!(
+        r.displacements(&[1.0, -1.0], &mut [0.0; 2])
+            .unwrap_err()
+            .name(),
+        "negative"
+    );
+}
+
+/// Units of time far from a second.
+#[test]
+fn units_of_time() {
+    let at = |unit: f64, t: f64| {
+        let r = response(
+            10.0 * unit,
+            0.5 * unit,
+            excitation(0.0, 4.0 * unit * unit, vec![harmonic(2.0, 1.0, 0.0)]),
+        );
+        r.motion(t / unit).unwrap().displacement
+    };
+    let due = at(1.0, 1.5);
+    for unit in [
+        2f64.powi(-300),
+        2f64.powi(-40),
+        2f64.powi(40),
+        2f64.powi(300),
+    ] {
+        assert_eq!(at(unit, 1.5), due);
+    }
+}
