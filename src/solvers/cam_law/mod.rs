@@ -21,7 +21,9 @@
 //! # Accuracy
 //! Near both ends the distance from the end keeps its relative accuracy, `s` by
 //! [`MotionLaw::motion`], `1 − s` by [`MotionLaw::remaining`]; tables excepted, whose splines are
-//! as accurate as their data. `mechaudit audit cam-law` measures it.
+//! as accurate as their data. Worst found over 100 random cases in each of six regions:
+//! `4 · 2⁻⁵³ (|f| + |x f'|)` for the jerk, 2.3 for the others; `mechaudit audit cam-law` repeats the
+//! search.
 //!
 //! # Sources
 //! SCCA family: R. L. Norton, *Cam Design and Manufacturing Handbook*, ch. 3; the names "К" and

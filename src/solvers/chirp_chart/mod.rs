@@ -19,7 +19,7 @@
 //!
 //! # What is charted
 //! * `Σ|A_k|` (19) with the correct amplitudes, an upper bound on the displacement from its mean
-//!   once the start has died away, and likewise `w² Σ|D_k − A_k|`, one on `y″ + 2n y′`;
+//!   once the start has died away, and likewise `w² Σ|D_k − A_k|`, one on `y″ + 2n y′`; both are sums over the harmonics in use;
 //! * the true peaks in the turn about that time;
 //! * the dynamic coefficients (2): peaks over those of the same motion without elasticity.
 //!   `K_dc` for accelerations, `K_dM` for the moments `(y″ + 2n y′) df/dθ` on the camshaft, `K_dN`

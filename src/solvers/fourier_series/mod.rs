@@ -19,10 +19,11 @@
 //! angles given, for every `n` up to 10⁶.
 //!
 //! # Accuracy
-//! Errors of `a_n` and `b_n`, worst found by `mechaudit audit cam-fourier-series` as a multiple of
-//! `2⁻⁵³` of the largest of eight neighbouring coefficients; see there. Each coefficient is a
-//! difference of two strokes' shares: where they cancel, and near the zeros of `F`, the error is
-//! that of the shares.
+//! Errors of `a_n` and `b_n`, worst found over 40 random cases in each of eight regions (all laws,
+//! strokes of 0.001 to 0.45 turns, harmonics up to 9·10⁵): `50 · 2⁻⁵³` of the largest of the case's
+//! eight coefficients, which is for strokes of a thousandth of a turn; `mechaudit audit
+//! cam-fourier-series` repeats the search. Each coefficient is a difference of two strokes' shares:
+//! where they cancel, and near the zeros of `F`, the error is that of the shares.
 //!
 //! # Sources
 //! Gembara & Senyk, eqs (4)–(6); the period there is the shaft's turn.
