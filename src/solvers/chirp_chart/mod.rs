@@ -22,7 +22,7 @@
 //!   once the start has died away, and likewise `w² Σ|D_k − A_k|`, one on `y″ + 2n y′`; both are sums over the harmonics in use;
 //! * the true peaks in the turn about that time;
 //! * the dynamic coefficients (2): peaks over those of the same motion without elasticity.
-//!   `K_dc` for accelerations, `K_dM` for the moments `(y″ + 2n y′) df/dθ` on the camshaft, `K_dN`
+//!   `K_dc` for accelerations, `K_dM` for the moments `y″ df/dθ` of inertia on the camshaft, `K_dN`
 //!   for the kinetic power `y′ y″`. The paper leaves the moduli of the last two to Tir (1965), so
 //!   moments of a closing spring or of friction are not in them.
 //!

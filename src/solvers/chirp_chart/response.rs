@@ -132,7 +132,7 @@ pub struct TurnPeaks {
     pub displacement: f64,
     /// `|y″|`.
     pub acceleration: f64,
-    /// `|(y″ + 2n y′) df/dθ|`.
+    /// `|y″ df/dθ|`, without the friction of the damper.
     pub moment: f64,
     /// `|y′ y″|`.
     pub power: f64,
@@ -292,7 +292,7 @@ impl CamResponse {
             times,
             displacement: peak(|s| s.displacement, self.mean),
             acceleration: peak(|s| s.acceleration, 0.0),
-            moment: peak(|s| s.spring * s.cam_rate, 0.0),
+            moment: peak(|s| s.acceleration * s.cam_rate, 0.0),
             power: peak(|s| s.velocity * s.acceleration, 0.0),
         }
     }
