@@ -5,6 +5,9 @@ mod audit;
 mod branch;
 mod case;
 mod certified;
+mod chirp;
+mod chirp_file;
+mod chirp_rows;
 mod crank_angles;
 mod dyad;
 mod dyad_certified;
@@ -39,6 +42,7 @@ mod runup_facts;
 mod runup_file;
 mod runup_precision;
 mod svg;
+mod svg_chirp;
 mod svg_dyad;
 mod svg_mechanism;
 mod svg_reduced;
@@ -79,6 +83,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Linkage(a)) => linkage::linkage(&a),
         Some(Command::Eval(a)) => eval::eval(&a),
         Some(Command::Runup(a)) => runup::runup(&a),
+        Some(Command::Chirp(a)) => chirp::chirp(&a),
     }
 }
 

@@ -14,6 +14,8 @@ pub enum Cell {
     Decimal(String),
     /// A word.
     Name(&'static str),
+    /// A word of the input.
+    Word(String),
     /// No digits could be certified.
     Undecided,
 }
@@ -23,7 +25,7 @@ impl Cell {
         match self {
             Cell::Count(n) => n.to_string(),
             Cell::Float(x) => shortest(*x),
-            Cell::Decimal(d) => d.clone(),
+            Cell::Decimal(d) | Cell::Word(d) => d.clone(),
             Cell::Name(n) => (*n).into(),
             Cell::Undecided => "undecided".into(),
         }
@@ -33,7 +35,7 @@ impl Cell {
         match self {
             Cell::Count(n) => (*n).into(),
             Cell::Float(x) => (*x).into(),
-            Cell::Decimal(d) => d.as_str().into(),
+            Cell::Decimal(d) | Cell::Word(d) => d.as_str().into(),
             Cell::Name(n) => (*n).into(),
             Cell::Undecided => Value::Null,
         }

@@ -1,5 +1,6 @@
 //! The registry: one file for each audited method, one word in the list below.
 
+mod cam_law_input;
 mod chirp_regions;
 mod cubic_spline_common;
 mod cubic_spline_conditions;
@@ -44,6 +45,8 @@ registry![
     erfi,
     dawson,
     voigt,
+    cam_law,
+    cam_fourier_series,
     chirp_response,
     run_up,
 ];

@@ -4,6 +4,7 @@
 //! [`Undecided`]; it never falls back on anything else.
 
 mod ball;
+pub mod cam_law;
 pub mod chirp_oscillator;
 pub mod class_iii;
 mod complex;
@@ -12,6 +13,7 @@ mod decimal;
 pub mod dyad;
 mod elementary;
 pub mod faddeeva;
+pub mod fourier_series;
 mod hex_float;
 mod linear;
 mod mag;

@@ -1,0 +1,151 @@
+//! The SCCA family: sine, constant, cosine acceleration.
+//!
+//! On the accelerating half, `0 ≤ x ≤ 1/2`, with `b + c + d = 1`:
+//!
+//! ```text
+//! s'' = C_a sin(πx/b)                    x ≤ b/2
+//! s'' = C_a                              b/2 ≤ x ≤ (1 − d)/2
+//! s'' = C_a cos(π(x − (1 − d)/2)/d)      (1 − d)/2 ≤ x
+//! ```
+
+use super::error::{CamLawError, finite};
+use super::{Motion, Peaks};
+use std::f64::consts::PI;
+
+/// `b + c + d` may differ from one by this much: each was rounded once.
+const SUM_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::solvers) struct Scca {
+    pub(in crate::solvers) b: f64,
+    pub(in crate::solvers) c: f64,
+    pub(in crate::solvers) d: f64,
+    /// C_a.
+    pub(in crate::solvers) acceleration: f64,
+}
+
+/// `x − sin x` for `0 ≤ x ≤ π/2`, by its Taylor series.
+fn x_minus_sin(x: f64) -> f64 {
+    let y = x * x;
+    let divisors = [342.0, 272.0, 210.0, 156.0, 110.0, 72.0, 42.0, 20.0];
+    let tail = divisors.iter().fold(1.0, |sum, d| 1.0 - y / d * sum);
+    x * y / 6.0 * tail
+}
+
+impl Scca {
+    pub(super) fn new(b: f64, c: f64, d: f64) -> Result<Scca, CamLawError> {
+        for (name, value) in [("b", b), ("c", c), ("d", d)] {
+            if finite(name, value)? < 0.0 {
+                return Err(CamLawError::Negative { name, value });
+            }
+        }
+        let sum = b + c + d;
+        if !((sum - 1.0).abs() <= SUM_TOLERANCE) {
+            return Err(CamLawError::PartsSum { sum });
+        }
+        // The constant part takes up what rounding left; without one, the shorter other part.
+        let (long, short) = if b > d { (b, d) } else { (d, b) };
+        let rest = (1.0 - long) - short;
+        let (b, c, d) = match (c > 0.0 && rest >= 0.0, b > d) {
+            (true, _) => (b, rest, d),
+            (false, true) => (b, 0.0, 1.0 - b),
+            (false, false) => (1.0 - d, 0.0, d),
+        };
+        // s(1/2)/C_a, all terms positive.
+        let sine = b * b * ((PI - 2.0) / (2.0 * PI * PI)) + b / PI * (0.5 * c);
+        let constant = c * c / 8.0 + (b / PI + 0.5 * c) * (0.5 * d);
+        let middle = sine + constant + d * d / (PI * PI);
+        Ok(Scca {
+            b,
+            c,
+            d,
+            acceleration: 0.5 / middle,
+        })
+    }
+
+    /// Whether `y` lies in the cosine part: `2y > 1 − d`, decided exactly.
+    fn in_cosine(&self, y: f64) -> bool {
+        let y2 = 2.0 * y;
+        if y2 >= 0.5 {
+            self.d > 1.0 - y2
+        } else {
+            y2 > 1.0 - self.d
+        }
+    }
+
+    /// `y − (1 − d)/2`, both differences exact.
+    fn depth_in_cosine(&self, y: f64) -> f64 {
+        if self.d >= 0.5 {
+            y - 0.5 * (1.0 - self.d)
+        } else {
+            0.5 * (self.d - (1.0 - 2.0 * y))
+        }
+    }
+
+    /// The accelerating half at `0 ≤ y ≤ 1/2`.
+    pub(super) fn half(&self, y: f64) -> Motion {
+        let (b, c, d) = (self.b, self.c, self.d);
+        let normalised = if 2.0 * y <= b && b > 0.0 {
+            let phi = PI * (y / b);
+            let half_sine = (0.5 * phi).sin();
+            let rest = PI * ((0.5 * b - y) / b);
+            Motion {
+                displacement: (b / PI) * (b / PI) * x_minus_sin(phi),
+                velocity: b / PI * (2.0 * half_sine * half_sine),
+                acceleration: phi.sin(),
+                jerk: PI / b * rest.sin(),
+            }
+        } else {
+            let (s1, v1) = (b * b * ((PI - 2.0) / (2.0 * PI * PI)), b / PI);
+            if self.in_cosine(y) {
+                let t = self.depth_in_cosine(y);
+                let (s2, v2) = (s1 + 0.5 * c * (v1 + 0.25 * c), v1 + 0.5 * c);
+                let phi = PI * (t / d);
+                let half_sine = (0.5 * phi).sin();
+                // From the middle of the stroke, where the acceleration vanishes.
+                let rest = PI * ((0.5 - y) / d);
+                Motion {
+                    displacement: s2 + v2 * t + (d / PI) * (d / PI) * (2.0 * half_sine * half_sine),
+                    velocity: v2 + d / PI * phi.sin(),
+                    acceleration: if rest < phi { rest.sin() } else { phi.cos() },
+                    jerk: -PI / d * phi.sin(),
+                }
+            } else {
+                let t = y - 0.5 * b;
+                Motion {
+                    displacement: s1 + t * (v1 + 0.5 * t),
+                    velocity: v1 + t,
+                    acceleration: 1.0,
+                    jerk: 0.0,
+                }
+            }
+        };
+        normalised.scaled(self.acceleration)
+    }
+
+    /// `∫ s dx` over the accelerating half, all terms positive.
+    pub(in crate::solvers) fn half_mean(&self) -> f64 {
+        let (b, c, d) = (self.b, self.c, self.d);
+        let (s1, v1) = (b * b * ((PI - 2.0) / (2.0 * PI * PI)), b / PI);
+        let (t, u) = (0.5 * c, 0.5 * d);
+        let (s2, v2) = (s1 + t * (v1 + 0.5 * t), v1 + t);
+        let sine = (b / PI).powi(3) * (PI * PI / 8.0 - 1.0);
+        let constant = t * (s1 + t * (0.5 * v1 + t / 6.0));
+        let cosine = u * (s2 + 0.5 * u * v2) + (d / PI).powi(3) * (0.5 * PI - 1.0);
+        self.acceleration * (sine + constant + cosine)
+    }
+
+    pub(super) fn peaks(&self) -> Peaks {
+        let ca = self.acceleration;
+        let part = |width: f64| match width > 0.0 {
+            true => ca * PI / width,
+            false => f64::INFINITY,
+        };
+        Peaks {
+            velocity: ca * (self.b / PI + 0.5 * self.c + self.d / PI),
+            acceleration: ca,
+            deceleration: ca,
+            jerk: part(self.b).max(part(self.d)),
+        }
+    }
+}

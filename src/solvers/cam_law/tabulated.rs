@@ -1,0 +1,95 @@
+//! Laws given by a table, through a cubic spline.
+
+use super::error::CamLawError;
+use super::{Motion, Peaks};
+use crate::solvers::cubic_spline::{Boundary, CubicSpline, End, Grid};
+
+#[derive(Clone, Debug)]
+pub(in crate::solvers) struct Tabulated {
+    spline: CubicSpline,
+    ends: [End; 2],
+}
+
+impl Tabulated {
+    pub(super) fn new(x: Vec<f64>, y: Vec<f64>, ends: [End; 2]) -> Result<Tabulated, CamLawError> {
+        let spline = CubicSpline::fit(x, y, Boundary::Ends(ends[0], ends[1]))?;
+        let (x0, x1) = spline.grid().span();
+        let y = spline.values_at_knots();
+        let (y0, y1) = (y[0], y[y.len() - 1]);
+        if (x0, y0, x1, y1) != (0.0, 0.0, 1.0, 1.0) {
+            return Err(CamLawError::TableEnds { x0, y0, x1, y1 });
+        }
+        Ok(Tabulated { spline, ends })
+    }
+
+    pub(super) fn motion(&self, x: f64) -> Result<Motion, CamLawError> {
+        let jet = self.spline.jet(x)?;
+        Ok(Motion {
+            displacement: jet.value,
+            velocity: jet.first,
+            acceleration: jet.second,
+            jerk: jet.third,
+        })
+    }
+
+    pub(in crate::solvers) fn knots(&self) -> &[f64] {
+        self.spline.grid().as_slice()
+    }
+
+    /// `S'''` on each segment.
+    pub(in crate::solvers) fn third(&self) -> Vec<f64> {
+        let knots = self.knots();
+        let last = knots.len() - 2;
+        let at = |i: usize| {
+            let x = if i < last { knots[i] } else { knots[i + 1] };
+            self.spline.jet(x).map_or(f64::NAN, |j| j.third)
+        };
+        (0..=last).map(at).collect()
+    }
+
+    /// `S'` and `S''` at both ends; where they are given, as they are given.
+    pub(in crate::solvers) fn at_ends(&self) -> [[f64; 2]; 2] {
+        [(0.0, self.ends[0]), (1.0, self.ends[1])].map(|(x, end)| {
+            let jet = self.spline.jet(x).unwrap_or_default();
+            match end {
+                End::FirstDerivative(v) => [v, jet.second],
+                End::SecondDerivative(a) => [jet.first, a],
+                End::NotAKnot => [jet.first, jet.second],
+            }
+        })
+    }
+
+    pub(in crate::solvers) fn mean(&self) -> f64 {
+        self.spline.integral(0.0, 1.0).unwrap_or(f64::NAN)
+    }
+
+    /// The acceleration is straight between the knots, the velocity extreme where it vanishes.
+    pub(super) fn peaks(&self) -> Peaks {
+        let knots = self.knots();
+        let bend = self.spline.second_derivatives();
+        let [start, end] = self.at_ends();
+        let mut velocity = start[0].abs().max(end[0].abs());
+        for (x, m) in knots.windows(2).zip(bend.windows(2)) {
+            let mut places = vec![x[0]];
+            if m[0] * m[1] < 0.0 {
+                places.push(x[0] + (x[1] - x[0]) * (m[0] / (m[0] - m[1])));
+            }
+            for x in places {
+                let jet = self.spline.jet(x).unwrap_or_default();
+                velocity = velocity.max(jet.first.abs());
+            }
+        }
+        let jumps = |k: usize| start[k] != 0.0 || end[k] != 0.0;
+        let beyond = |infinite: bool, value: f64| if infinite { f64::INFINITY } else { value };
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        Peaks {
+            velocity,
+            acceleration: beyond(jumps(0), largest(&mut bend.iter().copied())),
+            deceleration: largest(&mut bend.iter().map(|m| -m)),
+            jerk: beyond(
+                jumps(0) || jumps(1),
+                largest(&mut self.third().into_iter().map(f64::abs)),
+            ),
+        }
+    }
+}

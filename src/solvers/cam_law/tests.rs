@@ -1,0 +1,231 @@
+use super::*;
+use approx::assert_relative_eq;
+use std::f64::consts::PI;
+
+fn all() -> Vec<MotionLaw> {
+    let mut laws: Vec<MotionLaw> = NAMES
+        .iter()
+        .map(|n| MotionLaw::by_name(n).unwrap())
+        .collect();
+    laws.push(MotionLaw::scca(0.2, 0.3, 0.5).unwrap());
+    laws.push(MotionLaw::scca(0.7, 0.2, 0.1).unwrap());
+    laws.push(MotionLaw::scca(1.0, 0.0, 0.0).unwrap());
+    for fraction in [0.3, 0.8] {
+        for name in ["0050", "К", "modified-sine", "3-4-5", "4-5-6-7"] {
+            let law = MotionLaw::by_name(name).unwrap();
+            laws.push(law.with_acceleration_fraction(fraction).unwrap());
+        }
+    }
+    laws.push(MotionLaw::polynomial(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]).unwrap());
+    laws.push(MotionLaw::polynomial(&[0.0, 0.0, 3.0, -2.0]).unwrap());
+    let x: Vec<f64> = (0..=20).map(|i| f64::from(i) / 20.0).collect();
+    let y = x.iter().map(|x| x - (2.0 * PI * x).sin() / (2.0 * PI));
+    let mut y: Vec<f64> = y.collect();
+    (y[0], y[20]) = (0.0, 1.0);
+    laws.push(MotionLaw::tabulated(x, y, [End::FirstDerivative(0.0); 2]).unwrap());
+    laws
+}
+
+#[test]
+fn each_is_the_derivative_of_the_one_before() {
+    let h = 1e-6;
+    for law in all() {
+        for k in 1..200 {
+            let x = f64::from(k) / 200.0 + 1e-4 * 3f64.sqrt();
+            let [m, at, p] = [x - h, x, x + h].map(|x| law.motion(x).unwrap());
+            let d = |f: fn(&Motion) -> f64| (f(&p) - f(&m)) / (2.0 * h);
+            let close = |a: f64, b: f64| (a - b).abs() < 1e-6 * (1.0 + a.abs() + b.abs());
+            assert!(close(d(|m| m.displacement), at.velocity), "{law:?} {x}");
+            // Off the joints, at which the jerk jumps.
+            if (p.jerk - m.jerk).abs() < 0.01 * (1.0 + at.jerk.abs()) {
+                assert!(close(d(|m| m.velocity), at.acceleration), "{law:?} {x}");
+                let tolerance = 1e-3 * (1.0 + at.jerk.abs());
+                assert!(
+                    (d(|m| m.acceleration) - at.jerk).abs() < tolerance,
+                    "{law:?} {x}"
+                );
+            }
+            assert!((at.displacement + law.remaining(x).unwrap() - 1.0).abs() < 1e-15);
+        }
+        let ends = [0.0, 1.0].map(|x| law.motion(x).unwrap().displacement);
+        assert_eq!(ends, [0.0, 1.0], "{law:?}");
+        assert_eq!(law.remaining(1.0).unwrap(), 0.0, "{law:?}");
+    }
+}
+
+#[test]
+fn peaks_are_reached_and_not_exceeded() {
+    for law in all() {
+        let p = law.peaks();
+        let mut found = [0.0f64; 4];
+        let places = (0..=20_000).map(|k| f64::from(k) / 20_000.0);
+        for x in places {
+            let m = law.motion(x).unwrap();
+            let values = [
+                m.velocity.abs(),
+                m.acceleration,
+                -m.acceleration,
+                m.jerk.abs(),
+            ];
+            for (f, v) in found.iter_mut().zip(values) {
+                *f = f.max(v);
+            }
+        }
+        let peaks = [p.velocity, p.acceleration, p.deceleration, p.jerk];
+        for (peak, found) in peaks.into_iter().zip(found) {
+            assert!(found <= peak * (1.0 + 1e-14), "{law:?} {found} {peak}");
+            assert!(
+                found >= peak * 0.999 || peak.is_infinite(),
+                "{law:?} {found} {peak}"
+            );
+        }
+    }
+}
+
+#[test]
+fn constants_of_the_known_laws() {
+    let table = [
+        ("0050", 2.0, 4.0, f64::INFINITY),
+        ("K", PI / 2.0, 4.934_802_200_544_679, f64::INFINITY),
+        (
+            "modified-trapezoid",
+            2.0,
+            4.888_123_762_813_258,
+            61.425_974_812_367_32,
+        ),
+        (
+            "modified-sine",
+            1.759_603_385_953_770_5,
+            5.527_957_070_544_091,
+            69.466_357_288_724_28,
+        ),
+        ("cycloidal", 2.0, 2.0 * PI, 39.478_417_604_357_43),
+        ("3-4-5", 1.875, 5.773_502_691_896_258, 60.0),
+        ("4-5-6-7", 2.1875, 7.513_188_404_399_293, 52.5),
+    ];
+    for (name, cv, ca, cj) in table {
+        let p = MotionLaw::by_name(name).unwrap().peaks();
+        assert_relative_eq!(p.velocity, cv, max_relative = 1e-15);
+        assert_relative_eq!(p.acceleration, ca, max_relative = 1e-15);
+        assert_relative_eq!(p.jerk, cj, max_relative = 1e-15);
+    }
+}
+
+#[test]
+fn digits_near_the_ends() {
+    // s ~ C x^k: the ratio to the leading term, whose correction is known.
+    let x = 2f64.powi(-30);
+    let ratio = |law: &MotionLaw, k: i32| law.motion(x).unwrap().displacement / x.powi(k);
+    let b = MotionLaw::cycloidal();
+    assert_relative_eq!(ratio(&b, 3), 4.0 * PI * PI / 6.0, max_relative = 1e-15);
+    let p = MotionLaw::polynomial(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]).unwrap();
+    assert_relative_eq!(ratio(&p, 3), 10.0 - 15.0 * x, max_relative = 1e-15);
+    assert_eq!(p.remaining(1.0 - x), Ok(p.motion(x).unwrap().displacement));
+    let q = MotionLaw::polynomial_4567();
+    assert_relative_eq!(ratio(&q, 4), 35.0 - 84.0 * x, max_relative = 1e-15);
+    assert_eq!(q.remaining(1.0 - x), Ok(q.motion(x).unwrap().displacement));
+}
+
+fn stroke(degrees: f64) -> Stroke {
+    Stroke {
+        law: MotionLaw::modified_trapezoid(),
+        turns: degrees / 360.0,
+    }
+}
+
+#[test]
+fn cycles() {
+    let turn = |deg: f64| deg / 360.0;
+    let cycle = CamCycle::new(3.0, stroke(120.0), turn(60.0), stroke(90.0), turn(90.0)).unwrap();
+    let cycle = cycle.starting_at(turn(30.0)).unwrap();
+    let at = |deg: f64| cycle.at(turn(deg)).unwrap();
+    assert_eq!(at(0.0).displacement, 0.0);
+    assert_relative_eq!(at(90.0).displacement, 1.5, max_relative = 1e-14);
+    assert_relative_eq!(
+        at(90.0).velocity,
+        3.0 * 2.0 / (2.0 * PI / 3.0),
+        max_relative = 1e-14
+    );
+    assert_eq!(
+        at(180.0),
+        Motion {
+            displacement: 3.0,
+            ..Motion::default()
+        }
+    );
+    assert_relative_eq!(
+        at(255.0).velocity,
+        -3.0 * 2.0 / (PI / 2.0),
+        max_relative = 1e-14
+    );
+    assert_eq!(at(-15.0).displacement, 0.0);
+    let phases = [0.0, 31.0, 151.0, 211.0, 301.0].map(|d| cycle.phase(turn(d)));
+    let expected = [
+        Phase::LowDwell,
+        Phase::Rise,
+        Phase::HighDwell,
+        Phase::Return,
+        Phase::LowDwell,
+    ];
+    assert_eq!(phases, expected);
+    let indexing = CamCycle::rise_dwell(1.0, stroke(90.0), 0.75).unwrap();
+    assert_eq!(indexing.at(0.9).unwrap().displacement, 1.0);
+    assert!(CamCycle::rise_return(1.0, stroke(180.0), stroke(180.0)).is_ok());
+}
+
+#[test]
+fn refusals() {
+    let says = |e: Result<MotionLaw, CamLawError>, part: &str| {
+        let text = e.unwrap_err().to_string();
+        assert!(text.contains(part), "{text}");
+    };
+    says(MotionLaw::scca(0.5, 0.5, 0.5), "b + c + d = 1.5");
+    says(
+        MotionLaw::scca(-0.5, 1.0, 0.5),
+        "b = -0.5 must not be negative",
+    );
+    says(MotionLaw::scca(f64::NAN, 1.0, 0.5), "b = NaN is not finite");
+    says(MotionLaw::by_name("cyclic"), "unknown law \"cyclic\"");
+    says(MotionLaw::by_name("C0"), "defined nowhere");
+    says(MotionLaw::by_name("0000"), "defined nowhere");
+    says(MotionLaw::polynomial(&[0.1, 0.9]), "starts at 0.1");
+    says(MotionLaw::polynomial(&[0.0, 0.9]), "add up to 0.9");
+    says(MotionLaw::polynomial(&[0.0]), "degree 0");
+    let line = || MotionLaw::polynomial(&[0.0, 1.0]).unwrap();
+    says(line().with_acceleration_fraction(0.4), "halves");
+    let k = MotionLaw::simple_harmonic;
+    says(k().with_acceleration_fraction(1.0), "fraction 1 must lie");
+    let free = [End::NotAKnot; 2];
+    says(
+        MotionLaw::tabulated(vec![0.0, 2.0], vec![0.0, 1.0], free),
+        "to (2, 1)",
+    );
+    says(
+        MotionLaw::tabulated(vec![0.0, 0.0], vec![0.0, 1.0], free),
+        "no spline",
+    );
+    assert!(k().motion(1.5).is_err() && k().motion(f64::NAN).is_err());
+
+    let cycle = |e: Result<CamCycle, CamLawError>, part: &str| {
+        let text = e.unwrap_err().to_string();
+        assert!(text.contains(part), "{text}");
+    };
+    let new = |a, b, c, d| CamCycle::new(1.0, stroke(a), b, stroke(c), d);
+    cycle(new(120.0, 0.1, 90.0, 0.1), "one turn");
+    cycle(
+        new(0.0, 0.5, 90.0, 0.25),
+        "rise of 0 turns must be positive",
+    );
+    cycle(
+        new(120.0, -0.5, 90.0, 0.25),
+        "high dwell of -0.5 turns must not be negative",
+    );
+    cycle(
+        CamCycle::rise_return(0.0, stroke(180.0), stroke(180.0)),
+        "lift",
+    );
+    cycle(
+        CamCycle::rise_dwell(f64::NAN, stroke(180.0), 0.5),
+        "lift = NaN",
+    );
+}

@@ -1,0 +1,72 @@
+//! The largest value of a function on an interval.
+
+/// Steps of the golden section: an interval of two samples shrinks to 1e-5 of itself.
+const STEPS: usize = 24;
+/// What a sample may lie below the largest one for the peak beside it to be looked at. With eight
+/// samples in the shortest period a peak is at most 1 − cos(π/8) = 7.6 % above its samples.
+const MARGIN: f64 = 0.85;
+
+/// Place and value of the largest `|f|` given its values at equally spaced `places`.
+pub(super) fn largest(places: &[f64], values: &[f64], f: impl Fn(f64) -> f64) -> (f64, f64) {
+    let size = |i: usize| values[i].abs();
+    let top = (0..values.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)));
+    let Some(top) = top else {
+        return (f64::NAN, f64::NAN);
+    };
+    let mut best = (places[top], size(top));
+    let last = values.len() - 1;
+    for i in 0..=last {
+        let (left, right) = (i.saturating_sub(1), (i + 1).min(last));
+        let is_peak = size(i) >= size(left) && size(i) >= size(right);
+        if !is_peak || size(i) < MARGIN * size(top) {
+            continue;
+        }
+        let found = golden(places[left], places[right], |x| f(x).abs());
+        if found.1 > best.1 {
+            best = found;
+        }
+    }
+    best
+}
+
+/// The peak of a function with one peak between `a` and `b`.
+fn golden(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    let mut x = [b - ratio * (b - a), a + ratio * (b - a)];
+    let mut y = x.map(&f);
+    for _ in 0..STEPS {
+        if y[0] > y[1] {
+            b = x[1];
+            x = [b - ratio * (b - a), x[0]];
+            y = [f(x[0]), y[0]];
+        } else {
+            a = x[0];
+            x = [x[1], a + ratio * (b - a)];
+            y = [y[1], f(x[1])];
+        }
+    }
+    if y[0] > y[1] {
+        (x[0], y[0])
+    } else {
+        (x[1], y[1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest;
+
+    #[test]
+    fn a_peak_between_the_samples_is_found() {
+        // The larger of two peaks lies between samples, the smaller one on a sample.
+        let f = |x: f64| (8.0 * x).cos() + 0.3 * x.sin();
+        let places: Vec<f64> = (0..=20).map(|i| f64::from(i) * 0.11).collect();
+        let values: Vec<f64> = places.iter().map(|&x| f(x)).collect();
+        let fine = (0..200_000)
+            .map(|i| f(f64::from(i) * 1.1e-5).abs())
+            .fold(0.0, f64::max);
+        let (x, value) = largest(&places, &values, f);
+        assert!((value - fine).abs() < 1e-8, "{x} {value} {fine}");
+        assert!(values.iter().all(|v| v.abs() < value));
+    }
+}

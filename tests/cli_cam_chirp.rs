@@ -1,0 +1,260 @@
+//! `mechaudit chirp` as its user meets it.
+#![cfg(feature = "cli")]
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const RUN_UP: &str = include_str!("../examples/chirp-run-up.toml");
+const RUN_DOWN: &str = include_str!("../examples/chirp-run-down.toml");
+const CHART: &str = include_str!("../examples/chirp-chart.toml");
+
+struct Done {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn chirp(text: &str, args: &[&str]) -> Done {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
+        .args(["chirp", "-"])
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // A refusal of the arguments closes the pipe early.
+    let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
+    let o = child.wait_with_output().unwrap();
+    Done {
+        code: o.status.code().expect("no signal"),
+        out: String::from_utf8(o.stdout).expect("UTF-8"),
+        err: String::from_utf8(o.stderr).expect("UTF-8"),
+    }
+}
+
+fn changed(text: &str, from: &str, to: &str) -> String {
+    let new = text.replacen(from, to, 1);
+    assert_ne!(new, text, "{from:?} is not in the example");
+    new
+}
+
+fn column(out: &str, name: &str) -> Vec<f64> {
+    let mut lines = out.lines().map(|l| l.split(',').collect::<Vec<_>>());
+    let head = lines.next().expect("a header");
+    let k = head.iter().position(|h| *h == name).expect(name);
+    lines.map(|r| r[k].parse().expect("a number")).collect()
+}
+
+#[test]
+fn a_history_begins_on_the_cam_and_stays_within_the_envelope() {
+    let d = chirp(RUN_UP, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let [t, y, v, a, e] =
+        ["t_s", "y_m", "v_m_per_s", "a_m_per_s2", "envelope_m"].map(|n| column(&d.out, n));
+    assert_eq!((t.len(), t[2400]), (2401, 12.0));
+    assert!(y[0].abs() < 1e-12 && v[0].abs() < 1e-12 && e[0].abs() < 1e-12);
+    // The mean of the cam: (100/2 + 80 + 90/2)/360 of the lift.
+    let mean = 0.02 * 175.0 / 360.0;
+    // The start has died away, e^{-1.2 t}.
+    for k in 1500..=2400 {
+        let left = 2.0 * mean * (-1.2 * t[k]).exp();
+        assert!((y[k] - mean).abs() <= e[k] + left, "{} s", t[k]);
+    }
+    // The equation of motion holds between the columns, with f as printed.
+    let f = column(&d.out, "f_m");
+    for k in (1200..=2400).step_by(100) {
+        let rest = a[k] + 2.4 * v[k] + 6400.0 * (y[k] - f[k]);
+        assert!(rest.abs() < 1e-9 * (1.0 + a[k].abs()), "{rest}");
+    }
+    let xi = (
+        column(&d.out, "xi_rise")[2400],
+        column(&d.out, "xi_turn")[2400],
+    );
+    assert!((xi.0 - 80.0 * 100.0 / 360.0 / 30.0).abs() < 1e-12);
+    assert!((xi.1 - 80.0 / 30.0).abs() < 1e-12);
+    assert!(d.err.contains("harmonics; those left out"), "{}", d.err);
+}
+
+#[test]
+fn the_shaft_stands_and_turns_back() {
+    let d = chirp(RUN_DOWN, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let (angle, f) = (column(&d.out, "shaft_deg"), column(&d.out, "f_m"));
+    let (speed, y) = (column(&d.out, "speed_rad_per_s"), column(&d.out, "y_m"));
+    assert_eq!(speed[800], 0.0);
+    for k in 0..=800 {
+        assert!((angle[k] - angle[1600 - k]).abs() < 1e-9);
+        assert!((f[k] - f[1600 - k]).abs() < 1e-12);
+    }
+    // Near standstill the follower is on the cam.
+    assert!((y[800] - f[800]).abs() < 1e-4);
+    assert!(y.iter().all(|y| y.abs() < 0.04));
+}
+
+#[test]
+fn charts_of_two_laws() {
+    let coarse = changed(CHART, "step = 0.1", "step = 1.0");
+    let d = chirp(&coarse, &["--harmonics", "90"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert_eq!(d.out.lines().count(), 1 + 2 * 13);
+    assert!(
+        d.out.lines().nth(1).unwrap().starts_with("К,2,6"),
+        "{}",
+        d.out
+    );
+    let (bound, peak) = (
+        column(&d.out, "formula_19"),
+        column(&d.out, "peak_displacement"),
+    );
+    assert!(bound.iter().zip(&peak).all(|(b, p)| p <= b), "{}", d.out);
+    let k = column(&d.out, "K_dc");
+    assert!(k.iter().all(|k| *k > 0.9 && *k < 9.0), "{k:?}");
+    assert!(
+        d.err.contains("0050: ") && d.err.contains("beat zones"),
+        "{}",
+        d.err
+    );
+    let json = chirp(&coarse, &["--harmonics", "90", "--format", "json"]);
+    let value: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert_eq!(value["rows"].as_array().unwrap().len(), 26);
+    assert_eq!(value["beat_zones"][1]["law"], "0050");
+}
+
+#[test]
+fn a_spectrum_falls_within_its_bound() {
+    let d = chirp(RUN_UP, &["--rows", "spectrum", "--harmonics", "40"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let (amplitude, rest) = (column(&d.out, "D_m"), column(&d.out, "left_out_m"));
+    for n in 1..40 {
+        let sum: f64 = amplitude[n..].iter().sum();
+        assert!(sum <= rest[n - 1], "{n}");
+    }
+}
+
+#[test]
+fn drawings_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    let coarse = changed(CHART, "step = 0.1", "step = 2.0");
+    let d = chirp(&coarse, &["--harmonics", "60", "--svg", path]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let short = changed(RUN_UP, "step = \"5 ms\"", "step = \"1 s\"");
+    let d = chirp(&short, &["--harmonics", "10", "--svg", path]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    for file in ["chart.svg", "spectrum.svg", "history.svg"] {
+        let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        assert!(
+            text.starts_with("<svg") && text.trim_end().ends_with("</svg>"),
+            "{file}"
+        );
+    }
+}
+
+#[test]
+fn bad_input_is_one_line_and_exit_code_2() {
+    let cases = [
+        (
+            "frequency = \"80 rad/s\"",
+            "frequency = \"0 rad/s\"",
+            "w = 0 must be greater than zero",
+        ),
+        (
+            "frequency = \"80 rad/s\"",
+            "frequency = \"-1 rad/s\"",
+            "w = -1",
+        ),
+        (
+            "frequency = \"80 rad/s\"",
+            "frequency = \"nan rad/s\"",
+            "oscillator.frequency",
+        ),
+        (
+            "frequency = \"80 rad/s\"",
+            "",
+            "oscillator.frequency is missing",
+        ),
+        (
+            "damping = \"1.2 rad/s\"",
+            "damping = \"-1.2 rad/s\"",
+            "n = -1.2 must not be negative",
+        ),
+        ("damping = \"1.2 rad/s\"", "damping_ratio = nan", "n = NaN"),
+        ("damping = \"1.2 rad/s\"", "damping = 1.2", "has no unit"),
+        (
+            "rise = \"100 deg\"",
+            "rise = \"110 deg\"",
+            "must fill one turn",
+        ),
+        ("rise = \"100 deg\"", "rise = \"0 deg\"", "must be positive"),
+        ("law = \"modified-sine\"", "law = \"C0\"", "defined nowhere"),
+        (
+            "law = \"modified-sine\"",
+            "law = \"spiral\"",
+            "unknown law \"spiral\"",
+        ),
+        (
+            "law = \"modified-sine\"",
+            "law = { scca = [0.5, 0.5, 0.5] }",
+            "b + c + d = 1.5",
+        ),
+        (
+            "law = \"modified-sine\"",
+            "law = { scca = [0.5, 0.5] }",
+            "a law is a name",
+        ),
+        ("law = \"modified-sine\"", "law = {}", "exactly one of"),
+        (
+            "law = \"modified-sine\"",
+            "law = { polynomial = [0, 1] }",
+            "harmonics = ...",
+        ),
+        ("lift = \"20 mm\"", "lift = \"20 kg\"", "cam.lift"),
+        (
+            "lift = \"20 mm\"",
+            "lift = \"0 mm\"",
+            "the lift must not be 0",
+        ),
+        (
+            "acceleration = \"2.5 rad/s^2\"",
+            "",
+            "speed.acceleration is missing",
+        ),
+        ("step = \"5 ms\"", "step = \"0 s\"", "run.step"),
+        (
+            "duration = \"12 s\"",
+            "duration = \"-12 s\"",
+            "run.duration",
+        ),
+        ("[run]", "[walk]", "unknown field `walk`"),
+    ];
+    for (from, to, part) in cases {
+        let d = chirp(&changed(RUN_UP, from, to), &[]);
+        assert_eq!(d.code, 2, "{to}: {}", d.err);
+        assert_eq!(d.err.lines().count(), 1, "{to}: {}", d.err);
+        assert!(d.err.starts_with("mechaudit: -: "), "{}", d.err);
+        assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+        assert_eq!(d.out, "");
+    }
+    for (from, to, part) in [
+        ("from = 2.0", "from = 0.0", "chart.from = 0"),
+        ("to = 14.0", "to = nan", "chart.to = NaN"),
+        ("period = \"rise\"", "period = \"dwell\"", "chart.period"),
+        ("\"К\", \"0050\"", "\"К\", \"0000\"", "defined nowhere"),
+        (
+            "start = \"18 rad/s\"",
+            "start = \"10 rad/s\"",
+            "a speed that the shaft does not have",
+        ),
+    ] {
+        let d = chirp(&changed(CHART, from, to), &[]);
+        assert_eq!((d.code, d.err.lines().count()), (2, 1), "{to}: {}", d.err);
+        assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+    }
+    let d = chirp(CHART, &["--rows", "history"]);
+    assert!(
+        d.code == 2 && d.err.contains("the table [run] is missing"),
+        "{}",
+        d.err
+    );
+}
