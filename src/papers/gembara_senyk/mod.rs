@@ -2,8 +2,12 @@
 //! the driven link of a cam mechanism as one mass on a spring while the shaft speeds up or runs down,
 //! solved with the probability integral of complex argument.
 //!
-//! So far the formulas only: [`ledger()`] decides every one of them, and [`report`] sums that up.
+//! [`ledger()`] decides every formula; [`amplitude`] and [`charts`] show what follows from the wrong
+//! ones; [`report`] sums that up.
 
+pub mod amplitude;
+pub mod charts;
+mod findings;
 mod ledger;
 
 use super::ledger::{Item, Ledger, Verdict};
@@ -36,26 +40,31 @@ pub fn ledger_items() -> Vec<Item> {
     ledger::items()
 }
 
-/// The findings of the ledger: what is wrong, and one finding for what is proved. Tables and graphs
-/// of the paper are not recomputed.
+/// The findings of the ledger: what is wrong, and one finding for what is proved; and what follows.
+/// The paper's graphs cannot be recomputed: it gives neither cams nor oscillator.
 ///
 /// # Errors
 /// None; the signature is that of every paper.
 pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
-    progress("ledger", 0, 1);
+    progress("ledger", 0, 3);
     let ledger = ledger();
-    progress("done", 1, 1);
+    let mut findings = of_the_ledger(&ledger);
+    progress("amplitudes", 1, 3);
+    findings.extend(findings::formulas());
+    progress("charts", 2, 3);
+    findings.extend(findings::comparison());
+    progress("done", 3, 3);
     Ok(PaperReport {
         schema_version: SCHEMA_VERSION,
         mechaudit_version: env!("CARGO_PKG_VERSION"),
         paper: citation(),
-        findings: findings(&ledger),
+        findings,
         tallies: Vec::new(),
         entries: Vec::new(),
     })
 }
 
-fn findings(ledger: &Ledger) -> Vec<Finding> {
+fn of_the_ledger(ledger: &Ledger) -> Vec<Finding> {
     let mut out: Vec<Finding> = ledger
         .entries
         .iter()
