@@ -1,5 +1,9 @@
 //! One input of an audit and where it came from.
 
+use super::domain::{CheckPoint, Domain, Draw, Region};
+use super::method::Method;
+use super::run::Settings;
+use super::variant::NoSuch;
 use serde::Serialize;
 
 /// Where a case came from.
@@ -17,6 +21,11 @@ pub enum Origin {
         seed: u64,
         /// The index within the region.
         index: u64,
+    },
+    /// A line of a file of inputs, counted from one.
+    Line {
+        /// Its number.
+        number: u64,
     },
 }
 
@@ -37,13 +46,115 @@ impl Case {
     /// A command that runs this case alone.
     pub fn reproduce(&self) -> String {
         match &self.origin {
-            Origin::CheckPoint { name } => {
-                format!("mechaudit audit {} --check-point {name}", self.method)
+            Origin::Line { number } => format!("line {number} of the inputs"),
+            _ => format!("mechaudit audit {} {}", self.method, self.place()),
+        }
+    }
+
+    /// The arguments of `mechaudit audit` and `mechaudit points` that choose this case.
+    pub fn place(&self) -> String {
+        match &self.origin {
+            Origin::CheckPoint { name } => format!("--check-point {name}"),
+            Origin::Random { seed, index } => {
+                format!("--region {} --seed {seed} --case {index}", self.region)
             }
-            Origin::Random { seed, index } => format!(
-                "mechaudit audit {} --region {} --seed {seed} --case {index}",
-                self.method, self.region
-            ),
+            Origin::Line { number } => format!("--line {number}"),
+        }
+    }
+}
+
+/// The cases of a run, check points first; each is drawn when it is asked for.
+pub struct Cases {
+    method: &'static str,
+    domain: Domain,
+    seed: u64,
+    per_region: u64,
+}
+
+impl Cases {
+    /// Those of a method's whole domain.
+    pub fn new(method: &dyn Method, settings: &Settings) -> Cases {
+        Cases {
+            method: method.name(),
+            domain: method.domain(),
+            seed: settings.seed,
+            per_region: settings.cases_per_region,
+        }
+    }
+
+    /// Their number.
+    pub fn len(&self) -> usize {
+        let random = self
+            .per_region
+            .saturating_mul(self.domain.regions.len() as u64);
+        usize::try_from(random)
+            .unwrap_or(usize::MAX)
+            .saturating_add(self.domain.check_points.len())
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The case of that number.
+    ///
+    /// # Panics
+    /// From [`Cases::len`] on.
+    pub fn get(&self, i: usize) -> Case {
+        if let Some(point) = self.domain.check_points.get(i) {
+            return self.check_point(point);
+        }
+        let random = (i - self.domain.check_points.len()) as u64;
+        let region = &self.domain.regions[(random / self.per_region) as usize];
+        self.random(region, random % self.per_region)
+    }
+
+    /// The check point of that name.
+    ///
+    /// # Errors
+    /// A check point that there is not.
+    pub fn at_check_point(&self, name: &str) -> Result<Case, NoSuch> {
+        let points = &self.domain.check_points;
+        let found = points.iter().find(|p| p.name == name);
+        let known = || points.iter().map(|p| p.name).collect();
+        found
+            .map(|p| self.check_point(p))
+            .ok_or_else(|| NoSuch::new(self.method, "check point", name, known()))
+    }
+
+    /// The random case of that number in a region.
+    ///
+    /// # Errors
+    /// A region that there is not.
+    pub fn in_region(&self, name: &str, index: u64) -> Result<Case, NoSuch> {
+        let regions = &self.domain.regions;
+        let found = regions.iter().find(|r| r.name == name);
+        let known = || regions.iter().map(|r| r.name).collect();
+        found
+            .map(|r| self.random(r, index))
+            .ok_or_else(|| NoSuch::new(self.method, "region", name, known()))
+    }
+
+    fn random(&self, region: &Region, index: u64) -> Case {
+        let mut draw = Draw::new(self.seed, self.method, region.name, index);
+        Case {
+            method: self.method,
+            region: region.name,
+            input: (region.sample)(&mut draw),
+            origin: Origin::Random {
+                seed: self.seed,
+                index,
+            },
+        }
+    }
+
+    fn check_point(&self, point: &CheckPoint) -> Case {
+        Case {
+            method: self.method,
+            region: "check-points",
+            input: point.input.clone(),
+            origin: Origin::CheckPoint { name: point.name },
         }
     }
 }

@@ -49,6 +49,22 @@ pub enum SolverAnswer {
     Values(Vec<f64>),
     /// A typed error, by its name.
     Refuses(&'static str),
+    /// A refusal of code that knows no names: in its own word, which has to be the reference's, or
+    /// without any, which is right wherever the reference refuses.
+    Declines(Option<String>),
+    /// No answer: what happened instead. Never a pass.
+    Fails(String),
+}
+
+impl SolverAnswer {
+    /// The word of a refusal, if it has one.
+    pub fn refusal(&self) -> Option<&str> {
+        match self {
+            SolverAnswer::Refuses(word) => Some(word),
+            SolverAnswer::Declines(word) => word.as_deref(),
+            _ => None,
+        }
+    }
 }
 
 /// One value of the output, repeated cyclically over the answer: value `i` belongs to output

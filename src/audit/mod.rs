@@ -11,10 +11,12 @@ mod due;
 mod judge;
 mod method;
 mod run;
+mod tally;
 mod ulp;
+mod variant;
 
 pub use budget::{Budget, Limit, NormBudget};
-pub use case::{Case, Origin, hex_float};
+pub use case::{Case, Cases, Origin, hex_float};
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
 pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
@@ -22,8 +24,7 @@ pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
     conditions_by_differences,
 };
-pub use run::{
-    CaseReport, LawReport, MethodReport, OutputStatistics, Settings, Spread, audit_case,
-    audit_method,
-};
+pub use run::{CaseReport, Settings, answer_of, audit_case, audit_method, judge_case};
+pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
 pub use ulp::{ulp_exponent, ulps};
+pub use variant::{NoSuch, Variant};

@@ -8,13 +8,12 @@ use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
 use super::{complain, text_method, text_paper};
 use mechaudit::audit::{
-    Case, CaseReport, Domain, Draw, Input, Law, Method, MethodReport, NormBudget, Origin, Output,
-    ReferenceAnswer, Settings, SolverAnswer, Verdict, audit_case, audit_method,
+    Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Variant, Verdict,
+    audit_case, audit_method,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
-use rug::Rational;
 use serde_json::{Value, json};
 
 /// The settings that arguments and environment ask for.
@@ -147,9 +146,7 @@ impl Totals {
 }
 
 fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> MethodReport {
-    let domain = method.domain();
-    let random = domain.regions.len() as u64 * settings.cases_per_region;
-    let total = random + domain.check_points.len() as u64;
+    let total = Cases::new(method, settings).len() as u64;
     progress.restart();
     let report = audit_method(method, settings, &|| progress.tick(method.name(), total));
     progress.clear();
@@ -172,8 +169,11 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let mut totals = Totals::default();
     let mut reports = Vec::new();
     for method in &chosen {
-        let restricted = Restricted::new(method.as_ref(), args.region.as_deref())?;
-        let report = run(&restricted, &settings, &progress);
+        let mut chosen = Variant::new(method.as_ref());
+        if let Some(region) = &args.region {
+            chosen = chosen.region(region)?;
+        }
+        let report = run(&chosen, &settings, &progress);
         totals.add(&report);
         match args.format {
             TextOrJson::Text => {
@@ -223,41 +223,13 @@ fn one_case(
     method: &dyn Method,
     args: &AuditArgs,
     settings: &Settings,
-) -> Result<Option<Case>, Failure> {
-    let domain = method.domain();
-    if let Some(name) = &args.check_point {
-        let names: Vec<&str> = domain.check_points.iter().map(|p| p.name).collect();
-        let found = domain.check_points.iter().find(|p| p.name == name);
-        let point = found.ok_or_else(|| no_such("check point", name, method, &names))?;
-        return Ok(Some(Case {
-            method: method.name(),
-            region: "check-points",
-            input: point.input.clone(),
-            origin: Origin::CheckPoint { name: point.name },
-        }));
+) -> Result<Option<Case>, NoSuch> {
+    let cases = Cases::new(method, settings);
+    match (&args.check_point, &args.region, args.case) {
+        (Some(name), ..) => cases.at_check_point(name).map(Some),
+        (None, Some(region), Some(index)) => cases.in_region(region, index).map(Some),
+        _ => Ok(None),
     }
-    let (Some(region), Some(index)) = (&args.region, args.case) else {
-        return Ok(None);
-    };
-    let names: Vec<&str> = domain.regions.iter().map(|r| r.name).collect();
-    let found = domain.regions.iter().find(|r| r.name == region);
-    let region = found.ok_or_else(|| no_such("region", region, method, &names))?;
-    let seed = settings.seed;
-    let mut draw = Draw::new(seed, method.name(), region.name, index);
-    Ok(Some(Case {
-        method: method.name(),
-        region: region.name,
-        input: (region.sample)(&mut draw),
-        origin: Origin::Random { seed, index },
-    }))
-}
-
-fn no_such(what: &str, name: &str, method: &dyn Method, known: &[&str]) -> Failure {
-    Failure::new(format!(
-        "{} has no {what} {name:?}; it has: {}",
-        method.name(),
-        known.join(", ")
-    ))
 }
 
 fn single(
@@ -298,69 +270,6 @@ fn single(
         }
     }
     Ok(Outcome::of(good))
-}
-
-/// A method over one region of its domain.
-struct Restricted<'a> {
-    method: &'a dyn Method,
-    region: Option<&'a str>,
-}
-
-impl<'a> Restricted<'a> {
-    fn new(method: &'a dyn Method, region: Option<&'a str>) -> Result<Restricted<'a>, Failure> {
-        if let Some(name) = region {
-            let domain = method.domain();
-            let names: Vec<&str> = domain.regions.iter().map(|r| r.name).collect();
-            if !names.contains(&name) {
-                return Err(no_such("region", name, method, &names));
-            }
-        }
-        Ok(Restricted { method, region })
-    }
-}
-
-impl Method for Restricted<'_> {
-    fn name(&self) -> &'static str {
-        self.method.name()
-    }
-    fn summary(&self) -> &'static str {
-        self.method.summary()
-    }
-    fn source(&self) -> &'static str {
-        self.method.source()
-    }
-    fn inputs(&self) -> Vec<Input> {
-        self.method.inputs()
-    }
-    fn outputs(&self) -> Vec<Output> {
-        self.method.outputs()
-    }
-    fn norm_budget(&self) -> Option<NormBudget> {
-        self.method.norm_budget()
-    }
-    fn domain(&self) -> Domain {
-        let mut domain = self.method.domain();
-        if let Some(name) = self.region {
-            domain.regions.retain(|r| r.name == name);
-            domain.check_points.clear();
-        }
-        domain
-    }
-    fn solve(&self, input: &[f64]) -> SolverAnswer {
-        self.method.solve(input)
-    }
-    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
-        self.method.reference(input, bits)
-    }
-    fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
-        self.method.reference_not_finite(input)
-    }
-    fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
-        self.method.conditions(input)
-    }
-    fn laws(&self) -> Vec<Law> {
-        self.method.laws()
-    }
 }
 
 #[cfg(test)]

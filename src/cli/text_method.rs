@@ -16,7 +16,7 @@ pub fn method(report: &MethodReport, width: usize) -> String {
         out.push('\n');
         out.push_str(&case::text(failure, width));
     }
-    let left = report.failures.len().saturating_sub(FAILURES_SHOWN);
+    let left = report.failures.len().saturating_sub(FAILURES_SHOWN) + report.failures_left_out;
     if left > 0 {
         let text = format!("{left} more failing cases; --format json lists all of them.");
         out.push_str(&paragraph(&text, 2, width));
@@ -157,6 +157,7 @@ mod tests {
                     verdict: Verdict::Over,
                     reason: Some("phi2 (value 0) is 1.750 times its budget off".into()),
                     components: vec![ComponentJudgement {
+                        output: "phi2",
                         verdict: Verdict::Over,
                         ulps: 7.25,
                         conditioned: 0.4,
@@ -167,8 +168,10 @@ mod tests {
                 },
                 bits: 128,
                 reference: vec![Some("0.75000000000000080491".into())],
+                radii: vec![1e-30],
                 proof: Some(Proof::Exact),
             }],
+            failures_left_out: 0,
         }
     }
 

@@ -12,7 +12,7 @@ use rug::Rational;
 /// Input `lower[n], diagonal[n], upper[n], d[n]`, output `x[n]`.
 pub struct Audit;
 
-fn split<T>(input: &[T]) -> Option<[&[T]; 4]> {
+pub(super) fn split<T>(input: &[T]) -> Option<[&[T]; 4]> {
     let n = input.len() / 4;
     if n < 3 || !input.len().is_multiple_of(4) {
         return None;

@@ -5,8 +5,11 @@ mod cubic_spline_conditions;
 mod faddeeva_curves;
 mod faddeeva_laws;
 mod faddeeva_regions;
+mod typed;
 
 use crate::audit::Method;
+
+pub use typed::*;
 
 macro_rules! registry {
     ($($module:ident),* $(,)?) => {

@@ -11,14 +11,14 @@ use rug::Rational;
 /// Input `lower[n−1], diagonal[n], upper[n−1], d[n]`, output `x[n]`.
 pub struct Audit;
 
-struct Parts<'a, T> {
-    lower: &'a [T],
-    diagonal: &'a [T],
-    upper: &'a [T],
-    d: &'a [T],
+pub(super) struct Parts<'a, T> {
+    pub lower: &'a [T],
+    pub diagonal: &'a [T],
+    pub upper: &'a [T],
+    pub d: &'a [T],
 }
 
-fn split<T>(input: &[T]) -> Option<Parts<'_, T>> {
+pub(super) fn split<T>(input: &[T]) -> Option<Parts<'_, T>> {
     let n = (input.len() + 2) / 4;
     if n == 0 || input.len() + 2 != 4 * n {
         return None;
