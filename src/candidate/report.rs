@@ -133,7 +133,8 @@ fn error(c: &ComponentJudgement) -> String {
 /// Four figures or so, with an exponent only where it is needed.
 fn short(x: f64) -> String {
     match x.abs() {
-        s if s == 0.0 || (1e-3..1e6).contains(&s) || !s.is_finite() => format!("{x:.3}"),
+        s if (1e3..1e6).contains(&s) => format!("{x:.0}"),
+        s if s == 0.0 || (1e-3..1e3).contains(&s) || !s.is_finite() => format!("{x:.3}"),
         _ => format!("{x:.2e}"),
     }
 }
