@@ -62,6 +62,7 @@ pub struct Variant<'a> {
     /// Which of the method's outputs are judged.
     selected: Option<Vec<bool>>,
     limit: Option<Limit>,
+    laws: bool,
 }
 
 impl<'a> Variant<'a> {
@@ -74,6 +75,7 @@ impl<'a> Variant<'a> {
             check_points: true,
             selected: None,
             limit: None,
+            laws: true,
         }
     }
 
@@ -81,6 +83,13 @@ impl<'a> Variant<'a> {
     #[must_use]
     pub fn solver(mut self, solve: impl Fn(&[f64]) -> SolverAnswer + Sync + 'a) -> Variant<'a> {
         self.solver = Some(Box::new(solve));
+        self.without_laws()
+    }
+
+    /// Without the laws, which are about the method's own solver.
+    #[must_use]
+    pub fn without_laws(mut self) -> Variant<'a> {
+        self.laws = false;
         self
     }
 
@@ -215,9 +224,9 @@ impl Method for Variant<'_> {
         self.method.conditions(input).map(|c| self.select(c))
     }
     fn laws(&self) -> Vec<Law> {
-        match &self.solver {
-            Some(_) => Vec::new(),
-            None => self.method.laws(),
+        match self.laws {
+            true => self.method.laws(),
+            false => Vec::new(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use mechaudit::reference::Decimal;
 use std::path::PathBuf;
+use std::time::Duration;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -26,7 +27,43 @@ Examples:
   mechaudit audit                              every method
   mechaudit audit four-bar --cases 1000        one method, 1000 cases in each region
   mechaudit audit four-bar --region NAME --seed 1 --case 17
-  mechaudit audit four-bar --check-point NAME --format json";
+  mechaudit audit four-bar --check-point NAME --format json
+  mechaudit audit faddeeva --exec ./candidate  a program in any language
+  mechaudit audit faddeeva --exec 'python3 w.py' --cases 1000 --timeout 5 --ulps 100
+
+With --exec the program reads inputs and writes answers, one a line, see mechaudit points --help. It
+gets all inputs without waiting for its answers. A line that cannot be read fails its own case; after
+a crash, a wrong exit status or a silence of --timeout seconds the inputs left fail as unanswered, and
+what is judged stays judged.";
+
+const POINTS_EXAMPLES: &str = "\
+Examples:
+  mechaudit points faddeeva --count 1000 --seed 7 > points.txt
+  mechaudit points faddeeva --region lower --count 10 --decimal
+  mechaudit points faddeeva --region lower --seed 1 --case 17
+
+Lines that begin with # are comments: the layout of a line, the layout of the answer due for it, the
+regions. Every other line is one input, its fields separated by commas, each an exact hexadecimal
+float; with --decimal the shortest decimal that reads back as the same number.
+
+An answer is one line with the values in the order of the outputs, separated by commas or blanks,
+hexadecimal or decimal (17 digits are enough), inf and nan included; or the word refuse where there
+are no values, with a reason after it or without.";
+
+const JUDGE_EXAMPLES: &str = "\
+Examples:
+  mechaudit points faddeeva --count 1000 > points.txt
+  ./candidate < points.txt > values.txt
+  mechaudit judge faddeeva --inputs points.txt --values values.txt
+  ./candidate < points.txt | mechaudit judge faddeeva --inputs points.txt --values -
+  mechaudit judge faddeeva --inputs points.txt --values values.txt --line 17
+
+Answers are matched with inputs in their order; comments (#) are skipped in both files. An answer
+that cannot be read is judged as one, and those after it still count. See mechaudit points --help for
+what an answer looks like.
+
+Exit codes: 0, every answer within its budget; 1, an answer that is not, or not there, or one too
+many; 2, bad usage or an input that cannot be read.";
 
 const LIST_EXAMPLES: &str = "\
 Examples:
@@ -166,6 +203,12 @@ pub enum Command {
     /// Audit one method, one region or one case
     #[command(after_help = AUDIT_EXAMPLES)]
     Audit(AuditArgs),
+    /// Inputs of a method, for programs in any language
+    #[command(after_help = POINTS_EXAMPLES)]
+    Points(PointsArgs),
+    /// Judge answers that somebody's program gave
+    #[command(after_help = JUDGE_EXAMPLES)]
+    Judge(JudgeArgs),
     /// List the methods with their domains and budgets, and the papers
     #[command(after_help = LIST_EXAMPLES)]
     List(ListArgs),
@@ -199,6 +242,99 @@ pub struct AuditArgs {
     pub check_point: Option<String>,
     #[command(flatten)]
     pub run: RunArgs,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+    #[command(flatten)]
+    pub program: ExecArgs,
+    #[command(flatten)]
+    pub scope: ScopeArgs,
+}
+
+/// A program in place of a method's solver.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ExecArgs {
+    /// Audit this program in place of the method's solver
+    #[arg(long, value_name = "COMMAND", requires = "method")]
+    pub exec: Option<String>,
+    /// Seconds without a line from the program after which it is ended
+    #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
+    pub timeout: Duration,
+    /// Give the program decimals instead of hexadecimal floats
+    #[arg(long, requires = "exec")]
+    pub decimal: bool,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let x: f64 = text.parse().map_err(|_| "not a number".to_string())?;
+    match Duration::try_from_secs_f64(x) {
+        Ok(d) if !d.is_zero() => Ok(d),
+        _ => Err("must be a positive number of seconds".into()),
+    }
+}
+
+/// What is judged, and how strictly.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ScopeArgs {
+    /// Judge these outputs only, separated by commas: an answer holds no others
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Allow K ulps for every output instead of the method's budget
+    #[arg(long, value_name = "K", value_parser = positive)]
+    pub ulps: Option<f64>,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
+        _ => Err("must be a finite positive number".into()),
+    }
+}
+
+/// Arguments of `points`.
+#[derive(ClapArgs, Debug)]
+pub struct PointsArgs {
+    /// The method
+    pub method: String,
+    /// Only this region of its domain, without check points
+    #[arg(long, value_name = "REGION")]
+    pub region: Option<String>,
+    /// Only this case of the region
+    #[arg(long, value_name = "I", requires = "region")]
+    pub case: Option<u64>,
+    /// Only this check point
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["region", "case"])]
+    pub check_point: Option<String>,
+    /// Random inputs in each region
+    #[arg(long, value_name = "N", default_value = "200")]
+    pub count: u64,
+    /// Key of the random stream
+    #[arg(long, value_name = "SEED", default_value = "1")]
+    pub seed: u64,
+    /// Decimals instead of hexadecimal floats
+    #[arg(long)]
+    pub decimal: bool,
+    /// Write to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `judge`.
+#[derive(ClapArgs, Debug)]
+pub struct JudgeArgs {
+    /// The method
+    pub method: String,
+    /// The inputs, as `mechaudit points` writes them
+    #[arg(long, value_name = "FILE")]
+    pub inputs: PathBuf,
+    /// The answers; `-` reads standard input
+    #[arg(long, value_name = "FILE")]
+    pub values: PathBuf,
+    /// Only the input on this line of its file, with everything that is known of it
+    #[arg(long, value_name = "N")]
+    pub line: Option<u64>,
+    #[command(flatten)]
+    pub scope: ScopeArgs,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: TextOrJson,

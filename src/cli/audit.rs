@@ -6,10 +6,10 @@ use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
-use super::{complain, text_method, text_paper};
+use super::{candidate, complain, exec, text_method, text_paper};
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Variant, Verdict,
-    audit_case, audit_method,
+    Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Verdict, audit_case,
+    audit_method,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
@@ -83,7 +83,7 @@ pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
         let report = run(method.as_ref(), &settings, &progress);
         totals.add(&report);
         progress.clear();
-        let text = text_method::method(&report, width);
+        let text = text_method::method(&report, &Case::reproduce, width);
         write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
     }
     good &= totals.good();
@@ -156,6 +156,9 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> MethodR
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = settings(&args.run)?;
+    if let (Some(name), Some(command)) = (&args.method, &args.program.exec) {
+        return exec::audit(find(name)?.as_ref(), args, command, &settings);
+    }
     let chosen = match &args.method {
         None => methods::registry(),
         Some(name) => vec![find(name)?],
@@ -163,13 +166,14 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     if let (Some(_), Some(method)) = (&args.method, chosen.first())
         && let Some(case) = one_case(method.as_ref(), args, &settings)?
     {
-        return single(method.as_ref(), case, &settings, args.format);
+        let scoped = candidate::scoped(method.as_ref(), &args.scope)?;
+        return single(&scoped, case, &settings, args.format);
     }
     let progress = Progress::new();
     let mut totals = Totals::default();
     let mut reports = Vec::new();
     for method in &chosen {
-        let mut chosen = Variant::new(method.as_ref());
+        let mut chosen = candidate::scoped(method.as_ref(), &args.scope)?;
         if let Some(region) = &args.region {
             chosen = chosen.region(region)?;
         }
@@ -177,10 +181,10 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         totals.add(&report);
         match args.format {
             TextOrJson::Text => {
-                let text = text_method::method(&report, width());
+                let text = text_method::method(&report, &Case::reproduce, width());
                 write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
             }
-            TextOrJson::Json => reports.push(json_report(&report)),
+            TextOrJson::Json => reports.push(json_report(&report, &Case::reproduce)),
         }
     }
     match args.format {
@@ -201,15 +205,18 @@ pub fn print_json(value: &Value) -> Result<(), Failure> {
     })
 }
 
-fn json_report(report: &MethodReport) -> Value {
+/// The report for programs. `again` gives the command that judges a case again.
+pub fn json_report(report: &MethodReport, again: &dyn Fn(&Case) -> String) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
-    let failures: Vec<Value> = report.failures.iter().map(case::json).collect();
+    let failures = report.failures.iter();
+    let failures: Vec<Value> = failures.map(|f| case::json(f, &again(&f.case))).collect();
     value["passed_all"] = json!(report.passed());
     value["failures"] = json!(failures);
     value
 }
 
-fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
+/// The method of that name.
+pub fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
     methods::find(name).ok_or_else(|| {
         let known: Vec<&str> = methods::registry().iter().map(|m| m.name()).collect();
         Failure::new(format!(
@@ -219,7 +226,8 @@ fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
     })
 }
 
-fn one_case(
+/// The one case that the arguments ask for, if they do.
+pub fn one_case(
     method: &dyn Method,
     args: &AuditArgs,
     settings: &Settings,
@@ -248,7 +256,11 @@ fn single(
     let good = report.judgement.verdict == Verdict::Pass && laws.iter().all(|(_, x)| held(x));
     match format {
         TextOrJson::Text => write_to(None, |out| {
-            write!(out, "{}", case::text(&report, width()))?;
+            write!(
+                out,
+                "{}",
+                case::text(&report, &report.case.reproduce(), width())
+            )?;
             for (law, residual) in &laws {
                 if let Some(x) = residual {
                     let style = if *x <= 1.0 { BOLD } else { BAD };
@@ -260,7 +272,7 @@ fn single(
             Ok(())
         })?,
         TextOrJson::Json => {
-            let mut value = case::json(&report);
+            let mut value = case::json(&report, &report.case.reproduce());
             let laws = laws
                 .iter()
                 .map(|(l, x)| json!({ "name": l.name, "residual": x }));

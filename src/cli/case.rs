@@ -37,7 +37,9 @@ pub fn input(case: &Case, indent: usize) -> String {
 }
 
 /// The case with everything that was found about it.
-pub fn text(report: &CaseReport, width: usize) -> String {
+///
+/// `again` is the command that judges it again.
+pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
     let case = &report.case;
     let (word, style) = verdict(report.judgement.verdict);
     let mut out = format!(
@@ -68,7 +70,7 @@ pub fn text(report: &CaseReport, width: usize) -> String {
         out.push_str(&super::text::wrap(proof, 15, width));
         out.push('\n');
     }
-    out.push_str(&format!("    reproduce  {}\n", case.reproduce()));
+    out.push_str(&format!("    reproduce  {again}\n"));
     out
 }
 
@@ -122,7 +124,7 @@ fn values(report: &CaseReport, got: &[f64]) -> String {
 }
 
 /// The case for programs: the report with the answer, exact inputs and the command.
-pub fn json(report: &CaseReport) -> Value {
+pub fn json(report: &CaseReport, again: &str) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
     let hex: Vec<String> = report.case.input.iter().map(|x| hex_float(*x)).collect();
     let got = match &report.answer {
@@ -137,7 +139,7 @@ pub fn json(report: &CaseReport) -> Value {
     if let Some(object) = value.as_object_mut() {
         object.insert("input_hexadecimal".into(), json!(hex));
         object.insert("got".into(), got);
-        object.insert("reproduce".into(), json!(report.case.reproduce()));
+        object.insert("reproduce".into(), json!(again));
     }
     value
 }

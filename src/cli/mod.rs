@@ -3,6 +3,7 @@
 mod args;
 mod audit;
 mod branch;
+mod candidate;
 mod case;
 mod certified;
 mod crank_angles;
@@ -14,10 +15,12 @@ mod dyad_values;
 mod eval;
 mod eval_functions;
 mod eval_number;
+mod exec;
 mod failure;
 mod fields;
 mod html;
 mod html_style;
+mod judge;
 mod ledger;
 mod ledger_html;
 mod ledger_latex;
@@ -29,6 +32,7 @@ mod list;
 mod output;
 mod paper;
 mod paper_csv;
+mod points;
 mod progress;
 mod quantity;
 mod result;
@@ -45,6 +49,7 @@ mod svg_runup;
 mod text;
 mod text_method;
 mod text_paper;
+mod wire;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -73,6 +78,8 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     match args.command {
         None => audit::everything(&args.run),
         Some(Command::Audit(a)) => audit::methods(&a),
+        Some(Command::Points(a)) => points::points(&a),
+        Some(Command::Judge(a)) => judge::judge(&a),
         Some(Command::List(a)) => list::list(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),

@@ -2,19 +2,19 @@
 
 use super::case;
 use super::text::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, Table, paint, paragraph, percent, short};
-use mechaudit::audit::{MethodReport, OutputStatistics};
+use mechaudit::audit::{Case, MethodReport, OutputStatistics};
 
 /// Failing cases printed in full for each method.
 const FAILURES_SHOWN: usize = 10;
 
-/// The report of one method.
-pub fn method(report: &MethodReport, width: usize) -> String {
+/// The report of one method. `again` gives the command that judges a case again.
+pub fn method(report: &MethodReport, again: &dyn Fn(&Case) -> String, width: usize) -> String {
     let mut out = heading(report, width);
     out.push_str(&outputs(&report.outputs));
     out.push_str(&laws(report, width));
     for failure in report.failures.iter().take(FAILURES_SHOWN) {
         out.push('\n');
-        out.push_str(&case::text(failure, width));
+        out.push_str(&case::text(failure, &again(&failure.case), width));
     }
     let left = report.failures.len().saturating_sub(FAILURES_SHOWN) + report.failures_left_out;
     if left > 0 {
@@ -110,7 +110,7 @@ fn laws(report: &MethodReport, width: usize) -> String {
 mod tests {
     use super::*;
     use mechaudit::audit::{
-        Case, CaseReport, ComponentJudgement, Judgement, LawReport, Origin, Proof, Settings,
+        CaseReport, ComponentJudgement, Judgement, LawReport, Origin, Proof, Settings,
         SolverAnswer, Spread, Verdict,
     };
 
@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn a_failing_case_has_all_it_needs() {
-        let text = method(&fabricated(), 100);
+        let text = method(&fabricated(), &Case::reproduce, 100);
         let text = anstream::adapter::strip_str(&text).to_string();
         for part in [
             "FAIL  399 of 400 cases",
