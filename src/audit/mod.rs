@@ -10,6 +10,7 @@ mod domain;
 mod due;
 mod judge;
 mod method;
+mod printed;
 mod run;
 mod tally;
 mod ulp;
@@ -24,6 +25,7 @@ pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
     conditions_by_differences,
 };
+pub use printed::{Agreement, EntryJudgement, judge_printed};
 pub use run::{CaseReport, Settings, answer_of, audit_case, audit_method, judge_case};
 pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
 pub use ulp::{ulp_exponent, ulps};

@@ -5,6 +5,7 @@ use super::audit::find;
 use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
 use super::progress::Progress;
+use super::table;
 use super::wire::{Line, Lines};
 use mechaudit::audit::{Case, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
 use std::fs::File;
@@ -14,11 +15,19 @@ use std::path::Path;
 /// Judges them.
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let method = find(&args.method)?;
+    if let Some(path) = &args.table {
+        return table::judge(&*method, path, args.format);
+    }
+    let (Some(inputs_path), Some(values_path)) = (&args.inputs, &args.values) else {
+        return Err(Failure::new(
+            "--inputs and --values, or --table, are needed",
+        ));
+    };
     let method = scoped(&*method, &args.scope)?.without_laws();
     let settings = Settings::default();
-    let mut inputs = Inputs::open(&method, &args.inputs)?;
-    let mut values = Lines::new(reader(&args.values)?);
-    let unreadable = |e| Failure::new(format!("cannot read {}: {e}", args.values.display()));
+    let mut inputs = Inputs::open(&method, inputs_path)?;
+    let mut values = Lines::new(reader(values_path)?);
+    let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
     let mut tally = Tally::new(&method, FAILURES_KEPT);
     let progress = Progress::new();
     let mut answered = 0;
@@ -61,7 +70,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         let what = args
             .line
             .map_or("no inputs".into(), |n| format!("no input on line {n}"));
-        return Err(Failure::new(format!("{}: {what}", args.inputs.display())));
+        return Err(Failure::new(format!("{}: {what}", inputs_path.display())));
     }
     let judged = Judged {
         report,
@@ -72,8 +81,8 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         format!(
             "mechaudit judge {} --inputs {} --values {} {}",
             case.method,
-            shell_words::quote(&args.inputs.to_string_lossy()),
-            shell_words::quote(&args.values.to_string_lossy()),
+            shell_words::quote(&inputs_path.to_string_lossy()),
+            shell_words::quote(&values_path.to_string_lossy()),
             case.place()
         )
     })

@@ -46,6 +46,7 @@ mod svg_dyad;
 mod svg_mechanism;
 mod svg_reduced;
 mod svg_runup;
+mod table;
 mod text;
 mod text_method;
 mod text_paper;
