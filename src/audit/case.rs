@@ -1,6 +1,7 @@
 //! One input of an audit and where it came from.
 
 use super::domain::{CheckPoint, Domain, Draw, Region};
+use super::hard::HardCase;
 use super::method::Method;
 use super::run::Settings;
 use super::variant::NoSuch;
@@ -21,6 +22,11 @@ pub enum Origin {
         seed: u64,
         /// The index within the region.
         index: u64,
+    },
+    /// A hard case found by a hunt.
+    Hard {
+        /// Its number among the method's, counted from one.
+        number: usize,
     },
     /// A line of a file of inputs, counted from one.
     Line {
@@ -55,6 +61,7 @@ impl Case {
     pub fn place(&self) -> String {
         match &self.origin {
             Origin::CheckPoint { name } => format!("--check-point {name}"),
+            Origin::Hard { number } => format!("--hard {number}"),
             Origin::Random { seed, index } => {
                 format!("--region {} --seed {seed} --case {index}", self.region)
             }
@@ -63,10 +70,11 @@ impl Case {
     }
 }
 
-/// The cases of a run, check points first; each is drawn when it is asked for.
+/// The cases of a run, check points and hard cases first; each is drawn when it is asked for.
 pub struct Cases {
     method: &'static str,
     domain: Domain,
+    hard: Vec<HardCase>,
     seed: u64,
     per_region: u64,
 }
@@ -77,6 +85,7 @@ impl Cases {
         Cases {
             method: method.name(),
             domain: method.domain(),
+            hard: method.hard(),
             seed: settings.seed,
             per_region: settings.cases_per_region,
         }
@@ -89,7 +98,12 @@ impl Cases {
             .saturating_mul(self.domain.regions.len() as u64);
         usize::try_from(random)
             .unwrap_or(usize::MAX)
-            .saturating_add(self.domain.check_points.len())
+            .saturating_add(self.named())
+    }
+
+    /// Check points and hard cases.
+    fn named(&self) -> usize {
+        self.domain.check_points.len() + self.hard.len()
     }
 
     /// Whether there are none.
@@ -105,9 +119,39 @@ impl Cases {
         if let Some(point) = self.domain.check_points.get(i) {
             return self.check_point(point);
         }
-        let random = (i - self.domain.check_points.len()) as u64;
+        if i < self.named() {
+            return self.hard(i - self.domain.check_points.len());
+        }
+        let random = (i - self.named()) as u64;
         let region = &self.domain.regions[(random / self.per_region) as usize];
         self.random(region, random % self.per_region)
+    }
+
+    /// The hard case of that number, counted from one.
+    ///
+    /// # Errors
+    /// A number that there is not.
+    pub fn hard_case(&self, number: usize) -> Result<Case, NoSuch> {
+        match number.checked_sub(1).filter(|i| *i < self.hard.len()) {
+            Some(i) => Ok(self.hard(i)),
+            None => {
+                let known = match self.hard.len() {
+                    0 => "none",
+                    _ => "those of reference/hard",
+                };
+                let number = number.to_string();
+                Err(NoSuch::new(self.method, "hard case", &number, vec![known]))
+            }
+        }
+    }
+
+    fn hard(&self, i: usize) -> Case {
+        Case {
+            method: self.method,
+            region: "hard",
+            input: self.hard[i].input.clone(),
+            origin: Origin::Hard { number: i + 1 },
+        }
     }
 
     /// The check point of that name.

@@ -3,6 +3,7 @@
 use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
+use super::hard::HardCase;
 use crate::reference::{Ball, Mag};
 use rug::{Float, Rational};
 use serde::Serialize;
@@ -133,6 +134,17 @@ pub trait Method: Sync {
     /// By default one-sided differences of the reference; see [`conditions_by_differences`].
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         conditions_by_differences(self, input, |_| true)
+    }
+
+    /// Hard cases found by earlier hunts, judged in every audit.
+    fn hard(&self) -> Vec<HardCase> {
+        Vec::new()
+    }
+
+    /// Whether an input belongs to the domain, beyond what the reference refuses: a hunt leaves
+    /// others alone.
+    fn admits(&self, _input: &[f64]) -> bool {
+        true
     }
 
     /// Identities of the solver's values.

@@ -6,8 +6,11 @@
 
 mod budget;
 mod case;
+mod convergence;
 mod domain;
 mod due;
+mod hard;
+mod hunt;
 mod judge;
 mod method;
 mod printed;
@@ -18,8 +21,11 @@ mod variant;
 
 pub use budget::{Budget, Limit, NormBudget};
 pub use case::{Case, Cases, Origin, hex_float};
+pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
+pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
+pub use hunt::{Hunt, HuntSettings, Worst, hunt};
 pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
 pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,

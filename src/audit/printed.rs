@@ -94,21 +94,32 @@ fn entry(reference: &ReferenceAnswer, i: usize, printed: &Decimal) -> EntryJudge
 }
 
 fn against(value: &Ball, printed: &Decimal) -> EntryJudgement {
+    let agreement = agreement(value, printed);
     let off = printed.units_off(value);
-    let size = off.abs();
-    let agreement = match () {
-        () if !off.is_finite() => Agreement::Undecided,
-        () if size.upper() <= 0.5 => Agreement::Agrees,
-        () if size.lower() > 1.0 => Agreement::Differs,
-        () if size.lower() > 0.5 && size.upper() <= 1.0 => Agreement::LastDigit,
-        () => Agreement::Undecided,
-    };
     let undecided = agreement == Agreement::Undecided;
     EntryJudgement {
         agreement,
         units: off.magnitude().to_f64().copysign(off.mid().to_f64()),
         reference: value.to_decimal(20),
         reason: undecided.then(|| "too near to half a unit of its last digit or to one".into()),
+    }
+}
+
+/// In exact arithmetic: a tie is one only against an exact reference.
+fn agreement(value: &Ball, printed: &Decimal) -> Agreement {
+    let radius = value.rad().to_float().to_rational();
+    let (Some(mid), Some(radius)) = (value.mid().to_rational(), radius) else {
+        return Agreement::Undecided;
+    };
+    let gap = Rational::from(&printed.value - &mid).abs();
+    let (least, most) = (Rational::from(&gap - &radius), gap + radius);
+    let unit = printed.unit();
+    let half = unit.clone() / 2;
+    match () {
+        () if most <= half => Agreement::Agrees,
+        () if least > unit => Agreement::Differs,
+        () if least > half && most <= unit => Agreement::LastDigit,
+        () => Agreement::Undecided,
     }
 }
 

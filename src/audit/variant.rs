@@ -3,6 +3,7 @@
 use super::budget::{Budget, Limit, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
+use super::hard::HardCase;
 use super::method::{Input, Law, Method, Output, Reference, ReferenceAnswer, SolverAnswer};
 use crate::reference::Ball;
 use rug::Rational;
@@ -222,6 +223,20 @@ impl Method for Variant<'_> {
     }
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         self.method.conditions(input).map(|c| self.select(c))
+    }
+    fn hard(&self) -> Vec<HardCase> {
+        if !self.check_points {
+            return Vec::new();
+        }
+        let mut hard = self.method.hard();
+        if self.limit.is_some() {
+            // What is recorded is recorded of the method's own budget.
+            hard.iter_mut().for_each(|h| h.share = 0.0);
+        }
+        hard
+    }
+    fn admits(&self, input: &[f64]) -> bool {
+        self.method.admits(input)
     }
     fn laws(&self) -> Vec<Law> {
         match self.laws {

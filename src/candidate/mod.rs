@@ -105,6 +105,7 @@ pub struct Audit<'a> {
     region: Option<String>,
     case: Option<u64>,
     check_point: Option<String>,
+    hard_case: Option<usize>,
     outputs: Option<Vec<String>>,
     limit: Option<Limit>,
 }
@@ -122,6 +123,7 @@ impl<'a> Audit<'a> {
             region: None,
             case: None,
             check_point: None,
+            hard_case: None,
             outputs: None,
             limit: None,
         }
@@ -163,6 +165,12 @@ impl<'a> Audit<'a> {
         self
     }
 
+    /// Only this hard case, counted from one.
+    pub fn hard_case(mut self, number: usize) -> Audit<'a> {
+        self.hard_case = Some(number);
+        self
+    }
+
     /// Only these outputs, in the method's order: the code gives no others.
     pub fn outputs(mut self, names: &[&str]) -> Audit<'a> {
         self.outputs = Some(names.iter().map(|n| (*n).into()).collect());
@@ -201,6 +209,9 @@ impl<'a> Audit<'a> {
         }
         let cases = Cases::new(&*method, &settings);
         let one = match (&self.check_point, &self.region, self.case) {
+            _ if self.hard_case.is_some() => {
+                self.hard_case.map(|n| cases.hard_case(n)).transpose()?
+            }
             (Some(name), ..) => Some(cases.at_check_point(name)?),
             (None, Some(region), Some(index)) => Some(cases.in_region(region, index)?),
             (None, None, Some(index)) => return Err(AuditError::NoRegion(index)),

@@ -82,6 +82,7 @@ impl Report {
         writeln!(f, "  {:<11}{} bits{proof}", "reference", report.bits)?;
         let chosen = match &case.origin {
             Origin::CheckPoint { name } => format!(".check_point({name:?})"),
+            Origin::Hard { number } => format!(".hard_case({number})"),
             Origin::Random { seed, index } => {
                 format!(".region({:?}).seed({seed}).case({index})", case.region)
             }
@@ -143,9 +144,13 @@ impl Display for Report {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let r = &self.found;
         let word = if r.passed() { "pass" } else { "FAIL" };
+        let recorded = match r.recorded {
+            0 => String::new(),
+            n => format!(", {n} hard cases over it by no more than the method's own solver"),
+        };
         writeln!(
             f,
-            "{}: {word}, {} of {} cases within budget (seed {}, {} cases per region)",
+            "{}: {word}, {} of {} cases within budget{recorded} (seed {}, {} cases per region)",
             r.method, r.passed, r.cases, r.settings.seed, r.settings.cases_per_region
         )?;
         for o in &r.outputs {
@@ -166,7 +171,7 @@ impl Display for Report {
         for failure in r.failures.iter().take(SHOWN) {
             self.case(f, failure)?;
         }
-        let left = r.cases - r.passed - r.failures.len().min(SHOWN);
+        let left = r.cases - r.passed - r.recorded - r.failures.len().min(SHOWN);
         if left > 0 {
             writeln!(f, "\n{left} more failing cases")?;
         }

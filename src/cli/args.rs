@@ -71,6 +71,32 @@ entry agrees if the reference is certainly within half a unit of its last digit:
 Exit codes: 0, every answer within its budget or entry in agreement; 1, an answer or entry that is
 not, or not there, or one too many; 2, bad usage or an input that cannot be read.";
 
+const HUNT_EXAMPLES: &str = "\
+Examples:
+  mechaudit hunt four-bar --evals 20000 --seed 3
+  mechaudit hunt faddeeva --evals 100000 --hard reference/hard
+
+A third of the evaluations go to seeds: check points, earlier hard cases, random inputs of every region,
+inputs between them, inputs with few bits and next to such. The rest climbs from the worst of them by
+moves of bits and of coordinates, each within a factor of four of its seed.
+
+An input that takes up more of an output's budget than any recorded one is added to METHOD.csv in the
+folder of hard cases, with its share of the budget and how it was found; nothing is ever taken away.
+`mechaudit audit` judges all of them.
+
+Exit codes: 0, nothing over budget but what was recorded; 1, a finding; 2, bad usage or input.";
+
+const CONVERGE_EXAMPLES: &str = "\
+Examples:
+  mechaudit converge                           every approximation
+  mechaudit converge spline-clamped
+  mechaudit converge run-up-dop853-rotor --format json
+
+Errors are upper bounds: total is result less truth, method is twin less truth, rounding result less
+twin, where the twin is the same algorithm without rounding. The order observed compares a level with
+the one before, of the method error where there is a twin; Richardson's uses the results alone. Work is
+counted, not timed. A failed run is marked, and no order is observed across it.";
+
 const LIST_EXAMPLES: &str = "\
 Examples:
   mechaudit list
@@ -215,6 +241,12 @@ pub enum Command {
     /// Judge answers that somebody's program gave
     #[command(after_help = JUDGE_EXAMPLES)]
     Judge(JudgeArgs),
+    /// Search a method's domain for its worst inputs
+    #[command(after_help = HUNT_EXAMPLES)]
+    Hunt(HuntArgs),
+    /// Where the error of approximations comes from and how fast it falls
+    #[command(after_help = CONVERGE_EXAMPLES)]
+    Converge(ConvergeArgs),
     /// List the methods with their domains and budgets, and the papers
     #[command(after_help = LIST_EXAMPLES)]
     List(ListArgs),
@@ -246,6 +278,9 @@ pub struct AuditArgs {
     /// Only this check point
     #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
     pub check_point: Option<String>,
+    /// Only this hard case, counted from 1 in reference/hard
+    #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"])]
+    pub hard: Option<usize>,
     #[command(flatten)]
     pub run: RunArgs,
     /// Form of the report
@@ -311,6 +346,9 @@ pub struct PointsArgs {
     /// Only this check point
     #[arg(long, value_name = "NAME", conflicts_with_all = ["region", "case"])]
     pub check_point: Option<String>,
+    /// Only this hard case, counted from 1 in reference/hard
+    #[arg(long, value_name = "N", conflicts_with_all = ["region", "case", "check_point"])]
+    pub hard: Option<usize>,
     /// Random inputs in each region
     #[arg(long, value_name = "N", default_value = "200")]
     pub count: u64,
@@ -349,6 +387,32 @@ pub struct JudgeArgs {
     pub table: Option<PathBuf>,
     #[command(flatten)]
     pub scope: ScopeArgs,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}
+
+/// Arguments of `hunt`.
+#[derive(ClapArgs, Debug)]
+pub struct HuntArgs {
+    /// The method
+    pub method: String,
+    /// Evaluations of solver and reference
+    #[arg(long, value_name = "N", default_value = "10000", value_parser = clap::value_parser!(u64).range(1..))]
+    pub evals: u64,
+    /// Key of the random stream
+    #[arg(long, value_name = "SEED", default_value = "1")]
+    pub seed: u64,
+    /// Folder of the hard cases; nothing is recorded if it is not there
+    #[arg(long, value_name = "DIR", default_value = "reference/hard")]
+    pub hard: PathBuf,
+}
+
+/// Arguments of `converge`.
+#[derive(ClapArgs, Debug)]
+pub struct ConvergeArgs {
+    /// The approximation; all of them if left out
+    pub name: Option<String>,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: TextOrJson,

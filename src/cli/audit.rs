@@ -122,6 +122,7 @@ struct Totals {
     passed_methods: usize,
     cases: usize,
     passed_cases: usize,
+    recorded: usize,
 }
 
 impl Totals {
@@ -130,6 +131,7 @@ impl Totals {
         self.passed_methods += usize::from(report.passed());
         self.cases += report.cases;
         self.passed_cases += report.passed;
+        self.recorded += report.recorded;
     }
 
     /// An audit of nothing is not a good one.
@@ -138,8 +140,12 @@ impl Totals {
     }
 
     fn words(&self) -> String {
+        let recorded = match self.recorded {
+            0 => String::new(),
+            n => format!(", {n} over budget as recorded"),
+        };
         format!(
-            "{} of {} methods pass, {} of {} cases",
+            "{} of {} methods pass, {} of {} cases{recorded}",
             self.passed_methods, self.methods, self.passed_cases, self.cases
         )
     }
@@ -233,6 +239,9 @@ pub fn one_case(
     settings: &Settings,
 ) -> Result<Option<Case>, NoSuch> {
     let cases = Cases::new(method, settings);
+    if let Some(number) = args.hard {
+        return cases.hard_case(number).map(Some);
+    }
     match (&args.check_point, &args.region, args.case) {
         (Some(name), ..) => cases.at_check_point(name).map(Some),
         (None, Some(region), Some(index)) => cases.in_region(region, index).map(Some),

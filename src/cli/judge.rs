@@ -141,6 +141,7 @@ impl Inputs {
         let known = self.regions.iter().find(|r| **r == name);
         self.region = match name {
             "check-points" => "check-points",
+            "hard" => "hard",
             _ => known.copied().unwrap_or("given"),
         };
     }

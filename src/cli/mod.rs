@@ -6,6 +6,7 @@ mod branch;
 mod candidate;
 mod case;
 mod certified;
+mod converge;
 mod crank_angles;
 mod dyad;
 mod dyad_certified;
@@ -20,6 +21,7 @@ mod failure;
 mod fields;
 mod html;
 mod html_style;
+mod hunt;
 mod judge;
 mod ledger;
 mod ledger_html;
@@ -81,6 +83,8 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Audit(a)) => audit::methods(&a),
         Some(Command::Points(a)) => points::points(&a),
         Some(Command::Judge(a)) => judge::judge(&a),
+        Some(Command::Hunt(a)) => hunt::hunt(&a),
+        Some(Command::Converge(a)) => converge::converge(&a),
         Some(Command::List(a)) => list::list(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),

@@ -18,6 +18,7 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
     };
     let all = Cases::new(&*method, &settings);
     let one = match (&args.check_point, &args.region, args.case) {
+        _ if args.hard.is_some() => args.hard.map(|n| all.hard_case(n)).transpose()?,
         (Some(name), ..) => Some(all.at_check_point(name)?),
         (None, Some(region), Some(index)) => Some(all.in_region(region, index)?),
         _ => None,

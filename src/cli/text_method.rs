@@ -29,7 +29,11 @@ fn heading(report: &MethodReport, width: usize) -> String {
         true => ("pass", GOOD),
         false => ("FAIL", BAD),
     };
-    let count = format!("{} of {} cases", report.passed, report.cases);
+    let recorded = match report.recorded {
+        0 => String::new(),
+        n => format!(", {n} over budget as recorded"),
+    };
+    let count = format!("{} of {} cases{recorded}", report.passed, report.cases);
     let used = report.method.chars().count() + word.len() + 2 + count.len();
     let gap = width.saturating_sub(used).max(2);
     format!(
@@ -128,6 +132,7 @@ mod tests {
             settings: Settings::default(),
             cases: 400,
             passed: 399,
+            recorded: 0,
             outputs: vec![OutputStatistics {
                 name: "phi2",
                 values: 400,

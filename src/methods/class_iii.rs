@@ -1,6 +1,6 @@
 //! The class-III linkage on a chosen assembly mode: positions, rates and reduced quantities.
 
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer,
 };
@@ -234,6 +234,10 @@ impl Method for Audit {
                 },
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/class-iii.csv"))
     }
 
     fn solve(&self, x: &[f64]) -> SolverAnswer {

@@ -1,6 +1,6 @@
 //! The four-bar linkage.
 
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
@@ -175,6 +175,10 @@ impl Method for Audit {
                 point("crank-along-frame", [1.0, 4.0, 3.5, 4.0, PI, -1.0]),
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/four-bar.csv"))
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

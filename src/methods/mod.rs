@@ -1,5 +1,6 @@
 //! The registry: one file for each audited method, one word in the list below.
 
+mod approximations;
 mod cubic_spline_common;
 mod cubic_spline_conditions;
 mod faddeeva_curves;
@@ -9,6 +10,7 @@ mod typed;
 
 use crate::audit::Method;
 
+pub use approximations::{approximations, find_approximation};
 pub use typed::*;
 
 macro_rules! registry {
