@@ -20,6 +20,9 @@ pub struct OutputStatistics {
     /// Errors in units of `2⁻⁵³ (|ref| + Σ_j |x_j ∂ref/∂x_j|)`: what is left of them when each
     /// input's last half-ulp is forgiven. Nothing where no condition numbers are asked for.
     pub conditioned: Spread,
+    /// The errors in ulps counted by octaves: `(k, n)` for n errors in `[2^k, 2^(k+1))`, `(None, n)`
+    /// for exact values.
+    pub histogram: Vec<(Option<i32>, usize)>,
     /// Largest share of the budget found.
     pub max_of_budget: f64,
     /// Largest finite condition number met.
@@ -63,6 +66,21 @@ impl SpreadTally {
         self.count += 1;
         self.max = self.max.max(value);
         self.squares += value * value;
+    }
+
+    /// The numbers counted by octaves, finite ones only.
+    pub fn octaves(&self) -> Vec<(Option<i32>, usize)> {
+        let mut octaves: BTreeMap<Option<i32>, usize> = BTreeMap::new();
+        for (bin, n) in &self.bins {
+            let x = f64::from_bits(bin << DROPPED);
+            let octave = match x {
+                0.0 => None,
+                x if x.is_finite() => Some(x.log2().floor() as i32),
+                _ => continue,
+            };
+            *octaves.entry(octave).or_default() += n;
+        }
+        octaves.into_iter().collect()
     }
 
     /// What was gathered.
@@ -282,6 +300,7 @@ impl Tally {
                     name: o.name,
                     values: found.values,
                     ulps: found.ulps.spread(),
+                    histogram: found.ulps.octaves(),
                     conditioned: found.conditioned.spread(),
                     max_of_budget: found.max_of_budget,
                     max_condition: found.max_condition,
@@ -315,6 +334,11 @@ mod tests {
         assert_eq!(of(std::iter::empty()), Spread::default());
         let s = of([3.0, f64::INFINITY].into_iter());
         assert_eq!((s.max, s.p99), (f64::INFINITY, f64::INFINITY));
+        let mut tally = SpreadTally::default();
+        [0.0, 1.5, 1.0, 0.26, f64::INFINITY]
+            .into_iter()
+            .for_each(|v| tally.add(v));
+        assert_eq!(tally.octaves(), [(None, 1), (Some(-2), 1), (Some(0), 2)]);
         assert_eq!(of([0.0; 5].into_iter()).p99, 0.0);
     }
 }

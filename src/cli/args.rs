@@ -28,6 +28,8 @@ Examples:
   mechaudit audit four-bar --cases 1000        one method, 1000 cases in each region
   mechaudit audit four-bar --region NAME --seed 1 --case 17
   mechaudit audit four-bar --check-point NAME --format json
+  mechaudit audit --format html --output audit.html
+  mechaudit audit --format junit --output audit.xml
   mechaudit audit faddeeva --exec ./candidate  a program in any language
   mechaudit audit faddeeva --exec 'python3 w.py' --cases 1000 --timeout 5 --ulps 100
 
@@ -96,6 +98,16 @@ Errors are upper bounds: total is result less truth, method is twin less truth, 
 twin, where the twin is the same algorithm without rounding. The order observed compares a level with
 the one before, of the method error where there is a twin; Richardson's uses the results alone. Work is
 counted, not timed. A failed run is marked, and no order is observed across it.";
+
+const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  mechaudit completions bash > ~/.local/share/bash-completion/completions/mechaudit
+  mechaudit completions fish > ~/.config/fish/completions/mechaudit.fish";
+
+const MAN_EXAMPLES: &str = "\
+Examples:
+  mechaudit man | man -l -
+  mechaudit man --output ~/.local/share/man/man1";
 
 const LIST_EXAMPLES: &str = "\
 Examples:
@@ -259,6 +271,12 @@ pub enum Command {
     /// Values of a function, one case a line on standard input
     #[command(after_help = EVAL_EXAMPLES)]
     Eval(EvalArgs),
+    /// Completions for a shell
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions(CompletionsArgs),
+    /// Manual pages
+    #[command(after_help = MAN_EXAMPLES)]
+    Man(ManArgs),
     /// Run a machine given in a file up or down: its linkage under its motor over time
     #[command(after_help = RUNUP_EXAMPLES)]
     Runup(RunupArgs),
@@ -285,7 +303,10 @@ pub struct AuditArgs {
     pub run: RunArgs,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
-    pub format: TextOrJson,
+    pub format: AuditFormat,
+    /// Write to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
     #[command(flatten)]
     pub program: ExecArgs,
     #[command(flatten)]
@@ -416,6 +437,21 @@ pub struct ConvergeArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: TextOrJson,
+}
+
+/// Arguments of `completions`.
+#[derive(ClapArgs, Debug)]
+pub struct CompletionsArgs {
+    /// The shell
+    pub shell: clap_complete::Shell,
+}
+
+/// Arguments of `man`.
+#[derive(ClapArgs, Debug)]
+pub struct ManArgs {
+    /// Write one page for each command into this folder
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `list`.
@@ -552,6 +588,19 @@ pub enum TextOrJson {
     Text,
     /// For programs
     Json,
+}
+
+/// The forms of an audit's report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AuditFormat {
+    /// For people
+    Text,
+    /// Everything, as schema/audit.schema.json describes it
+    Json,
+    /// JUnit XML, for build servers
+    Junit,
+    /// One page without outside parts
+    Html,
 }
 
 /// The forms of a paper's report.

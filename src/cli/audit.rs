@@ -1,12 +1,12 @@
 //! Running audits: everything, a method, a region or one case.
 
-use super::args::{AuditArgs, RunArgs, TextOrJson};
+use super::args::{AuditArgs, AuditFormat, RunArgs};
 use super::case;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
-use super::{candidate, complain, exec, text_method, text_paper};
+use super::{audit_html, audit_junit, candidate, complain, exec, text_method, text_paper};
 use mechaudit::audit::{
     Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Verdict, audit_case,
     audit_method,
@@ -15,6 +15,7 @@ use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
+use std::path::Path;
 
 /// The settings that arguments and environment ask for.
 pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
@@ -173,7 +174,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         && let Some(case) = one_case(method.as_ref(), args, &settings)?
     {
         let scoped = candidate::scoped(method.as_ref(), &args.scope)?;
-        return single(&scoped, case, &settings, args.format);
+        return single(&scoped, case, &settings, args);
     }
     let progress = Progress::new();
     let mut totals = Totals::default();
@@ -185,30 +186,57 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         }
         let report = run(&chosen, &settings, &progress);
         totals.add(&report);
-        match args.format {
-            TextOrJson::Text => {
-                let text = text_method::method(&report, &Case::reproduce, width());
-                write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
-            }
-            TextOrJson::Json => reports.push(json_report(&report, &Case::reproduce)),
+        if args.format == AuditFormat::Text && args.output.is_none() {
+            let text = text_method::method(&report, &Case::reproduce, width());
+            write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
+        reports.push(report);
     }
+    let output = args.output.as_deref();
     match args.format {
-        TextOrJson::Text => close(&totals.words(), totals.good(), &settings)?,
-        TextOrJson::Json => print_json(&json!({
-            "mechaudit_version": env!("CARGO_PKG_VERSION"),
-            "passed": totals.good(),
-            "methods": reports,
-        }))?,
+        AuditFormat::Text if output.is_none() => close(&totals.words(), totals.good(), &settings)?,
+        AuditFormat::Text => write_to(output, |out| {
+            for report in &reports {
+                let text = text_method::method(report, &Case::reproduce, width());
+                writeln!(out, "{text}")?;
+            }
+            Ok(writeln!(out, "{}.", totals.words())?)
+        })?,
+        AuditFormat::Json => {
+            let reports: Vec<Value> = reports
+                .iter()
+                .map(|r| json_report(r, &Case::reproduce))
+                .collect();
+            let value = json!({
+                "schema_version": 1,
+                "mechaudit_version": env!("CARGO_PKG_VERSION"),
+                "passed": totals.good(),
+                "methods": reports,
+            });
+            write_json(output, &value)?;
+        }
+        AuditFormat::Junit => {
+            let text = audit_junit::document(&reports).map_err(Failure::new)?;
+            write_to(output, |out| Ok(writeln!(out, "{text}")?))?;
+        }
+        AuditFormat::Html => {
+            let page = audit_html::page(&reports, &settings, args.method.is_none());
+            write_to(output, |out| Ok(write!(out, "{page}")?))?;
+        }
     }
     Ok(Outcome::of(totals.good()))
 }
 
-pub fn print_json(value: &Value) -> Result<(), Failure> {
-    write_to(None, |out| {
+/// JSON to standard output or a file.
+fn write_json(output: Option<&Path>, value: &Value) -> Result<(), Failure> {
+    write_to(output, |out| {
         serde_json::to_writer_pretty(&mut *out, value)?;
         Ok(writeln!(out)?)
     })
+}
+
+pub fn print_json(value: &Value) -> Result<(), Failure> {
+    write_json(None, value)
 }
 
 /// The report for programs. `again` gives the command that judges a case again.
@@ -253,7 +281,7 @@ fn single(
     method: &dyn Method,
     case: Case,
     settings: &Settings,
-    format: TextOrJson,
+    args: &AuditArgs,
 ) -> Result<Outcome, Failure> {
     let report: CaseReport = audit_case(method, case, settings);
     let laws: Vec<(Law, Option<f64>)> = method
@@ -263,8 +291,9 @@ fn single(
         .collect();
     let held = |x: &Option<f64>| x.is_none_or(|x| x <= 1.0);
     let good = report.judgement.verdict == Verdict::Pass && laws.iter().all(|(_, x)| held(x));
-    match format {
-        TextOrJson::Text => write_to(None, |out| {
+    let output = args.output.as_deref();
+    match args.format {
+        AuditFormat::Text => write_to(output, |out| {
             write!(
                 out,
                 "{}",
@@ -280,14 +309,17 @@ fn single(
             }
             Ok(())
         })?,
-        TextOrJson::Json => {
+        AuditFormat::Json => {
             let mut value = case::json(&report, &report.case.reproduce());
             let laws = laws
                 .iter()
                 .map(|(l, x)| json!({ "name": l.name, "residual": x }));
             value["laws"] = laws.collect();
             value["passed"] = json!(good);
-            print_json(&value)?;
+            write_json(output, &value)?;
+        }
+        AuditFormat::Junit | AuditFormat::Html => {
+            return Err(Failure::new("one case is reported as text or json"));
         }
     }
     Ok(Outcome::of(good))

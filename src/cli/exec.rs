@@ -4,7 +4,7 @@
 //! are judged as they come; inputs are drawn anew where they are needed, so that nothing grows with
 //! their number.
 
-use super::args::{AuditArgs, ExecArgs};
+use super::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
 use super::audit::one_case;
 use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
@@ -64,7 +64,16 @@ pub fn audit(
         ""
     };
     let quoted = shell_words::quote(command);
-    judged.write(args.format, &|case| {
+    let format = match args.format {
+        AuditFormat::Text => TextOrJson::Text,
+        AuditFormat::Json => TextOrJson::Json,
+        _ => {
+            return Err(Failure::new(
+                "a program's audit is reported as text or json",
+            ));
+        }
+    };
+    judged.write(format, &|case| {
         format!("{} --exec {quoted}{decimal}", case.reproduce())
     })
 }

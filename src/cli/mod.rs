@@ -2,6 +2,9 @@
 
 mod args;
 mod audit;
+mod audit_html;
+mod audit_junit;
+mod audit_plots;
 mod branch;
 mod candidate;
 mod case;
@@ -43,6 +46,7 @@ mod runup;
 mod runup_facts;
 mod runup_file;
 mod runup_precision;
+mod shell;
 mod svg;
 mod svg_dyad;
 mod svg_mechanism;
@@ -85,6 +89,8 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Judge(a)) => judge::judge(&a),
         Some(Command::Hunt(a)) => hunt::hunt(&a),
         Some(Command::Converge(a)) => converge::converge(&a),
+        Some(Command::Completions(a)) => shell::completions(&a),
+        Some(Command::Man(a)) => shell::man(&a),
         Some(Command::List(a)) => list::list(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),

@@ -143,6 +143,7 @@ mod tests {
                     rms: 0.4,
                 },
                 conditioned: Spread::default(),
+                histogram: vec![(Some(-2), 399), (Some(2), 1)],
                 max_of_budget: 1.75,
                 max_condition: 31.0,
                 worst: Some(case.clone()),

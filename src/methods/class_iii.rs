@@ -56,6 +56,12 @@ fn outputs() -> Vec<Output> {
     ]
 }
 
+/// Whether the mode is a whole number and the flags of the pivots are 0 or 1.
+pub(super) fn choices_are_whole(x: &[f64]) -> bool {
+    let flag = |v: &f64| *v == 0.0 || *v == 1.0;
+    x[MODE].fract() == 0.0 && x[PIVOTS..LENGTH].iter().all(flag)
+}
+
 /// The linkage and masses of an input, as the solver takes them.
 fn solver_row(x: &[f64]) -> Result<Row, &'static str> {
     if x.len() != LENGTH {
@@ -238,6 +244,10 @@ impl Method for Audit {
 
     fn hard(&self) -> Vec<HardCase> {
         HardCase::included(include_str!("../../reference/hard/class-iii.csv"))
+    }
+
+    fn admits(&self, x: &[f64]) -> bool {
+        x.len() == LENGTH && choices_are_whole(x)
     }
 
     fn solve(&self, x: &[f64]) -> SolverAnswer {

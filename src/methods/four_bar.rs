@@ -181,6 +181,10 @@ impl Method for Audit {
         HardCase::included(include_str!("../../reference/hard/four-bar.csv"))
     }
 
+    fn admits(&self, x: &[f64]) -> bool {
+        x.len() == 6 && x[5].abs() == 1.0
+    }
+
     fn solve(&self, input: &[f64]) -> SolverAnswer {
         match motion(input) {
             Ok(m) => SolverAnswer::Values(values(&m)),

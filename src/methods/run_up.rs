@@ -269,7 +269,11 @@ impl Method for Audit {
 
     /// As short as in the regions: a reference costs the more the longer it runs.
     fn admits(&self, x: &[f64]) -> bool {
-        x.len() == LENGTH && (x[MODEL] == CONSTANT || x[DURATION] <= 5e-3)
+        let whole = |x: &[f64]| [MODEL, NODES, MOTOR].iter().all(|k| x[*k].fract() == 0.0);
+        x.len() == LENGTH
+            && whole(x)
+            && linkage_input::choices_are_whole(&x[LINKAGE..])
+            && (x[MODEL] == CONSTANT || x[DURATION] <= 5e-3)
     }
 
     fn solve(&self, x: &[f64]) -> SolverAnswer {
