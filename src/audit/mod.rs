@@ -32,7 +32,9 @@ pub use method::{
     conditions_by_differences,
 };
 pub use printed::{Agreement, EntryJudgement, judge_printed};
-pub use run::{CaseReport, Settings, answer_of, audit_case, audit_method, judge_case};
+pub use run::{
+    CaseReport, Settings, answer_of, audit_case, audit_method, audit_method_until, judge_case,
+};
 pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
 pub use ulp::{ulp_exponent, ulps};
 pub use variant::{NoSuch, Variant};

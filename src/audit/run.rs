@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use rug::Rational;
 use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The settings of a run; all of them are printed with it.
 #[derive(Clone, Debug, Serialize)]
@@ -139,6 +140,17 @@ pub fn audit_method(
     settings: &Settings,
     progress: &(dyn Fn() + Sync),
 ) -> MethodReport {
+    audit_method_until(method, settings, progress, &AtomicBool::new(false))
+}
+
+/// [`audit_method`], ended early once `stop` is set: the report then holds the cases judged until
+/// then, says that it was interrupted, and does not pass.
+pub fn audit_method_until(
+    method: &dyn Method,
+    settings: &Settings,
+    progress: &(dyn Fn() + Sync),
+    stop: &AtomicBool,
+) -> MethodReport {
     let cases = Cases::new(method, settings);
     let laws = method.laws();
     let mut tally = Tally::new(method, usize::MAX);
@@ -146,6 +158,7 @@ pub fn audit_method(
         let end = cases.len().min(start + CHUNK);
         let judged: Vec<_> = (start..end)
             .into_par_iter()
+            .filter(|_| !stop.load(Ordering::Relaxed))
             .map(|i| {
                 let report = audit_case(method, cases.get(i), settings);
                 let held = laws.iter().map(|l| (l.residual)(&report.case.input));
@@ -157,6 +170,10 @@ pub fn audit_method(
         for (report, residuals) in judged {
             tally.laws(&report.case, &residuals);
             tally.add(report);
+        }
+        if stop.load(Ordering::Relaxed) {
+            tally.interrupt();
+            break;
         }
     }
     tally.finish(method, settings)

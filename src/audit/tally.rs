@@ -143,6 +143,8 @@ pub struct MethodReport {
     pub passed: usize,
     /// Hard cases over budget by no more than is recorded of the method's own solver.
     pub recorded: usize,
+    /// Whether the run was ended before all cases were judged.
+    pub interrupted: bool,
     /// For each output.
     pub outputs: Vec<OutputStatistics>,
     /// For each law.
@@ -156,12 +158,12 @@ pub struct MethodReport {
 }
 
 impl MethodReport {
-    /// Whether every case and every law passed, but for recorded findings, and there was at least
+    /// Whether all cases were judged and every one and every law passed, but for recorded findings, and there was at least
     /// one case.
     pub fn passed(&self) -> bool {
-        self.cases > 0
-            && self.passed + self.recorded == self.cases
-            && self.laws.iter().all(|l| l.worst <= 1.0)
+        let all = self.passed + self.recorded == self.cases;
+        let laws = self.laws.iter().all(|l| l.worst <= 1.0);
+        !self.interrupted && self.cases > 0 && all && laws
     }
 }
 
@@ -203,6 +205,7 @@ pub struct Tally {
     cases: usize,
     passed: usize,
     recorded: usize,
+    interrupted: bool,
     hard: Vec<HardCase>,
     max_normwise: f64,
     failures: Vec<CaseReport>,
@@ -225,6 +228,7 @@ impl Tally {
             cases: 0,
             passed: 0,
             recorded: 0,
+            interrupted: false,
             hard: method.hard(),
             max_normwise: 0.0,
             failures: Vec::new(),
@@ -279,6 +283,11 @@ impl Tally {
         }
     }
 
+    /// The run ends before its last case.
+    pub fn interrupt(&mut self) {
+        self.interrupted = true;
+    }
+
     /// Cases that got no answer: they count, and do not pass.
     pub fn unanswered(&mut self, cases: usize) {
         self.cases += cases;
@@ -295,6 +304,7 @@ impl Tally {
             cases: self.cases,
             passed: self.passed,
             recorded: self.recorded,
+            interrupted: self.interrupted,
             outputs: outputs
                 .map(|(o, found)| OutputStatistics {
                     name: o.name,

@@ -6,16 +6,19 @@ use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
-use super::{audit_html, audit_junit, candidate, complain, exec, text_method, text_paper};
+use super::{
+    audit_html, audit_junit, candidate, complain, exec, interrupt, text_method, text_paper,
+};
 use mechaudit::audit::{
     Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Verdict, audit_case,
-    audit_method,
+    audit_method_until,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
 use std::path::Path;
+use std::sync::atomic::Ordering;
 
 /// The settings that arguments and environment ask for.
 pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
@@ -83,9 +86,13 @@ pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
     for method in methods::registry() {
         let report = run(method.as_ref(), &settings, &progress);
         totals.add(&report);
+        let stopped = report.interrupted;
         progress.clear();
         let text = text_method::method(&report, &Case::reproduce, width);
         write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+        if stopped {
+            break;
+        }
     }
     good &= totals.good();
     let summary = format!(
@@ -155,7 +162,8 @@ impl Totals {
 fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> MethodReport {
     let total = Cases::new(method, settings).len() as u64;
     progress.restart();
-    let report = audit_method(method, settings, &|| progress.tick(method.name(), total));
+    let tick = || progress.tick(method.name(), total);
+    let report = audit_method_until(method, settings, &tick, interrupt::flag());
     progress.clear();
     report
 }
@@ -190,7 +198,11 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
             let text = text_method::method(&report, &Case::reproduce, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
+        let stopped = report.interrupted;
         reports.push(report);
+        if stopped {
+            break;
+        }
     }
     let output = args.output.as_deref();
     match args.format {
@@ -211,6 +223,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
                 "schema_version": 1,
                 "mechaudit_version": env!("CARGO_PKG_VERSION"),
                 "passed": totals.good(),
+                "interrupted": interrupt::flag().load(Ordering::Relaxed),
                 "methods": reports,
             });
             write_json(output, &value)?;

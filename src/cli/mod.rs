@@ -25,6 +25,7 @@ mod fields;
 mod html;
 mod html_style;
 mod hunt;
+mod interrupt;
 mod judge;
 mod ledger;
 mod ledger_html;

@@ -27,6 +27,7 @@ pub fn method(report: &MethodReport, again: &dyn Fn(&Case) -> String, width: usi
 fn heading(report: &MethodReport, width: usize) -> String {
     let (word, style) = match report.passed() {
         true => ("pass", GOOD),
+        false if report.interrupted => ("interrupted", BAD),
         false => ("FAIL", BAD),
     };
     let recorded = match report.recorded {
@@ -133,6 +134,7 @@ mod tests {
             cases: 400,
             passed: 399,
             recorded: 0,
+            interrupted: false,
             outputs: vec![OutputStatistics {
                 name: "phi2",
                 values: 400,
