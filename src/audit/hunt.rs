@@ -4,7 +4,7 @@ use super::case::{Case, Cases, Origin};
 use super::domain::Draw;
 use super::judge::Verdict;
 use super::method::Method;
-use super::run::{Settings, audit_case};
+use super::run::{Settings, answer_of, judge_case_briefly};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -277,7 +277,8 @@ fn judged(method: &dyn Method, settings: &Settings, outputs: usize, input: Vec<f
         input,
         origin: Origin::Line { number: 0 },
     };
-    let report = audit_case(method, case, settings);
+    let answer = answer_of(method, &case.input);
+    let report = judge_case_briefly(method, case, answer, settings);
     let components = &report.judgement.components;
     let kinds = [Verdict::Pass, Verdict::Over];
     let shares = (!components.is_empty() && kinds.contains(&report.judgement.verdict)).then(|| {

@@ -34,6 +34,7 @@ pub use method::{
 pub use printed::{Agreement, EntryJudgement, judge_printed};
 pub use run::{
     CaseReport, Settings, answer_of, audit_case, audit_method, audit_method_until, judge_case,
+    judge_case_briefly,
 };
 pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
 pub use ulp::{ulp_exponent, ulps};

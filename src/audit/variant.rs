@@ -129,7 +129,7 @@ impl<'a> Variant<'a> {
             ));
         }
         let chosen = |o: &&str| names.iter().any(|n| n.as_ref() == *o);
-        self.selected = Some(known.iter().map(|o| chosen(&o)).collect());
+        self.selected = Some(known.iter().map(chosen).collect());
         Ok(self)
     }
 

@@ -7,7 +7,7 @@ use super::html_style::CSS;
 use super::text::{percent, short};
 use mechaudit::audit::{
     Case, ConvergenceReport, Method, MethodReport, OutputStatistics, Settings, convergence,
-    hex_float, judge_case,
+    hex_float, judge_case_briefly,
 };
 use mechaudit::audit::{Origin, Verdict, answer_of};
 use mechaudit::methods;
@@ -218,7 +218,7 @@ fn maps(method: &dyn Method, settings: &Settings) -> String {
                 input,
                 origin: Origin::Line { number: 0 },
             };
-            let judgement = judge_case(method, case, answer, settings).judgement;
+            let judgement = judge_case_briefly(method, case, answer, settings).judgement;
             match judgement.verdict {
                 Verdict::Pass | Verdict::Over => {
                     judgement.components.iter().map(|c| c.ulps).collect()

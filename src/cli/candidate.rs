@@ -8,7 +8,7 @@ use super::text::{BAD, paint, paragraph, width};
 use super::{case, text_method};
 use mechaudit::audit::{
     Case, CaseReport, Limit, Method, MethodReport, Settings, SolverAnswer, Tally, Variant,
-    judge_case,
+    judge_case_briefly,
 };
 use rayon::prelude::*;
 use serde_json::json;
@@ -39,7 +39,7 @@ pub fn judge_batch(
 ) {
     let judged: Vec<CaseReport> = batch
         .into_par_iter()
-        .map(|(case, answer)| judge_case(method, case, answer, settings))
+        .map(|(case, answer)| judge_case_briefly(method, case, answer, settings))
         .collect();
     judged.into_iter().for_each(|report| tally.add(report));
 }

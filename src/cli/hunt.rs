@@ -40,15 +40,13 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     write_to(None, |out| {
         write!(out, "{}", report(&*method, &found, &new))?;
         let place = path.display();
-        Ok(match (&kept, new.len()) {
-            (_, 0) => writeln!(out, "Nothing worse than what is recorded.")?,
-            (Some(_), n) => writeln!(out, "{n} added to {place}.")?,
-            (None, _) => writeln!(
-                out,
-                "Not recorded: there is no folder {}.",
-                args.hard.display()
-            )?,
-        })
+        let folder = args.hard.display();
+        let closing = match (&kept, new.len()) {
+            (_, 0) => "Nothing worse than what is recorded.".to_string(),
+            (Some(_), n) => format!("{n} added to {place}."),
+            (None, _) => format!("Not recorded: there is no folder {folder}."),
+        };
+        Ok(writeln!(out, "{closing}")?)
     })?;
     let over = new.iter().any(|c| c.share > 1.0);
     if let Some(file) = kept.filter(|_| !new.is_empty()) {
