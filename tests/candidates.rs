@@ -424,7 +424,7 @@ fn a_published_table() {
     // w(x + iy) to six decimals, as in Abramowitz and Stegun, table 7.9.
     let right = "x,y,Re W,Im W\n# first rows\n0,0,1.000000,0.000000\n0,0.2,0.809020,0\n\
                  1.0,1.0,0.304744,0.208219\n3.9,3.0,,0.0928\n";
-    let d = judge("faddeeva", &right, &["--format", "json"]);
+    let d = judge("faddeeva", right, &["--format", "json"]);
     let v: Value = serde_json::from_str(&d.out).unwrap();
     let entries = v["entries"].as_array().unwrap();
     assert_eq!(entries.len(), 7);

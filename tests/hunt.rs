@@ -1,7 +1,10 @@
 //! Hunts and the hard cases they leave.
 #![cfg(feature = "cli")]
 
-use mechaudit::audit::{Cases, HardCase, Origin, Settings, Verdict, audit_case, audit_method};
+use mechaudit::audit::{
+    Cases, HardCase, Hunt, HuntSettings, Origin, Settings, SolverAnswer, Variant, Verdict,
+    audit_case, audit_method, hunt as search,
+};
 use mechaudit::methods;
 use std::collections::HashSet;
 use std::path::Path;
@@ -77,6 +80,46 @@ fn the_audit_judges_hard_cases_and_says_which_are_recorded_findings() {
         assert!(report.passed(), "{}", method.name());
         assert!(report.recorded >= inputs.len(), "{}", method.name());
     }
+}
+
+/// Off the more the nearer to a line that no sampler draws on.
+#[test]
+fn a_needle_is_found_by_its_slope() {
+    let method = methods::find("faddeeva").unwrap();
+    let faulty = Variant::new(&*method).solver(|x| match method.solve(x) {
+        SolverAnswer::Values(mut v) => {
+            let near = (x[0] - 1.234_567_8).abs();
+            v[0] *= 1.0 + 1e-16 / (near + 1e-8);
+            SolverAnswer::Values(v)
+        }
+        other => other,
+    });
+    let faulty = faulty.region("mid").unwrap();
+    let settings = HuntSettings {
+        evaluations: 4000,
+        seed: 4,
+    };
+    let of_re = |h: &Hunt| {
+        h.worst
+            .iter()
+            .find(|w| w.output == "Re W")
+            .cloned()
+            .unwrap()
+    };
+    let found = search(&faulty, &settings, &|_| ());
+    let worst = of_re(&found);
+    let sampled = Settings {
+        cases_per_region: 4000,
+        seed: 4,
+        ..Settings::default()
+    };
+    let random = audit_method(&faulty, &sampled, &|| ());
+    let sampled = random.outputs[0].max_of_budget;
+    assert!(worst.share > 5.0 * sampled, "{} {sampled}", worst.share);
+    assert!(found.evaluations <= 4000);
+    // The same again.
+    let again = search(&faulty, &settings, &|_| ());
+    assert_eq!(of_re(&again).input, worst.input);
 }
 
 fn hunt(folder: &Path, args: &[&str]) -> (i32, String) {
