@@ -1,6 +1,6 @@
 //! What was found, gathered case by case.
 
-use super::case::{Case, Origin};
+use super::case::Case;
 use super::hard::HardCase;
 use super::judge::{ComponentJudgement, Verdict};
 use super::method::Method;
@@ -256,17 +256,20 @@ impl Tally {
         }
     }
 
-    /// Whether a hard case is over its budget and by no more than is recorded.
+    /// Whether this is a hard case, over its budget by no more than is recorded. It is known by its
+    /// input, which may have come in a file.
     fn is_recorded(&self, report: &CaseReport) -> bool {
-        let Origin::Hard { number } = report.case.origin else {
-            return false;
-        };
         let shares = report.judgement.components.iter().map(|c| c.of_budget);
         let share = shares.fold(0.0, f64::max);
-        let norm_alone = share <= 1.0;
+        let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+        let input = bits(&report.case.input);
+        // A norm over its budget is no value over its own.
         report.judgement.verdict == Verdict::Over
-            && !norm_alone
-            && self.hard.get(number - 1).is_some_and(|h| h.allows(share))
+            && share > 1.0
+            && self
+                .hard
+                .iter()
+                .any(|h| h.allows(share) && bits(&h.input) == input)
     }
 
     /// The residuals of the method's laws at a case, in the laws' order.
