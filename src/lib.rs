@@ -8,6 +8,7 @@
 //! | [`solvers`] | tridiagonal systems, cubic splines, class-III linkages, dyads, reduction to the crank, run-up under a motor | nothing but `f64`; time integration: feature `run-up` |
 //! | `reference` | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` | domains, cases, budgets, the judge, statistics | feature `oracle` |
+//! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `symbolic` | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
@@ -47,6 +48,33 @@
 //! assert!(report.passed());
 //! ```
 //!
+//! # Code of your own
+#![cfg_attr(feature = "oracle", doc = "```")]
+#![cfg_attr(not(feature = "oracle"), doc = "```ignore")]
+//! use mechaudit::methods::Tridiagonal;
+//!
+//! fn thomas(lower: &[f64], diagonal: &[f64], upper: &[f64], right: &[f64]) -> Option<Vec<f64>> {
+//!     let (mut d, mut x) = (diagonal.to_vec(), right.to_vec());
+//!     for i in 1..d.len() {
+//!         let factor = lower[i - 1] / d[i - 1];
+//!         d[i] -= factor * upper[i - 1];
+//!         x[i] -= factor * x[i - 1];
+//!     }
+//!     for i in (0..d.len()).rev() {
+//!         let next = if i + 1 < d.len() { upper[i] * x[i + 1] } else { 0.0 };
+//!         x[i] = (x[i] - next) / d[i];
+//!     }
+//!     x.iter().all(|x| x.is_finite()).then_some(x)
+//! }
+//!
+//! mechaudit::audit::<Tridiagonal>(thomas)
+//!     .seed(7)
+//!     .effort(0.1)
+//!     .run()?
+//!     .assert_within_budget();
+//! # Ok::<(), mechaudit::candidate::AuditError>(())
+//! ```
+//!
 //! # What the words mean
 //! * A **ball** is a midpoint and a radius that bounds the distance to the true value.
 //! * An **ulp** of a reference value in `[2^e, 2^(e+1))` is `2^(e−52)`; errors are fractional ulps
@@ -61,6 +89,8 @@
 #[cfg(feature = "oracle")]
 pub mod audit;
 #[cfg(feature = "oracle")]
+pub mod candidate;
+#[cfg(feature = "oracle")]
 pub mod methods;
 #[cfg(feature = "oracle")]
 pub mod papers;
@@ -69,3 +99,6 @@ pub mod reference;
 pub mod solvers;
 #[cfg(feature = "oracle")]
 pub mod symbolic;
+
+#[cfg(feature = "oracle")]
+pub use candidate::{audit, audit_by_name};

@@ -105,6 +105,14 @@ fn help_and_version() {
         vec!["list", "--help"],
         vec!["paper", "--help"],
         vec!["linkage", "--help"],
+        vec!["eval", "--help"],
+        vec!["runup", "--help"],
+        vec!["points", "--help"],
+        vec!["judge", "--help"],
+        vec!["hunt", "--help"],
+        vec!["converge", "--help"],
+        vec!["completions", "--help"],
+        vec!["man", "--help"],
     ] {
         let d = run(&args);
         assert_eq!((d.code, d.err.as_str()), (0, ""));
@@ -115,6 +123,27 @@ fn help_and_version() {
         d.out.trim(),
         concat!("mechaudit ", env!("CARGO_PKG_VERSION"))
     );
+}
+
+#[test]
+fn completions_and_manual_pages() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let d = run(&["completions", shell]);
+        assert!(d.code == 0 && d.out.contains("check-point"), "{shell}");
+    }
+    let d = run(&["man"]);
+    assert!(
+        d.code == 0 && d.out.contains(".TH mechaudit 1"),
+        "{}",
+        d.out
+    );
+    let to = folder();
+    let d = run(&["man", "--output", text(to.path())]);
+    assert_eq!((d.code, d.out.as_str()), (0, ""));
+    let all = names(to.path());
+    for name in ["mechaudit.1", "mechaudit-audit.1", "mechaudit-hunt.1"] {
+        assert!(all.iter().any(|n| n == name), "{all:?}");
+    }
 }
 
 #[test]

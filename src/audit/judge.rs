@@ -28,6 +28,8 @@ pub enum Verdict {
 /// One value judged.
 #[derive(Clone, Debug, Serialize)]
 pub struct ComponentJudgement {
+    /// The output it belongs to.
+    pub output: &'static str,
     /// The verdict.
     pub verdict: Verdict,
     /// The error in ulps of the reference, an upper bound; NaN where the reference cannot be told
@@ -96,25 +98,9 @@ pub fn judge_with_norm(
     let (got, values) = match (answer, reference) {
         (_, R::Failed(why)) => return Judgement::whole(Verdict::OracleError, why.clone()),
         (_, R::Undecided(why)) => return Judgement::whole(Verdict::Undecided, why.clone()),
-        (SolverAnswer::Refuses(a), R::Refuses(b)) if a == b => {
-            return Judgement {
-                verdict: Verdict::Pass,
-                reason: None,
-                components: Vec::new(),
-                normwise: 0.0,
-            };
-        }
-        (SolverAnswer::Refuses(a), R::Refuses(b)) => {
-            return Judgement::whole(
-                Verdict::WrongKind,
-                format!("refused as {a:?}, the reference as {b:?}"),
-            );
-        }
-        (SolverAnswer::Refuses(a), R::Values(_) | R::Dues(..)) => {
-            return Judgement::whole(
-                Verdict::WrongKind,
-                format!("refused as {a:?} where values exist"),
-            );
+        (SolverAnswer::Fails(why), _) => return Judgement::whole(Verdict::WrongKind, why.clone()),
+        (SolverAnswer::Refuses(_) | SolverAnswer::Declines(_), _) => {
+            return judge_refusal(answer.refusal(), reference);
         }
         (SolverAnswer::Values(_), R::Refuses(b)) => {
             return Judgement::whole(
@@ -146,7 +132,7 @@ pub fn judge_with_norm(
             due,
             lo,
             hi,
-            outputs[o].budget.limit,
+            &outputs[o],
             conditions.map(|c| c[i]),
             scales[o],
         );
@@ -177,6 +163,24 @@ pub fn judge_with_norm(
         reason: worst.1,
         components,
         normwise: squares.normwise(),
+    }
+}
+
+/// A refusal, named or not, against a reference that decided.
+fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
+    let named = word.map_or("refused".into(), |w| format!("refused as {w:?}"));
+    match reference {
+        ReferenceAnswer::Refuses(due) if word.is_none_or(|w| w == *due) => Judgement {
+            verdict: Verdict::Pass,
+            reason: None,
+            components: Vec::new(),
+            normwise: 0.0,
+        },
+        ReferenceAnswer::Refuses(due) => Judgement::whole(
+            Verdict::WrongKind,
+            format!("{named}, the reference as {due:?}"),
+        ),
+        _ => Judgement::whole(Verdict::WrongKind, format!("{named} where values exist")),
     }
 }
 
@@ -254,16 +258,18 @@ fn component(
     due: &Due,
     lo: Mag,
     hi: Mag,
-    limit: Limit,
+    output: &Output,
     condition: Option<f64>,
     scale: Mag,
 ) -> ComponentJudgement {
+    let limit = output.budget.limit;
     let Some(reference) = due.number() else {
         let (verdict, of_budget) = match lo.is_zero() {
             true => (Verdict::Pass, 0.0),
             false => (Verdict::WrongKind, f64::INFINITY),
         };
         return ComponentJudgement {
+            output: output.name,
             verdict,
             ulps: f64::NAN,
             conditioned: f64::NAN,
@@ -307,6 +313,7 @@ fn component(
         hi.shift(-ulp).to_f64()
     };
     ComponentJudgement {
+        output: output.name,
         verdict,
         ulps,
         conditioned,

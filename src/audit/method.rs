@@ -3,6 +3,7 @@
 use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
+use super::hard::HardCase;
 use crate::reference::{Ball, Mag};
 use rug::{Float, Rational};
 use serde::Serialize;
@@ -49,6 +50,22 @@ pub enum SolverAnswer {
     Values(Vec<f64>),
     /// A typed error, by its name.
     Refuses(&'static str),
+    /// A refusal of code that knows no names: in its own word, which has to be the reference's, or
+    /// without any, which is right wherever the reference refuses.
+    Declines(Option<String>),
+    /// No answer: what happened instead. Never a pass.
+    Fails(String),
+}
+
+impl SolverAnswer {
+    /// The word of a refusal, if it has one.
+    pub fn refusal(&self) -> Option<&str> {
+        match self {
+            SolverAnswer::Refuses(word) => Some(word),
+            SolverAnswer::Declines(word) => word.as_deref(),
+            _ => None,
+        }
+    }
 }
 
 /// One value of the output, repeated cyclically over the answer: value `i` belongs to output
@@ -117,6 +134,17 @@ pub trait Method: Sync {
     /// By default one-sided differences of the reference; see [`conditions_by_differences`].
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         conditions_by_differences(self, input, |_| true)
+    }
+
+    /// Hard cases found by earlier hunts, judged in every audit.
+    fn hard(&self) -> Vec<HardCase> {
+        Vec::new()
+    }
+
+    /// Whether an input belongs to the domain, beyond what the reference refuses: a hunt leaves
+    /// others alone.
+    fn admits(&self, _input: &[f64]) -> bool {
+        true
     }
 
     /// Identities of the solver's values.

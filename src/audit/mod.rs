@@ -6,24 +6,36 @@
 
 mod budget;
 mod case;
+mod convergence;
 mod domain;
 mod due;
+mod hard;
+mod hunt;
 mod judge;
 mod method;
+mod printed;
 mod run;
+mod tally;
 mod ulp;
+mod variant;
 
 pub use budget::{Budget, Limit, NormBudget};
-pub use case::{Case, Origin, hex_float};
+pub use case::{Case, Cases, Origin, hex_float};
+pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
+pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
+pub use hunt::{Hunt, HuntSettings, Worst, hunt};
 pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
 pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
     conditions_by_differences,
 };
+pub use printed::{Agreement, EntryJudgement, judge_printed};
 pub use run::{
-    CaseReport, LawReport, MethodReport, OutputStatistics, Settings, Spread, audit_case,
-    audit_method,
+    CaseReport, Settings, answer_of, audit_case, audit_method, audit_method_until, judge_case,
+    judge_case_briefly,
 };
+pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
 pub use ulp::{ulp_exponent, ulps};
+pub use variant::{NoSuch, Variant};

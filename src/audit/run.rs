@@ -1,13 +1,15 @@
-//! Runs a method over its domain and gathers what was found.
+//! Runs a method over its domain.
 
-use super::case::{Case, Origin};
-use super::domain::Draw;
-use super::judge::{ComponentJudgement, Judgement, Verdict, judge_with_norm};
+use super::case::{Case, Cases};
+use super::judge::{Judgement, Verdict, judge_with_norm};
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
+use super::tally::{MethodReport, Tally};
+use crate::reference::Mag;
 use rayon::prelude::*;
 use rug::Rational;
 use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The settings of a run; all of them are printed with it.
 #[derive(Clone, Debug, Serialize)]
@@ -47,141 +49,61 @@ pub struct CaseReport {
     pub bits: u32,
     /// The reference's values to 20 digits, where it certifies them.
     pub reference: Vec<Option<String>>,
+    /// Bounds on the distance from the reference's midpoints to the true values.
+    pub radii: Vec<f64>,
     /// Why the reference holds.
     pub proof: Option<Proof>,
 }
 
-/// What was found for one output.
-#[derive(Clone, Debug, Serialize)]
-pub struct OutputStatistics {
-    /// The output.
-    pub name: &'static str,
-    /// Values judged.
-    pub values: usize,
-    /// Errors in ulps, over the values that are not zero.
-    pub ulps: Spread,
-    /// Errors in units of `2⁻⁵³ (|ref| + Σ_j |x_j ∂ref/∂x_j|)`: what is left of them when each
-    /// input's last half-ulp is forgiven. Nothing where no condition numbers are asked for.
-    pub conditioned: Spread,
-    /// Largest share of the budget found.
-    pub max_of_budget: f64,
-    /// Largest finite condition number met.
-    pub max_condition: f64,
-    /// The case with the largest share of the budget.
-    pub worst: Option<Case>,
-}
-
-/// How errors are spread; zeros if there are none.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Spread {
-    /// Number of errors.
-    pub count: usize,
-    /// The largest found.
-    pub max: f64,
-    /// 99th percentile (nearest rank).
-    pub p99: f64,
-    /// Root mean square.
-    pub rms: f64,
-}
-
-impl Spread {
-    /// Of all values that are numbers.
-    fn of(values: impl Iterator<Item = f64>) -> Spread {
-        let mut sorted: Vec<f64> = values.filter(|v| !v.is_nan()).collect();
-        sorted.sort_by(f64::total_cmp);
-        let Some(&max) = sorted.last() else {
-            return Spread::default();
-        };
-        let n = sorted.len() as f64;
-        let rank = (n * 0.99).ceil() as usize;
-        Spread {
-            count: sorted.len(),
-            max,
-            p99: sorted[rank.max(1) - 1],
-            rms: (sorted.iter().map(|u| u * u).sum::<f64>() / n).sqrt(),
-        }
-    }
-}
-
-/// What was found about one law.
-#[derive(Clone, Debug, Serialize)]
-pub struct LawReport {
-    /// Its name.
-    pub name: &'static str,
-    /// The identity.
-    pub statement: &'static str,
-    /// Cases it was tried on.
-    pub cases: usize,
-    /// Largest residual found, divided by what is allowed.
-    pub worst: f64,
-    /// The case with the largest residual.
-    pub worst_case: Option<Case>,
-}
-
-/// What was found about one method.
-#[derive(Clone, Debug, Serialize)]
-pub struct MethodReport {
-    /// The method.
-    pub method: &'static str,
-    /// In plain words.
-    pub summary: &'static str,
-    /// Its source.
-    pub source: &'static str,
-    /// The settings.
-    pub settings: Settings,
-    /// Cases judged.
-    pub cases: usize,
-    /// Cases passed.
-    pub passed: usize,
-    /// For each output.
-    pub outputs: Vec<OutputStatistics>,
-    /// For each law.
-    pub laws: Vec<LawReport>,
-    /// Largest normwise error found, in units of 2⁻⁵³.
-    pub max_normwise: f64,
-    /// The cases that did not pass.
-    pub failures: Vec<CaseReport>,
-}
-
-impl MethodReport {
-    /// Whether every case and every law passed, and there was at least one case.
-    pub fn passed(&self) -> bool {
-        self.cases > 0 && self.passed == self.cases && self.laws.iter().all(|l| l.worst <= 1.0)
-    }
-}
-
-/// The cases of a run, check points first.
-pub(crate) fn cases(method: &dyn Method, settings: &Settings) -> Vec<Case> {
-    let domain = method.domain();
-    let named = domain.check_points.into_iter().map(|p| Case {
-        method: method.name(),
-        region: "check-points",
-        input: p.input,
-        origin: Origin::CheckPoint { name: p.name },
-    });
-    let mut all: Vec<Case> = named.collect();
-    for region in &domain.regions {
-        all.extend((0..settings.cases_per_region).map(|index| {
-            let mut draw = Draw::new(settings.seed, method.name(), region.name, index);
-            Case {
-                method: method.name(),
-                region: region.name,
-                input: (region.sample)(&mut draw),
-                origin: Origin::Random {
-                    seed: settings.seed,
-                    index,
-                },
-            }
-        }));
-    }
-    all
+/// What the method's own solver answers; a panic is a failure to answer.
+pub fn answer_of(method: &dyn Method, input: &[f64]) -> SolverAnswer {
+    catch_unwind(AssertUnwindSafe(|| method.solve(input))).unwrap_or_else(|panic| {
+        let text = panic
+            .downcast_ref::<&str>()
+            .copied()
+            .or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+        SolverAnswer::Fails(match text {
+            Some(text) => format!("panicked: {text}"),
+            None => "panicked".into(),
+        })
+    })
 }
 
 /// Audits one case: the precision doubles until the judge can decide.
 pub fn audit_case(method: &dyn Method, case: Case, settings: &Settings) -> CaseReport {
+    let answer = answer_of(method, &case.input);
+    judge_case(method, case, answer, settings)
+}
+
+/// Judges an answer, wherever it came from; the precision doubles until the judge can decide.
+pub fn judge_case(
+    method: &dyn Method,
+    case: Case,
+    answer: SolverAnswer,
+    settings: &Settings,
+) -> CaseReport {
+    judge(method, case, answer, settings, true)
+}
+
+/// [`judge_case`], without the reference's digits where the case passes: they cost as much as a
+/// judgement.
+pub fn judge_case_briefly(
+    method: &dyn Method,
+    case: Case,
+    answer: SolverAnswer,
+    settings: &Settings,
+) -> CaseReport {
+    judge(method, case, answer, settings, false)
+}
+
+fn judge(
+    method: &dyn Method,
+    case: Case,
+    answer: SolverAnswer,
+    settings: &Settings,
+    always_digits: bool,
+) -> CaseReport {
     let exact: Option<Vec<Rational>> = case.input.iter().map(|&x| Rational::from_f64(x)).collect();
-    let solved = catch_unwind(AssertUnwindSafe(|| method.solve(&case.input)));
-    let answer = solved.unwrap_or(SolverAnswer::Refuses("panicked"));
     let outputs = method.outputs();
     let norm = method.norm_budget();
     let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
@@ -203,16 +125,22 @@ pub fn audit_case(method: &dyn Method, case: Case, settings: &Settings) -> CaseR
             bits *= 2;
             continue;
         }
-        let (values, proof) = match &reference {
+        let brief = judgement.verdict == Verdict::Pass && !always_digits;
+        let (values, radii, proof) = match &reference {
+            _ if brief => (Vec::new(), Vec::new(), None),
             ReferenceAnswer::Values(r) => (
                 r.values.iter().map(|b| b.to_decimal(20)).collect(),
+                r.values.iter().map(|b| b.rad().to_f64()).collect(),
                 Some(r.proof),
             ),
             ReferenceAnswer::Dues(dues, proof) => (
                 dues.iter().map(|d| d.to_decimal(20)).collect(),
+                dues.iter()
+                    .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
+                    .collect(),
                 Some(*proof),
             ),
-            _ => (Vec::new(), None),
+            _ => (Vec::new(), Vec::new(), None),
         };
         return CaseReport {
             case,
@@ -220,10 +148,14 @@ pub fn audit_case(method: &dyn Method, case: Case, settings: &Settings) -> CaseR
             judgement,
             bits,
             reference: values,
+            radii,
             proof,
         };
     }
 }
+
+/// Cases judged side by side before they are counted.
+const CHUNK: usize = 1024;
 
 /// Audits a method over its whole domain, on all cores. `progress` is called once for each case.
 pub fn audit_method(
@@ -231,126 +163,43 @@ pub fn audit_method(
     settings: &Settings,
     progress: &(dyn Fn() + Sync),
 ) -> MethodReport {
-    let reports: Vec<CaseReport> = cases(method, settings)
-        .into_par_iter()
-        .map(|case| {
-            let report = audit_case(method, case, settings);
-            progress();
-            report
-        })
-        .collect();
-    let outputs = method.outputs();
-    let statistics = (0..outputs.len())
-        .map(|o| statistics(o, outputs.len(), outputs[o].name, &reports))
-        .collect();
-    let laws = method
-        .laws()
-        .iter()
-        .map(|law| law_report(law, &reports))
-        .collect();
-    let max_normwise = reports
-        .iter()
-        .filter(|r| !r.judgement.components.is_empty())
-        .map(|r| r.judgement.normwise)
-        .fold(0.0, f64::max);
-    MethodReport {
-        method: method.name(),
-        summary: method.summary(),
-        source: method.source(),
-        settings: settings.clone(),
-        cases: reports.len(),
-        passed: reports
-            .iter()
-            .filter(|r| r.judgement.verdict == Verdict::Pass)
-            .count(),
-        outputs: statistics,
-        laws,
-        max_normwise,
-        failures: reports
-            .into_iter()
-            .filter(|r| r.judgement.verdict != Verdict::Pass)
-            .collect(),
-    }
+    audit_method_until(method, settings, progress, &AtomicBool::new(false))
 }
 
-fn law_report(law: &super::method::Law, reports: &[CaseReport]) -> LawReport {
-    let mut found = LawReport {
-        name: law.name,
-        statement: law.statement,
-        cases: 0,
-        worst: 0.0,
-        worst_case: None,
-    };
-    let residuals: Vec<Option<f64>> = reports
-        .par_iter()
-        .map(|r| (law.residual)(&r.case.input))
-        .collect();
-    for (r, residual) in reports.iter().zip(residuals) {
-        if let Some(x) = residual {
-            // A residual that is not a number breaks the law.
-            let x = if x.is_nan() { f64::INFINITY } else { x };
-            found.cases += 1;
-            if x > found.worst {
-                found.worst = x;
-                found.worst_case = Some(r.case.clone());
-            }
+/// [`audit_method`], ended early once `stop` is set: the report then holds the cases judged until
+/// then, says that it was interrupted, and does not pass.
+pub fn audit_method_until(
+    method: &dyn Method,
+    settings: &Settings,
+    progress: &(dyn Fn() + Sync),
+    stop: &AtomicBool,
+) -> MethodReport {
+    let cases = Cases::new(method, settings);
+    let laws = method.laws();
+    let mut tally = Tally::new(method, usize::MAX);
+    for start in (0..cases.len()).step_by(CHUNK) {
+        let end = cases.len().min(start + CHUNK);
+        let judged: Vec<_> = (start..end)
+            .into_par_iter()
+            .filter(|_| !stop.load(Ordering::Relaxed))
+            .map(|i| {
+                let case = cases.get(i);
+                let answer = answer_of(method, &case.input);
+                let report = judge_case_briefly(method, case, answer, settings);
+                let held = laws.iter().map(|l| (l.residual)(&report.case.input));
+                let residuals: Vec<Option<f64>> = held.collect();
+                progress();
+                (report, residuals)
+            })
+            .collect();
+        for (report, residuals) in judged {
+            tally.laws(&report.case, &residuals);
+            tally.add(report);
+        }
+        if stop.load(Ordering::Relaxed) {
+            tally.interrupt();
+            break;
         }
     }
-    found
-}
-
-fn statistics(
-    o: usize,
-    outputs: usize,
-    name: &'static str,
-    reports: &[CaseReport],
-) -> OutputStatistics {
-    let judged: Vec<(&Case, &ComponentJudgement)> = reports
-        .iter()
-        .flat_map(|r| {
-            let own = r.judgement.components.iter().skip(o).step_by(outputs);
-            own.map(move |c| (&r.case, c))
-        })
-        .collect();
-    // A share that is not a number is the worst of all.
-    let share = |c: &ComponentJudgement| {
-        if c.of_budget.is_nan() {
-            f64::INFINITY
-        } else {
-            c.of_budget
-        }
-    };
-    let worst = judged
-        .iter()
-        .max_by(|a, b| share(a.1).total_cmp(&share(b.1)));
-    OutputStatistics {
-        name,
-        values: judged.len(),
-        ulps: Spread::of(judged.iter().map(|(_, c)| c.ulps)),
-        conditioned: Spread::of(judged.iter().map(|(_, c)| c.conditioned)),
-        max_of_budget: worst.map_or(0.0, |(_, c)| share(c)),
-        max_condition: judged
-            .iter()
-            .map(|(_, c)| c.condition)
-            .filter(|c| c.is_finite())
-            .fold(0.0, f64::max),
-        worst: worst.map(|(case, _)| (*case).clone()),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Spread;
-
-    #[test]
-    fn spread() {
-        let s = Spread::of((1..=200).map(f64::from).chain([f64::NAN]));
-        assert_eq!((s.count, s.max, s.p99), (200, 200.0, 198.0));
-        assert!((s.rms - (201.0f64 * 401.0 / 6.0).sqrt()).abs() < 1e-12);
-        assert_eq!(Spread::of(std::iter::empty()), Spread::default());
-        assert_eq!(
-            Spread::of([3.0, f64::INFINITY].into_iter()).max,
-            f64::INFINITY
-        );
-    }
+    tally.finish(method, settings)
 }

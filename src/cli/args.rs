@@ -3,6 +3,7 @@
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use mechaudit::reference::Decimal;
 use std::path::PathBuf;
+use std::time::Duration;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -26,7 +27,87 @@ Examples:
   mechaudit audit                              every method
   mechaudit audit four-bar --cases 1000        one method, 1000 cases in each region
   mechaudit audit four-bar --region NAME --seed 1 --case 17
-  mechaudit audit four-bar --check-point NAME --format json";
+  mechaudit audit four-bar --check-point NAME --format json
+  mechaudit audit --format html --output audit.html
+  mechaudit audit --format junit --output audit.xml
+  mechaudit audit faddeeva --exec ./candidate  a program in any language
+  mechaudit audit faddeeva --exec 'python3 w.py' --cases 1000 --timeout 5 --ulps 100
+
+With --exec the program reads inputs and writes answers, one a line, see mechaudit points --help. It
+gets all inputs without waiting for its answers. A line that cannot be read fails its own case; after
+a crash, a wrong exit status or a silence of --timeout seconds the inputs left fail as unanswered, and
+what is judged stays judged.";
+
+const POINTS_EXAMPLES: &str = "\
+Examples:
+  mechaudit points faddeeva --count 1000 --seed 7 > points.txt
+  mechaudit points faddeeva --region lower --count 10 --decimal
+  mechaudit points faddeeva --region lower --seed 1 --case 17
+
+Lines that begin with # are comments: the layout of a line, the layout of the answer due for it, the
+regions. Every other line is one input, its fields separated by commas, each an exact hexadecimal
+float; with --decimal the shortest decimal that reads back as the same number.
+
+An answer is one line with the values in the order of the outputs, separated by commas or blanks,
+hexadecimal or decimal (17 digits are enough), inf and nan included; or the word refuse where there
+are no values, with a reason after it or without.";
+
+const JUDGE_EXAMPLES: &str = "\
+Examples:
+  mechaudit points faddeeva --count 1000 > points.txt
+  ./candidate < points.txt > values.txt
+  mechaudit judge faddeeva --inputs points.txt --values values.txt
+  ./candidate < points.txt | mechaudit judge faddeeva --inputs points.txt --values -
+  mechaudit judge faddeeva --inputs points.txt --values values.txt --line 17
+  mechaudit judge faddeeva --table published.csv
+
+Answers are matched with inputs in their order; comments (#) are skipped in both files. An answer
+that cannot be read is judged as one, and those after it still count. See mechaudit points --help for
+what an answer looks like.
+
+A table begins with a line of names. Columns named as an output (see mechaudit list) hold printed
+decimals, an empty field none; all others hold the inputs in their order, taken exactly as printed. An
+entry agrees if the reference is certainly within half a unit of its last digit: 1.2e4 has units of
+1000.
+
+Exit codes: 0, every answer within its budget or entry in agreement; 1, an answer or entry that is
+not, or not there, or one too many; 2, bad usage or an input that cannot be read.";
+
+const HUNT_EXAMPLES: &str = "\
+Examples:
+  mechaudit hunt four-bar --evals 20000 --seed 3
+  mechaudit hunt faddeeva --evals 100000 --hard reference/hard
+
+A third of the evaluations go to seeds: check points, earlier hard cases, random inputs of every region,
+inputs between them, inputs with few bits and next to such. The rest climbs from the worst of them by
+moves of bits and of coordinates, each within a factor of four of its seed.
+
+An input that takes up more of an output's budget than any recorded one is added to METHOD.csv in the
+folder of hard cases, with its share of the budget and how it was found; nothing is ever taken away.
+`mechaudit audit` judges all of them.
+
+Exit codes: 0, nothing over budget but what was recorded; 1, a finding; 2, bad usage or input.";
+
+const CONVERGE_EXAMPLES: &str = "\
+Examples:
+  mechaudit converge                           every approximation
+  mechaudit converge spline-clamped
+  mechaudit converge run-up-dop853-rotor --format json
+
+Errors are upper bounds: total is result less truth, method is twin less truth, rounding result less
+twin, where the twin is the same algorithm without rounding. The order observed compares a level with
+the one before, of the method error where there is a twin; Richardson's uses the results alone. Work is
+counted, not timed. A failed run is marked, and no order is observed across it.";
+
+const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  mechaudit completions bash > ~/.local/share/bash-completion/completions/mechaudit
+  mechaudit completions fish > ~/.config/fish/completions/mechaudit.fish";
+
+const MAN_EXAMPLES: &str = "\
+Examples:
+  mechaudit man | man -l -
+  mechaudit man --output ~/.local/share/man/man1";
 
 const LIST_EXAMPLES: &str = "\
 Examples:
@@ -210,6 +291,18 @@ pub enum Command {
     /// Audit one method, one region or one case
     #[command(after_help = AUDIT_EXAMPLES)]
     Audit(AuditArgs),
+    /// Inputs of a method, for programs in any language
+    #[command(after_help = POINTS_EXAMPLES)]
+    Points(PointsArgs),
+    /// Judge answers that somebody's program gave
+    #[command(after_help = JUDGE_EXAMPLES)]
+    Judge(JudgeArgs),
+    /// Search a method's domain for its worst inputs
+    #[command(after_help = HUNT_EXAMPLES)]
+    Hunt(HuntArgs),
+    /// Where the error of approximations comes from and how fast it falls
+    #[command(after_help = CONVERGE_EXAMPLES)]
+    Converge(ConvergeArgs),
     /// List the methods with their domains and budgets, and the papers
     #[command(after_help = LIST_EXAMPLES)]
     List(ListArgs),
@@ -222,6 +315,12 @@ pub enum Command {
     /// Values of a function, one case a line on standard input
     #[command(after_help = EVAL_EXAMPLES)]
     Eval(EvalArgs),
+    /// Completions for a shell
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions(CompletionsArgs),
+    /// Manual pages
+    #[command(after_help = MAN_EXAMPLES)]
+    Man(ManArgs),
     /// Run a machine given in a file up or down: its linkage under its motor over time
     #[command(after_help = RUNUP_EXAMPLES)]
     Runup(RunupArgs),
@@ -244,11 +343,162 @@ pub struct AuditArgs {
     /// Only this check point
     #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
     pub check_point: Option<String>,
+    /// Only this hard case, counted from 1 in reference/hard
+    #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"])]
+    pub hard: Option<usize>,
     #[command(flatten)]
     pub run: RunArgs,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
+    pub format: AuditFormat,
+    /// Write to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub program: ExecArgs,
+    #[command(flatten)]
+    pub scope: ScopeArgs,
+}
+
+/// A program in place of a method's solver.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ExecArgs {
+    /// Audit this program in place of the method's solver
+    #[arg(long, value_name = "COMMAND", requires = "method")]
+    pub exec: Option<String>,
+    /// Seconds without a line from the program after which it is ended
+    #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
+    pub timeout: Duration,
+    /// Give the program decimals instead of hexadecimal floats
+    #[arg(long, requires = "exec")]
+    pub decimal: bool,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let x: f64 = text.parse().map_err(|_| "not a number".to_string())?;
+    match Duration::try_from_secs_f64(x) {
+        Ok(d) if !d.is_zero() => Ok(d),
+        _ => Err("must be a positive number of seconds".into()),
+    }
+}
+
+/// What is judged, and how strictly.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ScopeArgs {
+    /// Judge these outputs only, separated by commas: an answer holds no others
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Allow K ulps for every output instead of the method's budget
+    #[arg(long, value_name = "K", value_parser = positive)]
+    pub ulps: Option<f64>,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
+        _ => Err("must be a finite positive number".into()),
+    }
+}
+
+/// Arguments of `points`.
+#[derive(ClapArgs, Debug)]
+pub struct PointsArgs {
+    /// The method
+    pub method: String,
+    /// Only this region of its domain, without check points
+    #[arg(long, value_name = "REGION")]
+    pub region: Option<String>,
+    /// Only this case of the region
+    #[arg(long, value_name = "I", requires = "region")]
+    pub case: Option<u64>,
+    /// Only this check point
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["region", "case"])]
+    pub check_point: Option<String>,
+    /// Only this hard case, counted from 1 in reference/hard
+    #[arg(long, value_name = "N", conflicts_with_all = ["region", "case", "check_point"])]
+    pub hard: Option<usize>,
+    /// Random inputs in each region
+    #[arg(long, value_name = "N", default_value = "200")]
+    pub count: u64,
+    /// Key of the random stream
+    #[arg(long, value_name = "SEED", default_value = "1")]
+    pub seed: u64,
+    /// Decimals instead of hexadecimal floats
+    #[arg(long)]
+    pub decimal: bool,
+    /// Write to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `judge`.
+#[derive(ClapArgs, Debug)]
+pub struct JudgeArgs {
+    /// The method
+    pub method: String,
+    /// The inputs, as `mechaudit points` writes them
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "values",
+        required_unless_present = "table"
+    )]
+    pub inputs: Option<PathBuf>,
+    /// The answers; `-` reads standard input
+    #[arg(long, value_name = "FILE", requires = "inputs")]
+    pub values: Option<PathBuf>,
+    /// Only the input on this line of its file, with everything that is known of it
+    #[arg(long, value_name = "N", requires = "inputs")]
+    pub line: Option<u64>,
+    /// A published table in CSV: inputs and printed decimals
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["inputs", "values", "outputs", "ulps"])]
+    pub table: Option<PathBuf>,
+    #[command(flatten)]
+    pub scope: ScopeArgs,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
     pub format: TextOrJson,
+}
+
+/// Arguments of `hunt`.
+#[derive(ClapArgs, Debug)]
+pub struct HuntArgs {
+    /// The method
+    pub method: String,
+    /// Evaluations of solver and reference
+    #[arg(long, value_name = "N", default_value = "10000", value_parser = clap::value_parser!(u64).range(1..))]
+    pub evals: u64,
+    /// Key of the random stream
+    #[arg(long, value_name = "SEED", default_value = "1")]
+    pub seed: u64,
+    /// Folder of the hard cases; nothing is recorded if it is not there
+    #[arg(long, value_name = "DIR", default_value = "reference/hard")]
+    pub hard: PathBuf,
+}
+
+/// Arguments of `converge`.
+#[derive(ClapArgs, Debug)]
+pub struct ConvergeArgs {
+    /// The approximation; all of them if left out
+    pub name: Option<String>,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}
+
+/// Arguments of `completions`.
+#[derive(ClapArgs, Debug)]
+pub struct CompletionsArgs {
+    /// The shell
+    pub shell: clap_complete::Shell,
+}
+
+/// Arguments of `man`.
+#[derive(ClapArgs, Debug)]
+pub struct ManArgs {
+    /// Write one page for each command into this folder
+    #[arg(long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `list`.
@@ -419,6 +669,19 @@ pub enum TextOrJson {
     Text,
     /// For programs
     Json,
+}
+
+/// The forms of an audit's report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AuditFormat {
+    /// For people
+    Text,
+    /// Everything, as schema/audit.schema.json describes it
+    Json,
+    /// JUnit XML, for build servers
+    Junit,
+    /// One page without outside parts
+    Html,
 }
 
 /// The forms of a paper's report.

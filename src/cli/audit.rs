@@ -1,21 +1,24 @@
 //! Running audits: everything, a method, a region or one case.
 
-use super::args::{AuditArgs, RunArgs, TextOrJson};
+use super::args::{AuditArgs, AuditFormat, RunArgs};
 use super::case;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
-use super::{complain, text_method, text_paper};
+use super::{
+    audit_html, audit_junit, candidate, complain, exec, interrupt, text_method, text_paper,
+};
 use mechaudit::audit::{
-    Case, CaseReport, Domain, Draw, Input, Law, Method, MethodReport, NormBudget, Origin, Output,
-    ReferenceAnswer, Settings, SolverAnswer, Verdict, audit_case, audit_method,
+    Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Verdict, audit_case,
+    audit_method_until,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
-use rug::Rational;
 use serde_json::{Value, json};
+use std::path::Path;
+use std::sync::atomic::Ordering;
 
 /// The settings that arguments and environment ask for.
 pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
@@ -83,9 +86,13 @@ pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
     for method in methods::registry() {
         let report = run(method.as_ref(), &settings, &progress);
         totals.add(&report);
+        let stopped = report.interrupted;
         progress.clear();
-        let text = text_method::method(&report, width);
+        let text = text_method::method(&report, &Case::reproduce, width);
         write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+        if stopped {
+            break;
+        }
     }
     good &= totals.good();
     let summary = format!(
@@ -123,6 +130,7 @@ struct Totals {
     passed_methods: usize,
     cases: usize,
     passed_cases: usize,
+    recorded: usize,
 }
 
 impl Totals {
@@ -131,6 +139,7 @@ impl Totals {
         self.passed_methods += usize::from(report.passed());
         self.cases += report.cases;
         self.passed_cases += report.passed;
+        self.recorded += report.recorded;
     }
 
     /// An audit of nothing is not a good one.
@@ -139,19 +148,22 @@ impl Totals {
     }
 
     fn words(&self) -> String {
+        let recorded = match self.recorded {
+            0 => String::new(),
+            n => format!(", {n} over budget as recorded"),
+        };
         format!(
-            "{} of {} methods pass, {} of {} cases",
+            "{} of {} methods pass, {} of {} cases{recorded}",
             self.passed_methods, self.methods, self.passed_cases, self.cases
         )
     }
 }
 
 fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> MethodReport {
-    let domain = method.domain();
-    let random = domain.regions.len() as u64 * settings.cases_per_region;
-    let total = random + domain.check_points.len() as u64;
+    let total = Cases::new(method, settings).len() as u64;
     progress.restart();
-    let report = audit_method(method, settings, &|| progress.tick(method.name(), total));
+    let tick = || progress.tick(method.name(), total);
+    let report = audit_method_until(method, settings, &tick, interrupt::flag());
     progress.clear();
     report
 }
@@ -159,6 +171,9 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> MethodR
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = settings(&args.run)?;
+    if let (Some(name), Some(command)) = (&args.method, &args.program.exec) {
+        return exec::audit(find(name)?.as_ref(), args, command, &settings);
+    }
     let chosen = match &args.method {
         None => methods::registry(),
         Some(name) => vec![find(name)?],
@@ -166,50 +181,89 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     if let (Some(_), Some(method)) = (&args.method, chosen.first())
         && let Some(case) = one_case(method.as_ref(), args, &settings)?
     {
-        return single(method.as_ref(), case, &settings, args.format);
+        let scoped = candidate::scoped(method.as_ref(), &args.scope)?;
+        return single(&scoped, case, &settings, args);
     }
     let progress = Progress::new();
     let mut totals = Totals::default();
     let mut reports = Vec::new();
     for method in &chosen {
-        let restricted = Restricted::new(method.as_ref(), args.region.as_deref())?;
-        let report = run(&restricted, &settings, &progress);
+        let mut chosen = candidate::scoped(method.as_ref(), &args.scope)?;
+        if let Some(region) = &args.region {
+            chosen = chosen.region(region)?;
+        }
+        let report = run(&chosen, &settings, &progress);
         totals.add(&report);
-        match args.format {
-            TextOrJson::Text => {
-                let text = text_method::method(&report, width());
-                write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
-            }
-            TextOrJson::Json => reports.push(json_report(&report)),
+        if args.format == AuditFormat::Text && args.output.is_none() {
+            let text = text_method::method(&report, &Case::reproduce, width());
+            write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+        }
+        let stopped = report.interrupted;
+        reports.push(report);
+        if stopped {
+            break;
         }
     }
+    let output = args.output.as_deref();
     match args.format {
-        TextOrJson::Text => close(&totals.words(), totals.good(), &settings)?,
-        TextOrJson::Json => print_json(&json!({
-            "mechaudit_version": env!("CARGO_PKG_VERSION"),
-            "passed": totals.good(),
-            "methods": reports,
-        }))?,
+        AuditFormat::Text if output.is_none() => close(&totals.words(), totals.good(), &settings)?,
+        AuditFormat::Text => write_to(output, |out| {
+            for report in &reports {
+                let text = text_method::method(report, &Case::reproduce, width());
+                writeln!(out, "{text}")?;
+            }
+            Ok(writeln!(out, "{}.", totals.words())?)
+        })?,
+        AuditFormat::Json => {
+            let reports: Vec<Value> = reports
+                .iter()
+                .map(|r| json_report(r, &Case::reproduce))
+                .collect();
+            let value = json!({
+                "schema_version": 1,
+                "mechaudit_version": env!("CARGO_PKG_VERSION"),
+                "passed": totals.good(),
+                "interrupted": interrupt::flag().load(Ordering::Relaxed),
+                "methods": reports,
+            });
+            write_json(output, &value)?;
+        }
+        AuditFormat::Junit => {
+            let text = audit_junit::document(&reports).map_err(Failure::new)?;
+            write_to(output, |out| Ok(writeln!(out, "{text}")?))?;
+        }
+        AuditFormat::Html => {
+            let page = audit_html::page(&reports, &settings, args.method.is_none());
+            write_to(output, |out| Ok(write!(out, "{page}")?))?;
+        }
     }
     Ok(Outcome::of(totals.good()))
 }
 
-pub fn print_json(value: &Value) -> Result<(), Failure> {
-    write_to(None, |out| {
+/// JSON to standard output or a file.
+fn write_json(output: Option<&Path>, value: &Value) -> Result<(), Failure> {
+    write_to(output, |out| {
         serde_json::to_writer_pretty(&mut *out, value)?;
         Ok(writeln!(out)?)
     })
 }
 
-fn json_report(report: &MethodReport) -> Value {
+pub fn print_json(value: &Value) -> Result<(), Failure> {
+    write_json(None, value)
+}
+
+/// The report for programs. `again` gives the command that judges a case again.
+pub fn json_report(report: &MethodReport, again: &dyn Fn(&Case) -> String) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
-    let failures: Vec<Value> = report.failures.iter().map(case::json).collect();
+    let failures = report.failures.iter();
+    let failures: Vec<Value> = failures.map(|f| case::json(f, &again(&f.case))).collect();
     value["passed_all"] = json!(report.passed());
     value["failures"] = json!(failures);
     value
 }
 
-fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
+/// The method of that name.
+pub fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
     methods::find(name).ok_or_else(|| {
         let known: Vec<&str> = methods::registry().iter().map(|m| m.name()).collect();
         Failure::new(format!(
@@ -219,52 +273,28 @@ fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
     })
 }
 
-fn one_case(
+/// The one case that the arguments ask for, if they do.
+pub fn one_case(
     method: &dyn Method,
     args: &AuditArgs,
     settings: &Settings,
-) -> Result<Option<Case>, Failure> {
-    let domain = method.domain();
-    if let Some(name) = &args.check_point {
-        let names: Vec<&str> = domain.check_points.iter().map(|p| p.name).collect();
-        let found = domain.check_points.iter().find(|p| p.name == name);
-        let point = found.ok_or_else(|| no_such("check point", name, method, &names))?;
-        return Ok(Some(Case {
-            method: method.name(),
-            region: "check-points",
-            input: point.input.clone(),
-            origin: Origin::CheckPoint { name: point.name },
-        }));
+) -> Result<Option<Case>, NoSuch> {
+    let cases = Cases::new(method, settings);
+    if let Some(number) = args.hard {
+        return cases.hard_case(number).map(Some);
     }
-    let (Some(region), Some(index)) = (&args.region, args.case) else {
-        return Ok(None);
-    };
-    let names: Vec<&str> = domain.regions.iter().map(|r| r.name).collect();
-    let found = domain.regions.iter().find(|r| r.name == region);
-    let region = found.ok_or_else(|| no_such("region", region, method, &names))?;
-    let seed = settings.seed;
-    let mut draw = Draw::new(seed, method.name(), region.name, index);
-    Ok(Some(Case {
-        method: method.name(),
-        region: region.name,
-        input: (region.sample)(&mut draw),
-        origin: Origin::Random { seed, index },
-    }))
-}
-
-fn no_such(what: &str, name: &str, method: &dyn Method, known: &[&str]) -> Failure {
-    Failure::new(format!(
-        "{} has no {what} {name:?}; it has: {}",
-        method.name(),
-        known.join(", ")
-    ))
+    match (&args.check_point, &args.region, args.case) {
+        (Some(name), ..) => cases.at_check_point(name).map(Some),
+        (None, Some(region), Some(index)) => cases.in_region(region, index).map(Some),
+        _ => Ok(None),
+    }
 }
 
 fn single(
     method: &dyn Method,
     case: Case,
     settings: &Settings,
-    format: TextOrJson,
+    args: &AuditArgs,
 ) -> Result<Outcome, Failure> {
     let report: CaseReport = audit_case(method, case, settings);
     let laws: Vec<(Law, Option<f64>)> = method
@@ -274,9 +304,14 @@ fn single(
         .collect();
     let held = |x: &Option<f64>| x.is_none_or(|x| x <= 1.0);
     let good = report.judgement.verdict == Verdict::Pass && laws.iter().all(|(_, x)| held(x));
-    match format {
-        TextOrJson::Text => write_to(None, |out| {
-            write!(out, "{}", case::text(&report, width()))?;
+    let output = args.output.as_deref();
+    match args.format {
+        AuditFormat::Text => write_to(output, |out| {
+            write!(
+                out,
+                "{}",
+                case::text(&report, &report.case.reproduce(), width())
+            )?;
             for (law, residual) in &laws {
                 if let Some(x) = residual {
                     let style = if *x <= 1.0 { BOLD } else { BAD };
@@ -287,80 +322,20 @@ fn single(
             }
             Ok(())
         })?,
-        TextOrJson::Json => {
-            let mut value = case::json(&report);
+        AuditFormat::Json => {
+            let mut value = case::json(&report, &report.case.reproduce());
             let laws = laws
                 .iter()
                 .map(|(l, x)| json!({ "name": l.name, "residual": x }));
             value["laws"] = laws.collect();
             value["passed"] = json!(good);
-            print_json(&value)?;
+            write_json(output, &value)?;
+        }
+        AuditFormat::Junit | AuditFormat::Html => {
+            return Err(Failure::new("one case is reported as text or json"));
         }
     }
     Ok(Outcome::of(good))
-}
-
-/// A method over one region of its domain.
-struct Restricted<'a> {
-    method: &'a dyn Method,
-    region: Option<&'a str>,
-}
-
-impl<'a> Restricted<'a> {
-    fn new(method: &'a dyn Method, region: Option<&'a str>) -> Result<Restricted<'a>, Failure> {
-        if let Some(name) = region {
-            let domain = method.domain();
-            let names: Vec<&str> = domain.regions.iter().map(|r| r.name).collect();
-            if !names.contains(&name) {
-                return Err(no_such("region", name, method, &names));
-            }
-        }
-        Ok(Restricted { method, region })
-    }
-}
-
-impl Method for Restricted<'_> {
-    fn name(&self) -> &'static str {
-        self.method.name()
-    }
-    fn summary(&self) -> &'static str {
-        self.method.summary()
-    }
-    fn source(&self) -> &'static str {
-        self.method.source()
-    }
-    fn inputs(&self) -> Vec<Input> {
-        self.method.inputs()
-    }
-    fn outputs(&self) -> Vec<Output> {
-        self.method.outputs()
-    }
-    fn norm_budget(&self) -> Option<NormBudget> {
-        self.method.norm_budget()
-    }
-    fn domain(&self) -> Domain {
-        let mut domain = self.method.domain();
-        if let Some(name) = self.region {
-            domain.regions.retain(|r| r.name == name);
-            domain.check_points.clear();
-        }
-        domain
-    }
-    fn solve(&self, input: &[f64]) -> SolverAnswer {
-        self.method.solve(input)
-    }
-    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
-        self.method.reference(input, bits)
-    }
-    fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
-        self.method.reference_not_finite(input)
-    }
-    fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
-        self.method.conditions(input)
-    }
-    fn laws(&self) -> Vec<Law> {
-        self.method.laws()
-    }
 }
 
 #[cfg(test)]

@@ -37,7 +37,9 @@ pub fn input(case: &Case, indent: usize) -> String {
 }
 
 /// The case with everything that was found about it.
-pub fn text(report: &CaseReport, width: usize) -> String {
+///
+/// `again` is the command that judges it again.
+pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
     let case = &report.case;
     let (word, style) = verdict(report.judgement.verdict);
     let mut out = format!(
@@ -53,10 +55,11 @@ pub fn text(report: &CaseReport, width: usize) -> String {
     out.push_str(&input(case, 4));
     match &report.answer {
         Some(SolverAnswer::Values(got)) => out.push_str(&values(report, got)),
-        Some(SolverAnswer::Refuses(why)) => {
-            out.push_str(&format!("    got        refusal: {why}\n"))
+        Some(SolverAnswer::Fails(_)) | None => out.push_str("    got        no answer\n"),
+        Some(refusal) => {
+            let word = refusal.refusal().unwrap_or("without a reason");
+            out.push_str(&format!("    got        refusal: {word}\n"));
         }
-        None => out.push_str("    got        nothing\n"),
     }
     if let Some(proof) = report.proof {
         let proof = match proof {
@@ -67,13 +70,16 @@ pub fn text(report: &CaseReport, width: usize) -> String {
         out.push_str(&super::text::wrap(proof, 15, width));
         out.push('\n');
     }
-    out.push_str(&format!("    reproduce  {}\n", case.reproduce()));
+    out.push_str(&format!("    reproduce  {again}\n"));
     out
 }
 
 fn values(report: &CaseReport, got: &[f64]) -> String {
-    let method = mechaudit::methods::find(report.case.method);
-    let outputs = method.map(|m| m.outputs()).unwrap_or_default();
+    let judged = &report.judgement.components;
+    // Outputs that share a name are counted.
+    let first = judged.first().map(|c| c.output);
+    let outputs = judged.iter().skip(1).position(|c| Some(c.output) == first);
+    let cycle = outputs.map_or(judged.len(), |k| k + 1);
     let mut table = Table::new(
         &[
             "output",
@@ -86,17 +92,19 @@ fn values(report: &CaseReport, got: &[f64]) -> String {
         &[0, 1, 2],
     );
     for (i, x) in got.iter().enumerate() {
-        let name = match outputs.len() {
-            0 => format!("[{i}]"),
-            n if got.len() == n => outputs[i].name.to_string(),
-            n => format!("{}[{}]", outputs[i % n].name, i / n),
+        let name = match judged.get(i) {
+            None => format!("[{i}]"),
+            Some(c) if cycle == judged.len() => c.output.to_string(),
+            Some(c) => format!("{}[{}]", c.output, i / cycle),
         };
+        let radius = report.radii.get(i).filter(|r| **r > 0.0);
+        let radius = radius.map_or(String::new(), |r| format!(" ± {r:.0e}"));
         let reference = match report.reference.get(i) {
-            Some(Some(digits)) => digits.clone(),
+            Some(Some(digits)) => format!("{digits}{radius}"),
             Some(None) => "not certified".into(),
             None => "none".into(),
         };
-        let judged = report.judgement.components.get(i);
+        let judged = judged.get(i);
         let number = |x: Option<f64>| x.filter(|x| !x.is_nan()).map_or("–".into(), short);
         let style = judged.map_or(PLAIN, |c| match c.verdict {
             Verdict::Pass => PLAIN,
@@ -116,7 +124,7 @@ fn values(report: &CaseReport, got: &[f64]) -> String {
 }
 
 /// The case for programs: the report with the answer, exact inputs and the command.
-pub fn json(report: &CaseReport) -> Value {
+pub fn json(report: &CaseReport, again: &str) -> Value {
     let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
     let hex: Vec<String> = report.case.input.iter().map(|x| hex_float(*x)).collect();
     let got = match &report.answer {
@@ -124,13 +132,14 @@ pub fn json(report: &CaseReport) -> Value {
             "values": v,
             "hexadecimal": v.iter().map(|x| hex_float(*x)).collect::<Vec<_>>(),
         }),
-        Some(SolverAnswer::Refuses(why)) => json!({ "refuses": why }),
+        Some(SolverAnswer::Fails(why)) => json!({ "fails": why }),
+        Some(refusal) => json!({ "refuses": refusal.refusal().unwrap_or("") }),
         None => Value::Null,
     };
     if let Some(object) = value.as_object_mut() {
         object.insert("input_hexadecimal".into(), json!(hex));
         object.insert("got".into(), got);
-        object.insert("reproduce".into(), json!(report.case.reproduce()));
+        object.insert("reproduce".into(), json!(again));
     }
     value
 }

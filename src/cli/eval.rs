@@ -132,7 +132,7 @@ fn has_line(buffer: &[u8]) -> bool {
 }
 
 /// The beginning of a line, for messages.
-fn shortened(text: &[u8]) -> String {
+pub fn shortened(text: &[u8]) -> String {
     const SHOWN: usize = 80;
     let text = String::from_utf8_lossy(&text[..text.len().min(4 * SHOWN)]);
     let text = text.trim();

@@ -43,6 +43,12 @@ impl From<std::io::Error> for Failure {
     }
 }
 
+impl From<mechaudit::audit::NoSuch> for Failure {
+    fn from(e: mechaudit::audit::NoSuch) -> Failure {
+        Failure::new(e.to_string())
+    }
+}
+
 impl From<csv::Error> for Failure {
     fn from(e: csv::Error) -> Failure {
         match e.into_kind() {

@@ -2,12 +2,17 @@
 
 mod args;
 mod audit;
+mod audit_html;
+mod audit_junit;
+mod audit_plots;
 mod branch;
+mod candidate;
 mod case;
 mod certified;
 mod chirp;
 mod chirp_file;
 mod chirp_rows;
+mod converge;
 mod crank_angles;
 mod dyad;
 mod dyad_certified;
@@ -18,10 +23,14 @@ mod eval;
 mod eval_chirp;
 mod eval_functions;
 mod eval_number;
+mod exec;
 mod failure;
 mod fields;
 mod html;
 mod html_style;
+mod hunt;
+mod interrupt;
+mod judge;
 mod ledger;
 mod ledger_html;
 mod ledger_latex;
@@ -33,6 +42,7 @@ mod list;
 mod output;
 mod paper;
 mod paper_csv;
+mod points;
 mod progress;
 mod quantity;
 mod result;
@@ -41,15 +51,18 @@ mod runup;
 mod runup_facts;
 mod runup_file;
 mod runup_precision;
+mod shell;
 mod svg;
 mod svg_chirp;
 mod svg_dyad;
 mod svg_mechanism;
 mod svg_reduced;
 mod svg_runup;
+mod table;
 mod text;
 mod text_method;
 mod text_paper;
+mod wire;
 
 use args::{Args, Command};
 use clap::Parser;
@@ -78,6 +91,12 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     match args.command {
         None => audit::everything(&args.run),
         Some(Command::Audit(a)) => audit::methods(&a),
+        Some(Command::Points(a)) => points::points(&a),
+        Some(Command::Judge(a)) => judge::judge(&a),
+        Some(Command::Hunt(a)) => hunt::hunt(&a),
+        Some(Command::Converge(a)) => converge::converge(&a),
+        Some(Command::Completions(a)) => shell::completions(&a),
+        Some(Command::Man(a)) => shell::man(&a),
         Some(Command::List(a)) => list::list(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),

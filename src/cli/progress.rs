@@ -30,7 +30,8 @@ impl Progress {
             return;
         };
         let bar = slot.get_or_insert_with(|| {
-            let style = ProgressStyle::with_template("{msg:32!} {bar:40} {pos}/{len}");
+            let style =
+                ProgressStyle::with_template("{msg:32!} {bar:30} {pos}/{len} {per_sec} {eta} left");
             let bar = ProgressBar::new(total);
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
             bar

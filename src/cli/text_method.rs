@@ -2,21 +2,21 @@
 
 use super::case;
 use super::text::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, Table, paint, paragraph, percent, short};
-use mechaudit::audit::{MethodReport, OutputStatistics};
+use mechaudit::audit::{Case, MethodReport, OutputStatistics};
 
 /// Failing cases printed in full for each method.
 const FAILURES_SHOWN: usize = 10;
 
-/// The report of one method.
-pub fn method(report: &MethodReport, width: usize) -> String {
+/// The report of one method. `again` gives the command that judges a case again.
+pub fn method(report: &MethodReport, again: &dyn Fn(&Case) -> String, width: usize) -> String {
     let mut out = heading(report, width);
     out.push_str(&outputs(&report.outputs));
     out.push_str(&laws(report, width));
     for failure in report.failures.iter().take(FAILURES_SHOWN) {
         out.push('\n');
-        out.push_str(&case::text(failure, width));
+        out.push_str(&case::text(failure, &again(&failure.case), width));
     }
-    let left = report.failures.len().saturating_sub(FAILURES_SHOWN);
+    let left = report.failures.len().saturating_sub(FAILURES_SHOWN) + report.failures_left_out;
     if left > 0 {
         let text = format!("{left} more failing cases; --format json lists all of them.");
         out.push_str(&paragraph(&text, 2, width));
@@ -27,9 +27,14 @@ pub fn method(report: &MethodReport, width: usize) -> String {
 fn heading(report: &MethodReport, width: usize) -> String {
     let (word, style) = match report.passed() {
         true => ("pass", GOOD),
+        false if report.interrupted => ("interrupted", BAD),
         false => ("FAIL", BAD),
     };
-    let count = format!("{} of {} cases", report.passed, report.cases);
+    let recorded = match report.recorded {
+        0 => String::new(),
+        n => format!(", {n} over budget as recorded"),
+    };
+    let count = format!("{} of {} cases{recorded}", report.passed, report.cases);
     let used = report.method.chars().count() + word.len() + 2 + count.len();
     let gap = width.saturating_sub(used).max(2);
     format!(
@@ -110,7 +115,7 @@ fn laws(report: &MethodReport, width: usize) -> String {
 mod tests {
     use super::*;
     use mechaudit::audit::{
-        Case, CaseReport, ComponentJudgement, Judgement, LawReport, Origin, Proof, Settings,
+        CaseReport, ComponentJudgement, Judgement, LawReport, Origin, Proof, Settings,
         SolverAnswer, Spread, Verdict,
     };
 
@@ -128,6 +133,8 @@ mod tests {
             settings: Settings::default(),
             cases: 400,
             passed: 399,
+            recorded: 0,
+            interrupted: false,
             outputs: vec![OutputStatistics {
                 name: "phi2",
                 values: 400,
@@ -138,6 +145,7 @@ mod tests {
                     rms: 0.4,
                 },
                 conditioned: Spread::default(),
+                histogram: vec![(Some(-2), 399), (Some(2), 1)],
                 max_of_budget: 1.75,
                 max_condition: 31.0,
                 worst: Some(case.clone()),
@@ -157,6 +165,7 @@ mod tests {
                     verdict: Verdict::Over,
                     reason: Some("phi2 (value 0) is 1.750 times its budget off".into()),
                     components: vec![ComponentJudgement {
+                        output: "phi2",
                         verdict: Verdict::Over,
                         ulps: 7.25,
                         conditioned: 0.4,
@@ -167,14 +176,16 @@ mod tests {
                 },
                 bits: 128,
                 reference: vec![Some("0.75000000000000080491".into())],
+                radii: vec![1e-30],
                 proof: Some(Proof::Exact),
             }],
+            failures_left_out: 0,
         }
     }
 
     #[test]
     fn a_failing_case_has_all_it_needs() {
-        let text = method(&fabricated(), 100);
+        let text = method(&fabricated(), &Case::reproduce, 100);
         let text = anstream::adapter::strip_str(&text).to_string();
         for part in [
             "FAIL  399 of 400 cases",

@@ -1,6 +1,6 @@
 //! The class-III linkage on a chosen assembly mode: positions, rates and reduced quantities.
 
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer,
 };
@@ -54,6 +54,12 @@ fn outputs() -> Vec<Output> {
         o("M_o", "N m", REDUCED),
         o("dM_o/dphi1", "N m", REDUCED),
     ]
+}
+
+/// Whether the mode is a whole number and the flags of the pivots are 0 or 1.
+pub(super) fn choices_are_whole(x: &[f64]) -> bool {
+    let flag = |v: &f64| *v == 0.0 || *v == 1.0;
+    x[MODE].fract() == 0.0 && x[PIVOTS..LENGTH].iter().all(flag)
 }
 
 /// The linkage and masses of an input, as the solver takes them.
@@ -234,6 +240,14 @@ impl Method for Audit {
                 },
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/class-iii.csv"))
+    }
+
+    fn admits(&self, x: &[f64]) -> bool {
+        x.len() == LENGTH && choices_are_whole(x)
     }
 
     fn solve(&self, x: &[f64]) -> SolverAnswer {

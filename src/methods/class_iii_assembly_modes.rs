@@ -1,6 +1,6 @@
 //! All assembly modes of the class-III linkage: their number and every angle.
 
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer,
 };
@@ -101,6 +101,10 @@ impl Method for Audit {
                 input: row,
             }],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/class-iii-assembly-modes.csv"))
     }
 
     fn solve(&self, x: &[f64]) -> SolverAnswer {

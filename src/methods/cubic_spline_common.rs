@@ -296,6 +296,10 @@ macro_rules! audit {
             fn domain(&self) -> crate::audit::Domain {
                 crate::methods::cubic_spline_common::domain!($kind)
             }
+            fn hard(&self) -> Vec<crate::audit::HardCase> {
+                let text = include_str!(concat!("../../reference/hard/", $name, ".csv"));
+                crate::audit::HardCase::included(text)
+            }
             fn solve(&self, input: &[f64]) -> crate::audit::SolverAnswer {
                 $kind.solve(input)
             }

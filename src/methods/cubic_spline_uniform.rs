@@ -2,7 +2,7 @@
 
 use super::cubic_spline_common::{outputs, outputs_of, reference_of};
 use super::tridiagonal::identical;
-use crate::audit::{
+use crate::audit::{HardCase, 
     CheckPoint, Domain, Draw, Input, Law, Method, Output, ReferenceAnswer, Region, SolverAnswer,
 };
 use crate::reference::Ball;
@@ -201,6 +201,10 @@ impl Method for Audit {
                 point("outside", [0.0, 1.0, 0.0, 0.0, 0.5, 2.5], &[1.0, 2.0, 0.0]),
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/cubic-spline-uniform.csv"))
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

@@ -1,7 +1,7 @@
 //! Cyclic tridiagonal systems.
 
-use super::tridiagonal::{conditions, identical, values, word};
-use crate::audit::{
+use super::tridiagonal::{conditions, dominant, identical, values, word};
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, ReferenceAnswer, Region,
     SolverAnswer,
 };
@@ -12,7 +12,7 @@ use rug::Rational;
 /// Input `lower[n], diagonal[n], upper[n], d[n]`, output `x[n]`.
 pub struct Audit;
 
-fn split<T>(input: &[T]) -> Option<[&[T]; 4]> {
+pub(super) fn split<T>(input: &[T]) -> Option<[&[T]; 4]> {
     let n = input.len() / 4;
     if n < 3 || !input.len().is_multiple_of(4) {
         return None;
@@ -117,6 +117,15 @@ impl Method for Audit {
                 CheckPoint { name: "singular", input: ring(3, -1.0, 2.0, -1.0, vec![1.0, 0.0, -1.0]) },
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/cyclic-tridiagonal.csv"))
+    }
+
+    /// Dominant by rows, as the budget supposes.
+    fn admits(&self, input: &[f64]) -> bool {
+        split(input).is_some_and(|[l, b, u, _]| (0..b.len()).all(|i| dominant(b[i], l[i], u[i])))
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

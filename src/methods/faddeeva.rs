@@ -2,7 +2,7 @@
 
 use super::faddeeva_laws as laws;
 use super::faddeeva_regions as regions;
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Due, Input, Law, Limit, Method, NormBudget, Output, Proof,
     ReferenceAnswer, SolverAnswer,
 };
@@ -115,6 +115,10 @@ impl Method for Audit {
             regions: regions::all(),
             check_points: points,
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/faddeeva.csv"))
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

@@ -1,6 +1,6 @@
 //! The four-bar linkage.
 
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
@@ -175,6 +175,14 @@ impl Method for Audit {
                 point("crank-along-frame", [1.0, 4.0, 3.5, 4.0, PI, -1.0]),
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/four-bar.csv"))
+    }
+
+    fn admits(&self, x: &[f64]) -> bool {
+        x.len() == 6 && x[5].abs() == 1.0
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

@@ -1,5 +1,6 @@
 //! The registry: one file for each audited method, one word in the list below.
 
+mod approximations;
 mod cam_law_input;
 mod chirp_regions;
 mod cubic_spline_common;
@@ -10,9 +11,13 @@ mod faddeeva_regions;
 mod faddeeva_relatives;
 mod faddeeva_relatives_laws;
 mod faddeeva_relatives_regions;
+mod typed;
 mod voigt_regions;
 
 use crate::audit::Method;
+
+pub use approximations::{approximations, find_approximation};
+pub use typed::*;
 
 macro_rules! registry {
     ($($module:ident),* $(,)?) => {

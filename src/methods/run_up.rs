@@ -1,7 +1,7 @@
 //! The run-up of a class-III linkage under a motor: crank angle and speed after a given time.
 
 use super::class_iii as linkage_input;
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer,
 };
@@ -10,7 +10,7 @@ use crate::reference::run_up as certified;
 use crate::reference::run_up::LinkageCurve;
 use crate::solvers::class_iii::State;
 use crate::solvers::run_up::{
-    ClassIiiModel, ConstantInertia, Drive, Equation, Hybrid, Kloss, Motion, Motor, Outcome, Plan,
+    ClassIiiModel, ConstantInertia, Drive, Equation, Hybrid, Kloss, Method as Integration, Motion, Motor, Outcome, Plan,
     ReducedModel, Resistance, Settings, Splined, run,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
@@ -91,6 +91,19 @@ fn solver_motor(x: &[f64]) -> Option<Motor> {
 
 /// The motion by the code under test, for a duration of its own.
 fn motion(x: &[f64], from: (f64, f64), duration: f64) -> Result<Motion, &'static str> {
+    let settings = Settings {
+        tolerance: TOLERANCE,
+        ..Settings::default()
+    };
+    motion_with(x, from, duration, settings)
+}
+
+fn motion_with(
+    x: &[f64],
+    from: (f64, f64),
+    duration: f64,
+    settings: Settings,
+) -> Result<Motion, &'static str> {
     if x.len() != LENGTH {
         return Err("layout");
     }
@@ -101,10 +114,7 @@ fn motion(x: &[f64], from: (f64, f64), duration: f64) -> Result<Motion, &'static
     let drive = Drive::new(motor, 1.0, none, rotor, Resistance::default()).map_err(|_| "motor")?;
     let plan = Plan {
         psi: from.1,
-        settings: Settings {
-            tolerance: TOLERANCE,
-            ..Settings::default()
-        },
+        settings,
         ..Plan::new(from.0, duration)
     };
     let motion = run(&Equation::new(&*model, &drive), &plan).map_err(|_| "no motion")?;
@@ -253,6 +263,19 @@ impl Method for Audit {
         }
     }
 
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/run-up.csv"))
+    }
+
+    /// As short as in the regions: a reference costs the more the longer it runs.
+    fn admits(&self, x: &[f64]) -> bool {
+        let whole = |x: &[f64]| [MODEL, NODES, MOTOR].iter().all(|k| x[*k].fract() == 0.0);
+        x.len() == LENGTH
+            && whole(x)
+            && linkage_input::choices_are_whole(&x[LINKAGE..])
+            && (x[MODEL] == CONSTANT || x[DURATION] <= 5e-3)
+    }
+
     fn solve(&self, x: &[f64]) -> SolverAnswer {
         if x.len() != LENGTH {
             return SolverAnswer::Refuses("layout");
@@ -331,6 +354,40 @@ fn restart_law(x: &[f64]) -> Option<f64> {
     let end = motion(x, (half.phi, half.psi), 0.5 * t).ok()?.end;
     let off = |a: f64, b: f64| (a - b).abs() / (1e-10 * a.abs());
     Some(off(whole.phi, end.phi).max(off(whole.psi, end.psi)))
+}
+
+/// Evaluations made and the end of the motion, by another method or at another tolerance.
+pub(super) fn at_tolerance(x: &[f64], tolerance: f64, method: Integration) -> (u64, SolverAnswer) {
+    let settings = Settings {
+        tolerance,
+        method,
+        ..Settings::default()
+    };
+    match motion_with(x, (x[ANGLE], x[SPEED]), x[DURATION], settings) {
+        Ok(m) => (m.counts.evaluations, SolverAnswer::Values(vec![m.end.phi, m.end.psi])),
+        Err(word) => (0, SolverAnswer::Refuses(word)),
+    }
+}
+
+/// The enclosed end of the motion.
+pub(super) fn truth(x: &[f64], bits: u32) -> ReferenceAnswer {
+    let exact: Option<Vec<Rational>> = x.iter().map(|&v| Rational::from_f64(v)).collect();
+    match exact {
+        Some(exact) => Audit.reference(&exact, bits),
+        None => Audit.reference_not_finite(x),
+    }
+}
+
+/// 0.5 kg m² under the motor of the sand screen, to nearly its speed.
+pub(super) fn bare_rotor_under_kloss() -> Vec<f64> {
+    let mut x = sand_screen(CONSTANT, 0.0, 0.03125);
+    x[ROTOR] = 0.5;
+    x
+}
+
+/// The sand screen with exact coefficients.
+pub(super) fn sand_screen_from_rest(duration: f64) -> Vec<f64> {
+    sand_screen(EXACT, 0.0, duration)
 }
 
 /// Kloss motor with ω_c = 10 rad/s, M_n = 200 N·m, k = 2.2, s_n = 0.05 at the crank of the sand

@@ -1,7 +1,7 @@
 //! The slider-crank.
 
 use super::four_bar::refusal;
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
@@ -191,6 +191,14 @@ impl Method for Audit {
                 point("never-closed", [1.0, 5.0, -6.0, 0.3, 0.3, 1.0]),
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/slider-crank.csv"))
+    }
+
+    fn admits(&self, x: &[f64]) -> bool {
+        x.len() == 6 && x[5].abs() == 1.0
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

@@ -1,6 +1,6 @@
 //! Tridiagonal systems by the sweep.
 
-use crate::audit::{
+use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer,
 };
@@ -11,14 +11,14 @@ use rug::Rational;
 /// Input `lower[n−1], diagonal[n], upper[n−1], d[n]`, output `x[n]`.
 pub struct Audit;
 
-struct Parts<'a, T> {
-    lower: &'a [T],
-    diagonal: &'a [T],
-    upper: &'a [T],
-    d: &'a [T],
+pub(super) struct Parts<'a, T> {
+    pub lower: &'a [T],
+    pub diagonal: &'a [T],
+    pub upper: &'a [T],
+    pub d: &'a [T],
 }
 
-fn split<T>(input: &[T]) -> Option<Parts<'_, T>> {
+pub(super) fn split<T>(input: &[T]) -> Option<Parts<'_, T>> {
     let n = (input.len() + 2) / 4;
     if n == 0 || input.len() + 2 != 4 * n {
         return None;
@@ -74,6 +74,15 @@ pub(super) fn values(x: &[Rational], bits: u32) -> ReferenceAnswer {
 pub(super) fn identical(a: &[f64], b: &[f64]) -> f64 {
     let same = a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits());
     if same { 0.0 } else { f64::INFINITY }
+}
+
+/// `|b| > |a| + |c|`, exactly.
+pub(super) fn dominant(b: f64, a: f64, c: f64) -> bool {
+    let size = |x: f64| Rational::from_f64(x.abs());
+    match (size(b), size(a), size(c)) {
+        (Some(b), Some(a), Some(c)) => b > a + c,
+        _ => false,
+    }
 }
 
 fn size(draw: &mut Draw) -> usize {
@@ -180,6 +189,20 @@ impl Method for Audit {
                 },
             ],
         }
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/tridiagonal.csv"))
+    }
+
+    /// Dominant by rows, as the budget supposes.
+    fn admits(&self, input: &[f64]) -> bool {
+        split(input).is_some_and(|p| {
+            (0..p.d.len()).all(|i| {
+                let before = if i > 0 { p.lower[i - 1] } else { 0.0 };
+                dominant(p.diagonal[i], before, p.upper.get(i).copied().unwrap_or(0.0))
+            })
+        })
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

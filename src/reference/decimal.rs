@@ -10,8 +10,10 @@ use rug::{Float, Integer, Rational};
 pub struct Decimal {
     /// The exact value.
     pub value: Rational,
-    /// Digits after the decimal point: the last digit stands for `10^-places`.
+    /// Digits after the decimal point.
     pub places: u32,
+    /// The last digit stands for `10^exponent`: −2 in `1.25`, 3 in `1.2e4`.
+    pub exponent: i32,
 }
 
 /// The text is not a decimal number.
@@ -66,12 +68,21 @@ impl Decimal {
         Ok(Decimal {
             value,
             places: shift.max(0) as u32,
+            exponent: -shift,
         })
     }
 
     /// One unit in the last written digit.
     pub fn unit(&self) -> Rational {
-        Rational::from((1, Integer::from(10).pow(self.places)))
+        let ten = Rational::from(Integer::from(10).pow(self.exponent.unsigned_abs()));
+        if self.exponent < 0 { ten.recip() } else { ten }
+    }
+
+    /// `(written − value)` in units of the last written digit; correctly rounded is at most a half.
+    pub fn units_off(&self, value: &Ball) -> Ball {
+        let bits = value.prec();
+        let d = &Ball::rational(bits, &self.value) - value;
+        &d / &Ball::rational(bits, &self.unit())
     }
 }
 
@@ -195,6 +206,25 @@ mod tests {
         ] {
             assert!(Decimal::parse(text).is_err(), "{text:?}");
         }
+    }
+
+    #[test]
+    fn the_last_digit_has_its_place() {
+        for (text, n, d) in [
+            ("1.25", 1, 100),
+            ("1.2e4", 1000, 1),
+            ("12", 1, 1),
+            ("1.20e-1", 1, 1000),
+        ] {
+            assert_eq!(
+                Decimal::parse(text).unwrap().unit(),
+                Rational::from((n, d)),
+                "{text}"
+            );
+        }
+        let off = Decimal::parse("0.334").unwrap();
+        let off = off.units_off(&Ball::rational(100, &Rational::from((1, 3))));
+        assert!((off.to_f64() - 2.0 / 3.0).abs() < 1e-12);
     }
 
     #[test]

@@ -14,16 +14,9 @@ pub(super) struct Variant {
     pub columns: Vec<Vec<Ball>>,
 }
 
-/// `(printed − recomputed)` in units of a written decimal's last digit.
-fn units(written: &Decimal, value: &Ball) -> Ball {
-    let bits = value.prec();
-    let d = &Ball::rational(bits, &written.value) - value;
-    &d / &Ball::rational(bits, &written.unit())
-}
-
 /// Certainly within `limit` units.
 fn within(written: &Decimal, value: &Ball, limit: f64) -> bool {
-    let u = units(written, value);
+    let u = written.units_off(value);
     u.is_finite() && u.abs().upper() <= limit
 }
 
@@ -93,7 +86,7 @@ fn judge(
             None => (EntryVerdict::Unexplained, None),
         }
     };
-    let u = units(&p.value, value);
+    let u = p.value.units_off(value);
     VariantResult {
         recomputed: value
             .to_decimal(DIGITS)
@@ -196,6 +189,6 @@ mod tests {
             crate::reference::Mag::from_f64(1.0),
         );
         assert!(!within(&d, &wide, 0.5));
-        assert!(units(&d, &ball("0.033")).contains(&Rational::from(1)));
+        assert!(d.units_off(&ball("0.033")).contains(&Rational::from(1)));
     }
 }

@@ -1,0 +1,299 @@
+//! Where the error of an approximation comes from, and how fast it falls.
+//!
+//! An approximation differs from the truth by its *method error* (truncation, step, interpolation)
+//! and by *rounding*. A **twin**, the same algorithm without rounding, tells them apart: the method
+//! error is twin less truth, the rounding error is result less twin. Bounds come from balls.
+
+use super::method::SolverAnswer;
+use super::ulp::distance;
+use crate::reference::{Ball, Mag};
+use serde::Serialize;
+
+/// A numerical approximation with a refinement, a twin where there is one, and the truth.
+///
+/// Values belong to outputs cyclically: value `i` to output `i mod outputs.len()`.
+pub trait Approximation: Sync {
+    /// The name used on the command line.
+    fn name(&self) -> &'static str;
+    /// One line in plain words.
+    fn summary(&self) -> &'static str;
+    /// What is counted as work: deterministic, the same on every machine.
+    fn work_unit(&self) -> &'static str;
+    /// The outputs with the order that theory promises, in powers of one over the work, if it does.
+    fn outputs(&self) -> Vec<(&'static str, Option<f64>)>;
+    /// The names of the refinements, coarse to fine.
+    fn levels(&self) -> Vec<String>;
+    /// Whether the work grows by the same factor from level to level, so that orders can be observed
+    /// between two of them.
+    fn is_regular(&self) -> bool {
+        true
+    }
+    /// The code under test at a level: the work done and the values.
+    fn run(&self, level: usize) -> (u64, SolverAnswer);
+    /// The same algorithm in arithmetic without rounding, or with much less and a bound on it.
+    fn twin(&self, _level: usize) -> Option<Vec<Ball>> {
+        None
+    }
+    /// The truth.
+    ///
+    /// # Errors
+    /// Why it could not be had.
+    fn truth(&self) -> Result<Vec<Ball>, String>;
+}
+
+/// Errors of one output at one level, the largest over its values, as upper bounds.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LevelError {
+    /// `|result − truth|`.
+    pub total: f64,
+    /// `|twin − truth|`.
+    pub method: Option<f64>,
+    /// `|result − twin|`.
+    pub rounding: Option<f64>,
+    /// Observed order: `log(e₁/e₂) / log(work₂/work₁)` against the level before, of the method
+    /// error where there is a twin and of the total otherwise.
+    pub order: Option<f64>,
+    /// The order that the results alone show (Richardson), `log(|v₀−v₁|/|v₁−v₂|)/log(work₂/work₁)`
+    /// with the two levels before. Both only where the work grows by the same factor each time.
+    pub richardson: Option<f64>,
+}
+
+/// One level of a refinement.
+#[derive(Clone, Debug, Serialize)]
+pub struct LevelReport {
+    /// Its name.
+    pub level: String,
+    /// The work done.
+    pub work: u64,
+    /// Why there are no values, if there are none.
+    pub failed: Option<String>,
+    /// One entry for each output; empty for a failed run.
+    pub errors: Vec<LevelError>,
+}
+
+/// A refinement with its errors: the data of a work-precision diagram.
+#[derive(Clone, Debug, Serialize)]
+pub struct ConvergenceReport {
+    /// The approximation.
+    pub name: &'static str,
+    /// In plain words.
+    pub summary: &'static str,
+    /// What is counted as work.
+    pub work_unit: &'static str,
+    /// The outputs.
+    pub outputs: Vec<&'static str>,
+    /// The orders promised.
+    pub orders: Vec<Option<f64>>,
+    /// The orders that all levels together show: minus the slope of the least-squares line through
+    /// the logarithms of error and work.
+    pub fitted: Vec<Option<f64>>,
+    /// The levels.
+    pub levels: Vec<LevelReport>,
+}
+
+/// What a level gave, for the levels after it.
+struct Level {
+    work: f64,
+    values: Vec<f64>,
+    leading: Vec<f64>,
+}
+
+/// Runs every level of an approximation.
+///
+/// # Errors
+/// The truth could not be had.
+///
+/// ```
+/// use mechaudit::audit::convergence;
+/// use mechaudit::methods;
+///
+/// let spline = methods::find_approximation("spline-clamped").unwrap();
+/// let report = convergence(&*spline)?;
+/// let finest = report.levels.last().unwrap().errors[0];
+/// assert!((finest.order.unwrap() - 4.0).abs() < 0.1);
+/// assert!(finest.rounding.unwrap() < 1e-15);
+/// # Ok::<(), String>(())
+/// ```
+pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, String> {
+    let truth = of.truth()?;
+    let outputs = of.outputs();
+    let n = outputs.len();
+    let mut before: Vec<Level> = Vec::new();
+    let mut levels = Vec::new();
+    for (k, name) in of.levels().into_iter().enumerate() {
+        let (work, answer) = of.run(k);
+        let values = match answer {
+            SolverAnswer::Values(v)
+                if v.len() == truth.len() && v.iter().all(|x| x.is_finite()) =>
+            {
+                v
+            }
+            other => {
+                levels.push(LevelReport {
+                    level: name,
+                    work,
+                    failed: Some(failure(&other)),
+                    errors: Vec::new(),
+                });
+                // No order is observed across a gap.
+                before.clear();
+                continue;
+            }
+        };
+        let twin = of.twin(k).filter(|t| t.len() == truth.len());
+        let mut errors: Vec<LevelError> = (0..n)
+            .map(|o| {
+                let own = || (o..values.len()).step_by(n);
+                let largest =
+                    |f: &dyn Fn(usize) -> Mag| own().map(f).fold(Mag::ZERO, Mag::max).to_f64();
+                LevelError {
+                    total: largest(&|i| distance(values[i], &truth[i]).1),
+                    method: twin
+                        .as_ref()
+                        .map(|t| largest(&|i| (&t[i] - &truth[i]).magnitude())),
+                    rounding: twin
+                        .as_ref()
+                        .map(|t| largest(&|i| distance(values[i], &t[i]).1)),
+                    order: None,
+                    richardson: None,
+                }
+            })
+            .collect();
+        let leading: Vec<f64> = errors.iter().map(|e| e.method.unwrap_or(e.total)).collect();
+        let work = work as f64;
+        if let Some(last) = before.last().filter(|_| of.is_regular()) {
+            let step = (work / last.work).ln();
+            for (o, e) in errors.iter_mut().enumerate() {
+                e.order = ratio(last.leading[o], leading[o], step);
+            }
+            if let [.., first, second] = before.as_slice() {
+                for (o, e) in errors.iter_mut().enumerate() {
+                    let change = |a: &[f64], b: &[f64]| {
+                        let pairs = a.iter().zip(b).skip(o).step_by(n);
+                        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+                    };
+                    let old = change(&first.values, &second.values);
+                    e.richardson = ratio(old, change(&second.values, &values), step);
+                }
+            }
+        }
+        before.push(Level {
+            work,
+            values,
+            leading,
+        });
+        levels.push(LevelReport {
+            level: name,
+            work: work as u64,
+            failed: None,
+            errors,
+        });
+    }
+    Ok(ConvergenceReport {
+        name: of.name(),
+        summary: of.summary(),
+        work_unit: of.work_unit(),
+        fitted: (0..n).map(|o| fitted(&levels, o)).collect(),
+        outputs: outputs.iter().map(|o| o.0).collect(),
+        orders: outputs.iter().map(|o| o.1).collect(),
+        levels,
+    })
+}
+
+/// The order that the errors of an output show over all levels.
+fn fitted(levels: &[LevelReport], output: usize) -> Option<f64> {
+    let point = |l: &LevelReport| {
+        let e = l.errors.get(output)?;
+        let (x, y) = ((l.work as f64).ln(), e.method.unwrap_or(e.total).ln());
+        (x.is_finite() && y.is_finite()).then_some((x, y))
+    };
+    let points: Vec<(f64, f64)> = levels.iter().filter_map(point).collect();
+    let n = points.len() as f64;
+    let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / n;
+    let (x, y) = (mean(&|p| p.0), mean(&|p| p.1));
+    let slope = mean(&|p| (p.0 - x) * (p.1 - y)) / mean(&|p| (p.0 - x).powi(2));
+    (points.len() > 2 && slope.is_finite()).then_some(-slope)
+}
+
+/// `log(old/new) / step`, where it means anything.
+fn ratio(old: f64, new: f64, step: f64) -> Option<f64> {
+    let order = (old / new).ln() / step;
+    order.is_finite().then_some(order)
+}
+
+fn failure(answer: &SolverAnswer) -> String {
+    match answer {
+        SolverAnswer::Values(_) => "a value is missing or not finite".into(),
+        SolverAnswer::Fails(why) => why.clone(),
+        other => other.refusal().unwrap_or("refused").into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::Rational;
+
+    /// `∫₀¹ x² dx` by the trapezoidal rule: the error is exactly `1/(6 n²)`.
+    struct Trapezoid;
+
+    fn sum<T>(n: u64, zero: T, term: impl Fn(T, u64) -> T) -> T {
+        (0..n).fold(zero, term)
+    }
+
+    impl Approximation for Trapezoid {
+        fn name(&self) -> &'static str {
+            "trapezoid"
+        }
+        fn summary(&self) -> &'static str {
+            ""
+        }
+        fn work_unit(&self) -> &'static str {
+            "intervals"
+        }
+        fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
+            vec![("integral", Some(2.0))]
+        }
+        fn levels(&self) -> Vec<String> {
+            (0..5).map(|k| (3u64 << k).to_string()).collect()
+        }
+        fn run(&self, level: usize) -> (u64, SolverAnswer) {
+            let n = 3u64 << level;
+            if level == 1 {
+                return (n, SolverAnswer::Fails("planted".into()));
+            }
+            let h = 1.0 / n as f64;
+            let area = sum(n, 0.0, |s, i| {
+                let (a, b) = (i as f64 * h, (i + 1) as f64 * h);
+                s + 0.5 * h * (a * a + b * b)
+            });
+            (n, SolverAnswer::Values(vec![area]))
+        }
+        fn twin(&self, level: usize) -> Option<Vec<Ball>> {
+            let n = 3u64 << level;
+            let area = sum(n, Rational::new(), |s, i| {
+                s + Rational::from((i * i + (i + 1) * (i + 1), 2 * n * n * n))
+            });
+            Some(vec![Ball::rational(128, &area)])
+        }
+        fn truth(&self) -> Result<Vec<Ball>, String> {
+            Ok(vec![Ball::rational(128, &Rational::from((1, 3)))])
+        }
+    }
+
+    #[test]
+    fn the_error_is_taken_apart() {
+        let report = convergence(&Trapezoid).unwrap();
+        assert_eq!(report.levels[1].failed.as_deref(), Some("planted"));
+        // The level after a failed one shows no order.
+        assert_eq!(report.levels[2].errors[0].order, None);
+        let last = report.levels[4].errors[0];
+        let due = 1.0 / (6.0 * 48.0 * 48.0);
+        assert!((last.method.unwrap() / due - 1.0).abs() < 1e-12);
+        assert!((last.order.unwrap() - 2.0).abs() < 1e-9);
+        assert!((last.richardson.unwrap() - 2.0).abs() < 1e-6);
+        assert!(last.rounding.unwrap() > 0.0 && last.rounding.unwrap() < 1e-15);
+        assert!((report.fitted[0].unwrap() - 2.0).abs() < 1e-9);
+        assert!(last.total <= last.method.unwrap() + last.rounding.unwrap() + 1e-18);
+    }
+}

@@ -1,0 +1,133 @@
+//! Hard cases: the worst inputs that a hunt has found, kept and judged in every audit.
+//!
+//! A file holds lines `share,output,reason,input`: the share of the budget found, rounded up, for
+//! that output, how the input was found, and the input as hexadecimal floats. Lines are only added.
+
+use super::case::hex_float;
+use crate::reference::HexFloat;
+
+/// A hard case as recorded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HardCase {
+    /// The largest share of the budget of any value of [`HardCase::output`], rounded up. Above one,
+    /// the case is a recorded finding: it is over budget, and it may not get worse.
+    pub share: f64,
+    /// The output.
+    pub output: String,
+    /// How it was found.
+    pub reason: String,
+    /// The input.
+    pub input: Vec<f64>,
+}
+
+/// What may be lost to another platform's elementary functions.
+const SLACK: f64 = 1.01;
+
+/// A line that is no hard case.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("hard case on line {line}: {reason}")]
+pub struct HardCaseError {
+    /// Counted from one.
+    pub line: u64,
+    /// What is wrong.
+    pub reason: String,
+}
+
+/// The line of names.
+pub const HARD_HEADER: &str = "share,output,reason,input";
+
+impl HardCase {
+    /// Reads a file of them.
+    ///
+    /// # Errors
+    /// A line that cannot be read, with its number.
+    pub fn read(text: &str) -> Result<Vec<HardCase>, HardCaseError> {
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .from_reader(text.as_bytes());
+        let mut all = Vec::new();
+        for record in reader.records() {
+            let bad = |line, reason: String| HardCaseError { line, reason };
+            let record = record.map_err(|e| bad(all.len() as u64 + 2, e.to_string()))?;
+            let line = record.position().map_or(0, csv::Position::line);
+            let fields: Vec<&str> = record.iter().collect();
+            let &[share, output, reason, input] = fields.as_slice() else {
+                return Err(bad(
+                    line,
+                    format!("{} fields where 4 are due", fields.len()),
+                ));
+            };
+            let input: Result<Vec<f64>, _> = input
+                .split_whitespace()
+                .map(|x| HexFloat::parse(x).map(|x| x.to_f64()))
+                .collect();
+            all.push(HardCase {
+                share: share
+                    .parse()
+                    .ok()
+                    .filter(|s: &f64| *s >= 0.0)
+                    .ok_or_else(|| bad(line, format!("{share:?} is no share of a budget")))?,
+                output: output.into(),
+                reason: reason.into(),
+                input: input.map_err(|e| bad(line, e.to_string()))?,
+            });
+        }
+        Ok(all)
+    }
+
+    /// Reads a file that is part of this crate.
+    ///
+    /// # Panics
+    /// When it cannot be read; a test reads every such file.
+    pub fn included(text: &str) -> Vec<HardCase> {
+        HardCase::read(text).unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    /// The line of a file, with its end.
+    pub fn line(&self) -> String {
+        let input: Vec<String> = self.input.iter().map(|x| hex_float(*x)).collect();
+        let quoted = self.reason.replace('"', "'");
+        let (share, output) = (self.share, &self.output);
+        format!("{share},{output},\"{quoted}\",{}\n", input.join(" "))
+    }
+
+    /// Whether a share of the budget above one is what was recorded, or less.
+    pub fn allows(&self, share: f64) -> bool {
+        share <= self.share * SLACK
+    }
+}
+
+/// A share rounded up to four figures, as it is recorded.
+pub fn rounded_up(share: f64) -> f64 {
+    if !(share.is_finite() && share > 0.0) {
+        return share;
+    }
+    let unit = 10f64.powi(share.log10().floor() as i32 - 3);
+    let up = (share / unit).ceil() * unit;
+    // The shortest text of four figures.
+    format!("{up:.3e}").parse().unwrap_or(up)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_come_back() {
+        let case = HardCase {
+            share: rounded_up(0.123_41),
+            output: "Re W".into(),
+            reason: "random, climbed".into(),
+            input: vec![0.1, -0.0, 5e-324],
+        };
+        assert_eq!(case.share, 0.1235);
+        let text = format!("{HARD_HEADER}\n# comment\n{}", case.line());
+        assert_eq!(HardCase::read(&text).unwrap(), vec![case.clone()]);
+        assert!(case.allows(0.1235) && !case.allows(0.13));
+        assert_eq!(rounded_up(f64::INFINITY), f64::INFINITY);
+        for bad in ["1,x,y", "-1,x,y,0x1p0", "a,x,y,0x1p0", "1,x,y,1.5"] {
+            let e = HardCase::read(&format!("{HARD_HEADER}\n{bad}\n")).unwrap_err();
+            assert_eq!(e.line, 2, "{bad}");
+        }
+    }
+}

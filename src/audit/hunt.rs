@@ -1,0 +1,372 @@
+//! Hunting for the worst inputs: seeds from the domain, then a climb by small moves.
+
+use super::case::{Case, Cases, Origin};
+use super::domain::Draw;
+use super::judge::Verdict;
+use super::method::Method;
+use super::run::{Settings, answer_of, judge_case_briefly};
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+/// What a hunt may use.
+#[derive(Clone, Copy, Debug)]
+pub struct HuntSettings {
+    /// Evaluations of solver and reference together.
+    pub evaluations: u64,
+    /// Key of the random stream.
+    pub seed: u64,
+}
+
+/// The worst input found for one output.
+#[derive(Clone, Debug)]
+pub struct Worst {
+    /// The output.
+    pub output: &'static str,
+    /// Its largest share of the budget there.
+    pub share: f64,
+    /// The input.
+    pub input: Vec<f64>,
+    /// Where the climb began and how it got there.
+    pub reason: String,
+}
+
+/// What a hunt found.
+#[derive(Clone, Debug)]
+pub struct Hunt {
+    /// For each output that was judged anywhere, the worst first.
+    pub worst: Vec<Worst>,
+    /// Inputs of the domain itself, drawn and not climbed to, with no pass and no share: NaN, a
+    /// refusal where values exist, undecided.
+    pub failures: Vec<Case>,
+    /// Evaluations made.
+    pub evaluations: u64,
+}
+
+/// Moves tried at once from one place.
+const MOVES: usize = 16;
+/// Climbs that the evaluations are divided among, or one for each output if there are more.
+const STARTS: usize = 12;
+/// So many times as many places to climb from: a climb that ends early leaves its evaluations.
+const ROUNDS: usize = 20;
+/// Rounds without gain after which a climb ends.
+const PATIENCE: usize = 10;
+/// How far a coordinate may leave its seed, as a factor: the regions bound what a budget is for.
+const REACH: f64 = 4.0;
+
+/// A judged input.
+#[derive(Clone)]
+struct Found {
+    input: Vec<f64>,
+    /// Largest share for each output; nothing where no values were judged.
+    shares: Option<Vec<f64>>,
+    passed: bool,
+}
+
+impl Found {
+    /// The share of one output; below every other where no values were judged.
+    fn share(&self, output: usize) -> f64 {
+        self.shares.as_ref().map_or(-1.0, |s| s[output])
+    }
+}
+
+/// A place to climb from.
+#[derive(Clone)]
+struct Seed {
+    found: Found,
+    kind: &'static str,
+    region: &'static str,
+}
+
+struct Hunter<'a> {
+    method: &'a dyn Method,
+    outputs: Vec<&'static str>,
+    settings: Settings,
+    left: u64,
+    made: u64,
+    worst: Vec<Option<Worst>>,
+    progress: &'a (dyn Fn(u64) + Sync),
+}
+
+/// Hunts for the inputs where the method's solver takes up most of its budget. Deterministic for a
+/// seed. `progress` is told how many evaluations were made.
+///
+/// ```
+/// use mechaudit::audit::{HuntSettings, hunt};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("tridiagonal").unwrap();
+/// let settings = HuntSettings { evaluations: 300, seed: 1 };
+/// let found = hunt(&*method, &settings, &|_| ());
+/// assert!(found.worst[0].share > 0.02 && found.failures.is_empty());
+/// ```
+pub fn hunt(method: &dyn Method, settings: &HuntSettings, progress: &(dyn Fn(u64) + Sync)) -> Hunt {
+    let outputs: Vec<&'static str> = method.outputs().iter().map(|o| o.name).collect();
+    let mut hunter = Hunter {
+        method,
+        worst: vec![None; outputs.len()],
+        outputs,
+        settings: Settings {
+            seed: settings.seed,
+            ..Settings::default()
+        },
+        left: settings.evaluations,
+        made: 0,
+        progress,
+    };
+    let (seeds, failures) = hunter.seeds(settings.evaluations / 3);
+    let starts = choose(&seeds, hunter.outputs.len());
+    let share = hunter.left / STARTS.max(hunter.outputs.len()) as u64;
+    for (k, (start, output)) in starts.iter().enumerate() {
+        let mut draw = Draw::new(settings.seed, method.name(), "climb", k as u64);
+        hunter.climb(start, *output, share.max(1), &mut draw);
+    }
+    let mut worst: Vec<Worst> = hunter.worst.into_iter().flatten().collect();
+    worst.sort_by(|a, b| b.share.total_cmp(&a.share));
+    Hunt {
+        worst,
+        failures,
+        evaluations: hunter.made,
+    }
+}
+
+/// Where to climb from and for which output: in turn the worst seed for each output, from the region
+/// that was chosen least for it before.
+fn choose(seeds: &[Seed], outputs: usize) -> Vec<(Seed, usize)> {
+    let mut taken = vec![vec![false; seeds.len()]; outputs];
+    let mut met: Vec<HashMap<&str, usize>> = vec![HashMap::new(); outputs];
+    let mut chosen = Vec::new();
+    for k in 0..ROUNDS * STARTS.max(outputs) {
+        let o = k % outputs;
+        let rank = |i: usize| {
+            let times = met[o].get(seeds[i].region).copied().unwrap_or(0);
+            (std::cmp::Reverse(times), seeds[i].found.share(o))
+        };
+        let best = (0..seeds.len()).filter(|i| !taken[o][*i]).max_by(|a, b| {
+            let ((a, x), (b, y)) = (rank(*a), rank(*b));
+            a.cmp(&b).then(x.total_cmp(&y))
+        });
+        let Some(best) = best else { break };
+        taken[o][best] = true;
+        *met[o].entry(seeds[best].region).or_default() += 1;
+        chosen.push((seeds[best].clone(), o));
+    }
+    chosen
+}
+
+impl Hunter<'_> {
+    /// Judges inputs on all cores, as many as may still be judged.
+    fn judge(&mut self, mut inputs: Vec<Vec<f64>>) -> Vec<Found> {
+        inputs.truncate(self.left.min(usize::MAX as u64) as usize);
+        self.left -= inputs.len() as u64;
+        self.made += inputs.len() as u64;
+        let (method, settings, outputs) = (self.method, &self.settings, self.outputs.len());
+        let judged = inputs
+            .into_par_iter()
+            .map(|input| judged(method, settings, outputs, input))
+            .collect();
+        (self.progress)(self.made);
+        judged
+    }
+
+    /// Remembers what is worse than anything before.
+    fn record(&mut self, found: &Found, reason: &dyn Fn() -> String) {
+        for (o, share) in found.shares.iter().flatten().enumerate() {
+            if self.worst[o].as_ref().is_none_or(|w| *share > w.share) {
+                self.worst[o] = Some(Worst {
+                    output: self.outputs[o],
+                    share: *share,
+                    input: found.input.clone(),
+                    reason: reason(),
+                });
+            }
+        }
+    }
+
+    /// Seeds of every kind, and the drawn inputs that fail without a share.
+    fn seeds(&mut self, budget: u64) -> (Vec<Seed>, Vec<Case>) {
+        let regions = self.method.domain().regions.len().max(1) as u64;
+        self.settings.cases_per_region = (budget / (3 * regions)).max(2);
+        let cases = Cases::new(self.method, &self.settings);
+        let drawn: Vec<Case> = (0..cases.len()).map(|i| cases.get(i)).collect();
+        let mut all: Vec<(Case, &'static str)> = Vec::new();
+        for (k, case) in drawn.iter().enumerate() {
+            let kind = match case.origin {
+                Origin::CheckPoint { .. } => "check point",
+                Origin::Hard { .. } => "hard case",
+                _ if case.region.starts_with("seam") => "seam",
+                _ => "random",
+            };
+            all.push((case.clone(), kind));
+            let mut draw = Draw::new(self.settings.seed, case.method, "edge", k as u64);
+            all.push((with(case, edge(&case.input, &mut draw)), "edge"));
+            // Between this input and the next of the same region and layout.
+            if let Some(next) = drawn.get(k + 1)
+                && next.region == case.region
+                && next.input.len() == case.input.len()
+            {
+                let share = (k % 7 + 1) as f64 / 8.0;
+                let pairs = case.input.iter().zip(&next.input);
+                let between = pairs.map(|(a, b)| a + share * (b - a)).collect();
+                all.push((with(case, between), "spaced"));
+            }
+        }
+        all.retain(|(case, _)| self.method.admits(&case.input));
+        let found = self.judge(all.iter().map(|(case, _)| case.input.clone()).collect());
+        let mut seeds = Vec::new();
+        let mut failures = Vec::new();
+        for ((case, kind), found) in all.into_iter().zip(found) {
+            let drawn = !matches!(kind, "edge" | "spaced");
+            if found.shares.is_some() {
+                self.record(&found, &|| format!("{kind} in {}", case.region));
+                let region = case.region;
+                seeds.push(Seed {
+                    found,
+                    kind,
+                    region,
+                });
+            } else if drawn && !found.passed {
+                failures.push(case);
+            }
+        }
+        (seeds, failures)
+    }
+
+    /// Climbs from a seed for one output with that many evaluations.
+    fn climb(&mut self, seed: &Seed, output: usize, evaluations: u64, draw: &mut Draw) {
+        let end = self.left.saturating_sub(evaluations);
+        let mut top = seed.found.clone();
+        let mut without = 0;
+        while self.left > end && without < PATIENCE {
+            let inputs: Vec<Vec<f64>> = (0..8 * MOVES)
+                .map(|_| moved(&top.input, draw))
+                .filter(|x| within_reach(&seed.found.input, x) && self.method.admits(x))
+                .take(MOVES.min((self.left - end) as usize))
+                .collect();
+            if inputs.is_empty() {
+                return;
+            }
+            let found = self.judge(inputs);
+            let before = top.share(output);
+            for f in found {
+                let reason = || format!("climbed from {} in {}", seed.kind, seed.region);
+                self.record(&f, &reason);
+                if f.share(output) >= top.share(output) {
+                    top = f;
+                }
+            }
+            without = if top.share(output) > before {
+                0
+            } else {
+                without + 1
+            };
+        }
+    }
+}
+
+fn with(case: &Case, input: Vec<f64>) -> Case {
+    Case {
+        input,
+        ..case.clone()
+    }
+}
+
+fn judged(method: &dyn Method, settings: &Settings, outputs: usize, input: Vec<f64>) -> Found {
+    let case = Case {
+        method: method.name(),
+        region: "hunt",
+        input,
+        origin: Origin::Line { number: 0 },
+    };
+    let answer = answer_of(method, &case.input);
+    let report = judge_case_briefly(method, case, answer, settings);
+    let components = &report.judgement.components;
+    let kinds = [Verdict::Pass, Verdict::Over];
+    let shares = (!components.is_empty() && kinds.contains(&report.judgement.verdict)).then(|| {
+        let mut shares = vec![0.0f64; outputs];
+        for (i, c) in components.iter().enumerate() {
+            shares[i % outputs] = shares[i % outputs].max(c.of_budget);
+        }
+        shares
+    });
+    Found {
+        input: report.case.input,
+        shares,
+        passed: report.judgement.verdict == Verdict::Pass,
+    }
+}
+
+/// One coordinate with few significant bits, or next to such a number.
+fn edge(x: &[f64], draw: &mut Draw) -> Vec<f64> {
+    let mut x = x.to_vec();
+    let k = draw.integer(0, x.len().max(1) - 1);
+    if let Some(v) = x.get_mut(k).filter(|v| v.is_finite()) {
+        let kept = draw.integer(0, 8) as u32;
+        let bits = v.to_bits() & !((1 << (52 - kept)) - 1);
+        *v = f64::from_bits(bits);
+        match draw.integer(0, 2) {
+            0 => *v = v.next_up(),
+            1 => *v = v.next_down(),
+            _ => {}
+        }
+    }
+    x
+}
+
+/// Moves a number by that many neighbours.
+fn by_bits(v: &mut f64, by: i64) {
+    if v.is_finite() {
+        *v = f64::from_bits(v.to_bits().wrapping_add_signed(by));
+    }
+}
+
+/// A neighbour: some bits of one coordinate or of all, a factor near one, or fewer bits.
+fn moved(x: &[f64], draw: &mut Draw) -> Vec<f64> {
+    let mut y = x.to_vec();
+    let Some(last) = y.len().checked_sub(1) else {
+        return y;
+    };
+    let k = draw.integer(0, last);
+    match draw.integer(0, 9) {
+        0..=4 => {
+            let size = draw.integer(0, 44) as i32;
+            let size = draw.signed(2f64.powi(size));
+            by_bits(&mut y[k], size as i64);
+        }
+        5 | 6 => y
+            .iter_mut()
+            .for_each(|v| by_bits(v, draw.integer(0, 8) as i64 - 4)),
+        7 | 8 => {
+            let reach = draw.log_uniform(1e-12, 0.5);
+            y[k] *= 1.0 + draw.signed(reach);
+        }
+        _ => y = edge(&y, draw),
+    }
+    y
+}
+
+/// Whether every coordinate keeps its sign and is within a factor of its seed's; zeros stay.
+fn within_reach(seed: &[f64], x: &[f64]) -> bool {
+    let near = |(s, x): (&f64, &f64)| match *s {
+        0.0 => *x == 0.0,
+        s => x.is_finite() && (1.0 / REACH..=REACH).contains(&(x / s)),
+    };
+    seed.len() == x.len() && seed.iter().zip(x).all(near)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moves_stay_within_reach() {
+        let mut draw = Draw::new(1, "m", "moves", 0);
+        let x = [1.0, -2.0, 0.0, 5e-324];
+        let near = (0..1000)
+            .filter(|_| within_reach(&x, &moved(&x, &mut draw)))
+            .count();
+        assert!(near > 300, "{near}");
+        assert!(!within_reach(&x, &[1.0, 2.0, 0.0, 5e-324]));
+        assert!(!within_reach(&x, &[5.0, -2.0, 0.0, 5e-324]));
+        assert!(!within_reach(&x, &[1.0, -2.0, 1e-300, 5e-324]));
+    }
+}

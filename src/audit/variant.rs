@@ -1,0 +1,247 @@
+//! A method with another solver, over a part of its domain, or with a part of its outputs.
+
+use super::budget::{Budget, Limit, NormBudget};
+use super::domain::Domain;
+use super::due::Due;
+use super::hard::HardCase;
+use super::method::{Input, Law, Method, Output, Reference, ReferenceAnswer, SolverAnswer};
+use crate::reference::Ball;
+use rug::Rational;
+
+/// A region, check point or output that a method does not have.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{method} has no {what} {name:?}; it has: {}", .known.join(", "))]
+pub struct NoSuch {
+    /// The method.
+    pub method: &'static str,
+    /// What was asked for.
+    pub what: &'static str,
+    /// Its name.
+    pub name: String,
+    /// The names there are.
+    pub known: Vec<&'static str>,
+}
+
+impl NoSuch {
+    pub(super) fn new(
+        method: &'static str,
+        what: &'static str,
+        name: &str,
+        known: Vec<&'static str>,
+    ) -> NoSuch {
+        let name = name.into();
+        NoSuch {
+            method,
+            what,
+            name,
+            known,
+        }
+    }
+}
+
+type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
+
+/// A method with something changed; everything else is passed through.
+///
+/// ```
+/// use mechaudit::audit::{Settings, SolverAnswer, Variant, audit_method};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("slider-crank").unwrap();
+/// let silent = Variant::new(&*method)
+///     .solver(|_| SolverAnswer::Declines(None))
+///     .region("unreachable")?;
+/// let settings = Settings { cases_per_region: 3, ..Settings::default() };
+/// assert!(audit_method(&silent, &settings, &|| ()).passed());
+/// # Ok::<(), mechaudit::audit::NoSuch>(())
+/// ```
+pub struct Variant<'a> {
+    method: &'a dyn Method,
+    solver: Option<Solver<'a>>,
+    region: Option<String>,
+    check_points: bool,
+    /// Which of the method's outputs are judged.
+    selected: Option<Vec<bool>>,
+    limit: Option<Limit>,
+    laws: bool,
+}
+
+impl<'a> Variant<'a> {
+    /// The method as it is.
+    pub fn new(method: &'a dyn Method) -> Variant<'a> {
+        Variant {
+            method,
+            solver: None,
+            region: None,
+            check_points: true,
+            selected: None,
+            limit: None,
+            laws: true,
+        }
+    }
+
+    /// Other code under test. The laws go: they are about the method's own.
+    #[must_use]
+    pub fn solver(mut self, solve: impl Fn(&[f64]) -> SolverAnswer + Sync + 'a) -> Variant<'a> {
+        self.solver = Some(Box::new(solve));
+        self.without_laws()
+    }
+
+    /// Without the laws, which are about the method's own solver.
+    #[must_use]
+    pub fn without_laws(mut self) -> Variant<'a> {
+        self.laws = false;
+        self
+    }
+
+    /// One region of the domain, without check points.
+    ///
+    /// # Errors
+    /// A region that there is not.
+    pub fn region(mut self, name: &str) -> Result<Variant<'a>, NoSuch> {
+        let known: Vec<&str> = self
+            .method
+            .domain()
+            .regions
+            .iter()
+            .map(|r| r.name)
+            .collect();
+        if !known.contains(&name) {
+            return Err(NoSuch::new(self.method.name(), "region", name, known));
+        }
+        self.region = Some(name.into());
+        self.check_points = false;
+        Ok(self)
+    }
+
+    /// Only these outputs: the solver gives no others, and no norm of all is judged.
+    ///
+    /// # Errors
+    /// An output that there is not.
+    pub fn outputs(mut self, names: &[impl AsRef<str>]) -> Result<Variant<'a>, NoSuch> {
+        let known: Vec<&'static str> = self.method.outputs().iter().map(|o| o.name).collect();
+        if let Some(name) = names.iter().find(|n| !known.contains(&n.as_ref())) {
+            return Err(NoSuch::new(
+                self.method.name(),
+                "output",
+                name.as_ref(),
+                known,
+            ));
+        }
+        let chosen = |o: &&str| names.iter().any(|n| n.as_ref() == *o);
+        self.selected = Some(known.iter().map(chosen).collect());
+        Ok(self)
+    }
+
+    /// Another limit for every output; no norm of all is judged.
+    ///
+    /// # Panics
+    /// When the limit is not a finite positive number.
+    #[must_use]
+    pub fn limit(mut self, limit: Limit) -> Variant<'a> {
+        self.limit = Some(Budget::new(limit, "as asked for").limit);
+        self
+    }
+
+    /// The entries of `all` that belong to selected outputs.
+    fn select<T>(&self, all: Vec<T>) -> Vec<T> {
+        let Some(selected) = &self.selected else {
+            return all;
+        };
+        let chosen = selected.iter().cycle();
+        all.into_iter()
+            .zip(chosen)
+            .filter(|(_, s)| **s)
+            .map(|(v, _)| v)
+            .collect()
+    }
+
+    fn select_answer(&self, answer: ReferenceAnswer) -> ReferenceAnswer {
+        match answer {
+            ReferenceAnswer::Values(Reference { values, proof }) => {
+                let values: Vec<Ball> = self.select(values);
+                ReferenceAnswer::Values(Reference { values, proof })
+            }
+            ReferenceAnswer::Dues(dues, proof) => {
+                let dues: Vec<Due> = self.select(dues);
+                ReferenceAnswer::Dues(dues, proof)
+            }
+            other => other,
+        }
+    }
+}
+
+impl Method for Variant<'_> {
+    fn name(&self) -> &'static str {
+        self.method.name()
+    }
+    fn summary(&self) -> &'static str {
+        self.method.summary()
+    }
+    fn source(&self) -> &'static str {
+        self.method.source()
+    }
+    fn inputs(&self) -> Vec<Input> {
+        self.method.inputs()
+    }
+    fn outputs(&self) -> Vec<Output> {
+        let mut outputs = self.select(self.method.outputs());
+        if let Some(limit) = self.limit {
+            let budget = Budget::new(limit, "as asked for");
+            outputs.iter_mut().for_each(|o| o.budget = budget);
+        }
+        outputs
+    }
+    fn norm_budget(&self) -> Option<NormBudget> {
+        let whole = self.selected.is_none() && self.limit.is_none();
+        self.method.norm_budget().filter(|_| whole)
+    }
+    fn domain(&self) -> Domain {
+        let mut domain = self.method.domain();
+        if let Some(name) = &self.region {
+            domain.regions.retain(|r| r.name == *name);
+        }
+        if !self.check_points {
+            domain.check_points.clear();
+        }
+        domain
+    }
+    fn solve(&self, input: &[f64]) -> SolverAnswer {
+        match &self.solver {
+            Some(solve) => solve(input),
+            None => match self.method.solve(input) {
+                SolverAnswer::Values(v) => SolverAnswer::Values(self.select(v)),
+                other => other,
+            },
+        }
+    }
+    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        self.select_answer(self.method.reference(input, bits))
+    }
+    fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
+        self.select_answer(self.method.reference_not_finite(input))
+    }
+    fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
+        self.method.conditions(input).map(|c| self.select(c))
+    }
+    fn hard(&self) -> Vec<HardCase> {
+        if !self.check_points {
+            return Vec::new();
+        }
+        let mut hard = self.method.hard();
+        if self.limit.is_some() {
+            // What is recorded is recorded of the method's own budget.
+            hard.iter_mut().for_each(|h| h.share = 0.0);
+        }
+        hard
+    }
+    fn admits(&self, input: &[f64]) -> bool {
+        self.method.admits(input)
+    }
+    fn laws(&self) -> Vec<Law> {
+        match self.laws {
+            true => self.method.laws(),
+            false => Vec::new(),
+        }
+    }
+}

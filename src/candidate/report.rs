@@ -1,0 +1,180 @@
+//! What an audit of somebody's code found, in words that can be acted on.
+
+use crate::audit::{
+    Budget, CaseReport, ComponentJudgement, Input, Method, MethodReport, Origin, Proof,
+    SolverAnswer, hex_float,
+};
+use std::fmt::{self, Display, Formatter};
+use std::ops::Deref;
+
+/// Failing cases written out in full.
+const SHOWN: usize = 5;
+
+/// What was found; written out, the statistics and the first failing cases with everything that is
+/// known of them.
+#[derive(Clone, Debug)]
+pub struct Report {
+    found: MethodReport,
+    inputs: Vec<Input>,
+    /// Names of the outputs that share a budget, with the budget.
+    budgets: Vec<(Vec<&'static str>, Budget)>,
+}
+
+impl Deref for Report {
+    type Target = MethodReport;
+
+    fn deref(&self) -> &MethodReport {
+        &self.found
+    }
+}
+
+impl Report {
+    pub(super) fn new(method: &dyn Method, found: MethodReport) -> Report {
+        let mut budgets: Vec<(Vec<&'static str>, Budget)> = Vec::new();
+        for o in method.outputs() {
+            match budgets.iter_mut().find(|g| g.1 == o.budget) {
+                Some(group) => group.0.push(o.name),
+                None => budgets.push((vec![o.name], o.budget)),
+            }
+        }
+        Report {
+            found,
+            inputs: method.inputs(),
+            budgets,
+        }
+    }
+
+    /// Goes on only if every case passed.
+    ///
+    /// # Panics
+    /// Otherwise, with the report.
+    pub fn assert_within_budget(&self) -> &Report {
+        assert!(self.passed(), "\n{self}");
+        self
+    }
+
+    fn case(&self, f: &mut Formatter<'_>, report: &CaseReport) -> fmt::Result {
+        let case = &report.case;
+        let reason = report.judgement.reason.as_deref().unwrap_or("pass");
+        writeln!(f, "\n{} / {}: {reason}", case.method, case.region)?;
+        let named = self.inputs.len() == case.input.len();
+        for (i, x) in case.input.iter().enumerate() {
+            let label = if i == 0 { "input" } else { "" };
+            match named {
+                true => write!(f, "  {label:<11}{} = ", self.inputs[i].name)?,
+                false => write!(f, "  {label:<11}[{i}] = ")?,
+            }
+            writeln!(f, "{x:?} = {}", hex_float(*x))?;
+        }
+        match &report.answer {
+            Some(SolverAnswer::Values(got)) => values(f, report, got)?,
+            Some(SolverAnswer::Fails(_)) | None => writeln!(f, "  {:<11}no answer", "got")?,
+            Some(refusal) => {
+                let word = refusal.refusal().unwrap_or("no reason");
+                writeln!(f, "  {:<11}a refusal: {word}", "got")?;
+            }
+        }
+        let proof = match report.proof {
+            Some(Proof::Exact) => ", exact",
+            Some(Proof::Bounded(why)) => &format!(", {why}"),
+            None => "",
+        };
+        writeln!(f, "  {:<11}{} bits{proof}", "reference", report.bits)?;
+        let chosen = match &case.origin {
+            Origin::CheckPoint { name } => format!(".check_point({name:?})"),
+            Origin::Hard { number } => format!(".hard_case({number})"),
+            Origin::Random { seed, index } => {
+                format!(".region({:?}).seed({seed}).case({index})", case.region)
+            }
+            Origin::Line { number } => format!("line {number}"),
+        };
+        writeln!(f, "  {:<11}{chosen}", "reproduce")?;
+        let (method, place) = (case.method, case.place());
+        writeln!(f, "  {:<11}mechaudit points {method} {place}", "")
+    }
+}
+
+fn values(f: &mut Formatter<'_>, report: &CaseReport, got: &[f64]) -> fmt::Result {
+    let judged = &report.judgement.components;
+    for (i, x) in got.iter().enumerate() {
+        let c = judged.get(i);
+        let label = c.map_or("got", |c| c.output);
+        writeln!(f, "  {label:<11}{x:?} = {}", hex_float(*x))?;
+        let due = report.reference.get(i).and_then(Option::as_deref);
+        match (due, report.radii.get(i)) {
+            (Some(digits), Some(r)) if *r > 0.0 => {
+                writeln!(f, "  {:<11}due {digits} ± {r:.1e}", "")?;
+            }
+            (Some(digits), _) => writeln!(f, "  {:<11}due {digits}", "")?,
+            _ => {}
+        }
+        if let Some(c) = c {
+            writeln!(f, "  {:<11}{}", "", error(c))?;
+        }
+    }
+    Ok(())
+}
+
+/// The error of one value in words.
+fn error(c: &ComponentJudgement) -> String {
+    let mut parts = Vec::new();
+    if !c.ulps.is_nan() {
+        parts.push(format!("{} ulps", short(c.ulps)));
+    }
+    if !c.conditioned.is_nan() {
+        parts.push(format!("{} u (1 + condition)", short(c.conditioned)));
+    }
+    parts.push(format!("{} of its budget", short(c.of_budget)));
+    if c.condition.is_finite() {
+        parts.push(format!("condition {}", short(c.condition)));
+    }
+    parts.join(", ")
+}
+
+/// Four figures or so, with an exponent only where it is needed.
+fn short(x: f64) -> String {
+    match x.abs() {
+        s if (1e3..1e6).contains(&s) => format!("{x:.0}"),
+        s if s == 0.0 || (1e-3..1e3).contains(&s) || !s.is_finite() => format!("{x:.3}"),
+        _ => format!("{x:.2e}"),
+    }
+}
+
+impl Display for Report {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let r = &self.found;
+        let word = if r.passed() { "pass" } else { "FAIL" };
+        let recorded = match r.recorded {
+            0 => String::new(),
+            n => format!(", {n} hard cases over it by no more than the method's own solver"),
+        };
+        writeln!(
+            f,
+            "{}: {word}, {} of {} cases within budget{recorded} (seed {}, {} cases per region)",
+            r.method, r.passed, r.cases, r.settings.seed, r.settings.cases_per_region
+        )?;
+        for o in &r.outputs {
+            writeln!(
+                f,
+                "  {:<11}{} values; worst found {} ulps, 99 % below {}, {} of its budget",
+                o.name,
+                o.values,
+                short(o.ulps.max),
+                short(o.ulps.p99),
+                short(o.max_of_budget)
+            )?;
+        }
+        for (names, budget) in &self.budgets {
+            let (names, why) = (names.join(", "), budget.reason);
+            writeln!(f, "  {:<11}{names}: {} ({why})", "budget", budget.limit)?;
+        }
+        for failure in r.failures.iter().take(SHOWN) {
+            self.case(f, failure)?;
+        }
+        let left = r.cases - r.passed - r.recorded - r.failures.len().min(SHOWN);
+        if left > 0 {
+            writeln!(f, "\n{left} more failing cases")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,149 @@
+use super::*;
+use crate::methods::*;
+use crate::solvers::cubic_spline::{Boundary, CubicSpline};
+use crate::solvers::cyclic_tridiagonal::CyclicSweep;
+use crate::solvers::faddeeva::faddeeva;
+use crate::solvers::tridiagonal::Sweep;
+use num_complex::Complex;
+
+fn ours(name: &'static str) -> impl Fn(&[f64]) -> SolverAnswer + Sync {
+    let method = methods::find(name).unwrap();
+    move |x| method.solve(x)
+}
+
+fn few(audit: Audit) -> usize {
+    let report = audit.cases(2).seed(5).run().unwrap();
+    report.assert_within_budget().cases
+}
+
+fn spline(boundary: fn(SplineProblem) -> Boundary) -> impl Candidate<CubicSplineClamped> {
+    move |p: SplineProblem| {
+        let s = CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary(p)).ok()?;
+        let [a, b] = p.queries;
+        let at = |q: f64, to: f64| {
+            let j = s.jet(q).ok()?;
+            let integral = s.integral(q, to).ok()?;
+            Some([j.value, j.first, j.second, j.third, integral])
+        };
+        Some([at(a, b)?, at(b, a)?])
+    }
+}
+
+fn sign(positive: bool) -> f64 {
+    if positive { 1.0 } else { -1.0 }
+}
+
+#[test]
+fn every_signature_reaches_its_method() {
+    let clamped = |p: SplineProblem| {
+        let [a, b] = p.ends.unwrap();
+        Boundary::clamped(a, b)
+    };
+    let modes = ours("class-iii-assembly-modes");
+    let bar = ours("four-bar");
+    let slider = ours("slider-crank");
+    let uniform = ours("cubic-spline-uniform");
+    let natural = ours("cubic-spline-second-derivatives");
+    let [knot, periodic] = ["cubic-spline-not-a-knot", "cubic-spline-periodic"].map(ours);
+    let counts = [
+        few(audit::<Tridiagonal>(
+            |l: &[f64], d: &[f64], u: &[f64], r: &[f64]| Sweep::factor(l, d, u)?.solve(r),
+        )),
+        few(audit::<CyclicTridiagonal>(
+            |l: &[f64], d: &[f64], u: &[f64], r: &[f64]| CyclicSweep::factor(l, d, u)?.solve(r),
+        )),
+        few(audit::<CubicSplineClamped>(spline(clamped))),
+        few(audit::<CubicSplineSecondDerivatives>(
+            move |p: SplineProblem| natural(&[p.x, p.y, &p.ends.unwrap(), &p.queries].concat()),
+        )),
+        few(audit::<CubicSplineNotAKnot>(move |p: SplineProblem| {
+            knot(&[p.x, p.y, &p.queries].concat())
+        })),
+        few(audit::<CubicSplinePeriodic>(move |p: SplineProblem| {
+            periodic(&[p.x, p.y, &p.queries].concat())
+        })),
+        few(audit::<CubicSplineUniform>(
+            move |p: UniformSplineProblem| {
+                let head = [p.x0, p.h, p.ends[0], p.ends[1], p.queries[0], p.queries[1]];
+                uniform(&[&head[..], p.y].concat())
+            },
+        )),
+        few(audit::<FourBar>(
+            move |l: [f64; 4], phi: f64, positive: bool| {
+                bar(&[&l[..], &[phi, sign(positive)]].concat())
+            },
+        )),
+        few(audit::<SliderCrank>(
+            move |l: [f64; 3], delta: f64, phi: f64, ahead: bool| {
+                slider(&[&l[..], &[delta, phi, sign(ahead)]].concat())
+            },
+        )),
+        few(audit::<ClassIiiAssemblyModes>(
+            move |l: &[f64; 11], phi: f64| modes(&[&l[..], &[phi]].concat()),
+        )),
+        few(audit::<ClassIii>(ours("class-iii"))),
+        few(audit::<Faddeeva>(faddeeva)),
+        few(audit::<RunUp>(ours("run-up"))),
+    ];
+    assert!(counts.iter().all(|n| *n > 4), "{counts:?}");
+}
+
+/// Wrong in the last digits of one component, in one half-plane.
+fn faulty(z: Complex<f64>) -> Complex<f64> {
+    let mut w = faddeeva(z);
+    if z.im < 0.0 {
+        w.re *= 1.0 + 1e-14;
+    }
+    w
+}
+
+#[test]
+fn a_fault_is_described() {
+    let lower = || audit::<Faddeeva>(faulty).region("lower").cases(10);
+    let report = lower().run().unwrap();
+    assert!(!report.passed() && report.cases == 10);
+    let text = report.to_string();
+    for part in [
+        "faddeeva: FAIL, 0 of 10 cases",
+        "faddeeva / lower: Re W (value 0) is ",
+        "Re z = ",
+        " = -0x1.",
+        "due ",
+        " ± ",
+        "ulps",
+        ".region(\"lower\").seed(1).case(0)",
+        "mechaudit points faddeeva --region lower --seed 1 --case 0",
+        "5 more failing cases",
+    ] {
+        assert!(text.contains(part), "{part:?} is missing in\n{text}");
+    }
+    let one = lower().case(3).run().unwrap();
+    assert_eq!((one.cases, one.passed), (1, 0));
+    let wide = lower().limit(Limit::Ulps(1e4)).run().unwrap();
+    wide.assert_within_budget();
+}
+
+#[test]
+#[should_panic(expected = "due ")]
+fn the_assertion_says_what_is_wrong() {
+    let zero = |_: Complex<f64>| Complex::new(0.0, 0.0);
+    let report = audit::<Faddeeva>(zero).effort(0.01).run().unwrap();
+    report.assert_within_budget();
+}
+
+#[test]
+fn what_cannot_be_run() {
+    let plain = || audit_by_name("four-bar", |_: &[f64]| Vec::<f64>::new()).unwrap();
+    let refused = |a: Audit| a.run().unwrap_err().to_string();
+    let none = audit_by_name("five-bar", |_: &[f64]| 0.0).unwrap_err();
+    assert!(
+        none.to_string()
+            .contains("no method \"five-bar\"; there are: ")
+    );
+    assert!(refused(plain().region("nowhere")).contains("no region \"nowhere\""));
+    assert!(refused(plain().check_point("none")).contains("no check point \"none\""));
+    assert!(refused(plain().outputs(&["psi"])).contains("no output \"psi\"; it has: phi2"));
+    assert!(refused(plain().effort(f64::NAN)).contains("positive"));
+    assert!(refused(plain().limit(Limit::Ulps(0.0))).contains("positive"));
+    assert!(refused(plain().case(3)).contains("which region"));
+}

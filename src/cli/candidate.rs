@@ -1,0 +1,89 @@
+//! What judging somebody's program has in common, wherever its answers come from.
+
+use super::args::{ScopeArgs, TextOrJson};
+use super::audit::{json_report, print_json};
+use super::failure::{Failure, Outcome};
+use super::output::write_to;
+use super::text::{BAD, paint, paragraph, width};
+use super::{case, text_method};
+use mechaudit::audit::{
+    Case, CaseReport, Limit, Method, MethodReport, Settings, SolverAnswer, Tally, Variant,
+    judge_case_briefly,
+};
+use rayon::prelude::*;
+use serde_json::json;
+
+/// Failing cases kept of a run; the rest are counted.
+pub const FAILURES_KEPT: usize = 1000;
+/// Answers judged side by side.
+pub const BATCH: usize = 1024;
+
+/// The method with the outputs and the limit asked for.
+pub fn scoped<'a>(method: &'a dyn Method, scope: &ScopeArgs) -> Result<Variant<'a>, Failure> {
+    let mut variant = Variant::new(method);
+    if let Some(names) = &scope.outputs {
+        variant = variant.outputs(names)?;
+    }
+    if let Some(k) = scope.ulps {
+        variant = variant.limit(Limit::Ulps(k));
+    }
+    Ok(variant)
+}
+
+/// Judges a batch on all cores and counts it in its order.
+pub fn judge_batch(
+    method: &dyn Method,
+    settings: &Settings,
+    batch: Vec<(Case, SolverAnswer)>,
+    tally: &mut Tally,
+) {
+    let judged: Vec<CaseReport> = batch
+        .into_par_iter()
+        .map(|(case, answer)| judge_case_briefly(method, case, answer, settings))
+        .collect();
+    judged.into_iter().for_each(|report| tally.add(report));
+}
+
+/// What came of a program's answers.
+pub struct Judged {
+    /// The verdicts, unanswered cases among them.
+    pub report: MethodReport,
+    /// Answers there were.
+    pub answered: usize,
+    /// What went wrong besides the answers.
+    pub trouble: Option<String>,
+}
+
+impl Judged {
+    /// Writes the report. `again` gives the command that judges a case again.
+    pub fn write(
+        &self,
+        format: TextOrJson,
+        again: &dyn Fn(&Case) -> String,
+    ) -> Result<Outcome, Failure> {
+        let good = self.report.passed() && self.trouble.is_none();
+        match format {
+            TextOrJson::Text => write_to(None, |out| {
+                if let ([only], 1) = (self.report.failures.as_slice(), self.report.cases) {
+                    write!(out, "{}", case::text(only, &again(&only.case), width()))?;
+                } else {
+                    write!(out, "{}", text_method::method(&self.report, again, width()))?;
+                }
+                if let Some(trouble) = &self.trouble {
+                    let text = paragraph(trouble, 2, width());
+                    write!(out, "{}", paint(BAD, text.trim_end()))?;
+                    writeln!(out)?;
+                }
+                Ok(())
+            })?,
+            TextOrJson::Json => print_json(&json!({
+                "mechaudit_version": env!("CARGO_PKG_VERSION"),
+                "passed": good,
+                "answered": self.answered,
+                "trouble": self.trouble,
+                "methods": [json_report(&self.report, again)],
+            }))?,
+        }
+        Ok(Outcome::of(good))
+    }
+}

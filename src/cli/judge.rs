@@ -1,0 +1,159 @@
+//! Judging answers in a file against the inputs they belong to.
+
+use super::args::JudgeArgs;
+use super::audit::find;
+use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
+use super::failure::{Failure, Outcome};
+use super::progress::Progress;
+use super::table;
+use super::wire::{Line, Lines};
+use mechaudit::audit::{Case, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+/// Judges them.
+pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
+    let method = find(&args.method)?;
+    if let Some(path) = &args.table {
+        return table::judge(&*method, path, args.format);
+    }
+    let (Some(inputs_path), Some(values_path)) = (&args.inputs, &args.values) else {
+        return Err(Failure::new(
+            "--inputs and --values, or --table, are needed",
+        ));
+    };
+    let method = scoped(&*method, &args.scope)?.without_laws();
+    let settings = Settings::default();
+    let mut inputs = Inputs::open(&method, inputs_path)?;
+    let mut values = Lines::new(reader(values_path)?);
+    let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
+    let mut tally = Tally::new(&method, FAILURES_KEPT);
+    let progress = Progress::new();
+    let mut answered = 0;
+    let mut batch = Vec::new();
+    // The first input without an answer.
+    let mut open = None;
+    while let Some(case) = inputs.read()? {
+        let Some(line) = values.read().map_err(unreadable)? else {
+            open = Some(case);
+            break;
+        };
+        answered += 1;
+        let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
+        if args.line.is_none_or(wanted) {
+            batch.push((case, line.answer()));
+        }
+        if batch.len() == BATCH {
+            judge_batch(&method, &settings, std::mem::take(&mut batch), &mut tally);
+            progress.show(method.name(), answered as u64, answered as u64);
+        }
+    }
+    judge_batch(&method, &settings, batch, &mut tally);
+    let mut trouble = None;
+    if let Some(case) = open {
+        let why = format!("the values end after {answered} answers");
+        let answer = SolverAnswer::Fails(why.clone());
+        tally.add(judge_case(&method, case, answer, &settings));
+        let mut left = 1;
+        while inputs.read()?.is_some() {
+            tally.unanswered(1);
+            left += 1;
+        }
+        trouble = Some(format!("{why}; {left} inputs are left"));
+    } else if values.read().map_err(unreadable)?.is_some() {
+        trouble = Some(format!("there are more values than the {answered} inputs"));
+    }
+    drop(progress);
+    let report = tally.finish(&method, &settings);
+    if report.cases == 0 {
+        let what = args
+            .line
+            .map_or("no inputs".into(), |n| format!("no input on line {n}"));
+        return Err(Failure::new(format!("{}: {what}", inputs_path.display())));
+    }
+    let judged = Judged {
+        report,
+        answered,
+        trouble,
+    };
+    judged.write(args.format, &|case| {
+        format!(
+            "mechaudit judge {} --inputs {} --values {} {}",
+            case.method,
+            shell_words::quote(&inputs_path.to_string_lossy()),
+            shell_words::quote(&values_path.to_string_lossy()),
+            case.place()
+        )
+    })
+}
+
+fn reader(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
+    if path == Path::new("-") {
+        return Ok(Box::new(std::io::stdin().lock()));
+    }
+    match File::open(path) {
+        Ok(file) => Ok(Box::new(BufReader::new(file))),
+        Err(e) => Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
+    }
+}
+
+/// The cases in a file of inputs.
+struct Inputs {
+    lines: Lines<Box<dyn BufRead>>,
+    path: String,
+    method: &'static str,
+    regions: Vec<&'static str>,
+    region: &'static str,
+}
+
+impl Inputs {
+    fn open(method: &dyn Method, path: &Path) -> Result<Inputs, Failure> {
+        let regions = method.domain().regions;
+        Ok(Inputs {
+            lines: Lines::new(reader(path)?),
+            path: path.display().to_string(),
+            method: method.name(),
+            regions: regions.iter().map(|r| r.name).collect(),
+            region: "given",
+        })
+    }
+
+    fn read(&mut self) -> Result<Option<Case>, Failure> {
+        loop {
+            let read = self.lines.read_any();
+            let read = read.map_err(|e| Failure::new(format!("cannot read {}: {e}", self.path)))?;
+            let Some(line) = read else { return Ok(None) };
+            if let Some(comment) = line.comment() {
+                self.region(comment);
+            } else if !line.is_blank() {
+                return self.case(&line).map(Some);
+            }
+        }
+    }
+
+    /// A comment that names a region is about the lines after it.
+    fn region(&mut self, comment: &str) {
+        let Some(named) = comment.strip_prefix("region ") else {
+            return;
+        };
+        let name = named.split([' ', ':']).next().unwrap_or_default();
+        let known = self.regions.iter().find(|r| **r == name);
+        self.region = match name {
+            "check-points" => "check-points",
+            "hard" => "hard",
+            _ => known.copied().unwrap_or("given"),
+        };
+    }
+
+    fn case(&self, line: &Line) -> Result<Case, Failure> {
+        Ok(Case {
+            method: self.method,
+            region: self.region,
+            input: line.input()?,
+            origin: Origin::Line {
+                number: line.number,
+            },
+        })
+    }
+}

@@ -1,0 +1,80 @@
+//! Inputs of a method, as lines for programs in any language.
+
+use super::args::PointsArgs;
+use super::audit::find;
+use super::failure::{Failure, Outcome};
+use super::output::write_to;
+use super::wire;
+use mechaudit::audit::{Case, Cases, Method, Settings, Variant};
+use std::io::Write;
+
+/// Writes them.
+pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
+    let method = find(&args.method)?;
+    let settings = Settings {
+        seed: args.seed,
+        cases_per_region: args.count,
+        ..Settings::default()
+    };
+    let all = Cases::new(&*method, &settings);
+    let one = match (&args.check_point, &args.region, args.case) {
+        _ if args.hard.is_some() => args.hard.map(|n| all.hard_case(n)).transpose()?,
+        (Some(name), ..) => Some(all.at_check_point(name)?),
+        (None, Some(region), Some(index)) => Some(all.in_region(region, index)?),
+        _ => None,
+    };
+    let cases = match &args.region {
+        Some(region) => Cases::new(&Variant::new(&*method).region(region)?, &settings),
+        None => all,
+    };
+    write_to(args.output.as_deref(), |out| {
+        header(&*method, out)?;
+        if let Some(case) = one {
+            heading(&*method, &case, out)?;
+            return Ok(writeln!(out, "{}", wire::line(&case.input, args.decimal))?);
+        }
+        let mut region = "";
+        for i in 0..cases.len() {
+            let case = cases.get(i);
+            if case.region != region {
+                region = case.region;
+                heading(&*method, &case, out)?;
+            }
+            writeln!(out, "{}", wire::line(&case.input, args.decimal))?;
+        }
+        Ok(())
+    })?;
+    Ok(Outcome::AsExpected)
+}
+
+fn header(method: &dyn Method, out: &mut dyn Write) -> Result<(), Failure> {
+    let named = |name: &str, unit: &str| match unit {
+        "1" => name.to_string(),
+        unit => format!("{name} [{unit}]"),
+    };
+    let inputs = method.inputs();
+    let inputs: Vec<String> = inputs.iter().map(|i| named(i.name, i.unit)).collect();
+    let outputs = method.outputs();
+    let outputs: Vec<String> = outputs.iter().map(|o| named(o.name, o.unit)).collect();
+    let (name, summary) = (method.name(), method.summary());
+    let version = env!("CARGO_PKG_VERSION");
+    writeln!(out, "# {name}: {summary} (mechaudit {version})")?;
+    writeln!(out, "# input: {}", inputs.join(", "))?;
+    Ok(writeln!(out, "# answer: {}", outputs.join(", "))?)
+}
+
+/// Where the following inputs come from; `judge` reads it.
+fn heading(method: &dyn Method, case: &Case, out: &mut dyn Write) -> Result<(), Failure> {
+    let regions = method.domain().regions;
+    let place = match &case.origin {
+        mechaudit::audit::Origin::Random { seed, index } => format!("seed {seed}, from {index}"),
+        _ => "named".into(),
+    };
+    let description = regions.iter().find(|r| r.name == case.region);
+    let description = description.map_or(String::new(), |r| format!(": {}", r.description));
+    Ok(writeln!(
+        out,
+        "# region {} ({place}){description}",
+        case.region
+    )?)
+}

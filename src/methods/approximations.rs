@@ -1,0 +1,317 @@
+//! Approximations with their refinements: splines of known functions, and run-ups.
+
+use super::run_up;
+use crate::audit::{Approximation, ReferenceAnswer, SolverAnswer};
+use crate::reference::Ball;
+use crate::reference::cubic_spline::Spline as ExactSpline;
+use crate::solvers::cubic_spline::{Boundary, CubicSpline};
+use crate::solvers::run_up::Method as Integration;
+use rug::Rational;
+use std::sync::OnceLock;
+
+/// Every approximation.
+pub fn approximations() -> Vec<Box<dyn Approximation>> {
+    let spline = |name, summary, ends| {
+        Box::new(SplineOfWitch {
+            name,
+            summary,
+            ends,
+        })
+    };
+    let mut all: Vec<Box<dyn Approximation>> = vec![
+        spline(
+            "spline-clamped",
+            "clamped cubic spline of 1/(1 + x^2) on [-1, 1], true end slopes, equal steps",
+            Ends::Slopes,
+        ),
+        spline(
+            "spline-natural",
+            "natural cubic spline of the same function: its second derivatives at the ends are not 0",
+            Ends::Natural,
+        ),
+        spline(
+            "spline-not-a-knot",
+            "not-a-knot cubic spline of the same function",
+            Ends::NotAKnot,
+        ),
+    ];
+    for method in Integration::ALL {
+        for machine in [Machine::BareRotor, Machine::SandScreen] {
+            all.push(Box::new(RunUp::new(method, machine)));
+        }
+    }
+    all
+}
+
+/// The approximation of that name.
+pub fn find_approximation(name: &str) -> Option<Box<dyn Approximation>> {
+    approximations().into_iter().find(|a| a.name() == name)
+}
+
+#[derive(Clone, Copy)]
+enum Ends {
+    Slopes,
+    Natural,
+    NotAKnot,
+}
+
+/// Cubic splines of the witch of Agnesi. Everything about them is rational, so the twin is the spline
+/// itself in exact arithmetic, through the exact ordinates.
+struct SplineOfWitch {
+    name: &'static str,
+    summary: &'static str,
+    ends: Ends,
+}
+
+/// Abscissae: a third into each interval of the coarsest spline, and so at a third or two thirds of
+/// one at every level, where errors of the same order are of the same size.
+fn queries() -> impl Iterator<Item = f64> {
+    let step = 2.0 / f64::from(COARSEST);
+    (0..COARSEST).map(move |i| -1.0 + (f64::from(i) + 1.0 / 3.0) * step)
+}
+
+const BITS: u32 = 160;
+/// Intervals of the coarsest spline.
+const COARSEST: u32 = 8;
+
+/// `f` and its first three derivatives, `f = 1/(1 + x²)`.
+fn witch(x: &Rational) -> [Rational; 4] {
+    let square = Rational::from(x * x);
+    let f = (Rational::from(1) + &square).recip();
+    let f2 = Rational::from(&f * &f);
+    let [f3, f4] = [Rational::from(&f2 * &f), Rational::from(&f2 * &f2)];
+    // f' = −2 x f², f'' = −2 f² + 8 x² f³, f''' = 24 x f³ − 48 x³ f⁴.
+    let first = Rational::from(-2 * x) * &f2;
+    let second = Rational::from(-2 * &f2) + Rational::from(8 * &square) * &f3;
+    let third = Rational::from(24 * x) * &f3 - Rational::from(48 * &square) * x * f4;
+    [f, first, second, third]
+}
+
+impl SplineOfWitch {
+    fn knots(&self, level: usize) -> Vec<Rational> {
+        let n = COARSEST << level;
+        (0..=n).map(|i| Rational::from((2 * i, n)) - 1).collect()
+    }
+}
+
+impl Approximation for SplineOfWitch {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn summary(&self) -> &'static str {
+        self.summary
+    }
+
+    fn work_unit(&self) -> &'static str {
+        "intervals"
+    }
+
+    fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
+        // At fixed places: what a natural spline is off by at the ends dies away over segments.
+        ["S", "S'", "S''", "S'''"]
+            .into_iter()
+            .zip([4.0, 3.0, 2.0, 1.0].map(Some))
+            .collect()
+    }
+
+    fn levels(&self) -> Vec<String> {
+        (0..6).map(|k| (COARSEST << k).to_string()).collect()
+    }
+
+    fn run(&self, level: usize) -> (u64, SolverAnswer) {
+        let knots = self.knots(level);
+        let x: Vec<f64> = knots.iter().map(Rational::to_f64).collect();
+        let y = x.iter().map(|x| 1.0 / (1.0 + x * x)).collect();
+        let slope = |x: f64| -2.0 * x / (1.0 + x * x).powi(2);
+        let boundary = match self.ends {
+            Ends::Slopes => Boundary::clamped(slope(-1.0), slope(1.0)),
+            Ends::Natural => Boundary::second_derivatives(0.0, 0.0),
+            Ends::NotAKnot => Boundary::NOT_A_KNOT,
+        };
+        let values = || {
+            let s = CubicSpline::fit(x, y, boundary).map_err(|e| e.to_string())?;
+            let mut all = Vec::new();
+            for q in queries() {
+                let j = s.jet(q).map_err(|e| e.to_string())?;
+                all.extend([j.value, j.first, j.second, j.third]);
+            }
+            Ok(all)
+        };
+        let answer: Result<Vec<f64>, String> = values();
+        let work = u64::from(COARSEST << level);
+        (
+            work,
+            answer.map_or_else(SolverAnswer::Fails, SolverAnswer::Values),
+        )
+    }
+
+    fn twin(&self, level: usize) -> Option<Vec<Ball>> {
+        let x = self.knots(level);
+        let jets: Vec<[Rational; 4]> = x.iter().map(witch).collect();
+        let y: Vec<Rational> = jets.iter().map(|j| j[0].clone()).collect();
+        let spline = match self.ends {
+            Ends::Slopes => ExactSpline::clamped(&x, &y, &jets[0][1], &jets[x.len() - 1][1]),
+            Ends::Natural => ExactSpline::natural(&x, &y),
+            Ends::NotAKnot => ExactSpline::not_a_knot(&x, &y),
+        };
+        let spline = spline.ok()?;
+        let at = |q: f64| Some(spline.eval(&Rational::from_f64(q)?));
+        let values: Option<Vec<[Rational; 4]>> = queries().map(at).collect();
+        Some(balls(&values?))
+    }
+
+    fn truth(&self) -> Result<Vec<Ball>, String> {
+        let exact = queries().filter_map(Rational::from_f64);
+        let values: Vec<[Rational; 4]> = exact.map(|q| witch(&q)).collect();
+        Ok(balls(&values))
+    }
+}
+
+fn balls(jets: &[[Rational; 4]]) -> Vec<Ball> {
+    jets.iter()
+        .flatten()
+        .map(|v| Ball::rational(BITS, v))
+        .collect()
+}
+
+#[derive(Clone, Copy)]
+enum Machine {
+    BareRotor,
+    SandScreen,
+}
+
+/// A run-up at falling tolerances against its enclosure. It has no twin: the library that takes the
+/// steps keeps its coefficients to itself.
+struct RunUp {
+    method: Integration,
+    machine: Machine,
+    truth: OnceLock<Result<Vec<Ball>, String>>,
+}
+
+impl RunUp {
+    fn new(method: Integration, machine: Machine) -> RunUp {
+        let truth = OnceLock::new();
+        RunUp {
+            method,
+            machine,
+            truth,
+        }
+    }
+
+    fn input(&self) -> Vec<f64> {
+        match self.machine {
+            Machine::BareRotor => run_up::bare_rotor_under_kloss(),
+            Machine::SandScreen => run_up::sand_screen_from_rest(0.004),
+        }
+    }
+
+    fn tolerance(level: usize) -> f64 {
+        10f64.powi(-3 - level as i32)
+    }
+}
+
+impl Approximation for RunUp {
+    fn name(&self) -> &'static str {
+        use Integration::{Dop853, Radau5, Verner98};
+        match (self.method, self.machine) {
+            (Verner98, Machine::BareRotor) => "run-up-verner98-rotor",
+            (Verner98, Machine::SandScreen) => "run-up-verner98-sand-screen",
+            (Dop853, Machine::BareRotor) => "run-up-dop853-rotor",
+            (Dop853, Machine::SandScreen) => "run-up-dop853-sand-screen",
+            (Radau5, Machine::BareRotor) => "run-up-radau5-rotor",
+            (Radau5, Machine::SandScreen) => "run-up-radau5-sand-screen",
+        }
+    }
+
+    fn summary(&self) -> &'static str {
+        match self.machine {
+            Machine::BareRotor => "constant inertia from rest to its Kloss motor's speed",
+            Machine::SandScreen => "the sand screen's first 4 ms under its Kloss motor",
+        }
+    }
+
+    fn work_unit(&self) -> &'static str {
+        "evaluations"
+    }
+
+    fn outputs(&self) -> Vec<(&'static str, Option<f64>)> {
+        vec![("phi", None), ("psi", None)]
+    }
+
+    fn levels(&self) -> Vec<String> {
+        (0..11)
+            .map(|k| format!("{:e}", RunUp::tolerance(k)))
+            .collect()
+    }
+
+    fn is_regular(&self) -> bool {
+        false
+    }
+
+    fn run(&self, level: usize) -> (u64, SolverAnswer) {
+        run_up::at_tolerance(&self.input(), RunUp::tolerance(level), self.method)
+    }
+
+    fn truth(&self) -> Result<Vec<Ball>, String> {
+        let truth = || match run_up::truth(&self.input(), 160) {
+            ReferenceAnswer::Values(r) => Ok(r.values),
+            other => Err(format!("{other:?}")),
+        };
+        self.truth.get_or_init(truth).clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::convergence;
+
+    #[test]
+    fn splines_converge_as_theory_says() {
+        for a in approximations()
+            .iter()
+            .filter(|a| a.work_unit() == "intervals")
+        {
+            let report = convergence(&**a).unwrap();
+            let last = report.levels.last().unwrap();
+            for (k, (e, due)) in last.errors.iter().zip(&report.orders).enumerate() {
+                let (order, method) = (e.order.unwrap(), e.method.unwrap());
+                if let Some(due) = due {
+                    assert!(order > due - 0.4, "{} {k}: order {order}", a.name());
+                }
+                assert!(e.rounding.unwrap() < 1e-3 * method, "{} {k}", a.name());
+                let parts = method + e.rounding.unwrap();
+                assert!(e.total <= parts * (1.0 + 1e-9), "{} {k}", a.name());
+            }
+        }
+    }
+
+    #[test]
+    fn integrators_gain_with_their_tolerance() {
+        for a in approximations()
+            .iter()
+            .filter(|a| a.work_unit() == "evaluations")
+        {
+            let report = convergence(&**a).unwrap();
+            let ran: Vec<_> = report
+                .levels
+                .iter()
+                .filter(|l| l.failed.is_none())
+                .collect();
+            let (first, last) = (ran[0], ran[ran.len() - 1]);
+            assert!(last.work >= first.work, "{}", a.name());
+            assert!(
+                last.errors[1].total < 1e-9,
+                "{}: {:?}",
+                a.name(),
+                last.errors
+            );
+            assert!(
+                last.errors[1].total <= first.errors[1].total,
+                "{}",
+                a.name()
+            );
+        }
+    }
+}
