@@ -242,8 +242,8 @@ fn bad_input_is_one_line_and_exit_code_2() {
         ("period = \"rise\"", "period = \"dwell\"", "chart.period"),
         ("\"К\", \"0050\"", "\"К\", \"0000\"", "defined nowhere"),
         (
-            "start = \"18 rad/s\"",
-            "start = \"10 rad/s\"",
+            "acceleration = \"-0.2 rad/s^2\"",
+            "acceleration = \"0.2 rad/s^2\"",
             "a speed that the shaft does not have",
         ),
     ] {
