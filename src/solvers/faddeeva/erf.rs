@@ -18,7 +18,7 @@ use super::erf_zeros;
 use super::lanes::{Lanes, Task, with_best};
 use super::odd_series::{self, odd};
 use super::quadrant::{
-    HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, lost, pair_times_power,
+    HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
     product, size, times_power, w, w_exact,
 };
 use super::real::ROUND;
@@ -74,7 +74,8 @@ fn shifted((offset, sign): (f64, f64), t: Dd, n: f64) -> (f64, bool) {
     let t = pair_times_power(t, n);
     let t = if sign < 0.0 { -t } else { t };
     let sum = t.add_f(offset);
-    (sum.value(), lost(sum, Dd::from(offset)))
+    // The terms of t may have cancelled to a sixth before.
+    (sum.value(), sum.hi.abs() < 0.5 * offset)
 }
 
 /// `e^{−z²} (u − i v)` in double-double.
