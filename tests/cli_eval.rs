@@ -336,7 +336,7 @@ mod relatives {
         assert_eq!(d.code, 1, "{}", d.err);
         assert!(d.err.contains("σ ≥ 0"), "{}", d.err);
         let list = good(&["--list"], "");
-        assert_eq!(list.lines().count(), 8, "{list}");
+        assert_eq!(list.lines().count(), 9, "{list}");
         for (name, _) in COMPLEX {
             assert!(
                 list.lines().any(|l| l.split(' ').next() == Some(name)),

@@ -18,7 +18,7 @@ fn charts_of_both_laws() {
         )
         .unwrap();
         for xi in 2..=14 {
-            let sum = charts::certified(law, &Rational::from(xi), 140);
+            let sum = charts::certified(law, &Rational::from(xi), 240);
             assert!(sum.rad().to_f64() < 1e-26, "{xi}");
             writeln!(text, "{xi:2}  {:.25}", sum.mid()).unwrap();
         }

@@ -158,7 +158,7 @@ impl Method for Audit {
             ],
             check_points: vec![
                 point("paper-law", at([1.0, 0.1, 1.0 / 3.0, 1.0 / 6.0, 0.25, 1.0, 1.0])),
-                point("indexing", at([1.0, 0.1, 1.0 / 3.0, 0.0, 0.0, 1.0, 1.0])),
+                point("indexing-cam", at([1.0, 0.1, 1.0 / 3.0, 0.0, 0.0, 1.0, 1.0])),
                 point("last", at([1.0, 0.1, 1.0 / 3.0, 1.0 / 6.0, 0.25, 999_993.0, 1.0])),
             ],
         }

@@ -432,7 +432,7 @@ pub(super) fn check_points() -> Vec<CheckPoint> {
             [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
         ),
         point(
-            "run-down",
+            "run-down-from-speed",
             [10.0, 0.5, -4.0, 30.0, 2.0, 0.3, 0.1, -2.0, 8.0],
         ),
         point(

@@ -1,12 +1,12 @@
 //! Charts in the manner of Fig. 5. The paper gives neither the phases of its cams nor the oscillator
 //! nor the speeds, so these stand for any.
 
-use crate::reference::chirp_oscillator::{Problem, enclose};
-use crate::reference::{Ball, cam_law, fourier_series};
+use crate::reference::chirp_oscillator::{Problem, response};
+use crate::reference::{Ball, Mag, cam_law, fourier_series};
 use crate::solvers::cam_law::{CamCycle, MotionLaw, Stroke};
 use crate::solvers::chirp_chart::{CamDrive, CamResponse, Chart, ChirpChartError, Period};
 use crate::solvers::chirp_oscillator::{Chirp, Oscillator};
-use rug::Rational;
+use rug::{Float, Rational};
 
 /// Natural frequency, rad/s.
 pub const FREQUENCY: f64 = 100.0;
@@ -119,9 +119,12 @@ pub fn certified(law: Law, xi: &Rational, prec: u32) -> Ball {
             o(),
             t.clone(),
         ];
-        match Problem::new(&values) {
-            Ok(problem) => sum + forcing * enclose(&problem, prec).amplitude.norm_sqr().sqrt(),
-            Err(_) => Ball::new(rug::Float::new(prec), crate::reference::Mag::INFINITY),
+        let amplitude = Problem::new(&values)
+            .ok()
+            .and_then(|p| response(&p, prec).ok());
+        match amplitude {
+            Some(r) => sum + forcing * r.amplitude.norm_sqr().sqrt(),
+            None => Ball::new(Float::new(prec), Mag::INFINITY),
         }
     })
 }

@@ -153,10 +153,11 @@ fn node(points: u32, near: f64, prec: u32) -> (Ball, Ball) {
         mid -= Float::with_val(prec, b.mid() / slope(&x, &a, &b).mid());
     }
     let rad = Mag::power_of_two(90 - i64::from(prec));
+    let step = rad.to_float();
     let end = |x: Float| legendre(&Ball::new(x, Mag::ZERO)).1;
     let (low, high) = (
-        end(Float::with_val(prec, &mid - rad.to_float())),
-        end(Float::with_val(prec, &mid + rad.to_float())),
+        end(Float::with_val(prec, &mid - &step)),
+        end(Float::with_val(prec, &mid + &step)),
     );
     assert!(
         low.is_negative() != high.is_negative() && !low.contains_zero() && !high.contains_zero()

@@ -163,8 +163,7 @@ impl Near {
     fn add(&mut self, harmonic: &Prepared, roots: &Roots, y: &mut [f64; CHUNK]) {
         self.re.resize(self.x.len(), 0.0);
         self.im.resize(self.x.len(), 0.0);
-        faddeeva_soa(&self.x, &self.y, &mut self.re, &mut self.im)
-            .expect("slices of one length");
+        faddeeva_soa(&self.x, &self.y, &mut self.re, &mut self.im).expect("slices of one length");
         let factor = harmonic.sweep.factor();
         for ((i, carrier), parts) in self.place.iter().zip(&self.parts) {
             let [f, g] = parts.map(|part| match part {

@@ -48,6 +48,8 @@ const CANCELLED_ROUNDED: f64 = 0.6;
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
+/// Closer to the imaginary axis, and on it, batches leave points to the scalar code.
+const TINY: f64 = 1e-290;
 /// What the distance from the real axis is raised to beside it: no part of w is changed by that
 /// there, and products with smaller numbers would be subnormal.
 const LEAST: f64 = 1e-80;
@@ -216,7 +218,8 @@ pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
     let all = under(r2, FAR, near, far);
     let strip = under(a, BEYOND, code(Kind::RealAxis) + lower, code(Kind::Strip));
     let strip = under(a, APART, all, under(a, GONE, strip, all));
-    under(b, STRIP, strip, all)
+    let all = under(b, STRIP, strip, all);
+    under(a, TINY, code(Kind::Other), all)
 }
 
 /// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
@@ -388,9 +391,30 @@ impl Task for Cancelled {
     }
 }
 
+/// `Re w` at `i b`, `b ≥ 0`, where it does not grow with b: correctly rounded but for a few cases in
+/// a thousand.
+#[inline(always)]
+fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
+    let re = match kind(0.0, b) {
+        Kind::ImaginaryAxis | Kind::Cell => {
+            let (n, t) = on_axis(b);
+            real_row(lanes, imaginary_axis_row(n), t, 0.0).0
+        }
+        Kind::Series24 => series::<_, 24>(0.0, b).0,
+        Kind::Series14 => series::<_, 14>(0.0, b).0,
+        Kind::Series6 | Kind::Series4 => series::<_, 6>(0.0, b).0,
+        Kind::Small => return maclaurin(0.0, b).0,
+        _ => return special::huge(0.0, b).0,
+    };
+    re.hi
+}
+
 /// `(Re w, Im w)` at `a + i b`, `a ≥ 0`, `b ≥ 0`.
 #[inline(always)]
 fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
+    if a == 0.0 && b < f64::INFINITY {
+        return (on_imaginary_axis(lanes, b), 0.0);
+    }
     match kind(a, b) {
         Kind::Cell => {
             let [n, dx, dy] = cell(a, b);
@@ -433,16 +457,32 @@ pub(super) fn below_real_axis<R: Real>(y: R) -> R {
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, `y < 0`.
 #[inline(always)]
 fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
+    // So close to the axis Im w is proportional to a, and the phase 2ay may be subnormal. Further
+    // down every component overflows.
+    let lift = if a < TINY && y > -40.0 { 60.0 } else { 0.0 };
+    let (re, im, n) = below(lanes, a * (lift + ROUND).power_of_two(), y);
+    match (n - ROUND, lift) {
+        (0.0, 0.0) => (re, im),
+        (0.0, _) => (re, scaled(im, ROUND - lift)),
+        _ => (scaled(re, n), scaled(im, n - lift)),
+    }
+}
+
+/// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, `y < 0`, divided by `2^k`, and `ROUND + k`.
+#[inline(always)]
+fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
     let b = -y;
+    let done = |(re, im): (f64, f64)| (re, im, ROUND);
     if let Some(k) = zeros::nearest(a, b) {
-        return match zeros::near_zero(lanes, k, a, b) {
+        let near = zeros::near_zero(lanes, k, a, b);
+        return done(match near {
             Some(w) => w,
             None => lanes.call(Cancelled { a, b }),
-        };
+        });
     }
     let unless_lost = |(re, im, lost): (f64, f64, bool)| match lost {
-        true => lanes.call(Cancelled { a, b }),
-        false => (re, im),
+        true => done(lanes.call(Cancelled { a, b })),
+        false => (re, im, ROUND),
     };
     let (u, v) = match kind(a, y) {
         Kind::Cell => {
@@ -462,22 +502,21 @@ fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
             let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
             return unless_lost((re.hi, im.hi, lost));
         }
-        Kind::Small => return maclaurin(a, y),
+        Kind::Small => return done(maclaurin(a, y)),
         Kind::Disc => {
             let [n, dx, dy] = disc_cell(a, y);
-            return complex_row_rounded(lanes, disc_row(n), dx, dy);
+            return done(complex_row_rounded(lanes, disc_row(n), dx, dy));
         }
         Kind::Strip => return unless_lost(in_strip(a, y)),
-        Kind::Series4 | Kind::Other => return special::huge(a, y),
+        Kind::Series4 | Kind::Other => return done(special::huge(a, y)),
     };
     if negligible(a, b, u.hi, v.hi) {
-        return (-u.hi, v.hi);
+        return done((-u.hi, v.hi));
     }
     let (c, s, n) = exp_minus_square_any(a, y);
     if n >= ROUND + ALONE {
         // W(−z) is below half a unit in the last place, whatever the cosine.
-        let n = n + 1.0;
-        return (scaled(c.value(), n), scaled(s.value(), n));
+        return (c.value(), s.value(), n + 1.0);
     }
     unless_lost(reflect((u, v), (c, s, n)))
 }
@@ -556,7 +595,7 @@ fn w_by(runner: impl Runner, x: f64, y: f64) -> (f64, f64) {
         return maclaurin(x, y);
     }
     let (a, b) = (x.abs(), y.abs());
-    let (re, im) = if (y >= 0.0) & (TERMS_4_SURELY..HUGE_SURELY).contains(&r2) {
+    let (re, im) = if (y >= 0.0) & (a > 0.0) & (TERMS_4_SURELY..HUGE_SURELY).contains(&r2) {
         runner.run(Far(a, b))
     } else if y < 0.0 {
         runner.run(Lower(a, y))

@@ -6,7 +6,10 @@ use super::Random;
 
 /// The bucket by the scalar rule.
 fn expected(a: f64, y: f64) -> f64 {
-    let kind = kind(a, y);
+    let kind = match a < 1e-290 {
+        true => Kind::Other,
+        false => kind(a, y),
+    };
     let both = (kind as u8) <= Kind::RealAxis as u8;
     let lower = if both && y < 0.0 { LOWER } else { 0 };
     f64::from(kind as u8) + lower as f64 + ROUND
@@ -19,6 +22,7 @@ fn points() -> Vec<(f64, f64)> {
     let edges = [
         0.0,
         5e-324,
+        1e-290,
         0.125,
         0.25,
         1.0,
