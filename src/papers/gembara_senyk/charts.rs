@@ -106,7 +106,12 @@ pub fn certified(law: Law, xi: &Rational, prec: u32) -> Ball {
     let t = q(100, 3) * q(5, 1) / xi;
     (1..=HARMONICS).fold(Ball::integer(prec, 0), |sum, k| {
         let [a, b] = fourier_series::harmonic(&q(1, 1), &rise, Some(&fall), k, prec);
-        let forcing = (a.square() + b.square()).sqrt();
+        let square = a.square() + b.square();
+        // Some harmonics vanish.
+        let forcing = match square.contains_zero() {
+            true => Ball::integer(prec, 0).widened(a.magnitude().add(b.magnitude())),
+            false => square.sqrt(),
+        };
         let o = Rational::new;
         let values = [
             q(100, 1),

@@ -182,7 +182,8 @@ fn by_gauss_legendre(values: [f64; 9], prec: u32) -> ComplexBall {
     let nodes: Vec<(Ball, Ball)> = (1..=POINTS)
         .map(|i| {
             let angle = std::f64::consts::PI * (f64::from(i) - 0.25) / (f64::from(POINTS) + 0.5);
-            node(POINTS, angle.cos(), prec)
+            // The recurrence widens a ball threefold in every step.
+            node(POINTS, angle.cos(), prec + 120)
         })
         .collect();
     for pair in nodes.windows(2) {
