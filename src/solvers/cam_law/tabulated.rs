@@ -7,11 +7,28 @@ use crate::solvers::cubic_spline::{Boundary, CubicSpline, End, Grid};
 #[derive(Clone, Debug)]
 pub(in crate::solvers) struct Tabulated {
     spline: CubicSpline,
+    /// Through `1 − y`, for what is left of the stroke near its end.
+    left: CubicSpline,
     ends: [End; 2],
+}
+
+/// From this displacement on what is left is computed first.
+const NEAR_END: f64 = 0.875;
+
+/// The condition for `1 − s`.
+fn negated(end: End) -> End {
+    match end {
+        End::FirstDerivative(v) => End::FirstDerivative(-v),
+        End::SecondDerivative(a) => End::SecondDerivative(-a),
+        End::NotAKnot => End::NotAKnot,
+    }
 }
 
 impl Tabulated {
     pub(super) fn new(x: Vec<f64>, y: Vec<f64>, ends: [End; 2]) -> Result<Tabulated, CamLawError> {
+        let rest = y.iter().map(|y| 1.0 - y).collect();
+        let opposite = Boundary::Ends(negated(ends[0]), negated(ends[1]));
+        let left = CubicSpline::fit(x.clone(), rest, opposite);
         let spline = CubicSpline::fit(x, y, Boundary::Ends(ends[0], ends[1]))?;
         let (x0, x1) = spline.grid().span();
         let y = spline.values_at_knots();
@@ -19,17 +36,27 @@ impl Tabulated {
         if (x0, y0, x1, y1) != (0.0, 0.0, 1.0, 1.0) {
             return Err(CamLawError::TableEnds { x0, y0, x1, y1 });
         }
-        Ok(Tabulated { spline, ends })
+        let left = left?;
+        Ok(Tabulated { spline, left, ends })
     }
 
-    pub(super) fn motion(&self, x: f64) -> Result<Motion, CamLawError> {
+    /// The motion and `1 − s`.
+    pub(super) fn motion(&self, x: f64) -> Result<(Motion, f64), CamLawError> {
         let jet = self.spline.jet(x)?;
-        Ok(Motion {
-            displacement: jet.value,
+        let (displacement, remaining) = match jet.value > NEAR_END {
+            true => {
+                let rest = self.left.jet(x)?.value;
+                (1.0 - rest, rest)
+            }
+            false => (jet.value, 1.0 - jet.value),
+        };
+        let motion = Motion {
+            displacement,
             velocity: jet.first,
             acceleration: jet.second,
             jerk: jet.third,
-        })
+        };
+        Ok((motion, remaining))
     }
 
     pub(in crate::solvers) fn knots(&self) -> &[f64] {
