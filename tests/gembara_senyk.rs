@@ -1,4 +1,5 @@
 //! The paper of Gembara and Senyk: what follows from its formulas.
+#![cfg(feature = "oracle")]
 
 use mechaudit::papers::gembara_senyk::{self, charts};
 use rug::Rational;
