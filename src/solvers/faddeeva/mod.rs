@@ -3,14 +3,12 @@
 //! # Accuracy
 //! Each component within a few units in its own last place wherever it is representable: beside
 //! the axes, on the diagonals, in the lower half-plane and next to the zeros of w and of its
-//! components. Worst found against the certified reference, in units in the last place of the
-//! component: 1.9 in the upper half-plane and the unit disc (10⁵ points in each of three regions);
-//! 1.5 beside the real axis, 2.6 in the lower half-plane, on the diagonals and next to zeros (4·10⁵ in
-//! each of four). Known to be worse: 7 units (Re) at 18.176939417717378 − 1.6131960603307438e-141 i,
-//! where `e^{−x²}` and the asymptotic series cancel; components below 2⁻⁴⁵ of the terms they are the
+//! components. Worst found against the certified reference at 10⁶ points in each of the seven regions
+//! of `benches/peers`: 1.03 · 2⁻⁵² of the norm; of the component, 2.8 units in the last place in the
+//! upper half-plane and the unit disc, 2.0 beside the real axis, 3.9 in the lower half-plane, 3.1 on the
+//! diagonals and 3.2 next to zeros. Known to be worse: components below 2⁻⁴⁵ of the terms they are the
 //! difference of (an `f64` or two from a curve on which they are zero), for which double-double is not
-//! enough, 68 units at the worst point found; Im w where Re z is subnormal, below the axis.
-//! `benches/peers` repeats the measurement beside
+//! enough, 68 units at the worst point found. `benches/peers` repeats the measurement beside
 //! other codes, `mechaudit audit faddeeva` judges it.
 //!
 //! # Method
@@ -21,12 +19,12 @@
 //!   coefficients in double-double; beside the imaginary axis with the real coefficients of
 //!   erfcx, beside the real axis about centres on it, so that the small component keeps its
 //!   relative accuracy;
-//! - `|z| ≥ 7`: asymptotic series (DLMF 7.12.1) with 24, 14 or 6 terms, and `e^{−z²}` added beside
+//! - `|z| ≥ 7`: asymptotic series (DLMF 7.12.1) with 24, 14, 6 or 4 terms, and `e^{−z²}` added beside
 //!   the real axis.
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
-//! exponent and phase reduced accordingly (Payne–Hanek for huge phases). Where a component is
-//! smaller than an eighth of its terms it is computed again in double-double by the trapezoidal
+//! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above
+//! carried on to pairs of `f64`. Where a component is smaller than a tenth of its terms it is computed again in double-double by the trapezoidal
 //! rule with the residue at its pole; next to the first twelve zeros of w by Taylor series about
 //! the zero, which is stored to 160 bits.
 //!
