@@ -109,7 +109,7 @@ pub(in crate::solvers) enum Shape {
 /// use mechaudit::solvers::cam_law::MotionLaw;
 /// let law = MotionLaw::cycloidal();
 /// let m = law.motion(0.25)?;
-/// assert!((m.displacement - (0.25 - 0.5 / std::f64::consts::PI * 0.5)).abs() < 1e-15);
+/// assert!((m.displacement - (0.25 - 0.5 / std::f64::consts::PI)).abs() < 1e-15);
 /// assert!((law.peaks().velocity - 2.0).abs() < 1e-15);
 /// // Near the end 1 − s keeps its digits.
 /// let left = 2f64.powi(-20);
