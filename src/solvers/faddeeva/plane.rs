@@ -391,8 +391,7 @@ impl Task for Cancelled {
     }
 }
 
-/// `Re w` at `i b`, `b ≥ 0`, where it does not grow with b: correctly rounded but for a few cases in
-/// a thousand.
+/// `Re w` at `i b`, `b ≥ 0`, where it must not grow with b: from pairs of `f64`, rounded once.
 #[inline(always)]
 fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
     let re = match kind(0.0, b) {
