@@ -233,6 +233,11 @@ impl<S: Wide> Real for Pack<S> {
         Pack(self.0, self.0.select_f64s(mask, yes.1, no.1))
     }
     #[inline(always)]
+    fn all(self, mask: S::m64s) -> bool {
+        let s = self.0;
+        s.first_true_m64s(s.not_m64s(mask)) >= S::WIDTH
+    }
+    #[inline(always)]
     fn power_of_two(self) -> Self {
         let s = self.0;
         let bits = s.transmute_u64s_f64s(self.1);

@@ -35,6 +35,10 @@ const FINE: f64 = 3.75;
 /// `e^{−z²}` added.
 const APART: f64 = 1.125;
 const BEYOND: f64 = 9.0;
+/// Above `2⁵⁵ |e^{−z²}|` in the strip beyond [`BEYOND`].
+const BESIDE: f64 = 2.5e-19;
+/// The binary exponent added to both terms there.
+const LIFT: f64 = 200.0;
 /// Re z beyond which `e^{−z²}` is below every `f64` in the strip.
 const GONE: f64 = 27.5;
 /// |z|² below which the Maclaurin series is used.
@@ -315,25 +319,27 @@ pub(super) fn from_erfcx_rounded<R: Real>(a: R, (p, s): (R, R)) -> (R, R) {
 #[inline(always)]
 pub(super) fn in_strip<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
     let (u, v) = series_beside_real_axis::<R, 16>(a, y.magnitude());
+    let like = |c: f64| a.like(c);
+    let part = y * u;
+    let negligible = like(BESIDE).below(part.magnitude());
+    if a.all(negligible) {
+        return (part, v, v.below(like(0.0)));
+    }
     let (e, n) = exp_rounded(exponent_in_strip(a, y));
-    let t = ((a + a) * y).magnitude().at_most(a.like(0.5));
+    let t = ((a + a) * y).magnitude().at_most(like(0.5));
     // The square of a smaller number would be subnormal.
-    let t = t.at_least(a.like(1e-140));
+    let t = t.at_least(like(1e-140));
     let tt = t * t;
-    let cos = tt
-        * tt.fma(
-            tt.fma(a.like(-1.0 / 720.0), a.like(1.0 / 24.0)),
-            a.like(-0.5),
-        );
-    let t = scaled(e.fma(cos, e), n.at_least(a.like(ROUND - 1100.0)));
+    let cos = tt * tt.fma(tt.fma(like(-1.0 / 720.0), like(1.0 / 24.0)), like(-0.5));
+    // Both terms raised, because operations with subnormal numbers are slow.
+    let t = e.fma(cos, e) * (n + like(LIFT)).power_of_two();
+    let y = y * like(ROUND + LIFT).power_of_two();
     let re = y.fma(u, t);
     // The terms have opposite signs if y is negative.
-    let larger = t.at_least(-y * u);
-    (
-        re,
-        v,
-        re.magnitude().below(larger * a.like(CANCELLED_ROUNDED)),
-    )
+    let larger = t.at_least(-(y * u));
+    let lost = re.magnitude().below(larger * like(CANCELLED_ROUNDED));
+    let re = re * like(ROUND - LIFT).power_of_two();
+    (a.pick(negligible, part, re), v, lost)
 }
 
 /// `t · factor + x`

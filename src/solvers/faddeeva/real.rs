@@ -31,6 +31,8 @@ pub(in crate::solvers) trait Real:
     fn below(self, other: Self) -> Self::Mask;
     fn or(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     fn pick(self, mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Whether the mask is true in every place.
+    fn all(self, mask: Self::Mask) -> bool;
     /// 2^k, where `self` is `ROUND + k` and `k` within the normal exponents.
     fn power_of_two(self) -> Self;
     /// Whether `k` is odd, where `self` is `ROUND + k`.
@@ -72,6 +74,10 @@ impl Real for f64 {
     #[inline(always)]
     fn pick(self, mask: bool, yes: f64, no: f64) -> f64 {
         if mask { yes } else { no }
+    }
+    #[inline(always)]
+    fn all(self, mask: bool) -> bool {
+        mask
     }
     #[inline(always)]
     fn power_of_two(self) -> f64 {
@@ -167,6 +173,10 @@ impl Real for Four {
         Four(std::array::from_fn(|i| {
             if mask[i] { yes.0[i] } else { no.0[i] }
         }))
+    }
+    #[inline(always)]
+    fn all(self, mask: [bool; 4]) -> bool {
+        mask == [true; 4]
     }
     #[inline(always)]
     fn power_of_two(self) -> Four {
