@@ -6,12 +6,12 @@
 //! and one evaluation of the impulse response, whatever the number of harmonics.
 
 use super::free::Free;
-use super::harmonic::Prepared;
+use super::harmonic::{Prepared, SHORT};
 use super::inlined::two;
 use super::passage::passage;
 use super::response::ChirpResponse;
 use super::roots::Roots;
-use super::sweep::{FAR, terms};
+use super::series::{FAR, Z, difference, of_both, terms};
 use crate::solvers::faddeeva::double_double::Dd;
 use crate::solvers::faddeeva::exponential::{LARGE_PHASE, reduce, sin_cos_reduced, turn};
 use crate::solvers::faddeeva::faddeeva_soa;
@@ -92,7 +92,8 @@ fn chunk(response: &ChirpResponse, t: &[f64], out: &mut [f64], near: &mut Near) 
         let phase = (s.nu.hi.abs() + s.kappa.hi * largest) * largest + s.delta.abs();
         if !(phase < LARGE_PHASE) {
             for ((y, free), t) in sums.y.iter_mut().zip(&free).zip(t) {
-                *y += harmonic.psi(roots, free, *t)[0].re;
+                let carrier = harmonic.sweep.carrier(*t);
+                *y += harmonic.psi(roots, free, carrier, *t)[0].re;
             }
             continue;
         }
@@ -224,39 +225,33 @@ impl Task for FreeAt<'_> {
 #[inline(always)]
 fn forced_once(harmonic: &Prepared, roots: &Roots, free: &Free, t: f64) -> [f64; 3] {
     let sweep = &harmonic.sweep;
-    let kappa = sweep.kappa.hi;
+    let carrier = sweep.carrier(t);
     let omega = sweep.omega(t);
-    let turned = (sweep.nu.hi.abs() + kappa * t) * t + sweep.delta.abs();
     let p = two(
         #[inline(always)]
         |i| roots.p(i, omega),
     );
     let norms = [p[0].norm_sqr(), p[1].norm_sqr()];
-    let unfolded = || [harmonic.psi(roots, free, t)[0].re, 0.0, 0.0];
-    let Some(left) = &harmonic.left else {
-        return unfolded();
-    };
-    if !harmonic.is_closed(norms, t) || !(turned < LARGE_PHASE) {
-        return unfolded();
+    if !harmonic.is_closed(norms, t) {
+        return [harmonic.psi(roots, free, carrier, t)[0].re, 0.0, 0.0];
     }
     let distance = sweep.distance(p[0]).min(sweep.distance(p[1]));
-    let f = if distance >= FAR {
-        let f = series(
-            [Z(p[0].re, p[0].im), Z(p[1].re, p[1].im)],
-            kappa,
-            terms(distance),
-        );
-        C::new(f.0, f.1)
-    } else {
-        sweep.displacement_near(roots, omega)
+    let f = match distance >= FAR {
+        true => sweep.far_displacement(roots, p, distance),
+        false => sweep.displacement_near(roots, omega),
     };
-    let y = (sweep.carrier(t) * f).re;
+    let mut y = (carrier * f).re;
     let [mut a, mut b] = harmonic.start;
-    for i in [0, 1] {
-        if p[i].im > -roots.lambda[i].re {
-            a += left[i][0];
-            b += left[i][1];
+    match &harmonic.left {
+        Some(left) => {
+            for i in [0, 1] {
+                if p[i].im > -roots.lambda[i].re {
+                    a += left[i][0];
+                    b += left[i][1];
+                }
+            }
         }
+        None => y += passage(sweep, roots, t, omega)[0].re,
     }
     let by = harmonic.scale;
     [y * by, a.re * by, b.re * by]
@@ -285,25 +280,6 @@ impl Task for Once<'_> {
             b += d;
         }
         a.mul_add(free.k0, b.mul_add(free.k, sum))
-    }
-}
-
-/// Real and imaginary part.
-#[derive(Clone, Copy)]
-struct Z<R>(R, R);
-
-impl<R: Real> Z<R> {
-    #[inline(always)]
-    fn times(self, o: Z<R>) -> Z<R> {
-        Z(
-            self.0.fma(o.0, -(self.1 * o.1)),
-            self.0.fma(o.1, self.1 * o.0),
-        )
-    }
-
-    #[inline(always)]
-    fn plus(self, o: Z<R>) -> Z<R> {
-        Z(self.0 + o.0, self.1 + o.1)
     }
 }
 
@@ -345,35 +321,6 @@ fn wide<R: Real>(harmonic: &Prepared, roots: &Roots, t: R) -> Wide<R> {
     }
 }
 
-/// The series for both roots, `F[·]`.
-#[inline(always)]
-fn series<R: Real>([p, r]: [Z<R>; 2], kappa: f64, terms: usize) -> Z<R> {
-    let both = p.times(r);
-    let norm = both.0.fma(both.0, both.1 * both.1);
-    let inverse = norm.like(1.0) / norm;
-    let q = Z(both.0 * inverse, -both.1 * inverse);
-    let s = p.plus(r).times(q);
-    let minus_q = Z(-q.0, -q.1);
-    let one = Z(norm.like(1.0), norm.like(0.0));
-    let (mut even, mut odd, mut f) = (one, s, one);
-    // g_m = (2m − 1)!! κ^m (−i)^m
-    let mut size = 1.0;
-    for m in 1..=terms {
-        size *= kappa * (2 * m - 1) as f64;
-        even = s.times(odd).plus(minus_q.times(even));
-        let c = even.0.like(size);
-        let g = match m % 4 {
-            0 => Z(even.0, even.1),
-            1 => Z(even.1, -even.0),
-            2 => Z(-even.0, -even.1),
-            _ => Z(-even.1, even.0),
-        };
-        f = Z(c.fma(g.0, f.0), c.fma(g.1, f.1));
-        odd = s.times(even).plus(minus_q.times(odd));
-    }
-    q.times(f)
-}
-
 impl Task for Forced<'_> {
     type Output = ();
 
@@ -395,36 +342,71 @@ impl Task for Forced<'_> {
             true => roots.n - roots.half.hi.abs(),
             false => -roots.lambda[r].re,
         });
-        let to_distance = if kappa == 0.0 {
-            f64::INFINITY
-        } else {
-            0.5 / kappa
-        };
+        // Finite, so that a distance of zero stays zero.
+        let to_distance = if kappa == 0.0 { f64::MAX } else { 0.5 / kappa };
         let mut start = 0;
         while start < t.len() {
             let count = (t.len() - start).min(4);
             let mut four = [last; 4];
             four[..count].copy_from_slice(&t[start..start + count]);
-            let w = wide(harmonic, roots, lanes.quad(four));
-            let (m, n) = (lanes.array(w.sizes[0]), lanes.array(w.sizes[1]));
-            let mut distance = [0.0; 4];
-            for i in 0..4 {
-                distance[i] = m[i].min(n[i]) * to_distance;
+            let time = lanes.quad(four);
+            let like = |x: f64| time.like(x);
+            let w = wide(harmonic, roots, time);
+            let nearer = w.sizes[0].at_most(w.sizes[1]);
+            let distance = nearer * like(to_distance);
+            let [m, n] = two(
+                #[inline(always)]
+                |i| w.sizes[i].at_least(like(harmonic.norms[i])) * time * time,
+            );
+            let x = [w.p[0].1, w.p[1].1];
+            let passed = two(
+                #[inline(always)]
+                |r| like(edge[r]).below(x[r]),
+            );
+            // Above one where the closed form serves and both resonances are far.
+            let clear = m.at_most(n) * like(1.0 / (SHORT * SHORT));
+            let mut clear = clear.at_most(distance * like(1.0 / FAR));
+            if !constants.folded {
+                clear = clear.pick(time.or(passed[0], passed[1]), like(0.0), clear);
             }
-            let least = (distance[0].min(distance[1])).min(distance[2].min(distance[3]));
-            let f = series(w.p, kappa, terms(least.max(FAR)));
+            let distances = lanes.array(distance);
+            let least = distances.into_iter().fold(f64::INFINITY, f64::min);
+            let terms = terms(least.max(FAR));
+            let f = match time.all(sweep.apart_far(roots, nearer)) {
+                true => difference(w.p, roots.gap, kappa, terms),
+                false => of_both(w.p, kappa, terms),
+            };
             let forced = w.carrier.0.fma(f.0, -(w.carrier.1 * f.1));
+            if time.all(like(1.0).below(clear)) {
+                let add = |sum: &mut [f64; CHUNK], x| {
+                    let sum: &mut [f64] = &mut sum[start..start + 4];
+                    let old = lanes.quad([sum[0], sum[1], sum[2], sum[3]]);
+                    sum.copy_from_slice(&lanes.array(old + x));
+                };
+                let state = |i: usize| {
+                    let zero = like(0.0);
+                    let part = |r: usize| time.pick(passed[r], like(constants.passed[r][i]), zero);
+                    like(constants.start[i]) + (part(0) + part(1))
+                };
+                add(&mut sums.y, forced * like(harmonic.scale));
+                add(&mut sums.a, state(0));
+                add(&mut sums.b, state(1));
+                start += 4;
+                continue;
+            }
             let forced = lanes.array(forced);
             let carrier = [lanes.array(w.carrier.0), lanes.array(w.carrier.1)];
-            let x = [lanes.array(w.p[0].1), lanes.array(w.p[1].1)];
+            let x = [lanes.array(x[0]), lanes.array(x[1])];
+            let sizes = [lanes.array(w.sizes[0]), lanes.array(w.sizes[1])];
             for i in 0..count {
                 let at = start + i;
                 let time = t[at];
-                if !harmonic.is_closed([m[i], n[i]], time) {
-                    sums.y[at] += harmonic.psi(roots, &free[at], time)[0].re;
+                if !harmonic.is_closed([sizes[0][i], sizes[1][i]], time) {
+                    let carrier = sweep.carrier(time);
+                    sums.y[at] += harmonic.psi(roots, &free[at], carrier, time)[0].re;
                     continue;
                 }
-                if distance[i] >= FAR {
+                if distances[i] >= FAR {
                     sums.y[at] += forced[i] * harmonic.scale;
                 } else {
                     let omega = sweep.omega(time);

@@ -14,7 +14,7 @@ use num_complex::Complex;
 type C = Complex<f64>;
 
 /// The particular solution and the free vibration cancel where `|p| t` is below this.
-const SHORT: f64 = 4.0;
+pub(super) const SHORT: f64 = 4.0;
 /// The quadrature with both roots is used up to here where one of them needs it.
 const LONG: f64 = 16.0;
 
@@ -31,7 +31,7 @@ pub(super) struct Prepared {
     /// What passages add to that, where they are constants.
     pub left: Option<[[C; 2]; 2]>,
     /// `|p|²` at `t = 0` for both roots.
-    norms: [f64; 2],
+    pub norms: [f64; 2],
 }
 
 /// How the response is computed.
@@ -97,9 +97,9 @@ impl Prepared {
         }
     }
 
-    /// `ψ, ψ′, ψ″` at time t.
+    /// `ψ, ψ′, ψ″` at time t, where the carrier is `e^{−iθ}`.
     #[inline(always)]
-    pub fn psi(&self, roots: &Roots, free: &Free, t: f64) -> [C; 3] {
+    pub fn psi(&self, roots: &Roots, free: &Free, carrier: C, t: f64) -> [C; 3] {
         let omega = self.sweep.omega(t);
         let sum = match self.way(roots, t, omega) {
             Way::Direct => direct::both(&self.sweep, roots, free, t),
@@ -119,7 +119,6 @@ impl Prepared {
                     None => left = passage(&self.sweep, roots, t, omega),
                 }
                 let own = free.motion(roots.w, a, b);
-                let carrier = self.sweep.carrier(t);
                 let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
                 let forced = [y, v, a];
                 three(

@@ -56,6 +56,7 @@ mod phase;
 mod response;
 mod roots;
 mod rules;
+mod series;
 mod sweep;
 mod types;
 

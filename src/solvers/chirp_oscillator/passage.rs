@@ -25,11 +25,16 @@ use num_complex::Complex;
 
 type C = Complex<f64>;
 
+/// `e^{−x}` is zero beyond.
+const GONE: f64 = 746.0;
 const SQRT_PI: f64 = 1.772_453_850_905_516;
 
 /// `√(π/κ) (1 − i) e^{−ηX_t/κ} e^{i·phase}`, `phase = turned + (square)/(2κ) − δ`.
 #[inline(always)]
 fn term(sweep: &Sweep, nats: Dd, turned: Dd, square: Dd) -> C {
+    if nats.hi > GONE {
+        return C::ZERO;
+    }
     let phase = turned + square.div(sweep.kappa + sweep.kappa);
     let size = SQRT_PI / sweep.root_kappa.hi * decay(nats);
     circle(phase.add_f(-sweep.delta)) * C::new(size, -size)

@@ -152,7 +152,8 @@ impl ChirpResponse {
         let own = free.motion(self.roots.w, y0.into(), v0.into());
         let mut sum = [own[0].re, own[1].re, own[2].re];
         for harmonic in self.constant.iter().chain(&self.harmonics) {
-            let psi = harmonic.psi(&self.roots, &free, t);
+            let carrier = harmonic.sweep.carrier(t);
+            let psi = harmonic.psi(&self.roots, &free, carrier, t);
             for (sum, psi) in sum.iter_mut().zip(psi) {
                 *sum += psi.re;
             }
@@ -291,8 +292,9 @@ impl Task for PsiAt<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self, _: L) -> Self::Output {
         let PsiAt(roots, harmonic, t) = self;
-        let psi = harmonic.psi(roots, &Free::at(roots, t), t);
-        (psi, psi[0] * harmonic.sweep.carrier(t).conj())
+        let carrier = harmonic.sweep.carrier(t);
+        let psi = harmonic.psi(roots, &Free::at(roots, t), carrier, t);
+        (psi, psi[0] * carrier.conj())
     }
 }
 

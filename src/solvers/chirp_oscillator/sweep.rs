@@ -31,31 +31,20 @@
 use super::inlined::two;
 use super::phase::{circle, sqrt};
 use super::roots::Roots;
+use super::series::{self, FAR, Z, terms};
 use super::types::Chirp;
 use crate::solvers::faddeeva::double_double::{Dd, two_prod};
+use crate::solvers::faddeeva::real::Real;
 use crate::solvers::faddeeva::{faddeeva, w_derivative};
 use num_complex::Complex;
 
 type C = Complex<f64>;
 const I: C = C::I;
 
-/// `|z|²` from which the asymptotic series is used, and with how many terms.
-///
-/// With m terms the next one, `(2m + 1)!! (2m + 2)/(2|z|²)^m` of the first of R, is below 2⁻⁵⁴.
-const TERMS: [(f64, usize); 9] = [
-    (1e9, 2),
-    (1e7, 3),
-    (1e5, 4),
-    (1e4, 6),
-    (1e3, 8),
-    (300.0, 11),
-    (100.0, 18),
-    (64.0, 22),
-    (FAR, 27),
-];
-pub(super) const FAR: f64 = 49.0;
 /// Roots closer together than this part of the scale of `F` are not told apart in `f64`.
 const APART: f64 = 0.5;
+/// The same where both values come from the series.
+const APART_FAR: f64 = 1.0;
 /// Roots closer together than this part of `w`, or than √κ, pass their resonances together.
 const CLOSE: f64 = 0.5;
 
@@ -111,11 +100,17 @@ impl Sweep {
         self.nu + self.kappa.mul_f(t)
     }
 
+    /// θ
+    #[inline(always)]
+    pub fn phase(&self, t: f64) -> Dd {
+        let turned = (self.nu + self.kappa.mul_f(0.5 * t)).mul_f(t);
+        turned.add_f(self.delta)
+    }
+
     /// `e^{−iθ}`
     #[inline(always)]
     pub fn carrier(&self, t: f64) -> C {
-        let turned = (self.nu + self.kappa.mul_f(0.5 * t)).mul_f(t);
-        circle(turned.add_f(self.delta)).conj()
+        circle(self.phase(t)).conj()
     }
 
     /// `|z|²` for `p`.
@@ -146,11 +141,33 @@ impl Sweep {
         roots.gap.norm_sqr() >= APART * APART * a.min(b)
     }
 
+    /// Whether the values of `F` for both roots by their series are told apart, from `|p|²`.
+    #[inline(always)]
+    pub fn apart_far<R: Real>(&self, roots: &Roots, nearer: R) -> R::Mask {
+        let gap = roots.gap.norm_sqr() / (APART_FAR * APART_FAR);
+        nearer.below(nearer.like(gap))
+    }
+
+    /// `F[·]` by its series, from `p` and the least `|z|²`.
+    #[inline(always)]
+    pub fn far_displacement(&self, roots: &Roots, p: [C; 2], distance: f64) -> C {
+        let nearer = p[0].norm_sqr().min(p[1].norm_sqr());
+        let (p, kappa, terms) = (p.map(Z::from), self.kappa.hi, terms(distance));
+        match self.apart_far(roots, nearer) {
+            true => series::difference(p, roots.gap, kappa, terms).into(),
+            false => series::of_both(p, kappa, terms).into(),
+        }
+    }
+
     /// `F` by its series, where that serves.
     #[inline(always)]
     pub fn far_single(&self, p: C) -> Option<C> {
         let distance = self.distance(p);
-        (distance >= FAR).then(|| series_of_one(p, self.kappa.hi, distance).0)
+        (distance >= FAR).then(|| {
+            series::of_one(p.into(), self.kappa.hi, terms(distance))
+                .0
+                .into()
+        })
     }
 
     /// `F` and `R` for one root.
@@ -159,7 +176,8 @@ impl Sweep {
         let p = roots.p(i, omega);
         let distance = self.distance(p);
         if distance >= FAR {
-            return series_of_one(p, self.kappa.hi, distance);
+            let (f, r) = series::of_one(p.into(), self.kappa.hi, terms(distance));
+            return (f.into(), r.into());
         }
         let z = self.z(p);
         let beyond = self.beyond(roots, i, omega);
@@ -222,11 +240,13 @@ impl Sweep {
         );
         let value = omega.value();
         let near = distance[0].min(distance[1]);
-        if near >= FAR {
-            let [f, r, lr] = series_of_both(p, self.kappa.hi, value, near);
+        let far = near >= FAR;
+        if far && !self.apart_far(roots, p[0].norm_sqr().min(p[1].norm_sqr())) {
+            let terms = terms(near);
+            let [f, r, lr] = series::motion_of_both(p, self.kappa.hi, value, terms);
             return Amplitudes::new(value, f, r, lr);
         }
-        if !self.apart(roots, p) {
+        if !far && !self.apart(roots, p) {
             let [f, r, lr] = super::extended::differences(self, roots, omega);
             return Amplitudes::new(value, f, r, lr);
         }
@@ -246,46 +266,3 @@ impl Sweep {
 
 /// √π/2
 const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
-
-#[inline(always)]
-pub(super) fn terms(distance: f64) -> usize {
-    for (from, terms) in TERMS {
-        if distance >= from {
-            return terms;
-        }
-    }
-    TERMS[8].1
-}
-
-/// The series for one root: `F`, `R`.
-#[inline(always)]
-fn series_of_one(p: C, kappa: f64, distance: f64) -> (C, C) {
-    let a = p.inv();
-    // g_m/p^{2m} = (2m − 1) (−iκ/p²) times the one before.
-    let x = -I * kappa * (a * a);
-    let mut sum = C::ZERO;
-    for m in (1..=terms(distance)).rev() {
-        sum = x * (2 * m - 1) as f64 * (1.0 + sum);
-    }
-    (-a * (1.0 + sum), -sum)
-}
-
-/// The series for both roots: `F[·]`, `R[·]`, `(λR)[·]`.
-#[inline(always)]
-fn series_of_both(p: [C; 2], kappa: f64, omega: f64, distance: f64) -> [C; 3] {
-    let q = (p[0] * p[1]).inv();
-    let s = (p[0] + p[1]) * q;
-    let (mut even, mut odd) = (C::ONE, s);
-    let (mut f, mut r, mut lr) = (C::ONE, C::ZERO, C::ZERO);
-    let mut g = C::ONE;
-    for m in 1..=terms(distance) {
-        g *= C::new(0.0, -kappa * (2 * m - 1) as f64);
-        // even = h_{2m−2}, odd = h_{2m−1}
-        r += g * odd;
-        lr += g * (even - C::new(-omega * odd.im, omega * odd.re));
-        even = s * odd - q * even;
-        f += g * even;
-        odd = s * even - q * odd;
-    }
-    [q * f, q * r, q * lr]
-}
