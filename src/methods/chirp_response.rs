@@ -126,7 +126,7 @@ impl Method for Audit {
         vec![
             Law {
                 name: "equation",
-                statement: "y'' + 2n y' + w^2 y = w^2 cos(theta) within 256 u of its terms and of theta, up to 1e3 rad",
+                statement: "y'' + 2n y' + w^2 y = w^2 cos(theta) within 16 u of its terms and of theta, up to 1e3 rad",
                 residual: equation,
             },
             Law {
@@ -145,6 +145,9 @@ impl Method for Audit {
 
 const U: f64 = f64::EPSILON / 2.0;
 
+/// Residual of the equation of motion. The three motions are each within a few u of their own terms
+/// (worst found 2.5 u(1 + cond)) and the cosine within u of its phase; in 40 000 cases a region the
+/// residual was 5.1 u at most. Three times that is allowed.
 fn equation(x: &[f64]) -> Option<f64> {
     let [w, n, eps, omega0, k, delta, _, _, t] = *x else {
         return None;
@@ -155,7 +158,7 @@ fn equation(x: &[f64]) -> Option<f64> {
     let theta = k * (omega0 * t + eps * t * t / 2.0) + delta;
     let terms = [v[2], 2.0 * n * v[1], w * w * v[0], -w * w * theta.cos()];
     let scale: f64 = terms.iter().map(|x| x.abs()).sum();
-    Some(terms.iter().sum::<f64>().abs() / (256.0 * U * (scale + w * w * size)))
+    Some(terms.iter().sum::<f64>().abs() / (16.0 * U * (scale + w * w * size)))
 }
 
 fn agree(a: &[f64], b: &[f64]) -> f64 {
