@@ -11,6 +11,7 @@ mod faddeeva_regions;
 mod faddeeva_relatives;
 mod faddeeva_relatives_laws;
 mod faddeeva_relatives_regions;
+mod run_up_twin;
 mod typed;
 mod voigt_regions;
 
