@@ -99,6 +99,7 @@ impl CubicSpline {
             y,
             bend: m,
             third,
+            slope: boundary.given_slopes(),
             extrapolation: Extrapolation::Error,
         })
     }

@@ -13,6 +13,8 @@
 //! The `m_i` make `S'` continuous: `m_{i−1} + 4 m_i + m_{i+1} = (6/h²)(y_{i−1} − 2 y_i + y_{i+1})`
 //! (16) for equal steps, `h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} = 6 (δ_i − δ_{i−1})`
 //! with `δ_i = (y_{i+1} − y_i)/h_i` otherwise. Two more equations come from the [`Boundary`].
+//! Beside an end with a given slope s, where (11) would subtract ordinates that hardly matter there,
+//! `S' = s − w h (S'' + m_n)/2` and its like at the other end: exactly s at the end itself.
 //!
 //! [`CubicSpline`] takes arbitrary increasing knots, [`UniformCubicSpline`] the knots `x_0 + i h`
 //! taken exactly, with a faster fit. Both evaluate with the same code; single points, batches and
@@ -20,9 +22,9 @@
 //! right, at the last knot that of the last segment.
 //!
 //! # Accuracy
-//! Worst found over 200 random cases in each of four or five regions for each kind of ends, as a
-//! multiple of `u (|f| + Σ_j |x_j ∂f/∂x_j|)` with `u = 2⁻⁵³`: 2.4, for a clamped `S'`; 1.4 for
-//! everything else. `mechaudit audit cubic-spline-…` repeats the search.
+//! Worst found over 200 random cases in each of four or five regions for each kind of ends and the
+//! worst inputs of earlier hunts, as a multiple of `u (|f| + Σ_j |x_j ∂f/∂x_j|)` with `u = 2⁻⁵³`: 4.2
+//! for `S'`, 4.0 for `S`, 3.4 for everything else. `mechaudit audit cubic-spline-…` repeats the search.
 //!
 //! # Source
 //! Zinchenko 2008, eqs (8)–(17), numbers above. The form of (11) and (12) here is algebraically
@@ -75,6 +77,17 @@ impl Boundary {
     /// Given second derivatives at both ends.
     pub const fn second_derivatives(first: f64, last: f64) -> Boundary {
         Boundary::Ends(End::SecondDerivative(first), End::SecondDerivative(last))
+    }
+
+    fn given_slopes(self) -> [Option<f64>; 2] {
+        let slope = |end| match end {
+            End::FirstDerivative(v) => Some(v),
+            _ => None,
+        };
+        match self {
+            Boundary::Periodic => [None; 2],
+            Boundary::Ends(first, last) => [slope(first), slope(last)],
+        }
     }
 }
 
@@ -197,6 +210,8 @@ pub struct Spline<G: Grid> {
     /// The third derivative of the first two and of the last two segments, where not-a-knot makes
     /// them equal.
     third: [Option<f64>; 2],
+    /// The first derivatives that the ends were given.
+    slope: [Option<f64>; 2],
     extrapolation: Extrapolation,
 }
 

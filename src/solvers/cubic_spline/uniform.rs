@@ -62,6 +62,7 @@ impl UniformCubicSpline {
             y,
             bend,
             third: [None; 2],
+            slope: boundary.given_slopes(),
             extrapolation: Extrapolation::Error,
         })
     }
