@@ -5,6 +5,8 @@ mod cam_law_input;
 mod chirp_regions;
 mod cubic_spline_common;
 mod cubic_spline_conditions;
+mod cubic_spline_domain;
+mod cubic_spline_laws;
 mod faddeeva_curves;
 mod faddeeva_laws;
 mod faddeeva_regions;
