@@ -1,7 +1,7 @@
 //! Values, derivatives and integrals at single points.
 
 use super::grid::{Grid, Interval, blend, fractions};
-use super::{EvaluationError as Error, Spline};
+use super::{EvaluationError as Error, Known, Spline};
 use std::marker::PhantomData;
 
 /// What a spline is outside its knots.
@@ -129,22 +129,22 @@ impl<G: Grid> Spline<G> {
         let cell = self.cell(i);
         let (k, w) = cell.fractions(x);
         let mut jet = cell.jet_at((k, w));
-        match self.slope {
-            [Some(s), _] if i == 0 && k.abs() < BESIDE => {
+        let (begins, ends) = (i == 0, i + 1 == self.grid.segments());
+        let [first, last] = self.known;
+        match (first, last) {
+            (Known::First(s), _) if begins && k.abs() < BESIDE => {
                 jet.first = s + (k * cell.at.h) * (0.5 * cell.m0 + 0.5 * jet.second);
             }
-            [_, Some(s)] if i + 1 == self.grid.segments() && w.abs() < BESIDE => {
+            (_, Known::First(s)) if ends && w.abs() < BESIDE => {
                 jet.first = s - (w * cell.at.h) * (0.5 * cell.m1 + 0.5 * jet.second);
             }
             _ => {}
         }
-        let first = if i < 2 { self.third[0] } else { None };
-        let last = if i + 2 >= self.grid.segments() {
-            self.third[1]
-        } else {
-            None
-        };
-        jet.third = first.or(last).unwrap_or(jet.third);
+        match (first, last) {
+            (Known::Third(t), _) if i < 2 => jet.third = t,
+            (_, Known::Third(t)) if i + 2 >= self.grid.segments() => jet.third = t,
+            _ => {}
+        }
         jet
     }
 

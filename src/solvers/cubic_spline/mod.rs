@@ -79,14 +79,14 @@ impl Boundary {
         Boundary::Ends(End::SecondDerivative(first), End::SecondDerivative(last))
     }
 
-    fn given_slopes(self) -> [Option<f64>; 2] {
-        let slope = |end| match end {
-            End::FirstDerivative(v) => Some(v),
-            _ => None,
+    fn known(self) -> [Known; 2] {
+        let known = |end| match end {
+            End::FirstDerivative(v) => Known::First(v),
+            _ => Known::Nothing,
         };
         match self {
-            Boundary::Periodic => [None; 2],
-            Boundary::Ends(first, last) => [slope(first), slope(last)],
+            Boundary::Periodic => [Known::Nothing; 2],
+            Boundary::Ends(first, last) => [first, last].map(known),
         }
     }
 }
@@ -200,6 +200,16 @@ pub enum EvaluationError {
     },
 }
 
+/// What the condition at an end makes known beside it.
+#[derive(Clone, Copy, Debug)]
+enum Known {
+    Nothing,
+    /// The first derivative at the end, as given.
+    First(f64),
+    /// The third derivative, which not-a-knot makes common to two segments.
+    Third(f64),
+}
+
 /// A cubic spline on the knots `G`.
 #[derive(Clone, Debug)]
 pub struct Spline<G: Grid> {
@@ -207,11 +217,7 @@ pub struct Spline<G: Grid> {
     y: Vec<f64>,
     /// Second derivatives in the grid's own scale, see [`Grid`].
     bend: Vec<f64>,
-    /// The third derivative of the first two and of the last two segments, where not-a-knot makes
-    /// them equal.
-    third: [Option<f64>; 2],
-    /// The first derivatives that the ends were given.
-    slope: [Option<f64>; 2],
+    known: [Known; 2],
     extrapolation: Extrapolation,
 }
 

@@ -61,8 +61,7 @@ impl UniformCubicSpline {
             grid,
             y,
             bend,
-            third: [None; 2],
-            slope: boundary.given_slopes(),
+            known: boundary.known(),
             extrapolation: Extrapolation::Error,
         })
     }
