@@ -89,6 +89,8 @@
 #[cfg(feature = "oracle")]
 pub mod audit;
 #[cfg(feature = "oracle")]
+pub mod book;
+#[cfg(feature = "oracle")]
 pub mod candidate;
 #[cfg(feature = "oracle")]
 pub mod methods;

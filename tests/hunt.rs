@@ -2,8 +2,8 @@
 #![cfg(feature = "cli")]
 
 use mechaudit::audit::{
-    Cases, HardCase, Hunt, HuntSettings, Origin, Settings, SolverAnswer, Variant, Verdict,
-    audit_case, audit_method, hunt as search,
+    Cases, Domain, HardCase, Hunt, HuntSettings, Input, Method, Origin, Output, ReferenceAnswer,
+    Settings, SolverAnswer, Variant, Verdict, audit_case, audit_method, hunt as search,
 };
 use mechaudit::methods;
 use std::collections::HashSet;
@@ -83,6 +83,69 @@ fn the_audit_judges_hard_cases_and_says_which_are_recorded_findings() {
             .collect();
         assert!(report.passed(), "{}", method.name());
         assert!(report.recorded >= over.len(), "{}", method.name());
+    }
+}
+
+/// A method with other hard cases and a solver that is off by 1e-13.
+struct Planted(Box<dyn Method>, Vec<HardCase>);
+
+impl Method for Planted {
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+    fn summary(&self) -> &'static str {
+        self.0.summary()
+    }
+    fn source(&self) -> &'static str {
+        self.0.source()
+    }
+    fn inputs(&self) -> Vec<Input> {
+        self.0.inputs()
+    }
+    fn outputs(&self) -> Vec<Output> {
+        self.0.outputs()
+    }
+    fn domain(&self) -> Domain {
+        Domain::default()
+    }
+    fn hard(&self) -> Vec<HardCase> {
+        self.1.clone()
+    }
+    fn solve(&self, x: &[f64]) -> SolverAnswer {
+        match self.0.solve(x) {
+            SolverAnswer::Values(v) => {
+                SolverAnswer::Values(v.iter().map(|v| v * (1.0 + 1e-13)).collect())
+            }
+            other => other,
+        }
+    }
+    fn reference(&self, x: &[rug::Rational], bits: u32) -> ReferenceAnswer {
+        self.0.reference(x, bits)
+    }
+}
+
+/// Over budget as recorded is a finding that does not fail; worse than recorded fails.
+#[test]
+fn a_recorded_finding_may_not_get_worse() {
+    let settings = Settings::default();
+    let with = |share: f64| {
+        let hard = HardCase {
+            share,
+            output: "Re W".into(),
+            reason: "planted".into(),
+            input: vec![0.5, 0.25],
+        };
+        Planted(methods::find("faddeeva").unwrap(), vec![hard])
+    };
+    let method = with(1.0);
+    let case = Cases::new(&method, &settings).hard_case(1).unwrap();
+    let components = audit_case(&method, case, &settings).judgement.components;
+    let share = components.iter().map(|c| c.of_budget).fold(0.0, f64::max);
+    assert!(share > 1.0);
+    for (recorded, passed) in [(share, true), (0.9 * share, false), (1.0, false)] {
+        let report = audit_method(&with(recorded), &settings, &|| ());
+        let found = (report.cases, report.recorded, report.passed());
+        assert_eq!(found, (1, usize::from(passed), passed), "{recorded}");
     }
 }
 

@@ -7,6 +7,10 @@ It is scipy's wofz where scipy is installed. With --plain, or without scipy, it 
 approximation with 40 terms (SIAM J. Numer. Anal. 31, 1994, eq. (38)) and the reflection
 W(z) = 2 exp(-z^2) - W(-z) below the real axis. The approximation is near 1e-13 of |W|; the reflection
 loses whatever z^2 has lost.
+
+scipy 1.17.1 is within the budget in 2601 of 5247 cases of the default audit: in 199 of 200 where it
+underflows and in 193 of 200 in the unit disc, in 1 of 200 near the zeros of W, where errors reach 4e16
+ulps; far down the diagonals it gives NaN where there are values.
 """
 
 import cmath

@@ -34,6 +34,11 @@ pub trait Approximation: Sync {
     fn twin(&self, _level: usize) -> Option<Vec<Ball>> {
         None
     }
+    /// The twin with every step cut in two: shows the order where the steps are chosen by the code
+    /// under test and differ from level to level.
+    fn twin_of_half_steps(&self, _level: usize) -> Option<Vec<Ball>> {
+        None
+    }
     /// The truth.
     ///
     /// # Errors
@@ -51,10 +56,11 @@ pub struct LevelError {
     /// `|result − twin|`.
     pub rounding: Option<f64>,
     /// Observed order: `log(e₁/e₂) / log(work₂/work₁)` against the level before, of the method
-    /// error where there is a twin and of the total otherwise.
+    /// error where there is a twin and of the total otherwise. Where steps can be cut in two, `log₂`
+    /// of the method error before and after that.
     pub order: Option<f64>,
     /// The order that the results alone show (Richardson), `log(|v₀−v₁|/|v₁−v₂|)/log(work₂/work₁)`
-    /// with the two levels before. Both only where the work grows by the same factor each time.
+    /// with the two levels before, where the work grows by the same factor each time.
     pub richardson: Option<f64>,
 }
 
@@ -141,20 +147,27 @@ pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, String> 
             }
         };
         let twin = of.twin(k).filter(|t| t.len() == truth.len());
+        let halved = of.twin_of_half_steps(k).filter(|t| t.len() == truth.len());
         let mut errors: Vec<LevelError> = (0..n)
             .map(|o| {
                 let own = || (o..values.len()).step_by(n);
                 let largest =
                     |f: &dyn Fn(usize) -> Mag| own().map(f).fold(Mag::ZERO, Mag::max).to_f64();
+                let beside_truth = |t: &Option<Vec<Ball>>| {
+                    let t = t.as_ref()?;
+                    Some(largest(&|i| (&t[i] - &truth[i]).magnitude()))
+                };
+                let method = beside_truth(&twin);
+                let order = method
+                    .zip(beside_truth(&halved))
+                    .and_then(|(whole, half)| ratio(whole, half, std::f64::consts::LN_2));
                 LevelError {
                     total: largest(&|i| distance(values[i], &truth[i]).1),
-                    method: twin
-                        .as_ref()
-                        .map(|t| largest(&|i| (&t[i] - &truth[i]).magnitude())),
+                    method,
                     rounding: twin
                         .as_ref()
                         .map(|t| largest(&|i| distance(values[i], &t[i]).1)),
-                    order: None,
+                    order,
                     richardson: None,
                 }
             })

@@ -136,6 +136,12 @@ pub trait Method: Sync {
         conditions_by_differences(self, input, |_| true)
     }
 
+    /// What the method's own solver would answer without rounding, in balls, where that can be had:
+    /// tells rounding from the error of the method itself.
+    fn twin(&self, _input: &[f64]) -> Option<Vec<Ball>> {
+        None
+    }
+
     /// Hard cases found by earlier hunts, judged in every audit.
     fn hard(&self) -> Vec<HardCase> {
         Vec::new()

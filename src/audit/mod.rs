@@ -13,6 +13,7 @@ mod hard;
 mod hunt;
 mod judge;
 mod method;
+mod parts;
 mod printed;
 mod run;
 mod tally;
@@ -31,6 +32,7 @@ pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
     conditions_by_differences,
 };
+pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
 pub use run::{
     CaseReport, Settings, answer_of, audit_case, audit_method, audit_method_until, judge_case,

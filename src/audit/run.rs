@@ -3,6 +3,7 @@
 use super::case::{Case, Cases};
 use super::judge::{Judgement, Verdict, judge_with_norm};
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
+use super::parts::error_parts;
 use super::tally::{MethodReport, Tally};
 use crate::reference::Mag;
 use rayon::prelude::*;
@@ -201,5 +202,11 @@ pub fn audit_method_until(
             break;
         }
     }
-    tally.finish(method, settings)
+    let mut report = tally.finish(method, settings);
+    for (i, output) in report.outputs.iter_mut().enumerate() {
+        let worst = output.worst.as_ref().filter(|_| !report.interrupted);
+        output.parts =
+            worst.and_then(|case| error_parts(method, &case.input, i, settings.first_bits));
+    }
+    report
 }

@@ -4,6 +4,7 @@ use super::case::Case;
 use super::hard::HardCase;
 use super::judge::{ComponentJudgement, Verdict};
 use super::method::Method;
+use super::parts::ErrorParts;
 use super::run::{CaseReport, Settings};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -29,6 +30,9 @@ pub struct OutputStatistics {
     pub max_condition: f64,
     /// The case with the largest share of the budget.
     pub worst: Option<Case>,
+    /// Its error taken apart, where the method has a twin.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts: Option<ErrorParts>,
 }
 
 /// How errors are spread; zeros if there are none.
@@ -318,6 +322,7 @@ impl Tally {
                     max_of_budget: found.max_of_budget,
                     max_condition: found.max_condition,
                     worst: found.worst,
+                    parts: None,
                 })
                 .collect(),
             laws: self.laws,

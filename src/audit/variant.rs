@@ -224,6 +224,13 @@ impl Method for Variant<'_> {
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         self.method.conditions(input).map(|c| self.select(c))
     }
+    /// None with another solver: it is the twin of the method's own.
+    fn twin(&self, input: &[f64]) -> Option<Vec<Ball>> {
+        match self.solver {
+            Some(_) => None,
+            None => self.method.twin(input).map(|t| self.select(t)),
+        }
+    }
     fn hard(&self) -> Vec<HardCase> {
         if !self.check_points {
             return Vec::new();

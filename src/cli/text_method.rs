@@ -85,7 +85,17 @@ fn outputs(statistics: &[OutputStatistics]) -> String {
             (short(s.max_condition), DIM),
         ]);
     }
-    table.render(2)
+    let mut out = table.render(2);
+    for s in statistics {
+        if let Some(parts) = s.parts {
+            let (method, rounding) = (short(parts.method), short(parts.rounding));
+            out.push_str(&format!(
+                "  worst {}: {method} ulps of the method, {rounding} of rounding\n",
+                s.name
+            ));
+        }
+    }
+    out
 }
 
 fn laws(report: &MethodReport, width: usize) -> String {
@@ -115,7 +125,7 @@ fn laws(report: &MethodReport, width: usize) -> String {
 mod tests {
     use super::*;
     use mechaudit::audit::{
-        CaseReport, ComponentJudgement, Judgement, LawReport, Origin, Proof, Settings,
+        CaseReport, ComponentJudgement, ErrorParts, Judgement, LawReport, Origin, Proof, Settings,
         SolverAnswer, Spread, Verdict,
     };
 
@@ -149,6 +159,10 @@ mod tests {
                 max_of_budget: 1.75,
                 max_condition: 31.0,
                 worst: Some(case.clone()),
+                parts: Some(ErrorParts {
+                    method: 0.125,
+                    rounding: 7.25,
+                }),
             }],
             laws: vec![LawReport {
                 name: "energy",
@@ -195,6 +209,7 @@ mod tests {
             "mechaudit audit a-method --region wide --seed 1 --case 17",
             "✓ energy",
             "31.00",
+            "worst phi2: 0.125 ulps of the method, 7.250 of rounding",
         ] {
             assert!(text.contains(part), "{part} is missing in\n{text}");
         }

@@ -1,6 +1,6 @@
 //! Approximations with their refinements: splines of known functions, and run-ups.
 
-use super::run_up;
+use super::{run_up, run_up_twin};
 use crate::audit::{Approximation, ReferenceAnswer, SolverAnswer};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::Spline as ExactSpline;
@@ -181,8 +181,8 @@ enum Machine {
     SandScreen,
 }
 
-/// A run-up at falling tolerances against its enclosure. It has no twin: the library that takes the
-/// steps keeps its coefficients to itself.
+/// A run-up at falling tolerances against its enclosure. The twin takes the steps that were accepted,
+/// with the same coefficients, in balls; an implicit method has none.
 struct RunUp {
     method: Integration,
     machine: Machine,
@@ -251,6 +251,14 @@ impl Approximation for RunUp {
 
     fn run(&self, level: usize) -> (u64, SolverAnswer) {
         run_up::at_tolerance(&self.input(), RunUp::tolerance(level), self.method)
+    }
+
+    fn twin(&self, level: usize) -> Option<Vec<Ball>> {
+        run_up_twin::twin(&self.input(), RunUp::tolerance(level), self.method)
+    }
+
+    fn twin_of_half_steps(&self, level: usize) -> Option<Vec<Ball>> {
+        run_up_twin::twin_of_half_steps(&self.input(), RunUp::tolerance(level), self.method)
     }
 
     fn truth(&self) -> Result<Vec<Ball>, String> {

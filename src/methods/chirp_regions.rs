@@ -3,27 +3,17 @@
 use crate::audit::{CheckPoint, Draw, Region};
 use std::f64::consts::PI;
 
-/// A case in the making: everything but the initial state.
-struct Sketch {
-    w: f64,
-    zeta: f64,
-    /// `kε` and `kΩ₀`
-    kappa: f64,
-    nu: f64,
-    t: f64,
-}
-
-/// Splits kε and kΩ₀ by a whole k, adds a phase and, in half of the cases, an initial state.
-fn finish(d: &mut Draw, s: Sketch) -> Vec<f64> {
+/// A case from w, n/w, kε, kΩ₀ and t: splits kε and kΩ₀ by a whole k, adds a phase and, in half of
+/// the cases, an initial state.
+fn finish(d: &mut Draw, [w, zeta, kappa, nu, t]: [f64; 5]) -> Vec<f64> {
     let k = d.log_uniform(1.0, 60.0).floor();
     let k = if d.chance(0.1) { -k } else { k };
     let delta = d.uniform(-PI, PI);
     let (y0, v0) = match d.chance(0.5) {
         true => (0.0, 0.0),
-        false => (d.uniform(-1.0, 1.0), s.w * d.uniform(-1.0, 1.0)),
+        false => (d.uniform(-1.0, 1.0), w * d.uniform(-1.0, 1.0)),
     };
-    let n = s.w * s.zeta;
-    vec![s.w, n, s.kappa / k, s.nu / k, k, delta, y0, v0, s.t]
+    vec![w, w * zeta, kappa / k, nu / k, k, delta, y0, v0, t]
 }
 
 fn frequency(d: &mut Draw) -> f64 {
@@ -89,16 +79,7 @@ pub(super) fn all() -> Vec<Region> {
                 let (w, zeta, kappa, t) = (frequency(d), ratio(d), sweep(d), time(d));
                 let nu = d.log_uniform(1e-3, 1e2);
                 let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-                finish(
-                    d,
-                    Sketch {
-                        w,
-                        zeta,
-                        kappa,
-                        nu,
-                        t,
-                    },
-                )
+                finish(d, [w, zeta, kappa, nu, t])
             },
         ),
         region(
@@ -110,16 +91,7 @@ pub(super) fn all() -> Vec<Region> {
                     true => 0.0,
                     false => w * d.uniform(0.0, 1.0),
                 };
-                finish(
-                    d,
-                    Sketch {
-                        w,
-                        zeta,
-                        kappa,
-                        nu,
-                        t,
-                    },
-                )
+                finish(d, [w, zeta, kappa, nu, t])
             },
         ),
         region(
@@ -129,16 +101,7 @@ pub(super) fn all() -> Vec<Region> {
                 let (w, zeta, kappa) = (frequency(d), ratio(d), sweep(d));
                 let nu = w * d.log_uniform(1.0, 30.0);
                 let t = (nu / kappa).min(300.0) * d.log_uniform(1e-3, 1.0);
-                finish(
-                    d,
-                    Sketch {
-                        w,
-                        zeta,
-                        kappa: -kappa,
-                        nu,
-                        t,
-                    },
-                )
+                finish(d, [w, zeta, -kappa, nu, t])
             },
         ),
         region("reversal", "through zero speed, eps of either sign", |d| {
@@ -146,16 +109,7 @@ pub(super) fn all() -> Vec<Region> {
             let (nu, t) = (w * d.log_uniform(0.1, 20.0), time(d));
             let kappa = -nu / t * d.uniform(0.99, 3.0);
             let turn = d.signed(1.0);
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta,
-                    kappa: kappa * turn,
-                    nu: nu * turn,
-                    t,
-                },
-            )
+            finish(d, [w, zeta, kappa * turn, nu * turn, t])
         }),
         region(
             "resonance-passage",
@@ -164,16 +118,7 @@ pub(super) fn all() -> Vec<Region> {
                 let (w, zeta, kappa, t) = (frequency(d), light(d), sweep(d), time(d));
                 let kappa = d.signed(kappa);
                 let nu = at_resonance(d, w, zeta, kappa, t);
-                finish(
-                    d,
-                    Sketch {
-                        w,
-                        zeta,
-                        kappa,
-                        nu,
-                        t,
-                    },
-                )
+                finish(d, [w, zeta, kappa, nu, t])
             },
         ),
         region(
@@ -184,16 +129,7 @@ pub(super) fn all() -> Vec<Region> {
                 let nu = w * d.log_uniform(1e-9, 0.03);
                 let kappa = w / t * d.log_uniform(1e-9, 0.03);
                 let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-                finish(
-                    d,
-                    Sketch {
-                        w,
-                        zeta,
-                        kappa,
-                        nu,
-                        t,
-                    },
-                )
+                finish(d, [w, zeta, kappa, nu, t])
             },
         ),
         region("stationary-limit", "|k eps| = 1e-300..1e-9", |d| {
@@ -201,16 +137,7 @@ pub(super) fn all() -> Vec<Region> {
             let kappa = d.log_uniform(1e-300, 1e-9);
             let nu = w * d.log_uniform(1e-3, 30.0);
             let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta,
-                    kappa,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, zeta, kappa, nu, t])
         }),
         region("stationary", "eps = 0, resonance included", |d| {
             let (w, zeta, t) = (frequency(d), ratio(d), time(d));
@@ -226,16 +153,7 @@ pub(super) fn all() -> Vec<Region> {
             // At rest all that moves is the free vibration: below the range of f64 some time.
             let t = if nu == 0.0 { t.min(600.0 / w) } else { t };
             let nu = d.signed(nu);
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta,
-                    kappa: 0.0,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, zeta, 0.0, nu, t])
         }),
         region("undamped", "n = 0, at and off resonance", |d| {
             let (w, kappa, t) = (frequency(d), sweep(d), time(d));
@@ -244,31 +162,13 @@ pub(super) fn all() -> Vec<Region> {
                 true => at_resonance(d, w, 0.0, kappa, t),
                 false => w * d.uniform(-5.0, 5.0),
             };
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta: 0.0,
-                    kappa,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, 0.0, kappa, nu, t])
         }),
         region("critical", "n/w = 1 exactly or off by 1e-16..0.3", |d| {
             let (w, zeta, kappa, t) = (frequency(d), near_one(d), sweep(d), time(d));
             let nu = w * d.log_uniform(1e-2, 30.0);
             let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta,
-                    kappa,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, zeta, kappa, nu, t])
         }),
         region(
             "critical-passage",
@@ -279,16 +179,7 @@ pub(super) fn all() -> Vec<Region> {
                 let off = d.uniform(-2.0, 2.0) * kappa.sqrt().max(w);
                 let off = if d.chance(0.4) { off * 1e-3 } else { off };
                 let nu = w * zeta + off - kappa * t;
-                finish(
-                    d,
-                    Sketch {
-                        w,
-                        zeta,
-                        kappa,
-                        nu,
-                        t,
-                    },
-                )
+                finish(d, [w, zeta, kappa, nu, t])
             },
         ),
         region("overdamped", "n/w = 1..1000", |d| {
@@ -296,32 +187,14 @@ pub(super) fn all() -> Vec<Region> {
             let zeta = d.log_uniform(1.0, 1e3);
             let nu = w * d.log_uniform(1e-3, 30.0);
             let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta,
-                    kappa,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, zeta, kappa, nu, t])
         }),
         region("small-t", "w t = 1e-12..10", |d| {
             let (w, zeta) = (frequency(d), ratio(d));
             let t = d.log_uniform(1e-12, 10.0) / w;
             let (kappa, nu) = (sweep(d), w * d.log_uniform(1e-3, 30.0));
             let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta,
-                    kappa,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, zeta, kappa, nu, t])
         }),
         region("fast-sweep", "|k eps|/w^2 = 1..1e6", |d| {
             let (w, zeta) = (frequency(d), ratio(d));
@@ -332,16 +205,7 @@ pub(super) fn all() -> Vec<Region> {
                 true => at_resonance(d, w, zeta.min(1.0), kappa, t),
                 false => w * d.uniform(-5.0, 5.0),
             };
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta,
-                    kappa,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, zeta, kappa, nu, t])
         }),
         region("huge-phases", "phases 1e6..1e9 rad", |d| {
             let (w, zeta) = (frequency(d), light(d));
@@ -350,16 +214,7 @@ pub(super) fn all() -> Vec<Region> {
             let share = d.uniform(0.0, 1.0);
             let (nu, kappa) = (phase * share / t, 2.0 * phase * (1.0 - share) / t / t);
             let (kappa, nu) = (d.signed(kappa), d.signed(nu));
-            finish(
-                d,
-                Sketch {
-                    w,
-                    zeta: zeta * 1e-3,
-                    kappa,
-                    nu,
-                    t,
-                },
-            )
+            finish(d, [w, zeta * 1e-3, kappa, nu, t])
         }),
         region(
             "seams",
@@ -397,27 +252,9 @@ fn seam(d: &mut Draw) -> Vec<f64> {
             .hypot(nu.abs().max((nu + kappa * t).abs()) + d.signed(w3))
             .max(w * 0.1);
         let t = [4.0, 16.0][d.integer(0, 1)] / size * beside;
-        return finish(
-            d,
-            Sketch {
-                w,
-                zeta,
-                kappa,
-                nu,
-                t,
-            },
-        );
+        return finish(d, [w, zeta, kappa, nu, t]);
     }
-    finish(
-        d,
-        Sketch {
-            w,
-            zeta,
-            kappa,
-            nu: omega - kappa * t,
-            t,
-        },
-    )
+    finish(d, [w, zeta, kappa, omega - kappa * t, t])
 }
 
 pub(super) fn check_points() -> Vec<CheckPoint> {

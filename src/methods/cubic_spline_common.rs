@@ -5,10 +5,7 @@
 //! it to the other query.
 
 use super::cubic_spline_conditions as sensitivity;
-use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-    Region, SolverAnswer,
-};
+use crate::audit::{Budget, Input, Limit, Output, Proof, Reference, ReferenceAnswer, SolverAnswer};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
 use crate::solvers::cubic_spline::{
@@ -34,7 +31,7 @@ pub(super) struct Parts<'a, T> {
 }
 
 impl Kind {
-    fn end_values(self) -> usize {
+    pub(super) fn end_values(self) -> usize {
         match self {
             Kind::SecondDerivatives | Kind::Clamped => 2,
             Kind::NotAKnot | Kind::Periodic => 0,
@@ -57,7 +54,7 @@ impl Kind {
         })
     }
 
-    fn fit(self, p: &Parts<f64>) -> Result<CubicSpline, &'static str> {
+    pub(super) fn fit(self, p: &Parts<f64>) -> Result<CubicSpline, &'static str> {
         let boundary = match self {
             Kind::SecondDerivatives => Boundary::second_derivatives(p.ends[0], p.ends[1]),
             Kind::Clamped => Boundary::clamped(p.ends[0], p.ends[1]),
@@ -116,73 +113,6 @@ impl Kind {
             .map(|&(name, unit)| Input { name, unit })
             .collect()
     }
-
-    fn sample(self, draw: &mut Draw, shape: Shape) -> Vec<f64> {
-        let n = draw.integer(if shape == Shape::Wild { 4 } else { 2 }, 9);
-        let (sx, sy) = match shape {
-            Shape::Scaled => (draw.log_uniform(1e-30, 1e30), draw.log_uniform(1e-30, 1e30)),
-            _ => (1.0, 1.0),
-        };
-        let mut x = vec![draw.uniform(-5.0, 5.0) * sx];
-        for _ in 1..n {
-            let step = match shape {
-                Shape::Wild => draw.log_uniform(1e-6, 1e3),
-                _ => draw.uniform(0.3, 2.0),
-            };
-            x.push(x[x.len() - 1] + step * sx);
-        }
-        let ordinate = |draw: &mut Draw| {
-            let v = draw.uniform(-5.0, 5.0) * sy;
-            if shape == Shape::Scaled {
-                v * draw.log_uniform(1e-8, 1e8)
-            } else {
-                v
-            }
-        };
-        let mut y: Vec<f64> = (0..n).map(|_| ordinate(draw)).collect();
-        if self == Kind::Periodic {
-            y[n - 1] = y[0];
-        }
-        let end_unit = match self {
-            Kind::SecondDerivatives => sy / sx / sx,
-            _ => sy / sx,
-        };
-        let ends: Vec<f64> = (0..self.end_values())
-            .map(|_| draw.uniform(-5.0, 5.0) * end_unit)
-            .collect();
-        let (first, last) = (x[0], x[n - 1]);
-        let query = |draw: &mut Draw| {
-            let q = match shape {
-                Shape::NearKnots => {
-                    let mut q = x[draw.integer(0, n - 1)];
-                    for _ in 0..draw.integer(0, 3) {
-                        q = if draw.chance(0.5) {
-                            q.next_up()
-                        } else {
-                            q.next_down()
-                        };
-                    }
-                    q
-                }
-                Shape::Wild => {
-                    let i = draw.integer(0, n - 2);
-                    x[i] + draw.unit() * (x[i + 1] - x[i])
-                }
-                _ => draw.uniform(first, last),
-            };
-            q.clamp(first, last)
-        };
-        let queries = vec![query(draw), query(draw)];
-        [x, y, ends, queries].concat()
-    }
-}
-
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Shape {
-    Well,
-    Scaled,
-    NearKnots,
-    Wild,
 }
 
 fn word(e: &CubicSplineError) -> &'static str {
@@ -254,22 +184,6 @@ pub(super) fn outputs(k: f64) -> Vec<Output> {
     .to_vec()
 }
 
-/// Regions and check points; the samplers are those of `kind`.
-macro_rules! domain {
-    ($kind:expr) => {
-        crate::methods::cubic_spline_common::domain_of(
-            $kind,
-            [
-                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::Well),
-                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::Scaled),
-                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::NearKnots),
-                |d| $kind.draw(d, crate::methods::cubic_spline_common::Shape::Wild),
-            ],
-        )
-    };
-}
-pub(super) use domain;
-
 /// Implements [`Method`](crate::audit::Method) for a kind of end condition.
 macro_rules! audit {
     ($kind:expr, $name:literal, $summary:literal, $budget:literal, $($laws:expr),*) => {
@@ -294,7 +208,7 @@ macro_rules! audit {
                 crate::methods::cubic_spline_common::outputs($budget)
             }
             fn domain(&self) -> crate::audit::Domain {
-                crate::methods::cubic_spline_common::domain!($kind)
+                crate::methods::cubic_spline_domain::domain!($kind)
             }
             fn hard(&self) -> Vec<crate::audit::HardCase> {
                 let text = include_str!(concat!("../../reference/hard/", $name, ".csv"));
@@ -317,133 +231,10 @@ macro_rules! audit {
 }
 pub(super) use audit;
 
-impl Kind {
-    pub(super) fn draw(self, draw: &mut Draw, shape: Shape) -> Vec<f64> {
-        self.sample(draw, shape)
-    }
-
-    /// `S(x_i) = y_i` bit for bit.
-    pub(super) fn knots_residual(self, input: &[f64]) -> Option<f64> {
-        let p = self.split(input)?;
-        let s = self.fit(&p).ok()?;
-        let hit = |(x, y): (&f64, &f64)| s.value(*x).is_ok_and(|v| v == *y);
-        Some(if p.x.iter().zip(p.y).all(hit) {
-            0.0
-        } else {
-            f64::INFINITY
-        })
-    }
-
-    /// Abscissae times 4 and ordinates times 8 give the same bits in the new units.
-    pub(super) fn scaling_residual(self, input: &[f64]) -> Option<f64> {
-        let SolverAnswer::Values(base) = self.solve(input) else {
-            return None;
-        };
-        let p = self.split(input)?;
-        let end = match self {
-            Kind::SecondDerivatives => 0.5,
-            _ => 2.0,
-        };
-        let times = |v: &[f64], f: f64| -> Vec<f64> { v.iter().map(|v| v * f).collect() };
-        let parts = [
-            times(p.x, 4.0),
-            times(p.y, 8.0),
-            times(p.ends, end),
-            times(p.queries, 4.0),
-        ];
-        let SolverAnswer::Values(scaled) = self.solve(&parts.concat()) else {
-            return Some(f64::INFINITY);
-        };
-        let units = [8.0, 2.0, 0.5, 0.125, 32.0];
-        let same = base
-            .iter()
-            .zip(&scaled)
-            .zip(units.iter().cycle())
-            .all(|((a, b), u)| a * u == *b);
-        Some(if same { 0.0 } else { f64::INFINITY })
-    }
-}
-
-/// The law of [`Kind::knots_residual`].
-pub(super) fn knots_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
-    Law {
-        name: "interpolation",
-        statement: "S(x_i) = y_i at every knot, exactly",
-        residual,
-    }
-}
-
-/// The law of [`Kind::scaling_residual`].
-pub(super) fn scaling_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
-    Law {
-        name: "scaling",
-        statement: "x -> 4x, y -> 8y changes every output by a power of two, exactly",
-        residual,
-    }
-}
-
-pub(super) fn domain_of(kind: Kind, samplers: [fn(&mut Draw) -> Vec<f64>; 4]) -> Domain {
-    let [well, scaled, near, wild] = samplers;
-    let ends = |a: f64, b: f64| [a, b][..kind.end_values()].to_vec();
-    let point = |name, x: &[f64], y: &[f64], q: [f64; 2]| CheckPoint {
-        name,
-        input: [x, y, &ends(3.0, -5.0), &q[..]].concat(),
-    };
-    Domain {
-        regions: vec![
-            Region {
-                name: "well-scaled",
-                description: "2 to 9 knots with steps 0.3..2, ordinates and end values -5..5",
-                sample: well,
-            },
-            Region {
-                name: "badly-scaled",
-                description: "as well-scaled, units of x and y from 1e-30 to 1e30, ordinates spread \
-                              over 16 orders",
-                sample: scaled,
-            },
-            Region {
-                name: "near-knots",
-                description: "as well-scaled, queries at most three floats away from a knot",
-                sample: near,
-            },
-            Region {
-                name: "wild-spacing",
-                description: "4 to 9 knots with steps 1e-6..1e3, log-uniform",
-                sample: wild,
-            },
-        ],
-        check_points: vec![
-            point("two-knots", &[0.0, 1.0], &[1.0, 1.0], [0.25, 1.0]),
-            point(
-                "three-knots",
-                &[0.0, 1.0, 3.0],
-                &[1.0, -2.0, 1.0],
-                [0.0, 2.5],
-            ),
-            point(
-                "four-knots",
-                &[-1.0, 0.0, 1.0, 2.0],
-                &[0.0, 1.0, 2.0, 0.0],
-                [-1.0, 2.0],
-            ),
-            point("one-knot", &[0.0], &[1.0], [0.0, 0.0]),
-            point(
-                "equal-knots",
-                &[0.0, 1.0, 1.0],
-                &[1.0, 2.0, 1.0],
-                [0.0, 1.0],
-            ),
-            point("outside", &[0.0, 1.0, 2.0], &[1.0, 2.0, 1.0], [0.0, 2.5]),
-            point("same-point", &[0.0, 1.0, 2.0], &[1.0, 2.0, 1.0], [1.0, 1.0]),
-        ],
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::audit::{Method, Settings, Verdict, audit_method, judge};
+    use crate::audit::{Draw, Method, Settings, Verdict, audit_method, judge};
 
     const NAMES: [&str; 7] = [
         "tridiagonal",

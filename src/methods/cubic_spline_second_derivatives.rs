@@ -1,6 +1,7 @@
 //! Cubic splines with given second derivatives at the ends.
 
-use super::cubic_spline_common::{Kind, audit, knots_law, scaling_law};
+use super::cubic_spline_common::{Kind, audit};
+use super::cubic_spline_laws::{knots_law, scaling_law};
 
 const KIND: Kind = Kind::SecondDerivatives;
 

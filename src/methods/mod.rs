@@ -5,12 +5,15 @@ mod cam_law_input;
 mod chirp_regions;
 mod cubic_spline_common;
 mod cubic_spline_conditions;
+mod cubic_spline_domain;
+mod cubic_spline_laws;
 mod faddeeva_curves;
 mod faddeeva_laws;
 mod faddeeva_regions;
 mod faddeeva_relatives;
 mod faddeeva_relatives_laws;
 mod faddeeva_relatives_regions;
+mod run_up_twin;
 mod typed;
 mod voigt_regions;
 

@@ -1,17 +1,19 @@
 //! The run-up of a class-III linkage under a motor: crank angle and speed after a given time.
 
 use super::class_iii as linkage_input;
+use super::run_up_twin;
 use crate::audit::{HardCase, 
     Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer,
 };
 use crate::reference::class_iii::{self as exact, ExactAngle};
 use crate::reference::run_up as certified;
+use crate::reference::Ball;
 use crate::reference::run_up::LinkageCurve;
 use crate::solvers::class_iii::State;
 use crate::solvers::run_up::{
     ClassIiiModel, ConstantInertia, Drive, Equation, Hybrid, Kloss, Method as Integration, Motion, Motor, Outcome, Plan,
-    ReducedModel, Resistance, Settings, Splined, run,
+    ReducedModel, Resistance, Settings, Splined, Stretch, run_recorded,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
 use rug::Rational;
@@ -25,18 +27,18 @@ const MODEL: usize = 0;
 const NODES: usize = 1;
 const MOTOR: usize = 2;
 const MOTOR_VALUES: usize = 3;
-const ROTOR: usize = 7;
-const ANGLE: usize = 8;
-const SPEED: usize = 9;
-const DURATION: usize = 10;
+pub(super) const ROTOR: usize = 7;
+pub(super) const ANGLE: usize = 8;
+pub(super) const SPEED: usize = 9;
+pub(super) const DURATION: usize = 10;
 const LINKAGE: usize = 11;
-const LENGTH: usize = LINKAGE + linkage_input::LENGTH;
+pub(super) const LENGTH: usize = LINKAGE + linkage_input::LENGTH;
 
 /// Values of [`MODEL`].
 const CONSTANT: f64 = 0.0;
-const EXACT: f64 = 1.0;
-const SPLINES: f64 = 2.0;
-const HYBRID: f64 = 3.0;
+pub(super) const EXACT: f64 = 1.0;
+pub(super) const SPLINES: f64 = 2.0;
+pub(super) const HYBRID: f64 = 3.0;
 
 /// Values of [`MOTOR`].
 const STEADY: f64 = 0.0;
@@ -95,15 +97,16 @@ fn motion(x: &[f64], from: (f64, f64), duration: f64) -> Result<Motion, &'static
         tolerance: TOLERANCE,
         ..Settings::default()
     };
-    motion_with(x, from, duration, settings)
+    motion_with(x, from, duration, settings).map(|(motion, _)| motion)
 }
 
-fn motion_with(
+/// The motion and the stretches that make it up.
+pub(super) fn motion_with(
     x: &[f64],
     from: (f64, f64),
     duration: f64,
     settings: Settings,
-) -> Result<Motion, &'static str> {
+) -> Result<(Motion, Vec<Stretch>), &'static str> {
     if x.len() != LENGTH {
         return Err("layout");
     }
@@ -117,9 +120,10 @@ fn motion_with(
         settings,
         ..Plan::new(from.0, duration)
     };
-    let motion = run(&Equation::new(&*model, &drive), &plan).map_err(|_| "no motion")?;
+    let (motion, stretches) =
+        run_recorded(&Equation::new(&*model, &drive), &plan).map_err(|_| "no motion")?;
     match motion.outcome {
-        Outcome::TimeUp => Ok(motion),
+        Outcome::TimeUp => Ok((motion, stretches)),
         _ => Err("stopped"),
     }
 }
@@ -155,7 +159,7 @@ fn curve(y: &[Rational], bits: u32) -> Result<Arc<LinkageCurve>, ReferenceAnswer
     Ok(made)
 }
 
-fn reference_model(x: &[Rational], bits: u32) -> Result<certified::Coefficients, ReferenceAnswer> {
+pub(super) fn reference_model(x: &[Rational], bits: u32) -> Result<certified::Coefficients, ReferenceAnswer> {
     let undecided = |e: crate::reference::Undecided| ReferenceAnswer::Undecided(e.reason);
     let (kind, nodes) = (x[MODEL].to_f64(), x[NODES].to_f64() as u32);
     if kind == CONSTANT {
@@ -187,6 +191,16 @@ fn reference_motor(x: &[Rational]) -> Option<certified::Motor> {
             synchronous: m(3),
         },
         _ => return None,
+    })
+}
+
+/// What the reference starts from.
+pub(super) fn reference_run(x: &[Rational]) -> Option<certified::Run> {
+    Some(certified::Run {
+        motor: reference_motor(x)?,
+        rotor_inertia: x[ROTOR].clone(),
+        angle: ExactAngle::Radians(x[ANGLE].clone()),
+        speed: x[SPEED].clone(),
     })
 }
 
@@ -297,14 +311,8 @@ impl Method for Audit {
             Ok(model) => model,
             Err(answer) => return answer,
         };
-        let Some(motor) = reference_motor(x) else {
+        let Some(run) = reference_run(x) else {
             return ReferenceAnswer::Refuses("layout");
-        };
-        let run = certified::Run {
-            motor,
-            rotor_inertia: x[ROTOR].clone(),
-            angle: ExactAngle::Radians(x[ANGLE].clone()),
-            speed: x[SPEED].clone(),
         };
         match certified::integrate(&model, &run, std::slice::from_ref(&x[DURATION])) {
             Ok(m) => ReferenceAnswer::Values(Reference {
@@ -317,6 +325,10 @@ impl Method for Audit {
             }),
             Err(e) => ReferenceAnswer::Undecided(e.reason),
         }
+    }
+
+    fn twin(&self, x: &[f64]) -> Option<Vec<Ball>> {
+        run_up_twin::twin(x, TOLERANCE, Integration::default())
     }
 
     fn laws(&self) -> Vec<Law> {
@@ -364,7 +376,7 @@ pub(super) fn at_tolerance(x: &[f64], tolerance: f64, method: Integration) -> (u
         ..Settings::default()
     };
     match motion_with(x, (x[ANGLE], x[SPEED]), x[DURATION], settings) {
-        Ok(m) => (m.counts.evaluations, SolverAnswer::Values(vec![m.end.phi, m.end.psi])),
+        Ok((m, _)) => (m.counts.evaluations, SolverAnswer::Values(vec![m.end.phi, m.end.psi])),
         Err(word) => (0, SolverAnswer::Refuses(word)),
     }
 }
@@ -392,7 +404,7 @@ pub(super) fn sand_screen_from_rest(duration: f64) -> Vec<f64> {
 
 /// Kloss motor with ω_c = 10 rad/s, M_n = 200 N·m, k = 2.2, s_n = 0.05 at the crank of the sand
 /// screen, from rest at 14.426°.
-fn sand_screen(model: f64, nodes: f64, duration: f64) -> Vec<f64> {
+pub(super) fn sand_screen(model: f64, nodes: f64, duration: f64) -> Vec<f64> {
     let first = 14.426f64.to_radians();
     let mut x = vec![
         model, nodes, KLOSS, 200.0, 2.2, 0.05, 10.0, 0.0, first, 0.0, duration,

@@ -157,11 +157,15 @@ impl Coefficients {
             (ExactAngle::Radians(a), ExactAngle::Radians(o)) => {
                 b(&(Rational::from(a - o) / 2 * panels)) / Ball::pi(self.bits)
             }
-            (a, o) => {
-                let gap = a.to_ball(self.bits) - o.to_ball(self.bits);
-                gap * b(&(panels / 2)) / Ball::pi(self.bits)
-            }
+            (a, _) => self.place_of(&a.to_ball(self.bits)),
         }
+    }
+
+    /// [`place`](Self::place) of an angle in radians.
+    pub(super) fn place_of(&self, phi: &Ball) -> Ball {
+        let gap = phi - &self.offset.to_ball(self.bits);
+        let panels = Rational::from((self.panels, self.turns)) / 2;
+        gap * Ball::rational(self.bits, &panels) / Ball::pi(self.bits)
     }
 }
 

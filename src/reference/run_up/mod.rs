@@ -65,9 +65,11 @@ mod series;
 mod step;
 #[cfg(test)]
 mod tests;
+mod twin;
 
 pub use coefficients::Coefficients;
 pub use free_motion::{FreeTurn, free_motion_factor};
 pub use integrate::{Motion, Run, Sample, integrate, integrate_with};
 pub use linkage_curve::LinkageCurve;
 pub use motor::Motor;
+pub use twin::{Leg, RungeKutta, follow_steps};

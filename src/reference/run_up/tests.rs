@@ -1,6 +1,8 @@
 //! Enclosures against exact solutions, conservation laws and each other.
 
 use super::proof::planted::FORGET_DEFECT;
+use super::twin::follow_from;
+use super::twin::planted::FORGET_EARLIER;
 use super::*;
 use crate::reference::class_iii::{Body, ExactAngle, Geometry, Linkage, Masses};
 use crate::reference::{Ball, Decimal, Mag, Undecided};
@@ -278,6 +280,116 @@ fn a_forgotten_defect_is_found() {
         "{:?}",
         faulty.speed.rad()
     );
+}
+
+/// Kutta's method of order 4, coefficients as doubles.
+fn kutta() -> RungeKutta {
+    let (sixth, third) = (1.0 / 6.0, 1.0 / 3.0);
+    RungeKutta {
+        a: vec![vec![], vec![0.5], vec![0.0, 0.5], vec![0.0, 0.0, 1.0]],
+        b: vec![sixth, third, third, sixth],
+    }
+}
+
+fn legs(method: &RungeKutta, steps: u32, length: f64) -> Vec<Leg<'_>> {
+    let at = |k: u32| f64::from(k) * length;
+    (0..steps)
+        .map(|k| Leg {
+            method,
+            from: at(k),
+            to: at(k + 1),
+        })
+        .collect()
+}
+
+/// Steps of a linear equation are rational: ψ' = (M_0 − c ψ)/I.
+#[test]
+fn steps_without_rounding_against_fractions() {
+    let motor = Motor::Linear {
+        standstill: q("7"),
+        slope: q("0.3"),
+    };
+    let model = Coefficients::constant(&q("0.5"), &q("0"), 120);
+    let kutta = kutta();
+    let case = run(motor, "0.25", "0", "2");
+    let got = follow_steps(&model, &case, &legs(&kutta, 9, 0.125)).unwrap();
+    let exact = |x: f64| Rational::from_f64(x).unwrap();
+    let (mut phi, mut psi) = (q("0"), q("2"));
+    let h = q("0.125");
+    for _ in 0..9 {
+        let mut rates: Vec<[Rational; 2]> = Vec::new();
+        let moved = |start: &Rational, w: &[f64], rates: &[[Rational; 2]], i: usize| {
+            let sum = |s, (w, k): (&f64, &[Rational; 2])| s + exact(*w) * &k[i];
+            let sum: Rational = w.iter().zip(rates).fold(Rational::new(), sum);
+            sum * &h + start
+        };
+        for row in &kutta.a {
+            let speed = moved(&psi, row, &rates, 1);
+            let acceleration = (q("7") - q("0.3") * &speed) / q("0.75");
+            rates.push([speed, acceleration]);
+        }
+        phi = moved(&phi, &kutta.b, &rates, 0);
+        psi = moved(&psi, &kutta.b, &rates, 1);
+    }
+    assert!(got[0].contains(&phi) && got[1].contains(&psi));
+    assert!(got.iter().all(|b| b.rad() < Mag::power_of_two(-100)));
+}
+
+/// What is found at a low precision holds what is found at a high one.
+#[test]
+fn steps_without_rounding_hold_those_at_more_bits() {
+    let kutta = kutta();
+    let legs = legs(&kutta, 60, 0.002);
+    let end = |curve: &Arc<LinkageCurve>, kind: u32| {
+        let model = match kind {
+            0 => Coefficients::exact(curve),
+            1 => Coefficients::splines(curve, 12).unwrap(),
+            _ => Coefficients::hybrid(curve, 12).unwrap(),
+        };
+        // At the first node, and well past two more.
+        follow_steps(&model, &run(rated("200"), "0.1", "14.426", "8"), &legs).unwrap()
+    };
+    for kind in 0..3 {
+        let (low, high) = (end(&LOW, kind), end(&HIGH, kind));
+        for (a, b) in low.iter().zip(&high) {
+            assert!(a.contains_ball(b), "{kind}: {a:?} {b:?}");
+            assert!(b.rad() < Mag::power_of_two(-110), "{kind}: {b:?}");
+        }
+    }
+}
+
+/// From a box: every corner's end lies in the end of the box, and outside if the box is forgotten.
+#[test]
+fn errors_of_earlier_steps_are_carried_on() {
+    let kutta = kutta();
+    let legs = legs(&kutta, 40, 0.001);
+    let small = Mag::power_of_two(-40);
+    let case = run(rated("200"), "0.1", "14.426", "8");
+    let models = [
+        Coefficients::exact(&HIGH),
+        Coefficients::splines(&HIGH, 12).unwrap(),
+        Coefficients::hybrid(&HIGH, 12).unwrap(),
+    ];
+    for model in &models {
+        let middle = [case.angle.to_ball(144), Ball::integer(144, 8)];
+        let end = |start: [Ball; 2]| follow_from(model, &case, start, &legs).unwrap();
+        let wide = end(middle.clone().map(|b| b.widened(small)));
+        FORGET_EARLIER.set(true);
+        let faulty = end(middle.clone().map(|b| b.widened(small)));
+        FORGET_EARLIER.set(false);
+        for signs in [[1, 1], [1, -1], [-1, 1], [-1, -1]] {
+            let corner = std::array::from_fn(|i| {
+                let shift = Ball::exact(144, f64::from(signs[i]) * 2f64.powi(-40));
+                &middle[i] + &shift
+            });
+            let corner = end(corner);
+            for i in 0..2 {
+                assert!(wide[i].contains_ball(&corner[i]), "{signs:?} {i}");
+            }
+            assert!(!faulty[0].overlaps(&corner[0]), "{signs:?}: {faulty:?}");
+        }
+        assert!(wide[0].rad() < Mag::power_of_two(-30), "{wide:?}");
+    }
 }
 
 #[test]

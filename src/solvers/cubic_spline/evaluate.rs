@@ -1,7 +1,7 @@
 //! Values, derivatives and integrals at single points.
 
 use super::grid::{Grid, Interval, blend, fractions};
-use super::{EvaluationError as Error, Spline};
+use super::{EvaluationError as Error, Known, Spline};
 use std::marker::PhantomData;
 
 /// What a spline is outside its knots.
@@ -33,6 +33,10 @@ pub struct Jet {
     pub third: f64,
 }
 
+/// The part of an end segment in which `S'` comes from the slope given there: the ordinates' weights
+/// grow from 0 at the end itself to two thirds of those in a difference quotient.
+const BESIDE: f64 = 0.125;
+
 /// One segment ready for evaluation.
 pub(super) struct Cell<G> {
     at: Interval,
@@ -48,7 +52,7 @@ pub(super) struct Cell<G> {
 
 impl<G: Grid> Cell<G> {
     #[inline(always)]
-    fn fractions(&self, x: f64) -> (f64, f64) {
+    pub(super) fn fractions(&self, x: f64) -> (f64, f64) {
         fractions(G::offsets(&self.at, x), self.at.per_h)
     }
 
@@ -69,7 +73,7 @@ impl<G: Grid> Cell<G> {
         self.value_at(self.fractions(x))
     }
 
-    fn jet_at(&self, (k, w): (f64, f64)) -> Jet {
+    pub(super) fn jet_at(&self, (k, w): (f64, f64)) -> Jet {
         let bend = (3.0 * k * k - 1.0) * self.q - (3.0 * w * w - 1.0) * self.p;
         Jet {
             value: self.value_at((k, w)),
@@ -122,14 +126,25 @@ impl Sum {
 impl<G: Grid> Spline<G> {
     /// Value and derivatives with the cubic of segment `i`.
     pub(super) fn jet_on(&self, i: usize, x: f64) -> Jet {
-        let mut jet = self.cell(i).jet_at(self.cell(i).fractions(x));
-        let first = if i < 2 { self.third[0] } else { None };
-        let last = if i + 2 >= self.grid.segments() {
-            self.third[1]
-        } else {
-            None
-        };
-        jet.third = first.or(last).unwrap_or(jet.third);
+        let cell = self.cell(i);
+        let (k, w) = cell.fractions(x);
+        let mut jet = cell.jet_at((k, w));
+        let (begins, ends) = (i == 0, i + 1 == self.grid.segments());
+        let [first, last] = self.known;
+        match (first, last) {
+            (Known::First(s), _) if begins && k.abs() < BESIDE => {
+                jet.first = s + (k * cell.at.h) * (0.5 * cell.m0 + 0.5 * jet.second);
+            }
+            (_, Known::First(s)) if ends && w.abs() < BESIDE => {
+                jet.first = s - (w * cell.at.h) * (0.5 * cell.m1 + 0.5 * jet.second);
+            }
+            _ => {}
+        }
+        match (first, last) {
+            (Known::Third(t), _) if i < 2 => jet.third = t,
+            (_, Known::Third(t)) if i + 2 >= self.grid.segments() => jet.third = t,
+            _ => {}
+        }
         jet
     }
 

@@ -1,6 +1,8 @@
 //! Second derivatives on arbitrary knots.
 
-use super::{Boundary, CubicSpline, CubicSplineError as Error, End, Extrapolation, Knots, Spline};
+use super::{
+    Boundary, CubicSpline, CubicSplineError as Error, End, Extrapolation, Knots, Known, Spline,
+};
 use crate::solvers::cyclic_tridiagonal::CyclicSweep;
 use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
 
@@ -93,12 +95,15 @@ impl CubicSpline {
                 return Err(Error::Overflow { knot: i });
             }
         }
-        let third = shared_third(boundary, &h, &m);
+        let mut known = boundary.known();
+        for (known, third) in known.iter_mut().zip(shared_third(boundary, &h, &m)) {
+            *known = third.map_or(*known, Known::Third);
+        }
         Ok(Spline {
             grid,
             y,
             bend: m,
-            third,
+            known,
             extrapolation: Extrapolation::Error,
         })
     }

@@ -13,6 +13,8 @@
 //! The `m_i` make `S'` continuous: `m_{i−1} + 4 m_i + m_{i+1} = (6/h²)(y_{i−1} − 2 y_i + y_{i+1})`
 //! (16) for equal steps, `h_{i−1} m_{i−1} + 2 (h_{i−1} + h_i) m_i + h_i m_{i+1} = 6 (δ_i − δ_{i−1})`
 //! with `δ_i = (y_{i+1} − y_i)/h_i` otherwise. Two more equations come from the [`Boundary`].
+//! Beside an end with a given slope s, where (11) would subtract ordinates that hardly matter there,
+//! `S' = s − w h (S'' + m_n)/2` and its like at the other end: exactly s at the end itself.
 //!
 //! [`CubicSpline`] takes arbitrary increasing knots, [`UniformCubicSpline`] the knots `x_0 + i h`
 //! taken exactly, with a faster fit. Both evaluate with the same code; single points, batches and
@@ -20,9 +22,9 @@
 //! right, at the last knot that of the last segment.
 //!
 //! # Accuracy
-//! Worst found over 200 random cases in each of four or five regions for each kind of ends, as a
-//! multiple of `u (|f| + Σ_j |x_j ∂f/∂x_j|)` with `u = 2⁻⁵³`: 2.4, for a clamped `S'`; 1.4 for
-//! everything else. `mechaudit audit cubic-spline-…` repeats the search.
+//! Worst found over 200 random cases in each of four or five regions for each kind of ends and the
+//! worst inputs of earlier hunts, as a multiple of `u (|f| + Σ_j |x_j ∂f/∂x_j|)` with `u = 2⁻⁵³`: 4.2
+//! for `S'`, 4.0 for `S`, 3.4 for everything else. `mechaudit audit cubic-spline-…` repeats the search.
 //!
 //! # Source
 //! Zinchenko 2008, eqs (8)–(17), numbers above. The form of (11) and (12) here is algebraically
@@ -75,6 +77,17 @@ impl Boundary {
     /// Given second derivatives at both ends.
     pub const fn second_derivatives(first: f64, last: f64) -> Boundary {
         Boundary::Ends(End::SecondDerivative(first), End::SecondDerivative(last))
+    }
+
+    fn known(self) -> [Known; 2] {
+        let known = |end| match end {
+            End::FirstDerivative(v) => Known::First(v),
+            _ => Known::Nothing,
+        };
+        match self {
+            Boundary::Periodic => [Known::Nothing; 2],
+            Boundary::Ends(first, last) => [first, last].map(known),
+        }
     }
 }
 
@@ -187,6 +200,16 @@ pub enum EvaluationError {
     },
 }
 
+/// What the condition at an end makes known beside it.
+#[derive(Clone, Copy, Debug)]
+enum Known {
+    Nothing,
+    /// The first derivative at the end, as given.
+    First(f64),
+    /// The third derivative, which not-a-knot makes common to two segments.
+    Third(f64),
+}
+
 /// A cubic spline on the knots `G`.
 #[derive(Clone, Debug)]
 pub struct Spline<G: Grid> {
@@ -194,9 +217,7 @@ pub struct Spline<G: Grid> {
     y: Vec<f64>,
     /// Second derivatives in the grid's own scale, see [`Grid`].
     bend: Vec<f64>,
-    /// The third derivative of the first two and of the last two segments, where not-a-knot makes
-    /// them equal.
-    third: [Option<f64>; 2],
+    known: [Known; 2],
     extrapolation: Extrapolation,
 }
 

@@ -40,10 +40,22 @@ fn check<G: Grid>(s: &Spline<G>, boundary: Boundary) {
             assert!((a.first - b.first).abs() < scale && (a.second - b.second).abs() < scale);
         }
         Boundary::Ends(l, r) => {
-            for (end, at, own, next) in [(l, a, 0, 1), (r, b, n - 1, n.max(2) - 2)] {
+            for (end, at, own, next, edge) in
+                [(l, a, 0, 1, first), (r, b, n - 1, n.max(2) - 2, last)]
+            {
                 match end {
                     End::SecondDerivative(v) => assert!((at.second - v).abs() < scale),
-                    End::FirstDerivative(v) => assert!((at.first - v).abs() < scale),
+                    End::FirstDerivative(v) => {
+                        assert_eq!(at.first, v);
+                        // Beside the end (11) says the same.
+                        let (h, cell) = (s.grid.interval(own).h, s.cell(own));
+                        let inwards = if edge == first { h } else { -h };
+                        for part in [0.0, 0.01, 0.1, 0.124, 0.126] {
+                            let x = edge + part * inwards;
+                            let plain = cell.jet_at(cell.fractions(x)).first;
+                            assert!((plain - jet(own, x).first).abs() < scale, "{part}");
+                        }
+                    }
                     End::NotAKnot if n > 1 => {
                         let third = |i: usize| jet(i, s.grid.knot(i)).third;
                         let (p, q) = (third(own), third(next.min(n - 1)));

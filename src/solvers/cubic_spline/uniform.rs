@@ -61,7 +61,7 @@ impl UniformCubicSpline {
             grid,
             y,
             bend,
-            third: [None; 2],
+            known: boundary.known(),
             extrapolation: Extrapolation::Error,
         })
     }

@@ -3,6 +3,7 @@
 
 use super::crossing::{Limits, Pause, crossing};
 use super::equation::{Equation, EquationError};
+use super::record::{Stretch, Taken};
 use super::stepper::{Method, State, Stepper, Tolerances, Tried, begin};
 use differential_equations::ode::ODE;
 use std::cell::{Cell, RefCell};
@@ -161,6 +162,8 @@ pub(super) struct Integrator<'a> {
     /// Whether the acceleration is zero here but for rounding.
     at_extremum: bool,
     pub counts: Counts,
+    /// The stretches that make up the motion, where they are asked for.
+    pub stretches: Option<Vec<Stretch>>,
 }
 
 /// Steps in a row without a right-hand side, each a quarter of the one before: after so many what
@@ -193,6 +196,7 @@ impl<'a> Integrator<'a> {
             h: 0.0,
             at_extremum: false,
             counts: Counts::default(),
+            stretches: None,
         }
     }
 
@@ -367,13 +371,24 @@ impl<'a> Integrator<'a> {
             self.t = b;
             self.y = *stepper.y();
             h = stepper.proposed();
-            if last || nothing(self.t) {
+            let done = last || nothing(self.t);
+            if done {
                 self.t = end;
+            }
+            self.record(a, Taken::Step);
+            if done {
                 // The last step was cut, so its successor's proposal may be short.
                 self.h = if last { self.h.max(h) } else { h };
                 return Ok(None);
             }
             self.h = h;
+        }
+    }
+
+    fn record(&mut self, from: f64, taken: Taken) {
+        let to = self.t;
+        if let Some(stretches) = self.stretches.as_mut().filter(|_| from != to) {
+            stretches.push(Stretch { from, to, taken });
         }
     }
 
@@ -388,7 +403,9 @@ impl<'a> Integrator<'a> {
             _ => 0.0,
         };
         if shift.is_finite() && shift.abs() <= self.h.abs() {
+            let before = self.t;
             self.t += shift;
+            self.record(before, Taken::Tangent);
             for (y, d) in self.y.iter_mut().zip(d) {
                 *y += shift * d;
             }

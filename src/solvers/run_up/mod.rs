@@ -59,6 +59,8 @@ mod integrate;
 #[cfg(feature = "run-up")]
 mod motion;
 #[cfg(feature = "run-up")]
+mod record;
+#[cfg(feature = "run-up")]
 mod runner;
 #[cfg(feature = "run-up")]
 mod steady;
@@ -84,7 +86,9 @@ pub use integrate::{Counts, Settings, SettingsError};
 #[cfg(feature = "run-up")]
 pub use motion::{Event, EventKind, Motion, Outcome, Plan, RunError, Sample, Turn};
 #[cfg(feature = "run-up")]
-pub use runner::run;
+pub use record::{Stretch, Tableau, Taken};
+#[cfg(feature = "run-up")]
+pub use runner::{run, run_recorded};
 #[cfg(feature = "run-up")]
 pub use steady::{Cycle, CycleError, steady_cycle};
 #[cfg(feature = "run-up")]

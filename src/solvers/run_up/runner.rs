@@ -4,6 +4,7 @@ use super::crossing::{Limits, Pause};
 use super::equation::{Equation, EquationError};
 use super::integrate::{Counts, Integrator, PHI, PSI, Stuck, WORK};
 use super::motion::{Event, EventKind, Motion, Outcome, Plan, RunError, Sample, Turn};
+use super::record::Stretch;
 use std::f64::consts::TAU;
 
 /// Events kept at most; a run of so many turns has said what it had to say.
@@ -116,15 +117,36 @@ fn direction(equation: &Equation, plan: &Plan) -> Result<Result<f64, f64>, Equat
 /// # Errors
 /// [`RunError`]: settings that make no sense, a linkage that cannot go on, a used-up budget.
 pub fn run(equation: &Equation, plan: &Plan) -> Result<Motion, RunError> {
+    run_with(equation, plan, None).map(|(motion, _)| motion)
+}
+
+/// [`run`], with the stretches that make up the motion: none if it does not start.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_recorded(equation: &Equation, plan: &Plan) -> Result<(Motion, Vec<Stretch>), RunError> {
+    run_with(equation, plan, Some(Vec::new()))
+}
+
+fn run_with(
+    equation: &Equation,
+    plan: &Plan,
+    stretches: Option<Vec<Stretch>>,
+) -> Result<(Motion, Vec<Stretch>), RunError> {
     plan.check()?;
     let at_start = |source| RunError::Equation { t: 0.0, source };
     let sign = match direction(equation, plan).map_err(at_start)? {
         Ok(sign) => sign,
-        Err(torque) => return not_started(equation, plan, torque).map_err(at_start),
+        Err(torque) => {
+            let motion = not_started(equation, plan, torque).map_err(at_start)?;
+            return Ok((motion, Vec::new()));
+        }
     };
     let mut run = Run::begin(equation, plan, sign)?;
+    run.integrator.stretches = stretches;
     let outcome = run.all()?;
-    run.end(outcome)
+    let stretches = run.integrator.stretches.take().unwrap_or_default();
+    Ok((run.end(outcome)?, stretches))
 }
 
 fn not_started(equation: &Equation, plan: &Plan, torque: f64) -> Result<Motion, EquationError> {

@@ -1,0 +1,34 @@
+//! A short book about the crate: what its words mean, how it judges, how to use it on code of your
+//! own.
+//!
+//! 1. [What an ulp is here](ulps)
+//! 2. [How a reference earns trust](references)
+//! 3. [How the judge works](judging)
+//! 4. [A new method in one file](adding_a_method)
+//! 5. [Auditing your own code](your_own_code)
+//! 6. [Hunting, hard cases and recorded findings](hunting)
+//! 7. [Convergence and twins](convergence)
+//! 8. [Reading the reports](reports)
+//! 9. [Commands, exit codes and file formats](formats)
+//!
+//! What the crate is for, how to install it and how fast it is stands in the
+//! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
+
+#[doc = include_str!("adding_a_method.md")]
+pub mod adding_a_method {}
+#[doc = include_str!("convergence.md")]
+pub mod convergence {}
+#[doc = include_str!("formats.md")]
+pub mod formats {}
+#[doc = include_str!("hunting.md")]
+pub mod hunting {}
+#[doc = include_str!("judging.md")]
+pub mod judging {}
+#[doc = include_str!("references.md")]
+pub mod references {}
+#[doc = include_str!("reports.md")]
+pub mod reports {}
+#[doc = include_str!("ulps.md")]
+pub mod ulps {}
+#[doc = include_str!("your_own_code.md")]
+pub mod your_own_code {}
