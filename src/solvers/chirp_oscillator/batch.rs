@@ -6,29 +6,21 @@
 //! and one evaluation of the impulse response, whatever the number of harmonics.
 
 use super::free::Free;
-use super::harmonic::{Prepared, SHORT};
+use super::group::{CHUNK, Groups, add, four};
+use super::harmonic::Prepared;
 use super::inlined::two;
 use super::passage::passage;
 use super::response::ChirpResponse;
 use super::roots::Roots;
-use super::series::{FAR, Z, difference, of_both, terms};
+use super::series::{FAR, Z, of_both, of_both_apart};
 use crate::solvers::faddeeva::double_double::Dd;
-use crate::solvers::faddeeva::exponential::{LARGE_PHASE, reduce, sin_cos_reduced, turn};
+use crate::solvers::faddeeva::exponential::LARGE_PHASE;
 use crate::solvers::faddeeva::faddeeva_soa;
 use crate::solvers::faddeeva::lanes::{Lanes, Task, with_best};
 use crate::solvers::faddeeva::real::Real;
 use num_complex::Complex;
 
 type C = Complex<f64>;
-
-/// Times taken together.
-pub(super) const CHUNK: usize = 512;
-
-/// Up to [`CHUNK`] times, padded to a multiple of four by the last one.
-struct Times<'a> {
-    t: &'a [f64],
-    last: f64,
-}
 
 /// What is gathered for each time.
 struct Sums {
@@ -60,15 +52,6 @@ enum Part {
     Computed(usize, bool),
 }
 
-/// The free vibration that a harmonic leaves, where constants will do.
-struct Constants {
-    start: [f64; 2],
-    /// Of either resonance, when passed.
-    passed: [[f64; 2]; 2],
-    /// Whether the passages are constants.
-    folded: bool,
-}
-
 pub(super) fn displacements(response: &ChirpResponse, times: &[f64], out: &mut [f64]) {
     let mut near = Near::default();
     for (t, out) in times.chunks(CHUNK).zip(out.chunks_mut(CHUNK)) {
@@ -98,12 +81,11 @@ fn chunk(response: &ChirpResponse, t: &[f64], out: &mut [f64], near: &mut Near) 
             continue;
         }
         near.clear();
-        let last = *t.last().expect("chunks are not empty");
         with_best(Forced {
             harmonic,
             roots,
             free: &free,
-            times: Times { t, last },
+            t,
             sums: &mut sums,
             near,
         });
@@ -179,25 +161,12 @@ impl Near {
     }
 }
 
-impl Constants {
-    fn new(harmonic: &Prepared) -> Constants {
-        let by = harmonic.scale;
-        let state = |[a, b]: [C; 2]| [a.re * by, b.re * by];
-        let zero = [[0.0; 2]; 2];
-        Constants {
-            start: state(harmonic.start),
-            passed: harmonic.left.map_or(zero, |left| left.map(state)),
-            folded: harmonic.left.is_some(),
-        }
-    }
-}
-
 /// The forced parts of one harmonic at some times.
 struct Forced<'a> {
     harmonic: &'a Prepared,
     roots: &'a Roots,
     free: &'a [Free],
-    times: Times<'a>,
+    t: &'a [f64],
     sums: &'a mut Sums,
     near: &'a mut Near,
 }
@@ -283,44 +252,6 @@ impl Task for Once<'_> {
     }
 }
 
-/// One harmonic's numbers at several times.
-struct Wide<R> {
-    carrier: Z<R>,
-    p: [Z<R>; 2],
-    sizes: [R; 2],
-}
-
-#[inline(always)]
-fn like<R: Real>(t: R, x: Dd) -> Dd<R> {
-    Dd::new(t.like(x.hi), t.like(x.lo))
-}
-
-#[inline(always)]
-fn wide<R: Real>(harmonic: &Prepared, roots: &Roots, t: R) -> Wide<R> {
-    let s = &harmonic.sweep;
-    let (nu, kappa) = (like(t, s.nu), like(t, s.kappa));
-    let omega = nu + kappa.mul_f(t);
-    let turned = (nu + kappa.mul_f(t * t.like(0.5))).mul_f(t);
-    let (rest, quadrant) = reduce(turned.add_f(t.like(s.delta)));
-    let (sin, cos) = sin_cos_reduced(rest);
-    let (sin, cos) = turn(sin, cos, quadrant);
-    let p = two(
-        #[inline(always)]
-        |i| {
-            let x = (omega + like(t, roots.beta[i])).value();
-            Z(t.like(roots.lambda[i].re), x)
-        },
-    );
-    Wide {
-        carrier: Z(cos.value(), -sin.value()),
-        sizes: two(
-            #[inline(always)]
-            |i| p[i].0.fma(p[i].0, p[i].1 * p[i].1),
-        ),
-        p,
-    }
-}
-
 impl Task for Forced<'_> {
     type Output = ();
 
@@ -330,103 +261,57 @@ impl Task for Forced<'_> {
             harmonic,
             roots,
             free,
-            times: Times { t, last },
+            t,
             sums,
             near,
         } = self;
-        let constants = Constants::new(harmonic);
+        let groups = Groups::new(harmonic, roots);
         let sweep = &harmonic.sweep;
         let kappa = sweep.kappa.hi;
-        // A passage is behind from here on; a little early where both roots pass as one.
-        let edge = two(|r| match sweep.joint {
-            true => roots.n - roots.half.hi.abs(),
-            false => -roots.lambda[r].re,
-        });
-        // Finite, so that a distance of zero stays zero.
-        let to_distance = if kappa == 0.0 { f64::MAX } else { 0.5 / kappa };
         let mut start = 0;
         while start < t.len() {
-            let count = (t.len() - start).min(4);
-            let mut four = [last; 4];
-            four[..count].copy_from_slice(&t[start..start + count]);
-            let time = lanes.quad(four);
-            let like = |x: f64| time.like(x);
-            let w = wide(harmonic, roots, time);
-            let nearer = w.sizes[0].at_most(w.sizes[1]);
-            let distance = nearer * like(to_distance);
-            let [m, n] = two(
-                #[inline(always)]
-                |i| w.sizes[i].at_least(like(harmonic.norms[i])) * time * time,
-            );
-            let x = [w.p[0].1, w.p[1].1];
-            let passed = two(
-                #[inline(always)]
-                |r| like(edge[r]).below(x[r]),
-            );
-            // Above one where the closed form serves and both resonances are far.
-            let clear = m.at_most(n) * like(1.0 / (SHORT * SHORT));
-            let mut clear = clear.at_most(distance * like(1.0 / FAR));
-            if !constants.folded {
-                clear = clear.pick(time.or(passed[0], passed[1]), like(0.0), clear);
-            }
-            let distances = lanes.array(distance);
-            let least = distances.into_iter().fold(f64::INFINITY, f64::min);
-            let terms = terms(least.max(FAR));
-            let f = match time.all(sweep.apart_far(roots, nearer)) {
-                true => difference(w.p, roots.gap, kappa, terms),
-                false => of_both(w.p, kappa, terms),
+            let group = groups.at(lanes, four(t, start));
+            let f = match group.apart {
+                true => of_both_apart(group.p, roots, kappa, group.terms),
+                false => of_both(group.p, kappa, group.terms),
             };
-            let forced = w.carrier.0.fma(f.0, -(w.carrier.1 * f.1));
-            if time.all(like(1.0).below(clear)) {
-                let add = |sum: &mut [f64; CHUNK], x| {
-                    let sum: &mut [f64] = &mut sum[start..start + 4];
-                    let old = lanes.quad([sum[0], sum[1], sum[2], sum[3]]);
-                    sum.copy_from_slice(&lanes.array(old + x));
-                };
-                let state = |i: usize| {
-                    let zero = like(0.0);
-                    let part = |r: usize| time.pick(passed[r], like(constants.passed[r][i]), zero);
-                    like(constants.start[i]) + (part(0) + part(1))
-                };
-                add(&mut sums.y, forced * like(harmonic.scale));
-                add(&mut sums.a, state(0));
-                add(&mut sums.b, state(1));
+            let Z(cos, minus_sin) = group.carrier;
+            let forced = cos.fma(f.0, -(minus_sin * f.1));
+            if group.clear {
+                let scale = cos.like(harmonic.scale);
+                add(lanes, &mut sums.y, start, forced * scale);
+                add(lanes, &mut sums.a, start, groups.left(&group, 0));
+                add(lanes, &mut sums.b, start, groups.left(&group, 1));
                 start += 4;
                 continue;
             }
             let forced = lanes.array(forced);
-            let carrier = [lanes.array(w.carrier.0), lanes.array(w.carrier.1)];
-            let x = [lanes.array(x[0]), lanes.array(x[1])];
-            let sizes = [lanes.array(w.sizes[0]), lanes.array(w.sizes[1])];
-            for i in 0..count {
+            let carrier = [lanes.array(cos), lanes.array(minus_sin)];
+            let x = [lanes.array(group.p[0].1), lanes.array(group.p[1].1)];
+            let sizes = [lanes.array(group.sizes[0]), lanes.array(group.sizes[1])];
+            for i in 0..(t.len() - start).min(4) {
                 let at = start + i;
                 let time = t[at];
+                let carrier = C::new(carrier[0][i], carrier[1][i]);
                 if !harmonic.is_closed([sizes[0][i], sizes[1][i]], time) {
-                    let carrier = sweep.carrier(time);
                     sums.y[at] += harmonic.psi(roots, &free[at], carrier, time)[0].re;
                     continue;
                 }
-                if distances[i] >= FAR {
+                if group.distances[i] >= FAR {
                     sums.y[at] += forced[i] * harmonic.scale;
                 } else {
                     let omega = sweep.omega(time);
-                    let carrier = C::new(carrier[0][i], carrier[1][i]);
                     if !near.push(harmonic, roots, at, omega, carrier) {
                         let y = sweep.particular(roots, omega).y;
                         sums.y[at] += (carrier * y).re * harmonic.scale;
                     }
                 }
-                let [mut a, mut b] = constants.start;
-                for r in [0, 1] {
-                    if x[r][i] > edge[r] {
-                        a += constants.passed[r][0];
-                        b += constants.passed[r][1];
-                    }
-                }
-                if !constants.folded && (x[0][i] > edge[0]) | (x[1][i] > edge[1]) {
+                let x = [x[0][i], x[1][i]];
+                if !groups.folded && (groups.has_passed(x[0], 0) | groups.has_passed(x[1], 1)) {
                     let left = passage(sweep, roots, time, sweep.omega(time));
                     sums.y[at] += left[0].re * harmonic.scale;
                 }
+                let [a, b] = groups.left_at(x);
                 sums.a[at] += a;
                 sums.b[at] += b;
             }

@@ -1,11 +1,12 @@
 //! The response to an excitation.
 
-#[cfg(feature = "parallel")]
-use super::batch::CHUNK;
 use super::batch::{Once, displacements};
 use super::error::{ChirpError, finite, not_negative};
 use super::free::Free;
+#[cfg(feature = "parallel")]
+use super::group::CHUNK;
 use super::harmonic::Prepared;
+use super::motions::motions;
 use super::roots::Roots;
 use super::types::{
     Chirp, Excitation, Forcing, Harmonic, HarmonicResponse, InitialState, Motion, Oscillator,
@@ -217,15 +218,16 @@ impl ChirpResponse {
         Ok(())
     }
 
-    /// [`ChirpResponse::motion`] at many times.
+    /// [`ChirpResponse::motion`] at many times, several times as fast; they differ by roundings.
     ///
     /// # Errors
     /// A time that is negative or not finite; slices of different lengths.
     pub fn motions(&self, times: &[f64], out: &mut [Motion]) -> Result<(), ChirpError> {
         same_length(times, out)?;
-        for (t, out) in times.iter().zip(out) {
-            *out = self.motion(*t)?;
+        for t in times {
+            self.time(*t)?;
         }
+        motions(self, times, out);
         Ok(())
     }
 

@@ -2,6 +2,7 @@
 //! for one time or several side by side.
 
 use super::inlined::two;
+use super::roots::Roots;
 use crate::solvers::faddeeva::real::Real;
 use num_complex::Complex;
 
@@ -65,7 +66,7 @@ impl From<Z<f64>> for C {
 
 impl<R: Real> Z<R> {
     #[inline(always)]
-    pub fn times(self, o: Z<R>) -> Z<R> {
+    fn times(self, o: Z<R>) -> Z<R> {
         Z(
             self.0.fma(o.0, -(self.1 * o.1)),
             self.0.fma(o.1, self.1 * o.0),
@@ -78,8 +79,25 @@ impl<R: Real> Z<R> {
     }
 
     #[inline(always)]
-    pub fn minus(self, o: Z<R>) -> Z<R> {
+    fn negative(self) -> Z<R> {
+        Z(-self.0, -self.1)
+    }
+
+    #[inline(always)]
+    fn minus(self, o: Z<R>) -> Z<R> {
         Z(self.0 - o.0, self.1 - o.1)
+    }
+
+    /// `(−i)^m size` times it.
+    #[inline(always)]
+    fn by_power(self, size: f64, m: usize) -> Z<R> {
+        let (re, im) = (self.0 * self.0.like(size), self.1 * self.0.like(size));
+        match m % 4 {
+            0 => Z(re, im),
+            1 => Z(im, -re),
+            2 => Z(-re, -im),
+            _ => Z(-im, re),
+        }
     }
 
     #[inline(always)]
@@ -90,28 +108,87 @@ impl<R: Real> Z<R> {
     }
 }
 
+/// The series for one root: `F = −a (1 + x + T)`, `R = −(x + T)` with `a = 1/p`, `x = −iκ/p²`.
+#[derive(Clone, Copy)]
+struct One<R> {
+    a: Z<R>,
+    x: Z<R>,
+    rest: Z<R>,
+}
+
+impl<R: Real> One<R> {
+    /// The coefficients of the powers of x are real, so that with `x² = sx − t` each term takes two
+    /// multiplications (Knuth, *TAOCP* 2, 4.6.4).
+    #[inline(always)]
+    fn new(p: Z<R>, kappa: f64, terms: usize) -> One<R> {
+        let a = p.inverse();
+        let square = a.times(a);
+        let kappa = a.0.like(kappa);
+        let x = Z(kappa * square.1, -(kappa * square.0));
+        let (s, minus_t) = (x.0 + x.0, -x.0.fma(x.0, x.1 * x.1));
+        let coefficient = |m: usize| s.like(ODD_FACTORIALS[m]);
+        let mut m = terms.clamp(2, MOST);
+        let (mut b, mut before) = (coefficient(m), s.like(0.0));
+        while m > 2 {
+            m -= 1;
+            let next = s.fma(b, minus_t.fma(before, coefficient(m)));
+            (before, b) = (b, next);
+        }
+        let last = s.fma(b, minus_t * before);
+        let rest = Z(x.0.fma(last, minus_t * b), x.1 * last);
+        One { a, x, rest }
+    }
+
+    #[inline(always)]
+    fn sum(self) -> Z<R> {
+        self.x.plus(self.rest)
+    }
+}
+
 /// `F` and `R` for one root.
-///
-/// The coefficients of the powers of `x = −iκ/p²` are real, so that with `x² = sx − t` each term
-/// takes two multiplications (Knuth, *TAOCP* 2, 4.6.4).
 #[inline(always)]
 pub(super) fn of_one<R: Real>(p: Z<R>, kappa: f64, terms: usize) -> (Z<R>, Z<R>) {
-    let a = p.inverse();
-    let square = a.times(a);
-    let kappa = a.0.like(kappa);
-    let x = Z(kappa * square.1, -(kappa * square.0));
-    let (s, minus_t) = (x.0 + x.0, -x.0.fma(x.0, x.1 * x.1));
-    let coefficient = |m: usize| s.like(ODD_FACTORIALS[m]);
-    let (mut b, mut before) = (coefficient(terms.min(MOST)), s.like(0.0));
-    let mut m = terms.min(MOST);
-    while m > 1 {
-        m -= 1;
-        let next = s.fma(b, minus_t.fma(before, coefficient(m)));
-        (before, b) = (b, next);
+    let one = One::new(p, kappa, terms);
+    let sum = one.sum();
+    let f = one.a.plus(one.a.times(sum));
+    (f.negative(), sum.negative())
+}
+
+/// Both roots far apart beside their distance from ω. The first terms of the differences are
+/// formed without subtracting: `a₊ − a₋ = −gap q`, `x₊ − x₋ = iκ gap q (a₊ + a₋)`, `q = a₊a₋`.
+#[derive(Clone, Copy)]
+struct Apart<R> {
+    both: [One<R>; 2],
+    /// `1/gap`
+    by: Z<R>,
+    q: Z<R>,
+}
+
+impl<R: Real> Apart<R> {
+    #[inline(always)]
+    fn new(p: [Z<R>; 2], roots: &Roots, kappa: f64, terms: usize) -> Apart<R> {
+        let both = two(
+            #[inline(always)]
+            |i| One::new(p[i], kappa, terms),
+        );
+        let by = roots.gap.inv();
+        let q = both[0].a.times(both[1].a);
+        Apart {
+            both,
+            by: Z(q.0.like(by.re), q.0.like(by.im)),
+            q,
+        }
     }
-    let sum = Z(x.0.fma(b, minus_t * before), x.1 * b);
-    let f = a.plus(a.times(sum));
-    (Z(-f.0, -f.1), Z(-sum.0, -sum.1))
+
+    /// `F[·]`
+    #[inline(always)]
+    fn displacement(&self) -> Z<R> {
+        let [f, g] = two(
+            #[inline(always)]
+            |i| self.both[i].a.times(self.both[i].sum()),
+        );
+        self.q.minus(f.minus(g).times(self.by))
+    }
 }
 
 /// `F[·]` for both roots.
@@ -119,7 +196,7 @@ pub(super) fn of_one<R: Real>(p: Z<R>, kappa: f64, terms: usize) -> (Z<R>, Z<R>)
 pub(super) fn of_both<R: Real>([p, r]: [Z<R>; 2], kappa: f64, terms: usize) -> Z<R> {
     let q = p.times(r).inverse();
     let s = p.plus(r).times(q);
-    let minus_q = Z(-q.0, -q.1);
+    let minus_q = q.negative();
     let one = Z(q.0.like(1.0), q.0.like(0.0));
     let (mut even, mut odd, mut f) = (one, s, one);
     // g_m = (2m − 1)!! κ^m (−i)^m
@@ -127,47 +204,84 @@ pub(super) fn of_both<R: Real>([p, r]: [Z<R>; 2], kappa: f64, terms: usize) -> Z
     for m in 1..=terms {
         size *= kappa * (2 * m - 1) as f64;
         even = s.times(odd).plus(minus_q.times(even));
-        let c = even.0.like(size);
-        let g = match m % 4 {
-            0 => Z(even.0, even.1),
-            1 => Z(even.1, -even.0),
-            2 => Z(-even.0, -even.1),
-            _ => Z(-even.1, even.0),
-        };
-        f = Z(c.fma(g.0, f.0), c.fma(g.1, f.1));
+        f = f.plus(even.by_power(size, m));
         odd = s.times(even).plus(minus_q.times(odd));
     }
     q.times(f)
 }
 
-/// `F[·]`, `R[·]`, `(λR)[·]` for both roots.
+/// `φ[·]`, `φ′[·]`, `φ″[·]` without `e^{−iθ}` from `F[·]`, `R[·]`, `(λR)[·]`.
 #[inline(always)]
-pub(super) fn motion_of_both(p: [C; 2], kappa: f64, omega: f64, terms: usize) -> [C; 3] {
-    let q = (p[0] * p[1]).inv();
-    let s = (p[0] + p[1]) * q;
-    let (mut even, mut odd) = (C::ONE, s);
-    let (mut f, mut r, mut lr) = (C::ONE, C::ZERO, C::ZERO);
-    let mut g = C::ONE;
-    for m in 1..=terms {
-        g *= C::new(0.0, -kappa * (2 * m - 1) as f64);
-        // even = h_{2m−2}, odd = h_{2m−1}
-        r += g * odd;
-        lr += g * (even - C::new(-omega * odd.im, omega * odd.re));
-        even = s * odd - q * even;
-        f += g * even;
-        odd = s * even - q * odd;
-    }
-    [q * f, q * r, q * lr]
+fn motion<R: Real>(omega: R, [f, r, lr]: [Z<R>; 3]) -> [Z<R>; 3] {
+    let turned = |x: Z<R>, y: Z<R>| Z(omega.fma(x.1, y.0), (-omega).fma(x.0, y.1));
+    let v = turned(f, r);
+    [f, v, turned(v, lr)]
 }
 
-/// `F[·]` where the roots are far apart beside their distance from ω: from both values of `F`.
+/// `φ[·]`, `φ′[·]`, `φ″[·]` without `e^{−iθ}`.
 #[inline(always)]
-pub(super) fn difference<R: Real>(p: [Z<R>; 2], gap: C, kappa: f64, terms: usize) -> Z<R> {
-    let [f, g] = two(
+pub(super) fn motion_of_both<R: Real>(
+    [p, r]: [Z<R>; 2],
+    kappa: f64,
+    omega: R,
+    terms: usize,
+) -> [Z<R>; 3] {
+    let q = p.times(r).inverse();
+    let s = p.plus(r).times(q);
+    let minus_q = q.negative();
+    let zero = Z(q.0.like(0.0), q.0.like(0.0));
+    let one = Z(q.0.like(1.0), q.0.like(0.0));
+    let (mut even, mut odd) = (one, s);
+    let (mut f, mut rate, mut weighted) = (one, zero, zero);
+    let mut size = 1.0;
+    for m in 1..=terms {
+        size *= kappa * (2 * m - 1) as f64;
+        // even = h_{2m−2}, odd = h_{2m−1}
+        rate = rate.plus(odd.by_power(size, m));
+        let lr = Z(omega.fma(odd.1, even.0), (-omega).fma(odd.0, even.1));
+        weighted = weighted.plus(lr.by_power(size, m));
+        even = s.times(odd).plus(minus_q.times(even));
+        f = f.plus(even.by_power(size, m));
+        odd = s.times(even).plus(minus_q.times(odd));
+    }
+    motion(omega, [q.times(f), q.times(rate), q.times(weighted)])
+}
+
+/// The same where the roots are far apart beside their distance from ω.
+#[inline(always)]
+pub(super) fn motion_apart<R: Real>(
+    p: [Z<R>; 2],
+    roots: &Roots,
+    kappa: f64,
+    omega: R,
+    terms: usize,
+) -> [Z<R>; 3] {
+    let apart = Apart::new(p, roots, kappa, terms);
+    let Apart { both, by, q } = apart;
+    let k = omega.like(kappa);
+    let turned = |z: Z<R>| Z(-(k * z.1), k * z.0);
+    let first = turned(q.times(both[0].a.plus(both[1].a)));
+    let rest = two(
         #[inline(always)]
-        |i| of_one(p[i], kappa, terms).0,
+        |i| {
+            let lambda = roots.lambda[i];
+            Z(k.like(lambda.re), k.like(lambda.im)).times(both[i].rest)
+        },
     );
-    let by = gap.inv();
-    let like = |x: f64| f.0.like(x);
-    f.minus(g).times(Z(like(by.re), like(by.im)))
+    let r = first.plus(both[0].rest.minus(both[1].rest).times(by));
+    // iκq − iω (iκ q (a₊ + a₋)) and the rest.
+    let lr = turned(q).plus(Z(omega * first.1, -(omega * first.0)));
+    let lr = lr.plus(rest[0].minus(rest[1]).times(by));
+    motion(omega, [apart.displacement(), r.negative(), lr.negative()])
+}
+
+/// `F[·]` where the roots are far apart beside their distance from ω.
+#[inline(always)]
+pub(super) fn of_both_apart<R: Real>(
+    p: [Z<R>; 2],
+    roots: &Roots,
+    kappa: f64,
+    terms: usize,
+) -> Z<R> {
+    Apart::new(p, roots, kappa, terms).displacement()
 }

@@ -154,7 +154,7 @@ impl Sweep {
         let nearer = p[0].norm_sqr().min(p[1].norm_sqr());
         let (p, kappa, terms) = (p.map(Z::from), self.kappa.hi, terms(distance));
         match self.apart_far(roots, nearer) {
-            true => series::difference(p, roots.gap, kappa, terms).into(),
+            true => series::of_both_apart(p, roots, kappa, terms).into(),
             false => series::of_both(p, kappa, terms).into(),
         }
     }
@@ -240,13 +240,20 @@ impl Sweep {
         );
         let value = omega.value();
         let near = distance[0].min(distance[1]);
-        let far = near >= FAR;
-        if far && !self.apart_far(roots, p[0].norm_sqr().min(p[1].norm_sqr())) {
-            let terms = terms(near);
-            let [f, r, lr] = series::motion_of_both(p, self.kappa.hi, value, terms);
-            return Amplitudes::new(value, f, r, lr);
+        if near >= FAR {
+            let nearer = p[0].norm_sqr().min(p[1].norm_sqr());
+            let (p, kappa, terms) = (p.map(Z::from), self.kappa.hi, terms(near));
+            let [y, v, a] = match self.apart_far(roots, nearer) {
+                true => series::motion_apart(p, roots, kappa, value, terms),
+                false => series::motion_of_both(p, kappa, value, terms),
+            };
+            return Amplitudes {
+                y: y.into(),
+                v: v.into(),
+                a: a.into(),
+            };
         }
-        if !far && !self.apart(roots, p) {
+        if !self.apart(roots, p) {
             let [f, r, lr] = super::extended::differences(self, roots, omega);
             return Amplitudes::new(value, f, r, lr);
         }
