@@ -6,6 +6,7 @@ use num_complex::Complex;
 use proptest::prelude::*;
 
 type C = Complex<f64>;
+type Function = fn(C) -> C;
 
 fn same(a: C, b: C) -> bool {
     let part = |a: f64, b: f64| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
@@ -20,7 +21,7 @@ fn is_nan(z: C) -> bool {
     z.re.is_nan() || z.im.is_nan()
 }
 
-const FUNCTIONS: [(&str, fn(C) -> C); 7] = [
+const FUNCTIONS: [(&str, Function); 7] = [
     ("w", faddeeva),
     ("w'", w_derivative),
     ("erf", erf),
@@ -57,7 +58,7 @@ proptest! {
         // odd functions.
         let mirrored = faddeeva(Complex::new(-x, y));
         prop_assert!(same(mirrored, w.conj()), "w({}) = {} beside {}", z, mirrored, w);
-        for (name, f) in [("erf", erf as fn(C) -> C), ("erfi", erfi), ("dawson", dawson)] {
+        for (name, f) in [("erf", erf as Function), ("erfi", erfi), ("dawson", dawson)] {
             let (a, b) = (f(z), f(-z));
             prop_assert!(same(a, -b), "{}({}) = {}, {}({}) = {}", name, z, a, name, -z, b);
             let c = f(z.conj());
@@ -100,7 +101,7 @@ proptest! {
     fn batches(z in prop::collection::vec((any_f64(), any_f64()), 0..150)) {
         let z: Vec<C> = z.into_iter().map(|(x, y)| Complex::new(x, y)).collect();
         type Batch = fn(&[C], &mut [C]) -> Result<(), LengthMismatch>;
-        let all: [(Batch, fn(C) -> C); 3] =
+        let all: [(Batch, Function); 3] =
             [(faddeeva_batch, faddeeva), (erfcx_batch, erfcx), (dawson_batch, dawson)];
         let mut out = vec![C::default(); z.len()];
         for (batch, one) in all {
