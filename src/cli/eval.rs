@@ -70,7 +70,7 @@ fn list() -> Result<Outcome, Failure> {
 }
 
 /// Reads some lines, computes them side by side, writes them in order, and so on.
-fn stream(
+pub(super) fn stream(
     function: &Function,
     digits: Option<u32>,
     pool: &rayon::ThreadPool,

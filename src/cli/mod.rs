@@ -26,6 +26,8 @@ mod eval_number;
 mod exec;
 mod failure;
 mod fields;
+#[cfg(test)]
+mod fuzz;
 mod html;
 mod html_style;
 mod hunt;

@@ -113,6 +113,9 @@ fn base(name: &str) -> Option<Unit> {
     }
 }
 
+/// Units in a product at most: no quantity has more, and every one makes the scale longer.
+const MOST_UNITS: usize = 16;
+
 /// Reads a product of units such as `kg m^2`, `kg·m²` or `m/s^2`.
 fn unit(text: &str) -> Result<Unit, String> {
     let mut all = Unit {
@@ -125,7 +128,10 @@ fn unit(text: &str) -> Result<Unit, String> {
         .replace('/', " / ")
         .replace('²', "^2");
     let mut sign = 1;
-    for token in spaced.split_whitespace() {
+    for (k, token) in spaced.split_whitespace().enumerate() {
+        if k == MOST_UNITS {
+            return Err(format!("a product of more than {MOST_UNITS} units"));
+        }
         if token == "/" {
             sign = -1;
             continue;
@@ -266,6 +272,9 @@ mod tests {
 
     #[test]
     fn refusals_say_what_to_write() {
+        let long = format!("1 {}", "in^4 ".repeat(200_000));
+        let e = Quantity::parse(Kind::Length, &long).unwrap_err();
+        assert!(e.contains("more than 16 units"));
         for (kind, text, part) in [
             (Kind::Length, "10", "write for instance \"10 cm\""),
             (Kind::Length, "10 kg", "is not a length"),

@@ -21,7 +21,7 @@ enum Column {
 }
 
 /// A line of the table as printed.
-struct Row {
+pub(super) struct Row {
     line: u64,
     input: Vec<Rational>,
     /// Index of the value, column, text and number.
@@ -40,7 +40,8 @@ struct Judged {
 /// inputs in their order, exactly as printed.
 pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Outcome, Failure> {
     let named = |e: String| Failure::new(format!("{}: {e}", path.display()));
-    let (header, rows) = read(method, path).map_err(named)?;
+    let file = std::fs::File::open(path).map_err(|e| named(e.to_string()))?;
+    let (header, rows) = read(method, file).map_err(named)?;
     let settings = Settings::default();
     let judged: Vec<Judged> = rows
         .into_par_iter()
@@ -132,12 +133,15 @@ fn table(header: &[String], judged: &[Judged]) -> String {
     table.render(2)
 }
 
-fn read(method: &dyn Method, path: &Path) -> Result<(Vec<String>, Vec<Row>), String> {
+/// The header and the lines of a table.
+pub(super) fn read(
+    method: &dyn Method,
+    input: impl std::io::Read,
+) -> Result<(Vec<String>, Vec<Row>), String> {
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
-        .from_path(path)
-        .map_err(|e| e.to_string())?;
+        .from_reader(input);
     let header: Vec<String> = reader
         .headers()
         .map_err(|e| e.to_string())?

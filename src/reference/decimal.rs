@@ -41,7 +41,7 @@ impl Decimal {
             Some(k) => (&t[..k], t[k + 1..].parse::<i32>().map_err(|_| bad())?),
             None => (t, 0),
         };
-        if exponent.abs() > 100_000 {
+        if exponent.unsigned_abs() > 100_000 {
             return Err(bad());
         }
         let (negative, digits) = match mantissa.as_bytes().first() {
@@ -200,6 +200,7 @@ mod tests {
             "inf",
             "1e",
             "1e999999999",
+            "1e-2147483648",
             "0x10",
             "1.2.3",
             "--1",

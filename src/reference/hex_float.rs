@@ -20,7 +20,7 @@ pub struct HexFloatError {
 }
 
 /// Exponents of two beyond this are refused, like those of decimals beyond 100 000.
-const LARGEST_EXPONENT: i64 = 350_000;
+const LARGEST_EXPONENT: u64 = 350_000;
 
 impl HexFloat {
     /// Reads an optional sign, `0x`, hexadecimal digits with at most one point, and an optional
@@ -58,7 +58,7 @@ impl HexFloat {
         if all.is_empty() || !all.bytes().all(|b| b.is_ascii_hexdigit()) {
             return None;
         }
-        if exponent.abs() > LARGEST_EXPONENT {
+        if exponent.unsigned_abs() > LARGEST_EXPONENT {
             return None;
         }
         Some(HexFloat {
@@ -167,6 +167,7 @@ mod tests {
             "--0x1",
             "0xg",
             "0x1p400000",
+            "0x1p-9223372036854775808",
             "x1",
             "0x-1",
             "0x1 p1",

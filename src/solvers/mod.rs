@@ -13,3 +13,6 @@ pub mod reduction;
 pub mod run_up;
 pub mod tridiagonal;
 pub mod units;
+
+#[cfg(test)]
+mod tests;

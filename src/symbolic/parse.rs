@@ -36,7 +36,7 @@ struct Parser {
     depth: usize,
 }
 
-/// Brackets within brackets; keeps the recursion short.
+/// Brackets within brackets and quotients of quotients; keeps every recursion over the tree short.
 const DEEPEST: usize = 100;
 
 impl Parser {
@@ -82,11 +82,16 @@ impl Parser {
         }
     }
 
-    fn sum(&mut self) -> Result<Expr, SymbolicError> {
+    fn deeper(&mut self, reason: &str) -> Result<(), SymbolicError> {
         self.depth += 1;
-        if self.depth > DEEPEST {
-            return self.failed("too many brackets");
+        match self.depth > DEEPEST {
+            true => self.failed(reason),
+            false => Ok(()),
         }
+    }
+
+    fn sum(&mut self) -> Result<Expr, SymbolicError> {
+        self.deeper("too many brackets")?;
         let mut terms = vec![self.signed()?];
         loop {
             if self.taken('+') {
@@ -112,6 +117,7 @@ impl Parser {
     }
 
     fn product(&mut self) -> Result<Expr, SymbolicError> {
+        let depth = self.depth;
         let mut factors = vec![self.power()?];
         let joined = |mut f: Vec<Expr>| match f.len() {
             1 => f.remove(0),
@@ -121,9 +127,11 @@ impl Parser {
             if self.taken('*') {
                 factors.push(self.power()?);
             } else if self.taken('/') {
+                self.deeper("too many quotients")?;
                 let below = self.power()?;
                 factors = vec![Expr::Div(Box::new(joined(factors)), Box::new(below))];
             } else {
+                self.depth = depth;
                 return Ok(joined(factors));
             }
         }
@@ -318,6 +326,9 @@ mod tests {
             }
         }
         assert!(parse(&"(".repeat(5000)).is_err());
+        // A quotient of quotients is as deep as it is long; dropping it must not need a deep stack.
+        assert!(parse(&format!("a{}", "/a".repeat(90))).is_ok());
+        assert!(parse(&format!("a{}", "/a".repeat(300_000))).is_err());
         assert!(matches!(
             parse("a_name_that_is_too_long"),
             Err(SymbolicError::Name(_))

@@ -16,6 +16,8 @@ const SAMPLES: f64 = 8.0;
 const REACH: f64 = 1.5;
 /// Least number of samples in a turn.
 const LEAST_SAMPLES: f64 = 200.0;
+/// Most of them: an oscillator a million times as fast as the shaft would fill the memory.
+const MOST_SAMPLES: f64 = 1e6;
 
 /// What the period of the forcing is, of which the frequency criterion is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -273,13 +275,15 @@ impl CamResponse {
     }
 
     /// The largest values in the turn about a time. Samples lie an eighth of the shortest period
-    /// apart, of the highest harmonic and of the oscillator; peaks among them are refined.
+    /// apart, of the highest harmonic and of the oscillator, but there are a million at most; peaks
+    /// among them are refined.
     pub fn peaks(&self, t: f64) -> TurnPeaks {
         let times = self.drive.turn_about(t);
         let speed = times.map(|t| self.drive.speed(t).abs());
         let fastest = self.amplitudes.len() as f64 * speed[0].max(speed[1]);
         let periods = (times[1] - times[0]) * fastest.max(self.drive.oscillator.w()) / TAU;
-        let count = (SAMPLES * periods).max(LEAST_SAMPLES).ceil() as usize;
+        let wanted = (SAMPLES * periods).max(LEAST_SAMPLES);
+        let count = wanted.min(MOST_SAMPLES).ceil() as usize;
         let step = (times[1] - times[0]) / count as f64;
         let places: Vec<f64> = (0..=count).map(|i| times[0] + step * i as f64).collect();
         let at = |t: f64| self.state(t).unwrap_or_default();
