@@ -18,6 +18,8 @@ fn help_and_version() {
         vec!["judge", "--help"],
         vec!["hunt", "--help"],
         vec!["converge", "--help"],
+        vec!["regenerate", "--help"],
+        vec!["chirp", "--help"],
         vec!["completions", "--help"],
         vec!["man", "--help"],
     ] {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 pub const AFTER_HELP: &str = "\
 Examples:
-  mechaudit regenerate --check                 compare everything generated, write nothing
+  mechaudit regenerate --check                 compare all of it, write nothing
   mechaudit regenerate faddeeva four-bar       write two files anew
   mechaudit regenerate --check --root ../other faddeeva-tables
 
