@@ -132,7 +132,7 @@ mod tests {
             let q = Rational::from_f64(x).unwrap();
             assert!(matches!(Real::of(&q), Real::Double(y) if y == x), "{x:e}");
         }
-        for q in [(1, 3), (i64::MAX, 1), (i64::MAX, 1 << 62)] {
+        for q in [(1, 3), (i64::MAX, 1), (i64::MAX, 1_i64 << 62)] {
             assert!(
                 matches!(Real::of(&Rational::from(q)), Real::Rational(_)),
                 "{q:?}"
