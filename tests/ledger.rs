@@ -92,7 +92,13 @@ fn errata_files_are_up_to_date() {
             ledger.paper.key
         );
         let held = std::fs::read_to_string(&file).unwrap();
-        let now = serde_json::to_string_pretty(&ledger.errata()).unwrap() + "\n";
+        let mut held: serde_json::Value = serde_json::from_str(&held).unwrap();
+        // How it was made; `mechaudit regenerate --check` compares the whole file.
+        held.as_object_mut()
+            .unwrap()
+            .shift_remove("generated")
+            .unwrap();
+        let now = serde_json::to_value(ledger.errata()).unwrap();
         assert!(held == now, "{file} is not up to date");
     }
 }

@@ -107,44 +107,6 @@ fn json_is_as_its_schema_says() {
     assert_eq!(check(&v).len(), 3, "{:?}", check(&v));
 }
 
-/// The first Ctrl-C leaves a whole report of what was judged until then.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_audit_reports_what_it_has() {
-    let mut child = Command::new(PROGRAM)
-        .args([
-            "audit",
-            "faddeeva",
-            "--cases",
-            "100000000",
-            "--format",
-            "json",
-        ])
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(800));
-    let pid = child.id().to_string();
-    assert!(
-        Command::new("kill")
-            .args(["-INT", &pid])
-            .status()
-            .unwrap()
-            .success()
-    );
-    let mut text = String::new();
-    std::io::Read::read_to_string(&mut child.stdout.take().unwrap(), &mut text).unwrap();
-    assert_eq!(child.wait().unwrap().code(), Some(1));
-    let v: Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(
-        (&v["interrupted"], &v["passed"]),
-        (&true.into(), &false.into())
-    );
-    let m = &v["methods"][0];
-    assert!(m["cases"].as_u64().unwrap() > 0 && m["interrupted"] == true);
-    assert_eq!(m["failures"].as_array().unwrap().len(), 0);
-}
-
 #[test]
 fn junit_has_a_suite_for_each_method() {
     let (code, text) = run(&["audit", "slider-crank", "--cases", "2", "--format", "junit"]);

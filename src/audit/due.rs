@@ -28,6 +28,14 @@ impl Due {
         }
     }
 
+    /// The number itself, if one is due.
+    pub(super) fn into_number(self) -> Option<Ball> {
+        match self {
+            Due::Number(ball) => Some(ball),
+            _ => None,
+        }
+    }
+
     /// For people: certified decimals, `inf`, `-inf` or `nan`.
     pub fn to_decimal(&self, digits: usize) -> Option<String> {
         match self {

@@ -7,6 +7,7 @@ use super::method::Method;
 use super::run::{Settings, answer_of, judge_case_briefly};
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What a hunt may use.
 #[derive(Clone, Copy, Debug)]
@@ -40,8 +41,12 @@ pub struct Hunt {
     pub failures: Vec<Case>,
     /// Evaluations made.
     pub evaluations: u64,
+    /// Whether the hunt was ended before all its evaluations.
+    pub interrupted: bool,
 }
 
+/// Inputs judged between two looks at the progress.
+const TOGETHER: usize = 256;
 /// Moves tried at once from one place.
 const MOVES: usize = 16;
 /// Climbs that the evaluations are divided among, or one for each output if there are more.
@@ -85,6 +90,7 @@ struct Hunter<'a> {
     made: u64,
     worst: Vec<Option<Worst>>,
     progress: &'a (dyn Fn(u64) + Sync),
+    stop: &'a AtomicBool,
 }
 
 /// Hunts for the inputs where the method's solver takes up most of its budget. Deterministic for a
@@ -100,6 +106,16 @@ struct Hunter<'a> {
 /// assert!(found.worst[0].share > 0.02 && found.failures.is_empty());
 /// ```
 pub fn hunt(method: &dyn Method, settings: &HuntSettings, progress: &(dyn Fn(u64) + Sync)) -> Hunt {
+    hunt_until(method, settings, progress, &AtomicBool::new(false))
+}
+
+/// [`hunt`], ended early once `stop` is set: what was found until then.
+pub fn hunt_until(
+    method: &dyn Method,
+    settings: &HuntSettings,
+    progress: &(dyn Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Hunt {
     let outputs: Vec<&'static str> = method.outputs().iter().map(|o| o.name).collect();
     let mut hunter = Hunter {
         method,
@@ -112,6 +128,7 @@ pub fn hunt(method: &dyn Method, settings: &HuntSettings, progress: &(dyn Fn(u64
         left: settings.evaluations,
         made: 0,
         progress,
+        stop,
     };
     let (seeds, failures) = hunter.seeds(settings.evaluations / 3);
     let starts = choose(&seeds, hunter.outputs.len());
@@ -126,6 +143,7 @@ pub fn hunt(method: &dyn Method, settings: &HuntSettings, progress: &(dyn Fn(u64
         worst,
         failures,
         evaluations: hunter.made,
+        interrupted: stop.load(Ordering::Relaxed),
     }
 }
 
@@ -154,18 +172,25 @@ fn choose(seeds: &[Seed], outputs: usize) -> Vec<(Seed, usize)> {
 }
 
 impl Hunter<'_> {
-    /// Judges inputs on all cores, as many as may still be judged.
+    /// Judges inputs on all cores, as many as may still be judged: the first ones.
     fn judge(&mut self, mut inputs: Vec<Vec<f64>>) -> Vec<Found> {
         inputs.truncate(self.left.min(usize::MAX as u64) as usize);
-        self.left -= inputs.len() as u64;
-        self.made += inputs.len() as u64;
         let (method, settings, outputs) = (self.method, &self.settings, self.outputs.len());
-        let judged = inputs
-            .into_par_iter()
-            .map(|input| judged(method, settings, outputs, input))
-            .collect();
-        (self.progress)(self.made);
-        judged
+        let mut all = Vec::with_capacity(inputs.len());
+        for part in inputs.chunks(TOGETHER) {
+            if self.stop.load(Ordering::Relaxed) {
+                self.left = 0;
+                break;
+            }
+            let judged = part
+                .par_iter()
+                .map(|input| judged(method, settings, outputs, input.clone()));
+            all.par_extend(judged);
+            self.left -= part.len() as u64;
+            self.made += part.len() as u64;
+            (self.progress)(self.made);
+        }
+        all
     }
 
     /// Remembers what is worse than anything before.
@@ -187,7 +212,9 @@ impl Hunter<'_> {
         let regions = self.method.domain().regions.len().max(1) as u64;
         self.settings.cases_per_region = (budget / (3 * regions)).max(2);
         let cases = Cases::new(self.method, &self.settings);
-        let drawn: Vec<Case> = (0..cases.len()).map(|i| cases.get(i)).collect();
+        let going_on = |_: &usize| !self.stop.load(Ordering::Relaxed);
+        let numbers = (0..cases.len()).take_while(going_on);
+        let drawn: Vec<Case> = numbers.map(|i| cases.get(i)).collect();
         let mut all: Vec<(Case, &'static str)> = Vec::new();
         for (k, case) in drawn.iter().enumerate() {
             let kind = match case.origin {

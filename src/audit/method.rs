@@ -43,6 +43,17 @@ pub enum ReferenceAnswer {
     Failed(String),
 }
 
+impl ReferenceAnswer {
+    /// The values, if every one of them is due as a number.
+    pub fn numbers(self) -> Option<Vec<Ball>> {
+        match self {
+            ReferenceAnswer::Values(r) => Some(r.values),
+            ReferenceAnswer::Dues(dues, _) => dues.into_iter().map(Due::into_number).collect(),
+            _ => None,
+        }
+    }
+}
+
 /// What the code under test answers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolverAnswer {
@@ -172,10 +183,8 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
     const BITS: u32 = 256;
     let exact: Option<Vec<Rational>> = input.iter().map(|&x| Rational::from_f64(x)).collect();
     let mut x = exact?;
-    let ReferenceAnswer::Values(base) = method.reference(&x, BITS) else {
-        return None;
-    };
-    let mut sum = vec![Mag::ZERO; base.values.len()];
+    let base = method.reference(&x, BITS).numbers()?;
+    let mut sum = vec![Mag::ZERO; base.len()];
     let scale = Rational::from(1) + (Rational::from(1) >> 40u32);
     for j in 0..x.len() {
         if x[j] == 0 || !is_data(j) {
@@ -185,13 +194,8 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
         let old = std::mem::replace(&mut x[j], moved);
         let answer = method.reference(&x, BITS);
         x[j] = old;
-        let ReferenceAnswer::Values(shifted) = answer else {
-            return None;
-        };
-        if shifted.values.len() != sum.len() {
-            return None;
-        }
-        for ((s, a), b) in sum.iter_mut().zip(&shifted.values).zip(&base.values) {
+        let shifted = answer.numbers().filter(|s| s.len() == sum.len())?;
+        for ((s, a), b) in sum.iter_mut().zip(&shifted).zip(&base) {
             let d = Float::with_val(64, a.mid() - b.mid());
             *s = s.add(Mag::above(&d).shift(40));
         }

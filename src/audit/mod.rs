@@ -26,7 +26,7 @@ pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport,
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
-pub use hunt::{Hunt, HuntSettings, Worst, hunt};
+pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
 pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,

@@ -295,6 +295,11 @@ impl Tally {
         self.interrupted = true;
     }
 
+    /// Whether [`Tally::interrupt`] has been called.
+    pub fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
     /// Cases that got no answer: they count, and do not pass.
     pub fn unanswered(&mut self, cases: usize) {
         self.cases += cases;

@@ -18,7 +18,8 @@ use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
 use std::path::Path;
-use std::sync::atomic::Ordering;
+use std::sync::Arc;
+use std::time::Instant;
 
 /// The settings that arguments and environment ask for.
 pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
@@ -61,13 +62,21 @@ fn settings_line(s: &Settings) -> String {
 pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
     let settings = settings(args)?;
     let width = width();
-    let progress = Progress::new();
+    let progress = Arc::new(Progress::new());
+    let started = Instant::now();
     let mut good = true;
     let mut found = 0;
-    let keys = papers::keys();
-    for key in &keys {
-        let report = paper(key, &progress);
+    let mut stopped = false;
+    let mut read = 0;
+    for key in papers::keys() {
+        let shown = Arc::clone(&progress);
+        let report = interrupt::unless_asked(move || paper(key, &shown));
         progress.clear();
+        let Some(report) = report else {
+            stopped = true;
+            break;
+        };
+        read += 1;
         match report {
             Some(Ok(report)) => {
                 good &= report.as_recorded();
@@ -84,36 +93,56 @@ pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
     }
     let mut totals = Totals::default();
     for method in methods::registry() {
-        let report = run(method.as_ref(), &settings, &progress);
-        totals.add(&report);
-        let stopped = report.interrupted;
-        progress.clear();
-        let text = text_method::method(&report, &Case::reproduce, width);
-        write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         if stopped {
             break;
         }
+        let (report, seconds) = run(method.as_ref(), &settings, &progress);
+        totals.add((&report, seconds));
+        stopped = report.interrupted;
+        progress.clear();
+        let text = text_method::method(&report, &Case::reproduce, width);
+        write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
     }
     good &= totals.good();
     let summary = format!(
         "{} with {}; {}",
-        number(keys.len(), "paper"),
+        number(read, "paper"),
         number(found, "finding"),
         totals.words()
     );
-    close(&summary, good, &settings)?;
-    Ok(Outcome::of(good))
+    let outcome = Outcome::unless_interrupted(stopped, good);
+    let rate = rate(totals.cases, totals.seconds);
+    let seconds = started.elapsed().as_secs_f64();
+    let end = format!("{}\n{seconds:.1} s, {rate}", settings_line(&settings));
+    close(&summary, outcome, &end)?;
+    Ok(outcome)
 }
 
-fn close(summary: &str, good: bool, settings: &Settings) -> Result<(), Failure> {
-    let (word, style) = match good {
-        true => ("All as expected", GOOD),
-        false => ("NOT as expected", BAD),
+/// The last lines: what came of it, and how it was done.
+fn close(summary: &str, outcome: Outcome, how: &str) -> Result<(), Failure> {
+    let (word, style) = match outcome {
+        Outcome::AsExpected => ("All as expected", GOOD),
+        Outcome::Finding => ("NOT as expected", BAD),
+        Outcome::Interrupted => ("Interrupted", BAD),
     };
     write_to(None, |out| {
         writeln!(out, "{}: {summary}.", paint(style, word))?;
-        Ok(writeln!(out, "{}", paint(DIM, &settings_line(settings)))?)
+        for line in how.lines() {
+            writeln!(out, "{}", paint(DIM, line))?;
+        }
+        Ok(())
     })
+}
+
+/// Cases drawn, solved, judged and counted in a second.
+fn rate(cases: usize, seconds: f64) -> String {
+    let cores = rayon::current_num_threads();
+    let each = cases as f64 / seconds.max(1e-9) / cores as f64;
+    let each = match each {
+        x if x >= 1e4 => format!("{:.0}e3", x / 1e3),
+        x => format!("{x:.0}"),
+    };
+    format!("{each} cases a second on each of {}", number(cores, "core"))
 }
 
 /// Audits a paper; `None` if there is none of that key.
@@ -131,10 +160,12 @@ struct Totals {
     cases: usize,
     passed_cases: usize,
     recorded: usize,
+    seconds: f64,
 }
 
 impl Totals {
-    fn add(&mut self, report: &MethodReport) {
+    fn add(&mut self, (report, seconds): (&MethodReport, f64)) {
+        self.seconds += seconds;
         self.methods += 1;
         self.passed_methods += usize::from(report.passed());
         self.cases += report.cases;
@@ -159,13 +190,15 @@ impl Totals {
     }
 }
 
-fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> MethodReport {
+/// The report, and the seconds that it took.
+fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (MethodReport, f64) {
+    let started = Instant::now();
     let total = Cases::new(method, settings).len() as u64;
     progress.restart();
     let tick = || progress.tick(method.name(), total);
     let report = audit_method_until(method, settings, &tick, interrupt::flag());
     progress.clear();
-    report
+    (report, started.elapsed().as_secs_f64())
 }
 
 /// Audits methods as the arguments ask for.
@@ -187,32 +220,39 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let progress = Progress::new();
     let mut totals = Totals::default();
     let mut reports = Vec::new();
+    let mut stopped = false;
     for method in &chosen {
         let mut chosen = candidate::scoped(method.as_ref(), &args.scope)?;
         if let Some(region) = &args.region {
             chosen = chosen.region(region)?;
         }
-        let report = run(&chosen, &settings, &progress);
-        totals.add(&report);
+        let (report, seconds) = run(&chosen, &settings, &progress);
+        totals.add((&report, seconds));
         if args.format == AuditFormat::Text && args.output.is_none() {
             let text = text_method::method(&report, &Case::reproduce, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
-        let stopped = report.interrupted;
+        stopped = report.interrupted;
         reports.push(report);
         if stopped {
             break;
         }
     }
+    let outcome = Outcome::unless_interrupted(stopped, totals.good());
     let output = args.output.as_deref();
     match args.format {
-        AuditFormat::Text if output.is_none() => close(&totals.words(), totals.good(), &settings)?,
+        AuditFormat::Text if output.is_none() => {
+            let rate = rate(totals.cases, totals.seconds);
+            let how = format!("{}\n{rate}", settings_line(&settings));
+            close(&totals.words(), outcome, &how)?;
+        }
         AuditFormat::Text => write_to(output, |out| {
             for report in &reports {
                 let text = text_method::method(report, &Case::reproduce, width());
                 writeln!(out, "{text}")?;
             }
-            Ok(writeln!(out, "{}.", totals.words())?)
+            let mark = if stopped { "Interrupted: " } else { "" };
+            Ok(writeln!(out, "{mark}{}.", totals.words())?)
         })?,
         AuditFormat::Json => {
             let reports: Vec<Value> = reports
@@ -223,7 +263,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
                 "schema_version": 1,
                 "mechaudit_version": env!("CARGO_PKG_VERSION"),
                 "passed": totals.good(),
-                "interrupted": interrupt::flag().load(Ordering::Relaxed),
+                "interrupted": stopped,
                 "methods": reports,
             });
             write_json(output, &value)?;
@@ -237,7 +277,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
             write_to(output, |out| Ok(write!(out, "{page}")?))?;
         }
     }
-    Ok(Outcome::of(totals.good()))
+    Ok(outcome)
 }
 
 /// JSON to standard output or a file.

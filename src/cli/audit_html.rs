@@ -36,10 +36,11 @@ code.copy { user-select: all; cursor: copy; }
 /// The page.
 pub fn page(reports: &[MethodReport], settings: &Settings, approximations: bool) -> String {
     let good = !reports.is_empty() && reports.iter().all(MethodReport::passed);
-    let (word, tone) = if good {
-        ("as expected", "good")
-    } else {
-        ("not as expected", "bad")
+    let interrupted = reports.iter().any(|r| r.interrupted);
+    let (word, tone) = match good {
+        true => ("as expected", "good"),
+        false if interrupted => ("interrupted", "bad"),
+        false => ("not as expected", "bad"),
     };
     let mut out = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -57,7 +58,7 @@ pub fn page(reports: &[MethodReport], settings: &Settings, approximations: bool)
     for report in reports {
         out.push_str(&method(report, settings));
     }
-    if approximations {
+    if approximations && !interrupted {
         out.push_str(&convergences());
     }
     let version = env!("CARGO_PKG_VERSION");
@@ -81,7 +82,11 @@ fn overview(reports: &[MethodReport]) -> String {
             .iter()
             .map(|o| o.max_of_budget)
             .fold(0.0, f64::max);
-        let word = if r.passed() { "pass" } else { "FAIL" };
+        let word = match r.passed() {
+            true => "pass",
+            false if r.interrupted => "interrupted",
+            false => "FAIL",
+        };
         let class = if r.passed() { "agrees" } else { "unexplained" };
         out.push_str(&format!(
             "<tr><td class=\"left\"><a href=\"#{0}\">{0}</a></td><td>{1}</td><td>{2}</td><td>{3}</td>\

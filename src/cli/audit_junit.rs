@@ -47,7 +47,7 @@ fn suite(report: &MethodReport) -> TestSuite {
         };
         suite.add_test_case(TestCase::new(format!("law {}", law.name), status));
     }
-    if report.cases == 0 || report.failures_left_out > 0 {
+    if (report.cases == 0 && !report.interrupted) || report.failures_left_out > 0 {
         let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
         let left = report.failures_left_out;
         status.set_message(format!(
@@ -55,6 +55,11 @@ fn suite(report: &MethodReport) -> TestSuite {
             report.cases
         ));
         suite.add_test_case(TestCase::new("all cases listed", status));
+    }
+    if report.interrupted {
+        let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+        status.set_message(format!("interrupted after {} cases", report.cases));
+        suite.add_test_case(TestCase::new("not interrupted", status));
     }
     suite
 }

@@ -5,13 +5,14 @@ use super::audit::{json_report, print_json};
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::text::{BAD, paint, paragraph, width};
-use super::{case, text_method};
+use super::{case, interrupt, text_method};
 use mechaudit::audit::{
     Case, CaseReport, Limit, Method, MethodReport, Settings, SolverAnswer, Tally, Variant,
     judge_case_briefly,
 };
 use rayon::prelude::*;
 use serde_json::json;
+use std::time::{Duration, Instant};
 
 /// Failing cases kept of a run; the rest are counted.
 pub const FAILURES_KEPT: usize = 1000;
@@ -30,17 +31,27 @@ pub fn scoped<'a>(method: &'a dyn Method, scope: &ScopeArgs) -> Result<Variant<'
     Ok(variant)
 }
 
-/// Judges a batch on all cores and counts it in its order.
+/// How long a batch is still judged after the user has asked to stop.
+const GRACE: Duration = Duration::from_secs(1);
+
+/// Judges a batch on all cores and counts it in its order. The tally is interrupted if the user asked
+/// to stop before its end.
 pub fn judge_batch(
     method: &dyn Method,
     settings: &Settings,
     batch: Vec<(Case, SolverAnswer)>,
     tally: &mut Tally,
 ) {
+    let due = batch.len();
+    let start = Instant::now();
     let judged: Vec<CaseReport> = batch
         .into_par_iter()
+        .filter(|_| !interrupt::asked() || start.elapsed() < GRACE)
         .map(|(case, answer)| judge_case_briefly(method, case, answer, settings))
         .collect();
+    if judged.len() < due {
+        tally.interrupt();
+    }
     judged.into_iter().for_each(|report| tally.add(report));
 }
 
@@ -79,11 +90,12 @@ impl Judged {
             TextOrJson::Json => print_json(&json!({
                 "mechaudit_version": env!("CARGO_PKG_VERSION"),
                 "passed": good,
+                "interrupted": self.report.interrupted,
                 "answered": self.answered,
                 "trouble": self.trouble,
                 "methods": [json_report(&self.report, again)],
             }))?,
         }
-        Ok(Outcome::of(good))
+        Ok(Outcome::unless_interrupted(self.report.interrupted, good))
     }
 }

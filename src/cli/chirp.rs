@@ -7,7 +7,7 @@ use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::svg_chirp;
-use super::svg_runup::save;
+use super::svg_panel::save;
 use mechaudit::solvers::chirp_chart::{CamResponse, Chart};
 
 /// Prints and draws what the arguments ask for.

@@ -3,7 +3,9 @@
 use super::args::{ConvergeArgs, TextOrJson};
 use super::audit::print_json;
 use super::failure::{Failure, Outcome};
+use super::interrupt;
 use super::output::write_to;
+use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, PLAIN, Table, paint, paragraph, short, width};
 use mechaudit::audit::{ConvergenceReport, LevelReport, convergence};
 use mechaudit::methods::{approximations, find_approximation};
@@ -21,9 +23,21 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
             ))
         })?],
     };
+    let names: Vec<&'static str> = chosen.iter().map(|a| a.name()).collect();
     let mut reports = Vec::new();
-    for approximation in &chosen {
-        let report = convergence(&**approximation).map_err(Failure::new)?;
+    let progress = Progress::new();
+    let mut done = 0;
+    for name in &names {
+        progress.show(name, done as u64, names.len() as u64);
+        let name = *name;
+        let Some(report) = interrupt::unless_asked(move || {
+            convergence(&*find_approximation(name).ok_or("it is gone")?)
+        }) else {
+            break;
+        };
+        let report = report.map_err(Failure::new)?;
+        done += 1;
+        progress.clear();
         match args.format {
             TextOrJson::Text => write_to(None, |out| Ok(writeln!(out, "{}", text(&report))?))?,
             TextOrJson::Json => reports.push(report),
@@ -33,10 +47,16 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
         print_json(&json!({
             "schema_version": 1,
             "mechaudit_version": env!("CARGO_PKG_VERSION"),
+            "interrupted": done < names.len(),
             "approximations": reports,
         }))?;
     }
-    Ok(Outcome::AsExpected)
+    let interrupted = done < names.len();
+    if interrupted && args.format == TextOrJson::Text {
+        let text = format!("Interrupted: {done} of {} approximations.", names.len());
+        write_to(None, |out| Ok(writeln!(out, "{}", paint(BAD, &text))?))?;
+    }
+    Ok(Outcome::unless_interrupted(interrupted, true))
 }
 
 fn text(report: &ConvergenceReport) -> String {

@@ -1,20 +1,19 @@
 //! A program under audit: it reads inputs and writes answers, one a line.
 //!
-//! One thread writes all inputs, one reads answers into a channel of limited length, and the answers
-//! are judged as they come; inputs are drawn anew where they are needed, so that nothing grows with
+//! One thread writes all inputs, one reads answers ahead ([`Answers`]), and the answers are judged as they come; inputs are drawn anew where they are needed, so that nothing grows with
 //! their number.
 
+use super::answers::{Answers, Next};
 use super::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
 use super::audit::one_case;
 use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
 use super::progress::Progress;
-use super::wire::{self, Line, Lines};
+use super::wire::{self, Line};
 use mechaudit::audit::{Case, Cases, Method, Settings, SolverAnswer, Tally, judge_case};
 use std::io::{BufReader, BufWriter, Write};
 use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -104,11 +103,23 @@ fn run(
         answered += pairs.len();
         judge_batch(method, settings, pairs, &mut tally);
         progress.show(method.name(), answered as u64, total as u64);
-        if let Some(end) = end {
-            break end;
+        match end {
+            Some(end) => break end,
+            None if tally.is_interrupted() => break End::Interrupted,
+            None => {}
         }
     };
     drop(progress);
+    if let End::Interrupted = end {
+        tally.interrupt();
+        return Ok(Judged {
+            report: tally.finish(method, settings),
+            answered,
+            trouble: Some(format!(
+                "Interrupted: the program had answered {answered} of {total} inputs."
+            )),
+        });
+    }
     let trouble = child.end(end, timeout).or_else(|| {
         (answered < total).then(|| "it ended its output, with exit status 0".to_string())
     });
@@ -144,29 +155,27 @@ enum End {
     Silent,
     /// Its output cannot be read.
     Unreadable(String),
+    /// The user has asked to stop.
+    Interrupted,
 }
 
 /// Waits for an answer and takes what else is there. Every input answered, the end is waited for.
-fn collect(
-    answers: &Receiver<std::io::Result<Line>>,
-    timeout: Duration,
-    due: usize,
-    batch: &mut Vec<Line>,
-) -> Option<End> {
-    let mut next = answers.recv_timeout(timeout);
+fn collect(answers: &Answers, timeout: Duration, due: usize, batch: &mut Vec<Line>) -> Option<End> {
+    let mut patience = timeout;
     loop {
-        match next {
-            Ok(Ok(_)) if batch.len() == due => return Some(End::TooMany),
-            Ok(Ok(line)) => batch.push(line),
-            Ok(Err(e)) => return Some(End::Unreadable(e.to_string())),
-            Err(RecvTimeoutError::Timeout) if batch.is_empty() => return Some(End::Silent),
-            Err(RecvTimeoutError::Timeout) => return None,
-            Err(RecvTimeoutError::Disconnected) => return Some(End::Closed),
+        match answers.next(Some(patience)) {
+            Next::Answer(_) if batch.len() == due => return Some(End::TooMany),
+            Next::Answer(line) => batch.push(line),
+            Next::Unreadable(why) => return Some(End::Unreadable(why)),
+            Next::Silent if batch.is_empty() => return Some(End::Silent),
+            Next::Silent => return None,
+            Next::Closed => return Some(End::Closed),
+            Next::Interrupted => return Some(End::Interrupted),
         }
         if batch.len() == BATCH {
             return None;
         }
-        next = answers.recv_timeout(Duration::ZERO);
+        patience = Duration::ZERO;
     }
 }
 
@@ -192,18 +201,12 @@ impl Program {
     }
 
     /// Begins to write inputs to it and to read answers from it.
-    fn connect(
-        &mut self,
-        inputs: Arc<Inputs>,
-        decimal: bool,
-    ) -> Result<Receiver<std::io::Result<Line>>, Failure> {
+    fn connect(&mut self, inputs: Arc<Inputs>, decimal: bool) -> Result<Answers, Failure> {
         let (Some(stdin), Some(stdout)) = (self.0.stdin.take(), self.0.stdout.take()) else {
             return Err(Failure::new("the program has no standard input or output"));
         };
         thread::spawn(move || feed(stdin, &inputs, decimal));
-        let (sender, receiver) = sync_channel(4 * BATCH);
-        thread::spawn(move || listen(Lines::new(BufReader::new(stdout)), &sender));
-        Ok(receiver)
+        Ok(Answers::of(BufReader::new(stdout)))
     }
 
     /// Ends it and says what was wrong with its end, if anything was.
@@ -220,6 +223,7 @@ impl Program {
             End::TooMany => Some("wrote one more line than there are inputs".into()),
             End::Silent => Some(format!("wrote no line for {seconds} s and was ended")),
             End::Unreadable(why) => Some(format!("its output could not be read: {why}")),
+            End::Interrupted => Some("was interrupted".into()),
         }
     }
 
@@ -272,14 +276,4 @@ fn feed(stdin: ChildStdin, inputs: &Inputs, decimal: bool) {
         }
     }
     let _ = out.flush();
-}
-
-/// Hands over line by line until there are no more or nobody wants them.
-fn listen(mut lines: Lines<impl std::io::BufRead>, to: &SyncSender<std::io::Result<Line>>) {
-    while let Some(line) = lines.read().transpose() {
-        let last = line.is_err();
-        if to.send(line).is_err() || last {
-            return;
-        }
-    }
 }

@@ -7,6 +7,8 @@ pub enum Outcome {
     AsExpected,
     /// An accuracy finding that is not a recorded one, or an undecided digit.
     Finding,
+    /// The user ended it; what was done until then is reported.
+    Interrupted,
 }
 
 impl Outcome {
@@ -15,6 +17,13 @@ impl Outcome {
             Outcome::AsExpected
         } else {
             Outcome::Finding
+        }
+    }
+
+    pub fn unless_interrupted(interrupted: bool, good: bool) -> Outcome {
+        match interrupted {
+            true => Outcome::Interrupted,
+            false => Outcome::of(good),
         }
     }
 }

@@ -3,11 +3,12 @@
 use super::args::HuntArgs;
 use super::audit::find;
 use super::failure::{Failure, Outcome};
+use super::interrupt;
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, PLAIN, Table, paint, percent, width, wrap};
 use mechaudit::audit::{
-    HARD_HEADER, HardCase, Hunt, HuntSettings, Method, Worst, hunt as search, rounded_up,
+    HARD_HEADER, HardCase, Hunt, HuntSettings, Method, Worst, hunt_until, rounded_up,
 };
 use std::path::Path;
 
@@ -19,9 +20,8 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
         seed: args.seed,
     };
     let progress = Progress::new();
-    let found = search(&*method, &settings, &|made| {
-        progress.show(method.name(), made, args.evals);
-    });
+    let show = |made| progress.show(method.name(), made, args.evals);
+    let found = hunt_until(&*method, &settings, &show, interrupt::flag());
     drop(progress);
     let path = args.hard.join(format!("{}.csv", method.name()));
     let kept = match args.hard.is_dir() {
@@ -38,7 +38,7 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
         .filter_map(|w| worse(w, &known, args))
         .collect();
     write_to(None, |out| {
-        write!(out, "{}", report(&*method, &found, &new))?;
+        write!(out, "{}", report(&*method, &found, &new, args.evals))?;
         let place = path.display();
         let folder = args.hard.display();
         let closing = match (&kept, new.len()) {
@@ -52,7 +52,8 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     if let Some(file) = kept.filter(|_| !new.is_empty()) {
         file.append(&path, &*method, &new)?;
     }
-    Ok(Outcome::of(!over && found.failures.is_empty()))
+    let good = !over && found.failures.is_empty();
+    Ok(Outcome::unless_interrupted(found.interrupted, good))
 }
 
 /// What is recorded so far.
@@ -113,9 +114,15 @@ fn worse(worst: &Worst, known: &[HardCase], args: &HuntArgs) -> Option<HardCase>
     })
 }
 
-fn report(method: &dyn Method, found: &Hunt, new: &[HardCase]) -> String {
+fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], evaluations: u64) -> String {
     let mut out = format!("{}\n", paint(BOLD, method.name()));
-    out.push_str(&format!("  {} evaluations\n", found.evaluations));
+    out.push_str(&match found.interrupted {
+        true => {
+            let text = format!("interrupted after {} of {evaluations}", found.evaluations);
+            format!("  {} evaluations\n", paint(BAD, &text))
+        }
+        false => format!("  {} evaluations\n", found.evaluations),
+    });
     let mut table = Table::new(&["output", "of budget", "", "found"], &[0, 2, 3]);
     for w in &found.worst {
         let mark = match new.iter().any(|c| c.output == w.output) {

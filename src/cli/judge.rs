@@ -1,5 +1,6 @@
 //! Judging answers in a file against the inputs they belong to.
 
+use super::answers::{Answers, Next};
 use super::args::JudgeArgs;
 use super::audit::find;
 use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
@@ -26,18 +27,27 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let method = scoped(&*method, &args.scope)?.without_laws();
     let settings = Settings::default();
     let mut inputs = Inputs::open(&method, inputs_path)?;
-    let mut values = Lines::new(reader(values_path)?);
+    let total = count(inputs_path);
+    let values = Answers::of(reader(values_path)?);
     let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
     let mut tally = Tally::new(&method, FAILURES_KEPT);
     let progress = Progress::new();
-    let mut answered = 0;
+    let mut answered = 0u64;
     let mut batch = Vec::new();
     // The first input without an answer.
     let mut open = None;
     while let Some(case) = inputs.read()? {
-        let Some(line) = values.read().map_err(unreadable)? else {
-            open = Some(case);
-            break;
+        let line = match values.next(None) {
+            Next::Answer(line) => line,
+            Next::Unreadable(e) => return Err(unreadable(e)),
+            Next::Interrupted => {
+                tally.interrupt();
+                break;
+            }
+            Next::Closed | Next::Silent => {
+                open = Some(case);
+                break;
+            }
         };
         answered += 1;
         let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
@@ -46,12 +56,17 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         }
         if batch.len() == BATCH {
             judge_batch(&method, &settings, std::mem::take(&mut batch), &mut tally);
-            progress.show(method.name(), answered as u64, answered as u64);
+            progress.show(method.name(), answered, total.unwrap_or(answered));
+        }
+        if tally.is_interrupted() {
+            break;
         }
     }
     judge_batch(&method, &settings, batch, &mut tally);
     let mut trouble = None;
-    if let Some(case) = open {
+    if tally.is_interrupted() {
+        trouble = Some(format!("Interrupted after {answered} answers."));
+    } else if let Some(case) = open {
         let why = format!("the values end after {answered} answers");
         let answer = SolverAnswer::Fails(why.clone());
         tally.add(judge_case(&method, case, answer, &settings));
@@ -61,12 +76,19 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             left += 1;
         }
         trouble = Some(format!("{why}; {left} inputs are left"));
-    } else if values.read().map_err(unreadable)?.is_some() {
-        trouble = Some(format!("there are more values than the {answered} inputs"));
+    } else {
+        match values.next(None) {
+            Next::Answer(_) => {
+                trouble = Some(format!("there are more values than the {answered} inputs"));
+            }
+            Next::Unreadable(e) => return Err(unreadable(e)),
+            Next::Interrupted => tally.interrupt(),
+            Next::Closed | Next::Silent => {}
+        }
     }
     drop(progress);
     let report = tally.finish(&method, &settings);
-    if report.cases == 0 {
+    if report.cases == 0 && !report.interrupted {
         let what = args
             .line
             .map_or("no inputs".into(), |n| format!("no input on line {n}"));
@@ -74,7 +96,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     }
     let judged = Judged {
         report,
-        answered,
+        answered: answered as usize,
         trouble,
     };
     judged.write(args.format, &|case| {
@@ -88,9 +110,22 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     })
 }
 
-fn reader(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
+/// Inputs of a file, for the progress; nothing is known of a pipe.
+fn count(path: &Path) -> Option<u64> {
+    if !path.metadata().ok()?.is_file() {
+        return None;
+    }
+    let mut lines = Lines::new(reader(path).ok()?);
+    let mut inputs = 0;
+    while let Some(line) = lines.read().ok()? {
+        inputs += u64::from(!line.is_blank());
+    }
+    Some(inputs)
+}
+
+fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
     if path == Path::new("-") {
-        return Ok(Box::new(std::io::stdin().lock()));
+        return Ok(Box::new(BufReader::new(std::io::stdin())));
     }
     match File::open(path) {
         Ok(file) => Ok(Box::new(BufReader::new(file))),
@@ -100,7 +135,7 @@ fn reader(path: &Path) -> Result<Box<dyn BufRead>, Failure> {
 
 /// The cases in a file of inputs.
 struct Inputs {
-    lines: Lines<Box<dyn BufRead>>,
+    lines: Lines<Box<dyn BufRead + Send>>,
     path: String,
     method: &'static str,
     regions: Vec<&'static str>,

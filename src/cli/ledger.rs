@@ -23,7 +23,9 @@ pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
         PaperFormat::Json => json(&ledger)?,
         PaperFormat::Html => ledger_html::page(&ledger),
         PaperFormat::Latex => ledger_latex::document(&ledger),
-        PaperFormat::Errata => json(&ledger.errata())?,
+        PaperFormat::Errata => {
+            super::regenerate::errata::text(&ledger).map_err(|e| Failure::new(e.to_string()))?
+        }
         PaperFormat::Csv => return Err(Failure::new("a ledger has no CSV form")),
     };
     if args.check {

@@ -1,5 +1,6 @@
 //! The command-line program: arguments in, reports out. Numbers come from the library.
 
+mod answers;
 mod args;
 mod audit;
 mod audit_html;
@@ -47,6 +48,7 @@ mod paper_csv;
 mod points;
 mod progress;
 mod quantity;
+mod regenerate;
 mod result;
 mod rows;
 mod runup;
@@ -58,6 +60,7 @@ mod svg;
 mod svg_chirp;
 mod svg_dyad;
 mod svg_mechanism;
+mod svg_panel;
 mod svg_reduced;
 mod svg_runup;
 mod table;
@@ -72,7 +75,7 @@ use failure::{Failure, Outcome};
 use std::process::ExitCode;
 
 /// Runs the program and turns its outcome into an exit code: 0 as expected, 1 a finding, 2 bad
-/// usage or input. A closed pipe ends it quietly.
+/// usage or input, 130 ended by the user. A closed pipe ends it quietly.
 pub fn main() -> ExitCode {
     let args = match Args::try_parse() {
         Ok(args) => args,
@@ -81,6 +84,7 @@ pub fn main() -> ExitCode {
     match run(args) {
         Ok(Outcome::AsExpected) => ExitCode::SUCCESS,
         Ok(Outcome::Finding) => ExitCode::from(1),
+        Ok(Outcome::Interrupted) => ExitCode::from(interrupt::EXIT_CODE),
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
         Err(Failure::Message(text)) => {
             complain(&text);
@@ -97,6 +101,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Judge(a)) => judge::judge(&a),
         Some(Command::Hunt(a)) => hunt::hunt(&a),
         Some(Command::Converge(a)) => converge::converge(&a),
+        Some(Command::Regenerate(a)) => regenerate::regenerate(&a),
         Some(Command::Completions(a)) => shell::completions(&a),
         Some(Command::Man(a)) => shell::man(&a),
         Some(Command::List(a)) => list::list(&a),

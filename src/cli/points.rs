@@ -47,7 +47,8 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::AsExpected)
 }
 
-fn header(method: &dyn Method, out: &mut dyn Write) -> Result<(), Failure> {
+/// The layouts of an input and of an answer, with units.
+pub fn layout(method: &dyn Method) -> [String; 2] {
     let named = |name: &str, unit: &str| match unit {
         "1" => name.to_string(),
         unit => format!("{name} [{unit}]"),
@@ -56,11 +57,16 @@ fn header(method: &dyn Method, out: &mut dyn Write) -> Result<(), Failure> {
     let inputs: Vec<String> = inputs.iter().map(|i| named(i.name, i.unit)).collect();
     let outputs = method.outputs();
     let outputs: Vec<String> = outputs.iter().map(|o| named(o.name, o.unit)).collect();
+    [inputs.join(", "), outputs.join(", ")]
+}
+
+fn header(method: &dyn Method, out: &mut dyn Write) -> Result<(), Failure> {
+    let [inputs, outputs] = layout(method);
     let (name, summary) = (method.name(), method.summary());
     let version = env!("CARGO_PKG_VERSION");
     writeln!(out, "# {name}: {summary} (mechaudit {version})")?;
-    writeln!(out, "# input: {}", inputs.join(", "))?;
-    Ok(writeln!(out, "# answer: {}", outputs.join(", "))?)
+    writeln!(out, "# input: {inputs}")?;
+    Ok(writeln!(out, "# answer: {outputs}")?)
 }
 
 /// Where the following inputs come from; `judge` reads it.

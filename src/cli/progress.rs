@@ -1,5 +1,6 @@
 //! A bar on stderr for whatever takes more than a second; nothing where stderr is no terminal.
 
+use super::interrupt;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -9,21 +10,27 @@ use std::time::{Duration, Instant};
 pub struct Progress {
     start: Instant,
     done: AtomicU64,
+    /// Milliseconds from the start to the last tick that was shown.
+    shown: AtomicU64,
     bar: Mutex<Option<ProgressBar>>,
 }
+
+/// Milliseconds between two ticks that are shown.
+const PAUSE: u64 = 100;
 
 impl Progress {
     pub fn new() -> Progress {
         Progress {
             start: Instant::now(),
             done: AtomicU64::new(0),
+            shown: AtomicU64::new(0),
             bar: Mutex::new(None),
         }
     }
 
     /// Shows that `done` of `total` are done.
     pub fn show(&self, phase: &str, done: u64, total: u64) {
-        if self.start.elapsed() < Duration::from_secs(1) {
+        if self.start.elapsed() < Duration::from_secs(1) || interrupt::asked() {
             return;
         }
         let Ok(mut slot) = self.bar.lock() else {
@@ -44,7 +51,15 @@ impl Progress {
     /// One more of `total` is done.
     pub fn tick(&self, phase: &str, total: u64) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
-        self.show(phase, done, total);
+        let now = self.start.elapsed().as_millis() as u64;
+        let last = self.shown.load(Ordering::Relaxed);
+        if now < last + PAUSE {
+            return;
+        }
+        let order = Ordering::Relaxed;
+        if self.shown.compare_exchange(last, now, order, order).is_ok() {
+            self.show(phase, done, total);
+        }
     }
 
     /// A new phase begins.

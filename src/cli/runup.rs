@@ -7,7 +7,7 @@ use super::output::write_to;
 use super::rows::{Cell, Rows};
 use super::runup_facts::{self as facts, Steady};
 use super::runup_file::{self, Coefficients, Machine};
-use super::{runup_precision, svg_runup};
+use super::{runup_precision, svg_panel, svg_runup};
 use mechaudit::solvers::run_up::{
     Equation, Hybrid, Motion, ReducedModel, Sample, Splined, inertia_range, run,
 };
@@ -60,7 +60,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     // Before the rows: a folder that cannot be written stops the run before any output.
     if let Some(folder) = &args.svg {
         let text = svg_runup::draw(&machine.name, &motion.samples)?;
-        svg_runup::save(folder, "run-up.svg", &text)?;
+        svg_panel::save(folder, "run-up.svg", &text)?;
     }
     write_to(args.output.as_deref(), |out| {
         let about = facts::json(&machine, &motion, &steady, warning.as_deref());

@@ -7,7 +7,7 @@ use super::output::write_to;
 use super::progress::Progress;
 use super::rows::{Cell, Rows};
 use super::runup_file::Machine;
-use super::svg_runup;
+use super::{svg_panel, svg_runup};
 use mechaudit::solvers::run_up::{Equation, Method, Plan, Settings, run};
 use serde_json::{Map, json};
 
@@ -75,7 +75,7 @@ pub fn table(args: &RunupArgs, machine: &Machine, equation: &Equation) -> Result
     drop(progress);
     if let Some(folder) = &args.svg {
         let text = svg_runup::work_precision(&machine.name, &points)?;
-        svg_runup::save(folder, "work-precision.svg", &text)?;
+        svg_panel::save(folder, "work-precision.svg", &text)?;
     }
     write_to(args.output.as_deref(), |out| {
         let mut about = Map::new();

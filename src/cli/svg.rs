@@ -4,8 +4,7 @@ use super::branch::{Branch, Reach};
 use super::complain;
 use super::failure::Failure;
 use super::linkage_file::Linkage;
-use super::output::write_to;
-use super::{svg_mechanism, svg_reduced};
+use super::{svg_mechanism, svg_panel, svg_reduced};
 use mechaudit::solvers::class_iii::State;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -16,16 +15,10 @@ const SAMPLES: u32 = 720;
 /// Draws `mechanism.svg` and, with masses, `reduced.svg` into the folder, which is made if
 /// missing.
 pub fn draw(folder: &Path, linkage: &Linkage, branch: &Branch) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder)
-        .map_err(|e| Failure::new(format!("cannot make the folder {}: {e}", folder.display())))?;
     let path = path(linkage, branch)?;
     let name = linkage.name.as_deref().unwrap_or("class-III linkage");
     let whole = matches!(branch.reach, Reach::Whole { .. });
-    let save = |file: &str, text: String| {
-        write_to(Some(&folder.join(file)), |out| {
-            Ok(out.write_all(text.as_bytes())?)
-        })
-    };
+    let save = |file: &str, text: String| svg_panel::save(folder, file, &text);
     let geometry = linkage.solver.geometry();
     save(
         "mechanism.svg",

@@ -3,144 +3,23 @@
 use super::chirp_file::{Machine, Run};
 use super::chirp_rows::Charted;
 use super::failure::Failure;
-use super::svg_reduced::{padded, tick};
+use super::svg_panel::{
+    AXIS, BLUE, Curve, GREEN, GRID, INK, ORANGE, curve, dashed, drawn, legend, panel, titled,
+};
+use super::svg_reduced::tick;
 use mechaudit::solvers::chirp_chart::{CamResponse, ChartPoint, Period, State};
 use mechaudit::solvers::fourier_series::FourierSeries;
-use plotters::coord::Shift;
 use plotters::prelude::*;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
-
-type Drawn = Result<(), Box<dyn std::error::Error>>;
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-const INK: RGBColor = RGBColor(29, 33, 37);
-const AXIS: RGBColor = RGBColor(120, 128, 136);
-const GRID: RGBColor = RGBColor(220, 224, 227);
-const BLUE: RGBColor = RGBColor(31, 111, 178);
-const ORANGE: RGBColor = RGBColor(194, 87, 26);
-const GREEN: RGBColor = RGBColor(47, 143, 78);
 
 /// Columns of a history: with the least and the largest value of each it looks like all of them.
 const BINS: usize = 1200;
 const SAMPLES_IN_BIN: f64 = 24.0;
 
-struct Curve {
-    name: &'static str,
-    points: Vec<(f64, f64)>,
-    colour: RGBColor,
-    dashed: bool,
-}
-
-fn curve(name: &'static str, points: Vec<(f64, f64)>, colour: RGBColor) -> Curve {
-    Curve {
-        name,
-        points,
-        colour,
-        dashed: false,
-    }
-}
-
-fn dashed(name: &'static str, points: Vec<(f64, f64)>, colour: RGBColor) -> Curve {
-    Curve {
-        dashed: true,
-        ..curve(name, points, colour)
-    }
-}
-
-fn drawn(size: (u32, u32), draw: impl FnOnce(&Area) -> Drawn) -> Result<String, Failure> {
-    let mut out = String::new();
-    {
-        let root = SVGBackend::with_string(&mut out, size).into_drawing_area();
-        let done = root
-            .fill(&WHITE)
-            .map_err(Into::into)
-            .and_then(|()| draw(&root));
-        let done = done.and_then(|()| root.present().map_err(Into::into));
-        done.map_err(|e| Failure::new(format!("cannot draw: {e}")))?;
-    }
-    Ok(out)
-}
-
-fn title(root: &Area, text: &str, note: &str) -> Drawn {
-    let font = ("sans-serif", 24).into_font().color(&INK);
-    root.draw(&Text::new(text.to_string(), (24, 18), font))?;
-    let font = ("sans-serif", 15).into_font().color(&AXIS);
-    root.draw(&Text::new(note.to_string(), (24, 50), font))?;
-    Ok(())
-}
-
-/// Curves over a common abscissa, their names in a line above.
-fn panel(area: &Area, labels: (&str, &str), curves: &[Curve]) -> Drawn {
-    let points = || curves.iter().flat_map(|c| c.points.iter());
-    let (low, high) = padded(points().map(|p| p.1));
-    let (first, last) = points().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
-        (a.min(p.0), b.max(p.0))
-    });
-    let mut chart = ChartBuilder::on(area)
-        .margin(8)
-        .margin_right(20)
-        .margin_top(34)
-        .x_label_area_size(48)
-        .y_label_area_size(84)
-        .build_cartesian_2d(first..last, low..high)?;
-    chart
-        .configure_mesh()
-        .x_labels(11)
-        .y_labels(7)
-        .x_label_formatter(&|x| tick(*x))
-        .y_label_formatter(&|y| {
-            tick(if y.abs() < 1e-9 * (high - low) {
-                0.0
-            } else {
-                *y
-            })
-        })
-        .x_desc(labels.0)
-        .y_desc(labels.1)
-        .label_style(("sans-serif", 15).into_font().color(&INK))
-        .axis_desc_style(("sans-serif", 17).into_font().color(&INK))
-        .axis_style(AXIS)
-        .bold_line_style(GRID)
-        .light_line_style(TRANSPARENT)
-        .draw()?;
-    if low < 0.0 && high > 0.0 {
-        let zero = [(first, 0.0), (last, 0.0)];
-        chart.draw_series(LineSeries::new(zero, AXIS.stroke_width(1)))?;
-    }
-    for c in curves {
-        let points = c.points.iter().copied();
-        // A wave that fills its columns is drawn finer.
-        let style = c
-            .colour
-            .stroke_width(if c.points.len() > BINS { 1 } else { 2 });
-        match c.dashed {
-            true => chart.draw_series(DashedLineSeries::new(points, 7, 5, style))?,
-            false => chart.draw_series(LineSeries::new(points, style))?,
-        };
-    }
-    legend(area, curves)
-}
-
-/// In a line above the panel, where no curve can run through the names.
-fn legend(area: &Area, curves: &[Curve]) -> Drawn {
-    let font = ("sans-serif", 15).into_font().color(&INK);
-    let mut x = 100;
-    for c in curves.iter().filter(|c| !c.name.is_empty()) {
-        let style = c.colour.stroke_width(3);
-        let strokes: &[(i32, i32)] = if c.dashed {
-            &[(0, 7), (10, 17), (20, 27)]
-        } else {
-            &[(0, 27)]
-        };
-        for (from, to) in strokes {
-            area.draw(&PathElement::new([(x + from, 18), (x + to, 18)], style))?;
-        }
-        area.draw(&Text::new(c.name, (x + 34, 10), font.clone()))?;
-        // Letters of this size are about eight pixels wide.
-        x += 34 + 8 * c.name.chars().count() as i32 + 26;
-    }
-    Ok(())
+/// A wave that fills its columns is drawn finer.
+fn finely(curve: Curve) -> Curve {
+    Curve { width: 1, ..curve }
 }
 
 /// What one column of a history holds.
@@ -206,11 +85,10 @@ pub fn history(machine: &Machine, run: &Run, response: &CamResponse) -> Result<S
         machine.harmonics
     );
     drawn((1000, 1080), |root| {
-        title(root, &machine.name, &note)?;
-        let areas = root.margin(76, 10, 10, 24).split_evenly((3, 1));
+        let areas = titled(root, &machine.name, &note)?.split_evenly((3, 1));
         let motion = [
-            curve("cam f", thinned(1), GREEN),
-            curve("y", thinned(0), BLUE),
+            finely(curve("cam f", thinned(1), GREEN)),
+            finely(curve("y", thinned(0), BLUE)),
             dashed("envelope", along(&|b| mean + b.envelope), ORANGE),
             dashed("", along(&|b| mean - b.envelope), ORANGE),
         ];
@@ -219,7 +97,7 @@ pub fn history(machine: &Machine, run: &Run, response: &CamResponse) -> Result<S
             ("time, s", &format!("displacement, {unit}")),
             &motion,
         )?;
-        let acceleration = [curve("y″", thinned(2), BLUE)];
+        let acceleration = [finely(curve("y″", thinned(2), BLUE))];
         panel(
             &areas[1],
             ("time, s", &format!("acceleration, {unit}/s²")),
@@ -245,8 +123,7 @@ pub fn chart(machine: &Machine, charts: &[Charted]) -> Result<String, Failure> {
         tick(machine.drive.chirp.eps),
     );
     drawn((1240, 100 + 360 * rows as u32), |root| {
-        title(root, &machine.name, &note)?;
-        let areas = root.margin(76, 10, 10, 24).split_evenly((rows, 2));
+        let areas = titled(root, &machine.name, &note)?.split_evenly((rows, 2));
         for (c, pair) in charts.iter().zip(areas.chunks(2)) {
             let along = |f: fn(&ChartPoint) -> f64| -> Vec<(f64, f64)> {
                 c.chart
@@ -305,8 +182,7 @@ pub fn spectrum(machine: &Machine) -> Result<String, Failure> {
             "law {}, amplitudes D_n of the displacement in lifts",
             machine.law
         );
-        title(root, &machine.name, &note)?;
-        let area = root.margin(76, 10, 10, 24);
+        let area = titled(root, &machine.name, &note)?;
         let mut chart = ChartBuilder::on(&area)
             .margin(8)
             .margin_right(20)

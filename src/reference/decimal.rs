@@ -110,6 +110,53 @@ impl Ball {
         Some(plain(&text))
     }
 
+    /// The midpoint with `digits` significant decimal digits, and a bound on the distance from that
+    /// decimal to every point of the ball, rounded up to three digits; `None` where there is no
+    /// finite bound.
+    ///
+    /// ```
+    /// use mechaudit::reference::Ball;
+    /// let third = Ball::integer(128, 3).recip();
+    /// let (value, radius) = third.to_decimal_with_radius(5).unwrap();
+    /// assert_eq!((value.as_str(), radius.as_str()), ("0.33333", "3.34e-6"));
+    /// let half = Ball::exact(64, 0.5).to_decimal_with_radius(3).unwrap();
+    /// assert_eq!(half, ("0.500".into(), "0".into()));
+    /// ```
+    pub fn to_decimal_with_radius(&self, digits: usize) -> Option<(String, String)> {
+        if !self.is_finite() {
+            return None;
+        }
+        let text = match self.mid().is_zero() {
+            true => "0".into(),
+            false => plain(&self.mid().to_string_radix_round(
+                10,
+                Some(digits.max(1)),
+                rug::float::Round::Nearest,
+            )),
+        };
+        let off = match self.mid().get_exp() {
+            // Too long to be written out: half a unit of the last digit, at most 10^(1-digits) |x| / 2.
+            Some(e) if e.unsigned_abs() > 1 << 16 => {
+                let power =
+                    Float::with_val(4 * digits.max(16) as u32, 10).pow(digits.max(1) as u32 - 1);
+                Mag::above(self.mid()).shift(-1).div(Mag::below(&power))
+            }
+            _ => {
+                let written = Decimal::parse(&text).ok()?.value;
+                let off = (written - self.mid().to_rational()?).abs();
+                Mag::above(&Float::with_val_round(64, &off, rug::float::Round::Up).0)
+            }
+        };
+        let radius = self.rad().add(off);
+        let radius = match radius.is_zero() {
+            true => "0".into(),
+            false => radius
+                .to_float()
+                .to_string_radix_round(10, Some(3), rug::float::Round::Up),
+        };
+        Some((text, radius))
+    }
+
     /// The number with `places` digits after the point, wrong by at most 0.51 units of the last.
     pub fn to_fixed(&self, places: u32) -> Option<String> {
         if !self.is_finite() {

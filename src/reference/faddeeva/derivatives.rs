@@ -50,7 +50,7 @@ pub fn taylor(
     n: usize,
     bits: u32,
 ) -> Result<Vec<ComplexBall>, Undecided> {
-    let (x, y) = (Real::Rational(re.clone()), Real::Rational(im.clone()));
+    let (x, y) = (Real::of(re), Real::of(im));
     let length = x.length().saturating_add(y.length());
     let cap = cap(bits, length.saturating_add(64 * n.min(1 << 20) as u32));
     let mut prec = bits + 32 + 2 * n.min(1 << 20) as u32;
@@ -88,7 +88,7 @@ pub fn w_derivative(
     if n == 1 {
         return balls(w_derivative_scaled(re, im, bits)?, bits);
     }
-    let (x, y) = (Real::Rational(re.clone()), Real::Rational(im.clone()));
+    let (x, y) = (Real::of(re), Real::of(im));
     let length = x.length().saturating_add(y.length());
     let factorial = Integer::from(Integer::factorial(n.min(u32::MAX as usize) as u32));
     let parts = decide("the derivative of w", bits, length, |prec| {
@@ -101,7 +101,7 @@ pub fn w_derivative(
 }
 
 fn real(q: &Rational) -> Real {
-    Real::Rational(q.clone())
+    Real::of(q)
 }
 
 /// `a + b`

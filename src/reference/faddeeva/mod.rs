@@ -60,8 +60,7 @@ pub use zeros::{zero, zero_of_erf};
 /// # Errors
 /// See the [module](self).
 pub fn w(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Undecided> {
-    let real = |q: &Rational| Real::Rational(q.clone());
-    value(real(re), real(im), bits)
+    value(Real::of(re), Real::of(im), bits)
 }
 
 /// [`w`] at an exact pair of doubles. NaN and infinities are refused. Up to about 100 bits this
@@ -98,7 +97,7 @@ pub fn w_float(re: &Float, im: &Float, bits: u32) -> Result<ComplexBall, Undecid
 /// # Errors
 /// As [`w`], but not for the size of the result.
 pub fn w_scaled(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    scaled(Real::Rational(re.clone()), Real::Rational(im.clone()), bits)
+    scaled(Real::of(re), Real::of(im), bits)
 }
 
 /// An enclosure of w over a ball, at a working precision of `prec` bits; nothing is promised about

@@ -21,7 +21,7 @@ use crate::reference::{Ball, ComplexBall, Undecided};
 use rug::{Integer, Rational};
 
 fn real(q: &Rational) -> Real {
-    Real::Rational(q.clone())
+    Real::of(q)
 }
 
 fn length(x: &Real, y: &Real) -> u32 {

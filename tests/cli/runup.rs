@@ -1,61 +1,12 @@
 //! `mechaudit runup` as its user meets it.
-#![cfg(feature = "cli")]
 
-use std::io::Write;
-use std::process::{Command, Stdio};
+use crate::common::{Done, changed, column, refused, run_on};
 
-const SCREEN: &str = include_str!("../examples/sand-screen-run-up.toml");
-const FOUR_BAR: &str = include_str!("../examples/four-bar-run-up.toml");
-
-struct Done {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-fn mechaudit(args: &[&str], text: &str) -> Done {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A refusal of the arguments closes the pipe early.
-    let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
-    let o = child.wait_with_output().unwrap();
-    Done {
-        code: o.status.code().expect("no signal"),
-        out: String::from_utf8(o.stdout).expect("UTF-8"),
-        err: String::from_utf8(o.stderr).expect("UTF-8"),
-    }
-}
+const SCREEN: &str = include_str!("../../examples/sand-screen-run-up.toml");
+const FOUR_BAR: &str = include_str!("../../examples/four-bar-run-up.toml");
 
 fn runup(text: &str, args: &[&str]) -> Done {
-    let mut all = vec!["runup", "-"];
-    all.extend(args);
-    mechaudit(&all, text)
-}
-
-fn changed(text: &str, from: &str, to: &str) -> String {
-    let new = text.replacen(from, to, 1);
-    assert_ne!(new, text, "{from:?} is not in the example");
-    new
-}
-
-fn column(out: &str, name: &str) -> Vec<f64> {
-    let mut lines = out.lines().map(|l| l.split(',').collect::<Vec<_>>());
-    let head = lines.next().expect("a header");
-    let k = head.iter().position(|h| *h == name).expect(name);
-    lines.map(|r| r[k].parse().expect("a number")).collect()
-}
-
-fn refused(d: &Done, part: &str) {
-    assert_eq!(d.code, 2, "{}{}", d.out, d.err);
-    assert_eq!(d.err.lines().count(), 1, "{}", d.err);
-    assert!(d.err.starts_with("mechaudit: "), "{}", d.err);
-    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
-    assert_eq!(d.out, "");
+    run_on(text, &[&["runup", "-"], args].concat())
 }
 
 #[test]
@@ -188,7 +139,7 @@ fn drawings_and_files_are_written_whole() {
 
 #[test]
 fn the_same_file_serves_linkage() {
-    let d = mechaudit(&["linkage", "-", "--step-deg", "90"], SCREEN);
+    let d = run_on(SCREEN, &["linkage", "-", "--step-deg", "90"]);
     assert_eq!((d.code, d.out.lines().count()), (0, 5), "{}", d.err);
 }
 

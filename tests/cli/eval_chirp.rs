@@ -1,22 +1,9 @@
 //! `mechaudit eval chirp.response` as its user meets it.
-#![cfg(feature = "cli")]
 
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
+use crate::common::{Done, run_on};
 
-fn eval(args: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
-        .args(["eval", "chirp.response"])
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut stdin = child.stdin.take().unwrap();
-    stdin.write_all(input.as_bytes()).unwrap();
-    drop(stdin);
-    child.wait_with_output().unwrap()
+fn eval(args: &[&str], input: &str) -> Done {
+    run_on(input, &[&["eval", "chirp.response"], args].concat())
 }
 
 /// w, n, eps, omega0, k, delta, y0, v0, t
@@ -25,16 +12,16 @@ const RUN_UP: &str = "10,0.5,4,0,2,0,0,0,1.5\n";
 #[test]
 fn values_and_certified_digits() {
     let o = eval(&[], RUN_UP);
-    assert_eq!(o.status.code(), Some(0));
-    let hex = String::from_utf8(o.stdout).unwrap();
-    let solved: Vec<f64> = hex
+    assert_eq!(o.code, 0);
+    let solved: Vec<f64> = o
+        .out
         .trim()
         .split(',')
         .map(|t| mechaudit::reference::HexFloat::parse(t).unwrap().to_f64())
         .collect();
     let o = eval(&["--digits", "40"], RUN_UP);
-    assert_eq!(o.status.code(), Some(0));
-    let text = String::from_utf8(o.stdout).unwrap();
+    assert_eq!(o.code, 0);
+    let text = o.out;
     let digits: Vec<&str> = text.trim().split(',').collect();
     assert_eq!((solved.len(), digits.len()), (5, 5));
     for (a, b) in solved.iter().zip(&digits) {
@@ -55,7 +42,7 @@ fn a_zero_is_written_as_one() {
         "# at time zero\n\n3,0.5,4,1,2,0,0.25,0.5,0\n",
     );
     assert_eq!(
-        String::from_utf8(o.stdout).unwrap(),
+        o.out,
         "0.25000000000000000000,0.50000000000000000000,6.2500000000000000000,0,0\n"
     );
 }
@@ -73,8 +60,8 @@ fn bad_input_is_refused_by_number_and_text() {
     ] {
         for args in [&[][..], &["--digits", "10"]] {
             let o = eval(args, &format!("{RUN_UP}{line}\n"));
-            let err = String::from_utf8(o.stderr).unwrap();
-            assert_eq!(o.status.code(), Some(2), "{line}");
+            let err = o.err;
+            assert_eq!(o.code, 2, "{line}");
             assert_eq!(err.lines().count(), 1, "{err}");
             assert!(err.contains("line 2") && err.contains(line), "{err}");
             assert!(err.contains(why), "{err}");

@@ -1,38 +1,21 @@
-//! Makes `tables.rs`, `constants.rs` and `relatives_tables.rs` in `src/solvers/faddeeva/`, the numbers
-//! behind the `f64` Faddeeva function and its relatives, from the certified reference.
-//!
-//! ```text
-//! cargo run --release --example faddeeva_tables -- --write   # makes the files
-//! cargo run --release --example faddeeva_tables -- --check   # compares; exit 1 at a difference
-//! ```
+//! The numbers behind the `f64` Faddeeva function and its relatives, from the certified reference:
+//! `tables.rs`, `constants.rs` and `relatives_tables.rs` in `src/solvers/faddeeva/`.
 //!
 //! Every number is the `f64` nearest to the exact one, and every second or third part of a number
 //! the `f64` nearest to the exact rest: both ends of a ball have to round to it. Where they do not,
-//! the precision is doubled; at [`LAST_BITS`] the program gives up and writes nothing.
+//! the precision is doubled; at [`LAST_BITS`] it gives up.
 
-#[path = "faddeeva_tables_of/relatives.rs"]
 mod relatives;
 
+pub use relatives::{constants, tables as relatives_tables};
+
+use super::artefact::{Made, Outcome};
 use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
 use rug::float::Round;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
-use std::error::Error;
 use std::fmt::Write as _;
-use std::path::Path;
-use std::process::ExitCode;
 
-type Outcome<T> = Result<T, Box<dyn Error>>;
-
-/// A file and what makes it.
-type Made = (&'static str, fn() -> Outcome<String>);
-
-const FOLDER: &str = "src/solvers/faddeeva";
-const FILES: [Made; 3] = [
-    ("tables.rs", make),
-    ("constants.rs", relatives::constants),
-    ("relatives_tables.rs", relatives::tables),
-];
 const FIRST_BITS: u32 = 256;
 const LAST_BITS: u32 = 8192;
 
@@ -148,22 +131,27 @@ fn zero_row(k: u32, bits: u32) -> Result<Option<Vec<f64>>, Undecided> {
     Ok(row())
 }
 
-/// The file as it grows, and the digest of what went into it.
+/// How closely every generated number is known.
+fn precision() -> (&'static str, String) {
+    let bits = format!("every rounding decided at {FIRST_BITS} to {LAST_BITS} bits");
+    ("precision", bits)
+}
+
+/// The file as it grows, and what went into it: names, centres and sizes.
+#[derive(Default)]
 struct Tables {
     text: String,
-    digest: u64,
+    recipe: String,
 }
 
 impl Tables {
-    /// FNV-1a.
-    fn digest(&mut self, input: &str) {
-        for byte in input.bytes() {
-            self.digest = (self.digest ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
+    fn depends_on(&mut self, what: &str) {
+        self.recipe.push_str(what);
+        self.recipe.push('\n');
     }
 
     fn open(&mut self, doc: &str, name: &str, kind: &str) {
-        self.digest(name);
+        self.depends_on(&format!("{name}: {kind}"));
         for line in doc.lines() {
             let _ = writeln!(self.text, "{}", format!("/// {line}").trim_end());
         }
@@ -197,7 +185,7 @@ impl Tables {
         for &(x, y, per) in centres {
             let (x, y) = (Rational::from((x, per)), Rational::from((y, per)));
             let what = format!("{name} at {x} + {y} i");
-            self.digest(&what);
+            self.depends_on(&what);
             let row = decided(&what, |bits| {
                 Ok(make(&faddeeva::taylor(&x, &y, ORDER, bits)?))
             })?;
@@ -293,7 +281,7 @@ fn zero_table(tables: &mut Tables) -> Outcome<()> {
     );
     for k in 1..=ZEROS {
         let what = format!("zero {k}");
-        tables.digest(&what);
+        tables.depends_on(&what);
         let row = decided(&what, |bits| zero_row(k, bits))?;
         let _ = writeln!(tables.text, "    ZeroRow({row:?}),");
     }
@@ -348,7 +336,7 @@ fn node_square(rule: i64, k: i64) -> Rational {
 
 fn trapezoidal(tables: &mut Tables) -> Outcome<()> {
     let what = format!("h = {}/{}", STEP.0, STEP.1);
-    tables.digest(&what);
+    tables.depends_on(&what);
     tables.open(
         "The squares `τ = (k + σ)²h²` of the nodes of the trapezoidal rule, exactly: `h = 23/64`,\n\
          σ = 0 and σ = 1/2.",
@@ -397,92 +385,26 @@ fn trapezoidal(tables: &mut Tables) -> Outcome<()> {
     Ok(())
 }
 
-fn make() -> Outcome<String> {
-    let mut tables = Tables {
-        text: String::new(),
-        digest: 0xcbf2_9ce4_8422_2325,
-    };
+/// `tables.rs`.
+pub fn tables() -> Outcome<Made> {
+    let mut tables = Tables::default();
     cell_tables(&mut tables)?;
     zero_table(&mut tables)?;
     two_over_pi(&mut tables)?;
     factorials(&mut tables)?;
     trapezoidal(&mut tables)?;
-    Ok(format!(
-        "//! Coefficients of the Faddeeva function, each the nearest `f64` by the certified reference.\n\
-         //!\n\
-         //! Made by `cargo run --release --example faddeeva_tables -- --write`; not to be edited.\n\
-         //! Centres and sizes have the digest {:016x} (FNV-1a).\n\
-         \n\
-         use super::taylor::{{ComplexRow, RealRow}};\n\
+    let body = format!(
+        "\nuse super::taylor::{{ComplexRow, RealRow}};\n\
          use super::zeros::ZeroRow;\n\
          \n\
          {}\n",
-        tables.digest,
         tables.text.trim_end(),
-    ))
-}
-
-/// The first line in which the file differs from what it should be.
-fn difference(found: &str, wanted: &str) -> Option<String> {
-    let (mut a, mut b) = (found.lines(), wanted.lines());
-    let mut line = 0;
-    loop {
-        line += 1;
-        match (a.next(), b.next()) {
-            (None, None) => return (found != wanted).then(|| "line ends differ".into()),
-            (a, b) if a != b => {
-                let show = |x: Option<&str>| x.unwrap_or("(end of file)").to_owned();
-                return Some(format!(
-                    "line {line}\n  found  {}\n  wanted {}",
-                    show(a),
-                    show(b)
-                ));
-            }
-            _ => {}
-        }
-    }
-}
-
-fn run() -> Outcome<ExitCode> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["--check"] => {
-            let mut same = true;
-            for (name, make) in FILES {
-                let found = std::fs::read_to_string(folder.join(name))?;
-                match difference(&found, &make()?) {
-                    None => println!("{name} is what the reference gives"),
-                    Some(difference) => {
-                        eprintln!("{name} is not what the reference gives: {difference}");
-                        same = false;
-                    }
-                }
-            }
-            if !same {
-                return Ok(ExitCode::FAILURE);
-            }
-        }
-        ["--write"] => {
-            for (name, make) in FILES {
-                let path = folder.join(name);
-                let unfinished = path.with_extension("rs.new");
-                std::fs::write(&unfinished, make()?)?;
-                std::fs::rename(&unfinished, &path)?;
-                println!("{name} written");
-            }
-        }
-        _ => {
-            eprintln!("usage: faddeeva_tables --check | --write");
-            return Ok(ExitCode::from(2));
-        }
-    }
-    Ok(ExitCode::SUCCESS)
-}
-
-fn main() -> ExitCode {
-    run().unwrap_or_else(|error| {
-        eprintln!("{error}");
-        ExitCode::FAILURE
+    );
+    Ok(Made {
+        title: "Coefficients of the Faddeeva function, each the nearest `f64` by the certified reference."
+            .into(),
+        facts: vec![precision()],
+        recipe: tables.recipe,
+        body,
     })
 }

@@ -1,16 +1,13 @@
 //! The numbers behind the relatives of the Faddeeva function: constants, zeros of erf, and the
 //! maximum of Dawson's function.
 
-use super::{Outcome, decided, parts};
+use super::{Made, Outcome, decided, parts, precision};
 use mechaudit::reference::{Ball, Undecided, faddeeva};
 use rug::{Float, Rational};
 use std::fmt::Write as _;
 
 /// Zeros of erf.
 const ZEROS: u32 = 14;
-
-const MADE: &str = "//!\n\
-    //! Made by `cargo run --release --example faddeeva_tables -- --write`; not to be edited.\n\n";
 
 /// An array as rustfmt breaks it.
 fn column(row: &[f64], indent: &str) -> String {
@@ -41,12 +38,12 @@ const CONSTANTS: [Constant; 7] = [
 ];
 
 /// `constants.rs`.
-pub fn constants() -> Outcome<String> {
-    let mut text = format!(
-        "//! Constants as sums of two `f64`, each the nearest one to what is left.\n\
-         {MADE}#![allow(clippy::approx_constant)]\n\nuse super::double_double::Dd;\n\n"
-    );
+pub fn constants() -> Outcome<Made> {
+    let mut recipe = String::new();
+    let mut text =
+        String::from("\n#![allow(clippy::approx_constant)]\n\nuse super::double_double::Dd;\n\n");
     for (name, meaning, value) in CONSTANTS {
+        writeln!(recipe, "{name} = {meaning}")?;
         let [hi, lo] = decided(meaning, |bits| Ok(parts::<2>(&value(bits))))?;
         writeln!(text, "/// {meaning}.")?;
         writeln!(
@@ -54,7 +51,12 @@ pub fn constants() -> Outcome<String> {
             "pub(super) const {name}: Dd = Dd::new({hi:?}, {lo:?});"
         )?;
     }
-    Ok(text)
+    Ok(Made {
+        title: "Constants as sums of two `f64`, each the nearest one to what is left.".into(),
+        facts: vec![precision()],
+        recipe,
+        body: text,
+    })
 }
 
 /// The zero of F′ on the positive real axis, `F(x₀) = 1/(2x₀)`: bisection by certified signs of
@@ -78,17 +80,12 @@ fn maximum(bits: u32) -> Result<Ball, Undecided> {
 }
 
 /// `relatives_tables.rs`.
-pub fn tables() -> Outcome<String> {
+pub fn tables() -> Outcome<Made> {
     let mut text = format!(
-        "//! Zeros and extrema of the relatives of the Faddeeva function, each part the nearest `f64`\n\
-         //! to what is left, by the certified reference.\n{MADE}"
-    );
-    writeln!(
-        text,
-        "/// The zeros of erf in the first quadrant by increasing modulus (DLMF 7.13(i)): real and\n\
+        "\n/// The zeros of erf in the first quadrant by increasing modulus (DLMF 7.13(i)): real and\n\
          /// imaginary part in three `f64` each.\n\
-         pub(super) const ZEROS_OF_ERF: [[f64; 6]; {ZEROS}] = ["
-    )?;
+         pub(super) const ZEROS_OF_ERF: [[f64; 6]; {ZEROS}] = [\n"
+    );
     for k in 1..=ZEROS {
         let row = decided(&format!("zero {k} of erf"), |bits| {
             let z = faddeeva::zero_of_erf(k, bits)?;
@@ -111,5 +108,12 @@ pub fn tables() -> Outcome<String> {
         "/// `−1/x₀` in two `f64`.\n\
          pub(super) const MINUS_INVERSE_MAXIMUM: [f64; 2] = {minus_inverse:?};"
     )?;
-    Ok(text)
+    Ok(Made {
+        title: "Zeros and extrema of the relatives of the Faddeeva function, each part the nearest `f64`\n\
+                to what is left, by the certified reference."
+            .into(),
+        facts: vec![precision()],
+        recipe: format!("{ZEROS} zeros of erf, the maximum of Dawson's function"),
+        body: text,
+    })
 }

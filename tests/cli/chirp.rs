@@ -1,49 +1,13 @@
 //! `mechaudit chirp` as its user meets it.
-#![cfg(feature = "cli")]
 
-use std::io::Write;
-use std::process::{Command, Stdio};
+use crate::common::{Done, changed, column, run_on};
 
-const RUN_UP: &str = include_str!("../examples/chirp-run-up.toml");
-const RUN_DOWN: &str = include_str!("../examples/chirp-run-down.toml");
-const CHART: &str = include_str!("../examples/chirp-chart.toml");
-
-struct Done {
-    code: i32,
-    out: String,
-    err: String,
-}
+const RUN_UP: &str = include_str!("../../examples/chirp-run-up.toml");
+const RUN_DOWN: &str = include_str!("../../examples/chirp-run-down.toml");
+const CHART: &str = include_str!("../../examples/chirp-chart.toml");
 
 fn chirp(text: &str, args: &[&str]) -> Done {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
-        .args(["chirp", "-"])
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A refusal of the arguments closes the pipe early.
-    let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
-    let o = child.wait_with_output().unwrap();
-    Done {
-        code: o.status.code().expect("no signal"),
-        out: String::from_utf8(o.stdout).expect("UTF-8"),
-        err: String::from_utf8(o.stderr).expect("UTF-8"),
-    }
-}
-
-fn changed(text: &str, from: &str, to: &str) -> String {
-    let new = text.replacen(from, to, 1);
-    assert_ne!(new, text, "{from:?} is not in the example");
-    new
-}
-
-fn column(out: &str, name: &str) -> Vec<f64> {
-    let mut lines = out.lines().map(|l| l.split(',').collect::<Vec<_>>());
-    let head = lines.next().expect("a header");
-    let k = head.iter().position(|h| *h == name).expect(name);
-    lines.map(|r| r[k].parse().expect("a number")).collect()
+    run_on(text, &[&["chirp", "-"], args].concat())
 }
 
 #[test]

@@ -1,44 +1,20 @@
 //! `mechaudit eval` as its user meets it.
-#![cfg(feature = "cli")]
 
+use crate::common::{self, Done, run_on};
 use mechaudit::reference::HexFloat;
 use mechaudit::solvers::faddeeva::faddeeva;
 use num_complex::Complex;
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, Command, Stdio};
+use std::process::Child;
 use std::time::Duration;
 
 fn start(args: &[&str]) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_mechaudit"))
-        .arg("eval")
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
-
-struct Done {
-    code: i32,
-    out: String,
-    err: String,
+    common::start(&[&["eval"], args].concat())
 }
 
 fn eval(args: &[&str], input: &[u8]) -> Done {
-    let mut child = start(args);
-    let mut stdin = child.stdin.take().unwrap();
-    let o = std::thread::scope(|s| {
-        // A refusal closes the pipe early.
-        s.spawn(move || stdin.write_all(input).is_ok());
-        child.wait_with_output().unwrap()
-    });
-    Done {
-        code: o.status.code().expect("no signal"),
-        out: String::from_utf8(o.stdout).unwrap(),
-        err: String::from_utf8(o.stderr).unwrap(),
-    }
+    run_on(input, &[&["eval"], args].concat())
 }
 
 fn good(args: &[&str], input: &str) -> String {

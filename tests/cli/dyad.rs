@@ -1,42 +1,13 @@
 //! `mechaudit linkage` for four-bar linkages and slider-cranks, as its user meets it.
-#![cfg(feature = "cli")]
 
-use std::io::Write;
-use std::process::{Command, Stdio};
+use crate::common::{Done, changed, column, refused, run_on, texts};
 
-const FOUR_BAR: &str = include_str!("../examples/four-bar.toml");
-const SLIDER: &str = include_str!("../examples/slider-crank.toml");
-
-struct Done {
-    code: i32,
-    out: String,
-    err: String,
-}
+const FOUR_BAR: &str = include_str!("../../examples/four-bar.toml");
+const SLIDER: &str = include_str!("../../examples/slider-crank.toml");
 
 /// Runs `linkage` on a description given on standard input.
 fn linkage(text: &str, args: &[&str]) -> Done {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
-        .args(["linkage", "-"])
-        .args(args)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // A refusal of the arguments closes the pipe early.
-    let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
-    let o = child.wait_with_output().unwrap();
-    Done {
-        code: o.status.code().expect("no signal"),
-        out: String::from_utf8(o.stdout).expect("UTF-8"),
-        err: String::from_utf8(o.stderr).expect("UTF-8"),
-    }
-}
-
-fn changed(text: &str, from: &str, to: &str) -> String {
-    let new = text.replacen(from, to, 1);
-    assert_ne!(new, text, "{from:?} is not in the example");
-    new
+    run_on(text, &[&["linkage", "-"], args].concat())
 }
 
 fn four_bar(lengths: [&str; 4]) -> String {
@@ -50,31 +21,6 @@ fn slider(crank: &str, rod: &str, more: &str) -> String {
     format!(
         "type = \"slider-crank\"\n[geometry]\ncrank = \"{crank} m\"\nrod = \"{rod} m\"\n{more}\n"
     )
-}
-
-fn refused(d: &Done, part: &str) {
-    assert_eq!(d.code, 2, "{}{}", d.out, d.err);
-    assert_eq!(d.err.lines().count(), 1, "{}", d.err);
-    assert!(d.err.starts_with("mechaudit: "), "{}", d.err);
-    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
-    assert_eq!(d.out, "");
-}
-
-fn texts(out: &str, name: &str) -> Vec<String> {
-    let mut lines = out.lines().map(|l| l.split(',').collect::<Vec<_>>());
-    let head = lines.next().expect("a header");
-    let k = head.iter().position(|h| *h == name).expect(name);
-    lines
-        .map(|r| {
-            assert_eq!(r.len(), head.len());
-            r[k].to_string()
-        })
-        .collect()
-}
-
-fn column(out: &str, name: &str) -> Vec<f64> {
-    let texts = texts(out, name);
-    texts.iter().map(|t| t.parse().expect("a number")).collect()
 }
 
 fn close(x: f64, y: f64) {

@@ -1,0 +1,109 @@
+//! Arguments of `mechaudit audit`, and what `judge` shares with it.
+
+use super::RunArgs;
+use clap::{Args as ClapArgs, ValueEnum};
+use std::path::PathBuf;
+use std::time::Duration;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit audit                              every method
+  mechaudit audit four-bar --cases 1000        one method, 1000 cases in each region
+  mechaudit audit four-bar --region NAME --seed 1 --case 17
+  mechaudit audit four-bar --check-point NAME --format json
+  mechaudit audit --format html --output audit.html
+  mechaudit audit --format junit --output audit.xml
+  mechaudit audit faddeeva --exec ./candidate  a program in any language
+  mechaudit audit faddeeva --exec 'python3 w.py' --cases 1000 --timeout 5 --ulps 100
+
+With --exec the program reads inputs and writes answers, one a line, see mechaudit points \
+--help. It gets all inputs without waiting for its answers. A line that cannot be read fails its \
+own case; after a crash, a wrong exit status or a silence of --timeout seconds the inputs left \
+fail as unanswered, and what is judged stays judged.
+
+Ctrl-C ends an audit with a report of what is judged until then and exit code 130; see mechaudit \
+--help for the others.";
+
+/// Arguments of `audit`.
+#[derive(ClapArgs, Debug)]
+pub struct AuditArgs {
+    /// The method; all methods if left out
+    pub method: Option<String>,
+    /// Only this region of its domain
+    #[arg(long, value_name = "REGION", requires = "method")]
+    pub region: Option<String>,
+    /// Only this case of the region
+    #[arg(long, value_name = "I", requires = "region")]
+    pub case: Option<u64>,
+    /// Only this check point
+    #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
+    pub check_point: Option<String>,
+    /// Only this hard case, counted from 1 in reference/hard
+    #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"])]
+    pub hard: Option<usize>,
+    #[command(flatten)]
+    pub run: RunArgs,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: AuditFormat,
+    /// Write to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub program: ExecArgs,
+    #[command(flatten)]
+    pub scope: ScopeArgs,
+}
+
+/// A program in place of a method's solver.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ExecArgs {
+    /// Audit this program in place of the method's solver
+    #[arg(long, value_name = "COMMAND", requires = "method")]
+    pub exec: Option<String>,
+    /// Seconds without a line from the program after which it is ended
+    #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
+    pub timeout: Duration,
+    /// Give the program decimals instead of hexadecimal floats
+    #[arg(long, requires = "exec")]
+    pub decimal: bool,
+}
+
+fn seconds(text: &str) -> Result<Duration, String> {
+    let x: f64 = text.parse().map_err(|_| "not a number".to_string())?;
+    match Duration::try_from_secs_f64(x) {
+        Ok(d) if !d.is_zero() => Ok(d),
+        _ => Err("must be a positive number of seconds".into()),
+    }
+}
+
+/// What is judged, and how strictly.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ScopeArgs {
+    /// Judge these outputs only, separated by commas: an answer holds no others
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub outputs: Option<Vec<String>>,
+    /// Allow K ulps for every output instead of the method's budget
+    #[arg(long, value_name = "K", value_parser = positive)]
+    pub ulps: Option<f64>,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
+        _ => Err("must be a finite positive number".into()),
+    }
+}
+
+/// The forms of an audit's report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AuditFormat {
+    /// For people
+    Text,
+    /// Everything, as schema/audit.schema.json describes it
+    Json,
+    /// JUnit XML, for build servers
+    Junit,
+    /// One page without outside parts
+    Html,
+}

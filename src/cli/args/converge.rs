@@ -1,0 +1,28 @@
+//! Arguments of `mechaudit converge`.
+
+use super::TextOrJson;
+use clap::Args as ClapArgs;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit converge                           every approximation
+  mechaudit converge spline-clamped
+  mechaudit converge run-up-dop853-rotor --format json
+
+Errors are upper bounds: total is result less truth, method is twin less truth, rounding result \
+less twin, where the twin is the same algorithm without rounding. The order observed compares a \
+level with the one before, of the method error where there is a twin; Richardson's uses the \
+results alone. Work is counted, not timed. A failed run is marked, and no order is observed \
+across it.
+
+Exit codes: 0; 2, bad usage; 130, ended by Ctrl-C, with the approximations done until then.";
+
+/// Arguments of `converge`.
+#[derive(ClapArgs, Debug)]
+pub struct ConvergeArgs {
+    /// The approximation; all of them if left out
+    pub name: Option<String>,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}

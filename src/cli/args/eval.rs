@@ -1,0 +1,45 @@
+//! Arguments of `mechaudit eval`.
+
+use clap::Args as ClapArgs;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit eval --list
+  echo 1.5,-0.25 | mechaudit eval faddeeva.w
+  echo 0x1.8p+0,-0x1p-2 | mechaudit eval faddeeva.w --digits 50
+  mechaudit eval faddeeva.w --threads 4 < cases.csv > values.csv
+
+Input: one case a line, its fields separated by commas; each a decimal or a C99 hexadecimal \
+float, without --digits also inf and nan. Blank lines and lines that begin with # are skipped.
+
+Output: one line for each case, in the same order. Without --digits the floating-point solver at \
+the nearest 64-bit numbers, as hexadecimal floats; with --digits the reference at exactly the \
+numbers given, each value correctly rounded or its last digit off by one at most.
+
+A line that cannot be read ends the run with its number on standard error and exit code 2; \
+digits that cannot be certified, with exit code 1. Lines before it are answered, lines after it \
+are not.";
+
+/// Arguments of `eval`.
+#[derive(ClapArgs, Debug)]
+pub struct EvalArgs {
+    /// The function, see --list
+    #[arg(required_unless_present = "list")]
+    pub name: Option<String>,
+    /// Certified decimals with this many significant digits instead of floating-point numbers
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    pub digits: Option<u32>,
+    /// Threads [default: one for each core]
+    #[arg(long, value_name = "T", value_parser = threads)]
+    pub threads: Option<usize>,
+    /// List the functions instead
+    #[arg(long, conflicts_with_all = ["name", "digits", "threads"])]
+    pub list: bool,
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(n @ 1..=1024) => Ok(n),
+        _ => Err("a number of threads is between 1 and 1024".into()),
+    }
+}

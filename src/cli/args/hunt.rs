@@ -1,0 +1,37 @@
+//! Arguments of `mechaudit hunt`.
+
+use clap::Args as ClapArgs;
+use std::path::PathBuf;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit hunt four-bar --evals 20000 --seed 3
+  mechaudit hunt faddeeva --evals 100000 --hard reference/hard
+
+A third of the evaluations go to seeds: check points, earlier hard cases, random inputs of every \
+region, inputs between those, inputs with few significant bits, and neighbours of such. The others \
+climb from the worst seeds by changing some bits or one coordinate, each within a factor of four of \
+its seed.
+
+An input that takes up more of an output's budget than any recorded one is added to METHOD.csv in \
+the folder of hard cases, with its share of the budget and how it was found; nothing is ever taken \
+away. `mechaudit audit` judges all of them.
+
+Exit codes: 0, nothing over budget but what was recorded; 1, a finding; 2, bad usage or input; 130, \
+ended by Ctrl-C, what was found until then is reported and recorded.";
+
+/// Arguments of `hunt`.
+#[derive(ClapArgs, Debug)]
+pub struct HuntArgs {
+    /// The method
+    pub method: String,
+    /// Evaluations of solver and reference
+    #[arg(long, value_name = "N", default_value = "10000", value_parser = clap::value_parser!(u64).range(1..))]
+    pub evals: u64,
+    /// Key of the random stream
+    #[arg(long, value_name = "SEED", default_value = "1")]
+    pub seed: u64,
+    /// Folder of the hard cases; nothing is recorded if it is not there
+    #[arg(long, value_name = "DIR", default_value = "reference/hard")]
+    pub hard: PathBuf,
+}

@@ -1,0 +1,56 @@
+//! Arguments of `mechaudit judge`.
+
+use super::{ScopeArgs, TextOrJson};
+use clap::Args as ClapArgs;
+use std::path::PathBuf;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit points faddeeva --count 1000 > points.txt
+  ./candidate < points.txt > values.txt
+  mechaudit judge faddeeva --inputs points.txt --values values.txt
+  ./candidate < points.txt | mechaudit judge faddeeva --inputs points.txt --values -
+  mechaudit judge faddeeva --inputs points.txt --values values.txt --line 17
+  mechaudit judge faddeeva --table published.csv
+
+Answers are matched with inputs in their order; comments (#) are skipped in both files. An \
+answer that cannot be read is judged as one, and those after it still count. See mechaudit \
+points --help for what an answer looks like.
+
+A table begins with a line of names. Columns named as an output (see mechaudit list) hold \
+printed decimals, an empty field none; all others hold the inputs in their order, taken exactly \
+as printed. An entry agrees if the reference is certainly within half a unit of its last digit: \
+1.2e4 has units of 1000.
+
+Exit codes: 0, every answer within its budget or entry in agreement; 1, an answer or entry that \
+is not, or not there, or one too many; 2, bad usage or an input that cannot be read; 130, \
+ended by Ctrl-C.";
+
+/// Arguments of `judge`.
+#[derive(ClapArgs, Debug)]
+pub struct JudgeArgs {
+    /// The method
+    pub method: String,
+    /// The inputs, as `mechaudit points` writes them
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "values",
+        required_unless_present = "table"
+    )]
+    pub inputs: Option<PathBuf>,
+    /// The answers; `-` reads standard input
+    #[arg(long, value_name = "FILE", requires = "inputs")]
+    pub values: Option<PathBuf>,
+    /// Only the input on this line of its file, with everything that is known of it
+    #[arg(long, value_name = "N", requires = "inputs")]
+    pub line: Option<u64>,
+    /// A published table in CSV: inputs and printed decimals
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["inputs", "values", "outputs", "ulps"])]
+    pub table: Option<PathBuf>,
+    #[command(flatten)]
+    pub scope: ScopeArgs,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}

@@ -1,0 +1,87 @@
+//! Arguments of `mechaudit linkage`.
+
+use super::CsvOrJson;
+use clap::Args as ClapArgs;
+use mechaudit::reference::Decimal;
+use std::path::PathBuf;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit linkage examples/sand-screen.toml --step-deg 7.5 --format csv
+  mechaudit linkage examples/sand-screen.toml --step-deg 30 --digits 30
+  mechaudit linkage examples/sand-screen.toml --from-deg 0 --to-deg 90 --step-deg 1 --format json
+  mechaudit linkage examples/no-full-turn.toml --step-deg 5 --svg drawings
+  mechaudit linkage examples/four-bar.toml --step-deg 10 --all-branches
+  mechaudit linkage examples/slider-crank.toml --step-deg 15 --digits 20
+
+The file (TOML or JSON) gives every quantity as a string with its unit:
+  type = \"class-iii\"                # or \"four-bar\", \"slider-crank\": see below
+  name = \"sand screen\"
+  gravity = \"9.81 m/s^2\"            # optional, standard gravity 9.80665 m/s^2 otherwise
+  crank_speed = \"60 rpm\"            # optional: velocities at this speed instead of ratios
+  [geometry]                        # crank pivot at the origin, y up
+  l1 = \"10 cm\"                      # and l2, l3, l4, l5, lb, x3, y3, x5, y5
+  phi_b = \"-39.3 deg\"
+  [start]                           # optional: which branch
+  phi1 = \"14.426 deg\"
+  phi4 = \"22.6 deg\"                 # near enough to choose; or mode = 2
+  [bodies.2]                        # optional, a link without a table has no mass
+  mass = \"10 kg\"
+  inertia = \"0.8 kg m^2\"
+  inertia_about = \"centre of mass\"  # or \"pivot\"
+  radius = \"50 cm\"
+  angle = \"0 deg\"
+
+With type = \"four-bar\" or \"slider-crank\", without [bodies]:
+  [geometry]
+  crank = \"10 cm\"                   # and coupler, rocker, frame: rocker pivot at (frame, 0)
+                                    # or rod, offset (0 m if left out), direction (0 deg)
+  [start]                           # optional
+  phi1 = \"0 deg\"
+  assembly = \"positive\"             # joint left of the line from the crank's end to the rocker's
+                                    # pivot, slider ahead: branch 0; or \"negative\": branch 1";
+
+/// Arguments of `linkage`.
+#[derive(ClapArgs, Debug)]
+pub struct LinkageArgs {
+    /// The linkage in TOML or JSON; `-` reads standard input
+    pub file: PathBuf,
+    /// Step of the crank angle in degrees
+    #[arg(
+        long,
+        value_name = "DEG",
+        default_value = "7.5",
+        value_parser = decimal,
+        allow_hyphen_values = true
+    )]
+    pub step_deg: Decimal,
+    /// Form of the rows
+    #[arg(long, value_enum, default_value = "csv")]
+    pub format: CsvOrJson,
+    /// First crank angle in degrees [default: start.phi1 of the file, else 0]
+    #[arg(long, value_name = "A", value_parser = decimal, allow_hyphen_values = true)]
+    pub from_deg: Option<Decimal>,
+    /// Last crank angle in degrees, itself included [default: one turn, its end left out]
+    #[arg(long, value_name = "B", value_parser = decimal, allow_hyphen_values = true)]
+    pub to_deg: Option<Decimal>,
+    /// Follow the assembly mode of this number at the first crank angle, counted from 0 by phi4
+    /// (four-bar, slider-crank: 0 positive, 1 negative assembly)
+    #[arg(long, value_name = "N", conflicts_with = "all_branches")]
+    pub branch: Option<usize>,
+    /// Every assembly mode at every crank angle, numbered by branch
+    #[arg(long)]
+    pub all_branches: bool,
+    /// Certified decimals with this many significant digits instead of floating-point numbers
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub digits: Option<u32>,
+    /// Draw mechanism.svg and, with masses, reduced.svg into this folder
+    #[arg(long, value_name = "DIR")]
+    pub svg: Option<PathBuf>,
+    /// Write the rows to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+fn decimal(text: &str) -> Result<Decimal, String> {
+    Decimal::parse(text).map_err(|e| e.to_string())
+}

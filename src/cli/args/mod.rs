@@ -1,0 +1,154 @@
+//! What may be written on the command line.
+
+mod audit;
+mod chirp;
+mod converge;
+mod eval;
+mod hunt;
+mod judge;
+mod linkage;
+mod list;
+mod paper;
+mod points;
+mod regenerate;
+mod runup;
+mod shell;
+
+pub use audit::{AuditArgs, AuditFormat, ExecArgs, ScopeArgs};
+pub use chirp::{ChirpArgs, ChirpRows};
+pub use converge::ConvergeArgs;
+pub use eval::EvalArgs;
+pub use hunt::HuntArgs;
+pub use judge::JudgeArgs;
+pub use linkage::LinkageArgs;
+pub use list::ListArgs;
+pub use paper::{PaperArgs, PaperFormat};
+pub use points::PointsArgs;
+pub use regenerate::RegenerateArgs;
+pub use runup::RunupArgs;
+pub use shell::{CompletionsArgs, ManArgs};
+
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+
+const AFTER_HELP: &str = "\
+Examples:
+  mechaudit                                    audit every paper and every method
+  mechaudit --cases 1000 --seed 7              more cases from another stream
+  mechaudit list                               what is audited, where and how closely
+  mechaudit linkage examples/sand-screen.toml --step-deg 7.5 --format csv
+  echo 1.5,-0.25 | mechaudit eval faddeeva.w --digits 50
+
+Environment:
+  MECHAUDIT_EFFORT   a positive number that multiplies the numbers of random cases
+  NO_COLOR           no colour; output that is not a terminal never has any
+
+Exit codes:
+  0    all as expected
+  1    an accuracy finding that is not a recorded one, or a digit left undecided
+  2    bad usage or input
+  130  ended by Ctrl-C: the report holds what was judged until then and says so; a second Ctrl-C
+       ends the program at once, without a report";
+
+/// Audits the accuracy of mechanism solvers against certified references, and published tables
+/// against recomputed ones.
+#[derive(Debug, Parser)]
+#[command(
+    name = "mechaudit",
+    version,
+    after_help = AFTER_HELP,
+    max_term_width = 100,
+    args_conflicts_with_subcommands = true
+)]
+pub struct Args {
+    #[command(flatten)]
+    pub run: RunArgs,
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// How much to run.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct RunArgs {
+    /// Key of the random stream [default: 1]
+    #[arg(long, value_name = "SEED")]
+    pub seed: Option<u64>,
+    /// Random cases in each region of a method's domain [default: 200]
+    #[arg(long, value_name = "N")]
+    pub cases: Option<u64>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Audit all methods or one, a region of one or a single case
+    #[command(after_help = audit::AFTER_HELP)]
+    Audit(AuditArgs),
+    /// List the methods with their domains and budgets, and the papers
+    #[command(after_help = list::AFTER_HELP)]
+    List(ListArgs),
+    /// Write inputs of a method, for programs in any language
+    #[command(after_help = points::AFTER_HELP)]
+    Points(PointsArgs),
+    /// Judge answers that somebody's program gave
+    #[command(after_help = judge::AFTER_HELP)]
+    Judge(JudgeArgs),
+    /// Search a method's domain for its worst inputs
+    #[command(after_help = hunt::AFTER_HELP)]
+    Hunt(HuntArgs),
+    /// Show where the errors of approximations come from and how fast they fall
+    #[command(after_help = converge::AFTER_HELP)]
+    Converge(ConvergeArgs),
+    /// Audit a published paper: its tables, its claims or its formulas
+    #[command(after_help = paper::AFTER_HELP)]
+    Paper(PaperArgs),
+    /// Compute a function at the points on standard input, one a line
+    #[command(after_help = eval::AFTER_HELP)]
+    Eval(EvalArgs),
+    /// Compute a linkage given in a file over the crank's turn
+    #[command(after_help = linkage::AFTER_HELP)]
+    Linkage(LinkageArgs),
+    /// Compute the run-up of a machine given in a file: its linkage under its motor
+    #[command(after_help = runup::AFTER_HELP)]
+    Runup(RunupArgs),
+    /// Compute a cam-driven oscillator given in a file while its shaft changes speed
+    #[command(after_help = chirp::AFTER_HELP)]
+    Chirp(ChirpArgs),
+    /// Make generated files anew, or check them
+    #[command(after_help = regenerate::AFTER_HELP)]
+    Regenerate(RegenerateArgs),
+    /// Write completions for a shell
+    #[command(after_help = shell::AFTER_COMPLETIONS)]
+    Completions(CompletionsArgs),
+    /// Write manual pages
+    #[command(after_help = shell::AFTER_MAN)]
+    Man(ManArgs),
+}
+
+/// Text for people or JSON for programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum TextOrJson {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+}
+
+/// The forms of a linkage's rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CsvOrJson {
+    /// One line for each position
+    Csv,
+    /// With what is known of the whole turn
+    Json,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_grammar_is_sound() {
+        Args::command().debug_assert();
+    }
+}

@@ -1,0 +1,49 @@
+//! Arguments of `mechaudit points`.
+
+use clap::Args as ClapArgs;
+use std::path::PathBuf;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit points faddeeva --count 1000 --seed 7 > points.txt
+  mechaudit points faddeeva --region lower --count 10 --decimal
+  mechaudit points faddeeva --region lower --seed 1 --case 17
+
+Lines that begin with # are comments: the layout of a line, the layout of the answer due for it, \
+the regions. Every other line is one input, its fields separated by commas, each an exact \
+hexadecimal float; with --decimal the shortest decimal that reads back as the same number.
+
+An answer is one line with the values in the order of the outputs, separated by commas or \
+blanks, hexadecimal or decimal (17 digits are enough), inf and nan included; or the word refuse \
+where there are no values, with a reason after it or without.";
+
+/// Arguments of `points`.
+#[derive(ClapArgs, Debug)]
+pub struct PointsArgs {
+    /// The method
+    pub method: String,
+    /// Only this region of its domain, without check points
+    #[arg(long, value_name = "REGION")]
+    pub region: Option<String>,
+    /// Only this case of the region
+    #[arg(long, value_name = "I", requires = "region")]
+    pub case: Option<u64>,
+    /// Only this check point
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["region", "case"])]
+    pub check_point: Option<String>,
+    /// Only this hard case, counted from 1 in reference/hard
+    #[arg(long, value_name = "N", conflicts_with_all = ["region", "case", "check_point"])]
+    pub hard: Option<usize>,
+    /// Random inputs in each region
+    #[arg(long, value_name = "N", default_value = "200")]
+    pub count: u64,
+    /// Key of the random stream
+    #[arg(long, value_name = "SEED", default_value = "1")]
+    pub seed: u64,
+    /// Decimals instead of hexadecimal floats
+    #[arg(long)]
+    pub decimal: bool,
+    /// Write to this file, whole or not at all
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}

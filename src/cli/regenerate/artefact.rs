@@ -1,0 +1,214 @@
+//! A generated file: what its header says, and whether it still holds.
+
+use super::super::ledger::clipped;
+use serde_json::{Map, Value};
+use sha2::{Digest, Sha256};
+use std::error::Error;
+use std::path::PathBuf;
+
+/// A calculation that may stay undecided.
+pub type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// What a recipe gives.
+pub struct Made {
+    /// What the file holds.
+    pub title: String,
+    /// Precision, seed, counts.
+    pub facts: Vec<(&'static str, String)>,
+    /// Everything that the file depends on but the code.
+    pub recipe: String,
+    /// The file without its header.
+    pub body: String,
+}
+
+/// How a header is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    Csv,
+    Rust,
+    Json,
+}
+
+/// A generated file.
+pub struct Artefact {
+    pub name: String,
+    /// Under the folder of the sources.
+    pub path: PathBuf,
+    pub form: Form,
+    pub make: Box<dyn Fn() -> Outcome<Made>>,
+}
+
+const RECIPE: &str = "SHA-256 of the recipe: ";
+const CONTENT: &str = "SHA-256 of all lines below: ";
+
+impl Artefact {
+    /// The whole file, made anew.
+    pub fn text(&self) -> Outcome<String> {
+        document(&self.name, self.form, &(self.make)()?)
+    }
+}
+
+/// A file with its header.
+pub fn document(name: &str, form: Form, made: &Made) -> Outcome<String> {
+    let command = format!("mechaudit regenerate {name}");
+    let version = env!("CARGO_PKG_VERSION");
+    if form == Form::Json {
+        let mut header = Map::new();
+        let mut put = |key: &str, value: &str| header.insert(key.into(), value.into());
+        put("title", &made.title);
+        put("made_by", &command);
+        put("mechaudit_version", version);
+        for (key, value) in &made.facts {
+            put(key, value);
+        }
+        put("recipe_sha256", &digest(&made.recipe));
+        put("content_sha256", &digest(&made.body));
+        let mut whole = Map::new();
+        whole.insert("generated".into(), header.into());
+        let Value::Object(content) = serde_json::from_str(&made.body)? else {
+            return Err("the content is no JSON object".into());
+        };
+        whole.extend(content);
+        return Ok(serde_json::to_string_pretty(&whole)? + "\n");
+    }
+    let title = made.title.lines().map(str::to_string);
+    let facts = made.facts.iter().map(|(k, v)| format!("{k}: {v}"));
+    let lines = title
+        .chain([
+            String::new(),
+            format!("Made by `{command}` (mechaudit {version}); not to be edited."),
+        ])
+        .chain(facts)
+        .chain([
+            format!("{RECIPE}{}", digest(&made.recipe)),
+            format!("{CONTENT}{}", digest(&made.body)),
+        ]);
+    let mark = if form == Form::Rust { "//!" } else { "#" };
+    let header: Vec<String> = lines
+        .map(|l| format!("{mark} {l}").trim_end().to_string())
+        .collect();
+    Ok(format!("{}\n{}", header.join("\n"), made.body))
+}
+
+/// SHA-256 in hexadecimal.
+pub fn digest(text: &str) -> String {
+    let bytes = Sha256::digest(text.as_bytes());
+    bytes.iter().map(|b| format!("{b:02x}")).collect()
+}
+
+/// What is wrong with the digest in a file's header, if anything is.
+pub fn broken(form: Form, text: &str) -> Option<String> {
+    let (said, content) = match form {
+        Form::Json => {
+            let Ok(Value::Object(mut whole)) = serde_json::from_str(text) else {
+                return Some("it is no JSON object".into());
+            };
+            let header = whole.shift_remove("generated");
+            let said = header.and_then(|h| Some(h["content_sha256"].as_str()?.to_string()));
+            let content = serde_json::to_string_pretty(&whole).unwrap_or_default() + "\n";
+            (said, content)
+        }
+        Form::Csv | Form::Rust => {
+            let found = text.split_once(CONTENT);
+            let found = found.and_then(|(_, rest)| rest.split_once('\n'));
+            let (said, content) = found.unwrap_or_default();
+            let said = (!said.is_empty()).then(|| said.to_string());
+            (said, content.to_string())
+        }
+    };
+    match said {
+        None => Some("there is no digest in its header".into()),
+        Some(said) if said != digest(&content) => {
+            Some("its content does not match the digest in its header".into())
+        }
+        Some(_) => None,
+    }
+}
+
+/// The first place where a file differs from what it should be.
+pub fn difference(found: &str, due: &str) -> Option<String> {
+    if found == due {
+        return None;
+    }
+    let (mut a, mut b) = (found.split('\n'), due.split('\n'));
+    let mut line = 0;
+    loop {
+        line += 1;
+        let (x, y) = (a.next(), b.next());
+        if x == y && x.is_some() {
+            continue;
+        }
+        let (x, y) = (x.unwrap_or("(the end)"), y.unwrap_or("(the end)"));
+        let same = x.chars().zip(y.chars()).take_while(|(p, q)| p == q).count();
+        let shown = |text: &str| {
+            let from = same.saturating_sub(12);
+            let part: String = text.chars().skip(from).collect();
+            let dots = if from > 0 { "… " } else { "" };
+            format!("{dots}{}", clipped(&part, 48))
+        };
+        return Some(format!(
+            "line {line}, column {}: found `{}`, due `{}`",
+            same + 1,
+            shown(x),
+            shown(y)
+        ));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn made(body: &str) -> Made {
+        Made {
+            title: "Numbers".into(),
+            facts: vec![("precision", "exact".into())],
+            recipe: "two numbers".into(),
+            body: body.into(),
+        }
+    }
+
+    #[test]
+    fn sha_256_of_nothing() {
+        let due = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
+        assert_eq!(digest(""), due);
+    }
+
+    #[test]
+    fn headers_hold_until_somebody_edits() {
+        for (form, body, from, to) in [
+            (Form::Csv, "x,y\n1,2\n", "1,2", "1,3"),
+            (Form::Rust, "\nconst X: u8 = 1;\n", "= 1", "= 2"),
+            (
+                Form::Json,
+                "{\n  \"x\": [\n    1\n  ]\n}\n",
+                "    1\n",
+                "    2\n",
+            ),
+        ] {
+            let text = document("numbers", form, &made(body)).unwrap();
+            assert_eq!(broken(form, &text), None, "{text}");
+            let edited = text.replace(from, to);
+            assert!(
+                broken(form, &edited).unwrap().contains("digest"),
+                "{edited}"
+            );
+            assert!(
+                difference(&edited, &text).unwrap().contains("line "),
+                "{edited}"
+            );
+            let bare = broken(form, body).unwrap();
+            assert!(bare.contains("no digest"), "{bare}");
+        }
+    }
+
+    #[test]
+    fn the_first_difference_is_named() {
+        assert_eq!(difference("a\nb\n", "a\nb\n"), None);
+        let found = difference("a\nbc\n", "a\nbd\n").unwrap();
+        assert_eq!(found, "line 2, column 2: found `bc`, due `bd`");
+        let found = difference("a\n", "a\nb\n").unwrap();
+        assert_eq!(found, "line 2, column 1: found ``, due `b`");
+        assert!(difference("a", "a\n").unwrap().contains("(the end)"));
+    }
+}

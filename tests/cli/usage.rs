@@ -1,0 +1,208 @@
+//! Help, usage, lists and how output ends.
+
+use crate::common::{done, names, program, refused, run, text};
+use std::process::Stdio;
+use tempfile::tempdir;
+
+#[test]
+fn help_and_version() {
+    for args in [
+        vec!["--help"],
+        vec!["audit", "--help"],
+        vec!["list", "--help"],
+        vec!["paper", "--help"],
+        vec!["linkage", "--help"],
+        vec!["eval", "--help"],
+        vec!["runup", "--help"],
+        vec!["points", "--help"],
+        vec!["judge", "--help"],
+        vec!["hunt", "--help"],
+        vec!["converge", "--help"],
+        vec!["regenerate", "--help"],
+        vec!["chirp", "--help"],
+        vec!["completions", "--help"],
+        vec!["man", "--help"],
+    ] {
+        let d = run(&args);
+        assert_eq!((d.code, d.err.as_str()), (0, ""));
+        assert!(d.out.contains("Examples:"), "{}", d.out);
+    }
+    let d = run(&["--version"]);
+    assert_eq!(
+        d.out.trim(),
+        concat!("mechaudit ", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn completions_and_manual_pages() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let d = run(&["completions", shell]);
+        assert!(d.code == 0 && d.out.contains("check-point"), "{shell}");
+    }
+    let d = run(&["man"]);
+    assert!(
+        d.code == 0 && d.out.contains(".TH mechaudit 1"),
+        "{}",
+        d.out
+    );
+    let to = tempdir().unwrap();
+    let d = run(&["man", "--output", text(to.path())]);
+    assert_eq!((d.code, d.out.as_str()), (0, ""));
+    let all = names(to.path());
+    for name in ["mechaudit.1", "mechaudit-audit.1", "mechaudit-hunt.1"] {
+        assert!(all.iter().any(|n| n == name), "{all:?}");
+    }
+}
+
+#[test]
+fn bad_usage() {
+    refused(&run(&["frobnicate"]), "frobnicate");
+    refused(&run(&["--seed", "x"]), "--seed");
+    refused(
+        &run(&["audit", "no-such-method"]),
+        "there is no method \"no-such-method\"; there are: ",
+    );
+    refused(
+        &run(&["audit", "four-bar", "--region", "nowhere"]),
+        "has no region \"nowhere\"; it has: ",
+    );
+    refused(
+        &run(&["audit", "four-bar", "--check-point", "none"]),
+        "has no check point",
+    );
+    refused(
+        &run(&["paper", "no-such-paper"]),
+        "there is no paper \"no-such-paper\"",
+    );
+    for bad in ["0", "-1", "nan", "inf", "much", ""] {
+        let d = done(
+            program()
+                .args(["audit", "four-bar"])
+                .env("MECHAUDIT_EFFORT", bad)
+                .output()
+                .unwrap(),
+        );
+        refused(&d, "MECHAUDIT_EFFORT");
+    }
+}
+
+#[test]
+fn effort_multiplies_the_cases() {
+    let cases = |effort: Option<&str>| {
+        let mut c = program();
+        c.args(["audit", "four-bar", "--cases", "4", "--format", "json"]);
+        effort.map(|e| c.env("MECHAUDIT_EFFORT", e));
+        let d = done(c.output().unwrap());
+        assert_eq!(d.code, 0, "{}", d.out);
+        let v: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+        v["methods"][0]["settings"]["cases_per_region"]
+            .as_u64()
+            .unwrap()
+    };
+    assert_eq!(
+        (cases(None), cases(Some("0.5")), cases(Some("2"))),
+        (4, 2, 8)
+    );
+}
+
+#[test]
+fn the_list_names_every_method() {
+    let d = run(&["list"]);
+    assert_eq!((d.code, d.err.as_str()), (0, ""));
+    let json: serde_json::Value =
+        serde_json::from_str(&run(&["list", "--format", "json"]).out).unwrap();
+    let listed = json["methods"].as_array().unwrap();
+    let methods = mechaudit::methods::registry();
+    assert_eq!(listed.len(), methods.len());
+    for m in methods {
+        assert!(d.out.contains(m.name()));
+        assert!(m.domain().regions.iter().all(|r| d.out.contains(r.name)));
+    }
+}
+
+#[test]
+fn the_reproduce_command_works() {
+    use mechaudit::audit::{Case, Draw, Origin, hex_float};
+    for m in mechaudit::methods::registry() {
+        let domain = m.domain();
+        let Some(region) = domain.regions.first() else {
+            continue;
+        };
+        let input = (region.sample)(&mut Draw::new(9, m.name(), region.name, 3));
+        let mut cases = vec![Case {
+            method: m.name(),
+            region: region.name,
+            input,
+            origin: Origin::Random { seed: 9, index: 3 },
+        }];
+        cases.extend(domain.check_points.first().map(|p| Case {
+            method: m.name(),
+            region: "check-points",
+            input: p.input.clone(),
+            origin: Origin::CheckPoint { name: p.name },
+        }));
+        for case in cases {
+            let command = case.reproduce();
+            let args: Vec<&str> = command.split(' ').skip(1).collect();
+            let d = run(&args);
+            assert_eq!(d.code, 0, "{command}\n{}{}", d.out, d.err);
+            assert!(d.out.contains(&command), "{}", d.out);
+            for x in &case.input {
+                assert!(d.out.contains(&hex_float(*x)), "{}", d.out);
+            }
+            let json = run(&[&args[..], &["--format", "json"]].concat());
+            let v: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+            assert_eq!(v["reproduce"], command.as_str());
+            assert_eq!(v["passed"], true);
+        }
+    }
+}
+
+#[test]
+fn a_region_alone_and_everything() {
+    let d = run(&[
+        "audit",
+        "four-bar",
+        "--cases",
+        "3",
+        "--region",
+        first_region("four-bar"),
+    ]);
+    assert_eq!(d.code, 0);
+    assert!(d.out.contains("3 of 3 cases"), "{}", d.out);
+    assert!(
+        d.out.contains("seed 1, 3 random cases per region"),
+        "{}",
+        d.out
+    );
+}
+
+fn first_region(method: &str) -> &'static str {
+    mechaudit::methods::find(method).unwrap().domain().regions[0].name
+}
+
+#[test]
+fn pipes_have_no_colour() {
+    for (key, value) in [("NO_COLOR", "1"), ("TERM", "xterm-256color")] {
+        let mut c = program();
+        c.args(["audit", "four-bar", "--cases", "1"])
+            .env(key, value);
+        let d = done(c.output().unwrap());
+        assert!(!d.out.contains('\u{1b}') && !d.err.contains('\u{1b}'));
+        assert!(d.out.lines().all(|l| l.chars().count() <= 100), "{}", d.out);
+    }
+}
+
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    let mut child = program()
+        .args(["linkage", "examples/sand-screen.toml", "--step-deg", "0.01"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let d = done(child.wait_with_output().unwrap());
+    assert_eq!((d.code, d.err.as_str()), (0, ""));
+}

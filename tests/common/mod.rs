@@ -1,0 +1,112 @@
+//! The program run as its user runs it, and what its answers have in common.
+#![allow(dead_code)] // Every test crate uses a part of it.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+
+/// The program, in the folder of the sources.
+pub fn program() -> Command {
+    let mut c = Command::new(env!("CARGO_BIN_EXE_mechaudit"));
+    c.current_dir(env!("CARGO_MANIFEST_DIR"));
+    c.env_remove("MECHAUDIT_EFFORT");
+    c
+}
+
+/// What a run came to.
+pub struct Done {
+    pub code: i32,
+    pub out: String,
+    pub err: String,
+}
+
+pub fn done(o: Output) -> Done {
+    Done {
+        code: o.status.code().expect("no signal"),
+        out: String::from_utf8(o.stdout).expect("UTF-8"),
+        err: String::from_utf8(o.stderr).expect("UTF-8"),
+    }
+}
+
+pub fn run(args: &[&str]) -> Done {
+    done(program().args(args).output().unwrap())
+}
+
+/// Begins a run with pipes on all three sides.
+pub fn start(args: &[&str]) -> Child {
+    program()
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+/// A run that is given `input` on its standard input.
+pub fn run_on(input: impl AsRef<[u8]>, args: &[&str]) -> Done {
+    let mut child = start(args);
+    let mut stdin = child.stdin.take().unwrap();
+    let input = input.as_ref();
+    let output = std::thread::scope(|s| {
+        // A refusal closes the pipe early.
+        s.spawn(move || stdin.write_all(input).is_ok());
+        child.wait_with_output().unwrap()
+    });
+    done(output)
+}
+
+/// One line on stderr that says `part`, nothing on stdout, exit code 2.
+pub fn refused(d: &Done, part: &str) {
+    assert_eq!(d.code, 2, "{}{}", d.out, d.err);
+    assert_eq!(d.err.lines().count(), 1, "{}", d.err);
+    assert!(d.err.starts_with("mechaudit: "), "{}", d.err);
+    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+    assert_eq!(d.out, "");
+    assert!(!d.err.contains("panicked"));
+}
+
+/// An example with its first `from` made `to`.
+pub fn changed(text: &str, from: &str, to: &str) -> String {
+    let new = text.replacen(from, to, 1);
+    assert_ne!(new, text, "{from:?} is not in the example");
+    new
+}
+
+/// Names and rows of a table.
+pub fn csv(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
+    let split = |l: &str| l.split(',').map(String::from).collect::<Vec<_>>();
+    let mut lines = text.lines().filter(|l| !l.starts_with('#'));
+    let head = split(lines.next().expect("a header"));
+    let rows: Vec<Vec<String>> = lines.map(split).collect();
+    assert!(rows.iter().all(|r| r.len() == head.len()));
+    (head, rows)
+}
+
+/// A column as written.
+pub fn texts(table: &str, name: &str) -> Vec<String> {
+    let (head, rows) = csv(table);
+    let k = head.iter().position(|h| h == name).expect(name);
+    rows.into_iter().map(|mut r| r.swap_remove(k)).collect()
+}
+
+/// A column of numbers.
+pub fn column(table: &str, name: &str) -> Vec<f64> {
+    let texts = texts(table, name);
+    texts.iter().map(|t| t.parse().expect("a number")).collect()
+}
+
+/// The names of all files of a folder.
+pub fn names(folder: &Path) -> Vec<String> {
+    let mut all: Vec<String> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    all.sort();
+    all
+}
+
+/// A path as an argument.
+pub fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
