@@ -1,4 +1,4 @@
-//! Certified values for the solvers alone: `reference/values/solvers/`.
+//! Certified values for the solvers alone: `tests/solver_values/`.
 //!
 //! `cargo test --release --test solver_values_written -- --ignored` writes the files anew;
 //! `src/solvers/tests` holds the solvers to them without GMP or MPFR.
@@ -18,7 +18,7 @@ const HEADER: &str = "place,input,value,allowed\n";
 const SLACK: f64 = 2.0;
 
 fn path(method: &dyn Method) -> PathBuf {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/reference/values/solvers");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/solver_values");
     PathBuf::from(folder).join(format!("{}.csv", method.name()))
 }
 

@@ -4,7 +4,7 @@ use super::error::ChirpChartError;
 use super::peak::largest;
 use crate::solvers::cam_law::{CamCycle, Motion as CamMotion};
 use crate::solvers::chirp_oscillator::{
-    Chirp, ChirpResponse, Excitation, Forcing, Harmonic, InitialState, Oscillator,
+    Chirp, ChirpResponse, Excitation, Forcing, Harmonic, InitialState, Motion, Oscillator,
 };
 use crate::solvers::fourier_series::FourierSeries;
 use num_complex::Complex64;
@@ -236,7 +236,10 @@ impl CamResponse {
     /// # Errors
     /// A time that is negative or not finite.
     pub fn state(&self, t: f64) -> Result<State, ChirpChartError> {
-        let m = self.response.motion(t)?;
+        Ok(self.state_of(t, self.response.motion(t)?))
+    }
+
+    fn state_of(&self, t: f64, m: Motion) -> State {
         let cam = self.drive.cam(t);
         let (w, n) = (self.drive.oscillator.w(), self.drive.oscillator.n());
         let speed = self.drive.speed(t);
@@ -246,7 +249,7 @@ impl CamResponse {
             true => w * w * (cam.displacement - m.displacement),
             false => m.acceleration + 2.0 * n * m.velocity,
         };
-        Ok(State {
+        State {
             t,
             turns: self.drive.turns(t),
             speed,
@@ -256,7 +259,22 @@ impl CamResponse {
             velocity: m.velocity,
             acceleration: spring - 2.0 * n * m.velocity,
             spring,
-        })
+        }
+    }
+
+    /// States at many times; those of times that are refused are zero.
+    fn states(&self, times: &[f64]) -> Vec<State> {
+        let mut motions = vec![Motion::default(); times.len()];
+        match self.response.motions(times, &mut motions) {
+            Ok(()) => {
+                let both = times.iter().zip(motions);
+                both.map(|(&t, m)| self.state_of(t, m)).collect()
+            }
+            Err(_) => {
+                let one = |&t| self.state(t).unwrap_or_default();
+                times.iter().map(one).collect()
+            }
+        }
     }
 
     /// `Σ|A_k|` (19), and `w² Σ|D_k − A_k|`.
@@ -287,7 +305,7 @@ impl CamResponse {
         let step = (times[1] - times[0]) / count as f64;
         let places: Vec<f64> = (0..=count).map(|i| times[0] + step * i as f64).collect();
         let at = |t: f64| self.state(t).unwrap_or_default();
-        let samples: Vec<State> = places.iter().map(|&t| at(t)).collect();
+        let samples = self.states(&places);
         let peak = |of: fn(&State) -> f64, offset: f64| {
             let values: Vec<f64> = samples.iter().map(|s| of(s) - offset).collect();
             largest(&places, &values, |t| of(&at(t)) - offset).1

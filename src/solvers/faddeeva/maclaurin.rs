@@ -9,6 +9,7 @@
 //! both components of w keep their relative accuracy beside the axes. There are no fused
 //! multiplications, so that any processor runs this without being asked what it can do.
 
+use super::double_double::{fast_two_sum, two_prod};
 use super::real::Real;
 
 /// 1/√π.
@@ -25,6 +26,9 @@ const K: [f64; 8] = [
     -16.0 / 105.0 * INV_SQRT_PI,
     1.0 / 24.0,
 ];
+
+/// What is left of `−2/√π` after the first coefficient.
+const FIRST_LO: f64 = -2.0 * super::constants::INV_SQRT_PI.lo;
 
 /// Terms of the series.
 pub(super) const TERMS: u32 = K.len() as u32 + 1;
@@ -59,6 +63,21 @@ fn polynomial<R: Real>((p, t): (R, R), (vr, vi): (R, R)) -> (R, R) {
 pub(super) fn maclaurin<R: Real>(x: R, y: R) -> (R, R) {
     let (gr, gi) = polynomial((y + y, x * x + y * y), (y, -x));
     (x.like(1.0) + gr, gi)
+}
+
+/// `w(iy) = erfcx y` for `|y| < 2⁻⁷`, rounded once at the end. What is rounded before is below
+/// `2⁻⁵² y²`, less than the `2⁻⁵³ y` by which the function falls from one number to the next, so that
+/// it never grows with y.
+#[inline(always)]
+pub(super) fn on_imaginary_axis(y: f64) -> f64 {
+    let first = two_prod(y, K[0]);
+    let mut tail = 0.0;
+    for k in K[1..].iter().rev() {
+        tail = y.mul_add(tail, *k);
+    }
+    let tail = (y * y).mul_add(tail, y.mul_add(FIRST_LO, first.lo));
+    let sum = fast_two_sum(1.0, first.hi);
+    sum.hi + (sum.lo + tail)
 }
 
 #[cfg(all(test, feature = "oracle"))]

@@ -408,7 +408,7 @@ fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
         Kind::Series24 => series::<_, 24>(0.0, b).0,
         Kind::Series14 => series::<_, 14>(0.0, b).0,
         Kind::Series6 | Kind::Series4 => series::<_, 6>(0.0, b).0,
-        Kind::Small => return maclaurin(0.0, b).0,
+        Kind::Small => return maclaurin::on_imaginary_axis(b),
         _ => return special::huge(0.0, b).0,
     };
     re.hi
@@ -507,6 +507,7 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
             return unless_lost((re.hi, im.hi, lost));
         }
+        Kind::Small if a == 0.0 => return done((maclaurin::on_imaginary_axis(y), 0.0)),
         Kind::Small => return done(maclaurin(a, y)),
         Kind::Disc => {
             let [n, dx, dy] = disc_cell(a, y);
@@ -596,10 +597,10 @@ pub(super) fn w<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
 #[inline(always)]
 fn w_by(runner: impl Runner, x: f64, y: f64) -> (f64, f64) {
     let r2 = x * x + y * y;
-    if r2 < SMALL_SURELY {
+    let (a, b) = (x.abs(), y.abs());
+    if (r2 < SMALL_SURELY) & (a > 0.0) {
         return maclaurin(x, y);
     }
-    let (a, b) = (x.abs(), y.abs());
     let (re, im) = if (y >= 0.0) & (a > 0.0) & (TERMS_4_SURELY..HUGE_SURELY).contains(&r2) {
         runner.run(Far(a, b))
     } else if y < 0.0 {

@@ -1,4 +1,4 @@
-//! The solvers against certified values, without GMP or MPFR: `reference/values/solvers/`.
+//! The solvers against certified values, without GMP or MPFR: `tests/solver_values/`.
 //!
 //! Every line of a file is an input, the values to 20 digits by the certified reference and what
 //! each may be off by; `tests/solver_values_written.rs` writes them. Each value is asked for on all
@@ -7,6 +7,7 @@
 //! These are unit tests of the lean build, not a target in `tests/`, so that a mutant is compiled
 //! once (`tests/mutants.md`).
 
+mod chart;
 mod faddeeva;
 mod linkages;
 mod motion;
@@ -33,7 +34,7 @@ fn numbers(text: &str) -> Vec<f64> {
 }
 
 fn lines(method: &str) -> Vec<Line> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/reference/values/solvers");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/solver_values");
     let text = std::fs::read_to_string(format!("{folder}/{method}.csv")).expect("a file");
     let (header, rest) = text.split_once('\n').expect("a header");
     assert_eq!(header, "place,input,value,allowed");
