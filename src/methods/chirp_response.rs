@@ -2,8 +2,8 @@
 
 use super::chirp_regions as regions;
 use crate::audit::{
-    Budget, Domain, Input, Law, Limit, Method, Output, Proof, Reference, ReferenceAnswer,
-    SolverAnswer,
+    Budget, Domain, HardCase, Input, Law, Limit, Method, Output, Proof, Reference,
+    ReferenceAnswer, SolverAnswer,
 };
 use crate::reference::chirp_oscillator::{Problem, conditions, enclose};
 use crate::solvers::chirp_oscillator::{
@@ -120,6 +120,10 @@ impl Method for Audit {
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         let exact: Option<Vec<Rational>> = input.iter().map(|&x| Rational::from_f64(x)).collect();
         Some(conditions(&problem(&exact?).ok()?)?.to_vec())
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/chirp-response.csv"))
     }
 
     fn laws(&self) -> Vec<Law> {
