@@ -73,6 +73,12 @@ impl<R: Real> Z<R> {
         )
     }
 
+    /// The product with the same bits whichever factor comes first.
+    #[inline(always)]
+    fn times_evenly(self, o: Z<R>) -> Z<R> {
+        Z(self.0 * o.0 - self.1 * o.1, self.0 * o.1 + self.1 * o.0)
+    }
+
     #[inline(always)]
     fn plus(self, o: Z<R>) -> Z<R> {
         Z(self.0 + o.0, self.1 + o.1)
@@ -120,8 +126,7 @@ impl<R: Real> One<R> {
     /// The coefficients of the powers of x are real, so that with `x² = sx − t` each term takes two
     /// multiplications (Knuth, *TAOCP* 2, 4.6.4).
     #[inline(always)]
-    fn new(p: Z<R>, kappa: f64, terms: usize) -> One<R> {
-        let a = p.inverse();
+    fn new(a: Z<R>, kappa: f64, terms: usize) -> One<R> {
         let square = a.times(a);
         let kappa = a.0.like(kappa);
         let x = Z(kappa * square.1, -(kappa * square.0));
@@ -148,7 +153,7 @@ impl<R: Real> One<R> {
 /// `F` and `R` for one root.
 #[inline(always)]
 pub(super) fn of_one<R: Real>(p: Z<R>, kappa: f64, terms: usize) -> (Z<R>, Z<R>) {
-    let one = One::new(p, kappa, terms);
+    let one = One::new(p.inverse(), kappa, terms);
     let sum = one.sum();
     let f = one.a.plus(one.a.times(sum));
     (f.negative(), sum.negative())
@@ -167,12 +172,13 @@ struct Apart<R> {
 impl<R: Real> Apart<R> {
     #[inline(always)]
     fn new(p: [Z<R>; 2], roots: &Roots, kappa: f64, terms: usize) -> Apart<R> {
+        // The one inverse that the accuracy of the result depends on.
+        let q = p[0].times_evenly(p[1]).inverse();
         let both = two(
             #[inline(always)]
-            |i| One::new(p[i], kappa, terms),
+            |i| One::new(p[1 - i].times(q), kappa, terms),
         );
         let by = roots.gap.inv();
-        let q = both[0].a.times(both[1].a);
         Apart {
             both,
             by: Z(q.0.like(by.re), q.0.like(by.im)),
@@ -194,7 +200,7 @@ impl<R: Real> Apart<R> {
 /// `F[·]` for both roots.
 #[inline(always)]
 pub(super) fn of_both<R: Real>([p, r]: [Z<R>; 2], kappa: f64, terms: usize) -> Z<R> {
-    let q = p.times(r).inverse();
+    let q = p.times_evenly(r).inverse();
     let s = p.plus(r).times(q);
     let minus_q = q.negative();
     let one = Z(q.0.like(1.0), q.0.like(0.0));
@@ -226,7 +232,7 @@ pub(super) fn motion_of_both<R: Real>(
     omega: R,
     terms: usize,
 ) -> [Z<R>; 3] {
-    let q = p.times(r).inverse();
+    let q = p.times_evenly(r).inverse();
     let s = p.plus(r).times(q);
     let minus_q = q.negative();
     let zero = Z(q.0.like(0.0), q.0.like(0.0));
