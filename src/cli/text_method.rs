@@ -209,7 +209,7 @@ mod tests {
             "mechaudit audit a-method --region wide --seed 1 --case 17",
             "✓ energy",
             "31.00",
-            "worst phi2: 0.125 ulps of the method, 7.250 of rounding",
+            "worst phi2: 0.125 ulps of the method, 7.25 of rounding",
         ] {
             assert!(text.contains(part), "{part} is missing in\n{text}");
         }
