@@ -116,12 +116,12 @@ impl CamCycle {
         })
     }
 
-    /// The same cycle with the rise starting at an angle in turns.
+    /// The same cycle with the rise starting at an angle in turns; whole turns are taken away.
     ///
     /// # Errors
     /// An angle that is not finite.
     pub fn starting_at(mut self, turns: f64) -> Result<CamCycle, CamLawError> {
-        self.start = finite("start of the rise", turns)?;
+        self.start = finite("start of the rise", turns)? % 1.0;
         Ok(self)
     }
 

@@ -46,7 +46,7 @@ const SMALL: f64 = 1.0 / 16384.0;
 /// |z|² below which cells of the lower half-plane are tabulated.
 const DISC_EDGE: f64 = 1.0;
 /// A component smaller than this part of its terms is computed again in double-double.
-const CANCELLED: f64 = 0.09;
+const CANCELLED: f64 = 0.1;
 /// The same where the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 0.6;
 /// Powers of two from which `2e^{−z²}` stands alone.
