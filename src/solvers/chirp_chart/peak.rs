@@ -5,6 +5,8 @@ const STEPS: usize = 24;
 /// What a sample may lie below the largest one for the peak beside it to be looked at. With eight
 /// samples in the shortest period a peak is at most 1 − cos(π/8) = 7.6 % above its samples.
 const MARGIN: f64 = 0.85;
+/// The largest peaks among the samples are looked at, this many.
+const MOST: usize = 64;
 
 /// Place and value of the largest `|f|` given its values at equally spaced `places`.
 pub(super) fn largest(places: &[f64], values: &[f64], f: impl Fn(f64) -> f64) -> (f64, f64) {
@@ -15,12 +17,15 @@ pub(super) fn largest(places: &[f64], values: &[f64], f: impl Fn(f64) -> f64) ->
     };
     let mut best = (places[top], size(top));
     let last = values.len() - 1;
-    for i in 0..=last {
-        let (left, right) = (i.saturating_sub(1), (i + 1).min(last));
-        let is_peak = size(i) >= size(left) && size(i) >= size(right);
-        if !is_peak || size(i) < MARGIN * size(top) {
-            continue;
-        }
+    let beside = |i: usize| (i.saturating_sub(1), (i + 1).min(last));
+    let is_peak = |&i: &usize| {
+        let (left, right) = beside(i);
+        size(i) >= size(left) && size(i) >= size(right) && size(i) >= MARGIN * size(top)
+    };
+    let mut peaks: Vec<usize> = (0..=last).filter(is_peak).collect();
+    peaks.sort_by(|&a, &b| size(b).total_cmp(&size(a)));
+    for &i in peaks.iter().take(MOST) {
+        let (left, right) = beside(i);
         let found = golden(places[left], places[right], |x| f(x).abs());
         if found.1 > best.1 {
             best = found;

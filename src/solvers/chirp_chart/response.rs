@@ -17,7 +17,7 @@ const REACH: f64 = 1.5;
 /// Least number of samples in a turn.
 const LEAST_SAMPLES: f64 = 200.0;
 /// Most of them: an oscillator a million times as fast as the shaft would fill the memory.
-const MOST_SAMPLES: f64 = 1e6;
+const MOST_SAMPLES: f64 = 2e4;
 
 /// What the period of the forcing is, of which the frequency criterion is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
