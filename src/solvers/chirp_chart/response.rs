@@ -16,7 +16,7 @@ const SAMPLES: f64 = 8.0;
 const REACH: f64 = 1.5;
 /// Least number of samples in a turn.
 const LEAST_SAMPLES: f64 = 200.0;
-/// Most of them: an oscillator a million times as fast as the shaft would fill the memory.
+/// Most of them: 2500 periods in a turn.
 const MOST_SAMPLES: f64 = 2e4;
 
 /// What the period of the forcing is, of which the frequency criterion is made.
@@ -293,7 +293,7 @@ impl CamResponse {
     }
 
     /// The largest values in the turn about a time. Samples lie an eighth of the shortest period
-    /// apart, of the highest harmonic and of the oscillator, but there are a million at most; peaks
+    /// apart, of the highest harmonic and of the oscillator, but there are 20 000 at most; peaks
     /// among them are refined.
     pub fn peaks(&self, t: f64) -> TurnPeaks {
         let times = self.drive.turn_about(t);
