@@ -39,8 +39,7 @@
 //! y′ 1.5, y″ 1.2, Re A 12.4, Im A 2.1. The largest of y and A stand where an
 //! undamped oscillator forced almost statically returns to rest (`wt` next to 2π): displacement and
 //! velocity vanish together there, the parts of the response cancel faster than the condition number
-//! grows, and the closer the return the more digits are lost: 29 in one of 62 500 cases of the
-//! region `run-up`.
+//! grows, and the closer the return the more digits are lost.
 //! [`ChirpResponse::displacements`] differs from [`ChirpResponse::motion`] by less than 10⁻¹⁵ of the largest
 //! displacement in the sweeps tried.
 //!
