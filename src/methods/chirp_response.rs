@@ -149,9 +149,8 @@ impl Method for Audit {
 
 const U: f64 = f64::EPSILON / 2.0;
 
-/// Residual of the equation of motion. The three motions are each within a few u of their own terms
-/// (worst found 2.5 u(1 + cond)) and the cosine within u of its phase; in 40 000 cases a region the
-/// residual was 5.1 u at most. Three times that is allowed.
+/// Residual of the equation of motion: each term has an error of its own and the cosine that of its
+/// phase. In 40 000 cases a region the residual was 5.1 u at most; three times that is allowed.
 fn equation(x: &[f64]) -> Option<f64> {
     let [w, n, eps, omega0, k, delta, _, _, t] = *x else {
         return None;

@@ -40,7 +40,7 @@
 //! undamped oscillator forced almost statically returns to rest (`wt` next to 2π): displacement and
 //! velocity vanish together there, the parts of the response cancel faster than the condition number
 //! grows, and the closer the return the more digits are lost.
-//! [`ChirpResponse::displacements`] differs from [`ChirpResponse::motion`] by less than 10⁻¹⁵ of the largest
+//! [`ChirpResponse::displacements`] differs from [`ChirpResponse::motion`] by up to 1.1 · 10⁻¹⁵ of the largest
 //! displacement in the sweeps tried.
 //!
 //! # Domain
