@@ -217,6 +217,32 @@ pub(super) fn all() -> Vec<Region> {
             finish(d, [w, zeta * 1e-3, kappa, nu, t])
         }),
         region(
+            "return-to-rest",
+            "n/w up to 1e-3, beside times when force and free vibration have made whole half-turns",
+            |d| {
+                let w = frequency(d);
+                let zeta = match d.chance(0.5) {
+                    true => 0.0,
+                    false => d.log_uniform(1e-16, 1e-3),
+                };
+                let free = d.integer(2, 30) as f64;
+                // Of the same parity, but not in resonance.
+                let forced = free - 2.0 * d.integer(1, 40) as f64;
+                let forced = if forced == -free { 0.0 } else { forced };
+                let forced = if d.chance(0.3) { free % 2.0 } else { forced };
+                let end = PI * free / w;
+                let kappa = match d.chance(0.2) {
+                    true => 0.0,
+                    false => w / end * d.log_uniform(1e-12, 1e-2),
+                };
+                let kappa = d.signed(kappa);
+                let nu = PI * forced / end - 0.5 * kappa * end;
+                let off = d.log_uniform(1e-12, 1e-1);
+                let t = end * (1.0 + d.signed(off));
+                finish(d, [w, zeta, kappa, nu, t])
+            },
+        ),
+        region(
             "seams",
             "|z|^2 at time t beside 1, 49, 64, 100, 1000 or 1e5; omega beside w3 + n; |p| t beside 4, 16",
             seam,

@@ -1,11 +1,12 @@
-//! Divided differences over roots that `f64` does not tell apart, in double-double.
+//! Divided differences over roots, in double-double: where `f64` does not tell the roots apart, and
+//! where what follows from the differences cancels.
 
+use super::complex_double_double::Cd;
 use super::roots::Roots;
 use super::sweep::Sweep;
 use crate::solvers::faddeeva::double_double::Dd;
 use crate::solvers::faddeeva::w_extended;
 use num_complex::Complex;
-use std::ops::{Add, Mul, Neg, Sub};
 
 /// A gap below this part of the scale of `F` is replaced by the derivative: what that neglects is
 /// (gap/scale)² of it.
@@ -13,57 +14,6 @@ const DERIVATIVE: f64 = 1e-9;
 
 /// √π/2.
 const HALF_SQRT_PI: Dd = Dd::new(0.886_226_925_452_758, -3.833_293_249_912_899_3e-17);
-
-/// A complex number in double-double.
-#[derive(Clone, Copy, Debug)]
-struct Cd(Dd, Dd);
-
-impl Add for Cd {
-    type Output = Cd;
-    fn add(self, o: Cd) -> Cd {
-        Cd(self.0 + o.0, self.1 + o.1)
-    }
-}
-
-impl Sub for Cd {
-    type Output = Cd;
-    fn sub(self, o: Cd) -> Cd {
-        Cd(self.0 - o.0, self.1 - o.1)
-    }
-}
-
-impl Mul for Cd {
-    type Output = Cd;
-    fn mul(self, o: Cd) -> Cd {
-        Cd(self.0 * o.0 - self.1 * o.1, self.0 * o.1 + self.1 * o.0)
-    }
-}
-
-impl Neg for Cd {
-    type Output = Cd;
-    fn neg(self) -> Cd {
-        Cd(-self.0, -self.1)
-    }
-}
-
-impl Cd {
-    fn scaled(self, x: Dd) -> Cd {
-        Cd(self.0 * x, self.1 * x)
-    }
-
-    fn plus_one(self) -> Cd {
-        Cd(self.0.add_f(1.0), self.1)
-    }
-
-    /// `−i` times it.
-    fn turned(self) -> Cd {
-        Cd(self.1, -self.0)
-    }
-
-    fn value(self) -> Complex<f64> {
-        Complex::new(self.0.value(), self.1.value())
-    }
-}
 
 /// `F`, `R` at `p = −η + iX`.
 fn single(sweep: &Sweep, eta: Dd, x: Dd, beyond: bool) -> (Cd, Cd) {
@@ -83,6 +33,11 @@ fn single(sweep: &Sweep, eta: Dd, x: Dd, beyond: bool) -> (Cd, Cd) {
 #[cold]
 #[inline(never)]
 pub(super) fn differences(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Complex<f64>; 3] {
+    unrounded(sweep, roots, omega).map(Cd::value)
+}
+
+/// The same, unrounded.
+pub(super) fn unrounded(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 3] {
     let scale = omega.hi.abs().max(roots.w).max(sweep.root_kappa.hi);
     let half = roots.half;
     let n = Dd::from(roots.n);
@@ -93,7 +48,7 @@ pub(super) fn differences(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Complex<f
         let by_kappa = Dd::from(1.0).div(sweep.kappa);
         let df = r.turned().scaled(by_kappa);
         let dr = f + Cd(-n, omega) * df;
-        return [df, dr, r + lambda * dr].map(Cd::value);
+        return [df, dr, r + lambda * dr];
     }
     let each = [0, 1].map(|i| {
         let beyond = sweep.beyond(roots, i, omega);
@@ -106,7 +61,7 @@ pub(super) fn differences(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Complex<f
         let x = x.scaled(inverse);
         if roots.over { x } else { x.turned() }
     };
-    [f - g, r - s, lambda[0] * r - lambda[1] * s].map(|x| over_gap(x).value())
+    [f - g, r - s, lambda[0] * r - lambda[1] * s].map(over_gap)
 }
 
 #[cfg(test)]

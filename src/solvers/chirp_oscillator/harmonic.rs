@@ -5,6 +5,7 @@ use super::free::Free;
 use super::inlined::{three, two};
 use super::passage::{left_behind, passage, passage_of_one};
 use super::phase::{circle, decay};
+use super::return_to_rest;
 use super::roots::Roots;
 use super::sweep::{Amplitudes, Sweep};
 use super::types::{Chirp, Harmonic};
@@ -121,10 +122,14 @@ impl Prepared {
                 let own = free.motion(roots.w, a, b);
                 let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
                 let forced = [y, v, a];
-                three(
+                let sum = three(
                     #[inline(always)]
                     |j| forced[j] * carrier + own[j] + left[j],
-                )
+                );
+                match return_to_rest::cancels(sum[0], y) {
+                    true => return_to_rest::motion(&self.sweep, roots, t, carrier).unwrap_or(sum),
+                    false => sum,
+                }
             }
         };
         three(

@@ -26,7 +26,7 @@
 //! - the free vibration that each passage through a resonance leaves (`passage.rs`), its exponents
 //!   combined before any exponential;
 //! - within the first radians, where these would cancel, quadrature of the convolution integral
-//!   (`direct.rs`).
+//!   (`direct.rs`), and beside a return to rest double-double (`return_to_rest.rs`).
 //!
 //! Phases are formed and reduced in double-double, beyond 2³⁰ rad by Payne & Hanek's method. Time is
 //! measured in a power of two for which `w` lies in [1, 2).
@@ -48,6 +48,7 @@
 //! range of `f64`; beyond it values may be NaN.
 
 mod batch;
+mod complex_double_double;
 mod direct;
 mod error;
 mod extended;
@@ -59,6 +60,7 @@ mod motions;
 mod passage;
 mod phase;
 mod response;
+mod return_to_rest;
 mod roots;
 mod rules;
 mod series;

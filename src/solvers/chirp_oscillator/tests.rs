@@ -243,3 +243,29 @@ fn units_of_time() {
         assert_eq!(at(unit, 1.5), due);
     }
 }
+
+/// An undamped oscillator under a static force comes back to rest at every whole turn, by
+/// y = 2 sin²(t/2), y′ = sin t; the digits stay.
+#[test]
+fn returns_to_rest() {
+    let r = response(
+        1.0,
+        0.0,
+        excitation(0.0, 0.0, vec![harmonic(0.0, 1.0, 0.0)]),
+    );
+    // 2π as two numbers.
+    let turn = [std::f64::consts::TAU, 2.449_293_598_294_706_4e-16];
+    for m in [1.0, 2.0, 4.0, 64.0] {
+        for off in [0.3, 1e-2, -1e-3, 1e-5, -1e-7, 1e-9] {
+            let t = turn[0] * m + off;
+            // m is a power of two and the difference exact.
+            let rest = (t - turn[0] * m) - turn[1] * m;
+            let [y, v, a] = at(&r, t);
+            close(y, 2.0 * (rest / 2.0).sin().powi(2), 4.0 * EPS * y.abs());
+            close(v, rest.sin(), 4.0 * EPS * v.abs());
+            close(a, rest.cos(), 4.0 * EPS);
+            let amplitude = r.harmonic(0, t).unwrap().amplitude;
+            close(amplitude.re, y, 4.0 * EPS * y);
+        }
+    }
+}

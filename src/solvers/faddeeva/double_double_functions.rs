@@ -146,6 +146,22 @@ pub(super) fn exp_minus_square<L: Lanes>(
     ((e * c, -(e * s), k), circle, other)
 }
 
+/// `(sin, cos)` of two phases below 2³⁰, and `e^x` of an exponent within ±700.
+#[inline(always)]
+pub(in crate::solvers) fn circles_and_exponential<L: Lanes>(
+    lanes: L,
+    phases: [Dd; 2],
+    exponent: Dd,
+) -> ([(Dd, Dd); 2], Dd) {
+    let f = factors(
+        lanes,
+        [reduce(phases[0]), reduce(phases[1])],
+        [exponent, Dd::new(0.0, 0.0)],
+    );
+    let (m, n) = f.exponentials[0];
+    (f.circle, m.scale(n.power_of_two()))
+}
+
 #[cfg(all(test, feature = "oracle"))]
 #[path = "tests/double_double_functions.rs"]
 mod tests;

@@ -52,7 +52,7 @@ mod constants;
 mod dawson;
 mod derivative;
 pub(in crate::solvers) mod double_double;
-mod double_double_functions;
+pub(in crate::solvers) mod double_double_functions;
 mod erf;
 mod erf_real;
 mod erf_zeros;
