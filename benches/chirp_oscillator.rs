@@ -57,6 +57,23 @@ mod single {
             .bench_local(|| z.iter().map(|z| faddeeva(black_box(*z)).re).sum::<f64>());
     }
 
+    /// The arguments that this oscillator meets: beside the diagonal, |z| from 0.01 to 10⁴ in no
+    /// order, so that the branches are not foreseen.
+    #[divan::bench]
+    fn a_w_beside_the_diagonal(bencher: Bencher) {
+        let golden = |i: u32, by: f64| (f64::from(i) * by).fract();
+        let z: Vec<_> = (0..1000)
+            .map(|i| {
+                let s = 0.01 * 1e6f64.powf(golden(i, 0.618_033_988_749_894_9));
+                let damping = 0.1 * golden(i, 0.414_213_562_373_095_1);
+                Complex::new(s * (1.0 + damping), s * (damping - 1.0)) * 0.5f64.sqrt()
+            })
+            .collect();
+        bencher
+            .counter(ItemsCount::new(z.len()))
+            .bench_local(|| z.iter().map(|z| faddeeva(black_box(*z)).re).sum::<f64>());
+    }
+
     #[divan::bench]
     fn b_displacement(bencher: Bencher) {
         let (r, t) = (response(100.0, 2.0, 1.0, 2.0, 1), times());

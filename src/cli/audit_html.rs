@@ -182,8 +182,15 @@ fn worst(report: &MethodReport) -> String {
     for o in &report.outputs {
         let Some(case) = &o.worst else { continue };
         let hex: Vec<String> = case.input.iter().map(|x| hex_float(*x)).collect();
+        let parts = o.parts.map_or(String::new(), |p| {
+            format!(
+                "; {} ulps from the method, {} from rounding",
+                short(p.method),
+                short(p.rounding)
+            )
+        });
         out.push_str(&format!(
-            "<p>{} at {} of its budget, {}:</p>\n<pre><code class=\"copy\">{}</code>\n\
+            "<p>{} at {} of its budget, {}{parts}:</p>\n<pre><code class=\"copy\">{}</code>\n\
              <code class=\"copy\">{}</code></pre>\n",
             escape(o.name),
             percent(o.max_of_budget),

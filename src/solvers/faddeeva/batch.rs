@@ -10,10 +10,12 @@ use super::maclaurin::maclaurin;
 use super::pack::{Pack, Wide};
 use super::plane::{
     ALONE, BUCKETS, Cancelled, Kind, LOWER, above_real_axis, below_real_axis, bucket,
-    cancels_beside_real_axis, cell, cell_row, disc_cell, disc_row, from_erfcx, from_erfcx_rounded,
-    imaginary_axis_row, in_strip, negligible, on_axis, on_real_axis, real_axis_row, reflect, w,
+    cancels_beside_real_axis, cell, cell_number, disc_cell, disc_number, from_erfcx,
+    from_erfcx_rounded, imaginary_axis_number, in_strip, negligible, on_axis, on_real_axis,
+    real_axis_number, reflect, w,
 };
 use super::real::{ROUND, Real};
+use super::tables::{CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{ComplexRow, complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
 use super::zeros;
 
@@ -37,6 +39,10 @@ struct Chunk<'a, P> {
     /// The points of the buckets, later the real and imaginary parts of their values.
     re: [f64; PLACES],
     im: [f64; PLACES],
+    /// For the bucket at work: the rows of the points and the distances from their centres.
+    row: [u16; ROOM],
+    dx: [f64; ROOM],
+    dy: [f64; ROOM],
     /// The places of points next to a zero.
     zeros: [u16; ROOM],
     near_zeros: usize,
@@ -55,6 +61,9 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         len: [0; BUCKETS],
         re: [0.0; PLACES],
         im: [0.0; PLACES],
+        row: [0; ROOM],
+        dx: [0.0; ROOM],
+        dy: [0.0; ROOM],
         zeros: [0; ROOM],
         near_zeros: 0,
     };
@@ -71,45 +80,65 @@ impl<P: Points> Chunk<'_, P> {
         self.near_zeros = 0;
         self.sort(simd, n);
 
+        self.locate(
+            simd,
+            Kind::Cell as usize,
+            #[inline(always)]
+            |a, y| in_cell(a, y),
+            #[inline(always)]
+            |n| cell_number(n),
+        );
         self.rounded(
             simd,
             lanes,
             Kind::Cell as usize,
             #[inline(always)]
-            |simd, a, y| {
-                let [n, dx, dy] = cell(a, y.magnitude());
-                complex_rows_rounded(simd, &rows(n, cell_row), dx, dy)
-            },
+            |simd, _, _, on| complex_rows_rounded(simd, &on.complex(&CELLS), on.dx, on.dy),
+        );
+        self.locate(
+            simd,
+            Kind::Cell as usize + LOWER,
+            #[inline(always)]
+            |a, y| in_cell(a, y),
+            #[inline(always)]
+            |n| cell_number(n),
         );
         self.reflected(
             simd,
             lanes,
             Kind::Cell,
             #[inline(always)]
-            |simd, a, b| {
-                let [n, dx, dy] = cell(a, b);
-                complex_rows(simd, &rows(n, cell_row), dx, dy)
-            },
+            |simd, _, _, on| complex_rows(simd, &on.complex(&CELLS), on.dx, on.dy),
+        );
+        self.locate(
+            simd,
+            Kind::ImaginaryAxis as usize,
+            #[inline(always)]
+            |a, y| near_imaginary_axis(a, y),
+            #[inline(always)]
+            |n| imaginary_axis_number(n),
         );
         self.rounded(
             simd,
             lanes,
             Kind::ImaginaryAxis as usize,
             #[inline(always)]
-            |simd, a, y| {
-                let (n, t) = on_axis(y.magnitude());
-                from_erfcx_rounded(a, real_rows_rounded(simd, &imaginary_axis_rows(n), t, a))
-            },
+            |simd, a, _, on| from_erfcx_rounded(a, real_rows_rounded(simd, &on.real(), on.dx, a)),
+        );
+        self.locate(
+            simd,
+            Kind::ImaginaryAxis as usize + LOWER,
+            #[inline(always)]
+            |a, y| near_imaginary_axis(a, y),
+            #[inline(always)]
+            |n| imaginary_axis_number(n),
         );
         self.reflected(
             simd,
             lanes,
             Kind::ImaginaryAxis,
             #[inline(always)]
-            |simd, a, b| {
-                let (n, t) = on_axis(b);
-                from_erfcx(a, real_rows(simd, &imaginary_axis_rows(n), t, a))
-            },
+            |simd, a, _, on| from_erfcx(a, real_rows(simd, &on.real(), on.dx, a)),
         );
         self.asymptotic::<S, L, 24>(simd, lanes, Kind::Series24);
         self.asymptotic::<S, L, 14>(simd, lanes, Kind::Series14);
@@ -120,48 +149,64 @@ impl<P: Points> Chunk<'_, P> {
             lanes,
             Kind::Small as usize,
             #[inline(always)]
-            |_, a, y| maclaurin(a, y),
+            |_, a, y, _| maclaurin(a, y),
         );
         self.rounded(
             simd,
             lanes,
             Kind::Series4 as usize,
             #[inline(always)]
-            |_, a, y| series_rounded::<_, 4>(a, y.magnitude()),
+            |_, a, y, _| series_rounded::<_, 4>(a, y.magnitude()),
+        );
+        self.locate(
+            simd,
+            Kind::Disc as usize,
+            #[inline(always)]
+            |a, y| disc_cell(a, y),
+            #[inline(always)]
+            |n| disc_number(n),
         );
         self.rounded(
             simd,
             lanes,
             Kind::Disc as usize,
             #[inline(always)]
-            |simd, a, y| {
-                let [n, dx, dy] = disc_cell(a, y);
-                complex_rows_rounded(simd, &rows(n, disc_row), dx, dy)
-            },
+            |simd, _, _, on| complex_rows_rounded(simd, &on.complex(&DISC), on.dx, on.dy),
+        );
+        self.locate(
+            simd,
+            Kind::RealAxis as usize,
+            #[inline(always)]
+            |a, y| near_real_axis(a, y),
+            #[inline(always)]
+            |n| real_axis_number(n),
         );
         self.rounded(
             simd,
             lanes,
             Kind::RealAxis as usize,
             #[inline(always)]
-            |simd, a, y| {
-                let (n, t) = on_real_axis(a);
-                complex_rows_rounded(
-                    simd,
-                    &rows(n, real_axis_row),
-                    t,
-                    above_real_axis(y.magnitude()),
-                )
+            |simd, _, y, on| {
+                let y = above_real_axis(y.magnitude());
+                complex_rows_rounded(simd, &on.complex(&REAL_AXIS), on.dx, y)
             },
+        );
+        self.locate(
+            simd,
+            Kind::RealAxis as usize + LOWER,
+            #[inline(always)]
+            |a, y| near_real_axis(a, y),
+            #[inline(always)]
+            |n| real_axis_number(n),
         );
         self.points(
             simd,
             lanes,
             Kind::RealAxis as usize + LOWER,
             #[inline(always)]
-            |simd, a, y| {
-                let (n, t) = on_real_axis(a);
-                let (re, im) = complex_rows(simd, &rows(n, real_axis_row), t, below_real_axis(y));
+            |simd, a, y, on| {
+                let rows = on.complex(&REAL_AXIS);
+                let (re, im) = complex_rows(simd, &rows, on.dx, below_real_axis(y));
                 let cancels = cancels_beside_real_axis(a, y, re.hi, im.hi);
                 lost((re.hi, im.hi, cancels))
             },
@@ -171,7 +216,7 @@ impl<P: Points> Chunk<'_, P> {
             lanes,
             Kind::Strip as usize,
             #[inline(always)]
-            |_, a, y| lost(in_strip(a, y)),
+            |_, a, y, _| lost(in_strip(a, y)),
         );
 
         for at in 0..self.len[Kind::Other as usize] {
@@ -293,14 +338,14 @@ impl<P: Points> Chunk<'_, P> {
             lanes,
             kind as usize,
             #[inline(always)]
-            |_, a, y| series_rounded::<_, N>(a, y.magnitude()),
+            |_, a, y, _| series_rounded::<_, N>(a, y.magnitude()),
         );
         self.reflected(
             simd,
             lanes,
             kind,
             #[inline(always)]
-            |_, a, b| series::<_, N>(a, b),
+            |_, a, b, _| series::<_, N>(a, b),
         );
     }
 
@@ -311,15 +356,15 @@ impl<P: Points> Chunk<'_, P> {
         simd: S,
         lanes: L,
         bucket: usize,
-        formula: impl Fn(S, Pack<S>, Pack<S>) -> (Pack<S>, Pack<S>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<S>) -> (Pack<S>, Pack<S>),
     ) {
         self.points(
             simd,
             lanes,
             bucket,
             #[inline(always)]
-            |simd, a, y| {
-                let (re, im) = formula(simd, a, y);
+            |simd, a, y, on| {
+                let (re, im) = formula(simd, a, y, on);
                 (re, im, a.like(0.0))
             },
         );
@@ -332,15 +377,15 @@ impl<P: Points> Chunk<'_, P> {
         simd: S,
         lanes: L,
         kind: Kind,
-        formula: impl Fn(S, Pack<S>, Pack<S>) -> (Dd<Pack<S>>, Dd<Pack<S>>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<S>) -> (Dd<Pack<S>>, Dd<Pack<S>>),
     ) {
         self.points(
             simd,
             lanes,
             kind as usize + LOWER,
             #[inline(always)]
-            |simd, a, y| {
-                let (u, v) = formula(simd, a, y.magnitude());
+            |simd, a, y, on| {
+                let (u, v) = formula(simd, a, y.magnitude(), on);
                 let none = negligible(a, y.magnitude(), u.hi, v.hi);
                 let e = exp_minus_square(a, y);
                 let (re, im, lost) = reflect((u, v), e);
@@ -361,6 +406,48 @@ impl<P: Points> Chunk<'_, P> {
         );
     }
 
+    /// Repeats the last of the `len` points of a bucket, so that groups are whole.
+    #[inline(always)]
+    fn fill(&mut self, first: usize, len: usize) {
+        for part in [&mut self.re, &mut self.im] {
+            let part = &mut part[first..first + ROOM];
+            let last = part[len - 1];
+            part[len..len + 8].fill(last);
+        }
+    }
+
+    /// Finds the rows of the points of a bucket, and their distances from the centres: beforehand,
+    /// because every later operation waits for the row.
+    #[inline(always)]
+    fn locate<S: Wide>(
+        &mut self,
+        simd: S,
+        bucket: usize,
+        located: impl Fn(Pack<S>, Pack<S>) -> [Pack<S>; 3],
+        number: impl Fn(f64) -> u16,
+    ) {
+        let len = self.len[bucket].min(CHUNK);
+        if len == 0 {
+            return;
+        }
+        let first = bucket * ROOM;
+        self.fill(first, len);
+        let mut at = 0;
+        while at < len {
+            let x = Pack::load(simd, &self.re, first + at);
+            let y = Pack::load(simd, &self.im, first + at);
+            let [n, dx, dy] = located(x.magnitude(), y);
+            let n = array(n);
+            let rows = &mut self.row[at..at + 8];
+            for m in 0..S::WIDTH {
+                rows[m] = number(n[m]);
+            }
+            dx.store_at(&mut self.dx, at);
+            dy.store_at(&mut self.dy, at);
+            at += S::WIDTH;
+        }
+    }
+
     /// A bucket: the formula gives both parts and a state for each point: 0 is done, 1 asks for
     /// double-double, 2 for the scalar code; with 4 added the point may lie next to a zero.
     #[inline(always)]
@@ -369,25 +456,25 @@ impl<P: Points> Chunk<'_, P> {
         simd: S,
         lanes: L,
         bucket: usize,
-        formula: impl Fn(S, Pack<S>, Pack<S>) -> (Pack<S>, Pack<S>, Pack<S>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<S>) -> (Pack<S>, Pack<S>, Pack<S>),
     ) {
         let len = self.len[bucket].min(CHUNK);
         if len == 0 {
             return;
         }
         let first = bucket * ROOM;
-        // The last group repeats the last point.
-        for part in [&mut self.re, &mut self.im] {
-            let part = &mut part[first..first + ROOM];
-            let last = part[len - 1];
-            part[len..len + 8].fill(last);
-        }
+        self.fill(first, len);
         let mut at = 0;
         while at < len {
             let place = first + at;
             let x = Pack::load(simd, &self.re, place);
             let y = Pack::load(simd, &self.im, place);
-            let (re, im, state) = formula(simd, x.magnitude(), y);
+            let on = On {
+                row: self.row[at..at + 8].try_into().expect("eight"),
+                dx: Pack::load(simd, &self.dx, at),
+                dy: Pack::load(simd, &self.dy, at),
+            };
+            let (re, im, state) = formula(simd, x.magnitude(), y, on);
             let im = im.with_sign_of(x);
             if state.is_zero() {
                 re.store_at(&mut self.re, place);
@@ -419,26 +506,48 @@ impl<P: Points> Chunk<'_, P> {
     }
 }
 
-/// The rows with the numbers `n`.
-#[inline(always)]
-fn rows<S: Wide>(n: Pack<S>, row: impl Fn(f64) -> &'static ComplexRow) -> [&'static [f64; 40]; 8] {
-    let n = array(n);
-    let mut rows = [&row(ROUND).0; 8];
-    for m in 0..S::WIDTH {
-        rows[m] = &row(n[m]).0;
-    }
-    rows
+/// What [`Chunk::locate`] has found for a group of points: the rows and the distances from their centres.
+struct On<S: Wide> {
+    row: [u16; 8],
+    dx: Pack<S>,
+    dy: Pack<S>,
 }
 
-/// The rows with the numbers `n` on the imaginary axis.
-#[inline(always)]
-fn imaginary_axis_rows<S: Wide>(n: Pack<S>) -> [&'static [f64; 20]; 8] {
-    let n = array(n);
-    let mut rows = [&imaginary_axis_row(ROUND).0; 8];
-    for m in 0..S::WIDTH {
-        rows[m] = &imaginary_axis_row(n[m]).0;
+impl<S: Wide> On<S> {
+    #[inline(always)]
+    fn complex<const N: usize>(&self, table: &'static [ComplexRow; N]) -> [&'static [f64; 40]; 8] {
+        let mut rows = [&table[0].0; 8];
+        for m in 0..S::WIDTH {
+            rows[m] = &table[(self.row[m] as usize).min(N - 1)].0;
+        }
+        rows
     }
-    rows
+
+    #[inline(always)]
+    fn real(&self) -> [&'static [f64; 20]; 8] {
+        let mut rows = [&IMAGINARY_AXIS[0].0; 8];
+        for m in 0..S::WIDTH {
+            rows[m] = &IMAGINARY_AXIS[(self.row[m] as usize).min(IMAGINARY_AXIS.len() - 1)].0;
+        }
+        rows
+    }
+}
+
+#[inline(always)]
+fn in_cell<S: Wide>(a: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
+    cell(a, y.magnitude())
+}
+
+#[inline(always)]
+fn near_imaginary_axis<S: Wide>(_: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
+    let (n, t) = on_axis(y.magnitude());
+    [n, t, t]
+}
+
+#[inline(always)]
+fn near_real_axis<S: Wide>(a: Pack<S>, _: Pack<S>) -> [Pack<S>; 3] {
+    let (n, t) = on_real_axis(a);
+    [n, t, t]
 }
 
 /// The state of points whose terms may cancel.

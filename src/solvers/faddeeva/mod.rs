@@ -75,6 +75,8 @@ mod special;
 #[allow(clippy::all)]
 mod tables;
 mod taylor;
+#[cfg(target_arch = "x86_64")]
+mod taylor_packs;
 mod trapezoidal;
 mod voigt;
 mod zeros;

@@ -4,6 +4,7 @@
 use super::Points;
 use super::batch::batch;
 use super::real::Real;
+use super::taylor_packs::{by_columns, by_rows};
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -20,6 +21,14 @@ pub(in crate::solvers) trait Wide: Simd {
     fn is_one(self, a: Self::u64s) -> Self::m64s;
     /// Numbers `at … at + 3` of each row: four vectors, one place for each row.
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
+    /// The polynomials of Taylor rows: `Σ q_n δⁿ` for each point, with the powers of δ up to the
+    /// fourth; the last block of coefficients stands at the second of the ends.
+    fn polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        ends: (usize, usize),
+        powers: [(Pack<Self>, Pack<Self>); 5],
+    ) -> (Pack<Self>, Pack<Self>);
     /// The numbers from `at` on.
     fn load(self, x: &[f64], at: usize) -> Self::f64s;
     /// Stores the numbers from `at` on.
@@ -63,6 +72,15 @@ impl Wide for V3 {
             cast(x._mm256_permute2f128_pd::<0x31>(p, s)),
             cast(x._mm256_permute2f128_pd::<0x31>(q, t)),
         ]
+    }
+    #[inline(always)]
+    fn polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        ends: (usize, usize),
+        powers: [(Pack<Self>, Pack<Self>); 5],
+    ) -> (Pack<Self>, Pack<Self>) {
+        by_rows(self, rows, ends, powers)
     }
     #[inline(always)]
     fn load(self, x: &[f64], at: usize) -> Self::f64s {
@@ -118,6 +136,15 @@ impl Wide for V4 {
             cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(p, s)),
             cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(q, t)),
         ]
+    }
+    #[inline(always)]
+    fn polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        ends: (usize, usize),
+        powers: [(Pack<Self>, Pack<Self>); 5],
+    ) -> (Pack<Self>, Pack<Self>) {
+        by_columns(self, rows, ends, powers)
     }
     #[inline(always)]
     fn load(self, x: &[f64], at: usize) -> Self::f64s {

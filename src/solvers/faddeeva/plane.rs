@@ -245,7 +245,13 @@ pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
 /// The row of cell number `n`.
 #[inline(always)]
 pub(super) fn cell_row(n: f64) -> &'static ComplexRow {
-    &CELLS[CELL[n.to_bits() as usize & 1023] as usize]
+    &CELLS[cell_number(n) as usize]
+}
+
+/// Its place in the table.
+#[inline(always)]
+pub(super) fn cell_number(n: f64) -> u16 {
+    CELL[n.to_bits() as usize & 1023]
 }
 
 /// The number of the centre on the real axis next to `a`, plus `ROUND`, and the distance from it.
@@ -259,7 +265,13 @@ pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
 /// The row of centre `n` on the real axis.
 #[inline(always)]
 pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
-    &REAL_AXIS[((n.to_bits() as usize & 255).wrapping_sub(18)).min(REAL_AXIS.len() - 1)]
+    &REAL_AXIS[(real_axis_number(n) as usize).min(REAL_AXIS.len() - 1)]
+}
+
+/// Its place in the table.
+#[inline(always)]
+pub(super) fn real_axis_number(n: f64) -> u16 {
+    (n.to_bits() as u16 & 255).wrapping_sub(18)
 }
 
 /// Whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
@@ -283,7 +295,13 @@ pub(super) fn disc_cell<R: Real>(a: R, y: R) -> [R; 3] {
 /// The row of cell number `n` of the lower half-disc.
 #[inline(always)]
 pub(super) fn disc_row(n: f64) -> &'static ComplexRow {
-    &DISC[(n.to_bits() as usize & 31).min(24)]
+    &DISC[(disc_number(n) as usize).min(DISC.len() - 1)]
+}
+
+/// Its place in the table.
+#[inline(always)]
+pub(super) fn disc_number(n: f64) -> u16 {
+    n.to_bits() as u16 & 31
 }
 
 /// `ROUND` plus the number of the centre on an axis next to `x`, and the distance from it.
@@ -297,7 +315,13 @@ pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
 /// The row of centre `n` on the imaginary axis.
 #[inline(always)]
 pub(super) fn imaginary_axis_row(n: f64) -> &'static RealRow {
-    &IMAGINARY_AXIS[(n.to_bits() as usize & 31).min(28)]
+    &IMAGINARY_AXIS[(imaginary_axis_number(n) as usize).min(IMAGINARY_AXIS.len() - 1)]
+}
+
+/// Its place in the table.
+#[inline(always)]
+pub(super) fn imaginary_axis_number(n: f64) -> u16 {
+    n.to_bits() as u16 & 31
 }
 
 /// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.

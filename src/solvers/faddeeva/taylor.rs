@@ -239,32 +239,13 @@ pub(super) fn columns<S: Wide, const N: usize>(
 pub(super) fn polynomials<S: Wide, const N: usize>(
     simd: S,
     rows: &[&[f64; N]; 8],
-    (first, last): (usize, usize),
-    (dx, dy): (Pack<S>, Pack<S>),
+    ends: (usize, usize),
+    delta: (Pack<S>, Pack<S>),
     d2: (Pack<S>, Pack<S>),
 ) -> (Pack<S>, Pack<S>) {
-    let [(x3, y3), (x4, y4)] = powers((dx, dy), d2);
-    let (mut re, mut im) = (columns(simd, rows, last), columns(simd, rows, last + 4));
-    let mut at = last;
-    while at > first {
-        at -= 8;
-        let (a, b) = (columns(simd, rows, at), columns(simd, rows, at + 4));
-        for m in 0..4 {
-            let r = x4.fma(re[m], (-y4).fma(im[m], a[m]));
-            im[m] = x4.fma(im[m], y4.fma(re[m], b[m]));
-            re[m] = r;
-        }
-    }
-    let (px, py) = ([dx, dx, d2.0, x3], [dy, dy, d2.1, y3]);
-    let (mut sr, mut si) = (re, im);
-    for m in 1..4 {
-        sr[m] = (-py[m]).fma(im[m], px[m] * re[m]);
-        si[m] = px[m].fma(im[m], py[m] * re[m]);
-    }
-    (
-        (sr[0] + sr[2]) + (sr[1] + sr[3]),
-        (si[0] + si[2]) + (si[1] + si[3]),
-    )
+    let [d3, d4] = powers(delta, d2);
+    let one = (delta.0.like(1.0), delta.0.like(0.0));
+    simd.polynomials(rows, ends, [one, delta, d2, d3, d4])
 }
 
 /// [`complex_row`] for several points with a row each.
