@@ -10,13 +10,11 @@ use super::maclaurin::maclaurin;
 use super::pack::{Pack, Wide};
 use super::plane::{
     ALONE, BUCKETS, Cancelled, Kind, LOWER, above_real_axis, below_real_axis, bucket,
-    cancels_beside_real_axis, cell, cell_number, disc_cell, disc_number, from_erfcx,
-    from_erfcx_rounded, imaginary_axis_number, in_strip, negligible, on_axis, on_real_axis,
-    real_axis_number, reflect, w,
+    cancels_beside_real_axis, from_erfcx, from_erfcx_rounded, in_strip, negligible, reflect, w,
 };
 use super::real::{ROUND, Real};
-use super::tables::{CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
-use super::taylor::{ComplexRow, complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
+use super::rows::{Cells, ImaginaryAxis, LowerDisc, NoRows, On, RealAxis, Rows};
+use super::taylor::{complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
 use super::zeros;
 
 /// Points sorted at a time.
@@ -80,65 +78,37 @@ impl<P: Points> Chunk<'_, P> {
         self.near_zeros = 0;
         self.sort(simd, n);
 
-        self.locate(
-            simd,
-            Kind::Cell as usize,
-            #[inline(always)]
-            |a, y| in_cell(a, y),
-            #[inline(always)]
-            |n| cell_number(n),
-        );
         self.rounded(
             simd,
             lanes,
+            Cells,
             Kind::Cell as usize,
             #[inline(always)]
-            |simd, _, _, on| complex_rows_rounded(simd, &on.complex(&CELLS), on.dx, on.dy),
-        );
-        self.locate(
-            simd,
-            Kind::Cell as usize + LOWER,
-            #[inline(always)]
-            |a, y| in_cell(a, y),
-            #[inline(always)]
-            |n| cell_number(n),
+            |simd, _, _, on| complex_rows_rounded(simd, &on.rows, on.dx, on.dy),
         );
         self.reflected(
             simd,
             lanes,
+            Cells,
             Kind::Cell,
             #[inline(always)]
-            |simd, _, _, on| complex_rows(simd, &on.complex(&CELLS), on.dx, on.dy),
-        );
-        self.locate(
-            simd,
-            Kind::ImaginaryAxis as usize,
-            #[inline(always)]
-            |a, y| near_imaginary_axis(a, y),
-            #[inline(always)]
-            |n| imaginary_axis_number(n),
+            |simd, _, _, on| complex_rows(simd, &on.rows, on.dx, on.dy),
         );
         self.rounded(
             simd,
             lanes,
+            ImaginaryAxis,
             Kind::ImaginaryAxis as usize,
             #[inline(always)]
-            |simd, a, _, on| from_erfcx_rounded(a, real_rows_rounded(simd, &on.real(), on.dx, a)),
-        );
-        self.locate(
-            simd,
-            Kind::ImaginaryAxis as usize + LOWER,
-            #[inline(always)]
-            |a, y| near_imaginary_axis(a, y),
-            #[inline(always)]
-            |n| imaginary_axis_number(n),
+            |simd, a, _, on| from_erfcx_rounded(a, real_rows_rounded(simd, &on.rows, on.dx, a)),
         );
         self.reflected(
             simd,
             lanes,
+            ImaginaryAxis,
             Kind::ImaginaryAxis,
             #[inline(always)]
-            |simd, a, _, on| from_erfcx(a, real_rows(simd, &on.real(), on.dx, a)),
+            |simd, a, _, on| from_erfcx(a, real_rows(simd, &on.rows, on.dx, a)),
         );
         self.asymptotic::<S, L, 24>(simd, lanes, Kind::Series24);
         self.asymptotic::<S, L, 14>(simd, lanes, Kind::Series14);
@@ -147,6 +117,7 @@ impl<P: Points> Chunk<'_, P> {
         self.rounded(
             simd,
             lanes,
+            NoRows,
             Kind::Small as usize,
             #[inline(always)]
             |_, a, y, _| maclaurin(a, y),
@@ -154,59 +125,38 @@ impl<P: Points> Chunk<'_, P> {
         self.rounded(
             simd,
             lanes,
+            NoRows,
             Kind::Series4 as usize,
             #[inline(always)]
             |_, a, y, _| series_rounded::<_, 4>(a, y.magnitude()),
         );
-        self.locate(
+        self.rounded(
             simd,
+            lanes,
+            LowerDisc,
             Kind::Disc as usize,
             #[inline(always)]
-            |a, y| disc_cell(a, y),
-            #[inline(always)]
-            |n| disc_number(n),
+            |simd, _, _, on| complex_rows_rounded(simd, &on.rows, on.dx, on.dy),
         );
         self.rounded(
             simd,
             lanes,
-            Kind::Disc as usize,
-            #[inline(always)]
-            |simd, _, _, on| complex_rows_rounded(simd, &on.complex(&DISC), on.dx, on.dy),
-        );
-        self.locate(
-            simd,
-            Kind::RealAxis as usize,
-            #[inline(always)]
-            |a, y| near_real_axis(a, y),
-            #[inline(always)]
-            |n| real_axis_number(n),
-        );
-        self.rounded(
-            simd,
-            lanes,
+            RealAxis,
             Kind::RealAxis as usize,
             #[inline(always)]
             |simd, _, y, on| {
                 let y = above_real_axis(y.magnitude());
-                complex_rows_rounded(simd, &on.complex(&REAL_AXIS), on.dx, y)
+                complex_rows_rounded(simd, &on.rows, on.dx, y)
             },
-        );
-        self.locate(
-            simd,
-            Kind::RealAxis as usize + LOWER,
-            #[inline(always)]
-            |a, y| near_real_axis(a, y),
-            #[inline(always)]
-            |n| real_axis_number(n),
         );
         self.points(
             simd,
             lanes,
+            RealAxis,
             Kind::RealAxis as usize + LOWER,
             #[inline(always)]
             |simd, a, y, on| {
-                let rows = on.complex(&REAL_AXIS);
-                let (re, im) = complex_rows(simd, &rows, on.dx, below_real_axis(y));
+                let (re, im) = complex_rows(simd, &on.rows, on.dx, below_real_axis(y));
                 let cancels = cancels_beside_real_axis(a, y, re.hi, im.hi);
                 lost((re.hi, im.hi, cancels))
             },
@@ -214,6 +164,7 @@ impl<P: Points> Chunk<'_, P> {
         self.points(
             simd,
             lanes,
+            NoRows,
             Kind::Strip as usize,
             #[inline(always)]
             |_, a, y, _| lost(in_strip(a, y)),
@@ -336,6 +287,7 @@ impl<P: Points> Chunk<'_, P> {
         self.rounded(
             simd,
             lanes,
+            NoRows,
             kind as usize,
             #[inline(always)]
             |_, a, y, _| series_rounded::<_, N>(a, y.magnitude()),
@@ -343,6 +295,7 @@ impl<P: Points> Chunk<'_, P> {
         self.reflected(
             simd,
             lanes,
+            NoRows,
             kind,
             #[inline(always)]
             |_, a, b, _| series::<_, N>(a, b),
@@ -351,16 +304,18 @@ impl<P: Points> Chunk<'_, P> {
 
     /// A bucket whose formula gives the value.
     #[inline(always)]
-    fn rounded<S: Wide, L: Lanes>(
+    fn rounded<S: Wide, L: Lanes, const N: usize>(
         &mut self,
         simd: S,
         lanes: L,
+        rows: impl Rows<N>,
         bucket: usize,
-        formula: impl Fn(S, Pack<S>, Pack<S>, On<S>) -> (Pack<S>, Pack<S>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Pack<S>, Pack<S>),
     ) {
         self.points(
             simd,
             lanes,
+            rows,
             bucket,
             #[inline(always)]
             |simd, a, y, on| {
@@ -372,16 +327,18 @@ impl<P: Points> Chunk<'_, P> {
 
     /// The bucket in the lower half-plane of a formula that gives `w(a + i|y|)`.
     #[inline(always)]
-    fn reflected<S: Wide, L: Lanes>(
+    fn reflected<S: Wide, L: Lanes, const N: usize>(
         &mut self,
         simd: S,
         lanes: L,
+        rows: impl Rows<N>,
         kind: Kind,
-        formula: impl Fn(S, Pack<S>, Pack<S>, On<S>) -> (Dd<Pack<S>>, Dd<Pack<S>>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Dd<Pack<S>>, Dd<Pack<S>>),
     ) {
         self.points(
             simd,
             lanes,
+            rows,
             kind as usize + LOWER,
             #[inline(always)]
             |simd, a, y, on| {
@@ -416,31 +373,24 @@ impl<P: Points> Chunk<'_, P> {
         }
     }
 
-    /// Finds the rows of the points of a bucket, and their distances from the centres: beforehand,
-    /// because every later operation waits for the row.
+    /// Finds the rows of the points of a bucket and their distances from the centres: beforehand,
+    /// because all that follows waits for the row.
     #[inline(always)]
-    fn locate<S: Wide>(
+    fn locate<S: Wide, const N: usize>(
         &mut self,
         simd: S,
-        bucket: usize,
-        located: impl Fn(Pack<S>, Pack<S>) -> [Pack<S>; 3],
-        number: impl Fn(f64) -> u16,
+        rows: impl Rows<N>,
+        first: usize,
+        len: usize,
     ) {
-        let len = self.len[bucket].min(CHUNK);
-        if len == 0 {
-            return;
-        }
-        let first = bucket * ROOM;
-        self.fill(first, len);
         let mut at = 0;
         while at < len {
             let x = Pack::load(simd, &self.re, first + at);
             let y = Pack::load(simd, &self.im, first + at);
-            let [n, dx, dy] = located(x.magnitude(), y);
-            let n = array(n);
-            let rows = &mut self.row[at..at + 8];
+            let [codes, dx, dy] = rows.locate(x.magnitude(), y);
+            let codes = array(codes);
             for m in 0..S::WIDTH {
-                rows[m] = number(n[m]);
+                self.row[at + m] = rows.number(codes[m]);
             }
             dx.store_at(&mut self.dx, at);
             dy.store_at(&mut self.dy, at);
@@ -451,12 +401,13 @@ impl<P: Points> Chunk<'_, P> {
     /// A bucket: the formula gives both parts and a state for each point: 0 is done, 1 asks for
     /// double-double, 2 for the scalar code; with 4 added the point may lie next to a zero.
     #[inline(always)]
-    fn points<S: Wide, L: Lanes>(
+    fn points<S: Wide, L: Lanes, R: Rows<N>, const N: usize>(
         &mut self,
         simd: S,
         lanes: L,
+        rows: R,
         bucket: usize,
-        formula: impl Fn(S, Pack<S>, Pack<S>, On<S>) -> (Pack<S>, Pack<S>, Pack<S>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Pack<S>, Pack<S>, Pack<S>),
     ) {
         let len = self.len[bucket].min(CHUNK);
         if len == 0 {
@@ -464,13 +415,20 @@ impl<P: Points> Chunk<'_, P> {
         }
         let first = bucket * ROOM;
         self.fill(first, len);
+        if R::SOME {
+            self.locate(simd, rows, first, len);
+        }
         let mut at = 0;
         while at < len {
             let place = first + at;
             let x = Pack::load(simd, &self.re, place);
             let y = Pack::load(simd, &self.im, place);
+            let mut group = [rows.row(0); 8];
+            for m in 0..S::WIDTH {
+                group[m] = rows.row(self.row[at + m]);
+            }
             let on = On {
-                row: self.row[at..at + 8].try_into().expect("eight"),
+                rows: group,
                 dx: Pack::load(simd, &self.dx, at),
                 dy: Pack::load(simd, &self.dy, at),
             };
@@ -504,50 +462,6 @@ impl<P: Points> Chunk<'_, P> {
             _ => self.alone(lanes, place),
         }
     }
-}
-
-/// What [`Chunk::locate`] has found for a group of points: the rows and the distances from their centres.
-struct On<S: Wide> {
-    row: [u16; 8],
-    dx: Pack<S>,
-    dy: Pack<S>,
-}
-
-impl<S: Wide> On<S> {
-    #[inline(always)]
-    fn complex<const N: usize>(&self, table: &'static [ComplexRow; N]) -> [&'static [f64; 40]; 8] {
-        let mut rows = [&table[0].0; 8];
-        for m in 0..S::WIDTH {
-            rows[m] = &table[(self.row[m] as usize).min(N - 1)].0;
-        }
-        rows
-    }
-
-    #[inline(always)]
-    fn real(&self) -> [&'static [f64; 20]; 8] {
-        let mut rows = [&IMAGINARY_AXIS[0].0; 8];
-        for m in 0..S::WIDTH {
-            rows[m] = &IMAGINARY_AXIS[(self.row[m] as usize).min(IMAGINARY_AXIS.len() - 1)].0;
-        }
-        rows
-    }
-}
-
-#[inline(always)]
-fn in_cell<S: Wide>(a: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
-    cell(a, y.magnitude())
-}
-
-#[inline(always)]
-fn near_imaginary_axis<S: Wide>(_: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
-    let (n, t) = on_axis(y.magnitude());
-    [n, t, t]
-}
-
-#[inline(always)]
-fn near_real_axis<S: Wide>(a: Pack<S>, _: Pack<S>) -> [Pack<S>; 3] {
-    let (n, t) = on_real_axis(a);
-    [n, t, t]
 }
 
 /// The state of points whose terms may cancel.

@@ -70,6 +70,8 @@ mod plane;
 mod quadrant;
 pub(in crate::solvers) mod real;
 mod relatives_tables;
+#[cfg(target_arch = "x86_64")]
+mod rows;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]

@@ -6,7 +6,7 @@ use super::batch::batch;
 use super::real::Real;
 use super::taylor_packs::{by_columns, by_rows};
 use pulp::x86::{V3, V4};
-use pulp::{NullaryFnOnce, Simd, cast};
+use pulp::{NullaryFnOnce, Simd, cast, f64x4};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A set of instructions for several points at once.
@@ -42,6 +42,21 @@ fn four<const N: usize>(row: &[f64; N], at: usize) -> [f64; 4] {
     [row[at], row[at + 1], row[at + 2], row[at + 3]]
 }
 
+/// Four vectors, transposed.
+#[inline(always)]
+pub(super) fn transposed(simd: V3, [a, b, c, d]: [f64x4; 4]) -> [f64x4; 4] {
+    let x = simd.avx;
+    let (a, b, c, d) = (cast(a), cast(b), cast(c), cast(d));
+    let (p, q) = (x._mm256_unpacklo_pd(a, b), x._mm256_unpackhi_pd(a, b));
+    let (s, t) = (x._mm256_unpacklo_pd(c, d), x._mm256_unpackhi_pd(c, d));
+    [
+        cast(x._mm256_permute2f128_pd::<0x20>(p, s)),
+        cast(x._mm256_permute2f128_pd::<0x20>(q, t)),
+        cast(x._mm256_permute2f128_pd::<0x31>(p, s)),
+        cast(x._mm256_permute2f128_pd::<0x31>(q, t)),
+    ]
+}
+
 impl Wide for V3 {
     const WIDTH: usize = 4;
     #[inline(always)]
@@ -61,17 +76,8 @@ impl Wide for V3 {
     }
     #[inline(always)]
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
-        let r = |i: usize| cast(four(rows[i], at));
-        let (a, b, c, d) = (r(0), r(1), r(2), r(3));
-        let x = self.avx;
-        let (p, q) = (x._mm256_unpacklo_pd(a, b), x._mm256_unpackhi_pd(a, b));
-        let (s, t) = (x._mm256_unpacklo_pd(c, d), x._mm256_unpackhi_pd(c, d));
-        [
-            cast(x._mm256_permute2f128_pd::<0x20>(p, s)),
-            cast(x._mm256_permute2f128_pd::<0x20>(q, t)),
-            cast(x._mm256_permute2f128_pd::<0x31>(p, s)),
-            cast(x._mm256_permute2f128_pd::<0x31>(q, t)),
-        ]
+        let row = |i: usize| cast(four(rows[i], at));
+        transposed(self, [row(0), row(1), row(2), row(3)])
     }
     #[inline(always)]
     fn polynomials<const N: usize>(

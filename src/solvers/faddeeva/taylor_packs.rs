@@ -5,7 +5,7 @@
 //! point's four interleaved polynomials stay in one vector until their sums are transposed. Both
 //! carry out the same operations on the same numbers.
 
-use super::pack::{Pack, Wide};
+use super::pack::{Pack, Wide, transposed};
 use super::real::Real;
 use pulp::x86::V3;
 use pulp::{cast, f64x4};
@@ -52,21 +52,6 @@ pub(super) fn by_columns<S: Wide, const N: usize>(
 #[inline(always)]
 fn total<S: Wide>(s: [Pack<S>; 4]) -> Pack<S> {
     (s[0] + s[2]) + (s[1] + s[3])
-}
-
-/// Four vectors, transposed.
-#[inline(always)]
-fn transposed(simd: V3, [a, b, c, d]: [f64x4; 4]) -> [f64x4; 4] {
-    let x = simd.avx;
-    let (a, b, c, d) = (cast(a), cast(b), cast(c), cast(d));
-    let (p, q) = (x._mm256_unpacklo_pd(a, b), x._mm256_unpackhi_pd(a, b));
-    let (s, t) = (x._mm256_unpacklo_pd(c, d), x._mm256_unpackhi_pd(c, d));
-    [
-        cast(x._mm256_permute2f128_pd::<0x20>(p, s)),
-        cast(x._mm256_permute2f128_pd::<0x20>(q, t)),
-        cast(x._mm256_permute2f128_pd::<0x31>(p, s)),
-        cast(x._mm256_permute2f128_pd::<0x31>(q, t)),
-    ]
 }
 
 #[inline(always)]
