@@ -58,7 +58,9 @@ fn series(x: &[f64]) -> Result<FourierSeries, &'static str> {
         let low = 1.0 - x[RISE] - x[DWELL] - x[FALL];
         CamCycle::new(x[LIFT], rise, x[DWELL], fall, low.max(0.0))
     };
-    let cycle = cycle.and_then(|c| c.starting_at(x[START])).map_err(|_| "cycle")?;
+    let cycle = cycle
+        .and_then(|c| c.starting_at(x[START]))
+        .map_err(|_| "cycle")?;
     Ok(FourierSeries::new(&cycle))
 }
 
@@ -104,14 +106,30 @@ impl Method for Audit {
              a transform by up to a factor of 5",
         );
         vec![
-            Output { name: "a_0", unit: "m", budget: mean },
-            Output { name: "a_n", unit: "m", budget: coefficient },
-            Output { name: "b_n", unit: "m", budget: coefficient },
+            Output {
+                name: "a_0",
+                unit: "m",
+                budget: mean,
+            },
+            Output {
+                name: "a_n",
+                unit: "m",
+                budget: coefficient,
+            },
+            Output {
+                name: "b_n",
+                unit: "m",
+                budget: coefficient,
+            },
         ]
     }
 
     fn domain(&self) -> Domain {
-        let region = |name, description, sample| Region { name, description, sample };
+        let region = |name, description, sample| Region {
+            name,
+            description,
+            sample,
+        };
         let point = |name, input| CheckPoint { name, input };
         let harmonic = [input::SCCA, 0.5, 2.0, 0.0, 1.0];
         let at = |numbers: [f64; LAWS]| {
@@ -128,11 +146,17 @@ impl Method for Audit {
                 region("symmetric-polynomials", "3-4-5 and 4-5-6-7", |d| {
                     any_cycle(d, input::any_symmetric)
                 }),
-                region("asymmetric", "5 to 95 % of a stroke spent accelerating", |d| {
-                    any_cycle(d, input::any_asymmetric)
+                region(
+                    "asymmetric",
+                    "5 to 95 % of a stroke spent accelerating",
+                    |d| any_cycle(d, input::any_asymmetric),
+                ),
+                region("polynomials", "degree 1 to 12", |d| {
+                    any_cycle(d, input::any_polynomial)
                 }),
-                region("polynomials", "degree 1 to 12", |d| any_cycle(d, input::any_polynomial)),
-                region("tables", "splines on 3 to 7 knots", |d| any_cycle(d, input::any_table)),
+                region("tables", "splines on 3 to 7 knots", |d| {
+                    any_cycle(d, input::any_table)
+                }),
                 region("indexing", "a rise in each turn and no return", |d| {
                     let mut x = any_cycle(d, input::any_scca);
                     x[RISE] = d.uniform(0.2, 1.0);
@@ -157,9 +181,18 @@ impl Method for Audit {
                 ),
             ],
             check_points: vec![
-                point("paper-law", at([1.0, 0.1, 1.0 / 3.0, 1.0 / 6.0, 0.25, 1.0, 1.0])),
-                point("indexing-cam", at([1.0, 0.1, 1.0 / 3.0, 0.0, 0.0, 1.0, 1.0])),
-                point("last", at([1.0, 0.1, 1.0 / 3.0, 1.0 / 6.0, 0.25, 999_993.0, 1.0])),
+                point(
+                    "paper-law",
+                    at([1.0, 0.1, 1.0 / 3.0, 1.0 / 6.0, 0.25, 1.0, 1.0]),
+                ),
+                point(
+                    "indexing-cam",
+                    at([1.0, 0.1, 1.0 / 3.0, 0.0, 0.0, 1.0, 1.0]),
+                ),
+                point(
+                    "last",
+                    at([1.0, 0.1, 1.0 / 3.0, 1.0 / 6.0, 0.25, 999_993.0, 1.0]),
+                ),
             ],
         }
     }
@@ -221,7 +254,11 @@ impl Method for Audit {
         };
         let size = |part: Option<ExactLaw>, left: bool| {
             let mean = part?.mean(128);
-            let mean = if left { Ball::integer(128, 1) - mean } else { mean };
+            let mean = if left {
+                Ball::integer(128, 1) - mean
+            } else {
+                mean
+            };
             Some(mean.magnitude().to_f64())
         };
         let parts = laws(&exact)?;
@@ -264,7 +301,11 @@ impl Method for Audit {
 
 fn worst(x: &[f64], law: fn(&FourierSeries, u32) -> f64) -> Option<f64> {
     let series = series(x).ok()?;
-    Some(orders(|i| x[i]).map(|n| law(&series, n)).fold(0.0, f64::max))
+    Some(
+        orders(|i| x[i])
+            .map(|n| law(&series, n))
+            .fold(0.0, f64::max),
+    )
 }
 
 fn amplitude_and_phase(series: &FourierSeries, n: u32) -> f64 {
@@ -273,7 +314,11 @@ fn amplitude_and_phase(series: &FourierSeries, n: u32) -> f64 {
     };
     let (d, phase) = (h.amplitude(), h.phase());
     let off = (d * phase.cos() - h.a).abs() + (d * phase.sin() + h.b).abs();
-    if off == 0.0 { 0.0 } else { off / (4.0 * f64::EPSILON * d) }
+    if off == 0.0 {
+        0.0
+    } else {
+        off / (4.0 * f64::EPSILON * d)
+    }
 }
 
 fn decay(series: &FourierSeries, n: u32) -> f64 {
@@ -289,7 +334,11 @@ fn any_cycle(d: &mut Draw, law: fn(&mut Draw) -> Vec<f64>) -> Vec<f64> {
     let (rise, fall) = (d.uniform(0.1, 0.45), d.uniform(0.1, 0.45));
     let dwell = d.uniform(0.0, 1.0 - rise - fall);
     let first = d.log_uniform(1.0, 9e5).floor();
-    let stride = if first < 20.0 { 1.0 } else { d.integer(1, 7) as f64 };
+    let stride = if first < 20.0 {
+        1.0
+    } else {
+        d.integer(1, 7) as f64
+    };
     let lift = d.log_uniform(1e-3, 10.0);
     let mut x = vec![lift, d.uniform(-1.0, 1.0), rise, dwell, fall, first, stride];
     x.extend(law(d));
@@ -301,7 +350,11 @@ fn near_singularity(d: &mut Draw) -> Vec<f64> {
     let mut x = any_cycle(d, input::any_scca);
     // Random shares, not those of a named law.
     let share = d.uniform(0.05, 0.9);
-    let (b, dd) = if d.chance(0.5) { (share, 0.0) } else { (0.0, share) };
+    let (b, dd) = if d.chance(0.5) {
+        (share, 0.0)
+    } else {
+        (0.0, share)
+    };
     x.truncate(LAWS);
     for _ in 0..2 {
         x.extend([input::SCCA, 0.5, 2.0, b, dd]);

@@ -34,7 +34,10 @@ impl Method for Audit {
     }
 
     fn inputs(&self) -> Vec<Input> {
-        let mut all = vec![Input { name: "x", unit: "1" }];
+        let mut all = vec![Input {
+            name: "x",
+            unit: "1",
+        }];
         all.extend(input::INPUTS);
         all
     }
@@ -53,23 +56,37 @@ impl Method for Audit {
         );
         ["s", "1 - s", "s'", "s''", "s'''"]
             .map(|name| {
-                let budget = if name.contains('\'') { budget } else { complement };
-                Output { name, unit: "1", budget }
+                let budget = if name.contains('\'') {
+                    budget
+                } else {
+                    complement
+                };
+                Output {
+                    name,
+                    unit: "1",
+                    budget,
+                }
             })
             .to_vec()
     }
 
     fn domain(&self) -> Domain {
-        let region = |name, description, sample| Region { name, description, sample };
+        let region = |name, description, sample| Region {
+            name,
+            description,
+            sample,
+        };
         let named = |name, x: f64, b: f64, d: f64| CheckPoint {
             name,
             input: vec![x, input::SCCA, 0.5, 2.0, b, d],
         };
         Domain {
             regions: vec![
-                region("scca", "any shares b, c, d, also none of one or two of them", |d| {
-                    at_any_place(d, input::any_scca)
-                }),
+                region(
+                    "scca",
+                    "any shares b, c, d, also none of one or two of them",
+                    |d| at_any_place(d, input::any_scca),
+                ),
                 region("symmetric-polynomials", "3-4-5 and 4-5-6-7", |d| {
                     at_any_place(d, input::any_symmetric)
                 }),
@@ -83,12 +100,16 @@ impl Method for Audit {
                     "all of these, 1e-15 to 1e-2 from an end of the stroke",
                     near_the_ends,
                 ),
-                region("polynomials", "degree 1 to 12, coefficients up to 20", |d| {
-                    at_any_place(d, input::any_polynomial)
-                }),
-                region("tables", "splines on 3 to 7 knots with zero end velocities", |d| {
-                    at_any_place(d, input::any_table)
-                }),
+                region(
+                    "polynomials",
+                    "degree 1 to 12, coefficients up to 20",
+                    |d| at_any_place(d, input::any_polynomial),
+                ),
+                region(
+                    "tables",
+                    "splines on 3 to 7 knots with zero end velocities",
+                    |d| at_any_place(d, input::any_table),
+                ),
             ],
             check_points: vec![
                 named("harmonic-start", 0.0, 0.0, 1.0),

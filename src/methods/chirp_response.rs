@@ -2,8 +2,8 @@
 
 use super::chirp_regions as regions;
 use crate::audit::{
-    Budget, Domain, HardCase, Input, Law, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, SolverAnswer,
+    Budget, Domain, HardCase, Input, Law, Limit, Method, Output, Proof, Reference, ReferenceAnswer,
+    SolverAnswer,
 };
 use crate::reference::chirp_oscillator::{Problem, conditions, enclose};
 use crate::solvers::chirp_oscillator::{
@@ -34,8 +34,7 @@ pub(super) fn values(input: &[f64]) -> Result<Vec<f64>, ChirpError> {
         velocity: v0,
     };
     let chirp = Chirp { omega0, eps };
-    let response =
-        ChirpResponse::of_harmonic(Oscillator::new(w, n)?, chirp, harmonic, initial)?;
+    let response = ChirpResponse::of_harmonic(Oscillator::new(w, n)?, chirp, harmonic, initial)?;
     let m = response.motion(t)?;
     let a = response.harmonic(0, t)?.amplitude;
     Ok(vec![m.displacement, m.velocity, m.acceleration, a.re, a.im])
@@ -203,7 +202,10 @@ mod tests {
             ..Settings::default()
         };
         let report = audit_method(&Audit, &settings, &|| ());
-        let failed = report.failures.first().map(|f| (&f.case, &f.judgement.reason));
+        let failed = report
+            .failures
+            .first()
+            .map(|f| (&f.case, &f.judgement.reason));
         assert!(report.passed(), "{failed:?} {:?}", report.laws);
         assert!(report.laws.iter().all(|l| l.cases > 50));
     }

@@ -1,8 +1,8 @@
 //! The class-III linkage on a chosen assembly mode: positions, rates and reduced quantities.
 
-use crate::audit::{HardCase, 
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, Region, SolverAnswer,
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof,
+    Reference, ReferenceAnswer, Region, SolverAnswer,
 };
 use crate::reference::class_iii::{self as exact, Configuration, ExactAngle, Linkage};
 use crate::reference::{Ball, Mag};
@@ -137,7 +137,12 @@ fn values(linkage: &Linkage, at: &Configuration, x: &[Rational]) -> Result<Vec<B
     all.extend(k.angles);
     all.extend(k.first);
     all.extend(k.second);
-    all.extend([r.inertia, r.inertia_derivative, r.moment, r.moment_derivative]);
+    all.extend([
+        r.inertia,
+        r.inertia_derivative,
+        r.moment,
+        r.moment_derivative,
+    ]);
     Ok(all)
 }
 
@@ -176,7 +181,10 @@ impl Method for Audit {
             i("phi1", "rad"),
             i("mode (index by phi4, modulo their number)", "1"),
             i("gravity", "m/s^2"),
-            i("for links 1 to 5: mass, inertia, radius, angle", "kg, kg m^2, m, rad"),
+            i(
+                "for links 1 to 5: mass, inertia, radius, angle",
+                "kg, kg m^2, m, rad",
+            ),
             i("for links 1, 3, 5: inertia about the pivot (0 or 1)", "1"),
         ]
     }
@@ -298,7 +306,10 @@ impl Method for Audit {
         if x.len() != LENGTH {
             return None;
         }
-        let mut q: Vec<Rational> = x.iter().map(|&v| Rational::from_f64(v)).collect::<Option<_>>()?;
+        let mut q: Vec<Rational> = x
+            .iter()
+            .map(|&v| Rational::from_f64(v))
+            .collect::<Option<_>>()?;
         let linkage = exact_linkage(&q, BITS_OF_CONDITIONS)?;
         let start = configuration(&linkage, &q).ok()?;
         let base = values(&linkage, &start, &q).ok()?;
@@ -363,7 +374,10 @@ fn round_trip_law(x: &[f64]) -> Option<f64> {
     let there = linkage.follow(&start, start.phi1 + 1e-3).ok()?;
     let back = linkage.follow(&there, start.phi1).ok()?;
     let (a, b) = (start.positions.to_array(), back.positions.to_array());
-    let moved = a.iter().zip(b).fold(0.0f64, |m, (x, y)| m.max((x - y).abs()));
+    let moved = a
+        .iter()
+        .zip(b)
+        .fold(0.0f64, |m, (x, y)| m.max((x - y).abs()));
     Some(moved / (1e-12 * start.condition.max(1.0)))
 }
 

@@ -1,7 +1,7 @@
 //! All assembly modes of the class-III linkage: their number and every angle.
 
-use crate::audit::{HardCase, 
-    Budget, CheckPoint, Domain, Draw, Input, Limit, Method, Output, Proof, Reference,
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer,
 };
 use crate::reference::class_iii::{self as exact, Linkage};
@@ -20,7 +20,17 @@ const BUDGET: Budget = Budget {
 };
 
 const PAPER: [f64; 11] = [
-    0.10, 1.04, 0.60, 0.64, 0.485, 0.22, -0.685_914_396, 0.75, 0.93, 1.285, 1.035,
+    0.10,
+    1.04,
+    0.60,
+    0.64,
+    0.485,
+    0.22,
+    -0.685_914_396,
+    0.75,
+    0.93,
+    1.285,
+    1.035,
 ];
 
 /// Crank angle of the fold at 217.27° for the numbers above.
@@ -104,7 +114,9 @@ impl Method for Audit {
     }
 
     fn hard(&self) -> Vec<HardCase> {
-        HardCase::included(include_str!("../../reference/hard/class-iii-assembly-modes.csv"))
+        HardCase::included(include_str!(
+            "../../reference/hard/class-iii-assembly-modes.csv"
+        ))
     }
 
     fn solve(&self, x: &[f64]) -> SolverAnswer {
@@ -126,7 +138,9 @@ impl Method for Audit {
             return ReferenceAnswer::Refuses("layout");
         };
         let modes = match linkage.modes(&Ball::rational(bits, &x[11])) {
-            Ok(modes) if modes.is_empty() => return ReferenceAnswer::Refuses("cannot be assembled"),
+            Ok(modes) if modes.is_empty() => {
+                return ReferenceAnswer::Refuses("cannot be assembled");
+            }
             Ok(modes) => modes,
             Err(e) => return ReferenceAnswer::Undecided(e.reason),
         };
@@ -149,7 +163,10 @@ impl Method for Audit {
     /// As [`crate::audit::conditions_by_differences`], enclosing each moved mode from the unmoved.
     fn conditions(&self, x: &[f64]) -> Option<Vec<f64>> {
         const BITS: u32 = 192;
-        let mut q: Vec<Rational> = x.iter().map(|&v| Rational::from_f64(v)).collect::<Option<_>>()?;
+        let mut q: Vec<Rational> = x
+            .iter()
+            .map(|&v| Rational::from_f64(v))
+            .collect::<Option<_>>()?;
         let base = linkage(&q, BITS)?;
         let modes = base.modes(&Ball::rational(BITS, &q[11])).ok()?;
         let mut sum = vec![Mag::ZERO; 4 * modes.len()];

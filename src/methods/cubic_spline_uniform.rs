@@ -2,8 +2,9 @@
 
 use super::cubic_spline_common::{outputs, outputs_of, reference_of};
 use super::tridiagonal::identical;
-use crate::audit::{HardCase, 
-    CheckPoint, Domain, Draw, Input, Law, Method, Output, ReferenceAnswer, Region, SolverAnswer,
+use crate::audit::{
+    CheckPoint, Domain, Draw, HardCase, Input, Law, Method, Output, ReferenceAnswer, Region,
+    SolverAnswer,
 };
 use crate::reference::Ball;
 use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
@@ -22,13 +23,12 @@ fn fit(input: &[f64]) -> Result<UniformCubicSpline, &'static str> {
         return Err("bad layout");
     };
     let y = input.get(HEAD..).ok_or("bad layout")?.to_vec();
-    UniformCubicSpline::fit(*x0, *h, y, Boundary::second_derivatives(*m0, *mn)).map_err(|e| {
-        match e {
-            CubicSplineError::TooFewKnots { .. } => "too few knots",
-            CubicSplineError::Step { .. } => "bad step",
-            CubicSplineError::NotFinite { .. } => "not finite",
-            _ => "overflow",
-        }
+    UniformCubicSpline::fit(*x0, *h, y, Boundary::second_derivatives(*m0, *mn)).map_err(|e| match e
+    {
+        CubicSplineError::TooFewKnots { .. } => "too few knots",
+        CubicSplineError::Step { .. } => "bad step",
+        CubicSplineError::NotFinite { .. } => "not finite",
+        _ => "overflow",
     })
 }
 
@@ -48,7 +48,11 @@ fn sample(draw: &mut Draw, n: usize, shape: Shape) -> Vec<f64> {
         Shape::NearKnots => {
             let mut q = x0 + h * draw.integer(1, n - 1) as f64;
             for _ in 0..draw.integer(0, 3) {
-                q = if draw.chance(0.5) { q.next_up() } else { q.next_down() };
+                q = if draw.chance(0.5) {
+                    q.next_up()
+                } else {
+                    q.next_down()
+                };
             }
             q
         }
@@ -58,7 +62,11 @@ fn sample(draw: &mut Draw, n: usize, shape: Shape) -> Vec<f64> {
     let mut input = vec![x0, h, m0, mn, q0, q1];
     for _ in 0..=n {
         let v = draw.uniform(-5.0, 5.0) * sy;
-        input.push(if shape == Shape::Scaled { v * draw.log_uniform(1e-8, 1e8) } else { v });
+        input.push(if shape == Shape::Scaled {
+            v * draw.log_uniform(1e-8, 1e8)
+        } else {
+            v
+        });
     }
     input
 }
@@ -204,7 +212,9 @@ impl Method for Audit {
     }
 
     fn hard(&self) -> Vec<HardCase> {
-        HardCase::included(include_str!("../../reference/hard/cubic-spline-uniform.csv"))
+        HardCase::included(include_str!(
+            "../../reference/hard/cubic-spline-uniform.csv"
+        ))
     }
 
     fn solve(&self, input: &[f64]) -> SolverAnswer {

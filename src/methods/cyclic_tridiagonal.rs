@@ -1,9 +1,9 @@
 //! Cyclic tridiagonal systems.
 
 use super::tridiagonal::{conditions, dominant, identical, values, word};
-use crate::audit::{HardCase, 
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, ReferenceAnswer, Region,
-    SolverAnswer,
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, ReferenceAnswer,
+    Region, SolverAnswer,
 };
 use crate::reference::tridiagonal as exact;
 use crate::solvers::cyclic_tridiagonal::CyclicSweep;
@@ -26,7 +26,11 @@ fn solve(input: &[f64]) -> Result<Vec<f64>, &'static str> {
     a.solve(d).map_err(|e| word(&e))
 }
 
-fn assemble(draw: &mut Draw, scale: fn(&mut Draw) -> f64, excess: fn(&mut Draw) -> f64) -> Vec<f64> {
+fn assemble(
+    draw: &mut Draw,
+    scale: fn(&mut Draw) -> f64,
+    excess: fn(&mut Draw) -> f64,
+) -> Vec<f64> {
     let n = draw.integer(3, 9);
     let mut parts: [Vec<f64>; 4] = Default::default();
     for _ in 0..n {
@@ -90,7 +94,9 @@ impl Method for Audit {
                 Region {
                     name: "badly-scaled",
                     description: "as well-scaled, each row times 1e-40..1e40",
-                    sample: |d| assemble(d, |d| d.log_uniform(1e-40, 1e40), |d| d.uniform(0.05, 2.0)),
+                    sample: |d| {
+                        assemble(d, |d| d.log_uniform(1e-40, 1e40), |d| d.uniform(0.05, 2.0))
+                    },
                 },
                 Region {
                     name: "nearly-singular",
@@ -112,9 +118,18 @@ impl Method for Audit {
                     name: "spline-ring",
                     input: ring(5, 1.0, 4.0, 1.0, vec![1.0, -2.0, 1.0, 0.5, -0.5]),
                 },
-                CheckPoint { name: "smallest", input: ring(3, 1.0, 4.0, 1.0, vec![6.0, 0.0, -6.0]) },
-                CheckPoint { name: "too-small", input: ring(2, 1.0, 4.0, 1.0, vec![6.0, 0.0]) },
-                CheckPoint { name: "singular", input: ring(3, -1.0, 2.0, -1.0, vec![1.0, 0.0, -1.0]) },
+                CheckPoint {
+                    name: "smallest",
+                    input: ring(3, 1.0, 4.0, 1.0, vec![6.0, 0.0, -6.0]),
+                },
+                CheckPoint {
+                    name: "too-small",
+                    input: ring(2, 1.0, 4.0, 1.0, vec![6.0, 0.0]),
+                },
+                CheckPoint {
+                    name: "singular",
+                    input: ring(3, -1.0, 2.0, -1.0, vec![1.0, 0.0, -1.0]),
+                },
             ],
         }
     }
@@ -146,7 +161,10 @@ impl Method for Audit {
     }
 
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
-        let q: Vec<Rational> = input.iter().filter_map(|&x| Rational::from_f64(x)).collect();
+        let q: Vec<Rational> = input
+            .iter()
+            .filter_map(|&x| Rational::from_f64(x))
+            .collect();
         let [l, b, u, d] = split(&q).filter(|_| q.len() == input.len())?;
         let inverse = exact::inverse_cyclic(l, b, u)?;
         let x = exact::solve_cyclic(l, b, u, d)?;

@@ -1,7 +1,9 @@
 //! The complementary error function.
 
 use super::faddeeva_relatives::{C, Relative, Zeros, negated, odd_limit};
-use super::faddeeva_relatives_laws::{conjugation_law, gaussian, on_the_axis, plain, point, within};
+use super::faddeeva_relatives_laws::{
+    conjugation_law, gaussian, on_the_axis, plain, point, within,
+};
 use super::faddeeva_relatives_regions::zero_of_erfc;
 use crate::audit::{Due, Law};
 use crate::reference::faddeeva::{self, Scaled};

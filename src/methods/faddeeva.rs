@@ -2,9 +2,9 @@
 
 use super::faddeeva_laws as laws;
 use super::faddeeva_regions as regions;
-use crate::audit::{HardCase, 
-    Budget, CheckPoint, Domain, Due, Input, Law, Limit, Method, NormBudget, Output, Proof,
-    ReferenceAnswer, SolverAnswer,
+use crate::audit::{
+    Budget, CheckPoint, Domain, Due, HardCase, Input, Law, Limit, Method, NormBudget, Output,
+    Proof, ReferenceAnswer, SolverAnswer,
 };
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
 use crate::reference::{Ball, Mag};

@@ -125,7 +125,10 @@ mod tests {
             let slope = w_derivative(C::new(x, y));
             // Half a unit in each coordinate times |W''| ≈ 2|W|.
             let size = w(C::new(x, y)).norm();
-            assert!(slope.norm() < 1e-14 * size * x.hypot(y), "{k}: {x} {y} {slope}");
+            assert!(
+                slope.norm() < 1e-14 * size * x.hypot(y),
+                "{k}: {x} {y} {slope}"
+            );
             assert!(x.hypot(y) > before, "{k}");
             before = x.hypot(y);
         }

@@ -13,6 +13,8 @@ mod faddeeva_regions;
 mod faddeeva_relatives;
 mod faddeeva_relatives_laws;
 mod faddeeva_relatives_regions;
+mod four_bar_laws;
+mod four_bar_regions;
 mod run_up_twin;
 mod typed;
 mod voigt_regions;

@@ -2,18 +2,18 @@
 
 use super::class_iii as linkage_input;
 use super::run_up_twin;
-use crate::audit::{HardCase, 
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, Region, SolverAnswer,
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof,
+    Reference, ReferenceAnswer, Region, SolverAnswer,
 };
+use crate::reference::Ball;
 use crate::reference::class_iii::{self as exact, ExactAngle};
 use crate::reference::run_up as certified;
-use crate::reference::Ball;
 use crate::reference::run_up::LinkageCurve;
 use crate::solvers::class_iii::State;
 use crate::solvers::run_up::{
-    ClassIiiModel, ConstantInertia, Drive, Equation, Hybrid, Kloss, Method as Integration, Motion, Motor, Outcome, Plan,
-    ReducedModel, Resistance, Settings, Splined, Stretch, run_recorded,
+    ClassIiiModel, ConstantInertia, Drive, Equation, Hybrid, Kloss, Method as Integration, Motion,
+    Motor, Outcome, Plan, ReducedModel, Resistance, Settings, Splined, Stretch, run_recorded,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
 use rug::Rational;
@@ -86,7 +86,9 @@ fn solver_motor(x: &[f64]) -> Option<Motor> {
     match x[MOTOR] {
         STEADY => Motor::constant(torque(m(0))).ok(),
         STRAIGHT => Motor::linear(torque(m(0)), speed(m(3))).ok(),
-        KLOSS => Kloss::rated(speed(m(3)), torque(m(0)), m(1), m(2)).ok().map(Motor::Kloss),
+        KLOSS => Kloss::rated(speed(m(3)), torque(m(0)), m(1), m(2))
+            .ok()
+            .map(Motor::Kloss),
         _ => None,
     }
 }
@@ -151,7 +153,9 @@ fn curve(y: &[Rational], bits: u32) -> Result<Arc<LinkageCurve>, ReferenceAnswer
     let index = y[linkage_input::MODE].to_f64() as usize % modes.len();
     let start = modes.swap_remove(index).configuration;
     let masses = linkage_input::exact_masses(y);
-    let made = Arc::new(LinkageCurve::new(&geometry, &masses, &offset, &start, PANELS, bits));
+    let made = Arc::new(LinkageCurve::new(
+        &geometry, &masses, &offset, &start, PANELS, bits,
+    ));
     if known.len() == CURVES_KEPT {
         known.remove(0);
     }
@@ -159,7 +163,10 @@ fn curve(y: &[Rational], bits: u32) -> Result<Arc<LinkageCurve>, ReferenceAnswer
     Ok(made)
 }
 
-pub(super) fn reference_model(x: &[Rational], bits: u32) -> Result<certified::Coefficients, ReferenceAnswer> {
+pub(super) fn reference_model(
+    x: &[Rational],
+    bits: u32,
+) -> Result<certified::Coefficients, ReferenceAnswer> {
     let undecided = |e: crate::reference::Undecided| ReferenceAnswer::Undecided(e.reason);
     let (kind, nodes) = (x[MODEL].to_f64(), x[NODES].to_f64() as u32);
     if kind == CONSTANT {
@@ -220,15 +227,24 @@ impl Method for Audit {
     fn inputs(&self) -> Vec<Input> {
         let i = |name, unit| Input { name, unit };
         vec![
-            i("coefficients: 0 none but I1, 1 exact, 2 splines, 3 exact with S' for dI_n/dphi", "1"),
+            i(
+                "coefficients: 0 none but I1, 1 exact, 2 splines, 3 exact with S' for dI_n/dphi",
+                "1",
+            ),
             i("nodes of the splines", "1"),
             i("motor: 0 constant, 1 straight, 2 Kloss", "1"),
-            i("torque (rated for Kloss), overload k, rated slip, speed without load", "N m, 1, 1, rad/s"),
+            i(
+                "torque (rated for Kloss), overload k, rated slip, speed without load",
+                "N m, 1, 1, rad/s",
+            ),
             i("I1", "kg m^2"),
             i("phi at the start", "rad"),
             i("psi at the start", "rad/s"),
             i("duration", "s"),
-            i("linkage and masses as for class-iii, phi1 the first node", "as there"),
+            i(
+                "linkage and masses as for class-iii, phi1 the first node",
+                "as there",
+            ),
         ]
     }
 
@@ -353,7 +369,12 @@ fn energy_law(x: &[f64]) -> Option<f64> {
         return None;
     }
     let m = motion(x, (x[ANGLE], x[SPEED]), x[DURATION]).ok()?;
-    let sizes = [m.start.kinetic_energy, m.end.kinetic_energy, m.end.work[0], m.end.work[1]];
+    let sizes = [
+        m.start.kinetic_energy,
+        m.end.kinetic_energy,
+        m.end.work[0],
+        m.end.work[1],
+    ];
     let largest = sizes.iter().fold(0.0f64, |s, e| s.max(e.abs()));
     Some(m.end.balance.abs() / (1e-10 * largest))
 }
@@ -376,7 +397,10 @@ pub(super) fn at_tolerance(x: &[f64], tolerance: f64, method: Integration) -> (u
         ..Settings::default()
     };
     match motion_with(x, (x[ANGLE], x[SPEED]), x[DURATION], settings) {
-        Ok((m, _)) => (m.counts.evaluations, SolverAnswer::Values(vec![m.end.phi, m.end.psi])),
+        Ok((m, _)) => (
+            m.counts.evaluations,
+            SolverAnswer::Values(vec![m.end.phi, m.end.psi]),
+        ),
         Err(word) => (0, SolverAnswer::Refuses(word)),
     }
 }

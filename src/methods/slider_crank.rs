@@ -1,9 +1,9 @@
 //! The slider-crank.
 
 use super::four_bar::refusal;
-use crate::audit::{HardCase, 
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof,
+    Reference, ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
 use crate::reference::dyad::slider_crank;
 use crate::solvers::dyad::{Assembly, SliderCrank, SliderCrankMotion};
@@ -282,7 +282,9 @@ const U: f64 = f64::EPSILON / 2.0;
 
 fn closure(x: &[f64]) -> Option<f64> {
     let m = motion(x).ok()?;
-    let [a, b, e, delta, phi, _] = *x else { return None };
+    let [a, b, e, delta, phi, _] = *x else {
+        return None;
+    };
     let psi = phi - delta;
     let along = m.slider_m - a * psi.cos();
     let across = e - a * psi.sin();
@@ -295,7 +297,11 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     y[..3].iter_mut().for_each(|l| *l *= 128.0);
     let there = values(&motion(&y).ok()?);
     let slider = (0..3).all(|i| here[i] * 128.0 == there[i]);
-    Some(if slider && here[3..] == there[3..] { 0.0 } else { f64::INFINITY })
+    Some(if slider && here[3..] == there[3..] {
+        0.0
+    } else {
+        f64::INFINITY
+    })
 }
 
 fn mirror(x: &[f64]) -> Option<f64> {
@@ -308,7 +314,11 @@ fn mirror(x: &[f64]) -> Option<f64> {
     let even = [0, 2, 4, 6].iter().all(|&i| here[i] == there[i]);
     let odd = [1, 5].iter().all(|&i| here[i] == -there[i]);
     let angle = x[5] < 0.0 || here[3] == -there[3];
-    Some(if even && odd && angle { 0.0 } else { f64::INFINITY })
+    Some(if even && odd && angle {
+        0.0
+    } else {
+        f64::INFINITY
+    })
 }
 
 fn velocity(x: &[f64]) -> Option<f64> {
@@ -338,7 +348,10 @@ mod tests {
             ..Settings::default()
         };
         let report = audit_method(&Audit, &settings, &|| ());
-        let failed = report.failures.first().map(|f| (&f.case, &f.judgement.reason));
+        let failed = report
+            .failures
+            .first()
+            .map(|f| (&f.case, &f.judgement.reason));
         assert!(report.passed(), "{failed:?} {:?}", report.laws);
         assert!(report.laws.iter().all(|l| l.cases > 100));
     }
@@ -346,14 +359,25 @@ mod tests {
     #[test]
     fn refusing_regions_refuse() {
         let refused = |name: &str, word: &'static str| {
-            let point = Audit.domain().check_points.into_iter().find(|p| p.name == name);
-            assert_eq!(Audit.solve(&point.unwrap().input), SolverAnswer::Refuses(word));
+            let point = Audit
+                .domain()
+                .check_points
+                .into_iter()
+                .find(|p| p.name == name);
+            assert_eq!(
+                Audit.solve(&point.unwrap().input),
+                SolverAnswer::Refuses(word)
+            );
         };
         refused("rod-normal-exactly", "singular");
         refused("never-closed", "cannot close");
         refused("out-of-reach", "unreachable");
         let domain = Audit.domain();
-        let region = domain.regions.iter().find(|r| r.name == "unreachable").unwrap();
+        let region = domain
+            .regions
+            .iter()
+            .find(|r| r.name == "unreachable")
+            .unwrap();
         for i in 0..100 {
             let x = (region.sample)(&mut Draw::new(3, "m", "r", i));
             assert_eq!(Audit.solve(&x), SolverAnswer::Refuses("unreachable"));

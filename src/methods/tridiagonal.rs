@@ -1,8 +1,8 @@
 //! Tridiagonal systems by the sweep.
 
-use crate::audit::{HardCase, 
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, Region, SolverAnswer,
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof,
+    Reference, ReferenceAnswer, Region, SolverAnswer,
 };
 use crate::reference::{Ball, tridiagonal as exact};
 use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
@@ -26,7 +26,12 @@ pub(super) fn split<T>(input: &[T]) -> Option<Parts<'_, T>> {
     let (lower, rest) = input.split_at(n - 1);
     let (diagonal, rest) = rest.split_at(n);
     let (upper, d) = rest.split_at(n - 1);
-    Some(Parts { lower, diagonal, upper, d })
+    Some(Parts {
+        lower,
+        diagonal,
+        upper,
+        d,
+    })
 }
 
 /// The word for an error, the same for open and cyclic systems.
@@ -90,7 +95,12 @@ fn size(draw: &mut Draw) -> usize {
 }
 
 /// A row: the off-diagonal entries and a diagonal that exceeds their sum by the factor.
-fn assemble(draw: &mut Draw, n: usize, scale: fn(&mut Draw) -> f64, excess: fn(&mut Draw) -> f64) -> Vec<f64> {
+fn assemble(
+    draw: &mut Draw,
+    n: usize,
+    scale: fn(&mut Draw) -> f64,
+    excess: fn(&mut Draw) -> f64,
+) -> Vec<f64> {
     let (mut lower, mut diagonal, mut upper, mut d) = (vec![], vec![], vec![], vec![]);
     for i in 0..n {
         let s = scale(draw);
@@ -166,7 +176,12 @@ impl Method for Audit {
                     description: "as well-scaled, each row times 1e-40..1e40",
                     sample: |d| {
                         let n = size(d);
-                        assemble(d, n, |d| d.log_uniform(1e-40, 1e40), |d| d.uniform(0.05, 2.0))
+                        assemble(
+                            d,
+                            n,
+                            |d| d.log_uniform(1e-40, 1e40),
+                            |d| d.uniform(0.05, 2.0),
+                        )
                     },
                 },
                 Region {
@@ -179,10 +194,22 @@ impl Method for Audit {
                 },
             ],
             check_points: vec![
-                CheckPoint { name: "table-1", input: table_1 },
-                CheckPoint { name: "one", input: vec![3.0, 1.0] },
-                CheckPoint { name: "singular-one", input: vec![0.0, 1.0] },
-                CheckPoint { name: "singular", input: vec![1.0, 1.0, 1.0, 1.0, 2.0, 3.0] },
+                CheckPoint {
+                    name: "table-1",
+                    input: table_1,
+                },
+                CheckPoint {
+                    name: "one",
+                    input: vec![3.0, 1.0],
+                },
+                CheckPoint {
+                    name: "singular-one",
+                    input: vec![0.0, 1.0],
+                },
+                CheckPoint {
+                    name: "singular",
+                    input: vec![1.0, 1.0, 1.0, 1.0, 2.0, 3.0],
+                },
                 CheckPoint {
                     name: "singular-last-row",
                     input: vec![-1.0, -1.0, 1.0, 2.0, 1.0, -1.0, -1.0, 1.0, 0.0, 0.0],
@@ -200,7 +227,11 @@ impl Method for Audit {
         split(input).is_some_and(|p| {
             (0..p.d.len()).all(|i| {
                 let before = if i > 0 { p.lower[i - 1] } else { 0.0 };
-                dominant(p.diagonal[i], before, p.upper.get(i).copied().unwrap_or(0.0))
+                dominant(
+                    p.diagonal[i],
+                    before,
+                    p.upper.get(i).copied().unwrap_or(0.0),
+                )
             })
         })
     }
@@ -223,7 +254,10 @@ impl Method for Audit {
     }
 
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
-        let q: Vec<Rational> = input.iter().filter_map(|&x| Rational::from_f64(x)).collect();
+        let q: Vec<Rational> = input
+            .iter()
+            .filter_map(|&x| Rational::from_f64(x))
+            .collect();
         let p = split(&q).filter(|_| q.len() == input.len())?;
         let inverse = exact::inverse(p.lower, p.diagonal, p.upper)?;
         let x = exact::solve(p.lower, p.diagonal, p.upper, p.d)?;

@@ -78,9 +78,8 @@ mod parts {
             let (re, im): (Vec<f64>, Vec<f64>) = z.iter().map(|z| (z.re, z.im)).unzip();
             // Written to before, as the other codes' output is.
             let (mut out_re, mut out_im) = (re.clone(), im.clone());
-            let taken = timed(|| {
-                faddeeva_soa(&re, &im, &mut out_re, &mut out_im).expect("equal lengths")
-            });
+            let taken =
+                timed(|| faddeeva_soa(&re, &im, &mut out_re, &mut out_im).expect("equal lengths"));
             for (w, (re, im)) in out.iter_mut().zip(out_re.into_iter().zip(out_im)) {
                 *w = Complex64::new(re, im);
             }

@@ -222,8 +222,8 @@ impl Part {
 }
 
 /// `e^{−(x+iy)²} = c − i s`, each with a relative error below 2^-140 and an absolute one of the third
-/// result. x and y are below 10 and known to 2^-158: the error of y − x is below 2^-153, that of
-/// t = y² − x² below 2^-148. The angle 2xy has a relative error below 2^-156, and so sin and cos the
+/// result. x and y are below 40 and known to 2^-158: the error of y − x is below 2^-151, that of
+/// t = y² − x² below 2^-143. The angle 2xy has a relative error below 2^-156, and so sin and cos the
 /// absolute error 2xy 2^-156; both coordinates exact, the angle is exact (106 bits).
 fn gaussian(x: &Coordinate, y: &Coordinate) -> (Float, Float, Mag) {
     let (a, b) = (&x.value, &y.value);
@@ -245,10 +245,8 @@ pub(super) fn w(x: &Real, y: &Real, bits: u32) -> Option<ComplexBall> {
     let limit = SIDE as f64 / 2.0 - 0.26;
     let w = if a.double < limit && h.double < limit {
         near(&a, &h, y.is_negative())?
-    } else if !y.is_negative() {
-        far(&a.value, &h.value, bits)?
     } else {
-        return None;
+        far(&a, &h, y.is_negative(), bits)?
     };
     let enough = |b: &Ball| b.is_zero() || b.accuracy_bits() >= i64::from(bits);
     if !(enough(&w.re) && enough(&w.im)) {
@@ -310,22 +308,27 @@ fn near(a: &Coordinate, h: &Coordinate, lower: bool) -> Option<ComplexBall> {
     Some(ComplexBall::new(re.ball(cm), im.ball(sm)))
 }
 
-/// The asymptotic series above the axis, where its plain remainder bound is enough for both
-/// components ([`super::asymptotic`] has the derivation).
+/// The asymptotic series with its plain remainder bound or, for |Im z| ≤ |Re z|, with that of the real
+/// part beside the real axis, on both sides of it ([`super::asymptotic`] has the derivation).
+/// `lower`: at x − iy instead of x + iy.
 ///
 /// Fixed point with units of 2^-114 here. With `v = C/z² = p + iq`, |v| ≤ 1, ρ = (2k+1)/(2C) and the
 /// sum from term k on equal to P + iqS: `P ← 1 + ρ (pP − q²S)`, `S ← ρ (P + pS)`. The errors E of P and
 /// F of S obey `E' = ρ (|p| E + q² F + 6 + 3|P| + 20|S|) + 1`, `F' = ρ (E + |p| F + 3 + 3|S|) + 1` (Ca² and
 /// Cb² are wrong by one unit, hence p by 3 and `q² = 4 Ca² Cb²` by 4 (3 + 2)), evaluated in `f64` and enlarged by 1 %.
-fn far(x: &Float, y: &Float, bits: u32) -> Option<ComplexBall> {
+fn far(x: &Coordinate, y: &Coordinate, lower: bool, bits: u32) -> Option<ComplexBall> {
     const UNIT: u32 = 114;
+    let beside = y.double < 0.999 * x.double;
+    if lower && !beside {
+        return None;
+    }
     let square = |x: &Float| Float::with_val(PREC, x.square_ref());
-    let norm = square(x) + square(y);
+    let norm = square(&x.value) + square(&y.value);
     let (m, e) = norm.to_f64_exp();
     let log_r = m.log2() + f64::from(e) - 1e-8;
     let n = terms(log_r, bits + 4)?;
     let over = |x: &Float| Float::with_val(PREC, x / &norm);
-    let (a, b) = (over(x), over(y));
+    let (a, b) = (over(&x.value), over(&y.value));
     let log_c = (log_r.floor() as i64).clamp(0, 40) as u32;
     let units = |f: &Float| -> Option<i128> {
         let square = Float::with_val(PREC, f.square_ref()) << (log_c + UNIT);
@@ -370,11 +373,50 @@ fn far(x: &Float, y: &Float, bits: u32) -> Option<ComplexBall> {
             .add(Mag::above(&mid).shift(-150));
         Ball::new(mid, error)
     };
+    let angle = Mag::above(&b);
     let re = part(b, sum + 2 * times(aa, rest));
     let im = part(a, sum - 2 * times(bb, rest));
-    let bound = remainder(n, log_r).plain;
-    let bound = Mag::power_of_two(bound.ceil().max(-1e12) as i64);
-    Some(ComplexBall::new(re.widened(bound), im.widened(bound)))
+    let bound = remainder(n, log_r);
+    let im = im.widened(above_power(bound.plain));
+    if !beside {
+        return Some(ComplexBall::new(re.widened(above_power(bound.plain)), im));
+    }
+    // θ ≤ (π/2) y/|z| = (π/2) |z| y/|z|², and D_N + 2|z|² e^{−Re z²}.
+    let angle = angle.mul(above_power(0.5 * log_r + 0.66));
+    let gauss = gaussian_bound(x, y);
+    let turning = above_power(bound.turning).add(gauss.mul(above_power(log_r + 1.01)));
+    let re = re.widened(angle.mul(turning));
+    let re = if lower { -re } else { re };
+    if gauss <= re.mignitude().shift(-i64::from(bits) - 8) {
+        let im = if lower {
+            im.widened(gauss.shift(1))
+        } else {
+            im
+        };
+        return Some(ComplexBall::new(re.widened(gauss), im));
+    }
+    if x.double >= 40.0 {
+        return None;
+    }
+    let (c, s, slack) = gaussian(x, y);
+    let ball = |f: Float| {
+        let error = Mag::above(&f).shift(-140).add(slack);
+        Ball::new(f, error)
+    };
+    // Below: 2E − conj w, E = c + is.
+    let im = if lower { &im + &ball(s).shift(1) } else { im };
+    Some(ComplexBall::new(&re + &ball(c), im))
+}
+
+/// 2^x or more.
+fn above_power(x: f64) -> Mag {
+    Mag::power_of_two(x.ceil().max(-1e12) as i64)
+}
+
+/// A bound on `e^{−Re z²}` for |Im z| ≤ |Re z|; log₂ e is more than 1.44269.
+fn gaussian_bound(x: &Coordinate, y: &Coordinate) -> Mag {
+    let (x, y) = (x.double * (1.0 - 1e-15), y.double * (1.0 + 1e-15));
+    above_power(-1.44269 * ((x - y) * (x + y)).max(0.0))
 }
 
 /// √π with a relative error below 2^-160.

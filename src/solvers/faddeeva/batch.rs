@@ -21,28 +21,29 @@ use super::zeros;
 const CHUNK: usize = 256;
 /// Places of a bucket: room for all points, and for repeating the last one.
 const ROOM: usize = CHUNK + 8;
-const PLACES: usize = BUCKETS * ROOM;
 
 /// The buffers for one chunk.
 struct Chunk<'a, P> {
     points: &'a mut P,
     start: usize,
-    /// The points as they come.
+    /// The points as they come, and the numbers of their buckets plus `ROUND`.
     x: [f64; CHUNK],
     y: [f64; CHUNK],
-    /// The place of each in the buckets.
-    place: [u16; CHUNK],
-    /// How many points each bucket has.
+    code: [f64; CHUNK],
+    /// How many points each bucket has, and which.
     len: [usize; BUCKETS],
-    /// The points of the buckets, later the real and imaginary parts of their values.
-    re: [f64; PLACES],
-    im: [f64; PLACES],
-    /// For the bucket at work: the rows of the points and the distances from their centres.
+    order: [[u8; ROOM]; BUCKETS],
+    /// The points of the bucket at work, and on which rows at what distances from the centres.
+    a: [f64; ROOM],
+    b: [f64; ROOM],
     row: [u16; ROOM],
     dx: [f64; ROOM],
     dy: [f64; ROOM],
-    /// The places of points next to a zero.
-    zeros: [u16; ROOM],
+    /// The values.
+    re: [f64; CHUNK],
+    im: [f64; CHUNK],
+    /// The points next to a zero.
+    zeros: [u8; ROOM],
     near_zeros: usize,
 }
 
@@ -55,13 +56,16 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         start: 0,
         x: [0.0; CHUNK],
         y: [0.0; CHUNK],
-        place: [0; CHUNK],
+        code: [0.0; CHUNK],
         len: [0; BUCKETS],
-        re: [0.0; PLACES],
-        im: [0.0; PLACES],
+        order: [[0; ROOM]; BUCKETS],
+        a: [0.0; ROOM],
+        b: [0.0; ROOM],
         row: [0; ROOM],
         dx: [0.0; ROOM],
         dy: [0.0; ROOM],
+        re: [0.0; CHUNK],
+        im: [0.0; CHUNK],
         zeros: [0; ROOM],
         near_zeros: 0,
     };
@@ -170,19 +174,16 @@ impl<P: Points> Chunk<'_, P> {
             |_, a, y, _| lost(in_strip(a, y)),
         );
 
-        for at in 0..self.len[Kind::Other as usize] {
-            self.alone(lanes, Kind::Other as usize * ROOM + at);
+        for at in 0..self.len[Kind::Other as usize].min(CHUNK) {
+            self.alone(lanes, self.order[Kind::Other as usize][at]);
         }
         self.next_to_zeros(simd, lanes);
-        let (place, re, im) = (&self.place, &self.re, &self.im);
+        let (re, im) = (&self.re, &self.im);
         self.points.store(
             self.start,
             n,
             #[inline(always)]
-            |i| {
-                let at = (place[i] as usize).min(PLACES - 1);
-                (re[at], im[at])
-            },
+            |i| (re[i & (CHUNK - 1)], im[i & (CHUNK - 1)]),
         );
     }
 
@@ -195,56 +196,42 @@ impl<P: Points> Chunk<'_, P> {
         while at < n {
             let x = Pack::load(simd, &self.x, at);
             let y = Pack::load(simd, &self.y, at);
-            let code = bucket(x.magnitude(), y);
-            let codes = array(code);
-            let here = (n - at).min(S::WIDTH);
-            if here == S::WIDTH && (code - code.like(codes[0])).magnitude().is_zero() {
-                let (bucket, place) = self.next_place(codes[0]);
-                x.store_at(&mut self.re, place);
-                y.store_at(&mut self.im, place);
-                for i in 0..S::WIDTH {
-                    self.place[at + i] = (place + i) as u16;
-                }
-                self.len[bucket] += S::WIDTH;
-            } else {
-                for i in 0..here {
-                    let (bucket, place) = self.next_place(codes[i]);
-                    self.place[at + i] = place as u16;
-                    self.re[place] = self.x[at + i];
-                    self.im[place] = self.y[at + i];
-                    self.len[bucket] += 1;
-                }
-            }
+            bucket(x.magnitude(), y).store_at(&mut self.code, at);
             at += S::WIDTH;
+        }
+        for (i, code) in self.code[..n].iter().enumerate() {
+            // Below 2⁵¹ and whole: the low bits after adding ROUND.
+            let bucket = (code.to_bits() as usize & 31).min(BUCKETS - 1);
+            let len = self.len[bucket];
+            self.order[bucket][len & (CHUNK - 1)] = i as u8;
+            self.len[bucket] = len + 1;
         }
     }
 
-    /// The bucket with this number plus `ROUND`, and its first free place.
+    /// Takes the value at point `i`.
     #[inline(always)]
-    fn next_place(&self, code: f64) -> (usize, usize) {
-        // Below 2⁵¹ and whole: the low bits after adding ROUND.
-        let bucket = (code.to_bits() as usize & 31).min(BUCKETS - 1);
-        (bucket, (bucket * ROOM + self.len[bucket]).min(PLACES - 8))
+    fn put(&mut self, i: u8, (re, im): (f64, f64)) {
+        self.re[i as usize] = re;
+        self.im[i as usize] = im;
     }
 
-    /// The point at this place by the scalar code.
+    /// Point `i` by the scalar code.
     #[cold]
     #[inline(always)]
-    fn alone<L: Lanes>(&mut self, lanes: L, place: usize) {
-        let (re, im) = w(lanes, self.re[place], self.im[place]);
-        (self.re[place], self.im[place]) = (re, im);
+    fn alone<L: Lanes>(&mut self, lanes: L, i: u8) {
+        let value = w(lanes, self.x[i as usize], self.y[i as usize]);
+        self.put(i, value);
     }
 
-    /// The point at this place in double-double.
+    /// Point `i` in double-double.
     #[inline(always)]
-    fn cancelled<L: Lanes>(&mut self, lanes: L, place: usize) {
-        let (x, y) = (self.re[place], self.im[place]);
+    fn cancelled<L: Lanes>(&mut self, lanes: L, i: u8) {
+        let (x, y) = (self.x[i as usize], self.y[i as usize]);
         let (re, im) = lanes.call(Cancelled {
             a: x.abs(),
             b: y.abs(),
         });
-        self.re[place] = re;
-        self.im[place] = if x.is_sign_negative() { -im } else { im };
+        self.put(i, (re, if x.is_sign_negative() { -im } else { im }));
     }
 
     /// The points next to a zero.
@@ -261,8 +248,8 @@ impl<P: Points> Chunk<'_, P> {
             let (mut x, mut y) = ([0.0; 8], [0.0; 8]);
             let mut rows = [zeros::row(0); 8];
             for m in 0..S::WIDTH {
-                let place = self.zeros[at + m] as usize;
-                (x[m], y[m]) = (self.re[place], self.im[place]);
+                let i = self.zeros[at + m] as usize;
+                (x[m], y[m]) = (self.x[i], self.y[i]);
                 rows[m] = zeros::row(zeros::nearest(x[m].abs(), -y[m]).unwrap_or(0));
             }
             let (x, y) = (Pack::load(simd, &x, 0), Pack::load(simd, &y, 0));
@@ -270,11 +257,11 @@ impl<P: Points> Chunk<'_, P> {
             let (re, im, lost) = (array(re), array(im.with_sign_of(x)), array(lost));
             let n = (len - at).min(S::WIDTH);
             for m in 0..n {
-                let place = self.zeros[at + m] as usize;
+                let i = self.zeros[at + m];
                 if lost[m] == 0.0 {
-                    (self.re[place], self.im[place]) = (re[m], im[m]);
+                    self.put(i, (re[m], im[m]));
                 } else {
-                    self.cancelled(lanes, place);
+                    self.cancelled(lanes, i);
                 }
             }
             at += n;
@@ -363,30 +350,26 @@ impl<P: Points> Chunk<'_, P> {
         );
     }
 
-    /// Repeats the last of the `len` points of a bucket, so that groups are whole.
+    /// Brings the points of a bucket together; the last one is repeated, so that groups are whole.
     #[inline(always)]
-    fn fill(&mut self, first: usize, len: usize) {
-        for part in [&mut self.re, &mut self.im] {
-            let part = &mut part[first..first + ROOM];
-            let last = part[len - 1];
-            part[len..len + 8].fill(last);
+    fn gather(&mut self, bucket: usize, len: usize) {
+        let order = &mut self.order[bucket];
+        let last = order[len - 1];
+        order[len..len + 8].fill(last);
+        let parts = self.a.iter_mut().zip(&mut self.b);
+        for (&i, (a, b)) in order[..len + 8].iter().zip(parts) {
+            *a = self.x[i as usize];
+            *b = self.y[i as usize];
         }
     }
 
     /// Finds the rows of the points of a bucket and their distances from the centres: beforehand,
     /// because all that follows waits for the row.
     #[inline(always)]
-    fn locate<S: Wide, const N: usize>(
-        &mut self,
-        simd: S,
-        rows: impl Rows<N>,
-        first: usize,
-        len: usize,
-    ) {
+    fn locate<S: Wide, const N: usize>(&mut self, simd: S, rows: impl Rows<N>, len: usize) {
         let mut at = 0;
         while at < len {
-            let x = Pack::load(simd, &self.re, first + at);
-            let y = Pack::load(simd, &self.im, first + at);
+            let (x, y) = (Pack::load(simd, &self.a, at), Pack::load(simd, &self.b, at));
             let [codes, dx, dy] = rows.locate(x.magnitude(), y);
             let codes = array(codes);
             for m in 0..S::WIDTH {
@@ -413,16 +396,13 @@ impl<P: Points> Chunk<'_, P> {
         if len == 0 {
             return;
         }
-        let first = bucket * ROOM;
-        self.fill(first, len);
+        self.gather(bucket, len);
         if R::SOME {
-            self.locate(simd, rows, first, len);
+            self.locate(simd, rows, len);
         }
         let mut at = 0;
         while at < len {
-            let place = first + at;
-            let x = Pack::load(simd, &self.re, place);
-            let y = Pack::load(simd, &self.im, place);
+            let (x, y) = (Pack::load(simd, &self.a, at), Pack::load(simd, &self.b, at));
             let mut group = [rows.row(0); 8];
             for m in 0..S::WIDTH {
                 group[m] = rows.row(self.row[at + m]);
@@ -433,33 +413,35 @@ impl<P: Points> Chunk<'_, P> {
                 dy: Pack::load(simd, &self.dy, at),
             };
             let (re, im, state) = formula(simd, x.magnitude(), y, on);
-            let im = im.with_sign_of(x);
-            if state.is_zero() {
-                re.store_at(&mut self.re, place);
-                im.store_at(&mut self.im, place);
+            let done = state.is_zero();
+            let (re, im) = (array(re), array(im.with_sign_of(x)));
+            if done {
+                for m in 0..S::WIDTH {
+                    self.put(self.order[bucket][at + m], (re[m], im[m]));
+                }
             } else {
-                let (re, im, state) = (array(re), array(im), array(state));
+                let state = array(state);
                 for m in 0..(len - at).min(S::WIDTH) {
-                    self.take(lanes, place + m, (re[m], im[m]), state[m]);
+                    self.take(lanes, self.order[bucket][at + m], (re[m], im[m]), state[m]);
                 }
             }
             at += S::WIDTH;
         }
     }
 
-    /// Takes the value for the point at this place, or another as its state asks.
+    /// Takes the value for point `i`, or another as its state asks.
     #[inline(always)]
-    fn take<L: Lanes>(&mut self, lanes: L, place: usize, (re, im): (f64, f64), state: f64) {
-        let (x, y) = (self.re[place], self.im[place]);
+    fn take<L: Lanes>(&mut self, lanes: L, i: u8, value: (f64, f64), state: f64) {
+        let (x, y) = (self.x[i as usize], self.y[i as usize]);
         if state >= 4.0 && zeros::nearest(x.abs(), -y).is_some() {
-            self.zeros[self.near_zeros.min(CHUNK)] = place as u16;
+            self.zeros[self.near_zeros.min(CHUNK)] = i;
             self.near_zeros += 1;
             return;
         }
         match state as u8 & 3 {
-            0 => (self.re[place], self.im[place]) = (re, im),
-            1 => self.cancelled(lanes, place),
-            _ => self.alone(lanes, place),
+            0 => self.put(i, value),
+            1 => self.cancelled(lanes, i),
+            _ => self.alone(lanes, i),
         }
     }
 }
