@@ -6,9 +6,10 @@
 //! are left to [`payne_hanek`](super::payne_hanek)). The factors are returned as `hi + lo` with
 //! an error of about a tenth of a unit in the last place, the power of two apart.
 
+use super::constants;
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::payne_hanek;
-use super::real::{ROUND, Real};
+use super::real::{ROUND, Real, scaled};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.
@@ -193,6 +194,49 @@ pub(super) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
         payne_hanek::reduce(a, y)
     };
     product(exp(exponent(a, y)), reduced)
+}
+
+/// `t 2^k`, `n = ROUND + k`, for any `k`.
+#[inline(always)]
+pub(super) fn times_power(t: f64, n: f64) -> f64 {
+    scaled(t, n.clamp(ROUND - 2040.0, ROUND + 2040.0))
+}
+
+/// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.
+#[inline(always)]
+pub(super) fn circle(a: f64, y: f64) -> (Dd, Dd) {
+    let theta = phase(a, y);
+    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
+        reduce(theta)
+    } else {
+        payne_hanek::reduce(a, y)
+    };
+    let (s, c) = sin_cos_reduced(r);
+    turn(s, c, quadrant)
+}
+
+/// `e^t` as [`exp`], whose exponents end at ±2020, with another 1024 of them: enough for
+/// `2^{-1074} e^t`.
+#[inline(always)]
+pub(super) fn exp_wide(t: Dd) -> (Dd, f64) {
+    if t.hi.abs() < 1000.0 {
+        return exp(t);
+    }
+    let k = 1024f64.copysign(t.hi);
+    let (e, n) = exp(t - constants::LN_2.scale(k));
+    (e, n + k)
+}
+
+/// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, for any phase and as many
+/// exponents as [`exp_wide`] has.
+#[inline(always)]
+pub(super) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
+    let t = exponent(a, y);
+    if t.hi.abs() < 1000.0 {
+        return exp_minus_square_any(a, y);
+    }
+    let ((e, n), (s, c)) = (exp_wide(t), circle(a, y));
+    (e * c, -(e * s), n)
 }
 
 #[inline(always)]

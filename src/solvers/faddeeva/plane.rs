@@ -3,7 +3,8 @@
 use super::asymptotic::{large, series, series_beside_real_axis, series_rounded};
 use super::double_double::{Dd, fast_two_sum, two_sum};
 use super::exponential::{
-    binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip,
+    binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip, gaussian,
+    times_power,
 };
 use super::lanes::{Lanes, Task, with_best};
 use super::maclaurin::{self, maclaurin};
@@ -49,6 +50,8 @@ const DISC_EDGE: f64 = 1.0;
 const CANCELLED: f64 = 0.1;
 /// The same where the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 0.6;
+/// Im z below which `|e^{−z²}|` may be beyond e^1000.
+const DEEP: f64 = -31.0;
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
@@ -493,7 +496,7 @@ fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
     match (n - ROUND, lift) {
         (0.0, 0.0) => (re, im),
         (0.0, _) => (re, scaled(im, ROUND - lift)),
-        _ => (scaled(re, n), scaled(im, n - lift)),
+        _ => (times_power(re, n), times_power(im, n - lift)),
     }
 }
 
@@ -543,7 +546,11 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
     if negligible(a, b, u.hi, v.hi) {
         return done((-u.hi, v.hi));
     }
-    let (c, s, n) = exp_minus_square_any(a, y);
+    // A subnormal part of z, and so of w, times e^1400 may still be in range.
+    let (c, s, n) = match y < DEEP {
+        true => gaussian(a, y),
+        false => exp_minus_square_any(a, y),
+    };
     if n >= ROUND + ALONE {
         // W(−z) is below half a unit in the last place, whatever the cosine.
         return (c.value(), s.value(), n + 1.0);

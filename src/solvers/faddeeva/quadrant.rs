@@ -2,14 +2,12 @@
 //! them.
 
 use super::asymptotic::series;
-use super::constants::{INV_SQRT_PI, LN_2};
+use super::constants::INV_SQRT_PI;
 use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::double_double_functions as exact;
-use super::exponential::{
-    LARGE_PHASE, exp, exp_minus_square_any, exponent, phase, reduce, sin_cos_reduced, turn,
-};
+pub(super) use super::exponential::{circle, exp_wide, gaussian, times_power};
+use super::exponential::{exp_minus_square_any, exponent};
 use super::lanes::Lanes;
-use super::payne_hanek;
 use super::plane::{
     cell, cell_row, from_erfcx, imaginary_axis_row, on_axis, on_real_axis, real_axis_row,
 };
@@ -30,12 +28,6 @@ pub(super) fn lost(sum: Dd, term: Dd) -> bool {
     sum.hi.abs() < CANCELLED * term.hi.abs()
 }
 
-/// `t 2^k`, `n = ROUND + k`, for any `k`.
-#[inline(always)]
-pub(super) fn times_power(t: f64, n: f64) -> f64 {
-    scaled(t, n.clamp(ROUND - 2040.0, ROUND + 2040.0))
-}
-
 /// Both parts of `t 2^k`, `n = ROUND + k`, `k` below 1000.
 #[inline(always)]
 pub(super) fn pair_times_power(t: Dd, n: f64) -> Dd {
@@ -47,43 +39,6 @@ pub(super) fn pair_times_power(t: Dd, n: f64) -> Dd {
 #[inline(always)]
 pub(super) fn size(t: f64, n: f64) -> f64 {
     ((t.to_bits() >> 52) & 0x7ff) as f64 - 1023.0 + (n - ROUND)
-}
-
-/// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.
-#[inline(always)]
-pub(super) fn circle(a: f64, y: f64) -> (Dd, Dd) {
-    let theta = phase(a, y);
-    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
-        reduce(theta)
-    } else {
-        payne_hanek::reduce(a, y)
-    };
-    let (s, c) = sin_cos_reduced(r);
-    turn(s, c, quadrant)
-}
-
-/// `e^t` as [`exp`], whose exponents end at ±2020, with another 1024 of them: enough for
-/// `2^{-1074} e^t`.
-#[inline(always)]
-pub(super) fn exp_wide(t: Dd) -> (Dd, f64) {
-    if t.hi.abs() < 1000.0 {
-        return exp(t);
-    }
-    let k = 1024f64.copysign(t.hi);
-    let (e, n) = exp(t - LN_2.scale(k));
-    (e, n + k)
-}
-
-/// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, for any phase and as many
-/// exponents as [`exp_wide`] has.
-#[inline(always)]
-pub(super) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
-    let t = exponent(a, y);
-    if t.hi.abs() < 1000.0 {
-        return exp_minus_square_any(a, y);
-    }
-    let ((e, n), (s, c)) = (exp_wide(t), circle(a, y));
-    (e * c, -(e * s), n)
 }
 
 /// The product of two complex numbers; `true` if the terms of a component cancel.

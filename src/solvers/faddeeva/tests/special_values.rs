@@ -120,3 +120,23 @@ fn far_to_the_side() {
         }
     }
 }
+
+/// Im W is proportional to Re z beside the imaginary axis: with the smallest numbers it is in range
+/// where `e^{−z²}` is beyond e^1400. Values certified by `mechaudit eval faddeeva.w --digits 20`.
+#[test]
+fn far_below_with_the_smallest_real_parts() {
+    let tiny =
+        |mantissa: f64, exponent: i32| mantissa * 2f64.powi(-500) * 2f64.powi(exponent + 500);
+    for (x, y, im) in [
+        (tiny(1.5, -1060), -37.9, 1.230_075_609_462_013_047e307),
+        (tiny(1.0, -1030), -37.42, 1.729_402_212_706_919_705e300),
+        (-tiny(1.1875, -1020), -37.5, -8.447_816_793_637_213_93e305),
+        (tiny(1.0, -970), -37.0, 5.251_841_938_116_819_627e304),
+        (tiny(1.0, -1074), -38.2, INF),
+    ] {
+        let w = w(x, y);
+        assert_eq!(w.re, INF, "{x} {y}");
+        let close = w.im == im || (w.im - im).abs() <= 2.0 * f64::EPSILON * im.abs();
+        assert!(close, "{x} {y}: {} {im}", w.im);
+    }
+}
