@@ -8,10 +8,13 @@
 //! once (`tests/mutants.md`).
 
 mod chart;
+mod dyads;
 mod faddeeva;
+mod laws;
 mod linkages;
 mod motion;
 mod splines;
+mod stability;
 mod systems;
 
 /// What a solver says: values, or the word of its refusal.
