@@ -284,3 +284,45 @@ fn beats_of_a_chart() {
         assert_eq!(format!("{got:?}"), format!("{due:?}"));
     }
 }
+
+/// Peaks of a vibration much faster than the shaft and than its harmonics, and of one that is
+/// slower, against many more samples.
+#[test]
+fn peaks_between_samples() {
+    for (w, n, omega0, eps, harmonics, t) in [
+        (400.0, 0.05, 2.0, 0.5, 3, 4.0),
+        (30.0, 0.5, 2.0, -0.3, 40, 3.0),
+        (5.0, 0.2, 9.0, 1.0, 12, 3.0),
+    ] {
+        let mut d = drive();
+        d.oscillator = Oscillator::new(w, n).expect("an oscillator");
+        d.chirp = Chirp { omega0, eps };
+        let start = InitialState {
+            displacement: 0.5 * LIFT,
+            velocity: 0.3 * w * LIFT,
+        };
+        let r = CamResponse::new(d, harmonics, Some(start)).expect("a response");
+        let p = r.peaks(t);
+        let [a, b] = p.times;
+        let mut found = [0.0f64; 4];
+        for k in 0..=6000 {
+            let s = r
+                .state(a + (b - a) * f64::from(k) / 6000.0)
+                .expect("a state");
+            let here = [
+                s.displacement - r.mean(),
+                s.acceleration,
+                s.acceleration * s.cam_rate,
+                s.velocity * s.acceleration,
+            ];
+            for (found, here) in found.iter_mut().zip(here) {
+                *found = found.max(here.abs());
+            }
+        }
+        let got = [p.displacement, p.acceleration, p.moment, p.power];
+        for (got, due) in got.into_iter().zip(found) {
+            let ratio = got / due;
+            assert!((1.0 - 1e-9..1.002).contains(&ratio), "{w}: {got} {due}");
+        }
+    }
+}

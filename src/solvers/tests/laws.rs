@@ -100,10 +100,9 @@ fn motions_of_a_cycle() {
             close(m.velocity, (b.displacement - a.displacement) / per, 3.0);
             close(m.acceleration, (b.velocity - a.velocity) / per, 30.0);
             close(m.jerk, (b.acceleration - a.acceleration) / per, 600.0);
-            // Whole turns on, the same, or a lift more.
-            let next = at(x + 1.0).displacement - m.displacement;
-            let lift = if cycle.fall().is_some() { 0.0 } else { 0.7 };
-            close(next, lift, 1e-6);
+            // Whole turns on, the same.
+            close(at(x + 1.0).displacement, m.displacement, 1e-6);
+            close(at(x - 3.0).velocity, m.velocity, 1e-6);
         }
     }
 }
