@@ -125,56 +125,6 @@ fn zeros_are_closed_in() {
     assert!(met > 60, "{met}");
 }
 
-/// Candidates close the two loops that they are made for.
-#[test]
-fn candidates_lie_on_the_circles() {
-    let phi_b = (-40f64).to_radians();
-    let parallel = ClassIii::new(Geometry::from_values(&[
-        1.0, 5.6, 2.0, 2.0, 2.0, 1.0, phi_b, 5.0, 3.0, 7.0, 3.0,
-    ]))
-    .expect("a linkage");
-    // |O3 − A| = lB at the angle 0: the second equation vanishes there.
-    let second = ClassIii::new(Geometry::from_values(&[
-        1.0, 2.0, 2.0, 1.2, 3.0, 4.0, 0.7, 5.0, 0.0, 5.5, 2.0,
-    ]))
-    .expect("a linkage");
-    let mut pairs = 0;
-    for (linkage, phi1) in [
-        (&parallel, 0.2),
-        (&parallel, 2.0),
-        (&second, 0.0),
-        (&zinchenko(), 0.4),
-    ] {
-        let l = &linkage.l;
-        let r = Resultant::new(l, unit(phi1));
-        let translations = r.translations();
-        for &theta in &translations {
-            let p = (r.p0 + unit(theta) * l.l4).norm();
-            let q = (r.q0 + unit(theta) * r.q1).norm();
-            assert!(p.min(q) < 1e-12, "{p} {q}");
-            let found = r.candidates(theta);
-            assert_eq!(found.len(), 2);
-            pairs += 1;
-            for u in found {
-                // |u| = l3, and the circle about the end of the chord that is left.
-                assert!((u.norm() - l.l3).abs() < 1e-12, "{u}");
-                let (off, due) = match p >= q {
-                    true => ((u + r.p0 + unit(theta) * l.l4).norm(), l.l5),
-                    false => ((u + r.q0 + unit(theta) * r.q1).norm(), l.l2),
-                };
-                assert!((off - due).abs() < 1e-12, "{off} {due}");
-            }
-        }
-    }
-    assert_eq!(pairs, 3);
-    let zinchenko = zinchenko();
-    assert!(angles().all(|a| {
-        Resultant::new(&zinchenko.l, unit(a))
-            .translations()
-            .is_empty()
-    }));
-}
-
 /// The crank angle at which a pair of modes merges, to the last bit, by the number of modes.
 fn fold(linkage: &ClassIii, mut with: f64, mut without: f64) -> f64 {
     let n = linkage.assembly_modes(with).modes.len();
