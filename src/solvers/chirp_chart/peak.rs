@@ -74,4 +74,40 @@ mod tests {
         assert!((value - fine).abs() < 1e-8, "{x} {value} {fine}");
         assert!(values.iter().all(|v| v.abs() < value));
     }
+
+    fn found(step: f64, last: usize, f: impl Fn(f64) -> f64) -> (f64, f64) {
+        let places: Vec<f64> = (0..=last).map(|i| step * i as f64).collect();
+        let values: Vec<f64> = places.iter().map(|&x| f(x)).collect();
+        largest(&places, &values, f)
+    }
+
+    #[test]
+    fn the_higher_peak_with_the_lower_samples() {
+        // One peak of 1 on a sample, one of 1.05 half way between two of 0.99.
+        let bump = |x: f64, at: f64, h: f64| h * (1.0 - 0.23 * (x - at).powi(2)).max(0.0);
+        for sign in [1.0, -1.0] {
+            let (x, y) = found(1.0, 30, |x| {
+                sign * (bump(x, 5.0, 1.0) + bump(x, 20.5, 1.05))
+            });
+            assert!(
+                (x - 20.5).abs() < 1e-4 && (y - 1.05).abs() < 1e-9,
+                "{x} {y}"
+            );
+            let (x, y) = found(1.0, 30, |x| {
+                sign * (bump(x, 20.0, 1.0) + bump(x, 5.5, 1.05))
+            });
+            assert!((x - 5.5).abs() < 1e-4 && (y - 1.05).abs() < 1e-9, "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn a_peak_at_an_end() {
+        assert_eq!(found(0.5, 8, |x| x * x), (4.0, 16.0));
+        assert_eq!(found(0.5, 8, |x| x - 7.0), (0.0, 7.0));
+        // Half a step from an end.
+        let (x, y) = found(1.0, 9, |x| 99.0 - (x - 8.6).powi(2));
+        assert!((x - 8.6).abs() < 1e-4 && (y - 99.0).abs() < 1e-8, "{x} {y}");
+        let (x, y) = largest(&[], &[], |x| x);
+        assert!(x.is_nan() && y.is_nan());
+    }
 }

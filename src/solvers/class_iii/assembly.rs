@@ -437,3 +437,7 @@ mod tests {
         assert!(polynomial_roots(&[Complex64::new(0.0, 0.0); 3]).is_empty());
     }
 }
+
+#[cfg(test)]
+#[path = "assembly_tests.rs"]
+mod parts;

@@ -272,3 +272,7 @@ pub(crate) mod tests {
         assert!(matches!(e, GeometryError::PivotsCoincide { .. }));
     }
 }
+
+#[cfg(test)]
+#[path = "statics_tests.rs"]
+mod statics;

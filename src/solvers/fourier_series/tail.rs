@@ -133,3 +133,7 @@ fn between_knots(knots: &[Knot], order: usize) -> f64 {
     }
     sum
 }
+
+#[cfg(test)]
+#[path = "tail_tests.rs"]
+mod tests;

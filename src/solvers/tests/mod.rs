@@ -8,10 +8,16 @@
 //! once (`tests/mutants.md`).
 
 mod chart;
+mod chirps;
+mod drives;
+mod dyads;
 mod faddeeva;
+mod laws;
 mod linkages;
 mod motion;
+mod spline_edges;
 mod splines;
+mod stability;
 mod systems;
 
 /// What a solver says: values, or the word of its refusal.
