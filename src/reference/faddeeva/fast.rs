@@ -413,10 +413,10 @@ fn above_power(x: f64) -> Mag {
     Mag::power_of_two(x.ceil().max(-1e12) as i64)
 }
 
-/// A bound on `e^{−Re z²}` for |Im z| ≤ |Re z|; log₂ e is more than 1.4426.
+/// A bound on `e^{−Re z²}` for |Im z| ≤ |Re z|; log₂ e is more than 1.442.
 fn gaussian_bound(x: &Coordinate, y: &Coordinate) -> Mag {
     let (x, y) = (x.double * (1.0 - 1e-15), y.double * (1.0 + 1e-15));
-    above_power(-1.4426 * ((x - y) * (x + y)).max(0.0))
+    above_power(-1.442 * ((x - y) * (x + y)).max(0.0))
 }
 
 /// √π with a relative error below 2^-160.
