@@ -162,7 +162,8 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> 
     // Is e^{−z²} needed at all?
     let absent = Mag::power_of_two(-i64::from(prec) - 8);
     let re_size = re.mignitude();
-    if kind == Kind::W && !lower && plain <= absent.mul(re_size) {
+    // Above the diagonal e^{−z²} is no part of w, however large it is.
+    if kind == Kind::W && !lower && (!near_real || plain <= absent.mul(re_size)) {
         return Some([
             plain_scaled(re.widened(plain)),
             plain_scaled(im.widened(im_error)),

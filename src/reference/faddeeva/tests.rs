@@ -243,6 +243,22 @@ fn exponents_beyond_any_float() {
     assert!(re.exponent.significant_bits() > 1900);
 }
 
+/// Far out in the upper half-plane the series alone decides: e^{−z²}, beyond every exponent there,
+/// is no part of w.
+#[test]
+fn balls_far_out_are_small_at_every_precision() {
+    for k in 0..40 {
+        let (r, turn) = (1e3 * 3.7f64.powi(k % 11), f64::from(k) * 0.077);
+        let (x, y) = (r * turn.cos(), r * turn.sin().abs());
+        let z = ComplexBall::new(Ball::exact(53, x), Ball::exact(53, y));
+        for prec in 53..=420 {
+            let w = w_ball(&z, prec);
+            let due = w.magnitude().mul(Mag::power_of_two(4 - i64::from(prec)));
+            assert!(w.radius() <= due, "{x:e} + {y:e} i at {prec} bits: {w:?}");
+        }
+    }
+}
+
 #[test]
 fn zeros_are_zeros() {
     // Fettis, Caslin & Cramer's table for erfc (Math. Comp. 27, 1973, 401), turned by i.
