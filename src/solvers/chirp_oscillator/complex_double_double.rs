@@ -75,3 +75,39 @@ impl Cd {
         self.0.hi.abs().max(self.1.hi.abs())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(re: f64, im: f64) -> Cd {
+        Cd(Dd::from(re), Dd::from(im))
+    }
+
+    #[test]
+    fn rules_of_complex_numbers() {
+        let z = number(3.0, -4.0);
+        assert_eq!((-z).value(), Complex::new(-3.0, 4.0));
+        assert_eq!(z.turned().value(), Complex::new(-4.0, -3.0));
+        for (m, due) in [(3.0, -4.0), (-4.0, -3.0), (-3.0, 4.0), (4.0, 3.0)]
+            .iter()
+            .enumerate()
+        {
+            for turns in [m, m + 4, m + 40] {
+                assert_eq!(
+                    z.turned_by(turns).value(),
+                    Complex::new(due.0, due.1),
+                    "{turns}"
+                );
+            }
+        }
+        assert_eq!((z.size(), number(-1.0, 0.5).size()), (4.0, 1.0));
+        assert_eq!(z.plus_one().value(), Complex::new(4.0, -4.0));
+        let one = z * z.inverse();
+        assert!((one - number(1.0, 0.0)).size() < 1e-31, "{one:?}");
+        assert_eq!(
+            (z * z + z - z.scaled(Dd::from(2.0))).value(),
+            Complex::new(-10.0, -20.0)
+        );
+    }
+}

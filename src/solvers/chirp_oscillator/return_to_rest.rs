@@ -141,3 +141,7 @@ fn far(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 2] {
     }
     [q * f, q * rate]
 }
+
+#[cfg(test)]
+#[path = "return_to_rest_tests.rs"]
+mod tests;

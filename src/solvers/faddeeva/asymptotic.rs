@@ -151,23 +151,28 @@ fn corrections<R: Real, const N: usize>(xx: R, yy: R, t: R) -> [R; 2] {
     ]
 }
 
-/// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
-/// double-double, to about 2⁻¹⁰⁰ of the larger of the two.
+/// w at `a + i b` without `e^{−z²}`, `4096 ≤ max(a, b)`, both below 10^100, to about 2⁻⁷⁷: the terms
+/// 1, 1/(2z²), 3/(4z⁴) and 15/(8z⁶) of the series; the next one is below 2⁻⁹³ of the first.
 #[inline(always)]
-pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
-    let (xx, yy) = (two_prod(a, a), two_prod(b, b));
-    let r2 = xx + yy;
+pub(super) fn four_terms(a: f64, b: f64) -> (Dd, Dd) {
+    let r2 = two_prod(a, a) + two_prod(b, b);
     let inv = INV_SQRT_PI.div(r2);
     let t = 1.0 / (r2.hi * r2.hi);
-    // Terms 1/(2z²), 3/(4z⁴) and 15/(8z⁶); the next one is below 2⁻⁹³ of the first.
-    let s = 2.0 * (xx.hi - yy.hi) * t;
-    let b3 = A[3];
-    let b2 = s.mul_add(b3, A[2]);
-    let b1 = s.mul_add(b2, (-t).mul_add(b3, A[1]));
-    let gu = t * (3.0 * xx.hi - yy.hi).mul_add(b1, -b2);
-    let gv = t * (xx.hi - 3.0 * yy.hi).mul_add(b1, -b2);
-    let u = inv.mul_f(b) * Dd::new(1.0, gu).normal();
-    let v = inv.mul_f(a) * Dd::new(1.0, gv).normal();
+    let s = 2.0 * (a - b) * (a + b) * t;
+    let b2 = s.mul_add(A[3], A[2]);
+    let b1 = s.mul_add(b2, (-t).mul_add(A[3], A[1]));
+    let (aa, bb) = (a * a, b * b);
+    let gu = t * (3.0 * aa - bb).mul_add(b1, -b2);
+    let gv = t * (aa - 3.0 * bb).mul_add(b1, -b2);
+    let part = |x: f64, g: f64| inv.mul_f(x) * Dd::new(1.0, g).normal();
+    (part(b, gu), part(a, gv))
+}
+
+/// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
+/// double-double.
+#[inline(always)]
+pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+    let (u, v) = four_terms(a, b);
     let ((c, s, k), ..) = exp_minus_square(lanes, a, b, Dd::ZERO, Dd::ZERO);
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (by(c) - u, by(s) + v)

@@ -265,10 +265,17 @@ pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
     (n, (n - round).fma(a.like(-0.0625), a))
 }
 
+/// Entry `n` of a table that has it: the last one otherwise, which costs less than a bounds check
+/// that may panic.
+#[inline(always)]
+pub(super) fn entry<T>(table: &[T], n: usize) -> &T {
+    &table[n.min(table.len() - 1)]
+}
+
 /// The row of centre `n` on the real axis.
 #[inline(always)]
 pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
-    &REAL_AXIS[(real_axis_number(n) as usize).min(REAL_AXIS.len() - 1)]
+    entry(&REAL_AXIS, real_axis_number(n) as usize)
 }
 
 /// Its place in the table.
@@ -298,7 +305,7 @@ pub(super) fn disc_cell<R: Real>(a: R, y: R) -> [R; 3] {
 /// The row of cell number `n` of the lower half-disc.
 #[inline(always)]
 pub(super) fn disc_row(n: f64) -> &'static ComplexRow {
-    &DISC[(disc_number(n) as usize).min(DISC.len() - 1)]
+    entry(&DISC, disc_number(n) as usize)
 }
 
 /// Its place in the table.
@@ -318,7 +325,7 @@ pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
 /// The row of centre `n` on the imaginary axis.
 #[inline(always)]
 pub(super) fn imaginary_axis_row(n: f64) -> &'static RealRow {
-    &IMAGINARY_AXIS[(imaginary_axis_number(n) as usize).min(IMAGINARY_AXIS.len() - 1)]
+    entry(&IMAGINARY_AXIS, imaginary_axis_number(n) as usize)
 }
 
 /// Its place in the table.
@@ -342,7 +349,7 @@ pub(super) fn from_erfcx_rounded<R: Real>(a: R, (p, s): (R, R)) -> (R, R) {
 }
 
 /// w in the strip beside the real axis from the asymptotic series and `e^{y² − a²} cos 2ay`, which
-/// matters only if `2ay` is small; `true` where the terms cancel.
+/// matters only where `2ay` is so small that the cosine is 1; `true` where the terms cancel.
 #[inline(always)]
 pub(super) fn in_strip<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
     let (u, v) = series_beside_real_axis::<R, 16>(a, y.magnitude());
@@ -352,14 +359,10 @@ pub(super) fn in_strip<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
     if a.all(negligible) {
         return (part, v, v.below(like(0.0)));
     }
+    // |y| u is at most BESIDE here and u at least 7e-4, so that the phase 2ay is below 2e-14 and its
+    // cosine 1. Both terms raised, because operations with subnormal numbers are slow.
     let (e, n) = exp_rounded(exponent_in_strip(a, y));
-    let t = ((a + a) * y).magnitude().at_most(like(0.5));
-    // The square of a smaller number would be subnormal.
-    let t = t.at_least(like(1e-140));
-    let tt = t * t;
-    let cos = tt * tt.fma(tt.fma(like(-1.0 / 720.0), like(1.0 / 24.0)), like(-0.5));
-    // Both terms raised, because operations with subnormal numbers are slow.
-    let t = e.fma(cos, e) * (n + like(LIFT)).power_of_two();
+    let t = e * (n + like(LIFT)).power_of_two();
     let y = y * like(ROUND + LIFT).power_of_two();
     let re = y.fma(u, t);
     // The terms have opposite signs if y is negative.

@@ -1,7 +1,7 @@
 //! W(z) and W′(z) in the first quadrant as unevaluated sums, for the functions that are built on
 //! them.
 
-use super::asymptotic::series;
+use super::asymptotic::{four_terms, series};
 use super::constants::INV_SQRT_PI;
 use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::double_double_functions as exact;
@@ -353,22 +353,6 @@ pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
     (re, im.mul_f(b))
 }
 
-/// w at `a + i b` without `e^{−z²}`, `4096 ≤ max(a, b) <` [`HUGE`]: three terms of the series.
-fn large(a: f64, b: f64) -> (Dd, Dd) {
-    let r2 = two_prod(a, a) + two_prod(b, b);
-    let inv = INV_SQRT_PI.div(r2);
-    let t = 1.0 / (r2.hi * r2.hi);
-    let s = 2.0 * (a - b) * (a + b) * t;
-    // 1/2, 3/4, 15/8; the next term is below 2⁻⁹³ of the first.
-    let b2 = s.mul_add(1.875, 0.75);
-    let b1 = s.mul_add(b2, (-t).mul_add(1.875, 0.5));
-    let (aa, bb) = (a * a, b * b);
-    let gu = t * (3.0 * aa - bb).mul_add(b1, -b2);
-    let gv = t * (aa - 3.0 * bb).mul_add(b1, -b2);
-    let part = |x: f64, g: f64| inv.mul_f(x) * Dd::new(1.0, g).normal();
-    (part(b, gu), part(a, gv))
-}
-
 /// w at `a + i b`, `0 ≤ a, b < HUGE`, in double-double; to about 2⁻¹⁰⁰ of the larger component, from
 /// 4096 on to 2⁻⁷⁷.
 #[inline(always)]
@@ -376,7 +360,7 @@ pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     if a.max(b) < 4096.0 {
         trapezoidal::upper(lanes, a, b)
     } else {
-        large(a, b)
+        four_terms(a, b)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The tables of Taylor rows as batches use them: which row serves each of a group of points.
 
 use super::pack::{Pack, Wide};
-use super::plane::{cell, cell_number, disc_cell, disc_number, imaginary_axis_number};
+use super::plane::{cell, cell_number, disc_cell, disc_number, entry, imaginary_axis_number};
 use super::plane::{on_axis, on_real_axis, real_axis_number};
 use super::real::Real;
 use super::tables::{CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
@@ -51,7 +51,7 @@ impl Rows<40> for Cells {
     }
     #[inline(always)]
     fn row(self, number: u16) -> &'static [f64; 40] {
-        &CELLS[(number as usize).min(CELLS.len() - 1)].0
+        &entry(&CELLS, number as usize).0
     }
 }
 
@@ -69,7 +69,7 @@ impl Rows<40> for LowerDisc {
     }
     #[inline(always)]
     fn row(self, number: u16) -> &'static [f64; 40] {
-        &DISC[(number as usize).min(DISC.len() - 1)].0
+        &entry(&DISC, number as usize).0
     }
 }
 
@@ -88,7 +88,7 @@ impl Rows<40> for RealAxis {
     }
     #[inline(always)]
     fn row(self, number: u16) -> &'static [f64; 40] {
-        &REAL_AXIS[(number as usize).min(REAL_AXIS.len() - 1)].0
+        &entry(&REAL_AXIS, number as usize).0
     }
 }
 
@@ -107,7 +107,7 @@ impl Rows<20> for ImaginaryAxis {
     }
     #[inline(always)]
     fn row(self, number: u16) -> &'static [f64; 20] {
-        &IMAGINARY_AXIS[(number as usize).min(IMAGINARY_AXIS.len() - 1)].0
+        &entry(&IMAGINARY_AXIS, number as usize).0
     }
 }
 

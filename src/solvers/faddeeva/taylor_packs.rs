@@ -7,18 +7,12 @@
 
 use super::pack::{Pack, Wide, transposed};
 use super::real::Real;
+use super::taylor::columns;
 use pulp::x86::V3;
 use pulp::{cast, f64x4};
 
 /// A complex number for each point.
 type Z<S> = (Pack<S>, Pack<S>);
-
-/// Numbers `at … at + 3` of each row.
-#[inline(always)]
-fn columns<S: Wide, const N: usize>(simd: S, rows: &[&[f64; N]; 8], at: usize) -> [Pack<S>; 4] {
-    let [a, b, c, d] = simd.columns(rows, at);
-    [Pack(simd, a), Pack(simd, b), Pack(simd, c), Pack(simd, d)]
-}
 
 /// `Σ q_n δⁿ`, with the powers of δ up to the fourth.
 #[inline(always)]

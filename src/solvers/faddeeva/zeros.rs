@@ -10,6 +10,7 @@
 
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::lanes::Lanes;
+use super::plane::entry;
 #[cfg(target_arch = "x86_64")]
 use super::pack::{Pack, Wide};
 use super::real::Real;
@@ -128,7 +129,7 @@ pub(super) fn near_zeros<S: Wide>(
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn row(k: usize) -> &'static [f64; 46] {
-    &ZEROS[k.min(ZEROS.len() - 1)].0
+    &entry(&ZEROS, k).0
 }
 
 #[cfg(all(test, feature = "oracle"))]

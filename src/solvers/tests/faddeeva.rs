@@ -101,6 +101,14 @@ fn every_branch_is_met() {
     }
     assert!(starts("Asymptotic") >= 4, "{met:?}");
     assert_eq!(starts("Zero"), 12, "{met:?}");
+    let zeros: std::collections::BTreeSet<u32> = points(&kinds)
+        .into_iter()
+        .filter_map(|z| match branch(z) {
+            Branch::Zero { zero, .. } => Some(zero),
+            _ => None,
+        })
+        .collect();
+    assert!(zeros.into_iter().eq(1..=12), "zeros are counted from 1");
 }
 
 #[test]

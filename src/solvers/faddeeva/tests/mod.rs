@@ -1,13 +1,17 @@
 //! Tests of the parts of the Faddeeva function.
 
+mod bits;
 #[cfg(feature = "oracle")]
 mod double_double;
 #[cfg(feature = "oracle")]
 pub(super) mod exact;
+#[cfg(target_arch = "x86_64")]
+mod packs;
 mod paths;
 #[cfg(feature = "oracle")]
 mod payne_hanek;
 mod plane;
+mod real;
 #[cfg(feature = "oracle")]
 mod seams;
 mod special_values;
