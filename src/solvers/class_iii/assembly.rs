@@ -16,7 +16,9 @@
 //! ```
 //!
 //! a real trigonometric polynomial of degree 3 (degree 6 in τ): at most six modes.
-//! Its zeros are bracketed between the angles of the six roots of T', where T is monotone.
+//! Its zeros are bracketed between the angles of the six roots of T', where T is monotone. Where p
+//! and q are parallel, two modes mirrored in them share φ4; T only touches zero there, so such
+//! angles are looked at by themselves.
 
 use super::kinematics::{Positions, wrap};
 use super::loops::{cross, dot, unit};
@@ -72,6 +74,11 @@ struct Line {
 }
 
 impl Line {
+    /// What rounding may do to its distance from 0, `c / (2 |n|)`, up to a factor.
+    fn doubt(self) -> f64 {
+        self.terms / self.normal.norm()
+    }
+
     /// Its points on the circle about 0; twice the nearest one if it passes by.
     fn on_circle(self, radius: f64) -> [Complex64; 2] {
         let length = self.normal.norm();
@@ -79,6 +86,22 @@ impl Line {
         let across = ((radius - along) * (radius + along)).max(0.0).sqrt();
         let e = self.normal / length;
         [across, -across].map(|s| e * Complex64::new(along, s))
+    }
+}
+
+impl Value {
+    /// Whether the two lines meet at an angle. The noise of T is that of |u|²; where the lines touch
+    /// the circle about O3, the direction of u has its square root. A start may be off by
+    /// FARTHEST_START.
+    fn determines_u(&self) -> bool {
+        self.noise <= (FARTHEST_START * self.right).powi(2)
+    }
+
+    /// Where p and q are parallel, or one of them is hardly more than rounding: the line whose
+    /// distance from O3 is the better known.
+    fn better_line(&self) -> Line {
+        let [p, q] = self.lines;
+        if p.doubt() <= q.doubt() { p } else { q }
     }
 }
 
@@ -157,20 +180,10 @@ impl<'a> Resultant<'a> {
     /// Joint C − O3 for a zero of T: one value, or two if the linear equations do not determine it.
     fn candidates(&self, theta: f64) -> Vec<Complex64> {
         let v = self.value(theta);
-        // The noise of T is that of |u|²; where the lines touch the circle about O3, the direction
-        // of u has its square root. A start may be off by FARTHEST_START.
-        if v.noise <= (FARTHEST_START * v.right).powi(2) {
-            return vec![v.u];
+        match v.determines_u() {
+            true => vec![v.u],
+            false => v.better_line().on_circle(self.l.l3).to_vec(),
         }
-        // p and q are parallel, or one of them is hardly more than rounding: of the two lines, the
-        // one whose distance from O3, c / (2 |n|), is the better known.
-        let [p, q] = v.lines;
-        let better = if p.terms * q.normal.norm() <= q.terms * p.normal.norm() {
-            p
-        } else {
-            q
-        };
-        better.on_circle(self.l.l3).to_vec()
     }
 
     /// Values of φ4 at which one of the linear equations vanishes altogether, with the line that is
@@ -356,7 +369,14 @@ impl ClassIii {
         for k in 0..n {
             let (lo, mut hi) = (angles[k], angles[(k + 1) % n]);
             let (a, b) = (&values[k], &values[(k + 1) % n]);
-            near_fold |= a.t.abs() <= a.noise;
+            if a.t.abs() <= a.noise {
+                near_fold = true;
+                // T only touches zero where p and q are parallel: two modes with one φ4.
+                if !a.determines_u() {
+                    let found = a.better_line().on_circle(self.l.l3);
+                    self.collect(&resultant, e1, lo, &found, &mut modes);
+                }
+            }
             if k + 1 == n {
                 hi += std::f64::consts::TAU;
             }

@@ -73,9 +73,15 @@ fn checked(phi1: f64) -> Result<(), ContinuationError> {
     }
 }
 
-/// The radius `(1 + √(1 − 2h))/(βK)` within which a solution is the only one.
-fn unique_radius(h: f64, beta_k: f64) -> f64 {
-    (1.0 + (1.0 - 2.0 * h).max(0.0).sqrt()) / beta_k
+/// The step with `h = 0.49`: 0.98 of the theorem's leaves room for rounding.
+fn longest_step(beta: f64, k: f64, l1: f64) -> f64 {
+    0.49 / (beta * beta * k * l1)
+}
+
+/// The radius `(1 + √(1 − 2h))/(βK)` within which a solution is the only one during a step.
+fn unique_radius(beta: f64, k: f64, l1: f64, step: f64) -> f64 {
+    let h = beta * beta * k * l1 * step.abs();
+    (1.0 + (1.0 - 2.0 * h).max(0.0).sqrt()) / (beta * k)
 }
 
 /// The positions at `phi1` by the first and second derivatives at `from`.
@@ -104,16 +110,14 @@ impl ClassIii {
             }
             let f = Frame::new(&self.l, &here.positions);
             let beta = Jacobian::new(&self.l, &f).inverse_norm();
-            // 0.98 of the theorem's step leaves room for rounding.
-            let longest = 0.49 / (beta * beta * k * self.l.l1);
+            let longest = longest_step(beta, k, self.l.l1);
             if !(longest >= SMALLEST_STEP) {
                 return Err(ContinuationError::Fold { phi1: here.phi1 });
             }
             let step = left.clamp(-longest, longest);
             let phi1 = if step == left { to } else { here.phi1 + step };
-            let h = beta * beta * k * self.l.l1 * step.abs();
             here = self
-                .correct(&here, phi1, unique_radius(h, beta * k))
+                .correct(&here, phi1, unique_radius(beta, k, self.l.l1, step))
                 .ok_or(ContinuationError::Fold { phi1: here.phi1 })?;
         }
         Err(ContinuationError::TooManySteps {

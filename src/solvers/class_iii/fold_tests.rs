@@ -48,4 +48,7 @@ fn ends_that_belong_together() {
     let branches: Vec<&[usize]> = folds.iter().map(|f| &f.branches[..]).collect();
     assert_eq!(branches, [&[0, 1][..], &[2]]);
     assert!(folds.iter().all(|f| f.begins));
+    // Exactly 1e-7 is too far.
+    let folds = linkage.pair_folds(vec![(0, 0.0, 0.1), (1, 1e-7, 0.1)], false);
+    assert_eq!((folds[0].phi1, folds.len()), (0.0, 2));
 }

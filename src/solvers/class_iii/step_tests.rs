@@ -12,16 +12,25 @@ fn the_largest_angles() {
     }
 }
 
-/// The larger root of `½ βK r² − r + h/(βK) = 0` (Kantorovich & Akilov).
+/// `½ K r² − r/β + l1 |s| = 0`: its larger root is the radius (Kantorovich & Akilov).
 #[test]
 fn the_radius_of_the_only_solution() {
-    assert_eq!(unique_radius(0.0, 4.0), 0.5);
-    assert_eq!(unique_radius(0.375, 4.0), 0.375);
-    assert_eq!(unique_radius(0.5, 4.0), 0.25);
-    for (h, k) in [(0.1, 0.3), (0.25, 7.0), (0.49, 1.5)] {
-        let r = unique_radius(h, k);
-        assert!((0.5 * k * r * r - r + h / k).abs() < 1e-15, "{h} {k}");
-        assert!(r > 1.0 / k);
+    // h = 4 · 3 · ½ · 1/16 = ⅜: (1 + ½)/6.
+    assert_eq!(unique_radius(2.0, 3.0, 0.5, 0.0625), 0.25);
+    assert_eq!(unique_radius(2.0, 3.0, 0.5, -0.0625), 0.25);
+    assert_eq!(unique_radius(2.0, 4.0, 0.5, 0.0), 0.25);
+    for (beta, k, l1) in [(0.7, 0.3, 1.5), (3.0, 7.0, 0.1), (20.0, 1.86, 0.1)] {
+        let longest = longest_step(beta, k, l1);
+        assert!((beta * beta * k * l1 * longest - 0.49).abs() < 1e-15);
+        for step in [0.1 * longest, -0.5 * longest, longest] {
+            let r = unique_radius(beta, k, l1, step);
+            let off = 0.5 * k * r * r - r / beta + l1 * step.abs();
+            assert!(
+                off.abs() < 1e-15 * (r / beta + 1.0),
+                "{beta} {k} {l1}: {off}"
+            );
+            assert!(r > 1.0 / (beta * k));
+        }
     }
 }
 

@@ -67,6 +67,47 @@ fn link_2_and_rocker_in_parallel() {
     }
 }
 
+/// `p` and `q` parallel at the angle `phi4` of a linkage built about it, with the lengths `p` and
+/// `q` (negative: opposed): joint C may lie on either side of them.
+fn mirrored(phi1: f64, phi4: f64, p: f64, q: f64) -> (ClassIii, [Complex64; 2]) {
+    let (o3, way) = (Complex64::new(2.0, 1.5), unit(0.4));
+    let o5 = o3 + unit(phi4) * 2.2 - way * p;
+    let b = way * q - o3 + unit(phi1);
+    let u = way * Complex64::new(0.3, 1.7);
+    let (l5, l2) = ((u + way * p).norm(), (u + way * q).norm());
+    let (l3, lb, phi_b) = (u.norm(), b.norm(), b.arg() - phi4);
+    let v = [1.0, l2, l3, 2.2, l5, lb, phi_b, o3.re, o3.im, o5.re, o5.im];
+    let linkage = ClassIii::new(Geometry::from_values(&v)).expect("a linkage");
+    (linkage, [u, way * Complex64::new(0.3, -1.7)])
+}
+
+/// Two modes with one φ4: T touches zero without changing its sign.
+#[test]
+fn modes_mirrored_in_parallel_lines() {
+    for k in 0..60 {
+        let (phi1, phi4) = (0.1 * f64::from(k), 0.37 * f64::from(k));
+        for (p, q) in [
+            (1.0, 2.0),
+            (1.3, -0.8),
+            (-0.7, 1.1),
+            (1.2, 1e-4),
+            (1e-6, 1.1),
+        ] {
+            let (linkage, pair) = mirrored(phi1, phi4, p, q);
+            // Also where the two have parted by less than the noise of T shows, or more.
+            for off in [0.0, 1e-12, -1e-9, 1e-8, -1e-7, 1e-6] {
+                let modes = linkage.assembly_modes(phi1 + off).modes;
+                for u in pair {
+                    let near = |m: &&Positions| {
+                        wrap(m.phi4 - phi4).abs() < 1e-3 && wrap(m.phi3 - u.arg()).abs() < 1e-3
+                    };
+                    assert_eq!(modes.iter().filter(near).count(), 1, "{k} {p} {q} {off}");
+                }
+            }
+        }
+    }
+}
+
 /// The angle at which the equation vanishes, and the equation that is left.
 #[test]
 fn vanishing_equations() {
@@ -128,6 +169,29 @@ fn lines_and_circles() {
             .iter()
             .all(|u| (u - nearest).norm() < 1e-15)
     );
+}
+
+/// The distance of a line is the better known, the smaller its terms and the longer its normal.
+#[test]
+fn doubts_about_lines() {
+    let doubt = |x: f64, y: f64, terms: f64| {
+        let normal = Complex64::new(x, y);
+        Line {
+            normal,
+            c: 0.0,
+            terms,
+        }
+        .doubt()
+    };
+    assert_eq!(doubt(3.0, 4.0, 10.0), 2.0);
+    assert_eq!(doubt(0.0, 0.0, 10.0), f64::INFINITY);
+    // Parallel lines in an assembly: q is longer, but its terms are larger still.
+    let v = [1.0, 50.0, 2.0, 3.0, 2.5, 4.0, 0.0, 4.0, 0.0, 6.0, 0.0];
+    let linkage = turned(v, 0.0);
+    let r = Resultant::new(&linkage.l, unit(0.0));
+    let [p, q] = r.value(0.0).lines;
+    assert!(p.normal.norm() < q.normal.norm() && p.doubt() < q.doubt());
+    assert_eq!(r.candidates(0.0), p.on_circle(2.0));
 }
 
 /// Which of the two ways to joint C is taken.

@@ -20,7 +20,7 @@ fn brackets_close_in_few_steps() {
     // The first secant of a line meets its zero: one value there, one at the upper end.
     assert_eq!(search(|x| 2.0 * x - 1.0, 0.0, 2.0), (0.5, 2));
     assert_eq!(search(|x| 3.0 - x, -1.0, 7.0), (3.0, 2));
-    let cases: [(&str, &dyn Fn(f64) -> f64, f64, f64, f64, u32); 7] = [
+    let cases: [(&str, &dyn Fn(f64) -> f64, f64, f64, f64, u32); 9] = [
         ("x² − 2", &|x| x * x - 2.0, 0.0, 2.0, 2f64.sqrt(), 50),
         ("2 − x²", &|x| 2.0 - x * x, 0.0, 2.0, 2f64.sqrt(), 50),
         (
@@ -47,6 +47,16 @@ fn brackets_close_in_few_steps() {
             1.0,
             0.3,
             21,
+        ),
+        // The secant is the end itself: halved then.
+        ("at the end", &|x| (x - 1.0) - 1e-20, 1.0, 2.0, 1.0, 50),
+        (
+            "at the beginning",
+            &|x| (x - 2.0) + 1e-20,
+            1.0,
+            2.0,
+            2.0,
+            50,
         ),
         ("x⁵", &|x| x * x * x * x * x, -1.0, 1.25, 0.0, 115),
     ];
