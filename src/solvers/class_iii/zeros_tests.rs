@@ -126,6 +126,15 @@ fn rounds_until_the_roots_rest() {
     }
 }
 
+/// A polynomial of degree one: there in the first round, and the second finds nothing to do.
+#[test]
+fn two_rounds_for_one_root() {
+    let root = Complex64::new(2.0, 1.0);
+    let mut z = starts(1);
+    assert_eq!(aberth(&expanded(&[root]), &mut z), 2);
+    assert!((z[0] - root).norm() < 1e-15);
+}
+
 /// Two starts at one place, where the method has no direction, are set apart.
 #[test]
 fn starts_that_coincide() {
