@@ -275,3 +275,7 @@ mod tests {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "cyclic_factor_tests.rs"]
+mod factor_tests;

@@ -16,7 +16,9 @@
 //! ```
 //!
 //! a real trigonometric polynomial of degree 3 (degree 6 in τ): at most six modes.
-//! Its zeros are bracketed between the angles of the six roots of T', where T is monotone.
+//! Its zeros are bracketed between the angles of the six roots of T', where T is monotone. Where p
+//! and q are parallel, two modes mirrored in them share φ4; T only touches zero there, so such
+//! angles are looked at by themselves.
 
 use super::kinematics::{Positions, wrap};
 use super::loops::{cross, dot, unit};
@@ -36,6 +38,9 @@ pub struct AssemblyModes {
     pub near_fold: bool,
 }
 
+/// How far, in radians, a start may be off the mode that Newton's method finds from it.
+const FARTHEST_START: f64 = 1e-2;
+
 /// The polynomial T at one crank angle.
 pub(super) struct Resultant<'a> {
     l: &'a Lengths,
@@ -53,8 +58,51 @@ struct Value {
     /// A bound on the rounding error of `t`, roughly.
     noise: f64,
     u: Complex64,
-    /// `Im(p̄ q) / (|p| |q|)`: how well the two linear equations determine u.
-    sine: f64,
+    /// `2 l3 Im(p̄ q)`: `t = (|u|²/l3² − 1) right²`.
+    right: f64,
+    /// The lines that the two linear equations say u lies on.
+    lines: [Line; 2],
+}
+
+/// The line `2 Re(u n̄) = c` of the plane of u.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    normal: Complex64,
+    c: f64,
+    /// The terms that c is the sum of, at their largest.
+    terms: f64,
+}
+
+impl Line {
+    /// What rounding may do to its distance from 0, `c / (2 |n|)`, up to a factor.
+    fn doubt(self) -> f64 {
+        self.terms / self.normal.norm()
+    }
+
+    /// Its points on the circle about 0; twice the nearest one if it passes by.
+    fn on_circle(self, radius: f64) -> [Complex64; 2] {
+        let length = self.normal.norm();
+        let along = self.c / (2.0 * length);
+        let across = ((radius - along) * (radius + along)).max(0.0).sqrt();
+        let e = self.normal / length;
+        [across, -across].map(|s| e * Complex64::new(along, s))
+    }
+}
+
+impl Value {
+    /// Whether the two lines meet at an angle. The noise of T is that of |u|²; where the lines touch
+    /// the circle about O3, the direction of u has its square root. A start may be off by
+    /// FARTHEST_START.
+    fn determines_u(&self) -> bool {
+        self.noise <= (FARTHEST_START * self.right).powi(2)
+    }
+
+    /// Where p and q are parallel, or one of them is hardly more than rounding: the line whose
+    /// distance from O3 is the better known.
+    fn better_line(&self) -> Line {
+        let [p, q] = self.lines;
+        if p.doubt() <= q.doubt() { p } else { q }
+    }
 }
 
 impl<'a> Resultant<'a> {
@@ -85,14 +133,16 @@ impl<'a> Resultant<'a> {
         let squares = n.norm_sqr();
         let right = 2.0 * self.l.l3 * delta;
         let (np, nq) = (p.norm(), q.norm());
-        let sizes = np * (self.q_const.abs() + 2.0 * self.q0.norm() * self.l.lb)
-            + nq * (self.p_const.abs() + 2.0 * self.p0.norm() * self.l.l4)
-            + 2.0 * self.l.l3 * np * nq;
+        let p_terms = self.p_const.abs() + 2.0 * self.p0.norm() * self.l.l4;
+        let q_terms = self.q_const.abs() + 2.0 * self.q0.norm() * self.l.lb;
+        let sizes = np * q_terms + nq * p_terms + 2.0 * self.l.l3 * np * nq;
+        let line = |normal, c, terms| Line { normal, c, terms };
         Value {
             t: squares - right * right,
             noise: 16.0 * f64::EPSILON * sizes * sizes,
             u: n / Complex64::new(0.0, 2.0 * delta),
-            sine: delta / (np * nq),
+            right,
+            lines: [line(p, pp, p_terms), line(q, qq, q_terms)],
         }
     }
 
@@ -127,71 +177,29 @@ impl<'a> Resultant<'a> {
         angles
     }
 
-    /// The zero of T between two angles where it has opposite signs.
-    fn zero_between(&self, mut lo: f64, mut hi: f64, t_lo: f64) -> f64 {
-        // Bisection on the sign with an Illinois step first: never leaves the bracket.
-        let (mut f_lo, mut f_hi) = (t_lo, self.value(hi).t);
-        for k in 0..200 {
-            let width = hi - lo;
-            if width <= 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
-                break;
-            }
-            let secant = lo - f_lo * width / (f_hi - f_lo);
-            let x = if k % 3 == 2 || !(secant > lo && secant < hi) {
-                lo + 0.5 * width
-            } else {
-                secant
-            };
-            let f = self.value(x).t;
-            if f == 0.0 {
-                return x;
-            }
-            if (f > 0.0) == (f_lo > 0.0) {
-                (lo, f_lo) = (x, f);
-                f_hi *= 0.5;
-            } else {
-                (hi, f_hi) = (x, f);
-                f_lo *= 0.5;
-            }
-        }
-        lo + 0.5 * (hi - lo)
-    }
-
-    /// Joint C − O3 for a zero of T: one value, or two if the linear equations degenerate.
+    /// Joint C − O3 for a zero of T: one value, or two if the linear equations do not determine it.
     fn candidates(&self, theta: f64) -> Vec<Complex64> {
         let v = self.value(theta);
-        let tau = unit(theta);
-        let p = self.p0 + tau * self.l.l4;
-        let q = self.q0 + tau * self.q1;
-        if v.sine.abs() > 1e-5 {
-            return vec![v.u];
+        match v.determines_u() {
+            true => vec![v.u],
+            false => v.better_line().on_circle(self.l.l3).to_vec(),
         }
-        // p and q are parallel: u from the circle about O3 and the longer of the two chords.
-        let (chord, c) = if p.norm_sqr() >= q.norm_sqr() {
-            (p, self.p_const - 2.0 * dot(self.p0, p - self.p0))
-        } else {
-            (q, self.q_const - 2.0 * dot(self.q0, q - self.q0))
-        };
-        let along = c / (2.0 * chord.norm());
-        let r = self.l.l3;
-        let across = ((r - along) * (r + along)).max(0.0).sqrt();
-        let e = chord / chord.norm();
-        [across, -across]
-            .map(|s| e * Complex64::new(along, s))
-            .to_vec()
     }
 
-    /// Values of φ4 at which one of the linear equations vanishes altogether: `p(τ) = 0` if
-    /// `|O3 − O5| = l4` (links 3 and 5 then move in parallel if they are of one length), `q(τ) = 0`
-    /// if `|O3 − A| = lB`. T only touches zero there, so no sign change shows them.
-    fn translations(&self) -> Vec<f64> {
+    /// Values of φ4 at which one of the linear equations vanishes altogether, with the line that is
+    /// left: `p(τ) = 0` if `|O3 − O5| = l4` (links 3 and 5 then move in parallel if they are of one
+    /// length), `q(τ) = 0` if `|O3 − A| = lB`. T only touches zero there, so no sign change shows
+    /// them.
+    fn translations(&self) -> Vec<(f64, Line)> {
         let vanishing = |constant: Complex64, factor: Complex64| {
             let gap = (constant.norm() - factor.norm()).abs();
             (gap <= 1e-7 * factor.norm()).then(|| (-constant / factor).arg())
         };
+        let left = |theta: f64, line: usize| (theta, self.value(theta).lines[line]);
         let l4 = Complex64::new(self.l.l4, 0.0);
-        let found = [vanishing(self.p0, l4), vanishing(self.q0, self.q1)];
-        found.into_iter().flatten().collect()
+        let p = vanishing(self.p0, l4).map(|theta| left(theta, 1));
+        let q = vanishing(self.q0, self.q1).map(|theta| left(theta, 0));
+        p.into_iter().chain(q).collect()
     }
 
     fn positions(&self, theta: f64, u: Complex64) -> Positions {
@@ -236,6 +244,36 @@ impl<'a> Resultant<'a> {
     }
 }
 
+/// The zero of a function between two arguments where it has opposite signs.
+fn zero_between(f: impl Fn(f64) -> f64, [mut lo, mut hi]: [f64; 2], f_lo: f64) -> f64 {
+    // Illinois steps and every third time bisection: never leaves the bracket.
+    let (mut f_lo, mut f_hi) = (f_lo, f(hi));
+    for k in 0..200 {
+        let width = hi - lo;
+        if width <= 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
+            break;
+        }
+        let secant = lo - f_lo * width / (f_hi - f_lo);
+        let x = if k % 3 == 2 || !(secant > lo && secant < hi) {
+            lo + 0.5 * width
+        } else {
+            secant
+        };
+        let f = f(x);
+        if f == 0.0 {
+            return x;
+        }
+        if (f > 0.0) == (f_lo > 0.0) {
+            (lo, f_lo) = (x, f);
+            f_hi *= 0.5;
+        } else {
+            (hi, f_hi) = (x, f);
+            f_lo *= 0.5;
+        }
+    }
+    lo + 0.5 * (hi - lo)
+}
+
 /// All roots of a polynomial with complex coefficients (lowest first) by Aberth's method, leading
 /// and trailing zeros dropped.
 fn polynomial_roots(coefficients: &[Complex64]) -> Vec<Complex64> {
@@ -247,7 +285,25 @@ fn polynomial_roots(coefficients: &[Complex64]) -> Vec<Complex64> {
         return Vec::new();
     };
     let poly = &coefficients[start..=end];
-    let n = poly.len() - 1;
+    let mut z = starts(poly.len() - 1);
+    aberth(poly, &mut z);
+    z
+}
+
+/// The most rounds of Aberth's method.
+const MOST_ROUNDS: usize = 100;
+
+/// Where Aberth's method starts. The polynomials here are self-reciprocal, so near the unit circle;
+/// no two starts mirror each other in it or in the real axis, or they would do so for ever.
+fn starts(n: usize) -> Vec<Complex64> {
+    (0..n)
+        .map(|k| unit(0.4 + k as f64 * std::f64::consts::TAU / n as f64) * (1.0 + 0.03 * k as f64))
+        .collect()
+}
+
+/// Moves `z` to the roots of a polynomial (lowest coefficient first) and returns the rounds it took.
+fn aberth(poly: &[Complex64], z: &mut [Complex64]) -> usize {
+    let n = z.len();
     let horner = |z: Complex64| {
         let mut v = Complex64::new(0.0, 0.0);
         let mut d = v;
@@ -257,11 +313,7 @@ fn polynomial_roots(coefficients: &[Complex64]) -> Vec<Complex64> {
         }
         (v, d)
     };
-    // The polynomials here are self-reciprocal, so the unit circle is the place to start from.
-    let mut z: Vec<Complex64> = (0..n)
-        .map(|k| unit(0.4 + k as f64 * std::f64::consts::TAU / n as f64) * (1.0 + 0.03 * k as f64))
-        .collect();
-    for _ in 0..100 {
+    for round in 0..MOST_ROUNDS {
         let mut moved = 0.0f64;
         for k in 0..n {
             let (v, d) = horner(z[k]);
@@ -283,10 +335,10 @@ fn polynomial_roots(coefficients: &[Complex64]) -> Vec<Complex64> {
             moved = moved.max(step.norm() / z[k].norm().max(1e-300));
         }
         if moved < 1e-14 {
-            break;
+            return round + 1;
         }
     }
-    z
+    MOST_ROUNDS
 }
 
 impl ClassIii {
@@ -317,18 +369,27 @@ impl ClassIii {
         for k in 0..n {
             let (lo, mut hi) = (angles[k], angles[(k + 1) % n]);
             let (a, b) = (&values[k], &values[(k + 1) % n]);
-            near_fold |= a.t.abs() <= a.noise;
+            if a.t.abs() <= a.noise {
+                near_fold = true;
+                // T only touches zero where p and q are parallel: two modes with one φ4.
+                if !a.determines_u() {
+                    let found = a.better_line().on_circle(self.l.l3);
+                    self.collect(&resultant, e1, lo, &found, &mut modes);
+                }
+            }
             if k + 1 == n {
                 hi += std::f64::consts::TAU;
             }
-            if a.t == 0.0 || (a.t > 0.0) == (b.t > 0.0) || hi <= lo {
+            if a.t == 0.0 || (a.t > 0.0) == (b.t > 0.0) {
                 continue;
             }
-            let theta = resultant.zero_between(lo, hi, a.t);
-            self.collect(&resultant, e1, theta, &mut modes);
+            let theta = zero_between(|x| resultant.value(x).t, [lo, hi], a.t);
+            let found = resultant.candidates(theta);
+            self.collect(&resultant, e1, theta, &found, &mut modes);
         }
-        for theta in resultant.translations() {
-            self.collect(&resultant, e1, theta, &mut modes);
+        for (theta, line) in resultant.translations() {
+            let found = line.on_circle(self.l.l3);
+            self.collect(&resultant, e1, theta, &found, &mut modes);
         }
         modes.sort_by(|a, b| a.phi4.total_cmp(&b.phi4));
         AssemblyModes {
@@ -346,13 +407,14 @@ impl ClassIii {
         resultant: &Resultant,
         e1: Complex64,
         theta: f64,
+        found: &[Complex64],
         modes: &mut Vec<Positions>,
     ) {
-        for u in resultant.candidates(theta) {
+        for &u in found {
             let start = resultant.positions(theta, u);
             if let Some(p) = self.newton(e1, start) {
                 let known = modes.iter().any(|m| m.distance(p) < 1e-9);
-                if !known && p.distance(start) < 1e-2 {
+                if !known && p.distance(start) < FARTHEST_START {
                     modes.push(p.wrapped());
                 }
             }
@@ -441,3 +503,11 @@ mod tests {
 #[cfg(test)]
 #[path = "assembly_tests.rs"]
 mod parts;
+
+#[cfg(test)]
+#[path = "translation_tests.rs"]
+mod translations;
+
+#[cfg(test)]
+#[path = "zeros_tests.rs"]
+mod zeros;

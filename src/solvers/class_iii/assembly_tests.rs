@@ -60,9 +60,17 @@ fn the_polynomial_and_its_coefficients() {
                 let terms = q.norm() * pp + p.norm() * qq + 2.0 * l.l3 * p.norm() * q.norm();
                 let ratio = v.noise / (16.0 * f64::EPSILON * terms * terms);
                 assert!((ratio - 1.0).abs() < 1e-10, "{ratio}");
-                // The sine of the angle between the two lines that u is the intersection of.
-                let sine = (q / p).arg().sin();
-                assert!((v.sine - sine).abs() < 1e-12, "{} {sine}", v.sine);
+                // What T measures: |u|² against l3².
+                let (left, right) = (v.u.norm_sqr() / (l.l3 * l.l3) - 1.0, v.right * v.right);
+                assert!((left * right - v.t).abs() <= v.noise, "{left} {right}");
+                // u lies on both lines.
+                for (line, normal) in v.lines.iter().zip([p, q]) {
+                    assert!((line.normal - normal).norm() < 1e-14);
+                    let off = 2.0 * dot(v.u, normal) - line.c;
+                    let known = (v.noise / f64::EPSILON).sqrt() / v.right.abs();
+                    let size = line.terms * known;
+                    assert!(off.abs() <= 1e-14 * size, "{off} {size}");
+                }
             }
         }
     }
@@ -110,7 +118,7 @@ fn zeros_are_closed_in() {
                 {
                     continue;
                 }
-                let x = r.zero_between(pair[0], pair[1], a.t);
+                let x = zero_between(|x| r.value(x).t, [pair[0], pair[1]], a.t);
                 assert!(pair[0] < x && x < pair[1]);
                 // The sign changes there, up to the noise of T.
                 let v = r.value(x);

@@ -201,3 +201,7 @@ mod tests {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "fold_tests.rs"]
+mod fold_tests;

@@ -73,6 +73,26 @@ fn checked(phi1: f64) -> Result<(), ContinuationError> {
     }
 }
 
+/// The step with `h = 0.49`: 0.98 of the theorem's leaves room for rounding.
+fn longest_step(beta: f64, k: f64, l1: f64) -> f64 {
+    0.49 / (beta * beta * k * l1)
+}
+
+/// The radius `(1 + √(1 − 2h))/(βK)` within which a solution is the only one during a step.
+fn unique_radius(beta: f64, k: f64, l1: f64, step: f64) -> f64 {
+    let h = beta * beta * k * l1 * step.abs();
+    (1.0 + (1.0 - 2.0 * h).max(0.0).sqrt()) / (beta * k)
+}
+
+/// The positions at `phi1` by the first and second derivatives at `from`.
+fn predicted(from: &State, phi1: f64) -> Positions {
+    let s = phi1 - from.phi1;
+    let r = &from.rates;
+    from.positions.plus(std::array::from_fn(|i| {
+        (r.first[i] + 0.5 * r.second[i] * s) * s
+    }))
+}
+
 impl ClassIii {
     /// Follows the branch from a configuration to the crank angle `to` and returns it there, its
     /// angles unwrapped.
@@ -90,17 +110,14 @@ impl ClassIii {
             }
             let f = Frame::new(&self.l, &here.positions);
             let beta = Jacobian::new(&self.l, &f).inverse_norm();
-            // 0.98 of the theorem's step leaves room for rounding.
-            let longest = 0.49 / (beta * beta * k * self.l.l1);
+            let longest = longest_step(beta, k, self.l.l1);
             if !(longest >= SMALLEST_STEP) {
                 return Err(ContinuationError::Fold { phi1: here.phi1 });
             }
             let step = left.clamp(-longest, longest);
             let phi1 = if step == left { to } else { here.phi1 + step };
-            let h = beta * beta * k * self.l.l1 * step.abs();
-            let unique = (1.0 + (1.0 - 2.0 * h).max(0.0).sqrt()) / (beta * k);
             here = self
-                .correct(&here, phi1, unique)
+                .correct(&here, phi1, unique_radius(beta, k, self.l.l1, step))
                 .ok_or(ContinuationError::Fold { phi1: here.phi1 })?;
         }
         Err(ContinuationError::TooManySteps {
@@ -112,17 +129,12 @@ impl ClassIii {
     /// The solution at `phi1` within `unique` radians of `from`.
     fn correct(&self, from: &State, phi1: f64, unique: f64) -> Option<State> {
         let e1 = unit(phi1);
-        let s = phi1 - from.phi1;
-        let r = &from.rates;
-        let predicted = from.positions.plus(std::array::from_fn(|i| {
-            (r.first[i] + 0.5 * r.second[i] * s) * s
-        }));
         let inside = |p: &Positions| {
             let (a, b) = (p.to_array(), from.positions.to_array());
             a.iter().zip(b).all(|(x, y)| (x - y).abs() <= unique)
         };
         // A predictor outside the ball would prove nothing; the centre always lies inside.
-        let starts = [predicted, from.positions];
+        let starts = [predicted(from, phi1), from.positions];
         let found = starts
             .into_iter()
             .find_map(|start| self.newton(e1, start).filter(&inside))?;
@@ -316,3 +328,7 @@ mod tests {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "step_tests.rs"]
+mod steps;

@@ -45,7 +45,7 @@ impl ClassIii {
             };
             let (a, b) = (alignment(&here), alignment(&next));
             // The start counts, the end does not: a whole turn has each position once.
-            if a == 0.0 || (a > 0.0) != (b > 0.0) && b != 0.0 {
+            if a == 0.0 || a * b < 0.0 {
                 match self.refine_dead(&here, next.phi1) {
                     Ok(state) => found.push(DeadPosition {
                         state,
@@ -103,3 +103,7 @@ mod tests {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "dead_tests.rs"]
+mod built;

@@ -115,6 +115,12 @@ impl Lengths {
     }
 }
 
+/// Whether Newton's method is done after corrections of `last` and `size`: below 2⁻⁵⁰, or below
+/// 1e-12 and no longer halved.
+fn settled(size: f64, last: f64) -> bool {
+    size <= f64::EPSILON * 4.0 || (size <= 1e-12 && size >= last * 0.5)
+}
+
 impl ClassIii {
     /// The residuals of the two loops, crank direction `e1` given.
     pub(super) fn residual(&self, e1: Complex64, f: &Frame) -> (Complex64, Complex64) {
@@ -127,8 +133,6 @@ impl ClassIii {
     }
 
     /// Newton's method on the loop equations from `start`; `None` if it does not settle.
-    ///
-    /// Stops when a correction is below 2⁻⁵⁰ or no longer shrinks below 2⁻⁴⁰.
     pub(super) fn newton(&self, e1: Complex64, start: Positions) -> Option<Positions> {
         let mut p = start;
         let mut last = f64::INFINITY;
@@ -138,7 +142,7 @@ impl ClassIii {
             let d = Jacobian::new(&self.l, &f).solve(-r1, -r2)?;
             let size = d.iter().fold(0.0f64, |a, x| a.max(x.abs()));
             p = p.plus(d);
-            if size <= f64::EPSILON * 4.0 || (size <= 1e-12 && size >= last * 0.5) {
+            if settled(size, last) {
                 return Some(p);
             }
             if size > 10.0 {
@@ -150,3 +154,7 @@ impl ClassIii {
         (last < 1e-6).then_some(p)
     }
 }
+
+#[cfg(test)]
+#[path = "newton_tests.rs"]
+mod newton_tests;

@@ -207,7 +207,8 @@ fn angles_are_wrapped_into_one_turn() {
     assert_eq!((wrap(PI), wrap(-PI)), (PI, PI));
     assert_eq!(wrap(3.0 * PI), PI);
     assert_eq!(wrap(-3.0), -3.0);
-    // Inside the turn nothing is touched.
+    // Inside the turn nothing is touched, not even the sign of zero.
+    assert!(wrap(-0.0).is_sign_negative() && wrap(0.0).is_sign_positive());
     for x in [PI, -PI.next_down(), 3.0, -3.125] {
         assert_eq!(wrap(x), x);
     }

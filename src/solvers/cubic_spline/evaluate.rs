@@ -314,3 +314,23 @@ impl<G: Grid> Spline<G> {
         sum.add(to.integral((0.0, 1.0), stop, stop.0 * to.at.h));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Neumaier's example and its like: what a sum loses is kept, whichever term is larger.
+    #[test]
+    fn sums_keep_what_they_lose() {
+        let sum = |terms: &[f64]| {
+            let mut s = Sum::default();
+            terms.iter().for_each(|x| s.add(*x));
+            (s.sum, s.rest)
+        };
+        assert_eq!(sum(&[1.0, 1e100, 1.0, -1e100]), (0.0, 2.0));
+        let big = 2f64.powi(53);
+        assert_eq!(sum(&[big, 1.0, 1.0, 1.0]), (big, 3.0));
+        assert_eq!(sum(&[1.0, big, 1.0, -big]), (0.0, 2.0));
+        assert_eq!(sum(&[0.5, 0.25]), (0.75, 0.0));
+    }
+}

@@ -275,4 +275,8 @@ impl<G: Grid> Spline<G> {
 }
 
 #[cfg(test)]
+mod batch_tests;
+#[cfg(test)]
+mod limit_tests;
+#[cfg(test)]
 mod tests;

@@ -94,7 +94,7 @@ fn open(y: &[f64], h: f64, first: End, last: End) -> Option<Vec<f64>> {
     }
     let s = usize::from(first == End::NotAKnot);
     let e = n - usize::from(last == End::NotAKnot);
-    let at = |i: usize| if n > 1 { d(i.clamp(1, n - 1)) } else { 0.0 };
+    let at = |i: usize| if n > 1 { d(i) } else { 0.0 };
     let left = seed(first, h, y[1] - y[0], 1.0, at(1));
     let right = seed(last, h, y[n - 1] - y[n], -1.0, at(n - 1));
     let middle = (s + e) / 2;

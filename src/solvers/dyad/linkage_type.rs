@@ -220,3 +220,19 @@ fn triangle(sides: [[f64; 4]; 3], sum: f64) -> Option<(f64, f64)> {
     let rocker = HalfAngle::new(m_d_c, m_c_d, c_d_m, sum).supplement();
     Some((omega, rocker))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the first pair loses in rounding is kept when the rest cancels it.
+    #[test]
+    fn sums_of_four_that_cancel() {
+        let small = 2f64.powi(-60);
+        assert_eq!(sum4([1.0, small, -1.0, 0.0]), small);
+        assert_eq!(sum4([small, 1.0, 0.0, -1.0]), small);
+        assert_eq!(sum4([1.0, -small, -1.0, 4.0 * small]), 3.0 * small);
+        assert_eq!(sum4([3.0, small, -1.0, -2.0]), small);
+        assert_eq!(sum4([1.0, -small, -1.0, 0.0]), 0.0);
+    }
+}

@@ -29,6 +29,8 @@
 //! the loop equation, numbered (1) to (8).
 
 mod four_bar;
+#[cfg(test)]
+mod limit_tests;
 mod linkage_type;
 mod numeric;
 mod rrp;

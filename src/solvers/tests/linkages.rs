@@ -241,3 +241,15 @@ fn slider_crank() {
     };
     hold("slider-crank", &[("position", &position)]);
 }
+
+/// On all cores the masses are reduced as one by one.
+#[cfg(feature = "parallel")]
+#[test]
+fn masses_at_many_positions() {
+    let (_, linkage, state, masses) = regular().next().expect("a linkage");
+    let near = |k: u32| linkage.follow(&state, state.phi1 + 1e-4 * f64::from(k));
+    let states: Vec<State> = (0..20).map_while(|k| near(k).ok()).collect();
+    let one: Vec<_> = states.iter().map(|s| masses.reduce(s)).collect();
+    assert!(!one.is_empty());
+    assert_eq!(masses.reduce_parallel(&states), one);
+}

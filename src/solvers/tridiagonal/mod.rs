@@ -329,6 +329,9 @@ pub fn solve(
 }
 
 #[cfg(test)]
+mod sweep_tests;
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;

@@ -121,3 +121,7 @@ pub(crate) fn stability(
         skeel,
     }
 }
+
+#[cfg(test)]
+#[path = "stability_tests.rs"]
+mod tests;
