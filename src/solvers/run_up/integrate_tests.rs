@@ -332,3 +332,22 @@ fn a_hundred_rejections_in_a_row_are_counted_as_any() {
         assert_eq!(i.rhs.evaluations.get(), due);
     });
 }
+
+/// After every second rejection in a row the implicit method begins afresh, from the step that it
+/// proposed then.
+#[test]
+fn an_implicit_method_begins_afresh_after_two_rejections() {
+    let (jump, drive) = (Jump(0.0, 1e6), resisted(0.0, 0.0));
+    let begun_with = |rejections: u64| {
+        at(&jump, &drive, Method::Radau5, (0.0, 0.0, 1.0), |i| {
+            i.settings.max_steps = rejections;
+            let found = i.advance(&open(1.0), &mut |_, _, _| ());
+            assert_eq!(found, Err(Stuck::Budget));
+            assert_eq!((i.counts.steps, i.counts.rejected), (0, rejections));
+            i.h
+        })
+    };
+    let h = [1, 2, 3, 4, 5].map(begun_with);
+    assert!(h[0] == 0.0 && h[1] > 0.0 && h[2] == h[1]);
+    assert!(h[3] < h[2] && h[3] > 0.0 && h[4] == h[3]);
+}
