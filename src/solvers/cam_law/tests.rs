@@ -134,10 +134,9 @@ fn digits_near_the_middle() {
     for k in [10, 20, 30, 40] {
         let off = 2f64.powi(-k);
         let due = ca * (PI * off / 0.5).sin();
-        let found = law.motion(0.5 - off).unwrap().acceleration;
-        assert_relative_eq!(found, due, max_relative = 1e-14);
-        let found = law.motion(0.5 + off).unwrap().acceleration;
-        assert_relative_eq!(found, -due, max_relative = 1e-14);
+        let ratio = |x: f64| law.motion(x).unwrap().acceleration / due;
+        assert_relative_eq!(ratio(0.5 - off), 1.0, max_relative = 1e-14);
+        assert_relative_eq!(ratio(0.5 + off), -1.0, max_relative = 1e-14);
     }
 }
 
@@ -147,7 +146,8 @@ fn digits_of_what_remains() {
     let law = MotionLaw::polynomial(&[0.0, 3.0, -2.0]).unwrap();
     for x in [0.49, 0.4999, 0.499_999_9] {
         let due = (1.0 - x) * (1.0 - 2.0 * x);
-        assert_relative_eq!(law.remaining(x).unwrap(), due, max_relative = 1e-15);
+        let ratio = law.remaining(x).unwrap() / due;
+        assert_relative_eq!(ratio, 1.0, max_relative = 1e-15);
     }
     // x²(3 − 2x) by a table: a cubic through its own values.
     let x = vec![0.0, 0.25, 0.5, 1.0];
@@ -157,8 +157,10 @@ fn digits_of_what_remains() {
     for k in [4, 10, 20, 30] {
         let z = 2f64.powi(-k);
         let due = z * z * (3.0 - 2.0 * z);
-        let found = law.remaining(1.0 - z).unwrap();
-        assert_relative_eq!(found, due, max_relative = 1e-14);
+        let ratio = law.remaining(1.0 - z).unwrap() / due;
+        // A rounding of the slope at the end, which is zero.
+        let allowed = 1e-14 + f64::EPSILON / z;
+        assert!((ratio - 1.0).abs() <= allowed, "{k}: {ratio}");
     }
 }
 
