@@ -212,6 +212,13 @@ fn angles_are_known_again() {
             let found: Vec<EventKind> = run.events.iter().map(|e| e.kind).collect();
             assert_eq!(found, kinds, "{phi}");
         }
+        // As the next one after the last, rounded once more with each turn.
+        for turns in 50_000..50_020 {
+            let (_, phi) = neighbours(&[2.4], 2.4 + f64::from(turns - 1) * TAU);
+            run.events.clear();
+            run.passed(phi);
+            assert_eq!(run.events[0].kind, EventKind::Turn(turns.into()), "{phi}");
+        }
     });
 }
 
