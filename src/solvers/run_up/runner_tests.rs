@@ -2,10 +2,9 @@
 
 use super::*;
 use crate::solvers::run_up::{
-    Coefficients, ConstantInertia, Drive, Kloss, Method, ModelError, Motor, ReducedModel,
-    Resistance, Settings,
+    Coefficients, ConstantInertia, Drive, Method, ModelError, Motor, ReducedModel, Settings,
 };
-use crate::solvers::units::{AngularVelocity, Inertia, Torque};
+use crate::solvers::units::Torque;
 
 /// I = 1 kg·m², a constant moment, and a constant that stands for dI/dφ: where it is not zero the
 /// energy is not kept.
@@ -175,10 +174,7 @@ fn passages_and_turns() {
         let seen: Vec<EventKind> = motion.events.iter().map(|e| e.kind).collect();
         let (dead, turn) = (EventKind::DeadPosition, EventKind::Turn);
         let n = |k: i64| turn(sign as i64 * k);
-        let due = match sign > 0.0 {
-            true => vec![dead, dead, n(1), dead, dead, n(2), dead, dead, n(3), dead],
-            false => vec![dead, dead, n(1), dead, dead, n(2), dead, dead, n(3), dead],
-        };
+        let due = [dead, dead, n(1), dead, dead, n(2), dead, dead, n(3), dead];
         assert_eq!(seen, due);
         assert_eq!(motion.counts.retaken, 10);
         assert_eq!(motion.turns.len(), 3);
