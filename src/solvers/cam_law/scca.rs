@@ -149,3 +149,60 @@ impl Scca {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with(d: f64) -> Scca {
+        let (b, c, acceleration) = (0.0, 1.0 - d, 1.0);
+        Scca {
+            b,
+            c,
+            d,
+            acceleration,
+        }
+    }
+
+    /// `2y > 1 − d` of the numbers as they are: where the difference of either pair is exact the
+    /// other is not, and would say the opposite here.
+    #[test]
+    fn where_the_cosine_begins() {
+        for (d, y) in [
+            (0.1, 0.45),
+            (0.2, 0.4),
+            (0.09, 0.455),
+            (0.7, 0.150_000_000_000_000_05),
+            (0.51, 0.245_000_000_000_000_02),
+        ] {
+            assert!(with(d).in_cosine(y), "{d} {y}");
+            assert!(!with(d).in_cosine(y.next_down()), "{d} {y}");
+        }
+        // The place itself belongs to the part before.
+        for (d, y) in [(0.75, 0.125), (0.25, 0.375), (0.5, 0.25)] {
+            assert!(!with(d).in_cosine(y) && with(d).in_cosine(y.next_up()));
+        }
+    }
+
+    /// `y − (1 − d)/2` of the numbers as they are, in rational arithmetic.
+    #[test]
+    fn how_deep_in_the_cosine() {
+        for (d, y, due) in [
+            (0.6, 0.21, 0.009_999_999_999_999_981),
+            (0.6, 0.22, 0.019_999_999_999_999_99),
+            (0.1, 0.5, 0.05),
+            (0.1, 0.46, 0.010_000_000_000_000_023),
+        ] {
+            assert_eq!(with(d).depth_in_cosine(y), due, "{d} {y}");
+        }
+    }
+
+    /// A cosine without width makes the jerk infinite, whatever the sign of its zero.
+    #[test]
+    fn a_part_without_width() {
+        for (b, d) in [(0.0, 0.5), (-0.0, 0.5), (0.5, 0.0), (0.5, -0.0)] {
+            let law = Scca::new(b, 0.5, d).expect("a law");
+            assert_eq!(law.peaks().jerk, f64::INFINITY, "{b} {d}");
+        }
+    }
+}

@@ -67,11 +67,8 @@ impl Tabulated {
     pub(in crate::solvers) fn third(&self) -> Vec<f64> {
         let knots = self.knots();
         let last = knots.len() - 2;
-        let at = |i: usize| {
-            let x = if i < last { knots[i] } else { knots[i + 1] };
-            self.spline.jet(x).map_or(f64::NAN, |j| j.third)
-        };
-        (0..=last).map(at).collect()
+        let at = |x: &f64| self.spline.jet(*x).map_or(f64::NAN, |j| j.third);
+        knots[..=last].iter().map(at).collect()
     }
 
     /// `S'` and `S''` at both ends; where they are given, as they are given.

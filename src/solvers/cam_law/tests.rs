@@ -126,6 +126,69 @@ fn digits_near_the_ends() {
     assert_eq!(q.remaining(1.0 - x), Ok(q.motion(x).unwrap().displacement));
 }
 
+/// Beside the middle of the stroke the acceleration vanishes as `C_a π(1/2 − x)/d`.
+#[test]
+fn digits_near_the_middle() {
+    let law = MotionLaw::scca(0.25, 0.25, 0.5).unwrap();
+    let ca = law.peaks().acceleration;
+    for k in [10, 20, 30, 40] {
+        let off = 2f64.powi(-k);
+        let due = ca * (PI * off / 0.5).sin();
+        let ratio = |x: f64| law.motion(x).unwrap().acceleration / due;
+        assert_relative_eq!(ratio(0.5 - off), 1.0, max_relative = 1e-14);
+        assert_relative_eq!(ratio(0.5 + off), -1.0, max_relative = 1e-14);
+    }
+}
+
+/// What remains of a stroke that is nearly over before its middle: `(1 − x)(1 − 2x)`.
+#[test]
+fn digits_of_what_remains() {
+    let law = MotionLaw::polynomial(&[0.0, 3.0, -2.0]).unwrap();
+    for x in [0.49, 0.4999, 0.499_999_9] {
+        let due = (1.0 - x) * (1.0 - 2.0 * x);
+        let ratio = law.remaining(x).unwrap() / due;
+        assert_relative_eq!(ratio, 1.0, max_relative = 1e-15);
+    }
+    // x²(3 − 2x) by a table: a cubic through its own values.
+    let x = vec![0.0, 0.25, 0.5, 1.0];
+    let y: Vec<f64> = x.iter().map(|x| x * x * (3.0 - 2.0 * x)).collect();
+    let ends = [End::FirstDerivative(0.0); 2];
+    let law = MotionLaw::tabulated(x, y, ends).unwrap();
+    for k in [4, 10, 20, 30] {
+        let z = 2f64.powi(-k);
+        let due = z * z * (3.0 - 2.0 * z);
+        let ratio = law.remaining(1.0 - z).unwrap() / due;
+        // A rounding of the slope at the end, which is zero.
+        let allowed = 1e-14 + f64::EPSILON / z;
+        assert!((ratio - 1.0).abs() <= allowed, "{k}: {ratio}");
+    }
+}
+
+/// Whole turns are taken away; a phase begins where the one before ends.
+#[test]
+fn seams_of_a_cycle() {
+    let quarter = || Stroke {
+        law: MotionLaw::cycloidal(),
+        turns: 0.25,
+    };
+    let cycle = CamCycle::new(1.0, quarter(), 0.25, quarter(), 0.25).unwrap();
+    for (turns, start) in [(2.25, 0.25), (-1.25, -0.25), (0.5, 0.5), (3.0, 0.0)] {
+        let cycle = cycle.clone().starting_at(turns).unwrap();
+        assert_eq!(cycle.start(), start);
+        use Phase::{HighDwell, LowDwell, Return, Rise};
+        for (after, phase) in [
+            (0.0, Rise),
+            (0.25 - 2f64.powi(-40), Rise),
+            (0.25, HighDwell),
+            (0.5, Return),
+            (0.75, LowDwell),
+            (1.0, Rise),
+        ] {
+            assert_eq!(cycle.phase(start + after), phase, "{turns} {after}");
+        }
+    }
+}
+
 fn stroke(degrees: f64) -> Stroke {
     Stroke {
         law: MotionLaw::modified_trapezoid(),

@@ -179,3 +179,44 @@ pub fn beat_zones(points: &[(f64, f64)]) -> Vec<BeatZone> {
     }
     zones
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solvers::cam_law::MotionLaw;
+
+    /// The power of a rigid follower has a peak on either half, of which the shorter one has the
+    /// higher.
+    #[test]
+    fn the_power_of_a_rigid_follower() {
+        for fraction in [0.2, 0.35, 0.65, 0.8] {
+            let law = MotionLaw::cycloidal();
+            let law = law.with_acceleration_fraction(fraction).expect("a law");
+            let product = |x: f64| {
+                let m = law.motion(x).expect("a place");
+                (m.velocity * m.acceleration).abs()
+            };
+            let fine = (0..=100_000).map(|k| product(f64::from(k) / 1e5));
+            let due = fine.fold(0.0, f64::max);
+            let turns = 0.25;
+            let stroke = || Stroke {
+                law: law.clone(),
+                turns,
+            };
+            let cycle = CamCycle::rise_return(
+                1.0,
+                stroke(),
+                Stroke {
+                    turns: 0.75,
+                    ..stroke()
+                },
+            );
+            let [_, power, moment] = rigid(&cycle.expect("a cycle"));
+            assert!(
+                (power / due - 1.0).abs() < 1e-6,
+                "{fraction}: {power} {due}"
+            );
+            assert_eq!(power, moment);
+        }
+    }
+}

@@ -59,7 +59,8 @@ fn golden(mut a: f64, mut b: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::largest;
+    use super::{golden, largest};
+    use std::cell::RefCell;
 
     #[test]
     fn a_peak_between_the_samples_is_found() {
@@ -97,6 +98,46 @@ mod tests {
                 sign * (bump(x, 20.0, 1.0) + bump(x, 5.5, 1.05))
             });
             assert!((x - 5.5).abs() < 1e-4 && (y - 1.05).abs() < 1e-9, "{x} {y}");
+        }
+    }
+
+    /// Nothing that was looked at is larger than what is found, whatever the function.
+    #[test]
+    fn the_largest_of_all_that_was_looked_at() {
+        let seen = RefCell::new(Vec::new());
+        let peak = |at: f64| move |x: f64| 1.0 - (x - at).abs();
+        for place in 0..=20 {
+            let f = peak(0.05 * f64::from(place));
+            seen.borrow_mut().clear();
+            let watched = |x: f64| {
+                seen.borrow_mut().push((x, f(x)));
+                f(x)
+            };
+            let found = golden(0.0, 1.0, watched);
+            let top = seen
+                .borrow()
+                .iter()
+                .map(|s| s.1)
+                .fold(f64::NEG_INFINITY, f64::max);
+            assert_eq!(found.1, top);
+            assert!(seen.borrow().contains(&found));
+            assert_eq!(seen.borrow().len(), 26);
+        }
+    }
+
+    /// Where nothing beside it is larger it is the sample.
+    #[test]
+    fn a_level_function_has_its_peak_on_a_sample() {
+        assert_eq!(found(1.0, 4, |_| 2.0), (4.0, 2.0));
+        assert_eq!(found(1.0, 4, |_| -2.0), (4.0, 2.0));
+    }
+
+    /// Whatever the size of the function.
+    #[test]
+    fn small_peaks_between_samples() {
+        for size in [1e-6, 1.0, 1e6] {
+            let (x, y) = found(1.0, 9, |x| size * (1.0 - 0.01 * (x - 4.5).powi(2)));
+            assert!((x - 4.5).abs() < 1e-4 && (y / size - 1.0).abs() < 1e-9);
         }
     }
 

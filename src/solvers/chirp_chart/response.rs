@@ -292,18 +292,20 @@ impl CamResponse {
         Ok(sums)
     }
 
+    /// The frequency of the oscillator or, if that is higher, of the highest harmonic between two
+    /// times.
+    fn fastest(&self, times: [f64; 2]) -> f64 {
+        let speed = times.map(|t| self.drive.speed(t).abs());
+        let fastest = self.amplitudes.len() as f64 * speed[0].max(speed[1]);
+        fastest.max(self.drive.oscillator.w())
+    }
+
     /// The largest values in the turn about a time. Samples lie an eighth of the shortest period
     /// apart, of the highest harmonic and of the oscillator, but there are 20 000 at most; peaks
     /// among them are refined.
     pub fn peaks(&self, t: f64) -> TurnPeaks {
         let times = self.drive.turn_about(t);
-        let speed = times.map(|t| self.drive.speed(t).abs());
-        let fastest = self.amplitudes.len() as f64 * speed[0].max(speed[1]);
-        let periods = (times[1] - times[0]) * fastest.max(self.drive.oscillator.w()) / TAU;
-        let wanted = (SAMPLES * periods).max(LEAST_SAMPLES);
-        let count = wanted.min(MOST_SAMPLES).ceil() as usize;
-        let step = (times[1] - times[0]) / count as f64;
-        let places: Vec<f64> = (0..=count).map(|i| times[0] + step * i as f64).collect();
+        let places = places(times, self.fastest(times));
         let at = |t: f64| self.state(t).unwrap_or_default();
         let samples = self.states(&places);
         let peak = |of: fn(&State) -> f64, offset: f64| {
@@ -353,3 +355,16 @@ impl CamResponse {
         }
     }
 }
+
+/// Times from one to the other for a motion whose highest frequency is `fastest`.
+fn places(times: [f64; 2], fastest: f64) -> Vec<f64> {
+    let periods = (times[1] - times[0]) * fastest / TAU;
+    let wanted = (SAMPLES * periods).max(LEAST_SAMPLES);
+    let count = wanted.min(MOST_SAMPLES).ceil() as usize;
+    let step = (times[1] - times[0]) / count as f64;
+    (0..=count).map(|i| times[0] + step * i as f64).collect()
+}
+
+#[cfg(test)]
+#[path = "response_tests.rs"]
+mod tests;

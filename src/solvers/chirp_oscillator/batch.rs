@@ -14,7 +14,6 @@ use super::response::ChirpResponse;
 use super::roots::Roots;
 use super::series::{FAR, Z, of_both, of_both_apart};
 use crate::solvers::faddeeva::double_double::Dd;
-use crate::solvers::faddeeva::exponential::LARGE_PHASE;
 use crate::solvers::faddeeva::faddeeva_soa;
 use crate::solvers::faddeeva::lanes::{Lanes, Task, with_best};
 use crate::solvers::faddeeva::real::Real;
@@ -71,9 +70,7 @@ fn chunk(response: &ChirpResponse, t: &[f64], out: &mut [f64], near: &mut Near) 
     let free = with_best(FreeAt { roots, t });
     let largest = t.iter().fold(0.0, |m, t| t.max(m));
     for harmonic in response.constant.iter().chain(&response.harmonics) {
-        let s = &harmonic.sweep;
-        let phase = (s.nu.hi.abs() + s.kappa.hi * largest) * largest + s.delta.abs();
-        if !(phase < LARGE_PHASE) {
+        if !harmonic.sweep.phases_are_small(largest) {
             for ((y, free), t) in sums.y.iter_mut().zip(&free).zip(t) {
                 let carrier = harmonic.sweep.carrier(*t);
                 *y += harmonic.psi(roots, free, carrier, *t)[0].re;
@@ -319,3 +316,7 @@ impl Task for Forced<'_> {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "batch_tests.rs"]
+mod tests;

@@ -180,3 +180,7 @@ pub(super) fn add<L: Lanes>(lanes: L, sums: &mut [f64; CHUNK], start: usize, x: 
     let old = lanes.quad([sums[0], sums[1], sums[2], sums[3]]);
     sums.copy_from_slice(&lanes.array(old + x));
 }
+
+#[cfg(test)]
+#[path = "group_tests.rs"]
+mod tests;

@@ -168,3 +168,7 @@ impl Prepared {
         ]
     }
 }
+
+#[cfg(test)]
+#[path = "harmonic_tests.rs"]
+mod tests;

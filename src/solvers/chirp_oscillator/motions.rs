@@ -7,7 +7,6 @@ use super::response::ChirpResponse;
 use super::roots::Roots;
 use super::series::{Z, motion_apart, motion_of_both};
 use super::types::Motion;
-use crate::solvers::faddeeva::exponential::LARGE_PHASE;
 use crate::solvers::faddeeva::lanes::{Lanes, Task, with_best};
 use crate::solvers::faddeeva::real::Real;
 
@@ -56,11 +55,11 @@ impl Task for Chunk<'_> {
         for harmonic in response.constant.iter().chain(&response.harmonics) {
             let groups = Groups::new(harmonic, roots);
             let s = &harmonic.sweep;
-            let phase = (s.nu.hi.abs() + s.kappa.hi * largest) * largest + s.delta.abs();
+            let small = s.phases_are_small(largest);
             let mut start = 0;
             while start < t.len() {
                 let group = groups.at(lanes, four(t, start));
-                if group.clear && phase < LARGE_PHASE {
+                if group.clear && small {
                     let [y, v, a] = if group.apart {
                         motion_apart(group.p, roots, s.kappa.hi, group.omega, group.terms)
                     } else {

@@ -138,3 +138,7 @@ pub(super) fn left_behind(sweep: &Sweep, roots: &Roots) -> Option<[[C; 2]; 2]> {
 
 /// Largest decay, in nats, between the start and a passage that is folded into the start.
 const FOLDED: f64 = 300.0;
+
+#[cfg(test)]
+#[path = "passage_tests.rs"]
+mod tests;

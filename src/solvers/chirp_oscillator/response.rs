@@ -52,11 +52,7 @@ pub struct ChirpResponse {
 
 /// The largest power of two up to `x`.
 fn power_of_two(x: f64) -> f64 {
-    let x = if x < f64::MIN_POSITIVE {
-        f64::MIN_POSITIVE
-    } else {
-        x
-    };
+    let x = x.max(f64::MIN_POSITIVE);
     f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000)
 }
 
@@ -305,5 +301,27 @@ fn same_length<T>(times: &[f64], out: &[T]) -> Result<(), ChirpError> {
     match times == values {
         true => Ok(()),
         false => Err(ChirpError::Lengths { times, values }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power_of_two;
+
+    #[test]
+    fn powers_of_two() {
+        let least = f64::MIN_POSITIVE;
+        for (x, due) in [
+            (1.0, 1.0),
+            (1.999, 1.0),
+            (2.0, 2.0),
+            (0.7, 0.5),
+            (300.0, 256.0),
+            (least, least),
+            (least.next_down(), least),
+            (5e-324, least),
+        ] {
+            assert_eq!(power_of_two(x), due, "{x:e}");
+        }
     }
 }

@@ -34,6 +34,7 @@ use super::roots::Roots;
 use super::series::{self, FAR, Z, terms};
 use super::types::Chirp;
 use crate::solvers::faddeeva::double_double::{Dd, two_prod};
+use crate::solvers::faddeeva::exponential::LARGE_PHASE;
 use crate::solvers::faddeeva::real::Real;
 use crate::solvers::faddeeva::{faddeeva, w_derivative};
 use num_complex::Complex;
@@ -43,8 +44,6 @@ const I: C = C::I;
 
 /// Roots closer together than this part of the scale of `F` are not told apart in `f64`.
 const APART: f64 = 0.5;
-/// The same where both values come from the series.
-const APART_FAR: f64 = 1.0;
 /// Roots closer together than this part of `w`, or than √κ, pass their resonances together.
 const CLOSE: f64 = 0.5;
 
@@ -107,6 +106,11 @@ impl Sweep {
         turned.add_f(self.delta)
     }
 
+    /// Whether all phases up to `t` are so small that they are reduced without Payne & Hanek.
+    pub fn phases_are_small(&self, t: f64) -> bool {
+        (self.nu.hi.abs() + self.kappa.hi * t) * t + self.delta.abs() < LARGE_PHASE
+    }
+
     /// `e^{−iθ}`
     #[inline(always)]
     pub fn carrier(&self, t: f64) -> C {
@@ -141,11 +145,11 @@ impl Sweep {
         roots.gap.norm_sqr() >= APART * APART * a.min(b)
     }
 
-    /// Whether the values of `F` for both roots by their series are told apart, from `|p|²`.
+    /// Whether the values of `F` for both roots by their series are told apart, from the nearer
+    /// `|p|²`: where the roots are farther apart than that.
     #[inline(always)]
     pub fn apart_far<R: Real>(&self, roots: &Roots, nearer: R) -> R::Mask {
-        let gap = roots.gap.norm_sqr() / (APART_FAR * APART_FAR);
-        nearer.below(nearer.like(gap))
+        nearer.below(nearer.like(roots.gap.norm_sqr()))
     }
 
     /// `F[·]` by its series, from `p` and the least `|z|²`.
@@ -273,3 +277,7 @@ impl Sweep {
 
 /// √π/2
 const HALF_SQRT_PI: f64 = 0.886_226_925_452_758;
+
+#[cfg(test)]
+#[path = "sweep_tests.rs"]
+mod tests;

@@ -269,3 +269,14 @@ fn returns_to_rest() {
         }
     }
 }
+
+/// `|A|` and `−arg A`.
+#[test]
+fn polar_form_of_an_amplitude() {
+    let response = HarmonicResponse {
+        amplitude: Complex::new(3.0, 4.0),
+        motion: Motion::default(),
+    };
+    assert_eq!(response.envelope(), 5.0);
+    close(response.phase(), -(4.0f64 / 3.0).atan(), 1e-15);
+}

@@ -90,7 +90,7 @@ fn variation(p: &[f64]) -> f64 {
 }
 
 fn halved(mut b: Vec<f64>, times: u32) -> f64 {
-    if times == 0 || b.len() < 2 {
+    if times == 0 {
         return b.windows(2).map(|w| (w[1] - w[0]).abs()).sum();
     }
     // de Casteljau: the left coefficients as they come, the right ones stay.

@@ -137,6 +137,70 @@ fn tails_are_bounded() {
     );
 }
 
+/// `s'' = ±4` varies by 16 on the whole line, so that two strokes of half a turn each with a lift of
+/// 2 lose at most `(2/π) 2 (16/π²)/((2 − k) N^(2−k))`.
+fn parabolas() -> FourierSeries {
+    FourierSeries::new(&cycle(&MotionLaw::constant_acceleration(), 0.5, 0.0, 0.5))
+}
+
+/// Above the exact value by a billionth, and by 1e-14 against its own rounding.
+#[test]
+fn the_bound_of_parabolas() {
+    let s = parabolas();
+    for (after, n) in [(1, 1.0), (2, 2.0), (5, 5.0), (1000, 1000.0)] {
+        for (derivative, power) in [(0, 2.0 * n * n), (1, n)] {
+            let due = 64.0 * (1.0 + 1e-9) / (PI * PI * PI * power);
+            let above = s.tail_bound(after, derivative) / due - 1.0;
+            assert!((5e-15..1.5e-14).contains(&above), "{after}: {above:e}");
+        }
+        assert_eq!(s.tail_bound(after, 2), f64::INFINITY);
+    }
+    // Without any harmonic the first one is lost too, which is not less than it is.
+    let first = s.harmonic(1).unwrap().amplitude();
+    for derivative in [0, 1] {
+        let lost = s.tail_bound(0, derivative) - s.tail_bound(1, derivative);
+        assert!(lost >= first * (1.0 + 5e-13) && lost <= first * (1.0 + 2e-12));
+    }
+}
+
+#[test]
+fn how_many_harmonics_would_be_needed() {
+    let s = parabolas();
+    for (derivative, needed) in [(0, 1e7), (1, 1e8)] {
+        let last = s.tail_bound(LAST_HARMONIC, derivative);
+        assert_eq!(s.harmonics_for(last, derivative), Ok(LAST_HARMONIC));
+        let tolerance = last / 100.0;
+        match s.harmonics_for(tolerance, derivative) {
+            Err(FourierSeriesError::TooMany {
+                needed: n,
+                tolerance: t,
+            }) => {
+                assert!((n / needed - 1.0).abs() < 1e-12 && t == tolerance, "{n}");
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn tolerances_are_positive_and_finite() {
+    let s = parabolas();
+    for value in [0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY] {
+        let refused = Err(FourierSeriesError::Tolerance { value });
+        assert_eq!(s.harmonics_for(value, 0), refused);
+    }
+    assert_eq!(s.harmonics_for(1e3, 0), Ok(1));
+}
+
+#[test]
+fn a_harmonic_as_a_complex_number() {
+    let (order, a, b) = (1, 3.0, 4.0);
+    let h = Harmonic { order, a, b };
+    assert_eq!(h.complex(), Complex64::new(3.0, -4.0));
+    assert_eq!(h.amplitude(), 5.0);
+    assert!((Complex64::from_polar(h.amplitude(), h.phase()) - h.complex()).norm() < 1e-15);
+}
+
 #[test]
 fn refusals() {
     let s = FourierSeries::new(&cycle(&MotionLaw::simple_harmonic(), 0.3, 0.2, 0.25));

@@ -112,12 +112,10 @@ fn jumps(knots: &[Knot], centre: f64, t: Turns) -> Complex64 {
 /// The knots of a law made of two stretched halves.
 fn stretched(start: &[f64], middle: &[f64], fraction: f64) -> Vec<Knot> {
     let scaled = |values: &[f64], share: f64, sign: f64| -> Vec<f64> {
-        let mut scale = 1.0;
-        let mut turned = sign;
+        let mut scale = sign;
         let one = |v: &f64| {
-            let value = v * scale * turned;
-            scale /= 2.0 * share;
-            turned *= sign;
+            let value = v * scale;
+            scale /= sign * 2.0 * share;
             value
         };
         values.iter().map(one).collect()
@@ -281,3 +279,7 @@ impl Transform {
         sum
     }
 }
+
+#[cfg(test)]
+#[path = "transform_tests.rs"]
+mod tests;

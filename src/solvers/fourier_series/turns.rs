@@ -88,6 +88,9 @@ mod tests {
         exact(1.0, 0.0, 1.0);
         exact(999_999.0, 0.0, -1.0);
         exact(999_998.0, -1.0, 0.0);
+        // 5 fl(0.1) is a half and 2^-55.
+        let past = Turns::multiple(5.0, 0.1).one_minus_twice();
+        assert_eq!(past, -(2f64.powi(-54)));
         let sum = Turns::multiple(3.0, 0.75).plus(Turns::multiple(1.0, 0.25));
         assert_eq!(sum.cis().re, -1.0);
     }

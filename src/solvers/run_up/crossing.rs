@@ -97,7 +97,12 @@ pub(super) fn crossing(
             return Some((hi, pause));
         }
         left = right;
-        *before = now.or(*before);
+        // A look that falls onto the turning point itself says nothing; the next one does.
+        *before = now.filter(|n| *n != 0.0).or(*before);
     }
     None
 }
+
+#[cfg(test)]
+#[path = "crossing_tests.rs"]
+mod tests;

@@ -179,6 +179,35 @@ mod tests {
         );
     }
 
+    /// At rest, where the motion has no direction, the constant part takes no sides.
+    #[test]
+    fn resistance_by_speed_and_direction() {
+        let r = Resistance {
+            constant: Torque::from_n_m(3.0),
+            viscous_n_m_s: 0.5,
+            quadratic_n_m_s2: 0.25,
+        };
+        let j = Inertia::from_kg_m2(0.0);
+        let drive = Drive::new(Motor::Off, 1.0, j, j, r).unwrap();
+        assert_eq!(*drive.resistance(), r);
+        assert_eq!(drive.resisting_torque(4.0, 1.0), (-9.0, -2.5));
+        assert_eq!(drive.resisting_torque(-4.0, -1.0), (9.0, -2.5));
+        assert_eq!(drive.resisting_torque(0.0, 0.0), (0.0, -0.5));
+    }
+
+    /// Kinks are at the speeds of the crank, not of the motor.
+    #[test]
+    fn kinks_behind_a_reducer() {
+        use crate::solvers::run_up::{TableReading, TorqueTable};
+        let points = [(-30.0, 5.0), (12.0, 5.0), (90.0, 0.0)];
+        let table = TorqueTable::new(&points, TableReading::Linear).unwrap();
+        let j = Inertia::from_kg_m2(0.0);
+        let none = Resistance::default();
+        let drive = Drive::new(Motor::Table(table), 4.0, j, j, none).unwrap();
+        assert_eq!(drive.kinks(), [-7.5, 3.0, 22.5]);
+        assert_eq!(Drive::direct(Motor::Off).kinks(), []);
+    }
+
     #[test]
     fn bad_drives_are_refused() {
         let j = Inertia::from_kg_m2;

@@ -293,6 +293,70 @@ pub(crate) mod tests {
         }
     }
 
+    /// Places and their derivatives by the angle of the crank: `first` is the derivative of `r`, and
+    /// `second` that of `first`.
+    #[test]
+    fn points_on_links() {
+        // The link turns as 0.4 + 1.5 x − x².
+        let link = |x: f64| LinkMotion {
+            angle: Angle::from_rad(0.4 + 1.5 * x - x * x),
+            first: 1.5 - 2.0 * x,
+            second: -2.0,
+        };
+        let p = carried([3.0, -5.0], link(0.0), 2.0, 0.25);
+        assert!((p.r[0] - (3.0 + 2.0 * 0.65f64.cos())).abs() < 1e-15);
+        assert!((p.r[1] - (-5.0 + 2.0 * 0.65f64.sin())).abs() < 1e-15);
+        let b = body(1.0, 1.0, 0.5, false);
+        let origin = |x: f64| PointMotion {
+            r: [1.0 + 3.0 * x * x, 2.0 - x],
+            first: [6.0 * x, -1.0],
+            second: [6.0, 0.0],
+        };
+        let moving = |x: f64| on(&origin(x), &b, link(x)).centre;
+        let here = moving(0.0);
+        let angle = 0.4 + 7f64.to_radians();
+        assert!((here.r[0] - (1.0 + 0.5 * angle.cos())).abs() < 1e-15);
+        assert!((here.r[1] - (2.0 + 0.5 * angle.sin())).abs() < 1e-15);
+        let h = 1e-5;
+        let points: [&dyn Fn(f64) -> PointMotion; 2] =
+            [&moving, &|x| carried([3.0, -5.0], link(x), 2.0, 0.25)];
+        for at in points {
+            let (a, p, b) = (at(-h), at(0.0), at(h));
+            for i in 0..2 {
+                let slope = |a: [f64; 2], b: [f64; 2]| (b[i] - a[i]) / (2.0 * h);
+                assert!((slope(a.r, b.r) - p.first[i]).abs() < 1e-8);
+                assert!((slope(a.first, b.first) - p.second[i]).abs() < 1e-8);
+            }
+        }
+    }
+
+    /// Without weights it does not matter which way the guide points.
+    #[test]
+    fn a_turned_guide_has_the_same_inertia() {
+        let l = Length::from_mm;
+        let turned = |degrees: f64| {
+            SliderCrankModel::new(
+                SliderCrank::new(l(50.0), l(180.0), l(15.0), Angle::from_deg(degrees)).unwrap(),
+                Assembly::Positive,
+                [body(0.5, 0.001, 0.01, false), body(1.2, 0.004, 0.06, false)],
+                Mass::from_kg(2.0),
+                Acceleration::from_m_per_s2(0.0),
+            )
+            .unwrap()
+        };
+        let straight = turned(0.0);
+        for degrees in [20.0, 90.0, -130.0] {
+            for phi in [0.1, 1.0, 2.5, 4.0] {
+                let a = straight.coefficients(phi).unwrap();
+                let b = turned(degrees).coefficients(phi + f64::to_radians(degrees));
+                let b = b.unwrap();
+                assert!((a.inertia - b.inertia).abs() < 1e-16, "{degrees} {phi}");
+                assert!((a.inertia_derivative - b.inertia_derivative).abs() < 1e-16);
+                assert_eq!((a.moment, b.moment), (0.0, 0.0));
+            }
+        }
+    }
+
     /// At a dead centre the slider rests and the rod turns about its end.
     #[test]
     fn inertia_at_a_dead_centre() {

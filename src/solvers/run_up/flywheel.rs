@@ -86,14 +86,22 @@ pub fn flywheel(
         speed = cycle.psi;
         Ok(cycle)
     };
+    let (inertia, cycle) = search(wanted, &mut with)?;
+    Ok(Flywheel {
+        inertia,
+        cycle,
+        counts,
+    })
+}
+
+/// The inertia found and the cycle with it, which `with` finds.
+fn search(
+    wanted: f64,
+    with: &mut dyn FnMut(f64) -> Result<Cycle, FlywheelError>,
+) -> Result<(f64, Cycle), FlywheelError> {
     let bare = with(0.0)?;
     if bare.fluctuation <= wanted {
-        let (inertia, cycle) = (0.0, bare);
-        return Ok(Flywheel {
-            inertia,
-            cycle,
-            counts,
-        });
+        return Ok((0.0, bare));
     }
     let scale = 2.0 * bare.kinetic_energy / (bare.psi * bare.psi);
     let (mut low, mut excess_low) = (0.0, (bare.fluctuation / wanted).ln());
@@ -122,12 +130,7 @@ pub fn flywheel(
         cycle = with(middle)?;
         let excess = (cycle.fluctuation / wanted).ln();
         if excess.abs() <= 1e-6 || !(low < middle && middle < high) {
-            let inertia = middle;
-            return Ok(Flywheel {
-                inertia,
-                cycle,
-                counts,
-            });
+            return Ok((middle, cycle));
         }
         if excess > 0.0 {
             (low, excess_low) = (middle, excess);
@@ -149,3 +152,7 @@ pub fn flywheel(
         found: cycle.fluctuation,
     })
 }
+
+#[cfg(test)]
+#[path = "flywheel_tests.rs"]
+mod tests;

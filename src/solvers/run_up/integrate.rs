@@ -270,9 +270,7 @@ impl<'a> Integrator<'a> {
         // Once more from the beginning of that step, up to the event.
         self.counts.retaken += 1;
         let proposed = self.h;
-        if t > self.t {
-            self.steps(t, None, watch)?;
-        }
+        self.steps(t, None, watch)?;
         self.h = proposed;
         self.settle(pause);
         self.counts.evaluations = self.rhs.evaluations.get();
@@ -398,11 +396,12 @@ impl<'a> Integrator<'a> {
         self.at_extremum = pause == Pause::Extremum;
         let d = self.derivative(&self.y);
         let shift = match pause {
-            Pause::Angle(phi) if d[PHI] != 0.0 => (phi - self.y[PHI]) / d[PHI],
-            Pause::Speed(psi) if d[PSI] != 0.0 => (psi - self.y[PSI]) / d[PSI],
-            _ => 0.0,
+            Pause::Angle(phi) => (phi - self.y[PHI]) / d[PHI],
+            Pause::Speed(psi) => (psi - self.y[PSI]) / d[PSI],
+            Pause::End | Pause::Extremum => 0.0,
         };
-        if shift.is_finite() && shift.abs() <= self.h.abs() {
+        // Where what changes stands still, the quotient is infinite or not a number.
+        if shift.abs() <= self.h {
             let before = self.t;
             self.t += shift;
             self.record(before, Taken::Tangent);
@@ -417,3 +416,7 @@ impl<'a> Integrator<'a> {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "integrate_tests.rs"]
+mod tests;

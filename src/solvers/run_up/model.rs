@@ -217,6 +217,12 @@ pub(crate) mod tests {
     pub(crate) const START: f64 = 0.251_781_197_892_702;
 
     #[test]
+    fn a_rotor_has_neither_knots_nor_dead_positions() {
+        let rotor = ConstantInertia(2.0);
+        assert!(rotor.knots().is_empty() && rotor.dead_positions().is_empty());
+    }
+
+    #[test]
     fn the_screen_is_light_at_its_dead_positions() {
         let model = sand_screen();
         let range = inertia_range(&model, START).unwrap();

@@ -368,6 +368,21 @@ mod tests {
         }
     }
 
+    /// A critical slip of one is that of standstill: no speed of a working motor lies below.
+    #[test]
+    fn pull_out_speeds() {
+        let speed = |slip: f64| {
+            let w = AngularVelocity::from_rad_per_s(8.0);
+            let motor = Kloss::critical(w, Torque::from_n_m(5.0), slip).unwrap();
+            Motor::Kloss(motor).pull_out_speed()
+        };
+        assert_eq!(
+            (speed(0.25), speed(1.0), speed(2.0)),
+            (Some(6.0), None, None)
+        );
+        assert_eq!(Motor::Off.pull_out_speed(), None);
+    }
+
     #[test]
     fn tables_are_read_as_asked() {
         let points = [(0.0, 10.0), (5.0, 20.0), (9.0, 30.0), (10.0, 0.0)];
@@ -397,6 +412,7 @@ mod tests {
         assert!(text(Kloss::rated(w(1.0), t(1.0), 0.9, 0.1)).contains("k = 0.9"));
         assert!(text(Kloss::rated(w(1.0), t(1.0), f64::NAN, 0.1)).contains("not a finite"));
         assert!(text(Kloss::rated(w(1.0), t(1.0), 2.0, 1.0)).contains("slip 1"));
+        assert!(text(Kloss::rated(w(1.0), t(1.0), 2.0, 0.0)).contains("slip 0"));
         assert!(Motor::constant(t(f64::INFINITY)).is_err());
         assert!(Motor::linear(t(1.0), w(0.0)).is_err());
         for bad in [

@@ -56,3 +56,20 @@ fn of<const S: usize, const I: usize>(t: &ButcherTableau<f64, S, I>) -> Tableau 
         b: t.b.to_vec(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The weights of every explicit method add up to one, and it begins with the derivative.
+    #[test]
+    fn tableaus() {
+        for (method, stages) in [(Method::Verner98, 16), (Method::Dop853, 12)] {
+            let t = method.tableau().unwrap();
+            assert_eq!((t.a.len(), t.b.len()), (stages, stages));
+            assert!((t.b.iter().sum::<f64>() - 1.0).abs() < 1e-15);
+            assert!(t.a.iter().enumerate().all(|(i, row)| row.len() == i));
+        }
+        assert_eq!(Method::Radau5.tableau(), None);
+    }
+}

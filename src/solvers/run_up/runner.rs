@@ -263,7 +263,7 @@ impl<'a> Run<'a> {
             let limits = Limits { end, ..*limits };
             let pause = self.integrator.advance(&limits, &mut |_, _, _| ());
             let pause = pause.map_err(|s| self.integrator.error(s))?;
-            if pause == Pause::End && end < self.plan.duration {
+            if pause == Pause::End {
                 let s = sample(equation, end, &self.integrator.y, sign, energy);
                 samples.push(s.map_err(|e| self.integrator.error(Stuck::Equation(e)))?);
             }
@@ -384,3 +384,7 @@ impl<'a> Run<'a> {
         })
     }
 }
+
+#[cfg(test)]
+#[path = "runner_tests.rs"]
+mod tests;

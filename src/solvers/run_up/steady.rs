@@ -205,18 +205,10 @@ pub fn steady_cycle(
         counts = counts.plus(l.counts);
         let last = change;
         change = l.psi - psi;
-        // A neutral cycle (no motor) is one already, and Newton's step would be 0/0.
-        let newton = psi + change / (1.0 - l.slope);
-        let usable = newton.is_finite() && newton * guess > 0.0 && l.slope < 0.9;
-        // Far from the cycle the straight line of Newton's step does not carry far.
-        let newton = newton.abs().clamp(0.5 * psi.abs(), 2.0 * psi.abs()) * psi.signum();
-        fallback = usable.then_some(l.psi);
-        psi = if usable { newton } else { l.psi };
-        let small = change.abs() <= 4.0 * settings.tolerance * psi.abs();
-        // Rounding and the tolerance set the floor below which it no longer shrinks.
-        let floor = change.abs() >= 0.5 * last.abs()
-            && change.abs() <= 1e3 * settings.tolerance * psi.abs();
-        if small || floor {
+        let newton = newton(psi, change, l.slope);
+        fallback = newton.map(|_| l.psi);
+        psi = newton.unwrap_or(l.psi);
+        if settled(change, last, settings.tolerance, psi) {
             let l = lap(equation, settings, phi, psi, true)?;
             return finish(equation, phi, psi, l, iterations, counts);
         }
@@ -225,6 +217,27 @@ pub fn steady_cycle(
         iterations: MOST_ITERATIONS,
         change,
     })
+}
+
+/// Newton's step on `P(ψ) − ψ`, which is `change` where P has the slope `slope`. `None` where it
+/// leads nowhere: beside a neutral cycle, which is one already, it is nearly 0/0.
+fn newton(psi: f64, change: f64, slope: f64) -> Option<f64> {
+    let newton = psi + change / (1.0 - slope);
+    // Far from the cycle the straight line does not carry far.
+    let near = newton
+        .abs()
+        .clamp(0.5 * psi.abs(), 2.0 * psi.abs())
+        .copysign(psi);
+    (newton * psi > 0.0 && slope < 0.9).then_some(near)
+}
+
+/// Whether a speed `psi` that changes by `change` in a turn, after `last` in the one before,
+/// repeats to what the tolerance lets be told.
+fn settled(change: f64, last: f64, tolerance: f64, psi: f64) -> bool {
+    let small = change.abs() <= 4.0 * tolerance * psi.abs();
+    // Rounding and the tolerance set the floor below which it no longer shrinks.
+    let floor = change.abs() >= 0.5 * last.abs() && change.abs() <= 1e3 * tolerance * psi.abs();
+    small || floor
 }
 
 fn finish(
@@ -254,3 +267,7 @@ fn finish(
         counts: counts.plus(l.counts),
     })
 }
+
+#[cfg(test)]
+#[path = "steady_tests.rs"]
+mod tests;

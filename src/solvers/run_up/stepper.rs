@@ -155,3 +155,21 @@ where
         self.interpolate(t.clamp(a, b)).unwrap_or(y)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_librarys_errors_in_plain_words() {
+        let y = [0.0; 6];
+        let text = |e: LibraryError<f64, State>| e.to_string_plain();
+        assert_eq!(text(LibraryError::BadInput { msg: "a".into() }), "a");
+        let small = text(LibraryError::StepSize { t: 2.5, y });
+        assert_eq!(small, "the step became too small at t = 2.5 s");
+        let msg = "singular".into();
+        let singular = text(LibraryError::LinearAlgebra { t: 2.5, y, msg });
+        assert_eq!(singular, "singular (t = 2.5 s)");
+        assert!(text(LibraryError::MaxSteps { t: 2.5, y }).contains("2.5"));
+    }
+}

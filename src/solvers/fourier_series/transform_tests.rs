@@ -1,0 +1,115 @@
+//! Which way through the transform is taken where, and that the ways agree.
+
+use super::*;
+use std::cell::Cell;
+
+fn knots(jumps: &[f64]) -> Vec<Knot> {
+    let (place, jumps) = (0.5, jumps.to_vec());
+    vec![Knot { place, jumps }]
+}
+
+/// From `1 + 60/q ≤ q/2` on, that is from q = 12, in steps of a tenth.
+#[test]
+fn where_the_jumps_serve() {
+    let tenths = |times: usize| (0..times).fold(1.0, |t, _| t * 1.1);
+    let from = where_jumps_serve(&knots(&[0.0, 1.0, 60.0]), 2);
+    assert_eq!(from, tenths(7));
+    assert!(TAU * from >= 12.0 && TAU * tenths(6) < 12.0);
+    // The size of the jumps does not matter, nor those below the order.
+    assert_eq!(where_jumps_serve(&knots(&[9.0, 8.0, 480.0]), 2), from);
+    assert_eq!(where_jumps_serve(&knots(&[0.0, 0.0, 8.0, 480.0]), 3), from);
+    // One turn at least, ten thousand at most.
+    assert_eq!(where_jumps_serve(&knots(&[1.0, 1.0]), 1), 1.0);
+    let most = where_jumps_serve(&knots(&[1.0, 1e12]), 1);
+    assert!(most > 1e4 && most < 1.1e4, "{most}");
+}
+
+fn polynomials() -> [MotionLaw; 3] {
+    // With a velocity, an acceleration and a jerk at the ends.
+    [
+        &[0.0, 1.0, 20.0, -80.0, 100.0, -40.0][..],
+        &[0.0, 0.0, 3.0, 98.0, -500.0, 900.0, -700.0, 200.0],
+        &[
+            0.0, 0.0, 0.0, 84.0, -378.0, 756.0, -840.0, 540.0, -189.0, 28.0,
+        ],
+    ]
+    .map(|p| MotionLaw::polynomial(p).expect("a law"))
+}
+
+fn turns(t: f64) -> Turns {
+    Turns::multiple(1.0, t)
+}
+
+/// Below one turn the velocity is integrated, from there its derivative, from `tail_from` on the
+/// jumps are added; at each seam both ways are the same number but for rounding.
+#[test]
+fn three_ways_of_a_polynomial() {
+    for (law, order) in polynomials().iter().zip(1..) {
+        let t = Transform::new(law);
+        let velocity = |x: f64| law.motion(x).expect("a place").velocity;
+        let (found, p) = t.derivative.as_ref().expect("a derivative");
+        assert_eq!(*found, order);
+        let value = |x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
+        let from = t.tail_from;
+        assert!(from > 1.0, "{from}");
+        for at in [0.25, 1.0f64.next_down()] {
+            assert_eq!(t.at(turns(at)), t.integrated(turns(at), velocity));
+        }
+        for at in [1.0, 0.5 * (1.0 + from), from.next_down()] {
+            let at = turns(at);
+            let power = Complex64::new(0.0, -1.0 / at.radians()).powi(order as i32 - 1);
+            let due = t.integrated(at, value) * power;
+            assert_eq!(t.at(at), due);
+            let plain = t.integrated(at, velocity);
+            assert!(
+                (due - plain).norm() < 1e-13 * (1.0 + velocity(0.0).abs()),
+                "{due} {plain}"
+            );
+        }
+        for at in [from, 2.0 * from] {
+            let at = turns(at);
+            let due = jumps(t.knots().expect("knots"), t.centre, at);
+            assert_eq!(t.at(at), due);
+            let plain = t.integrated(at, velocity);
+            assert!(
+                (due - plain).norm() < 1e-13 * (1.0 + velocity(0.0).abs()),
+                "{due} {plain}"
+            );
+        }
+    }
+}
+
+#[test]
+fn two_ways_of_sines() {
+    let law = MotionLaw::modified_sine();
+    let law = law.with_acceleration_fraction(0.25).expect("a law");
+    let t = Transform::new(&law);
+    let Shape::Scca(s) = law.shape() else {
+        panic!("{law:?}")
+    };
+    assert_eq!(t.tail_from, 2.0);
+    let velocity = |x: f64| law.motion(x).expect("a place").velocity;
+    let below = turns(2.0f64.next_down());
+    assert_eq!(t.at(below), t.integrated(below, velocity));
+    for at in [2.0, 2.5] {
+        let due = scca(s, 0.25, turns(at));
+        assert_eq!(t.at(turns(at)), due);
+        assert!((due - t.integrated(turns(at), velocity)).norm() < 1e-14);
+    }
+}
+
+/// Each piece in as many panels as it has turns, with 20 nodes each.
+#[test]
+fn a_panel_for_each_turn() {
+    let t = Transform::new(&MotionLaw::polynomial_345());
+    assert_eq!(t.pieces, [0.0, 0.5, 1.0]);
+    for (at, panels) in [(0.0, 2), (0.5, 2), (2.0, 2), (2.5, 4), (4.0, 4), (7.0, 8)] {
+        let asked = Cell::new(0);
+        let one = |_: f64| {
+            asked.set(asked.get() + 1);
+            1.0
+        };
+        t.integrated(turns(at), one);
+        assert_eq!(asked.get(), 20 * panels, "{at}");
+    }
+}
