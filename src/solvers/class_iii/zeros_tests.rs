@@ -15,12 +15,15 @@ fn search(f: impl Fn(f64) -> f64, lo: f64, hi: f64) -> (f64, u32) {
     (x, asked.get())
 }
 
+/// Name, function, ends, zero, most evaluations.
+type Bracketed<'a> = (&'a str, &'a dyn Fn(f64) -> f64, f64, f64, f64, u32);
+
 #[test]
 fn brackets_close_in_few_steps() {
     // The first secant of a line meets its zero: one value there, one at the upper end.
     assert_eq!(search(|x| 2.0 * x - 1.0, 0.0, 2.0), (0.5, 2));
     assert_eq!(search(|x| 3.0 - x, -1.0, 7.0), (3.0, 2));
-    let cases: [(&str, &dyn Fn(f64) -> f64, f64, f64, f64, u32); 9] = [
+    let cases: [Bracketed; 9] = [
         ("x² − 2", &|x| x * x - 2.0, 0.0, 2.0, 2f64.sqrt(), 50),
         ("2 − x²", &|x| 2.0 - x * x, 0.0, 2.0, 2f64.sqrt(), 50),
         (

@@ -10,9 +10,9 @@
 
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::lanes::Lanes;
-use super::plane::entry;
 #[cfg(target_arch = "x86_64")]
 use super::pack::{Pack, Wide};
+use super::plane::entry;
 use super::real::Real;
 use super::tables::ZEROS;
 #[cfg(target_arch = "x86_64")]

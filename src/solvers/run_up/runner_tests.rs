@@ -152,7 +152,7 @@ fn samples_are_at_their_times() {
         let (times, _) = counts(method, Some(0.25), 1.0);
         assert_eq!(times, [0.0, 0.25, 0.5, 0.75, 1.0]);
         let (times, without) = counts(method, None, 1.125);
-        assert_eq!(times, []);
+        assert!(times.is_empty());
         let apart = method.ends_steps_at_samples();
         assert_eq!(apart, method == Method::Dop853);
         // Where they are read between the ends of the steps, the steps do not heed them.

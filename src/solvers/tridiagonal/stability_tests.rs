@@ -51,7 +51,7 @@ fn vectors_asked_for() {
 #[test]
 fn signs_that_cancel() {
     let b = |v: &mut [f64]| {
-        let sign = |i: usize| if i % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
         let sum: f64 = v.iter().enumerate().map(|(i, v)| sign(i) * v).sum();
         for (i, v) in v.iter_mut().enumerate() {
             *v = sign(i) * sum + 0.0;

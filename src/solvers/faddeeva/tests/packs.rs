@@ -4,7 +4,7 @@ use super::super::pack::Pack;
 use super::super::taylor_packs::{by_columns, by_rows};
 use super::Random;
 use pulp::x86::V3;
-use pulp::{NullaryFnOnce, Simd, cast};
+use pulp::{NullaryFnOnce, cast};
 
 /// Sums of a few rows, real and imaginary parts, one way and the other.
 struct BothWays<'a>(V3, &'a [[f64; 40]; 4], [[f64; 4]; 10], (usize, usize));
