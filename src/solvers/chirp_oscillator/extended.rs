@@ -78,5 +78,7 @@ mod tests {
         assert!((square.lo - 3.061_616_997_868_383e-17).abs() < 1e-31);
         let two = sqrt(Dd::from(2.0)).square();
         assert!((two.hi - 2.0 + two.lo).abs() < 1e-31);
+        let more = sqrt(Dd::new(2.0, 1e-16)).square();
+        assert!((more.hi - 2.0 + (more.lo - 1e-16)).abs() < 1e-31);
     }
 }

@@ -283,6 +283,12 @@ fn beats_of_a_chart() {
         let (got, due) = (chart.beats(|p| p.bound), beat_zones(&curve));
         assert_eq!(format!("{got:?}"), format!("{due:?}"));
     }
+    // A curve with a hill.
+    let chart = Chart::new(&r, Period::Turn, &grid).expect("a chart");
+    let zones = chart.beats(|p| 1.0 - (p.xi_turn - 1.72).powi(2));
+    assert_eq!(zones.len(), 1, "{zones:?}");
+    let xi = zones[0].xi;
+    assert!((xi - 1.72).abs() < 1e-9, "{xi}");
 }
 
 /// Peaks of a vibration much faster than the shaft and than its harmonics, and of one that is
