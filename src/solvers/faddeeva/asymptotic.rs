@@ -14,7 +14,7 @@ use super::lanes::Lanes;
 use super::real::{Real, scaled};
 
 /// Coefficients available.
-const TERMS: usize = 25;
+const TERMS: usize = 27;
 
 /// `a_n = (2n − 1)!!/2ⁿ`: every partial product is exact up to `a₁₃`, and rounded afterwards.
 const A: [f64; TERMS] = {

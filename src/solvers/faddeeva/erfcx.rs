@@ -115,20 +115,17 @@ pub fn erfcx(z: Complex<f64>) -> Complex<f64> {
 struct Turned<'a>(Interleaved<'a>);
 
 impl Points for Turned<'_> {
-    #[inline(always)]
     fn len(&self) -> usize {
         self.0.len()
     }
-    #[inline(always)]
-    fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]) {
-        self.0.load(start, y, x);
-        for x in x {
-            *x = -*x;
+    fn load(&self, start: usize, z: &mut [Complex<f64>]) {
+        self.0.load(start, z);
+        for z in z {
+            *z = Complex::new(-z.im, z.re);
         }
     }
-    #[inline(always)]
-    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64)) {
-        self.0.store(start, n, value);
+    fn store(&mut self, start: usize, f: &[Complex<f64>]) {
+        self.0.store(start, f);
     }
 }
 

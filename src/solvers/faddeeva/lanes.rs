@@ -16,6 +16,7 @@ pub(in crate::solvers) trait Lanes: Copy {
     fn mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
     /// `c − a b`
     fn neg_mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
+    fn parts(self, x: Self::V) -> [f64; 4];
     /// `(x₀ + x₂) + (x₁ + x₃)`
     fn sum(self, x: Self::V) -> f64;
     /// Four numbers as a [`Real`].
@@ -76,6 +77,10 @@ impl Lanes for Plain {
         std::array::from_fn(|i| (-a[i]).mul_add(b[i], c[i]))
     }
     #[inline(always)]
+    fn parts(self, x: [f64; 4]) -> [f64; 4] {
+        x
+    }
+    #[inline(always)]
     fn sum(self, x: [f64; 4]) -> f64 {
         (x[0] + x[2]) + (x[1] + x[3])
     }
@@ -132,6 +137,10 @@ mod x86 {
         #[inline(always)]
         fn neg_mul_add(self, a: f64x4, b: f64x4, c: f64x4) -> f64x4 {
             self.negate_mul_add_f64x4(a, b, c)
+        }
+        #[inline(always)]
+        fn parts(self, x: f64x4) -> [f64; 4] {
+            cast(x)
         }
         #[inline(always)]
         fn sum(self, x: f64x4) -> f64 {

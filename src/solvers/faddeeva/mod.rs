@@ -19,7 +19,7 @@
 //!   coefficients in double-double; beside the imaginary axis with the real coefficients of
 //!   erfcx, beside the real axis about centres on it, so that the small component keeps its
 //!   relative accuracy;
-//! - `|z| ≥ 7`: asymptotic series (DLMF 7.12.1) with 24, 14, 6 or 4 terms, and `e^{−z²}` added beside
+//! - `|z| ≥ 7`: asymptotic series (DLMF 7.12.1) with 26, 14, 6 or 4 terms, and `e^{−z²}` added beside
 //!   the real axis.
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
@@ -48,6 +48,7 @@
 mod asymptotic;
 #[cfg(target_arch = "x86_64")]
 mod batch;
+mod branch;
 mod constants;
 mod dawson;
 mod derivative;
@@ -83,7 +84,7 @@ mod trapezoidal;
 mod voigt;
 mod zeros;
 
-pub use plane::Branch;
+pub use branch::Branch;
 
 pub use dawson::{dawson, dawson_batch, dawson_real};
 pub use derivative::w_derivative;
@@ -172,20 +173,24 @@ pub fn faddeeva_soa(
 /// use mechaudit::solvers::faddeeva::{Branch, branch};
 /// use num_complex::Complex;
 ///
-/// assert_eq!(branch(Complex::new(3.0, 9.0)), Branch::Asymptotic { terms: 24 });
+/// assert_eq!(branch(Complex::new(3.0, 9.0)), Branch::Asymptotic { terms: 26 });
 /// ```
 pub fn branch(z: Complex<f64>) -> Branch {
-    plane::branch(z.re.abs(), z.im)
+    branch::branch(z.re.abs(), z.im)
 }
 
 /// Where points come from and values go to.
 trait Points {
     /// How many there are.
     fn len(&self) -> usize;
-    /// The real and the imaginary parts of the points from `start` on.
-    fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]);
-    /// Takes the values at the `n` points from `start` on.
-    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64));
+    /// The points from `start` on.
+    fn load(&self, start: usize, z: &mut [Complex<f64>]);
+    /// Takes the values at the points from `start` on.
+    fn store(&mut self, start: usize, w: &[Complex<f64>]);
+    /// N points from `start` on and the place of their values, if they need not be moved.
+    fn chunk<const N: usize>(&mut self, _: usize) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
+        None
+    }
 }
 
 /// Batches shorter than this are not worth sorting.
@@ -198,10 +203,9 @@ fn all<P: Points>(points: &mut P) {
         return;
     }
     for i in 0..points.len() {
-        let (mut x, mut y) = ([0.0], [0.0]);
-        points.load(i, &mut x, &mut y);
-        let (re, im) = plane::w_with_best(x[0], y[0]);
-        points.store(i, 1, |_| (re, im));
+        let mut z = [Complex::ZERO];
+        points.load(i, &mut z);
+        points.store(i, &z.map(faddeeva));
     }
 }
 
@@ -212,24 +216,17 @@ struct Interleaved<'a> {
 }
 
 impl Points for Interleaved<'_> {
-    #[inline(always)]
     fn len(&self) -> usize {
         self.z.len()
     }
-    #[inline(always)]
-    fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]) {
-        let n = x.len();
-        for ((z, x), y) in self.z[start..start + n].iter().zip(x).zip(y) {
-            *x = z.re;
-            *y = z.im;
-        }
+    fn load(&self, start: usize, z: &mut [Complex<f64>]) {
+        z.copy_from_slice(&self.z[start..start + z.len()]);
     }
-    #[inline(always)]
-    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64)) {
-        for (i, w) in self.w[start..start + n].iter_mut().enumerate() {
-            let (re, im) = value(i);
-            *w = Complex::new(re, im);
-        }
+    fn store(&mut self, start: usize, w: &[Complex<f64>]) {
+        self.w[start..start + w.len()].copy_from_slice(w);
+    }
+    fn chunk<const N: usize>(&mut self, start: usize) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
+        Some((self.z[start..].first_chunk()?, self.w[start..].first_chunk_mut()?))
     }
 }
 
@@ -242,23 +239,19 @@ struct Apart<'a> {
 }
 
 impl Points for Apart<'_> {
-    #[inline(always)]
     fn len(&self) -> usize {
         self.x.len()
     }
-    #[inline(always)]
-    fn load(&self, start: usize, x: &mut [f64], y: &mut [f64]) {
-        let n = x.len();
-        x.copy_from_slice(&self.x[start..start + n]);
-        y.copy_from_slice(&self.y[start..start + n]);
+    fn load(&self, start: usize, z: &mut [Complex<f64>]) {
+        let parts = self.x[start..].iter().zip(&self.y[start..]);
+        for (z, (x, y)) in z.iter_mut().zip(parts) {
+            *z = Complex::new(*x, *y);
+        }
     }
-    #[inline(always)]
-    fn store(&mut self, start: usize, n: usize, value: impl Fn(usize) -> (f64, f64)) {
-        let parts = self.re[start..start + n]
-            .iter_mut()
-            .zip(&mut self.im[start..start + n]);
-        for (i, (re, im)) in parts.enumerate() {
-            (*re, *im) = value(i);
+    fn store(&mut self, start: usize, w: &[Complex<f64>]) {
+        let parts = self.re[start..].iter_mut().zip(&mut self.im[start..]);
+        for (w, (re, im)) in w.iter().zip(parts) {
+            (*re, *im) = (w.re, w.im);
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::Points;
 use super::batch::batch;
 use super::real::Real;
-use super::taylor_packs::{by_columns, by_rows};
+use super::taylor_packs::{Parts, by_columns, by_rows};
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast, f64x4};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -15,24 +15,34 @@ pub(in crate::solvers) trait Wide: Simd {
     const WIDTH: usize;
     /// `(x + add) << 52`
     fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s;
+    /// `bit` where the mask is true, 0 elsewhere.
+    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s;
+    /// `x` between two limits; anything for a NaN.
+    fn clamped(self, x: Self::f64s, low: Self::f64s, high: Self::f64s) -> Self::f64s;
+    /// `x >> 50`
+    fn leading(self, x: Self::u64s) -> Self::u64s;
     /// `x << 62`
     fn to_sign(self, x: Self::u64s) -> Self::u64s;
     /// Whether `a = b` as integers, for 0 and 1 only.
     fn is_one(self, a: Self::u64s) -> Self::m64s;
     /// Numbers `at … at + 3` of each row: four vectors, one place for each row.
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
-    /// The polynomials of Taylor rows: `Σ q_n δⁿ` for each point, with the powers of δ up to the
-    /// fourth; the last block of coefficients stands at the second of the ends.
+    /// The four interleaved polynomials of Taylor rows in δ⁴; the last block of coefficients stands
+    /// at the second of the ends.
     fn polynomials<const N: usize>(
         self,
         rows: &[&[f64; N]; 8],
         ends: (usize, usize),
-        powers: [(Pack<Self>, Pack<Self>); 5],
-    ) -> (Pack<Self>, Pack<Self>);
+        d4: (Pack<Self>, Pack<Self>),
+    ) -> Parts<Self>;
     /// The numbers from `at` on.
     fn load(self, x: &[f64], at: usize) -> Self::f64s;
     /// Stores the numbers from `at` on.
     fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize);
+    /// The first and the second numbers of pairs `p(0)`, `p(1)`, …, as many as a vector has places.
+    fn from_pairs(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s);
+    /// The reverse of it.
+    fn to_pairs(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8];
     /// The numbers, up to eight.
     fn store(self, v: Self::f64s, x: &mut [f64; 8]);
 }
@@ -67,6 +77,19 @@ impl Wide for V3 {
         )
     }
     #[inline(always)]
+    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
+        self.and_u64s(cast(mask), self.splat_u64s(bit))
+    }
+    #[inline(always)]
+    fn clamped(self, x: f64x4, low: f64x4, high: f64x4) -> f64x4 {
+        let v = self.avx;
+        cast(v._mm256_min_pd(v._mm256_max_pd(cast(x), cast(low)), cast(high)))
+    }
+    #[inline(always)]
+    fn leading(self, x: Self::u64s) -> Self::u64s {
+        cast(self.avx2._mm256_srli_epi64::<50>(cast(x)))
+    }
+    #[inline(always)]
     fn to_sign(self, x: Self::u64s) -> Self::u64s {
         cast(self.avx2._mm256_slli_epi64::<62>(cast(x)))
     }
@@ -84,9 +107,9 @@ impl Wide for V3 {
         self,
         rows: &[&[f64; N]; 8],
         ends: (usize, usize),
-        powers: [(Pack<Self>, Pack<Self>); 5],
-    ) -> (Pack<Self>, Pack<Self>) {
-        by_rows(self, rows, ends, powers)
+        d4: (Pack<Self>, Pack<Self>),
+    ) -> Parts<Self> {
+        by_rows(self, rows, ends, d4)
     }
     #[inline(always)]
     fn load(self, x: &[f64], at: usize) -> Self::f64s {
@@ -97,6 +120,23 @@ impl Wide for V3 {
     fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
         let v: [f64; 4] = cast(v);
         x[at..at + 4].copy_from_slice(&v);
+    }
+    #[inline(always)]
+    fn from_pairs(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
+        let (a, b) = (cast([p(0), p(2)]), cast([p(1), p(3)]));
+        let x = self.avx;
+        (
+            cast(x._mm256_unpacklo_pd(a, b)),
+            cast(x._mm256_unpackhi_pd(a, b)),
+        )
+    }
+    #[inline(always)]
+    fn to_pairs(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
+        let (a, b, x) = (cast(first), cast(second), self.avx);
+        let p: [[f64; 2]; 2] = cast(x._mm256_unpacklo_pd(a, b));
+        let q: [[f64; 2]; 2] = cast(x._mm256_unpackhi_pd(a, b));
+        let none = [0.0; 2];
+        [p[0], q[0], p[1], q[1], none, none, none, none]
     }
     #[inline(always)]
     fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
@@ -110,6 +150,19 @@ impl Wide for V4 {
     #[inline(always)]
     fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
         self.shl_const_u64x8::<52>(self.wrapping_add_u64x8(x, add))
+    }
+    #[inline(always)]
+    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
+        self.select_u64s(mask, self.splat_u64s(bit), self.splat_u64s(0))
+    }
+    #[inline(always)]
+    fn clamped(self, x: Self::f64s, low: Self::f64s, high: Self::f64s) -> Self::f64s {
+        let v = self.avx512f;
+        cast(v._mm512_min_pd(v._mm512_max_pd(cast(x), cast(low)), cast(high)))
+    }
+    #[inline(always)]
+    fn leading(self, x: Self::u64s) -> Self::u64s {
+        self.shr_const_u64x8::<50>(x)
     }
     #[inline(always)]
     fn to_sign(self, x: Self::u64s) -> Self::u64s {
@@ -148,9 +201,9 @@ impl Wide for V4 {
         self,
         rows: &[&[f64; N]; 8],
         ends: (usize, usize),
-        powers: [(Pack<Self>, Pack<Self>); 5],
-    ) -> (Pack<Self>, Pack<Self>) {
-        by_columns(self, rows, ends, powers)
+        d4: (Pack<Self>, Pack<Self>),
+    ) -> Parts<Self> {
+        by_columns(self, rows, ends, d4)
     }
     #[inline(always)]
     fn load(self, x: &[f64], at: usize) -> Self::f64s {
@@ -161,6 +214,25 @@ impl Wide for V4 {
     fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
         let v: [f64; 8] = cast(v);
         x[at..at + 8].copy_from_slice(&v);
+    }
+    #[inline(always)]
+    fn from_pairs(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
+        let (a, b) = (
+            cast([p(0), p(2), p(4), p(6)]),
+            cast([p(1), p(3), p(5), p(7)]),
+        );
+        let x = self.avx512f;
+        (
+            cast(x._mm512_unpacklo_pd(a, b)),
+            cast(x._mm512_unpackhi_pd(a, b)),
+        )
+    }
+    #[inline(always)]
+    fn to_pairs(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
+        let (a, b, x) = (cast(first), cast(second), self.avx512f);
+        let p: [[f64; 2]; 4] = cast(x._mm512_unpacklo_pd(a, b));
+        let q: [[f64; 2]; 4] = cast(x._mm512_unpackhi_pd(a, b));
+        [p[0], q[0], p[1], q[1], p[2], q[2], p[3], q[3]]
     }
     #[inline(always)]
     fn store(self, v: Self::f64s, x: &mut [f64; 8]) {

@@ -9,43 +9,23 @@ use super::exponential::{
 use super::lanes::{Lanes, Task, with_best};
 use super::maclaurin::{self, maclaurin};
 use super::real::{ROUND, Real, scaled};
+use super::branch::{HUGE, Kind, SMALL, STRIP, TERMS_4, TINY, kind};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{
     ComplexRow, RealRow, complex_row, complex_row_rounded, real_row, real_row_rounded,
 };
 use super::{special, trapezoidal, zeros};
 
-/// |z|² from which the asymptotic series is used.
-const FAR: f64 = 49.0;
-/// |z|² from which the series needs 14, 6, 4 terms instead of 24.
-const TERMS_14: f64 = 100.0;
-const TERMS_6: f64 = 1000.0;
-const TERMS_4: f64 = 5000.0;
-/// |z|² above this is scaled first.
-const HUGE: f64 = 1e200;
 /// The same however |z|² is rounded.
 const SMALL_SURELY: f64 = SMALL * (1.0 - 1e-15);
 const TERMS_4_SURELY: f64 = TERMS_4 * (1.0 + 1e-15);
 const HUGE_SURELY: f64 = HUGE * (1.0 - 1e-15);
-/// Half the distance of the centres of the fine cells, and half the width of the strip beside the
-/// real axis; 1/8 belongs to the strip, where [`cell`] would round to a centre on the axis.
-const STRIP: f64 = 0.125_f64.next_up();
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
 const FINE: f64 = 3.75;
-/// Re z from which the strip has rows of its own, and from which it has the asymptotic series with
-/// `e^{−z²}` added.
-const APART: f64 = 1.125;
-const BEYOND: f64 = 9.0;
-/// Above `2⁵⁵ |e^{−z²}|` in the strip beyond [`BEYOND`].
+/// Above `2⁵⁵ |e^{−z²}|` in the strip.
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
 const LIFT: f64 = 200.0;
-/// Re z beyond which `e^{−z²}` is below every `f64` in the strip.
-const GONE: f64 = 27.5;
-/// |z|² below which the Maclaurin series is used.
-const SMALL: f64 = 1.0 / 16384.0;
-/// |z|² below which cells of the lower half-plane are tabulated.
-const DISC_EDGE: f64 = 1.0;
 /// A component smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 0.1;
 /// The same where the terms are rounded.
@@ -55,179 +35,9 @@ const DEEP: f64 = -31.0;
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
-/// Closer to the imaginary axis, and on it, batches leave points to the scalar code.
-const TINY: f64 = 1e-290;
 /// What the distance from the real axis is raised to beside it: no part of w is changed by that
 /// there, and products with smaller numbers would be subnormal.
 const LEAST: f64 = 1e-80;
-
-/// The formula for W(z).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub(super) enum Kind {
-    Cell,
-    ImaginaryAxis,
-    Series24,
-    Series14,
-    Series6,
-    RealAxis,
-    Series4,
-    Small,
-    Disc,
-    Strip,
-    Other,
-}
-
-/// A formula for W(z).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Branch {
-    /// Maclaurin series.
-    Maclaurin {
-        /// Terms.
-        terms: u32,
-    },
-    /// Taylor series about the centre of a cell.
-    Cell {
-        /// Terms.
-        terms: u32,
-    },
-    /// Taylor series about the centre of a cell in the lower half-plane, `|z| < 1`.
-    LowerCell {
-        /// Terms.
-        terms: u32,
-    },
-    /// Taylor series of erfcx about a centre on the imaginary axis.
-    ImaginaryAxis {
-        /// Terms.
-        terms: u32,
-    },
-    /// Taylor series about a centre on the real axis, on either side of it.
-    RealAxis {
-        /// Terms.
-        terms: u32,
-    },
-    /// Asymptotic series and `e^{−z²}`, on either side of the real axis.
-    Strip {
-        /// Terms.
-        terms: u32,
-    },
-    /// Asymptotic series.
-    Asymptotic {
-        /// Terms.
-        terms: u32,
-    },
-    /// Taylor series about zero number `zero` (from 1) in the lower half-plane.
-    Zero {
-        /// The number of the zero, by modulus.
-        zero: u32,
-        /// Terms.
-        terms: u32,
-    },
-    /// `i/(√π z)`, scaled; and everything that is not finite.
-    Huge,
-}
-
-/// The formula at `a + i y`, `a ≥ 0`.
-pub(super) fn branch(a: f64, y: f64) -> Branch {
-    if y < 0.0
-        && let Some(k) = zeros::nearest(a, -y)
-    {
-        return Branch::Zero {
-            zero: k as u32 + 1,
-            terms: 21,
-        };
-    }
-    match kind(a, y) {
-        Kind::Small => Branch::Maclaurin {
-            terms: maclaurin::TERMS,
-        },
-        Kind::Series4 => Branch::Asymptotic { terms: 4 },
-        Kind::Cell => Branch::Cell { terms: 18 },
-        Kind::Disc => Branch::LowerCell { terms: 18 },
-        Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
-        Kind::RealAxis => Branch::RealAxis { terms: 18 },
-        Kind::Strip => Branch::Strip { terms: 16 },
-        Kind::Series24 => Branch::Asymptotic { terms: 24 },
-        Kind::Series14 => Branch::Asymptotic { terms: 14 },
-        Kind::Series6 => Branch::Asymptotic { terms: 6 },
-        Kind::Other => Branch::Huge,
-    }
-}
-
-/// Half the width of the strip beside the imaginary axis.
-#[inline(always)]
-fn axis_width(a: f64, b: f64) -> f64 {
-    if a.max(b) < FINE { STRIP } else { 2.0 * STRIP }
-}
-
-/// The formula at `a + i y`, `a ≥ 0`.
-#[inline(always)]
-pub(super) fn kind(a: f64, y: f64) -> Kind {
-    let b = y.abs();
-    let r2 = a.mul_add(a, b * b);
-    if (b < STRIP) & (APART..GONE).contains(&a) {
-        if a < BEYOND {
-            Kind::RealAxis
-        } else {
-            Kind::Strip
-        }
-    } else if r2 < FAR {
-        if r2 < SMALL {
-            Kind::Small
-        } else if (y < 0.0) & (r2 < DISC_EDGE) {
-            Kind::Disc
-        } else if a < axis_width(a, b) {
-            Kind::ImaginaryAxis
-        } else {
-            Kind::Cell
-        }
-    } else if r2 < TERMS_14 {
-        Kind::Series24
-    } else if r2 < TERMS_6 {
-        Kind::Series14
-    } else if r2 < HUGE {
-        if y < 0.0 || r2 < TERMS_4 {
-            Kind::Series6
-        } else {
-            Kind::Series4
-        }
-    } else {
-        Kind::Other
-    }
-}
-
-/// What is added to the number of the bucket in the lower half-plane.
-pub(super) const LOWER: usize = Kind::Other as usize + 1;
-/// How many buckets there are.
-pub(super) const BUCKETS: usize = LOWER + Kind::RealAxis as usize + 1;
-
-/// The bucket as a number, plus `ROUND`: that of the kind, plus [`LOWER`] in the lower half-plane
-/// for the kinds up to [`Kind::RealAxis`].
-#[inline(always)]
-pub(super) fn bucket<R: Real>(a: R, y: R) -> R {
-    let code = |k: Kind| a.like(ROUND + f64::from(k as u8));
-    let under = |x: R, limit: f64, yes: R, no: R| x.pick(x.below(x.like(limit)), yes, no);
-    let (zero, b) = (a.like(0.0), y.magnitude());
-    let r2 = a.fma(a, b * b);
-    let low = y.below(zero);
-    let lower = a.pick(low, a.like(LOWER as f64), zero);
-    let far = a.pick(low, code(Kind::Series6) + lower, code(Kind::Series4));
-    let far = under(r2, TERMS_4, code(Kind::Series6) + lower, far);
-    let far = under(r2, TERMS_6, code(Kind::Series14) + lower, far);
-    let far = under(r2, TERMS_14, code(Kind::Series24) + lower, far);
-    let far = under(r2, HUGE, far, code(Kind::Other));
-    let width = under(a.at_least(b), FINE, a.like(STRIP), a.like(2.0 * STRIP));
-    let near = a.pick(a.below(width), code(Kind::ImaginaryAxis), code(Kind::Cell)) + lower;
-    let disc = a.pick(low, code(Kind::Disc), near);
-    let near = under(r2, DISC_EDGE, disc, near);
-    let near = under(r2, SMALL, code(Kind::Small), near);
-    let all = under(r2, FAR, near, far);
-    let strip = under(a, BEYOND, code(Kind::RealAxis) + lower, code(Kind::Strip));
-    let strip = under(a, APART, all, under(a, GONE, strip, all));
-    let all = under(b, STRIP, strip, all);
-    under(a, TINY, code(Kind::Other), all)
-}
 
 /// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
 #[inline(always)]
@@ -435,7 +245,7 @@ fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
             let (n, t) = on_axis(b);
             real_row(lanes, imaginary_axis_row(n), t, 0.0).0
         }
-        Kind::Series24 => series::<_, 24>(0.0, b).0,
+        Kind::Series26 => series::<_, 26>(0.0, b).0,
         Kind::Series14 => series::<_, 14>(0.0, b).0,
         Kind::Series6 | Kind::Series4 => series::<_, 6>(0.0, b).0,
         Kind::Small => return maclaurin::on_imaginary_axis(b),
@@ -467,7 +277,7 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
             let (re, im, _) = in_strip(a, b);
             (re, im)
         }
-        Kind::Series24 => series_rounded::<_, 24>(a, b),
+        Kind::Series26 => series_rounded::<_, 26>(a, b),
         Kind::Series14 => series_rounded::<_, 14>(a, b),
         Kind::Series6 => series_rounded::<_, 6>(a, b),
         Kind::Series4 => series_rounded::<_, 4>(a, b),
@@ -528,7 +338,7 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             let (n, t) = on_axis(b);
             from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
         }
-        Kind::Series24 => series::<_, 24>(a, b),
+        Kind::Series26 => series::<_, 26>(a, b),
         Kind::Series14 => series::<_, 14>(a, b),
         Kind::Series6 => series::<_, 6>(a, b),
         Kind::RealAxis => {

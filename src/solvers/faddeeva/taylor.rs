@@ -33,14 +33,6 @@ fn block8(c: &[f64; 40]) -> [f64; 8] {
     [c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]]
 }
 
-/// `δ², δ³, δ⁴` as real and imaginary parts, with `δ²` given.
-#[inline(always)]
-fn powers<R: Real>((dx, dy): (R, R), (x2, y2): (R, R)) -> [(R, R); 2] {
-    let (x3, y3) = (x2.fma(dx, -(y2 * dy)), x2.fma(dy, y2 * dx));
-    let (x4, y4) = (x2.fma(x2, -(y2 * y2)), (x2 + x2) * y2);
-    [(x3, y3), (x4, y4)]
-}
-
 /// `δ²`
 #[inline(always)]
 pub(super) fn square<R: Real>(dx: R, dy: R) -> (R, R) {
@@ -54,10 +46,10 @@ pub(super) fn polynomial<L: Lanes>(
     lanes: L,
     c: &[f64],
     (first, last): (usize, usize),
-    (dx, dy): (f64, f64),
-    (x2, y2): (f64, f64),
+    delta: (f64, f64),
+    d2: (f64, f64),
 ) -> (f64, f64) {
-    let [(x3, y3), (x4, y4)] = powers((dx, dy), (x2, y2));
+    let (x4, y4) = square(d2.0, d2.1);
     let (x4, y4) = (lanes.splat(x4), lanes.splat(y4));
     let mut re = lanes.load(block(c, last));
     let mut im = lanes.load(block(c, last + 4));
@@ -69,10 +61,21 @@ pub(super) fn polynomial<L: Lanes>(
         im = lanes.mul_add(x4, im, lanes.mul_add(y4, re, b));
         re = r;
     }
-    let (px, py) = (lanes.load([1.0, dx, x2, x3]), lanes.load([0.0, dy, y2, y3]));
-    let sr = lanes.neg_mul_add(py, im, lanes.mul(px, re));
-    let si = lanes.mul_add(px, im, lanes.mul(py, re));
-    (lanes.sum(sr), lanes.sum(si))
+    interleaved(lanes.parts(re), lanes.parts(im), delta, d2)
+}
+
+/// `p₀ + p₁δ + p₂δ² + p₃δ³` from real and imaginary parts.
+#[inline(always)]
+pub(super) fn interleaved<R: Real>(re: [R; 4], im: [R; 4], delta: (R, R), d2: (R, R)) -> (R, R) {
+    let plus = |(a, b): (R, R), (x, y): (R, R), (u, v): (R, R)| {
+        (
+            x.fma(u, (-y).fma(v, a)),
+            x.fma(v, y.fma(u, b)),
+        )
+    };
+    let even = plus((re[0], im[0]), d2, (re[2], im[2]));
+    let odd = plus((re[1], im[1]), d2, (re[3], im[3]));
+    plus(even, delta, odd)
 }
 
 /// `c₀ + c₁δ + δ²q` with exact products; `c` as at the beginning of a [`ComplexRow`].
@@ -243,9 +246,8 @@ pub(super) fn polynomials<S: Wide, const N: usize>(
     delta: (Pack<S>, Pack<S>),
     d2: (Pack<S>, Pack<S>),
 ) -> (Pack<S>, Pack<S>) {
-    let [d3, d4] = powers(delta, d2);
-    let one = (delta.0.like(1.0), delta.0.like(0.0));
-    simd.polynomials(rows, ends, [one, delta, d2, d3, d4])
+    let (re, im) = simd.polynomials(rows, ends, square(d2.0, d2.1));
+    interleaved(re, im, delta, d2)
 }
 
 /// [`complex_row`] for several points with a row each.
