@@ -237,7 +237,8 @@ pub(super) fn bucket(place: u64) -> usize {
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
-    let (s, a, b, like) = (x.0, x.magnitude(), y.magnitude(), |v: f64| x.like(v));
+    let (s, a, b) = (x.0, x.magnitude(), y.magnitude());
+    let like = |v: f64| x.like(v);
     let yy = y * y;
     let r2 = x.fma(x, yy);
     let kept = Pack(s, s.clamped(r2.1, s.splat_f64s(LEAST), s.splat_f64s(MOST)));

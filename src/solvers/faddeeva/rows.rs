@@ -1,9 +1,10 @@
 //! The tables of Taylor rows as batches use them: which row serves each of a group of points.
 
-use super::pack::{Pack, Wide};
+use super::pack::Wide;
 use super::plane::{cell, cell_number, disc_cell, disc_number, entry, imaginary_axis_number};
 use super::plane::{on_axis, on_real_axis, real_axis_number};
 use super::real::Real;
+use super::taylor::{Duo, Pair};
 use super::tables::{CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 
 /// A table of rows with N numbers.
@@ -11,7 +12,7 @@ pub(super) trait Rows<const N: usize>: Copy {
     /// Whether there is a table.
     const SOME: bool = true;
     /// For `a + i y`: the code of the row plus `ROUND`, and the distance from its centre.
-    fn locate<S: Wide>(self, a: Pack<S>, y: Pack<S>) -> [Pack<S>; 3];
+    fn locate<R: Real>(self, a: R, y: R) -> [R; 3];
     /// The row's place in the table, by its code.
     fn number(self, code: f64) -> u16;
     fn row(self, number: u16) -> &'static [f64; N];
@@ -24,7 +25,7 @@ pub(super) struct NoRows;
 impl Rows<0> for NoRows {
     const SOME: bool = false;
     #[inline(always)]
-    fn locate<S: Wide>(self, a: Pack<S>, _: Pack<S>) -> [Pack<S>; 3] {
+    fn locate<R: Real>(self, a: R, _: R) -> [R; 3] {
         [a; 3]
     }
     #[inline(always)]
@@ -42,7 +43,7 @@ pub(super) struct Cells;
 
 impl Rows<40> for Cells {
     #[inline(always)]
-    fn locate<S: Wide>(self, a: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
+    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
         cell(a, y.magnitude())
     }
     #[inline(always)]
@@ -60,7 +61,7 @@ pub(super) struct LowerDisc;
 
 impl Rows<40> for LowerDisc {
     #[inline(always)]
-    fn locate<S: Wide>(self, a: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
+    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
         disc_cell(a, y)
     }
     #[inline(always)]
@@ -78,7 +79,7 @@ pub(super) struct RealAxis;
 
 impl Rows<40> for RealAxis {
     #[inline(always)]
-    fn locate<S: Wide>(self, a: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
+    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
         let (code, t) = on_real_axis(a);
         [code, t, y]
     }
@@ -97,7 +98,7 @@ pub(super) struct ImaginaryAxis;
 
 impl Rows<20> for ImaginaryAxis {
     #[inline(always)]
-    fn locate<S: Wide>(self, a: Pack<S>, y: Pack<S>) -> [Pack<S>; 3] {
+    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
         let (code, t) = on_axis(y.magnitude());
         [code, t, a]
     }
@@ -111,9 +112,9 @@ impl Rows<20> for ImaginaryAxis {
     }
 }
 
-/// A group of points on their rows: these, and the distances from their centres.
+/// Two groups of points on their rows: these, and the distances from their centres.
 pub(super) struct On<'a, S: Wide, const N: usize> {
-    pub rows: [&'a [f64; N]; 8],
-    pub dx: Pack<S>,
-    pub dy: Pack<S>,
+    pub rows: Pair<'a, N>,
+    pub dx: Duo<S>,
+    pub dy: Duo<S>,
 }

@@ -1,0 +1,319 @@
+//! Many points at a time: put into buckets by the formula they need, a few hundred at a time on the
+//! stack, then computed side by side, two groups at once: an operation waits for the one before,
+//! and processors look only a hundred or two ahead.
+
+mod buckets;
+mod reflection;
+mod sort;
+
+use super::Points;
+use super::asymptotic::{series, series_rounded};
+use super::branch::{BUCKETS, Kind, LOWER, SERIES_ALONE};
+use super::lanes::Lanes;
+use super::maclaurin::maclaurin;
+use super::pack::{Pack, Wide};
+use super::plane::{
+    Cancelled, above_real_axis, below_real_axis, cancels_beside_real_axis, from_erfcx,
+    from_erfcx_rounded, in_strip, w,
+};
+use super::real::Real;
+use super::rows::{Cells, ImaginaryAxis, LowerDisc, NoRows, RealAxis};
+use super::taylor::{complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
+use super::zeros;
+use num_complex::Complex;
+
+/// Points sorted at a time.
+const CHUNK: usize = 256;
+/// Two groups of the widest vectors.
+const GROUPS: usize = 16;
+/// Places of a bucket: room for all points, and for repeating the last one.
+const ROOM: usize = CHUNK + GROUPS;
+/// Room for all buckets, a power of two.
+const SETS: usize = BUCKETS.next_power_of_two();
+
+/// A chunk of points and the place for their values, and what is needed to compute them.
+struct Chunk<'a> {
+    z: &'a [Complex<f64>; CHUNK],
+    w: &'a mut [Complex<f64>; CHUNK],
+    buffers: &'a mut Buffers,
+}
+
+struct Buffers {
+    /// How many points each bucket has, and which.
+    len: [usize; SETS],
+    order: [[u8; ROOM]; SETS],
+    /// The same of points with odd numbers, until both are brought together: one count need not
+    /// wait for the other.
+    odd: [[u8; CHUNK / 2]; SETS],
+    /// The points of the bucket at work that needs rows, these, and the distances from the centres.
+    x: [f64; ROOM],
+    y: [f64; ROOM],
+    row: [u16; ROOM],
+    dx: [f64; ROOM],
+    dy: [f64; ROOM],
+    /// The points in the lower half-plane for which W at their mirror images is known, and this in
+    /// four parts.
+    mirrored: usize,
+    below: [u8; ROOM],
+    mirror: [[f64; ROOM]; 4],
+    /// The points next to a zero.
+    near_zeros: usize,
+    zeros: [u8; ROOM],
+}
+
+/// Computes W at all points.
+#[inline(always)]
+pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mut P) {
+    let none = [0.0; ROOM];
+    let buffers = &mut Buffers {
+        len: [0; SETS],
+        order: [[0; ROOM]; SETS],
+        odd: [[0; CHUNK / 2]; SETS],
+        x: none,
+        y: none,
+        row: [0; ROOM],
+        dx: none,
+        dy: none,
+        mirrored: 0,
+        below: [0; ROOM],
+        mirror: [none; 4],
+        near_zeros: 0,
+        zeros: [0; ROOM],
+    };
+    let total = points.len();
+    let mut start = 0;
+    while start < total {
+        let n = (total - start).min(CHUNK);
+        if let Some((z, w)) = points.chunk(start) {
+            Chunk { z, w, buffers }.run(simd, lanes, n);
+        } else {
+            let (mut z, mut w) = ([Complex::ZERO; CHUNK], [Complex::ZERO; CHUNK]);
+            points.load(start, &mut z[..n]);
+            let (z, w) = (&z, &mut w);
+            Chunk { z, w, buffers }.run(simd, lanes, n);
+            points.store(start, &w[..n]);
+        }
+        start += n;
+    }
+}
+
+impl Chunk<'_> {
+    #[inline(always)]
+    fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L, n: usize) {
+        self.buffers.near_zeros = 0;
+        self.buffers.mirrored = 0;
+        self.sort(simd, n);
+        self.upper(simd);
+        self.mirror_images(simd);
+        self.reflected(simd, lanes);
+        self.beside_real_axis(simd, lanes);
+        for at in 0..self.buffers.len[Kind::Other as usize].min(CHUNK) {
+            let i = self.buffers.order[Kind::Other as usize][at];
+            self.alone(lanes, i);
+        }
+        self.next_to_zeros(simd, lanes);
+    }
+
+    /// The buckets whose formula gives the value.
+    #[inline(always)]
+    fn upper<S: Wide>(&mut self, simd: S) {
+        self.rounded(
+            simd,
+            Cells,
+            Kind::Cell as usize,
+            #[inline(always)]
+            |simd, _, _, on| complex_rows_rounded(simd, &on.rows, on.dx, on.dy),
+        );
+        self.rounded(
+            simd,
+            ImaginaryAxis,
+            Kind::ImaginaryAxis as usize,
+            #[inline(always)]
+            |simd, a, _, on| from_erfcx_rounded(a, real_rows_rounded(simd, &on.rows, on.dx, a)),
+        );
+        self.series::<S, 26>(simd, Kind::Series26);
+        self.series::<S, 14>(simd, Kind::Series14);
+        self.series::<S, 6>(simd, Kind::Series6);
+        self.series::<S, 4>(simd, Kind::Series4);
+        self.rounded(
+            simd,
+            NoRows,
+            Kind::Small as usize,
+            #[inline(always)]
+            |_, a, y, _| maclaurin(a, y),
+        );
+        self.rounded(
+            simd,
+            LowerDisc,
+            Kind::Disc as usize,
+            #[inline(always)]
+            |simd, _, _, on| complex_rows_rounded(simd, &on.rows, on.dx, on.dy),
+        );
+        self.rounded(
+            simd,
+            RealAxis,
+            Kind::RealAxis as usize,
+            #[inline(always)]
+            |simd, _, y, on| {
+                let y = above_real_axis(y.magnitude());
+                complex_rows_rounded(simd, &on.rows, on.dx, y)
+            },
+        );
+    }
+
+    /// The asymptotic series in the upper half-plane.
+    #[inline(always)]
+    fn series<S: Wide, const N: usize>(&mut self, simd: S, kind: Kind) {
+        self.rounded(
+            simd,
+            NoRows,
+            kind as usize,
+            #[inline(always)]
+            |_, a, y, _| series_rounded::<_, N>(a, y.magnitude()),
+        );
+    }
+
+    /// The buckets of the lower half-plane whose points are reflected.
+    #[inline(always)]
+    fn mirror_images<S: Wide>(&mut self, simd: S) {
+        self.mirrored(
+            simd,
+            Cells,
+            Kind::Cell as usize + LOWER,
+            #[inline(always)]
+            |simd, _, _, on| complex_rows(simd, &on.rows, on.dx, on.dy),
+        );
+        self.mirrored(
+            simd,
+            ImaginaryAxis,
+            Kind::ImaginaryAxis as usize + LOWER,
+            #[inline(always)]
+            |simd, a, _, on| from_erfcx(a, real_rows(simd, &on.rows, on.dx, a)),
+        );
+        self.mirrored_series::<S, 26>(simd, Kind::Series26);
+        self.mirrored_series::<S, 14>(simd, Kind::Series14);
+        self.mirrored_series::<S, 6>(simd, Kind::Series6);
+    }
+
+    /// The asymptotic series in the lower half-plane.
+    #[inline(always)]
+    fn mirrored_series<S: Wide, const N: usize>(&mut self, simd: S, kind: Kind) {
+        for bucket in [LOWER, LOWER + SERIES_ALONE] {
+            self.mirrored(
+                simd,
+                NoRows,
+                kind as usize + bucket,
+                #[inline(always)]
+                |_, a, b, _| series::<_, N>(a, b),
+            );
+        }
+    }
+
+    /// The buckets beside the real axis in which terms may cancel.
+    #[inline(always)]
+    fn beside_real_axis<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
+        self.unless_lost(
+            simd,
+            lanes,
+            RealAxis,
+            Kind::RealAxis as usize + LOWER,
+            #[inline(always)]
+            |simd, a, y, on| {
+                let (re, im) = complex_rows(simd, &on.rows, on.dx, below_real_axis(y));
+                let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
+                (re.hi, im.hi, lost)
+            },
+        );
+        self.unless_lost(
+            simd,
+            lanes,
+            NoRows,
+            Kind::Strip as usize,
+            #[inline(always)]
+            |_, a, y, _| in_strip(a, y),
+        );
+    }
+
+    /// Point `i`.
+    #[inline(always)]
+    fn at(&self, i: u8) -> [f64; 2] {
+        pair(self.z[i as usize])
+    }
+
+    /// Takes the value at point `i`.
+    #[inline(always)]
+    fn put(&mut self, i: u8, (re, im): (f64, f64)) {
+        self.w[i as usize] = Complex::new(re, im);
+    }
+
+    /// Point `i` by the scalar code.
+    #[cold]
+    #[inline(always)]
+    fn alone<L: Lanes>(&mut self, lanes: L, i: u8) {
+        let [x, y] = self.at(i);
+        let value = w(lanes, x, y);
+        self.put(i, value);
+    }
+
+    /// Point `i` in double-double.
+    #[inline(always)]
+    fn cancelled<L: Lanes>(&mut self, lanes: L, i: u8) {
+        let [x, y] = self.at(i);
+        let (re, im) = lanes.call(Cancelled {
+            a: x.abs(),
+            b: y.abs(),
+        });
+        self.put(i, (re, if x.is_sign_negative() { -im } else { im }));
+    }
+
+    /// The points next to a zero.
+    #[inline(always)]
+    fn next_to_zeros<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
+        let len = self.buffers.near_zeros.min(CHUNK);
+        if len == 0 {
+            return;
+        }
+        let last = self.buffers.zeros[len - 1];
+        self.buffers.zeros[len..][..GROUPS].fill(last);
+        let mut at = 0;
+        while at < len {
+            let numbers = window(&self.buffers.zeros, at);
+            let (x, y) = self.gather(simd, numbers);
+            let row = |m: usize| {
+                let [x, y] = self.at(numbers[m]);
+                zeros::row(zeros::nearest(x.abs(), -y).unwrap_or(0))
+            };
+            let mut rows = [[zeros::row(0); 8]; 2];
+            for m in 0..S::WIDTH {
+                rows[0][m] = row(m);
+                rows[1][m] = row(S::WIDTH + m);
+            }
+            let (re, im, lost) = zeros::near_zeros(simd, &rows, x.magnitude(), y);
+            let im = im.with_sign_of(x);
+            let lost = re.pick(lost, re.like(1.0), re.like(0.0));
+            let (re, im, lost) = (re.array(), im.array(), lost.array());
+            for m in 0..(len - at).min(2 * S::WIDTH) {
+                let i = self.buffers.zeros[at + m];
+                if lost[m] == 0.0 {
+                    self.put(i, (re[m], im[m]));
+                } else {
+                    self.cancelled(lanes, i);
+                }
+            }
+            at += 2 * S::WIDTH;
+        }
+    }
+}
+
+#[inline(always)]
+fn pair(z: Complex<f64>) -> [f64; 2] {
+    [z.re, z.im]
+}
+
+/// The numbers of two groups.
+#[inline(always)]
+fn window(numbers: &[u8; ROOM], at: usize) -> &[u8; GROUPS] {
+    numbers[at.min(CHUNK)..]
+        .first_chunk()
+        .expect("there is room")
+}
