@@ -256,7 +256,3 @@ pub(super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
     let bits = s.and_u64s(s.leading(s.transmute_u64s_f64s(kept.1)), s.splat_u64s(127));
     s.or_u64s(bits, flags)
 }
-
-#[cfg(all(test, feature = "oracle"))]
-#[path = "tests/branch.rs"]
-mod tests;

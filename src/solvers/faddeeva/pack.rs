@@ -271,6 +271,14 @@ impl<S: Wide> Pack<S> {
         Pack(s, s.transmute_f64s_u64s(bits))
     }
 
+    /// The numbers; those beyond its width are zero.
+    #[inline(always)]
+    pub(super) fn array(self) -> [f64; 8] {
+        let mut v = [0.0; 8];
+        self.store(&mut v);
+        v
+    }
+
     /// Whether all numbers, none of them negative, are zero.
     #[inline(always)]
     pub(super) fn is_zero(self) -> bool {
@@ -289,18 +297,12 @@ impl<S: Wide> Two<Pack<S>> {
         )
     }
 
-    /// Stores the numbers from `at` on.
-    #[inline(always)]
-    pub(super) fn store_at(self, x: &mut [f64], at: usize) {
-        self.0.store_at(x, at);
-        self.1.store_at(x, at + S::WIDTH);
-    }
-
     /// The numbers; those beyond its width are zero.
     #[inline(always)]
     pub(super) fn array(self) -> [f64; 16] {
         let mut v = [0.0; 16];
-        self.store_at(&mut v, 0);
+        self.0.store_at(&mut v, 0);
+        self.1.store_at(&mut v, S::WIDTH);
         v
     }
 

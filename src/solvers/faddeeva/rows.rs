@@ -1,10 +1,9 @@
 //! The tables of Taylor rows as batches use them: which row serves each of a group of points.
 
-use super::pack::Wide;
+use super::pack::{Pack, Wide};
 use super::plane::{cell, cell_number, disc_cell, disc_number, entry, imaginary_axis_number};
 use super::plane::{on_axis, on_real_axis, real_axis_number};
 use super::real::Real;
-use super::taylor::{Duo, Pair};
 use super::tables::{CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 
 /// A table of rows with N numbers.
@@ -112,9 +111,9 @@ impl Rows<20> for ImaginaryAxis {
     }
 }
 
-/// Two groups of points on their rows: these, and the distances from their centres.
+/// A group of points on their rows: these, and the distances from their centres.
 pub(super) struct On<'a, S: Wide, const N: usize> {
-    pub rows: Pair<'a, N>,
-    pub dx: Duo<S>,
-    pub dy: Duo<S>,
+    pub rows: [&'a [f64; N]; 8],
+    pub dx: Pack<S>,
+    pub dy: Pack<S>,
 }

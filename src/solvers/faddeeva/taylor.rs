@@ -13,8 +13,6 @@ use super::lanes::Lanes;
 #[cfg(target_arch = "x86_64")]
 use super::pack::{Pack, Wide};
 use super::real::Real;
-#[cfg(target_arch = "x86_64")]
-use super::real::Two;
 
 /// `Re c₀` (hi, lo), `Im c₀`, `Re c₁`, `Im c₁`, then four blocks of four real and four imaginary
 /// parts of `q`.
@@ -226,40 +224,15 @@ fn real_polynomial<L: Lanes>(
     (block(c, 0), bb, (p[2], s[2]), (qr, qs))
 }
 
-/// Two groups of points, and their rows.
-#[cfg(target_arch = "x86_64")]
-pub(super) type Duo<S> = Two<Pack<S>>;
-#[cfg(target_arch = "x86_64")]
-pub(super) type Pair<'a, const N: usize> = [[&'a [f64; N]; 8]; 2];
-
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-fn both<R: Copy>(p: [R; 4], q: [R; 4]) -> [Two<R>; 4] {
-    [
-        Two(p[0], q[0]),
-        Two(p[1], q[1]),
-        Two(p[2], q[2]),
-        Two(p[3], q[3]),
-    ]
-}
-
 /// Numbers `at … at + 3` of each row.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn columns<S: Wide, const N: usize>(
     simd: S,
-    rows: &Pair<N>,
+    rows: &[&[f64; N]; 8],
     at: usize,
-) -> [Duo<S>; 4] {
-    both(
-        packed(simd, simd.columns(&rows[0], at)),
-        packed(simd, simd.columns(&rows[1], at)),
-    )
-}
-
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn packed<S: Wide>(simd: S, [a, b, c, d]: [S::f64s; 4]) -> [Pack<S>; 4] {
+) -> [Pack<S>; 4] {
+    let [a, b, c, d] = simd.columns(rows, at);
     [Pack(simd, a), Pack(simd, b), Pack(simd, c), Pack(simd, d)]
 }
 
@@ -268,15 +241,13 @@ pub(super) fn packed<S: Wide>(simd: S, [a, b, c, d]: [S::f64s; 4]) -> [Pack<S>; 
 #[inline(always)]
 pub(super) fn polynomials<S: Wide, const N: usize>(
     simd: S,
-    rows: &Pair<N>,
+    rows: &[&[f64; N]; 8],
     ends: (usize, usize),
-    delta: (Duo<S>, Duo<S>),
-    d2: (Duo<S>, Duo<S>),
-) -> (Duo<S>, Duo<S>) {
-    let (x, y) = square(d2.0, d2.1);
-    let p = simd.polynomials(&rows[0], ends, (x.0, y.0));
-    let q = simd.polynomials(&rows[1], ends, (x.1, y.1));
-    interleaved(both(p.0, q.0), both(p.1, q.1), delta, d2)
+    delta: (Pack<S>, Pack<S>),
+    d2: (Pack<S>, Pack<S>),
+) -> (Pack<S>, Pack<S>) {
+    let (re, im) = simd.polynomials(rows, ends, square(d2.0, d2.1));
+    interleaved(re, im, delta, d2)
 }
 
 /// [`complex_row`] for several points with a row each.
@@ -284,10 +255,10 @@ pub(super) fn polynomials<S: Wide, const N: usize>(
 #[inline(always)]
 pub(super) fn complex_rows<S: Wide>(
     simd: S,
-    rows: &Pair<40>,
-    dx: Duo<S>,
-    dy: Duo<S>,
-) -> (Dd<Duo<S>>, Dd<Duo<S>>) {
+    rows: &[&[f64; 40]; 8],
+    dx: Pack<S>,
+    dy: Pack<S>,
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
     let d2 = square(dx, dy);
     let q = polynomials(simd, rows, (8, 32), (dx, dy), d2);
     complex_sum(eight_columns(simd, rows), (dx, dy), d2, q)
@@ -298,10 +269,10 @@ pub(super) fn complex_rows<S: Wide>(
 #[inline(always)]
 pub(super) fn complex_rows_rounded<S: Wide>(
     simd: S,
-    rows: &Pair<40>,
-    dx: Duo<S>,
-    dy: Duo<S>,
-) -> (Duo<S>, Duo<S>) {
+    rows: &[&[f64; 40]; 8],
+    dx: Pack<S>,
+    dy: Pack<S>,
+) -> (Pack<S>, Pack<S>) {
     let d2 = square(dx, dy);
     let q = polynomials(simd, rows, (8, 32), (dx, dy), d2);
     complex_sum_rounded(eight_columns(simd, rows), (dx, dy), d2, q)
@@ -309,7 +280,7 @@ pub(super) fn complex_rows_rounded<S: Wide>(
 
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-fn eight_columns<S: Wide>(simd: S, rows: &Pair<40>) -> [Duo<S>; 8] {
+fn eight_columns<S: Wide>(simd: S, rows: &[&[f64; 40]; 8]) -> [Pack<S>; 8] {
     let (a, b) = (columns(simd, rows, 0), columns(simd, rows, 4));
     [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]]
 }
@@ -319,10 +290,10 @@ fn eight_columns<S: Wide>(simd: S, rows: &Pair<40>) -> [Duo<S>; 8] {
 #[inline(always)]
 pub(super) fn real_rows<S: Wide>(
     simd: S,
-    rows: &Pair<20>,
-    t: Duo<S>,
-    b: Duo<S>,
-) -> (Dd<Duo<S>>, Dd<Duo<S>>) {
+    rows: &[&[f64; 20]; 8],
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
     let (bb, powers, q) = real_polynomials(simd, rows, t, b);
     real_sum(columns(simd, rows, 0), (t, bb), powers, q)
 }
@@ -332,10 +303,10 @@ pub(super) fn real_rows<S: Wide>(
 #[inline(always)]
 pub(super) fn real_rows_rounded<S: Wide>(
     simd: S,
-    rows: &Pair<20>,
-    t: Duo<S>,
-    b: Duo<S>,
-) -> (Duo<S>, Duo<S>) {
+    rows: &[&[f64; 20]; 8],
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Pack<S>, Pack<S>) {
     let (bb, powers, q) = real_polynomials(simd, rows, t, b);
     real_sum_rounded(columns(simd, rows, 0), (t, bb), powers, q)
 }
@@ -346,10 +317,10 @@ pub(super) fn real_rows_rounded<S: Wide>(
 #[allow(clippy::type_complexity)]
 fn real_polynomials<S: Wide>(
     simd: S,
-    rows: &Pair<20>,
-    t: Duo<S>,
-    b: Duo<S>,
-) -> (Duo<S>, (Duo<S>, Duo<S>), (Duo<S>, Duo<S>)) {
+    rows: &[&[f64; 20]; 8],
+    t: Pack<S>,
+    b: Pack<S>,
+) -> (Pack<S>, (Pack<S>, Pack<S>), (Pack<S>, Pack<S>)) {
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
     let bs4 = bb * s[4];

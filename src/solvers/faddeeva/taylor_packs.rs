@@ -7,7 +7,7 @@
 
 use super::pack::{Pack, Wide, transposed};
 use super::real::Real;
-use super::taylor::packed;
+use super::taylor::columns;
 use pulp::x86::V3;
 use pulp::{cast, f64x4};
 
@@ -22,13 +22,11 @@ pub(super) fn by_columns<S: Wide, const N: usize>(
     (first, last): (usize, usize),
     (x, y): (Pack<S>, Pack<S>),
 ) -> Parts<S> {
-    let mut re = packed(simd, simd.columns(rows, last));
-    let mut im = packed(simd, simd.columns(rows, last + 4));
+    let (mut re, mut im) = (columns(simd, rows, last), columns(simd, rows, last + 4));
     let mut at = last;
     while at > first {
         at -= 8;
-        let a = packed(simd, simd.columns(rows, at));
-        let b = packed(simd, simd.columns(rows, at + 4));
+        let (a, b) = (columns(simd, rows, at), columns(simd, rows, at + 4));
         for m in 0..4 {
             let r = x.fma(re[m], (-y).fma(im[m], a[m]));
             im[m] = x.fma(im[m], y.fma(re[m], b[m]));
@@ -66,8 +64,9 @@ pub(super) fn by_rows<const N: usize>(
             im[m] = simd.mul_add_f64x4(x, im[m], i);
         }
     }
+    let pack = |v| Pack(simd, v);
     (
-        packed(simd, transposed(simd, re)),
-        packed(simd, transposed(simd, im)),
+        transposed(simd, re).map(pack),
+        transposed(simd, im).map(pack),
     )
 }

@@ -11,12 +11,12 @@
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::lanes::Lanes;
 #[cfg(target_arch = "x86_64")]
-use super::pack::Wide;
+use super::pack::{Pack, Wide};
 use super::plane::entry;
 use super::real::Real;
 use super::tables::ZEROS;
 #[cfg(target_arch = "x86_64")]
-use super::taylor::{Duo, Pair, columns, polynomials};
+use super::taylor::{columns, polynomials};
 use super::taylor::{polynomial, square};
 
 /// `Re z_k` and `Im z_k` in three parts each, then five blocks of four real and four imaginary
@@ -106,15 +106,15 @@ fn times_two_over_sqrt_pi<R: Real>(x: Dd<R>) -> R {
     p.hi + x.hi.fma(cl, x.lo.fma(ch, p.lo))
 }
 
-/// [`near_zero`] for two groups of points with a zero each: `true` where it fails.
+/// [`near_zero`] for several points with a zero each: `true` where it fails.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn near_zeros<S: Wide>(
     simd: S,
-    rows: &Pair<46>,
-    a: Duo<S>,
-    y: Duo<S>,
-) -> (Duo<S>, Duo<S>, (S::m64s, S::m64s)) {
+    rows: &[&[f64; 46]; 8],
+    a: Pack<S>,
+    y: Pack<S>,
+) -> (Pack<S>, Pack<S>, S::m64s) {
     let (z, t) = (columns(simd, rows, 0), columns(simd, rows, 4));
     let (dx, dy) = (
         difference(a, z[0], z[1], z[2]),

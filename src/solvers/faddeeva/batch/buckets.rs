@@ -4,19 +4,42 @@ use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
 use super::super::real::{Real, Two};
 use super::super::rows::{On, Rows};
-use super::super::taylor::Duo;
-use super::{CHUNK, Chunk, GROUPS, window};
+use super::{CHUNK, Chunk, Formula, GROUPS, window};
 use num_complex::Complex;
 
 impl Chunk<'_> {
-    /// A bucket whose formula gives the value at `a + i y` from `a`, `y` and the rows.
+    /// A bucket whose formula gives the value and needs no rows: two groups at once, because each
+    /// operation waits for the one before.
+    #[inline(always)]
+    pub(super) fn without_rows<S: Wide>(
+        &mut self,
+        simd: S,
+        bucket: usize,
+        formula: impl Formula,
+    ) {
+        let len = self.groups(bucket);
+        let mut at = 0;
+        while at < len {
+            let numbers = window(&self.buffers.order[bucket], at);
+            let ((x, y), (p, q)) = (
+                self.gather(simd, numbers, 0),
+                self.gather(simd, numbers, S::WIDTH),
+            );
+            let (re, im) = formula.value(Two(x.magnitude(), p.magnitude()), Two(y, q));
+            self.scatter(bucket, at, re.0, im.0.with_sign_of(x));
+            self.scatter(bucket, at + S::WIDTH, re.1, im.1.with_sign_of(p));
+            at += 2 * S::WIDTH;
+        }
+    }
+
+    /// A bucket whose formula gives the value from `a`, `y` and the rows.
     #[inline(always)]
     pub(super) fn rounded<S: Wide, R: Rows<N>, const N: usize>(
         &mut self,
         simd: S,
         rows: R,
         bucket: usize,
-        formula: impl Fn(S, Duo<S>, Duo<S>, On<'_, S, N>) -> (Duo<S>, Duo<S>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Pack<S>, Pack<S>),
     ) {
         let len = self.groups(bucket);
         self.locate(simd, rows, bucket, len);
@@ -25,11 +48,11 @@ impl Chunk<'_> {
             let (x, y, on) = self.on(simd, rows, bucket, at);
             let (re, im) = formula(simd, x.magnitude(), y, on);
             self.scatter(bucket, at, re, im.with_sign_of(x));
-            at += 2 * S::WIDTH;
+            at += S::WIDTH;
         }
     }
 
-    /// A bucket whose formula gives the value and whether digits were lost.
+    /// A bucket whose formula gives the value, and whether digits were lost.
     #[inline(always)]
     pub(super) fn unless_lost<S: Wide, L: Lanes, R: Rows<N>, const N: usize>(
         &mut self,
@@ -37,12 +60,7 @@ impl Chunk<'_> {
         lanes: L,
         rows: R,
         bucket: usize,
-        formula: impl Fn(
-            S,
-            Duo<S>,
-            Duo<S>,
-            On<'_, S, N>,
-        ) -> (Duo<S>, Duo<S>, <Duo<S> as Real>::Mask),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Pack<S>, Pack<S>, S::m64s),
     ) {
         let len = self.groups(bucket);
         self.locate(simd, rows, bucket, len);
@@ -54,14 +72,14 @@ impl Chunk<'_> {
             let lost = re.pick(lost, re.like(1.0), re.like(0.0));
             if !lost.is_zero() {
                 let lost = lost.array();
-                for m in 0..(len - at).min(2 * S::WIDTH) {
+                for m in 0..(len - at).min(S::WIDTH) {
                     if lost[m] > 0.0 {
                         let i = window(&self.buffers.order[bucket], at)[m];
                         self.cancelled(lanes, i);
                     }
                 }
             }
-            at += 2 * S::WIDTH;
+            at += S::WIDTH;
         }
     }
 
@@ -77,33 +95,29 @@ impl Chunk<'_> {
         len
     }
 
-    /// Two groups of points.
+    /// The points with the numbers from a place on.
     #[inline(always)]
-    pub(super) fn gather<S: Wide>(&self, simd: S, numbers: &[u8; GROUPS]) -> (Duo<S>, Duo<S>) {
+    pub(super) fn gather<S: Wide>(
+        &self,
+        simd: S,
+        numbers: &[u8; GROUPS],
+        from: usize,
+    ) -> (Pack<S>, Pack<S>) {
         let (x, y) = simd.from_pairs(
             #[inline(always)]
-            |m| self.at(numbers[m]),
+            |m| self.at(numbers[from + m]),
         );
-        let (p, q) = simd.from_pairs(
-            #[inline(always)]
-            |m| self.at(numbers[S::WIDTH + m]),
-        );
-        (
-            Two(Pack(simd, x), Pack(simd, p)),
-            Two(Pack(simd, y), Pack(simd, q)),
-        )
+        (Pack(simd, x), Pack(simd, y))
     }
 
-    /// Takes the values of two groups.
+    /// Takes the values of a group.
     #[inline(always)]
-    pub(super) fn scatter<S: Wide>(&mut self, bucket: usize, at: usize, re: Duo<S>, im: Duo<S>) {
+    pub(super) fn scatter<S: Wide>(&mut self, bucket: usize, at: usize, re: Pack<S>, im: Pack<S>) {
         let numbers = window(&self.buffers.order[bucket], at);
-        for (k, (re, im)) in [(re.0, im.0), (re.1, im.1)].into_iter().enumerate() {
-            let pairs = re.0.to_pairs(re.1, im.1);
-            for m in 0..S::WIDTH {
-                let [re, im] = pairs[m];
-                self.w[numbers[k * S::WIDTH + m] as usize] = Complex::new(re, im);
-            }
+        let pairs = re.0.to_pairs(re.1, im.1);
+        for m in 0..S::WIDTH {
+            let [re, im] = pairs[m];
+            self.w[numbers[m] as usize] = Complex::new(re, im);
         }
     }
 
@@ -122,22 +136,22 @@ impl Chunk<'_> {
         }
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather(simd, window(&self.buffers.order[bucket], at));
+            let (x, y) = self.gather(simd, window(&self.buffers.order[bucket], at), 0);
             let buffers = &mut *self.buffers;
             let [codes, dx, dy] = rows.locate(x.magnitude(), y);
             let codes = codes.array();
-            for m in 0..2 * S::WIDTH {
+            for m in 0..S::WIDTH {
                 buffers.row[at + m] = rows.number(codes[m]);
             }
             x.store_at(&mut buffers.x, at);
             y.store_at(&mut buffers.y, at);
             dx.store_at(&mut buffers.dx, at);
             dy.store_at(&mut buffers.dy, at);
-            at += 2 * S::WIDTH;
+            at += S::WIDTH;
         }
     }
 
-    /// Two groups of points, and their rows if they have been located.
+    /// A group of points, and its rows if they have been located.
     #[inline(always)]
     pub(super) fn on<S: Wide, R: Rows<N>, const N: usize>(
         &self,
@@ -145,26 +159,25 @@ impl Chunk<'_> {
         rows: R,
         bucket: usize,
         at: usize,
-    ) -> (Duo<S>, Duo<S>, On<'static, S, N>) {
+    ) -> (Pack<S>, Pack<S>, On<'static, S, N>) {
         let buffers = &*self.buffers;
-        let mut pair = [[rows.row(0); 8]; 2];
+        let mut group = [rows.row(0); 8];
         if R::SOME {
             for m in 0..S::WIDTH {
-                pair[0][m] = rows.row(buffers.row[at + m]);
-                pair[1][m] = rows.row(buffers.row[at + S::WIDTH + m]);
+                group[m] = rows.row(buffers.row[at + m]);
             }
         }
         let on = On {
-            rows: pair,
-            dx: Duo::load(simd, &buffers.dx, at),
-            dy: Duo::load(simd, &buffers.dy, at),
+            rows: group,
+            dx: Pack::load(simd, &buffers.dx, at),
+            dy: Pack::load(simd, &buffers.dy, at),
         };
         let (x, y) = match R::SOME {
             true => (
-                Duo::load(simd, &buffers.x, at),
-                Duo::load(simd, &buffers.y, at),
+                Pack::load(simd, &buffers.x, at),
+                Pack::load(simd, &buffers.y, at),
             ),
-            false => self.gather(simd, window(&buffers.order[bucket], at)),
+            false => self.gather(simd, window(&buffers.order[bucket], at), 0),
         };
         (x, y, on)
     }

@@ -1,6 +1,5 @@
 //! Many points at a time: put into buckets by the formula they need, a few hundred at a time on the
-//! stack, then computed side by side, two groups at once: an operation waits for the one before,
-//! and processors look only a hundred or two ahead.
+//! stack, then computed side by side.
 
 mod buckets;
 mod reflection;
@@ -24,7 +23,7 @@ use num_complex::Complex;
 
 /// Points sorted at a time.
 const CHUNK: usize = 256;
-/// Two groups of the widest vectors.
+/// Two groups in the widest vectors.
 const GROUPS: usize = 16;
 /// Places of a bucket: room for all points, and for repeating the last one.
 const ROOM: usize = CHUNK + GROUPS;
@@ -131,17 +130,11 @@ impl Chunk<'_> {
             #[inline(always)]
             |simd, a, _, on| from_erfcx_rounded(a, real_rows_rounded(simd, &on.rows, on.dx, a)),
         );
-        self.series::<S, 26>(simd, Kind::Series26);
-        self.series::<S, 14>(simd, Kind::Series14);
-        self.series::<S, 6>(simd, Kind::Series6);
-        self.series::<S, 4>(simd, Kind::Series4);
-        self.rounded(
-            simd,
-            NoRows,
-            Kind::Small as usize,
-            #[inline(always)]
-            |_, a, y, _| maclaurin(a, y),
-        );
+        self.without_rows(simd, Kind::Series26 as usize, Series::<26>);
+        self.without_rows(simd, Kind::Series14 as usize, Series::<14>);
+        self.without_rows(simd, Kind::Series6 as usize, Series::<6>);
+        self.without_rows(simd, Kind::Series4 as usize, Series::<4>);
+        self.without_rows(simd, Kind::Small as usize, Maclaurin);
         self.rounded(
             simd,
             LowerDisc,
@@ -158,18 +151,6 @@ impl Chunk<'_> {
                 let y = above_real_axis(y.magnitude());
                 complex_rows_rounded(simd, &on.rows, on.dx, y)
             },
-        );
-    }
-
-    /// The asymptotic series in the upper half-plane.
-    #[inline(always)]
-    fn series<S: Wide, const N: usize>(&mut self, simd: S, kind: Kind) {
-        self.rounded(
-            simd,
-            NoRows,
-            kind as usize,
-            #[inline(always)]
-            |_, a, y, _| series_rounded::<_, N>(a, y.magnitude()),
         );
     }
 
@@ -278,21 +259,17 @@ impl Chunk<'_> {
         let mut at = 0;
         while at < len {
             let numbers = window(&self.buffers.zeros, at);
-            let (x, y) = self.gather(simd, numbers);
-            let row = |m: usize| {
-                let [x, y] = self.at(numbers[m]);
-                zeros::row(zeros::nearest(x.abs(), -y).unwrap_or(0))
-            };
-            let mut rows = [[zeros::row(0); 8]; 2];
+            let (x, y) = self.gather(simd, numbers, 0);
+            let mut rows = [zeros::row(0); 8];
             for m in 0..S::WIDTH {
-                rows[0][m] = row(m);
-                rows[1][m] = row(S::WIDTH + m);
+                let [x, y] = self.at(numbers[m]);
+                rows[m] = zeros::row(zeros::nearest(x.abs(), -y).unwrap_or(0));
             }
             let (re, im, lost) = zeros::near_zeros(simd, &rows, x.magnitude(), y);
             let im = im.with_sign_of(x);
             let lost = re.pick(lost, re.like(1.0), re.like(0.0));
             let (re, im, lost) = (re.array(), im.array(), lost.array());
-            for m in 0..(len - at).min(2 * S::WIDTH) {
+            for m in 0..(len - at).min(S::WIDTH) {
                 let i = self.buffers.zeros[at + m];
                 if lost[m] == 0.0 {
                     self.put(i, (re[m], im[m]));
@@ -300,8 +277,34 @@ impl Chunk<'_> {
                     self.cancelled(lanes, i);
                 }
             }
-            at += 2 * S::WIDTH;
+            at += S::WIDTH;
         }
+    }
+}
+
+/// A formula for w at `a + i y`, `a ≥ 0`.
+trait Formula: Copy {
+    fn value<R: Real>(self, a: R, y: R) -> (R, R);
+}
+
+#[derive(Clone, Copy)]
+struct Maclaurin;
+
+impl Formula for Maclaurin {
+    #[inline(always)]
+    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
+        maclaurin(a, y)
+    }
+}
+
+/// The asymptotic series with N terms.
+#[derive(Clone, Copy)]
+struct Series<const N: usize>;
+
+impl<const N: usize> Formula for Series<N> {
+    #[inline(always)]
+    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
+        series_rounded::<_, N>(a, y.magnitude())
     }
 }
 

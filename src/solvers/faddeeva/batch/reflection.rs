@@ -5,13 +5,13 @@ use super::super::branch::{Kind, LOWER, SERIES_ALONE};
 use super::super::double_double::Dd;
 use super::super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::lanes::Lanes;
-use super::super::pack::Wide;
+use super::super::pack::{Pack, Wide};
 use super::super::plane::{ALONE, negligible, reflect};
-use super::super::real::{ROUND, Real};
+use super::super::real::{ROUND, Real, Two};
 use super::super::rows::{On, Rows};
-use super::super::taylor::Duo;
 use super::super::zeros;
 use super::{CHUNK, Chunk, GROUPS, window};
+use num_complex::Complex;
 
 impl Chunk<'_> {
     /// The bucket in the lower half-plane of a formula that gives `w(a + i|y|)`.
@@ -21,7 +21,7 @@ impl Chunk<'_> {
         simd: S,
         rows: R,
         bucket: usize,
-        formula: impl Fn(S, Duo<S>, Duo<S>, On<'_, S, N>) -> (Dd<Duo<S>>, Dd<Duo<S>>),
+        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Dd<Pack<S>>, Dd<Pack<S>>),
     ) {
         let len = self.groups(bucket);
         self.locate(simd, rows, bucket, len);
@@ -42,9 +42,9 @@ impl Chunk<'_> {
                 for (part, kept) in parts.into_iter().zip(&mut buffers.mirror) {
                     part.store_at(kept, to);
                 }
-                buffers.mirrored = to + (len - at).min(2 * S::WIDTH);
+                buffers.mirrored = to + (len - at).min(S::WIDTH);
             }
-            at += 2 * S::WIDTH;
+            at += S::WIDTH;
         }
     }
 
@@ -55,15 +55,18 @@ impl Chunk<'_> {
         if len == 0 {
             return;
         }
-        let last = self.buffers.below[len - 1];
-        self.buffers.below[len..][..GROUPS].fill(last);
         let mut at = 0;
         while at < len {
             let buffers = &*self.buffers;
-            let (x, y) = self.gather(simd, window(&buffers.below, at));
+            let numbers = window(&buffers.below, at);
+            let ((x, y), (p, q)) = (
+                self.gather(simd, numbers, 0),
+                self.gather(simd, numbers, S::WIDTH),
+            );
+            let (x, y) = (Two(x, p), Two(y, q));
             let [p, q, s, t] = &buffers.mirror;
-            let u = Dd::new(Duo::load(simd, p, at), Duo::load(simd, q, at));
-            let v = Dd::new(Duo::load(simd, s, at), Duo::load(simd, t, at));
+            let u = Dd::new(Two::load(simd, p, at), Two::load(simd, q, at));
+            let v = Dd::new(Two::load(simd, s, at), Two::load(simd, t, at));
             let a = x.magnitude();
             let none = negligible(a, y.magnitude(), u.hi, v.hi);
             let e = exp_minus_square(a, y);
@@ -80,13 +83,17 @@ impl Chunk<'_> {
             let state = a.pick(none, like(0.0), state);
             let re = a.pick(none, -u.hi, re);
             let im = a.pick(none, v.hi, im).with_sign_of(x);
-            let (re, im) = (re.array(), im.array());
-            if state.is_zero() {
-                for m in 0..2 * S::WIDTH {
-                    self.put(window(&self.buffers.below, at)[m], (re[m], im[m]));
+            if state.is_zero() && at + 2 * S::WIDTH <= len {
+                let numbers = window(&self.buffers.below, at);
+                for (k, (re, im)) in [(re.0, im.0), (re.1, im.1)].into_iter().enumerate() {
+                    let pairs = simd.to_pairs(re.1, im.1);
+                    for m in 0..S::WIDTH {
+                        let [re, im] = pairs[m];
+                        self.w[numbers[k * S::WIDTH + m] as usize] = Complex::new(re, im);
+                    }
                 }
             } else {
-                let state = state.array();
+                let (re, im, state) = (re.array(), im.array(), state.array());
                 for m in 0..(len - at).min(2 * S::WIDTH) {
                     let i = window(&self.buffers.below, at)[m];
                     self.take(lanes, i, (re[m], im[m]), state[m]);

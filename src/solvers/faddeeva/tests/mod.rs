@@ -1,6 +1,8 @@
 //! Tests of the parts of the Faddeeva function.
 
 mod bits;
+#[cfg(target_arch = "x86_64")]
+mod branch;
 #[cfg(feature = "oracle")]
 mod double_double;
 #[cfg(feature = "oracle")]
@@ -10,7 +12,6 @@ mod packs;
 mod paths;
 #[cfg(feature = "oracle")]
 mod payne_hanek;
-mod plane;
 mod real;
 #[cfg(feature = "oracle")]
 mod seams;

@@ -46,7 +46,9 @@ fn cells() {
 #[test]
 fn lines() {
     let mut points = Vec::new();
-    for seam in [0.125, 0.25, 0.375, 1.125, 1.0, 3.75, 7.0, 9.0, 27.5] {
+    for seam in [
+        0.125, 0.25, 0.375, 1.125, 1.0, 3.75, 7.0, 9.0, 27.5, 1.118, 3.741, 6.928, 8.944, 27.712,
+    ] {
         for t in [seam, f64::next_up(seam), f64::next_down(seam)] {
             for k in 0..260 {
                 let s = f64::from(k) * 0.11 + 1e-3;
@@ -65,10 +67,15 @@ fn circles() {
     for r in [
         1.0f64 / 128.0,
         1.0,
-        7.0,
-        10.0,
+        1.25f64.sqrt(),
+        14f64.sqrt(),
+        48f64.sqrt(),
+        80f64.sqrt(),
+        112f64.sqrt(),
         16.0,
-        1000f64.sqrt(),
+        768f64.sqrt(),
+        32.0,
+        5120f64.sqrt(),
         1000.0,
         1e100,
     ] {

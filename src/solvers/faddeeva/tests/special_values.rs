@@ -141,3 +141,17 @@ fn far_below_with_the_smallest_real_parts() {
         assert!(close, "{x} {y}: {} {im}", w.im);
     }
 }
+
+#[test]
+fn next_to_zero_it_does_not_grow_on_the_imaginary_axis() {
+    let on_axis = |y: f64| crate::solvers::faddeeva::faddeeva(Complex::new(0.0, y)).re;
+    // The first one was found by an audit.
+    let found = 0.007_262_203_177_223_835_5;
+    let evenly = (1..=200_000).map(|i| f64::from(i) * 3.9e-8);
+    for y in std::iter::once(found).chain(evenly) {
+        for y in [y, -y] {
+            let (here, next) = (on_axis(y), on_axis(y.next_up()));
+            assert!(next <= here, "{y}: {here} {next}");
+        }
+    }
+}
