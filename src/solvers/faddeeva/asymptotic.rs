@@ -90,6 +90,26 @@ pub(super) fn series_rounded<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
     (gu.fma(p, p), gv.fma(q, q))
 }
 
+/// The same with two terms for `|z| ≥ 1024`: what is left out is below `0.06 · 2⁻⁵³` of a component.
+///
+/// With `c = cos 2θ`, θ the argument of z, the real part of `i z̄ q^n/b` is `sin (2n + 1)θ/sin θ` over
+/// powers of |z|, for `n = 1, 2` that is `1 + 2c` and `4c² + 2c − 1`; the imaginary part likewise with
+/// cosines, `2c − 1` and `4c² − 2c − 1`.
+#[inline(always)]
+pub(super) fn two_terms<R: Real>(a: R, b: R) -> (R, R) {
+    let like = |c: f64| a.like(c);
+    let (x, y) = (a.at_least(like(LEAST)), b.at_least(like(LEAST)));
+    let (f, error) = reciprocal(x.at_least(y), x.at_most(y));
+    let t = f * like(SQRT_PI);
+    let c = (x * x - y * y) * t;
+    let (c2, square) = (c + c, (like(4.0) * c).fma(c, like(-1.0)));
+    let (h, k) = (t * like(A[1]), t * t * like(A[2]));
+    let gu = k.fma(square + c2, h.fma(c2 + like(1.0), error));
+    let gv = k.fma(square - c2, h.fma(c2 - like(1.0), error));
+    let (p, q) = (b * f, a * f);
+    (gu.fma(p, p), gv.fma(q, q))
+}
+
 /// The same for `a ≥ b`: the real part divided by `b`, and the imaginary part.
 #[inline(always)]
 pub(super) fn series_beside_real_axis<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
@@ -106,16 +126,22 @@ const LEAST: f64 = 1e-140;
 /// and b. `f` is one number; its relative error is part of `gu` and `gv`.
 #[inline(always)]
 fn factors_rounded<R: Real, const N: usize>((xx, yy): (R, R), (large, small): (R, R)) -> [R; 3] {
-    let like = |c: f64| xx.like(c);
+    let (f, error) = reciprocal(large, small);
+    let [gu, gv] = corrections::<R, N>(xx, yy, f * f * xx.like(std::f64::consts::PI));
+    [gu + error, gv + error, f]
+}
+
+/// `f = 1/(√π r²)`, rounded, and its relative error, from the larger and the smaller of a and b.
+#[inline(always)]
+fn reciprocal<R: Real>(large: R, small: R) -> (R, R) {
+    let like = |c: f64| large.like(c);
     // r² = hi + lo; the difference is exact (Sterbenz).
     let square = two_prod(large, large);
     let hi = small.fma(small, square.hi);
     let lo = small.fma(small, square.hi - hi) + square.lo;
     let f = like(INV_SQRT_PI.hi) / hi;
     let rest = (-hi).fma(f, like(INV_SQRT_PI.hi)) + (-f).fma(lo, like(INV_SQRT_PI.lo));
-    let error = rest * like(SQRT_PI);
-    let [gu, gv] = corrections::<R, N>(xx, yy, f * f * like(std::f64::consts::PI));
-    [gu + error, gv + error, f]
+    (f, rest * like(SQRT_PI))
 }
 
 /// `gu`, `gv` and the two parts of `f = 1/(√π r²)` with `Re w = b f (1 + gu)`,

@@ -20,12 +20,13 @@ const BEYOND: f64 = 80.0;
 const GONE: f64 = 768.0;
 /// |z|² from which the strip beside the imaginary axis is twice as wide.
 const WIDE: f64 = 14.0;
-/// |z|² from which the asymptotic series is used, and from which it needs 14, 6, 4 terms instead
-/// of 26.
+/// |z|² from which the asymptotic series is used, and from which it needs 14, 6, 4, 2 terms
+/// instead of 26.
 const FAR: f64 = 48.0;
 const TERMS_14: f64 = 112.0;
 const TERMS_6: f64 = 1024.0;
-pub(super) const TERMS_4: f64 = 5120.0;
+const TERMS_4: f64 = 5120.0;
+pub(super) const TERMS_2: f64 = 1_048_576.0;
 /// |z|² above this is scaled first.
 pub(super) const HUGE: f64 = 1e200;
 
@@ -46,6 +47,7 @@ pub(super) enum Kind {
     Series6,
     RealAxis,
     Series4,
+    Series2,
     Small,
     Disc,
     Strip,
@@ -117,6 +119,7 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
             terms: maclaurin::TERMS,
         },
         Kind::Series4 => Branch::Asymptotic { terms: 4 },
+        Kind::Series2 => Branch::Asymptotic { terms: 2 },
         Kind::Cell => Branch::Cell { terms: 18 },
         Kind::Disc => Branch::LowerCell { terms: 18 },
         Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
@@ -156,8 +159,10 @@ const fn formula(r2: f64, low: bool, beside_real: bool, beside_imaginary: bool) 
     } else if r2 < HUGE {
         if low | (r2 < TERMS_4) {
             Kind::Series6
-        } else {
+        } else if r2 < TERMS_2 {
             Kind::Series4
+        } else {
+            Kind::Series2
         }
     } else {
         Kind::Other
@@ -185,30 +190,30 @@ pub(super) const SERIES_ALONE: usize = Kind::RealAxis as usize + 1 - Kind::Serie
 /// How many buckets there are.
 pub(super) const BUCKETS: usize = Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
 
-/// Flags beside the seven bits of |z|².
-const LOW: usize = 1 << 7;
-const BESIDE_REAL: usize = 1 << 8;
-const BESIDE_IMAGINARY: usize = 1 << 9;
-const DECAYED: usize = 1 << 10;
+/// Flags beside the eight bits of |z|².
+const LOW: usize = 1 << 8;
+const BESIDE_REAL: usize = 1 << 9;
+const BESIDE_IMAGINARY: usize = 1 << 10;
+const DECAYED: usize = 1 << 11;
 /// `Re z² =  −ln |e^{−z²}|` from which it is taken for negligible.
 const DECAY: f64 = 60.0;
 
 /// |z|² outside these has the kind of the nearer one.
 const LEAST: f64 = SMALL / 2.0;
-const MOST: f64 = 8192.0;
+const MOST: f64 = TERMS_2;
 /// Stands for what is left to the scalar code.
-const OTHER: f64 = 16384.0;
+const OTHER: f64 = 2.0 * TERMS_2;
 
 /// The bucket by the number that [`places`] gives.
 #[cfg(target_arch = "x86_64")]
-static BUCKET: [u8; 2048] = {
-    let mut table = [Kind::Other as u8; 2048];
+static BUCKET: [u8; 4096] = {
+    let mut table = [Kind::Other as u8; 4096];
     let (least, other) = (LEAST.to_bits() >> 50, OTHER.to_bits() >> 50);
     let mut bits = least;
     while bits < other {
         let r2 = f64::from_bits(bits << 50);
         let mut flags = 0;
-        while flags < 2048 {
+        while flags < 4096 {
             let low = flags & LOW != 0;
             let kind = formula(r2, low, flags & BESIDE_REAL != 0, flags & BESIDE_IMAGINARY != 0) as usize;
             let mut bucket = kind;
@@ -218,7 +223,7 @@ static BUCKET: [u8; 2048] = {
                     bucket += SERIES_ALONE;
                 }
             }
-            table[flags | bits as usize & 127] = bucket as u8;
+            table[flags | bits as usize & 255] = bucket as u8;
             flags += LOW;
         }
         bits += 1;
@@ -230,7 +235,7 @@ static BUCKET: [u8; 2048] = {
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 pub(super) fn bucket(place: u64) -> usize {
-    BUCKET[place as usize & 2047] as usize
+    BUCKET[place as usize & 4095] as usize
 }
 
 /// The places in the table of buckets at `x + i y`.
@@ -253,6 +258,6 @@ pub(super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
         flag(like(DECAY).below(yy.fma(like(-2.0), r2)), DECAYED),
     ];
     let flags = s.or_u64s(s.or_u64s(flags[0], flags[1]), s.or_u64s(flags[2], flags[3]));
-    let bits = s.and_u64s(s.leading(s.transmute_u64s_f64s(kept.1)), s.splat_u64s(127));
+    let bits = s.and_u64s(s.leading(s.transmute_u64s_f64s(kept.1)), s.splat_u64s(255));
     s.or_u64s(bits, flags)
 }

@@ -20,7 +20,7 @@ use super::quadrant::{
     HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
     times_power, w, w_exact,
 };
-use super::real::ROUND;
+use super::real::{ROUND, with_sign_of};
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
 use num_complex::Complex;
 
@@ -210,8 +210,8 @@ impl Task for Dawson {
             limits(x, y)
         };
         (
-            if self.0.is_sign_negative() { -re } else { re },
-            if self.1.is_sign_negative() { -im } else { im },
+            with_sign_of(re, self.0),
+            with_sign_of(im, self.1),
         )
     }
 }

@@ -17,7 +17,7 @@ use super::quadrant::{
     HUGE, circle, derivative, exp_wide, far_derivative, gaussian, gaussian_exact, lifted,
     pair_times_power, product, series_derivative, times_power, w_exact,
 };
-use super::real::{ROUND, scaled};
+use super::real::{ROUND, scaled, with_sign_of};
 use num_complex::Complex;
 
 /// As `lost`, for the sums of Taylor terms here, whose slope is rounded.
@@ -174,7 +174,7 @@ impl Task for Derivative {
             limits(a, self.1)
         };
         // w′(−z̄) = −conj w′(z).
-        (if self.0.is_sign_negative() { -re } else { re }, im)
+        (with_sign_of(re, self.0), im)
     }
 }
 

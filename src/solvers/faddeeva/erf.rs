@@ -21,7 +21,7 @@ use super::quadrant::{
     HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
     product, size, times_power, w, w_exact,
 };
-use super::real::ROUND;
+use super::real::{ROUND, with_sign_of};
 use num_complex::Complex;
 
 /// Re z from which erfc is not computed as 1 − erf.
@@ -219,8 +219,8 @@ impl Task for Erf {
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let (re, im) = anywhere(lanes, Which::Erf, self.0.abs(), self.1.abs());
         (
-            if self.0.is_sign_negative() { -re } else { re },
-            if self.1.is_sign_negative() { -im } else { im },
+            with_sign_of(re, self.0),
+            with_sign_of(im, self.1),
         )
     }
 }

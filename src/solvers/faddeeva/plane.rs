@@ -1,6 +1,6 @@
 //! Which formula computes W(z) where.
 
-use super::asymptotic::{large, series, series_beside_real_axis, series_rounded};
+use super::asymptotic::{large, series, series_beside_real_axis, series_rounded, two_terms};
 use super::double_double::{Dd, fast_two_sum, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip, gaussian,
@@ -8,8 +8,8 @@ use super::exponential::{
 };
 use super::lanes::{Lanes, Task, with_best};
 use super::maclaurin::{self, maclaurin};
-use super::real::{ROUND, Real, scaled};
-use super::branch::{HUGE, Kind, SMALL, STRIP, TERMS_4, TINY, kind};
+use super::real::{ROUND, Real, scaled, with_sign_of};
+use super::branch::{HUGE, Kind, SMALL, STRIP, TERMS_2, TINY, kind};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{
     ComplexRow, RealRow, complex_row, complex_row_rounded, real_row, real_row_rounded,
@@ -18,7 +18,7 @@ use super::{special, trapezoidal, zeros};
 
 /// The same however |z|² is rounded.
 const SMALL_SURELY: f64 = SMALL * (1.0 - 1e-15);
-const TERMS_4_SURELY: f64 = TERMS_4 * (1.0 + 1e-15);
+const TERMS_2_SURELY: f64 = TERMS_2 * (1.0 + 1e-15);
 const HUGE_SURELY: f64 = HUGE * (1.0 - 1e-15);
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
 const FINE: f64 = 3.75;
@@ -247,7 +247,7 @@ fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
         }
         Kind::Series26 => series::<_, 26>(0.0, b).0,
         Kind::Series14 => series::<_, 14>(0.0, b).0,
-        Kind::Series6 | Kind::Series4 => series::<_, 6>(0.0, b).0,
+        Kind::Series6 | Kind::Series4 | Kind::Series2 => series::<_, 6>(0.0, b).0,
         Kind::Small => return maclaurin::on_imaginary_axis(b),
         _ => return special::huge(0.0, b).0,
     };
@@ -281,6 +281,7 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
         Kind::Series14 => series_rounded::<_, 14>(a, b),
         Kind::Series6 => series_rounded::<_, 6>(a, b),
         Kind::Series4 => series_rounded::<_, 4>(a, b),
+        Kind::Series2 => two_terms(a, b),
         Kind::Small => maclaurin(a, b),
         // The others are for the lower half-plane.
         Kind::Disc | Kind::Other => special::huge(a, b),
@@ -354,7 +355,7 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             return done(complex_row_rounded(lanes, disc_row(n), dx, dy));
         }
         Kind::Strip => return unless_lost(in_strip(a, y)),
-        Kind::Series4 | Kind::Other => return done(special::huge(a, y)),
+        Kind::Series4 | Kind::Series2 | Kind::Other => return done(special::huge(a, y)),
     };
     if negligible(a, b, u.hi, v.hi) {
         return done((-u.hi, v.hi));
@@ -381,7 +382,7 @@ impl Task for Far {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, _: L) -> (f64, f64) {
-        series_rounded::<_, 4>(self.0, self.1)
+        two_terms(self.0, self.1)
     }
 }
 
@@ -445,7 +446,7 @@ fn w_by(runner: impl Runner, x: f64, y: f64) -> (f64, f64) {
     if (r2 < SMALL_SURELY) & (a > 0.0) {
         return maclaurin(x, y);
     }
-    let (re, im) = if (y >= 0.0) & (a > 0.0) & (TERMS_4_SURELY..HUGE_SURELY).contains(&r2) {
+    let (re, im) = if (y >= 0.0) & (a > 0.0) & (TERMS_2_SURELY..HUGE_SURELY).contains(&r2) {
         runner.run(Far(a, b))
     } else if y < 0.0 {
         runner.run(Lower(a, y))
@@ -453,5 +454,5 @@ fn w_by(runner: impl Runner, x: f64, y: f64) -> (f64, f64) {
         runner.run(Upper(a, b))
     };
     // w(−z̄) is the conjugate of w(z).
-    (re, if x.is_sign_negative() { -im } else { im })
+    (re, with_sign_of(im, x))
 }

@@ -103,6 +103,13 @@ pub(in crate::solvers) fn scaled<R: Real>(x: R, n: R) -> R {
     x * half.power_of_two() * rest.power_of_two()
 }
 
+/// `t`, negated if `x` has a minus sign: without a branch, which for signs by chance is taken wrongly
+/// every other time.
+#[inline(always)]
+pub(in crate::solvers) fn with_sign_of(t: f64, x: f64) -> f64 {
+    f64::from_bits(t.to_bits() ^ (x.to_bits() & (1 << 63)))
+}
+
 /// Four numbers as an array, for processors without vectors of four.
 #[derive(Clone, Copy)]
 pub(in crate::solvers) struct Four(pub [f64; 4]);

@@ -20,14 +20,11 @@ impl Chunk<'_> {
         let len = self.groups(bucket);
         let mut at = 0;
         while at < len {
-            let numbers = window(&self.buffers.order[bucket], at);
-            let ((x, y), (p, q)) = (
-                self.gather(simd, numbers, 0),
-                self.gather(simd, numbers, S::WIDTH),
-            );
-            let (re, im) = formula.value(Two(x.magnitude(), p.magnitude()), Two(y, q));
-            self.scatter(bucket, at, re.0, im.0.with_sign_of(x));
-            self.scatter(bucket, at + S::WIDTH, re.1, im.1.with_sign_of(p));
+            let (x, y) = self.gather_two(simd, window(&self.buffers.order[bucket], at));
+            let (re, im) = formula.value(x.magnitude(), y);
+            let im = im.with_sign_of(x);
+            self.scatter(bucket, at, re.0, im.0);
+            self.scatter(bucket, at + S::WIDTH, re.1, im.1);
             at += 2 * S::WIDTH;
         }
     }
@@ -108,6 +105,18 @@ impl Chunk<'_> {
             |m| self.at(numbers[from + m]),
         );
         (Pack(simd, x), Pack(simd, y))
+    }
+
+    /// The points of two groups.
+    #[inline(always)]
+    pub(super) fn gather_two<S: Wide>(
+        &self,
+        simd: S,
+        numbers: &[u8; GROUPS],
+    ) -> (Two<Pack<S>>, Two<Pack<S>>) {
+        let (x, y) = self.gather(simd, numbers, 0);
+        let (p, q) = self.gather(simd, numbers, S::WIDTH);
+        (Two(x, p), Two(y, q))
     }
 
     /// Takes the values of a group.

@@ -6,7 +6,7 @@ mod reflection;
 mod sort;
 
 use super::Points;
-use super::asymptotic::{series, series_rounded};
+use super::asymptotic::{series, series_rounded, two_terms};
 use super::branch::{BUCKETS, Kind, LOWER, SERIES_ALONE};
 use super::lanes::Lanes;
 use super::maclaurin::maclaurin;
@@ -15,7 +15,7 @@ use super::plane::{
     Cancelled, above_real_axis, below_real_axis, cancels_beside_real_axis, from_erfcx,
     from_erfcx_rounded, in_strip, w,
 };
-use super::real::Real;
+use super::real::{Real, with_sign_of};
 use super::rows::{Cells, ImaginaryAxis, LowerDisc, NoRows, RealAxis};
 use super::taylor::{complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
 use super::zeros;
@@ -134,6 +134,7 @@ impl Chunk<'_> {
         self.without_rows(simd, Kind::Series14 as usize, Series::<14>);
         self.without_rows(simd, Kind::Series6 as usize, Series::<6>);
         self.without_rows(simd, Kind::Series4 as usize, Series::<4>);
+        self.without_rows(simd, Kind::Series2 as usize, TwoTerms);
         self.without_rows(simd, Kind::Small as usize, Maclaurin);
         self.rounded(
             simd,
@@ -205,14 +206,33 @@ impl Chunk<'_> {
                 (re.hi, im.hi, lost)
             },
         );
-        self.unless_lost(
-            simd,
-            lanes,
-            NoRows,
-            Kind::Strip as usize,
-            #[inline(always)]
-            |_, a, y, _| in_strip(a, y),
-        );
+        self.strip(simd, lanes);
+    }
+
+    /// The asymptotic series and the exponential beside the real axis.
+    #[inline(always)]
+    fn strip<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
+        let bucket = Kind::Strip as usize;
+        let len = self.groups(bucket);
+        let mut at = 0;
+        while at < len {
+            let (x, y) = self.gather_two(simd, window(&self.buffers.order[bucket], at));
+            let (re, im, lost) = in_strip(x.magnitude(), y);
+            let im = im.with_sign_of(x);
+            self.scatter(bucket, at, re.0, im.0);
+            self.scatter(bucket, at + S::WIDTH, re.1, im.1);
+            let lost = re.pick(lost, re.like(1.0), re.like(0.0));
+            if !lost.is_zero() {
+                let lost = lost.array();
+                for m in 0..(len - at).min(2 * S::WIDTH) {
+                    if lost[m] > 0.0 {
+                        let i = window(&self.buffers.order[bucket], at)[m];
+                        self.cancelled(lanes, i);
+                    }
+                }
+            }
+            at += 2 * S::WIDTH;
+        }
     }
 
     /// Point `i`.
@@ -244,7 +264,7 @@ impl Chunk<'_> {
             a: x.abs(),
             b: y.abs(),
         });
-        self.put(i, (re, if x.is_sign_negative() { -im } else { im }));
+        self.put(i, (re, with_sign_of(im, x)));
     }
 
     /// The points next to a zero.
@@ -294,6 +314,17 @@ impl Formula for Maclaurin {
     #[inline(always)]
     fn value<R: Real>(self, a: R, y: R) -> (R, R) {
         maclaurin(a, y)
+    }
+}
+
+/// The asymptotic series with two terms.
+#[derive(Clone, Copy)]
+struct TwoTerms;
+
+impl Formula for TwoTerms {
+    #[inline(always)]
+    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
+        two_terms(a, y.magnitude())
     }
 }
 

@@ -58,12 +58,7 @@ impl Chunk<'_> {
         let mut at = 0;
         while at < len {
             let buffers = &*self.buffers;
-            let numbers = window(&buffers.below, at);
-            let ((x, y), (p, q)) = (
-                self.gather(simd, numbers, 0),
-                self.gather(simd, numbers, S::WIDTH),
-            );
-            let (x, y) = (Two(x, p), Two(y, q));
+            let (x, y) = self.gather_two(simd, window(&buffers.below, at));
             let [p, q, s, t] = &buffers.mirror;
             let u = Dd::new(Two::load(simd, p, at), Two::load(simd, q, at));
             let v = Dd::new(Two::load(simd, s, at), Two::load(simd, t, at));
