@@ -234,8 +234,8 @@ static BUCKET: [u8; 4096] = {
 /// The bucket by the place in its table.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-pub(super) fn bucket(place: u64) -> usize {
-    BUCKET[place as usize & 4095] as usize
+pub(super) fn bucket(place: u64) -> u8 {
+    BUCKET[place as usize & 4095]
 }
 
 /// The places in the table of buckets at `x + i y`.

@@ -15,6 +15,8 @@ pub(in crate::solvers) trait Wide: Simd {
     const WIDTH: usize;
     /// `(x + add) << 52`
     fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s;
+    /// Which bytes equal `k`, the first one in the lowest bit.
+    fn equal(self, bytes: &[u8; 32], k: u8) -> u32;
     /// `bit` where the mask is true, 0 elsewhere.
     fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s;
     /// `x` between two limits; anything for a NaN.
@@ -75,6 +77,13 @@ impl Wide for V3 {
             self.avx2
                 ._mm256_slli_epi64::<52>(self.avx2._mm256_add_epi64(cast(x), cast(add))),
         )
+    }
+    #[inline(always)]
+    fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
+        let equal = self
+            .avx2
+            ._mm256_cmpeq_epi8(cast(*bytes), cast([k; 32]));
+        self.avx2._mm256_movemask_epi8(equal) as u32
     }
     #[inline(always)]
     fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
@@ -150,6 +159,11 @@ impl Wide for V4 {
     #[inline(always)]
     fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
         self.shl_const_u64x8::<52>(self.wrapping_add_u64x8(x, add))
+    }
+    #[inline(always)]
+    fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
+        let v: V3 = *self;
+        v.equal(bytes, k)
     }
     #[inline(always)]
     fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {

@@ -41,9 +41,6 @@ struct Buffers {
     /// How many points each bucket has, and which.
     len: [usize; SETS],
     order: [[u8; ROOM]; SETS],
-    /// The same of points with odd numbers, until both are brought together: one count need not
-    /// wait for the other.
-    odd: [[u8; CHUNK / 2]; SETS],
     /// The points of the bucket at work that needs rows, these, and the distances from the centres.
     x: [f64; ROOM],
     y: [f64; ROOM],
@@ -67,7 +64,6 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
     let buffers = &mut Buffers {
         len: [0; SETS],
         order: [[0; ROOM]; SETS],
-        odd: [[0; CHUNK / 2]; SETS],
         x: none,
         y: none,
         row: [0; ROOM],

@@ -1,11 +1,40 @@
 //! Points into buckets.
 
-use super::super::branch::{BUCKETS, bucket, places};
+use super::super::branch::{bucket, places};
 use super::super::pack::{Pack, Wide};
 use super::{CHUNK, Chunk, SETS, pair};
 
+/// Points compared with a bucket at a time.
+const BLOCK: usize = 32;
+/// No bucket.
+const NONE: u8 = 255;
+
+/// For each set of eight places the places in it, a byte each from the lowest on.
+static MEMBERS: [u64; 256] = {
+    let mut table = [0; 256];
+    let mut set = 0;
+    while set < 256 {
+        let (mut place, mut shift) = (0, 0);
+        while place < 8 {
+            if set >> place & 1 != 0 {
+                table[set] |= place << shift;
+                shift += 8;
+            }
+            place += 1;
+        }
+        set += 1;
+    }
+    table
+};
+
+/// A number in each of eight bytes.
+const fn bytes(x: usize) -> u64 {
+    x as u64 * 0x0101_0101_0101_0101
+}
+
 impl Chunk<'_> {
-    /// Sorts the first `n` points into the buckets.
+    /// Sorts the first `n` points into the buckets: each bucket collects its own, so that no count
+    /// waits for the one before.
     #[inline(always)]
     pub(super) fn sort<S: Wide>(&mut self, simd: S, n: usize) {
         let buffers = &mut *self.buffers;
@@ -19,26 +48,31 @@ impl Chunk<'_> {
             simd.store_at(simd.transmute_f64s_u64s(places), &mut buffers.x, at);
             at += S::WIDTH;
         }
-        buffers.len = [0; SETS];
-        let mut odd = [0; SETS];
-        for (i, places) in buffers.x[..n].chunks(2).enumerate() {
-            let k = bucket(places[0].to_bits()) & (SETS - 1);
-            let len = buffers.len[k];
-            buffers.order[k][len & (CHUNK / 2 - 1)] = (2 * i) as u8;
-            buffers.len[k] = len + 1;
-            if let Some(place) = places.get(1) {
-                let k = bucket(place.to_bits()) & (SETS - 1);
-                let len = odd[k];
-                buffers.odd[k][len & (CHUNK / 2 - 1)] = (2 * i + 1) as u8;
-                odd[k] = len + 1;
-            }
+        let mut codes = [NONE; CHUNK];
+        let mut present = 0_u32;
+        for (code, place) in codes[..n].iter_mut().zip(&buffers.x) {
+            *code = bucket(place.to_bits());
+            present |= 1 << (*code & 31);
         }
-        for k in 0..BUCKETS {
-            if odd[k] > 0 {
-                let len = buffers.len[k].min(CHUNK / 2);
-                buffers.order[k][len..len + CHUNK / 2].copy_from_slice(&buffers.odd[k]);
-                buffers.len[k] = len + odd[k].min(CHUNK / 2);
+        buffers.len = [0; SETS];
+        while present != 0 {
+            let k = present.trailing_zeros() as usize & (SETS - 1);
+            present &= present - 1;
+            let order = &mut buffers.order[k];
+            let mut len = 0;
+            for (i, block) in codes.as_chunks::<BLOCK>().0.iter().enumerate() {
+                let equal = simd.equal(block, k as u8);
+                if equal == 0 {
+                    continue;
+                }
+                for (j, set) in equal.to_le_bytes().into_iter().enumerate() {
+                    let members = MEMBERS[set as usize] + bytes(i * BLOCK + j * 8);
+                    let len_here = len & (CHUNK - 1);
+                    order[len_here..len_here + 8].copy_from_slice(&members.to_le_bytes());
+                    len += set.count_ones() as usize;
+                }
             }
+            buffers.len[k] = len;
         }
     }
 }

@@ -77,7 +77,7 @@ fn side_by_side() {
             let places = Pack(simd, simd.transmute_f64s_u64s(places(a, b))).array();
             for m in 0..S::WIDTH {
                 let (x, y) = points[at + m];
-                let got = bucket(places[m].to_bits());
+                let got = bucket(places[m].to_bits()) as usize;
                 assert_eq!(got, expected(x, y), "{x:e} {y:e}");
                 assert!(got < BUCKETS);
             }
