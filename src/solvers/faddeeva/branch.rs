@@ -244,9 +244,11 @@ pub(super) fn bucket(place: u64) -> u8 {
 pub(super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
     let (s, a, b) = (x.0, x.magnitude(), y.magnitude());
     let like = |v: f64| x.like(v);
-    let yy = y * y;
+    // The square of a smaller number would be subnormal, which is slow, and does not count.
+    let raised = b.at_least(like(1e-150));
+    let yy = raised * raised;
     let r2 = x.fma(x, yy);
-    let kept = Pack(s, s.clamped(r2.1, s.splat_f64s(LEAST), s.splat_f64s(MOST)));
+    let kept = r2.at_least(like(LEAST)).at_most(like(MOST));
     let kept = x.pick(r2.below(like(HUGE)), kept, like(OTHER));
     let kept = x.pick(a.below(like(TINY)), like(OTHER), kept);
     let flag = |mask: S::m64s, bit: usize| s.flag(mask, bit as u64);

@@ -19,8 +19,9 @@ pub(in crate::solvers) trait Wide: Simd {
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32;
     /// `bit` where the mask is true, 0 elsewhere.
     fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s;
-    /// `x` between two limits; anything for a NaN.
-    fn clamped(self, x: Self::f64s, low: Self::f64s, high: Self::f64s) -> Self::f64s;
+    /// The larger and the smaller of two numbers; the second one if one is not a number.
+    fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
+    fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
     /// `x >> 50`
     fn leading(self, x: Self::u64s) -> Self::u64s;
     /// `x << 62`
@@ -90,9 +91,12 @@ impl Wide for V3 {
         self.and_u64s(cast(mask), self.splat_u64s(bit))
     }
     #[inline(always)]
-    fn clamped(self, x: f64x4, low: f64x4, high: f64x4) -> f64x4 {
-        let v = self.avx;
-        cast(v._mm256_min_pd(v._mm256_max_pd(cast(x), cast(low)), cast(high)))
+    fn larger(self, a: f64x4, b: f64x4) -> f64x4 {
+        cast(self.avx._mm256_max_pd(cast(a), cast(b)))
+    }
+    #[inline(always)]
+    fn smaller(self, a: f64x4, b: f64x4) -> f64x4 {
+        cast(self.avx._mm256_min_pd(cast(a), cast(b)))
     }
     #[inline(always)]
     fn leading(self, x: Self::u64s) -> Self::u64s {
@@ -170,9 +174,12 @@ impl Wide for V4 {
         self.select_u64s(mask, self.splat_u64s(bit), self.splat_u64s(0))
     }
     #[inline(always)]
-    fn clamped(self, x: Self::f64s, low: Self::f64s, high: Self::f64s) -> Self::f64s {
-        let v = self.avx512f;
-        cast(v._mm512_min_pd(v._mm512_max_pd(cast(x), cast(low)), cast(high)))
+    fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
+        cast(self.avx512f._mm512_max_pd(cast(a), cast(b)))
+    }
+    #[inline(always)]
+    fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
+        cast(self.avx512f._mm512_min_pd(cast(a), cast(b)))
     }
     #[inline(always)]
     fn leading(self, x: Self::u64s) -> Self::u64s {
@@ -373,11 +380,12 @@ impl<S: Wide> Real for Pack<S> {
     }
     #[inline(always)]
     fn at_least(self, low: Self) -> Self {
-        self.pick(self.below(low), low, self)
+        // As the scalar code: `self` unless it is smaller.
+        Pack(self.0, self.0.larger(low.1, self.1))
     }
     #[inline(always)]
     fn at_most(self, high: Self) -> Self {
-        self.pick(high.below(self), high, self)
+        Pack(self.0, self.0.smaller(high.1, self.1))
     }
     #[inline(always)]
     fn below(self, other: Self) -> S::m64s {
