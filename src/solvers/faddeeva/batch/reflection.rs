@@ -7,7 +7,7 @@ use super::super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
 use super::super::plane::{ALONE, negligible, reflect};
-use super::super::real::{ROUND, Real, Two};
+use super::super::real::{ROUND, Real};
 use super::super::rows::{On, Rows};
 use super::super::zeros;
 use super::{CHUNK, Chunk, GROUPS, window};
@@ -58,10 +58,10 @@ impl Chunk<'_> {
         let mut at = 0;
         while at < len {
             let buffers = &*self.buffers;
-            let (x, y) = self.gather_two(simd, window(&buffers.below, at));
+            let (x, y) = self.gather(simd, window(&buffers.below, at), 0);
             let [p, q, s, t] = &buffers.mirror;
-            let u = Dd::new(Two::load(simd, p, at), Two::load(simd, q, at));
-            let v = Dd::new(Two::load(simd, s, at), Two::load(simd, t, at));
+            let u = Dd::new(Pack::load(simd, p, at), Pack::load(simd, q, at));
+            let v = Dd::new(Pack::load(simd, s, at), Pack::load(simd, t, at));
             let a = x.magnitude();
             let none = negligible(a, y.magnitude(), u.hi, v.hi);
             let e = exp_minus_square(a, y);
@@ -78,23 +78,21 @@ impl Chunk<'_> {
             let state = a.pick(none, like(0.0), state);
             let re = a.pick(none, -u.hi, re);
             let im = a.pick(none, v.hi, im).with_sign_of(x);
-            if state.is_zero() && at + 2 * S::WIDTH <= len {
+            if state.is_zero() && at + S::WIDTH <= len {
                 let numbers = window(&self.buffers.below, at);
-                for (k, (re, im)) in [(re.0, im.0), (re.1, im.1)].into_iter().enumerate() {
-                    let pairs = simd.to_pairs(re.1, im.1);
-                    for m in 0..S::WIDTH {
-                        let [re, im] = pairs[m];
-                        self.w[numbers[k * S::WIDTH + m] as usize] = Complex::new(re, im);
-                    }
+                let pairs = simd.to_pairs(re.1, im.1);
+                for m in 0..S::WIDTH {
+                    let [re, im] = pairs[m];
+                    self.w[numbers[m] as usize] = Complex::new(re, im);
                 }
             } else {
                 let (re, im, state) = (re.array(), im.array(), state.array());
-                for m in 0..(len - at).min(2 * S::WIDTH) {
+                for m in 0..(len - at).min(S::WIDTH) {
                     let i = window(&self.buffers.below, at)[m];
                     self.take(lanes, i, (re[m], im[m]), state[m]);
                 }
             }
-            at += 2 * S::WIDTH;
+            at += S::WIDTH;
         }
     }
 
