@@ -119,6 +119,58 @@ pub(super) fn series_beside_real_axis<R: Real, const N: usize>(a: R, b: R) -> (R
     (gu.fma(f, f), gv.fma(q, q))
 }
 
+/// The same for `b` below `2⁻²⁸`, where only the first power of b counts: with `v = 1/a²`
+///
+/// ```text
+/// Im w = (1 + a₁v + a₂v² + …)/(√π a),   Re w/b = (1 + 3a₁v + 5a₂v² + …)/(√π a²)
+/// ```
+#[inline(always)]
+pub(super) fn series_next_to_real_axis<R: Real>(a: R) -> (R, R) {
+    let like = |c: f64| a.like(c);
+    let square = two_prod(a, a);
+    let f = like(INV_SQRT_PI.hi) / square.hi;
+    let rest = (-square.hi).fma(f, like(INV_SQRT_PI.hi));
+    let error = (rest + (-f).fma(square.lo, like(INV_SQRT_PI.lo))) * like(SQRT_PI);
+    let v = f * like(SQRT_PI);
+    let gu = v.fma(by_fours(&SLOPE, v), error);
+    let gv = v.fma(by_fours(&VALUE, v), error);
+    let q = a * f;
+    (gu.fma(f, f), gv.fma(q, q))
+}
+
+/// `a₁ … a₁₆`, and `3a₁, 5a₂, …`
+const VALUE: [f64; 16] = next_to_real_axis(false);
+const SLOPE: [f64; 16] = next_to_real_axis(true);
+
+const fn next_to_real_axis(slope: bool) -> [f64; 16] {
+    let mut c = [0.0; 16];
+    let mut n = 0;
+    while n < 16 {
+        c[n] = A[n + 1] * if slope { (2 * n + 3) as f64 } else { 1.0 };
+        n += 1;
+    }
+    c
+}
+
+/// `Σ c_k x^k` by four sums in x⁴: a quarter of the chain of dependent operations.
+#[inline(always)]
+fn by_fours<R: Real>(c: &[f64; 16], x: R) -> R {
+    let at = |k: usize| x.like(c[k]);
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    let mut sums = [at(12), at(13), at(14), at(15)];
+    let mut k = 12;
+    while k > 0 {
+        k -= 4;
+        let mut m = 0;
+        while m < 4 {
+            sums[m] = x4.fma(sums[m], at(k + m));
+            m += 1;
+        }
+    }
+    x2.fma(x.fma(sums[3], sums[2]), x.fma(sums[1], sums[0]))
+}
+
 /// Smaller numbers do not count in r², and their squares would be subnormal, which is slow.
 const LEAST: f64 = 1e-140;
 

@@ -33,6 +33,8 @@ pub(super) const HUGE: f64 = 1e200;
 /// Half the distance of the centres of the fine cells, and half the width of the strips beside the
 /// axes; 1/8 belongs to the strips, where a cell's centre would be on the axis.
 pub(super) const STRIP: f64 = 0.125_f64.next_up();
+/// Closer to the real axis only the first power of Im z counts in the strip from [`BEYOND`] on.
+pub(super) const NEAR: f64 = f64::from_bits((1023 - 28) << 52);
 /// Closer to the imaginary axis, and on it, batches leave points to the scalar code.
 pub(super) const TINY: f64 = 1e-290;
 
@@ -51,6 +53,7 @@ pub(super) enum Kind {
     Small,
     Disc,
     Strip,
+    RealLine,
     Other,
 }
 
@@ -124,7 +127,7 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
         Kind::Disc => Branch::LowerCell { terms: 18 },
         Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
         Kind::RealAxis => Branch::RealAxis { terms: 18 },
-        Kind::Strip => Branch::Strip { terms: 16 },
+        Kind::Strip | Kind::RealLine => Branch::Strip { terms: 16 },
         Kind::Series26 => Branch::Asymptotic { terms: 26 },
         Kind::Series14 => Branch::Asymptotic { terms: 14 },
         Kind::Series6 => Branch::Asymptotic { terms: 6 },
@@ -132,13 +135,21 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
     }
 }
 
-/// The formula at a point, by |z|², whether it lies in the lower half-plane and in the strips beside
-/// the real and the imaginary axis.
+/// The formula at a point, by |z|², whether it lies in the lower half-plane, in the strips beside
+/// the real and the imaginary axis, and next to the real one.
 #[inline(always)]
-const fn formula(r2: f64, low: bool, beside_real: bool, beside_imaginary: bool) -> Kind {
+const fn formula(
+    r2: f64,
+    low: bool,
+    beside_real: bool,
+    beside_imaginary: bool,
+    next_to_real: bool,
+) -> Kind {
     if beside_real & (r2 >= APART) & (r2 < GONE) {
         if r2 < BEYOND {
             Kind::RealAxis
+        } else if next_to_real {
+            Kind::RealLine
         } else {
             Kind::Strip
         }
@@ -179,7 +190,8 @@ fn width(r2: f64) -> f64 {
 #[inline(always)]
 pub(super) fn kind(a: f64, y: f64) -> Kind {
     let r2 = a.mul_add(a, y * y);
-    formula(r2, y < 0.0, y.abs() < STRIP, a < width(r2))
+    let b = y.abs();
+    formula(r2, y < 0.0, b < STRIP, a < width(r2), b < NEAR)
 }
 
 /// The number of the bucket of a kind in the lower half-plane, for those up to [`Kind::RealAxis`],
@@ -194,6 +206,8 @@ pub(super) const BUCKETS: usize = Kind::Series6 as usize + LOWER + SERIES_ALONE 
 const LOW: usize = 1 << 8;
 const BESIDE_REAL: usize = 1 << 9;
 const BESIDE_IMAGINARY: usize = 1 << 10;
+/// `e^{−z²}` should be negligible, and the point is not next to the real axis, where another formula
+/// knows that.
 const DECAYED: usize = 1 << 11;
 /// `Re z² =  −ln |e^{−z²}|` from which it is taken for negligible.
 const DECAY: f64 = 60.0;
@@ -215,7 +229,13 @@ static BUCKET: [u8; 4096] = {
         let mut flags = 0;
         while flags < 4096 {
             let low = flags & LOW != 0;
-            let kind = formula(r2, low, flags & BESIDE_REAL != 0, flags & BESIDE_IMAGINARY != 0) as usize;
+            let kind = formula(
+                r2,
+                low,
+                flags & BESIDE_REAL != 0,
+                flags & BESIDE_IMAGINARY != 0,
+                flags & DECAYED == 0,
+            ) as usize;
             let mut bucket = kind;
             if low & (kind <= Kind::RealAxis as usize) {
                 bucket += LOWER;
@@ -257,7 +277,10 @@ pub(super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
         flag(y.below(like(0.0)), LOW),
         flag(b.below(like(STRIP)), BESIDE_REAL),
         flag(a.below(width), BESIDE_IMAGINARY),
-        flag(like(DECAY).below(yy.fma(like(-2.0), r2)), DECAYED),
+        s.and_u64s(
+            flag(like(DECAY).below(yy.fma(like(-2.0), r2)), DECAYED),
+            flag(like(NEAR.next_down()).below(b), DECAYED),
+        ),
     ];
     let flags = s.or_u64s(s.or_u64s(flags[0], flags[1]), s.or_u64s(flags[2], flags[3]));
     let bits = s.and_u64s(s.leading(s.transmute_u64s_f64s(kept.1)), s.splat_u64s(255));

@@ -1,7 +1,9 @@
 //! Which formula computes W(z) where.
 
-use super::asymptotic::{large, series, series_beside_real_axis, series_rounded, two_terms};
-use super::double_double::{Dd, fast_two_sum, two_sum};
+use super::asymptotic::{
+    large, series, series_beside_real_axis, series_next_to_real_axis, series_rounded, two_terms,
+};
+use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip, gaussian,
     times_power,
@@ -162,16 +164,33 @@ pub(super) fn from_erfcx_rounded<R: Real>(a: R, (p, s): (R, R)) -> (R, R) {
 /// matters only where `2ay` is so small that the cosine is 1; `true` where the terms cancel.
 #[inline(always)]
 pub(super) fn in_strip<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
-    let (u, v) = series_beside_real_axis::<R, 16>(a, y.magnitude());
-    let like = |c: f64| a.like(c);
+    let series = series_beside_real_axis::<R, 16>(a, y.magnitude());
+    with_exponential(series, y, exponent_in_strip(a, y))
+}
+
+/// The same next to the real axis.
+#[inline(always)]
+pub(super) fn on_real_line<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
+    let square = two_prod(a, a);
+    with_exponential(
+        series_next_to_real_axis(a),
+        y,
+        Dd::new(-square.hi, -square.lo),
+    )
+}
+
+/// `y u + e^t` and `v`; `true` where the terms cancel.
+#[inline(always)]
+fn with_exponential<R: Real>((u, v): (R, R), y: R, t: Dd<R>) -> (R, R, R::Mask) {
+    let like = |c: f64| y.like(c);
     let part = y * u;
     let negligible = like(BESIDE).below(part.magnitude());
-    if a.all(negligible) {
+    if y.all(negligible) {
         return (part, v, v.below(like(0.0)));
     }
     // |y| u is at most BESIDE here and u at least 7e-4, so that the phase 2ay is below 2e-14 and its
     // cosine 1. Both terms raised, because operations with subnormal numbers are slow.
-    let (e, n) = exp_rounded(exponent_in_strip(a, y));
+    let (e, n) = exp_rounded(t);
     let t = e * (n + like(LIFT)).power_of_two();
     let y = y * like(ROUND + LIFT).power_of_two();
     let re = y.fma(u, t);
@@ -179,7 +198,7 @@ pub(super) fn in_strip<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
     let larger = t.at_least(-(y * u));
     let lost = re.magnitude().below(larger * like(CANCELLED_ROUNDED));
     let re = re * like(ROUND - LIFT).power_of_two();
-    (a.pick(negligible, part, re), v, lost)
+    (y.pick(negligible, part, re), v, lost)
 }
 
 /// `t · factor + x`
@@ -277,6 +296,10 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
             let (re, im, _) = in_strip(a, b);
             (re, im)
         }
+        Kind::RealLine => {
+            let (re, im, _) = on_real_line(a, b);
+            (re, im)
+        }
         Kind::Series26 => series_rounded::<_, 26>(a, b),
         Kind::Series14 => series_rounded::<_, 14>(a, b),
         Kind::Series6 => series_rounded::<_, 6>(a, b),
@@ -355,6 +378,7 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             return done(complex_row_rounded(lanes, disc_row(n), dx, dy));
         }
         Kind::Strip => return unless_lost(in_strip(a, y)),
+        Kind::RealLine => return unless_lost(on_real_line(a, y)),
         Kind::Series4 | Kind::Series2 | Kind::Other => return done(special::huge(a, y)),
     };
     if negligible(a, b, u.hi, v.hi) {

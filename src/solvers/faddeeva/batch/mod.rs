@@ -13,7 +13,7 @@ use super::maclaurin::maclaurin;
 use super::pack::{Pack, Wide};
 use super::plane::{
     Cancelled, above_real_axis, below_real_axis, cancels_beside_real_axis, from_erfcx,
-    from_erfcx_rounded, in_strip, w,
+    from_erfcx_rounded, in_strip, on_real_line, w,
 };
 use super::real::{Real, with_sign_of};
 use super::rows::{Cells, ImaginaryAxis, LowerDisc, NoRows, RealAxis};
@@ -202,18 +202,24 @@ impl Chunk<'_> {
                 (re.hi, im.hi, lost)
             },
         );
-        self.strip(simd, lanes);
+        self.strip(simd, lanes, Kind::Strip as usize, InStrip);
+        self.strip(simd, lanes, Kind::RealLine as usize, OnRealLine);
     }
 
     /// The asymptotic series and the exponential beside the real axis.
     #[inline(always)]
-    fn strip<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
-        let bucket = Kind::Strip as usize;
+    fn strip<S: Wide, L: Lanes>(
+        &mut self,
+        simd: S,
+        lanes: L,
+        bucket: usize,
+        formula: impl UnlessLost,
+    ) {
         let len = self.groups(bucket);
         let mut at = 0;
         while at < len {
             let (x, y) = self.gather_two(simd, window(&self.buffers.order[bucket], at));
-            let (re, im, lost) = in_strip(x.magnitude(), y);
+            let (re, im, lost) = formula.value(x.magnitude(), y);
             let im = im.with_sign_of(x);
             self.scatter(bucket, at, re.0, im.0);
             self.scatter(bucket, at + S::WIDTH, re.1, im.1);
@@ -301,6 +307,31 @@ impl Chunk<'_> {
 /// A formula for w at `a + i y`, `a ≥ 0`.
 trait Formula: Copy {
     fn value<R: Real>(self, a: R, y: R) -> (R, R);
+}
+
+/// A formula that also tells where digits are lost.
+trait UnlessLost: Copy {
+    fn value<R: Real>(self, a: R, y: R) -> (R, R, R::Mask);
+}
+
+#[derive(Clone, Copy)]
+struct InStrip;
+
+impl UnlessLost for InStrip {
+    #[inline(always)]
+    fn value<R: Real>(self, a: R, y: R) -> (R, R, R::Mask) {
+        in_strip(a, y)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct OnRealLine;
+
+impl UnlessLost for OnRealLine {
+    #[inline(always)]
+    fn value<R: Real>(self, a: R, y: R) -> (R, R, R::Mask) {
+        on_real_line(a, y)
+    }
 }
 
 #[derive(Clone, Copy)]
