@@ -116,7 +116,7 @@ pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     let r = (-k).fma(like(LN_2[0]), h);
     let r = two_sum(r, (-k).fma(like(LN_2[1]), lo));
     // 1 + r + r²/2 + …
-    let q = two_sum(like(1.0), r.hi);
+    let q = fast_two_sum(like(1.0), r.hi);
     let tail = (r.hi * r.hi).fma(paired(&EXP, r.hi), r.lo.fma(r.hi, r.lo));
     (fast_two_sum(q.hi, q.lo + tail), n)
 }
@@ -144,10 +144,11 @@ pub(in crate::solvers) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {
     // Exact: both are multiples of 2⁻⁵³ and the difference is below one.
     let r = (-k).fma(like(HALF_PI[0]), theta.hi);
     let p = two_prod(k, like(HALF_PI[1]));
-    let s = two_sum(r, -p.hi);
-    let t = two_sum(s.hi, theta.lo);
-    let lo = (s.lo + t.lo) - p.lo - k * like(HALF_PI[2]);
-    (fast_two_sum(t.hi, lo), n)
+    // Beside the difference, not after it: only k is waited for.
+    let s = two_sum(theta.lo, -p.hi);
+    let rest = (-k).fma(like(HALF_PI[2]), s.lo - p.lo);
+    let t = two_sum(r, s.hi);
+    (fast_two_sum(t.hi, t.lo + rest), n)
 }
 
 /// `(sin, cos)` of a reduced phase.

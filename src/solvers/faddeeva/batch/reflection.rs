@@ -66,19 +66,17 @@ impl Chunk<'_> {
             let none = negligible(a, y.magnitude(), u.hi, v.hi);
             let e = exp_minus_square(a, y);
             let (re, im, lost) = reflect((u, v), e);
-            // 0 is done, 1 asks for double-double, 2 for the scalar code; with 4 added the point
-            // may lie next to a zero.
             let like = |x: f64| a.like(x);
-            let state = a.pick(lost, like(1.0), like(0.0));
             let phase = ((a + a) * y).magnitude();
-            let state = a.pick(phase.below(like(LARGE_PHASE)), state, like(2.0));
-            let state = a.pick(e.2.below(like(ROUND + ALONE)), state, like(2.0));
+            let large = like(LARGE_PHASE.next_down()).below(phase);
+            let high = like((ROUND + ALONE).next_down()).below(e.2);
             let near = zeros::candidate(a, y.magnitude());
-            let state = state + a.pick(near, like(4.0), like(0.0));
-            let state = a.pick(none, like(0.0), state);
+            let special = a.or(a.or(lost, near), a.or(large, high));
+            let special = a.pick(special, like(1.0), like(0.0));
+            let special = a.pick(none, like(0.0), special);
             let re = a.pick(none, -u.hi, re);
             let im = a.pick(none, v.hi, im).with_sign_of(x);
-            if state.is_zero() && at + S::WIDTH <= len {
+            if special.is_zero() && at + S::WIDTH <= len {
                 let numbers = window(&self.buffers.below, at);
                 let pairs = simd.to_pairs(re.1, im.1);
                 for m in 0..S::WIDTH {
@@ -86,30 +84,39 @@ impl Chunk<'_> {
                     self.w[numbers[m] as usize] = Complex::new(re, im);
                 }
             } else {
+                let state = a.pick(lost, special + special, special);
                 let (re, im, state) = (re.array(), im.array(), state.array());
+                let (phase, n) = (phase.array(), e.2.array());
                 for m in 0..(len - at).min(S::WIDTH) {
                     let i = window(&self.buffers.below, at)[m];
-                    self.take(lanes, i, (re[m], im[m]), state[m]);
+                    let scalar = phase[m] >= LARGE_PHASE || n[m] >= ROUND + ALONE;
+                    if state[m] == 0.0 {
+                        self.put(i, (re[m], im[m]));
+                    } else if self.next_to_zero(i) {
+                        continue;
+                    } else if scalar {
+                        self.alone(lanes, i);
+                    } else if state[m] > 1.0 {
+                        self.cancelled(lanes, i);
+                    } else {
+                        self.put(i, (re[m], im[m]));
+                    }
                 }
             }
             at += S::WIDTH;
         }
     }
 
-    /// Takes the value for point `i`, or another as its state asks.
+    /// Whether point `i` is next to a zero; it is noted.
     #[inline(always)]
-    fn take<L: Lanes>(&mut self, lanes: L, i: u8, value: (f64, f64), state: f64) {
+    fn next_to_zero(&mut self, i: u8) -> bool {
         let [x, y] = self.at(i);
-        if state >= 4.0 && zeros::nearest(x.abs(), -y).is_some() {
+        let near = zeros::nearest(x.abs(), -y).is_some();
+        if near {
             let buffers = &mut *self.buffers;
             buffers.zeros[buffers.near_zeros.min(CHUNK)] = i;
             buffers.near_zeros += 1;
-            return;
         }
-        match state as u8 & 3 {
-            0 => self.put(i, value),
-            1 => self.cancelled(lanes, i),
-            _ => self.alone(lanes, i),
-        }
+        near
     }
 }
