@@ -5,6 +5,7 @@
 //! the `f64` nearest to the exact rest: both ends of a ball have to round to it. Where they do not,
 //! the precision is doubled; at [`LAST_BITS`] it gives up.
 
+mod real_line;
 mod relatives;
 
 pub use relatives::{constants, tables as relatives_tables};
@@ -393,6 +394,7 @@ pub fn tables() -> Outcome<Made> {
     two_over_pi(&mut tables)?;
     factorials(&mut tables)?;
     trapezoidal(&mut tables)?;
+    real_line::polynomials(&mut tables)?;
     let body = format!(
         "\nuse super::taylor::{{ComplexRow, RealRow}};\n\
          use super::zeros::ZeroRow;\n\

@@ -12,6 +12,7 @@ use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::double_double_functions::exp_minus_square;
 use super::lanes::Lanes;
 use super::real::{Real, scaled};
+use super::tables::REAL_LINE;
 
 /// Coefficients available.
 const TERMS: usize = 27;
@@ -124,6 +125,8 @@ pub(super) fn series_beside_real_axis<R: Real, const N: usize>(a: R, b: R) -> (R
 /// ```text
 /// Im w = (1 + a₁v + a₂v² + …)/(√π a),   Re w/b = (1 + 3a₁v + 5a₂v² + …)/(√π a²)
 /// ```
+///
+/// and the sums are tabulated polynomials.
 #[inline(always)]
 pub(super) fn series_next_to_real_axis<R: Real>(a: R) -> (R, R) {
     let like = |c: f64| a.like(c);
@@ -132,43 +135,23 @@ pub(super) fn series_next_to_real_axis<R: Real>(a: R) -> (R, R) {
     let rest = (-square.hi).fma(f, like(INV_SQRT_PI.hi));
     let error = (rest + (-f).fma(square.lo, like(INV_SQRT_PI.lo))) * like(SQRT_PI);
     let v = f * like(SQRT_PI);
-    let gu = v.fma(by_fours(&SLOPE, v), error);
-    let gv = v.fma(by_fours(&VALUE, v), error);
+    let gu = v.fma(by_fours(&REAL_LINE[1], v), error);
+    let gv = v.fma(by_fours(&REAL_LINE[0], v), error);
     let q = a * f;
     (gu.fma(f, f), gv.fma(q, q))
 }
 
-/// `a₁ … a₁₆`, and `3a₁, 5a₂, …`
-const VALUE: [f64; 16] = next_to_real_axis(false);
-const SLOPE: [f64; 16] = next_to_real_axis(true);
-
-const fn next_to_real_axis(slope: bool) -> [f64; 16] {
-    let mut c = [0.0; 16];
-    let mut n = 0;
-    while n < 16 {
-        c[n] = A[n + 1] * if slope { (2 * n + 3) as f64 } else { 1.0 };
-        n += 1;
-    }
-    c
-}
-
 /// `Σ c_k x^k` by four sums in x⁴: a quarter of the chain of dependent operations.
 #[inline(always)]
-fn by_fours<R: Real>(c: &[f64; 16], x: R) -> R {
+fn by_fours<R: Real>(c: &[f64; 10], x: R) -> R {
     let at = |k: usize| x.like(c[k]);
     let x2 = x * x;
     let x4 = x2 * x2;
-    let mut sums = [at(12), at(13), at(14), at(15)];
-    let mut k = 12;
-    while k > 0 {
-        k -= 4;
-        let mut m = 0;
-        while m < 4 {
-            sums[m] = x4.fma(sums[m], at(k + m));
-            m += 1;
-        }
-    }
-    x2.fma(x.fma(sums[3], sums[2]), x.fma(sums[1], sums[0]))
+    let p = x4.fma(x4.fma(at(8), at(4)), at(0));
+    let q = x4.fma(x4.fma(at(9), at(5)), at(1));
+    let s = x4.fma(at(6), at(2));
+    let t = x4.fma(at(7), at(3));
+    x2.fma(x.fma(t, s), x.fma(q, p))
 }
 
 /// Smaller numbers do not count in r², and their squares would be subnormal, which is slow.

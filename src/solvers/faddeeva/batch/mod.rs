@@ -10,7 +10,7 @@ use super::asymptotic::{series, series_rounded, two_terms};
 use super::branch::{BUCKETS, Kind, LOWER, SERIES_ALONE};
 use super::lanes::Lanes;
 use super::maclaurin::maclaurin;
-use super::pack::{Pack, Wide};
+use super::pack::Wide;
 use super::plane::{
     Cancelled, above_real_axis, below_real_axis, cancels_beside_real_axis, from_erfcx,
     from_erfcx_rounded, in_strip, on_real_line, w,

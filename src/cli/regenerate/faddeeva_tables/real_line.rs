@@ -1,0 +1,97 @@
+//! Polynomials for the asymptotic series next to the real axis.
+//!
+//! The sums `a₁ + a₂v + …` and `3a₁ + 5a₂v + …`, `a_n = (2n − 1)!!/2ⁿ`, for `0 ≤ v ≤ 1/79`, with
+//! `v = 1/x²`: Taylor sums of more terms than are needed, from which Chebyshev polynomials of that
+//! interval are subtracted one after the other (Lanczos, *Applied Analysis*, 1956, VII.8), all with
+//! exact rational numbers. What is left out is at most the sum of the factors subtracted.
+
+use super::super::artefact::Outcome;
+use super::{Tables, decided, nearest};
+use mechaudit::reference::Ball;
+use rug::Rational;
+use std::fmt::Write as _;
+
+/// Terms of the sums, and of the polynomials.
+const SUM: usize = 24;
+const KEPT: usize = 10;
+/// The interval ends at one part of this many.
+const PER: i64 = 79;
+
+/// `a_{k+1}`, times `2k + 3` if wanted.
+fn coefficients(slope: bool) -> Vec<Rational> {
+    let mut a = Rational::from(1);
+    (0..SUM)
+        .map(|k| {
+            a *= Rational::from((2 * k as i64 + 1, 2));
+            let factor = if slope { 2 * k as i64 + 3 } else { 1 };
+            Rational::from(&a * Rational::from(factor))
+        })
+        .collect()
+}
+
+/// The Chebyshev polynomial `T_n(2v/V − 1)` in powers of v, `V = 1/PER`.
+fn chebyshev(n: usize) -> Vec<Rational> {
+    let mut before = vec![Rational::from(1)];
+    let mut here = vec![Rational::from(-1), Rational::from(2 * PER)];
+    if n == 0 {
+        return before;
+    }
+    for _ in 1..n {
+        // T_{k+1} = 2 (2v/V − 1) T_k − T_{k−1}.
+        let mut next = vec![Rational::new(); here.len() + 1];
+        for (k, c) in here.iter().enumerate() {
+            next[k + 1] += Rational::from(c * Rational::from(4 * PER));
+            next[k] -= Rational::from(c * Rational::from(2));
+        }
+        for (k, c) in before.iter().enumerate() {
+            next[k] -= c;
+        }
+        before = std::mem::replace(&mut here, next);
+    }
+    here
+}
+
+/// The shortened polynomial, and the most it differs from the sum.
+fn shortened(slope: bool) -> (Vec<Rational>, Rational) {
+    let mut c = coefficients(slope);
+    let mut off = Rational::new();
+    while c.len() > KEPT {
+        let top = c.len() - 1;
+        let t = chebyshev(top);
+        let factor = Rational::from(&c[top] / &t[top]);
+        for (c, t) in c.iter_mut().zip(&t) {
+            *c -= Rational::from(&factor * t);
+        }
+        c.truncate(top);
+        off += factor.abs();
+    }
+    (c, off)
+}
+
+pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
+    tables.depends_on(&format!("v <= 1/{PER}, {KEPT} of {SUM} terms"));
+    tables.open(
+        "The sums `a₁ + a₂v + …` and `3a₁ + 5a₂v + …`, `a_n = (2n − 1)!!/2ⁿ`, as polynomials for\n\
+         `0 ≤ v ≤ 1/79`.",
+        "REAL_LINE",
+        &format!("[[f64; {KEPT}]; 2]"),
+    );
+    for slope in [false, true] {
+        let (c, off) = shortened(slope);
+        let row = decided("a polynomial", |bits| {
+            let row: Option<Vec<f64>> = c
+                .iter()
+                .map(|c| nearest(&Ball::rational(bits, c)))
+                .collect();
+            Ok(row)
+        })?;
+        // v times this stands beside 1.
+        let part = Rational::from(off / PER).to_f64();
+        if part > 2f64.powi(-56) {
+            return Err(format!("the polynomials leave out {part:e}").into());
+        }
+        let _ = writeln!(tables.text, "    {row:?},");
+    }
+    tables.close();
+    Ok(())
+}
