@@ -189,8 +189,8 @@ fn width(r2: f64) -> f64 {
 /// The formula at `a + i y`, `a ≥ 0`.
 #[inline(always)]
 pub(super) fn kind(a: f64, y: f64) -> Kind {
-    let r2 = a.mul_add(a, y * y);
     let b = y.abs();
+    let r2 = a.mul_add(a, b * b);
     formula(r2, y < 0.0, b < STRIP, a < width(r2), b < NEAR)
 }
 
@@ -201,6 +201,10 @@ pub(super) const LOWER: usize = Kind::Other as usize + 1;
 pub(super) const SERIES_ALONE: usize = Kind::RealAxis as usize + 1 - Kind::Series26 as usize;
 /// How many buckets there are.
 pub(super) const BUCKETS: usize = Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
+
+/// The square of a smaller number would be subnormal, which is slow, and does not count in |z|².
+#[cfg(target_arch = "x86_64")]
+const RAISED: f64 = 1e-150;
 
 /// Flags beside the eight bits of |z|².
 const LOW: usize = 1 << 8;
@@ -264,8 +268,7 @@ pub(super) fn bucket(place: u64) -> u8 {
 pub(super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
     let (s, a, b) = (x.0, x.magnitude(), y.magnitude());
     let like = |v: f64| x.like(v);
-    // The square of a smaller number would be subnormal, which is slow, and does not count.
-    let raised = b.at_least(like(1e-150));
+    let raised = b.at_least(like(RAISED));
     let yy = raised * raised;
     let r2 = x.fma(x, yy);
     let kept = r2.at_least(like(LEAST)).at_most(like(MOST));
