@@ -31,8 +31,23 @@ pub(super) fn both_signs(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
     vec![d.signed(x), d.signed(y)]
 }
 
-/// Borders between formulas on circles.
-const CIRCLES: [f64; 7] = [0.0078125, 1.0, 7.0, 10.0, 31.622776601683793, 1e3, 1e100];
+/// |z|² on the circles between formulas.
+const CIRCLES: [f64; 14] = [
+    1.0 / 16384.0,
+    1.0,
+    1.25,
+    14.0,
+    48.0,
+    80.0,
+    112.0,
+    768.0,
+    1000.0,
+    1024.0,
+    5120.0,
+    1e6,
+    1_048_576.0,
+    1e200,
+];
 
 /// The regions.
 pub(super) fn all() -> Vec<Region> {
@@ -237,9 +252,10 @@ pub(super) fn all() -> Vec<Region> {
         ),
         region(
             "seam-circles",
-            "|z|^2 = 2^-14, 1, 49, 100, 1000, 1e6, 1e200, exactly or off by 1e-17..1e-3",
+            "|z|^2 = 2^-14, 1, 1.25, 14, 48, 80, 112, 768, 1000, 1024, 5120, 1e6, 2^20, 1e200, \
+             exactly or off by 1e-17..1e-3",
             |d| {
-                let r = one_of(d, &CIRCLES);
+                let r = one_of(d, &CIRCLES).sqrt();
                 let r = beside(d, r);
                 // A third each: everywhere, beside the real axis, beside the diagonals.
                 let theta = match d.integer(0, 2) {
@@ -256,14 +272,18 @@ pub(super) fn all() -> Vec<Region> {
         ),
         region(
             "seam-strips",
-            "|Im z| = 0.125, |Re z| = 0.125, 0.25, 1.125, 3.75, 27.5, |Im z| = 3.75, likewise",
+            "|Im z| = 2^-28, 0.125, 0.25, 3.75, |Re z| = 0.125, 0.25, 1.125, 3.75, 27.5, likewise",
             |d| {
                 let other = match d.chance(0.5) {
                     true => d.uniform(0.0, 10.0),
                     false => d.log_uniform(1e-3, 40.0),
                 };
                 if d.chance(0.4) {
-                    let y = one_of(d, &[0.125, 0.125, 0.25, 3.75]);
+                    let y = one_of(d, &[2f64.powi(-28), 0.125, 0.125, 0.25, 3.75]);
+                    let other = match y < 1e-3 {
+                        true => d.uniform(8.0, 28.0),
+                        false => other,
+                    };
                     let y = beside(d, y);
                     return both_signs(d, other, y);
                 }

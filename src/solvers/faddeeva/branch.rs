@@ -243,7 +243,10 @@ static BUCKET: [u8; 4096] = {
             let mut bucket = kind;
             if low & (kind <= Kind::RealAxis as usize) {
                 bucket += LOWER;
-                if (flags & DECAYED != 0) & (kind >= Kind::Series26 as usize) & (kind <= Kind::Series6 as usize) {
+                if (flags & DECAYED != 0)
+                    & (kind >= Kind::Series26 as usize)
+                    & (kind <= Kind::Series6 as usize)
+                {
                     bucket += SERIES_ALONE;
                 }
             }

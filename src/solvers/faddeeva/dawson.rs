@@ -209,10 +209,7 @@ impl Task for Dawson {
         } else {
             limits(x, y)
         };
-        (
-            with_sign_of(re, self.0),
-            with_sign_of(im, self.1),
-        )
+        (with_sign_of(re, self.0), with_sign_of(im, self.1))
     }
 }
 

@@ -218,10 +218,7 @@ impl Task for Erf {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let (re, im) = anywhere(lanes, Which::Erf, self.0.abs(), self.1.abs());
-        (
-            with_sign_of(re, self.0),
-            with_sign_of(im, self.1),
-        )
+        (with_sign_of(re, self.0), with_sign_of(im, self.1))
     }
 }
 

@@ -188,7 +188,10 @@ trait Points {
     /// Takes the values at the points from `start` on.
     fn store(&mut self, start: usize, w: &[Complex<f64>]);
     /// N points from `start` on and the place of their values, if they need not be moved.
-    fn chunk<const N: usize>(&mut self, _: usize) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
+    fn chunk<const N: usize>(
+        &mut self,
+        _: usize,
+    ) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
         None
     }
 }
@@ -225,8 +228,14 @@ impl Points for Interleaved<'_> {
     fn store(&mut self, start: usize, w: &[Complex<f64>]) {
         self.w[start..start + w.len()].copy_from_slice(w);
     }
-    fn chunk<const N: usize>(&mut self, start: usize) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
-        Some((self.z[start..].first_chunk()?, self.w[start..].first_chunk_mut()?))
+    fn chunk<const N: usize>(
+        &mut self,
+        start: usize,
+    ) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
+        Some((
+            self.z[start..].first_chunk()?,
+            self.w[start..].first_chunk_mut()?,
+        ))
     }
 }
 

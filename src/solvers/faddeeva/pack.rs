@@ -81,9 +81,7 @@ impl Wide for V3 {
     }
     #[inline(always)]
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
-        let equal = self
-            .avx2
-            ._mm256_cmpeq_epi8(cast(*bytes), cast([k; 32]));
+        let equal = self.avx2._mm256_cmpeq_epi8(cast(*bytes), cast([k; 32]));
         self.avx2._mm256_movemask_epi8(equal) as u32
     }
     #[inline(always)]
@@ -309,15 +307,6 @@ impl<S: Wide> Pack<S> {
 }
 
 impl<S: Wide> Two<Pack<S>> {
-    /// The numbers from `at` on.
-    #[inline(always)]
-    pub(super) fn load(simd: S, x: &[f64], at: usize) -> Self {
-        Two(
-            Pack::load(simd, x, at),
-            Pack::load(simd, x, at + S::WIDTH),
-        )
-    }
-
     /// The numbers; those beyond its width are zero.
     #[inline(always)]
     pub(super) fn array(self) -> [f64; 16] {

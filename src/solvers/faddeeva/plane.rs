@@ -3,6 +3,7 @@
 use super::asymptotic::{
     large, series, series_beside_real_axis, series_next_to_real_axis, series_rounded, two_terms,
 };
+use super::branch::{HUGE, Kind, SMALL, STRIP, TERMS_2, TINY, kind};
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip, gaussian,
@@ -11,7 +12,6 @@ use super::exponential::{
 use super::lanes::{Lanes, Task, with_best};
 use super::maclaurin::{self, maclaurin};
 use super::real::{ROUND, Real, scaled, with_sign_of};
-use super::branch::{HUGE, Kind, SMALL, STRIP, TERMS_2, TINY, kind};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{
     ComplexRow, RealRow, complex_row, complex_row_rounded, real_row, real_row_rounded,

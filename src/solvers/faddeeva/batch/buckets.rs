@@ -11,12 +11,7 @@ impl Chunk<'_> {
     /// A bucket whose formula gives the value and needs no rows: two groups at once, because each
     /// operation waits for the one before.
     #[inline(always)]
-    pub(super) fn without_rows<S: Wide>(
-        &mut self,
-        simd: S,
-        bucket: usize,
-        formula: impl Formula,
-    ) {
+    pub(super) fn without_rows<S: Wide>(&mut self, simd: S, bucket: usize, formula: impl Formula) {
         let len = self.groups(bucket);
         let mut at = 0;
         while at < len {

@@ -1,6 +1,6 @@
 //! The choice of the formula: the scalar and the vector form are the same.
 
-use super::super::branch::{BUCKETS, Kind, LOWER, SERIES_ALONE, TINY, bucket, kind, places};
+use super::super::branch::{BUCKETS, Kind, LOWER, NEAR, SERIES_ALONE, TINY, bucket, kind, places};
 use super::super::pack::{Pack, Wide};
 use super::Random;
 use pulp::x86::{V3, V4};
@@ -16,7 +16,7 @@ fn expected(x: f64, y: f64) -> usize {
     let lower = if both && y < 0.0 { LOWER } else { 0 };
     let series = matches!(kind, Kind::Series26 | Kind::Series14 | Kind::Series6);
     let decayed = (y * y).mul_add(-2.0, x.mul_add(x, y * y)) > 60.0;
-    let alone = lower > 0 && series && decayed;
+    let alone = lower > 0 && series && decayed && y.abs() >= NEAR;
     kind as usize + lower + if alone { SERIES_ALONE } else { 0 }
 }
 
@@ -28,6 +28,7 @@ fn points() -> Vec<(f64, f64)> {
         0.0,
         5e-324,
         1e-290,
+        NEAR,
         0.125,
         0.25,
         1.0,
