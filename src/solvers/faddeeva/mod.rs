@@ -14,13 +14,16 @@
 //! # Method
 //! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]):
 //!
-//! - `|z| < 2⁻⁷`: Maclaurin series;
-//! - `|z| < 7`: Taylor series of 18 terms about tabulated centres 1/4 (or 1/2) apart, the two leading
+//! - `|z|² < 2⁻¹⁴`: Maclaurin series;
+//! - `|z|² < 48`: Taylor series of 18 terms about tabulated centres 1/4 (or 1/2) apart, the two leading
 //!   coefficients in double-double; beside the imaginary axis with the real coefficients of
 //!   erfcx, beside the real axis about centres on it, so that the small component keeps its
 //!   relative accuracy;
-//! - `|z| ≥ 7`: asymptotic series (DLMF 7.12.1) with 26, 14, 6 or 4 terms, and `e^{−z²}` added beside
-//!   the real axis.
+//! - `|z|² ≥ 48`: asymptotic series (DLMF 7.12.1) with 26, 14, 6, 4 or 2 terms, and `e^{−z²}` added
+//!   beside the real axis; within `2⁻²⁸` of it two real polynomials serve instead.
+//!
+//! Batches are sorted by formula, 256 points at a time, by the leading bits of `|z|²` and a few
+//! comparisons.
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
 //! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above

@@ -74,9 +74,9 @@ fn series_in_the_upper_half_plane() {
         };
         type Series = fn(f64, f64) -> (Dd, Dd);
         let each: [(f64, Series); 3] = [
-            (7.0, series::<_, 24>),
-            (10.0, series::<_, 14>),
-            (1000f64.sqrt(), series::<_, 6>),
+            (48f64.sqrt(), series::<_, 26>),
+            (112f64.sqrt(), series::<_, 14>),
+            (32.0, series::<_, 6>),
         ];
         for (least, series) in each {
             let (a, b) = (
@@ -99,6 +99,69 @@ fn series_in_the_upper_half_plane() {
                     "from {least}: {a:e} + {b:e} i: {off:e}"
                 );
             }
+        }
+    }
+}
+
+#[test]
+fn rounded_far_out() {
+    // Two roundings, the last term and what the corrections lose.
+    let mut random = Random(53);
+    for k in 0..6000 {
+        let (t, r) = (random.between(0.0, 90.0).to_radians(), k % 2);
+        let least = [5120f64.sqrt(), 1024.0][r];
+        let far = least * (1.0 + 1e-9) * random.power(0.0, 60.0);
+        let (a, b) = match k % 3 {
+            0 => (far, far * random.power(-200.0, 0.0)),
+            1 => (far * random.power(-200.0, 0.0), far),
+            _ => (far * t.cos(), far * t.sin()),
+        };
+        let got = match r {
+            0 => series_rounded::<_, 4>(a, b),
+            _ => two_terms(a, b),
+        };
+        let (re, im) = w(a, b);
+        for (x, y) in [(got.0, re), (got.1, im)] {
+            let off = error(&Float::with_val(64, x), &y, &y) / f64::EPSILON;
+            assert!(off < 1.6, "{a:e} + {b:e} i: {off} eps");
+        }
+    }
+}
+
+#[test]
+fn next_to_the_real_axis() {
+    let mut random = Random(54);
+    for k in 0..4000 {
+        let a = match k {
+            0 => 80f64.sqrt(),
+            1 => 768f64.sqrt(),
+            _ => random.between(80f64.sqrt(), 768f64.sqrt()),
+        };
+        let (u, v) = series_next_to_real_axis(a);
+        // Where b is so small that its powers do not count; e^{−z²} is not part of the series.
+        let b = 2f64.powi(-150);
+        let (re, im) = w(a, b);
+        let re = (re - gaussian(a, b).0) / Float::with_val(64, b);
+        for (x, y) in [(u, re), (v, im)] {
+            let off = error(&Float::with_val(64, x), &y, &y) / f64::EPSILON;
+            assert!(off < 1.3, "{a:e}: {off} eps");
+        }
+    }
+}
+
+#[test]
+fn both_formulas_beside_the_real_axis() {
+    // The edge between them: what one leaves out is nothing to the other.
+    let mut random = Random(55);
+    for _ in 0..4000 {
+        let a = random.between(80f64.sqrt(), 768f64.sqrt());
+        let near = series_next_to_real_axis(a);
+        let strip = series_beside_real_axis::<_, 16>(a, 2f64.powi(-28));
+        for (p, q) in [(near.0, strip.0), (near.1, strip.1)] {
+            assert!(
+                (p - q).abs() <= 2.0 * f64::EPSILON * q,
+                "{a:e}: {p:e} {q:e}"
+            );
         }
     }
 }
