@@ -190,14 +190,14 @@ trait Points {
     fn load(&self, start: usize, z: &mut [Complex<f64>]);
     /// Takes the values at the points from `start` on.
     fn store(&mut self, start: usize, w: &[Complex<f64>]);
-    /// N points from `start` on and the place of their values, if they need not be moved.
-    fn chunk<const N: usize>(
-        &mut self,
-        _: usize,
-    ) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
+    /// N points from `start` on and the room for their values, if they need not be moved.
+    fn chunk<const N: usize>(&mut self, _: usize) -> Option<Room<'_, N>> {
         None
     }
 }
+
+/// Points, and the room for their values.
+type Room<'a, const N: usize> = (&'a [Complex<f64>; N], &'a mut [Complex<f64>; N]);
 
 /// Batches shorter than this are not worth sorting.
 const SHORT: usize = 64;
@@ -231,10 +231,7 @@ impl Points for Interleaved<'_> {
     fn store(&mut self, start: usize, w: &[Complex<f64>]) {
         self.w[start..start + w.len()].copy_from_slice(w);
     }
-    fn chunk<const N: usize>(
-        &mut self,
-        start: usize,
-    ) -> Option<(&[Complex<f64>; N], &mut [Complex<f64>; N])> {
+    fn chunk<const N: usize>(&mut self, start: usize) -> Option<Room<'_, N>> {
         Some((
             self.z[start..].first_chunk()?,
             self.w[start..].first_chunk_mut()?,

@@ -43,9 +43,9 @@ pub(in crate::solvers) trait Wide: Simd {
     /// Stores the numbers from `at` on.
     fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize);
     /// The first and the second numbers of pairs `p(0)`, `p(1)`, …, as many as a vector has places.
-    fn from_pairs(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s);
+    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s);
     /// The reverse of it.
-    fn to_pairs(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8];
+    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8];
     /// The numbers, up to eight.
     fn store(self, v: Self::f64s, x: &mut [f64; 8]);
 }
@@ -133,7 +133,7 @@ impl Wide for V3 {
         x[at..at + 4].copy_from_slice(&v);
     }
     #[inline(always)]
-    fn from_pairs(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
+    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
         let (a, b) = (cast([p(0), p(2)]), cast([p(1), p(3)]));
         let x = self.avx;
         (
@@ -142,7 +142,7 @@ impl Wide for V3 {
         )
     }
     #[inline(always)]
-    fn to_pairs(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
+    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
         let (a, b, x) = (cast(first), cast(second), self.avx);
         let p: [[f64; 2]; 2] = cast(x._mm256_unpacklo_pd(a, b));
         let q: [[f64; 2]; 2] = cast(x._mm256_unpackhi_pd(a, b));
@@ -235,7 +235,7 @@ impl Wide for V4 {
         x[at..at + 8].copy_from_slice(&v);
     }
     #[inline(always)]
-    fn from_pairs(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
+    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
         let (a, b) = (
             cast([p(0), p(2), p(4), p(6)]),
             cast([p(1), p(3), p(5), p(7)]),
@@ -247,7 +247,7 @@ impl Wide for V4 {
         )
     }
     #[inline(always)]
-    fn to_pairs(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
+    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
         let (a, b, x) = (cast(first), cast(second), self.avx512f);
         let p: [[f64; 2]; 4] = cast(x._mm512_unpacklo_pd(a, b));
         let q: [[f64; 2]; 4] = cast(x._mm512_unpackhi_pd(a, b));

@@ -24,7 +24,7 @@ fn coefficients(slope: bool) -> Vec<Rational> {
         .map(|k| {
             a *= Rational::from((2 * k as i64 + 1, 2));
             let factor = if slope { 2 * k as i64 + 3 } else { 1 };
-            Rational::from(&a * Rational::from(factor))
+            &a * Rational::from(factor)
         })
         .collect()
 }
@@ -40,8 +40,8 @@ fn chebyshev(n: usize) -> Vec<Rational> {
         // T_{k+1} = 2 (2v/V − 1) T_k − T_{k−1}.
         let mut next = vec![Rational::new(); here.len() + 1];
         for (k, c) in here.iter().enumerate() {
-            next[k + 1] += Rational::from(c * Rational::from(4 * PER));
-            next[k] -= Rational::from(c * Rational::from(2));
+            next[k + 1] += c * Rational::from(4 * PER);
+            next[k] -= c * Rational::from(2);
         }
         for (k, c) in before.iter().enumerate() {
             next[k] -= c;
@@ -86,7 +86,7 @@ pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
             Ok(row)
         })?;
         // v times this stands beside 1.
-        let part = Rational::from(off / PER).to_f64();
+        let part = (off / PER).to_f64();
         if part > 2f64.powi(-56) {
             return Err(format!("the polynomials leave out {part:e}").into());
         }

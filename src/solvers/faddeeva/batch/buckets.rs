@@ -95,7 +95,7 @@ impl Chunk<'_> {
         numbers: &[u8; GROUPS],
         from: usize,
     ) -> (Pack<S>, Pack<S>) {
-        let (x, y) = simd.from_pairs(
+        let (x, y) = simd.deinterleave(
             #[inline(always)]
             |m| self.at(numbers[from + m]),
         );
@@ -118,7 +118,7 @@ impl Chunk<'_> {
     #[inline(always)]
     pub(super) fn scatter<S: Wide>(&mut self, bucket: usize, at: usize, re: Pack<S>, im: Pack<S>) {
         let numbers = window(&self.buffers.order[bucket], at);
-        let pairs = re.0.to_pairs(re.1, im.1);
+        let pairs = re.0.interleave(re.1, im.1);
         for m in 0..S::WIDTH {
             let [re, im] = pairs[m];
             self.w[numbers[m] as usize] = Complex::new(re, im);

@@ -1,13 +1,14 @@
 //! Many points at a time: put into buckets by the formula they need, a few hundred at a time on the
 //! stack, then computed side by side.
 
+pub(super) mod bucket;
 mod buckets;
 mod reflection;
 mod sort;
 
 use super::Points;
 use super::asymptotic::{series, series_rounded, two_terms};
-use super::branch::{BUCKETS, Kind, LOWER, SERIES_ALONE};
+use super::branch::Kind;
 use super::lanes::Lanes;
 use super::maclaurin::maclaurin;
 use super::pack::Wide;
@@ -19,6 +20,7 @@ use super::real::{Real, with_sign_of};
 use super::rows::{Cells, ImaginaryAxis, LowerDisc, NoRows, RealAxis};
 use super::taylor::{complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
 use super::zeros;
+use bucket::{BUCKETS, LOWER, SERIES_ALONE};
 use num_complex::Complex;
 
 /// Points sorted at a time.

@@ -1,7 +1,7 @@
 //! The lower half-plane: W at the mirror images by all formulas first, then the reflection of all of
 //! them.
 
-use super::super::branch::{Kind, LOWER, SERIES_ALONE};
+use super::super::branch::Kind;
 use super::super::double_double::Dd;
 use super::super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::lanes::Lanes;
@@ -10,6 +10,7 @@ use super::super::plane::{ALONE, negligible, reflect};
 use super::super::real::{ROUND, Real};
 use super::super::rows::{On, Rows};
 use super::super::zeros;
+use super::bucket::{LOWER, SERIES_ALONE};
 use super::{CHUNK, Chunk, GROUPS, window};
 use num_complex::Complex;
 
@@ -78,7 +79,7 @@ impl Chunk<'_> {
             let im = a.pick(none, v.hi, im).with_sign_of(x);
             if special.is_zero() && at + S::WIDTH <= len {
                 let numbers = window(&self.buffers.below, at);
-                let pairs = simd.to_pairs(re.1, im.1);
+                let pairs = simd.interleave(re.1, im.1);
                 for m in 0..S::WIDTH {
                     let [re, im] = pairs[m];
                     self.w[numbers[m] as usize] = Complex::new(re, im);

@@ -1,7 +1,7 @@
 //! Points into buckets.
 
-use super::super::branch::{bucket, places};
 use super::super::pack::{Pack, Wide};
+use super::bucket::{bucket, places};
 use super::{CHUNK, Chunk, SETS, pair};
 
 /// Points compared with a bucket at a time.
@@ -40,7 +40,7 @@ impl Chunk<'_> {
         let buffers = &mut *self.buffers;
         let mut at = 0;
         while at < n {
-            let (x, y) = simd.from_pairs(
+            let (x, y) = simd.deinterleave(
                 #[inline(always)]
                 |m| pair(self.z[(at + m) & (CHUNK - 1)]),
             );

@@ -1,6 +1,7 @@
 //! The choice of the formula: the scalar and the vector form are the same.
 
-use super::super::branch::{BUCKETS, Kind, LOWER, NEAR, SERIES_ALONE, TINY, bucket, kind, places};
+use super::super::batch::bucket::{BUCKETS, LOWER, SERIES_ALONE, bucket, places};
+use super::super::branch::{Kind, NEAR, TINY, kind};
 use super::super::pack::{Pack, Wide};
 use super::Random;
 use pulp::x86::{V3, V4};
