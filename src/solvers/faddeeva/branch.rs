@@ -87,6 +87,11 @@ pub enum Branch {
         /// Terms.
         terms: u32,
     },
+    /// The same next to the real axis, by polynomials in `1/(Re z)²`.
+    RealLine {
+        /// Terms.
+        terms: u32,
+    },
     /// Asymptotic series.
     Asymptotic {
         /// Terms.
@@ -123,7 +128,8 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
         Kind::Disc => Branch::LowerCell { terms: 18 },
         Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
         Kind::RealAxis => Branch::RealAxis { terms: 18 },
-        Kind::Strip | Kind::RealLine => Branch::Strip { terms: 16 },
+        Kind::Strip => Branch::Strip { terms: 16 },
+        Kind::RealLine => Branch::RealLine { terms: 10 },
         Kind::Series26 => Branch::Asymptotic { terms: 26 },
         Kind::Series14 => Branch::Asymptotic { terms: 14 },
         Kind::Series6 => Branch::Asymptotic { terms: 6 },

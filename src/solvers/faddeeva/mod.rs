@@ -84,6 +84,8 @@ mod taylor;
 #[cfg(target_arch = "x86_64")]
 mod taylor_packs;
 mod trapezoidal;
+#[cfg(target_arch = "x86_64")]
+mod two;
 mod voigt;
 mod zeros;
 
@@ -191,15 +193,18 @@ trait Points {
     /// Takes the values at the points from `start` on.
     fn store(&mut self, start: usize, w: &[Complex<f64>]);
     /// N points from `start` on and the room for their values, if they need not be moved.
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
     fn chunk<const N: usize>(&mut self, _: usize) -> Option<Room<'_, N>> {
         None
     }
 }
 
 /// Points, and the room for their values.
+#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 type Room<'a, const N: usize> = (&'a [Complex<f64>; N], &'a mut [Complex<f64>; N]);
 
 /// Batches shorter than this are not worth sorting.
+#[cfg(target_arch = "x86_64")]
 const SHORT: usize = 64;
 
 /// W at all points.

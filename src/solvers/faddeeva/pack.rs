@@ -3,7 +3,7 @@
 
 use super::Points;
 use super::batch::batch;
-use super::real::{Real, Two};
+use super::real::Real;
 use super::taylor_packs::{Parts, by_columns, by_rows};
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast, f64x4};
@@ -303,29 +303,6 @@ impl<S: Wide> Pack<S> {
     pub(super) fn is_zero(self) -> bool {
         let s = self.0;
         s.first_true_m64s(s.less_than_f64s(s.splat_f64s(0.0), self.1)) >= S::WIDTH
-    }
-}
-
-impl<S: Wide> Two<Pack<S>> {
-    /// The numbers; those beyond its width are zero.
-    #[inline(always)]
-    pub(super) fn array(self) -> [f64; 16] {
-        let mut v = [0.0; 16];
-        self.0.store_at(&mut v, 0);
-        self.1.store_at(&mut v, S::WIDTH);
-        v
-    }
-
-    /// `self`, negated where `x` has a minus sign.
-    #[inline(always)]
-    pub(super) fn with_sign_of(self, x: Self) -> Self {
-        Two(self.0.with_sign_of(x.0), self.1.with_sign_of(x.1))
-    }
-
-    /// Whether all numbers, none of them negative, are zero.
-    #[inline(always)]
-    pub(super) fn is_zero(self) -> bool {
-        self.0.is_zero() & self.1.is_zero()
     }
 }
 

@@ -12,6 +12,7 @@ use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::lanes::Lanes;
 #[cfg(target_arch = "x86_64")]
 use super::pack::{Pack, Wide};
+#[cfg(target_arch = "x86_64")]
 use super::plane::entry;
 use super::real::Real;
 use super::tables::ZEROS;

@@ -2,8 +2,9 @@
 
 use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
-use super::super::real::{Real, Two};
+use super::super::real::Real;
 use super::super::rows::{On, Rows};
+use super::super::two::Two;
 use super::{CHUNK, Chunk, Formula, GROUPS, window};
 use num_complex::Complex;
 

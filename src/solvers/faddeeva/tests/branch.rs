@@ -1,7 +1,7 @@
 //! The choice of the formula: the scalar and the vector form are the same.
 
 use super::super::batch::bucket::{BUCKETS, LOWER, SERIES_ALONE, bucket, places};
-use super::super::branch::{Kind, NEAR, TINY, kind};
+use super::super::branch::{Branch, Kind, NEAR, TINY, kind};
 use super::super::pack::{Pack, Wide};
 use super::Random;
 use pulp::x86::{V3, V4};
@@ -90,5 +90,32 @@ fn side_by_side() {
     }
     if let Some(simd) = V4::try_new() {
         check(simd);
+    }
+}
+
+#[test]
+fn as_told() {
+    use super::super::branch;
+    let told = [
+        ((0.005, 0.005), Branch::Maclaurin { terms: 9 }),
+        ((-1.0, 1.0), Branch::Cell { terms: 18 }),
+        ((1.0, -1.5), Branch::Cell { terms: 18 }),
+        ((0.5, -0.5), Branch::LowerCell { terms: 18 }),
+        ((0.1, 3.0), Branch::ImaginaryAxis { terms: 18 }),
+        ((5.0, -0.1), Branch::RealAxis { terms: 18 }),
+        ((12.0, 0.1), Branch::Strip { terms: 16 }),
+        ((12.0, -1e-9), Branch::RealLine { terms: 10 }),
+        ((7.0, 3.0), Branch::Asymptotic { terms: 26 }),
+        ((9.0, 9.0), Branch::Asymptotic { terms: 14 }),
+        ((30.0, 30.0), Branch::Asymptotic { terms: 6 }),
+        ((300.0, -30.0), Branch::Asymptotic { terms: 6 }),
+        ((300.0, 30.0), Branch::Asymptotic { terms: 4 }),
+        ((1e5, 1e5), Branch::Asymptotic { terms: 2 }),
+        ((1e200, 1e200), Branch::Huge),
+        ((f64::NAN, 1.0), Branch::Huge),
+        ((1.99, -1.35), Branch::Zero { zero: 1, terms: 21 }),
+    ];
+    for ((x, y), branch) in told {
+        assert_eq!(branch::branch(f64::abs(x), y), branch, "{x} {y}");
     }
 }
