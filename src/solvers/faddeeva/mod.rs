@@ -4,12 +4,12 @@
 //! Each component within a few units in its own last place wherever it is representable: beside
 //! the axes, on the diagonals, in the lower half-plane and next to the zeros of w and of its
 //! components. Worst found against the certified reference at 10⁷ points in each of the seven regions
-//! of `benches/peers`: 1.20 · 2⁻⁵² of the norm (0.99 in the upper half-plane); of the component, 2.9 units
-//! in the last place in the upper half-plane, 3.2 in the unit disc, 2.2 beside the real axis, 4.2 in the
-//! lower half-plane, 3.1 on the diagonals and 3.3 next to zeros. Known to be worse: components below 2⁻⁴⁵ of the terms they are the
-//! difference of (an `f64` or two from a curve on which they are zero), for which double-double is not
-//! enough, 68 units at the worst point found. `benches/peers` repeats the measurement beside
-//! other codes, `mechaudit audit faddeeva` judges it.
+//! of `benches/peers`: 1.50 · 2⁻⁵² of the norm (0.99 in the upper half-plane); of the component, 2.9
+//! units in the last place in the upper half-plane, 3.9 in the unit disc, 2.2 beside the real axis, 4.2
+//! in the lower half-plane, 3.1 on the diagonals and 3.6 next to zeros. Known to be worse: components
+//! below 2⁻⁴⁵ of the terms they are the difference of (an `f64` or two from a curve on which they are
+//! zero), for which double-double is not enough, 68 units at the worst point found. `benches/peers`
+//! repeats the measurement beside other codes, `mechaudit audit faddeeva` judges it.
 //!
 //! # Method
 //! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]):
