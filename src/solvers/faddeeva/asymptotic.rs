@@ -91,7 +91,8 @@ pub(super) fn series_rounded<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
     (gu.fma(p, p), gv.fma(q, q))
 }
 
-/// The same with two terms for `|z| ≥ 1024`: what is left out is below `0.06 · 2⁻⁵³` of a component.
+/// The same with two terms for `|z| ≥ 1024`: what is left out is below `7a₃ 2⁻⁶⁰`, a tenth of `2⁻⁵³`, of a
+/// component.
 ///
 /// With `c = cos 2θ`, θ the argument of z, the real part of `i z̄ q^n/b` is `sin (2n + 1)θ/sin θ` over
 /// powers of |z|, for `n = 1, 2` that is `1 + 2c` and `4c² + 2c − 1`; the imaginary part likewise with

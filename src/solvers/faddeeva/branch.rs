@@ -2,7 +2,7 @@
 
 use super::{maclaurin, zeros};
 
-// Every limit of |z|² is one of 1, 5/4, 3/2, 7/4 times a power of two, so that the exponent and the
+// Every limit of |z|² but the last is one of 1, 5/4, 3/2, 7/4 times a power of two, so that the exponent and the
 // first two bits of the fraction tell which side of it a number is on.
 
 /// |z|² below which the Maclaurin series is used.
