@@ -84,8 +84,7 @@ pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
 /// The same, each part as one number: two roundings, and what the correction adds.
 #[inline(always)]
 pub(super) fn series_rounded<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
-    let least = a.like(LEAST);
-    let (x, y) = (a.at_least(least), b.at_least(least));
+    let (x, y) = (a.raised(LEAST), b.raised(LEAST));
     let [gu, gv, f] = factors_rounded::<R, N>((x * x, y * y), (x.at_least(y), x.at_most(y)));
     let (p, q) = (b * f, a * f);
     (gu.fma(p, p), gv.fma(q, q))
@@ -100,7 +99,7 @@ pub(super) fn series_rounded<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
 #[inline(always)]
 pub(super) fn two_terms<R: Real>(a: R, b: R) -> (R, R) {
     let like = |c: f64| a.like(c);
-    let (x, y) = (a.at_least(like(LEAST)), b.at_least(like(LEAST)));
+    let (x, y) = (a.raised(LEAST), b.raised(LEAST));
     let (f, error) = reciprocal(x.at_least(y), x.at_most(y));
     let t = f * like(SQRT_PI);
     let c = (x * x - y * y) * t;
@@ -115,7 +114,7 @@ pub(super) fn two_terms<R: Real>(a: R, b: R) -> (R, R) {
 /// The same for `a ≥ b`: the real part divided by `b`, and the imaginary part.
 #[inline(always)]
 pub(super) fn series_beside_real_axis<R: Real, const N: usize>(a: R, b: R) -> (R, R) {
-    let y = b.at_least(a.like(LEAST));
+    let y = b.raised(LEAST);
     let [gu, gv, f] = factors_rounded::<R, N>((a * a, y * y), (a, y));
     let q = a * f;
     (gu.fma(f, f), gv.fma(q, q))
@@ -185,8 +184,7 @@ fn reciprocal<R: Real>(large: R, small: R) -> (R, R) {
 #[inline(always)]
 fn factors<R: Real, const N: usize>(a: R, b: R) -> [R; 4] {
     let like = |c: f64| a.like(c);
-    let least = like(LEAST);
-    let (a, b) = (a.at_least(least), b.at_least(least));
+    let (a, b) = (a.raised(LEAST), b.raised(LEAST));
     // r² and 1/(√π r²), as hi + lo.
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let r2 = two_sum(xx.hi, yy.hi);

@@ -1,5 +1,6 @@
 //! Which formula computes W(z) where.
 
+use super::real::Real;
 use super::{maclaurin, zeros};
 
 // Every limit of |z|² but the last is one of 1, 5/4, 3/2, 7/4 times a power of two, so that the exponent and the
@@ -14,8 +15,6 @@ const DISC_EDGE: f64 = 1.0;
 const APART: f64 = 1.25;
 const BEYOND: f64 = 80.0;
 const GONE: f64 = 768.0;
-/// |z|² from which the strip beside the imaginary axis is twice as wide.
-pub(super) const WIDE: f64 = 14.0;
 /// |z|² from which the asymptotic series is used, and from which it needs 14, 6, 4, 2 terms
 /// instead of 26.
 const FAR: f64 = 48.0;
@@ -26,8 +25,8 @@ pub(super) const TERMS_2: f64 = 1_048_576.0;
 /// |z|² above this is scaled first.
 pub(super) const HUGE: f64 = 1e200;
 
-/// Half the distance of the centres of the fine cells, and half the width of the strips beside the
-/// axes; 1/8 belongs to the strips, where a cell's centre would be on the axis.
+/// Half the distance of the centres of the cells, and half the width of the strip beside the real
+/// axis; 1/8 belongs to the strip, where a cell's centre would be on the axis.
 pub(super) const STRIP: f64 = 0.125_f64.next_up();
 /// Closer to the real axis only the first power of Im z counts in the strip from [`BEYOND`] on.
 pub(super) const NEAR: f64 = f64::from_bits((1023 - 28) << 52);
@@ -39,7 +38,6 @@ pub(super) const TINY: f64 = 1e-290;
 #[repr(u8)]
 pub(super) enum Kind {
     Cell,
-    ImaginaryAxis,
     Series26,
     Series14,
     Series6,
@@ -72,7 +70,7 @@ pub enum Branch {
         /// Terms.
         terms: u32,
     },
-    /// Taylor series of erfcx about a centre on the imaginary axis.
+    /// Taylor series of erfcx about a centre on the imaginary axis, on this axis.
     ImaginaryAxis {
         /// Terms.
         terms: u32,
@@ -124,9 +122,9 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
         },
         Kind::Series4 => Branch::Asymptotic { terms: 4 },
         Kind::Series2 => Branch::Asymptotic { terms: 2 },
+        Kind::Cell if a == 0.0 && y >= 0.0 => Branch::ImaginaryAxis { terms: 18 },
         Kind::Cell => Branch::Cell { terms: 18 },
         Kind::Disc => Branch::LowerCell { terms: 18 },
-        Kind::ImaginaryAxis => Branch::ImaginaryAxis { terms: 18 },
         Kind::RealAxis => Branch::RealAxis { terms: 18 },
         Kind::Strip => Branch::Strip { terms: 16 },
         Kind::RealLine => Branch::RealLine { terms: 10 },
@@ -137,16 +135,10 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
     }
 }
 
-/// The formula at a point, by |z|², whether it lies in the lower half-plane, in the strips beside
-/// the real and the imaginary axis, and next to the real one.
+/// The formula at a point, by |z|², whether it lies in the lower half-plane, in the strip beside the
+/// real axis, and next to it.
 #[inline(always)]
-pub(super) const fn formula(
-    r2: f64,
-    low: bool,
-    beside_real: bool,
-    beside_imaginary: bool,
-    next_to_real: bool,
-) -> Kind {
+pub(super) const fn formula(r2: f64, low: bool, beside_real: bool, next_to_real: bool) -> Kind {
     if beside_real & (r2 >= APART) & (r2 < GONE) {
         if r2 < BEYOND {
             Kind::RealAxis
@@ -160,8 +152,6 @@ pub(super) const fn formula(
             Kind::Small
         } else if low & (r2 < DISC_EDGE) {
             Kind::Disc
-        } else if beside_imaginary {
-            Kind::ImaginaryAxis
         } else {
             Kind::Cell
         }
@@ -182,16 +172,21 @@ pub(super) const fn formula(
     }
 }
 
-/// Half the width of the strip beside the imaginary axis.
+/// Added to the distance from the real axis, where it does not count in |z|²: squares that underflow
+/// take as long as half of a formula.
+const RAISE: f64 = 1e-150;
+
+/// |z|², by which the formula is chosen.
 #[inline(always)]
-fn width(r2: f64) -> f64 {
-    if r2 < WIDE { STRIP } else { 2.0 * STRIP }
+pub(super) fn modulus_squared<R: Real>(a: R, b: R) -> R {
+    let b = b + b.like(RAISE);
+    a.fma(a, b * b)
 }
 
 /// The formula at `a + i y`, `a ≥ 0`.
 #[inline(always)]
 pub(super) fn kind(a: f64, y: f64) -> Kind {
     let b = y.abs();
-    let r2 = a.mul_add(a, b * b);
-    formula(r2, y < 0.0, b < STRIP, a < width(r2), b < NEAR)
+    let r2 = modulus_squared(a, b);
+    formula(r2, y < 0.0, b < STRIP, b < NEAR)
 }

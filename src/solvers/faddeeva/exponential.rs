@@ -41,7 +41,7 @@ pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
 #[inline(always)]
 pub(super) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
     let p = two_prod(a, a);
-    let y = y.magnitude().at_least(a.like(1e-140));
+    let y = y.magnitude().raised(1e-140);
     Dd::new(-p.hi, y.fma(y, -p.lo))
 }
 

@@ -4,10 +4,9 @@
 //! w(z) = Σ (iz)ⁿ/Γ(n/2 + 1)                                             (DLMF 7.6.3)
 //! ```
 //!
-//! In `v = −iz` this is `1 + v (k₁ + k₂v + …)` with real coefficients. With `v² = pv − t` the
-//! polynomial is `α + βv` (Knuth, *TAOCP* 2, 4.6.4), and the imaginary part of `v` stays a factor:
-//! both components of w keep their relative accuracy beside the axes. There are no fused
-//! multiplications, so that any processor runs this without being asked what it can do.
+//! In `v = −iz` this is `1 + k₁v + k₂v² + …` with real coefficients, and with `v² = pv − t` it is
+//! `1 + b₁v − t b₂` (Knuth, *TAOCP* 2, 4.6.4), `b_n = k_n + p b_{n+1} − t b_{n+2}`: the imaginary part of v
+//! is a factor, and both components of w keep their relative accuracy beside the axes.
 
 use super::double_double::{fast_two_sum, two_prod};
 use super::real::Real;
@@ -33,36 +32,20 @@ const FIRST_LO: f64 = -2.0 * super::constants::INV_SQRT_PI.lo;
 /// Terms of the series.
 pub(super) const TERMS: u32 = K.len() as u32 + 1;
 
-/// `k₂v² + k₄v⁴ + k₆v⁶ = α + βv²` for the coefficients from `first` on, every other one, where
-/// `v⁴ = pv² − t`.
-#[inline(always)]
-fn every_other<R: Real>(first: usize, p: R, t: R) -> (R, R) {
-    let k = |n: usize| p.like(K[first + n]);
-    let b = k(4) + p * k(6);
-    (-t * b, (k(2) - t * k(6)) + p * b)
-}
-
-/// `v (k₁ + k₂v + …)` with `v² = pv − t`: odd and even terms apart, for half the chain of dependent
-/// operations.
-#[inline(always)]
-fn polynomial<R: Real>((p, t): (R, R), (vr, vi): (R, R)) -> (R, R) {
-    let (pp, tt) = (p * p - (t + t), t * t);
-    let ((oa, ob), (ea, eb)) = (every_other(0, pp, tt), every_other(1, pp, tt));
-    // In powers of v: o = (oa − t ob) + p ob v; k₂v is left to the end with k₁.
-    let (oa, ob) = (oa - t * ob, p * ob);
-    let (ea, eb) = (ea - t * eb, p * eb);
-    // o + v e = α + βv.
-    let (alpha, beta) = (oa - t * eb, (ob + ea) + p * eb);
-    let beta = p.like(K[1]) + beta;
-    let s = p.like(K[0]) + (alpha + p * beta);
-    (s * vr - t * beta, s * vi)
-}
-
 /// `(Re w, Im w)` at `x + i y` for `|z| < 2⁻⁷`; what is left out is below `0.2 |z|⁸` of a component.
 #[inline(always)]
 pub(super) fn maclaurin<R: Real>(x: R, y: R) -> (R, R) {
-    let (gr, gi) = polynomial((y + y, x * x + y * y), (y, -x));
-    (x.like(1.0) + gr, gi)
+    let k = |n: usize| x.like(K[n - 1]);
+    let (p, minus) = (y + y, -x.fma(x, y * y));
+    let mut next = k(8);
+    let mut last = p.fma(next, k(7));
+    for n in (2..7).rev() {
+        (last, next) = (p.fma(last, minus.fma(next, k(n))), last);
+    }
+    // b₁ without k₁.
+    let rest = p.fma(last, minus * next);
+    let small = y.fma(rest, minus * last);
+    (x.like(1.0) + y.fma(k(1), small), -x.fma(k(1), x * rest))
 }
 
 /// `w(iy) = erfcx y` for `|y| < 2⁻⁷`, rounded once at the end. What is rounded before is below

@@ -3,7 +3,7 @@
 use super::asymptotic::{
     large, series, series_beside_real_axis, series_next_to_real_axis, series_rounded, two_terms,
 };
-use super::branch::{HUGE, Kind, SMALL, STRIP, TERMS_2, TINY, kind};
+use super::branch::{Kind, TINY, kind};
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip, gaussian,
@@ -13,17 +13,14 @@ use super::lanes::{Lanes, Task, with_best};
 use super::maclaurin::{self, maclaurin};
 use super::real::{ROUND, Real, scaled, with_sign_of};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
-use super::taylor::{
-    ComplexRow, RealRow, complex_row, complex_row_rounded, real_row, real_row_rounded,
-};
+use super::taylor::{ComplexRow, RealRow, complex_row, complex_row_rounded, real_row};
 use super::{special, trapezoidal, zeros};
 
-/// The same however |z|² is rounded.
-const SMALL_SURELY: f64 = SMALL * (1.0 - 1e-15);
-const TERMS_2_SURELY: f64 = TERMS_2 * (1.0 + 1e-15);
-const HUGE_SURELY: f64 = HUGE * (1.0 - 1e-15);
-/// Where the fine cells end: the larger of |Re z|, |Im z|.
-const FINE: f64 = 3.75;
+/// Within these limits of the larger of |Re z| and |Im z|, as bits, |z|² is within its own, however it is
+/// rounded.
+const NEAR_SURELY: u64 = 0.0055f64.to_bits();
+const FAR_SURELY: u64 = 1024f64.next_up().to_bits();
+const HUGE_SURELY: u64 = 7e99f64.to_bits();
 /// Above `2⁵⁵ |e^{−z²}|` in the strip.
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
@@ -44,23 +41,15 @@ const LEAST: f64 = 1e-80;
 /// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
 #[inline(always)]
 pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
-    let like = |x: f64| a.like(x);
-    // Beside the real axis the fine cells go on.
-    let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
-    // Not three choices: they would become a branch.
-    let fine = a.pick(fine, like(1.0), like(0.0));
-    let step = fine.fma(like(2.0), like(2.0));
-    let unit = fine.fma(like(0.25), like(-0.5));
-    let base = fine.fma(like(-512.0), like(ROUND + 512.0));
-    let round = like(ROUND);
-    let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
-    [j.fma(like(32.0), i) + base, i.fma(unit, a), j.fma(unit, b)]
+    let ((i, dx), (j, dy)) = (on_axis(a), on_axis(b));
+    [(j - j.like(ROUND)).fma(a.like(32.0), i), dx, dy]
 }
 
-/// The row of cell number `n`.
+/// The row of the cell around `a + i b`, and the distance from its centre.
 #[inline(always)]
-pub(super) fn cell_row(n: f64) -> &'static ComplexRow {
-    &CELLS[cell_number(n) as usize]
+pub(super) fn in_cell(a: f64, b: f64) -> (&'static ComplexRow, f64, f64) {
+    let [n, dx, dy] = cell(a, b);
+    (entry(&CELLS, cell_number(n) as usize), dx, dy)
 }
 
 /// Its place in the table.
@@ -137,13 +126,7 @@ pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
 /// The row of centre `n` on the imaginary axis.
 #[inline(always)]
 pub(super) fn imaginary_axis_row(n: f64) -> &'static RealRow {
-    entry(&IMAGINARY_AXIS, imaginary_axis_number(n) as usize)
-}
-
-/// Its place in the table.
-#[inline(always)]
-pub(super) fn imaginary_axis_number(n: f64) -> u16 {
-    n.to_bits() as u16 & 31
+    entry(&IMAGINARY_AXIS, n.to_bits() as usize & 31)
 }
 
 /// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.
@@ -152,12 +135,6 @@ pub(super) fn from_erfcx<R: Real>(a: R, (p, s): (Dd<R>, Dd<R>)) -> (Dd<R>, Dd<R>
     let minus = -a;
     let m = minus * s.hi;
     (p, fast_two_sum(m, minus.fma(s.lo, minus.fma(s.hi, -m))))
-}
-
-/// The same from rounded numbers.
-#[inline(always)]
-pub(super) fn from_erfcx_rounded<R: Real>(a: R, (p, s): (R, R)) -> (R, R) {
-    (p, -a * s)
 }
 
 /// w in the strip beside the real axis from the asymptotic series and `e^{y² − a²} cos 2ay`, which
@@ -260,7 +237,7 @@ impl Task for Cancelled {
 #[inline(always)]
 fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
     let re = match kind(0.0, b) {
-        Kind::ImaginaryAxis | Kind::Cell => {
+        Kind::Cell => {
             let (n, t) = on_axis(b);
             real_row(lanes, imaginary_axis_row(n), t, 0.0).0
         }
@@ -281,12 +258,8 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
     }
     match kind(a, b) {
         Kind::Cell => {
-            let [n, dx, dy] = cell(a, b);
-            complex_row_rounded(lanes, cell_row(n), dx, dy)
-        }
-        Kind::ImaginaryAxis => {
-            let (n, t) = on_axis(b);
-            from_erfcx_rounded(a, real_row_rounded(lanes, imaginary_axis_row(n), t, a))
+            let (row, dx, dy) = in_cell(a, b);
+            complex_row_rounded(lanes, row, dx, dy)
         }
         Kind::RealAxis => {
             let (n, t) = on_real_axis(a);
@@ -314,13 +287,13 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
 /// The distance from the real axis where [`LEAST`] makes no difference.
 #[inline(always)]
 pub(super) fn above_real_axis<R: Real>(b: R) -> R {
-    b.at_least(b.like(LEAST))
+    b.raised(LEAST)
 }
 
 /// The same below the real axis.
 #[inline(always)]
 pub(super) fn below_real_axis<R: Real>(y: R) -> R {
-    y.at_most(y.like(-LEAST))
+    -((-y).raised(LEAST))
 }
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, `y < 0`.
@@ -355,12 +328,8 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
     };
     let (u, v) = match kind(a, y) {
         Kind::Cell => {
-            let [n, dx, dy] = cell(a, b);
-            complex_row(lanes, cell_row(n), dx, dy)
-        }
-        Kind::ImaginaryAxis => {
-            let (n, t) = on_axis(b);
-            from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
+            let (row, dx, dy) = in_cell(a, b);
+            complex_row(lanes, row, dx, dy)
         }
         Kind::Series26 => series::<_, 26>(a, b),
         Kind::Series14 => series::<_, 14>(a, b),
@@ -396,25 +365,17 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
     unless_lost(reflect((u, v), (c, s, n)))
 }
 
-/// Parts of the right half-plane as functions of their own: far above the real axis, on or above
-/// it, below it.
-struct Far(f64, f64);
+/// The half-planes as functions of their own, so that the points that need few instructions do not
+/// make room for the registers of the others.
 struct Upper(f64, f64);
 struct Lower(f64, f64);
-
-impl Task for Far {
-    type Output = (f64, f64);
-    #[inline(always)]
-    fn run<L: Lanes>(self, _: L) -> (f64, f64) {
-        two_terms(self.0, self.1)
-    }
-}
 
 impl Task for Upper {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        upper(lanes, self.0, self.1)
+        let (re, im) = upper(lanes, self.0.abs(), self.1.abs());
+        (re, with_sign_of(im, self.0))
     }
 }
 
@@ -422,61 +383,44 @@ impl Task for Lower {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        lower(lanes, self.0, self.1)
+        let (re, im) = lower(lanes, self.0.abs(), self.1);
+        (re, with_sign_of(im, self.0))
     }
 }
 
-/// Something that runs tasks.
-trait Runner {
-    fn run<T: Task>(self, task: T) -> T::Output;
-}
+/// W(z) at `x + i y`.
+struct W(f64, f64);
 
-/// With the best instructions of this processor.
-struct Best;
-
-impl Runner for Best {
+impl Task for W {
+    type Output = (f64, f64);
     #[inline(always)]
-    fn run<T: Task>(self, task: T) -> T::Output {
-        with_best(task)
-    }
-}
-
-/// With these instructions.
-struct With<L>(L);
-
-impl<L: Lanes> Runner for With<L> {
-    #[inline(always)]
-    fn run<T: Task>(self, task: T) -> T::Output {
-        self.0.call(task)
+    fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
+        w(lanes, self.0, self.1)
     }
 }
 
 /// `(Re w, Im w)` at `x + i y`, with the best instructions of this processor.
 #[inline(always)]
 pub(super) fn w_with_best(x: f64, y: f64) -> (f64, f64) {
-    w_by(Best, x, y)
+    with_best(W(x, y))
 }
 
-/// `(Re w, Im w)` at `x + i y`.
+/// `(Re w, Im w)` at `x + i y`. w(−z̄) is the conjugate of w(z).
 #[inline(always)]
 pub(super) fn w<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
-    w_by(With(lanes), x, y)
-}
-
-#[inline(always)]
-fn w_by(runner: impl Runner, x: f64, y: f64) -> (f64, f64) {
-    let r2 = x * x + y * y;
-    let (a, b) = (x.abs(), y.abs());
-    if (r2 < SMALL_SURELY) & (a > 0.0) {
+    // Twice the bits: without the sign.
+    let (p, q) = (x.to_bits() << 1, y.to_bits() << 1);
+    let larger = p.max(q);
+    if (larger < NEAR_SURELY << 1) & (p > 0) {
         return maclaurin(x, y);
     }
-    let (re, im) = if (y >= 0.0) & (a > 0.0) & (TERMS_2_SURELY..HUGE_SURELY).contains(&r2) {
-        runner.run(Far(a, b))
-    } else if y < 0.0 {
-        runner.run(Lower(a, y))
-    } else {
-        runner.run(Upper(a, b))
-    };
-    // w(−z̄) is the conjugate of w(z).
-    (re, with_sign_of(im, x))
+    if y < 0.0 {
+        return lanes.call(Lower(x, y));
+    }
+    let far = larger.wrapping_sub(FAR_SURELY << 1) < (HUGE_SURELY - FAR_SURELY) << 1;
+    if far & (p > 0) {
+        let (re, im) = two_terms(x.abs(), y.abs());
+        return (re, with_sign_of(im, x));
+    }
+    lanes.call(Upper(x, y))
 }

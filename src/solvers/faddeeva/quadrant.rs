@@ -8,9 +8,7 @@ use super::double_double_functions as exact;
 pub(super) use super::exponential::{circle, exp_wide, gaussian, times_power};
 use super::exponential::{exp_minus_square_any, exponent};
 use super::lanes::Lanes;
-use super::plane::{
-    cell, cell_row, from_erfcx, imaginary_axis_row, on_axis, on_real_axis, real_axis_row,
-};
+use super::plane::{from_erfcx, imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
 use super::real::{ROUND, scaled};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
@@ -85,7 +83,7 @@ fn place(a: f64, b: f64) -> Place {
         } else {
             Place::Far
         }
-    } else if a < (if a.max(b) < 3.75 { STRIP } else { 2.0 * STRIP }) {
+    } else if a < STRIP {
         Place::ImaginaryAxis
     } else if (b < STRIP) & (a >= 1.125) {
         Place::RealAxis
@@ -116,8 +114,8 @@ pub(super) fn far(a: f64, b: f64) -> (Dd, Dd) {
 pub(super) fn w<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     match place(a, b) {
         Place::Cell => {
-            let [n, dx, dy] = cell(a, b);
-            complex_row(lanes, cell_row(n), dx, dy)
+            let (row, dx, dy) = in_cell(a, b);
+            complex_row(lanes, row, dx, dy)
         }
         Place::ImaginaryAxis => {
             let (n, t) = on_axis(b);
@@ -277,8 +275,8 @@ pub(super) fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
 pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
     match place(a, b) {
         Place::Cell => {
-            let [n, dx, dy] = cell(a, b);
-            let (u, v) = complex_derivative(lanes, cell_row(n), (a - dx, b - dy), (dx, dy));
+            let (row, dx, dy) = in_cell(a, b);
+            let (u, v) = complex_derivative(lanes, row, (a - dx, b - dy), (dx, dy));
             // Next to the origin the slope is large beside the value.
             let part = if a.max(b) < 2.0 { 0.4 } else { CANCELLED };
             let (p, q) = (u.hi.abs(), v.hi.abs());
@@ -336,8 +334,8 @@ fn dawson_part(row: &ComplexRow) -> RealRow {
 pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
     let (row, dx) = match place(t, 0.0) {
         Place::Cell => {
-            let [n, dx, _] = cell(t, 0.0);
-            (cell_row(n), dx)
+            let (row, dx, _) = in_cell(t, 0.0);
+            (row, dx)
         }
         Place::RealAxis => {
             let (n, dx) = on_real_axis(t);

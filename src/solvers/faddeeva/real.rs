@@ -28,6 +28,9 @@ pub(in crate::solvers) trait Real:
     fn magnitude(self) -> Self;
     fn at_least(self, low: Self) -> Self;
     fn at_most(self, high: Self) -> Self;
+    /// At least a constant. Where the result is squared: of a comparison written out a compiler squares
+    /// both sides and then chooses, and a square that underflows takes as long as half of a formula.
+    fn raised(self, least: f64) -> Self;
     fn below(self, other: Self) -> Self::Mask;
     fn or(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     fn pick(self, mask: Self::Mask, yes: Self, no: Self) -> Self;
@@ -58,6 +61,10 @@ impl Real for f64 {
     #[inline(always)]
     fn at_least(self, low: f64) -> f64 {
         if self < low { low } else { self }
+    }
+    #[inline(always)]
+    fn raised(self, least: f64) -> f64 {
+        self.max(least)
     }
     #[inline(always)]
     fn at_most(self, high: f64) -> f64 {
@@ -162,6 +169,10 @@ impl Real for Four {
     #[inline(always)]
     fn at_least(self, low: Four) -> Four {
         self.zip(low, f64::at_least)
+    }
+    #[inline(always)]
+    fn raised(self, least: f64) -> Four {
+        Four(self.0.map(|x| x.raised(least)))
     }
     #[inline(always)]
     fn at_most(self, high: Four) -> Four {

@@ -1,46 +1,39 @@
 //! The tables of Taylor rows as batches use them: which row serves each of a group of points.
 
-use super::pack::{Pack, Wide};
-use super::plane::{cell, cell_number, disc_cell, disc_number, entry, imaginary_axis_number};
-use super::plane::{on_axis, on_real_axis, real_axis_number};
+use super::plane::{
+    above_real_axis, below_real_axis, cell, cell_number, disc_cell, disc_number, entry,
+    on_real_axis, real_axis_number,
+};
 use super::real::Real;
-use super::tables::{CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
+use super::tables::{CELLS, DISC, REAL_AXIS};
+use super::taylor::ComplexRow;
 
-/// A table of rows with N numbers.
-pub(super) trait Rows<const N: usize>: Copy {
-    /// Whether there is a table.
-    const SOME: bool = true;
+/// A table of rows.
+pub(super) trait Rows: Copy {
     /// For `a + i y`: the code of the row plus `ROUND`, and the distance from its centre.
     fn locate<R: Real>(self, a: R, y: R) -> [R; 3];
     /// The row's place in the table, by its code.
     fn number(self, code: f64) -> u16;
-    fn row(self, number: u16) -> &'static [f64; N];
+    fn row(self, number: u16) -> &'static [f64; 40];
 }
 
-/// A formula without rows.
-#[derive(Clone, Copy)]
-pub(super) struct NoRows;
-
-impl Rows<0> for NoRows {
-    const SOME: bool = false;
-    #[inline(always)]
-    fn locate<R: Real>(self, a: R, _: R) -> [R; 3] {
-        [a; 3]
-    }
-    #[inline(always)]
-    fn number(self, _: f64) -> u16 {
-        0
-    }
-    #[inline(always)]
-    fn row(self, _: u16) -> &'static [f64; 0] {
-        &[]
-    }
+/// A table whose place the compiler does not know: it would fetch it anew for every load.
+#[inline(always)]
+fn table<T>(rows: &'static T) -> &'static T {
+    std::hint::black_box(rows)
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct Cells;
+pub(super) struct Cells(&'static [ComplexRow; CELLS.len()]);
 
-impl Rows<40> for Cells {
+impl Cells {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Cells(table(&CELLS))
+    }
+}
+
+impl Rows for Cells {
     #[inline(always)]
     fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
         cell(a, y.magnitude())
@@ -51,14 +44,21 @@ impl Rows<40> for Cells {
     }
     #[inline(always)]
     fn row(self, number: u16) -> &'static [f64; 40] {
-        &entry(&CELLS, number as usize).0
+        &entry(self.0, number as usize).0
     }
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct LowerDisc;
+pub(super) struct LowerDisc(&'static [ComplexRow; DISC.len()]);
 
-impl Rows<40> for LowerDisc {
+impl LowerDisc {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        LowerDisc(table(&DISC))
+    }
+}
+
+impl Rows for LowerDisc {
     #[inline(always)]
     fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
         disc_cell(a, y)
@@ -69,18 +69,27 @@ impl Rows<40> for LowerDisc {
     }
     #[inline(always)]
     fn row(self, number: u16) -> &'static [f64; 40] {
-        &entry(&DISC, number as usize).0
+        &entry(self.0, number as usize).0
     }
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct RealAxis;
+pub(super) struct RealAxis(&'static [ComplexRow; REAL_AXIS.len()]);
 
-impl Rows<40> for RealAxis {
+impl RealAxis {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        RealAxis(table(&REAL_AXIS))
+    }
+}
+
+impl Rows for RealAxis {
     #[inline(always)]
     fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
         let (code, t) = on_real_axis(a);
-        [code, t, y]
+        let below = y.below(y.like(0.0));
+        let above = above_real_axis(y.magnitude());
+        [code, t, y.pick(below, below_real_axis(y), above)]
     }
     #[inline(always)]
     fn number(self, code: f64) -> u16 {
@@ -88,32 +97,6 @@ impl Rows<40> for RealAxis {
     }
     #[inline(always)]
     fn row(self, number: u16) -> &'static [f64; 40] {
-        &entry(&REAL_AXIS, number as usize).0
+        &entry(self.0, number as usize).0
     }
-}
-
-#[derive(Clone, Copy)]
-pub(super) struct ImaginaryAxis;
-
-impl Rows<20> for ImaginaryAxis {
-    #[inline(always)]
-    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
-        let (code, t) = on_axis(y.magnitude());
-        [code, t, a]
-    }
-    #[inline(always)]
-    fn number(self, code: f64) -> u16 {
-        imaginary_axis_number(code)
-    }
-    #[inline(always)]
-    fn row(self, number: u16) -> &'static [f64; 20] {
-        &entry(&IMAGINARY_AXIS, number as usize).0
-    }
-}
-
-/// A group of points on their rows: these, and the distances from their centres.
-pub(super) struct On<'a, S: Wide, const N: usize> {
-    pub rows: [&'a [f64; N]; 8],
-    pub dx: Pack<S>,
-    pub dy: Pack<S>,
 }

@@ -166,31 +166,12 @@ fn real_sum<R: Real>(
     (re, im)
 }
 
-/// The same, rounded.
-#[inline(always)]
-fn real_sum_rounded<R: Real>(
-    c: [R; 4],
-    (t, bb): (R, R),
-    (p2, s2): (R, R),
-    (qr, qs): (R, R),
-) -> (R, R) {
-    let (tr, ts) = (p2.fma(qr, -(bb * s2 * qs)), p2.fma(qs, s2 * qr));
-    (c[0] + (c[1] + c[2].fma(t, tr)), c[2] + (c[3] + ts))
-}
-
 /// For a function `f` real on the real axis and expanded about a real centre: the real part of
 /// `f(c + t + i b)` and its imaginary part divided by `b`.
 #[inline(always)]
 pub(super) fn real_row<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (Dd, Dd) {
     let (c, bb, powers, q) = real_polynomial(lanes, row, t, b);
     real_sum(c, (t, bb), powers, q)
-}
-
-/// [`real_row`], each part as one number.
-#[inline(always)]
-pub(super) fn real_row_rounded<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (f64, f64) {
-    let (c, bb, powers, q) = real_polynomial(lanes, row, t, b);
-    real_sum_rounded(c, (t, bb), powers, q)
 }
 
 /// The first four numbers of the row, b², δ² and `q₀ + q₁δ + …`, imaginary parts divided by `b`.
@@ -250,104 +231,41 @@ pub(super) fn polynomials<S: Wide, const N: usize>(
     interleaved(re, im, delta, d2)
 }
 
-/// [`complex_row`] for several points with a row each.
+/// Several points with a row each, and the distances from the centres.
 #[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn complex_rows<S: Wide>(
-    simd: S,
-    rows: &[&[f64; 40]; 8],
-    dx: Pack<S>,
-    dy: Pack<S>,
-) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-    let d2 = square(dx, dy);
-    let q = polynomials(simd, rows, (8, 32), (dx, dy), d2);
-    complex_sum(eight_columns(simd, rows), (dx, dy), d2, q)
-}
-
-/// [`complex_row_rounded`] for several points with a row each.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn complex_rows_rounded<S: Wide>(
-    simd: S,
-    rows: &[&[f64; 40]; 8],
-    dx: Pack<S>,
-    dy: Pack<S>,
-) -> (Pack<S>, Pack<S>) {
-    let d2 = square(dx, dy);
-    let q = polynomials(simd, rows, (8, 32), (dx, dy), d2);
-    complex_sum_rounded(eight_columns(simd, rows), (dx, dy), d2, q)
+pub(super) struct OnRows<'a, S: Wide> {
+    pub rows: [&'a [f64; 40]; 8],
+    pub dx: Pack<S>,
+    pub dy: Pack<S>,
 }
 
 #[cfg(target_arch = "x86_64")]
-#[inline(always)]
-fn eight_columns<S: Wide>(simd: S, rows: &[&[f64; 40]; 8]) -> [Pack<S>; 8] {
-    let (a, b) = (columns(simd, rows, 0), columns(simd, rows, 4));
-    [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]]
-}
-
-/// [`real_row`] for several points with a row each.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn real_rows<S: Wide>(
-    simd: S,
-    rows: &[&[f64; 20]; 8],
-    t: Pack<S>,
-    b: Pack<S>,
-) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
-    let (bb, powers, q) = real_polynomials(simd, rows, t, b);
-    real_sum(columns(simd, rows, 0), (t, bb), powers, q)
-}
-
-/// [`real_row_rounded`] for several points with a row each.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn real_rows_rounded<S: Wide>(
-    simd: S,
-    rows: &[&[f64; 20]; 8],
-    t: Pack<S>,
-    b: Pack<S>,
-) -> (Pack<S>, Pack<S>) {
-    let (bb, powers, q) = real_polynomials(simd, rows, t, b);
-    real_sum_rounded(columns(simd, rows, 0), (t, bb), powers, q)
-}
-
-/// b², δ² and `q₀ + q₁δ + …`, imaginary parts divided by `b`.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-#[allow(clippy::type_complexity)]
-fn real_polynomials<S: Wide>(
-    simd: S,
-    rows: &[&[f64; 20]; 8],
-    t: Pack<S>,
-    b: Pack<S>,
-) -> (Pack<S>, (Pack<S>, Pack<S>), (Pack<S>, Pack<S>)) {
-    let bb = b * b;
-    let (p, s) = real_powers(t, bb);
-    let bs4 = bb * s[4];
-    let mut re = columns(simd, rows, 16);
-    let v = columns(simd, rows, 12);
-    let mut im = re;
-    for m in 0..4 {
-        im[m] = s[4] * re[m];
-        re[m] = p[4].fma(re[m], v[m]);
+impl<S: Wide> OnRows<'_, S> {
+    /// [`complex_row`]
+    #[inline(always)]
+    pub(super) fn unevaluated(&self, simd: S) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
+        let [d2, q] = self.polynomials(simd);
+        complex_sum(self.first_eight(simd), (self.dx, self.dy), d2, q)
     }
-    for at in [8, 4] {
-        let v = columns(simd, rows, at);
-        for m in 0..4 {
-            let r = p[4].fma(re[m], (-bs4).fma(im[m], v[m]));
-            im[m] = p[4].fma(im[m], s[4] * re[m]);
-            re[m] = r;
-        }
+
+    /// [`complex_row_rounded`]
+    #[inline(always)]
+    pub(super) fn rounded(&self, simd: S) -> (Pack<S>, Pack<S>) {
+        let [d2, q] = self.polynomials(simd);
+        complex_sum_rounded(self.first_eight(simd), (self.dx, self.dy), d2, q)
     }
-    let bs = [bb, bb, bb * s[2], bb * s[3]];
-    let (mut qr, mut qs) = (re, im);
-    for m in 1..4 {
-        qr[m] = (-bs[m]).fma(im[m], p[m] * re[m]);
-        qs[m] = p[m].fma(im[m], s[m] * re[m]);
+
+    /// δ² and `q₀ + q₁δ + …`
+    #[inline(always)]
+    fn polynomials(&self, simd: S) -> [(Pack<S>, Pack<S>); 2] {
+        let d2 = square(self.dx, self.dy);
+        let delta = (self.dx, self.dy);
+        [d2, polynomials(simd, &self.rows, (8, 32), delta, d2)]
     }
-    let q = (
-        (qr[0] + qr[2]) + (qr[1] + qr[3]),
-        (qs[0] + qs[2]) + (qs[1] + qs[3]),
-    );
-    (bb, (p[2], s[2]), q)
+
+    #[inline(always)]
+    fn first_eight(&self, simd: S) -> [Pack<S>; 8] {
+        let (a, b) = (columns(simd, &self.rows, 0), columns(simd, &self.rows, 4));
+        [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]]
+    }
 }

@@ -51,6 +51,10 @@ impl<R: Real> Real for Two<R> {
         Two(self.0.at_least(low.0), self.1.at_least(low.1))
     }
     #[inline(always)]
+    fn raised(self, least: f64) -> Two<R> {
+        Two(self.0.raised(least), self.1.raised(least))
+    }
+    #[inline(always)]
     fn at_most(self, high: Two<R>) -> Two<R> {
         Two(self.0.at_most(high.0), self.1.at_most(high.1))
     }
@@ -88,24 +92,9 @@ impl<R: Real> Real for Two<R> {
 }
 
 impl<S: Wide> Two<Pack<S>> {
-    /// The numbers; those beyond its width are zero.
-    #[inline(always)]
-    pub(super) fn array(self) -> [f64; 16] {
-        let mut v = [0.0; 16];
-        self.0.store_at(&mut v, 0);
-        self.1.store_at(&mut v, S::WIDTH);
-        v
-    }
-
     /// `self`, negated where `x` has a minus sign.
     #[inline(always)]
     pub(super) fn with_sign_of(self, x: Self) -> Self {
         Two(self.0.with_sign_of(x.0), self.1.with_sign_of(x.1))
-    }
-
-    /// Whether all numbers, none of them negative, are zero.
-    #[inline(always)]
-    pub(super) fn is_zero(self) -> bool {
-        self.0.is_zero() & self.1.is_zero()
     }
 }

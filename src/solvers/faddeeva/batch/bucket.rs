@@ -1,6 +1,8 @@
 //! Which bucket a point belongs to: a table for the leading bits of |z|² and a few comparisons.
 
-use super::super::branch::{HUGE, Kind, NEAR, SMALL, STRIP, TERMS_2, TINY, WIDE, formula};
+use super::super::branch::{
+    HUGE, Kind, NEAR, SMALL, STRIP, TERMS_2, TINY, formula, modulus_squared,
+};
 use super::super::pack::{Pack, Wide};
 use super::super::real::Real;
 
@@ -13,16 +15,12 @@ pub(in super::super) const SERIES_ALONE: usize =
 /// How many buckets there are.
 pub(in super::super) const BUCKETS: usize = Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
 
-/// The square of a smaller number would be subnormal, which is slow, and does not count in |z|².
-const RAISED: f64 = 1e-150;
-
 /// Flags beside the eight bits of |z|².
 const LOW: usize = 1 << 8;
 const BESIDE_REAL: usize = 1 << 9;
-const BESIDE_IMAGINARY: usize = 1 << 10;
 /// `e^{−z²}` should be negligible, and the point is not next to the real axis, where another formula
 /// knows that.
-const DECAYED: usize = 1 << 11;
+const DECAYED: usize = 1 << 10;
 /// `Re z² = −ln |e^{−z²}|` from which it is taken for negligible.
 const DECAY: f64 = 60.0;
 
@@ -33,22 +31,16 @@ const MOST: f64 = TERMS_2;
 const OTHER: f64 = 2.0 * TERMS_2;
 
 /// The bucket by the number that [`places`] gives.
-static BUCKET: [u8; 4096] = {
-    let mut table = [Kind::Other as u8; 4096];
+static BUCKET: [u8; 2048] = {
+    let mut table = [Kind::Other as u8; 2048];
     let (least, other) = (LEAST.to_bits() >> 50, OTHER.to_bits() >> 50);
     let mut bits = least;
     while bits < other {
         let r2 = f64::from_bits(bits << 50);
         let mut flags = 0;
-        while flags < 4096 {
+        while flags < 2048 {
             let low = flags & LOW != 0;
-            let kind = formula(
-                r2,
-                low,
-                flags & BESIDE_REAL != 0,
-                flags & BESIDE_IMAGINARY != 0,
-                flags & DECAYED == 0,
-            ) as usize;
+            let kind = formula(r2, low, flags & BESIDE_REAL != 0, flags & DECAYED == 0) as usize;
             let mut bucket = kind;
             if low & (kind <= Kind::RealAxis as usize) {
                 bucket += LOWER;
@@ -70,7 +62,7 @@ static BUCKET: [u8; 4096] = {
 /// The bucket by the place in its table.
 #[inline(always)]
 pub(in super::super) fn bucket(place: u64) -> u8 {
-    BUCKET[place as usize & 4095]
+    BUCKET[place as usize & 2047]
 }
 
 /// The places in the table of buckets at `x + i y`.
@@ -78,24 +70,20 @@ pub(in super::super) fn bucket(place: u64) -> u8 {
 pub(in super::super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
     let (s, a, b) = (x.0, x.magnitude(), y.magnitude());
     let like = |v: f64| x.like(v);
-    let raised = b.at_least(like(RAISED));
-    let yy = raised * raised;
-    let r2 = x.fma(x, yy);
+    let r2 = modulus_squared(x, b);
     let kept = r2.at_least(like(LEAST)).at_most(like(MOST));
     let kept = x.pick(r2.below(like(HUGE)), kept, like(OTHER));
     let kept = x.pick(a.below(like(TINY)), like(OTHER), kept);
     let flag = |mask: S::m64s, bit: usize| s.flag(mask, bit as u64);
-    let width = x.pick(r2.below(like(WIDE)), like(STRIP), like(2.0 * STRIP));
     let flags = [
         flag(y.below(like(0.0)), LOW),
         flag(b.below(like(STRIP)), BESIDE_REAL),
-        flag(a.below(width), BESIDE_IMAGINARY),
         s.and_u64s(
-            flag(like(DECAY).below(yy.fma(like(-2.0), r2)), DECAYED),
+            flag(like(DECAY).below(y.fma(-y, x * x)), DECAYED),
             flag(like(NEAR.next_down()).below(b), DECAYED),
         ),
     ];
-    let flags = s.or_u64s(s.or_u64s(flags[0], flags[1]), s.or_u64s(flags[2], flags[3]));
+    let flags = s.or_u64s(s.or_u64s(flags[0], flags[1]), flags[2]);
     let bits = s.and_u64s(s.leading(s.transmute_u64s_f64s(kept.1)), s.splat_u64s(255));
     s.or_u64s(bits, flags)
 }

@@ -3,7 +3,8 @@
 use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
 use super::super::real::Real;
-use super::super::rows::{On, Rows};
+use super::super::rows::Rows;
+use super::super::taylor::OnRows;
 use super::super::two::Two;
 use super::{CHUNK, Chunk, Formula, GROUPS, window};
 use num_complex::Complex;
@@ -25,54 +26,74 @@ impl Chunk<'_> {
         }
     }
 
-    /// A bucket whose formula gives the value from `a`, `y` and the rows.
+    /// A bucket whose points have rows of a table: each group of them.
     #[inline(always)]
-    pub(super) fn rounded<S: Wide, R: Rows<N>, const N: usize>(
+    pub(super) fn on_rows<S: Wide>(
         &mut self,
         simd: S,
-        rows: R,
+        rows: impl Rows,
         bucket: usize,
-        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Pack<S>, Pack<S>),
+        mut each: impl FnMut(&mut Self, usize, Pack<S>, Pack<S>, OnRows<'_, S>),
     ) {
         let len = self.groups(bucket);
         self.locate(simd, rows, bucket, len);
         let mut at = 0;
         while at < len {
-            let (x, y, on) = self.on(simd, rows, bucket, at);
-            let (re, im) = formula(simd, x.magnitude(), y, on);
-            self.scatter(bucket, at, re, im.with_sign_of(x));
+            let buffers = &*self.buffers;
+            let mut group = [rows.row(0); 8];
+            for m in 0..S::WIDTH {
+                group[m] = rows.row(buffers.row[at + m]);
+            }
+            let on = OnRows {
+                rows: group,
+                dx: Pack::load(simd, &buffers.dx, at),
+                dy: Pack::load(simd, &buffers.dy, at),
+            };
+            let (x, y) = (
+                Pack::load(simd, &buffers.x, at),
+                Pack::load(simd, &buffers.y, at),
+            );
+            each(self, at, x, y, on);
             at += S::WIDTH;
         }
     }
 
-    /// A bucket whose formula gives the value, and whether digits were lost.
+    /// A bucket whose formula gives the value from the rows.
     #[inline(always)]
-    pub(super) fn unless_lost<S: Wide, L: Lanes, R: Rows<N>, const N: usize>(
+    pub(super) fn rounded<S: Wide>(&mut self, simd: S, rows: impl Rows, bucket: usize) {
+        self.on_rows(
+            simd,
+            rows,
+            bucket,
+            #[inline(always)]
+            |chunk, at, x, _, on| {
+                let (re, im) = on.rounded(simd);
+                chunk.scatter(bucket, at, re, im.with_sign_of(x));
+            },
+        );
+    }
+
+    /// Computes again the points of a group, from `at` on, that have lost digits.
+    #[inline(always)]
+    pub(super) fn recompute<S: Wide, L: Lanes, const M: usize>(
         &mut self,
-        simd: S,
         lanes: L,
-        rows: R,
         bucket: usize,
-        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Pack<S>, Pack<S>, S::m64s),
+        at: usize,
+        lost: [(S::m64s, Pack<S>); M],
     ) {
-        let len = self.groups(bucket);
-        self.locate(simd, rows, bucket, len);
-        let mut at = 0;
-        while at < len {
-            let (x, y, on) = self.on(simd, rows, bucket, at);
-            let (re, im, lost) = formula(simd, x.magnitude(), y, on);
-            self.scatter(bucket, at, re, im.with_sign_of(x));
-            let lost = re.pick(lost, re.like(1.0), re.like(0.0));
-            if !lost.is_zero() {
-                let lost = lost.array();
-                for m in 0..(len - at).min(S::WIDTH) {
-                    if lost[m] > 0.0 {
-                        let i = window(&self.buffers.order[bucket], at)[m];
-                        self.cancelled(lanes, i);
-                    }
+        let len = self.buffers.len[bucket].min(CHUNK);
+        for (k, (lost, any)) in lost.into_iter().enumerate() {
+            let lost = any.pick(lost, any.like(1.0), any.like(0.0));
+            if lost.is_zero() {
+                continue;
+            }
+            let (lost, at) = (lost.array(), at + k * S::WIDTH);
+            for m in 0..len.saturating_sub(at).min(S::WIDTH) {
+                if lost[m] > 0.0 {
+                    self.cancelled(lanes, window(&self.buffers.order[bucket], at)[m]);
                 }
             }
-            at += S::WIDTH;
         }
     }
 
@@ -129,16 +150,7 @@ impl Chunk<'_> {
     /// Brings the points of a bucket together, finds their rows and the distances from the centres:
     /// beforehand, because all that follows waits for the row.
     #[inline(always)]
-    pub(super) fn locate<S: Wide, R: Rows<N>, const N: usize>(
-        &mut self,
-        simd: S,
-        rows: R,
-        bucket: usize,
-        len: usize,
-    ) {
-        if !R::SOME {
-            return;
-        }
+    fn locate<S: Wide>(&mut self, simd: S, rows: impl Rows, bucket: usize, len: usize) {
         let mut at = 0;
         while at < len {
             let (x, y) = self.gather(simd, window(&self.buffers.order[bucket], at), 0);
@@ -154,36 +166,5 @@ impl Chunk<'_> {
             dy.store_at(&mut buffers.dy, at);
             at += S::WIDTH;
         }
-    }
-
-    /// A group of points, and its rows if they have been located.
-    #[inline(always)]
-    pub(super) fn on<S: Wide, R: Rows<N>, const N: usize>(
-        &self,
-        simd: S,
-        rows: R,
-        bucket: usize,
-        at: usize,
-    ) -> (Pack<S>, Pack<S>, On<'static, S, N>) {
-        let buffers = &*self.buffers;
-        let mut group = [rows.row(0); 8];
-        if R::SOME {
-            for m in 0..S::WIDTH {
-                group[m] = rows.row(buffers.row[at + m]);
-            }
-        }
-        let on = On {
-            rows: group,
-            dx: Pack::load(simd, &buffers.dx, at),
-            dy: Pack::load(simd, &buffers.dy, at),
-        };
-        let (x, y) = match R::SOME {
-            true => (
-                Pack::load(simd, &buffers.x, at),
-                Pack::load(simd, &buffers.y, at),
-            ),
-            false => self.gather(simd, window(&buffers.order[bucket], at), 0),
-        };
-        (x, y, on)
     }
 }

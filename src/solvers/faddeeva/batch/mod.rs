@@ -7,18 +7,14 @@ mod reflection;
 mod sort;
 
 use super::Points;
-use super::asymptotic::{series, series_rounded, two_terms};
+use super::asymptotic::{series_rounded, two_terms};
 use super::branch::Kind;
 use super::lanes::Lanes;
 use super::maclaurin::maclaurin;
 use super::pack::Wide;
-use super::plane::{
-    Cancelled, above_real_axis, below_real_axis, cancels_beside_real_axis, from_erfcx,
-    from_erfcx_rounded, in_strip, on_real_line, w,
-};
+use super::plane::{Cancelled, cancels_beside_real_axis, in_strip, on_real_line, w};
 use super::real::{Real, with_sign_of};
-use super::rows::{Cells, ImaginaryAxis, LowerDisc, NoRows, RealAxis};
-use super::taylor::{complex_rows, complex_rows_rounded, real_rows, real_rows_rounded};
+use super::rows::{Cells, LowerDisc, RealAxis};
 use super::zeros;
 use bucket::{BUCKETS, LOWER, SERIES_ALONE};
 use num_complex::Complex;
@@ -114,94 +110,42 @@ impl Chunk<'_> {
     /// The buckets whose formula gives the value.
     #[inline(always)]
     fn upper<S: Wide>(&mut self, simd: S) {
-        self.rounded(
-            simd,
-            Cells,
-            Kind::Cell as usize,
-            #[inline(always)]
-            |simd, _, _, on| complex_rows_rounded(simd, &on.rows, on.dx, on.dy),
-        );
-        self.rounded(
-            simd,
-            ImaginaryAxis,
-            Kind::ImaginaryAxis as usize,
-            #[inline(always)]
-            |simd, a, _, on| from_erfcx_rounded(a, real_rows_rounded(simd, &on.rows, on.dx, a)),
-        );
+        self.rounded(simd, Cells::new(), Kind::Cell as usize);
         self.without_rows(simd, Kind::Series26 as usize, Series::<26>);
         self.without_rows(simd, Kind::Series14 as usize, Series::<14>);
         self.without_rows(simd, Kind::Series6 as usize, Series::<6>);
         self.without_rows(simd, Kind::Series4 as usize, Series::<4>);
         self.without_rows(simd, Kind::Series2 as usize, TwoTerms);
         self.without_rows(simd, Kind::Small as usize, Maclaurin);
-        self.rounded(
-            simd,
-            LowerDisc,
-            Kind::Disc as usize,
-            #[inline(always)]
-            |simd, _, _, on| complex_rows_rounded(simd, &on.rows, on.dx, on.dy),
-        );
-        self.rounded(
-            simd,
-            RealAxis,
-            Kind::RealAxis as usize,
-            #[inline(always)]
-            |simd, _, y, on| {
-                let y = above_real_axis(y.magnitude());
-                complex_rows_rounded(simd, &on.rows, on.dx, y)
-            },
-        );
+        self.rounded(simd, LowerDisc::new(), Kind::Disc as usize);
+        self.rounded(simd, RealAxis::new(), Kind::RealAxis as usize);
     }
 
     /// The buckets of the lower half-plane whose points are reflected.
     #[inline(always)]
     fn mirror_images<S: Wide>(&mut self, simd: S) {
-        self.mirrored(
-            simd,
-            Cells,
-            Kind::Cell as usize + LOWER,
-            #[inline(always)]
-            |simd, _, _, on| complex_rows(simd, &on.rows, on.dx, on.dy),
-        );
-        self.mirrored(
-            simd,
-            ImaginaryAxis,
-            Kind::ImaginaryAxis as usize + LOWER,
-            #[inline(always)]
-            |simd, a, _, on| from_erfcx(a, real_rows(simd, &on.rows, on.dx, a)),
-        );
-        self.mirrored_series::<S, 26>(simd, Kind::Series26);
-        self.mirrored_series::<S, 14>(simd, Kind::Series14);
-        self.mirrored_series::<S, 6>(simd, Kind::Series6);
-    }
-
-    /// The asymptotic series in the lower half-plane.
-    #[inline(always)]
-    fn mirrored_series<S: Wide, const N: usize>(&mut self, simd: S, kind: Kind) {
+        self.mirrored(simd, Cells::new(), Kind::Cell as usize + LOWER);
         for bucket in [LOWER, LOWER + SERIES_ALONE] {
-            self.mirrored(
-                simd,
-                NoRows,
-                kind as usize + bucket,
-                #[inline(always)]
-                |_, a, b, _| series::<_, N>(a, b),
-            );
+            self.mirrored_series::<S, 26>(simd, Kind::Series26 as usize + bucket);
+            self.mirrored_series::<S, 14>(simd, Kind::Series14 as usize + bucket);
+            self.mirrored_series::<S, 6>(simd, Kind::Series6 as usize + bucket);
         }
     }
 
     /// The buckets beside the real axis in which terms may cancel.
     #[inline(always)]
     fn beside_real_axis<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
-        self.unless_lost(
+        let bucket = Kind::RealAxis as usize + LOWER;
+        self.on_rows(
             simd,
-            lanes,
-            RealAxis,
-            Kind::RealAxis as usize + LOWER,
+            RealAxis::new(),
+            bucket,
             #[inline(always)]
-            |simd, a, y, on| {
-                let (re, im) = complex_rows(simd, &on.rows, on.dx, below_real_axis(y));
-                let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
-                (re.hi, im.hi, lost)
+            |chunk, at, x, y, on| {
+                let (re, im) = on.unevaluated(simd);
+                chunk.scatter(bucket, at, re.hi, im.hi.with_sign_of(x));
+                let lost = cancels_beside_real_axis(x.magnitude(), y, re.hi, im.hi);
+                chunk.recompute(lanes, bucket, at, [(lost, x)]);
             },
         );
         self.strip(simd, lanes, Kind::Strip as usize, InStrip);
@@ -225,16 +169,7 @@ impl Chunk<'_> {
             let im = im.with_sign_of(x);
             self.scatter(bucket, at, re.0, im.0);
             self.scatter(bucket, at + S::WIDTH, re.1, im.1);
-            let lost = re.pick(lost, re.like(1.0), re.like(0.0));
-            if !lost.is_zero() {
-                let lost = lost.array();
-                for m in 0..(len - at).min(2 * S::WIDTH) {
-                    if lost[m] > 0.0 {
-                        let i = window(&self.buffers.order[bucket], at)[m];
-                        self.cancelled(lanes, i);
-                    }
-                }
-            }
+            self.recompute(lanes, bucket, at, [(lost.0, x.0), (lost.1, x.1)]);
             at += 2 * S::WIDTH;
         }
     }

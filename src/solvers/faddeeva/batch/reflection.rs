@@ -1,6 +1,7 @@
 //! The lower half-plane: W at the mirror images by all formulas first, then the reflection of all of
 //! them.
 
+use super::super::asymptotic::series;
 use super::super::branch::Kind;
 use super::super::double_double::Dd;
 use super::super::exponential::{LARGE_PHASE, exp_minus_square};
@@ -8,45 +9,57 @@ use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
 use super::super::plane::{ALONE, negligible, reflect};
 use super::super::real::{ROUND, Real};
-use super::super::rows::{On, Rows};
+use super::super::rows::Rows;
 use super::super::zeros;
 use super::bucket::{LOWER, SERIES_ALONE};
 use super::{CHUNK, Chunk, GROUPS, window};
 use num_complex::Complex;
 
 impl Chunk<'_> {
-    /// The bucket in the lower half-plane of a formula that gives `w(a + i|y|)`.
+    /// A bucket in the lower half-plane whose mirror images have rows.
     #[inline(always)]
-    pub(super) fn mirrored<S: Wide, R: Rows<N>, const N: usize>(
-        &mut self,
-        simd: S,
-        rows: R,
-        bucket: usize,
-        formula: impl Fn(S, Pack<S>, Pack<S>, On<'_, S, N>) -> (Dd<Pack<S>>, Dd<Pack<S>>),
-    ) {
+    pub(super) fn mirrored<S: Wide>(&mut self, simd: S, rows: impl Rows, bucket: usize) {
+        self.on_rows(
+            simd,
+            rows,
+            bucket,
+            #[inline(always)]
+            |chunk, at, _, _, on| chunk.keep(bucket, at, on.unevaluated(simd)),
+        );
+    }
+
+    /// A bucket in the lower half-plane whose mirror images are given by the asymptotic series.
+    #[inline(always)]
+    pub(super) fn mirrored_series<S: Wide, const N: usize>(&mut self, simd: S, bucket: usize) {
         let len = self.groups(bucket);
-        self.locate(simd, rows, bucket, len);
         let alone = bucket >= Kind::Series26 as usize + LOWER + SERIES_ALONE;
         let mut at = 0;
         while at < len {
-            let (x, y, on) = self.on(simd, rows, bucket, at);
+            let (x, y) = self.gather(simd, window(&self.buffers.order[bucket], at), 0);
             let (a, b) = (x.magnitude(), y.magnitude());
-            let (u, v) = formula(simd, a, b, on);
+            let (u, v) = series::<_, N>(a, b);
             if alone && a.all(negligible(a, b, u.hi, v.hi)) {
                 self.scatter(bucket, at, -u.hi, v.hi.with_sign_of(x));
             } else {
-                let buffers = &mut *self.buffers;
-                let to = buffers.mirrored.min(CHUNK);
-                let numbers = window(&buffers.order[bucket], at);
-                buffers.below[to..to + GROUPS].copy_from_slice(numbers);
-                let parts = [u.hi, u.lo, v.hi, v.lo];
-                for (part, kept) in parts.into_iter().zip(&mut buffers.mirror) {
-                    part.store_at(kept, to);
-                }
-                buffers.mirrored = to + (len - at).min(S::WIDTH);
+                self.keep(bucket, at, (u, v));
             }
             at += S::WIDTH;
         }
+    }
+
+    /// Keeps w at the mirror images of a group of points.
+    #[inline(always)]
+    fn keep<S: Wide>(&mut self, bucket: usize, at: usize, (u, v): (Dd<Pack<S>>, Dd<Pack<S>>)) {
+        let buffers = &mut *self.buffers;
+        let len = buffers.len[bucket].min(CHUNK);
+        let to = buffers.mirrored.min(CHUNK);
+        let numbers = window(&buffers.order[bucket], at);
+        buffers.below[to..to + GROUPS].copy_from_slice(numbers);
+        let parts = [u.hi, u.lo, v.hi, v.lo];
+        for (part, kept) in parts.into_iter().zip(&mut buffers.mirror) {
+            part.store_at(kept, to);
+        }
+        buffers.mirrored = to + (len - at).min(S::WIDTH);
     }
 
     /// All points whose mirror images are done.
@@ -68,8 +81,8 @@ impl Chunk<'_> {
             let e = exp_minus_square(a, y);
             let (re, im, lost) = reflect((u, v), e);
             let like = |x: f64| a.like(x);
-            let phase = ((a + a) * y).magnitude();
-            let large = like(LARGE_PHASE.next_down()).below(phase);
+            let turn = ((a + a) * y).magnitude();
+            let large = like(LARGE_PHASE.next_down()).below(turn);
             let high = like((ROUND + ALONE).next_down()).below(e.2);
             let near = zeros::candidate(a, y.magnitude());
             let special = a.or(a.or(lost, near), a.or(large, high));
@@ -87,10 +100,10 @@ impl Chunk<'_> {
             } else {
                 let state = a.pick(lost, special + special, special);
                 let (re, im, state) = (re.array(), im.array(), state.array());
-                let (phase, n) = (phase.array(), e.2.array());
+                let (turn, n) = (turn.array(), e.2.array());
                 for m in 0..(len - at).min(S::WIDTH) {
                     let i = window(&self.buffers.below, at)[m];
-                    let scalar = phase[m] >= LARGE_PHASE || n[m] >= ROUND + ALONE;
+                    let scalar = turn[m] >= LARGE_PHASE || n[m] >= ROUND + ALONE;
                     if state[m] == 0.0 {
                         self.put(i, (re[m], im[m]));
                     } else if self.next_to_zero(i) {
