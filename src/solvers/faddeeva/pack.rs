@@ -7,7 +7,6 @@ use super::real::Real;
 use super::taylor_packs::{Parts, by_columns, by_rows};
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast, f64x4};
-use std::arch::x86_64::__m256d;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A set of instructions for several points at once.
@@ -111,20 +110,8 @@ impl Wide for V3 {
     }
     #[inline(always)]
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
-        // Rows 0 and 2, 1 and 3 side by side, two numbers of each: twelve instructions.
-        let two = |p: usize, q: usize, at: usize| -> __m256d {
-            let pair = |row: &[f64; N]| [row[at], row[at + 1]];
-            cast([pair(rows[p]), pair(rows[q])])
-        };
-        let x = self.avx;
-        let (a, b) = (two(0, 2, at), two(1, 3, at));
-        let (c, d) = (two(0, 2, at + 2), two(1, 3, at + 2));
-        [
-            cast(x._mm256_unpacklo_pd(a, b)),
-            cast(x._mm256_unpackhi_pd(a, b)),
-            cast(x._mm256_unpacklo_pd(c, d)),
-            cast(x._mm256_unpackhi_pd(c, d)),
-        ]
+        let row = |i: usize| cast(four(rows[i], at));
+        transposed(self, [row(0), row(1), row(2), row(3)])
     }
     #[inline(always)]
     fn polynomials<const N: usize>(
