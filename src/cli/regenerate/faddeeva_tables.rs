@@ -167,12 +167,23 @@ impl Tables {
     fn taylor(
         &mut self,
         doc: &str,
-        (name, kind): (&str, &str),
+        (name, row): (&str, &str),
         (centres, per): (&[(i64, i64)], i64),
         make: fn(&[ComplexBall]) -> Option<Vec<f64>>,
     ) -> Outcome<()> {
+        let centres: Vec<_> = centres.iter().map(|&(x, y)| (x, y, per)).collect();
+        self.rows(doc, (name, row), &centres, make)
+    }
+
+    fn rows(
+        &mut self,
+        doc: &str,
+        (name, kind): (&str, &str),
+        centres: &[(i64, i64, i64)],
+        make: fn(&[ComplexBall]) -> Option<Vec<f64>>,
+    ) -> Outcome<()> {
         self.open(doc, name, &format!("[{kind}; {}]", centres.len()));
-        for &(x, y) in centres {
+        for &(x, y, per) in centres {
             let (x, y) = (Rational::from((x, per)), Rational::from((y, per)));
             let what = format!("{name} at {x} + {y} i");
             self.depends_on(&what);
@@ -186,26 +197,39 @@ impl Tables {
     }
 }
 
-/// The cells of the upper quadrant: the squares with side 1/4 that reach into |z| < 7. Beside the real
-/// axis the rows on it take over from 1.125.
-fn cells() -> Vec<(i64, i64)> {
-    let nearest = |n: i64| (2 * n - 1).max(0);
-    (0..29)
-        .flat_map(|q| (0..29).map(move |p| (p, q)))
-        .filter(|&(p, q)| nearest(p).pow(2) + nearest(q).pow(2) < 64 * 49)
-        .filter(|&(p, q)| q > 0 || p <= 4)
-        .collect()
+/// The cells of the upper quadrant: where each begins in the index, and its centre.
+fn cells() -> Vec<(usize, (i64, i64, i64))> {
+    let mut cells = Vec::new();
+    // Squares with side 1/4, up to |Re z|, |Im z| = 3.75, and a second line along the real axis.
+    for j in 0..16 {
+        for i in 0..29 {
+            let wanted = if j == 0 { i <= 4 } else { i <= 15 || j == 1 };
+            if wanted {
+                cells.push(((32 * j + i) as usize, (i, j, 4)));
+            }
+        }
+    }
+    // Squares with side 1/2 outside, as far as they reach into |z| < 7.
+    for j in 1..15 {
+        for i in 0..15 {
+            let (p, q) = ((2 * i - 1).max(0), 2 * j - 1);
+            if (i > 7 || j > 7) && p * p + q * q < 16 * 49 {
+                cells.push(((512 + 32 * j + i) as usize, (i, j, 2)));
+            }
+        }
+    }
+    cells
 }
 
 fn cell_tables(tables: &mut Tables) -> Outcome<()> {
     let cells = cells();
     let mut index = [0u16; 1024];
-    for (row, (p, q)) in cells.iter().enumerate() {
-        index[usize::try_from(32 * q + p)?] = row.try_into()?;
+    for (row, (at, _)) in cells.iter().enumerate() {
+        index[*at] = row.try_into()?;
     }
     tables.open(
-        "The row of [`CELLS`] of the cell with the centre `(p + q i)/4`, at `32 q + p`. Places without a\n\
-         cell hold zero.",
+        "The row of [`CELLS`] of a cell: the centre `(p + q i)/4` at `32 q + p`, the centre\n\
+         `(p + q i)/2` at `512 + 32 q + p`. Places without a cell hold zero.",
         "CELL",
         "[u16; 1024]",
     );
@@ -214,10 +238,11 @@ fn cell_tables(tables: &mut Tables) -> Outcome<()> {
         let _ = writeln!(tables.text, "    {},", line.join(", "));
     }
     tables.close();
-    tables.taylor(
+    let centres: Vec<_> = cells.iter().map(|&(_, centre)| centre).collect();
+    tables.rows(
         "Taylor coefficients of w about the centres of the cells of the upper quadrant.",
         ("CELLS", "ComplexRow"),
-        (&cells, 4),
+        &centres,
         complex_row,
     )?;
 

@@ -25,7 +25,7 @@ pub(super) const TERMS_2: f64 = 1_048_576.0;
 /// |z|² above this is scaled first.
 pub(super) const HUGE: f64 = 1e200;
 
-/// Half the distance of the centres of the cells, and half the width of the strip beside the real
+/// Half the distance of the centres of the fine cells, and half the width of the strip beside the real
 /// axis; 1/8 belongs to the strip, where a cell's centre would be on the axis.
 pub(super) const STRIP: f64 = 0.125_f64.next_up();
 /// Closer to the real axis only the first power of Im z counts in the strip from [`BEYOND`] on.

@@ -15,7 +15,7 @@
 //! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]):
 //!
 //! - `|z|² < 2⁻¹⁴`: Maclaurin series;
-//! - `|z|² < 48`: Taylor series of 18 terms about tabulated centres 1/4 apart, the two leading
+//! - `|z|² < 48`: Taylor series of 18 terms about tabulated centres 1/4 (or 1/2) apart, the two leading
 //!   coefficients in double-double; beside the axes the centres lie on them (on the real axis 1/16
 //!   apart), so that the small component keeps its relative accuracy; on the imaginary axis with the
 //!   real coefficients of erfcx;

@@ -3,7 +3,7 @@
 use super::asymptotic::{
     large, series, series_beside_real_axis, series_next_to_real_axis, series_rounded, two_terms,
 };
-use super::branch::{Kind, TINY, kind};
+use super::branch::{Kind, STRIP, TINY, kind};
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip, gaussian,
@@ -21,6 +21,8 @@ use super::{special, trapezoidal, zeros};
 const NEAR_SURELY: u64 = 0.0055f64.to_bits();
 const FAR_SURELY: u64 = 1024f64.next_up().to_bits();
 const HUGE_SURELY: u64 = 7e99f64.to_bits();
+/// Where the fine cells end: the larger of |Re z|, |Im z|.
+const FINE: f64 = 3.75;
 /// Above `2⁵⁵ |e^{−z²}|` in the strip.
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
@@ -41,8 +43,17 @@ const LEAST: f64 = 1e-80;
 /// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
 #[inline(always)]
 pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
-    let ((i, dx), (j, dy)) = (on_axis(a), on_axis(b));
-    [(j - j.like(ROUND)).fma(a.like(32.0), i), dx, dy]
+    let like = |x: f64| a.like(x);
+    // Beside the real axis the fine cells go on.
+    let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
+    // Not three choices: they would become a branch.
+    let fine = a.pick(fine, like(1.0), like(0.0));
+    let step = fine.fma(like(2.0), like(2.0));
+    let unit = fine.fma(like(0.25), like(-0.5));
+    let base = fine.fma(like(-512.0), like(ROUND + 512.0));
+    let round = like(ROUND);
+    let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
+    [j.fma(like(32.0), i) + base, i.fma(unit, a), j.fma(unit, b)]
 }
 
 /// The row of the cell around `a + i b`, and the distance from its centre.

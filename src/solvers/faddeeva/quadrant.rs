@@ -83,7 +83,7 @@ fn place(a: f64, b: f64) -> Place {
         } else {
             Place::Far
         }
-    } else if a < STRIP {
+    } else if a < (if a.max(b) < 3.75 { STRIP } else { 2.0 * STRIP }) {
         Place::ImaginaryAxis
     } else if (b < STRIP) & (a >= 1.125) {
         Place::RealAxis
