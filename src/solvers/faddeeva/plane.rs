@@ -337,7 +337,8 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
         true => done(lanes.call(Cancelled { a, b })),
         false => (re, im, ROUND),
     };
-    let (u, v) = match kind(a, y) {
+    let kind = kind(a, y);
+    let (u, v) = match kind {
         Kind::Cell => {
             let (row, dx, dy) = in_cell(a, b);
             complex_row(lanes, row, dx, dy)
@@ -361,7 +362,8 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
         Kind::RealLine => return unless_lost(on_real_line(a, y)),
         Kind::Series4 | Kind::Series2 | Kind::Other => return done(special::huge(a, y)),
     };
-    if negligible(a, b, u.hi, v.hi) {
+    // In the cells, 1 ≤ |z|² < 48, 2⁶⁸ |e^{−z²}| is above 1/2 and u or v below.
+    if kind != Kind::Cell && negligible(a, b, u.hi, v.hi) {
         return done((-u.hi, v.hi));
     }
     // A subnormal part of z, and so of w, times e^1400 may still be in range.
