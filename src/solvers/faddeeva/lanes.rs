@@ -37,8 +37,10 @@ pub(in crate::solvers) trait Task {
 #[inline(always)]
 pub(in crate::solvers) fn with_best<T: Task>(task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
-    if let Some(v) = pulp::x86::V3::try_new() {
-        return v.call(task);
+    match x86::BEST.get() {
+        Some(Some(v)) => return v.call(task),
+        None => return x86::first(task),
+        Some(None) => (),
     }
     Plain.run(task)
 }
@@ -102,9 +104,24 @@ impl Lanes for Plain {
 #[cfg(target_arch = "x86_64")]
 mod x86 {
     use super::super::pack::Pack;
-    use super::{Lanes, Task};
+    use super::{Lanes, Plain, Task};
     use pulp::x86::V3;
     use pulp::{NullaryFnOnce, cast, f64x4};
+    use std::sync::OnceLock;
+
+    /// What the processor was found to have.
+    pub(super) static BEST: OnceLock<Option<V3>> = OnceLock::new();
+
+    /// Looks what the processor has. A function of its own, and away from the others: where it may be
+    /// called in between, numbers in vector registers go to memory and back, for every value.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn first<T: Task>(task: T) -> T::Output {
+        match BEST.get_or_init(V3::try_new) {
+            Some(v) => v.call(task),
+            None => Plain.run(task),
+        }
+    }
 
     struct Compiled<T>(V3, T);
 

@@ -379,16 +379,18 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
 }
 
 /// The half-planes as functions of their own, so that the points that need few instructions do not
-/// make room for the registers of the others.
-struct Upper(f64, f64);
-struct Lower(f64, f64);
+/// make room for the registers of the others. Like [`W`] they have the bits of the point, because these tell
+/// which formula it needs: a branch taken wrongly costs the more, the later that is known.
+struct Upper(u64, u64);
+struct Lower(u64, u64);
 
 impl Task for Upper {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        let (re, im) = upper(lanes, self.0.abs(), self.1.abs());
-        (re, with_sign_of(im, self.0))
+        let [x, y] = [self.0, self.1].map(f64::from_bits);
+        let (re, im) = upper(lanes, x.abs(), y.abs());
+        (re, with_sign_of(im, x))
     }
 }
 
@@ -396,43 +398,51 @@ impl Task for Lower {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        let (re, im) = lower(lanes, self.0.abs(), self.1);
-        (re, with_sign_of(im, self.0))
+        let [x, y] = [self.0, self.1].map(f64::from_bits);
+        let (re, im) = lower(lanes, x.abs(), y);
+        (re, with_sign_of(im, x))
     }
 }
 
-/// W(z) at `x + i y`.
-struct W(f64, f64);
+/// W(z) at `x + i y`, by the bits of x and y.
+struct W(u64, u64);
 
 impl Task for W {
     type Output = (f64, f64);
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
-        w(lanes, self.0, self.1)
+        w_of_bits(lanes, self.0, self.1)
     }
 }
 
 /// `(Re w, Im w)` at `x + i y`, with the best instructions of this processor.
 #[inline(always)]
 pub(super) fn w_with_best(x: f64, y: f64) -> (f64, f64) {
-    with_best(W(x, y))
+    with_best(W(x.to_bits(), y.to_bits()))
 }
 
-/// `(Re w, Im w)` at `x + i y`. w(−z̄) is the conjugate of w(z).
+/// `(Re w, Im w)` at `x + i y`.
 #[inline(always)]
 pub(super) fn w<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
+    w_of_bits(lanes, x.to_bits(), y.to_bits())
+}
+
+/// `(Re w, Im w)` at `x + i y`, by the bits of x and y. w(−z̄) is the conjugate of w(z).
+#[inline(always)]
+fn w_of_bits<L: Lanes>(lanes: L, x: u64, y: u64) -> (f64, f64) {
     // Twice the bits: without the sign.
-    let (p, q) = (x.to_bits() << 1, y.to_bits() << 1);
+    let (p, q) = (x << 1, y << 1);
     let larger = p.max(q);
-    if (larger < NEAR_SURELY << 1) & (p > 0) {
-        return maclaurin(x, y);
+    if larger < NEAR_SURELY << 1 && p > 0 {
+        return maclaurin(f64::from_bits(x), f64::from_bits(y));
     }
-    if y < 0.0 {
+    // Below zero, and so is not −0.
+    if y > 1 << 63 {
         return lanes.call(Lower(x, y));
     }
-    let far = larger.wrapping_sub(FAR_SURELY << 1) < (HUGE_SURELY - FAR_SURELY) << 1;
-    if far & (p > 0) {
-        let (re, im) = two_terms(x.abs(), y.abs());
+    if larger.wrapping_sub(FAR_SURELY << 1) < (HUGE_SURELY - FAR_SURELY) << 1 && p > 0 {
+        let x = f64::from_bits(x);
+        let (re, im) = two_terms(x.abs(), f64::from_bits(y).abs());
         return (re, with_sign_of(im, x));
     }
     lanes.call(Upper(x, y))
