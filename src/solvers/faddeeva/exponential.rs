@@ -4,7 +4,7 @@
 //! as two `f64`, then reduced by multiples of ln 2 and π/2 that are themselves kept to 160 bits
 //! (Cody & Waite, *Software Manual for the Elementary Functions*, 1980; phases from 2³⁰ upwards
 //! are left to [`payne_hanek`](super::payne_hanek)). The factors are returned as `hi + lo` with
-//! an error of about a tenth of a unit in the last place, the power of two apart.
+//! an error of about a fiftieth of a unit in the last place, the power of two apart.
 
 use super::constants;
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
@@ -76,7 +76,11 @@ const fn reciprocals<const N: usize>(first: u32, step: u32, sign: f64) -> [f64; 
 }
 
 const EXP: [f64; 12] = reciprocals(2, 1, 1.0);
+const EXP_FROM_CUBE: [f64; 11] = reciprocals(3, 1, 1.0);
 const SIN: [f64; 8] = reciprocals(3, 2, -1.0);
+const SIN_FROM_FIFTH: [f64; 7] = reciprocals(5, 2, -1.0);
+/// 1/6.
+const SIXTH: Dd = Dd::new(0.166_666_666_666_666_66, 9.251_858_538_542_97e-18);
 const COS: [f64; 7] = reciprocals(4, 2, -1.0);
 
 /// `Σ c_k x^k` by even and odd terms: half the length of the chain of dependent operations.
@@ -115,10 +119,13 @@ pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     // h − k ln 2, the first product and difference exact; what the second one rounds is 2⁻⁸⁴.
     let r = (-k).fma(like(LN_2[0]), h);
     let r = two_sum(r, (-k).fma(like(LN_2[1]), lo));
-    // 1 + r + r²/2 + …
-    let q = fast_two_sum(like(1.0), r.hi);
-    let tail = (r.hi * r.hi).fma(paired(&EXP, r.hi), r.lo.fma(r.hi, r.lo));
-    (fast_two_sum(q.hi, q.lo + tail), n)
+    // 1 + r + r²/2 + …, the first three terms with exact products.
+    let h = two_prod(r.hi, like(0.5) * r.hi);
+    let p = fast_two_sum(like(1.0), r.hi);
+    let q = fast_two_sum(p.hi, h.hi);
+    let cube = r.hi * r.hi * r.hi;
+    let tail = cube.fma(paired(&EXP_FROM_CUBE, r.hi), r.lo.fma(r.hi, r.lo));
+    (fast_two_sum(q.hi, p.lo + q.lo + (h.lo + tail)), n)
 }
 
 /// `e^x = m 2^k` as one number `m` between 0.7 and 1.42, to about six tenths of a unit in the last
@@ -165,17 +172,54 @@ pub(in crate::solvers) fn sin_cos_reduced<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     (sin, cos)
 }
 
+/// The same with exact products up to the third power.
+#[inline(always)]
+fn sin_cos_accurate<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
+    let (x, xx) = (r.hi, r.hi * r.hi);
+    let like = |c: f64| x.like(c);
+    let h = two_prod(x, like(0.5) * x);
+    let c = fast_two_sum(like(1.0), -h.hi);
+    let cos_lo = (xx * xx).fma(paired(&COS, xx), (c.lo - h.lo) - x * r.lo);
+    let cos = fast_two_sum(c.hi, cos_lo);
+
+    let cube = two_prod(xx, x);
+    // x² = xx + 2 (h − xx/2).
+    let square_lo = h.lo + h.lo;
+    let cube_lo = x.fma(square_lo, cube.lo);
+    let p = two_prod(cube.hi, like(SIXTH.hi));
+    let p_lo = cube_lo.fma(like(SIXTH.hi), cube.hi.fma(like(SIXTH.lo), p.lo));
+    let s = fast_two_sum(x, -p.hi);
+    let rest = (cube.hi * xx).fma(paired(&SIN_FROM_FIFTH, xx), s.lo - p_lo);
+    let sin = fast_two_sum(s.hi, r.lo.fma(-h.hi, r.lo) + rest);
+    (sin, cos)
+}
+
+/// The same, each as one number.
+#[inline(always)]
+fn sin_cos_rounded<R: Real>(r: Dd<R>) -> (R, R) {
+    let (x, xx) = (r.hi, r.hi * r.hi);
+    let like = |c: f64| x.like(c);
+    let sin = x + (-(x * xx)).fma(paired(&SIN, xx), r.lo);
+    let rest = (xx * xx).fma(paired(&COS, xx), -(x * r.lo));
+    (sin, like(1.0) + like(-0.5).fma(xx, rest))
+}
+
 /// Chooses and signs `(sin, cos)` by the quadrant, given as `ROUND + k`.
 #[inline(always)]
-pub(in crate::solvers) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
+fn turned<R: Real>(sin: R, cos: R, n: R) -> (R, R) {
     let swap = n.is_odd();
-    let s = Dd::new(n.pick(swap, cos.hi, sin.hi), n.pick(swap, cos.lo, sin.lo));
-    let c = Dd::new(n.pick(swap, sin.hi, cos.hi), n.pick(swap, sin.lo, cos.lo));
     let next = n + n.like(1.0);
     (
-        Dd::new(n.flip(s.hi), n.flip(s.lo)),
-        Dd::new(next.flip(c.hi), next.flip(c.lo)),
+        n.flip(n.pick(swap, cos, sin)),
+        next.flip(n.pick(swap, sin, cos)),
     )
+}
+
+/// The same for two `f64` each.
+#[inline(always)]
+pub(in crate::solvers) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
+    let (hi, lo) = (turned(sin.hi, cos.hi, n), turned(sin.lo, cos.lo, n));
+    (Dd::new(hi.0, lo.0), Dd::new(hi.1, lo.1))
 }
 
 /// `e^{−z²} = (re + i im) 2^k` at `z = a + i y`, `a ≥ 0`, without the power of two, and
@@ -186,7 +230,17 @@ pub(super) fn exp_minus_square<R: Real>(a: R, y: R) -> (Dd<R>, Dd<R>, R) {
     product(exp(exponent(a, y)), reduce(phase(a, y)))
 }
 
-/// The same for a phase of any size.
+/// The same as one number each, for phases below 2³⁰: to about two units in the last place.
+#[inline(always)]
+pub(super) fn exp_minus_square_rounded<R: Real>(a: R, y: R) -> (R, R, R) {
+    let (e, n) = exp_rounded(exponent(a, y));
+    let (r, quadrant) = reduce(phase(a, y));
+    let (sin, cos) = sin_cos_rounded(r);
+    let (s, c) = turned(sin, cos, quadrant);
+    (e * c, -(e * s), n)
+}
+
+/// [`exp_minus_square`] for a phase of any size.
 #[inline(always)]
 pub(super) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
     let theta = phase(a, y);
@@ -243,7 +297,7 @@ pub(super) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
 
 #[inline(always)]
 fn product<R: Real>((e, n): (Dd<R>, R), (r, quadrant): (Dd<R>, R)) -> (Dd<R>, Dd<R>, R) {
-    let (sin, cos) = sin_cos_reduced(r);
+    let (sin, cos) = sin_cos_accurate(r);
     let (s, c) = turn(sin, cos, quadrant);
     (short_product(e, c), -short_product(e, s), n)
 }

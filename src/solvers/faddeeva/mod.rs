@@ -73,6 +73,7 @@ pub(in crate::solvers) mod payne_hanek;
 mod plane;
 mod quadrant;
 pub(in crate::solvers) mod real;
+mod reflection;
 mod relatives_tables;
 #[cfg(target_arch = "x86_64")]
 mod rows;

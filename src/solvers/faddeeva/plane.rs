@@ -4,14 +4,16 @@ use super::asymptotic::{
     large, series, series_beside_real_axis, series_next_to_real_axis, series_rounded, two_terms,
 };
 use super::branch::{Kind, STRIP, TINY, kind};
-use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::exponential::{
-    binary_exponent, exp_minus_square_any, exp_rounded, exponent, exponent_in_strip, gaussian,
-    times_power,
+    exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
 };
 use super::lanes::{Lanes, Task, with_best};
 use super::maclaurin::{self, maclaurin};
 use super::real::{ROUND, Real, scaled, with_sign_of};
+use super::reflection::{
+    ALONE, DOMINANT, NEGLIGIBLE, decay, exponential_dominates, image_dominates, negligible, reflect,
+};
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{ComplexRow, RealRow, complex_row, complex_row_rounded, real_row};
 use super::{special, trapezoidal, zeros};
@@ -27,14 +29,10 @@ const FINE: f64 = 3.75;
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
 const LIFT: f64 = 200.0;
-/// A component smaller than this part of its terms is computed again in double-double.
-const CANCELLED: f64 = 0.1;
 /// The same where the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 0.6;
 /// Im z below which `|e^{−z²}|` may be beyond e^1000.
 const DEEP: f64 = -31.0;
-/// Powers of two from which `2e^{−z²}` stands alone.
-pub(super) const ALONE: f64 = 200.0;
 
 /// What the distance from the real axis is raised to beside it: no part of w is changed by that
 /// there, and products with smaller numbers would be subnormal.
@@ -189,41 +187,6 @@ fn with_exponential<R: Real>((u, v): (R, R), y: R, t: Dd<R>) -> (R, R, R::Mask) 
     (y.pick(negligible, part, re), v, lost)
 }
 
-/// `t · factor + x`
-#[inline(always)]
-fn scaled_sum<R: Real>(t: Dd<R>, factor: R, x: Dd<R>) -> R {
-    let s = two_sum(t.hi * factor, x.hi);
-    s.hi + (s.lo + t.lo.fma(factor, x.lo))
-}
-
-/// `(Re w, Im w)` at `a − i b` from those at `a + i b` and `e^{−z²} = (c + i s) 2^k`, `n = ROUND + k`,
-/// `k` below [`ALONE`]; `true` where the terms of a component cancel.
-#[inline(always)]
-pub(super) fn reflect<R: Real>(
-    (u, v): (Dd<R>, Dd<R>),
-    (c, s, n): (Dd<R>, Dd<R>, R),
-) -> (R, R, R::Mask) {
-    // Below the smallest f64 beside components that may be subnormal.
-    let none = n.below(n.like(ROUND - 1021.0));
-    let factor = n.pick(none, n.like(0.0), (n + n.like(1.0)).power_of_two());
-    let (re, im) = (scaled_sum(c, factor, -u), scaled_sum(s, factor, v));
-    let part = n.like(CANCELLED);
-    let lost = n.or(
-        re.magnitude().below(u.hi * part),
-        im.magnitude().below(v.hi * part),
-    );
-    (re, im, lost)
-}
-
-/// Whether `2e^{−z²}` is below 2⁻⁶⁶ of both components of w(−z).
-#[inline(always)]
-pub(super) fn negligible<R: Real>(a: R, b: R, u: R, v: R) -> R::Mask {
-    let e = exponent(a, b).hi.at_least(a.like(-708.0));
-    let (_, n) = binary_exponent(e.at_most(a.like(0.0)));
-    let small = (n + n.like(68.0)).power_of_two();
-    small.below(u.at_most(v))
-}
-
 /// w in the lower half-plane where terms cancel, at `a − i b`.
 pub(super) struct Cancelled {
     pub a: f64,
@@ -326,6 +289,27 @@ fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
 fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
     let b = -y;
     let done = |(re, im): (f64, f64)| (re, im, ROUND);
+    let unless_lost = |(re, im, lost): (f64, f64, bool)| match lost {
+        true => done(lanes.call(Cancelled { a, b })),
+        false => (re, im, ROUND),
+    };
+    let kind = kind(a, y);
+    let decay = decay(a, y);
+    if kind == Kind::Cell && (decay > DOMINANT || decay < -DOMINANT) {
+        let (row, dx, dy) = in_cell(a, b);
+        let image = complex_row_rounded(lanes, row, dx, dy);
+        return match decay > 0.0 {
+            true => done(image_dominates(image, a, y)),
+            false => unless_lost(exponential_dominates(image, a, y)),
+        };
+    }
+    if kind == Kind::Series26 && decay > DOMINANT {
+        let (u, v) = series_rounded::<_, 26>(a, b);
+        return done(match decay > NEGLIGIBLE {
+            true => (-u, v),
+            false => image_dominates((u, v), a, y),
+        });
+    }
     if let Some(k) = zeros::nearest(a, b) {
         let near = zeros::near_zero(lanes, k, a, b);
         return done(match near {
@@ -333,11 +317,6 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             None => lanes.call(Cancelled { a, b }),
         });
     }
-    let unless_lost = |(re, im, lost): (f64, f64, bool)| match lost {
-        true => done(lanes.call(Cancelled { a, b })),
-        false => (re, im, ROUND),
-    };
-    let kind = kind(a, y);
     let (u, v) = match kind {
         Kind::Cell => {
             let (row, dx, dy) = in_cell(a, b);

@@ -5,6 +5,7 @@ use super::super::branch::{
 };
 use super::super::pack::{Pack, Wide};
 use super::super::real::Real;
+use super::super::reflection::{DOMINANT, NEGLIGIBLE, decay};
 
 /// The number of the bucket of a kind in the lower half-plane, for those up to [`Kind::RealAxis`],
 /// less that of the kind.
@@ -12,17 +13,25 @@ pub(in super::super) const LOWER: usize = Kind::Other as usize + 1;
 /// What is added to it once more for a series beside which `e^{−z²}` should be negligible.
 pub(in super::super) const SERIES_ALONE: usize =
     Kind::RealAxis as usize + 1 - Kind::Series26 as usize;
+/// The buckets of the lower half-plane where one term dominates: W(−z) in cells and given by 26 terms,
+/// `2e^{−z²}` in cells.
+pub(in super::super) const IMAGE_IN_CELL: usize =
+    Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
+pub(in super::super) const IMAGE_BY_SERIES: usize = IMAGE_IN_CELL + 1;
+pub(in super::super) const EXPONENTIAL_IN_CELL: usize = IMAGE_IN_CELL + 2;
 /// How many buckets there are.
-pub(in super::super) const BUCKETS: usize = Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
+pub(in super::super) const BUCKETS: usize = IMAGE_IN_CELL + 3;
 
 /// Flags beside the eight bits of |z|².
 const LOW: usize = 1 << 8;
 const BESIDE_REAL: usize = 1 << 9;
-/// `e^{−z²}` should be negligible, and the point is not next to the real axis, where another formula
-/// knows that.
-const DECAYED: usize = 1 << 10;
-/// `Re z² = −ln |e^{−z²}|` from which it is taken for negligible.
-const DECAY: f64 = 60.0;
+/// W(−z) dominates.
+const IMAGE: usize = 1 << 10;
+/// With it: `e^{−z²}` should be negligible, and the point is not next to the real axis, where another formula
+/// knows that. Without it: `2e^{−z²}` dominates.
+const APART: usize = 1 << 11;
+/// Room for all of them.
+const PLACES: usize = 1 << 12;
 
 /// |z|² outside these has the kind of the nearer one.
 const LEAST: f64 = SMALL / 2.0;
@@ -31,26 +40,21 @@ const MOST: f64 = TERMS_2;
 const OTHER: f64 = 2.0 * TERMS_2;
 
 /// The bucket by the number that [`places`] gives.
-static BUCKET: [u8; 2048] = {
-    let mut table = [Kind::Other as u8; 2048];
+static BUCKET: [u8; PLACES] = {
+    let mut table = [Kind::Other as u8; PLACES];
     let (least, other) = (LEAST.to_bits() >> 50, OTHER.to_bits() >> 50);
     let mut bits = least;
     while bits < other {
         let r2 = f64::from_bits(bits << 50);
         let mut flags = 0;
-        while flags < 2048 {
-            let low = flags & LOW != 0;
-            let kind = formula(r2, low, flags & BESIDE_REAL != 0, flags & DECAYED == 0) as usize;
-            let mut bucket = kind;
-            if low & (kind <= Kind::RealAxis as usize) {
-                bucket += LOWER;
-                if (flags & DECAYED != 0)
-                    & (kind >= Kind::Series26 as usize)
-                    & (kind <= Kind::Series6 as usize)
-                {
-                    bucket += SERIES_ALONE;
-                }
-            }
+        while flags < PLACES {
+            let (low, apart) = (flags & LOW != 0, flags & APART != 0);
+            let kind = formula(r2, low, flags & BESIDE_REAL != 0, !apart);
+            let bucket = if low {
+                below(kind, flags & IMAGE != 0, apart)
+            } else {
+                kind as usize
+            };
             table[flags | bits as usize & 255] = bucket as u8;
             flags += LOW;
         }
@@ -59,10 +63,24 @@ static BUCKET: [u8; 2048] = {
     table
 };
 
+/// The bucket of a kind in the lower half-plane.
+const fn below(kind: Kind, image: bool, apart: bool) -> usize {
+    match (kind, image, apart) {
+        (Kind::Cell, true, _) => IMAGE_IN_CELL,
+        (Kind::Cell, false, true) => EXPONENTIAL_IN_CELL,
+        (Kind::Series26, true, false) => IMAGE_BY_SERIES,
+        (Kind::Series26 | Kind::Series14 | Kind::Series6, true, true) => {
+            kind as usize + LOWER + SERIES_ALONE
+        }
+        _ if kind as usize <= Kind::RealAxis as usize => kind as usize + LOWER,
+        _ => kind as usize,
+    }
+}
+
 /// The bucket by the place in its table.
 #[inline(always)]
 pub(in super::super) fn bucket(place: u64) -> u8 {
-    BUCKET[place as usize & 2047]
+    BUCKET[place as usize & (PLACES - 1)]
 }
 
 /// The places in the table of buckets at `x + i y`.
@@ -75,15 +93,21 @@ pub(in super::super) fn places<S: Wide>(x: Pack<S>, y: Pack<S>) -> S::u64s {
     let kept = x.pick(r2.below(like(HUGE)), kept, like(OTHER));
     let kept = x.pick(a.below(like(TINY)), like(OTHER), kept);
     let flag = |mask: S::m64s, bit: usize| s.flag(mask, bit as u64);
-    let flags = [
-        flag(y.below(like(0.0)), LOW),
-        flag(b.below(like(STRIP)), BESIDE_REAL),
-        s.and_u64s(
-            flag(like(DECAY).below(y.fma(-y, x * x)), DECAYED),
-            flag(like(NEAR.next_down()).below(b), DECAYED),
+    let decay = decay(x, y);
+    let negligible = s.and_m64s(
+        like(NEGLIGIBLE).below(decay),
+        like(NEAR.next_down()).below(b),
+    );
+    let flags = s.or_u64s(
+        s.or_u64s(
+            flag(y.below(like(0.0)), LOW),
+            flag(b.below(like(STRIP)), BESIDE_REAL),
         ),
-    ];
-    let flags = s.or_u64s(s.or_u64s(flags[0], flags[1]), flags[2]);
+        s.or_u64s(
+            flag(like(DOMINANT).below(decay), IMAGE),
+            flag(x.or(negligible, decay.below(like(-DOMINANT))), APART),
+        ),
+    );
     let bits = s.and_u64s(s.leading(s.transmute_u64s_f64s(kept.1)), s.splat_u64s(255));
     s.or_u64s(bits, flags)
 }

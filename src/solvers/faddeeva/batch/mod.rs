@@ -97,6 +97,7 @@ impl Chunk<'_> {
         self.buffers.mirrored = 0;
         self.sort(simd, n);
         self.upper(simd);
+        self.one_term_dominates(simd, lanes);
         self.mirror_images(simd);
         self.reflected(simd, lanes);
         self.beside_real_axis(simd, lanes);
@@ -125,8 +126,8 @@ impl Chunk<'_> {
     #[inline(always)]
     fn mirror_images<S: Wide>(&mut self, simd: S) {
         self.mirrored(simd, Cells::new(), Kind::Cell as usize + LOWER);
+        self.mirrored_series::<S, 26>(simd, Kind::Series26 as usize + LOWER);
         for bucket in [LOWER, LOWER + SERIES_ALONE] {
-            self.mirrored_series::<S, 26>(simd, Kind::Series26 as usize + bucket);
             self.mirrored_series::<S, 14>(simd, Kind::Series14 as usize + bucket);
             self.mirrored_series::<S, 6>(simd, Kind::Series6 as usize + bucket);
         }

@@ -1,21 +1,75 @@
 //! The lower half-plane: W at the mirror images by all formulas first, then the reflection of all of
 //! them.
 
-use super::super::asymptotic::series;
+use super::super::asymptotic::{series, series_rounded};
 use super::super::branch::Kind;
 use super::super::double_double::Dd;
 use super::super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
-use super::super::plane::{ALONE, negligible, reflect};
 use super::super::real::{ROUND, Real};
-use super::super::rows::Rows;
+use super::super::reflection::{
+    ALONE, exponential_dominates, image_dominates, negligible, reflect,
+};
+use super::super::rows::{Cells, Rows};
 use super::super::zeros;
-use super::bucket::{LOWER, SERIES_ALONE};
-use super::{CHUNK, Chunk, GROUPS, window};
+use super::bucket::{EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE};
+use super::{CHUNK, Chunk, Formula, GROUPS, window};
 use num_complex::Complex;
 
+/// The asymptotic series with 26 terms for w(−z), and `2e^{−z²}`, much smaller.
+#[derive(Clone, Copy)]
+struct ImageBySeries;
+
+impl Formula for ImageBySeries {
+    #[inline(always)]
+    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
+        image_dominates(series_rounded::<_, 26>(a, y.magnitude()), a, y)
+    }
+}
+
+/// The asymptotic series with 26 terms for w(−z), `2e^{−z²}` negligible.
+#[derive(Clone, Copy)]
+struct ImageAlone;
+
+impl Formula for ImageAlone {
+    #[inline(always)]
+    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
+        let (u, v) = series_rounded::<_, 26>(a, y.magnitude());
+        (-u, v)
+    }
+}
+
 impl Chunk<'_> {
+    /// The buckets in which one term dominates.
+    #[inline(always)]
+    pub(super) fn one_term_dominates<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
+        self.on_rows(
+            simd,
+            Cells::new(),
+            IMAGE_IN_CELL,
+            #[inline(always)]
+            |chunk, at, x, y, on| {
+                let (re, im) = image_dominates(on.rounded(simd), x.magnitude(), y);
+                chunk.scatter(IMAGE_IN_CELL, at, re, im.with_sign_of(x));
+            },
+        );
+        self.on_rows(
+            simd,
+            Cells::new(),
+            EXPONENTIAL_IN_CELL,
+            #[inline(always)]
+            |chunk, at, x, y, on| {
+                let (re, im, lost) = exponential_dominates(on.rounded(simd), x.magnitude(), y);
+                chunk.scatter(EXPONENTIAL_IN_CELL, at, re, im.with_sign_of(x));
+                chunk.recompute(lanes, EXPONENTIAL_IN_CELL, at, [(lost, x)]);
+            },
+        );
+        let alone = Kind::Series26 as usize + LOWER + SERIES_ALONE;
+        self.without_rows(simd, IMAGE_BY_SERIES, ImageBySeries);
+        self.without_rows(simd, alone, ImageAlone);
+    }
+
     /// A bucket in the lower half-plane whose mirror images have rows.
     #[inline(always)]
     pub(super) fn mirrored<S: Wide>(&mut self, simd: S, rows: impl Rows, bucket: usize) {
