@@ -240,6 +240,29 @@ pub(super) fn exp_minus_square_rounded<R: Real>(a: R, y: R) -> (R, R, R) {
     (e * c, -(e * s), n)
 }
 
+/// The same with a relative error of about `2⁻⁵³ (3|Re z²| + 4)`, for phases below 2⁸ and `|Re z²|` below
+/// 700.
+#[inline(always)]
+pub(super) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
+    let like = |c: f64| a.like(c);
+    // y² − a² as one number.
+    let n = ((y - a) * (y + a)).fma(like(LOG2_E), like(ROUND));
+    let k = n - like(ROUND);
+    let r = (-k).fma(like(LN_2[0]), (y - a) * (y + a));
+    let r = (-k).fma(like(LN_2[1]), r);
+    let e = like(1.0) + (r * r).fma(paired(&EXP, r), r);
+    let theta = phase(a, y);
+    let q = theta.hi.fma(like(TWO_OVER_PI), like(ROUND));
+    let k = q - like(ROUND);
+    let x = (-k).fma(like(HALF_PI[0]), theta.hi);
+    let x = x + (-k).fma(like(HALF_PI[1]), theta.lo);
+    let xx = x * x;
+    let sin = (-(x * xx)).fma(paired(&SIN, xx), x);
+    let cos = (xx * xx).fma(paired(&COS, xx), like(-0.5).fma(xx, like(1.0)));
+    let (s, c) = turned(sin, cos, q);
+    (e * c, -(e * s), n)
+}
+
 /// [`exp_minus_square`] for a phase of any size.
 #[inline(always)]
 pub(super) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {

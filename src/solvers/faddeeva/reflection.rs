@@ -1,7 +1,7 @@
 //! The lower half-plane: `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3), both terms at `a − i b` from a and b.
 
 use super::double_double::{Dd, two_sum};
-use super::exponential::{binary_exponent, exp_minus_square_rounded, exponent};
+use super::exponential::{binary_exponent, exp_minus_square_rounded, exp_minus_square_short, exponent};
 use super::real::{ROUND, Real};
 
 /// A component smaller than this part of its terms is computed again in double-double.
@@ -27,8 +27,12 @@ pub(super) fn decay<R: Real>(x: R, y: R) -> R {
 
 /// `(Re w, Im w)` at `a + i y`, `y < 0`, from those at `a − i y` where they dominate.
 #[inline(always)]
-pub(super) fn image_dominates<R: Real>((u, v): (R, R), a: R, y: R) -> (R, R) {
-    let (c, s, n) = exp_minus_square_rounded(a, y);
+pub(super) fn image_dominates<R: Real>(image: (R, R), a: R, y: R) -> (R, R) {
+    sum(image, exp_minus_square_short(a, y))
+}
+
+#[inline(always)]
+fn sum<R: Real>((u, v): (R, R), (c, s, n): (R, R, R)) -> (R, R) {
     let factor = (n + n.like(1.0)).power_of_two();
     (c.fma(factor, -u), s.fma(factor, v))
 }
@@ -36,7 +40,7 @@ pub(super) fn image_dominates<R: Real>((u, v): (R, R), a: R, y: R) -> (R, R) {
 /// The same where `2e^{−z²}` dominates; `true` where the terms of a component cancel.
 #[inline(always)]
 pub(super) fn exponential_dominates<R: Real>((u, v): (R, R), a: R, y: R) -> (R, R, R::Mask) {
-    let (re, im) = image_dominates((u, v), a, y);
+    let (re, im) = sum((u, v), exp_minus_square_rounded(a, y));
     let part = a.like(CANCELLED_ROUNDED);
     let lost = a.or(
         re.magnitude().below(u * part),
