@@ -15,8 +15,7 @@ pub(in super::super) const SERIES_ALONE: usize =
     Kind::RealAxis as usize + 1 - Kind::Series26 as usize;
 /// The buckets of the lower half-plane where one term dominates: W(−z) in cells and given by 26 terms,
 /// `2e^{−z²}` in cells.
-pub(in super::super) const IMAGE_IN_CELL: usize =
-    Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
+pub(in super::super) const IMAGE_IN_CELL: usize = Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
 pub(in super::super) const IMAGE_BY_SERIES: usize = IMAGE_IN_CELL + 1;
 pub(in super::super) const EXPONENTIAL_IN_CELL: usize = IMAGE_IN_CELL + 2;
 /// How many buckets there are.

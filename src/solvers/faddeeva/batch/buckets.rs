@@ -6,7 +6,7 @@ use super::super::real::Real;
 use super::super::rows::Rows;
 use super::super::taylor::OnRows;
 use super::super::two::Two;
-use super::{CHUNK, Chunk, Formula, GROUPS, window};
+use super::{Chunk, Formula, GROUPS};
 use num_complex::Complex;
 
 impl Chunk<'_> {
@@ -14,10 +14,10 @@ impl Chunk<'_> {
     /// operation waits for the one before.
     #[inline(always)]
     pub(super) fn without_rows<S: Wide>(&mut self, simd: S, bucket: usize, formula: impl Formula) {
-        let len = self.groups(bucket);
+        let len = self.buffers.len(bucket);
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather_two(simd, window(&self.buffers.order[bucket], at));
+            let (x, y) = self.gather_two(simd, self.buffers.numbers(bucket, at));
             let (re, im) = formula.value(x.magnitude(), y);
             let im = im.with_sign_of(x);
             self.scatter(bucket, at, re.0, im.0);
@@ -35,7 +35,7 @@ impl Chunk<'_> {
         bucket: usize,
         mut each: impl FnMut(&mut Self, usize, Pack<S>, Pack<S>, OnRows<'_, S>),
     ) {
-        let len = self.groups(bucket);
+        let len = self.buffers.len(bucket);
         self.locate(simd, rows, bucket, len);
         let mut at = 0;
         while at < len {
@@ -82,7 +82,7 @@ impl Chunk<'_> {
         at: usize,
         lost: [(S::m64s, Pack<S>); M],
     ) {
-        let len = self.buffers.len[bucket].min(CHUNK);
+        let len = self.buffers.len(bucket);
         for (k, (lost, any)) in lost.into_iter().enumerate() {
             let lost = any.pick(lost, any.like(1.0), any.like(0.0));
             if lost.is_zero() {
@@ -91,22 +91,10 @@ impl Chunk<'_> {
             let (lost, at) = (lost.array(), at + k * S::WIDTH);
             for m in 0..len.saturating_sub(at).min(S::WIDTH) {
                 if lost[m] > 0.0 {
-                    self.cancelled(lanes, window(&self.buffers.order[bucket], at)[m]);
+                    self.cancelled(lanes, self.buffers.numbers(bucket, at)[m]);
                 }
             }
         }
-    }
-
-    /// How many points a bucket has; the last one is repeated, so that groups are whole.
-    #[inline(always)]
-    pub(super) fn groups(&mut self, bucket: usize) -> usize {
-        let buffers = &mut *self.buffers;
-        let len = buffers.len[bucket].min(CHUNK);
-        if len > 0 {
-            let last = buffers.order[bucket][len - 1];
-            buffers.order[bucket][len..len + GROUPS].fill(last);
-        }
-        len
     }
 
     /// The points with the numbers from a place on.
@@ -139,7 +127,7 @@ impl Chunk<'_> {
     /// Takes the values of a group.
     #[inline(always)]
     pub(super) fn scatter<S: Wide>(&mut self, bucket: usize, at: usize, re: Pack<S>, im: Pack<S>) {
-        let numbers = window(&self.buffers.order[bucket], at);
+        let numbers = self.buffers.numbers(bucket, at);
         let pairs = re.0.interleave(re.1, im.1);
         for m in 0..S::WIDTH {
             let [re, im] = pairs[m];
@@ -153,7 +141,7 @@ impl Chunk<'_> {
     fn locate<S: Wide>(&mut self, simd: S, rows: impl Rows, bucket: usize, len: usize) {
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather(simd, window(&self.buffers.order[bucket], at), 0);
+            let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
             let buffers = &mut *self.buffers;
             let [codes, dx, dy] = rows.locate(x.magnitude(), y);
             let codes = codes.array();

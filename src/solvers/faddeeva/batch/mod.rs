@@ -27,6 +27,8 @@ const GROUPS: usize = 16;
 const ROOM: usize = CHUNK + GROUPS;
 /// Room for all buckets, a power of two.
 const SETS: usize = BUCKETS.next_power_of_two();
+/// Room for the points of all buckets, one after another, the last one of each repeated.
+const ORDERED: usize = (CHUNK + GROUPS * BUCKETS).next_power_of_two();
 
 /// A chunk of points and the place for their values, and what is needed to compute them.
 struct Chunk<'a> {
@@ -36,9 +38,10 @@ struct Chunk<'a> {
 }
 
 struct Buffers {
-    /// How many points each bucket has, and which.
+    /// The points of all buckets, where those of each begin, and how many it has.
+    order: [u8; ORDERED + GROUPS],
+    start: [usize; SETS],
     len: [usize; SETS],
-    order: [[u8; ROOM]; SETS],
     /// The points of the bucket at work that needs rows, these, and the distances from the centres.
     x: [f64; ROOM],
     y: [f64; ROOM],
@@ -55,13 +58,30 @@ struct Buffers {
     zeros: [u8; ROOM],
 }
 
+impl Buffers {
+    /// How many points a bucket has.
+    #[inline(always)]
+    fn len(&self, bucket: usize) -> usize {
+        self.len[bucket].min(CHUNK)
+    }
+
+    /// The numbers of two groups of points of a bucket from a place on.
+    #[inline(always)]
+    fn numbers(&self, bucket: usize, at: usize) -> &[u8; GROUPS] {
+        self.order[(self.start[bucket] + at) & (ORDERED - 1)..]
+            .first_chunk()
+            .expect("there is room")
+    }
+}
+
 /// Computes W at all points.
 #[inline(always)]
 pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mut P) {
     let none = [0.0; ROOM];
     let buffers = &mut Buffers {
+        order: [0; ORDERED + GROUPS],
+        start: [0; SETS],
         len: [0; SETS],
-        order: [[0; ROOM]; SETS],
         x: none,
         y: none,
         row: [0; ROOM],
@@ -101,8 +121,8 @@ impl Chunk<'_> {
         self.mirror_images(simd);
         self.reflected(simd, lanes);
         self.beside_real_axis(simd, lanes);
-        for at in 0..self.buffers.len[Kind::Other as usize].min(CHUNK) {
-            let i = self.buffers.order[Kind::Other as usize][at];
+        for at in 0..self.buffers.len(Kind::Other as usize) {
+            let i = self.buffers.numbers(Kind::Other as usize, at)[0];
             self.alone(lanes, i);
         }
         self.next_to_zeros(simd, lanes);
@@ -162,10 +182,10 @@ impl Chunk<'_> {
         bucket: usize,
         formula: impl UnlessLost,
     ) {
-        let len = self.groups(bucket);
+        let len = self.buffers.len(bucket);
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather_two(simd, window(&self.buffers.order[bucket], at));
+            let (x, y) = self.gather_two(simd, self.buffers.numbers(bucket, at));
             let (re, im, lost) = formula.value(x.magnitude(), y);
             let im = im.with_sign_of(x);
             self.scatter(bucket, at, re.0, im.0);

@@ -85,11 +85,11 @@ impl Chunk<'_> {
     /// A bucket in the lower half-plane whose mirror images are given by the asymptotic series.
     #[inline(always)]
     pub(super) fn mirrored_series<S: Wide, const N: usize>(&mut self, simd: S, bucket: usize) {
-        let len = self.groups(bucket);
+        let len = self.buffers.len(bucket);
         let alone = bucket >= Kind::Series26 as usize + LOWER + SERIES_ALONE;
         let mut at = 0;
         while at < len {
-            let (x, y) = self.gather(simd, window(&self.buffers.order[bucket], at), 0);
+            let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
             let (a, b) = (x.magnitude(), y.magnitude());
             let (u, v) = series::<_, N>(a, b);
             if alone && a.all(negligible(a, b, u.hi, v.hi)) {
@@ -105,10 +105,10 @@ impl Chunk<'_> {
     #[inline(always)]
     fn keep<S: Wide>(&mut self, bucket: usize, at: usize, (u, v): (Dd<Pack<S>>, Dd<Pack<S>>)) {
         let buffers = &mut *self.buffers;
-        let len = buffers.len[bucket].min(CHUNK);
+        let len = buffers.len(bucket);
         let to = buffers.mirrored.min(CHUNK);
-        let numbers = window(&buffers.order[bucket], at);
-        buffers.below[to..to + GROUPS].copy_from_slice(numbers);
+        let numbers = *buffers.numbers(bucket, at);
+        buffers.below[to..to + GROUPS].copy_from_slice(&numbers);
         let parts = [u.hi, u.lo, v.hi, v.lo];
         for (part, kept) in parts.into_iter().zip(&mut buffers.mirror) {
             part.store_at(kept, to);

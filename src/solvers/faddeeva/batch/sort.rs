@@ -2,7 +2,7 @@
 
 use super::super::pack::{Pack, Wide};
 use super::bucket::{bucket, places};
-use super::{CHUNK, Chunk, SETS, pair};
+use super::{CHUNK, Chunk, GROUPS, ORDERED, SETS, pair};
 
 /// Points compared with a bucket at a time.
 const BLOCK: usize = 32;
@@ -55,11 +55,12 @@ impl Chunk<'_> {
             present |= 1 << (*code & 31);
         }
         buffers.len = [0; SETS];
+        let order = &mut buffers.order;
+        let mut start = 0;
         while present != 0 {
             let k = present.trailing_zeros() as usize & (SETS - 1);
             present &= present - 1;
-            let order = &mut buffers.order[k];
-            let mut len = 0;
+            let mut end = start;
             for (i, block) in codes.as_chunks::<BLOCK>().0.iter().enumerate() {
                 let equal = simd.equal(block, k as u8);
                 if equal == 0 {
@@ -67,12 +68,23 @@ impl Chunk<'_> {
                 }
                 for (j, set) in equal.to_le_bytes().into_iter().enumerate() {
                     let members = MEMBERS[set as usize] + bytes(i * BLOCK + j * 8);
-                    let len_here = len & (CHUNK - 1);
-                    order[len_here..len_here + 8].copy_from_slice(&members.to_le_bytes());
-                    len += set.count_ones() as usize;
+                    place(order, end, members.to_le_bytes());
+                    end += set.count_ones() as usize;
                 }
             }
-            buffers.len[k] = len;
+            buffers.len[k] = end - start;
+            buffers.start[k] = start;
+            // The last one again, so that groups are whole.
+            let last = order[(end - 1) & (ORDERED - 1)];
+            place(order, end, [last; GROUPS]);
+            start = end + GROUPS;
         }
     }
+}
+
+/// Puts numbers from a place on.
+#[inline(always)]
+fn place<const N: usize>(order: &mut [u8; ORDERED + GROUPS], at: usize, numbers: [u8; N]) {
+    let at = at & (ORDERED - 1);
+    order[at..at + N].copy_from_slice(&numbers);
 }
