@@ -29,7 +29,9 @@ const FINE: f64 = 3.75;
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
 const LIFT: f64 = 200.0;
-/// The same where the terms are rounded.
+/// The parts of their terms below which components are computed again in double-double: in the strip beside the
+/// real axis by rows, and by the series.
+const CANCELLED_BESIDE: f64 = 0.15;
 const CANCELLED_ROUNDED: f64 = 0.6;
 /// Im z below which `|e^{−z²}|` may be beyond e^1000.
 const DEEP: f64 = -31.0;
@@ -98,7 +100,7 @@ pub(super) fn real_axis_number(n: f64) -> u16 {
 /// `y D′(x)`, which is about `y Im w/x`.
 #[inline(always)]
 pub(super) fn cancels_beside_real_axis<R: Real>(a: R, y: R, re: R, im: R) -> R::Mask {
-    let part = -y * im * a.like(0.5);
+    let part = -y * im * a.like(CANCELLED_BESIDE);
     (re.magnitude() * a).below(part)
 }
 

@@ -7,7 +7,7 @@ use super::exponential::{
 use super::real::{ROUND, Real};
 
 /// A component smaller than this part of its terms is computed again in double-double.
-const CANCELLED: f64 = 0.03;
+const CANCELLED: f64 = 0.025;
 /// The same where `e^{−z²}` dominates and the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 2.0;
 /// Powers of two from which `2e^{−z²}` stands alone.
@@ -19,7 +19,7 @@ pub(super) const ALONE: f64 = 200.0;
 pub(super) const DOMINANT: f64 = 7.0;
 /// `Re z²` above which `2e^{−z²}` is less than half a unit in the last place of both components of w(−z)
 /// there.
-pub(super) const NEGLIGIBLE: f64 = 60.0;
+pub(super) const NEGLIGIBLE: f64 = 47.0;
 
 /// `Re z² = −ln |e^{−z²}|`, to tell the dominant term.
 #[inline(always)]

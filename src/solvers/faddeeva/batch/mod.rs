@@ -118,6 +118,7 @@ impl Chunk<'_> {
         self.sort(simd, n);
         self.upper(simd);
         self.one_term_dominates(simd, lanes);
+        self.both_terms(simd, lanes);
         self.mirror_images(simd);
         self.reflected(simd, lanes);
         self.beside_real_axis(simd, lanes);
@@ -145,8 +146,6 @@ impl Chunk<'_> {
     /// The buckets of the lower half-plane whose points are reflected.
     #[inline(always)]
     fn mirror_images<S: Wide>(&mut self, simd: S) {
-        self.mirrored(simd, Cells::new(), Kind::Cell as usize + LOWER);
-        self.mirrored_series::<S, 26>(simd, Kind::Series26 as usize + LOWER);
         for bucket in [LOWER, LOWER + SERIES_ALONE] {
             self.mirrored_series::<S, 14>(simd, Kind::Series14 as usize + bucket);
             self.mirrored_series::<S, 6>(simd, Kind::Series6 as usize + bucket);

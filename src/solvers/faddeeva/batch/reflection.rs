@@ -11,7 +11,7 @@ use super::super::real::{ROUND, Real};
 use super::super::reflection::{
     ALONE, exponential_dominates, image_dominates, negligible, reflect,
 };
-use super::super::rows::{Cells, Rows};
+use super::super::rows::Cells;
 use super::super::zeros;
 use super::bucket::{EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE};
 use super::{CHUNK, Chunk, Formula, GROUPS, window};
@@ -70,16 +70,55 @@ impl Chunk<'_> {
         self.without_rows(simd, alone, ImageAlone);
     }
 
-    /// A bucket in the lower half-plane whose mirror images have rows.
+    /// The buckets in which neither term is negligible, no phase large and no exponential beyond every f64.
     #[inline(always)]
-    pub(super) fn mirrored<S: Wide>(&mut self, simd: S, rows: impl Rows, bucket: usize) {
+    pub(super) fn both_terms<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
+        let bucket = Kind::Cell as usize + LOWER;
         self.on_rows(
             simd,
-            rows,
+            Cells::new(),
             bucket,
             #[inline(always)]
-            |chunk, at, _, _, on| chunk.keep(bucket, at, on.unevaluated(simd)),
+            |chunk, at, x, y, on| {
+                let image = on.unevaluated(simd);
+                chunk.reflect(lanes, (bucket, at), image, (x, y));
+            },
         );
+        let bucket = Kind::Series26 as usize + LOWER;
+        let mut at = 0;
+        while at < self.buffers.len(bucket) {
+            let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
+            let image = series::<_, 26>(x.magnitude(), y.magnitude());
+            self.reflect(lanes, (bucket, at), image, (x, y));
+            at += S::WIDTH;
+        }
+    }
+
+    /// A group of such points.
+    #[inline(always)]
+    fn reflect<S: Wide, L: Lanes>(
+        &mut self,
+        lanes: L,
+        (bucket, at): (usize, usize),
+        image: (Dd<Pack<S>>, Dd<Pack<S>>),
+        (x, y): (Pack<S>, Pack<S>),
+    ) {
+        let a = x.magnitude();
+        let (re, im, lost) = reflect(image, exp_minus_square(a, y));
+        self.scatter(bucket, at, re, im.with_sign_of(x));
+        let like = |x: f64| a.like(x);
+        let near = a.pick(zeros::candidate(a, y.magnitude()), like(1.0), like(0.0));
+        let state = a.pick(lost, like(2.0), near);
+        if state.is_zero() {
+            return;
+        }
+        let state = state.array();
+        let numbers = *self.buffers.numbers(bucket, at);
+        for m in 0..(self.buffers.len(bucket) - at).min(S::WIDTH) {
+            if state[m] > 0.0 && !self.next_to_zero(numbers[m]) && state[m] > 1.0 {
+                self.cancelled(lanes, numbers[m]);
+            }
+        }
     }
 
     /// A bucket in the lower half-plane whose mirror images are given by the asymptotic series.
