@@ -48,11 +48,6 @@ struct Buffers {
     row: [u16; ROOM],
     dx: [f64; ROOM],
     dy: [f64; ROOM],
-    /// The points in the lower half-plane for which W at their mirror images is known, and this in
-    /// four parts.
-    mirrored: usize,
-    below: [u8; ROOM],
-    mirror: [[f64; ROOM]; 4],
     /// The points next to a zero.
     near_zeros: usize,
     zeros: [u8; ROOM],
@@ -87,9 +82,6 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         row: [0; ROOM],
         dx: none,
         dy: none,
-        mirrored: 0,
-        below: [0; ROOM],
-        mirror: [none; 4],
         near_zeros: 0,
         zeros: [0; ROOM],
     };
@@ -114,13 +106,10 @@ impl Chunk<'_> {
     #[inline(always)]
     fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L, n: usize) {
         self.buffers.near_zeros = 0;
-        self.buffers.mirrored = 0;
         self.sort(simd, n);
         self.upper(simd);
         self.one_term_dominates(simd, lanes);
         self.both_terms(simd, lanes);
-        self.mirror_images(simd);
-        self.reflected(simd, lanes);
         self.beside_real_axis(simd, lanes);
         for at in 0..self.buffers.len(Kind::Other as usize) {
             let i = self.buffers.numbers(Kind::Other as usize, at)[0];
@@ -141,15 +130,6 @@ impl Chunk<'_> {
         self.without_rows(simd, Kind::Small as usize, Maclaurin);
         self.rounded(simd, LowerDisc::new(), Kind::Disc as usize);
         self.rounded(simd, RealAxis::new(), Kind::RealAxis as usize);
-    }
-
-    /// The buckets of the lower half-plane whose points are reflected.
-    #[inline(always)]
-    fn mirror_images<S: Wide>(&mut self, simd: S) {
-        for bucket in [LOWER, LOWER + SERIES_ALONE] {
-            self.mirrored_series::<S, 14>(simd, Kind::Series14 as usize + bucket);
-            self.mirrored_series::<S, 6>(simd, Kind::Series6 as usize + bucket);
-        }
     }
 
     /// The buckets beside the real axis in which terms may cancel.

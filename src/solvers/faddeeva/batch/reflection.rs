@@ -1,5 +1,4 @@
-//! The lower half-plane: W at the mirror images by all formulas first, then the reflection of all of
-//! them.
+//! The lower half-plane: the formulas for the mirror images, and the reflection.
 
 use super::super::asymptotic::{series, series_rounded};
 use super::super::branch::Kind;
@@ -14,8 +13,13 @@ use super::super::reflection::{
 use super::super::rows::Cells;
 use super::super::zeros;
 use super::bucket::{EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE};
-use super::{CHUNK, Chunk, Formula, GROUPS, window};
-use num_complex::Complex;
+use super::{CHUNK, Chunk, Formula};
+
+/// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of those that
+/// only the scalar code takes care of.
+const NEAR_ZERO: f64 = 1.0;
+const LOST: f64 = 2.0;
+const FOR_SCALAR: f64 = 3.0;
 
 /// The asymptotic series with 26 terms for w(−z), and `2e^{−z²}`, much smaller.
 #[derive(Clone, Copy)]
@@ -70,7 +74,8 @@ impl Chunk<'_> {
         self.without_rows(simd, alone, ImageAlone);
     }
 
-    /// The buckets in which neither term is negligible, no phase large and no exponential beyond every f64.
+    /// The buckets in which neither term dominates, or which does is not known beforehand. In the first two no
+    /// term is negligible, no phase large and no exponential beyond every f64.
     #[inline(always)]
     pub(super) fn both_terms<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         let bucket = Kind::Cell as usize + LOWER;
@@ -92,6 +97,10 @@ impl Chunk<'_> {
             self.reflect(lanes, (bucket, at), image, (x, y));
             at += S::WIDTH;
         }
+        for plane in [LOWER, LOWER + SERIES_ALONE] {
+            self.far::<S, L, 14>(simd, lanes, Kind::Series14 as usize + plane);
+            self.far::<S, L, 6>(simd, lanes, Kind::Series6 as usize + plane);
+        }
     }
 
     /// A group of such points.
@@ -106,111 +115,62 @@ impl Chunk<'_> {
         let a = x.magnitude();
         let (re, im, lost) = reflect(image, exp_minus_square(a, y));
         self.scatter(bucket, at, re, im.with_sign_of(x));
-        let like = |x: f64| a.like(x);
-        let near = a.pick(zeros::candidate(a, y.magnitude()), like(1.0), like(0.0));
-        let state = a.pick(lost, like(2.0), near);
-        if state.is_zero() {
-            return;
-        }
-        let state = state.array();
-        let numbers = *self.buffers.numbers(bucket, at);
-        for m in 0..(self.buffers.len(bucket) - at).min(S::WIDTH) {
-            if state[m] > 0.0 && !self.next_to_zero(numbers[m]) && state[m] > 1.0 {
-                self.cancelled(lanes, numbers[m]);
-            }
-        }
+        let near = zeros::candidate(a, y.magnitude());
+        let special = a.pick(near, a.like(NEAR_ZERO), a.like(0.0));
+        let special = a.pick(lost, a.like(LOST), special);
+        self.again(lanes, (bucket, at), special);
     }
 
-    /// A bucket in the lower half-plane whose mirror images are given by the asymptotic series.
+    /// A bucket of the asymptotic series with N terms, far enough out for large phases and for either term
+    /// to be negligible.
     #[inline(always)]
-    pub(super) fn mirrored_series<S: Wide, const N: usize>(&mut self, simd: S, bucket: usize) {
+    fn far<S: Wide, L: Lanes, const N: usize>(&mut self, simd: S, lanes: L, bucket: usize) {
         let len = self.buffers.len(bucket);
-        let alone = bucket >= Kind::Series26 as usize + LOWER + SERIES_ALONE;
         let mut at = 0;
         while at < len {
             let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
             let (a, b) = (x.magnitude(), y.magnitude());
             let (u, v) = series::<_, N>(a, b);
-            if alone && a.all(negligible(a, b, u.hi, v.hi)) {
+            let none = negligible(a, b, u.hi, v.hi);
+            if a.all(none) {
                 self.scatter(bucket, at, -u.hi, v.hi.with_sign_of(x));
             } else {
-                self.keep(bucket, at, (u, v));
+                let e = exp_minus_square(a, y);
+                let (re, im, lost) = reflect((u, v), e);
+                let (re, im) = (a.pick(none, -u.hi, re), a.pick(none, v.hi, im));
+                self.scatter(bucket, at, re, im.with_sign_of(x));
+                let like = |x: f64| a.like(x);
+                let large = like(LARGE_PHASE.next_down()).below((a + a) * b);
+                let high = like((ROUND + ALONE).next_down()).below(e.2);
+                let special = a.pick(lost, like(LOST), like(0.0));
+                let special = a.pick(a.or(large, high), like(FOR_SCALAR), special);
+                let special = a.pick(none, like(0.0), special);
+                self.again(lanes, (bucket, at), special);
             }
             at += S::WIDTH;
         }
     }
 
-    /// Keeps w at the mirror images of a group of points.
+    /// Computes again those of a group for which this has to be done.
     #[inline(always)]
-    fn keep<S: Wide>(&mut self, bucket: usize, at: usize, (u, v): (Dd<Pack<S>>, Dd<Pack<S>>)) {
-        let buffers = &mut *self.buffers;
-        let len = buffers.len(bucket);
-        let to = buffers.mirrored.min(CHUNK);
-        let numbers = *buffers.numbers(bucket, at);
-        buffers.below[to..to + GROUPS].copy_from_slice(&numbers);
-        let parts = [u.hi, u.lo, v.hi, v.lo];
-        for (part, kept) in parts.into_iter().zip(&mut buffers.mirror) {
-            part.store_at(kept, to);
-        }
-        buffers.mirrored = to + (len - at).min(S::WIDTH);
-    }
-
-    /// All points whose mirror images are done.
-    #[inline(always)]
-    pub(super) fn reflected<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
-        let len = self.buffers.mirrored.min(CHUNK);
-        if len == 0 {
+    fn again<S: Wide, L: Lanes>(
+        &mut self,
+        lanes: L,
+        (bucket, at): (usize, usize),
+        special: Pack<S>,
+    ) {
+        if special.is_zero() {
             return;
         }
-        let mut at = 0;
-        while at < len {
-            let buffers = &*self.buffers;
-            let (x, y) = self.gather(simd, window(&buffers.below, at), 0);
-            let [p, q, s, t] = &buffers.mirror;
-            let u = Dd::new(Pack::load(simd, p, at), Pack::load(simd, q, at));
-            let v = Dd::new(Pack::load(simd, s, at), Pack::load(simd, t, at));
-            let a = x.magnitude();
-            let none = negligible(a, y.magnitude(), u.hi, v.hi);
-            let e = exp_minus_square(a, y);
-            let (re, im, lost) = reflect((u, v), e);
-            let like = |x: f64| a.like(x);
-            let turn = ((a + a) * y).magnitude();
-            let large = like(LARGE_PHASE.next_down()).below(turn);
-            let high = like((ROUND + ALONE).next_down()).below(e.2);
-            let near = zeros::candidate(a, y.magnitude());
-            let special = a.or(a.or(lost, near), a.or(large, high));
-            let special = a.pick(special, like(1.0), like(0.0));
-            let special = a.pick(none, like(0.0), special);
-            let re = a.pick(none, -u.hi, re);
-            let im = a.pick(none, v.hi, im).with_sign_of(x);
-            if special.is_zero() && at + S::WIDTH <= len {
-                let numbers = window(&self.buffers.below, at);
-                let pairs = simd.interleave(re.1, im.1);
-                for m in 0..S::WIDTH {
-                    let [re, im] = pairs[m];
-                    self.w[numbers[m] as usize] = Complex::new(re, im);
-                }
-            } else {
-                let state = a.pick(lost, special + special, special);
-                let (re, im, state) = (re.array(), im.array(), state.array());
-                let (turn, n) = (turn.array(), e.2.array());
-                for m in 0..(len - at).min(S::WIDTH) {
-                    let i = window(&self.buffers.below, at)[m];
-                    let scalar = turn[m] >= LARGE_PHASE || n[m] >= ROUND + ALONE;
-                    if state[m] == 0.0 {
-                        self.put(i, (re[m], im[m]));
-                    } else if self.next_to_zero(i) {
-                        continue;
-                    } else if scalar {
-                        self.alone(lanes, i);
-                    } else if state[m] > 1.0 {
-                        self.cancelled(lanes, i);
-                    } else {
-                        self.put(i, (re[m], im[m]));
-                    }
-                }
+        let special = special.array();
+        let numbers = *self.buffers.numbers(bucket, at);
+        for m in 0..(self.buffers.len(bucket) - at).min(S::WIDTH) {
+            let i = numbers[m];
+            if special[m] == FOR_SCALAR {
+                self.alone(lanes, i);
+            } else if special[m] > 0.0 && !self.next_to_zero(i) && special[m] == LOST {
+                self.cancelled(lanes, i);
             }
-            at += S::WIDTH;
         }
     }
 
