@@ -14,11 +14,9 @@ const CANCELLED_ROUNDED: f64 = 2.0;
 pub(super) const ALONE: f64 = 200.0;
 
 /// One term dominates in a cell, or where 26 terms of the asymptotic series are used, if `|Re z²|` is above
-/// this: `|2e^{−z²}|` is below 2·10⁻³ or above 2000. Neither a zero of w is there nor, where w(−z)
-/// dominates, a zero of a component.
+/// this: `|2e^{−z²}|` is above 2000, or below a fifth of each component of w(−z), so that none vanishes.
 pub(super) const DOMINANT: f64 = 7.0;
-/// `Re z²` above which `2e^{−z²}` is less than half a unit in the last place of both components of w(−z)
-/// there.
+/// `Re z²` above which `2e^{−z²}` is below 2⁻⁵⁴ of each component of w(−z) there.
 pub(super) const NEGLIGIBLE: f64 = 47.0;
 
 /// `Re z² = −ln |e^{−z²}|`, to tell the dominant term.
@@ -85,3 +83,7 @@ pub(super) fn negligible<R: Real>(a: R, b: R, u: R, v: R) -> R::Mask {
     let small = (n + n.like(68.0)).power_of_two();
     small.below(u.at_most(v))
 }
+
+#[cfg(all(test, feature = "oracle"))]
+#[path = "tests/reflection.rs"]
+mod tests;

@@ -16,7 +16,7 @@ use super::plane::{Cancelled, cancels_beside_real_axis, in_strip, on_real_line, 
 use super::real::{Real, with_sign_of};
 use super::rows::{Cells, LowerDisc, RealAxis};
 use super::zeros;
-use bucket::{BUCKETS, LOWER, SERIES_ALONE};
+use bucket::{BUCKETS, LOWER};
 use num_complex::Complex;
 
 /// Points sorted at a time.

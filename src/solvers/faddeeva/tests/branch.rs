@@ -1,8 +1,12 @@
 //! The choice of the formula: the scalar and the vector form are the same.
 
-use super::super::batch::bucket::{BUCKETS, LOWER, SERIES_ALONE, bucket, places};
+use super::super::batch::bucket::{
+    BUCKETS, EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE, bucket,
+    places,
+};
 use super::super::branch::{Branch, Kind, NEAR, TINY, kind};
 use super::super::pack::{Pack, Wide};
+use super::super::reflection::{DOMINANT, NEGLIGIBLE, decay};
 use super::Random;
 use pulp::x86::{V3, V4};
 
@@ -13,12 +17,21 @@ fn expected(x: f64, y: f64) -> usize {
         true => Kind::Other,
         false => kind(a, y),
     };
-    let both = (kind as u8) <= Kind::RealAxis as u8;
-    let lower = if both && y < 0.0 { LOWER } else { 0 };
-    let series = matches!(kind, Kind::Series26 | Kind::Series14 | Kind::Series6);
-    let decayed = y.mul_add(-y, x * x) > 60.0;
-    let alone = lower > 0 && series && decayed && y.abs() >= NEAR;
-    kind as usize + lower + if alone { SERIES_ALONE } else { 0 }
+    if (kind as u8) > Kind::RealAxis as u8 || !(y < 0.0) {
+        return kind as usize;
+    }
+    let decay = decay(x, y);
+    match kind {
+        Kind::Cell if decay > DOMINANT => IMAGE_IN_CELL,
+        Kind::Cell if decay < -DOMINANT => EXPONENTIAL_IN_CELL,
+        Kind::Series26 if (DOMINANT..=NEGLIGIBLE).contains(&decay) => IMAGE_BY_SERIES,
+        Kind::Series26 | Kind::Series14 | Kind::Series6
+            if decay > NEGLIGIBLE && y.abs() >= NEAR =>
+        {
+            kind as usize + LOWER + SERIES_ALONE
+        }
+        _ => kind as usize + LOWER,
+    }
 }
 
 /// Points by chance and on all edges, with a right half.

@@ -1,0 +1,92 @@
+use super::super::branch::{Kind, kind};
+use super::super::lanes::Plain;
+use super::super::plane;
+use super::super::tables::ZEROS;
+use super::super::tests::Random;
+use super::super::tests::exact::{error, float, w};
+use super::*;
+
+/// `2|e^{−z²}|` over the smaller component of w at the mirror image.
+fn ratio(a: f64, b: f64) -> f64 {
+    let (u, v) = w(a, b);
+    2.0 * (b * b - a * a).exp() / u.to_f64().min(v.to_f64())
+}
+
+/// Where w(−z) dominates, no component can vanish; where `2e^{−z²}` is left out, it is below a quarter of a
+/// unit in the last place. Both along the curves where it is largest.
+#[test]
+fn limits() {
+    let mut met = [0; 2];
+    for step in 0..400 {
+        let b = 0.125 + 0.02 * f64::from(step);
+        for (k, (limit, bound)) in [(DOMINANT, 0.2), (NEGLIGIBLE, 2f64.powi(-54))]
+            .into_iter()
+            .enumerate()
+        {
+            let a = b.hypot(limit.sqrt());
+            if matches!(kind(a, -b), Kind::Cell | Kind::Series26) {
+                met[k] += 1;
+                assert!(ratio(a, b) < bound, "{a} {b}: {}", ratio(a, b));
+            }
+        }
+    }
+    assert!(met.iter().all(|&n| n > 150), "{met:?}");
+    // Nor are zeros of w where the exponential dominates.
+    for row in &ZEROS {
+        let decay = decay(row.0[0], row.0[3]);
+        // It changes by at most 2 (a + b)/16 within the square.
+        assert!(decay.abs() + (row.0[0] - row.0[3]) / 8.0 < DOMINANT);
+    }
+}
+
+/// The points where one term dominates: each component by itself.
+#[test]
+fn one_term_dominates() {
+    let mut random = Random(131);
+    let (mut met, mut worst) = ([0; 3], 0.0f64);
+    for _ in 0..40_000 {
+        let (a, b) = (random.between(0.0, 10.6), random.between(0.125, 10.6));
+        let class = match (kind(a, -b), decay(a, b)) {
+            (Kind::Cell, d) if d > DOMINANT => 0,
+            (Kind::Cell, d) if d < -DOMINANT => 1,
+            (Kind::Series26, d) if d > DOMINANT => 2,
+            _ => continue,
+        };
+        met[class] += 1;
+        let (re, im) = plane::w(Plain, a, -b);
+        let exact = w(a, -b);
+        let off = error(&float(re), &exact.0, &exact.0).max(error(&float(im), &exact.1, &exact.1));
+        worst = worst.max(off);
+        assert!(off < 2.5 * f64::EPSILON, "{a} -{b}: {off:e}");
+    }
+    println!("{} ε", worst / f64::EPSILON);
+    assert!(met.iter().all(|&n| n > 2000), "{met:?}");
+}
+
+/// Next to the zero curves of the components where the exponential dominates, the terms cancel and this is
+/// told; a component that is not told keeps its digits.
+#[test]
+fn cancellation_is_told() {
+    let mut random = Random(132);
+    let mut told = 0;
+    for _ in 0..4000 {
+        // cos 2ab or sin 2ab small, b² − a² from 7 to 20.
+        let (a, d) = (random.between(0.3, 4.0), random.between(7.1, 20.0));
+        let b = a.hypot(f64::sqrt(d));
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let phase = (2.0 * a * b / quarter).round().max(1.0) * quarter;
+        let a = phase / (2.0 * b);
+        let a = a * (1.0 + random.between(-0.5, 0.5) * decay(a, b).exp() / phase);
+        if kind(a, -b) != Kind::Cell || decay(a, b) >= -DOMINANT {
+            continue;
+        }
+        let (row, dx, dy) = plane::in_cell(a, b);
+        let image = super::super::taylor::complex_row_rounded(Plain, row, dx, dy);
+        let (re, im, lost) = exponential_dominates(image, a, -b);
+        let exact = w(a, -b);
+        let off = error(&float(re), &exact.0, &exact.0).max(error(&float(im), &exact.1, &exact.1));
+        assert!(lost || off < 4.0 * f64::EPSILON, "{a} -{b}: {off:e}");
+        told += usize::from(lost);
+    }
+    assert!(told > 300, "{told}");
+}
