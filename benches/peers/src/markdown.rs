@@ -2,6 +2,7 @@
 
 use crate::report::{Report, differences, error, ratios, repeats};
 use crate::special::SpecialValue;
+use crate::speed::{RegionTimings, Statistic};
 use std::fmt::Write;
 
 /// The whole report.
@@ -70,27 +71,33 @@ pub fn report(report: &Report) -> String {
         let _ = writeln!(
             s,
             "\nSpeed, one thread, {} points a region, seed {}, {} passes in random order, codes \
-             interleaved in blocks of {}, median of the blocks.",
+             interleaved in blocks of {}.",
             sp.settings.points, sp.settings.seed, sp.settings.passes, sp.block
         );
-        heading(&mut s, "ns per value", &names);
-        let rows = sp.regions.first().map_or(0, |t| t.codes.len());
-        for i in 0..rows {
-            let _ = write!(s, "| {} |", sp.regions[0].codes[i].code);
-            for t in &sp.regions {
-                let _ = write!(s, " {:.1} |", t.codes[i].median_ns);
-            }
-            s.push('\n');
-        }
-        for (name, row) in ratios(&sp.regions) {
-            let _ = write!(s, "| best peer / {name} |");
-            for x in row {
-                let _ = write!(s, " {x:.2} |");
-            }
-            s.push('\n');
+        for (statistic, name) in Statistic::ALL {
+            heading(&mut s, &format!("ns per value, {name}"), &names);
+            speeds(&mut s, &sp.regions, statistic);
         }
     }
     s
+}
+
+fn speeds(s: &mut String, regions: &[RegionTimings], statistic: Statistic) {
+    let rows = regions.first().map_or(0, |t| t.codes.len());
+    for i in 0..rows {
+        let _ = write!(s, "| {} |", regions[0].codes[i].code);
+        for t in regions {
+            let _ = write!(s, " {:.1} |", t.codes[i].ns(statistic));
+        }
+        s.push('\n');
+    }
+    for (name, row) in ratios(regions, statistic) {
+        let _ = write!(s, "| best peer / {name} |");
+        for x in row {
+            let _ = write!(s, " {x:.2} |");
+        }
+        s.push('\n');
+    }
 }
 
 fn heading(s: &mut String, title: &str, columns: &[&str]) {

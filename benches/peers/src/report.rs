@@ -3,7 +3,7 @@
 use crate::accuracy::{self, RegionAccuracy};
 use crate::code::{Code, Missing, Shape};
 use crate::special::SpecialValue;
-use crate::speed::{self, RegionTimings};
+use crate::speed::{self, RegionTimings, Statistic};
 use serde::Serialize;
 
 /// A compared code.
@@ -108,15 +108,14 @@ pub fn error(x: f64) -> String {
 }
 
 /// The rows of a speed table: heading and one value for each region.
-pub fn ratios(timings: &[RegionTimings]) -> Vec<(String, Vec<f64>)> {
+pub fn ratios(timings: &[RegionTimings], statistic: Statistic) -> Vec<(String, Vec<f64>)> {
     let Some(first) = timings.first() else {
         return Vec::new();
     };
     let own = first.codes.iter().enumerate().filter(|(_, c)| c.own);
     own.map(|(i, c)| {
         let ratio = |t: &RegionTimings| {
-            let best = t.best_peer().map_or(f64::NAN, |b| b.median_ns);
-            best / t.codes[i].median_ns
+            t.best_peer(statistic).unwrap_or(f64::NAN) / t.codes[i].ns(statistic)
         };
         (c.code.clone(), timings.iter().map(ratio).collect())
     })

@@ -2,6 +2,7 @@
 
 use crate::report::{Report, differences, error, ratios, repeats};
 use crate::special::SpecialValue;
+use crate::speed::{RegionTimings, Statistic};
 use std::fmt::Write;
 
 const WIDTH: usize = 100;
@@ -75,31 +76,38 @@ pub fn report(report: &Report) -> String {
         let _ = writeln!(
             s,
             "\nSpeed: ns per value, one thread, {core}; {} points a region, seed {}, {} passes in \
-             random order,\ncodes interleaved in blocks of {}, median of the blocks.",
+             random order,\ncodes interleaved in blocks of {}.",
             sp.settings.points, sp.settings.seed, sp.settings.passes, sp.block
         );
-        let _ = write!(s, "{:<32}", "");
-        for t in &sp.regions {
-            let _ = write!(s, "{:>9}", t.region);
-        }
-        s.push('\n');
-        let rows = sp.regions.first().map_or(0, |t| t.codes.len());
-        for i in 0..rows {
-            let _ = write!(s, "{:<32}", sp.regions[0].codes[i].code);
-            for t in &sp.regions {
-                let _ = write!(s, "{:>9.1}", t.codes[i].median_ns);
-            }
-            s.push('\n');
-        }
-        for (name, row) in ratios(&sp.regions) {
-            let _ = write!(s, "{:<32}", format!("best peer / {name}"));
-            for x in row {
-                let _ = write!(s, "{:>9}", format!("{x:.2}x"));
-            }
-            s.push('\n');
+        for (statistic, name) in Statistic::ALL {
+            let _ = writeln!(s, "\nThe {name}:");
+            speeds(&mut s, &sp.regions, statistic);
         }
     }
     s
+}
+
+fn speeds(s: &mut String, regions: &[RegionTimings], statistic: Statistic) {
+    let _ = write!(s, "{:<32}", "");
+    for t in regions {
+        let _ = write!(s, "{:>9}", t.region);
+    }
+    s.push('\n');
+    let rows = regions.first().map_or(0, |t| t.codes.len());
+    for i in 0..rows {
+        let _ = write!(s, "{:<32}", regions[0].codes[i].code);
+        for t in regions {
+            let _ = write!(s, "{:>9.1}", t.codes[i].ns(statistic));
+        }
+        s.push('\n');
+    }
+    for (name, row) in ratios(regions, statistic) {
+        let _ = write!(s, "{:<32}", format!("best peer / {name}"));
+        for x in row {
+            let _ = write!(s, "{:>9}", format!("{x:.2}x"));
+        }
+        s.push('\n');
+    }
 }
 
 fn special(s: &mut String, v: &SpecialValue) {
