@@ -4,9 +4,9 @@
 //! Each component within a few units in its own last place wherever it is representable: beside
 //! the axes, on the diagonals, in the lower half-plane and next to the zeros of w and of its
 //! components. Worst found against the certified reference at 10⁷ points in each of the seven regions
-//! of `benches/peers`: 1.50 · 2⁻⁵² of the norm (0.99 in the upper half-plane); of the component, 2.9
-//! units in the last place in the upper half-plane, 3.9 in the unit disc, 2.2 beside the real axis, 4.2
-//! in the lower half-plane, 3.1 on the diagonals and 3.6 next to zeros. Known to be worse: components
+//! of `benches/peers`: 1.60 · 2⁻⁵² of the norm (0.99 in the upper half-plane); of the component, 2.9
+//! units in the last place in the upper half-plane, 3.9 in the unit disc, 2.2 beside the real axis, 3.5
+//! in the lower half-plane, 2.6 on the diagonals and 3.6 next to zeros. Known to be worse: components
 //! below 2⁻⁴⁵ of the terms they are the difference of (an `f64` or two from a curve on which they are
 //! zero), for which double-double is not enough, 68 units at the worst point found. `benches/peers`
 //! repeats the measurement beside other codes, `mechaudit audit faddeeva` judges it.
@@ -27,9 +27,10 @@
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
 //! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above
-//! carried on to pairs of `f64`. Where a component is smaller than a tenth of its terms it is computed again in double-double by the trapezoidal
-//! rule with the residue at its pole; next to the first twelve zeros of w by Taylor series about
-//! the zero, which is stored to 160 bits.
+//! carried on to pairs of `f64`; single ones suffice for `|z|² < 112` where `|Re z²| > 7`, because one of the
+//! terms dominates there. Where a component is smaller than a fortieth of its terms it is computed again in
+//! double-double by the trapezoidal rule with the residue at its pole; next to the first twelve zeros of w by
+//! Taylor series about the zero, which is stored to 160 bits.
 //!
 //! # Special values
 //! | z | w(z) |

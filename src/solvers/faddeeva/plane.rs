@@ -297,7 +297,7 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
     };
     let kind = kind(a, y);
     let decay = decay(a, y);
-    if kind == Kind::Cell && (decay > DOMINANT || decay < -DOMINANT) {
+    if kind == Kind::Cell && decay.abs() > DOMINANT {
         let (row, dx, dy) = in_cell(a, b);
         let image = complex_row_rounded(lanes, row, dx, dy);
         return match decay > 0.0 {
