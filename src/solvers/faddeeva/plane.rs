@@ -417,7 +417,7 @@ fn w_of_bits<L: Lanes>(lanes: L, x: u64, y: u64) -> (f64, f64) {
     if larger < NEAR_SURELY << 1 && p > 0 {
         return maclaurin(f64::from_bits(x), f64::from_bits(y));
     }
-    // Below zero, and so is not −0.
+    // Below zero: not −0. A NaN with a minus sign passes too, and gives NaN there as well.
     if y > 1 << 63 {
         return lanes.call(Lower(x, y));
     }
