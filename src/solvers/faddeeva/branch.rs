@@ -1,13 +1,14 @@
 //! Which formula computes W(z) where.
 
 use super::real::Real;
-use super::{maclaurin, zeros};
+use super::zeros;
 
 // Every limit of |z|² but the last is one of 1, 5/4, 3/2, 7/4 times a power of two, so that the exponent and the
 // first two bits of the fraction tell which side of it a number is on.
 
-/// |z|² below which the Maclaurin series is used.
-pub(super) const SMALL: f64 = 1.0 / 16384.0;
+/// |z|² below which the Maclaurin series is used, and below which nine terms of it.
+const TERMS_21: f64 = 1.0 / 16.0;
+pub(super) const TERMS_9: f64 = 1.0 / 16384.0;
 /// |z|² below which cells of the lower half-plane are tabulated.
 const DISC_EDGE: f64 = 1.0;
 /// |z|² from which the strip beside the real axis has rows of its own, the asymptotic series with
@@ -44,7 +45,8 @@ pub(super) enum Kind {
     RealAxis,
     Series4,
     Series2,
-    Small,
+    Maclaurin9,
+    Maclaurin21,
     Disc,
     Strip,
     RealLine,
@@ -117,12 +119,13 @@ pub(super) fn branch(a: f64, y: f64) -> Branch {
         };
     }
     match kind(a, y) {
-        Kind::Small => Branch::Maclaurin {
-            terms: maclaurin::TERMS,
-        },
+        Kind::Maclaurin9 => Branch::Maclaurin { terms: 9 },
+        Kind::Cell | Kind::Maclaurin21 if a == 0.0 && y >= 0.0 => {
+            Branch::ImaginaryAxis { terms: 18 }
+        }
+        Kind::Maclaurin21 => Branch::Maclaurin { terms: 21 },
         Kind::Series4 => Branch::Asymptotic { terms: 4 },
         Kind::Series2 => Branch::Asymptotic { terms: 2 },
-        Kind::Cell if a == 0.0 && y >= 0.0 => Branch::ImaginaryAxis { terms: 18 },
         Kind::Cell => Branch::Cell { terms: 18 },
         Kind::Disc => Branch::LowerCell { terms: 18 },
         Kind::RealAxis => Branch::RealAxis { terms: 18 },
@@ -148,8 +151,10 @@ pub(super) const fn formula(r2: f64, low: bool, beside_real: bool, next_to_real:
             Kind::Strip
         }
     } else if r2 < FAR {
-        if r2 < SMALL {
-            Kind::Small
+        if r2 < TERMS_9 {
+            Kind::Maclaurin9
+        } else if r2 < TERMS_21 {
+            Kind::Maclaurin21
         } else if low & (r2 < DISC_EDGE) {
             Kind::Disc
         } else {

@@ -9,7 +9,7 @@ use super::exponential::{
     exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
 };
 use super::lanes::{Lanes, Task, with_best};
-use super::maclaurin::{self, maclaurin};
+use super::maclaurin::{self, nine_terms, twenty_one_terms};
 use super::real::{ROUND, Real, scaled, with_sign_of};
 use super::reflection::{
     ALONE, DOMINANT, NEGLIGIBLE, decay, exponential_dominates, image_dominates, negligible, reflect,
@@ -213,14 +213,14 @@ impl Task for Cancelled {
 #[inline(always)]
 fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
     let re = match kind(0.0, b) {
-        Kind::Cell => {
+        Kind::Cell | Kind::Maclaurin21 => {
             let (n, t) = on_axis(b);
             real_row(lanes, imaginary_axis_row(n), t, 0.0).0
         }
         Kind::Series26 => series::<_, 26>(0.0, b).0,
         Kind::Series14 => series::<_, 14>(0.0, b).0,
         Kind::Series6 | Kind::Series4 | Kind::Series2 => series::<_, 6>(0.0, b).0,
-        Kind::Small => return maclaurin::on_imaginary_axis(b),
+        Kind::Maclaurin9 => return maclaurin::on_imaginary_axis(b),
         _ => return special::huge(0.0, b).0,
     };
     re.hi
@@ -254,7 +254,8 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
         Kind::Series6 => series_rounded::<_, 6>(a, b),
         Kind::Series4 => series_rounded::<_, 4>(a, b),
         Kind::Series2 => two_terms(a, b),
-        Kind::Small => maclaurin(a, b),
+        Kind::Maclaurin9 => nine_terms(a, b),
+        Kind::Maclaurin21 => twenty_one_terms(a, b),
         // The others are for the lower half-plane.
         Kind::Disc | Kind::Other => special::huge(a, b),
     }
@@ -333,8 +334,9 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
             return unless_lost((re.hi, im.hi, lost));
         }
-        Kind::Small if a == 0.0 => return done((maclaurin::on_imaginary_axis(y), 0.0)),
-        Kind::Small => return done(maclaurin(a, y)),
+        Kind::Maclaurin9 if a == 0.0 => return done((maclaurin::on_imaginary_axis(y), 0.0)),
+        Kind::Maclaurin9 => return done(nine_terms(a, y)),
+        Kind::Maclaurin21 => return done(twenty_one_terms(a, y)),
         Kind::Disc => {
             let [n, dx, dy] = disc_cell(a, y);
             return done(complex_row_rounded(lanes, disc_row(n), dx, dy));
@@ -415,7 +417,7 @@ fn w_of_bits<L: Lanes>(lanes: L, x: u64, y: u64) -> (f64, f64) {
     let (p, q) = (x << 1, y << 1);
     let larger = p.max(q);
     if larger < NEAR_SURELY << 1 && p > 0 {
-        return maclaurin(f64::from_bits(x), f64::from_bits(y));
+        return nine_terms(f64::from_bits(x), f64::from_bits(y));
     }
     // Below zero: not −0. A NaN with a minus sign passes too, and gives NaN there as well.
     if y > 1 << 63 {

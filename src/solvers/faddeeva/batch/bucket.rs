@@ -1,7 +1,7 @@
 //! Which bucket a point belongs to: a table for the leading bits of |z|² and a few comparisons.
 
 use super::super::branch::{
-    HUGE, Kind, NEAR, SMALL, STRIP, TERMS_2, TINY, formula, modulus_squared,
+    HUGE, Kind, NEAR, STRIP, TERMS_2, TERMS_9, TINY, formula, modulus_squared,
 };
 use super::super::pack::{Pack, Wide};
 use super::super::real::Real;
@@ -33,7 +33,7 @@ const APART: usize = 1 << 11;
 const PLACES: usize = 1 << 12;
 
 /// |z|² outside these has the kind of the nearer one.
-const LEAST: f64 = SMALL / 2.0;
+const LEAST: f64 = TERMS_9 / 2.0;
 const MOST: f64 = TERMS_2;
 /// Stands for what is left to the scalar code.
 const OTHER: f64 = 2.0 * TERMS_2;

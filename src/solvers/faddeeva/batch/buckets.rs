@@ -6,7 +6,8 @@ use super::super::real::Real;
 use super::super::rows::Rows;
 use super::super::taylor::OnRows;
 use super::super::two::Two;
-use super::{Chunk, Formula, GROUPS};
+use super::formulas::Formula;
+use super::{Chunk, GROUPS};
 use num_complex::Complex;
 
 impl Chunk<'_> {

@@ -3,20 +3,22 @@
 
 pub(super) mod bucket;
 mod buckets;
+mod formulas;
+mod later;
 mod reflection;
 mod sort;
 
 use super::Points;
-use super::asymptotic::{series_rounded, two_terms};
 use super::branch::Kind;
 use super::lanes::Lanes;
-use super::maclaurin::maclaurin;
 use super::pack::Wide;
-use super::plane::{Cancelled, cancels_beside_real_axis, in_strip, on_real_line, w};
+use super::plane::{Cancelled, cancels_beside_real_axis, w};
 use super::real::{Real, with_sign_of};
 use super::rows::{Cells, LowerDisc, RealAxis};
 use super::zeros;
 use bucket::{BUCKETS, LOWER};
+use formulas::{InStrip, Maclaurin9, Maclaurin21, OnRealLine, Series, TwoTerms, UnlessLost};
+use later::Later;
 use num_complex::Complex;
 
 /// Points sorted at a time.
@@ -25,8 +27,10 @@ const CHUNK: usize = 256;
 const GROUPS: usize = 16;
 /// Places of a bucket: room for all points, and for repeating the last one.
 const ROOM: usize = CHUNK + GROUPS;
-/// Room for all buckets, a power of two.
-const SETS: usize = BUCKETS.next_power_of_two();
+/// Room for all buckets and one more, a power of two.
+const SETS: usize = (BUCKETS + 1).next_power_of_two();
+/// The bucket of those left for later.
+const LATER: usize = BUCKETS;
 /// Room for the points of all buckets, one after another, the last one of each repeated.
 const ORDERED: usize = (CHUNK + GROUPS * BUCKETS).next_power_of_two();
 
@@ -38,6 +42,8 @@ struct Chunk<'a> {
 }
 
 struct Buffers {
+    /// The bucket of each point.
+    codes: [u8; CHUNK],
     /// The points of all buckets, where those of each begin, and how many it has.
     order: [u8; ORDERED + GROUPS],
     start: [usize; SETS],
@@ -74,6 +80,7 @@ impl Buffers {
 pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mut P) {
     let none = [0.0; ROOM];
     let buffers = &mut Buffers {
+        codes: [0; CHUNK],
         order: [0; ORDERED + GROUPS],
         start: [0; SETS],
         len: [0; SETS],
@@ -85,18 +92,38 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         near_zeros: 0,
         zeros: [0; ROOM],
     };
+    let (mut z_moved, mut w_moved) = ([Complex::ZERO; CHUNK], [Complex::ZERO; CHUNK]);
     let total = points.len();
+    let mut later = Later::new();
     let mut start = 0;
-    while start < total {
-        let n = (total - start).min(CHUNK);
-        if let Some((z, w)) = points.chunk(start) {
-            Chunk { z, w, buffers }.run(simd, lanes, n);
+    while start < total || !later.is_empty() {
+        if start == total || later.is_full() {
+            let (z, w) = (later.points(), &mut w_moved);
+            let mut chunk = Chunk { z, w, buffers };
+            let present = later.classify(&mut chunk);
+            chunk.sort(simd, later.len(), present, 0);
+            chunk.run(simd, lanes);
+            later.store(&w_moved, points);
+            continue;
+        }
+        let n = CHUNK.min(total - start);
+        let mut moved = false;
+        let (z, w) = if let Some((z, w)) = points.chunk(start) {
+            (z, w)
         } else {
-            let (mut z, mut w) = ([Complex::ZERO; CHUNK], [Complex::ZERO; CHUNK]);
-            points.load(start, &mut z[..n]);
-            let (z, w) = (&z, &mut w);
-            Chunk { z, w, buffers }.run(simd, lanes, n);
-            points.store(start, &w[..n]);
+            points.load(start, &mut z_moved[..n]);
+            moved = true;
+            (&z_moved, &mut w_moved)
+        };
+        let mut chunk = Chunk { z, w, buffers };
+        let present = chunk.classify(simd, n);
+        // A single chunk is not worth the trouble.
+        let room = if total > CHUNK { later.room() } else { 0 };
+        chunk.sort(simd, n, present, room);
+        later.take(&chunk, start);
+        chunk.run(simd, lanes);
+        if moved {
+            points.store(start, &w_moved[..n]);
         }
         start += n;
     }
@@ -104,9 +131,8 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
 
 impl Chunk<'_> {
     #[inline(always)]
-    fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L, n: usize) {
+    fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         self.buffers.near_zeros = 0;
-        self.sort(simd, n);
         self.upper(simd);
         self.one_term_dominates(simd, lanes);
         self.both_terms(simd, lanes);
@@ -127,7 +153,8 @@ impl Chunk<'_> {
         self.without_rows(simd, Kind::Series6 as usize, Series::<6>);
         self.without_rows(simd, Kind::Series4 as usize, Series::<4>);
         self.without_rows(simd, Kind::Series2 as usize, TwoTerms);
-        self.without_rows(simd, Kind::Small as usize, Maclaurin);
+        self.without_rows(simd, Kind::Maclaurin9 as usize, Maclaurin9);
+        self.without_rows(simd, Kind::Maclaurin21 as usize, Maclaurin21);
         self.rounded(simd, LowerDisc::new(), Kind::Disc as usize);
         self.rounded(simd, RealAxis::new(), Kind::RealAxis as usize);
     }
@@ -238,68 +265,6 @@ impl Chunk<'_> {
             }
             at += S::WIDTH;
         }
-    }
-}
-
-/// A formula for w at `a + i y`, `a ≥ 0`.
-trait Formula: Copy {
-    fn value<R: Real>(self, a: R, y: R) -> (R, R);
-}
-
-/// A formula that also tells where digits are lost.
-trait UnlessLost: Copy {
-    fn value<R: Real>(self, a: R, y: R) -> (R, R, R::Mask);
-}
-
-#[derive(Clone, Copy)]
-struct InStrip;
-
-impl UnlessLost for InStrip {
-    #[inline(always)]
-    fn value<R: Real>(self, a: R, y: R) -> (R, R, R::Mask) {
-        in_strip(a, y)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct OnRealLine;
-
-impl UnlessLost for OnRealLine {
-    #[inline(always)]
-    fn value<R: Real>(self, a: R, y: R) -> (R, R, R::Mask) {
-        on_real_line(a, y)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Maclaurin;
-
-impl Formula for Maclaurin {
-    #[inline(always)]
-    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
-        maclaurin(a, y)
-    }
-}
-
-/// The asymptotic series with two terms.
-#[derive(Clone, Copy)]
-struct TwoTerms;
-
-impl Formula for TwoTerms {
-    #[inline(always)]
-    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
-        two_terms(a, y.magnitude())
-    }
-}
-
-/// The asymptotic series with N terms.
-#[derive(Clone, Copy)]
-struct Series<const N: usize>;
-
-impl<const N: usize> Formula for Series<N> {
-    #[inline(always)]
-    fn value<R: Real>(self, a: R, y: R) -> (R, R) {
-        series_rounded::<_, N>(a, y.magnitude())
     }
 }
 

@@ -13,7 +13,8 @@ use super::super::reflection::{
 use super::super::rows::Cells;
 use super::super::zeros;
 use super::bucket::{EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE};
-use super::{CHUNK, Chunk, Formula};
+use super::formulas::Formula;
+use super::{CHUNK, Chunk};
 
 /// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of those that
 /// only the scalar code takes care of.

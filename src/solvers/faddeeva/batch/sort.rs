@@ -2,10 +2,13 @@
 
 use super::super::pack::{Pack, Wide};
 use super::bucket::{bucket, places};
-use super::{CHUNK, Chunk, GROUPS, ORDERED, SETS, pair};
+use super::{CHUNK, Chunk, GROUPS, LATER, ORDERED, SETS, pair};
 
 /// Points compared with a bucket at a time.
 const BLOCK: usize = 32;
+const BLOCKS: usize = CHUNK / BLOCK;
+/// Fewer points than these do not fill two groups of the narrower vectors.
+const FEW: usize = 8;
 /// No bucket.
 const NONE: u8 = 255;
 
@@ -33,10 +36,9 @@ const fn bytes(x: usize) -> u64 {
 }
 
 impl Chunk<'_> {
-    /// Sorts the first `n` points into the buckets: each bucket collects its own, so that no count
-    /// waits for the one before.
+    /// Finds the buckets of the first `n` points; which there are.
     #[inline(always)]
-    pub(super) fn sort<S: Wide>(&mut self, simd: S, n: usize) {
+    pub(super) fn classify<S: Wide>(&mut self, simd: S, n: usize) -> u32 {
         let buffers = &mut *self.buffers;
         let mut at = 0;
         while at < n {
@@ -48,36 +50,64 @@ impl Chunk<'_> {
             simd.store_at(simd.transmute_f64s_u64s(places), &mut buffers.x, at);
             at += S::WIDTH;
         }
-        let mut codes = [NONE; CHUNK];
         let mut present = 0_u32;
-        for (code, place) in codes[..n].iter_mut().zip(&buffers.x) {
+        for (code, place) in buffers.codes[..n].iter_mut().zip(&buffers.x) {
             *code = bucket(place.to_bits());
             present |= 1 << (*code & 31);
         }
+        present
+    }
+
+    /// Sorts the first `n` points into the buckets: each bucket collects its own, so that no count
+    /// waits for the one before. Buckets with few points leave them for later, as long as there is room.
+    #[inline(always)]
+    pub(super) fn sort<S: Wide>(&mut self, simd: S, n: usize, present: u32, room: usize) {
+        let (mut present, mut room) = (present, room);
+        let buffers = &mut *self.buffers;
+        buffers.codes[n..].fill(NONE);
         buffers.len = [0; SETS];
         let order = &mut buffers.order;
         let mut start = 0;
+        let mut later = [0_u32; BLOCKS];
         while present != 0 {
             let k = present.trailing_zeros() as usize & (SETS - 1);
             present &= present - 1;
-            let mut end = start;
-            for (i, block) in codes.as_chunks::<BLOCK>().0.iter().enumerate() {
-                let equal = simd.equal(block, k as u8);
-                if equal == 0 {
-                    continue;
-                }
-                for (j, set) in equal.to_le_bytes().into_iter().enumerate() {
-                    let members = MEMBERS[set as usize] + bytes(i * BLOCK + j * 8);
-                    place(order, end, members.to_le_bytes());
-                    end += set.count_ones() as usize;
-                }
+            let mut members = [0_u32; BLOCKS];
+            let mut len = 0;
+            for (members, block) in members.iter_mut().zip(buffers.codes.as_chunks::<BLOCK>().0) {
+                *members = simd.equal(block, k as u8);
+                len += members.count_ones() as usize;
             }
-            buffers.len[k] = end - start;
+            if len < FEW && len <= room {
+                room -= len;
+                for (later, members) in later.iter_mut().zip(members) {
+                    *later |= members;
+                }
+                continue;
+            }
+            list(order, start, &members);
+            buffers.len[k] = len;
             buffers.start[k] = start;
             // The last one again, so that groups are whole.
-            let last = order[(end - 1) & (ORDERED - 1)];
-            place(order, end, [last; GROUPS]);
-            start = end + GROUPS;
+            let last = order[(start + len - 1) & (ORDERED - 1)];
+            place(order, start + len, [last; GROUPS]);
+            start += len + GROUPS;
+        }
+        list(order, start, &later);
+        buffers.len[LATER] = later.iter().map(|x| x.count_ones() as usize).sum();
+        buffers.start[LATER] = start;
+    }
+}
+
+/// Puts the members of a set of points from a place on.
+#[inline(always)]
+fn list(order: &mut [u8; ORDERED + GROUPS], at: usize, members: &[u32; BLOCKS]) {
+    let mut at = at;
+    for (i, block) in members.iter().enumerate() {
+        for (j, set) in block.to_le_bytes().into_iter().enumerate() {
+            let members = MEMBERS[set as usize] + bytes(i * BLOCK + j * 8);
+            place(order, at, members.to_le_bytes());
+            at += set.count_ones() as usize;
         }
     }
 }
