@@ -14,11 +14,12 @@ use super::lanes::Lanes;
 use super::pack::{Pack, Wide};
 #[cfg(target_arch = "x86_64")]
 use super::plane::entry;
-use super::real::Real;
+use super::real::{ROUND, Real};
 use super::tables::ZEROS;
 #[cfg(target_arch = "x86_64")]
 use super::taylor::{columns, polynomials};
 use super::taylor::{polynomial, square};
+use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// `Re z_k` and `Im z_k` in three parts each, then five blocks of four real and four imaginary
 /// parts of `g`.
@@ -31,9 +32,6 @@ const REACH: f64 = 0.0625;
 /// 2/√π.
 const TWO_OVER_SQRT_PI: Dd = Dd::new(std::f64::consts::FRAC_2_SQRT_PI, 1.533_545_961_316_588e-17);
 
-/// Beyond this no zero is stored.
-const OUTERMOST: f64 = 6.5;
-
 /// The zero next to `a − i b`, if the point lies in its square: `2ab/π` at the k-th zero is
 /// `2k − 0.27`, nearly.
 #[inline(always)]
@@ -41,17 +39,23 @@ pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
     if !candidate(a, b) {
         return None;
     }
-    let k = (a * b * std::f64::consts::FRAC_1_PI - 0.365) as usize;
+    let k = (a * b * FRAC_1_PI - 0.365) as usize;
     let z = &ZEROS.get(k)?.0;
     ((a - z[0]).abs() <= REACH && (b + z[3]).abs() <= REACH).then_some(k)
 }
 
-/// Whether the point `a − i b` may lie in the square of a zero: there `a² − b²` is between 1.6 and 5.
+/// Whether the point `a − i b` may lie in the square of a zero. There `p = 2ab` is near `2π(k − 0.1325)`, and
+/// `a² − b²` near the straight line through the values at the zeros; squares become squares, turned and `2|z|`
+/// times as large, inside circles with `|z|²/32` for the square of the radius.
 #[inline(always)]
 pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
-    let e = (a - b) * (a + b) - a.like(3.3);
-    let far = a.pick(a.below(a.like(OUTERMOST)), a.like(0.0), a.like(9.0));
-    (e.magnitude() + far).below(a.like(1.7))
+    let like = |c: f64| a.like(c);
+    let p = (a + a) * b;
+    let p0 = p + like(0.1325 * TAU);
+    let n = p0.fma(like(0.5 * FRAC_1_PI), like(ROUND)) - like(ROUND);
+    let off = n.fma(like(-TAU), p0);
+    let e = (a - b).fma(a + b, p.fma(like(-0.0163), like(-2.35)));
+    off.fma(off, e * e).below(p.fma(like(0.04), like(0.36)))
 }
 
 /// `w(a − i b)` next to zero `k`; `None` if a component cannot be had to a few units in the last
