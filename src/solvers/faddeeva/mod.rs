@@ -14,7 +14,7 @@
 //! # Method
 //! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]):
 //!
-//! - `|z|² < 2⁻¹⁴`: Maclaurin series;
+//! - `|z|² < 2⁻¹⁴`: Maclaurin series with 9 terms, `|z|² < 2⁻⁴`: with 21;
 //! - `|z|² < 48`: Taylor series of 18 terms about tabulated centres 1/4 (or 1/2) apart, the two leading
 //!   coefficients in double-double; beside the axes the centres lie on them (on the real axis 1/16
 //!   apart), so that the small component keeps its relative accuracy; on the imaginary axis with the
@@ -23,7 +23,7 @@
 //!   beside the real axis; within `2⁻²⁸` of it two real polynomials serve instead.
 //!
 //! Batches are sorted by formula, 256 points at a time, by the leading bits of `|z|²` and a few
-//! comparisons.
+//! comparisons; points that fewer than eight share a formula with wait until there are more.
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
 //! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above

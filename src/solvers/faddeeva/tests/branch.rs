@@ -110,6 +110,8 @@ fn as_told() {
     use super::super::branch;
     let told = [
         ((0.005, 0.005), Branch::Maclaurin { terms: 9 }),
+        ((0.1, -0.2), Branch::Maclaurin { terms: 21 }),
+        ((0.0, 0.2), Branch::ImaginaryAxis { terms: 18 }),
         ((-1.0, 1.0), Branch::Cell { terms: 18 }),
         ((1.0, -1.5), Branch::Cell { terms: 18 }),
         ((0.5, -0.5), Branch::LowerCell { terms: 18 }),

@@ -10,41 +10,75 @@ fn coefficients() {
     assert!(are_parts(&(Ball::integer(300, 1) / &root), &[INV_SQRT_PI]));
     // w(iy) = 1 + Σ k_n yⁿ is real: two roundings each.
     let zero = Rational::new();
-    let c = faddeeva::taylor(&zero, &zero, K.len() + 1, 200).expect("decided");
-    for (n, value) in K.iter().enumerate() {
-        // k yⁿ = c_m (iy)ᵐ.
-        let m = n + 1;
-        let c = &c[m];
-        let exact = match m % 4 {
+    let c = faddeeva::taylor(&zero, &zero, 21, 200).expect("decided");
+    let check = |n: usize, value: f64| {
+        // k yⁿ = c_n (iy)ⁿ.
+        let c = &c[n];
+        let exact = match n % 4 {
             0 => c.re.mid().clone(),
             1 => Float::with_val(200, -c.im.mid()),
             2 => Float::with_val(200, -c.re.mid()),
             _ => c.im.mid().clone(),
         };
         assert!(
-            error(&float(*value), &exact, &exact) <= 1.5 * f64::EPSILON,
-            "{m}"
+            error(&float(value), &exact, &exact) <= 1.5 * f64::EPSILON,
+            "{n}"
         );
+    };
+    for (n, value) in K.iter().enumerate() {
+        check(n + 1, *value);
+    }
+    for (m, value) in EVEN.iter().enumerate() {
+        check(2 * m + 2, *value);
+    }
+    for (m, value) in ODD.iter().enumerate() {
+        check(2 * m + 3, *value);
     }
 }
 
-#[test]
-fn next_to_zero() {
-    let mut random = Random(111);
-    let mut worst = 0.0f64;
-    for _ in 0..20_000 {
-        let (a, y) = (random.power(-60.0, -7.0), random.power(-60.0, -7.0));
-        if a * a + y * y >= 1.0 / 16384.0 {
+/// The worst error of a component, in units of 2⁻⁵², for |z| below 2^k.
+fn worst(terms: fn(f64, f64) -> (f64, f64), k: i32, seed: u64) -> (f64, f64, f64) {
+    let mut random = Random(seed);
+    let mut worst = (0.0f64, 0.0, 0.0);
+    let reach = f64::from(k);
+    for i in 0..20_000 {
+        let (a, y) = match i % 2 {
+            0 => (random.power(-60.0, reach), random.power(-60.0, reach)),
+            _ => (
+                random.power(reach - 2.0, reach),
+                random.power(reach - 2.0, reach),
+            ),
+        };
+        if a * a + y * y >= 4f64.powi(k) {
             continue;
         }
         for y in [y, -y] {
-            let (re, im) = maclaurin(a, y);
+            let (re, im) = terms(a, y);
             let exact = w(a, y);
             let off =
                 error(&float(re), &exact.0, &exact.0).max(error(&float(im), &exact.1, &exact.1));
-            worst = worst.max(off);
-            assert!(off < f64::EPSILON, "{a:e} {y:e}: {off:e}");
+            if off > worst.0 {
+                worst = (off, a, y);
+            }
         }
     }
-    println!("{} ε", worst / f64::EPSILON);
+    println!(
+        "{} ε at {:e} + {:e} i",
+        worst.0 / f64::EPSILON,
+        worst.1,
+        worst.2
+    );
+    (worst.0 / f64::EPSILON, worst.1, worst.2)
+}
+
+#[test]
+fn nine_terms_next_to_zero() {
+    let off = worst(nine_terms, -7, 111);
+    assert!(off.0 < 1.0, "{off:?}");
+}
+
+#[test]
+fn twenty_one_terms_up_to_a_quarter() {
+    let off = worst(twenty_one_terms, -2, 112);
+    assert!(off.0 < 1.5, "{off:?}");
 }

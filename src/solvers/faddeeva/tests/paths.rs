@@ -57,6 +57,29 @@ fn batches_of_one_kind() {
     }
 }
 
+/// Points that few others of a chunk share the formula with wait for more of them, those of several chunks are
+/// computed together, and the last ones at the end.
+#[test]
+fn points_that_wait() {
+    let mut random = Random(33);
+    for n in [257, 511, 512, 513, 3000, 20_000] {
+        // The rare ones thin out, so that they are due neither at once nor never.
+        let rare = 1 + random.below(60);
+        let z: Vec<_> = (0..n)
+            .map(|_| match random.below(rare) {
+                0 => {
+                    let (x, y) = random.point();
+                    Complex::new(x, y)
+                }
+                _ => Complex::new(1e3 + random.below(100) as f64, 2.0),
+            })
+            .collect();
+        let mut w = vec![Complex::new(7.0, 7.0); n];
+        faddeeva_batch(&z, &mut w).expect("equal lengths");
+        assert_same(&z, &w);
+    }
+}
+
 #[test]
 fn parts_apart() {
     let z = points(32, 5000);

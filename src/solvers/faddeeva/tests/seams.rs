@@ -66,6 +66,7 @@ fn circles() {
     let mut points = Vec::new();
     for r in [
         1.0f64 / 128.0,
+        0.25,
         1.0,
         1.25f64.sqrt(),
         14f64.sqrt(),

@@ -1,6 +1,6 @@
 //! What is defined where w is not.
 
-use super::super::faddeeva;
+use super::super::{faddeeva, faddeeva_batch};
 use num_complex::Complex;
 
 const INF: f64 = f64::INFINITY;
@@ -30,6 +30,30 @@ fn not_a_number() {
         assert_is((NAN, zero), NAN, NAN);
         // On the imaginary axis w is real whatever Im z is.
         assert_is((zero, NAN), NAN, 0.0);
+    }
+}
+
+/// The sign of a NaN makes no difference, alone or among many.
+#[test]
+fn not_a_number_with_a_minus_sign() {
+    let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
+    let minus = -NAN;
+    assert!(minus.is_sign_negative());
+    for v in [
+        0.0, -0.0, 1e-300, 0.5, -2.0, 40.0, 1e200, INF, -INF, NAN, minus,
+    ] {
+        for (z, of) in [((v, minus), (v, NAN)), ((minus, v), (NAN, v))] {
+            let (got, expected) = (w(z.0, z.1), w(of.0, of.1));
+            assert!(
+                same(got.re, expected.re) && same(got.im, expected.im),
+                "w{z:?} = {got:?}, not {expected:?}"
+            );
+            let mut many = [Complex::ZERO; 80];
+            faddeeva_batch(&[Complex::new(z.0, z.1); 80], &mut many).expect("equal lengths");
+            for got in many {
+                assert!(same(got.re, expected.re) && same(got.im, expected.im));
+            }
+        }
     }
 }
 
