@@ -23,7 +23,8 @@
 //!   beside the real axis; within `2⁻²⁸` of it two real polynomials serve instead.
 //!
 //! Batches are sorted by formula, 256 points at a time, by the leading bits of `|z|²` and a few
-//! comparisons; points that fewer than eight share a formula with wait until there are more.
+//! comparisons; in batches of 1024 points and more, those that fewer than eight of the 256 share a formula with
+//! wait until there are more.
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
 //! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above

@@ -23,6 +23,8 @@ use num_complex::Complex;
 
 /// Points sorted at a time.
 const CHUNK: usize = 256;
+/// Batches of fewer points do not let any wait for others.
+const MANY: usize = 4 * CHUNK;
 /// Two groups in the widest vectors.
 const GROUPS: usize = 16;
 /// Places of a bucket: room for all points, and for repeating the last one.
@@ -92,41 +94,71 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         near_zeros: 0,
         zeros: [0; ROOM],
     };
-    let (mut z_moved, mut w_moved) = ([Complex::ZERO; CHUNK], [Complex::ZERO; CHUNK]);
     let total = points.len();
-    let mut later = Later::new();
+    let mut moved = None;
+    let mut later = if total < MANY {
+        None
+    } else {
+        Some(Later::new())
+    };
     let mut start = 0;
-    while start < total || !later.is_empty() {
-        if start == total || later.is_full() {
-            let (z, w) = (later.points(), &mut w_moved);
+    loop {
+        if let Some(later) = &mut later
+            && (later.is_full() || start == total && !later.is_empty())
+        {
+            let w = &mut room(&mut moved).w;
+            let z = later.points();
             let mut chunk = Chunk { z, w, buffers };
             let present = later.classify(&mut chunk);
             chunk.sort(simd, later.len(), present, 0);
             chunk.run(simd, lanes);
-            later.store(&w_moved, points);
+            later.store(&room(&mut moved).w, points);
             continue;
         }
+        if start == total {
+            break;
+        }
         let n = CHUNK.min(total - start);
-        let mut moved = false;
+        let mut apart = false;
         let (z, w) = if let Some((z, w)) = points.chunk(start) {
             (z, w)
         } else {
-            points.load(start, &mut z_moved[..n]);
-            moved = true;
-            (&z_moved, &mut w_moved)
+            let Moved { z, w } = room(&mut moved);
+            points.load(start, &mut z[..n]);
+            apart = true;
+            (&*z, w)
         };
         let mut chunk = Chunk { z, w, buffers };
         let present = chunk.classify(simd, n);
-        // A single chunk is not worth the trouble.
-        let room = if total > CHUNK { later.room() } else { 0 };
-        chunk.sort(simd, n, present, room);
-        later.take(&chunk, start);
+        let few = match &later {
+            Some(later) => later.room(),
+            None => 0,
+        };
+        chunk.sort(simd, n, present, few);
+        if let Some(later) = &mut later {
+            later.take(&chunk, start);
+        }
         chunk.run(simd, lanes);
-        if moved {
-            points.store(start, &w_moved[..n]);
+        if apart {
+            points.store(start, &room(&mut moved).w[..n]);
         }
         start += n;
     }
+}
+
+/// Points and values that are not side by side in the batch.
+struct Moved {
+    z: [Complex<f64>; CHUNK],
+    w: [Complex<f64>; CHUNK],
+}
+
+/// The room for them, made when it is needed first: short batches notice.
+#[inline(always)]
+fn room(moved: &mut Option<Moved>) -> &mut Moved {
+    moved.get_or_insert_with(|| Moved {
+        z: [Complex::ZERO; CHUNK],
+        w: [Complex::ZERO; CHUNK],
+    })
 }
 
 impl Chunk<'_> {

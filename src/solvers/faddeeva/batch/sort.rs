@@ -67,6 +67,7 @@ impl Chunk<'_> {
         buffers.codes[n..].fill(NONE);
         buffers.len = [0; SETS];
         let order = &mut buffers.order;
+        let blocks = n.div_ceil(BLOCK).min(BLOCKS);
         let mut start = 0;
         let mut later = [0_u32; BLOCKS];
         while present != 0 {
@@ -85,7 +86,7 @@ impl Chunk<'_> {
                 }
                 continue;
             }
-            list(order, start, &members);
+            list(order, start, &members[..blocks]);
             buffers.len[k] = len;
             buffers.start[k] = start;
             // The last one again, so that groups are whole.
@@ -93,15 +94,18 @@ impl Chunk<'_> {
             place(order, start + len, [last; GROUPS]);
             start += len + GROUPS;
         }
-        list(order, start, &later);
-        buffers.len[LATER] = later.iter().map(|x| x.count_ones() as usize).sum();
+        let len = later.iter().map(|x| x.count_ones() as usize).sum();
+        if len > 0 {
+            list(order, start, &later[..blocks]);
+        }
+        buffers.len[LATER] = len;
         buffers.start[LATER] = start;
     }
 }
 
 /// Puts the members of a set of points from a place on.
 #[inline(always)]
-fn list(order: &mut [u8; ORDERED + GROUPS], at: usize, members: &[u32; BLOCKS]) {
+fn list(order: &mut [u8; ORDERED + GROUPS], at: usize, members: &[u32]) {
     let mut at = at;
     for (i, block) in members.iter().enumerate() {
         for (j, set) in block.to_le_bytes().into_iter().enumerate() {

@@ -62,7 +62,7 @@ fn batches_of_one_kind() {
 #[test]
 fn points_that_wait() {
     let mut random = Random(33);
-    for n in [257, 511, 512, 513, 3000, 20_000] {
+    for n in [1023, 1024, 1025, 1300, 3000, 20_000] {
         // The rare ones thin out, so that they are due neither at once nor never.
         let rare = 1 + random.below(60);
         let z: Vec<_> = (0..n)
