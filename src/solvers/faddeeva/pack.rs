@@ -13,6 +13,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub(in crate::solvers) trait Wide: Simd {
     /// Points side by side.
     const WIDTH: usize;
+    /// Runs the task as a function of its own, compiled for these instructions.
+    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output;
     /// `(x + add) << 52`
     fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s;
     /// Which bytes equal `k`, the first one in the lowest bit.
@@ -72,6 +74,10 @@ pub(super) fn transposed(simd: V3, [a, b, c, d]: [f64x4; 4]) -> [f64x4; 4] {
 
 impl Wide for V3 {
     const WIDTH: usize = 4;
+    #[inline(always)]
+    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output {
+        self.vectorize(task)
+    }
     #[inline(always)]
     fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
         cast(
@@ -158,6 +164,10 @@ impl Wide for V3 {
 
 impl Wide for V4 {
     const WIDTH: usize = 8;
+    #[inline(always)]
+    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output {
+        self.vectorize(task)
+    }
     #[inline(always)]
     fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
         self.shl_const_u64x8::<52>(self.wrapping_add_u64x8(x, add))

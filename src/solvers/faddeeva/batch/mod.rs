@@ -20,6 +20,7 @@ use bucket::{BUCKETS, LOWER};
 use formulas::{InStrip, Maclaurin9, Maclaurin21, OnRealLine, Series, TwoTerms, UnlessLost};
 use later::Later;
 use num_complex::Complex;
+use pulp::NullaryFnOnce;
 
 /// Points sorted at a time.
 const CHUNK: usize = 256;
@@ -106,13 +107,20 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         if let Some(later) = &mut later
             && (later.is_full() || start == total && !later.is_empty())
         {
-            let w = &mut room(&mut moved).w;
+            let w = &mut own(&mut moved).w;
             let z = later.points();
             let mut chunk = Chunk { z, w, buffers };
-            let present = later.classify(&mut chunk);
-            chunk.sort(simd, later.len(), present, 0);
-            chunk.run(simd, lanes);
-            later.store(&room(&mut moved).w, points);
+            let (n, present, room) = (later.len(), later.classify(&mut chunk), 0);
+            let chunk = chunk.lent();
+            simd.outlined(Compute {
+                simd,
+                lanes,
+                chunk,
+                n,
+                present,
+                room,
+            });
+            later.store(&own(&mut moved).w, points);
             continue;
         }
         if start == total {
@@ -123,24 +131,30 @@ pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mu
         let (z, w) = if let Some((z, w)) = points.chunk(start) {
             (z, w)
         } else {
-            let Moved { z, w } = room(&mut moved);
+            let Moved { z, w } = own(&mut moved);
             points.load(start, &mut z[..n]);
             apart = true;
             (&*z, w)
         };
         let mut chunk = Chunk { z, w, buffers };
         let present = chunk.classify(simd, n);
-        let few = match &later {
+        let room = match &later {
             Some(later) => later.room(),
             None => 0,
         };
-        chunk.sort(simd, n, present, few);
+        simd.outlined(Compute {
+            simd,
+            lanes,
+            chunk: chunk.lent(),
+            n,
+            present,
+            room,
+        });
         if let Some(later) = &mut later {
             later.take(&chunk, start);
         }
-        chunk.run(simd, lanes);
         if apart {
-            points.store(start, &room(&mut moved).w[..n]);
+            points.store(start, &own(&mut moved).w[..n]);
         }
         start += n;
     }
@@ -154,14 +168,52 @@ struct Moved {
 
 /// The room for them, made when it is needed first: short batches notice.
 #[inline(always)]
-fn room(moved: &mut Option<Moved>) -> &mut Moved {
+fn own(moved: &mut Option<Moved>) -> &mut Moved {
     moved.get_or_insert_with(|| Moved {
         z: [Complex::ZERO; CHUNK],
         w: [Complex::ZERO; CHUNK],
     })
 }
 
+/// The values at the first `n` points of a chunk, whose buckets are known, but for those left for later, as many
+/// as there is room for. A function of its own, because it is long and there are several kinds of batches.
+struct Compute<'a, S, L> {
+    simd: S,
+    lanes: L,
+    chunk: Chunk<'a>,
+    n: usize,
+    present: u32,
+    room: usize,
+}
+
+impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
+    type Output = ();
+    #[inline(always)]
+    fn call(self) {
+        let Compute {
+            simd,
+            lanes,
+            mut chunk,
+            n,
+            present,
+            room,
+        } = self;
+        chunk.sort(simd, n, present, room);
+        chunk.run(simd, lanes);
+    }
+}
+
 impl Chunk<'_> {
+    /// The same for a while. By value: what is stored may not change where it is then.
+    #[inline(always)]
+    fn lent(&mut self) -> Chunk<'_> {
+        Chunk {
+            z: self.z,
+            w: self.w,
+            buffers: self.buffers,
+        }
+    }
+
     #[inline(always)]
     fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         self.buffers.near_zeros = 0;
