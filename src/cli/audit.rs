@@ -8,6 +8,7 @@ use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
 use super::{
     audit_html, audit_junit, candidate, complain, exec, interrupt, text_method, text_paper,
+    text_summary,
 };
 use mechaudit::audit::{
     Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Verdict, audit_case,
@@ -58,37 +59,32 @@ fn settings_line(s: &Settings) -> String {
     )
 }
 
-/// Audits every paper and every method.
-pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
+/// Audits every paper and every method: the verdict first, then what is new, then a line for each
+/// method and finding. With `verbose` all of it in full, below.
+pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let settings = settings(args)?;
-    let width = width();
     let progress = Arc::new(Progress::new());
     let started = Instant::now();
-    let mut good = true;
-    let mut found = 0;
-    let mut stopped = false;
-    let mut read = 0;
+    let (mut good, mut stopped) = (true, false);
+    let (mut papers_read, mut reports) = (Vec::new(), Vec::new());
     for key in papers::keys() {
         let shown = Arc::clone(&progress);
         let report = interrupt::unless_asked(move || paper(key, &shown));
         progress.clear();
-        let Some(report) = report else {
-            stopped = true;
-            break;
-        };
-        read += 1;
         match report {
-            Some(Ok(report)) => {
-                good &= report.as_recorded();
-                found += report.findings.len();
-                let text = text_paper::paper(&report, width);
-                write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+            None => {
+                stopped = true;
+                break;
             }
-            Some(Err(e)) => {
+            Some(Some(Ok(report))) => {
+                good &= report.as_recorded();
+                papers_read.push(report);
+            }
+            Some(Some(Err(e))) => {
                 good = false;
                 complain(&format!("paper {key}: {e}"));
             }
-            None => {}
+            Some(None) => {}
         }
     }
     let mut totals = Totals::default();
@@ -99,39 +95,65 @@ pub fn everything(args: &RunArgs) -> Result<Outcome, Failure> {
         let (report, seconds) = run(method.as_ref(), &settings, &progress);
         totals.add((&report, seconds));
         stopped = report.interrupted;
-        progress.clear();
-        let text = text_method::method(&report, &Case::reproduce, width);
-        write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+        reports.push(report);
     }
     good &= totals.good();
-    let summary = format!(
-        "{} with {}; {}",
-        number(read, "paper"),
-        number(found, "finding"),
-        totals.words()
-    );
     let outcome = Outcome::unless_interrupted(stopped, good);
     let rate = rate(totals.cases, totals.seconds);
     let seconds = started.elapsed().as_secs_f64();
-    let end = format!("{}\n{seconds:.1} s, {rate}", settings_line(&settings));
-    close(&summary, outcome, &end)?;
+    let how = format!("{}\n{seconds:.1} s, {rate}", settings_line(&settings));
+    let found = papers_read.iter().map(|p| p.findings.len()).sum();
+    let summary = format!(
+        "{} with {}; {}",
+        number(papers_read.len(), "paper"),
+        number(found, "finding"),
+        totals.words()
+    );
+    let width = width();
+    write_to(None, |out| {
+        verdict(out, &summary, outcome, &how)?;
+        let news = text_summary::news(&papers_read, &reports, width);
+        if !news.is_empty() {
+            writeln!(out, "\n{}\n{news}", paint(BAD, "New or over budget"))?;
+        }
+        writeln!(out, "\n{}", text_summary::methods(&reports))?;
+        for report in &papers_read {
+            writeln!(out, "{}", text_summary::paper(report, width))?;
+        }
+        if !verbose {
+            let more = "In full: mechaudit --verbose, paper NAME, audit METHOD.";
+            writeln!(out, "{}", paint(DIM, more))?;
+            return Ok(());
+        }
+        for report in &papers_read {
+            writeln!(out, "{}", text_paper::paper(report, width))?;
+        }
+        for report in &reports {
+            let text = text_method::method(report, &Case::reproduce, width);
+            writeln!(out, "{text}")?;
+        }
+        Ok(())
+    })?;
     Ok(outcome)
 }
 
-/// The last lines: what came of it, and how it was done.
-fn close(summary: &str, outcome: Outcome, how: &str) -> Result<(), Failure> {
+/// What came of it, and how it was done.
+fn verdict(
+    out: &mut dyn std::io::Write,
+    summary: &str,
+    outcome: Outcome,
+    how: &str,
+) -> Result<(), Failure> {
     let (word, style) = match outcome {
         Outcome::AsExpected => ("All as expected", GOOD),
         Outcome::Finding => ("NOT as expected", BAD),
         Outcome::Interrupted => ("Interrupted", BAD),
     };
-    write_to(None, |out| {
-        writeln!(out, "{}: {summary}.", paint(style, word))?;
-        for line in how.lines() {
-            writeln!(out, "{}", paint(DIM, line))?;
-        }
-        Ok(())
-    })
+    writeln!(out, "{}: {summary}.", paint(style, word))?;
+    for line in how.lines() {
+        writeln!(out, "{}", paint(DIM, line))?;
+    }
+    Ok(())
 }
 
 /// Cases drawn, solved, judged and counted in a second.
@@ -244,7 +266,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         AuditFormat::Text if output.is_none() => {
             let rate = rate(totals.cases, totals.seconds);
             let how = format!("{}\n{rate}", settings_line(&settings));
-            close(&totals.words(), outcome, &how)?;
+            write_to(None, |out| verdict(out, &totals.words(), outcome, &how))?;
         }
         AuditFormat::Text => write_to(output, |out| {
             for report in &reports {

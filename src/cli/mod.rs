@@ -67,6 +67,7 @@ mod table;
 mod text;
 mod text_method;
 mod text_paper;
+mod text_summary;
 mod wire;
 
 use args::{Args, Command};
@@ -95,7 +96,7 @@ pub fn main() -> ExitCode {
 
 fn run(args: Args) -> Result<Outcome, Failure> {
     match args.command {
-        None => audit::everything(&args.run),
+        None => audit::everything(&args.run, args.verbose),
         Some(Command::Audit(a)) => audit::methods(&a),
         Some(Command::Points(a)) => points::points(&a),
         Some(Command::Judge(a)) => judge::judge(&a),

@@ -122,7 +122,7 @@ fn laws(report: &MethodReport, width: usize) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
     use mechaudit::audit::{
         CaseReport, ComponentJudgement, ErrorParts, Judgement, LawReport, Origin, Proof, Settings,

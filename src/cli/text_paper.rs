@@ -87,7 +87,8 @@ pub fn counts(report: &PaperReport) -> String {
     )
 }
 
-fn finding(f: &Finding, width: usize) -> String {
+/// A finding with its text and figures.
+pub fn finding(f: &Finding, width: usize) -> String {
     let (sign, words, style) = mark(f.verdict);
     let head = format!("{} [{words}; {}]", f.title, f.place);
     let mut out = format!("\n  {} {}\n", paint(style, sign), wrap(&head, 4, width));

@@ -32,7 +32,8 @@ use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
 const AFTER_HELP: &str = "\
 Examples:
-  mechaudit                                    audit every paper and every method
+  mechaudit                                    audit every paper and every method, in brief
+  mechaudit --verbose                          the same with every finding and output in full
   mechaudit --cases 1000 --seed 7              more cases from another stream
   mechaudit list                               what is audited, where and how closely
   mechaudit linkage examples/sand-screen.toml --step-deg 7.5 --format csv
@@ -62,6 +63,9 @@ Exit codes:
 pub struct Args {
     #[command(flatten)]
     pub run: RunArgs,
+    /// Every finding and every method in full, below the summary
+    #[arg(long, short)]
+    pub verbose: bool,
     #[command(subcommand)]
     pub command: Option<Command>,
 }
