@@ -1,4 +1,4 @@
-//! What is due for one value: a number, an infinity, or NaN.
+//! What is due for one value: a number, a zero with its sign, an infinity, or NaN.
 
 use super::ulp::distance;
 use crate::reference::{Ball, Mag};
@@ -10,6 +10,14 @@ pub enum Due {
     /// The number in the ball. From half a unit beyond the largest `f64` on, the infinity of its
     /// sign is the exact answer, and a number so small that zero is within the budget may be zero.
     Number(Ball),
+    /// Zero with the sign that the function's limit gives it: the other zero is as wrong as an
+    /// infinity of the wrong sign.
+    Zero {
+        /// The number zero.
+        ball: Ball,
+        /// Whether it is −0.
+        negative: bool,
+    },
     /// This infinity: the number is larger than any ball holds, or the value really is infinite.
     Infinity {
         /// Whether it is −∞.
@@ -20,10 +28,18 @@ pub enum Due {
 }
 
 impl Due {
+    /// Zero with a sign.
+    pub fn zero(negative: bool) -> Due {
+        Due::Zero {
+            ball: Ball::integer(64, 0),
+            negative,
+        }
+    }
+
     /// The number, if one is due.
     pub fn number(&self) -> Option<&Ball> {
         match self {
-            Due::Number(ball) => Some(ball),
+            Due::Number(ball) | Due::Zero { ball, .. } => Some(ball),
             _ => None,
         }
     }
@@ -31,15 +47,31 @@ impl Due {
     /// The number itself, if one is due.
     pub(super) fn into_number(self) -> Option<Ball> {
         match self {
-            Due::Number(ball) => Some(ball),
+            Due::Number(ball) | Due::Zero { ball, .. } => Some(ball),
             _ => None,
         }
     }
 
-    /// For people: certified decimals, `inf`, `-inf` or `nan`.
+    /// Whether `got` is a zero, and not the one that is due.
+    pub(super) fn wrong_zero(&self, got: f64) -> bool {
+        matches!(self, Due::Zero { negative, .. } if got == 0.0 && got.is_sign_negative() != *negative)
+    }
+
+    /// This value with the sign of its limit, if it is exactly zero and has one.
+    pub(super) fn signed(self, negative: Option<bool>) -> Due {
+        match (self, negative) {
+            (Due::Number(ball), Some(negative)) if ball.mid().is_zero() && ball.rad().is_zero() => {
+                Due::Zero { ball, negative }
+            }
+            (due, _) => due,
+        }
+    }
+
+    /// For people: certified decimals, `0` or `-0` where zero has a sign, `inf`, `-inf` or `nan`.
     pub fn to_decimal(&self, digits: usize) -> Option<String> {
         match self {
             Due::Number(ball) => ball.to_decimal(digits),
+            Due::Zero { negative, .. } => Some(if *negative { "-0" } else { "0" }.into()),
             Due::Infinity { negative: false } => Some("inf".into()),
             Due::Infinity { negative: true } => Some("-inf".into()),
             Due::NotANumber => Some("nan".into()),
@@ -49,7 +81,7 @@ impl Due {
     /// Bounds on the error of `got`, as [`distance`]; zero or infinite where no number is due.
     pub(super) fn distance(&self, got: f64) -> (Mag, Mag) {
         let right = match self {
-            Due::Number(ball) => return distance(got, ball),
+            Due::Number(ball) | Due::Zero { ball, .. } => return distance(got, ball),
             Due::Infinity { negative } => got.is_infinite() && got.is_sign_negative() == *negative,
             Due::NotANumber => got.is_nan(),
         };

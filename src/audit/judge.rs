@@ -139,6 +139,9 @@ pub fn judge_with_norm(
         if c.verdict > worst.0 {
             let place = format!("{} (value {i})", outputs[o].name);
             let reason = match c.verdict {
+                Verdict::WrongKind if due.wrong_zero(g) => {
+                    format!("{place} is {g:?} where {:?} is due", -g)
+                }
                 Verdict::WrongKind => format!("{place} is {g}"),
                 Verdict::Over => format!("{place} is {:.3} times its budget off", c.of_budget),
                 _ => format!("{place} cannot be decided against its budget"),
@@ -296,7 +299,7 @@ fn component(
         _ => None,
     };
     let verdict = match allowed {
-        _ if got.is_nan() => Verdict::WrongKind,
+        _ if got.is_nan() || due.wrong_zero(got) => Verdict::WrongKind,
         _ if !reference.is_finite() => Verdict::Undecided,
         Some(a) if hi <= a => Verdict::Pass,
         // An infinity for a number or a number for an infinity.

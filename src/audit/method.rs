@@ -44,6 +44,26 @@ pub enum ReferenceAnswer {
 }
 
 impl ReferenceAnswer {
+    /// The same answer, its exact zeros with the signs that [`Method::signs_of_zero`] tells.
+    pub(super) fn with_signs_of_zero(self, signs: &[Option<bool>]) -> ReferenceAnswer {
+        let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
+        match self {
+            ReferenceAnswer::Values(r) if !signs.is_empty() => ReferenceAnswer::Dues(
+                r.values
+                    .into_iter()
+                    .map(Due::Number)
+                    .enumerate()
+                    .map(signed)
+                    .collect(),
+                r.proof,
+            ),
+            ReferenceAnswer::Dues(dues, proof) => {
+                ReferenceAnswer::Dues(dues.into_iter().enumerate().map(signed).collect(), proof)
+            }
+            other => other,
+        }
+    }
+
     /// The values, if every one of them is due as a number.
     pub fn numbers(self) -> Option<Vec<Ball>> {
         match self {
@@ -138,6 +158,12 @@ pub trait Method: Sync {
     /// What is due where an input is NaN or infinite: by default a refusal.
     fn reference_not_finite(&self, _input: &[f64]) -> ReferenceAnswer {
         ReferenceAnswer::Refuses("not finite")
+    }
+
+    /// For each value that is exactly zero at `input`: whether the function's limit makes it −0;
+    /// `None` where there is no such limit. By default no zero has a sign.
+    fn signs_of_zero(&self, _input: &[f64]) -> Vec<Option<bool>> {
+        Vec::new()
     }
 
     /// `Σ_j |x_j ∂f_i/∂x_j|` for each value `i`; `None` if it cannot be had.

@@ -114,12 +114,14 @@ fn judge(
     } else {
         None
     };
+    let signs = method.signs_of_zero(&case.input);
     let mut bits = settings.first_bits;
     loop {
         let reference = match &exact {
             Some(x) => method.reference(x, bits),
             None => method.reference_not_finite(&case.input),
         };
+        let reference = reference.with_signs_of_zero(&signs);
         let c = conditions.as_deref();
         let judgement = judge_with_norm(&outputs, norm.as_ref(), &answer, &reference, c);
         if judgement.verdict == Verdict::Undecided && bits < settings.last_bits {

@@ -221,6 +221,9 @@ impl Method for Variant<'_> {
     fn reference_not_finite(&self, input: &[f64]) -> ReferenceAnswer {
         self.select_answer(self.method.reference_not_finite(input))
     }
+    fn signs_of_zero(&self, input: &[f64]) -> Vec<Option<bool>> {
+        self.select(self.method.signs_of_zero(input))
+    }
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         self.method.conditions(input).map(|c| self.select(c))
     }

@@ -1,10 +1,10 @@
 //! Dawson's function.
 
-use super::faddeeva_relatives::{C, Relative, Zeros, odd_limit};
+use super::faddeeva_relatives::{C, Relative, Zeros, odd_limit, on_axis};
 use super::faddeeva_relatives_laws::{batch_agrees, odd_law, on_the_axis, point, within};
 use super::faddeeva_relatives_regions::zero_of_erfi;
 use crate::audit::{Due, Law};
-use crate::reference::Undecided;
+use crate::reference::{Ball, Undecided};
 use crate::reference::faddeeva::{self, Scaled};
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
 use rug::Rational;
@@ -46,6 +46,18 @@ impl Relative for Audit {
         odd_limit(0, x, y)
     }
 
+    /// On the imaginary axis `F(iy) = i (√π/2) e^{y²} erf y` grows with y. On the real axis
+    /// `F′ = 1 − 2xF` is positive up to the maximum of F, negative beyond.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        let im = match (y == 0.0, slope_is_negative(x)) {
+            (true, Some(negative)) => Some(y.is_sign_negative() != negative),
+            // F = 1/(2z) + … there.
+            (false, _) if x.is_infinite() && y.is_finite() => Some(y > 0.0),
+            _ => None,
+        };
+        [on_axis(x, 1.0), im]
+    }
+
     fn laws() -> Vec<Law> {
         vec![
             odd_law::<Audit>(),
@@ -69,6 +81,20 @@ impl Relative for Audit {
                 residual: |input| on_the_axis::<Audit>(dawson_real, point(input)?.re),
             },
         ]
+    }
+}
+
+/// Whether `F′(x) = 1 − 2xF(x) < 0`, if that is certain. The maximum of F is irrational, so 256 bits
+/// decide every `f64`.
+fn slope_is_negative(x: f64) -> Option<bool> {
+    let Some(re) = Rational::from_f64(x) else {
+        return x.is_infinite().then_some(true);
+    };
+    let [f, _] = faddeeva::dawson_scaled(&re, &Rational::new(), 256).ok()?;
+    let slope = Ball::integer(256, 1) - &(Ball::rational(256, &(re * 2)) * &f.to_ball());
+    match slope.contains_zero() {
+        true => None,
+        false => Some(slope.is_negative()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The error function.
 
-use super::faddeeva_relatives::{C, Relative, Zeros, odd_limit};
+use super::faddeeva_relatives::{C, Relative, Zeros, odd_limit, odd_signs};
 use super::faddeeva_relatives_laws::{gaussian, odd_law, on_the_axis, point, within};
 use super::faddeeva_relatives_regions::zero_of_erf;
 use crate::audit::{Due, Law};
@@ -43,6 +43,11 @@ impl Relative for Audit {
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         odd_limit(1, x, y)
+    }
+
+    /// erf′ = (2/√π) e^{−z²} is positive on both axes.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        odd_signs(x, y)
     }
 
     fn laws() -> Vec<Law> {

@@ -1,6 +1,6 @@
 //! The complementary error function.
 
-use super::faddeeva_relatives::{C, Relative, Zeros, negated, odd_limit};
+use super::faddeeva_relatives::{C, Relative, Zeros, negated, odd_limit, on_axis};
 use super::faddeeva_relatives_laws::{
     conjugation_law, gaussian, on_the_axis, plain, point, within,
 };
@@ -51,6 +51,11 @@ impl Relative for Audit {
             other => other,
         };
         [re, negated(im)]
+    }
+
+    /// erfc falls along the real axis.
+    fn signs_of_zero(_: f64, y: f64) -> [Option<bool>; 2] {
+        [None, on_axis(y, -1.0)]
     }
 
     fn laws() -> Vec<Law> {

@@ -1,6 +1,6 @@
 //! The scaled complementary error function.
 
-use super::faddeeva::dues_not_finite;
+use super::faddeeva::{dues_not_finite, signs_of_zero};
 use super::faddeeva_relatives::{C, Relative, Zeros};
 use super::faddeeva_relatives_laws::{
     batch_agrees, broken, conjugation_law, gaussian, on_the_axis, point, within,
@@ -47,6 +47,10 @@ impl Relative for Audit {
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         dues_not_finite(-y, x)
+    }
+
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        signs_of_zero(-y, x)
     }
 
     fn laws() -> Vec<Law> {

@@ -1,6 +1,6 @@
 //! The imaginary error function.
 
-use super::faddeeva_relatives::{C, Relative, Zeros, negated, odd_limit};
+use super::faddeeva_relatives::{C, Relative, Zeros, negated, odd_limit, odd_signs};
 use super::faddeeva_relatives_laws::{
     broken, gaussian, odd_law, on_the_axis, plain, point, same_pair, within,
 };
@@ -47,6 +47,11 @@ impl Relative for Audit {
     fn limit(x: f64, y: f64) -> [Due; 2] {
         let [re, im] = odd_limit(1, -y, x);
         [im, negated(re)]
+    }
+
+    /// erfi′ = (2/√π) e^{z²} is positive on both axes.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        odd_signs(x, y)
     }
 
     fn laws() -> Vec<Law> {

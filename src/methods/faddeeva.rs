@@ -67,6 +67,21 @@ pub(super) fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
     [Due::NotANumber, Due::NotANumber]
 }
 
+/// On the imaginary axis `Im W(x + iy) = −x E′(y) + …`, `E = erfcx`, and erfcx falls everywhere. At
+/// infinity `W = i/(√π z) + …`, but for `Im z ≤ 0` beside the axes.
+pub(super) fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+    let re = match (x.is_infinite(), y.is_infinite()) {
+        (_, true) if y > 0.0 => Some(false),
+        (true, false) if y != 0.0 => Some(y < 0.0),
+        _ => None,
+    };
+    let im = match x == 0.0 || (x.is_infinite() && y.is_finite()) || y == f64::INFINITY {
+        true if !x.is_nan() => Some(x.is_sign_negative()),
+        _ => None,
+    };
+    [re, im]
+}
+
 impl Method for Audit {
     fn name(&self) -> &'static str {
         "faddeeva"
@@ -114,6 +129,13 @@ impl Method for Audit {
         Domain {
             regions: regions::all(),
             check_points: points,
+        }
+    }
+
+    fn signs_of_zero(&self, input: &[f64]) -> Vec<Option<bool>> {
+        match input {
+            &[x, y] => signs_of_zero(x, y).to_vec(),
+            _ => Vec::new(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The derivative of the Faddeeva function.
 
 use super::faddeeva_curves::zero as zero_of_w;
-use super::faddeeva_relatives::{C, Relative, Zeros, infinity, number};
+use super::faddeeva_relatives::{C, Relative, Zeros, infinity, number, on_axis};
 use super::faddeeva_relatives_laws::{broken, point, same_pair, within};
 use crate::audit::{Due, Law};
 use crate::reference::faddeeva::{self, Scaled, w_f64};
@@ -56,6 +56,18 @@ impl Relative for Audit {
             (false, true) => [re, infinity(1.0)],
             (false, false) => [Due::NotANumber, Due::NotANumber],
         }
+    }
+
+    /// On the imaginary axis, `W(iy) = E(y)`, `Re W′(x + iy) = −x E″(y) + …`, and
+    /// `E″(y) = (8/√π) ∫_0^∞ t² e^{−t²−2yt} dt > 0`. At infinity `W′ = −(i/√π) z^{−2} + …`.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        let far = x.is_infinite() || y.is_infinite();
+        let re = match far && x != 0.0 && y != 0.0 {
+            true => Some(x.is_sign_negative() == y.is_sign_negative()),
+            false => on_axis(x, -1.0),
+        };
+        let im = (x.is_infinite() != y.is_infinite()).then(|| x.is_infinite());
+        [re, im]
     }
 
     fn laws() -> Vec<Law> {

@@ -44,6 +44,9 @@ pub trait Relative: Sync + 'static {
     fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided>;
     /// What is due at an argument that is not finite.
     fn limit(x: f64, y: f64) -> [Due; 2];
+    /// Whether the limit of each component, where it is zero, is −0; `None` where there is no limit
+    /// of the sign.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
     /// Identities of the values.
     fn laws() -> Vec<Law>;
 }
@@ -74,6 +77,10 @@ pub(super) fn negated(d: Due) -> Due {
     match d {
         Due::Number(ball) => Due::Number(-ball),
         Due::Infinity { negative } => Due::Infinity {
+            negative: !negative,
+        },
+        Due::Zero { ball, negative } => Due::Zero {
+            ball,
             negative: !negative,
         },
         Due::NotANumber => Due::NotANumber,
@@ -161,9 +168,28 @@ impl<F: Relative> Method for F {
         }
     }
 
+    fn signs_of_zero(&self, input: &[f64]) -> Vec<Option<bool>> {
+        match input {
+            &[x, y] => F::signs_of_zero(x, y).to_vec(),
+            _ => Vec::new(),
+        }
+    }
+
     fn laws(&self) -> Vec<Law> {
         F::laws()
     }
+}
+
+/// The sign of `x` times that of `factor`, where x is zero: the sign of a component that vanishes
+/// with x and grows like `factor · x`.
+pub(super) fn on_axis(x: f64, factor: f64) -> Option<bool> {
+    (x == 0.0).then(|| x.is_sign_negative() != factor.is_sign_negative())
+}
+
+/// Signs of an odd function that is real and increasing on the real axis, and i times such a one on
+/// the imaginary axis: its slope is positive on both.
+pub(super) fn odd_signs(x: f64, y: f64) -> [Option<bool>; 2] {
+    [on_axis(x, 1.0), on_axis(y, 1.0)]
 }
 
 /// Why the references hold.

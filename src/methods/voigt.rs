@@ -98,6 +98,11 @@ impl Method for Audit {
         ReferenceAnswer::Dues(vec![value], Proof::Exact)
     }
 
+    /// V ≥ 0.
+    fn signs_of_zero(&self, _: &[f64]) -> Vec<Option<bool>> {
+        vec![Some(false)]
+    }
+
     fn laws(&self) -> Vec<Law> {
         vec![
             Law {
