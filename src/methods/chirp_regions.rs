@@ -196,6 +196,13 @@ pub(super) fn all() -> Vec<Region> {
             let (kappa, nu) = (d.signed(kappa), d.signed(nu));
             finish(d, [w, zeta, kappa, nu, t])
         }),
+        region("first-moments", "w t = 1e-90..1e-9, n/w = 0..30", |d| {
+            let (w, zeta) = (frequency(d), ratio(d));
+            let t = d.log_uniform(1e-90, 1e-9) / w;
+            let (kappa, nu) = (sweep(d), w * d.log_uniform(1e-3, 30.0));
+            let (kappa, nu) = (d.signed(kappa), d.signed(nu));
+            finish(d, [w, zeta, kappa, nu, t])
+        }),
         region("fast-sweep", "|k eps|/w^2 = 1..1e6", |d| {
             let (w, zeta) = (frequency(d), ratio(d));
             let kappa = w * w * d.log_uniform(1.0, 1e6);
@@ -301,6 +308,10 @@ pub(super) fn check_points() -> Vec<CheckPoint> {
         point(
             "at-time-zero",
             [10.0, 0.5, 4.0, 3.0, 2.0, 0.25, 0.5, -2.0, 0.0],
+        ),
+        point(
+            "a-moment-after-rest",
+            [100.0, 2.0, 50.0, 3.0, 1.0, 0.3, 0.0, 0.0, 1e-30],
         ),
         point(
             "constant-force",

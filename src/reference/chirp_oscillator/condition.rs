@@ -15,8 +15,9 @@ const STEP: u32 = 40;
 /// For each of `y, y′, y″, Re A, Im A` what `|x|` lacks of `|f| + Σ_j |x_j ∂f/∂x_j|`, the sum over all
 /// nine inputs.
 ///
-/// `f` is the complex response from rest, `ψ, ψ′, ψ″` or `A`, and the free vibration from the initial
-/// state beside it: nothing is small where the real motion passes through zero. An estimate by
+/// For the motion `f` is the complex response from rest, `ψ, ψ′, ψ″`, and the free vibration from the
+/// initial state beside it: nothing is small where the real motion passes through zero. Re A and Im A
+/// stand for themselves: in the first moments one is of a higher order in t than the other. An estimate by
 /// one-sided differences in `w, n, ε, Ω₀, t` (k enters through `kε` and `kΩ₀` alone); exact for the
 /// others. `None` where the precision of the estimate does not suffice.
 pub fn conditions(problem: &Problem) -> Option<[f64; 5]> {
@@ -64,7 +65,7 @@ fn at(problem: &Problem, bits: u32) -> Option<[f64; 5]> {
         return None;
     }
     Some(std::array::from_fn(|i| {
-        let sum = sums[i.min(3)].to_f64();
+        let sum = sums[i].to_f64();
         (sum - components[i].to_f64().abs()).max(0.0)
     }))
 }
@@ -128,7 +129,8 @@ impl Row {
         [sum(0), sum(1), sum(2), r[6].clone(), r[7].clone()]
     }
 
-    fn magnitudes(&self) -> [Mag; 4] {
+    /// Sizes of `ψ, ψ′, ψ″` with the free vibration, of Re A and of Im A.
+    fn magnitudes(&self) -> [Mag; 5] {
         let size = |i: usize| {
             Mag::above(&Float::with_val(
                 64,
@@ -136,7 +138,7 @@ impl Row {
             ))
         };
         std::array::from_fn(|i| match i {
-            3 => size(3),
+            3 | 4 => Mag::above(&self.0[3 + i]),
             _ => size(i).add(Mag::above(&self.0[8 + i])),
         })
     }

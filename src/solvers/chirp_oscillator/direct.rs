@@ -20,7 +20,8 @@ use num_complex::Complex;
 
 type C = Complex<f64>;
 
-/// The three integrals `∫ kernel(s) (1, −iω, −ω² − iκ) e^{−iθ(t−s)} ds`.
+/// The three integrals `∫ kernel(s) (1, −iω, −ω² − iκ) e^{−i(θ(t−s) − θ(t))} ds`: with the first one's
+/// components as accurate as the kernel's, however small the phase is.
 fn integrals(sweep: &Sweep, t: f64, rule: &[[f64; 2]], kernel: impl Fn(f64) -> C) -> [C; 3] {
     let (omega, kappa) = (sweep.omega(t).value(), sweep.kappa.hi);
     let half = 0.5 * t;
@@ -35,26 +36,28 @@ fn integrals(sweep: &Sweep, t: f64, rule: &[[f64; 2]], kernel: impl Fn(f64) -> C
             sum[2] -= f * C::new(here * here, kappa);
         }
     }
-    let carrier = sweep.carrier(t);
-    sum.map(|x| x * carrier)
+    sum
 }
 
-/// `ψ, ψ′, ψ″` for both roots, per `w²`.
+/// `ψ, ψ′, ψ″` for both roots, per `w²`, and `ψ e^{iθ}`.
 #[cold]
 #[inline(never)]
-pub(super) fn both(sweep: &Sweep, roots: &Roots, free: &Free, t: f64) -> [C; 3] {
+pub(super) fn both(sweep: &Sweep, roots: &Roots, free: &Free, t: f64) -> ([C; 3], C) {
     let kernel = |s: f64| C::new(Free::at(roots, s).k, 0.0);
-    let [y, v, a] = integrals(sweep, t, &RULE_32, kernel);
+    let sum = integrals(sweep, t, &RULE_32, kernel);
+    let carrier = sweep.carrier(t);
+    let [y, v, a] = sum.map(|x| x * carrier);
     let start = circle(Dd::from(-sweep.delta));
     let rate = C::new(free.k1, -sweep.nu.value() * free.k);
-    [y, v + start * free.k, a + start * rate]
+    ([y, v + start * free.k, a + start * rate], sum[0])
 }
 
 /// `φ, φ′, φ″` for root number i.
 pub(super) fn one(sweep: &Sweep, roots: &Roots, i: usize, t: f64) -> [C; 3] {
     let (eta, beta) = (roots.eta[i].value(), roots.beta[i]);
     let kernel = |s: f64| circle(beta.mul_f(s)) * (-eta * s).exp();
-    let [y, v, a] = integrals(sweep, t, &RULE_20, kernel);
+    let carrier = sweep.carrier(t);
+    let [y, v, a] = integrals(sweep, t, &RULE_20, kernel).map(|x| x * carrier);
     let end = circle(beta.mul_f(t).add_f(-sweep.delta)) * (-eta * t).exp();
     let rate = roots.lambda[i] - C::new(0.0, sweep.nu.value());
     [y, v + end, a + end * rate]

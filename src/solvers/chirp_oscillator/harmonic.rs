@@ -101,10 +101,21 @@ impl Prepared {
     /// `ψ, ψ′, ψ″` at time t, where the carrier is `e^{−iθ}`.
     #[inline(always)]
     pub fn psi(&self, roots: &Roots, free: &Free, carrier: C, t: f64) -> [C; 3] {
+        self.psi_and_amplitude(roots, free, carrier, t).0
+    }
+
+    /// `ψ, ψ′, ψ″` and `A = ψ e^{iθ}`, which is not formed by turning ψ back where a component of it
+    /// may be small beside the other: in the first moments, and where the forced part stands alone.
+    #[inline(always)]
+    pub fn psi_and_amplitude(&self, roots: &Roots, free: &Free, carrier: C, t: f64) -> ([C; 3], C) {
         let omega = self.sweep.omega(t);
-        let sum = match self.way(roots, t, omega) {
+        let back = carrier.conj();
+        let (sum, amplitude) = match self.way(roots, t, omega) {
             Way::Direct => direct::both(&self.sweep, roots, free, t),
-            Way::Mixed(i) => self.mixed(roots, i, t, omega),
+            Way::Mixed(i) => {
+                let psi = self.mixed(roots, i, t, omega);
+                (psi, psi[0] * back)
+            }
             Way::Closed => {
                 let [mut a, mut b] = self.start;
                 let mut left = [C::ZERO; 3];
@@ -126,16 +137,21 @@ impl Prepared {
                     #[inline(always)]
                     |j| forced[j] * carrier + own[j] + left[j],
                 );
-                match return_to_rest::cancels(sum[0], y) {
-                    true => return_to_rest::motion(&self.sweep, roots, t, carrier).unwrap_or(sum),
-                    false => sum,
+                let again = match return_to_rest::cancels(sum[0], y) {
+                    true => return_to_rest::motion(&self.sweep, roots, t, carrier),
+                    false => None,
+                };
+                match again {
+                    Some(psi) => (psi, psi[0] * back),
+                    None => (sum, y + (own[0] + left[0]) * back),
                 }
             }
         };
-        three(
+        let psi = three(
             #[inline(always)]
             |j| sum[j] * self.scale,
-        )
+        );
+        (psi, amplitude * self.scale)
     }
 
     #[cold]

@@ -291,8 +291,7 @@ impl Task for PsiAt<'_> {
     fn run<L: Lanes>(self, _: L) -> Self::Output {
         let PsiAt(roots, harmonic, t) = self;
         let carrier = harmonic.sweep.carrier(t);
-        let psi = harmonic.psi(roots, &Free::at(roots, t), carrier, t);
-        (psi, psi[0] * carrier.conj())
+        harmonic.psi_and_amplitude(roots, &Free::at(roots, t), carrier, t)
     }
 }
 
