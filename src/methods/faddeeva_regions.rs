@@ -2,7 +2,9 @@
 
 use super::faddeeva_curves as curves;
 use crate::audit::{CheckPoint, Draw, Region};
+use crate::solvers::faddeeva::SEAMS;
 use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
 
 /// `r e^{iθ}`.
 pub(super) fn polar(r: f64, theta: f64) -> Vec<f64> {
@@ -31,23 +33,55 @@ pub(super) fn both_signs(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
     vec![d.signed(x), d.signed(y)]
 }
 
-/// |z|² on the circles between formulas.
-const CIRCLES: [f64; 14] = [
-    1.0 / 16384.0,
-    1.0,
-    1.25,
-    14.0,
-    48.0,
-    80.0,
-    112.0,
-    768.0,
-    1000.0,
-    1024.0,
-    5120.0,
-    1e6,
-    1_048_576.0,
-    1e200,
-];
+/// A part so small that every product with it may be subnormal, and the other from where exponentials
+/// leave the range of `f64`.
+pub(super) fn tiny_part(d: &mut Draw) -> (f64, f64) {
+    let tiny = d.log_uniform(5e-324, 1e-250);
+    let other = match d.chance(0.7) {
+        true => d.log_uniform(25.0, 100.0),
+        false => d.log_uniform(25.0, 1.7e308),
+    };
+    (tiny, other)
+}
+
+/// What [`tiny_part`] draws.
+pub(super) const TINY_PART: &str =
+    "one part 5e-324..1e-250, the other 25..1.7e308, where exponentials overflow or underflow";
+
+/// Seams as text: powers of two as such where decimals would be long.
+pub(super) fn listed(seams: &[f64]) -> String {
+    let one = |&t: &f64| {
+        let exponent = (t.to_bits() >> 52) as i64 - 1023;
+        match t.to_bits() << 12 == 0 {
+            true if exponent.abs() > 9 => format!("2^{exponent}"),
+            _ if (1e-3..1e7).contains(&t) => format!("{}", (t * 1e12).round() / 1e12),
+            _ => format!("{t:e}"),
+        }
+    };
+    seams.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+static ON_CIRCLES: LazyLock<String> = LazyLock::new(|| {
+    format!(
+        "|z|^2 = {}, exactly or off by 1e-17..1e-3",
+        listed(SEAMS.circles)
+    )
+});
+static ON_LINES: LazyLock<String> = LazyLock::new(|| {
+    let (re, im) = (listed(SEAMS.re), listed(SEAMS.im));
+    format!("|Im z| = {im} or |Re z| = {re}, likewise")
+});
+static ON_HYPERBOLAS: LazyLock<String> = LazyLock::new(|| {
+    let all = listed(SEAMS.hyperbolas);
+    format!("Re z^2 = +-{all} below the real axis, |Re z| = 0.01..40, likewise")
+});
+static ON_CELLS: LazyLock<String> = LazyLock::new(|| {
+    let edges: Vec<f64> = SEAMS.pitches.iter().map(|pitch| pitch / 2.0).collect();
+    format!(
+        "one coordinate an odd multiple of {}, likewise",
+        listed(&edges)
+    )
+});
 
 /// The regions.
 pub(super) fn all() -> Vec<Region> {
@@ -250,69 +284,71 @@ pub(super) fn all() -> Vec<Region> {
                 }
             },
         ),
-        region(
-            "seam-circles",
-            "|z|^2 = 2^-14, 1, 1.25, 14, 48, 80, 112, 768, 1000, 1024, 5120, 1e6, 2^20, 1e200, \
-             exactly or off by 1e-17..1e-3",
-            |d| {
-                let r = one_of(d, &CIRCLES).sqrt();
-                let r = beside(d, r);
-                // A third each: everywhere, beside the real axis, beside the diagonals.
-                let theta = match d.integer(0, 2) {
-                    0 => whole(d),
-                    1 => d.log_uniform(1e-20, 0.05),
-                    _ => {
-                        let t = d.log_uniform(1e-17, 1e-2);
-                        PI / 4.0 + d.signed(t)
-                    }
-                };
-                let z = polar(r, theta);
-                both_signs(d, z[0], z[1])
-            },
-        ),
-        region(
-            "seam-strips",
-            "|Im z| = 2^-28, 0.125, 0.25, 3.75, |Re z| = 0.125, 0.25, 1.125, 3.75, 27.5, likewise",
-            |d| {
-                let other = match d.chance(0.5) {
-                    true => d.uniform(0.0, 10.0),
-                    false => d.log_uniform(1e-3, 40.0),
-                };
-                if d.chance(0.4) {
-                    let y = one_of(d, &[2f64.powi(-28), 0.125, 0.125, 0.25, 3.75]);
-                    let other = match y < 1e-3 {
-                        true => d.uniform(8.0, 28.0),
-                        false => other,
-                    };
-                    let y = beside(d, y);
-                    return both_signs(d, other, y);
+        region("tiny-part", TINY_PART, |d| {
+            let (tiny, other) = tiny_part(d);
+            match d.chance(0.7) {
+                true => vec![d.signed(tiny), -other],
+                false => both_signs(d, other, tiny),
+            }
+        }),
+        region("seam-circles", &ON_CIRCLES, |d| {
+            let r = one_of(d, SEAMS.circles).sqrt();
+            let r = beside(d, r);
+            // A third each: everywhere, beside the real axis, beside the diagonals.
+            let theta = match d.integer(0, 2) {
+                0 => whole(d),
+                1 => d.log_uniform(1e-20, 0.05),
+                _ => {
+                    let t = d.log_uniform(1e-17, 1e-2);
+                    PI / 4.0 + d.signed(t)
                 }
-                let x = one_of(d, &[0.125, 0.25, 1.125, 3.75, 27.5]);
-                let y = match x > 20.0 {
-                    true => d.log_uniform(1e-300, 1.0),
+            };
+            let z = polar(r, theta);
+            both_signs(d, z[0], z[1])
+        }),
+        region("seam-strips", &ON_LINES, |d| {
+            let other = match d.chance(0.5) {
+                true => d.uniform(0.0, 10.0),
+                false => d.log_uniform(1e-3, 40.0),
+            };
+            if d.chance(0.6) {
+                let y = one_of(d, SEAMS.im);
+                // Next to the real axis the strip alone tells distances apart.
+                let other = match y < 1e-3 {
+                    true => d.uniform(8.0, 28.0),
                     false => other,
                 };
-                let x = beside(d, x);
-                both_signs(d, x, y)
-            },
-        ),
-        region(
-            "seam-cells",
-            "one coordinate an odd multiple of 1/16, 1/8 or 1/4, likewise",
-            |d| {
-                let step = one_of(d, &[0.0625, 0.125, 0.25]);
-                let edge = step * (2 * d.integer(0, 30) + 1) as f64;
-                let edge = beside(d, edge);
-                let other = match d.chance(0.8) {
-                    true => d.uniform(0.0, 7.5),
-                    false => d.log_uniform(1e-6, 0.3),
-                };
-                match d.chance(0.5) {
-                    true => both_signs(d, edge, other),
-                    false => both_signs(d, other, edge),
-                }
-            },
-        ),
+                let y = beside(d, y);
+                return both_signs(d, other, y);
+            }
+            let x = one_of(d, SEAMS.re);
+            let x = beside(d, x);
+            both_signs(d, x, other)
+        }),
+        region("seam-hyperbolas", &ON_HYPERBOLAS, |d| {
+            let decay = one_of(d, SEAMS.hyperbolas);
+            let decay = beside(d, decay);
+            let t = d.log_uniform(0.01, 40.0);
+            let s = t.mul_add(t, decay).sqrt();
+            match d.chance(0.5) {
+                true => vec![d.signed(s), -t],
+                false => vec![d.signed(t), -s],
+            }
+        }),
+        region("seam-cells", &ON_CELLS, |d| {
+            let step = one_of(d, SEAMS.pitches) / 2.0;
+            let most = (7.5 / step) as usize / 2;
+            let edge = step * (2 * d.integer(0, most) + 1) as f64;
+            let edge = beside(d, edge);
+            let other = match d.chance(0.8) {
+                true => d.uniform(0.0, 7.5),
+                false => d.log_uniform(1e-6, 0.3),
+            };
+            match d.chance(0.5) {
+                true => both_signs(d, edge, other),
+                false => both_signs(d, other, edge),
+            }
+        }),
         region(
             "any-bits",
             "both components with any exponent: 1e-308..1e308",

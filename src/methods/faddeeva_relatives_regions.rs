@@ -4,31 +4,29 @@
 //! axes.
 
 use super::faddeeva_curves::{crossing, off, zero as zero_of_w};
-use super::faddeeva_regions::{beside, both_signs, one_of, polar, whole};
+use super::faddeeva_regions::{
+    TINY_PART, beside, both_signs, listed, one_of, polar, tiny_part, whole,
+};
 use super::faddeeva_relatives::Relative;
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::reference::faddeeva::zero_of_erf as certified;
+use crate::solvers::faddeeva::{SEAMS, SEAMS_OF_RELATIVES, Seams};
 use rug::Rational;
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
-use std::sync::OnceLock;
+use std::f64::consts::PI;
+use std::sync::{LazyLock, OnceLock};
 
 /// The last zero used.
 const ZEROS: usize = 60;
 
-/// Circles between formulas.
-const CIRCLES: [f64; 8] = [
-    0.0078125,
-    FRAC_1_SQRT_2,
-    1.0,
-    7.0,
-    10.0,
-    31.622776601683793,
-    1e3,
-    1e100,
-];
-
-/// Lines between formulas, parallel to an axis.
-const LINES: [f64; 8] = [0.125, 0.1875, 0.25, 0.5, 1.125, 3.75, 7.0, 27.5];
+/// The seams of W, on which erfcx rests, and of the other relatives.
+static ON_CIRCLES: LazyLock<String> = LazyLock::new(|| {
+    let (w, others) = (listed(SEAMS.circles), listed(SEAMS_OF_RELATIVES.circles));
+    format!("|z|^2 = {others} or, for erfcx, {w}, exactly or off by 1e-17..1e-3")
+});
+static ON_LINES: LazyLock<String> = LazyLock::new(|| {
+    let (w, others) = (listed(SEAMS.im), listed(SEAMS_OF_RELATIVES.re));
+    format!("|Re z| or |Im z| = {others} or, for erfcx, {w}, exactly or off by 1e-17..1e-3")
+});
 
 /// The `f64` next to the k-th zero of erf in the first quadrant.
 pub(super) fn zero_of_erf(k: usize) -> [f64; 2] {
@@ -111,6 +109,14 @@ fn beside_axis(d: &mut Draw, imaginary: bool, small: f64) -> Vec<f64> {
     };
     let z = both_signs(d, t, small);
     if imaginary { vec![z[1], z[0]] } else { z }
+}
+
+/// Those of W one time in three.
+fn seams_of_either(d: &mut Draw) -> Seams {
+    match d.chance(0.33) {
+        true => SEAMS,
+        false => SEAMS_OF_RELATIVES,
+    }
 }
 
 /// The regions.
@@ -233,6 +239,13 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
                 }
             },
         ),
+        region("tiny-part", TINY_PART, |d| {
+            let (tiny, other) = tiny_part(d);
+            match d.chance(0.5) {
+                true => both_signs(d, tiny, other),
+                false => both_signs(d, other, tiny),
+            }
+        }),
         region(
             "phase",
             "|Re z|, |Im z| = 1e2..1e15 with |Re z^2| < 700",
@@ -242,33 +255,26 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
                 both_signs(d, a, b)
             },
         ),
-        region(
-            "seam-circles",
-            "|z|^2 = 2^-14, 1/2, 1, 49, 100, 1000, 1e6, 1e200, exactly or off by 1e-17..1e-3",
-            |d| {
-                let r = one_of(d, &CIRCLES);
-                let r = beside(d, r);
-                let z = polar(r, whole(d));
-                both_signs(d, z[0], z[1])
-            },
-        ),
-        region(
-            "seam-lines",
-            "|Re z| or |Im z| = 1/8, 3/16, 1/4, 1/2, 9/8, 15/4, 7, 27.5, exactly or off by \
-             1e-17..1e-3",
-            |d| {
-                let t = one_of(d, &LINES);
-                let t = beside(d, t);
-                let other = match d.chance(0.5) {
-                    true => d.uniform(0.0, 10.0),
-                    false => d.log_uniform(1e-6, 40.0),
-                };
-                match d.chance(0.5) {
-                    true => both_signs(d, t, other),
-                    false => both_signs(d, other, t),
-                }
-            },
-        ),
+        region("seam-circles", &ON_CIRCLES, |d| {
+            let seams = seams_of_either(d);
+            let r = one_of(d, seams.circles).sqrt();
+            let r = beside(d, r);
+            let z = polar(r, whole(d));
+            both_signs(d, z[0], z[1])
+        }),
+        region("seam-lines", &ON_LINES, |d| {
+            let seams = seams_of_either(d);
+            let t = one_of(d, seams.im);
+            let t = beside(d, t);
+            let other = match d.chance(0.5) {
+                true => d.uniform(0.0, 10.0),
+                false => d.log_uniform(1e-6, 40.0),
+            };
+            match d.chance(0.5) {
+                true => both_signs(d, t, other),
+                false => both_signs(d, other, t),
+            }
+        }),
         region(
             "zero-curves-of-re",
             "off by a relative 1e-12..1e-2 from a curve with Re f = 0; nearer to it the component is \

@@ -206,6 +206,28 @@ fn an_infinity_or_nan_that_is_due_passes_alone() {
 }
 
 #[test]
+fn a_zero_with_a_sign_is_not_the_other_zero() {
+    for (got, due, verdict) in [
+        (0.0, Due::zero(false), Verdict::Pass),
+        (-0.0, Due::zero(true), Verdict::Pass),
+        (-0.0, Due::zero(false), Verdict::WrongKind),
+        (0.0, Due::zero(true), Verdict::WrongKind),
+        (5e-324, Due::zero(false), Verdict::Over),
+        (f64::NAN, Due::zero(true), Verdict::WrongKind),
+        // A zero that is due as a number alone has no sign.
+        (-0.0, Due::Number(Ball::integer(64, 0)), Verdict::Pass),
+    ] {
+        let shown = format!("{got:?} for {due:?}");
+        assert_eq!(judged(got, due), verdict, "{shown}");
+    }
+    // Only an exact zero takes a sign.
+    let signed = Due::Number(Ball::integer(64, 0)).signed(Some(true));
+    assert!(matches!(signed, Due::Zero { negative: true, .. }));
+    let signed = Due::Number(Ball::integer(64, 1)).signed(Some(true));
+    assert!(matches!(signed, Due::Number(_)));
+}
+
+#[test]
 fn overflow_begins_half_a_unit_beyond_the_largest_number() {
     let sharp = Mag::power_of_two(900);
     let (inf, max) = (f64::INFINITY, f64::MAX);

@@ -7,21 +7,21 @@ use super::zeros;
 // first two bits of the fraction tell which side of it a number is on.
 
 /// |z|² below which the Maclaurin series is used, and below which nine terms of it.
-const TERMS_21: f64 = 1.0 / 16.0;
+pub(super) const TERMS_21: f64 = 1.0 / 16.0;
 pub(super) const TERMS_9: f64 = 1.0 / 16384.0;
 /// |z|² below which cells of the lower half-plane are tabulated.
-const DISC_EDGE: f64 = 1.0;
+pub(super) const DISC_EDGE: f64 = 1.0;
 /// |z|² from which the strip beside the real axis has rows of its own, the asymptotic series with
 /// `e^{−z²}` added, and nothing, because `e^{−z²}` is below every `f64`.
-const APART: f64 = 1.25;
-const BEYOND: f64 = 80.0;
-const GONE: f64 = 768.0;
+pub(super) const APART: f64 = 1.25;
+pub(super) const BEYOND: f64 = 80.0;
+pub(super) const GONE: f64 = 768.0;
 /// |z|² from which the asymptotic series is used, and from which it needs 14, 6, 4, 2 terms
 /// instead of 26.
-const FAR: f64 = 48.0;
-const TERMS_14: f64 = 112.0;
-const TERMS_6: f64 = 1024.0;
-const TERMS_4: f64 = 5120.0;
+pub(super) const FAR: f64 = 48.0;
+pub(super) const TERMS_14: f64 = 112.0;
+pub(super) const TERMS_6: f64 = 1024.0;
+pub(super) const TERMS_4: f64 = 5120.0;
 pub(super) const TERMS_2: f64 = 1_048_576.0;
 /// |z|² above this is scaled first.
 pub(super) const HUGE: f64 = 1e200;

@@ -27,9 +27,9 @@ use num_complex::Complex;
 /// A component smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 0.25;
 /// Distance from the maximum up to which the expansion about it is used.
-const BESIDE_MAXIMUM: f64 = 0.1875;
+pub(super) const BESIDE_MAXIMUM: f64 = 0.1875;
 /// Im z from which the sum there may have to be computed again.
-const ROUNDING_SHOWS: f64 = 1.0 / 2048.0;
+pub(super) const ROUNDING_SHOWS: f64 = 1.0 / 2048.0;
 
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
@@ -196,6 +196,12 @@ fn limits(x: f64, y: f64) -> (f64, f64) {
     ((s * half).add_f(u).value(), (c * half).add_f(v).value())
 }
 
+/// Whether F falls at x. The maximum is no `f64`.
+#[inline(always)]
+fn beyond_maximum(x: f64) -> bool {
+    x > MAXIMUM[0] || (x == MAXIMUM[0] && MAXIMUM[1] < 0.0)
+}
+
 /// Dawson's function.
 struct Dawson(f64, f64);
 
@@ -208,6 +214,13 @@ impl Task for Dawson {
             quadrant(lanes, x, y)
         } else {
             limits(x, y)
+        };
+        let re = if x == 0.0 { 0.0 } else { re };
+        // The sign of F′(x).
+        let im = match y == 0.0 {
+            true if beyond_maximum(x) => -0.0,
+            true => 0.0,
+            false => im,
         };
         (with_sign_of(re, self.0), with_sign_of(im, self.1))
     }
@@ -244,9 +257,11 @@ impl Task for DawsonReal {
 /// # Special values
 /// | z | F(z) |
 /// |---|---|
+/// | `±0 + iy` | Re is ±0 |
+/// | `x ± 0i` | Im is ±0 for \|x\| < 0.924… , ∓0 beyond: the sign of F′ |
 /// | `±∞ + iy`, y finite | `±0 ∓ 0i` |
 /// | `0 ± i∞` | `0 ± i∞` |
-/// | `x ± i∞`, x ≠ 0 | `NaN + NaN i`: no limit |
+/// | `x ± i∞`, x ≠ 0 | `NaN + NaN i`: \|F\| grows like `e^{y²}` while its direction turns by 2xy, so that no component has a limit, nor the sign of one |
 /// | a component NaN | `NaN + NaN i`; Im is ±0 on the real axis, Re is ±0 on the imaginary axis |
 /// | above the range | the infinity of the right sign for each component above it |
 ///

@@ -62,7 +62,7 @@ impl Task for Exact {
 }
 
 /// Re z up to which `e^{−a²}` is a subnormal number, and Im z from which w′ is linear in it.
-const UNDERFLOW: f64 = 28.0;
+pub(super) const UNDERFLOW: f64 = 28.0;
 const LINEAR: f64 = f64::from_bits((1023 - 900) << 52);
 
 /// w′ at `a ± i b` where Re w′ is a sum of subnormal numbers, each of which is rounded once.
@@ -173,6 +173,8 @@ impl Task for Derivative {
         } else {
             limits(a, self.1)
         };
+        // On the imaginary axis Re w′ falls with x: w′(x + iy) = −x f″(y) + …, f = erfcx, f″ > 0.
+        let re = if a == 0.0 { -0.0 } else { re };
         // w′(−z̄) = −conj w′(z).
         (with_sign_of(re, self.0), im)
     }
@@ -190,10 +192,11 @@ impl Task for Derivative {
 /// # Special values
 /// | z | w′(z) |
 /// |---|---|
+/// | `±0 + iy` | Re is ∓0 |
 /// | infinite, Im z ≥ 0 or `±∞ + iy`, y finite | 0 with the signs of `−i/z²` |
-/// | `0 − i∞` | `0 + i∞` |
+/// | `±0 − i∞` | `∓0 + i∞` |
 /// | `x − i∞`, x ≠ 0 | `NaN + NaN i`: no limit |
-/// | a component NaN | `NaN + NaN i`; Re is ±0 on the imaginary axis |
+/// | a component NaN | `NaN + NaN i`; Re is ∓0 on the imaginary axis |
 /// | above the range | the infinity of the right sign for each component above it |
 ///
 /// ```

@@ -25,7 +25,7 @@ use super::real::{ROUND, with_sign_of};
 use num_complex::Complex;
 
 /// Re z from which erfc is not computed as 1 − erf.
-const COMPLEMENT: f64 = 0.25;
+pub(super) const COMPLEMENT: f64 = 0.25;
 
 /// xy below which, x being small, Re erf is linear in it.
 const LINEAR: f64 = 1.0 / 4_294_967_296.0;
@@ -200,14 +200,20 @@ fn limits(which: Which, x: f64, y: f64) -> (f64, f64) {
     (offset + sign * re, sign * im)
 }
 
-/// Any point of the first quadrant, NaN included.
+/// Any point of the first quadrant, NaN included. On an axis erf is real or imaginary, and there its
+/// slope is positive, so that the zero has the sign of the other part.
 #[inline(always)]
 fn anywhere<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
-    if x < HUGE && y < HUGE {
+    let (re, im) = if x < HUGE && y < HUGE {
         quadrant(lanes, which, x, y)
     } else {
         limits(which, x, y)
-    }
+    };
+    let (offset, sign) = which.of_erf();
+    (
+        if x == 0.0 { offset } else { re },
+        if y == 0.0 { sign * 0.0 } else { im },
+    )
 }
 
 /// erf z.
@@ -258,6 +264,8 @@ impl Task for Erfc {
 /// # Special values
 /// | z | erf z |
 /// |---|---|
+/// | `x ± 0i` | Im is ±0 |
+/// | `±0 + iy` | Re is ±0 |
 /// | `±∞ + iy`, y finite | `±1 ± 0i` (the signs of x and y) |
 /// | `0 ± i∞` | `0 ± i∞` |
 /// | `x ± i∞`, x ≠ 0 | `NaN + NaN i`: no limit |
@@ -289,7 +297,7 @@ pub fn erf(z: Complex<f64>) -> Complex<f64> {
 /// relative accuracy; beyond, within 10⁻¹² of a zero, the error is 2⁻¹⁰⁰.
 ///
 /// # Special values
-/// `1 − erf z`, with the table of [`erf`]: `+0 ∓ 0i` at `+∞ ± iy`, `2 ∓ 0i` at `−∞ ± iy`, `1 ∓ i∞` at
+/// `1 − erf z`, with the table of [`erf`]: Im is ∓0 at `x ± 0i`, `+0 ∓ 0i` at `+∞ ± iy`, `2 ∓ 0i` at `−∞ ± iy`, `1 ∓ i∞` at
 /// `0 ± i∞`, NaN as there.
 ///
 /// ```

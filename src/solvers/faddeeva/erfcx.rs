@@ -19,7 +19,7 @@ const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
 
 #[inline(always)]
 fn is_tiny(x: f64, y: f64) -> bool {
-    y.abs() < TINY && x < 0.0 && x > -LARGE
+    y.abs() < TINY && y != 0.0 && x < 0.0 && x > -LARGE
 }
 
 struct Erfcx(f64, f64);

@@ -25,8 +25,8 @@ pub(super) const HALF_PI: [f64; 3] = [
 /// Phases below this are reduced by [`reduce`].
 pub(in crate::solvers) const LARGE_PHASE: f64 = 1_073_741_824.0;
 
-/// Exponents are cut here: `e^{±1400}` is outside the range of `f64` whatever it is multiplied by,
-/// and half of its binary exponent inside.
+/// Exponents are cut here: `e^{±1400}` is outside the range of `f64` whatever normal number it is
+/// multiplied by, and half of its binary exponent inside. Subnormal factors need [`exp_wide`].
 const CUT: f64 = 1400.0;
 
 /// `y² − a² = (y − a)(y + a)`.
@@ -275,10 +275,15 @@ pub(super) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
     product(exp(exponent(a, y)), reduced)
 }
 
-/// `t 2^k`, `n = ROUND + k`, for any `k`.
+/// `t 2^k`, `n = ROUND + k`, for any `k`: in range where t is subnormal and k above 2040, too.
 #[inline(always)]
 pub(super) fn times_power(t: f64, n: f64) -> f64 {
-    scaled(t, n.clamp(ROUND - 2040.0, ROUND + 2040.0))
+    let most = n.clamp(ROUND - 2040.0, ROUND + 2040.0);
+    let scaled_once = scaled(t, most);
+    if n > most {
+        return scaled(scaled_once, (ROUND + (n - most)).min(ROUND + 2040.0));
+    }
+    scaled_once
 }
 
 /// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.

@@ -12,7 +12,8 @@
 //! repeats the measurement beside other codes, `mechaudit audit faddeeva` judges it.
 //!
 //! # Method
-//! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]):
+//! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`], with every limit in
+//! [`SEAMS`]):
 //!
 //! - `|z|² < 2⁻¹⁴`: Maclaurin series with 9 terms, `|z|² < 2⁻⁴`: with 21;
 //! - `|z|² < 48`: Taylor series of 18 terms about tabulated centres 1/4 (or 1/2) apart, the two leading
@@ -79,6 +80,7 @@ mod reflection;
 mod relatives_tables;
 #[cfg(target_arch = "x86_64")]
 mod rows;
+mod seams;
 mod special;
 #[rustfmt::skip]
 #[allow(clippy::all)]
@@ -93,6 +95,7 @@ mod voigt;
 mod zeros;
 
 pub use branch::Branch;
+pub use seams::{SEAMS, SEAMS_OF_RELATIVES, Seams};
 
 pub use dawson::{dawson, dawson_batch, dawson_real};
 pub use derivative::w_derivative;

@@ -24,7 +24,12 @@ const NEAR_SURELY: u64 = 0.0055f64.to_bits();
 const FAR_SURELY: u64 = 1024f64.next_up().to_bits();
 const HUGE_SURELY: u64 = 7e99f64.to_bits();
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
-const FINE: f64 = 3.75;
+pub(super) const FINE: f64 = 3.75;
+/// The distance between the centres of fine cells, and on the imaginary axis and in the lower half-disc; of
+/// coarse cells; on the real axis.
+pub(super) const FINE_PITCH: f64 = 0.25;
+pub(super) const COARSE_PITCH: f64 = 0.5;
+pub(super) const REAL_AXIS_PITCH: f64 = 0.0625;
 /// Above `2⁵⁵ |e^{−z²}|` in the strip.
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
@@ -48,8 +53,9 @@ pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
     let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
     // Not three choices: they would become a branch.
     let fine = a.pick(fine, like(1.0), like(0.0));
-    let step = fine.fma(like(2.0), like(2.0));
-    let unit = fine.fma(like(0.25), like(-0.5));
+    let coarser = 1.0 / COARSE_PITCH;
+    let step = fine.fma(like(1.0 / FINE_PITCH - coarser), like(coarser));
+    let unit = fine.fma(like(COARSE_PITCH - FINE_PITCH), like(-COARSE_PITCH));
     let base = fine.fma(like(-512.0), like(ROUND + 512.0));
     let round = like(ROUND);
     let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
@@ -73,8 +79,8 @@ pub(super) fn cell_number(n: f64) -> u16 {
 #[inline(always)]
 pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
     let round = a.like(ROUND);
-    let n = a.fma(a.like(16.0), round);
-    (n, (n - round).fma(a.like(-0.0625), a))
+    let n = a.fma(a.like(1.0 / REAL_AXIS_PITCH), round);
+    (n, (n - round).fma(a.like(-REAL_AXIS_PITCH), a))
 }
 
 /// Entry `n` of a table that has it: the last one otherwise, which costs less than a bounds check
@@ -130,8 +136,8 @@ pub(super) fn disc_number(n: f64) -> u16 {
 #[inline(always)]
 pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
     let round = x.like(ROUND);
-    let n = x.fma(x.like(4.0), round);
-    (n, (n - round).fma(x.like(-0.25), x))
+    let n = x.fma(x.like(1.0 / FINE_PITCH), round);
+    (n, (n - round).fma(x.like(-FINE_PITCH), x))
 }
 
 /// The row of centre `n` on the imaginary axis.
@@ -273,17 +279,26 @@ pub(super) fn below_real_axis<R: Real>(y: R) -> R {
     -((-y).raised(LEAST))
 }
 
+/// Im w, which is +0 at `a = 0`: erfcx falls everywhere, so that Im w grows with a.
+#[inline(always)]
+fn on_axis_zero(a: f64, im: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { im }
+}
+
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, `y < 0`.
 #[inline(always)]
 fn lower<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64) {
     // So close to the axis Im w is proportional to a, and the phase 2ay may be subnormal. Further
-    // down every component overflows.
+    // down e^{y²} times the smallest phase is above the range.
     let lift = if a < TINY && y > -40.0 { 60.0 } else { 0.0 };
     let (re, im, n) = below(lanes, a * (lift + ROUND).power_of_two(), y);
     match (n - ROUND, lift) {
         (0.0, 0.0) => (re, im),
-        (0.0, _) => (re, scaled(im, ROUND - lift)),
-        _ => (times_power(re, n), times_power(im, n - lift)),
+        (0.0, _) => (re, on_axis_zero(a, scaled(im, ROUND - lift))),
+        _ => (
+            times_power(re, n),
+            on_axis_zero(a, times_power(im, n - lift)),
+        ),
     }
 }
 

@@ -8,7 +8,9 @@ use super::double_double_functions as exact;
 pub(super) use super::exponential::{circle, exp_wide, gaussian, times_power};
 use super::exponential::{exp_minus_square_any, exponent};
 use super::lanes::Lanes;
-use super::plane::{from_erfcx, imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
+use super::plane::{
+    FINE, from_erfcx, imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row,
+};
 use super::real::{ROUND, scaled};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
@@ -17,6 +19,13 @@ use super::trapezoidal;
 pub(super) const HUGE: f64 = 1e100;
 /// Half the width of the strips beside the axes in which real expansions are used; the edge is inside.
 pub(super) const STRIP: f64 = 0.125f64.next_up();
+/// |z|² from which the asymptotic series is used, and from which it needs fewer and fewer terms.
+pub(super) const FAR: f64 = 49.0;
+pub(super) const FEWER_TERMS: [f64; 4] = [100.0, 256.0, 1000.0, 1e6];
+/// Re z from which the strip beside the real axis has rows of its own, and from which `e^{−z²}` there is below
+/// every `f64`.
+pub(super) const REAL_AXIS: f64 = 1.125;
+pub(super) const GONE: f64 = 27.5;
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 6.0;
 
@@ -67,25 +76,24 @@ enum Place {
     Cell,
     ImaginaryAxis,
     RealAxis,
-    /// |z|² ≥ 49, beside the real axis.
+    /// |z|² ≥ [`FAR`], beside the real axis.
     Strip,
-    /// |z|² ≥ 49.
+    /// |z|² ≥ [`FAR`].
     Far,
 }
 
 /// The place of `a + i b`.
 #[inline(always)]
 fn place(a: f64, b: f64) -> Place {
-    if a.mul_add(a, b * b) >= 49.0 {
-        // Beyond 27.5 the exponential is below every `f64`.
-        if (b < STRIP) & (a < 27.5) {
+    if a.mul_add(a, b * b) >= FAR {
+        if (b < STRIP) & (a < GONE) {
             Place::Strip
         } else {
             Place::Far
         }
-    } else if a < (if a.max(b) < 3.75 { STRIP } else { 2.0 * STRIP }) {
+    } else if a < (if a.max(b) < FINE { STRIP } else { 2.0 * STRIP }) {
         Place::ImaginaryAxis
-    } else if (b < STRIP) & (a >= 1.125) {
+    } else if (b < STRIP) & (a >= REAL_AXIS) {
         Place::RealAxis
     } else {
         Place::Cell
@@ -96,13 +104,13 @@ fn place(a: f64, b: f64) -> Place {
 #[inline(always)]
 pub(super) fn far(a: f64, b: f64) -> (Dd, Dd) {
     let r2 = a.mul_add(a, b * b);
-    if r2 < 100.0 {
+    if r2 < FEWER_TERMS[0] {
         series::<_, 24>(a, b)
-    } else if r2 < 256.0 {
+    } else if r2 < FEWER_TERMS[1] {
         series::<_, 14>(a, b)
-    } else if r2 < 1000.0 {
+    } else if r2 < FEWER_TERMS[2] {
         series::<_, 10>(a, b)
-    } else if r2 < 1e6 {
+    } else if r2 < FEWER_TERMS[3] {
         series::<_, 6>(a, b)
     } else {
         series::<_, 2>(a, b)
@@ -257,13 +265,13 @@ pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
 #[inline(always)]
 pub(super) fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
     let r2 = a.mul_add(a, b * b);
-    if r2 < 100.0 {
+    if r2 < FEWER_TERMS[0] {
         series_derivative::<33>(a, b)
-    } else if r2 < 256.0 {
+    } else if r2 < FEWER_TERMS[1] {
         series_derivative::<15>(a, b)
-    } else if r2 < 1000.0 {
+    } else if r2 < FEWER_TERMS[2] {
         series_derivative::<11>(a, b)
-    } else if r2 < 1e6 {
+    } else if r2 < FEWER_TERMS[3] {
         series_derivative::<7>(a, b)
     } else {
         series_derivative::<3>(a, b)

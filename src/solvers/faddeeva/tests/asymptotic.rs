@@ -1,3 +1,4 @@
+use super::super::branch::{BEYOND, GONE, TERMS_2, TERMS_4};
 use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, rational, w, wide};
@@ -109,7 +110,7 @@ fn rounded_far_out() {
     let mut random = Random(53);
     for k in 0..6000 {
         let (t, r) = (random.between(0.0, 90.0).to_radians(), k % 2);
-        let least = [5120f64.sqrt(), 1024.0][r];
+        let least = [TERMS_4.sqrt(), TERMS_2.sqrt()][r];
         let far = least * (1.0 + 1e-9) * random.power(0.0, 60.0);
         let (a, b) = match k % 3 {
             0 => (far, far * random.power(-200.0, 0.0)),
@@ -133,9 +134,9 @@ fn next_to_the_real_axis() {
     let mut random = Random(54);
     for k in 0..4000 {
         let a = match k {
-            0 => 80f64.sqrt(),
-            1 => 768f64.sqrt(),
-            _ => random.between(80f64.sqrt(), 768f64.sqrt()),
+            0 => BEYOND.sqrt(),
+            1 => GONE.sqrt(),
+            _ => random.between(BEYOND.sqrt(), GONE.sqrt()),
         };
         let (u, v) = series_next_to_real_axis(a);
         // Where b is so small that its powers do not count; e^{−z²} is not part of the series.

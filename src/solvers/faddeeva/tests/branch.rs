@@ -1,5 +1,6 @@
 //! The choice of the formula: the scalar and the vector form are the same.
 
+use super::super::SEAMS;
 use super::super::batch::bucket::{
     BUCKETS, EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE, bucket,
     places,
@@ -38,40 +39,23 @@ fn expected(x: f64, y: f64) -> usize {
 fn points() -> Vec<(f64, f64)> {
     let mut random = Random(21);
     let mut points: Vec<_> = (0..40_000).map(|_| random.point()).collect();
-    let edges = [
+    let special = [
         0.0,
         5e-324,
-        1e-290,
-        NEAR,
-        0.125,
-        0.25,
         1.0,
-        1.125,
         9.0,
-        0.007_812_5,
-        7.0,
-        10.0,
-        16.0,
-        27.5,
-        31.622_776_601_683_793,
-        70.710_678_118_654_75,
-        1.25f64.sqrt(),
-        14f64.sqrt(),
-        48f64.sqrt(),
-        80f64.sqrt(),
-        112f64.sqrt(),
-        768f64.sqrt(),
-        32.0,
-        5120f64.sqrt(),
-        1000.0,
-        1e100,
         1e154,
         f64::MAX,
         f64::INFINITY,
         f64::NAN,
     ];
-    for a in edges {
-        for b in edges {
+    let edges: Vec<f64> = special
+        .into_iter()
+        .chain(SEAMS.circles.iter().map(|r2| r2.sqrt()))
+        .chain(SEAMS.im.iter().chain(SEAMS.re).copied())
+        .collect();
+    for &a in &edges {
+        for &b in &edges {
             for x in [a.next_down(), a, a.next_up()] {
                 points.extend([b.next_down(), b, b.next_up()].map(|y| (x, y)));
                 points.extend([b.next_down(), b, b.next_up()].map(|y| (x, -y)));

@@ -15,6 +15,7 @@ mod payne_hanek;
 mod real;
 #[cfg(feature = "oracle")]
 mod seams;
+mod signs_of_zero;
 mod special_values;
 
 /// Pseudo-random numbers (Steele, Lea & Flood, *Fast splittable pseudorandom number generators*,

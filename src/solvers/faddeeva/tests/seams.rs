@@ -1,6 +1,6 @@
 //! Both sides of every seam between formulas and cells, and the seams themselves.
 
-use super::super::faddeeva;
+use super::super::{SEAMS, faddeeva};
 use super::exact::{float, w};
 use num_complex::Complex;
 use rug::Float;
@@ -46,9 +46,12 @@ fn cells() {
 #[test]
 fn lines() {
     let mut points = Vec::new();
-    for seam in [
-        0.125, 0.25, 0.375, 1.125, 1.0, 3.75, 7.0, 9.0, 27.5, 1.118, 3.741, 6.928, 8.944, 27.712,
-    ] {
+    let crossings = SEAMS
+        .circles
+        .iter()
+        .map(|r2| r2.sqrt())
+        .filter(|r| *r < 30.0);
+    for seam in SEAMS.im.iter().copied().chain(crossings) {
         for t in [seam, f64::next_up(seam), f64::next_down(seam)] {
             for k in 0..260 {
                 let s = f64::from(k) * 0.11 + 1e-3;
@@ -64,22 +67,7 @@ fn lines() {
 #[test]
 fn circles() {
     let mut points = Vec::new();
-    for r in [
-        1.0f64 / 128.0,
-        0.25,
-        1.0,
-        1.25f64.sqrt(),
-        14f64.sqrt(),
-        48f64.sqrt(),
-        80f64.sqrt(),
-        112f64.sqrt(),
-        16.0,
-        768f64.sqrt(),
-        32.0,
-        5120f64.sqrt(),
-        1000.0,
-        1e100,
-    ] {
+    for r in SEAMS.circles.iter().map(|r2| r2.sqrt()) {
         for k in 0..120 {
             let (s, c) = (f64::from(k) * 0.75 + 0.01).to_radians().sin_cos();
             for f in [1.0 - 1e-15, 1.0, 1.0 + 1e-15] {
