@@ -52,13 +52,14 @@ pub(super) fn both(sweep: &Sweep, roots: &Roots, free: &Free, t: f64) -> ([C; 3]
     ([y, v + start * free.k, a + start * rate], sum[0])
 }
 
-/// `φ, φ′, φ″` for root number i.
-pub(super) fn one(sweep: &Sweep, roots: &Roots, i: usize, t: f64) -> [C; 3] {
+/// `φ, φ′, φ″` for root number i, and `φ e^{iθ}`.
+pub(super) fn one(sweep: &Sweep, roots: &Roots, i: usize, t: f64) -> ([C; 3], C) {
     let (eta, beta) = (roots.eta[i].value(), roots.beta[i]);
     let kernel = |s: f64| circle(beta.mul_f(s)) * (-eta * s).exp();
     let carrier = sweep.carrier(t);
-    let [y, v, a] = integrals(sweep, t, &RULE_20, kernel).map(|x| x * carrier);
+    let sum = integrals(sweep, t, &RULE_20, kernel);
+    let [y, v, a] = sum.map(|x| x * carrier);
     let end = circle(beta.mul_f(t).add_f(-sweep.delta)) * (-eta * t).exp();
     let rate = roots.lambda[i] - C::new(0.0, sweep.nu.value());
-    [y, v + end, a + end * rate]
+    ([y, v + end, a + end * rate], sum[0])
 }

@@ -27,8 +27,9 @@ pub(super) struct Prepared {
     pub scale: f64,
     /// Whether k was negated to have `κ ≥ 0`: amplitudes are conjugated then.
     pub mirrored: bool,
-    /// `−ψ(0), −ψ′(0)` of the particular solution, per `w²`.
+    /// `−ψ(0), −ψ′(0)` of the particular solution, per `w²`, and the same without `e^{−iδ}`.
     pub start: [C; 2],
+    pub start_amplitudes: [C; 2],
     /// What passages add to that, where they are constants.
     pub left: Option<[[C; 2]; 2]>,
     /// `|p|²` at `t = 0` for both roots.
@@ -63,6 +64,7 @@ impl Prepared {
             scale,
             mirrored,
             start: [-carrier * y, -carrier * v],
+            start_amplitudes: [-y, -v],
             norms,
         }
     }
@@ -101,35 +103,47 @@ impl Prepared {
     /// `ψ, ψ′, ψ″` at time t, where the carrier is `e^{−iθ}`.
     #[inline(always)]
     pub fn psi(&self, roots: &Roots, free: &Free, carrier: C, t: f64) -> [C; 3] {
-        self.psi_and_amplitude(roots, free, carrier, t).0
+        self.motion::<false>(roots, free, carrier, t).0
     }
 
-    /// `ψ, ψ′, ψ″` and `A = ψ e^{iθ}`, which is not formed by turning ψ back where a component of it
-    /// may be small beside the other: in the first moments, and where the forced part stands alone.
-    #[inline(always)]
+    /// `ψ, ψ′, ψ″` and `A = ψ e^{iθ}`. A is not ψ turned back: one of its components may be small beside
+    /// the other, in the first moments, far below the resonance and far above it. Each keeps its own
+    /// accuracy in a sum of terms that are all relative to the carrier.
     pub fn psi_and_amplitude(&self, roots: &Roots, free: &Free, carrier: C, t: f64) -> ([C; 3], C) {
+        self.motion::<true>(roots, free, carrier, t)
+    }
+
+    /// `ψ, ψ′, ψ″` and, if it is wanted, A.
+    #[inline(always)]
+    fn motion<const AMPLITUDE: bool>(
+        &self,
+        roots: &Roots,
+        free: &Free,
+        carrier: C,
+        t: f64,
+    ) -> ([C; 3], C) {
         let omega = self.sweep.omega(t);
-        let back = carrier.conj();
         let (sum, amplitude) = match self.way(roots, t, omega) {
             Way::Direct => direct::both(&self.sweep, roots, free, t),
-            Way::Mixed(i) => {
-                let psi = self.mixed(roots, i, t, omega);
-                (psi, psi[0] * back)
-            }
+            Way::Mixed(i) => self.mixed(roots, i, t, omega),
             Way::Closed => {
-                let [mut a, mut b] = self.start;
+                let mut passed = [C::ZERO; 2];
                 let mut left = [C::ZERO; 3];
                 match &self.left {
                     Some(states) => {
                         for i in [0, 1] {
                             if self.sweep.beyond(roots, i, omega) {
-                                a += states[i][0];
-                                b += states[i][1];
+                                passed[0] += states[i][0];
+                                passed[1] += states[i][1];
                             }
                         }
                     }
                     None => left = passage(&self.sweep, roots, t, omega),
                 }
+                let [a, b] = two(
+                    #[inline(always)]
+                    |i| self.start[i] + passed[i],
+                );
                 let own = free.motion(roots.w, a, b);
                 let Amplitudes { y, v, a } = self.sweep.particular(roots, omega);
                 let forced = [y, v, a];
@@ -141,10 +155,19 @@ impl Prepared {
                     true => return_to_rest::motion(&self.sweep, roots, t, carrier),
                     false => None,
                 };
-                match again {
-                    Some(psi) => (psi, psi[0] * back),
-                    None => (sum, y + (own[0] + left[0]) * back),
-                }
+                again.unwrap_or_else(
+                    #[inline(always)]
+                    || match AMPLITUDE {
+                        true => {
+                            let [a, b] = self.start_amplitudes;
+                            let turn = circle(self.sweep.turned(t));
+                            let own = (a * free.k0 + b * free.k) * turn;
+                            let left = passed[0] * free.k0 + passed[1] * free.k + left[0];
+                            (sum, y + own + left * carrier.conj())
+                        }
+                        false => (sum, y),
+                    },
+                )
             }
         };
         let psi = three(
@@ -156,15 +179,16 @@ impl Prepared {
 
     #[cold]
     #[inline(never)]
-    fn mixed(&self, roots: &Roots, short: usize, t: f64, omega: Dd) -> [C; 3] {
-        let near = direct::one(&self.sweep, roots, short, t);
-        let far = self.closed_one(roots, 1 - short, t, omega);
+    fn mixed(&self, roots: &Roots, short: usize, t: f64, omega: Dd) -> ([C; 3], C) {
+        let (near, amplitude) = direct::one(&self.sweep, roots, short, t);
+        let (far, other) = self.closed_one(roots, 1 - short, t, omega);
         let sign = if short == 0 { 1.0 } else { -1.0 };
-        three(|j| sign * (near[j] - far[j]) / roots.gap)
+        let psi = three(|j| sign * (near[j] - far[j]) / roots.gap);
+        (psi, sign * (amplitude - other) / roots.gap)
     }
 
-    /// `φ, φ′, φ″` of root number i.
-    fn closed_one(&self, roots: &Roots, i: usize, t: f64, omega: Dd) -> [C; 3] {
+    /// `φ, φ′, φ″` of root number i, and `φ e^{iθ}`.
+    fn closed_one(&self, roots: &Roots, i: usize, t: f64, omega: Dd) -> ([C; 3], C) {
         let lambda = roots.lambda[i];
         let at = |omega: Dd| {
             let (f, r) = self.sweep.single(roots, i, omega);
@@ -174,14 +198,16 @@ impl Prepared {
         let carrier = self.sweep.carrier(t);
         let beta = roots.beta[i];
         let decay = decay(roots.eta[i].mul_f(t));
-        let turned = circle(beta.mul_f(t).add_f(-self.sweep.delta));
-        let own = turned * (-decay) * then.y;
+        let free = then.y * -decay;
+        let own = circle(beta.mul_f(t).add_f(-self.sweep.delta)) * free;
         let left = passage_of_one(&self.sweep, roots, i, t, omega);
-        [
+        let phi = [
             carrier * now.y + own + left[0],
             carrier * now.v + own * lambda + left[1],
             carrier * now.a + own * lambda * lambda + left[2],
-        ]
+        ];
+        let turn = circle(beta.mul_f(t) + self.sweep.turned(t));
+        (phi, now.y + turn * free + left[0] * carrier.conj())
     }
 }
 

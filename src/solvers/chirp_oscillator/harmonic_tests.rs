@@ -80,7 +80,7 @@ fn one_root_by_the_closed_form() {
             let v = lambda * y + carrier;
             let a = lambda * v - C::new(0.0, omega.value()) * carrier;
             let found = h.closed_one(&roots, i, t, omega);
-            for (found, due) in found.iter().zip([y, v, a]) {
+            for (found, due) in found.0.iter().zip([y, v, a]) {
                 assert!(
                     (found - due).norm() < 1e-9,
                     "{w} {n} {i} {t}: {found} {due}"

@@ -63,7 +63,13 @@ impl Task for Chunk<'_> {
                     let [y, v, a] = if group.apart {
                         motion_apart(group.p, roots, s.kappa.hi, group.omega, group.terms)
                     } else {
-                        motion_of_both(group.p, s.kappa.hi, group.omega, group.terms)
+                        motion_of_both(
+                            group.p,
+                            response.roots.n,
+                            s.kappa.hi,
+                            group.omega,
+                            group.terms,
+                        )
                     };
                     forced(lanes, &groups, group.carrier, [y, v, a], &mut sums, start);
                     for i in [0, 1] {

@@ -32,7 +32,7 @@ pub(super) fn cancels(sum: Complex<f64>, term: Complex<f64>) -> bool {
     sum.norm_sqr() < CANCELLED * CANCELLED * term.norm_sqr()
 }
 
-/// `ψ, ψ′, ψ″` at time t from rest; `None` where the terms cancel for another reason: strong
+/// `ψ, ψ′, ψ″` at time t from rest, and `ψ e^{iθ}`; `None` where the terms cancel for another reason: strong
 /// damping, phases from 2³⁰ on, a resonance passed on the way.
 #[cold]
 #[inline(never)]
@@ -41,7 +41,7 @@ pub(super) fn motion(
     roots: &Roots,
     t: f64,
     carrier: Complex<f64>,
-) -> Option<[Complex<f64>; 3]> {
+) -> Option<([Complex<f64>; 3], Complex<f64>)> {
     let omega = sweep.omega(t);
     let passed = |i: usize| sweep.beyond(roots, i, omega) != sweep.beyond(roots, i, sweep.nu);
     let turned = (sweep.nu + sweep.kappa.mul_f(0.5 * t)).mul_f(t);
@@ -56,7 +56,7 @@ pub(super) fn motion(
     {
         return None;
     }
-    let [y, v] = with_best(Sum {
+    let [amplitude, y, v] = with_best(Sum {
         sweep,
         roots,
         t,
@@ -67,10 +67,10 @@ pub(super) fn motion(
     let (y, v) = (start * y.value(), start * v.value());
     // Nothing cancels here: next to rest the force stands alone.
     let a = carrier - v * (2.0 * roots.n) - y * (roots.w * roots.w);
-    Some([y, v, a])
+    Some(([y, v, a], amplitude.value()))
 }
 
-/// Displacement and velocity without `e^{−iδ}`.
+/// The amplitude of the displacement, then displacement and velocity without `e^{−iδ}`.
 struct Sum<'a> {
     sweep: &'a Sweep,
     roots: &'a Roots,
@@ -80,10 +80,10 @@ struct Sum<'a> {
 }
 
 impl Task for Sum<'_> {
-    type Output = [Cd; 2];
+    type Output = [Cd; 3];
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> [Cd; 2] {
+    fn run<L: Lanes>(self, lanes: L) -> [Cd; 3] {
         let Sum {
             sweep, roots, t, ..
         } = self;
@@ -98,8 +98,10 @@ impl Task for Sum<'_> {
         let [y0, v0] = amplitudes(sweep, roots, sweep.nu);
         let carrier = Cd(cos, -sin);
         let stiffness = two_prod(roots.w, roots.w);
+        let amplitude = y - Cd(cos, sin) * (y0.scaled(k0) + v0.scaled(k));
         [
-            carrier * y - (y0.scaled(k0) + v0.scaled(k)),
+            amplitude,
+            carrier * amplitude,
             carrier * v - (v0.scaled(k1) - y0.scaled(stiffness * k)),
         ]
     }

@@ -13,7 +13,7 @@ fn from_rest([w, n, nu, kappa, delta]: [f64; 5], t: f64) -> Option<[C; 3]> {
         eps: kappa,
     };
     let sweep = Sweep::new(&roots, 1.0, &chirp, delta);
-    motion(&sweep, &roots, t, sweep.carrier(t))
+    motion(&sweep, &roots, t, sweep.carrier(t)).map(|(psi, _)| psi)
 }
 
 /// `∫ K(t − s) e^{−iθ(s)} ds` and the same with `K′`, `K(u) = e^{−nu} sin(hu)/h`, by Simpson's rule.

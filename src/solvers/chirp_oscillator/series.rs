@@ -73,6 +73,14 @@ impl<R: Real> Z<R> {
         )
     }
 
+    /// `p₊ p₋ = w² − ω² − 2inω`, the imaginary part as accurate where it is small: its two products may
+    /// cancel. The same bits whichever factor comes first.
+    #[inline(always)]
+    fn times_conjugate(self, o: Z<R>, n: f64, omega: R) -> Z<R> {
+        let re = self.0 * o.0 - self.1 * o.1;
+        Z(re, omega * omega.like(-2.0 * n))
+    }
+
     /// The product with the same bits whichever factor comes first.
     #[inline(always)]
     fn times_evenly(self, o: Z<R>) -> Z<R> {
@@ -171,9 +179,9 @@ struct Apart<R> {
 
 impl<R: Real> Apart<R> {
     #[inline(always)]
-    fn new(p: [Z<R>; 2], roots: &Roots, kappa: f64, terms: usize) -> Apart<R> {
+    fn new(p: [Z<R>; 2], product: Z<R>, roots: &Roots, kappa: f64, terms: usize) -> Apart<R> {
         // The one inverse that the accuracy of the result depends on.
-        let q = p[0].times_evenly(p[1]).inverse();
+        let q = product.inverse();
         let both = two(
             #[inline(always)]
             |i| One::new(p[1 - i].times(q), kappa, terms),
@@ -228,12 +236,13 @@ fn motion<R: Real>(omega: R, [f, r, lr]: [Z<R>; 3]) -> [Z<R>; 3] {
 #[inline(always)]
 pub(super) fn motion_of_both<R: Real>(
     [p, r]: [Z<R>; 2],
+    n: f64,
     kappa: f64,
     omega: R,
     terms: usize,
 ) -> [Z<R>; 3] {
-    let q = p.times_evenly(r).inverse();
-    let s = p.plus(r).times(q);
+    let q = p.times_conjugate(r, n, omega).inverse();
+    let s = Z(omega.like(-2.0 * n), omega + omega).times(q);
     let minus_q = q.negative();
     let zero = Z(q.0.like(0.0), q.0.like(0.0));
     let one = Z(q.0.like(1.0), q.0.like(0.0));
@@ -262,7 +271,8 @@ pub(super) fn motion_apart<R: Real>(
     omega: R,
     terms: usize,
 ) -> [Z<R>; 3] {
-    let apart = Apart::new(p, roots, kappa, terms);
+    let product = p[0].times_conjugate(p[1], roots.n, omega);
+    let apart = Apart::new(p, product, roots, kappa, terms);
     let Apart { both, by, q } = apart;
     let k = omega.like(kappa);
     let turned = |z: Z<R>| Z(-(k * z.1), k * z.0);
@@ -289,5 +299,5 @@ pub(super) fn of_both_apart<R: Real>(
     kappa: f64,
     terms: usize,
 ) -> Z<R> {
-    Apart::new(p, roots, kappa, terms).displacement()
+    Apart::new(p, p[0].times_evenly(p[1]), roots, kappa, terms).displacement()
 }

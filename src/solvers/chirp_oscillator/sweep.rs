@@ -99,11 +99,16 @@ impl Sweep {
         self.nu + self.kappa.mul_f(t)
     }
 
+    /// `θ − δ`
+    #[inline(always)]
+    pub fn turned(&self, t: f64) -> Dd {
+        (self.nu + self.kappa.mul_f(0.5 * t)).mul_f(t)
+    }
+
     /// θ
     #[inline(always)]
     pub fn phase(&self, t: f64) -> Dd {
-        let turned = (self.nu + self.kappa.mul_f(0.5 * t)).mul_f(t);
-        turned.add_f(self.delta)
+        self.turned(t).add_f(self.delta)
     }
 
     /// Whether all phases up to `t` are so small that they are reduced without Payne & Hanek.
@@ -249,7 +254,7 @@ impl Sweep {
             let (p, kappa, terms) = (p.map(Z::from), self.kappa.hi, terms(near));
             let [y, v, a] = match self.apart_far(roots, nearer) {
                 true => series::motion_apart(p, roots, kappa, value, terms),
-                false => series::motion_of_both(p, kappa, value, terms),
+                false => series::motion_of_both(p, roots.n, kappa, value, terms),
             };
             return Amplitudes {
                 y: y.into(),
