@@ -104,9 +104,11 @@ pub fn history(
         format!("y_{u}"),
         format!("v_{u}_per_s"),
         format!("a_{u}_per_s2"),
-        format!("envelope_{u}"),
+        format!("envelope_low_{u}"),
+        format!("envelope_high_{u}"),
     ]);
     let drive = response.drive();
+    let mean = response.mean();
     let row = |s: &State, envelope: f64| {
         let values = [
             s.t,
@@ -118,7 +120,8 @@ pub fn history(
             s.displacement,
             s.velocity,
             s.acceleration,
-            envelope,
+            mean - envelope,
+            mean + envelope,
         ];
         values.map(Cell::Float)
     };
@@ -128,7 +131,7 @@ pub fn history(
         let to = (from + CHUNK).min(run.rows);
         let one = |k: u64| {
             let t = run.step * k as f64;
-            Ok((response.state(t)?, response.bounds(t)?[0]))
+            Ok((response.state(t)?, response.envelope(t)?))
         };
         let states: Result<Vec<_>, mechaudit::solvers::chirp_chart::ChirpChartError> =
             (from..to).into_par_iter().map(one).collect();

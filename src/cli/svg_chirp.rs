@@ -55,7 +55,7 @@ fn bins(run: &Run, response: &CamResponse) -> Vec<Bin> {
         Bin {
             times: [start, start + 0.5 * width],
             ranges,
-            envelope: response.bounds(start).map_or(f64::NAN, |b| b[0]),
+            envelope: response.envelope(start).unwrap_or(f64::NAN),
             speed: drive.speed(start),
         }
     };
@@ -78,7 +78,7 @@ pub fn history(machine: &Machine, run: &Run, response: &CamResponse) -> Result<S
     let mean = response.mean();
     let unit = machine.unit;
     let note = format!(
-        "law {}, w = {} rad/s, n = {} rad/s, {} harmonics; the envelope is the mean a_0 ± Σ|A_k|",
+        "law {}, w = {} rad/s, n = {} rad/s, {} harmonics; the envelope is the mean a_0 ± (Σ|A_k| + free vibration)",
         machine.law,
         tick(machine.drive.oscillator.w()),
         tick(machine.drive.oscillator.n()),

@@ -277,6 +277,15 @@ impl CamResponse {
         }
     }
 
+    /// The envelope of the motion: `|y − a_0|` is not above it, whatever the initial state
+    /// ([`ChirpResponse::envelope`]).
+    ///
+    /// # Errors
+    /// A time that is negative or not finite.
+    pub fn envelope(&self, t: f64) -> Result<f64, ChirpChartError> {
+        Ok(self.response.envelope(t)?)
+    }
+
     /// `Σ|A_k|` (19), and `w² Σ|D_k − A_k|`.
     ///
     /// # Errors

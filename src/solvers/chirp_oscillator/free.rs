@@ -51,6 +51,20 @@ impl Free {
         }
     }
 
+    /// A bound on |y| from the state `(a, b)`. Below critical damping
+    /// `y = e^{−nt} (a cos w₃t + (b + na) sin(w₃t)/w₃)`, and the sine is below its argument; above,
+    /// K and K₀ are positive.
+    pub fn bound(&self, roots: &Roots, a: f64, b: f64, t: f64) -> f64 {
+        if roots.over {
+            return a.abs().mul_add(self.k0, b.abs() * self.k);
+        }
+        let rate = roots.n.mul_add(a, b);
+        let turning = a.hypot(rate / roots.half.value());
+        // Next to critical damping the quotient is large, or 0/0.
+        let straight = rate.abs().mul_add(t, a.abs());
+        decay(two_prod(roots.n, t)) * straight.min(turning)
+    }
+
     /// `y, y′, y″` from the state `(a, b)` at `t = 0`.
     #[inline(always)]
     pub fn motion(&self, w: f64, a: Complex<f64>, b: Complex<f64>) -> [Complex<f64>; 3] {

@@ -187,14 +187,37 @@ impl ChirpResponse {
         })
     }
 
-    /// `Σ|A_k|` at time `t`: the bound of Gembara & Senyk (19) on the displacement from rest.
+    /// The displacement under the static term alone, for ever: `a₀`, or `a₀/w²` if it is an acceleration.
+    pub fn mean(&self) -> f64 {
+        let w = self.roots.w;
+        self.constant.as_ref().map_or(0.0, |c| c.scale / (w * w))
+    }
+
+    /// `Σ|A_k|` at time `t`: the bound of Gembara & Senyk (19) on what the harmonics add from rest. It
+    /// leaves out the static term and the free vibration from the initial state.
+    ///
+    /// # Errors
+    /// A time that is negative or not finite.
+    pub fn sum_of_amplitudes(&self, t: f64) -> Result<f64, ChirpError> {
+        let t = self.time(t)?;
+        let size = |h| with_best(PsiAt(&self.roots, h, t)).1.norm();
+        Ok(self.harmonics.iter().map(size).sum())
+    }
+
+    /// The envelope of the motion: `|y(t) − mean| ≤ envelope(t)`, the sum of
+    /// [`sum_of_amplitudes`](ChirpResponse::sum_of_amplitudes) and of a bound on the free vibration from
+    /// the initial state, taken about the [`mean`](ChirpResponse::mean); raised by 2⁻⁴⁶ of what is
+    /// added up, more than all of it is rounded by.
     ///
     /// # Errors
     /// A time that is negative or not finite.
     pub fn envelope(&self, t: f64) -> Result<f64, ChirpError> {
+        let harmonics = self.sum_of_amplitudes(t)?;
         let t = self.time(t)?;
-        let size = |h| with_best(PsiAt(&self.roots, h, t)).1.norm();
-        Ok(self.harmonics.iter().map(size).sum())
+        let (mean, [y0, v0]) = (self.mean(), self.start);
+        let free = Free::at(&self.roots, t).bound(&self.roots, y0 - mean, v0, t);
+        let sum = harmonics + free;
+        Ok(sum + f64::EPSILON * 64.0 * (sum + mean.abs() + y0.abs()))
     }
 
     /// The amplitudes `A` of harmonic number `index` at many times, from rest.

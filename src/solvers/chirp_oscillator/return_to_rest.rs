@@ -123,6 +123,11 @@ fn amplitudes(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 2] {
 /// `F[·]` and `R[·]` by the asymptotic series (see [`super::sweep`]).
 fn far(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 2] {
     let [p, r] = [0, 1].map(|i| Cd(-roots.eta[i], omega + roots.beta[i]));
+    // The larger one first: the conjugate at −ω has the same bits then.
+    let (p, r) = match p.1.hi.abs() < r.1.hi.abs() {
+        true => (r, p),
+        false => (p, r),
+    };
     let q = (p * r).inverse();
     let s = (p + r) * q;
     let one = Cd(Dd::from(1.0), Dd::ZERO);

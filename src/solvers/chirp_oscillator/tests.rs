@@ -178,8 +178,64 @@ fn envelopes_and_amplitudes() {
         }
     }
     for (t, size) in times.into_iter().zip(sizes) {
-        close(r.envelope(t).unwrap(), size, 4.0 * EPS * size);
-        assert!(at(&r, t)[0].abs() <= size * (1.0 + EPS));
+        close(r.sum_of_amplitudes(t).unwrap(), size, 4.0 * EPS * size);
+        // From rest there is nothing else.
+        let envelope = r.envelope(t).unwrap();
+        assert!(envelope >= size && envelope < size * (1.0 + 1e-12));
+        assert!(at(&r, t)[0].abs() <= envelope);
+    }
+}
+
+/// From any state, about any mean, with any damping: the bound holds, and below critical damping it is
+/// touched.
+#[test]
+fn the_envelope_bounds_the_motion() {
+    // Evenly spread: multiples of the golden ratio.
+    let mut drawn = 0.0;
+    let mut between = |low: f64, high: f64| {
+        drawn = (drawn + 0.618_033_988_749_894_8) % 1.0;
+        low + (high - low) * drawn
+    };
+    for case in 0..300 {
+        let w = between(-3.0, 7.0).exp2();
+        let n = match case % 5 {
+            0 => 0.0,
+            1 => w,
+            2 => w * (1.0 + between(-1e-6, 1e-6)),
+            3 => w * between(0.0, 5.0).exp2(),
+            _ => w * between(0.0, 1.0),
+        };
+        let excitation = Excitation {
+            static_term: between(-1.0, 1.0),
+            forcing: if case % 2 == 0 {
+                Forcing::Displacement
+            } else {
+                Forcing::Acceleration
+            },
+            ..excitation(
+                w * between(-2.0, 2.0),
+                w * w * between(-0.1, 0.1),
+                vec![harmonic(1.0, between(-0.2, 0.2), 0.4)],
+            )
+        };
+        let unit = match excitation.forcing {
+            Forcing::Displacement => 1.0,
+            Forcing::Acceleration => w * w,
+        };
+        let start = InitialState {
+            displacement: between(-2.0, 2.0) / unit,
+            velocity: w * between(-2.0, 2.0) / unit,
+        };
+        let r = ChirpResponse::new(Oscillator::new(w, n).unwrap(), excitation, start).unwrap();
+        let mut closest = f64::INFINITY;
+        for k in 0..400 {
+            let t = 0.05 * f64::from(k) / w;
+            let off = (r.displacement(t).unwrap() - r.mean()).abs();
+            let envelope = r.envelope(t).unwrap();
+            assert!(off <= envelope, "{w} {n} {t}: {off:e} beyond {envelope:e}");
+            closest = closest.min(envelope / off);
+        }
+        assert!(n > 0.5 * w || closest < 1.5, "{w} {n}: {closest}");
     }
 }
 
