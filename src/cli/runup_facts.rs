@@ -153,6 +153,19 @@ pub fn ending(motion: &Motion) -> String {
     }
 }
 
+/// What there is to say about stiffness.
+pub fn stiff(machine: &Machine, motion: &Motion) -> Option<String> {
+    let from = motion.stiff_from?;
+    let settings = machine.plan.settings;
+    let method = settings.method.name();
+    Some(match settings.switch_when_stiff {
+        true => format!("stiff from {from:.3e} s on: radau5 took over from {method}"),
+        false => format!(
+            "stiff from {from:.3e} s on: stability alone keeps the steps of {method} short; --method radau5 needs far fewer"
+        ),
+    })
+}
+
 /// One line about the cost and the balance of energy.
 pub fn cost(machine: &Machine, motion: &Motion) -> String {
     let Counts {
@@ -167,10 +180,15 @@ pub fn cost(machine: &Machine, motion: &Motion) -> String {
         }
         _ => "",
     };
+    let settings = machine.plan.settings;
+    let then = match motion.stiff_from.is_some() && settings.switch_when_stiff {
+        true => ", then radau5,",
+        false => "",
+    };
     format!(
-        "{} at tolerance {:e}: {steps} steps, {rejected} rejected, {retaken} taken again at events, {evaluations} evaluations; energy balance {:.3e} J{kept}",
-        machine.plan.settings.method.name(),
-        machine.plan.settings.tolerance,
+        "{}{then} at tolerance {:e}: {steps} steps, {rejected} rejected, {retaken} taken again at events, {evaluations} evaluations; energy balance {:.3e} J{kept}",
+        settings.method.name(),
+        settings.tolerance,
         motion.end.balance,
     )
 }
@@ -213,6 +231,7 @@ pub fn json(
     put("nodes", json!(splines.then_some(machine.nodes)));
     put("method", json!(machine.plan.settings.method.name()));
     put("tolerance", json!(machine.plan.settings.tolerance));
+    put("stiff_from_s", json!(motion.stiff_from));
     let (outcome, mean, torque) = match motion.outcome {
         Outcome::TimeUp => ("time_up", None, None),
         Outcome::Target => ("target", None, None),

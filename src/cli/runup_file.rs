@@ -197,6 +197,7 @@ fn plan(args: &RunupArgs, run: &RunTable, phi: f64, psi: f64) -> Result<Plan, St
         settings: Settings {
             tolerance: tolerance.unwrap_or(defaults.tolerance),
             method,
+            switch_when_stiff: args.method.is_none() && run.method.is_none(),
             ..defaults
         },
     })

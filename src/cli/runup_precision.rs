@@ -41,6 +41,7 @@ pub fn table(args: &RunupArgs, machine: &Machine, equation: &Equation) -> Result
             settings: Settings {
                 tolerance,
                 method,
+                switch_when_stiff: false,
                 ..machine.plan.settings
             },
             ..machine.plan.clone()

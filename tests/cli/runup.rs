@@ -311,3 +311,22 @@ fn work_and_precision() {
     }
     assert!(folder.path().join("work-precision.svg").exists());
 }
+
+#[test]
+fn a_stiff_machine_is_run_up_by_radaus_method_and_that_is_said() {
+    let text = changed(SCREEN, "\"200 N m\"", "\"1e6 N m\"");
+    let d = runup(&text, &[]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!(
+        d.err.contains("radau5 took over from verner98"),
+        "{}",
+        d.err
+    );
+    let gentle = runup(SCREEN, &["--format", "json"]);
+    assert!(!gentle.err.contains("stiff"), "{}", gentle.err);
+    assert!(
+        gentle.out.contains("\"stiff_from_s\": null"),
+        "{}",
+        &gentle.out[..600]
+    );
+}

@@ -156,7 +156,7 @@ mod integrated {
         ) {
             let (Some(model), Some(drive)) = (model, drive) else { return Ok(()) };
             let equation = Equation::new(model.reduced(), &drive);
-            let settings = Settings { tolerance, method: Method::ALL[method], max_steps: 300 };
+            let settings = Settings { tolerance, method: Method::ALL[method], max_steps: 300, switch_when_stiff: method == 0 };
             let plan = Plan {
                 psi: v[2],
                 target: given[0].then_some(v[3]),

@@ -212,7 +212,7 @@ fn a_zero_with_a_sign_is_not_the_other_zero() {
         (-0.0, Due::zero(true), Verdict::Pass),
         (-0.0, Due::zero(false), Verdict::WrongKind),
         (0.0, Due::zero(true), Verdict::WrongKind),
-        (5e-324, Due::zero(false), Verdict::Over),
+        (1e-300, Due::zero(false), Verdict::Over),
         (f64::NAN, Due::zero(true), Verdict::WrongKind),
         // A zero that is due as a number alone has no sign.
         (-0.0, Due::Number(Ball::integer(64, 0)), Verdict::Pass),

@@ -35,7 +35,7 @@ The file describes the linkage as for `mechaudit linkage`, with masses, and besi
   duration = \"3 s\"
   step = \"1 ms\"                   # between rows
   tolerance = 1e-10                 # optional, and the following
-  method = \"verner98\"             # or \"dop853\", \"radau5\"
+  method = \"verner98\"             # or \"dop853\", \"radau5\"; left out, radau5 where stiff
   coefficients = \"exact\"          # or \"splines\" (I_n, dI_n/dphi, M_o), \"hybrid\" (dI_n/dphi only)
   nodes = 48                        # of the splines, the first at start.phi1
   target_speed = \"9.5 rad/s\"      # end there

@@ -24,6 +24,9 @@ pub struct Settings {
     pub tolerance: f64,
     /// The method.
     pub method: Method,
+    /// Whether an explicit method gives way to Radau's where the equation is stiff
+    /// ([`Motion::stiff_from`](super::Motion::stiff_from)).
+    pub switch_when_stiff: bool,
     /// Steps at most, rejected ones included. A run that needs more ends with an error. The
     /// default, two million, is some thousand turns of the sand screen at 1e-12.
     pub max_steps: u64,
@@ -34,6 +37,7 @@ impl Default for Settings {
         Settings {
             tolerance: 1e-10,
             method: Method::default(),
+            switch_when_stiff: false,
             max_steps: 2_000_000,
         }
     }
@@ -148,6 +152,43 @@ impl ODE<f64, State> for Rhs<'_> {
     }
 }
 
+/// Counts the steps in which a disturbance of the speed decays by more than e⁻².
+///
+/// An explicit method at these tolerances resolves a decay by shorter steps, and after so many of them in
+/// a row nothing of it is left: what keeps the steps short then is the method's stability (Hairer & Wanner,
+/// *Solving Ordinary Differential Equations II*, IV.2).
+#[derive(Clone, Copy, Debug, Default)]
+struct Stiffness {
+    /// Such steps less the others, not below zero.
+    steps: u32,
+    /// When the first of those counted began.
+    since: f64,
+    /// When the equation became stiff, if it did.
+    from: Option<f64>,
+}
+
+impl Stiffness {
+    const DECAY: f64 = 2.0;
+    const ENOUGH: u32 = 300;
+
+    /// Looks at a step from `t` with so much decay, `−∫ ∂(dψ/dt)/∂ψ dt`; whether the equation is stiff.
+    fn look(&mut self, decay: f64, t: f64) -> bool {
+        if decay > Stiffness::DECAY {
+            if self.steps == 0 {
+                self.since = t;
+            }
+            self.steps += 1;
+            if self.steps >= Stiffness::ENOUGH {
+                self.from.get_or_insert(self.since);
+                return true;
+            }
+        } else {
+            self.steps = self.steps.saturating_sub(1);
+        }
+        false
+    }
+}
+
 /// Called for every stretch of the motion, with its ends and the state between.
 pub(super) type Watch<'w> = &'w mut dyn FnMut(f64, f64, &mut dyn FnMut(f64) -> State);
 
@@ -156,6 +197,9 @@ pub(super) struct Integrator<'a> {
     rhs: Rhs<'a>,
     settings: Settings,
     tolerances: Tolerances,
+    /// The method that takes the steps.
+    pub method: Method,
+    stiffness: Stiffness,
     pub t: f64,
     pub y: State,
     h: f64,
@@ -191,6 +235,8 @@ impl<'a> Integrator<'a> {
             },
             settings,
             tolerances: settings.tolerances(),
+            method: settings.method,
+            stiffness: Stiffness::default(),
             t,
             y: [phi, psi, 0.0, 0.0, 0.0, 0.0],
             h: 0.0,
@@ -233,7 +279,7 @@ impl<'a> Integrator<'a> {
         // The library refuses a first step beyond the end.
         let h = h.min(end - self.t);
         let stepper = begin(
-            self.settings.method,
+            self.method,
             &self.tolerances,
             &self.rhs,
             (self.t, &self.y),
@@ -333,7 +379,7 @@ impl<'a> Integrator<'a> {
                     rejections += 1;
                     h = stepper.proposed();
                     // Its linear system belongs to the step that failed, and it keeps it.
-                    if self.settings.method == Method::Radau5 && rejections % STUBBORN == 0 {
+                    if self.method == Method::Radau5 && rejections % STUBBORN == 0 {
                         self.h = h;
                         self.rhs.refused.borrow_mut().take();
                         stepper = self.begin(end)?;
@@ -364,6 +410,8 @@ impl<'a> Integrator<'a> {
                 return Ok(found);
             }
             self.counts.steps += 1;
+            let decay = self.y[DAMPING] - stepper.y()[DAMPING];
+            let stiff = self.stiffness.look(decay, self.t) && self.method != Method::Radau5;
             let (a, b) = (stepper.t_before(), stepper.t());
             watch(a, b, &mut |t| stepper.between(t));
             self.t = b;
@@ -380,7 +428,25 @@ impl<'a> Integrator<'a> {
                 return Ok(None);
             }
             self.h = h;
+            if stiff && self.settings.switch_when_stiff {
+                self.method = Method::Radau5;
+                stepper = self.begin(end)?;
+                h = stepper.proposed();
+            }
         }
+    }
+
+    /// The time from which on stability alone keeps the steps of an explicit method short.
+    pub fn stiff_from(&self) -> Option<f64> {
+        self.stiffness
+            .from
+            .filter(|_| self.settings.method != Method::Radau5)
+    }
+
+    /// Whether the dense output is not good enough for samples: of DOP853, and of Radau's method where it
+    /// took over from a better one.
+    pub fn ends_steps_at_samples(&self) -> bool {
+        self.method.ends_steps_at_samples() || self.method != self.settings.method
     }
 
     fn record(&mut self, from: f64, taken: Taken) {

@@ -190,6 +190,10 @@ pub struct Motion {
     pub outcome: Outcome,
     /// What it cost.
     pub counts: Counts,
+    /// The time in s from which on the equation is stiff, if it is: stability alone keeps the steps of
+    /// the explicit method short there. With
+    /// [`Settings::switch_when_stiff`](super::Settings::switch_when_stiff) Radau's method took over.
+    pub stiff_from: Option<f64>,
 }
 
 /// Why there is no motion, or no more.
@@ -205,6 +209,18 @@ pub enum RunError {
         t: f64,
         /// Why.
         source: EquationError,
+    },
+    /// Too many steps, short for the method's stability.
+    #[error(
+        "after {t} s: {steps} steps are used up; the equation is stiff from {from:.3e} s on, which Radau's method (radau5) is made for"
+    )]
+    Stiff {
+        /// Time, s.
+        t: f64,
+        /// Steps taken.
+        steps: u64,
+        /// From when on, s.
+        from: f64,
     },
     /// Too many steps.
     #[error("after {t} s: {steps} steps are used up; ask for a looser tolerance or less time")]

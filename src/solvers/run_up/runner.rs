@@ -15,10 +15,13 @@ impl<'a> Integrator<'a> {
         let t = self.t;
         match stuck {
             Stuck::Equation(source) => RunError::Equation { t, source },
-            Stuck::Budget => RunError::Budget {
-                t,
-                steps: self.counts.steps + self.counts.rejected,
-            },
+            Stuck::Budget => {
+                let steps = self.counts.steps + self.counts.rejected;
+                match self.stiff_from() {
+                    Some(from) => RunError::Stiff { t, steps, from },
+                    None => RunError::Budget { t, steps },
+                }
+            }
             Stuck::Method(reason) => RunError::Method { t, reason },
         }
     }
@@ -165,6 +168,7 @@ fn not_started(equation: &Equation, plan: &Plan, torque: f64) -> Result<Motion, 
         turns: Vec::new(),
         outcome: Outcome::Stalled { torque },
         counts: Counts::default(),
+        stiff_from: None,
     })
 }
 
@@ -258,7 +262,7 @@ impl<'a> Run<'a> {
         let (equation, sign, energy) = (self.equation, self.sign, self.start.kinetic_energy);
         let sampling = self.plan.sampling;
         let samples = &mut self.samples;
-        if let Some(dt) = sampling.filter(|_| self.plan.settings.method.ends_steps_at_samples()) {
+        if let Some(dt) = sampling.filter(|_| self.integrator.ends_steps_at_samples()) {
             let end = limits.end.min(samples.len() as f64 * dt);
             let limits = Limits { end, ..*limits };
             let pause = self.integrator.advance(&limits, &mut |_, _, _| ());
@@ -381,6 +385,7 @@ impl<'a> Run<'a> {
             turns: self.turns,
             outcome,
             counts: self.integrator.counts,
+            stiff_from: self.integrator.stiff_from(),
         })
     }
 }

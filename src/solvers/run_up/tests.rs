@@ -507,3 +507,42 @@ fn a_fold_ends_the_run() {
     };
     assert!(ended, "{result:?}");
 }
+
+/// A motor a hundred thousand times too strong for its rotor: the slip decays within a microsecond.
+#[test]
+fn a_stiff_run_goes_on_with_radaus_method() {
+    let (speed, torque) = (AngularVelocity::from_rad_per_s(10.0), Torque::from_n_m(1e6));
+    let motor = Kloss::rated(speed, torque, 2.2, 0.05).expect("a motor");
+    let drive = Drive::direct(Motor::Kloss(motor));
+    let rotor = ConstantInertia(0.5);
+    let equation = Equation::new(&rotor, &drive);
+    let plan = |method, switch_when_stiff| Plan {
+        sampling: Some(0.01),
+        settings: Settings {
+            method,
+            switch_when_stiff,
+            max_steps: 20_000,
+            ..Settings::default()
+        },
+        ..Plan::new(0.0, 1.0)
+    };
+    let due = run(&equation, &plan(Method::Radau5, false)).expect("by Radau");
+    assert_eq!(due.stiff_from, None);
+    for method in [Method::Verner98, Method::Dop853] {
+        let switched = run(&equation, &plan(method, true)).expect("a switch");
+        let from = switched.stiff_from.expect("stiff");
+        assert!(from < 1e-3, "{from}");
+        assert!(switched.counts.steps < 3000, "{:?}", switched.counts);
+        assert!((switched.end.psi - due.end.psi).abs() < 1e-9);
+        assert_eq!(switched.samples.len(), 101);
+        let e = run(&equation, &plan(method, false)).unwrap_err();
+        assert!(matches!(e, RunError::Stiff { .. }), "{e}");
+        assert!(e.to_string().contains("radau5"), "{e}");
+    }
+    // With a motor of its size the same rotor is not stiff.
+    let motor = Kloss::rated(speed, Torque::from_n_m(10.0), 2.2, 0.05).expect("a motor");
+    let drive = Drive::direct(Motor::Kloss(motor));
+    let plan = plan(Method::Verner98, true);
+    let motion = run(&Equation::new(&rotor, &drive), &plan).expect("a motion");
+    assert_eq!(motion.stiff_from, None);
+}
