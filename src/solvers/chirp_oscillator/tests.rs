@@ -336,3 +336,20 @@ fn polar_form_of_an_amplitude() {
     assert_eq!(response.envelope(), 5.0);
     close(response.phase(), -(4.0f64 / 3.0).atan(), 1e-15);
 }
+
+/// At `t → 0`, `A = w² t²/2 + i w² k Ω₀ t³/3 + …`: each component keeps its digits.
+#[test]
+fn the_first_moment_after_rest() {
+    let drive = excitation(3.0, 50.0, vec![harmonic(1.0, 1.0, 0.3)]);
+    let r = response(100.0, 2.0, drive);
+    for t in [1e-30, 1e-90, 1e-12] {
+        let a = r.harmonic(0, t).unwrap().amplitude;
+        let re = 100.0 * 100.0 * t * t / 2.0;
+        let im = 100.0 * 100.0 * 3.0 * t * t * t / 3.0;
+        close(a.re / re, 1.0, 1e-9);
+        close(a.im / im, 1.0, 1e-9);
+    }
+    // Certified: 1.0000000000000000000e-86.
+    let a = r.harmonic(0, 1e-30).unwrap().amplitude;
+    close(a.im / 1e-86, 1.0, 4.0 * EPS);
+}
