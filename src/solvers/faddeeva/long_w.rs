@@ -13,7 +13,7 @@ use super::long::Long;
 use super::long_functions::{Angle, Complex, HALF_PI, exp, gaussian, plus, reciprocal, times};
 
 /// 1/√π.
-const INV_SQRT_PI: Long = Long::parts(
+pub(super) const INV_SQRT_PI: Long = Long::parts(
     0,
     [
         0x906e_ba82_14db_688d,
@@ -78,20 +78,19 @@ fn trapezoidal(a: f64, y: f64) -> Complex {
     plus(sum(halfway, a, y), (re.scale(1), im.scale(1)))
 }
 
-/// The asymptotic series of w at `a + i b`, `b ≥ 0`.
-fn series(a: f64, b: f64) -> Complex {
-    let z = (Long::from(a), Long::from(b));
+/// `1/z` and `Σ c_n/z²ⁿ` at `z = a + i b`, with `c₀ = 1`, `c_n = (n + offset) c_{n−1}`: by the offset −½ the
+/// asymptotic series of w (DLMF 7.12.1), by ½ that of its derivative.
+pub(super) fn series(a: f64, b: f64, offset: f64) -> (Complex, Complex) {
     let one = (Long::ONE, Long::ZERO);
-    let inverse = reciprocal(z);
+    let inverse = reciprocal((Long::from(a), Long::from(b)));
     let q = times(inverse, inverse);
-    let mut p = one;
+    let mut sum = one;
     for n in (1..=TERMS).rev() {
-        let half = Long::from(f64::from(n) - 0.5);
-        let (re, im) = times(p, q);
-        p = plus(one, (re * half, im * half));
+        let factor = Long::from(f64::from(n) + offset);
+        let (re, im) = times(sum, q);
+        sum = plus(one, (re * factor, im * factor));
     }
-    let (re, im) = times(p, inverse);
-    (-(im * INV_SQRT_PI), re * INV_SQRT_PI)
+    (inverse, sum)
 }
 
 /// w at `a + i y`, `0 ≤ a`, `|z| < 2³³²`, `y² − a²` below 2¹⁰ for `y < 0`: each component to 2⁻²⁰⁰ of its terms.
@@ -99,12 +98,31 @@ pub(super) fn w(a: f64, y: f64) -> Complex {
     if a.max(y.abs()) < 4096.0 {
         return trapezoidal(a, y);
     }
-    let (u, v) = series(a, y.abs());
+    // i/(√π z).
+    let (inverse, sum) = series(a, y.abs(), -0.5);
+    let (re, im) = times(inverse, sum);
+    let (u, v) = (-(im * INV_SQRT_PI), re * INV_SQRT_PI);
     if y >= 0.0 {
         return (u, v);
     }
     let (c, s) = gaussian(a, y);
     (c.scale(1) - u, s.scale(1) + v)
+}
+
+/// The part of its terms below which a component is computed again with these numbers: double-double is within 2⁻⁹²
+/// of the larger term, from `|z| = 4096` on 2⁻⁷⁷.
+#[inline(always)]
+pub(super) fn vanishing_part(a: f64, b: f64) -> f64 {
+    const NEAR: f64 = 1.0 / (1u64 << 36) as f64;
+    const FAR: f64 = 1.0 / (1u64 << 22) as f64;
+    if a.max(b) < 4096.0 { NEAR } else { FAR }
+}
+
+/// The part of its modulus that the imaginary part of `e^{−z²}` may have: small beside the axes, where its phase has
+/// all its digits.
+#[inline(always)]
+pub(super) fn turned(a: f64, b: f64) -> f64 {
+    (2.0 * a * b).min(1.0)
 }
 
 /// w at `a − i b`, rounded.

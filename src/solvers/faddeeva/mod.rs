@@ -69,6 +69,7 @@ pub(in crate::solvers) mod lanes;
 mod lengths;
 mod long;
 mod long_functions;
+mod long_relatives;
 mod long_w;
 mod maclaurin;
 mod odd_series;

@@ -9,6 +9,7 @@ use super::exponential::{
     exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
 };
 use super::lanes::{Lanes, Task, with_best};
+use super::long_w::{self, turned, vanishing_part};
 use super::maclaurin::{self, nine_terms, twenty_one_terms};
 use super::real::{ROUND, Real, scaled, with_sign_of};
 use super::reflection::{
@@ -17,7 +18,7 @@ use super::reflection::{
 };
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{ComplexRow, RealRow, complex_row, complex_row_rounded, real_row};
-use super::{long_w, special, trapezoidal, zeros};
+use super::{special, trapezoidal, zeros};
 
 /// Within these limits of the larger of |Re z| and |Im z|, as bits, |z|² is within its own, however it is
 /// rounded.
@@ -34,10 +35,6 @@ const LIFT: f64 = 200.0;
 /// real axis by rows, and by the series.
 const CANCELLED_BESIDE: f64 = 0.15;
 const CANCELLED_ROUNDED: f64 = 0.6;
-/// The parts of their terms below which they are computed once more with longer numbers: double-double is within
-/// 2⁻⁹² of the larger term, and 2⁻⁷⁷ for `|z| ≥ 4096`.
-const VANISHED: f64 = 1.0 / (1u64 << 36) as f64;
-const VANISHED_FAR: f64 = 1.0 / (1u64 << 22) as f64;
 /// Im z below which `|e^{−z²}|` may be beyond e^1000.
 const DEEP: f64 = -31.0;
 
@@ -197,12 +194,6 @@ fn with_exponential<R: Real>((u, v): (R, R), y: R, t: Dd<R>) -> (R, R, R::Mask) 
     (y.pick(negligible, part, re), v, lost)
 }
 
-/// `2 a b`, at most 1.
-#[inline(always)]
-fn turned(a: f64, b: f64) -> f64 {
-    (2.0 * a * b).min(1.0)
-}
-
 /// w in the lower half-plane where terms cancel, at `a − i b`.
 pub(super) struct Cancelled {
     pub a: f64,
@@ -214,12 +205,13 @@ impl Task for Cancelled {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Cancelled { a, b } = self;
-        let ((re, im, e), part) = match a.max(b) < 4096.0 {
-            true => (trapezoidal::lower(lanes, a, b), VANISHED),
-            false => (large(lanes, a, b), VANISHED_FAR),
+        let (re, im, e) = if a.max(b) < 4096.0 {
+            trapezoidal::lower(lanes, a, b)
+        } else {
+            large(lanes, a, b)
         };
-        // w(−z) is about (b + i a)/|z|², the phase that beside the imaginary axis does not turn 2ab.
-        let r2 = a.mul_add(a, b * b);
+        // w(−z) is about (b + i a)/|z|².
+        let (r2, part) = (a.mul_add(a, b * b), vanishing_part(a, b));
         let least = |w: f64, e: f64| part * e.max(w / r2);
         if (re.hi.abs() < least(b, e)) | (im.hi.abs() < least(a, e * turned(a, b))) {
             return long_w::lower(a, b);
