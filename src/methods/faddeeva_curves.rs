@@ -64,24 +64,35 @@ pub(super) fn crossing(f: impl Fn(f64) -> f64, a: f64, b: f64) -> Option<f64> {
     Some(b)
 }
 
-/// `x` moved by a relative 1e-12 or more: nearer to a zero curve a component is below 2⁻⁴⁰ of the
-/// terms it is the difference of, where the solver's double-double promises less than its budget.
-pub(super) fn off(d: &mut Draw, x: f64, most: f64) -> f64 {
-    let shift = d.log_uniform(1e-12, most);
+/// `x` moved by up to three of its last places, so that the `f64` next to a crossing is among them, or by a relative
+/// 1e-15 and more.
+pub(super) fn next_to(d: &mut Draw, x: f64, most: f64) -> f64 {
+    if d.chance(0.5) {
+        return (0..d.integer(0, 6))
+            .fold(x.next_down().next_down().next_down(), |x, _| x.next_up());
+    }
+    let shift = d.log_uniform(1e-15, most);
     x + x * d.signed(shift)
 }
 
 /// A point of the lower half-plane next to a curve on which the component is zero.
 pub(super) fn beside_curve(d: &mut Draw, part: Part) -> Vec<f64> {
-    let b = d.uniform(0.3, 20.0);
-    let a = d.uniform(0.0, b + 0.5);
+    let far = d.chance(0.25);
+    let b = match far {
+        true => d.log_uniform(20.0, 1e6),
+        false => d.uniform(0.3, 20.0),
+    };
+    let a = match far {
+        true => b + d.uniform(-300.0, 20.0) / (2.0 * b),
+        false => d.uniform(0.0, b + 0.5),
+    };
     // Where 2e^{-z^2} leads, a sign changes within a quarter of a turn of 2ab.
     let step = std::f64::consts::PI / (8.0 * b);
     let f = |x: f64| value(x, -b, part);
     let mut x = a;
     for _ in 0..6 {
         if let Some(c) = crossing(f, x, x + step) {
-            let c = off(d, c, 1e-2);
+            let c = next_to(d, c, 1e-2);
             return vec![d.signed(c), -b];
         }
         x += step;
@@ -96,7 +107,7 @@ pub(super) fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
     let guess = std::f64::consts::PI.sqrt() * x * x * (-x * x).exp();
     let f = |y: f64| value(x, -y, Part::Re);
     let y = crossing(f, guess * 0.2, guess * 5.0).unwrap_or(guess);
-    let y = off(d, y, 1e-1);
+    let y = next_to(d, y, 1e-1);
     vec![d.signed(x), -y]
 }
 

@@ -198,10 +198,10 @@ pub(super) fn all() -> Vec<Region> {
         ),
         region(
             "far-zeros",
-            "within 1e-12..0.1 of one of the zeros 13 to 400",
+            "within 1e-17..0.1 of one of the zeros 13 to 400",
             |d| {
                 let k = d.log_uniform(13.0, 400.0) as usize;
-                let r = d.log_uniform(1e-12, 0.1);
+                let r = d.log_uniform(1e-17, 0.1);
                 let theta = whole(d);
                 let z = curves::zero(k);
                 vec![d.signed(z[0] + r * theta.cos()), z[1] + r * theta.sin()]
@@ -209,17 +209,19 @@ pub(super) fn all() -> Vec<Region> {
         ),
         region(
             "zero-curves-of-re",
-            "Re z off by a relative 1e-12..1e-2 from a zero curve of Re W below the axis",
+            "the f64 next to a zero curve of Re W below the axis and its neighbours, or off by a relative \
+             1e-15..1e-2; Im z = -0.3..-20 or to -1e6",
             |d| curves::beside_curve(d, curves::Part::Re),
         ),
         region(
             "zero-curves-of-im",
-            "Re z off by a relative 1e-12..1e-2 from a zero curve of Im W below the axis",
+            "the f64 next to a zero curve of Im W below the axis and its neighbours, likewise",
             |d| curves::beside_curve(d, curves::Part::Im),
         ),
         region(
             "zero-curve-beside-real-axis",
-            "Im z off by a relative 1e-12..1e-1 from the zero curve of Re W at Re z = 2.3..26.5",
+            "the f64 next to the zero curve of Re W at Re z = 2.3..26.5 and its neighbours in Im z, or off by a \
+             relative 1e-15..1e-1",
             curves::beside_flat_curve,
         ),
         region(

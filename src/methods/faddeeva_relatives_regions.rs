@@ -3,7 +3,7 @@
 //! Their values turn into each other by quarter turns of the plane, so every region lies around both
 //! axes.
 
-use super::faddeeva_curves::{crossing, off, zero as zero_of_w};
+use super::faddeeva_curves::{crossing, next_to, zero as zero_of_w};
 use super::faddeeva_regions::{
     TINY_PART, beside, both_signs, listed, one_of, polar, tiny_part, whole,
 };
@@ -79,7 +79,7 @@ fn beside_curve<F: Relative, const PART: usize>(d: &mut Draw) -> Vec<f64> {
     for k in 0..4 {
         let a = t + f64::from(k) * step;
         if let Some(c) = crossing(f, a, a + step) {
-            return placed(across, v, off(d, c, 1e-2));
+            return placed(across, v, next_to(d, c, 1e-2));
         }
     }
     placed(across, v, t)
@@ -277,20 +277,18 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
         }),
         region(
             "zero-curves-of-re",
-            "off by a relative 1e-12..1e-2 from a curve with Re f = 0; nearer to it the component is \
-             below 2^-40 of the terms it is the difference of, too little for double-double",
+            "the f64 next to a curve with Re f = 0 and its neighbours, or off by a relative 1e-15..1e-2",
             beside_curve::<F, 0>,
         ),
         region(
             "zero-curves-of-im",
-            "off by a relative 1e-12..1e-2 from a curve with Im f = 0; nearer to it as above",
+            "the f64 next to a curve with Im f = 0 and its neighbours, likewise",
             beside_curve::<F, 1>,
         ),
         region(
             "far-zeros",
-            "within 1e-12..0.1 of a zero beyond those the solver stores, up to the 60th; nearer to it \
-             double-double has too few digits",
-            |d| near::<F>(d, (F::ZEROS.stored + 1, ZEROS), 1e-12),
+            "within 1e-17..0.1 of a zero beyond those the solver stores, up to the 60th",
+            |d| near::<F>(d, (F::ZEROS.stored + 1, ZEROS), 1e-17),
         ),
         region("any-exponent", "both coordinates 1e-308..1e308", |d| {
             let (x, y) = (d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308));

@@ -229,13 +229,13 @@ pub(super) fn four_terms(a: f64, b: f64) -> (Dd, Dd) {
 }
 
 /// The value at `a − i b`, `4096 ≤ max(a, b) ≤ 2³³²`, where `2e^{−z²}` and the series cancel: in
-/// double-double.
+/// double-double, w(−z) to 2⁻⁷⁷. After it `|2e^{−z²}|`, about.
 #[inline(always)]
-pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn large<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
     let (u, v) = four_terms(a, b);
     let ((c, s, k), ..) = exp_minus_square(lanes, a, b, Dd::ZERO, Dd::ZERO);
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
-    (by(c) - u, by(s) + v)
+    (by(c) - u, by(s) + v, scaled(1.0, k + 1.0))
 }
 
 #[cfg(all(test, feature = "oracle"))]

@@ -15,12 +15,14 @@ use super::double_double::{Dd, two_prod, two_sum};
 use super::erf_zeros;
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
+use super::long_relatives;
+use super::long_w::{turned, vanishing_part};
 use super::odd_series::{self, odd, odd_real};
 use super::quadrant::{
     HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
     times_power, w, w_exact,
 };
-use super::real::{ROUND, with_sign_of};
+use super::real::{ROUND, scaled, with_sign_of};
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
 use num_complex::Complex;
 
@@ -29,7 +31,7 @@ const CANCELLED: f64 = 0.25;
 /// Distance from the maximum up to which the expansion about it is used.
 pub(super) const BESIDE_MAXIMUM: f64 = 0.1875;
 /// Im z from which the sum there may have to be computed again.
-pub(super) const ROUNDING_SHOWS: f64 = 1.0 / 2048.0;
+pub(super) const ROUNDING_SHOWS: f64 = 1.0 / 1_048_576.0;
 
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
@@ -97,15 +99,35 @@ impl Task for Exact {
         // F(z) = −i (√π/2) e^{−z²} erf(iz), and erf(iz) = erf(−y + ix) = −conj erf(y + ix).
         if let Some((p, q)) = erf_zeros::near_zero_of_erf(y, x) {
             // e^{ζ²} erf ζ at ζ = y + ix is p + iq; e^{−z²} = conj e^{ζ²}.
+            let (re, im) = (q.hi.abs(), p.hi.abs());
+            if re.min(im) < vanishing_part(x, y) * re.max(im) {
+                return self.vanishing();
+            }
             return ((q * HALF_SQRT_PI).value(), (p * HALF_SQRT_PI).value());
         }
         let (c, s, n) = gaussian_exact(lanes, x, y);
         let (u, v) = w_exact(lanes, x, y);
         let (re, im) = difference((c, s, n), (u, v));
+        let (part, e) = (vanishing_part(x, y), scaled(1.0, n.max(ROUND - 2040.0)));
+        let least = |w: Dd, e: f64| part * e.max(w.hi.abs());
+        if (re.hi.abs() < least(v, e * turned(x, y))) | (im.hi.abs() < least(u, e)) {
+            return self.vanishing();
+        }
         (
             times_power((re * HALF_SQRT_PI).value(), ROUND - down.0),
             times_power((im * HALF_SQRT_PI).value(), ROUND - down.1),
         )
+    }
+}
+
+impl Exact {
+    /// Where a component is too small beside its terms for double-double.
+    #[cold]
+    #[inline(never)]
+    fn vanishing(&self) -> (f64, f64) {
+        let (re, im) = long_relatives::dawson(self.x, self.y);
+        let down = [self.down.0, self.down.1].map(|k| -(k as i64));
+        (re.scale(down[0]).value(), im.scale(down[1]).value())
     }
 }
 

@@ -13,6 +13,8 @@ use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::{Dd, two_prod};
 use super::exponential::exponent;
 use super::lanes::{Lanes, Task, with_best};
+use super::long_relatives;
+use super::long_w::turned;
 use super::quadrant::{
     HUGE, circle, derivative, exp_wide, far_derivative, gaussian, gaussian_exact, lifted,
     pair_times_power, product, series_derivative, times_power, w_exact,
@@ -25,6 +27,12 @@ use num_complex::Complex;
 fn cancelled(sum: Dd, term: Dd) -> bool {
     sum.hi.abs() < 0.4 * term.hi.abs()
 }
+
+/// Sizes below which a component is computed again in 256 bits: double-double is within 2⁻⁹⁸ for |z| < 4096, beyond
+/// within `2⁻⁵¹/|z|⁴`, and next to the diagonal within `2⁻⁴⁹/|z|⁶` of the imaginary part.
+const NEAR: f64 = 1.0 / (1u64 << 44) as f64;
+const FAR_BELOW: f64 = 1.0 / (1u64 << 22) as f64;
+const FAR_ABOVE: f64 = 1.0 / (1u64 << 19) as f64;
 
 /// w′ in double-double, at `a + i b` or `a − i b`.
 struct Exact {
@@ -39,13 +47,22 @@ impl Task for Exact {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Exact { a, b, lower, down } = self;
-        let (u, v) = if a.max(b) < 4096.0 {
+        let near = a.max(b) < 4096.0;
+        let (u, v) = if near {
             let (p, q) = w_exact(lanes, a, b);
             let (re, im, _) = product((p, q), (Dd::from(-2.0 * a), Dd::from(-2.0 * b)));
             (re, im + TWO_OVER_SQRT_PI)
         } else {
             series_derivative::<3>(a, b)
         };
+        // What is lost of the upper half-plane's terms, by its size, and the terms of the other one.
+        let r2 = a.mul_add(a, b * b);
+        let upper = match (near, lower) {
+            (true, _) => NEAR,
+            (false, true) => FAR_BELOW / r2,
+            (false, false) => FAR_ABOVE / (r2 * r2),
+        };
+        let mut least = (upper, upper);
         let (re, im) = if lower {
             let (c, s, n) = gaussian_exact(lanes, a, -b);
             let (p, q, _) = product((c, s), (Dd::from(-a), Dd::from(b)));
@@ -53,12 +70,27 @@ impl Task for Exact {
             if n > ROUND + 500.0 {
                 return (times_power(p.value(), n - down), times_power(q.value(), n));
             }
+            let e = scaled(NEAR, n.max(ROUND - 2000.0)) * if near { 1.0 } else { FAR_BELOW / NEAR };
+            let t = turned(a, b);
+            least.0 = upper.max(e * a.max(b * t));
+            least.1 = upper.max(e * b.max(a * t));
             (pair_times_power(p, n) - u, pair_times_power(q, n) + v)
         } else {
             (u, v)
         };
+        if (re.hi.abs() < least.0) | (im.hi.abs() < least.1) {
+            return vanishing(self);
+        }
         (times_power(re.value(), ROUND - down), im.value())
     }
+}
+
+/// Where a component is too small beside its terms for double-double.
+#[cold]
+#[inline(never)]
+fn vanishing(Exact { a, b, lower, down }: Exact) -> (f64, f64) {
+    let (re, im) = long_relatives::derivative(a, if lower { -b } else { b });
+    (re.scale(-(down as i64)).value(), im.value())
 }
 
 /// Re z up to which `e^{−a²}` is a subnormal number, and Im z from which w′ is linear in it.

@@ -16,6 +16,9 @@ use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::Dd;
 use super::erf_zeros;
 use super::lanes::{Lanes, Task, with_best};
+use super::long::Long;
+use super::long_relatives;
+use super::long_w::{turned, vanishing_part};
 use super::odd_series::{self, odd};
 use super::quadrant::{
     HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
@@ -100,12 +103,17 @@ impl Task for Exact {
         let (c, s, n) = gaussian_exact(lanes, x, y);
         if let Some((u, v)) = zero {
             let (re, im, _) = product((c, s), (u, v));
+            let (p, q) = (re.hi.abs(), im.hi.abs());
+            if p.min(q) < vanishing_part(x, y) * p.max(q) {
+                return self.vanishing();
+            }
             return (times_power(re.value(), n), times_power(im.value(), n));
         }
         let (u, v) = w_exact(lanes, y, x);
-        let (re, im, _) = product((c, s), (u, -v));
-        let sign = which.of_erfc().1;
-        let re = if x < STRIP && x * y < LINEAR {
+        let (product_re, im, _) = product((c, s), (u, -v));
+        let (offset, sign) = which.of_erfc();
+        let linear = x < STRIP && x * y < LINEAR;
+        let re = if linear {
             // Re erf = (2/√π) x e^{y²} (1 − x²(2y² + 1)/3 + …), and c = e^{y²} (1 − x²(2y² + 1) + …);
             // e^{−z²}w is far larger.
             let linear = (c * TWO_OVER_SQRT_PI).mul_f(x);
@@ -113,9 +121,32 @@ impl Task for Exact {
             let linear = linear.add_f(linear.hi * second);
             shifted(which.of_erf(), linear, n - down.0).0
         } else {
-            shifted(which.of_erfc(), re, n - down.0).0
+            shifted((offset, sign), product_re, n - down.0).0
         };
+        let part = vanishing_part(x, y);
+        let part_of_product = part * c.hi.abs().max(s.hi.abs());
+        let (u, v, t) = (u.hi.abs(), v.hi.abs(), turned(x, y));
+        let vanishes = (product_re.hi.abs() < part_of_product * t.mul_add(v, u))
+            | (im.hi.abs() < part_of_product * t.mul_add(u, v))
+            | (re.abs() < part * offset);
+        if vanishes && !linear {
+            return self.vanishing();
+        }
         (re, times_power(sign * im.value(), n - down.1))
+    }
+}
+
+impl Exact {
+    /// Where a component is too small beside its terms for double-double.
+    #[cold]
+    #[inline(never)]
+    fn vanishing(&self) -> (f64, f64) {
+        let (offset, sign) = self.which.of_erfc();
+        let (re, im) = long_relatives::erfc(self.x, self.y);
+        let (re, im) = if sign < 0.0 { (-re, -im) } else { (re, im) };
+        let re = Long::from(offset) + re;
+        let down = [self.down.0, self.down.1].map(|k| -(k as i64));
+        (re.scale(down[0]).value(), im.scale(down[1]).value())
     }
 }
 

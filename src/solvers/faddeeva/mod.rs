@@ -68,6 +68,10 @@ pub(in crate::solvers) mod exponential;
 mod extended;
 pub(in crate::solvers) mod lanes;
 mod lengths;
+mod long;
+mod long_functions;
+mod long_relatives;
+mod long_w;
 mod maclaurin;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]

@@ -38,21 +38,21 @@ fn digits(at: i64) -> u64 {
     }
 }
 
-/// The rest of `2 a y` in [−π/4, π/4] and `ROUND` plus the quadrant, for
-/// `a ≥ 0`.
+/// Words of the window of 2/π.
+const N: usize = 5;
+
+/// `2 a |y|` in quarters of a turn: the nearest whole number modulo four, and the sign and the binary digits of
+/// what is left, for `a ≥ 0`.
 ///
-/// The rest is the product of 2/π's window, 320 digits of it, with `m` below 2¹⁰⁶; what the window
-/// leaves out is below 2⁻²⁰⁸, so the rest has an absolute error below 2⁻¹⁰⁴ from its two `f64`.
-#[cold]
-#[inline(never)]
-pub(in crate::solvers) fn reduce(a: f64, y: f64) -> (Dd, f64) {
+/// It is the product of 2/π's window, 320 digits of it, with `m` below 2¹⁰⁶; what the window leaves out is below
+/// 2⁻²¹².
+pub(super) fn fraction(a: f64, y: f64) -> (i64, bool, [u64; N]) {
     let ((ma, ea), (my, ey)) = (parts(a), parts(y));
     let m = u128::from(ma) * u128::from(my);
     let e = i64::from(ea + ey) + 1;
     // fraction digits of (2/π) m 2^e from weight 2¹ (quadrant) on: digits of 2/π of weight below
     // 2^(2 − e) count. Digit `d` after the point has weight 2^(−d−1)·2^e.
     let first = e - 2;
-    const N: usize = 5;
     let mut window = [0u64; N];
     for (i, w) in window.iter_mut().enumerate() {
         *w = digits(first + 64 * i as i64);
@@ -72,7 +72,7 @@ pub(in crate::solvers) fn reduce(a: f64, y: f64) -> (Dd, f64) {
             carry = t >> 64;
         }
     }
-    let mut quadrant = (product[0] >> 62) as i32;
+    let mut quadrant = (product[0] >> 62) as i64;
     // The fraction, as 2⁶⁴-digits, rounded to the nearest quadrant.
     let mut f = [0u64; N];
     for i in 0..N {
@@ -89,6 +89,15 @@ pub(in crate::solvers) fn reduce(a: f64, y: f64) -> (Dd, f64) {
             carry = c;
         }
     }
+    (quadrant, negative, f)
+}
+
+/// The rest of `2 a y` in [−π/4, π/4] and `ROUND` plus the quadrant, for
+/// `a ≥ 0`: within 2⁻¹⁰⁰ of itself, its two `f64`, and 2⁻²¹².
+#[cold]
+#[inline(never)]
+pub(in crate::solvers) fn reduce(a: f64, y: f64) -> (Dd, f64) {
+    let (quadrant, negative, f) = fraction(a, y);
     // Leading zeros away, then three 53-bit pieces are more than two `f64` can hold.
     let zeros = f.iter().take_while(|w| **w == 0).count();
     let mut value = Dd::ZERO;
@@ -106,8 +115,8 @@ pub(in crate::solvers) fn reduce(a: f64, y: f64) -> (Dd, f64) {
     }
     // 2 a y has the sign of y.
     if y < 0.0 {
-        (-r, ROUND - f64::from(quadrant))
+        (-r, ROUND - quadrant as f64)
     } else {
-        (r, ROUND + f64::from(quadrant))
+        (r, ROUND + quadrant as f64)
     }
 }

@@ -9,10 +9,12 @@ use super::exponential::{
     exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
 };
 use super::lanes::{Lanes, Task, with_best};
+use super::long_w::{self, turned, vanishing_part};
 use super::maclaurin::{self, nine_terms, twenty_one_terms};
 use super::real::{ROUND, Real, scaled, with_sign_of};
 use super::reflection::{
-    ALONE, DOMINANT, NEGLIGIBLE, decay, exponential_dominates, image_dominates, negligible, reflect,
+    ALONE, DOMINANT, NEGLIGIBLE, close, decay, exponential_dominates, image_dominates, negligible,
+    reflect,
 };
 use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
 use super::taylor::{ComplexRow, RealRow, complex_row, complex_row_rounded, real_row};
@@ -40,6 +42,9 @@ const CANCELLED_BESIDE: f64 = 0.15;
 const CANCELLED_ROUNDED: f64 = 0.6;
 /// Im z below which `|e^{−z²}|` may be beyond e^1000.
 const DEEP: f64 = -31.0;
+
+/// Binary exponents of `e^{−z²}` from which both components overflow, however close the phase is to a multiple of π/2.
+const OVERFLOWS: f64 = 1200.0;
 
 /// What the distance from the real axis is raised to beside it: no part of w is changed by that
 /// there, and products with smaller numbers would be subnormal.
@@ -206,11 +211,17 @@ impl Task for Cancelled {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let Cancelled { a, b } = self;
-        let (re, im) = if a.max(b) < 4096.0 {
+        let (re, im, e) = if a.max(b) < 4096.0 {
             trapezoidal::lower(lanes, a, b)
         } else {
             large(lanes, a, b)
         };
+        // w(−z) is about (b + i a)/|z|².
+        let (r2, part) = (a.mul_add(a, b * b), vanishing_part(a, b));
+        let least = |w: f64, e: f64| part * e.max(w / r2);
+        if (re.hi.abs() < least(b, e)) | (im.hi.abs() < least(a, e * turned(a, b))) {
+            return long_w::lower(a, b);
+        }
         (re.value(), im.value())
     }
 }
@@ -371,9 +382,13 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
     };
     if n >= ROUND + ALONE {
         // W(−z) is below half a unit in the last place, whatever the cosine.
+        let close = close(a, b);
+        if (c.hi.abs() < close) | (s.hi.abs() < close) && n < ROUND + OVERFLOWS {
+            return done(long_w::lower(a, b));
+        }
         return (c.value(), s.value(), n + 1.0);
     }
-    unless_lost(reflect((u, v), (c, s, n)))
+    unless_lost(reflect((u, v), (c, s, n), close(a, b)))
 }
 
 /// The half-planes as functions of their own, so that the points that need few instructions do not

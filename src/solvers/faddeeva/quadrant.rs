@@ -311,12 +311,13 @@ pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
         }
         Place::Far => {
             let (u, v) = far_derivative(a, b);
-            // Next to the diagonal all terms but the first are rounded.
-            (
-                u,
-                v,
-                (v.hi.abs() < u.hi.abs() * (1.0 / 32.0)) & (a.max(b) < 4096.0) & (b > 1.0),
-            )
+            // Next to the diagonal all terms but the first are rounded; from 4096 on only those of third order.
+            let part = if a.max(b) < 4096.0 {
+                1.0 / 32.0
+            } else {
+                u.hi.abs() * (1.0 / 65536.0)
+            };
+            (u, v, (v.hi.abs() < u.hi.abs() * part) & (b > 1.0))
         }
     }
 }

@@ -10,6 +10,10 @@ use super::real::{ROUND, Real};
 const CANCELLED: f64 = 0.025;
 /// The same where `e^{−z²}` dominates and the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 2.0;
+/// The part of its modulus below which a component of `e^{−z²}` has to be computed again: the rest of a phase that is
+/// as close to a multiple of π/2 has too few digits. Beside the imaginary axis there is no such multiple, and
+/// Im W is proportional to Re z.
+const CLOSE: f64 = 1.0 / (1u64 << 60) as f64;
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 
@@ -56,21 +60,29 @@ fn scaled_sum<R: Real>(t: Dd<R>, factor: R, x: Dd<R>) -> R {
     s.hi + (s.lo + t.lo.fma(factor, x.lo))
 }
 
+/// The part of `|e^{−z²}|` below which a component of it has too few digits at `a − i b`.
+#[inline(always)]
+pub(super) fn close<R: Real>(a: R, b: R) -> R {
+    (a * b).at_most(a.like(CLOSE))
+}
+
 /// `(Re w, Im w)` at `a − i b` from those at `a + i b` and `e^{−z²} = (c + i s) 2^k`, `n = ROUND + k`,
-/// `k` below [`ALONE`]; `true` where the terms of a component cancel.
+/// `k` below [`ALONE`]; `true` where the terms of a component cancel, or a component of `e^{−z²}` is below the part
+/// `close` of its modulus.
 #[inline(always)]
 pub(super) fn reflect<R: Real>(
     (u, v): (Dd<R>, Dd<R>),
     (c, s, n): (Dd<R>, Dd<R>, R),
+    close: R,
 ) -> (R, R, R::Mask) {
     // Below the smallest f64 beside components that may be subnormal.
     let none = n.below(n.like(ROUND - 1021.0));
     let factor = n.pick(none, n.like(0.0), (n + n.like(1.0)).power_of_two());
     let (re, im) = (scaled_sum(c, factor, -u), scaled_sum(s, factor, v));
-    let part = n.like(CANCELLED);
+    let (part, close) = (n.like(CANCELLED), factor * close);
     let lost = n.or(
-        re.magnitude().below(u.hi * part),
-        im.magnitude().below(v.hi * part),
+        re.magnitude().below(u.hi.fma(part, close)),
+        im.magnitude().below(v.hi.fma(part, close)),
     );
     (re, im, lost)
 }

@@ -64,9 +64,9 @@ fn sums(rule: usize, r2: Dd, y2: Dd) -> (Dd, Dd) {
 }
 
 /// The value at `a − i b`, `a, b ≥ 0`, `|z| < 2²⁴`, away from overflow; relative error of each
-/// component about 2⁻⁹² of the larger of the two terms it is the sum of.
+/// component about 2⁻⁹² of the larger of the two terms it is the sum of. After it `|2e^{−z²}|`, about.
 #[inline(always)]
-pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
     // The phase 2πa/h and G = e^{−2πb/h}.
     let n = (a * (STEPS / PER) + ROUND) - ROUND;
     let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
@@ -99,7 +99,7 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     let re = re + by(c, k + (1.0 + lift));
     let down = ROUND - lift;
     let re = Dd::new(scaled(re.hi, down), scaled(re.lo, down));
-    (re, im + by(s, k + 1.0))
+    (re, im + by(s, k + 1.0), scaled(1.0, k + 1.0))
 }
 
 /// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of the

@@ -8,7 +8,7 @@ use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
 use super::super::real::{ROUND, Real};
 use super::super::reflection::{
-    ALONE, exponential_dominates, image_dominates, negligible, reflect,
+    ALONE, close, exponential_dominates, image_dominates, negligible, reflect,
 };
 use super::super::rows::Cells;
 use super::super::zeros;
@@ -114,9 +114,10 @@ impl Chunk<'_> {
         (x, y): (Pack<S>, Pack<S>),
     ) {
         let a = x.magnitude();
-        let (re, im, lost) = reflect(image, exp_minus_square(a, y));
+        let b = y.magnitude();
+        let (re, im, lost) = reflect(image, exp_minus_square(a, y), close(a, b));
         self.scatter(bucket, at, re, im.with_sign_of(x));
-        let near = zeros::candidate(a, y.magnitude());
+        let near = zeros::candidate(a, b);
         let special = a.pick(near, a.like(NEAR_ZERO), a.like(0.0));
         let special = a.pick(lost, a.like(LOST), special);
         self.again(lanes, (bucket, at), special);
@@ -137,7 +138,7 @@ impl Chunk<'_> {
                 self.scatter(bucket, at, -u.hi, v.hi.with_sign_of(x));
             } else {
                 let e = exp_minus_square(a, y);
-                let (re, im, lost) = reflect((u, v), e);
+                let (re, im, lost) = reflect((u, v), e, close(a, b));
                 let (re, im) = (a.pick(none, -u.hi, re), a.pick(none, v.hi, im));
                 self.scatter(bucket, at, re, im.with_sign_of(x));
                 let like = |x: f64| a.like(x);
