@@ -3,7 +3,7 @@
 use super::args::{AuditArgs, AuditFormat, RunArgs};
 use super::case;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::{Output, write_to};
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
 use super::{
@@ -18,7 +18,6 @@ use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
-use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -226,18 +225,19 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (Method
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = settings(&args.run)?;
-    if let (Some(name), Some(command)) = (&args.method, &args.program.exec) {
-        return exec::audit(find(name)?.as_ref(), args, command, &settings);
-    }
     let chosen = match &args.method {
         None => methods::registry(),
         Some(name) => vec![find(name)?],
     };
+    let output = Output::open(args.output.as_deref())?;
+    if let (Some(method), Some(command)) = (chosen.first(), &args.program.exec) {
+        return exec::audit(method.as_ref(), args, command, &settings, output);
+    }
     if let (Some(_), Some(method)) = (&args.method, chosen.first())
         && let Some(case) = one_case(method.as_ref(), args, &settings)?
     {
         let scoped = candidate::scoped(method.as_ref(), &args.scope)?;
-        return single(&scoped, case, &settings, args);
+        return single(&scoped, case, &settings, args, output);
     }
     let progress = Progress::new();
     let mut totals = Totals::default();
@@ -250,7 +250,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         }
         let (report, seconds) = run(&chosen, &settings, &progress);
         totals.add((&report, seconds));
-        if args.format == AuditFormat::Text && args.output.is_none() {
+        if args.format == AuditFormat::Text && output.is_standard() {
             let text = text_method::method(&report, &Case::reproduce, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
@@ -261,14 +261,13 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         }
     }
     let outcome = Outcome::unless_interrupted(stopped, totals.good());
-    let output = args.output.as_deref();
     match args.format {
-        AuditFormat::Text if output.is_none() => {
+        AuditFormat::Text if output.is_standard() => {
             let rate = rate(totals.cases, totals.seconds);
             let how = format!("{}\n{rate}", settings_line(&settings));
-            write_to(None, |out| verdict(out, &totals.words(), outcome, &how))?;
+            output.write(|out| verdict(out, &totals.words(), outcome, &how))?;
         }
-        AuditFormat::Text => write_to(output, |out| {
+        AuditFormat::Text => output.write(|out| {
             for report in &reports {
                 let text = text_method::method(report, &Case::reproduce, width());
                 writeln!(out, "{text}")?;
@@ -292,26 +291,26 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         }
         AuditFormat::Junit => {
             let text = audit_junit::document(&reports).map_err(Failure::new)?;
-            write_to(output, |out| Ok(writeln!(out, "{text}")?))?;
+            output.write(|out| Ok(writeln!(out, "{text}")?))?;
         }
         AuditFormat::Html => {
             let page = audit_html::page(&reports, &settings, args.method.is_none());
-            write_to(output, |out| Ok(write!(out, "{page}")?))?;
+            output.text(&page)?;
         }
     }
     Ok(outcome)
 }
 
 /// JSON to standard output or a file.
-fn write_json(output: Option<&Path>, value: &Value) -> Result<(), Failure> {
-    write_to(output, |out| {
+pub fn write_json(output: Output, value: &Value) -> Result<(), Failure> {
+    output.write(|out| {
         serde_json::to_writer_pretty(&mut *out, value)?;
         Ok(writeln!(out)?)
     })
 }
 
 pub fn print_json(value: &Value) -> Result<(), Failure> {
-    write_json(None, value)
+    write_json(Output::open(None)?, value)
 }
 
 /// The report for programs. `again` gives the command that judges a case again.
@@ -357,6 +356,7 @@ fn single(
     case: Case,
     settings: &Settings,
     args: &AuditArgs,
+    output: Output,
 ) -> Result<Outcome, Failure> {
     let report: CaseReport = audit_case(method, case, settings);
     let laws: Vec<(Law, Option<f64>)> = method
@@ -366,9 +366,8 @@ fn single(
         .collect();
     let held = |x: &Option<f64>| x.is_none_or(|x| x <= 1.0);
     let good = report.judgement.verdict == Verdict::Pass && laws.iter().all(|(_, x)| held(x));
-    let output = args.output.as_deref();
     match args.format {
-        AuditFormat::Text => write_to(output, |out| {
+        AuditFormat::Text => output.write(|out| {
             write!(
                 out,
                 "{}",

@@ -8,6 +8,7 @@ use super::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
 use super::audit::one_case;
 use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
+use super::output::Output;
 use super::progress::Progress;
 use super::wire::{self, Line};
 use mechaudit::audit::{Case, Cases, Method, Settings, SolverAnswer, Tally, judge_case};
@@ -45,7 +46,17 @@ pub fn audit(
     args: &AuditArgs,
     command: &str,
     settings: &Settings,
+    output: Output,
 ) -> Result<Outcome, Failure> {
+    let format = match args.format {
+        AuditFormat::Text => TextOrJson::Text,
+        AuditFormat::Json => TextOrJson::Json,
+        _ => {
+            return Err(Failure::new(
+                "a program's audit is reported as text or json",
+            ));
+        }
+    };
     let mut chosen = scoped(method, &args.scope)?.without_laws();
     let inputs = match one_case(method, args, settings)? {
         Some(case) => Inputs::One(case),
@@ -63,16 +74,7 @@ pub fn audit(
         ""
     };
     let quoted = shell_words::quote(command);
-    let format = match args.format {
-        AuditFormat::Text => TextOrJson::Text,
-        AuditFormat::Json => TextOrJson::Json,
-        _ => {
-            return Err(Failure::new(
-                "a program's audit is reported as text or json",
-            ));
-        }
-    };
-    judged.write(format, &|case| {
+    judged.write(output, format, &|case| {
         format!("{} --exec {quoted}{decimal}", case.reproduce())
     })
 }

@@ -64,6 +64,7 @@ mod svg_panel;
 mod svg_reduced;
 mod svg_runup;
 mod table;
+mod temporary;
 mod text;
 mod text_method;
 mod text_paper;

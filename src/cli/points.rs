@@ -3,7 +3,7 @@
 use super::args::PointsArgs;
 use super::audit::find;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 use super::wire;
 use mechaudit::audit::{Case, Cases, Method, Settings, Variant};
 use std::io::Write;
@@ -11,6 +11,7 @@ use std::io::Write;
 /// Writes them.
 pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
     let method = find(&args.method)?;
+    let output = Output::open(args.output.as_deref())?;
     let settings = Settings {
         seed: args.seed,
         cases_per_region: args.count,
@@ -27,7 +28,7 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
         Some(region) => Cases::new(&Variant::new(&*method).region(region)?, &settings),
         None => all,
     };
-    write_to(args.output.as_deref(), |out| {
+    output.write(|out| {
         header(&*method, out)?;
         if let Some(case) = one {
             heading(&*method, &case, out)?;

@@ -43,7 +43,7 @@ pub struct PointsArgs {
     /// Decimals instead of hexadecimal floats
     #[arg(long)]
     pub decimal: bool,
-    /// Write to this file, whole or not at all
+    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }
