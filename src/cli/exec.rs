@@ -5,8 +5,7 @@
 
 use super::answers::{Answers, Next};
 use super::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
-use super::audit::one_case;
-use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
+use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch};
 use super::failure::{Failure, Outcome};
 use super::interrupt::POLL;
 use super::output::Output;
@@ -42,9 +41,10 @@ impl Inputs {
     }
 }
 
-/// Audits the program as the arguments ask for.
+/// Audits the program as the arguments ask for: at one input, or over the method's domain.
 pub fn audit(
     method: &dyn Method,
+    one: Option<Case>,
     args: &AuditArgs,
     command: &str,
     settings: &Settings,
@@ -59,17 +59,11 @@ pub fn audit(
             ));
         }
     };
-    let mut chosen = scoped(method, &args.scope)?.without_laws();
-    let inputs = match one_case(method, args, settings)? {
+    let inputs = match one {
         Some(case) => Inputs::One(case),
-        None => {
-            if let Some(region) = &args.region {
-                chosen = chosen.region(region)?;
-            }
-            Inputs::All(Cases::new(&chosen, settings))
-        }
+        None => Inputs::All(Cases::new(method, settings)),
     };
-    let judged = run(&chosen, settings, Arc::new(inputs), command, &args.program)?;
+    let judged = run(method, settings, Arc::new(inputs), command, &args.program)?;
     let decimal = if args.program.decimal {
         " --decimal"
     } else {

@@ -31,6 +31,7 @@ mod fields;
 mod fuzz;
 #[cfg(unix)]
 mod guard;
+mod hard_folder;
 mod html;
 mod html_style;
 mod hunt;
