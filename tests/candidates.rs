@@ -180,6 +180,90 @@ fn a_silent_program_is_ended() {
     assert!(start.elapsed() < Duration::from_secs(60));
 }
 
+/// Waits until a process that wrote its number into a file has ended, for that long at most.
+#[cfg(target_os = "linux")]
+fn is_gone(file: &Path) -> bool {
+    let written = || {
+        std::fs::read_to_string(file)
+            .ok()?
+            .trim()
+            .parse::<u32>()
+            .ok()
+    };
+    let number = patient(|| written().is_some()).then(written).flatten();
+    let number = number.expect("the process was started");
+    let stat = format!("/proc/{number}/stat");
+    // What nobody waits for stays as Z.
+    patient(|| std::fs::read_to_string(&stat).map_or(true, |t| t.contains(") Z ")))
+}
+
+#[cfg(target_os = "linux")]
+fn patient(mut done: impl FnMut() -> bool) -> bool {
+    let pause = || std::thread::sleep(Duration::from_millis(10));
+    (0..1000).any(|_| done() || (pause(), false).1)
+}
+
+/// It keeps the outputs of program and audit open.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_a_program_leaves_behind_is_ended() {
+    let folder = tempfile::tempdir().unwrap();
+    let left = folder.path().join("left");
+    let behind = format!("sleep 777 & echo $! > {}", left.to_str().unwrap());
+    for (text, answered, good) in [
+        (format!("{behind}; exec $W"), 50, true),
+        (format!("{behind}; $W"), 50, true),
+        (format!("{behind}; $W; exit 3"), 50, false),
+        // Nothing is open.
+        (
+            format!("exec 3>&1 >&- 2>&-; {behind}; $W >&3 3>&-"),
+            50,
+            true,
+        ),
+        (format!("{behind}; kill -9 $$"), 0, false),
+    ] {
+        let start = Instant::now();
+        let (code, v) = script(&text, &["--timeout", "5"]);
+        let (a, cases, passed, trouble) = counts(&v);
+        assert_eq!((a, cases, passed), (answered, 50, answered), "{text}");
+        assert_eq!((code == 0, trouble.is_empty()), (good, good), "{trouble}");
+        assert!(is_gone(&left), "{text}");
+        assert!(
+            answered == 0 || start.elapsed() < Duration::from_secs(5),
+            "{text}"
+        );
+        std::fs::remove_file(&left).unwrap();
+    }
+}
+
+/// Whatever ends the audit, the program ends with it.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_program_does_not_outlive_its_audit() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("own");
+    let left = folder.path().join("left");
+    let (own_text, left_text) = (own.to_str().unwrap(), left.to_str().unwrap());
+    let command =
+        format!("sh -c 'sleep 777 & echo $! > {left_text}; echo $$ > {own_text}; sleep 778'");
+    for signal in ["-INT", "-TERM", "-HUP", "-KILL"] {
+        let mut audit = Command::new(PROGRAM)
+            .args(["audit", "tridiagonal", "--cases", "1", "--exec", &command])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        assert!(patient(|| own.exists() && left.exists()));
+        let number = audit.id().to_string();
+        let sent = Command::new("kill").args([signal, &number]).status();
+        assert!(sent.unwrap().success());
+        assert!(!audit.wait().unwrap().success());
+        assert!(is_gone(&own) && is_gone(&left), "{signal}");
+        std::fs::remove_file(&own).unwrap();
+        std::fs::remove_file(&left).unwrap();
+    }
+}
+
 #[test]
 fn what_cannot_be_run_is_bad_usage() {
     for (args, part) in [

@@ -2,8 +2,9 @@
 #![cfg(feature = "cli")]
 
 use mechaudit::audit::{
-    Cases, Domain, HardCase, Hunt, HuntSettings, Input, Method, Origin, Output, ReferenceAnswer,
-    Settings, SolverAnswer, Variant, Verdict, audit_case, audit_method, hunt as search,
+    Case, Cases, Domain, HardCase, Hunt, HuntSettings, Input, Method, Origin, Output,
+    ReferenceAnswer, Settings, SolverAnswer, Variant, Verdict, audit_case, audit_method, hex_float,
+    hunt as search,
 };
 use mechaudit::methods;
 use std::collections::HashSet;
@@ -19,20 +20,40 @@ fn every_file_of_hard_cases_is_a_methods() {
         let path = entry.unwrap().path();
         let name = path.file_stem().unwrap().to_str().unwrap().to_string();
         let method = methods::find(&name).unwrap_or_else(|| panic!("whose is {name}.csv?"));
-        let cases = HardCase::read(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let cases = HardCase::read_of(&*method, &text).unwrap();
         assert_eq!(method.hard(), cases, "{name}");
-        let outputs = method.outputs();
-        for c in &cases {
-            assert!(
-                outputs.iter().any(|o| o.name == c.output),
-                "{name}: {}",
-                c.output
-            );
-            assert!(method.admits(&c.input), "{name}");
-        }
+        assert!(!cases.is_empty(), "{name}");
         files.insert(name);
     }
-    assert!(!files.is_empty());
+    let registry = methods::registry();
+    let names: HashSet<String> = registry.iter().map(|m| m.name().to_string()).collect();
+    assert_eq!(files, names, "every method has its file");
+}
+
+/// Choices and counts are whole numbers, and a harmonic that there is not is refused by both sides.
+#[test]
+fn a_hunt_leaves_what_is_no_input_alone() {
+    let method = methods::find("cam-fourier-series").unwrap();
+    let first = 5;
+    let mut x = method.domain().check_points[0].input.clone();
+    assert!(method.admits(&x));
+    x[first] = 0.5;
+    assert!(!method.admits(&x));
+    for order in [0.0, 1.0, 1e7] {
+        x[first] = order;
+        let case = Case {
+            method: method.name(),
+            region: "given",
+            input: x.clone(),
+            origin: Origin::Given,
+        };
+        let report = audit_case(&*method, case, &Settings::default());
+        assert_eq!(report.judgement.verdict, Verdict::Pass, "{order}");
+    }
+    let law = methods::find("cam-law").unwrap();
+    assert!(law.admits(&[0.5, 0.0, 0.5, 2.0, 0.25, 0.25]));
+    assert!(!law.admits(&[0.5, 0.0, 0.5, 2.5, 0.25, 0.25]));
 }
 
 /// The share recorded is not exceeded.
@@ -43,7 +64,8 @@ fn hard_cases_are_as_recorded() {
         let cases = Cases::new(&*method, &settings);
         for (i, hard) in method.hard().iter().enumerate() {
             let case = cases.hard_case(i + 1).unwrap();
-            assert_eq!(case.origin, Origin::Hard { number: i + 1 });
+            let (number, folder) = (i + 1, None);
+            assert_eq!(case.origin, Origin::Hard { number, folder });
             let report = audit_case(&*method, case, &settings);
             let own = report
                 .judgement
@@ -134,6 +156,7 @@ fn a_recorded_finding_may_not_get_worse() {
             output: "Re W".into(),
             reason: "planted".into(),
             input: vec![0.5, 0.25],
+            folder: None,
         };
         Planted(methods::find("faddeeva").unwrap(), vec![hard])
     };
@@ -208,17 +231,202 @@ fn lines_are_only_added() {
     let path = folder.path().join("slider-crank.csv");
     let first = std::fs::read_to_string(&path).unwrap();
     assert_eq!(HardCase::read(&first).unwrap().len(), 7);
-    // The same hunt starts from the same places and finds nothing worse.
+    // The next one climbs on from them.
     let (code, text) = hunt(folder.path(), &["--seed", "3"]);
-    assert!(code == 0 && text.contains("Nothing worse"), "{text}");
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), first);
-    let (_, text) = hunt(folder.path(), &["--seed", "4"]);
     let second = std::fs::read_to_string(&path).unwrap();
-    assert!(second.starts_with(&first), "{text}");
+    assert!(code == 0 && second.starts_with(&first), "{text}");
+    assert!(text.contains("hard case"), "{text}");
+    let cases = HardCase::read(&second).unwrap();
+    for (k, new) in cases.iter().enumerate().skip(7) {
+        let mut before = cases[..k].iter().filter(|c| c.output == new.output);
+        assert!(before.all(|c| c.share < new.share), "{text}");
+    }
 
     let (code, text) = hunt(&folder.path().join("none"), &[]);
     assert!(code == 0 && !folder.path().join("none").exists(), "{text}");
-    std::fs::write(&path, "share,output,reason,input\nx,y,z,0x1p0\n").unwrap();
-    let (code, text) = hunt(folder.path(), &[]);
-    assert!(code == 2 && text.contains("on line 2"), "{text}");
+}
+
+/// A hunt that could not record what it found does not begin.
+#[test]
+fn what_is_no_file_of_hard_cases_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("slider-crank.csv");
+    let name = folder.path().to_str().unwrap();
+    let endless = [
+        "hunt",
+        "slider-crank",
+        "--evals",
+        "1000000000",
+        "--hard",
+        name,
+    ];
+    let header = "share,output,reason,input";
+    let outside = "0x1p+0 ".repeat(6);
+    for (text, part) in [
+        (
+            format!("{header}\nx,x,z,0x1p0\n"),
+            "on line 2: \"x\" is no share",
+        ),
+        (
+            format!("{header}\n1,y,z,0x1p0\n"),
+            "no output \"y\"; it has: ",
+        ),
+        (
+            format!("# ours\ngarbage\n1,x,z,0x1p0\n"),
+            "on line 2: the names are \"garbage\"",
+        ),
+        (
+            format!("1,x,z,{outside}\n"),
+            "\"share,output,reason,input\" is due",
+        ),
+    ] {
+        std::fs::write(&path, &text).unwrap();
+        let (code, said) = mechaudit(&endless);
+        assert!(code == 2 && said.contains(part), "{said}");
+        assert!(said.lines().count() == 1, "{said}");
+        let (code, said) = mechaudit(&["audit", "--hard", name]);
+        assert!(code == 2 && said.contains(part), "{said}");
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
+    }
+    std::fs::write(&path, format!("{header}\n")).unwrap();
+    let mut mode = path.metadata().unwrap().permissions();
+    mode.set_readonly(true);
+    std::fs::set_permissions(&path, mode).unwrap();
+    let (code, said) = mechaudit(&endless);
+    assert!(code == 2 && said.contains("it is read-only"), "{said}");
+}
+
+#[test]
+fn hunts_at_the_same_time_lose_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("slider-crank.csv");
+    std::fs::write(&path, "# ours\n").unwrap();
+    let said = std::thread::scope(|s| {
+        let start = |seed: u32| {
+            let folder = folder.path();
+            s.spawn(move || hunt(folder, &["--seed", &seed.to_string()]).1)
+        };
+        let hunts: Vec<_> = (1..=8).map(start).collect();
+        let said = hunts.into_iter().map(|h| h.join().unwrap());
+        said.collect::<Vec<String>>()
+    });
+    let added = |text: &String| -> usize {
+        let line = text.lines().find(|l| l.contains(" added to "));
+        line.map_or(0, |l| l.split(' ').next().unwrap().parse().unwrap())
+    };
+    let added: usize = said.iter().map(added).sum();
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.starts_with("# ours\nshare,output,reason,input\n"));
+    assert_eq!(HardCase::read(&text).unwrap().len(), added, "{said:?}");
+    assert!(added >= 7);
+    // Each was worse than those before it.
+    for output in ["x", "dx/dphi"] {
+        let cases = HardCase::read(&text).unwrap();
+        let shares: Vec<f64> = cases
+            .iter()
+            .filter(|c| c.output == output)
+            .map(|c| c.share)
+            .collect();
+        assert!(shares.is_sorted(), "{output}: {shares:?}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+fn mechaudit(args: &[&str]) -> (i32, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_mechaudit"))
+        .args(args)
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stdout).unwrap() + &String::from_utf8_lossy(&output.stderr);
+    (output.status.code().unwrap(), text)
+}
+
+/// The commands that a hunt prints.
+fn commands(said: &str) -> Vec<Vec<String>> {
+    let again = said
+        .lines()
+        .filter_map(|l| l.trim_start().strip_prefix("again    mechaudit "));
+    again.map(|l| shell_words::split(l).unwrap()).collect()
+}
+
+#[test]
+fn what_a_hunt_found_can_be_judged_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let ours = folder.path().join("our cases");
+    let (code, said) = hunt(&ours, &[]);
+    assert_eq!(code, 0, "{said}");
+    let unrecorded = commands(&said);
+    std::fs::create_dir(&ours).unwrap();
+    let (_, said) = hunt(&ours, &[]);
+    let recorded = commands(&said);
+    let path = ours.join("slider-crank.csv");
+    let cases = HardCase::read(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    for (all, option) in [(&unrecorded, "--at"), (&recorded, "--hard-case")] {
+        assert!(!all.is_empty(), "{said}");
+        for command in all {
+            assert!(command.iter().any(|w| w == option), "{command:?}");
+            let args: Vec<&str> = command.iter().map(String::as_str).collect();
+            let (code, said) = mechaudit(&args);
+            assert_eq!(code, 0, "{said}");
+            let shown = |c: &HardCase| c.input.iter().all(|x| said.contains(&hex_float(*x)));
+            assert!(option == "--at" || cases.iter().any(shown), "{said}");
+        }
+    }
+    // Without a rebuild, in place of those that are built in.
+    let folder = ours.to_str().unwrap();
+    let audit = [
+        "audit",
+        "slider-crank",
+        "--cases",
+        "0",
+        "--format",
+        "json",
+        "--hard",
+        folder,
+    ];
+    let count = |args: &[&str]| -> u64 {
+        let (_, text) = mechaudit(args);
+        let v: serde_json::Value = serde_json::from_str(&text).unwrap();
+        v["methods"][0]["cases"].as_u64().unwrap()
+    };
+    let method = methods::find("slider-crank").unwrap();
+    let own = method.hard().len() as u64;
+    assert_eq!(count(&audit) + own, count(&audit[..6]) + cases.len() as u64);
+    let (_, text) = mechaudit(&["points", "slider-crank", "--count", "0", "--hard", folder]);
+    assert!(cases.iter().all(|c| text.contains(&hex_float(c.input[0]))));
+    // Whose there are none.
+    for (args, part) in [
+        (
+            vec!["audit", "erfc", "--hard", folder],
+            "it holds no erfc.csv",
+        ),
+        (
+            vec!["audit", "--hard", "/no/such"],
+            "there is no such folder",
+        ),
+        (
+            vec!["audit", "erfc", "--hard", "3"],
+            "--hard-case 3 chooses one case",
+        ),
+        (
+            vec![
+                "audit",
+                "slider-crank",
+                "--hard",
+                folder,
+                "--hard-case",
+                "99",
+            ],
+            "no hard case \"99\"",
+        ),
+        (
+            vec!["audit", "slider-crank", "--at", "1,2"],
+            "2 numbers cannot be an input",
+        ),
+        (vec!["audit", "slider-crank", "--at", "1,b"], "\"b\""),
+    ] {
+        let (code, said) = mechaudit(&args);
+        assert!(code == 2 && said.contains(part), "{args:?}: {said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
+    }
 }

@@ -83,8 +83,9 @@ fn place(case: &Case) -> String {
     match &case.origin {
         Origin::CheckPoint { name } => (*name).into(),
         Origin::Random { index, .. } => format!("{}-{index}", case.region),
-        Origin::Hard { number } => format!("hard-{number}"),
+        Origin::Hard { number, .. } => format!("hard-{number}"),
         Origin::Line { number } => format!("{}-{number}", case.region),
+        Origin::Given => unreachable!("no case of a domain"),
     }
 }
 

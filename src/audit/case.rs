@@ -27,7 +27,12 @@ pub enum Origin {
     Hard {
         /// Its number among the method's, counted from one.
         number: usize,
+        /// The folder whose file holds it, if it is not one that is part of this crate.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        folder: Option<String>,
     },
+    /// An input given by itself.
+    Given,
     /// A line of a file of inputs, counted from one.
     Line {
         /// Its number.
@@ -61,12 +66,32 @@ impl Case {
     pub fn place(&self) -> String {
         match &self.origin {
             Origin::CheckPoint { name } => format!("--check-point {name}"),
-            Origin::Hard { number } => format!("--hard {number}"),
+            Origin::Hard {
+                number,
+                folder: None,
+            } => format!("--hard-case {number}"),
+            Origin::Hard {
+                number,
+                folder: Some(folder),
+            } => format!("--hard {} --hard-case {number}", quoted(folder)),
+            Origin::Given => {
+                let input: Vec<String> = self.input.iter().map(|x| hex_float(*x)).collect();
+                format!("--at {}", input.join(","))
+            }
             Origin::Random { seed, index } => {
                 format!("--region {} --seed {seed} --case {index}", self.region)
             }
             Origin::Line { number } => format!("--line {number}"),
         }
+    }
+}
+
+/// A path as a word of a shell.
+fn quoted(path: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-+,:@%".contains(c);
+    match !path.is_empty() && path.chars().all(plain) {
+        true => path.into(),
+        false => format!("'{}'", path.replace('\'', "'\\''")),
     }
 }
 
@@ -137,7 +162,7 @@ impl Cases {
             None => {
                 let known = match self.hard.len() {
                     0 => "none",
-                    _ => "those of reference/hard",
+                    _ => "those of its file, counted from 1",
                 };
                 let number = number.to_string();
                 Err(NoSuch::new(self.method, "hard case", &number, vec![known]))
@@ -150,7 +175,10 @@ impl Cases {
             method: self.method,
             region: "hard",
             input: self.hard[i].input.clone(),
-            origin: Origin::Hard { number: i + 1 },
+            origin: Origin::Hard {
+                number: i + 1,
+                folder: self.hard[i].folder.clone(),
+            },
         }
     }
 

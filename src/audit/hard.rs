@@ -4,6 +4,7 @@
 //! that output, how the input was found, and the input as hexadecimal floats. Lines are only added.
 
 use super::case::hex_float;
+use super::method::Method;
 use crate::reference::HexFloat;
 
 /// A hard case as recorded.
@@ -18,6 +19,8 @@ pub struct HardCase {
     pub reason: String,
     /// The input.
     pub input: Vec<f64>,
+    /// The folder whose file holds it, if it is not one that is part of this crate.
+    pub folder: Option<String>,
 }
 
 /// What may be lost to another platform's elementary functions.
@@ -42,12 +45,51 @@ impl HardCase {
     /// # Errors
     /// A line that cannot be read, with its number.
     pub fn read(text: &str) -> Result<Vec<HardCase>, HardCaseError> {
+        HardCase::read_if(text, |_| Ok(()))
+    }
+
+    /// Reads a file of a method's.
+    ///
+    /// # Errors
+    /// Also an output that the method does not have and an input outside of its domain.
+    pub fn read_of(method: &dyn Method, text: &str) -> Result<Vec<HardCase>, HardCaseError> {
+        let name = method.name();
+        let known: Vec<&str> = method.outputs().iter().map(|o| o.name).collect();
+        HardCase::read_if(text, |case| match case.output.as_str() {
+            output if !known.contains(&output) => Err(format!(
+                "{name} has no output {output:?}; it has: {}",
+                known.join(", ")
+            )),
+            _ if !method.admits(&case.input) => {
+                Err(format!("the input is outside of the domain of {name}"))
+            }
+            _ => Ok(()),
+        })
+    }
+
+    fn read_if(
+        text: &str,
+        check: impl Fn(&HardCase) -> Result<(), String>,
+    ) -> Result<Vec<HardCase>, HardCaseError> {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
             .from_reader(text.as_bytes());
         let mut all = Vec::new();
+        let bad = |line, reason: String| HardCaseError { line, reason };
+        let header = reader.headers().map_err(|e| bad(1, e.to_string()))?;
+        let names: Vec<&str> = header.iter().collect();
+        // Without any line there is nothing that could be misread.
+        if !names.is_empty() && names.join(",") != HARD_HEADER {
+            let comment = |l: &str| l.trim().is_empty() || l.starts_with('#');
+            let line = text.lines().take_while(|l| comment(l)).count() as u64 + 1;
+            let names = names.join(",");
+            let names = names.chars().take(80).collect::<String>();
+            return Err(bad(
+                line,
+                format!("the names are {names:?} where {HARD_HEADER:?} is due"),
+            ));
+        }
         for record in reader.records() {
-            let bad = |line, reason: String| HardCaseError { line, reason };
             let record = record.map_err(|e| bad(all.len() as u64 + 2, e.to_string()))?;
             let line = record.position().map_or(0, csv::Position::line);
             let fields: Vec<&str> = record.iter().collect();
@@ -61,7 +103,7 @@ impl HardCase {
                 .split_whitespace()
                 .map(|x| HexFloat::parse(x).map(|x| x.to_f64()))
                 .collect();
-            all.push(HardCase {
+            let case = HardCase {
                 share: share
                     .parse()
                     .ok()
@@ -70,7 +112,10 @@ impl HardCase {
                 output: output.into(),
                 reason: reason.into(),
                 input: input.map_err(|e| bad(line, e.to_string()))?,
-            });
+                folder: None,
+            };
+            check(&case).map_err(|why| bad(line, why))?;
+            all.push(case);
         }
         Ok(all)
     }
@@ -119,6 +164,7 @@ mod tests {
             output: "Re W".into(),
             reason: "random, climbed".into(),
             input: vec![0.1, -0.0, 5e-324],
+            folder: None,
         };
         assert_eq!(case.share, 0.1235);
         let text = format!("{HARD_HEADER}\n# comment\n{}", case.line());
@@ -129,5 +175,12 @@ mod tests {
             let e = HardCase::read(&format!("{HARD_HEADER}\n{bad}\n")).unwrap_err();
             assert_eq!(e.line, 2, "{bad}");
         }
+        // What is no table of hard cases loses no line as its header.
+        for bad in ["garbage", "1,Re W,climbed,0x1p0", "a,b,c,d"] {
+            let e = HardCase::read(&format!("# comment\n{bad}\n")).unwrap_err();
+            assert_eq!(e.line, 2, "{e}");
+            assert!(e.reason.contains(HARD_HEADER), "{e}");
+        }
+        assert_eq!(HardCase::read("# comment\n"), Ok(Vec::new()));
     }
 }

@@ -302,7 +302,7 @@ fn judged(method: &dyn Method, settings: &Settings, outputs: usize, input: Vec<f
         method: method.name(),
         region: "hunt",
         input,
-        origin: Origin::Line { number: 0 },
+        origin: Origin::Given,
     };
     let answer = answer_of(method, &case.input);
     let report = judge_case_briefly(method, case, answer, settings);

@@ -64,6 +64,7 @@ pub struct Variant<'a> {
     selected: Option<Vec<bool>>,
     limit: Option<Limit>,
     laws: bool,
+    hard: Option<Vec<HardCase>>,
 }
 
 impl<'a> Variant<'a> {
@@ -77,6 +78,7 @@ impl<'a> Variant<'a> {
             selected: None,
             limit: None,
             laws: true,
+            hard: None,
         }
     }
 
@@ -112,6 +114,13 @@ impl<'a> Variant<'a> {
         self.region = Some(name.into());
         self.check_points = false;
         Ok(self)
+    }
+
+    /// Other hard cases than the method's own.
+    #[must_use]
+    pub fn hard_cases(mut self, cases: Vec<HardCase>) -> Variant<'a> {
+        self.hard = Some(cases);
+        self
     }
 
     /// Only these outputs: the solver gives no others, and no norm of all is judged.
@@ -238,7 +247,8 @@ impl Method for Variant<'_> {
         if !self.check_points {
             return Vec::new();
         }
-        let mut hard = self.method.hard();
+        let own = || self.method.hard();
+        let mut hard = self.hard.clone().unwrap_or_else(own);
         if self.limit.is_some() {
             // What is recorded is recorded of the method's own budget.
             hard.iter_mut().for_each(|h| h.share = 0.0);

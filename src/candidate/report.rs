@@ -82,11 +82,12 @@ impl Report {
         writeln!(f, "  {:<11}{} bits{proof}", "reference", report.bits)?;
         let chosen = match &case.origin {
             Origin::CheckPoint { name } => format!(".check_point({name:?})"),
-            Origin::Hard { number } => format!(".hard_case({number})"),
+            Origin::Hard { number, .. } => format!(".hard_case({number})"),
             Origin::Random { seed, index } => {
                 format!(".region({:?}).seed({seed}).case({index})", case.region)
             }
             Origin::Line { number } => format!("line {number}"),
+            Origin::Given => "the input itself".into(),
         };
         writeln!(f, "  {:<11}{chosen}", "reproduce")?;
         let (method, place) = (case.method, case.place());

@@ -1,24 +1,23 @@
 //! Running audits: everything, a method, a region or one case.
 
-use super::args::{AuditArgs, AuditFormat, RunArgs};
+use super::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
 use super::case;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::{Output, write_to};
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
 use super::{
-    audit_html, audit_junit, candidate, complain, exec, interrupt, text_method, text_paper,
-    text_summary,
+    audit_html, audit_junit, candidate, complain, exec, hard_folder, interrupt, points,
+    text_method, text_paper, text_summary,
 };
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Verdict, audit_case,
-    audit_method_until,
+    Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Origin, Settings, Variant, Verdict,
+    answer_of, audit_case, audit_method_until,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
-use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -223,34 +222,61 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (Method
     (report, started.elapsed().as_secs_f64())
 }
 
+/// The method as the arguments ask for it, over its whole domain.
+fn scoped<'a>(method: &'a dyn Method, args: &AuditArgs) -> Result<Variant<'a>, Failure> {
+    let variant = candidate::scoped(method, &args.scope)?;
+    let variant = match args.program.exec {
+        Some(_) => variant.without_laws(),
+        None => variant,
+    };
+    Ok(match (&args.hard, &args.method) {
+        (None, _) => variant,
+        (Some(folder), Some(_)) => variant.hard_cases(hard_folder::of_method(folder, method)?),
+        (Some(folder), None) => {
+            variant.hard_cases(hard_folder::read(folder, method)?.unwrap_or_default())
+        }
+    })
+}
+
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = settings(&args.run)?;
-    if let (Some(name), Some(command)) = (&args.method, &args.program.exec) {
-        return exec::audit(find(name)?.as_ref(), args, command, &settings);
-    }
     let chosen = match &args.method {
         None => methods::registry(),
         Some(name) => vec![find(name)?],
     };
-    if let (Some(_), Some(method)) = (&args.method, chosen.first())
-        && let Some(case) = one_case(method.as_ref(), args, &settings)?
+    let output = Output::open(args.output.as_deref())?;
+    // All of them before the first is judged: what cannot be read is refused.
+    let chosen: Result<Vec<Variant>, Failure> =
+        chosen.iter().map(|m| scoped(m.as_ref(), args)).collect();
+    let chosen = chosen?;
+    if let (Some(_), [method]) = (&args.method, chosen.as_slice())
+        && let Some(case) = one_case(method, args, &settings)?
     {
-        let scoped = candidate::scoped(method.as_ref(), &args.scope)?;
-        return single(&scoped, case, &settings, args);
+        return match &args.program.exec {
+            Some(command) => exec::audit(method, Some(case), args, command, &settings, output),
+            None => single(method, case, &settings, args, output),
+        };
+    }
+    let chosen: Result<Vec<Variant>, NoSuch> = chosen
+        .into_iter()
+        .map(|method| match &args.region {
+            Some(region) => method.region(region),
+            None => Ok(method),
+        })
+        .collect();
+    let chosen = chosen?;
+    if let (Some(method), Some(command)) = (chosen.first(), &args.program.exec) {
+        return exec::audit(method, None, args, command, &settings, output);
     }
     let progress = Progress::new();
     let mut totals = Totals::default();
     let mut reports = Vec::new();
     let mut stopped = false;
     for method in &chosen {
-        let mut chosen = candidate::scoped(method.as_ref(), &args.scope)?;
-        if let Some(region) = &args.region {
-            chosen = chosen.region(region)?;
-        }
-        let (report, seconds) = run(&chosen, &settings, &progress);
+        let (report, seconds) = run(method, &settings, &progress);
         totals.add((&report, seconds));
-        if args.format == AuditFormat::Text && args.output.is_none() {
+        if args.format == AuditFormat::Text && output.is_standard() {
             let text = text_method::method(&report, &Case::reproduce, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
@@ -261,14 +287,13 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         }
     }
     let outcome = Outcome::unless_interrupted(stopped, totals.good());
-    let output = args.output.as_deref();
     match args.format {
-        AuditFormat::Text if output.is_none() => {
+        AuditFormat::Text if output.is_standard() => {
             let rate = rate(totals.cases, totals.seconds);
             let how = format!("{}\n{rate}", settings_line(&settings));
-            write_to(None, |out| verdict(out, &totals.words(), outcome, &how))?;
+            output.write(|out| verdict(out, &totals.words(), outcome, &how))?;
         }
-        AuditFormat::Text => write_to(output, |out| {
+        AuditFormat::Text => output.write(|out| {
             for report in &reports {
                 let text = text_method::method(report, &Case::reproduce, width());
                 writeln!(out, "{text}")?;
@@ -292,26 +317,26 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         }
         AuditFormat::Junit => {
             let text = audit_junit::document(&reports).map_err(Failure::new)?;
-            write_to(output, |out| Ok(writeln!(out, "{text}")?))?;
+            output.write(|out| Ok(writeln!(out, "{text}")?))?;
         }
         AuditFormat::Html => {
             let page = audit_html::page(&reports, &settings, args.method.is_none());
-            write_to(output, |out| Ok(write!(out, "{page}")?))?;
+            output.text(&page)?;
         }
     }
     Ok(outcome)
 }
 
 /// JSON to standard output or a file.
-fn write_json(output: Option<&Path>, value: &Value) -> Result<(), Failure> {
-    write_to(output, |out| {
+pub fn write_json(output: Output, value: &Value) -> Result<(), Failure> {
+    output.write(|out| {
         serde_json::to_writer_pretty(&mut *out, value)?;
         Ok(writeln!(out)?)
     })
 }
 
 pub fn print_json(value: &Value) -> Result<(), Failure> {
-    write_json(None, value)
+    write_json(Output::open(None)?, value)
 }
 
 /// The report for programs. `again` gives the command that judges a case again.
@@ -336,20 +361,41 @@ pub fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
 }
 
 /// The one case that the arguments ask for, if they do.
-pub fn one_case(
+fn one_case(
     method: &dyn Method,
     args: &AuditArgs,
     settings: &Settings,
-) -> Result<Option<Case>, NoSuch> {
+) -> Result<Option<Case>, Failure> {
     let cases = Cases::new(method, settings);
-    if let Some(number) = args.hard {
-        return cases.hard_case(number).map(Some);
+    if let Some(Numbers(input)) = &args.at {
+        return given(method, input).map(Some);
     }
-    match (&args.check_point, &args.region, args.case) {
-        (Some(name), ..) => cases.at_check_point(name).map(Some),
-        (None, Some(region), Some(index)) => cases.in_region(region, index).map(Some),
-        _ => Ok(None),
+    if let Some(number) = args.hard_case {
+        return Ok(Some(cases.hard_case(number)?));
     }
+    Ok(match (&args.check_point, &args.region, args.case) {
+        (Some(name), ..) => Some(cases.at_check_point(name)?),
+        (None, Some(region), Some(index)) => Some(cases.in_region(region, index)?),
+        _ => None,
+    })
+}
+
+/// An input given by itself.
+fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
+    let refusal = answer_of(method, input);
+    if let Some("layout" | "bad layout") = refusal.refusal() {
+        let [layout, _] = points::layout(method);
+        let (n, name) = (number(input.len(), "number"), method.name());
+        return Err(Failure::new(format!(
+            "--at: {n} cannot be an input of {name}, which is: {layout}"
+        )));
+    }
+    Ok(Case {
+        method: method.name(),
+        region: "given",
+        input: input.to_vec(),
+        origin: Origin::Given,
+    })
 }
 
 fn single(
@@ -357,6 +403,7 @@ fn single(
     case: Case,
     settings: &Settings,
     args: &AuditArgs,
+    output: Output,
 ) -> Result<Outcome, Failure> {
     let report: CaseReport = audit_case(method, case, settings);
     let laws: Vec<(Law, Option<f64>)> = method
@@ -366,9 +413,8 @@ fn single(
         .collect();
     let held = |x: &Option<f64>| x.is_none_or(|x| x <= 1.0);
     let good = report.judgement.verdict == Verdict::Pass && laws.iter().all(|(_, x)| held(x));
-    let output = args.output.as_deref();
     match args.format {
-        AuditFormat::Text => write_to(output, |out| {
+        AuditFormat::Text => output.write(|out| {
             write!(
                 out,
                 "{}",

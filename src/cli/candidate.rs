@@ -1,9 +1,9 @@
 //! What judging somebody's program has in common, wherever its answers come from.
 
 use super::args::{ScopeArgs, TextOrJson};
-use super::audit::{json_report, print_json};
+use super::audit::{json_report, write_json};
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 use super::text::{BAD, paint, paragraph, width};
 use super::{case, interrupt, text_method};
 use mechaudit::audit::{
@@ -69,12 +69,13 @@ impl Judged {
     /// Writes the report. `again` gives the command that judges a case again.
     pub fn write(
         &self,
+        output: Output,
         format: TextOrJson,
         again: &dyn Fn(&Case) -> String,
     ) -> Result<Outcome, Failure> {
         let good = self.report.passed() && self.trouble.is_none();
         match format {
-            TextOrJson::Text => write_to(None, |out| {
+            TextOrJson::Text => output.write(|out| {
                 if let ([only], 1) = (self.report.failures.as_slice(), self.report.cases) {
                     write!(out, "{}", case::text(only, &again(&only.case), width()))?;
                 } else {
@@ -87,14 +88,17 @@ impl Judged {
                 }
                 Ok(())
             })?,
-            TextOrJson::Json => print_json(&json!({
+            TextOrJson::Json => {
+                let value = json!({
                 "mechaudit_version": env!("CARGO_PKG_VERSION"),
                 "passed": good,
                 "interrupted": self.report.interrupted,
                 "answered": self.answered,
                 "trouble": self.trouble,
                 "methods": [json_report(&self.report, again)],
-            }))?,
+                });
+                write_json(output, &value)?;
+            }
         }
         Ok(Outcome::unless_interrupted(self.report.interrupted, good))
     }

@@ -5,9 +5,8 @@ use super::chirp_file::{self, Machine};
 use super::chirp_rows::{self as rows, Charted};
 use super::complain;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 use super::svg_chirp;
-use super::svg_panel::save;
 use mechaudit::solvers::chirp_chart::{CamResponse, Chart};
 
 /// Prints and draws what the arguments ask for.
@@ -25,11 +24,18 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         ChirpRows::Chart if machine.chart.is_none() => return Err(missing("chart")),
         _ => {}
     }
+    let output = Output::open(args.output.as_deref())?;
+    let drawing = |file, due: bool| {
+        let folder = args.svg.as_ref().filter(|_| due);
+        folder.map(|f| Output::within(f, file)).transpose()
+    };
+    let spectrum = drawing("spectrum.svg", true)?;
+    let history = drawing("history.svg", machine.run.is_some())?;
+    let chart = drawing("chart.svg", machine.chart.is_some())?;
     let response = |drive| CamResponse::new(drive, machine.harmonics, machine.initial);
     let own = response(machine.drive.clone()).map_err(|e| about(e.to_string()))?;
-    let drawn = args.svg.is_some();
     let charts = match &machine.chart {
-        Some(plan) if drawn || wanted == ChirpRows::Chart => {
+        Some(plan) if chart.is_some() || wanted == ChirpRows::Chart => {
             let one = |(law, drive): &(String, _)| {
                 let response = response(Clone::clone(drive))?;
                 let chart = Chart::new(&response, plan.period, &plan.grid)?;
@@ -44,20 +50,16 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         }
         _ => Vec::new(),
     };
-    if let Some(folder) = &args.svg {
-        save(folder, "spectrum.svg", &svg_chirp::spectrum(&machine)?)?;
-        if let Some(run) = &machine.run {
-            save(
-                folder,
-                "history.svg",
-                &svg_chirp::history(&machine, run, &own)?,
-            )?;
-        }
-        if !charts.is_empty() {
-            save(folder, "chart.svg", &svg_chirp::chart(&machine, &charts)?)?;
-        }
+    if let Some(drawing) = spectrum {
+        drawing.text(&svg_chirp::spectrum(&machine)?)?;
     }
-    write_to(args.output.as_deref(), |out| match wanted {
+    if let (Some(drawing), Some(run)) = (history, &machine.run) {
+        drawing.text(&svg_chirp::history(&machine, run, &own)?)?;
+    }
+    if let Some(drawing) = chart {
+        drawing.text(&svg_chirp::chart(&machine, &charts)?)?;
+    }
+    output.write(|out| match wanted {
         ChirpRows::History => rows::history(out, args.format, &machine, &own),
         ChirpRows::Chart => rows::chart(out, args.format, &machine, &charts),
         ChirpRows::Spectrum => rows::spectrum(out, args.format, &machine),

@@ -7,6 +7,7 @@ use super::dyad_facts as facts;
 use super::dyad_file::{Dyad, Shape};
 use super::dyad_values::{ASSEMBLIES, Values, at_crank_speed, number};
 use super::failure::{Failure, Outcome};
+use super::output::Output;
 use super::progress::Progress;
 use super::quantity::nearest;
 use super::result::{decided, write_to_result};
@@ -37,12 +38,13 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
         },
     };
     let grid = Grid::new(args, dyad.start.clone())?;
-    // Before the rows: a folder that cannot be written stops the run before any output.
+    let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
-        svg_dyad::draw(folder, dyad, *assembly)?;
+        let drawing = Output::within(folder, "mechanism.svg")?;
+        drawing.text(&svg_dyad::draw(dyad, *assembly))?;
     }
     let mut count = 0;
-    let outcome = write_to_result(args, |out| {
+    let outcome = write_to_result(output, |out| {
         let about = facts::json(dyad, &assemblies);
         let mut rows = Rows::begin(out, args.format, names(dyad), &about)?;
         let outcome = all_rows(args, dyad, &assemblies, &grid, &mut rows, &mut count);

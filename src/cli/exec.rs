@@ -5,14 +5,16 @@
 
 use super::answers::{Answers, Next};
 use super::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
-use super::audit::one_case;
-use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
+use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch};
 use super::failure::{Failure, Outcome};
+use super::interrupt::POLL;
+use super::output::Output;
+use super::program::Program;
 use super::progress::Progress;
 use super::wire::{self, Line};
 use mechaudit::audit::{Case, Cases, Method, Settings, SolverAnswer, Tally, judge_case};
 use std::io::{BufReader, BufWriter, Write};
-use std::process::{Child, ChildStdin, Command, ExitStatus, Stdio};
+use std::process::ChildStdin;
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -39,30 +41,15 @@ impl Inputs {
     }
 }
 
-/// Audits the program as the arguments ask for.
+/// Audits the program as the arguments ask for: at one input, or over the method's domain.
 pub fn audit(
     method: &dyn Method,
+    one: Option<Case>,
     args: &AuditArgs,
     command: &str,
     settings: &Settings,
+    output: Output,
 ) -> Result<Outcome, Failure> {
-    let mut chosen = scoped(method, &args.scope)?.without_laws();
-    let inputs = match one_case(method, args, settings)? {
-        Some(case) => Inputs::One(case),
-        None => {
-            if let Some(region) = &args.region {
-                chosen = chosen.region(region)?;
-            }
-            Inputs::All(Cases::new(&chosen, settings))
-        }
-    };
-    let judged = run(&chosen, settings, Arc::new(inputs), command, &args.program)?;
-    let decimal = if args.program.decimal {
-        " --decimal"
-    } else {
-        ""
-    };
-    let quoted = shell_words::quote(command);
     let format = match args.format {
         AuditFormat::Text => TextOrJson::Text,
         AuditFormat::Json => TextOrJson::Json,
@@ -72,7 +59,18 @@ pub fn audit(
             ));
         }
     };
-    judged.write(format, &|case| {
+    let inputs = match one {
+        Some(case) => Inputs::One(case),
+        None => Inputs::All(Cases::new(method, settings)),
+    };
+    let judged = run(method, settings, Arc::new(inputs), command, &args.program)?;
+    let decimal = if args.program.decimal {
+        " --decimal"
+    } else {
+        ""
+    };
+    let quoted = shell_words::quote(command);
+    judged.write(output, format, &|case| {
         format!("{} --exec {quoted}{decimal}", case.reproduce())
     })
 }
@@ -90,13 +88,19 @@ fn run(
         return Err(Failure::new("there are no cases to audit"));
     }
     let mut child = Program::start(command)?;
-    let answers = child.connect(Arc::clone(&inputs), program.decimal)?;
+    let (stdin, stdout) = child.pipes()?;
+    let (given, decimal) = (Arc::clone(&inputs), program.decimal);
+    thread::spawn(move || feed(stdin, &given, decimal));
+    let answers = Answers::of(BufReader::new(stdout));
     let mut tally = Tally::new(method, FAILURES_KEPT);
     let progress = Progress::new();
     let mut answered = 0;
     let end = loop {
         let mut batch = Vec::new();
-        let end = collect(&answers, timeout, total - answered, &mut batch);
+        let end = match total - answered {
+            0 => Some(rest(&mut child, &answers, timeout)),
+            due => collect(&answers, timeout, due, &mut batch),
+        };
         let cases = batch.iter().enumerate();
         let pairs = cases.map(|(k, line)| (inputs.get(answered + k), line.answer()));
         let pairs: Vec<_> = pairs.collect();
@@ -146,7 +150,7 @@ fn run(
 }
 
 /// Why there are no more answers to judge.
-enum End {
+pub enum End {
     /// Its output has ended.
     Closed,
     /// One answer more than there are inputs.
@@ -159,7 +163,7 @@ enum End {
     Interrupted,
 }
 
-/// Waits for an answer and takes what else is there. Every input answered, the end is waited for.
+/// Waits for an answer and takes what else is there.
 fn collect(answers: &Answers, timeout: Duration, due: usize, batch: &mut Vec<Line>) -> Option<End> {
     let mut patience = timeout;
     loop {
@@ -179,91 +183,19 @@ fn collect(answers: &Answers, timeout: Duration, due: usize, batch: &mut Vec<Lin
     }
 }
 
-/// A running program; it is ended, with all it started, when this goes.
-struct Program(Child);
-
-impl Program {
-    fn start(command: &str) -> Result<Program, Failure> {
-        let words = shell_words::split(command)
-            .map_err(|e| Failure::new(format!("--exec {command:?}: {e}")))?;
-        let [program, arguments @ ..] = words.as_slice() else {
-            return Err(Failure::new("--exec needs a command"));
-        };
-        let mut start = Command::new(program);
-        start.args(arguments);
-        start.stdin(Stdio::piped()).stdout(Stdio::piped());
-        #[cfg(unix)]
-        std::os::unix::process::CommandExt::process_group(&mut start, 0);
-        match start.spawn() {
-            Ok(child) => Ok(Program(child)),
-            Err(e) => Err(Failure::new(format!("cannot start {program:?}: {e}"))),
+/// Every input is answered: waits for the end of its output, which what it left behind may hold open.
+fn rest(child: &mut Program, answers: &Answers, timeout: Duration) -> End {
+    let start = Instant::now();
+    loop {
+        match answers.next(Some(POLL)) {
+            Next::Answer(_) => return End::TooMany,
+            Next::Unreadable(why) => return End::Unreadable(why),
+            Next::Closed => return End::Closed,
+            Next::Interrupted => return End::Interrupted,
+            Next::Silent if start.elapsed() > timeout => return End::Silent,
+            Next::Silent if child.has_ended() => child.end_group(),
+            Next::Silent => {}
         }
-    }
-
-    /// Begins to write inputs to it and to read answers from it.
-    fn connect(&mut self, inputs: Arc<Inputs>, decimal: bool) -> Result<Answers, Failure> {
-        let (Some(stdin), Some(stdout)) = (self.0.stdin.take(), self.0.stdout.take()) else {
-            return Err(Failure::new("the program has no standard input or output"));
-        };
-        thread::spawn(move || feed(stdin, &inputs, decimal));
-        Ok(Answers::of(BufReader::new(stdout)))
-    }
-
-    /// Ends it and says what was wrong with its end, if anything was.
-    fn end(&mut self, end: End, timeout: Duration) -> Option<String> {
-        let seconds = timeout.as_secs_f64();
-        match end {
-            End::Closed => match self.wait(timeout) {
-                None => Some(format!(
-                    "ended its output but not itself within {seconds} s"
-                )),
-                Some(status) if status.success() => None,
-                Some(status) => Some(format!("ended: {}", ended(status))),
-            },
-            End::TooMany => Some("wrote one more line than there are inputs".into()),
-            End::Silent => Some(format!("wrote no line for {seconds} s and was ended")),
-            End::Unreadable(why) => Some(format!("its output could not be read: {why}")),
-            End::Interrupted => Some("was interrupted".into()),
-        }
-    }
-
-    fn wait(&mut self, timeout: Duration) -> Option<ExitStatus> {
-        let start = Instant::now();
-        loop {
-            match self.0.try_wait() {
-                Ok(Some(status)) => return Some(status),
-                _ if start.elapsed() > timeout => return None,
-                _ => thread::sleep(Duration::from_millis(2)),
-            }
-        }
-    }
-}
-
-impl Drop for Program {
-    fn drop(&mut self) {
-        #[cfg(unix)]
-        {
-            // Its group has the number of its first process, which is not waited for before.
-            if let Ok(None) = self.0.try_wait()
-                && let Ok(raw) = i32::try_from(self.0.id())
-                && let Some(group) = rustix::process::Pid::from_raw(raw)
-            {
-                let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
-            }
-        }
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
-
-fn ended(status: ExitStatus) -> String {
-    #[cfg(unix)]
-    if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {
-        return format!("killed by signal {signal}");
-    }
-    match status.code() {
-        Some(code) => format!("exit status {code}"),
-        None => "for an unknown reason".into(),
     }
 }
 

@@ -3,14 +3,13 @@
 use super::args::HuntArgs;
 use super::audit::find;
 use super::failure::{Failure, Outcome};
-use super::interrupt;
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, PLAIN, Table, paint, percent, width, wrap};
+use super::{hard_folder, interrupt};
 use mechaudit::audit::{
-    HARD_HEADER, HardCase, Hunt, HuntSettings, Method, Worst, hunt_until, rounded_up,
+    Case, HardCase, Hunt, HuntSettings, Method, Origin, Variant, Worst, hunt_until, rounded_up,
 };
-use std::path::Path;
 
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
@@ -19,82 +18,92 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
         evaluations: args.evals,
         seed: args.seed,
     };
-    let progress = Progress::new();
-    let show = |made| progress.show(method.name(), made, args.evals);
-    let found = hunt_until(&*method, &settings, &show, interrupt::flag());
-    drop(progress);
-    let path = args.hard.join(format!("{}.csv", method.name()));
-    let kept = match args.hard.is_dir() {
-        true => Some(File::read(&path)?),
-        false => None,
-    };
-    let known = match &kept {
-        Some(file) => file.cases.clone(),
+    let folder = Some(args.hard.as_path()).filter(|f| f.is_dir());
+    let known = match folder {
+        Some(folder) => hard_folder::read(folder, &*method)?.unwrap_or_default(),
         None => method.hard(),
     };
-    let new: Vec<HardCase> = found
-        .worst
-        .iter()
-        .filter_map(|w| worse(w, &known, args))
-        .collect();
+    if let Some(folder) = folder {
+        hard_folder::check_writable(folder, &*method)?;
+    }
+    let method = Variant::new(&*method).hard_cases(known.clone());
+    let progress = Progress::new();
+    let show = |made| progress.show(method.name(), made, args.evals);
+    let found = hunt_until(&method, &settings, &show, interrupt::flag());
+    drop(progress);
+    let worse = |known: &[HardCase]| -> Vec<HardCase> {
+        let all = found.worst.iter();
+        all.filter_map(|w| worse(w, known, args)).collect()
+    };
+    let added = folder.map(|f| hard_folder::add(f, &method, worse));
+    let new: Vec<HardCase> = match &added {
+        Some(Ok(added)) => added.iter().map(|(_, case)| case.clone()).collect(),
+        _ => worse(&known),
+    };
+    let numbers = added.iter().flatten().flatten();
+    let numbers: Vec<(usize, &HardCase)> = numbers.map(|(n, case)| (*n, case)).collect();
     write_to(None, |out| {
-        write!(out, "{}", report(&*method, &found, &new, args.evals))?;
-        let place = path.display();
+        write!(out, "{}", report(&method, &found, &new, args.evals))?;
+        write!(out, "{}", inputs(&method, &found, &numbers, args))?;
         let folder = args.hard.display();
-        let closing = match (&kept, new.len()) {
+        let place = args.hard.join(format!("{}.csv", method.name()));
+        let closing = match (&added, new.len()) {
+            (Some(Err(_)), n) => format!("{n} NOT recorded."),
             (_, 0) => "Nothing worse than what is recorded.".to_string(),
-            (Some(_), n) => format!("{n} added to {place}."),
+            (Some(Ok(_)), n) => format!("{n} added to {}.", place.display()),
             (None, _) => format!("Not recorded: there is no folder {folder}."),
         };
         Ok(writeln!(out, "{closing}")?)
     })?;
+    added.transpose()?;
     let over = new.iter().any(|c| c.share > 1.0);
-    if let Some(file) = kept.filter(|_| !new.is_empty()) {
-        file.append(&path, &*method, &new)?;
-    }
     let good = !over && found.failures.is_empty();
     Ok(Outcome::unless_interrupted(found.interrupted, good))
 }
 
-/// What is recorded so far.
-struct File {
-    text: String,
-    cases: Vec<HardCase>,
-}
-
-impl File {
-    fn read(path: &Path) -> Result<File, Failure> {
-        let text = match std::fs::read_to_string(path) {
-            Ok(text) => text,
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => String::new(),
-            Err(e) => return Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
+/// Every input found, with the outputs that it is the worst for and the command that judges it again.
+fn inputs(
+    method: &dyn Method,
+    found: &Hunt,
+    recorded: &[(usize, &HardCase)],
+    args: &HuntArgs,
+) -> String {
+    let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+    let mut distinct: Vec<(Vec<u64>, Vec<&Worst>)> = Vec::new();
+    for w in &found.worst {
+        let key = bits(&w.input);
+        match distinct.iter_mut().find(|(k, _)| *k == key) {
+            Some((_, same)) => same.push(w),
+            None => distinct.push((key, vec![w])),
+        }
+    }
+    let mut out = String::new();
+    for (key, same) in distinct {
+        let outputs: Vec<&str> = same.iter().map(|w| w.output).collect();
+        let number = recorded.iter().find(|(_, case)| bits(&case.input) == key);
+        let case = Case {
+            method: method.name(),
+            region: "hunt",
+            input: same[0].input.clone(),
+            origin: match number {
+                Some((number, _)) => Origin::Hard {
+                    number: *number,
+                    folder: Some(args.hard.to_string_lossy().into_owned()),
+                },
+                None => Origin::Given,
+            },
         };
-        let cases = HardCase::read(&text);
-        let cases = cases.map_err(|e| Failure::new(format!("{}: {e}", path.display())))?;
-        Ok(File { text, cases })
+        let decimals: Vec<String> = case.input.iter().map(|x| format!("{x:?}")).collect();
+        for (label, text) in [
+            (paint(BOLD, "worst for "), outputs.join(", ")),
+            ("  input   ".into(), decimals.join(", ")),
+        ] {
+            out.push_str(&format!("  {label} {}\n", wrap(&text, 13, width())));
+        }
+        // In one line, for a shell.
+        out.push_str(&format!("    again    {}\n", case.reproduce()));
     }
-
-    fn append(&self, path: &Path, method: &dyn Method, new: &[HardCase]) -> Result<(), Failure> {
-        write_to(Some(path), |out| {
-            if self.text.is_empty() {
-                let name = method.name();
-                writeln!(
-                    out,
-                    "# Worst inputs found by mechaudit hunt {name}; lines are only added."
-                )?;
-                writeln!(out, "{HARD_HEADER}")?;
-            } else {
-                write!(out, "{}", self.text)?;
-                if !self.text.ends_with('\n') {
-                    writeln!(out)?;
-                }
-            }
-            for case in new {
-                write!(out, "{}", case.line())?;
-            }
-            Ok(())
-        })
-    }
+    out
 }
 
 /// The hard case to be recorded, if it is worse than those that are.
@@ -111,6 +120,7 @@ fn worse(worst: &Worst, known: &[HardCase], args: &HuntArgs) -> Option<HardCase>
             worst.reason, args.evals, args.seed
         ),
         input: worst.input.clone(),
+        folder: None,
     })
 }
 

@@ -1,13 +1,19 @@
-//! Ctrl-C: the first ends the work with a report of what is done, the second ends the program.
+//! Signals. The first Ctrl-C ends the work with a report of what is done, if the work can be reported;
+//! any other ends the program, which takes its temporary files along.
 
 use std::panic::resume_unwind;
-use std::sync::OnceLock;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use std::thread;
 use std::time::Duration;
 
 static STOP: AtomicBool = AtomicBool::new(false);
+/// Whether the work can end with a report.
+static REPORTS: AtomicBool = AtomicBool::new(false);
+/// Files that no end of the program may leave behind.
+static UNWANTED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// The exit code: 128 and the number of SIGINT, as shells have it.
 pub const EXIT_CODE: u8 = 130;
@@ -16,21 +22,101 @@ pub const POLL: Duration = Duration::from_millis(20);
 
 /// Set once the user has asked to stop; asking for it begins to listen.
 pub fn flag() -> &'static AtomicBool {
-    static LISTENING: OnceLock<()> = OnceLock::new();
-    LISTENING.get_or_init(|| {
-        // Without a handler Ctrl-C ends the program, as ever.
-        let _ = ctrlc::set_handler(|| {
-            if STOP.swap(true, Ordering::Relaxed) {
-                std::process::exit(EXIT_CODE.into());
-            }
-        });
-    });
+    REPORTS.store(true, Ordering::Relaxed);
+    listen();
     &STOP
 }
 
 /// Whether the user has asked to stop.
 pub fn asked() -> bool {
     STOP.load(Ordering::Relaxed)
+}
+
+/// A file that is removed if a signal ends the program before this is dropped.
+pub struct Unwanted(PathBuf);
+
+/// Makes a file one that no signal leaves behind.
+pub fn unwanted(path: &Path) -> Unwanted {
+    listen();
+    all_unwanted().push(path.into());
+    Unwanted(path.into())
+}
+
+impl Drop for Unwanted {
+    fn drop(&mut self) {
+        all_unwanted().retain(|p| *p != self.0);
+    }
+}
+
+fn all_unwanted() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNWANTED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes the files that are under way.
+pub fn remove_unwanted() {
+    for path in all_unwanted().drain(..) {
+        let _ = std::fs::remove_file(path);
+    }
+}
+
+/// What Ctrl-C comes to: a report, the first time there can be one; the end otherwise.
+fn ctrl_c() {
+    let reports = REPORTS.load(Ordering::Relaxed);
+    if reports && !STOP.swap(true, Ordering::Relaxed) {
+        return;
+    }
+    remove_unwanted();
+    if reports {
+        std::process::exit(EXIT_CODE.into());
+    }
+}
+
+/// Begins to listen. Before, signals end the program, as ever.
+fn listen() {
+    static LISTENING: Once = Once::new();
+    LISTENING.call_once(listen_on_a_thread);
+}
+
+#[cfg(unix)]
+fn listen_on_a_thread() {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::{iterator::Signals, low_level::emulate_default_handler};
+    let mut listened = vec![SIGINT, SIGTERM];
+    listened.extend(Some(SIGHUP).filter(|s| !is_ignored(*s)));
+    let Ok(mut signals) = Signals::new(listened) else {
+        return;
+    };
+    thread::spawn(move || {
+        for signal in signals.forever() {
+            match signal {
+                SIGINT => ctrl_c(),
+                _ => remove_unwanted(),
+            }
+            if signal != SIGINT || !asked() {
+                let _ = emulate_default_handler(signal);
+            }
+        }
+    });
+}
+
+/// Whether whoever started the program wants a signal ignored, as `nohup` does; where the system
+/// does not say, it is left alone.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|m| u64::from_str_radix(m.trim(), 16).ok());
+    mask.is_none_or(|m| m & 1 << (signal - 1) != 0)
+}
+
+#[cfg(not(unix))]
+fn listen_on_a_thread() {
+    let _ = ctrlc::set_handler(|| {
+        ctrl_c();
+        if !asked() {
+            std::process::exit(EXIT_CODE.into());
+        }
+    });
 }
 
 /// What `work` gives on a thread of its own; nothing once the user has asked to stop, and the work

@@ -5,6 +5,7 @@ use super::args::JudgeArgs;
 use super::audit::find;
 use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
+use super::output::Output;
 use super::progress::Progress;
 use super::table;
 use super::wire::{Line, Lines};
@@ -99,7 +100,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         answered: answered as usize,
         trouble,
     };
-    judged.write(args.format, &|case| {
+    judged.write(Output::open(None)?, args.format, &|case| {
         format!(
             "mechaudit judge {} --inputs {} --values {} {}",
             case.method,

@@ -2,21 +2,24 @@
 
 use super::args::{PaperArgs, PaperFormat};
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 use super::{complain, ledger_html, ledger_latex, ledger_text, text};
 use mechaudit::papers::{self, ledger::Ledger};
 use std::time::Instant;
 
 /// Decides the ledger and writes it, or compares it with the file.
 pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
+    // With --check the file is read.
+    let output = Output::open(args.output.as_deref().filter(|_| !args.check))?;
+    let standard = output.is_standard() && !args.check;
     let started = Instant::now();
     let Some(ledger) = papers::ledger_of(&args.key) else {
         return Err(super::paper::unknown(&args.key));
     };
     let seconds = started.elapsed().as_secs_f64();
-    let width = match args.output {
-        Some(_) => 100,
-        None => text::width(),
+    let width = match standard {
+        true => text::width(),
+        false => 100,
     };
     let written = match args.format {
         PaperFormat::Text => ledger_text::ledger(&ledger, width),
@@ -31,9 +34,9 @@ pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
     if args.check {
         return check(args, &written);
     }
-    write_to(args.output.as_deref(), |out| {
+    output.write(|out| {
         out.write_all(written.as_bytes())?;
-        if args.format == PaperFormat::Text && args.output.is_none() {
+        if args.format == PaperFormat::Text && standard {
             writeln!(out, "\nDecided in {seconds:.2} s.")?;
         }
         Ok(())

@@ -3,15 +3,17 @@
 use super::args::LinkageArgs;
 use super::branch::{self, Branch, Reach};
 use super::certified::Certifier;
+use super::complain;
 use super::crank_angles::{Grid, Plan, plan, start_degrees};
 use super::failure::{Failure, Outcome};
 use super::linkage_columns as columns;
 use super::linkage_file::{self, Described, Linkage};
+use super::output::Output;
 use super::progress::Progress;
 use super::quantity::nearest;
 use super::result::{decided, write_to_result};
 use super::rows::{Cell, Rows};
-use super::{complain, svg};
+use super::svg::Drawings;
 use mechaudit::solvers::class_iii::{BranchMap, Fold};
 use rug::Rational;
 use serde_json::{Map, Value, json};
@@ -38,19 +40,21 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
         }
         return all_branches(args, linkage, &grid).map_err(about);
     }
+    let output = Output::open(args.output.as_deref())?;
+    let drawings = args.svg.as_ref().map(|f| Drawings::open(f, linkage));
+    let drawings = drawings.transpose()?;
     let start = match args.branch {
         None => start_degrees(linkage).unwrap_or_else(|| grid.from.clone()),
         Some(_) => grid.from.clone(),
     };
     let branch =
         branch::choose(&linkage.solver, &start, args.branch, &linkage.start).map_err(about)?;
-    // Before the rows: a folder that cannot be written stops the run before any output.
-    if let Some(folder) = &args.svg {
-        svg::draw(folder, linkage, &branch)?;
+    if let Some(drawings) = drawings {
+        drawings.draw(linkage, &branch)?;
     }
     let plan = plan(&grid, &branch);
     let reached = plan.len();
-    let outcome = write_to_result(args, |out| {
+    let outcome = write_to_result(output, |out| {
         let certified = args.digits.is_some();
         let facts = facts(linkage, &branch);
         let names = columns::names(linkage, certified);
@@ -127,13 +131,14 @@ fn certified_rows(
 }
 
 fn all_branches(args: &LinkageArgs, linkage: &Linkage, grid: &Grid) -> Result<Outcome, Failure> {
+    let output = Output::open(args.output.as_deref())?;
     let degrees: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
     let angles: Vec<f64> = degrees.iter().map(|q| nearest(q).to_radians()).collect();
     let map = linkage.solver.trace_branches(&angles);
     if map.rows.iter().all(Vec::is_empty) {
         return Err(branch::unassembled(&linkage.solver, nearest(&grid.from)));
     }
-    let outcome = write_to_result(args, |out| {
+    let outcome = write_to_result(output, |out| {
         let mut facts = head(linkage);
         facts.insert("branches".into(), json!(map.branches));
         let folds: Vec<Value> = map.folds.iter().map(fold_json).collect();

@@ -29,6 +29,9 @@ mod failure;
 mod fields;
 #[cfg(test)]
 mod fuzz;
+#[cfg(unix)]
+mod guard;
+mod hard_folder;
 mod html;
 mod html_style;
 mod hunt;
@@ -46,6 +49,7 @@ mod output;
 mod paper;
 mod paper_csv;
 mod points;
+mod program;
 mod progress;
 mod quantity;
 mod regenerate;
@@ -64,6 +68,7 @@ mod svg_panel;
 mod svg_reduced;
 mod svg_runup;
 mod table;
+mod temporary;
 mod text;
 mod text_method;
 mod text_paper;
@@ -78,6 +83,10 @@ use std::process::ExitCode;
 /// Runs the program and turns its outcome into an exit code: 0 as expected, 1 a finding, 2 bad
 /// usage or input, 130 ended by the user. A closed pipe ends it quietly.
 pub fn main() -> ExitCode {
+    #[cfg(unix)]
+    if guard::served() {
+        return ExitCode::SUCCESS;
+    }
     let args = match Args::try_parse() {
         Ok(args) => args,
         Err(e) => return usage(&e),

@@ -2,7 +2,7 @@
 
 use super::args::{PaperArgs, PaperFormat};
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 use super::progress::Progress;
 use super::{audit, complain, html, paper_csv, text, text_paper};
 use mechaudit::papers;
@@ -21,6 +21,7 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
     if matches!(args.format, PaperFormat::Latex | PaperFormat::Errata) {
         return Err(Failure::new("this form is one of the ledger: add --ledger"));
     }
+    let output = Output::open(args.output.as_deref())?;
     let progress = Progress::new();
     let report = audit::paper(&args.key, &progress).ok_or_else(|| unknown(&args.key))?;
     progress.clear();
@@ -31,15 +32,12 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
             return Ok(Outcome::Finding);
         }
     };
-    write_to(args.output.as_deref(), |out| match args.format {
-        PaperFormat::Text => {
-            let width = if args.output.is_some() {
-                100
-            } else {
-                text::width()
-            };
-            Ok(write!(out, "{}", text_paper::paper(&report, width))?)
-        }
+    let width = match output.is_standard() {
+        true => text::width(),
+        false => 100,
+    };
+    output.write(|out| match args.format {
+        PaperFormat::Text => Ok(write!(out, "{}", text_paper::paper(&report, width))?),
         PaperFormat::Json => {
             serde_json::to_writer_pretty(&mut *out, &report)?;
             Ok(writeln!(out)?)

@@ -3,31 +3,36 @@
 use super::args::PointsArgs;
 use super::audit::find;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
-use super::wire;
+use super::output::Output;
+use super::{hard_folder, wire};
 use mechaudit::audit::{Case, Cases, Method, Settings, Variant};
 use std::io::Write;
 
 /// Writes them.
 pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
     let method = find(&args.method)?;
+    let output = Output::open(args.output.as_deref())?;
     let settings = Settings {
         seed: args.seed,
         cases_per_region: args.count,
         ..Settings::default()
     };
-    let all = Cases::new(&*method, &settings);
+    let mut chosen = Variant::new(&*method);
+    if let Some(folder) = &args.hard {
+        chosen = chosen.hard_cases(hard_folder::of_method(folder, &*method)?);
+    }
+    let all = Cases::new(&chosen, &settings);
     let one = match (&args.check_point, &args.region, args.case) {
-        _ if args.hard.is_some() => args.hard.map(|n| all.hard_case(n)).transpose()?,
+        _ if args.hard_case.is_some() => args.hard_case.map(|n| all.hard_case(n)).transpose()?,
         (Some(name), ..) => Some(all.at_check_point(name)?),
         (None, Some(region), Some(index)) => Some(all.in_region(region, index)?),
         _ => None,
     };
     let cases = match &args.region {
-        Some(region) => Cases::new(&Variant::new(&*method).region(region)?, &settings),
+        Some(region) => Cases::new(&chosen.region(region)?, &settings),
         None => all,
     };
-    write_to(args.output.as_deref(), |out| {
+    output.write(|out| {
         header(&*method, out)?;
         if let Some(case) = one {
             heading(&*method, &case, out)?;

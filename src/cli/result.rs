@@ -1,17 +1,16 @@
 //! Where the rows go and how a run with undecided digits ends.
 
-use super::args::LinkageArgs;
 use super::complain;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 
-/// [`write_to`] with an outcome.
+/// [`Output::write`] with an outcome.
 pub fn write_to_result(
-    args: &LinkageArgs,
+    output: Output,
     write: impl FnOnce(&mut dyn std::io::Write) -> Result<Outcome, Failure>,
 ) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::AsExpected;
-    write_to(args.output.as_deref(), |out| {
+    output.write(|out| {
         outcome = write(out)?;
         Ok(())
     })?;

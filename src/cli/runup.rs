@@ -3,11 +3,11 @@
 use super::args::RunupArgs;
 use super::complain;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 use super::rows::{Cell, Rows};
 use super::runup_facts::{self as facts, Steady};
 use super::runup_file::{self, Coefficients, Machine};
-use super::{runup_precision, svg_panel, svg_runup};
+use super::{runup_precision, svg_runup};
 use mechaudit::solvers::run_up::{
     Equation, Hybrid, Motion, ReducedModel, Sample, Splined, inertia_range, run,
 };
@@ -32,6 +32,13 @@ const COLUMNS: [&str; 13] = [
 /// Runs the machine as the arguments ask for.
 pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let machine = runup_file::read(args)?;
+    let output = Output::open(args.output.as_deref())?;
+    let drawing = match args.work_precision {
+        true => "work-precision.svg",
+        false => "run-up.svg",
+    };
+    let drawing = args.svg.as_ref().map(|f| Output::within(f, drawing));
+    let drawing = drawing.transpose()?;
     let about = |e: String| Failure::new(format!("{}: {e}", args.file.display()));
     let exact = &*machine.model;
     let (splined, hybrid);
@@ -50,19 +57,18 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     };
     let equation = Equation::new(model, &machine.drive);
     if args.work_precision {
-        return runup_precision::table(args, &machine, &equation).map_err(|f| named(args, f));
+        return runup_precision::table(args, &machine, &equation, output, drawing)
+            .map_err(|f| named(args, f));
     }
     let warning = inertia_range(exact, first)
         .ok()
         .and_then(|range| facts::light(&machine, &range));
     let motion = run(&equation, &machine.plan).map_err(|e| about(e.to_string()))?;
     let steady = Steady::of(&machine, &equation, &motion);
-    // Before the rows: a folder that cannot be written stops the run before any output.
-    if let Some(folder) = &args.svg {
-        let text = svg_runup::draw(&machine.name, &motion.samples)?;
-        svg_panel::save(folder, "run-up.svg", &text)?;
+    if let Some(drawing) = drawing {
+        drawing.text(&svg_runup::draw(&machine.name, &motion.samples)?)?;
     }
-    write_to(args.output.as_deref(), |out| {
+    output.write(|out| {
         let about = facts::json(&machine, &motion, &steady, warning.as_deref());
         let names = COLUMNS.map(String::from).to_vec();
         let mut rows = Rows::begin(out, args.format, names, &about)?;

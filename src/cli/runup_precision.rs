@@ -3,11 +3,11 @@
 use super::args::RunupArgs;
 use super::complain;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::Output;
 use super::progress::Progress;
 use super::rows::{Cell, Rows};
 use super::runup_file::Machine;
-use super::{svg_panel, svg_runup};
+use super::svg_runup;
 use mechaudit::solvers::run_up::{Equation, Method, Plan, Settings, run};
 use serde_json::{Map, json};
 
@@ -33,7 +33,13 @@ pub struct Point {
 }
 
 /// Writes the table and, if asked, the drawing.
-pub fn table(args: &RunupArgs, machine: &Machine, equation: &Equation) -> Result<Outcome, Failure> {
+pub fn table(
+    args: &RunupArgs,
+    machine: &Machine,
+    equation: &Equation,
+    output: Output,
+    drawing: Option<Output>,
+) -> Result<Outcome, Failure> {
     let end = |method, tolerance, moment: u32| -> Result<(f64, u64), Failure> {
         let plan = Plan {
             duration: machine.plan.duration * f64::from(moment) / f64::from(MOMENTS),
@@ -74,11 +80,10 @@ pub fn table(args: &RunupArgs, machine: &Machine, equation: &Equation) -> Result
         }
     }
     drop(progress);
-    if let Some(folder) = &args.svg {
-        let text = svg_runup::work_precision(&machine.name, &points)?;
-        svg_panel::save(folder, "work-precision.svg", &text)?;
+    if let Some(drawing) = drawing {
+        drawing.text(&svg_runup::work_precision(&machine.name, &points)?)?;
     }
-    write_to(args.output.as_deref(), |out| {
+    output.write(|out| {
         let mut about = Map::new();
         about.insert("schema_version".into(), json!(1));
         about.insert("mechaudit_version".into(), json!(env!("CARGO_PKG_VERSION")));

@@ -4,7 +4,8 @@ use super::branch::{Branch, Reach};
 use super::complain;
 use super::failure::Failure;
 use super::linkage_file::Linkage;
-use super::{svg_mechanism, svg_panel, svg_reduced};
+use super::output::Output;
+use super::{svg_mechanism, svg_reduced};
 use mechaudit::solvers::class_iii::State;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -12,30 +13,40 @@ use std::path::Path;
 /// Positions along the branch that the curves are drawn through.
 const SAMPLES: u32 = 720;
 
-/// Draws `mechanism.svg` and, with masses, `reduced.svg` into the folder, which is made if
-/// missing.
-pub fn draw(folder: &Path, linkage: &Linkage, branch: &Branch) -> Result<(), Failure> {
-    let path = path(linkage, branch)?;
-    let name = linkage.name.as_deref().unwrap_or("class-III linkage");
-    let whole = matches!(branch.reach, Reach::Whole { .. });
-    let save = |file: &str, text: String| svg_panel::save(folder, file, &text);
-    let geometry = linkage.solver.geometry();
-    save(
-        "mechanism.svg",
-        svg_mechanism::draw(name, geometry, &path, whole),
-    )?;
-    match &linkage.masses {
-        Some(masses) => {
-            let reduced: Vec<_> = path
-                .iter()
-                .map(|s| (s.phi1.to_degrees(), masses.solver.reduce(s)))
-                .collect();
-            save("reduced.svg", svg_reduced::draw(name, &reduced, whole)?)
-        }
-        None => {
+/// The files that they go to.
+pub struct Drawings {
+    mechanism: Output,
+    /// With masses.
+    reduced: Option<Output>,
+}
+
+impl Drawings {
+    /// `mechanism.svg` and, with masses, `reduced.svg` in the folder, which is made if missing.
+    pub fn open(folder: &Path, linkage: &Linkage) -> Result<Drawings, Failure> {
+        let masses = linkage.masses.as_ref();
+        let reduced = masses.map(|_| Output::within(folder, "reduced.svg"));
+        Ok(Drawings {
+            mechanism: Output::within(folder, "mechanism.svg")?,
+            reduced: reduced.transpose()?,
+        })
+    }
+
+    pub fn draw(self, linkage: &Linkage, branch: &Branch) -> Result<(), Failure> {
+        let path = path(linkage, branch)?;
+        let name = linkage.name.as_deref().unwrap_or("class-III linkage");
+        let whole = matches!(branch.reach, Reach::Whole { .. });
+        let geometry = linkage.solver.geometry();
+        let text = svg_mechanism::draw(name, geometry, &path, whole);
+        self.mechanism.text(&text)?;
+        let (Some(masses), Some(drawing)) = (&linkage.masses, self.reduced) else {
             complain("reduced.svg is not drawn: the file gives no masses");
-            Ok(())
-        }
+            return Ok(());
+        };
+        let reduced: Vec<_> = path
+            .iter()
+            .map(|s| (s.phi1.to_degrees(), masses.solver.reduce(s)))
+            .collect();
+        drawing.text(&svg_reduced::draw(name, &reduced, whole)?)
     }
 }
 

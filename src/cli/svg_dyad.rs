@@ -2,14 +2,11 @@
 
 use super::dyad_facts::{Turn, turn};
 use super::dyad_file::{Dyad, Shape};
-use super::failure::Failure;
-use super::output::write_to;
 use super::quantity::nearest;
 use super::svg_mechanism::{View, WIDTH, circle, escape, ground, number, text};
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::units::Angle;
 use std::fmt::Write;
-use std::path::Path;
 
 /// Positions that the paths are drawn through.
 const SAMPLES: u32 = 720;
@@ -19,16 +16,6 @@ const B: (&str, &str) = ("B", "#1f6fb2");
 
 /// Crank angle in degrees, the crank's end and the joint at the dyad's other end.
 type Position = (f64, [f64; 2], [f64; 2]);
-
-/// Draws `mechanism.svg` into the folder, which is made if missing.
-pub fn draw(folder: &Path, dyad: &Dyad, assembly: Assembly) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder)
-        .map_err(|e| Failure::new(format!("cannot make the folder {}: {e}", folder.display())))?;
-    let drawing = drawing(dyad, assembly);
-    write_to(Some(&folder.join("mechanism.svg")), |out| {
-        Ok(out.write_all(drawing.as_bytes())?)
-    })
-}
 
 fn position(shape: &Shape, degrees: f64, assembly: Assembly) -> Option<Position> {
     let phi = Angle::from_deg(degrees);
@@ -69,7 +56,8 @@ fn range(dyad: &Dyad) -> ([f64; 2], bool) {
     }
 }
 
-fn drawing(dyad: &Dyad, assembly: Assembly) -> String {
+/// The drawing as text.
+pub fn draw(dyad: &Dyad, assembly: Assembly) -> String {
     let ([from, to], whole) = range(dyad);
     let path: Vec<Position> = (0..=SAMPLES)
         .map(|k| from + (to - from) * f64::from(k) / f64::from(SAMPLES))

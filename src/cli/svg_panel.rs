@@ -1,11 +1,9 @@
 //! What the drawings of motions have in common: the page, its title, panels of named curves.
 
 use super::failure::Failure;
-use super::output::write_to;
 use super::svg_reduced::{padded, tick};
 use plotters::coord::Shift;
 use plotters::prelude::*;
-use std::path::Path;
 
 pub type Drawn = Result<(), Box<dyn std::error::Error>>;
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -42,15 +40,6 @@ pub fn dashed(name: &'static str, points: Vec<(f64, f64)>, colour: RGBColor) -> 
         dashed: true,
         ..curve(name, points, colour)
     }
-}
-
-/// Writes a drawing into the folder, which is made if missing.
-pub fn save(folder: &Path, file: &str, text: &str) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder)
-        .map_err(|e| Failure::new(format!("cannot make the folder {}: {e}", folder.display())))?;
-    write_to(Some(&folder.join(file)), |out| {
-        Ok(out.write_all(text.as_bytes())?)
-    })
 }
 
 /// A page of that size, as text.

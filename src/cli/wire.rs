@@ -100,7 +100,8 @@ impl Line {
     }
 }
 
-fn numbers(text: &str) -> Result<Vec<f64>, String> {
+/// Numbers separated by commas or blanks.
+pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
     let shown = |why| format!("{why} in {:?}", super::eval::shortened(text.as_bytes()));
     let separated = text.split(',').flat_map(|part| {
         let mut words = part.split_whitespace().peekable();

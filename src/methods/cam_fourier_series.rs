@@ -2,14 +2,14 @@
 
 use super::cam_law_input::{self as input, LawInput};
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
 use crate::reference::Ball;
 use crate::reference::cam_law::Law as ExactLaw;
 use crate::reference::fourier_series::{self as exact, Stroke as ExactStroke};
 use crate::solvers::cam_law::{CamCycle, Stroke};
-use crate::solvers::fourier_series::FourierSeries;
+use crate::solvers::fourier_series::{FourierSeries, LAST_HARMONIC};
 use rug::Rational;
 
 /// See the module.
@@ -41,7 +41,7 @@ fn laws<T: input::Count>(x: &[T]) -> Option<Parts<'_, T>> {
 
 fn orders(x: impl Fn(usize) -> f64) -> impl Iterator<Item = u32> {
     let (first, stride) = (x(FIRST) as u32, x(STRIDE) as u32);
-    (0..HARMONICS).map(move |k| first + k * stride)
+    (0..HARMONICS).map(move |k| first.saturating_add(k.saturating_mul(stride)))
 }
 
 fn series(x: &[f64]) -> Result<FourierSeries, &'static str> {
@@ -124,6 +124,10 @@ impl Method for Audit {
         ]
     }
 
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/cam-fourier-series.csv"))
+    }
+
     fn domain(&self) -> Domain {
         let region = |name, description, sample| Region {
             name,
@@ -197,6 +201,11 @@ impl Method for Audit {
         }
     }
 
+    fn admits(&self, x: &[f64]) -> bool {
+        let whole = |p: Parts<f64>| p.rise.is_whole() && p.fall.is_whole();
+        laws(x).is_some_and(whole) && [FIRST, STRIDE].iter().all(|i| x[*i].fract() == 0.0)
+    }
+
     fn solve(&self, x: &[f64]) -> SolverAnswer {
         let series = match series(x) {
             Ok(series) => series,
@@ -217,6 +226,9 @@ impl Method for Audit {
         let Some([rise, fall]) = strokes else {
             return ReferenceAnswer::Refuses("bad layout");
         };
+        if orders(|i| x[i].to_f64()).any(|n| !(1..=LAST_HARMONIC).contains(&n)) {
+            return ReferenceAnswer::Refuses("harmonic");
+        }
         let rise = ExactStroke {
             law: rise,
             start: x[START].clone(),

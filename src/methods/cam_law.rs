@@ -2,7 +2,7 @@
 
 use super::cam_law_input::{self as input, LawInput};
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Input, Law, Limit, Method, Output, Proof, Reference,
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof, Reference,
     ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
 use crate::reference::Ball;
@@ -70,6 +70,10 @@ impl Method for Audit {
             .to_vec()
     }
 
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/cam-law.csv"))
+    }
+
     fn domain(&self) -> Domain {
         let region = |name, description, sample| Region {
             name,
@@ -119,6 +123,10 @@ impl Method for Audit {
                 named("sine-only", 0.5, 1.0, 0.0),
             ],
         }
+    }
+
+    fn admits(&self, x: &[f64]) -> bool {
+        law(x).is_some_and(|(_, law)| law.is_whole())
     }
 
     fn solve(&self, x: &[f64]) -> SolverAnswer {

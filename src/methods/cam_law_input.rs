@@ -42,6 +42,8 @@ pub(super) const INPUTS: [Input; 4] = [
 pub(super) struct LawInput<'a, T> {
     kind: f64,
     fraction: &'a T,
+    /// As it stands in the input.
+    count: f64,
     parameters: &'a [T],
 }
 
@@ -81,6 +83,7 @@ impl<'a, T: Count> LawInput<'a, T> {
             LawInput {
                 kind,
                 fraction,
+                count: count.count(),
                 parameters,
             },
             rest,
@@ -89,6 +92,11 @@ impl<'a, T: Count> LawInput<'a, T> {
 }
 
 impl LawInput<'_, f64> {
+    /// Whether the number of parameters is one.
+    pub(super) fn is_whole(&self) -> bool {
+        self.count == self.parameters.len() as f64
+    }
+
     pub(super) fn solver(&self) -> Result<MotionLaw, CamLawError> {
         let p = self.parameters;
         let symmetric = match self.kind {

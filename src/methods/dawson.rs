@@ -33,6 +33,7 @@ impl Relative for Audit {
         mirrored: [true, true],
         stored: 14,
     };
+    const HARD: &str = include_str!("../../reference/hard/dawson.csv");
 
     fn value(z: C) -> C {
         dawson(z)

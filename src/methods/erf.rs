@@ -32,6 +32,7 @@ impl Relative for Audit {
         mirrored: [true, true],
         stored: 14,
     };
+    const HARD: &str = include_str!("../../reference/hard/erf.csv");
 
     fn value(z: C) -> C {
         erf(z)

@@ -35,6 +35,7 @@ impl Relative for Audit {
         mirrored: [false, true],
         stored: 12,
     };
+    const HARD: &str = include_str!("../../reference/hard/erfc.csv");
 
     fn value(z: C) -> C {
         erfc(z)

@@ -35,6 +35,7 @@ impl Relative for Audit {
         mirrored: [true, true],
         stored: 14,
     };
+    const HARD: &str = include_str!("../../reference/hard/erfi.csv");
 
     fn value(z: C) -> C {
         erfi(z)

@@ -35,6 +35,7 @@ impl Relative for Audit {
         mirrored: [true, false],
         stored: 0,
     };
+    const HARD: &str = include_str!("../../reference/hard/faddeeva-derivative.csv");
 
     fn value(z: C) -> C {
         w_derivative(z)

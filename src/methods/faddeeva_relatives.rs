@@ -3,8 +3,8 @@
 use super::faddeeva::due;
 use super::faddeeva_relatives_regions as regions;
 use crate::audit::{
-    Budget, Domain, Due, Input, Law, Limit, Method, NormBudget, Output, Proof, ReferenceAnswer,
-    SolverAnswer,
+    Budget, Domain, Due, HardCase, Input, Law, Limit, Method, NormBudget, Output, Proof,
+    ReferenceAnswer, SolverAnswer,
 };
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Undecided};
@@ -37,6 +37,8 @@ pub trait Relative: Sync + 'static {
     /// Where it is zero.
     #[allow(private_interfaces)]
     const ZEROS: Zeros;
+    /// The file of hard cases.
+    const HARD: &'static str;
 
     /// The code under test.
     fn value(z: Complex<f64>) -> Complex<f64>;
@@ -134,6 +136,10 @@ impl<F: Relative> Method for F {
 
     fn norm_budget(&self) -> Option<NormBudget> {
         Some(NormBudget::new(F::NORM.0, F::NORM.1))
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(F::HARD)
     }
 
     fn domain(&self) -> Domain {

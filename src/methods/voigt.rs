@@ -5,7 +5,7 @@ use super::faddeeva_relatives::{PROOF, asked, number};
 use super::faddeeva_relatives_laws::{U, broken, same};
 use super::voigt_regions as regions;
 use crate::audit::{
-    Budget, Domain, Due, Input, Law, Limit, Method, Output, Proof, ReferenceAnswer, SolverAnswer,
+    Budget, Domain, Due, HardCase, Input, Law, Limit, Method, Output, Proof, ReferenceAnswer, SolverAnswer,
 };
 use crate::reference::faddeeva::voigt_scaled;
 use crate::solvers::faddeeva::{faddeeva as w, voigt, voigt_batch};
@@ -63,6 +63,10 @@ impl Method for Audit {
                  for the slope and the scaling",
             ),
         }]
+    }
+
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(include_str!("../../reference/hard/voigt.csv"))
     }
 
     fn domain(&self) -> Domain {

@@ -29,8 +29,12 @@ fn listening(child: &Child) {
 }
 
 fn interrupt(child: &Child) {
+    send(child, "-INT");
+}
+
+fn send(child: &Child, signal: &str) {
     let pid = child.id().to_string();
-    let sent = Command::new("kill").args(["-INT", &pid]).status().unwrap();
+    let sent = Command::new("kill").args([signal, &pid]).status().unwrap();
     assert!(sent.success());
 }
 
@@ -189,4 +193,45 @@ fn the_second_ends_at_once() {
     assert_eq!(d.code, 130);
     // Nothing, or all of it.
     assert!(d.out.is_empty() || serde_json::from_str::<Value>(&d.out).is_ok());
+}
+
+/// Not even one that cannot be caught.
+#[cfg(target_os = "linux")]
+#[test]
+fn no_signal_leaves_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("points");
+    let points = ["points", "faddeeva", "--count", "500000"];
+    let audit = ["audit", "faddeeva", "--cases", "500000"];
+    for (args, signals) in [(&points, 0..4), (&audit, 1..4)] {
+        for signal in &["-INT", "-TERM", "-HUP", "-KILL"][signals] {
+            let mut child = common::start(&[&args[..], &["--output", text(&path)]].concat());
+            std::thread::sleep(PAUSE);
+            send(&child, signal);
+            let status = child.wait().unwrap();
+            assert!(!status.success(), "{args:?} {signal}: {status}");
+            let left = common::names(folder.path());
+            assert!(left.is_empty(), "{args:?} {signal}: {left:?}");
+        }
+    }
+}
+
+/// `nohup` has its way.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_ignored_hang_up_stays_ignored() {
+    let program = env!("CARGO_BIN_EXE_mechaudit");
+    let script = "trap '' HUP; exec \"$0\" audit faddeeva --cases 500000";
+    let mut child = Command::new("sh")
+        .args(["-c", script, program])
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(PAUSE);
+    listening(&child);
+    send(&child, "-HUP");
+    std::thread::sleep(PAUSE);
+    assert!(child.try_wait().unwrap().is_none());
+    child.kill().unwrap();
+    child.wait().unwrap();
 }

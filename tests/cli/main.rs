@@ -10,6 +10,7 @@ mod eval_chirp;
 mod interrupt;
 mod linkage;
 mod linkage_files;
+mod output;
 mod papers;
 mod regenerate;
 mod runup;

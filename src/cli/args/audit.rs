@@ -1,6 +1,7 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
 use super::RunArgs;
+use crate::cli::wire;
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -11,6 +12,8 @@ Examples:
   mechaudit audit four-bar --cases 1000        one method, 1000 cases in each region
   mechaudit audit four-bar --region NAME --seed 1 --case 17
   mechaudit audit four-bar --check-point NAME --format json
+  mechaudit audit faddeeva --at 1.5,-0x1p-2    one input
+  mechaudit audit erfc --hard my-hard-cases    what a hunt has recorded there
   mechaudit audit --format html --output audit.html
   mechaudit audit --format junit --output audit.xml
   mechaudit audit faddeeva --exec ./candidate  a program in any language
@@ -38,15 +41,21 @@ pub struct AuditArgs {
     /// Only this check point
     #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
     pub check_point: Option<String>,
-    /// Only this hard case, counted from 1 in reference/hard
+    /// Judge the hard cases in this folder, METHOD.csv for each method, in place of those built in
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["region", "check_point"])]
+    pub hard: Option<PathBuf>,
+    /// Only this hard case, counted from 1 in its file
     #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"])]
-    pub hard: Option<usize>,
+    pub hard_case: Option<usize>,
+    /// Only this input, its numbers separated by commas
+    #[arg(long, value_name = "NUMBERS", requires = "method", allow_hyphen_values = true, value_parser = numbers, conflicts_with_all = ["region", "case", "check_point", "hard_case"])]
+    pub at: Option<Numbers>,
     #[command(flatten)]
     pub run: RunArgs,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: AuditFormat,
-    /// Write to this file, whole or not at all
+    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -86,6 +95,14 @@ pub struct ScopeArgs {
     /// Allow K ulps for every output instead of the method's budget
     #[arg(long, value_name = "K", value_parser = positive)]
     pub ulps: Option<f64>,
+}
+
+/// An input on the command line.
+#[derive(Clone, Debug)]
+pub struct Numbers(pub Vec<f64>);
+
+fn numbers(text: &str) -> Result<Numbers, String> {
+    wire::numbers(text).map(Numbers)
 }
 
 fn positive(text: &str) -> Result<f64, String> {

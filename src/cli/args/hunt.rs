@@ -15,7 +15,8 @@ its seed.
 
 An input that takes up more of an output's budget than any recorded one is added to METHOD.csv in \
 the folder of hard cases, with its share of the budget and how it was found; nothing is ever taken \
-away. `mechaudit audit` judges all of them.
+away. `mechaudit audit METHOD --hard DIR` judges all of them; those in reference/hard are built in \
+and judged by every audit. Hunts may add to the same folder at the same time.
 
 Exit codes: 0, nothing over budget but what was recorded; 1, a finding; 2, bad usage or input; 130, \
 ended by Ctrl-C, what was found until then is reported and recorded.";

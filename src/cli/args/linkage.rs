@@ -77,7 +77,7 @@ pub struct LinkageArgs {
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
-    /// Write the rows to this file, whole or not at all
+    /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

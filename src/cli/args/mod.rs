@@ -14,7 +14,7 @@ mod regenerate;
 mod runup;
 mod shell;
 
-pub use audit::{AuditArgs, AuditFormat, ExecArgs, ScopeArgs};
+pub use audit::{AuditArgs, AuditFormat, ExecArgs, Numbers, ScopeArgs};
 pub use chirp::{ChirpArgs, ChirpRows};
 pub use converge::ConvergeArgs;
 pub use eval::EvalArgs;

@@ -25,7 +25,7 @@ pub struct PaperArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: PaperFormat,
-    /// Write to this file, whole or not at all
+    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -31,9 +31,12 @@ pub struct PointsArgs {
     /// Only this check point
     #[arg(long, value_name = "NAME", conflicts_with_all = ["region", "case"])]
     pub check_point: Option<String>,
-    /// Only this hard case, counted from 1 in reference/hard
+    /// Write the hard cases in this folder, METHOD.csv for each method, in place of those built in
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["region", "check_point"])]
+    pub hard: Option<PathBuf>,
+    /// Only this hard case, counted from 1 in its file
     #[arg(long, value_name = "N", conflicts_with_all = ["region", "case", "check_point"])]
-    pub hard: Option<usize>,
+    pub hard_case: Option<usize>,
     /// Random inputs in each region
     #[arg(long, value_name = "N", default_value = "200")]
     pub count: u64,
@@ -43,7 +46,7 @@ pub struct PointsArgs {
     /// Decimals instead of hexadecimal floats
     #[arg(long)]
     pub decimal: bool,
-    /// Write to this file, whole or not at all
+    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

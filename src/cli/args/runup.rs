@@ -68,7 +68,7 @@ pub struct RunupArgs {
     /// Draw run-up.svg, or work-precision.svg, into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
-    /// Write the rows to this file, whole or not at all
+    /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 }

@@ -9,7 +9,7 @@ mod sand_screen;
 use super::args::RegenerateArgs;
 use super::complain;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
+use super::output::{Output, write_to};
 use super::progress::Progress;
 use super::text::{BAD, DIM, GOOD, paint};
 use artefact::{Artefact, Form, Made, broken, difference};
@@ -98,6 +98,11 @@ pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
     let mut good = 0;
     for (done, artefact) in chosen.iter().enumerate() {
         progress.show(&artefact.name, done as u64, total);
+        let path = args.root.join(&artefact.path);
+        let output = match args.check {
+            true => None,
+            false => Some(Output::open(Some(&path))?),
+        };
         let text = match artefact.text() {
             Ok(text) => text,
             Err(e) => {
@@ -106,13 +111,12 @@ pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
                 continue;
             }
         };
-        let path = args.root.join(&artefact.path);
-        let fault = match held(&path)? {
-            Some(found) if found == text => None,
-            Some(found) if args.check => Some(fault(artefact.form, &found, &text)),
-            None if args.check => Some("it is not there".into()),
-            _ => {
-                write_to(Some(&path), |out| Ok(out.write_all(text.as_bytes())?))?;
+        let fault = match (held(&path)?, output) {
+            (Some(found), _) if found == text => None,
+            (Some(found), None) => Some(fault(artefact.form, &found, &text)),
+            (None, None) => Some("it is not there".into()),
+            (_, Some(output)) => {
+                output.text(&text)?;
                 progress.clear();
                 line(artefact, &paint(GOOD, "written"))?;
                 good += 1;

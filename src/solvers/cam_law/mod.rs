@@ -253,11 +253,12 @@ impl MotionLaw {
         &self.shape
     }
 
-    /// The accelerating half of a law that is symmetric about the middle of its stroke.
-    fn half(&self, y: f64) -> Option<Motion> {
+    /// The accelerating half of a law that is symmetric about the middle of its stroke, at `y` with
+    /// `left = 1 − 2y`.
+    fn half(&self, y: f64, left: f64) -> Option<Motion> {
         match &self.shape {
-            Shape::Scca(law) => Some(law.half(y)),
-            Shape::Symmetric(law) => Some(law.half(y)),
+            Shape::Scca(law) => Some(law.half(y, left)),
+            Shape::Symmetric(law) => Some(law.half(y, left)),
             Shape::Polynomial(_) | Shape::Tabulated(_) => None,
         }
     }
@@ -273,14 +274,29 @@ impl MotionLaw {
             false => (1.0 - x, 1.0 - self.fraction),
         };
         let stretch = 2.0 * share;
-        let Some(half) = self.half((place / stretch).min(0.5)) else {
+        let y = place / stretch;
+        // Beside the middle, with a short half before it, `1 − x` rounds away more than `x` says.
+        let (y, left) = match y < 0.25 {
+            true => (y, 1.0 - 2.0 * y),
+            false => {
+                let left = (x - self.fraction).abs() / share;
+                (0.5 * (1.0 - left), left)
+            }
+        };
+        let Some(half) = self.half(y, left) else {
             return match &self.shape {
                 Shape::Polynomial(law) => Ok(law.motion(x)),
                 Shape::Tabulated(law) => law.motion(x),
                 _ => unreachable!("halved above"),
             };
         };
-        let near = stretch * half.displacement;
+        // What `1 − λ` has lost in rounding, as a share of it; the difference is exact.
+        let lost = match accelerating {
+            true => 0.0,
+            false => ((1.0 - share) - self.fraction) / share,
+        };
+        let corrected = |value: f64, power: f64| value + power * lost * value;
+        let near = corrected(stretch * half.displacement, 1.0);
         let (displacement, remaining, sign) = match accelerating {
             true => (near, 1.0 - near, 1.0),
             false => (1.0 - near, near, -1.0),
@@ -288,8 +304,8 @@ impl MotionLaw {
         let motion = Motion {
             displacement,
             velocity: half.velocity,
-            acceleration: sign * half.acceleration / stretch,
-            jerk: half.jerk / (stretch * stretch),
+            acceleration: sign * corrected(half.acceleration / stretch, -1.0),
+            jerk: corrected(half.jerk / (stretch * stretch), -2.0),
         };
         Ok((motion, remaining))
     }

@@ -15,6 +15,11 @@ use std::f64::consts::PI;
 /// `b + c + d` may differ from one by this much: each was rounded once.
 const SUM_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
+/// `(π − 2)/(2π²)`, rounded once.
+const SINE_PART: f64 = 0.057_833_759_449_557_56;
+/// `1/π²`, rounded once.
+const COSINE_PART: f64 = 0.101_321_183_642_337_78;
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::solvers) struct Scca {
     pub(in crate::solvers) b: f64,
@@ -52,9 +57,9 @@ impl Scca {
             (false, false) => (1.0 - d, 0.0, d),
         };
         // s(1/2)/C_a, all terms positive.
-        let sine = b * b * ((PI - 2.0) / (2.0 * PI * PI)) + b / PI * (0.5 * c);
+        let sine = b * b * SINE_PART + b / PI * (0.5 * c);
         let constant = c * c / 8.0 + (b / PI + 0.5 * c) * (0.5 * d);
-        let middle = sine + constant + d * d / (PI * PI);
+        let middle = sine + constant + d * d * COSINE_PART;
         Ok(Scca {
             b,
             c,
@@ -73,22 +78,31 @@ impl Scca {
         }
     }
 
-    /// `y − (1 − d)/2`, both differences exact.
-    fn depth_in_cosine(&self, y: f64) -> f64 {
+    /// `y − (1 − d)/2`, the difference exact.
+    fn depth_in_cosine(&self, y: f64, left: f64) -> f64 {
         if self.d >= 0.5 {
             y - 0.5 * (1.0 - self.d)
         } else {
-            0.5 * (self.d - (1.0 - 2.0 * y))
+            0.5 * (self.d - left)
         }
     }
 
-    /// The accelerating half at `0 ≤ y ≤ 1/2`.
-    pub(super) fn half(&self, y: f64) -> Motion {
+    /// `b/2 − y`, the difference exact.
+    fn left_of_sine(&self, y: f64, left: f64) -> f64 {
+        if self.b >= 0.5 {
+            0.5 * (left - (1.0 - self.b))
+        } else {
+            0.5 * self.b - y
+        }
+    }
+
+    /// The accelerating half at `0 ≤ y ≤ 1/2`, with `left = 1 − 2y`.
+    pub(super) fn half(&self, y: f64, left: f64) -> Motion {
         let (b, c, d) = (self.b, self.c, self.d);
         let normalised = if 2.0 * y <= b && b > 0.0 {
             let phi = PI * (y / b);
             let half_sine = (0.5 * phi).sin();
-            let rest = PI * ((0.5 * b - y) / b);
+            let rest = PI * (self.left_of_sine(y, left) / b);
             Motion {
                 displacement: (b / PI) * (b / PI) * x_minus_sin(phi),
                 velocity: b / PI * (2.0 * half_sine * half_sine),
@@ -96,14 +110,14 @@ impl Scca {
                 jerk: PI / b * rest.sin(),
             }
         } else {
-            let (s1, v1) = (b * b * ((PI - 2.0) / (2.0 * PI * PI)), b / PI);
+            let (s1, v1) = (b * b * SINE_PART, b / PI);
             if self.in_cosine(y) {
-                let t = self.depth_in_cosine(y);
+                let t = self.depth_in_cosine(y, left);
                 let (s2, v2) = (s1 + 0.5 * c * (v1 + 0.25 * c), v1 + 0.5 * c);
                 let phi = PI * (t / d);
                 let half_sine = (0.5 * phi).sin();
                 // From the middle of the stroke, where the acceleration vanishes.
-                let rest = PI * ((0.5 - y) / d);
+                let rest = PI * (0.5 * left / d);
                 Motion {
                     displacement: s2 + v2 * t + (d / PI) * (d / PI) * (2.0 * half_sine * half_sine),
                     velocity: v2 + d / PI * phi.sin(),
@@ -126,7 +140,7 @@ impl Scca {
     /// `∫ s dx` over the accelerating half, all terms positive.
     pub(in crate::solvers) fn half_mean(&self) -> f64 {
         let (b, c, d) = (self.b, self.c, self.d);
-        let (s1, v1) = (b * b * ((PI - 2.0) / (2.0 * PI * PI)), b / PI);
+        let (s1, v1) = (b * b * SINE_PART, b / PI);
         let (t, u) = (0.5 * c, 0.5 * d);
         let (s2, v2) = (s1 + t * (v1 + 0.5 * t), v1 + t);
         let sine = (b / PI).powi(3) * (PI * PI / 8.0 - 1.0);
@@ -193,7 +207,7 @@ mod tests {
             (0.1, 0.5, 0.05),
             (0.1, 0.46, 0.010_000_000_000_000_023),
         ] {
-            assert_eq!(with(d).depth_in_cosine(y), due, "{d} {y}");
+            assert_eq!(with(d).depth_in_cosine(y, 1.0 - 2.0 * y), due, "{d} {y}");
         }
     }
 

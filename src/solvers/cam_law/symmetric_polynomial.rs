@@ -9,25 +9,34 @@ pub(in crate::solvers) enum SymmetricPolynomial {
 }
 
 impl SymmetricPolynomial {
-    /// The stroke on `0 ≤ x ≤ 1/2`; `s` as a sum of positive terms.
-    pub(super) fn half(self, x: f64) -> Motion {
+    /// The stroke on `0 ≤ x ≤ 1/2`, with `left = 1 − 2x`; `s` as a sum of positive terms.
+    pub(super) fn half(self, x: f64, left: f64) -> Motion {
         let z = 1.0 - x;
-        let p = x * z;
-        let slope = 1.0 - 2.0 * x;
+        // xz = (1 − left²)/4, and 1 − kxz likewise: each of them as it is rounded less.
+        let square = left * left;
+        let outer = x < 0.25;
+        let p = match outer {
+            true => x * z,
+            false => 0.25 * (1.0 - square),
+        };
+        let jerk = |k: f64| match outer {
+            true => 1.0 - k * p,
+            false => 0.25 * k * square - (0.25 * k - 1.0),
+        };
         match self {
             SymmetricPolynomial::Degree5 => Motion {
                 displacement: x * x * x * (10.0 * z * z + x * (5.0 * z + x)),
                 velocity: 30.0 * p * p,
-                acceleration: 60.0 * p * slope,
-                jerk: 60.0 * (1.0 - 6.0 * p),
+                acceleration: 60.0 * p * left,
+                jerk: 60.0 * jerk(6.0),
             },
             SymmetricPolynomial::Degree7 => {
                 let bernstein = 35.0 * z * z * z + x * (21.0 * z * z + x * (7.0 * z + x));
                 Motion {
                     displacement: (x * x) * (x * x) * bernstein,
                     velocity: 140.0 * p * p * p,
-                    acceleration: 420.0 * p * p * slope,
-                    jerk: 840.0 * p * (1.0 - 5.0 * p),
+                    acceleration: 420.0 * p * p * left,
+                    jerk: 840.0 * p * jerk(5.0),
                 }
             }
         }

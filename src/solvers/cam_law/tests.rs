@@ -292,3 +292,20 @@ fn refusals() {
         "lift = NaN",
     );
 }
+
+/// Beside the middle of a stroke with a short half before it; certified to 20 digits.
+#[test]
+fn beside_a_middle_that_comes_early() {
+    let law = MotionLaw::polynomial_4567();
+    let law = law
+        .with_acceleration_fraction(0.125_151_795_815_745_93)
+        .unwrap();
+    let m = law.motion(0.147_651_720_746_098_03).unwrap();
+    let near = |got: f64, due: f64, ulps: f64| {
+        let off = (got - due).abs() / (due.abs().next_up() - due.abs());
+        assert!(off <= ulps, "{got} {due}: {off} ulps");
+    };
+    near(m.velocity, 2.183_162_107_855_129_6, 2.0);
+    near(m.acceleration, -0.385_336_593_684_384_08, 5.0);
+    near(m.jerk, -17.080_785_699_970_844, 3.0);
+}
