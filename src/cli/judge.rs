@@ -3,14 +3,15 @@
 use super::answers::{Answers, Next};
 use super::args::JudgeArgs;
 use super::audit::find;
+use super::bounded::Bounded;
 use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
 use super::progress::Progress;
 use super::table;
-use super::wire::{Line, Lines};
-use mechaudit::audit::{Case, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
+use super::wire::{LONGEST, Line, Lines};
+use mechaudit::audit::{Case, Layout, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 /// Judges them.
@@ -124,13 +125,16 @@ fn count(path: &Path) -> Option<u64> {
 }
 
 fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
-    if path == Path::new("-") {
-        return Ok(Box::new(BufReader::new(std::io::stdin())));
-    }
-    match File::open(path) {
-        Ok(file) => Ok(Box::new(BufReader::new(file))),
-        Err(e) => Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
-    }
+    let input: Box<dyn Read + Send> = match path == Path::new("-") {
+        true => Box::new(std::io::stdin()),
+        false => Box::new(
+            File::open(path)
+                .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?,
+        ),
+    };
+    // A line that is too long costs its own case; one without an end would cost all time.
+    let bounded = Bounded::new(input, 64 * LONGEST, usize::MAX);
+    Ok(Box::new(BufReader::new(bounded)))
 }
 
 /// The cases in a file of inputs.
@@ -138,6 +142,7 @@ struct Inputs {
     lines: Lines<Box<dyn BufRead + Send>>,
     path: String,
     method: &'static str,
+    layout: Layout,
     regions: Vec<&'static str>,
     region: &'static str,
 }
@@ -149,6 +154,7 @@ impl Inputs {
             lines: Lines::new(reader(path)?),
             path: path.display().to_string(),
             method: method.name(),
+            layout: Layout::new(method),
             regions: regions.iter().map(|r| r.name).collect(),
             region: "given",
         })
@@ -182,10 +188,14 @@ impl Inputs {
     }
 
     fn case(&self, line: &Line) -> Result<Case, Failure> {
+        let input = line.input()?;
+        self.layout
+            .lengths(&input)
+            .map_err(|e| Failure::new(format!("inputs, line {}: {e}", line.number)))?;
         Ok(Case {
             method: self.method,
             region: self.region,
-            input: line.input()?,
+            input,
             origin: Origin::Line {
                 number: line.number,
             },

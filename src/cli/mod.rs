@@ -6,6 +6,7 @@ mod audit;
 mod audit_html;
 mod audit_junit;
 mod audit_plots;
+mod bounded;
 mod branch;
 mod candidate;
 mod case;
