@@ -642,3 +642,52 @@ fn what_has_no_end_is_refused() {
     );
     assert!(start.elapsed() < Duration::from_secs(60));
 }
+
+/// As the text says: "--format json lists all of them".
+#[test]
+fn json_lists_every_failure() {
+    let audit = |format: &str| {
+        let wrong = format!("sh -c '{PROGRAM} eval faddeeva.w | sed s/^/1/'");
+        run(&[
+            "audit", "faddeeva", "--region", "mid", "--cases", "1200", "--format", format,
+            "--exec", &wrong,
+        ])
+    };
+    let v: Value = serde_json::from_str(&audit("json").out).unwrap();
+    let m = &v["methods"][0];
+    let failed = m["cases"].as_u64().unwrap() - m["passed"].as_u64().unwrap();
+    assert!(failed > 1000, "{failed}");
+    assert_eq!(m["failures"].as_array().unwrap().len() as u64, failed);
+    assert_eq!(m["failures_left_out"], 0);
+    let text = audit("text").out;
+    let more = format!(
+        "{} more failing cases; --format json lists all of them.",
+        failed - 10
+    );
+    assert!(text.contains(&more), "{text}");
+    // Large numbers have an exponent.
+    let (code, v) = script("$W | sed s/.*/1e160,1e160/", &[]);
+    let reason = v["methods"][0]["failures"][0]["judgement"]["reason"]
+        .as_str()
+        .unwrap();
+    assert!(
+        code == 1 && reason.len() < 60 && reason.contains('e'),
+        "{reason}"
+    );
+    let text = run(&[
+        "audit",
+        "faddeeva",
+        "--region",
+        "mid",
+        "--cases",
+        "5",
+        "--exec",
+        &format!("sh -c '{PROGRAM} eval faddeeva.w | sed s/.*/1e160,1e160/'"),
+    ]);
+    let table: String = text.out.lines().take(5).collect();
+    assert!(
+        table.contains("Re W") && !table.contains("inf"),
+        "{}",
+        text.out
+    );
+}

@@ -7,8 +7,8 @@ use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
 use super::{
-    audit_html, audit_junit, candidate, complain, exec, interrupt, text_method, text_paper,
-    text_summary,
+    audit_html, audit_junit, candidate, complain, exec, forecast, interrupt, text_method,
+    text_paper, text_summary,
 };
 use mechaudit::audit::{
     Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Settings, Verdict, audit_case,
@@ -63,6 +63,7 @@ fn settings_line(s: &Settings) -> String {
 /// method and finding. With `verbose` all of it in full, below.
 pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let settings = settings(args)?;
+    foresee(&methods::registry(), &settings)?;
     let progress = Arc::new(Progress::new());
     let started = Instant::now();
     let (mut good, mut stopped) = (true, false);
@@ -223,16 +224,23 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (Method
     (report, started.elapsed().as_secs_f64())
 }
 
+/// Says what very many cases will take, and refuses what cannot end.
+fn foresee(methods: &[Box<dyn Method>], settings: &Settings) -> Result<(), Failure> {
+    let methods: Vec<&dyn Method> = methods.iter().map(|m| &**m).collect();
+    forecast::audit(&methods, settings)
+}
+
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = settings(&args.run)?;
-    if let (Some(name), Some(command)) = (&args.method, &args.program.exec) {
-        return exec::audit(find(name)?.as_ref(), args, command, &settings);
-    }
     let chosen = match &args.method {
         None => methods::registry(),
         Some(name) => vec![find(name)?],
     };
+    foresee(&chosen, &settings)?;
+    if let (Some(_), Some(command), [method]) = (&args.method, &args.program.exec, &chosen[..]) {
+        return exec::audit(&**method, args, command, &settings);
+    }
     if let (Some(_), Some(method)) = (&args.method, chosen.first())
         && let Some(case) = one_case(method.as_ref(), args, &settings)?
     {
@@ -328,10 +336,7 @@ pub fn json_report(report: &MethodReport, again: &dyn Fn(&Case) -> String) -> Va
 pub fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
     methods::find(name).ok_or_else(|| {
         let known: Vec<&str> = methods::registry().iter().map(|m| m.name()).collect();
-        Failure::new(format!(
-            "there is no method {name:?}; there are: {}",
-            known.join(", ")
-        ))
+        Failure::no_such("method", name, &known)
     })
 }
 

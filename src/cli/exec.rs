@@ -6,7 +6,7 @@
 use super::answers::{Answers, Next};
 use super::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
 use super::audit::one_case;
-use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
+use super::candidate::{BATCH, Judged, failures_kept, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
 use super::progress::Progress;
 use super::wire::{self, Line};
@@ -56,13 +56,6 @@ pub fn audit(
             Inputs::All(Cases::new(&chosen, settings))
         }
     };
-    let judged = run(&chosen, settings, Arc::new(inputs), command, &args.program)?;
-    let decimal = if args.program.decimal {
-        " --decimal"
-    } else {
-        ""
-    };
-    let quoted = shell_words::quote(command);
     let format = match args.format {
         AuditFormat::Text => TextOrJson::Text,
         AuditFormat::Json => TextOrJson::Json,
@@ -72,6 +65,14 @@ pub fn audit(
             ));
         }
     };
+    let inputs = Arc::new(inputs);
+    let judged = run(&chosen, settings, inputs, command, &args.program, format)?;
+    let decimal = if args.program.decimal {
+        " --decimal"
+    } else {
+        ""
+    };
+    let quoted = shell_words::quote(command);
     judged.write(format, &|case| {
         format!("{} --exec {quoted}{decimal}", case.reproduce())
     })
@@ -83,6 +84,7 @@ fn run(
     inputs: Arc<Inputs>,
     command: &str,
     program: &ExecArgs,
+    format: TextOrJson,
 ) -> Result<Judged, Failure> {
     let timeout = program.timeout;
     let total = inputs.len();
@@ -91,7 +93,7 @@ fn run(
     }
     let mut child = Program::start(command)?;
     let answers = child.connect(Arc::clone(&inputs), program.decimal)?;
-    let mut tally = Tally::new(method, FAILURES_KEPT);
+    let mut tally = Tally::new(method, failures_kept(format));
     let progress = Progress::new();
     let mut answered = 0;
     let end = loop {

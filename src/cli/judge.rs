@@ -4,7 +4,7 @@ use super::answers::{Answers, Next};
 use super::args::JudgeArgs;
 use super::audit::find;
 use super::bounded::Bounded;
-use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
+use super::candidate::{BATCH, Judged, failures_kept, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
 use super::progress::Progress;
 use super::table;
@@ -31,7 +31,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let total = count(inputs_path);
     let values = Answers::of(reader(values_path)?);
     let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
-    let mut tally = Tally::new(&method, FAILURES_KEPT);
+    let mut tally = Tally::new(&method, failures_kept(args.format));
     let progress = Progress::new();
     let mut answered = 0u64;
     let mut batch = Vec::new();

@@ -4,7 +4,7 @@ use super::args::PointsArgs;
 use super::audit::find;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
-use super::wire;
+use super::{forecast, wire};
 use mechaudit::audit::{Case, Cases, Layout, Method, Settings, Variant};
 use std::io::Write;
 
@@ -27,6 +27,9 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
         Some(region) => Cases::new(&Variant::new(&*method).region(region)?, &settings),
         None => all,
     };
+    if one.is_none() {
+        forecast::points(&cases, &settings, args.decimal)?;
+    }
     write_to(args.output.as_deref(), |out| {
         header(&*method, out)?;
         if let Some(case) = one {

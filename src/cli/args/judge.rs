@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit judge`.
 
-use super::{ScopeArgs, TextOrJson};
+use super::{ScopeArgs, TextOrJson, number};
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -46,7 +46,7 @@ pub struct JudgeArgs {
     #[arg(long, value_name = "FILE", requires = "inputs")]
     pub values: Option<PathBuf>,
     /// Only the input on this line of its file, with everything that is known of it
-    #[arg(long, value_name = "N", requires = "inputs")]
+    #[arg(long, value_name = "N", requires = "inputs", value_parser = number::whole)]
     pub line: Option<u64>,
     /// A published table in CSV: inputs and printed decimals
     #[arg(long, value_name = "FILE", conflicts_with_all = ["inputs", "values", "outputs", "ulps"])]

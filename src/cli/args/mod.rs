@@ -8,6 +8,7 @@ mod hunt;
 mod judge;
 mod linkage;
 mod list;
+mod number;
 mod paper;
 mod points;
 mod regenerate;
@@ -74,10 +75,10 @@ pub struct Args {
 #[derive(ClapArgs, Clone, Debug)]
 pub struct RunArgs {
     /// Key of the random stream [default: 1]
-    #[arg(long, value_name = "SEED")]
+    #[arg(long, value_name = "SEED", value_parser = number::whole)]
     pub seed: Option<u64>,
     /// Random cases in each region of a method's domain [default: 200]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = number::counting::<u64>())]
     pub cases: Option<u64>,
 }
 
@@ -137,12 +138,12 @@ pub enum TextOrJson {
     Json,
 }
 
-/// The forms of a linkage's rows.
+/// The forms of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CsvOrJson {
-    /// One line for each position
+    /// One line for each row
     Csv,
-    /// With what is known of the whole turn
+    /// The rows beside all that is known of the whole
     Json,
 }
 
