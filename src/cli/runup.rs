@@ -85,7 +85,7 @@ fn named(args: &RunupArgs, f: Failure) -> Failure {
 }
 
 fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
-    let mut lines = vec![facts::ending(motion), facts::cost(machine, motion)];
+    let mut lines = vec![facts::ending(machine, motion), facts::cost(machine, motion)];
     lines.extend(steady.lines());
     lines
 }

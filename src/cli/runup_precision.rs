@@ -97,7 +97,7 @@ pub fn table(args: &RunupArgs, machine: &Machine, equation: &Equation) -> Result
         rows.end()
     })?;
     complain(&format!(
-        "error: worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; evaluations: of the whole run"
+        "error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; evaluations are those of the whole run"
     ));
     Ok(Outcome::AsExpected)
 }
