@@ -405,8 +405,14 @@ fn the_example_in_python() {
         .stderr(Stdio::null())
         .status();
     if scipy.is_ok_and(|s| s.success()) {
-        let d = audit("python3 examples/candidates/faddeeva.py", "mid", "1e4");
+        let program = "python3 examples/candidates/faddeeva.py";
+        let d = audit(program, "mid", "1e4");
         assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+        // The book says: about half of the cases.
+        let d = run(&["audit", "faddeeva", "--exec", program, "--format", "json"]);
+        let (_, cases, passed, _) = counts(&serde_json::from_str(&d.out).unwrap());
+        let share = passed as f64 / cases as f64;
+        assert!((0.4..0.6).contains(&share), "{passed} of {cases}");
     } else {
         skipped("scipy");
     }

@@ -152,6 +152,57 @@ mod tests {
     use super::*;
     use clap::CommandFactory;
 
+    /// The lines of a text that are commands of this program, what is piped or redirected left out.
+    fn commands(text: &str) -> Vec<Vec<String>> {
+        let ours = text.lines().filter_map(|line| {
+            let line = line.trim().trim_start_matches("$ ");
+            let at = line.find("mechaudit ")?;
+            let piped = line[..at].trim_end().ends_with('|');
+            (at == 0 || piped).then_some(&line[at..])
+        });
+        ours.map(|line| {
+            let end = |w: &String| ["|", "<", ">", "#"].contains(&w.as_str());
+            // A comment in a list of commands stands behind blanks.
+            let line = line.split("  ").next().unwrap_or(line);
+            let words = shell_words::split(line).expect("quotes");
+            words.into_iter().take_while(|w| !end(w)).collect()
+        })
+        .collect()
+    }
+
+    /// The blocks of a page that are not Rust.
+    fn blocks(page: &str) -> String {
+        let parts = page.split("```").skip(1).step_by(2);
+        let shell = parts.filter(|b| b.starts_with("sh\n") || b.starts_with("text\n"));
+        shell.collect()
+    }
+
+    #[test]
+    fn commands_in_help_readme_and_book_are_commands() {
+        let pages = [
+            include_str!("../../../README.md"),
+            include_str!("../../book/convergence.md"),
+            include_str!("../../book/formats.md"),
+            include_str!("../../book/hunting.md"),
+            include_str!("../../book/reports.md"),
+            include_str!("../../book/your_own_code.md"),
+        ];
+        let mut texts: Vec<String> = pages.into_iter().map(blocks).collect();
+        let grammar = Args::command();
+        let parts = grammar.get_subcommands().chain([&grammar]);
+        texts.extend(parts.filter_map(|c| Some(c.get_after_help()?.to_string())));
+        let all: Vec<Vec<String>> = texts.iter().flat_map(|t| commands(t)).collect();
+        assert!(all.len() > 80, "{}", all.len());
+        for command in all {
+            let read = Args::try_parse_from(&command);
+            let read = read.map(drop).or_else(|e| match e.use_stderr() {
+                true => Err(e.to_string()),
+                false => Ok(()),
+            });
+            assert_eq!(read, Ok(()), "{command:?}");
+        }
+    }
+
     #[test]
     fn the_grammar_is_sound() {
         Args::command().debug_assert();
