@@ -25,8 +25,16 @@ const FIELD: usize = 1000;
 pub(super) struct Row {
     line: u64,
     input: Vec<Rational>,
-    /// Index of the value, column, text and number.
-    entries: Vec<(usize, usize, String, Decimal)>,
+    entries: Vec<Entry>,
+}
+
+/// A printed value.
+struct Entry {
+    /// Its index among the method's.
+    value: usize,
+    column: usize,
+    text: String,
+    number: Decimal,
 }
 
 /// An entry with its verdict.
@@ -47,18 +55,17 @@ pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Out
     let judged: Vec<Judged> = rows
         .into_par_iter()
         .flat_map_iter(|row| {
-            let due: Vec<(usize, &Decimal)> = row.entries.iter().map(|e| (e.0, &e.3)).collect();
+            let entries = row.entries.iter();
+            let due: Vec<(usize, &Decimal)> = entries.map(|e| (e.value, &e.number)).collect();
             let found = judge_printed(method, &row.input, &due, &settings);
             let pairs: Vec<_> = row.entries.into_iter().zip(found).collect();
             let line = row.line;
-            pairs
-                .into_iter()
-                .map(move |((_, column, text, _), found)| Judged {
-                    line,
-                    column,
-                    text,
-                    found,
-                })
+            pairs.into_iter().map(move |(entry, found)| Judged {
+                line,
+                column: entry.column,
+                text: entry.text,
+                found,
+            })
         })
         .collect();
     let count = |a: Agreement| judged.iter().filter(|j| j.found.agreement == a).count();
@@ -166,15 +173,10 @@ pub(super) fn read(
         let line = record.position().map_or(0, csv::Position::line);
         let fields = record.len();
         let row = match fields == columns.len() {
-            true => row(&layout, &columns, &record),
+            true => row(&layout, &columns, &record, line),
             false => Err(format!("{fields} fields where {} are due", columns.len())),
         };
-        let (input, entries) = row.map_err(|e| format!("line {line}: {e}"))?;
-        rows.push(Row {
-            line,
-            input,
-            entries,
-        });
+        rows.push(row.map_err(|e| format!("line {line}: {e}"))?);
     }
     if rows.iter().all(|r| r.entries.is_empty()) {
         return Err("there are no entries".into());
@@ -248,12 +250,12 @@ fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<
 }
 
 /// The input and the entries of a line.
-#[allow(clippy::type_complete)]
 fn row(
     layout: &Layout,
     columns: &[Column],
     record: &csv::StringRecord,
-) -> Result<(Vec<Rational>, Vec<(usize, usize, String, Decimal)>), String> {
+    line: u64,
+) -> Result<Row, String> {
     let mut parts: Vec<BTreeMap<usize, Rational>> = vec![BTreeMap::new(); layout.parts()];
     let mut entries = Vec::new();
     for (k, (text, column)) in record.iter().zip(columns).enumerate() {
@@ -269,7 +271,12 @@ fn row(
             Column::Input { part, index } => {
                 parts[part].insert(index, number.value);
             }
-            Column::Value(i) => entries.push((i, k, text.into(), number)),
+            Column::Value(value) => entries.push(Entry {
+                value,
+                column: k,
+                text: text.into(),
+                number,
+            }),
         }
     }
     for (part, found) in parts.iter().enumerate() {
@@ -286,7 +293,11 @@ fn row(
     let nearest: Vec<f64> = input.iter().map(Rational::to_f64).collect();
     let due = layout.lengths(&nearest).map_err(|e| e.to_string())?;
     match due == found {
-        true => Ok((input, entries)),
+        true => Ok(Row {
+            line,
+            input,
+            entries,
+        }),
         false => Err(format!("the lengths do not fit: {}", layout.input())),
     }
 }
