@@ -143,7 +143,14 @@ pub fn judge_with_norm(
                     format!("{place} is {g:?} where {:?} is due", -g)
                 }
                 Verdict::WrongKind => format!("{place} is {g}"),
-                Verdict::Over => format!("{place} is {:.3} times its budget off", c.of_budget),
+                Verdict::Over => {
+                    let times = match c.of_budget {
+                        x if x < 1e4 => format!("{x:.3}"),
+                        f64::INFINITY => "more than 1e308".into(),
+                        x => format!("{x:.2e}"),
+                    };
+                    format!("{place} is {times} times its budget off")
+                }
                 _ => format!("{place} cannot be decided against its budget"),
             };
             worst = (c.verdict, Some(reason));

@@ -4,6 +4,7 @@ use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
 use super::hard::HardCase;
+use super::layout::Rows;
 use crate::reference::{Ball, Mag};
 use rug::{Float, Rational};
 use serde::Serialize;
@@ -64,6 +65,15 @@ impl ReferenceAnswer {
         }
     }
 
+    /// How many values there are, where there are any.
+    pub(super) fn len(&self) -> Option<usize> {
+        match self {
+            ReferenceAnswer::Values(r) => Some(r.values.len()),
+            ReferenceAnswer::Dues(dues, _) => Some(dues.len()),
+            _ => None,
+        }
+    }
+
     /// The values, if every one of them is due as a number.
     pub fn numbers(self) -> Option<Vec<Ball>> {
         match self {
@@ -99,7 +109,7 @@ impl SolverAnswer {
     }
 }
 
-/// One value of the output, repeated cyclically over the answer: value `i` belongs to output
+/// One value of the output. Where [`Method::rows`] repeats them, value `i` belongs to output
 /// `i mod outputs.len()`.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Output {
@@ -111,10 +121,11 @@ pub struct Output {
     pub budget: Budget,
 }
 
-/// One part of the input's layout, for the documentation.
+/// One part of the input's layout.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Input {
-    /// The symbol, with its shape: `phi1`, `a[n]`.
+    /// The symbol, with its length and a note: `phi1`, `a[n]`, `side (1 or -1)`; see
+    /// [`Layout`](super::Layout).
     pub name: &'static str,
     /// The unit, `1` if none.
     pub unit: &'static str,
@@ -145,6 +156,10 @@ pub trait Method: Sync {
     fn inputs(&self) -> Vec<Input>;
     /// The outputs with their budgets.
     fn outputs(&self) -> Vec<Output>;
+    /// How often an answer repeats the outputs, where it holds more than one row of them.
+    fn rows(&self) -> Option<Rows> {
+        None
+    }
     /// What all values together may be wrong by, besides.
     fn norm_budget(&self) -> Option<NormBudget> {
         None

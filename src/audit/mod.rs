@@ -12,7 +12,9 @@ mod due;
 mod hard;
 mod hunt;
 mod judge;
+mod layout;
 mod method;
+mod nearest;
 mod parts;
 mod printed;
 mod run;
@@ -28,10 +30,12 @@ pub use due::Due;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
+pub use layout::{Column, Layout, LayoutError, Rows};
 pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
     conditions_by_differences,
 };
+pub use nearest::{did_you_mean, nearest};
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
 pub use run::{

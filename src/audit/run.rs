@@ -2,6 +2,7 @@
 
 use super::case::{Case, Cases};
 use super::judge::{Judgement, Verdict, judge_with_norm};
+use super::layout::Layout;
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
 use super::parts::error_parts;
 use super::tally::{MethodReport, Tally};
@@ -123,7 +124,14 @@ fn judge(
         };
         let reference = reference.with_signs_of_zero(&signs);
         let c = conditions.as_deref();
-        let judgement = judge_with_norm(&outputs, norm.as_ref(), &answer, &reference, c);
+        let mut judgement = judge_with_norm(&outputs, norm.as_ref(), &answer, &reference, c);
+        if let (SolverAnswer::Values(got), Some(due)) = (&answer, reference.len())
+            && got.len() != due
+            && let Some(reason) = &mut judgement.reason
+        {
+            // Which they are, and in which order.
+            reason.push_str(&format!(": {}", Layout::new(method).answer()));
+        }
         if judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
             bits *= 2;
             continue;

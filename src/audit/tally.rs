@@ -54,7 +54,8 @@ pub struct SpreadTally {
     bins: BTreeMap<u64, usize>,
     count: usize,
     max: f64,
-    squares: f64,
+    /// Of numbers up to 2^500; of larger ones, each divided by 2^600.
+    squares: [f64; 2],
 }
 
 /// Bits of the fraction dropped for the percentile.
@@ -69,7 +70,11 @@ impl SpreadTally {
         *self.bins.entry(value.to_bits() >> DROPPED).or_default() += 1;
         self.count += 1;
         self.max = self.max.max(value);
-        self.squares += value * value;
+        let (large, scale) = match value < 2f64.powi(500) {
+            true => (0, 1.0),
+            false => (1, 2f64.powi(-600)),
+        };
+        self.squares[large] += (value * scale).powi(2);
     }
 
     /// The numbers counted by octaves, finite ones only.
@@ -110,7 +115,16 @@ impl SpreadTally {
             } else {
                 edge.min(self.max)
             },
-            rms: (self.squares / self.count as f64).sqrt(),
+            rms: self.rms(),
+        }
+    }
+
+    fn rms(&self) -> f64 {
+        let ([squares, large], count) = (self.squares, self.count as f64);
+        match large > 0.0 {
+            // The small ones are less than an ulp of these.
+            true => (large / count).sqrt() * 2f64.powi(600),
+            false => (squares / count).sqrt(),
         }
     }
 }
@@ -159,6 +173,8 @@ pub struct MethodReport {
     pub failures: Vec<CaseReport>,
     /// How many more did not pass.
     pub failures_left_out: usize,
+    /// How many of those left out got no answer.
+    pub unanswered: usize,
 }
 
 impl MethodReport {
@@ -214,6 +230,7 @@ pub struct Tally {
     max_normwise: f64,
     failures: Vec<CaseReport>,
     failures_kept: usize,
+    unanswered: usize,
 }
 
 impl Tally {
@@ -237,6 +254,7 @@ impl Tally {
             max_normwise: 0.0,
             failures: Vec::new(),
             failures_kept,
+            unanswered: 0,
         }
     }
 
@@ -303,6 +321,7 @@ impl Tally {
     /// Cases that got no answer: they count, and do not pass.
     pub fn unanswered(&mut self, cases: usize) {
         self.cases += cases;
+        self.unanswered += cases;
     }
 
     /// The report.
@@ -333,6 +352,7 @@ impl Tally {
             laws: self.laws,
             max_normwise: self.max_normwise,
             failures_left_out: self.cases - self.passed - self.recorded - self.failures.len(),
+            unanswered: self.unanswered,
             failures: self.failures,
         }
     }
@@ -355,6 +375,10 @@ mod tests {
         assert!((198.0..198.2).contains(&s.p99), "{}", s.p99);
         assert!((s.rms - (201.0f64 * 401.0 / 6.0).sqrt()).abs() < 1e-12);
         assert_eq!(of(std::iter::empty()), Spread::default());
+        for large in [1e160, 1e300] {
+            let s = of([large, 3.0, large, 0.0].into_iter());
+            assert!((s.rms / large - 0.5f64.sqrt()).abs() < 1e-12, "{s:?}");
+        }
         let s = of([3.0, f64::INFINITY].into_iter());
         assert_eq!((s.max, s.p99), (f64::INFINITY, f64::INFINITY));
         let mut tally = SpreadTally::default();

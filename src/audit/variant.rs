@@ -4,13 +4,15 @@ use super::budget::{Budget, Limit, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
 use super::hard::HardCase;
+use super::layout::Rows;
 use super::method::{Input, Law, Method, Output, Reference, ReferenceAnswer, SolverAnswer};
+use super::nearest::did_you_mean;
 use crate::reference::Ball;
 use rug::Rational;
 
 /// A region, check point or output that a method does not have.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{method} has no {what} {name:?}; it has: {}", .known.join(", "))]
+#[error("{method} has no {what} {name:?}{}; it has: {}", did_you_mean(.name, .known), .known.join(", "))]
 pub struct NoSuch {
     /// The method.
     pub method: &'static str,
@@ -200,6 +202,9 @@ impl Method for Variant<'_> {
             outputs.iter_mut().for_each(|o| o.budget = budget);
         }
         outputs
+    }
+    fn rows(&self) -> Option<Rows> {
+        self.method.rows()
     }
     fn norm_budget(&self) -> Option<NormBudget> {
         let whole = self.selected.is_none() && self.limit.is_none();

@@ -29,6 +29,7 @@ pub use report::Report;
 
 use crate::audit::{
     Cases, Limit, NoSuch, Settings, SolverAnswer, Tally, Variant, audit_case, audit_method,
+    did_you_mean,
 };
 use crate::methods;
 
@@ -36,7 +37,7 @@ use crate::methods;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AuditError {
     /// No method of that name.
-    #[error("there is no method {name:?}; there are: {}", .known.join(", "))]
+    #[error("there is no method {name:?}{}; there are: {}", did_you_mean(.name, .known), .known.join(", "))]
     NoMethod {
         /// The name.
         name: String,

@@ -1,7 +1,7 @@
 //! What an audit of somebody's code found, in words that can be acted on.
 
 use crate::audit::{
-    Budget, CaseReport, ComponentJudgement, Input, Method, MethodReport, Origin, Proof,
+    Budget, CaseReport, ComponentJudgement, Layout, Method, MethodReport, Origin, Proof,
     SolverAnswer, hex_float,
 };
 use std::fmt::{self, Display, Formatter};
@@ -15,7 +15,7 @@ const SHOWN: usize = 5;
 #[derive(Clone, Debug)]
 pub struct Report {
     found: MethodReport,
-    inputs: Vec<Input>,
+    layout: Layout,
     /// Names of the outputs that share a budget, with the budget.
     budgets: Vec<(Vec<&'static str>, Budget)>,
 }
@@ -39,7 +39,7 @@ impl Report {
         }
         Report {
             found,
-            inputs: method.inputs(),
+            layout: Layout::new(method),
             budgets,
         }
     }
@@ -57,14 +57,10 @@ impl Report {
         let case = &report.case;
         let reason = report.judgement.reason.as_deref().unwrap_or("pass");
         writeln!(f, "\n{} / {}: {reason}", case.method, case.region)?;
-        let named = self.inputs.len() == case.input.len();
-        for (i, x) in case.input.iter().enumerate() {
+        let names = self.layout.names(&case.input);
+        for (i, (x, (name, _))) in case.input.iter().zip(names).enumerate() {
             let label = if i == 0 { "input" } else { "" };
-            match named {
-                true => write!(f, "  {label:<11}{} = ", self.inputs[i].name)?,
-                false => write!(f, "  {label:<11}[{i}] = ")?,
-            }
-            writeln!(f, "{x:?} = {}", hex_float(*x))?;
+            writeln!(f, "  {label:<11}{name} = {x:?} = {}", hex_float(*x))?;
         }
         match &report.answer {
             Some(SolverAnswer::Values(got)) => values(f, report, got)?,

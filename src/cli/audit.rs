@@ -7,12 +7,12 @@ use super::output::{Output, write_to};
 use super::progress::Progress;
 use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
 use super::{
-    audit_html, audit_junit, candidate, complain, exec, hard_folder, interrupt, points,
+    audit_html, audit_junit, candidate, complain, exec, forecast, hard_folder, interrupt,
     text_method, text_paper, text_summary,
 };
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Law, Method, MethodReport, NoSuch, Origin, Settings, Variant, Verdict,
-    answer_of, audit_case, audit_method_until,
+    Case, CaseReport, Cases, Law, Layout, Method, MethodReport, NoSuch, Origin, Settings, Variant,
+    Verdict, answer_of, audit_case, audit_method_until,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
@@ -62,6 +62,7 @@ fn settings_line(s: &Settings) -> String {
 /// method and finding. With `verbose` all of it in full, below.
 pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let settings = settings(args)?;
+    foresee(&methods::registry(), &settings)?;
     let progress = Arc::new(Progress::new());
     let started = Instant::now();
     let (mut good, mut stopped) = (true, false);
@@ -238,6 +239,12 @@ fn scoped<'a>(method: &'a dyn Method, args: &AuditArgs) -> Result<Variant<'a>, F
     })
 }
 
+/// Says what very many cases will take, and refuses what cannot end.
+fn foresee(methods: &[Box<dyn Method>], settings: &Settings) -> Result<(), Failure> {
+    let methods: Vec<&dyn Method> = methods.iter().map(|m| &**m).collect();
+    forecast::audit(&methods, settings)
+}
+
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = settings(&args.run)?;
@@ -246,6 +253,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         Some(name) => vec![find(name)?],
     };
     let output = Output::open(args.output.as_deref())?;
+    foresee(&chosen, &settings)?;
     // All of them before the first is judged: what cannot be read is refused.
     let chosen: Result<Vec<Variant>, Failure> =
         chosen.iter().map(|m| scoped(m.as_ref(), args)).collect();
@@ -353,10 +361,7 @@ pub fn json_report(report: &MethodReport, again: &dyn Fn(&Case) -> String) -> Va
 pub fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
     methods::find(name).ok_or_else(|| {
         let known: Vec<&str> = methods::registry().iter().map(|m| m.name()).collect();
-        Failure::new(format!(
-            "there is no method {name:?}; there are: {}",
-            known.join(", ")
-        ))
+        Failure::no_such("method", name, &known)
     })
 }
 
@@ -384,7 +389,7 @@ fn one_case(
 fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
     let refusal = answer_of(method, input);
     if let Some("layout" | "bad layout") = refusal.refusal() {
-        let [layout, _] = points::layout(method);
+        let layout = Layout::new(method).input();
         let (n, name) = (number(input.len(), "number"), method.name());
         return Err(Failure::new(format!(
             "--at: {n} cannot be an input of {name}, which is: {layout}"

@@ -14,8 +14,14 @@ use rayon::prelude::*;
 use serde_json::json;
 use std::time::{Duration, Instant};
 
-/// Failing cases kept of a run; the rest are counted.
-pub const FAILURES_KEPT: usize = 1000;
+/// Failing cases kept of a run; the rest are counted. JSON lists all, text a few.
+pub fn failures_kept(format: TextOrJson) -> usize {
+    match format {
+        TextOrJson::Json => usize::MAX,
+        TextOrJson::Text => 100,
+    }
+}
+
 /// Answers judged side by side.
 pub const BATCH: usize = 1024;
 

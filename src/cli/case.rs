@@ -2,7 +2,7 @@
 
 use super::text::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, Table, paint, paragraph, percent, short};
 use anstyle::Style;
-use mechaudit::audit::{Case, CaseReport, SolverAnswer, Verdict, hex_float};
+use mechaudit::audit::{Case, CaseReport, Layout, SolverAnswer, Verdict, hex_float};
 use serde_json::{Value, json};
 
 fn verdict(v: Verdict) -> (&'static str, Style) {
@@ -18,14 +18,11 @@ fn verdict(v: Verdict) -> (&'static str, Style) {
 /// The input in decimal and in hexadecimal.
 pub fn input(case: &Case, indent: usize) -> String {
     let method = mechaudit::methods::find(case.method);
-    let inputs = method.map(|m| m.inputs()).unwrap_or_default();
-    let named = inputs.len() == case.input.len();
+    let names = method.map(|m| Layout::new(&*m).names(&case.input));
+    let names = names.unwrap_or_default();
     let mut table = Table::new(&["input", "unit", "decimal", "hexadecimal"], &[0, 1, 3]);
     for (i, x) in case.input.iter().enumerate() {
-        let (name, unit) = match named {
-            true => (inputs[i].name.to_string(), inputs[i].unit),
-            false => (format!("[{i}]"), ""),
-        };
+        let (name, unit) = names.get(i).cloned().unwrap_or_default();
         table.row(vec![
             (name, PLAIN),
             (unit.into(), DIM),

@@ -5,7 +5,8 @@ use super::failure::Failure;
 use super::fields::{Written, may, need, parse};
 use super::linkage_file;
 use super::quantity::{Kind, Quantity, nearest};
-use mechaudit::solvers::cam_law::{CamCycle, CamLawError, MotionLaw, Stroke};
+use mechaudit::audit::did_you_mean;
+use mechaudit::solvers::cam_law::{CamCycle, CamLawError, MotionLaw, NAMES, Stroke};
 use mechaudit::solvers::chirp_chart::{CamDrive, Period};
 use mechaudit::solvers::chirp_oscillator::{Chirp, InitialState, Oscillator};
 use mechaudit::solvers::cubic_spline::End;
@@ -222,8 +223,16 @@ fn label(law: &Law) -> String {
     }
 }
 
+/// What is wrong with a law, and which one may have been meant.
+fn said(e: CamLawError) -> String {
+    let meant = match &e {
+        CamLawError::UnknownLaw { name } => did_you_mean(name, &NAMES),
+        _ => String::new(),
+    };
+    format!("{e}{meant}")
+}
+
 fn law(law: &Law) -> Result<MotionLaw, String> {
-    let said = |e: CamLawError| e.to_string();
     let table = match law {
         Law::Name(name) => return MotionLaw::by_name(name).map_err(said),
         Law::Table(table) => table,
@@ -354,7 +363,8 @@ fn chart(table: &ChartTable, cam: &CamTable, drive: &CamDrive) -> Result<ChartPl
         None => vec![(label(&cam.law), drive.clone())],
         Some(names) => {
             let one = |name: &String| {
-                let law = MotionLaw::by_name(name).map_err(|e| format!("chart.laws: {e}"))?;
+                let law =
+                    MotionLaw::by_name(name).map_err(|e| format!("chart.laws: {}", said(e)))?;
                 let mut drive = drive.clone();
                 (drive.cycle, _) = cycle(cam, &law, &law)?;
                 Ok::<_, String>((name.clone(), drive))

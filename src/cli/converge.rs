@@ -17,10 +17,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
         None => approximations(),
         Some(name) => vec![find_approximation(name).ok_or_else(|| {
             let known: Vec<&str> = approximations().iter().map(|a| a.name()).collect();
-            Failure::new(format!(
-                "there is no approximation {name:?}; there are: {}",
-                known.join(", ")
-            ))
+            Failure::no_such("approximation", name, &known)
         })?],
     };
     let names: Vec<&'static str> = chosen.iter().map(|a| a.name()).collect();

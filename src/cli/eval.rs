@@ -39,10 +39,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
     };
     let function = find(name).ok_or_else(|| {
         let known: Vec<&str> = functions().iter().map(|f| f.name).collect();
-        Failure::new(format!(
-            "there is no function {name:?}; there are: {}",
-            known.join(", ")
-        ))
+        Failure::no_such("function", name, &known)
     })?;
     let threads = args.threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new()

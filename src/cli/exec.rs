@@ -5,7 +5,7 @@
 
 use super::answers::{Answers, Next};
 use super::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
-use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch};
+use super::candidate::{BATCH, Judged, failures_kept, judge_batch};
 use super::failure::{Failure, Outcome};
 use super::interrupt::POLL;
 use super::output::Output;
@@ -63,7 +63,8 @@ pub fn audit(
         Some(case) => Inputs::One(case),
         None => Inputs::All(Cases::new(method, settings)),
     };
-    let judged = run(method, settings, Arc::new(inputs), command, &args.program)?;
+    let inputs = Arc::new(inputs);
+    let judged = run(method, settings, inputs, command, &args.program, format)?;
     let decimal = if args.program.decimal {
         " --decimal"
     } else {
@@ -81,6 +82,7 @@ fn run(
     inputs: Arc<Inputs>,
     command: &str,
     program: &ExecArgs,
+    format: TextOrJson,
 ) -> Result<Judged, Failure> {
     let timeout = program.timeout;
     let total = inputs.len();
@@ -92,7 +94,7 @@ fn run(
     let (given, decimal) = (Arc::clone(&inputs), program.decimal);
     thread::spawn(move || feed(stdin, &given, decimal));
     let answers = Answers::of(BufReader::new(stdout));
-    let mut tally = Tally::new(method, FAILURES_KEPT);
+    let mut tally = Tally::new(method, failures_kept(format));
     let progress = Progress::new();
     let mut answered = 0;
     let end = loop {

@@ -1,5 +1,7 @@
 //! How a run ends.
 
+use mechaudit::audit::did_you_mean;
+
 /// A run that came to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -41,6 +43,14 @@ impl Failure {
     pub fn new(text: impl Into<String>) -> Failure {
         Failure::Message(text.into())
     }
+
+    /// A name that there is not.
+    pub fn no_such(what: &str, name: &str, known: &[&str]) -> Failure {
+        let (meant, known) = (did_you_mean(name, known), known.join(", "));
+        Failure::new(format!(
+            "there is no {what} {name:?}{meant}; there are: {known}"
+        ))
+    }
 }
 
 impl From<std::io::Error> for Failure {
@@ -60,9 +70,9 @@ impl From<mechaudit::audit::NoSuch> for Failure {
 
 impl From<csv::Error> for Failure {
     fn from(e: csv::Error) -> Failure {
-        match e.into_kind() {
-            csv::ErrorKind::Io(e) => e.into(),
-            other => Failure::new(format!("cannot write CSV: {other:?}")),
+        match e.is_io_error() {
+            true => std::io::Error::from(e).into(),
+            false => Failure::new(format!("cannot write CSV: {e}")),
         }
     }
 }

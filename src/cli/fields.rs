@@ -1,6 +1,7 @@
 //! Fields of a linkage's file: quantities as written, needed or optional, and how the crank moves.
 
 use super::quantity::{Kind, Quantity};
+use mechaudit::audit::did_you_mean;
 use rug::Rational;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, Deserializer, Visitor};
@@ -47,16 +48,43 @@ pub struct CrankMotion {
 /// Reads TOML or JSON; a refusal is one line.
 pub fn parse<T: DeserializeOwned>(text: &str, json: bool) -> Result<T, String> {
     if json {
-        return serde_json::from_str(text).map_err(|e| e.to_string());
+        return serde_json::from_str(text).map_err(|e| in_words(&e.to_string()));
     }
     toml::from_str(text).map_err(|e| {
         let line = e.span().map(|s| text[..s.start].matches('\n').count() + 1);
-        let message = e.message().split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = in_words(e.message());
         match line {
             Some(line) => format!("line {line}: {message}"),
             None => message,
         }
     })
+}
+
+/// What a reader of files says, on one line and without the names of Rust's types.
+fn in_words(message: &str) -> String {
+    let line = message.split_whitespace().collect::<Vec<_>>().join(" ");
+    let Some((before, expected)) = line.rsplit_once("expected ") else {
+        return line;
+    };
+    // Where it stands may follow.
+    let end = expected.find(' ').unwrap_or(expected.len());
+    let kind = match &expected[..end] {
+        "f64" => "a number",
+        "usize" | "u32" | "u64" => "a whole number, 0 or more",
+        "one" => return with_a_guess(before, expected),
+        name if name.starts_with('`') => return with_a_guess(before, expected),
+        _ => return line,
+    };
+    format!("{before}expected {kind}{}", &expected[end..])
+}
+
+/// An unknown field beside the names there are, in backticks.
+fn with_a_guess(before: &str, expected: &str) -> String {
+    let name = before.split('`').nth(1).unwrap_or_default();
+    let known: Vec<&str> = expected.split('`').skip(1).step_by(2).collect();
+    let meant = did_you_mean(name, &known);
+    let before = before.trim_end_matches([',', ' ']);
+    format!("{before}{meant}, expected {expected}")
 }
 
 /// A required quantity.

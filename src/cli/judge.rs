@@ -3,15 +3,16 @@
 use super::answers::{Answers, Next};
 use super::args::JudgeArgs;
 use super::audit::find;
-use super::candidate::{BATCH, FAILURES_KEPT, Judged, judge_batch, scoped};
+use super::bounded::Bounded;
+use super::candidate::{BATCH, Judged, failures_kept, judge_batch, scoped};
 use super::failure::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
 use super::table;
-use super::wire::{Line, Lines};
-use mechaudit::audit::{Case, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
+use super::wire::{LONGEST, Line, Lines};
+use mechaudit::audit::{Case, Layout, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 /// Judges them.
@@ -31,7 +32,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let total = count(inputs_path);
     let values = Answers::of(reader(values_path)?);
     let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
-    let mut tally = Tally::new(&method, FAILURES_KEPT);
+    let mut tally = Tally::new(&method, failures_kept(args.format));
     let progress = Progress::new();
     let mut answered = 0u64;
     let mut batch = Vec::new();
@@ -125,13 +126,16 @@ fn count(path: &Path) -> Option<u64> {
 }
 
 fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
-    if path == Path::new("-") {
-        return Ok(Box::new(BufReader::new(std::io::stdin())));
-    }
-    match File::open(path) {
-        Ok(file) => Ok(Box::new(BufReader::new(file))),
-        Err(e) => Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
-    }
+    let input: Box<dyn Read + Send> = match path == Path::new("-") {
+        true => Box::new(std::io::stdin()),
+        false => Box::new(
+            File::open(path)
+                .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?,
+        ),
+    };
+    // A line that is too long costs its own case; one without an end would cost all time.
+    let bounded = Bounded::new(input, 64 * LONGEST, usize::MAX);
+    Ok(Box::new(BufReader::new(bounded)))
 }
 
 /// The cases in a file of inputs.
@@ -139,6 +143,7 @@ struct Inputs {
     lines: Lines<Box<dyn BufRead + Send>>,
     path: String,
     method: &'static str,
+    layout: Layout,
     regions: Vec<&'static str>,
     region: &'static str,
 }
@@ -150,6 +155,7 @@ impl Inputs {
             lines: Lines::new(reader(path)?),
             path: path.display().to_string(),
             method: method.name(),
+            layout: Layout::new(method),
             regions: regions.iter().map(|r| r.name).collect(),
             region: "given",
         })
@@ -183,10 +189,14 @@ impl Inputs {
     }
 
     fn case(&self, line: &Line) -> Result<Case, Failure> {
+        let input = line.input()?;
+        self.layout
+            .lengths(&input)
+            .map_err(|e| Failure::new(format!("inputs, line {}: {e}", line.number)))?;
         Ok(Case {
             method: self.method,
             region: self.region,
-            input: line.input()?,
+            input,
             origin: Origin::Line {
                 number: line.number,
             },

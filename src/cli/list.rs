@@ -1,16 +1,27 @@
 //! What there is to audit.
 
 use super::args::{ListArgs, TextOrJson};
-use super::audit::print_json;
+use super::audit::{find, print_json};
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
-use super::text::{BOLD, paint, width, wrap};
-use mechaudit::audit::{Budget, Method};
+use super::text::{BOLD, paint, paragraph, width, wrap};
+use mechaudit::audit::{Budget, Layout, Method};
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
 
 /// Lists methods and papers.
 pub fn list(args: &ListArgs) -> Result<Outcome, Failure> {
+    if let Some(name) = &args.method {
+        let method = find(name)?;
+        match args.format {
+            TextOrJson::Text => {
+                let text = text(&*method, width());
+                write_to(None, |out| Ok(write!(out, "{text}")?))?;
+            }
+            TextOrJson::Json => print_json(&json(&*method))?,
+        }
+        return Ok(Outcome::AsExpected);
+    }
     match args.format {
         TextOrJson::Text => write_to(None, |out| {
             for method in methods::registry() {
@@ -47,10 +58,10 @@ fn unit(unit: &str) -> String {
 }
 
 /// Names of the outputs that share a budget, with the budget.
-fn outputs(method: &dyn Method) -> Vec<(Vec<String>, Budget)> {
+fn outputs(method: &dyn Method, layout: &Layout) -> Vec<(Vec<String>, Budget)> {
     let mut groups: Vec<(Vec<String>, Budget)> = Vec::new();
     for o in method.outputs() {
-        let name = format!("{}{}", o.name, unit(o.unit));
+        let name = format!("{}{}", layout.output(o.name), unit(o.unit));
         match groups.iter_mut().find(|g| g.1 == o.budget) {
             Some(group) => group.0.push(name),
             None => groups.push((vec![name], o.budget)),
@@ -61,16 +72,15 @@ fn outputs(method: &dyn Method) -> Vec<(Vec<String>, Budget)> {
 
 fn text(method: &dyn Method, width: usize) -> String {
     let mut out = format!("{}\n", paint(BOLD, method.name()));
-    out.push_str(&line("", method.summary(), width).replacen(&" ".repeat(15), "  ", 1));
-    let inputs: Vec<String> = method
-        .inputs()
-        .iter()
-        .map(|i| format!("{}{}", i.name, unit(i.unit)))
-        .collect();
-    out.push_str(&line("input", &inputs.join(", "), width));
-    for (i, (names, budget)) in outputs(method).iter().enumerate() {
+    out.push_str(&paragraph(method.summary(), 2, width));
+    let layout = Layout::new(method);
+    out.push_str(&line("input", &layout.input(), width));
+    for (i, (names, budget)) in outputs(method, &layout).iter().enumerate() {
         let text = format!("{}: {}; {}", names.join(", "), budget.limit, budget.reason);
         out.push_str(&line(if i == 0 { "output" } else { "" }, &text, width));
+    }
+    if let Some(rows) = layout.rows() {
+        out.push_str(&line("", &rows, width));
     }
     if let Some(norm) = method.norm_budget() {
         let text = format!("all together: {norm}; {}", norm.reason);
@@ -103,6 +113,9 @@ fn json(method: &dyn Method) -> Value {
         "source": method.source(),
         "inputs": method.inputs(),
         "outputs": method.outputs(),
+        "rows": method.rows(),
+        "input": Layout::new(method).input(),
+        "answer": Layout::new(method).answer(),
         "norm_budget": method.norm_budget(),
         "regions": regions
             .map(|r| json!({ "name": r.name, "description": r.description }))

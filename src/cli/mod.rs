@@ -6,6 +6,7 @@ mod audit;
 mod audit_html;
 mod audit_junit;
 mod audit_plots;
+mod bounded;
 mod branch;
 mod candidate;
 mod case;
@@ -27,6 +28,7 @@ mod eval_number;
 mod exec;
 mod failure;
 mod fields;
+mod forecast;
 #[cfg(test)]
 mod fuzz;
 #[cfg(unix)]
@@ -76,7 +78,7 @@ mod text_summary;
 mod wire;
 
 use args::{Args, Command};
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use failure::{Failure, Outcome};
 use std::process::ExitCode;
 
@@ -87,7 +89,8 @@ pub fn main() -> ExitCode {
     if guard::served() {
         return ExitCode::SUCCESS;
     }
-    let args = match Args::try_parse() {
+    let parsed = grammar().try_get_matches();
+    let args = match parsed.and_then(|m| Args::from_arg_matches(&m)) {
         Ok(args) => args,
         Err(e) => return usage(&e),
     };
@@ -131,6 +134,19 @@ fn complain(text: &str) {
     let _ = writeln!(anstream::stderr(), "mechaudit: {line}");
 }
 
+/// The arguments; a negative number is a bad value, not an option that there is not.
+fn grammar() -> clap::Command {
+    fn negative_numbers(command: clap::Command) -> clap::Command {
+        command
+            .mut_args(|a| match a.get_action().takes_values() {
+                true if a.is_allow_hyphen_values_set() => a,
+                takes => a.allow_negative_numbers(takes),
+            })
+            .mut_subcommands(negative_numbers)
+    }
+    negative_numbers(Args::command())
+}
+
 /// Help and version as asked for; a usage error as one line.
 fn usage(e: &clap::Error) -> ExitCode {
     if !e.use_stderr() {
@@ -141,6 +157,18 @@ fn usage(e: &clap::Error) -> ExitCode {
     let text = text.strip_prefix("error: ").unwrap_or(&text);
     let end = text.find("\n\nUsage").or_else(|| text.find("\n\nFor more"));
     let line = text[..end.unwrap_or(text.len())].trim();
-    complain(&format!("{line} (see mechaudit --help)"));
+    // A tip is a part of the sentence, unless it is about names that begin with a hyphen.
+    let line = match line.split_once("\n\n  tip: ") {
+        Some((line, tip)) if tip.starts_with("to pass") => line.to_string(),
+        Some((line, tip)) => format!("{line}; {tip}"),
+        None => line.to_string(),
+    };
+    let grammar = Args::command();
+    let command = std::env::args().skip(1).find(|a| {
+        let named = |c: &clap::Command| c.get_name() == a;
+        grammar.get_subcommands().any(named)
+    });
+    let command = command.map_or(String::new(), |c| format!(" {c}"));
+    complain(&format!("{line} (see mechaudit{command} --help)"));
     ExitCode::from(2)
 }

@@ -9,8 +9,7 @@ use mechaudit::papers;
 
 /// No paper of that key.
 pub fn unknown(key: &str) -> Failure {
-    let known = papers::keys().join(", ");
-    Failure::new(format!("there is no paper {key:?}; there are: {known}"))
+    Failure::no_such("paper", key, &papers::keys())
 }
 
 /// Audits the paper and writes its report.

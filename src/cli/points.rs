@@ -4,8 +4,8 @@ use super::args::PointsArgs;
 use super::audit::find;
 use super::failure::{Failure, Outcome};
 use super::output::Output;
-use super::{hard_folder, wire};
-use mechaudit::audit::{Case, Cases, Method, Settings, Variant};
+use super::{forecast, hard_folder, wire};
+use mechaudit::audit::{Case, Cases, Layout, Method, Settings, Variant};
 use std::io::Write;
 
 /// Writes them.
@@ -32,6 +32,9 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
         Some(region) => Cases::new(&chosen.region(region)?, &settings),
         None => all,
     };
+    if one.is_none() {
+        forecast::points(&cases, &settings, args.decimal)?;
+    }
     output.write(|out| {
         header(&*method, out)?;
         if let Some(case) = one {
@@ -52,26 +55,13 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::AsExpected)
 }
 
-/// The layouts of an input and of an answer, with units.
-pub fn layout(method: &dyn Method) -> [String; 2] {
-    let named = |name: &str, unit: &str| match unit {
-        "1" => name.to_string(),
-        unit => format!("{name} [{unit}]"),
-    };
-    let inputs = method.inputs();
-    let inputs: Vec<String> = inputs.iter().map(|i| named(i.name, i.unit)).collect();
-    let outputs = method.outputs();
-    let outputs: Vec<String> = outputs.iter().map(|o| named(o.name, o.unit)).collect();
-    [inputs.join(", "), outputs.join(", ")]
-}
-
 fn header(method: &dyn Method, out: &mut dyn Write) -> Result<(), Failure> {
-    let [inputs, outputs] = layout(method);
+    let layout = Layout::new(method);
     let (name, summary) = (method.name(), method.summary());
     let version = env!("CARGO_PKG_VERSION");
     writeln!(out, "# {name}: {summary} (mechaudit {version})")?;
-    writeln!(out, "# input: {inputs}")?;
-    Ok(writeln!(out, "# answer: {outputs}")?)
+    writeln!(out, "# input: {}", layout.input())?;
+    Ok(writeln!(out, "# answer: {}", layout.answer())?)
 }
 
 /// Where the following inputs come from; `judge` reads it.

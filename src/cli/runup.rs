@@ -91,7 +91,7 @@ fn named(args: &RunupArgs, f: Failure) -> Failure {
 }
 
 fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
-    let mut lines = vec![facts::ending(motion)];
+    let mut lines = vec![facts::ending(machine, motion)];
     lines.extend(facts::stiff(machine, motion));
     lines.push(facts::cost(machine, motion));
     lines.extend(steady.lines());

@@ -129,7 +129,11 @@ pub fn light(machine: &Machine, range: &InertiaRange) -> Option<String> {
 }
 
 /// One line about the end.
-pub fn ending(motion: &Motion) -> String {
+pub fn ending(machine: &Machine, motion: &Motion) -> String {
+    let held = match machine.drive.resistance().constant.n_m() {
+        0.0 => String::new(),
+        load => format!(" against a constant load of {load:.6} N m"),
+    };
     let end = &motion.end;
     let turns = (end.phi - motion.start.phi) / std::f64::consts::TAU;
     let at = format!("after {:.6} s and {turns:.3} turns", end.t);
@@ -143,11 +147,11 @@ pub fn ending(motion: &Motion) -> String {
             "captured {at}: the motion repeats at {mean:.6} rad/s in the mean, below the motor's pull-out torque or the target speed, and does not get past"
         ),
         Outcome::Stalled { torque } if end.t == 0.0 => format!(
-            "stalled: the crank does not start at phi1 = {:.3} deg, motor and weights give {torque:.6} N m together",
+            "stalled: the crank does not start at phi1 = {:.3} deg, motor and weights give {torque:.6} N m together{held}",
             end.phi.to_degrees()
         ),
         Outcome::Stalled { torque } => format!(
-            "stalled: the crank comes to rest {at} at phi1 = {:.3} deg, where motor and weights give {torque:.6} N m together",
+            "stalled: the crank comes to rest {at} at phi1 = {:.3} deg, where motor and weights give {torque:.6} N m together{held}",
             end.phi.to_degrees().rem_euclid(360.0)
         ),
     }

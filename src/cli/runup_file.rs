@@ -8,6 +8,7 @@ use super::failure::Failure;
 use super::fields::{Written, may, need, parse};
 use super::linkage_file::{self, BodyTable, Described, Linkage, rounded};
 use super::quantity::{Kind, nearest};
+use mechaudit::audit::did_you_mean;
 use mechaudit::reference::class_iii as exact;
 use mechaudit::solvers::reduction::Body;
 use mechaudit::solvers::run_up::{
@@ -149,6 +150,19 @@ fn machine(args: &RunupArgs, described: Described, file: File) -> Result<Machine
     let psi = speed.map_or(0.0, |q| q.to_f64());
     let plan = plan(args, run, phi, psi).map_err(Failure::new)?;
     let coefficients = args.coefficients.as_deref().or(run.coefficients.as_deref());
+    if coefficients.is_none_or(|c| c == "exact") {
+        let field = match (args.nodes, run.nodes, args.coefficients.is_some()) {
+            (Some(_), ..) => Some("--nodes"),
+            // Exact on the command line may stand against splines in the file.
+            (None, Some(_), false) => Some("run.nodes"),
+            _ => None,
+        };
+        if let Some(field) = field {
+            return Err(Failure::new(format!(
+                "{field} has no meaning with exact coefficients: choose coefficients splines or hybrid"
+            )));
+        }
+    }
     Ok(Machine {
         name,
         kind,
@@ -162,13 +176,19 @@ fn machine(args: &RunupArgs, described: Described, file: File) -> Result<Machine
             Some("hybrid") => Coefficients::Hybrid,
             Some(other) => {
                 return Err(Failure::new(format!(
-                    "coefficients = {other:?} must be \"exact\", \"splines\" or \"hybrid\""
+                    "coefficients = {other:?}{} must be \"exact\", \"splines\" or \"hybrid\"",
+                    did_you_mean(other, &["exact", "splines", "hybrid"])
                 )));
             }
         },
         nodes: args.nodes.or(run.nodes).unwrap_or(NODES),
         fluctuation: run.fluctuation,
     })
+}
+
+fn quoted(names: &[&str]) -> String {
+    let all: Vec<String> = names.iter().map(|n| format!("{n:?}")).collect();
+    all.join(", ")
 }
 
 fn plan(args: &RunupArgs, run: &RunTable, phi: f64, psi: f64) -> Result<Plan, String> {
@@ -181,8 +201,9 @@ fn plan(args: &RunupArgs, run: &RunTable, phi: f64, psi: f64) -> Result<Plan, St
             .iter()
             .find(|m| m.name() == name)
             .ok_or_else(|| {
-                let all = Method::ALL.map(|m| format!("{:?}", m.name())).join(", ");
-                format!("method = {name:?} must be one of {all}")
+                let all = Method::ALL.map(|m| m.name());
+                let meant = did_you_mean(name, &all);
+                format!("method = {name:?}{meant} must be one of {}", quoted(&all))
             })?,
     };
     let defaults = Settings::default();
@@ -317,10 +338,11 @@ impl MotorTable {
             ("table", &["points", "reading"]),
         ];
         let Some((kind, fields)) = known.iter().find(|k| k.0 == kind) else {
-            let all: Vec<String> = known.iter().map(|k| format!("{:?}", k.0)).collect();
+            let all: Vec<&str> = known.iter().map(|k| k.0).collect();
+            let meant = did_you_mean(kind, &all);
             return Err(format!(
-                "motor.kind = {kind:?} must be one of {}",
-                all.join(", ")
+                "motor.kind = {kind:?}{meant} must be one of {}",
+                quoted(&all)
             ));
         };
         if let Some(field) = self.given().into_iter().find(|f| !fields.contains(f)) {

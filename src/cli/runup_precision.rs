@@ -103,7 +103,7 @@ pub fn table(
         rows.end()
     })?;
     complain(&format!(
-        "error: worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; evaluations: of the whole run"
+        "error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; evaluations are those of the whole run"
     ));
     Ok(Outcome::AsExpected)
 }

@@ -16,7 +16,9 @@ pub fn method(report: &MethodReport, again: &dyn Fn(&Case) -> String, width: usi
         out.push('\n');
         out.push_str(&case::text(failure, &again(&failure.case), width));
     }
-    let left = report.failures.len().saturating_sub(FAILURES_SHOWN) + report.failures_left_out;
+    // What got no answer is said by whoever waited for it.
+    let judged = report.failures_left_out - report.unanswered;
+    let left = report.failures.len().saturating_sub(FAILURES_SHOWN) + judged;
     if left > 0 {
         let text = format!("{left} more failing cases; --format json lists all of them.");
         out.push_str(&paragraph(&text, 2, width));
@@ -194,6 +196,7 @@ pub mod tests {
                 proof: Some(Proof::Exact),
             }],
             failures_left_out: 0,
+            unanswered: 0,
         }
     }
 

@@ -1,12 +1,15 @@
 //! Inputs and answers as lines of text.
 
+use super::bounded::size;
 use super::eval_number::Number;
 use super::failure::Failure;
 use mechaudit::audit::{SolverAnswer, hex_float};
 use std::io::{BufRead, Read};
 
-/// The longest line of an answer.
-const LONGEST: usize = 1 << 20;
+/// The longest line of an input, an answer or a table.
+pub const LONGEST: usize = 1 << 20;
+/// The most numbers on one.
+pub const FIELDS: usize = 100_000;
 
 /// A line without its end; one that is longer than allowed is cut.
 pub struct Line {
@@ -57,7 +60,7 @@ impl<R: BufRead> Lines<R> {
 impl Line {
     fn text(&self) -> Result<&str, String> {
         if self.text.len() > LONGEST {
-            return Err(format!("longer than {LONGEST} bytes"));
+            return Err(format!("longer than {}", size(LONGEST)));
         }
         let text = std::str::from_utf8(&self.text).map_err(|_| "not UTF-8".to_string())?;
         Ok(text.trim())
@@ -110,7 +113,9 @@ pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
         missing.into_iter().chain(words)
     });
     separated
-        .map(|field| match field {
+        .enumerate()
+        .map(|(k, field)| match field {
+            _ if k == FIELDS => Err(format!("more than {FIELDS} fields")),
             "" => Err(shown("an empty field".into())),
             field => Number::parse(field).map(|n| n.nearest()).map_err(|e| {
                 // The field itself may be as long as the line.

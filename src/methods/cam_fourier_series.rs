@@ -3,7 +3,7 @@
 use super::cam_law_input::{self as input, LawInput};
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
+    ReferenceAnswer, Region, Rows, SolverAnswer, conditions_by_differences,
 };
 use crate::reference::Ball;
 use crate::reference::cam_law::Law as ExactLaw;
@@ -81,15 +81,15 @@ impl Method for Audit {
         let i = |name, unit| Input { name, unit };
         let mut all = vec![
             i("lift", "m"),
-            i("start of the rise", "turn"),
+            i("start (of the rise)", "turn"),
             i("rise", "turn"),
-            i("high dwell", "turn"),
-            i("return; 0 for none", "turn"),
-            i("first harmonic", "1"),
-            i("from one harmonic to the next", "1"),
+            i("high_dwell", "turn"),
+            i("return (0 for none)", "turn"),
+            i("first (harmonic)", "1"),
+            i("stride (from one harmonic to the next)", "1"),
         ];
-        all.extend(input::INPUTS);
-        all.push(i("the law of the return, likewise", "1"));
+        all.extend(input::inputs());
+        all.extend(input::return_inputs());
         all
     }
 
@@ -126,6 +126,14 @@ impl Method for Audit {
 
     fn hard(&self) -> Vec<HardCase> {
         HardCase::included(include_str!("../../reference/hard/cam-fourier-series.csv"))
+    }
+
+    fn rows(&self) -> Option<Rows> {
+        Some(Rows {
+            index: "k",
+            count: "8",
+            meaning: "the harmonics first + k stride, a_0 being the same in each",
+        })
     }
 
     fn domain(&self) -> Domain {

@@ -38,7 +38,7 @@ impl Method for Audit {
             name: "x",
             unit: "1",
         }];
-        all.extend(input::INPUTS);
+        all.extend(input::inputs());
         all
     }
 

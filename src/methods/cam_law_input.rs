@@ -19,24 +19,28 @@ pub(super) const POLYNOMIAL: f64 = 3.0;
 /// Parameters `x_0` … `x_n`, `y_0` … `y_n`.
 pub(super) const TABLE: f64 = 4.0;
 
-pub(super) const INPUTS: [Input; 4] = [
-    Input {
-        name: "kind: 0 SCCA, 1 3-4-5, 2 4-5-6-7, 3 polynomial, 4 table",
-        unit: "1",
-    },
-    Input {
-        name: "share of the stroke spent accelerating",
-        unit: "1",
-    },
-    Input {
-        name: "number of parameters",
-        unit: "1",
-    },
-    Input {
-        name: "b, d or c_1 … c_n or x_0 … x_n, y_0 … y_n",
-        unit: "1",
-    },
-];
+pub(super) fn inputs() -> Vec<Input> {
+    numbers([
+        "kind (0 SCCA, 1 3-4-5, 2 4-5-6-7, 3 polynomial, 4 table)",
+        "share (of the stroke spent accelerating)",
+        "p (number of parameters)",
+        "parameters[p] (SCCA: b, d; polynomial: c_1 …; table: x_0 …, y_0 …)",
+    ])
+}
+
+/// Those of the law of a return.
+pub(super) fn return_inputs() -> Vec<Input> {
+    numbers([
+        "return_kind (as kind)",
+        "return_share",
+        "return_p",
+        "return_parameters[return_p]",
+    ])
+}
+
+fn numbers(names: [&'static str; 4]) -> Vec<Input> {
+    names.map(|name| Input { name, unit: "1" }).to_vec()
+}
 
 /// A law taken apart.
 pub(super) struct LawInput<'a, T> {

@@ -34,6 +34,59 @@ const REDUCED: Budget = Budget {
     reason: "five bodies summed from rates that carry the linkage's error",
 };
 
+/// Lengths, pivots and crank angle.
+pub(super) const GEOMETRY: [(&str, &str); 12] = [
+    ("l1", "m"),
+    ("l2", "m"),
+    ("l3", "m"),
+    ("l4", "m"),
+    ("l5", "m"),
+    ("lB", "m"),
+    ("phiB", "rad"),
+    ("x3", "m"),
+    ("y3", "m"),
+    ("x5", "m"),
+    ("y5", "m"),
+    ("phi1", "rad"),
+];
+
+/// Masses, inertias and centres of mass of links 1 to 5.
+const LINKS: [[&str; 4]; 5] = [
+    ["m1", "J1", "r1", "a1"],
+    ["m2", "J2", "r2", "a2"],
+    ["m3", "J3", "r3", "a3"],
+    ["m4", "J4", "r4", "a4"],
+    ["m5", "J5", "r5", "a5"],
+];
+
+/// The linkage with its masses, as the run-up takes it too.
+pub(super) fn inputs() -> Vec<Input> {
+    let i = |name, unit| Input { name, unit };
+    let mut all = GEOMETRY.map(|(name, unit)| i(name, unit)).to_vec();
+    all.extend([
+        i("mode (index by phi4, modulo their number)", "1"),
+        i("gravity", "m/s^2"),
+    ]);
+    for names in LINKS {
+        let units = ["kg", "kg m^2", "m", "rad"];
+        all.extend(
+            names
+                .into_iter()
+                .zip(units)
+                .map(|(name, unit)| i(name, unit)),
+        );
+    }
+    all.extend([
+        i(
+            "pivot1 (1: J1 is about the pivot; 0: about the centre of mass)",
+            "1",
+        ),
+        i("pivot3 (the same of J3)", "1"),
+        i("pivot5 (the same of J5)", "1"),
+    ]);
+    all
+}
+
 fn outputs() -> Vec<Output> {
     let o = |name, unit, budget| Output { name, unit, budget };
     vec![
@@ -173,20 +226,7 @@ impl Method for Audit {
     }
 
     fn inputs(&self) -> Vec<Input> {
-        let i = |name, unit| Input { name, unit };
-        vec![
-            i("l1, l2, l3, l4, l5, lB", "m"),
-            i("phiB", "rad"),
-            i("x3, y3, x5, y5", "m"),
-            i("phi1", "rad"),
-            i("mode (index by phi4, modulo their number)", "1"),
-            i("gravity", "m/s^2"),
-            i(
-                "for links 1 to 5: mass, inertia, radius, angle",
-                "kg, kg m^2, m, rad",
-            ),
-            i("for links 1, 3, 5: inertia about the pivot (0 or 1)", "1"),
-        ]
+        inputs()
     }
 
     fn outputs(&self) -> Vec<Output> {

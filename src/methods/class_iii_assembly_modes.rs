@@ -1,8 +1,9 @@
 //! All assembly modes of the class-III linkage: their number and every angle.
 
+use super::class_iii::GEOMETRY;
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, HardCase, Input, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, Region, SolverAnswer,
+    ReferenceAnswer, Region, Rows, SolverAnswer,
 };
 use crate::reference::class_iii::{self as exact, Linkage};
 use crate::reference::{Ball, Mag};
@@ -55,13 +56,7 @@ impl Method for Audit {
     }
 
     fn inputs(&self) -> Vec<Input> {
-        let i = |name, unit| Input { name, unit };
-        vec![
-            i("l1, l2, l3, l4, l5, lB", "m"),
-            i("phiB", "rad"),
-            i("x3, y3, x5, y5", "m"),
-            i("phi1", "rad"),
-        ]
+        GEOMETRY.map(|(name, unit)| Input { name, unit }).to_vec()
     }
 
     fn outputs(&self) -> Vec<Output> {
@@ -72,6 +67,14 @@ impl Method for Audit {
                 budget: BUDGET,
             })
             .to_vec()
+    }
+
+    fn rows(&self) -> Option<Rows> {
+        Some(Rows {
+            index: "k",
+            count: "modes",
+            meaning: "the assembly modes by increasing phi4",
+        })
     }
 
     fn domain(&self) -> Domain {

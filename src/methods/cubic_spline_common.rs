@@ -5,7 +5,9 @@
 //! it to the other query.
 
 use super::cubic_spline_conditions as sensitivity;
-use crate::audit::{Budget, Input, Limit, Output, Proof, Reference, ReferenceAnswer, SolverAnswer};
+use crate::audit::{
+    Budget, Input, Limit, Output, Proof, Reference, ReferenceAnswer, Rows, SolverAnswer,
+};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
 use crate::solvers::cubic_spline::{
@@ -184,6 +186,13 @@ pub(super) fn outputs(k: f64) -> Vec<Output> {
     .to_vec()
 }
 
+/// The outputs belong to a query each.
+pub(super) const ROWS: Rows = Rows {
+    index: "q",
+    count: "2",
+    meaning: "at q0 and at q1, the integral running to the other one",
+};
+
 /// Implements [`Method`](crate::audit::Method) for a kind of end condition.
 macro_rules! audit {
     ($kind:expr, $name:literal, $summary:literal, $budget:literal, $($laws:expr),*) => {
@@ -206,6 +215,9 @@ macro_rules! audit {
             }
             fn outputs(&self) -> Vec<crate::audit::Output> {
                 crate::methods::cubic_spline_common::outputs($budget)
+            }
+            fn rows(&self) -> Option<crate::audit::Rows> {
+                Some(crate::methods::cubic_spline_common::ROWS)
             }
             fn domain(&self) -> crate::audit::Domain {
                 crate::methods::cubic_spline_domain::domain!($kind)

@@ -1,9 +1,9 @@
 //! Cubic splines on equally spaced knots: the fit with the constant λ.
 
-use super::cubic_spline_common::{outputs, outputs_of, reference_of};
+use super::cubic_spline_common::{ROWS, outputs, outputs_of, reference_of};
 use super::tridiagonal::identical;
 use crate::audit::{
-    CheckPoint, Domain, Draw, HardCase, Input, Law, Method, Output, ReferenceAnswer, Region,
+    CheckPoint, Domain, Draw, HardCase, Input, Law, Method, Output, ReferenceAnswer, Region, Rows,
     SolverAnswer,
 };
 use crate::reference::Ball;
@@ -145,6 +145,10 @@ impl Method for Audit {
 
     fn outputs(&self) -> Vec<Output> {
         outputs(16.0)
+    }
+
+    fn rows(&self) -> Option<Rows> {
+        Some(ROWS)
     }
 
     fn domain(&self) -> Domain {

@@ -3,7 +3,7 @@
 use super::tridiagonal::{conditions, dominant, identical, values, word};
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, ReferenceAnswer,
-    Region, SolverAnswer,
+    Region, Rows, SolverAnswer,
 };
 use crate::reference::tridiagonal as exact;
 use crate::solvers::cyclic_tridiagonal::CyclicSweep;
@@ -78,6 +78,14 @@ impl Method for Audit {
                  |L||U| is a small multiple of |A|",
             ),
         }]
+    }
+
+    fn rows(&self) -> Option<Rows> {
+        Some(Rows {
+            index: "i",
+            count: "n",
+            meaning: "the unknowns",
+        })
     }
 
     fn domain(&self) -> Domain {

@@ -226,26 +226,24 @@ impl Method for Audit {
 
     fn inputs(&self) -> Vec<Input> {
         let i = |name, unit| Input { name, unit };
-        vec![
+        let mut all = vec![
             i(
-                "coefficients: 0 none but I1, 1 exact, 2 splines, 3 exact with S' for dI_n/dphi",
+                "coefficients (0 none but I1, 1 exact, 2 splines, 3 exact with S' for dI_n/dphi)",
                 "1",
             ),
-            i("nodes of the splines", "1"),
-            i("motor: 0 constant, 1 straight, 2 Kloss", "1"),
-            i(
-                "torque (rated for Kloss), overload k, rated slip, speed without load",
-                "N m, 1, 1, rad/s",
-            ),
+            i("nodes (of the splines, the first at phi1)", "1"),
+            i("motor (0 constant, 1 straight, 2 Kloss)", "1"),
+            i("torque (Kloss: rated)", "N m"),
+            i("overload", "1"),
+            i("rated_slip", "1"),
+            i("no_load_speed", "rad/s"),
             i("I1", "kg m^2"),
-            i("phi at the start", "rad"),
-            i("psi at the start", "rad/s"),
+            i("phi0 (phi at the start)", "rad"),
+            i("psi0 (psi at the start)", "rad/s"),
             i("duration", "s"),
-            i(
-                "linkage and masses as for class-iii, phi1 the first node",
-                "as there",
-            ),
-        ]
+        ];
+        all.extend(linkage_input::inputs());
+        all
     }
 
     fn outputs(&self) -> Vec<Output> {

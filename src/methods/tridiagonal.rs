@@ -2,7 +2,7 @@
 
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof,
-    Reference, ReferenceAnswer, Region, SolverAnswer,
+    Reference, ReferenceAnswer, Region, Rows, SolverAnswer,
 };
 use crate::reference::{Ball, tridiagonal as exact};
 use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
@@ -152,6 +152,14 @@ impl Method for Audit {
                  u more for the quotient -c/p",
             ),
         }]
+    }
+
+    fn rows(&self) -> Option<Rows> {
+        Some(Rows {
+            index: "i",
+            count: "n",
+            meaning: "the unknowns",
+        })
     }
 
     fn domain(&self) -> Domain {

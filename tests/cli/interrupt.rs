@@ -7,7 +7,7 @@ use std::io::Write;
 use std::process::{Child, Command};
 use std::time::Duration;
 
-const MANY: &str = "100000000";
+const MANY: &str = "200000";
 
 /// Waits until the program listens to Ctrl-C.
 fn listening(child: &Child) {

@@ -115,7 +115,7 @@ fn files_are_made_anew() {
 fn bad_usage() {
     refused(
         &run(&["regenerate", "--check", "no-such-file"]),
-        "nothing generated is named \"no-such-file\"; there are: tridiagonal, ",
+        "there is no generated file \"no-such-file\"; there are: tridiagonal, ",
     );
     refused(
         &run(&["regenerate", "--check", "--root", "examples"]),

@@ -206,7 +206,7 @@ fn bad_input_is_one_clear_line() {
     refused(&with("overload = 2.2", ""), "motor.overload is missing");
     refused(
         &with("overload = 2.2", "overload = \"2.2\""),
-        "expected f64",
+        "expected a number",
     );
     refused(
         &with("rated_slip = 0.05", "rated_slip = 1.5"),
@@ -270,6 +270,47 @@ fn bad_input_is_one_clear_line() {
         "at least 3",
     );
     refused(&runup(SCREEN, &["--tolerance", "x"]), "invalid value");
+    for (args, part) in [
+        (
+            &["--method", "radau"][..],
+            "method = \"radau\" (did you mean \"radau5\"?) must be one of",
+        ),
+        (
+            &["--coefficients", "spline"],
+            "coefficients = \"spline\" (did you mean \"splines\"?)",
+        ),
+        // Nothing would come of it.
+        (
+            &["--nodes", "12"],
+            "--nodes has no meaning with exact coefficients",
+        ),
+        (
+            &["--nodes", "12", "--coefficients", "exact"],
+            "--nodes has no meaning with exact coefficients",
+        ),
+    ] {
+        refused(&runup(SCREEN, args), part);
+    }
+    let run = |field: &str| runup(&changed(SCREEN, "[run]", &format!("[run]\n{field}")), &[]);
+    refused(&run("nodes = 12"), "run.nodes has no meaning with exact");
+    // Without the names of Rust's types.
+    for (field, due) in [
+        (
+            "nodes = \"x\"",
+            "string \"x\", expected a whole number, 0 or more",
+        ),
+        (
+            "nodes = -3",
+            "integer `-3`, expected a whole number, 0 or more",
+        ),
+        ("settle = \"x\"", "string \"x\", expected a number"),
+        (
+            "duraton = 3",
+            "unknown field `duraton` (did you mean \"duration\"?), expected one of",
+        ),
+    ] {
+        refused(&run(field), due);
+    }
     let bodiless = SCREEN.replace("bodies.2", "x2").replace("[x2]", "[[x]]");
     refused(&runup(&bodiless, &[]), "unknown field `x`");
     let (head, tail) = SCREEN.split_once("[motor]").unwrap();
@@ -290,6 +331,16 @@ fn bad_input_is_one_clear_line() {
     );
 }
 
+/// The load has a part in it.
+#[test]
+fn a_load_that_holds_the_machine_is_named() {
+    let held = changed(FOUR_BAR, "constant = \"2 N m\"", "constant = \"200 N m\"");
+    let d = runup(&held, &[]);
+    let said =
+        "motor and weights give 12.845724 N m together against a constant load of 200.000000 N m";
+    assert!(d.code == 0 && d.err.contains(said), "{}", d.err);
+}
+
 #[test]
 fn work_and_precision() {
     let short = changed(FOUR_BAR, "\"2 s\"", "\"0.05 s\"");
@@ -300,6 +351,12 @@ fn work_and_precision() {
     );
     assert_eq!(d.code, 0, "{}", d.err);
     assert_eq!(d.out.lines().count(), 1 + 3 * 19);
+    // It is no error that is said.
+    assert!(
+        d.err.starts_with("mechaudit: error_rad_per_s is the worst"),
+        "{}",
+        d.err
+    );
     for method in ["verner98", "dop853", "radau5"] {
         let own = d.out.lines().filter(|l| l.starts_with(method));
         let error = own.map(|l| l.rsplit(',').next().unwrap().parse::<f64>().unwrap());

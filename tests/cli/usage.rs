@@ -88,6 +88,102 @@ fn bad_usage() {
 }
 
 #[test]
+fn a_slip_of_the_pen_is_guessed_and_the_right_help_named() {
+    for (args, part) in [
+        (
+            "audit fourbar",
+            "\"fourbar\" (did you mean \"four-bar\"?); there are: ",
+        ),
+        (
+            "audit erf --region smal",
+            "\"smal\" (did you mean \"small\"?); it has: ",
+        ),
+        ("eval fadeeva.w", "(did you mean \"faddeeva.w\"?)"),
+        ("eval erf", "(did you mean \"faddeeva.erf\"?)"),
+        ("paper zinchenco", "(did you mean \"zinchenko\"?)"),
+        (
+            "converge spline-clampd",
+            "(did you mean \"spline-clamped\"?)",
+        ),
+        ("regenerate fadeeva", "(did you mean \"faddeeva\"?)"),
+        (
+            "adit",
+            "a similar subcommand exists: 'audit' (see mechaudit --help)",
+        ),
+        (
+            "audit --formt json",
+            "a similar argument exists: '--format' (see mechaudit audit --help)",
+        ),
+        ("runup", "<FILE> (see mechaudit runup --help)"),
+        ("--seed x", "(see mechaudit --help)"),
+    ] {
+        refused(&run(&args.split(' ').collect::<Vec<_>>()), part);
+    }
+}
+
+#[test]
+fn numbers_that_are_none_are_said_in_words() {
+    let (whole, from_one) = (
+        "must be a whole number, 0 or more",
+        "must be a whole number, 1 or more",
+    );
+    for (args, part) in [
+        ("audit erf --seed -1", whole),
+        ("audit erf --seed 1.5", whole),
+        ("audit erf --cases 0", from_one),
+        ("--cases 0", from_one),
+        ("points erf --count -3", whole),
+        ("points erf --region small --case x", whole),
+        ("judge erf --inputs x --values y --line x", whole),
+        ("linkage examples/four-bar.toml --branch -1", whole),
+        (
+            "linkage examples/four-bar.toml --digits 0",
+            "a whole number from 1 to 1000",
+        ),
+        ("eval erf --threads x", "a whole number from 1 to 1024"),
+        ("hunt erf --evals 0", from_one),
+        ("audit erf --ulps x", "must be a positive number"),
+        (
+            "audit erf --exec true --timeout -1",
+            "must be a positive number of seconds",
+        ),
+        ("runup x --tolerance -0.001", "must be a positive number"),
+    ] {
+        let d = run(&args.split(' ').collect::<Vec<_>>());
+        refused(&d, part);
+        assert!(!d.err.contains(" -- "), "{}", d.err);
+    }
+    let d = run(&["points", "erf", "--region", "small", "--count", "1e1"]);
+    assert_eq!(d.out.lines().filter(|l| !l.starts_with('#')).count(), 10);
+}
+
+#[test]
+fn what_cannot_end_is_refused_at_once() {
+    let start = std::time::Instant::now();
+    for args in [
+        "--cases 99999999999999",
+        "audit erf --cases 99999999999999",
+        "audit erf --cases 99999999999999 --exec cat",
+        "points erf --count 99999999999999",
+    ] {
+        let d = run(&args.split(' ').collect::<Vec<_>>());
+        refused(&d, "years; more than 30 days");
+    }
+    assert!(start.elapsed().as_secs() < 60);
+}
+
+#[test]
+fn the_help_of_rows_is_not_about_linkages() {
+    for command in ["chirp", "runup"] {
+        let help = run(&[command, "--help"]).out;
+        assert!(
+            !help.contains("turn\n          \n") && !help.contains("each position"),
+            "{help}"
+        );
+    }
+}
+
+#[test]
 fn effort_multiplies_the_cases() {
     let cases = |effort: Option<&str>| {
         let mut c = program();

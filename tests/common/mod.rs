@@ -106,6 +106,11 @@ pub fn names(folder: &Path) -> Vec<String> {
     all
 }
 
+/// Says on the terminal itself that something is missing.
+pub fn skipped(what: &str) {
+    let _ = writeln!(std::io::stderr(), "SKIPPED: {what} is not installed");
+}
+
 /// A path as an argument.
 pub fn text(path: &Path) -> &str {
     path.to_str().unwrap()

@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
-use super::RunArgs;
+use super::{RunArgs, number};
 use crate::cli::wire;
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
@@ -36,7 +36,7 @@ pub struct AuditArgs {
     #[arg(long, value_name = "REGION", requires = "method")]
     pub region: Option<String>,
     /// Only this case of the region
-    #[arg(long, value_name = "I", requires = "region")]
+    #[arg(long, value_name = "I", requires = "region", value_parser = number::whole)]
     pub case: Option<u64>,
     /// Only this check point
     #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
@@ -45,7 +45,7 @@ pub struct AuditArgs {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["region", "check_point"])]
     pub hard: Option<PathBuf>,
     /// Only this hard case, counted from 1 in its file
-    #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"])]
+    #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"], value_parser = number::index)]
     pub hard_case: Option<usize>,
     /// Only this input, its numbers separated by commas
     #[arg(long, value_name = "NUMBERS", requires = "method", allow_hyphen_values = true, value_parser = numbers, conflicts_with_all = ["region", "case", "check_point", "hard_case"])]
@@ -79,7 +79,9 @@ pub struct ExecArgs {
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {
-    let x: f64 = text.parse().map_err(|_| "not a number".to_string())?;
+    let x: f64 = text
+        .parse()
+        .map_err(|_| "must be a positive number of seconds".to_string())?;
     match Duration::try_from_secs_f64(x) {
         Ok(d) if !d.is_zero() => Ok(d),
         _ => Err("must be a positive number of seconds".into()),
@@ -93,7 +95,7 @@ pub struct ScopeArgs {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub outputs: Option<Vec<String>>,
     /// Allow K ulps for every output instead of the method's budget
-    #[arg(long, value_name = "K", value_parser = positive)]
+    #[arg(long, value_name = "K", value_parser = number::positive)]
     pub ulps: Option<f64>,
 }
 
@@ -103,13 +105,6 @@ pub struct Numbers(pub Vec<f64>);
 
 fn numbers(text: &str) -> Result<Numbers, String> {
     wire::numbers(text).map(Numbers)
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
-        _ => Err("must be a finite positive number".into()),
-    }
 }
 
 /// The forms of an audit's report.

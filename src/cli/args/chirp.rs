@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit chirp`.
 
-use super::CsvOrJson;
+use super::{CsvOrJson, number};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ Examples:
   mechaudit chirp examples/chirp-chart.toml --rows spectrum --harmonics 50
 
 The equation is y'' + 2n y' + w^2 y = w^2 f, f the cam's displacement. The file:
-  name = \"paper machine\"           # optional
+  name = \"paper machine\"            # optional
   harmonics = 200                   # optional: as many as leave 1e-4 of the lift, and reach beyond
                                     # the resonance over the whole chart
   [oscillator]
@@ -46,7 +46,7 @@ The equation is y'' + 2n y' + w^2 y = w^2 f, f the cam's displacement. The file:
   to = 14.0
   step = 0.1
   period = \"rise\"                   # xi = w / (2 pi / time of the rise), or \"turn\": xi = w / speed
-  laws = [\"К\", \"0050\"]             # optional: charts of these laws instead of the cam's";
+  laws = [\"К\", \"0050\"]              # optional: charts of these laws instead of the cam's";
 
 /// Arguments of `chirp`.
 #[derive(ClapArgs, Debug)]
@@ -61,7 +61,7 @@ pub struct ChirpArgs {
     #[arg(long, value_enum, default_value = "csv")]
     pub format: CsvOrJson,
     /// Harmonics of the cam, instead of harmonics in the file
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=100_000))]
     pub harmonics: Option<u32>,
     /// Draw spectrum.svg and, with [run], history.svg, with [chart], chart.svg into this folder
     #[arg(long, value_name = "DIR")]

@@ -1,5 +1,6 @@
 //! Arguments of `mechaudit eval`.
 
+use super::number;
 use clap::Args as ClapArgs;
 
 pub const AFTER_HELP: &str = "\
@@ -27,19 +28,12 @@ pub struct EvalArgs {
     #[arg(required_unless_present = "list")]
     pub name: Option<String>,
     /// Certified decimals with this many significant digits instead of floating-point numbers
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=10_000))]
     pub digits: Option<u32>,
     /// Threads [default: one for each core]
-    #[arg(long, value_name = "T", value_parser = threads)]
+    #[arg(long, value_name = "T", value_parser = number::within::<usize>(1..=1024))]
     pub threads: Option<usize>,
     /// List the functions instead
     #[arg(long, conflicts_with_all = ["name", "digits", "threads"])]
     pub list: bool,
-}
-
-fn threads(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(n @ 1..=1024) => Ok(n),
-        _ => Err("a number of threads is between 1 and 1024".into()),
-    }
 }

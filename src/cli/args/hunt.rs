@@ -1,5 +1,6 @@
 //! Arguments of `mechaudit hunt`.
 
+use super::number;
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -27,10 +28,10 @@ pub struct HuntArgs {
     /// The method
     pub method: String,
     /// Evaluations of solver and reference
-    #[arg(long, value_name = "N", default_value = "10000", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", default_value = "10000", value_parser = number::counting::<u64>())]
     pub evals: u64,
     /// Key of the random stream
-    #[arg(long, value_name = "SEED", default_value = "1")]
+    #[arg(long, value_name = "SEED", default_value = "1", value_parser = number::whole)]
     pub seed: u64,
     /// Folder of the hard cases; nothing is recorded if it is not there
     #[arg(long, value_name = "DIR", default_value = "reference/hard")]

@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit judge`.
 
-use super::{ScopeArgs, TextOrJson};
+use super::{ScopeArgs, TextOrJson, number};
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -17,10 +17,13 @@ Answers are matched with inputs in their order; comments (#) are skipped in both
 answer that cannot be read is judged as one, and those after it still count. See mechaudit \
 points --help for what an answer looks like.
 
-A table begins with a line of names. Columns named as an output (see mechaudit list) hold \
-printed decimals, an empty field none; all others hold the inputs in their order, taken exactly \
-as printed. An entry agrees if the reference is certainly within half a unit of its last digit: \
-1.2e4 has units of 1000.
+A table begins with a line of names, those of the inputs and of outputs (see mechaudit list \
+METHOD), in any order, with their unit in brackets or without: phi1 [rad]. Vectors and rows are \
+counted from 0: diagonal[0], S[1]. Inputs are taken exactly as printed; outputs are printed \
+decimals, an empty field none. An entry agrees if the reference is certainly within half a unit \
+of its last digit: 1.2e4 has units of 1000.
+
+Limits: a line has 1 MiB and 100000 fields at most, a table 64 MiB, a field of one 1000 bytes.
 
 Exit codes: 0, every answer within its budget or entry in agreement; 1, an answer or entry that \
 is not, or not there, or one too many; 2, bad usage or an input that cannot be read; 130, \
@@ -43,7 +46,7 @@ pub struct JudgeArgs {
     #[arg(long, value_name = "FILE", requires = "inputs")]
     pub values: Option<PathBuf>,
     /// Only the input on this line of its file, with everything that is known of it
-    #[arg(long, value_name = "N", requires = "inputs")]
+    #[arg(long, value_name = "N", requires = "inputs", value_parser = number::whole)]
     pub line: Option<u64>,
     /// A published table in CSV: inputs and printed decimals
     #[arg(long, value_name = "FILE", conflicts_with_all = ["inputs", "values", "outputs", "ulps"])]

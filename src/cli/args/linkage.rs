@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit linkage`.
 
-use super::CsvOrJson;
+use super::{CsvOrJson, number};
 use clap::Args as ClapArgs;
 use mechaudit::reference::Decimal;
 use std::path::PathBuf;
@@ -66,13 +66,13 @@ pub struct LinkageArgs {
     pub to_deg: Option<Decimal>,
     /// Follow the assembly mode of this number at the first crank angle, counted from 0 by phi4
     /// (four-bar, slider-crank: 0 positive, 1 negative assembly)
-    #[arg(long, value_name = "N", conflicts_with = "all_branches")]
+    #[arg(long, value_name = "N", conflicts_with = "all_branches", value_parser = number::index)]
     pub branch: Option<usize>,
     /// Every assembly mode at every crank angle, numbered by branch
     #[arg(long)]
     pub all_branches: bool,
     /// Certified decimals with this many significant digits instead of floating-point numbers
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=1000))]
     pub digits: Option<u32>,
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder
     #[arg(long, value_name = "DIR")]

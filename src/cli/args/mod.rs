@@ -8,6 +8,7 @@ mod hunt;
 mod judge;
 mod linkage;
 mod list;
+mod number;
 mod paper;
 mod points;
 mod regenerate;
@@ -74,10 +75,10 @@ pub struct Args {
 #[derive(ClapArgs, Clone, Debug)]
 pub struct RunArgs {
     /// Key of the random stream [default: 1]
-    #[arg(long, value_name = "SEED")]
+    #[arg(long, value_name = "SEED", value_parser = number::whole)]
     pub seed: Option<u64>,
     /// Random cases in each region of a method's domain [default: 200]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = number::counting::<u64>())]
     pub cases: Option<u64>,
 }
 
@@ -137,12 +138,12 @@ pub enum TextOrJson {
     Json,
 }
 
-/// The forms of a linkage's rows.
+/// The forms of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum CsvOrJson {
-    /// One line for each position
+    /// One line for each row
     Csv,
-    /// With what is known of the whole turn
+    /// The rows beside all that is known of the whole
     Json,
 }
 
@@ -150,6 +151,57 @@ pub enum CsvOrJson {
 mod tests {
     use super::*;
     use clap::CommandFactory;
+
+    /// The lines of a text that are commands of this program, what is piped or redirected left out.
+    fn commands(text: &str) -> Vec<Vec<String>> {
+        let ours = text.lines().filter_map(|line| {
+            let line = line.trim().trim_start_matches("$ ");
+            let at = line.find("mechaudit ")?;
+            let piped = line[..at].trim_end().ends_with('|');
+            (at == 0 || piped).then_some(&line[at..])
+        });
+        ours.map(|line| {
+            let end = |w: &String| ["|", "<", ">", "#"].contains(&w.as_str());
+            // A comment in a list of commands stands behind blanks.
+            let line = line.split("  ").next().unwrap_or(line);
+            let words = shell_words::split(line).expect("quotes");
+            words.into_iter().take_while(|w| !end(w)).collect()
+        })
+        .collect()
+    }
+
+    /// The blocks of a page that are not Rust.
+    fn blocks(page: &str) -> String {
+        let parts = page.split("```").skip(1).step_by(2);
+        let shell = parts.filter(|b| b.starts_with("sh\n") || b.starts_with("text\n"));
+        shell.collect()
+    }
+
+    #[test]
+    fn commands_in_help_readme_and_book_are_commands() {
+        let pages = [
+            include_str!("../../../README.md"),
+            include_str!("../../book/convergence.md"),
+            include_str!("../../book/formats.md"),
+            include_str!("../../book/hunting.md"),
+            include_str!("../../book/reports.md"),
+            include_str!("../../book/your_own_code.md"),
+        ];
+        let mut texts: Vec<String> = pages.into_iter().map(blocks).collect();
+        let grammar = Args::command();
+        let parts = grammar.get_subcommands().chain([&grammar]);
+        texts.extend(parts.filter_map(|c| Some(c.get_after_help()?.to_string())));
+        let all: Vec<Vec<String>> = texts.iter().flat_map(|t| commands(t)).collect();
+        assert!(all.len() > 80, "{}", all.len());
+        for command in all {
+            let read = Args::try_parse_from(&command);
+            let read = read.map(drop).or_else(|e| match e.use_stderr() {
+                true => Err(e.to_string()),
+                false => Ok(()),
+            });
+            assert_eq!(read, Ok(()), "{command:?}");
+        }
+    }
 
     #[test]
     fn the_grammar_is_sound() {

@@ -1,5 +1,6 @@
 //! Arguments of `mechaudit points`.
 
+use super::number;
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -26,7 +27,7 @@ pub struct PointsArgs {
     #[arg(long, value_name = "REGION")]
     pub region: Option<String>,
     /// Only this case of the region
-    #[arg(long, value_name = "I", requires = "region")]
+    #[arg(long, value_name = "I", requires = "region", value_parser = number::whole)]
     pub case: Option<u64>,
     /// Only this check point
     #[arg(long, value_name = "NAME", conflicts_with_all = ["region", "case"])]
@@ -35,13 +36,13 @@ pub struct PointsArgs {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["region", "check_point"])]
     pub hard: Option<PathBuf>,
     /// Only this hard case, counted from 1 in its file
-    #[arg(long, value_name = "N", conflicts_with_all = ["region", "case", "check_point"])]
+    #[arg(long, value_name = "N", conflicts_with_all = ["region", "case", "check_point"], value_parser = number::index)]
     pub hard_case: Option<usize>,
     /// Random inputs in each region
-    #[arg(long, value_name = "N", default_value = "200")]
+    #[arg(long, value_name = "N", default_value = "200", value_parser = number::whole)]
     pub count: u64,
     /// Key of the random stream
-    #[arg(long, value_name = "SEED", default_value = "1")]
+    #[arg(long, value_name = "SEED", default_value = "1", value_parser = number::whole)]
     pub seed: u64,
     /// Decimals instead of hexadecimal floats
     #[arg(long)]

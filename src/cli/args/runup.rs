@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit runup`.
 
-use super::CsvOrJson;
+use super::{CsvOrJson, number};
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -15,30 +15,30 @@ The file describes the linkage as for `mechaudit linkage`, with masses, and besi
   [bodies.coupler]                  # four-bar: crank, coupler, rocker; slider-crank: crank, rod and
                                     # slider, which has a mass only
   [start]
-  speed = \"0 rad/s\"               # optional
+  speed = \"0 rad/s\"                 # optional
   [motor]
-  kind = \"kloss\"                  # or \"linear\", \"table\", \"constant\", \"off\"
-  synchronous_speed = \"10 rad/s\"  # kloss: with rated_torque, overload, rated_slip,
-  rated_torque = \"200 N m\"        #   or pull_out_torque, critical_slip
+  kind = \"kloss\"                    # or \"linear\", \"table\", \"constant\", \"off\"
+  synchronous_speed = \"10 rad/s\"    # kloss: with rated_torque, overload, rated_slip,
+  rated_torque = \"200 N m\"          #   or pull_out_torque, critical_slip
   overload = 2.2
   rated_slip = 0.05
-  standstill_torque = \"40 N m\"    # linear: with no_load_speed
-  torque = \"40 N m\"               # constant
+  standstill_torque = \"40 N m\"      # linear: with no_load_speed
+  torque = \"40 N m\"                 # constant
   points = [[\"0 rad/s\", \"40 N m\"], [\"10 rad/s\", \"0 N m\"]]   # table, speeds increasing
-  reading = \"linear\"              # table: or \"cubic\"
+  reading = \"linear\"                # table: or \"cubic\"
   ratio = 15                        # optional: motor speed over crank speed
-  rotor_inertia = \"0.006 kg m^2\"  # optional, at the motor
-  flywheel = \"1 kg m^2\"           # optional, at the crank
+  rotor_inertia = \"0.006 kg m^2\"    # optional, at the motor
+  flywheel = \"1 kg m^2\"             # optional, at the crank
   [load]                            # optional resistance at the crank
-  constant = \"5 N m\"              # and viscous = \"0.1 N m s\", quadratic = \"0.01 N m s^2\"
+  constant = \"5 N m\"                # and viscous = \"0.1 N m s\", quadratic = \"0.01 N m s^2\"
   [run]
   duration = \"3 s\"
-  step = \"1 ms\"                   # between rows
+  step = \"1 ms\"                     # between rows
   tolerance = 1e-10                 # optional, and the following
-  method = \"verner98\"             # or \"dop853\", \"radau5\"; left out, radau5 where stiff
-  coefficients = \"exact\"          # or \"splines\" (I_n, dI_n/dphi, M_o), \"hybrid\" (dI_n/dphi only)
+  method = \"verner98\"               # or \"dop853\", \"radau5\"; left out, radau5 where stiff
+  coefficients = \"exact\"            # or \"splines\" (I_n, dI_n/dphi, M_o), \"hybrid\" (dI_n/dphi only)
   nodes = 48                        # of the splines, the first at start.phi1
-  target_speed = \"9.5 rad/s\"      # end there
+  target_speed = \"9.5 rad/s\"        # end there
   settle = 1e-9                     # end when two turns in a row begin with equal speeds
   fluctuation = 0.05                # say which flywheel this coefficient needs";
 
@@ -53,11 +53,11 @@ pub struct RunupArgs {
     /// Where I_n, dI_n/dphi and M_o come from, instead of run.coefficients
     #[arg(long, value_name = "MODEL")]
     pub coefficients: Option<String>,
-    /// Nodes of the splines, instead of run.nodes
-    #[arg(long, value_name = "N")]
+    /// Nodes of the splines, instead of run.nodes; not with exact coefficients
+    #[arg(long, value_name = "N", value_parser = number::index)]
     pub nodes: Option<usize>,
     /// Tolerance of a step, instead of run.tolerance
-    #[arg(long, value_name = "TOL")]
+    #[arg(long, value_name = "TOL", value_parser = number::positive)]
     pub tolerance: Option<f64>,
     /// Method of integration, instead of run.method
     #[arg(long, value_name = "NAME")]

@@ -1,9 +1,8 @@
 //! Certified values of a method at inputs from every region of its domain.
 
-use super::super::points::layout;
 use super::super::wire;
 use super::artefact::{Made, Outcome};
-use mechaudit::audit::{Case, Cases, Due, Method, Origin, ReferenceAnswer, Settings};
+use mechaudit::audit::{Case, Cases, Due, Layout, Method, Origin, ReferenceAnswer, Settings};
 use mechaudit::reference::Ball;
 use rayon::prelude::*;
 use rug::Rational;
@@ -52,13 +51,13 @@ pub fn made(method: &dyn Method) -> Outcome<Made> {
         let (value, radius, condition) = (row.value, row.radius, row.condition);
         writeln!(body, "{start},{value},{radius},{condition}")?;
     }
-    let [input, answer] = layout(method);
+    let layout = Layout::new(method);
     let regions = method.domain().regions.len();
     Ok(Made {
         title: format!("{}: {}.\n\n{MEANING}", method.name(), method.summary()),
         facts: vec![
-            ("input", input),
-            ("value", answer),
+            ("input", layout.input()),
+            ("value", layout.answer()),
             (
                 "precision",
                 format!(

@@ -72,11 +72,8 @@ fn artefacts() -> Vec<Artefact> {
 fn chosen(names: &[String]) -> Result<Vec<Artefact>, Failure> {
     let mut all = artefacts();
     if let Some(unknown) = names.iter().find(|n| all.iter().all(|a| a.name != **n)) {
-        let known: Vec<String> = all.into_iter().map(|a| a.name).collect();
-        return Err(Failure::new(format!(
-            "nothing generated is named {unknown:?}; there are: {}",
-            known.join(", ")
-        )));
+        let known: Vec<&str> = all.iter().map(|a| a.name.as_str()).collect();
+        return Err(Failure::no_such("generated file", unknown, &known));
     }
     all.retain(|a| names.is_empty() || names.contains(&a.name));
     Ok(all)
