@@ -272,7 +272,7 @@ fn what_is_no_file_of_hard_cases_is_refused() {
             "no output \"y\"; it has: ",
         ),
         (
-            format!("# ours\ngarbage\n1,x,z,0x1p0\n"),
+            "# ours\ngarbage\n1,x,z,0x1p0\n".to_string(),
             "on line 2: the names are \"garbage\"",
         ),
         (

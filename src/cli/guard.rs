@@ -53,7 +53,7 @@ pub fn end_group(child: &Child) {
 /// Whether this process is a guard, which has done its work then.
 pub fn served() -> bool {
     let mut arguments = std::env::args_os().skip(1);
-    if !arguments.next().is_some_and(|a| a == ARGUMENT) {
+    if arguments.next().is_none_or(|a| a != ARGUMENT) {
         return false;
     }
     // Ends with the process at the other end.

@@ -15,6 +15,10 @@ pub(in crate::solvers) struct Tabulated {
 /// From this displacement on what is left is computed first.
 const NEAR_END: f64 = 0.875;
 
+/// The part of an end segment in which `s`, or what is left, comes from the slope given at that end:
+/// there the ordinates' share cancels that of the bend.
+const BESIDE: f64 = 0.25;
+
 /// The condition for `1 − s`.
 fn negated(end: End) -> End {
     match end {
@@ -43,12 +47,19 @@ impl Tabulated {
     /// The motion and `1 − s`.
     pub(super) fn motion(&self, x: f64) -> Result<(Motion, f64), CamLawError> {
         let jet = self.spline.jet(x)?;
-        let (displacement, remaining) = match jet.value > NEAR_END {
-            true => {
-                let rest = self.left.jet(x)?.value;
-                (1.0 - rest, rest)
-            }
-            false => (jet.value, 1.0 - jet.value),
+        let (second, third) = (jet.second, jet.third);
+        let (displacement, remaining) = if let Some(v) = self.slope_beside(0, x) {
+            let s = x * (v + x * (0.5 * second - third * x / 3.0));
+            (s, 1.0 - s)
+        } else if let Some(v) = self.slope_beside(1, 1.0 - x) {
+            let u = 1.0 - x;
+            let rest = u * (v - u * (0.5 * second + third * u / 3.0));
+            (1.0 - rest, rest)
+        } else if jet.value > NEAR_END {
+            let rest = self.left.jet(x)?.value;
+            (1.0 - rest, rest)
+        } else {
+            (jet.value, 1.0 - jet.value)
         };
         let motion = Motion {
             displacement,
@@ -57,6 +68,19 @@ impl Tabulated {
             jerk: jet.third,
         };
         Ok((motion, remaining))
+    }
+
+    /// The slope given at an end, that far beside it.
+    fn slope_beside(&self, end: usize, distance: f64) -> Option<f64> {
+        let knots = self.knots();
+        let width = match end {
+            0 => knots[1],
+            _ => 1.0 - knots[knots.len() - 2],
+        };
+        match self.ends[end] {
+            End::FirstDerivative(v) if distance < BESIDE * width => Some(v),
+            _ => None,
+        }
     }
 
     pub(in crate::solvers) fn knots(&self) -> &[f64] {

@@ -309,3 +309,18 @@ fn beside_a_middle_that_comes_early() {
     near(m.acceleration, -0.385_336_593_684_384_08, 5.0);
     near(m.jerk, -17.080_785_699_970_844, 3.0);
 }
+
+/// Beside the ends of a table with zero slopes; certified to 20 digits.
+#[test]
+fn beside_the_ends_of_a_table() {
+    let x = vec![0.0, 0.247_884_233_553_147_54, 0.699_372_558_184_867_3, 1.0];
+    let y = vec![0.0, 0.287_555_283_674_423_07, 0.513_447_214_173_901_2, 1.0];
+    let law = MotionLaw::tabulated(x, y, [End::FirstDerivative(0.0); 2]).unwrap();
+    let near = |got: f64, due: f64| assert!((got / due - 1.0).abs() < 4e-16, "{got} {due}");
+    let start = law.motion(0.000_964_517_228_756_345_3).unwrap();
+    near(start.displacement, 8.849_295_714_946_18e-6);
+    near(
+        law.remaining(0.999_511_728_7).unwrap(),
+        2.631_807_992_088_733e-6,
+    );
+}
