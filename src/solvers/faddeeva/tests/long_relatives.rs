@@ -83,6 +83,27 @@ fn check(seed: u64, solver: Solver, exact: Reference, bound: f64) {
     assert!(worst.0 < bound && n > 1000, "{worst:?}, {n} points");
 }
 
+/// Where Re erf is 1 beside the imaginary axis, down to subnormal distances from it.
+#[test]
+fn erfc_beside_the_imaginary_axis() {
+    let mut random = Random(185);
+    let mut worst = (0.0f64, Complex::ZERO);
+    for _ in 0..400 {
+        let y = random.between(1.0, 26.7);
+        let guess = 0.5 * std::f64::consts::PI.sqrt() * (-y * y).exp();
+        let f = |x: f64| erfc_f64(Complex::new(x, y)).re;
+        for x in crossing(f, 0.5 * guess, 2.0 * guess).into_iter().flatten() {
+            let z = Complex::new(x, y);
+            let off = off(erfc_f64, reference::erfc, z);
+            if !(off <= worst.0) {
+                worst = (off, z);
+            }
+        }
+    }
+    println!("{} ε at {:e}", worst.0, worst.1);
+    assert!(worst.0 > 0.0 && worst.0 < 2.5, "{worst:?}");
+}
+
 #[test]
 fn erf_next_to_zero_curves() {
     check(181, erf, reference::erf, 2.5);

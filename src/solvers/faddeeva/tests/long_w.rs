@@ -172,6 +172,29 @@ fn next_to_zeros() {
     assert!(most < 2.0, "{most} ε at {a:e} {y:e}");
 }
 
+/// Products 2ab that are next to a multiple of π/2 among all with 106 digits, within 2⁻¹⁰¹: where `2e^{−z²}` stands
+/// alone, where it is far larger than w(−z), and a few powers of two farther away.
+#[test]
+fn phases_next_to_multiples_of_a_quarter_turn() {
+    for (a, b) in [
+        (0x1ac9_c2a9_105b_fcu64, 0x1e76_5b1d_7d6e_f4u64, -48),
+        (0x1417_51fe_cc44_fd, 0x144e_e768_fe49_f8, -47),
+        (0x1a96_5efe_79e5_a0, 0x1bc6_7510_9526_03, -47),
+        (0x117b_3ba3_07f7_c3, 0x11aa_3e22_3023_a1, -46),
+    ]
+    .map(|(a, b, e)| {
+        (
+            a as f64 * f64::exp2(e.into()),
+            b as f64 * f64::exp2(e.into()),
+        )
+    }) {
+        let (c, s) = exact_gaussian(a, -b);
+        let (c, s) = (c.to_f64().abs(), s.to_f64().abs());
+        assert!(c.min(s) < 2f64.powi(-95) * c.max(s), "{a} {b}");
+        assert!(off(a, -b) < 2.0, "{a} {b}: {}", off(a, -b));
+    }
+}
+
 /// The worst that was found while double-double was all.
 #[test]
 fn a_point_next_to_the_flat_curve() {
