@@ -1,5 +1,5 @@
 use super::super::tests::Random;
-use super::super::tests::exact::{error, float};
+use super::super::tests::exact::{crossing, error, float};
 use super::super::{dawson as dawson_f64, erf, erfc as erfc_f64, w_derivative};
 use crate::reference::{ComplexBall, Undecided, faddeeva as reference};
 use num_complex::Complex;
@@ -17,26 +17,6 @@ fn off(solver: Solver, exact: Reference, z: Complex<f64>) -> f64 {
         error(&float(got), exact, &size) / f64::EPSILON
     };
     one(got.re, exact.re.mid()).max(one(got.im, exact.im.mid()))
-}
-
-/// The neighbouring `f64` between which f changes its sign.
-fn crossing(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<[f64; 2]> {
-    let (mut low, mut high) = (low, high);
-    let sign = f(low) < 0.0;
-    if sign == (f(high) < 0.0) {
-        return None;
-    }
-    while low.next_up() < high {
-        let t = (low + (high - low) / 2.0)
-            .max(low.next_up())
-            .min(high.next_down());
-        if (f(t) < 0.0) == sign {
-            low = t;
-        } else {
-            high = t;
-        }
-    }
-    Some([low, high])
 }
 
 /// The `f64` next to the curves on which a component is zero: each component within `bound` ε.
