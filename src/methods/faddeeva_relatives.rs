@@ -19,7 +19,7 @@ pub(super) struct Zeros {
     pub at: fn(usize) -> [f64; 2],
     /// Whether −x, −y belong to a zero as well.
     pub mirrored: [bool; 2],
-    /// The solver stores so many of them; beyond it sums in double-double.
+    /// The solver stores so many of them; beyond it sums in longer numbers.
     pub stored: usize,
 }
 

@@ -86,7 +86,7 @@ impl Long {
     /// The nearest `f64`.
     pub(super) fn value(self) -> f64 {
         if self.is_zero() || self.exponent < -1074 {
-            return 0.0;
+            return if self.negative { -0.0 } else { 0.0 };
         }
         // Fewer digits below the normal numbers: 0 at half of the smallest.
         let digits = (self.exponent + 1074).min(53);

@@ -1,13 +1,25 @@
 //! erfc, Dawson's function and W′ in 256 bits, next to the curves on which a component is zero.
 
 use super::long::Long;
-use super::long_functions::{Complex, gaussian, plus, times};
+use super::long_functions::{Angle, Complex, exp, gaussian, plus, times};
 use super::long_w::{INV_SQRT_PI, series, w};
 
 /// `erfc(x + i y) = e^{−z²} w(iz)` in the first quadrant, `|Re z²| < 2¹⁰`.
 pub(super) fn erfc(x: f64, y: f64) -> Complex {
     let (u, v) = w(y, x);
     times(gaussian(x, y), (u, -v))
+}
+
+/// `Re erf(x + i y)` beside the imaginary axis, `xy < 2⁻³²`: the three first terms of the series in x,
+/// `(2/√π) x e^{y²} (1 − x² (2y² + 1)/3 + x⁴ (4y⁴ + 12y² + 3)/30)`; the next one is below `(xy)⁶/100`.
+pub(super) fn re_erf(x: f64, y: f64) -> Long {
+    let (x, y) = (Long::from(x), Long::from(y));
+    let (xx, yy) = (x.square(), y.square());
+    let second = (xx * (yy.scale(1) + Long::ONE)).over(3);
+    let third = yy.square().scale(2) + yy * Long::from(12.0) + Long::from(3.0);
+    let third = (xx.square() * third).over(30);
+    let e = exp(yy, Angle::quarters(0.0)).0;
+    x * e * INV_SQRT_PI.scale(1) * (Long::ONE - second + third)
 }
 
 /// `F(x + i y) = (√π/2) i (e^{−z²} − w(z))` in the first quadrant, `|Re z²| < 2¹⁰`.

@@ -83,3 +83,23 @@ pub fn gaussian(a: f64, y: f64) -> (Float, Float) {
 pub fn shifted(x: Dd, n: f64) -> Float {
     wide(x) << (n - super::super::real::ROUND) as i32
 }
+
+/// The neighbouring `f64` between which f changes its sign.
+pub fn crossing(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<[f64; 2]> {
+    let (mut low, mut high) = (low, high);
+    let sign = f(low) < 0.0;
+    if sign == (f(high) < 0.0) {
+        return None;
+    }
+    while low.next_up() < high {
+        let t = (low + (high - low) / 2.0)
+            .max(low.next_up())
+            .min(high.next_down());
+        if (f(t) < 0.0) == sign {
+            low = t;
+        } else {
+            high = t;
+        }
+    }
+    Some([low, high])
+}

@@ -1,5 +1,5 @@
 use super::super::tests::Random;
-use super::super::tests::exact::{error, float};
+use super::super::tests::exact::{crossing, error, float};
 use super::super::{dawson as dawson_f64, erf, erfc as erfc_f64, w_derivative};
 use crate::reference::{ComplexBall, Undecided, faddeeva as reference};
 use num_complex::Complex;
@@ -17,26 +17,6 @@ fn off(solver: Solver, exact: Reference, z: Complex<f64>) -> f64 {
         error(&float(got), exact, &size) / f64::EPSILON
     };
     one(got.re, exact.re.mid()).max(one(got.im, exact.im.mid()))
-}
-
-/// The neighbouring `f64` between which f changes its sign.
-fn crossing(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<[f64; 2]> {
-    let (mut low, mut high) = (low, high);
-    let sign = f(low) < 0.0;
-    if sign == (f(high) < 0.0) {
-        return None;
-    }
-    while low.next_up() < high {
-        let t = (low + (high - low) / 2.0)
-            .max(low.next_up())
-            .min(high.next_down());
-        if (f(t) < 0.0) == sign {
-            low = t;
-        } else {
-            high = t;
-        }
-    }
-    Some([low, high])
 }
 
 /// The `f64` next to the curves on which a component is zero: each component within `bound` ε.
@@ -81,6 +61,27 @@ fn check(seed: u64, solver: Solver, exact: Reference, bound: f64) {
     }
     println!("{} ε at {:e}, {n} points", worst.0, worst.1);
     assert!(worst.0 < bound && n > 1000, "{worst:?}, {n} points");
+}
+
+/// Where Re erf is 1 beside the imaginary axis, down to subnormal distances from it.
+#[test]
+fn erfc_beside_the_imaginary_axis() {
+    let mut random = Random(185);
+    let mut worst = (0.0f64, Complex::ZERO);
+    for _ in 0..400 {
+        let y = random.between(1.0, 26.7);
+        let guess = 0.5 * std::f64::consts::PI.sqrt() * (-y * y).exp();
+        let f = |x: f64| erfc_f64(Complex::new(x, y)).re;
+        for x in crossing(f, 0.5 * guess, 2.0 * guess).into_iter().flatten() {
+            let z = Complex::new(x, y);
+            let off = off(erfc_f64, reference::erfc, z);
+            if !(off <= worst.0) {
+                worst = (off, z);
+            }
+        }
+    }
+    println!("{} ε at {:e}", worst.0, worst.1);
+    assert!(worst.0 > 0.0 && worst.0 < 2.5, "{worst:?}");
 }
 
 #[test]

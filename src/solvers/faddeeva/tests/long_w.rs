@@ -1,7 +1,9 @@
 use super::super::lanes::Plain;
 use super::super::plane;
 use super::super::tests::Random;
-use super::super::tests::exact::{error, float, gaussian as exact_gaussian, pi, w as exact};
+use super::super::tests::exact::{
+    crossing, error, float, gaussian as exact_gaussian, pi, w as exact,
+};
 use super::*;
 use crate::reference::faddeeva::zero;
 use rug::Float;
@@ -58,29 +60,6 @@ fn off(a: f64, y: f64) -> f64 {
         error(&float(got), exact, &size) / f64::EPSILON
     };
     one(re, &exact.0).max(one(im, &exact.1))
-}
-
-/// The two neighbouring `f64` between which f changes its sign.
-fn crossing(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<[f64; 2]> {
-    let (mut low, mut high) = (low, high);
-    let sign = f(low) < 0.0;
-    if sign == (f(high) < 0.0) {
-        return None;
-    }
-    while low.next_up() < high {
-        let t = low + (high - low) / 2.0;
-        let t = if t > low && t < high {
-            t
-        } else {
-            low.next_up()
-        };
-        if (f(t) < 0.0) == sign {
-            low = t;
-        } else {
-            high = t;
-        }
-    }
-    Some([low, high])
 }
 
 /// What is worst at the points of a curve.
@@ -170,6 +149,29 @@ fn next_to_zeros() {
     let Worst(most, a, y, _) = worst;
     println!("{most} ε at {a:e} {y:e}");
     assert!(most < 2.0, "{most} ε at {a:e} {y:e}");
+}
+
+/// Products 2ab that are next to a multiple of π/2 among all with 106 digits, within 2⁻¹⁰¹: where `2e^{−z²}` stands
+/// alone, where it is far larger than w(−z), and a few powers of two farther away.
+#[test]
+fn phases_next_to_multiples_of_a_quarter_turn() {
+    for (a, b) in [
+        (0x001a_c9c2_a910_5bfc_u64, 0x001e_765b_1d7d_6ef4_u64, -48),
+        (0x0014_1751_fecc_44fd, 0x0014_4ee7_68fe_49f8, -47),
+        (0x001a_965e_fe79_e5a0, 0x001b_c675_1095_2603, -47),
+        (0x0011_7b3b_a307_f7c3, 0x0011_aa3e_2230_23a1, -46),
+    ]
+    .map(|(a, b, e)| {
+        (
+            a as f64 * f64::exp2(e.into()),
+            b as f64 * f64::exp2(e.into()),
+        )
+    }) {
+        let (c, s) = exact_gaussian(a, -b);
+        let (c, s) = (c.to_f64().abs(), s.to_f64().abs());
+        assert!(c.min(s) < 2f64.powi(-95) * c.max(s), "{a} {b}");
+        assert!(off(a, -b) < 2.0, "{a} {b}: {}", off(a, -b));
+    }
 }
 
 /// The worst that was found while double-double was all.
