@@ -63,6 +63,7 @@ mod svg_mechanism;
 mod svg_panel;
 mod svg_reduced;
 mod svg_runup;
+mod svg_style;
 mod table;
 mod text;
 mod text_method;

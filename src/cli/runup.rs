@@ -9,7 +9,7 @@ use super::runup_facts::{self as facts, Steady};
 use super::runup_file::{self, Coefficients, Machine};
 use super::{runup_precision, svg_panel, svg_runup};
 use mechaudit::solvers::run_up::{
-    Equation, Hybrid, Motion, ReducedModel, Sample, Splined, inertia_range, run,
+    Equation, Hybrid, Motion, Plan, ReducedModel, Sample, Splined, inertia_range, run,
 };
 
 /// The columns of a row with their units.
@@ -59,7 +59,16 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let steady = Steady::of(&machine, &equation, &motion);
     // Before the rows: a folder that cannot be written stops the run before any output.
     if let Some(folder) = &args.svg {
-        let text = svg_runup::draw(&machine.name, &motion.samples)?;
+        let start = svg_runup::short_start(&motion.samples).map(|duration| {
+            let plan = Plan {
+                duration,
+                sampling: Some(duration / 400.0),
+                ..machine.plan.clone()
+            };
+            run(&equation, &plan).map_err(|e| about(e.to_string()))
+        });
+        let start = start.transpose()?.map(|m| m.samples);
+        let text = svg_runup::draw(&machine.name, &motion.samples, start.as_deref())?;
         svg_panel::save(folder, "run-up.svg", &text)?;
     }
     write_to(args.output.as_deref(), |out| {

@@ -1,6 +1,6 @@
 //! `mechaudit linkage` for four-bar linkages and slider-cranks, as its user meets it.
 
-use crate::common::{Done, changed, column, refused, run_on, texts};
+use crate::common::{Done, changed, column, drawing, refused, run_on, texts};
 
 const FOUR_BAR: &str = include_str!("../../examples/four-bar.toml");
 const SLIDER: &str = include_str!("../../examples/slider-crank.toml");
@@ -315,15 +315,10 @@ fn a_drawing_is_well_formed_and_inside_its_frame() {
         assert!(svg.contains(&format!("<title>{name}</title>")), "{svg}");
         assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"));
         assert_eq!(svg.matches("<g ").count(), svg.matches("</g>").count());
-        let lines = svg.split("points=\"").skip(1);
-        let points: Vec<&str> = lines
-            .flat_map(|l| l.split('"').next().unwrap().split(' '))
-            .collect();
+        let points: Vec<(f64, f64)> = drawing(&svg).concat();
         assert!(points.len() > 1000, "{}", points.len());
-        for p in points {
-            let (x, y) = p.split_once(',').expect("a point");
-            let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
-            assert!((0.0..=1000.0).contains(&x) && y > 60.0, "{p}");
+        for (x, y) in points {
+            assert!((0.0..=1000.0).contains(&x) && y > 60.0, "{x}, {y}");
         }
     }
 }

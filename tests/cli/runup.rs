@@ -1,8 +1,9 @@
 //! `mechaudit runup` as its user meets it.
 
-use crate::common::{Done, changed, column, refused, run_on};
+use crate::common::{Done, changed, column, drawing, refused, run_on};
 
 const SCREEN: &str = include_str!("../../examples/sand-screen-run-up.toml");
+const ROTOR: &str = include_str!("../../examples/sand-screen-rotor.toml");
 const FOUR_BAR: &str = include_str!("../../examples/four-bar-run-up.toml");
 
 fn runup(text: &str, args: &[&str]) -> Done {
@@ -129,12 +130,35 @@ fn drawings_and_files_are_written_whole() {
     );
     let svg = std::fs::read_to_string(pictures.join("run-up.svg")).unwrap();
     assert!(svg.contains("crank speed") && svg.contains("work of the motor"));
-    assert!(!svg.contains("NaN"));
+    assert_eq!(drawing(&svg).len(), 8);
     let taken = folder.path().join("taken");
     std::fs::write(&taken, "").unwrap();
     let d = runup(FOUR_BAR, &["--svg", taken.to_str().unwrap()]);
     refused(&d, "cannot make the folder");
     refused(&runup(FOUR_BAR, &["--output", p]), "is a folder");
+}
+
+#[test]
+fn a_start_that_the_whole_run_hides_is_drawn_enlarged() {
+    let folder = tempfile::tempdir().unwrap();
+    let rising = |text: &str| {
+        let text = changed(text, "\"3 s\"", "\"0.6 s\"");
+        let text = changed(&text, "1e-12", "1e-8");
+        let d = runup(&text, &["--svg", folder.path().to_str().unwrap()]);
+        assert_eq!(d.code, 0, "{}", d.err);
+        let svg = std::fs::read_to_string(folder.path().join("run-up.svg")).unwrap();
+        // The width over which the first curve of the speed comes to nine tenths of its height.
+        let speed = drawing(&svg).swap_remove(0);
+        let top = speed.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
+        let due = speed[0].1 - 0.9 * (speed[0].1 - top);
+        let there = speed.iter().find(|p| p.1 <= due).unwrap();
+        (svg.contains("times as wide"), there.0 - speed[0].0)
+    };
+    // Without a rotor it takes a millisecond, with one half a second.
+    let (enlarged, width) = rising(SCREEN);
+    assert!(enlarged && width > 50.0, "{width}");
+    let (enlarged, width) = rising(ROTOR);
+    assert!(!enlarged && width > 300.0, "{width}");
 }
 
 #[test]

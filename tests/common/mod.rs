@@ -110,3 +110,29 @@ pub fn names(folder: &Path) -> Vec<String> {
 pub fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
+
+/// A drawing that is whole: named and described, dark on dark pages, its curves to hundredths of a
+/// pixel. Returns the points of its curves.
+pub fn drawing(svg: &str) -> Vec<Vec<(f64, f64)>> {
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    assert!(!svg.contains("NaN") && !svg.contains("inf,") && !svg.contains(",inf"));
+    for part in ["<title>", "<desc>", "prefers-color-scheme: dark"] {
+        assert!(svg.contains(part), "{part} is missing");
+    }
+    let lines = svg.split("points=\"").skip(1);
+    let lines = lines.map(|l| l.split('"').next().unwrap().split_whitespace());
+    let hundredths = |n: &str| n.split_once('.').is_some_and(|(_, d)| d.len() == 2);
+    // Axes and strokes of a legend have two.
+    lines
+        .map(Iterator::collect::<Vec<_>>)
+        .filter(|l| l.len() > 2)
+        .map(|line| {
+            let point = |p: &str| {
+                let (x, y) = p.split_once(',').expect("a point");
+                assert!(hundredths(x) && hundredths(y), "{p}");
+                (x.parse().unwrap(), y.parse().unwrap())
+            };
+            line.into_iter().map(point).collect()
+        })
+        .collect()
+}
