@@ -23,12 +23,16 @@ pub fn input(case: &Case, indent: usize) -> String {
     let mut table = Table::new(&["input", "unit", "decimal", "hexadecimal"], &[0, 1, 3]);
     for (i, x) in case.input.iter().enumerate() {
         let (name, unit) = match named {
-            true => (inputs[i].name.to_string(), inputs[i].unit),
-            false => (format!("[{i}]"), ""),
+            true if inputs[i].unit == "1" => (inputs[i].name.to_string(), "1".into()),
+            true => (
+                inputs[i].name.to_string(),
+                super::text_paper::unit(inputs[i].unit),
+            ),
+            false => (format!("[{i}]"), String::new()),
         };
         table.row(vec![
             (name, PLAIN),
-            (unit.into(), DIM),
+            (unit, DIM),
             (format!("{x:?}"), PLAIN),
             (hex_float(*x), DIM),
         ]);

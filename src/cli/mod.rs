@@ -31,6 +31,7 @@ mod fields;
 mod fuzz;
 mod html;
 mod html_style;
+mod html_text;
 mod hunt;
 mod interrupt;
 mod judge;

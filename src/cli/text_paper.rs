@@ -24,9 +24,15 @@ pub fn mark(verdict: FindingVerdict) -> (&'static str, &'static str, Style) {
     }
 }
 
-/// A unit, nothing where there is none.
-pub fn unit(unit: &str) -> &str {
-    if unit == "1" { "" } else { unit }
+/// A unit as people write it, nothing where there is none.
+pub fn unit(unit: &str) -> String {
+    if unit == "1" {
+        return String::new();
+    }
+    unit.replace("kg m", "kg·m")
+        .replace("N m", "N·m")
+        .replace("N cm", "N·cm")
+        .replace("^2", "²")
 }
 
 /// The report of one paper.
@@ -219,6 +225,7 @@ pub mod tests {
                         name: "mass of link 4".into(),
                         value: "550".into(),
                         unit: "kg",
+                        latex: None,
                     }],
                     as_recorded: true,
                 },

@@ -27,13 +27,13 @@ fn the_screen_runs_up() {
     let balance = column(&d.out, "energy_balance_J");
     assert!(balance.iter().all(|b| b.abs() < 1e-8));
     // The light dead position, with its cause.
-    assert!(d.err.contains("falls to 0.03435 kg m^2"), "{}", d.err);
+    assert!(d.err.contains("falls to 0.03435 kg·m²"), "{}", d.err);
     assert!(
         d.err
             .contains("I_1 = 0: the file gives neither motor.rotor_inertia")
     );
     assert!(d.err.contains("9.985716 rad/s in the mean"), "{}", d.err);
-    assert!(d.err.contains("flywheel: 57.1159 kg m^2 more"), "{}", d.err);
+    assert!(d.err.contains("flywheel: 57.1159 kg·m² more"), "{}", d.err);
     let geared = changed(SCREEN, "# rotor_inertia", "rotor_inertia");
     let geared = changed(&geared, "# ratio = 15 ", "ratio = 15 ");
     let geared = changed(&geared, "\"10 rad/s\"", "\"150 rad/s\"");

@@ -136,3 +136,38 @@ pub fn drawing(svg: &str) -> Vec<Vec<(f64, f64)>> {
         })
         .collect()
 }
+
+/// The page as a browser without a network makes it out, if there is one.
+pub fn browsed(path: &Path, width: u32) -> Option<String> {
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let there = |name: &&&str| {
+        let started = Command::new(name)
+            .arg("--version")
+            .stdout(Stdio::null())
+            .status();
+        started.is_ok_and(|s| s.success())
+    };
+    let Some(name) = names.iter().find(there) else {
+        let _ = writeln!(std::io::stderr(), "SKIPPED: chromium is not installed");
+        return None;
+    };
+    let profile = tempfile::tempdir().unwrap();
+    let mut browser = Command::new(name);
+    browser.args([
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+    ]);
+    browser.args([
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+    ]);
+    browser.arg(format!("--user-data-dir={}", profile.path().display()));
+    browser.arg(format!("--window-size={width},1000"));
+    browser.args(["--dump-dom", &format!("file://{}", path.display())]);
+    let output = browser.stderr(Stdio::null()).output().unwrap();
+    Some(String::from_utf8(output.stdout).unwrap())
+}
