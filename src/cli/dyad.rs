@@ -1,6 +1,7 @@
 //! A four-bar linkage or slider-crank given in a file, computed over the turn of its crank.
 
 use super::args::LinkageArgs;
+use super::columns::Columns;
 use super::crank_angles::Grid;
 use super::dyad_certified::{self, Proved};
 use super::dyad_facts as facts;
@@ -37,6 +38,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
         },
     };
     let grid = Grid::new(args, dyad.start.clone())?;
+    let columns = Columns::of(names(dyad), &args.units.units, args.digits.is_some())?;
     // Before the rows: a folder that cannot be written stops the run before any output.
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         svg_dyad::draw(folder, dyad, *assembly)?;
@@ -44,7 +46,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let mut count = 0;
     let outcome = write_to_result(args, |out| {
         let about = facts::json(dyad, &assemblies);
-        let mut rows = Rows::begin(out, args.format, names(dyad), &about)?;
+        let mut rows = Rows::begin(out, args.format, columns, &about)?;
         let outcome = all_rows(args, dyad, &assemblies, &grid, &mut rows, &mut count);
         let outcome = outcome.map_err(|f| match f {
             Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),

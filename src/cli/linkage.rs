@@ -3,6 +3,7 @@
 use super::args::LinkageArgs;
 use super::branch::{self, Branch, Reach};
 use super::certified::Certifier;
+use super::columns::Columns;
 use super::crank_angles::{Grid, Plan, plan, start_degrees};
 use super::failure::{Failure, Outcome};
 use super::linkage_columns as columns;
@@ -26,6 +27,9 @@ pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
 
 fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> {
     let grid = Grid::new(args, start_degrees(linkage))?;
+    let certified = args.digits.is_some();
+    let names = columns::names(linkage, certified);
+    let columns = Columns::of(names, &args.units.units, certified)?;
     let about = |f: Failure| match f {
         Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),
         other => other,
@@ -36,7 +40,7 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
                 "--svg draws one branch: leave out --all-branches",
             ));
         }
-        return all_branches(args, linkage, &grid).map_err(about);
+        return all_branches(args, linkage, &grid, columns).map_err(about);
     }
     let start = match args.branch {
         None => start_degrees(linkage).unwrap_or_else(|| grid.from.clone()),
@@ -51,10 +55,8 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
     let plan = plan(&grid, &branch);
     let reached = plan.len();
     let outcome = write_to_result(args, |out| {
-        let certified = args.digits.is_some();
         let facts = facts(linkage, &branch);
-        let names = columns::names(linkage, certified);
-        let mut rows = Rows::begin(out, args.format, names, &facts)?;
+        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
         let outcome = match args.digits {
             None => floating(linkage, &branch, plan, &mut rows)?,
             Some(digits) => certified_rows(linkage, &branch, plan, digits, &mut rows)?,
@@ -126,7 +128,12 @@ fn certified_rows(
     Ok(decided(undecided, digits))
 }
 
-fn all_branches(args: &LinkageArgs, linkage: &Linkage, grid: &Grid) -> Result<Outcome, Failure> {
+fn all_branches(
+    args: &LinkageArgs,
+    linkage: &Linkage,
+    grid: &Grid,
+    columns: Columns,
+) -> Result<Outcome, Failure> {
     let degrees: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
     let angles: Vec<f64> = degrees.iter().map(|q| nearest(q).to_radians()).collect();
     let map = linkage.solver.trace_branches(&angles);
@@ -138,8 +145,7 @@ fn all_branches(args: &LinkageArgs, linkage: &Linkage, grid: &Grid) -> Result<Ou
         facts.insert("branches".into(), json!(map.branches));
         let folds: Vec<Value> = map.folds.iter().map(fold_json).collect();
         facts.insert("folds".into(), json!(folds));
-        let names = columns::names(linkage, args.digits.is_some());
-        let mut rows = Rows::begin(out, args.format, names, &facts)?;
+        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
         let outcome = branch_rows(args, linkage, &map, &degrees, &mut rows)?;
         rows.end()?;
         Ok(outcome)

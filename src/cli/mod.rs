@@ -13,6 +13,7 @@ mod certified;
 mod chirp;
 mod chirp_file;
 mod chirp_rows;
+mod columns;
 mod converge;
 mod crank_angles;
 mod dyad;

@@ -1,6 +1,7 @@
 //! A machine given in a file, run up or down.
 
 use super::args::RunupArgs;
+use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
@@ -32,6 +33,11 @@ const COLUMNS: [&str; 13] = [
 /// Runs the machine as the arguments ask for.
 pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let machine = runup_file::read(args)?;
+    let columns = match args.work_precision {
+        true => runup_precision::COLUMNS.map(String::from).to_vec(),
+        false => COLUMNS.map(String::from).to_vec(),
+    };
+    let columns = Columns::of(columns, &args.units.units, false)?;
     let about = |e: String| Failure::new(format!("{}: {e}", args.file.display()));
     let exact = &*machine.model;
     let (splined, hybrid);
@@ -50,7 +56,8 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     };
     let equation = Equation::new(model, &machine.drive);
     if args.work_precision {
-        return runup_precision::table(args, &machine, &equation).map_err(|f| named(args, f));
+        return runup_precision::table(args, &machine, &equation, columns)
+            .map_err(|f| named(args, f));
     }
     let warning = inertia_range(exact, first)
         .ok()
@@ -73,8 +80,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     }
     write_to(args.output.as_deref(), |out| {
         let about = facts::json(&machine, &motion, &steady, warning.as_deref());
-        let names = COLUMNS.map(String::from).to_vec();
-        let mut rows = Rows::begin(out, args.format, names, &about)?;
+        let mut rows = Rows::begin(out, args.format, columns, &about)?;
         for sample in &motion.samples {
             rows.row(&row(sample))?;
         }

@@ -1,6 +1,7 @@
 //! Work against precision: what each method costs for what accuracy, on the machine of the file.
 
 use super::args::RunupArgs;
+use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
@@ -21,6 +22,9 @@ const EXPONENTS: [f64; 19] = [
 /// tolerance ten times finer than its own finest.
 const FINEST: f64 = 1e-14;
 
+/// The columns of a row.
+pub const COLUMNS: [&str; 4] = ["method", "tolerance", "evaluations", "error_rad_per_s"];
+
 /// Moments at which the speeds are compared.
 const MOMENTS: u32 = 8;
 
@@ -33,7 +37,12 @@ pub struct Point {
 }
 
 /// Writes the table and, if asked, the drawing.
-pub fn table(args: &RunupArgs, machine: &Machine, equation: &Equation) -> Result<Outcome, Failure> {
+pub fn table(
+    args: &RunupArgs,
+    machine: &Machine,
+    equation: &Equation,
+    columns: Columns,
+) -> Result<Outcome, Failure> {
     let end = |method, tolerance, moment: u32| -> Result<(f64, u64), Failure> {
         let plan = Plan {
             duration: machine.plan.duration * f64::from(moment) / f64::from(MOMENTS),
@@ -83,9 +92,7 @@ pub fn table(args: &RunupArgs, machine: &Machine, equation: &Equation) -> Result
         about.insert("mechaudit_version".into(), json!(env!("CARGO_PKG_VERSION")));
         about.insert("name".into(), json!(machine.name));
         about.insert("duration_s".into(), json!(machine.plan.duration));
-        let names = ["method", "tolerance", "evaluations", "error_rad_per_s"];
-        let names = names.map(String::from).to_vec();
-        let mut rows = Rows::begin(out, args.format, names, &about)?;
+        let mut rows = Rows::begin(out, args.format, columns, &about)?;
         for p in &points {
             rows.row(&[
                 Cell::Name(p.method.name()),

@@ -324,6 +324,43 @@ fn a_drawing_is_well_formed_and_inside_its_frame() {
 }
 
 #[test]
+fn rows_in_the_units_asked_for() {
+    let metric = linkage(SLIDER, &["--step-deg", "30", "--digits", "12"]);
+    let d = linkage(
+        SLIDER,
+        &["--step-deg", "30", "--digits", "12", "--units", "µm"],
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    let digits = |text: &str, name: &str| -> Vec<String> {
+        let all = texts(text, name);
+        let digits = |t: &String| {
+            t.replace(['.', '-'], "")
+                .trim_start_matches('0')
+                .to_string()
+        };
+        all.iter().map(digits).collect()
+    };
+    assert_eq!(digits(&metric.out, "slider_m"), digits(&d.out, "slider_um"));
+    let (m, um) = (column(&metric.out, "slider_m"), column(&d.out, "slider_um"));
+    assert!(m.len() == 12 && m.iter().zip(um).all(|(m, um)| (1e6 * m - um).abs() < 1e-5));
+    refused(
+        &linkage(SLIDER, &["--digits", "12", "--units", "inch"]),
+        "from slider_m to slider_inch is no power of ten",
+    );
+    refused(
+        &linkage(FOUR_BAR, &["--units", "kg"]),
+        "no column can be in kg; the columns are phi1_deg, branch",
+    );
+    let json = linkage(
+        SLIDER,
+        &["--step-deg", "90", "--format", "json", "--units", "mm,rad"],
+    );
+    let json: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert_eq!(json["columns"][0], "phi1_rad");
+    assert!(json["rows"][1]["slider_mm"].as_f64().unwrap() > 1.0);
+}
+
+#[test]
 fn json_has_the_facts() {
     let d = linkage(
         FOUR_BAR,

@@ -162,6 +162,56 @@ fn a_start_that_the_whole_run_hides_is_drawn_enlarged() {
 }
 
 #[test]
+fn rows_in_the_units_asked_for() {
+    let plain = runup(FOUR_BAR, &[]);
+    let d = runup(FOUR_BAR, &["--units", "ms,1/min,g,cm,rev"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    for (name, new, factor) in [
+        ("t_s", "t_ms", 1e3),
+        ("phi1_deg", "phi1_rev", 1.0 / 360.0),
+        (
+            "omega_rad_per_s",
+            "omega_1_per_min",
+            30.0 / std::f64::consts::PI,
+        ),
+        ("I_kg_m2", "I_g_cm2", 1e7),
+        ("M_o_N_m", "M_o_N_cm", 1e2),
+        ("work_motor_J", "work_motor_J", 1.0),
+    ] {
+        let (old, new) = (column(&plain.out, name), column(&d.out, new));
+        assert!(old.len() == 1001 && old.len() == new.len());
+        for (a, b) in old.iter().zip(new) {
+            assert!((a * factor - b).abs() <= 1e-15 * b.abs(), "{name}: {a} {b}");
+        }
+    }
+    // Before the run, and before the drawing.
+    let folder = tempfile::tempdir().unwrap();
+    let pictures = folder.path().join("pictures");
+    let args = ["--units", "lb,furlong", "--svg", pictures.to_str().unwrap()];
+    refused(&runup(FOUR_BAR, &args), "\"furlong\" is not a unit");
+    assert!(!pictures.exists());
+    refused(
+        &runup(FOUR_BAR, &["--work-precision", "--units", "mm"]),
+        "no column can be in mm; the columns are method, tolerance",
+    );
+}
+
+#[test]
+fn frequencies_in_hz_and_1_per_min() {
+    let of = |speed: &str| {
+        let text = changed(
+            FOUR_BAR,
+            "speed = \"0 rad/s\"",
+            &format!("speed = \"{speed}\""),
+        );
+        runup(&changed(&text, "\"2 s\"", "\"0.01 s\""), &[]).out
+    };
+    let due = of("60 rpm");
+    assert_eq!(due.lines().count(), 7);
+    assert!(of("1 Hz") == due && of("60 1/min") == due && of("60 min^-1") == due);
+}
+
+#[test]
 fn the_same_file_serves_linkage() {
     let d = run_on(SCREEN, &["linkage", "-", "--step-deg", "90"]);
     assert_eq!((d.code, d.out.lines().count()), (0, 5), "{}", d.err);

@@ -13,6 +13,7 @@ mod points;
 mod regenerate;
 mod runup;
 mod shell;
+mod units;
 
 pub use audit::{AuditArgs, AuditFormat, ExecArgs, ScopeArgs};
 pub use chirp::{ChirpArgs, ChirpRows};
@@ -27,6 +28,7 @@ pub use points::PointsArgs;
 pub use regenerate::RegenerateArgs;
 pub use runup::RunupArgs;
 pub use shell::{CompletionsArgs, ManArgs};
+pub use units::UnitsArgs;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
