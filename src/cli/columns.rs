@@ -87,18 +87,26 @@ fn joined(stem: &str, factors: &[(String, i32)]) -> String {
 
 impl Wanted<'_> {
     fn read(text: &str) -> Result<Wanted<'_>, Failure> {
-        let unit = quantity::unit(text).map_err(|e| Failure::new(format!("--units: {e}")))?;
-        let simple = |d: [i32; 4]| SYMBOLS.iter().any(|s| dimension(s) == Some(d));
-        if unit.dimension != SPEED && !(simple(unit.dimension) && !text.contains([' ', '^', '*'])) {
+        let known = quantity::KNOWN;
+        let unit = quantity::unit(text)
+            .map_err(|e| Failure::new(format!("--units: {e}; there are {known}")))?;
+        let simple = SYMBOLS.iter().any(|s| dimension(s) == Some(unit.dimension));
+        let label = match text {
+            "°" => "deg".into(),
+            "µm" | "μm" => "um".into(),
+            "/min" | "min^-1" | "min⁻¹" => "1_per_min".into(),
+            _ => text.replace('/', "_per_"),
+        };
+        let word = |c: char| c.is_ascii_alphabetic();
+        let good = match unit.dimension {
+            SPEED => label.chars().all(|c| word(c) || matches!(c, '_' | '1')),
+            _ => simple && label.chars().all(word),
+        };
+        if !good {
             return Err(Failure::new(format!(
                 "--units: {text:?} is a product; write its factors, for instance mm,deg,rpm"
             )));
         }
-        let label = match text {
-            "°" => "deg".into(),
-            "µm" | "μm" => "um".into(),
-            _ => text.replace('/', "_per_"),
-        };
         Ok(Wanted { text, label, unit })
     }
 
@@ -307,7 +315,7 @@ mod tests {
             ),
             (
                 "omega_rad_per_s",
-                "1/min",
+                "min^-1",
                 "omega_1_per_min",
                 std::f64::consts::TAU,
                 60.0,
@@ -375,6 +383,7 @@ mod tests {
             ("furlong", "\"furlong\" is not a unit known here"),
             ("m/s", "is a product"),
             ("mm^2", "is a product"),
+            ("N·m", "is a product"),
             ("rpm", "no column can be in rpm"),
             ("", "--units"),
         ] {

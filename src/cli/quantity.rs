@@ -76,6 +76,10 @@ pub struct Unit {
     pub degrees: bool,
 }
 
+/// The units known by name.
+pub const KNOWN: &str =
+    "m dm cm mm um µm in inch ft kg g t lb N kN s ms min rad deg ° rev rpm Hz 1/min";
+
 fn base(name: &str) -> Option<Unit> {
     let unit = |n: u64, d: u64, dimension| {
         Some(Unit {
@@ -300,6 +304,13 @@ mod tests {
         assert_eq!(q.to_f64(), (-39.3f64).to_radians());
         assert_eq!(si(Kind::Mass, "0.1 kg"), Rational::from((1, 10)));
         assert_eq!(nearest(&si(Kind::Mass, "0.1 kg")), 0.1);
+    }
+
+    #[test]
+    fn the_list_of_units_is_right() {
+        for name in KNOWN.split(' ') {
+            assert!(unit(name).is_ok(), "{name}");
+        }
     }
 
     #[test]

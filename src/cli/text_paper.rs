@@ -277,6 +277,18 @@ pub mod tests {
     }
 
     #[test]
+    fn units_are_those_of_people() {
+        for (machine, people) in [
+            ("kg m^2/rad", "kg·m²/rad"),
+            ("1e-4 N m", "1e-4 N·m"),
+            ("cm/s^2", "cm/s²"),
+            ("1", ""),
+        ] {
+            assert_eq!(unit(machine), people);
+        }
+    }
+
+    #[test]
     fn findings_by_subject_with_marks_and_width() {
         for width in [60, 100] {
             let text = paper(&fabricated(), width);

@@ -152,6 +152,16 @@ fn drawings() {
 }
 
 #[test]
+fn the_pictures_beside_the_examples_are_whole() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/pictures");
+    let files = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|f| f.unwrap().path());
+    let svgs = files.map(|f| std::fs::read_to_string(f).unwrap());
+    assert_eq!(svgs.filter(|svg| !drawing(svg).is_empty()).count(), 8);
+}
+
+#[test]
 fn a_drawing_folder_that_cannot_be_made_stops_the_run_before_any_row() {
     for file in ["examples/sand-screen.toml", "examples/four-bar.toml"] {
         let d = run(&["linkage", file, "--svg", "README.md"]);
