@@ -69,7 +69,8 @@ pub fn page(report: &PaperReport) -> String {
         if !findings.is_empty() {
             out.push_str(&format!("<h2 id=\"subject-{0}\">{0}</h2>\n", name));
             out.push_str("<div class=\"flow\">\n");
-            findings.iter().for_each(|f| out.push_str(&finding(f)));
+            let cards = findings.iter().zip(wide(&findings));
+            cards.for_each(|(f, wide)| out.push_str(&finding(f, wide)));
             out.push_str("</div>\n");
         }
     }
@@ -123,14 +124,23 @@ fn tone(verdict: FindingVerdict) -> &'static str {
 /// Formulas of more characters than this have the width of the page.
 pub const WIDE: usize = 75;
 
-fn finding(f: &Finding) -> String {
-    let (sign, words, _) = mark(f.verdict);
+/// Which cards have the width of the page: those of long formulas, and those alone between them.
+fn wide(findings: &[&Finding]) -> Vec<bool> {
     let long = |g: &Figure| g.latex.is_some() && g.value.chars().count() > WIDE;
-    let wide = if f.figures.iter().any(long) {
-        " wide"
-    } else {
-        ""
-    };
+    let own: Vec<bool> = findings
+        .iter()
+        .map(|f| f.figures.iter().any(long))
+        .collect();
+    let some = own.contains(&true);
+    let at = |k: Option<usize>| k.and_then(|k| own.get(k)).is_none_or(|w| *w);
+    (0..own.len())
+        .map(|k| own[k] || (some && at(k.checked_sub(1)) && at(Some(k + 1))))
+        .collect()
+}
+
+fn finding(f: &Finding, wide: bool) -> String {
+    let (sign, words, _) = mark(f.verdict);
+    let wide = if wide { " wide" } else { "" };
     let mut out = format!(
         "<article class=\"finding t-{}{wide}\" id=\"{}\">\n<h3>{}</h3>\n\
          <div class=\"tag\">{sign} {words} <span class=\"soft\">· {}</span></div>\n",

@@ -61,7 +61,7 @@ body { max-width: 125rem; } p { max-width: 60rem; }
   grid-template-columns: repeat(auto-fill, minmax(min(100%, 27rem), 1fr)); }
 .cards > .wide { grid-column: 1 / -1; }
 .flow { columns: 27rem; column-gap: .8rem; margin: .8rem 0; }
-.flow > .finding { break-inside: avoid; margin: 0 0 .8rem; } .flow > .wide { column-span: all; }
+.flow > .finding { break-inside: avoid; margin: 0 0 .8rem; } .flow > .wide { column-span: all; margin-top: .8rem; }
 .cards > .finding { margin: 0; } .finding { min-width: 0; overflow-wrap: break-word; scroll-margin-top: 1rem; }
 h2 { scroll-margin-top: 1rem; }
 .figures { display: grid; grid-template-columns: fit-content(50%) minmax(0, 1fr); gap: .1rem 1.2rem;
