@@ -1,9 +1,11 @@
 //! The forms of an audit's report.
 #![cfg(feature = "cli")]
 
+mod common;
+
+use common::browsed;
 use serde_json::Value;
-use std::io::Write;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_mechaudit");
 
@@ -135,40 +137,6 @@ fn junit_has_a_suite_for_each_method() {
     );
 }
 
-/// The page as a browser without a network makes it out, if there is one.
-fn browsed(path: &std::path::Path) -> Option<String> {
-    let names = ["chromium", "chromium-browser", "google-chrome"];
-    let there = |name: &&&str| {
-        let started = Command::new(name)
-            .arg("--version")
-            .stdout(Stdio::null())
-            .status();
-        started.is_ok_and(|s| s.success())
-    };
-    let Some(name) = names.iter().find(there) else {
-        let _ = writeln!(std::io::stderr(), "SKIPPED: chromium is not installed");
-        return None;
-    };
-    let profile = tempfile::tempdir().unwrap();
-    let mut browser = Command::new(name);
-    browser.args([
-        "--headless",
-        "--no-sandbox",
-        "--disable-gpu",
-        "--disable-quic",
-        "--no-first-run",
-    ]);
-    browser.args([
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-    ]);
-    browser.arg(format!("--user-data-dir={}", profile.path().display()));
-    browser.args(["--dump-dom", &format!("file://{}", path.display())]);
-    let output = browser.stderr(Stdio::null()).output().unwrap();
-    Some(String::from_utf8(output.stdout).unwrap())
-}
-
 #[test]
 fn the_page_is_whole_and_needs_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
@@ -208,7 +176,7 @@ fn the_page_is_whole_and_needs_nothing_else() {
     );
     assert!(page.contains("prefers-color-scheme: dark"));
     assert!(page.matches("<polyline").count() > 20);
-    if let Some(dom) = browsed(&path) {
+    if let Some(dom) = browsed(&path, 1280) {
         // A parser that had to mend the page would have changed these.
         for tag in [
             "<svg",

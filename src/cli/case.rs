@@ -23,9 +23,10 @@ pub fn input(case: &Case, indent: usize) -> String {
     let mut table = Table::new(&["input", "unit", "decimal", "hexadecimal"], &[0, 1, 3]);
     for (i, x) in case.input.iter().enumerate() {
         let (name, unit) = names.get(i).cloned().unwrap_or_default();
+        let unit = super::text_paper::unit(unit);
         table.row(vec![
             (name, PLAIN),
-            (unit.into(), DIM),
+            (unit, DIM),
             (format!("{x:?}"), PLAIN),
             (hex_float(*x), DIM),
         ]);

@@ -3,6 +3,7 @@
 use super::args::{ChirpArgs, ChirpRows};
 use super::chirp_file::{self, Machine};
 use super::chirp_rows::{self as rows, Charted};
+use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::Output;
@@ -24,6 +25,7 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         ChirpRows::Chart if machine.chart.is_none() => return Err(missing("chart")),
         _ => {}
     }
+    let columns = Columns::of(rows::names(wanted, &machine), &args.units.units, false)?;
     let output = Output::open(args.output.as_deref())?;
     let drawing = |file, due: bool| {
         let folder = args.svg.as_ref().filter(|_| due);
@@ -60,9 +62,9 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         drawing.text(&svg_chirp::chart(&machine, &charts)?)?;
     }
     output.write(|out| match wanted {
-        ChirpRows::History => rows::history(out, args.format, &machine, &own),
-        ChirpRows::Chart => rows::chart(out, args.format, &machine, &charts),
-        ChirpRows::Spectrum => rows::spectrum(out, args.format, &machine),
+        ChirpRows::History => rows::history(out, (args.format, columns), &machine, &own),
+        ChirpRows::Chart => rows::chart(out, (args.format, columns), &machine, &charts),
+        ChirpRows::Spectrum => rows::spectrum(out, (args.format, columns), &machine),
     })?;
     for line in lines(&machine, &charts) {
         complain(&line);

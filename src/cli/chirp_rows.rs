@@ -1,7 +1,8 @@
 //! The rows of a cam-driven oscillator: motion over time, chart, spectrum.
 
-use super::args::CsvOrJson;
+use super::args::{ChirpRows, CsvOrJson};
 use super::chirp_file::Machine;
+use super::columns::Columns;
 use super::failure::Failure;
 use super::rows::{Cell, Rows};
 use mechaudit::solvers::chirp_chart::{CamResponse, Chart, ChartPoint, Period, State};
@@ -85,28 +86,63 @@ fn failed(e: impl std::fmt::Display) -> Failure {
     Failure::new(e.to_string())
 }
 
+/// The columns of these rows with their units.
+pub fn names(rows: ChirpRows, machine: &Machine) -> Vec<String> {
+    let u = machine.unit;
+    match rows {
+        ChirpRows::History => {
+            let mut names = ["t_s", "shaft_deg", "speed_rad_per_s", "xi_rise", "xi_turn"]
+                .map(String::from)
+                .to_vec();
+            names.extend([
+                format!("f_{u}"),
+                format!("y_{u}"),
+                format!("v_{u}_per_s"),
+                format!("a_{u}_per_s2"),
+                format!("envelope_low_{u}"),
+                format!("envelope_high_{u}"),
+            ]);
+            names
+        }
+        ChirpRows::Chart => [
+            "law",
+            "xi_rise",
+            "xi_turn",
+            "t_s",
+            "speed_rad_per_s",
+            "formula_19",
+            "peak_displacement",
+            "C_phi_bound",
+            "C_phi",
+            "K_dc",
+            "K_dM",
+            "K_dN",
+            "dwell_amplitude",
+            "dwell_phase_deg",
+        ]
+        .map(String::from)
+        .to_vec(),
+        ChirpRows::Spectrum => vec![
+            "n".into(),
+            format!("a_{u}"),
+            format!("b_{u}"),
+            format!("D_{u}"),
+            "delta_deg".into(),
+            format!("left_out_{u}"),
+        ],
+    }
+}
+
 /// The motion over time.
 pub fn history(
     out: &mut dyn Write,
-    format: CsvOrJson,
+    (format, columns): (CsvOrJson, Columns),
     machine: &Machine,
     response: &CamResponse,
 ) -> Result<(), Failure> {
     let Some(run) = &machine.run else {
         return Ok(());
     };
-    let u = machine.unit;
-    let mut names = ["t_s", "shaft_deg", "speed_rad_per_s", "xi_rise", "xi_turn"]
-        .map(String::from)
-        .to_vec();
-    names.extend([
-        format!("f_{u}"),
-        format!("y_{u}"),
-        format!("v_{u}_per_s"),
-        format!("a_{u}_per_s2"),
-        format!("envelope_low_{u}"),
-        format!("envelope_high_{u}"),
-    ]);
     let drive = response.drive();
     let mean = response.mean();
     let row = |s: &State, envelope: f64| {
@@ -125,7 +161,7 @@ pub fn history(
         ];
         values.map(Cell::Float)
     };
-    let mut rows = Rows::begin(out, format, names, &about(machine))?;
+    let mut rows = Rows::begin(out, format, columns, &about(machine))?;
     let mut from = 0;
     while from < run.rows {
         let to = (from + CHUNK).min(run.rows);
@@ -146,26 +182,10 @@ pub fn history(
 /// The charts of all laws.
 pub fn chart(
     out: &mut dyn Write,
-    format: CsvOrJson,
+    (format, columns): (CsvOrJson, Columns),
     machine: &Machine,
     charts: &[Charted],
 ) -> Result<(), Failure> {
-    let names = [
-        "law",
-        "xi_rise",
-        "xi_turn",
-        "t_s",
-        "speed_rad_per_s",
-        "formula_19",
-        "peak_displacement",
-        "C_phi_bound",
-        "C_phi",
-        "K_dc",
-        "K_dM",
-        "K_dN",
-        "dwell_amplitude",
-        "dwell_phase_deg",
-    ];
     let mut about = about(machine);
     let zones = |c: &Charted| {
         let all = c.chart.beats(|p| p.acceleration);
@@ -173,7 +193,7 @@ pub fn chart(
         json!({"law": c.law, "C": c.chart.rigid[0], "zones": all.iter().map(one).collect::<Vec<_>>()})
     };
     about.insert("beat_zones".into(), charts.iter().map(zones).collect());
-    let mut rows = Rows::begin(out, format, names.map(String::from).to_vec(), &about)?;
+    let mut rows = Rows::begin(out, format, columns, &about)?;
     for c in charts {
         for p in &c.chart.points {
             let [k_dc, k_dm, k_dn] = p.dynamic_coefficients;
@@ -201,20 +221,15 @@ pub fn chart(
 }
 
 /// The harmonics of the cam's displacement.
-pub fn spectrum(out: &mut dyn Write, format: CsvOrJson, machine: &Machine) -> Result<(), Failure> {
+pub fn spectrum(
+    out: &mut dyn Write,
+    (format, columns): (CsvOrJson, Columns),
+    machine: &Machine,
+) -> Result<(), Failure> {
     let series = FourierSeries::new(&machine.drive.cycle);
-    let u = machine.unit;
-    let names = vec![
-        "n".into(),
-        format!("a_{u}"),
-        format!("b_{u}"),
-        format!("D_{u}"),
-        "delta_deg".into(),
-        format!("left_out_{u}"),
-    ];
     let mut about = about(machine);
     about.insert("a_0".into(), json!(series.mean()));
-    let mut rows = Rows::begin(out, format, names, &about)?;
+    let mut rows = Rows::begin(out, format, columns, &about)?;
     for n in 1..=machine.harmonics {
         let h = series.harmonic(n).map_err(failed)?;
         let values = [

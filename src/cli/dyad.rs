@@ -1,6 +1,7 @@
 //! A four-bar linkage or slider-crank given in a file, computed over the turn of its crank.
 
 use super::args::LinkageArgs;
+use super::columns::Columns;
 use super::crank_angles::Grid;
 use super::dyad_certified::{self, Proved};
 use super::dyad_facts as facts;
@@ -38,6 +39,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
         },
     };
     let grid = Grid::new(args, dyad.start.clone())?;
+    let columns = Columns::of(names(dyad), &args.units.units, args.digits.is_some())?;
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
@@ -46,7 +48,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let mut count = 0;
     let outcome = write_to_result(output, |out| {
         let about = facts::json(dyad, &assemblies);
-        let mut rows = Rows::begin(out, args.format, names(dyad), &about)?;
+        let mut rows = Rows::begin(out, args.format, columns, &about)?;
         let outcome = all_rows(args, dyad, &assemblies, &grid, &mut rows, &mut count);
         let outcome = outcome.map_err(|f| match f {
             Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),

@@ -118,7 +118,7 @@ proptest! {
 }
 
 /// The files that come with the program.
-const FILES: [(&str, &str); 11] = [
+const FILES: [(&str, &str); 12] = [
     ("toml", include_str!("../../examples/sand-screen.toml")),
     ("toml", include_str!("../../examples/four-bar.toml")),
     ("toml", include_str!("../../examples/slider-crank.toml")),
@@ -128,6 +128,10 @@ const FILES: [(&str, &str); 11] = [
     (
         "toml",
         include_str!("../../examples/sand-screen-run-up.toml"),
+    ),
+    (
+        "toml",
+        include_str!("../../examples/sand-screen-rotor.toml"),
     ),
     ("toml", include_str!("../../examples/four-bar-run-up.toml")),
     ("toml", include_str!("../../examples/chirp-chart.toml")),

@@ -1,10 +1,14 @@
 //! A paper's report as one page without outside parts.
 
-use super::html_style::CSS;
+use super::html_style::{CSS, PAPER_CSS};
+use super::html_text::{math, prose};
 use super::paper_csv::word;
 use super::text::short;
 use super::text_paper::{SUBJECTS, counts, mark, of_subject, unit};
-use mechaudit::papers::{Entry, EntryVerdict, Finding, FindingVerdict, PaperReport};
+use mechaudit::papers::{
+    Citation, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport,
+};
+use pulldown_latex::config::DisplayMode;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The characters of `text` that mean something in HTML, written out.
@@ -23,66 +27,149 @@ pub fn escape(text: &str) -> String {
     out
 }
 
-/// The page.
-pub fn page(report: &PaperReport) -> String {
-    let p = &report.paper;
-    let title = escape(p.title);
-    let mut out = format!(
+/// The beginning of a page about a paper, up to where its contents are due.
+pub fn begun(paper: &Citation, kind: &str, style: &str, counts: &str) -> String {
+    let title = escape(paper.title);
+    format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}: audit</title>\n<style>{CSS}</style>\n</head>\n<body>\n\
-         <h1>{title}</h1>\n<p class=\"soft\">{}{}, {}</p>\n<p>{}</p>\n",
-        escape(p.authors),
-        p.year.map_or(String::new(), |y| format!(" ({y})")),
-        escape(p.venue),
-        escape(&counts(report))
-    );
+         <title>{title}: {kind}</title>\n<style>{CSS}{PAPER_CSS}{style}</style>\n</head>\n<body>\n\
+         <h1>{title}</h1>\n<p class=\"soft\">{}{}, {}</p>\n<p>{}</p>\n<div class=\"page\">\n",
+        escape(paper.authors),
+        paper.year.map_or(String::new(), |y| format!(" ({y})")),
+        escape(paper.venue),
+        escape(counts)
+    )
+}
+
+/// The end of such a page.
+pub fn ended(version: &str) -> String {
+    format!(
+        "<p class=\"soft\">Written by mechaudit {}.</p>\n</main>\n</div>\n</body>\n</html>\n",
+        escape(version)
+    )
+}
+
+/// A line of the contents.
+pub fn entry_of_contents(id: &str, tone: &str, sign: &str, name: &str) -> String {
+    format!(
+        "<li class=\"t-{tone}\"><a href=\"#{}\"><span class=\"sign\">{sign}</span> {}</a></li>\n",
+        escape(id),
+        prose(name)
+    )
+}
+
+/// The page.
+pub fn page(report: &PaperReport) -> String {
+    let mut out = begun(&report.paper, "audit", "", &counts(report));
+    out.push_str(&contents(report));
+    out.push_str("<main>\n");
     for (subject, name) in SUBJECTS {
         let findings = of_subject(report, subject);
         if !findings.is_empty() {
-            out.push_str(&format!("<h2>{name}</h2>\n"));
-            findings.iter().for_each(|f| out.push_str(&finding(f)));
+            out.push_str(&format!("<h2 id=\"subject-{0}\">{0}</h2>\n", name));
+            out.push_str("<div class=\"flow\">\n");
+            let cards = findings.iter().zip(wide(&findings));
+            cards.for_each(|(f, wide)| out.push_str(&finding(f, wide)));
+            out.push_str("</div>\n");
         }
     }
     out.push_str(&tallies(report));
     out.push_str(&entries(report));
-    out.push_str(&format!(
-        "<p class=\"soft\">Written by mechaudit {}.</p>\n</body>\n</html>\n",
-        escape(report.mechaudit_version)
-    ));
+    out.push_str(&ended(report.mechaudit_version));
     out
 }
 
-fn finding(f: &Finding) -> String {
-    let (sign, words, _) = mark(f.verdict);
-    let tone = match f.verdict {
+fn tables(report: &PaperReport) -> BTreeSet<u32> {
+    report.entries.iter().map(|e| e.table).collect()
+}
+
+fn contents(report: &PaperReport) -> String {
+    let mut out = String::from("<nav class=\"toc\" aria-label=\"Contents\">\n<ul>\n");
+    for (subject, name) in SUBJECTS {
+        let findings = of_subject(report, subject);
+        if findings.is_empty() {
+            continue;
+        }
+        out.push_str(&format!(
+            "<li><a href=\"#subject-{name}\"><b>{name}</b></a>\n<ul>\n"
+        ));
+        for f in findings {
+            let (sign, _, _) = mark(f.verdict);
+            out.push_str(&entry_of_contents(f.id, tone(f.verdict), sign, &f.title));
+        }
+        out.push_str("</ul></li>\n");
+    }
+    if !report.tallies.is_empty() {
+        out.push_str("<li><a href=\"#tallies\"><b>Entries that agree</b></a></li>\n");
+    }
+    for n in tables(report) {
+        out.push_str(&format!(
+            "<li><a href=\"#table-{n}\"><b>Table {n} as printed</b></a></li>\n"
+        ));
+    }
+    out.push_str("</ul>\n</nav>\n");
+    out
+}
+
+fn tone(verdict: FindingVerdict) -> &'static str {
+    match verdict {
         FindingVerdict::Confirmed => "good",
         FindingVerdict::ErrorOfPaper | FindingVerdict::Refuted => "bad",
         FindingVerdict::PrintOrScan | FindingVerdict::Unexplained => "doubt",
         FindingVerdict::Recovered => "new",
-    };
+    }
+}
+
+/// Formulas of more characters than this have the width of the page.
+pub const WIDE: usize = 75;
+
+/// Which cards have the width of the page: those of long formulas, and those alone between them.
+fn wide(findings: &[&Finding]) -> Vec<bool> {
+    let long = |g: &Figure| g.latex.is_some() && g.value.chars().count() > WIDE;
+    let own: Vec<bool> = findings
+        .iter()
+        .map(|f| f.figures.iter().any(long))
+        .collect();
+    let some = own.contains(&true);
+    let at = |k: Option<usize>| k.and_then(|k| own.get(k)).is_none_or(|w| *w);
+    (0..own.len())
+        .map(|k| own[k] || (some && at(k.checked_sub(1)) && at(Some(k + 1))))
+        .collect()
+}
+
+fn finding(f: &Finding, wide: bool) -> String {
+    let (sign, words, _) = mark(f.verdict);
+    let wide = if wide { " wide" } else { "" };
     let mut out = format!(
-        "<article class=\"finding t-{tone}\" id=\"{}\">\n<h3>{}</h3>\n\
+        "<article class=\"finding t-{}{wide}\" id=\"{}\">\n<h3>{}</h3>\n\
          <div class=\"tag\">{sign} {words} <span class=\"soft\">· {}</span></div>\n",
+        tone(f.verdict),
         escape(f.id),
-        escape(&f.title),
-        escape(f.place)
+        prose(&f.title),
+        prose(f.place)
     );
     if !f.as_recorded {
         out.push_str("<p class=\"alarm\">Not as recorded: earlier runs found otherwise.</p>\n");
     }
-    out.push_str(&format!("<p>{}</p>\n", escape(&f.text)));
+    out.push_str(&format!("<p>{}</p>\n", prose(&f.text)));
     if !f.figures.is_empty() {
-        out.push_str("<table class=\"figures\">\n");
+        out.push_str("<dl class=\"figures\">\n");
         for g in &f.figures {
-            out.push_str(&format!(
-                "<tr><td class=\"left soft\">{}</td><td class=\"left\">{} {}</td></tr>\n",
-                escape(&g.name),
-                escape(&g.value),
-                escape(unit(g.unit))
-            ));
+            let name = prose(&g.name);
+            out.push_str(&match &g.latex {
+                Some(latex) => format!(
+                    "<dt>{name}</dt><dd class=\"formula\">{}</dd>\n",
+                    math(latex, &g.value, DisplayMode::Block)
+                ),
+                None => format!(
+                    "<dt>{name}</dt><dd>{} {}</dd>\n",
+                    prose(&g.value),
+                    escape(&unit(g.unit))
+                ),
+            });
         }
-        out.push_str("</table>\n");
+        out.push_str("</dl>\n");
     }
     out.push_str("</article>\n");
     out
@@ -93,7 +180,7 @@ fn tallies(report: &PaperReport) -> String {
         return String::new();
     }
     let mut out = String::from(
-        "<h2>Entries that agree</h2>\n<p class=\"soft\">Deviations in units of the last printed \
+        "<h2 id=\"tallies\">Entries that agree</h2>\n<p class=\"soft\">Deviations in units of the last printed \
          digit; within ½ is the correct rounding.</p>\n<div class=\"scroll\"><table>\n\
          <tr><th>table</th><th class=\"left\">data</th><th class=\"left\">column</th>\
          <th>entries</th><th>within ½</th><th>within 1</th><th>worst units</th>\
@@ -126,14 +213,15 @@ fn tallies(report: &PaperReport) -> String {
 
 fn entries(report: &PaperReport) -> String {
     let mut out = String::new();
-    let tables: BTreeSet<u32> = report.entries.iter().map(|e| e.table).collect();
-    for (i, number) in tables.into_iter().enumerate() {
+    for (i, number) in tables(report).into_iter().enumerate() {
         let of: Vec<&Entry> = report
             .entries
             .iter()
             .filter(|e| e.table == number)
             .collect();
-        out.push_str(&format!("<h2>Table {number} as printed</h2>\n"));
+        out.push_str(&format!(
+            "<h2 id=\"table-{number}\">Table {number} as printed</h2>\n"
+        ));
         if i == 0 {
             out.push_str(
                 "<p class=\"soft\">Point at an entry for the recomputed value.</p>\n\
@@ -232,7 +320,9 @@ mod tests {
         for outside in ["http:", "https:", "src=", "<script", "@import", "url("] {
             assert!(!html.contains(outside), "{outside}");
         }
-        for tag in ["table", "tr", "td", "article", "details", "div"] {
+        for tag in [
+            "table", "tr", "td", "article", "details", "div", "dl", "nav", "ul", "li",
+        ] {
             let opened = html.matches(&format!("<{tag}>")).count()
                 + html.matches(&format!("<{tag} ")).count();
             assert_eq!(opened, html.matches(&format!("</{tag}>")).count(), "{tag}");

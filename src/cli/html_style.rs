@@ -29,7 +29,6 @@ th, td { padding: .2rem .55rem; border: 1px solid var(--line); text-align: right
   white-space: nowrap; }
 th { background: var(--card); font-weight: 600; }
 th.left, td.left { text-align: left; }
-.figures td { border: 0; padding: .05rem 1.2rem .05rem 0; }
 .entries td { position: relative; }
 .agrees { background: var(--agrees); } .rounding { background: var(--rounding); }
 .misprint { background: var(--misprint); } .unexplained { background: var(--unexplained); }
@@ -42,4 +41,36 @@ th.left, td.left { text-align: left; }
 details { margin: .6rem 0; } summary { cursor: pointer; font-weight: 600; padding: .2rem 0; }
 .legend span { padding: .1rem .5rem; border: 1px solid var(--line); border-radius: .25rem;
   margin-right: .4rem; }
+";
+
+/// What the pages of papers have besides: contents beside the text, cards side by side as far as
+/// there is room, and nothing wider than its card.
+pub const PAPER_CSS: &str = "
+body { max-width: 125rem; } p { max-width: 60rem; }
+.page { display: grid; grid-template-columns: minmax(0, 1fr); gap: 0 2rem; margin-top: 1rem; }
+.toc { font-size: .85rem; line-height: 1.4; max-height: 40vh; overflow-y: auto; padding: .5rem .8rem;
+  border: 1px solid var(--line); border-radius: .3rem; background: var(--card); }
+.toc ul { list-style: none; margin: 0; padding: 0; } .toc ul ul { padding-left: .8rem; }
+.toc li { margin: .25rem 0; } .toc a { color: inherit; text-decoration: none; }
+.toc a:hover, .toc a:focus { text-decoration: underline; }
+.toc .sign { color: var(--tone); font-weight: 700; }
+@media (min-width: 64rem) { .page { grid-template-columns: 15rem minmax(0, 1fr); }
+  .toc { position: sticky; top: 1rem; max-height: calc(100vh - 2rem); align-self: start; }
+  main > h2:first-child { margin-top: 0; } }
+.cards { display: grid; gap: .8rem; margin: .8rem 0;
+  grid-template-columns: repeat(auto-fill, minmax(min(100%, 27rem), 1fr)); }
+.cards > .wide { grid-column: 1 / -1; }
+.flow { columns: 27rem; column-gap: .8rem; margin: .8rem 0; }
+.flow > .finding { break-inside: avoid; margin: 0 0 .8rem; } .flow > .wide { column-span: all; margin-top: .8rem; }
+.cards > .finding { margin: 0; } .finding { min-width: 0; overflow-wrap: break-word; scroll-margin-top: 1rem; }
+h2 { scroll-margin-top: 1rem; }
+.figures { display: grid; grid-template-columns: fit-content(50%) minmax(0, 1fr); gap: .1rem 1.2rem;
+  margin: .5rem 0 0; font-size: .85rem; font-variant-numeric: tabular-nums; }
+.figures dt { color: var(--soft); } .figures dd { margin: 0; overflow-wrap: anywhere; }
+.formula { grid-column: 1 / -1; overflow: auto hidden; padding: .2rem 0 .5rem; }
+math { font-size: 1.1rem; } code { font-size: .9em; overflow-wrap: anywhere; }
+sub, sup { line-height: 0; } .side { gap: 0 2rem; } .side details { min-width: 0; max-width: 100%; }
+@media (max-width: 40rem) { body { padding: 1rem .75rem 3rem; } .finding { padding: .6rem .7rem; }
+  .figures { grid-template-columns: minmax(0, 1fr); gap: 0; } .figures dd { margin-bottom: .35rem; }
+  math { font-size: 1rem; } .side details { overflow-x: auto; } }
 ";

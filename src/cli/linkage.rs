@@ -3,6 +3,7 @@
 use super::args::LinkageArgs;
 use super::branch::{self, Branch, Reach};
 use super::certified::Certifier;
+use super::columns::Columns;
 use super::complain;
 use super::crank_angles::{Grid, Plan, plan, start_degrees};
 use super::failure::{Failure, Outcome};
@@ -28,6 +29,9 @@ pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
 
 fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> {
     let grid = Grid::new(args, start_degrees(linkage))?;
+    let certified = args.digits.is_some();
+    let names = columns::names(linkage, certified);
+    let columns = Columns::of(names, &args.units.units, certified)?;
     let about = |f: Failure| match f {
         Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),
         other => other,
@@ -38,7 +42,7 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
                 "--svg draws one branch: leave out --all-branches",
             ));
         }
-        return all_branches(args, linkage, &grid).map_err(about);
+        return all_branches(args, linkage, &grid, columns).map_err(about);
     }
     let output = Output::open(args.output.as_deref())?;
     let drawings = args.svg.as_ref().map(|f| Drawings::open(f, linkage));
@@ -55,10 +59,8 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
     let plan = plan(&grid, &branch);
     let reached = plan.len();
     let outcome = write_to_result(output, |out| {
-        let certified = args.digits.is_some();
         let facts = facts(linkage, &branch);
-        let names = columns::names(linkage, certified);
-        let mut rows = Rows::begin(out, args.format, names, &facts)?;
+        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
         let outcome = match args.digits {
             None => floating(linkage, &branch, plan, &mut rows)?,
             Some(digits) => certified_rows(linkage, &branch, plan, digits, &mut rows)?,
@@ -130,7 +132,12 @@ fn certified_rows(
     Ok(decided(undecided, digits))
 }
 
-fn all_branches(args: &LinkageArgs, linkage: &Linkage, grid: &Grid) -> Result<Outcome, Failure> {
+fn all_branches(
+    args: &LinkageArgs,
+    linkage: &Linkage,
+    grid: &Grid,
+    columns: Columns,
+) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     let degrees: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
     let angles: Vec<f64> = degrees.iter().map(|q| nearest(q).to_radians()).collect();
@@ -143,8 +150,7 @@ fn all_branches(args: &LinkageArgs, linkage: &Linkage, grid: &Grid) -> Result<Ou
         facts.insert("branches".into(), json!(map.branches));
         let folds: Vec<Value> = map.folds.iter().map(fold_json).collect();
         facts.insert("folds".into(), json!(folds));
-        let names = columns::names(linkage, args.digits.is_some());
-        let mut rows = Rows::begin(out, args.format, names, &facts)?;
+        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
         let outcome = branch_rows(args, linkage, &map, &degrees, &mut rows)?;
         rows.end()?;
         Ok(outcome)

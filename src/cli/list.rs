@@ -5,6 +5,7 @@ use super::audit::{find, print_json};
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::text::{BOLD, paint, paragraph, width, wrap};
+use super::text_paper;
 use mechaudit::audit::{Budget, Layout, Method};
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
@@ -51,8 +52,8 @@ fn line(label: &str, text: &str, width: usize) -> String {
 
 /// A unit in brackets, nothing where there is none.
 fn unit(unit: &str) -> String {
-    match unit {
-        "1" => String::new(),
+    match text_paper::unit(unit) {
+        u if u.is_empty() => u,
         u => format!(" [{u}]"),
     }
 }

@@ -68,11 +68,17 @@ pub struct Quantity {
     pub degrees: bool,
 }
 
-struct Unit {
-    scale: Rational,
-    dimension: [i32; 4],
-    degrees: bool,
+/// A unit, exact: in SI units, of angles in degrees if so meant.
+pub struct Unit {
+    pub scale: Rational,
+    /// Powers of metre, kilogram, second and angle.
+    pub dimension: [i32; 4],
+    pub degrees: bool,
 }
+
+/// The units known by name.
+pub const KNOWN: &str =
+    "m dm cm mm um µm in inch ft kg g t lb N kN s ms min rad deg ° rev rpm Hz 1/min";
 
 fn base(name: &str) -> Option<Unit> {
     let unit = |n: u64, d: u64, dimension| {
@@ -94,7 +100,9 @@ fn base(name: &str) -> Option<Unit> {
         "dm" => unit(1, 10, [1, 0, 0, 0]),
         "cm" => unit(1, 100, [1, 0, 0, 0]),
         "mm" => unit(1, 1000, [1, 0, 0, 0]),
-        "in" => unit(254, 10_000, [1, 0, 0, 0]),
+        // Both code points that keyboards have for µ.
+        "um" | "µm" | "μm" => unit(1, 1_000_000, [1, 0, 0, 0]),
+        "in" | "inch" => unit(254, 10_000, [1, 0, 0, 0]),
         "ft" => unit(3048, 10_000, [1, 0, 0, 0]),
         "kg" => unit(1, 1, [0, 1, 0, 0]),
         "g" => unit(1, 1000, [0, 1, 0, 0]),
@@ -109,6 +117,8 @@ fn base(name: &str) -> Option<Unit> {
         "deg" | "°" => degrees(1, [0, 0, 0, 1]),
         "rev" => degrees(360, [0, 0, 0, 1]),
         "rpm" => degrees(6, [0, 0, -1, 1]),
+        // Revolutions or cycles a second.
+        "Hz" => degrees(360, [0, 0, -1, 1]),
         _ => None,
     }
 }
@@ -117,7 +127,15 @@ fn base(name: &str) -> Option<Unit> {
 const MOST_UNITS: usize = 16;
 
 /// Reads a product of units such as `kg m^2`, `kg·m²` or `m/s^2`.
-fn unit(text: &str) -> Result<Unit, String> {
+pub fn unit(text: &str) -> Result<Unit, String> {
+    // As shaft speeds are written: revolutions.
+    let compact: String = text.split_whitespace().collect();
+    if let ("1/min" | "/min" | "min^-1" | "min⁻¹", Some(rpm)) = (&*compact, base("rpm")) {
+        return Ok(rpm);
+    }
+    if compact.is_empty() {
+        return Err("an empty unit".into());
+    }
     let mut all = Unit {
         scale: Rational::from(1),
         dimension: [0; 4],
@@ -141,7 +159,10 @@ fn unit(text: &str) -> Result<Unit, String> {
             Ok(p) if (-4..=4).contains(&p) => p * sign,
             _ => return Err(format!("{token:?} is not a power of a unit")),
         };
-        let one = base(name).ok_or_else(|| format!("{name:?} is not a unit known here"))?;
+        let one = base(name).ok_or_else(|| match name {
+            "1" => "of frequencies 1/min and Hz are known".into(),
+            _ => format!("{name:?} is not a unit known here"),
+        })?;
         for (d, k) in all.dimension.iter_mut().zip(one.dimension) {
             *d += power * k;
         }
@@ -263,11 +284,33 @@ mod tests {
         assert_eq!(si(Kind::Time, "5 ms"), Rational::from((5, 1000)));
         assert_eq!(si(Kind::AngularVelocity, "60 rpm"), 360);
         assert_eq!(si(Kind::AngularVelocity, "2 rev/min"), 12);
+        assert_eq!(si(Kind::AngularVelocity, "50 Hz"), 18_000);
+        for frequency in [
+            "1500 1/min",
+            "1500/min",
+            "1500 min^-1",
+            "1500 min⁻¹",
+            "25 Hz",
+            "1500 rpm",
+        ] {
+            assert_eq!(si(Kind::AngularVelocity, frequency), 9000, "{frequency}");
+        }
+        for small in ["5 µm", "5 μm", "5 um", "5μm"] {
+            assert_eq!(si(Kind::Length, small), Rational::from((5, 1_000_000)));
+        }
+        assert_eq!(si(Kind::Length, "2 inch"), Rational::from((508, 10_000)));
         let q = Quantity::parse(Kind::Angle, "-39.3 deg").unwrap();
         assert!(q.degrees && q.value == Rational::from((-393, 10)));
         assert_eq!(q.to_f64(), (-39.3f64).to_radians());
         assert_eq!(si(Kind::Mass, "0.1 kg"), Rational::from((1, 10)));
         assert_eq!(nearest(&si(Kind::Mass, "0.1 kg")), 0.1);
+    }
+
+    #[test]
+    fn the_list_of_units_is_right() {
+        for name in KNOWN.split(' ') {
+            assert!(unit(name).is_ok(), "{name}");
+        }
     }
 
     #[test]
@@ -287,6 +330,7 @@ mod tests {
             (Kind::Inertia, "18 kg m^x", "power"),
             (Kind::Angle, "1 rad/s", "is not an angle"),
             (Kind::Mass, "1e999999 kg", "decimal number"),
+            (Kind::AngularVelocity, "5 1/s", "1/min and Hz are known"),
         ] {
             let e = Quantity::parse(kind, text).unwrap_err();
             assert!(e.contains(part), "{text}: {e}");

@@ -1,6 +1,7 @@
 //! Rows of a linkage as CSV or JSON, written one by one.
 
 use super::args::CsvOrJson;
+use super::columns::Columns;
 use super::failure::Failure;
 use serde_json::{Map, Value};
 use std::io::Write;
@@ -21,7 +22,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    fn text(&self) -> String {
+    pub fn text(&self) -> String {
         match self {
             Cell::Count(n) => n.to_string(),
             Cell::Float(x) => shortest(*x),
@@ -56,7 +57,7 @@ fn shortest(x: f64) -> String {
 pub struct Rows<'a> {
     out: &'a mut dyn Write,
     format: CsvOrJson,
-    columns: Vec<String>,
+    columns: Columns,
     any: bool,
 }
 
@@ -65,18 +66,19 @@ impl<'a> Rows<'a> {
     pub fn begin(
         out: &'a mut dyn Write,
         format: CsvOrJson,
-        columns: Vec<String>,
+        columns: impl Into<Columns>,
         about: &Map<String, Value>,
     ) -> Result<Rows<'a>, Failure> {
+        let columns = columns.into();
         match format {
-            CsvOrJson::Csv => writeln!(out, "{}", columns.join(","))?,
+            CsvOrJson::Csv => writeln!(out, "{}", columns.names.join(","))?,
             CsvOrJson::Json => {
                 writeln!(out, "{{")?;
                 for (key, value) in about {
                     let value = serde_json::to_string(value)?;
                     writeln!(out, "  {}: {value},", serde_json::to_string(key)?)?;
                 }
-                let names = serde_json::to_string(&columns)?;
+                let names = serde_json::to_string(&columns.names)?;
                 write!(out, "  \"columns\": {names},\n  \"rows\": [")?;
             }
         }
@@ -90,6 +92,8 @@ impl<'a> Rows<'a> {
 
     /// Writes one row.
     pub fn row(&mut self, cells: &[Cell]) -> Result<(), Failure> {
+        let cells = cells.iter().enumerate();
+        let cells: Vec<Cell> = cells.map(|(k, c)| self.columns.cell(k, c)).collect();
         match self.format {
             CsvOrJson::Csv => {
                 let texts: Vec<String> = cells.iter().map(Cell::text).collect();
@@ -97,7 +101,7 @@ impl<'a> Rows<'a> {
             }
             CsvOrJson::Json => {
                 let mut object = Map::new();
-                for (name, cell) in self.columns.iter().zip(cells) {
+                for (name, cell) in self.columns.names.iter().zip(&cells) {
                     object.insert(name.clone(), cell.json());
                 }
                 let comma = if self.any { "," } else { "" };

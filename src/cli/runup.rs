@@ -1,6 +1,7 @@
 //! A machine given in a file, run up or down.
 
 use super::args::RunupArgs;
+use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::Output;
@@ -9,7 +10,7 @@ use super::runup_facts::{self as facts, Steady};
 use super::runup_file::{self, Coefficients, Machine};
 use super::{runup_precision, svg_runup};
 use mechaudit::solvers::run_up::{
-    Equation, Hybrid, Motion, ReducedModel, Sample, Splined, inertia_range, run,
+    Equation, Hybrid, Motion, Plan, ReducedModel, Sample, Splined, inertia_range, run,
 };
 
 /// The columns of a row with their units.
@@ -32,6 +33,11 @@ const COLUMNS: [&str; 13] = [
 /// Runs the machine as the arguments ask for.
 pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let machine = runup_file::read(args)?;
+    let columns = match args.work_precision {
+        true => runup_precision::COLUMNS.map(String::from).to_vec(),
+        false => COLUMNS.map(String::from).to_vec(),
+    };
+    let columns = Columns::of(columns, &args.units.units, false)?;
     let output = Output::open(args.output.as_deref())?;
     let drawing = match args.work_precision {
         true => "work-precision.svg",
@@ -57,7 +63,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     };
     let equation = Equation::new(model, &machine.drive);
     if args.work_precision {
-        return runup_precision::table(args, &machine, &equation, output, drawing)
+        return runup_precision::table(args, &machine, &equation, columns, output, drawing)
             .map_err(|f| named(args, f));
     }
     let warning = inertia_range(exact, first)
@@ -66,12 +72,24 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let motion = run(&equation, &machine.plan).map_err(|e| about(e.to_string()))?;
     let steady = Steady::of(&machine, &equation, &motion);
     if let Some(drawing) = drawing {
-        drawing.text(&svg_runup::draw(&machine.name, &motion.samples)?)?;
+        let start = svg_runup::short_start(&motion.samples).map(|duration| {
+            let plan = Plan {
+                duration,
+                sampling: Some(duration / 400.0),
+                ..machine.plan.clone()
+            };
+            run(&equation, &plan).map_err(|e| about(e.to_string()))
+        });
+        let start = start.transpose()?.map(|m| m.samples);
+        drawing.text(&svg_runup::draw(
+            &machine.name,
+            &motion.samples,
+            start.as_deref(),
+        )?)?;
     }
     output.write(|out| {
         let about = facts::json(&machine, &motion, &steady, warning.as_deref());
-        let names = COLUMNS.map(String::from).to_vec();
-        let mut rows = Rows::begin(out, args.format, names, &about)?;
+        let mut rows = Rows::begin(out, args.format, columns, &about)?;
         for sample in &motion.samples {
             rows.row(&row(sample))?;
         }

@@ -56,7 +56,7 @@ impl Steady {
                 self.wanted
             )),
             Some(Ok(f)) => lines.push(format!(
-                "flywheel: {:.4} kg m^2 more at the crank give a coefficient of fluctuation of {}",
+                "flywheel: {:.4} kg·m² more at the crank give a coefficient of fluctuation of {}",
                 f.inertia, self.wanted
             )),
         }
@@ -120,7 +120,7 @@ pub fn light(machine: &Machine, range: &InertiaRange) -> Option<String> {
         }
     };
     Some(format!(
-        "warning: the reduced inertia falls to {:.5} kg m^2 at phi1 = {:.3} deg, {:.2} % of its largest value {:.4} kg m^2 ({cause}); the speed there follows the torque within milliseconds",
+        "warning: the reduced inertia falls to {:.5} kg·m² at phi1 = {:.3} deg, {:.2} % of its largest value {:.4} kg·m² ({cause}); the speed there follows the torque within milliseconds",
         least,
         range.least_at.to_degrees().rem_euclid(360.0),
         100.0 * least / most,

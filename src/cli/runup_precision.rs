@@ -1,6 +1,7 @@
 //! Work against precision: what each method costs for what accuracy, on the machine of the file.
 
 use super::args::RunupArgs;
+use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::Output;
@@ -21,6 +22,9 @@ const EXPONENTS: [f64; 19] = [
 /// tolerance ten times finer than its own finest.
 const FINEST: f64 = 1e-14;
 
+/// The columns of a row.
+pub const COLUMNS: [&str; 4] = ["method", "tolerance", "evaluations", "error_rad_per_s"];
+
 /// Moments at which the speeds are compared.
 const MOMENTS: u32 = 8;
 
@@ -37,6 +41,7 @@ pub fn table(
     args: &RunupArgs,
     machine: &Machine,
     equation: &Equation,
+    columns: Columns,
     output: Output,
     drawing: Option<Output>,
 ) -> Result<Outcome, Failure> {
@@ -89,9 +94,7 @@ pub fn table(
         about.insert("mechaudit_version".into(), json!(env!("CARGO_PKG_VERSION")));
         about.insert("name".into(), json!(machine.name));
         about.insert("duration_s".into(), json!(machine.plan.duration));
-        let names = ["method", "tolerance", "evaluations", "error_rad_per_s"];
-        let names = names.map(String::from).to_vec();
-        let mut rows = Rows::begin(out, args.format, names, &about)?;
+        let mut rows = Rows::begin(out, args.format, columns, &about)?;
         for p in &points {
             rows.row(&[
                 Cell::Name(p.method.name()),

@@ -3,10 +3,8 @@
 use super::chirp_file::{Machine, Run};
 use super::chirp_rows::Charted;
 use super::failure::Failure;
-use super::svg_panel::{
-    AXIS, BLUE, Curve, GREEN, GRID, INK, ORANGE, curve, dashed, drawn, legend, panel, titled,
-};
-use super::svg_reduced::tick;
+use super::svg_panel::{Curve, Place, curve, dashed, drawn, legend, panel, tick, titled};
+use super::svg_style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE};
 use mechaudit::solvers::chirp_chart::{CamResponse, ChartPoint, Period, State};
 use mechaudit::solvers::fourier_series::FourierSeries;
 use plotters::prelude::*;
@@ -84,8 +82,8 @@ pub fn history(machine: &Machine, run: &Run, response: &CamResponse) -> Result<S
         tick(machine.drive.oscillator.n()),
         machine.harmonics
     );
-    drawn((1000, 1080), |root| {
-        let areas = titled(root, &machine.name, &note)?.split_evenly((3, 1));
+    drawn((1000, 1080), |root, page| {
+        let areas = titled(root, page, &machine.name, &note)?.split_evenly((3, 1));
         let motion = [
             finely(curve("cam f", thinned(1), GREEN)),
             finely(curve("y", thinned(0), BLUE)),
@@ -94,17 +92,19 @@ pub fn history(machine: &Machine, run: &Run, response: &CamResponse) -> Result<S
         ];
         panel(
             &areas[0],
+            page,
             ("time, s", &format!("displacement, {unit}")),
             &motion,
         )?;
         let acceleration = [finely(curve("y″", thinned(2), BLUE))];
         panel(
             &areas[1],
+            page,
             ("time, s", &format!("acceleration, {unit}/s²")),
             &acceleration,
         )?;
         let speed = [curve("shaft", along(&|b| b.speed), ORANGE)];
-        panel(&areas[2], ("time, s", "speed, rad/s"), &speed)
+        panel(&areas[2], page, ("time, s", "speed, rad/s"), &speed)
     })
 }
 
@@ -122,8 +122,8 @@ pub fn chart(machine: &Machine, charts: &[Charted]) -> Result<String, Failure> {
         tick(machine.drive.chirp.omega0),
         tick(machine.drive.chirp.eps),
     );
-    drawn((1240, 100 + 360 * rows as u32), |root| {
-        let areas = titled(root, &machine.name, &note)?.split_evenly((rows, 2));
+    drawn((1240, 100 + 360 * rows as u32), |root, page| {
+        let areas = titled(root, page, &machine.name, &note)?.split_evenly((rows, 2));
         for (c, pair) in charts.iter().zip(areas.chunks(2)) {
             let along = |f: fn(&ChartPoint) -> f64| -> Vec<(f64, f64)> {
                 c.chart
@@ -137,7 +137,7 @@ pub fn chart(machine: &Machine, charts: &[Charted]) -> Result<String, Failure> {
                 dashed("formula (19), Σ|A_k|", along(|p| p.bound), ORANGE),
             ];
             let label = format!("{}: displacement, lifts", c.law);
-            panel(&pair[0], (xi, &label), &displacement)?;
+            panel(&pair[0], page, (xi, &label), &displacement)?;
             let rigid = c
                 .chart
                 .points
@@ -149,7 +149,7 @@ pub fn chart(machine: &Machine, charts: &[Charted]) -> Result<String, Failure> {
                 curve("C", rigid.collect(), GREEN),
             ];
             let label = format!("{}: C_φ, h(Ω/β)²", c.law);
-            panel(&pair[1], (xi, &label), &acceleration)?;
+            panel(&pair[1], page, (xi, &label), &acceleration)?;
         }
         Ok(())
     })
@@ -177,12 +177,12 @@ pub fn spectrum(machine: &Machine) -> Result<String, Failure> {
     let high = rest.iter().map(|p| p.1).fold(largest, f64::max);
     let high = 10f64.powf(high.log10().ceil());
     let last = f64::from(machine.harmonics).max(10.0);
-    drawn((1000, 640), |root| {
+    drawn((1000, 640), |root, page| {
         let note = format!(
             "law {}, amplitudes D_n of the displacement in lifts",
             machine.law
         );
-        let area = titled(root, &machine.name, &note)?;
+        let area = titled(root, page, &machine.name, &note)?;
         let mut chart = ChartBuilder::on(&area)
             .margin(8)
             .margin_right(20)
@@ -202,12 +202,16 @@ pub fn spectrum(machine: &Machine) -> Result<String, Failure> {
             .bold_line_style(GRID)
             .light_line_style(TRANSPARENT)
             .draw()?;
-        for &(n, d) in lines.iter().filter(|l| l.1 > low) {
-            chart.draw_series(LineSeries::new([(n, low), (n, d)], BLUE.stroke_width(1)))?;
-            chart.draw_series([Circle::new((n, d), 3, BLUE.filled())])?;
+        let log = |(n, d): &(f64, f64)| (n.log10(), d.log10());
+        let (left, right) = (0.9f64.log10(), (last * 1.1).log10());
+        let place = Place::of(&chart, left..right, low.log10()..high.log10());
+        for line in lines.iter().filter(|l| l.1 > low) {
+            let stem = [(line.0, low), *line].iter().map(log).collect();
+            page.line(&place, &finely(curve("", stem, BLUE)));
+            page.dot(&place, log(line), BLUE);
         }
-        let style = ORANGE.stroke_width(2);
-        chart.draw_series(DashedLineSeries::new(rest.iter().copied(), 7, 5, style))?;
+        let rest = rest.iter().map(log).collect();
+        page.line(&place, &dashed("", rest, ORANGE));
         let names = [
             curve("D_n", Vec::new(), BLUE),
             dashed(

@@ -3,7 +3,7 @@
 use super::dyad_facts::{Turn, turn};
 use super::dyad_file::{Dyad, Shape};
 use super::quantity::nearest;
-use super::svg_mechanism::{View, WIDTH, circle, escape, ground, number, text};
+use super::svg_mechanism::{View, begun, circle, ground, number, text};
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::units::Angle;
 use std::fmt::Write;
@@ -72,14 +72,17 @@ pub fn draw(dyad: &Dyad, assembly: Assembly) -> String {
     all.extend(pivot);
     all.extend(path.iter().flat_map(|p| [p.1, p.2]));
     let view = View::new(&all);
-    let name = escape(dyad.name.as_deref().unwrap_or(dyad.shape.kind()));
-    let height = view.height;
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
-         width=\"{WIDTH}\" height=\"{height:.0}\" font-family=\"sans-serif\" font-size=\"16\">\n\
-         <title>{name}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
-         <text x=\"24\" y=\"36\" font-size=\"22\" font-weight=\"600\" fill=\"{INK}\">{name}</text>\n"
-    );
+    let name = dyad.name.as_deref().unwrap_or(dyad.shape.kind());
+    let (lead, faint) = match whole {
+        true => (from, "every 45° faint".to_string()),
+        false => (
+            path.get(path.len().saturating_sub(1) / 2)
+                .map_or(from, |p| p.0),
+            format!("from {from:.2}° to {to:.2}° faint"),
+        ),
+    };
+    let legend = format!("at φ1 = {lead:.3}°, {faint}; paths of A (dashed), B");
+    let mut out = begun(name, &legend, view.height);
     ground(&mut out, &view, origin, "O1", false);
     match pivot {
         Some(p) => ground(&mut out, &view, p, "O3", path.iter().all(|q| q.2[1] < 0.0)),
@@ -109,16 +112,6 @@ pub fn draw(dyad: &Dyad, assembly: Assembly) -> String {
     }
     if let Some(first) = chosen.first() {
         links(&mut out, &view, dyad, pivot, first, true);
-        let faint = if whole {
-            "every 45° faint".to_string()
-        } else {
-            format!("from {from:.2}° to {to:.2}° faint")
-        };
-        let line = format!("at φ1 = {:.3}°, {faint}; paths of A (dashed), B", first.0);
-        let _ = writeln!(
-            out,
-            "<text x=\"24\" y=\"60\" font-size=\"15\" fill=\"#5b646d\">{line}</text>"
-        );
         for p in [Some(origin), pivot].into_iter().flatten() {
             circle(&mut out, &view, p, INK, 1.6);
         }

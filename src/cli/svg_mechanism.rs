@@ -1,5 +1,6 @@
 //! The mechanism at several positions, with the paths of its joints.
 
+use super::svg_style::{escape, head};
 use mechaudit::solvers::class_iii::{Geometry, State};
 use std::fmt::Write;
 
@@ -64,15 +65,8 @@ pub fn draw(name: &str, geometry: &Geometry, path: &[State], whole: bool) -> Str
     let mut all = vec![o1, o3, o5];
     all.extend(path.iter().flat_map(State::joints));
     let view = View::new(&all);
-    let height = view.height;
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
-         width=\"{WIDTH}\" height=\"{height:.0}\" font-family=\"sans-serif\" font-size=\"16\">\n\
-         <title>{title}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
-         <text x=\"24\" y=\"36\" font-size=\"22\" font-weight=\"600\" fill=\"#1d2125\">{title}</text>\n",
-        title = escape(name)
-    );
     let chosen = positions(path, whole);
+    let mut out = begun(name, &legend(&chosen, whole), view.height);
     let pivots = [(o1, "O1", 0), (o3, "O3", 2), (o5, "O5", 3)];
     for (pivot, label, joint) in pivots {
         ground(&mut out, &view, pivot, label, hangs(path, pivot, joint));
@@ -89,14 +83,22 @@ pub fn draw(name: &str, geometry: &Geometry, path: &[State], whole: bool) -> Str
     }
     if let Some(first) = chosen.first() {
         joints(&mut out, &view, first);
-        legend(&mut out, first, whole, &chosen);
     }
     out.push_str("</svg>\n");
     out
 }
 
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;")
+/// A drawing up to its title and a line of legend.
+pub fn begun(name: &str, legend: &str, height: f64) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
+         width=\"{WIDTH}\" height=\"{height:.0}\" font-family=\"sans-serif\" font-size=\"16\">\n\
+         {}<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
+         <text x=\"24\" y=\"36\" font-size=\"22\" font-weight=\"600\" fill=\"#1d2125\">{}</text>\n\
+         <text x=\"24\" y=\"60\" font-size=\"15\" fill=\"#5b646d\">{legend}</text>\n",
+        head(name, legend),
+        escape(name)
+    )
 }
 
 /// The position drawn in full and those drawn faintly.
@@ -241,27 +243,15 @@ fn joints(out: &mut String, view: &View, state: &State) {
     }
 }
 
-fn legend(out: &mut String, first: &State, whole: bool, chosen: &[&State]) {
-    let degrees = |s: &State| s.phi1.to_degrees();
+fn legend(chosen: &[&State], whole: bool) -> String {
+    let degrees = |s: &&State| s.phi1.to_degrees();
     let others = if whole {
         "every 45° faint".to_string()
     } else {
-        let low = chosen
-            .iter()
-            .map(|s| degrees(s))
-            .fold(f64::INFINITY, f64::min);
-        let high = chosen
-            .iter()
-            .map(|s| degrees(s))
-            .fold(f64::NEG_INFINITY, f64::max);
+        let low = chosen.iter().map(degrees).fold(f64::INFINITY, f64::min);
+        let high = chosen.iter().map(degrees).fold(f64::NEG_INFINITY, f64::max);
         format!("from {low:.2}° to {high:.2}° faint")
     };
-    let line = format!(
-        "at φ1 = {:.3}°, {others}; paths of A (dashed), B, C, D",
-        degrees(first)
-    );
-    let _ = writeln!(
-        out,
-        "<text x=\"24\" y=\"60\" font-size=\"15\" fill=\"#5b646d\">{line}</text>"
-    );
+    let first = chosen.first().map_or(f64::NAN, degrees);
+    format!("at φ1 = {first:.3}°, {others}; paths of A (dashed), B, C, D")
 }

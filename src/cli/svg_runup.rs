@@ -3,8 +3,9 @@
 use super::failure::Failure;
 use super::runup_precision::Point;
 use super::svg_panel::{
-    AXIS, Area, BLUE, Drawn, GREEN, GRID, INK, ORANGE, PURPLE, curve, drawn, panel, titled,
+    Area, Curve, Drawn, Page, Place, curve, drawn, legend, panel, tick, titled,
 };
+use super::svg_style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE, PURPLE};
 use mechaudit::solvers::run_up::{Method, Sample};
 use plotters::prelude::*;
 
@@ -33,27 +34,88 @@ const PANELS: [(&str, &[Course]); 3] = [
 ];
 
 /// Columns of the drawing: with two points in each it looks like all of them.
-const BINS: usize = 1600;
+const BINS: usize = 700;
 
-/// The drawing of a run.
-pub fn draw(name: &str, samples: &[Sample]) -> Result<String, Failure> {
-    let last = samples.last().map_or(1.0, |s| s.t);
-    let end = if last > 0.0 { last } else { 1.0 };
-    drawn((1000, 1080), |root| {
-        let areas = titled(root, name, "")?.split_evenly((PANELS.len(), 1));
+/// A rise of the speed within this part of the run shows as a vertical line.
+const SHORT: f64 = 0.04;
+/// Width of the panels that show it enlarged.
+const ENLARGED: u32 = 370;
+
+/// How long a start is that the drawing of the whole run would show as a vertical line: somewhat
+/// longer than the speed takes to come to where it stays in the second half of the run.
+pub fn short_start(samples: &[Sample]) -> Option<f64> {
+    let end = samples.last()?.t;
+    let later = samples.iter().filter(|s| 2.0 * s.t >= end);
+    let (low, high) = later.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), s| {
+        (a.min(s.psi), b.max(s.psi))
+    });
+    let there = samples.iter().find(|s| (low..=high).contains(&s.psi))?.t;
+    if !(there > 0.0 && there < SHORT * end) {
+        return None;
+    }
+    // One significant digit, and no longer than the run.
+    let decade = 10f64.powf((2.0 * there).log10().floor());
+    Some(((2.0 * there / decade).ceil() * decade).min(end))
+}
+
+/// The drawing of a run; a short start has samples of its own and stands enlarged beside the rest.
+pub fn draw(name: &str, samples: &[Sample], start: Option<&[Sample]>) -> Result<String, Failure> {
+    let end = |s: &[Sample]| s.last().map_or(0.0, |s| s.t);
+    let note = start.map_or(String::new(), |s| {
+        let times = end(samples) / end(s);
+        format!(
+            "left: the start, {} ms of {} s, {times:.0} times as wide; right: the whole run",
+            tick(1e3 * end(s)),
+            tick(end(samples))
+        )
+    });
+    drawn((1000, 1080), |root, page| {
+        let areas = titled(root, page, name, &note)?.split_evenly((PANELS.len(), 1));
         for (k, (area, (label, courses))) in areas.iter().zip(PANELS).enumerate() {
             // What is zero throughout is not drawn.
-            let seen = courses
+            let seen: Vec<Course> = courses
                 .iter()
-                .filter(|c| courses.len() == 1 || samples.iter().any(|s| c.2(s) != 0.0));
-            let curves: Vec<_> = seen
-                .map(|&(name, colour, course)| curve(name, thinned(samples, course, end), colour))
+                .filter(|c| courses.len() == 1 || samples.iter().any(|s| c.2(s) != 0.0))
+                .copied()
                 .collect();
-            let time = if k + 1 == PANELS.len() { "time, s" } else { "" };
-            panel(area, (time, label), &curves)?;
+            let last = k + 1 == PANELS.len();
+            let Some(start) = start else {
+                let time = if last { "time, s" } else { "" };
+                panel(area, page, (time, label), &curves(&seen, samples, 1.0))?;
+                continue;
+            };
+            let (left, right) = area.split_horizontally(ENLARGED);
+            let (ms, s) = if last {
+                ("time, ms", "time, s")
+            } else {
+                ("", "")
+            };
+            let mut enlarged = curves(&seen, start, 1e3);
+            // The names stand over the whole run, where there is room for them.
+            let names = enlarged.iter().any(|c| !c.name.is_empty());
+            let left = if names {
+                left.margin(26, 0, 0, 0)
+            } else {
+                left
+            };
+            enlarged.iter_mut().for_each(|c| c.name = "");
+            panel(&left, page, (ms, label), &enlarged)?;
+            panel(&right, page, (s, ""), &curves(&seen, samples, 1.0))?;
         }
         Ok(())
     })
+}
+
+/// The courses over time, in seconds divided by `scale`.
+fn curves(courses: &[Course], samples: &[Sample], scale: f64) -> Vec<Curve> {
+    let end = samples.last().map_or(1.0, |s| s.t);
+    let end = if end > 0.0 { end } else { 1.0 };
+    let one = |&(name, colour, course): &Course| {
+        let mut line = thinned(samples, course, end);
+        line.iter_mut().for_each(|p| p.0 *= scale);
+        curve(name, line, colour)
+    };
+    courses.iter().map(one).collect()
 }
 
 /// The least and the largest value in each column of the drawing, in order of time.
@@ -76,30 +138,32 @@ fn thinned(samples: &[Sample], curve: fn(&Sample) -> f64, end: f64) -> Vec<(f64,
 
 /// The diagram of work against precision.
 pub fn work_precision(name: &str, points: &[Point]) -> Result<String, Failure> {
-    drawn((1000, 700), |root| {
-        let body = titled(root, &format!("{name}: work and precision"), "")?;
-        diagram(&body, points)
+    drawn((1000, 700), |root, page| {
+        let note = "each point a tolerance: what it costs and how far off the speed is";
+        let body = titled(root, page, &format!("{name}: work and precision"), note)?;
+        diagram(&body, page, points)
     })
 }
 
-fn diagram(body: &Area, points: &[Point]) -> Drawn {
+fn diagram(body: &Area, page: &mut Page, points: &[Point]) -> Drawn {
     // An error of exactly zero has no place on the axis; rounding is about here.
-    let error = |p: &Point| p.error.max(1e-16);
+    let error = |p: &Point| p.error.max(1e-16).log10();
+    let work = |p: &Point| (p.evaluations.max(1) as f64).log10();
     let bounds = |f: &dyn Fn(&Point) -> f64| {
         let all = || points.iter().map(f);
         (
-            10f64.powf(all().fold(f64::INFINITY, f64::min).log10().floor()),
-            10f64.powf(all().fold(0.0, f64::max).log10().ceil()),
+            all().fold(f64::INFINITY, f64::min).floor(),
+            all().fold(f64::NEG_INFINITY, f64::max).ceil(),
         )
     };
-    let (x0, x1) = bounds(&error);
-    let (y0, y1) = bounds(&|p| p.evaluations.max(1) as f64);
+    let ((x0, x1), (y0, y1)) = (bounds(&error), bounds(&work));
     // Errors fall to the right.
     let mut chart = ChartBuilder::on(body)
         .margin(8)
+        .margin_top(34)
         .x_label_area_size(52)
         .y_label_area_size(84)
-        .build_cartesian_2d((-x1.log10())..(-x0.log10()), (y0..y1).log_scale())?;
+        .build_cartesian_2d(-x1..-x0, (10f64.powf(y0)..10f64.powf(y1)).log_scale())?;
     let power = |x: f64| format!("1e{:.0}", -x);
     chart
         .configure_mesh()
@@ -114,25 +178,14 @@ fn diagram(body: &Area, points: &[Point]) -> Drawn {
         .bold_line_style(GRID)
         .light_line_style(TRANSPARENT)
         .draw()?;
+    let place = Place::of(&chart, -x1..-x0, y0..y1);
+    let mut lines = Vec::new();
     for (method, colour) in Method::ALL.into_iter().zip([BLUE, ORANGE, GREEN]) {
-        let own = || points.iter().filter(move |p| p.method == method);
-        let line: Vec<(f64, f64)> = own()
-            .map(|p| (-error(p).log10(), p.evaluations as f64))
-            .collect();
-        chart
-            .draw_series(LineSeries::new(line.clone(), colour.stroke_width(2)))?
-            .label(method.name())
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], colour.stroke_width(3)));
-        chart.draw_series(line.into_iter().map(|p| Circle::new(p, 3, colour.filled())))?;
+        let own = points.iter().filter(|p| p.method == method);
+        let line: Vec<(f64, f64)> = own.map(|p| (-error(p), work(p))).collect();
+        line.iter().for_each(|p| page.dot(&place, *p, colour));
+        lines.push(curve(method.name(), line, colour));
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .label_font(("sans-serif", 16).into_font().color(&INK))
-        .background_style(WHITE.mix(0.85))
-        .border_style(GRID)
-        .legend_area_size(28)
-        .margin(10)
-        .draw()?;
-    Ok(())
+    lines.iter().for_each(|c| page.line(&place, c));
+    legend(body, &lines)
 }

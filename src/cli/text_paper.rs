@@ -24,9 +24,15 @@ pub fn mark(verdict: FindingVerdict) -> (&'static str, &'static str, Style) {
     }
 }
 
-/// A unit, nothing where there is none.
-pub fn unit(unit: &str) -> &str {
-    if unit == "1" { "" } else { unit }
+/// A unit as people write it, nothing where there is none.
+pub fn unit(unit: &str) -> String {
+    if unit == "1" {
+        return String::new();
+    }
+    unit.replace("kg m", "kg·m")
+        .replace("N m", "N·m")
+        .replace("N cm", "N·cm")
+        .replace("^2", "²")
 }
 
 /// The report of one paper.
@@ -219,6 +225,7 @@ pub mod tests {
                         name: "mass of link 4".into(),
                         value: "550".into(),
                         unit: "kg",
+                        latex: None,
                     }],
                     as_recorded: true,
                 },
@@ -266,6 +273,18 @@ pub mod tests {
                     result(1.5, E::Unexplained, None),
                 ),
             ],
+        }
+    }
+
+    #[test]
+    fn units_are_those_of_people() {
+        for (machine, people) in [
+            ("kg m^2/rad", "kg·m²/rad"),
+            ("1e-4 N m", "1e-4 N·m"),
+            ("cm/s^2", "cm/s²"),
+            ("1", ""),
+        ] {
+            assert_eq!(unit(machine), people);
         }
     }
 

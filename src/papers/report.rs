@@ -86,6 +86,9 @@ pub struct Figure {
     pub value: String,
     /// Its unit, `1` if none.
     pub unit: &'static str,
+    /// LaTeX without delimiters where the value is a formula.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub latex: Option<String>,
 }
 
 /// One finding.

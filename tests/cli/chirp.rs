@@ -1,6 +1,6 @@
 //! `mechaudit chirp` as its user meets it.
 
-use crate::common::{Done, changed, column, run_on};
+use crate::common::{Done, changed, column, drawing, run_on};
 
 const RUN_UP: &str = include_str!("../../examples/chirp-run-up.toml");
 const RUN_DOWN: &str = include_str!("../../examples/chirp-run-down.toml");
@@ -127,10 +127,7 @@ fn drawings_are_written() {
     assert_eq!(d.code, 0, "{}", d.err);
     for file in ["chart.svg", "spectrum.svg", "history.svg"] {
         let text = std::fs::read_to_string(folder.path().join(file)).unwrap();
-        assert!(
-            text.starts_with("<svg") && text.trim_end().ends_with("</svg>"),
-            "{file}"
-        );
+        assert!(!drawing(&text).is_empty(), "{file}");
     }
 }
 

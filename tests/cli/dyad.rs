@@ -1,6 +1,6 @@
 //! `mechaudit linkage` for four-bar linkages and slider-cranks, as its user meets it.
 
-use crate::common::{Done, changed, column, refused, run_on, texts};
+use crate::common::{Done, changed, column, drawing, refused, run_on, texts};
 
 const FOUR_BAR: &str = include_str!("../../examples/four-bar.toml");
 const SLIDER: &str = include_str!("../../examples/slider-crank.toml");
@@ -315,17 +315,49 @@ fn a_drawing_is_well_formed_and_inside_its_frame() {
         assert!(svg.contains(&format!("<title>{name}</title>")), "{svg}");
         assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"));
         assert_eq!(svg.matches("<g ").count(), svg.matches("</g>").count());
-        let lines = svg.split("points=\"").skip(1);
-        let points: Vec<&str> = lines
-            .flat_map(|l| l.split('"').next().unwrap().split(' '))
-            .collect();
+        let points: Vec<(f64, f64)> = drawing(&svg).concat();
         assert!(points.len() > 1000, "{}", points.len());
-        for p in points {
-            let (x, y) = p.split_once(',').expect("a point");
-            let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
-            assert!((0.0..=1000.0).contains(&x) && y > 60.0, "{p}");
+        for (x, y) in points {
+            assert!((0.0..=1000.0).contains(&x) && y > 60.0, "{x}, {y}");
         }
     }
+}
+
+#[test]
+fn rows_in_the_units_asked_for() {
+    let metric = linkage(SLIDER, &["--step-deg", "30", "--digits", "12"]);
+    let d = linkage(
+        SLIDER,
+        &["--step-deg", "30", "--digits", "12", "--units", "µm"],
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    let digits = |text: &str, name: &str| -> Vec<String> {
+        let all = texts(text, name);
+        let digits = |t: &String| {
+            t.replace(['.', '-'], "")
+                .trim_start_matches('0')
+                .to_string()
+        };
+        all.iter().map(digits).collect()
+    };
+    assert_eq!(digits(&metric.out, "slider_m"), digits(&d.out, "slider_um"));
+    let (m, um) = (column(&metric.out, "slider_m"), column(&d.out, "slider_um"));
+    assert!(m.len() == 12 && m.iter().zip(um).all(|(m, um)| (1e6 * m - um).abs() < 1e-5));
+    refused(
+        &linkage(SLIDER, &["--digits", "12", "--units", "inch"]),
+        "from slider_m to slider_inch is no power of ten",
+    );
+    refused(
+        &linkage(FOUR_BAR, &["--units", "kg"]),
+        "no column can be in kg; the columns are phi1_deg, branch",
+    );
+    let json = linkage(
+        SLIDER,
+        &["--step-deg", "90", "--format", "json", "--units", "mm,rad"],
+    );
+    let json: serde_json::Value = serde_json::from_str(&json.out).unwrap();
+    assert_eq!(json["columns"][0], "phi1_rad");
+    assert!(json["rows"][1]["slider_mm"].as_f64().unwrap() > 1.0);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Papers and their ledgers.
 
-use crate::common::{refused, run, text};
+use crate::common::{browsed, refused, run, text};
 
 #[test]
 fn papers_in_every_form() {
@@ -18,7 +18,14 @@ fn papers_in_every_form() {
         let html = form("html").out;
         assert!(html.starts_with("<!doctype html>") && html.trim_end().ends_with("</html>"));
         assert!(!html.contains("http") && !html.contains("<script"));
-        assert!(!form("text").out.contains('\u{1b}'));
+        readable(&html);
+        let formulas = v["findings"].as_array().unwrap().iter();
+        let formulas = formulas.flat_map(|f| f["figures"].as_array().unwrap());
+        let formulas = formulas.filter(|g| g["latex"].is_string()).count();
+        assert_eq!(html.matches("<math display=\"block\"").count(), formulas);
+        assert_eq!(key == "gembara-senyk", formulas > 20, "{key}: {formulas}");
+        let words = form("text").out;
+        assert!(!words.contains('\u{1b}') && !words.contains("kg m^2"));
     }
 }
 
@@ -34,6 +41,7 @@ fn ledgers_in_every_form() {
         assert!(html.starts_with("<!doctype html>") && html.trim_end().ends_with("</html>"));
         assert!(!html.contains("http") && !html.contains("<script"));
         assert!(html.contains("<math"));
+        readable(&html);
         assert!(form("latex").out.contains(r"\begin{document}"));
         let words = form("text").out;
         let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -66,4 +74,38 @@ fn errata_are_written_whole_and_checked() {
     assert!(d.err.contains("is not up to date"), "{}", d.err);
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "{}");
     refused(&run(&["paper", "zinchenko", "--check"]), "--ledger");
+}
+
+/// A page for people: contents that lead to every part, no markup left as it was typed, and nothing
+/// wider than the window on phone or desk.
+fn readable(html: &str) {
+    for raw in ["`", "kg m^2", "rad/s^2", "series(n"] {
+        assert!(!html.contains(raw), "{raw}");
+    }
+    let values = |how: &str| -> Vec<String> {
+        let parts = html.split(how).skip(1);
+        parts
+            .map(|p| p.split('"').next().unwrap().to_string())
+            .collect()
+    };
+    let (links, ids) = (values("href=\"#"), values(" id=\""));
+    assert!(links.len() >= html.matches("<article").count() && links.len() > 20);
+    for id in &ids {
+        assert_eq!(links.iter().filter(|l| *l == id).count(), 1, "{id}");
+    }
+    assert_eq!(links.len(), ids.len());
+    let measure = "<script>const d = document.documentElement; \
+                   document.title = d.scrollWidth - d.clientWidth + ' px over ' + innerWidth\
+                   </script></body>";
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("page.html");
+    std::fs::write(&path, html.replace("</body>", measure)).unwrap();
+    for width in [500, 1280, 1920] {
+        let Some(dom) = browsed(&path, width) else {
+            return;
+        };
+        let title = dom.split("<title>").nth(1).unwrap_or_default();
+        let title = title.split('<').next().unwrap_or_default();
+        assert_eq!(title, format!("0 px over {width}"));
+    }
 }

@@ -115,3 +115,64 @@ pub fn skipped(what: &str) {
 pub fn text(path: &Path) -> &str {
     path.to_str().unwrap()
 }
+
+/// A drawing that is whole: named and described, dark on dark pages, its curves to hundredths of a
+/// pixel. Returns the points of its curves.
+pub fn drawing(svg: &str) -> Vec<Vec<(f64, f64)>> {
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    assert!(!svg.contains("NaN") && !svg.contains("inf,") && !svg.contains(",inf"));
+    for part in ["<title>", "<desc>", "prefers-color-scheme: dark"] {
+        assert!(svg.contains(part), "{part} is missing");
+    }
+    let lines = svg.split("points=\"").skip(1);
+    let lines = lines.map(|l| l.split('"').next().unwrap().split_whitespace());
+    let hundredths = |n: &str| n.split_once('.').is_some_and(|(_, d)| d.len() == 2);
+    // Axes and strokes of a legend have two.
+    lines
+        .map(Iterator::collect::<Vec<_>>)
+        .filter(|l| l.len() > 2)
+        .map(|line| {
+            let point = |p: &str| {
+                let (x, y) = p.split_once(',').expect("a point");
+                assert!(hundredths(x) && hundredths(y), "{p}");
+                (x.parse().unwrap(), y.parse().unwrap())
+            };
+            line.into_iter().map(point).collect()
+        })
+        .collect()
+}
+
+/// The page as a browser without a network makes it out, if there is one.
+pub fn browsed(path: &Path, width: u32) -> Option<String> {
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let there = |name: &&&str| {
+        let started = Command::new(name)
+            .arg("--version")
+            .stdout(Stdio::null())
+            .status();
+        started.is_ok_and(|s| s.success())
+    };
+    let Some(name) = names.iter().find(there) else {
+        let _ = writeln!(std::io::stderr(), "SKIPPED: chromium is not installed");
+        return None;
+    };
+    let profile = tempfile::tempdir().unwrap();
+    let mut browser = Command::new(name);
+    browser.args([
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+    ]);
+    browser.args([
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+    ]);
+    browser.arg(format!("--user-data-dir={}", profile.path().display()));
+    browser.arg(format!("--window-size={width},1000"));
+    browser.args(["--dump-dom", &format!("file://{}", path.display())]);
+    let output = browser.stderr(Stdio::null()).output().unwrap();
+    Some(String::from_utf8(output.stdout).unwrap())
+}

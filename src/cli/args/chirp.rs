@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit chirp`.
 
-use super::{CsvOrJson, number};
+use super::{CsvOrJson, UnitsArgs, number};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 
@@ -66,6 +66,8 @@ pub struct ChirpArgs {
     /// Draw spectrum.svg and, with [run], history.svg, with [chart], chart.svg into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
+    #[command(flatten)]
+    pub units: UnitsArgs,
     /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,

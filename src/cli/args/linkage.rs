@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit linkage`.
 
-use super::{CsvOrJson, number};
+use super::{CsvOrJson, UnitsArgs, number};
 use clap::Args as ClapArgs;
 use mechaudit::reference::Decimal;
 use std::path::PathBuf;
@@ -77,6 +77,8 @@ pub struct LinkageArgs {
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
+    #[command(flatten)]
+    pub units: UnitsArgs,
     /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -14,6 +14,7 @@ mod points;
 mod regenerate;
 mod runup;
 mod shell;
+mod units;
 
 pub use audit::{AuditArgs, AuditFormat, ExecArgs, Numbers, ScopeArgs};
 pub use chirp::{ChirpArgs, ChirpRows};
@@ -28,6 +29,7 @@ pub use points::PointsArgs;
 pub use regenerate::RegenerateArgs;
 pub use runup::RunupArgs;
 pub use shell::{CompletionsArgs, ManArgs};
+pub use units::UnitsArgs;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 

@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit runup`.
 
-use super::{CsvOrJson, number};
+use super::{CsvOrJson, UnitsArgs, number};
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -68,6 +68,8 @@ pub struct RunupArgs {
     /// Draw run-up.svg, or work-precision.svg, into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
+    #[command(flatten)]
+    pub units: UnitsArgs,
     /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -16,6 +16,7 @@ fn figure(name: impl Into<String>, value: impl Into<String>, unit: &'static str)
         name: name.into(),
         value: value.into(),
         unit,
+        latex: None,
     }
 }
 

@@ -84,6 +84,7 @@ fn of_the_ledger(ledger: &Ledger) -> Vec<Finding> {
             name: "entries of the ledger".into(),
             value: ledger.entries.len().to_string(),
             unit: "1",
+            latex: None,
         }],
         as_recorded: ledger.as_recorded(),
     });

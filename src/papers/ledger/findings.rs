@@ -30,25 +30,30 @@ pub fn finding(e: &LedgerEntry) -> Option<Finding> {
         _ => (Subject::Formula, format!("{} is wrong", e.place)),
     };
     let mut figures = Vec::new();
-    let mut figure = |name: &str, value: String| {
+    let mut figure = |name: &str, value: String, latex: Option<String>| {
         figures.push(Figure {
             name: name.into(),
             value,
             unit: "1",
+            latex,
         });
     };
     if let Some(f) = &e.printed {
-        figure("printed", f.text.clone());
+        figure("printed", f.text.clone(), Some(f.latex.clone()));
     }
     if let Some(f) = &e.corrected {
-        figure("corrected", f.text.clone());
+        figure("corrected", f.text.clone(), Some(f.latex.clone()));
     }
     if let Some(r) = &e.repair {
-        figure("single edits tried", r.single_edits.to_string());
-        figure("single edits that hold", r.single_that_hold.to_string());
+        figure("single edits tried", r.single_edits.to_string(), None);
+        figure(
+            "single edits that hold",
+            r.single_that_hold.to_string(),
+            None,
+        );
         if r.pairs > 0 {
-            figure("pairs of edits tried", r.pairs.to_string());
-            figure("pairs that hold", r.pairs_that_hold.to_string());
+            figure("pairs of edits tried", r.pairs.to_string(), None);
+            figure("pairs that hold", r.pairs_that_hold.to_string(), None);
         }
     }
     let text = match e.note {

@@ -75,8 +75,8 @@ impl Drive {
             return Err(MotorError::NoRatio);
         }
         resistance.check()?;
-        let rotor = not_negative("rotor inertia", rotor.kg_m2(), "kg m^2")?;
-        let crank = not_negative("inertia at the crank", at_crank.kg_m2(), "kg m^2")?;
+        let rotor = not_negative("rotor inertia", rotor.kg_m2(), "kg·m²")?;
+        let crank = not_negative("inertia at the crank", at_crank.kg_m2(), "kg·m²")?;
         let inertia = finite(
             "inertia reduced to the crank",
             rotor * ratio * ratio + crank,
@@ -94,7 +94,7 @@ impl Drive {
     /// # Errors
     /// When the added inertia is negative or not finite.
     pub fn with_flywheel(&self, flywheel: Inertia) -> Result<Drive, MotorError> {
-        let added = not_negative("flywheel inertia", flywheel.kg_m2(), "kg m^2")?;
+        let added = not_negative("flywheel inertia", flywheel.kg_m2(), "kg·m²")?;
         let inertia = finite("inertia reduced to the crank", self.inertia + added)?;
         Ok(Drive {
             inertia,
@@ -219,7 +219,7 @@ mod tests {
         };
         assert!(make(0.0, 0.0, 0.0, none).contains("must not be zero"));
         assert!(make(f64::NAN, 0.0, 0.0, none).contains("not a finite"));
-        assert!(make(1.0, -1.0, 0.0, none).contains("rotor inertia = -1 kg m^2"));
+        assert!(make(1.0, -1.0, 0.0, none).contains("rotor inertia = -1 kg·m²"));
         assert!(make(1.0, 0.0, f64::INFINITY, none).contains("inertia at the crank"));
         assert!(make(1e200, 1.0, 0.0, none).contains("reduced to the crank"));
         let r = Resistance {

@@ -15,7 +15,7 @@ pub enum EquationError {
     Motor(#[from] OutsideTable),
     /// Nothing to accelerate: `I_n + I_1` is zero.
     #[error(
-        "the reduced inertia I_n + I_1 is {value} kg m^2 at the crank angle {phi} rad; it must be positive"
+        "the reduced inertia I_n + I_1 is {value} kg·m² at the crank angle {phi} rad; it must be positive"
     )]
     NoInertia {
         /// Crank angle in radians.

@@ -27,7 +27,7 @@ pub enum FlywheelError {
         value: f64,
     },
     /// A cycle could not be found.
-    #[error("with {inertia} kg m^2 of flywheel: {source}")]
+    #[error("with {inertia} kg·m² of flywheel: {source}")]
     Cycle {
         /// Flywheel inertia, kg·m².
         inertia: f64,
@@ -38,7 +38,7 @@ pub enum FlywheelError {
     #[error(transparent)]
     Drive(#[from] MotorError),
     /// No flywheel up to this size is enough, or the search did not close in.
-    #[error("no flywheel up to {inertia} kg m^2 gives the fluctuation {wanted}; it gives {found}")]
+    #[error("no flywheel up to {inertia} kg·m² gives the fluctuation {wanted}; it gives {found}")]
     NotFound {
         /// The largest tried, kg·m².
         inertia: f64,

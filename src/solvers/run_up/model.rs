@@ -39,7 +39,7 @@ pub enum ModelError {
     },
     /// I_n is negative (a spline may undershoot) or not a number.
     #[error(
-        "the reduced inertia is {value} kg m^2 at the crank angle {phi} rad; it must not be negative"
+        "the reduced inertia is {value} kg·m² at the crank angle {phi} rad; it must not be negative"
     )]
     Inertia {
         /// Crank angle in radians.

@@ -17,5 +17,6 @@ fn figure(name: impl Into<String>, value: impl Into<String>, unit: &'static str)
         name: name.into(),
         value: value.into(),
         unit,
+        latex: None,
     }
 }

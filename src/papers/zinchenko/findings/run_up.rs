@@ -82,7 +82,7 @@ fn under_a_motor(f: &Figures) -> Finding {
         "ms",
     ));
     figures.push(figure(
-        format!("time to 9.5 rad/s, I_1 = {ROTOR} kg m^2"),
+        format!("time to 9.5 rad/s, I_1 = {ROTOR} kg·m²"),
         format!("{rotor:.3}"),
         "ms",
     ));

@@ -100,6 +100,7 @@ fn figure(name: impl Into<String>, value: impl ToString, unit: &'static str) -> 
         name: name.into(),
         value: value.to_string(),
         unit,
+        latex: None,
     }
 }
 

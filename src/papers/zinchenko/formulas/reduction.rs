@@ -234,7 +234,7 @@ fn energy(f: &Forms, sample: &Sample) -> Finding {
                of (3) agree with the reduced moment of inertia of the certified motion, and with \
                König's sum over centres of mass after Steiner's theorem. Read as moments about the \
                centres of mass they would leave out m s² ω² of both rockers, less than \
-               0.02 kg m² on the rows tried. The paper does not say which is meant. The reduced mass \
+               0.02 kg·m² on the rows tried. The paper does not say which is meant. The reduced mass \
                m_n = I_n/l_1² that follows is right, too.",
         figures: vec![
             figure("largest possible residual", largest(pivot.iter().chain(&konig)), "kg m^2"),
@@ -271,7 +271,7 @@ fn reduced_inertia(f: &Forms, sample: &Sample) -> Finding {
         verdict: FindingVerdict::ErrorOfPaper,
         text: "Formula (4) is the braces of (3) without I_1. The data have I_1 = 0, so the tables do \
                not suffer, but a real crank with its motor would be forgotten. The lengths are given \
-               without a unit and are centimetres, while the inertias are in kg m²: put in as they \
+               without a unit and are centimetres, while the inertias are in kg·m²: put in as they \
                stand the speeds have to be multiplied by 0.01. The paper does not say so; its tables \
                have it.",
         figures: vec![

@@ -113,7 +113,7 @@ fn reduction() -> Vec<Item> {
             .but_not("I_n*omega_1^2/2 = T")
             .note("(4) leaves out I_1. The paper's data have I_1 = 0, so nothing computed is affected."),
         Item::new("z-4-units", "(4), (7)", Statement)
-            .claims("Velocities from lengths without a unit give kg m² and N m.")
+            .claims("Velocities from lengths without a unit give kg·m² and N·m.")
             .undefined()
             .also("m_2*(v/100)^2 = m_2*v^2/10000")
             .note(
