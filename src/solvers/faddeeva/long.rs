@@ -211,7 +211,9 @@ impl Mul for Long {
             product[i] = carry;
         }
         let negative = self.negative != other.negative;
-        Long::normal(negative, self.exponent + other.exponent, &product)
+        // Its first bit is the first or the second.
+        let [p, q, r, s, t, ..] = product;
+        Long::normal(negative, self.exponent + other.exponent, &[p, q, r, s, t])
     }
 }
 
