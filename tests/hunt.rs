@@ -378,7 +378,7 @@ fn what_a_hunt_found_can_be_judged_again() {
         "audit",
         "slider-crank",
         "--cases",
-        "0",
+        "1",
         "--format",
         "json",
         "--hard",

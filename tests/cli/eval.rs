@@ -229,7 +229,7 @@ fn usage() {
     refusal(&[], "NAME");
     refusal(
         &["faddeeva.v"],
-        "there is no function \"faddeeva.v\"; there are: faddeeva.w",
+        "there is no function \"faddeeva.v\" (did you mean \"faddeeva.w\"?); there are: faddeeva.w",
     );
     refusal(&[W, "--digits", "0"], "--digits");
     refusal(&[W, "--digits", "10001"], "--digits");
