@@ -22,8 +22,10 @@
 //! Errors of `a_n` and `b_n`, worst found over 40 random cases in each of eight regions (all laws,
 //! strokes of 0.001 to 0.45 turns, harmonics up to 9·10⁵): `50 · 2⁻⁵³` of the largest of the case's
 //! eight coefficients, which is for strokes of a thousandth of a turn; `mechaudit audit
-//! cam-fourier-series` repeats the search. Each coefficient is a difference of two strokes' shares:
-//! where they cancel, and near the zeros of `F`, the error is that of the shares.
+//! cam-fourier-series` repeats the search. Each coefficient is a difference of two strokes' shares: near
+//! the zeros of `F`, and where the shares cancel, the error is that of the shares; but not in a lift so
+//! short that `n` of them are an eighth of a turn, whose shares differ from `e^{−inθ}` by little and are summed
+//! by what they differ.
 //!
 //! # Sources
 //! Gembara & Senyk, eqs (4)–(6); the period there is the shaft's turn.
@@ -37,7 +39,7 @@ use super::cam_law::{CamCycle, MotionLaw, Shape};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 use tail::Decay;
-use transform::Transform;
+use transform::{SHORT, Transform};
 use turns::Turns;
 
 /// The largest harmonic that is given.
@@ -125,15 +127,35 @@ impl Part {
         }
     }
 
-    /// `e^{−inθ} F`.
-    fn share(&self, n: f64) -> Complex64 {
-        let t = Turns::multiple(n, self.turns);
-        let centre = t.times(self.transform.centre);
+    /// `e^{−inθ}`
+    fn wave(&self, n: f64) -> Complex64 {
+        let centre = Turns::multiple(n, self.turns).times(self.transform.centre);
         let angle = self
             .before
             .iter()
             .fold(centre, |sum, &turns| sum.plus(Turns::multiple(n, turns)));
-        angle.cis().conj() * self.transform.at(t)
+        angle.cis().conj()
+    }
+
+    /// `e^{−inθ} F`.
+    fn share(&self, n: f64) -> Complex64 {
+        self.wave(n) * self.transform.at(Turns::multiple(n, self.turns))
+    }
+
+    /// The difference of the shares of two strokes with a dwell between them, where all of it is so short
+    /// that they cancel: `e^{−inθ_r} [1 − e^{−iΔ} + (F_r − 1) − e^{−iΔ} (F_f − 1)]`, Δ the angle from centre to
+    /// centre.
+    fn short_difference(&self, fall: &Part, dwell: f64, n: f64) -> Option<Complex64> {
+        let [up, down] = [self, fall].map(|p| Turns::multiple(n, p.turns));
+        let after = up.minus(up.times(self.transform.centre));
+        let before = down.times(fall.transform.centre);
+        let angle = after.plus(Turns::multiple(n, dwell)).plus(before);
+        if n * (self.turns + dwell + fall.turns) > SHORT {
+            return None;
+        }
+        let (up, down) = (self.transform.less_one(up)?, fall.transform.less_one(down)?);
+        let step = angle.cis_less_one().conj();
+        Some(self.wave(n) * (up - down - step * (1.0 + down)))
     }
 
     /// `T_p/β^p`, if the law has a bound of that order.
@@ -160,6 +182,7 @@ impl Part {
 pub struct FourierSeries {
     lift: f64,
     mean: f64,
+    high_dwell: f64,
     parts: Vec<Part>,
 }
 
@@ -200,6 +223,7 @@ impl FourierSeries {
         FourierSeries {
             lift: h,
             mean: h * mean,
+            high_dwell: top,
             parts,
         }
     }
@@ -218,8 +242,13 @@ impl FourierSeries {
             return Err(FourierSeriesError::Order { order });
         }
         let n = f64::from(order);
-        let shares = self.parts.iter().map(|p| p.share(n));
-        let z = shares.reduce(|up, down| up - down).unwrap_or_default();
+        let short = match &self.parts[..] {
+            [rise, fall] => rise.short_difference(fall, self.high_dwell, n),
+            _ => None,
+        };
+        let shares = || self.parts.iter().map(|p| p.share(n));
+        let z = short.or_else(|| shares().reduce(|up, down| up - down));
+        let z = z.unwrap_or_default();
         let scale = self.lift / (PI * n);
         // z/i = Im z − i Re z.
         Ok(Harmonic {

@@ -30,6 +30,9 @@ use crate::solvers::faddeeva::double_double::{Dd, two_sum};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
+/// Turns of a harmonic up to which two strokes are short: their shares are next to each other.
+pub(super) const SHORT: f64 = 0.125;
+
 /// The jumps of derivatives at one place of the stroke.
 #[derive(Clone, Debug)]
 pub(super) struct Knot {
@@ -255,9 +258,9 @@ impl Transform {
                 Some((order, p)) if turns >= 1.0 => {
                     let value = |x: f64| p.iter().rev().fold(0.0, |sum, c| sum * x + c);
                     let power = Complex64::new(0.0, -1.0 / t.radians()).powi(*order as i32 - 1);
-                    self.integrated(t, value) * power
+                    self.integrated(t, Turns::cis, value) * power
                 }
-                _ => self.integrated(t, |x| self.law.motion(x).map_or(f64::NAN, |m| m.velocity)),
+                _ => self.integrated(t, Turns::cis, |x| self.velocity(x)),
             };
         }
         match &self.tail {
@@ -266,14 +269,30 @@ impl Transform {
         }
     }
 
-    fn integrated(&self, t: Turns, f: impl Fn(f64) -> f64) -> Complex64 {
+    /// `F(q) − 1` of a stroke so short that F is next to 1: each part within a few u of `|q|`.
+    pub(super) fn less_one(&self, t: Turns) -> Option<Complex64> {
+        let short = t.turns() <= SHORT;
+        short.then(|| self.integrated(t, Turns::cis_less_one, |x| self.velocity(x)))
+    }
+
+    fn velocity(&self, x: f64) -> f64 {
+        self.law.motion(x).map_or(f64::NAN, |m| m.velocity)
+    }
+
+    /// `∫ wave(−q(x − x_c)) f(x) dx`
+    fn integrated(
+        &self,
+        t: Turns,
+        wave: impl Fn(Turns) -> Complex64,
+        f: impl Fn(f64) -> f64,
+    ) -> Complex64 {
         let mut sum = Complex64::ZERO;
         for piece in self.pieces.windows(2) {
             let width = piece[1] - piece[0];
             let panels = (t.turns() * width).ceil().max(1.0) as usize;
             for k in 0..panels {
                 let at = |k: usize| piece[0] + width * (k as f64 / panels as f64);
-                sum += integral(at(k), at(k + 1), |x| t.times(self.centre - x).cis() * f(x));
+                sum += integral(at(k), at(k + 1), |x| wave(t.times(self.centre - x)) * f(x));
             }
         }
         sum

@@ -2,7 +2,7 @@
 
 use crate::solvers::faddeeva::double_double::{Dd, two_prod, two_sum};
 use num_complex::Complex64;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// An angle in turns as an unevaluated sum of two numbers.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +53,12 @@ impl Turns {
     fn fraction(self) -> Dd {
         let Dd { hi, lo } = self.0;
         two_sum(hi - hi.round(), lo)
+    }
+
+    /// `e^{2πit} − 1` for t up to a quarter, both parts within a few u of themselves.
+    pub(super) fn cis_less_one(self) -> Complex64 {
+        let (s, c) = (PI * self.fraction().value()).sin_cos();
+        Complex64::new(-2.0 * s * s, 2.0 * s * c)
     }
 
     /// `e^{2πit}`: exact at quarter turns, both parts otherwise within a few u of themselves.
