@@ -10,15 +10,18 @@
 
 use super::error::{CamLawError, finite};
 use super::{Motion, Peaks};
+use crate::solvers::faddeeva::double_double::{Dd, two_prod};
 use std::f64::consts::PI;
 
 /// `b + c + d` may differ from one by this much: each was rounded once.
 const SUM_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// `(π − 2)/(2π²)`, rounded once.
-const SINE_PART: f64 = 0.057_833_759_449_557_56;
-/// `1/π²`, rounded once.
-const COSINE_PART: f64 = 0.101_321_183_642_337_78;
+/// `(π − 2)/(2π²)`.
+const SINE_PART: Dd = Dd::new(0.057_833_759_449_557_56, 1.065_845_445_755_426_5e-18);
+/// `1/π²`.
+const COSINE_PART: Dd = Dd::new(0.101_321_183_642_337_78, -3.966_289_879_439_441_4e-18);
+/// `1/π`.
+const INV_PI: Dd = Dd::new(0.318_309_886_183_790_7, -1.967_867_667_518_248_6e-17);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::solvers) struct Scca {
@@ -56,15 +59,16 @@ impl Scca {
             (false, true) => (b, 0.0, 1.0 - b),
             (false, false) => (1.0 - d, 0.0, d),
         };
-        // s(1/2)/C_a, all terms positive.
-        let sine = b * b * SINE_PART + b / PI * (0.5 * c);
-        let constant = c * c / 8.0 + (b / PI + 0.5 * c) * (0.5 * d);
-        let middle = sine + constant + d * d * COSINE_PART;
+        // s(1/2)/C_a, all terms positive; in double-double, because C_a is a factor of everything.
+        let v = INV_PI.mul_f(b);
+        let sine = SINE_PART * two_prod(b, b) + v.mul_f(0.5 * c);
+        let constant = two_prod(c, c).scale(0.125) + v.add_f(0.5 * c).mul_f(0.5 * d);
+        let middle = sine + constant + COSINE_PART * two_prod(d, d);
         Ok(Scca {
             b,
             c,
             d,
-            acceleration: 0.5 / middle,
+            acceleration: Dd::from(0.5).div(middle).value(),
         })
     }
 
@@ -110,7 +114,7 @@ impl Scca {
                 jerk: PI / b * rest.sin(),
             }
         } else {
-            let (s1, v1) = (b * b * SINE_PART, b / PI);
+            let (s1, v1) = (b * b * SINE_PART.hi, b / PI);
             if self.in_cosine(y) {
                 let t = self.depth_in_cosine(y, left);
                 let (s2, v2) = (s1 + 0.5 * c * (v1 + 0.25 * c), v1 + 0.5 * c);
@@ -140,7 +144,7 @@ impl Scca {
     /// `∫ s dx` over the accelerating half, all terms positive.
     pub(in crate::solvers) fn half_mean(&self) -> f64 {
         let (b, c, d) = (self.b, self.c, self.d);
-        let (s1, v1) = (b * b * SINE_PART, b / PI);
+        let (s1, v1) = (b * b * SINE_PART.hi, b / PI);
         let (t, u) = (0.5 * c, 0.5 * d);
         let (s2, v2) = (s1 + t * (v1 + 0.5 * t), v1 + t);
         let sine = (b / PI).powi(3) * (PI * PI / 8.0 - 1.0);

@@ -211,3 +211,32 @@ fn refusals() {
     assert!(says(s.harmonics_for(1e-20, 0)).contains("harmonics would be needed"));
     assert!(says(s.harmonics_for(1e-3, 2)).contains("no finite sum"));
 }
+
+/// The strokes of a short lift cancel: an even pulse about zero has `a_n = 2a_0` but for the square of its
+/// length.
+#[test]
+fn lifts_shorter_than_a_harmonic() {
+    for name in ["3-4-5", "modified-sine"] {
+        for fraction in [0.5, 0.3] {
+            let stroke = |fraction: f64| Stroke {
+                law: MotionLaw::by_name(name)
+                    .and_then(|law| law.with_acceleration_fraction(fraction))
+                    .unwrap(),
+                turns: 1e-9,
+            };
+            let (rise, fall) = (stroke(fraction), stroke(1.0 - fraction));
+            let cycle = CamCycle::new(2.0, rise, 1e-9, fall, 1.0 - 3e-9).unwrap();
+            let series = FourierSeries::new(&cycle.starting_at(-1.5e-9).unwrap());
+            for n in [1, 2, 3] {
+                let h = series.harmonic(n).unwrap();
+                let off = h.a / (2.0 * series.mean()) - 1.0;
+                assert!(off.abs() < 4e-15, "{name} {fraction} {n}: {off:e}");
+                assert!(
+                    h.b.abs() < 1e-15 * h.a,
+                    "{name} {fraction} {n}: {}",
+                    h.b / h.a
+                );
+            }
+        }
+    }
+}

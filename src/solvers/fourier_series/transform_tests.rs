@@ -53,14 +53,17 @@ fn three_ways_of_a_polynomial() {
         let from = t.tail_from;
         assert!(from > 1.0, "{from}");
         for at in [0.25, 1.0f64.next_down()] {
-            assert_eq!(t.at(turns(at)), t.integrated(turns(at), velocity));
+            assert_eq!(
+                t.at(turns(at)),
+                t.integrated(turns(at), Turns::cis, velocity)
+            );
         }
         for at in [1.0, 0.5 * (1.0 + from), from.next_down()] {
             let at = turns(at);
             let power = Complex64::new(0.0, -1.0 / at.radians()).powi(order as i32 - 1);
-            let due = t.integrated(at, value) * power;
+            let due = t.integrated(at, Turns::cis, value) * power;
             assert_eq!(t.at(at), due);
-            let plain = t.integrated(at, velocity);
+            let plain = t.integrated(at, Turns::cis, velocity);
             assert!(
                 (due - plain).norm() < 1e-13 * (1.0 + velocity(0.0).abs()),
                 "{due} {plain}"
@@ -70,7 +73,7 @@ fn three_ways_of_a_polynomial() {
             let at = turns(at);
             let due = jumps(t.knots().expect("knots"), t.centre, at);
             assert_eq!(t.at(at), due);
-            let plain = t.integrated(at, velocity);
+            let plain = t.integrated(at, Turns::cis, velocity);
             assert!(
                 (due - plain).norm() < 1e-13 * (1.0 + velocity(0.0).abs()),
                 "{due} {plain}"
@@ -90,11 +93,11 @@ fn two_ways_of_sines() {
     assert_eq!(t.tail_from, 2.0);
     let velocity = |x: f64| law.motion(x).expect("a place").velocity;
     let below = turns(2.0f64.next_down());
-    assert_eq!(t.at(below), t.integrated(below, velocity));
+    assert_eq!(t.at(below), t.integrated(below, Turns::cis, velocity));
     for at in [2.0, 2.5] {
         let due = scca(s, 0.25, turns(at));
         assert_eq!(t.at(turns(at)), due);
-        assert!((due - t.integrated(turns(at), velocity)).norm() < 1e-14);
+        assert!((due - t.integrated(turns(at), Turns::cis, velocity)).norm() < 1e-14);
     }
 }
 
@@ -109,7 +112,7 @@ fn a_panel_for_each_turn() {
             asked.set(asked.get() + 1);
             1.0
         };
-        t.integrated(turns(at), one);
+        t.integrated(turns(at), Turns::cis, one);
         assert_eq!(asked.get(), 20 * panels, "{at}");
     }
 }
