@@ -2,8 +2,8 @@
 
 use super::cam_law_input::{self as input, LawInput};
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof, Reference,
-    ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
+    Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof,
+    Reference, ReferenceAnswer, Region, SolverAnswer, conditions_by_differences,
 };
 use crate::reference::Ball;
 use rug::Rational;

@@ -4,8 +4,8 @@ use super::faddeeva_relatives::{C, Relative, Zeros, odd_limit, on_axis};
 use super::faddeeva_relatives_laws::{batch_agrees, odd_law, on_the_axis, point, within};
 use super::faddeeva_relatives_regions::zero_of_erfi;
 use crate::audit::{Due, Law};
-use crate::reference::{Ball, Undecided};
 use crate::reference::faddeeva::{self, Scaled};
+use crate::reference::{Ball, Undecided};
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
 use rug::Rational;
 

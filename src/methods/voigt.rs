@@ -5,7 +5,8 @@ use super::faddeeva_relatives::{PROOF, asked, number};
 use super::faddeeva_relatives_laws::{U, broken, same};
 use super::voigt_regions as regions;
 use crate::audit::{
-    Budget, Domain, Due, HardCase, Input, Law, Limit, Method, Output, Proof, ReferenceAnswer, SolverAnswer,
+    Budget, Domain, Due, HardCase, Input, Law, Limit, Method, Output, Proof, ReferenceAnswer,
+    SolverAnswer,
 };
 use crate::reference::faddeeva::voigt_scaled;
 use crate::solvers::faddeeva::{faddeeva as w, voigt, voigt_batch};

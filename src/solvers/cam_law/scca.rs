@@ -21,7 +21,7 @@ const SINE_PART: Dd = Dd::new(0.057_833_759_449_557_56, 1.065_845_445_755_426_5e
 /// `1/π²`.
 const COSINE_PART: Dd = Dd::new(0.101_321_183_642_337_78, -3.966_289_879_439_441_4e-18);
 /// `1/π`.
-const INV_PI: Dd = Dd::new(0.318_309_886_183_790_7, -1.967_867_667_518_248_6e-17);
+const INV_PI: Dd = Dd::new(std::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::solvers) struct Scca {
