@@ -25,23 +25,43 @@ pub fn audit(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure
     if settings.cases_per_region <= FEW {
         return Ok(());
     }
-    let cores = rayon::current_num_threads() as f64;
     let (mut count, mut seconds) = (0.0, 0.0);
     for method in methods {
         let cases = Cases::new(*method, settings);
         let total = cases.len() as f64;
-        let start = Instant::now();
-        let tried = sample(&cases, |i| {
-            drop(audit_case(*method, cases.get(i), settings))
-        });
         count += total;
-        seconds += total * start.elapsed().as_secs_f64() / tried / cores;
+        seconds += total * each(*method, &cases, settings);
     }
     let what = format!("{count:.2e} cases take about {}", time(seconds));
+    judged(&what, seconds)
+}
+
+/// Looks ahead at a hunt of so many evaluations.
+pub fn hunt(method: &dyn Method, evaluations: u64) -> Result<(), Failure> {
+    if evaluations <= FEW {
+        return Ok(());
+    }
+    let settings = Settings::default();
+    let cases = Cases::new(method, &settings);
+    let count = evaluations as f64;
+    let seconds = count * each(method, &cases, &settings);
+    let what = format!("{count:.2e} evaluations take about {}", time(seconds));
+    judged(&what, seconds)
+}
+
+/// Seconds for a case on all cores.
+fn each(method: &dyn Method, cases: &Cases, settings: &Settings) -> f64 {
+    let start = Instant::now();
+    let tried = sample(cases, |i| drop(audit_case(method, cases.get(i), settings)));
+    start.elapsed().as_secs_f64() / tried / rayon::current_num_threads() as f64
+}
+
+fn judged(what: &str, seconds: f64) -> Result<(), Failure> {
     if seconds > ENDLESS {
-        return Err(refused(&what));
+        return Err(refused(what));
     }
     if seconds > LONG {
+        let cores = rayon::current_num_threads();
         complain(&format!(
             "{what} on {cores} cores; memory grows by some 2 kB for each failing case alone"
         ));
@@ -136,6 +156,8 @@ mod tests {
         };
         assert!(audit(&[&*method], &settings(200)).is_ok());
         assert!(audit(&[&*method], &settings(20_000)).is_ok());
+        assert!(hunt(&*method, 20_000).is_ok());
+        assert!(hunt(&*method, u64::MAX).is_err());
         for endless in [99_999_999_999_999, u64::MAX] {
             let settings = settings(endless);
             let Err(Failure::Message(why)) = audit(&[&*method], &settings) else {

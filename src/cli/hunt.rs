@@ -6,7 +6,7 @@ use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
 use super::text::{BAD, BOLD, PLAIN, Table, paint, percent, width, wrap};
-use super::{hard_folder, interrupt};
+use super::{forecast, hard_folder, interrupt};
 use mechaudit::audit::{
     Case, HardCase, Hunt, HuntSettings, Method, Origin, Variant, Worst, hunt_until, rounded_up,
 };
@@ -14,6 +14,7 @@ use mechaudit::audit::{
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     let method = find(&args.method)?;
+    forecast::hunt(&*method, args.evals)?;
     let settings = HuntSettings {
         evaluations: args.evals,
         seed: args.seed,

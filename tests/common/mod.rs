@@ -176,3 +176,13 @@ pub fn browsed(path: &Path, width: u32) -> Option<String> {
     let output = browser.stderr(Stdio::null()).output().unwrap();
     Some(String::from_utf8(output.stdout).unwrap())
 }
+
+/// Whether programs started here ignore the hang-up, as under `nohup`.
+#[cfg(target_os = "linux")]
+#[allow(dead_code)]
+pub fn hang_ups_are_ignored() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap();
+    let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));
+    let mask = u64::from_str_radix(mask.unwrap().trim(), 16).unwrap();
+    mask & 1 == 1
+}

@@ -12,16 +12,15 @@
 //! codes, `mechaudit audit faddeeva` judges it.
 //!
 //! # Method
-//! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`], with every limit in
-//! [`SEAMS`]):
+//! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]; [`SEAMS`] has the limits):
 //!
-//! - `|z|² < 2⁻¹⁴`: Maclaurin series with 9 terms, `|z|² < 2⁻⁴`: with 21;
-//! - `|z|² < 48`: Taylor series of 18 terms about tabulated centres 1/4 (or 1/2) apart, the two leading
-//!   coefficients in double-double; beside the axes the centres lie on them (on the real axis 1/16
-//!   apart), so that the small component keeps its relative accuracy; on the imaginary axis with the
-//!   real coefficients of erfcx;
-//! - `|z|² ≥ 48`: asymptotic series (DLMF 7.12.1) with 26, 14, 6, 4 or 2 terms, and `e^{−z²}` added
-//!   beside the real axis; within `2⁻²⁸` of it two real polynomials serve instead.
+//! - inside the first two circles: Maclaurin series with 9 and 21 terms;
+//! - up to the circle where the asymptotic series begins: Taylor series of 18 terms about tabulated centres,
+//!   closer together where `|z|` is small, the two leading coefficients in double-double; beside the axes the
+//!   centres lie on them (on the real axis closest together), so that the small component keeps its relative
+//!   accuracy; on the imaginary axis with the real coefficients of erfcx;
+//! - beyond: asymptotic series (DLMF 7.12.1) with 26, 14, 6, 4 or 2 terms, and `e^{−z²}` added beside the
+//!   real axis; next to it two real polynomials serve instead.
 //!
 //! Batches are sorted by formula, 256 points at a time, by the leading bits of `|z|²` and a few
 //! comparisons; in batches of 1024 points and more, those that fewer than eight of the 256 share a formula with
@@ -29,9 +28,9 @@
 //!
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
 //! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above
-//! carried on to pairs of `f64`; single ones suffice for `|z|² < 112` where `|Re z²| > 7`, because one of the
-//! terms dominates there. Where a component is smaller than a fortieth of its terms it is computed again in
-//! double-double by the trapezoidal rule with the residue at its pole, and where it is below 2⁻³⁶ of them once more
+//! carried on to pairs of `f64`; single ones suffice in cells and with 26 terms beyond the first hyperbola of
+//! [`SEAMS`], because one of the terms dominates there. Where a component is smaller than a fortieth of its
+//! terms it is computed again in double-double by the trapezoidal rule with the residue at its pole, and where it is below 2⁻³⁶ of them once more
 //! in 256 bits (|z| < 4096; beyond, by the asymptotic series, below 2⁻²²). So is a component whose phase is within
 //! 2⁻⁶⁰ of a multiple of π/2. Next to the first twelve zeros w comes from Taylor series about the zero, which is
 //! stored to 160 bits.
@@ -41,7 +40,8 @@
 //! |---|---|
 //! | `x + i∞` | `+0 ± 0i` (the sign of x) |
 //! | `±∞ + iy`, y finite or `+∞` | `±0 ± 0i` (the signs of y and x) |
-//! | `0 − i∞` | `+∞ + 0i` |
+//! | `±0 + iy` | Im is ±0 |
+//! | `±0 − i∞` | `+∞ ± 0i` |
 //! | `x − i∞`, `x ≠ 0`; `±∞ − i∞` | `NaN + NaN i`: no limit |
 //! | a component NaN | `NaN + NaN i`; `NaN ± 0i` on the imaginary axis, where w is real |
 //! | `\|2e^{−z²}\|` above the range | the infinity of the right sign for each component above it |

@@ -137,14 +137,29 @@ fn stretched(start: &[f64], middle: &[f64], fraction: f64) -> Vec<Knot> {
         },
     ];
     if up != down {
-        let before = scaled(middle, up, 1.0);
-        let after = scaled(middle, down, 1.0);
+        let jumps = middle.iter().zip(0..);
         knots.push(Knot {
             place: fraction,
-            jumps: after.iter().zip(&before).map(|(a, b)| a - b).collect(),
+            jumps: jumps.map(|(v, j)| v * difference(j, fraction)).collect(),
         });
     }
     knots
+}
+
+/// `(2 − 2λ)^−j − (2λ)^−j`, with `e = 2λ − 1` the quotient of `(1 + e)^j − (1 − e)^j` and `(1 − e²)^j`:
+/// `2e Σ_i binomial(j, 2i + 1) e^{2i}` above, so that nothing cancels beside λ = 1/2.
+fn difference(j: i32, fraction: f64) -> f64 {
+    let e = 2.0 * fraction - 1.0;
+    // Of the odd powers, from the first one on.
+    let mut binomial = f64::from(j);
+    let (mut sum, mut power) = (0.0, 1.0);
+    for i in (1..=j).step_by(2) {
+        sum += binomial * power;
+        power *= e * e;
+        let (n, k) = (f64::from(j), f64::from(i));
+        binomial *= (n - k) * (n - k - 1.0) / ((k + 1.0) * (k + 2.0));
+    }
+    2.0 * e * sum / (4.0 * fraction * (1.0 - fraction)).powi(j)
 }
 
 fn spline_knots(places: &[f64], third: &[f64], ends: [[f64; 2]; 2]) -> Vec<Knot> {

@@ -116,3 +116,25 @@ fn a_panel_for_each_turn() {
         assert_eq!(asked.get(), 20 * panels, "{at}");
     }
 }
+
+#[test]
+fn jumps_in_the_middle_beside_equal_halves() {
+    for fraction in [0.05f64, 0.3, 0.499, 0.6, 0.95] {
+        for j in 0..=7 {
+            let due = (2.0 - 2.0 * fraction).powi(-j) - (2.0 * fraction).powi(-j);
+            let size = (2.0 - 2.0 * fraction)
+                .powi(-j)
+                .max((2.0 * fraction).powi(-j));
+            assert!(
+                (difference(j, fraction) - due).abs() <= 1e-14 * size,
+                "{fraction} {j}"
+            );
+        }
+    }
+    // 2je of first order.
+    let e = 2f64.powi(-40);
+    for j in 1..=7 {
+        let off = difference(j, 0.5 + 0.5 * e) / (2.0 * f64::from(j) * e) - 1.0;
+        assert!(off.abs() < 1e-15, "{j}: {off:e}");
+    }
+}
