@@ -1,6 +1,8 @@
 //! Programs in other languages under audit, good and bad ones.
 #![cfg(all(feature = "cli", unix))]
 
+mod common;
+
 use serde_json::Value;
 use std::io::Write;
 use std::path::Path;

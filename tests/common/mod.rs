@@ -179,7 +179,6 @@ pub fn browsed(path: &Path, width: u32) -> Option<String> {
 
 /// Whether programs started here ignore the hang-up, as under `nohup`.
 #[cfg(target_os = "linux")]
-#[allow(dead_code)]
 pub fn hang_ups_are_ignored() -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap();
     let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));
