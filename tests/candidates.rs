@@ -250,7 +250,7 @@ fn a_program_does_not_outlive_its_audit() {
         format!("sh -c 'sleep 777 & echo $! > {left_text}; echo $$ > {own_text}; sleep 778'");
     for signal in ["-INT", "-TERM", "-HUP", "-KILL"] {
         #[cfg(target_os = "linux")]
-        if signal == "-HUP" && common::hang_ups_are_ignored() {
+        if common::is_ignored(signal) {
             continue;
         }
         let mut audit = Command::new(PROGRAM)

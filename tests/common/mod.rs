@@ -177,11 +177,17 @@ pub fn browsed(path: &Path, width: u32) -> Option<String> {
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
-/// Whether programs started here ignore the hang-up, as under `nohup`.
+/// Whether programs started here ignore a signal: the hang-up under `nohup`, the interrupt in the background of
+/// a shell.
 #[cfg(target_os = "linux")]
-pub fn hang_ups_are_ignored() -> bool {
+pub fn is_ignored(signal: &str) -> bool {
+    let number = match signal {
+        "-HUP" => 1,
+        "-INT" => 2,
+        _ => return false,
+    };
     let status = std::fs::read_to_string("/proc/self/status").unwrap();
     let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));
     let mask = u64::from_str_radix(mask.unwrap().trim(), 16).unwrap();
-    mask & 1 == 1
+    mask >> (number - 1) & 1 == 1
 }
