@@ -14,7 +14,6 @@ use mechaudit::audit::{
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     let method = find(&args.method)?;
-    forecast::hunt(&*method, args.evals)?;
     let settings = HuntSettings {
         evaluations: args.evals,
         seed: args.seed,
@@ -27,6 +26,7 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
     if let Some(folder) = folder {
         hard_folder::check_writable(folder, &*method)?;
     }
+    forecast::hunt(&*method, args.evals)?;
     let method = Variant::new(&*method).hard_cases(known.clone());
     let progress = Progress::new();
     let show = |made| progress.show(method.name(), made, args.evals);
