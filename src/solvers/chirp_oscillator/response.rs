@@ -207,7 +207,7 @@ impl ChirpResponse {
     /// The envelope of the motion: `|y(t) − mean| ≤ envelope(t)`, the sum of
     /// [`sum_of_amplitudes`](ChirpResponse::sum_of_amplitudes) and of a bound on the free vibration from
     /// the initial state, taken about the [`mean`](ChirpResponse::mean); raised by 2⁻⁴⁶ of what is
-    /// added up, more than all of it is rounded by.
+    /// added up, for the roundings of both sides.
     ///
     /// # Errors
     /// A time that is negative or not finite.

@@ -115,7 +115,7 @@ fn every_change_is_on_a_seam() {
     }
 }
 
-/// The relatives' series change their number of terms nowhere else.
+/// Where the relatives' series change their number of terms both numbers serve.
 #[test]
 fn circles_of_the_relatives_are_told_apart() {
     let circles = SEAMS_OF_RELATIVES.circles;
