@@ -87,8 +87,6 @@
 #![warn(missing_docs)]
 
 #[cfg(feature = "oracle")]
-pub mod audit;
-#[cfg(feature = "oracle")]
 pub mod book;
 #[cfg(feature = "oracle")]
 pub mod candidate;
@@ -96,11 +94,18 @@ pub mod candidate;
 pub mod methods;
 #[cfg(feature = "oracle")]
 pub mod papers;
-#[cfg(feature = "oracle")]
-pub mod reference;
-pub mod solvers;
-#[cfg(feature = "oracle")]
-pub mod symbolic;
 
 #[cfg(feature = "oracle")]
+#[doc(inline)]
 pub use candidate::{audit, audit_by_name};
+#[cfg(feature = "oracle")]
+#[doc(inline)]
+pub use mechaudit_audit as audit;
+#[cfg(feature = "oracle")]
+#[doc(inline)]
+pub use mechaudit_reference as reference;
+#[doc(inline)]
+pub use mechaudit_solvers as solvers;
+#[cfg(feature = "oracle")]
+#[doc(inline)]
+pub use mechaudit_symbolic as symbolic;

@@ -6,7 +6,7 @@
 
 use super::method::SolverAnswer;
 use super::ulp::distance;
-use crate::reference::{Ball, Mag};
+use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;
 
 /// A numerical approximation with a refinement, a twin where there is one, and the truth.
@@ -110,7 +110,7 @@ struct Level {
 /// The truth could not be had.
 ///
 /// ```
-/// use mechaudit::audit::convergence;
+/// use mechaudit_audit::convergence;
 /// use mechaudit::methods;
 ///
 /// let spline = methods::find_approximation("spline-clamped").unwrap();

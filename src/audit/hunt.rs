@@ -97,7 +97,7 @@ struct Hunter<'a> {
 /// seed. `progress` is told how many evaluations were made.
 ///
 /// ```
-/// use mechaudit::audit::{HuntSettings, hunt};
+/// use mechaudit_audit::{HuntSettings, hunt};
 /// use mechaudit::methods;
 ///
 /// let method = methods::find("tridiagonal").unwrap();

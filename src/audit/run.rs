@@ -6,7 +6,7 @@ use super::layout::Layout;
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
 use super::parts::error_parts;
 use super::tally::{MethodReport, Tally};
-use crate::reference::Mag;
+use mechaudit_reference::Mag;
 use rayon::prelude::*;
 use rug::Rational;
 use serde::Serialize;

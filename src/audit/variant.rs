@@ -7,7 +7,7 @@ use super::hard::HardCase;
 use super::layout::Rows;
 use super::method::{Input, Law, Method, Output, Reference, ReferenceAnswer, SolverAnswer};
 use super::nearest::did_you_mean;
-use crate::reference::Ball;
+use mechaudit_reference::Ball;
 use rug::Rational;
 
 /// A region, check point or output that a method does not have.
@@ -46,7 +46,7 @@ type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 /// A method with something changed; everything else is passed through.
 ///
 /// ```
-/// use mechaudit::audit::{Settings, SolverAnswer, Variant, audit_method};
+/// use mechaudit_audit::{Settings, SolverAnswer, Variant, audit_method};
 /// use mechaudit::methods;
 ///
 /// let method = methods::find("slider-crank").unwrap();
@@ -55,7 +55,7 @@ type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 ///     .region("unreachable")?;
 /// let settings = Settings { cases_per_region: 3, ..Settings::default() };
 /// assert!(audit_method(&silent, &settings, &|| ()).passed());
-/// # Ok::<(), mechaudit::audit::NoSuch>(())
+/// # Ok::<(), mechaudit_audit::NoSuch>(())
 /// ```
 pub struct Variant<'a> {
     method: &'a dyn Method,

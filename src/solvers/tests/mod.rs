@@ -40,7 +40,7 @@ fn numbers(text: &str) -> Vec<f64> {
 }
 
 fn lines(method: &str) -> Vec<Line> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/solver_values");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/solver_values");
     let text = std::fs::read_to_string(format!("{folder}/{method}.csv")).expect("a file");
     let (header, rest) = text.split_once('\n').expect("a header");
     assert_eq!(header, "place,input,value,allowed");
