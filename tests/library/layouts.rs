@@ -1,5 +1,4 @@
 //! What every method says of the layout of its inputs and answers holds for them.
-#![cfg(feature = "oracle")]
 
 use mechaudit::audit::{Cases, Column, Layout, Settings, SolverAnswer};
 use mechaudit::methods;

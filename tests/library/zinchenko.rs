@@ -1,6 +1,5 @@
 //! Pins what the audit of Zinchenko (2008) says: oracle digits, deviations and verdicts of all
 //! 441 printed entries, and the findings.
-#![cfg(feature = "oracle")]
 
 use mechaudit::papers::{EntryVerdict, PaperReport, zinchenko};
 use std::collections::BTreeMap;
@@ -14,7 +13,7 @@ fn report() -> &'static PaperReport {
 
 fn pin(name: &str, text: &str) {
     let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../snapshots");
+    settings.set_snapshot_path("../../snapshots");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!(name, text));

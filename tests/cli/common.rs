@@ -1,5 +1,4 @@
 //! The program run as its user runs it, and what its answers have in common.
-#![allow(dead_code)] // Every test crate uses a part of it.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,7 +1,4 @@
 //! Programs in other languages under audit, good and bad ones.
-#![cfg(all(feature = "cli", unix))]
-
-mod common;
 
 use serde_json::Value;
 use std::io::Write;
@@ -250,7 +247,7 @@ fn a_program_does_not_outlive_its_audit() {
         format!("sh -c 'sleep 777 & echo $! > {left_text}; echo $$ > {own_text}; sleep 778'");
     for signal in ["-INT", "-TERM", "-HUP", "-KILL"] {
         #[cfg(target_os = "linux")]
-        if common::is_ignored(signal) {
+        if crate::common::is_ignored(signal) {
             continue;
         }
         let mut audit = Command::new(PROGRAM)

@@ -3,7 +3,6 @@
 //! equations instead of the joints' Taylor models.
 //!
 //! The second method proves nothing; it is a witness that the same problem was solved.
-#![cfg(feature = "oracle")]
 
 use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::run_up::{Coefficients, LinkageCurve, Motor, Run, integrate};
@@ -342,7 +341,7 @@ fn extrapolation_in_time_agrees() {
 
 #[test]
 fn mpmath_agrees_to_fifteen_digits() {
-    let text = include_str!("../reference/independent/run_up.csv");
+    let text = include_str!("../../reference/independent/run_up.csv");
     let (_, start) = data::start(BITS).expect("decided");
     let offset = data::row_angle(&Rational::new());
     let masses = data::masses(data::RECOVERED);

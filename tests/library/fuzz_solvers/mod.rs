@@ -1,16 +1,11 @@
 //! Every solver with numbers of any bits: an answer as documented or a typed error, no panic.
 //!
-//! `PROPTEST_CASES=100000 cargo test --release --test fuzz_solvers` looks longer.
+//! `PROPTEST_CASES=100000 cargo test --release --test library fuzz_solvers` looks longer.
 
-#[path = "fuzz_solvers/faddeeva.rs"]
 mod faddeeva;
-#[path = "fuzz_solvers/linkages.rs"]
 mod linkages;
-#[path = "fuzz_solvers/motion.rs"]
 mod motion;
-#[path = "fuzz_solvers/run_up.rs"]
 mod run_up;
-#[path = "fuzz_solvers/systems.rs"]
 mod systems;
 
 use proptest::prelude::*;

@@ -1,9 +1,6 @@
 //! Tables, inputs and answers in files, and what is said of those that cannot be judged.
-#![cfg(all(feature = "cli", unix))]
 
-mod common;
-
-use common::run;
+use crate::common::run;
 use serde_json::Value;
 use std::time::{Duration, Instant};
 

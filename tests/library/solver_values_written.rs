@@ -1,8 +1,7 @@
 //! Certified values for the solvers alone: `tests/solver_values/`.
 //!
-//! `cargo test --release --test solver_values_written -- --ignored` writes the files anew;
+//! `cargo test --release --test library solver_values_written -- --ignored` writes the files anew;
 //! `src/solvers/tests` holds the solvers to them without GMP or MPFR.
-#![cfg(feature = "oracle")]
 
 use mechaudit::audit::{Case, CaseReport, Cases, Limit, Method, Origin, Settings, Verdict};
 use mechaudit::audit::{SolverAnswer, judge_case};

@@ -7,11 +7,8 @@
 //! The main job takes minutes: of its sample the counts, the lines of single methods and the findings
 //! are compared with the parts that print them; the whole with the output in the file that
 //! `MECHAUDIT_MAIN_JOB` names, which `.ci/run` makes.
-#![cfg(all(feature = "cli", unix))]
 
-mod common;
-
-use common::{run, skipped};
+use crate::common::{run, skipped};
 use mechaudit::audit::{Cases, Settings};
 use mechaudit::methods;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,4 @@
 //! Pins the ledgers of the papers, and plants faults in them.
-#![cfg(feature = "oracle")]
 
 use mechaudit::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
 use mechaudit::papers::{gembara_senyk, zinchenko};
@@ -18,7 +17,7 @@ fn items() -> Vec<Item> {
 
 fn pin(name: &str, text: &str) {
     let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../snapshots");
+    settings.set_snapshot_path("../../snapshots");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!(name, text));

@@ -1,9 +1,6 @@
 //! The forms of an audit's report.
-#![cfg(feature = "cli")]
 
-mod common;
-
-use common::browsed;
+use crate::common::browsed;
 use serde_json::Value;
 use std::process::Command;
 

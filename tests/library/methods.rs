@@ -1,7 +1,6 @@
 //! Every audited method passes over its whole domain.
 //!
 //! `MECHAUDIT_EFFORT` (a positive number, default 1) multiplies the number of cases.
-#![cfg(feature = "oracle")]
 
 use mechaudit::audit::{Settings, audit_method, hex_float};
 use mechaudit::methods;

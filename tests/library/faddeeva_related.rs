@@ -4,9 +4,8 @@
 //! the worst errors found is printed by
 //!
 //! ```text
-//! cargo test --release --test faddeeva_related -- --ignored --nocapture
+//! cargo test --release --test library faddeeva_related -- --ignored --nocapture
 //! ```
-#![cfg(feature = "oracle")]
 #![allow(clippy::excessive_precision)]
 
 use mechaudit::audit::ulp_exponent;

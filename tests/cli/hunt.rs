@@ -1,5 +1,4 @@
 //! Hunts and the hard cases they leave.
-#![cfg(feature = "cli")]
 
 use mechaudit::audit::{
     Case, Cases, Domain, HardCase, Hunt, HuntSettings, Input, Method, Origin, Output,

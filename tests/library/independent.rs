@@ -2,7 +2,6 @@
 //! angles and numerical differentiation (`reference/independent/class_iii_rows.py`).
 //!
 //! The other program proves nothing; it is a witness that the same problem was solved.
-#![cfg(feature = "oracle")]
 
 use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::{Ball, Decimal};
@@ -12,7 +11,7 @@ const BITS: u32 = 256;
 
 #[test]
 fn mpmath_agrees_to_thirty_digits() {
-    let text = include_str!("../reference/independent/class_iii_rows.csv");
+    let text = include_str!("../../reference/independent/class_iii_rows.csv");
     let (linkage, start) = data::start(BITS).expect("decided");
     let masses = data::masses(data::RECOVERED);
     let mut here = start;
@@ -49,7 +48,7 @@ fn mpmath_agrees_to_thirty_digits() {
 #[test]
 fn mpmath_agrees_on_the_chirp_forced_oscillator() {
     use mechaudit::reference::chirp_oscillator::{Problem, response, taylor};
-    let text = include_str!("../reference/independent/chirp_response.csv");
+    let text = include_str!("../../reference/independent/chirp_response.csv");
     let mut rows = 0;
     for line in text.lines().skip(1) {
         let cells: Vec<Rational> = line
@@ -80,7 +79,7 @@ fn mpmath_agrees_on_the_chirp_forced_oscillator() {
 fn mpmath_and_arb_agree_on_the_faddeeva_function() {
     use mechaudit::reference::faddeeva as f;
     const DIGITS: usize = 38;
-    let text = include_str!("../reference/independent/faddeeva_values.csv");
+    let text = include_str!("../../reference/independent/faddeeva_values.csv");
     let mut rows = 0;
     for line in text.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
