@@ -44,19 +44,6 @@ impl NoSuch {
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 
 /// A method with something changed; everything else is passed through.
-///
-/// ```
-/// use mechaudit_audit::{Settings, SolverAnswer, Variant, audit_method};
-/// use mechaudit::methods;
-///
-/// let method = methods::find("slider-crank").unwrap();
-/// let silent = Variant::new(&*method)
-///     .solver(|_| SolverAnswer::Declines(None))
-///     .region("unreachable")?;
-/// let settings = Settings { cases_per_region: 3, ..Settings::default() };
-/// assert!(audit_method(&silent, &settings, &|| ()).passed());
-/// # Ok::<(), mechaudit_audit::NoSuch>(())
-/// ```
 pub struct Variant<'a> {
     method: &'a dyn Method,
     solver: Option<Solver<'a>>,

@@ -65,6 +65,33 @@ registry![
 ];
 
 /// The method of that name.
+///
+/// A hunt for the inputs that take up most of its budget:
+///
+/// ```
+/// use mechaudit::audit::{HuntSettings, hunt};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("tridiagonal").unwrap();
+/// let settings = HuntSettings { evaluations: 300, seed: 1 };
+/// let found = hunt(&*method, &settings, &|_| ());
+/// assert!(found.worst[0].share > 0.02 && found.failures.is_empty());
+/// ```
+///
+/// The method with another solver, in one region:
+///
+/// ```
+/// use mechaudit::audit::{Settings, SolverAnswer, Variant, audit_method};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("slider-crank").unwrap();
+/// let silent = Variant::new(&*method)
+///     .solver(|_| SolverAnswer::Declines(None))
+///     .region("unreachable")?;
+/// let settings = Settings { cases_per_region: 3, ..Settings::default() };
+/// assert!(audit_method(&silent, &settings, &|| ()).passed());
+/// # Ok::<(), mechaudit::audit::NoSuch>(())
+/// ```
 pub fn find(name: &str) -> Option<Box<dyn Method>> {
     registry().into_iter().find(|m| m.name() == name)
 }
