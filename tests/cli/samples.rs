@@ -261,6 +261,7 @@ fn parts_of_the_main_job(shown: &[String]) {
 #[test]
 fn the_readme() {
     check("README.md");
+    check("examples/README.md");
 }
 
 #[test]
