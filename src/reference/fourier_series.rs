@@ -25,6 +25,7 @@ use super::cam_law::{Form, Law, Zone, derivatives, derivatives_at_zero};
 use super::complex::ComplexBall;
 use super::mag::Mag;
 use rug::Rational;
+use std::f64::consts::PI;
 
 /// A rise or a return.
 #[derive(Clone, Debug)]
@@ -113,8 +114,8 @@ impl Wave<'_> {
         let bits = self.amplitude.prec();
         let ball = Ball::rational(bits, q);
         let gaps = [&ball - &self.frequency, &ball + &self.frequency];
-        let cancelled =
-            |gap: &Ball| gap.is_zero() || gap.accuracy_bits() < i64::from(bits) - CANCELLED;
+        let little = ball.magnitude().shift(-CANCELLED);
+        let cancelled = |gap: &Ball| gap.mignitude() <= little;
         if gaps.iter().any(cancelled) {
             let whole =
                 near_resonance(self.zone, q, bits).scaled(&(Ball::pi(bits) * &self.amplitude));
@@ -303,8 +304,36 @@ impl Phases {
     }
 }
 
+/// About as many bits as the terms of the integration by parts are greater than one: at most `bits`.
+fn guard(law: &Law, q: f64, bits: u32) -> u32 {
+    let Form::Pieces(pieces) = &law.0 else {
+        return 0;
+    };
+    let mut lost = 0.0f64;
+    for piece in pieces {
+        let width = Rational::from(&piece.end - &piece.start).to_f64();
+        let mut p: Vec<f64> = piece
+            .coefficients
+            .iter()
+            .map(|c| c.to_f64().abs())
+            .collect();
+        for j in 1..p.len() {
+            // The next derivative of Σ |c_k| x^k, greatest at the end of the piece.
+            p.remove(0);
+            for (k, c) in p.iter_mut().enumerate() {
+                *c *= k as f64 + 1.0;
+            }
+            let most = p.iter().rev().fold(0.0, |sum, c| sum * width + c);
+            lost = lost.max(most.log2() - j as f64 * (PI * q).log2());
+        }
+    }
+    (lost.ceil() as u32).min(bits)
+}
+
 /// `∫ f' e^{−inθ} dθ` of a stroke of height one, for each of the harmonics.
 fn shares(stroke: &Stroke, orders: Orders, bits: u32) -> Vec<ComplexBall> {
+    let q = 2.0 * stroke.turns.to_f64() * f64::from(orders.first);
+    let bits = bits + guard(&stroke.law, q, bits);
     let law = Transform::new(&stroke.law, bits);
     let mut phases = Phases::new(stroke, &law.corners, orders, bits);
     let share = |n: u32| {
@@ -337,7 +366,7 @@ pub fn harmonics(
     }
     let coefficients = |(n, z): (u32, ComplexBall)| {
         let scale = scale(lift, n, bits);
-        [z.im * &scale, z.re * &scale]
+        [z.im, z.re].map(|part| part.with_prec(bits) * &scale)
     };
     orders.iter().zip(sums).map(coefficients).collect()
 }
@@ -524,6 +553,18 @@ mod tests {
         let off = Rational::from((1, 10u64.pow(19))) / 10u32;
         phases[1] = &phases[1] * &cis(&off, 128);
         assert!(!ready.at(&q, &phases, 128).overlaps(&due));
+    }
+
+    #[test]
+    fn short_strokes_keep_their_digits() {
+        let c: Vec<Rational> = [0, 0, 0, 0, 35, -84, 70, -20].map(|c| r(c, 1)).into();
+        let rise = Stroke {
+            law: Law::polynomial(&c).unwrap(),
+            start: r(1, 7),
+            turns: r(1, 1000),
+        };
+        let [a, b] = harmonic(&r(1, 1), &rise, None, 1);
+        assert!(a.rad() < Mag::power_of_two(-120) && b.rad() < Mag::power_of_two(-120));
     }
 
     #[test]

@@ -52,7 +52,7 @@ pub fn grid() -> Vec<f64> {
     (20..=140).map(|i| f64::from(i) / 10.0).collect()
 }
 
-/// The chart over the paper's ξ (the rise as the period): rise, dwells and return of 120, 60, 120
+/// The chart of the motion over the paper's ξ (the rise as the period): rise, dwells and return of 120, 60, 120
 /// and 60 degrees, a lift of one.
 ///
 /// # Errors
@@ -81,7 +81,7 @@ pub fn chart(law: Law, programme: Programme) -> Result<Chart, ChirpChartError> {
             },
         },
     };
-    Chart::new(
+    Chart::of_motion(
         &CamResponse::new(drive, HARMONICS, None)?,
         Period::Rise,
         &grid(),
