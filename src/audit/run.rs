@@ -109,12 +109,7 @@ fn judge(
     let outputs = method.outputs();
     let norm = method.norm_budget();
     let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
-    let finite = exact.is_some();
-    let conditions = if finite && conditional {
-        method.conditions(&case.input)
-    } else {
-        None
-    };
+    let mut conditions = None;
     let signs = method.signs_of_zero(&case.input);
     let mut bits = settings.first_bits;
     loop {
@@ -122,8 +117,13 @@ fn judge(
             Some(x) => method.reference(x, bits),
             None => method.reference_not_finite(&case.input),
         };
+        let c = conditions
+            .get_or_insert_with(|| match exact.is_some() && conditional {
+                true => method.conditions_beside(&case.input, &reference),
+                false => None,
+            })
+            .as_deref();
         let reference = reference.with_signs_of_zero(&signs);
-        let c = conditions.as_deref();
         let mut judgement = judge_with_norm(&outputs, norm.as_ref(), &answer, &reference, c);
         if let (SolverAnswer::Values(got), Some(due)) = (&answer, reference.len())
             && got.len() != due

@@ -228,6 +228,13 @@ impl Method for Variant<'_> {
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         self.method.conditions(input).map(|c| self.select(c))
     }
+    fn conditions_beside(&self, input: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        match self.selected {
+            // Of the reference only the selected values are at hand.
+            Some(_) => self.conditions(input),
+            None => self.method.conditions_beside(input, reference),
+        }
+    }
     /// None with another solver: it is the twin of the method's own.
     fn twin(&self, input: &[f64]) -> Option<Vec<Ball>> {
         match self.solver {

@@ -3,11 +3,11 @@
 use super::cam_law_input::{self as input, LawInput};
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, HardCase, Input, Law, Limit, Method, Output, Proof,
-    Reference, ReferenceAnswer, Region, Rows, SolverAnswer, conditions_by_differences,
+    Reference, ReferenceAnswer, Region, Rows, SolverAnswer,
 };
-use crate::reference::Ball;
 use crate::reference::cam_law::Law as ExactLaw;
-use crate::reference::fourier_series::{self as exact, Stroke as ExactStroke};
+use crate::reference::fourier_series::{self as exact, Orders, Stroke as ExactStroke};
+use crate::reference::{Ball, Mag};
 use crate::solvers::cam_law::{CamCycle, Stroke};
 use crate::solvers::fourier_series::{FourierSeries, LAST_HARMONIC};
 use rug::Rational;
@@ -25,6 +25,8 @@ const FIRST: usize = 5;
 const STRIDE: usize = 6;
 const LAWS: usize = 7;
 
+const BITS_OF_CONDITIONS: u32 = 128;
+
 /// Harmonics of one case.
 const HARMONICS: u32 = 8;
 
@@ -37,6 +39,31 @@ fn laws<T: input::Count>(x: &[T]) -> Option<Parts<'_, T>> {
     let (rise, rest) = LawInput::split(x.get(LAWS..)?)?;
     let (fall, rest) = LawInput::split(rest)?;
     rest.is_empty().then_some(Parts { rise, fall })
+}
+
+/// The rise and, unless the cycle is carried on, the return.
+fn exact_strokes(x: &[Rational]) -> Option<(ExactStroke, Option<ExactStroke>)> {
+    let parts = laws(x)?;
+    let (rise, fall) = (parts.rise.reference()?, parts.fall.reference()?);
+    let rise = ExactStroke {
+        law: rise,
+        start: x[START].clone(),
+        turns: x[RISE].clone(),
+    };
+    let fall = (x[FALL] != 0).then(|| ExactStroke {
+        law: fall,
+        start: Rational::from(&x[START] + &x[RISE]) + &x[DWELL],
+        turns: x[FALL].clone(),
+    });
+    Some((rise, fall))
+}
+
+fn exact_orders(x: &[Rational]) -> Orders {
+    Orders {
+        first: x[FIRST].to_f64() as u32,
+        stride: x[STRIDE].to_f64() as u32,
+        count: HARMONICS,
+    }
 }
 
 fn orders(x: impl Fn(usize) -> f64) -> impl Iterator<Item = u32> {
@@ -230,28 +257,16 @@ impl Method for Audit {
     }
 
     fn reference(&self, x: &[Rational], bits: u32) -> ReferenceAnswer {
-        let strokes = laws(x).and_then(|p| Some([p.rise.reference()?, p.fall.reference()?]));
-        let Some([rise, fall]) = strokes else {
+        let Some((rise, fall)) = exact_strokes(x) else {
             return ReferenceAnswer::Refuses("bad layout");
         };
         if orders(|i| x[i].to_f64()).any(|n| !(1..=LAST_HARMONIC).contains(&n)) {
             return ReferenceAnswer::Refuses("harmonic");
         }
-        let rise = ExactStroke {
-            law: rise,
-            start: x[START].clone(),
-            turns: x[RISE].clone(),
-        };
-        let fall = (x[FALL] != 0).then(|| ExactStroke {
-            law: fall,
-            start: Rational::from(&x[START] + &x[RISE]) + &x[DWELL],
-            turns: x[FALL].clone(),
-        });
         let (lift, fall) = (&x[LIFT], fall.as_ref());
         let mean = exact::mean(lift, &rise, fall, bits);
         let mut values = Vec::new();
-        for n in orders(|i| x[i].to_f64()) {
-            let [a, b] = exact::harmonic(lift, &rise, fall, n, bits);
+        for [a, b] in exact::harmonics(lift, &rise, fall, exact_orders(x), bits) {
             values.extend([mean.clone(), a, b]);
         }
         ReferenceAnswer::Values(Reference {
@@ -268,14 +283,19 @@ impl Method for Audit {
     /// to one length each.
     fn conditions(&self, x: &[f64]) -> Option<Vec<f64>> {
         let exact: Option<Vec<Rational>> = x.iter().map(|&x| Rational::from_f64(x)).collect();
-        let exact = exact?;
-        let ReferenceAnswer::Values(base) = self.reference(&exact, 128) else {
+        self.conditions_beside(x, &self.reference(&exact?, BITS_OF_CONDITIONS))
+    }
+
+    fn conditions_beside(&self, x: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        let ReferenceAnswer::Values(base) = reference else {
             return None;
         };
+        let exact: Option<Vec<Rational>> = x.iter().map(|&x| Rational::from_f64(x)).collect();
+        let exact = exact?;
         let size = |part: Option<ExactLaw>, left: bool| {
-            let mean = part?.mean(128);
+            let mean = part?.mean(BITS_OF_CONDITIONS);
             let mean = if left {
-                Ball::integer(128, 1) - mean
+                Ball::integer(BITS_OF_CONDITIONS, 1) - mean
             } else {
                 mean
             };
@@ -294,13 +314,35 @@ impl Method for Audit {
             let size = v.magnitude().to_f64();
             if i % 3 == 0 { size + lengths } else { size }
         });
-        let fall_at = LAWS + 3 + x[LAWS + 2] as usize;
-        let table = |i: usize| input::table_data(x, LAWS, i) || input::table_data(x, fall_at, i);
-        if !(0..x.len()).any(table) {
-            return Some(own.collect());
+        let mut sums: Vec<f64> = own.collect();
+        let tables = [
+            parts.rise.is_table(),
+            parts.fall.is_table() && x[FALL] != 0.0,
+        ];
+        if tables.contains(&true) {
+            let (rise, fall) = exact_strokes(&exact)?;
+            let mut data = vec![Mag::ZERO; sums.len()];
+            for stroke in std::iter::once(rise)
+                .chain(fall)
+                .zip(tables)
+                .filter_map(|(s, t)| t.then_some(s))
+            {
+                let (mean, harmonics) = exact::data_conditions(
+                    &exact[LIFT],
+                    &stroke,
+                    exact_orders(&exact),
+                    BITS_OF_CONDITIONS,
+                );
+                let all = harmonics.into_iter().flat_map(|[a, b]| [mean, a, b]);
+                for (sum, own) in data.iter_mut().zip(all) {
+                    *sum = sum.add(own);
+                }
+            }
+            for (sum, data) in sums.iter_mut().zip(data) {
+                *sum += data.to_f64();
+            }
         }
-        let data = conditions_by_differences(self, x, table)?;
-        Some(own.zip(data).map(|(a, b)| a + b).collect())
+        Some(sums)
     }
 
     fn laws(&self) -> Vec<Law> {

@@ -95,6 +95,12 @@ impl<'a, T: Count> LawInput<'a, T> {
     }
 }
 
+impl<T> LawInput<'_, T> {
+    pub(super) fn is_table(&self) -> bool {
+        self.kind == TABLE
+    }
+}
+
 impl LawInput<'_, f64> {
     /// Whether the number of parameters is one.
     pub(super) fn is_whole(&self) -> bool {

@@ -9,7 +9,7 @@ use crate::reference::{Ball, Mag};
 use crate::solvers::class_iii::{ClassIii, Geometry, State};
 use crate::solvers::reduction::{Body, Masses, MomentOfInertia, Row};
 use crate::solvers::units::{Acceleration, Angle, Inertia, Length, Mass};
-use rug::{Float, Rational};
+use rug::Rational;
 use std::f64::consts::TAU;
 
 /// See the module.
@@ -212,6 +212,22 @@ fn configuration(linkage: &Linkage, x: &[Rational]) -> Result<Configuration, Ref
     Ok(modes.swap_remove(index).configuration)
 }
 
+/// Conditions by implicit differentiation, at the reference's angles.
+fn at_angles(x: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+    let ReferenceAnswer::Values(Reference { values, .. }) = reference else {
+        return None;
+    };
+    let (bits, phi3, phi5) = (values[1].prec(), &values[1], &values[3]);
+    let exact: Option<Vec<Rational>> = x.iter().map(|&v| Rational::from_f64(v)).collect();
+    let exact = exact?;
+    let linkage = exact_linkage(&exact, bits)?;
+    let phi1 = Ball::rational(bits, &exact[PHI1]);
+    let at = linkage.placed(&phi1, phi3, phi5);
+    let c = linkage.conditions(&phi1, &at, &exact_masses(&exact))?;
+    let all = [c.angles, c.first, c.second, c.reduced].concat();
+    Some(all.into_iter().map(Mag::to_f64).collect())
+}
+
 impl Method for Audit {
     fn name(&self) -> &'static str {
         "class-iii"
@@ -340,44 +356,17 @@ impl Method for Audit {
         }
     }
 
-    /// As [`crate::audit::conditions_by_differences`], but the moved positions are enclosed from
-    /// the unmoved one instead of isolating all modes again.
     fn conditions(&self, x: &[f64]) -> Option<Vec<f64>> {
-        if x.len() != LENGTH {
-            return None;
+        let exact: Option<Vec<Rational>> = x.iter().map(|&v| Rational::from_f64(v)).collect();
+        let reference = self.reference(&exact?, BITS_OF_CONDITIONS);
+        at_angles(x, &reference)
+    }
+
+    fn conditions_beside(&self, x: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        match reference {
+            ReferenceAnswer::Undecided(_) => self.conditions(x),
+            _ => at_angles(x, reference),
         }
-        let mut q: Vec<Rational> = x
-            .iter()
-            .map(|&v| Rational::from_f64(v))
-            .collect::<Option<_>>()?;
-        let linkage = exact_linkage(&q, BITS_OF_CONDITIONS)?;
-        let start = configuration(&linkage, &q).ok()?;
-        let base = values(&linkage, &start, &q).ok()?;
-        let [cx, cy, dx, dy] = start.coordinates().map(|f| f.to_f64());
-        let mut sum = vec![Mag::ZERO; base.len()];
-        let scale = Rational::from(1) + (Rational::from(1) >> 60u32);
-        for j in (0..PIVOTS).filter(|&j| j != MODE) {
-            if q[j] == 0 {
-                continue;
-            }
-            let moved = Rational::from(&q[j] * &scale);
-            let old = std::mem::replace(&mut q[j], moved);
-            // Bodies and gravity leave the positions alone.
-            let shifted = if j <= PHI1 {
-                let linkage = exact_linkage(&q, BITS_OF_CONDITIONS)?;
-                let phi1 = Ball::rational(BITS_OF_CONDITIONS, &q[PHI1]);
-                let at = linkage.near(&phi1, [cx, cy], [dx, dy])?;
-                values(&linkage, &at, &q)
-            } else {
-                values(&linkage, &start, &q)
-            };
-            q[j] = old;
-            for ((s, a), b) in sum.iter_mut().zip(&shifted.ok()?).zip(&base) {
-                let d = Float::with_val(64, a.mid() - b.mid());
-                *s = s.add(Mag::above(&d).shift(60));
-            }
-        }
-        Some(sum.into_iter().map(Mag::to_f64).collect())
     }
 
     fn laws(&self) -> Vec<Law> {

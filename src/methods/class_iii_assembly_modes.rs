@@ -8,11 +8,13 @@ use crate::audit::{
 use crate::reference::class_iii::{self as exact, Linkage};
 use crate::reference::{Ball, Mag};
 use crate::solvers::class_iii::{ClassIii, Geometry};
-use rug::{Float, Rational};
+use rug::Rational;
 use std::f64::consts::TAU;
 
 /// See the module.
 pub struct Audit;
+
+const BITS_OF_CONDITIONS: u32 = 192;
 
 const BUDGET: Budget = Budget {
     limit: Limit::Conditioned(4.0),
@@ -163,41 +165,36 @@ impl Method for Audit {
         })
     }
 
-    /// As [`crate::audit::conditions_by_differences`], enclosing each moved mode from the unmoved.
     fn conditions(&self, x: &[f64]) -> Option<Vec<f64>> {
-        const BITS: u32 = 192;
-        let mut q: Vec<Rational> = x
-            .iter()
-            .map(|&v| Rational::from_f64(v))
-            .collect::<Option<_>>()?;
-        let base = linkage(&q, BITS)?;
-        let modes = base.modes(&Ball::rational(BITS, &q[11])).ok()?;
-        let mut sum = vec![Mag::ZERO; 4 * modes.len()];
-        let angles: Vec<Ball> = modes
-            .iter()
-            .map(|m| base.kinematics(&m.configuration).map(|k| k.angles))
-            .collect::<Result<Vec<_>, _>>()
-            .ok()?
-            .concat();
-        let scale = Rational::from(1) + (Rational::from(1) >> 60u32);
-        for j in 0..12 {
-            let moved = Rational::from(&q[j] * &scale);
-            let old = std::mem::replace(&mut q[j], moved);
-            let linkage = linkage(&q, BITS)?;
-            let phi1 = Ball::rational(BITS, &q[11]);
-            q[j] = old;
-            for (m, mode) in modes.iter().enumerate() {
-                let [cx, cy, dx, dy] = mode.configuration.coordinates().map(|f| f.to_f64());
-                let at = linkage.near(&phi1, [cx, cy], [dx, dy])?;
-                let k = linkage.kinematics(&at).ok()?;
-                for (i, a) in k.angles.iter().enumerate() {
-                    let d = Float::with_val(64, a.mid() - angles[4 * m + i].mid());
-                    sum[4 * m + i] = sum[4 * m + i].add(Mag::above(&d).shift(60));
-                }
-            }
-        }
-        Some(sum.into_iter().map(Mag::to_f64).collect())
+        let exact: Option<Vec<Rational>> = x.iter().map(|&v| Rational::from_f64(v)).collect();
+        let reference = self.reference(&exact?, BITS_OF_CONDITIONS);
+        at_angles(x, &reference)
     }
+
+    fn conditions_beside(&self, x: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        match reference {
+            ReferenceAnswer::Undecided(_) => self.conditions(x),
+            _ => at_angles(x, reference),
+        }
+    }
+}
+
+/// Conditions by implicit differentiation, at the reference's angles.
+fn at_angles(x: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+    let ReferenceAnswer::Values(Reference { values, .. }) = reference else {
+        return None;
+    };
+    let bits = values.first()?.prec();
+    let exact: Option<Vec<Rational>> = x.iter().map(|&v| Rational::from_f64(v)).collect();
+    let exact = exact?;
+    let linkage = linkage(&exact, bits)?;
+    let phi1 = Ball::rational(bits, &exact[11]);
+    let mut all = Vec::with_capacity(values.len());
+    for angles in values.chunks(4) {
+        let at = linkage.placed(&phi1, &angles[1], &angles[3]);
+        all.extend(linkage.angle_conditions(&phi1, &at)?.map(Mag::to_f64));
+    }
+    Some(all)
 }
 
 fn random(d: &mut Draw) -> Vec<f64> {

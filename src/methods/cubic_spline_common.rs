@@ -155,10 +155,11 @@ pub(super) fn reference_of(
         return ReferenceAnswer::Refuses("outside");
     }
     let mut values = Vec::with_capacity(10);
-    for (a, b) in [(&q[0], &q[1]), (&q[1], &q[0])] {
-        values.extend(s.eval(a));
-        values.push(s.integral(a, b));
-    }
+    let integral = s.integral(&q[0], &q[1]);
+    values.extend(s.eval(&q[0]));
+    values.push(integral.clone());
+    values.extend(s.eval(&q[1]));
+    values.push(-integral);
     ReferenceAnswer::Values(Reference {
         values: values.iter().map(|v| Ball::rational(bits, v)).collect(),
         proof: Proof::Exact,

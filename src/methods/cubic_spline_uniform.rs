@@ -248,7 +248,11 @@ impl Method for Audit {
     /// solve each; moving or stretching the abscissae acts through the spline's own derivatives.
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         let exact: Option<Vec<Rational>> = input.iter().map(|&v| Rational::from_f64(v)).collect();
-        let ReferenceAnswer::Values(reference) = self.reference(&exact?, 128) else {
+        self.conditions_beside(input, &self.reference(&exact?, 128))
+    }
+
+    fn conditions_beside(&self, input: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        let ReferenceAnswer::Values(reference) = reference else {
             return None;
         };
         let base: Vec<f64> = reference.values.iter().map(Ball::to_f64).collect();
