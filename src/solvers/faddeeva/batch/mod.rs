@@ -9,7 +9,10 @@ mod reflection;
 mod sort;
 
 use super::Points;
-use super::branch::Kind;
+use super::branch::{
+    Branch, CELL, IN_STRIP, LOWER_CELL, MACLAURIN_9, MACLAURIN_21, REAL_AXIS, REAL_LINE, SERIES_2,
+    SERIES_4, SERIES_6, SERIES_14, SERIES_26,
+};
 use super::lanes::Lanes;
 use super::pack::Wide;
 use super::plane::{Cancelled, cancels_beside_real_axis, w};
@@ -221,8 +224,8 @@ impl Chunk<'_> {
         self.one_term_dominates(simd, lanes);
         self.both_terms(simd, lanes);
         self.beside_real_axis(simd, lanes);
-        for at in 0..self.buffers.len(Kind::Other as usize) {
-            let i = self.buffers.numbers(Kind::Other as usize, at)[0];
+        for at in 0..self.buffers.len(Branch::Huge.number()) {
+            let i = self.buffers.numbers(Branch::Huge.number(), at)[0];
             self.alone(lanes, i);
         }
         self.next_to_zeros(simd, lanes);
@@ -231,22 +234,22 @@ impl Chunk<'_> {
     /// The buckets whose formula gives the value.
     #[inline(always)]
     fn upper<S: Wide>(&mut self, simd: S) {
-        self.rounded(simd, Cells::new(), Kind::Cell as usize);
-        self.without_rows(simd, Kind::Series26 as usize, Series::<26>);
-        self.without_rows(simd, Kind::Series14 as usize, Series::<14>);
-        self.without_rows(simd, Kind::Series6 as usize, Series::<6>);
-        self.without_rows(simd, Kind::Series4 as usize, Series::<4>);
-        self.without_rows(simd, Kind::Series2 as usize, TwoTerms);
-        self.without_rows(simd, Kind::Maclaurin9 as usize, Maclaurin9);
-        self.without_rows(simd, Kind::Maclaurin21 as usize, Maclaurin21);
-        self.rounded(simd, LowerDisc::new(), Kind::Disc as usize);
-        self.rounded(simd, RealAxis::new(), Kind::RealAxis as usize);
+        self.rounded(simd, Cells::new(), CELL.number());
+        self.without_rows(simd, SERIES_26.number(), Series::<26>);
+        self.without_rows(simd, SERIES_14.number(), Series::<14>);
+        self.without_rows(simd, SERIES_6.number(), Series::<6>);
+        self.without_rows(simd, SERIES_4.number(), Series::<4>);
+        self.without_rows(simd, SERIES_2.number(), TwoTerms);
+        self.without_rows(simd, MACLAURIN_9.number(), Maclaurin9);
+        self.without_rows(simd, MACLAURIN_21.number(), Maclaurin21);
+        self.rounded(simd, LowerDisc::new(), LOWER_CELL.number());
+        self.rounded(simd, RealAxis::new(), REAL_AXIS.number());
     }
 
     /// The buckets beside the real axis in which terms may cancel.
     #[inline(always)]
     fn beside_real_axis<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
-        let bucket = Kind::RealAxis as usize + LOWER;
+        let bucket = REAL_AXIS.number() + LOWER;
         self.on_rows(
             simd,
             RealAxis::new(),
@@ -259,8 +262,8 @@ impl Chunk<'_> {
                 chunk.recompute(lanes, bucket, at, [(lost, x)]);
             },
         );
-        self.strip(simd, lanes, Kind::Strip as usize, InStrip);
-        self.strip(simd, lanes, Kind::RealLine as usize, OnRealLine);
+        self.strip(simd, lanes, IN_STRIP.number(), InStrip);
+        self.strip(simd, lanes, REAL_LINE.number(), OnRealLine);
     }
 
     /// The asymptotic series and the exponential beside the real axis.

@@ -1,7 +1,7 @@
 //! The lower half-plane: the formulas for the mirror images, and the reflection.
 
 use super::super::asymptotic::{series, series_rounded};
-use super::super::branch::Kind;
+use super::super::branch::{CELL, SERIES_6, SERIES_14, SERIES_26};
 use super::super::double_double::Dd;
 use super::super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::lanes::Lanes;
@@ -70,7 +70,7 @@ impl Chunk<'_> {
                 chunk.recompute(lanes, EXPONENTIAL_IN_CELL, at, [(lost, x)]);
             },
         );
-        let alone = Kind::Series26 as usize + LOWER + SERIES_ALONE;
+        let alone = SERIES_26.number() + LOWER + SERIES_ALONE;
         self.without_rows(simd, IMAGE_BY_SERIES, ImageBySeries);
         self.without_rows(simd, alone, ImageAlone);
     }
@@ -79,7 +79,7 @@ impl Chunk<'_> {
     /// term is negligible, no phase large and no exponential beyond every f64.
     #[inline(always)]
     pub(super) fn both_terms<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
-        let bucket = Kind::Cell as usize + LOWER;
+        let bucket = CELL.number() + LOWER;
         self.on_rows(
             simd,
             Cells::new(),
@@ -90,7 +90,7 @@ impl Chunk<'_> {
                 chunk.reflect(lanes, (bucket, at), image, (x, y));
             },
         );
-        let bucket = Kind::Series26 as usize + LOWER;
+        let bucket = SERIES_26.number() + LOWER;
         let mut at = 0;
         while at < self.buffers.len(bucket) {
             let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
@@ -99,8 +99,8 @@ impl Chunk<'_> {
             at += S::WIDTH;
         }
         for plane in [LOWER, LOWER + SERIES_ALONE] {
-            self.far::<S, L, 14>(simd, lanes, Kind::Series14 as usize + plane);
-            self.far::<S, L, 6>(simd, lanes, Kind::Series6 as usize + plane);
+            self.far::<S, L, 14>(simd, lanes, SERIES_14.number() + plane);
+            self.far::<S, L, 6>(simd, lanes, SERIES_6.number() + plane);
         }
     }
 
