@@ -2,7 +2,6 @@
 //! on w go, and which [`SEAMS`](super::SEAMS) publishes.
 
 use super::real::Real;
-use super::zeros;
 
 /// A formula for w(z).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -288,22 +287,6 @@ pub(super) fn series_of_pairs(a: f64, b: f64) -> Branch {
 #[inline(always)]
 pub(super) fn is_huge(x: f64, y: f64) -> bool {
     !(modulus_squared(x, y) < HUGE)
-}
-
-/// What [`super::branch`] tells of `a + i y`, `a ≥ 0`.
-pub(super) fn branch(a: f64, y: f64) -> Branch {
-    if y < 0.0
-        && let Some(k) = zeros::nearest(a, -y)
-    {
-        return Branch::Zero {
-            zero: k as u32 + 1,
-            terms: 21,
-        };
-    }
-    match formula_at(a, y) {
-        CELL | MACLAURIN_21 if a == 0.0 && y >= 0.0 => IMAGINARY_AXIS,
-        branch => branch,
-    }
 }
 
 /// Added to the distance from the real axis, where it does not count in |z|²: squares that underflow

@@ -4,9 +4,9 @@ use super::asymptotic::{
     large, series, series_beside_real_axis, series_next_to_real_axis, series_rounded, two_terms,
 };
 use super::branch::{
-    CELL, FINE, IN_STRIP, LOWER_CELL, MACLAURIN_9, MACLAURIN_21, REAL_AXIS, REAL_LINE, SERIES_2,
-    SERIES_4, SERIES_6, SERIES_14, SERIES_26, STRIP, SURELY_BELOW_HUGE, SURELY_FARTHEST,
-    SURELY_NEAREST, TINY, formula_at,
+    CELL, IN_STRIP, LOWER_CELL, MACLAURIN_9, MACLAURIN_21, REAL_AXIS, REAL_LINE, SERIES_2,
+    SERIES_4, SERIES_6, SERIES_14, SERIES_26, SURELY_BELOW_HUGE, SURELY_FARTHEST, SURELY_NEAREST,
+    TINY, formula_at,
 };
 use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::exponential::{
@@ -20,15 +20,13 @@ use super::reflection::{
     ALONE, DOMINANT, NEGLIGIBLE, close, decay, exponential_dominates, image_dominates, negligible,
     reflect,
 };
-use super::tables;
-use super::taylor::{ComplexRow, RealRow, complex_row, complex_row_rounded, real_row};
+use super::rows::{
+    above_real_axis, below_real_axis, disc_cell, disc_row, imaginary_axis_row, in_cell,
+    nearest_zero, on_axis, on_real_axis, real_axis_row, zero_row,
+};
+use super::taylor::{complex_row, complex_row_rounded, real_row};
 use super::{special, trapezoidal, zeros};
 
-/// The distance between the centres of fine cells, and on the imaginary axis and in the lower half-disc; of
-/// coarse cells; on the real axis.
-pub(super) const FINE_PITCH: f64 = 0.25;
-pub(super) const COARSE_PITCH: f64 = 0.5;
-pub(super) const REAL_AXIS_PITCH: f64 = 0.0625;
 /// Above `2⁵⁵ |e^{−z²}|` in the strip.
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
@@ -43,109 +41,12 @@ const DEEP: f64 = -31.0;
 /// Binary exponents of `e^{−z²}` from which both components overflow, however close the phase is to a multiple of π/2.
 const OVERFLOWS: f64 = 1200.0;
 
-/// What the distance from the real axis is raised to beside it: no part of w is changed by that
-/// there, and products with smaller numbers would be subnormal.
-const LEAST: f64 = 1e-80;
-
-/// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
-#[inline(always)]
-pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
-    let like = |x: f64| a.like(x);
-    // Beside the real axis the fine cells go on.
-    let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
-    // Not three choices: they would become a branch.
-    let fine = a.pick(fine, like(1.0), like(0.0));
-    let coarser = 1.0 / COARSE_PITCH;
-    let step = fine.fma(like(1.0 / FINE_PITCH - coarser), like(coarser));
-    let unit = fine.fma(like(COARSE_PITCH - FINE_PITCH), like(-COARSE_PITCH));
-    let base = fine.fma(like(-512.0), like(ROUND + 512.0));
-    let round = like(ROUND);
-    let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
-    [j.fma(like(32.0), i) + base, i.fma(unit, a), j.fma(unit, b)]
-}
-
-/// The row of the cell around `a + i b`, and the distance from its centre.
-#[inline(always)]
-pub(super) fn in_cell(a: f64, b: f64) -> (&'static ComplexRow, f64, f64) {
-    let [n, dx, dy] = cell(a, b);
-    (entry(&tables::CELLS, cell_number(n) as usize), dx, dy)
-}
-
-/// Its place in the table.
-#[inline(always)]
-pub(super) fn cell_number(n: f64) -> u16 {
-    tables::CELL[n.to_bits() as usize & 1023]
-}
-
-/// The number of the centre on the real axis next to `a`, plus `ROUND`, and the distance from it.
-#[inline(always)]
-pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
-    let round = a.like(ROUND);
-    let n = a.fma(a.like(1.0 / REAL_AXIS_PITCH), round);
-    (n, (n - round).fma(a.like(-REAL_AXIS_PITCH), a))
-}
-
-/// Entry `n` of a table that has it: the last one otherwise, which costs less than a bounds check
-/// that may panic.
-#[inline(always)]
-pub(super) fn entry<T>(table: &[T], n: usize) -> &T {
-    &table[n.min(table.len() - 1)]
-}
-
-/// The row of centre `n` on the real axis.
-#[inline(always)]
-pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
-    entry(&tables::REAL_AXIS, real_axis_number(n) as usize)
-}
-
-/// Its place in the table.
-#[inline(always)]
-pub(super) fn real_axis_number(n: f64) -> u16 {
-    (n.to_bits() as u16 & 255).wrapping_sub(18)
-}
-
 /// Whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
 /// `y D′(x)`, which is about `y Im w/x`.
 #[inline(always)]
 pub(super) fn cancels_beside_real_axis<R: Real>(a: R, y: R, re: R, im: R) -> R::Mask {
     let part = -y * im * a.like(CANCELLED_BESIDE);
     (re.magnitude() * a).below(part)
-}
-
-/// The number of the cell of the lower half-disc around `a + i y`, plus `ROUND`, and the distance
-/// from its centre.
-#[inline(always)]
-pub(super) fn disc_cell<R: Real>(a: R, y: R) -> [R; 3] {
-    let (i, dx) = on_axis(a);
-    let (j, dy) = on_axis(y);
-    let round = a.like(ROUND);
-    [(j - round).fma(a.like(-5.0), i), dx, dy]
-}
-
-/// The row of cell number `n` of the lower half-disc.
-#[inline(always)]
-pub(super) fn disc_row(n: f64) -> &'static ComplexRow {
-    entry(&tables::DISC, disc_number(n) as usize)
-}
-
-/// Its place in the table.
-#[inline(always)]
-pub(super) fn disc_number(n: f64) -> u16 {
-    n.to_bits() as u16 & 31
-}
-
-/// `ROUND` plus the number of the centre on an axis next to `x`, and the distance from it.
-#[inline(always)]
-pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
-    let round = x.like(ROUND);
-    let n = x.fma(x.like(1.0 / FINE_PITCH), round);
-    (n, (n - round).fma(x.like(-FINE_PITCH), x))
-}
-
-/// The row of centre `n` on the imaginary axis.
-#[inline(always)]
-pub(super) fn imaginary_axis_row(n: f64) -> &'static RealRow {
-    entry(&tables::IMAGINARY_AXIS, n.to_bits() as usize & 31)
 }
 
 /// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.
@@ -275,18 +176,6 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
     }
 }
 
-/// The distance from the real axis where [`LEAST`] makes no difference.
-#[inline(always)]
-pub(super) fn above_real_axis<R: Real>(b: R) -> R {
-    b.raised(LEAST)
-}
-
-/// The same below the real axis.
-#[inline(always)]
-pub(super) fn below_real_axis<R: Real>(y: R) -> R {
-    -((-y).raised(LEAST))
-}
-
 /// Im w, which is +0 at `a = 0`: erfcx falls everywhere, so that Im w grows with a.
 #[inline(always)]
 fn on_axis_zero(a: f64, im: f64) -> f64 {
@@ -336,8 +225,8 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             false => image_dominates((u, v), a, y),
         });
     }
-    if let Some(k) = zeros::nearest(a, b) {
-        let near = zeros::near_zero(lanes, k, a, b);
+    if let Some(k) = nearest_zero(a, b) {
+        let near = zeros::near_zero(lanes, zero_row(k), a, b);
         return done(match near {
             Some(w) => w,
             None => lanes.call(Cancelled { a, b }),

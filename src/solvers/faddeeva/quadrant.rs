@@ -12,8 +12,9 @@ use super::double_double_functions as exact;
 pub(super) use super::exponential::{circle, exp_wide, gaussian, times_power};
 use super::exponential::{exp_minus_square_any, exponent};
 use super::lanes::Lanes;
-use super::plane::{from_erfcx, imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
+use super::plane::from_erfcx;
 use super::real::{ROUND, scaled};
+use super::rows::{imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
 

@@ -5,9 +5,9 @@ use super::dawson::{BESIDE_MAXIMUM, ROUNDING_SHOWS};
 use super::derivative::UNDERFLOW;
 use super::erf::COMPLEMENT;
 use super::odd_series;
-use super::plane::{COARSE_PITCH, FINE_PITCH, REAL_AXIS_PITCH};
 use super::reflection::{DOMINANT, NEGLIGIBLE};
 use super::relatives_tables::MAXIMUM_OF_DAWSON;
+use super::rows::{COARSE_PITCH, FINE_PITCH, REAL_AXIS_PITCH};
 
 /// Where one formula ends and another begins: what a test of the function has to come close to.
 #[derive(Clone, Copy, Debug)]

@@ -3,12 +3,13 @@
 
 pub(super) mod bucket;
 mod buckets;
+mod chunk;
 mod formulas;
 mod later;
 mod reflection;
 mod sort;
+mod tables;
 
-use super::Points;
 use super::branch::{
     Branch, CELL, IN_STRIP, LOWER_CELL, MACLAURIN_9, MACLAURIN_21, REAL_AXIS, REAL_LINE, SERIES_2,
     SERIES_4, SERIES_6, SERIES_14, SERIES_26,
@@ -16,88 +17,26 @@ use super::branch::{
 use super::lanes::Lanes;
 use super::pack::Wide;
 use super::plane::{Cancelled, cancels_beside_real_axis, w};
+use super::points::Points;
 use super::real::{Real, with_sign_of};
-use super::rows::{Cells, LowerDisc, RealAxis};
+use super::rows::{nearest_zero, zero_row};
 use super::zeros;
-use bucket::{BUCKETS, LOWER};
+use bucket::LOWER;
+use chunk::{Buffers, CHUNK, Chunk, GROUPS, ROOM};
 use formulas::{InStrip, Maclaurin9, Maclaurin21, OnRealLine, Series, TwoTerms, UnlessLost};
 use later::Later;
 use num_complex::Complex;
 use pulp::NullaryFnOnce;
+use pulp::x86::{V3, V4};
+use tables::{Cells, LowerDisc, RealAxis};
 
-/// Points sorted at a time.
-const CHUNK: usize = 256;
 /// Batches of fewer points do not let any wait for others.
 const MANY: usize = 4 * CHUNK;
-/// Two groups in the widest vectors.
-const GROUPS: usize = 16;
-/// Places of a bucket: room for all points, and for repeating the last one.
-const ROOM: usize = CHUNK + GROUPS;
-/// Room for all buckets and one more, a power of two.
-const SETS: usize = (BUCKETS + 1).next_power_of_two();
-/// The bucket of those left for later.
-const LATER: usize = BUCKETS;
-/// Room for the points of all buckets, one after another, the last one of each repeated.
-const ORDERED: usize = (CHUNK + GROUPS * BUCKETS).next_power_of_two();
-
-/// A chunk of points and the place for their values, and what is needed to compute them.
-struct Chunk<'a> {
-    z: &'a [Complex<f64>; CHUNK],
-    w: &'a mut [Complex<f64>; CHUNK],
-    buffers: &'a mut Buffers,
-}
-
-struct Buffers {
-    /// The bucket of each point.
-    codes: [u8; CHUNK],
-    /// The points of all buckets, where those of each begin, and how many it has.
-    order: [u8; ORDERED + GROUPS],
-    start: [usize; SETS],
-    len: [usize; SETS],
-    /// The points of the bucket at work that needs rows, these, and the distances from the centres.
-    x: [f64; ROOM],
-    y: [f64; ROOM],
-    row: [u16; ROOM],
-    dx: [f64; ROOM],
-    dy: [f64; ROOM],
-    /// The points next to a zero.
-    near_zeros: usize,
-    zeros: [u8; ROOM],
-}
-
-impl Buffers {
-    /// How many points a bucket has.
-    #[inline(always)]
-    fn len(&self, bucket: usize) -> usize {
-        self.len[bucket].min(CHUNK)
-    }
-
-    /// The numbers of two groups of points of a bucket from a place on.
-    #[inline(always)]
-    fn numbers(&self, bucket: usize, at: usize) -> &[u8; GROUPS] {
-        self.order[(self.start[bucket] + at) & (ORDERED - 1)..]
-            .first_chunk()
-            .expect("there is room")
-    }
-}
 
 /// Computes W at all points.
 #[inline(always)]
 pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mut P) {
-    let none = [0.0; ROOM];
-    let buffers = &mut Buffers {
-        codes: [0; CHUNK],
-        order: [0; ORDERED + GROUPS],
-        start: [0; SETS],
-        len: [0; SETS],
-        x: none,
-        y: none,
-        row: [0; ROOM],
-        dx: none,
-        dy: none,
-        near_zeros: 0,
-        zeros: [0; ROOM],
-    };
+    let buffers = &mut Buffers::new();
     let total = points.len();
     let mut moved = None;
     let mut later = if total < MANY {
@@ -207,16 +146,6 @@ impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
 }
 
 impl Chunk<'_> {
-    /// The same for a while. By value: what is stored may not change where it is then.
-    #[inline(always)]
-    fn lent(&mut self) -> Chunk<'_> {
-        Chunk {
-            z: self.z,
-            w: self.w,
-            buffers: self.buffers,
-        }
-    }
-
     #[inline(always)]
     fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         self.buffers.near_zeros = 0;
@@ -288,18 +217,6 @@ impl Chunk<'_> {
         }
     }
 
-    /// Point `i`.
-    #[inline(always)]
-    fn at(&self, i: u8) -> [f64; 2] {
-        pair(self.z[i as usize])
-    }
-
-    /// Takes the value at point `i`.
-    #[inline(always)]
-    fn put(&mut self, i: u8, (re, im): (f64, f64)) {
-        self.w[i as usize] = Complex::new(re, im);
-    }
-
     /// Point `i` by the scalar code.
     #[cold]
     #[inline(always)]
@@ -333,10 +250,10 @@ impl Chunk<'_> {
         while at < len {
             let numbers = window(&self.buffers.zeros, at);
             let (x, y) = self.gather(simd, numbers, 0);
-            let mut rows = [zeros::row(0); 8];
+            let mut rows = [zero_row(0); 8];
             for m in 0..S::WIDTH {
                 let [x, y] = self.at(numbers[m]);
-                rows[m] = zeros::row(zeros::nearest(x.abs(), -y).unwrap_or(0));
+                rows[m] = zero_row(nearest_zero(x.abs(), -y).unwrap_or(0));
             }
             let (re, im, lost) = zeros::near_zeros(simd, &rows, x.magnitude(), y);
             let im = im.with_sign_of(x);
@@ -355,15 +272,31 @@ impl Chunk<'_> {
     }
 }
 
-#[inline(always)]
-fn pair(z: Complex<f64>) -> [f64; 2] {
-    [z.re, z.im]
-}
-
 /// The numbers of two groups.
 #[inline(always)]
 fn window(numbers: &[u8; ROOM], at: usize) -> &[u8; GROUPS] {
     numbers[at.min(CHUNK)..]
         .first_chunk()
         .expect("there is room")
+}
+
+/// Runs the batch with the widest vectors of this processor; `false` if it has none.
+pub(super) fn with_best_vectors<P: Points>(points: &mut P) -> bool {
+    struct Run<'a, S, P>(S, V3, &'a mut P);
+    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            batch(self.0, self.1, self.2);
+        }
+    }
+    if let Some(v) = V4::try_new() {
+        v.vectorize(Run(v, *v, points));
+        return true;
+    }
+    if let Some(v) = V3::try_new() {
+        v.vectorize(Run(v, v, points));
+        return true;
+    }
+    false
 }

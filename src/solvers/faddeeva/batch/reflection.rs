@@ -10,11 +10,12 @@ use super::super::real::{ROUND, Real};
 use super::super::reflection::{
     ALONE, close, exponential_dominates, image_dominates, negligible, reflect,
 };
-use super::super::rows::Cells;
+use super::super::rows::nearest_zero;
 use super::super::zeros;
 use super::bucket::{EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE};
+use super::chunk::{CHUNK, Chunk};
 use super::formulas::Formula;
-use super::{CHUNK, Chunk};
+use super::tables::Cells;
 
 /// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of those that
 /// only the scalar code takes care of.
@@ -180,7 +181,7 @@ impl Chunk<'_> {
     #[inline(always)]
     fn next_to_zero(&mut self, i: u8) -> bool {
         let [x, y] = self.at(i);
-        let near = zeros::nearest(x.abs(), -y).is_some();
+        let near = nearest_zero(x.abs(), -y).is_some();
         if near {
             let buffers = &mut *self.buffers;
             buffers.zeros[buffers.near_zeros.min(CHUNK)] = i;

@@ -1,6 +1,7 @@
 use super::super::branch::{CELL, SERIES_26, formula_at};
 use super::super::lanes::Plain;
 use super::super::plane;
+use super::super::rows;
 use super::super::tables::ZEROS;
 use super::super::tests::Random;
 use super::super::tests::exact::{error, float, w};
@@ -80,7 +81,7 @@ fn cancellation_is_told() {
         if formula_at(a, -b) != CELL || decay(a, b) >= -DOMINANT {
             continue;
         }
-        let (row, dx, dy) = plane::in_cell(a, b);
+        let (row, dx, dy) = rows::in_cell(a, b);
         let image = super::super::taylor::complex_row_rounded(Plain, row, dx, dy);
         let (re, im, lost) = exponential_dominates(image, a, -b);
         let exact = w(a, -b);

@@ -1,16 +1,16 @@
 //! Every change of the formula lies on a seam, and every seam is one.
 
-use super::super::branch::branch;
 use super::super::lanes::Plain;
-use super::super::plane::{cell, cell_number, on_real_axis};
 use super::super::quadrant::{derivative, w};
+use super::super::rows::{cell, cell_number, nearest_zero, on_real_axis};
 use super::super::tests::Random;
-use super::super::{Branch, zeros};
+use super::super::{Branch, branch};
 use super::*;
+use num_complex::Complex;
 
 /// What serves a point: the formula, and which row of a table.
 fn key(a: f64, y: f64) -> (Branch, u16, f64) {
-    let branch = branch(a, y);
+    let branch = branch(Complex::new(a, y));
     match branch {
         Branch::Cell { .. } => (branch, cell_number(cell(a, y.abs())[0]), 0.0),
         Branch::RealAxis { .. } => (branch, 0, on_real_axis(a).0),
@@ -42,7 +42,7 @@ fn seam(a: f64, y: f64) -> Option<(&'static str, f64)> {
         .or_else(|| {
             // The edge of the square around a zero.
             let beside = |t: f64| [t * (1.0 - 1e-14), t * (1.0 + 1e-14)];
-            let inside = |a: f64, b: f64| zeros::nearest(a, b).is_some();
+            let inside = |a: f64, b: f64| nearest_zero(a, b).is_some();
             let around: Vec<bool> = beside(a)
                 .into_iter()
                 .flat_map(|a| beside(b).map(|b| inside(a, b)))
