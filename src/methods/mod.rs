@@ -20,19 +20,22 @@ mod typed;
 mod voigt_regions;
 
 use crate::audit::Method;
+use faddeeva_relatives::Related;
 
 pub use approximations::{approximations, find_approximation};
 pub use typed::*;
 
 macro_rules! registry {
-    ($($module:ident),* $(,)?) => {
+    ($($module:ident $(: $relative:ident)?),* $(,)?) => {
         $(mod $module;)*
 
         /// Every audited method.
         pub fn registry() -> Vec<Box<dyn Method>> {
-            vec![$(Box::new($module::Audit)),*]
+            vec![$(Box::new(registry!(@entry $module $($relative)?))),*]
         }
     };
+    (@entry $module:ident) => { $module::Audit };
+    (@entry $module:ident $relative:ident) => { Related($module::$relative) };
 }
 
 registry![
@@ -48,12 +51,12 @@ registry![
     class_iii_assembly_modes,
     class_iii,
     faddeeva,
-    faddeeva_derivative,
-    erf,
-    erfc,
-    erfcx,
-    erfi,
-    dawson,
+    faddeeva_derivative: FaddeevaDerivative,
+    erf: Erf,
+    erfc: Erfc,
+    erfcx: Erfcx,
+    erfi: Erfi,
+    dawson: Dawson,
     voigt,
     cam_law,
     cam_fourier_series,
