@@ -15,7 +15,7 @@ use rug::Rational;
 
 /// The end conditions.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum EndCondition {
     SecondDerivatives,
     Clamped,
     NotAKnot,
@@ -47,21 +47,21 @@ impl<T: Number> Copy for SplineProblem<'_, T> {}
 /// Ends are given where the kind has them.
 const ENDS: &str = "an input of this kind has end values";
 
-impl Kind {
+impl EndCondition {
     pub(super) fn end_values(self) -> usize {
         match self {
-            Kind::SecondDerivatives | Kind::Clamped => 2,
-            Kind::NotAKnot | Kind::Periodic => 0,
+            EndCondition::SecondDerivatives | EndCondition::Clamped => 2,
+            EndCondition::NotAKnot | EndCondition::Periodic => 0,
         }
     }
 
     pub(super) fn fit(self, p: SplineProblem) -> Result<CubicSpline, &'static str> {
         let ends = || p.ends.expect(ENDS);
         let boundary = match self {
-            Kind::SecondDerivatives => Boundary::second_derivatives(ends()[0], ends()[1]),
-            Kind::Clamped => Boundary::clamped(ends()[0], ends()[1]),
-            Kind::NotAKnot => Boundary::NOT_A_KNOT,
-            Kind::Periodic => Boundary::Periodic,
+            EndCondition::SecondDerivatives => Boundary::second_derivatives(ends()[0], ends()[1]),
+            EndCondition::Clamped => Boundary::clamped(ends()[0], ends()[1]),
+            EndCondition::NotAKnot => Boundary::NOT_A_KNOT,
+            EndCondition::Periodic => Boundary::Periodic,
         };
         CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary).map_err(|e| word(&e))
     }
@@ -73,12 +73,12 @@ impl Kind {
     pub(super) fn reference(self, p: SplineProblem<Rational>, bits: u32) -> ReferenceAnswer {
         let ends = || p.ends.expect(ENDS);
         let spline = match self {
-            Kind::SecondDerivatives => {
+            EndCondition::SecondDerivatives => {
                 ExactSpline::second_derivatives(p.x, p.y, ends()[0], ends()[1])
             }
-            Kind::Clamped => ExactSpline::clamped(p.x, p.y, ends()[0], ends()[1]),
-            Kind::NotAKnot => ExactSpline::not_a_knot(p.x, p.y),
-            Kind::Periodic => ExactSpline::periodic(p.x, p.y),
+            EndCondition::Clamped => ExactSpline::clamped(p.x, p.y, ends()[0], ends()[1]),
+            EndCondition::NotAKnot => ExactSpline::not_a_knot(p.x, p.y),
+            EndCondition::Periodic => ExactSpline::periodic(p.x, p.y),
         };
         match spline {
             Ok(s) => reference_of(&s, p.x, p.queries, bits),

@@ -4,7 +4,7 @@
 //! for its slopes by ordinary elimination in floats, and again with each datum times `1 + 2⁻⁹⁰`.
 //! Queries stay on their segments, so that the one-sided third derivative is well defined.
 
-use super::common::{Kind, SplineProblem};
+use super::common::{EndCondition, SplineProblem};
 use rug::{Assign, Float};
 
 const BITS: u32 = 256;
@@ -81,7 +81,7 @@ fn eliminate(mut a: Vec<Vec<Float>>) -> Option<Vec<Float>> {
 }
 
 impl<'a> Slopes<'a> {
-    fn new(kind: Kind, problem: SplineProblem<'a, Float>) -> Option<Slopes<'a>> {
+    fn new(kind: EndCondition, problem: SplineProblem<'a, Float>) -> Option<Slopes<'a>> {
         let SplineProblem { x, y, ends, .. } = problem;
         let difference = |p: &[Float]| Float::with_val(BITS, &p[1] - &p[0]);
         let h: Vec<Float> = x.windows(2).map(difference).collect();
@@ -91,7 +91,7 @@ impl<'a> Slopes<'a> {
             .map(|(p, h)| difference(p) / h)
             .collect();
         let n = h.len();
-        let periodic = kind == Kind::Periodic;
+        let periodic = kind == EndCondition::Periodic;
         let size = if periodic { n } else { n + 1 };
         let mut rows = vec![vec![Float::new(BITS); size + 1]; size];
         let one = float(1.0);
@@ -117,15 +117,15 @@ impl<'a> Slopes<'a> {
             }
         }
         match kind {
-            Kind::Periodic => {}
-            Kind::Clamped => {
+            EndCondition::Periodic => {}
+            EndCondition::Clamped => {
                 let [first, last] = ends?;
                 for (i, v) in [(0, first), (n, last)] {
                     rows[i][i] = one.clone();
                     rows[i][size] = v.clone();
                 }
             }
-            Kind::SecondDerivatives => {
+            EndCondition::SecondDerivatives => {
                 let [first, last] = ends?;
                 let row = |own: usize, other: usize, rhs: Float, rows: &mut Vec<Vec<Float>>| {
                     rows[own][own] = float(2.0);
@@ -139,7 +139,7 @@ impl<'a> Slopes<'a> {
                 row(0, 1, left, &mut rows);
                 row(n, n - 1, right, &mut rows);
             }
-            Kind::NotAKnot if n < 3 => {
+            EndCondition::NotAKnot if n < 3 => {
                 // One parabola, or a line: S'' is the same at both ends of each end segment.
                 for (i, a) in [(0, 0), (n, n - 1)] {
                     rows[i][a] = one.clone();
@@ -150,7 +150,7 @@ impl<'a> Slopes<'a> {
                     rows[1] = vec![float(1.0), float(-1.0), float(0.0)];
                 }
             }
-            Kind::NotAKnot => {
+            EndCondition::NotAKnot => {
                 for (i, a) in [(0, 0), (n, n - 2)] {
                     let square = |h: &Float| Float::with_val(BITS, h.square_ref()).recip();
                     let (p, q) = (square(&h[a]), square(&h[a + 1]));
@@ -212,14 +212,17 @@ impl<'a> Slopes<'a> {
 
 /// The conditions of the ten outputs: of a kind, at an input that begins with `x[n]`, `y[n]`.
 pub(super) fn conditions(
-    kind: Kind,
+    kind: EndCondition,
     input: &[f64],
     unpack: fn(&[Float]) -> Option<SplineProblem<'_, Float>>,
 ) -> Option<Vec<f64>> {
     let mut data: Vec<Float> = input.iter().map(|&v| float(v)).collect();
     let p = unpack(&data)?;
     let increasing = p.x.windows(2).all(|w| w[0] < w[1]);
-    if p.x.len() < 2 || !increasing || (kind == Kind::Periodic && p.y[0] != p.y[p.y.len() - 1]) {
+    if p.x.len() < 2
+        || !increasing
+        || (kind == EndCondition::Periodic && p.y[0] != p.y[p.y.len() - 1])
+    {
         return None;
     }
     let segment = |q: &Float| p.x[1..p.x.len() - 1].partition_point(|k| k <= q);
@@ -234,12 +237,12 @@ pub(super) fn conditions(
     let moved = float(1.0) + (float(1.0) >> STEP);
     for j in 0..data.len() {
         // The last ordinate of a periodic spline is the first one.
-        if input[j] == 0.0 || (kind == Kind::Periodic && j == 2 * n - 1) {
+        if input[j] == 0.0 || (kind == EndCondition::Periodic && j == 2 * n - 1) {
             continue;
         }
         let old = data.clone();
         data[j] *= &moved;
-        if kind == Kind::Periodic && j == n {
+        if kind == EndCondition::Periodic && j == n {
             data[2 * n - 1] = data[j].clone();
         }
         let shifted = run(&data)?;

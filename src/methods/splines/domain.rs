@@ -1,6 +1,6 @@
 //! Where splines on arbitrary knots are audited.
 
-use super::common::Kind;
+use super::common::EndCondition;
 use crate::audit::{CheckPoint, Domain, Draw, Region};
 
 #[derive(Clone, Copy, PartialEq)]
@@ -11,7 +11,7 @@ pub(super) enum Shape {
     Wild,
 }
 
-impl Kind {
+impl EndCondition {
     /// An input of that shape.
     pub(super) fn draw(self, draw: &mut Draw, shape: Shape) -> Vec<f64> {
         let n = draw.integer(if shape == Shape::Wild { 4 } else { 2 }, 9);
@@ -36,11 +36,11 @@ impl Kind {
             }
         };
         let mut y: Vec<f64> = (0..n).map(|_| ordinate(draw)).collect();
-        if self == Kind::Periodic {
+        if self == EndCondition::Periodic {
             y[n - 1] = y[0];
         }
         let end_unit = match self {
-            Kind::SecondDerivatives => sy / sx / sx,
+            EndCondition::SecondDerivatives => sy / sx / sx,
             _ => sy / sx,
         };
         let ends: Vec<f64> = (0..self.end_values())
@@ -89,7 +89,7 @@ macro_rules! domain {
 }
 pub(super) use domain;
 
-pub(super) fn domain_of(kind: Kind, samplers: [fn(&mut Draw) -> Vec<f64>; 4]) -> Domain {
+pub(super) fn domain_of(kind: EndCondition, samplers: [fn(&mut Draw) -> Vec<f64>; 4]) -> Domain {
     let [well, scaled, near, wild] = samplers;
     let ends = |a: f64, b: f64| [a, b][..kind.end_values()].to_vec();
     let point = |name, x: &[f64], y: &[f64], q: [f64; 2]| CheckPoint {

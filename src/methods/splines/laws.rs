@@ -1,9 +1,9 @@
 //! Identities that splines on arbitrary knots have to satisfy bit for bit.
 
-use super::common::{Kind, SplineProblem};
+use super::common::{EndCondition, SplineProblem};
 use crate::audit::Law;
 
-impl Kind {
+impl EndCondition {
     /// `S(x_i) = y_i` bit for bit.
     pub(super) fn knots_residual(self, p: SplineProblem) -> Option<f64> {
         let s = self.fit(p).ok()?;
@@ -15,7 +15,7 @@ impl Kind {
     pub(super) fn scaling_residual(self, p: SplineProblem) -> Option<f64> {
         let base = self.solve(p).ok()?;
         let end = match self {
-            Kind::SecondDerivatives => 0.5,
+            EndCondition::SecondDerivatives => 0.5,
             _ => 2.0,
         };
         let times = |v: &[f64], f: f64| -> Vec<f64> { v.iter().map(|v| v * f).collect() };
@@ -47,7 +47,7 @@ fn held(held: bool) -> Option<f64> {
     Some(if held { 0.0 } else { f64::INFINITY })
 }
 
-/// The law of [`Kind::knots_residual`].
+/// The law of [`EndCondition::knots_residual`].
 pub(super) fn knots_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     Law {
         name: "interpolation",
@@ -56,7 +56,7 @@ pub(super) fn knots_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     }
 }
 
-/// The law of [`Kind::scaling_residual`].
+/// The law of [`EndCondition::scaling_residual`].
 pub(super) fn scaling_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     Law {
         name: "scaling",
@@ -65,7 +65,7 @@ pub(super) fn scaling_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     }
 }
 
-/// The law of [`Kind::ends_residual`].
+/// The law of [`EndCondition::ends_residual`].
 pub(super) fn ends_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     Law {
         name: "ends",

@@ -1,6 +1,6 @@
 //! Cubic splines on arbitrary knots, a method for each kind of end condition.
 
-use super::common::{self, Kind, SplineProblem};
+use super::common::{self, EndCondition, SplineProblem};
 use super::laws::{ends_law, knots_law, scaling_law};
 use super::{conditions, domain};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows};
@@ -104,28 +104,28 @@ macro_rules! on_knots {
 on_knots!(
     /// Cubic splines with given second derivatives at the ends.
     CubicSplineSecondDerivatives(CubicSplineSecondDerivativesInput),
-    Kind::SecondDerivatives,
+    EndCondition::SecondDerivatives,
     "cubic spline with given second derivatives at the ends (natural if zero)",
 );
 
 on_knots!(
     /// Cubic splines with given first derivatives at the ends.
     CubicSplineClamped(CubicSplineClampedInput),
-    Kind::Clamped,
+    EndCondition::Clamped,
     "cubic spline with given first derivatives at the ends",
-    ends_law(|v| Kind::Clamped.ends_residual(Self::unpack(v)?.into()))
+    ends_law(|v| EndCondition::Clamped.ends_residual(Self::unpack(v)?.into()))
 );
 
 on_knots!(
     /// Not-a-knot cubic splines.
     CubicSplineNotAKnot(SplineInput),
-    Kind::NotAKnot,
+    EndCondition::NotAKnot,
     "cubic spline whose third derivative is continuous at the second knots from the ends",
 );
 
 on_knots!(
     /// Periodic cubic splines; unequal first and last ordinates have to be refused.
     CubicSplinePeriodic(SplineInput),
-    Kind::Periodic,
+    EndCondition::Periodic,
     "periodic cubic spline",
 );
