@@ -23,8 +23,6 @@ mod dyad_facts;
 mod dyad_file;
 mod dyad_values;
 mod eval;
-mod eval_chirp;
-mod eval_functions;
 mod eval_number;
 mod exec;
 mod failure;

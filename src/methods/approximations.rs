@@ -1,6 +1,7 @@
 //! Approximations with their refinements: splines of known functions, and run-ups.
 
-use super::{run_up, run_up_twin};
+use super::RunUpInput;
+use super::drive::run_up;
 use crate::audit::{Approximation, ReferenceAnswer, SolverAnswer};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::Spline as ExactSpline;
@@ -211,7 +212,7 @@ impl RunUp {
         }
     }
 
-    fn input(&self) -> Vec<f64> {
+    fn input(&self) -> RunUpInput<'static> {
         match self.machine {
             Machine::BareRotor => run_up::bare_rotor_under_kloss(),
             Machine::SandScreen => run_up::sand_screen_from_rest(0.004),
@@ -262,19 +263,19 @@ impl Approximation for RunUp {
     }
 
     fn run(&self, level: usize) -> (u64, SolverAnswer) {
-        run_up::at_tolerance(&self.input(), RunUp::tolerance(level), self.method)
+        run_up::at_tolerance(self.input(), RunUp::tolerance(level), self.method)
     }
 
     fn twin(&self, level: usize) -> Option<Vec<Ball>> {
-        run_up_twin::twin(&self.input(), RunUp::tolerance(level), self.method)
+        run_up::twin(self.input(), RunUp::tolerance(level), self.method)
     }
 
     fn twin_of_half_steps(&self, level: usize) -> Option<Vec<Ball>> {
-        run_up_twin::twin_of_half_steps(&self.input(), RunUp::tolerance(level), self.method)
+        run_up::twin_of_half_steps(self.input(), RunUp::tolerance(level), self.method)
     }
 
     fn truth(&self) -> Result<Vec<Ball>, String> {
-        let truth = || match run_up::truth(&self.input(), 160) {
+        let truth = || match run_up::truth(self.input(), 160) {
             ReferenceAnswer::Values(r) => Ok(r.values),
             other => Err(format!("{other:?}")),
         };

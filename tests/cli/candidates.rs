@@ -34,7 +34,7 @@ fn run(args: &[&str]) -> Done {
 fn script(text: &str, more: &[&str]) -> (i32, Value) {
     let command = format!(
         "sh -c '{}'",
-        text.replace("$W", &format!("{PROGRAM} eval faddeeva.w"))
+        text.replace("$W", &format!("{PROGRAM} eval faddeeva"))
     );
     let mut args = vec!["audit", "faddeeva", "--region", "mid", "--cases", "50"];
     args.extend(["--format", "json", "--exec", &command]);
@@ -69,7 +69,7 @@ fn a_right_program_passes() {
         "--cases",
         "5",
         "--exec",
-        &format!("{PROGRAM} eval faddeeva.w"),
+        &format!("{PROGRAM} eval faddeeva"),
     ]);
     assert_eq!((d.code, d.err.as_str()), (0, ""), "{}", d.out);
     assert!(
@@ -324,7 +324,7 @@ fn files_of_inputs_and_values() {
     };
     let points = run(&["points", "faddeeva", "--count", "3", "--seed", "5"]).out;
     let inputs = file("points", &points);
-    let right = piped(&["eval", "faddeeva.w"], &points);
+    let right = piped(&["eval", "faddeeva"], &points);
     let judge = |values: &str, more: &[&str]| {
         let values = file("values", values);
         let args = [
@@ -509,7 +509,7 @@ fn the_example_in_python() {
 #[test]
 fn json_lists_every_failure() {
     let audit = |format: &str| {
-        let wrong = format!("sh -c '{PROGRAM} eval faddeeva.w | sed s/^/1/'");
+        let wrong = format!("sh -c '{PROGRAM} eval faddeeva | sed s/^/1/'");
         run(&[
             "audit", "faddeeva", "--region", "mid", "--cases", "1200", "--format", format,
             "--exec", &wrong,
@@ -544,7 +544,7 @@ fn json_lists_every_failure() {
         "--cases",
         "5",
         "--exec",
-        &format!("sh -c '{PROGRAM} eval faddeeva.w | sed s/.*/1e160,1e160/'"),
+        &format!("sh -c '{PROGRAM} eval faddeeva | sed s/.*/1e160,1e160/'"),
     ]);
     let table: String = text.out.lines().take(5).collect();
     assert!(
