@@ -9,7 +9,9 @@ use crate::audit::{
 use crate::report::text::case;
 use crate::report::text::style::plain;
 use crate::report::words::Tone;
-use crate::report::words::audit::{all_pass, holds, mark, settings, totals, verdict as of_method};
+use crate::report::words::audit::{
+    Worst, all_pass, holds, mark, settings, totals, verdict as of_method,
+};
 use crate::report::words::numbers::{count, percent, short, short_if};
 use maud::{Markup, html};
 
@@ -69,25 +71,19 @@ fn news(reports: &[MethodReport]) -> Markup {
 }
 
 fn overview(reports: &[MethodReport]) -> Markup {
-    let worst = |r: &MethodReport| {
-        r.outputs
-            .iter()
-            .map(|o| o.max_of_budget)
-            .fold(0.0, f64::max)
-    };
     html! {
         div.scroll { table { "\n"
             tr {
-                th.left { "method" } th { "cases" } th { "passed" } th { "recorded findings" }
-                th { "worst of budget" } th.left { "verdict" }
+                th.left { "method" } th.left { "verdict" } th { "cases" } th { "worst ulps" }
+                th { "u(1+cond)" } th { "of budget" } th { "recorded findings" }
             } "\n"
             @for r in reports {
-                @let (word, _) = of_method(r);
+                @let worst = Worst::of(r);
                 tr {
                     td.left { a href={ "#" (r.method) } { (r.method) } }
-                    td { (r.cases) } td { (r.passed) } td { (r.recorded) }
-                    td { (percent(worst(r))) }
-                    td.left.(if r.passed() { "agrees" } else { "unexplained" }) { (word) }
+                    td.left.(if r.passed() { "agrees" } else { "unexplained" }) { (of_method(r).0) }
+                    td { (r.cases) } td { (worst.ulps) } td { (worst.conditioned) }
+                    td { (percent(worst.of_budget)) } td { (r.recorded) }
                 } "\n"
             }
         } } "\n"
@@ -174,7 +170,7 @@ fn worst(report: &MethodReport) -> Markup {
 fn maps(map: &ErrorMap) -> Markup {
     html! {
         h3 { "Errors over the complex plane" } "\n"
-        div.side { "\n"
+        div.maps { "\n"
             @for o in &map.outputs {
                 figure {
                     (plots::map(map, &o.ulps))

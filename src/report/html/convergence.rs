@@ -33,7 +33,7 @@ fn problem(reports: &[&ConvergenceReport]) -> Markup {
     html! {
         h3 { (names.join(", ")) } "\n"
         p { (first.summary) } "\n"
-        div.side { "\n"
+        div.lines { "\n"
             @for (o, name) in first.outputs.iter().enumerate() {
                 @let orders = reports.iter().filter_map(|r| r.fitted[o]);
                 @let orders: Vec<String> = orders.map(|x| format!("{x:.2}")).collect();

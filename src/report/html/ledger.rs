@@ -5,7 +5,7 @@ use super::paper::WIDE;
 use super::prose::{expression, math, prose};
 use crate::papers::ledger::{Formula, Ledger, LedgerEntry, Obligation, Verdict};
 use crate::report::words::Tone;
-use crate::report::words::ledger::{counts, mark, search, word};
+use crate::report::words::ledger::{entries, mark, search, word};
 use crate::report::words::numbers::clipped;
 use crate::symbolic::Outcome;
 use maud::{Markup, html};
@@ -28,7 +28,7 @@ pub fn page(ledger: &Ledger) -> String {
         paper: &ledger.paper,
         kind: "ledger",
         style: EXTRA,
-        verdict: (ledger.as_recorded(), counts(ledger)),
+        verdict: (ledger.as_recorded(), entries(ledger)),
         contents: html! {
             @for e in &ledger.entries {
                 @let (sign, tone) = mark(e.verdict);

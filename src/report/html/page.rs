@@ -68,7 +68,7 @@ impl AboutPaper<'_> {
         let body = html! {
             h1 { (paper.title) } "\n"
             p.soft { (paper.authors) (year) ", " (paper.venue) } "\n"
-            (verdict(tone, word, &self.verdict.1))
+            (verdict(tone, word, &format!("{}.", self.verdict.1)))
             div.page { "\n"
                 nav.toc aria-label="Contents" { "\n" ul { "\n" (self.contents) } "\n" } "\n"
                 main { "\n"

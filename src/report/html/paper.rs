@@ -4,7 +4,7 @@ use super::page::{AboutPaper, class, entry_of_contents};
 use super::prose::{math, prose};
 use crate::papers::{Entry, EntryVerdict, Figure, Finding, PaperReport};
 use crate::report::words::numbers::{short, unit};
-use crate::report::words::paper::{SUBJECTS, counts, entry, mark, of_subject};
+use crate::report::words::paper::{SUBJECTS, entry, findings, mark, of_subject};
 use maud::{Markup, html};
 use pulldown_latex::config::DisplayMode;
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,7 +15,7 @@ pub fn page(report: &PaperReport) -> String {
         paper: &report.paper,
         kind: "audit",
         style: "",
-        verdict: (report.as_recorded(), counts(report)),
+        verdict: (report.as_recorded(), findings(report)),
         contents: contents(report),
         main: html! {
             @for (subject, name) in SUBJECTS {
@@ -115,6 +115,7 @@ fn tallies(report: &PaperReport) -> Markup {
         @if !tallies.is_empty() {
             h2 id="tallies" { "Entries that agree" } "\n"
             p.soft {
+                (report.entries.len()) " printed entries recomputed. "
                 "Deviations in units of the last printed digit; within ½ is the correct rounding."
             } "\n"
             div.scroll { table { "\n"

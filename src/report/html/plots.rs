@@ -84,7 +84,7 @@ pub fn map(map: &ErrorMap, ulps: &[f64]) -> Markup {
         ((from / 3.0).ceil() as i32..=(to / 3.0).floor() as i32).map(|k| 3 * k)
     };
     html! {
-        svg viewBox={ "-34 -4 " (w + 40) " " (h + 26) } width=(w + 40) role="img" {
+        svg viewBox={ "-34 -4 " (w + 40) " " (h + 26) } role="img" {
             @for (k, d) in paths.iter().enumerate().filter(|(_, d)| !d.is_empty()) {
                 path.{ "m" (k) } d=(d) {}
             }
@@ -139,7 +139,7 @@ pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
         points.collect::<Vec<String>>().join(" ")
     };
     html! {
-        svg viewBox={ "0 0 " (W + 60.0) " " (H + 34.0) } width=(W + 60.0) role="img" {
+        svg viewBox={ "0 0 " (W + 60.0) " " (H + 34.0) } role="img" {
             @for e in (y0 as i32..=y1 as i32).filter(|e| e % every == 0) {
                 @let y = py(f64::from(e));
                 path.grid d={ "M46 " (tenths(y)) "h" (W) } {}

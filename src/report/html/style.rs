@@ -8,7 +8,7 @@ pub const CSS: &str = "
 @media (prefers-color-scheme: dark) { :root { --bg: #15181b; --fg: #e4e7ea; --soft: #9aa4ad;
   --line: #343b41; --card: #1c2125; --agrees: #1c3a25; --rounding: #3a3e1a; --misprint: #573718;
   --unexplained: #5d2327; --good: #6fd08a; --bad: #ff8a80; --doubt: #e6b450; --new: #67cbe3; } }
-* { box-sizing: border-box; }
+* { box-sizing: border-box; } a { color: var(--new); }
 body { margin: 0 auto; padding: 2rem 1.25rem 5rem; max-width: 76rem; background: var(--bg);
   color: var(--fg); font: 16px/1.55 system-ui, sans-serif; }
 h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .25rem; }
@@ -87,7 +87,9 @@ svg polyline { fill: none; stroke-width: 1.6; } svg polyline.s0 { stroke-width: 
 .m4 { fill: #f5d76e; } .m5 { fill: #ef8a3c; } .m6 { fill: #b3261e; } .m7 { fill: #ff4fd8; }
 .keys span { margin-right: .6rem; white-space: nowrap; } .news { padding-left: 1.2rem; }
 .key { display: inline-block; width: .8rem; height: .8rem; border-radius: .15rem; }
-svg.key path { stroke: none; } figure { margin: 0; } figcaption { font-size: .85rem; }
+svg.key path { stroke: none; } figure { margin: 0; min-width: 0; }
+.maps, .lines { display: grid; gap: 1rem 2rem; grid-template-columns: repeat(auto-fill, minmax(min(100%, 30rem), 1fr)); }
+.lines { grid-template-columns: repeat(auto-fill, minmax(min(100%, 21rem), 1fr)); } figure svg { width: 100%; } figcaption { font-size: .85rem; }
 pre { background: var(--card); border: 1px solid var(--line); padding: .6rem .8rem; overflow-x: auto;
   font-size: .8rem; line-height: 1.4; }
 code.copy { user-select: all; cursor: copy; }

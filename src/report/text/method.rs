@@ -58,9 +58,9 @@ fn outputs(statistics: &[OutputStatistics]) -> String {
             "worst ulps",
             "p99",
             "RMS",
-            "worst u(1+cond)",
+            "u(1+cond)",
             "of budget",
-            "worst condition",
+            "condition",
         ],
         &[0],
     );

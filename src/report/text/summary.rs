@@ -6,8 +6,8 @@ use super::{case, paper as papers};
 use crate::audit::{Case, MethodReport};
 use crate::papers::PaperReport;
 use crate::report::words::audit as of;
-use crate::report::words::audit::{holds, settings, share, totals};
-use crate::report::words::numbers::{clipped, count, percent, short_if};
+use crate::report::words::audit::{Worst, holds, settings, share, totals};
+use crate::report::words::numbers::{count, percent};
 use crate::report::words::paper::{kinds, mark, recorded};
 
 /// Failing cases shown for each method.
@@ -66,18 +66,13 @@ pub fn methods(reports: &[MethodReport], width: usize) -> String {
             (false, 1..) => format!("{word}: {failed}"),
             _ => word.into(),
         };
-        let largest = |of: fn(&crate::audit::OutputStatistics) -> f64| {
-            report.outputs.iter().map(of).fold(0.0, f64::max)
-        };
-        let of_budget = largest(|o| o.max_of_budget);
-        let judged = report.outputs.iter().any(|o| o.ulps.count > 0);
-        let conditioned = report.outputs.iter().any(|o| o.conditioned.count > 0);
+        let worst = Worst::of(report);
         table.row(vec![
             (report.method.into(), BOLD),
             (report.cases.to_string(), PLAIN),
-            (short_if(judged, largest(|o| o.ulps.max)), PLAIN),
-            (short_if(conditioned, largest(|o| o.conditioned.max)), PLAIN),
-            (percent(of_budget), style::of(share(of_budget))),
+            (worst.ulps, PLAIN),
+            (worst.conditioned, PLAIN),
+            (percent(worst.of_budget), style::of(share(worst.of_budget))),
             (word, style::of(tone)),
         ]);
     }
@@ -102,15 +97,22 @@ pub fn paper(report: &PaperReport, width: usize) -> String {
     out.push('\n');
     for f in &report.findings {
         let (sign, _, tone) = mark(f.verdict);
-        // Two more for the ellipsis.
-        let room = match f.title.chars().count() + 4 <= width {
-            true => width,
-            false => width.saturating_sub(6),
-        };
-        let title = clipped(&f.title, room);
+        let title = first_line(&f.title, width.saturating_sub(4));
         out.push_str(&format!("  {} {title}\n", paint(style::of(tone), sign)));
     }
     out
+}
+
+/// As many words as there is room for, with an ellipsis where some are left out.
+fn first_line(text: &str, room: usize) -> String {
+    let all = wrap(text, 0, room);
+    match all.contains('\n') {
+        false => all,
+        true => {
+            let short = wrap(text, 0, room.saturating_sub(2));
+            format!("{} …", short.lines().next().unwrap_or_default())
+        }
+    }
 }
 
 /// What came of a run.

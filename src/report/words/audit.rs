@@ -1,8 +1,8 @@
 //! Verdicts of an audit.
 
 use super::Tone;
-use super::numbers::count;
-use crate::audit::{LawReport, MethodReport, Verdict};
+use super::numbers::{count, short_if};
+use crate::audit::{LawReport, MethodReport, OutputStatistics, Spread, Verdict};
 
 /// The verdict on a method.
 pub fn verdict(report: &MethodReport) -> (&'static str, Tone) {
@@ -21,6 +21,33 @@ pub fn of_case(verdict: Verdict) -> (&'static str, Tone) {
         Verdict::Over => ("over budget", Tone::Bad),
         Verdict::WrongKind => ("wrong kind", Tone::Bad),
         Verdict::OracleError => ("reference failed", Tone::Bad),
+    }
+}
+
+/// The worst found of a method, over all its outputs.
+pub struct Worst {
+    /// In ulps.
+    pub ulps: String,
+    /// In u (1 + condition).
+    pub conditioned: String,
+    /// Largest share of a budget.
+    pub of_budget: f64,
+}
+
+impl Worst {
+    /// The worst of this report.
+    pub fn of(report: &MethodReport) -> Worst {
+        let spread = |of: fn(&OutputStatistics) -> &Spread| {
+            let all = || report.outputs.iter().map(of).filter(|s| s.count > 0);
+            let max = all().map(|s| s.max).fold(0.0, f64::max);
+            short_if(all().next().is_some(), max)
+        };
+        let shares = report.outputs.iter().map(|o| o.max_of_budget);
+        Worst {
+            ulps: spread(|o| &o.ulps),
+            conditioned: spread(|o| &o.conditioned),
+            of_budget: shares.fold(0.0, f64::max),
+        }
     }
 }
 

@@ -28,7 +28,7 @@ pub fn word(outcome: Outcome) -> &'static str {
 }
 
 /// How many entries of each kind, in words.
-pub fn counts(ledger: &Ledger) -> String {
+pub fn entries(ledger: &Ledger) -> String {
     use Verdict as V;
     let kinds = [
         V::Proved,
@@ -45,13 +45,13 @@ pub fn counts(ledger: &Ledger) -> String {
         .filter(|k| k.0 > 0)
         .map(|(n, words)| format!("{n} {words}"))
         .collect();
+    format!("{} entries: {}", ledger.entries.len(), parts.join(", "))
+}
+
+/// How many entries there are, and whether they are as recorded.
+pub fn counts(ledger: &Ledger) -> String {
     let changed = ledger.entries.iter().filter(|e| !e.as_recorded).count();
-    format!(
-        "{} entries: {}; {}.",
-        ledger.entries.len(),
-        parts.join(", "),
-        recorded(changed)
-    )
+    format!("{}; {}.", entries(ledger), recorded(changed))
 }
 
 /// How the repair was looked for, in words.

@@ -68,13 +68,18 @@ pub fn recorded(changed: usize) -> String {
     }
 }
 
+/// How many findings there are of what kind.
+pub fn findings(report: &PaperReport) -> String {
+    let all = count(report.findings.len(), "finding");
+    format!("{all}: {}", kinds(report))
+}
+
 /// How many findings there are, and whether they are as recorded.
 pub fn counts(report: &PaperReport) -> String {
     let changed = report.findings.iter().filter(|f| !f.as_recorded).count();
     format!(
-        "{}: {}; {}. {} printed entries recomputed.",
-        count(report.findings.len(), "finding"),
-        kinds(report),
+        "{}; {}. {} printed entries recomputed.",
+        findings(report),
         recorded(changed),
         report.entries.len()
     )
