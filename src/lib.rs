@@ -3,14 +3,14 @@
 //! Fast `f64` solvers stand beside arbitrary-precision references that carry a proof of their
 //! error, an audit compares the two, and published papers are taken apart with both.
 //!
-//! | room | what it holds | needs |
+//! | module | what it holds | needs |
 //! |---|---|---|
-//! | [`solvers`] | tridiagonal systems, cubic splines, class-III linkages, dyads, reduction to the crank, run-up under a motor | nothing but `f64`; time integration: feature `run-up` |
-//! | `reference` | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
-//! | `audit` | domains, cases, budgets, the judge, statistics | feature `oracle` |
+//! | [`solvers`] (crate `mechaudit-solvers`) | Faddeeva function, tridiagonal systems, cubic splines, linkages, reduction to the crank, run-up under a motor, cams | nothing but `f64`; time integration: feature `run-up` |
+//! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
+//! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
-//! | `symbolic` | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
+//! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
 //! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `cli` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
@@ -88,8 +88,6 @@
 #![warn(missing_docs)]
 
 #[cfg(feature = "oracle")]
-pub mod audit;
-#[cfg(feature = "oracle")]
 pub mod book;
 #[cfg(feature = "oracle")]
 pub mod candidate;
@@ -97,13 +95,24 @@ pub mod candidate;
 pub mod methods;
 #[cfg(feature = "oracle")]
 pub mod papers;
-#[cfg(feature = "oracle")]
-pub mod reference;
 #[cfg(feature = "cli")]
 pub mod report;
-pub mod solvers;
-#[cfg(feature = "oracle")]
-pub mod symbolic;
+
+#[cfg(all(doctest, feature = "oracle"))]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 #[cfg(feature = "oracle")]
+#[doc(inline)]
 pub use candidate::{audit, audit_by_name};
+#[cfg(feature = "oracle")]
+#[doc(inline)]
+pub use mechaudit_audit as audit;
+#[cfg(feature = "oracle")]
+#[doc(inline)]
+pub use mechaudit_reference as reference;
+#[doc(inline)]
+pub use mechaudit_solvers as solvers;
+#[cfg(feature = "oracle")]
+#[doc(inline)]
+pub use mechaudit_symbolic as symbolic;

@@ -234,7 +234,7 @@ impl Cases {
 /// A float in C's `%a` form, exact.
 ///
 /// ```
-/// use mechaudit::audit::hex_float;
+/// use mechaudit_audit::hex_float;
 /// assert_eq!(hex_float(-0.15625), "-0x1.4p-3");
 /// assert_eq!(hex_float(1.0), "0x1p+0");
 /// ```

@@ -1,7 +1,7 @@
 //! What is due for one value: a number, a zero with its sign, an infinity, or NaN.
 
 use super::ulp::distance;
-use crate::reference::{Ball, Mag};
+use mechaudit_reference::{Ball, Mag};
 use rug::Float;
 
 /// What is due for one value.

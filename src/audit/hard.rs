@@ -5,7 +5,7 @@
 
 use super::case::hex_float;
 use super::method::Method;
-use crate::reference::HexFloat;
+use mechaudit_reference::HexFloat;
 
 /// A hard case as recorded.
 #[derive(Clone, Debug, PartialEq)]

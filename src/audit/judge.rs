@@ -4,7 +4,7 @@ use super::budget::{Limit, NormBudget};
 use super::due::{Due, overflow};
 use super::method::{Output, ReferenceAnswer, SolverAnswer};
 use super::ulp::ulp_exponent;
-use crate::reference::{Ball, Mag};
+use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;
 use std::borrow::Cow;
 

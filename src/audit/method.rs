@@ -5,7 +5,7 @@ use super::domain::Domain;
 use super::due::Due;
 use super::hard::HardCase;
 use super::layout::Rows;
-use crate::reference::{Ball, Mag};
+use mechaudit_reference::{Ball, Mag};
 use rug::{Float, Rational};
 use serde::Serialize;
 

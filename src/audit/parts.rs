@@ -3,7 +3,7 @@
 use super::method::{Method, ReferenceAnswer, SolverAnswer};
 use super::run::answer_of;
 use super::ulp::{ulp_exponent, ulps};
-use crate::reference::Ball;
+use mechaudit_reference::Ball;
 use rug::Rational;
 use serde::Serialize;
 
@@ -45,7 +45,7 @@ pub(super) fn error_parts(
         &reference.values[i],
         ulp_exponent(reference.values[i].mid()),
     );
-    let in_ulps = |d: crate::reference::Ball| d.magnitude().shift(-unit).to_f64();
+    let in_ulps = |d: mechaudit_reference::Ball| d.magnitude().shift(-unit).to_f64();
     let result = Ball::exact(twin[i].prec().max(64), values[i]);
     Some(ErrorParts {
         method: in_ulps(&twin[i] - truth),

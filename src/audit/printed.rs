@@ -3,7 +3,7 @@
 use super::due::Due;
 use super::method::{Method, ReferenceAnswer};
 use super::run::Settings;
-use crate::reference::{Ball, Decimal};
+use mechaudit_reference::{Ball, Decimal};
 use rug::Rational;
 use serde::Serialize;
 
@@ -157,7 +157,7 @@ mod tests {
             against(&exact, &printed("0.13")).agreement,
             Agreement::Agrees
         );
-        let wide = exact.widened(crate::reference::Mag::power_of_two(-60));
+        let wide = exact.widened(mechaudit_reference::Mag::power_of_two(-60));
         let open = against(&wide, &printed("0.12"));
         assert_eq!(open.agreement, Agreement::Undecided);
         assert!(open.reason.is_some());

@@ -7,7 +7,7 @@ use super::maps::error_map;
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
 use super::parts::error_parts;
 use super::tally::{MethodReport, Tally};
-use crate::reference::Mag;
+use mechaudit_reference::Mag;
 use rayon::prelude::*;
 use rug::Rational;
 use serde::Serialize;

@@ -1,7 +1,7 @@
 //! Fractional ulps against an unrounded reference.
 
 use super::due::overflow;
-use crate::reference::{Ball, Mag};
+use mechaudit_reference::{Ball, Mag};
 use rug::Float;
 
 /// The exponent `k` of the unit in the last place, `ulp(x) = 2^k`: for `|x|` in `[2^e, 2^(e+1))`

@@ -7,7 +7,7 @@ use super::hard::HardCase;
 use super::layout::Rows;
 use super::method::{Input, Law, Method, Output, Reference, ReferenceAnswer, SolverAnswer};
 use super::nearest::did_you_mean;
-use crate::reference::Ball;
+use mechaudit_reference::Ball;
 use rug::Rational;
 
 /// A region, check point or output that a method does not have.
@@ -44,19 +44,6 @@ impl NoSuch {
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 
 /// A method with something changed; everything else is passed through.
-///
-/// ```
-/// use mechaudit::audit::{Settings, SolverAnswer, Variant, audit_method};
-/// use mechaudit::methods;
-///
-/// let method = methods::find("slider-crank").unwrap();
-/// let silent = Variant::new(&*method)
-///     .solver(|_| SolverAnswer::Declines(None))
-///     .region("unreachable")?;
-/// let settings = Settings { cases_per_region: 3, ..Settings::default() };
-/// assert!(audit_method(&silent, &settings, &|| ()).passed());
-/// # Ok::<(), mechaudit::audit::NoSuch>(())
-/// ```
 pub struct Variant<'a> {
     method: &'a dyn Method,
     solver: Option<Solver<'a>>,

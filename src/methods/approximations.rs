@@ -44,6 +44,18 @@ pub fn approximations() -> Vec<Box<dyn Approximation>> {
 }
 
 /// The approximation of that name.
+///
+/// ```
+/// use mechaudit::audit::convergence;
+/// use mechaudit::methods;
+///
+/// let spline = methods::find_approximation("spline-clamped").unwrap();
+/// let report = convergence(&*spline)?;
+/// let finest = report.levels.last().unwrap().errors[0];
+/// assert!((finest.order.unwrap() - 4.0).abs() < 0.1);
+/// assert!(finest.rounding.unwrap() < 1e-15);
+/// # Ok::<(), String>(())
+/// ```
 pub fn find_approximation(name: &str) -> Option<Box<dyn Approximation>> {
     approximations().into_iter().find(|a| a.name() == name)
 }

@@ -10,9 +10,9 @@ use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
 use rug::Rational;
 
 /// Input `Re z, Im z`, output `Re F, Im F`.
-pub struct Audit;
+pub struct Dawson;
 
-impl Relative for Audit {
+impl Relative for Dawson {
     const NAME: &'static str = "dawson";
     const SUMMARY: &'static str =
         "Dawson's function F(z) = exp(-z^2) int_0^z exp(t^2) dt in the whole plane";
@@ -61,7 +61,7 @@ impl Relative for Audit {
 
     fn laws() -> Vec<Law> {
         vec![
-            odd_law::<Audit>(),
+            odd_law::<Dawson>(),
             Law {
                 name: "differential-equation",
                 statement: "the Taylor series of F' = 1 - 2 z F from F(z) gives F(z + h), \
@@ -73,13 +73,13 @@ impl Relative for Audit {
                 name: "batch",
                 statement: "a batch of 1 to 40 points around z gives the scalar values, bit for bit",
                 residual: |input| {
-                    batch_agrees::<Audit>(point(input)?, |z, f| dawson_batch(z, f).is_ok())
+                    batch_agrees::<Dawson>(point(input)?, |z, f| dawson_batch(z, f).is_ok())
                 },
             },
             Law {
                 name: "real-argument",
                 statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Audit>(dawson_real, point(input)?.re),
+                residual: |input| on_the_axis::<Dawson>(dawson_real, point(input)?.re),
             },
         ]
     }

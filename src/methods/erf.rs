@@ -10,9 +10,9 @@ use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
 use rug::Rational;
 
 /// Input `Re z, Im z`, output `Re erf z, Im erf z`.
-pub struct Audit;
+pub struct Erf;
 
-impl Relative for Audit {
+impl Relative for Erf {
     const NAME: &'static str = "erf";
     const SUMMARY: &'static str = "error function erf(z) in the whole plane";
     const SOURCE: &'static str = "DLMF 7.2.1, 7.2.2, 7.5.1";
@@ -53,7 +53,7 @@ impl Relative for Audit {
 
     fn laws() -> Vec<Law> {
         vec![
-            odd_law::<Audit>(),
+            odd_law::<Erf>(),
             Law {
                 name: "complement",
                 statement: "erf(z) + erfc(z) = 1 within 5 u (|erf(z)| + |erfc(z)|)",
@@ -68,7 +68,7 @@ impl Relative for Audit {
             Law {
                 name: "real-argument",
                 statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Audit>(erf_real, point(input)?.re),
+                residual: |input| on_the_axis::<Erf>(erf_real, point(input)?.re),
             },
         ]
     }

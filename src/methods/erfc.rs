@@ -12,9 +12,9 @@ use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};
 use rug::Rational;
 
 /// Input `Re z, Im z`, output `Re erfc z, Im erfc z`.
-pub struct Audit;
+pub struct Erfc;
 
-impl Relative for Audit {
+impl Relative for Erfc {
     const NAME: &'static str = "erfc";
     const SUMMARY: &'static str =
         "complementary error function erfc(z) = 1 - erf(z) in the whole plane";
@@ -61,7 +61,7 @@ impl Relative for Audit {
 
     fn laws() -> Vec<Law> {
         vec![
-            conjugation_law::<Audit>(),
+            conjugation_law::<Erfc>(),
             Law {
                 name: "reflection",
                 statement: "erfc(z) + erfc(-z) = 2 within 5 u (|erfc(z)| + |erfc(-z)|)",
@@ -75,7 +75,7 @@ impl Relative for Audit {
             Law {
                 name: "real-argument",
                 statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Audit>(erfc_real, point(input)?.re),
+                residual: |input| on_the_axis::<Erfc>(erfc_real, point(input)?.re),
             },
         ]
     }

@@ -13,9 +13,9 @@ use crate::solvers::faddeeva::{erfcx, erfcx_batch, erfcx_real, faddeeva as w};
 use rug::Rational;
 
 /// Input `Re z, Im z`, output `Re erfcx z, Im erfcx z`.
-pub struct Audit;
+pub struct Erfcx;
 
-impl Relative for Audit {
+impl Relative for Erfcx {
     const NAME: &'static str = "erfcx";
     const SUMMARY: &'static str =
         "scaled complementary error function erfcx(z) = exp(z^2) erfc(z) in the whole plane";
@@ -56,7 +56,7 @@ impl Relative for Audit {
 
     fn laws() -> Vec<Law> {
         vec![
-            conjugation_law::<Audit>(),
+            conjugation_law::<Erfcx>(),
             Law {
                 name: "faddeeva",
                 statement: "erfcx(z) = W(iz) within 8 u |W(iz)|",
@@ -72,13 +72,13 @@ impl Relative for Audit {
                 name: "batch",
                 statement: "a batch of 1 to 40 points around z gives the scalar values, bit for bit",
                 residual: |input| {
-                    batch_agrees::<Audit>(point(input)?, |z, f| erfcx_batch(z, f).is_ok())
+                    batch_agrees::<Erfcx>(point(input)?, |z, f| erfcx_batch(z, f).is_ok())
                 },
             },
             Law {
                 name: "real-argument",
                 statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Audit>(erfcx_real, point(input)?.re),
+                residual: |input| on_the_axis::<Erfcx>(erfcx_real, point(input)?.re),
             },
             Law {
                 name: "monotonicity",

@@ -13,9 +13,9 @@ use rug::Rational;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfi z, Im erfi z`.
-pub struct Audit;
+pub struct Erfi;
 
-impl Relative for Audit {
+impl Relative for Erfi {
     const NAME: &'static str = "erfi";
     const SUMMARY: &'static str =
         "imaginary error function erfi(z) = -i erf(iz) in the whole plane";
@@ -57,7 +57,7 @@ impl Relative for Audit {
 
     fn laws() -> Vec<Law> {
         vec![
-            odd_law::<Audit>(),
+            odd_law::<Erfi>(),
             Law {
                 name: "turned",
                 statement: "erfi(z) = -i erf(iz), bit for bit",
@@ -71,7 +71,7 @@ impl Relative for Audit {
             Law {
                 name: "real-argument",
                 statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Audit>(erfi_real, point(input)?.re),
+                residual: |input| on_the_axis::<Erfi>(erfi_real, point(input)?.re),
             },
         ]
     }

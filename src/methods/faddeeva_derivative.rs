@@ -12,9 +12,9 @@ use std::f64::consts::FRAC_2_SQRT_PI;
 use std::sync::OnceLock;
 
 /// Input `Re z, Im z`, output `Re W', Im W'`.
-pub struct Audit;
+pub struct FaddeevaDerivative;
 
-impl Relative for Audit {
+impl Relative for FaddeevaDerivative {
     const NAME: &'static str = "faddeeva-derivative";
     const SUMMARY: &'static str =
         "derivative W'(z) = -2 z W(z) + 2i/sqrt(pi) of the Faddeeva function in the whole plane";

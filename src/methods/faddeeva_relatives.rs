@@ -104,7 +104,10 @@ pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
     }
 }
 
-impl<F: Relative> Method for F {
+/// Such a function as a method.
+pub struct Related<F>(pub F);
+
+impl<F: Relative> Method for Related<F> {
     fn name(&self) -> &'static str {
         F::NAME
     }

@@ -20,19 +20,22 @@ mod typed;
 mod voigt_regions;
 
 use crate::audit::Method;
+use faddeeva_relatives::Related;
 
 pub use approximations::{approximations, find_approximation};
 pub use typed::*;
 
 macro_rules! registry {
-    ($($module:ident),* $(,)?) => {
+    ($($module:ident $(: $relative:ident)?),* $(,)?) => {
         $(mod $module;)*
 
         /// Every audited method.
         pub fn registry() -> Vec<Box<dyn Method>> {
-            vec![$(Box::new($module::Audit)),*]
+            vec![$(Box::new(registry!(@entry $module $($relative)?))),*]
         }
     };
+    (@entry $module:ident) => { $module::Audit };
+    (@entry $module:ident $relative:ident) => { Related($module::$relative) };
 }
 
 registry![
@@ -48,12 +51,12 @@ registry![
     class_iii_assembly_modes,
     class_iii,
     faddeeva,
-    faddeeva_derivative,
-    erf,
-    erfc,
-    erfcx,
-    erfi,
-    dawson,
+    faddeeva_derivative: FaddeevaDerivative,
+    erf: Erf,
+    erfc: Erfc,
+    erfcx: Erfcx,
+    erfi: Erfi,
+    dawson: Dawson,
     voigt,
     cam_law,
     cam_fourier_series,
@@ -62,6 +65,33 @@ registry![
 ];
 
 /// The method of that name.
+///
+/// A hunt for the inputs that take up most of its budget:
+///
+/// ```
+/// use mechaudit::audit::{HuntSettings, hunt};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("tridiagonal").unwrap();
+/// let settings = HuntSettings { evaluations: 300, seed: 1 };
+/// let found = hunt(&*method, &settings, &|_| ());
+/// assert!(found.worst[0].share > 0.02 && found.failures.is_empty());
+/// ```
+///
+/// The method with another solver, in one region:
+///
+/// ```
+/// use mechaudit::audit::{Settings, SolverAnswer, Variant, audit_method};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("slider-crank").unwrap();
+/// let silent = Variant::new(&*method)
+///     .solver(|_| SolverAnswer::Declines(None))
+///     .region("unreachable")?;
+/// let settings = Settings { cases_per_region: 3, ..Settings::default() };
+/// assert!(audit_method(&silent, &settings, &|| ()).passed());
+/// # Ok::<(), mechaudit::audit::NoSuch>(())
+/// ```
 pub fn find(name: &str) -> Option<Box<dyn Method>> {
     registry().into_iter().find(|m| m.name() == name)
 }

@@ -3,7 +3,7 @@
 //! Each is one `f64` in the SI unit. Construction names the unit, reading names the unit:
 //!
 //! ```
-//! use mechaudit::solvers::units::Length;
+//! use mechaudit_solvers::units::Length;
 //! let l = Length::from_cm(48.5);
 //! assert_eq!(l.m(), 0.485);
 //! assert_eq!(l.cm(), 48.5);

@@ -1,7 +1,7 @@
 //! Functions of complex balls that the enclosures need.
 
 use super::SymbolicError;
-use crate::reference::{Ball, ComplexBall, Mag};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::Float;
 use rug::float::Round;
 

@@ -6,7 +6,7 @@ use super::expr::{Bound, Expr, Func};
 use super::jet::Jets;
 use super::walk::{Definitions, Domain, Scope, walk};
 use super::{Algebra, ExpSum, Fraction, Gauss, Poly, Symbol, SymbolicError};
-use crate::reference::{Ball, ComplexBall, Mag};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
 use std::cell::RefCell;
 use std::collections::BTreeMap;

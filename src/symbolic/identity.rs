@@ -5,7 +5,7 @@ use super::exact::Exact;
 use super::expr::{Equation, Expr};
 use super::walk::Definitions;
 use super::{Algebra, ExpSum, SymbolicError};
-use crate::reference::ComplexBall;
+use mechaudit_reference::ComplexBall;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -154,7 +154,7 @@ fn exactly(
 
 /// Eight digits that hold.
 fn digits(z: &ComplexBall) -> String {
-    let part = |b: &crate::reference::Ball| match b.contains_zero() {
+    let part = |b: &mechaudit_reference::Ball| match b.contains_zero() {
         true => "0".to_string(),
         false => b
             .to_decimal(8)

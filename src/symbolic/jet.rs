@@ -5,7 +5,7 @@ use super::enclosure::{BITS, Enclosures, Point};
 use super::expr::{Bound, Expr, Func};
 use super::walk::{Domain, Scope};
 use super::{Gauss, SymbolicError};
-use crate::reference::{Ball, ComplexBall};
+use mechaudit_reference::{Ball, ComplexBall};
 
 /// Evaluates to Taylor coefficients; trailing zeros are left out.
 pub(super) struct Jets<'a> {

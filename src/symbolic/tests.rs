@@ -1,7 +1,7 @@
 //! Property tests of the normal forms: ring axioms, differentiation rules, agreement with balls.
 
 use super::*;
-use crate::reference::ComplexBall;
+use mechaudit_reference::ComplexBall;
 use proptest::prelude::*;
 use rug::Rational;
 

@@ -1,7 +1,7 @@
 //! Planted faults.
 
 use super::*;
-use crate::audit::{Budget, Proof, Reference};
+use crate::{Budget, Proof, Reference};
 use rug::Float;
 
 fn outputs(limit: Limit) -> Vec<Output> {

@@ -19,7 +19,7 @@ use std::path::Path;
 
 const VALUES: &str = "reference/values";
 const PUBLISHED: &str = "reference/published";
-const FADDEEVA: &str = "src/solvers/faddeeva";
+const FADDEEVA: &str = "src/solvers/special/faddeeva";
 
 /// Every generated file.
 fn artefacts() -> Vec<Artefact> {

@@ -1,11 +1,11 @@
 //! The chart of a cam-driven oscillator, put together once more from its parts.
 
-use crate::solvers::cam_law::{CamCycle, MotionLaw, Stroke};
-use crate::solvers::chirp_chart::{CamDrive, CamResponse, Chart, Period, beat_zones};
-use crate::solvers::chirp_oscillator::{
+use crate::cam_law::{CamCycle, MotionLaw, Stroke};
+use crate::chirp_chart::{CamDrive, CamResponse, Chart, Period, beat_zones};
+use crate::chirp_oscillator::{
     Chirp, ChirpResponse, Excitation, Forcing, Harmonic, InitialState, Oscillator,
 };
-use crate::solvers::fourier_series::FourierSeries;
+use crate::fourier_series::FourierSeries;
 use num_complex::Complex;
 use std::f64::consts::TAU;
 

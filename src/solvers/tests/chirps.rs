@@ -1,6 +1,6 @@
 //! Many times at once under a chirp, against one after the other.
 
-use crate::solvers::chirp_oscillator::{
+use crate::chirp_oscillator::{
     Chirp, ChirpResponse, Excitation, Forcing, Harmonic, InitialState, Motion, Oscillator,
 };
 

@@ -1,12 +1,12 @@
 //! Parts of a run-up: drives, motors, tables of coefficients, the range of the inertia.
 
-use crate::solvers::dyad::{Assembly, SliderCrank};
-use crate::solvers::reduction::{Body, MomentOfInertia};
-use crate::solvers::run_up::{
+use crate::dyad::{Assembly, SliderCrank};
+use crate::reduction::{Body, MomentOfInertia};
+use crate::run_up::{
     Coefficients, ConstantInertia, Drive, Equation, Hybrid, Kloss, ModelError, Motor, ReducedModel,
     Resistance, SliderCrankModel, Splined, TableReading, TorqueTable, inertia_range,
 };
-use crate::solvers::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
+use crate::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
 use std::f64::consts::TAU;
 
 fn n_m(x: f64) -> Torque {

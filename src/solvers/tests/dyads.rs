@@ -1,10 +1,10 @@
 //! Dyads and the linkages made of them: what the certified lines do not hold.
 
-use crate::solvers::dyad::{
+use crate::dyad::{
     Assembly, CrankRange, DyadError, FourBar, Guide, LinkMotion, PointMotion, RrpDyad, RrrDyad,
     SliderCrank,
 };
-use crate::solvers::units::{Angle, AngularVelocity, Length};
+use crate::units::{Angle, AngularVelocity, Length};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn bar(l: [f64; 4]) -> FourBar {

@@ -1,7 +1,7 @@
 //! The Faddeeva function and its relatives.
 
 use super::{Line, half_ulp, hold, lines, same};
-use crate::solvers::faddeeva::*;
+use crate::faddeeva::*;
 use num_complex::Complex;
 
 type C = Complex<f64>;

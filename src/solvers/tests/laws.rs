@@ -1,7 +1,7 @@
 //! Peaks of tabulated laws and motions of a cycle, point by point.
 
-use crate::solvers::cam_law::{CamCycle, Motion, MotionLaw, Stroke};
-use crate::solvers::cubic_spline::End;
+use crate::cam_law::{CamCycle, Motion, MotionLaw, Stroke};
+use crate::cubic_spline::End;
 use std::f64::consts::TAU;
 
 fn table(ends: [End; 2]) -> MotionLaw {

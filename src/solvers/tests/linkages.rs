@@ -1,10 +1,10 @@
 //! Class-III linkages, reduced masses, four-bars and slider-cranks.
 
 use super::{Answer, Line, hold, lines, same};
-use crate::solvers::class_iii::{ClassIii, Geometry, Positions, State};
-use crate::solvers::dyad::{Assembly, FourBar, SliderCrank};
-use crate::solvers::reduction::{Body, Masses, MomentOfInertia};
-use crate::solvers::units::{Acceleration, Angle, Inertia, Length, Mass};
+use crate::class_iii::{ClassIii, Geometry, Positions, State};
+use crate::dyad::{Assembly, FourBar, SliderCrank};
+use crate::reduction::{Body, Masses, MomentOfInertia};
+use crate::units::{Acceleration, Angle, Inertia, Length, Mass};
 
 fn linkage(x: &[f64]) -> Result<ClassIii, String> {
     let geometry = Geometry::from_values(x[..11].try_into().expect("eleven"));

@@ -1,7 +1,7 @@
 //! The solvers against certified values, without GMP or MPFR: `tests/solver_values/`.
 //!
 //! Every line of a file is an input, the values to 20 digits by the certified reference and what
-//! each may be off by; `tests/solver_values_written.rs` writes them. Each value is asked for on all
+//! each may be off by; `tests/library/solver_values_written.rs` writes them. Each value is asked for on all
 //! paths there are: one point, batches, all cores.
 //!
 //! These are unit tests of the lean build, not a target in `tests/`, so that a mutant is compiled
@@ -40,7 +40,7 @@ fn numbers(text: &str) -> Vec<f64> {
 }
 
 fn lines(method: &str) -> Vec<Line> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/solver_values");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/solver_values");
     let text = std::fs::read_to_string(format!("{folder}/{method}.csv")).expect("a file");
     let (header, rest) = text.split_once('\n').expect("a header");
     assert_eq!(header, "place,input,value,allowed");

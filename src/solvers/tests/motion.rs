@@ -1,12 +1,12 @@
 //! Cam laws, their Fourier series, and the oscillator under a chirp.
 
 use super::{Answer, Line, hold, lines};
-use crate::solvers::cam_law::{CamCycle, MotionLaw, Stroke};
-use crate::solvers::chirp_oscillator::{
+use crate::cam_law::{CamCycle, MotionLaw, Stroke};
+use crate::chirp_oscillator::{
     Chirp, ChirpError, ChirpResponse, Excitation, Forcing, Harmonic, InitialState, Oscillator,
 };
-use crate::solvers::cubic_spline::End;
-use crate::solvers::fourier_series::FourierSeries;
+use crate::cubic_spline::End;
+use crate::fourier_series::FourierSeries;
 
 /// The law at the start of `x`, and what follows it.
 fn law(x: &[f64]) -> Result<(MotionLaw, &[f64]), String> {

@@ -1,10 +1,10 @@
 //! Splines outside their knots, at their ends and in batches of every kind.
 
-use crate::solvers::cubic_spline::{
+use crate::cubic_spline::{
     Boundary, CubicSpline, End, EvaluationError, Extrapolation, Grid, Spline, UniformCubicSpline,
     UniformKnots,
 };
-use crate::solvers::faddeeva::double_double::{two_prod, two_sum};
+use crate::faddeeva::double_double::{two_prod, two_sum};
 
 fn uniform(boundary: Boundary) -> UniformCubicSpline {
     let mut y: Vec<f64> = (0..12).map(|k| (f64::from(k) * 1.3).sin()).collect();

@@ -1,7 +1,7 @@
 //! Cubic splines with every kind of end, on both kinds of knots.
 
 use super::{Answer, hold, same};
-use crate::solvers::cubic_spline::{
+use crate::cubic_spline::{
     Boundary, CubicSpline, CubicSplineError as Error, EvaluationError, Grid, Spline,
     UniformCubicSpline,
 };

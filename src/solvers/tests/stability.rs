@@ -1,7 +1,7 @@
 //! What a factored tridiagonal or cyclic system says of itself, against dense matrices.
 
-use crate::solvers::cyclic_tridiagonal::CyclicSweep;
-use crate::solvers::tridiagonal::{Stability, Sweep};
+use crate::cyclic_tridiagonal::CyclicSweep;
+use crate::tridiagonal::{Stability, Sweep};
 use nalgebra::DMatrix;
 
 type Bands = [Vec<f64>; 3];

@@ -1,8 +1,8 @@
 //! Tridiagonal systems, open and cyclic.
 
 use super::{Answer, hold, lines, same};
-use crate::solvers::cyclic_tridiagonal::CyclicSweep;
-use crate::solvers::tridiagonal::{Pivoted, Sweep, TridiagonalError, solve};
+use crate::cyclic_tridiagonal::CyclicSweep;
+use crate::tridiagonal::{Pivoted, Sweep, TridiagonalError, solve};
 
 fn word(e: TridiagonalError) -> String {
     match e {

@@ -1,0 +1,51 @@
+//! The audit: domains, cases, budgets and the judge that compares a solver with its reference.
+//!
+//! Only a pass passes: NaN, the wrong infinity, an undecided reference, a missing value and a
+//! panic all fail. What is audited is described by the [`Method`] trait; this module knows no
+//! particular method.
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod budget;
+mod case;
+mod convergence;
+mod domain;
+mod due;
+mod hard;
+mod hunt;
+mod judge;
+mod layout;
+mod maps;
+mod method;
+mod nearest;
+mod parts;
+mod printed;
+mod run;
+mod tally;
+mod ulp;
+mod variant;
+
+pub use budget::{Budget, Limit, NormBudget};
+pub use case::{Case, Cases, Origin, hex_float};
+pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
+pub use domain::{CheckPoint, Domain, Draw, Region};
+pub use due::Due;
+pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
+pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
+pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
+pub use layout::{Column, Layout, LayoutError, Rows};
+pub use maps::{ErrorMap, MapOutput, error_map, map_points};
+pub use method::{
+    Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
+    conditions_by_differences,
+};
+pub use nearest::{did_you_mean, nearest};
+pub use parts::ErrorParts;
+pub use printed::{Agreement, EntryJudgement, judge_printed};
+pub use run::{
+    CaseReport, Settings, answer_of, audit_case, audit_method, audit_method_until, judge_case,
+    judge_case_briefly,
+};
+pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
+pub use ulp::{ulp_exponent, ulps};
+pub use variant::{NoSuch, Variant};

@@ -1,0 +1,291 @@
+//! Exact decimals in, certified decimals out.
+
+use super::ball::Ball;
+use super::mag::Mag;
+use rug::ops::Pow;
+use rug::{Float, Integer, Rational};
+
+/// A decimal number as somebody wrote it: its exact value and the place of its last digit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decimal {
+    /// The exact value.
+    pub value: Rational,
+    /// Digits after the decimal point.
+    pub places: u32,
+    /// The last digit stands for `10^exponent`: −2 in `1.25`, 3 in `1.2e4`.
+    pub exponent: i32,
+}
+
+/// The text is not a decimal number.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{text:?} is not a decimal number (digits, one point, an optional sign and exponent)")]
+pub struct DecimalError {
+    /// The text.
+    pub text: String,
+}
+
+impl Decimal {
+    /// Reads a decimal such as `-110.0421`, `75` or `1.5e-3`, exactly.
+    ///
+    /// ```
+    /// use mechaudit_reference::Decimal;
+    /// let d = Decimal::parse("-39.30")?;
+    /// assert_eq!(d.value, rug::Rational::from((-393, 10)));
+    /// assert_eq!(d.places, 2);
+    /// # Ok::<(), mechaudit_reference::DecimalError>(())
+    /// ```
+    pub fn parse(text: &str) -> Result<Decimal, DecimalError> {
+        let bad = || DecimalError { text: text.into() };
+        let t = text.trim();
+        let (mantissa, exponent) = match t.find(['e', 'E']) {
+            Some(k) => (&t[..k], t[k + 1..].parse::<i32>().map_err(|_| bad())?),
+            None => (t, 0),
+        };
+        if exponent.unsigned_abs() > 100_000 {
+            return Err(bad());
+        }
+        let (negative, digits) = match mantissa.as_bytes().first() {
+            Some(b'-') => (true, &mantissa[1..]),
+            Some(b'+') => (false, &mantissa[1..]),
+            _ => (false, mantissa),
+        };
+        let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+        let all: String = [whole, fraction].concat();
+        if all.is_empty() || !all.bytes().all(|b| b.is_ascii_digit()) {
+            return Err(bad());
+        }
+        let mut n: Integer = all.parse().map_err(|_| bad())?;
+        if negative {
+            n = -n;
+        }
+        let shift = fraction.len() as i32 - exponent;
+        let ten = Integer::from(10).pow(shift.unsigned_abs());
+        let value = if shift >= 0 {
+            Rational::from((n, ten))
+        } else {
+            Rational::from(n * ten)
+        };
+        Ok(Decimal {
+            value,
+            places: shift.max(0) as u32,
+            exponent: -shift,
+        })
+    }
+
+    /// One unit in the last written digit.
+    pub fn unit(&self) -> Rational {
+        let ten = Rational::from(Integer::from(10).pow(self.exponent.unsigned_abs()));
+        if self.exponent < 0 { ten.recip() } else { ten }
+    }
+
+    /// `(written − value)` in units of the last written digit; correctly rounded is at most a half.
+    pub fn units_off(&self, value: &Ball) -> Ball {
+        let bits = value.prec();
+        let d = &Ball::rational(bits, &self.value) - value;
+        &d / &Ball::rational(bits, &self.unit())
+    }
+}
+
+impl Ball {
+    /// The number with `digits` significant decimal digits, the last of them wrong by at most
+    /// 0.51 units; `None` when the radius does not allow that many.
+    pub fn to_decimal(&self, digits: usize) -> Option<String> {
+        let digits = digits.max(1);
+        if self.is_zero() {
+            return Some("0".into());
+        }
+        if !self.is_finite() || self.mid().is_zero() {
+            return None;
+        }
+        // One hundredth of a unit in the last digit, bounded below by powers of two:
+        // |x| ≥ 2^(e-1), and a digit's unit is at least |x| 10^-digits.
+        let e = i64::from(self.mid().get_exp()?) - 1;
+        let unit_bits = (digits as f64 + 2.0) * std::f64::consts::LOG2_10;
+        if self.rad() > Mag::power_of_two(e - unit_bits.ceil() as i64) {
+            return None;
+        }
+        let text = self
+            .mid()
+            .to_string_radix_round(10, Some(digits), rug::float::Round::Nearest);
+        Some(plain(&text))
+    }
+
+    /// The midpoint with `digits` significant decimal digits, and a bound on the distance from that
+    /// decimal to every point of the ball, rounded up to three digits; `None` where there is no
+    /// finite bound.
+    ///
+    /// ```
+    /// use mechaudit_reference::Ball;
+    /// let third = Ball::integer(128, 3).recip();
+    /// let (value, radius) = third.to_decimal_with_radius(5).unwrap();
+    /// assert_eq!((value.as_str(), radius.as_str()), ("0.33333", "3.34e-6"));
+    /// let half = Ball::exact(64, 0.5).to_decimal_with_radius(3).unwrap();
+    /// assert_eq!(half, ("0.500".into(), "0".into()));
+    /// ```
+    pub fn to_decimal_with_radius(&self, digits: usize) -> Option<(String, String)> {
+        if !self.is_finite() {
+            return None;
+        }
+        let text = match self.mid().is_zero() {
+            true => "0".into(),
+            false => plain(&self.mid().to_string_radix_round(
+                10,
+                Some(digits.max(1)),
+                rug::float::Round::Nearest,
+            )),
+        };
+        let off = match self.mid().get_exp() {
+            // Too long to be written out: half a unit of the last digit, at most 10^(1-digits) |x| / 2.
+            Some(e) if e.unsigned_abs() > 1 << 16 => {
+                let power =
+                    Float::with_val(4 * digits.max(16) as u32, 10).pow(digits.max(1) as u32 - 1);
+                Mag::above(self.mid()).shift(-1).div(Mag::below(&power))
+            }
+            _ => {
+                let written = Decimal::parse(&text).ok()?.value;
+                let off = (written - self.mid().to_rational()?).abs();
+                Mag::above(&Float::with_val_round(64, &off, rug::float::Round::Up).0)
+            }
+        };
+        let radius = self.rad().add(off);
+        let radius = match radius.is_zero() {
+            true => "0".into(),
+            false => radius
+                .to_float()
+                .to_string_radix_round(10, Some(3), rug::float::Round::Up),
+        };
+        Some((text, radius))
+    }
+
+    /// The number with `places` digits after the point, wrong by at most 0.51 units of the last.
+    pub fn to_fixed(&self, places: u32) -> Option<String> {
+        if !self.is_finite() {
+            return None;
+        }
+        let ten = Float::with_val(64, 10).pow(places as i32 + 2);
+        if self.rad().mul(Mag::above(&ten)) > Mag::from_f64(1.0) {
+            return None;
+        }
+        let scaled = self.mid().to_rational()? * Integer::from(10).pow(places);
+        Some(fixed(&scaled.round(), places))
+    }
+
+    /// A short, uncertified rendering for people.
+    pub fn to_f64(&self) -> f64 {
+        self.mid().to_f64()
+    }
+}
+
+/// `n / 10^places` written out.
+pub fn fixed(n: &Rational, places: u32) -> String {
+    let n = n.numer();
+    let text = n.clone().abs().to_string();
+    let places = places as usize;
+    let text = format!("{text:0>width$}", width = places + 1);
+    let (whole, fraction) = text.split_at(text.len() - places);
+    let sign = if *n < 0 { "-" } else { "" };
+    if places == 0 {
+        format!("{sign}{whole}")
+    } else {
+        format!("{sign}{whole}.{fraction}")
+    }
+}
+
+/// Turns `1.234e-2` into `0.01234` while the exponent is small; leaves the rest alone.
+fn plain(text: &str) -> String {
+    let Some((mantissa, exponent)) = text.split_once('e') else {
+        return text.into();
+    };
+    let Ok(e) = exponent.parse::<i32>() else {
+        return text.into();
+    };
+    if !(-7..=20).contains(&e) {
+        return text.into();
+    }
+    let (sign, m) = match mantissa.strip_prefix('-') {
+        Some(m) => ("-", m),
+        None => ("", mantissa),
+    };
+    let (whole, fraction) = m.split_once('.').unwrap_or((m, ""));
+    let digits = [whole, fraction].concat();
+    let point = whole.len() as i32 + e;
+    let body = if point <= 0 {
+        format!("0.{}{digits}", "0".repeat(-point as usize))
+    } else if (point as usize) >= digits.len() {
+        format!("{digits}{}", "0".repeat(point as usize - digits.len()))
+    } else {
+        let (a, b) = digits.split_at(point as usize);
+        format!("{a}.{b}")
+    };
+    format!("{sign}{body}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_parsing() {
+        for (text, n, d, places) in [
+            ("0.034", 34, 1000, 3),
+            ("-0.000", 0, 1, 3),
+            ("+7", 7, 1, 0),
+            ("1.5e-3", 15, 10_000, 4),
+            ("2.5E2", 250, 1, 0),
+            (".5", 1, 2, 1),
+        ] {
+            let x = Decimal::parse(text).unwrap();
+            assert_eq!(x.value, Rational::from((n, d)), "{text}");
+            assert_eq!(x.places, places, "{text}");
+        }
+        for text in [
+            "",
+            "-",
+            ".",
+            "1,5",
+            "nan",
+            "inf",
+            "1e",
+            "1e999999999",
+            "1e-2147483648",
+            "0x10",
+            "1.2.3",
+            "--1",
+        ] {
+            assert!(Decimal::parse(text).is_err(), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn the_last_digit_has_its_place() {
+        for (text, n, d) in [
+            ("1.25", 1, 100),
+            ("1.2e4", 1000, 1),
+            ("12", 1, 1),
+            ("1.20e-1", 1, 1000),
+        ] {
+            assert_eq!(
+                Decimal::parse(text).unwrap().unit(),
+                Rational::from((n, d)),
+                "{text}"
+            );
+        }
+        let off = Decimal::parse("0.334").unwrap();
+        let off = off.units_off(&Ball::rational(100, &Rational::from((1, 3))));
+        assert!((off.to_f64() - 2.0 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn digits_are_printed_only_when_certified() {
+        let third = Ball::rational(100, &Rational::from((1, 3)));
+        assert_eq!(third.to_decimal(20).unwrap(), "0.33333333333333333333");
+        assert_eq!(third.to_fixed(4).unwrap(), "0.3333");
+        assert_eq!(third.to_decimal(40), None);
+        assert_eq!(third.to_fixed(40), None);
+        let minus = -(&third / &Ball::integer(100, 1000));
+        assert_eq!(minus.to_fixed(5).unwrap(), "-0.00033");
+        assert_eq!(minus.to_decimal(6).unwrap(), "-0.000333333");
+        assert_eq!(Ball::integer(64, 1200).to_decimal(6).unwrap(), "1200.00");
+        assert_eq!(Ball::integer(64, 0).to_decimal(6).unwrap(), "0");
+    }
+}

@@ -1,0 +1,195 @@
+//! C99 hexadecimal floats in, exactly.
+
+use rug::{Integer, Rational};
+
+/// A number as it stands in a C99 hexadecimal float such as `-0x1.8p-3`: exact, of any length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HexFloat {
+    negative: bool,
+    digits: Integer,
+    /// Of two.
+    exponent: i64,
+}
+
+/// The text is not a hexadecimal float.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{text:?} is not a hexadecimal float (such as -0x1.8p-3)")]
+pub struct HexFloatError {
+    /// The text.
+    pub text: String,
+}
+
+/// Exponents of two beyond this are refused, like those of decimals beyond 100 000.
+const LARGEST_EXPONENT: u64 = 350_000;
+
+impl HexFloat {
+    /// Reads an optional sign, `0x`, hexadecimal digits with at most one point, and an optional
+    /// `p` with a decimal exponent of two.
+    ///
+    /// ```
+    /// use mechaudit_reference::HexFloat;
+    /// let x = HexFloat::parse("-0x1.8p-3")?;
+    /// assert_eq!(x.value(), rug::Rational::from((-3, 16)));
+    /// assert_eq!(x.to_f64(), -0.1875);
+    /// # Ok::<(), mechaudit_reference::HexFloatError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Anything else, and an exponent beyond ±350 000.
+    pub fn parse(text: &str) -> Result<HexFloat, HexFloatError> {
+        HexFloat::read(text.trim()).ok_or_else(|| HexFloatError { text: text.into() })
+    }
+
+    fn read(text: &str) -> Option<HexFloat> {
+        let (negative, rest) = match text.as_bytes().first()? {
+            b'-' => (true, &text[1..]),
+            b'+' => (false, &text[1..]),
+            _ => (false, text),
+        };
+        let rest = rest
+            .strip_prefix("0x")
+            .or_else(|| rest.strip_prefix("0X"))?;
+        let (mantissa, exponent) = match rest.split_once(['p', 'P']) {
+            Some((mantissa, e)) => (mantissa, e.parse::<i64>().ok()?),
+            None => (rest, 0),
+        };
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let all = [whole, fraction].concat();
+        if all.is_empty() || !all.bytes().all(|b| b.is_ascii_hexdigit()) {
+            return None;
+        }
+        if exponent.unsigned_abs() > LARGEST_EXPONENT {
+            return None;
+        }
+        Some(HexFloat {
+            negative,
+            digits: Integer::from_str_radix(&all, 16).ok()?,
+            exponent: exponent - 4 * fraction.len() as i64,
+        })
+    }
+
+    /// The exact value.
+    pub fn value(&self) -> Rational {
+        let digits = Rational::from(&self.digits);
+        let q = match u32::try_from(self.exponent.unsigned_abs()) {
+            Ok(k) if self.exponent >= 0 => digits << k,
+            Ok(k) => digits >> k,
+            Err(_) => unreachable!("the exponent and the length are limited"),
+        };
+        if self.negative { -q } else { q }
+    }
+
+    /// The nearest `f64`, ties to even; the sign of a zero is kept.
+    pub fn to_f64(&self) -> f64 {
+        let size = nearest(&self.digits, self.exponent);
+        if self.negative { -size } else { size }
+    }
+}
+
+/// The `f64` next to `n 2^e`, n ≥ 0.
+fn nearest(n: &Integer, e: i64) -> f64 {
+    let length = i64::from(n.significant_bits());
+    if length == 0 || length + e < -1074 {
+        return 0.0;
+    }
+    if length + e > 1024 {
+        return f64::INFINITY;
+    }
+    // The place of the last bit kept.
+    let last = (length + e - 53).max(-1074);
+    let drop = last - e;
+    let mut kept = match drop {
+        // At most 53 bits: exact.
+        ..=0 => return exact(n.to_u64().unwrap_or(0), e),
+        _ => Integer::from(n >> drop as u32).to_u64().unwrap_or(0),
+    };
+    let half = n.get_bit(drop as u32 - 1);
+    let below = n.find_one(0).is_some_and(|k| i64::from(k) < drop - 1);
+    if half && (below || kept & 1 == 1) {
+        kept += 1;
+    }
+    exact(kept, last)
+}
+
+/// `n 2^e` for n up to 2^53 with a result that is an `f64` or beyond the largest.
+fn exact(n: u64, e: i64) -> f64 {
+    let power = |k: i64| f64::from_bits(((k + 1023) as u64) << 52);
+    let e = e.clamp(-1200, 1200);
+    let (a, b) = (e / 2, e - e / 2);
+    // The larger of the halves first: no rounding on the way.
+    n as f64 * power(a) * power(b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use rug::Float;
+
+    #[test]
+    fn as_c_reads_them() {
+        for (text, x) in [
+            ("0x1p+0", 1.0),
+            ("0x1.999999999999ap-4", 0.1),
+            ("-0X1.4P-3", -0.15625),
+            ("0x.8", 0.5),
+            ("+0xFF", 255.0),
+            ("0x10.p-4", 1.0),
+            ("0x0.0000000000001p-1022", f64::from_bits(1)),
+            ("0x1.fffffffffffffp+1023", f64::MAX),
+            // Ties and what is next to them.
+            ("0x1.00000000000008p0", 1.0),
+            ("0x1.000000000000080000001p0", 1.0f64.next_up()),
+            ("0x1.00000000000018p0", 1.0f64.next_up().next_up()),
+            ("0x1.fffffffffffff8p+1023", f64::INFINITY),
+            ("0x1.fffffffffffff7ffp+1023", f64::MAX),
+            ("0x1p-1075", 0.0),
+            ("0x1.0001p-1075", f64::from_bits(1)),
+            ("0x3p-1075", f64::from_bits(2)),
+            ("0x1p-1076", 0.0),
+            ("0x1p300000", f64::INFINITY),
+            ("0x1p-300000", 0.0),
+        ] {
+            let got = HexFloat::parse(text).unwrap().to_f64();
+            assert_eq!(got.to_bits(), x.to_bits(), "{text}: {got}");
+        }
+        let zero = HexFloat::parse("-0x0p+0").unwrap();
+        assert!(zero.to_f64() == 0.0 && zero.to_f64().is_sign_negative());
+        for bad in [
+            "",
+            "0x",
+            "0x.",
+            "1.8p3",
+            "0x1.8q3",
+            "0x1p",
+            "0x1p1.5",
+            "0x1.2.3",
+            "--0x1",
+            "0xg",
+            "0x1p400000",
+            "0x1p-9223372036854775808",
+            "x1",
+            "0x-1",
+            "0x1 p1",
+            "é",
+        ] {
+            assert!(HexFloat::parse(bad).is_err(), "{bad:?}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn values_and_rounding(n in any::<u64>(), e in -1160i64..1000, minus in any::<bool>()) {
+            let sign = if minus { "-" } else { "" };
+            let x = HexFloat::parse(&format!("{sign}0x{n:x}p{e}")).unwrap();
+            let mut exact = Float::with_val(80, n);
+            exact <<= e as i32;
+            if minus {
+                exact = -exact;
+            }
+            prop_assert_eq!(&x.value(), &exact.to_rational().unwrap());
+            // MPFR rounds to the nearest double, subnormal ones too.
+            prop_assert_eq!(x.to_f64(), exact.to_f64());
+        }
+    }
+}

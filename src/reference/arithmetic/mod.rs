@@ -1,0 +1,9 @@
+//! Balls, numbers as they are written, Taylor models.
+
+pub(crate) mod ball;
+pub(crate) mod complex;
+pub(crate) mod decimal;
+pub(crate) mod elementary;
+pub(crate) mod hex_float;
+pub(crate) mod mag;
+pub(crate) mod taylor_model;

@@ -1,0 +1,244 @@
+use super::*;
+use crate::{Ball, ComplexBall, Mag};
+use proptest::prelude::*;
+use rug::{Float, Rational};
+
+fn problem(values: [f64; 9]) -> Problem {
+    Problem::new(&values.map(|x| Rational::from_f64(x).unwrap())).unwrap()
+}
+
+fn overlap(a: &Response, b: &Response, what: &str) {
+    for (x, y) in a.components().into_iter().zip(b.components()) {
+        assert!(x.overlaps(y), "{what}: {} {}", x.mid(), y.mid());
+    }
+}
+
+/// w, n, ε, Ω₀, k, δ, y₀, v₀, t
+const CASES: &[[f64; 9]] = &[
+    [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
+    [10.0, 0.5, -4.0, 30.0, 2.0, 0.3, 0.1, -2.0, 8.0],
+    [10.0, 10.0, 4.0, 0.0, 2.0, 0.3, 0.1, -2.0, 3.0],
+    [
+        10.0,
+        10.0 * (1.0 + 1e-12),
+        4.0,
+        0.0,
+        2.0,
+        0.3,
+        0.1,
+        -2.0,
+        3.0,
+    ],
+    [
+        10.0,
+        10.0 * (1.0 - 1e-12),
+        4.0,
+        0.0,
+        2.0,
+        0.3,
+        0.1,
+        -2.0,
+        3.0,
+    ],
+    [10.0, 40.0, -4.0, 10.0, 1.0, 0.3, 0.1, -2.0, 3.0],
+    [10.0, 0.0, 0.0, 10.0, 1.0, 0.3, 0.1, -2.0, 3.0],
+    [10.0, 0.0, 0.0, -10.0, 1.0, 0.3, 0.1, -2.0, 3.0],
+    [10.0, 0.0, 0.0, 3.0, 1.0, 0.3, 0.1, -2.0, 3.0],
+    [10.0, 10.0, 0.0, 3.0, 1.0, 0.3, 0.1, -2.0, 3.0],
+    [10.0, 0.1, 5.0, 3.0, 0.0, 0.3, 0.1, -2.0, 3.0],
+    [10.0, 0.0, 1e-9, 10.0, 1.0, 0.3, 0.0, 0.0, 3.0],
+    [10.0, 0.1, 100.0, -30.0, 1.0, 0.3, 0.0, 0.0, 2.0],
+    [10.0, 0.1, 1.0, -3.0, 3.0, 0.3, 0.0, 0.0, 0.001],
+    [10.0, 0.1, 1.0, -3.0, 3.0, 0.3, 0.5, 0.25, 0.0],
+];
+
+#[test]
+fn the_closed_form_and_the_panels_overlap() {
+    for case in CASES {
+        let p = problem(*case);
+        let what = format!("{case:?}");
+        let closed = enclose(&p, 160);
+        let panels = taylor::enclose(&p, 160).unwrap();
+        overlap(&closed, &panels, &what);
+        for x in panels.components() {
+            assert!(x.rad() < Mag::power_of_two(-120), "{what}: {:?}", x.rad());
+        }
+        // What is promised about the closed form.
+        let decided = response(&p, 100).unwrap();
+        overlap(&decided, &panels, &what);
+        for x in decided.components() {
+            assert!(x.is_zero() || x.accuracy_bits() >= 100, "{what}");
+        }
+    }
+}
+
+#[test]
+fn hundreds_of_digits() {
+    let p = problem(CASES[1]);
+    let (a, b) = (enclose(&p, 1200), taylor::enclose(&p, 1200).unwrap());
+    overlap(&a, &b, "1200 bits");
+    assert!(a.y.accuracy_bits() > 1150 && b.y.accuracy_bits() > 1150);
+}
+
+#[test]
+fn too_many_panels_are_refused() {
+    let p = problem([1.0, 0.1, 0.0, 1e9, 1.0, 0.0, 0.0, 0.0, 1e3]);
+    assert!(taylor::enclose(&p, 100).is_err());
+    assert!(response(&p, 100).is_ok());
+}
+
+#[test]
+fn what_is_no_problem() {
+    let at =
+        |w: i32, n: i32, t: i32| Problem::new(&[w, n, 1, 1, 1, 0, 0, 0, t].map(Rational::from));
+    assert_eq!(at(0, 1, 1).unwrap_err().name(), "not positive");
+    assert_eq!(at(1, -1, 1).unwrap_err().name(), "negative");
+    assert_eq!(
+        at(1, 1, -1).unwrap_err().to_string(),
+        "t must not be negative"
+    );
+}
+
+/// Condition numbers against the closed solution of a constant force on an undamped oscillator,
+/// `y = 1 − cos wt`: w and t have `wt sin wt` each, δ = 0.
+#[test]
+fn conditions_of_a_constant_force() {
+    let p = problem([2.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.7]);
+    let c = conditions(&p).unwrap();
+    let slope = 1.4 * 1.4f64.sin();
+    assert!((c[0] / (2.0 * slope) - 1.0).abs() < 1e-9, "{c:?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+    /// Enclosures at low and at high precision contain the same number, by either way.
+    #[test]
+    fn containment(
+        w in 0.5f64..8.0, zeta in 0.0f64..3.0, near in 0u32..3, eps in -4.0f64..4.0, omega0 in -6.0f64..6.0,
+        k in -5i32..6, delta in -3.0f64..3.0, y0 in -1.0f64..1.0, t in 0.0f64..5.0, bits in 20u32..140,
+    ) {
+        let n = match near { 0 => w, 1 => w * (1.0 + 1e-9 * (zeta - 1.5)), _ => w * zeta };
+        let p = problem([w, n, eps, omega0, f64::from(k), delta, y0, 0.5, t]);
+        let high = enclose(&p, 400);
+        let low = enclose(&p, bits);
+        let panels = taylor::enclose(&p, bits.max(40)).unwrap();
+        for ((a, b), c) in high.components().into_iter().zip(low.components()).zip(panels.components()) {
+            prop_assert!(a.accuracy_bits() > 200 || a.magnitude() < Mag::power_of_two(-60));
+            prop_assert!(a.overlaps(b) && a.overlaps(c), "{} {} {}", a.mid(), b.mid(), c.mid());
+        }
+    }
+}
+
+/// A node of the Gauss–Legendre rule with its weight, proven by a change of sign.
+fn node(points: u32, near: f64, prec: u32) -> (Ball, Ball) {
+    let legendre = |x: &Ball| {
+        let (mut a, mut b) = (Ball::integer(prec, 1), x.clone());
+        for j in 2..=i64::from(points) {
+            let next = (&(x * &b) * Ball::integer(prec, 2 * j - 1)
+                - &a * Ball::integer(prec, j - 1))
+                / Ball::integer(prec, j);
+            a = std::mem::replace(&mut b, next);
+        }
+        (a, b)
+    };
+    // P′ = N (P_{N−1} − x P_N)/(1 − x²)
+    let slope = |x: &Ball, a: &Ball, b: &Ball| {
+        let one = Ball::integer(prec, 1);
+        Ball::integer(prec, i64::from(points)) * (a - &(x * b)) / (one - x.square())
+    };
+    let mut mid = Float::with_val(prec, near);
+    for _ in 0..8 {
+        let x = Ball::new(mid.clone(), Mag::ZERO);
+        let (a, b) = legendre(&x);
+        mid -= Float::with_val(prec, b.mid() / slope(&x, &a, &b).mid());
+    }
+    let rad = Mag::power_of_two(90 - i64::from(prec));
+    let step = rad.to_float();
+    let end = |x: Float| legendre(&Ball::new(x, Mag::ZERO)).1;
+    let (low, high) = (
+        end(Float::with_val(prec, &mid - &step)),
+        end(Float::with_val(prec, &mid + &step)),
+    );
+    assert!(
+        low.is_negative() != high.is_negative() && !low.contains_zero() && !high.contains_zero()
+    );
+    let x = Ball::new(mid, rad);
+    let (a, b) = legendre(&x);
+    let d = slope(&x, &a, &b);
+    let one = Ball::integer(prec, 1);
+    let weight = Ball::integer(prec, 2) / ((one - x.square()) * d.square());
+    (x, weight)
+}
+
+/// `A` by Gauss–Legendre panels: with N points and the integrand bounded by M within the Bernstein
+/// ellipse ρ the error is at most `(64/15) M ρ^{−2(N−1)}/(1 − ρ^{−2})` (Trefethen, *Approximation
+/// Theory and Approximation Practice*, Theorem 19.3) times the half-width. Within the ellipse
+/// `|s − c| ≤ r = h (ρ + 1/ρ)/2`, and there `|K h| ≤ (|K| + |K′|/w) e^{(w + 2n + |q| + κr) r}` as for the panels.
+fn by_gauss_legendre(values: [f64; 9], prec: u32) -> ComplexBall {
+    const POINTS: u32 = 40;
+    const RHO: f64 = 16.0;
+    let p = problem(values);
+    let [w, n, eps, omega0, k, _, _, _, t] = values;
+    let nodes: Vec<(Ball, Ball)> = (1..=POINTS)
+        .map(|i| {
+            let angle = std::f64::consts::PI * (f64::from(i) - 0.25) / (f64::from(POINTS) + 0.5);
+            // The recurrence widens a ball threefold in every step.
+            node(POINTS, angle.cos(), prec + 120)
+        })
+        .collect();
+    for pair in nodes.windows(2) {
+        assert!(!pair[0].0.overlaps(&pair[1].0));
+    }
+    let fastest = (k * omega0).abs().max((k * (omega0 + eps * t)).abs());
+    let panels = ((w + 2.0 * n + fastest) * t / 2.0).ceil() as u32;
+    let half = Rational::from(&p.t / (2 * panels));
+    let omega = p.kappa() * &p.t + p.nu();
+    let h = Ball::rational(prec, &half);
+    let (omega, kappa) = (
+        Ball::rational(prec, &omega),
+        Ball::rational(prec, &p.kappa()),
+    );
+    let w3 = (-Ball::rational(prec, &p.square())).sqrt();
+    let damping = Ball::rational(prec, &p.n);
+    let mut sum = ComplexBall::zero(prec);
+    for j in 0..panels {
+        let centre = Ball::rational(prec, &Rational::from(&half * (2 * j + 1)));
+        let integrand = |s: &Ball| {
+            let decay = (-(&damping * s)).exp() / &w3;
+            let sine = (&w3 * s).sin_cos().0;
+            let angle = s * (&omega - &(&kappa * s).shift(-1));
+            ComplexBall::unit(&angle).scaled(&(decay * sine))
+        };
+        for (x, weight) in &nodes {
+            sum = &sum + &integrand(&(&centre + &(&h * x))).scaled(&(weight * &h));
+        }
+        // K and K′/w are at most e^{−ns} (s + (1 + ns)/w) ≤ t + 2/w in modulus.
+        let size = t + 2.0 / w;
+        let r = h.to_f64() * (RHO + 1.0 / RHO) / 2.0 * (1.0 + 1e-12);
+        let q = (&omega - &(&kappa * &centre)).magnitude().to_f64();
+        let growth = (w + 2.0 * n + q + (k * eps).abs() * r) * r * (1.0 + 1e-12);
+        let bound = Ball::exact(prec, growth).exp().magnitude();
+        let mut error = bound
+            .mul(Mag::from_f64(size * 64.0 / 15.0 * 1.01))
+            .mul(h.magnitude());
+        for _ in 0..2 * (POINTS - 1) {
+            error = error.div(Mag::from_f64(RHO));
+        }
+        sum = sum.widened(error);
+    }
+    sum.scaled(&Ball::rational(prec, &Rational::from(p.w.square_ref())))
+}
+
+#[test]
+fn gauss_legendre_bears_witness() {
+    for case in [CASES[0], CASES[1], CASES[12], CASES[13]] {
+        let witness = by_gauss_legendre(case, 200);
+        let closed = enclose(&problem(case), 200).amplitude;
+        assert!(witness.overlaps(&closed), "{case:?}");
+        assert!(
+            witness.radius() < Mag::power_of_two(-85),
+            "{case:?}: {:?}",
+            witness.radius()
+        );
+    }
+}

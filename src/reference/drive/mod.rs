@@ -1,0 +1,3 @@
+//! Machines under a motor.
+
+pub mod run_up;

@@ -1,0 +1,125 @@
+//! Free motion over one turn: what an inconsistent dI_n/dφ does to the speed.
+//!
+//! With `M_d = M_o = 0` the equation of motion is linear in the speed along the path,
+//! `dψ/dφ = −½ ψ S/(I_n + I_1)` with S in the place of dI_n/dφ, so one turn multiplies ψ by
+//! `exp(−½ ∮ S/(I_n + I_1) dφ)`. If S is the derivative of I_n, the integral is zero and the turn
+//! conserves the speed.
+//!
+//! The integral is taken panel by panel: with a polynomial q ≈ 1/J over a part of a panel,
+//! `|S/J − S q| ≤ |S| |1 − J q|/J`, all in Taylor models; parts are halved until q is good.
+
+use super::coefficients::Coefficients;
+use super::linkage_panel::Panel;
+use super::series::reciprocal;
+use crate::taylor_model::TaylorModel;
+use crate::{Ball, Mag, Undecided};
+use rug::float::Round;
+use rug::{Float, Rational};
+
+/// One turn in free motion.
+#[derive(Clone, Debug)]
+pub struct FreeTurn {
+    /// `∮ S/(I_n + I_1) dφ`.
+    pub integral: Ball,
+    /// What the turn multiplies the speed by: `exp(−½ integral)`.
+    pub factor: Ball,
+}
+
+/// Halvings of a panel before it is given up.
+const DEEPEST: u32 = 30;
+
+/// Encloses `∮ S/(I_n + I_1) dφ` over one turn and the factor of the speed.
+///
+/// # Errors
+/// [`Undecided`] when I_n + I_1 cannot be told from zero somewhere, or the linkage cannot be
+/// followed over the turn.
+pub fn free_motion_factor(
+    model: &Coefficients,
+    rotor_inertia: &Rational,
+) -> Result<FreeTurn, Undecided> {
+    let bits = model.bits;
+    let rotor = Ball::rational(bits, rotor_inertia);
+    let order = bits as usize / 3 + 8;
+    let mut sum = Ball::integer(bits, 0);
+    for k in 0..i64::from(model.panels) {
+        let panel = model.panel(k)?;
+        let mut parts = vec![(Float::new(64), 0u32)];
+        while let Some((centre, depth)) = parts.pop() {
+            match part(&panel, &rotor, &centre, depth, order) {
+                Some(x) => sum = sum + x,
+                None if depth < DEEPEST => {
+                    let by = Float::with_val(64, 1) >> (depth + 1);
+                    parts.push((Float::with_val(64, &centre - &by), depth + 1));
+                    parts.push((centre + by, depth + 1));
+                }
+                None => {
+                    return Err(Undecided {
+                        bits,
+                        reason: "I_n + I_1 cannot be told from zero".into(),
+                    });
+                }
+            }
+        }
+    }
+    let integral = sum * &model.half_width() / Ball::integer(bits, i64::from(model.turns));
+    let factor = exp(&-integral.shift(-1));
+    Ok(FreeTurn { integral, factor })
+}
+
+/// `∫ S/J dw` over `|w − centre| ≤ 2^−depth`; `None` if 1/J has no good polynomial there.
+fn part(panel: &Panel, rotor: &Ball, centre: &Float, depth: u32, order: usize) -> Option<Ball> {
+    let bits = rotor.prec();
+    let reach = Mag::power_of_two(-i64::from(depth));
+    let width = Ball::new(reach.to_float(), Mag::ZERO);
+    let near = |m: &TaylorModel| m.shifted(centre, reach).contracted(&width);
+    let inertia = near(&panel.inertia).plus_ball(rotor);
+    let range = inertia.range();
+    if !range.is_positive() {
+        return None;
+    }
+    let q = TaylorModel::polynomial(reciprocal(inertia.coefficients(), order, bits));
+    let off = inertia
+        .times(&q, order)
+        .plus_ball(&Ball::integer(bits, -1))
+        .norm();
+    // As good as the coefficients are, or as the arithmetic allows.
+    let inherent = inertia.rad().div(range.mignitude()).shift(2);
+    if !(off <= inherent.max(Mag::power_of_two(12 - i64::from(bits)))) {
+        return None;
+    }
+    let slope = near(&panel.slope);
+    let lost = slope.norm().mul(off).div(range.mignitude());
+    let primitive = slope.times(&q, order).integral().widened(lost);
+    let one = Ball::integer(bits, 1);
+    Some((primitive.eval(&one) - primitive.eval(&-one)) * width)
+}
+
+/// `e^x`: the midpoint correctly rounded, `|e^x − e^m| ≤ e^m (e^r − 1)`.
+fn exp(x: &Ball) -> Ball {
+    let bits = x.prec();
+    let mid = Float::with_val_round(bits, x.mid().exp_ref(), Round::Nearest).0;
+    let mut growth = x.rad().to_float();
+    growth.exp_m1_round(Round::Up);
+    let size = Mag::above(&mid).add(Mag::above(&mid).shift(-i64::from(bits)));
+    let rad = size
+        .mul(Mag::above(&growth))
+        .add(size.shift(-i64::from(bits)));
+    Ball::new(mid, rad)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponential() {
+        for (x, r) in [(0.3f64, 0.0f64), (-2.0, 1e-9), (1.5, 0.25)] {
+            let e = exp(&Ball::new(Float::with_val(90, x), Mag::from_f64(r)));
+            for t in [-1.0f64, -0.3, 0.0, 1.0] {
+                let at: Float = Float::with_val(300, r) * t + x;
+                assert!(e.contains_ball(&Ball::new(at.exp(), Mag::power_of_two(-280))));
+            }
+            assert!(r > 0.0 || e.rad() < Mag::power_of_two(-80));
+        }
+    }
+}

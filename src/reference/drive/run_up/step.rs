@@ -1,0 +1,237 @@
+//! One step along the path: the equation, the candidate and the length of the step.
+//! [`super::proof`] proves it.
+//!
+//! # Equation along the path
+//! On a piece of the path without a stop let `φ = φ_0 ± σ(u)`, `σ' = σ_1 u^w`, `0 ≤ u ≤ 1`, and
+//! let v be the speed along the path, `T(v)` the motor's torque along it, `J = I_n + I_1`,
+//! `G = ±σ' S` with S in the place of dI_n/dφ (`G = J_u` when S is the derivative of I_n). Then
+//!
+//! ```text
+//! J v v_u = σ' (T(v) ± M_o) − ½ G v²       t_u = σ'/v                                   (1)
+//! ```
+//!
+//! The first equation is scalar and does not contain t, so nothing wraps, and t is a quadrature.
+//!
+use super::linkage_panel::Panel;
+use super::motor::Characteristic;
+use super::piece::Piece;
+use super::proof::Proof;
+use super::series::{Equation, reciprocal};
+use crate::taylor_model::TaylorModel;
+use crate::{Ball, Mag};
+use rug::Float;
+
+/// Positions within a panel are multiples of 2^−GRID of its half-width.
+pub(super) const GRID: u32 = 64;
+
+/// What stays the same over a run.
+pub(super) struct Setting {
+    pub bits: u32,
+    pub order: usize,
+    /// Half the width of a panel in radians.
+    pub half_width: Ball,
+    /// I_1.
+    pub rotor: Ball,
+    /// Along the path.
+    pub motor: Characteristic,
+    /// Whether φ falls along the path.
+    pub backward: bool,
+}
+
+/// Where a step starts: a position in its panel, and the speed along the path.
+pub(super) struct Start {
+    /// `w = (φ − φ_c)/h`.
+    pub x: Float,
+    /// What the true position may differ by.
+    pub slack: Mag,
+    /// `None` at rest.
+    pub speed: Option<Ball>,
+}
+
+/// Why a step could not be proved.
+pub(super) type Refusal = &'static str;
+
+/// `first · c(f u)`.
+fn rescaled(c: &[Float], f: &Float, first: Float, bits: u32) -> Vec<Float> {
+    let mut power = first;
+    c.iter()
+        .map(|x| {
+            let y = Float::with_val(bits, x * &power);
+            power *= f;
+            y
+        })
+        .collect()
+}
+
+/// The share of the scale at which the last coefficients fall below 2^−bits of the first, and all
+/// but the first add up to less than `sum` of it.
+fn usable(c: &[Float], bits: u32, sum: f64) -> f64 {
+    let Some(e0) = c.first().and_then(Float::get_exp) else {
+        return 0.0;
+    };
+    let mut log2 = 0f64;
+    let n = c.len();
+    for k in n.saturating_sub(4).max(1)..n {
+        if n > 8
+            && let Some(e) = c[k].get_exp()
+        {
+            let excess = f64::from(e - e0) + f64::from(bits);
+            log2 = log2.min(-excess / k as f64);
+        }
+    }
+    // Ratios as f64 on a logarithmic scale.
+    let ratio: Vec<(f64, f64)> = c[1..]
+        .iter()
+        .enumerate()
+        .filter_map(|(k, x)| {
+            let e = x.get_exp()?;
+            let m = Float::with_val(53, x / &c[0]).abs().to_f64();
+            let log = if m > 0.0 && m.is_finite() {
+                m.log2()
+            } else {
+                f64::from(e - e0)
+            };
+            Some((k as f64 + 1.0, log))
+        })
+        .collect();
+    let total = |l: f64| ratio.iter().map(|(k, r)| (r + k * l).exp2()).sum::<f64>();
+    for _ in 0..400 {
+        if total(log2) <= sum {
+            return log2.exp2();
+        }
+        log2 -= 0.25;
+    }
+    0.0
+}
+
+/// A step from `start` towards `limit`, at most half a panel long and at most `longest`.
+pub(super) fn step(
+    set: &Setting,
+    panel: &Panel,
+    start: &Start,
+    limit: &Float,
+    longest: f64,
+) -> Result<Piece, Refusal> {
+    let bits = set.bits;
+    let wide = bits + 64;
+    let rest = start.speed.is_none();
+    let sign = if set.backward { -1 } else { 1 };
+    let left = Float::with_val(wide, limit - &start.x).abs();
+    let far = Float::with_val(wide, longest);
+    let scale = if left < far { left.clone() } else { far };
+    let reach = Mag::above(&scale);
+    let here = Float::with_val(bits, &start.x);
+    let moved = |m: &TaylorModel| {
+        let slack = start
+            .slack
+            .add(Mag::above(&Float::with_val(64, &here - &start.x)));
+        m.shifted(&here, reach).widened(m.motion(slack.shift(1)))
+    };
+    let inertia = moved(&panel.inertia).plus_ball(&set.rotor);
+    let (slope, moment) = (moved(&panel.slope), moved(&panel.moment));
+    let along = |m: &TaylorModel, theta: &Ball| {
+        let m = m.contracted(&(if set.backward { -theta } else { theta.clone() }));
+        if rest { m.of_square(2 * set.order) } else { m }
+    };
+    let sigma = |theta: &Ball| {
+        let s = &set.half_width * theta;
+        (if rest { s.shift(1) } else { s }).with_prec(bits)
+    };
+
+    // Candidate at the full scale, then at the share of it that the coefficients allow.
+    let whole = Ball::new(scale.clone(), Mag::ZERO);
+    let s1 = sigma(&whole);
+    let signed = if set.backward { -&s1 } else { s1.clone() };
+    let (n, d) = set.motor.midpoints();
+    let at_scale = along(&inertia, &whole);
+    let chi = Equation {
+        inertia: at_scale.coefficients(),
+        slope: along(&slope, &whole).scaled(&signed).coefficients(),
+        moment: along(&moment, &whole).scaled(&signed).coefficients(),
+        numerator: n.map(|n| n * s1.mid()),
+        denominator: d,
+        bits,
+    }
+    .solve(start.speed.as_ref().map(Ball::mid), set.order)
+    .ok_or("the motion cannot be developed from its start")?;
+    let inverse = reciprocal(&chi, set.order, bits);
+    // A low degree is not driven into tiny steps: the last term may stay above rounding.
+    let small = bits.min(3 * set.order as u32);
+    let share = usable(&chi, small, 0.25)
+        .min(usable(&inverse, small, 1.0))
+        .min(usable(at_scale.coefficients(), 0, 0.5));
+    let part = if rest { share * share } else { share };
+    let (x1, theta) = if part >= 1.0 {
+        let x1 = if scale == left {
+            limit.clone()
+        } else {
+            on_grid(&start.x, &scale, sign, wide)
+        };
+        let theta = Float::with_val(wide, &x1 - &start.x).abs();
+        (x1, theta)
+    } else {
+        let x1 = on_grid(&start.x, &Float::with_val(wide, &scale * part), sign, wide);
+        let theta = Float::with_val(wide, &x1 - &start.x) * sign;
+        (x1, theta)
+    };
+    if !(theta > 0) {
+        return Err("the steps become too short: a stop, or a singular motion");
+    }
+    let mut f = Float::with_val(bits, &theta / &scale);
+    if rest {
+        f.sqrt_mut();
+    }
+    // From rest p = u χ, so χ takes one factor more, and its reciprocal one less.
+    let one = Float::with_val(bits, 1);
+    let (more, less) = if rest {
+        (f.clone(), Float::with_val(bits, &one / &f))
+    } else {
+        (one.clone(), one)
+    };
+    let chi = TaylorModel::polynomial(rescaled(&chi, &f, more, bits));
+    let inverse = TaylorModel::polynomial(rescaled(&inverse, &f, less, bits));
+
+    // Models over the step: from the true start to x1.
+    let theta = Ball::new(theta, start.slack);
+    let s1 = sigma(&theta);
+    let signed = if set.backward { -&s1 } else { s1.clone() };
+    let inertia = along(&inertia, &theta);
+    let slope = along(&slope, &theta).scaled(&signed);
+    let moment = along(&moment, &theta).scaled(&signed);
+    let proof = Proof {
+        set,
+        rest,
+        chi,
+        inertia,
+        slope,
+        moment,
+        s1: &s1,
+    };
+    let done = proof.bound(start.speed.as_ref(), &inverse)?;
+    Ok(Piece {
+        x0: start.x.clone(),
+        slack: start.slack,
+        backward: set.backward,
+        x1,
+        theta,
+        rest,
+        duration: done.time.eval(&Ball::integer(bits, 1)),
+        chi: proof.chi,
+        chi_error: done.chi_error,
+        time: done.time,
+        time_rate: done.time_rate,
+        speed: done.speed,
+    })
+}
+
+/// `x ± length`, not further, on the grid of positions.
+fn on_grid(x: &Float, length: &Float, sign: i32, bits: u32) -> Float {
+    let aim = Float::with_val(bits, length * sign) + x;
+    let mut scaled = aim << GRID;
+    if sign > 0 {
+        scaled.floor_mut();
+    } else {
+        scaled.ceil_mut();
+    }
+    scaled >> GRID
+}

@@ -1,0 +1,53 @@
+//! Arbitrary-precision references: every value a [`Ball`] with a proven radius, or exact.
+//!
+//! Nothing here knows the solvers or who audits them. A reference that cannot decide returns
+//! [`Undecided`]; it never falls back on anything else.
+//!
+//! | folder | modules |
+//! |---|---|
+//! | arithmetic | [`Ball`], [`ComplexBall`], [`Mag`], [`Decimal`], [`HexFloat`], Taylor models |
+//! | special | [`faddeeva`] |
+//! | linear | [`tridiagonal`], [`BallLu`] |
+//! | splines | [`cubic_spline`] |
+//! | linkages | [`class_iii`], [`dyad`] |
+//! | drive | [`run_up`] |
+//! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
+//!
+//! Balls are over MPFR, through the crate `rug`: whoever links this links GMP and MPFR (LGPL).
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod arithmetic;
+mod cams;
+mod drive;
+mod linear;
+mod linkages;
+mod special;
+mod splines;
+
+use arithmetic::{ball, complex, decimal, hex_float, mag, taylor_model};
+use linear::lu;
+
+pub use cams::{cam_law, chirp_oscillator, fourier_series};
+pub use drive::run_up;
+pub use linear::tridiagonal;
+pub use linkages::{class_iii, dyad};
+pub use special::faddeeva;
+pub use splines::cubic_spline;
+
+pub use ball::{Ball, dot};
+pub use complex::ComplexBall;
+pub use decimal::{Decimal, DecimalError};
+pub use hex_float::{HexFloat, HexFloatError};
+pub use lu::BallLu;
+pub use mag::Mag;
+
+/// The reference could not decide at the precision it was allowed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("undecided at {bits} bits: {reason}")]
+pub struct Undecided {
+    /// The highest precision tried.
+    pub bits: u32,
+    /// What stayed open.
+    pub reason: String,
+}

@@ -1,0 +1,355 @@
+//! Exact solutions of sparse linear systems, in particular tridiagonal and cyclic ones.
+//!
+//! Gaussian elimination in integers: every row is cleared of denominators, eliminated by
+//! cross-multiplication and divided by the greatest common divisor of its entries; the pivot of a
+//! column is the shortest candidate. Nothing is rounded, so a system without a pivot is singular,
+//! and that is an answer.
+
+use rug::{Integer, Rational};
+use std::collections::BTreeMap;
+
+/// One equation: the coefficients by column, and its right-hand sides.
+pub type Equation = (BTreeMap<usize, Rational>, Vec<Rational>);
+
+struct IntegerRow {
+    entries: BTreeMap<usize, Integer>,
+    rhs: Vec<Integer>,
+}
+
+impl IntegerRow {
+    fn new((entries, rhs): Equation) -> IntegerRow {
+        let mut lcm = Integer::from(1);
+        for q in entries.values().chain(&rhs) {
+            lcm.lcm_mut(q.denom());
+        }
+        let clear = |q: &Rational| -> Integer {
+            let factor = Integer::from(lcm.div_exact_ref(q.denom()));
+            factor * q.numer()
+        };
+        let mut row = IntegerRow {
+            entries: entries
+                .iter()
+                .filter(|(_, q)| **q != 0)
+                .map(|(&j, q)| (j, clear(q)))
+                .collect(),
+            rhs: rhs.iter().map(clear).collect(),
+        };
+        row.reduce();
+        row
+    }
+
+    /// Divides by the content.
+    fn reduce(&mut self) {
+        let mut gcd = Integer::new();
+        for v in self.entries.values().chain(&self.rhs) {
+            gcd.gcd_mut(v);
+            if gcd == 1 {
+                return;
+            }
+        }
+        if gcd > 1 {
+            for v in self.entries.values_mut().chain(&mut self.rhs) {
+                v.div_exact_mut(&gcd);
+            }
+        }
+    }
+
+    /// Removes `column` with the help of `pivot`, which begins there.
+    fn eliminate(&mut self, column: usize, pivot: &IntegerRow) {
+        let Some(f) = self.entries.remove(&column) else {
+            return;
+        };
+        let p = &pivot.entries[&column];
+        let gcd = Integer::from(f.gcd_ref(p));
+        let (f, p) = (f / &gcd, Integer::from(p / &gcd));
+        for v in self.entries.values_mut().chain(&mut self.rhs) {
+            *v *= &p;
+        }
+        for (&j, v) in pivot.entries.range(column + 1..) {
+            *self.entries.entry(j).or_default() -= Integer::from(v * &f);
+        }
+        for (a, b) in self.rhs.iter_mut().zip(&pivot.rhs) {
+            *a -= Integer::from(b * &f);
+        }
+        self.entries.retain(|_, v| *v != 0);
+        self.reduce();
+    }
+
+    fn size(&self) -> (usize, u32) {
+        let bits = self.entries.values().map(Integer::significant_bits).sum();
+        (self.entries.len(), bits)
+    }
+}
+
+/// The solution of `n` equations in `n` unknowns for every right-hand side: `x[unknown][side]`.
+/// `None` if and only if the matrix is singular.
+///
+/// # Panics
+/// When the numbers of equations, columns and right-hand sides do not fit together.
+pub fn solve_sparse(n: usize, equations: Vec<Equation>) -> Option<Vec<Vec<Rational>>> {
+    assert_eq!(equations.len(), n, "as many equations as unknowns");
+    let sides = equations.first().map_or(0, |e| e.1.len());
+    let mut begins: Vec<Vec<IntegerRow>> = (0..n).map(|_| Vec::new()).collect();
+    for e in equations {
+        assert_eq!(
+            e.1.len(),
+            sides,
+            "as many right-hand sides in every equation"
+        );
+        let row = IntegerRow::new(e);
+        let first = *row.entries.keys().next()?;
+        begins[first].push(row);
+    }
+    let mut pivots = Vec::with_capacity(n);
+    for column in 0..n {
+        let mut rows = std::mem::take(&mut begins[column]);
+        let best = (0..rows.len()).min_by_key(|&i| rows[i].size())?;
+        let pivot = rows.swap_remove(best);
+        for mut row in rows {
+            row.eliminate(column, &pivot);
+            let first = *row.entries.keys().next()?;
+            begins[first].push(row);
+        }
+        pivots.push(pivot);
+    }
+    let mut x: Vec<Vec<Rational>> = vec![Vec::new(); n];
+    for column in (0..n).rev() {
+        let row = &pivots[column];
+        let p = &row.entries[&column];
+        x[column] = (0..sides)
+            .map(|k| {
+                let mut v = Rational::from(&row.rhs[k]);
+                for (&j, a) in row.entries.range(column + 1..) {
+                    v -= Rational::from(&x[j][k] * a);
+                }
+                v / p
+            })
+            .collect();
+    }
+    Some(x)
+}
+
+fn equation(entries: impl IntoIterator<Item = (usize, Rational)>, rhs: Vec<Rational>) -> Equation {
+    let mut row: BTreeMap<usize, Rational> = BTreeMap::new();
+    for (j, v) in entries {
+        *row.entry(j).or_default() += v;
+    }
+    (row, rhs)
+}
+
+/// The equations of a tridiagonal matrix, with `rhs[i]` the right-hand sides of row `i`.
+fn band(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    rhs: Vec<Vec<Rational>>,
+) -> Vec<Equation> {
+    let n = diagonal.len();
+    let row = |(i, rhs): (usize, Vec<Rational>)| {
+        let mut e = vec![(i, diagonal[i].clone())];
+        if i > 0 {
+            e.push((i - 1, lower[i - 1].clone()));
+        }
+        if i + 1 < n {
+            e.push((i + 1, upper[i].clone()));
+        }
+        equation(e, rhs)
+    };
+    rhs.into_iter().enumerate().map(row).collect()
+}
+
+/// The equations of a cyclic tridiagonal matrix; entries that fall on one place are added.
+fn ring(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    rhs: Vec<Vec<Rational>>,
+) -> Vec<Equation> {
+    let n = diagonal.len();
+    let row = |(i, rhs): (usize, Vec<Rational>)| {
+        let e = [
+            ((i + n - 1) % n, lower[i].clone()),
+            (i, diagonal[i].clone()),
+            ((i + 1) % n, upper[i].clone()),
+        ];
+        equation(e, rhs)
+    };
+    rhs.into_iter().enumerate().map(row).collect()
+}
+
+fn single(d: &[Rational]) -> Vec<Vec<Rational>> {
+    d.iter().map(|d| vec![d.clone()]).collect()
+}
+
+fn identity(n: usize) -> Vec<Vec<Rational>> {
+    let row = |i| (0..n).map(|j| Rational::from(u32::from(i == j))).collect();
+    (0..n).map(row).collect()
+}
+
+/// The exact solution of a tridiagonal system (`lower` and `upper` one shorter than `diagonal`),
+/// `None` if it is singular.
+///
+/// ```
+/// use mechaudit_reference::tridiagonal::solve;
+/// use rug::Rational;
+/// let q = |v: &[i32]| -> Vec<Rational> { v.iter().map(|&v| v.into()).collect() };
+/// let x = solve(&q(&[1]), &q(&[0, 1]), &q(&[1]), &q(&[2, 5]));
+/// assert_eq!(x, Some(q(&[3, 2])));
+/// assert_eq!(solve(&q(&[1]), &q(&[1, 1]), &q(&[1]), &q(&[2, 5])), None);
+/// ```
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn solve(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    d: &[Rational],
+) -> Option<Vec<Rational>> {
+    let x = solve_sparse(diagonal.len(), band(lower, diagonal, upper, single(d)))?;
+    Some(x.into_iter().flatten().collect())
+}
+
+/// The exact solution of a cyclic system: all slices have `n` entries, `lower[0]` stands in the
+/// last column and `upper[n-1]` in the first. `None` if it is singular.
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn solve_cyclic(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+    d: &[Rational],
+) -> Option<Vec<Rational>> {
+    let x = solve_sparse(diagonal.len(), ring(lower, diagonal, upper, single(d)))?;
+    Some(x.into_iter().flatten().collect())
+}
+
+/// The exact inverse of a tridiagonal matrix, by rows; `None` if it is singular.
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn inverse(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+) -> Option<Vec<Vec<Rational>>> {
+    let n = diagonal.len();
+    solve_sparse(n, band(lower, diagonal, upper, identity(n)))
+}
+
+/// The exact inverse of a cyclic matrix, by rows; `None` if it is singular.
+///
+/// # Panics
+/// When the lengths do not fit.
+pub fn inverse_cyclic(
+    lower: &[Rational],
+    diagonal: &[Rational],
+    upper: &[Rational],
+) -> Option<Vec<Vec<Rational>>> {
+    let n = diagonal.len();
+    solve_sparse(n, ring(lower, diagonal, upper, identity(n)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn q(v: &[i32]) -> Vec<Rational> {
+        v.iter().map(|&v| v.into()).collect()
+    }
+
+    /// Table 1 of Zinchenko 2008 with `U_0 = 3`, `U_n = −5` and an inner right-hand side, solved by
+    /// the printed formulas (paper's signs): with the printed start `λ_1 = η_1 = 0` or with row 0,
+    /// and with the printed `b_n` or with −1.
+    fn printed_sweep(row_zero: bool, b_n: i32, d: &[Rational]) -> Vec<Rational> {
+        let n = d.len() - 1;
+        let (mut lambda, mut eta) = (vec![Rational::new(); n + 1], vec![Rational::new(); n + 1]);
+        if row_zero {
+            eta[1] = d[0].clone();
+        }
+        for i in 1..n {
+            let p: Rational = -4i32 - lambda[i].clone();
+            lambda[i + 1] = p.clone().recip();
+            eta[i + 1] = Rational::from(&eta[i] - &d[i]) / p;
+        }
+        let mut m = vec![Rational::new(); n + 1];
+        // Row n: 0 m_{n−1} − b_n m_n = U_n.
+        m[n] = Rational::from(-&d[n]) / b_n;
+        for i in (0..n).rev() {
+            m[i] = Rational::from(&lambda[i + 1] * &m[i + 1]) + &eta[i + 1];
+        }
+        m
+    }
+
+    #[test]
+    fn the_faults_of_the_print_show_in_exact_arithmetic() {
+        let d = q(&[3, 7, -2, 4, 11, -5]);
+        let n = d.len() - 1;
+        let (mut lower, mut upper) = (q(&[1; 5]), q(&[1; 5]));
+        let mut diagonal = q(&[4; 6]);
+        (upper[0], lower[n - 1]) = (Rational::new(), Rational::new());
+        (diagonal[0], diagonal[n]) = (1.into(), 1.into());
+        let truth = solve(&lower, &diagonal, &upper, &d).unwrap();
+        assert_eq!(
+            (&truth[0], &truth[n]),
+            (&Rational::from(3), &Rational::from(-5))
+        );
+        assert_eq!(printed_sweep(true, -1, &d), truth);
+        // b_n = 1 turns the sign of the last second derivative.
+        assert_eq!(printed_sweep(true, 1, &d)[n], 5);
+        // λ_1 = η_1 = 0 loses U_0; the inner equations still hold, for other unknowns.
+        let m = printed_sweep(false, -1, &d);
+        assert_eq!(m[0], 0);
+        assert_ne!(m[1], truth[1]);
+        for i in 1..n {
+            let left = Rational::from(&m[i - 1] + &m[i + 1]) + Rational::from(&m[i] * 4);
+            assert_eq!(left, d[i]);
+        }
+    }
+
+    #[test]
+    fn singular_is_an_answer() {
+        assert_eq!(
+            solve(&q(&[1, 1]), &q(&[1, 1, 0]), &q(&[1, 0]), &q(&[1, 1, 1])),
+            None
+        );
+        assert_eq!(solve(&[], &q(&[0]), &[], &q(&[1])), None);
+        let (a, b) = (q(&[-1; 5]), q(&[2; 5]));
+        assert_eq!(solve_cyclic(&a, &b, &a, &q(&[1, 0, 0, 0, -1])), None);
+        assert!(inverse(&q(&[0]), &q(&[1, 0]), &q(&[0])).is_none());
+    }
+
+    proptest! {
+        #[test]
+        fn solutions_solve(v in prop::collection::vec(-1000i32..1000, 4..48)) {
+            let n = v.len() / 4;
+            let part = |k: usize| -> Vec<Rational> {
+                v[k * n..(k + 1) * n].iter().map(|&v| Rational::from((v, 16))).collect()
+            };
+            let (l, d, u, r) = (part(0), part(1), part(2), part(3));
+            if let Some(x) = solve_cyclic(&l, &d, &u, &r) {
+                for i in 0..n {
+                    let mut s = Rational::from(&l[i] * &x[(i + n - 1) % n]);
+                    s += Rational::from(&d[i] * &x[i]);
+                    s += Rational::from(&u[i] * &x[(i + 1) % n]);
+                    prop_assert_eq!(&s, &r[i]);
+                }
+                let inv = inverse_cyclic(&l, &d, &u).unwrap();
+                for (row, x) in inv.iter().zip(&x) {
+                    let y: Rational = row.iter().zip(&r).map(|(a, b)| Rational::from(a * b)).sum();
+                    prop_assert_eq!(&y, x);
+                }
+            }
+            if let Some(x) = solve(&l[1..], &d, &u[..n - 1], &r) {
+                for i in 0..n {
+                    let mut s = Rational::from(&d[i] * &x[i]);
+                    if i > 0 { s += Rational::from(&l[i] * &x[i - 1]); }
+                    if i + 1 < n { s += Rational::from(&u[i] * &x[i + 1]); }
+                    prop_assert_eq!(&s, &r[i]);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,304 @@
+//! Krawczyk's operator on the distance equations.
+//!
+//! For an approximate zero z and an approximate inverse Y of the Jacobian, let
+//! `K(X) = z − Y F(z) + (I − Y F'(X)) (X − z)` over a box X around z. If `K(X)` lies in the
+//! interior of X, F has exactly one zero in X, and it lies in `K(X)` (Krawczyk, *Computing* 4
+//! (1969) 187–201; Neumaier, *Interval Methods for Systems of Equations*, 1990, Thm 5.1.8). Y is
+//! an `f64` matrix taken as exact; a bad one can only make the test fail.
+
+use super::Linkage;
+use crate::{Ball, ComplexBall, Mag};
+use nalgebra::Matrix4;
+use rug::Float;
+
+/// Joints at one crank angle (or over an interval of crank angles).
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// Crank direction `e(φ1)`.
+    pub e1: ComplexBall,
+    /// Crank pin A.
+    pub a: ComplexBall,
+    /// Joint B.
+    pub b: ComplexBall,
+    /// Joint C.
+    pub c: ComplexBall,
+    /// Joint D.
+    pub d: ComplexBall,
+}
+
+/// Coordinates (Cx, Cy, Dx, Dy).
+pub(super) type Point4 = [Float; 4];
+
+fn exact(z: &Point4) -> (ComplexBall, ComplexBall) {
+    let b = |x: &Float| Ball::new(x.clone(), Mag::ZERO);
+    (
+        ComplexBall::new(b(&z[0]), b(&z[1])),
+        ComplexBall::new(b(&z[2]), b(&z[3])),
+    )
+}
+
+fn boxed(z: &Point4, r: Mag, bits: u32) -> (ComplexBall, ComplexBall) {
+    let b = |x: &Float| Ball::new(x.clone(), r).with_prec(bits);
+    (
+        ComplexBall::new(b(&z[0]), b(&z[1])),
+        ComplexBall::new(b(&z[2]), b(&z[3])),
+    )
+}
+
+/// The largest upper bound of `|Y v|`, with each component.
+fn apply(y: &Matrix4<f64>, v: &[Ball; 4]) -> [Ball; 4] {
+    std::array::from_fn(|i| {
+        let mut sum = Ball::integer(64, 0);
+        for (j, x) in v.iter().enumerate() {
+            sum = sum + &Ball::exact(64, y[(i, j)]) * x;
+        }
+        sum
+    })
+}
+
+fn largest(v: &[Ball; 4]) -> Mag {
+    v.iter().fold(Mag::ZERO, |m, x| m.max(x.magnitude()))
+}
+
+impl Linkage {
+    /// Joint B from C and D.
+    pub(super) fn joint_b(&self, c: &ComplexBall, d: &ComplexBall) -> ComplexBall {
+        &(&self.one_minus_kappa * c) + &(&self.kappa * d)
+    }
+
+    /// Half the residuals of the distance equations.
+    fn residual(&self, a: &ComplexBall, c: &ComplexBall, d: &ComplexBall) -> [Ball; 4] {
+        let b = self.joint_b(c, d);
+        let excess = |p: &ComplexBall, l: &Ball| (p.norm_sqr() - l.square()).shift(-1);
+        [
+            excess(&(c - &self.o3), &self.l3),
+            excess(&(d - &self.o5), &self.l5),
+            excess(&(d - c), &self.l4),
+            excess(&(&b - a), &self.l2),
+        ]
+    }
+
+    /// Half the Jacobian, rows as in [`Linkage::residual`], columns (Cx, Cy, Dx, Dy).
+    pub(super) fn jacobian(
+        &self,
+        a: &ComplexBall,
+        c: &ComplexBall,
+        d: &ComplexBall,
+    ) -> [[Ball; 4]; 4] {
+        let zero = || Ball::integer(64, 0);
+        let (u, v, w) = (c - &self.o3, d - &self.o5, d - c);
+        let arm = &self.joint_b(c, d) - a;
+        // B = (1 − κ) C + κ D, so the gradient of ½|B − A|² is conj(1 − κ) arm, conj(κ) arm.
+        let gc = &self.one_minus_kappa.conj() * &arm;
+        let gd = &self.kappa.conj() * &arm;
+        [
+            [u.re, u.im, zero(), zero()],
+            [zero(), zero(), v.re, v.im],
+            [-&w.re, -&w.im, w.re, w.im],
+            [gc.re, gc.im, gd.re, gd.im],
+        ]
+    }
+
+    fn approximate_inverse(&self, a: &ComplexBall, z: &Point4) -> Option<Matrix4<f64>> {
+        let (c, d) = boxed(z, Mag::ZERO, 64);
+        let j = self.jacobian(a, &c, &d);
+        let m = Matrix4::from_fn(|i, k| j[i][k].mid().to_f64());
+        m.try_inverse().filter(|y| y.iter().all(|x| x.is_finite()))
+    }
+
+    /// An upper bound on `‖I − Y F'(X)‖∞`.
+    fn contraction(
+        &self,
+        y: &Matrix4<f64>,
+        a: &ComplexBall,
+        c: &ComplexBall,
+        d: &ComplexBall,
+    ) -> Mag {
+        let j = self.jacobian(a, c, d);
+        let mut norm = Mag::ZERO;
+        for i in 0..4 {
+            let mut row = Mag::ZERO;
+            for k in 0..4 {
+                let mut e = Ball::integer(64, i64::from(i == k));
+                for (m, jm) in j.iter().enumerate() {
+                    e = e - &Ball::exact(64, y[(i, m)]) * &jm[k];
+                }
+                row = row.add(e.magnitude());
+            }
+            norm = norm.max(row);
+        }
+        norm
+    }
+
+    /// Crank pin for a crank direction.
+    fn pin(&self, e1: &ComplexBall) -> ComplexBall {
+        e1.scaled(&self.l1)
+    }
+
+    /// The joints for the crank direction `e1`, enclosed around the zero that the chord method
+    /// finds from `guess`; `None` if Krawczyk's test fails at this precision.
+    pub(super) fn enclose(&self, e1: &ComplexBall, guess: &Point4) -> Option<Configuration> {
+        let a = self.pin(e1);
+        let mut z: Point4 = std::array::from_fn(|i| Float::with_val(self.bits, &guess[i]));
+        let mut y = self.approximate_inverse(&a, &z)?;
+        let mut last = Mag::INFINITY;
+        // Each round gains some 40 bits or more; the count is only a guard.
+        for round in 0..40 + self.bits / 16 {
+            let (c, d) = exact(&z);
+            let step = apply(&y, &self.residual(&a, &c, &d));
+            let size = largest(&step);
+            if !size.is_finite() {
+                return None;
+            }
+            // Settled: the step is rounding, and no longer shrinks.
+            if round > 1 && size >= last.shift(-1) {
+                break;
+            }
+            for i in 0..4 {
+                z[i] -= step[i].mid();
+            }
+            if round < 4 {
+                y = self.approximate_inverse(&a, &z)?;
+            }
+            last = size;
+        }
+        let (c, d) = exact(&z);
+        let step = apply(&y, &self.residual(&a, &c, &d));
+        let size = largest(&step);
+        let r = size.shift(2);
+        if size.is_zero() {
+            // The zero is hit exactly; any box shows that it is alone.
+            let tiny = Mag::power_of_two(-i64::from(self.bits));
+            let (bc, bd) = boxed(&z, tiny, 64);
+            return (self.contraction(&y, &a, &bc, &bd) < Mag::from_f64(1.0))
+                .then(|| self.configuration(e1, a, c, d));
+        }
+        let (bc, bd) = boxed(&z, r, 64);
+        let contraction = self.contraction(&y, &a, &bc, &bd);
+        let reach = size.add(contraction.mul(r));
+        if !(reach < r) {
+            return None;
+        }
+        let ball = |i: usize| {
+            // z − Y F(z) + (I − Y F'(X)) (X − z): keep z as midpoint, both terms in the radius.
+            let rad = step[i].magnitude().add(contraction.mul(r));
+            Ball::new(z[i].clone(), rad)
+        };
+        let c = ComplexBall::new(ball(0), ball(1));
+        let d = ComplexBall::new(ball(2), ball(3));
+        Some(self.configuration(e1, a, c, d))
+    }
+
+    fn configuration(
+        &self,
+        e1: &ComplexBall,
+        a: ComplexBall,
+        c: ComplexBall,
+        d: ComplexBall,
+    ) -> Configuration {
+        Configuration {
+            e1: e1.clone(),
+            b: self.joint_b(&c, &d),
+            a,
+            c,
+            d,
+        }
+    }
+
+    /// Whether two enclosed configurations lie on one branch over the crank angles between them:
+    /// Krawczyk's test on a box that holds both, with the crank pin anywhere on its arc, proves one
+    /// and only one configuration in the box for every crank angle on the way.
+    pub(super) fn joined(
+        &self,
+        arc: &ComplexBall,
+        from: &Configuration,
+        to: &Configuration,
+    ) -> bool {
+        const BITS: u32 = 64;
+        let a = self.pin(arc);
+        let hull = |x: &Ball, y: &Ball| x.with_prec(BITS).union(&y.with_prec(BITS));
+        let ends = [
+            hull(&from.c.re, &to.c.re),
+            hull(&from.c.im, &to.c.im),
+            hull(&from.d.re, &to.d.re),
+            hull(&from.d.im, &to.d.im),
+        ];
+        let z: Point4 = std::array::from_fn(|i| ends[i].mid().clone());
+        let Some(y) = self.approximate_inverse(&a, &z) else {
+            return false;
+        };
+        let (c, d) = exact(&z);
+        let size = largest(&apply(&y, &self.residual(&a, &c, &d)));
+        let need = ends.iter().fold(size, |m, e| m.max(e.rad()));
+        // Room for the curvature of the path and for the contraction.
+        let r = need.mul(Mag::from_f64(1.5));
+        let (bc, bd) = boxed(&z, r, BITS);
+        let contraction = self.contraction(&y, &a, &bc, &bd);
+        size.add(contraction.mul(r)) < r
+    }
+
+    /// Follows the branch from `from` at the crank angle `phi_from` to `phi_to`; `None` when the
+    /// proof fails even on arcs of 2⁻²⁰ rad (a fold, or a lack of precision).
+    pub fn follow(
+        &self,
+        from: &Configuration,
+        phi_from: &Ball,
+        phi_to: &Ball,
+    ) -> Option<Configuration> {
+        self.follow_from(from, phi_from, phi_to, None)
+    }
+
+    /// [`Linkage::follow`] with a first guess for the joints (C, D) at the end; a bad guess costs
+    /// time, never truth.
+    pub fn follow_from(
+        &self,
+        from: &Configuration,
+        phi_from: &Ball,
+        phi_to: &Ball,
+        guess: Option<[Float; 4]>,
+    ) -> Option<Configuration> {
+        let mut here = from.clone();
+        let mut at = phi_from.clone();
+        let mut guess = guess;
+        loop {
+            let mut next = phi_to.clone();
+            let mut tries = 0;
+            loop {
+                let e1 = ComplexBall::unit(&next);
+                let start = guess.take().unwrap_or_else(|| here.coordinates());
+                let arc = ComplexBall::unit(&at.with_prec(64).union(&next.with_prec(64)));
+                let found = self.enclose(&e1, &start);
+                if let Some(found) = found
+                    && self.joined(&arc, &here, &found)
+                {
+                    here = found;
+                    break;
+                }
+                tries += 1;
+                if tries > 20 {
+                    return None;
+                }
+                // Half the arc; any intermediate angle will do, so its midpoint is taken as exact.
+                let middle = (&at + &next).shift(-1);
+                next = Ball::new(middle.mid().clone(), Mag::ZERO);
+            }
+            if next.mid() == phi_to.mid() {
+                return Some(here);
+            }
+            at = next;
+        }
+    }
+
+    /// The configuration near approximate joints C and D, enclosed.
+    pub fn near(&self, phi1: &Ball, c: [f64; 2], d: [f64; 2]) -> Option<Configuration> {
+        let guess = [c[0], c[1], d[0], d[1]].map(|x| Float::with_val(self.bits, x));
+        self.enclose(&ComplexBall::unit(phi1), &guess)
+    }
+}
+
+impl Configuration {
+    /// Midpoints of (Cx, Cy, Dx, Dy).
+    pub fn coordinates(&self) -> [Float; 4] {
+        [&self.c.re, &self.c.im, &self.d.re, &self.d.im].map(|b| b.mid().clone())
+    }
+}

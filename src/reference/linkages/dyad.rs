@@ -1,0 +1,440 @@
+//! Certified four-bar and slider-crank: joints as intersections of circles and lines, derivatives
+//! by implicit differentiation of the constraints in Cartesian coordinates.
+//!
+//! For the joint `C` of two links of lengths `b` and `c` at the points `A` and `B` the constraints
+//! and their first two derivatives are
+//!
+//! ```text
+//! |C − A|² = b²                                  |C − B|² = c²
+//! (C − A)·C' = (C − A)·A'                        (C − B)·C' = (C − B)·B'
+//! (C − A)·C'' = (C − A)·A'' − |C' − A'|²         (C − B)·C'' = (C − B)·B'' − |C' − B'|²
+//! ```
+//!
+//! and the angle of a link `v` of length `l` obeys `φ' = v × v'/l²`, `φ'' = v × v''/l²`.
+//!
+//! # Deciding what cannot be reached
+//! Lengths and angles are rational. For a rational angle other than zero the cosine is
+//! transcendental (Lindemann), and so is the discriminant, which is linear in it (four-bar), or a
+//! quadratic with rational coefficients in the sine (slider-crank): it is not zero, and balls
+//! decide its sign at some precision. For the angle zero it is computed exactly.
+
+use crate::ball::{Ball, dot};
+use crate::{Mag, Undecided};
+use rug::{Float, Rational};
+use std::cmp::Ordering;
+
+/// Why there are no values.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DyadRefusal {
+    /// A length that has to be positive is not.
+    #[error("a length is not positive")]
+    NotPositive,
+    /// The links cannot be joined in any position, or only in one where all lie on one line.
+    #[error("one length is not shorter than the others together")]
+    CannotClose,
+    /// The dyad certainly cannot be joined.
+    #[error("the dyad cannot be joined in this position")]
+    Unreachable,
+    /// The determinant is exactly zero.
+    #[error("the determinant is zero")]
+    Singular,
+    /// Not decided.
+    #[error(transparent)]
+    Undecided(#[from] Undecided),
+}
+
+/// Position and derivatives of a four-bar linkage.
+#[derive(Clone, Debug)]
+pub struct FourBarBalls {
+    /// The joint of coupler and rocker.
+    pub joint: [Ball; 2],
+    /// Coupler angle with first and second derivative.
+    pub coupler: [Ball; 3],
+    /// Rocker angle with first and second derivative.
+    pub rocker: [Ball; 3],
+    /// Angle between coupler and rocker.
+    pub transmission: Ball,
+    /// `(C − A) × (C − B)`.
+    pub determinant: Ball,
+}
+
+/// Position and derivatives of a slider-crank.
+#[derive(Clone, Debug)]
+pub struct SliderCrankBalls {
+    /// The slider's coordinate with first and second derivative.
+    pub slider: [Ball; 3],
+    /// The rod's angle with first and second derivative.
+    pub rod: [Ball; 3],
+    /// π/2 minus the acute angle between rod and guide.
+    pub transmission: Ball,
+}
+
+type Vector = [Ball; 2];
+
+fn sub(a: &Vector, b: &Vector) -> Vector {
+    [&a[0] - &b[0], &a[1] - &b[1]]
+}
+
+fn scaled(k: &Ball, v: &Vector) -> Vector {
+    [k * &v[0], k * &v[1]]
+}
+
+fn inner(a: &Vector, b: &Vector) -> Ball {
+    dot(a[0].prec(), a.iter().zip(b))
+}
+
+fn cross(a: &Vector, b: &Vector) -> Ball {
+    &a[0] * &b[1] - &a[1] * &b[0]
+}
+
+fn square(v: &Vector) -> Ball {
+    v[0].square() + v[1].square()
+}
+
+fn undecided(bits: u32, reason: &str) -> DyadRefusal {
+    DyadRefusal::Undecided(Undecided {
+        bits,
+        reason: reason.into(),
+    })
+}
+
+/// The sign of a ball that is known not to hold zero exactly.
+fn sign(x: &Ball, bits: u32, what: &str) -> Result<Ordering, DyadRefusal> {
+    if x.is_positive() {
+        Ok(Ordering::Greater)
+    } else if x.is_negative() {
+        Ok(Ordering::Less)
+    } else {
+        Err(undecided(bits, &format!("the sign of {what}")))
+    }
+}
+
+/// `x + 2πk` with the integer `k` that brings it next to `near`. What is left between the two, at
+/// most a quarter turn wherever this is called, has to be certainly less than 0.4 turns.
+fn lifted(x: &Ball, near: &Ball, bits: u32) -> Result<Ball, DyadRefusal> {
+    let turn = Ball::pi(bits + 32).shift(1);
+    let turns = &(near - x) / &turn;
+    let whole = Float::with_val(turns.prec(), turns.mid().round_ref());
+    let k = Ball::new(whole, Mag::ZERO);
+    if (&turns - &k).magnitude() < Mag::from_f64(0.4) {
+        if k.is_zero() {
+            return Ok(x.clone());
+        }
+        Ok(x + k * turn)
+    } else {
+        Err(undecided(bits, "the turn of an angle"))
+    }
+}
+
+fn all_finite<'a>(balls: impl IntoIterator<Item = &'a Ball>, bits: u32) -> Result<(), DyadRefusal> {
+    if balls.into_iter().all(Ball::is_finite) {
+        Ok(())
+    } else {
+        Err(undecided(bits, "a division by what may be zero"))
+    }
+}
+
+/// The four-bar linkage with `[crank, coupler, rocker, frame]` at the crank angle `phi` (radians),
+/// joint to the left of the line from the crank's end to the rocker's pivot if `left`.
+///
+/// The crank turns about the origin, the rocker about `(d, 0)`. The angles are those values of
+/// `arg(C − A)` and `arg(C − B)` that are continuous in `phi`: next to
+/// `arg D + arg((C − A)/D)` with both arguments in `(−π, π]` if `a ≤ d`, and next to
+/// `η + arg((A − C)/D)` with `η = arg(−D)` within a quarter turn of `phi` if `a > d`, where
+/// `D = B − A`; for the rocker with `C − B` in the place of `C − A`.
+///
+/// ```
+/// use mechaudit_reference::dyad::four_bar;
+/// use rug::Rational;
+/// // Crank 1 along the frame 6, coupler 3, rocker 4: a 3-4-5 triangle.
+/// let l = [1, 3, 4, 6].map(Rational::from);
+/// let m = four_bar(&l, &Rational::new(), true, 128)?;
+/// assert!(m.joint[1].contains(&Rational::from((12, 5))));
+/// assert!(m.determinant.contains(&Rational::from(12)));
+/// # Ok::<(), mechaudit_reference::dyad::DyadRefusal>(())
+/// ```
+///
+/// # Errors
+/// See [`DyadRefusal`].
+pub fn four_bar(
+    lengths: &[Rational; 4],
+    phi: &Rational,
+    left: bool,
+    bits: u32,
+) -> Result<FourBarBalls, DyadRefusal> {
+    if lengths.iter().any(|l| l.cmp0() != Ordering::Greater) {
+        return Err(DyadRefusal::NotPositive);
+    }
+    let perimeter: Rational = lengths.iter().sum();
+    if lengths.iter().any(|l| Rational::from(l * 2) >= perimeter) {
+        return Err(DyadRefusal::CannotClose);
+    }
+    let [ra, rb, rc, rd] = lengths;
+    // Constants of the discriminant, exact.
+    let most = Rational::from(rb + rc).square();
+    let least = Rational::from(rb - rc).square();
+    let ball = |x: &Rational| Ball::rational(bits, x);
+    let (b2, c2) = (ball(&rb.clone().square()), ball(&rc.clone().square()));
+    let (sin, cos) = ball(phi).sin_cos();
+    let (a, d) = (ball(ra), ball(rd));
+    if phi.cmp0() == Ordering::Equal {
+        let q = Rational::from(rd - ra).square();
+        if q > most || q < least {
+            return Err(DyadRefusal::Unreachable);
+        }
+        if q == most || q == least {
+            return Err(DyadRefusal::Singular);
+        }
+    }
+    let zero = Ball::integer(bits, 0);
+    let end = [&a * &cos, &a * &sin];
+    let end1 = [-(&a * &sin), end[0].clone()];
+    let end2 = [-&end[0], -&end[1]];
+    let pivot = [d, zero.clone()];
+    let span = sub(&pivot, &end);
+    let q = square(&span);
+    let outer = ball(&most) - &q;
+    let inside = &q - ball(&least);
+    for (x, what) in [(&outer, "(b+c)² − |AB|²"), (&inside, "|AB|² − (b−c)²")] {
+        if sign(x, bits, what)? == Ordering::Less {
+            return Err(DyadRefusal::Unreachable);
+        }
+    }
+    // C = A + u D ± v D⊥.
+    let twice = q.shift(1);
+    let u = &(&q + &b2 - &c2) / &twice;
+    let v = &(&outer * &inside).sqrt() / &twice;
+    let v = if left { v } else { -v };
+    let normal = [-&span[1], span[0].clone()];
+    let along = scaled(&u, &span);
+    let across = scaled(&v, &normal);
+    let joint = [0, 1].map(|i| &end[i] + &along[i] + &across[i]);
+    let coupler = sub(&joint, &end);
+    let rocker = sub(&joint, &pivot);
+    let determinant = cross(&coupler, &rocker);
+
+    let solve = |r1: &Ball, r2: &Ball| -> Vector {
+        [
+            &(r1 * &rocker[1] - r2 * &coupler[1]) / &determinant,
+            &(r2 * &coupler[0] - r1 * &rocker[0]) / &determinant,
+        ]
+    };
+    let joint1 = solve(&inner(&coupler, &end1), &zero);
+    let relative1 = sub(&joint1, &end1);
+    let r1 = inner(&coupler, &end2) - square(&relative1);
+    let joint2 = solve(&r1, &-square(&joint1));
+    let relative2 = sub(&joint2, &end2);
+
+    let one = Ball::integer(bits, 1);
+    let (near2, near3) = if ra <= rd {
+        let theta = span[1].atan2(&span[0]);
+        (&theta + v.atan2(&u), &theta + v.atan2(&(&u - &one)))
+    } else {
+        let principal = (-&span[1]).atan2(&-&span[0]);
+        let eta = lifted(&principal, &ball(phi), bits)?;
+        let minus = -&v;
+        (&eta + minus.atan2(&-&u), &eta + minus.atan2(&(&one - &u)))
+    };
+    all_finite([&near2, &near3], bits)?;
+    let phi2 = lifted(&coupler[1].atan2(&coupler[0]), &near2, bits)?;
+    let phi3 = lifted(&rocker[1].atan2(&rocker[0]), &near3, bits)?;
+    let out = FourBarBalls {
+        coupler: [
+            phi2,
+            &cross(&coupler, &relative1) / &b2,
+            &cross(&coupler, &relative2) / &b2,
+        ],
+        rocker: [
+            phi3,
+            &cross(&rocker, &joint1) / &c2,
+            &cross(&rocker, &joint2) / &c2,
+        ],
+        transmission: determinant.abs().atan2(&inner(&coupler, &rocker)),
+        joint,
+        determinant,
+    };
+    let all = out.joint.iter().chain(&out.coupler).chain(&out.rocker);
+    all_finite(all.chain([&out.transmission, &out.determinant]), bits)?;
+    Ok(out)
+}
+
+/// The slider-crank with `[crank, rod, offset]`, guide direction `delta` and crank angle `phi`
+/// (radians), slider ahead of the crank's end if `ahead`.
+///
+/// The slider's coordinate `x` is the root of
+/// `x² − 2 x A·t + |A|² + e² − 2 e A·n − b² = 0` with the guide's unit vectors `t`, `n`. The rod's
+/// angle is that value of `arg(P − A)` that differs from `delta` by at most π/2 if `ahead`, and
+/// from `delta + π` otherwise.
+///
+/// ```
+/// use mechaudit_reference::dyad::slider_crank;
+/// use rug::Rational;
+/// // Crank 1 along the guide, rod 5, offset 3.
+/// let l = [1, 5, 3].map(Rational::from);
+/// let m = slider_crank(&l, &Rational::new(), &Rational::new(), true, 128)?;
+/// assert!(m.slider[0].contains(&Rational::from(5)));
+/// # Ok::<(), mechaudit_reference::dyad::DyadRefusal>(())
+/// ```
+///
+/// # Errors
+/// See [`DyadRefusal`].
+pub fn slider_crank(
+    lengths: &[Rational; 3],
+    delta: &Rational,
+    phi: &Rational,
+    ahead: bool,
+    bits: u32,
+) -> Result<SliderCrankBalls, DyadRefusal> {
+    let [ra, rb, re] = lengths;
+    if ra.cmp0() != Ordering::Greater || rb.cmp0() != Ordering::Greater {
+        return Err(DyadRefusal::NotPositive);
+    }
+    if re.clone().abs() >= Rational::from(ra + rb) {
+        return Err(DyadRefusal::CannotClose);
+    }
+    if phi == delta {
+        match re.clone().abs().cmp(rb) {
+            Ordering::Greater => return Err(DyadRefusal::Unreachable),
+            Ordering::Equal => return Err(DyadRefusal::Singular),
+            Ordering::Less => {}
+        }
+    }
+    let ball = |x: &Rational| Ball::rational(bits, x);
+    let (a, b, e) = (ball(ra), ball(rb), ball(re));
+    let (sin, cos) = ball(phi).sin_cos();
+    let (sd, cd) = ball(delta).sin_cos();
+    let t = [cd.clone(), sd.clone()];
+    let n = [-sd, cd];
+    let end = [&a * &cos, &a * &sin];
+    let end1 = [-&end[1], end[0].clone()];
+    let end2 = [-&end[0], -&end[1]];
+    let (p, q) = (inner(&end, &t), inner(&end, &n));
+    // A quarter of the discriminant; (A·t)² + (A·n)² = |A|² = a².
+    let b2 = b.square();
+    let rest = a.square() + e.square() - (&e * &q).shift(1) - &b2;
+    let quarter = p.square() - rest;
+    if sign(&quarter, bits, "the discriminant")? == Ordering::Less {
+        return Err(DyadRefusal::Unreachable);
+    }
+    let root = quarter.sqrt();
+    let root = if ahead { root } else { -root };
+    let x = &p + &root;
+    let slider = [0, 1].map(|i| &x * &t[i] + &e * &n[i]);
+    let rod = sub(&slider, &end);
+    let reach = inner(&rod, &t);
+    let x1 = &inner(&rod, &end1) / &reach;
+    let relative1 = sub(&scaled(&x1, &t), &end1);
+    let x2 = &(inner(&rod, &end2) - square(&relative1)) / &reach;
+    let relative2 = sub(&scaled(&x2, &t), &end2);
+    let height = inner(&rod, &n);
+    let tilt = height.atan2(&reach.abs());
+    let near = if ahead {
+        ball(delta) + &tilt
+    } else {
+        ball(delta) + Ball::pi(bits) - &tilt
+    };
+    all_finite([&near, &rod[0], &rod[1]], bits)?;
+    let angle = lifted(&rod[1].atan2(&rod[0]), &near, bits)?;
+    let out = SliderCrankBalls {
+        rod: [
+            angle,
+            &cross(&rod, &relative1) / &b2,
+            &cross(&rod, &relative2) / &b2,
+        ],
+        transmission: reach.abs().atan2(&height.abs()),
+        slider: [x, x1, x2],
+    };
+    let all = out.slider.iter().chain(&out.rod);
+    all_finite(all.chain([&out.transmission]), bits)?;
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn q(n: i64, d: i64) -> Rational {
+        Rational::from((n, d))
+    }
+
+    #[test]
+    fn a_triangle_with_whole_sides() {
+        let m = four_bar(&[1, 3, 4, 6].map(Rational::from), &q(0, 1), true, 200).unwrap();
+        // A (1, 0), B (6, 0), |AB| = 5, right angle at C (1 + 9/5, 12/5).
+        assert!(m.joint[0].contains(&q(14, 5)) && m.joint[1].contains(&q(12, 5)));
+        // C' = (0·…): (C−A)·C' = (C−A)·(0, 1) = 12/5, (C−B)·C' = 0:
+        // C' = (12/5) (C−A)/9, because the links are normal. φ2' = (C−A) × (C'−A')/9.
+        assert!(m.coupler[1].contains(&q(-1, 5)));
+        // φ3' = (C−B) × C'/16, C−B = (−16/5, 12/5), C' = (12/25, 16/25).
+        assert!(m.rocker[1].contains(&q(-1, 5)));
+        let right = Ball::pi(200).shift(-1);
+        assert!(m.transmission.overlaps(&right));
+        assert!(m.coupler[0].accuracy_bits() > 180);
+    }
+
+    #[test]
+    fn exact_refusals() {
+        let at = |l: [i64; 4], bits| four_bar(&l.map(Rational::from), &q(0, 1), true, bits);
+        assert_eq!(at([1, 2, 3, 6], 128).unwrap_err(), DyadRefusal::CannotClose);
+        assert_eq!(at([1, 9, 3, 5], 128).unwrap_err(), DyadRefusal::CannotClose);
+        assert_eq!(at([2, 7, 3, 6], 128).unwrap_err(), DyadRefusal::Singular);
+        assert_eq!(at([2, 8, 3, 6], 128).unwrap_err(), DyadRefusal::Unreachable);
+        assert_eq!(at([2, 8, 0, 6], 128).unwrap_err(), DyadRefusal::NotPositive);
+        let slide = |e: i64| {
+            slider_crank(
+                &[1, 5, e].map(Rational::from),
+                &q(1, 3),
+                &q(1, 3),
+                true,
+                128,
+            )
+        };
+        assert_eq!(slide(5).unwrap_err(), DyadRefusal::Singular);
+        assert_eq!(slide(-6).unwrap_err(), DyadRefusal::CannotClose);
+        assert_eq!(
+            slider_crank(
+                &[2, 5, 6].map(Rational::from),
+                &q(1, 3),
+                &q(1, 3),
+                true,
+                128
+            )
+            .unwrap_err(),
+            DyadRefusal::Unreachable
+        );
+        assert!(slide(4).is_ok());
+    }
+
+    #[test]
+    fn a_sign_too_close_to_call_stays_undecided() {
+        // The crank of the parallelogram is 1e-60 from its change point at φ1 = 0.
+        let tiny = Rational::from((1, rug::Integer::from(rug::Integer::u_pow_u(10, 60))));
+        let l = [1, 2, 1, 2].map(Rational::from);
+        let coarse = four_bar(&l, &tiny, true, 64);
+        assert!(
+            matches!(coarse, Err(DyadRefusal::Undecided(_))),
+            "{coarse:?}"
+        );
+        assert!(four_bar(&l, &tiny, true, 1024).is_ok());
+    }
+
+    #[test]
+    fn higher_precision_stays_inside() {
+        let l = [q(2, 1), q(7, 3), q(5, 2), q(11, 4)];
+        for (left, k) in [(true, -9), (false, 4), (true, 40)] {
+            let lo = four_bar(&l, &q(k, 7), left, 80).unwrap();
+            let hi = four_bar(&l, &q(k, 7), left, 400).unwrap();
+            for i in 0..3 {
+                assert!(lo.coupler[i].contains_ball(&hi.coupler[i]));
+                assert!(lo.rocker[i].contains_ball(&hi.rocker[i]));
+            }
+            let l = [q(1, 1), q(3, 1), q(1, 5)];
+            let lo = slider_crank(&l, &q(k, 3), &q(k, 7), left, 80).unwrap();
+            let hi = slider_crank(&l, &q(k, 3), &q(k, 7), left, 400).unwrap();
+            for i in 0..3 {
+                assert!(lo.slider[i].contains_ball(&hi.slider[i]));
+                assert!(lo.rod[i].contains_ball(&hi.rod[i]));
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Linkages, enclosed.
+
+pub mod class_iii;
+pub mod dyad;

@@ -1,0 +1,135 @@
+//! Derivatives and Taylor coefficients of w.
+//!
+//! `w' = −2z w + 2i/√π`, `w^{(n+2)} = −2z w^{(n+1)} − 2(n+1) w^{(n)}` (DLMF 7.10.3), so that the
+//! coefficients `c_n = w^{(n)}(z)/n!` obey
+//!
+//! ```text
+//! c_1 = −2z c_0 + 2i/√π      c_{n+2} = −(2/(n+2)) (z c_{n+1} + c_n)
+//! ```
+//!
+//! In the upper half-plane c_n is the minimal solution (repeated integrals of erfc) and the
+//! recurrence loses digits; it is run in balls, which know how many, at a rising precision.
+
+use super::argument::Real;
+use super::scaled::{Scaled, aligned};
+use super::ziv::{balls, cap, decide, once};
+use crate::{Ball, ComplexBall, Undecided};
+use rug::{Integer, Rational};
+
+/// `c_0 … c_n` in ball arithmetic of `prec` bits.
+fn coefficients(x: &Real, y: &Real, n: usize, prec: u32) -> Option<Vec<ComplexBall>> {
+    let [re, im] = once(x.clone(), y.clone(), prec)?.map(|part| part.to_ball_or_tiny());
+    let z = ComplexBall::new(x.ball(prec), y.ball(prec));
+    let mut c = Vec::with_capacity(n + 2);
+    c.push(ComplexBall::new(re, im));
+    let two = Ball::integer(prec, 2);
+    let slope = &two / &Ball::pi(prec).sqrt();
+    let product = (&z * &c[0]).scaled(&-two);
+    c.push(ComplexBall::new(product.re, product.im + &slope));
+    for k in 2..=n {
+        let factor = Ball::rational(prec, &Rational::from((-2, k as i64)));
+        let next = (&(&z * &c[k - 1]) + &c[k - 2]).scaled(&factor);
+        c.push(next);
+    }
+    c.truncate(n + 1);
+    Some(c)
+}
+
+/// The Taylor coefficients `w^{(k)}(z)/k!`, k = 0 … n, each with a radius of at most 2^-bits times
+/// its modulus (per coefficient, not per component; components that are zero by symmetry are
+/// exactly zero).
+///
+/// On the real axis the imaginary parts are `(2/√π) F^{(k)}(x)/k!` with Dawson's function F; on the
+/// imaginary axis `i^k c_k` are the real Taylor coefficients of erfcx at Im z.
+///
+/// # Errors
+/// See the [module](super).
+pub fn taylor(
+    re: &Rational,
+    im: &Rational,
+    n: usize,
+    bits: u32,
+) -> Result<Vec<ComplexBall>, Undecided> {
+    let (x, y) = (Real::of(re), Real::of(im));
+    let length = x.length().saturating_add(y.length());
+    let cap = cap(bits, length.saturating_add(64 * n.min(1 << 20) as u32));
+    let mut prec = bits + 32 + 2 * n.min(1 << 20) as u32;
+    loop {
+        if let Some(c) = coefficients(&x, &y, n, prec) {
+            let good = |c: &ComplexBall| {
+                let r = c.radius();
+                r.is_zero() || r <= c.mignitude().shift(-i64::from(bits))
+            };
+            if c.iter().all(good) {
+                return Ok(c);
+            }
+        }
+        if prec == cap {
+            return Err(Undecided {
+                bits: prec,
+                reason: "a Taylor coefficient of w cannot be told from zero".into(),
+            });
+        }
+        prec = prec.saturating_add(prec / 2).min(cap);
+    }
+}
+
+/// The n-th derivative of w, each component with a relative radius of at most 2^-bits or exactly
+/// zero.
+///
+/// # Errors
+/// See the [module](super).
+pub fn w_derivative(
+    n: usize,
+    re: &Rational,
+    im: &Rational,
+    bits: u32,
+) -> Result<ComplexBall, Undecided> {
+    if n == 1 {
+        return balls(w_derivative_scaled(re, im, bits)?, bits);
+    }
+    let (x, y) = (Real::of(re), Real::of(im));
+    let length = x.length().saturating_add(y.length());
+    let factorial = Integer::from(Integer::factorial(n.min(u32::MAX as usize) as u32));
+    let parts = decide("the derivative of w", bits, length, |prec| {
+        let c = coefficients(&x, &y, n, prec)?.pop()?;
+        let f = Ball::rational(prec, &Rational::from(&factorial));
+        let part = |b: &Ball| Scaled::new(b * &f, Integer::new());
+        Some([part(&c.re), part(&c.im)])
+    })?;
+    balls(parts, bits)
+}
+
+fn real(q: &Rational) -> Real {
+    Real::of(q)
+}
+
+/// `a + b`
+fn sum(a: &Scaled, b: &Scaled) -> Scaled {
+    let (a, b, k) = aligned(a, b);
+    Scaled::new(a + &b, k)
+}
+
+/// The first derivative, `w' = −2z w + 2i/√π`, with exponents of any size.
+///
+/// # Errors
+/// As [`w_derivative`], but not for the size of the result.
+pub fn w_derivative_scaled(
+    re: &Rational,
+    im: &Rational,
+    bits: u32,
+) -> Result<[Scaled; 2], Undecided> {
+    let (x, y) = (real(re), real(im));
+    let length = x.length().saturating_add(y.length());
+    decide("the derivative of w", bits, length, |prec| {
+        let [u, v] = once(x.clone(), y.clone(), prec)?;
+        let (p, q) = (x.ball(prec).shift(1), y.ball(prec).shift(1));
+        let times = |w: &Scaled, t: &Ball| Scaled::new(&w.ball * t, w.exponent.clone());
+        let slope = Ball::integer(prec, 2) / &Ball::pi(prec).sqrt();
+        let turned = sum(&times(&v, &p), &times(&u, &q));
+        Some([
+            sum(&times(&v, &q), &-times(&u, &p)),
+            sum(&Scaled::new(slope, Integer::new()), &-turned),
+        ])
+    })
+}

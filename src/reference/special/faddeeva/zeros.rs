@@ -1,0 +1,220 @@
+//! Zeros of w, all in the lower half-plane, in pairs z and −conj z, and of erf, in fours ±z, ±conj z.
+//!
+//! # Start
+//! With `λ = √((k − 1/8)π)` and `μ = ln(λ√(2π))` the k-th zero of erfc in the second quadrant is
+//! `−λ + μ/(4λ) + i(λ + μ/(4λ))` and terms of order λ^-3 (DLMF §7.13(ii)); erfc(ζ) = 0 means
+//! `w(iζ) = 0`, and the mirror image of iζ is `λ + μ/(4λ) − i(λ − μ/(4λ))`.
+//!
+//! # Certificate
+//! Newton's method at rising precision, then the Newton–Kantorovich theorem (Ortega & Rheinboldt
+//! 12.6.2) at the last iterate z_0: with `β ≥ 1/|w'(z_0)|`, `η ≥ β|w(z_0)|` and M a Lipschitz constant
+//! of w' on the disc of radius 2η, `βηM ≤ 1/2` implies a zero within 2η, the only one there. From
+//! `w'' = (4z² − 2) w − 4iz/√π` and, on the disc, `|w| ≤ e^{2Zr} (|w(z_0)| + 2r/√π)`, r = 2η,
+//! Z = |z_0| + r (Grönwall for w' = −2zw + 2i/√π):
+//!
+//! ```text
+//! M = (4Z² + 2) e^{2Zr} (|w(z_0)| + 2r/√π) + 4Z/√π
+//! ```
+//!
+//! For erf, `erf'' = −2z erf'` and `|e^{−z²}| ≤ e^{2Zr} |e^{−z_0²}|` on the disc give
+//! `M = 2Z e^{2Zr} |erf'(z_0)|`.
+
+use super::argument::Real;
+use super::gaussian::Gaussian;
+use super::related::erf_once;
+use super::scaled::Scaled;
+use super::w_ball;
+use crate::{Ball, ComplexBall, Mag, Undecided};
+use rug::Float;
+use std::f64::consts::FRAC_2_SQRT_PI;
+
+/// What is proved about a function at an exact point: its value, its derivative, and Z and r from
+/// which a Lipschitz constant of the derivative follows.
+struct Function {
+    /// Value and derivative at a point, at a working precision.
+    at: fn(&ComplexBall, u32) -> Option<[ComplexBall; 2]>,
+    /// M from bounds on the value and on the derivative at the centre, Z, r and on e^{2Zr}.
+    lipschitz: fn([Mag; 2], Mag, Mag, Mag) -> Mag,
+}
+
+const W: Function = Function {
+    at: |z, prec| {
+        let w = w_ball(z, prec);
+        let two = Ball::integer(prec, 2);
+        let t = (z * &w).scaled(&-two.clone());
+        let slope = ComplexBall::new(t.re, t.im + &(two / &Ball::pi(prec).sqrt()));
+        Some([w, slope])
+    },
+    lipschitz: |[size, _], z, r, grown| {
+        let slope = Mag::from_f64(FRAC_2_SQRT_PI.next_up());
+        let w = grown.mul(size.add(slope.mul(r)));
+        let four = z.mul(z).shift(2).add(Mag::from_f64(2.0));
+        four.mul(w).add(slope.shift(1).mul(z))
+    },
+};
+
+const ERF: Function = Function {
+    at: |z, prec| {
+        let (x, y) = (z.re.mid().clone(), z.im.mid().clone());
+        let e = erf_once(&Real::Float(x), &Real::Float(y), prec)?;
+        let [re, im] = e.map(|part| part.to_ball_or_tiny());
+        let g = Gaussian::new(&z.re, &z.im, prec);
+        let slope = Ball::integer(prec, 2) / &Ball::pi(prec).sqrt();
+        let power = |b: Ball| Scaled::shifted(&(b * &slope), &g.k);
+        let slope = ComplexBall::new(power(g.c.clone()), power(-&g.s));
+        Some([ComplexBall::new(re, im), slope])
+    },
+    lipschitz: |[_, slope], z, _, grown| z.shift(1).mul(grown).mul(slope),
+};
+
+fn exact(z: &ComplexBall, prec: u32) -> ComplexBall {
+    let part = |b: &Ball| Ball::new(Float::with_val(prec, b.mid()), Mag::ZERO);
+    ComplexBall::new(part(&z.re), part(&z.im))
+}
+
+/// A bound on the distance of a zero from the exact point z with that value and derivative, if there
+/// certainly is one.
+fn certificate(f: &Function, z: &ComplexBall, [value, slope]: &[ComplexBall; 2]) -> Option<Mag> {
+    let below = slope.mignitude();
+    let size = value.magnitude();
+    let eta = size.div(below);
+    if !eta.is_finite() {
+        return None;
+    }
+    let r = eta.shift(1);
+    let z = z.magnitude().add(r);
+    let t = z.mul(r).shift(1);
+    if !(t <= Mag::from_f64(1.0)) {
+        return None;
+    }
+    // e^t ≤ 1 + 2t for t ≤ 1.
+    let grown = Mag::from_f64(1.0).add(t.shift(1));
+    let m = (f.lipschitz)([size, slope.magnitude()], z, r, grown);
+    (eta.mul(m).div(below) <= Mag::from_f64(0.5)).then_some(r)
+}
+
+/// `λ` and `μ/(4λ)`.
+fn start(k: u32) -> (f64, f64) {
+    let lambda = ((f64::from(k) - 0.125) * std::f64::consts::PI).sqrt();
+    let part = (lambda * (2.0 * std::f64::consts::PI).sqrt()).ln() / (4.0 * lambda);
+    (lambda, part)
+}
+
+/// The k-th zero of w (k = 1, 2, …) with positive real part, counted by the asymptotic expansion
+/// (DLMF §7.13(ii)), i.e. by increasing modulus. Existence and uniqueness in a neighbourhood are
+/// proved; each component has a relative radius of at most 2^-bits. Its mirror image `−conj z` is a
+/// zero as well, and there are no others in the plane.
+///
+/// # Errors
+/// k = 0, or no certificate at `4 bits + 4096` bits.
+pub fn zero(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
+    counted(k, "w", bits)?;
+    let (lambda, part) = start(k);
+    refined(&W, (lambda + part, part - lambda), bits)
+        .map_err(|(at, why)| open(at, format!("zero {k} of w: {why}")))
+}
+
+/// The k-th zero of erf (k = 1, 2, …) in the first quadrant, counted and proved as for [`zero`]. Its
+/// mirror images `−z` and `±conj z` are zeros as well; the only other one is 0.
+///
+/// # Errors
+/// As [`zero`].
+pub fn zero_of_erf(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
+    counted(k, "erf", bits)?;
+    let (lambda, part) = start(k);
+    refined(&ERF, (lambda - part, lambda + part), bits)
+        .map_err(|(at, why)| open(at, format!("zero {k} of erf: {why}")))
+}
+
+fn open(bits: u32, reason: String) -> Undecided {
+    Undecided { bits, reason }
+}
+
+fn counted(k: u32, name: &str, bits: u32) -> Result<(), Undecided> {
+    match k {
+        0 => Err(open(
+            bits,
+            format!("the zeros of {name} are counted from one"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// The zero that Newton's method finds from a start; or the precision reached and what is missing.
+fn refined(f: &Function, start: (f64, f64), bits: u32) -> Result<ComplexBall, (u32, &'static str)> {
+    let mut prec = 96;
+    let mut z = ComplexBall::new(Ball::exact(prec, start.0), Ball::exact(prec, start.1));
+    let cap = 4 * bits.max(64) + 4096;
+    let mut steps = 0;
+    let mut here = (f.at)(&z, prec).ok_or((prec, "no value"))?;
+    loop {
+        let step = here[0].div(&here[1]);
+        if !step.is_finite() {
+            return Err((prec, "no Newton step"));
+        }
+        z = exact(&(&z - &step), prec);
+        here = (f.at)(&z, prec).ok_or((prec, "no value"))?;
+        steps += 1;
+        if steps < 7 {
+            continue;
+        }
+        if let Some(r) = certificate(f, &z, &here) {
+            let (a, b) = (z.re.mignitude(), z.im.mignitude());
+            let smaller = if a < b { a } else { b };
+            if r <= smaller.shift(-i64::from(bits)) {
+                return Ok(z.widened(r));
+            }
+        }
+        if prec >= cap {
+            return Err((prec, "no certificate"));
+        }
+        // Each step doubles the correct digits.
+        prec = (2 * prec).min((bits + 64).max(prec + 32)).min(cap);
+        z = exact(&z, prec);
+        here = (f.at)(&z, prec).ok_or((prec, "no value"))?;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::erf;
+    use super::*;
+    use crate::Decimal;
+    use rug::Rational;
+
+    #[test]
+    fn zeros_of_erf_are_zeros() {
+        // DLMF table 7.13.1.
+        for (k, x, y) in [
+            (1, "1.4506161632", "1.8809430002"),
+            (2, "2.2446592738", "2.6165751407"),
+            (3, "2.8397410469", "3.1756280996"),
+        ] {
+            let z = zero_of_erf(k, 120).unwrap();
+            let near = |b: &Ball, text| {
+                let table = Decimal::parse(text).unwrap().value;
+                let close = (b - &Ball::rational(200, &table)).magnitude();
+                b.accuracy_bits() >= 119 && close < Mag::from_f64(6e-11)
+            };
+            assert!(near(&z.re, x) && near(&z.im, y), "{z:?}");
+            // Beside it erf is erf' times the distance.
+            let exact = |b: &Ball| Rational::try_from(b.mid()).unwrap();
+            let e = erf(&exact(&z.re), &exact(&z.im), 60).unwrap();
+            assert!(e.magnitude() < Mag::power_of_two(-100));
+            let moved = exact(&z.re) + Rational::from((1, 1 << 20));
+            let e = erf(&moved, &exact(&z.im), 60).unwrap();
+            assert!(e.magnitude() > Mag::power_of_two(-20));
+        }
+        assert!(zero_of_erf(0, 60).is_err());
+        assert!(zero_of_erf(40, 1000).is_ok() && zero_of_erf(100_000, 60).is_ok());
+    }
+
+    #[test]
+    fn a_point_that_is_no_zero_has_no_certificate() {
+        for f in [&W, &ERF] {
+            let z = ComplexBall::new(Ball::exact(128, 2.0), Ball::exact(128, 2.0));
+            let here = (f.at)(&z, 128).unwrap();
+            assert!(certificate(f, &z, &here).is_none());
+        }
+    }
+}

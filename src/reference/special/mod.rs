@@ -1,0 +1,3 @@
+//! The Faddeeva function and its relatives.
+
+pub mod faddeeva;

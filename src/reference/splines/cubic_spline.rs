@@ -1,0 +1,531 @@
+//! Exact cubic splines, from the slopes at the knots.
+//!
+//! The unknowns are the first derivatives `s_i`, not the second ones. With steps `h_i` and
+//! divided differences `δ_i` the second derivative is continuous where
+//!
+//! ```text
+//! s_{i−1}/h_{i−1} + 2 (1/h_{i−1} + 1/h_i) s_i + s_{i+1}/h_i = 3 (δ_{i−1}/h_{i−1} + δ_i/h_i)
+//! ```
+//!
+//! and a segment is `y_i + u (s_i + u (c + u d))` with `u = x − x_i`, `c = (3δ − 2s_i − s_{i+1})/h`,
+//! `d = (s_i + s_{i+1} − 2δ)/h²` (de Boor, *A Practical Guide to Splines*, ch. IV).
+//!
+//! [`Spline`] is exact. [`periodic_uniform`] takes balls as ordinates.
+
+use crate::ball::Ball;
+use crate::tridiagonal::{Equation, solve_sparse};
+use rug::Rational;
+use std::collections::BTreeMap;
+
+/// Why there is no spline.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SplineError {
+    /// Fewer than two knots, or no ordinate.
+    #[error("{0} knots are too few")]
+    TooFew(usize),
+    /// Not as many ordinates as knots.
+    #[error("{values} values for {knots} knots")]
+    Length {
+        /// Number of knots.
+        knots: usize,
+        /// Number of ordinates.
+        values: usize,
+    },
+    /// A knot that is not greater than its predecessor.
+    #[error("knot {0} is not greater than its predecessor")]
+    NotIncreasing(usize),
+    /// The first and the last ordinate of a periodic spline differ.
+    #[error("the end ordinates of a periodic spline differ")]
+    NotPeriodic,
+}
+
+/// An exact cubic spline.
+#[derive(Clone, Debug)]
+pub struct Spline {
+    x: Vec<Rational>,
+    y: Vec<Rational>,
+    /// Slopes at the knots.
+    s: Vec<Rational>,
+}
+
+type Entry = (usize, Rational);
+
+fn equation(entries: impl IntoIterator<Item = Entry>, rhs: Rational) -> Equation {
+    let mut row: BTreeMap<usize, Rational> = BTreeMap::new();
+    for (j, v) in entries {
+        *row.entry(j).or_default() += v;
+    }
+    (row, vec![rhs])
+}
+
+struct Data {
+    h: Vec<Rational>,
+    delta: Vec<Rational>,
+}
+
+impl Data {
+    fn new(x: &[Rational], y: &[Rational]) -> Result<Data, SplineError> {
+        if x.len() != y.len() {
+            return Err(SplineError::Length {
+                knots: x.len(),
+                values: y.len(),
+            });
+        }
+        if x.len() < 2 {
+            return Err(SplineError::TooFew(x.len()));
+        }
+        if let Some(i) = (1..x.len()).find(|&i| x[i] <= x[i - 1]) {
+            return Err(SplineError::NotIncreasing(i));
+        }
+        let h: Vec<Rational> = x
+            .windows(2)
+            .map(|p| Rational::from(&p[1] - &p[0]))
+            .collect();
+        let delta = y
+            .windows(2)
+            .zip(&h)
+            .map(|(p, h)| Rational::from(&p[1] - &p[0]) / h);
+        Ok(Data {
+            delta: delta.collect(),
+            h,
+        })
+    }
+
+    /// Continuity of `S''` between the segments `a` and `b`, whose knots are `i`, `j`, `k`.
+    fn smooth(&self, (a, b): (usize, usize), (i, j, k): (usize, usize, usize)) -> Equation {
+        let (p, q) = (self.h[a].clone().recip(), self.h[b].clone().recip());
+        let middle = Rational::from(&p + &q) * 2;
+        let rhs = (Rational::from(&p * &self.delta[a]) + Rational::from(&q * &self.delta[b])) * 3;
+        equation([(i, p), (j, middle), (k, q)], rhs)
+    }
+
+    /// Equal third derivatives of segments `a` and `a + 1`.
+    fn not_a_knot(&self, a: usize) -> Equation {
+        let inverse_square = |h: &Rational| h.clone().square().recip();
+        let (p, q) = (inverse_square(&self.h[a]), inverse_square(&self.h[a + 1]));
+        let rhs =
+            (Rational::from(&p * &self.delta[a]) - Rational::from(&q * &self.delta[a + 1])) * 2;
+        let middle = Rational::from(&p - &q);
+        equation([(a, p), (a + 1, middle), (a + 2, -q)], rhs)
+    }
+
+    fn open(&self, first: Equation, last: Equation) -> Vec<Rational> {
+        let n = self.h.len();
+        let mut rows = vec![first];
+        rows.extend((1..n).map(|i| self.smooth((i - 1, i), (i - 1, i, i + 1))));
+        rows.push(last);
+        solve(n + 1, rows)
+    }
+}
+
+/// The interpolation conditions used here have exactly one solution, so the system is regular.
+fn solve(n: usize, rows: Vec<Equation>) -> Vec<Rational> {
+    let x = solve_sparse(n, rows).expect("spline systems are regular");
+    x.into_iter().flatten().collect()
+}
+
+impl Spline {
+    fn new(x: &[Rational], y: &[Rational], s: Vec<Rational>) -> Spline {
+        Spline {
+            x: x.to_vec(),
+            y: y.to_vec(),
+            s,
+        }
+    }
+
+    /// With given second derivatives at the ends.
+    ///
+    /// # Errors
+    /// [`SplineError`].
+    pub fn second_derivatives(
+        x: &[Rational],
+        y: &[Rational],
+        first: &Rational,
+        last: &Rational,
+    ) -> Result<Spline, SplineError> {
+        let d = Data::new(x, y)?;
+        let n = d.h.len();
+        let row = |own: usize, other: usize, rhs: Rational| {
+            equation([(own, Rational::from(2)), (other, Rational::from(1))], rhs)
+        };
+        let left = Rational::from(&d.delta[0] * 3) - Rational::from(&d.h[0] * first) / 2;
+        let right = Rational::from(&d.delta[n - 1] * 3) + Rational::from(&d.h[n - 1] * last) / 2;
+        let s = d.open(row(0, 1, left), row(n, n - 1, right));
+        Ok(Spline::new(x, y, s))
+    }
+
+    /// With zero second derivatives at the ends.
+    ///
+    /// # Errors
+    /// [`SplineError`].
+    pub fn natural(x: &[Rational], y: &[Rational]) -> Result<Spline, SplineError> {
+        Spline::second_derivatives(x, y, &Rational::new(), &Rational::new())
+    }
+
+    /// With given first derivatives at the ends.
+    ///
+    /// # Errors
+    /// [`SplineError`].
+    pub fn clamped(
+        x: &[Rational],
+        y: &[Rational],
+        first: &Rational,
+        last: &Rational,
+    ) -> Result<Spline, SplineError> {
+        let d = Data::new(x, y)?;
+        let n = d.h.len();
+        let row = |i: usize, v: &Rational| equation([(i, Rational::from(1))], v.clone());
+        let s = d.open(row(0, first), row(n, last));
+        Ok(Spline::new(x, y, s))
+    }
+
+    /// With continuous third derivatives at the second and the last knot but one. Two knots give
+    /// the line, three the parabola.
+    ///
+    /// # Errors
+    /// [`SplineError`].
+    pub fn not_a_knot(x: &[Rational], y: &[Rational]) -> Result<Spline, SplineError> {
+        let d = Data::new(x, y)?;
+        let s = match d.h.len() {
+            1 => vec![d.delta[0].clone(); 2],
+            2 => {
+                let c =
+                    Rational::from(&d.delta[1] - &d.delta[0]) / Rational::from(&d.h[0] + &d.h[1]);
+                let (p, q) = (Rational::from(&d.h[0] * &c), Rational::from(&d.h[1] * &c));
+                vec![
+                    Rational::from(&d.delta[0] - &p),
+                    Rational::from(&d.delta[0] + &p),
+                    Rational::from(&d.delta[1] + &q),
+                ]
+            }
+            n => d.open(d.not_a_knot(0), d.not_a_knot(n - 2)),
+        };
+        Ok(Spline::new(x, y, s))
+    }
+
+    /// With first and second derivatives that agree at the two ends.
+    ///
+    /// # Errors
+    /// [`SplineError`].
+    pub fn periodic(x: &[Rational], y: &[Rational]) -> Result<Spline, SplineError> {
+        let d = Data::new(x, y)?;
+        let n = d.h.len();
+        if y[0] != y[n] {
+            return Err(SplineError::NotPeriodic);
+        }
+        let before = |i: usize| (i + n - 1) % n;
+        let row = |i: usize| d.smooth((before(i), i), (before(i), i, (i + 1) % n));
+        let mut s = solve(n, (0..n).map(row).collect());
+        s.push(s[0].clone());
+        Ok(Spline::new(x, y, s))
+    }
+
+    /// The slopes at the knots.
+    pub fn slopes(&self) -> &[Rational] {
+        &self.s
+    }
+
+    /// The segment that holds `x`: the one that begins at `x` if that is an inner knot; the first
+    /// or last one outside the knots.
+    pub fn segment(&self, x: &Rational) -> usize {
+        self.x[1..self.x.len() - 1].partition_point(|k| k <= x)
+    }
+
+    /// `u = x − x_i` and the coefficients of `1, u, u², u³` on segment `i`.
+    fn cubic(&self, i: usize, x: &Rational) -> (Rational, [Rational; 4]) {
+        let h = Rational::from(&self.x[i + 1] - &self.x[i]);
+        let delta = Rational::from(&self.y[i + 1] - &self.y[i]) / &h;
+        let (a, b) = (&self.s[i], &self.s[i + 1]);
+        let c = (Rational::from(&delta * 3) - Rational::from(a * 2) - b) / &h;
+        let d = (Rational::from(a + b) - delta * 2) / h.square();
+        let u = Rational::from(x - &self.x[i]);
+        (u, [self.y[i].clone(), a.clone(), c, d])
+    }
+
+    /// `S`, `S'`, `S''`, `S'''` at `x`; at an inner knot the third derivative is that of the
+    /// segment to the right. Outside the knots the end cubics go on.
+    ///
+    /// ```
+    /// use mechaudit_reference::cubic_spline::Spline;
+    /// use rug::Rational;
+    /// let q = |v: &[i32]| -> Vec<Rational> { v.iter().map(|&v| v.into()).collect() };
+    /// let s = Spline::natural(&q(&[0, 1, 2]), &q(&[0, 1, 0]))?;
+    /// assert_eq!(s.eval(&Rational::from((1, 2)))[0], Rational::from((11, 16)));
+    /// # Ok::<(), mechaudit_reference::cubic_spline::SplineError>(())
+    /// ```
+    pub fn eval(&self, x: &Rational) -> [Rational; 4] {
+        self.eval_on(self.segment(x), x)
+    }
+
+    /// As [`Spline::eval`], with the cubic of segment `i`.
+    pub fn eval_on(&self, i: usize, x: &Rational) -> [Rational; 4] {
+        let (u, [y, s, c, d]) = self.cubic(i, x);
+        let du = Rational::from(&d * &u);
+        let cu = Rational::from(&c + &du);
+        let value = (Rational::from(&cu * &u) + &s) * &u + y;
+        let first = (Rational::from(&c * 2) + Rational::from(&du * 3)) * &u + s;
+        let second = c * 2 + du * 6;
+        [value, first, second, d * 6]
+    }
+
+    /// `∫ S` from the first knot of segment `i` to `x`, with the cubic of that segment.
+    fn primitive(&self, i: usize, x: &Rational) -> Rational {
+        let (u, [y, s, c, d]) = self.cubic(i, x);
+        (((d / 4 * &u + c / 3) * &u + s / 2) * &u + y) * u
+    }
+
+    /// `∫ S dx` from `a` to `b`, of either sign.
+    pub fn integral(&self, a: &Rational, b: &Rational) -> Rational {
+        if b < a {
+            return -self.integral(b, a);
+        }
+        let (i, j) = (self.segment(a), self.segment(b));
+        let mut sum = self.primitive(j, b) - self.primitive(i, a);
+        for c in i..j {
+            sum += self.primitive(c, &self.x[c + 1]);
+        }
+        sum
+    }
+}
+
+/// A periodic spline on `N` equal steps through `N` balls (the ordinate after the last is the
+/// first again).
+#[derive(Clone, Debug)]
+pub struct PeriodicUniform {
+    y: Vec<Ball>,
+    h: Ball,
+    /// `h² m_i / 6 = Σ_j weight[(i − j) mod N] y_j`.
+    weight: Vec<Rational>,
+}
+
+/// The periodic cubic spline through balls on equal steps `h`.
+///
+/// The second derivatives are `6/h² Σ_j c_{(i−j) mod N} y_j`, with `c` the product of the exact
+/// inverse of the cyclic (1, 4, 1) matrix and the second-difference matrix. A value is one sum of
+/// exact rational weights times ordinates, so the radius of an ordinate enters once.
+///
+/// # Errors
+/// No ordinate.
+pub fn periodic_uniform(values: &[Ball], h: &Ball) -> Result<PeriodicUniform, SplineError> {
+    let n = values.len();
+    if n == 0 {
+        return Err(SplineError::TooFew(0));
+    }
+    // Both matrices are symmetric circulants: one column of their quotient is enough.
+    let spread = |i: usize, middle: i32| {
+        [((i + n - 1) % n, 1), (i, middle), ((i + 1) % n, 1)].map(|(j, v)| (j, Rational::from(v)))
+    };
+    let (difference, _) = equation(spread(0, -2), Rational::new());
+    let row = |i: usize| {
+        let rhs = difference.get(&i).cloned().unwrap_or_default();
+        equation(spread(i, 4), rhs)
+    };
+    Ok(PeriodicUniform {
+        y: values.to_vec(),
+        h: h.clone(),
+        weight: solve(n, (0..n).map(row).collect()),
+    })
+}
+
+impl PeriodicUniform {
+    fn prec(&self) -> u32 {
+        self.y
+            .iter()
+            .map(Ball::prec)
+            .max()
+            .unwrap_or(64)
+            .max(self.h.prec())
+            + 32
+    }
+
+    /// `Σ_j f(j) y_j` with exact weights.
+    fn sum(&self, f: impl Fn(usize) -> Rational) -> Ball {
+        let p = self.prec();
+        let mut sum = Ball::integer(p, 0);
+        for (j, y) in self.y.iter().enumerate() {
+            sum = &sum + &(&Ball::rational(p, &f(j)) * y);
+        }
+        sum
+    }
+
+    fn weight(&self, i: usize, j: usize) -> &Rational {
+        let n = self.y.len();
+        &self.weight[(i + n - j) % n]
+    }
+
+    /// The second derivatives at the knots.
+    pub fn second_derivatives(&self) -> Vec<Ball> {
+        let six = Ball::integer(self.prec(), 6);
+        let factor = &six / &self.h.square();
+        (0..self.y.len())
+            .map(|i| &self.sum(|j| self.weight(i, j).clone()) * &factor)
+            .collect()
+    }
+
+    /// The two knots of a segment, and 1 for knot `i` in column `i`.
+    fn knots(&self, segment: usize) -> (usize, usize) {
+        let n = self.y.len();
+        (segment % n, (segment + 1) % n)
+    }
+
+    /// `S` at the fraction `k` of the segment that begins at knot `segment` (modulo `N`).
+    pub fn value(&self, segment: usize, k: &Rational) -> Ball {
+        let (a, b) = self.knots(segment);
+        let w = Rational::from(1 - k);
+        let t = Rational::from(k * &w);
+        let (p, q) = (Rational::from(&w + 1) * &t, Rational::from(k + 1) * &t);
+        self.sum(|j| {
+            let mut f =
+                -Rational::from(&p * self.weight(a, j)) - Rational::from(&q * self.weight(b, j));
+            if j == a {
+                f += &w;
+            }
+            if j == b {
+                f += k;
+            }
+            f
+        })
+    }
+
+    /// `S'` at the fraction `k` of the segment that begins at knot `segment` (modulo `N`).
+    pub fn derivative(&self, segment: usize, k: &Rational) -> Ball {
+        let (a, b) = self.knots(segment);
+        let w = Rational::from(1 - k);
+        let (p, q) = (w.square() * 3 - 1u32, k.clone().square() * 3 - 1u32);
+        let sum = self.sum(|j| {
+            let mut f =
+                Rational::from(&q * self.weight(b, j)) - Rational::from(&p * self.weight(a, j));
+            if j == a {
+                f -= 1;
+            }
+            if j == b {
+                f += 1;
+            }
+            f
+        });
+        &sum / &self.h
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn q(v: &[i32]) -> Vec<Rational> {
+        v.iter().map(|&v| v.into()).collect()
+    }
+
+    /// Interpolation, smoothness and the given end conditions, exactly.
+    fn check(s: &Spline) {
+        let n = s.x.len() - 1;
+        for i in 0..n {
+            assert_eq!(s.eval_on(i, &s.x[i])[0], s.y[i]);
+            assert_eq!(s.eval_on(i, &s.x[i + 1])[0], s.y[i + 1]);
+            if i > 0 {
+                assert_eq!(s.eval_on(i - 1, &s.x[i])[..3], s.eval_on(i, &s.x[i])[..3]);
+            }
+        }
+    }
+
+    #[test]
+    fn every_kind_meets_its_conditions() {
+        for n in 1..9usize {
+            let x: Vec<Rational> = (0..=n)
+                .map(|i| Rational::from((i * i + 2 * i, 3)))
+                .collect();
+            let mut y: Vec<Rational> = (0..=n).map(|i| Rational::from((i * i * 7) % 11)).collect();
+            let (u, v) = (Rational::from(3), Rational::from(-5));
+            let s = Spline::second_derivatives(&x, &y, &u, &v).unwrap();
+            check(&s);
+            assert_eq!(s.eval(&x[0])[2], u);
+            assert_eq!(s.eval(&x[n])[2], v);
+            let s = Spline::clamped(&x, &y, &u, &v).unwrap();
+            check(&s);
+            assert_eq!((&s.eval(&x[0])[1], &s.eval(&x[n])[1]), (&u, &v));
+            let s = Spline::not_a_knot(&x, &y).unwrap();
+            check(&s);
+            if n > 1 {
+                assert_eq!(s.eval(&x[0])[3], s.eval(&x[1])[3]);
+                assert_eq!(s.eval(&x[n - 2])[3], s.eval(&x[n])[3]);
+            }
+            assert_eq!(Spline::periodic(&x, &y).is_ok(), y[0] == y[n]);
+            y[n] = y[0].clone();
+            let s = Spline::periodic(&x, &y).unwrap();
+            check(&s);
+            assert_eq!(s.eval(&x[0])[..3], s.eval(&x[n])[..3]);
+        }
+    }
+
+    #[test]
+    fn a_cubic_is_reproduced_and_integrated() {
+        let f = |x: &Rational| x.clone().square() * x - Rational::from(x * 2) + 5u32;
+        let x: Vec<Rational> = [0, 1, 4, 5, 9]
+            .iter()
+            .map(|&v| Rational::from((v, 2)))
+            .collect();
+        let y: Vec<Rational> = x.iter().map(f).collect();
+        let ends = (Rational::from(-2), Rational::from((235, 4)));
+        for s in [
+            Spline::not_a_knot(&x, &y),
+            Spline::clamped(&x, &y, &ends.0, &ends.1),
+        ] {
+            let s = s.unwrap();
+            for k in -3..12 {
+                let at = Rational::from((k, 3));
+                assert_eq!(s.eval(&at)[0], f(&at));
+                assert_eq!(s.eval(&at)[3], 6);
+            }
+            // x⁴/4 − x² + 5x from 1/3 to 4.
+            let g = |x: &Rational| {
+                x.clone().square().square() / 4 - x.clone().square() + Rational::from(x * 5)
+            };
+            let (a, b) = (Rational::from((1, 3)), Rational::from(4));
+            assert_eq!(s.integral(&a, &b), g(&b) - g(&a));
+            assert_eq!(s.integral(&b, &a), g(&a) - g(&b));
+        }
+    }
+
+    #[test]
+    fn refusals() {
+        assert_eq!(
+            Spline::natural(&q(&[1]), &q(&[1])).unwrap_err(),
+            SplineError::TooFew(1)
+        );
+        assert_eq!(
+            Spline::natural(&q(&[1, 1]), &q(&[1, 2])).unwrap_err(),
+            SplineError::NotIncreasing(1)
+        );
+        assert!(matches!(
+            Spline::natural(&q(&[1, 2]), &q(&[1])),
+            Err(SplineError::Length { .. })
+        ));
+        assert!(periodic_uniform(&[], &Ball::integer(64, 1)).is_err());
+    }
+
+    #[test]
+    fn balls_hold_the_exact_periodic_spline() {
+        for n in 1..14usize {
+            let y: Vec<Rational> = (0..=n).map(|i| Rational::from((i % n * 5) % 7)).collect();
+            let h = Rational::from((1, 3));
+            let x: Vec<Rational> = (0..=n).map(|i| Rational::from(&h * i as u32)).collect();
+            let s = Spline::periodic(&x, &y).unwrap();
+            let balls: Vec<Ball> = y[..n].iter().map(|y| Ball::rational(100, y)).collect();
+            let b = periodic_uniform(&balls, &Ball::rational(100, &h)).unwrap();
+            for (i, m) in b.second_derivatives().iter().enumerate() {
+                assert!(m.contains(&s.eval(&x[i])[2]));
+                assert!(m.rad().is_zero() || m.rad().exponent().unwrap() < -90);
+                for k in [
+                    Rational::new(),
+                    Rational::from((1, 3)),
+                    Rational::from((7, 8)),
+                ] {
+                    let at = Rational::from(&h * &k) + &x[i];
+                    let truth = s.eval(&at);
+                    assert!(b.value(i, &k).contains(&truth[0]));
+                    assert!(b.derivative(i + n, &k).contains(&truth[1]));
+                    assert!(b.value(i, &k).rad().to_f64() < 1e-27);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! Splines over exact rationals.
+
+pub mod cubic_spline;

@@ -1,0 +1,105 @@
+//! Where a step is looked at, and what counts as outside.
+
+use super::*;
+use crate::run_up::stepper::Tried;
+use differential_equations::ode::ODE;
+
+/// A step from `.0` to `.1` of the motion `.2`, with the moments at which it was looked at.
+struct Watched<F>(f64, f64, State, F, Vec<f64>);
+
+impl<F: Fn(f64) -> State> Stepper for Watched<F> {
+    fn step(&mut self, _: &dyn ODE<f64, State>, _: f64) -> Tried {
+        unreachable!("one step")
+    }
+    fn proposed(&self) -> f64 {
+        unreachable!("one step")
+    }
+    fn t(&self) -> f64 {
+        self.1
+    }
+    fn y(&self) -> &State {
+        &self.2
+    }
+    fn t_before(&self) -> f64 {
+        self.0
+    }
+    fn between(&mut self, t: f64) -> State {
+        self.4.push(t);
+        (self.3)(t)
+    }
+}
+
+fn state(phi: f64, psi: f64) -> State {
+    [phi, psi, 0.0, 0.0, 0.0, 0.0]
+}
+
+fn limits(angles: (f64, f64), speeds: (f64, f64)) -> Limits {
+    Limits {
+        end: 10.0,
+        angles,
+        speeds,
+        extrema: false,
+    }
+}
+
+/// The edges themselves are inside.
+#[test]
+fn the_motion_may_stand_on_an_edge() {
+    let l = limits((1.0, 2.0), (3.0, 4.0));
+    for (phi, psi) in [(1.0, 3.0), (1.0, 4.0), (2.0, 3.0), (2.0, 4.0)] {
+        assert_eq!(l.outside(&state(phi, psi)), None);
+    }
+    let (below, above) = (f64::next_down, f64::next_up);
+    for (phi, psi, pause) in [
+        (below(1.0), 3.5, Pause::Angle(1.0)),
+        (above(2.0), 3.5, Pause::Angle(2.0)),
+        (1.5, below(3.0), Pause::Speed(3.0)),
+        (1.5, above(4.0), Pause::Speed(4.0)),
+        (above(2.0), above(4.0), Pause::Angle(2.0)),
+    ] {
+        assert_eq!(l.outside(&state(phi, psi)), Some(pause));
+    }
+}
+
+/// Three looks within a step without a crossing, in quarters; down to neighbours in one with.
+#[test]
+fn no_more_looks_than_needed() {
+    let speeds = (f64::NEG_INFINITY, f64::INFINITY);
+    for (a, b, looks) in [(1.0, 3.0, [1.5, 2.0, 2.5]), (2.0, 10.0, [4.0, 6.0, 8.0])] {
+        let mut s = Watched(a, b, state(b, 1.0), |t| state(t, 1.0), Vec::new());
+        let unused = |_: &State| unreachable!("no turning points");
+        let none = crossing(&mut s, &limits((0.0, b), speeds), &mut None, &unused);
+        assert_eq!((none, &s.4[..]), (None, &looks[..]));
+        // Just behind the first look: the quarter is halved until its ends are neighbours, which
+        // is seen by a last half that falls onto one of them.
+        let near = looks[0].next_up();
+        for edge in [near, near.next_up()] {
+            s.4.clear();
+            let found = crossing(&mut s, &limits((0.0, edge), speeds), &mut None, &unused);
+            let due = edge.next_up();
+            assert_eq!(found, Some((due, Pause::Angle(edge))));
+            let (quarter, ulp) = ((b - a) / 4.0, due - edge);
+            assert_eq!(s.4.len() as f64, 2.0 + (quarter / ulp).log2());
+        }
+    }
+}
+
+/// An acceleration that only touches zero at a look has no turning point; one that passes through
+/// zero there has it next to it.
+#[test]
+fn an_acceleration_of_zero_at_a_look() {
+    let open = (f64::NEG_INFINITY, f64::INFINITY);
+    let l = limits(open, open);
+    let find = |sign: f64, acceleration: &dyn Fn(&State) -> f64| {
+        let mut s = Watched(1.0, 3.0, state(3.0, 1.0), |t| state(t, 1.0), Vec::new());
+        crossing(&mut s, &l, &mut Some(sign), acceleration)
+    };
+    for sign in [1.0, -1.0] {
+        // From zero, so that it is +0 at the look whatever the sign.
+        let touching = |y: &State| 0.0 + sign * (y[PHI] - 2.0).powi(2);
+        assert_eq!(find(sign, &touching), None);
+        let through = |y: &State| sign * (2.0 - y[PHI]);
+        let due = Some((2.0f64.next_up(), Pause::Extremum));
+        assert_eq!(find(sign, &through), due);
+    }
+}

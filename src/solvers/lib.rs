@@ -1,0 +1,34 @@
+//! Fast `f64` solvers for the dynamics of mechanisms. They need neither GMP nor MPFR.
+//!
+//! | folder | modules |
+//! |---|---|
+//! | special | [`faddeeva`] |
+//! | linear | [`tridiagonal`], [`cyclic_tridiagonal`] |
+//! | splines | [`cubic_spline`] |
+//! | linkages | [`class_iii`], [`dyad`], [`reduction`] |
+//! | drive | [`run_up`] |
+//! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`], [`chirp_chart`] |
+//!
+//! Features: `parallel` runs batches on all cores, `run-up` integrates the equation of motion.
+//!
+//! The crate is the part of [mechaudit](https://crates.io/crates/mechaudit) that computes. What its
+//! accuracy is said to be, that suite has audited against certified references.
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod cams;
+mod drive;
+mod linear;
+mod linkages;
+mod special;
+mod splines;
+#[cfg(test)]
+mod tests;
+pub mod units;
+
+pub use cams::{cam_law, chirp_chart, chirp_oscillator, fourier_series};
+pub use drive::run_up;
+pub use linear::{cyclic_tridiagonal, tridiagonal};
+pub use linkages::{class_iii, dyad, reduction};
+pub use special::faddeeva;
+pub use splines::cubic_spline;

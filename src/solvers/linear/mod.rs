@@ -1,0 +1,4 @@
+//! Linear systems.
+
+pub mod cyclic_tridiagonal;
+pub mod tridiagonal;

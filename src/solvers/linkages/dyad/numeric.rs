@@ -1,0 +1,187 @@
+//! Scaling by powers of two, exact signs of sums, and triangles from their sides.
+
+use super::{DyadError, MAX_LENGTH_RATIO};
+use crate::units::Length;
+
+/// `2^k` for `k` in `−1022..=1023`.
+fn pow2(k: i32) -> f64 {
+    f64::from_bits(((k + 1023) as u64) << 52)
+}
+
+/// `x · 2^k`, rounded at most once where the result is not subnormal.
+pub(super) fn scale(x: f64, k: i32) -> f64 {
+    let half = k / 2;
+    x * pow2(half.clamp(-1022, 1023)) * pow2((k - half).clamp(-1022, 1023))
+}
+
+/// The exponent of `x > 0`: `x` lies in `[2^e, 2^(e+1))`.
+pub(super) fn exponent(x: f64) -> i32 {
+    let e = ((x.to_bits() >> 52) & 0x7ff) as i32;
+    if e == 0 {
+        exponent(x * pow2(100)) - 100
+    } else {
+        e - 1023
+    }
+}
+
+/// Checks named lengths and returns the exponent of the longest.
+pub(super) fn check_lengths(
+    positive: &[(&'static str, Length)],
+    any_sign: &[(&'static str, Length)],
+) -> Result<i32, DyadError> {
+    for &(what, l) in positive.iter().chain(any_sign) {
+        let value = l.m();
+        if !value.is_finite() {
+            return Err(DyadError::NotFinite { what, value });
+        }
+    }
+    for &(what, l) in positive {
+        let value_m = l.m();
+        if value_m <= 0.0 {
+            return Err(DyadError::NotPositive { what, value_m });
+        }
+    }
+    let all = || positive.iter().chain(any_sign).map(|(_, l)| l.m().abs());
+    let longest_m = all().fold(0.0, f64::max);
+    let shortest_m = all().filter(|&l| l > 0.0).fold(longest_m, f64::min);
+    if longest_m / MAX_LENGTH_RATIO > shortest_m {
+        return Err(DyadError::LengthRatio {
+            longest_m,
+            shortest_m,
+        });
+    }
+    Ok(exponent(longest_m))
+}
+
+/// The sign of a sum of a few numbers, exactly: an expansion without overlap is grown term by
+/// term and its last non-zero component has the sign of the whole (J. R. Shewchuk, *Adaptive
+/// precision floating-point arithmetic*, Discrete Comput. Geom. 18, 1997, theorem 10).
+pub(super) fn sign_of_sum(terms: &[f64]) -> f64 {
+    let mut expansion: Vec<f64> = Vec::with_capacity(terms.len());
+    for &t in terms {
+        let mut carry = t;
+        for e in &mut expansion {
+            let sum = carry + *e;
+            let back = sum - carry;
+            *e = (carry - (sum - back)) + (*e - back);
+            carry = sum;
+        }
+        expansion.push(carry);
+    }
+    match expansion.iter().rev().find(|&&e| e != 0.0) {
+        Some(e) => e.signum(),
+        None => 0.0,
+    }
+}
+
+/// The angle between two sides of a triangle, as the pair whose `atan2` is half of it.
+///
+/// With the sides `p` and `q` enclosing the angle and `o` opposite to it,
+///
+/// ```text
+/// tan(angle/2) = √((o − p + q)(o + p − q)) / √((p + q − o)(p + q + o))      (1)
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HalfAngle {
+    /// Proportional to `sin(angle/2)`.
+    pub sin: f64,
+    /// Proportional to `cos(angle/2)`.
+    pub cos: f64,
+}
+
+impl HalfAngle {
+    /// From the factors of (1), each not negative.
+    pub fn new(o_p_q: f64, o_q_p: f64, p_q_o: f64, sum: f64) -> HalfAngle {
+        HalfAngle {
+            sin: (o_p_q * o_q_p).sqrt(),
+            cos: (p_q_o * sum).sqrt(),
+        }
+    }
+
+    /// The angle, in `[0, π]`.
+    pub fn angle(self) -> f64 {
+        2.0 * self.sin.atan2(self.cos)
+    }
+
+    /// π minus the angle, without subtracting.
+    pub fn supplement(self) -> f64 {
+        2.0 * self.cos.atan2(self.sin)
+    }
+
+    /// `(sin, cos)` of the angle.
+    pub fn sin_cos(self) -> (f64, f64) {
+        let whole = self.sin * self.sin + self.cos * self.cos;
+        (
+            2.0 * self.sin * self.cos / whole,
+            (self.cos - self.sin) * (self.cos + self.sin) / whole,
+        )
+    }
+}
+
+/// The sum of three numbers, the two of largest opposite magnitude first: where the result is
+/// small against them that first difference is exact.
+pub(super) fn sum3([a, b, c]: [f64; 3]) -> f64 {
+    let close = |x: f64, y: f64, z: f64| ((x + y).abs(), x + y + z);
+    let (ab, bc, ca) = (close(a, b, c), close(b, c, a), close(c, a, b));
+    let least = if ab.0 <= bc.0 && ab.0 <= ca.0 {
+        ab
+    } else if bc.0 <= ca.0 {
+        bc
+    } else {
+        ca
+    };
+    least.1
+}
+
+/// The scalar product.
+pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// π as a sum of two numbers: the second is π minus the first, rounded.
+pub(super) const PI_TAIL: f64 = 1.224_646_799_147_353_2e-16;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_are_exact() {
+        assert_eq!(sign_of_sum(&[1.0, 1e-30, -1.0]), 1.0);
+        assert_eq!(sign_of_sum(&[1e-30, 1.0, -1.0, -1e-30]), 0.0);
+        assert_eq!(sign_of_sum(&[0.1, 0.2, -0.3]), 1.0);
+        assert_eq!(sign_of_sum(&[0.3, -0.1, -0.2]), -1.0);
+        assert_eq!(sign_of_sum(&[]), 0.0);
+    }
+
+    #[test]
+    fn scaling_is_exact_over_the_whole_range() {
+        for x in [f64::from_bits(1), 1e-310, 1.0, 1.5e300] {
+            let e = exponent(x);
+            let m = scale(x, -e);
+            assert!((1.0..2.0).contains(&m), "{x} {m}");
+            assert_eq!(scale(m, e), x);
+        }
+    }
+
+    #[test]
+    fn right_and_flat_triangles() {
+        // Between the sides p and q, opposite o.
+        let angle =
+            |p: f64, q: f64, o: f64| HalfAngle::new(o - p + q, o + p - q, p + q - o, p + q + o);
+        assert_eq!(angle(3.0, 4.0, 5.0).angle(), std::f64::consts::FRAC_PI_2);
+        assert_eq!(angle(3.0, 4.0, 5.0).sin_cos(), (1.0, 0.0));
+        assert_eq!(angle(1.0, 2.0, 3.0).angle(), std::f64::consts::PI);
+        assert_eq!(angle(1.0, 2.0, 3.0).supplement(), 0.0);
+        assert_eq!(angle(3.0, 2.0, 1.0).angle(), 0.0);
+        let equilateral = angle(7.0, 7.0, 7.0).angle();
+        assert!((equilateral - std::f64::consts::FRAC_PI_3).abs() < 3e-16);
+    }
+
+    #[test]
+    fn sums_of_three_keep_what_is_left() {
+        let tiny = 2f64.powi(-52);
+        assert_eq!(sum3([1.0, 1e-20, -(1.0 + tiny)]), 1e-20 - tiny);
+        assert_eq!(sum3([-1.0, 1.0 + tiny, 1e-3]), 1e-3 + tiny);
+    }
+}

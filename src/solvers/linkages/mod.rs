@@ -1,0 +1,5 @@
+//! Linkages, and their reduction to the crank.
+
+pub mod class_iii;
+pub mod dyad;
+pub mod reduction;

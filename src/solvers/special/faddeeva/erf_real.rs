@@ -1,0 +1,182 @@
+//! Error functions of a real argument.
+
+use super::constants::TWO_OVER_SQRT_PI;
+use super::double_double::Dd;
+use super::exponential::{exp, exponent};
+use super::lanes::{Lanes, Task, with_best};
+use super::odd_series::{ERF, odd, odd_real};
+use super::plane;
+use super::quadrant::{HUGE, dawson_in_strip, pair_times_power, times_power, w};
+use super::real::{ROUND, scaled};
+
+/// |x| below which erfc x is computed as 1 − erf x.
+const COMPLEMENT: f64 = 0.25;
+
+/// `e^{x²} erfc x` for `0 ≤ x < HUGE`.
+#[inline(always)]
+fn erfcx_right<L: Lanes>(lanes: L, x: f64) -> Dd {
+    w(lanes, 0.0, x).0
+}
+
+/// erfc x for `¼ ≤ x < 30` as a mantissa and `ROUND` plus the exponent.
+#[inline(always)]
+fn erfc_right<L: Lanes>(lanes: L, x: f64) -> (Dd, f64) {
+    let (e, n) = exp(exponent(x, 0.0));
+    (e * erfcx_right(lanes, x), n)
+}
+
+/// erf x, real.
+struct ErfReal(f64);
+
+impl Task for ErfReal {
+    type Output = f64;
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
+        let x = self.0.abs();
+        let value = if x < 0.5 {
+            (odd_real(ERF, x) * TWO_OVER_SQRT_PI).value()
+        } else if x < 6.0 {
+            let (t, n) = erfc_right(lanes, x);
+            (-pair_times_power(t, n)).add_f(1.0).value()
+        } else if x.is_nan() {
+            return f64::NAN;
+        } else {
+            1.0
+        };
+        value.copysign(self.0)
+    }
+}
+
+/// erfc x, real.
+struct ErfcReal(f64);
+
+impl Task for ErfcReal {
+    type Output = f64;
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
+        let x = self.0;
+        let b = x.abs();
+        if b < COMPLEMENT {
+            return (-(odd_real(ERF, x) * TWO_OVER_SQRT_PI)).add_f(1.0).value();
+        }
+        if b < 30.0 {
+            let (t, n) = erfc_right(lanes, b);
+            return if x > 0.0 {
+                scaled(t.value(), n)
+            } else {
+                (-pair_times_power(t, n)).add_f(2.0).value()
+            };
+        }
+        if x.is_nan() {
+            f64::NAN
+        } else if x > 0.0 {
+            0.0
+        } else {
+            2.0
+        }
+    }
+}
+
+/// erfi x, real: `(2/√π) x + …` next to zero, else `(2/√π) e^{x²} F(x)`.
+struct ErfiReal(f64);
+
+impl Task for ErfiReal {
+    type Output = f64;
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
+        let x = self.0.abs();
+        let value = if x < 0.5 {
+            // erfi x = −i erf(ix): the signs of the coefficients alternate no more.
+            let (_, im) = odd(ERF, 0.0, x);
+            (im * TWO_OVER_SQRT_PI).value()
+        } else if x < 30.0 {
+            let (e, n) = exp(exponent(0.0, x));
+            let (p, _) = dawson_in_strip(lanes, x, 0.0);
+            times_power((e * p).value(), n)
+        } else if x.is_nan() {
+            return f64::NAN;
+        } else {
+            f64::INFINITY
+        };
+        value.copysign(self.0)
+    }
+}
+
+/// erfcx x = `e^{x²} erfc x`, real.
+struct ErfcxReal(f64);
+
+impl Task for ErfcxReal {
+    type Output = f64;
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> f64 {
+        let x = self.0;
+        let b = x.abs();
+        if !(b < HUGE) {
+            return plane::w(lanes, 0.0, x).0;
+        }
+        if x >= 0.0 {
+            return erfcx_right(lanes, b).value();
+        }
+        if b > 30.0 {
+            return f64::INFINITY;
+        }
+        // 2 e^{x²} − erfcx |x|.
+        let (e, n) = exp(exponent(0.0, b));
+        let t = erfcx_right(lanes, b);
+        if n > ROUND + 200.0 {
+            return times_power(e.value(), n + 1.0);
+        }
+        (pair_times_power(e, n + 1.0) - t).value()
+    }
+}
+
+/// [`erf`](super::erf()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 0.9 units in the last place. `erf(±∞) = ±1`, NaN for NaN.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::erf_real;
+/// assert_eq!(erf_real(0.5), 0.5204998778130465);
+/// ```
+pub fn erf_real(x: f64) -> f64 {
+    with_best(ErfReal(x))
+}
+
+/// [`erfc`](super::erfc()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 0.7 units in the last place, gradual underflow from
+/// 26.5 to 27.2 included. `erfc(∞) = 0`, `erfc(−∞) = 2`, NaN for NaN.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::erfc_real;
+/// assert!((erfc_real(27.0) / 5.23705e-319 - 1.0).abs() < 1e-4);
+/// ```
+pub fn erfc_real(x: f64) -> f64 {
+    with_best(ErfcReal(x))
+}
+
+/// [`erfi`](super::erfi()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 0.9 units in the last place. ±∞ beyond ±26.65, NaN for
+/// NaN.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::erfi_real;
+/// assert_eq!(erfi_real(27.0), f64::INFINITY);
+/// ```
+pub fn erfi_real(x: f64) -> f64 {
+    with_best(ErfiReal(x))
+}
+
+/// [`erfcx`](super::erfcx()) of a real argument.
+///
+/// Worst found, 10⁵ arguments of all sizes: 1.8 units in the last place. `erfcx(∞) = 0`, +∞ below
+/// −26.63, NaN for NaN.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::erfcx_real;
+/// assert!((erfcx_real(1.0) - 0.427583576155807).abs() < 1e-15);
+/// ```
+pub fn erfcx_real(x: f64) -> f64 {
+    with_best(ErfcxReal(x))
+}

@@ -1,0 +1,180 @@
+//! Four numbers at once: the processor's vectors behind an interface that plain arrays satisfy too.
+//!
+//! Every operation is one correctly rounded operation on each number, so that the results have the
+//! same bits whatever carries them out.
+
+use super::real::{Four, Real};
+
+/// A set of instructions.
+pub(crate) trait Lanes: Copy {
+    /// Four numbers.
+    type V: Copy;
+    fn load(self, x: [f64; 4]) -> Self::V;
+    fn splat(self, x: f64) -> Self::V;
+    fn mul(self, a: Self::V, b: Self::V) -> Self::V;
+    /// `a b + c`
+    fn mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
+    /// `c − a b`
+    fn neg_mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
+    fn parts(self, x: Self::V) -> [f64; 4];
+    /// `(x₀ + x₂) + (x₁ + x₃)`
+    fn sum(self, x: Self::V) -> f64;
+    /// Four numbers as a [`Real`].
+    type Quad: Real;
+    fn quad(self, x: [f64; 4]) -> Self::Quad;
+    fn array(self, x: Self::Quad) -> [f64; 4];
+    /// Runs the task as a function of its own, compiled for these instructions.
+    fn call<T: Task>(self, task: T) -> T::Output;
+}
+
+/// Something to be run with a set of instructions. `run` has to be inlined.
+pub(crate) trait Task {
+    type Output;
+    fn run<L: Lanes>(self, lanes: L) -> Self::Output;
+}
+
+/// Runs the task with the best instructions of this processor.
+#[inline(always)]
+pub(crate) fn with_best<T: Task>(task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
+    match x86::BEST.get() {
+        Some(Some(v)) => return v.call(task),
+        None => return x86::first(task),
+        Some(None) => (),
+    }
+    Plain.run(task)
+}
+
+/// Arrays.
+#[derive(Clone, Copy)]
+pub(super) struct Plain;
+
+impl Plain {
+    #[inline(never)]
+    fn run<T: Task>(self, task: T) -> T::Output {
+        task.run(self)
+    }
+}
+
+impl Lanes for Plain {
+    type V = [f64; 4];
+    #[inline(always)]
+    fn load(self, x: [f64; 4]) -> [f64; 4] {
+        x
+    }
+    #[inline(always)]
+    fn splat(self, x: f64) -> [f64; 4] {
+        [x; 4]
+    }
+    #[inline(always)]
+    fn mul(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|i| a[i] * b[i])
+    }
+    #[inline(always)]
+    fn mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|i| a[i].mul_add(b[i], c[i]))
+    }
+    #[inline(always)]
+    fn neg_mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        std::array::from_fn(|i| (-a[i]).mul_add(b[i], c[i]))
+    }
+    #[inline(always)]
+    fn parts(self, x: [f64; 4]) -> [f64; 4] {
+        x
+    }
+    #[inline(always)]
+    fn sum(self, x: [f64; 4]) -> f64 {
+        (x[0] + x[2]) + (x[1] + x[3])
+    }
+    type Quad = Four;
+    #[inline(always)]
+    fn quad(self, x: [f64; 4]) -> Four {
+        Four(x)
+    }
+    #[inline(always)]
+    fn array(self, x: Four) -> [f64; 4] {
+        x.0
+    }
+    #[inline(always)]
+    fn call<T: Task>(self, task: T) -> T::Output {
+        self.run(task)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::super::pack::Pack;
+    use super::{Lanes, Plain, Task};
+    use pulp::x86::V3;
+    use pulp::{NullaryFnOnce, cast, f64x4};
+    use std::sync::OnceLock;
+
+    /// What the processor was found to have.
+    pub(super) static BEST: OnceLock<Option<V3>> = OnceLock::new();
+
+    /// Looks what the processor has. A function of its own, and away from the others: where it may be
+    /// called in between, numbers in vector registers go to memory and back, for every value.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn first<T: Task>(task: T) -> T::Output {
+        match BEST.get_or_init(V3::try_new) {
+            Some(v) => v.call(task),
+            None => Plain.run(task),
+        }
+    }
+
+    struct Compiled<T>(V3, T);
+
+    impl<T: Task> NullaryFnOnce for Compiled<T> {
+        type Output = T::Output;
+        #[inline(always)]
+        fn call(self) -> T::Output {
+            self.1.run(self.0)
+        }
+    }
+
+    impl Lanes for V3 {
+        type V = f64x4;
+        #[inline(always)]
+        fn load(self, x: [f64; 4]) -> f64x4 {
+            cast(x)
+        }
+        #[inline(always)]
+        fn splat(self, x: f64) -> f64x4 {
+            self.splat_f64x4(x)
+        }
+        #[inline(always)]
+        fn mul(self, a: f64x4, b: f64x4) -> f64x4 {
+            self.mul_f64x4(a, b)
+        }
+        #[inline(always)]
+        fn mul_add(self, a: f64x4, b: f64x4, c: f64x4) -> f64x4 {
+            self.mul_add_f64x4(a, b, c)
+        }
+        #[inline(always)]
+        fn neg_mul_add(self, a: f64x4, b: f64x4, c: f64x4) -> f64x4 {
+            self.negate_mul_add_f64x4(a, b, c)
+        }
+        #[inline(always)]
+        fn parts(self, x: f64x4) -> [f64; 4] {
+            cast(x)
+        }
+        #[inline(always)]
+        fn sum(self, x: f64x4) -> f64 {
+            (x.0 + x.2) + (x.1 + x.3)
+        }
+        type Quad = Pack<V3>;
+        #[inline(always)]
+        fn quad(self, x: [f64; 4]) -> Pack<V3> {
+            Pack(self, cast(x))
+        }
+        #[inline(always)]
+        fn array(self, x: Pack<V3>) -> [f64; 4] {
+            cast(x.1)
+        }
+        #[inline(always)]
+        fn call<T: Task>(self, task: T) -> T::Output {
+            self.vectorize(Compiled(self, task))
+        }
+    }
+}

@@ -1,0 +1,286 @@
+//! The Faddeeva function `w(z) = e^{−z²} erfc(−iz)` (DLMF 7.2.3) in `f64`, on the whole plane.
+//!
+//! # Accuracy
+//! Each component within a few units in its own last place wherever it is representable: beside
+//! the axes, on the diagonals, in the lower half-plane and next to the zeros of w and of its
+//! components. Worst found against the certified reference at 10⁷ points in each of the seven regions
+//! of `benches/peers`: 1.60 · 2⁻⁵² of the norm (0.99 in the upper half-plane); of the component, 2.9
+//! units in the last place in the upper half-plane, 3.9 in the unit disc, 2.2 beside the real axis, 3.5
+//! in the lower half-plane, 2.6 on the diagonals and 3.6 next to zeros. Next to the curves on which a
+//! component is zero, down to the `f64` on either side of them, the worst of 40 000 points in each region
+//! of the audit is 2.5 units in the last place. `benches/peers` repeats the measurement beside other
+//! codes, `mechaudit audit faddeeva` judges it.
+//!
+//! # Method
+//! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]; [`SEAMS`] has the limits):
+//!
+//! - inside the first two circles: Maclaurin series with 9 and 21 terms;
+//! - up to the circle where the asymptotic series begins: Taylor series of 18 terms about tabulated centres,
+//!   closer together where `|z|` is small, the two leading coefficients in double-double; beside the axes the
+//!   centres lie on them (on the real axis closest together), so that the small component keeps its relative
+//!   accuracy; on the imaginary axis with the real coefficients of erfcx;
+//! - beyond: asymptotic series (DLMF 7.12.1) with 26, 14, 6, 4 or 2 terms, and `e^{−z²}` added beside the
+//!   real axis; next to it two real polynomials serve instead.
+//!
+//! Batches are sorted by formula, 256 points at a time, by the leading bits of `|z|²` and a few
+//! comparisons; in batches of 1024 points and more, those that fewer than eight of the 256 share a formula with
+//! wait until there are more.
+//!
+//! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
+//! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above
+//! carried on to pairs of `f64`; single ones suffice in cells and with 26 terms beyond the first hyperbola of
+//! [`SEAMS`], because one of the terms dominates there. Where a component is smaller than a fortieth of its
+//! terms it is computed again in double-double by the trapezoidal rule with the residue at its pole, and where it is below 2⁻³⁶ of them once more
+//! in 256 bits (|z| < 4096; beyond, by the asymptotic series, below 2⁻²²). So is a component whose phase is within
+//! 2⁻⁶⁰ of a multiple of π/2. Next to the first twelve zeros w comes from Taylor series about the zero, which is
+//! stored to 160 bits.
+//!
+//! # Special values
+//! | z | w(z) |
+//! |---|---|
+//! | `x + i∞` | `+0 ± 0i` (the sign of x) |
+//! | `±∞ + iy`, y finite or `+∞` | `±0 ± 0i` (the signs of y and x) |
+//! | `±0 + iy` | Im is ±0 |
+//! | `±0 − i∞` | `+∞ ± 0i` |
+//! | `x − i∞`, `x ≠ 0`; `±∞ − i∞` | `NaN + NaN i`: no limit |
+//! | a component NaN | `NaN + NaN i`; `NaN ± 0i` on the imaginary axis, where w is real |
+//! | `\|2e^{−z²}\|` above the range | the infinity of the right sign for each component above it |
+//!
+//! Underflow is gradual; nothing allocates and nothing panics.
+//!
+//! # Speed
+//! All code is compiled twice, for processors with FMA and AVX2 and for any other (where the fused
+//! operations are slow, but round alike), and chosen at run time; batches a third time, for
+//! AVX-512. All give the same bits.
+
+mod asymptotic;
+#[cfg(target_arch = "x86_64")]
+mod batch;
+mod branch;
+mod constants;
+mod dawson;
+mod derivative;
+pub(crate) mod double_double;
+pub(crate) mod double_double_functions;
+mod erf;
+mod erf_real;
+mod erf_zeros;
+mod erfcx;
+pub(crate) mod exponential;
+mod extended;
+pub(crate) mod lanes;
+mod lengths;
+mod long;
+mod long_functions;
+mod long_relatives;
+mod long_w;
+mod maclaurin;
+mod odd_series;
+#[cfg(target_arch = "x86_64")]
+mod pack;
+pub(crate) mod payne_hanek;
+mod plane;
+mod quadrant;
+pub(crate) mod real;
+mod reflection;
+mod relatives_tables;
+#[cfg(target_arch = "x86_64")]
+mod rows;
+mod seams;
+mod special;
+#[rustfmt::skip]
+#[allow(clippy::all)]
+mod tables;
+mod taylor;
+#[cfg(target_arch = "x86_64")]
+mod taylor_packs;
+mod trapezoidal;
+#[cfg(target_arch = "x86_64")]
+mod two;
+mod voigt;
+mod zeros;
+
+pub use branch::Branch;
+pub use seams::{SEAMS, SEAMS_OF_RELATIVES, Seams};
+
+pub use dawson::{dawson, dawson_batch, dawson_real};
+pub use derivative::w_derivative;
+pub use erf::{erf, erfc, erfi};
+pub use erf_real::{erf_real, erfc_real, erfcx_real, erfi_real};
+pub use erfcx::{erfcx, erfcx_batch};
+pub use lengths::LengthMismatch;
+pub use voigt::{voigt, voigt_batch};
+
+pub(crate) use extended::w_extended;
+use lengths::same_length;
+use num_complex::Complex;
+
+/// The Faddeeva function `w(z) = e^{−z²} erfc(−iz)`.
+///
+/// Accuracy, method and special values: [the module](self).
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::faddeeva;
+/// use num_complex::Complex;
+///
+/// let w = faddeeva(Complex::new(1.0, 1.0));
+/// assert!((w.re - 0.3047442052569126).abs() < 1e-16);
+/// assert!((w.im - 0.2082189382028316).abs() < 1e-16);
+/// // On the real axis the real part is e^{−x²}.
+/// let w = faddeeva(Complex::new(3.0, 0.0));
+/// assert!((w.re / (-9.0f64).exp() - 1.0).abs() < 1e-15);
+/// ```
+#[inline]
+pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
+    let (re, im) = plane::w_with_best(z.re, z.im);
+    Complex::new(re, im)
+}
+
+/// [`faddeeva`] at many points, several times as fast; the values have the same bits.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::{faddeeva, faddeeva_batch};
+/// use num_complex::Complex;
+///
+/// let z: Vec<_> = (0..1000).map(|k| Complex::new(0.01 * f64::from(k), 0.5)).collect();
+/// let mut w = vec![Complex::default(); z.len()];
+/// faddeeva_batch(&z, &mut w)?;
+/// assert_eq!(w[700], faddeeva(z[700]));
+/// # Ok::<(), mechaudit_solvers::faddeeva::LengthMismatch>(())
+/// ```
+pub fn faddeeva_batch(z: &[Complex<f64>], w: &mut [Complex<f64>]) -> Result<(), LengthMismatch> {
+    same_length(z.len(), [w.len()])?;
+    all(&mut Interleaved { z, w });
+    Ok(())
+}
+
+/// [`faddeeva_batch`] for real and imaginary parts in slices of their own.
+///
+/// # Errors
+/// [`LengthMismatch`] if the slices differ in length; nothing is written then.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::faddeeva_soa;
+///
+/// let (mut re, mut im) = ([0.0; 2], [0.0; 2]);
+/// faddeeva_soa(&[0.0, 1.0], &[0.0, 0.0], &mut re, &mut im)?;
+/// assert_eq!((re[0], im[0]), (1.0, 0.0));
+/// # Ok::<(), mechaudit_solvers::faddeeva::LengthMismatch>(())
+/// ```
+pub fn faddeeva_soa(
+    x: &[f64],
+    y: &[f64],
+    re: &mut [f64],
+    im: &mut [f64],
+) -> Result<(), LengthMismatch> {
+    same_length(x.len(), [y.len(), re.len(), im.len()])?;
+    all(&mut Apart { x, y, re, im });
+    Ok(())
+}
+
+/// Which formula [`faddeeva`] uses at `z`, and with how many terms.
+///
+/// In the lower half-plane this is the formula for the mirror image `z̄`, unless the branch says
+/// otherwise; whether the terms cancel and are computed again is known only then.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::{Branch, branch};
+/// use num_complex::Complex;
+///
+/// assert_eq!(branch(Complex::new(3.0, 9.0)), Branch::Asymptotic { terms: 26 });
+/// ```
+pub fn branch(z: Complex<f64>) -> Branch {
+    branch::branch(z.re.abs(), z.im)
+}
+
+/// Where points come from and values go to.
+trait Points {
+    /// How many there are.
+    fn len(&self) -> usize;
+    /// The points from `start` on.
+    fn load(&self, start: usize, z: &mut [Complex<f64>]);
+    /// Takes the values at the points from `start` on.
+    fn store(&mut self, start: usize, w: &[Complex<f64>]);
+    /// N points from `start` on and the room for their values, if they need not be moved.
+    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
+    fn chunk<const N: usize>(&mut self, _: usize) -> Option<Room<'_, N>> {
+        None
+    }
+}
+
+/// Points, and the room for their values.
+#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
+type Room<'a, const N: usize> = (&'a [Complex<f64>; N], &'a mut [Complex<f64>; N]);
+
+/// Batches shorter than this are not worth sorting.
+#[cfg(target_arch = "x86_64")]
+const SHORT: usize = 64;
+
+/// W at all points.
+fn all<P: Points>(points: &mut P) {
+    #[cfg(target_arch = "x86_64")]
+    if points.len() >= SHORT && pack::batch_with_best(points) {
+        return;
+    }
+    for i in 0..points.len() {
+        let mut z = [Complex::ZERO];
+        points.load(i, &mut z);
+        points.store(i, &z.map(faddeeva));
+    }
+}
+
+/// Points and values stored as complex numbers.
+struct Interleaved<'a> {
+    z: &'a [Complex<f64>],
+    w: &'a mut [Complex<f64>],
+}
+
+impl Points for Interleaved<'_> {
+    fn len(&self) -> usize {
+        self.z.len()
+    }
+    fn load(&self, start: usize, z: &mut [Complex<f64>]) {
+        z.copy_from_slice(&self.z[start..start + z.len()]);
+    }
+    fn store(&mut self, start: usize, w: &[Complex<f64>]) {
+        self.w[start..start + w.len()].copy_from_slice(w);
+    }
+    fn chunk<const N: usize>(&mut self, start: usize) -> Option<Room<'_, N>> {
+        Some((
+            self.z[start..].first_chunk()?,
+            self.w[start..].first_chunk_mut()?,
+        ))
+    }
+}
+
+/// Points and values with real and imaginary parts apart.
+struct Apart<'a> {
+    x: &'a [f64],
+    y: &'a [f64],
+    re: &'a mut [f64],
+    im: &'a mut [f64],
+}
+
+impl Points for Apart<'_> {
+    fn len(&self) -> usize {
+        self.x.len()
+    }
+    fn load(&self, start: usize, z: &mut [Complex<f64>]) {
+        let parts = self.x[start..].iter().zip(&self.y[start..]);
+        for (z, (x, y)) in z.iter_mut().zip(parts) {
+            *z = Complex::new(*x, *y);
+        }
+    }
+    fn store(&mut self, start: usize, w: &[Complex<f64>]) {
+        let parts = self.re[start..].iter_mut().zip(&mut self.im[start..]);
+        for (w, (re, im)) in w.iter().zip(parts) {
+            (*re, *im) = (w.re, w.im);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,430 @@
+//! Vectors of four (AVX2) and eight (AVX-512) numbers as [`Real`]s, and the rows of a table for
+//! as many points, transposed.
+
+use super::Points;
+use super::batch::batch;
+use super::real::Real;
+use super::taylor_packs::{Parts, by_columns, by_rows};
+use pulp::x86::{V3, V4};
+use pulp::{NullaryFnOnce, Simd, cast, f64x4};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A set of instructions for several points at once.
+pub(crate) trait Wide: Simd {
+    /// Points side by side.
+    const WIDTH: usize;
+    /// Runs the task as a function of its own, compiled for these instructions.
+    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output;
+    /// `(x + add) << 52`
+    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s;
+    /// Which bytes equal `k`, the first one in the lowest bit.
+    fn equal(self, bytes: &[u8; 32], k: u8) -> u32;
+    /// `bit` where the mask is true, 0 elsewhere.
+    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s;
+    /// The larger and the smaller of two numbers; the second one if one is not a number.
+    fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
+    fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
+    /// `x >> 50`
+    fn leading(self, x: Self::u64s) -> Self::u64s;
+    /// `x << 62`
+    fn to_sign(self, x: Self::u64s) -> Self::u64s;
+    /// Whether `a = b` as integers, for 0 and 1 only.
+    fn is_one(self, a: Self::u64s) -> Self::m64s;
+    /// Numbers `at … at + 3` of each row: four vectors, one place for each row.
+    fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
+    /// The four interleaved polynomials of Taylor rows in δ⁴; the last block of coefficients stands
+    /// at the second of the ends.
+    fn polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        ends: (usize, usize),
+        d4: (Pack<Self>, Pack<Self>),
+    ) -> Parts<Self>;
+    /// The numbers from `at` on.
+    fn load(self, x: &[f64], at: usize) -> Self::f64s;
+    /// Stores the numbers from `at` on.
+    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize);
+    /// The first and the second numbers of pairs `p(0)`, `p(1)`, …, as many as a vector has places.
+    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s);
+    /// The reverse of it.
+    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8];
+    /// The numbers, up to eight.
+    fn store(self, v: Self::f64s, x: &mut [f64; 8]);
+}
+
+#[inline(always)]
+fn four<const N: usize>(row: &[f64; N], at: usize) -> [f64; 4] {
+    [row[at], row[at + 1], row[at + 2], row[at + 3]]
+}
+
+/// Four vectors, transposed.
+#[inline(always)]
+pub(super) fn transposed(simd: V3, [a, b, c, d]: [f64x4; 4]) -> [f64x4; 4] {
+    let x = simd.avx;
+    let (a, b, c, d) = (cast(a), cast(b), cast(c), cast(d));
+    let (p, q) = (x._mm256_unpacklo_pd(a, b), x._mm256_unpackhi_pd(a, b));
+    let (s, t) = (x._mm256_unpacklo_pd(c, d), x._mm256_unpackhi_pd(c, d));
+    [
+        cast(x._mm256_permute2f128_pd::<0x20>(p, s)),
+        cast(x._mm256_permute2f128_pd::<0x20>(q, t)),
+        cast(x._mm256_permute2f128_pd::<0x31>(p, s)),
+        cast(x._mm256_permute2f128_pd::<0x31>(q, t)),
+    ]
+}
+
+impl Wide for V3 {
+    const WIDTH: usize = 4;
+    #[inline(always)]
+    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output {
+        self.vectorize(task)
+    }
+    #[inline(always)]
+    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
+        cast(
+            self.avx2
+                ._mm256_slli_epi64::<52>(self.avx2._mm256_add_epi64(cast(x), cast(add))),
+        )
+    }
+    #[inline(always)]
+    fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
+        let equal = self.avx2._mm256_cmpeq_epi8(cast(*bytes), cast([k; 32]));
+        self.avx2._mm256_movemask_epi8(equal) as u32
+    }
+    #[inline(always)]
+    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
+        self.and_u64s(cast(mask), self.splat_u64s(bit))
+    }
+    #[inline(always)]
+    fn larger(self, a: f64x4, b: f64x4) -> f64x4 {
+        cast(self.avx._mm256_max_pd(cast(a), cast(b)))
+    }
+    #[inline(always)]
+    fn smaller(self, a: f64x4, b: f64x4) -> f64x4 {
+        cast(self.avx._mm256_min_pd(cast(a), cast(b)))
+    }
+    #[inline(always)]
+    fn leading(self, x: Self::u64s) -> Self::u64s {
+        cast(self.avx2._mm256_srli_epi64::<50>(cast(x)))
+    }
+    #[inline(always)]
+    fn to_sign(self, x: Self::u64s) -> Self::u64s {
+        cast(self.avx2._mm256_slli_epi64::<62>(cast(x)))
+    }
+    #[inline(always)]
+    fn is_one(self, a: Self::u64s) -> Self::m64s {
+        self.equal_u64s(a, self.splat_u64s(1))
+    }
+    #[inline(always)]
+    fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
+        let row = |i: usize| cast(four(rows[i], at));
+        transposed(self, [row(0), row(1), row(2), row(3)])
+    }
+    #[inline(always)]
+    fn polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        ends: (usize, usize),
+        d4: (Pack<Self>, Pack<Self>),
+    ) -> Parts<Self> {
+        by_rows(self, rows, ends, d4)
+    }
+    #[inline(always)]
+    fn load(self, x: &[f64], at: usize) -> Self::f64s {
+        let v: &[f64; 4] = x[at..at + 4].try_into().expect("four");
+        cast(*v)
+    }
+    #[inline(always)]
+    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
+        let v: [f64; 4] = cast(v);
+        x[at..at + 4].copy_from_slice(&v);
+    }
+    #[inline(always)]
+    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
+        let (a, b) = (cast([p(0), p(2)]), cast([p(1), p(3)]));
+        let x = self.avx;
+        (
+            cast(x._mm256_unpacklo_pd(a, b)),
+            cast(x._mm256_unpackhi_pd(a, b)),
+        )
+    }
+    #[inline(always)]
+    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
+        let (a, b, x) = (cast(first), cast(second), self.avx);
+        let p: [[f64; 2]; 2] = cast(x._mm256_unpacklo_pd(a, b));
+        let q: [[f64; 2]; 2] = cast(x._mm256_unpackhi_pd(a, b));
+        let none = [0.0; 2];
+        [p[0], q[0], p[1], q[1], none, none, none, none]
+    }
+    #[inline(always)]
+    fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
+        let v: [f64; 4] = cast(v);
+        x[..4].copy_from_slice(&v);
+    }
+}
+
+impl Wide for V4 {
+    const WIDTH: usize = 8;
+    #[inline(always)]
+    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output {
+        self.vectorize(task)
+    }
+    #[inline(always)]
+    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
+        self.shl_const_u64x8::<52>(self.wrapping_add_u64x8(x, add))
+    }
+    #[inline(always)]
+    fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
+        let v: V3 = *self;
+        v.equal(bytes, k)
+    }
+    #[inline(always)]
+    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
+        self.select_u64s(mask, self.splat_u64s(bit), self.splat_u64s(0))
+    }
+    #[inline(always)]
+    fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
+        cast(self.avx512f._mm512_max_pd(cast(a), cast(b)))
+    }
+    #[inline(always)]
+    fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
+        cast(self.avx512f._mm512_min_pd(cast(a), cast(b)))
+    }
+    #[inline(always)]
+    fn leading(self, x: Self::u64s) -> Self::u64s {
+        self.shr_const_u64x8::<50>(x)
+    }
+    #[inline(always)]
+    fn to_sign(self, x: Self::u64s) -> Self::u64s {
+        self.shl_const_u64x8::<62>(x)
+    }
+    #[inline(always)]
+    fn is_one(self, a: Self::u64s) -> Self::m64s {
+        self.equal_u64s(a, self.splat_u64s(1))
+    }
+    #[inline(always)]
+    fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
+        // Two rows side by side; the order of the rows is such that the shuffles restore it.
+        let r = |i: usize, j: usize| -> pulp::f64x8 {
+            let (p, q) = (four(rows[i], at), four(rows[j], at));
+            cast([p, q])
+        };
+        let (a, b, c, d) = (r(0, 2), r(1, 3), r(4, 6), r(5, 7));
+        let x = self.avx512f;
+        let (p, q) = (
+            x._mm512_unpacklo_pd(cast(a), cast(b)),
+            x._mm512_unpackhi_pd(cast(a), cast(b)),
+        );
+        let (s, t) = (
+            x._mm512_unpacklo_pd(cast(c), cast(d)),
+            x._mm512_unpackhi_pd(cast(c), cast(d)),
+        );
+        [
+            cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(p, s)),
+            cast(x._mm512_shuffle_f64x2::<0b10_00_10_00>(q, t)),
+            cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(p, s)),
+            cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(q, t)),
+        ]
+    }
+    #[inline(always)]
+    fn polynomials<const N: usize>(
+        self,
+        rows: &[&[f64; N]; 8],
+        ends: (usize, usize),
+        d4: (Pack<Self>, Pack<Self>),
+    ) -> Parts<Self> {
+        by_columns(self, rows, ends, d4)
+    }
+    #[inline(always)]
+    fn load(self, x: &[f64], at: usize) -> Self::f64s {
+        let v: &[f64; 8] = x[at..at + 8].try_into().expect("eight");
+        cast(*v)
+    }
+    #[inline(always)]
+    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
+        let v: [f64; 8] = cast(v);
+        x[at..at + 8].copy_from_slice(&v);
+    }
+    #[inline(always)]
+    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
+        let (a, b) = (
+            cast([p(0), p(2), p(4), p(6)]),
+            cast([p(1), p(3), p(5), p(7)]),
+        );
+        let x = self.avx512f;
+        (
+            cast(x._mm512_unpacklo_pd(a, b)),
+            cast(x._mm512_unpackhi_pd(a, b)),
+        )
+    }
+    #[inline(always)]
+    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
+        let (a, b, x) = (cast(first), cast(second), self.avx512f);
+        let p: [[f64; 2]; 4] = cast(x._mm512_unpacklo_pd(a, b));
+        let q: [[f64; 2]; 4] = cast(x._mm512_unpackhi_pd(a, b));
+        [p[0], q[0], p[1], q[1], p[2], q[2], p[3], q[3]]
+    }
+    #[inline(always)]
+    fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
+        *x = cast(v);
+    }
+}
+
+/// Several numbers.
+#[derive(Clone, Copy)]
+pub(crate) struct Pack<S: Wide>(pub S, pub S::f64s);
+
+impl<S: Wide> Pack<S> {
+    /// The numbers from `at` on.
+    #[inline(always)]
+    pub(super) fn load(simd: S, x: &[f64], at: usize) -> Pack<S> {
+        Pack(simd, simd.load(x, at))
+    }
+
+    #[inline(always)]
+    pub(super) fn store(self, x: &mut [f64; 8]) {
+        self.0.store(self.1, x);
+    }
+
+    /// Stores the numbers from `at` on.
+    #[inline(always)]
+    pub(super) fn store_at(self, x: &mut [f64], at: usize) {
+        self.0.store_at(self.1, x, at);
+    }
+
+    /// `self`, negated where `x` has a minus sign.
+    #[inline(always)]
+    pub(super) fn with_sign_of(self, x: Self) -> Self {
+        let s = self.0;
+        let sign = s.and_u64s(s.transmute_u64s_f64s(x.1), s.splat_u64s(1 << 63));
+        let bits = s.xor_u64s(s.transmute_u64s_f64s(self.1), sign);
+        Pack(s, s.transmute_f64s_u64s(bits))
+    }
+
+    /// The numbers; those beyond its width are zero.
+    #[inline(always)]
+    pub(super) fn array(self) -> [f64; 8] {
+        let mut v = [0.0; 8];
+        self.store(&mut v);
+        v
+    }
+
+    /// Whether all numbers, none of them negative, are zero.
+    #[inline(always)]
+    pub(super) fn is_zero(self) -> bool {
+        let s = self.0;
+        s.first_true_m64s(s.less_than_f64s(s.splat_f64s(0.0), self.1)) >= S::WIDTH
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $f:ident) => {
+        impl<S: Wide> $trait for Pack<S> {
+            type Output = Pack<S>;
+            #[inline(always)]
+            fn $method(self, other: Pack<S>) -> Pack<S> {
+                Pack(self.0, self.0.$f(self.1, other.1))
+            }
+        }
+    };
+}
+operator!(Add, add, add_f64s);
+operator!(Sub, sub, sub_f64s);
+operator!(Mul, mul, mul_f64s);
+operator!(Div, div, div_f64s);
+
+impl<S: Wide> Neg for Pack<S> {
+    type Output = Pack<S>;
+    #[inline(always)]
+    fn neg(self) -> Pack<S> {
+        Pack(self.0, self.0.neg_f64s(self.1))
+    }
+}
+
+impl<S: Wide> Real for Pack<S> {
+    type Mask = S::m64s;
+    #[inline(always)]
+    fn like(self, x: f64) -> Self {
+        Pack(self.0, self.0.splat_f64s(x))
+    }
+    #[inline(always)]
+    fn fma(self, b: Self, c: Self) -> Self {
+        Pack(self.0, self.0.mul_add_e_f64s(self.1, b.1, c.1))
+    }
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        Pack(self.0, self.0.abs_f64s(self.1))
+    }
+    #[inline(always)]
+    fn at_least(self, low: Self) -> Self {
+        // As the scalar code: `self` unless it is smaller.
+        Pack(self.0, self.0.larger(low.1, self.1))
+    }
+    #[inline(always)]
+    fn raised(self, least: f64) -> Self {
+        self.at_least(self.like(least))
+    }
+    #[inline(always)]
+    fn at_most(self, high: Self) -> Self {
+        Pack(self.0, self.0.smaller(high.1, self.1))
+    }
+    #[inline(always)]
+    fn below(self, other: Self) -> S::m64s {
+        self.0.less_than_f64s(self.1, other.1)
+    }
+    #[inline(always)]
+    fn or(self, a: S::m64s, b: S::m64s) -> S::m64s {
+        self.0.or_m64s(a, b)
+    }
+    #[inline(always)]
+    fn pick(self, mask: S::m64s, yes: Self, no: Self) -> Self {
+        Pack(self.0, self.0.select_f64s(mask, yes.1, no.1))
+    }
+    #[inline(always)]
+    fn all(self, mask: S::m64s) -> bool {
+        let s = self.0;
+        s.first_true_m64s(s.not_m64s(mask)) >= S::WIDTH
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        let s = self.0;
+        let bits = s.transmute_u64s_f64s(self.1);
+        Pack(
+            s,
+            s.transmute_f64s_u64s(s.exponent(bits, s.splat_u64s(1023))),
+        )
+    }
+    #[inline(always)]
+    fn is_odd(self) -> S::m64s {
+        let s = self.0;
+        let bits = s.transmute_u64s_f64s(self.1);
+        s.is_one(s.and_u64s(bits, s.splat_u64s(1)))
+    }
+    #[inline(always)]
+    fn flip(self, x: Self) -> Self {
+        let s = self.0;
+        let bits = s.and_u64s(s.transmute_u64s_f64s(self.1), s.splat_u64s(2));
+        let x = s.transmute_u64s_f64s(x.1);
+        Pack(s, s.transmute_f64s_u64s(s.xor_u64s(x, s.to_sign(bits))))
+    }
+}
+
+/// Runs the batch with the widest vectors of this processor; `false` if it has none.
+pub(super) fn batch_with_best<P: Points>(points: &mut P) -> bool {
+    struct Run<'a, S, P>(S, V3, &'a mut P);
+    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            batch(self.0, self.1, self.2);
+        }
+    }
+    if let Some(v) = V4::try_new() {
+        v.vectorize(Run(v, *v, points));
+        return true;
+    }
+    if let Some(v) = V3::try_new() {
+        v.vectorize(Run(v, v, points));
+        return true;
+    }
+    false
+}

@@ -1,0 +1,102 @@
+//! Where the formulas of W(z) and of its relatives meet, put together from the constants that choose
+//! among them.
+
+use super::branch::{
+    APART, BEYOND, DISC_EDGE, FAR, GONE, HUGE, NEAR, STRIP, TERMS_2, TERMS_4, TERMS_6, TERMS_9,
+    TERMS_14, TERMS_21, TINY,
+};
+use super::dawson::{BESIDE_MAXIMUM, ROUNDING_SHOWS};
+use super::derivative::UNDERFLOW;
+use super::erf::COMPLEMENT;
+use super::plane::{COARSE_PITCH, FINE, FINE_PITCH, REAL_AXIS_PITCH};
+use super::reflection::{DOMINANT, NEGLIGIBLE};
+use super::relatives_tables::MAXIMUM_OF_DAWSON;
+use super::{odd_series, quadrant};
+
+/// Where one formula ends and another begins: what a test of the function has to come close to.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Seams {
+    /// |z|² on circles.
+    pub circles: &'static [f64],
+    /// |Re z| on lines parallel to the imaginary axis.
+    pub re: &'static [f64],
+    /// |Im z| on lines parallel to the real axis.
+    pub im: &'static [f64],
+    /// |Re z²| on hyperbolas, in the lower half-plane.
+    pub hyperbolas: &'static [f64],
+    /// Distances between centres of Taylor series; a cell ends halfway between two centres.
+    pub pitches: &'static [f64],
+}
+
+/// The seams of [`faddeeva`](super::faddeeva()), whose formulas [`Branch`](super::Branch) names.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::SEAMS;
+///
+/// assert_eq!(
+///     SEAMS.circles,
+///     [
+///         0.25f64.powi(7), 0.0625, 1.0, 1.25, 48.0, 80.0, 112.0, 768.0, 1024.0, 5120.0,
+///         1_048_576.0, 1e200,
+///     ]
+/// );
+/// assert_eq!(SEAMS.re, [1e-290, 3.75]);
+/// // A line that belongs to the strip beside the real axis is the next number.
+/// let strip = 0.125f64.next_up();
+/// assert_eq!(SEAMS.im, [0.5f64.powi(28), strip, 2.0 * strip, 3.75]);
+/// assert_eq!(SEAMS.hyperbolas, [7.0, 47.0]);
+/// assert_eq!(SEAMS.pitches, [0.0625, 0.25, 0.5]);
+/// ```
+pub const SEAMS: Seams = Seams {
+    circles: &[
+        TERMS_9, TERMS_21, DISC_EDGE, APART, FAR, BEYOND, TERMS_14, GONE, TERMS_6, TERMS_4,
+        TERMS_2, HUGE,
+    ],
+    re: &[TINY, FINE],
+    im: &[NEAR, STRIP, 2.0 * STRIP, FINE],
+    hyperbolas: &[DOMINANT, NEGLIGIBLE],
+    pitches: &[REAL_AXIS_PITCH, FINE_PITCH, COARSE_PITCH],
+};
+
+/// On either axis of the relatives, which turn into each other by quarter turns.
+const LINES: &[f64] = &[
+    ROUNDING_SHOWS,
+    STRIP,
+    COMPLEMENT,
+    2.0 * STRIP,
+    MAXIMUM_OF_DAWSON[0] - BESIDE_MAXIMUM,
+    MAXIMUM_OF_DAWSON[0] + BESIDE_MAXIMUM,
+    quadrant::REAL_AXIS,
+    FINE,
+    quadrant::GONE,
+    UNDERFLOW,
+    quadrant::HUGE,
+];
+
+/// The seams of [`erf`](super::erf()), [`erfc`](super::erfc()), [`erfi`](super::erfi()),
+/// [`dawson`](super::dawson()) and [`w_derivative`](super::w_derivative); those of
+/// [`erfcx`](super::erfcx()) are [`SEAMS`], turned.
+///
+/// ```
+/// use mechaudit_solvers::faddeeva::SEAMS_OF_RELATIVES;
+/// assert_eq!(SEAMS_OF_RELATIVES.circles, [0.5, 49.0, 100.0, 256.0, 1000.0, 1e6]);
+/// ```
+pub const SEAMS_OF_RELATIVES: Seams = Seams {
+    circles: &[
+        odd_series::REACH,
+        quadrant::FAR,
+        quadrant::FEWER_TERMS[0],
+        quadrant::FEWER_TERMS[1],
+        quadrant::FEWER_TERMS[2],
+        quadrant::FEWER_TERMS[3],
+    ],
+    re: LINES,
+    im: LINES,
+    hyperbolas: &[],
+    pitches: SEAMS.pitches,
+};
+
+#[cfg(test)]
+#[path = "tests/seam_walk.rs"]
+mod tests;

@@ -1,0 +1,66 @@
+//! W(z) for arguments that are not finite or so large that `|z|²` overflows.
+
+use super::constants::INV_SQRT_PI;
+use super::double_double::two_prod;
+use super::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
+use super::payne_hanek;
+use super::real::{ROUND, scaled};
+
+/// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.
+#[cold]
+#[inline(never)]
+pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
+    if a.is_nan() || y.is_nan() {
+        // On the imaginary axis w is real whatever y is.
+        return (f64::NAN, if a == 0.0 { 0.0 } else { f64::NAN });
+    }
+    let b = y.abs();
+    // The direction z/|z|, scaled to about one: w ~ i/(√π z).
+    let (u, v) = if a.is_infinite() || b.is_infinite() {
+        (0.0, 0.0)
+    } else {
+        let k = ROUND - ((a.max(b).to_bits() >> 52) as f64 - 1023.0);
+        let (p, q) = (scaled(a, k), scaled(b, k));
+        let r2 = p.mul_add(p, q * q);
+        let part = |x: f64| {
+            let t = two_prod(x / r2, INV_SQRT_PI.hi);
+            scaled(t.hi + t.lo, k)
+        };
+        (part(q), part(p))
+    };
+    if y >= 0.0 {
+        return (u, v);
+    }
+    // 2 e^{−z²} − w(−z).
+    if a == 0.0 {
+        return (f64::INFINITY, 0.0);
+    }
+    if b.is_infinite() {
+        // The modulus grows beyond all bounds (or has no limit); the direction is not defined.
+        return (f64::NAN, f64::NAN);
+    }
+    if a > b {
+        // a² − b² ≥ |z| ulp(|z|) is far beyond 745.
+        return (-u, v);
+    }
+    let theta = phase(a, y);
+    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
+        reduce(theta)
+    } else {
+        payne_hanek::reduce(a, y)
+    };
+    let (s, c) = sin_cos_reduced(r);
+    let (s, c) = turn(s, c, quadrant);
+    let (s, c) = (-s.hi, c.hi);
+    if b > a {
+        return (f64::INFINITY.copysign(c), f64::INFINITY.copysign(s));
+    }
+    // The phase 2a² is an integer below 2¹⁰⁷ times 2^e, 561 ≤ e ≤ 1943: by the continued fractions of
+    // 2^e · 2/π it is nowhere within 3.8e-35 of a multiple of π/2, and w(−z), below 1e-100, does not
+    // count.
+    (2.0 * c, 2.0 * s)
+}
+
+#[cfg(test)]
+#[path = "tests/special.rs"]
+mod tests;

@@ -1,0 +1,37 @@
+use super::super::tests::Random;
+use super::super::tests::exact::{are_parts, error, float, w};
+use super::*;
+use mechaudit_reference::Ball;
+
+#[test]
+fn constants() {
+    let inverse = Ball::integer(300, 1) / &Ball::pi(300).sqrt();
+    assert!(are_parts(&inverse, &[INV_SQRT_PI.hi, INV_SQRT_PI.lo]));
+}
+
+/// Points beyond 10^100 that are finite and do not overflow: the nearest f64 or a neighbour of it,
+/// subnormal values included.
+#[test]
+fn large_moduli() {
+    let mut random = Random(81);
+    for k in 0..2000 {
+        let a = random.power(333.0, 1023.9);
+        let b = match k % 4 {
+            0 => a,
+            1 => random.power(-1000.0, 1000.0),
+            _ => a * random.power(-60.0, 0.0),
+        };
+        for y in [b, -b] {
+            if y < 0.0 && b > a {
+                continue;
+            }
+            let (re, im) = huge(a, y);
+            let exact = w(a, y);
+            for (got, exact) in [(re, exact.0), (im, exact.1)] {
+                let ulp = (exact.to_f64().abs() * f64::EPSILON).max(5e-324);
+                let off = error(&float(got), &exact, &float(ulp));
+                assert!(off <= 2.0, "{a:e} {y:e}: {got:e}, {off} ulp");
+            }
+        }
+    }
+}

@@ -1,0 +1,90 @@
+use super::super::lanes::Plain;
+use super::super::tests::Random;
+use super::super::tests::exact::{are_parts, error, float, w};
+use super::*;
+use mechaudit_reference::{Ball, faddeeva};
+
+#[test]
+fn constants() {
+    let slope = Ball::integer(300, 2) / &Ball::pi(300).sqrt();
+    assert!(are_parts(
+        &slope,
+        &[TWO_OVER_SQRT_PI.hi, TWO_OVER_SQRT_PI.lo]
+    ));
+    for (k, row) in ZEROS.iter().enumerate() {
+        let z = faddeeva::zero(k as u32 + 1, 300).expect("decided");
+        assert!(are_parts(&z.re, &row.0[..3]) && are_parts(&z.im, &row.0[3..6]));
+    }
+}
+
+/// Every point of a zero's square finds that zero.
+#[test]
+fn squares_are_found() {
+    let mut random = Random(101);
+    for (k, row) in ZEROS.iter().enumerate() {
+        let (x, y) = (row.0[0], -row.0[3]);
+        for _ in 0..5000 {
+            let t = 0.999 * REACH;
+            let (a, b) = (x + random.between(-t, t), y + random.between(-t, t));
+            assert_eq!(nearest(a, b), Some(k), "{a} − {b} i");
+        }
+        for side in -50..=50 {
+            let (s, t) = (0.019_999 * REACH * f64::from(side), 0.999_999 * REACH);
+            for (p, q) in [(s, t), (s, -t), (t, s), (-t, s)] {
+                assert_eq!(nearest(x + p, y + q), Some(k));
+            }
+        }
+        for (p, q) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let t = 0.999_999 * REACH;
+            assert_eq!(nearest(x + p * t, y + q * t), Some(k));
+            assert_eq!(nearest(x + 1.001 * p * REACH, y), None);
+        }
+    }
+    for (a, b) in [
+        (f64::NAN, 2.0),
+        (2.0, f64::NAN),
+        (f64::INFINITY, 2.0),
+        (0.0, 0.0),
+        (6.4, 6.4),
+    ] {
+        assert_eq!(nearest(a, b), None);
+    }
+}
+
+/// Each component, in units of its last place, at any distance from the zero.
+#[test]
+fn components_next_to_zeros() {
+    let mut random = Random(102);
+    let mut worst = (0.0f64, 0.0, 0.0);
+    let mut given_up = 0;
+    for k in 0..ZEROS.len() {
+        for _ in 0..600 {
+            let row = &ZEROS[k].0;
+            let (r, s) = (random.power(-60.0, -4.0), random.power(-60.0, -4.0));
+            let (p, q) = (random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+            let (a, b) = (row[0] + r * p, -row[3] + s * q);
+            let Some((re, im)) = near_zero(Plain, k, a, b) else {
+                given_up += 1;
+                continue;
+            };
+            let exact = w(a, -b);
+            for (got, exact) in [(re, exact.0), (im, exact.1)] {
+                let off = error(&float(got), &exact, &exact) / f64::EPSILON;
+                if off > worst.0 {
+                    worst = (off, a, b);
+                }
+            }
+        }
+        // At the zero's own f64.
+        let row = &ZEROS[k].0;
+        let (re, im) = near_zero(Plain, k, row[0], -row[3]).expect("no cancellation");
+        let exact = w(row[0], row[3]);
+        let off = error(&float(re), &exact.0, &exact.0).max(error(&float(im), &exact.1, &exact.1));
+        assert!(off < 2f64.powi(-50), "zero {k}: {off:e}");
+    }
+    println!(
+        "{} ε at {:e} − {:e} i; {given_up} not this way",
+        worst.0, worst.1, worst.2
+    );
+    assert!(worst.0 < 4.0, "{worst:?}");
+}

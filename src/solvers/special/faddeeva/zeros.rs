@@ -1,0 +1,142 @@
+//! W(z) near its zeros in the lower half-plane.
+//!
+//! At a zero `w' = 2i/√π` exactly, so that with `δ = z − z_k`
+//!
+//! ```text
+//! w(z_k + δ) = (2i/√π) (δ + δ²(g₀ + g₁δ + …))
+//! ```
+//!
+//! and the zeros are stored as three `f64`, from which δ keeps 100 bits however small it is.
+
+use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use super::lanes::Lanes;
+#[cfg(target_arch = "x86_64")]
+use super::pack::{Pack, Wide};
+#[cfg(target_arch = "x86_64")]
+use super::plane::entry;
+use super::real::{ROUND, Real};
+use super::tables::ZEROS;
+#[cfg(target_arch = "x86_64")]
+use super::taylor::{columns, polynomials};
+use super::taylor::{polynomial, square};
+use std::f64::consts::{FRAC_1_PI, TAU};
+
+/// `Re z_k` and `Im z_k` in three parts each, then five blocks of four real and four imaginary
+/// parts of `g`.
+#[repr(align(16))]
+pub(super) struct ZeroRow(pub [f64; 46]);
+
+/// Half the side of the squares around the zeros in which the expansions are used.
+const REACH: f64 = 0.0625;
+
+/// 2/√π.
+const TWO_OVER_SQRT_PI: Dd = Dd::new(std::f64::consts::FRAC_2_SQRT_PI, 1.533_545_961_316_588e-17);
+
+/// The zero next to `a − i b`, if the point lies in its square: `2ab/π` at the k-th zero is
+/// `2k − 0.27`, nearly.
+#[inline(always)]
+pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
+    if !candidate(a, b) {
+        return None;
+    }
+    let k = (a * b * FRAC_1_PI - 0.365) as usize;
+    let z = &ZEROS.get(k)?.0;
+    ((a - z[0]).abs() <= REACH && (b + z[3]).abs() <= REACH).then_some(k)
+}
+
+/// Whether the point `a − i b` may lie in the square of a zero. There `p = 2ab` is near `2π(k − 0.1325)`, and
+/// `a² − b²` near the straight line through the values at the zeros; squares become squares, turned and `2|z|`
+/// times as large, inside circles with `|z|²/32` for the square of the radius.
+#[inline(always)]
+pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
+    let like = |c: f64| a.like(c);
+    let p = (a + a) * b;
+    let p0 = p + like(0.1325 * TAU);
+    let n = p0.fma(like(0.5 * FRAC_1_PI), like(ROUND)) - like(ROUND);
+    let off = n.fma(like(-TAU), p0);
+    let e = (a - b).fma(a + b, p.fma(like(-0.0163), like(-2.35)));
+    off.fma(off, e * e).below(p.fma(like(0.04), like(0.36)))
+}
+
+/// `w(a − i b)` next to zero `k`; `None` if a component cannot be had to a few units in the last
+/// place this way.
+#[inline(always)]
+pub(super) fn near_zero<L: Lanes>(lanes: L, k: usize, a: f64, b: f64) -> Option<(f64, f64)> {
+    let c = &ZEROS[k].0;
+    let (dx, dy) = (
+        difference(a, c[0], c[1], c[2]),
+        difference(-b, c[3], c[4], c[5]),
+    );
+    let d2 = square(dx.hi, dy.hi);
+    let q = polynomial(lanes, c, (6, 38), (dx.hi, dy.hi), d2);
+    let (re, im, lost) = assemble((dx, dy), d2, q);
+    if lost { None } else { Some((re, im)) }
+}
+
+/// `x − z`, `z` in three parts, for `|x − z|` below a sixteenth of `|z|`.
+#[inline(always)]
+fn difference<R: Real>(x: R, z0: R, z1: R, z2: R) -> Dd<R> {
+    // The first difference is exact (Sterbenz).
+    let d = two_sum(x - z0, -z1);
+    fast_two_sum(d.hi, d.lo - z2)
+}
+
+/// `(2i/√π)(δ + δ²q)`; `true` where a component of the sum is too small for the rounding error of
+/// the last part, three units in its last place at most.
+#[inline(always)]
+fn assemble<R: Real>(
+    (dx, dy): (Dd<R>, Dd<R>),
+    (x2, y2): (R, R),
+    (qr, qi): (R, R),
+) -> (R, R, R::Mask) {
+    let (hr, hi) = (x2.fma(qr, -(y2 * qi)), x2.fma(qi, y2 * qr));
+    let (u, v) = (two_sum(dx.hi, hr), two_sum(dy.hi, hi));
+    let (u, v) = (
+        fast_two_sum(u.hi, u.lo + dx.lo),
+        fast_two_sum(v.hi, v.lo + dy.lo),
+    );
+    let (ah, bh) = (hr.magnitude(), hi.magnitude());
+    let size = hr.like(1.5) * ah.pick(ah.below(bh), bh, ah);
+    let lost = hr.or(u.hi.magnitude().below(size), v.hi.magnitude().below(size));
+    (-times_two_over_sqrt_pi(v), times_two_over_sqrt_pi(u), lost)
+}
+
+#[inline(always)]
+fn times_two_over_sqrt_pi<R: Real>(x: Dd<R>) -> R {
+    let (ch, cl) = (
+        x.hi.like(TWO_OVER_SQRT_PI.hi),
+        x.hi.like(TWO_OVER_SQRT_PI.lo),
+    );
+    let p = two_prod(x.hi, ch);
+    p.hi + x.hi.fma(cl, x.lo.fma(ch, p.lo))
+}
+
+/// [`near_zero`] for several points with a zero each: `true` where it fails.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn near_zeros<S: Wide>(
+    simd: S,
+    rows: &[&[f64; 46]; 8],
+    a: Pack<S>,
+    y: Pack<S>,
+) -> (Pack<S>, Pack<S>, S::m64s) {
+    let (z, t) = (columns(simd, rows, 0), columns(simd, rows, 4));
+    let (dx, dy) = (
+        difference(a, z[0], z[1], z[2]),
+        difference(y, z[3], t[0], t[1]),
+    );
+    let d2 = square(dx.hi, dy.hi);
+    let q = polynomials::<S, 46>(simd, rows, (6, 38), (dx.hi, dy.hi), d2);
+    assemble((dx, dy), d2, q)
+}
+
+/// The row of zero `k`.
+#[cfg(target_arch = "x86_64")]
+#[inline(always)]
+pub(super) fn row(k: usize) -> &'static [f64; 46] {
+    &entry(&ZEROS, k).0
+}
+
+#[cfg(test)]
+#[path = "tests/zeros.rs"]
+mod tests;

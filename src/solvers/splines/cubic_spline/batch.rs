@@ -1,0 +1,253 @@
+//! Values at many points.
+
+use super::grid::Grid;
+use super::lookup::{GROUP, Lookup, Work, with_best};
+use super::{EvaluationError as Error, Jet, Spline};
+
+/// Points examined at a time, so that they stay in the first-level cache.
+const BLOCK: usize = 1024;
+
+impl<G: Grid> Spline<G> {
+    /// `S` at points in any order.
+    ///
+    /// # Errors
+    /// Lengths that differ; as [`Spline::value`] for the first point that fails. `out` is then
+    /// partly written.
+    pub fn values(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        check_room(x, out)?;
+        self.values_from(0, x, out)
+    }
+
+    fn values_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        with_best(Batch {
+            spline: self,
+            offset,
+            x,
+            out,
+            sorted: false,
+        })
+    }
+
+    fn sorted_from(&self, offset: usize, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        with_best(Batch {
+            spline: self,
+            offset,
+            x,
+            out,
+            sorted: true,
+        })
+    }
+
+    #[inline(always)]
+    fn any_order<L: Lookup>(
+        &self,
+        lookup: L,
+        offset: usize,
+        x: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), Error> {
+        let mut start = 0;
+        while start < x.len() {
+            let found = x[start..]
+                .first_chunk::<GROUP>()
+                .and_then(|x| self.grid.group(lookup, &self.y, &self.bend, x));
+            if let Some(found) = found {
+                out[start..start + GROUP].copy_from_slice(&found);
+                start += GROUP;
+                continue;
+            }
+            let stop = x.len().min(start + GROUP);
+            for i in start..stop {
+                out[i] = self.value_in_batch(offset + i, x[i])?;
+            }
+            start = stop;
+        }
+        Ok(())
+    }
+
+    /// `S`, `S'`, `S''`, `S'''` at points in any order.
+    ///
+    /// # Errors
+    /// As [`Spline::value`]; the index is the place in `x`.
+    pub fn jets(&self, x: &[f64]) -> Result<Vec<Jet>, Error> {
+        let one = |(i, x): (usize, &f64)| {
+            self.place(i, *x)?;
+            self.jet(*x)
+        };
+        x.iter().enumerate().map(one).collect()
+    }
+
+    /// `S` at points in ascending order: each segment is prepared once. The values are those of
+    /// [`Spline::value`], bit for bit. On uniform knots this is [`Spline::values`] with a check of
+    /// the order; points close together are quick either way.
+    ///
+    /// # Errors
+    /// Lengths that differ; a point smaller than its predecessor; as [`Spline::value`]. `out` is
+    /// then partly written.
+    ///
+    /// ```
+    /// use mechaudit_solvers::cubic_spline::{Boundary, UniformCubicSpline};
+    /// let s = UniformCubicSpline::fit(0.0, 1.0, vec![0.0, 1.0, 0.0], Boundary::NATURAL)?;
+    /// let mut out = [0.0; 3];
+    /// s.values_sorted(&[0.5, 1.0, 1.5], &mut out)?;
+    /// assert_eq!(out, [0.6875, 1.0, 0.6875]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn values_sorted(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        check_room(x, out)?;
+        self.sorted_from(0, x, out)
+    }
+
+    #[inline(always)]
+    fn ascending<L: Lookup>(
+        &self,
+        lookup: L,
+        offset: usize,
+        x: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), Error> {
+        let mut before = f64::NEG_INFINITY;
+        let mut segment = 0;
+        let mut done = 0;
+        for (x, out) in x.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            // Without an early end, so that it becomes vector instructions.
+            let pairs = x.iter().zip(&x[1..]);
+            let ascending = pairs.fold(x[0] >= before, |all, (a, b)| all & (a <= b));
+            let (first, last) = self.grid.span();
+            if !ascending || x[0] < first || x[x.len() - 1] > last {
+                self.exceptional(offset + done, before, x, out)?;
+            } else if G::GROUPS {
+                self.any_order(lookup, offset + done, x, out)?;
+            } else {
+                segment = self.block(segment, x, out);
+            }
+            before = x[x.len() - 1];
+            done += x.len();
+        }
+        Ok(())
+    }
+
+    /// A block that is out of order or reaches beyond the knots.
+    fn exceptional(
+        &self,
+        offset: usize,
+        mut before: f64,
+        x: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), Error> {
+        for (i, (&x, out)) in x.iter().zip(out).enumerate() {
+            let index = offset + i;
+            if x < before {
+                return Err(Error::NotSorted { index });
+            }
+            *out = self.value_in_batch(index, x)?;
+            before = x;
+        }
+        Ok(())
+    }
+
+    /// An ascending block between the knots; `segment` is not behind its first point. Returns the
+    /// segment of the last point.
+    fn block(&self, mut segment: usize, x: &[f64], out: &mut [f64]) -> usize {
+        let end = self.grid.segments() - 1;
+        let mut start = 0;
+        let mut cell = self.cell(segment);
+        while start < x.len() {
+            // The next segment is the usual case; a search when it is further away.
+            let mut steps = 0;
+            while segment < end && !cell.is_left_of_end(x[start]) {
+                steps += 1;
+                segment = if steps < 8 {
+                    segment + 1
+                } else {
+                    self.grid.locate(x[start])
+                };
+                cell = self.cell(segment);
+            }
+            let rest = &x[start..];
+            let count = if segment == end {
+                rest.len()
+            } else {
+                let beyond = rest.iter().position(|x| !cell.is_left_of_end(*x));
+                beyond.unwrap_or(rest.len())
+            };
+            for (x, out) in rest[..count].iter().zip(&mut out[start..start + count]) {
+                *out = cell.value(*x);
+            }
+            start += count;
+        }
+        segment
+    }
+}
+
+/// Points of which the first is number `offset` of those given by the caller.
+pub(super) struct Batch<'a, G: Grid> {
+    pub(super) spline: &'a Spline<G>,
+    pub(super) offset: usize,
+    pub(super) x: &'a [f64],
+    pub(super) out: &'a mut [f64],
+    pub(super) sorted: bool,
+}
+
+impl<G: Grid> Work for Batch<'_, G> {
+    type Output = Result<(), Error>;
+
+    #[inline(always)]
+    fn run<L: Lookup>(self, lookup: L) -> Result<(), Error> {
+        if self.sorted {
+            self.spline.ascending(lookup, self.offset, self.x, self.out)
+        } else {
+            self.spline.any_order(lookup, self.offset, self.x, self.out)
+        }
+    }
+}
+
+#[cfg(feature = "parallel")]
+impl<G: Grid> Spline<G> {
+    /// [`Spline::values`] over all cores.
+    ///
+    /// # Errors
+    /// As [`Spline::values`]; of several points that fail, any may be named.
+    pub fn par_values(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        use rayon::prelude::*;
+        check_room(x, out)?;
+        x.par_chunks(PARALLEL)
+            .zip(out.par_chunks_mut(PARALLEL))
+            .enumerate()
+            .try_for_each(|(i, (x, out))| self.values_from(i * PARALLEL, x, out))
+    }
+
+    /// [`Spline::values_sorted`] over all cores.
+    ///
+    /// # Errors
+    /// As [`Spline::values_sorted`]; of several points that fail, any may be named.
+    pub fn par_values_sorted(&self, x: &[f64], out: &mut [f64]) -> Result<(), Error> {
+        use rayon::prelude::*;
+        check_room(x, out)?;
+        x.par_chunks(PARALLEL)
+            .zip(out.par_chunks_mut(PARALLEL))
+            .enumerate()
+            .try_for_each(|(i, (part, out))| {
+                let start = i * PARALLEL;
+                if start > 0 && part[0] < x[start - 1] {
+                    return Err(Error::NotSorted { index: start });
+                }
+                self.sorted_from(start, part, out)
+            })
+    }
+}
+
+/// Points handed to a core at a time.
+#[cfg(feature = "parallel")]
+const PARALLEL: usize = 1 << 16;
+
+fn check_room(x: &[f64], out: &[f64]) -> Result<(), Error> {
+    if x.len() == out.len() {
+        Ok(())
+    } else {
+        Err(Error::Length {
+            points: x.len(),
+            room: out.len(),
+        })
+    }
+}

@@ -1,0 +1,263 @@
+//! Second derivatives on arbitrary knots.
+
+use super::{
+    Boundary, CubicSpline, CubicSplineError as Error, End, Extrapolation, Knots, Known, Spline,
+};
+use crate::cyclic_tridiagonal::CyclicSweep;
+use crate::tridiagonal::{Sweep, TridiagonalError};
+
+/// Ordinates beyond this are refused, so that evaluation cannot overflow.
+pub(super) const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
+
+pub(super) fn check_values(y: &[f64]) -> Result<(), Error> {
+    match y.iter().position(|v| v.is_nan() || v.abs() > LARGEST) {
+        None => Ok(()),
+        Some(index) if y[index].is_finite() => Err(Error::Overflow { knot: index }),
+        Some(index) => Err(Error::NotFinite {
+            name: "values",
+            index,
+            value: y[index],
+        }),
+    }
+}
+
+/// Checks the end conditions against the number of knots.
+pub(super) fn check_boundary(boundary: Boundary, y: &[f64]) -> Result<(), Error> {
+    let got = y.len();
+    let (first, last) = match boundary {
+        Boundary::Periodic if y[0] != y[got - 1] => {
+            return Err(Error::NotPeriodic {
+                first: y[0],
+                last: y[got - 1],
+            });
+        }
+        Boundary::Periodic => return Ok(()),
+        Boundary::Ends(first, last) => (first, last),
+    };
+    for (index, end) in [first, last].into_iter().enumerate() {
+        match end {
+            End::SecondDerivative(value) | End::FirstDerivative(value) => {
+                if !value.is_finite() {
+                    return Err(Error::NotFinite {
+                        name: "ends",
+                        index,
+                        value,
+                    });
+                }
+            }
+            End::NotAKnot if first != last && got < 3 => {
+                return Err(Error::TooFewKnots { needed: 3, got });
+            }
+            End::NotAKnot => {}
+        }
+    }
+    Ok(())
+}
+
+impl CubicSpline {
+    /// The spline through `(x_i, y_i)`. Outside the knots it gives an error until
+    /// [`with_extrapolation`](Spline::with_extrapolation) says otherwise.
+    ///
+    /// # Errors
+    /// [`CubicSplineError`](Error): fewer than two knots (three with not-a-knot at one end only),
+    /// lengths that differ, numbers that are not finite, knots that do not increase, a periodic
+    /// spline whose end ordinates differ, overflow.
+    pub fn fit(x: Vec<f64>, y: Vec<f64>, boundary: Boundary) -> Result<CubicSpline, Error> {
+        if x.len() != y.len() {
+            return Err(Error::Length {
+                knots: x.len(),
+                values: y.len(),
+            });
+        }
+        let grid = Knots::new(x)?;
+        check_values(&y)?;
+        check_boundary(boundary, &y)?;
+        let x = grid.as_slice();
+        let h: Vec<f64> = x.windows(2).map(|p| p[1] - p[0]).collect();
+        let slope: Vec<f64> = (0..h.len()).map(|i| (y[i + 1] - y[i]) / h[i]).collect();
+        let m = match boundary {
+            Boundary::Periodic => periodic(&h, &slope),
+            Boundary::Ends(first, last) => open(&h, &slope, first, last),
+        }
+        .map_err(|e| match e {
+            TridiagonalError::Pivot { row, .. } | TridiagonalError::Overflow { row } => {
+                Error::Overflow { knot: row }
+            }
+            TridiagonalError::NotFinite { index, .. } => Error::Overflow { knot: index },
+            _ => Error::Overflow { knot: 0 },
+        })?;
+        for i in 0..m.len() {
+            let widest = h[i.min(h.len() - 1)].max(h[i.saturating_sub(1)]);
+            // A step beyond 2^512 makes the square infinite, and the product not a number.
+            let scaled = m[i] * (widest * widest);
+            let in_range = |v: f64| v.abs() <= LARGEST;
+            if !(in_range(m[i]) && in_range(scaled)) {
+                return Err(Error::Overflow { knot: i });
+            }
+        }
+        let mut known = boundary.known();
+        for (known, third) in known.iter_mut().zip(shared_third(boundary, &h, &m)) {
+            *known = third.map_or(*known, Known::Third);
+        }
+        Ok(Spline {
+            grid,
+            y,
+            bend: m,
+            known,
+            extrapolation: Extrapolation::Error,
+        })
+    }
+}
+
+/// The third derivatives that not-a-knot makes common to two segments, from the longest of them:
+/// over a short one the difference of two nearly equal second derivatives has few digits.
+fn shared_third(boundary: Boundary, h: &[f64], m: &[f64]) -> [Option<f64>; 2] {
+    let Boundary::Ends(first, last) = boundary else {
+        return [None; 2];
+    };
+    let n = h.len();
+    let of = |i: usize| (m[i + 1] - m[i]) / h[i];
+    let longest =
+        |range: std::ops::Range<usize>| range.max_by(|&i, &j| h[i].total_cmp(&h[j])).map(of);
+    match (
+        first == End::NotAKnot && n > 1,
+        last == End::NotAKnot && n > 1,
+    ) {
+        (true, true) if n <= 3 => [longest(0..n); 2],
+        (l, r) => [
+            if l { longest(0..2) } else { None },
+            if r { longest(n - 2..n) } else { None },
+        ],
+    }
+}
+
+/// Row `a m_{i−1} + b m_i + c m_{i+1} = d`.
+struct Row {
+    a: f64,
+    b: f64,
+    c: f64,
+    d: f64,
+}
+
+fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, TridiagonalError> {
+    use End::{FirstDerivative, NotAKnot, SecondDerivative};
+    let n = h.len();
+    let jump = |i: usize| 6.0 * (slope[i] - slope[i - 1]);
+    if first == NotAKnot && last == NotAKnot && n < 3 {
+        let m = if n == 1 {
+            0.0
+        } else {
+            jump(1) / (3.0 * (h[0] + h[1]))
+        };
+        return Ok(vec![m; n + 1]);
+    }
+    // A not-a-knot end is eliminated from the row of its neighbour.
+    let s = usize::from(first == NotAKnot);
+    let e = n - usize::from(last == NotAKnot);
+    let row = |i: usize| -> Row {
+        if i == 0 {
+            return match first {
+                FirstDerivative(v) => Row {
+                    a: 0.0,
+                    b: 2.0 * h[0],
+                    c: h[0],
+                    d: 6.0 * (slope[0] - v),
+                },
+                SecondDerivative(v) => Row {
+                    a: 0.0,
+                    b: 1.0,
+                    c: 0.0,
+                    d: v,
+                },
+                NotAKnot => unreachable!("row 0 is eliminated"),
+            };
+        }
+        if i == n {
+            return match last {
+                FirstDerivative(v) => Row {
+                    a: h[n - 1],
+                    b: 2.0 * h[n - 1],
+                    c: 0.0,
+                    d: 6.0 * (v - slope[n - 1]),
+                },
+                SecondDerivative(v) => Row {
+                    a: 0.0,
+                    b: 1.0,
+                    c: 0.0,
+                    d: v,
+                },
+                NotAKnot => unreachable!("row n is eliminated"),
+            };
+        }
+        let (p, q) = (h[i - 1], h[i]);
+        if i == 1 && first == NotAKnot {
+            // m_0 = m_1 + (p/q)(m_1 − m_2); the row divided by (p + q)/q.
+            return Row {
+                a: 0.0,
+                b: p + 2.0 * q,
+                c: q - p,
+                d: jump(i) * (q / (p + q)),
+            };
+        }
+        if i == n - 1 && last == NotAKnot {
+            return Row {
+                a: p - q,
+                b: q + 2.0 * p,
+                c: 0.0,
+                d: jump(i) * (p / (p + q)),
+            };
+        }
+        Row {
+            a: p,
+            b: 2.0 * (p + q),
+            c: q,
+            d: jump(i),
+        }
+    };
+    let rows: Vec<Row> = (s..=e).map(row).collect();
+    let lower: Vec<f64> = rows[1..].iter().map(|r| r.a).collect();
+    let diagonal: Vec<f64> = rows.iter().map(|r| r.b).collect();
+    let upper: Vec<f64> = rows[..rows.len() - 1].iter().map(|r| r.c).collect();
+    let d: Vec<f64> = rows.iter().map(|r| r.d).collect();
+    let inner = Sweep::factor(&lower, &diagonal, &upper)?.solve(&d)?;
+    let mut m = vec![0.0; n + 1];
+    m[s..=e].copy_from_slice(&inner);
+    // The end from whichever equation does not magnify: the straight line of S'' while the end
+    // step is the smaller one, the smoothness equation otherwise.
+    let end = |p: f64, q: f64, near: f64, far: f64, jump: f64| {
+        if p <= q {
+            near + (p / q) * (near - far)
+        } else {
+            (jump - 2.0 * (p + q) * near - q * far) / p
+        }
+    };
+    if s == 1 {
+        m[0] = end(h[0], h[1], m[1], m[2], jump(1));
+    }
+    if e == n - 1 {
+        m[n] = end(h[n - 1], h[n - 2], m[n - 1], m[n - 2], jump(n - 1));
+    }
+    Ok(m)
+}
+
+fn periodic(h: &[f64], slope: &[f64]) -> Result<Vec<f64>, TridiagonalError> {
+    let n = h.len();
+    let before = |i: usize| (i + n - 1) % n;
+    let jump = |i: usize| 6.0 * (slope[i] - slope[before(i)]);
+    let mut m = match n {
+        1 => vec![0.0],
+        // Both neighbours of a knot are the same knot, and the two rows are opposite.
+        2 => {
+            let m = jump(0) / (h[0] + h[1]);
+            vec![m, -m]
+        }
+        _ => {
+            let lower: Vec<f64> = (0..n).map(|i| h[before(i)]).collect();
+            let diagonal: Vec<f64> = (0..n).map(|i| 2.0 * (h[before(i)] + h[i])).collect();
+            let d: Vec<f64> = (0..n).map(jump).collect();
+            CyclicSweep::factor(&lower, &diagonal, h)?.solve(&d)?
+        }
+    };
+    m.push(m[0]);
+    Ok(m)
+}

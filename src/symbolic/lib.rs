@@ -1,0 +1,83 @@
+//! Exact algebra, just large enough to prove the formulas of a paper.
+//!
+//! A formula is data: an [`Expr`], read from text by [`parse()`]. It is evaluated in two ways that
+//! share nothing but the data: to a normal form ([`Exact`]) and to an enclosure at a rational point
+//! ([`enclose`]).
+//!
+//! | layer | values | normal form |
+//! |---|---|---|
+//! | [`Gauss`] | `a + b i`, a and b rational | the pair |
+//! | [`Poly`] | polynomials over them | non-zero terms by monomial |
+//! | [`Fraction`] | rational functions | lowest terms, monic denominator |
+//! | [`Algebra`] | square roots `s² = P` adjoined | roots to the first power, none in a denominator |
+//! | [`ExpSum`] | `Σ c_j e^{p_j}` | distinct exponents, non-zero coefficients |
+//! | [`Algebra::antiderivative`] | `G(z) = ∫_0^z e^{s²} ds` | odd in z, one symbol for each argument |
+//!
+//! Sines and cosines are exponentials, so that trigonometric polynomials and finite Fourier sums
+//! need nothing else. Integrals of `c e^p` with p of degree two at most are done in closed form with
+//! G; the probability integral W is made of G. Derivations act by the chain rule.
+//!
+//! A normal form that is zero proves an identity. One that is not zero refutes it together with a
+//! rational point at which an enclosure excludes zero.
+//!
+//! # Other crates
+//! Looked at in November 2026. `symbolica` does all of this, but is free of charge for some uses
+//! only. `feanor-math` (MIT) has polynomial rings with generic coefficients, but neither fraction
+//! fields in several variables nor exponentials, which are the larger part here. `algebraics` (LGPL)
+//! has numbers, not functions. What remains is small enough to be written for the purpose, on the
+//! numbers of `rug`.
+//!
+//! # An identity
+//! ```
+//! use mechaudit_symbolic::{Definitions, Identity, Outcome, parse_equation};
+//!
+//! let double = parse_equation("sin(2*x) = 2*sin(x)*cos(x)")?;
+//! let none = Definitions::default();
+//! assert_eq!(Identity::of(&none, &double).outcome, Outcome::Proved);
+//!
+//! let wrong = Identity::of(&none, &parse_equation("sin(2*x) = sin(x)*cos(x)")?);
+//! assert_eq!(wrong.outcome, Outcome::Refuted);
+//! assert_eq!(wrong.residual.unwrap(), "1/4*i*exp(-2*i*x) -1/4*i*exp(2*i*x)");
+//! assert!(wrong.witness.is_some());
+//! # Ok::<(), mechaudit_symbolic::SymbolicError>(())
+//! ```
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod algebra;
+mod complex;
+mod edit;
+mod enclosure;
+mod error;
+mod exact;
+mod expr;
+mod expsum;
+mod fraction;
+mod gauss;
+mod gcd;
+mod identity;
+mod jet;
+mod latex;
+mod parse;
+mod poly;
+mod symbol;
+#[cfg(test)]
+mod tests;
+mod walk;
+
+pub use algebra::{Algebra, Derivation};
+pub use edit::{Edit, Family, edits};
+pub use enclosure::{BITS, Cache, Enclosures, Point, enclose, enclose_form, has_derivative};
+pub use error::SymbolicError;
+pub use exact::Exact;
+pub use expr::{Bound, Equation, Expr, Func, HARMONICS};
+pub use expsum::ExpSum;
+pub use fraction::Fraction;
+pub use gauss::Gauss;
+pub use gcd::gcd;
+pub use identity::{Identity, Outcome, Witness};
+pub use latex::{latex, latex_equation};
+pub use parse::{parse, parse_equation};
+pub use poly::{Monomial, Poly};
+pub use symbol::Symbol;
+pub use walk::{Definitions, Domain, Scope, walk};
