@@ -11,6 +11,7 @@
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
+//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `cli` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
 //! With `default-features = false` only the solvers are built, without GMP, MPFR or any
@@ -94,6 +95,8 @@ pub mod candidate;
 pub mod methods;
 #[cfg(feature = "oracle")]
 pub mod papers;
+#[cfg(feature = "cli")]
+pub mod report;
 
 #[cfg(all(doctest, feature = "oracle"))]
 #[doc = include_str!("../README.md")]

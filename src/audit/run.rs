@@ -3,6 +3,7 @@
 use super::case::{Case, Cases};
 use super::judge::{Judgement, Verdict, judge_with_norm};
 use super::layout::Layout;
+use super::maps::error_map;
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
 use super::parts::error_parts;
 use super::tally::{MethodReport, Tally};
@@ -24,6 +25,8 @@ pub struct Settings {
     pub first_bits: u32,
     /// Working precision at which an open case is called undecided, in bits.
     pub last_bits: u32,
+    /// Whether functions of a complex variable are mapped besides; see [`error_map`].
+    pub maps: bool,
 }
 
 impl Default for Settings {
@@ -33,6 +36,7 @@ impl Default for Settings {
             cases_per_region: 200,
             first_bits: 128,
             last_bits: 2048,
+            maps: false,
         }
     }
 }
@@ -168,7 +172,8 @@ fn judge(
 /// Cases judged side by side before they are counted.
 const CHUNK: usize = 1024;
 
-/// Audits a method over its whole domain, on all cores. `progress` is called once for each case.
+/// Audits a method over its whole domain, on all cores. `progress` is called once for each case, and
+/// for each point of its map.
 pub fn audit_method(
     method: &dyn Method,
     settings: &Settings,
@@ -212,7 +217,15 @@ pub fn audit_method_until(
             break;
         }
     }
+    let mut map = None;
+    if settings.maps && !tally.is_interrupted() {
+        map = error_map(method, settings, progress, stop);
+        if map.is_none() && stop.load(Ordering::Relaxed) {
+            tally.interrupt();
+        }
+    }
     let mut report = tally.finish(method, settings);
+    report.map = map;
     for (i, output) in report.outputs.iter_mut().enumerate() {
         let worst = output.worst.as_ref().filter(|_| !report.interrupted);
         output.parts =

@@ -13,7 +13,7 @@ use super::progress::Progress;
 use super::quantity::nearest;
 use super::result::{decided, write_to_result};
 use super::rows::{Cell, Rows};
-use super::{complain, svg_dyad};
+use super::{complain, dyad_drawing};
 use mechaudit::solvers::dyad::{Assembly, DyadError};
 use mechaudit::solvers::units::Angle;
 use rug::Rational;
@@ -43,7 +43,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&svg_dyad::draw(dyad, *assembly))?;
+        drawing.text(&dyad_drawing::draw(dyad, *assembly))?;
     }
     let mut count = 0;
     let outcome = write_to_result(output, |out| {

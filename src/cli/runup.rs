@@ -8,7 +8,8 @@ use super::output::Output;
 use super::rows::{Cell, Rows};
 use super::runup_facts::{self as facts, Steady};
 use super::runup_file::{self, Coefficients, Machine};
-use super::{runup_precision, svg_runup};
+use super::{runup_precision, runup_start};
+use mechaudit::report::svg::run_up as drawings;
 use mechaudit::solvers::run_up::{
     Equation, Hybrid, Motion, Plan, ReducedModel, Sample, Splined, inertia_range, run,
 };
@@ -72,7 +73,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let motion = run(&equation, &machine.plan).map_err(|e| about(e.to_string()))?;
     let steady = Steady::of(&machine, &equation, &motion);
     if let Some(drawing) = drawing {
-        let start = svg_runup::short_start(&motion.samples).map(|duration| {
+        let start = runup_start::short_start(&motion.samples).map(|duration| {
             let plan = Plan {
                 duration,
                 sampling: Some(duration / 400.0),
@@ -81,7 +82,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
             run(&equation, &plan).map_err(|e| about(e.to_string()))
         });
         let start = start.transpose()?.map(|m| m.samples);
-        drawing.text(&svg_runup::draw(
+        drawing.text(&drawings::draw(
             &machine.name,
             &motion.samples,
             start.as_deref(),

@@ -8,7 +8,7 @@ use super::output::Output;
 use super::progress::Progress;
 use super::rows::{Cell, Rows};
 use super::runup_file::Machine;
-use super::svg_runup;
+use mechaudit::report::svg::run_up::{Work, work_precision};
 use mechaudit::solvers::run_up::{Equation, Method, Plan, Settings, run};
 use serde_json::{Map, json};
 
@@ -86,7 +86,15 @@ pub fn table(
     }
     drop(progress);
     if let Some(drawing) = drawing {
-        drawing.text(&svg_runup::work_precision(&machine.name, &points)?)?;
+        let works = Method::ALL.map(|method| Work {
+            method: method.name(),
+            points: points
+                .iter()
+                .filter(|p| p.method == method)
+                .map(|p| (p.error, p.evaluations))
+                .collect(),
+        });
+        drawing.text(&work_precision(&machine.name, &works)?)?;
     }
     output.write(|out| {
         let mut about = Map::new();

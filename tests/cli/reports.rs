@@ -80,6 +80,25 @@ fn json_is_as_its_schema_says() {
     let (code, text) = run(&["audit", "--cases", "2", "--format", "json"]);
     let mut v: Value = serde_json::from_str(&text).unwrap();
     assert_eq!((code, check(&v)), (0, Vec::new()));
+    // Maps where they are asked for.
+    assert!(
+        v["methods"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|m| m.get("map").is_none())
+    );
+    let (code, text) = run(&["audit", "erf", "--cases", "1", "--maps", "--format", "json"]);
+    let mapped: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, check(&mapped)), (0, Vec::new()));
+    let map = &mapped["methods"][0]["map"];
+    for output in map["outputs"].as_array().unwrap() {
+        assert_eq!(output["ulps"].as_array().unwrap().len(), 144 * 104);
+    }
+    assert_eq!(
+        (&map["not_passed"], map["outputs"].as_array().unwrap().len()),
+        (&0.into(), 2)
+    );
     // Failures too: nothing is within a millionth of an ulp but exact values.
     let (code, text) = run(&[
         "audit",

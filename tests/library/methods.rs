@@ -2,8 +2,11 @@
 //!
 //! `MECHAUDIT_EFFORT` (a positive number, default 1) multiplies the number of cases.
 
-use mechaudit::audit::{Settings, audit_method, hex_float};
+use mechaudit::audit::{
+    Cases, Settings, audit_method, audit_method_until, error_map, hex_float, map_points,
+};
 use mechaudit::methods;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 fn effort() -> f64 {
     match std::env::var("MECHAUDIT_EFFORT") {
@@ -142,4 +145,51 @@ mod planted {
         assert_eq!(again.judgement.verdict, failure.judgement.verdict);
         assert_ne!(again.judgement.verdict, Verdict::Pass);
     }
+}
+
+#[test]
+fn functions_of_a_complex_variable_have_maps() {
+    let of_the_plane = |m: &dyn mechaudit::audit::Method| {
+        let names: Vec<&str> = m.inputs().iter().map(|i| i.name).collect();
+        names == ["Re z", "Im z"]
+    };
+    let all = methods::registry();
+    assert_eq!(all.iter().filter(|m| of_the_plane(&***m)).count(), 7);
+    for m in &all {
+        assert_eq!(
+            map_points(&**m).is_some(),
+            of_the_plane(&**m),
+            "{}",
+            m.name()
+        );
+    }
+}
+
+#[test]
+fn a_map_ends_where_it_is_stopped() {
+    let method = methods::find("erf").unwrap();
+    let settings = Settings {
+        cases_per_region: 1,
+        maps: true,
+        ..Settings::default()
+    };
+    let cases = Cases::new(&*method, &settings).len();
+    let (stop, seen) = (AtomicBool::new(false), AtomicUsize::new(0));
+    let until = |most: usize| {
+        stop.store(false, Ordering::Relaxed);
+        seen.store(0, Ordering::Relaxed);
+        move |stop: &AtomicBool, seen: &AtomicUsize| {
+            if seen.fetch_add(1, Ordering::Relaxed) == most {
+                stop.store(true, Ordering::Relaxed);
+            }
+        }
+    };
+    let tick = until(100);
+    let map = error_map(&*method, &settings, &|| tick(&stop, &seen), &stop);
+    assert!(map.is_none() && seen.load(Ordering::Relaxed) < 1000);
+    // An audit keeps its cases, and does not pass.
+    let tick = until(cases + 100);
+    let report = audit_method_until(&*method, &settings, &|| tick(&stop, &seen), &stop);
+    assert!(report.interrupted && !report.passed() && report.map.is_none());
+    assert_eq!(report.cases, cases);
 }
