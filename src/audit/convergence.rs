@@ -4,7 +4,7 @@
 //! and by *rounding*. A **twin**, the same algorithm without rounding, tells them apart: the method
 //! error is twin less truth, the rounding error is result less twin. Bounds come from balls.
 
-use super::method::SolverAnswer;
+use super::answer::SolverAnswer;
 use super::ulp::distance;
 use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;

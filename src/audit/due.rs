@@ -2,7 +2,6 @@
 
 use super::ulp::distance;
 use mechaudit_reference::{Ball, Mag};
-use rug::Float;
 
 /// What is due for one value.
 #[derive(Clone, Debug)]
@@ -88,11 +87,4 @@ impl Due {
         let error = if right { Mag::ZERO } else { Mag::INFINITY };
         (error, error)
     }
-}
-
-/// The smallest number that rounds to infinity: half a unit beyond the largest `f64`,
-/// `2¹⁰²⁴ − 2⁹⁷⁰`.
-pub(super) fn overflow() -> Ball {
-    let edge = (Float::with_val(64, 1) << 1024i32) - (Float::with_val(64, 1) << 970i32);
-    Ball::new(edge, Mag::ZERO)
 }

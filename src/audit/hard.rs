@@ -3,8 +3,7 @@
 //! A file holds lines `share,output,reason,input`: the share of the budget found, rounded up, for
 //! that output, how the input was found, and the input as hexadecimal floats. Lines are only added.
 
-use super::case::hex_float;
-use super::method::Method;
+use super::hex_float::hex_float;
 use mechaudit_reference::HexFloat;
 
 /// A hard case as recorded.
@@ -48,26 +47,7 @@ impl HardCase {
         HardCase::read_if(text, |_| Ok(()))
     }
 
-    /// Reads a file of a method's.
-    ///
-    /// # Errors
-    /// Also an output that the method does not have and an input outside of its domain.
-    pub fn read_of(method: &dyn Method, text: &str) -> Result<Vec<HardCase>, HardCaseError> {
-        let name = method.name();
-        let known: Vec<&str> = method.outputs().iter().map(|o| o.name).collect();
-        HardCase::read_if(text, |case| match case.output.as_str() {
-            output if !known.contains(&output) => Err(format!(
-                "{name} has no output {output:?}; it has: {}",
-                known.join(", ")
-            )),
-            _ if !method.admits(&case.input) => {
-                Err(format!("the input is outside of the domain of {name}"))
-            }
-            _ => Ok(()),
-        })
-    }
-
-    fn read_if(
+    pub(super) fn read_if(
         text: &str,
         check: impl Fn(&HardCase) -> Result<(), String>,
     ) -> Result<Vec<HardCase>, HardCaseError> {

@@ -3,8 +3,9 @@
 use super::case::{Case, Cases, Origin};
 use super::domain::Draw;
 use super::judge::Verdict;
+use super::judged::{answer_of, judge_case_briefly};
 use super::method::Method;
-use super::run::{Settings, answer_of, judge_case_briefly};
+use super::settings::Settings;
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};

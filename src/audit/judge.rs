@@ -1,9 +1,10 @@
 //! The judge: one solver answer against one reference answer.
 
+use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Limit, NormBudget};
-use super::due::{Due, overflow};
-use super::method::{Output, ReferenceAnswer, SolverAnswer};
-use super::ulp::ulp_exponent;
+use super::due::Due;
+use super::method::Output;
+use super::ulp::{overflow, ulp_exponent};
 use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;
 use std::borrow::Cow;

@@ -5,20 +5,7 @@
 //! (`parameters[p]`) or a letter that follows from the count of all numbers; `+k` or `-k` may be
 //! added. The outputs form a row, which [`Rows`] may repeat.
 
-use super::method::{Input, Method};
-use serde::Serialize;
-
-/// A row of outputs for each of several things.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Rows {
-    /// The index of a row: `q` in `S[q]`.
-    pub index: &'static str,
-    /// Their number: digits, a letter of the inputs' lengths, or a word where only the reference
-    /// tells.
-    pub count: &'static str,
-    /// What a row belongs to.
-    pub meaning: &'static str,
-}
+use super::method::{Input, Method, Rows};
 
 /// Numbers that are not laid out as a method asks for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -6,46 +6,50 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod answer;
 mod budget;
 mod case;
 mod convergence;
 mod domain;
 mod due;
 mod hard;
+mod hex_float;
 mod hunt;
 mod judge;
+mod judged;
 mod layout;
 mod maps;
 mod method;
 mod nearest;
+mod no_such;
 mod parts;
 mod printed;
 mod run;
+mod settings;
 mod tally;
 mod ulp;
 mod variant;
 
+pub use answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
 pub use budget::{Budget, Limit, NormBudget};
-pub use case::{Case, Cases, Origin, hex_float};
+pub use case::{Case, Cases, Origin};
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
+pub use hex_float::hex_float;
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
-pub use layout::{Column, Layout, LayoutError, Rows};
+pub use judged::{CaseReport, answer_of, audit_case, judge_case, judge_case_briefly};
+pub use layout::{Column, Layout, LayoutError};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
-pub use method::{
-    Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
-    conditions_by_differences,
-};
+pub use method::{Input, Law, Method, Output, Rows, conditions_by_differences};
 pub use nearest::{did_you_mean, nearest};
+pub use no_such::NoSuch;
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
-pub use run::{
-    CaseReport, Settings, answer_of, audit_case, audit_method, audit_method_until, judge_case,
-    judge_case_briefly,
-};
+pub use run::{audit_method, audit_method_until};
+pub use settings::Settings;
 pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
 pub use ulp::{ulp_exponent, ulps};
-pub use variant::{NoSuch, Variant};
+pub use variant::Variant;

@@ -2,8 +2,9 @@
 
 use super::case::{Case, Origin};
 use super::judge::Verdict;
+use super::judged::{answer_of, judge_case_briefly};
 use super::method::Method;
-use super::run::{Settings, answer_of, judge_case_briefly};
+use super::settings::Settings;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::atomic::{AtomicBool, Ordering};

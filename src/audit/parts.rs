@@ -1,7 +1,8 @@
 //! The error of a single value taken apart.
 
-use super::method::{Method, ReferenceAnswer, SolverAnswer};
-use super::run::answer_of;
+use super::answer::{ReferenceAnswer, SolverAnswer};
+use super::judged::answer_of;
+use super::method::Method;
 use super::ulp::{ulp_exponent, ulps};
 use mechaudit_reference::Ball;
 use rug::Rational;
@@ -45,7 +46,7 @@ pub(super) fn error_parts(
         &reference.values[i],
         ulp_exponent(reference.values[i].mid()),
     );
-    let in_ulps = |d: mechaudit_reference::Ball| d.magnitude().shift(-unit).to_f64();
+    let in_ulps = |d: Ball| d.magnitude().shift(-unit).to_f64();
     let result = Ball::exact(twin[i].prec().max(64), values[i]);
     Some(ErrorParts {
         method: in_ulps(&twin[i] - truth),

@@ -1,8 +1,9 @@
 //! Printed values, decimals of a few digits, against the reference.
 
+use super::answer::ReferenceAnswer;
 use super::due::Due;
-use super::method::{Method, ReferenceAnswer};
-use super::run::Settings;
+use super::method::Method;
+use super::settings::Settings;
 use mechaudit_reference::{Ball, Decimal};
 use rug::Rational;
 use serde::Serialize;

@@ -3,10 +3,11 @@
 use super::case::Case;
 use super::hard::HardCase;
 use super::judge::{ComponentJudgement, Verdict};
+use super::judged::CaseReport;
 use super::maps::ErrorMap;
 use super::method::Method;
 use super::parts::ErrorParts;
-use super::run::{CaseReport, Settings};
+use super::settings::Settings;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

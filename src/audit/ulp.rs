@@ -1,8 +1,14 @@
 //! Fractional ulps against an unrounded reference.
 
-use super::due::overflow;
 use mechaudit_reference::{Ball, Mag};
 use rug::Float;
+
+/// The smallest number that rounds to infinity: half a unit beyond the largest `f64`,
+/// `2¹⁰²⁴ − 2⁹⁷⁰`.
+pub(super) fn overflow() -> Ball {
+    let edge = (Float::with_val(64, 1) << 1024i32) - (Float::with_val(64, 1) << 970i32);
+    Ball::new(edge, Mag::ZERO)
+}
 
 /// The exponent `k` of the unit in the last place, `ulp(x) = 2^k`: for `|x|` in `[2^e, 2^(e+1))`
 /// it is `e − 52`, and never below −1074. Zero has the smallest unit.

@@ -1,45 +1,14 @@
 //! A method with another solver, over a part of its domain, or with a part of its outputs.
 
+use super::answer::{Reference, ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, Limit, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
 use super::hard::HardCase;
-use super::layout::Rows;
-use super::method::{Input, Law, Method, Output, Reference, ReferenceAnswer, SolverAnswer};
-use super::nearest::did_you_mean;
+use super::method::{Input, Law, Method, Output, Rows};
+use super::no_such::NoSuch;
 use mechaudit_reference::Ball;
 use rug::Rational;
-
-/// A region, check point or output that a method does not have.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{method} has no {what} {name:?}{}; it has: {}", did_you_mean(.name, .known), .known.join(", "))]
-pub struct NoSuch {
-    /// The method.
-    pub method: &'static str,
-    /// What was asked for.
-    pub what: &'static str,
-    /// Its name.
-    pub name: String,
-    /// The names there are.
-    pub known: Vec<&'static str>,
-}
-
-impl NoSuch {
-    pub(super) fn new(
-        method: &'static str,
-        what: &'static str,
-        name: &str,
-        known: Vec<&'static str>,
-    ) -> NoSuch {
-        let name = name.into();
-        NoSuch {
-            method,
-            what,
-            name,
-            known,
-        }
-    }
-}
 
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 

@@ -1,0 +1,105 @@
+//! What the two sides answer.
+
+use super::due::Due;
+use mechaudit_reference::Ball;
+use serde::Serialize;
+
+/// Why a reference value is to be believed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Proof {
+    /// Exact rational arithmetic.
+    Exact,
+    /// Balls whose radius follows from the cited bound.
+    Bounded(&'static str),
+}
+
+/// Reference values with their proof.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    /// One ball for each value of the solver.
+    pub values: Vec<Ball>,
+    /// Why they hold.
+    pub proof: Proof,
+}
+
+/// What a reference answers.
+#[derive(Clone, Debug)]
+pub enum ReferenceAnswer {
+    /// The values.
+    Values(Reference),
+    /// One entry for each value of the solver, where infinities or NaN may be due, and why they
+    /// hold.
+    Dues(Vec<Due>, Proof),
+    /// There is no value, for the named reason; the solver must refuse with the same word.
+    Refuses(&'static str),
+    /// Not decided at this precision.
+    Undecided(String),
+    /// The reference itself failed: never a pass.
+    Failed(String),
+}
+
+impl ReferenceAnswer {
+    /// The same answer, its exact zeros with the signs that [`Method::signs_of_zero`](super::Method::signs_of_zero) tells.
+    pub(super) fn with_signs_of_zero(self, signs: &[Option<bool>]) -> ReferenceAnswer {
+        let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
+        match self {
+            ReferenceAnswer::Values(r) if !signs.is_empty() => ReferenceAnswer::Dues(
+                r.values
+                    .into_iter()
+                    .map(Due::Number)
+                    .enumerate()
+                    .map(signed)
+                    .collect(),
+                r.proof,
+            ),
+            ReferenceAnswer::Dues(dues, proof) => {
+                ReferenceAnswer::Dues(dues.into_iter().enumerate().map(signed).collect(), proof)
+            }
+            other => other,
+        }
+    }
+
+    /// How many values there are, where there are any.
+    pub(super) fn len(&self) -> Option<usize> {
+        match self {
+            ReferenceAnswer::Values(r) => Some(r.values.len()),
+            ReferenceAnswer::Dues(dues, _) => Some(dues.len()),
+            _ => None,
+        }
+    }
+
+    /// The values, if every one of them is due as a number.
+    pub fn numbers(self) -> Option<Vec<Ball>> {
+        match self {
+            ReferenceAnswer::Values(r) => Some(r.values),
+            ReferenceAnswer::Dues(dues, _) => dues.into_iter().map(Due::into_number).collect(),
+            _ => None,
+        }
+    }
+}
+
+/// What the code under test answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolverAnswer {
+    /// The values.
+    Values(Vec<f64>),
+    /// A typed error, by its name.
+    Refuses(&'static str),
+    /// A refusal of code that knows no names: in its own word, which has to be the reference's, or
+    /// without any, which is right wherever the reference refuses.
+    Declines(Option<String>),
+    /// No answer: what happened instead. Never a pass.
+    Fails(String),
+}
+
+impl SolverAnswer {
+    /// The word of a refusal, if it has one.
+    pub fn refusal(&self) -> Option<&str> {
+        match self {
+            SolverAnswer::Refuses(word) => Some(word),
+            SolverAnswer::Declines(word) => word.as_deref(),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! What a run is given.
+
+use serde::Serialize;
+
+/// The settings of a run; all of them are printed with it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Settings {
+    /// Key of the random stream.
+    pub seed: u64,
+    /// Random cases drawn in each region.
+    pub cases_per_region: u64,
+    /// Working precision the references start from, in bits.
+    pub first_bits: u32,
+    /// Working precision at which an open case is called undecided, in bits.
+    pub last_bits: u32,
+    /// Whether functions of a complex variable are mapped besides; see [`error_map`](super::error_map).
+    pub maps: bool,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            seed: 1,
+            cases_per_region: 200,
+            first_bits: 128,
+            last_bits: 2048,
+            maps: false,
+        }
+    }
+}
