@@ -20,8 +20,8 @@
 //! rational, so phases are reduced exactly and resonance (`κ = 0`) is decided. From one harmonic to
 //! the next each corner turns by the same angle.
 
-use crate::ball::Ball;
 use super::cam_law::{Form, Law, Zone, derivatives, derivatives_at_zero};
+use crate::ball::Ball;
 use crate::complex::ComplexBall;
 use crate::mag::Mag;
 use rug::Rational;

@@ -13,7 +13,8 @@
 //! damping both are derivatives, by `w′ = −2zw + 2i/√π`. Nowhere is there an exponential that grows:
 //! `Re(−z²) = (Re λ)(ω + Im λ)/κ ≤ 0` wherever z is in the lower half-plane.
 
-use super::problem::{Parts, Problem, Response};
+use super::parts::Parts;
+use super::problem::{Problem, Response};
 use crate::{Ball, ComplexBall, Undecided, faddeeva};
 use rug::Rational;
 use std::cmp::Ordering;

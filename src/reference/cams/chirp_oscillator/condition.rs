@@ -10,7 +10,8 @@
 //! that is not sharp enough, by differences.
 
 use super::closed_form::{Exponent, Roots, mirrored, parts, roots};
-use super::problem::{Parts, Problem};
+use super::parts::Parts;
+use super::problem::Problem;
 use crate::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
 

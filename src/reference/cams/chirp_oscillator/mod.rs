@@ -21,6 +21,7 @@
 mod closed_form;
 mod condition;
 mod free;
+mod parts;
 mod problem;
 pub mod taylor;
 

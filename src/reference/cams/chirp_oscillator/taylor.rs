@@ -18,7 +18,8 @@
 //! terms are kept is at most `2h B (h/R)^M / ((M + 1)(1 − h/R))`.
 
 use super::free::impulse;
-use super::problem::{Parts, Problem, Response};
+use super::parts::Parts;
+use super::problem::{Problem, Response};
 use crate::{Ball, ComplexBall, Mag, Undecided};
 use rug::Rational;
 

@@ -3,7 +3,8 @@
 use super::coefficients::Coefficients;
 use super::motor::Motor;
 use super::piece::Piece;
-use super::step::{GRID, Setting, Start, step};
+use super::setting::Setting;
+use super::step::{GRID, Start, step};
 use crate::class_iii::ExactAngle;
 use crate::{Ball, Mag, Undecided};
 use rug::{Float, Rational};

@@ -62,6 +62,7 @@ mod motor;
 mod piece;
 mod proof;
 mod series;
+mod setting;
 mod step;
 #[cfg(test)]
 mod tests;

@@ -31,7 +31,7 @@
 //! Differential inequalities of this kind: Walter, *Ordinary Differential Equations*, 1998, §9.
 //! Time: `t_u = σ_1/χ`, with a polynomial q ≈ 1/χ̃ and `|1/χ̃ − q| ≤ |1 − χ̃ q|/χ̃`.
 
-use super::step::{Refusal, Setting};
+use super::setting::{Refusal, Setting};
 use crate::taylor_model::TaylorModel;
 use crate::{Ball, Mag};
 use rug::Float;

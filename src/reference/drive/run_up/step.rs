@@ -13,30 +13,16 @@
 //! The first equation is scalar and does not contain t, so nothing wraps, and t is a quadrature.
 //!
 use super::linkage_panel::Panel;
-use super::motor::Characteristic;
 use super::piece::Piece;
 use super::proof::Proof;
 use super::series::{Equation, reciprocal};
+use super::setting::{Refusal, Setting};
 use crate::taylor_model::TaylorModel;
 use crate::{Ball, Mag};
 use rug::Float;
 
 /// Positions within a panel are multiples of 2^−GRID of its half-width.
 pub(super) const GRID: u32 = 64;
-
-/// What stays the same over a run.
-pub(super) struct Setting {
-    pub bits: u32,
-    pub order: usize,
-    /// Half the width of a panel in radians.
-    pub half_width: Ball,
-    /// I_1.
-    pub rotor: Ball,
-    /// Along the path.
-    pub motor: Characteristic,
-    /// Whether φ falls along the path.
-    pub backward: bool,
-}
 
 /// Where a step starts: a position in its panel, and the speed along the path.
 pub(super) struct Start {
@@ -47,9 +33,6 @@ pub(super) struct Start {
     /// `None` at rest.
     pub speed: Option<Ball>,
 }
-
-/// Why a step could not be proved.
-pub(super) type Refusal = &'static str;
 
 /// `first · c(f u)`.
 fn rescaled(c: &[Float], f: &Float, first: Float, bits: u32) -> Vec<Float> {

@@ -60,8 +60,8 @@
 use super::argument::Argument;
 use super::fixed;
 use super::gaussian::Gaussian;
+use super::pair::Kind;
 use super::scaled::Scaled;
-use super::ziv::Kind;
 use crate::{Ball, Mag};
 use rug::Integer;
 use std::f64::consts::FRAC_PI_2;

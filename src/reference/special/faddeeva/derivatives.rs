@@ -11,8 +11,9 @@
 //! recurrence loses digits; it is run in balls, which know how many, at a rising precision.
 
 use super::argument::Real;
+use super::choice::once;
 use super::scaled::{Scaled, aligned};
-use super::ziv::{balls, cap, decide, once};
+use super::ziv::{balls, cap, decide};
 use crate::{Ball, ComplexBall, Undecided};
 use rug::{Integer, Rational};
 

@@ -28,7 +28,7 @@
 use super::argument::Argument;
 use super::fixed;
 use super::gaussian::Gaussian;
-use super::ziv::Kind;
+use super::pair::Kind;
 use crate::{Ball, ComplexBall, Mag};
 use rug::Integer;
 

@@ -20,22 +20,26 @@
 
 mod argument;
 mod asymptotic;
+mod choice;
 mod derivatives;
 mod fast;
 mod fixed;
 mod gaussian;
 mod kummer;
+mod pair;
 mod related;
 mod scaled;
 pub mod trapezoidal;
+mod value;
 mod zeros;
 mod ziv;
 
 use crate::{Ball, ComplexBall, Mag, Undecided};
 use argument::Real;
+use choice::once;
 use rug::{Float, Rational};
 use std::f64::consts::FRAC_2_SQRT_PI;
-use ziv::{once, scaled, value};
+use value::{scaled, value};
 
 pub use derivatives::{taylor, w_derivative, w_derivative_scaled};
 pub use related::{

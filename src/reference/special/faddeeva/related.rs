@@ -14,9 +14,12 @@
 //! Each function comes with a variant `…_scaled`, whose exponents may have any size.
 
 use super::argument::{Argument, Real};
+use super::choice::{at, once, once_dawson};
 use super::gaussian::Gaussian;
+use super::pair::Kind;
 use super::scaled::{Scaled, aligned};
-use super::ziv::{Kind, at, balls, decide, once, once_dawson, scaled};
+use super::value::scaled;
+use super::ziv::{balls, decide};
 use crate::{Ball, ComplexBall, Undecided};
 use rug::{Integer, Rational};
 

@@ -1,50 +1,7 @@
-//! Choice of the series, symmetries, and the loop that raises the working precision.
+//! Ziv's loop, which raises the working precision until a value is decided.
 
-use super::argument::{Argument, Real};
 use super::scaled::Scaled;
-use super::{asymptotic, fast, kummer};
 use crate::{ComplexBall, Undecided};
-use rug::Integer;
-
-/// Which function of the pair: both come from the same series.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
-    /// `w(z)`.
-    W,
-    /// `w(z) − e^{−z²} = (2i/√π) F(z)`, F Dawson's function; in the first quadrant only.
-    Dawson,
-}
-
-/// One evaluation for `z.x ≥ 0`. `None` where |z|² is beyond 10^8 and the asymptotic series does
-/// not reach the precision.
-pub(super) fn at(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> {
-    if let Some(parts) = asymptotic::parts(z, kind, prec) {
-        return Some(parts);
-    }
-    if !(z.norm_f64() < 1e8) {
-        return None;
-    }
-    let value = kummer::parts(z, kind, prec);
-    Some([value.re, value.im].map(|b| Scaled::new(b, Integer::new())))
-}
-
-/// One evaluation of w anywhere; `w(−conj z) = conj w(z)`.
-pub(super) fn once(x: Real, y: Real, prec: u32) -> Option<[Scaled; 2]> {
-    let mirrored = x.is_negative();
-    let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let [re, im] = at(&z, Kind::W, prec)?;
-    Some(if mirrored { [re, -im] } else { [re, im] })
-}
-
-/// One evaluation of `w − e^{−z²}` anywhere, from the first quadrant: Dawson's function is odd and
-/// real on the real axis.
-pub(super) fn once_dawson(x: &Real, y: &Real, prec: u32) -> Option<[Scaled; 2]> {
-    let (a, b) = (x.is_negative(), y.is_negative());
-    let positive = |r: &Real, flip| if flip { r.negated() } else { r.clone() };
-    let z = Argument::new(positive(x, a), positive(y, b));
-    let [re, im] = at(&z, Kind::Dawson, prec)?;
-    Some([if b { -re } else { re }, if a { -im } else { im }])
-}
 
 /// Bits that are missing from what is asked for; zero for an exact zero, `None` if nothing is
 /// known.
@@ -94,25 +51,6 @@ pub(super) fn decide(
         }
         prec = prec.saturating_add(more).min(cap);
     }
-}
-
-/// w with both components decided, as balls.
-pub(super) fn value(x: Real, y: Real, bits: u32) -> Result<ComplexBall, Undecided> {
-    balls(scaled(x, y, bits)?, bits)
-}
-
-/// w with both components decided.
-pub(super) fn scaled(x: Real, y: Real, bits: u32) -> Result<[Scaled; 2], Undecided> {
-    if bits <= fast::MOST_BITS
-        && let Some(w) = fast::w(&x, &y, bits)
-    {
-        return Ok([w.re, w.im].map(|part| Scaled::new(part, Integer::new())));
-    }
-    let length = x.length().saturating_add(y.length());
-    let mirrored = x.is_negative();
-    let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let [re, im] = decide("w", bits, length, |prec| at(&z, Kind::W, prec))?;
-    Ok(if mirrored { [re, -im] } else { [re, im] })
 }
 
 /// Both components of a scaled result as balls.

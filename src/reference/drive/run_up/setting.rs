@@ -1,0 +1,21 @@
+//! What stays the same from step to step.
+
+use super::motor::Characteristic;
+use crate::Ball;
+
+/// What stays the same over a run.
+pub(super) struct Setting {
+    pub bits: u32,
+    pub order: usize,
+    /// Half the width of a panel in radians.
+    pub half_width: Ball,
+    /// I_1.
+    pub rotor: Ball,
+    /// Along the path.
+    pub motor: Characteristic,
+    /// Whether φ falls along the path.
+    pub backward: bool,
+}
+
+/// Why a step could not be proved.
+pub(super) type Refusal = &'static str;
