@@ -1,21 +1,10 @@
 //! From data to verdict.
 
-use super::repair::search;
+use super::repair::{bound, search};
 use super::{Formula, Item, LedgerEntry, Obligation, Requirement, Verdict};
 use crate::symbolic::{
     Definitions, Equation, Expr, Identity, Outcome, SymbolicError, latex_equation, parse_equation,
 };
-
-/// The definitions with a form put in: under the name that the printed form has, if it has one.
-pub(super) fn bound(definitions: &Definitions, printed: &Equation, form: &Equation) -> Definitions {
-    let mut out = definitions.clone();
-    if let Expr::Sym(name) = &printed.left {
-        out.set(name, form.right.clone());
-    }
-    out.set("left", form.left.clone());
-    out.set("right", form.right.clone());
-    out
-}
 
 fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Obligation {
     Obligation {

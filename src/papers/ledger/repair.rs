@@ -1,6 +1,5 @@
 //! The search for the smallest repair.
 
-use super::decide::bound;
 use super::{Formula, Repair, Requirement};
 use crate::reference::ComplexBall;
 use crate::symbolic::{
@@ -16,6 +15,17 @@ enum Judged {
     /// It divides by zero whatever the values are.
     WithoutValue,
     Undecided,
+}
+
+/// The definitions with a form put in: under the name that the printed form has, if it has one.
+pub(super) fn bound(definitions: &Definitions, printed: &Equation, form: &Equation) -> Definitions {
+    let mut out = definitions.clone();
+    if let Expr::Sym(name) = &printed.left {
+        out.set(name, form.right.clone());
+    }
+    out.set("left", form.left.clone());
+    out.set("right", form.right.clone());
+    out
 }
 
 /// The requirements, with the sides that do not depend on the printed form enclosed beforehand.
