@@ -10,6 +10,7 @@
 //! | `audit` | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
+//! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
 //! | `symbolic` | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
@@ -90,6 +91,8 @@
 pub mod book;
 #[cfg(feature = "oracle")]
 pub mod candidate;
+#[cfg(feature = "machine")]
+pub mod machine;
 #[cfg(feature = "oracle")]
 pub mod methods;
 #[cfg(feature = "oracle")]

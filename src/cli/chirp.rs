@@ -1,25 +1,34 @@
 //! A cam-driven oscillator given in a file, while its shaft speeds up or slows down.
 
 use super::args::{ChirpArgs, ChirpRows};
-use super::chirp_file::{self, Machine};
-use super::chirp_rows::{self as rows, Charted};
+use super::chirp_rows as rows;
 use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::Output;
+use super::source;
 use super::svg_chirp;
-use mechaudit::solvers::chirp_chart::{CamResponse, Chart};
+use mechaudit::machine::CamOscillator;
+
+/// The oscillator that the arguments name.
+pub fn machine(args: &ChirpArgs) -> Result<CamOscillator, Failure> {
+    let machine = CamOscillator::read(&source::open(&args.file)?, args.harmonics);
+    machine.map_err(|e| Failure::in_file(&args.file, e))
+}
 
 /// Prints and draws what the arguments ask for.
 pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
-    let machine = chirp_file::read(args)?;
-    let about = |e: String| Failure::new(format!("{}: {e}", args.file.display()));
+    let machine = machine(args)?;
+    let in_file = |e| Failure::in_file(&args.file, e);
     let wanted = args.rows.unwrap_or(match (&machine.run, &machine.chart) {
         (Some(_), _) => ChirpRows::History,
         (None, Some(_)) => ChirpRows::Chart,
         (None, None) => ChirpRows::Spectrum,
     });
-    let missing = |table: &str| about(format!("the table [{table}] is missing"));
+    let missing = |table: &str| {
+        let text = format!("the table [{table}] is missing");
+        Failure::new(text).about(args.file.display())
+    };
     match wanted {
         ChirpRows::History if machine.run.is_none() => return Err(missing("run")),
         ChirpRows::Chart if machine.chart.is_none() => return Err(missing("chart")),
@@ -34,23 +43,10 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
     let spectrum = drawing("spectrum.svg", true)?;
     let history = drawing("history.svg", machine.run.is_some())?;
     let chart = drawing("chart.svg", machine.chart.is_some())?;
-    let response = |drive| CamResponse::new(drive, machine.harmonics, machine.initial);
-    let own = response(machine.drive.clone()).map_err(|e| about(e.to_string()))?;
-    let charts = match &machine.chart {
-        Some(plan) if chart.is_some() || wanted == ChirpRows::Chart => {
-            let one = |(law, drive): &(String, _)| {
-                let response = response(Clone::clone(drive))?;
-                let chart = Chart::new(&response, plan.period, &plan.grid)?;
-                Ok(Charted {
-                    law: law.clone(),
-                    chart,
-                })
-            };
-            let all: Result<Vec<Charted>, mechaudit::solvers::chirp_chart::ChirpChartError> =
-                plan.drives.iter().map(one).collect();
-            all.map_err(|e| about(e.to_string()))?
-        }
-        _ => Vec::new(),
+    let own = machine.response(&machine.drive).map_err(in_file)?;
+    let charts = match chart.is_some() || wanted == ChirpRows::Chart {
+        true => machine.charts().map_err(in_file)?,
+        false => Vec::new(),
     };
     if let Some(drawing) = spectrum {
         drawing.text(&svg_chirp::spectrum(&machine)?)?;
@@ -66,15 +62,9 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         ChirpRows::Chart => rows::chart(out, (args.format, columns), &machine, &charts),
         ChirpRows::Spectrum => rows::spectrum(out, (args.format, columns), &machine),
     })?;
-    for line in lines(&machine, &charts) {
-        complain(&line);
+    complain(&rows::harmonics_line(&machine));
+    for chart in &charts {
+        complain(&rows::chart_line(chart));
     }
     Ok(Outcome::AsExpected)
-}
-
-/// What there is to say besides the rows.
-fn lines(machine: &Machine, charts: &[Charted]) -> Vec<String> {
-    let mut all = vec![rows::harmonics_line(machine)];
-    all.extend(charts.iter().map(Charted::line));
-    all
 }

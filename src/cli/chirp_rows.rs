@@ -1,11 +1,11 @@
 //! The rows of a cam-driven oscillator: motion over time, chart, spectrum.
 
 use super::args::{ChirpRows, CsvOrJson};
-use super::chirp_file::Machine;
 use super::columns::Columns;
 use super::failure::Failure;
 use super::rows::{Cell, Rows};
-use mechaudit::solvers::chirp_chart::{CamResponse, Chart, ChartPoint, Period, State};
+use mechaudit::machine::cam_oscillator::{CamOscillator, LawChart};
+use mechaudit::solvers::chirp_chart::{CamResponse, ChartPoint, Period, State};
 use mechaudit::solvers::fourier_series::FourierSeries;
 use rayon::prelude::*;
 use serde_json::{Map, Value, json};
@@ -14,38 +14,30 @@ use std::io::Write;
 /// Times computed together: memory does not grow with the number of rows.
 const CHUNK: u64 = 4096;
 
-/// The chart of a law.
-pub struct Charted {
-    pub law: String,
-    pub chart: Chart,
-}
-
-impl Charted {
-    /// Beat zones and how far the bound is above the truth.
-    pub fn line(&self) -> String {
-        let zones = self.chart.beats(|p| p.acceleration);
-        let spacings: Vec<f64> = zones.iter().skip(1).map(|z| z.spacing).collect();
-        let spacing = match spacings.len() {
-            0 => String::new(),
-            n => format!(
-                ", {:.3} apart in the mean",
-                spacings.iter().sum::<f64>() / n as f64
-            ),
-        };
-        let ratio = |p: &ChartPoint| p.bound / p.displacement;
-        let all = || self.chart.points.iter().map(ratio);
-        format!(
-            "{}: {} beat zones of C_phi{spacing}; formula (19) is {:.3} to {:.3} times the true peak",
-            self.law,
-            zones.len(),
-            all().fold(f64::INFINITY, f64::min),
-            all().fold(0.0, f64::max),
-        )
-    }
+/// Beat zones and how far the bound is above the truth.
+pub fn chart_line(chart: &LawChart) -> String {
+    let zones = chart.chart.beats(|p| p.acceleration);
+    let spacings: Vec<f64> = zones.iter().skip(1).map(|z| z.spacing).collect();
+    let spacing = match spacings.len() {
+        0 => String::new(),
+        n => format!(
+            ", {:.3} apart in the mean",
+            spacings.iter().sum::<f64>() / n as f64
+        ),
+    };
+    let ratio = |p: &ChartPoint| p.bound / p.displacement;
+    let all = || chart.chart.points.iter().map(ratio);
+    format!(
+        "{}: {} beat zones of C_phi{spacing}; formula (19) is {:.3} to {:.3} times the true peak",
+        chart.law,
+        zones.len(),
+        all().fold(f64::INFINITY, f64::min),
+        all().fold(0.0, f64::max),
+    )
 }
 
 /// How many harmonics there are and what is left out.
-pub fn harmonics_line(machine: &Machine) -> String {
+pub fn harmonics_line(machine: &CamOscillator) -> String {
     let series = FourierSeries::new(&machine.drive.cycle);
     let n = machine.harmonics;
     format!(
@@ -56,7 +48,7 @@ pub fn harmonics_line(machine: &Machine) -> String {
     )
 }
 
-fn about(machine: &Machine) -> Map<String, Value> {
+fn about(machine: &CamOscillator) -> Map<String, Value> {
     let drive = &machine.drive;
     let cycle = &drive.cycle;
     let peaks = cycle.rise().law.peaks();
@@ -82,12 +74,8 @@ fn about(machine: &Machine) -> Map<String, Value> {
     all
 }
 
-fn failed(e: impl std::fmt::Display) -> Failure {
-    Failure::new(e.to_string())
-}
-
 /// The columns of these rows with their units.
-pub fn names(rows: ChirpRows, machine: &Machine) -> Vec<String> {
+pub fn names(rows: ChirpRows, machine: &CamOscillator) -> Vec<String> {
     let u = machine.unit;
     match rows {
         ChirpRows::History => {
@@ -137,7 +125,7 @@ pub fn names(rows: ChirpRows, machine: &Machine) -> Vec<String> {
 pub fn history(
     out: &mut dyn Write,
     (format, columns): (CsvOrJson, Columns),
-    machine: &Machine,
+    machine: &CamOscillator,
     response: &CamResponse,
 ) -> Result<(), Failure> {
     let Some(run) = &machine.run else {
@@ -171,7 +159,7 @@ pub fn history(
         };
         let states: Result<Vec<_>, mechaudit::solvers::chirp_chart::ChirpChartError> =
             (from..to).into_par_iter().map(one).collect();
-        for (state, envelope) in states.map_err(failed)? {
+        for (state, envelope) in states.map_err(Failure::caused)? {
             rows.row(&row(&state, envelope))?;
         }
         from = to;
@@ -183,11 +171,11 @@ pub fn history(
 pub fn chart(
     out: &mut dyn Write,
     (format, columns): (CsvOrJson, Columns),
-    machine: &Machine,
-    charts: &[Charted],
+    machine: &CamOscillator,
+    charts: &[LawChart],
 ) -> Result<(), Failure> {
     let mut about = about(machine);
-    let zones = |c: &Charted| {
+    let zones = |c: &LawChart| {
         let all = c.chart.beats(|p| p.acceleration);
         let one = |z: &mechaudit::solvers::chirp_chart::BeatZone| json!({"xi": z.xi, "C_phi": z.value, "spacing": z.spacing.is_finite().then_some(z.spacing)});
         json!({"law": c.law, "C": c.chart.rigid[0], "zones": all.iter().map(one).collect::<Vec<_>>()})
@@ -224,14 +212,14 @@ pub fn chart(
 pub fn spectrum(
     out: &mut dyn Write,
     (format, columns): (CsvOrJson, Columns),
-    machine: &Machine,
+    machine: &CamOscillator,
 ) -> Result<(), Failure> {
     let series = FourierSeries::new(&machine.drive.cycle);
     let mut about = about(machine);
     about.insert("a_0".into(), json!(series.mean()));
     let mut rows = Rows::begin(out, format, columns, &about)?;
     for n in 1..=machine.harmonics {
-        let h = series.harmonic(n).map_err(failed)?;
+        let h = series.harmonic(n).map_err(Failure::caused)?;
         let values = [
             h.a,
             h.b,

@@ -2,25 +2,26 @@
 
 use super::args::LinkageArgs;
 use super::columns::Columns;
-use super::crank_angles::Grid;
-use super::dyad_certified::{self, Proved};
 use super::dyad_facts as facts;
-use super::dyad_file::{Dyad, Shape};
-use super::dyad_values::{ASSEMBLIES, Values, at_crank_speed, number};
 use super::failure::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
-use super::quantity::nearest;
-use super::result::{decided, write_to_result};
 use super::rows::{Cell, Rows};
 use super::{complain, svg_dyad};
-use mechaudit::solvers::dyad::{Assembly, DyadError};
-use mechaudit::solvers::units::Angle;
-use rug::Rational;
+use mechaudit::machine::crank_angles::{Grid, decimal};
+use mechaudit::machine::dyad::{self, ASSEMBLIES, Dyad, Proved, number};
+use mechaudit::reference::nearest_f64;
+use mechaudit::solvers::dyad::Assembly;
 
 /// Computes the linkage as the arguments ask for.
 pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
-    let kind = dyad.shape.kind();
+    let kind = dyad.shape.type_name();
+    if dyad.shape.has_bodies() {
+        return Err(Failure::new(format!(
+            "{}: [bodies] is not possible with type = {kind:?} here: rows with masses are for class-iii only; runup takes them",
+            args.file.display()
+        )));
+    }
     if args.svg.is_some() && args.all_branches {
         return Err(Failure::new(
             "--svg draws one branch: leave out --all-branches",
@@ -38,22 +39,19 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
             }
         },
     };
-    let grid = Grid::new(args, dyad.start.clone())?;
-    let columns = Columns::of(names(dyad), &args.units.units, args.digits.is_some())?;
+    let grid = args.grid(dyad.start.clone())?;
+    let columns = Columns::of(dyad::names(dyad), &args.units.units, args.digits.is_some())?;
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
         drawing.text(&svg_dyad::draw(dyad, *assembly))?;
     }
     let mut count = 0;
-    let outcome = write_to_result(output, |out| {
+    let outcome = output.write(|out| {
         let about = facts::json(dyad, &assemblies);
         let mut rows = Rows::begin(out, args.format, columns, &about)?;
         let outcome = all_rows(args, dyad, &assemblies, &grid, &mut rows, &mut count);
-        let outcome = outcome.map_err(|f| match f {
-            Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),
-            other => other,
-        })?;
+        let outcome = outcome.map_err(|f| f.about(args.file.display()))?;
         rows.end()?;
         Ok(outcome)
     })?;
@@ -81,15 +79,19 @@ fn all_rows(
         for &assembly in assemblies {
             let (shown, values) = match args.digits {
                 None => {
-                    let shown = Cell::Float(nearest(&degrees));
-                    (shown, floating(dyad, &degrees, assembly)?)
+                    let row = dyad::floating(dyad, &degrees, assembly);
+                    let row = row.map_err(Failure::caused)?;
+                    (
+                        Cell::Float(nearest_f64(&degrees)),
+                        row.map(|v| v.map(Cell::Float)),
+                    )
                 }
                 Some(digits) => {
-                    let shown = Cell::Decimal(super::certified::decimal(&degrees));
-                    match dyad_certified::row(dyad, &degrees, assembly, digits) {
-                        Proved::Row(cells) => (shown, Some(cells)),
-                        Proved::Unreachable => (shown, None),
-                    }
+                    let row = match dyad::certified(dyad, &degrees, assembly, digits) {
+                        Proved::Values(digits) => Some(digits.map(Cell::certified)),
+                        Proved::Unreachable => None,
+                    };
+                    (Cell::Decimal(decimal(&degrees)), row)
                 }
             };
             let Some(values) = values else { continue };
@@ -103,131 +105,5 @@ fn all_rows(
             progress.show("rows", k, grid.count);
         }
     }
-    Ok(decided(undecided, args.digits.unwrap_or(0)))
-}
-
-/// A row in floating point; `None` where the crank does not reach the angle.
-fn floating(
-    dyad: &Dyad,
-    degrees: &Rational,
-    assembly: Assembly,
-) -> Result<Option<Vec<Cell>>, Failure> {
-    if dyad.shape.exactly_beyond(degrees) {
-        return Ok(None);
-    }
-    let phi = Angle::from_rad(nearest(degrees).to_radians());
-    let mut values = match position(&dyad.shape, phi, assembly) {
-        Ok(values) => values,
-        Err(DyadError::Unreachable { .. } | DyadError::Singular { .. }) => return Ok(None),
-        Err(e) => {
-            let at = nearest(degrees);
-            return Err(Failure::new(format!("at phi1 = {at} deg: {e}")));
-        }
-    };
-    if let Some(crank) = &dyad.crank {
-        let (w, e) = (crank.omega.to_f64(), crank.epsilon.to_f64());
-        values = at_crank_speed(values, |f, s| (f * w, s * w * w + f * e));
-    }
-    for i in dyad.angles() {
-        values[i] = values[i].to_degrees();
-    }
-    if let Some(i) = values.iter().position(|x| !x.is_finite()) {
-        return Err(Failure::new(format!(
-            "{} exceeds the range of floating-point numbers at phi1 = {} deg",
-            names(dyad)[i + 2],
-            nearest(degrees)
-        )));
-    }
-    Ok(Some(values.map(Cell::Float).to_vec()))
-}
-
-fn position(shape: &Shape, phi: Angle, assembly: Assembly) -> Result<Values<f64>, DyadError> {
-    Ok(match shape {
-        Shape::FourBar { solver, .. } => {
-            let m = solver.position(phi, assembly)?;
-            let (p, q) = (m.coupler, m.rocker);
-            let transmission = m.transmission.rad();
-            [
-                p.angle.rad(),
-                q.angle.rad(),
-                p.first,
-                q.first,
-                p.second,
-                q.second,
-                transmission,
-                m.determinant_m2,
-            ]
-        }
-        Shape::SliderCrank { solver, .. } => {
-            let m = solver.position(phi, assembly)?;
-            [
-                m.slider_m,
-                m.rod.angle.rad(),
-                m.slider_first_m,
-                m.rod.first,
-                m.slider_second_m,
-                m.rod.second,
-                m.transmission.rad(),
-                m.determinant_m,
-            ]
-        }
-    })
-}
-
-impl Dyad {
-    /// Which of the values are angles.
-    pub fn angles(&self) -> Vec<usize> {
-        match self.shape {
-            Shape::FourBar { .. } => vec![0, 1, 6],
-            Shape::SliderCrank { .. } => vec![1, 6],
-        }
-    }
-}
-
-/// The columns' names with their units.
-fn names(dyad: &Dyad) -> Vec<String> {
-    let values = match (&dyad.shape, dyad.crank.is_some()) {
-        (Shape::FourBar { .. }, false) => [
-            "phi2_deg",
-            "phi3_deg",
-            "dphi2_dphi1",
-            "dphi3_dphi1",
-            "d2phi2_dphi1_2_per_rad",
-            "d2phi3_dphi1_2_per_rad",
-            "transmission_angle_deg",
-            "determinant_m2",
-        ],
-        (Shape::FourBar { .. }, true) => [
-            "phi2_deg",
-            "phi3_deg",
-            "omega2_rad_per_s",
-            "omega3_rad_per_s",
-            "epsilon2_rad_per_s2",
-            "epsilon3_rad_per_s2",
-            "transmission_angle_deg",
-            "determinant_m2",
-        ],
-        (Shape::SliderCrank { .. }, false) => [
-            "slider_m",
-            "phi2_deg",
-            "dslider_dphi1_m_per_rad",
-            "dphi2_dphi1",
-            "d2slider_dphi1_2_m_per_rad2",
-            "d2phi2_dphi1_2_per_rad",
-            "transmission_angle_deg",
-            "determinant_m",
-        ],
-        (Shape::SliderCrank { .. }, true) => [
-            "slider_m",
-            "phi2_deg",
-            "slider_velocity_m_per_s",
-            "omega2_rad_per_s",
-            "slider_acceleration_m_per_s2",
-            "epsilon2_rad_per_s2",
-            "transmission_angle_deg",
-            "determinant_m",
-        ],
-    };
-    let head = ["phi1_deg", "branch"];
-    head.iter().chain(&values).map(|s| s.to_string()).collect()
+    Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
 }

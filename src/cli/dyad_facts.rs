@@ -1,107 +1,8 @@
-//! What is known of a four-bar linkage or slider-crank as a whole: type, crank range, dead
-//! positions.
+//! What is known of a four-bar linkage or slider-crank as a whole, in words and as JSON.
 
-use super::dyad_file::{Dyad, Shape};
-use super::dyad_values::number;
-use mechaudit::solvers::dyad::{Assembly, CrankRange, FourBar, GrashofType, SliderCrank};
+use mechaudit::machine::dyad::{Dyad, Shape, Turn, dead, number, swing, turn};
+use mechaudit::solvers::dyad::{Assembly, FourBar, GrashofType};
 use serde_json::{Map, Value, json};
-
-/// The crank angles within one turn, in degrees.
-pub enum Turn {
-    /// Every angle, with or without positions where the assembly may change.
-    Full {
-        change_points: bool,
-    },
-    Parts(Vec<[f64; 2]>),
-}
-
-/// A dead position of one assembly.
-struct Dead {
-    how: &'static str,
-    crank_deg: f64,
-    /// The rocker's angle in degrees, or the slider's coordinate in metres.
-    output: f64,
-}
-
-/// The crank angles that can be reached.
-pub fn turn(shape: &Shape) -> Turn {
-    match shape {
-        Shape::FourBar { solver, .. } => four_bar_turn(solver),
-        Shape::SliderCrank { solver, .. } => slider_turn(solver),
-    }
-}
-
-fn four_bar_turn(solver: &FourBar) -> Turn {
-    match solver.crank_range() {
-        CrankRange::Full => Turn::Full {
-            change_points: solver.grashof_type() == GrashofType::ChangePoint,
-        },
-        CrankRange::Within { limit } => Turn::Parts(vec![[-limit.deg(), limit.deg()]]),
-        CrankRange::Beyond { limit } => Turn::Parts(vec![[limit.deg(), 360.0 - limit.deg()]]),
-        CrankRange::Between { lower, upper } => Turn::Parts(vec![
-            [lower.deg(), upper.deg()],
-            [-upper.deg(), -lower.deg()],
-        ]),
-    }
-}
-
-/// The sine of the crank's angle to the guide lies between those of the limits.
-fn slider_turn(solver: &SliderCrank) -> Turn {
-    let (lower, upper) = solver.crank_limits();
-    let parts = match (lower.map(|l| l.deg()), upper.map(|u| u.deg())) {
-        (None, None) => {
-            return Turn::Full {
-                change_points: !solver.turns_fully(),
-            };
-        }
-        (Some(l), None) => vec![[l, 180.0 - l]],
-        (None, Some(u)) => vec![[-180.0 - u, u]],
-        (Some(l), Some(u)) => vec![[l, u], [180.0 - u, 180.0 - l]],
-    };
-    let direction = solver.direction().deg();
-    Turn::Parts(parts.iter().map(|p| p.map(|x| x + direction)).collect())
-}
-
-fn dead(shape: &Shape, assembly: Assembly) -> Vec<Dead> {
-    match shape {
-        Shape::FourBar { solver, .. } => {
-            let all = solver.dead_positions(assembly);
-            [("extended", all.extended), ("folded", all.folded)]
-                .into_iter()
-                .filter_map(|(how, p)| {
-                    p.map(|p| Dead {
-                        how,
-                        crank_deg: p.crank.deg(),
-                        output: p.rocker.deg(),
-                    })
-                })
-                .collect()
-        }
-        Shape::SliderCrank { solver, .. } => {
-            let all = solver.dead_centres(assembly);
-            let direction = solver.direction().deg();
-            [("extended", Some(all.extended)), ("folded", all.folded)]
-                .into_iter()
-                .filter_map(|(how, p)| {
-                    p.map(|p| Dead {
-                        how,
-                        crank_deg: p.crank_from_guide.deg() + direction,
-                        output: p.slider.m(),
-                    })
-                })
-                .collect()
-        }
-    }
-}
-
-/// The rocker's swing in degrees between its dead positions, where the crank turns fully and the
-/// assembly cannot change.
-fn swing(solver: &FourBar, assembly: Assembly) -> Option<f64> {
-    let full = solver.crank_range() == CrankRange::Full
-        && solver.grashof_type() != GrashofType::ChangePoint;
-    let swing = solver.dead_positions(assembly).swing();
-    swing.filter(|_| full).map(|s| s.deg())
-}
 
 fn grashof(solver: &FourBar) -> &'static str {
     match solver.grashof_type() {
@@ -127,7 +28,7 @@ pub fn json(dyad: &Dyad, assemblies: &[Assembly]) -> Map<String, Value> {
     let mut put = |key: &str, value: Value| map.insert(key.into(), value);
     put("schema_version", json!(1));
     put("mechaudit_version", json!(env!("CARGO_PKG_VERSION")));
-    put("type", json!(dyad.shape.kind()));
+    put("type", json!(dyad.shape.type_name()));
     put("name", json!(dyad.name));
     if let Some(c) = &dyad.crank {
         put("crank_speed_rad_per_s", json!(c.omega.to_f64()));

@@ -162,7 +162,7 @@ fn answer(
     }
     let numbers: Vec<Number> = fields
         .iter()
-        .map(|f| Number::parse(f).map_err(input))
+        .map(|f| Number::parse(f).map_err(|e| input(e.to_string())))
         .collect::<Result<_, _>>()?;
     let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
     if let Some(why) = (function.refusal)(&x) {
@@ -176,7 +176,7 @@ fn answer(
         Some(digits) => {
             let x: Vec<Rational> = numbers
                 .iter()
-                .map(|n| n.exact().map_err(input))
+                .map(|n| n.exact().map_err(|e| input(e.to_string())))
                 .collect::<Result<_, _>>()?;
             function
                 .digits(&x, digits as usize)

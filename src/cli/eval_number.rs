@@ -1,74 +1,70 @@
 //! A number as a line of `eval` gives it.
 
-use mechaudit::reference::{Decimal, HexFloat};
+use mechaudit::reference::{Decimal, DecimalError, HexFloat, HexFloatError};
 use rug::Rational;
 
 /// A decimal, a hexadecimal float, an infinity or NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Number<'a> {
-    /// Checked, not yet read: digits with at most one point, optional sign and exponent.
-    Decimal(&'a str),
+    /// Written as a decimal, and the nearest `f64`.
+    Decimal(&'a str, f64),
     Hex(HexFloat),
     NotFinite(f64),
 }
 
+/// The text is no number.
+#[derive(Debug, thiserror::Error)]
+pub enum NumberError {
+    #[error(transparent)]
+    Hex(#[from] HexFloatError),
+    #[error("{text:?} is neither a decimal nor a hexadecimal float")]
+    Neither { text: String },
+    #[error("the exponent of {text} is beyond ±100000")]
+    Exponent { text: String, source: DecimalError },
+    #[error("{0} has no certified digits: with --digits every argument must be finite")]
+    NotFinite(f64),
+}
+
 impl<'a> Number<'a> {
-    pub fn parse(text: &'a str) -> Result<Number<'a>, String> {
+    pub fn parse(text: &'a str) -> Result<Number<'a>, NumberError> {
         let text = text.trim();
         let body = text.strip_prefix(['-', '+']).unwrap_or(text);
         if body.starts_with("0x") || body.starts_with("0X") {
-            return HexFloat::parse(text)
-                .map(Number::Hex)
-                .map_err(|e| e.to_string());
+            return Ok(Number::Hex(HexFloat::parse(text)?));
         }
-        if is_decimal(body) {
-            return Ok(Number::Decimal(text));
+        if let Ok(nearest) = Decimal::nearest(text) {
+            return Ok(Number::Decimal(text, nearest));
         }
         let words = ["inf", "infinity", "nan"];
         match text.parse() {
             Ok(x) if words.iter().any(|w| body.eq_ignore_ascii_case(w)) => Ok(Number::NotFinite(x)),
-            _ => Err(format!(
-                "{text:?} is neither a decimal nor a hexadecimal float"
-            )),
+            _ => Err(NumberError::Neither { text: text.into() }),
         }
     }
 
     /// The nearest `f64`.
     pub fn nearest(&self) -> f64 {
         match self {
-            // Rust's conversion rounds correctly.
-            Number::Decimal(text) => text.parse().unwrap_or(f64::NAN),
+            Number::Decimal(_, x) => *x,
             Number::Hex(x) => x.to_f64(),
             Number::NotFinite(x) => *x,
         }
     }
 
     /// The number itself.
-    pub fn exact(&self) -> Result<Rational, String> {
+    pub fn exact(&self) -> Result<Rational, NumberError> {
         match self {
-            Number::Decimal(text) => Decimal::parse(text)
-                .map(|d| d.value)
-                .map_err(|_| format!("the exponent of {text} is beyond ±100000")),
+            Number::Decimal(text, _) => match Decimal::parse(text) {
+                Ok(decimal) => Ok(decimal.value),
+                Err(source) => Err(NumberError::Exponent {
+                    text: (*text).into(),
+                    source,
+                }),
+            },
             Number::Hex(x) => Ok(x.value()),
-            Number::NotFinite(x) => Err(format!(
-                "{x} has no certified digits: with --digits every argument must be finite"
-            )),
+            Number::NotFinite(x) => Err(NumberError::NotFinite(*x)),
         }
     }
-}
-
-/// Digits with at most one point and an optional exponent; no sign in front.
-fn is_decimal(text: &str) -> bool {
-    let digits = |t: &str| t.bytes().all(|b| b.is_ascii_digit());
-    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
-        Some((mantissa, e)) => (mantissa, Some(e.strip_prefix(['-', '+']).unwrap_or(e))),
-        None => (text, None),
-    };
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    digits(whole)
-        && digits(fraction)
-        && !(whole.is_empty() && fraction.is_empty())
-        && exponent.is_none_or(|e| !e.is_empty() && digits(e))
 }
 
 #[cfg(test)]
@@ -109,8 +105,13 @@ mod tests {
         assert_eq!(exact("0.1").unwrap(), Rational::from((1, 10)));
         assert_eq!(exact("5.").unwrap(), Rational::from(5));
         assert_eq!(exact("-0x1p-2").unwrap(), Rational::from((-1, 4)));
-        assert!(exact("nan").unwrap_err().contains("finite"));
-        assert!(exact("1e100001").unwrap_err().contains("exponent"));
+        assert!(exact("nan").unwrap_err().to_string().contains("finite"));
+        assert!(
+            exact("1e100001")
+                .unwrap_err()
+                .to_string()
+                .contains("exponent")
+        );
         assert!(exact("1e99999999999999999999").is_err());
     }
 }

@@ -1,65 +1,96 @@
 //! A linkage given in a file, computed over the turn of its crank.
 
 use super::args::LinkageArgs;
-use super::branch::{self, Branch, Reach};
-use super::certified::Certifier;
 use super::columns::Columns;
 use super::complain;
-use super::crank_angles::{Grid, Plan, plan, start_degrees};
 use super::failure::{Failure, Outcome};
-use super::linkage_columns as columns;
-use super::linkage_file::{self, Described, Linkage};
+use super::linkage_facts as facts;
 use super::output::Output;
 use super::progress::Progress;
-use super::quantity::nearest;
-use super::result::{decided, write_to_result};
 use super::rows::{Cell, Rows};
+use super::source;
 use super::svg::Drawings;
-use mechaudit::solvers::class_iii::{BranchMap, Fold};
+use mechaudit::machine;
+use mechaudit::machine::class_iii::{self, Branch, Certifier, Linkage};
+use mechaudit::machine::crank_angles::{Grid, GridError, Plan, Window, decimal, plan};
+use mechaudit::reference::nearest_f64;
+use mechaudit::solvers::class_iii::{BranchMap, State};
 use rug::Rational;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
+
+/// Rows at most.
+const MOST_ROWS: u64 = 10_000_000;
+/// Crank angles at most when every branch is kept in memory.
+const MOST_ANGLES: u64 = 100_000;
 
 /// Computes the linkage as the arguments ask for.
 pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
-    match linkage_file::read(&args.file)? {
-        Described::ClassIii(linkage) => class_iii(args, &linkage),
-        Described::Dyad(dyad) => super::dyad::linkage(args, &dyad),
+    let source = source::open(&args.file)?;
+    let linkage = machine::Linkage::read(&source).map_err(|e| Failure::in_file(&args.file, e))?;
+    match linkage {
+        machine::Linkage::ClassIii(linkage) => of_class_iii(args, &linkage),
+        machine::Linkage::Dyad(dyad) => super::dyad::linkage(args, &dyad),
     }
 }
 
-fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> {
-    let grid = Grid::new(args, start_degrees(linkage))?;
+impl LinkageArgs {
+    /// The crank angles asked for; they begin at `start` if the arguments do not say where.
+    pub fn grid(&self, start: Option<Rational>) -> Result<Grid, Failure> {
+        let window = Window {
+            step: self.step_deg.value.clone(),
+            from: self.from_deg.as_ref().map(|d| d.value.clone()),
+            to: self.to_deg.as_ref().map(|d| d.value.clone()),
+        };
+        let most = match self.all_branches {
+            true => MOST_ANGLES,
+            false => MOST_ROWS,
+        };
+        Grid::new(&window, start, most).map_err(|e| {
+            let text = match e {
+                GridError::Step { step } => format!("--step-deg must be positive, got {step}"),
+                GridError::Backwards { to, from } => {
+                    format!("--to-deg {to} must not be less than the first crank angle, {from} deg")
+                }
+                GridError::TooMany { step, most } => format!(
+                    "--step-deg {step:e} gives more than {most} crank angles; take a larger step"
+                ),
+            };
+            Failure::Caused(text, e.into())
+        })
+    }
+}
+
+fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> {
+    let grid = args.grid(linkage.start_degrees())?;
     let certified = args.digits.is_some();
-    let names = columns::names(linkage, certified);
+    let names = class_iii::names(linkage, certified);
     let columns = Columns::of(names, &args.units.units, certified)?;
-    let about = |f: Failure| match f {
-        Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),
-        other => other,
-    };
+    let in_file = |e| Failure::in_file(&args.file, e);
     if args.all_branches {
         if args.svg.is_some() {
             return Err(Failure::new(
                 "--svg draws one branch: leave out --all-branches",
             ));
         }
-        return all_branches(args, linkage, &grid, columns).map_err(about);
+        let outcome = all_branches(args, linkage, &grid, columns);
+        return outcome.map_err(|f| f.about(args.file.display()));
     }
     let output = Output::open(args.output.as_deref())?;
     let drawings = args.svg.as_ref().map(|f| Drawings::open(f, linkage));
     let drawings = drawings.transpose()?;
     let start = match args.branch {
-        None => start_degrees(linkage).unwrap_or_else(|| grid.from.clone()),
+        None => linkage.start_degrees().unwrap_or_else(|| grid.from.clone()),
         Some(_) => grid.from.clone(),
     };
-    let branch =
-        branch::choose(&linkage.solver, &start, args.branch, &linkage.start).map_err(about)?;
+    let branch = class_iii::choose(&linkage.solver, &start, args.branch, &linkage.start);
+    let branch = branch.map_err(in_file)?;
     if let Some(drawings) = drawings {
         drawings.draw(linkage, &branch)?;
     }
     let plan = plan(&grid, &branch);
-    let reached = plan.len();
-    let outcome = write_to_result(output, |out| {
-        let facts = facts(linkage, &branch);
+    let reached = plan.count();
+    let outcome = output.write(|out| {
+        let facts = facts::of_branch(linkage, &branch);
         let mut rows = Rows::begin(out, args.format, columns, &facts)?;
         let outcome = match args.digits {
             None => floating(linkage, &branch, plan, &mut rows)?,
@@ -68,8 +99,8 @@ fn class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> 
         rows.end()?;
         Ok(outcome)
     })?;
-    complain(&branch.range_line());
-    if let Some(line) = branch.dead_line() {
+    complain(&facts::range_line(&branch));
+    if let Some(line) = facts::dead_line(&branch) {
         complain(&line);
     }
     if reached == 0 {
@@ -86,13 +117,13 @@ fn floating(
 ) -> Result<Outcome, Failure> {
     let progress = Progress::new();
     let mut here = branch.start;
-    let total = plan.len();
+    let total = plan.count();
     for (done, (shown, at)) in plan.angles().enumerate() {
         here = linkage
             .solver
-            .follow(&here, nearest(&at).to_radians())
-            .map_err(|e| Failure::new(e.to_string()))?;
-        rows.row(&columns::row(linkage, nearest(&shown), branch.mode, &here))?;
+            .follow(&here, nearest_f64(&at).to_radians())
+            .map_err(Failure::caused)?;
+        rows.row(&floating_row(linkage, &shown, branch.mode, &here))?;
         if done % 1024 == 0 {
             progress.show("rows", done as u64, total);
         }
@@ -111,25 +142,25 @@ fn certified_rows(
     let mut certifier = Certifier::new(linkage, digits);
     let mut here = branch.start;
     let mut undecided = 0;
-    let total = plan.len();
+    let total = plan.count();
     for (done, (shown, at)) in plan.angles().enumerate() {
         here = linkage
             .solver
-            .follow(&here, nearest(&at).to_radians())
-            .map_err(|e| Failure::new(e.to_string()))?;
+            .follow(&here, nearest_f64(&at).to_radians())
+            .map_err(Failure::caused)?;
         let Some(q) = certifier.advance(&at, &here) else {
             complain(&format!(
                 "undecided: the reference cannot prove the branch up to phi1 = {} deg; rows end before it",
-                nearest(&shown)
+                nearest_f64(&shown)
             ));
             return Ok(Outcome::Finding);
         };
-        let cells = certifier.row(&shown, &at, branch.mode, &q);
+        let cells = certified_row(&shown, branch.mode, certifier.values(&at, &q));
         undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
         rows.row(&cells)?;
         progress.show("certified rows", done as u64, total);
     }
-    Ok(decided(undecided, digits))
+    Ok(Outcome::decided(undecided, digits))
 }
 
 fn all_branches(
@@ -140,15 +171,19 @@ fn all_branches(
 ) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     let degrees: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
-    let angles: Vec<f64> = degrees.iter().map(|q| nearest(q).to_radians()).collect();
+    let angles: Vec<f64> = degrees
+        .iter()
+        .map(|q| nearest_f64(q).to_radians())
+        .collect();
     let map = linkage.solver.trace_branches(&angles);
     if map.rows.iter().all(Vec::is_empty) {
-        return Err(branch::unassembled(&linkage.solver, nearest(&grid.from)));
+        let why = class_iii::unassembled(&linkage.solver, nearest_f64(&grid.from));
+        return Err(Failure::caused(why));
     }
-    let outcome = write_to_result(output, |out| {
-        let mut facts = head(linkage);
+    let outcome = output.write(|out| {
+        let mut facts = facts::head(linkage);
         facts.insert("branches".into(), json!(map.branches));
-        let folds: Vec<Value> = map.folds.iter().map(fold_json).collect();
+        let folds: Vec<Value> = map.folds.iter().map(facts::fold_json).collect();
         facts.insert("folds".into(), json!(folds));
         let mut rows = Rows::begin(out, args.format, columns, &facts)?;
         let outcome = branch_rows(args, linkage, &map, &degrees, &mut rows)?;
@@ -190,7 +225,7 @@ fn branch_rows(
     for (done, (at, samples)) in degrees.iter().zip(&map.rows).enumerate() {
         for s in samples {
             let cells = match &mut certifier {
-                None => columns::row(linkage, nearest(at), s.branch, &s.state),
+                None => floating_row(linkage, at, s.branch, &s.state),
                 Some(certifier) => {
                     // The branch's number is that of the continuation in floating point; the
                     // position itself is proved afresh.
@@ -199,7 +234,7 @@ fn branch_rows(
                         undecided += 1;
                         continue;
                     };
-                    certifier.row(at, at, s.branch, &q)
+                    certified_row(at, s.branch, certifier.values(at, &q))
                 }
             };
             undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
@@ -207,55 +242,20 @@ fn branch_rows(
         }
         progress.show("rows", done as u64, degrees.len() as u64);
     }
-    Ok(decided(undecided, args.digits.unwrap_or(0)))
+    Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
 }
 
-fn fold_json(fold: &Fold) -> Value {
-    json!({
-        "phi1_deg": fold.phi1.to_degrees(),
-        "phi4_deg": fold.phi4.to_degrees(),
-        "branches": fold.branches,
-        "begins": fold.begins,
-    })
+fn floating_row(linkage: &Linkage, degrees: &Rational, branch: usize, state: &State) -> Vec<Cell> {
+    let head = [Cell::Float(nearest_f64(degrees)), Cell::Count(branch)];
+    let values = class_iii::values(linkage, state);
+    head.into_iter()
+        .chain(values.into_iter().map(Cell::Float))
+        .collect()
 }
 
-/// What a JSON file begins with.
-fn head(linkage: &Linkage) -> Map<String, Value> {
-    let mut map = Map::new();
-    map.insert("schema_version".into(), json!(1));
-    map.insert("mechaudit_version".into(), json!(env!("CARGO_PKG_VERSION")));
-    map.insert("type".into(), json!("class-iii"));
-    map.insert("name".into(), json!(linkage.name));
-    if let Some(c) = &linkage.crank {
-        map.insert("crank_speed_rad_per_s".into(), json!(c.omega.to_f64()));
-        map.insert(
-            "crank_acceleration_rad_per_s2".into(),
-            json!(c.epsilon.to_f64()),
-        );
-    }
-    map
-}
-
-/// What is known of the branch.
-fn facts(linkage: &Linkage, branch: &Branch) -> Map<String, Value> {
-    let mut map = head(linkage);
-    map.insert("branch".into(), json!(branch.mode));
-    let (full, turns, low, high) = match branch.reach {
-        Reach::Whole { turns } => (true, turns, None, None),
-        Reach::Part { low, high } => (false, None, Some(low), Some(high)),
-    };
-    map.insert("full_rotation".into(), json!(full));
-    map.insert("turns_to_close".into(), json!(turns));
-    let end = |e: branch::End| json!({ "phi1_deg": e.phi1.to_degrees(), "phi4_deg": e.phi4.to_degrees() });
-    let range = low
-        .zip(high)
-        .map(|(a, b)| json!({ "from": end(a), "to": end(b) }));
-    map.insert("crank_range".into(), json!(range));
-    let dead: Vec<Value> = branch
-        .dead
-        .iter()
-        .map(|d| json!({ "phi1_deg": d.state.phi1.to_degrees(), "stretched": d.stretched }))
-        .collect();
-    map.insert("dead_positions".into(), json!(dead));
-    map
+fn certified_row(degrees: &Rational, branch: usize, digits: Vec<Option<String>>) -> Vec<Cell> {
+    let head = [Cell::Decimal(decimal(degrees)), Cell::Count(branch)];
+    head.into_iter()
+        .chain(digits.into_iter().map(Cell::certified))
+        .collect()
 }

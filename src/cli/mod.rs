@@ -7,28 +7,20 @@ mod audit_html;
 mod audit_junit;
 mod audit_plots;
 mod bounded;
-mod branch;
 mod candidate;
 mod case;
-mod certified;
 mod chirp;
-mod chirp_file;
 mod chirp_rows;
 mod columns;
 mod converge;
-mod crank_angles;
 mod dyad;
-mod dyad_certified;
 mod dyad_facts;
-mod dyad_file;
-mod dyad_values;
 mod eval;
 mod eval_chirp;
 mod eval_functions;
 mod eval_number;
 mod exec;
 mod failure;
-mod fields;
 mod forecast;
 #[cfg(test)]
 mod fuzz;
@@ -46,8 +38,7 @@ mod ledger_html;
 mod ledger_latex;
 mod ledger_text;
 mod linkage;
-mod linkage_columns;
-mod linkage_file;
+mod linkage_facts;
 mod list;
 mod output;
 mod paper;
@@ -55,15 +46,13 @@ mod paper_csv;
 mod points;
 mod program;
 mod progress;
-mod quantity;
 mod regenerate;
-mod result;
 mod rows;
 mod runup;
 mod runup_facts;
-mod runup_file;
 mod runup_precision;
 mod shell;
+mod source;
 mod svg;
 mod svg_chirp;
 mod svg_dyad;
@@ -102,8 +91,8 @@ pub fn main() -> ExitCode {
         Ok(Outcome::Finding) => ExitCode::from(1),
         Ok(Outcome::Interrupted) => ExitCode::from(interrupt::EXIT_CODE),
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
-        Err(Failure::Message(text)) => {
-            complain(&text);
+        Err(failure) => {
+            complain(&failure.to_string());
             ExitCode::from(2)
         }
     }

@@ -64,11 +64,11 @@ impl Output {
         self.write(|out| Ok(out.write_all(text.as_bytes())?))
     }
 
-    /// Lets `write` fill it.
-    pub fn write(
+    /// Lets `write` fill it; gives what `write` gives.
+    pub fn write<T>(
         self,
-        write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
+        write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
         let name = self.name.display().to_string();
         let refused = |e: io::Error| match e.kind() {
             // Nobody reads it any more.
@@ -78,20 +78,23 @@ impl Output {
         match self.target {
             Target::Standard => {
                 let mut out = BufWriter::new(anstream::stdout().lock());
-                write(&mut out)?;
-                Ok(out.flush()?)
+                let outcome = write(&mut out)?;
+                out.flush()?;
+                Ok(outcome)
             }
             Target::Stream(file) => {
                 let mut out = BufWriter::new(StripStream::new(file));
-                write(&mut out)?;
-                out.flush().map_err(refused)
+                let outcome = write(&mut out)?;
+                out.flush().map_err(refused)?;
+                Ok(outcome)
             }
             Target::Whole(temporary, path) => {
-                fill(&temporary, write)?;
-                temporary.persist(&path).map_err(refused)
+                let outcome = fill(&temporary, write)?;
+                temporary.persist(&path).map_err(refused)?;
+                Ok(outcome)
             }
             Target::Content(mut file, temporary) => {
-                fill(&temporary, write)?;
+                let outcome = fill(&temporary, write)?;
                 let mut whole = temporary.file();
                 let mut copy = || {
                     whole.rewind()?;
@@ -99,20 +102,22 @@ impl Output {
                     io::copy(&mut whole, &mut file)?;
                     file.sync_all()
                 };
-                copy().map_err(refused)
+                copy().map_err(refused)?;
+                Ok(outcome)
             }
         }
     }
 }
 
-fn fill(
+fn fill<T>(
     temporary: &Temporary,
-    write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+    write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     let file = temporary.file().try_clone()?;
     let mut out = BufWriter::new(StripStream::new(file));
-    write(&mut out)?;
-    Ok(out.flush()?)
+    let outcome = write(&mut out)?;
+    out.flush()?;
+    Ok(outcome)
 }
 
 impl Target {

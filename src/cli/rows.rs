@@ -22,6 +22,11 @@ pub enum Cell {
 }
 
 impl Cell {
+    /// A certified decimal, if there is one.
+    pub fn certified(digits: Option<String>) -> Cell {
+        digits.map_or(Cell::Undecided, Cell::Decimal)
+    }
+
     pub fn text(&self) -> String {
         match self {
             Cell::Count(n) => n.to_string(),

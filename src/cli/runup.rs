@@ -4,11 +4,14 @@ use super::args::RunupArgs;
 use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
+use super::linkage_facts;
 use super::output::Output;
 use super::rows::{Cell, Rows};
-use super::runup_facts::{self as facts, Steady};
-use super::runup_file::{self, Coefficients, Machine};
+use super::runup_facts as facts;
+use super::source;
 use super::{runup_precision, svg_runup};
+use mechaudit::machine::class_iii::Reach;
+use mechaudit::machine::run_up::{Coefficients, Machine, MachineError, Overrides, Steady};
 use mechaudit::solvers::run_up::{
     Equation, Hybrid, Motion, Plan, ReducedModel, Sample, Splined, inertia_range, run,
 };
@@ -30,9 +33,32 @@ const COLUMNS: [&str; 13] = [
     "energy_balance_J",
 ];
 
+/// The machine that the arguments name.
+pub fn machine(args: &RunupArgs) -> Result<Machine, Failure> {
+    let overrides = Overrides {
+        coefficients: args.coefficients,
+        nodes: args.nodes,
+        tolerance: args.tolerance,
+        method: args.method,
+    };
+    let machine = Machine::read(&source::open(&args.file)?, overrides);
+    let machine = machine.map_err(|e: MachineError| Failure::in_file(&args.file, e))?;
+    if args.nodes.is_some() && machine.coefficients == Coefficients::Exact {
+        return Err(Failure::new(
+            "--nodes has no meaning with exact coefficients: choose coefficients splines or hybrid",
+        ));
+    }
+    Ok(machine)
+}
+
 /// Runs the machine as the arguments ask for.
 pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
-    let machine = runup_file::read(args)?;
+    let machine = machine(args)?;
+    if let Some(branch) = &machine.branch
+        && let Reach::Part { .. } = branch.reach
+    {
+        complain(&linkage_facts::range_line(branch));
+    }
     let columns = match args.work_precision {
         true => runup_precision::COLUMNS.map(String::from).to_vec(),
         false => COLUMNS.map(String::from).to_vec(),
@@ -45,11 +71,15 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     };
     let drawing = args.svg.as_ref().map(|f| Output::within(f, drawing));
     let drawing = drawing.transpose()?;
-    let about = |e: String| Failure::new(format!("{}: {e}", args.file.display()));
     let exact = &*machine.model;
     let (splined, hybrid);
     let first = machine.plan.phi;
-    let splines = |e: mechaudit::solvers::run_up::SplinedError| about(format!("splines: {e}"));
+    let in_file = |e| Failure::in_file(&args.file, e);
+    let splines = |e| {
+        Failure::caused(e)
+            .about("splines")
+            .about(args.file.display())
+    };
     let model: &dyn ReducedModel = match machine.coefficients {
         Coefficients::Exact => exact,
         Coefficients::Splines => {
@@ -64,12 +94,12 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let equation = Equation::new(model, &machine.drive);
     if args.work_precision {
         return runup_precision::table(args, &machine, &equation, columns, output, drawing)
-            .map_err(|f| named(args, f));
+            .map_err(|f| f.about(args.file.display()));
     }
     let warning = inertia_range(exact, first)
         .ok()
         .and_then(|range| facts::light(&machine, &range));
-    let motion = run(&equation, &machine.plan).map_err(|e| about(e.to_string()))?;
+    let motion = run(&equation, &machine.plan).map_err(in_file)?;
     let steady = Steady::of(&machine, &equation, &motion);
     if let Some(drawing) = drawing {
         let start = svg_runup::short_start(&motion.samples).map(|duration| {
@@ -78,7 +108,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
                 sampling: Some(duration / 400.0),
                 ..machine.plan.clone()
             };
-            run(&equation, &plan).map_err(|e| about(e.to_string()))
+            run(&equation, &plan).map_err(in_file)
         });
         let start = start.transpose()?.map(|m| m.samples);
         drawing.text(&svg_runup::draw(
@@ -101,18 +131,11 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::AsExpected)
 }
 
-fn named(args: &RunupArgs, f: Failure) -> Failure {
-    match f {
-        Failure::Message(text) => Failure::new(format!("{}: {text}", args.file.display())),
-        other => other,
-    }
-}
-
 fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
     let mut lines = vec![facts::ending(machine, motion)];
     lines.extend(facts::stiff(machine, motion));
     lines.push(facts::cost(machine, motion));
-    lines.extend(steady.lines());
+    lines.extend(facts::steady_lines(steady));
     lines
 }
 

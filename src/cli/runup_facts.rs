@@ -1,85 +1,57 @@
 //! What there is to say about a run besides its rows.
 
-use super::runup_file::{Coefficients, Machine};
-use mechaudit::solvers::run_up::{
-    Counts, Cycle, CycleError, Equation, Event, EventKind, Flywheel, FlywheelError, InertiaRange,
-    Motion, Outcome, flywheel, steady_cycle,
-};
+use mechaudit::machine::run_up::{Coefficients, Machine, Steady};
+use mechaudit::solvers::run_up::{Counts, Cycle, Event, EventKind, InertiaRange, Motion, Outcome};
 use serde_json::{Map, Value, json};
 
-/// The steady cycle after the run, and the flywheel if one was asked for.
-pub struct Steady {
-    cycle: Option<Result<Cycle, CycleError>>,
-    flywheel: Option<Result<Flywheel, FlywheelError>>,
-    wanted: f64,
+/// A line each for the steady cycle and the flywheel.
+pub fn steady_lines(steady: &Steady) -> Vec<String> {
+    let mut lines = Vec::new();
+    match &steady.cycle {
+        None => {}
+        Some(Err(e)) => lines.push(format!("no steady cycle: {e}")),
+        Some(Ok(c)) => lines.push(format!(
+            "steady cycle: {:.6} rad/s in the mean, from {:.6} (at {:.2} deg) to {:.6} rad/s (at {:.2} deg), coefficient of fluctuation {:.6}, {:.3e} of a disturbance left after a turn",
+            c.mean,
+            c.least.0,
+            c.least.1.to_degrees().rem_euclid(360.0),
+            c.most.0,
+            c.most.1.to_degrees().rem_euclid(360.0),
+            c.fluctuation,
+            c.multiplier,
+        )),
+    }
+    match &steady.flywheel {
+        None => {}
+        Some(Err(e)) => lines.push(format!("no flywheel: {e}")),
+        Some(Ok(f)) if f.inertia == 0.0 => lines.push(format!(
+            "flywheel: none is needed for a coefficient of fluctuation of {}",
+            steady.wanted
+        )),
+        Some(Ok(f)) => lines.push(format!(
+            "flywheel: {:.4} kg·m² more at the crank give a coefficient of fluctuation of {}",
+            f.inertia, steady.wanted
+        )),
+    }
+    lines
 }
 
-impl Steady {
-    /// Looks for it from the speed that the run ended with. A motor that is off or a crank that
-    /// has come to rest has none.
-    pub fn of(machine: &Machine, equation: &Equation, motion: &Motion) -> Steady {
-        let (phi, psi) = (machine.plan.phi, motion.end.psi);
-        let turns = machine.motor_kind != "off" && psi != 0.0;
-        let settings = machine.plan.settings;
-        Steady {
-            cycle: turns.then(|| steady_cycle(equation, phi, psi, settings)),
-            flywheel: machine
-                .fluctuation
-                .filter(|_| turns)
-                .map(|d| flywheel(equation, phi, psi, d, settings)),
-            wanted: machine.fluctuation.unwrap_or(f64::NAN),
-        }
-    }
-
-    /// A line for each.
-    pub fn lines(&self) -> Vec<String> {
-        let mut lines = Vec::new();
-        match &self.cycle {
-            None => {}
-            Some(Err(e)) => lines.push(format!("no steady cycle: {e}")),
-            Some(Ok(c)) => lines.push(format!(
-                "steady cycle: {:.6} rad/s in the mean, from {:.6} (at {:.2} deg) to {:.6} rad/s (at {:.2} deg), coefficient of fluctuation {:.6}, {:.3e} of a disturbance left after a turn",
-                c.mean,
-                c.least.0,
-                c.least.1.to_degrees().rem_euclid(360.0),
-                c.most.0,
-                c.most.1.to_degrees().rem_euclid(360.0),
-                c.fluctuation,
-                c.multiplier,
-            )),
-        }
-        match &self.flywheel {
-            None => {}
-            Some(Err(e)) => lines.push(format!("no flywheel: {e}")),
-            Some(Ok(f)) if f.inertia == 0.0 => lines.push(format!(
-                "flywheel: none is needed for a coefficient of fluctuation of {}",
-                self.wanted
-            )),
-            Some(Ok(f)) => lines.push(format!(
-                "flywheel: {:.4} kg·m² more at the crank give a coefficient of fluctuation of {}",
-                f.inertia, self.wanted
-            )),
-        }
-        lines
-    }
-
-    fn json(&self) -> (Value, Value) {
-        let cycle = match &self.cycle {
-            None => Value::Null,
-            Some(Err(e)) => json!({ "error": e.to_string() }),
-            Some(Ok(c)) => cycle_json(c),
-        };
-        let flywheel = match &self.flywheel {
-            None => Value::Null,
-            Some(Err(e)) => json!({ "error": e.to_string() }),
-            Some(Ok(f)) => json!({
-                "fluctuation": self.wanted,
-                "inertia_kg_m2": f.inertia,
-                "cycle": cycle_json(&f.cycle),
-            }),
-        };
-        (cycle, flywheel)
-    }
+fn steady_json(steady: &Steady) -> (Value, Value) {
+    let cycle = match &steady.cycle {
+        None => Value::Null,
+        Some(Err(e)) => json!({ "error": e.to_string() }),
+        Some(Ok(c)) => cycle_json(c),
+    };
+    let flywheel = match &steady.flywheel {
+        None => Value::Null,
+        Some(Err(e)) => json!({ "error": e.to_string() }),
+        Some(Ok(f)) => json!({
+            "fluctuation": steady.wanted,
+            "inertia_kg_m2": f.inertia,
+            "cycle": cycle_json(&f.cycle),
+        }),
+    };
+    (cycle, flywheel)
 }
 
 fn cycle_json(c: &Cycle) -> Value {
@@ -226,9 +198,9 @@ pub fn json(
     };
     put("schema_version", json!(1));
     put("mechaudit_version", json!(env!("CARGO_PKG_VERSION")));
-    put("type", json!(machine.kind));
+    put("type", json!(machine.linkage));
     put("name", json!(machine.name));
-    put("motor", json!(machine.motor_kind));
+    put("motor", json!(machine.motor.name()));
     put("inertia_at_crank_kg_m2", json!(machine.drive.inertia()));
     put("coefficients", json!(machine.coefficients.name()));
     let splines = machine.coefficients != Coefficients::Exact;
@@ -259,7 +231,7 @@ pub fn json(
         json!({ "t_s": t.t, "omega_rad_per_s": t.psi, "mean_rad_per_s": t.mean, "energy_imbalance_J": t.imbalance })
     });
     put("turns", Value::Array(turns.collect()));
-    let (cycle, flywheel) = steady.json();
+    let (cycle, flywheel) = steady_json(steady);
     put("steady_cycle", cycle);
     put("flywheel", flywheel);
     map

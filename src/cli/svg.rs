@@ -1,11 +1,10 @@
 //! Drawings of a linkage: sampling the branch, and the two files.
 
-use super::branch::{Branch, Reach};
 use super::complain;
 use super::failure::Failure;
-use super::linkage_file::Linkage;
 use super::output::Output;
 use super::{svg_mechanism, svg_reduced};
+use mechaudit::machine::class_iii::{Branch, Linkage, Reach};
 use mechaudit::solvers::class_iii::State;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -60,5 +59,5 @@ fn path(linkage: &Linkage, branch: &Branch) -> Result<Vec<State>, Failure> {
     linkage
         .solver
         .sweep(&branch.start, angles)
-        .map_err(|(_, e)| Failure::new(e.to_string()))
+        .map_err(|(_, e)| Failure::caused(e))
 }

@@ -1,10 +1,9 @@
 //! Drawings of a cam-driven oscillator: its motion over time, charts, the cam's spectrum.
 
-use super::chirp_file::{Machine, Run};
-use super::chirp_rows::Charted;
 use super::failure::Failure;
 use super::svg_panel::{Curve, Place, curve, dashed, drawn, legend, panel, tick, titled};
 use super::svg_style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE};
+use mechaudit::machine::cam_oscillator::{CamOscillator as Machine, LawChart as Charted, Run};
 use mechaudit::solvers::chirp_chart::{CamResponse, ChartPoint, Period, State};
 use mechaudit::solvers::fourier_series::FourierSeries;
 use plotters::prelude::*;

@@ -1,9 +1,8 @@
 //! A four-bar linkage or slider-crank at several positions, with the paths of its joints.
 
-use super::dyad_facts::{Turn, turn};
-use super::dyad_file::{Dyad, Shape};
-use super::quantity::nearest;
 use super::svg_mechanism::{View, begun, circle, ground, number, text};
+use mechaudit::machine::dyad::{Dyad, Shape, Turn, turn};
+use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::units::Angle;
 use std::fmt::Write;
@@ -45,7 +44,7 @@ fn direction(shape: &Shape) -> [f64; 2] {
 
 /// The crank angles drawn: a turn, or the range that holds the start, or the first one.
 fn range(dyad: &Dyad) -> ([f64; 2], bool) {
-    let start = dyad.start.as_ref().map_or(0.0, nearest);
+    let start = dyad.start.as_ref().map_or(0.0, nearest_f64);
     match turn(&dyad.shape) {
         Turn::Full { .. } => ([start, start + 360.0], true),
         Turn::Parts(parts) => {
@@ -72,7 +71,7 @@ pub fn draw(dyad: &Dyad, assembly: Assembly) -> String {
     all.extend(pivot);
     all.extend(path.iter().flat_map(|p| [p.1, p.2]));
     let view = View::new(&all);
-    let name = dyad.name.as_deref().unwrap_or(dyad.shape.kind());
+    let name = dyad.name.as_deref().unwrap_or(dyad.shape.type_name());
     let (lead, faint) = match whole {
         true => (from, "every 45° faint".to_string()),
         false => (

@@ -1,11 +1,11 @@
 //! Drawings of a run: speed, torques and energies over time, and work against precision.
 
 use super::failure::Failure;
-use super::runup_precision::Point;
 use super::svg_panel::{
     Area, Curve, Drawn, Page, Place, curve, drawn, legend, panel, tick, titled,
 };
 use super::svg_style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE, PURPLE};
+use mechaudit::machine::run_up::Point;
 use mechaudit::solvers::run_up::{Method, Sample};
 use plotters::prelude::*;
 

@@ -105,7 +105,7 @@ impl Line {
 
 /// Numbers separated by commas or blanks.
 pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
-    let shown = |why| format!("{why} in {:?}", super::eval::shortened(text.as_bytes()));
+    let shown = |why: String| format!("{why} in {:?}", super::eval::shortened(text.as_bytes()));
     let separated = text.split(',').flat_map(|part| {
         let mut words = part.split_whitespace().peekable();
         // Nothing between two commas is something missing.
@@ -120,7 +120,7 @@ pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
             field => Number::parse(field).map(|n| n.nearest()).map_err(|e| {
                 // The field itself may be as long as the line.
                 match field.len() {
-                    ..=80 => shown(e),
+                    ..=80 => shown(e.to_string()),
                     _ => shown("a field that is no number".into()),
                 }
             }),

@@ -11,8 +11,8 @@
 //! `w e^{iπκm} sinc(πκw/2)`. All the `κ` are rational, so phases are reduced exactly and resonance
 //! (`κ = 0`) is decided. Polynomial pieces are integrated by parts to the end.
 
-use crate::ball::Ball;
 use super::cam_law::{Form, Law, Piece, Zone, derivatives};
+use crate::ball::Ball;
 use crate::complex::ComplexBall;
 use rug::Rational;
 

@@ -1,11 +1,10 @@
 //! The columns of a linkage's rows, and a row in floating point.
 
-use super::linkage_file::Linkage;
-use super::rows::Cell;
-use mechaudit::solvers::class_iii::State;
-use mechaudit::solvers::units::AngularVelocity;
+use super::Linkage;
+use crate::solvers::class_iii::State;
+use crate::solvers::units::AngularVelocity;
 
-/// The columns' names with their units. The condition number is an estimate in floating point and
+/// The columns' names with their units, `phi1_deg` and `branch` first. The condition number is an estimate in floating point and
 /// has no certified digits.
 pub fn names(linkage: &Linkage, certified: bool) -> Vec<String> {
     let mut all: Vec<String> = vec!["phi1_deg".into(), "branch".into()];
@@ -37,11 +36,29 @@ pub fn names(linkage: &Linkage, certified: bool) -> Vec<String> {
     all
 }
 
-/// A row in floating point.
-pub fn row(linkage: &Linkage, degrees: f64, branch: usize, state: &State) -> Vec<Cell> {
-    let mut cells = vec![Cell::Float(degrees), Cell::Count(branch)];
-    let mut push = |values: &[f64]| cells.extend(values.iter().map(|x| Cell::Float(*x)));
-    push(&state.positions.wrapped().to_array().map(f64::to_degrees));
+/// The values of a row in floating point, from the column `phi2_deg` on.
+///
+/// ```
+/// use mechaudit::machine::{class_iii, Linkage, Source};
+/// let source = Source::toml(include_str!(concat!(
+///     env!("CARGO_MANIFEST_DIR"), "/examples/sand-screen.toml"
+/// )));
+/// let Linkage::ClassIii(linkage) = Linkage::read(&source)? else { unreachable!() };
+/// let start = linkage.start_degrees().unwrap();
+/// let branch = class_iii::choose(&linkage.solver, &start, None, &linkage.start)?;
+/// let names = class_iii::names(&linkage, false);
+/// let row = class_iii::values(&linkage, &branch.start);
+/// assert_eq!(names[2], "phi2_deg");
+/// assert_eq!(names.len(), 2 + row.len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn values(linkage: &Linkage, state: &State) -> Vec<f64> {
+    let mut all: Vec<f64> = state
+        .positions
+        .wrapped()
+        .to_array()
+        .map(f64::to_degrees)
+        .into();
     let (first, second) = match &linkage.crank {
         Some(c) => {
             let omega = AngularVelocity::from_rad_per_s(c.omega.to_f64());
@@ -49,21 +66,21 @@ pub fn row(linkage: &Linkage, degrees: f64, branch: usize, state: &State) -> Vec
         }
         None => (state.rates.first, state.rates.second),
     };
-    push(&first);
-    push(&second);
+    all.extend(first);
+    all.extend(second);
     if let Some(masses) = &linkage.masses {
         let r = masses.solver.reduce(state);
-        push(&[
+        all.extend([
             r.inertia_kg_m2,
             r.inertia_derivative_kg_m2,
             r.moment_n_m,
             r.moment_derivative_n_m,
         ]);
     }
-    push(&[
+    all.extend([
         state.determinant,
         state.condition,
         state.pressure_angle.to_degrees(),
     ]);
-    cells
+    all
 }

@@ -1,17 +1,33 @@
 //! Rows of certified decimals: exact input to the reference, precision raised until every digit
 //! asked for is proved.
 
-use super::linkage_file::Linkage as Description;
-use super::rows::Cell;
-use mechaudit::reference::class_iii::{Configuration, ExactAngle, Kinematics, Linkage};
-use mechaudit::reference::{Ball, ComplexBall};
-use mechaudit::solvers::class_iii::State;
-use rug::{Float, Integer, Rational};
+use super::Linkage as Description;
+use crate::reference::class_iii::{Configuration, ExactAngle, Kinematics, Linkage};
+use crate::reference::{Ball, ComplexBall};
+use crate::solvers::class_iii::State;
+use rug::{Float, Rational};
 
 /// A digit still open at this many times the first precision stays undecided.
 const RAISED_AT_MOST: u32 = 16;
 
 /// Follows a branch with proof and writes certified decimals.
+///
+/// ```
+/// use mechaudit::machine::{class_iii, Linkage, Source};
+/// let source = Source::toml(include_str!(concat!(
+///     env!("CARGO_MANIFEST_DIR"), "/examples/sand-screen.toml"
+/// )));
+/// let Linkage::ClassIii(linkage) = Linkage::read(&source)? else { unreachable!() };
+/// let start = linkage.start_degrees().unwrap();
+/// let branch = class_iii::choose(&linkage.solver, &start, None, &linkage.start)?;
+/// let mut certifier = class_iii::Certifier::new(&linkage, 30);
+/// let position = certifier.advance(&start, &branch.start).expect("proved");
+/// let digits = certifier.values(&start, &position);
+/// let phi2 = digits[0].as_deref().expect("30 digits");
+/// let near = class_iii::values(&linkage, &branch.start)[0];
+/// assert!((phi2.parse::<f64>()? - near).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Certifier<'a> {
     description: &'a Description,
     digits: usize,
@@ -21,6 +37,7 @@ pub struct Certifier<'a> {
 }
 
 impl<'a> Certifier<'a> {
+    /// For `digits` significant digits of every value.
     pub fn new(description: &'a Description, digits: u32) -> Certifier<'a> {
         let bits = (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64;
         Certifier {
@@ -71,30 +88,25 @@ impl<'a> Certifier<'a> {
         self.here = None;
     }
 
-    /// The row at a position, each value with the digits asked for.
-    pub fn row(
-        &self,
-        shown: &Rational,
-        at: &Rational,
-        branch: usize,
-        q: &Configuration,
-    ) -> Vec<Cell> {
+    /// The values of a row at a position, from the column `phi2_deg` on, each with the digits
+    /// asked for; `None` where they could not be proved.
+    pub fn values(&self, at: &Rational, q: &Configuration) -> Vec<Option<String>> {
         let angle = ExactAngle::Degrees(at.clone());
-        let mut cells: Vec<Option<String>> = Vec::new();
+        let mut digits: Vec<Option<String>> = Vec::new();
         let mut q = q.clone();
         let mut finer: Option<Linkage> = None;
         loop {
             let linkage = finer.as_ref().unwrap_or(&self.linkage);
-            if let Some(values) = self.values(linkage, &q) {
+            if let Some(values) = self.enclosed(linkage, &q) {
                 let texts = values.iter().map(|x| x.to_decimal(self.digits));
-                if cells.is_empty() {
-                    cells = texts.collect();
+                if digits.is_empty() {
+                    digits = texts.collect();
                 } else {
-                    for (cell, text) in cells.iter_mut().zip(texts) {
-                        *cell = cell.take().or(text);
+                    for (known, text) in digits.iter_mut().zip(texts) {
+                        *known = known.take().or(text);
                     }
                 }
-                if cells.iter().all(Option::is_some) {
+                if digits.iter().all(Option::is_some) {
                     break;
                 }
             }
@@ -109,17 +121,13 @@ impl<'a> Certifier<'a> {
             }
             finer = Some(next);
         }
-        let due = super::linkage_columns::names(self.description, true).len() - 2;
-        cells.resize(due, None);
-        let head = [Cell::Decimal(decimal(shown)), Cell::Count(branch)];
-        let body = cells
-            .into_iter()
-            .map(|c| c.map_or(Cell::Undecided, Cell::Decimal));
-        head.into_iter().chain(body).collect()
+        let due = super::names(self.description, true).len() - 2;
+        digits.resize(due, None);
+        digits
     }
 
-    /// The values of a row in the order of the columns, from the first angle on.
-    fn values(&self, linkage: &Linkage, q: &Configuration) -> Option<Vec<Ball>> {
+    /// The values of a row in the order of the columns, enclosed.
+    fn enclosed(&self, linkage: &Linkage, q: &Configuration) -> Option<Vec<Ball>> {
         let bits = linkage.bits();
         let k = linkage.kinematics(q).ok()?;
         let per_radian = &Ball::integer(bits, 180) / &Ball::pi(bits);
@@ -196,44 +204,4 @@ fn refined(linkage: &Linkage, angle: &ExactAngle, q: &Configuration) -> Option<C
         .iter()
         .all(|(coarse, fine)| coarse.contains_ball(fine))
         .then_some(found)
-}
-
-/// A rational number whose decimals end, written out.
-pub fn decimal(q: &Rational) -> String {
-    let mut scaled = q.clone();
-    let mut places = 0;
-    while *scaled.denom() != 1 && places < 1200 {
-        scaled *= 10;
-        places += 1;
-    }
-    let n: Integer = scaled.numer().clone();
-    let digits = format!(
-        "{:0>width$}",
-        n.clone().abs().to_string(),
-        width = places + 1
-    );
-    let (whole, fraction) = digits.split_at(digits.len() - places);
-    let sign = if n < 0 { "-" } else { "" };
-    match places {
-        0 => format!("{sign}{whole}"),
-        _ => format!("{sign}{whole}.{fraction}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::decimal;
-    use rug::Rational;
-
-    #[test]
-    fn decimals_are_written_out() {
-        for (n, d, text) in [
-            (14_426, 1000, "14.426"),
-            (-1, 8, "-0.125"),
-            (360, 1, "360"),
-            (0, 1, "0"),
-        ] {
-            assert_eq!(decimal(&Rational::from((n, d))), text);
-        }
-    }
 }

@@ -21,12 +21,11 @@
 //! |f| ≤ |N|/m     |f'| ≤ (|N'| + |f||D'|)/m     |f''| ≤ (|N''| + 2|f'||D'| + |f||D''|)/m
 //! ```
 
-use super::dyad_file::{Dyad, Shape};
-use super::dyad_values::{Values, at_crank_speed};
-use super::rows::Cell;
-use mechaudit::reference::dyad::{four_bar, slider_crank};
-use mechaudit::reference::{Ball, Mag};
-use mechaudit::solvers::dyad::Assembly;
+use super::values::{Values, at_crank_speed};
+use super::{Dyad, Shape};
+use crate::reference::dyad::{four_bar, slider_crank};
+use crate::reference::{Ball, Mag};
+use crate::solvers::dyad::Assembly;
 use rug::Rational;
 
 /// A digit still open at this many times the first precision stays undecided.
@@ -34,35 +33,49 @@ const RAISED_AT_MOST: u32 = 16;
 
 /// What is proved at a crank angle.
 pub enum Proved {
-    /// The values of the row.
-    Row(Vec<Cell>),
+    /// The values of the row with the digits asked for; `None` where they could not be proved.
+    Values(Values<Option<String>>),
     /// The crank does not reach the angle.
     Unreachable,
 }
 
 /// The values at a crank angle with the digits asked for.
-pub fn row(dyad: &Dyad, degrees: &Rational, assembly: Assembly, digits: u32) -> Proved {
+///
+/// ```
+/// use mechaudit::machine::{dyad, Linkage, Source};
+/// use mechaudit::solvers::dyad::Assembly;
+/// let source = Source::toml(include_str!(concat!(
+///     env!("CARGO_MANIFEST_DIR"), "/examples/slider-crank.toml"
+/// )));
+/// let Linkage::Dyad(linkage) = Linkage::read(&source)? else { unreachable!() };
+/// let degrees = (75, 2).into();
+/// let proved = dyad::certified(&linkage, &degrees, Assembly::Positive, 20);
+/// let dyad::Proved::Values([Some(slider), ..]) = proved else { unreachable!() };
+/// let near = dyad::floating(&linkage, &degrees, Assembly::Positive)?.unwrap()[0];
+/// assert!((slider.parse::<f64>()? - near).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn certified(dyad: &Dyad, degrees: &Rational, assembly: Assembly, digits: u32) -> Proved {
     if dyad.shape.exactly_beyond(degrees) {
         return Proved::Unreachable;
     }
     let first = ((f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64).max(128);
-    let mut cells: Vec<Option<String>> = vec![None; 8];
+    let mut proved: Values<Option<String>> = Default::default();
     let mut bits = first;
-    while bits <= RAISED_AT_MOST * first && cells.iter().any(Option::is_none) {
+    while bits <= RAISED_AT_MOST * first && proved.iter().any(Option::is_none) {
         if within_reach(&dyad.shape, degrees, bits) == Some(false) {
             return Proved::Unreachable;
         }
         if let Some(values) = values(dyad, degrees, assembly, bits) {
-            for (cell, x) in cells.iter_mut().zip(&values) {
-                if cell.is_none() {
-                    *cell = x.to_decimal(digits as usize);
+            for (text, x) in proved.iter_mut().zip(&values) {
+                if text.is_none() {
+                    *text = x.to_decimal(digits as usize);
                 }
             }
         }
         bits *= 2;
     }
-    let cell = |c: Option<String>| c.map_or(Cell::Undecided, Cell::Decimal);
-    Proved::Row(cells.into_iter().map(cell).collect())
+    Proved::Values(proved)
 }
 
 /// Whether the dyad can be joined, if that can be told with so many bits.
@@ -113,7 +126,7 @@ fn values(dyad: &Dyad, degrees: &Rational, assembly: Assembly, bits: u32) -> Opt
         v = at_crank_speed(v, |f, s| (f * &w, s * w.square() + f * &e));
     }
     let per_radian = &Ball::integer(bits, 180) / &Ball::pi(bits);
-    for i in dyad.angles() {
+    for &i in dyad.shape.angles() {
         v[i] = &v[i] * &per_radian;
     }
     Some(v.to_vec())
@@ -249,11 +262,14 @@ fn slider_zeros(dyad: &Dyad, degrees: &Rational, ahead: bool, v: &mut Values<Bal
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::dyad_file;
+    use crate::machine::{Linkage, Source};
 
     fn shape(kind: &str, geometry: &str) -> Shape {
         let text = format!("type = \"{kind}\"\n[geometry]\n{geometry}");
-        dyad_file::read(kind, &text, false, false).unwrap().shape
+        match Linkage::read(&Source::toml(text)).unwrap() {
+            Linkage::Dyad(dyad) => dyad.shape,
+            Linkage::ClassIii(_) => unreachable!("a dyad"),
+        }
     }
 
     /// Every value within the distance lies in the widened ball, and the bounds are not idle.
