@@ -1,6 +1,6 @@
 //! A cam-driven oscillator whose shaft changes speed, as its file describes it.
 
-use super::quantity::{AngularAcceleration, Dimension, Quantity, Time, Velocity};
+use super::quantity::{AngularAcceleration, Dimension, Quantity, Time, Velocity, Written};
 use super::source::{Refusal, Source};
 use crate::audit::did_you_mean;
 use crate::solvers::cam_law::{CamCycle, CamLawError, MotionLaw, NAMES, Stroke};
@@ -57,29 +57,12 @@ enum Either<A, B> {
 
 impl<'de, A: Dimension, B: Dimension> Deserialize<'de> for Either<A, B> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Either<A, B>, D::Error> {
-        struct V<A, B>(std::marker::PhantomData<(A, B)>);
-        impl<A: Dimension, B: Dimension> Visitor<'_> for V<A, B> {
-            type Value = Either<A, B>;
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("a string with a number and its unit")
-            }
-            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Either<A, B>, E> {
-                text.parse().map(Either::Slider).or_else(|e| {
-                    let other = text.parse().map(Either::Rocker);
-                    other.map_err(|_| E::custom(format!("{e} (or {})", B::NAME)))
-                })
-            }
-            fn visit_i64<E: serde::de::Error>(self, n: i64) -> Result<Either<A, B>, E> {
-                self.visit_str(&n.to_string())
-            }
-            fn visit_u64<E: serde::de::Error>(self, n: u64) -> Result<Either<A, B>, E> {
-                self.visit_str(&n.to_string())
-            }
-            fn visit_f64<E: serde::de::Error>(self, x: f64) -> Result<Either<A, B>, E> {
-                self.visit_str(&x.to_string())
-            }
-        }
-        from.deserialize_any(V(std::marker::PhantomData))
+        from.deserialize_any(Written(|text: &str| {
+            text.parse().map(Either::Slider).or_else(|e| {
+                let other = text.parse().map(Either::Rocker);
+                other.map_err(|_| format!("{e} (or {})", B::NAME))
+            })
+        }))
     }
 }
 

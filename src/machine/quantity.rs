@@ -18,6 +18,8 @@ use crate::reference::{Ball, Decimal, DecimalError, nearest_f64};
 use crate::solvers::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
 use rug::Rational;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
+use std::error::Error;
+use std::fmt;
 use std::marker::PhantomData;
 use std::str::FromStr;
 
@@ -82,51 +84,70 @@ pub struct Quantity<D> {
     dimension: PhantomData<D>,
 }
 
-/// Why a text is not the quantity that is due.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum QuantityError {
+/// A text is not the quantity that is due.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuantityError {
+    /// The text.
+    pub text: String,
+    /// What is due.
+    pub name: &'static str,
+    /// A unit that is possible.
+    pub example: &'static str,
+    /// What is wrong with it.
+    pub reason: QuantityReason,
+}
+
+/// What is wrong with a text that is to be a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum QuantityReason {
     /// It does not begin with a number.
-    #[error("{text:?} does not begin with a decimal number; write for instance \"12.5 {example}\"")]
-    Number {
-        /// The text.
-        text: String,
-        /// A unit that is possible.
-        example: &'static str,
-        /// What is wrong with the number.
-        source: DecimalError,
-    },
-    /// A number alone.
-    #[error("{text:?} has no unit; for {name} write for instance \"{text} {example}\"")]
-    NoUnit {
-        /// The text.
-        text: String,
-        /// What is due.
-        name: &'static str,
-        /// A unit that is possible.
-        example: &'static str,
-    },
-    /// The unit cannot be read.
-    #[error("{text:?}: {source}; {name} is due, for instance in {example}")]
-    Unit {
-        /// The text.
-        text: String,
-        /// What is due.
-        name: &'static str,
-        /// A unit that is possible.
-        example: &'static str,
-        /// What is wrong with the unit.
-        source: UnitError,
-    },
-    /// The unit measures something else.
-    #[error("{text:?} is not {name}; write it for instance in {example}")]
-    Dimension {
-        /// The text.
-        text: String,
-        /// What is due.
-        name: &'static str,
-        /// A unit that is possible.
-        example: &'static str,
-    },
+    Number(DecimalError),
+    /// It is a number alone.
+    NoUnit,
+    /// Its unit cannot be read.
+    Unit(UnitError),
+    /// Its unit measures something else.
+    Dimension,
+}
+
+impl fmt::Display for QuantityError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let QuantityError {
+            text,
+            name,
+            example,
+            reason,
+        } = self;
+        match reason {
+            QuantityReason::Number(_) => write!(
+                f,
+                "{text:?} does not begin with a decimal number; write for instance \"12.5 {example}\""
+            ),
+            QuantityReason::NoUnit => write!(
+                f,
+                "{text:?} has no unit; for {name} write for instance \"{text} {example}\""
+            ),
+            QuantityReason::Unit(e) => {
+                write!(f, "{text:?}: {e}; {name} is due, for instance in {example}")
+            }
+            QuantityReason::Dimension => {
+                write!(
+                    f,
+                    "{text:?} is not {name}; write it for instance in {example}"
+                )
+            }
+        }
+    }
+}
+
+impl Error for QuantityError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match &self.reason {
+            QuantityReason::Number(e) => Some(e),
+            QuantityReason::Unit(e) => Some(e),
+            QuantityReason::NoUnit | QuantityReason::Dimension => None,
+        }
+    }
 }
 
 /// Why a text is not a unit.
@@ -281,77 +302,59 @@ impl<D: Dimension> FromStr for Quantity<D> {
 
     /// Reads a number with its unit.
     fn from_str(text: &str) -> Result<Quantity<D>, QuantityError> {
-        let whole = text.trim();
-        let (name, example) = (D::NAME, D::EXAMPLE);
-        let text = whole.to_string();
-        let end = whole
-            .char_indices()
-            .find(|&(i, c)| !is_number_part(whole, i, c))
-            .map_or(whole.len(), |(i, _)| i);
-        let (number, symbol) = (whole[..end].trim(), whole[end..].trim());
-        let number = match Decimal::parse(number) {
-            Ok(number) => number,
-            Err(source) => {
-                return Err(QuantityError::Number {
-                    text,
-                    example,
-                    source,
-                });
-            }
+        let text = text.trim();
+        let refused = |reason| QuantityError {
+            text: text.into(),
+            name: D::NAME,
+            example: D::EXAMPLE,
+            reason,
         };
+        let end = text
+            .char_indices()
+            .find(|&(i, c)| !is_number_part(text, i, c))
+            .map_or(text.len(), |(i, _)| i);
+        let (number, symbol) = (text[..end].trim(), text[end..].trim());
+        let number = Decimal::parse(number).map_err(|e| refused(QuantityReason::Number(e)))?;
         if symbol.is_empty() {
-            return Err(QuantityError::NoUnit {
-                text,
-                name,
-                example,
-            });
+            return Err(refused(QuantityReason::NoUnit));
         }
-        match unit(symbol) {
-            Ok(unit) if unit.dimension == D::POWERS => Ok(Quantity {
-                value: number.value * unit.scale,
-                degrees: unit.degrees,
-                dimension: PhantomData,
-            }),
-            Ok(_) => Err(QuantityError::Dimension {
-                text,
-                name,
-                example,
-            }),
-            Err(source) => Err(QuantityError::Unit {
-                text,
-                name,
-                example,
-                source,
-            }),
+        let unit = unit(symbol).map_err(|e| refused(QuantityReason::Unit(e)))?;
+        if unit.dimension != D::POWERS {
+            return Err(refused(QuantityReason::Dimension));
         }
+        Ok(Quantity {
+            value: number.value * unit.scale,
+            degrees: unit.degrees,
+            dimension: PhantomData,
+        })
     }
 }
 
 impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
     fn deserialize<T: Deserializer<'de>>(from: T) -> Result<Quantity<D>, T::Error> {
-        from.deserialize_any(Written(PhantomData))
+        from.deserialize_any(Written(str::parse))
     }
 }
 
 /// Visits a string; a bare number is refused as one without a unit.
-struct Written<D>(PhantomData<D>);
+pub(super) struct Written<F>(pub F);
 
-impl<D: Dimension> Visitor<'_> for Written<D> {
-    type Value = Quantity<D>;
+impl<T, E: fmt::Display, F: FnOnce(&str) -> Result<T, E>> Visitor<'_> for Written<F> {
+    type Value = T;
 
-    fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str("a string with a number and its unit")
     }
-    fn visit_str<E: de::Error>(self, text: &str) -> Result<Quantity<D>, E> {
-        text.parse().map_err(E::custom)
+    fn visit_str<R: de::Error>(self, text: &str) -> Result<T, R> {
+        self.0(text).map_err(R::custom)
     }
-    fn visit_i64<E: de::Error>(self, n: i64) -> Result<Quantity<D>, E> {
+    fn visit_i64<R: de::Error>(self, n: i64) -> Result<T, R> {
         self.visit_str(&n.to_string())
     }
-    fn visit_u64<E: de::Error>(self, n: u64) -> Result<Quantity<D>, E> {
+    fn visit_u64<R: de::Error>(self, n: u64) -> Result<T, R> {
         self.visit_str(&n.to_string())
     }
-    fn visit_f64<E: de::Error>(self, x: f64) -> Result<Quantity<D>, E> {
+    fn visit_f64<R: de::Error>(self, x: f64) -> Result<T, R> {
         self.visit_str(&x.to_string())
     }
 }
@@ -428,7 +431,7 @@ mod tests {
         text.parse::<Quantity<D>>().unwrap().value
     }
 
-    fn refusal<D: Dimension + std::fmt::Debug>(text: &str) -> String {
+    fn refusal<D: Dimension + fmt::Debug>(text: &str) -> String {
         text.parse::<Quantity<D>>().unwrap_err().to_string()
     }
 
