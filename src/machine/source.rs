@@ -380,6 +380,10 @@ mod tests {
                 assert!(!text.contains('\n') && e.source().is_some());
             }
         }
+        let good = "[geometry]\ncrank = \"1 m\"\npoints = [\"1 cm\"]\n";
+        let file: File = Source::toml(good).parse().unwrap();
+        let read = (file.geometry.crank.to_f64(), file.geometry.points.len());
+        assert_eq!(read, (1.0, 1));
         for source in [
             Source::toml("[geometri]\ncrank = \"1 m\""),
             Source::json("{\"geometri\": {}}"),

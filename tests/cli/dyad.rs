@@ -437,7 +437,7 @@ fn refusals() {
             FOUR_BAR,
             "\"four-bar\"",
             "\"five-bar\"",
-            "(did you mean \"four-bar\"?) must be one of \"class-iii\", \"four-bar\", \"slider-crank\"",
+            "type = \"five-bar\" must be one of \"class-iii\", \"four-bar\", \"slider-crank\"",
         ),
         (
             FOUR_BAR,
