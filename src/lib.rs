@@ -3,15 +3,16 @@
 //! Fast `f64` solvers stand beside arbitrary-precision references that carry a proof of their
 //! error, an audit compares the two, and published papers are taken apart with both.
 //!
-//! | room | what it holds | needs |
+//! | module | what it holds | needs |
 //! |---|---|---|
-//! | [`solvers`] | tridiagonal systems, cubic splines, class-III linkages, dyads, reduction to the crank, run-up under a motor | nothing but `f64`; time integration: feature `run-up` |
-//! | `reference` | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
-//! | `audit` | domains, cases, budgets, the judge, statistics | feature `oracle` |
+//! | [`solvers`] (crate `mechaudit-solvers`) | Faddeeva function, tridiagonal systems, cubic splines, linkages, reduction to the crank, run-up under a motor, cams | nothing but `f64`; time integration: feature `run-up` |
+//! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
+//! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
-//! | `symbolic` | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
+//! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
+//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `cli` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
 //! With `default-features = false` only the solvers are built, without GMP, MPFR or any
@@ -97,6 +98,12 @@ pub mod machine;
 pub mod methods;
 #[cfg(feature = "oracle")]
 pub mod papers;
+#[cfg(feature = "cli")]
+pub mod report;
+
+#[cfg(all(doctest, feature = "oracle"))]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 #[cfg(feature = "oracle")]
 #[doc(inline)]

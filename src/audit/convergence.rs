@@ -108,18 +108,6 @@ struct Level {
 ///
 /// # Errors
 /// The truth could not be had.
-///
-/// ```
-/// use mechaudit_audit::convergence;
-/// use mechaudit::methods;
-///
-/// let spline = methods::find_approximation("spline-clamped").unwrap();
-/// let report = convergence(&*spline)?;
-/// let finest = report.levels.last().unwrap().errors[0];
-/// assert!((finest.order.unwrap() - 4.0).abs() < 0.1);
-/// assert!(finest.rounding.unwrap() < 1e-15);
-/// # Ok::<(), String>(())
-/// ```
 pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, String> {
     let truth = of.truth()?;
     let outputs = of.outputs();

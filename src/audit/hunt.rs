@@ -95,16 +95,6 @@ struct Hunter<'a> {
 
 /// Hunts for the inputs where the method's solver takes up most of its budget. Deterministic for a
 /// seed. `progress` is told how many evaluations were made.
-///
-/// ```
-/// use mechaudit_audit::{HuntSettings, hunt};
-/// use mechaudit::methods;
-///
-/// let method = methods::find("tridiagonal").unwrap();
-/// let settings = HuntSettings { evaluations: 300, seed: 1 };
-/// let found = hunt(&*method, &settings, &|_| ());
-/// assert!(found.worst[0].share > 0.02 && found.failures.is_empty());
-/// ```
 pub fn hunt(method: &dyn Method, settings: &HuntSettings, progress: &(dyn Fn(u64) + Sync)) -> Hunt {
     hunt_until(method, settings, progress, &AtomicBool::new(false))
 }

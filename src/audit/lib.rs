@@ -15,6 +15,7 @@ mod hard;
 mod hunt;
 mod judge;
 mod layout;
+mod maps;
 mod method;
 mod nearest;
 mod parts;
@@ -33,6 +34,7 @@ pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
 pub use layout::{Column, Layout, LayoutError, Rows};
+pub use maps::{ErrorMap, MapOutput, error_map, map_points};
 pub use method::{
     Input, Law, Method, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
     conditions_by_differences,

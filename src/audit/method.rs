@@ -188,6 +188,11 @@ pub trait Method: Sync {
         conditions_by_differences(self, input, |_| true)
     }
 
+    /// [`Method::conditions`] where the reference's answer at `input` is at hand.
+    fn conditions_beside(&self, input: &[f64], _reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        self.conditions(input)
+    }
+
     /// What the method's own solver would answer without rounding, in balls, where that can be had:
     /// tells rounding from the error of the method itself.
     fn twin(&self, _input: &[f64]) -> Option<Vec<Ball>> {

@@ -3,6 +3,7 @@
 use super::case::{Case, Cases};
 use super::judge::{Judgement, Verdict, judge_with_norm};
 use super::layout::Layout;
+use super::maps::error_map;
 use super::method::{Method, Proof, ReferenceAnswer, SolverAnswer};
 use super::parts::error_parts;
 use super::tally::{MethodReport, Tally};
@@ -24,6 +25,8 @@ pub struct Settings {
     pub first_bits: u32,
     /// Working precision at which an open case is called undecided, in bits.
     pub last_bits: u32,
+    /// Whether functions of a complex variable are mapped besides; see [`error_map`].
+    pub maps: bool,
 }
 
 impl Default for Settings {
@@ -33,6 +36,7 @@ impl Default for Settings {
             cases_per_region: 200,
             first_bits: 128,
             last_bits: 2048,
+            maps: false,
         }
     }
 }
@@ -109,12 +113,7 @@ fn judge(
     let outputs = method.outputs();
     let norm = method.norm_budget();
     let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
-    let finite = exact.is_some();
-    let conditions = if finite && conditional {
-        method.conditions(&case.input)
-    } else {
-        None
-    };
+    let mut conditions = None;
     let signs = method.signs_of_zero(&case.input);
     let mut bits = settings.first_bits;
     loop {
@@ -122,8 +121,13 @@ fn judge(
             Some(x) => method.reference(x, bits),
             None => method.reference_not_finite(&case.input),
         };
+        let c = conditions
+            .get_or_insert_with(|| match exact.is_some() && conditional {
+                true => method.conditions_beside(&case.input, &reference),
+                false => None,
+            })
+            .as_deref();
         let reference = reference.with_signs_of_zero(&signs);
-        let c = conditions.as_deref();
         let mut judgement = judge_with_norm(&outputs, norm.as_ref(), &answer, &reference, c);
         if let (SolverAnswer::Values(got), Some(due)) = (&answer, reference.len())
             && got.len() != due
@@ -168,7 +172,8 @@ fn judge(
 /// Cases judged side by side before they are counted.
 const CHUNK: usize = 1024;
 
-/// Audits a method over its whole domain, on all cores. `progress` is called once for each case.
+/// Audits a method over its whole domain, on all cores. `progress` is called once for each case, and
+/// for each point of its map.
 pub fn audit_method(
     method: &dyn Method,
     settings: &Settings,
@@ -212,7 +217,15 @@ pub fn audit_method_until(
             break;
         }
     }
+    let mut map = None;
+    if settings.maps && !tally.is_interrupted() {
+        map = error_map(method, settings, progress, stop);
+        if map.is_none() && stop.load(Ordering::Relaxed) {
+            tally.interrupt();
+        }
+    }
     let mut report = tally.finish(method, settings);
+    report.map = map;
     for (i, output) in report.outputs.iter_mut().enumerate() {
         let worst = output.worst.as_ref().filter(|_| !report.interrupted);
         output.parts =

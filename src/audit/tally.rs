@@ -3,6 +3,7 @@
 use super::case::Case;
 use super::hard::HardCase;
 use super::judge::{ComponentJudgement, Verdict};
+use super::maps::ErrorMap;
 use super::method::Method;
 use super::parts::ErrorParts;
 use super::run::{CaseReport, Settings};
@@ -167,6 +168,9 @@ pub struct MethodReport {
     pub outputs: Vec<OutputStatistics>,
     /// For each law.
     pub laws: Vec<LawReport>,
+    /// The error map, where one was asked for and the method has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<ErrorMap>,
     /// Largest normwise error found, in units of 2⁻⁵³.
     pub max_normwise: f64,
     /// The cases that did not pass, the first of them if there are very many.
@@ -350,6 +354,7 @@ impl Tally {
                 })
                 .collect(),
             laws: self.laws,
+            map: None,
             max_normwise: self.max_normwise,
             failures_left_out: self.cases - self.passed - self.recorded - self.failures.len(),
             unanswered: self.unanswered,

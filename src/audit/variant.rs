@@ -44,19 +44,6 @@ impl NoSuch {
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 
 /// A method with something changed; everything else is passed through.
-///
-/// ```
-/// use mechaudit_audit::{Settings, SolverAnswer, Variant, audit_method};
-/// use mechaudit::methods;
-///
-/// let method = methods::find("slider-crank").unwrap();
-/// let silent = Variant::new(&*method)
-///     .solver(|_| SolverAnswer::Declines(None))
-///     .region("unreachable")?;
-/// let settings = Settings { cases_per_region: 3, ..Settings::default() };
-/// assert!(audit_method(&silent, &settings, &|| ()).passed());
-/// # Ok::<(), mechaudit_audit::NoSuch>(())
-/// ```
 pub struct Variant<'a> {
     method: &'a dyn Method,
     solver: Option<Solver<'a>>,
@@ -240,6 +227,13 @@ impl Method for Variant<'_> {
     }
     fn conditions(&self, input: &[f64]) -> Option<Vec<f64>> {
         self.method.conditions(input).map(|c| self.select(c))
+    }
+    fn conditions_beside(&self, input: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        match self.selected {
+            // Of the reference only the selected values are at hand.
+            Some(_) => self.conditions(input),
+            None => self.method.conditions_beside(input, reference),
+        }
     }
     /// None with another solver: it is the twin of the method's own.
     fn twin(&self, input: &[f64]) -> Option<Vec<Ball>> {

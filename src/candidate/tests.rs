@@ -2,7 +2,7 @@ use super::*;
 use crate::methods::*;
 use crate::solvers::cubic_spline::{Boundary, CubicSpline};
 use crate::solvers::cyclic_tridiagonal::CyclicSweep;
-use crate::solvers::faddeeva::faddeeva;
+use crate::solvers::faddeeva::{dawson, erf, erfc, erfcx, erfi, faddeeva, voigt, w_derivative};
 use crate::solvers::tridiagonal::Sweep;
 use num_complex::Complex;
 
@@ -39,6 +39,9 @@ fn every_signature_reaches_its_method() {
         let [a, b] = p.ends.unwrap();
         Boundary::clamped(a, b)
     };
+    let [class_iii, run_up] = ["class-iii", "run-up"].map(ours);
+    let [cam_law, cam_series] = ["cam-law", "cam-fourier-series"].map(ours);
+    let chirp = ours("chirp-response");
     let modes = ours("class-iii-assembly-modes");
     let bar = ours("four-bar");
     let slider = ours("slider-crank");
@@ -81,11 +84,28 @@ fn every_signature_reaches_its_method() {
         few(audit::<ClassIiiAssemblyModes>(
             move |l: &[f64; 11], phi: f64| modes(&[&l[..], &[phi]].concat()),
         )),
-        few(audit::<ClassIii>(ours("class-iii"))),
+        few(audit::<ClassIii>(move |i: ClassIiiInput| {
+            class_iii(&i.to_vec())
+        })),
         few(audit::<Faddeeva>(faddeeva)),
-        few(audit::<RunUp>(ours("run-up"))),
+        few(audit::<RunUp>(move |i: RunUpInput| run_up(&i.to_vec()))),
+        few(audit::<FaddeevaDerivative>(w_derivative)),
+        few(audit::<Erf>(erf)),
+        few(audit::<Erfc>(erfc)),
+        few(audit::<Erfcx>(erfcx)),
+        few(audit::<Erfi>(erfi)),
+        few(audit::<Dawson>(dawson)),
+        few(audit::<Voigt>(voigt)),
+        few(audit::<CamLaw>(move |i: CamLawInput| cam_law(&i.to_vec()))),
+        few(audit::<CamFourierSeries>(
+            move |i: CamFourierSeriesInput| cam_series(&i.to_vec()),
+        )),
+        few(audit::<ChirpResponse>(move |i: ChirpResponseInput| {
+            chirp(&i.to_vec())
+        })),
     ];
     assert!(counts.iter().all(|n| *n > 4), "{counts:?}");
+    assert_eq!(counts.len(), registry().len());
 }
 
 /// Wrong in the last digits of one component, in one half-plane.

@@ -1,22 +1,24 @@
 //! Running audits: everything, a method, a region or one case.
 
 use super::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
-use super::case;
 use super::failure::{Failure, Outcome};
-use super::output::{Output, write_to};
+use super::output::{Output, write_json, write_to};
 use super::progress::Progress;
-use super::text::{BAD, BOLD, DIM, GOOD, paint, width};
-use super::{
-    audit_html, audit_junit, candidate, complain, exec, forecast, hard_folder, interrupt,
-    text_method, text_paper, text_summary,
-};
+use super::terminal::width;
+use super::{candidate, complain, exec, forecast, hard_folder, interrupt};
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Law, Layout, Method, MethodReport, NoSuch, Origin, Settings, Variant,
-    Verdict, answer_of, audit_case, audit_method_until,
+    Case, CaseReport, Cases, ConvergenceReport, Law, Layout, Method, MethodReport, NoSuch, Origin,
+    Settings, Variant, Verdict, answer_of, audit_case, audit_method_until, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Undecided;
+use mechaudit::report::text::style::{BAD, BOLD, paint};
+use mechaudit::report::text::summary::{self, End};
+use mechaudit::report::words::audit::{all_pass, settings as settings_line, totals};
+use mechaudit::report::words::numbers::{count, percent};
+use mechaudit::report::{html, json as in_json, junit, text};
 use mechaudit::{methods, papers};
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::sync::Arc;
 use std::time::Instant;
@@ -44,18 +46,6 @@ fn effort(value: Option<&std::ffi::OsStr>) -> Result<f64, Failure> {
             "MECHAUDIT_EFFORT = {text:?} must be a positive number, for instance 0.1 or 10"
         ))),
     }
-}
-
-/// A number of things in words.
-fn number(n: usize, thing: &str) -> String {
-    format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
-}
-
-fn settings_line(s: &Settings) -> String {
-    format!(
-        "seed {}, {} random cases per region, references from {} to {} bits",
-        s.seed, s.cases_per_region, s.first_bits, s.last_bits
-    )
 }
 
 /// Audits every paper and every method: the verdict first, then what is new, then a line for each
@@ -87,84 +77,57 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
             Some(None) => {}
         }
     }
-    let mut totals = Totals::default();
+    let mut judging = 0.0;
     for method in methods::registry() {
         if stopped {
             break;
         }
         let (report, seconds) = run(method.as_ref(), &settings, &progress);
-        totals.add((&report, seconds));
+        judging += seconds;
         stopped = report.interrupted;
         reports.push(report);
     }
-    good &= totals.good();
+    good &= all_pass(&reports);
     let outcome = Outcome::unless_interrupted(stopped, good);
-    let rate = rate(totals.cases, totals.seconds);
     let seconds = started.elapsed().as_secs_f64();
-    let how = format!("{}\n{seconds:.1} s, {rate}", settings_line(&settings));
-    let found = papers_read.iter().map(|p| p.findings.len()).sum();
-    let summary = format!(
-        "{} with {}; {}",
-        number(papers_read.len(), "paper"),
-        number(found, "finding"),
-        totals.words()
-    );
+    let time = format!("{seconds:.1} s, {}", rate(&reports, judging));
     let width = width();
     write_to(None, |out| {
-        verdict(out, &summary, outcome, &how)?;
-        let news = text_summary::news(&papers_read, &reports, width);
-        if !news.is_empty() {
-            writeln!(out, "\n{}\n{news}", paint(BAD, "New or over budget"))?;
-        }
-        writeln!(out, "\n{}", text_summary::methods(&reports))?;
-        for report in &papers_read {
-            writeln!(out, "{}", text_summary::paper(report, width))?;
-        }
-        if !verbose {
-            let more = "In full: mechaudit --verbose, paper NAME, audit METHOD.";
-            writeln!(out, "{}", paint(DIM, more))?;
-            return Ok(());
-        }
-        for report in &papers_read {
-            writeln!(out, "{}", text_paper::paper(report, width))?;
-        }
-        for report in &reports {
-            let text = text_method::method(report, &Case::reproduce, width);
-            writeln!(out, "{text}")?;
+        let end = (end(outcome), time.as_str());
+        let text = summary::everything(end, &papers_read, &reports, width);
+        write!(out, "{text}")?;
+        if verbose {
+            for report in &papers_read {
+                write!(out, "\n{}", text::paper::paper(report, width))?;
+            }
+            for report in &reports {
+                let text = text::method::method(report, &Case::reproduce, width);
+                write!(out, "\n{text}")?;
+            }
         }
         Ok(())
     })?;
     Ok(outcome)
 }
 
-/// What came of it, and how it was done.
-fn verdict(
-    out: &mut dyn std::io::Write,
-    summary: &str,
-    outcome: Outcome,
-    how: &str,
-) -> Result<(), Failure> {
-    let (word, style) = match outcome {
-        Outcome::AsExpected => ("All as expected", GOOD),
-        Outcome::Finding => ("NOT as expected", BAD),
-        Outcome::Interrupted => ("Interrupted", BAD),
-    };
-    writeln!(out, "{}: {summary}.", paint(style, word))?;
-    for line in how.lines() {
-        writeln!(out, "{}", paint(DIM, line))?;
+fn end(outcome: Outcome) -> End {
+    match outcome {
+        Outcome::AsExpected => End::AsExpected,
+        Outcome::Finding => End::NotAsExpected,
+        Outcome::Interrupted => End::Interrupted,
     }
-    Ok(())
 }
 
 /// Cases drawn, solved, judged and counted in a second.
-fn rate(cases: usize, seconds: f64) -> String {
+fn rate(reports: &[MethodReport], seconds: f64) -> String {
+    let cases: usize = reports.iter().map(|r| r.cases).sum();
     let cores = rayon::current_num_threads();
     let each = cases as f64 / seconds.max(1e-9) / cores as f64;
     let each = match each {
         x if x >= 1e4 => format!("{:.0}e3", x / 1e3),
         x => format!("{x:.0}"),
     };
-    format!("{each} cases a second on each of {}", number(cores, "core"))
+    format!("{each} cases a second on each of {}", count(cores, "core"))
 }
 
 /// Audits a paper; `None` if there is none of that key.
@@ -175,47 +138,11 @@ pub fn paper(key: &str, progress: &Progress) -> Option<Result<PaperReport, Undec
     }))
 }
 
-#[derive(Default)]
-struct Totals {
-    methods: usize,
-    passed_methods: usize,
-    cases: usize,
-    passed_cases: usize,
-    recorded: usize,
-    seconds: f64,
-}
-
-impl Totals {
-    fn add(&mut self, (report, seconds): (&MethodReport, f64)) {
-        self.seconds += seconds;
-        self.methods += 1;
-        self.passed_methods += usize::from(report.passed());
-        self.cases += report.cases;
-        self.passed_cases += report.passed;
-        self.recorded += report.recorded;
-    }
-
-    /// An audit of nothing is not a good one.
-    fn good(&self) -> bool {
-        self.methods > 0 && self.methods == self.passed_methods
-    }
-
-    fn words(&self) -> String {
-        let recorded = match self.recorded {
-            0 => String::new(),
-            n => format!(", {n} over budget as recorded"),
-        };
-        format!(
-            "{} of {} methods pass, {} of {} cases{recorded}",
-            self.passed_methods, self.methods, self.passed_cases, self.cases
-        )
-    }
-}
-
 /// The report, and the seconds that it took.
 fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (MethodReport, f64) {
     let started = Instant::now();
-    let total = Cases::new(method, settings).len() as u64;
+    let mapped = map_points(method).filter(|_| settings.maps).unwrap_or(0);
+    let total = (Cases::new(method, settings).len() + mapped) as u64;
     progress.restart();
     let tick = || progress.tick(method.name(), total);
     let report = audit_method_until(method, settings, &tick, interrupt::flag());
@@ -247,7 +174,10 @@ fn foresee(methods: &[Box<dyn Method>], settings: &Settings) -> Result<(), Failu
 
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
-    let settings = settings(&args.run)?;
+    let settings = Settings {
+        maps: args.maps || args.format == AuditFormat::Html,
+        ..settings(&args.run)?
+    };
     let chosen = match &args.method {
         None => methods::registry(),
         Some(name) => vec![find(name)?],
@@ -278,14 +208,12 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         return exec::audit(method, None, args, command, &settings, output);
     }
     let progress = Progress::new();
-    let mut totals = Totals::default();
-    let mut reports = Vec::new();
-    let mut stopped = false;
+    let (mut reports, mut judging, mut stopped) = (Vec::new(), 0.0, false);
     for method in &chosen {
         let (report, seconds) = run(method, &settings, &progress);
-        totals.add((&report, seconds));
+        judging += seconds;
         if args.format == AuditFormat::Text && output.is_standard() {
-            let text = text_method::method(&report, &Case::reproduce, width());
+            let text = text::method::method(&report, &Case::reproduce, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
         stopped = report.interrupted;
@@ -294,67 +222,56 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
             break;
         }
     }
-    let outcome = Outcome::unless_interrupted(stopped, totals.good());
+    let good = all_pass(&reports);
+    let mut outcome = Outcome::unless_interrupted(stopped, good);
     match args.format {
         AuditFormat::Text if output.is_standard() => {
-            let rate = rate(totals.cases, totals.seconds);
-            let how = format!("{}\n{rate}", settings_line(&settings));
-            output.write(|out| verdict(out, &totals.words(), outcome, &how))?;
+            let how = [settings_line(&settings), rate(&reports, judging)];
+            let text = summary::verdict(end(outcome), &totals(&reports), &how, width());
+            output.text(&text)?;
         }
         AuditFormat::Text => output.write(|out| {
             for report in &reports {
-                let text = text_method::method(report, &Case::reproduce, width());
+                let text = text::method::method(report, &Case::reproduce, width());
                 writeln!(out, "{text}")?;
             }
             let mark = if stopped { "Interrupted: " } else { "" };
-            Ok(writeln!(out, "{mark}{}.", totals.words())?)
+            Ok(writeln!(out, "{mark}{}.", totals(&reports))?)
         })?,
         AuditFormat::Json => {
-            let reports: Vec<Value> = reports
-                .iter()
-                .map(|r| json_report(r, &Case::reproduce))
-                .collect();
+            let methods = reports.iter();
+            let methods = methods.map(|r| in_json::method(r, &Case::reproduce));
             let value = json!({
                 "schema_version": 1,
                 "mechaudit_version": env!("CARGO_PKG_VERSION"),
-                "passed": totals.good(),
+                "passed": good,
                 "interrupted": stopped,
-                "methods": reports,
+                "methods": methods.collect::<Vec<Value>>(),
             });
             write_json(output, &value)?;
         }
         AuditFormat::Junit => {
-            let text = audit_junit::document(&reports).map_err(Failure::new)?;
+            let text = junit::document(&reports).map_err(|e| Failure::new(e.to_string()))?;
             output.write(|out| Ok(writeln!(out, "{text}")?))?;
         }
         AuditFormat::Html => {
-            let page = audit_html::page(&reports, &settings, args.method.is_none());
+            let all = args.method.is_none() && !stopped;
+            let approximations = all.then(approximations).flatten();
+            stopped |= all && approximations.is_none();
+            outcome = Outcome::unless_interrupted(stopped, good);
+            let page = html::audit::page(&reports, approximations.as_deref(), stopped);
             output.text(&page)?;
         }
     }
     Ok(outcome)
 }
 
-/// JSON to standard output or a file.
-pub fn write_json(output: Output, value: &Value) -> Result<(), Failure> {
-    output.write(|out| {
-        serde_json::to_writer_pretty(&mut *out, value)?;
-        Ok(writeln!(out)?)
+/// The convergence of all approximations, unless the user asks to stop.
+fn approximations() -> Option<Vec<Result<ConvergenceReport, String>>> {
+    interrupt::unless_asked(|| {
+        let all = methods::approximations();
+        all.par_iter().map(|a| convergence(&**a)).collect()
     })
-}
-
-pub fn print_json(value: &Value) -> Result<(), Failure> {
-    write_json(Output::open(None)?, value)
-}
-
-/// The report for programs. `again` gives the command that judges a case again.
-pub fn json_report(report: &MethodReport, again: &dyn Fn(&Case) -> String) -> Value {
-    let mut value = serde_json::to_value(report).unwrap_or(Value::Null);
-    let failures = report.failures.iter();
-    let failures: Vec<Value> = failures.map(|f| case::json(f, &again(&f.case))).collect();
-    value["passed_all"] = json!(report.passed());
-    value["failures"] = json!(failures);
-    value
 }
 
 /// The method of that name.
@@ -390,7 +307,7 @@ fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
     let refusal = answer_of(method, input);
     if let Some("layout" | "bad layout") = refusal.refusal() {
         let layout = Layout::new(method).input();
-        let (n, name) = (number(input.len(), "number"), method.name());
+        let (n, name) = (count(input.len(), "number"), method.name());
         return Err(Failure::new(format!(
             "--at: {n} cannot be an input of {name}, which is: {layout}"
         )));
@@ -423,12 +340,12 @@ fn single(
             write!(
                 out,
                 "{}",
-                case::text(&report, &report.case.reproduce(), width())
+                text::case::text(&report, &report.case.reproduce(), width())
             )?;
             for (law, residual) in &laws {
                 if let Some(x) = residual {
                     let style = if *x <= 1.0 { BOLD } else { BAD };
-                    let share = super::text::percent(*x);
+                    let share = percent(*x);
                     let name = paint(style, law.name);
                     writeln!(out, "    law        {name}: {share} of what is allowed")?;
                 }
@@ -436,7 +353,7 @@ fn single(
             Ok(())
         })?,
         AuditFormat::Json => {
-            let mut value = case::json(&report, &report.case.reproduce());
+            let mut value = in_json::case(&report, &report.case.reproduce());
             let laws = laws
                 .iter()
                 .map(|(l, x)| json!({ "name": l.name, "residual": x }));
@@ -453,19 +370,7 @@ fn single(
 
 #[cfg(test)]
 mod tests {
-    use super::{Outcome, Totals, effort};
-
-    #[test]
-    fn one_failing_method_or_none_at_all_is_a_finding() {
-        let totals = |methods, passed_methods| Totals {
-            methods,
-            passed_methods,
-            ..Totals::default()
-        };
-        assert_eq!(Outcome::of(totals(2, 2).good()), Outcome::AsExpected);
-        assert_eq!(Outcome::of(totals(2, 1).good()), Outcome::Finding);
-        assert_eq!(Outcome::of(totals(0, 0).good()), Outcome::Finding);
-    }
+    use super::effort;
 
     #[test]
     fn effort_is_a_positive_number() {

@@ -1,15 +1,16 @@
 //! What judging somebody's program has in common, wherever its answers come from.
 
 use super::args::{ScopeArgs, TextOrJson};
-use super::audit::{json_report, write_json};
 use super::failure::{Failure, Outcome};
-use super::output::Output;
-use super::text::{BAD, paint, paragraph, width};
-use super::{case, interrupt, text_method};
+use super::interrupt;
+use super::output::{Output, write_json};
+use super::terminal::width;
 use mechaudit::audit::{
     Case, CaseReport, Limit, Method, MethodReport, Settings, SolverAnswer, Tally, Variant,
     judge_case_briefly,
 };
+use mechaudit::report::text::style::{BAD, paint, paragraph};
+use mechaudit::report::{json as in_json, text};
 use rayon::prelude::*;
 use serde_json::json;
 use std::time::{Duration, Instant};
@@ -83,9 +84,17 @@ impl Judged {
         match format {
             TextOrJson::Text => output.write(|out| {
                 if let ([only], 1) = (self.report.failures.as_slice(), self.report.cases) {
-                    write!(out, "{}", case::text(only, &again(&only.case), width()))?;
+                    write!(
+                        out,
+                        "{}",
+                        text::case::text(only, &again(&only.case), width())
+                    )?;
                 } else {
-                    write!(out, "{}", text_method::method(&self.report, again, width()))?;
+                    write!(
+                        out,
+                        "{}",
+                        text::method::method(&self.report, again, width())
+                    )?;
                 }
                 if let Some(trouble) = &self.trouble {
                     let text = paragraph(trouble, 2, width());
@@ -101,7 +110,7 @@ impl Judged {
                 "interrupted": self.report.interrupted,
                 "answered": self.answered,
                 "trouble": self.trouble,
-                "methods": [json_report(&self.report, again)],
+                "methods": [in_json::method(&self.report, again)],
                 });
                 write_json(output, &value)?;
             }

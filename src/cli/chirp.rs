@@ -1,13 +1,13 @@
 //! A cam-driven oscillator given in a file, while its shaft speeds up or slows down.
 
 use super::args::{ChirpArgs, ChirpRows};
+use super::chirp_drawing;
 use super::chirp_rows as rows;
 use super::columns::Columns;
 use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::Output;
 use super::source;
-use super::svg_chirp;
 use mechaudit::machine::CamOscillator;
 
 /// The oscillator that the arguments name.
@@ -49,13 +49,13 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         false => Vec::new(),
     };
     if let Some(drawing) = spectrum {
-        drawing.text(&svg_chirp::spectrum(&machine)?)?;
+        drawing.text(&chirp_drawing::spectrum(&machine)?)?;
     }
     if let (Some(drawing), Some(run)) = (history, &machine.run) {
-        drawing.text(&svg_chirp::history(&machine, run, &own)?)?;
+        drawing.text(&chirp_drawing::history(&machine, run, &own)?)?;
     }
     if let Some(drawing) = chart {
-        drawing.text(&svg_chirp::chart(&machine, &charts)?)?;
+        drawing.text(&chirp_drawing::chart(&machine, &charts)?)?;
     }
     output.write(|out| match wanted {
         ChirpRows::History => rows::history(out, (args.format, columns), &machine, &own),

@@ -1,14 +1,16 @@
 //! Convergence of approximations, with method error and rounding apart.
 
 use super::args::{ConvergeArgs, TextOrJson};
-use super::audit::print_json;
 use super::failure::{Failure, Outcome};
 use super::interrupt;
-use super::output::write_to;
+use super::output::{print_json, write_to};
 use super::progress::Progress;
-use super::text::{BAD, BOLD, DIM, PLAIN, Table, paint, paragraph, short, width};
+use super::terminal::width;
 use mechaudit::audit::{ConvergenceReport, LevelReport, convergence};
 use mechaudit::methods::{approximations, find_approximation};
+use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint, paragraph};
+use mechaudit::report::text::table::Table;
+use mechaudit::report::words::numbers::short;
 use serde_json::json;
 
 /// Runs them.

@@ -7,7 +7,7 @@ use super::failure::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
 use super::rows::{Cell, Rows};
-use super::{complain, svg_dyad};
+use super::{complain, dyad_drawing};
 use mechaudit::machine::crank_angles::{Grid, decimal};
 use mechaudit::machine::dyad::{self, ASSEMBLIES, Dyad, Proved, number};
 use mechaudit::reference::nearest_f64;
@@ -44,7 +44,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&svg_dyad::draw(dyad, *assembly))?;
+        drawing.text(&dyad_drawing::draw(dyad, *assembly))?;
     }
     let mut count = 0;
     let outcome = output.write(|out| {

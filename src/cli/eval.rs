@@ -2,11 +2,11 @@
 
 use super::args::EvalArgs;
 use super::complain;
-use super::eval_functions::{Function, find, functions};
 use super::eval_number::Number;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
-use mechaudit::audit::hex_float;
+use mechaudit::audit::{Layout, SolverAnswer, answer_of, hex_float};
+use mechaudit::methods::{Evaluable, Uncertified, evaluable, find_evaluable};
 use rayon::prelude::*;
 use rug::Rational;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -37,9 +37,9 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
     let Some(name) = args.name.as_deref().filter(|_| !args.list) else {
         return list();
     };
-    let function = find(name).ok_or_else(|| {
-        let known: Vec<&str> = functions().iter().map(|f| f.name).collect();
-        Failure::no_such("function", name, &known)
+    let method = find_evaluable(name).ok_or_else(|| {
+        let known: Vec<&str> = evaluable().iter().map(|m| m.name()).collect();
+        Failure::no_such("method", name, &known)
     })?;
     let threads = args.threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new()
@@ -49,7 +49,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
     let mut outcome = Outcome::AsExpected;
     write_to(None, |out| {
         let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
-        outcome = stream(function, args.digits, &pool, input, out)?;
+        outcome = stream(&*method, args.digits, &pool, input, out)?;
         Ok(())
     })?;
     Ok(outcome)
@@ -57,9 +57,8 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
 
 fn list() -> Result<Outcome, Failure> {
     write_to(None, |out| {
-        for f in functions() {
-            let (from, to) = (f.arguments.join(","), f.values.join(","));
-            writeln!(out, "{:<22} {from:<13} -> {to:<6} {}", f.name, f.summary)?;
+        for m in evaluable() {
+            writeln!(out, "{:<31} {}", m.name(), m.summary())?;
         }
         Ok(())
     })?;
@@ -68,12 +67,17 @@ fn list() -> Result<Outcome, Failure> {
 
 /// Reads some lines, computes them side by side, writes them in order, and so on.
 pub(super) fn stream(
-    function: &Function,
+    method: &dyn Evaluable,
     digits: Option<u32>,
     pool: &rayon::ThreadPool,
     mut input: BufReader<impl Read>,
     out: &mut dyn Write,
 ) -> Result<Outcome, Failure> {
+    let evaluation = Evaluation {
+        method,
+        layout: Layout::new(method),
+        digits,
+    };
     let most = LINES * pool.current_num_threads();
     let mut lines = Vec::new();
     let mut number = 0;
@@ -94,10 +98,10 @@ pub(super) fn stream(
             }
         }
         let answers: Vec<_> = match pool.current_num_threads() {
-            1 => lines.iter().map(|l| answer(function, digits, l)).collect(),
+            1 => lines.iter().map(|l| evaluation.answer(l)).collect(),
             _ => pool.install(|| {
                 let lines = lines.par_iter();
-                lines.map(|l| answer(function, digits, l)).collect()
+                lines.map(|l| evaluation.answer(l)).collect()
             }),
         };
         for (line, answer) in lines.iter().zip(answers) {
@@ -139,73 +143,105 @@ pub fn shortened(text: &[u8]) -> String {
     }
 }
 
-/// The values of a line; nothing for a blank one or a comment.
-fn answer(
-    function: &Function,
+/// What is done to every line.
+struct Evaluation<'a> {
+    method: &'a dyn Evaluable,
+    layout: Layout,
     digits: Option<u32>,
-    line: &Line,
-) -> Result<Option<String>, Trouble> {
-    let input = Trouble::Input;
-    if line.text.len() > LONGEST {
-        return Err(input(format!("longer than {LONGEST} bytes")));
-    }
-    let text = std::str::from_utf8(&line.text).map_err(|_| input("not UTF-8".into()))?;
-    let text = text.trim();
-    if text.is_empty() || text.starts_with('#') {
-        return Ok(None);
-    }
-    let fields: Vec<&str> = text.split(',').collect();
-    if fields.len() != function.arguments.len() {
-        let due = function.arguments.join(",");
-        let (n, k) = (fields.len(), function.arguments.len());
-        return Err(input(format!("{n} fields where {k} are due: {due}")));
-    }
-    let numbers: Vec<Number> = fields
-        .iter()
-        .map(|f| Number::parse(f).map_err(|e| input(e.to_string())))
-        .collect::<Result<_, _>>()?;
-    let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
-    if let Some(why) = (function.refusal)(&x) {
-        return Err(input(why));
-    }
-    let values = match digits {
-        None => {
-            let values = (function.solve)(&x);
-            values.iter().map(|v| hex_float(*v)).collect::<Vec<_>>()
+}
+
+impl Evaluation<'_> {
+    /// The values of a line; nothing for a blank one or a comment.
+    fn answer(&self, line: &Line) -> Result<Option<String>, Trouble> {
+        let input = Trouble::Input;
+        if line.text.len() > LONGEST {
+            return Err(input(format!("longer than {LONGEST} bytes")));
         }
-        Some(digits) => {
-            let x: Vec<Rational> = numbers
-                .iter()
-                .map(|n| n.exact().map_err(|e| input(e.to_string())))
-                .collect::<Result<_, _>>()?;
-            function
-                .digits(&x, digits as usize)
-                .map_err(Trouble::Undecided)?
+        let text = std::str::from_utf8(&line.text).map_err(|_| input("not UTF-8".into()))?;
+        let text = text.trim();
+        if text.is_empty() || text.starts_with('#') {
+            return Ok(None);
         }
-    };
-    Ok(Some(values.join(",")))
+        let numbers: Vec<Number> = text
+            .split(',')
+            .map(|f| Number::parse(f).map_err(|e| input(e.to_string())))
+            .collect::<Result<_, _>>()?;
+        let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
+        self.layout.lengths(&x).map_err(|e| input(e.to_string()))?;
+        if let Some(why) = self.method.refusal(&x) {
+            return Err(input(why));
+        }
+        let values = match self.digits {
+            None => match answer_of(self.method, &x) {
+                SolverAnswer::Values(values) => values.into_iter().map(hex_float).collect(),
+                SolverAnswer::Refuses(why) => return Err(input(format!("refused: {why}"))),
+                other => return Err(Trouble::Undecided(format!("{other:?}"))),
+            },
+            Some(count) => {
+                let exact = numbers
+                    .iter()
+                    .map(|n| n.exact().map_err(|e| input(e.to_string())));
+                digits(self.method, &exact.collect::<Result<Vec<_>, _>>()?, count)?
+            }
+        };
+        Ok(Some(values.join(",")))
+    }
+}
+
+/// That many certified digits of each value.
+fn digits(method: &dyn Evaluable, x: &[Rational], digits: u32) -> Result<Vec<String>, Trouble> {
+    let first = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
+    // Most references keep to the relative accuracy asked for, so that the first time is enough.
+    for times in [1, 2, 4, 8] {
+        let values = method.certify(x, times * first).map_err(|e| match e {
+            Uncertified::Refused(why) => Trouble::Input(format!("refused: {why}")),
+            other => Trouble::Undecided(other.to_string()),
+        })?;
+        let texts = values.iter().map(|v| v.to_decimal(digits as usize));
+        if let Some(texts) = texts.collect() {
+            return Ok(texts);
+        }
+    }
+    let why = format!("{digits} digits could not be certified");
+    Err(Trouble::Undecided(why))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// The nearest floats to the certified digits are next to what the solver gives.
     #[test]
-    fn every_function_has_a_name_and_both_sides() {
-        for f in functions() {
-            let x = vec![0.5; f.arguments.len()];
-            assert_eq!((f.solve)(&x).len(), f.values.len(), "{}", f.name);
-            let q: Vec<Rational> = x.iter().filter_map(|x| Rational::from_f64(*x)).collect();
-            let digits = f.digits(&q, 30).unwrap();
-            assert_eq!(digits.len(), f.values.len(), "{}", f.name);
-            for (text, value) in digits.iter().zip((f.solve)(&x)) {
-                let certified: f64 = text.parse().unwrap();
-                assert!(
-                    (certified - value).abs() <= 1e-14 * value.abs(),
-                    "{}",
-                    f.name
-                );
+    fn every_method_can_be_evaluated() {
+        for method in evaluable() {
+            let name = method.name();
+            // It takes seconds to certify a tenth of a second of it.
+            if name == "run-up" {
+                continue;
             }
+            let points = method.domain().check_points;
+            let solved = |input: &[f64]| match method.solve(input) {
+                SolverAnswer::Values(v) => Some(v),
+                _ => None,
+            };
+            let evaluated = points.iter().any(|point| {
+                let exact: Option<Vec<Rational>> =
+                    point.input.iter().map(|x| Rational::from_f64(*x)).collect();
+                let (Some(exact), Some(values)) = (exact, solved(&point.input)) else {
+                    return false;
+                };
+                let Ok(texts) = digits(&*method, &exact, 20) else {
+                    return false;
+                };
+                assert_eq!(texts.len(), values.len(), "{name}");
+                for (text, value) in texts.iter().zip(values) {
+                    let certified: f64 = text.parse().unwrap();
+                    let size = value.abs().max(1e-9);
+                    assert!((certified - value).abs() <= 1e-9 * size, "{name}: {text}");
+                }
+                true
+            });
+            assert!(evaluated, "{name}");
         }
     }
 

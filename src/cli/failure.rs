@@ -122,6 +122,12 @@ impl From<mechaudit::audit::NoSuch> for Failure {
     }
 }
 
+impl From<mechaudit::report::svg::CannotDraw> for Failure {
+    fn from(e: mechaudit::report::svg::CannotDraw) -> Failure {
+        Failure::new(e.to_string())
+    }
+}
+
 impl From<csv::Error> for Failure {
     fn from(e: csv::Error) -> Failure {
         match e.is_io_error() {

@@ -1,11 +1,11 @@
 //! The readers of the command line with text of any kind: a value or a line that says why not.
 
 use super::args::Args;
-use super::eval_functions::functions;
 use super::failure::Failure;
 use super::{chirp, eval, runup, table, wire};
 use clap::Parser;
 use mechaudit::machine::{Linkage, Source};
+use mechaudit::methods::evaluable;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::io::{BufReader, Cursor, Write};
@@ -72,7 +72,7 @@ proptest! {
 
     #[test]
     fn lines_of_eval(
-        lines in prop::collection::vec(line(), 0..4), which in 0..functions().len(),
+        lines in prop::collection::vec(line(), 0..4), which in 0..evaluable().len(),
         digits in prop::option::of(1u32..40), end: bool,
     ) {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
@@ -82,7 +82,7 @@ proptest! {
         }
         let mut out = Vec::new();
         let input = BufReader::new(Cursor::new(text));
-        let answered = eval::stream(&functions()[which], digits, &pool, input, &mut out);
+        let answered = eval::stream(&*evaluable()[which], digits, &pool, input, &mut out);
         if let Err(Failure::Message(why)) = answered {
             prop_assert!(why.starts_with("line ") && !why.contains('\n'), "{}", why);
         }

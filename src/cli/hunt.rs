@@ -5,11 +5,14 @@ use super::audit::find;
 use super::failure::{Failure, Outcome};
 use super::output::write_to;
 use super::progress::Progress;
-use super::text::{BAD, BOLD, PLAIN, Table, paint, percent, width, wrap};
+use super::terminal::width;
 use super::{forecast, hard_folder, interrupt};
 use mechaudit::audit::{
     Case, HardCase, Hunt, HuntSettings, Method, Origin, Variant, Worst, hunt_until, rounded_up,
 };
+use mechaudit::report::text::style::{BAD, BOLD, PLAIN, paint, wrap};
+use mechaudit::report::text::table::Table;
+use mechaudit::report::words::numbers::percent;
 
 /// Hunts and records.
 pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {

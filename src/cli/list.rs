@@ -1,12 +1,13 @@
 //! What there is to audit.
 
 use super::args::{ListArgs, TextOrJson};
-use super::audit::{find, print_json};
+use super::audit::find;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
-use super::text::{BOLD, paint, paragraph, width, wrap};
-use super::text_paper;
+use super::output::{print_json, write_to};
+use super::terminal::width;
 use mechaudit::audit::{Budget, Layout, Method};
+use mechaudit::report::text::style::{BOLD, paint, paragraph, wrap};
+use mechaudit::report::words::numbers;
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
 
@@ -52,7 +53,7 @@ fn line(label: &str, text: &str, width: usize) -> String {
 
 /// A unit in brackets, nothing where there is none.
 fn unit(unit: &str) -> String {
-    match text_paper::unit(unit) {
+    match numbers::unit(unit) {
         u if u.is_empty() => u,
         u => format!(" [{u}]"),
     }

@@ -4,6 +4,7 @@
 use super::failure::Failure;
 use super::temporary::Temporary;
 use anstream::StripStream;
+use serde_json::Value;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -32,6 +33,18 @@ pub fn write_to(
     write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     Output::open(target)?.write(write)
+}
+
+/// JSON to standard output or a file.
+pub fn write_json(output: Output, value: &Value) -> Result<(), Failure> {
+    output.write(|out| {
+        serde_json::to_writer_pretty(&mut *out, value)?;
+        Ok(writeln!(out)?)
+    })
+}
+
+pub fn print_json(value: &Value) -> Result<(), Failure> {
+    write_json(Output::open(None)?, value)
 }
 
 impl Output {

@@ -4,8 +4,9 @@ use super::args::{PaperArgs, PaperFormat};
 use super::failure::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
-use super::{audit, complain, html, paper_csv, text, text_paper};
+use super::{audit, complain, terminal};
 use mechaudit::papers;
+use mechaudit::report::{csv, html, text};
 
 /// No paper of that key.
 pub fn unknown(key: &str) -> Failure {
@@ -32,18 +33,18 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
         }
     };
     let width = match output.is_standard() {
-        true => text::width(),
+        true => terminal::width(),
         false => 100,
     };
     output.write(|out| match args.format {
-        PaperFormat::Text => Ok(write!(out, "{}", text_paper::paper(&report, width))?),
+        PaperFormat::Text => Ok(write!(out, "{}", text::paper::paper(&report, width))?),
         PaperFormat::Json => {
             serde_json::to_writer_pretty(&mut *out, &report)?;
             Ok(writeln!(out)?)
         }
-        PaperFormat::Csv => paper_csv::write(&report, out),
+        PaperFormat::Csv => Ok(csv::paper(&report, out)?),
         PaperFormat::Latex | PaperFormat::Errata => Ok(()),
-        PaperFormat::Html => Ok(out.write_all(html::page(&report).as_bytes())?),
+        PaperFormat::Html => Ok(out.write_all(html::paper::page(&report).as_bytes())?),
     })?;
     Ok(Outcome::of(report.as_recorded()))
 }

@@ -9,9 +9,10 @@ use super::output::Output;
 use super::rows::{Cell, Rows};
 use super::runup_facts as facts;
 use super::source;
-use super::{runup_precision, svg_runup};
+use super::{runup_precision, runup_start};
 use mechaudit::machine::class_iii::Reach;
 use mechaudit::machine::run_up::{Coefficients, Machine, MachineError, Overrides, Steady};
+use mechaudit::report::svg::run_up as drawings;
 use mechaudit::solvers::run_up::{
     Equation, Hybrid, Motion, Plan, ReducedModel, Sample, Splined, inertia_range, run,
 };
@@ -102,7 +103,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let motion = run(&equation, &machine.plan).map_err(in_file)?;
     let steady = Steady::of(&machine, &equation, &motion);
     if let Some(drawing) = drawing {
-        let start = svg_runup::short_start(&motion.samples).map(|duration| {
+        let start = runup_start::short_start(&motion.samples).map(|duration| {
             let plan = Plan {
                 duration,
                 sampling: Some(duration / 400.0),
@@ -111,7 +112,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
             run(&equation, &plan).map_err(in_file)
         });
         let start = start.transpose()?.map(|m| m.samples);
-        drawing.text(&svg_runup::draw(
+        drawing.text(&drawings::draw(
             &machine.name,
             &motion.samples,
             start.as_deref(),

@@ -7,9 +7,9 @@ use super::failure::{Failure, Outcome};
 use super::output::Output;
 use super::progress::Progress;
 use super::rows::{Cell, Rows};
-use super::svg_runup;
-use mechaudit::machine::run_up::{FINEST, MOMENTS, Machine, work_precision};
-use mechaudit::solvers::run_up::Equation;
+use mechaudit::machine::run_up::{self, FINEST, MOMENTS, Machine};
+use mechaudit::report::svg::run_up::{Work, work_precision};
+use mechaudit::solvers::run_up::{Equation, Method};
 use serde_json::{Map, json};
 
 /// The columns of a row.
@@ -25,13 +25,21 @@ pub fn table(
     drawing: Option<Output>,
 ) -> Result<Outcome, Failure> {
     let progress = Progress::new();
-    let points = work_precision(machine, equation, |done, total| {
+    let points = run_up::work_precision(machine, equation, |done, total| {
         progress.show("work and precision", done, total);
     });
     let points = points.map_err(Failure::caused)?;
     drop(progress);
     if let Some(drawing) = drawing {
-        drawing.text(&svg_runup::work_precision(&machine.name, &points)?)?;
+        let works = Method::ALL.map(|method| Work {
+            method: method.name(),
+            points: points
+                .iter()
+                .filter(|p| p.method == method)
+                .map(|p| (p.error, p.evaluations))
+                .collect(),
+        });
+        drawing.text(&work_precision(&machine.name, &works)?)?;
     }
     output.write(|out| {
         let mut about = Map::new();

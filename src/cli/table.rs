@@ -1,16 +1,17 @@
 //! Judging a published table of values, entry by entry.
 
 use super::args::TextOrJson;
-use super::audit::print_json;
 use super::bounded::Bounded;
 use super::failure::{Failure, Outcome};
-use super::output::write_to;
-use super::text::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, Table, paint, short};
+use super::output::{print_json, write_to};
 use super::wire::{FIELDS, LONGEST};
 use mechaudit::audit::{
     Agreement, Column, EntryJudgement, Layout, Method, Settings, did_you_mean, judge_printed,
 };
 use mechaudit::reference::Decimal;
+use mechaudit::report::text::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint};
+use mechaudit::report::text::table::Table;
+use mechaudit::report::words::numbers::short;
 use rayon::prelude::*;
 use rug::Rational;
 use serde_json::json;

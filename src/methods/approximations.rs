@@ -1,6 +1,7 @@
 //! Approximations with their refinements: splines of known functions, and run-ups.
 
-use super::{run_up, run_up_twin};
+use super::RunUpInput;
+use super::drive::run_up;
 use crate::audit::{Approximation, ReferenceAnswer, SolverAnswer};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::Spline as ExactSpline;
@@ -44,6 +45,18 @@ pub fn approximations() -> Vec<Box<dyn Approximation>> {
 }
 
 /// The approximation of that name.
+///
+/// ```
+/// use mechaudit::audit::convergence;
+/// use mechaudit::methods;
+///
+/// let spline = methods::find_approximation("spline-clamped").unwrap();
+/// let report = convergence(&*spline)?;
+/// let finest = report.levels.last().unwrap().errors[0];
+/// assert!((finest.order.unwrap() - 4.0).abs() < 0.1);
+/// assert!(finest.rounding.unwrap() < 1e-15);
+/// # Ok::<(), String>(())
+/// ```
 pub fn find_approximation(name: &str) -> Option<Box<dyn Approximation>> {
     approximations().into_iter().find(|a| a.name() == name)
 }
@@ -199,7 +212,7 @@ impl RunUp {
         }
     }
 
-    fn input(&self) -> Vec<f64> {
+    fn input(&self) -> RunUpInput<'static> {
         match self.machine {
             Machine::BareRotor => run_up::bare_rotor_under_kloss(),
             Machine::SandScreen => run_up::sand_screen_from_rest(0.004),
@@ -250,19 +263,19 @@ impl Approximation for RunUp {
     }
 
     fn run(&self, level: usize) -> (u64, SolverAnswer) {
-        run_up::at_tolerance(&self.input(), RunUp::tolerance(level), self.method)
+        run_up::at_tolerance(self.input(), RunUp::tolerance(level), self.method)
     }
 
     fn twin(&self, level: usize) -> Option<Vec<Ball>> {
-        run_up_twin::twin(&self.input(), RunUp::tolerance(level), self.method)
+        run_up::twin(self.input(), RunUp::tolerance(level), self.method)
     }
 
     fn twin_of_half_steps(&self, level: usize) -> Option<Vec<Ball>> {
-        run_up_twin::twin_of_half_steps(&self.input(), RunUp::tolerance(level), self.method)
+        run_up::twin_of_half_steps(self.input(), RunUp::tolerance(level), self.method)
     }
 
     fn truth(&self) -> Result<Vec<Ball>, String> {
-        let truth = || match run_up::truth(&self.input(), 160) {
+        let truth = || match run_up::truth(self.input(), 160) {
             ReferenceAnswer::Values(r) => Ok(r.values),
             other => Err(format!("{other:?}")),
         };

@@ -1,72 +1,171 @@
-//! The registry: one file for each audited method, one word in the list below.
+//! The registry: a file for each audited method, and its line in the list below.
 
 mod approximations;
-mod cam_law_input;
-mod chirp_regions;
-mod cubic_spline_common;
-mod cubic_spline_conditions;
-mod cubic_spline_domain;
-mod cubic_spline_laws;
-mod faddeeva_curves;
-mod faddeeva_laws;
-mod faddeeva_regions;
-mod faddeeva_relatives;
-mod faddeeva_relatives_laws;
-mod faddeeva_relatives_regions;
-mod four_bar_laws;
-mod four_bar_regions;
-mod run_up_twin;
+mod cams;
+mod definition;
+mod drive;
+mod inputs;
+mod linear;
+mod linkages;
+mod special;
+mod splines;
 mod typed;
-mod voigt_regions;
 
-use crate::audit::Method;
-use faddeeva_relatives::Related;
+use crate::audit::{Layout, Method};
+use definition::{Entry, Registered};
+use num_complex::Complex;
+use std::sync::OnceLock;
 
 pub use approximations::{approximations, find_approximation};
-pub use typed::*;
+pub use cams::*;
+pub use definition::{Evaluable, Typed, Uncertified};
+pub use drive::*;
+pub use inputs::Number;
+pub use linear::*;
+pub use linkages::*;
+pub use special::*;
+pub use splines::*;
+pub use typed::{Candidate, IntoAnswer};
 
+/// A line for each method: its type, which [`definition::Definition`] makes a method; its name, which
+/// is also that of its files of hard cases and of certified values; the signature of a candidate, and
+/// how one is called with an input.
 macro_rules! registry {
-    ($($module:ident $(: $relative:ident)?),* $(,)?) => {
-        $(mod $module;)*
-
-        /// Every audited method.
-        pub fn registry() -> Vec<Box<dyn Method>> {
-            vec![$(Box::new(registry!(@entry $module $($relative)?))),*]
+    ($(
+        $method:ident $name:literal $(formerly $former:literal)?:
+        Fn($($argument:ty),*), |$f:ident, $input:pat_param| $call:expr;
+    )*) => {
+        /// Every method, in the order of reports.
+        pub fn evaluable() -> Vec<Box<dyn Evaluable>> {
+            vec![$(Box::new(Entry::<$method>::NEW)),*]
         }
+
+        $(
+            impl Typed for $method {
+                const NAME: &'static str = $name;
+            }
+
+            impl Registered for $method {
+                const HARD: &'static str = include_str!(concat!(
+                    env!("CARGO_MANIFEST_DIR"), "/reference/hard/", $name, ".csv"
+                ));
+                const FORMER: &'static [&'static str] = &[$($former)?];
+                fn layout() -> &'static Layout {
+                    static LAYOUT: OnceLock<Layout> = OnceLock::new();
+                    LAYOUT.get_or_init(|| Layout::new(&Entry::<$method>::NEW))
+                }
+            }
+
+            // There has to be one; `mechaudit regenerate` fills it.
+            const _: &str = include_str!(concat!(
+                env!("CARGO_MANIFEST_DIR"), "/reference/values/", $name, ".csv"
+            ));
+
+            impl<F, R> Candidate<$method> for F
+            where
+                F: Fn($($argument),*) -> R + Sync,
+                R: IntoAnswer,
+            {
+                fn answer(&self, numbers: &[f64]) -> crate::audit::SolverAnswer {
+                    let $f = self;
+                    let input = <$method as definition::Definition>::unpack(numbers);
+                    input.map(|$input| $call).into_answer()
+                }
+            }
+        )*
     };
-    (@entry $module:ident) => { $module::Audit };
-    (@entry $module:ident $relative:ident) => { Related($module::$relative) };
 }
 
-registry![
-    tridiagonal,
-    cyclic_tridiagonal,
-    cubic_spline_second_derivatives,
-    cubic_spline_clamped,
-    cubic_spline_not_a_knot,
-    cubic_spline_periodic,
-    cubic_spline_uniform,
-    four_bar,
-    slider_crank,
-    class_iii_assembly_modes,
-    class_iii,
-    faddeeva,
-    faddeeva_derivative: FaddeevaDerivative,
-    erf: Erf,
-    erfc: Erfc,
-    erfcx: Erfcx,
-    erfi: Erfi,
-    dawson: Dawson,
-    voigt,
-    cam_law,
-    cam_fourier_series,
-    chirp_response,
-    run_up,
-];
+registry! {
+    Tridiagonal "tridiagonal":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
+    CyclicTridiagonal "cyclic-tridiagonal":
+        Fn(&[f64], &[f64], &[f64], &[f64]), |f, i| f(i.lower, i.diagonal, i.upper, i.d);
+    CubicSplineSecondDerivatives "cubic-spline-second-derivatives":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    CubicSplineClamped "cubic-spline-clamped":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    CubicSplineNotAKnot "cubic-spline-not-a-knot":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    CubicSplinePeriodic "cubic-spline-periodic":
+        Fn(SplineProblem<'_>), |f, i| f(i.into());
+    CubicSplineUniform "cubic-spline-uniform":
+        Fn(UniformSplineProblem<'_>), |f, i| f(i.into());
+    FourBar "four-bar":
+        Fn([f64; 4], f64, bool), |f, i| f([i.a, i.b, i.c, i.d], i.phi1, i.assembly > 0.0);
+    SliderCrank "slider-crank":
+        Fn([f64; 3], f64, f64, bool), |f, i| f([i.a, i.b, i.e], i.delta, i.phi1, i.assembly > 0.0);
+    ClassIiiAssemblyModes "class-iii-assembly-modes":
+        Fn(&[f64; 11], f64), |f, i| f(&i.geometry.values(), i.phi1);
+    ClassIii "class-iii":
+        Fn(ClassIiiInput<'_>), |f, i| f(i);
+    Faddeeva "faddeeva" formerly "faddeeva.w":
+        Fn(Complex<f64>), |f, z| f(z.into());
+    FaddeevaDerivative "faddeeva-derivative" formerly "faddeeva.w_derivative":
+        Fn(Complex<f64>), |f, z| f(z.into());
+    Erf "erf" formerly "faddeeva.erf":
+        Fn(Complex<f64>), |f, z| f(z.into());
+    Erfc "erfc" formerly "faddeeva.erfc":
+        Fn(Complex<f64>), |f, z| f(z.into());
+    Erfcx "erfcx" formerly "faddeeva.erfcx":
+        Fn(Complex<f64>), |f, z| f(z.into());
+    Erfi "erfi" formerly "faddeeva.erfi":
+        Fn(Complex<f64>), |f, z| f(z.into());
+    Dawson "dawson" formerly "faddeeva.dawson":
+        Fn(Complex<f64>), |f, z| f(z.into());
+    Voigt "voigt" formerly "faddeeva.voigt":
+        Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma);
+    CamLaw "cam-law":
+        Fn(CamLawInput<'_>), |f, i| f(i);
+    CamFourierSeries "cam-fourier-series":
+        Fn(CamFourierSeriesInput<'_>), |f, i| f(i);
+    ChirpResponse "chirp-response" formerly "chirp.response":
+        Fn(ChirpResponseInput<'_>), |f, i| f(i);
+    RunUp "run-up":
+        Fn(RunUpInput<'_>), |f, i| f(i);
+}
+
+/// Every audited method.
+pub fn registry() -> Vec<Box<dyn Method>> {
+    evaluable().into_iter().map(|m| m as _).collect()
+}
 
 /// The method of that name.
+///
+/// A hunt for the inputs that take up most of its budget:
+///
+/// ```
+/// use mechaudit::audit::{HuntSettings, hunt};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("tridiagonal").unwrap();
+/// let settings = HuntSettings { evaluations: 300, seed: 1 };
+/// let found = hunt(&*method, &settings, &|_| ());
+/// assert!(found.worst[0].share > 0.02 && found.failures.is_empty());
+/// ```
+///
+/// The method with another solver, in one region:
+///
+/// ```
+/// use mechaudit::audit::{Settings, SolverAnswer, Variant, audit_method};
+/// use mechaudit::methods;
+///
+/// let method = methods::find("slider-crank").unwrap();
+/// let silent = Variant::new(&*method)
+///     .solver(|_| SolverAnswer::Declines(None))
+///     .region("unreachable")?;
+/// let settings = Settings { cases_per_region: 3, ..Settings::default() };
+/// assert!(audit_method(&silent, &settings, &|| ()).passed());
+/// # Ok::<(), mechaudit::audit::NoSuch>(())
+/// ```
 pub fn find(name: &str) -> Option<Box<dyn Method>> {
     registry().into_iter().find(|m| m.name() == name)
+}
+
+/// The method of that name, or of that name in an earlier release, for evaluation at any input.
+pub fn find_evaluable(name: &str) -> Option<Box<dyn Evaluable>> {
+    let named = |m: &dyn Evaluable| m.name() == name || m.former_names().contains(&name);
+    evaluable().into_iter().find(|m| named(&**m))
 }
 
 #[cfg(test)]

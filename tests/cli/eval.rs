@@ -34,7 +34,7 @@ fn refused(d: &Done, parts: &[&str], out: &str) {
     assert_eq!(d.out, out);
 }
 
-const W: &str = "faddeeva.w";
+const W: &str = "faddeeva";
 
 #[test]
 fn hexadecimal_floats_in_the_order_of_the_lines() {
@@ -102,9 +102,9 @@ fn certified_digits() {
 fn a_bad_line_ends_it() {
     let one = good(&[W], "1,1\n");
     for (bad, why) in [
-        ("2", "1 fields where 2 are due: re,im"),
-        ("1,2,3", "3 fields where 2 are due"),
-        ("1;2", "1 fields"),
+        ("2", "1 numbers where 2 are due: Re z, Im z"),
+        ("1,2,3", "3 numbers where 2 are due"),
+        ("1;2", "is neither"),
         ("1,x", "\"x\" is neither a decimal nor a hexadecimal float"),
         ("1,", "\"\" is neither"),
         ("1,1 2", "is neither"),
@@ -223,13 +223,13 @@ fn a_closed_pipe_ends_it_quietly() {
 #[test]
 fn usage() {
     let list = good(&["--list"], "");
-    assert!(list.starts_with("faddeeva.w  "), "{list}");
+    assert!(list.starts_with("tridiagonal  "), "{list}");
     assert!(good(&["--help"], "").contains("Examples:"));
     let refusal = |args: &[&str], part: &str| refused(&eval(args, b""), &[part], "");
     refusal(&[], "NAME");
     refusal(
-        &["faddeeva.v"],
-        "there is no function \"faddeeva.v\" (did you mean \"faddeeva.w\"?); there are: faddeeva.w",
+        &["fadeeva"],
+        "there is no method \"fadeeva\" (did you mean \"faddeeva\"?); there are: tridiagonal, ",
     );
     refusal(&[W, "--digits", "0"], "--digits");
     refusal(&[W, "--digits", "10001"], "--digits");
@@ -246,12 +246,12 @@ mod relatives {
     type ComplexFunction = fn(Complex<f64>) -> Complex<f64>;
 
     const COMPLEX: [(&str, ComplexFunction); 6] = [
-        ("faddeeva.erf", solver::erf),
-        ("faddeeva.erfc", solver::erfc),
-        ("faddeeva.erfcx", solver::erfcx),
-        ("faddeeva.erfi", solver::erfi),
-        ("faddeeva.dawson", solver::dawson),
-        ("faddeeva.w_derivative", solver::w_derivative),
+        ("erf", solver::erf),
+        ("erfc", solver::erfc),
+        ("erfcx", solver::erfcx),
+        ("erfi", solver::erfi),
+        ("dawson", solver::dawson),
+        ("faddeeva-derivative", solver::w_derivative),
     ];
 
     #[test]
@@ -264,7 +264,7 @@ mod relatives {
             assert_eq!(out, due.repeat(2), "{name}");
             assert_eq!(good(&[name], "nan,1\n"), "nan,nan\n", "{name}");
         }
-        let out = good(&["faddeeva.voigt"], "1,1,1\n0,0,0\n0,-1,1\n");
+        let out = good(&["voigt"], "1,1,1\n0,0,0\n0,-1,1\n");
         let value = hex(solver::voigt(1.0, 1.0, 1.0));
         assert_eq!(out, format!("{value}\ninf\nnan\n"));
     }
@@ -273,46 +273,46 @@ mod relatives {
     #[test]
     fn certified_digits_at_one_and_a_half() {
         let digits = [
-            ("faddeeva.erf", ERF),
-            ("faddeeva.erfc", ERFC),
-            ("faddeeva.erfcx", ERFCX),
-            ("faddeeva.erfi", ERFI),
-            ("faddeeva.dawson", DAWSON),
-            ("faddeeva.w_derivative", W_DERIVATIVE),
+            ("erf", ERF),
+            ("erfc", ERFC),
+            ("erfcx", ERFCX),
+            ("erfi", ERFI),
+            ("dawson", DAWSON),
+            ("faddeeva-derivative", W_DERIVATIVE),
         ];
         for (name, due) in digits {
             let out = good(&[name, "--digits", "30"], "1.5,-0.25\n");
             assert_eq!(out.trim_end(), due, "{name}");
         }
-        let out = good(&["faddeeva.voigt", "--digits", "30"], "0.5,1.5,0.25\n");
+        let out = good(&["voigt", "--digits", "30"], "0.5,1.5,0.25\n");
         assert_eq!(out.trim_end(), VOIGT);
     }
 
     #[test]
     fn beyond_every_exponent() {
         // F(iy) = i (√π/2) e^{y²} erf y, and erfc(10^6) ~ e^{-10^12}.
-        let out = good(&["faddeeva.dawson", "--digits", "8"], "0,1e10\n");
+        let out = good(&["dawson", "--digits", "8"], "0,1e10\n");
         assert!(
             out.starts_with("0,") && out.contains("e43429448190325182"),
             "{out}"
         );
-        let out = good(&["faddeeva.erfc", "--digits", "8"], "1e6,0\n");
+        let out = good(&["erfc", "--digits", "8"], "1e6,0\n");
         assert!(out.contains("e-43429448") && out.ends_with(",0\n"), "{out}");
-        let out = good(&["faddeeva.voigt", "--digits", "8"], "1e12,1,0\n");
+        let out = good(&["voigt", "--digits", "8"], "1e12,1,0\n");
         assert!(out.contains("e-2171472409516259"), "{out}");
     }
 
     #[test]
     fn wrong_lines() {
-        let d = eval(&["faddeeva.voigt"], b"1,1,1\n1,1\n");
-        let one = good(&["faddeeva.voigt"], "1,1,1\n");
-        refused(&d, &["line 2", "3 are due: x,sigma,gamma"], &one);
+        let d = eval(&["voigt"], b"1,1,1\n1,1\n");
+        let one = good(&["voigt"], "1,1,1\n");
+        refused(&d, &["line 2", "3 are due: x, sigma, gamma"], &one);
         // No density: nothing can be certified, which is a finding.
-        let d = eval(&["faddeeva.voigt", "--digits", "5"], b"0,-1,1\n");
+        let d = eval(&["voigt", "--digits", "5"], b"0,-1,1\n");
         assert_eq!(d.code, 1, "{}", d.err);
         assert!(d.err.contains("σ ≥ 0"), "{}", d.err);
         let list = good(&["--list"], "");
-        assert_eq!(list.lines().count(), 9, "{list}");
+        assert_eq!(list.lines().count(), 23, "{list}");
         for (name, _) in COMPLEX {
             assert!(
                 list.lines().any(|l| l.split(' ').next() == Some(name)),
@@ -329,4 +329,54 @@ mod relatives {
     const W_DERIVATIVE: &str =
         "-0.274808995763108479722115592740,-0.549846608568289185888578088379";
     const VOIGT: &str = "0.222873634811780506387463876075";
+}
+
+/// Names of the release before, taken without being listed.
+#[test]
+fn former_names() {
+    let names = [
+        ("faddeeva.w", "faddeeva"),
+        ("faddeeva.w_derivative", "faddeeva-derivative"),
+        ("faddeeva.erf", "erf"),
+        ("faddeeva.erfc", "erfc"),
+        ("faddeeva.erfcx", "erfcx"),
+        ("faddeeva.erfi", "erfi"),
+        ("faddeeva.dawson", "dawson"),
+        ("faddeeva.voigt", "voigt"),
+        ("chirp.response", "chirp-response"),
+    ];
+    let shown = good(&["--list"], "") + &good(&["--help"], "");
+    for (former, name) in names {
+        let input = match name {
+            "voigt" => "0.5,1.5,0.25\n",
+            "chirp-response" => "10,0.5,4,0,2,0,0,0,1.5\n",
+            _ => "1.5,-0.25\n",
+        };
+        assert_eq!(good(&[former], input), good(&[name], input), "{former}");
+        let digits = |name| good(&[name, "--digits", "20"], input);
+        assert_eq!(digits(former), digits(name), "{former}");
+        assert!(!shown.contains(former), "{former} is shown");
+    }
+}
+
+/// Methods with inputs and answers of any length, in the layout that `list` shows.
+#[test]
+fn every_method_by_its_name() {
+    let third = "0.33333333333333333333";
+    let out = good(&["tridiagonal", "--digits", "20"], "1,3,3,0,1,2\n");
+    assert_eq!(out, format!("{third},0.55555555555555555556\n"));
+    let out = good(&["four-bar"], "1,3,4,6,0,1\n");
+    assert_eq!(out.split(',').count(), 9, "{out}");
+    let d = eval(&["four-bar"], b"1,2,3.5,6,3.14159,1\n");
+    refused(&d, &["line 1", "refused: unreachable"], "");
+    let d = eval(&["four-bar", "--digits", "5"], b"1,2,3.5,6,3.14159,1\n");
+    refused(&d, &["line 1", "refused: unreachable"], "");
+    let d = eval(&["tridiagonal"], b"1,2,3\n");
+    refused(
+        &d,
+        &["3 numbers are right for no n: lower[n-1], diagonal[n]"],
+        "",
+    );
+    let d = eval(&["cam-law"], b"0.5,0,0.5,1.5,0,1\n");
+    refused(&d, &["p = 1.5 is no number of parameters"], "");
 }

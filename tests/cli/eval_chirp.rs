@@ -1,9 +1,9 @@
-//! `mechaudit eval chirp.response` as its user meets it.
+//! `mechaudit eval chirp-response` as its user meets it.
 
 use crate::common::{Done, run_on};
 
 fn eval(args: &[&str], input: &str) -> Done {
-    run_on(input, &[&["eval", "chirp.response"], args].concat())
+    run_on(input, &[&["eval", "chirp-response"], args].concat())
 }
 
 /// w, n, eps, omega0, k, delta, y0, v0, t
@@ -55,7 +55,7 @@ fn bad_input_is_refused_by_number_and_text() {
         ("10,-0.5,4,0,2,0,0,0,1.5", "n = -0.5 must not be negative"),
         ("10,nan,4,0,2,0,0,0,1.5", "n = NaN is not a finite number"),
         ("10,0.5,4,0,2,0,0,0,-1", "t = -1 must not be negative"),
-        ("10,0.5,4,0,2,0,0,0", "8 fields where 9 are due"),
+        ("10,0.5,4,0,2,0,0,0", "8 numbers where 9 are due"),
         ("10,x,4,0,2,0,0,0,1", "neither a decimal nor"),
     ] {
         for args in [&[][..], &["--digits", "10"]] {

@@ -1,17 +1,24 @@
 //! The program as its user meets it: output, messages and exit codes.
 #![cfg(feature = "cli")]
 
+#[cfg(unix)]
+mod candidates;
 mod chirp;
-#[path = "../common/mod.rs"]
 mod common;
 mod dyad;
 mod eval;
 mod eval_chirp;
+mod hunt;
 mod interrupt;
+#[cfg(unix)]
+mod judge;
 mod linkage;
 mod linkage_files;
 mod output;
 mod papers;
 mod regenerate;
+mod reports;
 mod runup;
+#[cfg(unix)]
+mod samples;
 mod usage;

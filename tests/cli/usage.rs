@@ -98,8 +98,8 @@ fn a_slip_of_the_pen_is_guessed_and_the_right_help_named() {
             "audit erf --region smal",
             "\"smal\" (did you mean \"small\"?); it has: ",
         ),
-        ("eval fadeeva.w", "(did you mean \"faddeeva.w\"?)"),
-        ("eval erf", "(did you mean \"faddeeva.erf\"?)"),
+        ("eval fadeeva", "(did you mean \"faddeeva\"?)"),
+        ("eval erfz", "(did you mean \"erf\"?)"),
         ("paper zinchenco", "(did you mean \"zinchenko\"?)"),
         (
             "converge spline-clampd",

@@ -16,6 +16,7 @@ Examples:
   mechaudit audit erfc --hard my-hard-cases    what a hunt has recorded there
   mechaudit audit --format html --output audit.html
   mechaudit audit --format junit --output audit.xml
+  mechaudit audit erfc --maps --format json    errors over the complex plane
   mechaudit audit faddeeva --exec ./candidate  a program in any language
   mechaudit audit faddeeva --exec 'python3 w.py' --cases 1000 --timeout 5 --ulps 100
 
@@ -55,6 +56,10 @@ pub struct AuditArgs {
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
     pub format: AuditFormat,
+    /// Judge a grid of the complex plane besides, for functions of a complex variable; a page has it
+    /// in any case
+    #[arg(long, conflicts_with_all = ["case", "check_point", "hard_case", "at", "exec"])]
+    pub maps: bool,
     /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -6,11 +6,11 @@ use clap::Args as ClapArgs;
 pub const AFTER_HELP: &str = "\
 Examples:
   mechaudit eval --list
-  echo 1.5,-0.25 | mechaudit eval faddeeva.w
-  echo 0x1.8p+0,-0x1p-2 | mechaudit eval faddeeva.w --digits 50
-  mechaudit eval faddeeva.w --threads 4 < cases.csv > values.csv
+  echo 1.5,-0.25 | mechaudit eval faddeeva
+  echo 0x1.8p+0,-0x1p-2 | mechaudit eval faddeeva --digits 50
+  mechaudit eval faddeeva --threads 4 < cases.csv > values.csv
 
-Input: one case a line, its fields separated by commas; each a decimal or a C99 hexadecimal \
+Input: one case a line, its numbers as `mechaudit list NAME` lays them out, separated by commas; each a decimal or a C99 hexadecimal \
 float, without --digits also inf and nan. Blank lines and lines that begin with # are skipped.
 
 Output: one line for each case, in the same order. Without --digits the floating-point solver at \
@@ -24,7 +24,7 @@ are not.";
 /// Arguments of `eval`.
 #[derive(ClapArgs, Debug)]
 pub struct EvalArgs {
-    /// The function, see --list
+    /// The method, see --list
     #[arg(required_unless_present = "list")]
     pub name: Option<String>,
     /// Certified decimals with this many significant digits instead of floating-point numbers
@@ -33,7 +33,7 @@ pub struct EvalArgs {
     /// Threads [default: one for each core]
     #[arg(long, value_name = "T", value_parser = number::within::<usize>(1..=1024))]
     pub threads: Option<usize>,
-    /// List the functions instead
+    /// List the methods instead
     #[arg(long, conflicts_with_all = ["name", "digits", "threads"])]
     pub list: bool,
 }

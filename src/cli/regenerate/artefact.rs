@@ -1,6 +1,6 @@
 //! A generated file: what its header says, and whether it still holds.
 
-use super::super::ledger::clipped;
+use mechaudit::report::words::numbers::clipped;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 use std::error::Error;

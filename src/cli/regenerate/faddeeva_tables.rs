@@ -1,5 +1,5 @@
 //! The numbers behind the `f64` Faddeeva function and its relatives, from the certified reference:
-//! `tables.rs`, `constants.rs` and `relatives_tables.rs` in `src/solvers/faddeeva/`.
+//! `tables.rs`, `constants.rs` and `relatives_tables.rs` in `src/solvers/special/faddeeva/`.
 //!
 //! Every number is the `f64` nearest to the exact one, and every second or third part of a number
 //! the `f64` nearest to the exact rest: both ends of a ball have to round to it. Where they do not,

@@ -11,15 +11,15 @@ use super::complain;
 use super::failure::{Failure, Outcome};
 use super::output::{Output, write_to};
 use super::progress::Progress;
-use super::text::{BAD, DIM, GOOD, paint};
 use artefact::{Artefact, Form, Made, broken, difference};
+use mechaudit::report::text::style::{BAD, DIM, GOOD, paint};
 use mechaudit::{methods, papers};
 use std::io::ErrorKind;
 use std::path::Path;
 
 const VALUES: &str = "reference/values";
 const PUBLISHED: &str = "reference/published";
-const FADDEEVA: &str = "src/solvers/faddeeva";
+const FADDEEVA: &str = "src/solvers/special/faddeeva";
 
 /// Every generated file.
 fn artefacts() -> Vec<Artefact> {

@@ -52,7 +52,7 @@ pub fn grid() -> Vec<f64> {
     (20..=140).map(|i| f64::from(i) / 10.0).collect()
 }
 
-/// The chart over the paper's ξ (the rise as the period): rise, dwells and return of 120, 60, 120
+/// The chart of the motion over the paper's ξ (the rise as the period): rise, dwells and return of 120, 60, 120
 /// and 60 degrees, a lift of one.
 ///
 /// # Errors
@@ -81,7 +81,7 @@ pub fn chart(law: Law, programme: Programme) -> Result<Chart, ChirpChartError> {
             },
         },
     };
-    Chart::new(
+    Chart::of_motion(
         &CamResponse::new(drive, HARMONICS, None)?,
         Period::Rise,
         &grid(),
@@ -104,32 +104,39 @@ pub fn certified(law: Law, xi: &Rational, prec: u32) -> Ball {
     let (rise, fall) = (stroke(q(0, 1)), stroke(q(1, 2)));
     // t = w_rise/(εξ): the speed is a third of w over ξ.
     let t = q(100, 3) * q(5, 1) / xi;
-    (1..=HARMONICS).fold(Ball::integer(prec, 0), |sum, k| {
-        let [a, b] = fourier_series::harmonic(&q(1, 1), &rise, Some(&fall), k, prec);
-        let square = a.square() + b.square();
-        // Some harmonics vanish.
-        let forcing = match square.contains_zero() {
-            true => Ball::integer(prec, 0).widened(a.magnitude().add(b.magnitude())),
-            false => square.sqrt(),
-        };
-        let o = Rational::new;
-        let values = [
-            q(100, 1),
-            q(2, 1),
-            q(1, 5),
-            o(),
-            Rational::from(k),
-            o(),
-            o(),
-            o(),
-            t.clone(),
-        ];
-        let amplitude = Problem::new(&values)
-            .ok()
-            .and_then(|p| response(&p, prec).ok());
-        match amplitude {
-            Some(r) => sum + forcing * r.amplitude.norm_sqr().sqrt(),
-            None => Ball::new(Float::new(prec), Mag::INFINITY),
-        }
-    })
+    let orders = fourier_series::Orders {
+        first: 1,
+        stride: 1,
+        count: HARMONICS,
+    };
+    let harmonics = fourier_series::harmonics(&q(1, 1), &rise, Some(&fall), orders, prec);
+    (1..=HARMONICS)
+        .zip(harmonics)
+        .fold(Ball::integer(prec, 0), |sum, (k, [a, b])| {
+            let square = a.square() + b.square();
+            // Some harmonics vanish.
+            let forcing = match square.contains_zero() {
+                true => Ball::integer(prec, 0).widened(a.magnitude().add(b.magnitude())),
+                false => square.sqrt(),
+            };
+            let o = Rational::new;
+            let values = [
+                q(100, 1),
+                q(2, 1),
+                q(1, 5),
+                o(),
+                Rational::from(k),
+                o(),
+                o(),
+                o(),
+                t.clone(),
+            ];
+            let amplitude = Problem::new(&values)
+                .ok()
+                .and_then(|p| response(&p, prec).ok());
+            match amplitude {
+                Some(r) => sum + forcing * r.amplitude.norm_sqr().sqrt(),
+                None => Ball::new(Float::new(prec), Mag::INFINITY),
+            }
+        })
 }

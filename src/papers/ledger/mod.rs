@@ -23,6 +23,7 @@ pub use requirement::Requirement;
 
 use super::Citation;
 use crate::symbolic::{Edit, Outcome, Witness};
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// Version of the JSON layout; changes when a field is removed or changes its meaning.
@@ -183,7 +184,7 @@ impl Ledger {
             schema_version: SCHEMA_VERSION,
             mechaudit_version: env!("CARGO_PKG_VERSION"),
             paper,
-            entries: items.iter().map(decide).collect(),
+            entries: items.par_iter().map(decide).collect(),
         }
     }
 

@@ -124,17 +124,30 @@ impl Ball {
 
     /// Whether zero may be the value.
     pub fn contains_zero(&self) -> bool {
-        self.lower() <= 0 && self.upper() >= 0
+        !self.is_finite() || !self.is_off_zero()
     }
 
     /// Certainly greater than zero.
     pub fn is_positive(&self) -> bool {
-        self.is_finite() && self.lower() > 0
+        self.mid.is_sign_positive() && self.is_off_zero()
     }
 
     /// Certainly less than zero.
     pub fn is_negative(&self) -> bool {
-        self.is_finite() && self.upper() < 0
+        self.mid.is_sign_negative() && self.is_off_zero()
+    }
+
+    /// Whether `|mid| > rad`.
+    fn is_off_zero(&self) -> bool {
+        if !self.is_finite() || self.mid.is_zero() {
+            return false;
+        }
+        // The magnitudes' bounds are a unit apart at most; between them only `rad` lies.
+        match Mag::below(&self.mid).partial_cmp(&self.rad) {
+            Some(Ordering::Less) => false,
+            Some(Ordering::Equal) => Mag::above(&self.mid) > self.rad,
+            _ => true,
+        }
     }
 
     /// Certainly zero.
@@ -246,10 +259,11 @@ impl Ball {
         let p = self.prec();
         let two = Mag::from_f64(2.0);
         let propagated = if self.rad < two { self.rad } else { two };
-        let (s, c) = (self.mid.sin_ref(), self.mid.cos_ref());
+        let (mut sine, mut cosine) = (self.mid.clone(), Float::new(p));
+        let (s, c) = sine.sin_cos_round(&mut cosine, Round::Nearest);
         (
-            Ball::rounded(Float::with_val_round(p, s, Round::Nearest), propagated),
-            Ball::rounded(Float::with_val_round(p, c, Round::Nearest), propagated),
+            Ball::rounded((sine, s), propagated),
+            Ball::rounded((cosine, c), propagated),
         )
     }
 

@@ -1,5 +1,6 @@
 //! Upper bounds on magnitudes with an unlimited exponent: the radius of a [`Ball`](super::Ball).
 
+use gmp_mpfr_sys::gmp::LIMB_BITS;
 use rug::Float;
 use rug::float::Round;
 use std::cmp::Ordering;
@@ -33,17 +34,16 @@ impl Mag {
 
     /// Brings `m > 0` back into `[1, 2)`; exact.
     fn normal(m: f64, e: i64) -> Mag {
-        if m == 0.0 || m.is_infinite() {
-            return Mag { m, e: 0 };
-        }
-        let k = ((m.to_bits() >> 52) & 0x7ff) as i64 - 1023;
-        if k == -1023 {
+        const FIELD: u64 = 0x7ff << 52;
+        let bits = m.to_bits();
+        match (bits & FIELD) >> 52 {
             // Subnormal: scale into the normal range first.
-            return Mag::normal(m * pow2(200), e - 200);
-        }
-        Mag {
-            m: m * pow2(-k / 2) * pow2(-k - (-k / 2)),
-            e: e + k,
+            0 if m != 0.0 => Mag::normal(m * pow2(200), e - 200),
+            0 | 0x7ff => Mag { m, e: 0 },
+            k => Mag {
+                m: f64::from_bits(bits & !FIELD | 1023 << 52),
+                e: e + k as i64 - 1023,
+            },
         }
     }
 
@@ -62,7 +62,7 @@ impl Mag {
 
     /// An upper bound on `|x|` (53 bits, rounded away from zero).
     pub fn above(x: &Float) -> Mag {
-        Mag::of_float(x, Round::AwayZero)
+        Mag::of_float(x, true)
     }
 
     /// A lower bound on `|x|` (53 bits, rounded towards zero). NaN gives zero.
@@ -70,16 +70,27 @@ impl Mag {
         if x.is_nan() {
             return Mag::ZERO;
         }
-        Mag::of_float(x, Round::Zero)
+        Mag::of_float(x, false)
     }
 
-    fn of_float(x: &Float, round: Round) -> Mag {
-        if x.is_zero() {
-            return Mag::ZERO;
+    fn of_float(x: &Float, up: bool) -> Mag {
+        let Some(significand) = x.get_significand() else {
+            return if x.is_zero() {
+                Mag::ZERO
+            } else {
+                Mag::INFINITY
+            };
+        };
+        // MPFR's leading limb begins with a one.
+        if let ([rest @ .., last], 64) = (significand.as_limbs(), LIMB_BITS)
+            && let Some(e) = x.get_exp()
+        {
+            let last = *last as u64;
+            let cut = last & 0x7ff != 0 || rest.iter().any(|&limb| limb != 0);
+            let m = (last >> 11) + u64::from(up && cut);
+            return Mag::normal(m as f64 * pow2(-52), i64::from(e) - 1);
         }
-        if !x.is_finite() {
-            return Mag::INFINITY;
-        }
+        let round = if up { Round::AwayZero } else { Round::Zero };
         let (m, e) = x.to_f64_exp_round(round);
         Mag::normal(m.abs(), i64::from(e))
     }

@@ -17,7 +17,8 @@
 
 use crate::ball::Ball;
 use crate::cubic_spline::Spline;
-use rug::Rational;
+use crate::lu::BallLu;
+use rug::{Integer, Rational};
 
 /// `amplitude · cos(π frequency (x − origin))` from `start` to `end`.
 #[derive(Clone, Debug)]
@@ -46,6 +47,21 @@ pub(super) enum Form {
 /// A law of motion on the stroke `0 ≤ x ≤ 1`.
 #[derive(Clone, Debug)]
 pub struct Law(pub(super) Form);
+
+/// How a clamped spline changes with one of its data: a piecewise cubic σ that vanishes outside.
+///
+/// With an ordinate, σ is the spline through one there and zero at the other knots. With a knot x_j,
+/// σ is C¹ and takes the value `−s'(x_j)` there and zero at the other knots, and its second
+/// derivative jumps by minus the jump of `s'''`: differentiate `s(x_j) = y_j` and the continuity of
+/// `s''` there.
+pub(super) struct Variation {
+    /// The value of what is varied.
+    pub(super) datum: Ball,
+    /// `∫ σ dx`.
+    pub(super) integral: Ball,
+    /// Jumps of σ', σ'', σ''' at each knot.
+    pub(super) jumps: Vec<Vec<Ball>>,
+}
 
 /// A law that is symmetric about the middle of its stroke.
 #[derive(Clone, Debug)]
@@ -84,11 +100,24 @@ fn composed(p: &[Rational], alpha: &Rational, beta: &Rational) -> Vec<Rational> 
 
 /// `p(x)` and all derivatives there, the highest last.
 pub(super) fn derivatives(p: &[Rational], x: &Rational) -> Vec<Rational> {
-    let mut factor = q(1);
-    let taylor = composed(p, x, &q(1));
-    let scaled = taylor.into_iter().enumerate().map(|(k, c)| {
+    // Repeated synthetic division.
+    let mut taylor = p.to_vec();
+    let degree = p.len().saturating_sub(1);
+    for i in 0..degree {
+        for j in (i..degree).rev() {
+            let carried = Rational::from(&taylor[j + 1] * x);
+            taylor[j] += carried;
+        }
+    }
+    derivatives_at_zero(&taylor)
+}
+
+/// `p(0)` and all derivatives there.
+pub(super) fn derivatives_at_zero(p: &[Rational]) -> Vec<Rational> {
+    let mut factor = Integer::from(1);
+    let scaled = p.iter().enumerate().map(|(k, c)| {
         factor *= k.max(1) as u32;
-        c * &factor
+        Rational::from(c * &factor)
     });
     scaled.collect()
 }
@@ -211,6 +240,91 @@ impl Law {
             }
         };
         Law(Form::Pieces((0..knots.len() - 1).map(piece).collect()))
+    }
+
+    /// The variations of a clamped spline with its inner knots and ordinates; none of other laws.
+    pub(super) fn spline_variations(&self, bits: u32) -> Vec<Variation> {
+        let Form::Pieces(pieces) = &self.0 else {
+            return Vec::new();
+        };
+        let n = pieces.len();
+        if n < 2 || pieces.iter().any(|p| p.coefficients.len() != 4) {
+            return Vec::new();
+        }
+        let ball = |r: &Rational| Ball::rational(bits, r);
+        let zero = || Ball::integer(bits, 0);
+        let h: Vec<Ball> = pieces
+            .iter()
+            .map(|p| ball(&Rational::from(&p.end - &p.start)))
+            .collect();
+        let inverse: Vec<Ball> = h.iter().map(Ball::recip).collect();
+        // Continuity of σ'' at the inner knots, its slopes there being unknown.
+        let row = |i: usize| {
+            let mut row = vec![zero(); n - 1];
+            row[i - 1] = (&inverse[i - 1] + &inverse[i]).shift(1);
+            if i > 1 {
+                row[i - 2] = inverse[i - 1].clone();
+            }
+            if i < n - 1 {
+                row[i] = inverse[i].clone();
+            }
+            row
+        };
+        let Some(matrix) = BallLu::new((1..n).map(row).collect()) else {
+            return Vec::new();
+        };
+        let (three, six) = (Ball::integer(bits, 3), Ball::integer(bits, 6));
+        let varied = |j: usize, datum: Ball, value: Ball, bend: Ball| {
+            let mut v = vec![zero(); n + 1];
+            v[j] = value;
+            let chord: Vec<Ball> = (0..n).map(|i| (&v[i + 1] - &v[i]) * &inverse[i]).collect();
+            let right = |i: usize| {
+                let sum = &chord[i - 1] * &inverse[i - 1] + &chord[i] * &inverse[i];
+                let sum = sum * &three;
+                if i == j { sum - bend.shift(-1) } else { sum }
+            };
+            let mut m = vec![zero()];
+            m.extend(matrix.solve(&(1..n).map(right).collect::<Vec<_>>()));
+            m.push(zero());
+            // Of each piece: σ'' at its start and at its end, and σ'''.
+            let piece = |i: usize| {
+                let (a, b, d) = (&m[i], &m[i + 1], &chord[i] * &six);
+                let start = (&d - a.shift(2) - b.shift(1)) * &inverse[i];
+                let end = (a.shift(1) + b.shift(2) - &d) * &inverse[i];
+                let third = ((a + b) * &six - d.shift(1)) * &inverse[i] * &inverse[i];
+                [start, end, third]
+            };
+            let of: Vec<[Ball; 3]> = (0..n).map(piece).collect();
+            let jump = |k: usize| {
+                let second = match k {
+                    0 => of[0][0].clone(),
+                    _ if k == n => -&of[n - 1][1],
+                    _ if k == j => bend.clone(),
+                    _ => zero(),
+                };
+                let before = if k > 0 { of[k - 1][2].clone() } else { zero() };
+                let after = if k < n { of[k][2].clone() } else { zero() };
+                vec![zero(), second, after - before]
+            };
+            let area = |i: usize| {
+                let bent = (&m[i] - &m[i + 1]) * &h[i] / &six;
+                ((&v[i] + &v[i + 1]) + bent).shift(-1) * &h[i]
+            };
+            Variation {
+                datum,
+                integral: (0..n).fold(zero(), |sum, i| sum + area(i)),
+                jumps: (0..=n).map(jump).collect(),
+            }
+        };
+        let inner = (1..n).flat_map(|j| {
+            let (before, at) = (&pieces[j - 1].coefficients, &pieces[j].coefficients);
+            // Minus the jump of s''' = 6 c₃.
+            let bend = ball(&(Rational::from(&before[3] - &at[3]) * 6u32));
+            let knot = varied(j, ball(&pieces[j].start), -ball(&at[1]), bend);
+            let ordinate = varied(j, ball(&at[0]), Ball::integer(bits, 1), zero());
+            [knot, ordinate]
+        });
+        inner.collect()
     }
 
     /// `s` and its first four derivatives at `x`: at a joint those to the right, at the end of the

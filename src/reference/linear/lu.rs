@@ -29,6 +29,9 @@ impl BallLu {
                 return None;
             }
             for i in k + 1..n {
+                if a[i][k].is_zero() {
+                    continue;
+                }
                 let f = &a[i][k] / &a[k][k];
                 for j in k + 1..n {
                     a[i][j] = &a[i][j] - &(&f * &a[k][j]);
@@ -44,12 +47,12 @@ impl BallLu {
         let n = self.lu.len();
         let mut x: Vec<Ball> = self.order.iter().map(|&i| b[i].clone()).collect();
         for i in 0..n {
-            for j in 0..i {
+            for j in (0..i).filter(|&j| !self.lu[i][j].is_zero()) {
                 x[i] = &x[i] - &(&self.lu[i][j] * &x[j]);
             }
         }
         for i in (0..n).rev() {
-            for j in i + 1..n {
+            for j in (i + 1..n).filter(|&j| !self.lu[i][j].is_zero()) {
                 x[i] = &x[i] - &(&self.lu[i][j] * &x[j]);
             }
             x[i] = &x[i] / &self.lu[i][i];

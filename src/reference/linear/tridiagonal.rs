@@ -116,8 +116,16 @@ pub fn solve_sparse(n: usize, equations: Vec<Equation>) -> Option<Vec<Vec<Ration
     for column in (0..n).rev() {
         let row = &pivots[column];
         let p = &row.entries[&column];
+        let mut rest = row.entries.range(column + 1..);
+        let only = rest.next().filter(|_| rest.next().is_none());
         x[column] = (0..sides)
             .map(|k| {
+                // One greatest common divisor in place of three.
+                if let Some((&j, a)) = only {
+                    let (n, d) = (x[j][k].numer(), x[j][k].denom());
+                    let above = Integer::from(&row.rhs[k] * d) - a * n;
+                    return Rational::from((above, Integer::from(p * d)));
+                }
                 let mut v = Rational::from(&row.rhs[k]);
                 for (&j, a) in row.entries.range(column + 1..) {
                     v -= Rational::from(&x[j][k] * a);

@@ -91,9 +91,13 @@ impl Data {
         })
     }
 
-    /// Continuity of `S''` between the segments `a` and `b`, whose knots are `i`, `j`, `k`.
+    /// Continuity of `S''` between the segments `a` and `b`, whose knots are `i`, `j`, `k`,
+    /// multiplied by `h_a h_b`: of knots that are floats the rows then have short denominators.
     fn smooth(&self, (a, b): (usize, usize), (i, j, k): (usize, usize, usize)) -> Equation {
-        let (p, q) = (self.h[a].clone().recip(), self.h[b].clone().recip());
+        let (p, q) = match self.h[a] == self.h[b] {
+            true => (Rational::from(1), Rational::from(1)),
+            false => (self.h[b].clone(), self.h[a].clone()),
+        };
         let middle = Rational::from(&p + &q) * 2;
         let rhs = (Rational::from(&p * &self.delta[a]) + Rational::from(&q * &self.delta[b])) * 3;
         equation([(i, p), (j, middle), (k, q)], rhs)
@@ -282,9 +286,16 @@ impl Spline {
         let (i, j) = (self.segment(a), self.segment(b));
         let mut sum = self.primitive(j, b) - self.primitive(i, a);
         for c in i..j {
-            sum += self.primitive(c, &self.x[c + 1]);
+            sum += self.whole(c);
         }
         sum
+    }
+
+    /// `∫ S` over segment `i`: `h (y_i + y_{i+1})/2 + h² (s_i − s_{i+1})/12`.
+    fn whole(&self, i: usize) -> Rational {
+        let h = Rational::from(&self.x[i + 1] - &self.x[i]);
+        let bent = Rational::from(&self.s[i] - &self.s[i + 1]) * &h / 6u32;
+        (Rational::from(&self.y[i] + &self.y[i + 1]) + bent) * h / 2u32
     }
 }
 

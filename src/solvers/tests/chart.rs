@@ -69,6 +69,12 @@ fn points_are_peaks_in_units_of_the_stroke() {
     let grid = [0.4, 0.9, 1.3];
     let chart = Chart::new(&r, Period::Rise, &grid).expect("a chart");
     assert_eq!(chart.points.len(), 3);
+    let motion = Chart::of_motion(&r, Period::Rise, &grid).expect("a chart");
+    for (p, m) in chart.points.iter().zip(&motion.points) {
+        let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
+        assert!(same(p.displacement, m.displacement) && same(p.acceleration, m.acceleration));
+        assert!(m.dynamic_coefficients[1..].iter().all(|k| k.is_nan()));
+    }
     for (p, xi) in chart.points.iter().zip(grid) {
         let speed = W * RISE / xi;
         assert!(

@@ -1,7 +1,7 @@
 //! The solvers against certified values, without GMP or MPFR: `tests/solver_values/`.
 //!
 //! Every line of a file is an input, the values to 20 digits by the certified reference and what
-//! each may be off by; `tests/solver_values_written.rs` writes them. Each value is asked for on all
+//! each may be off by; `tests/library/solver_values_written.rs` writes them. Each value is asked for on all
 //! paths there are: one point, batches, all cores.
 //!
 //! These are unit tests of the lean build, not a target in `tests/`, so that a mutant is compiled

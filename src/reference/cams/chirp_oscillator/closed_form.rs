@@ -23,13 +23,19 @@ pub fn enclose(problem: &Problem, prec: u32) -> Response {
     parts(problem, prec).response()
 }
 
-pub(super) fn parts(problem: &Problem, prec: u32) -> Parts {
+/// The problem with `κ ≥ 0`, and whether it is another one: `k` and `δ` change their signs.
+pub(super) fn mirrored(problem: &Problem) -> (Problem, bool) {
     let mut p = problem.clone();
     let mirrored = p.kappa().cmp0() == Ordering::Less;
     if mirrored {
         p.k = -p.k;
         p.delta = -p.delta;
     }
+    (p, mirrored)
+}
+
+pub(super) fn parts(problem: &Problem, prec: u32) -> Parts {
+    let (p, mirrored) = mirrored(problem);
     let (mut amplitude, mut rate) = convolution(&p, prec);
     if p.nu() == 0 && p.kappa() == 0 {
         // A constant force: the integrand of (1) is real.
@@ -87,26 +93,13 @@ fn convolution(p: &Problem, prec: u32) -> (ComplexBall, ComplexBall) {
     if p.t == 0 {
         return (ComplexBall::zero(prec), ComplexBall::zero(prec));
     }
-    let real = |q: &Rational| Ball::rational(prec, q);
-    let square = p.square();
-    let zero = Ball::integer(prec, 0);
     let exponent = Exponent::new(p, prec);
-    if square == 0 {
-        let lambda = ComplexBall::new(-real(&p.n), zero);
+    let Some(Roots { slow, fast, gap }) = roots(p, prec) else {
+        let zero = Ball::integer(prec, 0);
+        let lambda = ComplexBall::new(-Ball::rational(prec, &p.n), zero);
         let (e, slope) = exponent.integral(&lambda, true);
         let rate = &e + &(&lambda * &slope);
         return (slope, rate);
-    }
-    let root = real(&Rational::from(square.abs_ref())).sqrt();
-    let (slow, fast, gap) = if square > 0 {
-        let fast = real(&p.n) + &root;
-        let slow = real(&Rational::from(p.w.square_ref())) / &fast;
-        let at = |x: Ball| ComplexBall::new(-x, zero.clone());
-        (at(slow), at(fast), ComplexBall::new(root.shift(1), zero))
-    } else {
-        let slow = ComplexBall::new(-real(&p.n), root.clone());
-        let fast = slow.conj();
-        (slow, fast, ComplexBall::new(zero, root.shift(1)))
     };
     let e = [&slow, &fast].map(|lambda| exponent.integral(lambda, false).0);
     let amplitude = (&e[0] - &e[1]).div(&gap);
@@ -114,8 +107,43 @@ fn convolution(p: &Problem, prec: u32) -> (ComplexBall, ComplexBall) {
     (amplitude, rate)
 }
 
+/// λ₊, λ₋ and their distance.
+pub(super) struct Roots {
+    pub slow: ComplexBall,
+    pub fast: ComplexBall,
+    pub gap: ComplexBall,
+}
+
+/// `None` at critical damping.
+pub(super) fn roots(p: &Problem, prec: u32) -> Option<Roots> {
+    let real = |q: &Rational| Ball::rational(prec, q);
+    let square = p.square();
+    let zero = Ball::integer(prec, 0);
+    if square == 0 {
+        return None;
+    }
+    let root = real(&Rational::from(square.abs_ref())).sqrt();
+    Some(if square > 0 {
+        let fast = real(&p.n) + &root;
+        let slow = real(&Rational::from(p.w.square_ref())) / &fast;
+        let at = |x: Ball| ComplexBall::new(-x, zero.clone());
+        Roots {
+            slow: at(slow),
+            fast: at(fast),
+            gap: ComplexBall::new(root.shift(1), zero),
+        }
+    } else {
+        let slow = ComplexBall::new(-real(&p.n), root.clone());
+        Roots {
+            fast: slow.conj(),
+            slow,
+            gap: ComplexBall::new(zero, root.shift(1)),
+        }
+    })
+}
+
 /// `(λ + iω)s − iκs²/2` without λ.
-struct Exponent {
+pub(super) struct Exponent {
     prec: u32,
     t: Ball,
     /// ω at the ends: now and at `t = 0`.
@@ -135,7 +163,7 @@ struct Chirped {
 }
 
 impl Exponent {
-    fn new(p: &Problem, prec: u32) -> Exponent {
+    pub fn new(p: &Problem, prec: u32) -> Exponent {
         let real = |q: &Rational| Ball::rational(prec, q);
         let (nu, kappa) = (p.nu(), p.kappa());
         let omega = Rational::from(&kappa * &p.t) + &nu;
@@ -158,11 +186,34 @@ impl Exponent {
 
     /// `E(λ)` and, on demand, `E′(λ)`.
     fn integral(&self, lambda: &ComplexBall, with_slope: bool) -> (ComplexBall, ComplexBall) {
-        let grown = &lambda.scaled(&self.t).exp() * &self.turn;
+        let grown = self.grown(lambda);
         match &self.kappa {
             Some(chirped) => self.chirped(chirped, lambda, &grown, with_slope),
             None => self.steady(lambda, &grown, with_slope),
         }
+    }
+
+    /// `e^{λt + i(νt + κt²/2)}`
+    fn grown(&self, lambda: &ComplexBall) -> ComplexBall {
+        &lambda.scaled(&self.t).exp() * &self.turn
+    }
+
+    /// `e^{λt + i(νt + κt²/2)}`, `E`, `E′` and `E″`, for `κ > 0`: by parts,
+    ///
+    /// ```text
+    /// iκE′ = (λ + iω)E − (G − 1),   iκE″ = (λ + iω)E′ + E − tG
+    /// ```
+    pub fn derivatives(&self, lambda: &ComplexBall, kappa: &Ball) -> Option<[ComplexBall; 4]> {
+        let grown = self.grown(lambda);
+        let e = self.chirped(self.kappa.as_ref()?, lambda, &grown, false).0;
+        let p = ComplexBall::new(lambda.re.clone(), &lambda.im + &self.omega[0]);
+        let one = ComplexBall::new(Ball::integer(self.prec, 1), Ball::integer(self.prec, 0));
+        let per_kappa = kappa.recip();
+        // Division by iκ.
+        let divided = |z: &ComplexBall| -&z.turned().scaled(&per_kappa);
+        let first = divided(&(&(&p * &e) - &(&grown - &one)));
+        let second = divided(&(&(&(&p * &first) + &e) - &grown.scaled(&self.t)));
+        Some([grown, e, first, second])
     }
 
     fn chirped(

@@ -1,11 +1,24 @@
 //! How much the response depends on its inputs.
+//!
+//! With a chirp (κ ≠ 0) and off critical damping by the derivatives of `E(λ; ν, κ, t)`,
+//!
+//! ```text
+//! ∂E/∂ν = iE′,   ∂E/∂κ = itE′ − iE″/2,   ∂E/∂t = G + iκE′
+//! ```
+//!
+//! and of the roots `λ = −n ± s`, `s² = n² − w²`: four values of w are enough. Otherwise, and where
+//! that is not sharp enough, by differences.
 
-use super::closed_form::parts;
+use super::closed_form::{Exponent, Roots, mirrored, parts, roots};
 use super::problem::{Parts, Problem};
 use crate::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
 
-/// Working precisions of the estimate.
+/// Working precisions of the derivatives.
+const BITS_OF_DERIVATIVES: [u32; 2] = [160, 320];
+/// Bits that the sums of the derivatives have to be accurate to.
+const SHARP: i64 = 44;
+/// Working precisions of the differences.
 const BITS: [u32; 4] = [160, 320, 960, 2560];
 /// What the values have to be accurate to, relative to the largest part.
 const ACCURACY: i64 = 70;
@@ -17,11 +30,172 @@ const STEP: u32 = 40;
 ///
 /// For the motion `f` is the complex response from rest, `ψ, ψ′, ψ″`, and the free vibration from the
 /// initial state beside it: nothing is small where the real motion passes through zero. Re A and Im A
-/// stand for themselves: in the first moments one is of a higher order in t than the other. An estimate by
-/// one-sided differences in `w, n, ε, Ω₀, t` (k enters through `kε` and `kΩ₀` alone); exact for the
-/// others. `None` where the precision of the estimate does not suffice.
+/// stand for themselves: in the first moments one is of a higher order in t than the other. k enters
+/// through `kε` and `kΩ₀` alone. `None` where no precision suffices.
 pub fn conditions(problem: &Problem) -> Option<[f64; 5]> {
-    BITS.into_iter().find_map(|bits| at(problem, bits))
+    let mut precisions = BITS_OF_DERIVATIVES.into_iter();
+    precisions
+        .find_map(|bits| by_derivatives(problem, bits))
+        .or_else(|| BITS.into_iter().find_map(|bits| at(problem, bits)))
+}
+
+/// What a change of one input, multiplied by it, changes at a time: `E[λ₊, λ₋]`, `(λE)[λ₊, λ₋]`, θ, w²
+/// and n.
+struct Change {
+    amplitude: ComplexBall,
+    rate: ComplexBall,
+    theta: Ball,
+    square: Ball,
+    n: Ball,
+}
+
+/// By derivatives; `None` without a chirp, at critical damping and where they are not sharp enough.
+fn by_derivatives(problem: &Problem, bits: u32) -> Option<[f64; 5]> {
+    // Another sign of k conjugates everything.
+    let (p, _) = mirrored(problem);
+    if p.kappa() == 0 || p.t == 0 {
+        return None;
+    }
+    let real = |q: &Rational| Ball::rational(bits, q);
+    let zero = || Ball::integer(bits, 0);
+    let i_times = |z: &ComplexBall, x: &Ball| z.turned().scaled(x);
+    let Roots { slow, fast, gap } = roots(&p, bits)?;
+    let exponent = Exponent::new(&p, bits);
+    let (nu, kappa, t, w, n) = (
+        real(&p.nu()),
+        real(&p.kappa()),
+        real(&p.t),
+        real(&p.w),
+        real(&p.n),
+    );
+    let lambda = [slow, fast];
+    let [up, down] = [&lambda[0], &lambda[1]].map(|l| exponent.derivatives(l, &kappa));
+    let e = [up?, down?];
+    // Divided differences of a function of the root and of λ times it.
+    let one = ComplexBall::new(Ball::integer(bits, 1), zero());
+    let per_gap = one.div(&gap);
+    let divided = |f: &dyn Fn(usize) -> ComplexBall| {
+        let f = [f(0), f(1)];
+        let turned = [0, 1].map(|j| &lambda[j] * &f[j]);
+        [f, turned].map(|f| &(&f[0] - &f[1]) * &per_gap)
+    };
+    let [amplitude, rate] = divided(&|j| e[j][1].clone());
+    let fixed_roots = |f: &dyn Fn(usize) -> ComplexBall, theta: Ball| {
+        let [amplitude, rate] = divided(f);
+        Change {
+            amplitude,
+            rate,
+            theta,
+            square: zero(),
+            n: zero(),
+        }
+    };
+    // The roots move by `both` together and by ±`apart`.
+    let moved_roots = |both: &ComplexBall, apart: &ComplexBall, square: Ball, n: Ball| {
+        let by = [both + apart, both - apart];
+        let wider = &apart.scaled(&Ball::integer(bits, 2)) * &per_gap;
+        let f = [0, 1].map(|j| &e[j][2] * &by[j]);
+        let turned = [0, 1].map(|j| &(&lambda[j] * &f[j]) + &(&e[j][1] * &by[j]));
+        let [amplitude, rate] = [(f, &amplitude), (turned, &rate)]
+            .map(|(f, base)| &(&(&f[0] - &f[1]) * &per_gap) - &(base * &wider));
+        Change {
+            amplitude,
+            rate,
+            theta: zero(),
+            square,
+            n,
+        }
+    };
+    let still = ComplexBall::zero(bits);
+    let per_s = per_gap.scaled(&Ball::integer(bits, 2));
+    let square = w.square();
+    let by_w = moved_roots(&still, &per_s.scaled(&-&square), square.shift(1), zero());
+    let back = ComplexBall::new(-&n, zero());
+    let by_n = moved_roots(&back, &per_s.scaled(&n.square()), zero(), n.clone());
+    let kt = &kappa * &t;
+    let by_t = fixed_roots(
+        &|j| (&e[j][0] + &i_times(&e[j][2], &kappa)).scaled(&t),
+        (&nu + &kt) * &t,
+    );
+    let by_nu = fixed_roots(&|j| i_times(&e[j][2], &nu), &nu * &t);
+    let by_kappa = fixed_roots(
+        &|j| &i_times(&e[j][2], &kt) - &i_times(&e[j][3], &kappa.shift(-1)),
+        (&kt * &t).shift(-1),
+    );
+
+    let base = Parts::new(&p, bits, &amplitude, &rate);
+    let carrier = p.carrier(bits);
+    let changed = |c: &Change| -> [ComplexBall; 4] {
+        let turned = |z: &ComplexBall| -&i_times(z, &c.theta);
+        let a = &c.amplitude.scaled(&square) + &amplitude.scaled(&c.square);
+        let psi = &(&a * &carrier) + &turned(&base.forced[0]);
+        let r = &c.rate.scaled(&square) + &rate.scaled(&c.square);
+        let first = &(&r * &carrier) + &turned(&base.forced[1]);
+        let gain = &(&turned(&carrier) - &psi).scaled(&square)
+            + &(&carrier - &base.forced[0]).scaled(&c.square);
+        let lost = &first.scaled(&n) + &base.forced[1].scaled(&c.n);
+        let second = &gain - &lost.scaled(&Ball::integer(bits, 2));
+        [psi, first, second, a]
+    };
+    let [by_w, by_n, by_t, by_nu, by_kappa] =
+        [by_w, by_n, by_t, by_nu, by_kappa].map(|c| changed(&c));
+    let by_k = [0, 1, 2, 3].map(|i| &by_nu[i] + &by_kappa[i]);
+    let delta = real(&p.delta);
+    let by_delta = [0, 1, 2].map(|i| base.forced[i].scaled(&delta));
+
+    // The free vibration is cheap: differences, and what the initial state scales.
+    let free = |change: &dyn Fn(&mut Problem)| {
+        let mut p = p.clone();
+        change(&mut p);
+        Row::free(super::free::vibration(&p, bits))
+    };
+    let here = Row::free(base.free.clone());
+    let up = |x: &mut Rational| *x *= Rational::from(1) + (Rational::from(1) >> STEP);
+    let moved_free = [
+        free(&|p| up(&mut p.w)),
+        free(&|p| up(&mut p.n)),
+        free(&|p| up(&mut p.t)),
+    ]
+    .map(|row| row.slope(&here));
+    let y0 = free(&|p| p.v0 = Rational::new());
+    let v0 = free(&|p| p.y0 = Rational::new());
+
+    let own: [ComplexBall; 4] = {
+        let [a, b, c] = base.forced.clone();
+        [a, b, c, base.amplitude.clone()]
+    };
+    let mut sums = [Mag::ZERO; 5];
+    let mut radii = [Mag::ZERO; 5];
+    let changes: [&[ComplexBall]; 8] = [
+        &own, &by_w, &by_n, &by_t, &by_nu, &by_kappa, &by_k, &by_delta,
+    ];
+    for change in changes {
+        for (i, z) in change.iter().enumerate() {
+            if i < 3 {
+                sums[i] = sums[i].add(z.magnitude());
+                radii[i] = radii[i].add(z.radius());
+            } else {
+                for (k, part) in [&z.re, &z.im].into_iter().enumerate() {
+                    sums[3 + k] = sums[3 + k].add(part.magnitude());
+                    radii[3 + k] = radii[3 + k].add(part.rad());
+                }
+            }
+        }
+    }
+    for row in moved_free.iter().chain([&here, &y0, &v0]) {
+        for (sum, size) in sums.iter_mut().zip(row.magnitudes()) {
+            *sum = sum.add(size);
+        }
+    }
+    let sharp = |(sum, radius): (&Mag, &Mag)| sum.is_finite() && *radius <= sum.shift(-SHARP);
+    if !sums.iter().zip(&radii).all(sharp) {
+        return None;
+    }
+    let response = base.response();
+    let components = response.components();
+    Some(std::array::from_fn(|i| {
+        (sums[i].to_f64() - components[i].to_f64().abs()).max(0.0)
+    }))
 }
 
 fn at(problem: &Problem, bits: u32) -> Option<[f64; 5]> {
@@ -141,5 +315,53 @@ impl Row {
             3 | 4 => Mag::above(&self.0[3 + i]),
             _ => size(i).add(Mag::above(&self.0[8 + i])),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn problem(values: [f64; 9]) -> Problem {
+        Problem::new(&values.map(|x| Rational::from_f64(x).unwrap())).unwrap()
+    }
+
+    /// `w, n, ε, Ω₀, k, δ, y₀, v₀, t`
+    const PROBLEMS: [[f64; 9]; 8] = [
+        [10.0, 0.5, 4.0, 0.0, 2.0, 0.3, 0.0, 0.0, 1.5],
+        [10.0, 0.5, 4.0, 0.0, -2.0, 0.3, 0.1, -0.7, 1.5],
+        [2.0, 0.0, -1.5, 6.0, 1.0, 0.0, 0.0, 0.2, 7.0],
+        [1.5, 4.0, 0.7, -1.0, 3.0, -2.0, 1.0, 0.0, 2.0],
+        [3.0, 3.0000001, 0.7, -1.0, 3.0, -2.0, 1.0, 0.0, 2.0],
+        [3.0, 0.1, 1e-4, 2.0, 1.0, 1.0, 0.0, 0.0, 5.0],
+        [3.0, 0.1, 5.0, 2.0, 1.0, 1.0, 0.5, 0.5, 1e-3],
+        [100.0, 2.0, 0.2, 0.0, 7.0, 1.0, 0.5, 0.5, 60.0],
+    ];
+
+    #[test]
+    fn derivatives_are_limits_of_differences() {
+        for values in PROBLEMS {
+            let p = problem(values);
+            let found = by_derivatives(&p, 320).unwrap();
+            let due = at(&p, 960).unwrap();
+            for (found, due) in found.iter().zip(due) {
+                assert!(
+                    (found / due - 1.0).abs() < 1e-8,
+                    "{values:?}: {found} {due}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_derivatives_is_left_to_differences() {
+        let steady = problem([3.0, 0.1, 0.0, 2.0, 1.0, 1.0, 0.5, 0.5, 1.0]);
+        let critical = problem([3.0, 3.0, 1.0, 2.0, 1.0, 1.0, 0.5, 0.5, 1.0]);
+        // A chirp so slow that the recurrences lose everything.
+        let slow = problem([3.0, 0.1, 1e-60, 2.0, 1.0, 1.0, 0.5, 0.5, 1.0]);
+        for p in [&steady, &critical, &slow] {
+            assert!(by_derivatives(p, 160).is_none());
+            assert!(conditions(p).is_some());
+        }
     }
 }

@@ -81,8 +81,7 @@ impl LinkageCurve {
             .ok_or_else(|| self.undecided("the linkage cannot be followed over the turn"))
     }
 
-    /// Whether the branch is back after one turn: the configuration there touches that of the
-    /// start and no other of all assembly modes, which are disjoint.
+    /// Whether the branch is back after one turn.
     fn closes(&self, chain: &mut Chain) -> Result<bool, Undecided> {
         if let Some(known) = chain.closed {
             return Ok(known);
@@ -95,6 +94,14 @@ impl LinkageCurve {
             &self.angle(2 * n as i64 - 1),
             &self.angle(2 * n as i64),
         )?;
+        let closed = self.is_back(&end)?;
+        chain.closed = Some(closed);
+        Ok(closed)
+    }
+
+    /// Whether the configuration after one turn touches that of the start and no other of all
+    /// assembly modes, which are disjoint.
+    fn is_back(&self, end: &Configuration) -> Result<bool, Undecided> {
         let touches = |a: &Configuration, b: &Configuration| {
             let pairs = [
                 (&a.c.re, &b.c.re),
@@ -111,12 +118,10 @@ impl LinkageCurve {
             .collect();
         let there: Vec<bool> = modes
             .iter()
-            .map(|m| touches(&m.configuration, &end))
+            .map(|m| touches(&m.configuration, end))
             .collect();
         let one = |v: &[bool]| v.iter().filter(|&&x| x).count() == 1;
-        let closed = one(&own) && own == there;
-        chain.closed = Some(closed);
-        Ok(closed)
+        Ok(one(&own) && own == there)
     }
 
     /// Follows the centres of the panels 0, 1, … (or −1, −2, …) up to number `last`.
@@ -173,12 +178,6 @@ impl LinkageCurve {
     /// # Errors
     /// [`Undecided`] when the linkage cannot be followed over the turn, or is not back after it.
     pub fn nodes(&self, nodes: u32) -> Result<(Vec<Ball>, Vec<Ball>), Undecided> {
-        {
-            let mut guard = self.chain.lock().unwrap_or_else(|e| e.into_inner());
-            if !self.closes(&mut guard)? {
-                return Err(self.undecided("the linkage is not back after one turn of the crank"));
-            }
-        }
         let angle = |j: u32| {
             let part = Rational::from((2 * j, nodes));
             self.offset.to_ball(self.bits) + Ball::pi(self.bits) * Ball::rational(self.bits, &part)
@@ -195,6 +194,19 @@ impl LinkageCurve {
             inertia.push(r.inertia);
             moment.push(r.moment);
         }
-        Ok((inertia, moment))
+        // The nodes lead around as well as the panels do.
+        let mut chain = self.chain.lock().unwrap_or_else(|e| e.into_inner());
+        let closed = match chain.closed {
+            Some(known) => known,
+            None => {
+                let end = self.follow(&here, &angle(nodes - 1), &angle(nodes))?;
+                self.is_back(&end)?
+            }
+        };
+        chain.closed = Some(closed);
+        match closed {
+            true => Ok((inertia, moment)),
+            false => Err(self.undecided("the linkage is not back after one turn of the crank")),
+        }
     }
 }

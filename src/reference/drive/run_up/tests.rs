@@ -190,7 +190,7 @@ fn energy_is_conserved() {
             let r = linkage.reduce(&k, &masses(gravity));
             let all = masses(gravity);
             let mut u = Ball::integer(bits, 0);
-            for (c, b) in linkage.centres(&k, &all).iter().zip(&all.bodies) {
+            for (c, b) in linkage.centres(&k.joints, &all).iter().zip(&all.bodies) {
                 u = u + &c.r.im * &Ball::rational(bits, &b.mass);
             }
             let kinetic = (r.inertia + Ball::rational(bits, &q("0.2"))) * s.speed.square();

@@ -15,10 +15,12 @@
 mod enclosure;
 mod modes;
 mod motion;
+mod sensitivity;
 
 pub use enclosure::Configuration;
 pub use modes::Mode;
 pub use motion::{Body, Kinematics, Masses, Reduced};
+pub use sensitivity::Conditions;
 
 use crate::{Ball, ComplexBall};
 use rug::Rational;
@@ -96,6 +98,7 @@ pub struct Linkage {
     l5: Ball,
     o3: ComplexBall,
     o5: ComplexBall,
+    phi_b: Ball,
     kappa: ComplexBall,
     one_minus_kappa: ComplexBall,
 }
@@ -106,7 +109,8 @@ impl Linkage {
         let b = |q: &Rational| Ball::rational(bits, q);
         let point = |p: &[Rational; 2]| ComplexBall::new(b(&p[0]), b(&p[1]));
         let ratio = b(&Rational::from(&g.lb / &g.l4));
-        let kappa = ComplexBall::unit(&g.phi_b.to_ball(bits)).scaled(&ratio);
+        let phi_b = g.phi_b.to_ball(bits);
+        let kappa = ComplexBall::unit(&phi_b).scaled(&ratio);
         let one = ComplexBall::new(Ball::integer(bits, 1), Ball::integer(bits, 0));
         Linkage {
             bits,
@@ -117,6 +121,7 @@ impl Linkage {
             l5: b(&g.l5),
             o3: point(&g.o3),
             o5: point(&g.o5),
+            phi_b,
             one_minus_kappa: &one - &kappa,
             kappa,
         }

@@ -91,9 +91,17 @@ impl Laurent {
 
 /// T and what is needed to go back from its zeros to positions.
 struct Resultant {
-    bits: u32,
     n: Laurent,
     delta: Laurent,
+    t: Trigonometric,
+}
+
+/// The working precision that the zeros are isolated with first.
+const COARSE: u32 = 64;
+
+/// T.
+struct Trigonometric {
+    bits: u32,
     /// `c_0 … c_3` with `T = c_0 + 2 Re Σ c_k e^{ikθ}`.
     c: Vec<ComplexBall>,
     /// Bound on |T''|.
@@ -135,11 +143,36 @@ impl Resultant {
             curvature = curvature.add(size.mul(Mag::from_f64(2.0 * (k * k) as f64)));
         }
         Resultant {
-            bits,
             n,
             delta,
-            c,
-            curvature,
+            t: Trigonometric { bits, c, curvature },
+        }
+    }
+
+    /// A zero of T in each of the intervals that hold them all, and the interval.
+    fn zeros(&self) -> Result<Vec<(Float, Float, Float)>, Undecided> {
+        let of = |t: &Trigonometric| {
+            let zeros = t.isolate()?.into_iter();
+            Ok(zeros
+                .map(|(lo, hi)| (t.approximate(&lo, &hi), lo, hi))
+                .collect())
+        };
+        let coarse = (self.t.bits > COARSE).then(|| of(&self.t.with_prec(COARSE)));
+        match coarse {
+            Some(Ok(zeros)) => Ok(zeros),
+            _ => of(&self.t),
+        }
+    }
+}
+
+impl Trigonometric {
+    fn with_prec(&self, bits: u32) -> Trigonometric {
+        let c = |x: &ComplexBall| ComplexBall::new(x.re.with_prec(bits), x.im.with_prec(bits));
+        Trigonometric {
+            bits,
+            c: self.c.iter().map(c).collect(),
+            // A bound on |T''| whatever the precision.
+            curvature: self.curvature,
         }
     }
 
@@ -281,9 +314,8 @@ impl Linkage {
         let a = e1.scaled(&self.l1);
         let resultant = Resultant::new(self, &a);
         let mut modes = Vec::new();
-        for (lo, hi) in resultant.isolate()? {
-            let theta = resultant.approximate(&lo, &hi);
-            let tau = ComplexBall::unit(&Ball::new(theta, Mag::ZERO));
+        for (theta, lo, hi) in resultant.zeros()? {
+            let tau = ComplexBall::unit(&Ball::new(theta, Mag::ZERO).with_prec(self.bits));
             let delta = resultant.delta.value(&tau);
             // Δ is imaginary: u = N/(i Im Δ).
             let n = resultant.n.value(&tau);

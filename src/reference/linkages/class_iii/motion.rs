@@ -115,8 +115,20 @@ impl Linkage {
             bits: self.bits,
             reason: "the velocity matrix cannot be told from a singular one".into(),
         };
-        let lu = BallLu::new(self.jacobian(&q.a, &q.c, &q.d).map(|r| r.to_vec()).to_vec())
-            .ok_or_else(singular)?;
+        let matrix = self.velocity_matrix(q).ok_or_else(singular)?;
+        let joints = self.joints(q, &matrix);
+        let links = self.links(&joints);
+        let squares = [&self.l2, &self.l3, &self.l4, &self.l5].map(Ball::square);
+        Ok(Kinematics {
+            angles: std::array::from_fn(|i| links[i].r.arg()),
+            first: std::array::from_fn(|i| &links[i].r.cross(&links[i].first) / &squares[i]),
+            second: std::array::from_fn(|i| &links[i].r.cross(&links[i].second) / &squares[i]),
+            joints,
+        })
+    }
+
+    /// Joints A, B, C, D with their derivatives.
+    pub(super) fn joints(&self, q: &Configuration, matrix: &BallLu) -> [Jet; 4] {
         let zero = || Ball::integer(self.bits, 0);
         let a1 = q.e1.turned().scaled(&self.l1);
         let a2 = -&q.a;
@@ -127,9 +139,9 @@ impl Linkage {
                 ComplexBall::new(x[2].clone(), x[3].clone()),
             )
         };
-        let (c1, d1) = point(&lu.solve(&[zero(), zero(), zero(), arm.dot(&a1)]));
+        let (c1, d1) = point(&matrix.solve(&[zero(), zero(), zero(), arm.dot(&a1)]));
         let b1 = self.joint_b(&c1, &d1);
-        let (c2, d2) = point(&lu.solve(&[
+        let (c2, d2) = point(&matrix.solve(&[
             -c1.norm_sqr(),
             -d1.norm_sqr(),
             -(&d1 - &c1).norm_sqr(),
@@ -141,47 +153,50 @@ impl Linkage {
             first,
             second,
         };
-        let joints = [
+        [
             jet(&q.a, a1, a2),
             jet(&q.b, b1, b2),
             jet(&q.c, c1, c2),
             jet(&q.d, d1, d2),
-        ];
-        let [a, b, c, d] = &joints;
-        let links = [
-            (b.minus(a), &self.l2),
-            (c.minus(&Jet::fixed(&self.o3)), &self.l3),
-            (d.minus(c), &self.l4),
-            (d.minus(&Jet::fixed(&self.o5)), &self.l5),
-        ];
-        let rate = |p: &ComplexBall, dp: &ComplexBall, l: &Ball| &p.cross(dp) / &l.square();
-        Ok(Kinematics {
-            angles: std::array::from_fn(|i| links[i].0.r.arg()),
-            first: std::array::from_fn(|i| rate(&links[i].0.r, &links[i].0.first, links[i].1)),
-            second: std::array::from_fn(|i| rate(&links[i].0.r, &links[i].0.second, links[i].1)),
-            joints,
+        ]
+    }
+
+    /// The matrix of the velocity equations, factored.
+    pub(super) fn velocity_matrix(&self, q: &Configuration) -> Option<BallLu> {
+        BallLu::new(self.jacobian(&q.a, &q.c, &q.d).map(|r| r.to_vec()).to_vec())
+    }
+
+    /// Links 2 to 5 as vectors, from joints A, B, C, D.
+    pub(super) fn links(&self, [a, b, c, d]: &[Jet; 4]) -> [Jet; 4] {
+        [
+            b.minus(a),
+            c.minus(&Jet::fixed(&self.o3)),
+            d.minus(c),
+            d.minus(&Jet::fixed(&self.o5)),
+        ]
+    }
+
+    /// By what a link's vector is to be multiplied to give its centre of mass.
+    pub(super) fn centre_turns(&self, masses: &Masses) -> [ComplexBall; 5] {
+        let lengths = [&self.l1, &self.l2, &self.l3, &self.l4, &self.l5];
+        std::array::from_fn(|i| {
+            let body = &masses.bodies[i];
+            let share = &Ball::rational(self.bits, &body.radius) / lengths[i];
+            ComplexBall::unit(&body.angle.to_ball(self.bits)).scaled(&share)
         })
     }
 
     /// The centres of mass of links 1 to 5.
-    pub fn centres(&self, k: &Kinematics, masses: &Masses) -> [Jet; 5] {
-        let [a, b, c, d] = &k.joints;
+    pub fn centres(&self, joints: &[Jet; 4], masses: &Masses) -> [Jet; 5] {
+        let [a, b, c, d] = joints;
         let o1 = Jet::fixed(&ComplexBall::zero(self.bits));
         let o3 = Jet::fixed(&self.o3);
         let o5 = Jet::fixed(&self.o5);
-        let frames = [
-            (&o1, a, &self.l1),
-            (a, b, &self.l2),
-            (&o3, c, &self.l3),
-            (c, d, &self.l4),
-            (&o5, d, &self.l5),
-        ];
+        let ends = [(&o1, a), (a, b), (&o3, c), (c, d), (&o5, d)];
+        let turns = self.centre_turns(masses);
         std::array::from_fn(|i| {
-            let (from, to, length) = frames[i];
-            let body = &masses.bodies[i];
-            let share = &Ball::rational(self.bits, &body.radius) / length;
-            let turn = ComplexBall::unit(&body.angle.to_ball(self.bits)).scaled(&share);
-            from.plus(&to.minus(from).times(&turn))
+            let (from, to) = ends[i];
+            from.plus(&to.minus(from).times(&turns[i]))
         })
     }
 
@@ -191,7 +206,7 @@ impl Linkage {
         let zero = || Ball::integer(self.bits, 0);
         let one = Ball::integer(self.bits, 1);
         let (mut inertia, mut derivative, mut moment, mut slope) = (zero(), zero(), zero(), zero());
-        for (i, s) in self.centres(k, masses).iter().enumerate() {
+        for (i, s) in self.centres(&k.joints, masses).iter().enumerate() {
             let body = &masses.bodies[i];
             let (m, j) = (b(&body.mass), b(&body.inertia));
             let nothing = zero();

@@ -313,6 +313,16 @@ impl CamResponse {
     /// apart, of the highest harmonic and of the oscillator, but there are 20 000 at most; peaks
     /// among them are refined.
     pub fn peaks(&self, t: f64) -> TurnPeaks {
+        self.peaks_of(t, true)
+    }
+
+    /// [`CamResponse::peaks`] of displacement and acceleration alone, in about half the time; moment
+    /// and power are NaN.
+    pub fn motion_peaks(&self, t: f64) -> TurnPeaks {
+        self.peaks_of(t, false)
+    }
+
+    fn peaks_of(&self, t: f64, loads: bool) -> TurnPeaks {
         let times = self.drive.turn_about(t);
         let places = places(times, self.fastest(times));
         let at = |t: f64| self.state(t).unwrap_or_default();
@@ -321,12 +331,13 @@ impl CamResponse {
             let values: Vec<f64> = samples.iter().map(|s| of(s) - offset).collect();
             largest(&places, &values, |t| of(&at(t)) - offset).1
         };
+        let load = |of| if loads { peak(of, 0.0) } else { f64::NAN };
         TurnPeaks {
             times,
             displacement: peak(|s| s.displacement, self.mean),
             acceleration: peak(|s| s.acceleration, 0.0),
-            moment: peak(|s| s.acceleration * s.cam_rate, 0.0),
-            power: peak(|s| s.velocity * s.acceleration, 0.0),
+            moment: load(|s| s.acceleration * s.cam_rate),
+            power: load(|s| s.velocity * s.acceleration),
         }
     }
 

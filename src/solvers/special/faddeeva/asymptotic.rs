@@ -74,7 +74,7 @@ fn polynomial<R: Real, const N: usize>(s: R, t: R) -> (R, R) {
 }
 
 /// Real and imaginary part of the series with the terms up to `a_N` for `a = |Re z|`,
-/// `b = |Im z|`; `|z|` between 7 and 2⁵⁰⁰.
+/// `b = |Im z|`; `|z|²` between 48 and 2¹⁰⁰⁰.
 #[inline(always)]
 pub(super) fn series<R: Real, const N: usize>(a: R, b: R) -> (Dd<R>, Dd<R>) {
     let [gu, gv, hi, lo] = factors::<R, N>(a, b);

@@ -10,6 +10,7 @@
 //! Beside the real axis the two terms share their real parts; there the imaginary parts of the
 //! coefficients of w about real centres are those of `(2/√π) F`.
 
+use super::branch::{STRIP, is_huge};
 use super::constants::HALF_SQRT_PI;
 use super::double_double::{Dd, two_prod, two_sum};
 use super::erf_zeros;
@@ -19,8 +20,8 @@ use super::long_relatives;
 use super::long_w::{turned, vanishing_part};
 use super::odd_series::{self, odd, odd_real};
 use super::quadrant::{
-    HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
-    times_power, w, w_exact,
+    circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, times_power, w,
+    w_exact,
 };
 use super::real::{ROUND, scaled, with_sign_of};
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
@@ -137,7 +138,7 @@ fn difference((c, s, n): (Dd, Dd, f64), (u, v): (Dd, Dd)) -> (Dd, Dd) {
     (v - pair_times_power(s, n), pair_times_power(c, n) - u)
 }
 
-/// F in the first quadrant, below [`HUGE`].
+/// F in the first quadrant, `|z| < 10¹⁰⁰`.
 #[inline(always)]
 fn quadrant<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
     let r2 = x.mul_add(x, y * y);
@@ -232,10 +233,10 @@ impl Task for Dawson {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let (x, y) = (self.0.abs(), self.1.abs());
-        let (re, im) = if x < HUGE && y < HUGE {
-            quadrant(lanes, x, y)
-        } else {
+        let (re, im) = if is_huge(x, y) {
             limits(x, y)
+        } else {
+            quadrant(lanes, x, y)
         };
         let re = if x == 0.0 { 0.0 } else { re };
         // The sign of F′(x).
@@ -258,11 +259,11 @@ impl Task for DawsonReal {
         let x = self.0.abs();
         let value = if x < 0.5 {
             odd_real(odd_series::DAWSON, x).value()
-        } else if x < HUGE {
-            (dawson_in_strip(lanes, x, 0.0).0 * HALF_SQRT_PI).value()
-        } else {
+        } else if is_huge(x, 0.0) {
             // NaN stays NaN.
             0.5 / x
+        } else {
+            (dawson_in_strip(lanes, x, 0.0).0 * HALF_SQRT_PI).value()
         };
         value.copysign(self.0)
     }

@@ -1,7 +1,7 @@
 //! The derivative `w′(z) = −2z w(z) + 2i/√π` (DLMF 7.10.2) without its cancellation.
 //!
 //! In the upper half-plane it is summed from the derivative of w's Taylor expansions and, from
-//! |z| = 7 on, from
+//! |z|² = 48 on, from
 //!
 //! ```text
 //! w′(z) ~ −(i/√π) (1/z² + 3 a₁/z⁴ + 5 a₂/z⁶ + …),   a_n = (2n − 1)!!/2ⁿ       (DLMF 7.12.1)
@@ -9,6 +9,7 @@
 //!
 //! In the lower half-plane `w′(z) = −4z e^{−z²} + w′(−z)` (DLMF 7.4.3).
 
+use super::branch::is_huge;
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::{Dd, two_prod};
 use super::exponential::exponent;
@@ -16,7 +17,7 @@ use super::lanes::{Lanes, Task, with_best};
 use super::long_relatives;
 use super::long_w::turned;
 use super::quadrant::{
-    HUGE, circle, derivative, exp_wide, far_derivative, gaussian, gaussian_exact, lifted,
+    circle, derivative, exp_wide, far_derivative, gaussian, gaussian_exact, lifted,
     pair_times_power, product, series_derivative, times_power, w_exact,
 };
 use super::real::{ROUND, scaled, with_sign_of};
@@ -114,7 +115,7 @@ fn underflowing(a: f64, b: f64, lower: bool) -> (f64, f64) {
     (re, v.value())
 }
 
-/// w′ at `a + i b` or `a − i b`, both below [`HUGE`].
+/// w′ at `a + i b` or `a − i b`, `|z| < 10¹⁰⁰`.
 #[inline(always)]
 fn half_plane<L: Lanes>(lanes: L, a: f64, b: f64, lower: bool) -> (f64, f64) {
     if b < LINEAR && a > 26.0 && a < UNDERFLOW {
@@ -200,10 +201,10 @@ impl Task for Derivative {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (f64, f64) {
         let (a, b) = (self.0.abs(), self.1.abs());
-        let (re, im) = if a < HUGE && b < HUGE {
-            half_plane(lanes, a, b, self.1 < 0.0)
-        } else {
+        let (re, im) = if is_huge(a, b) {
             limits(a, self.1)
+        } else {
+            half_plane(lanes, a, b, self.1 < 0.0)
         };
         // On the imaginary axis Re w′ falls with x: w′(x + iy) = −x f″(y) + …, f = erfcx, f″ > 0.
         let re = if a == 0.0 { -0.0 } else { re };

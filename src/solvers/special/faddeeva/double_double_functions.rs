@@ -1,9 +1,10 @@
 //! Exponential, sine and cosine of double-double arguments, to about 2⁻¹⁰², several at a time.
 
 use super::double_double::{Dd, two_prod, two_sum};
-use super::exponential::{HALF_PI, LARGE_PHASE, exponent, phase, turn};
+use super::exponential::{LARGE_PHASE, exponent, phase, turn};
 use super::lanes::Lanes;
 use super::payne_hanek;
+use super::payne_hanek::HALF_PI;
 use super::real::{ROUND, Real};
 use super::tables::INVERSE_FACTORIAL;
 

@@ -12,6 +12,7 @@
 //! Re erf is small, the third next to zero. The other quadrants follow from
 //! `erf(−z) = −erf z`, `erf z̄ = conj erf z`.
 
+use super::branch::{STRIP, is_huge};
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
 use super::double_double::Dd;
 use super::erf_zeros;
@@ -21,8 +22,8 @@ use super::long_relatives;
 use super::long_w::{turned, vanishing_part};
 use super::odd_series::{self, odd};
 use super::quadrant::{
-    HUGE, STRIP, circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power,
-    product, size, times_power, w, w_exact,
+    circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, product, size,
+    times_power, w, w_exact,
 };
 use super::real::{ROUND, scaled, with_sign_of};
 use num_complex::Complex;
@@ -165,7 +166,7 @@ impl Exact {
     }
 }
 
-/// The function in the first quadrant, below [`HUGE`].
+/// The function in the first quadrant, `|z| < 10¹⁰⁰`.
 #[inline(always)]
 fn quadrant<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
     let r2 = x.mul_add(x, y * y);
@@ -250,10 +251,10 @@ fn limits(which: Which, x: f64, y: f64) -> (f64, f64) {
 /// slope is positive, so that the zero has the sign of the other part.
 #[inline(always)]
 fn anywhere<L: Lanes>(lanes: L, which: Which, x: f64, y: f64) -> (f64, f64) {
-    let (re, im) = if x < HUGE && y < HUGE {
-        quadrant(lanes, which, x, y)
-    } else {
+    let (re, im) = if is_huge(x, y) {
         limits(which, x, y)
+    } else {
+        quadrant(lanes, which, x, y)
     };
     let (offset, sign) = which.of_erf();
     (

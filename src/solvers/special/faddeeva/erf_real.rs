@@ -1,18 +1,19 @@
 //! Error functions of a real argument.
 
+use super::branch::is_huge;
 use super::constants::TWO_OVER_SQRT_PI;
 use super::double_double::Dd;
 use super::exponential::{exp, exponent};
 use super::lanes::{Lanes, Task, with_best};
 use super::odd_series::{ERF, odd, odd_real};
 use super::plane;
-use super::quadrant::{HUGE, dawson_in_strip, pair_times_power, times_power, w};
+use super::quadrant::{dawson_in_strip, pair_times_power, times_power, w};
 use super::real::{ROUND, scaled};
 
 /// |x| below which erfc x is computed as 1 − erf x.
 const COMPLEMENT: f64 = 0.25;
 
-/// `e^{x²} erfc x` for `0 ≤ x < HUGE`.
+/// `e^{x²} erfc x` for `0 ≤ x < 10¹⁰⁰`.
 #[inline(always)]
 fn erfcx_right<L: Lanes>(lanes: L, x: f64) -> Dd {
     w(lanes, 0.0, x).0
@@ -111,7 +112,7 @@ impl Task for ErfcxReal {
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let x = self.0;
         let b = x.abs();
-        if !(b < HUGE) {
+        if is_huge(0.0, b) {
             return plane::w(lanes, 0.0, x).0;
         }
         if x >= 0.0 {

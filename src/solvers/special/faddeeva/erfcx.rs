@@ -3,8 +3,10 @@
 use super::exponential::exponent;
 use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
+use super::many::all;
+use super::points::{Interleaved, Points};
 use super::quadrant::{derivative, exp_wide, gaussian, pair_times_power, times_power};
-use super::{Interleaved, Points, all, plane, real};
+use super::{plane, real};
 use num_complex::Complex;
 
 /// Below this |Im z| the products in W keep no digits, and Im erfcx is linear in it.

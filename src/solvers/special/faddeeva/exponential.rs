@@ -8,20 +8,13 @@
 
 use super::constants;
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
-use super::payne_hanek;
+use super::payne_hanek::{self, HALF_PI};
 use super::real::{ROUND, Real, scaled};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.
 const LN_2: [f64; 2] = [0.693_147_180_559_663, 2.823_529_056_303_157_7e-13];
 const TWO_OVER_PI: f64 = std::f64::consts::FRAC_2_PI;
-/// π/2.
-pub(super) const HALF_PI: [f64; 3] = [
-    std::f64::consts::FRAC_PI_2,
-    6.123_233_995_736_766e-17,
-    -1.497_384_904_859_169_8e-33,
-];
-
 /// Phases below this are reduced by [`reduce`].
 pub(crate) const LARGE_PHASE: f64 = 1_073_741_824.0;
 

@@ -75,16 +75,17 @@ mod long_functions;
 mod long_relatives;
 mod long_w;
 mod maclaurin;
+mod many;
 mod odd_series;
 #[cfg(target_arch = "x86_64")]
 mod pack;
 pub(crate) mod payne_hanek;
 mod plane;
+mod points;
 mod quadrant;
 pub(crate) mod real;
 mod reflection;
 mod relatives_tables;
-#[cfg(target_arch = "x86_64")]
 mod rows;
 mod seams;
 mod special;
@@ -92,8 +93,6 @@ mod special;
 #[allow(clippy::all)]
 mod tables;
 mod taylor;
-#[cfg(target_arch = "x86_64")]
-mod taylor_packs;
 mod trapezoidal;
 #[cfg(target_arch = "x86_64")]
 mod two;
@@ -111,9 +110,12 @@ pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use voigt::{voigt, voigt_batch};
 
+use branch::{CELL, IMAGINARY_AXIS, MACLAURIN_21, formula_at};
 pub(crate) use extended::w_extended;
 use lengths::same_length;
+use many::all;
 use num_complex::Complex;
+use points::{Apart, Interleaved};
 
 /// The Faddeeva function `w(z) = e^{−z²} erfc(−iz)`.
 ///
@@ -132,8 +134,7 @@ use num_complex::Complex;
 /// ```
 #[inline]
 pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
-    let (re, im) = plane::w_with_best(z.re, z.im);
-    Complex::new(re, im)
+    many::one(z)
 }
 
 /// [`faddeeva`] at many points, several times as fast; the values have the same bits.
@@ -193,92 +194,18 @@ pub fn faddeeva_soa(
 /// assert_eq!(branch(Complex::new(3.0, 9.0)), Branch::Asymptotic { terms: 26 });
 /// ```
 pub fn branch(z: Complex<f64>) -> Branch {
-    branch::branch(z.re.abs(), z.im)
-}
-
-/// Where points come from and values go to.
-trait Points {
-    /// How many there are.
-    fn len(&self) -> usize;
-    /// The points from `start` on.
-    fn load(&self, start: usize, z: &mut [Complex<f64>]);
-    /// Takes the values at the points from `start` on.
-    fn store(&mut self, start: usize, w: &[Complex<f64>]);
-    /// N points from `start` on and the room for their values, if they need not be moved.
-    #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
-    fn chunk<const N: usize>(&mut self, _: usize) -> Option<Room<'_, N>> {
-        None
+    let (a, y) = (z.re.abs(), z.im);
+    if y < 0.0
+        && let Some(k) = rows::nearest_zero(a, -y)
+    {
+        return Branch::Zero {
+            zero: k as u32 + 1,
+            terms: 21,
+        };
     }
-}
-
-/// Points, and the room for their values.
-#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
-type Room<'a, const N: usize> = (&'a [Complex<f64>; N], &'a mut [Complex<f64>; N]);
-
-/// Batches shorter than this are not worth sorting.
-#[cfg(target_arch = "x86_64")]
-const SHORT: usize = 64;
-
-/// W at all points.
-fn all<P: Points>(points: &mut P) {
-    #[cfg(target_arch = "x86_64")]
-    if points.len() >= SHORT && pack::batch_with_best(points) {
-        return;
-    }
-    for i in 0..points.len() {
-        let mut z = [Complex::ZERO];
-        points.load(i, &mut z);
-        points.store(i, &z.map(faddeeva));
-    }
-}
-
-/// Points and values stored as complex numbers.
-struct Interleaved<'a> {
-    z: &'a [Complex<f64>],
-    w: &'a mut [Complex<f64>],
-}
-
-impl Points for Interleaved<'_> {
-    fn len(&self) -> usize {
-        self.z.len()
-    }
-    fn load(&self, start: usize, z: &mut [Complex<f64>]) {
-        z.copy_from_slice(&self.z[start..start + z.len()]);
-    }
-    fn store(&mut self, start: usize, w: &[Complex<f64>]) {
-        self.w[start..start + w.len()].copy_from_slice(w);
-    }
-    fn chunk<const N: usize>(&mut self, start: usize) -> Option<Room<'_, N>> {
-        Some((
-            self.z[start..].first_chunk()?,
-            self.w[start..].first_chunk_mut()?,
-        ))
-    }
-}
-
-/// Points and values with real and imaginary parts apart.
-struct Apart<'a> {
-    x: &'a [f64],
-    y: &'a [f64],
-    re: &'a mut [f64],
-    im: &'a mut [f64],
-}
-
-impl Points for Apart<'_> {
-    fn len(&self) -> usize {
-        self.x.len()
-    }
-    fn load(&self, start: usize, z: &mut [Complex<f64>]) {
-        let parts = self.x[start..].iter().zip(&self.y[start..]);
-        for (z, (x, y)) in z.iter_mut().zip(parts) {
-            *z = Complex::new(*x, *y);
-        }
-    }
-    fn store(&mut self, start: usize, w: &[Complex<f64>]) {
-        let parts = self.re[start..].iter_mut().zip(&mut self.im[start..]);
-        for (w, (re, im)) in w.iter().zip(parts) {
-            (*re, *im) = (w.re, w.im);
-        }
+    match formula_at(a, y) {
+        CELL | MACLAURIN_21 if a == 0.0 && y >= 0.0 => IMAGINARY_AXIS,
+        formula => formula,
     }
 }
 

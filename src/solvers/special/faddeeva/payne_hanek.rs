@@ -5,9 +5,15 @@
 //! multiplied with `m` that do not give a multiple of four.
 
 use super::double_double::Dd;
-use super::exponential::HALF_PI;
 use super::real::{ROUND, Real};
 use super::tables::TWO_OVER_PI_BITS;
+
+/// π/2.
+pub(super) const HALF_PI: [f64; 3] = [
+    std::f64::consts::FRAC_PI_2,
+    6.123_233_995_736_766e-17,
+    -1.497_384_904_859_169_8e-33,
+];
 
 /// `|x| = m 2^e` with a whole `m` below 2⁵³.
 fn parts(x: f64) -> (u64, i32) {

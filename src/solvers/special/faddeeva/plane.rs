@@ -1,9 +1,13 @@
-//! Which formula computes W(z) where.
+//! W(z) on the whole plane, point by point, by the formulas that [`branch`](super::branch) chooses.
 
 use super::asymptotic::{
     large, series, series_beside_real_axis, series_next_to_real_axis, series_rounded, two_terms,
 };
-use super::branch::{Kind, STRIP, TINY, kind};
+use super::branch::{
+    CELL, IN_STRIP, LOWER_CELL, MACLAURIN_9, MACLAURIN_21, REAL_AXIS, REAL_LINE, SERIES_2,
+    SERIES_4, SERIES_6, SERIES_14, SERIES_26, SURELY_BELOW_HUGE, SURELY_FARTHEST, SURELY_NEAREST,
+    TINY, formula_at,
+};
 use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::exponential::{
     exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
@@ -16,22 +20,13 @@ use super::reflection::{
     ALONE, DOMINANT, NEGLIGIBLE, close, decay, exponential_dominates, image_dominates, negligible,
     reflect,
 };
-use super::tables::{CELL, CELLS, DISC, IMAGINARY_AXIS, REAL_AXIS};
-use super::taylor::{ComplexRow, RealRow, complex_row, complex_row_rounded, real_row};
+use super::rows::{
+    above_real_axis, below_real_axis, disc_cell, disc_row, imaginary_axis_row, in_cell,
+    nearest_zero, on_axis, on_real_axis, real_axis_row, zero_row,
+};
+use super::taylor::{complex_row, complex_row_rounded, real_row};
 use super::{special, trapezoidal, zeros};
 
-/// Within these limits of the larger of |Re z| and |Im z|, as bits, |z|² is within its own, however it is
-/// rounded.
-const NEAR_SURELY: u64 = 0.0055f64.to_bits();
-const FAR_SURELY: u64 = 1024f64.next_up().to_bits();
-const HUGE_SURELY: u64 = 7e99f64.to_bits();
-/// Where the fine cells end: the larger of |Re z|, |Im z|.
-pub(super) const FINE: f64 = 3.75;
-/// The distance between the centres of fine cells, and on the imaginary axis and in the lower half-disc; of
-/// coarse cells; on the real axis.
-pub(super) const FINE_PITCH: f64 = 0.25;
-pub(super) const COARSE_PITCH: f64 = 0.5;
-pub(super) const REAL_AXIS_PITCH: f64 = 0.0625;
 /// Above `2⁵⁵ |e^{−z²}|` in the strip.
 const BESIDE: f64 = 2.5e-19;
 /// The binary exponent added to both terms there.
@@ -46,109 +41,12 @@ const DEEP: f64 = -31.0;
 /// Binary exponents of `e^{−z²}` from which both components overflow, however close the phase is to a multiple of π/2.
 const OVERFLOWS: f64 = 1200.0;
 
-/// What the distance from the real axis is raised to beside it: no part of w is changed by that
-/// there, and products with smaller numbers would be subnormal.
-const LEAST: f64 = 1e-80;
-
-/// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
-#[inline(always)]
-pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
-    let like = |x: f64| a.like(x);
-    // Beside the real axis the fine cells go on.
-    let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
-    // Not three choices: they would become a branch.
-    let fine = a.pick(fine, like(1.0), like(0.0));
-    let coarser = 1.0 / COARSE_PITCH;
-    let step = fine.fma(like(1.0 / FINE_PITCH - coarser), like(coarser));
-    let unit = fine.fma(like(COARSE_PITCH - FINE_PITCH), like(-COARSE_PITCH));
-    let base = fine.fma(like(-512.0), like(ROUND + 512.0));
-    let round = like(ROUND);
-    let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
-    [j.fma(like(32.0), i) + base, i.fma(unit, a), j.fma(unit, b)]
-}
-
-/// The row of the cell around `a + i b`, and the distance from its centre.
-#[inline(always)]
-pub(super) fn in_cell(a: f64, b: f64) -> (&'static ComplexRow, f64, f64) {
-    let [n, dx, dy] = cell(a, b);
-    (entry(&CELLS, cell_number(n) as usize), dx, dy)
-}
-
-/// Its place in the table.
-#[inline(always)]
-pub(super) fn cell_number(n: f64) -> u16 {
-    CELL[n.to_bits() as usize & 1023]
-}
-
-/// The number of the centre on the real axis next to `a`, plus `ROUND`, and the distance from it.
-#[inline(always)]
-pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
-    let round = a.like(ROUND);
-    let n = a.fma(a.like(1.0 / REAL_AXIS_PITCH), round);
-    (n, (n - round).fma(a.like(-REAL_AXIS_PITCH), a))
-}
-
-/// Entry `n` of a table that has it: the last one otherwise, which costs less than a bounds check
-/// that may panic.
-#[inline(always)]
-pub(super) fn entry<T>(table: &[T], n: usize) -> &T {
-    &table[n.min(table.len() - 1)]
-}
-
-/// The row of centre `n` on the real axis.
-#[inline(always)]
-pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
-    entry(&REAL_AXIS, real_axis_number(n) as usize)
-}
-
-/// Its place in the table.
-#[inline(always)]
-pub(super) fn real_axis_number(n: f64) -> u16 {
-    (n.to_bits() as u16 & 255).wrapping_sub(18)
-}
-
 /// Whether the terms of the real part of w cancel beside the real axis: `e^{−x²}` and
 /// `y D′(x)`, which is about `y Im w/x`.
 #[inline(always)]
 pub(super) fn cancels_beside_real_axis<R: Real>(a: R, y: R, re: R, im: R) -> R::Mask {
     let part = -y * im * a.like(CANCELLED_BESIDE);
     (re.magnitude() * a).below(part)
-}
-
-/// The number of the cell of the lower half-disc around `a + i y`, plus `ROUND`, and the distance
-/// from its centre.
-#[inline(always)]
-pub(super) fn disc_cell<R: Real>(a: R, y: R) -> [R; 3] {
-    let (i, dx) = on_axis(a);
-    let (j, dy) = on_axis(y);
-    let round = a.like(ROUND);
-    [(j - round).fma(a.like(-5.0), i), dx, dy]
-}
-
-/// The row of cell number `n` of the lower half-disc.
-#[inline(always)]
-pub(super) fn disc_row(n: f64) -> &'static ComplexRow {
-    entry(&DISC, disc_number(n) as usize)
-}
-
-/// Its place in the table.
-#[inline(always)]
-pub(super) fn disc_number(n: f64) -> u16 {
-    n.to_bits() as u16 & 31
-}
-
-/// `ROUND` plus the number of the centre on an axis next to `x`, and the distance from it.
-#[inline(always)]
-pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
-    let round = x.like(ROUND);
-    let n = x.fma(x.like(1.0 / FINE_PITCH), round);
-    (n, (n - round).fma(x.like(-FINE_PITCH), x))
-}
-
-/// The row of centre `n` on the imaginary axis.
-#[inline(always)]
-pub(super) fn imaginary_axis_row(n: f64) -> &'static RealRow {
-    entry(&IMAGINARY_AXIS, n.to_bits() as usize & 31)
 }
 
 /// `(Re w, Im w)` from the expansion of `w(i s) = erfcx s` about a real centre.
@@ -229,15 +127,15 @@ impl Task for Cancelled {
 /// `Re w` at `i b`, `b ≥ 0`, where it must not grow with b: from pairs of `f64`, rounded once.
 #[inline(always)]
 fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
-    let re = match kind(0.0, b) {
-        Kind::Cell | Kind::Maclaurin21 => {
+    let re = match formula_at(0.0, b) {
+        CELL | MACLAURIN_21 => {
             let (n, t) = on_axis(b);
             real_row(lanes, imaginary_axis_row(n), t, 0.0).0
         }
-        Kind::Series26 => series::<_, 26>(0.0, b).0,
-        Kind::Series14 => series::<_, 14>(0.0, b).0,
-        Kind::Series6 | Kind::Series4 | Kind::Series2 => series::<_, 6>(0.0, b).0,
-        Kind::Maclaurin9 => return maclaurin::on_imaginary_axis(b),
+        SERIES_26 => series::<_, 26>(0.0, b).0,
+        SERIES_14 => series::<_, 14>(0.0, b).0,
+        SERIES_6 | SERIES_4 | SERIES_2 => series::<_, 6>(0.0, b).0,
+        MACLAURIN_9 => return maclaurin::on_imaginary_axis(b),
         _ => return special::huge(0.0, b).0,
     };
     re.hi
@@ -249,45 +147,33 @@ fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (f64, f64) {
     if a == 0.0 && b < f64::INFINITY {
         return (on_imaginary_axis(lanes, b), 0.0);
     }
-    match kind(a, b) {
-        Kind::Cell => {
+    match formula_at(a, b) {
+        CELL => {
             let (row, dx, dy) = in_cell(a, b);
             complex_row_rounded(lanes, row, dx, dy)
         }
-        Kind::RealAxis => {
+        REAL_AXIS => {
             let (n, t) = on_real_axis(a);
             complex_row_rounded(lanes, real_axis_row(n), t, above_real_axis(b))
         }
-        Kind::Strip => {
+        IN_STRIP => {
             let (re, im, _) = in_strip(a, b);
             (re, im)
         }
-        Kind::RealLine => {
+        REAL_LINE => {
             let (re, im, _) = on_real_line(a, b);
             (re, im)
         }
-        Kind::Series26 => series_rounded::<_, 26>(a, b),
-        Kind::Series14 => series_rounded::<_, 14>(a, b),
-        Kind::Series6 => series_rounded::<_, 6>(a, b),
-        Kind::Series4 => series_rounded::<_, 4>(a, b),
-        Kind::Series2 => two_terms(a, b),
-        Kind::Maclaurin9 => nine_terms(a, b),
-        Kind::Maclaurin21 => twenty_one_terms(a, b),
+        SERIES_26 => series_rounded::<_, 26>(a, b),
+        SERIES_14 => series_rounded::<_, 14>(a, b),
+        SERIES_6 => series_rounded::<_, 6>(a, b),
+        SERIES_4 => series_rounded::<_, 4>(a, b),
+        SERIES_2 => two_terms(a, b),
+        MACLAURIN_9 => nine_terms(a, b),
+        MACLAURIN_21 => twenty_one_terms(a, b),
         // The others are for the lower half-plane.
-        Kind::Disc | Kind::Other => special::huge(a, b),
+        _ => special::huge(a, b),
     }
-}
-
-/// The distance from the real axis where [`LEAST`] makes no difference.
-#[inline(always)]
-pub(super) fn above_real_axis<R: Real>(b: R) -> R {
-    b.raised(LEAST)
-}
-
-/// The same below the real axis.
-#[inline(always)]
-pub(super) fn below_real_axis<R: Real>(y: R) -> R {
-    -((-y).raised(LEAST))
 }
 
 /// Im w, which is +0 at `a = 0`: erfcx falls everywhere, so that Im w grows with a.
@@ -322,9 +208,9 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
         true => done(lanes.call(Cancelled { a, b })),
         false => (re, im, ROUND),
     };
-    let kind = kind(a, y);
+    let formula = formula_at(a, y);
     let decay = decay(a, y);
-    if kind == Kind::Cell && decay.abs() > DOMINANT {
+    if formula == CELL && decay.abs() > DOMINANT {
         let (row, dx, dy) = in_cell(a, b);
         let image = complex_row_rounded(lanes, row, dx, dy);
         return match decay > 0.0 {
@@ -332,47 +218,47 @@ fn below<L: Lanes>(lanes: L, a: f64, y: f64) -> (f64, f64, f64) {
             false => unless_lost(exponential_dominates(image, a, y)),
         };
     }
-    if kind == Kind::Series26 && decay > DOMINANT {
+    if formula == SERIES_26 && decay > DOMINANT {
         let (u, v) = series_rounded::<_, 26>(a, b);
         return done(match decay > NEGLIGIBLE {
             true => (-u, v),
             false => image_dominates((u, v), a, y),
         });
     }
-    if let Some(k) = zeros::nearest(a, b) {
-        let near = zeros::near_zero(lanes, k, a, b);
+    if let Some(k) = nearest_zero(a, b) {
+        let near = zeros::near_zero(lanes, zero_row(k), a, b);
         return done(match near {
             Some(w) => w,
             None => lanes.call(Cancelled { a, b }),
         });
     }
-    let (u, v) = match kind {
-        Kind::Cell => {
+    let (u, v) = match formula {
+        CELL => {
             let (row, dx, dy) = in_cell(a, b);
             complex_row(lanes, row, dx, dy)
         }
-        Kind::Series26 => series::<_, 26>(a, b),
-        Kind::Series14 => series::<_, 14>(a, b),
-        Kind::Series6 => series::<_, 6>(a, b),
-        Kind::RealAxis => {
+        SERIES_26 => series::<_, 26>(a, b),
+        SERIES_14 => series::<_, 14>(a, b),
+        SERIES_6 => series::<_, 6>(a, b),
+        REAL_AXIS => {
             let (n, t) = on_real_axis(a);
             let (re, im) = complex_row(lanes, real_axis_row(n), t, below_real_axis(y));
             let lost = cancels_beside_real_axis(a, y, re.hi, im.hi);
             return unless_lost((re.hi, im.hi, lost));
         }
-        Kind::Maclaurin9 if a == 0.0 => return done((maclaurin::on_imaginary_axis(y), 0.0)),
-        Kind::Maclaurin9 => return done(nine_terms(a, y)),
-        Kind::Maclaurin21 => return done(twenty_one_terms(a, y)),
-        Kind::Disc => {
+        MACLAURIN_9 if a == 0.0 => return done((maclaurin::on_imaginary_axis(y), 0.0)),
+        MACLAURIN_9 => return done(nine_terms(a, y)),
+        MACLAURIN_21 => return done(twenty_one_terms(a, y)),
+        LOWER_CELL => {
             let [n, dx, dy] = disc_cell(a, y);
             return done(complex_row_rounded(lanes, disc_row(n), dx, dy));
         }
-        Kind::Strip => return unless_lost(in_strip(a, y)),
-        Kind::RealLine => return unless_lost(on_real_line(a, y)),
-        Kind::Series4 | Kind::Series2 | Kind::Other => return done(special::huge(a, y)),
+        IN_STRIP => return unless_lost(in_strip(a, y)),
+        REAL_LINE => return unless_lost(on_real_line(a, y)),
+        _ => return done(special::huge(a, y)),
     };
     // In the cells, 1 ≤ |z|² < 48, 2⁶⁸ |e^{−z²}| is above 1/2 and u or v below.
-    if kind != Kind::Cell && negligible(a, b, u.hi, v.hi) {
+    if formula != CELL && negligible(a, b, u.hi, v.hi) {
         return done((-u.hi, v.hi));
     }
     // A subnormal part of z, and so of w, times e^1400 may still be in range.
@@ -444,16 +330,19 @@ pub(super) fn w<L: Lanes>(lanes: L, x: f64, y: f64) -> (f64, f64) {
 #[inline(always)]
 fn w_of_bits<L: Lanes>(lanes: L, x: u64, y: u64) -> (f64, f64) {
     // Twice the bits: without the sign.
+    const NEAREST: u64 = SURELY_NEAREST.to_bits() << 1;
+    const FARTHEST: u64 = SURELY_FARTHEST.to_bits() << 1;
+    const BELOW_HUGE: u64 = SURELY_BELOW_HUGE.to_bits() << 1;
     let (p, q) = (x << 1, y << 1);
     let larger = p.max(q);
-    if larger < NEAR_SURELY << 1 && p > 0 {
+    if larger < NEAREST && p > 0 {
         return nine_terms(f64::from_bits(x), f64::from_bits(y));
     }
     // Below zero: not −0. A NaN with a minus sign passes too, and gives NaN there as well.
     if y > 1 << 63 {
         return lanes.call(Lower(x, y));
     }
-    if larger.wrapping_sub(FAR_SURELY << 1) < (HUGE_SURELY - FAR_SURELY) << 1 && p > 0 {
+    if larger.wrapping_sub(FARTHEST) < BELOW_HUGE - FARTHEST && p > 0 {
         let x = f64::from_bits(x);
         let (re, im) = two_terms(x.abs(), f64::from_bits(y).abs());
         return (re, with_sign_of(im, x));

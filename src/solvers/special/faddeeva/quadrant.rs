@@ -2,30 +2,22 @@
 //! them.
 
 use super::asymptotic::{four_terms, series};
+use super::branch::{
+    CELL, IMAGINARY_AXIS, IN_STRIP, REAL_AXIS, SERIES_6, SERIES_14, SERIES_26, formula_of_pairs,
+    series_of_pairs,
+};
 use super::constants::INV_SQRT_PI;
 use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::double_double_functions as exact;
 pub(super) use super::exponential::{circle, exp_wide, gaussian, times_power};
 use super::exponential::{exp_minus_square_any, exponent};
 use super::lanes::Lanes;
-use super::plane::{
-    FINE, from_erfcx, imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row,
-};
+use super::plane::from_erfcx;
 use super::real::{ROUND, scaled};
+use super::rows::{imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
 
-/// Beyond this |Re z| or |Im z| the functions are computed from their limits.
-pub(super) const HUGE: f64 = 1e100;
-/// Half the width of the strips beside the axes in which real expansions are used; the edge is inside.
-pub(super) const STRIP: f64 = 0.125f64.next_up();
-/// |z|² from which the asymptotic series is used, and from which it needs fewer and fewer terms.
-pub(super) const FAR: f64 = 49.0;
-pub(super) const FEWER_TERMS: [f64; 4] = [100.0, 256.0, 1000.0, 1e6];
-/// Re z from which the strip beside the real axis has rows of its own, and from which `e^{−z²}` there is below
-/// every `f64`.
-pub(super) const REAL_AXIS: f64 = 1.125;
-pub(super) const GONE: f64 = 27.5;
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 6.0;
 
@@ -70,75 +62,39 @@ pub(super) fn lifted(x: f64, other: f64) -> (f64, f64) {
     (x * f64::from_bits((1023 + lift) << 52), lift as f64)
 }
 
-/// Which expansion serves a point.
-#[derive(Clone, Copy)]
-enum Place {
-    Cell,
-    ImaginaryAxis,
-    RealAxis,
-    /// |z|² ≥ [`FAR`], beside the real axis.
-    Strip,
-    /// |z|² ≥ [`FAR`].
-    Far,
-}
-
-/// The place of `a + i b`.
-#[inline(always)]
-fn place(a: f64, b: f64) -> Place {
-    if a.mul_add(a, b * b) >= FAR {
-        if (b < STRIP) & (a < GONE) {
-            Place::Strip
-        } else {
-            Place::Far
-        }
-    } else if a < (if a.max(b) < FINE { STRIP } else { 2.0 * STRIP }) {
-        Place::ImaginaryAxis
-    } else if (b < STRIP) & (a >= REAL_AXIS) {
-        Place::RealAxis
-    } else {
-        Place::Cell
-    }
-}
-
-/// The series without `e^{−z²}` for `|z| ≥ 7`.
+/// The series without `e^{−z²}`, where the ring of the point has it.
 #[inline(always)]
 pub(super) fn far(a: f64, b: f64) -> (Dd, Dd) {
-    let r2 = a.mul_add(a, b * b);
-    if r2 < FEWER_TERMS[0] {
-        series::<_, 24>(a, b)
-    } else if r2 < FEWER_TERMS[1] {
-        series::<_, 14>(a, b)
-    } else if r2 < FEWER_TERMS[2] {
-        series::<_, 10>(a, b)
-    } else if r2 < FEWER_TERMS[3] {
-        series::<_, 6>(a, b)
-    } else {
-        series::<_, 2>(a, b)
+    match series_of_pairs(a, b) {
+        SERIES_26 => series::<_, 26>(a, b),
+        SERIES_14 => series::<_, 14>(a, b),
+        SERIES_6 => series::<_, 6>(a, b),
+        _ => series::<_, 2>(a, b),
     }
 }
 
-/// `(Re w, Im w)` at `a + i b`, `0 ≤ a, b < HUGE`.
+/// `(Re w, Im w)` at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`.
 #[inline(always)]
 pub(super) fn w<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
-    match place(a, b) {
-        Place::Cell => {
+    match formula_of_pairs(a, b) {
+        CELL => {
             let (row, dx, dy) = in_cell(a, b);
             complex_row(lanes, row, dx, dy)
         }
-        Place::ImaginaryAxis => {
+        IMAGINARY_AXIS => {
             let (n, t) = on_axis(b);
             from_erfcx(a, real_row(lanes, imaginary_axis_row(n), t, a))
         }
-        Place::RealAxis => {
+        REAL_AXIS => {
             let (n, t) = on_real_axis(a);
             complex_row(lanes, real_axis_row(n), t, b)
         }
-        Place::Strip => {
+        IN_STRIP => {
             let (u, v) = far(a, b);
             let (c, _, n) = exp_minus_square_any(a, b);
             (u + pair_times_power(c, n), v)
         }
-        Place::Far => far(a, b),
+        _ => far(a, b),
     }
 }
 
@@ -215,7 +171,7 @@ fn derived_real(row: &RealRow, centre: f64) -> RealRow {
 }
 
 /// Coefficients available.
-const TERMS: usize = 34;
+const TERMS: usize = 36;
 
 /// `(2n + 1) a_n`, `a_n = (2n − 1)!!/2ⁿ`.
 const SLOPE: [f64; TERMS] = {
@@ -229,7 +185,7 @@ const SLOPE: [f64; TERMS] = {
     c
 };
 
-/// The derivative of the asymptotic series, `|z|` between 7 and [`HUGE`]:
+/// The derivative of the asymptotic series, `|z|²` between 48 and 10²⁰⁰:
 ///
 /// ```text
 /// w′(z) ~ −(i/√π) q (1 + 3 a₁ q + 5 a₂ q² + …),   q = 1/z²
@@ -264,25 +220,19 @@ pub(super) fn series_derivative<const N: usize>(a: f64, b: f64) -> (Dd, Dd) {
 /// [`series_derivative`] with the number of terms that `|z|` needs.
 #[inline(always)]
 pub(super) fn far_derivative(a: f64, b: f64) -> (Dd, Dd) {
-    let r2 = a.mul_add(a, b * b);
-    if r2 < FEWER_TERMS[0] {
-        series_derivative::<33>(a, b)
-    } else if r2 < FEWER_TERMS[1] {
-        series_derivative::<15>(a, b)
-    } else if r2 < FEWER_TERMS[2] {
-        series_derivative::<11>(a, b)
-    } else if r2 < FEWER_TERMS[3] {
-        series_derivative::<7>(a, b)
-    } else {
-        series_derivative::<3>(a, b)
+    match series_of_pairs(a, b) {
+        SERIES_26 => series_derivative::<35>(a, b),
+        SERIES_14 => series_derivative::<15>(a, b),
+        SERIES_6 => series_derivative::<7>(a, b),
+        _ => series_derivative::<3>(a, b),
     }
 }
 
-/// `(Re w′, Im w′)` at `a + i b`, `0 ≤ a, b < HUGE`; `true` if a component has lost digits.
+/// `(Re w′, Im w′)` at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`; `true` if a component has lost digits.
 #[inline(always)]
 pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
-    match place(a, b) {
-        Place::Cell => {
+    match formula_of_pairs(a, b) {
+        CELL => {
             let (row, dx, dy) = in_cell(a, b);
             let (u, v) = complex_derivative(lanes, row, (a - dx, b - dy), (dx, dy));
             // Next to the origin the slope is large beside the value.
@@ -290,26 +240,26 @@ pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
             let (p, q) = (u.hi.abs(), v.hi.abs());
             (u, v, (p < part * q) | (q < part * p))
         }
-        Place::ImaginaryAxis => {
+        IMAGINARY_AXIS => {
             // w′(z) = −i f′(−iz), f = erfcx.
             let (n, t) = on_axis(b);
             let row = derived_real(imaginary_axis_row(n), b - t);
             let (re, im) = from_erfcx(a, real_row(lanes, &row, t, a));
             (im, -re, false)
         }
-        Place::RealAxis => {
+        REAL_AXIS => {
             let (n, t) = on_real_axis(a);
             let (u, v) = complex_derivative(lanes, real_axis_row(n), (a - t, 0.0), (t, b));
             (u, v, false)
         }
-        Place::Strip => {
+        IN_STRIP => {
             let (u, v) = far_derivative(a, b);
             let (c, s, n) = exp_minus_square_any(a, b);
             let (p, q, _) = product((c, s), (Dd::from(-a), Dd::from(-b)));
             let by = |t: Dd| pair_times_power(t, n + 1.0);
             (u + by(p), v + by(q), false)
         }
-        Place::Far => {
+        _ => {
             let (u, v) = far_derivative(a, b);
             // Next to the diagonal all terms but the first are rounded; from 4096 on only those of third order.
             let part = if a.max(b) < 4096.0 {
@@ -337,16 +287,16 @@ fn dawson_part(row: &ComplexRow) -> RealRow {
     RealRow(d)
 }
 
-/// `(2/√π) F(t + i b)`, `F` Dawson's function: real part, and imaginary part, `½ ≤ t < HUGE`,
+/// `(2/√π) F(t + i b)`, `F` Dawson's function: real part, and imaginary part, `½ ≤ t < 10¹⁰⁰`,
 /// `b ≤` [`STRIP`].
 #[inline(always)]
 pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
-    let (row, dx) = match place(t, 0.0) {
-        Place::Cell => {
+    let (row, dx) = match formula_of_pairs(t, 0.0) {
+        CELL => {
             let (row, dx, _) = in_cell(t, 0.0);
             (row, dx)
         }
-        Place::RealAxis => {
+        REAL_AXIS => {
             let (n, dx) = on_real_axis(t);
             (real_axis_row(n), dx)
         }
@@ -360,7 +310,7 @@ pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
     (re, im.mul_f(b))
 }
 
-/// w at `a + i b`, `0 ≤ a, b < HUGE`, in double-double; to about 2⁻¹⁰⁰ of the larger component, from
+/// w at `a + i b`, `a, b ≥ 0`, `|z| < 10¹⁰⁰`, in double-double; to about 2⁻¹⁰⁰ of the larger component, from
 /// 4096 on to 2⁻⁷⁷.
 #[inline(always)]
 pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {

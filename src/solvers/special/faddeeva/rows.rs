@@ -1,102 +1,143 @@
-//! The tables of Taylor rows as batches use them: which row serves each of a group of points.
+//! Which row of a table serves a point, and how far the point is from its centre.
 
-use super::plane::{
-    above_real_axis, below_real_axis, cell, cell_number, disc_cell, disc_number, entry,
-    on_real_axis, real_axis_number,
-};
-use super::real::Real;
-use super::tables::{CELLS, DISC, REAL_AXIS};
-use super::taylor::ComplexRow;
+use super::branch::{FINE, STRIP};
+use super::real::{ROUND, Real};
+use super::tables::{self, ZEROS};
+use super::taylor::{ComplexRow, RealRow};
+use super::zeros::candidate;
+use std::f64::consts::FRAC_1_PI;
 
-/// A table of rows.
-pub(super) trait Rows: Copy {
-    /// For `a + i y`: the code of the row plus `ROUND`, and the distance from its centre.
-    fn locate<R: Real>(self, a: R, y: R) -> [R; 3];
-    /// The row's place in the table, by its code.
-    fn number(self, code: f64) -> u16;
-    fn row(self, number: u16) -> &'static [f64; 40];
-}
+/// The distance between the centres of fine cells, and on the imaginary axis and in the lower half-disc; of
+/// coarse cells; on the real axis.
+pub(super) const FINE_PITCH: f64 = 0.25;
+pub(super) const COARSE_PITCH: f64 = 0.5;
+pub(super) const REAL_AXIS_PITCH: f64 = 0.0625;
+/// What the distance from the real axis is raised to beside it: no part of w is changed by that
+/// there, and products with smaller numbers would be subnormal.
+const LEAST: f64 = 1e-80;
 
-/// A table whose place the compiler does not know: it would fetch it anew for every load.
+/// Half the side of the squares around the zeros in which the expansions are used.
+pub(super) const REACH: f64 = 0.0625;
+
+/// Entry `n` of a table that has it: the last one otherwise, which costs less than a bounds check
+/// that may panic.
 #[inline(always)]
-fn table<T>(rows: &'static T) -> &'static T {
-    std::hint::black_box(rows)
+pub(super) fn entry<T>(table: &[T], n: usize) -> &T {
+    &table[n.min(table.len() - 1)]
 }
 
-#[derive(Clone, Copy)]
-pub(super) struct Cells(&'static [ComplexRow; CELLS.len()]);
-
-impl Cells {
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        Cells(table(&CELLS))
-    }
+/// The number of the cell around `a + i b`, plus `ROUND`, and the distance from its centre.
+#[inline(always)]
+pub(super) fn cell<R: Real>(a: R, b: R) -> [R; 3] {
+    let like = |x: f64| a.like(x);
+    // Beside the real axis the fine cells go on.
+    let fine = a.or(a.at_least(b).below(like(FINE)), b.below(like(2.0 * STRIP)));
+    // Not three choices: they would become a branch.
+    let fine = a.pick(fine, like(1.0), like(0.0));
+    let coarser = 1.0 / COARSE_PITCH;
+    let step = fine.fma(like(1.0 / FINE_PITCH - coarser), like(coarser));
+    let unit = fine.fma(like(COARSE_PITCH - FINE_PITCH), like(-COARSE_PITCH));
+    let base = fine.fma(like(-512.0), like(ROUND + 512.0));
+    let round = like(ROUND);
+    let (i, j) = (a.fma(step, round) - round, b.fma(step, round) - round);
+    [j.fma(like(32.0), i) + base, i.fma(unit, a), j.fma(unit, b)]
 }
 
-impl Rows for Cells {
-    #[inline(always)]
-    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
-        cell(a, y.magnitude())
-    }
-    #[inline(always)]
-    fn number(self, code: f64) -> u16 {
-        cell_number(code)
-    }
-    #[inline(always)]
-    fn row(self, number: u16) -> &'static [f64; 40] {
-        &entry(self.0, number as usize).0
-    }
+/// The row of the cell around `a + i b`, and the distance from its centre.
+#[inline(always)]
+pub(super) fn in_cell(a: f64, b: f64) -> (&'static ComplexRow, f64, f64) {
+    let [n, dx, dy] = cell(a, b);
+    (entry(&tables::CELLS, cell_number(n) as usize), dx, dy)
 }
 
-#[derive(Clone, Copy)]
-pub(super) struct LowerDisc(&'static [ComplexRow; DISC.len()]);
-
-impl LowerDisc {
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        LowerDisc(table(&DISC))
-    }
+/// Its place in the table.
+#[inline(always)]
+pub(super) fn cell_number(n: f64) -> u16 {
+    tables::CELL[n.to_bits() as usize & 1023]
 }
 
-impl Rows for LowerDisc {
-    #[inline(always)]
-    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
-        disc_cell(a, y)
-    }
-    #[inline(always)]
-    fn number(self, code: f64) -> u16 {
-        disc_number(code)
-    }
-    #[inline(always)]
-    fn row(self, number: u16) -> &'static [f64; 40] {
-        &entry(self.0, number as usize).0
-    }
+/// The number of the centre on the real axis next to `a`, plus `ROUND`, and the distance from it.
+#[inline(always)]
+pub(super) fn on_real_axis<R: Real>(a: R) -> (R, R) {
+    let round = a.like(ROUND);
+    let n = a.fma(a.like(1.0 / REAL_AXIS_PITCH), round);
+    (n, (n - round).fma(a.like(-REAL_AXIS_PITCH), a))
 }
 
-#[derive(Clone, Copy)]
-pub(super) struct RealAxis(&'static [ComplexRow; REAL_AXIS.len()]);
-
-impl RealAxis {
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        RealAxis(table(&REAL_AXIS))
-    }
+/// The row of centre `n` on the real axis.
+#[inline(always)]
+pub(super) fn real_axis_row(n: f64) -> &'static ComplexRow {
+    entry(&tables::REAL_AXIS, real_axis_number(n) as usize)
 }
 
-impl Rows for RealAxis {
-    #[inline(always)]
-    fn locate<R: Real>(self, a: R, y: R) -> [R; 3] {
-        let (code, t) = on_real_axis(a);
-        let below = y.below(y.like(0.0));
-        let above = above_real_axis(y.magnitude());
-        [code, t, y.pick(below, below_real_axis(y), above)]
+/// Its place in the table.
+#[inline(always)]
+pub(super) fn real_axis_number(n: f64) -> u16 {
+    (n.to_bits() as u16 & 255).wrapping_sub(18)
+}
+
+/// The number of the cell of the lower half-disc around `a + i y`, plus `ROUND`, and the distance
+/// from its centre.
+#[inline(always)]
+pub(super) fn disc_cell<R: Real>(a: R, y: R) -> [R; 3] {
+    let (i, dx) = on_axis(a);
+    let (j, dy) = on_axis(y);
+    let round = a.like(ROUND);
+    [(j - round).fma(a.like(-5.0), i), dx, dy]
+}
+
+/// The row of cell number `n` of the lower half-disc.
+#[inline(always)]
+pub(super) fn disc_row(n: f64) -> &'static ComplexRow {
+    entry(&tables::DISC, disc_number(n) as usize)
+}
+
+/// Its place in the table.
+#[inline(always)]
+pub(super) fn disc_number(n: f64) -> u16 {
+    n.to_bits() as u16 & 31
+}
+
+/// `ROUND` plus the number of the centre on an axis next to `x`, and the distance from it.
+#[inline(always)]
+pub(super) fn on_axis<R: Real>(x: R) -> (R, R) {
+    let round = x.like(ROUND);
+    let n = x.fma(x.like(1.0 / FINE_PITCH), round);
+    (n, (n - round).fma(x.like(-FINE_PITCH), x))
+}
+
+/// The row of centre `n` on the imaginary axis.
+#[inline(always)]
+pub(super) fn imaginary_axis_row(n: f64) -> &'static RealRow {
+    entry(&tables::IMAGINARY_AXIS, n.to_bits() as usize & 31)
+}
+
+/// The distance from the real axis where [`LEAST`] makes no difference.
+#[inline(always)]
+pub(super) fn above_real_axis<R: Real>(b: R) -> R {
+    b.raised(LEAST)
+}
+
+/// The same below the real axis.
+#[inline(always)]
+pub(super) fn below_real_axis<R: Real>(y: R) -> R {
+    -((-y).raised(LEAST))
+}
+
+/// The zero next to `a − i b`, if the point lies in its square: `2ab/π` at the k-th zero is
+/// `2k − 0.27`, nearly.
+#[inline(always)]
+pub(super) fn nearest_zero(a: f64, b: f64) -> Option<usize> {
+    if !candidate(a, b) {
+        return None;
     }
-    #[inline(always)]
-    fn number(self, code: f64) -> u16 {
-        real_axis_number(code)
-    }
-    #[inline(always)]
-    fn row(self, number: u16) -> &'static [f64; 40] {
-        &entry(self.0, number as usize).0
-    }
+    let k = (a * b * FRAC_1_PI - 0.365) as usize;
+    let z = &ZEROS.get(k)?.0;
+    ((a - z[0]).abs() <= REACH && (b + z[3]).abs() <= REACH).then_some(k)
+}
+
+/// The row of zero `k`.
+#[inline(always)]
+pub(super) fn zero_row(k: usize) -> &'static [f64; 46] {
+    &entry(&ZEROS, k).0
 }

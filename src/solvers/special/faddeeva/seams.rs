@@ -1,17 +1,13 @@
-//! Where the formulas of W(z) and of its relatives meet, put together from the constants that choose
-//! among them.
+//! Where the formulas of W(z) and of its relatives meet: the limits of the ladder, and the lines.
 
-use super::branch::{
-    APART, BEYOND, DISC_EDGE, FAR, GONE, HUGE, NEAR, STRIP, TERMS_2, TERMS_4, TERMS_6, TERMS_9,
-    TERMS_14, TERMS_21, TINY,
-};
+use super::branch::{FINE, NEAR, RINGS, STRIP, TINY};
 use super::dawson::{BESIDE_MAXIMUM, ROUNDING_SHOWS};
 use super::derivative::UNDERFLOW;
 use super::erf::COMPLEMENT;
-use super::plane::{COARSE_PITCH, FINE, FINE_PITCH, REAL_AXIS_PITCH};
+use super::odd_series;
 use super::reflection::{DOMINANT, NEGLIGIBLE};
 use super::relatives_tables::MAXIMUM_OF_DAWSON;
-use super::{odd_series, quadrant};
+use super::rows::{COARSE_PITCH, FINE_PITCH, REAL_AXIS_PITCH};
 
 /// Where one formula ends and another begins: what a test of the function has to come close to.
 #[derive(Clone, Copy, Debug)]
@@ -49,14 +45,34 @@ pub struct Seams {
 /// assert_eq!(SEAMS.pitches, [0.0625, 0.25, 0.5]);
 /// ```
 pub const SEAMS: Seams = Seams {
-    circles: &[
-        TERMS_9, TERMS_21, DISC_EDGE, APART, FAR, BEYOND, TERMS_14, GONE, TERMS_6, TERMS_4,
-        TERMS_2, HUGE,
-    ],
+    circles: &CIRCLES,
     re: &[TINY, FINE],
     im: &[NEAR, STRIP, 2.0 * STRIP, FINE],
     hyperbolas: &[DOMINANT, NEGLIGIBLE],
     pitches: &[REAL_AXIS_PITCH, FINE_PITCH, COARSE_PITCH],
+};
+
+/// The limits of the ladder.
+const CIRCLES: [f64; RINGS.len() - 1] = {
+    let mut all = [0.0; RINGS.len() - 1];
+    let mut k = 0;
+    while k < all.len() {
+        all[k] = RINGS[k + 1].from;
+        k += 1;
+    }
+    all
+};
+
+/// Those from where rows about the real axis begin, after the circle inside which the relatives have series of their
+/// own.
+const CIRCLES_OF_RELATIVES: [f64; CIRCLES.len() - 2] = {
+    let mut all = [odd_series::REACH; CIRCLES.len() - 2];
+    let mut k = 1;
+    while k < all.len() {
+        all[k] = CIRCLES[k + 2];
+        k += 1;
+    }
+    all
 };
 
 /// On either axis of the relatives, which turn into each other by quarter turns.
@@ -67,11 +83,8 @@ const LINES: &[f64] = &[
     2.0 * STRIP,
     MAXIMUM_OF_DAWSON[0] - BESIDE_MAXIMUM,
     MAXIMUM_OF_DAWSON[0] + BESIDE_MAXIMUM,
-    quadrant::REAL_AXIS,
     FINE,
-    quadrant::GONE,
     UNDERFLOW,
-    quadrant::HUGE,
 ];
 
 /// The seams of [`erf`](super::erf()), [`erfc`](super::erfc()), [`erfi`](super::erfi()),
@@ -80,17 +93,13 @@ const LINES: &[f64] = &[
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::SEAMS_OF_RELATIVES;
-/// assert_eq!(SEAMS_OF_RELATIVES.circles, [0.5, 49.0, 100.0, 256.0, 1000.0, 1e6]);
+/// assert_eq!(
+///     SEAMS_OF_RELATIVES.circles,
+///     [0.5, 1.25, 48.0, 80.0, 112.0, 768.0, 1024.0, 5120.0, 1_048_576.0, 1e200]
+/// );
 /// ```
 pub const SEAMS_OF_RELATIVES: Seams = Seams {
-    circles: &[
-        odd_series::REACH,
-        quadrant::FAR,
-        quadrant::FEWER_TERMS[0],
-        quadrant::FEWER_TERMS[1],
-        quadrant::FEWER_TERMS[2],
-        quadrant::FEWER_TERMS[3],
-    ],
+    circles: &CIRCLES_OF_RELATIVES,
     re: LINES,
     im: LINES,
     hyperbolas: &[],

@@ -11,7 +11,7 @@
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::lanes::Lanes;
 #[cfg(target_arch = "x86_64")]
-use super::pack::{Pack, Wide};
+use super::pack::{Pack, Wide, columns};
 use super::real::Real;
 
 /// `Re c₀` (hi, lo), `Im c₀`, `Re c₁`, `Im c₁`, then four blocks of four real and four imaginary
@@ -203,18 +203,6 @@ fn real_polynomial<L: Lanes>(
     let qr = lanes.sum(lanes.neg_mul_add(bs, im, lanes.mul(pv, re)));
     let qs = lanes.sum(lanes.mul_add(pv, im, lanes.mul(sv, re)));
     (block(c, 0), bb, (p[2], s[2]), (qr, qs))
-}
-
-/// Numbers `at … at + 3` of each row.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn columns<S: Wide, const N: usize>(
-    simd: S,
-    rows: &[&[f64; N]; 8],
-    at: usize,
-) -> [Pack<S>; 4] {
-    let [a, b, c, d] = simd.columns(rows, at);
-    [Pack(simd, a), Pack(simd, b), Pack(simd, c), Pack(simd, d)]
 }
 
 /// [`polynomial`] for several points with a row each.

@@ -11,13 +11,10 @@
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::lanes::Lanes;
 #[cfg(target_arch = "x86_64")]
-use super::pack::{Pack, Wide};
-#[cfg(target_arch = "x86_64")]
-use super::plane::entry;
+use super::pack::{Pack, Wide, columns};
 use super::real::{ROUND, Real};
-use super::tables::ZEROS;
 #[cfg(target_arch = "x86_64")]
-use super::taylor::{columns, polynomials};
+use super::taylor::polynomials;
 use super::taylor::{polynomial, square};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
@@ -26,23 +23,8 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 #[repr(align(16))]
 pub(super) struct ZeroRow(pub [f64; 46]);
 
-/// Half the side of the squares around the zeros in which the expansions are used.
-const REACH: f64 = 0.0625;
-
 /// 2/√π.
 const TWO_OVER_SQRT_PI: Dd = Dd::new(std::f64::consts::FRAC_2_SQRT_PI, 1.533_545_961_316_588e-17);
-
-/// The zero next to `a − i b`, if the point lies in its square: `2ab/π` at the k-th zero is
-/// `2k − 0.27`, nearly.
-#[inline(always)]
-pub(super) fn nearest(a: f64, b: f64) -> Option<usize> {
-    if !candidate(a, b) {
-        return None;
-    }
-    let k = (a * b * FRAC_1_PI - 0.365) as usize;
-    let z = &ZEROS.get(k)?.0;
-    ((a - z[0]).abs() <= REACH && (b + z[3]).abs() <= REACH).then_some(k)
-}
 
 /// Whether the point `a − i b` may lie in the square of a zero. There `p = 2ab` is near `2π(k − 0.1325)`, and
 /// `a² − b²` near the straight line through the values at the zeros; squares become squares, turned and `2|z|`
@@ -58,11 +40,10 @@ pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
     off.fma(off, e * e).below(p.fma(like(0.04), like(0.36)))
 }
 
-/// `w(a − i b)` next to zero `k`; `None` if a component cannot be had to a few units in the last
+/// `w(a − i b)` next to the zero of row `c`; `None` if a component cannot be had to a few units in the last
 /// place this way.
 #[inline(always)]
-pub(super) fn near_zero<L: Lanes>(lanes: L, k: usize, a: f64, b: f64) -> Option<(f64, f64)> {
-    let c = &ZEROS[k].0;
+pub(super) fn near_zero<L: Lanes>(lanes: L, c: &[f64; 46], a: f64, b: f64) -> Option<(f64, f64)> {
     let (dx, dy) = (
         difference(a, c[0], c[1], c[2]),
         difference(-b, c[3], c[4], c[5]),
@@ -128,13 +109,6 @@ pub(super) fn near_zeros<S: Wide>(
     let d2 = square(dx.hi, dy.hi);
     let q = polynomials::<S, 46>(simd, rows, (6, 38), (dx.hi, dy.hi), d2);
     assemble((dx, dy), d2, q)
-}
-
-/// The row of zero `k`.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-pub(super) fn row(k: usize) -> &'static [f64; 46] {
-    &entry(&ZEROS, k).0
 }
 
 #[cfg(test)]

@@ -1,21 +1,21 @@
 //! Which bucket a point belongs to: a table for the leading bits of |z|² and a few comparisons.
 
 use super::super::branch::{
-    HUGE, Kind, NEAR, STRIP, TERMS_2, TERMS_9, TINY, formula, modulus_squared,
+    Branch, CELL, FARTHEST, HUGE, NEAR, NEAREST, REAL_AXIS, SERIES_6, SERIES_14, SERIES_26, STRIP,
+    TINY, formula, modulus_squared,
 };
 use super::super::pack::{Pack, Wide};
 use super::super::real::Real;
 use super::super::reflection::{DOMINANT, NEGLIGIBLE, decay};
 
-/// The number of the bucket of a kind in the lower half-plane, for those up to [`Kind::RealAxis`],
-/// less that of the kind.
-pub(in super::super) const LOWER: usize = Kind::Other as usize + 1;
+/// The number of the bucket of a formula in the lower half-plane, for those up to [`REAL_AXIS`], less its number in
+/// the upper one, [`Branch::number`].
+pub(in super::super) const LOWER: usize = Branch::Huge.number() + 1;
 /// What is added to it once more for a series beside which `e^{−z²}` should be negligible.
-pub(in super::super) const SERIES_ALONE: usize =
-    Kind::RealAxis as usize + 1 - Kind::Series26 as usize;
+pub(in super::super) const SERIES_ALONE: usize = REAL_AXIS.number() + 1 - SERIES_26.number();
 /// The buckets of the lower half-plane where one term dominates: W(−z) in cells and given by 26 terms,
 /// `2e^{−z²}` in cells.
-pub(in super::super) const IMAGE_IN_CELL: usize = Kind::Series6 as usize + LOWER + SERIES_ALONE + 1;
+pub(in super::super) const IMAGE_IN_CELL: usize = SERIES_6.number() + LOWER + SERIES_ALONE + 1;
 pub(in super::super) const IMAGE_BY_SERIES: usize = IMAGE_IN_CELL + 1;
 pub(in super::super) const EXPONENTIAL_IN_CELL: usize = IMAGE_IN_CELL + 2;
 /// How many buckets there are.
@@ -32,15 +32,15 @@ const APART: usize = 1 << 11;
 /// Room for all of them.
 const PLACES: usize = 1 << 12;
 
-/// |z|² outside these has the kind of the nearer one.
-const LEAST: f64 = TERMS_9 / 2.0;
-const MOST: f64 = TERMS_2;
+/// |z|² outside these has the formula of the nearer one.
+const LEAST: f64 = NEAREST / 2.0;
+const MOST: f64 = FARTHEST;
 /// Stands for what is left to the scalar code.
-const OTHER: f64 = 2.0 * TERMS_2;
+const OTHER: f64 = 2.0 * FARTHEST;
 
 /// The bucket by the number that [`places`] gives.
 static BUCKET: [u8; PLACES] = {
-    let mut table = [Kind::Other as u8; PLACES];
+    let mut table = [Branch::Huge.number() as u8; PLACES];
     let (least, other) = (LEAST.to_bits() >> 50, OTHER.to_bits() >> 50);
     let mut bits = least;
     while bits < other {
@@ -48,11 +48,11 @@ static BUCKET: [u8; PLACES] = {
         let mut flags = 0;
         while flags < PLACES {
             let (low, apart) = (flags & LOW != 0, flags & APART != 0);
-            let kind = formula(r2, low, flags & BESIDE_REAL != 0, !apart);
+            let formula = formula(r2, low, flags & BESIDE_REAL != 0, !apart);
             let bucket = if low {
-                below(kind, flags & IMAGE != 0, apart)
+                below(formula, flags & IMAGE != 0, apart)
             } else {
-                kind as usize
+                formula.number()
             };
             table[flags | bits as usize & 255] = bucket as u8;
             flags += LOW;
@@ -62,17 +62,16 @@ static BUCKET: [u8; PLACES] = {
     table
 };
 
-/// The bucket of a kind in the lower half-plane.
-const fn below(kind: Kind, image: bool, apart: bool) -> usize {
-    match (kind, image, apart) {
-        (Kind::Cell, true, _) => IMAGE_IN_CELL,
-        (Kind::Cell, false, true) => EXPONENTIAL_IN_CELL,
-        (Kind::Series26, true, false) => IMAGE_BY_SERIES,
-        (Kind::Series26 | Kind::Series14 | Kind::Series6, true, true) => {
-            kind as usize + LOWER + SERIES_ALONE
-        }
-        _ if kind as usize <= Kind::RealAxis as usize => kind as usize + LOWER,
-        _ => kind as usize,
+/// The bucket of a formula in the lower half-plane.
+const fn below(formula: Branch, image: bool, apart: bool) -> usize {
+    let above = formula.number();
+    match (formula, image, apart) {
+        (CELL, true, _) => IMAGE_IN_CELL,
+        (CELL, false, true) => EXPONENTIAL_IN_CELL,
+        (SERIES_26, true, false) => IMAGE_BY_SERIES,
+        (SERIES_26 | SERIES_14 | SERIES_6, true, true) => above + LOWER + SERIES_ALONE,
+        _ if above <= REAL_AXIS.number() => above + LOWER,
+        _ => above,
     }
 }
 

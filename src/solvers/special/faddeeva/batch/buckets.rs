@@ -3,11 +3,11 @@
 use super::super::lanes::Lanes;
 use super::super::pack::{Pack, Wide};
 use super::super::real::Real;
-use super::super::rows::Rows;
 use super::super::taylor::OnRows;
 use super::super::two::Two;
+use super::chunk::{Chunk, GROUPS};
 use super::formulas::Formula;
-use super::{Chunk, GROUPS};
+use super::tables::Rows;
 use num_complex::Complex;
 
 impl Chunk<'_> {

@@ -1,7 +1,7 @@
 //! Points of buckets that have too few of them for whole groups: kept until there are as many as in a chunk.
 
-use super::super::Points;
-use super::{CHUNK, Chunk, LATER};
+use super::super::points::Points;
+use super::chunk::{CHUNK, Chunk, LATER};
 use num_complex::Complex;
 
 /// With more points than these they are due.

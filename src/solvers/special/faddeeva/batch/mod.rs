@@ -3,98 +3,40 @@
 
 pub(super) mod bucket;
 mod buckets;
+mod chunk;
 mod formulas;
 mod later;
 mod reflection;
 mod sort;
+mod tables;
 
-use super::Points;
-use super::branch::Kind;
+use super::branch::{
+    Branch, CELL, IN_STRIP, LOWER_CELL, MACLAURIN_9, MACLAURIN_21, REAL_AXIS, REAL_LINE, SERIES_2,
+    SERIES_4, SERIES_6, SERIES_14, SERIES_26,
+};
 use super::lanes::Lanes;
 use super::pack::Wide;
 use super::plane::{Cancelled, cancels_beside_real_axis, w};
+use super::points::Points;
 use super::real::{Real, with_sign_of};
-use super::rows::{Cells, LowerDisc, RealAxis};
+use super::rows::{nearest_zero, zero_row};
 use super::zeros;
-use bucket::{BUCKETS, LOWER};
+use bucket::LOWER;
+use chunk::{Buffers, CHUNK, Chunk, GROUPS, ROOM};
 use formulas::{InStrip, Maclaurin9, Maclaurin21, OnRealLine, Series, TwoTerms, UnlessLost};
 use later::Later;
 use num_complex::Complex;
 use pulp::NullaryFnOnce;
+use pulp::x86::{V3, V4};
+use tables::{Cells, LowerDisc, RealAxis};
 
-/// Points sorted at a time.
-const CHUNK: usize = 256;
 /// Batches of fewer points do not let any wait for others.
 const MANY: usize = 4 * CHUNK;
-/// Two groups in the widest vectors.
-const GROUPS: usize = 16;
-/// Places of a bucket: room for all points, and for repeating the last one.
-const ROOM: usize = CHUNK + GROUPS;
-/// Room for all buckets and one more, a power of two.
-const SETS: usize = (BUCKETS + 1).next_power_of_two();
-/// The bucket of those left for later.
-const LATER: usize = BUCKETS;
-/// Room for the points of all buckets, one after another, the last one of each repeated.
-const ORDERED: usize = (CHUNK + GROUPS * BUCKETS).next_power_of_two();
-
-/// A chunk of points and the place for their values, and what is needed to compute them.
-struct Chunk<'a> {
-    z: &'a [Complex<f64>; CHUNK],
-    w: &'a mut [Complex<f64>; CHUNK],
-    buffers: &'a mut Buffers,
-}
-
-struct Buffers {
-    /// The bucket of each point.
-    codes: [u8; CHUNK],
-    /// The points of all buckets, where those of each begin, and how many it has.
-    order: [u8; ORDERED + GROUPS],
-    start: [usize; SETS],
-    len: [usize; SETS],
-    /// The points of the bucket at work that needs rows, these, and the distances from the centres.
-    x: [f64; ROOM],
-    y: [f64; ROOM],
-    row: [u16; ROOM],
-    dx: [f64; ROOM],
-    dy: [f64; ROOM],
-    /// The points next to a zero.
-    near_zeros: usize,
-    zeros: [u8; ROOM],
-}
-
-impl Buffers {
-    /// How many points a bucket has.
-    #[inline(always)]
-    fn len(&self, bucket: usize) -> usize {
-        self.len[bucket].min(CHUNK)
-    }
-
-    /// The numbers of two groups of points of a bucket from a place on.
-    #[inline(always)]
-    fn numbers(&self, bucket: usize, at: usize) -> &[u8; GROUPS] {
-        self.order[(self.start[bucket] + at) & (ORDERED - 1)..]
-            .first_chunk()
-            .expect("there is room")
-    }
-}
 
 /// Computes W at all points.
 #[inline(always)]
 pub(super) fn batch<S: Wide, L: Lanes, P: Points>(simd: S, lanes: L, points: &mut P) {
-    let none = [0.0; ROOM];
-    let buffers = &mut Buffers {
-        codes: [0; CHUNK],
-        order: [0; ORDERED + GROUPS],
-        start: [0; SETS],
-        len: [0; SETS],
-        x: none,
-        y: none,
-        row: [0; ROOM],
-        dx: none,
-        dy: none,
-        near_zeros: 0,
-        zeros: [0; ROOM],
-    };
+    let buffers = &mut Buffers::new();
     let total = points.len();
     let mut moved = None;
     let mut later = if total < MANY {
@@ -204,16 +146,6 @@ impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
 }
 
 impl Chunk<'_> {
-    /// The same for a while. By value: what is stored may not change where it is then.
-    #[inline(always)]
-    fn lent(&mut self) -> Chunk<'_> {
-        Chunk {
-            z: self.z,
-            w: self.w,
-            buffers: self.buffers,
-        }
-    }
-
     #[inline(always)]
     fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         self.buffers.near_zeros = 0;
@@ -221,8 +153,8 @@ impl Chunk<'_> {
         self.one_term_dominates(simd, lanes);
         self.both_terms(simd, lanes);
         self.beside_real_axis(simd, lanes);
-        for at in 0..self.buffers.len(Kind::Other as usize) {
-            let i = self.buffers.numbers(Kind::Other as usize, at)[0];
+        for at in 0..self.buffers.len(Branch::Huge.number()) {
+            let i = self.buffers.numbers(Branch::Huge.number(), at)[0];
             self.alone(lanes, i);
         }
         self.next_to_zeros(simd, lanes);
@@ -231,22 +163,22 @@ impl Chunk<'_> {
     /// The buckets whose formula gives the value.
     #[inline(always)]
     fn upper<S: Wide>(&mut self, simd: S) {
-        self.rounded(simd, Cells::new(), Kind::Cell as usize);
-        self.without_rows(simd, Kind::Series26 as usize, Series::<26>);
-        self.without_rows(simd, Kind::Series14 as usize, Series::<14>);
-        self.without_rows(simd, Kind::Series6 as usize, Series::<6>);
-        self.without_rows(simd, Kind::Series4 as usize, Series::<4>);
-        self.without_rows(simd, Kind::Series2 as usize, TwoTerms);
-        self.without_rows(simd, Kind::Maclaurin9 as usize, Maclaurin9);
-        self.without_rows(simd, Kind::Maclaurin21 as usize, Maclaurin21);
-        self.rounded(simd, LowerDisc::new(), Kind::Disc as usize);
-        self.rounded(simd, RealAxis::new(), Kind::RealAxis as usize);
+        self.rounded(simd, Cells::new(), CELL.number());
+        self.without_rows(simd, SERIES_26.number(), Series::<26>);
+        self.without_rows(simd, SERIES_14.number(), Series::<14>);
+        self.without_rows(simd, SERIES_6.number(), Series::<6>);
+        self.without_rows(simd, SERIES_4.number(), Series::<4>);
+        self.without_rows(simd, SERIES_2.number(), TwoTerms);
+        self.without_rows(simd, MACLAURIN_9.number(), Maclaurin9);
+        self.without_rows(simd, MACLAURIN_21.number(), Maclaurin21);
+        self.rounded(simd, LowerDisc::new(), LOWER_CELL.number());
+        self.rounded(simd, RealAxis::new(), REAL_AXIS.number());
     }
 
     /// The buckets beside the real axis in which terms may cancel.
     #[inline(always)]
     fn beside_real_axis<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
-        let bucket = Kind::RealAxis as usize + LOWER;
+        let bucket = REAL_AXIS.number() + LOWER;
         self.on_rows(
             simd,
             RealAxis::new(),
@@ -259,8 +191,8 @@ impl Chunk<'_> {
                 chunk.recompute(lanes, bucket, at, [(lost, x)]);
             },
         );
-        self.strip(simd, lanes, Kind::Strip as usize, InStrip);
-        self.strip(simd, lanes, Kind::RealLine as usize, OnRealLine);
+        self.strip(simd, lanes, IN_STRIP.number(), InStrip);
+        self.strip(simd, lanes, REAL_LINE.number(), OnRealLine);
     }
 
     /// The asymptotic series and the exponential beside the real axis.
@@ -283,18 +215,6 @@ impl Chunk<'_> {
             self.recompute(lanes, bucket, at, [(lost.0, x.0), (lost.1, x.1)]);
             at += 2 * S::WIDTH;
         }
-    }
-
-    /// Point `i`.
-    #[inline(always)]
-    fn at(&self, i: u8) -> [f64; 2] {
-        pair(self.z[i as usize])
-    }
-
-    /// Takes the value at point `i`.
-    #[inline(always)]
-    fn put(&mut self, i: u8, (re, im): (f64, f64)) {
-        self.w[i as usize] = Complex::new(re, im);
     }
 
     /// Point `i` by the scalar code.
@@ -330,10 +250,10 @@ impl Chunk<'_> {
         while at < len {
             let numbers = window(&self.buffers.zeros, at);
             let (x, y) = self.gather(simd, numbers, 0);
-            let mut rows = [zeros::row(0); 8];
+            let mut rows = [zero_row(0); 8];
             for m in 0..S::WIDTH {
                 let [x, y] = self.at(numbers[m]);
-                rows[m] = zeros::row(zeros::nearest(x.abs(), -y).unwrap_or(0));
+                rows[m] = zero_row(nearest_zero(x.abs(), -y).unwrap_or(0));
             }
             let (re, im, lost) = zeros::near_zeros(simd, &rows, x.magnitude(), y);
             let im = im.with_sign_of(x);
@@ -352,15 +272,31 @@ impl Chunk<'_> {
     }
 }
 
-#[inline(always)]
-fn pair(z: Complex<f64>) -> [f64; 2] {
-    [z.re, z.im]
-}
-
 /// The numbers of two groups.
 #[inline(always)]
 fn window(numbers: &[u8; ROOM], at: usize) -> &[u8; GROUPS] {
     numbers[at.min(CHUNK)..]
         .first_chunk()
         .expect("there is room")
+}
+
+/// Runs the batch with the widest vectors of this processor; `false` if it has none.
+pub(super) fn with_best_vectors<P: Points>(points: &mut P) -> bool {
+    struct Run<'a, S, P>(S, V3, &'a mut P);
+    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
+        type Output = ();
+        #[inline(always)]
+        fn call(self) {
+            batch(self.0, self.1, self.2);
+        }
+    }
+    if let Some(v) = V4::try_new() {
+        v.vectorize(Run(v, *v, points));
+        return true;
+    }
+    if let Some(v) = V3::try_new() {
+        v.vectorize(Run(v, v, points));
+        return true;
+    }
+    false
 }

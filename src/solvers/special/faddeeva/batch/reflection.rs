@@ -1,7 +1,7 @@
 //! The lower half-plane: the formulas for the mirror images, and the reflection.
 
 use super::super::asymptotic::{series, series_rounded};
-use super::super::branch::Kind;
+use super::super::branch::{CELL, SERIES_6, SERIES_14, SERIES_26};
 use super::super::double_double::Dd;
 use super::super::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::lanes::Lanes;
@@ -10,11 +10,12 @@ use super::super::real::{ROUND, Real};
 use super::super::reflection::{
     ALONE, close, exponential_dominates, image_dominates, negligible, reflect,
 };
-use super::super::rows::Cells;
+use super::super::rows::nearest_zero;
 use super::super::zeros;
 use super::bucket::{EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE};
+use super::chunk::{CHUNK, Chunk};
 use super::formulas::Formula;
-use super::{CHUNK, Chunk};
+use super::tables::Cells;
 
 /// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of those that
 /// only the scalar code takes care of.
@@ -70,7 +71,7 @@ impl Chunk<'_> {
                 chunk.recompute(lanes, EXPONENTIAL_IN_CELL, at, [(lost, x)]);
             },
         );
-        let alone = Kind::Series26 as usize + LOWER + SERIES_ALONE;
+        let alone = SERIES_26.number() + LOWER + SERIES_ALONE;
         self.without_rows(simd, IMAGE_BY_SERIES, ImageBySeries);
         self.without_rows(simd, alone, ImageAlone);
     }
@@ -79,7 +80,7 @@ impl Chunk<'_> {
     /// term is negligible, no phase large and no exponential beyond every f64.
     #[inline(always)]
     pub(super) fn both_terms<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
-        let bucket = Kind::Cell as usize + LOWER;
+        let bucket = CELL.number() + LOWER;
         self.on_rows(
             simd,
             Cells::new(),
@@ -90,7 +91,7 @@ impl Chunk<'_> {
                 chunk.reflect(lanes, (bucket, at), image, (x, y));
             },
         );
-        let bucket = Kind::Series26 as usize + LOWER;
+        let bucket = SERIES_26.number() + LOWER;
         let mut at = 0;
         while at < self.buffers.len(bucket) {
             let (x, y) = self.gather(simd, self.buffers.numbers(bucket, at), 0);
@@ -99,8 +100,8 @@ impl Chunk<'_> {
             at += S::WIDTH;
         }
         for plane in [LOWER, LOWER + SERIES_ALONE] {
-            self.far::<S, L, 14>(simd, lanes, Kind::Series14 as usize + plane);
-            self.far::<S, L, 6>(simd, lanes, Kind::Series6 as usize + plane);
+            self.far::<S, L, 14>(simd, lanes, SERIES_14.number() + plane);
+            self.far::<S, L, 6>(simd, lanes, SERIES_6.number() + plane);
         }
     }
 
@@ -180,7 +181,7 @@ impl Chunk<'_> {
     #[inline(always)]
     fn next_to_zero(&mut self, i: u8) -> bool {
         let [x, y] = self.at(i);
-        let near = zeros::nearest(x.abs(), -y).is_some();
+        let near = nearest_zero(x.abs(), -y).is_some();
         if near {
             let buffers = &mut *self.buffers;
             buffers.zeros[buffers.near_zeros.min(CHUNK)] = i;

@@ -2,7 +2,7 @@
 
 use super::super::pack::{Pack, Wide};
 use super::bucket::{bucket, places};
-use super::{CHUNK, Chunk, GROUPS, LATER, ORDERED, SETS, pair};
+use super::chunk::{CHUNK, Chunk, GROUPS, LATER, ORDERED, SETS, pair};
 
 /// Points compared with a bucket at a time.
 const BLOCK: usize = 32;

@@ -1,10 +1,26 @@
-use super::super::branch::{BEYOND, GONE, TERMS_2, TERMS_4};
+use super::super::branch::{
+    Branch, IN_STRIP, RINGS, Ring, SERIES_2, SERIES_4, SERIES_6, SERIES_14, SERIES_26,
+};
 use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, rational, w, wide};
 use super::*;
 use mechaudit_reference::Ball;
 use rug::{Float, Rational};
+
+/// |z|² from which a formula serves above the real axis.
+fn from(formula: Branch) -> f64 {
+    let ring = RINGS.iter().find(|ring| ring.above == formula);
+    ring.expect("on the ladder").from
+}
+
+/// |z| between which the series serves in the strip beside the real axis.
+fn strip() -> [f64; 2] {
+    let inside = |ring: &Ring| ring.strip == Some(IN_STRIP);
+    let first = RINGS.iter().position(inside).expect("on the ladder");
+    let after = RINGS[first..].iter().find(|ring| !inside(ring));
+    [RINGS[first].from, after.expect("on the ladder").from].map(f64::sqrt)
+}
 
 #[test]
 fn constants() {
@@ -75,9 +91,9 @@ fn series_in_the_upper_half_plane() {
         };
         type Series = fn(f64, f64) -> (Dd, Dd);
         let each: [(f64, Series); 3] = [
-            (48f64.sqrt(), series::<_, 26>),
-            (112f64.sqrt(), series::<_, 14>),
-            (32.0, series::<_, 6>),
+            (from(SERIES_26).sqrt(), series::<_, 26>),
+            (from(SERIES_14).sqrt(), series::<_, 14>),
+            (from(SERIES_6).sqrt(), series::<_, 6>),
         ];
         for (least, series) in each {
             let (a, b) = (
@@ -110,7 +126,7 @@ fn rounded_far_out() {
     let mut random = Random(53);
     for k in 0..6000 {
         let (t, r) = (random.between(0.0, 90.0).to_radians(), k % 2);
-        let least = [TERMS_4.sqrt(), TERMS_2.sqrt()][r];
+        let least = [SERIES_4, SERIES_2].map(from)[r].sqrt();
         let far = least * (1.0 + 1e-9) * random.power(0.0, 60.0);
         let (a, b) = match k % 3 {
             0 => (far, far * random.power(-200.0, 0.0)),
@@ -132,11 +148,12 @@ fn rounded_far_out() {
 #[test]
 fn next_to_the_real_axis() {
     let mut random = Random(54);
+    let [first, last] = strip();
     for k in 0..4000 {
         let a = match k {
-            0 => BEYOND.sqrt(),
-            1 => GONE.sqrt(),
-            _ => random.between(BEYOND.sqrt(), GONE.sqrt()),
+            0 => first,
+            1 => last,
+            _ => random.between(first, last),
         };
         let (u, v) = series_next_to_real_axis(a);
         // Where b is so small that its powers do not count; e^{−z²} is not part of the series.
@@ -154,8 +171,9 @@ fn next_to_the_real_axis() {
 fn both_formulas_beside_the_real_axis() {
     // The edge between them: what one leaves out is nothing to the other.
     let mut random = Random(55);
+    let [first, last] = strip();
     for _ in 0..4000 {
-        let a = random.between(80f64.sqrt(), 768f64.sqrt());
+        let a = random.between(first, last);
         let near = series_next_to_real_axis(a);
         let strip = series_beside_real_axis::<_, 16>(a, 2f64.powi(-28));
         for (p, q) in [(near.0, strip.0), (near.1, strip.1)] {

@@ -5,7 +5,9 @@ use super::super::batch::bucket::{
     BUCKETS, EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, SERIES_ALONE, bucket,
     places,
 };
-use super::super::branch::{Branch, Kind, NEAR, TINY, kind};
+use super::super::branch::{
+    Branch, CELL, NEAR, REAL_AXIS, RINGS, SERIES_6, SERIES_14, SERIES_26, TINY, formula_at,
+};
 use super::super::pack::{Pack, Wide};
 use super::super::reflection::{DOMINANT, NEGLIGIBLE, decay};
 use super::Random;
@@ -14,24 +16,23 @@ use pulp::x86::{V3, V4};
 /// The bucket by the scalar rule.
 fn expected(x: f64, y: f64) -> usize {
     let a = x.abs();
-    let kind = match a < TINY {
-        true => Kind::Other,
-        false => kind(a, y),
+    let formula = match a < TINY {
+        true => Branch::Huge,
+        false => formula_at(a, y),
     };
-    if (kind as u8) > Kind::RealAxis as u8 || !(y < 0.0) {
-        return kind as usize;
+    let above = formula.number();
+    if above > REAL_AXIS.number() || !(y < 0.0) {
+        return above;
     }
     let decay = decay(x, y);
-    match kind {
-        Kind::Cell if decay > DOMINANT => IMAGE_IN_CELL,
-        Kind::Cell if decay < -DOMINANT => EXPONENTIAL_IN_CELL,
-        Kind::Series26 if (DOMINANT..=NEGLIGIBLE).contains(&decay) => IMAGE_BY_SERIES,
-        Kind::Series26 | Kind::Series14 | Kind::Series6
-            if decay > NEGLIGIBLE && y.abs() >= NEAR =>
-        {
-            kind as usize + LOWER + SERIES_ALONE
+    match formula {
+        CELL if decay > DOMINANT => IMAGE_IN_CELL,
+        CELL if decay < -DOMINANT => EXPONENTIAL_IN_CELL,
+        SERIES_26 if (DOMINANT..=NEGLIGIBLE).contains(&decay) => IMAGE_BY_SERIES,
+        SERIES_26 | SERIES_14 | SERIES_6 if decay > NEGLIGIBLE && y.abs() >= NEAR => {
+            above + LOWER + SERIES_ALONE
         }
-        _ => kind as usize + LOWER,
+        _ => above + LOWER,
     }
 }
 
@@ -91,7 +92,7 @@ fn side_by_side() {
 
 #[test]
 fn as_told() {
-    use super::super::branch;
+    use num_complex::Complex;
     let told = [
         ((0.005, 0.005), Branch::Maclaurin { terms: 9 }),
         ((0.1, -0.2), Branch::Maclaurin { terms: 21 }),
@@ -116,6 +117,16 @@ fn as_told() {
         ((1.99, -1.35), Branch::Zero { zero: 1, terms: 21 }),
     ];
     for ((x, y), branch) in told {
-        assert_eq!(branch::branch(f64::abs(x), y), branch, "{x} {y}");
+        assert_eq!(super::super::branch(Complex::new(x, y)), branch, "{x} {y}");
     }
+}
+
+/// The limits are such that batches can tell the ring by the leading bits.
+#[test]
+fn limits_by_leading_bits() {
+    let limits: Vec<f64> = RINGS[1..].iter().map(|ring| ring.from).collect();
+    assert_eq!(limits, SEAMS.circles);
+    assert!(limits.windows(2).all(|pair| pair[0] < pair[1]));
+    let (_, told) = limits.split_last().expect("limits");
+    assert!(told.iter().all(|limit| limit.to_bits() << 14 == 0));
 }

@@ -1,7 +1,6 @@
 //! Taylor rows by rows and by columns: the same operations on the same numbers.
 
-use super::super::pack::Pack;
-use super::super::taylor_packs::{by_columns, by_rows};
+use super::super::pack::{Pack, by_columns, by_rows};
 use super::Random;
 use pulp::x86::V3;
 use pulp::{NullaryFnOnce, cast};

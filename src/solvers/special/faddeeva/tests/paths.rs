@@ -107,10 +107,9 @@ fn lengths_have_to_agree() {
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn every_set_of_vectors() {
-    use super::super::Interleaved;
-    use super::super::Points;
     use super::super::batch::batch;
     use super::super::pack::Wide;
+    use super::super::points::{Interleaved, Points};
     use pulp::x86::{V3, V4};
     use pulp::{NullaryFnOnce, Simd};
 

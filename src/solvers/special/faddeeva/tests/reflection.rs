@@ -1,6 +1,7 @@
-use super::super::branch::{Kind, kind};
+use super::super::branch::{CELL, SERIES_26, formula_at};
 use super::super::lanes::Plain;
 use super::super::plane;
+use super::super::rows;
 use super::super::tables::ZEROS;
 use super::super::tests::Random;
 use super::super::tests::exact::{error, float, w};
@@ -24,7 +25,7 @@ fn limits() {
             .enumerate()
         {
             let a = b.hypot(limit.sqrt());
-            if matches!(kind(a, -b), Kind::Cell | Kind::Series26) {
+            if matches!(formula_at(a, -b), CELL | SERIES_26) {
                 met[k] += 1;
                 assert!(ratio(a, b) < bound, "{a} {b}: {}", ratio(a, b));
             }
@@ -46,10 +47,10 @@ fn one_term_dominates() {
     let (mut met, mut worst) = ([0; 3], 0.0f64);
     for _ in 0..40_000 {
         let (a, b) = (random.between(0.0, 10.6), random.between(0.125, 10.6));
-        let class = match (kind(a, -b), decay(a, b)) {
-            (Kind::Cell, d) if d > DOMINANT => 0,
-            (Kind::Cell, d) if d < -DOMINANT => 1,
-            (Kind::Series26, d) if d > DOMINANT => 2,
+        let class = match (formula_at(a, -b), decay(a, b)) {
+            (CELL, d) if d > DOMINANT => 0,
+            (CELL, d) if d < -DOMINANT => 1,
+            (SERIES_26, d) if d > DOMINANT => 2,
             _ => continue,
         };
         met[class] += 1;
@@ -77,10 +78,10 @@ fn cancellation_is_told() {
         let phase = (2.0 * a * b / quarter).round().max(1.0) * quarter;
         let a = phase / (2.0 * b);
         let a = a * (1.0 + random.between(-0.5, 0.5) * decay(a, b).exp() / phase);
-        if kind(a, -b) != Kind::Cell || decay(a, b) >= -DOMINANT {
+        if formula_at(a, -b) != CELL || decay(a, b) >= -DOMINANT {
             continue;
         }
-        let (row, dx, dy) = plane::in_cell(a, b);
+        let (row, dx, dy) = rows::in_cell(a, b);
         let image = super::super::taylor::complex_row_rounded(Plain, row, dx, dy);
         let (re, im, lost) = exponential_dominates(image, a, -b);
         let exact = w(a, -b);

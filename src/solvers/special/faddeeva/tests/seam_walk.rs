@@ -1,14 +1,16 @@
 //! Every change of the formula lies on a seam, and every seam is one.
 
-use super::super::branch::branch;
-use super::super::plane::{cell, cell_number, on_real_axis};
+use super::super::lanes::Plain;
+use super::super::quadrant::{derivative, w};
+use super::super::rows::{cell, cell_number, nearest_zero, on_real_axis};
 use super::super::tests::Random;
-use super::super::{Branch, zeros};
+use super::super::{Branch, branch};
 use super::*;
+use num_complex::Complex;
 
 /// What serves a point: the formula, and which row of a table.
 fn key(a: f64, y: f64) -> (Branch, u16, f64) {
-    let branch = branch(a, y);
+    let branch = branch(Complex::new(a, y));
     match branch {
         Branch::Cell { .. } => (branch, cell_number(cell(a, y.abs())[0]), 0.0),
         Branch::RealAxis { .. } => (branch, 0, on_real_axis(a).0),
@@ -40,7 +42,7 @@ fn seam(a: f64, y: f64) -> Option<(&'static str, f64)> {
         .or_else(|| {
             // The edge of the square around a zero.
             let beside = |t: f64| [t * (1.0 - 1e-14), t * (1.0 + 1e-14)];
-            let inside = |a: f64, b: f64| zeros::nearest(a, b).is_some();
+            let inside = |a: f64, b: f64| nearest_zero(a, b).is_some();
             let around: Vec<bool> = beside(a)
                 .into_iter()
                 .flat_map(|a| beside(b).map(|b| inside(a, b)))
@@ -115,15 +117,32 @@ fn every_change_is_on_a_seam() {
     }
 }
 
-/// Where the relatives' series change their number of terms both numbers serve.
+/// Where the relatives change the formula, or its number of terms, both serve.
 #[test]
 fn circles_of_the_relatives_are_told_apart() {
     let circles = SEAMS_OF_RELATIVES.circles;
     assert!(circles.windows(2).all(|pair| pair[0] < pair[1]));
-    for &r2 in &circles[2..] {
-        let value = |r2: f64| quadrant::far(r2.sqrt(), 0.3);
-        let (before, after) = (value(r2 * (1.0 - 1e-9)), value(r2 * (1.0 + 1e-9)));
-        let step = (after.0.value() - before.0.value()).abs() / before.0.value();
-        assert!(step < 1e-8, "{r2}: {step:e}");
+    let values = |a: f64, b: f64| {
+        let ((p, q), (r, s, _)) = (w(Plain, a, b), derivative(Plain, a, b));
+        [p, q, r, s].map(|part| part.value())
+    };
+    for (r2, part) in circles[1..]
+        .iter()
+        .flat_map(|r2| [(r2, 0.1), (r2, 0.4), (r2, 0.7)])
+    {
+        let (a, b) = (part * r2.sqrt(), (1.0 - part * part).sqrt() * r2.sqrt());
+        for (a, b) in [(a, b), (b, a), (r2.sqrt(), 0.1)] {
+            let off = 1e-9;
+            let before = values(a * (1.0 - off), b * (1.0 - off));
+            let after = values(a * (1.0 + off), b * (1.0 + off));
+            for (p, q) in before.iter().zip(after) {
+                // The slope of e^{−a²} is the steepest.
+                let bound = off * (20.0 + 5.0 * r2.min(800.0));
+                assert!(
+                    (p - q).abs() <= bound * q.abs(),
+                    "{r2} at {a} {b}: {p:e} {q:e}"
+                );
+            }
+        }
     }
 }

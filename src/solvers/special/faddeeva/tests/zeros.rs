@@ -1,4 +1,6 @@
 use super::super::lanes::Plain;
+use super::super::rows::{REACH, nearest_zero};
+use super::super::tables::ZEROS;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, float, w};
 use super::*;
@@ -26,18 +28,18 @@ fn squares_are_found() {
         for _ in 0..5000 {
             let t = 0.999 * REACH;
             let (a, b) = (x + random.between(-t, t), y + random.between(-t, t));
-            assert_eq!(nearest(a, b), Some(k), "{a} − {b} i");
+            assert_eq!(nearest_zero(a, b), Some(k), "{a} − {b} i");
         }
         for side in -50..=50 {
             let (s, t) = (0.019_999 * REACH * f64::from(side), 0.999_999 * REACH);
             for (p, q) in [(s, t), (s, -t), (t, s), (-t, s)] {
-                assert_eq!(nearest(x + p, y + q), Some(k));
+                assert_eq!(nearest_zero(x + p, y + q), Some(k));
             }
         }
         for (p, q) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
             let t = 0.999_999 * REACH;
-            assert_eq!(nearest(x + p * t, y + q * t), Some(k));
-            assert_eq!(nearest(x + 1.001 * p * REACH, y), None);
+            assert_eq!(nearest_zero(x + p * t, y + q * t), Some(k));
+            assert_eq!(nearest_zero(x + 1.001 * p * REACH, y), None);
         }
     }
     for (a, b) in [
@@ -47,7 +49,7 @@ fn squares_are_found() {
         (0.0, 0.0),
         (6.4, 6.4),
     ] {
-        assert_eq!(nearest(a, b), None);
+        assert_eq!(nearest_zero(a, b), None);
     }
 }
 

@@ -1,0 +1,198 @@
+//! Laws of motion of cam followers.
+
+use super::law_input::{self as input, LawInput};
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
+    Region, conditions_by_differences,
+};
+use crate::methods::definition::{Definition, Entry, exact};
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::Ball;
+use rug::Rational;
+
+inputs! {
+    /// A place on the stroke of a cam law.
+    pub struct CamLawInput {
+        x: number "x", "1";
+        kind: choice "kind (0 SCCA, 1 3-4-5, 2 4-5-6-7, 3 polynomial, 4 table)", "1";
+        share: number "share (of the stroke spent accelerating)", "1";
+        p: choice "p (number of parameters)", "1";
+        parameters: list "parameters[p] (SCCA: b, d; polynomial: c_1 …; table: x_0 …, y_0 …)", "1";
+    }
+}
+
+impl<'a, T: Number> CamLawInput<'a, T> {
+    fn law(&self) -> Option<LawInput<'a, T>> {
+        LawInput::new(T::near(self.kind), self.share, self.parameters)
+    }
+}
+
+/// Laws of motion of cam followers: `s`, `1 − s`, `s'`, `s''`, `s'''` at a place on the stroke.
+///
+/// A candidate is a `Fn(CamLawInput) -> [f64; 5]`.
+#[derive(Clone, Copy, Debug)]
+pub struct CamLaw;
+
+impl Definition for CamLaw {
+    type Input<'a, T: Number> = CamLawInput<'a, T>;
+    const SUMMARY: &'static str =
+        "displacement, what is left of it, velocity, acceleration and jerk of cam laws";
+    const SOURCE: &'static str = "SCCA family and polynomials: Norton, Cam Design and Manufacturing Handbook, ch. 3; splines: \
+         Zinchenko 2008, eqs (8)-(17)";
+
+    fn outputs() -> Vec<Output> {
+        let budget = Budget::new(
+            Limit::Conditioned(6.0),
+            "the place within the law is rounded up to three times, each as good as half an ulp of \
+             x; then some five operations without cancellation",
+        );
+        let complement = Budget::new(
+            Limit::Conditioned(16.0),
+            "s is 1 less the rest where the law decelerates, and the rest 1 less s before: with an \
+             acceleration fraction of 0.05 that leaves up to nineteen times the error of the larger \
+             one, two units of it; the condition is above 1 there",
+        );
+        ["s", "1 - s", "s'", "s''", "s'''"]
+            .map(|name| {
+                let budget = if name.contains('\'') {
+                    budget
+                } else {
+                    complement
+                };
+                Output {
+                    name,
+                    unit: "1",
+                    budget,
+                }
+            })
+            .to_vec()
+    }
+
+    fn domain() -> Domain {
+        let region = |name, description, sample| Region {
+            name,
+            description,
+            sample,
+        };
+        let named = |name, x: f64, b: f64, d: f64| CheckPoint {
+            name,
+            input: vec![x, input::SCCA, 0.5, 2.0, b, d],
+        };
+        Domain {
+            regions: vec![
+                region(
+                    "scca",
+                    "any shares b, c, d, also none of one or two of them",
+                    |d| at_any_place(d, input::any_scca),
+                ),
+                region("symmetric-polynomials", "3-4-5 and 4-5-6-7", |d| {
+                    at_any_place(d, input::any_symmetric)
+                }),
+                region(
+                    "asymmetric",
+                    "SCCA, 3-4-5 and 4-5-6-7 with 5 to 95 % of the stroke spent accelerating",
+                    |d| at_any_place(d, input::any_asymmetric),
+                ),
+                region(
+                    "near-the-ends",
+                    "all of these, 1e-15 to 1e-2 from an end of the stroke",
+                    near_the_ends,
+                ),
+                region(
+                    "polynomials",
+                    "degree 1 to 12, coefficients up to 20",
+                    |d| at_any_place(d, input::any_polynomial),
+                ),
+                region(
+                    "tables",
+                    "splines on 3 to 7 knots with zero end velocities",
+                    |d| at_any_place(d, input::any_table),
+                ),
+            ],
+            check_points: vec![
+                named("harmonic-start", 0.0, 0.0, 1.0),
+                named("harmonic-end", 1.0, 0.0, 1.0),
+                named("constant-middle", 0.5, 0.0, 0.0),
+                named("trapezoid-joint", 0.125, 0.25, 0.25),
+                named("sine-only", 0.5, 1.0, 0.0),
+            ],
+        }
+    }
+
+    fn admits(i: Self::Input<'_, f64>) -> bool {
+        i.law().is_some()
+    }
+
+    fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        let law = i.law().ok_or("bad layout")?.solver().map_err(|_| "law")?;
+        match (law.motion(i.x), law.remaining(i.x)) {
+            (Ok(m), Ok(left)) => Ok(vec![
+                m.displacement,
+                left,
+                m.velocity,
+                m.acceleration,
+                m.jerk,
+            ]),
+            _ => Err("place"),
+        }
+    }
+
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+        match reference_jet(i, bits) {
+            Some([s, v, a, j, _]) => ReferenceAnswer::Values(Reference {
+                values: vec![s.clone(), Ball::integer(bits, 1) - s, v, a, j],
+                proof: Proof::Bounded(
+                    "exact polynomials; SCCA zones integrated in balls (reference::cam_law)",
+                ),
+            }),
+            None => ReferenceAnswer::Refuses("bad layout"),
+        }
+    }
+
+    /// The place as the only number that is known to half an ulp; of a table also its data.
+    fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
+        let i = Self::unpack(numbers)?;
+        let [_, v, a, j, k] = reference_jet(Self::unpack(&exact(numbers)?)?, 256)?;
+        let moved = [&v, &v, &a, &j, &k].map(|d| i.x * d.magnitude().to_f64());
+        let law = i.law()?;
+        if !law.is_table() {
+            return Some(moved.to_vec());
+        }
+        let first = numbers.len() - i.parameters.len();
+        let inner = |k: usize| k >= first && law.is_inner(k - first);
+        let data = conditions_by_differences(&Entry::<Self>::NEW, numbers, inner)?;
+        Some(data.iter().zip(moved).map(|(a, b)| a + b).collect())
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![Law {
+            name: "complement",
+            statement: "s + (1 - s) is 1 within 2^-52 of the larger of the two",
+            residual: complement,
+        }]
+    }
+}
+
+fn reference_jet(i: CamLawInput<Rational>, bits: u32) -> Option<[Ball; 5]> {
+    Some(i.law()?.reference()?.jet(i.x, bits))
+}
+
+fn complement(x: &[f64]) -> Option<f64> {
+    let v = CamLaw::solve(CamLaw::unpack(x)?).ok()?;
+    let size = v[0].abs().max(v[1].abs()).max(1.0);
+    Some((v[0] + v[1] - 1.0).abs() / (f64::EPSILON * size))
+}
+
+fn at_any_place(d: &mut Draw, law: fn(&mut Draw) -> Vec<f64>) -> Vec<f64> {
+    let mut x = vec![d.unit()];
+    x.extend(law(d));
+    x
+}
+
+fn near_the_ends(d: &mut Draw) -> Vec<f64> {
+    let off = d.log_uniform(1e-15, 1e-2);
+    let law = [input::any_scca, input::any_symmetric, input::any_asymmetric][d.integer(0, 2)];
+    let mut x = vec![if d.chance(0.5) { off } else { 1.0 - off }];
+    x.extend(law(d));
+    x
+}

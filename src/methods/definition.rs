@@ -1,0 +1,235 @@
+//! What the file of a method defines, and how the registry makes a [`Method`] of it.
+
+use super::inputs::{Field, Fields, Number, Row};
+use crate::audit::{
+    Domain, Due, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
+    SolverAnswer, conditions_by_differences,
+};
+use crate::reference::faddeeva::Scaled;
+use crate::reference::{Ball, Undecided};
+use rug::Rational;
+use std::marker::PhantomData;
+
+/// A method of the registry as a type.
+pub trait Typed {
+    /// Its name in the registry.
+    const NAME: &'static str;
+}
+
+/// What its line in the registry gives a method besides.
+pub trait Registered: Typed + Sync + 'static {
+    /// The text of `reference/hard/NAME.csv`.
+    const HARD: &'static str;
+    /// Names of earlier releases, which `eval` still takes.
+    const FORMER: &'static [&'static str];
+    /// The layout of its numbers, made once.
+    fn layout() -> &'static Layout;
+}
+
+/// Solver, reference, domain, budget and source of a method; [`Method`] says more of each.
+pub trait Definition: Registered + Sized {
+    /// What the input holds.
+    type Input<'a, T: Number>: Fields<'a, T>;
+    /// One line in plain words.
+    const SUMMARY: &'static str;
+    /// Where the method comes from.
+    const SOURCE: &'static str;
+
+    fn outputs() -> Vec<Output>;
+    fn rows() -> Option<Rows> {
+        None
+    }
+    fn norm_budget() -> Option<NormBudget> {
+        None
+    }
+    fn domain() -> Domain;
+    /// Calls the code under test; its refusal by name.
+    fn solve(input: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str>;
+    fn reference(input: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer;
+    fn reference_not_finite(_input: Self::Input<'_, f64>) -> ReferenceAnswer {
+        ReferenceAnswer::Refuses("not finite")
+    }
+    fn signs_of_zero(_input: Self::Input<'_, f64>) -> Vec<Option<bool>> {
+        Vec::new()
+    }
+    fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
+        let is_data: Vec<bool> = (Self::fields().iter().map(|f| f.is_data)).collect();
+        // Of a list every number is data.
+        conditions_by_differences(&Entry::<Self>::NEW, numbers, |j| {
+            is_data.get(j).copied().unwrap_or(true)
+        })
+    }
+    /// [`Definition::conditions`] where the reference's answer is at hand.
+    fn conditions_beside(numbers: &[f64], _reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        Self::conditions(numbers)
+    }
+    fn twin(_input: Self::Input<'_, f64>) -> Option<Vec<Ball>> {
+        None
+    }
+    fn admits(_input: Self::Input<'_, f64>) -> bool {
+        true
+    }
+    fn laws() -> Vec<Law>;
+
+    /// Why `eval` refuses an input, in words, where there is more to say than the solver's name for it.
+    fn refusal(_input: Self::Input<'_, f64>) -> Option<String> {
+        None
+    }
+    /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference, unless
+    /// it can say more of them than an `f64` could hold.
+    fn certify(input: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
+        let number = |due: Due| match due {
+            Due::Number(ball) | Due::Zero { ball, .. } => Ok(ball.into()),
+            Due::Infinity { .. } | Due::NotANumber => Err(Uncertified::NoNumber),
+        };
+        match Self::reference(input, bits) {
+            ReferenceAnswer::Values(r) => Ok(r.values.into_iter().map(Scaled::from).collect()),
+            ReferenceAnswer::Dues(dues, _) => dues.into_iter().map(number).collect(),
+            ReferenceAnswer::Refuses(word) => Err(Uncertified::Refused(word)),
+            ReferenceAnswer::Undecided(why) | ReferenceAnswer::Failed(why) => {
+                Err(Uncertified::Undecided(why))
+            }
+        }
+    }
+
+    /// The declaration of the input.
+    fn fields() -> Vec<Field> {
+        <Self::Input<'static, f64> as Fields<'static, f64>>::fields()
+    }
+    /// Takes an input apart; nothing if it is not laid out as it should be.
+    fn unpack<T: Number>(numbers: &[T]) -> Option<Self::Input<'_, T>> {
+        let layout = Self::layout();
+        if (0..layout.parts()).all(|part| layout.is_single(part)) {
+            let mut row = Row::of_singles(numbers);
+            return Self::Input::take(&mut row).filter(|_| row.is_empty());
+        }
+        let nearest: Vec<f64> = numbers.iter().map(T::nearest).collect();
+        Self::Input::take(&mut Row::new(numbers, layout.lengths(&nearest).ok()?))
+    }
+}
+
+/// Why there are no certified values.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Uncertified {
+    /// There is no value, for the named reason.
+    #[error("{0}")]
+    Refused(&'static str),
+    /// Not decided at this precision.
+    #[error("{0}")]
+    Undecided(String),
+    /// An infinity or no value at all.
+    #[error("no finite value")]
+    NoNumber,
+}
+
+impl From<Undecided> for Uncertified {
+    fn from(e: Undecided) -> Uncertified {
+        Uncertified::Undecided(e.to_string())
+    }
+}
+
+/// A method that can be evaluated at any input.
+pub trait Evaluable: Method {
+    /// Values whose relative radius shrinks with `2^-bits`.
+    ///
+    /// # Errors
+    /// An input without such values.
+    fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified>;
+    /// Why the input is refused, in words, where there is more to say than the solver's name for it.
+    fn refusal(&self, numbers: &[f64]) -> Option<String>;
+    /// Names of earlier releases.
+    fn former_names(&self) -> &'static [&'static str];
+}
+
+/// The method that a definition makes.
+pub(super) struct Entry<D>(PhantomData<fn() -> D>);
+
+impl<D> Entry<D> {
+    pub(super) const NEW: Entry<D> = Entry(PhantomData);
+}
+
+const BAD_LAYOUT: &str = "bad layout";
+
+impl<D: Definition> Method for Entry<D> {
+    fn name(&self) -> &'static str {
+        D::NAME
+    }
+    fn summary(&self) -> &'static str {
+        D::SUMMARY
+    }
+    fn source(&self) -> &'static str {
+        D::SOURCE
+    }
+    fn inputs(&self) -> Vec<Input> {
+        D::fields().into_iter().map(|f| f.input).collect()
+    }
+    fn outputs(&self) -> Vec<Output> {
+        D::outputs()
+    }
+    fn rows(&self) -> Option<Rows> {
+        D::rows()
+    }
+    fn norm_budget(&self) -> Option<NormBudget> {
+        D::norm_budget()
+    }
+    fn domain(&self) -> Domain {
+        D::domain()
+    }
+    fn solve(&self, numbers: &[f64]) -> SolverAnswer {
+        match D::unpack(numbers).ok_or(BAD_LAYOUT).and_then(D::solve) {
+            Ok(values) => SolverAnswer::Values(values),
+            Err(word) => SolverAnswer::Refuses(word),
+        }
+    }
+    fn reference(&self, numbers: &[Rational], bits: u32) -> ReferenceAnswer {
+        match D::unpack(numbers) {
+            Some(input) => D::reference(input, bits),
+            None => ReferenceAnswer::Refuses(BAD_LAYOUT),
+        }
+    }
+    fn reference_not_finite(&self, numbers: &[f64]) -> ReferenceAnswer {
+        let refused = ReferenceAnswer::Refuses(BAD_LAYOUT);
+        D::unpack(numbers).map_or(refused, D::reference_not_finite)
+    }
+    fn signs_of_zero(&self, numbers: &[f64]) -> Vec<Option<bool>> {
+        D::unpack(numbers).map_or(Vec::new(), D::signs_of_zero)
+    }
+    fn conditions(&self, numbers: &[f64]) -> Option<Vec<f64>> {
+        D::conditions(numbers)
+    }
+    fn conditions_beside(&self, numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        D::conditions_beside(numbers, reference)
+    }
+    fn twin(&self, numbers: &[f64]) -> Option<Vec<Ball>> {
+        D::twin(D::unpack(numbers)?)
+    }
+    fn hard(&self) -> Vec<HardCase> {
+        HardCase::included(D::HARD)
+    }
+    fn admits(&self, numbers: &[f64]) -> bool {
+        D::unpack(numbers).is_some_and(D::admits)
+    }
+    fn laws(&self) -> Vec<Law> {
+        D::laws()
+    }
+}
+
+impl<D: Definition> Evaluable for Entry<D> {
+    fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified> {
+        match D::unpack(numbers) {
+            Some(input) => D::certify(input, bits),
+            None => Err(Uncertified::Refused(BAD_LAYOUT)),
+        }
+    }
+    fn refusal(&self, numbers: &[f64]) -> Option<String> {
+        D::refusal(D::unpack(numbers)?)
+    }
+    fn former_names(&self) -> &'static [&'static str] {
+        D::FORMER
+    }
+}
+
+/// The numbers as exact fractions, if all are finite.
+pub(super) fn exact(numbers: &[f64]) -> Option<Vec<Rational>> {
+    numbers.iter().map(|&x| Rational::from_f64(x)).collect()
+}

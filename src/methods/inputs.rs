@@ -1,0 +1,206 @@
+//! Inputs as named fields: one declaration gives the layout, the type that solver, reference and laws
+//! work on, and how it is taken from numbers in a row.
+
+use crate::audit::Input;
+use rug::{Float, Rational};
+use std::fmt::Debug;
+
+/// A number of an input: `f64` for solvers, an exact fraction for references.
+pub trait Number: Clone + Debug + 'static {
+    /// How an input hands it out: by value if it is small, else by reference.
+    type Of<'a>: Copy + Debug;
+    /// Hands it out.
+    fn of(&self) -> Self::Of<'_>;
+    /// The nearest `f64`.
+    fn nearest(&self) -> f64;
+    /// The same of what is handed out.
+    fn near(of: Self::Of<'_>) -> f64;
+}
+
+impl Number for f64 {
+    type Of<'a> = f64;
+    fn of(&self) -> f64 {
+        *self
+    }
+    fn nearest(&self) -> f64 {
+        *self
+    }
+    fn near(of: f64) -> f64 {
+        of
+    }
+}
+
+macro_rules! by_reference {
+    ($($number:ty),*) => {$(
+        impl Number for $number {
+            type Of<'a> = &'a $number;
+            fn of(&self) -> &$number {
+                self
+            }
+            fn nearest(&self) -> f64 {
+                self.to_f64()
+            }
+            fn near(of: &$number) -> f64 {
+                of.to_f64()
+            }
+        }
+    )*};
+}
+by_reference!(Rational, Float);
+
+/// One line of a declaration.
+#[derive(Clone, Copy)]
+pub struct Field {
+    /// As the layout shows it.
+    pub input: Input,
+    /// Whether it is data; if not, it counts or chooses.
+    pub is_data: bool,
+}
+
+/// Numbers in a row with the length of each field.
+pub struct Row<'a, T> {
+    numbers: &'a [T],
+    /// None where every field is one number.
+    lengths: Option<std::vec::IntoIter<usize>>,
+}
+
+impl<'a, T: Number> Row<'a, T> {
+    pub(super) fn new(numbers: &'a [T], lengths: Vec<usize>) -> Row<'a, T> {
+        let lengths = Some(lengths.into_iter());
+        Row { numbers, lengths }
+    }
+
+    pub(super) fn of_singles(numbers: &'a [T]) -> Row<'a, T> {
+        let lengths = None;
+        Row { numbers, lengths }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.numbers.is_empty()
+    }
+
+    pub(super) fn list(&mut self) -> Option<&'a [T]> {
+        let length = match &mut self.lengths {
+            Some(lengths) => lengths.next()?,
+            None => 1,
+        };
+        let (list, rest) = self.numbers.split_at_checked(length)?;
+        self.numbers = rest;
+        Some(list)
+    }
+
+    pub(super) fn number(&mut self) -> Option<T::Of<'a>> {
+        let [number] = self.list()? else {
+            return None;
+        };
+        Some(number.of())
+    }
+}
+
+/// An input as a type.
+pub trait Fields<'a, T: Number>: Copy {
+    /// The declaration.
+    fn fields() -> Vec<Field>;
+    /// Takes it from the beginning of a row.
+    fn take(row: &mut Row<'a, T>) -> Option<Self>;
+}
+
+/// Declares an input:
+///
+/// ```text
+/// pub struct Triangle {
+///     a: number "a", "m";                      one number
+///     side: choice "side (1 or -1)", "1";      one that chooses or counts
+///     weights: list "weights[n]", "kg";        several
+///     base: (Base);                            the fields of another input
+/// }
+/// ```
+///
+/// The texts are those of [`Layout`](crate::audit::Layout).
+macro_rules! inputs {
+    (
+        $(#[$doc:meta])*
+        pub struct $name:ident {
+            $($(#[$about:meta])* $field:ident: $shape:tt $($text:literal, $unit:literal)?;)*
+        }
+    ) => {
+        $(#[$doc])*
+        pub struct $name<'a, T: $crate::methods::Number = f64> {
+            $(
+                #[doc = concat!($("`", $text, "`, unit ", $unit, ".",)? "")]
+                $(#[$about])*
+                pub $field: $crate::methods::inputs::inputs!(@type $shape 'a T),
+            )*
+        }
+
+        impl<T: $crate::methods::Number> Clone for $name<'_, T> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<T: $crate::methods::Number> Copy for $name<'_, T> {}
+
+        impl<T: $crate::methods::Number> std::fmt::Debug for $name<'_, T> {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
+            }
+        }
+
+        impl<'a, T: $crate::methods::Number> $crate::methods::inputs::Fields<'a, T> for $name<'a, T> {
+            fn fields() -> Vec<$crate::methods::inputs::Field> {
+                let mut all = Vec::new();
+                $($crate::methods::inputs::inputs!(@declare all $shape 'a T $($text, $unit)?);)*
+                all
+            }
+            fn take(row: &mut $crate::methods::inputs::Row<'a, T>) -> Option<Self> {
+                Some($name { $($field: $crate::methods::inputs::inputs!(@take row $shape)?),* })
+            }
+        }
+
+        impl $name<'_> {
+            /// The numbers in a row.
+            pub fn to_vec(&self) -> Vec<f64> {
+                let mut all = Vec::new();
+                $($crate::methods::inputs::inputs!(@put all self.$field, $shape);)*
+                all
+            }
+
+            /// Its single numbers, to be changed.
+            pub fn numbers_mut(&mut self) -> Vec<&mut f64> {
+                #[allow(unused_mut, reason = "an input of lists alone has none")]
+                let mut all = Vec::new();
+                $($crate::methods::inputs::inputs!(@change all self.$field, $shape);)*
+                all
+            }
+        }
+    };
+    (@type list $a:lifetime $t:ident) => { &$a [$t] };
+    (@type ($group:ident) $a:lifetime $t:ident) => { $group<$a, $t> };
+    (@type $one:ident $a:lifetime $t:ident) => { <$t as $crate::methods::Number>::Of<$a> };
+    (@declare $all:ident ($group:ident) $a:lifetime $t:ident) => {
+        $all.extend(<$group<$a, $t> as $crate::methods::inputs::Fields<$a, $t>>::fields())
+    };
+    (@declare $all:ident choice $a:lifetime $t:ident $text:literal, $unit:literal) => {
+        $all.push($crate::methods::inputs::Field {
+            input: $crate::audit::Input { name: $text, unit: $unit },
+            is_data: false,
+        })
+    };
+    (@declare $all:ident $data:ident $a:lifetime $t:ident $text:literal, $unit:literal) => {
+        $all.push($crate::methods::inputs::Field {
+            input: $crate::audit::Input { name: $text, unit: $unit },
+            is_data: true,
+        })
+    };
+    (@take $row:ident list) => { $row.list() };
+    (@take $row:ident ($group:ident)) => { $crate::methods::inputs::Fields::take($row) };
+    (@take $row:ident $one:ident) => { $row.number() };
+    (@put $all:ident $value:expr, list) => { $all.extend_from_slice($value) };
+    (@put $all:ident $value:expr, ($group:ident)) => { $all.extend($value.to_vec()) };
+    (@put $all:ident $value:expr, $one:ident) => { $all.push($value) };
+    (@change $all:ident $value:expr, list) => {};
+    (@change $all:ident $value:expr, ($group:ident)) => { $all.extend($value.numbers_mut()) };
+    (@change $all:ident $value:expr, $one:ident) => { $all.push(&mut $value) };
+}
+pub(super) use inputs;

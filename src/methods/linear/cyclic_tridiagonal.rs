@@ -1,0 +1,187 @@
+//! Cyclic tridiagonal systems.
+
+use super::tridiagonal::{conditions, dominant, identical, values, word};
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Region, Rows,
+};
+use crate::methods::definition::{Definition, exact};
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::tridiagonal as reference;
+use crate::solvers::cyclic_tridiagonal::CyclicSweep;
+use rug::Rational;
+
+inputs! {
+    /// A cyclic tridiagonal system `A x = d` of at least three rows.
+    pub struct CyclicTridiagonalInput {
+        /// Before the diagonal; that of the first row stands in the last column.
+        lower: list "lower[n]", "1";
+        /// The diagonal.
+        diagonal: list "diagonal[n]", "1";
+        /// After the diagonal; that of the last row stands in the first column.
+        upper: list "upper[n]", "1";
+        /// The right-hand side.
+        d: list "d[n]", "1";
+    }
+}
+
+/// Cyclic tridiagonal systems `A x = d` by the sweep with one more column.
+///
+/// A candidate is a `Fn(lower, diagonal, upper, d) -> x`, all slices of the same length; `lower[0]`
+/// stands in the last column, the last of `upper` in the first.
+#[derive(Clone, Copy, Debug)]
+pub struct CyclicTridiagonal;
+
+fn is_ring<T: Number>(i: CyclicTridiagonalInput<T>) -> bool {
+    i.d.len() >= 3
+}
+
+fn assemble(
+    draw: &mut Draw,
+    scale: fn(&mut Draw) -> f64,
+    excess: fn(&mut Draw) -> f64,
+) -> Vec<f64> {
+    let n = draw.integer(3, 9);
+    let mut parts: [Vec<f64>; 4] = Default::default();
+    for _ in 0..n {
+        let s = scale(draw);
+        let entry = |draw: &mut Draw| {
+            let size = draw.uniform(0.1, 1.0);
+            draw.signed(size * s)
+        };
+        let (a, c) = (entry(draw), entry(draw));
+        let b = (a.abs() + c.abs()) * (1.0 + excess(draw));
+        let row = [a, draw.signed(b), c, draw.uniform(-1.0, 1.0) * s];
+        for (part, v) in parts.iter_mut().zip(row) {
+            part.push(v);
+        }
+    }
+    parts.concat()
+}
+
+impl Definition for CyclicTridiagonal {
+    type Input<'a, T: Number> = CyclicTridiagonalInput<'a, T>;
+    const SUMMARY: &'static str = "cyclic tridiagonal system with a diagonally dominant matrix, by the sweep with one more column";
+    const SOURCE: &'static str = "Zinchenko 2008, eqs (18)-(20), closed to a ring";
+
+    fn outputs() -> Vec<Output> {
+        vec![Output {
+            name: "x",
+            unit: "1",
+            budget: Budget::new(
+                Limit::Conditioned(24.0),
+                "elimination of a matrix dominant by rows; the last row collects one product for \
+                 each of at most 9 unknowns, n + 4 roundings against 4 of the open sweep, and \
+                 |L||U| is a small multiple of |A|",
+            ),
+        }]
+    }
+
+    fn rows() -> Option<Rows> {
+        Some(Rows {
+            index: "i",
+            count: "n",
+            meaning: "the unknowns",
+        })
+    }
+
+    fn domain() -> Domain {
+        let ring = |n: usize, a: f64, b: f64, c: f64, d: Vec<f64>| {
+            [vec![a; n], vec![b; n], vec![c; n], d].concat()
+        };
+        Domain {
+            regions: vec![
+                Region {
+                    name: "well-scaled",
+                    description: "n = 3..9, entries 0.1..1, diagonal 1.05 to 3 times the row's rest",
+                    sample: |d| assemble(d, |_| 1.0, |d| d.uniform(0.05, 2.0)),
+                },
+                Region {
+                    name: "badly-scaled",
+                    description: "as well-scaled, each row times 1e-40..1e40",
+                    sample: |d| {
+                        assemble(d, |d| d.log_uniform(1e-40, 1e40), |d| d.uniform(0.05, 2.0))
+                    },
+                },
+                Region {
+                    name: "nearly-singular",
+                    description: "dominance by 1e-12..1e-3 only",
+                    sample: |d| {
+                        // One sign off the diagonal and the other on it: constants are almost
+                        // in the kernel.
+                        let mut v = assemble(d, |_| 1.0, |d| d.log_uniform(1e-12, 1e-3));
+                        let n = v.len() / 4;
+                        for (i, v) in v[..3 * n].iter_mut().enumerate() {
+                            *v = if i / n == 1 { v.abs() } else { -v.abs() };
+                        }
+                        v
+                    },
+                },
+            ],
+            check_points: vec![
+                CheckPoint {
+                    name: "spline-ring",
+                    input: ring(5, 1.0, 4.0, 1.0, vec![1.0, -2.0, 1.0, 0.5, -0.5]),
+                },
+                CheckPoint {
+                    name: "smallest",
+                    input: ring(3, 1.0, 4.0, 1.0, vec![6.0, 0.0, -6.0]),
+                },
+                CheckPoint {
+                    name: "too-small",
+                    input: ring(2, 1.0, 4.0, 1.0, vec![6.0, 0.0]),
+                },
+                CheckPoint {
+                    name: "singular",
+                    input: ring(3, -1.0, 2.0, -1.0, vec![1.0, 0.0, -1.0]),
+                },
+            ],
+        }
+    }
+
+    /// Dominant by rows, as the budget supposes.
+    fn admits(i: Self::Input<'_, f64>) -> bool {
+        is_ring(i) && (0..i.d.len()).all(|k| dominant(i.diagonal[k], i.lower[k], i.upper[k]))
+    }
+
+    fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        let sweep = CyclicSweep::factor(i.lower, i.diagonal, i.upper).map_err(|e| word(&e))?;
+        sweep.solve(i.d).map_err(|e| word(&e))
+    }
+
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+        if !is_ring(i) {
+            return ReferenceAnswer::Refuses("bad layout");
+        }
+        match reference::solve_cyclic(i.lower, i.diagonal, i.upper, i.d) {
+            Some(x) => values(&x, bits),
+            None => ReferenceAnswer::Refuses("singular"),
+        }
+    }
+
+    fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
+        let q = exact(numbers)?;
+        let i = Self::unpack(&q).filter(|i| is_ring(*i))?;
+        let inverse = reference::inverse_cyclic(i.lower, i.diagonal, i.upper)?;
+        let x = reference::solve_cyclic(i.lower, i.diagonal, i.upper, i.d)?;
+        let n = x.len();
+        Some(conditions(&inverse, &x, |k| {
+            Rational::from(&i.lower[k] * &x[(k + n - 1) % n]).abs()
+                + Rational::from(&i.diagonal[k] * &x[k]).abs()
+                + Rational::from(&i.upper[k] * &x[(k + 1) % n]).abs()
+                + i.d[k].clone().abs()
+        }))
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![Law {
+            name: "scaling",
+            statement: "x(8 A, 8 d) = x(A, d), bit for bit",
+            residual: |numbers| {
+                let all: Vec<f64> = numbers.iter().map(|v| 8.0 * v).collect();
+                let solved =
+                    |numbers| CyclicTridiagonal::solve(CyclicTridiagonal::unpack(numbers)?).ok();
+                Some(identical(&solved(numbers)?, &solved(&all)?))
+            },
+        }]
+    }
+}

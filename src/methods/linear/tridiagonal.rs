@@ -1,0 +1,279 @@
+//! Tridiagonal systems by the sweep.
+
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
+    Region, Rows,
+};
+use crate::methods::definition::{Definition, exact};
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::{Ball, tridiagonal as reference};
+use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
+use rug::Rational;
+
+inputs! {
+    /// A tridiagonal system `A x = d`.
+    pub struct TridiagonalInput {
+        /// Below the diagonal.
+        lower: list "lower[n-1]", "1";
+        /// The diagonal.
+        diagonal: list "diagonal[n]", "1";
+        /// Above the diagonal.
+        upper: list "upper[n-1]", "1";
+        /// The right-hand side.
+        d: list "d[n]", "1";
+    }
+}
+
+/// Tridiagonal systems `A x = d` by the sweep without pivoting.
+///
+/// A candidate is a `Fn(lower, diagonal, upper, d) -> x`, all slices of `f64`.
+#[derive(Clone, Copy, Debug)]
+pub struct Tridiagonal;
+
+/// The word for an error, the same for open and cyclic systems.
+pub(super) fn word(e: &TridiagonalError) -> &'static str {
+    match e {
+        TridiagonalError::Pivot { .. } => "singular",
+        TridiagonalError::NotFinite { .. } => "not finite",
+        TridiagonalError::Overflow { .. } => "overflow",
+        _ => "bad layout",
+    }
+}
+
+/// The solution for another right-hand side.
+fn solution(i: TridiagonalInput, d: &[f64]) -> Result<Vec<f64>, &'static str> {
+    let a = Sweep::factor(i.lower, i.diagonal, i.upper).map_err(|e| word(&e))?;
+    a.solve(d).map_err(|e| word(&e))
+}
+
+/// `|A⁻¹| (|A| |x| + |d|)`, entry by entry: the sum over all data of `|datum · ∂x_i/∂datum|`,
+/// computed exactly and rounded once.
+pub(super) fn conditions(
+    inverse: &[Vec<Rational>],
+    x: &[Rational],
+    abs_row: impl Fn(usize) -> Rational,
+) -> Vec<f64> {
+    let v: Vec<Rational> = (0..x.len()).map(abs_row).collect();
+    inverse
+        .iter()
+        .map(|row| {
+            let terms = row.iter().zip(&v).map(|(a, v)| Rational::from(a * v).abs());
+            terms.sum::<Rational>().to_f64()
+        })
+        .collect()
+}
+
+/// Exact values as balls.
+pub(super) fn values(x: &[Rational], bits: u32) -> ReferenceAnswer {
+    ReferenceAnswer::Values(Reference {
+        values: x.iter().map(|q| Ball::rational(bits, q)).collect(),
+        proof: Proof::Exact,
+    })
+}
+
+/// Zero if two bit-identical answers, infinite otherwise.
+pub(in crate::methods) fn identical(a: &[f64], b: &[f64]) -> f64 {
+    let same = a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits());
+    if same { 0.0 } else { f64::INFINITY }
+}
+
+/// `|b| > |a| + |c|`, exactly.
+pub(super) fn dominant(b: f64, a: f64, c: f64) -> bool {
+    let size = |x: f64| Rational::from_f64(x.abs());
+    match (size(b), size(a), size(c)) {
+        (Some(b), Some(a), Some(c)) => b > a + c,
+        _ => false,
+    }
+}
+
+fn size(draw: &mut Draw) -> usize {
+    draw.integer(1, 10)
+}
+
+/// A row: the off-diagonal entries and a diagonal that exceeds their sum by the factor.
+fn assemble(
+    draw: &mut Draw,
+    n: usize,
+    scale: fn(&mut Draw) -> f64,
+    excess: fn(&mut Draw) -> f64,
+) -> Vec<f64> {
+    let (mut lower, mut diagonal, mut upper, mut d) = (vec![], vec![], vec![], vec![]);
+    for i in 0..n {
+        let s = scale(draw);
+        let entry = |draw: &mut Draw, there: bool| {
+            let size = draw.uniform(0.1, 1.0);
+            if there { draw.signed(size * s) } else { 0.0 }
+        };
+        let (a, c) = (entry(draw, i > 0), entry(draw, i + 1 < n));
+        let sum = if n == 1 { s } else { a.abs() + c.abs() };
+        let b = sum * (1.0 + excess(draw));
+        if i > 0 {
+            lower.push(a);
+        }
+        diagonal.push(draw.signed(b));
+        if i + 1 < n {
+            upper.push(c);
+        }
+        d.push(draw.uniform(-1.0, 1.0) * s);
+    }
+    [lower, diagonal, upper, d].concat()
+}
+
+impl Definition for Tridiagonal {
+    type Input<'a, T: Number> = TridiagonalInput<'a, T>;
+    const SUMMARY: &'static str =
+        "tridiagonal system with a diagonally dominant matrix, by the sweep without pivoting";
+    const SOURCE: &'static str = "Zinchenko 2008, eqs (18)-(20), corrected";
+
+    fn outputs() -> Vec<Output> {
+        vec![Output {
+            name: "x",
+            unit: "1",
+            budget: Budget::new(
+                Limit::Conditioned(13.0),
+                "a matrix dominant by rows is factored with |L||U| <= 3|A|, and the sweep solves a \
+                 system off by 4u|L||U| (Higham, Accuracy and Stability, 2nd ed., th. 9.12-9.13); \
+                 u more for the quotient -c/p",
+            ),
+        }]
+    }
+
+    fn rows() -> Option<Rows> {
+        Some(Rows {
+            index: "i",
+            count: "n",
+            meaning: "the unknowns",
+        })
+    }
+
+    fn domain() -> Domain {
+        let table_1 = vec![
+            // lower, diagonal, upper of Table 1 (signs of the middle entries turned), U_0 = 3,
+            // U_n = -5.
+            1.0, 1.0, 1.0, 1.0, 0.0, 1.0, 4.0, 4.0, 4.0, 4.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0, 3.0,
+            7.0, -2.0, 4.0, 11.0, -5.0,
+        ];
+        Domain {
+            regions: vec![
+                Region {
+                    name: "well-scaled",
+                    description: "n = 1..10, entries 0.1..1, diagonal 1.05 to 3 times the row's rest",
+                    sample: |d| {
+                        let n = size(d);
+                        assemble(d, n, |_| 1.0, |d| d.uniform(0.05, 2.0))
+                    },
+                },
+                Region {
+                    name: "badly-scaled",
+                    description: "as well-scaled, each row times 1e-40..1e40",
+                    sample: |d| {
+                        let n = size(d);
+                        assemble(
+                            d,
+                            n,
+                            |d| d.log_uniform(1e-40, 1e40),
+                            |d| d.uniform(0.05, 2.0),
+                        )
+                    },
+                },
+                Region {
+                    name: "nearly-singular",
+                    description: "n = 2..10, dominance by 1e-14..1e-3 only",
+                    sample: |d| {
+                        let n = d.integer(2, 10);
+                        assemble(d, n, |_| 1.0, |d| d.log_uniform(1e-14, 1e-3))
+                    },
+                },
+            ],
+            check_points: vec![
+                CheckPoint {
+                    name: "table-1",
+                    input: table_1,
+                },
+                CheckPoint {
+                    name: "one",
+                    input: vec![3.0, 1.0],
+                },
+                CheckPoint {
+                    name: "singular-one",
+                    input: vec![0.0, 1.0],
+                },
+                CheckPoint {
+                    name: "singular",
+                    input: vec![1.0, 1.0, 1.0, 1.0, 2.0, 3.0],
+                },
+                CheckPoint {
+                    name: "singular-last-row",
+                    input: vec![-1.0, -1.0, 1.0, 2.0, 1.0, -1.0, -1.0, 1.0, 0.0, 0.0],
+                },
+            ],
+        }
+    }
+
+    /// Dominant by rows, as the budget supposes.
+    fn admits(i: Self::Input<'_, f64>) -> bool {
+        (0..i.d.len()).all(|k| {
+            let before = if k > 0 { i.lower[k - 1] } else { 0.0 };
+            let after = i.upper.get(k).copied().unwrap_or(0.0);
+            dominant(i.diagonal[k], before, after)
+        })
+    }
+
+    fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        solution(i, i.d)
+    }
+
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+        match reference::solve(i.lower, i.diagonal, i.upper, i.d) {
+            Some(x) => values(&x, bits),
+            None => ReferenceAnswer::Refuses("singular"),
+        }
+    }
+
+    fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
+        let q = exact(numbers)?;
+        let i = Self::unpack(&q)?;
+        let inverse = reference::inverse(i.lower, i.diagonal, i.upper)?;
+        let x = reference::solve(i.lower, i.diagonal, i.upper, i.d)?;
+        let n = x.len();
+        Some(conditions(&inverse, &x, |k| {
+            let mut sum = Rational::from(&i.diagonal[k] * &x[k]).abs() + i.d[k].clone().abs();
+            if k > 0 {
+                sum += Rational::from(&i.lower[k - 1] * &x[k - 1]).abs();
+            }
+            if k + 1 < n {
+                sum += Rational::from(&i.upper[k] * &x[k + 1]).abs();
+            }
+            sum
+        }))
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            Law {
+                name: "scaling",
+                statement: "x(A, 8 d) = 8 x(A, d) and x(8 A, 8 d) = x(A, d), bit for bit",
+                residual: |numbers| {
+                    let i = Tridiagonal::unpack(numbers)?;
+                    let times_8 = |v: &[f64]| v.iter().map(|v| 8.0 * v).collect::<Vec<f64>>();
+                    let x = solution(i, i.d).ok()?;
+                    let all = times_8(numbers);
+                    let both = solution(Tridiagonal::unpack(&all)?, &times_8(i.d)).ok()?;
+                    let right = solution(i, &times_8(i.d)).ok()?;
+                    Some(identical(&both, &x) + identical(&right, &times_8(&x)))
+                },
+            },
+            Law {
+                name: "signs",
+                statement: "x(A, -d) = -x(A, d), bit for bit but for the sign of zero",
+                residual: |numbers| {
+                    let i = Tridiagonal::unpack(numbers)?;
+                    let minus: Vec<f64> = i.d.iter().map(|v| -v).collect();
+                    let (x, y) = (solution(i, i.d).ok()?, solution(i, &minus).ok()?);
+                    let same = x.iter().zip(&y).all(|(x, y)| *x == -*y);
+                    Some(if same { 0.0 } else { f64::INFINITY })
+                },
+            },
+        ]
+    }
+}

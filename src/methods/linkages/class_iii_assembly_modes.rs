@@ -1,0 +1,201 @@
+//! All assembly modes of the class-III linkage: their number and every angle.
+
+use super::class_iii::ClassIiiGeometry;
+use crate::audit::{
+    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
+    Region, Rows,
+};
+use crate::methods::definition::{Definition, exact};
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::class_iii::Linkage;
+use crate::reference::{Ball, Mag};
+use rug::Rational;
+use std::f64::consts::TAU;
+
+inputs! {
+    /// A class-III linkage at a crank angle.
+    pub struct ClassIiiAssemblyModesInput {
+        geometry: (ClassIiiGeometry);
+        phi1: number "phi1", "rad";
+    }
+}
+
+/// All assembly modes of the class-III linkage.
+///
+/// A candidate is a `Fn(&[l1, l2, l3, l4, l5, lB, phiB, x3, y3, x5, y5], phi1) ->
+/// Vec<[phi2, phi3, phi4, phi5]>`, the modes by `phi4`; no mode at all is a refusal.
+#[derive(Clone, Copy, Debug)]
+pub struct ClassIiiAssemblyModes;
+
+const BITS_OF_CONDITIONS: u32 = 192;
+
+const BUDGET: Budget = Budget {
+    limit: Limit::Conditioned(4.0),
+    reason: "each mode is polished by Newton's method on the loop equations, whose residual is a \
+             few rounding errors of the lengths",
+};
+
+const PAPER: [f64; 11] = [
+    0.10,
+    1.04,
+    0.60,
+    0.64,
+    0.485,
+    0.22,
+    -0.685_914_396,
+    0.75,
+    0.93,
+    1.285,
+    1.035,
+];
+
+/// Crank angle of the fold at 217.27° for the numbers above.
+const FOLD: f64 = 3.792_092_161_844_882;
+
+fn linkage(i: ClassIiiAssemblyModesInput<Rational>, bits: u32) -> Linkage {
+    Linkage::new(&i.geometry.exact(), bits)
+}
+
+/// Conditions by implicit differentiation, at the reference's angles.
+fn at_angles(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+    let ReferenceAnswer::Values(Reference { values, .. }) = reference else {
+        return None;
+    };
+    let bits = values.first()?.prec();
+    let exact = exact(numbers)?;
+    let i = ClassIiiAssemblyModes::unpack(&exact)?;
+    let linkage = linkage(i, bits);
+    let phi1 = Ball::rational(bits, i.phi1);
+    let mut all = Vec::with_capacity(values.len());
+    for angles in values.chunks(4) {
+        let at = linkage.placed(&phi1, &angles[1], &angles[3]);
+        all.extend(linkage.angle_conditions(&phi1, &at)?.map(Mag::to_f64));
+    }
+    Some(all)
+}
+
+impl Definition for ClassIiiAssemblyModes {
+    type Input<'a, T: Number> = ClassIiiAssemblyModesInput<'a, T>;
+    const SUMMARY: &'static str =
+        "every assembly mode of the class-III linkage: their number and all angles";
+    const SOURCE: &'static str = "elimination of joint C from the loop equations of Zinchenko (2008): degree 6 in e^(i phi4)";
+
+    fn outputs() -> Vec<Output> {
+        ["phi2", "phi3", "phi4", "phi5"]
+            .map(|name| Output {
+                name,
+                unit: "rad",
+                budget: BUDGET,
+            })
+            .to_vec()
+    }
+
+    fn rows() -> Option<Rows> {
+        Some(Rows {
+            index: "k",
+            count: "modes",
+            meaning: "the assembly modes by increasing phi4",
+        })
+    }
+
+    fn domain() -> Domain {
+        let mut row = PAPER.to_vec();
+        row.push(14.426f64.to_radians());
+        Domain {
+            regions: vec![
+                Region {
+                    name: "paper",
+                    description: "Zinchenko's linkage at any crank angle",
+                    sample: |d| {
+                        let mut x = PAPER.to_vec();
+                        x.push(d.uniform(0.0, TAU));
+                        x
+                    },
+                },
+                Region {
+                    name: "near-fold",
+                    description: "1e-1 to 1e-8 rad on either side of where two of its modes merge: \
+                                  the number has to be right",
+                    sample: |d| {
+                        let offset = d.log_uniform(1e-8, 0.1);
+                        let mut x = PAPER.to_vec();
+                        x.push(FOLD + d.signed(offset));
+                        x
+                    },
+                },
+                Region {
+                    name: "random",
+                    description: "random lengths (factor 10) and pivots within reach; two to six \
+                                  modes, or none",
+                    sample: random,
+                },
+            ],
+            check_points: vec![CheckPoint {
+                name: "paper-row-0",
+                input: row,
+            }],
+        }
+    }
+
+    fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        let linkage = i.geometry.solver().ok_or("geometry")?;
+        let found = linkage.assembly_modes(i.phi1);
+        if found.modes.is_empty() {
+            return Err("cannot be assembled");
+        }
+        Ok(found.modes.iter().flat_map(|m| m.to_array()).collect())
+    }
+
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+        let linkage = linkage(i, bits);
+        let modes = match linkage.modes(&Ball::rational(bits, i.phi1)) {
+            Ok(modes) if modes.is_empty() => {
+                return ReferenceAnswer::Refuses("cannot be assembled");
+            }
+            Ok(modes) => modes,
+            Err(e) => return ReferenceAnswer::Undecided(e.reason),
+        };
+        let mut values = Vec::new();
+        for mode in &modes {
+            match linkage.kinematics(&mode.configuration) {
+                Ok(k) => values.extend(k.angles),
+                Err(e) => return ReferenceAnswer::Undecided(e.reason),
+            }
+        }
+        ReferenceAnswer::Values(Reference {
+            values,
+            proof: Proof::Bounded(
+                "Krawczyk (1969); Neumaier (1990), Thm 5.1.8; all modes by bisection with a Taylor \
+                 bound",
+            ),
+        })
+    }
+
+    fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
+        let exact = exact(numbers)?;
+        let reference = Self::reference(Self::unpack(&exact)?, BITS_OF_CONDITIONS);
+        at_angles(numbers, &reference)
+    }
+
+    fn conditions_beside(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+        match reference {
+            ReferenceAnswer::Undecided(_) => Self::conditions(numbers),
+            _ => at_angles(numbers, reference),
+        }
+    }
+
+    fn laws() -> Vec<Law> {
+        Vec::new()
+    }
+}
+
+fn random(d: &mut Draw) -> Vec<f64> {
+    let mut x: Vec<f64> = (0..6).map(|_| d.log_uniform(0.1, 1.0)).collect();
+    x.push(d.uniform(-3.1, 3.1));
+    for _ in 0..2 {
+        let (r, a) = (d.uniform(0.05, 1.2), d.uniform(-3.1, 3.1));
+        x.extend([r * a.cos(), r * a.sin()]);
+    }
+    x.push(d.uniform(-3.1, 3.1));
+    x
+}

@@ -1,0 +1,127 @@
+//! What holds for every position of a four-bar linkage.
+
+use super::{FourBar, FourBarInput, motion, values};
+use crate::audit::Law;
+use crate::methods::definition::Definition;
+use std::f64::consts::TAU;
+
+pub(super) fn all() -> Vec<Law> {
+    vec![
+        Law {
+            name: "closure",
+            statement: "a e1 + b e2 - c e3 = (d, 0) within 16 u of the perimeter and of the angles' size",
+            residual: closure,
+        },
+        Law {
+            name: "scale",
+            statement: "lengths times 2^7 leave every angle and derivative bit for bit unchanged",
+            residual: scale_law,
+        },
+        Law {
+            name: "mirror",
+            statement: "-phi1 in the other assembly negates angles and derivatives bit for bit",
+            residual: mirror,
+        },
+        Law {
+            name: "angle-sum",
+            statement: "|phi3 - phi2| is the transmission angle within 8 u of the angles' size",
+            residual: angle_sum,
+        },
+        Law {
+            name: "velocity",
+            statement: "phi3' is the central difference of phi3 within 1e-6 of its size, away from \
+                        singular positions and for lengths within a factor 1000",
+            residual: velocity,
+        },
+    ]
+}
+
+const U: f64 = f64::EPSILON / 2.0;
+
+fn closure(x: &[f64]) -> Option<f64> {
+    let i = FourBar::unpack(x)?;
+    let m = motion(i).ok()?;
+    let FourBarInput {
+        a, b, c, d, phi1, ..
+    } = i;
+    let (p2, p3) = (m.coupler.angle.rad(), m.rocker.angle.rad());
+    let (s1, c1) = phi1.sin_cos();
+    let (s2, c2) = p2.sin_cos();
+    let (s3, c3) = p3.sin_cos();
+    let along = a * c1 + b * c2 - c * c3 - d;
+    let across = a * s1 + b * s2 - c * s3;
+    // The residual of the rounded angles alone is u |φ| times the length.
+    let size = (a + b + c + d) * (1.0 + p2.abs().max(p3.abs()));
+    // Next to a singular position the angles move by √u without opening the loop that far, but
+    // their errors need not cancel: there the law is not applied.
+    (m.transmission.rad().sin() > 0.1).then(|| along.hypot(across) / (16.0 * U * size * spread(i)))
+}
+
+/// The sum of the lengths over the span of the dyad.
+fn spread(i: FourBarInput) -> f64 {
+    let FourBarInput {
+        a, b, c, d, phi1, ..
+    } = i;
+    (a + b + c + d) / (d - a * phi1.cos()).hypot(a * phi1.sin())
+}
+
+fn scale_law(x: &[f64]) -> Option<f64> {
+    let i = FourBar::unpack(x)?;
+    let here = values(&motion(i).ok()?);
+    let [a, b, c, d] = [i.a, i.b, i.c, i.d].map(|l| l * 128.0);
+    let there = values(&motion(FourBarInput { a, b, c, d, ..i }).ok()?);
+    Some(if here[..7] == there[..7] {
+        0.0
+    } else {
+        f64::INFINITY
+    })
+}
+
+fn mirror(x: &[f64]) -> Option<f64> {
+    let i = FourBar::unpack(x)?;
+    let here = values(&motion(i).ok()?);
+    let (phi1, assembly) = (-i.phi1, -i.assembly);
+    let there = values(
+        &motion(FourBarInput {
+            phi1,
+            assembly,
+            ..i
+        })
+        .ok()?,
+    );
+    // φ2, φ3 and their second derivatives are odd in φ1, the first derivatives even.
+    let odd = [0, 1, 4, 5].iter().all(|&i| here[i] == -there[i]);
+    let even = [2, 3, 6, 7].iter().all(|&i| here[i] == there[i]);
+    Some(if odd && even { 0.0 } else { f64::INFINITY })
+}
+
+fn angle_sum(x: &[f64]) -> Option<f64> {
+    let i = FourBar::unpack(x)?;
+    let m = motion(i).ok()?;
+    let (p2, p3) = (m.coupler.angle.rad(), m.rocker.angle.rad());
+    let sine = m.transmission.rad().sin();
+    let left = ((p3 - p2).abs() - m.transmission.rad()).abs();
+    let size = p2.abs() + p3.abs() + TAU;
+    (sine > 0.1).then(|| left / (8.0 * U * size * spread(i)))
+}
+
+fn velocity(x: &[f64]) -> Option<f64> {
+    const H: f64 = 1e-4;
+    let i = FourBar::unpack(x)?;
+    let m = motion(i).ok()?;
+    let at = |h: f64| {
+        let mut moved = i;
+        moved.phi1 += h;
+        motion(moved)
+            .ok()
+            .map(|m| (m.rocker.angle.rad(), moved.phi1))
+    };
+    let ((p, hi), (q, lo)) = (at(H)?, at(-H)?);
+    let size = 1.0 + m.rocker.first.abs() + m.rocker.second.abs();
+    // Where one step changes the second derivative by little, the third is of the size allowed.
+    let lengths = [i.a, i.b, i.c, i.d];
+    let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
+    let alike = lengths.iter().all(|&l| l < 1e3 * shortest);
+    let calm = alike && m.transmission.rad().sin() > 0.3 && spread(i) < 10.0 && size < 10.0;
+    calm.then(|| ((p - q) / (hi - lo) - m.rocker.first).abs() / (1e2 * H * H * size))
+}

@@ -1,0 +1,199 @@
+//! The four-bar linkage.
+
+mod laws;
+mod regions;
+
+use crate::audit::{Budget, Domain, Law, Limit, Output, Proof, Reference, ReferenceAnswer};
+use crate::methods::definition::Definition;
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::dyad::{DyadRefusal, four_bar};
+use crate::solvers::dyad::{self, Assembly, FourBarMotion};
+use crate::solvers::units::{Angle, Length};
+use rug::Rational;
+use std::cmp::Ordering;
+
+inputs! {
+    /// A four-bar linkage at a crank angle.
+    pub struct FourBarInput {
+        a: number "a (crank)", "m";
+        b: number "b (coupler)", "m";
+        c: number "c (rocker)", "m";
+        d: number "d (frame)", "m";
+        phi1: number "phi1", "rad";
+        assembly: choice "assembly (1 or -1)", "1";
+    }
+}
+
+/// Crank and RRR dyad: position, both derivatives, transmission angle.
+///
+/// A candidate is a `Fn([crank, coupler, rocker, frame], phi1, positive assembly) -> [phi2, phi3,
+/// phi2', phi3', phi2'', phi3'', mu, x_C, y_C]`, metres and radians, derivatives by `phi1`.
+#[derive(Clone, Copy, Debug)]
+pub struct FourBar;
+
+const POSITION: &str = "a mixed forward-backward stable position: a few roundings of each length \
+    and of the crank angle, and of the three angles that are added";
+const FIRST: &str = "the position's errors pass through the link directions into two quotients";
+const SECOND: &str = "two squares of the first derivatives and the position's errors once more";
+
+fn motion(i: FourBarInput) -> Result<FourBarMotion, &'static str> {
+    let [a, b, c, d] = [i.a, i.b, i.c, i.d].map(Length::from_m);
+    dyad::FourBar::new(a, b, c, d)
+        .and_then(|bar| bar.position(Angle::from_rad(i.phi1), side(i.assembly)))
+        .map_err(|e| e.name())
+}
+
+/// The assembly that an input chooses.
+pub(super) fn side(assembly: f64) -> Assembly {
+    match assembly > 0.0 {
+        true => Assembly::Positive,
+        false => Assembly::Negative,
+    }
+}
+
+fn values(m: &FourBarMotion) -> Vec<f64> {
+    let (b, c) = (m.coupler, m.rocker);
+    vec![
+        b.angle.rad(),
+        c.angle.rad(),
+        b.first,
+        c.first,
+        b.second,
+        c.second,
+        m.transmission.rad(),
+        m.joint.position_m[0],
+        m.joint.position_m[1],
+    ]
+}
+
+/// The word of a reference that gives no values.
+pub(super) fn refusal(why: DyadRefusal) -> ReferenceAnswer {
+    match why {
+        DyadRefusal::NotPositive => ReferenceAnswer::Refuses("not positive"),
+        DyadRefusal::CannotClose => ReferenceAnswer::Refuses("cannot close"),
+        DyadRefusal::Unreachable => ReferenceAnswer::Refuses("unreachable"),
+        DyadRefusal::Singular => ReferenceAnswer::Refuses("singular"),
+        DyadRefusal::Undecided(u) => ReferenceAnswer::Undecided(u.to_string()),
+    }
+}
+
+impl Definition for FourBar {
+    type Input<'a, T: Number> = FourBarInput<'a, T>;
+    const SUMMARY: &'static str =
+        "four-bar linkage: angles, derivatives by the crank angle, transmission angle";
+    const SOURCE: &'static str = "loop equation a e1 + b e2 = (d, 0) + c e3 and its derivatives, equations (1) to (6) of \
+         the solver; Artobolevskii, Theory of Mechanisms and Machines, class-II groups";
+
+    fn outputs() -> Vec<Output> {
+        let output = |name, unit, k, reason| Output {
+            name,
+            unit,
+            budget: Budget::new(Limit::Conditioned(k), reason),
+        };
+        vec![
+            output("phi2", "rad", 4.0, POSITION),
+            output("phi3", "rad", 4.0, POSITION),
+            output("phi2'", "1", 8.0, FIRST),
+            output("phi3'", "1", 8.0, FIRST),
+            output("phi2''", "1", 12.0, SECOND),
+            output("phi3''", "1", 12.0, SECOND),
+            output("mu", "rad", 4.0, POSITION),
+            output("x_C", "m", 8.0, POSITION),
+            output("y_C", "m", 8.0, POSITION),
+        ]
+    }
+
+    fn domain() -> Domain {
+        regions::domain()
+    }
+
+    fn admits(i: Self::Input<'_, f64>) -> bool {
+        i.assembly.abs() == 1.0
+    }
+
+    fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        Ok(values(&motion(i)?))
+    }
+
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+        let lengths = [i.a, i.b, i.c, i.d].map(Rational::clone);
+        let positive = i.assembly.cmp0() == Ordering::Greater;
+        let m = match four_bar(&lengths, i.phi1, positive, bits) {
+            Ok(m) => m,
+            Err(why) => return refusal(why),
+        };
+        let [phi2, first2, second2] = m.coupler;
+        let [phi3, first3, second3] = m.rocker;
+        let [x, y] = m.joint;
+        ReferenceAnswer::Values(Reference {
+            values: vec![
+                phi2,
+                phi3,
+                first2,
+                first3,
+                second2,
+                second3,
+                m.transmission,
+                x,
+                y,
+            ],
+            proof: Proof::Bounded(
+                "intersection of circles in ball arithmetic, implicit differentiation",
+            ),
+        })
+    }
+
+    fn laws() -> Vec<Law> {
+        laws::all()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::{Draw, Settings, SolverAnswer, audit_method};
+    use crate::methods::find;
+
+    #[test]
+    fn the_audit_passes_with_another_seed() {
+        let settings = Settings {
+            seed: 20_240_607,
+            cases_per_region: 40,
+            ..Settings::default()
+        };
+        let report = audit_method(&*find("four-bar").unwrap(), &settings, &|| ());
+        let failed = report
+            .failures
+            .first()
+            .map(|f| (&f.case, &f.judgement.reason));
+        assert!(report.passed(), "{failed:?} {:?}", report.laws);
+        assert!(report.laws.iter().all(|l| l.cases > 100));
+    }
+
+    #[test]
+    fn refusing_regions_refuse() {
+        let method = find("four-bar").unwrap();
+        let refused = |name: &str, word: &'static str| {
+            let points = method.domain().check_points;
+            let point = points.into_iter().find(|p| p.name == name);
+            assert_eq!(
+                method.solve(&point.unwrap().input),
+                SolverAnswer::Refuses(word)
+            );
+        };
+        refused("folded-exactly", "singular");
+        refused("never-closed", "cannot close");
+        refused("out-of-reach", "unreachable");
+        refused("too-near", "unreachable");
+        let domain = method.domain();
+        let region = domain
+            .regions
+            .iter()
+            .find(|r| r.name == "unreachable")
+            .unwrap();
+        for i in 0..100 {
+            let x = (region.sample)(&mut Draw::new(3, "m", "r", i));
+            assert_eq!(method.solve(&x), SolverAnswer::Refuses("unreachable"));
+        }
+    }
+}

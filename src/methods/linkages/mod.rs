@@ -1,0 +1,13 @@
+//! Linkages.
+
+mod class_iii;
+mod class_iii_assembly_modes;
+mod four_bar;
+mod slider_crank;
+
+pub(super) use class_iii::at_degrees;
+
+pub use class_iii::{ClassIii, ClassIiiGeometry, ClassIiiInput};
+pub use class_iii_assembly_modes::{ClassIiiAssemblyModes, ClassIiiAssemblyModesInput};
+pub use four_bar::{FourBar, FourBarInput};
+pub use slider_crank::{SliderCrank, SliderCrankInput};

@@ -1,0 +1,211 @@
+//! The Faddeeva function.
+
+pub(super) mod curves;
+mod laws;
+pub(super) mod regions;
+
+use crate::audit::{Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
+use crate::methods::definition::{Definition, Uncertified};
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::faddeeva::{Scaled, w, w_scaled};
+use crate::reference::{Ball, Mag};
+use crate::solvers::faddeeva::faddeeva;
+use num_complex::Complex;
+use rug::{Float, Rational};
+
+inputs! {
+    /// A complex argument.
+    pub struct ComplexInput {
+        re: number "Re z", "1";
+        im: number "Im z", "1";
+    }
+}
+
+impl From<ComplexInput<'_>> for Complex<f64> {
+    fn from(z: ComplexInput<'_>) -> Complex<f64> {
+        Complex::new(z.re, z.im)
+    }
+}
+
+/// The Faddeeva function: input `Re z, Im z`, output `Re W, Im W`.
+///
+/// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Faddeeva;
+
+/// The reference is asked for so many bits less than the working precision: each component comes
+/// out with the accuracy asked for, and 80 bits settle every budget here.
+const SPARED: u32 = 48;
+
+/// The bits the reference is asked for at a working precision.
+pub(super) fn asked(bits: u32) -> u32 {
+    bits.saturating_sub(SPARED).max(64)
+}
+
+/// A component as it is due. What no ball holds is beyond every `f64` or below all of them.
+pub(super) fn due(part: &Scaled) -> Due {
+    let direct = part.to_ball();
+    if direct.is_finite() {
+        return Due::Number(direct);
+    }
+    if !part.ball.is_finite() || part.ball.contains_zero() {
+        return Due::Number(part.ball.widened(Mag::INFINITY));
+    }
+    // The factor is within 2^±(2^29), the exponent beyond that of a ball.
+    match part.exponent < 0 {
+        true => Due::Number(Ball::new(Float::new(64), Mag::power_of_two(-5000))),
+        false => Due::Infinity {
+            negative: part.ball.is_negative(),
+        },
+    }
+}
+
+fn dues(re: &Rational, im: &Rational, bits: u32) -> ReferenceAnswer {
+    let bits = asked(bits);
+    let values = match w(re, im, bits) {
+        Ok(w) => vec![Due::Number(w.re), Due::Number(w.im)],
+        Err(_) => match w_scaled(re, im, bits) {
+            Ok(parts) => parts.iter().map(due).collect(),
+            Err(e) => return ReferenceAnswer::Undecided(e.to_string()),
+        },
+    };
+    let proof = "Taylor, Kummer and asymptotic series with remainder bounds (reference::faddeeva)";
+    ReferenceAnswer::Dues(values, Proof::Bounded(proof))
+}
+
+/// The limits at infinity, where there are any. W tends to 0 in the closed upper half-plane and
+/// for Im z < 0 with Re z → ±∞, to +∞ down the imaginary axis, on which it is real.
+pub(super) fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
+    let zero = || Due::Number(Ball::integer(64, 0));
+    if x == 0.0 && y == f64::NEG_INFINITY {
+        return [Due::Infinity { negative: false }, zero()];
+    }
+    if x.is_nan() || y.is_nan() {
+        let im = if x == 0.0 { zero() } else { Due::NotANumber };
+        return [Due::NotANumber, im];
+    }
+    if y > f64::NEG_INFINITY {
+        return [zero(), zero()];
+    }
+    [Due::NotANumber, Due::NotANumber]
+}
+
+/// On the imaginary axis `Im W(x + iy) = −x E′(y) + …`, `E = erfcx`, and erfcx falls everywhere. At
+/// infinity `W = i/(√π z) + …`, but for `Im z ≤ 0` beside the axes.
+pub(super) fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+    let re = match (x.is_infinite(), y.is_infinite()) {
+        (_, true) if y > 0.0 => Some(false),
+        (true, false) if y != 0.0 => Some(y < 0.0),
+        _ => None,
+    };
+    let im = match x == 0.0 || (x.is_infinite() && y.is_finite()) || y == f64::INFINITY {
+        true if !x.is_nan() => Some(x.is_sign_negative()),
+        _ => None,
+    };
+    [re, im]
+}
+
+impl Definition for Faddeeva {
+    type Input<'a, T: Number> = ComplexInput<'a, T>;
+    const SUMMARY: &'static str = "Faddeeva function W(z) = exp(-z^2) erfc(-iz) in the whole plane";
+    const SOURCE: &'static str = "DLMF 7.2.3; Faddeyeva & Terent'ev 1961";
+
+    fn outputs() -> Vec<Output> {
+        let budget = Budget::new(
+            Limit::Ulps(4.0),
+            "every component comes from sums without cancellation or in double-double, rounded \
+             once; 4 ulp leave the exponential, the scaling and the table entries an ulp each",
+        );
+        ["Re W", "Im W"]
+            .map(|name| Output {
+                name,
+                unit: "1",
+                budget,
+            })
+            .to_vec()
+    }
+
+    fn norm_budget() -> Option<NormBudget> {
+        Some(NormBudget::new(
+            4.0,
+            "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
+             for what happens before",
+        ))
+    }
+
+    fn domain() -> Domain {
+        Domain {
+            regions: regions::all(),
+            check_points: regions::check_points(),
+        }
+    }
+
+    fn signs_of_zero(z: Self::Input<'_, f64>) -> Vec<Option<bool>> {
+        signs_of_zero(z.re, z.im).to_vec()
+    }
+
+    fn solve(z: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        let w = faddeeva(z.into());
+        Ok(vec![w.re, w.im])
+    }
+
+    fn reference(z: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+        dues(z.re, z.im, bits)
+    }
+
+    fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
+        ReferenceAnswer::Dues(dues_not_finite(z.re, z.im).to_vec(), Proof::Exact)
+    }
+
+    fn certify(z: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
+        Ok(w_scaled(z.re, z.im, bits)?.to_vec())
+    }
+
+    fn laws() -> Vec<Law> {
+        laws::all()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn reference(x: f64, y: f64) -> Vec<Due> {
+        let exact = [x, y].map(|v| Rational::from_f64(v).unwrap());
+        match dues(&exact[0], &exact[1], 128) {
+            ReferenceAnswer::Dues(dues, _) => dues,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn what_no_ball_holds() {
+        // Re W(10^200) = e^{-10^400} is not zero, Im W = 10^-200/√π.
+        let d = reference(1e200, 0.0);
+        assert!(d[0].number().unwrap().magnitude() < Mag::power_of_two(-1100));
+        assert_eq!(d[1].to_decimal(5).unwrap(), "5.6419e-201");
+        // W(−10^200 i) = 2e^{10^400}.
+        let d = reference(0.0, -1e200);
+        assert!(matches!(d[0], Due::Infinity { negative: false }));
+        assert!(d[1].number().unwrap().is_zero());
+        // Off the axis both components have the sign of the phase −2xy: here cos 2 < 0, sin 2 > 0.
+        let tiny = 2f64.powi(-600);
+        let d = reference(tiny, -(2f64.powi(600)));
+        assert!(matches!(d[0], Due::Infinity { negative: true }));
+        assert!(matches!(d[1], Due::Infinity { negative: false }));
+    }
+
+    #[test]
+    fn at_infinity() {
+        let inf = f64::INFINITY;
+        let shown = |x, y| dues_not_finite(x, y).map(|d| d.to_decimal(3).unwrap());
+        assert_eq!(shown(inf, 0.0), ["0", "0"]);
+        assert_eq!(shown(-inf, -5.0), ["0", "0"]);
+        assert_eq!(shown(3.0, inf), ["0", "0"]);
+        assert_eq!(shown(-0.0, -inf), ["inf", "0"]);
+        assert_eq!(shown(1.0, -inf), ["nan", "nan"]);
+        assert_eq!(shown(inf, -inf), ["nan", "nan"]);
+        assert_eq!(shown(0.0, f64::NAN), ["nan", "0"]);
+        assert_eq!(shown(f64::NAN, 1.0), ["nan", "nan"]);
+    }
+}

@@ -1,0 +1,435 @@
+//! Where the Faddeeva function is audited.
+
+use super::curves;
+use crate::audit::{CheckPoint, Draw, Region};
+use crate::solvers::faddeeva::SEAMS;
+use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
+
+/// `r e^{iθ}`.
+pub(in crate::methods::special) fn polar(r: f64, theta: f64) -> Vec<f64> {
+    vec![r * theta.cos(), r * theta.sin()]
+}
+
+pub(in crate::methods::special) fn whole(d: &mut Draw) -> f64 {
+    d.uniform(-PI, PI)
+}
+
+/// `x` moved by a relative 1e-17 to 1e-3, to either side, or by nothing.
+pub(in crate::methods::special) fn beside(d: &mut Draw, x: f64) -> f64 {
+    if d.chance(0.05) {
+        return x;
+    }
+    let shift = d.log_uniform(1e-17, 1e-3);
+    x + x * d.signed(shift)
+}
+
+/// A random element.
+pub(in crate::methods::special) fn one_of(d: &mut Draw, all: &[f64]) -> f64 {
+    all[d.integer(0, all.len() - 1)]
+}
+
+pub(in crate::methods::special) fn both_signs(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
+    vec![d.signed(x), d.signed(y)]
+}
+
+/// A part so small that every product with it may be subnormal, and the other from where exponentials
+/// leave the range of `f64`.
+pub(in crate::methods::special) fn tiny_part(d: &mut Draw) -> (f64, f64) {
+    let tiny = d.log_uniform(5e-324, 1e-250);
+    let other = match d.chance(0.7) {
+        true => d.log_uniform(25.0, 100.0),
+        false => d.log_uniform(25.0, 1.7e308),
+    };
+    (tiny, other)
+}
+
+/// What [`tiny_part`] draws.
+pub(in crate::methods::special) const TINY_PART: &str =
+    "one part 5e-324..1e-250, the other 25..1.7e308, where exponentials overflow or underflow";
+
+/// Seams as text: powers of two as such where decimals would be long.
+pub(in crate::methods::special) fn listed(seams: &[f64]) -> String {
+    let one = |&t: &f64| {
+        let exponent = (t.to_bits() >> 52) as i64 - 1023;
+        match t.to_bits() << 12 == 0 {
+            true if exponent.abs() > 9 => format!("2^{exponent}"),
+            _ if (1e-3..1e7).contains(&t) => format!("{}", (t * 1e12).round() / 1e12),
+            _ => format!("{t:e}"),
+        }
+    };
+    seams.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+static ON_CIRCLES: LazyLock<String> = LazyLock::new(|| {
+    format!(
+        "|z|^2 = {}, exactly or off by 1e-17..1e-3",
+        listed(SEAMS.circles)
+    )
+});
+static ON_LINES: LazyLock<String> = LazyLock::new(|| {
+    let (re, im) = (listed(SEAMS.re), listed(SEAMS.im));
+    format!("|Im z| = {im} or |Re z| = {re}, likewise")
+});
+static ON_HYPERBOLAS: LazyLock<String> = LazyLock::new(|| {
+    let all = listed(SEAMS.hyperbolas);
+    format!("Re z^2 = +-{all} below the real axis, |Re z| = 0.01..40, likewise")
+});
+static ON_CELLS: LazyLock<String> = LazyLock::new(|| {
+    let edges: Vec<f64> = SEAMS.pitches.iter().map(|pitch| pitch / 2.0).collect();
+    format!(
+        "one coordinate an odd multiple of {}, likewise",
+        listed(&edges)
+    )
+});
+
+/// The regions.
+pub(in crate::methods::special) fn all() -> Vec<Region> {
+    let region = |name, description, sample| Region {
+        name,
+        description,
+        sample,
+    };
+    vec![
+        region("small", "|z| = 1e-300..1, every direction", |d| {
+            let r = d.log_uniform(1e-300, 1.0);
+            polar(r, whole(d))
+        }),
+        region("mid", "0 <= Im z < 8, |Re z| < 8", |d| {
+            vec![d.uniform(-8.0, 8.0), d.uniform(0.0, 8.0)]
+        }),
+        region("far", "|z| = 7..1e8, Im z >= 0", |d| {
+            let r = d.log_uniform(7.0, 1e8);
+            polar(r, d.uniform(0.0, PI))
+        }),
+        region("huge", "|z| = 1e8..1.7e308, every direction", |d| {
+            let r = d.log_uniform(1e8, 1.7e308);
+            polar(r, whole(d))
+        }),
+        region("lower", "-6 <= Im z < 0, |Re z| < 8", |d| {
+            vec![d.uniform(-8.0, 8.0), d.uniform(-6.0, 0.0)]
+        }),
+        region("lower-wide", "-28 <= Im z < 0, |Re z| < 40", |d| {
+            vec![d.uniform(-40.0, 40.0), d.uniform(-28.0, 0.0)]
+        }),
+        region(
+            "diagonal-rays",
+            "|z| = 0.01..1e8 on the four diagonals, exactly or off by 1e-17..1e-3",
+            |d| {
+                let x = d.log_uniform(0.007, 7e7);
+                let y = beside(d, x);
+                both_signs(d, x, y)
+            },
+        ),
+        region(
+            "chirp-rays",
+            "z = (1 - i)(X + i n), |X| = 0.01..1e8, n = 0, +-1, ... +-20 or |n| = 1e-3..1e3",
+            |d| {
+                let x = d.log_uniform(0.01, 1e8);
+                let x = d.signed(x);
+                let n = match d.chance(0.5) {
+                    true => d.integer(0, 20) as f64,
+                    false => d.log_uniform(1e-3, 1e3),
+                };
+                let n = d.signed(n);
+                vec![x + n, n - x]
+            },
+        ),
+        region(
+            "beside-real-axis",
+            "|Re z| = 1e-3..1e5 or 0..30, |Im z| = 1e-300..0.2 on both sides",
+            |d| {
+                let x = match d.chance(0.7) {
+                    true => d.uniform(0.0, 30.0),
+                    false => d.log_uniform(1e-3, 1e5),
+                };
+                let y = d.log_uniform(1e-300, 0.2);
+                both_signs(d, x, y)
+            },
+        ),
+        region(
+            "near-real-axis",
+            "|Re z| < 30, |Im z| = 1e-20..0.3 on both sides",
+            |d| {
+                let x = d.uniform(0.0, 30.0);
+                let y = d.log_uniform(1e-20, 0.3);
+                both_signs(d, x, y)
+            },
+        ),
+        region(
+            "real-axis",
+            "Im z = 0, |Re z| = 0..28 or 1e-300..1e300",
+            |d| {
+                let x = match d.chance(0.7) {
+                    true => d.uniform(0.0, 28.0),
+                    false => d.log_uniform(1e-300, 1e300),
+                };
+                both_signs(d, x, 0.0)
+            },
+        ),
+        region(
+            "beside-imaginary-axis",
+            "|Re z| = 1e-300..0.5, or 0, Im z = -27..30 or |Im z| = 1e-3..1e5",
+            |d| {
+                let x = match d.chance(0.1) {
+                    true => 0.0,
+                    false => d.log_uniform(1e-300, 0.5),
+                };
+                let y = match d.chance(0.7) {
+                    true => d.uniform(-27.0, 30.0),
+                    false => {
+                        let y = d.log_uniform(1e-3, 1e5);
+                        d.signed(y)
+                    }
+                };
+                vec![d.signed(x), y]
+            },
+        ),
+        region(
+            "near-zeros",
+            "within 1e-17..0.1 of one of the first 12 zeros or its mirror image",
+            |d| {
+                let k = d.integer(1, 12);
+                let r = d.log_uniform(1e-17, 0.1);
+                let theta = whole(d);
+                let z = curves::zero(k);
+                vec![d.signed(z[0] + r * theta.cos()), z[1] + r * theta.sin()]
+            },
+        ),
+        region(
+            "far-zeros",
+            "within 1e-17..0.1 of one of the zeros 13 to 400",
+            |d| {
+                let k = d.log_uniform(13.0, 400.0) as usize;
+                let r = d.log_uniform(1e-17, 0.1);
+                let theta = whole(d);
+                let z = curves::zero(k);
+                vec![d.signed(z[0] + r * theta.cos()), z[1] + r * theta.sin()]
+            },
+        ),
+        region(
+            "zero-curves-of-re",
+            "the f64 next to a zero curve of Re W below the axis and its neighbours, or off by a relative \
+             1e-15..1e-2; Im z = -0.3..-20 or to -1e6",
+            |d| curves::beside_curve(d, curves::Part::Re),
+        ),
+        region(
+            "zero-curves-of-im",
+            "the f64 next to a zero curve of Im W below the axis and its neighbours, likewise",
+            |d| curves::beside_curve(d, curves::Part::Im),
+        ),
+        region(
+            "zero-curve-beside-real-axis",
+            "the f64 next to the zero curve of Re W at Re z = 2.3..26.5 and its neighbours in Im z, or off by a \
+             relative 1e-15..1e-1",
+            curves::beside_flat_curve,
+        ),
+        region(
+            "overflow-edge",
+            "Im z < 0 where |W| is 1e303..1e313, |Re z| = 1e-300..1e7",
+            |d| {
+                let a = match d.chance(0.7) {
+                    true => d.log_uniform(1e-3, 1e7),
+                    false => d.log_uniform(1e-300, 1e-3),
+                };
+                let b = a.mul_add(a, 709.0 + d.uniform(-12.0, 12.0)).sqrt();
+                vec![d.signed(a), -b]
+            },
+        ),
+        region(
+            "overflow",
+            "Im z < 0 where W overflows or nearly: |Im z| = 1..1e300 times |Re z| = 0..1e300",
+            |d| {
+                let b = d.log_uniform(1.0, 1e300);
+                let a = match d.integer(0, 3) {
+                    0 => 0.0,
+                    1 => b * d.uniform(0.0, 1.0),
+                    2 => beside(d, b),
+                    _ => d.log_uniform(1e-300, 1e300),
+                };
+                vec![d.signed(a), -b]
+            },
+        ),
+        region(
+            "underflow-of-re",
+            "Re W subnormal: |Re z| = 26.4..27.4 beside the axis, or 1e-3..1e150 with Im z = 1e-323..",
+            |d| match d.chance(0.5) {
+                true => {
+                    let x = d.uniform(26.4, 27.4);
+                    let y = d.log_uniform(1e-323, 1e-290);
+                    both_signs(d, x, y)
+                }
+                false => {
+                    let x = d.log_uniform(30.0, 1e150);
+                    let y = d.log_uniform(1e-323, 1e-300) * x;
+                    both_signs(d, x, y)
+                }
+            },
+        ),
+        region(
+            "underflow",
+            "|z| = 1e290..1.7e308 beside an axis, and Re z or Im z = 5e-324..1e-290",
+            |d| {
+                let r = d.log_uniform(1e290, 1.7e308);
+                let t = d.log_uniform(5e-324, 1e-290);
+                let y = match d.chance(0.3) {
+                    true => d.log_uniform(1.0, r),
+                    false => t,
+                };
+                match d.integer(0, 2) {
+                    0 => both_signs(d, r, y),
+                    1 => vec![d.signed(y), r],
+                    _ => {
+                        let x = d.log_uniform(5e-324, 10.0);
+                        both_signs(d, x, t)
+                    }
+                }
+            },
+        ),
+        region("tiny-part", TINY_PART, |d| {
+            let (tiny, other) = tiny_part(d);
+            match d.chance(0.7) {
+                true => vec![d.signed(tiny), -other],
+                false => both_signs(d, other, tiny),
+            }
+        }),
+        region("seam-circles", &ON_CIRCLES, |d| {
+            let r = one_of(d, SEAMS.circles).sqrt();
+            let r = beside(d, r);
+            // A third each: everywhere, beside the real axis, beside the diagonals.
+            let theta = match d.integer(0, 2) {
+                0 => whole(d),
+                1 => d.log_uniform(1e-20, 0.05),
+                _ => {
+                    let t = d.log_uniform(1e-17, 1e-2);
+                    PI / 4.0 + d.signed(t)
+                }
+            };
+            let z = polar(r, theta);
+            both_signs(d, z[0], z[1])
+        }),
+        region("seam-strips", &ON_LINES, |d| {
+            let other = match d.chance(0.5) {
+                true => d.uniform(0.0, 10.0),
+                false => d.log_uniform(1e-3, 40.0),
+            };
+            if d.chance(0.6) {
+                let y = one_of(d, SEAMS.im);
+                // Next to the real axis the strip alone tells distances apart.
+                let other = match y < 1e-3 {
+                    true => d.uniform(8.0, 28.0),
+                    false => other,
+                };
+                let y = beside(d, y);
+                return both_signs(d, other, y);
+            }
+            let x = one_of(d, SEAMS.re);
+            let x = beside(d, x);
+            both_signs(d, x, other)
+        }),
+        region("seam-hyperbolas", &ON_HYPERBOLAS, |d| {
+            let decay = one_of(d, SEAMS.hyperbolas);
+            let decay = beside(d, decay);
+            let t = d.log_uniform(0.01, 40.0);
+            let s = t.mul_add(t, decay).sqrt();
+            match d.chance(0.5) {
+                true => vec![d.signed(s), -t],
+                false => vec![d.signed(t), -s],
+            }
+        }),
+        region("seam-cells", &ON_CELLS, |d| {
+            let step = one_of(d, SEAMS.pitches) / 2.0;
+            let most = (7.5 / step) as usize / 2;
+            let edge = step * (2 * d.integer(0, most) + 1) as f64;
+            let edge = beside(d, edge);
+            let other = match d.chance(0.8) {
+                true => d.uniform(0.0, 7.5),
+                false => d.log_uniform(1e-6, 0.3),
+            };
+            match d.chance(0.5) {
+                true => both_signs(d, edge, other),
+                false => both_signs(d, other, edge),
+            }
+        }),
+        region(
+            "any-bits",
+            "both components with any exponent: 1e-308..1e308",
+            |d| {
+                let (x, y) = (d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308));
+                both_signs(d, x, y)
+            },
+        ),
+        region(
+            "phase",
+            "|Re z| and |Im z| = 1e2..1e15 within 700 of each other's square, below the axis",
+            |d| {
+                let a = d.log_uniform(1e2, 1e15);
+                let t = d.uniform(-700.0, 700.0) / (2.0 * a);
+                let theta = d.uniform(0.0, TAU);
+                let b = a + t + theta * 1e-3 / a;
+                vec![d.signed(a), -b]
+            },
+        ),
+    ]
+}
+
+/// Special arguments.
+pub(in crate::methods::special) fn check_points() -> Vec<CheckPoint> {
+    let (inf, nan, max, min) = (f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1));
+    let normal = f64::MIN_POSITIVE;
+    let named: [(&'static str, f64, f64); 40] = [
+        ("zero", 0.0, 0.0),
+        ("zero-minus-re", -0.0, 0.0),
+        ("zero-minus-im", 0.0, -0.0),
+        ("zero-minus-both", -0.0, -0.0),
+        ("one", 1.0, 0.0),
+        ("minus-one", -1.0, 0.0),
+        ("i", 0.0, 1.0),
+        ("minus-i", 0.0, -1.0),
+        ("one-minus-i", 1.0, -1.0),
+        ("one-plus-i", 1.0, 1.0),
+        ("smallest-re", min, 0.0),
+        ("smallest-im", 0.0, min),
+        ("smallest-minus-im", 0.0, -min),
+        ("smallest-both", -min, -min),
+        ("smallest-normal-both", normal, normal),
+        ("one-smallest-im", 1.0, min),
+        ("six-smallest-minus-im", 6.0, -min),
+        ("largest-re", max, 0.0),
+        ("largest-im", 0.0, max),
+        ("largest-both", max, max),
+        ("largest-re-smallest-im", max, min),
+        ("largest-minus-im", 0.0, -max),
+        ("largest-down-the-diagonal", max, -max),
+        ("largest-down-the-other-diagonal", -max, -max),
+        ("smallest-re-largest-minus-im", min, -max),
+        ("last-on-the-axis", 27.297, 0.0),
+        ("gone-on-the-axis", 27.3, 0.0),
+        ("overflow-on-the-axis", 0.0, -26.65),
+        ("last-down-the-axis", 0.0, -26.628),
+        ("infinite-re", inf, 0.0),
+        ("minus-infinite-re", -inf, 1.0),
+        ("infinite-re-below", inf, -1.0),
+        ("infinite-im", 0.0, inf),
+        ("infinite-both", inf, inf),
+        ("minus-infinite-im", 0.0, -inf),
+        ("minus-infinite-im-off-the-axis", 1.0, -inf),
+        ("infinite-re-minus-infinite-im", inf, -inf),
+        ("nan-re", nan, 1.0),
+        ("nan-im", 1.0, nan),
+        ("nan-im-on-the-axis", 0.0, nan),
+    ];
+    let mut all: Vec<CheckPoint> = named
+        .into_iter()
+        .map(|(name, x, y)| CheckPoint {
+            name,
+            input: vec![x, y],
+        })
+        .collect();
+    let zeros = ["zero-1", "zero-2", "zero-3", "zero-4", "zero-5"];
+    all.extend(zeros.into_iter().enumerate().map(|(k, name)| CheckPoint {
+        name,
+        input: curves::zero(k + 1).to_vec(),
+    }));
+    all
+}

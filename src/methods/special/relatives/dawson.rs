@@ -1,0 +1,128 @@
+//! Dawson's function.
+
+use super::laws::{batch_agrees, odd_law, on_the_axis, point, within};
+use super::regions::zero_of_erfi;
+use super::{C, Relative, Zeros, odd_limit, on_axis};
+use crate::audit::{Due, Law};
+use crate::reference::faddeeva::{self, Scaled};
+use crate::reference::{Ball, Undecided};
+use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
+use rug::Rational;
+
+/// Input `Re z, Im z`, output `Re F, Im F`.
+///
+/// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Dawson;
+
+impl Relative for Dawson {
+    const SUMMARY: &'static str =
+        "Dawson's function F(z) = exp(-z^2) int_0^z exp(t^2) dt in the whole plane";
+    const SOURCE: &'static str = "DLMF 7.2.5, 7.5.1";
+    const OUTPUTS: [&'static str; 2] = ["Re F", "Im F"];
+    const ULPS: (f64, &'static str) = (
+        4.0,
+        "the difference of exp(-z^2) and W, again in double-double where they cancel: an ulp each \
+         for the exponential, W, their difference and the last rounding",
+    );
+    const NORM: (f64, &'static str) = (
+        4.0,
+        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
+         for the exponential and W",
+    );
+    const ZEROS: Zeros = Zeros {
+        at: zero_of_erfi,
+        mirrored: [true, true],
+        stored: 14,
+    };
+
+    fn value(z: C) -> C {
+        dawson(z)
+    }
+
+    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
+        faddeeva::dawson_scaled(re, im, bits)
+    }
+
+    fn limit(x: f64, y: f64) -> [Due; 2] {
+        odd_limit(0, x, y)
+    }
+
+    /// On the imaginary axis `F(iy) = i (√π/2) e^{y²} erf y` grows with y. On the real axis
+    /// `F′ = 1 − 2xF` is positive up to the maximum of F, negative beyond.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        let im = match (y == 0.0, slope_is_negative(x)) {
+            (true, Some(negative)) => Some(y.is_sign_negative() != negative),
+            // F = 1/(2z) + … there.
+            (false, _) if x.is_infinite() && y.is_finite() => Some(y > 0.0),
+            _ => None,
+        };
+        [on_axis(x, 1.0), im]
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            odd_law::<Dawson>(),
+            Law {
+                name: "differential-equation",
+                statement: "the Taylor series of F' = 1 - 2 z F from F(z) gives F(z + h), \
+                            |h| = 1/(8 max(|z|, 1)), within 16 u (|F(z)| + |F(z + h)| + |h|), for \
+                            |z| <= 1e6",
+                residual: equation,
+            },
+            Law {
+                name: "batch",
+                statement: "a batch of 1 to 40 points around z gives the scalar values, bit for bit",
+                residual: |input| {
+                    batch_agrees::<Dawson>(point(input)?, |z, f| dawson_batch(z, f).is_ok())
+                },
+            },
+            Law {
+                name: "real-argument",
+                statement: "the function of a real argument agrees at Re z within 6 ulp",
+                residual: |input| on_the_axis::<Dawson>(dawson_real, point(input)?.re),
+            },
+        ]
+    }
+}
+
+/// Whether `F′(x) = 1 − 2xF(x) < 0`, if that is certain. The maximum of F is irrational, so 256 bits
+/// decide every `f64`.
+fn slope_is_negative(x: f64) -> Option<bool> {
+    let Some(re) = Rational::from_f64(x) else {
+        return x.is_infinite().then_some(true);
+    };
+    let [f, _] = faddeeva::dawson_scaled(&re, &Rational::new(), 256).ok()?;
+    let slope = Ball::integer(256, 1) - &(Ball::rational(256, &(re * 2)) * &f.to_ball());
+    match slope.contains_zero() {
+        true => None,
+        false => Some(slope.is_negative()),
+    }
+}
+
+/// F at z + h by the Taylor series at z, whose coefficients follow from F(z) alone.
+fn equation(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let r = z.norm();
+    if !(r <= 1e6) {
+        return None;
+    }
+    // Turned by one radian; exact as a difference.
+    let step = 0.125 / r.max(1.0);
+    let to = C::new(z.re + 0.54 * step, z.im + 0.84 * step);
+    let h = to - z;
+    let (start, end) = (dawson(z), dawson(to));
+    if !(start.norm() < 1e300 && end.norm() < 1e300) {
+        return None;
+    }
+    let zh = z * h;
+    let mut terms = [start, h - 2.0 * zh * start];
+    let mut sum = terms[0] + terms[1];
+    for n in 2..30 {
+        let next = -(zh * terms[1] + h * h * terms[0]) * (2.0 / f64::from(n));
+        terms = [terms[1], next];
+        sum += next;
+    }
+    // 4 u of both values, the first grown by e^{1/4}, and some ten operations with 1 u each.
+    within(sum - end, 16.0, start.norm() + end.norm() + h.norm())
+}

@@ -1,0 +1,96 @@
+//! The error function.
+
+use super::laws::{gaussian, odd_law, on_the_axis, point, within};
+use super::regions::zero_of_erf;
+use super::{C, Relative, Zeros, odd_limit, odd_signs};
+use crate::audit::{Due, Law};
+use crate::reference::Undecided;
+use crate::reference::faddeeva::{self, Scaled};
+use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
+use rug::Rational;
+
+/// Input `Re z, Im z`, output `Re erf z, Im erf z`.
+///
+/// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Erf;
+
+impl Relative for Erf {
+    const SUMMARY: &'static str = "error function erf(z) in the whole plane";
+    const SOURCE: &'static str = "DLMF 7.2.1, 7.2.2, 7.5.1";
+    const OUTPUTS: [&'static str; 2] = ["Re erf", "Im erf"];
+    const ULPS: (f64, &'static str) = (
+        4.0,
+        "1 - exp(-z^2) W(iz) or a series without cancellation, else in double-double: an ulp each \
+         for the exponential, W, their product and the last rounding",
+    );
+    const NORM: (f64, &'static str) = (
+        4.0,
+        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
+         for the exponential and W",
+    );
+    const ZEROS: Zeros = Zeros {
+        at: zero_of_erf,
+        mirrored: [true, true],
+        stored: 14,
+    };
+
+    fn value(z: C) -> C {
+        erf(z)
+    }
+
+    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
+        faddeeva::erf_scaled(re, im, bits)
+    }
+
+    fn limit(x: f64, y: f64) -> [Due; 2] {
+        odd_limit(1, x, y)
+    }
+
+    /// erf′ = (2/√π) e^{−z²} is positive on both axes.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        odd_signs(x, y)
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            odd_law::<Erf>(),
+            Law {
+                name: "complement",
+                statement: "erf(z) + erfc(z) = 1 within 5 u (|erf(z)| + |erfc(z)|)",
+                residual: complement,
+            },
+            Law {
+                name: "faddeeva",
+                statement: "erf(z) = 1 - exp(-z^2) W(iz) within 16 u (1 + |erf(z)|), for \
+                            0 <= Re z, |z| <= 1e8",
+                residual: by_w,
+            },
+            Law {
+                name: "real-argument",
+                statement: "the function of a real argument agrees at Re z within 6 ulp",
+                residual: |input| on_the_axis::<Erf>(erf_real, point(input)?.re),
+            },
+        ]
+    }
+}
+
+fn complement(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let (a, b) = (erf(z), erfc(z));
+    // Each is within 4 u, and the sum of the two is rounded.
+    within((a - 1.0) + b, 5.0, a.norm() + b.norm())
+}
+
+fn by_w(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    if !(z.re >= 0.0 && z.norm() <= 1e8) {
+        return None;
+    }
+    let (e, w, g) = (erf(z), w(C::new(-z.im, z.re)), gaussian(z, 1));
+    if !(e.norm() < 1e290 && g.norm() < 1e290) {
+        return None;
+    }
+    // 4 u of erf, 4 u of W, 6 u of the product's roundings and of the exponential's, 2 u of the sum.
+    within((e - 1.0) + g * w, 16.0, 1.0 + e.norm())
+}

@@ -1,0 +1,116 @@
+//! The scaled complementary error function.
+
+use super::laws::{batch_agrees, broken, conjugation_law, gaussian, on_the_axis, point, within};
+use super::regions::zero_of_erfc;
+use super::{C, Relative, Zeros};
+use crate::audit::{Due, Law};
+use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
+use crate::reference::Undecided;
+use crate::reference::faddeeva::{self, Scaled};
+use crate::solvers::faddeeva::{erfcx, erfcx_batch, erfcx_real, faddeeva as w};
+use rug::Rational;
+
+/// Input `Re z, Im z`, output `Re erfcx z, Im erfcx z`.
+///
+/// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Erfcx;
+
+impl Relative for Erfcx {
+    const SUMMARY: &'static str =
+        "scaled complementary error function erfcx(z) = exp(z^2) erfc(z) in the whole plane";
+    const SOURCE: &'static str = "DLMF 7.2.3";
+    const OUTPUTS: [&'static str; 2] = ["Re erfcx", "Im erfcx"];
+    const ULPS: (f64, &'static str) = (
+        4.0,
+        "W(iz), whose components come from sums without cancellation or in double-double; 4 ulp \
+         leave the exponential, the scaling and the table entries an ulp each",
+    );
+    const NORM: (f64, &'static str) = (
+        4.0,
+        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
+         for what happens before",
+    );
+    const ZEROS: Zeros = Zeros {
+        at: zero_of_erfc,
+        mirrored: [false, true],
+        stored: 12,
+    };
+
+    fn value(z: C) -> C {
+        erfcx(z)
+    }
+
+    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
+        faddeeva::erfcx_scaled(re, im, bits)
+    }
+
+    fn limit(x: f64, y: f64) -> [Due; 2] {
+        dues_not_finite(-y, x)
+    }
+
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        signs_of_zero(-y, x)
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            conjugation_law::<Erfcx>(),
+            Law {
+                name: "faddeeva",
+                statement: "erfcx(z) = W(iz) within 8 u |W(iz)|",
+                residual: by_w,
+            },
+            Law {
+                name: "reflection",
+                statement: "erfcx(z) + erfcx(-z) = 2 exp(z^2) within 7 u (|erfcx(z)| + |erfcx(-z)|), \
+                            for |z| <= 1e8",
+                residual: reflection,
+            },
+            Law {
+                name: "batch",
+                statement: "a batch of 1 to 40 points around z gives the scalar values, bit for bit",
+                residual: |input| {
+                    batch_agrees::<Erfcx>(point(input)?, |z, f| erfcx_batch(z, f).is_ok())
+                },
+            },
+            Law {
+                name: "real-argument",
+                statement: "the function of a real argument agrees at Re z within 6 ulp",
+                residual: |input| on_the_axis::<Erfcx>(erfcx_real, point(input)?.re),
+            },
+            Law {
+                name: "monotonicity",
+                statement: "on the real axis erfcx does not grow from x to x + 2^-40 |x|",
+                residual: monotonic,
+            },
+        ]
+    }
+}
+
+fn by_w(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let (e, w) = (erfcx(z), w(C::new(-z.im, z.re)));
+    // 4 u of each.
+    within(e - w, 8.0, w.norm())
+}
+
+fn reflection(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    if !(z.norm() <= 1e8) {
+        return None;
+    }
+    let (a, b) = (erfcx(z), erfcx(-z));
+    // 4 u of each value, and the rounding of the three terms.
+    let rest = (a - gaussian(C::new(-z.im, z.re), 2)) + b;
+    within(rest, 7.0, a.norm() + b.norm())
+}
+
+fn monotonic(input: &[f64]) -> Option<f64> {
+    let x = point(input)?.re;
+    if !x.is_finite() {
+        return None;
+    }
+    let next = x + x.abs() * 2f64.powi(-40);
+    broken(erfcx_real(next) <= erfcx_real(x))
+}

@@ -1,0 +1,93 @@
+//! The imaginary error function.
+
+use super::laws::{broken, gaussian, odd_law, on_the_axis, plain, point, same_pair, within};
+use super::regions::zero_of_erfi;
+use super::{C, Relative, Zeros, negated, odd_limit, odd_signs};
+use crate::audit::{Due, Law};
+use crate::reference::Undecided;
+use crate::reference::faddeeva::{self, Scaled};
+use crate::solvers::faddeeva::{dawson, erf, erfi, erfi_real};
+use rug::Rational;
+use std::f64::consts::FRAC_2_SQRT_PI;
+
+/// Input `Re z, Im z`, output `Re erfi z, Im erfi z`.
+///
+/// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
+#[derive(Clone, Copy, Debug)]
+pub struct Erfi;
+
+impl Relative for Erfi {
+    const SUMMARY: &'static str =
+        "imaginary error function erfi(z) = -i erf(iz) in the whole plane";
+    const SOURCE: &'static str = "DLMF 7.2.1, 7.5.1";
+    const OUTPUTS: [&'static str; 2] = ["Re erfi", "Im erfi"];
+    const ULPS: (f64, &'static str) = (
+        4.0,
+        "erf at iz: an ulp each for the exponential, W, their product and the last rounding",
+    );
+    const NORM: (f64, &'static str) = (
+        4.0,
+        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
+         for the exponential and W",
+    );
+    const ZEROS: Zeros = Zeros {
+        at: zero_of_erfi,
+        mirrored: [true, true],
+        stored: 14,
+    };
+
+    fn value(z: C) -> C {
+        erfi(z)
+    }
+
+    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
+        faddeeva::erfi_scaled(re, im, bits)
+    }
+
+    fn limit(x: f64, y: f64) -> [Due; 2] {
+        let [re, im] = odd_limit(1, -y, x);
+        [im, negated(re)]
+    }
+
+    /// erfi′ = (2/√π) e^{z²} is positive on both axes.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        odd_signs(x, y)
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            odd_law::<Erfi>(),
+            Law {
+                name: "turned",
+                statement: "erfi(z) = -i erf(iz), bit for bit",
+                residual: turned,
+            },
+            Law {
+                name: "dawson",
+                statement: "erfi(z) = 2/sqrt(pi) exp(z^2) F(z) within 16 u |erfi(z)|, for |z| <= 1e8",
+                residual: by_dawson,
+            },
+            Law {
+                name: "real-argument",
+                statement: "the function of a real argument agrees at Re z within 6 ulp",
+                residual: |input| on_the_axis::<Erfi>(erfi_real, point(input)?.re),
+            },
+        ]
+    }
+}
+
+fn turned(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let e = erf(C::new(-z.im, z.re));
+    broken(same_pair(erfi(z), C::new(e.im, -e.re)))
+}
+
+fn by_dawson(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let (e, f, g) = (erfi(z), dawson(z), gaussian(C::new(-z.im, z.re), 1));
+    if !(z.norm() <= 1e8 && plain(&[e, f, g])) {
+        return None;
+    }
+    // 4 u of each value, 8 u of the roundings of the products, the exponential and the constant.
+    within(e - g * f * FRAC_2_SQRT_PI, 16.0, e.norm())
+}

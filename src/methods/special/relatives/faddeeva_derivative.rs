@@ -1,0 +1,150 @@
+//! The derivative of the Faddeeva function.
+
+use super::laws::{broken, point, same_pair, within};
+use super::{C, Relative, Zeros, infinity, number, on_axis};
+use crate::audit::{Due, Law};
+use crate::methods::special::faddeeva::curves::zero as zero_of_w;
+use crate::reference::faddeeva::{self, Scaled, w_f64};
+use crate::reference::{ComplexBall, Undecided};
+use crate::solvers::faddeeva::{faddeeva as w, w_derivative};
+use rug::Rational;
+use std::f64::consts::FRAC_2_SQRT_PI;
+use std::sync::OnceLock;
+
+/// Input `Re z, Im z`, output `Re W', Im W'`.
+///
+/// A candidate is a `Fn(Complex<f64>) -> Complex<f64>`.
+#[derive(Clone, Copy, Debug)]
+pub struct FaddeevaDerivative;
+
+impl Relative for FaddeevaDerivative {
+    const SUMMARY: &'static str =
+        "derivative W'(z) = -2 z W(z) + 2i/sqrt(pi) of the Faddeeva function in the whole plane";
+    const SOURCE: &'static str = "DLMF 7.10.2";
+    const OUTPUTS: [&'static str; 2] = ["Re W'", "Im W'"];
+    const ULPS: (f64, &'static str) = (
+        4.0,
+        "the differentiated series, and -4 z exp(-z^2) below the axis, again in double-double where \
+         terms cancel: an ulp each for the exponential, the series, the product and the last rounding",
+    );
+    const NORM: (f64, &'static str) = (
+        4.0,
+        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
+         for what happens before",
+    );
+    const ZEROS: Zeros = Zeros {
+        at: zero,
+        mirrored: [true, false],
+        stored: 0,
+    };
+
+    fn value(z: C) -> C {
+        w_derivative(z)
+    }
+
+    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
+        faddeeva::w_derivative_scaled(re, im, bits)
+    }
+
+    /// W' tends to 0 in the closed upper half-plane and for Re z → ±∞, to +i∞ down the imaginary
+    /// axis, on which it is imaginary.
+    fn limit(x: f64, y: f64) -> [Due; 2] {
+        let re = if x == 0.0 { number(0) } else { Due::NotANumber };
+        if x.is_nan() || y.is_nan() {
+            return [re, Due::NotANumber];
+        }
+        match (y > f64::NEG_INFINITY, x == 0.0) {
+            (true, _) => [number(0), number(0)],
+            (false, true) => [re, infinity(1.0)],
+            (false, false) => [Due::NotANumber, Due::NotANumber],
+        }
+    }
+
+    /// On the imaginary axis, `W(iy) = E(y)`, `Re W′(x + iy) = −x E″(y) + …`, and
+    /// `E″(y) = (8/√π) ∫_0^∞ t² e^{−t²−2yt} dt > 0`. At infinity `W′ = −(i/√π) z^{−2} + …`.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
+        let far = x.is_infinite() || y.is_infinite();
+        let re = match far && x != 0.0 && y != 0.0 {
+            true => Some(x.is_sign_negative() == y.is_sign_negative()),
+            false => on_axis(x, -1.0),
+        };
+        let im = (x.is_infinite() != y.is_infinite()).then(|| x.is_infinite());
+        [re, im]
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            Law {
+                name: "symmetry",
+                statement: "W'(-conj z) = -conj W'(z), bit for bit",
+                residual: symmetry,
+            },
+            Law {
+                name: "differential-equation",
+                statement: "W'(z) + 2 z W(z) = 2i/sqrt(pi) within 7 u (|W'(z)| + |2 z W(z)| + 1)",
+                residual: equation,
+            },
+        ]
+    }
+}
+
+fn symmetry(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    broken(same_pair(w_derivative(-z.conj()), -w_derivative(z).conj()))
+}
+
+fn equation(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let (slope, product) = (w_derivative(z), 2.0 * z * w(z));
+    // 4 u of each value, 2 u of the product's rounding, 1 u of the sum's: no value has all of it.
+    let rest = (product - C::new(0.0, FRAC_2_SQRT_PI)) + slope;
+    within(rest, 7.0, slope.norm() + product.norm() + 1.0)
+}
+
+/// The `f64` next to the zero of W' that Newton's method finds from the k-th zero of W.
+fn zero(k: usize) -> [f64; 2] {
+    const ZEROS: usize = 60;
+    static ALL: [OnceLock<[f64; 2]>; ZEROS] = [const { OnceLock::new() }; ZEROS];
+    // An argument that the audit shows as not finite.
+    *ALL[(k - 1) % ZEROS].get_or_init(|| refined(zero_of_w(k)).unwrap_or([f64::NAN; 2]))
+}
+
+fn refined([x, y]: [f64; 2]) -> Option<[f64; 2]> {
+    let rough = |b: &ComplexBall| C::new(b.re.to_f64(), b.im.to_f64());
+    let mut z = C::new(x, y);
+    for _ in 0..60 {
+        let (re, im) = (Rational::from_f64(z.re)?, Rational::from_f64(z.im)?);
+        let w = rough(&w_f64(z.re, z.im, 60).ok()?);
+        let slope = rough(&faddeeva::w_derivative(1, &re, &im, 60).ok()?);
+        // W'' = −2 (W + z W').
+        let step = slope / (-2.0 * (w + z * slope));
+        let next = z - step;
+        if step.norm() <= 1e-15 * z.norm() {
+            return Some([next.re, next.im]);
+        }
+        z = next;
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zeros_of_the_derivative_are_zeros() {
+        let mut before = 0.0;
+        for k in 1..=60 {
+            let [x, y] = zero(k);
+            let slope = w_derivative(C::new(x, y));
+            // Half a unit in each coordinate times |W''| ≈ 2|W|.
+            let size = w(C::new(x, y)).norm();
+            assert!(
+                slope.norm() < 1e-14 * size * x.hypot(y),
+                "{k}: {x} {y} {slope}"
+            );
+            assert!(x.hypot(y) > before, "{k}");
+            before = x.hypot(y);
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Identities that several relatives of the Faddeeva function obey, and what their laws are made of.
+
+use super::{C, Relative};
+use crate::audit::Law;
+use crate::reference::Ball;
+use num_complex::Complex;
+
+/// u = 2⁻⁵³.
+pub(in crate::methods::special) const U: f64 = f64::EPSILON / 2.0;
+
+pub(super) fn point(input: &[f64]) -> Option<C> {
+    match input {
+        &[x, y] => Some(Complex::new(x, y)),
+        _ => None,
+    }
+}
+
+/// The same bits, or both NaN.
+pub(in crate::methods::special) fn same(a: f64, b: f64) -> bool {
+    a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
+}
+
+pub(super) fn same_pair(a: C, b: C) -> bool {
+    same(a.re, b.re) && same(a.im, b.im)
+}
+
+/// A law without a margin.
+pub(in crate::methods::special) fn broken(held: bool) -> Option<f64> {
+    Some(if held { 0.0 } else { f64::INFINITY })
+}
+
+/// `f(−z) = −f(z)`, `f(z̄) = conj f(z)`, bit for bit.
+fn odd<F: Relative>(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    let f = F::value(z);
+    broken(same_pair(F::value(-z), -f) && same_pair(F::value(z.conj()), f.conj()))
+}
+
+/// `f(z̄) = conj f(z)`, bit for bit.
+fn conjugation<F: Relative>(input: &[f64]) -> Option<f64> {
+    let z = point(input)?;
+    broken(same_pair(F::value(z.conj()), F::value(z).conj()))
+}
+
+pub(super) fn odd_law<F: Relative>() -> Law {
+    Law {
+        name: "symmetry",
+        statement: "f(-z) = -f(z) and f(conj z) = conj f(z), bit for bit",
+        residual: odd::<F>,
+    }
+}
+
+pub(super) fn conjugation_law<F: Relative>() -> Law {
+    Law {
+        name: "conjugation",
+        statement: "f(conj z) = conj f(z), bit for bit",
+        residual: conjugation::<F>,
+    }
+}
+
+/// How far the function of a real argument is from the complex one on the real axis, in three units
+/// in the last place each.
+pub(super) fn on_the_axis<F: Relative>(real: fn(f64) -> f64, x: f64) -> Option<f64> {
+    let (a, b) = (F::value(Complex::new(x, 0.0)), real(x));
+    if !a.re.is_finite() || !b.is_finite() {
+        return broken(same(a.re, b));
+    }
+    let ulp = (a.re.abs() * f64::EPSILON).max(f64::from_bits(1));
+    broken(a.im == 0.0).map(|r| r.max((a.re - b).abs() / (6.0 * ulp)))
+}
+
+/// The batch at the point and around it, of every length up to 40, gives the scalar values.
+pub(super) fn batch_agrees<F: Relative>(
+    z: C,
+    batch: impl Fn(&[C], &mut [C]) -> bool,
+) -> Option<f64> {
+    let n = 1 + (z.re.to_bits() ^ z.im.to_bits().rotate_left(7)) as usize % 40;
+    let around = |k: usize| match k % 5 {
+        0 => z,
+        1 => -z,
+        2 => Complex::new(z.im, z.re),
+        3 => Complex::new(z.re + k as f64 / 16.0, z.im - k as f64 / 32.0),
+        _ => Complex::new(z.re * 0.5, z.im * 1.5),
+    };
+    let points: Vec<C> = (0..n).map(around).collect();
+    let mut values = vec![C::default(); n];
+    let done = batch(&points, &mut values);
+    let mut pairs = points.iter().zip(&values);
+    broken(done && pairs.all(|(&z, &f)| same_pair(f, F::value(z))))
+}
+
+/// `factor · e^{−z²}` to 1e-30, for |z| ≤ 1e8.
+pub(super) fn gaussian(z: C, factor: i64) -> C {
+    const PREC: u32 = 192;
+    let (x, y) = (Ball::exact(PREC, z.re), Ball::exact(PREC, z.im));
+    let e = ((&y - &x) * &(&y + &x)).exp() * &Ball::integer(PREC, factor);
+    let (sin, cos) = (&x * &y).shift(1).sin_cos();
+    Complex::new((&e * &cos).to_f64(), -(&e * &sin).to_f64())
+}
+
+/// Whether products and sums of such values neither overflow nor lose digits to underflow.
+pub(super) fn plain(values: &[C]) -> bool {
+    values.iter().all(|v| (1e-290..1e290).contains(&v.norm()))
+}
+
+/// `‖rest‖` in units of `k u size`; nothing where the size is beyond what sums allow.
+pub(super) fn within(rest: C, k: f64, size: f64) -> Option<f64> {
+    (size < 1e307).then(|| rest.norm() / (k * U * size.max(f64::MIN_POSITIVE)))
+}

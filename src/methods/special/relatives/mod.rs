@@ -1,0 +1,179 @@
+//! What the audits of the complex relatives of the Faddeeva function share.
+
+mod dawson;
+mod erf;
+mod erfc;
+mod erfcx;
+mod erfi;
+mod faddeeva_derivative;
+pub(super) mod laws;
+mod regions;
+
+use super::faddeeva::{ComplexInput, asked, due};
+use crate::audit::{Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
+use crate::methods::definition::{Definition, Registered, Uncertified};
+use crate::methods::inputs::Number;
+use crate::reference::faddeeva::Scaled;
+use crate::reference::{Ball, Undecided};
+use num_complex::Complex;
+use rug::Rational;
+
+pub use dawson::Dawson;
+pub use erf::Erf;
+pub use erfc::Erfc;
+pub use erfcx::Erfcx;
+pub use erfi::Erfi;
+pub use faddeeva_derivative::FaddeevaDerivative;
+
+pub(super) type C = Complex<f64>;
+
+/// The zeros of a function next to which it is audited.
+pub struct Zeros {
+    /// The `f64` next to the k-th one, k = 1, 2, …
+    pub at: fn(usize) -> [f64; 2],
+    /// Whether −x, −y belong to a zero as well.
+    pub mirrored: [bool; 2],
+    /// The solver stores so many of them; beyond it sums in longer numbers.
+    pub stored: usize,
+}
+
+/// A function of a complex argument: input `Re z, Im z`, output the two components.
+pub trait Relative: Registered {
+    const SUMMARY: &'static str;
+    const SOURCE: &'static str;
+    /// The components.
+    const OUTPUTS: [&'static str; 2];
+    /// What a component may be wrong by, in units in its last place, and why.
+    const ULPS: (f64, &'static str);
+    /// What the norm may be wrong by, in units of 2⁻⁵³, and why.
+    const NORM: (f64, &'static str);
+    /// Where it is zero.
+    const ZEROS: Zeros;
+
+    /// The code under test.
+    fn value(z: Complex<f64>) -> Complex<f64>;
+    /// The certified value.
+    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided>;
+    /// What is due at an argument that is not finite.
+    fn limit(x: f64, y: f64) -> [Due; 2];
+    /// Whether the limit of each component, where it is zero, is −0; `None` where there is no limit
+    /// of the sign.
+    fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
+    /// Identities of the values.
+    fn laws() -> Vec<Law>;
+}
+
+/// An exact small number.
+pub(super) fn number(n: i64) -> Due {
+    Due::Number(Ball::integer(64, n))
+}
+
+/// The infinity of the sign of `x`.
+pub(super) fn infinity(x: f64) -> Due {
+    Due::Infinity {
+        negative: x.is_sign_negative(),
+    }
+}
+
+/// `−d`
+pub(super) fn negated(d: Due) -> Due {
+    match d {
+        Due::Number(ball) => Due::Number(-ball),
+        Due::Infinity { negative } => Due::Infinity {
+            negative: !negative,
+        },
+        Due::Zero { ball, negative } => Due::Zero {
+            ball,
+            negative: !negative,
+        },
+        Due::NotANumber => Due::NotANumber,
+    }
+}
+
+/// The limits of an odd function that is real on the real axis and imaginary on the imaginary one,
+/// that tends to ±`right` for Re z → ±∞ and to ±i∞ along the imaginary axis.
+pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
+    let known = |zero| if zero { number(0) } else { Due::NotANumber };
+    if x.is_nan() || y.is_nan() {
+        return [known(x == 0.0), known(y == 0.0)];
+    }
+    match (x.is_infinite(), y.is_infinite()) {
+        (true, false) => [number(if x < 0.0 { -right } else { right }), number(0)],
+        (false, true) if x == 0.0 => [number(0), infinity(y)],
+        // No limit.
+        _ => [Due::NotANumber, Due::NotANumber],
+    }
+}
+
+impl<F: Relative> Definition for F {
+    type Input<'a, T: Number> = ComplexInput<'a, T>;
+    const SUMMARY: &'static str = F::SUMMARY;
+    const SOURCE: &'static str = F::SOURCE;
+
+    fn outputs() -> Vec<Output> {
+        let budget = Budget::new(Limit::Ulps(F::ULPS.0), F::ULPS.1);
+        F::OUTPUTS
+            .map(|name| Output {
+                name,
+                unit: "1",
+                budget,
+            })
+            .to_vec()
+    }
+
+    fn norm_budget() -> Option<NormBudget> {
+        Some(NormBudget::new(F::NORM.0, F::NORM.1))
+    }
+
+    fn domain() -> Domain {
+        Domain {
+            regions: regions::all::<F>(),
+            check_points: regions::check_points::<F>(),
+        }
+    }
+
+    fn solve(z: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        let value = F::value(z.into());
+        Ok(vec![value.re, value.im])
+    }
+
+    fn reference(z: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+        match F::exact(z.re, z.im, asked(bits)) {
+            Ok(parts) => ReferenceAnswer::Dues(parts.iter().map(due).collect(), PROOF),
+            Err(e) => ReferenceAnswer::Undecided(e.to_string()),
+        }
+    }
+
+    fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
+        ReferenceAnswer::Dues(F::limit(z.re, z.im).to_vec(), Proof::Exact)
+    }
+
+    fn signs_of_zero(z: Self::Input<'_, f64>) -> Vec<Option<bool>> {
+        F::signs_of_zero(z.re, z.im).to_vec()
+    }
+
+    fn laws() -> Vec<Law> {
+        <F as Relative>::laws()
+    }
+
+    fn certify(z: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
+        Ok(F::exact(z.re, z.im, bits)?.to_vec())
+    }
+}
+
+/// The sign of `x` times that of `factor`, where x is zero: the sign of a component that vanishes
+/// with x and grows like `factor · x`.
+pub(super) fn on_axis(x: f64, factor: f64) -> Option<bool> {
+    (x == 0.0).then(|| x.is_sign_negative() != factor.is_sign_negative())
+}
+
+/// Signs of an odd function that is real and increasing on the real axis, and i times such a one on
+/// the imaginary axis: its slope is positive on both.
+pub(super) fn odd_signs(x: f64, y: f64) -> [Option<bool>; 2] {
+    [on_axis(x, 1.0), on_axis(y, 1.0)]
+}
+
+/// Why the references hold.
+pub(super) const PROOF: Proof = Proof::Bounded(
+    "Taylor, Kummer and asymptotic series with remainder bounds (reference::faddeeva)",
+);

@@ -1,0 +1,193 @@
+//! Where the Voigt profile is audited.
+
+use crate::audit::{CheckPoint, Draw, Region};
+use crate::methods::special::faddeeva::regions::beside;
+
+/// Half the widths, normalised: `σ`, and x and γ in units of `σ√2`.
+fn in_widths(d: &mut Draw, p: f64, q: f64) -> Vec<f64> {
+    let sigma = d.log_uniform(1e-3, 1e3);
+    let unit = sigma * std::f64::consts::SQRT_2;
+    vec![d.signed(p * unit), sigma, q * unit]
+}
+
+/// Any bits, mostly not negative.
+fn any_bits(d: &mut Draw, negative: f64) -> f64 {
+    let mut half = || d.integer(0, u32::MAX as usize) as u64;
+    let x = f64::from_bits(half() << 32 | half());
+    if d.chance(negative) { x } else { x.abs() }
+}
+
+/// The regions.
+pub(super) fn all() -> Vec<Region> {
+    let region = |name, description, sample| Region {
+        name,
+        description,
+        sample,
+    };
+    vec![
+        region("comparable", "|x| < 12, sigma = 0.05..2, gamma < 3", |d| {
+            vec![
+                d.uniform(-12.0, 12.0),
+                d.uniform(0.05, 2.0),
+                d.uniform(0.0, 3.0),
+            ]
+        }),
+        region(
+            "narrow-lorentz",
+            "|x| < 40, sigma = 0.5..2, gamma = 1e-320..1",
+            |d| {
+                vec![
+                    d.uniform(-40.0, 40.0),
+                    d.uniform(0.5, 2.0),
+                    d.log_uniform(1e-320, 1.0),
+                ]
+            },
+        ),
+        region(
+            "narrow-gauss",
+            "|x| < 5, sigma = 1e-320..1, gamma = 0.1..2",
+            |d| {
+                vec![
+                    d.uniform(-5.0, 5.0),
+                    d.log_uniform(1e-320, 1.0),
+                    d.uniform(0.1, 2.0),
+                ]
+            },
+        ),
+        region("normal", "gamma = 0, |x| < 40 sigma", |d| {
+            let p = d.uniform(0.0, 28.3);
+            in_widths(d, p, 0.0)
+        }),
+        region("cauchy", "sigma = 0, x and gamma 1e-308..1e308", |d| {
+            let (x, g) = (d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308));
+            let x = if d.chance(0.5) { x } else { beside(d, g) };
+            vec![d.signed(x), 0.0, g]
+        }),
+        region("centre", "x = 0, sigma and gamma 1e-300..1e300", |d| {
+            let (s, g) = (d.log_uniform(1e-300, 1e300), d.log_uniform(1e-300, 1e300));
+            let g = if d.chance(0.5) {
+                g
+            } else {
+                s * d.uniform(0.0, 9.0)
+            };
+            vec![0.0, s, g]
+        }),
+        region(
+            "where-the-wings-meet",
+            "the wing of the normal part is 1e-4..1e4 times that of the Cauchy part",
+            |d| {
+                let p = d.uniform(1.5, 26.0);
+                let ratio = d.log_uniform(1e-4, 1e4);
+                let q = std::f64::consts::PI.sqrt() * p * p * (-p * p).exp() * ratio;
+                in_widths(d, p, q)
+            },
+        ),
+        region(
+            "wings",
+            "|x| = 7..1e12 sigma, gamma = 1e-300..1e12 sigma",
+            |d| {
+                let (p, q) = (d.log_uniform(5.0, 1e12), d.log_uniform(1e-300, 1e12));
+                in_widths(d, p, q)
+            },
+        ),
+        region(
+            "seams",
+            "x or gamma is 7, 10, 1/8, 1/4, 2^27 or 2^-400 times sigma sqrt 2, exactly or nearly",
+            |d| {
+                let edge = [7.0, 10.0, 0.125, 0.25, 134_217_728.0, 2f64.powi(-400)];
+                let edge = edge[d.integer(0, 5)];
+                let edge = beside(d, edge);
+                let other = match d.chance(0.5) {
+                    true => d.uniform(0.0, 30.0),
+                    false => d.log_uniform(1e-20, 1e9),
+                };
+                match d.chance(0.5) {
+                    true => in_widths(d, edge, other),
+                    false => in_widths(d, other, edge),
+                }
+            },
+        ),
+        region(
+            "underflow",
+            "|x| = 37..39.5 sigma, where the normal part underflows, gamma = 0 or 1e-323..1e-290",
+            |d| {
+                let p = d.uniform(26.2, 28.0);
+                let q = match d.chance(0.3) {
+                    true => 0.0,
+                    false => d.log_uniform(1e-323, 1e-290),
+                };
+                in_widths(d, p, q)
+            },
+        ),
+        region(
+            "overflow",
+            "sigma and gamma 5e-324..1e-304 or zero, |x| likewise",
+            |d| {
+                let mut tiny = || match d.chance(0.25) {
+                    true => 0.0,
+                    false => d.log_uniform(5e-324, 1e-304),
+                };
+                let (x, s, g) = (tiny(), tiny(), tiny());
+                vec![d.signed(x), s, g]
+            },
+        ),
+        region("all-sizes", "x, sigma, gamma = 1e-100..1e100", |d| {
+            let mut size = || d.log_uniform(1e-100, 1e100);
+            let (x, s, g) = (size(), size(), size());
+            vec![d.signed(x), s, g]
+        }),
+        region("any-exponent", "x, sigma, gamma = 1e-308..1e308", |d| {
+            let mut size = || d.log_uniform(1e-308, 1e308);
+            let (x, s, g) = (size(), size(), size());
+            vec![d.signed(x), s, g]
+        }),
+        region(
+            "any-bits",
+            "any bit patterns, widths seldom negative",
+            |d| vec![any_bits(d, 1.0), any_bits(d, 0.05), any_bits(d, 0.05)],
+        ),
+    ]
+}
+
+/// Special arguments.
+pub(super) fn check_points() -> Vec<CheckPoint> {
+    let (inf, nan, max, min) = (f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1));
+    let named = [
+        ("standard-normal", [0.0, 1.0, 0.0]),
+        ("standard-cauchy", [0.0, 0.0, 1.0]),
+        ("both", [1.0, 1.0, 1.0]),
+        ("cauchy-off-centre", [-1.0, 0.0, 1.0]),
+        ("point-mass", [0.0, 0.0, 0.0]),
+        ("beside-a-point-mass", [min, 0.0, 0.0]),
+        ("minus-zero-widths", [0.0, -0.0, -0.0]),
+        ("smallest-widths", [0.0, min, min]),
+        ("smallest-gamma", [3.0, 1.0, min]),
+        ("smallest-sigma", [3.0, min, 1.0]),
+        ("smallest-everything", [min, min, min]),
+        ("largest-everything", [max, max, max]),
+        ("largest-x", [max, 1.0, 1.0]),
+        ("largest-x-smallest-widths", [max, min, min]),
+        ("largest-sigma", [1.0, max, 0.0]),
+        ("largest-gamma", [1.0, 0.0, max]),
+        ("last-of-the-normal", [38.56, 1.0, 0.0]),
+        ("gone-of-the-normal", [38.7, 1.0, 0.0]),
+        ("infinite-x", [inf, 1.0, 1.0]),
+        ("minus-infinite-x", [-inf, 0.0, 0.0]),
+        ("infinite-sigma", [0.0, inf, 1.0]),
+        ("infinite-gamma", [0.0, 1.0, inf]),
+        ("negative-sigma", [0.0, -1.0, 1.0]),
+        ("negative-gamma", [0.0, 1.0, -min]),
+        ("minus-infinite-sigma", [0.0, -inf, 1.0]),
+        ("nan-x", [nan, 1.0, 1.0]),
+        ("nan-sigma", [0.0, nan, 1.0]),
+        ("nan-gamma", [0.0, 1.0, nan]),
+        ("nan-x-infinite-sigma", [nan, inf, 1.0]),
+    ];
+    named
+        .into_iter()
+        .map(|(name, input)| CheckPoint {
+            name,
+            input: input.to_vec(),
+        })
+        .collect()
+}

@@ -1,0 +1,237 @@
+//! What the audited splines on arbitrary knots share.
+//!
+//! Input: `x[n]`, `y[n]`, then two end values for the kinds that have them, then the two query
+//! points `q0`, `q1`. Output, for each query: `S`, `S'`, `S''`, `S'''` there and the integral from
+//! it to the other query.
+
+use crate::audit::{Budget, Limit, Output, Proof, Reference, ReferenceAnswer, Rows};
+use crate::methods::Number;
+use crate::reference::Ball;
+use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
+use crate::solvers::cubic_spline::{
+    Boundary, CubicSpline, CubicSplineError, EvaluationError, Grid, Spline,
+};
+use rug::Rational;
+
+/// The end conditions.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum EndCondition {
+    SecondDerivatives,
+    Clamped,
+    NotAKnot,
+    Periodic,
+}
+
+/// A spline to be made and where it is asked for.
+#[derive(Debug)]
+pub struct SplineProblem<'a, T: Number = f64> {
+    /// The knots, increasing; fewer than two or unordered ones have to be refused.
+    pub x: &'a [T],
+    /// The ordinates.
+    pub y: &'a [T],
+    /// The end values, for the kinds that have them.
+    pub ends: Option<[T::Of<'a>; 2]>,
+    /// Two abscissae. Due for each: `S, S', S'', S'''` there and the integral to the other.
+    pub queries: [T::Of<'a>; 2],
+}
+
+// Derived, these would ask for numbers that are `Copy` themselves.
+impl<T: Number> Clone for SplineProblem<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T: Number> Copy for SplineProblem<'_, T> {}
+
+/// Ends are given where the kind has them.
+const ENDS: &str = "an input of this kind has end values";
+
+impl EndCondition {
+    pub(super) fn end_values(self) -> usize {
+        match self {
+            EndCondition::SecondDerivatives | EndCondition::Clamped => 2,
+            EndCondition::NotAKnot | EndCondition::Periodic => 0,
+        }
+    }
+
+    pub(super) fn fit(self, p: SplineProblem) -> Result<CubicSpline, &'static str> {
+        let ends = || p.ends.expect(ENDS);
+        let boundary = match self {
+            EndCondition::SecondDerivatives => Boundary::second_derivatives(ends()[0], ends()[1]),
+            EndCondition::Clamped => Boundary::clamped(ends()[0], ends()[1]),
+            EndCondition::NotAKnot => Boundary::NOT_A_KNOT,
+            EndCondition::Periodic => Boundary::Periodic,
+        };
+        CubicSpline::fit(p.x.to_vec(), p.y.to_vec(), boundary).map_err(|e| word(&e))
+    }
+
+    pub(super) fn solve(self, p: SplineProblem) -> Result<Vec<f64>, &'static str> {
+        outputs_of(&self.fit(p)?, p.queries)
+    }
+
+    pub(super) fn reference(self, p: SplineProblem<Rational>, bits: u32) -> ReferenceAnswer {
+        let ends = || p.ends.expect(ENDS);
+        let spline = match self {
+            EndCondition::SecondDerivatives => {
+                ExactSpline::second_derivatives(p.x, p.y, ends()[0], ends()[1])
+            }
+            EndCondition::Clamped => ExactSpline::clamped(p.x, p.y, ends()[0], ends()[1]),
+            EndCondition::NotAKnot => ExactSpline::not_a_knot(p.x, p.y),
+            EndCondition::Periodic => ExactSpline::periodic(p.x, p.y),
+        };
+        match spline {
+            Ok(s) => reference_of(&s, p.x, p.queries, bits),
+            Err(SplineError::TooFew(_)) => ReferenceAnswer::Refuses("too few knots"),
+            Err(SplineError::Length { .. }) => ReferenceAnswer::Refuses("bad layout"),
+            Err(SplineError::NotIncreasing(_)) => ReferenceAnswer::Refuses("knots not increasing"),
+            Err(SplineError::NotPeriodic) => ReferenceAnswer::Refuses("not periodic"),
+        }
+    }
+}
+
+fn word(e: &CubicSplineError) -> &'static str {
+    match e {
+        CubicSplineError::TooFewKnots { .. } => "too few knots",
+        CubicSplineError::NotIncreasing { .. } => "knots not increasing",
+        CubicSplineError::NotPeriodic { .. } => "not periodic",
+        CubicSplineError::NotFinite { .. } => "not finite",
+        CubicSplineError::Overflow { .. } => "overflow",
+        CubicSplineError::Step { .. } => "bad step",
+        _ => "bad layout",
+    }
+}
+
+/// What the solver gives for the two queries.
+pub(super) fn outputs_of<G: Grid>(s: &Spline<G>, q: [f64; 2]) -> Result<Vec<f64>, &'static str> {
+    let refuse = |e: EvaluationError| match e {
+        EvaluationError::Outside { .. } => "outside",
+        _ => "not finite",
+    };
+    let mut out = Vec::with_capacity(10);
+    for (a, b) in [(q[0], q[1]), (q[1], q[0])] {
+        let j = s.jet(a).map_err(refuse)?;
+        let integral = s.integral(a, b).map_err(refuse)?;
+        out.extend([j.value, j.first, j.second, j.third, integral]);
+    }
+    Ok(out)
+}
+
+/// What the exact spline gives for the two queries.
+pub(super) fn reference_of(
+    s: &ExactSpline,
+    x: &[Rational],
+    q: [&Rational; 2],
+    bits: u32,
+) -> ReferenceAnswer {
+    if q.iter().any(|q| **q < x[0] || **q > x[x.len() - 1]) {
+        return ReferenceAnswer::Refuses("outside");
+    }
+    let mut values = Vec::with_capacity(10);
+    let integral = s.integral(q[0], q[1]);
+    values.extend(s.eval(q[0]));
+    values.push(integral.clone());
+    values.extend(s.eval(q[1]));
+    values.push(-integral);
+    ReferenceAnswer::Values(Reference {
+        values: values.iter().map(|v| Ball::rational(bits, v)).collect(),
+        proof: Proof::Exact,
+    })
+}
+
+const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few factors, each with a \
+    relative error of a few u, and the second derivatives come from a system dominant by rows, solved \
+    with a componentwise backward error of 13 u at most; the sum over the data is the condition";
+
+/// The five outputs with their budgets in units of the conditioned limit.
+pub(super) fn outputs(k: f64) -> Vec<Output> {
+    [
+        ("S", "y"),
+        ("S'", "y/x"),
+        ("S''", "y/x^2"),
+        ("S'''", "y/x^3"),
+        ("integral", "x y"),
+    ]
+    .map(|(name, unit)| Output {
+        name,
+        unit,
+        budget: Budget::new(Limit::Conditioned(k), REASON),
+    })
+    .to_vec()
+}
+
+/// The outputs belong to a query each.
+pub(super) const ROWS: Rows = Rows {
+    index: "q",
+    count: "2",
+    meaning: "at q0 and at q1, the integral running to the other one",
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::{Draw, Settings, SolverAnswer, Verdict, audit_method, judge};
+
+    const NAMES: [&str; 7] = [
+        "tridiagonal",
+        "cyclic-tridiagonal",
+        "cubic-spline-second-derivatives",
+        "cubic-spline-clamped",
+        "cubic-spline-not-a-knot",
+        "cubic-spline-periodic",
+        "cubic-spline-uniform",
+    ];
+
+    #[test]
+    fn a_short_audit_passes() {
+        let settings = Settings {
+            seed: 20,
+            cases_per_region: 12,
+            ..Settings::default()
+        };
+        for name in NAMES {
+            let method = crate::methods::find(name).expect("registered");
+            let report = audit_method(&*method, &settings, &|| {});
+            assert!(report.passed(), "{name}: {:?}", report.failures.first());
+        }
+    }
+
+    #[test]
+    fn planted_faults_are_over_budget() {
+        for name in NAMES {
+            let method = crate::methods::find(name).expect("registered");
+            let case = (method.domain().regions[0].sample)(&mut Draw::new(3, name, "planted", 1));
+            let exact: Vec<Rational> = case.iter().filter_map(|&x| Rational::from_f64(x)).collect();
+            let reference = method.reference(&exact, 128);
+            let conditions = method.conditions(&case);
+            let SolverAnswer::Values(good) = method.solve(&case) else {
+                panic!("{name} refuses its own sample");
+            };
+            let verdict = |v: Vec<f64>| {
+                let answer = SolverAnswer::Values(v);
+                judge(
+                    &method.outputs(),
+                    &answer,
+                    &reference,
+                    conditions.as_deref(),
+                )
+                .verdict
+            };
+            assert_eq!(verdict(good.clone()), Verdict::Pass, "{name}");
+            for i in 0..good.len() {
+                let mut bad = good.clone();
+                bad[i] = bad[i] * (1.0 + 1e-3) + 1e-6;
+                assert_eq!(verdict(bad), Verdict::Over, "{name}, value {i}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_end_values_enter_the_conditions() {
+        let input = [0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.5, 1.5];
+        let method = crate::methods::find("cubic-spline-second-derivatives").unwrap();
+        let c = method.conditions(&input).unwrap();
+        assert_eq!(c.len(), 10);
+        assert!(c.iter().all(|c| c.is_finite() && *c > 0.0));
+    }
+}

@@ -1,0 +1,74 @@
+//! Convergence of approximations, with method error and rounding apart.
+
+use super::plots;
+use crate::audit::{ConvergenceReport, LevelError};
+use maud::{Markup, html};
+
+/// A line of a diagram: its name, work and error.
+type Line = (String, Vec<(f64, f64)>);
+
+/// All of them; approximations of the same problem stand in one diagram.
+pub fn all(reports: &[Result<ConvergenceReport, String>]) -> Markup {
+    let mut rest: Vec<&ConvergenceReport> = reports.iter().flatten().collect();
+    let mut problems = Vec::new();
+    while let Some(first) = rest.first().copied() {
+        let (same, others) = rest.into_iter().partition(|r| r.summary == first.summary);
+        rest = others;
+        problems.push(same);
+    }
+    html! {
+        h2 id="convergence" { "Convergence, work and precision" } "\n"
+        @for why in reports.iter().filter_map(|r| r.as_ref().err()) { p.alarm { (why) } "\n" }
+        @for same in &problems { (problem(same)) }
+    }
+}
+
+fn problem(reports: &[&ConvergenceReport]) -> Markup {
+    let Some(first) = reports.first() else {
+        return html! {};
+    };
+    let names: Vec<&str> = reports.iter().map(|r| r.name).collect();
+    let levels = || reports.iter().flat_map(|r| &r.levels);
+    let failed = levels().filter(|l| l.failed.is_some()).count();
+    html! {
+        h3 { (names.join(", ")) } "\n"
+        p { (first.summary) } "\n"
+        div.lines { "\n"
+            @for (o, name) in first.outputs.iter().enumerate() {
+                @let orders = reports.iter().filter_map(|r| r.fitted[o]);
+                @let orders: Vec<String> = orders.map(|x| format!("{x:.2}")).collect();
+                figure {
+                    (plots::lines(&lines(reports, o)))
+                    figcaption {
+                        "error of " (name) " against " (first.work_unit)
+                        "; order over all levels " (orders.join(", "))
+                        @if failed > 0 { "; " (failed) " runs failed" }
+                    }
+                } "\n"
+            }
+        } "\n"
+    }
+}
+
+/// Total error of an output against work, and its parts where they are known.
+fn lines(reports: &[&ConvergenceReport], output: usize) -> Vec<Line> {
+    let mut lines = Vec::new();
+    for r in reports {
+        let line = |f: fn(&LevelError) -> Option<f64>| -> Vec<(f64, f64)> {
+            let point =
+                |l: &crate::audit::LevelReport| Some((l.work as f64, f(l.errors.get(output)?)?));
+            r.levels.iter().filter_map(point).collect()
+        };
+        let name = |part: &str| match reports.len() {
+            1 => part.to_string(),
+            _ => format!("{} {part}", r.name),
+        };
+        lines.push((name("total"), line(|e| Some(e.total))));
+        let mut errors = r.levels.iter().flat_map(|l| &l.errors);
+        if errors.any(|e| e.method.is_some()) {
+            lines.push((name("method"), line(|e| e.method)));
+            lines.push((name("rounding"), line(|e| e.rounding)));
+        }
+    }
+    lines
+}

@@ -1,0 +1,236 @@
+//! A paper's report as one page without outside parts.
+
+use super::page::{AboutPaper, class, entry_of_contents};
+use super::prose::{math, prose};
+use crate::papers::{Entry, EntryVerdict, Figure, Finding, PaperReport};
+use crate::report::words::numbers::{short, unit};
+use crate::report::words::paper::{SUBJECTS, entry, findings, mark, of_subject};
+use maud::{Markup, html};
+use pulldown_latex::config::DisplayMode;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The page.
+pub fn page(report: &PaperReport) -> String {
+    let about = AboutPaper {
+        paper: &report.paper,
+        kind: "audit",
+        style: "",
+        verdict: (report.as_recorded(), findings(report)),
+        contents: contents(report),
+        main: html! {
+            @for (subject, name) in SUBJECTS {
+                @let findings = of_subject(report, subject);
+                @if !findings.is_empty() {
+                    h2 id={ "subject-" (name) } { (name) } "\n"
+                    div.flow { "\n"
+                        @for (f, wide) in findings.iter().zip(wide(&findings)) { (finding(f, wide)) }
+                    } "\n"
+                }
+            }
+            (tallies(report))
+            (entries(report))
+        },
+        version: report.mechaudit_version,
+    };
+    about.page()
+}
+
+fn tables(report: &PaperReport) -> BTreeSet<u32> {
+    report.entries.iter().map(|e| e.table).collect()
+}
+
+fn contents(report: &PaperReport) -> Markup {
+    html! {
+        @for (subject, name) in SUBJECTS {
+            @let findings = of_subject(report, subject);
+            @if !findings.is_empty() {
+                li {
+                    a href={ "#subject-" (name) } { b { (name) } } "\n"
+                    ul { "\n"
+                        @for f in findings {
+                            @let (sign, _, tone) = mark(f.verdict);
+                            (entry_of_contents(f.id, tone, sign, &f.title))
+                        }
+                    }
+                } "\n"
+            }
+        }
+        @if !report.tallies.is_empty() {
+            li { a href="#tallies" { b { "Entries that agree" } } } "\n"
+        }
+        @for n in tables(report) {
+            li { a href={ "#table-" (n) } { b { "Table " (n) " as printed" } } } "\n"
+        }
+    }
+}
+
+/// Formulas of more characters than this have the width of the page.
+pub const WIDE: usize = 75;
+
+/// Which cards have the width of the page: those of long formulas, and those alone between them.
+fn wide(findings: &[&Finding]) -> Vec<bool> {
+    let long = |g: &Figure| g.latex.is_some() && g.value.chars().count() > WIDE;
+    let own: Vec<bool> = findings
+        .iter()
+        .map(|f| f.figures.iter().any(long))
+        .collect();
+    let some = own.contains(&true);
+    let at = |k: Option<usize>| k.and_then(|k| own.get(k)).is_none_or(|w| *w);
+    (0..own.len())
+        .map(|k| own[k] || (some && at(k.checked_sub(1)) && at(Some(k + 1))))
+        .collect()
+}
+
+fn finding(f: &Finding, wide: bool) -> Markup {
+    let (sign, words, tone) = mark(f.verdict);
+    html! {
+        article.finding.(class(tone)).wide[wide] id=(f.id) { "\n"
+            h3 { (prose(&f.title)) } "\n"
+            div.tag { (sign) " " (words) " " span.soft { "· " (prose(f.place)) } } "\n"
+            @if !f.as_recorded {
+                p.alarm { "Not as recorded: earlier runs found otherwise." } "\n"
+            }
+            p { (prose(&f.text)) } "\n"
+            @if !f.figures.is_empty() {
+                dl.figures { "\n" @for g in &f.figures { (figure(g)) "\n" } } "\n"
+            }
+        } "\n"
+    }
+}
+
+fn figure(g: &Figure) -> Markup {
+    html! {
+        dt { (prose(&g.name)) }
+        @match &g.latex {
+            Some(latex) => dd.formula { (math(latex, &g.value, DisplayMode::Block)) },
+            None => dd { (prose(&g.value)) " " (unit(g.unit)) },
+        }
+    }
+}
+
+fn tallies(report: &PaperReport) -> Markup {
+    let mut tallies: Vec<_> = report.tallies.iter().collect();
+    tallies.sort_by_key(|t| t.table);
+    html! {
+        @if !tallies.is_empty() {
+            h2 id="tallies" { "Entries that agree" } "\n"
+            p.soft {
+                (report.entries.len()) " printed entries recomputed. "
+                "Deviations in units of the last printed digit; within ½ is the correct rounding."
+            } "\n"
+            div.scroll { table { "\n"
+                tr {
+                    th { "table" } th.left { "data" } th.left { "column" } th { "entries" }
+                    th { "within ½" } th { "within 1" } th { "worst units" } th { "worst deviation" }
+                } "\n"
+                @for t in tallies {
+                    @let class = match t.entries {
+                        n if n == t.within_half => "agrees",
+                        n if n == t.within_one => "rounding",
+                        _ => "",
+                    };
+                    tr class=(class) {
+                        td { (t.table) }
+                        td.left { (t.variant.replace('_', " ")) }
+                        td.left { (t.column) }
+                        td { (t.entries) } td { (t.within_half) } td { (t.within_one) }
+                        td { (short(t.worst_units)) } td { (short(t.worst)) }
+                    } "\n"
+                }
+            } } "\n"
+        }
+    }
+}
+
+fn entries(report: &PaperReport) -> Markup {
+    html! {
+        @for (i, number) in tables(report).into_iter().enumerate() {
+            @let of: Vec<&Entry> = report.entries.iter().filter(|e| e.table == number).collect();
+            h2 id={ "table-" (number) } { "Table " (number) " as printed" } "\n"
+            @if i == 0 {
+                p.soft { "Point at an entry for the recomputed value." } "\n"
+                p.legend {
+                    span.agrees { "agrees" } span.rounding { "within one unit" }
+                    span.misprint { "misprint" } span.unexplained { "unexplained" }
+                } "\n"
+            }
+            @let variants: BTreeSet<&str> = of.iter().flat_map(|e| e.variants.keys().copied()).collect();
+            div.side { "\n"
+                @for variant in variants {
+                    details open { summary { "Data: " (variant.replace('_', " ")) } "\n"
+                        (grid(&of, variant))
+                    } "\n"
+                }
+            } "\n"
+        }
+    }
+}
+
+fn grid(entries: &[&Entry], variant: &str) -> Markup {
+    let mut columns: Vec<&str> = Vec::new();
+    let mut rows: BTreeMap<u32, Vec<&Entry>> = BTreeMap::new();
+    for e in entries {
+        if !columns.contains(&e.column) {
+            columns.push(e.column);
+        }
+        rows.entry(e.row).or_default().push(e);
+    }
+    html! {
+        table.entries { "\n"
+            tr { th { "row" } @for c in &columns { th { (c) } } } "\n"
+            @for (row, cells) in rows {
+                tr {
+                    th { (row) }
+                    @for column in &columns {
+                        @match cells.iter().find(|e| e.column == *column) {
+                            Some(e) => (cell(e, variant)),
+                            None => td {},
+                        }
+                    }
+                } "\n"
+            }
+        } "\n"
+    }
+}
+
+fn cell(e: &Entry, variant: &str) -> Markup {
+    let Some(r) = e.variants.get(variant) else {
+        return html! { td { (e.printed) } };
+    };
+    let word = entry(r.verdict);
+    let mut tip = format!(
+        "recomputed {}\n{} units of the last digit: {word}",
+        r.recomputed,
+        short(r.units_in_last_digit),
+    );
+    if let Some(note) = &r.note {
+        tip.push_str(&format!("\n{note}"));
+    }
+    let focus = matches!(
+        r.verdict,
+        EntryVerdict::Misprint | EntryVerdict::Unexplained
+    );
+    html! { td class=(word) tabindex=[focus.then_some("0")] data-tip=(tip) { (e.printed) } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::text::paper::tests::fabricated;
+
+    #[test]
+    fn the_page_is_whole_escaped_and_without_outside_parts() {
+        let html = page(&fabricated());
+        for part in [
+            "On &lt;tests&gt; &amp; such",
+            "prefers-color-scheme: dark",
+            "class=\"misprint\" tabindex=\"0\" data-tip=\"recomputed 1.2345678901234567890\n12.00 units",
+            "3 for 5",
+            "Not as recorded",
+            "NOT as recorded</span>: 2 findings: ",
+        ] {
+            assert!(html.contains(part), "{part} is missing");
+        }
+        super::super::page::tests::whole(&html);
+    }
+}

@@ -1,0 +1,16 @@
+//! Reports in every form: text, HTML, JSON, CSV, JUnit, LaTeX, SVG.
+//!
+//! Whatever is shown comes in as a value; nothing here solves, judges or proves. What two forms say in
+//! the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every text.
+
+pub mod csv;
+pub mod html;
+pub mod json;
+pub mod junit;
+pub mod latex;
+pub mod svg;
+pub mod text;
+pub mod words;
+
+#[cfg(test)]
+mod hostile;

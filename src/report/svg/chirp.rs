@@ -1,0 +1,185 @@
+//! Drawings of a cam-driven oscillator: its motion over time, charts, the cam's spectrum.
+
+pub use super::panel::tick;
+use super::panel::{CannotDraw, Curve, Place, curve, dashed, drawn, legend, panel, titled};
+use super::style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE};
+use crate::solvers::chirp_chart::{Chart, ChartPoint, Period};
+use plotters::prelude::*;
+
+/// A wave that fills its columns is drawn finer.
+fn finely(curve: Curve) -> Curve {
+    Curve { width: 1, ..curve }
+}
+
+/// What one column of a history holds.
+pub struct Column {
+    /// Its start and its middle, in seconds.
+    pub times: [f64; 2],
+    /// Least and largest `y`, `f` and `y″`.
+    pub ranges: [[f64; 2]; 3],
+    /// Bound on the distance of `y` from its mean.
+    pub envelope: f64,
+    /// The shaft's speed in rad/s.
+    pub speed: f64,
+}
+
+/// A history; with the least and the largest value in each column it looks like all of them.
+pub struct History<'a> {
+    /// What moves.
+    pub name: &'a str,
+    /// A line about it.
+    pub note: String,
+    /// Unit of displacements.
+    pub unit: &'a str,
+    /// Mean of `y`.
+    pub mean: f64,
+    /// From the start to the end.
+    pub columns: Vec<Column>,
+}
+
+/// The motion over time.
+pub fn history(history: &History) -> Result<String, CannotDraw> {
+    let all = &history.columns;
+    let thinned = |i: usize| -> Vec<(f64, f64)> {
+        let ends = all.iter().flat_map(|b| {
+            let [low, high] = b.ranges[i];
+            [(b.times[0], low), (b.times[1], high)]
+        });
+        ends.collect()
+    };
+    let along = |f: &dyn Fn(&Column) -> f64| -> Vec<(f64, f64)> {
+        all.iter().map(|b| (b.times[0], f(b))).collect()
+    };
+    let (mean, unit) = (history.mean, history.unit);
+    drawn((1000, 1080), |root, page| {
+        let areas = titled(root, page, history.name, &history.note)?.split_evenly((3, 1));
+        let motion = [
+            finely(curve("cam f", thinned(1), GREEN)),
+            finely(curve("y", thinned(0), BLUE)),
+            dashed("envelope", along(&|b| mean + b.envelope), ORANGE),
+            dashed("", along(&|b| mean - b.envelope), ORANGE),
+        ];
+        panel(
+            &areas[0],
+            page,
+            ("time, s", &format!("displacement, {unit}")),
+            &motion,
+        )?;
+        let acceleration = [finely(curve("y″", thinned(2), BLUE))];
+        panel(
+            &areas[1],
+            page,
+            ("time, s", &format!("acceleration, {unit}/s²")),
+            &acceleration,
+        )?;
+        let speed = [curve("shaft", along(&|b| b.speed), ORANGE)];
+        panel(&areas[2], page, ("time, s", "speed, rad/s"), &speed)
+    })
+}
+
+/// C_φ(ξ) of each law, formula against true peak, under a name and a line about it.
+pub fn chart(name: &str, note: &str, charts: &[(&str, &Chart)]) -> Result<String, CannotDraw> {
+    let rows = charts.len();
+    let xi = match charts.first().map(|(_, chart)| chart.period) {
+        Some(Period::Turn) => "ξ, the turn as period",
+        _ => "ξ, the rise as period",
+    };
+    drawn((1240, 100 + 360 * rows as u32), |root, page| {
+        let areas = titled(root, page, name, note)?.split_evenly((rows, 2));
+        for ((law, chart), pair) in charts.iter().zip(areas.chunks(2)) {
+            let along = |f: fn(&ChartPoint) -> f64| -> Vec<(f64, f64)> {
+                chart.points.iter().map(|p| (chart.xi(p), f(p))).collect()
+            };
+            let displacement = [
+                curve("true peak of |y − a_0|", along(|p| p.displacement), BLUE),
+                dashed("formula (19), Σ|A_k|", along(|p| p.bound), ORANGE),
+            ];
+            let label = format!("{law}: displacement, lifts");
+            panel(&pair[0], page, (xi, &label), &displacement)?;
+            let points = chart.points.iter();
+            let rigid = points.map(|p| (chart.xi(p), chart.rigid[0]));
+            let acceleration = [
+                curve("true peak C_φ", along(|p| p.acceleration), BLUE),
+                dashed("w² Σ|D_k − A_k|", along(|p| p.acceleration_bound), ORANGE),
+                curve("C", rigid.collect(), GREEN),
+            ];
+            let label = format!("{law}: C_φ, h(Ω/β)²");
+            panel(&pair[1], page, (xi, &label), &acceleration)?;
+        }
+        Ok(())
+    })
+}
+
+/// The spectrum of a cam's displacement, in lifts.
+pub struct Spectrum<'a> {
+    /// What moves.
+    pub name: &'a str,
+    /// The cam's law.
+    pub law: &'a str,
+    /// Order and amplitude of each harmonic.
+    pub harmonics: Vec<(f64, f64)>,
+    /// Order, and a bound on all harmonics beyond it together.
+    pub beyond: Vec<(f64, f64)>,
+}
+
+/// The harmonics of the cam's displacement.
+pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
+    let lines = &spectrum.harmonics;
+    let largest = lines.iter().map(|l| l.1).fold(0.0, f64::max).max(1e-12);
+    // Harmonics that vanish have no place on the axis.
+    let floor = lines.iter().map(|l| l.1).filter(|d| *d > 1e-9 * largest);
+    let low = 10f64.powf(floor.fold(largest, f64::min).log10().floor());
+    let beyond = spectrum.beyond.iter();
+    let rest: Vec<(f64, f64)> = beyond
+        .filter(|p| p.1 >= low && p.1.is_finite())
+        .copied()
+        .collect();
+    let high = rest.iter().map(|p| p.1).fold(largest, f64::max);
+    let high = 10f64.powf(high.log10().ceil());
+    let last = lines.iter().map(|l| l.0).fold(10.0, f64::max);
+    drawn((1000, 640), |root, page| {
+        let note = format!(
+            "law {}, amplitudes D_n of the displacement in lifts",
+            spectrum.law
+        );
+        let area = titled(root, page, spectrum.name, &note)?;
+        let mut chart = ChartBuilder::on(&area)
+            .margin(8)
+            .margin_right(20)
+            .margin_top(34)
+            .x_label_area_size(52)
+            .y_label_area_size(84)
+            .build_cartesian_2d((0.9..last * 1.1).log_scale(), (low..high).log_scale())?;
+        chart
+            .configure_mesh()
+            .x_label_formatter(&|n| tick(*n))
+            .y_label_formatter(&|y| format!("{y:.0e}"))
+            .x_desc("harmonic n")
+            .y_desc("D_n, lifts")
+            .label_style(("sans-serif", 15).into_font().color(&INK))
+            .axis_desc_style(("sans-serif", 17).into_font().color(&INK))
+            .axis_style(AXIS)
+            .bold_line_style(GRID)
+            .light_line_style(TRANSPARENT)
+            .draw()?;
+        let log = |(n, d): &(f64, f64)| (n.log10(), d.log10());
+        let (left, right) = (0.9f64.log10(), (last * 1.1).log10());
+        let place = Place::of(&chart, left..right, low.log10()..high.log10());
+        for line in lines.iter().filter(|l| l.1 > low) {
+            let stem = [(line.0, low), *line].iter().map(log).collect();
+            page.line(&place, &finely(curve("", stem, BLUE)));
+            page.dot(&place, log(line), BLUE);
+        }
+        let rest = rest.iter().map(log).collect();
+        page.line(&place, &dashed("", rest, ORANGE));
+        let names = [
+            curve("D_n", Vec::new(), BLUE),
+            dashed(
+                "bound on all harmonics beyond n together",
+                Vec::new(),
+                ORANGE,
+            ),
+        ];
+        legend(&area, &names)
+    })
+}

@@ -1,0 +1,322 @@
+//! What the drawings of motions have in common: the page, its title, panels of named curves.
+
+use super::style::{AXIS, GRID, INK, PAPER, SOFT, head, hex, legible};
+use maud::{Markup, html};
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::Ranged;
+use plotters::prelude::*;
+use std::ops::Range;
+
+/// A page that cannot be drawn, with the reason.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot draw: {0}")]
+pub struct CannotDraw(Box<dyn std::error::Error>);
+
+pub type Drawn = Result<(), Box<dyn std::error::Error>>;
+pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
+
+/// A curve; one without a name is not in the legend.
+pub struct Curve {
+    pub name: &'static str,
+    pub points: Vec<(f64, f64)>,
+    pub colour: RGBColor,
+    pub width: u32,
+    pub dashed: bool,
+}
+
+pub fn curve(name: &'static str, points: Vec<(f64, f64)>, colour: RGBColor) -> Curve {
+    Curve {
+        name,
+        points,
+        colour,
+        width: 2,
+        dashed: false,
+    }
+}
+
+pub fn dashed(name: &'static str, points: Vec<(f64, f64)>, colour: RGBColor) -> Curve {
+    Curve {
+        dashed: true,
+        ..curve(name, points, colour)
+    }
+}
+
+/// What a page has besides axes and words: plotters rounds to whole pixels, which shows in curves.
+#[derive(Default)]
+pub struct Page {
+    title: String,
+    description: Vec<String>,
+    curves: Vec<String>,
+}
+
+/// Where a chart's values stand on the page.
+pub struct Place {
+    values: [Range<f64>; 2],
+    pixels: [Range<i32>; 2],
+}
+
+impl Place {
+    /// `values` are the ends of the axes; their logarithms where an axis is logarithmic.
+    pub fn of<X, Y>(chart: &Chart<X, Y>, x: Range<f64>, y: Range<f64>) -> Place
+    where
+        X: Ranged<ValueType = f64>,
+        Y: Ranged<ValueType = f64>,
+    {
+        let axes = chart.as_coord_spec();
+        Place {
+            values: [x, y],
+            pixels: [axes.get_x_axis_pixel_range(), axes.get_y_axis_pixel_range()],
+        }
+    }
+
+    fn at(&self, p: (f64, f64)) -> (f64, f64) {
+        let part = |i: usize, v: f64| {
+            let (range, pixels) = (&self.values[i], &self.pixels[i]);
+            let length = f64::from(pixels.end - pixels.start);
+            (v - range.start) / (range.end - range.start) * length
+        };
+        (
+            f64::from(self.pixels[0].start) + part(0, p.0),
+            f64::from(self.pixels[1].end) - part(1, p.1),
+        )
+    }
+}
+
+impl Page {
+    pub fn line(&mut self, place: &Place, curve: &Curve) {
+        let mut points = String::new();
+        for (k, p) in curve.points.iter().enumerate() {
+            let (x, y) = place.at(*p);
+            let space = if k > 0 { " " } else { "" };
+            points.push_str(&format!("{space}{x:.2},{y:.2}"));
+        }
+        self.add(&html! {
+            polyline fill="none" stroke=(hex(curve.colour)) stroke-width=(curve.width)
+                stroke-linejoin="round" stroke-dasharray=[curve.dashed.then_some("7 5")]
+                points=(points) {}
+        });
+    }
+
+    pub fn dot(&mut self, place: &Place, p: (f64, f64), colour: RGBColor) {
+        let (x, y) = place.at(p);
+        self.add(&html! {
+            circle cx=(format!("{x:.2}")) cy=(format!("{y:.2}")) r="3" fill=(hex(colour)) {}
+        });
+    }
+
+    fn add(&mut self, element: &Markup) {
+        self.curves.push(format!("{}\n", element.0));
+    }
+}
+
+/// A page of that size, as text.
+pub fn drawn(
+    size: (u32, u32),
+    draw: impl FnOnce(&Area, &mut Page) -> Drawn,
+) -> Result<String, CannotDraw> {
+    let mut out = String::new();
+    let mut page = Page::default();
+    {
+        let root = SVGBackend::with_string(&mut out, size).into_drawing_area();
+        let done = root
+            .fill(&PAPER)
+            .map_err(Into::into)
+            .and_then(|()| draw(&root, &mut page));
+        let done = done.and_then(|()| root.present().map_err(Into::into));
+        done.map_err(CannotDraw)?;
+    }
+    let head = head(&page.title, &page.description.join("; "));
+    let begun = out.find('>').map_or(0, |k| k + 2);
+    out.insert_str(begun, &head.into_string());
+    let end = out.rfind("</svg>").unwrap_or(out.len());
+    out.insert_str(end, &page.curves.concat());
+    Ok(out)
+}
+
+/// What the page is about, and a line of notes below it. Returns what is left of the page.
+pub fn titled<'a>(
+    root: &Area<'a>,
+    page: &mut Page,
+    text: &str,
+    note: &str,
+) -> Result<Area<'a>, Box<dyn std::error::Error>> {
+    let text = &legible(text);
+    page.title.clone_from(text);
+    let font = ("sans-serif", 24).into_font().color(&INK);
+    root.draw(&Text::new(text.clone(), (24, 18), font))?;
+    if note.is_empty() {
+        return Ok(root.margin(56, 10, 10, 24));
+    }
+    let note = legible(note);
+    let font = ("sans-serif", 15).into_font().color(&SOFT);
+    root.draw(&Text::new(note.clone(), (24, 50), font))?;
+    page.description.push(note);
+    Ok(root.margin(76, 10, 10, 24))
+}
+
+/// Curves over a common abscissa, their names in a line above. A panel without a label of its
+/// abscissa shares that of a panel below.
+pub fn panel(area: &Area, page: &mut Page, labels: (&str, &str), curves: &[Curve]) -> Drawn {
+    let points = curves.iter().flat_map(|c| c.points.iter());
+    let ends = points.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| {
+        (a.min(p.0), b.max(p.0))
+    });
+    let ends = if ends.0 <= ends.1 { ends } else { (0.0, 1.0) };
+    panel_over(ends, area, page, labels, curves)
+}
+
+/// A panel with these ends of its abscissa.
+pub fn panel_over(
+    (first, last): (f64, f64),
+    area: &Area,
+    page: &mut Page,
+    labels: (&str, &str),
+    curves: &[Curve],
+) -> Drawn {
+    let labels = (labels.0, legible(labels.1));
+    let points = curves.iter().flat_map(|c| c.points.iter());
+    let (low, high) = padded(points.map(|p| p.1));
+    let last = if last > first { last } else { first + 1.0 };
+    let named = curves.iter().any(|c| !c.name.is_empty());
+    let most = (area.dim_in_pixel().0.saturating_sub(112) / 60).clamp(3, 11);
+    let mut chart = ChartBuilder::on(area)
+        .margin(8)
+        .margin_right(20)
+        .margin_top(if named { 34 } else { 8 })
+        .x_label_area_size(if labels.0.is_empty() { 28 } else { 48 })
+        .y_label_area_size(84)
+        .build_cartesian_2d(first..last, low..high)?;
+    chart
+        .configure_mesh()
+        .x_labels(most as usize)
+        .y_labels(7)
+        .x_label_formatter(&|x| tick(*x))
+        .y_label_formatter(&|y| {
+            tick(if y.abs() < 1e-9 * (high - low) {
+                0.0
+            } else {
+                *y
+            })
+        })
+        .x_desc(labels.0)
+        .y_desc(&labels.1)
+        .label_style(("sans-serif", 15).into_font().color(&INK))
+        .axis_desc_style(("sans-serif", 17).into_font().color(&INK))
+        .axis_style(AXIS)
+        .bold_line_style(GRID)
+        .light_line_style(TRANSPARENT)
+        .draw()?;
+    if low < 0.0 && high > 0.0 {
+        let zero = [(first, 0.0), (last, 0.0)];
+        chart.draw_series(LineSeries::new(zero, AXIS.stroke_width(1)))?;
+    }
+    let place = Place::of(&chart, first..last, low..high);
+    curves.iter().for_each(|c| page.line(&place, c));
+    if !labels.1.is_empty() {
+        let names: Vec<&str> = curves.iter().map(|c| c.name).collect();
+        let names: Vec<&str> = names.into_iter().filter(|n| !n.is_empty()).collect();
+        let of = if names.is_empty() { "" } else { " of " };
+        let text = format!("{}{of}{}", labels.1, names.join(", "));
+        page.description.push(text);
+    }
+    legend(area, curves)
+}
+
+/// In a line above the panel, where no curve can run through the names.
+pub fn legend(area: &Area, curves: &[Curve]) -> Drawn {
+    let font = ("sans-serif", 15).into_font().color(&INK);
+    let mut x = 100;
+    for c in curves.iter().filter(|c| !c.name.is_empty()) {
+        let style = c.colour.stroke_width(3);
+        let strokes: &[(i32, i32)] = if c.dashed {
+            &[(0, 7), (10, 17), (20, 27)]
+        } else {
+            &[(0, 27)]
+        };
+        for (from, to) in strokes {
+            area.draw(&PathElement::new([(x + from, 18), (x + to, 18)], style))?;
+        }
+        area.draw(&Text::new(legible(c.name), (x + 34, 10), font.clone()))?;
+        // Letters of this size are about eight pixels wide.
+        x += 34 + 8 * c.name.chars().count() as i32 + 26;
+    }
+    Ok(())
+}
+
+/// A tick's label without needless zeros.
+pub fn tick(y: f64) -> String {
+    match y.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e6).contains(&size) => ((y * 1e6).round() / 1e6).to_string(),
+        _ => format!("{y:.2e}"),
+    }
+}
+
+/// The range of the values with some air; zero belongs to it where it is near.
+fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for v in values.filter(|v| v.is_finite()) {
+        low = low.min(v);
+        high = high.max(v);
+    }
+    if !(low <= high) {
+        return (-1.0, 1.0);
+    }
+    let size = high - low;
+    if low > 0.0 && low < 0.3 * high {
+        low = 0.0;
+    }
+    let air = if size > 0.0 {
+        0.05 * size
+    } else {
+        0.5 * high.abs().max(1.0)
+    };
+    (low - if low == 0.0 { 0.0 } else { air }, high + air)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::style::{BLUE, tests::whole};
+    use super::*;
+
+    #[test]
+    fn ranges_have_air_and_size() {
+        assert_eq!(padded([1.0, 11.0].into_iter()), (0.0, 11.5));
+        let (a, b) = padded([3.0, 3.0].into_iter());
+        assert!(a < 3.0 && b > 3.0);
+        assert_eq!(padded([f64::NAN].into_iter()), (-1.0, 1.0));
+    }
+
+    #[test]
+    fn a_panel_without_curves_has_axes() {
+        let svg = drawn((400, 200), |root, page| panel(root, page, ("x", "y"), &[]));
+        assert!(svg.unwrap().contains("<polyline"));
+    }
+
+    #[test]
+    fn curves_have_hundredths_of_a_pixel() {
+        let slope = (0..=5000).map(|k| (f64::from(k), 1e-3 * f64::from(k)));
+        let slope = curve("slope", slope.collect(), BLUE);
+        let svg = drawn((1000, 400), |root, page| {
+            let area = titled(root, page, "a < b", "")?;
+            panel(&area, page, ("x", "y"), &[slope])
+        });
+        let svg = svg.unwrap();
+        whole(&svg);
+        assert!(svg.contains("<title>a &lt; b</title>\n<desc>y of slope</desc>"));
+        let line = svg.split("points=\"").last().unwrap();
+        let points = line.split('"').next().unwrap().split(' ');
+        let points: Vec<(f64, f64)> = points
+            .map(|p| p.split_once(',').unwrap())
+            .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+            .collect();
+        assert_eq!(points.len(), 5001);
+        let (a, b) = (points[0], points[5000]);
+        for (k, p) in points.iter().enumerate() {
+            let part = k as f64 / 5000.0;
+            let due = (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1));
+            assert!((p.0 - due.0).hypot(p.1 - due.1) < 0.02, "{k}: {p:?}");
+        }
+    }
+}

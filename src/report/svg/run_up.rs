@@ -1,0 +1,182 @@
+//! Drawings of a run: speed, torques and energies over time, and work against precision.
+
+use super::panel::{
+    Area, CannotDraw, Curve, Drawn, Page, Place, curve, drawn, legend, panel, tick, titled,
+};
+use super::style::{AXIS, BLUE, GREEN, GRID, INK, ORANGE, PURPLE};
+use crate::solvers::run_up::Sample;
+use plotters::prelude::*;
+
+/// A name, a colour and what is drawn.
+type Course = (&'static str, RGBColor, fn(&Sample) -> f64);
+
+const PANELS: [(&str, &[Course]); 3] = [
+    ("crank speed ω, rad/s", &[("", BLUE, |s| s.psi)]),
+    (
+        "torque at the crank, N·m",
+        &[
+            ("motor", BLUE, |s| s.motor),
+            ("weights M_o", GREEN, |s| s.weights),
+            ("load", PURPLE, |s| s.resistance),
+        ],
+    ),
+    (
+        "energy, J",
+        &[
+            ("kinetic", ORANGE, |s| s.kinetic_energy),
+            ("work of the motor", BLUE, |s| s.work[0]),
+            ("work of the weights", GREEN, |s| s.work[1]),
+            ("work of the load", PURPLE, |s| s.work[2]),
+        ],
+    ),
+];
+
+/// Columns of the drawing: with two points in each it looks like all of them.
+const BINS: usize = 700;
+
+/// Width of the panels that show it enlarged.
+const ENLARGED: u32 = 370;
+
+/// The drawing of a run; a short start has samples of its own and stands enlarged beside the rest.
+pub fn draw(
+    name: &str,
+    samples: &[Sample],
+    start: Option<&[Sample]>,
+) -> Result<String, CannotDraw> {
+    let end = |s: &[Sample]| s.last().map_or(0.0, |s| s.t);
+    let note = start.map_or(String::new(), |s| {
+        let times = end(samples) / end(s);
+        format!(
+            "left: the start, {} ms of {} s, {times:.0} times as wide; right: the whole run",
+            tick(1e3 * end(s)),
+            tick(end(samples))
+        )
+    });
+    drawn((1000, 1080), |root, page| {
+        let areas = titled(root, page, name, &note)?.split_evenly((PANELS.len(), 1));
+        for (k, (area, (label, courses))) in areas.iter().zip(PANELS).enumerate() {
+            // What is zero throughout is not drawn.
+            let seen: Vec<Course> = courses
+                .iter()
+                .filter(|c| courses.len() == 1 || samples.iter().any(|s| c.2(s) != 0.0))
+                .copied()
+                .collect();
+            let last = k + 1 == PANELS.len();
+            let Some(start) = start else {
+                let time = if last { "time, s" } else { "" };
+                panel(area, page, (time, label), &curves(&seen, samples, 1.0))?;
+                continue;
+            };
+            let (left, right) = area.split_horizontally(ENLARGED);
+            let (ms, s) = if last {
+                ("time, ms", "time, s")
+            } else {
+                ("", "")
+            };
+            let mut enlarged = curves(&seen, start, 1e3);
+            // The names stand over the whole run, where there is room for them.
+            let names = enlarged.iter().any(|c| !c.name.is_empty());
+            let left = if names {
+                left.margin(26, 0, 0, 0)
+            } else {
+                left
+            };
+            enlarged.iter_mut().for_each(|c| c.name = "");
+            panel(&left, page, (ms, label), &enlarged)?;
+            panel(&right, page, (s, ""), &curves(&seen, samples, 1.0))?;
+        }
+        Ok(())
+    })
+}
+
+/// The courses over time, in seconds divided by `scale`.
+fn curves(courses: &[Course], samples: &[Sample], scale: f64) -> Vec<Curve> {
+    let end = samples.last().map_or(1.0, |s| s.t);
+    let end = if end > 0.0 { end } else { 1.0 };
+    let one = |&(name, colour, course): &Course| {
+        let mut line = thinned(samples, course, end);
+        line.iter_mut().for_each(|p| p.0 *= scale);
+        curve(name, line, colour)
+    };
+    courses.iter().map(one).collect()
+}
+
+/// The least and the largest value in each column of the drawing, in order of time.
+fn thinned(samples: &[Sample], curve: fn(&Sample) -> f64, end: f64) -> Vec<(f64, f64)> {
+    if samples.len() <= 2 * BINS {
+        return samples.iter().map(|s| (s.t, curve(s))).collect();
+    }
+    let bin = |s: &Sample| ((s.t / end) * BINS as f64) as usize;
+    let mut line = Vec::new();
+    for group in samples.chunk_by(|a, b| bin(a) == bin(b)) {
+        let value = |s: &&Sample| curve(s);
+        let least = group.iter().min_by(|a, b| value(a).total_cmp(&value(b)));
+        let most = group.iter().max_by(|a, b| value(a).total_cmp(&value(b)));
+        let mut pair: Vec<&Sample> = least.into_iter().chain(most).collect();
+        pair.sort_by(|a, b| a.t.total_cmp(&b.t));
+        line.extend(pair.iter().map(|s| (s.t, curve(s))));
+    }
+    line
+}
+
+/// What a method of integration costs.
+pub struct Work {
+    /// The method.
+    pub method: &'static str,
+    /// For each tolerance the worst error of the speed in rad/s, and evaluations of the right-hand
+    /// side.
+    pub points: Vec<(f64, u64)>,
+}
+
+/// The diagram of work against precision.
+pub fn work_precision(name: &str, methods: &[Work]) -> Result<String, CannotDraw> {
+    drawn((1000, 700), |root, page| {
+        let note = "each point a tolerance: what it costs and how far off the speed is";
+        let body = titled(root, page, &format!("{name}: work and precision"), note)?;
+        diagram(&body, page, methods)
+    })
+}
+
+fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
+    // An error of exactly zero has no place on the axis; rounding is about here.
+    let error = |p: &(f64, u64)| p.0.max(1e-16).log10();
+    let work = |p: &(f64, u64)| (p.1.max(1) as f64).log10();
+    let bounds = |f: &dyn Fn(&(f64, u64)) -> f64| {
+        let all = || methods.iter().flat_map(|m| &m.points).map(f);
+        (
+            all().fold(f64::INFINITY, f64::min).floor(),
+            all().fold(f64::NEG_INFINITY, f64::max).ceil(),
+        )
+    };
+    let ((x0, x1), (y0, y1)) = (bounds(&error), bounds(&work));
+    // Errors fall to the right.
+    let mut chart = ChartBuilder::on(body)
+        .margin(8)
+        .margin_top(34)
+        .x_label_area_size(52)
+        .y_label_area_size(84)
+        .build_cartesian_2d(-x1..-x0, (10f64.powf(y0)..10f64.powf(y1)).log_scale())?;
+    let power = |x: f64| format!("1e{:.0}", -x);
+    chart
+        .configure_mesh()
+        .x_labels(14)
+        .x_label_formatter(&|x| power(*x))
+        .y_label_formatter(&|y| format!("{y:.0}"))
+        .x_desc("worst error of the speed found, rad/s")
+        .y_desc("evaluations of the right-hand side")
+        .label_style(("sans-serif", 15).into_font().color(&INK))
+        .axis_desc_style(("sans-serif", 17).into_font().color(&INK))
+        .axis_style(AXIS)
+        .bold_line_style(GRID)
+        .light_line_style(TRANSPARENT)
+        .draw()?;
+    let place = Place::of(&chart, -x1..-x0, y0..y1);
+    let mut lines = Vec::new();
+    for (m, colour) in methods.iter().zip([BLUE, ORANGE, GREEN, PURPLE]) {
+        let line: Vec<(f64, f64)> = m.points.iter().map(|p| (-error(p), work(p))).collect();
+        line.iter().for_each(|p| page.dot(&place, *p, colour));
+        lines.push(curve(m.method, line, colour));
+    }
+    lines.iter().for_each(|c| page.line(&place, c));
+    legend(body, &lines)
+}

@@ -1,0 +1,354 @@
+//! A mechanism at several positions, with the paths of its joints.
+
+use super::style::{head, legible};
+use maud::{Markup, html};
+
+const WIDTH: f64 = 1000.0;
+const MARGIN: f64 = 70.0;
+const HEAD: f64 = 56.0;
+const INK: &str = "#1d2125";
+const SOFT: &str = "#5b646d";
+const PAPER: &str = "#ffffff";
+/// Half the length and half the width of a slider.
+const SLIDER: [f64; 2] = [24.0, 14.0];
+
+/// A point in metres.
+pub type Point = [f64; 2];
+
+/// A mechanism over its crank's range.
+pub struct Scene<'a> {
+    /// What it is.
+    pub name: &'a str,
+    /// Fixed pivots.
+    pub pivots: &'a [Pivot],
+    /// Moving joints, in the order of [`Pose::joints`].
+    pub joints: &'a [Joint],
+    /// Angle of the slider's guide in radians, where there is one.
+    pub guide: Option<f64>,
+    /// Positions from one end of the range to the other.
+    pub path: &'a [Pose],
+    /// Whether that is a whole turn.
+    pub whole: bool,
+}
+
+/// A fixed pivot.
+pub struct Pivot {
+    /// Its name.
+    pub label: &'static str,
+    /// Where it is.
+    pub at: Point,
+    /// The joint at the other end of its link.
+    pub joint: usize,
+}
+
+/// A moving joint.
+pub struct Joint {
+    /// Its name.
+    pub label: &'static str,
+    /// Its colour.
+    pub colour: &'static str,
+}
+
+/// A position.
+#[derive(Clone)]
+pub struct Pose {
+    /// The crank's angle in degrees.
+    pub crank_deg: f64,
+    /// The moving joints; on a guide the last one is a slider.
+    pub joints: Vec<Point>,
+    /// Links of two joints each.
+    pub bars: Vec<Bar>,
+    /// A link of three joints.
+    pub plate: Option<(&'static str, [Point; 3])>,
+}
+
+/// A link between two joints.
+#[derive(Clone)]
+pub struct Bar {
+    /// Its number.
+    pub label: &'static str,
+    /// Its ends.
+    pub ends: [Point; 2],
+}
+
+/// From metres, y up, to the drawing, y down.
+struct View {
+    scale: f64,
+    left: f64,
+    top: f64,
+    height: f64,
+}
+
+impl View {
+    fn new(points: &[Point]) -> View {
+        let range = |i: usize| {
+            let fold = |f: fn(f64, f64) -> f64, start| points.iter().map(|p| p[i]).fold(start, f);
+            (
+                fold(f64::min, f64::INFINITY),
+                fold(f64::max, f64::NEG_INFINITY),
+            )
+        };
+        let ((x0, x1), (y0, y1)) = (range(0), range(1));
+        // Neither side much longer than the other would leave room to draw in.
+        let size = (x1 - x0).max(y1 - y0).max(f64::MIN_POSITIVE);
+        let scale = (WIDTH - 2.0 * MARGIN) / size;
+        let slack = 0.5 * (size - (x1 - x0)) * scale;
+        View {
+            scale,
+            left: MARGIN + slack - x0 * scale,
+            top: HEAD + MARGIN + y1 * scale,
+            height: HEAD + 2.0 * MARGIN + (y1 - y0) * scale,
+        }
+    }
+
+    fn at(&self, p: Point) -> (f64, f64) {
+        (self.left + p[0] * self.scale, self.top - p[1] * self.scale)
+    }
+
+    fn points(&self, points: &[Point]) -> String {
+        let text = |p: &Point| {
+            let (x, y) = self.at(*p);
+            format!("{x:.2},{y:.2}")
+        };
+        points.iter().map(text).collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// A coordinate to a tenth.
+fn tenths(x: f64) -> String {
+    format!("{x:.1}")
+}
+
+impl Scene<'_> {
+    /// The drawing.
+    pub fn draw(&self) -> String {
+        let joints = self.path.iter().flat_map(|p| &p.joints);
+        let all: Vec<Point> = self
+            .pivots
+            .iter()
+            .map(|p| p.at)
+            .chain(joints.copied())
+            .collect();
+        let view = View::new(&all);
+        let chosen = self.chosen();
+        let (legend, height) = (self.legend(&chosen), format!("{:.0}", view.height));
+        let svg = html! {
+            svg xmlns="http://www.w3.org/2000/svg" viewBox={ "0 0 " (WIDTH) " " (height) }
+                width=(WIDTH) height=(height) font-family="sans-serif" font-size="16" { "\n"
+                (head(self.name, &legend))
+                rect width="100%" height="100%" fill=(PAPER) {} "\n"
+                text x="24" y="36" font-size="22" font-weight="600" fill=(INK) {
+                    (legible(self.name))
+                } "\n"
+                text x="24" y="60" font-size="15" fill=(SOFT) { (legend) } "\n"
+                @for pivot in self.pivots { (ground(&view, pivot, self.hangs(pivot))) }
+                @if let Some(angle) = self.guide { (self.guide(&view, angle)) }
+                @for pose in chosen.iter().skip(1) { (self.links(&view, pose, false)) }
+                @for (i, joint) in self.joints.iter().enumerate() {
+                    @let points: Vec<Point> = self.path.iter().map(|p| p.joints[i]).collect();
+                    polyline points=(view.points(&points)) fill="none" stroke=(joint.colour)
+                        stroke-width="2" stroke-dasharray=[(i == 0).then_some("3 4")] {} "\n"
+                }
+                @if let Some(first) = chosen.first() {
+                    (self.links(&view, first, true))
+                    @for pivot in self.pivots { (circle(&view, pivot.at, INK, 1.6)) }
+                    @for (k, (p, joint)) in first.joints.iter().zip(self.joints).enumerate() {
+                        // The slider's letter clears its block.
+                        @let slider = self.guide.is_some() && k + 1 == self.joints.len();
+                        @let lift = if slider { SLIDER[1] + 16.0 } else { 10.0 };
+                        @let (x, y) = view.at(*p);
+                        (circle(&view, *p, joint.colour, 3.0))
+                        (text(joint.label, (x + 11.0, y - lift), "start", joint.colour))
+                    }
+                }
+            } "\n"
+        };
+        svg.into_string()
+    }
+
+    /// The position drawn in full and those drawn faintly: eighths of a turn, the start first; or of
+    /// a range, the middle first.
+    fn chosen(&self) -> Vec<&Pose> {
+        let n = self.path.len();
+        let order: &[usize] = match self.whole {
+            true => &[0, 1, 2, 3, 4, 5, 6, 7],
+            false => &[4, 0, 2, 6, 8],
+        };
+        match n {
+            0..8 => self.path.iter().collect(),
+            _ => order.iter().map(|k| &self.path[k * (n - 1) / 8]).collect(),
+        }
+    }
+
+    fn legend(&self, chosen: &[&Pose]) -> String {
+        let degrees = |p: &&Pose| p.crank_deg;
+        let others = match self.whole {
+            true => "every 45° faint".to_string(),
+            false => {
+                let low = chosen.iter().map(degrees).fold(f64::INFINITY, f64::min);
+                let high = chosen.iter().map(degrees).fold(f64::NEG_INFINITY, f64::max);
+                format!("from {low:.2}° to {high:.2}° faint")
+            }
+        };
+        let first = chosen.first().map_or(f64::NAN, degrees);
+        let labels: Vec<&str> = self.joints.iter().map(|j| j.label).collect();
+        let labels = labels.join(", ").replacen(',', " (dashed),", 1);
+        format!("at φ1 = {first:.3}°, {others}; paths of {labels}")
+    }
+
+    /// Whether the link at the pivot stays below it.
+    fn hangs(&self, pivot: &Pivot) -> bool {
+        let mut path = self.path.iter();
+        path.all(|p| p.joints[pivot.joint][1] < pivot.at[1])
+    }
+
+    fn links(&self, view: &View, pose: &Pose, lead: bool) -> Markup {
+        let (opacity, width) = if lead { ("1", "4") } else { ("0.16", "2") };
+        let slider = self.guide.zip(pose.joints.last());
+        html! {
+            g stroke=(INK) stroke-width=(width) opacity=(opacity) stroke-linecap="round"
+                stroke-linejoin="round" fill="none" { "\n"
+                @for bar in &pose.bars { polyline points=(view.points(&bar.ends)) {} "\n" }
+                @if let Some((_, corners)) = &pose.plate {
+                    polygon points=(view.points(corners)) fill=(INK) fill-opacity="0.12" {} "\n"
+                }
+                @if let Some((angle, p)) = slider {
+                    @let (x, y) = view.at(*p);
+                    rect x=(tenths(x - SLIDER[0])) y=(tenths(y - SLIDER[1])) width=(2.0 * SLIDER[0])
+                        height=(2.0 * SLIDER[1]) fill=(INK) fill-opacity="0.12"
+                        transform=(format!("rotate({:.3} {x:.1} {y:.1})", -angle.to_degrees())) {}
+                    "\n"
+                }
+            } "\n"
+            @if lead {
+                @for bar in &pose.bars { (number(view, bar)) }
+                @if let Some((label, [a, b, c])) = &pose.plate {
+                    @let (x, y) = view.at([0, 1].map(|i| (a[i] + b[i] + c[i]) / 3.0));
+                    (text(label, (x, y + 5.0), "middle", SOFT))
+                }
+            }
+        }
+    }
+
+    /// The guide's line as far as the slider goes, and a little farther.
+    fn guide(&self, view: &View, angle: f64) -> Markup {
+        let (sin, cos) = angle.sin_cos();
+        let places = || self.path.iter().filter_map(|p| p.joints.last());
+        let along = |p: &&Point| p[0] * cos + p[1] * sin;
+        let first = places().min_by(|p, q| along(p).total_cmp(&along(q)));
+        let last = places().max_by(|p, q| along(p).total_cmp(&along(q)));
+        let (dx, dy) = (40.0 * cos, -40.0 * sin);
+        html! {
+            @if let Some((first, last)) = first.zip(last) {
+                @let ((x0, y0), (x1, y1)) = (view.at(*first), view.at(*last));
+                path d=(format!("M{:.1} {:.1}L{:.1} {:.1}", x0 - dx, y0 - dy, x1 + dx, y1 + dy))
+                    stroke=(INK) stroke-width="1.1" stroke-dasharray="12 4 2 4" {} "\n"
+            }
+        }
+    }
+}
+
+/// A link's number beside its middle.
+fn number(view: &View, bar: &Bar) -> Markup {
+    let [q, p] = bar.ends;
+    let (x, y) = view.at([0, 1].map(|i| 0.5 * (p[i] + q[i])));
+    let ((px, py), (qx, qy)) = (view.at(p), view.at(q));
+    let length = (px - qx).hypot(py - qy).max(1e-9);
+    // On the upper side.
+    let up = if px > qx { -1.0 } else { 1.0 };
+    let (nx, ny) = (-up * (py - qy) / length, up * (px - qx) / length);
+    text(
+        bar.label,
+        (x + 15.0 * nx, y + 15.0 * ny + 5.0),
+        "middle",
+        SOFT,
+    )
+}
+
+fn text(text: &str, (x, y): (f64, f64), anchor: &str, colour: &str) -> Markup {
+    // A white edge keeps labels readable on lines.
+    html! {
+        text x=(tenths(x)) y=(tenths(y)) text-anchor=(anchor) fill=(colour) stroke=(PAPER)
+            stroke-width="4" paint-order="stroke" stroke-linejoin="round" { (text) } "\n"
+    }
+}
+
+/// Hatched ground under a fixed pivot, above it where the link hangs.
+fn ground(view: &View, pivot: &Pivot, above: bool) -> Markup {
+    let (x, y) = view.at(pivot.at);
+    let flip = if above { -1.0 } else { 1.0 };
+    let base = y + 22.0 * flip;
+    let triangle = format!("M{x:.1} {y:.1}L{:.1} {base:.1}h26z", x - 13.0);
+    html! {
+        g stroke=(INK) stroke-width="1.6" { "\n"
+            path d=(triangle) fill=(PAPER) {} "\n"
+            path d=(format!("M{:.1} {base:.1}h44", x - 22.0)) {} "\n"
+            @for k in 0..6 {
+                @let foot = x - 18.0 + 8.0 * f64::from(k);
+                path d=(format!("M{foot:.1} {base:.1}l-7 {}", 8.0 * flip)) stroke-width="1.1" {} "\n"
+            }
+        } "\n"
+        (text(pivot.label, (x + 26.0, y + 17.0 * flip + 2.0), "start", INK))
+    }
+}
+
+fn circle(view: &View, p: Point, colour: &str, width: f64) -> Markup {
+    let (x, y) = view.at(p);
+    html! {
+        circle cx=(tenths(x)) cy=(tenths(y)) r="6" fill=(PAPER) stroke=(colour)
+            stroke-width=(width) {} "\n"
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::super::style::tests::whole;
+    use super::*;
+
+    /// A slider-crank of unit lengths over a turn, drawn.
+    pub fn drawn(name: &str, whole: bool) -> String {
+        let pose = |k: u32| {
+            let (sin, cos) = (f64::from(k) * 45.0).to_radians().sin_cos();
+            let (a, b) = ([cos, sin], [2.0 * cos, 0.0]);
+            Pose {
+                crank_deg: f64::from(k) * 45.0,
+                joints: vec![a, b],
+                bars: vec![Bar {
+                    label: "1",
+                    ends: [a, b],
+                }],
+                plate: Some(("4", [a, b, [0.0, 0.0]])),
+            }
+        };
+        let scene = Scene {
+            name,
+            pivots: &[Pivot {
+                label: "O1",
+                at: [0.0, 0.0],
+                joint: 0,
+            }],
+            joints: &[("A", "#c2571a"), ("B", "#1f6fb2")]
+                .map(|(label, colour)| Joint { label, colour }),
+            guide: Some(0.0),
+            path: &(0..=8).map(pose).collect::<Vec<_>>(),
+            whole,
+        };
+        scene.draw()
+    }
+
+    #[test]
+    fn a_turn_leads_with_its_start_and_a_range_with_its_middle() {
+        let turn = drawn("crank & slider", true);
+        self::whole(&turn);
+        for part in [
+            "<title>crank &amp; slider</title>",
+            "at φ1 = 0.000°, every 45° faint; paths of A (dashed), B<",
+        ] {
+            assert!(turn.contains(part), "{part} is missing in {turn}");
+        }
+        assert_eq!(turn.matches("opacity=\"0.16\"").count(), 7);
+        let part = drawn("part", false);
+        assert!(part.contains("at φ1 = 180.000°, from 0.00° to 360.00° faint"));
+        assert_eq!(part.matches("opacity=\"0.16\"").count(), 4);
+    }
+}

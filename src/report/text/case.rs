@@ -1,0 +1,112 @@
+//! One judged case.
+
+use super::style::{self, BAD, BOLD, DIM, DOUBT, PLAIN, paint, paragraph, wrap};
+use super::table::Table;
+use crate::audit::{Case, CaseReport, Layout, Proof, SolverAnswer, Verdict, hex_float};
+use crate::report::words::audit::of_case;
+use crate::report::words::numbers::{percent, short, unit};
+
+/// The input in decimal and in hexadecimal.
+pub fn input(case: &Case, indent: usize) -> String {
+    let method = crate::methods::find(case.method);
+    let names = method.map(|m| Layout::new(&*m).names(&case.input));
+    let names = names.unwrap_or_default();
+    let mut table = Table::new(&["input", "unit", "decimal", "hexadecimal"], &[0, 1, 3]);
+    for (i, x) in case.input.iter().enumerate() {
+        let (name, of) = names.get(i).cloned().unwrap_or_default();
+        table.row(vec![
+            (name, PLAIN),
+            (unit(of), DIM),
+            (format!("{x:?}"), PLAIN),
+            (hex_float(*x), DIM),
+        ]);
+    }
+    table.render(indent)
+}
+
+/// The case with everything that was found about it.
+///
+/// `again` is the command that judges it again.
+pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
+    let case = &report.case;
+    let (word, tone) = of_case(report.judgement.verdict);
+    let mut out = format!(
+        "  {}  {} / {}, decided at {} bits\n",
+        paint(style::of(tone), word),
+        paint(BOLD, case.method),
+        case.region,
+        report.bits
+    );
+    if let Some(reason) = &report.judgement.reason {
+        out.push_str(&paragraph(reason, 4, width));
+    }
+    out.push_str(&input(case, 4));
+    match &report.answer {
+        Some(SolverAnswer::Values(got)) => out.push_str(&values(report, got)),
+        Some(SolverAnswer::Fails(_)) | None => out.push_str("    got        no answer\n"),
+        Some(refusal) => {
+            let word = refusal.refusal().unwrap_or("without a reason");
+            out.push_str(&format!("    got        refusal: {word}\n"));
+        }
+    }
+    if let Some(proof) = report.proof {
+        let proof = match proof {
+            Proof::Exact => "exact arithmetic",
+            Proof::Bounded(why) => why,
+        };
+        out.push_str("    proof      ");
+        out.push_str(&wrap(proof, 15, width));
+        out.push('\n');
+    }
+    out.push_str(&format!("    reproduce  {again}\n"));
+    out
+}
+
+fn values(report: &CaseReport, got: &[f64]) -> String {
+    let judged = &report.judgement.components;
+    // Outputs that share a name are counted.
+    let first = judged.first().map(|c| c.output);
+    let outputs = judged.iter().skip(1).position(|c| Some(c.output) == first);
+    let cycle = outputs.map_or(judged.len(), |k| k + 1);
+    let mut table = Table::new(
+        &[
+            "output",
+            "got",
+            "reference",
+            "ulps",
+            "of budget",
+            "condition",
+        ],
+        &[0, 1, 2],
+    );
+    for (i, x) in got.iter().enumerate() {
+        let name = match judged.get(i) {
+            None => format!("[{i}]"),
+            Some(c) if cycle == judged.len() => c.output.to_string(),
+            Some(c) => format!("{}[{}]", c.output, i / cycle),
+        };
+        let radius = report.radii.get(i).filter(|r| **r > 0.0);
+        let radius = radius.map_or(String::new(), |r| format!(" ± {r:.0e}"));
+        let reference = match report.reference.get(i) {
+            Some(Some(digits)) => format!("{digits}{radius}"),
+            Some(None) => "not certified".into(),
+            None => "none".into(),
+        };
+        let judged = judged.get(i);
+        let number = |x: Option<f64>| x.filter(|x| !x.is_nan()).map_or("–".into(), short);
+        let style = judged.map_or(PLAIN, |c| match c.verdict {
+            Verdict::Pass => PLAIN,
+            Verdict::Undecided => DOUBT,
+            _ => BAD,
+        });
+        table.row(vec![
+            (name, style),
+            (format!("{x:?}"), PLAIN),
+            (reference, PLAIN),
+            (number(judged.map(|c| c.ulps)), style),
+            (judged.map_or("–".into(), |c| percent(c.of_budget)), style),
+            (number(judged.map(|c| c.condition)), DIM),
+        ]);
+    }
+    table.render(4)
+}

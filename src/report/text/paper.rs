@@ -1,0 +1,240 @@
+//! A paper's report for people: findings by subject, then the tallies.
+
+use super::style::{self, BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint, paragraph, wrap};
+use super::table::Table;
+use crate::papers::{Finding, PaperReport, Tally};
+use crate::report::words::numbers::{short, unit};
+use crate::report::words::paper::{SUBJECTS, counts, mark, of_subject};
+
+/// The report of one paper.
+pub fn paper(report: &PaperReport, width: usize) -> String {
+    let p = &report.paper;
+    let year = p.year.map_or(String::new(), |y| format!(" ({y})"));
+    let title = format!("{}{year}. {}. {}.", p.authors, p.title, p.venue);
+    let mut out = paint(BOLD, &wrap(&title, 0, width));
+    out.push_str("\n\n");
+    out.push_str(&paragraph(&counts(report), 0, width));
+    for (subject, name) in SUBJECTS {
+        let findings: Vec<&Finding> = of_subject(report, subject);
+        if findings.is_empty() {
+            continue;
+        }
+        out.push_str(&format!("\n{}\n", paint(BOLD, name)));
+        for f in findings {
+            out.push_str(&finding(f, width));
+        }
+    }
+    out.push_str(&tallies(&report.tallies));
+    out
+}
+
+/// A finding with its text and figures.
+pub fn finding(f: &Finding, width: usize) -> String {
+    let (sign, words, tone) = mark(f.verdict);
+    let head = format!("{} [{words}; {}]", f.title, f.place);
+    let mut out = format!(
+        "\n  {} {}\n",
+        paint(style::of(tone), sign),
+        wrap(&head, 4, width)
+    );
+    if !f.as_recorded {
+        let warning = format!(
+            "NOT AS RECORDED: finding {} differs from earlier runs",
+            f.id
+        );
+        out.push_str(&format!("    {}\n", paint(BAD, &wrap(&warning, 4, width))));
+    }
+    out.push_str(&paragraph(&f.text, 4, width));
+    let widest = f.figures.iter().map(|g| g.name.chars().count()).max();
+    // Leaders up to a common column, as far as the names leave room.
+    let column = widest.unwrap_or(0).min(width.saturating_sub(40));
+    for g in &f.figures {
+        let gap = column.saturating_sub(g.name.chars().count());
+        let value = format!("{} {}", g.value, unit(g.unit));
+        let line = format!(
+            "      {} {} {}",
+            g.name,
+            ".".repeat(gap + 3),
+            value.trim_end()
+        );
+        let line = match line.chars().count() {
+            n if n <= width => line,
+            _ => {
+                let whole = format!("{}: {}", g.name, value.trim_end());
+                format!("      {}", wrap(&whole, 8, width))
+            }
+        };
+        out.push_str(&paint(DIM, &line));
+        out.push('\n');
+    }
+    out
+}
+
+fn tallies(tallies: &[Tally]) -> String {
+    let mut out = String::new();
+    let mut tables: Vec<u32> = tallies.iter().map(|t| t.table).collect();
+    tables.sort_unstable();
+    tables.dedup();
+    for number in tables {
+        out.push_str(&format!(
+            "\n{}\n",
+            paint(BOLD, &format!("Table {number}: entries that agree"))
+        ));
+        let mut table = Table::new(
+            &[
+                "data",
+                "column",
+                "entries",
+                "within ½ unit",
+                "within 1",
+                "worst units",
+                "worst deviation",
+            ],
+            &[0, 1],
+        );
+        for t in tallies.iter().filter(|t| t.table == number) {
+            let style = match (t.within_half, t.within_one) {
+                (n, _) if n == t.entries => GOOD,
+                (_, n) if n == t.entries => PLAIN,
+                (_, n) if 2 * n >= t.entries => DOUBT,
+                _ => BAD,
+            };
+            table.row(vec![
+                (t.variant.replace('_', " "), PLAIN),
+                (t.column.into(), PLAIN),
+                (t.entries.to_string(), DIM),
+                (t.within_half.to_string(), style),
+                (t.within_one.to_string(), style),
+                (short(t.worst_units), PLAIN),
+                (short(t.worst), DIM),
+            ]);
+        }
+        out.push_str(&table.render(2));
+    }
+    if !out.is_empty() {
+        out.push_str(&paint(
+            DIM,
+            "  Units of the last printed digit; within ½ is the correct rounding.\n",
+        ));
+    }
+    out
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::papers::{
+        Citation, Entry, EntryVerdict, Figure, FindingVerdict, SCHEMA_VERSION, Subject,
+        VariantResult,
+    };
+
+    /// A report that exists for tests.
+    pub fn fabricated() -> PaperReport {
+        let result = |units: f64, verdict, note: Option<&str>| VariantResult {
+            recomputed: "1.2345678901234567890".into(),
+            units_in_last_digit: units,
+            verdict,
+            note: note.map(Into::into),
+        };
+        let entry = |row, column, printed: &str, a: VariantResult, b: VariantResult| Entry {
+            table: 1,
+            row,
+            column,
+            printed: printed.into(),
+            variants: [("as_printed", a), ("recovered", b)].into(),
+        };
+        use EntryVerdict as E;
+        PaperReport {
+            schema_version: SCHEMA_VERSION,
+            mechaudit_version: "0.0.0",
+            paper: Citation {
+                key: "nobody",
+                authors: "A. Nobody",
+                title: "On <tests> & such",
+                year: Some(1900),
+                venue: "Proceedings of Nowhere 1, 1–2",
+            },
+            findings: vec![
+                Finding {
+                    id: "mass",
+                    subject: Subject::Data,
+                    place: "Section 2",
+                    title: "The mass of link 4 is not printed".into(),
+                    verdict: FindingVerdict::Recovered,
+                    text: "It follows from the moments of Table 3, which are linear in it. "
+                        .repeat(3),
+                    figures: vec![Figure {
+                        name: "mass of link 4".into(),
+                        value: "550".into(),
+                        unit: "kg",
+                        latex: None,
+                    }],
+                    as_recorded: true,
+                },
+                Finding {
+                    id: "claim",
+                    subject: Subject::Claim,
+                    place: "Conclusion",
+                    title: "The step is small enough".into(),
+                    verdict: FindingVerdict::Refuted,
+                    text: "It is not.".into(),
+                    figures: vec![],
+                    as_recorded: false,
+                },
+            ],
+            tallies: vec![Tally {
+                variant: "as_printed",
+                table: 1,
+                column: "phi2",
+                entries: 3,
+                within_half: 2,
+                within_one: 2,
+                worst_units: 12.0,
+                worst: 0.012,
+            }],
+            entries: vec![
+                entry(
+                    0,
+                    "phi2",
+                    "1.235",
+                    result(0.2, E::Agrees, None),
+                    result(0.1, E::Agrees, None),
+                ),
+                entry(
+                    1,
+                    "phi2",
+                    "1.243",
+                    result(12.0, E::Misprint, Some("3 for 5")),
+                    result(0.7, E::Rounding, None),
+                ),
+                entry(
+                    1,
+                    "phi3",
+                    "9.9",
+                    result(86.0, E::Unexplained, None),
+                    result(1.5, E::Unexplained, None),
+                ),
+            ],
+        }
+    }
+
+    #[test]
+    fn findings_by_subject_with_marks_and_width() {
+        for width in [60, 100] {
+            let text = paper(&fabricated(), width);
+            let text = style::plain(&text);
+            for part in [
+                "Data\n",
+                "Claims\n",
+                "+ The mass",
+                "✗ The step",
+                "NOT AS RECORDED",
+                "550 kg",
+            ] {
+                assert!(text.contains(part), "{part} is missing in\n{text}");
+            }
+            let prose = text.split("Table 1").next().unwrap();
+            assert!(prose.lines().all(|l| l.chars().count() <= width), "{text}");
+        }
+    }
+}

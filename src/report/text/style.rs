@@ -1,0 +1,86 @@
+//! Colour and wrapping.
+
+use crate::report::words::Tone;
+use anstyle::{AnsiColor, Style};
+
+/// Of names and headings.
+pub const BOLD: Style = Style::new().bold();
+/// Of what matters less.
+pub const DIM: Style = Style::new().dimmed();
+/// As it should be.
+pub const GOOD: Style = AnsiColor::Green.on_default();
+/// Wrong.
+pub const BAD: Style = AnsiColor::Red.on_default().bold();
+/// Open.
+pub const DOUBT: Style = AnsiColor::Yellow.on_default();
+/// Not known before.
+pub const NEW: Style = AnsiColor::Cyan.on_default();
+/// No style.
+pub const PLAIN: Style = Style::new();
+
+/// The style of a tone.
+pub fn of(tone: Tone) -> Style {
+    match tone {
+        Tone::Good => GOOD,
+        Tone::Bad => BAD,
+        Tone::Doubt => DOUBT,
+        Tone::New => NEW,
+        Tone::Plain => PLAIN,
+    }
+}
+
+/// `text` without its styles.
+pub fn plain(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}
+
+/// `text` in a style.
+pub fn paint(style: Style, text: &str) -> String {
+    if style.is_plain() || text.is_empty() {
+        return text.into();
+    }
+    format!("{}{text}{}", style.render(), style.render_reset())
+}
+
+/// Breaks `text` into lines of at most `width` columns, the first after `indent` columns that
+/// are already written, the others indented by as much.
+pub fn wrap(text: &str, indent: usize, width: usize) -> String {
+    let mut out = String::new();
+    let mut column = indent;
+    let mut fresh = true;
+    for word in text.split_whitespace() {
+        let length = word.chars().count();
+        if !fresh && column + 1 + length > width {
+            out.push('\n');
+            out.push_str(&" ".repeat(indent));
+            column = indent;
+            fresh = true;
+        }
+        if !fresh {
+            out.push(' ');
+            column += 1;
+        }
+        out.push_str(word);
+        column += length;
+        fresh = false;
+    }
+    out
+}
+
+/// An indented, wrapped paragraph.
+pub fn paragraph(text: &str, indent: usize, width: usize) -> String {
+    format!("{}{}\n", " ".repeat(indent), wrap(text, indent, width))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wrapping_keeps_within_the_width() {
+        let text = wrap("one two three four five six", 4, 14);
+        assert_eq!(text, "one two\n    three four\n    five six");
+        assert!(text.lines().all(|l| l.len() <= 14));
+        assert_eq!(wrap("incompressible", 2, 5), "incompressible");
+    }
+}

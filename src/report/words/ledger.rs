@@ -1,0 +1,84 @@
+//! Verdicts of a ledger.
+
+use super::Tone;
+use super::paper::recorded;
+use crate::papers::ledger::{Ledger, Repair, Verdict};
+use crate::symbolic::Outcome;
+
+/// Mark and tone of a verdict.
+pub fn mark(verdict: Verdict) -> (&'static str, Tone) {
+    match verdict {
+        Verdict::Proved => ("✓", Tone::Good),
+        Verdict::Refuted => ("✗", Tone::Bad),
+        Verdict::Misprint => ("~", Tone::Doubt),
+        Verdict::Model => ("≈", Tone::New),
+        Verdict::Definition => ("·", Tone::Plain),
+        Verdict::Undefined => ("?", Tone::Doubt),
+        Verdict::Undecided => ("?", Tone::Bad),
+    }
+}
+
+/// The word of an outcome.
+pub fn word(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Proved => "proved",
+        Outcome::Refuted => "refuted",
+        Outcome::Undecided => "undecided",
+    }
+}
+
+/// How many entries of each kind, in words.
+pub fn entries(ledger: &Ledger) -> String {
+    use Verdict as V;
+    let kinds = [
+        V::Proved,
+        V::Misprint,
+        V::Refuted,
+        V::Model,
+        V::Definition,
+        V::Undefined,
+        V::Undecided,
+    ];
+    let parts: Vec<String> = kinds
+        .iter()
+        .map(|v| (ledger.count(*v), v.words()))
+        .filter(|k| k.0 > 0)
+        .map(|(n, words)| format!("{n} {words}"))
+        .collect();
+    format!("{} entries: {}", ledger.entries.len(), parts.join(", "))
+}
+
+/// How many entries there are, and whether they are as recorded.
+pub fn counts(ledger: &Ledger) -> String {
+    let changed = ledger.entries.iter().filter(|e| !e.as_recorded).count();
+    format!("{}; {}.", entries(ledger), recorded(changed))
+}
+
+/// How the repair was looked for, in words.
+pub fn search(repair: &Repair) -> String {
+    let mut out = match repair.single_that_hold {
+        0 => format!("None of {} single edits makes it true", repair.single_edits),
+        1 => format!("1 of {} single edits makes it true", repair.single_edits),
+        n => format!("{n} of {} single edits make it true", repair.single_edits),
+    };
+    if repair.pairs > 0 {
+        out.push_str(&match repair.pairs_that_hold {
+            1 => format!("; 1 of {} pairs of edits does", repair.pairs),
+            n => format!("; {n} of {} pairs of edits do", repair.pairs),
+        });
+    }
+    if repair.single_that_hold + repair.pairs_that_hold > 1 {
+        out.push_str(&match repair.distinct.len() {
+            1 => ", all of them giving the same formula".to_string(),
+            n => format!(", giving {n} different formulas"),
+        });
+    }
+    if repair.without_value > 0 {
+        out.push_str(&format!("; {} divide by zero", repair.without_value));
+    }
+    if repair.undecided > 0 {
+        out.push_str(&format!("; {} undecided", repair.undecided));
+    }
+    out.push('.');
+    out
+}

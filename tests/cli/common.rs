@@ -1,0 +1,192 @@
+//! The program run as its user runs it, and what its answers have in common.
+
+use std::io::Write;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+
+/// The program, in the folder of the sources.
+pub fn program() -> Command {
+    let mut c = Command::new(env!("CARGO_BIN_EXE_mechaudit"));
+    c.current_dir(env!("CARGO_MANIFEST_DIR"));
+    c.env_remove("MECHAUDIT_EFFORT");
+    c
+}
+
+/// What a run came to.
+pub struct Done {
+    pub code: i32,
+    pub out: String,
+    pub err: String,
+}
+
+pub fn done(o: Output) -> Done {
+    Done {
+        code: o.status.code().expect("no signal"),
+        out: String::from_utf8(o.stdout).expect("UTF-8"),
+        err: String::from_utf8(o.stderr).expect("UTF-8"),
+    }
+}
+
+pub fn run(args: &[&str]) -> Done {
+    done(program().args(args).output().unwrap())
+}
+
+/// Begins a run with pipes on all three sides.
+pub fn start(args: &[&str]) -> Child {
+    program()
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap()
+}
+
+/// A run that is given `input` on its standard input.
+pub fn run_on(input: impl AsRef<[u8]>, args: &[&str]) -> Done {
+    let mut child = start(args);
+    let mut stdin = child.stdin.take().unwrap();
+    let input = input.as_ref();
+    let output = std::thread::scope(|s| {
+        // A refusal closes the pipe early.
+        s.spawn(move || stdin.write_all(input).is_ok());
+        child.wait_with_output().unwrap()
+    });
+    done(output)
+}
+
+/// One line on stderr that says `part`, nothing on stdout, exit code 2.
+pub fn refused(d: &Done, part: &str) {
+    assert_eq!(d.code, 2, "{}{}", d.out, d.err);
+    assert_eq!(d.err.lines().count(), 1, "{}", d.err);
+    assert!(d.err.starts_with("mechaudit: "), "{}", d.err);
+    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+    assert_eq!(d.out, "");
+    assert!(!d.err.contains("panicked"));
+}
+
+/// An example with its first `from` made `to`.
+pub fn changed(text: &str, from: &str, to: &str) -> String {
+    let new = text.replacen(from, to, 1);
+    assert_ne!(new, text, "{from:?} is not in the example");
+    new
+}
+
+/// Names and rows of a table.
+pub fn csv(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
+    let split = |l: &str| l.split(',').map(String::from).collect::<Vec<_>>();
+    let mut lines = text.lines().filter(|l| !l.starts_with('#'));
+    let head = split(lines.next().expect("a header"));
+    let rows: Vec<Vec<String>> = lines.map(split).collect();
+    assert!(rows.iter().all(|r| r.len() == head.len()));
+    (head, rows)
+}
+
+/// A column as written.
+pub fn texts(table: &str, name: &str) -> Vec<String> {
+    let (head, rows) = csv(table);
+    let k = head.iter().position(|h| h == name).expect(name);
+    rows.into_iter().map(|mut r| r.swap_remove(k)).collect()
+}
+
+/// A column of numbers.
+pub fn column(table: &str, name: &str) -> Vec<f64> {
+    let texts = texts(table, name);
+    texts.iter().map(|t| t.parse().expect("a number")).collect()
+}
+
+/// The names of all files of a folder.
+pub fn names(folder: &Path) -> Vec<String> {
+    let mut all: Vec<String> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    all.sort();
+    all
+}
+
+/// Says on the terminal itself that something is missing.
+pub fn skipped(what: &str) {
+    let _ = writeln!(std::io::stderr(), "SKIPPED: {what} is not installed");
+}
+
+/// A path as an argument.
+pub fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// A drawing that is whole: named and described, dark on dark pages, its curves to hundredths of a
+/// pixel. Returns the points of its curves.
+pub fn drawing(svg: &str) -> Vec<Vec<(f64, f64)>> {
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    assert!(!svg.contains("NaN") && !svg.contains("inf,") && !svg.contains(",inf"));
+    for part in ["<title>", "<desc>", "prefers-color-scheme: dark"] {
+        assert!(svg.contains(part), "{part} is missing");
+    }
+    let lines = svg.split("points=\"").skip(1);
+    let lines = lines.map(|l| l.split('"').next().unwrap().split_whitespace());
+    let hundredths = |n: &str| n.split_once('.').is_some_and(|(_, d)| d.len() == 2);
+    // Axes and strokes of a legend have two.
+    lines
+        .map(Iterator::collect::<Vec<_>>)
+        .filter(|l| l.len() > 2)
+        .map(|line| {
+            let point = |p: &str| {
+                let (x, y) = p.split_once(',').expect("a point");
+                assert!(hundredths(x) && hundredths(y), "{p}");
+                (x.parse().unwrap(), y.parse().unwrap())
+            };
+            line.into_iter().map(point).collect()
+        })
+        .collect()
+}
+
+/// The page as a browser without a network makes it out, if there is one.
+pub fn browsed(path: &Path, width: u32) -> Option<String> {
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let there = |name: &&&str| {
+        let started = Command::new(name)
+            .arg("--version")
+            .stdout(Stdio::null())
+            .status();
+        started.is_ok_and(|s| s.success())
+    };
+    let Some(name) = names.iter().find(there) else {
+        let _ = writeln!(std::io::stderr(), "SKIPPED: chromium is not installed");
+        return None;
+    };
+    let profile = tempfile::tempdir().unwrap();
+    let mut browser = Command::new(name);
+    browser.args([
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+    ]);
+    browser.args([
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+    ]);
+    browser.arg(format!("--user-data-dir={}", profile.path().display()));
+    browser.arg(format!("--window-size={width},1000"));
+    browser.args(["--dump-dom", &format!("file://{}", path.display())]);
+    let output = browser.stderr(Stdio::null()).output().unwrap();
+    Some(String::from_utf8(output.stdout).unwrap())
+}
+
+/// Whether programs started here ignore a signal: the hang-up under `nohup`, the interrupt in the background of
+/// a shell.
+#[cfg(target_os = "linux")]
+pub fn is_ignored(signal: &str) -> bool {
+    let number = match signal {
+        "-HUP" => 1,
+        "-INT" => 2,
+        _ => return false,
+    };
+    let status = std::fs::read_to_string("/proc/self/status").unwrap();
+    let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));
+    let mask = u64::from_str_radix(mask.unwrap().trim(), 16).unwrap();
+    mask >> (number - 1) & 1 == 1
+}

@@ -1,0 +1,211 @@
+//! The forms of an audit's report.
+
+use crate::common::browsed;
+use serde_json::Value;
+use std::process::Command;
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_mechaudit");
+
+fn run(args: &[&str]) -> (i32, String) {
+    let mut command = Command::new(PROGRAM);
+    let output = command
+        .args(args)
+        .env_remove("MECHAUDIT_EFFORT")
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    (output.status.code().unwrap(), text)
+}
+
+/// Where `value` is not as the schema says; the part of JSON Schema that the file uses.
+fn faults(schema: &Value, root: &Value, value: &Value, place: &str, found: &mut Vec<String>) {
+    if let Some(name) = schema["$ref"].as_str() {
+        let target = root.pointer(name.strip_prefix('#').unwrap()).expect(name);
+        return faults(target, root, value, place, found);
+    }
+    let is = |kind: &str| match kind {
+        "null" => value.is_null(),
+        "boolean" => value.is_boolean(),
+        "string" => value.is_string(),
+        "integer" => value.is_i64() || value.is_u64(),
+        "number" => value.is_number(),
+        "array" => value.is_array(),
+        "object" => value.is_object(),
+        other => panic!("{other} in the schema"),
+    };
+    let kinds: Vec<&str> = match &schema["type"] {
+        Value::String(kind) => vec![kind],
+        Value::Array(kinds) => kinds.iter().filter_map(Value::as_str).collect(),
+        _ => Vec::new(),
+    };
+    if !kinds.is_empty() && !kinds.iter().any(|k| is(k)) {
+        found.push(format!("{place}: {value} is none of {kinds:?}"));
+    }
+    if let Some(allowed) = schema["enum"].as_array()
+        && !allowed.contains(value)
+    {
+        found.push(format!("{place}: {value} is not allowed"));
+    }
+    if let (Some(object), Some(known)) = (value.as_object(), schema["properties"].as_object()) {
+        for name in schema["required"].as_array().into_iter().flatten() {
+            if !object.contains_key(name.as_str().unwrap()) {
+                found.push(format!("{place}: {name} is missing"));
+            }
+        }
+        for (name, inner) in object {
+            match known.get(name) {
+                Some(s) => faults(s, root, inner, &format!("{place}/{name}"), found),
+                // What tells where a case came from differs from kind to kind.
+                None if place.ends_with("/origin") => {}
+                None => found.push(format!("{place}: {name} is not in the schema")),
+            }
+        }
+    }
+    if let (Some(items), true) = (value.as_array(), schema["items"].is_object()) {
+        for (i, item) in items.iter().enumerate() {
+            faults(&schema["items"], root, item, &format!("{place}/{i}"), found);
+        }
+    }
+}
+
+#[test]
+fn json_is_as_its_schema_says() {
+    let schema = concat!(env!("CARGO_MANIFEST_DIR"), "/schema/audit.schema.json");
+    let schema: Value = serde_json::from_str(&std::fs::read_to_string(schema).unwrap()).unwrap();
+    let check = |v: &Value| {
+        let mut found = Vec::new();
+        faults(&schema, &schema, v, "", &mut found);
+        found
+    };
+    let (code, text) = run(&["audit", "--cases", "2", "--format", "json"]);
+    let mut v: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, check(&v)), (0, Vec::new()));
+    // Maps where they are asked for.
+    assert!(
+        v["methods"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|m| m.get("map").is_none())
+    );
+    let (code, text) = run(&["audit", "erf", "--cases", "1", "--maps", "--format", "json"]);
+    let mapped: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, check(&mapped)), (0, Vec::new()));
+    let map = &mapped["methods"][0]["map"];
+    for output in map["outputs"].as_array().unwrap() {
+        assert_eq!(output["ulps"].as_array().unwrap().len(), 144 * 104);
+    }
+    assert_eq!(
+        (&map["not_passed"], map["outputs"].as_array().unwrap().len()),
+        (&0.into(), 2)
+    );
+    // Failures too: nothing is within a millionth of an ulp but exact values.
+    let (code, text) = run(&[
+        "audit",
+        "slider-crank",
+        "--cases",
+        "1",
+        "--ulps",
+        "1e-6",
+        "--format",
+        "json",
+    ]);
+    let failing: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, check(&failing)), (1, Vec::new()));
+    assert!(
+        !failing["methods"][0]["failures"]
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
+    // The check itself finds faults.
+    v["methods"][0]["cases"] = "many".into();
+    v["methods"][1].as_object_mut().unwrap().remove("laws");
+    v["more"] = 1.into();
+    assert_eq!(check(&v).len(), 3, "{:?}", check(&v));
+}
+
+#[test]
+fn junit_has_a_suite_for_each_method() {
+    let (code, text) = run(&["audit", "slider-crank", "--cases", "2", "--format", "junit"]);
+    let report = quick_junit::Report::deserialize_from_str(&text).unwrap();
+    let suite = &report.test_suites[0];
+    let method = mechaudit::methods::find("slider-crank").unwrap();
+    let due = 2 + method.domain().regions.len() + method.laws().len();
+    assert_eq!((code, suite.tests, suite.failures), (0, due, 0), "{text}");
+    let args = [
+        "audit",
+        "slider-crank",
+        "--cases",
+        "2",
+        "--ulps",
+        "1e-6",
+        "--format",
+        "junit",
+    ];
+    let (code, text) = run(&args);
+    let report = quick_junit::Report::deserialize_from_str(&text).unwrap();
+    let suite = &report.test_suites[0];
+    assert!(code == 1 && suite.failures > 3, "{text}");
+    assert!(
+        text.contains("reproduce") && text.contains("--case"),
+        "{text}"
+    );
+}
+
+#[test]
+fn the_page_is_whole_and_needs_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("audit.html");
+    let target = path.to_str().unwrap();
+    let (code, _) = run(&[
+        "audit", "--cases", "1", "--format", "html", "--output", target,
+    ]);
+    assert_eq!(code, 0);
+    let page = std::fs::read_to_string(&path).unwrap();
+    for outside in [
+        "<script", "<link", "<img", "src=", "url(", "@import", "http",
+    ] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    for broken in ["NaN", "=\"inf", "-inf", "undefined", "{}"] {
+        assert!(!page.contains(broken), "{broken}");
+    }
+    for m in mechaudit::methods::registry() {
+        let anchor = |how: &str| page.matches(&format!("{how}{}\"", m.name())).count();
+        assert_eq!(
+            (anchor("href=\"#"), anchor("id=\"")),
+            (1, 1),
+            "{}",
+            m.name()
+        );
+    }
+    let of_the_plane = |inputs: Vec<mechaudit::audit::Input>| {
+        let names: Vec<&str> = inputs.iter().map(|i| i.name).collect();
+        names == ["Re z", "Im z"]
+    };
+    let registry = mechaudit::methods::registry();
+    assert_eq!(
+        page.matches("class=\"m0\"").count(),
+        3 * registry.iter().filter(|m| of_the_plane(m.inputs())).count(),
+        "two maps and their legend for each function of a complex argument"
+    );
+    assert!(page.contains("prefers-color-scheme: dark"));
+    assert!(page.matches("<polyline").count() > 20);
+    if let Some(dom) = browsed(&path, 1280) {
+        // A parser that had to mend the page would have changed these.
+        for tag in [
+            "<svg",
+            "<polyline",
+            "<table",
+            "<details",
+            "</figure>",
+            "<code",
+            "</pre>",
+            "<tr>",
+        ] {
+            assert_eq!(dom.matches(tag).count(), page.matches(tag).count(), "{tag}");
+        }
+        assert!(dom.trim_end().ends_with("</html>"));
+    }
+}

@@ -1,0 +1,29 @@
+//! The library as its user meets it: solvers, references, audit, methods and papers together.
+
+#[cfg(feature = "oracle")]
+mod faddeeva;
+#[cfg(feature = "oracle")]
+mod faddeeva_related;
+#[cfg(feature = "oracle")]
+mod fuzz_parsers;
+mod fuzz_solvers;
+#[cfg(feature = "oracle")]
+mod gembara_senyk;
+#[cfg(feature = "oracle")]
+mod independent;
+#[cfg(feature = "oracle")]
+mod layouts;
+#[cfg(feature = "oracle")]
+mod ledger;
+#[cfg(feature = "oracle")]
+mod methods;
+#[cfg(feature = "oracle")]
+mod run_up_accuracy;
+#[cfg(feature = "oracle")]
+mod run_up_witness;
+#[cfg(feature = "oracle")]
+mod solver_values_written;
+#[cfg(feature = "oracle")]
+mod swept_peak;
+#[cfg(feature = "oracle")]
+mod zinchenko;
