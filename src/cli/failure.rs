@@ -1,6 +1,6 @@
 //! How a run ends.
 
-use super::complain;
+use crate::cli::complain;
 use mechaudit::audit::did_you_mean;
 use std::error::Error;
 use std::fmt;

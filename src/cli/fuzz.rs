@@ -1,8 +1,10 @@
 //! The readers of the command line with text of any kind: a value or a line that says why not.
 
-use super::args::Args;
-use super::failure::Failure;
-use super::{chirp, eval, runup, table, wire};
+use crate::cli::args::Args;
+use crate::cli::failure::Failure;
+use crate::cli::{
+    commands::chirp, commands::eval, commands::judge::published, commands::runup, process::wire,
+};
 use clap::Parser;
 use mechaudit::machine::{Linkage, Source};
 use mechaudit::methods::evaluable;
@@ -112,7 +114,7 @@ proptest! {
     ) {
         let method = mechaudit::methods::find("faddeeva").expect("in the registry");
         let text = [header.as_bytes(), b"\n", &lines.join(&b'\n')].concat();
-        if let Err(why) = table::read(&*method, Cursor::new(text)) {
+        if let Err(why) = published::read(&*method, Cursor::new(text)) {
             prop_assert!(!why.is_empty());
         }
     }
@@ -246,7 +248,7 @@ impl Change {
     }
 }
 
-fn args(command: &str, path: &str) -> super::args::Command {
+fn args(command: &str, path: &str) -> crate::cli::args::Command {
     let parsed = Args::try_parse_from(["mechaudit", command, path]);
     parsed.expect("arguments").command.expect("a command")
 }
@@ -263,7 +265,7 @@ proptest! {
 
     #[test]
     fn files_of_machines(file in 0..FILES.len(), changes in prop::collection::vec(change(), 0..5)) {
-        use super::args::Command;
+        use crate::cli::args::Command;
         let (kind, text) = FILES[file];
         let text = changes.iter().fold(text.to_string(), |text, change| change.apply(&text));
         let source = match kind {

@@ -2,56 +2,29 @@
 
 mod answers;
 mod args;
-mod audit;
-mod bounded;
-mod candidate;
-mod chirp;
-mod chirp_drawing;
-mod chirp_rows;
 mod columns;
-mod converge;
-mod dyad;
-mod dyad_drawing;
-mod dyad_facts;
-mod eval;
-mod eval_number;
-mod exec;
+mod commands;
 mod failure;
+mod files;
 mod forecast;
 #[cfg(test)]
 mod fuzz;
-#[cfg(unix)]
-mod guard;
-mod hard_folder;
-mod hunt;
-mod interrupt;
-mod judge;
-mod ledger;
-mod linkage;
-mod linkage_drawing;
-mod linkage_facts;
-mod list;
-mod output;
-mod paper;
-mod points;
-mod program;
+mod number;
+mod process;
 mod progress;
-mod regenerate;
 mod rows;
-mod runup;
-mod runup_facts;
-mod runup_precision;
-mod runup_start;
-mod shell;
-mod source;
-mod table;
-mod temporary;
 mod terminal;
-mod wire;
 
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
+use commands::{
+    audit, chirp, converge, eval, hunt, judge, linkage, list, paper, points, regenerate, runup,
+    shell,
+};
 use failure::{Failure, Outcome};
+#[cfg(unix)]
+use process::guard;
+use process::interrupt;
 use std::process::ExitCode;
 
 /// Runs the program and turns its outcome into an exit code: 0 as expected, 1 a finding, 2 bad

@@ -1,8 +1,8 @@
 //! Rows of a linkage as CSV or JSON, written one by one.
 
-use super::args::CsvOrJson;
-use super::columns::Columns;
-use super::failure::Failure;
+use crate::cli::args::CsvOrJson;
+use crate::cli::columns::Columns;
+use crate::cli::failure::Failure;
 use serde_json::{Map, Value};
 use std::io::Write;
 

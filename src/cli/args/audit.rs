@@ -1,7 +1,7 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
 use super::{RunArgs, number};
-use crate::cli::wire;
+use crate::cli::process::wire;
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
