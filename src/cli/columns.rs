@@ -1,8 +1,8 @@
 //! Columns of rows: names that carry their units, and other units on request.
 
-use super::failure::Failure;
-use super::quantity::{self, Unit};
-use super::rows::Cell;
+use crate::cli::failure::Failure;
+use crate::cli::rows::Cell;
+use mechaudit::machine::quantity::{self, Unit};
 use rug::Rational;
 
 /// What a column's values are multiplied by.

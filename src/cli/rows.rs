@@ -1,8 +1,8 @@
 //! Rows of a linkage as CSV or JSON, written one by one.
 
-use super::args::CsvOrJson;
-use super::columns::Columns;
-use super::failure::Failure;
+use crate::cli::args::CsvOrJson;
+use crate::cli::columns::Columns;
+use crate::cli::failure::Failure;
 use serde_json::{Map, Value};
 use std::io::Write;
 
@@ -22,6 +22,11 @@ pub enum Cell {
 }
 
 impl Cell {
+    /// A certified decimal, if there is one.
+    pub fn certified(digits: Option<String>) -> Cell {
+        digits.map_or(Cell::Undecided, Cell::Decimal)
+    }
+
     pub fn text(&self) -> String {
         match self {
             Cell::Count(n) => n.to_string(),
