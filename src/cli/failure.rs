@@ -122,6 +122,12 @@ impl From<mechaudit::audit::NoSuch> for Failure {
     }
 }
 
+impl From<mechaudit::report::columns::UnitsError> for Failure {
+    fn from(e: mechaudit::report::columns::UnitsError) -> Failure {
+        Failure::new(format!("--units: {e}"))
+    }
+}
+
 impl From<mechaudit::report::svg::CannotDraw> for Failure {
     fn from(e: mechaudit::report::svg::CannotDraw) -> Failure {
         Failure::new(e.to_string())

@@ -2,7 +2,6 @@
 
 mod answers;
 mod args;
-mod columns;
 mod commands;
 mod failure;
 mod files;
@@ -12,7 +11,6 @@ mod fuzz;
 mod number;
 mod process;
 mod progress;
-mod rows;
 mod terminal;
 
 use args::{Args, Command};

@@ -4,12 +4,12 @@ mod drawing;
 mod rows;
 
 use crate::cli::args::{ChirpArgs, ChirpRows};
-use crate::cli::columns::Columns;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::files::source;
 use mechaudit::machine::CamOscillator;
+use mechaudit::report::columns::Columns;
 
 /// The oscillator that the arguments name.
 pub fn machine(args: &ChirpArgs) -> Result<CamOscillator, Failure> {

@@ -1,10 +1,11 @@
 //! The rows of a cam-driven oscillator: motion over time, chart, spectrum.
 
 use crate::cli::args::{ChirpRows, CsvOrJson};
-use crate::cli::columns::Columns;
 use crate::cli::failure::Failure;
-use crate::cli::rows::{Cell, Rows};
 use mechaudit::machine::cam_oscillator::{CamOscillator, LawChart};
+use mechaudit::report::cell::Cell;
+use mechaudit::report::columns::Columns;
+use mechaudit::report::rows::Rows;
 use mechaudit::solvers::chirp_chart::{CamResponse, ChartPoint, Period, State};
 use mechaudit::solvers::fourier_series::FourierSeries;
 use rayon::prelude::*;
@@ -164,7 +165,7 @@ pub fn history(
         }
         from = to;
     }
-    rows.end()
+    Ok(rows.end()?)
 }
 
 /// The charts of all laws.
@@ -205,7 +206,7 @@ pub fn chart(
             rows.row(&cells)?;
         }
     }
-    rows.end()
+    Ok(rows.end()?)
 }
 
 /// The harmonics of the cam's displacement.
@@ -231,5 +232,5 @@ pub fn spectrum(
         cells.extend(values.map(Cell::Float));
         rows.row(&cells)?;
     }
-    rows.end()
+    Ok(rows.end()?)
 }

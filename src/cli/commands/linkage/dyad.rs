@@ -2,15 +2,16 @@
 
 use super::{dyad_drawing, dyad_facts as facts};
 use crate::cli::args::LinkageArgs;
-use crate::cli::columns::Columns;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
-use crate::cli::rows::{Cell, Rows};
 use mechaudit::machine::crank_angles::{Grid, decimal};
 use mechaudit::machine::dyad::{self, ASSEMBLIES, Dyad, Proved, number};
 use mechaudit::reference::nearest_f64;
+use mechaudit::report::cell::Cell;
+use mechaudit::report::columns::Columns;
+use mechaudit::report::rows::Rows;
 use mechaudit::solvers::dyad::Assembly;
 
 /// Computes the linkage as the arguments ask for.

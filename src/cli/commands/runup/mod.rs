@@ -5,15 +5,16 @@ mod precision;
 mod start;
 
 use crate::cli::args::RunupArgs;
-use crate::cli::columns::Columns;
 use crate::cli::commands::linkage::facts as linkage_facts;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::files::source;
-use crate::cli::rows::{Cell, Rows};
 use mechaudit::machine::class_iii::Reach;
 use mechaudit::machine::run_up::{Coefficients, Machine, MachineError, Overrides, Steady};
+use mechaudit::report::cell::Cell;
+use mechaudit::report::columns::Columns;
+use mechaudit::report::rows::Rows;
 use mechaudit::report::svg::run_up as drawings;
 use mechaudit::solvers::run_up::{
     Equation, Hybrid, Motion, Plan, ReducedModel, Sample, Splined, inertia_range, run,
@@ -126,7 +127,7 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
         for sample in &motion.samples {
             rows.row(&row(sample))?;
         }
-        rows.end()
+        Ok(rows.end()?)
     })?;
     for line in warning.into_iter().chain(lines(&machine, &motion, &steady)) {
         complain(&line);

@@ -1,13 +1,14 @@
 //! Work against precision: what each method costs for what accuracy, on the machine of the file.
 
 use crate::cli::args::RunupArgs;
-use crate::cli::columns::Columns;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
-use crate::cli::rows::{Cell, Rows};
 use mechaudit::machine::run_up::{self, FINEST, MOMENTS, Machine};
+use mechaudit::report::cell::Cell;
+use mechaudit::report::columns::Columns;
+use mechaudit::report::rows::Rows;
 use mechaudit::report::svg::run_up::{Work, work_precision};
 use mechaudit::solvers::run_up::{Equation, Method};
 use serde_json::{Map, json};
@@ -56,7 +57,7 @@ pub fn table(
                 Cell::Float(p.error),
             ])?;
         }
-        rows.end()
+        Ok(rows.end()?)
     })?;
     complain(&format!(
         "error_rad_per_s is the worst difference of the speed at {MOMENTS} moments of the run from verner98 at tolerance {FINEST:e}, which is not itself certified; evaluations are those of the whole run"

@@ -1,8 +1,7 @@
 //! Columns of rows: names that carry their units, and other units on request.
 
-use crate::cli::failure::Failure;
-use crate::cli::rows::Cell;
-use mechaudit::machine::quantity::{self, Unit};
+use super::cell::Cell;
+use crate::machine::quantity::{self, Unit};
 use rug::Rational;
 
 /// What a column's values are multiplied by.
@@ -13,8 +12,14 @@ struct Scale {
     degrees: i32,
 }
 
+/// Units that columns cannot be in, with the reason.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct UnitsError(String);
+
 /// Names of columns, and how their values come to be in these units.
 pub struct Columns {
+    /// With their units.
     pub names: Vec<String>,
     scales: Vec<Option<Scale>>,
 }
@@ -86,10 +91,10 @@ fn joined(stem: &str, factors: &[(String, i32)]) -> String {
 }
 
 impl Wanted<'_> {
-    fn read(text: &str) -> Result<Wanted<'_>, Failure> {
+    fn read(text: &str) -> Result<Wanted<'_>, UnitsError> {
         let known = quantity::KNOWN;
-        let unit = quantity::unit(text)
-            .map_err(|e| Failure::new(format!("--units: {e}; there are {known}")))?;
+        let unit =
+            quantity::unit(text).map_err(|e| UnitsError(format!("{e}; there are {known}")))?;
         let simple = SYMBOLS.iter().any(|s| dimension(s) == Some(unit.dimension));
         let label = match text {
             "°" => "deg".into(),
@@ -103,8 +108,8 @@ impl Wanted<'_> {
             _ => simple && label.chars().all(word),
         };
         if !good {
-            return Err(Failure::new(format!(
-                "--units: {text:?} is a product; write its factors, for instance mm,deg,rpm"
+            return Err(UnitsError(format!(
+                "{text:?} is a product; write its factors, for instance mm,deg,rpm"
             )));
         }
         Ok(Wanted { text, label, unit })
@@ -139,7 +144,11 @@ fn dimension(symbol: &str) -> Option<[i32; 4]> {
 impl Columns {
     /// These columns in the units asked for. Refuses a unit that no column can use and, of
     /// `certified` decimals, a factor that is no power of ten.
-    pub fn of(names: Vec<String>, units: &[String], certified: bool) -> Result<Columns, Failure> {
+    pub fn of(
+        names: Vec<String>,
+        units: &[String],
+        certified: bool,
+    ) -> Result<Columns, UnitsError> {
         let mut columns = Columns::from(names);
         let wanted: Vec<Wanted> = units
             .iter()
@@ -149,8 +158,8 @@ impl Columns {
             let same = |v: &&Wanted| v.unit.dimension == w.unit.dimension;
             if let Some(other) = wanted[..k].iter().find(same) {
                 let (a, b) = (other.text, w.text);
-                let text = format!("--units: {a} and {b} measure the same: leave one out");
-                return Err(Failure::new(text));
+                let text = format!("{a} and {b} measure the same: leave one out");
+                return Err(UnitsError(text));
             }
         }
         let own = columns.names.join(", ");
@@ -160,8 +169,8 @@ impl Columns {
             if let (true, Some(by)) = (certified, &by)
                 && power_of_ten(by).is_none()
             {
-                return Err(Failure::new(format!(
-                    "--units: from {name} to {new} is no power of ten, so certified digits would \
+                return Err(UnitsError(format!(
+                    "from {name} to {new} is no power of ten, so certified digits would \
                      be lost: leave out --digits or the unit"
                 )));
             }
@@ -169,8 +178,8 @@ impl Columns {
         }
         match used.iter().position(|u| !u) {
             None => Ok(columns),
-            Some(k) => Err(Failure::new(format!(
-                "--units: no column can be in {}; the columns are {own}",
+            Some(k) => Err(UnitsError(format!(
+                "no column can be in {}; the columns are {own}",
                 wanted[k].text
             ))),
         }
@@ -285,10 +294,7 @@ mod tests {
     fn of(names: &[&str], units: &str, certified: bool) -> Result<Columns, String> {
         let names = names.iter().map(|n| n.to_string()).collect();
         let units: Vec<String> = units.split(',').map(String::from).collect();
-        Columns::of(names, &units, certified).map_err(|f| match f {
-            Failure::Message(text) => text,
-            _ => unreachable!(),
-        })
+        Columns::of(names, &units, certified).map_err(|e| e.to_string())
     }
 
     #[test]
@@ -385,7 +391,7 @@ mod tests {
             ("mm^2", "is a product"),
             ("N·m", "is a product"),
             ("rpm", "no column can be in rpm"),
-            ("", "--units"),
+            ("", "; there are "),
         ] {
             let e = of(&["x_m", "phi_deg"], units, false).err().unwrap();
             assert!(e.contains(part), "{units}: {e}");
