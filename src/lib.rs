@@ -10,6 +10,7 @@
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
+//! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
 //! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
 //! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `cli` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
@@ -91,6 +92,8 @@
 pub mod book;
 #[cfg(feature = "oracle")]
 pub mod candidate;
+#[cfg(feature = "machine")]
+pub mod machine;
 #[cfg(feature = "oracle")]
 pub mod methods;
 #[cfg(feature = "oracle")]

@@ -1,7 +1,7 @@
 //! Answers as they come. They are read on a thread of their own, so that waiting for one can end.
 
-use super::interrupt;
-use super::wire::{Line, Lines};
+use crate::cli::process::interrupt;
+use crate::cli::process::wire::{Line, Lines};
 use std::io::BufRead;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread;

@@ -1,8 +1,8 @@
 //! What a run of very many cases will take, said before it begins; one that cannot end is refused.
 
-use super::complain;
-use super::failure::Failure;
-use super::wire;
+use crate::cli::complain;
+use crate::cli::failure::Failure;
+use crate::cli::process::wire;
 use mechaudit::audit::{Cases, Method, Settings, audit_case};
 use std::time::{Duration, Instant};
 

@@ -1,9 +1,12 @@
 //! The readers of the command line with text of any kind: a value or a line that says why not.
 
-use super::args::Args;
-use super::failure::Failure;
-use super::{chirp_file, eval, linkage_file, runup_file, table, wire};
+use crate::cli::args::Args;
+use crate::cli::failure::Failure;
+use crate::cli::{
+    commands::chirp, commands::eval, commands::judge::published, commands::runup, process::wire,
+};
 use clap::Parser;
+use mechaudit::machine::{Linkage, Source};
 use mechaudit::methods::evaluable;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -111,7 +114,7 @@ proptest! {
     ) {
         let method = mechaudit::methods::find("faddeeva").expect("in the registry");
         let text = [header.as_bytes(), b"\n", &lines.join(&b'\n')].concat();
-        if let Err(why) = table::read(&*method, Cursor::new(text)) {
+        if let Err(why) = published::read(&*method, Cursor::new(text)) {
             prop_assert!(!why.is_empty());
         }
     }
@@ -245,13 +248,14 @@ impl Change {
     }
 }
 
-fn args(command: &str, path: &str) -> super::args::Command {
+fn args(command: &str, path: &str) -> crate::cli::args::Command {
     let parsed = Args::try_parse_from(["mechaudit", command, path]);
     parsed.expect("arguments").command.expect("a command")
 }
 
 fn one_line(failure: Failure) {
-    if let Failure::Message(why) = failure {
+    if !matches!(failure, Failure::ClosedPipe) {
+        let why = failure.to_string();
         assert!(!why.is_empty() && !why.contains('\n'), "{why:?}");
     }
 }
@@ -261,28 +265,28 @@ proptest! {
 
     #[test]
     fn files_of_machines(file in 0..FILES.len(), changes in prop::collection::vec(change(), 0..5)) {
-        use super::args::Command;
+        use crate::cli::args::Command;
         let (kind, text) = FILES[file];
         let text = changes.iter().fold(text.to_string(), |text, change| change.apply(&text));
-        for dyads_with_bodies in [false, true] {
-            if let Err(why) = linkage_file::described(&text, kind == "json", dyads_with_bodies) {
-                prop_assert!(!why.is_empty());
-            }
+        let source = match kind {
+            "json" => Source::json(text.as_str()),
+            _ => Source::toml(text.as_str()),
+        };
+        if let Err(why) = Linkage::read(&source) {
+            let why = why.to_string();
+            prop_assert!(!why.is_empty() && !why.contains('\n'), "{:?}", why);
         }
         let suffix = format!(".{kind}");
         let mut file = tempfile::Builder::new().suffix(&suffix).tempfile().expect("a file");
         file.write_all(text.as_bytes()).expect("written");
         let path = file.path().to_str().expect("a name").to_string();
-        if let Err(f) = linkage_file::read(file.path()) {
-            one_line(f);
-        }
         if let Command::Runup(a) = args("runup", &path)
-            && let Err(f) = runup_file::read(&a)
+            && let Err(f) = runup::machine(&a)
         {
             one_line(f);
         }
         if let Command::Chirp(a) = args("chirp", &path)
-            && let Err(f) = chirp_file::read(&a)
+            && let Err(f) = chirp::machine(&a)
         {
             one_line(f);
         }
@@ -292,6 +296,10 @@ proptest! {
 #[test]
 fn unchanged_files_are_read() {
     for (kind, text) in &FILES[..8] {
-        assert!(linkage_file::described(text, *kind == "json", true).is_ok());
+        let source = match *kind {
+            "json" => Source::json(*text),
+            _ => Source::toml(*text),
+        };
+        assert!(Linkage::read(&source).is_ok());
     }
 }

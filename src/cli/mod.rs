@@ -2,67 +2,27 @@
 
 mod answers;
 mod args;
-mod audit;
-mod bounded;
-mod branch;
-mod candidate;
-mod certified;
-mod chirp;
-mod chirp_drawing;
-mod chirp_file;
-mod chirp_rows;
-mod columns;
-mod converge;
-mod crank_angles;
-mod dyad;
-mod dyad_certified;
-mod dyad_drawing;
-mod dyad_facts;
-mod dyad_file;
-mod dyad_values;
-mod eval;
-mod eval_number;
-mod exec;
+mod commands;
 mod failure;
-mod fields;
+mod files;
 mod forecast;
 #[cfg(test)]
 mod fuzz;
-#[cfg(unix)]
-mod guard;
-mod hard_folder;
-mod hunt;
-mod interrupt;
-mod judge;
-mod ledger;
-mod linkage;
-mod linkage_columns;
-mod linkage_drawing;
-mod linkage_file;
-mod list;
-mod output;
-mod paper;
-mod points;
-mod program;
+mod number;
+mod process;
 mod progress;
-mod quantity;
-mod regenerate;
-mod result;
-mod rows;
-mod runup;
-mod runup_facts;
-mod runup_file;
-mod runup_precision;
-mod runup_start;
-mod shell;
-mod table;
-mod temporary;
 mod terminal;
-mod wire;
 
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
+use commands::{
+    audit, chirp, converge, eval, hunt, judge, linkage, list, paper, points, regenerate, runup,
+    shell,
+};
 use failure::{Failure, Outcome};
+#[cfg(unix)]
+use process::guard;
+use process::interrupt;
 use std::process::ExitCode;
 
 /// Runs the program and turns its outcome into an exit code: 0 as expected, 1 a finding, 2 bad
@@ -82,8 +42,8 @@ pub fn main() -> ExitCode {
         Ok(Outcome::Finding) => ExitCode::from(1),
         Ok(Outcome::Interrupted) => ExitCode::from(interrupt::EXIT_CODE),
         Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
-        Err(Failure::Message(text)) => {
-            complain(&text);
+        Err(failure) => {
+            complain(&failure.to_string());
             ExitCode::from(2)
         }
     }

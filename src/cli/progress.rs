@@ -1,6 +1,6 @@
 //! A bar on stderr for whatever takes more than a second; nothing where stderr is no terminal.
 
-use super::interrupt;
+use crate::cli::process::interrupt;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};

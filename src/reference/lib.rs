@@ -37,7 +37,7 @@ pub use splines::cubic_spline;
 
 pub use ball::{Ball, dot};
 pub use complex::ComplexBall;
-pub use decimal::{Decimal, DecimalError};
+pub use decimal::{Decimal, DecimalError, nearest_f64};
 pub use hex_float::{HexFloat, HexFloatError};
 pub use lu::BallLu;
 pub use mag::Mag;

@@ -3,11 +3,14 @@
 //! Whatever is shown comes in as a value; nothing here solves, judges or proves. What two forms say in
 //! the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every text.
 
+pub mod cell;
+pub mod columns;
 pub mod csv;
 pub mod html;
 pub mod json;
 pub mod junit;
 pub mod latex;
+pub mod rows;
 pub mod svg;
 pub mod text;
 pub mod words;

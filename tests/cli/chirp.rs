@@ -184,7 +184,7 @@ fn bad_input_is_one_line_and_exit_code_2() {
         (
             "law = \"modified-sine\"",
             "law = { scca = [0.5, 0.5] }",
-            "a law is a name",
+            "cam.law.scca: invalid length 2, expected an array of length 3",
         ),
         ("law = \"modified-sine\"", "law = {}", "exactly one of"),
         (

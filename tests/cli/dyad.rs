@@ -421,12 +421,23 @@ fn refusals() {
         ),
         (FOUR_BAR, "frame =", "rod =", "unknown field `rod`"),
         (FOUR_BAR, "frame =", "#", "geometry.frame is missing"),
-        (FOUR_BAR, "[geometry]", "[bodies.2]", "for class-iii only"),
+        (
+            FOUR_BAR,
+            "[geometry]",
+            "[bodies.2]",
+            "unknown field `2`, expected one of `crank`, `coupler`, `rocker`",
+        ),
+        (
+            FOUR_BAR,
+            "[geometry]",
+            "[bodies.crank]\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\nradius = \"0 m\"\n[geometry]",
+            "for class-iii only",
+        ),
         (
             FOUR_BAR,
             "\"four-bar\"",
             "\"five-bar\"",
-            "write \"class-iii\", \"four-bar\" or \"slider-crank\"",
+            "type = \"five-bar\" must be one of \"class-iii\", \"four-bar\", \"slider-crank\"",
         ),
         (
             FOUR_BAR,

@@ -1,7 +1,7 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
 use super::{RunArgs, number};
-use crate::cli::wire;
+use crate::cli::process::wire;
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -84,13 +84,11 @@ pub struct ExecArgs {
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {
-    let x: f64 = text
-        .parse()
-        .map_err(|_| "must be a positive number of seconds".to_string())?;
-    match Duration::try_from_secs_f64(x) {
-        Ok(d) if !d.is_zero() => Ok(d),
-        _ => Err("must be a positive number of seconds".into()),
-    }
+    let seconds = number::positive(text).ok();
+    let duration = seconds.and_then(|x| Duration::try_from_secs_f64(x).ok());
+    duration
+        .filter(|d| !d.is_zero())
+        .ok_or_else(|| "must be a positive number of seconds".into())
 }
 
 /// What is judged, and how strictly.

@@ -149,6 +149,15 @@ pub enum CsvOrJson {
     Json,
 }
 
+impl From<CsvOrJson> for mechaudit::report::rows::Form {
+    fn from(form: CsvOrJson) -> Self {
+        match form {
+            CsvOrJson::Csv => Self::Csv,
+            CsvOrJson::Json => Self::Json,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,5 +1,6 @@
 //! Numbers on the command line, and what is said of those that are none.
 
+use mechaudit::reference::Decimal;
 use std::ops::RangeInclusive;
 
 /// Integers up to here are exact as `f64`.
@@ -7,10 +8,9 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 
 /// A whole number, also as `1e6`.
 pub fn whole(text: &str) -> Result<u64, String> {
-    let real = || text.parse::<f64>().ok();
     match text.parse::<u64>() {
         Ok(n) => Ok(n),
-        Err(_) => match real() {
+        Err(_) => match Decimal::nearest(text).ok() {
             Some(x) if (0.0..=EXACT).contains(&x) && x.fract() == 0.0 => Ok(x as u64),
             Some(x) if x > EXACT && x.is_finite() => Err(format!("must be at most {}", u64::MAX)),
             _ => Err("must be a whole number, 0 or more".into()),
@@ -52,7 +52,7 @@ pub fn index(text: &str) -> Result<usize, String> {
 
 /// A positive number.
 pub fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
+    match Decimal::nearest(text) {
         Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
         _ => Err("must be a positive number".into()),
     }

@@ -2,6 +2,9 @@
 
 use super::{CsvOrJson, UnitsArgs, number};
 use clap::Args as ClapArgs;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use mechaudit::machine::run_up::Coefficients;
+use mechaudit::solvers::run_up::Method;
 use std::path::PathBuf;
 
 pub const AFTER_HELP: &str = "\
@@ -51,8 +54,8 @@ pub struct RunupArgs {
     #[arg(long, value_enum, default_value = "csv")]
     pub format: CsvOrJson,
     /// Where I_n, dI_n/dphi and M_o come from, instead of run.coefficients
-    #[arg(long, value_name = "MODEL")]
-    pub coefficients: Option<String>,
+    #[arg(long, value_name = "MODEL", value_parser = coefficients())]
+    pub coefficients: Option<Coefficients>,
     /// Nodes of the splines, instead of run.nodes; not with exact coefficients
     #[arg(long, value_name = "N", value_parser = number::index)]
     pub nodes: Option<usize>,
@@ -60,8 +63,8 @@ pub struct RunupArgs {
     #[arg(long, value_name = "TOL", value_parser = number::positive)]
     pub tolerance: Option<f64>,
     /// Method of integration, instead of run.method
-    #[arg(long, value_name = "NAME")]
-    pub method: Option<String>,
+    #[arg(long, value_name = "NAME", value_parser = method())]
+    pub method: Option<Method>,
     /// Rows of method, tolerance, evaluations and error instead of the motion
     #[arg(long)]
     pub work_precision: bool,
@@ -73,4 +76,16 @@ pub struct RunupArgs {
     /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+fn coefficients() -> impl TypedValueParser<Value = Coefficients> {
+    let named = |name: String| Coefficients::ALL.into_iter().find(|c| c.name() == name);
+    PossibleValuesParser::new(Coefficients::ALL.map(Coefficients::name))
+        .try_map(move |name| named(name).ok_or("unknown"))
+}
+
+fn method() -> impl TypedValueParser<Value = Method> {
+    let named = |name: String| Method::ALL.into_iter().find(|m| m.name() == name);
+    PossibleValuesParser::new(Method::ALL.map(|m| m.name()))
+        .try_map(move |name| named(name).ok_or("unknown"))
 }

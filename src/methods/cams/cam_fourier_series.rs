@@ -7,9 +7,9 @@ use crate::audit::{
 };
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
-use crate::reference::{Ball, Mag};
 use crate::reference::cam_law::Law as ExactLaw;
 use crate::reference::fourier_series::{self as reference, Orders, Stroke as ExactStroke};
+use crate::reference::{Ball, Mag};
 use crate::solvers::cam_law::{CamCycle, Stroke};
 use crate::solvers::fourier_series::{FourierSeries, LAST_HARMONIC};
 use rug::Rational;

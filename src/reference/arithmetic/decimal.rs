@@ -16,12 +16,60 @@ pub struct Decimal {
     pub exponent: i32,
 }
 
-/// The text is not a decimal number.
+/// The text is not a decimal number that can be read exactly.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{text:?} is not a decimal number (digits, one point, an optional sign and exponent)")]
-pub struct DecimalError {
-    /// The text.
-    pub text: String,
+pub enum DecimalError {
+    /// Something else than digits with at most one point, an optional sign and exponent.
+    #[error("{text:?} is not a decimal number (digits, one point, an optional sign and exponent)")]
+    Syntax {
+        /// The text.
+        text: String,
+    },
+    /// Its digits written out would not fit into memory.
+    #[error("the exponent of the decimal number {text:?} is beyond ±100000")]
+    Exponent {
+        /// The text.
+        text: String,
+    },
+}
+
+/// Largest size of an exponent that is read exactly.
+const LARGEST_EXPONENT: u32 = 100_000;
+
+/// The parts of a written decimal: an optional sign, digits with at most one point, an optional
+/// exponent of any size. The grammar of decimals everywhere.
+struct Written<'a> {
+    negative: bool,
+    whole: &'a str,
+    fraction: &'a str,
+    /// With its sign; empty where there is none.
+    exponent: &'a str,
+}
+
+impl<'a> Written<'a> {
+    fn read(text: &'a str) -> Result<Written<'a>, DecimalError> {
+        let unsigned = |t: &'a str| t.strip_prefix(['-', '+']).unwrap_or(t);
+        let digits = |t: &str| t.bytes().all(|b| b.is_ascii_digit());
+        let t = text.trim();
+        let (mantissa, exponent) = t.split_once(['e', 'E']).unwrap_or((t, ""));
+        let size = unsigned(mantissa);
+        let (whole, fraction) = size.split_once('.').unwrap_or((size, ""));
+        let power = unsigned(exponent);
+        let good = digits(whole)
+            && digits(fraction)
+            && digits(power)
+            && whole.len() + fraction.len() > 0
+            && (mantissa.len() == t.len() || !power.is_empty());
+        match good {
+            true => Ok(Written {
+                negative: mantissa.starts_with('-'),
+                whole,
+                fraction,
+                exponent,
+            }),
+            false => Err(DecimalError::Syntax { text: text.into() }),
+        }
+    }
 }
 
 impl Decimal {
@@ -34,31 +82,26 @@ impl Decimal {
     /// assert_eq!(d.places, 2);
     /// # Ok::<(), mechaudit_reference::DecimalError>(())
     /// ```
+    ///
+    /// # Errors
+    /// Anything else, and an exponent beyond ±100 000.
     pub fn parse(text: &str) -> Result<Decimal, DecimalError> {
-        let bad = || DecimalError { text: text.into() };
-        let t = text.trim();
-        let (mantissa, exponent) = match t.find(['e', 'E']) {
-            Some(k) => (&t[..k], t[k + 1..].parse::<i32>().map_err(|_| bad())?),
-            None => (t, 0),
+        let written = Written::read(text)?;
+        let beyond = || DecimalError::Exponent { text: text.into() };
+        let exponent = match written.exponent {
+            "" => 0,
+            e => e.parse::<i32>().map_err(|_| beyond())?,
         };
-        if exponent.unsigned_abs() > 100_000 {
-            return Err(bad());
+        if exponent.unsigned_abs() > LARGEST_EXPONENT {
+            return Err(beyond());
         }
-        let (negative, digits) = match mantissa.as_bytes().first() {
-            Some(b'-') => (true, &mantissa[1..]),
-            Some(b'+') => (false, &mantissa[1..]),
-            _ => (false, mantissa),
-        };
-        let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
-        let all: String = [whole, fraction].concat();
-        if all.is_empty() || !all.bytes().all(|b| b.is_ascii_digit()) {
-            return Err(bad());
-        }
-        let mut n: Integer = all.parse().map_err(|_| bad())?;
-        if negative {
+        let all = [written.whole, written.fraction].concat();
+        let syntax = |_| DecimalError::Syntax { text: text.into() };
+        let mut n: Integer = all.parse().map_err(syntax)?;
+        if written.negative {
             n = -n;
         }
-        let shift = fraction.len() as i32 - exponent;
+        let shift = written.fraction.len() as i32 - exponent;
         let ten = Integer::from(10).pow(shift.unsigned_abs());
         let value = if shift >= 0 {
             Rational::from((n, ten))
@@ -70,6 +113,26 @@ impl Decimal {
             places: shift.max(0) as u32,
             exponent: -shift,
         })
+    }
+
+    /// The `f64` nearest to a written decimal, ties to even, without its exact value: the exponent
+    /// may have any size, and the sign of a zero is kept.
+    ///
+    /// ```
+    /// use mechaudit_reference::Decimal;
+    /// assert_eq!(Decimal::nearest("2.5e-324")?, 5e-324);
+    /// assert_eq!(Decimal::nearest("-1e99999999999")?, f64::NEG_INFINITY);
+    /// assert!(Decimal::nearest("inf").is_err());
+    /// # Ok::<(), mechaudit_reference::DecimalError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`DecimalError::Syntax`].
+    pub fn nearest(text: &str) -> Result<f64, DecimalError> {
+        Written::read(text)?;
+        // Rust's conversion rounds correctly.
+        let syntax = |_| DecimalError::Syntax { text: text.into() };
+        text.trim().parse().map_err(syntax)
     }
 
     /// One unit in the last written digit.
@@ -176,6 +239,32 @@ impl Ball {
     }
 }
 
+/// The `f64` nearest to a rational number, ties to even.
+///
+/// Below the normal numbers it is rounded once, to a multiple of 2⁻¹⁰⁷⁴: rounding to 53 bits first
+/// would turn what is a little more than half of 2⁻¹⁰⁷⁴ into a tie, and that into zero.
+///
+/// ```
+/// use mechaudit_reference::{Decimal, nearest_f64};
+/// let half = Decimal::parse("2.4703282292062327209e-324")?;
+/// assert_eq!(nearest_f64(&half.value), 5e-324);
+/// # Ok::<(), mechaudit_reference::DecimalError>(())
+/// ```
+pub fn nearest_f64(q: &Rational) -> f64 {
+    let rounded = Float::with_val(53, q).to_f64();
+    if rounded.abs() >= f64::MIN_POSITIVE {
+        return rounded;
+    }
+    let scaled = Rational::from(q.abs_ref()) << 1074u32;
+    let (rest, mut steps) = scaled.fract_floor(Integer::new());
+    let halves = rest * 2u32;
+    if halves > 1 || (halves == 1 && steps.is_odd()) {
+        steps += 1;
+    }
+    // At most 2^52 steps: the bits of a subnormal, or of the smallest normal number.
+    f64::from_bits(steps.to_u64().unwrap_or(0)).copysign(rounded)
+}
+
 /// `n / 10^places` written out.
 pub fn fixed(n: &Rational, places: u32) -> String {
     let n = n.numer();
@@ -223,6 +312,37 @@ fn plain(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rational_numbers_are_rounded_once() {
+        let tiny = |text: &str| nearest_f64(&Decimal::parse(text).unwrap().value);
+        // Half of the smallest subnormal is 2.47032822920623272088…e-324.
+        for (text, steps) in [
+            ("2.4703282292062327208e-324", 0),
+            ("2.4703282292062327209e-324", 1),
+            ("7.410984687618698162e-324", 1),
+            ("7.410984687618698163e-324", 2),
+            ("1e-400", 0),
+            ("1e-100000", 0),
+            ("2.2250738585072014e-308", 1 << 52),
+            ("2.2250738585072011e-308", (1 << 52) - 1),
+        ] {
+            assert_eq!(tiny(text).to_bits(), steps, "{text}");
+            let less = -nearest_f64(&-Decimal::parse(text).unwrap().value);
+            assert_eq!(less, f64::from_bits(steps), "-{text}");
+        }
+        // Exact ties go to the even multiple, everything else as Rust rounds the same digits.
+        let step = |n: u32| Rational::from((n, 2)) >> 1074u32;
+        for (halves, due) in [(1, 0), (2, 1), (3, 2), (5, 2), (7, 4)] {
+            assert_eq!(nearest_f64(&step(halves)).to_bits(), due, "{halves} halves");
+        }
+        for k in 0..2000u32 {
+            let text = format!("{}.{:05}e-{}", 1 + k % 9, k * 37 % 100_000, 300 + k % 26);
+            assert_eq!(tiny(&text), text.parse::<f64>().unwrap(), "{text}");
+        }
+        assert_eq!(tiny("1e309"), f64::INFINITY);
+        assert_eq!(tiny("0.1"), 0.1);
+    }
 
     #[test]
     fn exact_parsing() {

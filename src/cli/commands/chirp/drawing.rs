@@ -1,0 +1,100 @@
+//! What the drawings of a cam-driven oscillator show.
+
+use crate::cli::failure::Failure;
+use mechaudit::machine::cam_oscillator::{CamOscillator, LawChart, Run};
+use mechaudit::report::svg::chirp::{self, Column, History, Spectrum};
+use mechaudit::solvers::chirp_chart::{CamResponse, State};
+use mechaudit::solvers::fourier_series::FourierSeries;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Columns of a history.
+const COLUMNS: usize = 1200;
+const SAMPLES_IN_COLUMN: f64 = 24.0;
+
+/// The motion over time.
+pub fn history(
+    machine: &CamOscillator,
+    run: &Run,
+    response: &CamResponse,
+) -> Result<String, Failure> {
+    let oscillator = &machine.drive.oscillator;
+    let note = format!(
+        "law {}, w = {} rad/s, n = {} rad/s, {} harmonics; the envelope is the mean a_0 ± (Σ|A_k| + free vibration)",
+        machine.law,
+        chirp::tick(oscillator.w()),
+        chirp::tick(oscillator.n()),
+        machine.harmonics
+    );
+    Ok(chirp::history(&History {
+        name: &machine.name,
+        note,
+        unit: machine.unit,
+        mean: response.mean(),
+        columns: columns(run, response),
+    })?)
+}
+
+fn columns(run: &Run, response: &CamResponse) -> Vec<Column> {
+    let drive = response.drive();
+    let width = run.duration / COLUMNS as f64;
+    let fastest = [0.0, run.duration].map(|t| 10.0 * drive.speed(t).abs());
+    let fastest = fastest[0].max(fastest[1]).max(drive.oscillator.w());
+    let samples = (8.0 * fastest * width / TAU)
+        .clamp(1.0, SAMPLES_IN_COLUMN)
+        .ceil() as usize;
+    let one = |k: usize| {
+        let start = width * k as f64;
+        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        for i in 0..samples {
+            let t = start + width * (i as f64 / samples as f64);
+            let s: State = response.state(t).unwrap_or_default();
+            for (range, v) in ranges
+                .iter_mut()
+                .zip([s.displacement, s.cam, s.acceleration])
+            {
+                *range = [range[0].min(v), range[1].max(v)];
+            }
+        }
+        Column {
+            times: [start, start + 0.5 * width],
+            ranges,
+            envelope: response.envelope(start).unwrap_or(f64::NAN),
+            speed: drive.speed(start),
+        }
+    };
+    (0..COLUMNS).into_par_iter().map(one).collect()
+}
+
+/// C_φ(ξ) of each law.
+pub fn chart(machine: &CamOscillator, charts: &[LawChart]) -> Result<String, Failure> {
+    let drive = &machine.drive;
+    let note = format!(
+        "n/w = {}, from {} rad/s with {} rad/s²; peaks are those of the turn about each point",
+        chirp::tick(drive.oscillator.n() / drive.oscillator.w()),
+        chirp::tick(drive.chirp.omega0),
+        chirp::tick(drive.chirp.eps),
+    );
+    let charts: Vec<_> = charts.iter().map(|c| (c.law.as_str(), &c.chart)).collect();
+    Ok(chirp::chart(&machine.name, &note, &charts)?)
+}
+
+/// The harmonics of the cam's displacement.
+pub fn spectrum(machine: &CamOscillator) -> Result<String, Failure> {
+    let series = FourierSeries::new(&machine.drive.cycle);
+    let lift = machine.drive.cycle.lift().abs();
+    let all = series.harmonics(machine.harmonics);
+    let all = all.map_err(Failure::caused)?;
+    let of = |f: &dyn Fn(u32, f64) -> f64| -> Vec<(f64, f64)> {
+        let points = all.iter().map(|h| (h.order, h.amplitude()));
+        points
+            .map(|(n, d)| (f64::from(n), f(n, d) / lift))
+            .collect()
+    };
+    Ok(chirp::spectrum(&Spectrum {
+        name: &machine.name,
+        law: &machine.law,
+        harmonics: of(&|_, amplitude| amplitude),
+        beyond: of(&|order, _| series.tail_bound(order, 0)),
+    })?)
+}

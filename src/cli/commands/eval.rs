@@ -1,0 +1,244 @@
+//! Values of a function at the cases given on standard input, one a line.
+
+use crate::cli::args::EvalArgs;
+use crate::cli::complain;
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::write_to;
+use crate::cli::number::Number;
+use crate::cli::process::wire::shortened;
+use mechaudit::audit::{Layout, SolverAnswer, answer_of, hex_float};
+use mechaudit::methods::{Evaluable, Uncertified, evaluable, find_evaluable};
+use rayon::prelude::*;
+use rug::Rational;
+use std::io::{BufRead, BufReader, Read, Write};
+
+/// Lines computed at a time, for each thread.
+const LINES: usize = 1024;
+/// The longest line.
+const LONGEST: usize = 1 << 20;
+/// How many lines' worth of text is held at a time.
+const BUFFER: usize = 1 << 16;
+
+/// A line with its number, counted from one.
+struct Line {
+    number: u64,
+    text: Vec<u8>,
+}
+
+/// Why there is no value.
+enum Trouble {
+    /// The line is wrong.
+    Input(String),
+    /// The digits could not be certified.
+    Undecided(String),
+}
+
+/// Evaluates, or lists what can be evaluated.
+pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
+    let Some(name) = args.name.as_deref().filter(|_| !args.list) else {
+        return list();
+    };
+    let method = find_evaluable(name).ok_or_else(|| {
+        let known: Vec<&str> = evaluable().iter().map(|m| m.name()).collect();
+        Failure::no_such("method", name, &known)
+    })?;
+    let threads = args.threads.unwrap_or(0);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|e| Failure::new(format!("cannot start {threads} threads: {e}")))?;
+    let mut outcome = Outcome::AsExpected;
+    write_to(None, |out| {
+        let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
+        outcome = stream(&*method, args.digits, &pool, input, out)?;
+        Ok(())
+    })?;
+    Ok(outcome)
+}
+
+fn list() -> Result<Outcome, Failure> {
+    write_to(None, |out| {
+        for m in evaluable() {
+            writeln!(out, "{:<31} {}", m.name(), m.summary())?;
+        }
+        Ok(())
+    })?;
+    Ok(Outcome::AsExpected)
+}
+
+/// Reads some lines, computes them side by side, writes them in order, and so on.
+pub(super) fn stream(
+    method: &dyn Evaluable,
+    digits: Option<u32>,
+    pool: &rayon::ThreadPool,
+    mut input: BufReader<impl Read>,
+    out: &mut dyn Write,
+) -> Result<Outcome, Failure> {
+    let evaluation = Evaluation {
+        method,
+        layout: Layout::new(method),
+        digits,
+    };
+    let most = LINES * pool.current_num_threads();
+    let mut lines = Vec::new();
+    let mut number = 0;
+    let mut more = true;
+    while more {
+        lines.clear();
+        // What has arrived is answered before more is waited for.
+        while more && lines.len() < most && (lines.is_empty() || has_line(input.buffer())) {
+            let mut text = Vec::new();
+            let read = (&mut input)
+                .take(LONGEST as u64 + 1)
+                .read_until(b'\n', &mut text)
+                .map_err(|e| Failure::new(format!("cannot read standard input: {e}")))?;
+            more = read > 0 && text.len() <= LONGEST;
+            number += 1;
+            if read > 0 {
+                lines.push(Line { number, text });
+            }
+        }
+        let answers: Vec<_> = match pool.current_num_threads() {
+            1 => lines.iter().map(|l| evaluation.answer(l)).collect(),
+            _ => pool.install(|| {
+                let lines = lines.par_iter();
+                lines.map(|l| evaluation.answer(l)).collect()
+            }),
+        };
+        for (line, answer) in lines.iter().zip(answers) {
+            let why = match answer {
+                Ok(None) => continue,
+                Ok(Some(text)) => {
+                    writeln!(out, "{text}")?;
+                    continue;
+                }
+                Err(why) => why,
+            };
+            out.flush()?;
+            let shown = format!("line {} ({:?})", line.number, shortened(&line.text));
+            return match why {
+                Trouble::Input(why) => Err(Failure::new(format!("{shown}: {why}"))),
+                Trouble::Undecided(why) => {
+                    complain(&format!("{shown}: {why}"));
+                    Ok(Outcome::Finding)
+                }
+            };
+        }
+        out.flush()?;
+    }
+    Ok(Outcome::AsExpected)
+}
+
+fn has_line(buffer: &[u8]) -> bool {
+    buffer.contains(&b'\n')
+}
+
+/// What is done to every line.
+struct Evaluation<'a> {
+    method: &'a dyn Evaluable,
+    layout: Layout,
+    digits: Option<u32>,
+}
+
+impl Evaluation<'_> {
+    /// The values of a line; nothing for a blank one or a comment.
+    fn answer(&self, line: &Line) -> Result<Option<String>, Trouble> {
+        let input = Trouble::Input;
+        if line.text.len() > LONGEST {
+            return Err(input(format!("longer than {LONGEST} bytes")));
+        }
+        let text = std::str::from_utf8(&line.text).map_err(|_| input("not UTF-8".into()))?;
+        let text = text.trim();
+        if text.is_empty() || text.starts_with('#') {
+            return Ok(None);
+        }
+        let numbers: Vec<Number> = text
+            .split(',')
+            .map(|f| Number::parse(f).map_err(|e| input(e.to_string())))
+            .collect::<Result<_, _>>()?;
+        let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
+        self.layout.lengths(&x).map_err(|e| input(e.to_string()))?;
+        if let Some(why) = self.method.refusal(&x) {
+            return Err(input(why));
+        }
+        let values = match self.digits {
+            None => match answer_of(self.method, &x) {
+                SolverAnswer::Values(values) => values.into_iter().map(hex_float).collect(),
+                SolverAnswer::Refuses(why) => return Err(input(format!("refused: {why}"))),
+                other => return Err(Trouble::Undecided(format!("{other:?}"))),
+            },
+            Some(count) => {
+                let exact = numbers
+                    .iter()
+                    .map(|n| n.exact().map_err(|e| input(e.to_string())));
+                digits(self.method, &exact.collect::<Result<Vec<_>, _>>()?, count)?
+            }
+        };
+        Ok(Some(values.join(",")))
+    }
+}
+
+/// That many certified digits of each value.
+fn digits(method: &dyn Evaluable, x: &[Rational], digits: u32) -> Result<Vec<String>, Trouble> {
+    let first = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
+    // Most references keep to the relative accuracy asked for, so that the first time is enough.
+    for times in [1, 2, 4, 8] {
+        let values = method.certify(x, times * first).map_err(|e| match e {
+            Uncertified::Refused(why) => Trouble::Input(format!("refused: {why}")),
+            other => Trouble::Undecided(other.to_string()),
+        })?;
+        let texts = values.iter().map(|v| v.to_decimal(digits as usize));
+        if let Some(texts) = texts.collect() {
+            return Ok(texts);
+        }
+    }
+    let why = format!("{digits} digits could not be certified");
+    Err(Trouble::Undecided(why))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The nearest floats to the certified digits are next to what the solver gives.
+    #[test]
+    fn every_method_can_be_evaluated() {
+        for method in evaluable() {
+            let name = method.name();
+            // It takes seconds to certify a tenth of a second of it.
+            if name == "run-up" {
+                continue;
+            }
+            let points = method.domain().check_points;
+            let solved = |input: &[f64]| match method.solve(input) {
+                SolverAnswer::Values(v) => Some(v),
+                _ => None,
+            };
+            let evaluated = points.iter().any(|point| {
+                let exact: Option<Vec<Rational>> =
+                    point.input.iter().map(|x| Rational::from_f64(*x)).collect();
+                let (Some(exact), Some(values)) = (exact, solved(&point.input)) else {
+                    return false;
+                };
+                let Ok(texts) = digits(&*method, &exact, 20) else {
+                    return false;
+                };
+                assert_eq!(texts.len(), values.len(), "{name}");
+                for (text, value) in texts.iter().zip(values) {
+                    let certified: f64 = text.parse().unwrap();
+                    let size = value.abs().max(1e-9);
+                    assert!((certified - value).abs() <= 1e-9 * size, "{name}: {text}");
+                }
+                true
+            });
+            assert!(evaluated, "{name}");
+        }
+    }
+
+    #[test]
+    fn long_lines_are_shortened_in_messages() {
+        assert_eq!(shortened(b" 1,2\r\n"), "1,2");
+        let long = shortened("é".repeat(500).as_bytes());
+        assert_eq!(long.chars().count(), 81);
+    }
+}

@@ -1,0 +1,166 @@
+//! Hunting for a method's worst inputs and recording them.
+
+pub mod hard_folder;
+
+use crate::cli::args::HuntArgs;
+use crate::cli::commands::audit::find;
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::write_to;
+use crate::cli::progress::Progress;
+use crate::cli::terminal::width;
+use crate::cli::{forecast, process::interrupt};
+use mechaudit::audit::{
+    Case, HardCase, Hunt, HuntSettings, Method, Origin, Variant, Worst, hunt_until, rounded_up,
+};
+use mechaudit::report::text::style::{BAD, BOLD, PLAIN, paint, wrap};
+use mechaudit::report::text::table::Table;
+use mechaudit::report::words::numbers::percent;
+
+/// Hunts and records.
+pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
+    let method = find(&args.method)?;
+    let settings = HuntSettings {
+        evaluations: args.evals,
+        seed: args.seed,
+    };
+    let folder = Some(args.hard.as_path()).filter(|f| f.is_dir());
+    let known = match folder {
+        Some(folder) => hard_folder::read(folder, &*method)?.unwrap_or_default(),
+        None => method.hard(),
+    };
+    if let Some(folder) = folder {
+        hard_folder::check_writable(folder, &*method)?;
+    }
+    forecast::hunt(&*method, args.evals)?;
+    let method = Variant::new(&*method).hard_cases(known.clone());
+    let progress = Progress::new();
+    let show = |made| progress.show(method.name(), made, args.evals);
+    let found = hunt_until(&method, &settings, &show, interrupt::flag());
+    drop(progress);
+    let worse = |known: &[HardCase]| -> Vec<HardCase> {
+        let all = found.worst.iter();
+        all.filter_map(|w| worse(w, known, args)).collect()
+    };
+    let added = folder.map(|f| hard_folder::add(f, &method, worse));
+    let new: Vec<HardCase> = match &added {
+        Some(Ok(added)) => added.iter().map(|(_, case)| case.clone()).collect(),
+        _ => worse(&known),
+    };
+    let numbers = added.iter().flatten().flatten();
+    let numbers: Vec<(usize, &HardCase)> = numbers.map(|(n, case)| (*n, case)).collect();
+    write_to(None, |out| {
+        write!(out, "{}", report(&method, &found, &new, args.evals))?;
+        write!(out, "{}", inputs(&method, &found, &numbers, args))?;
+        let folder = args.hard.display();
+        let place = args.hard.join(format!("{}.csv", method.name()));
+        let closing = match (&added, new.len()) {
+            (Some(Err(_)), n) => format!("{n} NOT recorded."),
+            (_, 0) => "Nothing worse than what is recorded.".to_string(),
+            (Some(Ok(_)), n) => format!("{n} added to {}.", place.display()),
+            (None, _) => format!("Not recorded: there is no folder {folder}."),
+        };
+        Ok(writeln!(out, "{closing}")?)
+    })?;
+    added.transpose()?;
+    let over = new.iter().any(|c| c.share > 1.0);
+    let good = !over && found.failures.is_empty();
+    Ok(Outcome::unless_interrupted(found.interrupted, good))
+}
+
+/// Every input found, with the outputs that it is the worst for and the command that judges it again.
+fn inputs(
+    method: &dyn Method,
+    found: &Hunt,
+    recorded: &[(usize, &HardCase)],
+    args: &HuntArgs,
+) -> String {
+    let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+    let mut distinct: Vec<(Vec<u64>, Vec<&Worst>)> = Vec::new();
+    for w in &found.worst {
+        let key = bits(&w.input);
+        match distinct.iter_mut().find(|(k, _)| *k == key) {
+            Some((_, same)) => same.push(w),
+            None => distinct.push((key, vec![w])),
+        }
+    }
+    let mut out = String::new();
+    for (key, same) in distinct {
+        let outputs: Vec<&str> = same.iter().map(|w| w.output).collect();
+        let number = recorded.iter().find(|(_, case)| bits(&case.input) == key);
+        let case = Case {
+            method: method.name(),
+            region: "hunt",
+            input: same[0].input.clone(),
+            origin: match number {
+                Some((number, _)) => Origin::Hard {
+                    number: *number,
+                    folder: Some(args.hard.to_string_lossy().into_owned()),
+                },
+                None => Origin::Given,
+            },
+        };
+        let decimals: Vec<String> = case.input.iter().map(|x| format!("{x:?}")).collect();
+        for (label, text) in [
+            (paint(BOLD, "worst for "), outputs.join(", ")),
+            ("  input   ".into(), decimals.join(", ")),
+        ] {
+            out.push_str(&format!("  {label} {}\n", wrap(&text, 13, width())));
+        }
+        // In one line, for a shell.
+        out.push_str(&format!("    again    {}\n", case.reproduce()));
+    }
+    out
+}
+
+/// The hard case to be recorded, if it is worse than those that are.
+fn worse(worst: &Worst, known: &[HardCase], args: &HuntArgs) -> Option<HardCase> {
+    let before = known.iter().filter(|k| k.output == worst.output);
+    let before = before.map(|k| k.share).fold(0.0, f64::max);
+    let share = rounded_up(worst.share);
+    // A gain of less than a hundredth is none.
+    (share > 1.01 * before).then(|| HardCase {
+        share,
+        output: worst.output.into(),
+        reason: format!(
+            "{}; {} evaluations from seed {}",
+            worst.reason, args.evals, args.seed
+        ),
+        input: worst.input.clone(),
+        folder: None,
+    })
+}
+
+fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], evaluations: u64) -> String {
+    let mut out = format!("{}\n", paint(BOLD, method.name()));
+    out.push_str(&match found.interrupted {
+        true => {
+            let text = format!("interrupted after {} of {evaluations}", found.evaluations);
+            format!("  {} evaluations\n", paint(BAD, &text))
+        }
+        false => format!("  {} evaluations\n", found.evaluations),
+    });
+    let mut table = Table::new(&["output", "of budget", "", "found"], &[0, 2, 3]);
+    for w in &found.worst {
+        let mark = match new.iter().any(|c| c.output == w.output) {
+            true => "new",
+            false => "",
+        };
+        let style = if w.share > 1.0 { BAD } else { PLAIN };
+        table.row(vec![
+            (w.output.into(), PLAIN),
+            (percent(w.share), style),
+            (mark.into(), PLAIN),
+            (w.reason.clone(), PLAIN),
+        ]);
+    }
+    out.push_str(&table.render(2));
+    if let Some(first) = found.failures.first() {
+        let n = found.failures.len();
+        let text = format!(
+            "{n} drawn inputs fail without a share of the budget, the first: {}",
+            first.reproduce()
+        );
+        out.push_str(&format!("  {}\n", paint(BAD, &wrap(&text, 2, width()))));
+    }
+    out
+}

@@ -1,0 +1,206 @@
+//! Judging answers in a file against the inputs they belong to.
+
+pub mod published;
+
+use crate::cli::answers::{Answers, Next};
+use crate::cli::args::JudgeArgs;
+use crate::cli::commands::audit::find;
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::Output;
+use crate::cli::process::bounded::Bounded;
+use crate::cli::process::candidate::{BATCH, Judged, failures_kept, judge_batch, scoped};
+use crate::cli::process::wire::{LONGEST, Line, Lines};
+use crate::cli::progress::Progress;
+use mechaudit::audit::{Case, Layout, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+
+/// Judges them.
+pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
+    let method = find(&args.method)?;
+    if let Some(path) = &args.table {
+        return published::judge(&*method, path, args.format);
+    }
+    let (Some(inputs_path), Some(values_path)) = (&args.inputs, &args.values) else {
+        return Err(Failure::new(
+            "--inputs and --values, or --table, are needed",
+        ));
+    };
+    let method = scoped(&*method, &args.scope)?.without_laws();
+    let settings = Settings::default();
+    let mut inputs = Inputs::open(&method, inputs_path)?;
+    let total = count(inputs_path);
+    let values = Answers::of(reader(values_path)?);
+    let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
+    let mut tally = Tally::new(&method, failures_kept(args.format));
+    let progress = Progress::new();
+    let mut answered = 0u64;
+    let mut batch = Vec::new();
+    // The first input without an answer.
+    let mut open = None;
+    while let Some(case) = inputs.read()? {
+        let line = match values.next(None) {
+            Next::Answer(line) => line,
+            Next::Unreadable(e) => return Err(unreadable(e)),
+            Next::Interrupted => {
+                tally.interrupt();
+                break;
+            }
+            Next::Closed | Next::Silent => {
+                open = Some(case);
+                break;
+            }
+        };
+        answered += 1;
+        let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
+        if args.line.is_none_or(wanted) {
+            batch.push((case, line.answer()));
+        }
+        if batch.len() == BATCH {
+            judge_batch(&method, &settings, std::mem::take(&mut batch), &mut tally);
+            progress.show(method.name(), answered, total.unwrap_or(answered));
+        }
+        if tally.is_interrupted() {
+            break;
+        }
+    }
+    judge_batch(&method, &settings, batch, &mut tally);
+    let mut trouble = None;
+    if tally.is_interrupted() {
+        trouble = Some(format!("Interrupted after {answered} answers."));
+    } else if let Some(case) = open {
+        let why = format!("the values end after {answered} answers");
+        let answer = SolverAnswer::Fails(why.clone());
+        tally.add(judge_case(&method, case, answer, &settings));
+        let mut left = 1;
+        while inputs.read()?.is_some() {
+            tally.unanswered(1);
+            left += 1;
+        }
+        trouble = Some(format!("{why}; {left} inputs are left"));
+    } else {
+        match values.next(None) {
+            Next::Answer(_) => {
+                trouble = Some(format!("there are more values than the {answered} inputs"));
+            }
+            Next::Unreadable(e) => return Err(unreadable(e)),
+            Next::Interrupted => tally.interrupt(),
+            Next::Closed | Next::Silent => {}
+        }
+    }
+    drop(progress);
+    let report = tally.finish(&method, &settings);
+    if report.cases == 0 && !report.interrupted {
+        let what = args
+            .line
+            .map_or("no inputs".into(), |n| format!("no input on line {n}"));
+        return Err(Failure::new(format!("{}: {what}", inputs_path.display())));
+    }
+    let judged = Judged {
+        report,
+        answered: answered as usize,
+        trouble,
+    };
+    judged.write(Output::open(None)?, args.format, &|case| {
+        format!(
+            "mechaudit judge {} --inputs {} --values {} {}",
+            case.method,
+            shell_words::quote(&inputs_path.to_string_lossy()),
+            shell_words::quote(&values_path.to_string_lossy()),
+            case.place()
+        )
+    })
+}
+
+/// Inputs of a file, for the progress; nothing is known of a pipe.
+fn count(path: &Path) -> Option<u64> {
+    if !path.metadata().ok()?.is_file() {
+        return None;
+    }
+    let mut lines = Lines::new(reader(path).ok()?);
+    let mut inputs = 0;
+    while let Some(line) = lines.read().ok()? {
+        inputs += u64::from(!line.is_blank());
+    }
+    Some(inputs)
+}
+
+fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
+    let input: Box<dyn Read + Send> = match path == Path::new("-") {
+        true => Box::new(std::io::stdin()),
+        false => Box::new(
+            File::open(path)
+                .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?,
+        ),
+    };
+    // A line that is too long costs its own case; one without an end would cost all time.
+    let bounded = Bounded::new(input, 64 * LONGEST, usize::MAX);
+    Ok(Box::new(BufReader::new(bounded)))
+}
+
+/// The cases in a file of inputs.
+struct Inputs {
+    lines: Lines<Box<dyn BufRead + Send>>,
+    path: String,
+    method: &'static str,
+    layout: Layout,
+    regions: Vec<&'static str>,
+    region: &'static str,
+}
+
+impl Inputs {
+    fn open(method: &dyn Method, path: &Path) -> Result<Inputs, Failure> {
+        let regions = method.domain().regions;
+        Ok(Inputs {
+            lines: Lines::new(reader(path)?),
+            path: path.display().to_string(),
+            method: method.name(),
+            layout: Layout::new(method),
+            regions: regions.iter().map(|r| r.name).collect(),
+            region: "given",
+        })
+    }
+
+    fn read(&mut self) -> Result<Option<Case>, Failure> {
+        loop {
+            let read = self.lines.read_any();
+            let read = read.map_err(|e| Failure::new(format!("cannot read {}: {e}", self.path)))?;
+            let Some(line) = read else { return Ok(None) };
+            if let Some(comment) = line.comment() {
+                self.region(comment);
+            } else if !line.is_blank() {
+                return self.case(&line).map(Some);
+            }
+        }
+    }
+
+    /// A comment that names a region is about the lines after it.
+    fn region(&mut self, comment: &str) {
+        let Some(named) = comment.strip_prefix("region ") else {
+            return;
+        };
+        let name = named.split([' ', ':']).next().unwrap_or_default();
+        let known = self.regions.iter().find(|r| **r == name);
+        self.region = match name {
+            "check-points" => "check-points",
+            "hard" => "hard",
+            _ => known.copied().unwrap_or("given"),
+        };
+    }
+
+    fn case(&self, line: &Line) -> Result<Case, Failure> {
+        let input = line.input()?;
+        self.layout
+            .lengths(&input)
+            .map_err(|e| Failure::new(format!("inputs, line {}: {e}", line.number)))?;
+        Ok(Case {
+            method: self.method,
+            region: self.region,
+            input,
+            origin: Origin::Line {
+                number: line.number,
+            },
+        })
+    }
+}

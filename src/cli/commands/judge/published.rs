@@ -1,0 +1,304 @@
+//! Judging a published table of values, entry by entry.
+
+use crate::cli::args::TextOrJson;
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::{print_json, write_to};
+use crate::cli::process::bounded::Bounded;
+use crate::cli::process::wire::{FIELDS, LONGEST};
+use mechaudit::audit::{
+    Agreement, Column, EntryJudgement, Layout, Method, Settings, did_you_mean, judge_printed,
+};
+use mechaudit::reference::Decimal;
+use mechaudit::report::text::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint};
+use mechaudit::report::text::table::Table;
+use mechaudit::report::words::numbers::short;
+use rayon::prelude::*;
+use rug::Rational;
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The largest table, and the longest field of one.
+const WHOLE: usize = 64 << 20;
+const FIELD: usize = 1000;
+
+/// A line of the table as printed.
+pub(super) struct Row {
+    line: u64,
+    input: Vec<Rational>,
+    entries: Vec<Entry>,
+}
+
+/// A printed value.
+struct Entry {
+    /// Its index among the method's.
+    value: usize,
+    column: usize,
+    text: String,
+    number: Decimal,
+}
+
+/// An entry with its verdict.
+struct Judged {
+    line: u64,
+    column: usize,
+    text: String,
+    found: EntryJudgement,
+}
+
+/// Judges the table in a CSV file, whose columns are named as the method's inputs, taken exactly as
+/// printed, and its outputs.
+pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Outcome, Failure> {
+    let named = |e: String| Failure::new(format!("{}: {e}", path.display()));
+    let file = std::fs::File::open(path).map_err(|e| named(e.to_string()))?;
+    let (header, rows) = read(method, file).map_err(named)?;
+    let settings = Settings::default();
+    let judged: Vec<Judged> = rows
+        .into_par_iter()
+        .flat_map_iter(|row| {
+            let entries = row.entries.iter();
+            let due: Vec<(usize, &Decimal)> = entries.map(|e| (e.value, &e.number)).collect();
+            let found = judge_printed(method, &row.input, &due, &settings);
+            let pairs: Vec<_> = row.entries.into_iter().zip(found).collect();
+            let line = row.line;
+            pairs.into_iter().map(move |(entry, found)| Judged {
+                line,
+                column: entry.column,
+                text: entry.text,
+                found,
+            })
+        })
+        .collect();
+    let count = |a: Agreement| judged.iter().filter(|j| j.found.agreement == a).count();
+    let agreeing = count(Agreement::Agrees);
+    let good = !judged.is_empty() && agreeing == judged.len();
+    match format {
+        TextOrJson::Text => write_to(None, |out| {
+            let (word, style) = if good { ("pass", GOOD) } else { ("FAIL", BAD) };
+            let (all, name) = (judged.len(), paint(BOLD, method.name()));
+            let word = paint(style, word);
+            writeln!(
+                out,
+                "{name}  {word}  {agreeing} of {all} entries agree within half a unit of their last digit"
+            )?;
+            let (near, far) = (count(Agreement::LastDigit), count(Agreement::Differs));
+            let (open, none) = (count(Agreement::Undecided), count(Agreement::NoValue));
+            writeln!(
+                out,
+                "  last digit off by one: {near}, farther off: {far}, undecided: {open}, no such value: {none}"
+            )?;
+            if !good {
+                write!(out, "{}", table(&header, &judged))?;
+            }
+            Ok(())
+        })?,
+        TextOrJson::Json => {
+            let entries = judged.iter().map(|j| {
+                json!({
+                    "line": j.line,
+                    "output": header[j.column],
+                    "printed": j.text,
+                    "judgement": j.found,
+                })
+            });
+            print_json(&json!({
+                "mechaudit_version": env!("CARGO_PKG_VERSION"),
+                "method": method.name(),
+                "passed": good,
+                "agreeing": agreeing,
+                "entries": entries.collect::<Vec<_>>(),
+            }))?;
+        }
+    }
+    Ok(Outcome::of(good))
+}
+
+/// The entries that do not agree.
+fn table(header: &[String], judged: &[Judged]) -> String {
+    let mut table = Table::new(
+        &["line", "output", "printed", "reference", "units off"],
+        &[1, 3],
+    );
+    for j in judged {
+        let style = match j.found.agreement {
+            Agreement::Agrees => continue,
+            Agreement::LastDigit | Agreement::Undecided => DOUBT,
+            _ => BAD,
+        };
+        let reason = j.found.reason.clone().unwrap_or_default();
+        let reference = j.found.reference.clone().unwrap_or(reason);
+        let units = match j.found.units {
+            u if u.is_nan() => "–".into(),
+            u => short(u),
+        };
+        table.row(vec![
+            (j.line.to_string(), DIM),
+            (header[j.column].clone(), PLAIN),
+            (j.text.clone(), style),
+            (reference, PLAIN),
+            (units, style),
+        ]);
+    }
+    table.render(2)
+}
+
+/// The header and the lines of a table.
+pub(super) fn read(
+    method: &dyn Method,
+    input: impl std::io::Read,
+) -> Result<(Vec<String>, Vec<Row>), String> {
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .flexible(true)
+        .from_reader(Bounded::new(input, LONGEST, WHOLE));
+    let layout = Layout::new(method);
+    let header = reader.headers().map_err(|e| reason(&e))?;
+    if header.len() > FIELDS {
+        return Err(format!("more than {FIELDS} columns"));
+    }
+    let mut names = Vec::new();
+    let mut columns = Vec::new();
+    for text in header {
+        let (name, column) = column(method, &layout, text)?;
+        if names.contains(&name) {
+            return Err(format!("two columns are named {name}"));
+        }
+        names.push(name);
+        columns.push(column);
+    }
+    complete(method, &layout, &columns)?;
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| reason(&e))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let fields = record.len();
+        let row = match fields == columns.len() {
+            true => row(&layout, &columns, &record, line),
+            false => Err(format!("{fields} fields where {} are due", columns.len())),
+        };
+        rows.push(row.map_err(|e| format!("line {line}: {e}"))?);
+    }
+    if rows.iter().all(|r| r.entries.is_empty()) {
+        return Err("there are no entries".into());
+    }
+    Ok((names, rows))
+}
+
+/// What the reader says, without its own preface.
+fn reason(e: &csv::Error) -> String {
+    match e.kind() {
+        csv::ErrorKind::Io(e) => e.to_string(),
+        csv::ErrorKind::Utf8 { pos, .. } => {
+            let line = pos.as_ref().map_or(0, csv::Position::line);
+            format!("line {line} is not UTF-8")
+        }
+        _ => e.to_string(),
+    }
+}
+
+/// A column by its name, which a unit in brackets may follow.
+fn column(method: &dyn Method, layout: &Layout, text: &str) -> Result<(String, Column), String> {
+    let (name, unit) = match text.strip_suffix(']').and_then(|t| t.split_once(" [")) {
+        Some((name, unit)) => (name.trim_end(), Some(unit)),
+        None => (text, None),
+    };
+    let Some(column) = layout.column(name) else {
+        let known = layout.columns();
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        return Err(format!(
+            "{} has no column {name:?}{}; it has: {}",
+            method.name(),
+            did_you_mean(name, &known),
+            known.join(", ")
+        ));
+    };
+    match (unit, layout.unit(column)) {
+        (Some(unit), due) if unit != due => Err(format!(
+            "{name} is in [{due}], not in [{unit}]: convert the column"
+        )),
+        _ => Ok((name.into(), column)),
+    }
+}
+
+/// Whether every input has its column, and there is something to judge.
+fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<(), String> {
+    let name = method.name();
+    if !columns.iter().any(|c| matches!(c, Column::Value(_))) {
+        let outputs: Vec<String> = layout.columns().split_off(layout.parts());
+        return Err(format!(
+            "no column is named as an output of {name}: {}",
+            outputs.join(", ")
+        ));
+    }
+    for part in 0..layout.parts() {
+        let there = |index| columns.contains(&Column::Input { part, index });
+        let last = columns.iter().filter_map(|c| match c {
+            Column::Input { part: p, index } if *p == part => Some(*index),
+            _ => None,
+        });
+        // A vector may be empty.
+        let due = match (layout.is_single(part), last.max()) {
+            (true, _) => 1,
+            (false, last) => last.map_or(0, |k| k + 1),
+        };
+        if let Some(k) = (0..due).find(|k| !there(*k)) {
+            let missing = layout.input_column(part, k);
+            return Err(format!("the column {missing} of {name} is missing"));
+        }
+    }
+    Ok(())
+}
+
+/// The input and the entries of a line.
+fn row(
+    layout: &Layout,
+    columns: &[Column],
+    record: &csv::StringRecord,
+    line: u64,
+) -> Result<Row, String> {
+    let mut parts: Vec<BTreeMap<usize, Rational>> = vec![BTreeMap::new(); layout.parts()];
+    let mut entries = Vec::new();
+    for (k, (text, column)) in record.iter().zip(columns).enumerate() {
+        // Nothing was printed here, or a vector is shorter than in other lines.
+        if text.is_empty() {
+            continue;
+        }
+        if text.len() > FIELD {
+            return Err(format!("a field is longer than {FIELD} bytes"));
+        }
+        let number = Decimal::parse(text).map_err(|e| e.to_string())?;
+        match *column {
+            Column::Input { part, index } => {
+                parts[part].insert(index, number.value);
+            }
+            Column::Value(value) => entries.push(Entry {
+                value,
+                column: k,
+                text: text.into(),
+                number,
+            }),
+        }
+    }
+    for (part, found) in parts.iter().enumerate() {
+        let due = match layout.is_single(part) {
+            true => 1,
+            false => found.last_key_value().map_or(0, |(k, _)| k + 1),
+        };
+        if let Some(k) = (0..due).find(|k| !found.contains_key(k)) {
+            return Err(format!("{} is empty", layout.input_column(part, k)));
+        }
+    }
+    let found: Vec<usize> = parts.iter().map(BTreeMap::len).collect();
+    let input: Vec<Rational> = parts.into_iter().flat_map(BTreeMap::into_values).collect();
+    let nearest: Vec<f64> = input.iter().map(Rational::to_f64).collect();
+    let due = layout.lengths(&nearest).map_err(|e| e.to_string())?;
+    match due == found {
+        true => Ok(Row {
+            line,
+            input,
+            entries,
+        }),
+        false => Err(format!("the lengths do not fit: {}", layout.input())),
+    }
+}

@@ -1,0 +1,87 @@
+//! What is known of a linkage of class III and its branch, in words and as JSON.
+
+use mechaudit::machine::class_iii::{Branch, End, Linkage, Reach, TURNS};
+use mechaudit::solvers::class_iii::Fold;
+use serde_json::{Map, Value, json};
+
+/// One line about how far the crank turns.
+pub fn range_line(branch: &Branch) -> String {
+    match branch.reach {
+        Reach::Whole { turns: Some(1) } => "the crank turns fully on this branch".into(),
+        Reach::Whole { turns: Some(n) } => format!(
+            "the crank turns fully on this branch; the linkage is back in its position after {n} turns"
+        ),
+        Reach::Whole { turns: None } => {
+            format!("the crank turns fully on this branch, at least {TURNS} times")
+        }
+        Reach::Part { low, high } => format!(
+            "the crank cannot turn fully on this branch: it reaches from {:.6} deg to {:.6} deg, where assembly modes merge",
+            low.phi1.to_degrees(),
+            high.phi1.to_degrees()
+        ),
+    }
+}
+
+/// One line about the dead positions.
+pub fn dead_line(branch: &Branch) -> Option<String> {
+    let all: Vec<String> = branch
+        .dead
+        .iter()
+        .map(|d| {
+            let how = if d.stretched { "stretched" } else { "folded" };
+            format!("{:.6} deg ({how})", d.state.phi1.to_degrees())
+        })
+        .collect();
+    let line = "dead positions, crank and link 2 in line, at";
+    (!all.is_empty()).then(|| format!("{line} {}", all.join(", ")))
+}
+
+pub fn fold_json(fold: &Fold) -> Value {
+    json!({
+        "phi1_deg": fold.phi1.to_degrees(),
+        "phi4_deg": fold.phi4.to_degrees(),
+        "branches": fold.branches,
+        "begins": fold.begins,
+    })
+}
+
+/// What a JSON file begins with.
+pub fn head(linkage: &Linkage) -> Map<String, Value> {
+    let mut map = Map::new();
+    map.insert("schema_version".into(), json!(1));
+    map.insert("mechaudit_version".into(), json!(env!("CARGO_PKG_VERSION")));
+    map.insert("type".into(), json!("class-iii"));
+    map.insert("name".into(), json!(linkage.name));
+    if let Some(c) = &linkage.crank {
+        map.insert("crank_speed_rad_per_s".into(), json!(c.omega.to_f64()));
+        map.insert(
+            "crank_acceleration_rad_per_s2".into(),
+            json!(c.epsilon.to_f64()),
+        );
+    }
+    map
+}
+
+/// What is known of the branch.
+pub fn of_branch(linkage: &Linkage, branch: &Branch) -> Map<String, Value> {
+    let mut map = head(linkage);
+    map.insert("branch".into(), json!(branch.mode));
+    let (full, turns, low, high) = match branch.reach {
+        Reach::Whole { turns } => (true, turns, None, None),
+        Reach::Part { low, high } => (false, None, Some(low), Some(high)),
+    };
+    map.insert("full_rotation".into(), json!(full));
+    map.insert("turns_to_close".into(), json!(turns));
+    let end = |e: End| json!({ "phi1_deg": e.phi1.to_degrees(), "phi4_deg": e.phi4.to_degrees() });
+    let range = low
+        .zip(high)
+        .map(|(a, b)| json!({ "from": end(a), "to": end(b) }));
+    map.insert("crank_range".into(), json!(range));
+    let dead: Vec<Value> = branch
+        .dead
+        .iter()
+        .map(|d| json!({ "phi1_deg": d.state.phi1.to_degrees(), "stretched": d.stretched }))
+        .collect();
+    map.insert("dead_positions".into(), json!(dead));
+    map
+}

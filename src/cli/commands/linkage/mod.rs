@@ -1,0 +1,267 @@
+//! A linkage given in a file, computed over the turn of its crank.
+
+mod drawing;
+mod dyad;
+mod dyad_drawing;
+mod dyad_facts;
+pub mod facts;
+
+use crate::cli::args::LinkageArgs;
+use crate::cli::complain;
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::Output;
+use crate::cli::files::source;
+use crate::cli::progress::Progress;
+use drawing::Drawings;
+use mechaudit::machine;
+use mechaudit::machine::class_iii::{self, Branch, Certifier, Linkage};
+use mechaudit::machine::crank_angles::{Grid, GridError, Plan, Window, decimal, plan};
+use mechaudit::reference::nearest_f64;
+use mechaudit::report::cell::Cell;
+use mechaudit::report::columns::Columns;
+use mechaudit::report::rows::Rows;
+use mechaudit::solvers::class_iii::{BranchMap, State};
+use rug::Rational;
+use serde_json::{Value, json};
+
+/// Rows at most.
+const MOST_ROWS: u64 = 10_000_000;
+/// Crank angles at most when every branch is kept in memory.
+const MOST_ANGLES: u64 = 100_000;
+
+/// Computes the linkage as the arguments ask for.
+pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
+    let source = source::open(&args.file)?;
+    let linkage = machine::Linkage::read(&source).map_err(|e| Failure::in_file(&args.file, e))?;
+    match linkage {
+        machine::Linkage::ClassIii(linkage) => of_class_iii(args, &linkage),
+        machine::Linkage::Dyad(linkage) => dyad::linkage(args, &linkage),
+    }
+}
+
+impl LinkageArgs {
+    /// The crank angles asked for; they begin at `start` if the arguments do not say where.
+    pub fn grid(&self, start: Option<Rational>) -> Result<Grid, Failure> {
+        let window = Window {
+            step: self.step_deg.value.clone(),
+            from: self.from_deg.as_ref().map(|d| d.value.clone()),
+            to: self.to_deg.as_ref().map(|d| d.value.clone()),
+        };
+        let most = match self.all_branches {
+            true => MOST_ANGLES,
+            false => MOST_ROWS,
+        };
+        Grid::new(&window, start, most).map_err(|e| {
+            let text = match e {
+                GridError::Step { step } => format!("--step-deg must be positive, got {step}"),
+                GridError::Backwards { to, from } => {
+                    format!("--to-deg {to} must not be less than the first crank angle, {from} deg")
+                }
+                GridError::TooMany { step, most } => format!(
+                    "--step-deg {step:e} gives more than {most} crank angles; take a larger step"
+                ),
+            };
+            Failure::Caused(text, e.into())
+        })
+    }
+}
+
+fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failure> {
+    let grid = args.grid(linkage.start_degrees())?;
+    let certified = args.digits.is_some();
+    let names = class_iii::names(linkage, certified);
+    let columns = Columns::of(names, &args.units.units, certified)?;
+    let in_file = |e| Failure::in_file(&args.file, e);
+    if args.all_branches {
+        if args.svg.is_some() {
+            return Err(Failure::new(
+                "--svg draws one branch: leave out --all-branches",
+            ));
+        }
+        let outcome = all_branches(args, linkage, &grid, columns);
+        return outcome.map_err(|f| f.about(args.file.display()));
+    }
+    let output = Output::open(args.output.as_deref())?;
+    let drawings = args.svg.as_ref().map(|f| Drawings::open(f, linkage));
+    let drawings = drawings.transpose()?;
+    let start = match args.branch {
+        None => linkage.start_degrees().unwrap_or_else(|| grid.from.clone()),
+        Some(_) => grid.from.clone(),
+    };
+    let branch = class_iii::choose(&linkage.solver, &start, args.branch, &linkage.start);
+    let branch = branch.map_err(in_file)?;
+    if let Some(drawings) = drawings {
+        drawings.draw(linkage, &branch)?;
+    }
+    let plan = plan(&grid, &branch);
+    let reached = plan.count();
+    let outcome = output.write(|out| {
+        let facts = facts::of_branch(linkage, &branch);
+        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
+        let outcome = match args.digits {
+            None => floating(linkage, &branch, plan, &mut rows)?,
+            Some(digits) => certified_rows(linkage, &branch, plan, digits, &mut rows)?,
+        };
+        rows.end()?;
+        Ok(outcome)
+    })?;
+    complain(&facts::range_line(&branch));
+    if let Some(line) = facts::dead_line(&branch) {
+        complain(&line);
+    }
+    if reached == 0 {
+        complain("no crank angle of the window asked for lies in that range");
+    }
+    Ok(outcome)
+}
+
+fn floating(
+    linkage: &Linkage,
+    branch: &Branch,
+    plan: Plan,
+    rows: &mut Rows,
+) -> Result<Outcome, Failure> {
+    let progress = Progress::new();
+    let mut here = branch.start;
+    let total = plan.count();
+    for (done, (shown, at)) in plan.angles().enumerate() {
+        here = linkage
+            .solver
+            .follow(&here, nearest_f64(&at).to_radians())
+            .map_err(Failure::caused)?;
+        rows.row(&floating_row(linkage, &shown, branch.mode, &here))?;
+        if done % 1024 == 0 {
+            progress.show("rows", done as u64, total);
+        }
+    }
+    Ok(Outcome::AsExpected)
+}
+
+fn certified_rows(
+    linkage: &Linkage,
+    branch: &Branch,
+    plan: Plan,
+    digits: u32,
+    rows: &mut Rows,
+) -> Result<Outcome, Failure> {
+    let progress = Progress::new();
+    let mut certifier = Certifier::new(linkage, digits);
+    let mut here = branch.start;
+    let mut undecided = 0;
+    let total = plan.count();
+    for (done, (shown, at)) in plan.angles().enumerate() {
+        here = linkage
+            .solver
+            .follow(&here, nearest_f64(&at).to_radians())
+            .map_err(Failure::caused)?;
+        let Some(q) = certifier.advance(&at, &here) else {
+            complain(&format!(
+                "undecided: the reference cannot prove the branch up to phi1 = {} deg; rows end before it",
+                nearest_f64(&shown)
+            ));
+            return Ok(Outcome::Finding);
+        };
+        let cells = certified_row(&shown, branch.mode, certifier.values(&at, &q));
+        undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
+        rows.row(&cells)?;
+        progress.show("certified rows", done as u64, total);
+    }
+    Ok(Outcome::decided(undecided, digits))
+}
+
+fn all_branches(
+    args: &LinkageArgs,
+    linkage: &Linkage,
+    grid: &Grid,
+    columns: Columns,
+) -> Result<Outcome, Failure> {
+    let output = Output::open(args.output.as_deref())?;
+    let degrees: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
+    let angles: Vec<f64> = degrees
+        .iter()
+        .map(|q| nearest_f64(q).to_radians())
+        .collect();
+    let map = linkage.solver.trace_branches(&angles);
+    if map.rows.iter().all(Vec::is_empty) {
+        let why = class_iii::unassembled(&linkage.solver, nearest_f64(&grid.from));
+        return Err(Failure::caused(why));
+    }
+    let outcome = output.write(|out| {
+        let mut facts = facts::head(linkage);
+        facts.insert("branches".into(), json!(map.branches));
+        let folds: Vec<Value> = map.folds.iter().map(facts::fold_json).collect();
+        facts.insert("folds".into(), json!(folds));
+        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
+        let outcome = branch_rows(args, linkage, &map, &degrees, &mut rows)?;
+        rows.end()?;
+        Ok(outcome)
+    })?;
+    let counts: Vec<usize> = map.rows.iter().map(Vec::len).collect();
+    complain(&format!(
+        "{} branches, from {} to {} assembly modes at a crank angle",
+        map.branches,
+        counts.iter().min().unwrap_or(&0),
+        counts.iter().max().unwrap_or(&0)
+    ));
+    for fold in &map.folds {
+        let mut branches = fold.branches.clone();
+        branches.sort_unstable();
+        let branches: Vec<String> = branches.iter().map(usize::to_string).collect();
+        complain(&format!(
+            "fold at phi1 = {:.9} deg, phi4 = {:.6} deg: branches {} {} there",
+            fold.phi1.to_degrees(),
+            fold.phi4.to_degrees(),
+            branches.join(" and "),
+            if fold.begins { "begin" } else { "end" }
+        ));
+    }
+    Ok(outcome)
+}
+
+fn branch_rows(
+    args: &LinkageArgs,
+    linkage: &Linkage,
+    map: &BranchMap,
+    degrees: &[Rational],
+    rows: &mut Rows,
+) -> Result<Outcome, Failure> {
+    let progress = Progress::new();
+    let mut certifier = args.digits.map(|d| Certifier::new(linkage, d));
+    let mut undecided = 0;
+    for (done, (at, samples)) in degrees.iter().zip(&map.rows).enumerate() {
+        for s in samples {
+            let cells = match &mut certifier {
+                None => floating_row(linkage, at, s.branch, &s.state),
+                Some(certifier) => {
+                    // The branch's number is that of the continuation in floating point; the
+                    // position itself is proved afresh.
+                    certifier.lift();
+                    let Some(q) = certifier.advance(at, &s.state) else {
+                        undecided += 1;
+                        continue;
+                    };
+                    certified_row(at, s.branch, certifier.values(at, &q))
+                }
+            };
+            undecided += cells.iter().filter(|c| **c == Cell::Undecided).count();
+            rows.row(&cells)?;
+        }
+        progress.show("rows", done as u64, degrees.len() as u64);
+    }
+    Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
+}
+
+fn floating_row(linkage: &Linkage, degrees: &Rational, branch: usize, state: &State) -> Vec<Cell> {
+    let head = [Cell::Float(nearest_f64(degrees)), Cell::Count(branch)];
+    let values = class_iii::values(linkage, state);
+    head.into_iter()
+        .chain(values.into_iter().map(Cell::Float))
+        .collect()
+}
+
+fn certified_row(degrees: &Rational, branch: usize, digits: Vec<Option<String>>) -> Vec<Cell> {
+    let head = [Cell::Decimal(decimal(degrees)), Cell::Count(branch)];
+    head.into_iter()
+        .chain(digits.into_iter().map(Cell::certified))
+        .collect()
+}

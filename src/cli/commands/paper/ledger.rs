@@ -1,0 +1,67 @@
+//! A paper's ledger in the form asked for.
+
+use crate::cli::args::{PaperArgs, PaperFormat};
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::Output;
+use crate::cli::{complain, terminal};
+use mechaudit::papers;
+use mechaudit::report::{html, latex, text};
+use std::time::Instant;
+
+/// Decides the ledger and writes it, or compares it with the file.
+pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
+    // With --check the file is read.
+    let output = Output::open(args.output.as_deref().filter(|_| !args.check))?;
+    let standard = output.is_standard() && !args.check;
+    let started = Instant::now();
+    let Some(ledger) = papers::ledger_of(&args.key) else {
+        return Err(super::unknown(&args.key));
+    };
+    let seconds = started.elapsed().as_secs_f64();
+    let width = match standard {
+        true => terminal::width(),
+        false => 100,
+    };
+    let written = match args.format {
+        PaperFormat::Text => text::ledger::ledger(&ledger, width),
+        PaperFormat::Json => json(&ledger)?,
+        PaperFormat::Html => html::ledger::page(&ledger),
+        PaperFormat::Latex => latex::ledger(&ledger),
+        PaperFormat::Errata => crate::cli::commands::regenerate::errata::text(&ledger)
+            .map_err(|e| Failure::new(e.to_string()))?,
+        PaperFormat::Csv => return Err(Failure::new("a ledger has no CSV form")),
+    };
+    if args.check {
+        return check(args, &written);
+    }
+    output.write(|out| {
+        out.write_all(written.as_bytes())?;
+        if args.format == PaperFormat::Text && standard {
+            writeln!(out, "\nDecided in {seconds:.2} s.")?;
+        }
+        Ok(())
+    })?;
+    Ok(Outcome::of(ledger.as_recorded()))
+}
+
+fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
+    let text = serde_json::to_string_pretty(value);
+    let text = text.map_err(|e| Failure::new(e.to_string()))?;
+    Ok(text + "\n")
+}
+
+/// Whether the file holds what would be written.
+fn check(args: &PaperArgs, written: &str) -> Result<Outcome, Failure> {
+    let Some(path) = &args.output else {
+        return Err(Failure::new("--check needs --output FILE to compare with"));
+    };
+    let held = std::fs::read_to_string(path)
+        .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?;
+    // Colour is for terminals; files never have any.
+    let plain = anstream::adapter::strip_str(written).to_string();
+    let same = held == plain;
+    if !same {
+        complain(&format!("{} is not up to date", path.display()));
+    }
+    Ok(Outcome::of(same))
+}

@@ -1,0 +1,160 @@
+//! Everything generated, made anew or compared.
+
+mod artefact;
+pub mod errata;
+mod faddeeva_tables;
+mod method_values;
+mod sand_screen;
+
+use crate::cli::args::RegenerateArgs;
+use crate::cli::complain;
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::{Output, write_to};
+use crate::cli::progress::Progress;
+use artefact::{Artefact, Form, Made, broken, difference};
+use mechaudit::report::text::style::{BAD, DIM, GOOD, paint};
+use mechaudit::{methods, papers};
+use std::io::ErrorKind;
+use std::path::Path;
+
+const VALUES: &str = "reference/values";
+const PUBLISHED: &str = "reference/published";
+const FADDEEVA: &str = "src/solvers/special/faddeeva";
+
+/// Every generated file.
+fn artefacts() -> Vec<Artefact> {
+    let csv = |name: &str, make: Box<dyn Fn() -> artefact::Outcome<Made>>| Artefact {
+        name: name.into(),
+        path: Path::new(VALUES).join(format!("{name}.csv")),
+        form: Form::Csv,
+        make,
+    };
+    let rust = |name: &str, file: &str, make: fn() -> artefact::Outcome<Made>| Artefact {
+        name: name.into(),
+        path: Path::new(FADDEEVA).join(file),
+        form: Form::Rust,
+        make: Box::new(make),
+    };
+    let errata = |key: &'static str| Artefact {
+        name: errata::name(key),
+        path: Path::new(PUBLISHED).join(format!("{}.json", errata::name(key))),
+        form: Form::Json,
+        make: Box::new(move || {
+            let ledger = papers::ledger_of(key).ok_or("there is no such paper")?;
+            errata::made(&ledger)
+        }),
+    };
+    let mut all: Vec<Artefact> = methods::registry()
+        .into_iter()
+        .map(|method| {
+            let name = method.name();
+            csv(name, Box::new(move || method_values::made(&*method)))
+        })
+        .collect();
+    all.push(csv("sand-screen-run-up", Box::new(sand_screen::made)));
+    all.extend(papers::keys().into_iter().map(errata));
+    all.extend([
+        rust("faddeeva-tables", "tables.rs", faddeeva_tables::tables),
+        rust(
+            "faddeeva-constants",
+            "constants.rs",
+            faddeeva_tables::constants,
+        ),
+        rust(
+            "faddeeva-relatives-tables",
+            "relatives_tables.rs",
+            faddeeva_tables::relatives_tables,
+        ),
+    ]);
+    all
+}
+
+fn chosen(names: &[String]) -> Result<Vec<Artefact>, Failure> {
+    let mut all = artefacts();
+    if let Some(unknown) = names.iter().find(|n| all.iter().all(|a| a.name != **n)) {
+        let known: Vec<&str> = all.iter().map(|a| a.name.as_str()).collect();
+        return Err(Failure::no_such("generated file", unknown, &known));
+    }
+    all.retain(|a| names.is_empty() || names.contains(&a.name));
+    Ok(all)
+}
+
+/// Makes or compares what the arguments name.
+pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
+    let chosen = chosen(&args.names)?;
+    for folder in [VALUES, PUBLISHED, FADDEEVA] {
+        if !args.root.join(folder).is_dir() {
+            return Err(Failure::new(format!(
+                "{} holds no {folder}: --root has to be the folder of mechaudit's sources",
+                args.root.display()
+            )));
+        }
+    }
+    let progress = Progress::new();
+    let total = chosen.len() as u64;
+    let mut good = 0;
+    for (done, artefact) in chosen.iter().enumerate() {
+        progress.show(&artefact.name, done as u64, total);
+        let path = args.root.join(&artefact.path);
+        let output = match args.check {
+            true => None,
+            false => Some(Output::open(Some(&path))?),
+        };
+        let text = match artefact.text() {
+            Ok(text) => text,
+            Err(e) => {
+                progress.clear();
+                complain(&format!("{}: {e}", artefact.name));
+                continue;
+            }
+        };
+        let fault = match (held(&path)?, output) {
+            (Some(found), _) if found == text => None,
+            (Some(found), None) => Some(fault(artefact.form, &found, &text)),
+            (None, None) => Some("it is not there".into()),
+            (_, Some(output)) => {
+                output.text(&text)?;
+                progress.clear();
+                line(artefact, &paint(GOOD, "written"))?;
+                good += 1;
+                continue;
+            }
+        };
+        progress.clear();
+        match fault {
+            None => {
+                line(artefact, &paint(DIM, "as held"))?;
+                good += 1;
+            }
+            Some(fault) => line(artefact, &paint(BAD, &fault))?,
+        }
+    }
+    let summary = match args.check {
+        true => format!("{good} of {total} files are what the references give."),
+        false => format!("{good} of {total} files are up to date."),
+    };
+    write_to(None, |out| Ok(writeln!(out, "{summary}")?))?;
+    Ok(Outcome::of(good as u64 == total))
+}
+
+fn line(artefact: &Artefact, what: &str) -> Result<(), Failure> {
+    let path = artefact.path.display();
+    write_to(None, |out| Ok(writeln!(out, "{path}: {what}")?))
+}
+
+/// What is in a file that is not what it should be.
+fn fault(form: Form, found: &str, due: &str) -> String {
+    let place = difference(found, due).unwrap_or_default();
+    match broken(form, found) {
+        Some(why) => format!("{place}; {why}"),
+        None => place,
+    }
+}
+
+fn held(path: &Path) -> Result<Option<String>, Failure> {
+    match std::fs::read_to_string(path) {
+        Ok(text) => Ok(Some(text)),
+        Err(e) if e.kind() == ErrorKind::NotFound => Ok(None),
+        Err(e) => Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
+    }
+}

@@ -1,0 +1,221 @@
+//! Where reports go: standard output, a plain file that appears whole or not at all, or anything else
+//! that can be written to.
+
+use crate::cli::failure::Failure;
+use crate::cli::files::temporary::Temporary;
+use anstream::StripStream;
+use serde_json::Value;
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::{self, BufWriter, Seek, Write};
+use std::path::{Path, PathBuf};
+
+/// Opened before the work whose results it takes: what cannot be written is refused at once.
+pub struct Output {
+    target: Target,
+    /// As the user calls it.
+    name: PathBuf,
+}
+
+enum Target {
+    Standard,
+    /// A device, a pipe: written as it comes.
+    Stream(File),
+    /// A new file, or one whose place is taken with its owner and mode.
+    Whole(Temporary, PathBuf),
+    /// A file that keeps its place: it has other names, is somebody else's, or stands in a folder
+    /// that cannot be written. Its content is changed once the new one is whole.
+    Content(File, Temporary),
+}
+
+/// [`Output::open`] and [`Output::write`], where there is no work before.
+pub fn write_to(
+    target: Option<&Path>,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    Output::open(target)?.write(write)
+}
+
+/// JSON to standard output or a file.
+pub fn write_json(output: Output, value: &Value) -> Result<(), Failure> {
+    output.write(|out| {
+        serde_json::to_writer_pretty(&mut *out, value)?;
+        Ok(writeln!(out)?)
+    })
+}
+
+pub fn print_json(value: &Value) -> Result<(), Failure> {
+    write_json(Output::open(None)?, value)
+}
+
+impl Output {
+    /// Standard output for nothing and for `-`.
+    pub fn open(target: Option<&Path>) -> Result<Output, Failure> {
+        let name = target.unwrap_or(Path::new("-"));
+        let refused = |e: io::Error| Failure::new(format!("cannot write {}: {e}", name.display()));
+        let target = match name == Path::new("-") {
+            true => Target::Standard,
+            false => Target::of(name).map_err(refused)?,
+        };
+        let name = name.into();
+        Ok(Output { target, name })
+    }
+
+    /// A file of a folder, which is made if missing.
+    pub fn within(folder: &Path, file: &str) -> Result<Output, Failure> {
+        std::fs::create_dir_all(folder).map_err(|e| {
+            Failure::new(format!("cannot make the folder {}: {e}", folder.display()))
+        })?;
+        Output::open(Some(&folder.join(file)))
+    }
+
+    pub fn is_standard(&self) -> bool {
+        matches!(self.target, Target::Standard)
+    }
+
+    /// Fills it with that text.
+    pub fn text(self, text: &str) -> Result<(), Failure> {
+        self.write(|out| Ok(out.write_all(text.as_bytes())?))
+    }
+
+    /// Lets `write` fill it; gives what `write` gives.
+    pub fn write<T>(
+        self,
+        write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let name = self.name.display().to_string();
+        let refused = |e: io::Error| match e.kind() {
+            // Nobody reads it any more.
+            io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
+            _ => Failure::new(format!("cannot write {name}: {e}")),
+        };
+        match self.target {
+            Target::Standard => {
+                let mut out = BufWriter::new(anstream::stdout().lock());
+                let outcome = write(&mut out)?;
+                out.flush()?;
+                Ok(outcome)
+            }
+            Target::Stream(file) => {
+                let mut out = BufWriter::new(StripStream::new(file));
+                let outcome = write(&mut out)?;
+                out.flush().map_err(refused)?;
+                Ok(outcome)
+            }
+            Target::Whole(temporary, path) => {
+                let outcome = fill(&temporary, write)?;
+                temporary.persist(&path).map_err(refused)?;
+                Ok(outcome)
+            }
+            Target::Content(mut file, temporary) => {
+                let outcome = fill(&temporary, write)?;
+                let mut whole = temporary.file();
+                let mut copy = || {
+                    whole.rewind()?;
+                    file.set_len(0)?;
+                    io::copy(&mut whole, &mut file)?;
+                    file.sync_all()
+                };
+                copy().map_err(refused)?;
+                Ok(outcome)
+            }
+        }
+    }
+}
+
+fn fill<T>(
+    temporary: &Temporary,
+    write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let file = temporary.file().try_clone()?;
+    let mut out = BufWriter::new(StripStream::new(file));
+    let outcome = write(&mut out)?;
+    out.flush()?;
+    Ok(outcome)
+}
+
+impl Target {
+    fn of(name: &Path) -> io::Result<Target> {
+        let path = followed(name)?;
+        let known = match path.metadata() {
+            Ok(known) => known,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                let new = Temporary::new(folder(&path), 0o666)?;
+                return Ok(Target::Whole(new, path));
+            }
+            Err(e) => return Err(e),
+        };
+        if known.is_dir() {
+            return Err(io::Error::other("it is a folder"));
+        }
+        if is_descriptor(&path) {
+            // A file may hold something before.
+            return Ok(Target::Stream(OpenOptions::new().append(true).open(path)?));
+        }
+        // A superuser could write it all the same.
+        if known.is_file() && known.permissions().readonly() {
+            return Err(io::Error::other("it is read-only"));
+        }
+        let file = OpenOptions::new().write(true).open(&path)?;
+        if !known.is_file() {
+            return Ok(Target::Stream(file));
+        }
+        Ok(match in_its_place(&path, &known) {
+            Some(temporary) => Target::Whole(temporary, path),
+            None => {
+                let anywhere = Temporary::new(&std::env::temp_dir(), 0o600)?;
+                Target::Content(file, anywhere)
+            }
+        })
+    }
+}
+
+/// A file that can take a known one's place: beside it, with the same owner and mode.
+fn in_its_place(path: &Path, known: &Metadata) -> Option<Temporary> {
+    // Nobody else may read it before it has the mode.
+    let temporary = Temporary::new(folder(path), 0o600).ok()?;
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::{MetadataExt, fchown};
+        let own = temporary.file().metadata().ok()?;
+        let owner = |m: &Metadata| (m.uid(), m.gid());
+        if known.nlink() > 1 {
+            return None;
+        }
+        if owner(&own) != owner(known) {
+            fchown(temporary.file(), Some(known.uid()), Some(known.gid())).ok()?;
+        }
+    }
+    let kept = temporary.file().set_permissions(known.permissions());
+    kept.ok().map(|()| temporary)
+}
+
+fn folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(p) if !p.as_os_str().is_empty() => p,
+        _ => Path::new("."),
+    }
+}
+
+/// Links that a path may lead through, as systems have it.
+const LINKS: usize = 40;
+
+/// Where symbolic links lead, also if nothing is there yet.
+fn followed(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_path_buf();
+    for _ in 0..LINKS {
+        if is_descriptor(&path) {
+            return Ok(path);
+        }
+        match path.read_link() {
+            Ok(to) => path = folder(&path).join(to),
+            Err(_) => return Ok(path),
+        }
+    }
+    Err(io::Error::other("too many symbolic links"))
+}
+
+/// Whether it stands for an open file of a process: `/dev/fd/3`, and where `/dev/stdout` leads.
+fn is_descriptor(path: &Path) -> bool {
+    let folder = folder(path).canonicalize();
+    folder.is_ok_and(|f| f.starts_with("/proc") || f == Path::new("/dev/fd"))
+}

@@ -1,0 +1,151 @@
+//! A file under way: without a name until it is whole, where the system can do that; elsewhere under
+//! a temporary name that goes with the program.
+
+use crate::cli::process::interrupt::{self, Unwanted};
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+use tempfile::{Builder, NamedTempFile, TempPath};
+
+/// A file of a folder that nobody else sees yet.
+pub struct Temporary {
+    file: File,
+    folder: PathBuf,
+    /// Its temporary name, if it has one.
+    name: Option<(TempPath, Unwanted)>,
+}
+
+impl Temporary {
+    /// A new one with those permissions, less the umask.
+    pub fn new(folder: &Path, mode: u32) -> io::Result<Temporary> {
+        match unnamed(folder, mode) {
+            Some(file) => Ok(Temporary {
+                file,
+                folder: folder.into(),
+                name: None,
+            }),
+            None => Temporary::named(folder, mode),
+        }
+    }
+
+    /// With a temporary name from the start.
+    fn named(folder: &Path, mode: u32) -> io::Result<Temporary> {
+        let (file, name) = at_free_name(folder, |path| {
+            let mut options = OpenOptions::new();
+            options.read(true).write(true).create_new(true);
+            #[cfg(unix)]
+            std::os::unix::fs::OpenOptionsExt::mode(&mut options, mode);
+            #[cfg(not(unix))]
+            let _ = mode;
+            options.open(path)
+        })?;
+        Ok(Temporary {
+            file,
+            folder: folder.into(),
+            name: Some(name),
+        })
+    }
+
+    pub fn file(&self) -> &File {
+        &self.file
+    }
+
+    /// Gives it its name at last, in the place of whatever has it.
+    pub fn persist(self, path: &Path) -> io::Result<()> {
+        self.file.sync_all()?;
+        let (name, unwanted) = match self.name {
+            Some(named) => named,
+            // A link takes no other file's place, so it takes a detour.
+            None => match link(&self.file, path) {
+                Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {
+                    at_free_name(&self.folder, |free| link(&self.file, free))?.1
+                }
+                done => return done,
+            },
+        };
+        name.persist(path).map_err(|e| e.error)?;
+        drop(unwanted);
+        Ok(())
+    }
+}
+
+/// Makes something under a free temporary name, which goes with the program.
+fn at_free_name<T>(
+    folder: &Path,
+    mut make: impl FnMut(&Path) -> io::Result<T>,
+) -> io::Result<(T, (TempPath, Unwanted))> {
+    // The error that tempfile gives names the temporary file, which means nothing to anybody.
+    let mut code = None;
+    let made = Builder::new()
+        .prefix(".mechaudit-")
+        .make_in(folder, |path| {
+            let unwanted = interrupt::unwanted(path);
+            let made = make(path).inspect_err(|e| code = e.raw_os_error());
+            Ok((made?, unwanted))
+        });
+    let made = made.map_err(|e| code.map_or(e, io::Error::from_raw_os_error));
+    let ((made, unwanted), name) = made.map(NamedTempFile::into_parts)?;
+    Ok((made, (name, unwanted)))
+}
+
+/// A file without a name that can be given one later.
+#[cfg(target_os = "linux")]
+fn unnamed(folder: &Path, mode: u32) -> Option<File> {
+    use std::os::unix::fs::OpenOptionsExt;
+    // The name is given by way of this folder.
+    if !Path::new(DESCRIPTORS).is_dir() {
+        return None;
+    }
+    let flags = rustix::fs::OFlags::TMPFILE.bits().cast_signed();
+    let mut options = OpenOptions::new();
+    options.read(true).write(true).mode(mode);
+    options.custom_flags(flags).open(folder).ok()
+}
+
+#[cfg(not(target_os = "linux"))]
+fn unnamed(_: &Path, _: u32) -> Option<File> {
+    None
+}
+
+#[cfg(target_os = "linux")]
+const DESCRIPTORS: &str = "/proc/self/fd";
+
+/// Gives a file a name that is free.
+#[cfg(target_os = "linux")]
+fn link(file: &File, path: &Path) -> io::Result<()> {
+    use rustix::fs::{AtFlags, CWD, linkat};
+    use std::os::fd::AsRawFd;
+    let own = format!("{DESCRIPTORS}/{}", file.as_raw_fd());
+    Ok(linkat(CWD, own, CWD, path, AtFlags::SYMLINK_FOLLOW)?)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn link(_: &File, _: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Write;
+
+    /// Where there are no files without a name.
+    #[test]
+    fn a_temporary_name_goes_with_the_program() {
+        let folder = tempfile::tempdir().unwrap();
+        let names = || std::fs::read_dir(folder.path()).unwrap().count();
+        let left = Temporary::named(folder.path(), 0o600).unwrap();
+        assert_eq!(names(), 1);
+        interrupt::remove_unwanted();
+        assert_eq!(names(), 0);
+        drop(left);
+        let whole = Temporary::named(folder.path(), 0o666).unwrap();
+        whole.file().write_all(b"all").unwrap();
+        let path = folder.path().join("file");
+        whole.persist(&path).unwrap();
+        // A file that is whole stays.
+        interrupt::remove_unwanted();
+        assert_eq!(std::fs::read(&path).unwrap(), b"all");
+        assert_eq!(names(), 1);
+    }
+}

@@ -1,0 +1,10 @@
+//! Other processes: candidates, what is said to them, and signals.
+
+pub mod bounded;
+pub mod candidate;
+pub mod exec;
+#[cfg(unix)]
+pub mod guard;
+pub mod interrupt;
+pub mod program;
+pub mod wire;

@@ -1,0 +1,201 @@
+//! Inputs and answers as lines of text.
+
+use crate::cli::failure::Failure;
+use crate::cli::number::Number;
+use crate::cli::process::bounded::size;
+use mechaudit::audit::{SolverAnswer, hex_float};
+use std::io::{BufRead, Read};
+
+/// The longest line of an input, an answer or a table.
+pub const LONGEST: usize = 1 << 20;
+/// The most numbers on one.
+pub const FIELDS: usize = 100_000;
+
+/// A line without its end; one that is longer than allowed is cut.
+pub struct Line {
+    /// Counted from one, comments included.
+    pub number: u64,
+    text: Vec<u8>,
+}
+
+/// Lines of a stream. Comments (#) are passed over.
+pub struct Lines<R> {
+    input: R,
+    number: u64,
+}
+
+impl<R: BufRead> Lines<R> {
+    pub fn new(input: R) -> Lines<R> {
+        Lines { input, number: 0 }
+    }
+
+    /// The next line that is no comment, or nothing at the end.
+    pub fn read(&mut self) -> std::io::Result<Option<Line>> {
+        loop {
+            match self.read_any()? {
+                Some(l) if l.text.first() == Some(&b'#') => {}
+                line => return Ok(line),
+            }
+        }
+    }
+
+    /// The next line, be it a comment.
+    pub fn read_any(&mut self) -> std::io::Result<Option<Line>> {
+        let mut text = Vec::new();
+        let limit = LONGEST as u64 + 1;
+        if (&mut self.input).take(limit).read_until(b'\n', &mut text)? == 0 {
+            return Ok(None);
+        }
+        if text.last() == Some(&b'\n') {
+            text.pop();
+        } else if text.len() > LONGEST {
+            self.input.skip_until(b'\n')?;
+        }
+        self.number += 1;
+        let number = self.number;
+        Ok(Some(Line { number, text }))
+    }
+}
+
+impl Line {
+    fn text(&self) -> Result<&str, String> {
+        if self.text.len() > LONGEST {
+            return Err(format!("longer than {}", size(LONGEST)));
+        }
+        let text = std::str::from_utf8(&self.text).map_err(|_| "not UTF-8".to_string())?;
+        Ok(text.trim())
+    }
+
+    /// What follows `#`, trimmed, if the line is a comment.
+    pub fn comment(&self) -> Option<&str> {
+        self.text().ok()?.strip_prefix('#').map(str::trim)
+    }
+
+    pub fn is_blank(&self) -> bool {
+        self.text().is_ok_and(str::is_empty)
+    }
+
+    /// An input: numbers separated by commas or blanks.
+    pub fn input(&self) -> Result<Vec<f64>, Failure> {
+        let numbers = self.text().and_then(numbers);
+        numbers.map_err(|why| Failure::new(format!("inputs, line {}: {why}", self.number)))
+    }
+
+    /// An answer; a line that is none is a failure to answer.
+    pub fn answer(&self) -> SolverAnswer {
+        let failed = |why| {
+            let line = self.number;
+            SolverAnswer::Fails(format!("malformed answer on line {line}: {why}"))
+        };
+        let text = match self.text() {
+            Ok("") => return failed("empty".to_string()),
+            Ok(text) => text,
+            Err(why) => return failed(why),
+        };
+        if let Some(reason) = text.strip_prefix("refuse")
+            && (reason.is_empty() || reason.starts_with([' ', '\t', ':']))
+        {
+            let reason = reason.trim_start_matches([' ', '\t', ':']);
+            let reason = (!reason.is_empty()).then(|| shortened(reason.as_bytes()));
+            return SolverAnswer::Declines(reason);
+        }
+        numbers(text).map_or_else(failed, SolverAnswer::Values)
+    }
+}
+
+/// The beginning of a line, for messages.
+pub fn shortened(text: &[u8]) -> String {
+    const SHOWN: usize = 80;
+    let text = String::from_utf8_lossy(&text[..text.len().min(4 * SHOWN)]);
+    let text = text.trim();
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.into(),
+    }
+}
+
+/// Numbers separated by commas or blanks.
+pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
+    let shown = |why: String| format!("{why} in {:?}", shortened(text.as_bytes()));
+    let separated = text.split(',').flat_map(|part| {
+        let mut words = part.split_whitespace().peekable();
+        // Nothing between two commas is something missing.
+        let missing = words.peek().is_none().then_some("");
+        missing.into_iter().chain(words)
+    });
+    separated
+        .enumerate()
+        .map(|(k, field)| match field {
+            _ if k == FIELDS => Err(format!("more than {FIELDS} fields")),
+            "" => Err(shown("an empty field".into())),
+            field => Number::parse(field).map(|n| n.nearest()).map_err(|e| {
+                // The field itself may be as long as the line.
+                match field.len() {
+                    ..=80 => shown(e.to_string()),
+                    _ => shown("a field that is no number".into()),
+                }
+            }),
+        })
+        .collect()
+}
+
+/// An input as a line: hexadecimal floats, or decimals that read back as the same numbers.
+pub fn line(input: &[f64], decimal: bool) -> String {
+    let field = |x: &f64| match decimal {
+        true if x.is_nan() => "nan".into(),
+        true => format!("{x:?}"),
+        false => hex_float(*x),
+    };
+    let fields: Vec<String> = input.iter().map(field).collect();
+    fields.join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use SolverAnswer::{Declines, Fails, Values};
+
+    fn answers(text: &[u8]) -> Vec<SolverAnswer> {
+        let mut lines = Lines::new(text);
+        std::iter::from_fn(|| lines.read().unwrap().map(|l| l.answer())).collect()
+    }
+
+    #[test]
+    fn answers_of_many_kinds() {
+        let given = b"# head\n1,2\n 0x1p-1 -INF\r\n1.5e0\t,\t-0\nrefuse\nrefuse: singular\n";
+        let due = vec![
+            Values(vec![1.0, 2.0]),
+            Values(vec![0.5, f64::NEG_INFINITY]),
+            Values(vec![1.5, -0.0]),
+            Declines(None),
+            Declines(Some("singular".into())),
+        ];
+        assert_eq!(answers(given), due);
+        assert!(matches!(&answers(b"nan")[0], Values(v) if v[0].is_nan()));
+    }
+
+    #[test]
+    fn what_is_no_answer_costs_one_line() {
+        let mut text = b"\n1,,2\n1,x\n\xff\nrefused\n,\n".to_vec();
+        text.extend(std::iter::repeat_n(b'1', 2 * LONGEST));
+        text.extend(b"\n4\n5");
+        let all = answers(&text);
+        assert_eq!(all.len(), 9);
+        assert!(all[..7].iter().all(|a| matches!(a, Fails(_))), "{all:?}");
+        assert_eq!(all[7..], [Values(vec![4.0]), Values(vec![5.0])]);
+        assert!(matches!(&all[2], Fails(why) if why.contains("line 3") && why.contains("\"x\"")));
+    }
+
+    #[test]
+    fn inputs_come_back() {
+        let x = vec![0.1, -0.0, 5e-324, f64::INFINITY, 1e300];
+        for decimal in [false, true] {
+            let text = line(&x, decimal);
+            let read = Lines::new(text.as_bytes()).read().unwrap().unwrap();
+            let back = read.input().unwrap();
+            let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(&back), bits(&x), "{text}");
+        }
+        assert_eq!(line(&[f64::NAN], true), "nan");
+    }
+}

@@ -1,0 +1,230 @@
+//! The crank angles of the rows, exact.
+
+use super::class_iii::{Branch, Reach};
+use crate::reference::nearest_f64;
+use rug::{Integer, Rational};
+
+/// Crank angles in degrees, `from + k step`.
+///
+/// ```
+/// use mechaudit::machine::crank_angles::{Grid, Window};
+/// let window = Window { step: (75, 10).into(), ..Window::default() };
+/// let grid = Grid::new(&window, Some((14_426, 1000).into()), 1000)?;
+/// assert_eq!(grid.count, 48);
+/// assert_eq!(grid.angle(2), rug::Rational::from((29_426, 1000)));
+/// # Ok::<(), mechaudit::machine::crank_angles::GridError>(())
+/// ```
+pub struct Grid {
+    /// The first angle.
+    pub from: Rational,
+    step: Rational,
+    /// How many there are.
+    pub count: u64,
+    /// Whether the window was asked for, or is one turn from the start.
+    asked: bool,
+}
+
+/// The crank angles asked for, in degrees.
+#[derive(Clone, Debug, Default)]
+pub struct Window {
+    /// From one to the next.
+    pub step: Rational,
+    /// The first; else the file's start, else 0.
+    pub from: Option<Rational>,
+    /// The last, itself included; else one turn, its end left out.
+    pub to: Option<Rational>,
+}
+
+/// Why a window has no rows.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GridError {
+    /// The step is zero or negative.
+    #[error("the step must be positive, got {step}")]
+    Step {
+        /// The step in degrees.
+        step: f64,
+    },
+    /// The last angle is before the first.
+    #[error("the last crank angle, {to} deg, must not be less than the first, {from} deg")]
+    Backwards {
+        /// The last angle in degrees.
+        to: f64,
+        /// The first angle in degrees.
+        from: f64,
+    },
+    /// Too many rows.
+    #[error("a step of {step:e} deg gives more than {most} crank angles; take a larger step")]
+    TooMany {
+        /// The step in degrees.
+        step: f64,
+        /// How many are possible.
+        most: u64,
+    },
+}
+
+impl Grid {
+    /// The angles of the window, at most so many; they begin at `start` if the window does not say
+    /// where.
+    ///
+    /// # Errors
+    /// [`GridError`].
+    pub fn new(window: &Window, start: Option<Rational>, most: u64) -> Result<Grid, GridError> {
+        let step = window.step.clone();
+        let size = nearest_f64(&step);
+        if step <= 0 {
+            return Err(GridError::Step { step: size });
+        }
+        let from = window.from.clone().or(start).unwrap_or_default();
+        let steps = match &window.to {
+            Some(to) if *to < from => {
+                let (to, from) = (nearest_f64(to), nearest_f64(&from));
+                return Err(GridError::Backwards { to, from });
+            }
+            Some(to) => (Rational::from(to - &from) / &step).floor() + 1u32,
+            None => (Rational::from(360) / &step).ceil(),
+        };
+        if steps > most {
+            return Err(GridError::TooMany { step: size, most });
+        }
+        Ok(Grid {
+            from,
+            step,
+            count: steps.numer().to_u64().unwrap_or(0),
+            asked: window.from.is_some() || window.to.is_some(),
+        })
+    }
+
+    /// The angle of this number.
+    pub fn angle(&self, k: i64) -> Rational {
+        &self.step * Rational::from(k) + &self.from
+    }
+}
+
+/// The crank angles that can be reached: as asked for, and on the branch's own count of turns.
+pub fn plan(grid: &Grid, branch: &Branch) -> Plan {
+    let whole = Plan {
+        first: 0,
+        last: grid.count as i64 - 1,
+        limits: None,
+        from: grid.from.clone(),
+        step: grid.step.clone(),
+    };
+    let Reach::Part { low, high } = branch.reach else {
+        return whole;
+    };
+    let degrees = |x: f64| Rational::from_f64(x.to_degrees()).unwrap_or_default();
+    let (low, high) = (degrees(low.reached), degrees(high.reached));
+    if grid.asked {
+        return Plan {
+            limits: Some((low, high)),
+            ..whole
+        };
+    }
+    let steps = |x: &Rational| Rational::from(x - &grid.from) / &grid.step;
+    let integer = |q: Rational| q.numer().to_i64().unwrap_or(0);
+    let (first, last) = (integer(steps(&low).ceil()), integer(steps(&high).floor()));
+    Plan {
+        first,
+        // No more than one turn and no more than asked for.
+        last: last.min(first + grid.count as i64 - 1),
+        ..whole
+    }
+}
+
+/// The angles in order.
+pub struct Plan {
+    first: i64,
+    last: i64,
+    limits: Option<(Rational, Rational)>,
+    from: Rational,
+    step: Rational,
+}
+
+impl Plan {
+    /// Each angle as asked for, and on the branch's own count of turns.
+    pub fn angles(&self) -> impl Iterator<Item = (Rational, Rational)> + '_ {
+        (self.first..=self.last).filter_map(|k| {
+            let shown = &self.step * Rational::from(k) + &self.from;
+            let at = match &self.limits {
+                None => shown.clone(),
+                Some((low, high)) => {
+                    let turns = (Rational::from(low - &shown) / 360u32).ceil();
+                    let at = turns * 360u32 + &shown;
+                    if at > *high {
+                        return None;
+                    }
+                    at
+                }
+            };
+            Some((shown, at))
+        })
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> u64 {
+        match self.limits {
+            None => (self.last - self.first + 1).max(0) as u64,
+            Some(_) => self.angles().count() as u64,
+        }
+    }
+}
+
+/// A rational number whose decimals end, written out.
+///
+/// ```
+/// use mechaudit::machine::crank_angles::decimal;
+/// assert_eq!(decimal(&(-1, 8).into()), "-0.125");
+/// ```
+pub fn decimal(q: &Rational) -> String {
+    let mut scaled = q.clone();
+    let mut places = 0;
+    while *scaled.denom() != 1 && places < 1200 {
+        scaled *= 10;
+        places += 1;
+    }
+    let n: Integer = scaled.numer().clone();
+    let digits = format!(
+        "{:0>width$}",
+        n.clone().abs().to_string(),
+        width = places + 1
+    );
+    let (whole, fraction) = digits.split_at(digits.len() - places);
+    let sign = if n < 0 { "-" } else { "" };
+    match places {
+        0 => format!("{sign}{whole}"),
+        _ => format!("{sign}{whole}.{fraction}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_in_a_part_of_the_turn_are_brought_there() {
+        let q = |n: i64| Rational::from(n);
+        let plan = Plan {
+            first: 0,
+            last: 5,
+            limits: Some((q(-100), q(70))),
+            from: q(0),
+            step: q(60),
+        };
+        let all: Vec<(Rational, Rational)> = plan.angles().collect();
+        let due = [(0, 0), (60, 60), (300, -60)].map(|(a, b)| (q(a), q(b)));
+        assert_eq!(all, due);
+        assert_eq!(plan.count(), 3);
+    }
+
+    #[test]
+    fn decimals_are_written_out() {
+        for (n, d, text) in [
+            (14_426, 1000, "14.426"),
+            (-1, 8, "-0.125"),
+            (360, 1, "360"),
+            (0, 1, "0"),
+        ] {
+            assert_eq!(decimal(&Rational::from((n, d))), text);
+        }
+    }
+}

@@ -1,0 +1,311 @@
+//! A four-bar linkage or a slider-crank as its file describes it, and its rows in the user's units:
+//! in floating point and as certified decimals.
+
+mod certified;
+mod range;
+mod values;
+
+pub use certified::{Proved, certified};
+pub use range::{Dead, Turn, dead, swing, turn};
+pub use values::{ASSEMBLIES, RowError, Values, floating, names, number};
+
+use super::linkage::{BodyTable, CrankMotion, File, massless, rounded};
+use super::quantity::Quantity;
+use super::source::{Refusal, Source};
+use crate::reference::class_iii::ExactAngle;
+use crate::reference::{Ball, nearest_f64};
+use crate::solvers::dyad::{Assembly, FourBar, SliderCrank};
+use crate::solvers::reduction::Body;
+use crate::solvers::units::{Acceleration, Angle, Length, Mass};
+use rug::Rational;
+use serde::Deserialize;
+use serde::de::{DeserializeOwned, IgnoredAny};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StartTable {
+    phi1: Option<Quantity<Angle>>,
+    #[serde(default)]
+    assembly: AssemblyName,
+    /// This belongs to a run-up.
+    #[serde(rename = "speed")]
+    _speed: Option<IgnoredAny>,
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum AssemblyName {
+    #[default]
+    Positive,
+    Negative,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FourBarTable {
+    crank: Quantity<Length>,
+    coupler: Quantity<Length>,
+    rocker: Quantity<Length>,
+    frame: Quantity<Length>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FourBarBodies {
+    crank: Option<BodyTable>,
+    coupler: Option<BodyTable>,
+    rocker: Option<BodyTable>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SliderCrankTable {
+    crank: Quantity<Length>,
+    rod: Quantity<Length>,
+    offset: Option<Quantity<Length>>,
+    direction: Option<Quantity<Angle>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SliderCrankBodies {
+    crank: Option<BodyTable>,
+    rod: Option<BodyTable>,
+    slider: Option<SliderTable>,
+}
+
+/// A slider does not turn: of a body's fields it has the mass only.
+#[derive(Deserialize)]
+struct SliderTable {
+    mass: Quantity<Mass>,
+}
+
+/// The linkage itself, once as floating-point numbers and once exactly.
+pub enum Shape {
+    /// A four-bar linkage.
+    FourBar {
+        /// In floating point.
+        solver: FourBar,
+        /// Crank, coupler, rocker, frame in metres.
+        exact: [Rational; 4],
+        /// Crank, coupler and rocker, where the file gives bodies.
+        bodies: Option<[Body; 3]>,
+    },
+    /// A slider-crank.
+    SliderCrank {
+        /// In floating point.
+        solver: SliderCrank,
+        /// Crank, rod, offset in metres.
+        exact: [Rational; 3],
+        /// Direction of the guide.
+        direction: Quantity<Angle>,
+        /// Crank and rod, and the slider's mass, where the file gives bodies.
+        bodies: Option<([Body; 2], Mass)>,
+    },
+}
+
+/// A linkage of one crank and one dyad, as described.
+pub struct Dyad {
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// The linkage itself.
+    pub shape: Shape,
+    /// Where the file gives the crank's speed.
+    pub crank: Option<CrankMotion>,
+    /// Standard gravity unless the file gives another.
+    pub gravity: Acceleration,
+    /// Crank angle of the first row in degrees.
+    pub start: Option<Rational>,
+    /// The assembly that is meant.
+    pub assembly: Assembly,
+}
+
+/// Reads the description of a four-bar linkage.
+pub(super) fn four_bar(source: &Source) -> Result<Dyad, Refusal> {
+    dyad(source, |g: &FourBarTable, b: Option<&FourBarBodies>| {
+        let exact = [&g.crank, &g.coupler, &g.rocker, &g.frame].map(|l| l.value.clone());
+        let [a, b_, c, d] = exact.each_ref().map(metres);
+        let solver = FourBar::new(a, b_, c, d).map_err(|e| source.refuse("geometry", e))?;
+        let links = b.map(|b| [&b.crank, &b.coupler, &b.rocker]);
+        let links = links.filter(|l| l.iter().any(|b| b.is_some()));
+        Ok(Shape::FourBar {
+            solver,
+            exact,
+            bodies: links.map(|l| l.map(body)),
+        })
+    })
+}
+
+/// Reads the description of a slider-crank.
+pub(super) fn slider_crank(source: &Source) -> Result<Dyad, Refusal> {
+    dyad(
+        source,
+        |g: &SliderCrankTable, b: Option<&SliderCrankBodies>| {
+            let offset = g
+                .offset
+                .as_ref()
+                .map_or(Rational::new(), |l| l.value.clone());
+            let exact = [g.crank.value.clone(), g.rod.value.clone(), offset];
+            let direction = g.direction.clone();
+            let direction = direction.unwrap_or_else(|| Quantity::si(Rational::new()));
+            let [a, b_, e] = exact.each_ref().map(metres);
+            let delta = Angle::from_rad(direction.to_f64());
+            let solver =
+                SliderCrank::new(a, b_, e, delta).map_err(|e| source.refuse("geometry", e))?;
+            let links = |b: &SliderCrankBodies| [&b.crank, &b.rod].map(body);
+            let slider = |b: &SliderCrankBodies| b.slider.as_ref().map_or(0.0, |t| t.mass.to_f64());
+            let b = b.filter(|b| b.crank.is_some() || b.rod.is_some() || b.slider.is_some());
+            Ok(Shape::SliderCrank {
+                solver,
+                exact,
+                direction,
+                bodies: b.map(|b| (links(b), Mass::from_kg(slider(b)))),
+            })
+        },
+    )
+}
+
+fn dyad<G: DeserializeOwned, B: DeserializeOwned>(
+    source: &Source,
+    shape: impl FnOnce(&G, Option<&B>) -> Result<Shape, Refusal>,
+) -> Result<Dyad, Refusal> {
+    let file: File<G, StartTable, B> = source.parse()?;
+    let start = file.start.as_ref();
+    Ok(Dyad {
+        crank: file.crank(source)?,
+        shape: shape(&file.geometry, file.bodies.as_ref())?,
+        gravity: Acceleration::from_m_per_s2(file.gravity().to_f64()),
+        start: start.and_then(|s| s.phi1.as_ref()?.in_degrees()),
+        assembly: match start.map_or(AssemblyName::Positive, |s| s.assembly) {
+            AssemblyName::Positive => Assembly::Positive,
+            AssemblyName::Negative => Assembly::Negative,
+        },
+        name: file.name,
+    })
+}
+
+fn metres(q: &Rational) -> Length {
+    Length::from_m(nearest_f64(q))
+}
+
+/// A link without a table has no mass.
+fn body(table: &Option<BodyTable>) -> Body {
+    rounded(&table.as_ref().map_or_else(massless, BodyTable::exact))
+}
+
+impl Shape {
+    /// The name of the type.
+    pub fn type_name(&self) -> &'static str {
+        match self {
+            Shape::FourBar { .. } => "four-bar",
+            Shape::SliderCrank { .. } => "slider-crank",
+        }
+    }
+
+    /// Whether the file gives bodies.
+    pub fn has_bodies(&self) -> bool {
+        match self {
+            Shape::FourBar { bodies, .. } => bodies.is_some(),
+            Shape::SliderCrank { bodies, .. } => bodies.is_some(),
+        }
+    }
+
+    /// Which of the values are angles.
+    pub(super) fn angles(&self) -> &'static [usize] {
+        match self {
+            Shape::FourBar { .. } => &[0, 1, 6],
+            Shape::SliderCrank { .. } => &[1, 6],
+        }
+    }
+
+    /// The crank angle from the frame or from the guide, in degrees; `None` where the guide's
+    /// direction is given in radians.
+    fn relative_degrees(&self, degrees: &Rational) -> Option<Rational> {
+        match self {
+            Shape::FourBar { .. } => Some(degrees.clone()),
+            Shape::SliderCrank { direction: d, .. } => {
+                (d.degrees || d.value == 0).then(|| Rational::from(degrees - &d.value))
+            }
+        }
+    }
+
+    /// The crank angle from the frame or from the guide, in radians, enclosed.
+    pub(super) fn relative(&self, degrees: &Rational, bits: u32) -> Ball {
+        let ball = |d: Rational| ExactAngle::Degrees(d).to_ball(bits);
+        match (self.relative_degrees(degrees), self) {
+            (Some(psi), _) => ball(psi),
+            (None, Shape::SliderCrank { direction, .. }) => {
+                ball(degrees.clone()) - direction.to_ball(bits)
+            }
+            (None, Shape::FourBar { .. }) => ball(degrees.clone()),
+        }
+    }
+
+    /// Cosine and sine of that angle where they are known to be rational.
+    pub(super) fn rational_cos_sin(
+        &self,
+        degrees: &Rational,
+    ) -> (Option<Rational>, Option<Rational>) {
+        match self.relative_degrees(degrees) {
+            Some(psi) => (cosine(&psi), cosine(&(psi - 90u32))),
+            None => (None, None),
+        }
+    }
+
+    /// Whether the dyad is stretched, folded or out of reach, where that can be told exactly. At
+    /// no other angle of a rational number of degrees is it stretched or folded: the condition is
+    /// a rational value of the cosine (four-bar) or sine (slider-crank).
+    pub fn exactly_beyond(&self, degrees: &Rational) -> bool {
+        match (self, self.rational_cos_sin(degrees)) {
+            (Shape::FourBar { exact, .. }, (Some(cos), _)) => {
+                let [a, b, c, d] = exact;
+                let span = Rational::from(a * a) + Rational::from(d * d)
+                    - Rational::from(a * d) * cos * 2u32;
+                span >= Rational::from(b + c).square() || span <= Rational::from(b - c).square()
+            }
+            (Shape::SliderCrank { exact, .. }, (_, Some(sin))) => {
+                let [a, b, e] = exact;
+                (Rational::from(e) - sin * a).abs() >= *b
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The cosine of an angle in degrees if it is rational: by Niven's theorem only 0, ±1/2 and ±1
+/// occur among rational angles.
+fn cosine(degrees: &Rational) -> Option<Rational> {
+    let turns = Rational::from(degrees / 360u32).floor();
+    let rest = degrees - turns * 360u32;
+    if *rest.denom() != 1 {
+        return None;
+    }
+    match rest.numer().to_u32()? {
+        0 => Some(Rational::from(1)),
+        60 | 300 => Some(Rational::from((1, 2))),
+        90 | 270 => Some(Rational::new()),
+        120 | 240 => Some(Rational::from((-1, 2))),
+        180 => Some(Rational::from(-1)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cosine;
+    use rug::Rational;
+
+    #[test]
+    fn rational_cosines_are_those_of_niven() {
+        for k in -720..=720i32 {
+            let x = f64::from(k).to_radians().cos();
+            let near = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|r| (x - r).abs() < 1e-9);
+            let found = cosine(&Rational::from(k));
+            assert_eq!(found.is_some(), near.contains(&true), "{k}");
+            if let Some(c) = found {
+                assert!((c.to_f64() - x).abs() < 1e-9, "{k}");
+            }
+        }
+        assert_eq!(cosine(&Rational::from((121, 2))), None);
+    }
+}

@@ -1,0 +1,169 @@
+//! The columns of a dyad's rows, a row in floating point, and the numbers of the branches.
+
+use super::{Dyad, Shape};
+use crate::reference::nearest_f64;
+use crate::solvers::dyad::{Assembly, DyadError};
+use crate::solvers::units::Angle;
+use rug::Rational;
+
+/// Two coordinates, their first and second derivatives by the crank angle, the transmission angle
+/// and the determinant. The coordinates are φ2 and φ3 of the four-bar, or the slider's coordinate
+/// and φ2.
+pub type Values<T> = [T; 8];
+
+/// Both assemblies, in the order of their branch numbers.
+pub const ASSEMBLIES: [Assembly; 2] = [Assembly::Positive, Assembly::Negative];
+
+/// The number of an assembly in the column `branch`.
+pub fn number(assembly: Assembly) -> usize {
+    usize::from(assembly == Assembly::Negative)
+}
+
+/// The values with velocities and accelerations in the place of the derivatives.
+pub(super) fn at_crank_speed<T>(v: Values<T>, rates: impl Fn(&T, &T) -> (T, T)) -> Values<T> {
+    let (w1, e1) = rates(&v[2], &v[4]);
+    let (w2, e2) = rates(&v[3], &v[5]);
+    let [p, q, _, _, _, _, transmission, determinant] = v;
+    [p, q, w1, w2, e1, e2, transmission, determinant]
+}
+
+/// Why a row has no values in floating point.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RowError {
+    /// The solver refuses the position.
+    #[error("at phi1 = {degrees} deg: {source}")]
+    Position {
+        /// The crank angle in degrees.
+        degrees: f64,
+        /// Its refusal.
+        source: DyadError,
+    },
+    /// A value is too large.
+    #[error("{column} exceeds the range of floating-point numbers at phi1 = {degrees} deg")]
+    Range {
+        /// The column's name.
+        column: String,
+        /// The crank angle in degrees.
+        degrees: f64,
+    },
+}
+
+/// A row in floating point, angles in degrees; `None` where the crank does not reach the angle.
+///
+/// # Errors
+/// [`RowError`].
+pub fn floating(
+    dyad: &Dyad,
+    degrees: &Rational,
+    assembly: Assembly,
+) -> Result<Option<Values<f64>>, RowError> {
+    if dyad.shape.exactly_beyond(degrees) {
+        return Ok(None);
+    }
+    let at = nearest_f64(degrees);
+    let mut values = match position(&dyad.shape, Angle::from_rad(at.to_radians()), assembly) {
+        Ok(values) => values,
+        Err(DyadError::Unreachable { .. } | DyadError::Singular { .. }) => return Ok(None),
+        Err(source) => {
+            return Err(RowError::Position {
+                degrees: at,
+                source,
+            });
+        }
+    };
+    if let Some(crank) = &dyad.crank {
+        let (w, e) = (crank.omega.to_f64(), crank.epsilon.to_f64());
+        values = at_crank_speed(values, |f, s| (f * w, s * w * w + f * e));
+    }
+    for &i in dyad.shape.angles() {
+        values[i] = values[i].to_degrees();
+    }
+    match values.iter().position(|x| !x.is_finite()) {
+        None => Ok(Some(values)),
+        Some(i) => Err(RowError::Range {
+            column: names(dyad).swap_remove(i + 2),
+            degrees: at,
+        }),
+    }
+}
+
+fn position(shape: &Shape, phi: Angle, assembly: Assembly) -> Result<Values<f64>, DyadError> {
+    Ok(match shape {
+        Shape::FourBar { solver, .. } => {
+            let m = solver.position(phi, assembly)?;
+            let (p, q) = (m.coupler, m.rocker);
+            let transmission = m.transmission.rad();
+            [
+                p.angle.rad(),
+                q.angle.rad(),
+                p.first,
+                q.first,
+                p.second,
+                q.second,
+                transmission,
+                m.determinant_m2,
+            ]
+        }
+        Shape::SliderCrank { solver, .. } => {
+            let m = solver.position(phi, assembly)?;
+            [
+                m.slider_m,
+                m.rod.angle.rad(),
+                m.slider_first_m,
+                m.rod.first,
+                m.slider_second_m,
+                m.rod.second,
+                m.transmission.rad(),
+                m.determinant_m,
+            ]
+        }
+    })
+}
+
+/// The columns' names with their units, `phi1_deg` and `branch` first.
+pub fn names(dyad: &Dyad) -> Vec<String> {
+    let values = match (&dyad.shape, dyad.crank.is_some()) {
+        (Shape::FourBar { .. }, false) => [
+            "phi2_deg",
+            "phi3_deg",
+            "dphi2_dphi1",
+            "dphi3_dphi1",
+            "d2phi2_dphi1_2_per_rad",
+            "d2phi3_dphi1_2_per_rad",
+            "transmission_angle_deg",
+            "determinant_m2",
+        ],
+        (Shape::FourBar { .. }, true) => [
+            "phi2_deg",
+            "phi3_deg",
+            "omega2_rad_per_s",
+            "omega3_rad_per_s",
+            "epsilon2_rad_per_s2",
+            "epsilon3_rad_per_s2",
+            "transmission_angle_deg",
+            "determinant_m2",
+        ],
+        (Shape::SliderCrank { .. }, false) => [
+            "slider_m",
+            "phi2_deg",
+            "dslider_dphi1_m_per_rad",
+            "dphi2_dphi1",
+            "d2slider_dphi1_2_m_per_rad2",
+            "d2phi2_dphi1_2_per_rad",
+            "transmission_angle_deg",
+            "determinant_m",
+        ],
+        (Shape::SliderCrank { .. }, true) => [
+            "slider_m",
+            "phi2_deg",
+            "slider_velocity_m_per_s",
+            "omega2_rad_per_s",
+            "slider_acceleration_m_per_s2",
+            "epsilon2_rad_per_s2",
+            "transmission_angle_deg",
+            "determinant_m",
+        ],
+    };
+    let head = ["phi1_deg", "branch"];
+    head.iter().chain(&values).map(|s| s.to_string()).collect()
+}

@@ -1,0 +1,529 @@
+//! Quantities as people write them: a decimal number and a unit. Read exactly.
+//!
+//! The type says what is measured, so a mass cannot be read where a length is due:
+//!
+//! ```
+//! use mechaudit::machine::quantity::Quantity;
+//! use mechaudit::solvers::units::Length;
+//! let l: Quantity<Length> = "48.5 cm".parse()?;
+//! assert_eq!(l.value, rug::Rational::from((485, 1000)));
+//! assert_eq!(l.to_f64(), 0.485);
+//! let e = "48.5 kg".parse::<Quantity<Length>>().unwrap_err();
+//! assert_eq!(e.to_string(), "\"48.5 kg\" is not a length; write it for instance in cm");
+//! # Ok::<(), mechaudit::machine::quantity::QuantityError>(())
+//! ```
+
+use crate::reference::class_iii::ExactAngle;
+use crate::reference::{Ball, Decimal, DecimalError, nearest_f64};
+use crate::solvers::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
+use rug::Rational;
+use serde::de::{self, Deserialize, Deserializer, Visitor};
+use std::error::Error;
+use std::fmt;
+use std::marker::PhantomData;
+use std::str::FromStr;
+
+/// What is measured.
+pub trait Dimension {
+    /// With its article, as in "a length".
+    const NAME: &'static str;
+    /// A unit that one might write.
+    const EXAMPLE: &'static str;
+    /// Powers of metre, kilogram, second and angle.
+    const POWERS: [i32; 4];
+}
+
+macro_rules! dimensions {
+    ($($type:ident: $name:literal, $example:literal, $powers:expr;)*) => {
+        $(impl Dimension for $type {
+            const NAME: &'static str = $name;
+            const EXAMPLE: &'static str = $example;
+            const POWERS: [i32; 4] = $powers;
+        })*
+    };
+}
+
+/// The dimension of a point's velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Velocity {}
+/// The dimension of an angular acceleration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AngularAcceleration {}
+/// The dimension of a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Time {}
+/// The dimension of a torque per angular velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ViscousResistance {}
+/// The dimension of a torque per angular velocity squared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum QuadraticResistance {}
+
+dimensions! {
+    Length: "a length", "cm", [1, 0, 0, 0];
+    Angle: "an angle", "deg", [0, 0, 0, 1];
+    Mass: "a mass", "kg", [0, 1, 0, 0];
+    Inertia: "a moment of inertia", "kg m^2", [2, 1, 0, 0];
+    Velocity: "a velocity", "m/s", [1, 0, -1, 0];
+    Acceleration: "an acceleration", "m/s^2", [1, 0, -2, 0];
+    AngularVelocity: "an angular velocity", "rad/s", [0, 0, -1, 1];
+    AngularAcceleration: "an angular acceleration", "rad/s^2", [0, 0, -2, 1];
+    Torque: "a torque", "N m", [2, 1, -2, 0];
+    Time: "a time", "s", [0, 0, 1, 0];
+    ViscousResistance: "a viscous resistance", "N m s", [2, 1, -1, 0];
+    QuadraticResistance: "a quadratic resistance", "N m s^2", [2, 1, 0, 0];
+}
+
+/// A quantity, exact: in SI units, an angle or its derivatives in degrees if so written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity<D> {
+    /// The value.
+    pub value: Rational,
+    /// Whether the value is in degrees.
+    pub degrees: bool,
+    dimension: PhantomData<D>,
+}
+
+/// A text is not the quantity that is due.
+#[derive(Clone, Debug, PartialEq)]
+pub struct QuantityError {
+    /// The text.
+    pub text: String,
+    /// What is due.
+    pub name: &'static str,
+    /// A unit that is possible.
+    pub example: &'static str,
+    /// What is wrong with it.
+    pub reason: QuantityReason,
+}
+
+/// What is wrong with a text that is to be a quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub enum QuantityReason {
+    /// It does not begin with a number.
+    Number(DecimalError),
+    /// It is a number alone.
+    NoUnit,
+    /// Its unit cannot be read.
+    Unit(UnitError),
+    /// Its unit measures something else.
+    Dimension,
+}
+
+impl fmt::Display for QuantityError {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let QuantityError {
+            text,
+            name,
+            example,
+            reason,
+        } = self;
+        match reason {
+            QuantityReason::Number(_) => write!(
+                f,
+                "{text:?} does not begin with a decimal number; write for instance \"12.5 {example}\""
+            ),
+            QuantityReason::NoUnit => write!(
+                f,
+                "{text:?} has no unit; for {name} write for instance \"{text} {example}\""
+            ),
+            QuantityReason::Unit(e) => {
+                write!(f, "{text:?}: {e}; {name} is due, for instance in {example}")
+            }
+            QuantityReason::Dimension => {
+                write!(
+                    f,
+                    "{text:?} is not {name}; write it for instance in {example}"
+                )
+            }
+        }
+    }
+}
+
+impl Error for QuantityError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match &self.reason {
+            QuantityReason::Number(e) => Some(e),
+            QuantityReason::Unit(e) => Some(e),
+            QuantityReason::NoUnit | QuantityReason::Dimension => None,
+        }
+    }
+}
+
+/// Why a text is not a unit.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum UnitError {
+    /// Nothing is written.
+    #[error("an empty unit")]
+    Empty,
+    /// Every factor makes the scale longer, and no quantity has as many.
+    #[error("a product of more than {MOST_UNITS} units")]
+    TooMany,
+    /// Something else than a power from −4 to 4.
+    #[error("{factor:?} is not a power of a unit")]
+    Power {
+        /// The factor.
+        factor: String,
+    },
+    /// A frequency in other units than Hz and 1/min.
+    #[error("of frequencies 1/min and Hz are known")]
+    Frequency,
+    /// None of [`KNOWN`].
+    #[error("{name:?} is not a unit known here")]
+    Unknown {
+        /// The name.
+        name: String,
+    },
+}
+
+/// A unit, exact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unit {
+    /// Its size in SI units, of angles in degrees if so meant.
+    pub scale: Rational,
+    /// Powers of metre, kilogram, second and angle.
+    pub dimension: [i32; 4],
+    /// Whether its size is in degrees.
+    pub degrees: bool,
+}
+
+/// The units known by name.
+pub const KNOWN: &str =
+    "m dm cm mm um µm in inch ft kg g t lb N kN s ms min rad deg ° rev rpm Hz 1/min";
+
+fn base(name: &str) -> Option<Unit> {
+    let unit = |n: u64, d: u64, dimension| {
+        Some(Unit {
+            scale: Rational::from((n, d)),
+            dimension,
+            degrees: false,
+        })
+    };
+    let degrees = |n: u64, dimension| {
+        Some(Unit {
+            scale: Rational::from(n),
+            dimension,
+            degrees: true,
+        })
+    };
+    match name {
+        "m" => unit(1, 1, [1, 0, 0, 0]),
+        "dm" => unit(1, 10, [1, 0, 0, 0]),
+        "cm" => unit(1, 100, [1, 0, 0, 0]),
+        "mm" => unit(1, 1000, [1, 0, 0, 0]),
+        // Both code points that keyboards have for µ.
+        "um" | "µm" | "μm" => unit(1, 1_000_000, [1, 0, 0, 0]),
+        "in" | "inch" => unit(254, 10_000, [1, 0, 0, 0]),
+        "ft" => unit(3048, 10_000, [1, 0, 0, 0]),
+        "kg" => unit(1, 1, [0, 1, 0, 0]),
+        "g" => unit(1, 1000, [0, 1, 0, 0]),
+        "t" => unit(1000, 1, [0, 1, 0, 0]),
+        "lb" => unit(45_359_237, 100_000_000, [0, 1, 0, 0]),
+        "N" => unit(1, 1, [1, 1, -2, 0]),
+        "kN" => unit(1000, 1, [1, 1, -2, 0]),
+        "s" => unit(1, 1, [0, 0, 1, 0]),
+        "ms" => unit(1, 1000, [0, 0, 1, 0]),
+        "min" => unit(60, 1, [0, 0, 1, 0]),
+        "rad" => unit(1, 1, [0, 0, 0, 1]),
+        "deg" | "°" => degrees(1, [0, 0, 0, 1]),
+        "rev" => degrees(360, [0, 0, 0, 1]),
+        "rpm" => degrees(6, [0, 0, -1, 1]),
+        // Revolutions or cycles a second.
+        "Hz" => degrees(360, [0, 0, -1, 1]),
+        _ => None,
+    }
+}
+
+/// Units in a product at most: no quantity has more, and every one makes the scale longer.
+const MOST_UNITS: usize = 16;
+
+/// Reads a product of units such as `kg m^2`, `kg·m²` or `m/s^2`.
+///
+/// # Errors
+/// [`UnitError`].
+pub fn unit(text: &str) -> Result<Unit, UnitError> {
+    // As shaft speeds are written: revolutions.
+    let compact: String = text.split_whitespace().collect();
+    if let ("1/min" | "/min" | "min^-1" | "min⁻¹", Some(rpm)) = (&*compact, base("rpm")) {
+        return Ok(rpm);
+    }
+    if compact.is_empty() {
+        return Err(UnitError::Empty);
+    }
+    let mut all = Unit {
+        scale: Rational::from(1),
+        dimension: [0; 4],
+        degrees: false,
+    };
+    let spaced = text
+        .replace(['*', '·'], " ")
+        .replace('/', " / ")
+        .replace('²', "^2");
+    let mut sign = 1;
+    for (k, token) in spaced.split_whitespace().enumerate() {
+        if k == MOST_UNITS {
+            return Err(UnitError::TooMany);
+        }
+        if token == "/" {
+            sign = -1;
+            continue;
+        }
+        let (name, power) = token.split_once('^').unwrap_or((token, "1"));
+        let power = match power.parse::<i32>() {
+            Ok(p) if (-4..=4).contains(&p) => p * sign,
+            _ => {
+                return Err(UnitError::Power {
+                    factor: token.into(),
+                });
+            }
+        };
+        let one = base(name).ok_or_else(|| match name {
+            "1" => UnitError::Frequency,
+            _ => UnitError::Unknown { name: name.into() },
+        })?;
+        for (d, k) in all.dimension.iter_mut().zip(one.dimension) {
+            *d += power * k;
+        }
+        for _ in 0..power.abs() {
+            if power > 0 {
+                all.scale *= &one.scale;
+            } else {
+                all.scale /= &one.scale;
+            }
+        }
+        all.degrees |= one.degrees;
+        sign = 1;
+    }
+    Ok(all)
+}
+
+impl<D: Dimension> FromStr for Quantity<D> {
+    type Err = QuantityError;
+
+    /// Reads a number with its unit.
+    fn from_str(text: &str) -> Result<Quantity<D>, QuantityError> {
+        let text = text.trim();
+        let refused = |reason| QuantityError {
+            text: text.into(),
+            name: D::NAME,
+            example: D::EXAMPLE,
+            reason,
+        };
+        let end = text
+            .char_indices()
+            .find(|&(i, c)| !is_number_part(text, i, c))
+            .map_or(text.len(), |(i, _)| i);
+        let (number, symbol) = (text[..end].trim(), text[end..].trim());
+        let number = Decimal::parse(number).map_err(|e| refused(QuantityReason::Number(e)))?;
+        if symbol.is_empty() {
+            return Err(refused(QuantityReason::NoUnit));
+        }
+        let unit = unit(symbol).map_err(|e| refused(QuantityReason::Unit(e)))?;
+        if unit.dimension != D::POWERS {
+            return Err(refused(QuantityReason::Dimension));
+        }
+        Ok(Quantity {
+            value: number.value * unit.scale,
+            degrees: unit.degrees,
+            dimension: PhantomData,
+        })
+    }
+}
+
+impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
+    fn deserialize<T: Deserializer<'de>>(from: T) -> Result<Quantity<D>, T::Error> {
+        from.deserialize_any(Written(str::parse))
+    }
+}
+
+/// Visits a string; a bare number is refused as one without a unit.
+pub(super) struct Written<F>(pub F);
+
+impl<T, E: fmt::Display, F: FnOnce(&str) -> Result<T, E>> Visitor<'_> for Written<F> {
+    type Value = T;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a string with a number and its unit")
+    }
+    fn visit_str<R: de::Error>(self, text: &str) -> Result<T, R> {
+        self.0(text).map_err(R::custom)
+    }
+    fn visit_i64<R: de::Error>(self, n: i64) -> Result<T, R> {
+        self.visit_str(&n.to_string())
+    }
+    fn visit_u64<R: de::Error>(self, n: u64) -> Result<T, R> {
+        self.visit_str(&n.to_string())
+    }
+    fn visit_f64<R: de::Error>(self, x: f64) -> Result<T, R> {
+        self.visit_str(&x.to_string())
+    }
+}
+
+impl<D> Quantity<D> {
+    /// A quantity in SI units.
+    pub fn si(value: Rational) -> Quantity<D> {
+        Quantity {
+            value,
+            degrees: false,
+            dimension: PhantomData,
+        }
+    }
+
+    /// The nearest floating-point number in SI units; radians as `f64::to_radians` rounds the
+    /// nearest number of degrees.
+    pub fn to_f64(&self) -> f64 {
+        let x = nearest_f64(&self.value);
+        if self.degrees { x.to_radians() } else { x }
+    }
+
+    /// In SI units (radians), enclosed.
+    pub fn to_ball(&self, bits: u32) -> Ball {
+        let value = self.value.clone();
+        match self.degrees {
+            true => ExactAngle::Degrees(value).to_ball(bits),
+            false => ExactAngle::Radians(value).to_ball(bits),
+        }
+    }
+}
+
+impl Quantity<Angle> {
+    /// The angle, exact.
+    pub fn exact_angle(&self) -> ExactAngle {
+        match self.degrees {
+            true => ExactAngle::Degrees(self.value.clone()),
+            false => ExactAngle::Radians(self.value.clone()),
+        }
+    }
+
+    /// In degrees; one given in radians is rounded.
+    pub fn in_degrees(&self) -> Option<Rational> {
+        match self.degrees {
+            true => Some(self.value.clone()),
+            false => Rational::from_f64(self.to_f64().to_degrees()),
+        }
+    }
+
+    /// In turns; one given in degrees is divided exactly.
+    pub fn in_turns(&self) -> f64 {
+        match self.degrees {
+            true => nearest_f64(&(self.value.clone() / 360u32)),
+            false => self.to_f64() / std::f64::consts::TAU,
+        }
+    }
+}
+
+/// Whether the character belongs to the number: digits, sign, point, and an exponent's letter if
+/// digits follow it.
+fn is_number_part(text: &str, i: usize, c: char) -> bool {
+    let after = text[i + c.len_utf8()..].trim_start_matches(['+', '-']);
+    match c {
+        '0'..='9' | '.' | '+' | '-' => true,
+        'e' | 'E' => i > 0 && after.starts_with(|d: char| d.is_ascii_digit()),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn si<D: Dimension>(text: &str) -> Rational {
+        text.parse::<Quantity<D>>().unwrap().value
+    }
+
+    fn refusal<D: Dimension + fmt::Debug>(text: &str) -> String {
+        text.parse::<Quantity<D>>().unwrap_err().to_string()
+    }
+
+    #[test]
+    fn quantities_are_exact() {
+        assert_eq!(si::<Length>("48.5 cm"), Rational::from((485, 1000)));
+        assert_eq!(si::<Length>("48.5cm"), Rational::from((485, 1000)));
+        assert_eq!(si::<Length>("-1.5e1 mm"), Rational::from((-15, 1000)));
+        assert_eq!(si::<Length>("2 in"), Rational::from((508, 10_000)));
+        assert_eq!(si::<Inertia>("20 kg cm^2"), Rational::from((2, 1000)));
+        assert_eq!(si::<Inertia>("20 kg·m²"), 20);
+        assert_eq!(
+            si::<Inertia>("3 g*mm^2"),
+            Rational::from((3, 1_000_000_000u64))
+        );
+        assert_eq!(si::<Acceleration>("981 cm/s^2"), Rational::from((981, 100)));
+        assert_eq!(si::<Torque>("2.5 kN cm"), 25);
+        assert_eq!(si::<Torque>("3 N·m"), 3);
+        assert_eq!(si::<ViscousResistance>("3 N m s"), 3);
+        assert_eq!(si::<Time>("5 ms"), Rational::from((5, 1000)));
+        assert_eq!(si::<AngularVelocity>("60 rpm"), 360);
+        assert_eq!(si::<AngularVelocity>("2 rev/min"), 12);
+        assert_eq!(si::<AngularVelocity>("50 Hz"), 18_000);
+        for frequency in [
+            "1500 1/min",
+            "1500/min",
+            "1500 min^-1",
+            "1500 min⁻¹",
+            "25 Hz",
+            "1500 rpm",
+        ] {
+            assert_eq!(si::<AngularVelocity>(frequency), 9000, "{frequency}");
+        }
+        for small in ["5 µm", "5 μm", "5 um", "5μm"] {
+            assert_eq!(si::<Length>(small), Rational::from((5, 1_000_000)));
+        }
+        assert_eq!(si::<Length>("2 inch"), Rational::from((508, 10_000)));
+        let q = "-39.3 deg".parse::<Quantity<Angle>>().unwrap();
+        assert!(q.degrees && q.value == Rational::from((-393, 10)));
+        assert_eq!(q.to_f64(), (-39.3f64).to_radians());
+        assert_eq!(si::<Mass>("0.1 kg"), Rational::from((1, 10)));
+        assert_eq!(nearest_f64(&si::<Mass>("0.1 kg")), 0.1);
+    }
+
+    /// The value is rounded once also where it is subnormal.
+    #[test]
+    fn subnormal_values_are_nearest() {
+        for (text, due) in [
+            ("2.4703282292062327209e-322 cm", 5e-324),
+            ("2.4703282292062327208e-322 cm", 0.0),
+            ("-2.4703282292062327209e-321 mm", -5e-324),
+            ("1e-308 cm", 1e-310),
+        ] {
+            let l: Quantity<Length> = text.parse().unwrap();
+            assert_eq!(l.to_f64(), due, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_list_of_units_is_right() {
+        for name in KNOWN.split(' ') {
+            assert!(unit(name).is_ok(), "{name}");
+        }
+    }
+
+    #[test]
+    fn refusals_say_what_to_write() {
+        let long = format!("1 {}", "in^4 ".repeat(200_000));
+        let e = refusal::<Length>(&long);
+        assert!(e.contains("more than 16 units"));
+        let cases: [(fn(&str) -> String, &str, &str); 12] = [
+            (refusal::<Length>, "10", "write for instance \"10 cm\""),
+            (refusal::<Length>, "10 kg", "is not a length"),
+            (refusal::<Length>, "10 furlong", "\"furlong\" is not a unit"),
+            (refusal::<Length>, "nan m", "decimal number"),
+            (refusal::<Length>, "inf m", "decimal number"),
+            (refusal::<Length>, "", "decimal number"),
+            (refusal::<Length>, "1,5 cm", "not a unit"),
+            (refusal::<Inertia>, "18 kg m", "is not a moment of inertia"),
+            (refusal::<Inertia>, "18 kg m^x", "power"),
+            (refusal::<Angle>, "1 rad/s", "is not an angle"),
+            (refusal::<Mass>, "1e999999 kg", "decimal number"),
+            (
+                refusal::<AngularVelocity>,
+                "5 1/s",
+                "1/min and Hz are known",
+            ),
+        ];
+        for (refusal, text, part) in cases {
+            let e = refusal(text);
+            assert!(e.contains(part), "{text}: {e}");
+            assert!(!e.contains('\n'));
+        }
+    }
+}

@@ -1,0 +1,450 @@
+//! A machine as its file describes it: the linkage, and the tables of its motor, load and run.
+
+mod precision;
+mod steady;
+
+pub use precision::{FINEST, MOMENTS, Point, work_precision};
+pub use steady::Steady;
+
+use super::class_iii::{self, Branch, BranchError};
+use super::dyad::{Dyad, Shape};
+use super::linkage::Linkage;
+use super::quantity::{QuadraticResistance, Quantity, Time, ViscousResistance};
+use super::source::{Refusal, Source};
+use crate::reference::nearest_f64;
+use crate::solvers::run_up::{
+    ClassIiiModel, Drive, FourBarModel, Kloss, Method, Motor, MotorError, Plan, ReducedModel,
+    Resistance, Settings, SliderCrankModel, TableReading, TorqueTable,
+};
+use crate::solvers::units::{AngularVelocity, Inertia, Torque};
+use serde::Deserialize;
+use serde::de::{Deserializer, Error as _};
+
+/// The tables read here; those of the linkage are read with it.
+#[derive(Deserialize)]
+struct File {
+    start: Option<StartTable>,
+    motor: MotorTable,
+    #[serde(default)]
+    load: LoadTable,
+    run: RunTable,
+}
+
+#[derive(Deserialize)]
+struct StartTable {
+    speed: Option<Quantity<AngularVelocity>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MotorTable {
+    kind: MotorKind,
+    synchronous_speed: Option<Quantity<AngularVelocity>>,
+    rated_torque: Option<Quantity<Torque>>,
+    overload: Option<f64>,
+    rated_slip: Option<f64>,
+    pull_out_torque: Option<Quantity<Torque>>,
+    critical_slip: Option<f64>,
+    standstill_torque: Option<Quantity<Torque>>,
+    no_load_speed: Option<Quantity<AngularVelocity>>,
+    torque: Option<Quantity<Torque>>,
+    points: Option<Vec<(Quantity<AngularVelocity>, Quantity<Torque>)>>,
+    reading: Option<Reading>,
+    ratio: Option<f64>,
+    rotor_inertia: Option<Quantity<Inertia>>,
+    flywheel: Option<Quantity<Inertia>>,
+}
+
+/// The kinds of motors.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum MotorKind {
+    /// No torque.
+    Off,
+    /// The same torque at every speed.
+    Constant,
+    /// A straight line from standstill to no load.
+    Linear,
+    /// Kloss's formula.
+    Kloss,
+    /// Points of the curve.
+    Table,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Reading {
+    Linear,
+    Cubic,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+struct LoadTable {
+    constant: Option<Quantity<Torque>>,
+    viscous: Option<Quantity<ViscousResistance>>,
+    quadratic: Option<Quantity<QuadraticResistance>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RunTable {
+    duration: Quantity<Time>,
+    step: Option<Quantity<Time>>,
+    tolerance: Option<f64>,
+    #[serde(default, deserialize_with = "method")]
+    method: Option<Method>,
+    coefficients: Option<Coefficients>,
+    nodes: Option<usize>,
+    target_speed: Option<Quantity<AngularVelocity>>,
+    settle: Option<f64>,
+    fluctuation: Option<f64>,
+}
+
+fn method<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Method>, D::Error> {
+    const NAMES: &[&str] = &["verner98", "dop853", "radau5"];
+    let name = String::deserialize(from)?;
+    let method = Method::ALL.into_iter().find(|m| m.name() == name);
+    match method {
+        Some(method) => Ok(Some(method)),
+        None => Err(D::Error::unknown_variant(&name, NAMES)),
+    }
+}
+
+/// Where the coefficients come from.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum Coefficients {
+    /// The linkage itself.
+    #[default]
+    Exact,
+    /// Splines of all three.
+    Splines,
+    /// A spline of dI_n/dφ, the others exact.
+    Hybrid,
+}
+
+impl Coefficients {
+    /// All of them.
+    pub const ALL: [Coefficients; 3] = [
+        Coefficients::Exact,
+        Coefficients::Splines,
+        Coefficients::Hybrid,
+    ];
+
+    /// As the file names them.
+    pub fn name(self) -> &'static str {
+        match self {
+            Coefficients::Exact => "exact",
+            Coefficients::Splines => "splines",
+            Coefficients::Hybrid => "hybrid",
+        }
+    }
+}
+
+/// What stands in place of the file's run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Overrides {
+    /// In place of `run.coefficients`.
+    pub coefficients: Option<Coefficients>,
+    /// In place of `run.nodes`.
+    pub nodes: Option<usize>,
+    /// In place of `run.tolerance`.
+    pub tolerance: Option<f64>,
+    /// In place of `run.method`.
+    pub method: Option<Method>,
+}
+
+/// A machine and what it is to do.
+pub struct Machine {
+    /// Its name, or one made of its type.
+    pub name: String,
+    /// The linkage's type as the file names it.
+    pub linkage: &'static str,
+    /// The linkage reduced to the crank.
+    pub model: Box<dyn ReducedModel>,
+    /// Motor, load and added inertia.
+    pub drive: Drive,
+    /// What kind of motor it has.
+    pub motor: MotorKind,
+    /// What is to be computed.
+    pub plan: Plan,
+    /// Where the coefficients come from.
+    pub coefficients: Coefficients,
+    /// Nodes of the splines.
+    pub nodes: usize,
+    /// The coefficient of fluctuation that a flywheel is wanted for.
+    pub fluctuation: Option<f64>,
+    /// The branch of a linkage of class III.
+    pub branch: Option<Branch>,
+}
+
+/// Why a file describes no machine that can be run.
+#[derive(Debug, thiserror::Error)]
+pub enum MachineError {
+    /// The file is refused.
+    #[error(transparent)]
+    File(#[from] Refusal),
+    /// The linkage has no such branch.
+    #[error(transparent)]
+    Branch(#[from] BranchError),
+    /// The linkage has no masses.
+    #[error("a run needs masses: the tables [bodies.…] are missing")]
+    NoBodies,
+}
+
+/// Nodes of the splines if nobody says how many: one for each row of the paper's tables.
+const NODES: usize = 48;
+/// Rows of a run without a step.
+const ROWS: f64 = 1000.0;
+
+impl Machine {
+    /// Reads the description of a machine.
+    ///
+    /// ```
+    /// use mechaudit::machine::{run_up, Source};
+    /// use mechaudit::solvers::run_up::{run, Equation};
+    /// let source = Source::toml(include_str!(concat!(
+    ///     env!("CARGO_MANIFEST_DIR"), "/examples/four-bar-run-up.toml"
+    /// )));
+    /// let machine = run_up::Machine::read(&source, run_up::Overrides::default())?;
+    /// let motion = run(&Equation::new(&*machine.model, &machine.drive), &machine.plan)?;
+    /// assert!(motion.end.t > 0.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MachineError`].
+    pub fn read(source: &Source, overrides: Overrides) -> Result<Machine, MachineError> {
+        let linkage = Linkage::read(source)?;
+        let File {
+            start,
+            motor,
+            load,
+            run,
+        } = source.parse()?;
+        let drive = drive(source, &motor, &load)?;
+        let type_name = match &linkage {
+            Linkage::ClassIii(_) => "class-iii",
+            Linkage::Dyad(dyad) => dyad.shape.type_name(),
+        };
+        let (name, model, phi, branch) = match linkage {
+            Linkage::ClassIii(linkage) => {
+                let (model, branch) = class_iii_model(&linkage)?;
+                (linkage.name, model, branch.start.phi1, Some(branch))
+            }
+            Linkage::Dyad(dyad) => {
+                let (model, phi) = dyad_model(source, &dyad)?;
+                (dyad.name, model, phi, None)
+            }
+        };
+        let coefficients = overrides.coefficients.or(run.coefficients);
+        let coefficients = coefficients.unwrap_or_default();
+        // Exact in place of the file's own choice may stand against its nodes.
+        let unused = run.nodes.is_some() && overrides.coefficients.is_none();
+        if coefficients == Coefficients::Exact && unused {
+            let rule = "run.nodes has no meaning with exact coefficients: choose coefficients splines or hybrid";
+            return Err(source.breach("run.nodes", rule).into());
+        }
+        let psi = start.and_then(|s| s.speed).map_or(0.0, |q| q.to_f64());
+        Ok(Machine {
+            name: name.unwrap_or_else(|| format!("{type_name} linkage")),
+            linkage: type_name,
+            model,
+            drive,
+            motor: motor.kind,
+            plan: run.plan(overrides, phi, psi),
+            coefficients,
+            nodes: overrides.nodes.or(run.nodes).unwrap_or(NODES),
+            fluctuation: run.fluctuation,
+            branch,
+        })
+    }
+}
+
+impl RunTable {
+    fn plan(&self, overrides: Overrides, phi: f64, psi: f64) -> Plan {
+        let duration = self.duration.to_f64();
+        let step = self.step.as_ref().map_or(duration / ROWS, Quantity::to_f64);
+        let method = overrides.method.or(self.method);
+        let tolerance = overrides.tolerance.or(self.tolerance);
+        let defaults = Settings::default();
+        Plan {
+            phi,
+            psi,
+            duration,
+            target: self.target_speed.as_ref().map(Quantity::to_f64),
+            settled: self.settle,
+            sampling: Some(step),
+            settings: Settings {
+                tolerance: tolerance.unwrap_or(defaults.tolerance),
+                method: method.unwrap_or_default(),
+                switch_when_stiff: method.is_none(),
+                ..defaults
+            },
+        }
+    }
+}
+
+fn class_iii_model(
+    linkage: &class_iii::Linkage,
+) -> Result<(Box<dyn ReducedModel>, Branch), MachineError> {
+    let masses = linkage.masses.as_ref().ok_or(MachineError::NoBodies)?;
+    let start = linkage.start_degrees().unwrap_or_default();
+    let branch = class_iii::choose(&linkage.solver, &start, None, &linkage.start)?;
+    let model = ClassIiiModel::new(linkage.solver, masses.solver, branch.start);
+    Ok((Box::new(model), branch))
+}
+
+fn dyad_model(source: &Source, dyad: &Dyad) -> Result<(Box<dyn ReducedModel>, f64), MachineError> {
+    let degrees = dyad.start.as_ref();
+    let phi = degrees.map_or(0.0, |d| nearest_f64(d).to_radians());
+    let refused = |e| source.refuse("bodies", e);
+    let model: Box<dyn ReducedModel> = match &dyad.shape {
+        Shape::FourBar { solver, bodies, .. } => {
+            let bodies = bodies.ok_or(MachineError::NoBodies)?;
+            let model = FourBarModel::new(*solver, dyad.assembly, bodies, dyad.gravity);
+            Box::new(model.map_err(refused)?)
+        }
+        Shape::SliderCrank { solver, bodies, .. } => {
+            let (links, slider) = bodies.ok_or(MachineError::NoBodies)?;
+            let gravity = dyad.gravity;
+            let model = SliderCrankModel::new(*solver, dyad.assembly, links, slider, gravity);
+            Box::new(model.map_err(refused)?)
+        }
+    };
+    Ok((model, phi))
+}
+
+fn si<D>(quantity: &Option<Quantity<D>>) -> f64 {
+    quantity.as_ref().map_or(0.0, Quantity::to_f64)
+}
+
+fn drive(source: &Source, motor: &MotorTable, load: &LoadTable) -> Result<Drive, Refusal> {
+    let resistance = Resistance {
+        constant: Torque::from_n_m(si(&load.constant)),
+        viscous_n_m_s: si(&load.viscous),
+        quadratic_n_m_s2: si(&load.quadratic),
+    };
+    let drive = Drive::new(
+        motor.read(source)?,
+        motor.ratio.unwrap_or(1.0),
+        Inertia::from_kg_m2(si(&motor.rotor_inertia)),
+        Inertia::from_kg_m2(si(&motor.flywheel)),
+        resistance,
+    );
+    drive.map_err(|e| source.refuse("motor", e))
+}
+
+impl MotorKind {
+    /// As the file names it.
+    pub fn name(self) -> &'static str {
+        match self {
+            MotorKind::Off => "off",
+            MotorKind::Constant => "constant",
+            MotorKind::Linear => "linear",
+            MotorKind::Kloss => "kloss",
+            MotorKind::Table => "table",
+        }
+    }
+
+    /// The fields that belong to it.
+    fn fields(self) -> &'static [&'static str] {
+        match self {
+            MotorKind::Off => &[],
+            MotorKind::Constant => &["torque"],
+            MotorKind::Linear => &["standstill_torque", "no_load_speed"],
+            MotorKind::Kloss => &[
+                "synchronous_speed",
+                "rated_torque",
+                "overload",
+                "rated_slip",
+                "pull_out_torque",
+                "critical_slip",
+            ],
+            MotorKind::Table => &["points", "reading"],
+        }
+    }
+}
+
+impl MotorTable {
+    fn read(&self, source: &Source) -> Result<Motor, Refusal> {
+        let kind = self.kind;
+        let given = self.given();
+        if let Some(field) = given.iter().find(|f| !kind.fields().contains(f)) {
+            let rule = format!("motor.{field} has no meaning with kind = {:?}", kind.name());
+            return Err(source.breach(&format!("motor.{field}"), rule));
+        }
+        let missing = |field: &str| source.breach("motor", format!("motor.{field} is missing"));
+        let torque = |field, q: &Option<Quantity<Torque>>| {
+            let q = q.as_ref().ok_or_else(|| missing(field))?;
+            Ok::<_, Refusal>(Torque::from_n_m(q.to_f64()))
+        };
+        let speed = |field, q: &Option<Quantity<AngularVelocity>>| {
+            let q = q.as_ref().ok_or_else(|| missing(field))?;
+            Ok::<_, Refusal>(AngularVelocity::from_rad_per_s(q.to_f64()))
+        };
+        let number = |field, x: Option<f64>| x.ok_or_else(|| missing(field));
+        let motor: Result<Motor, MotorError> = match kind {
+            MotorKind::Off => Ok(Motor::Off),
+            MotorKind::Constant => Motor::constant(torque("torque", &self.torque)?),
+            MotorKind::Linear => Motor::linear(
+                torque("standstill_torque", &self.standstill_torque)?,
+                speed("no_load_speed", &self.no_load_speed)?,
+            ),
+            MotorKind::Kloss => {
+                let synchronous = speed("synchronous_speed", &self.synchronous_speed)?;
+                let any = |fields: &[&str]| fields.iter().any(|f| given.contains(f));
+                let rated = any(&["rated_torque", "overload", "rated_slip"]);
+                let critical = any(&["pull_out_torque", "critical_slip"]);
+                let motor = match (rated, critical) {
+                    (true, true) => {
+                        let rule = "motor: rated_torque, overload, rated_slip and pull_out_torque, critical_slip exclude each other";
+                        return Err(source.breach("motor", rule));
+                    }
+                    (_, true) => Kloss::critical(
+                        synchronous,
+                        torque("pull_out_torque", &self.pull_out_torque)?,
+                        number("critical_slip", self.critical_slip)?,
+                    ),
+                    _ => Kloss::rated(
+                        synchronous,
+                        torque("rated_torque", &self.rated_torque)?,
+                        number("overload", self.overload)?,
+                        number("rated_slip", self.rated_slip)?,
+                    ),
+                };
+                motor.map(Motor::Kloss)
+            }
+            MotorKind::Table => {
+                let points = self.points.as_ref().ok_or_else(|| missing("points"))?;
+                let si = points.iter().map(|(n, m)| (n.to_f64(), m.to_f64()));
+                let points: Vec<(f64, f64)> = si.collect();
+                let reading = match self.reading.ok_or_else(|| missing("reading"))? {
+                    Reading::Linear => TableReading::Linear,
+                    Reading::Cubic => TableReading::Cubic,
+                };
+                TorqueTable::new(&points, reading).map(Motor::Table)
+            }
+        };
+        motor.map_err(|e| source.refuse("motor", e))
+    }
+
+    /// The fields given that belong to one kind of motor.
+    fn given(&self) -> Vec<&'static str> {
+        let all = [
+            ("synchronous_speed", self.synchronous_speed.is_some()),
+            ("rated_torque", self.rated_torque.is_some()),
+            ("overload", self.overload.is_some()),
+            ("rated_slip", self.rated_slip.is_some()),
+            ("pull_out_torque", self.pull_out_torque.is_some()),
+            ("critical_slip", self.critical_slip.is_some()),
+            ("standstill_torque", self.standstill_torque.is_some()),
+            ("no_load_speed", self.no_load_speed.is_some()),
+            ("torque", self.torque.is_some()),
+            ("points", self.points.is_some()),
+            ("reading", self.reading.is_some()),
+        ];
+        all.into_iter().filter(|f| f.1).map(|f| f.0).collect()
+    }
+}

@@ -1,0 +1,80 @@
+//! Work against precision: what each method costs for what accuracy on a machine.
+
+use super::Machine;
+use crate::solvers::run_up::{Equation, Method, Plan, RunError, Settings, run};
+
+/// Tolerances tried: 1e-4 to 1e-13, two a decade.
+const EXPONENTS: [f64; 19] = [
+    4.0, 4.5, 5.0, 5.5, 6.0, 6.5, 7.0, 7.5, 8.0, 8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5, 12.0, 12.5,
+    13.0,
+];
+
+/// The tolerance of the run against which errors are taken, by another method than DOP853 and
+/// Radau's, and ten times finer than its own finest.
+pub const FINEST: f64 = 1e-14;
+
+/// Moments at which the speeds are compared.
+pub const MOMENTS: u32 = 8;
+
+/// A method at a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The method.
+    pub method: Method,
+    /// The tolerance of a step.
+    pub tolerance: f64,
+    /// Evaluations of the right-hand side over the whole run.
+    pub evaluations: u64,
+    /// The worst difference of the speed at [`MOMENTS`] moments from the finest run, in rad/s.
+    pub error: f64,
+}
+
+/// Runs the machine with every method at every tolerance; `progress` hears how many of how many
+/// points are done.
+///
+/// # Errors
+/// The first run that fails.
+pub fn work_precision(
+    machine: &Machine,
+    equation: &Equation,
+    mut progress: impl FnMut(u64, u64),
+) -> Result<Vec<Point>, RunError> {
+    let end = |method, tolerance, moment: u32| -> Result<(f64, u64), RunError> {
+        let plan = Plan {
+            duration: machine.plan.duration * f64::from(moment) / f64::from(MOMENTS),
+            sampling: None,
+            settings: Settings {
+                tolerance,
+                method,
+                switch_when_stiff: false,
+                ..machine.plan.settings
+            },
+            ..machine.plan.clone()
+        };
+        let motion = run(equation, &plan)?;
+        Ok((motion.end.psi, motion.counts.evaluations))
+    };
+    let finest = (1..=MOMENTS).map(|k| Ok(end(Method::Verner98, FINEST, k)?.0));
+    let finest = finest.collect::<Result<Vec<f64>, RunError>>()?;
+    let total = (Method::ALL.len() * EXPONENTS.len()) as u64;
+    let mut points = Vec::new();
+    for method in Method::ALL {
+        for x in EXPONENTS {
+            let tolerance = 10f64.powf(-x);
+            let (mut error, mut evaluations) = (0.0f64, 0);
+            for (k, reference) in (1..=MOMENTS).zip(&finest) {
+                let (psi, cost) = end(method, tolerance, k)?;
+                error = error.max((psi - reference).abs());
+                evaluations = cost;
+            }
+            points.push(Point {
+                method,
+                tolerance,
+                evaluations,
+                error,
+            });
+            progress(points.len() as u64, total);
+        }
+    }
+    Ok(points)
+}

@@ -1,0 +1,86 @@
+//! Values of rows.
+
+use serde_json::Value;
+
+/// One value of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// A whole number.
+    Count(usize),
+    /// A floating-point number.
+    Float(f64),
+    /// A certified decimal.
+    Decimal(String),
+    /// A word.
+    Name(&'static str),
+    /// A word of the input.
+    Word(String),
+    /// No digits could be certified.
+    Undecided,
+}
+
+impl Cell {
+    /// A certified decimal, if there is one.
+    pub fn certified(digits: Option<String>) -> Cell {
+        digits.map_or(Cell::Undecided, Cell::Decimal)
+    }
+
+    /// The value as written in CSV.
+    pub fn text(&self) -> String {
+        match self {
+            Cell::Count(n) => n.to_string(),
+            Cell::Float(x) => shortest(*x),
+            Cell::Decimal(d) | Cell::Word(d) => d.clone(),
+            Cell::Name(n) => (*n).into(),
+            Cell::Undecided => "undecided".into(),
+        }
+    }
+
+    /// The value for programs.
+    pub fn json(&self) -> Value {
+        match self {
+            Cell::Count(n) => (*n).into(),
+            Cell::Float(x) => (*x).into(),
+            Cell::Decimal(d) | Cell::Word(d) => d.as_str().into(),
+            Cell::Name(n) => (*n).into(),
+            Cell::Undecided => Value::Null,
+        }
+    }
+}
+
+/// The shortest decimal that reads back as the same number.
+fn shortest(x: f64) -> String {
+    let size = x.abs();
+    if size != 0.0 && !(1e-5..1e16).contains(&size) {
+        format!("{x:e}")
+    } else {
+        format!("{x}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_are_short_and_read_back() {
+        for x in [
+            0.1,
+            -0.0,
+            1e-300,
+            123456789.125,
+            5e-324,
+            f64::MAX,
+            1e16,
+            0.00001,
+        ] {
+            let text = shortest(x);
+            assert_eq!(
+                text.parse::<f64>().unwrap().to_bits(),
+                x.to_bits(),
+                "{text}"
+            );
+            assert!(text.len() < 25, "{text}");
+        }
+    }
+}

@@ -1,0 +1,400 @@
+//! Columns of rows: names that carry their units, and other units on request.
+
+use super::cell::Cell;
+use crate::machine::quantity::{self, Unit};
+use rug::Rational;
+
+/// What a column's values are multiplied by.
+#[derive(Clone, Debug, PartialEq)]
+struct Scale {
+    by: Rational,
+    /// Powers of 180/π besides.
+    degrees: i32,
+}
+
+/// Units that columns cannot be in, with the reason.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct UnitsError(String);
+
+/// Names of columns, and how their values come to be in these units.
+pub struct Columns {
+    /// With their units.
+    pub names: Vec<String>,
+    scales: Vec<Option<Scale>>,
+}
+
+impl From<Vec<String>> for Columns {
+    fn from(names: Vec<String>) -> Columns {
+        let scales = vec![None; names.len()];
+        Columns { names, scales }
+    }
+}
+
+/// A unit asked for: what stands in a column's name, and its size.
+struct Wanted<'a> {
+    text: &'a str,
+    label: String,
+    unit: Unit,
+}
+
+/// Units that columns are in; a column's name ends with a product of them.
+const SYMBOLS: [&str; 7] = ["m", "kg", "s", "rad", "deg", "N", "J"];
+const SPEED: [i32; 4] = [0, 0, -1, 1];
+
+/// A column's name without its unit, and the factors of that unit.
+fn split(name: &str) -> (String, Vec<(&'static str, i32)>) {
+    let mut rest: Vec<&str> = name.split('_').collect();
+    let mut factors: Vec<(&'static str, i32)> = Vec::new();
+    while rest.len() > 1 {
+        let last = rest[rest.len() - 1];
+        if last == "per" {
+            factors.iter_mut().for_each(|f| f.1 = -f.1);
+            rest.pop();
+            continue;
+        }
+        let symbol = last.trim_end_matches(|c: char| c.is_ascii_digit());
+        let power = match &last[symbol.len()..] {
+            "" => Some(1),
+            digits => digits.parse().ok(),
+        };
+        let known = SYMBOLS.iter().find(|s| **s == symbol);
+        match known.zip(power) {
+            // J is also the Jacobian; as a unit it stands alone.
+            Some((s, _)) if *s == "J" && !factors.is_empty() => break,
+            Some((s, p)) => factors.insert(0, (s, p)),
+            None => break,
+        }
+        rest.pop();
+    }
+    (rest.join("_"), factors)
+}
+
+/// A column's name with such a unit.
+fn joined(stem: &str, factors: &[(String, i32)]) -> String {
+    let part = |sign: i32| -> Vec<String> {
+        let of = factors.iter().filter(|f| f.1.signum() == sign);
+        of.map(|(s, p)| match p.abs() {
+            1 => s.clone(),
+            p => format!("{s}{p}"),
+        })
+        .collect()
+    };
+    let (over, under) = (part(1), part(-1));
+    let mut all = vec![stem.to_string()];
+    all.extend(over);
+    if !under.is_empty() {
+        all.push("per".into());
+        all.extend(under);
+    }
+    all.join("_")
+}
+
+impl Wanted<'_> {
+    fn read(text: &str) -> Result<Wanted<'_>, UnitsError> {
+        let known = quantity::KNOWN;
+        let unit =
+            quantity::unit(text).map_err(|e| UnitsError(format!("{e}; there are {known}")))?;
+        let simple = SYMBOLS.iter().any(|s| dimension(s) == Some(unit.dimension));
+        let label = match text {
+            "°" => "deg".into(),
+            "µm" | "μm" => "um".into(),
+            "/min" | "min^-1" | "min⁻¹" => "1_per_min".into(),
+            _ => text.replace('/', "_per_"),
+        };
+        let word = |c: char| c.is_ascii_alphabetic();
+        let good = match unit.dimension {
+            SPEED => label.chars().all(|c| word(c) || matches!(c, '_' | '1')),
+            _ => simple && label.chars().all(word),
+        };
+        if !good {
+            return Err(UnitsError(format!(
+                "{text:?} is a product; write its factors, for instance mm,deg,rpm"
+            )));
+        }
+        Ok(Wanted { text, label, unit })
+    }
+
+    /// The same values in this unit to that power instead of the symbol's.
+    fn scale(&self, symbol: &str, power: i32) -> Scale {
+        let mut by = Rational::from(1);
+        for _ in 0..power.abs() {
+            match power > 0 {
+                true => by /= &self.unit.scale,
+                false => by *= &self.unit.scale,
+            }
+        }
+        let degrees = match (symbol, self.unit.degrees) {
+            ("rad", true) => power,
+            ("deg", false) => -power,
+            _ => 0,
+        };
+        Scale { by, degrees }
+    }
+}
+
+fn dimension(symbol: &str) -> Option<[i32; 4]> {
+    match symbol {
+        // No unit of energy is known by name.
+        "J" => None,
+        s => quantity::unit(s).ok().map(|u| u.dimension),
+    }
+}
+
+impl Columns {
+    /// These columns in the units asked for. Refuses a unit that no column can use and, of
+    /// `certified` decimals, a factor that is no power of ten.
+    pub fn of(
+        names: Vec<String>,
+        units: &[String],
+        certified: bool,
+    ) -> Result<Columns, UnitsError> {
+        let mut columns = Columns::from(names);
+        let wanted: Vec<Wanted> = units
+            .iter()
+            .map(|u| Wanted::read(u.trim()))
+            .collect::<Result<_, _>>()?;
+        for (k, w) in wanted.iter().enumerate() {
+            let same = |v: &&Wanted| v.unit.dimension == w.unit.dimension;
+            if let Some(other) = wanted[..k].iter().find(same) {
+                let (a, b) = (other.text, w.text);
+                let text = format!("{a} and {b} measure the same: leave one out");
+                return Err(UnitsError(text));
+            }
+        }
+        let own = columns.names.join(", ");
+        let mut used = vec![false; wanted.len()];
+        for (name, scale) in columns.names.iter_mut().zip(&mut columns.scales) {
+            let (new, by) = one(name, &wanted, &mut used);
+            if let (true, Some(by)) = (certified, &by)
+                && power_of_ten(by).is_none()
+            {
+                return Err(UnitsError(format!(
+                    "from {name} to {new} is no power of ten, so certified digits would \
+                     be lost: leave out --digits or the unit"
+                )));
+            }
+            (*name, *scale) = (new, by);
+        }
+        match used.iter().position(|u| !u) {
+            None => Ok(columns),
+            Some(k) => Err(UnitsError(format!(
+                "no column can be in {}; the columns are {own}",
+                wanted[k].text
+            ))),
+        }
+    }
+
+    /// A row's value in the column's unit.
+    pub fn cell(&self, column: usize, cell: &Cell) -> Cell {
+        let Some(Some(scale)) = self.scales.get(column) else {
+            return cell.clone();
+        };
+        match cell {
+            Cell::Float(x) => Cell::Float(scale.apply(*x)),
+            Cell::Decimal(d) => match power_of_ten(scale) {
+                Some(places) => Cell::Decimal(shifted(d, places)),
+                None => Cell::Undecided,
+            },
+            other => other.clone(),
+        }
+    }
+}
+
+/// A column's new name, and what its values are multiplied by.
+fn one(name: &str, wanted: &[Wanted], used: &mut [bool]) -> (String, Option<Scale>) {
+    let (stem, factors) = split(name);
+    let mut by = Scale {
+        by: Rational::from(1),
+        degrees: 0,
+    };
+    let speed = wanted.iter().position(|w| w.unit.dimension == SPEED);
+    if let (Some(k), [(angle @ ("rad" | "deg"), 1), ("s", -1)]) = (speed, &factors[..]) {
+        used[k] = true;
+        let scale = wanted[k].scale(angle, 1);
+        return (joined(&stem, &[(wanted[k].label.clone(), 1)]), Some(scale));
+    }
+    let mut new = Vec::new();
+    for (symbol, power) in factors {
+        let due = dimension(symbol);
+        match wanted.iter().position(|w| Some(w.unit.dimension) == due) {
+            None => new.push((symbol.to_string(), power)),
+            Some(k) => {
+                used[k] = true;
+                let scale = wanted[k].scale(symbol, power);
+                by.by *= scale.by;
+                by.degrees += scale.degrees;
+                new.push((wanted[k].label.clone(), power));
+            }
+        }
+    }
+    let same = by.by == 1 && by.degrees == 0;
+    (joined(&stem, &new), (!same).then_some(by))
+}
+
+impl Scale {
+    fn apply(&self, x: f64) -> f64 {
+        let size = |q: &rug::Integer| q.to_f64();
+        let mut x = x * size(self.by.numer()) / size(self.by.denom());
+        for _ in 0..self.degrees.abs() {
+            x = match self.degrees > 0 {
+                true => x.to_degrees(),
+                false => x.to_radians(),
+            };
+        }
+        x
+    }
+}
+
+/// The places that the decimal point moves to the right.
+fn power_of_ten(scale: &Scale) -> Option<i32> {
+    (-60..=60).find(|k: &i32| {
+        let ten = Rational::from(rug::Integer::u_pow_u(10, k.unsigned_abs()));
+        let ten = if *k < 0 { ten.recip() } else { ten };
+        scale.degrees == 0 && scale.by == ten
+    })
+}
+
+/// A decimal with its point so many places farther to the right, with the same digits.
+fn shifted(text: &str, places: i32) -> String {
+    let (sign, size) = match text.strip_prefix('-') {
+        Some(size) => ("-", size),
+        None => ("", text),
+    };
+    if let Some((digits, exponent)) = size.split_once('e')
+        && let Ok(exponent) = exponent.parse::<i32>()
+    {
+        return format!("{sign}{digits}e{}", exponent + places);
+    }
+    let (whole, fraction) = size.split_once('.').unwrap_or((size, ""));
+    let mut digits = format!("{whole}{fraction}");
+    let mut point = whole.len() as i32 + places;
+    if point <= 0 {
+        digits.insert_str(0, &"0".repeat((1 - point) as usize));
+        point = 1;
+    }
+    while (digits.len() as i32) < point {
+        digits.push('0');
+    }
+    let (whole, fraction) = digits.split_at(point as usize);
+    let whole = match whole.trim_start_matches('0') {
+        "" => "0",
+        w => w,
+    };
+    match fraction {
+        "" => format!("{sign}{whole}"),
+        f => format!("{sign}{whole}.{f}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(names: &[&str], units: &str, certified: bool) -> Result<Columns, String> {
+        let names = names.iter().map(|n| n.to_string()).collect();
+        let units: Vec<String> = units.split(',').map(String::from).collect();
+        Columns::of(names, &units, certified).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn names_and_values_change_together() {
+        for (name, units, new, x, due) in [
+            ("slider_m", "mm", "slider_mm", 0.25, 250.0),
+            ("slider_m", "inch", "slider_inch", 0.0254, 1.0),
+            ("slider_m", "μm", "slider_um", 0.25, 250_000.0),
+            ("phi1_deg", "rad", "phi1_rad", 180.0, std::f64::consts::PI),
+            ("phi1_deg", "rev", "phi1_rev", 90.0, 0.25),
+            (
+                "omega_rad_per_s",
+                "°",
+                "omega_deg_per_s",
+                std::f64::consts::PI,
+                180.0,
+            ),
+            (
+                "omega_rad_per_s",
+                "rpm",
+                "omega_rpm",
+                std::f64::consts::TAU,
+                60.0,
+            ),
+            (
+                "omega_rad_per_s",
+                "min^-1",
+                "omega_1_per_min",
+                std::f64::consts::TAU,
+                60.0,
+            ),
+            (
+                "omega_rad_per_s",
+                "Hz,ms",
+                "omega_Hz",
+                std::f64::consts::TAU,
+                1.0,
+            ),
+            ("I_kg_m2", "g,cm", "I_g_cm2", 2.0, 2e7),
+            (
+                "dM_o_dphi_N_m_per_rad",
+                "kN,mm",
+                "dM_o_dphi_kN_mm_per_rad",
+                3.0,
+                3.0,
+            ),
+            ("a_m_per_s2", "mm,ms", "a_mm_per_ms2", 1000.0, 1.0),
+            ("det_J_m4", "cm", "det_J_cm4", 1e-8, 1.0),
+            (
+                "d2phi2_dphi1_2_per_rad",
+                "deg",
+                "d2phi2_dphi1_2_per_deg",
+                180.0,
+                std::f64::consts::PI,
+            ),
+        ] {
+            let others = ["t_s", "phi_deg", "w_rad_per_s"];
+            let columns = of(&[&[name], &others[..]].concat(), units, false).unwrap();
+            assert_eq!(columns.names[0], new, "{units}");
+            let Cell::Float(y) = columns.cell(0, &Cell::Float(x)) else {
+                panic!("{name}");
+            };
+            assert!((y - due).abs() <= 1e-15 * due, "{name}: {y}");
+        }
+        let columns = of(&["work_J", "condition", "t_s"], "ms", false).unwrap();
+        assert_eq!(columns.names, ["work_J", "condition", "t_ms"]);
+    }
+
+    #[test]
+    fn certified_digits_stay() {
+        let columns = of(&["x_m", "phi_deg"], "mm,deg", true).unwrap();
+        let cell = |d: &str| columns.cell(0, &Cell::Decimal(d.into())).text();
+        for (d, due) in [
+            ("0.10037863300", "100.37863300"),
+            ("-0.00012", "-0.12"),
+            ("12", "12000"),
+            ("1.50e-7", "1.50e-4"),
+            ("0", "0"),
+        ] {
+            assert_eq!(cell(d), due);
+        }
+        assert_eq!(shifted("12.5", -3), "0.0125");
+        let e = of(&["x_m", "phi_deg"], "inch", true).err().unwrap();
+        assert!(e.contains("no power of ten"), "{e}");
+    }
+
+    #[test]
+    fn units_of_no_use_are_refused() {
+        for (units, part) in [
+            ("kg", "no column can be in kg; the columns are x_m, phi_deg"),
+            ("mm,cm", "mm and cm measure the same"),
+            ("furlong", "\"furlong\" is not a unit known here"),
+            ("m/s", "is a product"),
+            ("mm^2", "is a product"),
+            ("N·m", "is a product"),
+            ("rpm", "no column can be in rpm"),
+            ("", "; there are "),
+        ] {
+            let e = of(&["x_m", "phi_deg"], units, false).err().unwrap();
+            assert!(e.contains(part), "{units}: {e}");
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Rows of a linkage as CSV or JSON, written one by one.
+
+use super::cell::Cell;
+use super::columns::Columns;
+use serde_json::{Map, Value};
+use std::io::{self, Write};
+
+/// The forms of rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// One line for each row.
+    Csv,
+    /// The rows beside all that is known of the whole.
+    Json,
+}
+
+/// A row of cells under the columns' names.
+pub struct Rows<'a> {
+    out: &'a mut dyn Write,
+    format: Form,
+    columns: Columns,
+    any: bool,
+}
+
+impl<'a> Rows<'a> {
+    /// Writes the head: for CSV the columns' names, for JSON everything in `about` first.
+    pub fn begin(
+        out: &'a mut dyn Write,
+        format: impl Into<Form>,
+        columns: impl Into<Columns>,
+        about: &Map<String, Value>,
+    ) -> io::Result<Rows<'a>> {
+        let (columns, format) = (columns.into(), format.into());
+        match format {
+            Form::Csv => writeln!(out, "{}", columns.names.join(","))?,
+            Form::Json => {
+                writeln!(out, "{{")?;
+                for (key, value) in about {
+                    let value = serde_json::to_string(value)?;
+                    writeln!(out, "  {}: {value},", serde_json::to_string(key)?)?;
+                }
+                let names = serde_json::to_string(&columns.names)?;
+                write!(out, "  \"columns\": {names},\n  \"rows\": [")?;
+            }
+        }
+        Ok(Rows {
+            out,
+            format,
+            columns,
+            any: false,
+        })
+    }
+
+    /// Writes one row.
+    pub fn row(&mut self, cells: &[Cell]) -> io::Result<()> {
+        let cells = cells.iter().enumerate();
+        let cells: Vec<Cell> = cells.map(|(k, c)| self.columns.cell(k, c)).collect();
+        match self.format {
+            Form::Csv => {
+                let texts: Vec<String> = cells.iter().map(Cell::text).collect();
+                writeln!(self.out, "{}", texts.join(","))?;
+            }
+            Form::Json => {
+                let mut object = Map::new();
+                for (name, cell) in self.columns.names.iter().zip(&cells) {
+                    object.insert(name.clone(), cell.json());
+                }
+                let comma = if self.any { "," } else { "" };
+                let object = serde_json::to_string(&object)?;
+                write!(self.out, "{comma}\n    {object}")?;
+            }
+        }
+        self.any = true;
+        Ok(())
+    }
+
+    /// Writes the end.
+    pub fn end(self) -> io::Result<()> {
+        if self.format == Form::Json {
+            writeln!(self.out, "\n  ]\n}}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_forms() {
+        let cells = [
+            Cell::Count(1),
+            Cell::Float(0.5),
+            Cell::Decimal("0.25".into()),
+            Cell::Undecided,
+        ];
+        let names = || ["a", "b", "c", "d"].map(String::from).to_vec();
+        for (format, due) in [
+            (Form::Csv, "a,b,c,d\n1,0.5,0.25,undecided\n"),
+            (Form::Json, "{\"a\":1,\"b\":0.5,\"c\":\"0.25\",\"d\":null}"),
+        ] {
+            let mut out = Vec::new();
+            let mut rows = Rows::begin(&mut out, format, names(), &Map::new()).unwrap();
+            rows.row(&cells).unwrap();
+            rows.end().unwrap();
+            let text = String::from_utf8(out).unwrap();
+            assert!(text.contains(due), "{text}");
+            if format == Form::Json {
+                serde_json::from_str::<Value>(&text).unwrap();
+            }
+        }
+    }
+}
