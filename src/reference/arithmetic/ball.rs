@@ -496,6 +496,24 @@ mod tests {
     }
 
     #[test]
+    fn a_ball_that_only_touches_zero_has_no_sign() {
+        // The radius is the midpoint, or a unit of 2⁻⁹⁰ more or less.
+        let mid = Float::with_val(120, 1) + (Float::with_val(120, 1) >> 90u32);
+        let ball = |mid: &Float, rad: f64| Ball::new(mid.clone(), Mag::from_f64(rad));
+        let one = Float::with_val(120, 1);
+        for sign in [1, -1] {
+            let at = |mid: &Float, rad| ball(&Float::with_val(120, mid * sign), rad);
+            let signs = |b: &Ball| (b.is_positive(), b.is_negative(), b.contains_zero());
+            let apart = (sign > 0, sign < 0, false);
+            assert_eq!(signs(&at(&mid, 1.0)), apart);
+            assert_eq!(signs(&at(&one, 1.0)), (false, false, true));
+            assert_eq!(signs(&at(&mid, 1.0f64.next_up())), (false, false, true));
+            assert_eq!(signs(&at(&mid, 0.0)), apart);
+        }
+        assert!(Ball::integer(120, 0).contains_zero());
+    }
+
+    #[test]
     fn exact_stays_exact() {
         let a = Ball::exact(P, 0.75);
         assert!((&a + &a).rad().is_zero());

@@ -23,6 +23,11 @@ fn pow2(k: i64) -> f64 {
     f64::from_bits(((k + 1023) as u64) << 52)
 }
 
+/// A limb, whatever its size here.
+fn wide(limb: impl Into<u64>) -> u64 {
+    limb.into()
+}
+
 impl Mag {
     /// Zero: an exact value.
     pub const ZERO: Mag = Mag { m: 0.0, e: 0 };
@@ -85,7 +90,7 @@ impl Mag {
         if let ([rest @ .., last], 64) = (significand.as_limbs(), LIMB_BITS)
             && let Some(e) = x.get_exp()
         {
-            let last = *last as u64;
+            let last = wide(*last);
             let cut = last & 0x7ff != 0 || rest.iter().any(|&limb| limb != 0);
             let m = (last >> 11) + u64::from(up && cut);
             return Mag::normal(m as f64 * pow2(-52), i64::from(e) - 1);
@@ -282,6 +287,25 @@ mod tests {
             prop_assert!(d == 0 || d <= Float::with_val(4000, a) - b);
             // And a tight one.
             prop_assert!(exact(x.mul(y)) <= Float::with_val(4000, a) * b * (1.0 + 1e-15));
+        }
+    }
+
+    #[test]
+    fn floats_of_any_length_lie_between_their_bounds() {
+        for bits in [2, 24, 53, 54, 64, 65, 128, 200] {
+            let third = Float::with_val(bits, 1) / 3;
+            // All bits set: rounded up it is a power of two.
+            let mut full = Float::with_val(bits, 2);
+            full.next_down();
+            let tiny = Float::with_val(bits, &third >> 5000u32);
+            for x in [third, full.clone(), -full, tiny, Float::with_val(bits, 3)] {
+                let size = Float::with_val(4000, x.abs_ref());
+                let (low, high) = (exact(Mag::below(&x)), exact(Mag::above(&x)));
+                assert!(low <= size && size <= high, "{bits}: {x}");
+                let gap = Float::with_val(4000, &high - &low) / &size;
+                assert!(gap <= f64::EPSILON, "{bits}: {x}");
+                assert!(bits > 53 || gap == 0, "{bits}: {x}");
+            }
         }
     }
 
