@@ -1,8 +1,10 @@
 //! Knots: where they are, which segment holds a point, and offsets from them without cancellation.
 
-use super::CubicSplineError as Error;
-use super::fit::LARGEST;
+use super::error::CubicSplineError as Error;
 use super::lookup::{GROUP, Lookup};
+
+/// Knots and ordinates beyond this are refused, so that evaluation cannot overflow.
+pub(super) const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 
 mod sealed {
     pub trait Sealed {}
