@@ -9,6 +9,7 @@ pub mod cyclic_tridiagonal;
 pub mod dyad;
 pub mod faddeeva;
 pub mod fourier_series;
+mod hex;
 pub mod reduction;
 pub mod run_up;
 pub mod tridiagonal;

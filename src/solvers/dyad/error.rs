@@ -1,7 +1,9 @@
 //! Why a dyad or a linkage has no answer.
 
+use crate::solvers::hex::hex;
+
 /// Lengths of one linkage may differ by at most this factor, `2^100 ≈ 1.3e30`.
-pub const MAX_LENGTH_RATIO: f64 = 1_267_650_600_228_229_401_496_703_205_376.0;
+pub const MAX_LENGTH_RATIO: f64 = hex("0x1p100");
 
 /// Why a dyad or a linkage has no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
