@@ -16,6 +16,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod arithmetic;
 mod cams;
 mod drive;
 mod linear;
@@ -25,6 +26,8 @@ mod splines;
 #[cfg(test)]
 mod tests;
 pub mod units;
+
+use arithmetic::hex;
 
 pub use cams::{cam_law, chirp_chart, chirp_oscillator, fourier_series};
 pub use drive::run_up;

@@ -10,7 +10,10 @@ fn sums_of_rows_and_columns() {
     assert_eq!(s.row_sums, [17.5, 34.25, 68.125, 136.0625]);
     // Column i: upper of the row before, diagonal, lower of the row after. The last: −⅛, 128, 1.
     assert_eq!(s.norm_1, 129.125);
-    assert_eq!((s.lambda.len(), s.phi.len(), s.pivot.len()), (2, 3, 4));
+    assert_eq!(
+        (s.lambda.len(), s.shape.phi.len(), s.pivot.len()),
+        (2, 3, 4)
+    );
     for (at, due) in [(0, 18.0625), (1, 36.5), (2, 72.25), (3, 129.125)] {
         let mut d = [0.0; 4];
         d[at] = 512.0;
@@ -64,5 +67,5 @@ fn multipliers_that_overflow() {
 fn an_entry_that_cancels() {
     let s = CyclicSweep::factor(&[-1.0, -1e300, 1.0], &[1.0, 1e-10, 1.0], &[0.0, 1e300, 1.0]);
     let s = s.unwrap();
-    assert_eq!((s.phi, s.lambda.len()), (vec![1.0, -0.0], 1));
+    assert_eq!((s.shape.phi, s.lambda.len()), (vec![1.0, -0.0], 1));
 }

@@ -13,10 +13,8 @@
 //! pivoting of the matrix as it stands, hence as stable as the open sweep for dominant matrices;
 //! no rank-one correction with a free parameter is involved.
 
-use super::tridiagonal::{
-    Stability, TridiagonalError as Error, check_finite, check_length, check_pivot, check_solution,
-    stability,
-};
+use super::tridiagonal::elimination::{Elimination, Shape};
+use super::tridiagonal::{TridiagonalError as Error, check_finite, check_length, check_pivot};
 
 /// The factors of a cyclic tridiagonal matrix, without pivoting.
 ///
@@ -27,24 +25,61 @@ use super::tridiagonal::{
 /// assert!(x.iter().all(|x| (x - 1.0).abs() < 1e-15));
 /// # Ok::<(), mechaudit_solvers::tridiagonal::TridiagonalError>(())
 /// ```
+pub type CyclicSweep = Elimination<Cyclic>;
+
+/// The last row and the first are neighbours.
 #[derive(Clone, Debug)]
-pub struct CyclicSweep {
-    lower: Vec<f64>,
-    /// Pivots of all rows.
-    pivot: Vec<f64>,
-    /// `λ_i`, for rows 0 to n−3.
-    lambda: Vec<f64>,
-    /// `φ_i`, for rows 0 to n−2.
+pub struct Cyclic {
+    /// `φ_i`, for rows 0 to n−2; `λ_i` are there for rows 0 to n−3.
     phi: Vec<f64>,
     /// What is left of the last row in column i when it is eliminated, for columns 0 to n−2.
     last_row: Vec<f64>,
-    row_sums: Vec<f64>,
-    norm_1: f64,
-    growth: f64,
-    dominant: bool,
 }
 
-impl CyclicSweep {
+impl Shape for Cyclic {
+    fn run(s: &Elimination<Self>, d: &mut [f64]) {
+        let n = d.len();
+        let mut last = d[n - 1];
+        for i in 0..n - 1 {
+            let before = if i > 0 { s.lower[i] * d[i - 1] } else { 0.0 };
+            d[i] = (d[i] - before) / s.pivot[i];
+            last -= s.shape.last_row[i] * d[i];
+        }
+        last /= s.pivot[n - 1];
+        d[n - 1] = last;
+        for i in (0..n - 1).rev() {
+            let next = if i < n - 2 {
+                s.lambda[i] * d[i + 1]
+            } else {
+                0.0
+            };
+            d[i] = (d[i] + s.shape.phi[i] * last) + next;
+        }
+    }
+
+    fn run_transposed(s: &Elimination<Self>, d: &mut [f64]) {
+        let n = d.len();
+        let mut last = d[n - 1];
+        for i in 0..n - 1 {
+            if i > 0 {
+                d[i] += s.lambda[i - 1] * d[i - 1];
+            }
+            last += s.shape.phi[i] * d[i];
+        }
+        last /= s.pivot[n - 1];
+        d[n - 1] = last;
+        for i in (0..n - 1).rev() {
+            let below = if i < n - 2 {
+                s.lower[i + 1] * d[i + 1]
+            } else {
+                0.0
+            };
+            d[i] = (d[i] - s.shape.last_row[i] * last - below) / s.pivot[i];
+        }
+    }
+}
+
+impl Elimination<Cyclic> {
     /// Factors the matrix.
     ///
     /// # Errors
@@ -70,16 +105,18 @@ impl CyclicSweep {
             .fold(0.0, f64::max);
         let by_rows = (0..n).all(|i| diagonal[i].abs() >= lower[i].abs() + upper[i].abs());
         let by_columns = (0..n).all(|i| diagonal[i].abs() >= column(i).0.abs() + column(i).1.abs());
-        let mut s = CyclicSweep {
+        let mut s = Elimination {
             lower: lower.to_vec(),
             pivot: Vec::with_capacity(n),
             lambda: Vec::with_capacity(n - 2),
-            phi: Vec::with_capacity(n - 1),
-            last_row: Vec::with_capacity(n - 1),
             row_sums,
             norm_1,
             growth: 1.0,
             dominant: by_rows || by_columns,
+            shape: Cyclic {
+                phi: Vec::with_capacity(n - 1),
+                last_row: Vec::with_capacity(n - 1),
+            },
         };
         let mut corner = diagonal[n - 1];
         let mut corner_size = corner.abs();
@@ -88,7 +125,7 @@ impl CyclicSweep {
             // Column n−1 of row i, and column i of row n−1, with the entries of the band added
             // where the band meets them.
             let a = lower[i];
-            let mut wide = if i == 0 { a } else { a * s.phi[i - 1] };
+            let mut wide = if i == 0 { a } else { a * s.shape.phi[i - 1] };
             if i == n - 2 {
                 wide += upper[i];
                 left += lower[n - 1];
@@ -106,9 +143,9 @@ impl CyclicSweep {
                 .max((fill.abs() + p.abs() + wide.abs()) / s.row_sums[i]);
             corner_size += (left * phi).abs();
             corner += left * phi;
-            s.last_row.push(left);
+            s.shape.last_row.push(left);
             s.pivot.push(p);
-            s.phi.push(phi);
+            s.shape.phi.push(phi);
             if i < n - 2 {
                 s.lambda.push(lambda);
                 left *= lambda;
@@ -118,91 +155,6 @@ impl CyclicSweep {
         s.growth = s.growth.max(corner_size / s.row_sums[n - 1]);
         s.pivot.push(corner);
         Ok(s)
-    }
-
-    /// The number of unknowns.
-    pub fn n(&self) -> usize {
-        self.pivot.len()
-    }
-
-    /// Whether the matrix is diagonally dominant by rows or by columns.
-    pub fn is_dominant(&self) -> bool {
-        self.dominant
-    }
-
-    /// Solves for one right-hand side.
-    ///
-    /// # Errors
-    /// A wrong length, an entry that is not finite, an overflow.
-    pub fn solve(&self, d: &[f64]) -> Result<Vec<f64>, Error> {
-        let mut x = d.to_vec();
-        self.solve_in_place(&mut x)?;
-        Ok(x)
-    }
-
-    /// Solves for one right-hand side, which the solution replaces. After an error the content of
-    /// `d` is unspecified.
-    ///
-    /// # Errors
-    /// As [`CyclicSweep::solve`].
-    pub fn solve_in_place(&self, d: &mut [f64]) -> Result<(), Error> {
-        check_length("right-hand side", d, self.n())?;
-        check_finite("right-hand side", d)?;
-        self.run(d);
-        check_solution(d)
-    }
-
-    fn run(&self, d: &mut [f64]) {
-        let n = d.len();
-        let mut last = d[n - 1];
-        for i in 0..n - 1 {
-            let before = if i > 0 { self.lower[i] * d[i - 1] } else { 0.0 };
-            d[i] = (d[i] - before) / self.pivot[i];
-            last -= self.last_row[i] * d[i];
-        }
-        last /= self.pivot[n - 1];
-        d[n - 1] = last;
-        for i in (0..n - 1).rev() {
-            let next = if i < n - 2 {
-                self.lambda[i] * d[i + 1]
-            } else {
-                0.0
-            };
-            d[i] = (d[i] + self.phi[i] * last) + next;
-        }
-    }
-
-    fn run_transposed(&self, d: &mut [f64]) {
-        let n = d.len();
-        let mut last = d[n - 1];
-        for i in 0..n - 1 {
-            if i > 0 {
-                d[i] += self.lambda[i - 1] * d[i - 1];
-            }
-            last += self.phi[i] * d[i];
-        }
-        last /= self.pivot[n - 1];
-        d[n - 1] = last;
-        for i in (0..n - 1).rev() {
-            let below = if i < n - 2 {
-                self.lower[i + 1] * d[i + 1]
-            } else {
-                0.0
-            };
-            d[i] = (d[i] - self.last_row[i] * last - below) / self.pivot[i];
-        }
-    }
-
-    /// How far solutions can be trusted.
-    pub fn stability(&self) -> Stability {
-        stability(
-            self.growth,
-            self.dominant,
-            self.norm_1,
-            &self.row_sums,
-            |v| self.run(v),
-            |v| self.run_transposed(v),
-        )
     }
 }
 
@@ -235,7 +187,7 @@ mod tests {
             let lt: Vec<f64> = (0..n).map(|i| u[(i + n - 1) % n]).collect();
             let ut: Vec<f64> = (0..n).map(|i| l[(i + 1) % n]).collect();
             let mut got = product(&lt, &d, &ut, &x);
-            a.run_transposed(&mut got);
+            Cyclic::run_transposed(&a, &mut got);
             for (g, x) in got.iter().zip(&x) {
                 assert!((g - x).abs() < 1e-13, "{n} transposed: {got:?}");
             }

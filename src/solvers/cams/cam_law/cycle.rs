@@ -1,7 +1,8 @@
 //! Cycles: rise, high dwell, return, low dwell.
 
 use super::error::{CamLawError, finite};
-use super::{Motion, MotionLaw};
+use super::law::MotionLaw;
+use super::motion::Motion;
 use std::f64::consts::TAU;
 
 /// The phases may differ from a turn by this much together.

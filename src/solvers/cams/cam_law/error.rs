@@ -75,7 +75,7 @@ pub enum CamLawError {
     #[error("{0}")]
     Evaluation(#[from] EvaluationError),
     /// A name that no law has.
-    #[error("unknown law {name:?}; known are {}", super::NAMES.join(", "))]
+    #[error("unknown law {name:?}; known are {}", super::motion::NAMES.join(", "))]
     UnknownLaw {
         /// The name.
         name: String,

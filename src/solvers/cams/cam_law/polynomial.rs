@@ -1,7 +1,7 @@
 //! Laws that are any polynomial `s = Σ c_k x^k` with `s(0) = 0`, `s(1) = 1`.
 
 use super::error::{CamLawError, finite};
-use super::{Motion, Peaks};
+use super::motion::{Motion, Peaks};
 use crate::faddeeva::double_double::{Dd, two_sum};
 
 const LARGEST_DEGREE: usize = 24;

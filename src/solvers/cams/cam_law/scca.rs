@@ -9,7 +9,7 @@
 //! ```
 
 use super::error::{CamLawError, finite};
-use super::{Motion, Peaks};
+use super::motion::{Motion, Peaks};
 use crate::faddeeva::double_double::{Dd, two_prod};
 use std::f64::consts::PI;
 

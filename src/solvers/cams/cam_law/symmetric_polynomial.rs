@@ -1,6 +1,6 @@
 //! The 3-4-5 and 4-5-6-7 polynomials: `s' ∝ (x(1 − x))^(k−1)` with `k` = 3, 4.
 
-use super::{Motion, Peaks};
+use super::motion::{Motion, Peaks};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SymmetricPolynomial {

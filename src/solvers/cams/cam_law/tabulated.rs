@@ -1,7 +1,7 @@
 //! Laws given by a table, through a cubic spline.
 
 use super::error::CamLawError;
-use super::{Motion, Peaks};
+use super::motion::{Motion, Peaks};
 use crate::cubic_spline::{Boundary, CubicSpline, End, Grid};
 
 #[derive(Clone, Debug)]

@@ -1,4 +1,5 @@
 use super::*;
+use crate::cubic_spline::End;
 use approx::assert_relative_eq;
 use std::f64::consts::PI;
 

@@ -45,6 +45,7 @@
 //! range of `f64`; beyond it values may be NaN.
 
 mod batch;
+mod both_roots;
 mod complex_double_double;
 mod direct;
 mod error;
@@ -53,6 +54,7 @@ mod free;
 mod group;
 mod harmonic;
 mod inlined;
+mod many;
 mod motions;
 mod passage;
 mod phase;

@@ -1,7 +1,6 @@
 //! Where within a step a limit is crossed.
 
-use super::integrate::{PHI, PSI};
-use super::stepper::{State, Stepper};
+use super::stepper::{PHI, PSI, State, Stepper};
 
 /// Where the integration has to pause.
 #[derive(Clone, Copy, Debug)]

@@ -4,18 +4,9 @@
 use super::crossing::{Limits, Pause, crossing};
 use super::equation::{Equation, EquationError};
 use super::record::{Stretch, Taken};
-use super::stepper::{Method, State, Stepper, Tolerances, Tried, begin};
+use super::stepper::{DAMPING, Method, PHI, PSI, State, Stepper, Tolerances, Tried, begin};
 use differential_equations::ode::ODE;
 use std::cell::{Cell, RefCell};
-
-/// φ in the state.
-pub(super) const PHI: usize = 0;
-/// ψ in the state.
-pub(super) const PSI: usize = 1;
-/// Work of motor, weights and resistance in the state, J.
-pub(super) const WORK: [usize; 3] = [2, 3, 4];
-/// `∫ ∂(dψ/dt)/∂ψ dt` in the state.
-pub(super) const DAMPING: usize = 5;
 
 /// How finely to integrate.
 #[derive(Clone, Copy, Debug, PartialEq)]

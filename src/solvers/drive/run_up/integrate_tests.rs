@@ -1,6 +1,7 @@
 //! The integration step by step: its first step, its ends, what it counts, where it gives up.
 
 use super::*;
+use crate::run_up::stepper::WORK;
 use crate::run_up::{
     Coefficients, ConstantInertia, Drive, ModelError, Motor, ReducedModel, Resistance,
 };

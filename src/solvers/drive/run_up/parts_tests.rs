@@ -1,9 +1,10 @@
 //! Where a step is ended: at angles, speeds and turning points, on a motion that is known.
 
 use super::crossing::{Limits, Pause, crossing};
-use super::integrate::{Counts, PHI, PSI};
+use super::integrate::Counts;
 use super::runner::neighbours;
 use super::stepper::{Method, State, Stepper, Tried};
+use super::stepper::{PHI, PSI};
 use differential_equations::ode::ODE;
 use std::f64::consts::TAU;
 

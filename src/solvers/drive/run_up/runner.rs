@@ -2,9 +2,10 @@
 
 use super::crossing::{Limits, Pause};
 use super::equation::{Equation, EquationError};
-use super::integrate::{Counts, Integrator, PHI, PSI, Stuck, WORK};
+use super::integrate::{Counts, Integrator, Stuck};
 use super::motion::{Event, EventKind, Motion, Outcome, Plan, RunError, Sample, Turn};
 use super::record::Stretch;
+use super::stepper::{PHI, PSI, WORK};
 use std::f64::consts::TAU;
 
 /// Events kept at most; a run of so many turns has said what it had to say.

@@ -12,9 +12,10 @@
 
 use super::crossing::{Limits, Pause};
 use super::equation::Equation;
-use super::integrate::{Counts, DAMPING, Integrator, PHI, PSI, Settings, Stuck, WORK};
+use super::integrate::{Counts, Integrator, Settings, Stuck};
 use super::motion::RunError;
 use super::runner::neighbours;
+use super::stepper::{DAMPING, PHI, PSI, WORK};
 use std::f64::consts::TAU;
 
 /// A steady cycle.

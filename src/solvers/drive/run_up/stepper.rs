@@ -9,6 +9,15 @@ use differential_equations::status::Status;
 /// State of the integration: φ, ψ, work of motor, weights and resistance, `∫ ∂(dψ/dt)/∂ψ dt`.
 pub(super) type State = [f64; 6];
 
+/// φ in the state.
+pub(super) const PHI: usize = 0;
+/// ψ in the state.
+pub(super) const PSI: usize = 1;
+/// Work of motor, weights and resistance in the state, J.
+pub(super) const WORK: [usize; 3] = [2, 3, 4];
+/// `∫ ∂(dψ/dt)/∂ψ dt` in the state.
+pub(super) const DAMPING: usize = 5;
+
 /// A method of time integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {

@@ -18,116 +18,19 @@
 //! the index `i−1` in the middle term, Table 1 has `b_n = 1` where `−1` is meant, and
 //! `λ_1 = η_1 = 0` holds only for `U_0 = 0` (row 0 gives `η_1 = U_0`).
 
+pub(crate) mod elimination;
+mod error;
 mod pivoted;
 mod stability;
 
+pub use elimination::Elimination;
+use elimination::Shape;
+pub use error::TridiagonalError;
+use error::TridiagonalError as Error;
+use error::check_matrix;
+pub(crate) use error::{check_finite, check_length, check_pivot};
 pub use pivoted::Pivoted;
 pub use stability::Stability;
-pub(crate) use stability::stability;
-
-/// Why a tridiagonal or cyclic system was not solved.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TridiagonalError {
-    /// Fewer unknowns than the method needs.
-    #[error("{got} unknowns, at least {needed} are needed")]
-    TooFew {
-        /// The least number.
-        needed: usize,
-        /// The number given.
-        got: usize,
-    },
-    /// A slice of the wrong length.
-    #[error("{name} has {got} entries, {expected} are needed")]
-    Length {
-        /// Which slice.
-        name: &'static str,
-        /// The length due.
-        expected: usize,
-        /// The length given.
-        got: usize,
-    },
-    /// An entry that is not a finite number.
-    #[error("{name}[{index}] = {value} is not finite")]
-    NotFinite {
-        /// Which slice.
-        name: &'static str,
-        /// The place in it.
-        index: usize,
-        /// The entry.
-        value: f64,
-    },
-    /// Elimination met a pivot that is zero or too small to divide by.
-    #[error("the pivot of row {row} is {value}")]
-    Pivot {
-        /// The row, counted from 0.
-        row: usize,
-        /// The pivot.
-        value: f64,
-    },
-    /// The solution does not fit in an `f64`.
-    #[error("unknown {row} overflows")]
-    Overflow {
-        /// The unknown, counted from 0.
-        row: usize,
-    },
-}
-
-use TridiagonalError as Error;
-
-pub(crate) fn check_length(
-    name: &'static str,
-    v: &[f64],
-    expected: usize,
-) -> Result<(), TridiagonalError> {
-    if v.len() == expected {
-        Ok(())
-    } else {
-        Err(Error::Length {
-            name,
-            expected,
-            got: v.len(),
-        })
-    }
-}
-
-pub(crate) fn check_finite(name: &'static str, v: &[f64]) -> Result<(), TridiagonalError> {
-    match v.iter().position(|x| !x.is_finite()) {
-        None => Ok(()),
-        Some(index) => Err(Error::NotFinite {
-            name,
-            index,
-            value: v[index],
-        }),
-    }
-}
-
-pub(crate) fn check_solution(x: &[f64]) -> Result<(), TridiagonalError> {
-    match x.iter().position(|v| !v.is_finite()) {
-        None => Ok(()),
-        Some(row) => Err(Error::Overflow { row }),
-    }
-}
-
-fn check_matrix(lower: &[f64], diagonal: &[f64], upper: &[f64]) -> Result<(), TridiagonalError> {
-    let n = diagonal.len();
-    if n == 0 {
-        return Err(Error::TooFew { needed: 1, got: 0 });
-    }
-    check_length("lower", lower, n - 1)?;
-    check_length("upper", upper, n - 1)?;
-    check_finite("lower", lower)?;
-    check_finite("diagonal", diagonal)?;
-    check_finite("upper", upper)
-}
-
-/// What can be divided by: normal, so that its reciprocal neither overflows nor loses bits.
-pub(crate) fn check_pivot(row: usize, value: f64) -> Result<(), TridiagonalError> {
-    if value.is_normal() {
-        Ok(())
-    } else {
-        Err(Error::Pivot { row, value })
-    }
-}
 
 /// The factors of a tridiagonal matrix, without pivoting.
 ///
@@ -146,18 +49,37 @@ pub(crate) fn check_pivot(row: usize, value: f64) -> Result<(), TridiagonalError
 /// assert_eq!(a.solve(&[5.0, 6.0, 5.0])?, [1.0, 1.0, 1.0]);
 /// # Ok::<(), mechaudit_solvers::tridiagonal::TridiagonalError>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct Sweep {
-    lower: Vec<f64>,
-    pivot: Vec<f64>,
-    lambda: Vec<f64>,
-    row_sums: Vec<f64>,
-    norm_1: f64,
-    growth: f64,
-    dominant: bool,
+pub type Sweep = Elimination<Open>;
+
+/// The matrix ends with its first and last row.
+#[derive(Clone, Copy, Debug)]
+pub struct Open;
+
+impl Shape for Open {
+    fn run(s: &Elimination<Self>, d: &mut [f64]) {
+        let n = d.len();
+        d[0] /= s.pivot[0];
+        for i in 1..n {
+            d[i] = (d[i] - s.lower[i - 1] * d[i - 1]) / s.pivot[i];
+        }
+        for i in (0..n - 1).rev() {
+            d[i] += s.lambda[i] * d[i + 1];
+        }
+    }
+
+    fn run_transposed(s: &Elimination<Self>, d: &mut [f64]) {
+        let n = d.len();
+        for i in 1..n {
+            d[i] += s.lambda[i - 1] * d[i - 1];
+        }
+        d[n - 1] /= s.pivot[n - 1];
+        for i in (0..n - 1).rev() {
+            d[i] = (d[i] - s.lower[i] * d[i + 1]) / s.pivot[i];
+        }
+    }
 }
 
-impl Sweep {
+impl Elimination<Open> {
     /// Factors the matrix.
     ///
     /// # Errors
@@ -170,7 +92,7 @@ impl Sweep {
     ) -> Result<Sweep, TridiagonalError> {
         check_matrix(lower, diagonal, upper)?;
         let n = diagonal.len();
-        let mut s = Sweep {
+        let mut s = Elimination {
             lower: lower.to_vec(),
             pivot: Vec::with_capacity(n),
             lambda: Vec::with_capacity(n - 1),
@@ -178,6 +100,7 @@ impl Sweep {
             norm_1: 0.0,
             growth: 1.0,
             dominant: true,
+            shape: Open,
         };
         let mut by_columns = true;
         for i in 0..n {
@@ -207,88 +130,6 @@ impl Sweep {
         }
         s.dominant |= by_columns;
         Ok(s)
-    }
-
-    /// The number of unknowns.
-    pub fn n(&self) -> usize {
-        self.pivot.len()
-    }
-
-    /// Whether the matrix is diagonally dominant by rows or by columns.
-    pub fn is_dominant(&self) -> bool {
-        self.dominant
-    }
-
-    /// Solves for one right-hand side.
-    ///
-    /// # Errors
-    /// A wrong length, an entry that is not finite, an overflow.
-    pub fn solve(&self, d: &[f64]) -> Result<Vec<f64>, TridiagonalError> {
-        let mut x = d.to_vec();
-        self.solve_in_place(&mut x)?;
-        Ok(x)
-    }
-
-    /// Solves for one right-hand side, which the solution replaces. After an error the content of
-    /// `d` is unspecified.
-    ///
-    /// # Errors
-    /// As [`Sweep::solve`].
-    pub fn solve_in_place(&self, d: &mut [f64]) -> Result<(), TridiagonalError> {
-        check_length("right-hand side", d, self.n())?;
-        check_finite("right-hand side", d)?;
-        self.run(d);
-        check_solution(d)
-    }
-
-    /// Solves for several right-hand sides that lie one after the other, `n` entries each.
-    ///
-    /// # Errors
-    /// As [`Sweep::solve`]; the length has to be a multiple of `n`. An overflow names the place in
-    /// the whole slice.
-    pub fn solve_many_in_place(&self, d: &mut [f64]) -> Result<(), TridiagonalError> {
-        let n = self.n();
-        check_length("right-hand sides", d, d.len().div_ceil(n) * n)?;
-        check_finite("right-hand sides", d)?;
-        for column in d.chunks_exact_mut(n) {
-            self.run(column);
-        }
-        check_solution(d)
-    }
-
-    fn run(&self, d: &mut [f64]) {
-        let n = d.len();
-        d[0] /= self.pivot[0];
-        for i in 1..n {
-            d[i] = (d[i] - self.lower[i - 1] * d[i - 1]) / self.pivot[i];
-        }
-        for i in (0..n - 1).rev() {
-            d[i] += self.lambda[i] * d[i + 1];
-        }
-    }
-
-    /// Solves with the transposed matrix.
-    fn run_transposed(&self, d: &mut [f64]) {
-        let n = d.len();
-        for i in 1..n {
-            d[i] += self.lambda[i - 1] * d[i - 1];
-        }
-        d[n - 1] /= self.pivot[n - 1];
-        for i in (0..n - 1).rev() {
-            d[i] = (d[i] - self.lower[i] * d[i + 1]) / self.pivot[i];
-        }
-    }
-
-    /// How far solutions can be trusted; costs up to a dozen and a half solves.
-    pub fn stability(&self) -> Stability {
-        stability(
-            self.growth,
-            self.dominant,
-            self.norm_1,
-            &self.row_sums,
-            |v| self.run(v),
-            |v| self.run_transposed(v),
-        )
     }
 }
 

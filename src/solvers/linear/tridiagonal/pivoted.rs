@@ -1,6 +1,8 @@
 //! Tridiagonal elimination with row exchanges.
 
-use super::{TridiagonalError as Error, check_finite, check_length, check_matrix, check_solution};
+use super::error::{
+    TridiagonalError as Error, check_finite, check_length, check_matrix, check_solution,
+};
 
 /// The factors of a tridiagonal matrix with partial pivoting, for matrices that are not diagonally
 /// dominant. About twice the work of [`Sweep`](super::Sweep).
@@ -73,7 +75,7 @@ impl Pivoted {
         let mut row = (s.diagonal[0], s.upper[0], 0.0);
         for i in 0..n {
             if i + 1 == n {
-                super::check_pivot(i, row.0)?;
+                super::error::check_pivot(i, row.0)?;
                 s.pivot.push(row.0);
                 s.first.push(0.0);
                 s.second.push(0.0);
@@ -84,7 +86,7 @@ impl Pivoted {
             if exchange {
                 std::mem::swap(&mut row, &mut next);
             }
-            super::check_pivot(i, row.0)?;
+            super::error::check_pivot(i, row.0)?;
             let m = next.0 / row.0;
             s.exchanged.push(exchange);
             s.multiplier.push(m);

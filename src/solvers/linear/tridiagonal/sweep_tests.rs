@@ -50,10 +50,10 @@ fn the_transposed_matrix() {
     assert_eq!(s.pivot, [2.0, 2.0, 1.0]);
     // x = (1, 2, 3): (2 + 2·2, 2 + 4·2 + 3, 2·2 + 2·3).
     let mut x = [6.0, 13.0, 10.0];
-    s.run_transposed(&mut x);
+    Open::run_transposed(&s, &mut x);
     assert_eq!(x, [1.0, 2.0, 3.0]);
     // (2 + 2·2, 2 + 4·2 + 2·3, 2 + 2·3)
     let mut x = [6.0, 16.0, 8.0];
-    s.run(&mut x);
+    Open::run(&s, &mut x);
     assert_eq!(x, [1.0, 2.0, 3.0]);
 }

@@ -20,9 +20,9 @@
 //! and q are parallel, two modes mirrored in them share φ4; T only touches zero there, so such
 //! angles are looked at by themselves.
 
-use super::kinematics::{Positions, wrap};
+use super::geometry::{ClassIii, Lengths};
 use super::loops::{cross, dot, unit};
-use super::{ClassIii, Lengths};
+use super::positions::{Positions, wrap};
 use num_complex::Complex64;
 
 /// Every real solution of the loop equations at one crank angle.

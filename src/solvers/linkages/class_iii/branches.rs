@@ -1,9 +1,11 @@
 //! All branches over a range of crank angles, and the folds where they begin and end.
 
 use super::assembly::Resultant;
-use super::kinematics::{Positions, State, wrap};
+use super::continuation::ContinuationError;
+use super::geometry::ClassIii;
+use super::kinematics::State;
 use super::loops::unit;
-use super::{ClassIii, ContinuationError};
+use super::positions::{Positions, wrap};
 
 /// One configuration with the branch it lies on.
 #[derive(Clone, Copy, Debug)]

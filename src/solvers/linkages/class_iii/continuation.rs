@@ -8,9 +8,10 @@
 //! therefore stays on the branch; longer ones are divided. Near a fold the steps shrink to
 //! nothing, and the fold is reported.
 
-use super::ClassIii;
-use super::kinematics::{Positions, State};
+use super::geometry::ClassIii;
+use super::kinematics::State;
 use super::loops::{Frame, Jacobian, unit};
+use super::positions::Positions;
 use num_complex::Complex64;
 
 /// The branch could not be followed.

@@ -1,7 +1,8 @@
 //! Dead (extreme) positions: crank and link 2 in line, rockers and sieve at rest.
 
+use super::continuation::ContinuationError;
+use super::geometry::ClassIii;
 use super::kinematics::State;
-use super::{ClassIii, ContinuationError};
 
 /// A position in which the crank and link 2 lie in one line.
 ///

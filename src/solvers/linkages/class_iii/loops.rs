@@ -1,6 +1,7 @@
 //! The loop equations, their residual, their Jacobian and the solution of linear systems with it.
 
-use super::{ClassIii, Lengths, Positions};
+use super::geometry::{ClassIii, Lengths};
+use super::positions::Positions;
 use nalgebra::{Matrix2, Vector2};
 use num_complex::Complex64;
 

@@ -1,9 +1,10 @@
 //! Determinant, condition and pressure angle against the four equations as they stand.
 
-use super::kinematics::{Positions, wrap};
 use super::loops::unit;
+use super::positions::{Positions, wrap};
 use super::tests::zinchenko;
 use super::*;
+use crate::class_iii::geometry::Lengths;
 use crate::units::AngularVelocity;
 use nalgebra::Matrix4;
 use num_complex::Complex64;

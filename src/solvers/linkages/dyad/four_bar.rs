@@ -1,8 +1,9 @@
 //! The four-bar linkage: crank and RRR dyad.
 
+use super::error::DyadError;
+use super::motion::{Assembly, LinkMotion, PointMotion};
 use super::numeric::{PI_TAIL, check_lengths, scale, sign_of_sum};
 use super::rrr::{Span, check_finite, joint_motion, link, solve_span};
-use super::{Assembly, DyadError, LinkMotion, PointMotion};
 use crate::units::{Angle, Length};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

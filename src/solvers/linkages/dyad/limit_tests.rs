@@ -3,6 +3,7 @@
 use super::numeric::check_lengths;
 use super::rrp::solve_guide;
 use super::*;
+use crate::units::Angle;
 use crate::units::Length;
 use std::f64::consts::{FRAC_PI_2, PI};
 

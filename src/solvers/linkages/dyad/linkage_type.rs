@@ -1,7 +1,7 @@
 //! Types of four-bar linkage, crank ranges and dead positions.
 
-use super::Assembly;
 use super::four_bar::FourBar;
+use super::motion::Assembly;
 use super::numeric::{HalfAngle, sign_of_sum, sum3};
 use crate::units::Angle;
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! Scaling by powers of two, exact signs of sums, and triangles from their sides.
 
-use super::{DyadError, MAX_LENGTH_RATIO};
+use super::error::{DyadError, MAX_LENGTH_RATIO};
 use crate::units::Length;
 
 /// `2^k` for `k` in `−1022..=1023`.

@@ -1,7 +1,8 @@
 //! The RRP dyad: a rod with revolute joints, one of them on a slider along a fixed guide.
 
+use super::error::DyadError;
+use super::motion::{Assembly, LinkMotion, PointMotion};
 use super::numeric::{PI_TAIL, check_lengths, dot, exponent, scale};
-use super::{Assembly, DyadError, LinkMotion, PointMotion};
 use crate::units::{Angle, Length};
 use std::f64::consts::PI;
 

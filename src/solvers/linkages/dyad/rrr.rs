@@ -1,7 +1,8 @@
 //! The RRR dyad: two links joined by a revolute joint, between two points that move as they like.
 
+use super::error::DyadError;
+use super::motion::{Assembly, LinkMotion, PointMotion};
 use super::numeric::{HalfAngle, check_lengths, dot, exponent, scale, sum3};
-use super::{Assembly, DyadError, LinkMotion, PointMotion};
 use crate::units::{Angle, Length};
 
 /// The links `AC` and `BC` with the inner joint `C`.

@@ -1,8 +1,10 @@
 //! The slider-crank: crank and RRP dyad.
 
+use super::error::DyadError;
+use super::motion::Assembly;
 use super::numeric::{check_lengths, scale, sign_of_sum};
+use super::rrp::RrpMotion;
 use super::rrp::solve_guide;
-use super::{Assembly, DyadError, RrpMotion};
 use crate::units::{Angle, Length};
 use std::f64::consts::PI;
 

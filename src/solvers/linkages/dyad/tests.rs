@@ -1,4 +1,5 @@
 use super::*;
+use crate::units::Angle;
 use crate::units::Length;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};

@@ -2,6 +2,7 @@
 //! on w go, and which [`SEAMS`](super::SEAMS) publishes.
 
 use super::real::Real;
+use crate::hex::hex;
 
 /// A formula for w(z).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -174,7 +175,7 @@ pub(super) const STRIP: f64 = 0.125_f64.next_up();
 /// Where the fine cells end: the larger of |Re z|, |Im z|.
 pub(super) const FINE: f64 = 3.75;
 /// Closer to the real axis only the first power of Im z counts in the strip.
-pub(super) const NEAR: f64 = f64::from_bits((1023 - 28) << 52);
+pub(super) const NEAR: f64 = hex("0x1p-28");
 /// Closer to the imaginary axis, and on it, batches leave points to the scalar code.
 pub(super) const TINY: f64 = 1e-290;
 

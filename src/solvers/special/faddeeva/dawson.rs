@@ -32,7 +32,7 @@ const CANCELLED: f64 = 0.25;
 /// Distance from the maximum up to which the expansion about it is used.
 pub(super) const BESIDE_MAXIMUM: f64 = 0.1875;
 /// Im z from which the sum there may have to be computed again.
-pub(super) const ROUNDING_SHOWS: f64 = 1.0 / 1_048_576.0;
+pub(super) const ROUNDING_SHOWS: f64 = hex("0x1p-20");
 
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
@@ -52,6 +52,7 @@ const COEFFICIENTS: [f64; ORDER] = {
     }
     f
 };
+use crate::hex::hex;
 
 /// `Im F(x + i b)/b` for `x` next to the maximum, `b ≤` [`STRIP`]: with `t = x − x₀`,
 ///

@@ -21,6 +21,7 @@ use super::quadrant::{
     pair_times_power, product, series_derivative, times_power, w_exact,
 };
 use super::real::{ROUND, scaled, with_sign_of};
+use crate::hex::hex;
 use num_complex::Complex;
 
 /// As `lost`, for the sums of Taylor terms here, whose slope is rounded.
@@ -31,9 +32,9 @@ fn cancelled(sum: Dd, term: Dd) -> bool {
 
 /// Sizes below which a component is computed again in 256 bits: double-double is within 2⁻⁹⁸ for |z| < 4096, beyond
 /// within `2⁻⁵¹/|z|⁴`, and next to the diagonal within `2⁻⁴⁹/|z|⁶` of the imaginary part.
-const NEAR: f64 = 1.0 / (1u64 << 44) as f64;
-const FAR_BELOW: f64 = 1.0 / (1u64 << 22) as f64;
-const FAR_ABOVE: f64 = 1.0 / (1u64 << 19) as f64;
+const NEAR: f64 = hex("0x1p-44");
+const FAR_BELOW: f64 = hex("0x1p-22");
+const FAR_ABOVE: f64 = hex("0x1p-19");
 
 /// w′ in double-double, at `a + i b` or `a − i b`.
 struct Exact {
@@ -96,13 +97,13 @@ fn vanishing(Exact { a, b, lower, down }: Exact) -> (f64, f64) {
 
 /// Re z up to which `e^{−a²}` is a subnormal number, and Im z from which w′ is linear in it.
 pub(super) const UNDERFLOW: f64 = 28.0;
-const LINEAR: f64 = f64::from_bits((1023 - 900) << 52);
+const LINEAR: f64 = hex("0x1p-900");
 
 /// w′ at `a ± i b` where Re w′ is a sum of subnormal numbers, each of which is rounded once.
 #[cold]
 #[inline(never)]
 fn underflowing(a: f64, b: f64, lower: bool) -> (f64, f64) {
-    const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
+    const LIFT: f64 = hex("0x1p300");
     let (u, v) = far_derivative(a, b * LIFT);
     let (e, n) = exp_wide(exponent(a, 0.0));
     let on_axis = times_power((e * Dd::from(-a)).value(), n + 1.0);

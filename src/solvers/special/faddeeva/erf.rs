@@ -26,13 +26,14 @@ use super::quadrant::{
     times_power, w, w_exact,
 };
 use super::real::{ROUND, scaled, with_sign_of};
+use crate::hex::hex;
 use num_complex::Complex;
 
 /// Re z from which erfc is not computed as 1 − erf.
 pub(super) const COMPLEMENT: f64 = 0.25;
 
 /// xy below which, x being small, Re erf is linear in it.
-const LINEAR: f64 = 1.0 / 4_294_967_296.0;
+const LINEAR: f64 = hex("0x1p-32");
 
 /// Which function: `offset + sign · erf` in the real part, `sign · erf` in the imaginary part.
 #[derive(Clone, Copy, PartialEq)]

@@ -7,17 +7,18 @@ use super::many::all;
 use super::points::{Interleaved, Points};
 use super::quadrant::{derivative, exp_wide, gaussian, pair_times_power, times_power};
 use super::{plane, real};
+use crate::hex::hex;
 use num_complex::Complex;
 
 /// Below this |Im z| the products in W keep no digits, and Im erfcx is linear in it.
-const TINY: f64 = f64::from_bits((1023 - 900) << 52);
+const TINY: f64 = hex("0x1p-900");
 /// Below this −Re z second powers of it are below the last place of double-double.
-const FLAT: f64 = f64::from_bits((1023 - 60) << 52);
+const FLAT: f64 = hex("0x1p-60");
 /// Above this -Re z everything has overflowed, and the sign of Im erfcx is that of the true phase.
-const LARGE: f64 = f64::from_bits((1023 + 40) << 52);
+const LARGE: f64 = hex("0x1p40");
 /// Where a sum is smaller than this part of its terms, it is W's.
 const CANCELLED: f64 = 1.0 / 64.0;
-const LIFT: f64 = f64::from_bits((1023 + 300) << 52);
+const LIFT: f64 = hex("0x1p300");
 
 #[inline(always)]
 fn is_tiny(x: f64, y: f64) -> bool {

@@ -10,13 +10,14 @@ use super::constants;
 use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::payne_hanek::{self, HALF_PI};
 use super::real::{ROUND, Real, scaled};
+use crate::hex::hex;
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.
 const LN_2: [f64; 2] = [0.693_147_180_559_663, 2.823_529_056_303_157_7e-13];
 const TWO_OVER_PI: f64 = std::f64::consts::FRAC_2_PI;
 /// Phases below this are reduced by [`reduce`].
-pub(crate) const LARGE_PHASE: f64 = 1_073_741_824.0;
+pub(crate) const LARGE_PHASE: f64 = hex("0x1p30");
 
 /// Exponents are cut here: `e^{±1400}` is outside the range of `f64` whatever normal number it is
 /// multiplied by, and half of its binary exponent inside. Subnormal factors need [`exp_wide`].

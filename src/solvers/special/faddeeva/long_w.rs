@@ -11,6 +11,7 @@
 
 use super::long::Long;
 use super::long_functions::{Angle, Complex, HALF_PI, exp, gaussian, plus, reciprocal, times};
+use crate::hex::hex;
 
 /// 1/√π.
 pub(super) const INV_SQRT_PI: Long = Long::parts(
@@ -113,8 +114,8 @@ pub(super) fn w(a: f64, y: f64) -> Complex {
 /// of the larger term, from `|z| = 4096` on 2⁻⁷⁷.
 #[inline(always)]
 pub(super) fn vanishing_part(a: f64, b: f64) -> f64 {
-    const NEAR: f64 = 1.0 / (1u64 << 36) as f64;
-    const FAR: f64 = 1.0 / (1u64 << 22) as f64;
+    const NEAR: f64 = hex("0x1p-36");
+    const FAR: f64 = hex("0x1p-22");
     if a.max(b) < 4096.0 { NEAR } else { FAR }
 }
 

@@ -17,6 +17,7 @@ use super::real::{ROUND, scaled};
 use super::rows::{imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
+use crate::hex::hex;
 
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 6.0;
@@ -53,13 +54,17 @@ pub(super) fn product((a, b): (Dd, Dd), (c, d): (Dd, Dd)) -> (Dd, Dd, bool) {
 /// phase stays small: everything that grows with it has overflowed there.
 #[inline(always)]
 pub(super) fn lifted(x: f64, other: f64) -> (f64, f64) {
-    const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
-    const LARGE: f64 = f64::from_bits((1023 + 40) << 52);
+    const SMALL: f64 = hex("0x1p-400");
+    const LARGE: f64 = hex("0x1p40");
+    const FAR_UP: f64 = hex("0x1p300");
+    const UP: f64 = hex("0x1p60");
     if x >= SMALL {
         return (x, 0.0);
     }
-    let lift = if other < LARGE { 300 } else { 60 };
-    (x * f64::from_bits((1023 + lift) << 52), lift as f64)
+    match other < LARGE {
+        true => (x * FAR_UP, 300.0),
+        false => (x * UP, 60.0),
+    }
 }
 
 /// The series without `e^{−z²}`, where the ring of the point has it.

@@ -4,11 +4,12 @@
 //! Every operation is correctly rounded in each place, so that a value has the same bits whichever
 //! way it was computed.
 
+use crate::hex::hex;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Adding and subtracting this rounds a number below 2⁵¹ to an integer `k`; the low bits of the
 /// sum are those of `k`.
-pub(crate) const ROUND: f64 = 6_755_399_441_055_744.0;
+pub(crate) const ROUND: f64 = hex("0x1.8p52");
 
 /// A real number, or several in places of their own.
 pub(crate) trait Real:

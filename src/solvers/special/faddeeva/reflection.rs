@@ -5,6 +5,7 @@ use super::exponential::{
     binary_exponent, exp_minus_square_rounded, exp_minus_square_short, exponent,
 };
 use super::real::{ROUND, Real};
+use crate::hex::hex;
 
 /// A component smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 0.025;
@@ -13,7 +14,7 @@ const CANCELLED_ROUNDED: f64 = 2.0;
 /// The part of its modulus below which a component of `e^{−z²}` has to be computed again: the rest of a phase that is
 /// as close to a multiple of π/2 has too few digits. Beside the imaginary axis there is no such multiple, and
 /// Im W is proportional to Re z.
-const CLOSE: f64 = 1.0 / (1u64 << 60) as f64;
+const CLOSE: f64 = hex("0x1p-60");
 /// Powers of two from which `2e^{−z²}` stands alone.
 pub(super) const ALONE: f64 = 200.0;
 

@@ -6,16 +6,17 @@ use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::quadrant::{derivative, exp_wide, times_power, w};
 use super::real::ROUND;
+use crate::hex::hex;
 
 /// Distance from the centre in units of `σ√2` from which the profile is Lorentz's.
-const LORENTZ: f64 = 134_217_728.0;
+const LORENTZ: f64 = hex("0x1p27");
 /// `γ/(σ√2)` below which the profile is linear in it.
-const LINEAR: f64 = f64::from_bits((1023 - 400) << 52);
+const LINEAR: f64 = hex("0x1p-400");
 
 /// `x = m 2^e`, `1 ≤ m < 2`, for finite `x > 0`; zero is `0 · 2⁰`.
 #[inline(always)]
 fn split(x: f64) -> (f64, f64) {
-    const UP: f64 = f64::from_bits((1023 + 60) << 52);
+    const UP: f64 = hex("0x1p60");
     if x == 0.0 {
         return (0.0, 0.0);
     }

@@ -1,24 +1,10 @@
 //! Values, derivatives and integrals at single points.
 
+use super::boundary::Known;
+use super::error::EvaluationError as Error;
 use super::grid::{Grid, Interval, blend, fractions};
-use super::{EvaluationError as Error, Known, Spline};
+use super::spline::{Extrapolation, Spline};
 use std::marker::PhantomData;
-
-/// What a spline is outside its knots.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Extrapolation {
-    /// [`EvaluationError::Outside`](super::EvaluationError::Outside).
-    #[default]
-    Error,
-    /// The cubic of the first or last segment goes on.
-    EndPolynomial,
-    /// The tangent at the end goes on.
-    Linear,
-    /// The ordinate of the end is held, with zero derivatives.
-    Clamp,
-    /// The spline repeats with the period `last − first`. Smooth only for a periodic spline.
-    Wrap,
-}
 
 /// Value and derivatives at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

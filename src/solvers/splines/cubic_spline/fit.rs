@@ -1,13 +1,11 @@
 //! Second derivatives on arbitrary knots.
 
-use super::{
-    Boundary, CubicSpline, CubicSplineError as Error, End, Extrapolation, Knots, Known, Spline,
-};
+use super::boundary::{Boundary, End, Known};
+use super::error::CubicSplineError as Error;
+use super::grid::{Knots, LARGEST};
+use super::spline::{CubicSpline, Extrapolation, Spline};
 use crate::cyclic_tridiagonal::CyclicSweep;
 use crate::tridiagonal::{Sweep, TridiagonalError};
-
-/// Ordinates beyond this are refused, so that evaluation cannot overflow.
-pub(super) const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
 
 pub(super) fn check_values(y: &[f64]) -> Result<(), Error> {
     match y.iter().position(|v| v.is_nan() || v.abs() > LARGEST) {

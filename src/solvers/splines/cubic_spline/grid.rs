@@ -1,8 +1,11 @@
 //! Knots: where they are, which segment holds a point, and offsets from them without cancellation.
 
-use super::CubicSplineError as Error;
-use super::fit::LARGEST;
+use super::error::CubicSplineError as Error;
 use super::lookup::{GROUP, Lookup};
+use crate::hex::hex;
+
+/// Knots and ordinates beyond this are refused, so that evaluation cannot overflow.
+pub(super) const LARGEST: f64 = hex("0x1p1000");
 
 mod sealed {
     pub trait Sealed {}
@@ -335,7 +338,7 @@ impl Grid for UniformKnots {
     ) -> Option<[f64; GROUP]> {
         // Adding 1.5 · 2^52 rounds to an integer, which then stands in the low bits. The bias makes
         // it the integer below, also at a knot; just below a knot it fails, which is noticed.
-        const ROUND: f64 = 6_755_399_441_055_744.0;
+        const ROUND: f64 = hex("0x1.8p52");
         const BIAS: f64 = 0.5 - 1e-9;
         let (mut t, mut e) = ([0.0; GROUP], [0.0; GROUP]);
         let (mut a, mut b) = ([0.0; GROUP], [0.0; GROUP]);

@@ -1,6 +1,6 @@
 //! Splines at the limits of what is accepted, and sums that cancel.
 
-use super::fit::LARGEST;
+use super::grid::LARGEST;
 use super::*;
 
 /// Ordinates up to the largest are accepted, and nothing that follows from them may be larger.

@@ -8,11 +8,11 @@
 //! The sweep runs from both ends at once and meets in the middle: two independent chains of
 //! operations, where one would leave the processor waiting for its own results.
 
-use super::fit::{LARGEST, check_boundary, check_values};
-use super::{
-    Boundary, CubicSplineError as Error, End, Extrapolation, Spline, UniformCubicSpline,
-    UniformKnots,
-};
+use super::boundary::{Boundary, End};
+use super::error::CubicSplineError as Error;
+use super::fit::{check_boundary, check_values};
+use super::grid::{LARGEST, UniformKnots};
+use super::spline::{Extrapolation, Spline, UniformCubicSpline};
 use crate::cyclic_tridiagonal::CyclicSweep;
 
 /// Room for the `λ_i` before they repeat.
