@@ -2,9 +2,10 @@
 
 use super::law_input::{self as input, LawInput};
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-    Region, Rows, conditions_by_differences,
+    Budget, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer, Rows,
+    conditions_by_differences,
 };
+use crate::methods::common::{point, region};
 use crate::methods::definition::{Definition, Entry, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::Ball;
@@ -137,12 +138,6 @@ impl Definition for CamFourierSeries {
     }
 
     fn domain() -> Domain {
-        let region = |name, description, sample| Region {
-            name,
-            description,
-            sample,
-        };
-        let point = |name, input| CheckPoint { name, input };
         let harmonic = [input::SCCA, 0.5, 2.0, 0.0, 1.0];
         let at = |rise, high_dwell, fall, first| {
             let cycle = CamCycleInput {

@@ -150,7 +150,6 @@ impl Definition for FourBar {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::audit::{Draw, Settings, SolverAnswer, audit_method};
     use crate::methods::find;
 
