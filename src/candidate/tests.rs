@@ -105,7 +105,6 @@ fn every_signature_reaches_its_method() {
         })),
     ];
     assert!(counts.iter().all(|n| *n > 4), "{counts:?}");
-    assert_eq!(counts.len(), registry().len());
 }
 
 /// Wrong in the last digits of one component, in one half-plane.

@@ -2,6 +2,7 @@
 
 mod approximations;
 mod cams;
+mod common;
 mod definition;
 mod drive;
 mod inputs;

@@ -10,8 +10,9 @@ Examples:
   echo 0x1.8p+0,-0x1p-2 | mechaudit eval faddeeva --digits 50
   mechaudit eval faddeeva --threads 4 < cases.csv > values.csv
 
-Input: one case a line, its numbers as `mechaudit list NAME` lays them out, separated by commas; each a decimal or a C99 hexadecimal \
-float, without --digits also inf and nan. Blank lines and lines that begin with # are skipped.
+Input: one case a line, its numbers as `mechaudit list NAME` lays them out, separated by commas; \
+each a decimal or a C99 hexadecimal float, without --digits also inf and nan. Blank lines and lines \
+that begin with # are skipped.
 
 Output: one line for each case, in the same order. Without --digits the floating-point solver at \
 the nearest 64-bit numbers, as hexadecimal floats; with --digits the reference at exactly the \

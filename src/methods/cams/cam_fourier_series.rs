@@ -2,9 +2,9 @@
 
 use super::law_input::{self as input, LawInput};
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-    Region, Rows,
+    Budget, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer, Rows,
 };
+use crate::methods::common::{point, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::cam_law::Law as ExactLaw;
@@ -163,12 +163,6 @@ impl Definition for CamFourierSeries {
     }
 
     fn domain() -> Domain {
-        let region = |name, description, sample| Region {
-            name,
-            description,
-            sample,
-        };
-        let point = |name, input| CheckPoint { name, input };
         let harmonic = [input::SCCA, 0.5, 2.0, 0.0, 1.0];
         let at = |rise, high_dwell, fall, first| {
             let cycle = CamCycleInput {

@@ -3,8 +3,9 @@
 use super::law_input::{self as input, LawInput};
 use crate::audit::{
     Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-    Region, conditions_by_differences,
+    conditions_by_differences,
 };
+use crate::methods::common::region;
 use crate::methods::definition::{Definition, Entry, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::Ball;
@@ -69,11 +70,6 @@ impl Definition for CamLaw {
     }
 
     fn domain() -> Domain {
-        let region = |name, description, sample| Region {
-            name,
-            description,
-            sample,
-        };
         let named = |name, x: f64, b: f64, d: f64| CheckPoint {
             name,
             input: vec![x, input::SCCA, 0.5, 2.0, b, d],

@@ -1,8 +1,9 @@
 //! The class-III linkage on a chosen assembly mode: positions, rates and reduced quantities.
 
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer, Region,
+    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
 };
+use crate::methods::common::{held, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::{self as reference, Configuration, ExactAngle, Linkage};
@@ -313,11 +314,6 @@ impl Definition for ClassIii {
     }
 
     fn domain() -> Domain {
-        let region = |name, description, sample| Region {
-            name,
-            description,
-            sample,
-        };
         Domain {
             regions: vec![
                 region(
@@ -442,7 +438,7 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     let geometry = i.geometry.scaled(2.0);
     let b = ClassIiiInput { geometry, ..i }.row().ok()?;
     let same = a.state.positions == b.state.positions && a.state.rates == b.state.rates;
-    Some(if same { 0.0 } else { f64::INFINITY })
+    held(same)
 }
 
 fn round_trip_law(x: &[f64]) -> Option<f64> {

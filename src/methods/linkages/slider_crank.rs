@@ -1,9 +1,8 @@
 //! The slider-crank.
 
 use super::four_bar::{refusal, side};
-use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer, Region,
-};
+use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer};
+use crate::methods::common::{held, point, region};
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::dyad::slider_crank;
@@ -81,15 +80,6 @@ impl Definition for SliderCrank {
     }
 
     fn domain() -> Domain {
-        let region = |name, description, sample| Region {
-            name,
-            description,
-            sample,
-        };
-        let point = |name, input: [f64; 6]| CheckPoint {
-            name,
-            input: input.to_vec(),
-        };
         Domain {
             regions: vec![
                 region(
@@ -279,11 +269,7 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     let [a, b, e] = [i.a, i.b, i.e].map(|l| l * 128.0);
     let there = values(&motion(SliderCrankInput { a, b, e, ..i }).ok()?);
     let slider = (0..3).all(|i| here[i] * 128.0 == there[i]);
-    Some(if slider && here[3..] == there[3..] {
-        0.0
-    } else {
-        f64::INFINITY
-    })
+    held(slider && here[3..] == there[3..])
 }
 
 fn mirror(x: &[f64]) -> Option<f64> {
@@ -304,11 +290,7 @@ fn mirror(x: &[f64]) -> Option<f64> {
     let even = [0, 2, 4, 6].iter().all(|&i| here[i] == there[i]);
     let odd = [1, 5].iter().all(|&i| here[i] == -there[i]);
     let angle = i.assembly < 0.0 || here[3] == -there[3];
-    Some(if even && odd && angle {
-        0.0
-    } else {
-        f64::INFINITY
-    })
+    held(even && odd && angle)
 }
 
 fn velocity(x: &[f64]) -> Option<f64> {

@@ -2,6 +2,7 @@
 
 use super::common::{EndCondition, SplineProblem};
 use crate::audit::Law;
+use crate::methods::common::held;
 
 impl EndCondition {
     /// `S(x_i) = y_i` bit for bit.
@@ -40,11 +41,6 @@ impl EndCondition {
         let [first, last] = p.ends?;
         held(hit(p.x.first(), first)? && hit(p.x.last(), last)?)
     }
-}
-
-/// The residual of a law that holds bit for bit or not at all.
-fn held(held: bool) -> Option<f64> {
-    Some(if held { 0.0 } else { f64::INFINITY })
 }
 
 /// The law of [`EndCondition::knots_residual`].

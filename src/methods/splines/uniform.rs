@@ -2,6 +2,7 @@
 
 use super::common::{ROWS, outputs, outputs_of, reference_of};
 use crate::audit::{CheckPoint, Domain, Draw, Law, Output, ReferenceAnswer, Region, Rows};
+use crate::methods::common::held;
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linear::identical;
@@ -341,7 +342,7 @@ impl Definition for CubicSplineUniform {
                         Rational::from_f64(x) != Some(exact) || s.value(x).is_ok_and(|v| v == *y)
                     };
                     let all = i.y.iter().enumerate().all(hit);
-                    Some(if all { 0.0 } else { f64::INFINITY })
+                    held(all)
                 },
             },
             Law {

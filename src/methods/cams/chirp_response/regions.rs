@@ -1,6 +1,7 @@
 //! Where the chirp-forced oscillator is audited.
 
 use crate::audit::{CheckPoint, Draw, Region};
+use crate::methods::common::{point, region};
 use std::f64::consts::PI;
 
 /// A case from w, n/w, kε, kΩ₀ and t: splits kε and kΩ₀ by a whole k, adds a phase and, in half of
@@ -66,11 +67,6 @@ fn at_resonance(d: &mut Draw, w: f64, zeta: f64, kappa: f64, t: f64) -> f64 {
 }
 
 pub(super) fn all() -> Vec<Region> {
-    let region = |name, description, sample| Region {
-        name,
-        description,
-        sample,
-    };
     vec![
         region(
             "any",
@@ -291,10 +287,6 @@ fn seam(d: &mut Draw) -> Vec<f64> {
 }
 
 pub(super) fn check_points() -> Vec<CheckPoint> {
-    let point = |name, input: [f64; 9]| CheckPoint {
-        name,
-        input: input.to_vec(),
-    };
     let nan = f64::NAN;
     vec![
         point(

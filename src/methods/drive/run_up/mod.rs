@@ -3,9 +3,9 @@
 mod twin;
 
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-    Region, SolverAnswer,
+    Budget, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
 };
+use crate::methods::common::{point, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linkages::{ClassIiiInput, at_degrees};
@@ -225,12 +225,6 @@ impl Definition for RunUp {
     }
 
     fn domain() -> Domain {
-        let region = |name, description, sample| Region {
-            name,
-            description,
-            sample,
-        };
-        let point = |name, input| CheckPoint { name, input };
         Domain {
             regions: vec![
                 region(

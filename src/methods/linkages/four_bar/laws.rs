@@ -2,6 +2,7 @@
 
 use super::{FourBar, FourBarInput, motion, values};
 use crate::audit::Law;
+use crate::methods::common::held;
 use crate::methods::definition::Definition;
 use std::f64::consts::TAU;
 
@@ -70,11 +71,7 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     let here = values(&motion(i).ok()?);
     let [a, b, c, d] = [i.a, i.b, i.c, i.d].map(|l| l * 128.0);
     let there = values(&motion(FourBarInput { a, b, c, d, ..i }).ok()?);
-    Some(if here[..7] == there[..7] {
-        0.0
-    } else {
-        f64::INFINITY
-    })
+    held(here[..7] == there[..7])
 }
 
 fn mirror(x: &[f64]) -> Option<f64> {
@@ -92,7 +89,7 @@ fn mirror(x: &[f64]) -> Option<f64> {
     // φ2, φ3 and their second derivatives are odd in φ1, the first derivatives even.
     let odd = [0, 1, 4, 5].iter().all(|&i| here[i] == -there[i]);
     let even = [2, 3, 6, 7].iter().all(|&i| here[i] == there[i]);
-    Some(if odd && even { 0.0 } else { f64::INFINITY })
+    held(odd && even)
 }
 
 fn angle_sum(x: &[f64]) -> Option<f64> {

@@ -1,21 +1,13 @@
 //! Where the four-bar linkage is audited.
 
 use super::{FourBarInput, motion};
-use crate::audit::{CheckPoint, Domain, Draw, Region};
+use crate::audit::{Domain, Draw};
+use crate::methods::common::{point, region};
 use crate::solvers::dyad::{CrankRange, FourBar};
 use crate::solvers::units::Length;
 use std::f64::consts::PI;
 
 pub(super) fn domain() -> Domain {
-    let region = |name, description, sample| Region {
-        name,
-        description,
-        sample,
-    };
-    let point = |name, input: [f64; 6]| CheckPoint {
-        name,
-        input: input.to_vec(),
-    };
     Domain {
         regions: vec![
             region(

@@ -1,37 +1,18 @@
 //! Identities of the Faddeeva function.
 
 use crate::audit::Law;
-use crate::reference::Ball;
+use crate::methods::common::held;
+use crate::methods::special::relatives::laws::{U, gaussian, point, same_pair};
 use crate::solvers::faddeeva::{faddeeva, faddeeva_batch};
 use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 type C = Complex<f64>;
 
-/// u = 2⁻⁵³.
-const U: f64 = f64::EPSILON / 2.0;
-
-fn point(input: &[f64]) -> Option<C> {
-    match input {
-        &[x, y] => Some(Complex::new(x, y)),
-        _ => None,
-    }
-}
-
-/// The same bits, or both NaN.
-fn same(a: C, b: C) -> bool {
-    let same = |a: f64, b: f64| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
-    same(a.re, b.re) && same(a.im, b.im)
-}
-
-fn broken(held: bool) -> Option<f64> {
-    Some(if held { 0.0 } else { f64::INFINITY })
-}
-
 fn conjugation(input: &[f64]) -> Option<f64> {
     let z = point(input)?;
     let w = faddeeva(-z.conj());
-    broken(same(w, faddeeva(z).conj()))
+    held(same_pair(w, faddeeva(z).conj()))
 }
 
 /// The batch at the point and around it, of every length up to 19.
@@ -50,16 +31,7 @@ fn batch(input: &[f64]) -> Option<f64> {
     let mut values = vec![C::default(); n];
     let done = faddeeva_batch(&points, &mut values).is_ok();
     let mut pairs = points.iter().zip(&values);
-    broken(done && pairs.all(|(&z, &w)| same(w, faddeeva(z))))
-}
-
-/// `2e^{−z²}` to 1e-30, for |z| ≤ 1e8.
-fn gaussian(z: C) -> C {
-    const PREC: u32 = 192;
-    let (x, y) = (Ball::exact(PREC, z.re), Ball::exact(PREC, z.im));
-    let e = ((&y - &x) * &(&y + &x)).exp().shift(1);
-    let (sin, cos) = (&x * &y).shift(1).sin_cos();
-    Complex::new((&e * &cos).to_f64(), -(&e * &sin).to_f64())
+    held(done && pairs.all(|(&z, &w)| same_pair(w, faddeeva(z))))
 }
 
 fn reflection(input: &[f64]) -> Option<f64> {
@@ -72,7 +44,7 @@ fn reflection(input: &[f64]) -> Option<f64> {
     if !(size < 1e307) {
         return None;
     }
-    let rest = (p - gaussian(z)) + m;
+    let rest = (p - gaussian(z, 2)) + m;
     // 4u of each value, and the rounding of the three terms.
     Some(rest.norm() / (7.0 * U * size.max(f64::MIN_POSITIVE)))
 }
@@ -116,7 +88,7 @@ fn monotonic(input: &[f64]) -> Option<f64> {
     let on_axis = |y: f64| faddeeva(Complex::new(0.0, y));
     let next = [z.im.next_up(), z.im + z.im.abs() * 2f64.powi(-40)];
     let here = on_axis(z.im);
-    broken(here.im == 0.0 && next.iter().all(|&y| on_axis(y).re <= here.re))
+    held(here.im == 0.0 && next.iter().all(|&y| on_axis(y).re <= here.re))
 }
 
 /// The laws.

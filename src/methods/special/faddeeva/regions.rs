@@ -2,6 +2,7 @@
 
 use super::curves;
 use crate::audit::{CheckPoint, Draw, Region};
+use crate::methods::common::region;
 use crate::solvers::faddeeva::SEAMS;
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
@@ -85,11 +86,6 @@ static ON_CELLS: LazyLock<String> = LazyLock::new(|| {
 
 /// The regions.
 pub(in crate::methods::special) fn all() -> Vec<Region> {
-    let region = |name, description, sample| Region {
-        name,
-        description,
-        sample,
-    };
     vec![
         region("small", "|z| = 1e-300..1, every direction", |d| {
             let r = d.log_uniform(1e-300, 1.0);

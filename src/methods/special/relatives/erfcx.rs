@@ -1,9 +1,10 @@
 //! The scaled complementary error function.
 
-use super::laws::{batch_agrees, broken, conjugation_law, gaussian, on_the_axis, point, within};
+use super::laws::{batch_agrees, conjugation_law, gaussian, on_the_axis, point, within};
 use super::regions::zero_of_erfc;
 use super::{C, Relative, Zeros};
 use crate::audit::{Due, Law};
+use crate::methods::common::held;
 use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
 use crate::reference::Undecided;
 use crate::reference::faddeeva::{self, Scaled};
@@ -112,5 +113,5 @@ fn monotonic(input: &[f64]) -> Option<f64> {
         return None;
     }
     let next = x + x.abs() * 2f64.powi(-40);
-    broken(erfcx_real(next) <= erfcx_real(x))
+    held(erfcx_real(next) <= erfcx_real(x))
 }

@@ -1,9 +1,10 @@
 //! The imaginary error function.
 
-use super::laws::{broken, gaussian, odd_law, on_the_axis, plain, point, same_pair, within};
+use super::laws::{gaussian, odd_law, on_the_axis, plain, point, same_pair, within};
 use super::regions::zero_of_erfi;
 use super::{C, Relative, Zeros, negated, odd_limit, odd_signs};
 use crate::audit::{Due, Law};
+use crate::methods::common::held;
 use crate::reference::Undecided;
 use crate::reference::faddeeva::{self, Scaled};
 use crate::solvers::faddeeva::{dawson, erf, erfi, erfi_real};
@@ -79,7 +80,7 @@ impl Relative for Erfi {
 fn turned(input: &[f64]) -> Option<f64> {
     let z = point(input)?;
     let e = erf(C::new(-z.im, z.re));
-    broken(same_pair(erfi(z), C::new(e.im, -e.re)))
+    held(same_pair(erfi(z), C::new(e.im, -e.re)))
 }
 
 fn by_dawson(input: &[f64]) -> Option<f64> {

@@ -1,8 +1,9 @@
 //! The derivative of the Faddeeva function.
 
-use super::laws::{broken, point, same_pair, within};
+use super::laws::{point, same_pair, within};
 use super::{C, Relative, Zeros, infinity, number, on_axis};
 use crate::audit::{Due, Law};
+use crate::methods::common::held;
 use crate::methods::special::faddeeva::curves::zero as zero_of_w;
 use crate::reference::faddeeva::{self, Scaled, w_f64};
 use crate::reference::{ComplexBall, Undecided};
@@ -90,7 +91,7 @@ impl Relative for FaddeevaDerivative {
 
 fn symmetry(input: &[f64]) -> Option<f64> {
     let z = point(input)?;
-    broken(same_pair(w_derivative(-z.conj()), -w_derivative(z).conj()))
+    held(same_pair(w_derivative(-z.conj()), -w_derivative(z).conj()))
 }
 
 fn equation(input: &[f64]) -> Option<f64> {

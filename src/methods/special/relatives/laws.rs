@@ -2,13 +2,14 @@
 
 use super::{C, Relative};
 use crate::audit::Law;
+use crate::methods::common::held;
 use crate::reference::Ball;
 use num_complex::Complex;
 
 /// u = 2⁻⁵³.
 pub(in crate::methods::special) const U: f64 = f64::EPSILON / 2.0;
 
-pub(super) fn point(input: &[f64]) -> Option<C> {
+pub(in crate::methods::special) fn point(input: &[f64]) -> Option<C> {
     match input {
         &[x, y] => Some(Complex::new(x, y)),
         _ => None,
@@ -20,26 +21,21 @@ pub(in crate::methods::special) fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }
 
-pub(super) fn same_pair(a: C, b: C) -> bool {
+pub(in crate::methods::special) fn same_pair(a: C, b: C) -> bool {
     same(a.re, b.re) && same(a.im, b.im)
-}
-
-/// A law without a margin.
-pub(in crate::methods::special) fn broken(held: bool) -> Option<f64> {
-    Some(if held { 0.0 } else { f64::INFINITY })
 }
 
 /// `f(−z) = −f(z)`, `f(z̄) = conj f(z)`, bit for bit.
 fn odd<F: Relative>(input: &[f64]) -> Option<f64> {
     let z = point(input)?;
     let f = F::value(z);
-    broken(same_pair(F::value(-z), -f) && same_pair(F::value(z.conj()), f.conj()))
+    held(same_pair(F::value(-z), -f) && same_pair(F::value(z.conj()), f.conj()))
 }
 
 /// `f(z̄) = conj f(z)`, bit for bit.
 fn conjugation<F: Relative>(input: &[f64]) -> Option<f64> {
     let z = point(input)?;
-    broken(same_pair(F::value(z.conj()), F::value(z).conj()))
+    held(same_pair(F::value(z.conj()), F::value(z).conj()))
 }
 
 pub(super) fn odd_law<F: Relative>() -> Law {
@@ -63,10 +59,10 @@ pub(super) fn conjugation_law<F: Relative>() -> Law {
 pub(super) fn on_the_axis<F: Relative>(real: fn(f64) -> f64, x: f64) -> Option<f64> {
     let (a, b) = (F::value(Complex::new(x, 0.0)), real(x));
     if !a.re.is_finite() || !b.is_finite() {
-        return broken(same(a.re, b));
+        return held(same(a.re, b));
     }
     let ulp = (a.re.abs() * f64::EPSILON).max(f64::from_bits(1));
-    broken(a.im == 0.0).map(|r| r.max((a.re - b).abs() / (6.0 * ulp)))
+    held(a.im == 0.0).map(|r| r.max((a.re - b).abs() / (6.0 * ulp)))
 }
 
 /// The batch at the point and around it, of every length up to 40, gives the scalar values.
@@ -86,11 +82,11 @@ pub(super) fn batch_agrees<F: Relative>(
     let mut values = vec![C::default(); n];
     let done = batch(&points, &mut values);
     let mut pairs = points.iter().zip(&values);
-    broken(done && pairs.all(|(&z, &f)| same_pair(f, F::value(z))))
+    held(done && pairs.all(|(&z, &f)| same_pair(f, F::value(z))))
 }
 
 /// `factor · e^{−z²}` to 1e-30, for |z| ≤ 1e8.
-pub(super) fn gaussian(z: C, factor: i64) -> C {
+pub(in crate::methods::special) fn gaussian(z: C, factor: i64) -> C {
     const PREC: u32 = 192;
     let (x, y) = (Ball::exact(PREC, z.re), Ball::exact(PREC, z.im));
     let e = ((&y - &x) * &(&y + &x)).exp() * &Ball::integer(PREC, factor);

@@ -5,6 +5,7 @@
 
 use super::Relative;
 use crate::audit::{CheckPoint, Draw, Region};
+use crate::methods::common::region;
 use crate::methods::special::faddeeva::curves::{crossing, next_to, zero as zero_of_w};
 use crate::methods::special::faddeeva::regions::{
     TINY_PART, beside, both_signs, listed, one_of, polar, tiny_part, whole,
@@ -121,11 +122,6 @@ fn seams_of_either(d: &mut Draw) -> Seams {
 
 /// The regions.
 pub(super) fn all<F: Relative>() -> Vec<Region> {
-    let region = |name, description, sample| Region {
-        name,
-        description,
-        sample,
-    };
     let mut regions = vec![
         region("small", "|z| = 1e-300..1, every direction", |d| {
             let r = d.log_uniform(1e-300, 1.0);

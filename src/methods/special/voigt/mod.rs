@@ -3,9 +3,10 @@
 mod regions;
 
 use super::faddeeva::{asked, due};
-use super::relatives::laws::{U, broken, same};
+use super::relatives::laws::{U, same};
 use super::relatives::{PROOF, number};
 use crate::audit::{Budget, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer};
+use crate::methods::common::held;
 use crate::methods::definition::{Definition, Uncertified};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, voigt_scaled};
@@ -140,7 +141,7 @@ fn arguments(input: &[f64]) -> Option<[f64; 3]> {
 
 fn even(input: &[f64]) -> Option<f64> {
     let [x, s, g] = arguments(input)?;
-    broken(same(voigt(x, s, g), voigt(-x, s, g)))
+    held(same(voigt(x, s, g), voigt(-x, s, g)))
 }
 
 fn units(input: &[f64]) -> Option<f64> {
@@ -151,7 +152,7 @@ fn units(input: &[f64]) -> Option<f64> {
     if !(v != 0.0 && plain(v) && all.into_iter().all(plain)) {
         return None;
     }
-    broken(same(voigt(x / 8.0, s / 8.0, g / 8.0), 8.0 * v))
+    held(same(voigt(x / 8.0, s / 8.0, g / 8.0), 8.0 * v))
 }
 
 fn batch(input: &[f64]) -> Option<f64> {
@@ -161,7 +162,7 @@ fn batch(input: &[f64]) -> Option<f64> {
     let mut values = vec![0.0; n];
     let done = voigt_batch(&points, s, g, &mut values).is_ok();
     let mut pairs = points.iter().zip(&values);
-    broken(done && pairs.all(|(&x, &v)| same(v, voigt(x, s, g))))
+    held(done && pairs.all(|(&x, &v)| same(v, voigt(x, s, g))))
 }
 
 fn peak(input: &[f64]) -> Option<f64> {
@@ -171,7 +172,7 @@ fn peak(input: &[f64]) -> Option<f64> {
         return None;
     }
     // 6 u of each; units below the normal numbers are larger.
-    broken(v >= 0.0 && v <= top * (1.0 + 12.0 * U) + 6.0 * f64::from_bits(1))
+    held(v >= 0.0 && v <= top * (1.0 + 12.0 * U) + 6.0 * f64::from_bits(1))
 }
 
 fn by_w(input: &[f64]) -> Option<f64> {

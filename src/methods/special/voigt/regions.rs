@@ -1,6 +1,7 @@
 //! Where the Voigt profile is audited.
 
 use crate::audit::{CheckPoint, Draw, Region};
+use crate::methods::common::region;
 use crate::methods::special::faddeeva::regions::beside;
 
 /// Half the widths, normalised: `σ`, and x and γ in units of `σ√2`.
@@ -19,11 +20,6 @@ fn any_bits(d: &mut Draw, negative: f64) -> f64 {
 
 /// The regions.
 pub(super) fn all() -> Vec<Region> {
-    let region = |name, description, sample| Region {
-        name,
-        description,
-        sample,
-    };
     vec![
         region("comparable", "|x| < 12, sigma = 0.05..2, gamma < 3", |d| {
             vec![
