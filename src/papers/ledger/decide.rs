@@ -3,7 +3,7 @@
 use super::repair::{bound, search};
 use super::{Formula, Item, LedgerEntry, Obligation, Requirement, Verdict};
 use crate::symbolic::{
-    Definitions, Equation, Expr, Identity, Outcome, SymbolicError, latex_equation, parse_equation,
+    Definitions, Equation, Identity, Outcome, SymbolicError, latex_equation, parse_equation,
 };
 
 fn obligation(r: &Requirement, found: Identity, recorded: Option<Outcome>) -> Obligation {
