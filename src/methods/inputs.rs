@@ -127,7 +127,7 @@ macro_rules! inputs {
         $(#[$doc])*
         pub struct $name<'a, T: $crate::methods::Number = f64> {
             $(
-                #[doc = concat!($("`", $text, "`, unit ", $unit, ".",)? "")]
+                #[doc = concat!("Field `", stringify!($field), "`"$(, ": `", $text, "`, unit ", $unit)?, ".")]
                 $(#[$about])*
                 pub $field: $crate::methods::inputs::inputs!(@type $shape 'a T),
             )*
@@ -160,7 +160,7 @@ macro_rules! inputs {
 
         impl $name<'_> {
             /// The numbers in a row.
-            pub fn to_vec(&self) -> Vec<f64> {
+            pub fn to_vec(self) -> Vec<f64> {
                 let mut all = Vec::new();
                 $($crate::methods::inputs::inputs!(@put all self.$field, $shape);)*
                 all
@@ -182,25 +182,25 @@ macro_rules! inputs {
         $all.extend(<$group<$a, $t> as $crate::methods::inputs::Fields<$a, $t>>::fields())
     };
     (@declare $all:ident choice $a:lifetime $t:ident $text:literal, $unit:literal) => {
-        $all.push($crate::methods::inputs::Field {
+        $all.extend([$crate::methods::inputs::Field {
             input: $crate::audit::Input { name: $text, unit: $unit },
             is_data: false,
-        })
+        }])
     };
     (@declare $all:ident $data:ident $a:lifetime $t:ident $text:literal, $unit:literal) => {
-        $all.push($crate::methods::inputs::Field {
+        $all.extend([$crate::methods::inputs::Field {
             input: $crate::audit::Input { name: $text, unit: $unit },
             is_data: true,
-        })
+        }])
     };
     (@take $row:ident list) => { $row.list() };
     (@take $row:ident ($group:ident)) => { $crate::methods::inputs::Fields::take($row) };
     (@take $row:ident $one:ident) => { $row.number() };
     (@put $all:ident $value:expr, list) => { $all.extend_from_slice($value) };
     (@put $all:ident $value:expr, ($group:ident)) => { $all.extend($value.to_vec()) };
-    (@put $all:ident $value:expr, $one:ident) => { $all.push($value) };
+    (@put $all:ident $value:expr, $one:ident) => { $all.extend([$value]) };
     (@change $all:ident $value:expr, list) => {};
     (@change $all:ident $value:expr, ($group:ident)) => { $all.extend($value.numbers_mut()) };
-    (@change $all:ident $value:expr, $one:ident) => { $all.push(&mut $value) };
+    (@change $all:ident $value:expr, $one:ident) => { $all.extend([&mut $value]) };
 }
 pub(super) use inputs;

@@ -312,7 +312,11 @@ mod relatives {
         assert_eq!(d.code, 1, "{}", d.err);
         assert!(d.err.contains("σ ≥ 0"), "{}", d.err);
         let list = good(&["--list"], "");
-        assert_eq!(list.lines().count(), mechaudit::methods::registry().len(), "{list}");
+        assert_eq!(
+            list.lines().count(),
+            mechaudit::methods::registry().len(),
+            "{list}"
+        );
         for (name, _) in COMPLEX {
             assert!(
                 list.lines().any(|l| l.split(' ').next() == Some(name)),

@@ -34,7 +34,7 @@ impl<'a, T: Number> LawInput<'a, T> {
             SCCA => parameters.len() == 2,
             POLYNOMIAL_345 | POLYNOMIAL_4567 => parameters.is_empty(),
             POLYNOMIAL => !parameters.is_empty(),
-            TABLE => parameters.len() >= 4 && parameters.len() % 2 == 0,
+            TABLE => parameters.len() >= 4 && parameters.len().is_multiple_of(2),
             _ => false,
         };
         fits.then_some(LawInput {

@@ -240,7 +240,7 @@ impl ClassIiiInput<'_, Rational> {
     }
 
     /// All its numbers.
-    pub(in crate::methods) fn to_fractions(&self) -> Vec<Rational> {
+    pub(in crate::methods) fn to_fractions(self) -> Vec<Rational> {
         let mut all = self.geometry.values().to_vec();
         all.extend([self.phi1, self.mode, self.gravity]);
         all.extend(self.bodies().concat());
