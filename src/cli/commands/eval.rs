@@ -67,7 +67,7 @@ fn list() -> Result<Outcome, Failure> {
 }
 
 /// Reads some lines, computes them side by side, writes them in order, and so on.
-pub(super) fn stream(
+pub fn stream(
     method: &dyn Evaluable,
     digits: Option<u32>,
     pool: &rayon::ThreadPool,

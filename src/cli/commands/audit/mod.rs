@@ -14,6 +14,7 @@ use mechaudit::audit::{
     Settings, Variant, Verdict, answer_of, audit_case, audit_method_until, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
+use mechaudit::reference::Decimal;
 use mechaudit::reference::Undecided;
 use mechaudit::report::text::style::{BAD, BOLD, paint};
 use mechaudit::report::text::summary::{self, End};
@@ -43,7 +44,7 @@ pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
 fn effort(value: Option<&std::ffi::OsStr>) -> Result<f64, Failure> {
     let Some(value) = value else { return Ok(1.0) };
     let text = value.to_string_lossy();
-    match text.trim().parse::<f64>() {
+    match Decimal::nearest(&text) {
         Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
         _ => Err(Failure::new(format!(
             "MECHAUDIT_EFFORT = {text:?} must be a positive number, for instance 0.1 or 10"

@@ -23,7 +23,7 @@ const WHOLE: usize = 64 << 20;
 const FIELD: usize = 1000;
 
 /// A line of the table as printed.
-pub(super) struct Row {
+pub struct Row {
     line: u64,
     input: Vec<Rational>,
     entries: Vec<Entry>,
@@ -143,7 +143,7 @@ fn table(header: &[String], judged: &[Judged]) -> String {
 }
 
 /// The header and the lines of a table.
-pub(super) fn read(
+pub fn read(
     method: &dyn Method,
     input: impl std::io::Read,
 ) -> Result<(Vec<String>, Vec<Row>), String> {
