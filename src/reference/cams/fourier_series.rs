@@ -588,7 +588,7 @@ mod tests {
 
     #[test]
     fn conditions_of_a_table_are_its_differences() {
-        use super::crate::cubic_spline::Spline;
+        use crate::cubic_spline::Spline;
         let knots = [r(0, 1), r(1, 5), r(1, 2), r(9, 10), r(1, 1)];
         let ordinates = [r(0, 1), r(1, 9), r(2, 3), r(4, 5), r(1, 1)];
         let stroke = |x: &[Rational], y: &[Rational]| Stroke {
