@@ -165,7 +165,8 @@ impl Source {
 
     fn refused_toml(&self, place: &str, e: toml::de::Error) -> Refusal {
         let line = e.span().map(|s| self.line_at(s.start));
-        refused(place, line, &e.message().to_owned(), e.into())
+        let message = e.message().to_owned();
+        refused(place, line, &message, e.into())
     }
 
     fn line_at(&self, byte: usize) -> usize {

@@ -251,9 +251,10 @@ impl Ball {
 /// # Ok::<(), mechaudit_reference::DecimalError>(())
 /// ```
 pub fn nearest_f64(q: &Rational) -> f64 {
-    let rounded = Float::with_val(53, q).to_f64();
-    if rounded.abs() >= f64::MIN_POSITIVE {
-        return rounded;
+    let rounded = Float::with_val(53, q);
+    // At least 2^-1022: a normal number, or beyond the largest.
+    if rounded.get_exp().is_some_and(|e| e >= -1021) {
+        return rounded.to_f64();
     }
     let scaled = Rational::from(q.abs_ref()) << 1074u32;
     let (rest, mut steps) = scaled.fract_floor(Integer::new());
@@ -262,7 +263,7 @@ pub fn nearest_f64(q: &Rational) -> f64 {
         steps += 1;
     }
     // At most 2^52 steps: the bits of a subnormal, or of the smallest normal number.
-    f64::from_bits(steps.to_u64().unwrap_or(0)).copysign(rounded)
+    f64::from_bits(steps.to_u64().unwrap_or(0)).copysign(rounded.to_f64())
 }
 
 /// `n / 10^places` written out.
