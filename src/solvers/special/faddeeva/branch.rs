@@ -221,6 +221,11 @@ const STRIP_TO: f64 = {
     RINGS[k].from
 };
 
+#[inline(always)]
+const fn has_strip(r2: f64) -> bool {
+    (r2 >= STRIP_FROM) & (r2 < STRIP_TO)
+}
+
 /// The entry of a column for |z|²; what is not a number has the last one. From the first change where the asymptotic
 /// series begins or after it in either direction, and past limits at which the column does not change: compiled, a
 /// few comparisons are left, the most frequent first.
@@ -247,7 +252,7 @@ const fn look_up(column: &Column, r2: f64) -> Branch {
 /// real axis, and next to it.
 #[inline(always)]
 pub(super) const fn formula(r2: f64, low: bool, beside_real: bool, next_to_real: bool) -> Branch {
-    if beside_real && (r2 >= STRIP_FROM) & (r2 < STRIP_TO) {
+    if beside_real && has_strip(r2) {
         return match look_up(STRIPS, r2) {
             IN_STRIP if next_to_real => REAL_LINE,
             formula => formula,
@@ -269,7 +274,7 @@ pub(super) fn formula_at(a: f64, y: f64) -> Branch {
 #[inline(always)]
 pub(super) fn formula_of_pairs(a: f64, b: f64) -> Branch {
     let r2 = modulus_squared(a, b);
-    if (b < STRIP) & (r2 >= STRIP_FROM) & (r2 < STRIP_TO) {
+    if (b < STRIP) & has_strip(r2) {
         return look_up(STRIPS, r2);
     }
     match look_up(PAIRS, r2) {
