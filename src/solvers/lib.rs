@@ -27,7 +27,9 @@ mod splines;
 mod tests;
 pub mod units;
 
-use arithmetic::hex;
+use arithmetic::{double_double, hex, lanes, real};
+#[cfg(target_arch = "x86_64")]
+use arithmetic::{pack, two};
 
 pub use cams::{cam_law, chirp_chart, chirp_oscillator, fourier_series};
 pub use drive::run_up;

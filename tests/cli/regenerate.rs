@@ -15,7 +15,11 @@ fn sources() -> &'static Path {
 /// Folders like those of the sources, with one file of values.
 fn copy(name: &str, change: impl Fn(&str) -> String) -> (TempDir, PathBuf) {
     let root = tempdir().unwrap();
-    for folder in [VALUES, "reference/published", "src/solvers/special/faddeeva"] {
+    for folder in [
+        VALUES,
+        "reference/published",
+        "src/solvers/special/faddeeva",
+    ] {
         std::fs::create_dir_all(root.path().join(folder)).unwrap();
     }
     let file = Path::new(VALUES).join(format!("{name}.csv"));

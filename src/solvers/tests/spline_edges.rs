@@ -4,7 +4,7 @@ use crate::cubic_spline::{
     Boundary, CubicSpline, End, EvaluationError, Extrapolation, Grid, Spline, UniformCubicSpline,
     UniformKnots,
 };
-use crate::faddeeva::double_double::{two_prod, two_sum};
+use crate::double_double::{two_prod, two_sum};
 
 fn uniform(boundary: Boundary) -> UniformCubicSpline {
     let mut y: Vec<f64> = (0..12).map(|k| (f64::from(k) * 1.3).sin()).collect();

@@ -2,7 +2,7 @@
 
 use super::error::{CamLawError, finite};
 use super::motion::{Motion, Peaks};
-use crate::faddeeva::double_double::{Dd, two_sum};
+use crate::double_double::{Dd, two_sum};
 
 const LARGEST_DEGREE: usize = 24;
 const SUM_TOLERANCE: f64 = 1e-9;

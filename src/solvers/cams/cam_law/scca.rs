@@ -10,7 +10,7 @@
 
 use super::error::{CamLawError, finite};
 use super::motion::{Motion, Peaks};
-use crate::faddeeva::double_double::{Dd, two_prod};
+use crate::double_double::{Dd, two_prod};
 use std::f64::consts::PI;
 
 /// `b + c + d` may differ from one by this much: each was rounded once.

@@ -13,10 +13,10 @@ use super::passage::passage;
 use super::response::ChirpResponse;
 use super::roots::Roots;
 use super::series::{FAR, Z, of_both, of_both_apart};
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use crate::faddeeva::faddeeva_soa;
-use crate::faddeeva::lanes::{Lanes, Task, with_best};
-use crate::faddeeva::real::Real;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::Real;
 use num_complex::Complex;
 
 type C = Complex<f64>;

@@ -5,7 +5,7 @@ use super::inlined::two;
 use super::roots::Roots;
 use super::series::{self, FAR, Z, terms};
 use super::sweep::{Amplitudes, Sweep};
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use crate::faddeeva::faddeeva;
 use num_complex::Complex;
 

@@ -1,6 +1,6 @@
 //! Complex numbers in double-double.
 
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use num_complex::Complex;
 use std::ops::{Add, Mul, Neg, Sub};
 

@@ -15,7 +15,7 @@ use super::phase::circle;
 use super::roots::Roots;
 use super::rules::{RULE_20, RULE_32};
 use super::sweep::Sweep;
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use num_complex::Complex;
 
 type C = Complex<f64>;

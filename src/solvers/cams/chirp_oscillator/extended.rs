@@ -4,7 +4,7 @@
 use super::complex_double_double::Cd;
 use super::roots::Roots;
 use super::sweep::Sweep;
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use crate::faddeeva::w_extended;
 use num_complex::Complex;
 
@@ -67,7 +67,7 @@ pub(super) fn unrounded(sweep: &Sweep, roots: &Roots, omega: Dd) -> [Cd; 3] {
 #[cfg(test)]
 mod tests {
     use super::super::phase::sqrt;
-    use crate::faddeeva::double_double::Dd;
+    use crate::double_double::Dd;
 
     #[test]
     fn the_constant() {

@@ -2,7 +2,7 @@
 
 use super::phase::{circle, decay};
 use super::roots::Roots;
-use crate::faddeeva::double_double::two_prod;
+use crate::double_double::two_prod;
 use num_complex::Complex;
 
 /// The impulse response `K` (`K(0) = 0`, `K′(0) = 1`) with two derivatives, and the response

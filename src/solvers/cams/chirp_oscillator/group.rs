@@ -4,10 +4,10 @@ use super::harmonic::{Prepared, SHORT};
 use super::inlined::two;
 use super::roots::Roots;
 use super::series::{FAR, Z, terms};
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use crate::faddeeva::exponential::{reduce, sin_cos_reduced, turn};
-use crate::faddeeva::lanes::Lanes;
-use crate::faddeeva::real::Real;
+use crate::lanes::Lanes;
+use crate::real::Real;
 use num_complex::Complex;
 
 type C = Complex<f64>;

@@ -2,7 +2,7 @@
 
 use super::super::types::{Chirp, Harmonic};
 use super::*;
-use crate::faddeeva::lanes::{Task, with_best};
+use crate::lanes::{Task, with_best};
 
 struct Clear<'a>(&'a Groups<'a>, [f64; 4]);
 

@@ -9,7 +9,7 @@ use super::return_to_rest;
 use super::roots::Roots;
 use super::sweep::{Amplitudes, Sweep};
 use super::types::{Chirp, Harmonic};
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use num_complex::Complex;
 
 type C = Complex<f64>;

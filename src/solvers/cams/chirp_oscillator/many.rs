@@ -7,7 +7,7 @@ use super::group::CHUNK;
 use super::motions::motions;
 use super::response::{ChirpResponse, same_length};
 use super::types::Motion;
-use crate::faddeeva::lanes::with_best;
+use crate::lanes::with_best;
 
 impl ChirpResponse {
     /// The displacement alone at time `t ≥ 0`, about twice as fast. It differs from that of

@@ -7,8 +7,8 @@ use super::response::ChirpResponse;
 use super::roots::Roots;
 use super::series::{Z, motion_apart, motion_of_both};
 use super::types::Motion;
-use crate::faddeeva::lanes::{Lanes, Task, with_best};
-use crate::faddeeva::real::Real;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::Real;
 
 /// What is gathered for each time.
 struct Sums {

@@ -20,7 +20,7 @@ use super::inlined::two;
 use super::phase::{circle, decay};
 use super::roots::Roots;
 use super::sweep::Sweep;
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use num_complex::Complex;
 
 type C = Complex<f64>;

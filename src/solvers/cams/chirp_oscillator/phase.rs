@@ -1,9 +1,9 @@
 //! Phases in double-double and their sines and cosines.
 
-use crate::faddeeva::double_double::Dd;
+use crate::double_double::Dd;
 use crate::faddeeva::exponential::{LARGE_PHASE, reduce, sin_cos_reduced, turn};
 use crate::faddeeva::payne_hanek;
-use crate::faddeeva::real::ROUND;
+use crate::real::ROUND;
 use num_complex::Complex;
 
 /// `√x` for `x ≥ 0`, relative error about 2⁻¹⁰⁴.

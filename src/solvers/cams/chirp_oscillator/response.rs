@@ -7,7 +7,7 @@ use super::roots::Roots;
 use super::types::{
     Chirp, Excitation, Forcing, Harmonic, HarmonicResponse, InitialState, Motion, Oscillator,
 };
-use crate::faddeeva::lanes::{Lanes, Task, with_best};
+use crate::lanes::{Lanes, Task, with_best};
 use num_complex::Complex;
 
 /// The response of an oscillator to an excitation from an initial state, in closed form.

@@ -11,10 +11,10 @@ use super::phase::circle;
 use super::roots::Roots;
 use super::series::FAR;
 use super::sweep::Sweep;
-use crate::faddeeva::double_double::{Dd, two_prod};
+use crate::double_double::{Dd, two_prod};
 use crate::faddeeva::double_double_functions::circles_and_exponential;
 use crate::faddeeva::exponential::LARGE_PHASE;
-use crate::faddeeva::lanes::{Lanes, Task, with_best};
+use crate::lanes::{Lanes, Task, with_best};
 use num_complex::Complex;
 
 /// A sum smaller than this part of its terms is computed again.

@@ -1,7 +1,7 @@
 //! The roots `λ± = −n ± √(n² − w²)` of the oscillator.
 
 use super::phase::sqrt;
-use crate::faddeeva::double_double::{Dd, two_prod, two_sum};
+use crate::double_double::{Dd, two_prod, two_sum};
 use num_complex::Complex;
 
 /// Both roots, `+` first.

@@ -3,7 +3,7 @@
 
 use super::inlined::two;
 use super::roots::Roots;
-use crate::faddeeva::real::Real;
+use crate::real::Real;
 use num_complex::Complex;
 
 type C = Complex<f64>;

@@ -33,10 +33,10 @@ use super::phase::{circle, sqrt};
 use super::roots::Roots;
 use super::series::{self, FAR, Z, terms};
 use super::types::Chirp;
-use crate::faddeeva::double_double::{Dd, two_prod};
+use crate::double_double::{Dd, two_prod};
 use crate::faddeeva::exponential::LARGE_PHASE;
-use crate::faddeeva::real::Real;
 use crate::faddeeva::{faddeeva, w_derivative};
+use crate::real::Real;
 use num_complex::Complex;
 
 type C = Complex<f64>;

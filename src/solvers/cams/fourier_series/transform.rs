@@ -26,7 +26,7 @@
 use super::quadrature::integral;
 use super::turns::Turns;
 use crate::cam_law::{MotionLaw, Scca, Shape};
-use crate::faddeeva::double_double::{Dd, two_sum};
+use crate::double_double::{Dd, two_sum};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 

@@ -1,6 +1,6 @@
 //! Multiples of angles in turns, reduced exactly.
 
-use crate::faddeeva::double_double::{Dd, two_prod, two_sum};
+use crate::double_double::{Dd, two_prod, two_sum};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 

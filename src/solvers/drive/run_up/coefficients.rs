@@ -13,9 +13,7 @@
 //! instead of by 1.
 
 use super::model::{Coefficients, ModelError, ReducedModel, checked_angle};
-use crate::cubic_spline::{
-    Boundary, CubicSplineError, Extrapolation, Grid, UniformCubicSpline,
-};
+use crate::cubic_spline::{Boundary, CubicSplineError, Extrapolation, Grid, UniformCubicSpline};
 use std::f64::consts::TAU;
 
 /// Why there are no splines.

@@ -1,9 +1,7 @@
 //! The steady cycle: one turn, Newton's step, when it has settled, what is handed back.
 
 use super::*;
-use crate::run_up::{
-    ConstantInertia, Drive, Motor, Resistance, TableReading, TorqueTable,
-};
+use crate::run_up::{ConstantInertia, Drive, Motor, Resistance, TableReading, TorqueTable};
 use crate::units::{AngularVelocity, Inertia, Torque};
 
 fn off() -> Drive {

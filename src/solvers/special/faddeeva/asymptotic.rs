@@ -8,11 +8,11 @@
 //! for each term (Knuth, *TAOCP* 2, 4.6.4) and its imaginary part comes out with the factor
 //! `Im q`: both components of w keep their relative accuracy beside the axes.
 
-use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::double_double_functions::exp_minus_square;
-use super::lanes::Lanes;
-use super::real::{Real, scaled};
 use super::tables::REAL_LINE;
+use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::lanes::Lanes;
+use crate::real::{Real, scaled};
 
 /// Coefficients available.
 const TERMS: usize = 27;

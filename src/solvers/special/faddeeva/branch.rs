@@ -1,8 +1,8 @@
 //! The choice of a formula: one ladder of limits of |z|², by which single points, batches and the functions built
 //! on w go, and which [`SEAMS`](super::SEAMS) publishes.
 
-use super::real::Real;
 use crate::hex::hex;
+use crate::real::Real;
 
 /// A formula for w(z).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@
 
 #![allow(clippy::approx_constant)]
 
-use super::double_double::Dd;
+use crate::double_double::Dd;
 
 /// 2/√π.
 pub(super) const TWO_OVER_SQRT_PI: Dd = Dd::new(1.1283791670955126, 1.533545961316588e-17);

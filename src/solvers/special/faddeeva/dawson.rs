@@ -12,9 +12,7 @@
 
 use super::branch::{STRIP, is_huge};
 use super::constants::HALF_SQRT_PI;
-use super::double_double::{Dd, two_prod, two_sum};
 use super::erf_zeros;
-use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::long_relatives;
 use super::long_w::{turned, vanishing_part};
@@ -23,8 +21,10 @@ use super::quadrant::{
     circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, times_power, w,
     w_exact,
 };
-use super::real::{ROUND, scaled, with_sign_of};
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
+use crate::double_double::{Dd, two_prod, two_sum};
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::{ROUND, scaled, with_sign_of};
 use num_complex::Complex;
 
 /// A component smaller than this part of its terms is computed again in double-double.

@@ -11,17 +11,17 @@
 
 use super::branch::is_huge;
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use super::double_double::{Dd, two_prod};
 use super::exponential::exponent;
-use super::lanes::{Lanes, Task, with_best};
 use super::long_relatives;
 use super::long_w::turned;
 use super::quadrant::{
     circle, derivative, exp_wide, far_derivative, gaussian, gaussian_exact, lifted,
     pair_times_power, product, series_derivative, times_power, w_exact,
 };
-use super::real::{ROUND, scaled, with_sign_of};
+use crate::double_double::{Dd, two_prod};
 use crate::hex::hex;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::{ROUND, scaled, with_sign_of};
 use num_complex::Complex;
 
 /// As `lost`, for the sums of Taylor terms here, whose slope is rounded.

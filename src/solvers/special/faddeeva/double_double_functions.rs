@@ -1,12 +1,12 @@
 //! Exponential, sine and cosine of double-double arguments, to about 2⁻¹⁰², several at a time.
 
-use super::double_double::{Dd, two_prod, two_sum};
 use super::exponential::{LARGE_PHASE, exponent, phase, turn};
-use super::lanes::Lanes;
 use super::payne_hanek;
 use super::payne_hanek::HALF_PI;
-use super::real::{ROUND, Real};
 use super::tables::INVERSE_FACTORIAL;
+use crate::double_double::{Dd, two_prod, two_sum};
+use crate::lanes::Lanes;
+use crate::real::{ROUND, Real};
 
 const LN_2: [f64; 3] = [
     std::f64::consts::LN_2,

@@ -14,9 +14,7 @@
 
 use super::branch::{STRIP, is_huge};
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use super::double_double::Dd;
 use super::erf_zeros;
-use super::lanes::{Lanes, Task, with_best};
 use super::long::Long;
 use super::long_relatives;
 use super::long_w::{turned, vanishing_part};
@@ -25,8 +23,10 @@ use super::quadrant::{
     circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, product, size,
     times_power, w, w_exact,
 };
-use super::real::{ROUND, scaled, with_sign_of};
+use crate::double_double::Dd;
 use crate::hex::hex;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::{ROUND, scaled, with_sign_of};
 use num_complex::Complex;
 
 /// Re z from which erfc is not computed as 1 − erf.

@@ -2,13 +2,13 @@
 
 use super::branch::is_huge;
 use super::constants::TWO_OVER_SQRT_PI;
-use super::double_double::Dd;
 use super::exponential::{exp, exponent};
-use super::lanes::{Lanes, Task, with_best};
 use super::odd_series::{ERF, odd, odd_real};
 use super::plane;
 use super::quadrant::{dawson_in_strip, pair_times_power, times_power, w};
-use super::real::{ROUND, scaled};
+use crate::double_double::Dd;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::{ROUND, scaled};
 
 /// |x| below which erfc x is computed as 1 − erf x.
 const COMPLEMENT: f64 = 0.25;

@@ -1,10 +1,10 @@
 //! Next to the zeros of erf and erfc, where no sum of rounded terms keeps any digits.
 
 use super::constants::TWO_OVER_SQRT_PI;
-use super::double_double::{Dd, two_sum};
 use super::quadrant::product;
 use super::relatives_tables::ZEROS_OF_ERF;
 use super::tables::ZEROS;
+use crate::double_double::{Dd, two_sum};
 
 /// Beyond this distance double-double sums are as good.
 const CLOSE: f64 = 1.0 / 131_072.0;

@@ -1,13 +1,14 @@
 //! The scaled complementary error function, `erfcx z = e^{z²} erfc z = W(iz)` (DLMF 7.2.3).
 
 use super::exponential::exponent;
-use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::many::all;
+use super::plane;
 use super::points::{Interleaved, Points};
 use super::quadrant::{derivative, exp_wide, gaussian, pair_times_power, times_power};
-use super::{plane, real};
 use crate::hex::hex;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real;
 use num_complex::Complex;
 
 /// Below this |Im z| the products in W keep no digits, and Im erfcx is linear in it.

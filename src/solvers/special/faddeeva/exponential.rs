@@ -7,10 +7,10 @@
 //! a relative error of 0.06 · 2⁻⁵² at the worst found by their test (12 000 points), the power of two apart.
 
 use super::constants;
-use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::payne_hanek::{self, HALF_PI};
-use super::real::{ROUND, Real, scaled};
+use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::hex::hex;
+use crate::real::{ROUND, Real, scaled};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.

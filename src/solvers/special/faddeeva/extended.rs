@@ -1,9 +1,9 @@
 //! W in double-double at arguments in double-double, for solvers that take differences of its values.
 
 use super::constants::TWO_OVER_SQRT_PI;
-use super::double_double::Dd;
-use super::lanes::{Lanes, Task, with_best};
 use super::quadrant::{gaussian_exact, pair_times_power, w_exact};
+use crate::double_double::Dd;
+use crate::lanes::{Lanes, Task, with_best};
 
 struct Extended(Dd, Dd);
 

@@ -3,7 +3,7 @@
 //! Results are cut off, not rounded: each operation is within 2⁻²⁵⁴ of the exact result, a sum within 2⁻²⁵⁵
 //! of its larger term.
 
-use super::real::{ROUND, scaled};
+use crate::real::{ROUND, scaled};
 use std::array::from_fn;
 use std::ops::{Add, Mul, Neg, Sub};
 

@@ -8,8 +8,8 @@
 //! `1 + b₁v − t b₂` (Knuth, *TAOCP* 2, 4.6.4), `b_n = k_n + p b_{n+1} − t b_{n+2}`: the imaginary part of v
 //! is a factor, and both components of w keep their relative accuracy beside the axes.
 
-use super::double_double::{fast_two_sum, two_prod};
-use super::real::Real;
+use crate::double_double::{fast_two_sum, two_prod};
+use crate::real::Real;
 
 /// 1/√π.
 const INV_SQRT_PI: f64 = 0.564_189_583_547_756_3;

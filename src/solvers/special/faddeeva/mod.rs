@@ -60,7 +60,6 @@ mod branch;
 mod constants;
 mod dawson;
 mod derivative;
-pub(crate) mod double_double;
 pub(crate) mod double_double_functions;
 mod erf;
 mod erf_real;
@@ -68,7 +67,6 @@ mod erf_zeros;
 mod erfcx;
 pub(crate) mod exponential;
 mod extended;
-pub(crate) mod lanes;
 mod lengths;
 mod long;
 mod long_functions;
@@ -77,13 +75,10 @@ mod long_w;
 mod maclaurin;
 mod many;
 mod odd_series;
-#[cfg(target_arch = "x86_64")]
-mod pack;
 pub(crate) mod payne_hanek;
 mod plane;
 mod points;
 mod quadrant;
-pub(crate) mod real;
 mod reflection;
 mod relatives_tables;
 mod rows;
@@ -94,8 +89,6 @@ mod special;
 mod tables;
 mod taylor;
 mod trapezoidal;
-#[cfg(target_arch = "x86_64")]
-mod two;
 mod voigt;
 mod zeros;
 

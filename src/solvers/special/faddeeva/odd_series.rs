@@ -4,7 +4,7 @@
 //! imaginary part with the factor `Im q = 2xy`; so both components of `f` keep their relative
 //! accuracy beside the axes and next to zero.
 
-use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 
 /// |z|² up to which the series here are used.
 pub(super) const REACH: f64 = 0.5;

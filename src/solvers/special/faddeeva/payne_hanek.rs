@@ -4,9 +4,9 @@
 //! `2 a y = m 2^e` with a whole `m` below 2¹⁰⁶. Of the binary digits of 2/π only those are
 //! multiplied with `m` that do not give a multiple of four.
 
-use super::double_double::Dd;
-use super::real::{ROUND, Real};
 use super::tables::TWO_OVER_PI_BITS;
+use crate::double_double::Dd;
+use crate::real::{ROUND, Real};
 
 /// π/2.
 pub(super) const HALF_PI: [f64; 3] = [

@@ -7,17 +7,17 @@ use super::branch::{
     series_of_pairs,
 };
 use super::constants::INV_SQRT_PI;
-use super::double_double::{Dd, fast_two_sum, two_prod};
 use super::double_double_functions as exact;
 pub(super) use super::exponential::{circle, exp_wide, gaussian, times_power};
 use super::exponential::{exp_minus_square_any, exponent};
-use super::lanes::Lanes;
 use super::plane::from_erfcx;
-use super::real::{ROUND, scaled};
 use super::rows::{imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
+use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::hex::hex;
+use crate::lanes::Lanes;
+use crate::real::{ROUND, scaled};
 
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 6.0;

@@ -1,11 +1,11 @@
 //! The lower half-plane: `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3), both terms at `a − i b` from a and b.
 
-use super::double_double::{Dd, two_sum};
 use super::exponential::{
     binary_exponent, exp_minus_square_rounded, exp_minus_square_short, exponent,
 };
-use super::real::{ROUND, Real};
+use crate::double_double::{Dd, two_sum};
 use crate::hex::hex;
+use crate::real::{ROUND, Real};
 
 /// A component smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 0.025;

@@ -1,10 +1,10 @@
 //! Which row of a table serves a point, and how far the point is from its centre.
 
 use super::branch::{FINE, STRIP};
-use super::real::{ROUND, Real};
 use super::tables::{self, ZEROS};
 use super::taylor::{ComplexRow, RealRow};
 use super::zeros::candidate;
+use crate::real::{ROUND, Real};
 use std::f64::consts::FRAC_1_PI;
 
 /// The distance between the centres of fine cells, and on the imaginary axis and in the lower half-disc; of

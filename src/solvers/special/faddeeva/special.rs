@@ -1,10 +1,10 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::constants::INV_SQRT_PI;
-use super::double_double::two_prod;
 use super::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
 use super::payne_hanek;
-use super::real::{ROUND, scaled};
+use crate::double_double::two_prod;
+use crate::real::{ROUND, scaled};
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.
 #[cold]

@@ -8,11 +8,11 @@
 //! rounding errors left come from the last term alone. The sixteen coefficients are summed as four
 //! interleaved polynomials in δ⁴, which the compiler turns into vector instructions.
 
-use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
-use super::lanes::Lanes;
+use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::lanes::Lanes;
 #[cfg(target_arch = "x86_64")]
-use super::pack::{Pack, Wide, columns};
-use super::real::Real;
+use crate::pack::{Pack, Wide, columns};
+use crate::real::Real;
 
 /// `Re c₀` (hi, lo), `Im c₀`, `Re c₁`, `Im c₁`, then four blocks of four real and four imaginary
 /// parts of `q`.

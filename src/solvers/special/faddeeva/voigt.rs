@@ -1,12 +1,12 @@
 //! The Voigt profile.
 
 use super::constants::{INV_PI, INV_SQRT_2, INV_SQRT_2_PI};
-use super::double_double::{Dd, two_prod};
-use super::lanes::{Lanes, Task, with_best};
 use super::lengths::{LengthMismatch, same_length};
 use super::quadrant::{derivative, exp_wide, times_power, w};
-use super::real::ROUND;
+use crate::double_double::{Dd, two_prod};
 use crate::hex::hex;
+use crate::lanes::{Lanes, Task, with_best};
+use crate::real::ROUND;
 
 /// Distance from the centre in units of `σ√2` from which the profile is Lorentz's.
 const LORENTZ: f64 = hex("0x1p27");

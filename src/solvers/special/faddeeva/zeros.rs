@@ -8,14 +8,14 @@
 //!
 //! and the zeros are stored as three `f64`, from which δ keeps 100 bits however small it is.
 
-use super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
-use super::lanes::Lanes;
-#[cfg(target_arch = "x86_64")]
-use super::pack::{Pack, Wide, columns};
-use super::real::{ROUND, Real};
 #[cfg(target_arch = "x86_64")]
 use super::taylor::polynomials;
 use super::taylor::{polynomial, square};
+use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::lanes::Lanes;
+#[cfg(target_arch = "x86_64")]
+use crate::pack::{Pack, Wide, columns};
+use crate::real::{ROUND, Real};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// `Re z_k` and `Im z_k` in three parts each, then five blocks of four real and four imaginary

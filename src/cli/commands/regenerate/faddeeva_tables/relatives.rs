@@ -41,7 +41,7 @@ const CONSTANTS: [Constant; 7] = [
 pub fn constants() -> Outcome<Made> {
     let mut recipe = String::new();
     let mut text =
-        String::from("\n#![allow(clippy::approx_constant)]\n\nuse super::double_double::Dd;\n\n");
+        String::from("\n#![allow(clippy::approx_constant)]\n\nuse crate::double_double::Dd;\n\n");
     for (name, meaning, value) in CONSTANTS {
         writeln!(recipe, "{name} = {meaning}")?;
         let [hi, lo] = decided(meaning, |bits| Ok(parts::<2>(&value(bits))))?;

@@ -4,9 +4,9 @@ use super::super::branch::{
     Branch, CELL, FARTHEST, HUGE, NEAR, NEAREST, REAL_AXIS, SERIES_6, SERIES_14, SERIES_26, STRIP,
     TINY, formula, modulus_squared,
 };
-use super::super::pack::{Pack, Wide};
-use super::super::real::Real;
 use super::super::reflection::{DOMINANT, NEGLIGIBLE, decay};
+use crate::pack::{Pack, Wide};
+use crate::real::Real;
 
 /// The number of the bucket of a formula in the lower half-plane, for those up to [`REAL_AXIS`], less its number in
 /// the upper one, [`Branch::number`].

@@ -1,13 +1,13 @@
 //! The points of a bucket: brought together, put on their rows, computed, taken back.
 
-use super::super::lanes::Lanes;
-use super::super::pack::{Pack, Wide};
-use super::super::real::Real;
 use super::super::taylor::OnRows;
-use super::super::two::Two;
 use super::chunk::{Chunk, GROUPS};
 use super::formulas::Formula;
 use super::tables::Rows;
+use crate::lanes::Lanes;
+use crate::pack::{Pack, Wide};
+use crate::real::Real;
+use crate::two::Two;
 use num_complex::Complex;
 
 impl Chunk<'_> {

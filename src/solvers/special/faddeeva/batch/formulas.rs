@@ -3,7 +3,7 @@
 use super::super::asymptotic::{series_rounded, two_terms};
 use super::super::maclaurin::{nine_terms, twenty_one_terms};
 use super::super::plane::{in_strip, on_real_line};
-use super::super::real::Real;
+use crate::real::Real;
 
 /// A formula for w at `a + i y`, `a ≥ 0`.
 pub(super) trait Formula: Copy {

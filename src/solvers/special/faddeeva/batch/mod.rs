@@ -14,13 +14,13 @@ use super::branch::{
     Branch, CELL, IN_STRIP, LOWER_CELL, MACLAURIN_9, MACLAURIN_21, REAL_AXIS, REAL_LINE, SERIES_2,
     SERIES_4, SERIES_6, SERIES_14, SERIES_26,
 };
-use super::lanes::Lanes;
-use super::pack::Wide;
 use super::plane::{Cancelled, cancels_beside_real_axis, w};
 use super::points::Points;
-use super::real::{Real, with_sign_of};
 use super::rows::{nearest_zero, zero_row};
 use super::zeros;
+use crate::lanes::Lanes;
+use crate::pack::Wide;
+use crate::real::{Real, with_sign_of};
 use bucket::LOWER;
 use chunk::{Buffers, CHUNK, Chunk, GROUPS, ROOM};
 use formulas::{InStrip, Maclaurin9, Maclaurin21, OnRealLine, Series, TwoTerms, UnlessLost};

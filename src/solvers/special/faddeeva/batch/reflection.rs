@@ -2,11 +2,7 @@
 
 use super::super::asymptotic::{series, series_rounded};
 use super::super::branch::{CELL, SERIES_6, SERIES_14, SERIES_26};
-use super::super::double_double::Dd;
 use super::super::exponential::{LARGE_PHASE, exp_minus_square};
-use super::super::lanes::Lanes;
-use super::super::pack::{Pack, Wide};
-use super::super::real::{ROUND, Real};
 use super::super::reflection::{
     ALONE, close, exponential_dominates, image_dominates, negligible, reflect,
 };
@@ -16,6 +12,10 @@ use super::bucket::{EXPONENTIAL_IN_CELL, IMAGE_BY_SERIES, IMAGE_IN_CELL, LOWER, 
 use super::chunk::{CHUNK, Chunk};
 use super::formulas::Formula;
 use super::tables::Cells;
+use crate::double_double::Dd;
+use crate::lanes::Lanes;
+use crate::pack::{Pack, Wide};
+use crate::real::{ROUND, Real};
 
 /// Why a point has to be computed again: it may be next to a zero; its terms cancel; it is one of those that
 /// only the scalar code takes care of.

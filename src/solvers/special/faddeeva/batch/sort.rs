@@ -1,8 +1,8 @@
 //! Points into buckets.
 
-use super::super::pack::{Pack, Wide};
 use super::bucket::{bucket, places};
 use super::chunk::{CHUNK, Chunk, GROUPS, LATER, ORDERED, SETS, pair};
+use crate::pack::{Pack, Wide};
 
 /// Points compared with a bucket at a time.
 const BLOCK: usize = 32;

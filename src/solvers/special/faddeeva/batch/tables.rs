@@ -1,12 +1,12 @@
 //! The tables of Taylor rows as batches use them: which row serves each of a group of points.
 
-use super::super::real::Real;
 use super::super::rows::{
     above_real_axis, below_real_axis, cell, cell_number, disc_cell, disc_number, entry,
     on_real_axis, real_axis_number,
 };
 use super::super::tables::{CELLS, DISC, REAL_AXIS};
 use super::super::taylor::ComplexRow;
+use crate::real::Real;
 
 /// A table of rows.
 pub(super) trait Rows: Copy {

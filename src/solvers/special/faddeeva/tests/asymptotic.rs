@@ -1,10 +1,10 @@
 use super::super::branch::{
     Branch, IN_STRIP, RINGS, Ring, SERIES_2, SERIES_4, SERIES_6, SERIES_14, SERIES_26,
 };
-use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, rational, w, wide};
 use super::*;
+use crate::lanes::Plain;
 use mechaudit_reference::Ball;
 use rug::{Float, Rational};
 

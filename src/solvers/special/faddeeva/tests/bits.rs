@@ -366,7 +366,10 @@ fn lines(name: &str, f: Many) -> Vec<String> {
     KINDS.iter().map(line).collect()
 }
 
-const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/solver_values/bits.csv");
+const FILE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/solver_values/bits.csv"
+);
 
 fn hold(name: &str) {
     let text = std::fs::read_to_string(FILE).expect("the digests");

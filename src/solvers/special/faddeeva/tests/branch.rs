@@ -8,9 +8,9 @@ use super::super::batch::bucket::{
 use super::super::branch::{
     Branch, CELL, NEAR, REAL_AXIS, RINGS, SERIES_6, SERIES_14, SERIES_26, TINY, formula_at,
 };
-use super::super::pack::{Pack, Wide};
 use super::super::reflection::{DOMINANT, NEGLIGIBLE, decay};
 use super::Random;
+use crate::pack::{Pack, Wide};
 use pulp::x86::{V3, V4};
 
 /// The bucket by the scalar rule.

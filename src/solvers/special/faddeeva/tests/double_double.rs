@@ -1,8 +1,8 @@
 //! Double-double arithmetic against rational numbers, in units of u² = 2⁻¹⁰⁶.
 
-use super::super::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use super::Random;
 use super::exact::{in_squares, rational, sum};
+use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use rug::Rational;
 
 const SAMPLES: usize = 40_000;

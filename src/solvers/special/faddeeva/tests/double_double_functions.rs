@@ -1,7 +1,7 @@
-use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, shifted, wide};
 use super::*;
+use crate::lanes::Plain;
 use mechaudit_reference::Ball;
 use rug::{Float, Integer, Rational};
 use std::f64::consts::FRAC_PI_4;

@@ -1,6 +1,6 @@
 //! Exact values to compare with.
 
-use super::super::double_double::Dd;
+use crate::double_double::Dd;
 use mechaudit_reference::{Ball, faddeeva};
 use rug::float::Constant;
 use rug::{Float, Rational};
@@ -81,7 +81,7 @@ pub fn gaussian(a: f64, y: f64) -> (Float, Float) {
 
 /// `x` scaled by `2^k` where `n = ROUND + k`.
 pub fn shifted(x: Dd, n: f64) -> Float {
-    wide(x) << (n - super::super::real::ROUND) as i32
+    wide(x) << (n - crate::real::ROUND) as i32
 }
 
 /// The neighbouring `f64` between which f changes its sign.

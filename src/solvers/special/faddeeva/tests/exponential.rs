@@ -1,7 +1,7 @@
-use super::super::real::ROUND;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, rational, shifted, sum, wide};
 use super::*;
+use crate::real::ROUND;
 use mechaudit_reference::Ball;
 use rug::{Float, Rational};
 use std::f64::consts::FRAC_PI_4;

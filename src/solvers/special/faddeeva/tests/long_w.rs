@@ -1,10 +1,10 @@
-use super::super::lanes::Plain;
 use super::super::plane;
 use super::super::tests::Random;
 use super::super::tests::exact::{
     crossing, error, float, gaussian as exact_gaussian, pi, w as exact,
 };
 use super::*;
+use crate::lanes::Plain;
 use mechaudit_reference::faddeeva::zero;
 use rug::Float;
 

@@ -1,7 +1,7 @@
 //! Taylor rows by rows and by columns: the same operations on the same numbers.
 
-use super::super::pack::{Pack, by_columns, by_rows};
 use super::Random;
+use crate::pack::{Pack, by_columns, by_rows};
 use pulp::x86::V3;
 use pulp::{NullaryFnOnce, cast};
 

@@ -1,8 +1,8 @@
 //! One at a time or many, with vectors or without: the same bits.
 
-use super::super::lanes::Plain;
 use super::super::{LengthMismatch, faddeeva, faddeeva_batch, faddeeva_soa, plane};
 use super::Random;
+use crate::lanes::Plain;
 use num_complex::Complex;
 use proptest::prelude::*;
 
@@ -108,8 +108,8 @@ fn lengths_have_to_agree() {
 #[test]
 fn every_set_of_vectors() {
     use super::super::batch::batch;
-    use super::super::pack::Wide;
     use super::super::points::{Interleaved, Points};
+    use crate::pack::Wide;
     use pulp::x86::{V3, V4};
     use pulp::{NullaryFnOnce, Simd};
 

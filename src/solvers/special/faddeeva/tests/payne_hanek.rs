@@ -1,11 +1,11 @@
 //! Phases reduced modulo π/2, of any size.
 
-use super::super::double_double::Dd;
 use super::super::exponential::{self, LARGE_PHASE, phase};
 use super::super::payne_hanek::reduce;
-use super::super::real::ROUND;
 use super::Random;
 use super::exact::pi;
+use crate::double_double::Dd;
+use crate::real::ROUND;
 use rug::float::Constant;
 use rug::{Float, Integer};
 use std::f64::consts::FRAC_PI_4;

@@ -1,7 +1,7 @@
 //! Four numbers as an array are four numbers.
 
-use super::super::real::{Four, ROUND, Real};
 use super::Random;
+use crate::real::{Four, ROUND, Real};
 
 fn bits(x: Four) -> [u64; 4] {
     x.0.map(f64::to_bits)

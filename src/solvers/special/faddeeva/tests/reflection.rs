@@ -1,11 +1,11 @@
 use super::super::branch::{CELL, SERIES_26, formula_at};
-use super::super::lanes::Plain;
 use super::super::plane;
 use super::super::rows;
 use super::super::tables::ZEROS;
 use super::super::tests::Random;
 use super::super::tests::exact::{error, float, w};
 use super::*;
+use crate::lanes::Plain;
 
 /// `2|e^{−z²}|` over the smaller component of w at the mirror image.
 fn ratio(a: f64, b: f64) -> f64 {

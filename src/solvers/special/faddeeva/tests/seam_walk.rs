@@ -1,11 +1,11 @@
 //! Every change of the formula lies on a seam, and every seam is one.
 
-use super::super::lanes::Plain;
 use super::super::quadrant::{derivative, w};
 use super::super::rows::{cell, cell_number, nearest_zero, on_real_axis};
 use super::super::tests::Random;
 use super::super::{Branch, branch};
 use super::*;
+use crate::lanes::Plain;
 use num_complex::Complex;
 
 /// What serves a point: the formula, and which row of a table.

@@ -1,7 +1,7 @@
-use super::super::lanes::Plain;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, gaussian, rational, w, wide};
 use super::*;
+use crate::lanes::Plain;
 use mechaudit_reference::Ball;
 use rug::ops::Pow;
 use rug::{Float, Rational};

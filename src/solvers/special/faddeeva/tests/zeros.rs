@@ -1,9 +1,9 @@
-use super::super::lanes::Plain;
 use super::super::rows::{REACH, nearest_zero};
 use super::super::tables::ZEROS;
 use super::super::tests::Random;
 use super::super::tests::exact::{are_parts, error, float, w};
 use super::*;
+use crate::lanes::Plain;
 use mechaudit_reference::{Ball, faddeeva};
 
 #[test]

@@ -1,7 +1,7 @@
 //! Vectors of four (AVX2) and eight (AVX-512) numbers as [`Real`]s, and the rows of a table for
 //! as many points, transposed.
 
-use super::real::Real;
+use crate::real::Real;
 use pulp::x86::{V3, V4};
 use pulp::{NullaryFnOnce, Simd, cast, f64x4};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -273,24 +273,24 @@ pub(crate) struct Pack<S: Wide>(pub S, pub S::f64s);
 impl<S: Wide> Pack<S> {
     /// The numbers from `at` on.
     #[inline(always)]
-    pub(super) fn load(simd: S, x: &[f64], at: usize) -> Pack<S> {
+    pub(crate) fn load(simd: S, x: &[f64], at: usize) -> Pack<S> {
         Pack(simd, simd.load(x, at))
     }
 
     #[inline(always)]
-    pub(super) fn store(self, x: &mut [f64; 8]) {
+    pub(crate) fn store(self, x: &mut [f64; 8]) {
         self.0.store(self.1, x);
     }
 
     /// Stores the numbers from `at` on.
     #[inline(always)]
-    pub(super) fn store_at(self, x: &mut [f64], at: usize) {
+    pub(crate) fn store_at(self, x: &mut [f64], at: usize) {
         self.0.store_at(self.1, x, at);
     }
 
     /// `self`, negated where `x` has a minus sign.
     #[inline(always)]
-    pub(super) fn with_sign_of(self, x: Self) -> Self {
+    pub(crate) fn with_sign_of(self, x: Self) -> Self {
         let s = self.0;
         let sign = s.and_u64s(s.transmute_u64s_f64s(x.1), s.splat_u64s(1 << 63));
         let bits = s.xor_u64s(s.transmute_u64s_f64s(self.1), sign);
@@ -299,7 +299,7 @@ impl<S: Wide> Pack<S> {
 
     /// The numbers; those beyond its width are zero.
     #[inline(always)]
-    pub(super) fn array(self) -> [f64; 8] {
+    pub(crate) fn array(self) -> [f64; 8] {
         let mut v = [0.0; 8];
         self.store(&mut v);
         v
@@ -307,7 +307,7 @@ impl<S: Wide> Pack<S> {
 
     /// Whether all numbers, none of them negative, are zero.
     #[inline(always)]
-    pub(super) fn is_zero(self) -> bool {
+    pub(crate) fn is_zero(self) -> bool {
         let s = self.0;
         s.first_true_m64s(s.less_than_f64s(s.splat_f64s(0.0), self.1)) >= S::WIDTH
     }
@@ -412,7 +412,7 @@ impl<S: Wide> Real for Pack<S> {
 
 /// Numbers `at … at + 3` of each row.
 #[inline(always)]
-pub(super) fn columns<S: Wide, const N: usize>(
+pub(crate) fn columns<S: Wide, const N: usize>(
     simd: S,
     rows: &[&[f64; N]; 8],
     at: usize,
@@ -422,11 +422,11 @@ pub(super) fn columns<S: Wide, const N: usize>(
 }
 
 /// The four interleaved polynomials of each point in `δ⁴ = x + i y`: real parts, and imaginary parts.
-pub(super) type Parts<S> = ([Pack<S>; 4], [Pack<S>; 4]);
+pub(crate) type Parts<S> = ([Pack<S>; 4], [Pack<S>; 4]);
 
 /// `p_m = q_m + q_{m+4}δ⁴ + …`
 #[inline(always)]
-pub(super) fn by_columns<S: Wide, const N: usize>(
+pub(crate) fn by_columns<S: Wide, const N: usize>(
     simd: S,
     rows: &[&[f64; N]; 8],
     (first, last): (usize, usize),
@@ -448,7 +448,7 @@ pub(super) fn by_columns<S: Wide, const N: usize>(
 
 /// The same as [`by_columns`] for four points.
 #[inline(always)]
-pub(super) fn by_rows<const N: usize>(
+pub(crate) fn by_rows<const N: usize>(
     simd: V3,
     rows: &[&[f64; N]; 8],
     (first, last): (usize, usize),

@@ -1,7 +1,7 @@
 //! Two numbers, or two vectors of them, as one [`Real`].
 
-use super::pack::{Pack, Wide};
-use super::real::Real;
+use crate::pack::{Pack, Wide};
+use crate::real::Real;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Two of them side by side: twice as many operations that need not wait for each other.
@@ -94,7 +94,7 @@ impl<R: Real> Real for Two<R> {
 impl<S: Wide> Two<Pack<S>> {
     /// `self`, negated where `x` has a minus sign.
     #[inline(always)]
-    pub(super) fn with_sign_of(self, x: Self) -> Self {
+    pub(crate) fn with_sign_of(self, x: Self) -> Self {
         Two(self.0.with_sign_of(x.0), self.1.with_sign_of(x.1))
     }
 }

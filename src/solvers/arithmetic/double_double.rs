@@ -6,7 +6,7 @@
 //! rigorous error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44 (2017),
 //! art. 15, whose algorithm numbers are quoted. With `u = 2⁻⁵³`.
 
-use super::real::Real;
+use crate::real::Real;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// `hi + lo` with `|lo| ≤ ulp(hi)/2` after every operation that renormalises.

@@ -3,7 +3,7 @@
 //! Every operation is one correctly rounded operation on each number, so that the results have the
 //! same bits whatever carries them out.
 
-use super::real::{Four, Real};
+use crate::real::{Four, Real};
 
 /// A set of instructions.
 pub(crate) trait Lanes: Copy {
@@ -47,7 +47,7 @@ pub(crate) fn with_best<T: Task>(task: T) -> T::Output {
 
 /// Arrays.
 #[derive(Clone, Copy)]
-pub(super) struct Plain;
+pub(crate) struct Plain;
 
 impl Plain {
     #[inline(never)]
@@ -103,20 +103,20 @@ impl Lanes for Plain {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::super::pack::Pack;
     use super::{Lanes, Plain, Task};
+    use crate::pack::Pack;
     use pulp::x86::V3;
     use pulp::{NullaryFnOnce, cast, f64x4};
     use std::sync::OnceLock;
 
     /// What the processor was found to have.
-    pub(super) static BEST: OnceLock<Option<V3>> = OnceLock::new();
+    pub(crate) static BEST: OnceLock<Option<V3>> = OnceLock::new();
 
     /// Looks what the processor has. A function of its own, and away from the others: where it may be
     /// called in between, numbers in vector registers go to memory and back, for every value.
     #[cold]
     #[inline(never)]
-    pub(super) fn first<T: Task>(task: T) -> T::Output {
+    pub(crate) fn first<T: Task>(task: T) -> T::Output {
         match BEST.get_or_init(V3::try_new) {
             Some(v) => v.call(task),
             None => Plain.run(task),
