@@ -3,7 +3,7 @@
 //! Made by `mechaudit regenerate faddeeva-constants` (mechaudit 0.1.0); not to be edited.
 //! precision: every rounding decided at 256 to 8192 bits
 //! SHA-256 of the recipe: 20c10cabbbef0170aa9850b0b844d6ad800043532fdbe24f526fe549b735ff81
-//! SHA-256 of all lines below: 36a8365b5844c2d09713e4b084ea3a8b179097644b6811ec824cd7997ab82d60
+//! SHA-256 of all lines below: b33c50c49fe51356cc0608849a582cb88580aafb1561141e403de94f17ed3752
 
 #![allow(clippy::approx_constant)]
 
