@@ -502,7 +502,8 @@ mod tests {
         let long = format!("1 {}", "in^4 ".repeat(200_000));
         let e = refusal::<Length>(&long);
         assert!(e.contains("more than 16 units"));
-        let cases: [(fn(&str) -> String, &str, &str); 12] = [
+        type Read = fn(&str) -> String;
+        let cases: [(Read, &str, &str); 12] = [
             (refusal::<Length>, "10", "write for instance \"10 cm\""),
             (refusal::<Length>, "10 kg", "is not a length"),
             (refusal::<Length>, "10 furlong", "\"furlong\" is not a unit"),
