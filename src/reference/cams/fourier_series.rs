@@ -375,7 +375,7 @@ pub fn harmonics(
 /// of the mean, and of each `a_n` and `b_n`.
 ///
 /// All are linear in the law, so their derivatives are those of its variations
-/// ([`Law::spline_variations`]).
+/// (`Law::spline_variations`).
 pub fn data_conditions(
     lift: &Rational,
     stroke: &Stroke,

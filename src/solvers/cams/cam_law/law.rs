@@ -121,7 +121,7 @@ impl MotionLaw {
         Ok(MotionLaw::of(Shape::Tabulated(t)))
     }
 
-    /// The law of one of the [`NAMES`]; the Latin letter K is good too.
+    /// The law of one of the [`NAMES`](super::NAMES); the Latin letter K is good too.
     ///
     /// # Errors
     /// A name that no law has, or that the paper leaves undefined.

@@ -37,7 +37,7 @@ pub struct Peaks {
     pub jerk: f64,
 }
 
-/// Names that [`MotionLaw::by_name`] knows.
+/// Names that [`MotionLaw::by_name`](super::MotionLaw::by_name) knows.
 pub const NAMES: [&str; 9] = [
     "0050",
     "К",

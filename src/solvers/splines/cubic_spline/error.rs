@@ -11,7 +11,7 @@ pub enum CubicSplineError {
         /// The number given.
         got: usize,
     },
-    /// More knots than [`UniformKnots::MAX_SEGMENTS`] allows.
+    /// More knots than [`UniformKnots::MAX_SEGMENTS`](super::UniformKnots::MAX_SEGMENTS) allows.
     #[error("{got} uniform knots, at most 2^26 + 1 are allowed")]
     TooManyKnots {
         /// The number given.
@@ -81,7 +81,7 @@ pub enum EvaluationError {
         /// The point.
         x: f64,
     },
-    /// The point is outside the knots and [`Extrapolation::Error`] is in force.
+    /// The point is outside the knots and [`Extrapolation::Error`](super::Extrapolation::Error) is in force.
     #[error("x[{index}] = {x} is outside [{first}, {last}]")]
     Outside {
         /// Place in the batch, 0 for a single point.
