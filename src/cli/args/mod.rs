@@ -40,7 +40,7 @@ Examples:
   mechaudit --cases 1000 --seed 7              more cases from another stream
   mechaudit list                               what is audited, where and how closely
   mechaudit linkage examples/sand-screen.toml --step-deg 7.5 --format csv
-  echo 1.5,-0.25 | mechaudit eval faddeeva.w --digits 50
+  echo 1.5,-0.25 | mechaudit eval faddeeva --digits 50
 
 Environment:
   MECHAUDIT_EFFORT   a positive number that multiplies the numbers of random cases

@@ -144,7 +144,7 @@ fn far_to_the_side() {
 }
 
 /// Im W is proportional to Re z beside the imaginary axis: with the smallest numbers it is in range
-/// where `e^{−z²}` is beyond e^1400. Values certified by `mechaudit eval faddeeva.w --digits 20`
+/// where `e^{−z²}` is beyond e^1400. Values certified by `mechaudit eval faddeeva --digits 20`
 /// at the doubles themselves.
 #[test]
 fn far_below_with_the_smallest_real_parts() {
