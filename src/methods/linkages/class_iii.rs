@@ -179,7 +179,7 @@ impl ClassIiiInput<'_> {
             return Err("cannot be assembled");
         }
         let mode = modes[self.mode as usize % modes.len()];
-        linkage.state(self.phi1, mode).ok_or("singular")
+        linkage.state(self.phi1, mode).map_err(|_| "singular")
     }
 
     /// The masses, as the solver takes them.

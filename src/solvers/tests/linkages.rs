@@ -42,7 +42,7 @@ fn modes(x: &[f64]) -> Result<(ClassIii, Vec<Positions>), String> {
 fn chosen(x: &[f64]) -> Result<(ClassIii, State, Masses), String> {
     let (linkage, modes) = modes(x)?;
     let mode = modes[x[12] as usize % modes.len()];
-    let state = linkage.state(x[11], mode).ok_or("singular")?;
+    let state = linkage.state(x[11], mode).map_err(|_| "singular")?;
     Ok((linkage, state, masses(x)))
 }
 
@@ -76,7 +76,7 @@ fn class_iii() {
         let (linkage, state, masses) = chosen(x)?;
         let v = linkage
             .velocities(x[11], state.positions)
-            .ok_or("singular")?;
+            .map_err(|_| "singular")?;
         let mut all = row(&state, &masses);
         all[4..8].copy_from_slice(&v.first);
         all[8..12].copy_from_slice(&v.accelerations().expect("regular"));

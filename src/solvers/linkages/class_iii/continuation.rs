@@ -139,7 +139,7 @@ impl ClassIii {
         let found = starts
             .into_iter()
             .find_map(|start| self.newton(e1, start).filter(&inside))?;
-        self.state(phi1, found)
+        self.state(phi1, found).ok()
     }
 
     /// A checked start for [`ClassIii::follow`]: the solution at `phi1` near `guess`.
@@ -157,7 +157,7 @@ impl ClassIii {
             correction: self.first_correction(unit(phi1), &guess),
         };
         self.state(phi1, found.ok_or(not_closed)?)
-            .ok_or(ContinuationError::Fold { phi1 })
+            .map_err(|_| ContinuationError::Fold { phi1 })
     }
 
     fn first_correction(&self, e1: Complex64, p: &Positions) -> f64 {

@@ -67,19 +67,33 @@ pub struct Velocities {
     pub first: [f64; 4],
     jacobian: Jacobian,
     frame: Frame,
+    phi1: f64,
     e1: Complex64,
     l: super::geometry::Lengths,
 }
 
+/// At this position the determinant of the velocity equations is zero, or beyond the range of `f64`.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "the position at the crank angle {phi1} rad is singular: its velocity equations have no solution"
+)]
+pub struct SingularPosition {
+    /// Crank angle in radians.
+    pub phi1: f64,
+}
+
 impl Velocities {
-    /// `d²φ/dφ1²` of links 2, 3, 4, 5: another right-hand side for the same factors. `None` at a
-    /// singular position.
-    pub fn accelerations(&self) -> Option<[f64; 4]> {
+    /// `d²φ/dφ1²` of links 2, 3, 4, 5: another right-hand side for the same factors.
+    ///
+    /// # Errors
+    /// The position is singular.
+    pub fn accelerations(&self) -> Result<[f64; 4], SingularPosition> {
         let (f, l) = (&self.frame, &self.l);
         let [w2, w3, w4, w5] = self.first.map(|w| w * w);
         let r1 = self.e1 * l.l1 + f.e2 * (l.l2 * w2) - f.e3 * (l.l3 * w3) - f.e4b * (l.lb * w4);
         let r2 = f.e3 * (l.l3 * w3) + f.e4 * (l.l4 * w4) - f.e5 * (l.l5 * w5);
-        self.jacobian.solve(r1, r2)
+        let singular = SingularPosition { phi1: self.phi1 };
+        self.jacobian.solve(r1, r2).ok_or(singular)
     }
 
     /// `dr/dφ1` in metres of the point with the polar vector `s` in the link's frame.
@@ -98,27 +112,40 @@ impl Velocities {
 }
 
 impl ClassIii {
-    /// First derivatives at a configuration that closes the loops; `None` at a singular position.
-    pub fn velocities(&self, phi1: f64, positions: Positions) -> Option<Velocities> {
+    /// First derivatives at a configuration that closes the loops; `phi1` in radians.
+    ///
+    /// # Errors
+    /// The position is singular.
+    pub fn velocities(
+        &self,
+        phi1: f64,
+        positions: Positions,
+    ) -> Result<Velocities, SingularPosition> {
         let l = &self.l;
         let e1 = unit(phi1);
         let frame = Frame::new(l, &positions);
         let jacobian = Jacobian::new(l, &frame);
         let zero = Complex64::new(0.0, 0.0);
-        let first = jacobian.solve(-(Complex64::i() * e1) * l.l1, zero)?;
-        Some(Velocities {
+        let first = jacobian
+            .solve(-(Complex64::i() * e1) * l.l1, zero)
+            .ok_or(SingularPosition { phi1 })?;
+        Ok(Velocities {
             first,
             jacobian,
             frame,
+            phi1,
             e1,
             l: *l,
         })
     }
 
-    /// Rates at a configuration that closes the loops; `None` at a singular position.
+    /// Rates at a configuration that closes the loops; `phi1` in radians.
     ///
     /// The accelerations use the same factored matrix as the velocities.
-    pub fn state(&self, phi1: f64, positions: Positions) -> Option<State> {
+    ///
+    /// # Errors
+    /// The position is singular.
+    pub fn state(&self, phi1: f64, positions: Positions) -> Result<State, SingularPosition> {
         let l = &self.l;
         let v = self.velocities(phi1, positions)?;
         let second = v.accelerations()?;
@@ -128,7 +155,7 @@ impl ClassIii {
             i * f.e3 * (l.l3 * -jacobian.m[(1, 1)]) + i * f.e4b * (l.lb * jacobian.m[(1, 0)]);
         let along = dot(f.e2, path).abs();
         let across = super::loops::cross(f.e2, path).abs();
-        Some(State {
+        Ok(State {
             phi1,
             positions,
             rates: Rates {

@@ -35,7 +35,7 @@ pub use branches::{BranchMap, BranchSample, Fold};
 pub use continuation::ContinuationError;
 pub use dead::DeadPosition;
 pub use geometry::{ClassIii, Geometry, GeometryError};
-pub use kinematics::{Link, PointMotion, Rates, State, Velocities};
+pub use kinematics::{Link, PointMotion, Rates, SingularPosition, State, Velocities};
 pub use positions::Positions;
 
 #[cfg(test)]

@@ -78,3 +78,13 @@ fn bounds_of_each_angle() {
     }
     assert!(worst.iter().all(|n| *n > 0), "{worst:?}");
 }
+
+/// Links 2, 3 and 5 on one direction: neither rocker moves B along link 2.
+#[test]
+fn a_singular_position_is_named() {
+    let flat = Positions::from_array([0.0; 4]);
+    let e = zinchenko().state(0.3, flat).unwrap_err();
+    assert_eq!(e, crate::class_iii::SingularPosition { phi1: 0.3 });
+    assert!(e.to_string().contains("0.3 rad"), "{e}");
+    assert_eq!(zinchenko().velocities(0.3, flat).unwrap_err(), e);
+}
