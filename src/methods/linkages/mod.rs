@@ -2,6 +2,8 @@
 
 mod class_iii;
 mod class_iii_assembly_modes;
+#[cfg(test)]
+mod dyad_tests;
 mod four_bar;
 mod slider_crank;
 
