@@ -6,7 +6,9 @@ use super::hex_float::hex_float;
 use super::method::Method;
 use super::no_such::NoSuch;
 use super::settings::Settings;
-use serde::Serialize;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+use std::cmp::Ordering;
 
 /// Where a case came from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -41,6 +43,31 @@ pub enum Origin {
     },
 }
 
+/// Numbers of an input that are written out beside the place where they come from.
+const SHORT: usize = 16;
+
+/// A case by its place, with its input if that is short: for statistics, of which there are many.
+pub(super) fn briefly<S: Serializer>(case: &Case, to: S) -> Result<S::Ok, S::Error> {
+    let mut brief = to.serialize_struct("Case", 4)?;
+    brief.serialize_field("region", case.region)?;
+    let short = (case.input.len() <= SHORT).then_some(&case.input);
+    brief.serialize_field("input", &short)?;
+    brief.serialize_field("origin", &case.origin)?;
+    brief.serialize_field("place", &case.place())?;
+    brief.end()
+}
+
+/// [`briefly`], if there is a case.
+pub(super) fn briefly_if<S: Serializer>(case: &Option<Case>, to: S) -> Result<S::Ok, S::Error> {
+    struct Brief<'a>(&'a Case);
+    impl Serialize for Brief<'_> {
+        fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+            briefly(self.0, to)
+        }
+    }
+    case.as_ref().map(Brief).serialize(to)
+}
+
 /// One input.
 #[derive(Clone, Debug, Serialize)]
 pub struct Case {
@@ -55,6 +82,39 @@ pub struct Case {
 }
 
 impl Case {
+    /// A total order of the cases of a region: named ones first, then by number, then by input. It does
+    /// not depend on how a run was divided.
+    pub fn order(&self, other: &Case) -> Ordering {
+        fn key(origin: &Origin) -> (u8, u64, u64, &str) {
+            match origin {
+                Origin::CheckPoint { name } => (0, 0, 0, *name),
+                Origin::Hard { number, folder } => {
+                    (1, *number as u64, 0, folder.as_deref().unwrap_or(""))
+                }
+                Origin::Random { seed, index } => (2, *index, *seed, ""),
+                Origin::Given => (3, 0, 0, ""),
+                Origin::Line { number } => (4, *number, 0, ""),
+            }
+        }
+        let bits = |x: &f64| x.to_bits();
+        key(&self.origin).cmp(&key(&other.origin)).then_with(|| {
+            let own = self.input.iter().map(bits);
+            own.cmp(other.input.iter().map(bits))
+        })
+    }
+
+    /// A hash of the input, the same on every machine: FNV-1a, mixed once more.
+    pub(super) fn hash(&self) -> u64 {
+        let mut h: u64 = 0xcbf2_9ce4_8422_2325;
+        for x in &self.input {
+            h = (h ^ x.to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+            h ^= h >> 32;
+        }
+        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        h ^ (h >> 31)
+    }
+
     /// A command that runs this case alone.
     pub fn reproduce(&self) -> String {
         match &self.origin {
@@ -151,6 +211,25 @@ impl Cases {
         let random = (i - self.named()) as u64;
         let region = &self.domain.regions[(random / self.per_region) as usize];
         self.random(region, random % self.per_region)
+    }
+
+    /// The region of the case of that number, and the number of the first case beyond it.
+    ///
+    /// # Panics
+    /// From [`Cases::len`] on.
+    pub fn region_of(&self, i: usize) -> (&'static str, usize) {
+        let points = self.domain.check_points.len();
+        if i < points {
+            return ("check-points", points);
+        }
+        if i < self.named() {
+            return ("hard", self.named());
+        }
+        let region = (i - self.named()) as u64 / self.per_region;
+        let end = (region + 1).saturating_mul(self.per_region);
+        let end = usize::try_from(end).unwrap_or(usize::MAX);
+        let name = self.domain.regions[region as usize].name;
+        (name, end.saturating_add(self.named()))
     }
 
     /// The hard case of that number, counted from one.

@@ -299,6 +299,13 @@ impl Layout {
         self.parts[part].length == Length::One
     }
 
+    /// The symbols of single numbers, with their places in an input: those before the first part whose
+    /// length is not fixed.
+    pub fn singles(&self) -> Vec<(&'static str, usize)> {
+        let singles = self.parts.iter().take_while(|p| p.length == Length::One);
+        singles.enumerate().map(|(k, p)| (p.symbol, k)).collect()
+    }
+
     /// The names of an input's numbers; `[k]` if it is not laid out as it should be.
     pub fn names(&self, input: &[f64]) -> Vec<(String, &'static str)> {
         let Ok(lengths) = self.lengths(input) else {

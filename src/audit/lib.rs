@@ -17,6 +17,7 @@ mod hex_float;
 mod hunt;
 mod judge;
 mod judged;
+mod kind;
 mod layout;
 mod maps;
 mod method;
@@ -24,8 +25,12 @@ mod nearest;
 mod no_such;
 mod parts;
 mod printed;
+mod ranking;
+mod region_tally;
+mod report;
 mod run;
 mod settings;
+mod spread;
 mod tally;
 mod ulp;
 mod variant;
@@ -39,17 +44,25 @@ pub use due::Due;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
 pub use hex_float::hex_float;
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
-pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
-pub use judged::{CaseReport, answer_of, audit_case, judge_case, judge_case_briefly};
+pub use judge::{
+    ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm,
+};
+pub use judged::{CaseReport, Referee, answer_of, audit_case, judge_case, judge_case_briefly};
+pub use kind::{Kind, Kinds};
 pub use layout::{Column, Layout, LayoutError};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
-pub use method::{Input, Law, Method, Output, Rows, conditions_by_differences};
+pub use method::{BranchAt, Input, Law, Method, Output, Rows, conditions_by_differences};
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
-pub use run::{audit_method, audit_method_until};
+pub use run::{audit_method, audit_one, audit_method_until};
 pub use settings::Settings;
-pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
-pub use ulp::{ulp_exponent, ulps};
+pub use report::{
+    CandidateReport, LawReport, MethodReport, Octave, OutputBudget, OutputStatistics, Point,
+    RegionReport, Reproduce,
+};
+pub use spread::{Spread, SpreadTally};
+pub use tally::Tally;
+pub use ulp::{Format, ulp_exponent, ulps};
 pub use variant::Variant;

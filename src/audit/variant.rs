@@ -5,8 +5,9 @@ use super::budget::{Budget, Limit, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
 use super::hard::HardCase;
-use super::method::{Input, Law, Method, Output, Rows};
+use super::method::{BranchAt, Input, Law, Method, Output, Rows};
 use super::no_such::NoSuch;
+use super::ulp::Format;
 use mechaudit_reference::Ball;
 use rug::Rational;
 
@@ -23,6 +24,7 @@ pub struct Variant<'a> {
     limit: Option<Limit>,
     laws: bool,
     hard: Option<Vec<HardCase>>,
+    format: Option<Format>,
 }
 
 impl<'a> Variant<'a> {
@@ -37,6 +39,7 @@ impl<'a> Variant<'a> {
             limit: None,
             laws: true,
             hard: None,
+            format: None,
         }
     }
 
@@ -210,6 +213,15 @@ impl Method for Variant<'_> {
             Some(_) => None,
             None => self.method.twin(input).map(|t| self.select(t)),
         }
+    }
+    fn format(&self) -> Format {
+        self.format.unwrap_or_else(|| self.method.format())
+    }
+    fn branch(&self, input: &[f64]) -> Option<BranchAt> {
+        self.method.branch(input)
+    }
+    fn is_data(&self, j: usize) -> bool {
+        self.method.is_data(j)
     }
     fn hard(&self) -> Vec<HardCase> {
         if !self.check_points {

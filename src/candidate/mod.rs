@@ -28,8 +28,7 @@ pub use crate::methods::{Candidate, IntoAnswer, Typed};
 pub use report::Report;
 
 use crate::audit::{
-    Cases, Limit, NoSuch, Settings, SolverAnswer, Tally, Variant, audit_case, audit_method,
-    did_you_mean,
+    Cases, Limit, NoSuch, Settings, SolverAnswer, Variant, audit_method, audit_one, did_you_mean,
 };
 use crate::methods;
 
@@ -219,9 +218,8 @@ impl<'a> Audit<'a> {
             _ => None,
         };
         if let Some(case) = one {
-            let mut tally = Tally::new(&variant, usize::MAX);
-            tally.add(audit_case(&variant, case, &settings));
-            return Ok(Report::new(&variant, tally.finish(&variant, &settings)));
+            let found = audit_one(&variant, case, None, &settings);
+            return Ok(Report::new(&variant, found));
         }
         if let Some(name) = &self.region {
             variant = variant.region(name)?;

@@ -64,7 +64,7 @@ impl Report {
         }
         match &report.answer {
             Some(SolverAnswer::Values(got)) => values(f, report, got)?,
-            Some(SolverAnswer::Fails(_)) | None => writeln!(f, "  {:<11}no answer", "got")?,
+            Some(SolverAnswer::Fails(_) | SolverAnswer::Unanswered(_)) | None => writeln!(f, "  {:<11}no answer", "got")?,
             Some(refusal) => {
                 let word = refusal.refusal().unwrap_or("no reason");
                 writeln!(f, "  {:<11}a refusal: {word}", "got")?;
@@ -150,7 +150,7 @@ impl Display for Report {
             "{}: {word}, {} of {} cases within budget{recorded} (seed {}, {} cases per region)",
             r.method, r.passed, r.cases, r.settings.seed, r.settings.cases_per_region
         )?;
-        for o in &r.outputs {
+        for o in r.outputs() {
             writeln!(
                 f,
                 "  {:<11}{} values; worst found {} ulps, 99 % below {}, {} of its budget",
@@ -168,7 +168,7 @@ impl Display for Report {
         for failure in r.failures.iter().take(SHOWN) {
             self.case(f, failure)?;
         }
-        let left = r.cases - r.passed - r.recorded - r.failures.len().min(SHOWN);
+        let left = r.failed() - r.failures.len().min(SHOWN) as u64;
         if left > 0 {
             writeln!(f, "\n{left} more failing cases")?;
         }

@@ -117,6 +117,8 @@ pub enum AuditFormat {
     Text,
     /// Everything, as schema/audit.schema.json describes it
     Json,
+    /// Statistics, a line for each region and output
+    Csv,
     /// JUnit XML, for build servers
     Junit,
     /// One page without outside parts

@@ -4,15 +4,16 @@
 //! their number.
 
 use crate::cli::answers::{Answers, Next};
-use crate::cli::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
-use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::Output;
-use crate::cli::process::candidate::{BATCH, Judged, failures_kept, judge_batch};
+use crate::cli::args::ExecArgs;
+use crate::cli::failure::Failure;
+use crate::cli::process::candidate::{BATCH, judge_batch};
 use crate::cli::process::interrupt::POLL;
 use crate::cli::process::program::Program;
 use crate::cli::process::wire::{self, Line};
 use crate::cli::progress::Progress;
-use mechaudit::audit::{Case, Cases, Method, Settings, SolverAnswer, Tally, judge_case};
+use mechaudit::audit::{
+    CandidateReport, Case, Cases, Method, MethodReport, Settings, SolverAnswer, Tally, judge_case,
+};
 use std::io::{BufReader, BufWriter, Write};
 use std::process::ChildStdin;
 use std::sync::Arc;
@@ -39,51 +40,29 @@ impl Inputs {
             Inputs::One(case) => case.clone(),
         }
     }
+
+    /// The region of the input of that number, and where the next begins.
+    fn region_of(&self, i: usize) -> (&'static str, usize) {
+        match self {
+            Inputs::All(cases) => cases.region_of(i),
+            Inputs::One(case) => (case.region, 1),
+        }
+    }
 }
 
-/// Audits the program as the arguments ask for: at one input, or over the method's domain.
+/// Audits the program at one input, or over the method's domain.
 pub fn audit(
     method: &dyn Method,
     one: Option<Case>,
-    args: &AuditArgs,
     command: &str,
+    program: &ExecArgs,
     settings: &Settings,
-    output: Output,
-) -> Result<Outcome, Failure> {
-    let format = match args.format {
-        AuditFormat::Text => TextOrJson::Text,
-        AuditFormat::Json => TextOrJson::Json,
-        _ => {
-            return Err(Failure::new(
-                "a program's audit is reported as text or json",
-            ));
-        }
-    };
+) -> Result<MethodReport, Failure> {
     let inputs = match one {
         Some(case) => Inputs::One(case),
         None => Inputs::All(Cases::new(method, settings)),
     };
     let inputs = Arc::new(inputs);
-    let judged = run(method, settings, inputs, command, &args.program, format)?;
-    let decimal = if args.program.decimal {
-        " --decimal"
-    } else {
-        ""
-    };
-    let quoted = shell_words::quote(command);
-    judged.write(output, format, &|case| {
-        format!("{} --exec {quoted}{decimal}", case.reproduce())
-    })
-}
-
-fn run(
-    method: &dyn Method,
-    settings: &Settings,
-    inputs: Arc<Inputs>,
-    command: &str,
-    program: &ExecArgs,
-    format: TextOrJson,
-) -> Result<Judged, Failure> {
     let timeout = program.timeout;
     let total = inputs.len();
     if total == 0 {
@@ -94,7 +73,7 @@ fn run(
     let (given, decimal) = (Arc::clone(&inputs), program.decimal);
     thread::spawn(move || feed(stdin, &given, decimal));
     let answers = Answers::of(BufReader::new(stdout));
-    let mut tally = Tally::new(method, failures_kept(format));
+    let mut tally = Tally::new(method, settings);
     let progress = Progress::new();
     let mut answered = 0;
     let end = loop {
@@ -116,39 +95,64 @@ fn run(
         }
     };
     drop(progress);
-    if let End::Interrupted = end {
-        tally.interrupt();
-        return Ok(Judged {
-            report: tally.finish(method, settings),
-            answered,
-            trouble: Some(format!(
+    let trouble = match end {
+        End::Interrupted => {
+            tally.interrupt();
+            Some(format!(
                 "Interrupted: the program had answered {answered} of {total} inputs."
-            )),
-        });
-    }
-    let trouble = child.end(end, timeout).or_else(|| {
-        (answered < total).then(|| "it ended its output, with exit status 0".to_string())
-    });
-    let trouble = trouble.map(|why| {
-        let left = total - answered;
-        let tail = match left {
-            0 => String::new(),
-            _ => format!("; {left} of {total} inputs are unanswered"),
-        };
-        format!("The program answered {answered} times, then {why}{tail}.")
-    });
-    if answered < total {
-        let why = trouble.clone().unwrap_or_default();
-        let first = inputs.get(answered);
-        let answer = SolverAnswer::Fails(why);
-        tally.add(judge_case(method, first, answer, settings));
-        tally.unanswered(total - answered - 1);
-    }
-    Ok(Judged {
-        report: tally.finish(method, settings),
-        answered,
+            ))
+        }
+        end => {
+            let trouble = trouble(child.end(end, timeout), answered, total);
+            if let Some(why) = trouble.as_ref().filter(|_| answered < total) {
+                unanswered(method, settings, &inputs, answered, why, &mut tally);
+            }
+            trouble
+        }
+    };
+    let mut report = tally.finish(method);
+    report.candidate = Some(CandidateReport {
+        name: command.into(),
+        version: None,
+        command: Some(command.into()),
+        answered: answered as u64,
         trouble,
-    })
+    });
+    Ok(report)
+}
+
+/// What went wrong, in a sentence.
+fn trouble(end: Option<String>, answered: usize, total: usize) -> Option<String> {
+    let early = "it ended its output, with exit status 0";
+    let why = end.or_else(|| (answered < total).then(|| early.to_string()))?;
+    let tail = match total - answered {
+        0 => String::new(),
+        left => format!("; {left} of {total} inputs are unanswered"),
+    };
+    Some(format!(
+        "The program answered {answered} times, then {why}{tail}."
+    ))
+}
+
+/// Counts the inputs from `from` on as unanswered, region by region; the first of them is a case to look
+/// at.
+fn unanswered(
+    method: &dyn Method,
+    settings: &Settings,
+    inputs: &Inputs,
+    from: usize,
+    why: &str,
+    tally: &mut Tally,
+) {
+    let first = inputs.get(from);
+    let answer = SolverAnswer::Unanswered(why.into());
+    tally.add(&judge_case(method, first, answer, settings));
+    let mut at = from + 1;
+    while at < inputs.len() {
+        let (region, end) = inputs.region_of(at);
+        tally.unanswered(region, (end - at) as u64);
+        at = end;
+    }
 }
 
 /// Why there are no more answers to judge.

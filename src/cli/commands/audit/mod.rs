@@ -1,8 +1,10 @@
 //! Running audits: everything, a method, a region or one case.
 
+pub mod written;
+
 use crate::cli::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{Output, write_json, write_to};
+use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
 use crate::cli::{
@@ -10,20 +12,18 @@ use crate::cli::{
     process::interrupt,
 };
 use mechaudit::audit::{
-    Case, CaseReport, Cases, ConvergenceReport, Law, Layout, Method, MethodReport, NoSuch, Origin,
-    Settings, Variant, Verdict, answer_of, audit_case, audit_method_until, convergence, map_points,
+    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, NoSuch, Origin, Settings,
+    Variant, answer_of, audit_method_until, audit_one, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Decimal;
 use mechaudit::reference::Undecided;
-use mechaudit::report::text::style::{BAD, BOLD, paint};
 use mechaudit::report::text::summary::{self, End};
 use mechaudit::report::words::audit::{all_pass, settings as settings_line, totals};
-use mechaudit::report::words::numbers::{count, percent};
-use mechaudit::report::{html, json as in_json, junit, text};
+use mechaudit::report::words::numbers::count;
+use mechaudit::report::text;
 use mechaudit::{methods, papers};
 use rayon::prelude::*;
-use serde_json::{Value, json};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -105,7 +105,7 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
                 write!(out, "\n{}", text::paper::paper(report, width))?;
             }
             for report in &reports {
-                let text = text::method::method(report, &Case::reproduce, width);
+                let text = text::method::method(report, width);
                 write!(out, "\n{text}")?;
             }
         }
@@ -124,7 +124,7 @@ fn end(outcome: Outcome) -> End {
 
 /// Cases drawn, solved, judged and counted in a second.
 fn rate(reports: &[MethodReport], seconds: f64) -> String {
-    let cases: usize = reports.iter().map(|r| r.cases).sum();
+    let cases: u64 = reports.iter().map(|r| r.cases).sum();
     let cores = rayon::current_num_threads();
     let each = cases as f64 / seconds.max(1e-9) / cores as f64;
     let each = match each {
@@ -179,7 +179,11 @@ fn foresee(methods: &[Box<dyn Method>], settings: &Settings) -> Result<(), Failu
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = Settings {
-        maps: args.maps || args.format == AuditFormat::Html,
+        maps: args.maps || (args.format == AuditFormat::Html && args.program.exec.is_none()),
+        points: match args.format {
+            AuditFormat::Html => written::POINTS,
+            _ => 0,
+        },
         ..settings(&args.run)?
     };
     let chosen = match &args.method {
@@ -192,32 +196,39 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let chosen: Result<Vec<Variant>, Failure> =
         chosen.iter().map(|m| scoped(m.as_ref(), args)).collect();
     let chosen = chosen?;
-    if let (Some(_), [method]) = (&args.method, chosen.as_slice())
-        && let Some(case) = one_case(method, args, &settings)?
-    {
-        return match &args.program.exec {
-            Some(command) => exec::audit(method, Some(case), args, command, &settings, output),
-            None => single(method, case, &settings, args, output),
-        };
+    let mut one = None;
+    if let (Some(_), [method]) = (&args.method, chosen.as_slice()) {
+        one = one_case(method, args, &settings)?;
+    }
+    let tail = tail(args);
+    let finish = |mut report: MethodReport| {
+        report.reproduce.tail.clone_from(&tail);
+        report
+    };
+    if let (Some(case), [method], None) = (&one, chosen.as_slice(), &args.program.exec) {
+        let report = finish(audit_one(method, case.clone(), None, &settings));
+        return written::write(&[report], args.format, output, None);
     }
     let chosen: Result<Vec<Variant>, NoSuch> = chosen
         .into_iter()
         .map(|method| match &args.region {
-            Some(region) => method.region(region),
-            None => Ok(method),
+            Some(region) if one.is_none() => method.region(region),
+            _ => Ok(method),
         })
         .collect();
     let chosen = chosen?;
     if let (Some(method), Some(command)) = (chosen.first(), &args.program.exec) {
-        return exec::audit(method, None, args, command, &settings, output);
+        let report = exec::audit(method, one, command, &args.program, &settings)?;
+        return written::write(&[finish(report)], args.format, output, None);
     }
     let progress = Progress::new();
     let (mut reports, mut judging, mut stopped) = (Vec::new(), 0.0, false);
     for method in &chosen {
         let (report, seconds) = run(method, &settings, &progress);
+        let report = finish(report);
         judging += seconds;
         if args.format == AuditFormat::Text && output.is_standard() {
-            let text = text::method::method(&report, &Case::reproduce, width());
+            let text = text::method::method(&report, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
         stopped = report.interrupted;
@@ -226,48 +237,34 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
             break;
         }
     }
-    let good = all_pass(&reports);
-    let mut outcome = Outcome::unless_interrupted(stopped, good);
-    match args.format {
-        AuditFormat::Text if output.is_standard() => {
-            let how = [settings_line(&settings), rate(&reports, judging)];
-            let text = summary::verdict(end(outcome), &totals(&reports), &how, width());
-            output.text(&text)?;
-        }
-        AuditFormat::Text => output.write(|out| {
-            for report in &reports {
-                let text = text::method::method(report, &Case::reproduce, width());
-                writeln!(out, "{text}")?;
-            }
-            let mark = if stopped { "Interrupted: " } else { "" };
-            Ok(writeln!(out, "{mark}{}.", totals(&reports))?)
-        })?,
-        AuditFormat::Json => {
-            let methods = reports.iter();
-            let methods = methods.map(|r| in_json::method(r, &Case::reproduce));
-            let value = json!({
-                "schema_version": 1,
-                "mechaudit_version": env!("CARGO_PKG_VERSION"),
-                "passed": good,
-                "interrupted": stopped,
-                "methods": methods.collect::<Vec<Value>>(),
-            });
-            write_json(output, &value)?;
-        }
-        AuditFormat::Junit => {
-            let text = junit::document(&reports).map_err(|e| Failure::new(e.to_string()))?;
-            output.write(|out| Ok(writeln!(out, "{text}")?))?;
-        }
-        AuditFormat::Html => {
-            let all = args.method.is_none() && !stopped;
-            let approximations = all.then(approximations).flatten();
-            stopped |= all && approximations.is_none();
-            outcome = Outcome::unless_interrupted(stopped, good);
-            let page = html::audit::page(&reports, approximations.as_deref(), stopped);
-            output.text(&page)?;
+    if args.format == AuditFormat::Text && output.is_standard() {
+        let outcome = Outcome::unless_interrupted(stopped, all_pass(&reports));
+        let how = [settings_line(&settings), rate(&reports, judging)];
+        let text = summary::verdict(end(outcome), &totals(&reports), &how, width());
+        output.text(&text)?;
+        return Ok(outcome);
+    }
+    let mut shown = None;
+    if args.format == AuditFormat::Html && args.method.is_none() && !stopped {
+        shown = approximations();
+        if let (None, Some(last)) = (&shown, reports.last_mut()) {
+            last.interrupted = true;
         }
     }
-    Ok(outcome)
+    written::write(&reports, args.format, output, shown)
+}
+
+/// The options that a command needs besides to judge a case of this audit again.
+fn tail(args: &AuditArgs) -> String {
+    let mut words = Vec::new();
+    if let Some(command) = &args.program.exec {
+        words.extend(["--exec".to_string(), shell_words::quote(command).into()]);
+    }
+    if args.program.decimal {
+        words.push("--decimal".into());
+    }
+    words.extend(candidate::words(&args.scope));
+    words.iter().map(|w| format!(" {w}")).collect()
 }
 
 /// The convergence of all approximations, unless the user asks to stop.
@@ -322,54 +319,6 @@ fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
         input: input.to_vec(),
         origin: Origin::Given,
     })
-}
-
-fn single(
-    method: &dyn Method,
-    case: Case,
-    settings: &Settings,
-    args: &AuditArgs,
-    output: Output,
-) -> Result<Outcome, Failure> {
-    let report: CaseReport = audit_case(method, case, settings);
-    let laws: Vec<(Law, Option<f64>)> = method
-        .laws()
-        .into_iter()
-        .map(|l| (l, (l.residual)(&report.case.input)))
-        .collect();
-    let held = |x: &Option<f64>| x.is_none_or(|x| x <= 1.0);
-    let good = report.judgement.verdict == Verdict::Pass && laws.iter().all(|(_, x)| held(x));
-    match args.format {
-        AuditFormat::Text => output.write(|out| {
-            write!(
-                out,
-                "{}",
-                text::case::text(&report, &report.case.reproduce(), width())
-            )?;
-            for (law, residual) in &laws {
-                if let Some(x) = residual {
-                    let style = if *x <= 1.0 { BOLD } else { BAD };
-                    let share = percent(*x);
-                    let name = paint(style, law.name);
-                    writeln!(out, "    law        {name}: {share} of what is allowed")?;
-                }
-            }
-            Ok(())
-        })?,
-        AuditFormat::Json => {
-            let mut value = in_json::case(&report, &report.case.reproduce());
-            let laws = laws
-                .iter()
-                .map(|(l, x)| json!({ "name": l.name, "residual": x }));
-            value["laws"] = laws.collect();
-            value["passed"] = json!(good);
-            write_json(output, &value)?;
-        }
-        AuditFormat::Junit | AuditFormat::Html => {
-            return Err(Failure::new("one case is reported as text or json"));
-        }
-    }
-    Ok(Outcome::of(good))
 }
 
 #[cfg(test)]

@@ -3,15 +3,19 @@
 pub mod published;
 
 use crate::cli::answers::{Answers, Next};
-use crate::cli::args::JudgeArgs;
+use crate::cli::args::{AuditFormat, JudgeArgs};
 use crate::cli::commands::audit::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::process::bounded::Bounded;
-use crate::cli::process::candidate::{BATCH, Judged, failures_kept, judge_batch, scoped};
+use crate::cli::commands::audit::written;
+use crate::cli::process::candidate::{BATCH, judge_batch, scoped, words};
 use crate::cli::process::wire::{LONGEST, Line, Lines};
 use crate::cli::progress::Progress;
-use mechaudit::audit::{Case, Layout, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
+use mechaudit::audit::{
+    CandidateReport, Case, Layout, Method, Origin, Reproduce, Settings, SolverAnswer, Tally,
+    judge_case,
+};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -28,12 +32,18 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         ));
     };
     let method = scoped(&*method, &args.scope)?.without_laws();
-    let settings = Settings::default();
+    let settings = Settings {
+        points: match args.format {
+            AuditFormat::Html => written::POINTS,
+            _ => 0,
+        },
+        ..Settings::default()
+    };
     let mut inputs = Inputs::open(&method, inputs_path)?;
     let total = count(inputs_path);
     let values = Answers::of(reader(values_path)?);
     let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
-    let mut tally = Tally::new(&method, failures_kept(args.format));
+    let mut tally = Tally::new(&method, &settings);
     let progress = Progress::new();
     let mut answered = 0u64;
     let mut batch = Vec::new();
@@ -71,11 +81,11 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         trouble = Some(format!("Interrupted after {answered} answers."));
     } else if let Some(case) = open {
         let why = format!("the values end after {answered} answers");
-        let answer = SolverAnswer::Fails(why.clone());
-        tally.add(judge_case(&method, case, answer, &settings));
+        let answer = SolverAnswer::Unanswered(why.clone());
+        tally.add(&judge_case(&method, case, answer, &settings));
         let mut left = 1;
-        while inputs.read()?.is_some() {
-            tally.unanswered(1);
+        while let Some(left_over) = inputs.read()? {
+            tally.unanswered(left_over.region, 1);
             left += 1;
         }
         trouble = Some(format!("{why}; {left} inputs are left"));
@@ -90,27 +100,32 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         }
     }
     drop(progress);
-    let report = tally.finish(&method, &settings);
+    let mut report = tally.finish(&method);
     if report.cases == 0 && !report.interrupted {
         let what = args
             .line
             .map_or("no inputs".into(), |n| format!("no input on line {n}"));
         return Err(Failure::new(format!("{}: {what}", inputs_path.display())));
     }
-    let judged = Judged {
-        report,
-        answered: answered as usize,
+    let name = values_path.display().to_string();
+    report.candidate = Some(CandidateReport {
+        name: format!("answers in {name}"),
+        version: None,
+        command: None,
+        answered,
         trouble,
+    });
+    let file = |path: &Path| shell_words::quote(&path.to_string_lossy()).into_owned();
+    report.reproduce = Reproduce {
+        head: format!(
+            "mechaudit judge {} --inputs {} --values {}",
+            method.name(),
+            file(inputs_path),
+            file(values_path)
+        ),
+        tail: words(&args.scope).iter().map(|w| format!(" {w}")).collect(),
     };
-    judged.write(Output::open(None)?, args.format, &|case| {
-        format!(
-            "mechaudit judge {} --inputs {} --values {} {}",
-            case.method,
-            shell_words::quote(&inputs_path.to_string_lossy()),
-            shell_words::quote(&values_path.to_string_lossy()),
-            case.place()
-        )
-    })
+    written::write(&[report], args.format, Output::open(args.output.as_deref())?, None)
 }
 
 /// Inputs of a file, for the progress; nothing is known of a pipe.
