@@ -108,6 +108,9 @@ struct Readme;
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use candidate::{audit, audit_by_name};
+/// A complex number of two `f64`, as candidates take and give it.
+#[cfg(feature = "oracle")]
+pub use num_complex::Complex64;
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use mechaudit_audit as audit;

@@ -29,6 +29,7 @@ mod ranking;
 mod region_tally;
 mod report;
 mod run;
+mod sampling;
 mod settings;
 mod spread;
 mod tally;
@@ -57,6 +58,7 @@ pub use no_such::NoSuch;
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
 pub use run::{audit_method, audit_one, audit_method_until};
+pub use sampling::{Near, SampleBox, Sampling, SamplingError};
 pub use settings::Settings;
 pub use report::{
     CandidateReport, LawReport, MethodReport, Octave, OutputBudget, OutputStatistics, Point,

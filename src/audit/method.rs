@@ -4,6 +4,7 @@ use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
 use super::hard::{HardCase, HardCaseError};
+use super::sampling::Sampling;
 use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
 use rug::{Float, Rational};
@@ -89,6 +90,10 @@ pub trait Method: Sync {
     }
     /// Where it is audited.
     fn domain(&self) -> Domain;
+    /// Where in it cases are drawn.
+    fn sampling(&self) -> Sampling {
+        Sampling::Domain
+    }
     /// Calls the code under test.
     fn solve(&self, input: &[f64]) -> SolverAnswer;
     /// The reference at a working precision of `bits`.

@@ -26,9 +26,12 @@ pub struct Tally {
 }
 
 /// What regions beside those of the domain hold.
-const NAMED: [(&str, &str); 2] = [
+const NAMED: [(&str, &str); 5] = [
     ("check-points", "named points of the domain"),
     ("hard", "hard cases that hunts have found"),
+    ("given", "inputs given by themselves"),
+    ("box", "drawn in a box"),
+    ("near", "drawn about an input"),
 ];
 
 impl Tally {

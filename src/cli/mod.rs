@@ -11,6 +11,7 @@ mod fuzz;
 mod number;
 mod process;
 mod progress;
+mod scope;
 mod terminal;
 
 use args::{Args, Command};

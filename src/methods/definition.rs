@@ -2,7 +2,7 @@
 
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{
-    Domain, Due, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
+    BranchAt, Domain, Due, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
     SolverAnswer, conditions_by_differences,
 };
 use crate::reference::faddeeva::Scaled;
@@ -68,6 +68,10 @@ pub trait Definition: Registered + Sized {
     }
     fn admits(_input: Self::Input<'_, f64>) -> bool {
         true
+    }
+    /// By which formula the solver computes, and where the nearest other one begins.
+    fn branch(_input: Self::Input<'_, f64>) -> Option<BranchAt> {
+        None
     }
     fn laws() -> Vec<Law>;
 
@@ -205,6 +209,13 @@ impl<D: Definition> Method for Entry<D> {
     }
     fn hard(&self) -> Vec<HardCase> {
         HardCase::included(D::HARD)
+    }
+    fn branch(&self, numbers: &[f64]) -> Option<BranchAt> {
+        D::branch(D::unpack(numbers)?)
+    }
+    /// Of a list every number is data.
+    fn is_data(&self, j: usize) -> bool {
+        D::fields().get(j).is_none_or(|f| f.is_data)
     }
     fn admits(&self, numbers: &[f64]) -> bool {
         D::unpack(numbers).is_some_and(D::admits)

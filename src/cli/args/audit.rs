@@ -1,7 +1,7 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
+use super::scope::{Numbers, ScopeArgs, WhereArgs, numbers};
 use super::{RunArgs, number};
-use crate::cli::process::wire;
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -19,6 +19,10 @@ Examples:
   mechaudit audit erfc --maps --format json    errors over the complex plane
   mechaudit audit faddeeva --exec ./candidate  a program in any language
   mechaudit audit faddeeva --exec 'python3 w.py' --cases 1000 --timeout 5 --ulps 100
+  mechaudit audit faddeeva --exec ./w --ordinary --relative 1e-12 --format html --output w.html
+  mechaudit audit faddeeva --exec ./w --box 'Re z=0..8,Im z=+-log 1e-9..1' --cases 5000
+  mechaudit audit faddeeva --exec ./w --near zero-4 --radius 1e-3
+  mechaudit audit erfc --exec ./erfcf --single --region small --region mid --format csv
 
 With --exec the program reads inputs and writes answers, one a line, see mechaudit points \
 --help. It gets all inputs without waiting for its answers. A line that cannot be read fails its \
@@ -33,23 +37,10 @@ Ctrl-C ends an audit with a report of what is judged until then and exit code 13
 pub struct AuditArgs {
     /// The method; all methods if left out
     pub method: Option<String>,
-    /// Only this region of its domain
-    #[arg(long, value_name = "REGION", requires = "method")]
-    pub region: Option<String>,
-    /// Only this case of the region
-    #[arg(long, value_name = "I", requires = "region", value_parser = number::whole)]
-    pub case: Option<u64>,
-    /// Only this check point
-    #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
-    pub check_point: Option<String>,
-    /// Judge the hard cases in this folder, METHOD.csv for each method, in place of those built in
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["region", "check_point"])]
-    pub hard: Option<PathBuf>,
-    /// Only this hard case, counted from 1 in its file
-    #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"], value_parser = number::index)]
-    pub hard_case: Option<usize>,
+    #[command(flatten)]
+    pub place: WhereArgs,
     /// Only this input, its numbers separated by commas
-    #[arg(long, value_name = "NUMBERS", requires = "method", allow_hyphen_values = true, value_parser = numbers, conflicts_with_all = ["region", "case", "check_point", "hard_case"])]
+    #[arg(long, value_name = "NUMBERS", requires = "method", allow_hyphen_values = true, value_parser = numbers, conflicts_with_all = ["region", "case", "check_point", "hard_case", "sides", "near"])]
     pub at: Option<Numbers>,
     #[command(flatten)]
     pub run: RunArgs,
@@ -89,25 +80,6 @@ fn seconds(text: &str) -> Result<Duration, String> {
     duration
         .filter(|d| !d.is_zero())
         .ok_or_else(|| "must be a positive number of seconds".into())
-}
-
-/// What is judged, and how strictly.
-#[derive(ClapArgs, Clone, Debug)]
-pub struct ScopeArgs {
-    /// Judge these outputs only, separated by commas: an answer holds no others
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub outputs: Option<Vec<String>>,
-    /// Allow K ulps for every output instead of the method's budget
-    #[arg(long, value_name = "K", value_parser = number::positive)]
-    pub ulps: Option<f64>,
-}
-
-/// An input on the command line.
-#[derive(Clone, Debug)]
-pub struct Numbers(pub Vec<f64>);
-
-fn numbers(text: &str) -> Result<Numbers, String> {
-    wire::numbers(text).map(Numbers)
 }
 
 /// The forms of an audit's report.

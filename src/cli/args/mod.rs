@@ -13,10 +13,11 @@ mod paper;
 mod points;
 mod regenerate;
 mod runup;
+mod scope;
 mod shell;
 mod units;
 
-pub use audit::{AuditArgs, AuditFormat, ExecArgs, Numbers, ScopeArgs};
+pub use audit::{AuditArgs, AuditFormat, ExecArgs};
 pub use chirp::{ChirpArgs, ChirpRows};
 pub use converge::ConvergeArgs;
 pub use eval::EvalArgs;
@@ -28,6 +29,7 @@ pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;
 pub use regenerate::RegenerateArgs;
 pub use runup::RunupArgs;
+pub use scope::{Numbers, ScopeArgs, WhereArgs};
 pub use shell::{CompletionsArgs, ManArgs};
 pub use units::UnitsArgs;
 

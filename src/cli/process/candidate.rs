@@ -1,28 +1,14 @@
 //! What judging somebody's program has in common, wherever its answers come from.
 
-use crate::cli::args::ScopeArgs;
-use crate::cli::failure::Failure;
 use crate::cli::process::interrupt;
 use mechaudit::audit::{
-    Case, CaseReport, Limit, Method, Settings, SolverAnswer, Tally, Variant, judge_case_briefly,
+    Case, CaseReport, Method, Settings, SolverAnswer, Tally, judge_case_briefly,
 };
 use rayon::prelude::*;
 use std::time::{Duration, Instant};
 
 /// Answers judged side by side.
 pub const BATCH: usize = 1024;
-
-/// The method with the outputs and the limit asked for.
-pub fn scoped<'a>(method: &'a dyn Method, scope: &ScopeArgs) -> Result<Variant<'a>, Failure> {
-    let mut variant = Variant::new(method);
-    if let Some(names) = &scope.outputs {
-        variant = variant.outputs(names)?;
-    }
-    if let Some(k) = scope.ulps {
-        variant = variant.limit(Limit::Ulps(k));
-    }
-    Ok(variant)
-}
 
 /// How long a batch is still judged after the user has asked to stop.
 const GRACE: Duration = Duration::from_secs(1);
@@ -46,17 +32,4 @@ pub fn judge_batch(
         tally.interrupt();
     }
     judged.iter().for_each(|report| tally.add(report));
-}
-
-/// The scope as options.
-pub fn words(scope: &ScopeArgs) -> Vec<String> {
-    let mut words = Vec::new();
-    if let Some(names) = &scope.outputs {
-        let names = names.join(",");
-        words.extend(["--outputs".to_string(), shell_words::quote(&names).into()]);
-    }
-    if let Some(k) = scope.ulps {
-        words.extend(["--ulps".to_string(), format!("{k}")]);
-    }
-    words
 }

@@ -7,12 +7,9 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
-use crate::cli::{
-    commands::hunt::hard_folder, complain, forecast, process::candidate, process::exec,
-    process::interrupt,
-};
+use crate::cli::{complain, forecast, process::exec, process::interrupt, scope};
 use mechaudit::audit::{
-    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, NoSuch, Origin, Settings,
+    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Origin, Settings,
     Variant, answer_of, audit_method_until, audit_one, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
@@ -154,20 +151,18 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (Method
     (report, started.elapsed().as_secs_f64())
 }
 
-/// The method as the arguments ask for it, over its whole domain.
-fn scoped<'a>(method: &'a dyn Method, args: &AuditArgs) -> Result<Variant<'a>, Failure> {
-    let variant = candidate::scoped(method, &args.scope)?;
+/// The method as the arguments ask for it.
+fn scoped<'a>(
+    method: &'a dyn Method,
+    args: &AuditArgs,
+    settings: &Settings,
+) -> Result<Variant<'a>, Failure> {
+    let variant = scope::judged(method, &args.scope)?;
     let variant = match args.program.exec {
         Some(_) => variant.without_laws(),
         None => variant,
     };
-    Ok(match (&args.hard, &args.method) {
-        (None, _) => variant,
-        (Some(folder), Some(_)) => variant.hard_cases(hard_folder::of_method(folder, method)?),
-        (Some(folder), None) => {
-            variant.hard_cases(hard_folder::read(folder, method)?.unwrap_or_default())
-        }
-    })
+    scope::placed(variant, &args.place, settings, args.method.is_some())
 }
 
 /// Says what very many cases will take, and refuses what cannot end.
@@ -194,7 +189,9 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     foresee(&chosen, &settings)?;
     // All of them before the first is judged: what cannot be read is refused.
     let chosen: Result<Vec<Variant>, Failure> =
-        chosen.iter().map(|m| scoped(m.as_ref(), args)).collect();
+        (chosen.iter())
+        .map(|m| scoped(m.as_ref(), args, &settings))
+        .collect();
     let chosen = chosen?;
     let mut one = None;
     if let (Some(_), [method]) = (&args.method, chosen.as_slice()) {
@@ -209,11 +206,11 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         let report = finish(audit_one(method, case.clone(), None, &settings));
         return written::write(&[report], args.format, output, None);
     }
-    let chosen: Result<Vec<Variant>, NoSuch> = chosen
+    let chosen: Result<Vec<Variant>, Failure> = chosen
         .into_iter()
-        .map(|method| match &args.region {
-            Some(region) if one.is_none() => method.region(region),
-            _ => Ok(method),
+        .map(|method| match one {
+            None => scope::regions(method, &args.place),
+            Some(_) => Ok(method),
         })
         .collect();
     let chosen = chosen?;
@@ -263,7 +260,7 @@ fn tail(args: &AuditArgs) -> String {
     if args.program.decimal {
         words.push("--decimal".into());
     }
-    words.extend(candidate::words(&args.scope));
+    words.extend(scope::words(&args.scope, &args.place));
     words.iter().map(|w| format!(" {w}")).collect()
 }
 
@@ -289,18 +286,10 @@ fn one_case(
     args: &AuditArgs,
     settings: &Settings,
 ) -> Result<Option<Case>, Failure> {
-    let cases = Cases::new(method, settings);
-    if let Some(Numbers(input)) = &args.at {
-        return given(method, input).map(Some);
+    match &args.at {
+        Some(Numbers(input)) => given(method, input).map(Some),
+        None => scope::one_case(method, &args.place, settings),
     }
-    if let Some(number) = args.hard_case {
-        return Ok(Some(cases.hard_case(number)?));
-    }
-    Ok(match (&args.check_point, &args.region, args.case) {
-        (Some(name), ..) => Some(cases.at_check_point(name)?),
-        (None, Some(region), Some(index)) => Some(cases.in_region(region, index)?),
-        _ => None,
-    })
 }
 
 /// An input given by itself.
@@ -316,7 +305,9 @@ fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
     Ok(Case {
         method: method.name(),
         region: "given",
-        input: input.to_vec(),
+        input: (input.iter())
+            .map(|x| method.format().representable(*x))
+            .collect(),
         origin: Origin::Given,
     })
 }

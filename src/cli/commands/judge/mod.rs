@@ -3,13 +3,14 @@
 pub mod published;
 
 use crate::cli::answers::{Answers, Next};
-use crate::cli::args::{AuditFormat, JudgeArgs};
+use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
 use crate::cli::commands::audit::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::process::bounded::Bounded;
 use crate::cli::commands::audit::written;
-use crate::cli::process::candidate::{BATCH, judge_batch, scoped, words};
+use crate::cli::process::candidate::{BATCH, judge_batch};
+use crate::cli::scope;
 use crate::cli::process::wire::{LONGEST, Line, Lines};
 use crate::cli::progress::Progress;
 use mechaudit::audit::{
@@ -31,7 +32,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             "--inputs and --values, or --table, are needed",
         ));
     };
-    let method = scoped(&*method, &args.scope)?.without_laws();
+    let method = scope::judged(&*method, &args.scope)?.without_laws();
     let settings = Settings {
         points: match args.format {
             AuditFormat::Html => written::POINTS,
@@ -123,7 +124,8 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             file(inputs_path),
             file(values_path)
         ),
-        tail: words(&args.scope).iter().map(|w| format!(" {w}")).collect(),
+        tail: scope::words(&args.scope, &WhereArgs::default())
+            .iter().map(|w| format!(" {w}")).collect(),
     };
     written::write(&[report], args.format, Output::open(args.output.as_deref())?, None)
 }
