@@ -66,12 +66,23 @@ pub struct ExecArgs {
     /// Audit this program in place of the method's solver
     #[arg(long, value_name = "COMMAND", requires = "method")]
     pub exec: Option<String>,
+    #[command(flatten)]
+    pub program: ProgramArgs,
+}
+
+/// How programs are spoken to.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ProgramArgs {
     /// Seconds without a line from the program after which it is ended
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
     pub timeout: Duration,
     /// Give the program decimals instead of hexadecimal floats
     #[arg(long, requires = "exec")]
     pub decimal: bool,
+    /// Speak with the program in binary frames of 64-bit words instead of lines; it sees
+    /// MECHAUDIT_PROTOCOL=binary in its environment
+    #[arg(long, requires = "exec", conflicts_with = "decimal")]
+    pub binary: bool,
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {

@@ -17,7 +17,7 @@ mod scope;
 mod shell;
 mod units;
 
-pub use audit::{AuditArgs, AuditFormat, ExecArgs};
+pub use audit::{AuditArgs, AuditFormat, ProgramArgs};
 pub use chirp::{ChirpArgs, ChirpRows};
 pub use converge::ConvergeArgs;
 pub use eval::EvalArgs;

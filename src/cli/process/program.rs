@@ -19,7 +19,8 @@ pub struct Program {
 }
 
 impl Program {
-    pub fn start(command: &str) -> Result<Program, Failure> {
+    /// Starts a command; `protocol` tells it how it is spoken to.
+    pub fn start(command: &str, protocol: &str) -> Result<Program, Failure> {
         let words = shell_words::split(command)
             .map_err(|e| Failure::new(format!("--exec {command:?}: {e}")))?;
         let [program, arguments @ ..] = words.as_slice() else {
@@ -27,6 +28,7 @@ impl Program {
         };
         let mut start = Command::new(program);
         start.args(arguments);
+        start.env("MECHAUDIT_PROTOCOL", protocol);
         start.stdin(Stdio::piped()).stdout(Stdio::piped());
         let failed = |e| Failure::new(format!("cannot start {program:?}: {e}"));
         #[cfg(unix)]

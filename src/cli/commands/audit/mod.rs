@@ -215,7 +215,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         .collect();
     let chosen = chosen?;
     if let (Some(method), Some(command)) = (chosen.first(), &args.program.exec) {
-        let report = exec::audit(method, one, command, &args.program, &settings)?;
+        let report = exec::audit(method, one, command, &args.program.program, &settings)?;
         return written::write(&[finish(report)], args.format, output, None);
     }
     let progress = Progress::new();
@@ -257,8 +257,9 @@ fn tail(args: &AuditArgs) -> String {
     if let Some(command) = &args.program.exec {
         words.extend(["--exec".to_string(), shell_words::quote(command).into()]);
     }
-    if args.program.decimal {
-        words.push("--decimal".into());
+    let program = &args.program.program;
+    for (asked, word) in [(program.decimal, "--decimal"), (program.binary, "--binary")] {
+        words.extend(asked.then(|| word.to_string()));
     }
     words.extend(scope::words(&args.scope, &args.place));
     words.iter().map(|w| format!(" {w}")).collect()

@@ -2,7 +2,7 @@
 
 pub mod published;
 
-use crate::cli::answers::{Answers, Next};
+use crate::cli::answers::{Answers, Form, Next};
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
 use crate::cli::commands::audit::find;
 use crate::cli::failure::{Failure, Outcome};
@@ -42,7 +42,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     };
     let mut inputs = Inputs::open(&method, inputs_path)?;
     let total = count(inputs_path);
-    let values = Answers::of(reader(values_path)?);
+    let mut values = Answers::of(reader(values_path)?, Form::Lines);
     let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
     let mut tally = Tally::new(&method, &settings);
     let progress = Progress::new();
@@ -51,8 +51,8 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     // The first input without an answer.
     let mut open = None;
     while let Some(case) = inputs.read()? {
-        let line = match values.next(None) {
-            Next::Answer(line) => line,
+        let answer = match values.next(None) {
+            Next::Answer(answer) => answer,
             Next::Unreadable(e) => return Err(unreadable(e)),
             Next::Interrupted => {
                 tally.interrupt();
@@ -66,7 +66,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         answered += 1;
         let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
         if args.line.is_none_or(wanted) {
-            batch.push((case, line.answer()));
+            batch.push((case, answer));
         }
         if batch.len() == BATCH {
             judge_batch(&method, &settings, std::mem::take(&mut batch), &mut tally);
@@ -108,10 +108,11 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             .map_or("no inputs".into(), |n| format!("no input on line {n}"));
         return Err(Failure::new(format!("{}: {what}", inputs_path.display())));
     }
-    let name = values_path.display().to_string();
+    let header = values.header();
+    let name = format!("answers in {}", values_path.display());
     report.candidate = Some(CandidateReport {
-        name: format!("answers in {name}"),
-        version: None,
+        name: header.name.unwrap_or(name),
+        version: header.version,
         command: None,
         answered,
         trouble,
