@@ -97,7 +97,9 @@ impl std::fmt::Display for NormBudget {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.factor {
             // Of one's own, given as a relative error.
-            k if k >= 1e6 || k.fract() != 0.0 => write!(f, "{:.3e} of the norm", k * 2f64.powi(-53)),
+            k if k >= 1e6 || k.fract() != 0.0 => {
+                write!(f, "{:.3e} of the norm", k * 2f64.powi(-53))
+            }
             k => write!(f, "{k} u of the norm"),
         }
     }

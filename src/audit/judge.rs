@@ -254,10 +254,9 @@ fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
             normwise: 0.0,
             norm_of_budget: f64::NAN,
         },
-        ReferenceAnswer::Refuses(due) => Judgement::wrong(
-            Kind::Refusal,
-            format!("{named}, the reference as {due:?}"),
-        ),
+        ReferenceAnswer::Refuses(due) => {
+            Judgement::wrong(Kind::Refusal, format!("{named}, the reference as {due:?}"))
+        }
         _ => Judgement::wrong(Kind::Refusal, format!("{named} where values exist")),
     }
 }
@@ -308,7 +307,11 @@ impl Squares {
         }
         let least = Mag::from_f64(format.min_positive());
         let size = Squares::root_below(self.norm).max(least);
-        self.high.sqrt().div(size).shift(format.precision()).to_f64()
+        self.high
+            .sqrt()
+            .div(size)
+            .shift(format.precision())
+            .to_f64()
     }
 
     /// The verdict, and the share of the budget.
@@ -424,7 +427,9 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
         _ if !reference.is_finite() => Verdict::Undecided,
         Some(a) if hi <= a => Verdict::Pass,
         // An infinity for a number or a number for an infinity.
-        Some(a) if lo > a && (got.is_infinite() || overflows(reference, format)) => Verdict::WrongKind,
+        Some(a) if lo > a && (got.is_infinite() || overflows(reference, format)) => {
+            Verdict::WrongKind
+        }
         Some(a) if lo > a => Verdict::Over,
         _ => Verdict::Undecided,
     };

@@ -9,6 +9,7 @@
 mod answer;
 mod budget;
 mod case;
+mod comparison;
 mod convergence;
 mod domain;
 mod due;
@@ -39,31 +40,32 @@ mod variant;
 pub use answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
 pub use budget::{Budget, Limit, NormBudget};
 pub use case::{Case, Cases, Origin};
+pub use comparison::{
+    Compared, Comparison, Contender, Contest, Speed, Standing, compare, judge_together,
+};
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
 pub use hex_float::hex_float;
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
-pub use judge::{
-    ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm,
-};
+pub use judge::{ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm};
 pub use judged::{CaseReport, Referee, answer_of, audit_case, judge_case, judge_case_briefly};
 pub use kind::{Kind, Kinds};
-pub use layout::{Column, Layout, LayoutError};
+pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
 pub use method::{BranchAt, Input, Law, Method, Output, Rows, conditions_by_differences};
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
-pub use run::{audit_method, audit_one, audit_method_until};
-pub use sampling::{Near, SampleBox, Sampling, SamplingError};
-pub use settings::Settings;
 pub use report::{
     CandidateReport, LawReport, MethodReport, Octave, OutputBudget, OutputStatistics, Point,
     RegionReport, Reproduce,
 };
+pub use run::{audit_method, audit_method_until, audit_one};
+pub use sampling::{Near, SampleBox, Sampling, SamplingError};
+pub use settings::Settings;
 pub use spread::{Spread, SpreadTally};
 pub use tally::Tally;
 pub use ulp::{Format, ulp_exponent, ulps};

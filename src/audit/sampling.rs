@@ -156,10 +156,7 @@ impl SampleBox {
                 s => (Spacing::Uniform, s),
             };
             let (lo, hi) = ends.split_once("..").unwrap_or((ends, ends));
-            let ends = [
-                number(lo).ok_or_else(bad)?,
-                number(hi).ok_or_else(bad)?,
-            ];
+            let ends = [number(lo).ok_or_else(bad)?, number(hi).ok_or_else(bad)?];
             let reason = match spacing {
                 _ if ends[0] > ends[1] => Some("the lower end comes first"),
                 Spacing::Logarithmic if ends[0] * ends[1].signum() <= 0.0 => {
@@ -280,9 +277,11 @@ impl Near {
                 layout.lengths(&input).map_err(|e| bad(e.to_string()))?;
                 input
             }
-            None => named(method, settings, text)
-                .map_err(|e| bad(e.to_string()))?
-                .input,
+            None => {
+                named(method, settings, text)
+                    .map_err(|e| bad(e.to_string()))?
+                    .input
+            }
         };
         if let Some(x) = centre.iter().find(|x| !x.is_finite()) {
             return Err(bad(format!("{x} has no neighbours")));

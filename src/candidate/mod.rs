@@ -22,14 +22,16 @@
 //! # Ok::<(), mechaudit::candidate::AuditError>(())
 //! ```
 
+mod comparison;
 mod report;
 
 pub use crate::methods::{Candidate, IntoAnswer, Typed};
+pub use comparison::{Compare, compare};
 pub use report::Report;
 
 use crate::audit::{
-    CandidateReport, Cases, Format, Limit, Near, NoSuch, SampleBox, Sampling, SamplingError,
-    Settings, SolverAnswer, Variant, audit_method, audit_one, did_you_mean,
+    CandidateReport, Case, Cases, Format, Limit, Method, Near, NoSuch, SampleBox, Sampling,
+    SamplingError, Settings, SolverAnswer, Variant, audit_method, audit_one, did_you_mean,
 };
 use crate::methods;
 
@@ -56,6 +58,9 @@ pub enum AuditError {
     /// One case without its region.
     #[error("case {0} of which region?")]
     NoRegion(u64),
+    /// A single case where many are compared.
+    #[error("{0} is one case: a comparison is over many")]
+    OneCase(String),
     /// No such box or neighbourhood.
     #[error(transparent)]
     Sampling(#[from] SamplingError),
@@ -265,14 +270,36 @@ impl<'a> Audit<'a> {
     /// A region, check point or output that the method does not have; an effort or limit that is
     /// not a positive number.
     pub fn run(self) -> Result<Report, AuditError> {
+        let method = methods::find(self.method).expect("the name is in the registry");
+        let (settings, variant, one) = self.planned(&*method)?;
+        let variant = variant.solver(self.candidate);
+        let mut found = match one {
+            Some(case) => audit_one(&variant, case, None, &settings),
+            None => audit_method(&variant, &settings, &|| ()),
+        };
+        let (name, version) = self.name;
+        found.candidate = Some(CandidateReport {
+            name,
+            version,
+            command: None,
+            answered: found.cases,
+            trouble: None,
+        });
+        Ok(Report::new(&variant, found))
+    }
+
+    /// The settings, what is judged and where, and the one case if it is one.
+    fn planned<'m>(
+        &self,
+        method: &'m dyn Method,
+    ) -> Result<(Settings, Variant<'m>, Option<Case>), AuditError> {
         if !(self.effort.is_finite() && self.effort > 0.0) {
             return Err(AuditError::Effort(self.effort));
         }
-        let mut settings = self.settings;
+        let mut settings = self.settings.clone();
         // Saturates.
         settings.cases_per_region = (settings.cases_per_region as f64 * self.effort).ceil() as u64;
-        let method = methods::find(self.method).expect("the name is in the registry");
-        let mut variant = Variant::new(&*method).solver(self.candidate);
+        let mut variant = Variant::new(method).without_laws();
         if let Some(names) = &self.outputs {
             variant = variant.outputs(names)?;
         }
@@ -325,19 +352,7 @@ impl<'a> Audit<'a> {
                 asked.map(no_region).transpose()?
             }
         };
-        let mut found = match one {
-            Some(case) => audit_one(&variant, case, None, &settings),
-            None => audit_method(&variant, &settings, &|| ()),
-        };
-        let (name, version) = self.name;
-        found.candidate = Some(CandidateReport {
-            name,
-            version,
-            command: None,
-            answered: found.cases,
-            trouble: None,
-        });
-        Ok(Report::new(&variant, found))
+        Ok((settings, variant, one))
     }
 }
 

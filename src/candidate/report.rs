@@ -64,7 +64,9 @@ impl Report {
         }
         match &report.answer {
             Some(SolverAnswer::Values(got)) => values(f, report, got)?,
-            Some(SolverAnswer::Fails(_) | SolverAnswer::Unanswered(_)) | None => writeln!(f, "  {:<11}no answer", "got")?,
+            Some(SolverAnswer::Fails(_) | SolverAnswer::Unanswered(_)) | None => {
+                writeln!(f, "  {:<11}no answer", "got")?
+            }
             Some(refusal) => {
                 let word = refusal.refusal().unwrap_or("no reason");
                 writeln!(f, "  {:<11}a refusal: {word}", "got")?;
@@ -74,7 +76,11 @@ impl Report {
             let branch = at.branch.as_ref();
             let branch = branch.map_or(String::new(), |b| format!("{b}, "));
             let (distance, seam) = (short(at.distance), &at.seam);
-            writeln!(f, "  {:<11}{branch}{distance} from the seam {seam}", "branch")?;
+            writeln!(
+                f,
+                "  {:<11}{branch}{distance} from the seam {seam}",
+                "branch"
+            )?;
         }
         let proof = match report.proof {
             Some(Proof::Exact) => ", exact",

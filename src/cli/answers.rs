@@ -137,22 +137,18 @@ fn taken(answer: std::io::Result<SolverAnswer>) -> Next {
 /// What answers are read from.
 trait Source {
     /// The next answer; lines of a header on the way go to `header`.
-    fn answer(
-        &mut self,
-        header: &mut dyn FnMut(&str),
-    ) -> Option<std::io::Result<SolverAnswer>>;
+    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>>;
     /// Whether the next one has to be waited for.
     fn is_drained(&self) -> bool;
 }
 
 impl<R: Read> Source for Lines<BufReader<R>> {
-    fn answer(
-        &mut self,
-        header: &mut dyn FnMut(&str),
-    ) -> Option<std::io::Result<SolverAnswer>> {
+    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>> {
         loop {
             match self.read_any() {
-                Ok(Some(line)) if line.is_comment() => line.comment().into_iter().for_each(&mut *header),
+                Ok(Some(line)) if line.is_comment() => {
+                    line.comment().into_iter().for_each(&mut *header)
+                }
                 Ok(Some(line)) => return Some(Ok(line.answer())),
                 Ok(None) => return None,
                 Err(e) => return Some(Err(e)),
@@ -166,10 +162,7 @@ impl<R: Read> Source for Lines<BufReader<R>> {
 }
 
 impl<R: Read> Source for Frames<R> {
-    fn answer(
-        &mut self,
-        header: &mut dyn FnMut(&str),
-    ) -> Option<std::io::Result<SolverAnswer>> {
+    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>> {
         loop {
             match self.read() {
                 Ok(Some(Frame::Answer(answer))) => return Some(Ok(answer)),
@@ -231,7 +224,10 @@ mod tests {
         assert_eq!(found.name.as_deref(), Some("libcerf"));
         assert_eq!((found.version.as_deref(), answers), (Some("2.4"), 2));
         // None is needed, and what is none does no harm.
-        assert_eq!(header(b"1\n# name: late\n", Form::Lines).0, Header::default());
+        assert_eq!(
+            header(b"1\n# name: late\n", Form::Lines).0,
+            Header::default()
+        );
         let (found, _) = header(b"# name: \x1b[31mred\n# version:\n1\n", Form::Lines);
         assert_eq!(found.name.as_deref(), Some("[31mred"));
         assert_eq!(found.version, None);

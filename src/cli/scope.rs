@@ -58,7 +58,9 @@ pub fn placed<'a>(
     if let Some(text) = &place.sides {
         // Other inputs come from the regions asked for.
         let named = place.regions.iter();
-        variant = named.into_iter().try_fold(variant, |v, name| v.region(name))?;
+        variant = named
+            .into_iter()
+            .try_fold(variant, |v, name| v.region(name))?;
         let sides = SampleBox::read(&variant, text).map_err(Failure::caused)?;
         variant = variant.sampling(Sampling::Box(sides));
     }

@@ -2,8 +2,8 @@
 
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{
-    BranchAt, Domain, Due, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
-    SolverAnswer, conditions_by_differences,
+    BranchAt, Domain, Due, HardCase, Input, Law, Layout, Method, NormBudget, Output,
+    ReferenceAnswer, Rows, SolverAnswer, conditions_by_differences,
 };
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Undecided};
@@ -14,6 +14,8 @@ use std::marker::PhantomData;
 pub trait Typed {
     /// Its name in the registry.
     const NAME: &'static str;
+    /// The signature of a candidate in Rust, but for its result.
+    const SIGNATURE: &'static str;
 }
 
 /// What its line in the registry gives a method besides.

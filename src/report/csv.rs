@@ -2,7 +2,7 @@
 //! an audit as CSV, one line for each region and output.
 
 use super::words::paper::entry;
-use crate::audit::{Kind, MethodReport, OutputStatistics, RegionReport, Spread};
+use crate::audit::{Comparison, Kind, MethodReport, OutputStatistics, RegionReport, Spread};
 use crate::papers::PaperReport;
 use std::io::Write;
 
@@ -124,6 +124,48 @@ fn line(
     fields
 }
 
+/// Writes a comparison: a line for each region (`all` last) and candidate.
+pub fn comparison(found: &Comparison, out: &mut dyn Write) -> Result<(), ::csv::Error> {
+    let mut csv = ::csv::Writer::from_writer(out);
+    csv.write_record([
+        "method",
+        "region",
+        "candidate",
+        "best",
+        "cases",
+        "failed",
+        "wrong",
+        "of_budget",
+        "times_the_best",
+        "worst_ulps",
+        "rms_ulps",
+        "ns_per_answer",
+        "start_up_ms",
+    ])?;
+    let number = |x: f64| format!("{x:e}");
+    let some = |x: Option<f64>| x.map_or(String::new(), number);
+    for contest in &found.regions {
+        for (c, s) in found.candidates.iter().zip(&contest.standings) {
+            csv.write_record([
+                found.method.to_string(),
+                contest.region.into(),
+                c.name.clone(),
+                s.best.to_string(),
+                s.cases.to_string(),
+                s.failed.to_string(),
+                s.wrong.to_string(),
+                number(s.of_budget),
+                some(s.ratio),
+                number(s.worst_ulps),
+                number(s.rms_ulps),
+                some(c.speed.map(|s| s.ns_per_answer)),
+                some(c.speed.and_then(|s| s.start_up_ms)),
+            ])?;
+        }
+    }
+    Ok(csv.flush()?)
+}
+
 /// Writes the entries.
 pub fn paper(report: &PaperReport, out: &mut dyn Write) -> Result<(), ::csv::Error> {
     let mut csv = ::csv::Writer::from_writer(out);
@@ -166,7 +208,10 @@ mod tests {
         let at = |name: &str| names.iter().position(|n| n == name).unwrap();
         let rows: Vec<::csv::StringRecord> = read.records().map(Result::unwrap).collect();
         assert_eq!(rows.len(), 3 * 2);
-        assert_eq!((&rows[0][at("output")], &rows[0][at("worst_ulps")]), ("all", ""));
+        assert_eq!(
+            (&rows[0][at("output")], &rows[0][at("worst_ulps")]),
+            ("all", "")
+        );
         assert_eq!(&rows[0][at("worst_normwise_u")], "7.25e0");
         let phi2 = &rows[1];
         assert_eq!(&phi2[at("worst_ulps")], "7.25e0");

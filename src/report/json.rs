@@ -1,6 +1,7 @@
 //! Reports for programs, as `schema/audit.schema.json` describes them.
 
-use crate::audit::{CaseReport, Layout, MethodReport, SolverAnswer, hex_float};
+use super::baseline::Changes;
+use crate::audit::{CaseReport, Comparison, Layout, MethodReport, SolverAnswer, hex_float};
 use crate::methods;
 use serde_json::{Value, json};
 
@@ -58,5 +59,29 @@ pub fn method(report: &MethodReport) -> Value {
     value["worst"] = cases(&report.worst);
     value["wrong"] = cases(&report.wrong);
     value["failures"] = cases(&report.failures);
+    value
+}
+
+/// Several codes side by side, each with its whole report.
+pub fn comparison(found: &Comparison, changes: Option<&Changes>) -> Value {
+    let candidates = found.candidates.iter().map(|c| {
+        json!({
+            "name": c.name,
+            "speed": c.speed,
+            "report": method(&c.report),
+        })
+    });
+    let mut value = json!({
+        "schema_version": SCHEMA_VERSION,
+        "mechaudit_version": env!("CARGO_PKG_VERSION"),
+        "method": found.method,
+        "passed": found.passed(),
+        "interrupted": found.interrupted(),
+        "candidates": candidates.collect::<Vec<Value>>(),
+        "regions": found.regions,
+    });
+    if let Some(changes) = changes {
+        value["baseline"] = json!(changes);
+    }
     value
 }

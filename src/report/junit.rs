@@ -2,8 +2,8 @@
 //! Budgets, candidate and settings are properties of the suite.
 
 use super::text::case;
-use super::text::style::plain;
 use super::text::method::failing;
+use super::text::style::plain;
 use super::words::audit::{budgets, candidate, holds, kinds, settings, undecided};
 use super::words::numbers::{percent, short};
 use crate::audit::{CaseReport, MethodReport, RegionReport};

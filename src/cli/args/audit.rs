@@ -54,6 +54,9 @@ pub struct AuditArgs {
     /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// A report of `audit` in JSON: says what is better and worse since
+    #[arg(long, value_name = "FILE", requires = "method")]
+    pub baseline: Option<PathBuf>,
     #[command(flatten)]
     pub program: ExecArgs,
     #[command(flatten)]

@@ -9,7 +9,12 @@ use std::path::PathBuf;
 #[derive(ClapArgs, Clone, Debug, Default)]
 pub struct WhereArgs {
     /// Only this region of its domain; may be given several times
-    #[arg(long = "region", id = "region", value_name = "REGION", requires = "method")]
+    #[arg(
+        long = "region",
+        id = "region",
+        value_name = "REGION",
+        requires = "method"
+    )]
     pub regions: Vec<String>,
     /// Only this case of the region, the box or the neighbourhood
     #[arg(long, value_name = "I", value_parser = number::whole)]

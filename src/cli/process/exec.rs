@@ -29,7 +29,11 @@ pub enum Inputs {
 
 impl Inputs {
     /// One case, or all of the method.
-    pub fn of(method: &dyn Method, one: Option<Case>, settings: &Settings) -> Result<Arc<Inputs>, Failure> {
+    pub fn of(
+        method: &dyn Method,
+        one: Option<Case>,
+        settings: &Settings,
+    ) -> Result<Arc<Inputs>, Failure> {
         let inputs = match one {
             Some(case) => Inputs::One(case),
             None => Inputs::All(Cases::new(method, settings)),

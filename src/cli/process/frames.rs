@@ -176,7 +176,8 @@ mod tests {
         for end in 1..bytes.len() {
             let (found, error) = all(&bytes[..end]);
             assert_eq!(error, None);
-            let cut = matches!(found.last(), Some(Frame::Answer(Fails(why))) if why.contains("cut off"));
+            let cut =
+                matches!(found.last(), Some(Frame::Answer(Fails(why))) if why.contains("cut off"));
             let between = [24, 56, 64, 72].contains(&end);
             assert_eq!(cut, !between, "{end}: {found:?}");
             let whole = found.len() - usize::from(cut);

@@ -24,7 +24,10 @@ pub(super) fn nearest(z: Complex<f64>, seams: &Seams, branch: Option<String>) ->
         (distance, format!("|Im z| = {a:e}"))
     });
     // Only there do they part anything.
-    let below = seams.hyperbolas.iter().filter(|_| z.im < 0.0 && size < 1e100);
+    let below = seams
+        .hyperbolas
+        .iter()
+        .filter(|_| z.im < 0.0 && size < 1e100);
     let hyperbolas = below.map(|&h| {
         let real = (z.re - z.im) * (z.re + z.im);
         let distance = (real.abs() - h).abs() / (2.0 * size);
@@ -47,7 +50,10 @@ mod tests {
     #[test]
     fn seams_are_found_from_either_side() {
         let at = |re, im| nearest(Complex::new(re, im), &SEAMS, None).unwrap();
-        let circle = at(48f64.sqrt() / 2f64.sqrt() + 1e-6, 48f64.sqrt() / 2f64.sqrt());
+        let circle = at(
+            48f64.sqrt() / 2f64.sqrt() + 1e-6,
+            48f64.sqrt() / 2f64.sqrt(),
+        );
         assert_eq!(circle.seam, "|z|^2 = 48");
         assert!((circle.distance - 1e-6 / 2f64.sqrt()).abs() < 1e-9);
         let line = at(2.0, 3.75 - 1e-3);

@@ -57,7 +57,9 @@ pub fn single(report: &MethodReport, only: &CaseReport, width: usize) -> String 
     for law in report.laws.iter().filter(|l| l.cases > 0) {
         let style = if holds(law) { BOLD } else { BAD };
         let (name, share) = (paint(style, law.name), percent(law.worst));
-        out.push_str(&format!("    law        {name}: {share} of what is allowed\n"));
+        out.push_str(&format!(
+            "    law        {name}: {share} of what is allowed\n"
+        ));
     }
     out.push_str(&trouble(report, width));
     out
@@ -78,9 +80,8 @@ pub fn failing(report: &MethodReport, most: usize) -> Vec<&CaseReport> {
     let all = over.chain(&report.wrong).chain(&report.failures);
     let mut chosen: Vec<&CaseReport> = Vec::new();
     for case in all {
-        let same = |c: &&CaseReport| {
-            c.case.region == case.case.region && c.case.order(&case.case).is_eq()
-        };
+        let same =
+            |c: &&CaseReport| c.case.region == case.case.region && c.case.order(&case.case).is_eq();
         if chosen.len() < most && !chosen.iter().any(same) {
             chosen.push(case);
         }
@@ -92,7 +93,10 @@ pub fn failing(report: &MethodReport, most: usize) -> Vec<&CaseReport> {
 fn is_recorded(report: &MethodReport, case: &CaseReport) -> bool {
     case.case.region == "hard"
         && report.recorded > 0
-        && !report.failures.iter().any(|f| f.case.order(&case.case).is_eq())
+        && !report
+            .failures
+            .iter()
+            .any(|f| f.case.order(&case.case).is_eq())
 }
 
 fn heading(report: &MethodReport, width: usize) -> String {
@@ -167,7 +171,9 @@ fn outputs(report: &MethodReport, width: usize) -> String {
         table.row(row);
     }
     let dispensable = ["condition", "median", "RMS", "u(1+cond)"];
-    let mut out = table.fitted(width.saturating_sub(2), &dispensable).render(2);
+    let mut out = table
+        .fitted(width.saturating_sub(2), &dispensable)
+        .render(2);
     for s in report.outputs() {
         if let Some(parts) = s.parts {
             let (method, rounding) = (short(parts.method), short(parts.rounding));
@@ -236,7 +242,9 @@ fn regions(report: &MethodReport, width: usize) -> String {
         }
     }
     let dispensable = ["median", "RMS", "p99", "norm, u"];
-    table.fitted(width.saturating_sub(2), &dispensable).render(2)
+    table
+        .fitted(width.saturating_sub(2), &dispensable)
+        .render(2)
 }
 
 /// The largest of each figure over all outputs.

@@ -1,8 +1,8 @@
 //! The report of everything in brief: what failed or is new, a line for each method and finding.
 
+use super::method::failing;
 use super::style::{self, BAD, BOLD, DIM, GOOD, PLAIN, paint, paragraph, wrap};
 use super::table::Table;
-use super::method::failing;
 use super::{case, paper as papers};
 use crate::audit::MethodReport;
 use crate::papers::PaperReport;

@@ -2,6 +2,7 @@
 
 pub mod written;
 
+use self::written::Besides;
 use crate::cli::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_to};
@@ -9,16 +10,16 @@ use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
 use crate::cli::{complain, forecast, process::exec, process::interrupt, scope};
 use mechaudit::audit::{
-    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Origin, Settings,
-    Variant, answer_of, audit_method_until, audit_one, convergence, map_points,
+    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Origin, Settings, Variant,
+    answer_of, audit_method_until, audit_one, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Decimal;
 use mechaudit::reference::Undecided;
+use mechaudit::report::text;
 use mechaudit::report::text::summary::{self, End};
 use mechaudit::report::words::audit::{all_pass, settings as settings_line, totals};
 use mechaudit::report::words::numbers::count;
-use mechaudit::report::text;
 use mechaudit::{methods, papers};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -186,10 +187,13 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         Some(name) => vec![find(name)?],
     };
     let output = Output::open(args.output.as_deref())?;
+    let mut besides = Besides {
+        baseline: written::baseline(args.baseline.as_deref(), args.format)?,
+        ..Besides::default()
+    };
     foresee(&chosen, &settings)?;
     // All of them before the first is judged: what cannot be read is refused.
-    let chosen: Result<Vec<Variant>, Failure> =
-        (chosen.iter())
+    let chosen: Result<Vec<Variant>, Failure> = (chosen.iter())
         .map(|m| scoped(m.as_ref(), args, &settings))
         .collect();
     let chosen = chosen?;
@@ -204,7 +208,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     };
     if let (Some(case), [method], None) = (&one, chosen.as_slice(), &args.program.exec) {
         let report = finish(audit_one(method, case.clone(), None, &settings));
-        return written::write(&[report], args.format, output, None);
+        return written::write(&[report], args.format, output, &besides);
     }
     let chosen: Result<Vec<Variant>, Failure> = chosen
         .into_iter()
@@ -216,7 +220,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let chosen = chosen?;
     if let (Some(method), Some(command)) = (chosen.first(), &args.program.exec) {
         let report = exec::audit(method, one, command, &args.program.program, &settings)?;
-        return written::write(&[finish(report)], args.format, output, None);
+        return written::write(&[finish(report)], args.format, output, &besides);
     }
     let progress = Progress::new();
     let (mut reports, mut judging, mut stopped) = (Vec::new(), 0.0, false);
@@ -237,18 +241,23 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     if args.format == AuditFormat::Text && output.is_standard() {
         let outcome = Outcome::unless_interrupted(stopped, all_pass(&reports));
         let how = [settings_line(&settings), rate(&reports, judging)];
-        let text = summary::verdict(end(outcome), &totals(&reports), &how, width());
+        let mut text = summary::verdict(end(outcome), &totals(&reports), &how, width());
+        if let Some(before) = &besides.baseline {
+            text.push_str(&text::comparison::changes(
+                &before.changes(&reports),
+                width(),
+            ));
+        }
         output.text(&text)?;
         return Ok(outcome);
     }
-    let mut shown = None;
     if args.format == AuditFormat::Html && args.method.is_none() && !stopped {
-        shown = approximations();
-        if let (None, Some(last)) = (&shown, reports.last_mut()) {
+        besides.approximations = approximations();
+        if let (None, Some(last)) = (&besides.approximations, reports.last_mut()) {
             last.interrupted = true;
         }
     }
-    written::write(&reports, args.format, output, shown)
+    written::write(&reports, args.format, output, &besides)
 }
 
 /// The options that a command needs besides to judge a case of this audit again.

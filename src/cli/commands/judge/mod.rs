@@ -5,14 +5,14 @@ pub mod published;
 use crate::cli::answers::{Answers, Form, Next};
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
 use crate::cli::commands::audit::find;
+use crate::cli::commands::audit::written::{self, Besides};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::process::bounded::Bounded;
-use crate::cli::commands::audit::written;
 use crate::cli::process::candidate::{BATCH, judge_batch};
-use crate::cli::scope;
 use crate::cli::process::wire::{LONGEST, Line, Lines};
 use crate::cli::progress::Progress;
+use crate::cli::scope;
 use mechaudit::audit::{
     CandidateReport, Case, Layout, Method, Origin, Reproduce, Settings, SolverAnswer, Tally,
     judge_case,
@@ -32,6 +32,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             "--inputs and --values, or --table, are needed",
         ));
     };
+    let output = Output::open(args.output.as_deref())?;
     let method = scope::judged(&*method, &args.scope)?.without_laws();
     let settings = Settings {
         points: match args.format {
@@ -126,9 +127,11 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             file(values_path)
         ),
         tail: scope::words(&args.scope, &WhereArgs::default())
-            .iter().map(|w| format!(" {w}")).collect(),
+            .iter()
+            .map(|w| format!(" {w}"))
+            .collect(),
     };
-    written::write(&[report], args.format, Output::open(args.output.as_deref())?, None)
+    written::write(&[report], args.format, output, &Besides::default())
 }
 
 /// Inputs of a file, for the progress; nothing is known of a pipe.

@@ -5,7 +5,9 @@ mod laws;
 pub(super) mod regions;
 
 use super::branches::nearest;
-use crate::audit::{BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
+use crate::audit::{
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
+};
 use crate::methods::definition::{Definition, Uncertified};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, w, w_scaled};

@@ -9,9 +9,7 @@ use crate::methods::special::branches::nearest;
 use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
 use crate::reference::Undecided;
 use crate::reference::faddeeva::{self, Scaled};
-use crate::solvers::faddeeva::{
-    SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w,
-};
+use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
 use num_complex::Complex;
 use rug::Rational;
 

@@ -11,7 +11,9 @@ mod regions;
 
 use super::branches::nearest;
 use super::faddeeva::{ComplexInput, asked, due};
-use crate::audit::{BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
+use crate::audit::{
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
+};
 use crate::methods::definition::{Definition, Registered, Uncertified};
 use crate::methods::inputs::Number;
 use crate::reference::faddeeva::Scaled;
