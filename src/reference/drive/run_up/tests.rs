@@ -67,7 +67,7 @@ fn curve(bits: u32, gravity: &str) -> Arc<LinkageCurve> {
     ))
 }
 
-static LOW: LazyLock<Arc<LinkageCurve>> = LazyLock::new(|| curve(72, "9.81"));
+pub(super) static LOW: LazyLock<Arc<LinkageCurve>> = LazyLock::new(|| curve(72, "9.81"));
 static HIGH: LazyLock<Arc<LinkageCurve>> = LazyLock::new(|| curve(144, "9.81"));
 
 fn rated(m: &str) -> Motor {
