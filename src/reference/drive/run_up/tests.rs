@@ -14,7 +14,7 @@ fn q(t: &str) -> Rational {
     Decimal::parse(t).unwrap().value
 }
 
-fn geometry() -> Geometry {
+pub(super) fn geometry() -> Geometry {
     Geometry {
         l1: q("0.10"),
         l2: q("1.04"),
@@ -29,7 +29,7 @@ fn geometry() -> Geometry {
 }
 
 /// The sand screen's masses that reproduce the tables, in a field of gravity.
-fn masses(gravity: &str) -> Masses {
+pub(super) fn masses(gravity: &str) -> Masses {
     let body = |m: &str, j: &str, about_pivot: bool, r: &str, a: &str| Body {
         mass: q(m),
         inertia: q(j),
