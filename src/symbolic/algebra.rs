@@ -168,7 +168,6 @@ impl Algebra {
         let mut out = f.inverse_of_denominator();
         let lead = p.leading();
         let mut rest = p.scaled(&lead.inverse().unwrap_or_default());
-        out = &out * &self.sqrt_constant(&lead)?;
         for x in p.symbols() {
             let lowest = rest.coefficients(x).iter().position(|c| !c.is_zero());
             let k = lowest.unwrap_or(0) as u32;
@@ -183,6 +182,21 @@ impl Algebra {
                 out = &out * &self.adjoin(Some(name), x_poly)?;
             }
         }
+        // √(c P) = √c √P where c or P is positive, and P is where its coefficients are. Else only |c|
+        // comes out: √(y − x) is not i√(x − y) where y > x.
+        let positive = |c: &Gauss| c.im.is_zero() && c.re > 0;
+        let outside = match () {
+            () if positive(&lead) || rest.terms().all(|(_, c)| positive(c)) => lead,
+            () if lead.im.is_zero() => {
+                rest = rest.scaled(&Gauss::real(-1));
+                -&lead
+            }
+            () => {
+                rest = rest.scaled(&lead);
+                Gauss::real(1)
+            }
+        };
+        out = &out * &self.sqrt_constant(&outside)?;
         if !rest.is_one() {
             out = &out * &self.adjoin(None, rest)?;
         }

@@ -217,6 +217,51 @@ fn identities() {
     }
 }
 
+/// A difference of positive symbols has either sign, so that its root and that of its opposite are no multiples of each
+/// other by a constant.
+#[test]
+fn roots_of_differences_keep_their_branch() {
+    for text in [
+        "sqrt(y - x) = i*sqrt(x - y)",
+        "sqrt(y - x) = -i*sqrt(x - y)",
+        "sqrt(1 - x)*sqrt(x - 1) = i*(1 - x)",
+        "sqrt(i*(x - y)) = (1 + i)/sqrt(2)*sqrt(x - y)",
+    ] {
+        let found = decided(text);
+        assert_ne!(found.outcome, Outcome::Proved, "{text}: {found:?}");
+    }
+    for text in [
+        "sqrt(-x) = i*sqrt(x)",
+        "sqrt(2*x - 2*y) = sqrt(2)*sqrt(x - y)",
+        "sqrt(4*y - 4*x) = 2*sqrt(y - x)",
+        "sqrt(y - x)^2 = y - x",
+        "sqrt(-x - y) = i*sqrt(x + y)",
+        "sqrt(2*i*(x + y)) = (1 + i)*sqrt(x + y)",
+        "1/(sqrt(y - x) + y) = (y - sqrt(y - x))/(y^2 - y + x)",
+    ] {
+        let found = decided(text);
+        assert_eq!(found.outcome, Outcome::Proved, "{text}: {found:?}");
+    }
+}
+
+/// Roots that are not independent are refused: a denominator with both might be zero.
+#[test]
+fn dependent_roots_are_refused() {
+    let none = Definitions::default();
+    for text in [
+        "sqrt(x - y) + sqrt(y - x)",
+        "sqrt(x^2 - y^2) + sqrt(x - y)",
+        "sqrt((x + y)^2*(x + 1))",
+        "sqrt(x + y)*sqrt((x + y)*(x + 1))",
+    ] {
+        let found = Exact::default().value(&none, &parse(text).unwrap());
+        assert!(
+            matches!(found, Err(SymbolicError::Root(_))),
+            "{text}: {found:?}"
+        );
+    }
+}
+
 #[test]
 fn refutations_have_a_witness() {
     for text in [
