@@ -167,3 +167,35 @@ fn held(path: &Path) -> Result<Option<String>, Failure> {
         Err(e) => Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// Every generated file of the folders is made and compared: none is left out of what is chosen without a name.
+    #[test]
+    fn no_file_of_the_folders_is_left_out() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let made: BTreeSet<_> = match chosen(&[]) {
+            Ok(all) => all.into_iter().map(|a| a.path).collect(),
+            Err(_) => panic!("without names all are chosen"),
+        };
+        let mut there = BTreeSet::new();
+        for (folder, ending) in [
+            (VALUES, ".csv"),
+            (PUBLISHED, "-errata.json"),
+            (FADDEEVA, "tables.rs"),
+            (FADDEEVA, "constants.rs"),
+        ] {
+            for entry in std::fs::read_dir(root.join(folder)).expect("a folder") {
+                let name = entry.expect("an entry").file_name();
+                let name = name.to_str().expect("text").to_owned();
+                if name.ends_with(ending) {
+                    there.insert(Path::new(folder).join(name));
+                }
+            }
+        }
+        assert_eq!(made, there);
+    }
+}
