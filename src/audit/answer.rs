@@ -1,7 +1,7 @@
 //! What the two sides answer.
 
 use super::due::Due;
-use mechaudit_reference::Ball;
+use mechaudit_reference::{Ball, Undecided};
 use serde::Serialize;
 
 /// Why a reference value is to be believed.
@@ -70,12 +70,43 @@ impl ReferenceAnswer {
     }
 
     /// The values, if every one of them is due as a number.
-    pub fn numbers(self) -> Option<Vec<Ball>> {
+    ///
+    /// # Errors
+    /// Why they are not.
+    pub fn certified(self) -> Result<Vec<Ball>, Uncertified> {
         match self {
-            ReferenceAnswer::Values(r) => Some(r.values),
-            ReferenceAnswer::Dues(dues, _) => dues.into_iter().map(Due::into_number).collect(),
-            _ => None,
+            ReferenceAnswer::Values(r) => Ok(r.values),
+            ReferenceAnswer::Dues(dues, _) => {
+                let numbers: Option<Vec<Ball>> = dues.into_iter().map(Due::into_number).collect();
+                numbers.ok_or(Uncertified::NoNumber)
+            }
+            ReferenceAnswer::Refuses(word) => Err(Uncertified::Refused(word)),
+            ReferenceAnswer::Undecided(why) => Err(Uncertified::Undecided(why)),
+            ReferenceAnswer::Failed(why) => Err(Uncertified::Failed(why)),
         }
+    }
+}
+
+/// Why there are no certified values.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Uncertified {
+    /// There is no value, for the named reason.
+    #[error("{0}")]
+    Refused(&'static str),
+    /// Not decided at this precision.
+    #[error("{0}")]
+    Undecided(String),
+    /// The reference itself failed.
+    #[error("{0}")]
+    Failed(String),
+    /// An infinity or no value at all.
+    #[error("no finite value")]
+    NoNumber,
+}
+
+impl From<Undecided> for Uncertified {
+    fn from(e: Undecided) -> Uncertified {
+        Uncertified::Undecided(e.to_string())
     }
 }
 

@@ -4,7 +4,7 @@
 //! and by *rounding*. A **twin**, the same algorithm without rounding, tells them apart: the method
 //! error is twin less truth, the rounding error is result less twin. Bounds come from balls.
 
-use super::answer::SolverAnswer;
+use super::answer::{SolverAnswer, Uncertified};
 use super::ulp::distance;
 use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;
@@ -12,7 +12,7 @@ use serde::Serialize;
 /// A numerical approximation with a refinement, a twin where there is one, and the truth.
 ///
 /// Values belong to outputs cyclically: value `i` to output `i mod outputs.len()`.
-pub trait Approximation: Sync {
+pub trait Approximation: Send + Sync {
     /// The name used on the command line.
     fn name(&self) -> &'static str;
     /// One line in plain words.
@@ -43,7 +43,7 @@ pub trait Approximation: Sync {
     ///
     /// # Errors
     /// Why it could not be had.
-    fn truth(&self) -> Result<Vec<Ball>, String>;
+    fn truth(&self) -> Result<Vec<Ball>, Uncertified>;
 }
 
 /// Errors of one output at one level, the largest over its values, as upper bounds.
@@ -108,7 +108,7 @@ struct Level {
 ///
 /// # Errors
 /// The truth could not be had.
-pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, String> {
+pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, Uncertified> {
     let truth = of.truth()?;
     let outputs = of.outputs();
     let n = outputs.len();
@@ -277,7 +277,7 @@ mod tests {
             });
             Some(vec![Ball::rational(128, &area)])
         }
-        fn truth(&self) -> Result<Vec<Ball>, String> {
+        fn truth(&self) -> Result<Vec<Ball>, Uncertified> {
             Ok(vec![Ball::rational(128, &Rational::from((1, 3)))])
         }
     }

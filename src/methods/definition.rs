@@ -2,11 +2,11 @@
 
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{
-    Domain, Due, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
-    SolverAnswer, conditions_by_differences,
+    Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
+    SolverAnswer, Uncertified, conditions_by_differences,
 };
+use crate::reference::Ball;
 use crate::reference::faddeeva::Scaled;
-use crate::reference::{Ball, Undecided};
 use rug::Rational;
 use std::marker::PhantomData;
 
@@ -78,18 +78,8 @@ pub trait Definition: Registered + Sized {
     /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference, unless
     /// it can say more of them than an `f64` could hold.
     fn certify(input: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
-        let number = |due: Due| match due {
-            Due::Number(ball) | Due::Zero { ball, .. } => Ok(ball.into()),
-            Due::Infinity { .. } | Due::NotANumber => Err(Uncertified::NoNumber),
-        };
-        match Self::reference(input, bits) {
-            ReferenceAnswer::Values(r) => Ok(r.values.into_iter().map(Scaled::from).collect()),
-            ReferenceAnswer::Dues(dues, _) => dues.into_iter().map(number).collect(),
-            ReferenceAnswer::Refuses(word) => Err(Uncertified::Refused(word)),
-            ReferenceAnswer::Undecided(why) | ReferenceAnswer::Failed(why) => {
-                Err(Uncertified::Undecided(why))
-            }
-        }
+        let values = Self::reference(input, bits).certified()?;
+        Ok(values.into_iter().map(Scaled::from).collect())
     }
 
     /// The declaration of the input.
@@ -105,26 +95,6 @@ pub trait Definition: Registered + Sized {
         }
         let nearest: Vec<f64> = numbers.iter().map(T::nearest).collect();
         Self::Input::take(&mut Row::new(numbers, layout.lengths(&nearest).ok()?))
-    }
-}
-
-/// Why there are no certified values.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Uncertified {
-    /// There is no value, for the named reason.
-    #[error("{0}")]
-    Refused(&'static str),
-    /// Not decided at this precision.
-    #[error("{0}")]
-    Undecided(String),
-    /// An infinity or no value at all.
-    #[error("no finite value")]
-    NoNumber,
-}
-
-impl From<Undecided> for Uncertified {
-    fn from(e: Undecided) -> Uncertified {
-        Uncertified::Undecided(e.to_string())
     }
 }
 

@@ -7,7 +7,7 @@ use crate::methods::common::{held, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::{self as reference, Configuration, ExactAngle, Linkage};
-use crate::reference::{Ball, Mag};
+use crate::reference::{Ball, Mag, Undecided};
 use crate::solvers::class_iii::{self as solver, Geometry, State};
 use crate::solvers::reduction::{Body, Masses, MomentOfInertia, Row};
 use crate::solvers::units::{Acceleration, Angle, Inertia, Length, Mass};
@@ -270,8 +270,8 @@ fn values(
     linkage: &Linkage,
     at: &Configuration,
     i: ClassIiiInput<Rational>,
-) -> Result<Vec<Ball>, String> {
-    let k = linkage.kinematics(at).map_err(|e| e.reason)?;
+) -> Result<Vec<Ball>, Undecided> {
+    let k = linkage.kinematics(at)?;
     let r = linkage.reduce(&k, &i.exact_masses());
     let mut all: Vec<Ball> = Vec::with_capacity(16);
     all.extend(k.angles);
@@ -398,7 +398,7 @@ impl Definition for ClassIii {
                      Taylor bound",
                 ),
             }),
-            Err(reason) => ReferenceAnswer::Undecided(reason),
+            Err(e) => ReferenceAnswer::Undecided(e.reason),
         }
     }
 

@@ -2,8 +2,10 @@
 
 mod regions;
 
-use crate::audit::{Budget, Domain, Law, Limit, Output, Proof, Reference, ReferenceAnswer};
-use crate::methods::definition::{Definition, Uncertified, exact};
+use crate::audit::{
+    Budget, Domain, Law, Limit, Output, Proof, Reference, ReferenceAnswer, Uncertified,
+};
+use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::chirp_oscillator::{Problem, conditions, enclose, response};
 use crate::reference::faddeeva::Scaled;

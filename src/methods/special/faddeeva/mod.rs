@@ -4,8 +4,10 @@ pub(super) mod curves;
 mod laws;
 pub(super) mod regions;
 
-use crate::audit::{Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
-use crate::methods::definition::{Definition, Uncertified};
+use crate::audit::{
+    Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer, Uncertified,
+};
+use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
 use crate::reference::{Ball, Mag};

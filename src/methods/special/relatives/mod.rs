@@ -10,8 +10,10 @@ pub(super) mod laws;
 mod regions;
 
 use super::faddeeva::{ComplexInput, asked, due};
-use crate::audit::{Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
-use crate::methods::definition::{Definition, Registered, Uncertified};
+use crate::audit::{
+    Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer, Uncertified,
+};
+use crate::methods::definition::{Definition, Registered};
 use crate::methods::inputs::Number;
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Undecided};
