@@ -2,7 +2,7 @@
 //!
 //! An approximation differs from the truth by its *method error* (truncation, step, interpolation)
 //! and by *rounding*. A **twin**, the same algorithm without rounding, tells them apart: the method
-//! error is twin less truth, the rounding error is result less twin. Bounds come from balls.
+//! error is twin less truth, the rounding error is value less twin. Bounds come from balls.
 
 use super::answer::{SolverAnswer, Uncertified};
 use super::ulp::distance;
@@ -49,17 +49,17 @@ pub trait Approximation: Send + Sync {
 /// Errors of one output at one level, the largest over its values, as upper bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LevelError {
-    /// `|result − truth|`.
+    /// `|value − truth|`.
     pub total: f64,
     /// `|twin − truth|`.
     pub method: Option<f64>,
-    /// `|result − twin|`.
+    /// `|value − twin|`.
     pub rounding: Option<f64>,
     /// Observed order: `log(e₁/e₂) / log(work₂/work₁)` against the level before, of the method
     /// error where there is a twin and of the total otherwise. Where steps can be cut in two, `log₂`
     /// of the method error before and after that.
     pub order: Option<f64>,
-    /// The order that the results alone show (Richardson), `log(|v₀−v₁|/|v₁−v₂|)/log(work₂/work₁)`
+    /// The order that the values alone show (Richardson), `log(|v₀−v₁|/|v₁−v₂|)/log(work₂/work₁)`
     /// with the two levels before, where the work grows by the same factor each time.
     pub richardson: Option<f64>,
 }

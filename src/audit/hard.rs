@@ -173,7 +173,7 @@ mod tests {
             let e = HardCase::read(&format!("{HARD_HEADER}\n{bad}\n")).unwrap_err();
             assert_eq!(e.line, 2, "{bad}");
         }
-        // What is no table of hard cases loses no line as its header.
+        // What is no file of hard cases loses no line as its header.
         for bad in ["garbage", "1,Re W,climbed,0x1p0", "a,b,c,d"] {
             let e = HardCase::read(&format!("# comment\n{bad}\n")).unwrap_err();
             assert_eq!(e.line, 2, "{e}");

@@ -8,7 +8,7 @@ pub mod zinchenko;
 
 pub use report::{
     Citation, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, SCHEMA_VERSION,
-    Subject, Tally, VariantResult,
+    Subject, Tally, VariantJudgement,
 };
 
 use crate::reference::Undecided;

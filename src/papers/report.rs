@@ -128,7 +128,7 @@ pub enum EntryVerdict {
 
 /// A printed entry under one variant of the data.
 #[derive(Clone, Debug, Serialize)]
-pub struct VariantResult {
+pub struct VariantJudgement {
     /// The certified value, at least 20 significant digits.
     pub recomputed: String,
     /// `(printed − recomputed)` in units of the last printed digit.
@@ -152,7 +152,7 @@ pub struct Entry {
     /// The text as printed, with a decimal point.
     pub printed: String,
     /// By variant of the data: `as_printed`, `recovered`, `recovered_fitted_nodes`.
-    pub variants: BTreeMap<&'static str, VariantResult>,
+    pub variants: BTreeMap<&'static str, VariantJudgement>,
 }
 
 /// How many entries of a column agree.

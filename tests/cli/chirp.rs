@@ -236,7 +236,7 @@ fn bad_input_is_one_line_and_exit_code_2() {
     }
     let d = chirp(CHART, &["--rows", "history"]);
     assert!(
-        d.code == 2 && d.err.contains("the table [run] is missing"),
+        d.code == 2 && d.err.contains("the section [run] is missing"),
         "{}",
         d.err
     );

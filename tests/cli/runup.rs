@@ -257,9 +257,9 @@ duration = "1 s"
 fn bad_input_is_one_clear_line() {
     let with = |from: &str, to: &str| runup(&changed(SCREEN, from, to), &[]);
     let (motor, _) = SCREEN.split_once("[motor]").unwrap();
-    refused(&runup(motor, &[]), "the table [motor] is missing");
+    refused(&runup(motor, &[]), "the section [motor] is missing");
     let (no_run, _) = SCREEN.split_once("[run]").unwrap();
-    refused(&runup(no_run, &[]), "the table [run] is missing");
+    refused(&runup(no_run, &[]), "the section [run] is missing");
     refused(&runup("", &[]), "the file is empty");
     refused(
         &with("\"kloss\"", "\"steam\""),

@@ -25,7 +25,7 @@ The file (TOML or JSON) gives every quantity as a string with its unit:
   [start]                           # optional: which branch
   phi1 = \"14.426 deg\"
   phi4 = \"22.6 deg\"                 # near enough to choose; or mode = 2
-  [bodies.2]                        # optional, a link without a table has no mass
+  [bodies.2]                        # optional, a link without a section has no mass
   mass = \"10 kg\"
   inertia = \"0.8 kg m^2\"
   inertia_about = \"centre of mass\"  # or \"pivot\"
