@@ -2,6 +2,7 @@
 
 use super::due::Due;
 use mechaudit_reference::{Ball, Undecided};
+use rug::Rational;
 use serde::Serialize;
 
 /// Why a reference value is to be believed.
@@ -39,7 +40,33 @@ pub enum ReferenceAnswer {
     Failed(String),
 }
 
+impl From<Uncertified> for ReferenceAnswer {
+    fn from(why: Uncertified) -> ReferenceAnswer {
+        match why {
+            Uncertified::Refused(word) => ReferenceAnswer::Refuses(word),
+            Uncertified::Undecided(why) => ReferenceAnswer::Undecided(why),
+            Uncertified::Failed(why) => ReferenceAnswer::Failed(why),
+            Uncertified::NoNumber => ReferenceAnswer::Failed(why.to_string()),
+        }
+    }
+}
+
 impl ReferenceAnswer {
+    /// Values in exact rational arithmetic, rounded to balls of so many bits.
+    pub fn exact<'a>(values: impl IntoIterator<Item = &'a Rational>, bits: u32) -> ReferenceAnswer {
+        let values = values.into_iter().map(|v| Ball::rational(bits, v));
+        ReferenceAnswer::Values(Reference {
+            values: values.collect(),
+            proof: Proof::Exact,
+        })
+    }
+
+    /// Values whose radii follow from the cited bound.
+    pub fn bounded(values: Vec<Ball>, bound: &'static str) -> ReferenceAnswer {
+        let proof = Proof::Bounded(bound);
+        ReferenceAnswer::Values(Reference { values, proof })
+    }
+
     /// The same answer, its exact zeros with the signs that [`Method::signs_of_zero`](super::Method::signs_of_zero) tells.
     pub(super) fn with_signs_of_zero(self, signs: &[Option<bool>]) -> ReferenceAnswer {
         let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
