@@ -180,6 +180,21 @@ fn undecided(id: &'static str, place: &'static str, error: &Undecided) -> Findin
     }
 }
 
+/// The formulas with a fault planted change the findings of these names and no others.
+#[cfg(test)]
+fn found<F: Copy>(
+    printed: F,
+    findings: impl Fn(&F) -> Vec<Finding>,
+    due: &[&str],
+    plant: fn(&mut F),
+) {
+    let mut faulty = printed;
+    plant(&mut faulty);
+    let all = findings(&faulty);
+    let changed = all.iter().filter(|f| !f.as_recorded).map(|f| f.id);
+    assert_eq!(changed.collect::<Vec<_>>(), due);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
