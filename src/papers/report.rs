@@ -91,6 +91,15 @@ pub struct Figure {
     pub latex: Option<String>,
 }
 
+pub(super) fn figure(name: impl Into<String>, value: impl ToString, unit: &'static str) -> Figure {
+    Figure {
+        name: name.into(),
+        value: value.to_string(),
+        unit,
+        latex: None,
+    }
+}
+
 /// One finding.
 #[derive(Clone, Debug, Serialize)]
 pub struct Finding {

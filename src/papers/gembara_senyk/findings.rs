@@ -2,7 +2,7 @@
 
 use super::amplitude::{Formula, Passage};
 use super::charts::{self, Law, Programme};
-use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use crate::papers::{Finding, FindingVerdict, Subject, figure};
 use crate::reference::Ball;
 use crate::solvers::chirp_chart::{BeatZone, Chart, ChartPoint, ChirpChartError};
 
@@ -10,15 +10,6 @@ use crate::solvers::chirp_chart::{BeatZone, Chart, ChartPoint, ChirpChartError};
 const PREC: u32 = 160;
 /// w = 10, n = 1/2, ε = 4, k = 2: the resonance is passed at t = 1.25 s.
 const OSCILLATOR: [(i32, u32); 4] = [(10, 1), (1, 2), (4, 1), (2, 1)];
-
-fn figure(name: impl Into<String>, value: impl Into<String>, unit: &'static str) -> Figure {
-    Figure {
-        name: name.into(),
-        value: value.into(),
-        unit,
-        latex: None,
-    }
-}
 
 fn passage(t: (i32, u32)) -> Passage {
     let [w, n, eps, k] = OSCILLATOR;

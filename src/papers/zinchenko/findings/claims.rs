@@ -1,8 +1,7 @@
 //! Findings about the claim and the conclusion.
 
-use super::figure;
 use crate::papers::zinchenko::derivative_claim::{FINE, NodeErrors, degrees};
-use crate::papers::{Finding, FindingVerdict, Subject};
+use crate::papers::{Finding, FindingVerdict, Subject, figure};
 use crate::reference::Ball;
 
 /// The claim of 0.119.

@@ -1,8 +1,7 @@
 //! Findings about the input data.
 
-use super::figure;
 use crate::papers::zinchenko::recovery::{Estimate, Identifiability, Parameter, Recovery};
-use crate::papers::{Finding, FindingVerdict, Subject, Tally};
+use crate::papers::{Finding, FindingVerdict, Subject, Tally, figure};
 
 fn cm(e: &Estimate) -> String {
     format!("{:.3} ± {:.3}", e.value * 100.0, e.deviation * 100.0)

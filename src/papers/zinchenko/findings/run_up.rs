@@ -1,8 +1,7 @@
 //! Findings about the motion that the tables were made for.
 
-use super::figure;
 use crate::papers::zinchenko::run_up::{Against, Figures, MOMENTS, ROTOR, SYNCHRONOUS};
-use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure};
 
 /// The verdict on leaving out the exact derivative, as the motion sees it.
 pub(in crate::papers::zinchenko) fn run_up(f: Option<&Figures>) -> Vec<Finding> {

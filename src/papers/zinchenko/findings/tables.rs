@@ -1,12 +1,11 @@
 //! Findings about the tables.
 
-use super::figure;
 use crate::papers::zinchenko::entries::totals;
 use crate::papers::zinchenko::fitted_nodes::FittedMoment;
 use crate::papers::zinchenko::hidden_recipe::{Alias, Projection};
 use crate::papers::zinchenko::moment_residual::MomentResidual;
 use crate::papers::zinchenko::tables::{Column, ROWS};
-use crate::papers::{Entry, EntryVerdict, Finding, FindingVerdict, Subject, Tally};
+use crate::papers::{Entry, EntryVerdict, Finding, FindingVerdict, Subject, Tally, figure};
 
 /// Entries that agree with exact nodes, and with fitted M_o nodes: (within half a unit, within
 /// one), as first recorded. Fewer is a defect of this program.

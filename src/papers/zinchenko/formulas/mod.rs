@@ -18,7 +18,7 @@ mod sample;
 mod spline;
 mod sweep;
 
-use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure};
 use crate::reference::{Ball, Undecided};
 
 /// What a check found out about a formula.
@@ -92,15 +92,6 @@ fn rounded_up(x: f64) -> String {
             format!("{:.1e}", shown + 0.1 * step)
         }
         _ => text,
-    }
-}
-
-fn figure(name: impl Into<String>, value: impl ToString, unit: &'static str) -> Figure {
-    Figure {
-        name: name.into(),
-        value: value.to_string(),
-        unit,
-        latex: None,
     }
 }
 

@@ -1,8 +1,8 @@
 //! The equation of motion (1) and Kloss's formula (2).
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome, decimals, figure};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome, decimals};
+use crate::papers::{Finding, FindingVerdict, figure};
 use crate::reference::{Ball, Decimal};
 
 /// `dψ/dt` from I_n, dI_n/dφ, ψ, M_d, M_o.

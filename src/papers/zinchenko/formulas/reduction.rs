@@ -4,8 +4,8 @@ use super::exact::{Grid, Q};
 use super::sample::{
     BITS, Dimensions, Loads, Position, ROWS, Rockers, Sample, ball, masses, number,
 };
-use super::{Draft, Outcome, decimals, figure, largest};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome, decimals, largest};
+use crate::papers::{Finding, FindingVerdict, figure};
 use crate::reference::class_iii::{Masses, Reduced};
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::Rational;

@@ -1,8 +1,8 @@
 //! The cubic spline: formulas (8) to (17) and the inline right-hand sides.
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome, figure};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome};
+use crate::papers::{Finding, FindingVerdict, figure};
 
 /// One section of the spline, between nodes i and i + 1.
 pub(super) struct Section {

@@ -1,8 +1,8 @@
 //! The tridiagonal system and its sweep: (18), table 1, (19), λ1 = η1 = 0, (20).
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome, figure};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome};
+use crate::papers::{Finding, FindingVerdict, figure};
 
 /// One equation of the tridiagonal system.
 #[derive(Clone, Debug)]
