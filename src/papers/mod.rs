@@ -12,7 +12,7 @@ pub use report::{
 };
 
 use crate::reference::Undecided;
-use report::figure;
+use report::{figure, figures};
 
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);

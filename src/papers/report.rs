@@ -100,6 +100,14 @@ pub(super) fn figure(name: impl Into<String>, value: impl ToString, unit: &'stat
     }
 }
 
+/// Figures as a table: `name: value, arguments => unit;`, name and value as [`format!`] takes them.
+macro_rules! figures {
+    ($($name:literal: $value:literal $(, $argument:expr)* => $unit:expr;)*) => {
+        vec![$($crate::papers::figure(format!($name), format!($value $(, $argument)*), $unit)),*]
+    };
+}
+pub(super) use figures;
+
 /// One finding.
 #[derive(Clone, Debug, Serialize)]
 pub struct Finding {

@@ -2,7 +2,7 @@
 
 use super::amplitude::{Formula, Passage};
 use super::charts::{self, Law, Programme};
-use crate::papers::{Finding, FindingVerdict, Subject, figure};
+use crate::papers::{Finding, FindingVerdict, Subject, figure, figures};
 use crate::reference::Ball;
 use crate::solvers::chirp_chart::{BeatZone, Chart, ChartPoint, ChirpChartError};
 
@@ -63,14 +63,10 @@ pub(super) fn formulas() -> Vec<Finding> {
                 percent(error(Formula::Printed18)),
                 percent(worst18),
             ),
-            figures: vec![
-                figure(
-                    "relative error at t = 1.5 s",
-                    percent(error(Formula::Printed18)),
-                    "%",
-                ),
-                figure("worst found, t = 0.1 … 5 s", percent(worst18), "%"),
-            ],
+            figures: figures! {
+                "relative error at t = 1.5 s": "{}", percent(error(Formula::Printed18)) => "%";
+                "worst found, t = 0.1 … 5 s": "{}", percent(worst18) => "%";
+            },
             as_recorded: holds && sharp18 && (0.3..0.45).contains(&error(Formula::Printed18).abs()),
         },
         Finding {
@@ -86,14 +82,10 @@ pub(super) fn formulas() -> Vec<Finding> {
                 percent(error(Formula::Printed19)),
                 percent(worst19),
             ),
-            figures: vec![
-                figure(
-                    "relative error at t = 1.5 s",
-                    percent(error(Formula::Printed19)),
-                    "%",
-                ),
-                figure("worst found, t = 0.1 … 5 s", percent(worst19), "%"),
-            ],
+            figures: figures! {
+                "relative error at t = 1.5 s": "{}", percent(error(Formula::Printed19)) => "%";
+                "worst found, t = 0.1 … 5 s": "{}", percent(worst19) => "%";
+            },
             as_recorded: holds
                 && sharp19
                 && (0.005..0.012).contains(&error(Formula::Printed19).abs()),

@@ -2,7 +2,7 @@
 
 use super::exact::{Grid, Identity, Q, q};
 use super::{Draft, Outcome};
-use crate::papers::{Finding, FindingVerdict, figure};
+use crate::papers::{Finding, FindingVerdict, figure, figures};
 
 /// One equation of the tridiagonal system.
 #[derive(Clone, Debug)]
@@ -313,17 +313,14 @@ fn start(f: &Forms) -> Finding {
                test with U_0 = 3 the sweep returns m_0 = 0, and since all other equations are \
                satisfied exactly nothing looks wrong. Right only for U_0 = 0, the case the paper \
                calls the most frequent.",
-        figures: vec![
-            figure("m_0 with eta_1 = 0, U_0 = 3", shown(&printed, 0), "1"),
-            figure("m_0 with eta_1 = U_0", shown(&corrected, 0), "1"),
-            figure("m_1 with eta_1 = 0", shown(&printed, 1), "1"),
-            figure("m_1 with eta_1 = U_0", shown(&corrected, 1), "1"),
-            figure(
-                "largest residual of the other equations with eta_1 = 0",
-                r[1..].iter().map(Q::abs).fold(Q::from(0), Q::max),
-                "1",
-            ),
-        ],
+        figures: figures! {
+            "m_0 with eta_1 = 0, U_0 = 3": "{}", shown(&printed, 0) => "1";
+            "m_0 with eta_1 = U_0": "{}", shown(&corrected, 0) => "1";
+            "m_1 with eta_1 = 0": "{}", shown(&printed, 1) => "1";
+            "m_1 with eta_1 = U_0": "{}", shown(&corrected, 1) => "1";
+            "largest residual of the other equations with eta_1 = 0":
+                "{}", r[1..].iter().map(Q::abs).fold(Q::from(0), Q::max) => "1";
+        },
         checks: vec![
             (Outcome::of(all_zero(&r)), Outcome::Fails),
             (Outcome::of(only_the_end), Outcome::Holds),
