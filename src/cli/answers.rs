@@ -18,7 +18,7 @@ pub enum Next {
     Answer(Line),
     /// There are no more.
     Closed,
-    Unreadable(String),
+    Unreadable(std::io::Error),
     /// Nothing came in time.
     Silent,
     /// The user has asked to stop.
@@ -44,7 +44,7 @@ impl Answers {
             let wait = left.map_or(interrupt::POLL, |l| l.min(interrupt::POLL));
             match self.0.recv_timeout(wait) {
                 Ok(Ok(line)) => return Next::Answer(line),
-                Ok(Err(e)) => return Next::Unreadable(e.to_string()),
+                Ok(Err(e)) => return Next::Unreadable(e),
                 Err(RecvTimeoutError::Disconnected) => return Next::Closed,
                 Err(RecvTimeoutError::Timeout) => {
                     if left.is_some_and(|l| l <= wait) {

@@ -1,7 +1,8 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
-use super::{RunArgs, number};
-use crate::cli::process::wire;
+use super::RunArgs;
+use super::number::{self, Refused};
+use crate::cli::process::wire::{self, LineError};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -83,12 +84,10 @@ pub struct ExecArgs {
     pub decimal: bool,
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
+fn seconds(text: &str) -> Result<Duration, Refused> {
     let seconds = number::positive(text).ok();
     let duration = seconds.and_then(|x| Duration::try_from_secs_f64(x).ok());
-    duration
-        .filter(|d| !d.is_zero())
-        .ok_or_else(|| "must be a positive number of seconds".into())
+    duration.filter(|d| !d.is_zero()).ok_or(Refused::Seconds)
 }
 
 /// What is judged, and how strictly.
@@ -106,7 +105,7 @@ pub struct ScopeArgs {
 #[derive(Clone, Debug)]
 pub struct Numbers(pub Vec<f64>);
 
-fn numbers(text: &str) -> Result<Numbers, String> {
+fn numbers(text: &str) -> Result<Numbers, LineError> {
     wire::numbers(text).map(Numbers)
 }
 

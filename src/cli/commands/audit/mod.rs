@@ -11,7 +11,8 @@ use crate::cli::{
 };
 use mechaudit::audit::{
     Case, CaseReport, Cases, ConvergenceReport, Law, Layout, Method, MethodReport, NoSuch, Origin,
-    Settings, Variant, Verdict, answer_of, audit_case, audit_method_until, convergence, map_points,
+    Settings, Uncertified, Variant, Verdict, answer_of, audit_case, audit_method_until,
+    convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Decimal;
@@ -255,7 +256,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
             write_json(output, &value)?;
         }
         AuditFormat::Junit => {
-            let text = junit::document(&reports).map_err(|e| Failure::new(e.to_string()))?;
+            let text = junit::document(&reports).map_err(Failure::caused)?;
             output.write(|out| Ok(writeln!(out, "{text}")?))?;
         }
         AuditFormat::Html => {
@@ -271,7 +272,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
 }
 
 /// The convergence of all approximations, unless the user asks to stop.
-fn approximations() -> Option<Vec<Result<ConvergenceReport, String>>> {
+fn approximations() -> Option<Vec<Result<ConvergenceReport, Uncertified>>> {
     interrupt::unless_asked(|| {
         let all = methods::approximations();
         all.par_iter().map(|a| convergence(&**a)).collect()

@@ -14,7 +14,7 @@ use crate::cli::progress::Progress;
 use mechaudit::audit::{Case, Layout, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Judges them.
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
@@ -32,7 +32,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let mut inputs = Inputs::open(&method, inputs_path)?;
     let total = count(inputs_path);
     let values = Answers::of(reader(values_path)?);
-    let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
+    let unreadable = |e| Failure::cannot("read", values_path, e);
     let mut tally = Tally::new(&method, failures_kept(args.format));
     let progress = Progress::new();
     let mut answered = 0u64;
@@ -129,10 +129,7 @@ fn count(path: &Path) -> Option<u64> {
 fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
     let input: Box<dyn Read + Send> = match path == Path::new("-") {
         true => Box::new(std::io::stdin()),
-        false => Box::new(
-            File::open(path)
-                .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?,
-        ),
+        false => Box::new(File::open(path).map_err(|e| Failure::cannot("read", path, e))?),
     };
     // A line that is too long costs its own case; one without an end would cost all time.
     let bounded = Bounded::new(input, 64 * LONGEST, usize::MAX);
@@ -142,7 +139,7 @@ fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
 /// The cases in a file of inputs.
 struct Inputs {
     lines: Lines<Box<dyn BufRead + Send>>,
-    path: String,
+    path: PathBuf,
     method: &'static str,
     layout: Layout,
     regions: Vec<&'static str>,
@@ -154,7 +151,7 @@ impl Inputs {
         let regions = method.domain().regions;
         Ok(Inputs {
             lines: Lines::new(reader(path)?),
-            path: path.display().to_string(),
+            path: path.into(),
             method: method.name(),
             layout: Layout::new(method),
             regions: regions.iter().map(|r| r.name).collect(),
@@ -165,7 +162,7 @@ impl Inputs {
     fn read(&mut self) -> Result<Option<Case>, Failure> {
         loop {
             let read = self.lines.read_any();
-            let read = read.map_err(|e| Failure::new(format!("cannot read {}: {e}", self.path)))?;
+            let read = read.map_err(|e| Failure::cannot("read", &self.path, e))?;
             let Some(line) = read else { return Ok(None) };
             if let Some(comment) = line.comment() {
                 self.region(comment);
@@ -193,7 +190,7 @@ impl Inputs {
         let input = line.input()?;
         self.layout
             .lengths(&input)
-            .map_err(|e| Failure::new(format!("inputs, line {}: {e}", line.number)))?;
+            .map_err(|e| Failure::caused(e).about(format!("inputs, line {}", line.number)))?;
         Ok(Case {
             method: self.method,
             region: self.region,

@@ -13,7 +13,7 @@ mod relatives;
 pub use arithmetic::tables as arithmetic_tables;
 pub use relatives::{constants, tables as relatives_tables};
 
-use super::artefact::{Made, Outcome};
+use super::artefact::{Made, MakeError, Outcome};
 use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
 use rug::ops::Pow;
 use rug::Rational;
@@ -62,7 +62,11 @@ fn decided<T>(what: &str, f: impl Fn(u32) -> Result<Option<T>, Undecided>) -> Ou
         }
         bits *= 2;
     }
-    Err(format!("{what}: a rounding is undecided at {LAST_BITS} bits").into())
+    Err(MakeError::Rounding {
+        what: what.into(),
+        bits: LAST_BITS,
+    }
+    .into())
 }
 
 /// `c_0`, `c_1` in two parts, then blocks of four real and four imaginary parts.
@@ -308,7 +312,8 @@ fn trapezoidal(tables: &mut Tables) -> Outcome<()> {
             let tau = node_square(rule, k);
             let value = tau.to_f64();
             if tau != value {
-                return Err(format!("the square of node {k} is not an f64").into());
+                let what = format!("the square of node {k}");
+                return Err(MakeError::NotExact { what }.into());
             }
             row.push(value);
         }

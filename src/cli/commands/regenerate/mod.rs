@@ -8,10 +8,10 @@ mod sand_screen;
 
 use crate::cli::args::RegenerateArgs;
 use crate::cli::complain;
-use crate::cli::failure::{Failure, Outcome};
+use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
-use artefact::{Artefact, Form, Made, broken, difference};
+use artefact::{Artefact, Form, Made, MakeError, broken, difference};
 use mechaudit::report::text::style::{BAD, DIM, GOOD, paint};
 use mechaudit::{methods, papers};
 use std::io::ErrorKind;
@@ -40,7 +40,7 @@ fn artefacts() -> Vec<Artefact> {
         path: Path::new(PUBLISHED).join(format!("{}.json", errata::name(key))),
         form: Form::Json,
         make: Box::new(move || {
-            let ledger = papers::ledger_of(key).ok_or("there is no such paper")?;
+            let ledger = papers::ledger_of(key).ok_or(MakeError::NoPaper(key))?;
             errata::made(&ledger)
         }),
     };
@@ -113,7 +113,7 @@ pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
             Ok(text) => text,
             Err(e) => {
                 progress.clear();
-                complain(&format!("{}: {e}", artefact.name));
+                complain(&format!("{}: {}", artefact.name, chain(&*e)));
                 continue;
             }
         };
@@ -164,7 +164,7 @@ fn held(path: &Path) -> Result<Option<String>, Failure> {
     match std::fs::read_to_string(path) {
         Ok(text) => Ok(Some(text)),
         Err(e) if e.kind() == ErrorKind::NotFound => Ok(None),
-        Err(e) => Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
+        Err(e) => Err(Failure::cannot("read", path, e)),
     }
 }
 
