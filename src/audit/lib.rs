@@ -37,7 +37,7 @@ mod tally;
 mod ulp;
 mod variant;
 
-pub use answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
+pub use answer::{Proof, Reference, ReferenceAnswer, SolverAnswer, Uncertified};
 pub use budget::{Budget, Limit, NormBudget};
 pub use case::{Case, Cases, Origin};
 pub use comparison::{
@@ -46,7 +46,7 @@ pub use comparison::{
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
-pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
+pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
 pub use hex_float::hex_float;
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm};

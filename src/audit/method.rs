@@ -3,7 +3,8 @@
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
-use super::hard::{HardCase, HardCaseError};
+use super::hard::{HardCase, HardCaseError, HardCaseFault};
+use super::no_such::NoSuch;
 use super::sampling::Sampling;
 use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
@@ -167,15 +168,12 @@ impl HardCase {
     /// Also an output that the method does not have and an input outside of its domain.
     pub fn read_of(method: &dyn Method, text: &str) -> Result<Vec<HardCase>, HardCaseError> {
         let name = method.name();
-        let known: Vec<&str> = method.outputs().iter().map(|o| o.name).collect();
+        let known: Vec<&'static str> = method.outputs().iter().map(|o| o.name).collect();
         HardCase::read_if(text, |case| match case.output.as_str() {
-            output if !known.contains(&output) => Err(format!(
-                "{name} has no output {output:?}; it has: {}",
-                known.join(", ")
-            )),
-            _ if !method.admits(&case.input) => {
-                Err(format!("the input is outside of the domain of {name}"))
+            output if !known.contains(&output) => {
+                Err(NoSuch::new(name, "output", output, known.clone()).into())
             }
+            _ if !method.admits(&case.input) => Err(HardCaseFault::OutsideDomain(name)),
             _ => Ok(()),
         })
     }
@@ -194,7 +192,7 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
     const BITS: u32 = 256;
     let exact: Option<Vec<Rational>> = input.iter().map(|&x| Rational::from_f64(x)).collect();
     let mut x = exact?;
-    let base = method.reference(&x, BITS).numbers()?;
+    let base = method.reference(&x, BITS).certified().ok()?;
     let mut sum = vec![Mag::ZERO; base.len()];
     let scale = Rational::from(1) + (Rational::from(1) >> 40u32);
     for j in 0..x.len() {
@@ -205,7 +203,7 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
         let old = std::mem::replace(&mut x[j], moved);
         let answer = method.reference(&x, BITS);
         x[j] = old;
-        let shifted = answer.numbers().filter(|s| s.len() == sum.len())?;
+        let shifted = answer.certified().ok().filter(|s| s.len() == sum.len())?;
         for ((s, a), b) in sum.iter_mut().zip(&shifted).zip(&base) {
             let d = Float::with_val(64, a.mid() - b.mid());
             *s = s.add(Mag::above(&d).shift(40));

@@ -13,7 +13,7 @@ use serde::Serialize;
 pub struct ErrorParts {
     /// Of the method: twin less reference.
     pub method: f64,
-    /// Of rounding: result less twin.
+    /// Of rounding: value less twin.
     pub rounding: f64,
 }
 

@@ -63,7 +63,7 @@ pub enum Next {
     Answer(SolverAnswer),
     /// There are no more.
     Closed,
-    Unreadable(String),
+    Unreadable(std::io::Error),
     /// Nothing came in time.
     Silent,
     /// The user has asked to stop.
@@ -130,7 +130,7 @@ impl Answers {
 fn taken(answer: std::io::Result<SolverAnswer>) -> Next {
     match answer {
         Ok(answer) => Next::Answer(answer),
-        Err(e) => Next::Unreadable(e.to_string()),
+        Err(e) => Next::Unreadable(e),
     }
 }
 

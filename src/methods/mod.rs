@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 
 pub use approximations::{approximations, find_approximation};
 pub use cams::*;
-pub use definition::{Evaluable, Typed, Uncertified};
+pub use definition::{Evaluable, Typed};
 pub use drive::*;
 pub use inputs::Number;
 pub use linear::*;

@@ -8,10 +8,11 @@ pub mod zinchenko;
 
 pub use report::{
     Citation, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, SCHEMA_VERSION,
-    Subject, Tally, VariantResult,
+    Subject, Tally, VariantJudgement,
 };
 
 use crate::reference::Undecided;
+use report::{figure, figures};
 
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);

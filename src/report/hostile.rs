@@ -3,7 +3,8 @@
 use super::svg::{chirp, reduced, run_up, scene};
 use super::{html, junit, text};
 use crate::audit::{
-    Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput, MethodReport, Origin, Verdict,
+    Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput, MethodReport, Origin, Uncertified,
+    Verdict,
 };
 use crate::papers::ledger::{Formula, Ledger};
 use crate::papers::{Citation, PaperReport};
@@ -79,7 +80,7 @@ fn an_audit() {
         fitted: vec![None],
         levels: vec![level],
     };
-    let approximations = [Ok(convergence), Err(HOSTILE.into())];
+    let approximations = [Ok(convergence), Err(Uncertified::Undecided(HOSTILE.into()))];
     let page = html::audit::page(&[method()], Some(&approximations), false);
     harmless(&page, 22);
     let xml = junit::document(&[method()]).unwrap();

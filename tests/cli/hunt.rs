@@ -1,5 +1,6 @@
 //! Hunts and the hard cases they leave.
 
+use crate::common::cells;
 use mechaudit::audit::{
     Case, Cases, Domain, HardCase, Hunt, HuntSettings, Input, Method, Origin, Output,
     ReferenceAnswer, Settings, SolverAnswer, Variant, Verdict, audit_case, audit_method, hex_float,
@@ -394,38 +395,20 @@ fn what_a_hunt_found_can_be_judged_again() {
     let (_, text) = mechaudit(&["points", "slider-crank", "--count", "0", "--hard", folder]);
     assert!(cases.iter().all(|c| text.contains(&hex_float(c.input[0]))));
     // Whose there are none.
-    for (args, part) in [
-        (
-            vec!["audit", "erfc", "--hard", folder],
-            "it holds no erfc.csv",
-        ),
-        (
-            vec!["audit", "--hard", "/no/such"],
-            "there is no such folder",
-        ),
-        (
-            vec!["audit", "erfc", "--hard", "3"],
-            "--hard-case 3 chooses one case",
-        ),
-        (
-            vec![
-                "audit",
-                "slider-crank",
-                "--hard",
-                folder,
-                "--hard-case",
-                "99",
-            ],
-            "no hard case \"99\"",
-        ),
-        (
-            vec!["audit", "slider-crank", "--at", "1,2"],
-            "2 numbers cannot be an input",
-        ),
-        (vec!["audit", "slider-crank", "--at", "1,b"], "\"b\""),
-    ] {
+    let options = "
+        erfc --hard FOLDER                           | it holds no erfc.csv
+        --hard /no/such                              | there is no such folder
+        erfc --hard 3                                | --hard-case 3 chooses one case
+        slider-crank --hard FOLDER --hard-case 99    | no hard case \"99\"
+        slider-crank --at 1,2                        | 2 numbers cannot be an input
+        slider-crank --at 1,b                        | \"b\"
+    ";
+    for [args, part] in cells(options) {
+        let word = |w| if w == "FOLDER" { folder } else { w };
+        let args: Vec<&str> = args.split_whitespace().map(word).collect();
+        let args = [&["audit"], &args[..]].concat();
         let (code, said) = mechaudit(&args);
-        assert!(code == 2 && said.contains(part), "{args:?}: {said}");
+        assert!(code == 2 && said.contains(&part), "{args:?}: {said}");
         assert_eq!(said.lines().count(), 1, "{said}");
     }
 }

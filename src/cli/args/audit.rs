@@ -1,7 +1,8 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
+use super::RunArgs;
+use super::number::{self, Refused};
 use super::scope::{Numbers, ScopeArgs, WhereArgs, numbers};
-use super::{RunArgs, number};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -88,12 +89,10 @@ pub struct ProgramArgs {
     pub binary: bool,
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
+fn seconds(text: &str) -> Result<Duration, Refused> {
     let seconds = number::positive(text).ok();
     let duration = seconds.and_then(|x| Duration::try_from_secs_f64(x).ok());
-    duration
-        .filter(|d| !d.is_zero())
-        .ok_or_else(|| "must be a positive number of seconds".into())
+    duration.filter(|d| !d.is_zero()).ok_or(Refused::Seconds)
 }
 
 /// The forms of an audit's report.

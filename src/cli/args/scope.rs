@@ -1,7 +1,7 @@
 //! What is judged, where and how strictly: shared by commands that draw or judge cases.
 
 use super::number;
-use crate::cli::process::wire;
+use crate::cli::process::wire::{self, LineError};
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -72,6 +72,6 @@ pub struct ScopeArgs {
 #[derive(Clone, Debug)]
 pub struct Numbers(pub Vec<f64>);
 
-pub fn numbers(text: &str) -> Result<Numbers, String> {
+pub fn numbers(text: &str) -> Result<Numbers, LineError> {
     wire::numbers(text).map(Numbers)
 }

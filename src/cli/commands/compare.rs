@@ -95,7 +95,7 @@ const WHOLE: u64 = 1 << 30;
 
 /// A report of an earlier run.
 pub fn baseline(path: &Path) -> Result<Baseline, Failure> {
-    let refused = |e: std::io::Error| Failure::new(format!("cannot read {}: {e}", path.display()));
+    let refused = |e: std::io::Error| Failure::cannot("read", path, e);
     let mut text = String::new();
     let file = File::open(path).map_err(refused)?;
     file.take(WHOLE)

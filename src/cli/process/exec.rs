@@ -249,7 +249,7 @@ pub enum End {
     /// Nothing came for so long.
     Silent,
     /// Its output cannot be read.
-    Unreadable(String),
+    Unreadable(std::io::Error),
     /// The user has asked to stop.
     Interrupted,
 }

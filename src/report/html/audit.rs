@@ -4,7 +4,7 @@ use super::page::{class, document, verdict};
 use super::style::AUDIT_CSS;
 use super::{convergence, plots};
 use crate::audit::{
-    ConvergenceReport, ErrorMap, LawReport, MethodReport, OutputStatistics, hex_float,
+    ConvergenceReport, ErrorMap, LawReport, MethodReport, OutputStatistics, Uncertified, hex_float,
 };
 use crate::report::text::case;
 use crate::report::text::style::plain;
@@ -22,7 +22,7 @@ const FAILURES_SHOWN: usize = 20;
 /// convergence of approximations where it was asked for. `interrupted` if the run was ended early.
 pub fn page(
     reports: &[MethodReport],
-    approximations: Option<&[Result<ConvergenceReport, String>]>,
+    approximations: Option<&[Result<ConvergenceReport, Uncertified>]>,
     interrupted: bool,
 ) -> String {
     let (tone, word) = match all_pass(reports) {

@@ -10,8 +10,8 @@ use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
 use crate::cli::{complain, forecast, process::exec, process::interrupt, scope};
 use mechaudit::audit::{
-    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Origin, Settings, Variant,
-    answer_of, audit_method_until, audit_one, convergence, map_points,
+    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Origin, Settings, Uncertified,
+    Variant, answer_of, audit_method_until, audit_one, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Decimal;
@@ -275,7 +275,7 @@ fn tail(args: &AuditArgs) -> String {
 }
 
 /// The convergence of all approximations, unless the user asks to stop.
-fn approximations() -> Option<Vec<Result<ConvergenceReport, String>>> {
+fn approximations() -> Option<Vec<Result<ConvergenceReport, Uncertified>>> {
     interrupt::unless_asked(|| {
         let all = methods::approximations();
         all.par_iter().map(|a| convergence(&**a)).collect()

@@ -5,7 +5,7 @@ use crate::cli::commands::compare;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
 use crate::cli::terminal::width;
-use mechaudit::audit::{ConvergenceReport, MethodReport};
+use mechaudit::audit::{ConvergenceReport, MethodReport, Uncertified};
 use mechaudit::report::baseline::Baseline;
 use mechaudit::report::words::audit::all_pass;
 use mechaudit::report::{csv, html, json, junit, text};
@@ -15,7 +15,7 @@ use std::path::Path;
 pub const POINTS: usize = 48;
 
 /// The convergence of approximations, for a page of everything.
-pub type Approximations = Option<Vec<Result<ConvergenceReport, String>>>;
+pub type Approximations = Option<Vec<Result<ConvergenceReport, Uncertified>>>;
 
 /// What a report shows besides the verdicts.
 #[derive(Default)]

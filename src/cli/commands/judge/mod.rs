@@ -19,7 +19,7 @@ use mechaudit::audit::{
 };
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Judges them.
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
@@ -44,7 +44,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let mut inputs = Inputs::open(&method, inputs_path)?;
     let total = count(inputs_path);
     let mut values = Answers::of(reader(values_path)?, Form::Lines);
-    let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
+    let unreadable = |e| Failure::cannot("read", values_path, e);
     let mut tally = Tally::new(&method, &settings);
     let progress = Progress::new();
     let mut answered = 0u64;
@@ -150,10 +150,7 @@ fn count(path: &Path) -> Option<u64> {
 fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
     let input: Box<dyn Read + Send> = match path == Path::new("-") {
         true => Box::new(std::io::stdin()),
-        false => Box::new(
-            File::open(path)
-                .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?,
-        ),
+        false => Box::new(File::open(path).map_err(|e| Failure::cannot("read", path, e))?),
     };
     // A line that is too long costs its own case; one without an end would cost all time.
     let bounded = Bounded::new(input, 64 * LONGEST, usize::MAX);
@@ -163,7 +160,7 @@ fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
 /// The cases in a file of inputs.
 struct Inputs {
     lines: Lines<Box<dyn BufRead + Send>>,
-    path: String,
+    path: PathBuf,
     method: &'static str,
     layout: Layout,
     regions: Vec<&'static str>,
@@ -175,7 +172,7 @@ impl Inputs {
         let regions = method.domain().regions;
         Ok(Inputs {
             lines: Lines::new(reader(path)?),
-            path: path.display().to_string(),
+            path: path.into(),
             method: method.name(),
             layout: Layout::new(method),
             regions: regions.iter().map(|r| r.name).collect(),
@@ -186,7 +183,7 @@ impl Inputs {
     fn read(&mut self) -> Result<Option<Case>, Failure> {
         loop {
             let read = self.lines.read_any();
-            let read = read.map_err(|e| Failure::new(format!("cannot read {}: {e}", self.path)))?;
+            let read = read.map_err(|e| Failure::cannot("read", &self.path, e))?;
             let Some(line) = read else { return Ok(None) };
             if let Some(comment) = line.comment() {
                 self.region(comment);
@@ -214,7 +211,7 @@ impl Inputs {
         let input = line.input()?;
         self.layout
             .lengths(&input)
-            .map_err(|e| Failure::new(format!("inputs, line {}: {e}", line.number)))?;
+            .map_err(|e| Failure::caused(e).about(format!("inputs, line {}", line.number)))?;
         Ok(Case {
             method: self.method,
             region: self.region,
