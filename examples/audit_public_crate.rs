@@ -22,7 +22,7 @@ const PROMISED: f64 = 1e-13 / (f64::EPSILON / 2.0);
 /// What was found in a region of the domain.
 struct Found {
     region: &'static str,
-    cases: usize,
+    cases: u64,
     /// Errors of Re W and Im W in ulps.
     components: [Spread; 2],
     /// The largest `|got − W| / |W|` in units of 2⁻⁵³.
@@ -44,8 +44,8 @@ fn audit(cases: u64) -> Result<Vec<Found>, AuditError> {
             Ok(Found {
                 region: region.name,
                 cases: report.cases,
-                components: [report.outputs[0].ulps, report.outputs[1].ulps],
-                norm: report.max_normwise,
+                components: [report.outputs()[0].ulps, report.outputs()[1].ulps],
+                norm: report.total.normwise.map_or(f64::NAN, |n| n.max),
             })
         })
         .collect()

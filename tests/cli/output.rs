@@ -205,5 +205,5 @@ fn an_audit_of_a_program_goes_to_a_file() {
     let d = run(&[&args[..], &more].concat());
     assert_eq!((d.code, d.out.as_str()), (1, ""), "{}", d.err);
     let v: serde_json::Value = serde_json::from_slice(&fs::read(path).unwrap()).unwrap();
-    assert_eq!(v["answered"], 0);
+    assert_eq!(v["methods"][0]["candidate"]["answered"], 0);
 }
