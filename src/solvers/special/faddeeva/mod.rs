@@ -78,6 +78,9 @@ mod odd_series;
 pub(crate) mod payne_hanek;
 mod plane;
 mod points;
+#[cfg(feature = "proof")]
+#[doc(hidden)]
+pub mod proof;
 mod quadrant;
 mod reflection;
 mod relatives_tables;
