@@ -12,6 +12,8 @@ mod gembara_senyk;
 #[cfg(feature = "oracle")]
 mod independent;
 #[cfg(feature = "oracle")]
+mod inventory;
+#[cfg(feature = "oracle")]
 mod layouts;
 #[cfg(feature = "oracle")]
 mod ledger;

@@ -70,11 +70,13 @@ impl Lanes for Plain {
     fn mul(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| a[i] * b[i])
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| a[i].mul_add(b[i], c[i]))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg_mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| (-a[i]).mul_add(b[i], c[i]))
     }
@@ -172,7 +174,9 @@ mod x86 {
         fn array(self, x: Pack<V3>) -> [f64; 4] {
             cast(x.1)
         }
-        #[inline(always)]
+        // In a crate of several parts an inlined one is compiled once for each part that calls it.
+        #[cfg_attr(debug_assertions, inline(never))]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn call<T: Task>(self, task: T) -> T::Output {
             self.vectorize(Compiled(self, task))
         }

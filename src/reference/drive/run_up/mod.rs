@@ -63,6 +63,8 @@ mod piece;
 mod proof;
 mod series;
 mod setting;
+#[cfg(test)]
+mod soundness_tests;
 mod step;
 #[cfg(test)]
 mod tests;

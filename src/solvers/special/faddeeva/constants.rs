@@ -19,7 +19,5 @@ pub(super) const INV_SQRT_PI: Dd = Dd::new(0.5641895835477563, 7.66772980658294e
 pub(super) const INV_SQRT_2: Dd = Dd::new(0.7071067811865476, -4.833646656726457e-17);
 /// 1/√(2π).
 pub(super) const INV_SQRT_2_PI: Dd = Dd::new(0.3989422804014327, -2.49232720227773e-17);
-/// ln 2.
-pub(super) const LN_2: Dd = Dd::new(0.6931471805599453, 2.3190468138462996e-17);
 /// 1/π.
 pub(super) const INV_PI: Dd = Dd::new(0.3183098861837907, -1.9678676675182486e-17);

@@ -1,8 +1,8 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::constants::INV_SQRT_PI;
-use super::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
-use super::payne_hanek;
+use crate::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
+use crate::payne_hanek;
 use crate::double_double::two_prod;
 use crate::real::{ROUND, scaled};
 

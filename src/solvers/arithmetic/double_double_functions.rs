@@ -2,17 +2,10 @@
 
 use super::exponential::{LARGE_PHASE, exponent, phase, turn};
 use super::payne_hanek;
-use super::payne_hanek::HALF_PI;
-use super::tables::INVERSE_FACTORIAL;
+use super::tables::{HALF_PI, INVERSE_FACTORIAL, LN_2};
 use crate::double_double::{Dd, two_prod, two_sum};
 use crate::lanes::Lanes;
 use crate::real::{ROUND, Real};
-
-const LN_2: [f64; 3] = [
-    std::f64::consts::LN_2,
-    2.319_046_813_846_299_6e-17,
-    5.707_708_438_416_212e-34,
-];
 
 /// `x − k (c₀ + c₁ + c₂)`.
 #[inline(always)]
@@ -73,7 +66,7 @@ fn reduce(x: Dd) -> (Dd, f64) {
 }
 
 /// `(sin, cos)` of two phases and two exponentials, `e^x = m 2^k` with `ROUND + k`.
-pub(super) struct Factors {
+pub(crate) struct Factors {
     pub circle: [(Dd, Dd); 2],
     pub exponentials: [(Dd, f64); 2],
 }
@@ -120,12 +113,12 @@ fn factors<L: Lanes>(lanes: L, phases: [(Dd, f64); 2], exponents: [Dd; 2]) -> Fa
 }
 
 /// Real and imaginary part of `e^{−z²}` without the power of two, and `ROUND` plus that.
-pub(super) type Gaussian = (Dd, Dd, f64);
+pub(crate) type Gaussian = (Dd, Dd, f64);
 
 /// `e^{−z²} = (re + i im) 2^k` at `z = a − i b`, without the power of two and with `ROUND + k`, and
 /// beside it `(sin, cos)` of another phase (below 2³⁰) and another exponential.
 #[inline(always)]
-pub(super) fn exp_minus_square<L: Lanes>(
+pub(crate) fn exp_minus_square<L: Lanes>(
     lanes: L,
     a: f64,
     b: f64,

@@ -4,16 +4,9 @@
 //! `2 a y = m 2^e` with a whole `m` below 2¹⁰⁶. Of the binary digits of 2/π only those are
 //! multiplied with `m` that do not give a multiple of four.
 
-use super::tables::TWO_OVER_PI_BITS;
+use super::tables::{HALF_PI, TWO_OVER_PI_BITS};
 use crate::double_double::Dd;
 use crate::real::{ROUND, Real};
-
-/// π/2.
-pub(super) const HALF_PI: [f64; 3] = [
-    std::f64::consts::FRAC_PI_2,
-    6.123_233_995_736_766e-17,
-    -1.497_384_904_859_169_8e-33,
-];
 
 /// `|x| = m 2^e` with a whole `m` below 2⁵³.
 fn parts(x: f64) -> (u64, i32) {
@@ -52,7 +45,7 @@ const N: usize = 5;
 ///
 /// It is the product of 2/π's window, 320 digits of it, with `m` below 2¹⁰⁶; what the window leaves out is below
 /// 2⁻²¹².
-pub(super) fn fraction(a: f64, y: f64) -> (i64, bool, [u64; N]) {
+pub(crate) fn fraction(a: f64, y: f64) -> (i64, bool, [u64; N]) {
     let ((ma, ea), (my, ey)) = (parts(a), parts(y));
     let m = u128::from(ma) * u128::from(my);
     let e = i64::from(ea + ey) + 1;

@@ -6,15 +6,15 @@
 //! are left to [`payne_hanek`](super::payne_hanek)). The factors are returned as `hi + lo` with
 //! a relative error of 0.06 · 2⁻⁵² at the worst found by their test (12 000 points), the power of two apart.
 
-use super::constants;
-use super::payne_hanek::{self, HALF_PI};
+use super::payne_hanek;
+use super::tables::{self, HALF_PI, INVERSE_FACTORIAL};
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::hex::hex;
 use crate::real::{ROUND, Real, scaled};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 /// ln 2, the first part with 12 trailing zeros, so that its product with an exponent is exact.
-const LN_2: [f64; 2] = [0.693_147_180_559_663, 2.823_529_056_303_157_7e-13];
+const LN_2: [f64; 2] = [hex("0x1.62e42fefa3p-1"), hex("0x1.3de6af278ece6p-42")];
 const TWO_OVER_PI: f64 = std::f64::consts::FRAC_2_PI;
 /// Phases below this are reduced by [`reduce`].
 pub(crate) const LARGE_PHASE: f64 = hex("0x1p30");
@@ -25,7 +25,7 @@ const CUT: f64 = 1400.0;
 
 /// `y² − a² = (y − a)(y + a)`.
 #[inline(always)]
-pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
+pub(crate) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
     let (d, s) = (two_sum(y, -a), two_sum(y, a));
     let p = two_prod(d.hi, s.hi);
     fast_two_sum(p.hi, d.lo.fma(s.lo, d.hi.fma(s.lo, d.lo.fma(s.hi, p.lo))))
@@ -33,7 +33,7 @@ pub(super) fn exponent<R: Real>(a: R, y: R) -> Dd<R> {
 
 /// `y² − a²` for |y| ≤ 1/8, `a ≥ 9`.
 #[inline(always)]
-pub(super) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
+pub(crate) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
     let p = two_prod(a, a);
     let y = y.magnitude().raised(1e-140);
     Dd::new(-p.hi, y.fma(y, -p.lo))
@@ -41,7 +41,7 @@ pub(super) fn exponent_in_strip<R: Real>(a: R, y: R) -> Dd<R> {
 
 /// `2 a y`, exactly.
 #[inline(always)]
-pub(super) fn phase<R: Real>(a: R, y: R) -> Dd<R> {
+pub(crate) fn phase<R: Real>(a: R, y: R) -> Dd<R> {
     two_prod(a + a, y)
 }
 
@@ -74,7 +74,7 @@ const EXP_FROM_CUBE: [f64; 11] = reciprocals(3, 1, 1.0);
 const SIN: [f64; 8] = reciprocals(3, 2, -1.0);
 const SIN_FROM_FIFTH: [f64; 7] = reciprocals(5, 2, -1.0);
 /// 1/6.
-const SIXTH: Dd = Dd::new(0.166_666_666_666_666_66, 9.251_858_538_542_97e-18);
+const SIXTH: Dd = Dd::new(INVERSE_FACTORIAL[3][0], INVERSE_FACTORIAL[3][1]);
 const COS: [f64; 7] = reciprocals(4, 2, -1.0);
 
 /// `Σ c_k x^k` by even and odd terms: half the length of the chain of dependent operations.
@@ -97,14 +97,14 @@ fn paired<R: Real, const N: usize>(c: &[f64; N], x: R) -> R {
 
 /// `ROUND + k` for the `k` with `e^x = m 2^k`, |x| cut at 1400.
 #[inline(always)]
-pub(super) fn binary_exponent<R: Real>(x: R) -> (R, R) {
+pub(crate) fn binary_exponent<R: Real>(x: R) -> (R, R) {
     let h = x.at_least(x.like(-CUT)).at_most(x.like(CUT));
     (h, h.fma(x.like(LOG2_E), x.like(ROUND)))
 }
 
 /// `e^x = (hi + lo) 2^k`, with `hi` between 0.7 and 1.42, and `ROUND + k`.
 #[inline(always)]
-pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
+pub(crate) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
     let like = |c: f64| x.hi.like(c);
     let (h, n) = binary_exponent(x.hi);
     let k = n - like(ROUND);
@@ -125,7 +125,7 @@ pub(super) fn exp<R: Real>(x: Dd<R>) -> (Dd<R>, R) {
 /// `e^x = m 2^k` as one number `m` between 0.7 and 1.42, to about six tenths of a unit in the last
 /// place, and `ROUND + k`.
 #[inline(always)]
-pub(super) fn exp_rounded<R: Real>(x: Dd<R>) -> (R, R) {
+pub(crate) fn exp_rounded<R: Real>(x: Dd<R>) -> (R, R) {
     let like = |c: f64| x.hi.like(c);
     let (h, n) = binary_exponent(x.hi);
     let k = n - like(ROUND);
@@ -220,13 +220,13 @@ pub(crate) fn turn<R: Real>(sin: Dd<R>, cos: Dd<R>, n: R) -> (Dd<R>, Dd<R>) {
 /// `ROUND + k`; the phase has to be below [`LARGE_PHASE`].
 #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 #[inline(always)]
-pub(super) fn exp_minus_square<R: Real>(a: R, y: R) -> (Dd<R>, Dd<R>, R) {
+pub(crate) fn exp_minus_square<R: Real>(a: R, y: R) -> (Dd<R>, Dd<R>, R) {
     product(exp(exponent(a, y)), reduce(phase(a, y)))
 }
 
 /// The same as one number each, for phases below 2³⁰: to about two units in the last place.
 #[inline(always)]
-pub(super) fn exp_minus_square_rounded<R: Real>(a: R, y: R) -> (R, R, R) {
+pub(crate) fn exp_minus_square_rounded<R: Real>(a: R, y: R) -> (R, R, R) {
     let (e, n) = exp_rounded(exponent(a, y));
     let (r, quadrant) = reduce(phase(a, y));
     let (sin, cos) = sin_cos_rounded(r);
@@ -237,7 +237,7 @@ pub(super) fn exp_minus_square_rounded<R: Real>(a: R, y: R) -> (R, R, R) {
 /// The same with a relative error of about `2⁻⁵³ (3|Re z²| + 4)`, for phases below 2⁸ and `|Re z²|` below
 /// 700.
 #[inline(always)]
-pub(super) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
+pub(crate) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
     let like = |c: f64| a.like(c);
     // y² − a² as one number.
     let n = ((y - a) * (y + a)).fma(like(LOG2_E), like(ROUND));
@@ -259,7 +259,7 @@ pub(super) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
 
 /// [`exp_minus_square`] for a phase of any size.
 #[inline(always)]
-pub(super) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
+pub(crate) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
     let theta = phase(a, y);
     let reduced = if theta.hi.abs() < LARGE_PHASE {
         reduce(theta)
@@ -271,7 +271,7 @@ pub(super) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
 
 /// `t 2^k`, `n = ROUND + k`, for any `k`: in range where t is subnormal and k above 2040, too.
 #[inline(always)]
-pub(super) fn times_power(t: f64, n: f64) -> f64 {
+pub(crate) fn times_power(t: f64, n: f64) -> f64 {
     let most = n.clamp(ROUND - 2040.0, ROUND + 2040.0);
     let scaled_once = scaled(t, most);
     if n > most {
@@ -282,7 +282,7 @@ pub(super) fn times_power(t: f64, n: f64) -> f64 {
 
 /// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.
 #[inline(always)]
-pub(super) fn circle(a: f64, y: f64) -> (Dd, Dd) {
+pub(crate) fn circle(a: f64, y: f64) -> (Dd, Dd) {
     let theta = phase(a, y);
     let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
         reduce(theta)
@@ -296,19 +296,19 @@ pub(super) fn circle(a: f64, y: f64) -> (Dd, Dd) {
 /// `e^t` as [`exp`], whose exponents end at ±2020, with another 1024 of them: enough for
 /// `2^{-1074} e^t`.
 #[inline(always)]
-pub(super) fn exp_wide(t: Dd) -> (Dd, f64) {
+pub(crate) fn exp_wide(t: Dd) -> (Dd, f64) {
     if t.hi.abs() < 1000.0 {
         return exp(t);
     }
     let k = 1024f64.copysign(t.hi);
-    let (e, n) = exp(t - constants::LN_2.scale(k));
+    let (e, n) = exp(t - Dd::new(tables::LN_2[0], tables::LN_2[1]).scale(k));
     (e, n + k)
 }
 
 /// `e^{−z²}` at `a + i y` as mantissas and `ROUND` plus the exponent, for any phase and as many
 /// exponents as [`exp_wide`] has.
 #[inline(always)]
-pub(super) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
+pub(crate) fn gaussian(a: f64, y: f64) -> (Dd, Dd, f64) {
     let t = exponent(a, y);
     if t.hi.abs() < 1000.0 {
         return exp_minus_square_any(a, y);
