@@ -75,6 +75,9 @@ mod many;
 mod odd_series;
 mod plane;
 mod points;
+#[cfg(feature = "proof")]
+#[doc(hidden)]
+pub mod proof;
 mod quadrant;
 mod reflection;
 mod relatives_tables;
