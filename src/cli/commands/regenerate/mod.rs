@@ -185,8 +185,9 @@ mod tests {
         for (folder, ending) in [
             (VALUES, ".csv"),
             (PUBLISHED, "-errata.json"),
-            (FADDEEVA, "tables.rs"),
-            (FADDEEVA, "constants.rs"),
+            ("src/solvers/arithmetic", "tables.rs"),
+            ("src/solvers/special/faddeeva", "tables.rs"),
+            ("src/solvers/special/faddeeva", "constants.rs"),
         ] {
             for entry in std::fs::read_dir(root.join(folder)).expect("a folder") {
                 let name = entry.expect("an entry").file_name();
