@@ -461,7 +461,7 @@ fn json_lists_the_first_failures() {
     assert!(failed > 1000, "{failed}");
     assert_eq!(m["failures"].as_array().unwrap().len(), 500);
     assert_eq!(m["failures_left_out"], failed - 500);
-    assert_eq!(m["regions"][0]["over"], failed);
+    assert_eq!(m["regions"][0]["kinds"]["unreadable"], failed);
     let text = audit("text").out;
     let more = format!(
         "{} more failing cases; --format json lists the first 500 of each region.",

@@ -1,4 +1,4 @@
-//! Hunts and the hard cases they leave.
+//! Hunts and hard cases.
 
 use crate::common::cells;
 use mechaudit::audit::{
@@ -93,7 +93,12 @@ fn the_audit_judges_hard_cases_and_says_which_are_recorded_findings() {
         let hard = method.hard();
         let report = audit_method(&*method, &settings, &|| ());
         let points = method.domain().check_points.len();
-        assert_eq!(report.cases, (points + hard.len()) as u64, "{}", method.name());
+        assert_eq!(
+            report.cases,
+            (points + hard.len()) as u64,
+            "{}",
+            method.name()
+        );
         let over: HashSet<Vec<u64>> = hard
             .iter()
             .enumerate()

@@ -166,9 +166,9 @@ fn what_cannot_be_written_is_refused_before_the_work() {
         refused(&run(&[&args[..], &[text(path)]].concat()), part);
         refused(&points_to(path), part);
     }
-    // A form that there is not, too.
-    let args = ["audit", "tridiagonal", "--exec", &program, "--format"];
-    refused(&run(&[&args[..], &["html"]].concat()), "text or json");
+    // A form that shows no changes, too.
+    let args = ["audit", "tridiagonal", "--exec", &program, "--baseline", "none"];
+    refused(&run(&[&args[..], &["--format", "html"]].concat()), "text and json");
     assert!(!begun.exists());
     assert_eq!(fs::read_to_string(&locked).unwrap(), "before");
 }

@@ -213,7 +213,7 @@ fn the_reproduce_command_works() {
             }
             let json = run(&[&args[..], &["--format", "json"]].concat());
             let v: serde_json::Value = serde_json::from_str(&json.out).unwrap();
-            assert_eq!(v["reproduce"], command.as_str());
+            assert_eq!(v["methods"][0]["worst"][0]["reproduce"], command.as_str());
             assert_eq!(v["passed"], true);
         }
     }

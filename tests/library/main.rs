@@ -29,5 +29,6 @@ mod signatures;
 mod solver_values_written;
 #[cfg(feature = "oracle")]
 mod swept_peak;
+mod voigt_hwhm;
 #[cfg(feature = "oracle")]
 mod zinchenko;
