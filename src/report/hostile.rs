@@ -7,6 +7,7 @@ use crate::audit::{
     Verdict,
 };
 use crate::papers::ledger::{Formula, Ledger};
+use crate::papers::motion::{Course, Motion, Point};
 use crate::papers::{Citation, PaperReport};
 
 /// Ends an element, an attribute between quotes of either kind, and begins a script.
@@ -18,6 +19,36 @@ fn harmless(page: &str, texts: usize) {
     assert!(!page.contains("\"></style>"), "{page}");
     let escaped = page.matches("&lt;script&gt;alert(1)").count();
     assert!(escaped >= texts, "{escaped} of {texts} texts in {page}");
+}
+
+/// The same of a page with scripts: these are the program's own, named in its policy, and its data are
+/// JSON whose strings hold `data` of the texts.
+fn harmless_page(page: &str, texts: usize, data: usize) {
+    let (mut markup, own) = html::page::tests::markup(page);
+    assert!(own >= 1);
+    const OPEN: &str = "<script type=\"application/json\" id=";
+    let mut held = 0;
+    while let Some(start) = markup.find(OPEN) {
+        let inner = start + markup[start..].find('>').unwrap() + 1;
+        let end = inner + markup[inner..].find("</script>").unwrap();
+        let value: serde_json::Value = serde_json::from_str(&markup[inner..end]).unwrap();
+        held += hostile_strings(&value);
+        markup.replace_range(start..end + "</script>".len(), "");
+    }
+    assert!(held >= data, "{held} of {data} texts in the data");
+    harmless(&markup, texts);
+}
+
+fn hostile_strings(value: &serde_json::Value) -> usize {
+    match value {
+        serde_json::Value::String(s) => usize::from(s.contains(HOSTILE)),
+        serde_json::Value::Array(all) => all.iter().map(hostile_strings).sum(),
+        serde_json::Value::Object(all) => {
+            let keys = all.keys().filter(|k| k.contains(HOSTILE)).count();
+            keys + all.values().map(hostile_strings).sum::<usize>()
+        }
+        _ => 0,
+    }
 }
 
 fn citation() -> Citation {
@@ -82,7 +113,7 @@ fn an_audit() {
     };
     let approximations = [Ok(convergence), Err(Uncertified::Undecided(HOSTILE.into()))];
     let page = html::audit::page(&[method()], Some(&approximations), false);
-    harmless(&page, 22);
+    harmless_page(&page, 22, 0);
     let xml = junit::document(&[method()]).unwrap();
     harmless(&xml, 7);
     quick_junit::Report::deserialize_from_str(&xml).unwrap();
@@ -119,7 +150,29 @@ fn a_paper() {
             (r.recomputed, r.note) = (HOSTILE.into(), Some(HOSTILE.into()));
         }
     }
-    harmless(&html::paper::page(&report), 40);
+    let motion = Motion {
+        name: HOSTILE,
+        crank_deg: vec![0.0, 180.0],
+        points: vec![
+            Point {
+                label: HOSTILE,
+                path: vec![[0.0, 0.0]],
+            },
+            Point {
+                label: HOSTILE,
+                path: vec![[1.0, 0.0], [-1.0, 0.0]],
+            },
+        ],
+        links: vec![[0, 1]],
+        plates: Vec::new(),
+        courses: vec![Course {
+            name: HOSTILE,
+            unit: HOSTILE,
+            variants: vec![(HOSTILE, vec![1.0, f64::NAN])],
+            printed: Vec::new(),
+        }],
+    };
+    harmless_page(&html::paper::page(&report, Some(&motion)), 60, 6);
 }
 
 #[test]
@@ -143,7 +196,7 @@ fn a_ledger() {
             (edit.before, edit.after) = (HOSTILE.into(), HOSTILE.into());
         }
     }
-    harmless(&html::ledger::page(&ledger), 25);
+    harmless_page(&html::ledger::page(&ledger), 25, 0);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The report of an audit as one page without outside parts.
 
-use super::page::{class, document, verdict};
+use super::page::{Page, class, verdict};
 use super::style::AUDIT_CSS;
 use super::{convergence, plots};
 use crate::audit::{
@@ -45,7 +45,18 @@ pub fn page(
              unrounded reference; u is 2" sup { "-53" } "; worst found is the largest of a sample."
         } "\n"
     };
-    document(&format!("{title}: {word}"), AUDIT_CSS, &body)
+    let page = Page {
+        title: &format!("{title}: {word}"),
+        kind: "audit",
+        styles: &[AUDIT_CSS],
+        contents: html! {
+            @for r in reports { li { a href={ "#" (r.method) } { (r.method) } } "\n" }
+        },
+        main: body,
+        data: &[],
+        scripts: &[],
+    };
+    page.write()
 }
 
 /// What is over budget, and laws that do not hold.

@@ -1,10 +1,13 @@
 //! Pages without outside parts, for light and dark, for desk and phone.
 
+mod assets;
 pub mod audit;
 mod convergence;
 pub mod ledger;
-mod page;
+mod motion;
+pub(crate) mod page;
 pub mod paper;
 mod plots;
 mod prose;
+mod spark;
 mod style;
