@@ -115,6 +115,14 @@ const mechaudit = (() => {
     setTimeout(() => (button.textContent = name), 1500);
   }
 
+  // What scrolls sideways can be reached by keyboard, and only that.
+  function reachable() {
+    for (const e of all(".scroll, .formula, .ob, .pair > div, pre")) {
+      if (e.scrollWidth > e.clientWidth || e.scrollHeight > e.clientHeight + 1) e.tabIndex = 0;
+      else e.removeAttribute("tabindex");
+    }
+  }
+
   function start() {
     theme(document.getElementById("theme"));
     all(".filter[data-of]").forEach(filter);
@@ -125,6 +133,9 @@ const mechaudit = (() => {
     });
     // On paper nothing is folded.
     addEventListener("beforeprint", () => all("details").forEach((d) => (d.open = true)));
+    reachable();
+    addEventListener("resize", reachable);
+    addEventListener("toggle", reachable, true);
     const contents = document.querySelector(".toc details");
     if (contents && matchMedia("(max-width: 64rem)").matches) contents.open = false;
   }
