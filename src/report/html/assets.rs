@@ -8,11 +8,19 @@ use sha2::{Digest, Sha256};
 pub const FRAME_CSS: &str = include_str!("assets/frame.css");
 /// Of papers and ledgers.
 pub const PAPER_CSS: &str = include_str!("assets/paper.css");
+/// Of audits.
+pub const AUDIT_CSS: &str = include_str!("assets/audit.css");
 
 /// Of every page: colour scheme, filters, sorting, copying.
 pub const FRAME_JS: &str = include_str!("assets/frame.js");
 /// The mechanism in motion.
 pub const MOTION_JS: &str = include_str!("assets/motion.js");
+/// Histograms and errors against inputs.
+pub const FIGURES_JS: &str = include_str!("assets/figures.js");
+/// Error maps.
+pub const MAP_JS: &str = include_str!("assets/map.js");
+/// An audit's figures where they come into view, and the dialog of a case.
+pub const AUDIT_JS: &str = include_str!("assets/audit.js");
 /// D3, on which Observable Plot is built.
 pub const D3_JS: &str = include_str!("assets/d3.min.js");
 /// Observable Plot: scales, axes and marks as SVG.
@@ -46,7 +54,9 @@ mod tests {
 
     #[test]
     fn no_script_ends_its_element() {
-        for script in [FRAME_JS, MOTION_JS, D3_JS, PLOT_JS] {
+        for script in [
+            FRAME_JS, MOTION_JS, FIGURES_JS, MAP_JS, AUDIT_JS, D3_JS, PLOT_JS,
+        ] {
             assert!(!script.contains("</script") && !script.contains("<!--"));
         }
     }

@@ -10,4 +10,3 @@ pub mod paper;
 mod plots;
 mod prose;
 mod spark;
-mod style;

@@ -2,7 +2,7 @@
 
 mod printed;
 
-use super::assets::{D3_JS, MOTION_JS, PLOT_JS};
+use super::assets::{D3_JS, FIGURES_JS, MOTION_JS, PLOT_JS};
 use super::page::{AboutPaper, class, counted, entry_of_contents, filter};
 use super::prose::{math, prose};
 use super::{motion, spark};
@@ -20,7 +20,7 @@ pub fn page(report: &PaperReport, moving: Option<&Motion>) -> String {
     let (data, scripts) = match moving {
         Some(m) => (
             vec![("motion-data", motion::data(m))],
-            &[D3_JS, PLOT_JS, MOTION_JS][..],
+            &[D3_JS, PLOT_JS, FIGURES_JS, MOTION_JS][..],
         ),
         None => (Vec::new(), &[][..]),
     };

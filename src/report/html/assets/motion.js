@@ -24,10 +24,9 @@ document.addEventListener("DOMContentLoaded", () => {
         values.map((value, k) => ({ deg: motion.crank_deg[k], value })));
       const line = (data, extra) => Plot.line(data, { x: "deg", y: "value", ...extra });
       const last = i + 1 === motion.courses.length;
-      const chart = Plot.plot({
+      const chart = figures.plot({
         width, height: last ? 190 : 165, marginLeft: 60, marginBottom: last ? 36 : 22,
-        ariaLabel: `${course.name} over the crank angle`,
-        style: { background: "transparent", fontSize: "12px", overflow: "visible" },
+        label: `${course.name} over the crank angle`,
         x: { label: last ? "crank angle φ1, degrees" : null, ticks: Math.floor(width / 70) },
         y: { label: `${course.name}, ${course.unit}`, grid: true, nice: true },
         marks: [
