@@ -3,11 +3,11 @@
 use super::svg::{chirp, reduced, run_up, scene};
 use super::{html, junit, text};
 use crate::audit::{
-    Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput, MethodReport, Origin, Uncertified,
-    Verdict,
+    BranchAt, CandidateReport, Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput,
+    MethodReport, Origin, Point, Uncertified, Verdict,
 };
 use crate::papers::ledger::{Formula, Ledger};
-use crate::papers::motion::{Course, Motion, Point};
+use crate::papers::motion::{Course, Motion, Point as Joint};
 use crate::papers::{Citation, PaperReport};
 
 /// Ends an element, an attribute between quotes of either kind, and begins a script.
@@ -70,8 +70,31 @@ fn method() -> MethodReport {
         origin: Origin::CheckPoint { name: HOSTILE },
     };
     (report.method, report.summary, report.source) = (HOSTILE, HOSTILE, HOSTILE);
-    report.outputs[0].name = HOSTILE;
-    report.outputs[0].worst = Some(case.clone());
+    for region in report.regions.iter_mut().chain([&mut report.total]) {
+        (region.name, region.description) = (HOSTILE, HOSTILE);
+        region.worst = Some(case.clone());
+        region.outputs[0].name = HOSTILE;
+        region.outputs[0].worst = Some(case.clone());
+        for octave in &mut region.outputs[0].histogram {
+            octave.worst = case.clone();
+        }
+    }
+    report.candidate = Some(CandidateReport {
+        name: HOSTILE.into(),
+        version: Some(HOSTILE.into()),
+        command: Some("./candidate".into()),
+        answered: 1,
+        trouble: Some(HOSTILE.into()),
+    });
+    report.inputs = vec![(HOSTILE, 0)];
+    report.budgets[0].name = HOSTILE;
+    report.reproduce.head = HOSTILE.into();
+    report.points = vec![Point {
+        case: case.clone(),
+        verdict: Verdict::Pass,
+        ulps: vec![f64::INFINITY],
+        of_budget: f64::NAN,
+    }];
     let law = &mut report.laws[0];
     (law.name, law.statement, law.worst) = (HOSTILE, HOSTILE, 2.0);
     let failure = &mut report.failures[0];
@@ -80,6 +103,13 @@ fn method() -> MethodReport {
     failure.judgement.reason = Some(HOSTILE.into());
     failure.judgement.components[0].output = HOSTILE;
     failure.reference = vec![Some(HOSTILE.into())];
+    failure.branch = Some(BranchAt {
+        branch: Some(HOSTILE.into()),
+        seam: HOSTILE.into(),
+        distance: 0.0,
+    });
+    report.worst = vec![failure.clone()];
+    report.wrong = vec![failure.clone()];
     report.map = Some(ErrorMap {
         columns: 1,
         rows: 1,
@@ -113,7 +143,7 @@ fn an_audit() {
     };
     let approximations = [Ok(convergence), Err(Uncertified::Undecided(HOSTILE.into()))];
     let page = html::audit::page(&[method()], Some(&approximations), false);
-    harmless_page(&page, 22, 0);
+    harmless_page(&page, 60, 12);
     let xml = junit::document(&[method()]).unwrap();
     harmless(&xml, 7);
     quick_junit::Report::deserialize_from_str(&xml).unwrap();
@@ -154,11 +184,11 @@ fn a_paper() {
         name: HOSTILE,
         crank_deg: vec![0.0, 180.0],
         points: vec![
-            Point {
+            Joint {
                 label: HOSTILE,
                 path: vec![[0.0, 0.0]],
             },
-            Point {
+            Joint {
                 label: HOSTILE,
                 path: vec![[1.0, 0.0], [-1.0, 0.0]],
             },

@@ -7,6 +7,7 @@ from its Python package, which brings its own driver: no Node.js has to be insta
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -16,8 +17,14 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ.get("MECHAUDIT", str(ROOT / "target/release/mechaudit"))
 BROWSER = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
 
+# A candidate that is wrong in many ways: a series with too few terms, NaN, refusals, a name to be escaped.
+BAD = ROOT / "tests/browser/bad_w.py"
+
 # What the program is asked for each page, and the exit codes that are no accident.
 PAGES = {
+    "audit": (["audit", "--cases", "4"], [0]),
+    "method": (["audit", "faddeeva", "--cases", "20"], [0]),
+    "candidate": (["audit", "faddeeva", "--cases", "20", "--exec", f"{sys.executable} {BAD}"], [1]),
     "paper": (["paper", "zinchenko"], [0]),
     "plain-paper": (["paper", "gembara-senyk"], [0]),
     "ledger": (["paper", "zinchenko", "--ledger"], [0]),
@@ -32,7 +39,7 @@ def written(tmp_path_factory):
     paths = {}
     for name, (arguments, codes) in PAGES.items():
         paths[name] = folder / f"{name}.html"
-        command = [PROGRAM, *arguments, "--format", "html", "--output", str(paths[name])]
+        command = [PROGRAM, *arguments, "--format", "html", "--output", paths[name]]
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
         assert done.returncode in codes, f"{command}: {done.returncode}\n{done.stderr}"
     return paths

@@ -32,7 +32,8 @@ pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
         points.collect::<Vec<String>>().join(" ")
     };
     html! {
-        svg viewBox={ "0 0 " (W + 60.0) " " (H + 34.0) } role="img" {
+        svg viewBox={ "0 0 " (W + 60.0) " " (H + 34.0) } role="img"
+            aria-label="error against work, both logarithmic" {
             @for e in (y0 as i32..=y1 as i32).filter(|e| e % every == 0) {
                 @let y = py(f64::from(e));
                 path.grid d={ "M46 " (tenths(y)) "h" (W) } {}
