@@ -8,6 +8,7 @@ mod common;
 mod dyad;
 mod eval;
 mod eval_chirp;
+mod examples;
 mod hunt;
 mod interrupt;
 #[cfg(unix)]
