@@ -1,10 +1,11 @@
 //! No text of a report becomes markup, whatever it says.
 
+use super::baseline::{Change, Changes};
 use super::svg::{chirp, reduced, run_up, scene};
 use super::{html, junit, text};
 use crate::audit::{
-    BranchAt, CandidateReport, Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput,
-    MethodReport, Origin, Point, Uncertified, Verdict,
+    BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, LevelReport,
+    MapOutput, MethodReport, Origin, Point, Uncertified, Verdict,
 };
 use crate::papers::ledger::{Formula, Ledger};
 use crate::papers::motion::{Course, Motion, Point as Joint};
@@ -141,9 +142,24 @@ fn an_audit() {
         fitted: vec![None],
         levels: vec![level],
     };
+    let changes = Changes {
+        changes: vec![Change {
+            of: HOSTILE.into(),
+            region: HOSTILE.into(),
+            output: Some(HOSTILE.into()),
+            figure: HOSTILE,
+            before: 0.0,
+            now: f64::INFINITY,
+            better: false,
+        }],
+        not_compared: vec![HOSTILE.into()],
+    };
     let approximations = [Ok(convergence), Err(Uncertified::Undecided(HOSTILE.into()))];
-    let page = html::audit::page(&[method()], Some(&approximations), false);
-    harmless_page(&page, 60, 12);
+    let page = html::audit::page(&[method()], Some(&approximations), Some(&changes), false);
+    harmless_page(&page, 66, 12);
+    let speed = None;
+    let found = Comparison::new(HOSTILE, vec![(method(), speed), (method(), speed)]);
+    harmless_page(&html::audit::comparison(&found, None), 120, 24);
     let xml = junit::document(&[method()]).unwrap();
     harmless(&xml, 7);
     quick_junit::Report::deserialize_from_str(&xml).unwrap();

@@ -25,6 +25,10 @@ PAGES = {
     "audit": (["audit", "--cases", "4"], [0]),
     "method": (["audit", "faddeeva", "--cases", "20"], [0]),
     "candidate": (["audit", "faddeeva", "--cases", "20", "--exec", f"{sys.executable} {BAD}"], [1]),
+    "comparison": (
+        ["compare", "faddeeva", "--cases", "10", "--with", "ours", "--exec", f"{sys.executable} {BAD}"],
+        [1],
+    ),
     "paper": (["paper", "zinchenko"], [0]),
     "plain-paper": (["paper", "gembara-senyk"], [0]),
     "ledger": (["paper", "zinchenko", "--ledger"], [0]),

@@ -162,3 +162,17 @@ def test_dialog_fits(visit, width):
     box = dialog(page).bounding_box()
     assert box["x"] >= 0 and box["x"] + box["width"] <= width
     assert page.evaluate("document.getElementById('case').scrollWidth <= document.getElementById('case').clientWidth")
+
+
+def test_comparison(visit):
+    page = visit("comparison")
+    rows = page.locator("#comparison-table tbody tr")
+    assert rows.count() > 20 and "★" in rows.first.inner_text()
+    page.locator("#comparison-table th", has_text="ours").locator("button").click()
+    head = page.locator("#comparison-table th[aria-sort=ascending]")
+    assert head.count() == 1
+    page.locator("section.method").nth(0).locator("button.open").first.click()
+    assert "--exec" in command(page)
+    page.keyboard.press("Escape")
+    page.locator("section.method").nth(1).locator("button.open").first.click()
+    assert "--exec" not in command(page)

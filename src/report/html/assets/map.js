@@ -21,8 +21,7 @@ const errorMap = (() => {
   }
 
   // Where two neighbours differ, the edge between them.
-  function outlines(map) {
-    const [, cells] = map.branches;
+  function outlines(map, cells) {
     const [left, below] = map.corner;
     const at = (c, r) => [left + c * map.side, below + r * map.side];
     const edges = [];
@@ -41,6 +40,7 @@ const errorMap = (() => {
     const [name, cells] = map.outputs[k];
     const [left, below] = map.corner;
     const [right, above] = [left + map.columns * map.side, below + map.rows * map.side];
+    const formulas = map.branches && map.branches[1].flatMap(([k, n]) => Array(n).fill(k));
     const levels = [...cells].map((c) => map.levels.indexOf(c));
     const inside = ([x, y]) => x > left && x < right && y > below && y < above;
     const places = (numbers) => numbers.map((n) => method.cases[n][3]).filter(inside);
@@ -59,7 +59,7 @@ const errorMap = (() => {
         Plot.raster(levels, { width: map.columns, height: map.rows, x1: left, x2: right, y1: below, y2: above,
           fill: (n) => colour(map.ends[n]), imageRendering: "pixelated" }),
         Plot.ruleX([0], { stroke: "#fff", strokeOpacity: 0.5 }), Plot.ruleY([0], { stroke: "#fff", strokeOpacity: 0.5 }),
-        ...(map.branches ? [Plot.link(outlines(map), { x1: "0", y1: "1", x2: "2", y2: "3", stroke: "#fff", strokeWidth: 1.4, className: "layer-branches" })] : []),
+        ...(map.branches ? [Plot.link(outlines(map, formulas), { x1: "0", y1: "1", x2: "2", y2: "3", stroke: "#fff", strokeWidth: 1.4, className: "layer-branches" })] : []),
         ...layers.map(([, points], n) => ring(points, { r: 4, fill: "none", stroke: n ? "#fff" : "#000", strokeWidth: 1.6, className: `layer-${n}` })),
         ...layers.slice(0, 1).map(([, points]) => ring(points, { r: 5.5, fill: "none", stroke: "#fff", strokeWidth: 1.2, className: "layer-0" })),
       ],
@@ -70,7 +70,7 @@ const errorMap = (() => {
       const z = [map.at[0][i % map.columns], map.at[1][Math.floor(i / map.columns)]];
       const end = map.ends[n];
       const error = end === null ? "no number, or wrong in kind" : n + 1 === map.levels.length ? "1000 ulps and more" : `at most ${d3.format(".2~g")(end)} ulps`;
-      const formula = map.branches ? `, ${map.branches[0][map.levels.indexOf(map.branches[1][i])]}` : "";
+      const formula = map.branches ? `, ${map.branches[0][formulas[i]]}` : "";
       return { x: x.apply(z[0]), y: y.apply(z[1]), text: `z = ${z[0].toFixed(3)} ${z[1] < 0 ? "−" : "+"} ${Math.abs(z[1]).toFixed(3)}i: ${error}${formula}`,
         open: { point: z, error } };
     });

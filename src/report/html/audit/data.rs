@@ -9,11 +9,14 @@ use serde_json::Value;
 use std::collections::HashMap;
 
 /// Sampled points of a page over all methods.
-const POINTS: usize = 1500;
+const POINTS: usize = 1200;
 /// Cases of a page, over all methods, with all that is known of them besides the worst.
 const WHOLE: usize = 300;
-/// Numbers of an input that are kept for every case.
-const SHORT: usize = 8;
+/// Numbers of an input that are kept for every case, and those of an input or an answer for a whole case:
+/// on pages of few methods, and of many.
+const NUMBERS: [(usize, usize); 2] = [(8, 24), (4, 12)];
+/// So many methods are few.
+const FEW: usize = 3;
 
 /// The page's data.
 #[derive(Serialize)]
@@ -67,11 +70,14 @@ struct Book {
     #[serde(skip)]
     numbers: HashMap<String, usize>,
     regions: Vec<String>,
+    #[serde(skip)]
+    most: (usize, usize),
 }
 
 impl Book {
-    fn new(report: &MethodReport) -> Book {
+    fn new(report: &MethodReport, most: (usize, usize)) -> Book {
         Book {
+            most,
             regions: report.regions.iter().map(|r| r.name.to_string()).collect(),
             ..Book::default()
         }
@@ -93,9 +99,9 @@ impl Book {
             self.regions.push(case.region.to_string());
             self.regions.len() - 1
         });
-        let input = match case.input.len() {
-            0..=SHORT => case.input.iter().map(number).collect(),
-            _ => Vec::new(),
+        let input = match case.input.len() <= self.most.0 {
+            true => case.input.iter().map(number).collect(),
+            false => Vec::new(),
         };
         self.cases
             .push(Entry(region, head, last.to_string(), input, None));
@@ -107,7 +113,7 @@ impl Book {
         let number = self.number(&report.case);
         if self.cases[number].4.is_none() {
             self.cases[number].4 = Some(self.whole.len());
-            self.whole.push(Whole::of(report));
+            self.whole.push(Whole::of(report, self.most.1));
         }
     }
 }
@@ -128,11 +134,14 @@ fn rounded(x: f64) -> Option<f64> {
 
 impl<'a> Data<'a> {
     /// Of these reports; with fewer sampled points each, the more there are.
-    pub fn of(reports: &'a [MethodReport]) -> Data<'a> {
-        let regions: usize = reports.iter().map(|r| r.regions.len()).sum();
+    pub fn of(reports: &[(&'a str, &'a MethodReport)]) -> Data<'a> {
+        let regions: usize = reports.iter().map(|r| r.1.regions.len()).sum();
         let points = (POINTS / regions.max(1)).max(3);
         let whole = WHOLE / reports.len().max(1);
-        let methods = reports.iter().map(|r| of_method(r, points, whole));
+        let most = NUMBERS[usize::from(reports.len() > FEW)];
+        let methods = reports
+            .iter()
+            .map(|(name, r)| of_method(name, r, points, whole, most));
         Data {
             methods: methods.collect(),
         }
@@ -158,8 +167,8 @@ impl<'a> Data<'a> {
     }
 }
 
-fn of_method(r: &MethodReport, points: usize, whole: usize) -> OfMethod<'_> {
-    let mut book = Book::new(r);
+fn of_method<'a>(name: &'a str, r: &'a MethodReport, points: usize, whole: usize) -> OfMethod<'a> {
+    let mut book = Book::new(r, most);
     for c in r
         .wrong
         .iter()
@@ -191,7 +200,7 @@ fn of_method(r: &MethodReport, points: usize, whole: usize) -> OfMethod<'_> {
     let outputs = outputs.collect();
     let points = thinned(&r.points, points).map(|p| {
         let case = book.number(&p.case);
-        let short = p.case.input.len() <= SHORT;
+        let short = p.case.input.len() <= most.0;
         let along = r.inputs.iter().filter(|_| !short);
         OfPoint(
             case,
@@ -207,7 +216,7 @@ fn of_method(r: &MethodReport, points: usize, whole: usize) -> OfMethod<'_> {
         (word, those.map(|(k, _)| k).collect())
     };
     OfMethod {
-        name: r.method,
+        name,
         command: [&r.reproduce.head, &r.reproduce.tail],
         marks: ["zero", "seam"]
             .map(beside)

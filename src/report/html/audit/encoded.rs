@@ -23,8 +23,8 @@ pub struct Map<'a> {
     /// Upper end of each level in ulps; nothing for "no number".
     ends: Vec<Option<f64>>,
     levels: &'a str,
-    /// The formula of each cell, where the method tells.
-    branches: Option<(Vec<String>, String)>,
+    /// The formula of each cell, where the method tells: names, then runs of cells.
+    branches: Option<(Vec<String>, Vec<(usize, usize)>)>,
 }
 
 fn level(ulps: f64) -> usize {
@@ -68,11 +68,11 @@ impl<'a> Map<'a> {
     }
 }
 
-/// The formula at the point of each cell.
-fn branches(map: &ErrorMap, method: &str) -> Option<(Vec<String>, String)> {
+/// The formula at the point of each cell: the number of a name and how many cells have it.
+fn branches(map: &ErrorMap, method: &str) -> Option<(Vec<String>, Vec<(usize, usize)>)> {
     let method = crate::methods::find(method)?;
     let mut names: Vec<String> = Vec::new();
-    let mut cells = String::new();
+    let mut runs: Vec<(usize, usize)> = Vec::new();
     for row in 0..map.rows {
         for column in 0..map.columns {
             let name = method.branch(&map.at(column, row))?.branch?;
@@ -81,10 +81,13 @@ fn branches(map: &ErrorMap, method: &str) -> Option<(Vec<String>, String)> {
                 names.push(name);
                 names.len() - 1
             });
-            cells.push(char::from(*LEVELS.as_bytes().get(k)?));
+            match runs.last_mut() {
+                Some((of, n)) if *of == k => *n += 1,
+                _ => runs.push((k, 1)),
+            }
         }
     }
-    Some((names, cells))
+    Some((names, runs))
 }
 
 #[cfg(test)]

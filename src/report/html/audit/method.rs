@@ -15,11 +15,11 @@ use maud::{Markup, html};
 const FAILURES_SHOWN: usize = 20;
 
 /// The section; with all statistics where there is room for them.
-pub fn section(k: usize, r: &MethodReport, data: &Data, full: bool) -> Markup {
+pub fn section(k: usize, name: &str, r: &MethodReport, data: &Data, full: bool) -> Markup {
     let left = r.failures.len().saturating_sub(FAILURES_SHOWN) as u64 + r.failures_left_out;
     html! {
         section.method data-m=(k) { "\n"
-            h2 id=(anchor(k)) { (r.method) " " (word(r)) } "\n"
+            h2 id=(anchor(k)) { (name) " " (word(r)) } "\n"
             p { (r.summary) } "\n"
             @if let Some(c) = &r.candidate {
                 p { b { (candidate(c)) } } "\n"

@@ -21,7 +21,7 @@ pub fn heat(failed: bool, share: f64) -> &'static str {
 }
 
 /// A share of the budget in at most five characters.
-fn brief(share: f64) -> String {
+pub fn brief(share: f64) -> String {
     match share {
         s if s.is_nan() => "–".into(),
         s if s < 9.995 => format!("{:.0} %", 100.0 * s),
@@ -50,7 +50,7 @@ pub fn spoken(region: &RegionReport) -> String {
 }
 
 /// A line for each method, a cell for each of its regions.
-pub fn table(reports: &[MethodReport], data: &Data) -> Markup {
+pub fn table(reports: &[&MethodReport], data: &Data) -> Markup {
     html! {
         section { "\n"
             h2 #overview { "Overview" } "\n"

@@ -5,9 +5,6 @@ use crate::report::words::audit::of_case;
 use crate::report::words::numbers::{percent, short, unit};
 use serde::Serialize;
 
-/// Numbers of an input or an answer that are written out.
-const MOST: usize = 24;
-
 /// A case, written out.
 #[derive(Serialize)]
 pub struct Whole {
@@ -27,8 +24,8 @@ pub struct Whole {
 }
 
 impl Whole {
-    /// Of a judged case.
-    pub fn of(report: &CaseReport) -> Whole {
+    /// Of a judged case, with at most so many numbers of its input and of its answer.
+    pub fn of(report: &CaseReport, most: usize) -> Whole {
         let (verdict, tone) = of_case(report.judgement.verdict);
         let got = match &report.answer {
             Some(SolverAnswer::Values(v)) => &v[..],
@@ -40,13 +37,13 @@ impl Whole {
             None | Some(SolverAnswer::Unanswered(_)) => Some("no answer".into()),
             Some(refusal) => Some(format!("refusal: {}", refusal.refusal().unwrap_or(""))),
         };
-        let left_out = [report.case.input.len(), got.len()].map(|n| n.saturating_sub(MOST));
+        let left_out = [report.case.input.len(), got.len()].map(|n| n.saturating_sub(most));
         Whole {
             verdict,
             tone: crate::report::html::page::class(tone),
             reason: report.judgement.reason.clone(),
-            input: input(report),
-            values: values(report, got),
+            input: input(report, most),
+            values: values(report, got, most),
             answer,
             proof: report.proof.map(|p| match p {
                 Proof::Exact => "exact arithmetic",
@@ -65,12 +62,12 @@ impl Whole {
     }
 }
 
-fn input(report: &CaseReport) -> Vec<[String; 4]> {
+fn input(report: &CaseReport, most: usize) -> Vec<[String; 4]> {
     let case = &report.case;
     let method = crate::methods::find(case.method);
     let names = method.map(|m| Layout::new(&*m).names(&case.input));
     let names = names.unwrap_or_default();
-    let numbers = case.input.iter().enumerate().take(MOST);
+    let numbers = case.input.iter().enumerate().take(most);
     let row = |(k, x): (usize, &f64)| {
         let (name, of) = names.get(k).cloned().unwrap_or_default();
         [name, unit(of), format!("{x:?}"), hex_float(*x)]
@@ -78,8 +75,8 @@ fn input(report: &CaseReport) -> Vec<[String; 4]> {
     numbers.map(row).collect()
 }
 
-fn values(report: &CaseReport, got: &[f64]) -> Vec<[String; 8]> {
-    let judged = report.judgement.components.iter().enumerate().take(MOST);
+fn values(report: &CaseReport, got: &[f64], most: usize) -> Vec<[String; 8]> {
+    let judged = report.judgement.components.iter().enumerate().take(most);
     let some = |x: f64| match x.is_nan() {
         true => "–".to_string(),
         false => short(x),
