@@ -10,7 +10,7 @@ mod whole;
 use super::assets::{AUDIT_CSS, AUDIT_JS, D3_JS, FIGURES_JS, MAP_JS, PLOT_JS};
 use super::page::{Page, class, verdict};
 use super::{convergence, page::entry_of_contents};
-use crate::audit::{Comparison, ConvergenceReport, MethodReport};
+use crate::audit::{Comparison, ConvergenceReport, MethodReport, Uncertified};
 use crate::report::baseline::Changes;
 use crate::report::words::Tone;
 use crate::report::words::audit::{all_pass, holds, settings, totals, verdict as of_method};
@@ -22,7 +22,7 @@ use maud::{Markup, html};
 /// `interrupted` if the run was ended early.
 pub fn page(
     reports: &[MethodReport],
-    approximations: Option<&[Result<ConvergenceReport, String>]>,
+    approximations: Option<&[Result<ConvergenceReport, Uncertified>]>,
     changes: Option<&Changes>,
     interrupted: bool,
 ) -> String {
@@ -77,7 +77,7 @@ struct Parts<'a> {
     first: Markup,
     totals: String,
     changes: Option<&'a Changes>,
-    approximations: Option<&'a [Result<ConvergenceReport, String>]>,
+    approximations: Option<&'a [Result<ConvergenceReport, Uncertified>]>,
     /// Whether all pass; nothing if the run was ended early.
     state: Option<bool>,
 }
