@@ -27,6 +27,7 @@ mod run_up_witness;
 mod solver_values_written;
 #[cfg(feature = "oracle")]
 mod swept_peak;
+mod voigt_hwhm;
 #[cfg(feature = "oracle")]
 mod zinchenko;
 

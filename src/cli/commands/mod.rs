@@ -2,7 +2,9 @@
 
 pub mod audit;
 pub mod chirp;
+pub mod compare;
 pub mod converge;
+pub mod describe;
 pub mod eval;
 pub mod hunt;
 pub mod judge;
