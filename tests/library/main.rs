@@ -27,5 +27,6 @@ mod run_up_witness;
 mod solver_values_written;
 #[cfg(feature = "oracle")]
 mod swept_peak;
+mod voigt_hwhm;
 #[cfg(feature = "oracle")]
 mod zinchenko;

@@ -122,7 +122,8 @@ mod planted {
             ..Settings::default()
         };
         let names = ["erf", "erfc", "erfcx", "erfi", "dawson", "voigt"];
-        for name in names.into_iter().chain(["faddeeva-derivative"]) {
+        let more = ["faddeeva-derivative", "voigt-hwhm"];
+        for name in names.into_iter().chain(more) {
             for (what, fault) in faults {
                 let method = methods::find(name).unwrap();
                 let report = audit_method(&faulty(&*method, fault), &settings, &|| ());

@@ -3,7 +3,9 @@
 mod faddeeva;
 mod relatives;
 mod voigt;
+mod voigt_hwhm;
 
 pub use faddeeva::{ComplexInput, Faddeeva};
 pub use relatives::{Dawson, Erf, Erfc, Erfcx, Erfi, FaddeevaDerivative};
 pub use voigt::{Voigt, VoigtInput};
+pub use voigt_hwhm::{VoigtHwhm, VoigtHwhmInput};

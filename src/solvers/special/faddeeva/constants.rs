@@ -19,5 +19,7 @@ pub(super) const INV_SQRT_PI: Dd = Dd::new(0.5641895835477563, 7.66772980658294e
 pub(super) const INV_SQRT_2: Dd = Dd::new(0.7071067811865476, -4.833646656726457e-17);
 /// 1/√(2π).
 pub(super) const INV_SQRT_2_PI: Dd = Dd::new(0.3989422804014327, -2.49232720227773e-17);
+/// √(ln 2).
+pub(super) const SQRT_LN_2: Dd = Dd::new(0.8325546111576978, -4.2875407321628104e-17);
 /// 1/π.
 pub(super) const INV_PI: Dd = Dd::new(0.3183098861837907, -1.9678676675182486e-17);
