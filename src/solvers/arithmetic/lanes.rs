@@ -54,7 +54,21 @@ pub(crate) fn with_best<T: Task>(task: T) -> T::Output {
         None => return x86::first(task),
         Some(None) => (),
     }
+    plain(task)
+}
+
+/// Runs the task where the processor has no vectors of four numbers.
+#[cfg(not(all(target_feature = "avx2", target_feature = "fma")))]
+#[inline(always)]
+fn plain<T: Task>(task: T) -> T::Output {
     Plain.run(task)
+}
+
+/// Code for such processors alone has no other: half of its size would be for processors it does not run on.
+#[cfg(all(target_feature = "avx2", target_feature = "fma"))]
+#[cold]
+fn plain<T: Task>(_: T) -> T::Output {
+    panic!("compiled for AVX2 and FMA, which this processor does not have");
 }
 
 /// Arrays.
@@ -125,7 +139,7 @@ impl Lanes for Plain {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Lanes, Plain, Task, Vectors};
+    use super::{Lanes, Task, Vectors};
     use crate::pack::Pack;
     use pulp::x86::V3;
     use pulp::{NullaryFnOnce, cast, f64x4};
@@ -141,7 +155,7 @@ mod x86 {
     pub(crate) fn first<T: Task>(task: T) -> T::Output {
         match BEST.get_or_init(V3::try_new) {
             Some(v) => v.call(task),
-            None => Plain.run(task),
+            None => super::plain(task),
         }
     }
 

@@ -2,8 +2,8 @@
 //!
 //! Made by `mechaudit regenerate faddeeva-constants` (mechaudit 0.1.0); not to be edited.
 //! precision: every rounding decided at 256 to 8192 bits
-//! SHA-256 of the recipe: 20c10cabbbef0170aa9850b0b844d6ad800043532fdbe24f526fe549b735ff81
-//! SHA-256 of all lines below: b33c50c49fe51356cc0608849a582cb88580aafb1561141e403de94f17ed3752
+//! SHA-256 of the recipe: 2f9c0b3fe854de29758a53da58119475b156a5699879415a7acac60f7375fb3d
+//! SHA-256 of all lines below: daf320da02da5693800f0f97b70174f9067436047789e46d4870b28e91b87d55
 
 #![allow(clippy::approx_constant)]
 
