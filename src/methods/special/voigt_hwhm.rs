@@ -43,7 +43,8 @@ impl Definition for VoigtHwhm {
             unit: "1",
             budget: Budget::new(
                 Limit::Ulps(1.0),
-                "half an ulp for the last rounding; the rest for Re W at two points, known to a few \
+                "half an ulp for the last rounding, a quarter more where a subnormal value is rounded twice; the \
+                 rest for Re W at two points, known to a few \
                  hundredths before it is rounded, which the slope there carries over at most once into x \
                  (0.72 times for gamma = 0, once for sigma = 0)",
             ),
