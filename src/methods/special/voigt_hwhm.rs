@@ -5,9 +5,10 @@ use super::faddeeva::regions::beside;
 use super::relatives::laws::{U, same};
 use crate::audit::{
     Budget, CheckPoint, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer, Region,
+    Uncertified,
 };
-use crate::methods::common::{held, region};
-use crate::methods::definition::{Definition, Uncertified};
+use crate::methods::common::{held, output, point, region};
+use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{self as reference, Scaled};
 use crate::solvers::faddeeva::{voigt, voigt_hwhm};
@@ -38,17 +39,13 @@ impl Definition for VoigtHwhm {
     const SOURCE: &'static str = "DLMF 7.19.1 in other units; V(x) = V(0)/2";
 
     fn outputs() -> Vec<Output> {
-        vec![Output {
-            name: "x",
-            unit: "1",
-            budget: Budget::new(
-                Limit::Ulps(1.0),
-                "half an ulp for the last rounding, a quarter more where a subnormal value is rounded twice; the \
-                 rest for Re W at two points, known to a few \
-                 hundredths before it is rounded, which the slope there carries over at most once into x \
-                 (0.72 times for gamma = 0, once for sigma = 0)",
-            ),
-        }]
+        let budget = Budget::new(
+            Limit::Ulps(1.0),
+            "half an ulp for the last rounding, a quarter more where a subnormal value is rounded twice; \
+             the rest for Re W at two points, known to a few hundredths before it is rounded, which the \
+             slope there carries over at most once into x (0.72 times for gamma = 0, once for sigma = 0)",
+        );
+        vec![output("x", "1", budget)]
     }
 
     fn domain() -> Domain {
@@ -62,20 +59,16 @@ impl Definition for VoigtHwhm {
         Ok(vec![voigt_hwhm(i.sigma, i.gamma)])
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         if *i.sigma < 0 || *i.gamma < 0 {
-            return ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact);
+            return Ok(ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact));
         }
-        match reference::voigt_hwhm(i.sigma, i.gamma, asked(bits)) {
-            Ok(x) => ReferenceAnswer::Dues(
-                vec![Due::Number(x)],
-                Proof::Bounded(
-                    "V - V(0)/2 falls and changes its sign between two floats, by balls \
-                     (reference::faddeeva::voigt_hwhm)",
-                ),
-            ),
-            Err(e) => ReferenceAnswer::Undecided(e.to_string()),
-        }
+        let x = reference::voigt_hwhm(i.sigma, i.gamma, asked(bits))?;
+        let proof = Proof::Bounded(
+            "V - V(0)/2 falls and changes its sign between two floats, by balls \
+             (reference::faddeeva::voigt_hwhm)",
+        );
+        Ok(ReferenceAnswer::Dues(vec![Due::Number(x)], proof))
     }
 
     /// The width is at least that of either part.
@@ -249,7 +242,7 @@ fn regions() -> Vec<Region> {
 
 fn check_points() -> Vec<CheckPoint> {
     let (inf, nan, max, min) = (f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1));
-    let named = [
+    let named: [(_, [f64; 2]); 27] = [
         ("normal", [1.0, 0.0]),
         ("cauchy", [0.0, 1.0]),
         ("both", [1.0, 1.0]),
@@ -278,11 +271,5 @@ fn check_points() -> Vec<CheckPoint> {
         ("nan-gamma", [1.0, nan]),
         ("nan-and-infinite", [inf, nan]),
     ];
-    named
-        .into_iter()
-        .map(|(name, input)| CheckPoint {
-            name,
-            input: input.to_vec(),
-        })
-        .collect()
+    named.map(|(name, input)| point(name, input)).to_vec()
 }

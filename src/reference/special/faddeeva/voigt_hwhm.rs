@@ -24,7 +24,7 @@
 
 use super::argument::{Argument, Real};
 use super::choice::at;
-use super::pair::Kind;
+use super::pair::Member;
 use super::ziv::cap;
 use crate::{Ball, Undecided};
 use rug::ops::Pow;
@@ -49,7 +49,7 @@ impl Equation {
     fn new(y: Real, prec: u32) -> Option<Equation> {
         let near = y.ball(prec).mid().clone();
         let z = Argument::new(Real::Double(0.0), y.clone());
-        let [peak, _] = at(&z, Kind::W, prec)?;
+        let [peak, _] = at(&z, Member::W, prec)?;
         let peak = peak.to_ball();
         Some(Equation {
             y,
@@ -62,7 +62,7 @@ impl Equation {
     /// f(t), and Re w and Im w.
     fn value(&self, t: &Float) -> Option<(Ball, [Ball; 2])> {
         let z = Argument::new(Real::Float(t.clone()), self.y.clone());
-        let w = at(&z, Kind::W, self.prec)?.map(|part| part.to_ball());
+        let w = at(&z, Member::W, self.prec)?.map(|part| part.to_ball());
         Some((w[0].shift(1) - &self.peak, w))
     }
 
