@@ -1,4 +1,4 @@
-//! What the two sides answer.
+//! Answers of solver and reference.
 
 use super::due::Due;
 use mechaudit_reference::{Ball, Undecided};
@@ -147,8 +147,10 @@ pub enum SolverAnswer {
     /// A refusal of code that knows no names: in its own word, which has to be the reference's, or
     /// without any, which is right wherever the reference refuses.
     Declines(Option<String>),
-    /// No answer: what happened instead. Never a pass.
+    /// What came is no answer: it cannot be read, or the code panicked. Never a pass.
     Fails(String),
+    /// Nothing came, or not in time: what happened instead. Never a pass.
+    Unanswered(String),
 }
 
 impl SolverAnswer {

@@ -5,7 +5,7 @@
 //! error is twin less truth, the rounding error is value less twin. Bounds come from balls.
 
 use super::answer::{SolverAnswer, Uncertified};
-use super::ulp::distance;
+use super::ulp::{Format, distance};
 use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;
 
@@ -150,11 +150,11 @@ pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, Uncertif
                     .zip(beside_truth(&halved))
                     .and_then(|(whole, half)| ratio(whole, half, std::f64::consts::LN_2));
                 LevelError {
-                    total: largest(&|i| distance(values[i], &truth[i]).1),
+                    total: largest(&|i| distance(values[i], &truth[i], Format::Double).1),
                     method,
                     rounding: twin
                         .as_ref()
-                        .map(|t| largest(&|i| distance(values[i], &t[i]).1)),
+                        .map(|t| largest(&|i| distance(values[i], &t[i], Format::Double).1)),
                     order,
                     richardson: None,
                 }
@@ -225,7 +225,7 @@ fn ratio(old: f64, new: f64, step: f64) -> Option<f64> {
 fn failure(answer: &SolverAnswer) -> String {
     match answer {
         SolverAnswer::Values(_) => "a value is missing or not finite".into(),
-        SolverAnswer::Fails(why) => why.clone(),
+        SolverAnswer::Fails(why) | SolverAnswer::Unanswered(why) => why.clone(),
         other => other.refusal().unwrap_or("refused").into(),
     }
 }

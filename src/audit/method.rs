@@ -1,10 +1,12 @@
-//! What an audited method has to say about itself.
+//! The interface of an audited method.
 
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
 use super::hard::{HardCase, HardCaseError, HardCaseFault};
 use super::no_such::NoSuch;
+use super::sampling::Sampling;
+use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
 use rug::{Float, Rational};
 use serde::Serialize;
@@ -43,6 +45,17 @@ pub struct Rows {
     pub meaning: &'static str,
 }
 
+/// The formula by which a solver computes at an input, and the nearest place where another takes over.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BranchAt {
+    /// The formula, where it has a name.
+    pub branch: Option<String>,
+    /// The nearest seam: `|z|^2 = 48`.
+    pub seam: String,
+    /// The distance to it, in the unit of the inputs.
+    pub distance: f64,
+}
+
 /// An identity that the solver's own values have to satisfy.
 #[derive(Clone, Copy)]
 pub struct Law {
@@ -78,6 +91,10 @@ pub trait Method: Sync {
     }
     /// Where it is audited.
     fn domain(&self) -> Domain;
+    /// Where in it cases are drawn.
+    fn sampling(&self) -> Sampling {
+        Sampling::Domain
+    }
     /// Calls the code under test.
     fn solve(&self, input: &[f64]) -> SolverAnswer;
     /// The reference at a working precision of `bits`.
@@ -109,6 +126,22 @@ pub trait Method: Sync {
     /// tells rounding from the error of the method itself.
     fn twin(&self, _input: &[f64]) -> Option<Vec<Ball>> {
         None
+    }
+
+    /// The format of the numbers under test.
+    fn format(&self) -> Format {
+        Format::Double
+    }
+
+    /// By which of its formulas the method's own solver computes the values at `input`, and how far it is
+    /// to where another takes over; `None` where the solver does not say.
+    fn branch(&self, _input: &[f64]) -> Option<BranchAt> {
+        None
+    }
+
+    /// Whether number `j` of an input is data, which may take any value; if not, it counts or chooses.
+    fn is_data(&self, _j: usize) -> bool {
+        true
     }
 
     /// Hard cases found by earlier hunts, judged in every audit.

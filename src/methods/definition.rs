@@ -1,9 +1,9 @@
-//! What the file of a method defines, and how the registry makes a [`Method`] of it.
+//! The definition of a method in its file, and the [`Method`] that the registry makes of it.
 
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{
-    Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
-    SolverAnswer, Uncertified, conditions_by_differences,
+    BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer,
+    Rows, SolverAnswer, Uncertified, conditions_by_differences,
 };
 use crate::reference::Ball;
 use crate::reference::faddeeva::Scaled;
@@ -14,6 +14,8 @@ use std::marker::PhantomData;
 pub trait Typed {
     /// Its name in the registry.
     const NAME: &'static str;
+    /// The signature of a candidate in Rust, but for its result.
+    const SIGNATURE: &'static str;
 }
 
 /// What its line in the registry gives a method besides.
@@ -71,6 +73,10 @@ pub trait Definition: Registered + Sized {
     }
     fn admits(_input: Self::Input<'_, f64>) -> bool {
         true
+    }
+    /// By which formula the solver computes, and where the nearest other one begins.
+    fn branch(_input: Self::Input<'_, f64>) -> Option<BranchAt> {
+        None
     }
     fn laws() -> Vec<Law>;
 
@@ -182,6 +188,13 @@ impl<D: Definition> Method for Entry<D> {
     }
     fn hard(&self) -> Vec<HardCase> {
         HardCase::included(D::HARD)
+    }
+    fn branch(&self, numbers: &[f64]) -> Option<BranchAt> {
+        D::branch(D::unpack(numbers)?)
+    }
+    /// Of a list every number is data.
+    fn is_data(&self, j: usize) -> bool {
+        D::fields().get(j).is_none_or(|f| f.is_data)
     }
     fn admits(&self, numbers: &[f64]) -> bool {
         D::unpack(numbers).is_some_and(D::admits)

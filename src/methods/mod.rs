@@ -41,9 +41,18 @@ macro_rules! registry {
             vec![$(Box::new(Entry::<$method>::NEW)),*]
         }
 
+        /// The signature in Rust of a candidate for the method of that name, but for its result.
+        pub fn signature(name: &str) -> Option<&'static str> {
+            match name {
+                $($name => Some($method::SIGNATURE),)*
+                _ => None,
+            }
+        }
+
         $(
             impl Typed for $method {
                 const NAME: &'static str = $name;
+                const SIGNATURE: &'static str = stringify!(Fn($($argument),*));
             }
 
             impl Registered for $method {

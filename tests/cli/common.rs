@@ -1,4 +1,4 @@
-//! The program run as its user runs it, and what its answers have in common.
+//! Runs of the program, and checks of its output.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Hunts and the hard cases they leave.
+//! Hunts and hard cases.
 
 use crate::common::cells;
 use mechaudit::audit::{

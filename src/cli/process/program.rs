@@ -20,7 +20,8 @@ pub struct Program {
 }
 
 impl Program {
-    pub fn start(command: &str) -> Result<Program, Failure> {
+    /// Starts a command; `protocol` tells it how it is spoken to.
+    pub fn start(command: &str, protocol: &str) -> Result<Program, Failure> {
         let words = shell_words::split(command)
             .map_err(|e| Failure::caused(e).about(format!("--exec {command:?}")))?;
         let [program, arguments @ ..] = words.as_slice() else {
@@ -28,6 +29,7 @@ impl Program {
         };
         let mut start = Command::new(program);
         start.args(arguments);
+        start.env("MECHAUDIT_PROTOCOL", protocol);
         start.stdin(Stdio::piped()).stdout(Stdio::piped());
         let failed = |e: io::Error| Failure::caused(e).about(format!("cannot start {program:?}"));
         #[cfg(unix)]

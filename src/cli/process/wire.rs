@@ -4,7 +4,7 @@ use crate::cli::failure::{Failure, chain};
 use crate::cli::number::{Number, NumberError};
 use crate::cli::process::bounded::size;
 use mechaudit::audit::{SolverAnswer, hex_float};
-use std::io::{BufRead, Read};
+use std::io::{BufRead, BufReader, Read};
 
 /// The longest line of an input, an answer or a table.
 pub const LONGEST: usize = 1 << 20;
@@ -53,7 +53,7 @@ impl<R: BufRead> Lines<R> {
     pub fn read(&mut self) -> std::io::Result<Option<Line>> {
         loop {
             match self.read_any()? {
-                Some(l) if l.text.first() == Some(&b'#') => {}
+                Some(l) if l.is_comment() => {}
                 line => return Ok(line),
             }
         }
@@ -77,7 +77,19 @@ impl<R: BufRead> Lines<R> {
     }
 }
 
+impl<R: Read> Lines<BufReader<R>> {
+    /// Whether the end of the next line has to be waited for.
+    pub fn is_drained(&self) -> bool {
+        !self.input.buffer().contains(&b'\n')
+    }
+}
+
 impl Line {
+    /// Whether it is a comment, readable or not.
+    pub fn is_comment(&self) -> bool {
+        self.text.first() == Some(&b'#')
+    }
+
     fn text(&self) -> Result<&str, LineError> {
         if self.text.len() > LONGEST {
             return Err(LineError::TooLong);

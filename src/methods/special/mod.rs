@@ -1,5 +1,6 @@
 //! The Faddeeva function and its relatives.
 
+mod branches;
 mod faddeeva;
 mod relatives;
 mod voigt;

@@ -55,7 +55,7 @@ fn news(reports: &[MethodReport]) -> Markup {
         @if !failing.is_empty() {
             ul.news { "\n"
                 @for r in failing {
-                    @let failed = r.cases - r.passed - r.recorded;
+                    @let failed = r.failed();
                     li {
                         b { (r.method) } ": "
                         @if r.interrupted { "interrupted after " (r.cases) " cases" }
@@ -92,7 +92,7 @@ fn overview(reports: &[MethodReport]) -> Markup {
 
 fn method(report: &MethodReport) -> Markup {
     let failures = report.failures.len();
-    let left = failures.saturating_sub(FAILURES_SHOWN) + report.failures_left_out;
+    let left = failures.saturating_sub(FAILURES_SHOWN) as u64 + report.failures_left_out;
     html! {
         h2 id=(report.method) { (report.method) } "\n"
         p { (report.summary) } "\n"
@@ -103,13 +103,13 @@ fn method(report: &MethodReport) -> Markup {
                 th { "worst u(1+cond)" } th { "of budget" } th { "worst condition" }
                 th.left { "errors in ulps" }
             } "\n"
-            @for o in &report.outputs { (output(o)) }
+            @for o in report.outputs() { (output(o)) }
         } } "\n"
         @if let Some(map) = &report.map { (maps(map)) }
         (worst(report))
         @for law in &report.laws { (self::law(law)) }
         @for f in report.failures.iter().take(FAILURES_SHOWN) {
-            @let text = plain(&case::text(f, &f.case.reproduce(), 110));
+            @let text = plain(&case::text(f, &report.again(&f.case), 110));
             pre { (text.trim_end()) } "\n"
         }
         @if left > 0 { p.alarm { (left) " more failing cases." } "\n" }
@@ -125,7 +125,8 @@ fn output(o: &OutputStatistics) -> Markup {
             td { (short_if(some, o.ulps.rms)) } td { (short_if(conditioned, o.conditioned.max)) }
             td.unexplained[o.max_of_budget > 1.0] { (percent(o.max_of_budget)) }
             td { (short_if(conditioned, o.max_condition)) }
-            td.left { (plots::histogram(&o.histogram)) }
+            @let bars: Vec<_> = o.histogram.iter().map(|b| (b.exponent, b.count as usize)).collect();
+            td.left { (plots::histogram(&bars)) }
         } "\n"
     }
 }
@@ -144,7 +145,7 @@ fn law(law: &LawReport) -> Markup {
 
 /// The worst input of each output, to be copied.
 fn worst(report: &MethodReport) -> Markup {
-    let worst = report.outputs.iter();
+    let worst = report.outputs().iter();
     let worst = worst.filter_map(|o| Some((o, o.worst.as_ref()?)));
     html! {
         details { summary { "Worst cases" } "\n"
@@ -160,7 +161,7 @@ fn worst(report: &MethodReport) -> Markup {
                 } "\n"
                 pre {
                     code.copy { (hex.join(",")) } "\n"
-                    code.copy { (case.reproduce()) }
+                    code.copy { (report.again(case)) }
                 } "\n"
             }
         } "\n"
@@ -186,7 +187,7 @@ fn maps(map: &ErrorMap) -> Markup {
 mod tests {
     use super::*;
     use crate::report::html::page::tests::whole;
-    use crate::report::text::method::tests::fabricated;
+    use crate::report::text::method::tests::{fabricated, passing};
 
     #[test]
     fn the_verdict_comes_first_then_what_is_over_budget() {
@@ -202,9 +203,7 @@ mod tests {
         ];
         let places: Vec<usize> = order.iter().map(|p| page.find(p).expect(p)).collect();
         assert!(places.is_sorted(), "{places:?}");
-        let mut good = fabricated();
-        good.passed = good.cases;
-        good.failures.clear();
+        let good = passing();
         assert!(!super::page(&[good], None, false).contains("class=\"news\""));
     }
 }

@@ -1,6 +1,6 @@
 //! Judging a published table of values, entry by entry.
 
-use crate::cli::args::TextOrJson;
+use crate::cli::args::AuditFormat;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{print_json, write_to};
 use crate::cli::process::bounded::Bounded;
@@ -103,7 +103,7 @@ struct Judged {
 
 /// Judges the table in a CSV file, whose columns are named as the method's inputs, taken exactly as
 /// printed, and its outputs.
-pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Outcome, Failure> {
+pub fn judge(method: &dyn Method, path: &Path, format: AuditFormat) -> Result<Outcome, Failure> {
     let file = std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?;
     let (header, rows) = read(method, file).map_err(|e| Failure::in_file(path, e))?;
     let settings = Settings::default();
@@ -127,7 +127,7 @@ pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Out
     let agreeing = count(Agreement::Agrees);
     let good = !judged.is_empty() && agreeing == judged.len();
     match format {
-        TextOrJson::Text => write_to(None, |out| {
+        AuditFormat::Text => write_to(None, |out| {
             let (word, style) = if good { ("pass", GOOD) } else { ("FAIL", BAD) };
             let (all, name) = (judged.len(), paint(BOLD, method.name()));
             let word = paint(style, word);
@@ -146,7 +146,7 @@ pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Out
             }
             Ok(())
         })?,
-        TextOrJson::Json => {
+        _ => {
             let entries = judged.iter().map(|j| {
                 json!({
                     "line": j.line,

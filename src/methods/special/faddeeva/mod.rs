@@ -4,16 +4,18 @@ pub(super) mod curves;
 mod laws;
 pub(super) mod regions;
 
+use super::branches::nearest;
 use super::relatives::{NORM, PROOF};
 use crate::audit::{
-    Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer, Uncertified,
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
+    Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
 use crate::reference::{Ball, Mag, Undecided};
-use crate::solvers::faddeeva::faddeeva;
+use crate::solvers::faddeeva::{SEAMS, branch, faddeeva};
 use num_complex::Complex;
 use rug::{Float, Rational};
 
@@ -138,6 +140,11 @@ impl Definition for Faddeeva {
     fn solve(z: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
         let w = faddeeva(z.into());
         Ok(vec![w.re, w.im])
+    }
+
+    fn branch(z: Self::Input<'_, f64>) -> Option<BranchAt> {
+        let z = z.into();
+        nearest(z, &SEAMS, Some(format!("{:?}", branch(z))))
     }
 
     fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {

@@ -5,11 +5,13 @@ use super::laws::{
 };
 use super::regions::zero_of_erfc;
 use super::{C, Exact, NORM, Relative, Zeros};
-use crate::audit::{Due, Law};
+use crate::audit::{BranchAt, Due, Law};
 use crate::methods::common::held;
+use crate::methods::special::branches::nearest;
 use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
 use crate::reference::faddeeva;
-use crate::solvers::faddeeva::{erfcx, erfcx_batch, erfcx_real, faddeeva as w};
+use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
+use num_complex::Complex;
 
 /// Input `Re z, Im z`, output `Re erfcx z, Im erfcx z`.
 ///
@@ -42,6 +44,16 @@ impl Relative for Erfcx {
 
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
         signs_of_zero(-y, x)
+    }
+
+    /// Those of w at `i z`.
+    fn branch(z: Complex<f64>) -> Option<BranchAt> {
+        let turned = Complex::new(-z.im, z.re);
+        let at = nearest(turned, &SEAMS, Some(format!("{:?}", branch(turned))))?;
+        Some(BranchAt {
+            seam: format!("{} of i z", at.seam),
+            ..at
+        })
     }
 
     fn laws() -> Vec<Law> {

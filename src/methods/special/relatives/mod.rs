@@ -1,4 +1,4 @@
-//! What the audits of the complex relatives of the Faddeeva function share.
+//! The shared part of the audits of the Faddeeva function's complex relatives.
 
 mod dawson;
 mod erf;
@@ -9,15 +9,18 @@ mod faddeeva_derivative;
 pub(super) mod laws;
 mod regions;
 
+use super::branches::nearest;
 use super::faddeeva::{ComplexInput, asked, due};
 use crate::audit::{
-    Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer, Uncertified,
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
+    Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::{Definition, Registered};
 use crate::methods::inputs::Number;
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Undecided};
+use crate::solvers::faddeeva::SEAMS_OF_RELATIVES;
 use num_complex::Complex;
 use rug::Rational;
 
@@ -80,6 +83,10 @@ pub trait Relative: Registered {
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
     /// Identities of the values.
     fn laws() -> Vec<Law>;
+    /// Where the solver's formulas meet next to `z`.
+    fn branch(z: Complex<f64>) -> Option<BranchAt> {
+        nearest(z, &SEAMS_OF_RELATIVES, None)
+    }
 }
 
 /// An exact small number.
@@ -160,6 +167,10 @@ impl<F: Relative> Definition for F {
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
         ReferenceAnswer::Dues(F::limit(z.re, z.im).to_vec(), Proof::Exact)
+    }
+
+    fn branch(z: Self::Input<'_, f64>) -> Option<BranchAt> {
+        <F as Relative>::branch(z.into())
     }
 
     fn signs_of_zero(z: Self::Input<'_, f64>) -> Vec<Option<bool>> {
