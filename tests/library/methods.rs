@@ -192,5 +192,5 @@ fn a_map_ends_where_it_is_stopped() {
     let tick = until(cases + 100);
     let report = audit_method_until(&*method, &settings, &|| tick(&stop, &seen), &stop);
     assert!(report.interrupted && !report.passed() && report.map.is_none());
-    assert_eq!(report.cases, cases);
+    assert_eq!(report.cases, cases as u64);
 }
