@@ -3,8 +3,8 @@
 use super::svg::{chirp, reduced, run_up, scene};
 use super::{html, junit, text};
 use crate::audit::{
-    Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput, MethodReport, Origin, Uncertified,
-    Verdict,
+    CandidateReport, Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput, MethodReport,
+    Origin, Uncertified, Verdict,
 };
 use crate::papers::ledger::{Formula, Ledger};
 use crate::papers::{Citation, PaperReport};
@@ -39,8 +39,17 @@ fn method() -> MethodReport {
         origin: Origin::CheckPoint { name: HOSTILE },
     };
     (report.method, report.summary, report.source) = (HOSTILE, HOSTILE, HOSTILE);
-    report.outputs[0].name = HOSTILE;
-    report.outputs[0].worst = Some(case.clone());
+    report.total.outputs[0].name = HOSTILE;
+    report.total.outputs[0].worst = Some(case.clone());
+    report.regions[0].name = HOSTILE;
+    report.reproduce.head = format!("mechaudit audit {HOSTILE}");
+    report.candidate = Some(CandidateReport {
+        name: HOSTILE.into(),
+        version: Some(HOSTILE.into()),
+        command: Some(HOSTILE.into()),
+        answered: 1,
+        trouble: Some(HOSTILE.into()),
+    });
     let law = &mut report.laws[0];
     (law.name, law.statement, law.worst) = (HOSTILE, HOSTILE, 2.0);
     let failure = &mut report.failures[0];
@@ -49,6 +58,7 @@ fn method() -> MethodReport {
     failure.judgement.reason = Some(HOSTILE.into());
     failure.judgement.components[0].output = HOSTILE;
     failure.reference = vec![Some(HOSTILE.into())];
+    report.worst = report.failures.clone();
     report.map = Some(ErrorMap {
         columns: 1,
         rows: 1,

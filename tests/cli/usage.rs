@@ -6,7 +6,7 @@ use tempfile::tempdir;
 
 #[test]
 fn help_and_version() {
-    let commands = "audit list paper linkage eval runup points judge \
+    let commands = "audit compare describe list paper linkage eval runup points judge \
                     hunt converge regenerate chirp completions man";
     let own = commands.split(' ').map(|command| vec![command, "--help"]);
     for args in own.chain([vec!["--help"]]) {
@@ -213,7 +213,7 @@ fn the_reproduce_command_works() {
             }
             let json = run(&[&args[..], &["--format", "json"]].concat());
             let v: serde_json::Value = serde_json::from_str(&json.out).unwrap();
-            assert_eq!(v["reproduce"], command.as_str());
+            assert_eq!(v["methods"][0]["worst"][0]["reproduce"], command.as_str());
             assert_eq!(v["passed"], true);
         }
     }

@@ -23,6 +23,8 @@ mod methods;
 mod run_up_accuracy;
 #[cfg(feature = "oracle")]
 mod run_up_witness;
+#[cfg(feature = "cli")]
+mod signatures;
 #[cfg(feature = "oracle")]
 mod solver_values_written;
 #[cfg(feature = "oracle")]
