@@ -1,7 +1,16 @@
 //! The extension module `mechaudit._mechaudit`; the Python side of the package is in `package/`.
 #![warn(missing_docs)]
 
+#[cfg(feature = "oracle")]
+mod audit;
+#[cfg(feature = "oracle")]
+mod certified;
+mod errors;
+mod linear;
+#[cfg(feature = "oracle")]
+mod machine;
 mod special;
+mod spline;
 
 use pyo3::prelude::*;
 
@@ -12,8 +21,26 @@ mod _mechaudit {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        let py = module.py();
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("HAS_ORACLE", cfg!(feature = "oracle"))?;
-        special::add_to(module)
+        module.add("Undecided", py.get_type::<errors::Undecided>())?;
+        module.add("DomainError", py.get_type::<errors::DomainError>())?;
+        special::add_to(module)?;
+        module.add_class::<spline::Spline>()?;
+        module.add_function(wrap_pyfunction!(linear::solve_tridiagonal, module)?)?;
+        module.add_function(wrap_pyfunction!(linear::solve_cyclic, module)?)?;
+        #[cfg(feature = "oracle")]
+        {
+            module.add_class::<audit::Run>()?;
+            module.add_class::<machine::Linkage>()?;
+            module.add_class::<machine::Cam>()?;
+            module.add_function(wrap_pyfunction!(machine::run_up, module)?)?;
+            module.add_function(wrap_pyfunction!(audit::all_methods, module)?)?;
+            module.add_function(wrap_pyfunction!(certified::certify, module)?)?;
+            module.add_function(wrap_pyfunction!(certified::zero, module)?)?;
+            module.add_function(wrap_pyfunction!(certified::spline, module)?)?;
+        }
+        Ok(())
     }
 }

@@ -1,8 +1,89 @@
-"""Certified accuracy for numerical code, beside solvers that keep it."""
+"""Certified accuracy for numerical code, beside solvers that keep it.
+
+========================  ====================================================================
+`mechaudit.special`       the Faddeeva function and its relatives as NumPy ufuncs
+`mechaudit.certified`     the same functions with certified digits
+`mechaudit.audit`         the audit of a callable; `compare`, `judge`, `points`, `case`, `vectors`
+`mechaudit.CubicSpline`   cubic splines with scipy's interface
+`mechaudit.Linkage`       linkages of class III, four-bars and slider-cranks; `Cam`
+========================  ====================================================================
+
+A build without references (see the README) has `special`, `CubicSpline`, `solve_tridiagonal` and
+`solve_cyclic` alone: `HAS_ORACLE` is False there.
+"""
 
 from __future__ import annotations
 
-from . import special
-from ._mechaudit import HAS_ORACLE, __version__
+import importlib
+from typing import TYPE_CHECKING, Any
 
-__all__ = ["HAS_ORACLE", "__version__", "special"]
+from . import special
+from ._mechaudit import HAS_ORACLE, DomainError, Undecided, __version__
+
+if TYPE_CHECKING:
+    from . import certified
+    from ._report import Finding, Report
+    from ._audit import (
+        Case,
+        Comparison,
+        Vectors,
+        audit,
+        case,
+        compare,
+        judge,
+        methods,
+        points,
+        vectors,
+    )
+    from ._linear import Solution, Stability, solve_cyclic, solve_tridiagonal
+    from ._machines import Cam, Linkage, Rows
+    from ._spline import CubicSpline
+
+#: Where each name is defined: loaded when it is first asked for, so that importing costs little.
+_HOMES = {
+    "CubicSpline": "_spline",
+    "Solution": "_linear",
+    "Stability": "_linear",
+    "solve_cyclic": "_linear",
+    "solve_tridiagonal": "_linear",
+}
+_ORACLE = {
+    "Cam": "_machines",
+    "Case": "_audit",
+    "Comparison": "_audit",
+    "Finding": "_report",
+    "Linkage": "_machines",
+    "Report": "_report",
+    "Rows": "_machines",
+    "Vectors": "_audit",
+    "audit": "_audit",
+    "case": "_audit",
+    "certified": "",
+    "compare": "_audit",
+    "judge": "_audit",
+    "methods": "_audit",
+    "points": "_audit",
+    "vectors": "_audit",
+}
+
+__all__ = ["HAS_ORACLE", "DomainError", "Undecided", "__version__", "special", *_HOMES]
+if HAS_ORACLE:
+    __all__ += _ORACLE
+
+
+def __getattr__(name: str) -> Any:
+    home = _HOMES.get(name)
+    if home is None and name in _ORACLE:
+        if not HAS_ORACLE:
+            raise AttributeError(f"{name} needs references, which this build of mechaudit is without")
+        home = _ORACLE[name]
+    if home is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    module = importlib.import_module(f".{home or name}", __name__)
+    found = module if not home else getattr(module, name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_HOMES, *(_ORACLE if HAS_ORACLE else ())})

@@ -143,7 +143,12 @@ pub unsafe extern "C" fn voigt<S: Stored<Wide = f64>>(
         // SAFETY: as in `unary`; σ and γ are one number each, read before anything is written.
         let done = unsafe {
             let (sigma, gamma) = (read(sigma.at(0)).widen(), read(gamma.at(0)).widen());
-            solver::voigt_batch(from_raw_parts(from, n), sigma, gamma, from_raw_parts_mut(to, n))
+            solver::voigt_batch(
+                from_raw_parts(from, n),
+                sigma,
+                gamma,
+                from_raw_parts_mut(to, n),
+            )
         };
         debug_assert!(done.is_ok());
         return;

@@ -60,7 +60,10 @@ pub fn add_to(module: &Bound<'_, PyModule>) -> PyResult<()> {
         ),
     ];
     for (name, doc, loops) in all {
-        module.add(name.to_string_lossy(), ufunc(module.py(), name, doc, loops)?)?;
+        module.add(
+            name.to_string_lossy(),
+            ufunc(module.py(), name, doc, loops)?,
+        )?;
     }
     Ok(())
 }
