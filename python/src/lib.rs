@@ -6,6 +6,8 @@ mod audit;
 #[cfg(feature = "oracle")]
 mod certified;
 mod errors;
+#[cfg(feature = "oracle")]
+mod facts;
 mod linear;
 #[cfg(feature = "oracle")]
 mod machine;
@@ -36,7 +38,7 @@ mod _mechaudit {
             module.add_class::<machine::Linkage>()?;
             module.add_class::<machine::Cam>()?;
             module.add_function(wrap_pyfunction!(machine::run_up, module)?)?;
-            module.add_function(wrap_pyfunction!(audit::all_methods, module)?)?;
+            module.add_function(wrap_pyfunction!(facts::all_methods, module)?)?;
             module.add_function(wrap_pyfunction!(certified::certify, module)?)?;
             module.add_function(wrap_pyfunction!(certified::zero, module)?)?;
             module.add_function(wrap_pyfunction!(certified::spline, module)?)?;

@@ -23,21 +23,13 @@ from ._mechaudit import HAS_ORACLE, DomainError, Undecided, __version__
 if TYPE_CHECKING:
     from . import certified
     from ._report import Finding, Report
-    from ._audit import (
-        Case,
-        Comparison,
-        Vectors,
-        audit,
-        case,
-        compare,
-        judge,
-        methods,
-        points,
-        vectors,
-    )
+    from ._audit import Case, audit, case, judge, points
+    from ._compare import Comparison, compare
     from ._linear import Solution, Stability, solve_cyclic, solve_tridiagonal
     from ._machines import Cam, Linkage, Rows
+    from ._methods import methods
     from ._spline import CubicSpline
+    from ._vectors import Vectors, vectors
 
 #: Where each name is defined: loaded when it is first asked for, so that importing costs little.
 _HOMES = {
@@ -50,25 +42,52 @@ _HOMES = {
 _ORACLE = {
     "Cam": "_machines",
     "Case": "_audit",
-    "Comparison": "_audit",
+    "Comparison": "_compare",
     "Finding": "_report",
     "Linkage": "_machines",
     "Report": "_report",
     "Rows": "_machines",
-    "Vectors": "_audit",
+    "Vectors": "_vectors",
     "audit": "_audit",
     "case": "_audit",
     "certified": "",
-    "compare": "_audit",
+    "compare": "_compare",
     "judge": "_audit",
-    "methods": "_audit",
+    "methods": "_methods",
     "points": "_audit",
-    "vectors": "_audit",
+    "vectors": "_vectors",
 }
 
-__all__ = ["HAS_ORACLE", "DomainError", "Undecided", "__version__", "special", *_HOMES]
-if HAS_ORACLE:
-    __all__ += _ORACLE
+__all__ = [
+    "HAS_ORACLE",
+    "DomainError",
+    "Undecided",
+    "__version__",
+    "special",
+    "Cam",
+    "Case",
+    "Comparison",
+    "CubicSpline",
+    "Finding",
+    "Linkage",
+    "Report",
+    "Rows",
+    "Solution",
+    "Stability",
+    "Vectors",
+    "audit",
+    "case",
+    "certified",
+    "compare",
+    "judge",
+    "methods",
+    "points",
+    "solve_cyclic",
+    "solve_tridiagonal",
+    "vectors",
+]
+if not HAS_ORACLE:
+    __all__ = [name for name in __all__ if name not in _ORACLE]
 
 
 def __getattr__(name: str) -> Any:

@@ -17,7 +17,7 @@ from .certified import _checked
 __all__ = ["Cam", "Linkage", "Rows"]
 
 
-class Rows(np.ndarray):  # type: ignore[type-arg]
+class Rows(np.ndarray[Any, Any]):
     """A structured array; the names of its fields end in their units."""
 
     def to_pandas(self) -> Any:
@@ -112,7 +112,7 @@ class Linkage:
     ('phi1_deg', 'branch', 'phi2_deg')
     """
 
-    def __init__(self, compiled: Any, text: str, is_json: bool) -> None:
+    def __init__(self, compiled: _mechaudit.Linkage, text: str, is_json: bool) -> None:
         self._compiled = compiled
         self._text = text
         self._is_json = is_json
@@ -280,7 +280,7 @@ class Cam:
     ) -> None:
         text, is_json = _source(source)
         self._arguments = (text, is_json, harmonics)
-        self._compiled = _mechaudit.Cam(*self._arguments)
+        self._compiled = _mechaudit.Cam(text, is_json, harmonics)
 
     @property
     def name(self) -> str:

@@ -61,8 +61,9 @@ class CubicSpline:
     extrapolate : bool or 'periodic'
         What is done outside of the knots.
     uniform : bool
-        Whether the knots were found to be equally spaced, ``x[0] + k*step`` rounded: then no
-        search is needed.
+        Whether the knots were found to be equally spaced: each of them the float nearest to
+        ``x[0] + k*step``, as those of `numpy.arange` with whole numbers are, and those of
+        `numpy.linspace` from 0. Then no search is needed.
 
     Notes
     -----
@@ -92,11 +93,13 @@ class CubicSpline:
         *,
         certified: bool = False,
     ) -> None:
+        if certified and not _mechaudit.HAS_ORACLE:
+            raise ValueError("certified=True needs references, which this build of mechaudit is without")
         x = _real_array("x", x)
         y = np.asarray(y)
         if y.dtype.kind not in "fiubc":
             raise TypeError(f"`y` must hold numbers, got {y.dtype}")
-        is_complex = np.issubdtype(y.dtype, np.complexfloating)
+        is_complex = np.issubdtype(y.dtype, np.complexfloating) or _has_complex_end(bc_type)
         y = y.astype(np.complex128 if is_complex else np.float64)
         if x.ndim != 1:
             raise ValueError("`x` must be 1-dimensional.")
@@ -124,7 +127,7 @@ class CubicSpline:
         self.extrapolate = extrapolate if extrapolate == "periodic" else bool(extrapolate)
         self._arguments = (np.moveaxis(y, 0, axis), bc_type, certified)
         flat = y.reshape(len(x), -1)
-        self._y = flat.view(np.float64) if is_complex else flat
+        self._y = flat
         if is_complex:
             self._y = np.stack([flat.real, flat.imag], axis=-1).reshape(len(x), -1)
         self._ends = ends
@@ -158,15 +161,27 @@ class CubicSpline:
                 "'periodic' `bc_type` is defined for both curve ends and cannot be used with other "
                 "boundary conditions."
             )
-        return [self._condition(b) for b in bc_type]
+        ends = [self._condition(b) for b in bc_type]
+        if len(self.x) == 2 and {kind for kind, _ in ends} != {"not-a-knot"}:
+            # There is no knot to be none; the chord's slope stands in, as with scipy.
+            chord = self._split((y[1] - y[0]) / (self.x[1] - self.x[0]))
+            ends = [("first", chord) if kind == "not-a-knot" else (kind, v) for kind, v in ends]
+        return ends
+
+    def _split(self, value: Any) -> Any:
+        """Values in columns, real and imaginary parts side by side."""
+        value = np.asarray(value, np.complex128 if self._complex else np.float64).reshape(-1)
+        if not self._complex:
+            return value
+        return np.stack([value.real, value.imag], axis=-1).reshape(-1)
 
     def _condition(self, condition: Any) -> tuple[str, Any]:
         width = int(np.prod(self._shape)) * (2 if self._complex else 1)
         if isinstance(condition, str):
             if condition not in _NAMED:
                 raise ValueError(f"bc_type={condition} is not allowed.")
-            kind, value = _NAMED[condition]
-            return kind, np.full(width, value)
+            kind, named = _NAMED[condition]
+            return kind, np.full(width, named)
         try:
             order, value = condition
         except Exception as e:
@@ -180,13 +195,7 @@ class CubicSpline:
             raise ValueError(
                 f"`deriv_value` shape {value.shape} is not the expected one - {self._shape}."
             )
-        if np.issubdtype(value.dtype, np.complexfloating) and not self._complex:
-            # The spline becomes complex with its ends, as scipy's does.
-            raise ValueError("a complex end condition needs complex ordinates")
-        value = value.astype(np.complex128 if self._complex else np.float64).reshape(-1)
-        if self._complex:
-            value = np.stack([value.real, value.imag], axis=-1).reshape(-1)
-        return ("first", "second")[order - 1], value
+        return ("first", "second")[order - 1], self._split(value)
 
     def __reduce__(self) -> tuple[Any, ...]:
         y, bc_type, certified = self._arguments
@@ -198,14 +207,17 @@ class CubicSpline:
 
     @property
     def c(self) -> Any:
-        h = np.diff(self.x)[:, None]
         m = np.stack([s.second_derivatives() for s in self._columns], axis=-1)
+        c = self._joined(self._coefficients(m))
+        return c.reshape(4, len(self.x) - 1, *self._shape)
+
+    def _coefficients(self, m: Any) -> Any:
+        h = np.diff(self.x)[:, None]
         slope = np.diff(self._y, axis=0) / h
         low, high = m[:-1], m[1:]
-        c = np.stack(
+        return np.stack(
             [(high - low) / (6 * h), low / 2, slope - h * (2 * low + high) / 6, self._y[:-1]]
         )
-        return self._joined(c).reshape(4, len(self.x) - 1, *self._shape)
 
     def _joined(self, columns: Any) -> Any:
         """Real and imaginary columns as complex ones."""
@@ -253,20 +265,40 @@ class CubicSpline:
                 out[good, k] = self._antiderivative(k, inside, -nu)
         out = self._joined(out).reshape(shape + self._shape)
         # The points' dimensions stand where `axis` stood.
-        for _ in range(self.axis):
-            out = np.moveaxis(out, len(shape), 0)
-        return np.ascontiguousarray(out) if out.ndim else np.asarray(out)
+        k = len(shape)
+        order = (*range(k, k + self.axis), *range(k), *range(k + self.axis, out.ndim))
+        return np.asarray(out.transpose(order))
 
     def _antiderivative(self, k: int, x: Any, order: int) -> Any:
-        if order == 1:
-            return np.array([self._columns[k].integral(self.x[0], t) for t in x])
-        raise NotImplementedError("only the first integral is computed; see integrate")
+        c = self._integrated(order)[:, :, k]
+        i = np.clip(np.searchsorted(self.x, x, side="right") - 1, 0, c.shape[1] - 1)
+        u = x - self.x[i]
+        value = c[0, i]
+        for power in c[1:]:
+            value = value * u + power[i]
+        return value
+
+    def _integrated(self, order: int) -> Any:
+        """Coefficients of the integral of that order which is zero at the first knot."""
+        m = np.stack([s.second_derivatives() for s in self._columns], axis=-1)
+        c = self._coefficients(m)
+        h = np.diff(self.x)[:, None]
+        for _ in range(order):
+            powers = np.arange(c.shape[0], 0, -1)[:, None, None]
+            c = np.concatenate([c / powers, np.zeros_like(c[:1])])
+            value = np.zeros_like(c[0])
+            for coefficient in c:
+                value = value * h + coefficient
+            c[-1, 1:] = np.cumsum(value[:-1], axis=0)
+        return c
 
     def derivative(self, nu: int = 1) -> Derivative:
-        """The derivative of that order as a function of its own."""
-        if nu < 0:
-            raise ValueError(f"nu must not be negative, got {nu}")
+        """The derivative of that order as a function of its own; negative orders are integrals."""
         return Derivative(self, nu)
+
+    def antiderivative(self, nu: int = 1) -> Derivative:
+        """The integral of that order from the first knot as a function of its own."""
+        return Derivative(self, -nu)
 
     def integrate(self, a: float, b: float, extrapolate: bool | str | None = None) -> Any:
         """The definite integral from `a` to `b`.
@@ -400,13 +432,25 @@ class CubicSpline:
             (kind, first), (other, last) = self._ends
             if kind != other:
                 raise ValueError("certified values need the same kind of condition at both ends")
-            values = (first[0], last[0])
+            values = (float(first[0]), float(last[0]))
         fractions = [
             [hexadecimal(Fraction(*float(t).as_integer_ratio())) for t in column]
             for column in (self.x, self._y[:, 0], values)
         ]
-        found = _mechaudit.spline(fractions[0], fractions[1], kind, tuple(fractions[2]), asked)
+        low, high = fractions[2]
+        found = _mechaudit.spline(fractions[0], fractions[1], kind, (low, high), asked)
         return [of_hexadecimal(q) for q in found]
+
+
+def _has_complex_end(bc_type: Any) -> bool:
+    if isinstance(bc_type, str):
+        return False
+    pairs = [b for b in bc_type if not isinstance(b, str)]
+    try:
+        return any(np.iscomplexobj(value) for _, value in pairs)
+    except (TypeError, ValueError):
+        # What is wrong with it is told where it is read.
+        return False
 
 
 def _rebuilt(x: Any, y: Any, axis: int, bc_type: Any, extrapolate: Any, certified: bool) -> CubicSpline:
@@ -414,7 +458,7 @@ def _rebuilt(x: Any, y: Any, axis: int, bc_type: Any, extrapolate: Any, certifie
 
 
 class Derivative:
-    """A derivative of a spline."""
+    """A derivative of a spline, or an integral where the order is negative."""
 
     def __init__(self, spline: CubicSpline, order: int) -> None:
         self.spline = spline
@@ -433,6 +477,10 @@ class Derivative:
         """A further derivative."""
         return Derivative(self.spline, self.order + nu)
 
+    def antiderivative(self, nu: int = 1) -> Derivative:
+        """The function whose derivative of that order this is."""
+        return Derivative(self.spline, self.order - nu)
+
     def integrate(self, a: float, b: float) -> Any:
-        """The definite integral from `a` to `b`: a difference of values."""
+        """The definite integral from `a` to `b`: a difference of two values."""
         return self.spline(b, self.order - 1) - self.spline(a, self.order - 1)

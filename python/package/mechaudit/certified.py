@@ -22,7 +22,7 @@ from __future__ import annotations
 import importlib.util
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
-from typing import Any
+from typing import Any, Protocol
 
 from . import _mechaudit
 from ._exact import exact, hexadecimal, is_sequence, parts
@@ -75,7 +75,7 @@ def _rounded(text: str, digits: int) -> Decimal | None:
         prec=digits, rounding=ROUND_HALF_EVEN, Emin=-(10**18) + 1, Emax=10**18 - 1, traps=[]
     )
     sign, figures, exponent = near.as_tuple()
-    unit = Decimal((0, (1,), exponent))
+    unit = Decimal((0, (1,), int(exponent)))
     wide = Context(prec=len(figures) + 2, Emin=-(10**18) + 1, Emax=10**18 - 1, traps=[])
     low, high = (context.plus(wide.add(near, step)) for step in (-unit, unit))
     # The same number may be written with fewer digits at one end: 0.99999 and 1.0000.
@@ -129,6 +129,8 @@ class Real:
 
     def _fraction(self, power: tuple[int, int]) -> Fraction:
         mantissa, exponent = power
+        if not mantissa:
+            return Fraction(0)
         if abs(exponent) > _LARGEST_EXPONENT:
             raise OverflowError(f"the number has a binary exponent of {exponent}: use value")
         return Fraction(mantissa) * Fraction(2) ** exponent
@@ -297,7 +299,13 @@ def _function(method: str, z: Any, digits: int, always_complex: bool, name: str)
     return answers[0] if single else answers
 
 
-def _certified(name: str, method: str, formula: str, example: str, always_complex: bool) -> Any:
+class _Function(Protocol):
+    def __call__(self, z: Any, *, digits: int = 30) -> Any: ...
+
+
+def _certified(
+    name: str, method: str, formula: str, example: str, always_complex: bool
+) -> _Function:
     def function(z: Any, *, digits: int = 30) -> Any:
         return _function(method, z, digits, always_complex, name)
 
@@ -413,6 +421,10 @@ def voigt_profile(x: Any, sigma: Any, gamma: Any, *, digits: int = 30) -> Any:
     digits = _checked(digits)
     single = not is_sequence(x)
     widths = [exact("sigma", sigma), exact("gamma", gamma)]
+    if min(widths) < 0 or max(widths) == 0:
+        raise DomainError(
+            f"sigma = {sigma} and gamma = {gamma} must not be negative, nor both zero"
+        )
     numbers = [x] if single else list(x)
     found = _evaluate("voigt", [[exact("x", t), *widths] for t in numbers], digits)
     answers = [row[0] for row in found]
