@@ -1,14 +1,15 @@
 //! Cases of a method, and the judge. Python calls the callable; nothing here does.
 
-use crate::certified::{Component, evaluable_method, uncertified, values_of};
+use crate::certified::{Component, component, evaluable_method, uncertified, values_of};
 use crate::errors::value_error;
 use crate::facts::{case_facts, proof, statistics};
+use crate::pool::pool;
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Draw, Layout, Limit, Method, Origin, Settings, SolverAnswer, Tally,
-    Variant, Verdict, answer_of, judge_case, judge_case_briefly,
+    Case, CaseReport, Cases, Draw, Layout, Limit, Method, Origin, ReferenceAnswer, Settings,
+    SolverAnswer, Tally, Variant, Verdict, answer_of, judge_case, judge_case_briefly,
 };
-use mechaudit::methods::Evaluable;
-use mechaudit::reference::HexFloat;
+use mechaudit::methods::{Evaluable, Uncertified};
+use mechaudit::reference::{Ball, HexFloat};
 use numpy::ndarray::Array2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::PyValueError;
@@ -257,12 +258,15 @@ impl Run {
         };
         let variant = self.variant()?;
         let (here, settings) = (&*self, &self.settings);
+        let threads = pool()?;
         let judged: Vec<CaseReport> = py.detach(|| {
-            (start..end)
-                .into_par_iter()
-                .zip(answers)
-                .map(|(i, answer)| judge_case_briefly(&variant, here.case(i), answer, settings))
-                .collect()
+            threads.install(|| {
+                (start..end)
+                    .into_par_iter()
+                    .zip(answers)
+                    .map(|(i, answer)| judge_case_briefly(&variant, here.case(i), answer, settings))
+                    .collect()
+            })
         });
         let passed = judged.into_iter().map(|r| self.add(&variant, r));
         Ok(passed.collect())
@@ -442,11 +446,14 @@ impl Run {
         let end = end.min(self.count());
         let variant = self.variant()?;
         let here = &*self;
+        let threads = pool()?;
         let answers = py.detach(|| {
-            let cases = (start.min(end)..end).into_par_iter();
-            cases
-                .map(|i| answer_of(&variant, &here.case(i).input))
-                .collect()
+            threads.install(|| {
+                let cases = (start.min(end)..end).into_par_iter();
+                cases
+                    .map(|i| answer_of(&variant, &here.case(i).input))
+                    .collect()
+            })
         });
         self.judge_all(py, start.min(end), answers)
     }
@@ -529,15 +536,32 @@ impl Run {
             ));
         };
         let found = py.detach(|| {
-            let values = values_of(self.method, &exact, digits);
-            let why = match self.method.reference(&exact, 128) {
-                mechaudit::audit::ReferenceAnswer::Values(r) => Some(r.proof),
-                mechaudit::audit::ReferenceAnswer::Dues(_, p) => Some(p),
-                _ => None,
+            // Where no numbers are due, `certify` may call the refusal undecided.
+            let (due, why) = match self.method.reference(&exact, 128) {
+                ReferenceAnswer::Values(r) => (Some(r.values), Some(r.proof)),
+                ReferenceAnswer::Dues(dues, p) => {
+                    let numbers = dues.iter().map(|d| d.number().cloned()).collect();
+                    match numbers {
+                        Some(numbers) => (Some(numbers), Some(p)),
+                        None => return Err(Uncertified::NoNumber),
+                    }
+                }
+                ReferenceAnswer::Refuses(word) => return Err(Uncertified::Refused(word)),
+                _ => (None, None),
             };
-            (values, why)
+            let known: Option<Vec<Ball>> = due;
+            match known.filter(|balls| balls.iter().all(|b| b.rad().is_zero())) {
+                Some(balls) => Ok((
+                    balls
+                        .into_iter()
+                        .map(|b| component(&b.into(), digits))
+                        .collect(),
+                    why,
+                )),
+                None => Ok((values_of(self.method, &exact, digits)?, why)),
+            }
         });
-        let values = found.0.map_err(|e| uncertified(e, 0))?;
-        Ok((values, proof(found.1)))
+        let (values, why) = found.map_err(|e| uncertified(e, 0))?;
+        Ok((values, proof(why)))
     }
 }

@@ -1,12 +1,14 @@
 //! Certified digits. Numbers cross the border exactly: integers in hexadecimal.
 
 use crate::errors::{DomainError, Undecided, value_error};
+use crate::pool::pool;
 use mechaudit::methods::{Evaluable, Uncertified, evaluable};
 use mechaudit::reference::cubic_spline::Spline;
 use mechaudit::reference::faddeeva::{self, Scaled};
 use mechaudit::reference::{Ball, ComplexBall};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use rayon::prelude::*;
 use rug::{Float, Integer, Rational};
 use std::sync::OnceLock;
 
@@ -46,7 +48,8 @@ fn power(x: &Float, more: &Integer) -> Power {
     }
 }
 
-fn component(value: &Scaled, digits: u32) -> Component {
+/// A value as it crosses the border.
+pub fn component(value: &Scaled, digits: u32) -> Component {
     let ball = &value.ball;
     (
         value.to_decimal(digits as usize),
@@ -122,13 +125,17 @@ pub fn certify(
 ) -> PyResult<Vec<Vec<Component>>> {
     let method = evaluable_method(method)?;
     let mut found = Vec::with_capacity(rows.len());
+    let threads = (rows.len() > 1).then(pool).transpose()?;
     for (k, some) in rows.chunks(ROWS).enumerate() {
         py.check_signals()?;
         let arguments = some.iter().map(|row| row.iter().map(rational).collect());
         let arguments = arguments.collect::<PyResult<Vec<Vec<Rational>>>>()?;
         let answers: Vec<_> = py.detach(|| {
-            let all = arguments.iter().map(|x| values_of(method, x, digits));
-            all.collect()
+            let one = |x: &Vec<Rational>| values_of(method, x, digits);
+            match &threads {
+                Some(threads) => threads.install(|| arguments.par_iter().map(one).collect()),
+                None => arguments.iter().map(one).collect(),
+            }
         });
         for (i, answer) in answers.into_iter().enumerate() {
             let row = if rows.len() == 1 { 0 } else { k * ROWS + i + 1 };

@@ -11,6 +11,8 @@ mod facts;
 mod linear;
 #[cfg(feature = "oracle")]
 mod machine;
+#[cfg(feature = "oracle")]
+mod pool;
 mod special;
 mod spline;
 

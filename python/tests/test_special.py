@@ -150,7 +150,10 @@ def test_real_arguments(name):
     y = f(x)
     assert y.dtype == np.float64
     with np.errstate(all="ignore"):
-        np.testing.assert_allclose(y, getattr(scipy.special, name)(x), rtol=1e-13, atol=1e-307)
+        theirs = getattr(scipy.special, name)(x)
+        # scipy's erfi is infinite from 26.64 on, the function is above the range from 26.72 on.
+        far = (np.abs(x) > 26.6) & (np.abs(x) < 26.8) & (name == "erfi")
+        np.testing.assert_allclose(y[~far], theirs[~far], rtol=1e-13, atol=1e-307)
     for kind in (np.int8, np.int16, np.int64, np.float16, bool):
         few = np.array([0, 1, 1], dtype=kind)
         assert f(few).dtype == getattr(scipy.special, name)(few).dtype
