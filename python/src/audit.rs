@@ -6,9 +6,9 @@ use crate::facts::{case_facts, proof, statistics};
 use crate::pool::pool;
 use mechaudit::audit::{
     Case, CaseReport, Cases, Draw, Layout, Limit, Method, Origin, ReferenceAnswer, Settings,
-    SolverAnswer, Tally, Variant, Verdict, answer_of, judge_case, judge_case_briefly,
+    SolverAnswer, Tally, Uncertified, Variant, Verdict, answer_of, judge_case, judge_case_briefly,
 };
-use mechaudit::methods::{Evaluable, Uncertified};
+use mechaudit::methods::Evaluable;
 use mechaudit::reference::{Ball, HexFloat};
 use numpy::ndarray::Array2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};

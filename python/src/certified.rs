@@ -2,7 +2,8 @@
 
 use crate::errors::{DomainError, Undecided, value_error};
 use crate::pool::pool;
-use mechaudit::methods::{Evaluable, Uncertified, evaluable};
+use mechaudit::audit::Uncertified;
+use mechaudit::methods::{Evaluable, evaluable};
 use mechaudit::reference::cubic_spline::Spline;
 use mechaudit::reference::faddeeva::{self, Scaled};
 use mechaudit::reference::{Ball, ComplexBall};
