@@ -79,7 +79,7 @@ class CubicSpline:
     >>> s = CubicSpline(x, x**3)
     >>> bool(abs(s(0.55) - 0.55**3) < 1e-15), s.uniform
     (True, True)
-    >>> float(round(s(0.5, 1), 12)), float(round(s.integrate(0, 1), 12))
+    >>> round(float(s(0.5, 1)), 12), round(float(s.integrate(0, 1)), 12)
     (0.75, 0.25)
     """
 
