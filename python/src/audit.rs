@@ -5,8 +5,8 @@ use crate::errors::value_error;
 use crate::facts::{case_facts, proof, statistics};
 use crate::pool::pool;
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Draw, Layout, Limit, Method, Origin, ReferenceAnswer, Settings,
-    SolverAnswer, Tally, Uncertified, Variant, Verdict, answer_of, judge_case, judge_case_briefly,
+    Case, CaseReport, Cases, Draw, Layout, Limit, Origin, ReferenceAnswer, Settings, SolverAnswer,
+    Tally, Uncertified, Variant, Verdict, answer_of, judge_case, judge_case_briefly,
 };
 use mechaudit::methods::Evaluable;
 use mechaudit::reference::{Ball, HexFloat};
@@ -19,8 +19,6 @@ use rayon::prelude::*;
 use rug::Rational;
 use std::collections::BTreeMap;
 
-/// Failing cases kept for the report.
-const FAILURES: usize = 1000;
 /// Worst cases kept of each region.
 const WORST: usize = 10;
 /// The name of what was drawn from a box.
@@ -72,7 +70,6 @@ pub struct Run {
     outputs: Option<Vec<String>>,
     limit: Option<Limit>,
     tally: Option<Tally>,
-    regions: BTreeMap<&'static str, Tally>,
     worst: BTreeMap<&'static str, Vec<(f64, Case, SolverAnswer)>>,
 }
 
@@ -232,14 +229,11 @@ impl Run {
             worst.insert(at, (share, report.case.clone(), answer));
             worst.truncate(WORST);
         }
-        let fresh = || Tally::new(variant, 0);
-        self.regions
-            .entry(region)
-            .or_insert_with(fresh)
-            .add(report.clone());
-        self.tally
-            .get_or_insert_with(|| Tally::new(variant, FAILURES))
-            .add(report);
+        let settings = &self.settings;
+        let tally = self
+            .tally
+            .get_or_insert_with(|| Tally::new(variant, settings));
+        tally.add(&report);
         passed
     }
 
@@ -340,7 +334,6 @@ impl Run {
             outputs,
             limit: limit.transpose()?,
             tally: None,
-            regions: BTreeMap::new(),
             worst: BTreeMap::new(),
         };
         run.variant()?;
@@ -458,43 +451,33 @@ impl Run {
         self.judge_all(py, start.min(end), answers)
     }
 
-    /// What was found; `unanswered` cases count and do not pass.
-    fn finish<'py>(
-        &mut self,
-        py: Python<'py>,
-        interrupted: bool,
-        unanswered: usize,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    /// What was found.
+    fn finish<'py>(&mut self, py: Python<'py>, interrupted: bool) -> PyResult<Bound<'py, PyDict>> {
         let variant = self.variant()?;
-        let mut tally = self
-            .tally
-            .take()
-            .unwrap_or_else(|| Tally::new(&variant, FAILURES));
+        let settings = &self.settings;
+        let tally = self.tally.take();
+        let mut tally = tally.unwrap_or_else(|| Tally::new(&variant, settings));
         if interrupted {
             tally.interrupt();
         }
-        tally.unanswered(unanswered);
-        let report = tally.finish(&variant, &self.settings);
-        let d = statistics(py, &report)?;
+        let report = tally.finish(&variant);
+        let d = statistics(py, &report.total)?;
         d.set_item("method", report.method)?;
         d.set_item("summary", report.summary)?;
         d.set_item("source", report.source)?;
-        d.set_item("seed", self.settings.seed)?;
-        d.set_item("cases_per_region", self.settings.cases_per_region)?;
+        d.set_item("seed", settings.seed)?;
+        d.set_item("cases_per_region", settings.cases_per_region)?;
         d.set_item("interrupted", report.interrupted)?;
-        d.set_item("unanswered", report.unanswered)?;
         d.set_item("within_budget", report.passed())?;
-        let budgets: Vec<(&str, String, &str)> = Method::outputs(&variant)
-            .iter()
+        let budgets: Vec<(&str, String, &str)> = (report.budgets.iter())
             .map(|o| (o.name, o.budget.limit.to_string(), o.budget.reason))
             .collect();
         d.set_item("budgets", budgets)?;
-        let norm = variant.norm_budget();
+        let norm = report.norm_budget;
         d.set_item("norm_budget", norm.map(|n| (n.to_string(), n.reason)))?;
         let regions = PyDict::new(py);
-        for (name, tally) in std::mem::take(&mut self.regions) {
-            let one = tally.finish(&variant, &self.settings);
-            regions.set_item(name, statistics(py, &one)?)?;
+        for region in &report.regions {
+            regions.set_item(region.name, statistics(py, region)?)?;
         }
         d.set_item("regions", regions)?;
         let failures = PyList::empty(py);

@@ -1,6 +1,6 @@
 //! Reports, cases and methods as plain Python data.
 
-use mechaudit::audit::{CaseReport, Layout, MethodReport, Proof, SolverAnswer, Spread, Verdict};
+use mechaudit::audit::{CaseReport, Layout, Proof, RegionReport, SolverAnswer, Spread, Verdict};
 use mechaudit::methods;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -9,8 +9,10 @@ use std::fmt::Display;
 fn spread<'py>(py: Python<'py>, s: &Spread) -> PyResult<Bound<'py, PyDict>> {
     let d = PyDict::new(py);
     d.set_item("count", s.count)?;
+    d.set_item("beyond", s.beyond)?;
     d.set_item("max", s.max)?;
     d.set_item("p99", s.p99)?;
+    d.set_item("median", s.median)?;
     d.set_item("rms", s.rms)?;
     Ok(d)
 }
@@ -32,22 +34,30 @@ pub fn proof(proof: Option<Proof>) -> Option<String> {
     })
 }
 
-pub fn statistics<'py>(py: Python<'py>, r: &MethodReport) -> PyResult<Bound<'py, PyDict>> {
+/// What was found in a region, or in all.
+pub fn statistics<'py>(py: Python<'py>, r: &RegionReport) -> PyResult<Bound<'py, PyDict>> {
     let d = PyDict::new(py);
+    d.set_item("description", r.description)?;
     d.set_item("cases", r.cases)?;
     d.set_item("passed", r.passed)?;
     d.set_item("recorded", r.recorded)?;
-    d.set_item("max_normwise_u", r.max_normwise)?;
+    d.set_item("over", r.over)?;
+    d.set_item("undecided", r.undecided)?;
+    d.set_item("wrong_kind", r.kinds.total())?;
+    let normwise = r.normwise.as_ref().map(|s| spread(py, s)).transpose()?;
+    d.set_item("normwise_u", normwise)?;
     let outputs = PyList::empty(py);
     for o in &r.outputs {
         let one = PyDict::new(py);
         one.set_item("name", o.name)?;
         one.set_item("values", o.values)?;
+        one.set_item("wrong_kind", o.kinds.total())?;
         one.set_item("ulps", spread(py, &o.ulps)?)?;
         one.set_item("conditioned_u", spread(py, &o.conditioned)?)?;
         one.set_item("max_of_budget", o.max_of_budget)?;
         one.set_item("max_condition", o.max_condition)?;
-        one.set_item("histogram", o.histogram.clone())?;
+        let octaves: Vec<_> = o.histogram.iter().map(|o| (o.exponent, o.count)).collect();
+        one.set_item("histogram", octaves)?;
         outputs.append(one)?;
     }
     d.set_item("outputs", outputs)?;

@@ -194,6 +194,9 @@ def test_reports_are_shown(tmp_path):
     assert page.startswith("<p>") and "<table>" in page
     hostile = audit(special.wofz, name="<script>")
     assert "<script>" not in hostile._repr_html_()
+    hostile.html(tmp_path / "report.html")
+    written = (tmp_path / "report.html").read_text()
+    assert "<script>" not in written and "http" not in written and "</table>" in written
     frame = pytest.importorskip("pandas") and report.to_frame()
     assert {"region", "output", "worst_ulps", "passed"} <= set(frame.columns) and len(frame) > 30
 

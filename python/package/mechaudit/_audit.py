@@ -282,7 +282,7 @@ def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
         run.judge_block(0, np.ascontiguousarray(array, dtype=np.float64))
     else:
         run.judge(0, [flat(v) for v in given])
-    return Report(run.finish(False, 0), [], "as values", "the values given")
+    return Report(run.finish(False), [], "as values", "the values given")
 
 
 def _rows(description: Description, points: Any) -> list[list[float]]:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import html
 import math
+import os
 from typing import Any
+
+from ._files import written_whole
 
 __all__ = ["Finding", "Report"]
 
@@ -130,8 +133,10 @@ class Report:
                         "cases": found["cases"],
                         "passed": found["passed"],
                         "values": o["values"],
+                        "wrong_kind": o["wrong_kind"],
                         "worst_ulps": o["ulps"]["max"],
                         "p99_ulps": o["ulps"]["p99"],
+                        "median_ulps": o["ulps"]["median"],
                         "rms_ulps": o["ulps"]["rms"],
                         "worst_conditioned_u": o["conditioned_u"]["max"],
                         "worst_of_budget": o["max_of_budget"],
@@ -150,6 +155,20 @@ class Report:
         if not self.passed:
             raise AssertionError("\n" + str(self))
         return self
+
+    def html(self, path: str | os.PathLike[str]) -> None:
+        """Write what notebooks show as a page of its own, which needs nothing from elsewhere."""
+        title = html.escape(f"{self.method} by {self.name}")
+        page = (
+            '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+            '<meta name="viewport" content="width=device-width, initial-scale=1">'
+            f"<title>{title}</title><style>:root{{color-scheme:light dark}}"
+            "body{font:16px/1.4 system-ui,sans-serif;margin:1rem}table{border-collapse:collapse;"
+            "display:block;overflow-x:auto}td,th{padding:.2em .7em;text-align:right;border-bottom:1px "
+            "solid #8886}td:nth-child(-n+2),th:nth-child(-n+2){text-align:left}</style></head>"
+            f"<body>{self._repr_html_()}</body></html>\n"
+        )
+        written_whole(path, page)
 
     def _case_lines(self, case: dict[str, Any]) -> list[str]:
         reason = case["reason"] or case["verdict"]
@@ -187,7 +206,7 @@ class Report:
         ]
         for o in f["outputs"]:
             lines.append(
-                f"  {o['name']:<11}{o['values']} values; worst found {_short(o['ulps']['max'])} ulps, "
+                f"  {o['name']:<11}{o['values']} values, {o['wrong_kind']} of the wrong kind; worst found {_short(o['ulps']['max'])} ulps, "
                 f"99 % below {_short(o['ulps']['p99'])}, {_short(o['max_of_budget'])} of its budget"
             )
         for name, budget, reason in f["budgets"]:
@@ -217,6 +236,7 @@ class Report:
             ("output", "output"),
             ("cases", "cases"),
             ("passed", "passed"),
+            ("wrong_kind", "of the wrong kind"),
             ("worst_ulps", "worst found, ulps"),
             ("p99_ulps", "99 % below, ulps"),
             ("worst_of_budget", "share of budget"),

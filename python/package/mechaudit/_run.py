@@ -109,7 +109,7 @@ def audited(
     finally:
         if bar is not None:
             bar.close()
-    facts = run.finish(interrupted, 0)
+    facts = run.finish(interrupted)
     return Report(facts, list(findings.all.values()), mode, called)
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import csv
 import hashlib
 import os
-import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from decimal import ROUND_CEILING, Context, Decimal
 from fractions import Fraction
 from pathlib import Path
@@ -16,6 +15,7 @@ import numpy as np
 
 from . import _mechaudit, certified
 from ._audit import names_of
+from ._files import whole
 from ._methods import Description
 
 __all__ = ["Vectors", "vectors"]
@@ -105,13 +105,13 @@ class Vectors:
                     row += [self.decimals[i][k], self.radii[i][k]]
                 writer.writerow([*row, self.proofs[i]])
 
-        _whole(path, "w", write)
+        whole(path, "w", write)
 
     def to_npz(self, path: str | os.PathLike[str]) -> None:
         """All columns as arrays."""
         columns = {k: np.asarray(v) for k, v in self._columns().items()}
         save: Any = np.savez_compressed
-        _whole(path, "wb", lambda file: save(file, **columns))
+        whole(path, "wb", lambda file: save(file, **columns))
 
     def to_parquet(self, folder: str | os.PathLike[str]) -> tuple[Path, Path]:
         """Two tables in the layout of scipy's xsref: ``In_*.parquet`` and ``Out_*.parquet``.
@@ -139,7 +139,7 @@ class Vectors:
         file_in, file_out = where / f"In_{stem}.parquet", where / f"Out_{stem}.parquet"
         columns = {name: self.inputs[:, k] for k, name in enumerate(inputs)}
         table = pa.table(columns).replace_schema_metadata(metadata)
-        _whole(file_in, "wb", lambda file: pq.write_table(table, file, compression="zstd"))
+        whole(file_in, "wb", lambda file: pq.write_table(table, file, compression="zstd"))
         checksum = hashlib.sha256(file_in.read_bytes()).hexdigest().encode()
         columns = {name: self.values[:, k] for k, name in enumerate(outputs)}
         columns["fallback"] = np.zeros(len(self), dtype=bool)
@@ -150,23 +150,8 @@ class Vectors:
         metadata[b"input_checksum"] = checksum
         metadata[b"mechaudit_version"] = _mechaudit.__version__.encode()
         values = pa.table(columns).replace_schema_metadata(metadata)
-        _whole(file_out, "wb", lambda file: pq.write_table(values, file, compression="zstd"))
+        whole(file_out, "wb", lambda file: pq.write_table(values, file, compression="zstd"))
         return file_in, file_out
-
-
-def _whole(path: str | os.PathLike[str], mode: str, write: Callable[[Any], Any]) -> None:
-    """Writes a file that is whole or not there."""
-    path = Path(path)
-    text = {"newline": "", "encoding": "utf-8"} if "b" not in mode else {}
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with open(handle, mode, **text) as file:  # type: ignore[call-overload]
-            write(file)
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise
 
 
 def vectors(
