@@ -187,6 +187,14 @@ def test_interrupt_gives_what_was_found():
     assert "interrupted" in str(report)
 
 
+def test_progress(capfd):
+    pytest.importorskip("tqdm")
+    assert audit(special.wofz, progress=True).passed
+    shown = capfd.readouterr().err
+    assert "100%" in shown and "cases" in shown
+    assert audit(special.wofz, progress=False).passed and not capfd.readouterr().err
+
+
 def test_reports_are_shown(tmp_path):
     report = audit(scipy.special.wofz)
     text, page = str(report), report._repr_html_()
