@@ -1,4 +1,4 @@
-//! What the two sides answer.
+//! Answers of solver and reference.
 
 use super::due::Due;
 use mechaudit_reference::{Ball, Undecided};

@@ -1,4 +1,4 @@
-//! How inputs and answers are laid out: one description for lists, files, tables and messages.
+//! The layout of inputs and answers: one description for lists, files, tables and messages.
 //!
 //! An input is named `symbol`, `symbol[length]` or either with a note in parentheses:
 //! `phi1`, `lower[n-1]`, `assembly (1 or -1)`. A length is the symbol of an input before it

@@ -1,4 +1,4 @@
-//! What an audited method has to say about itself.
+//! The interface of an audited method.
 
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, NormBudget};

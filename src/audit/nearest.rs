@@ -1,4 +1,4 @@
-//! Which of the names there are somebody may have meant.
+//! The known name closest to a misspelt one.
 
 /// How alike two names have to be.
 const ALIKE: f64 = 0.8;

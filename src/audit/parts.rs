@@ -1,4 +1,4 @@
-//! The error of a single value taken apart.
+//! The error of a single value, split into method error and rounding.
 
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::judged::answer_of;

@@ -1,4 +1,4 @@
-//! What a run is given.
+//! Settings of a run.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! Answers as they come. They are read on a thread of their own, so that waiting for one can end.
+//! Answers of a candidate, read on a thread of their own so that waiting for one can end.
 
 use crate::cli::process::frames::{Frame, Frames};
 use crate::cli::process::interrupt;

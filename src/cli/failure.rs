@@ -1,4 +1,4 @@
-//! How a run ends.
+//! Outcomes and failures of a run.
 
 use crate::cli::complain;
 use mechaudit::audit::did_you_mean;

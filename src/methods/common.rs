@@ -1,4 +1,4 @@
-//! What many methods write.
+//! Constructors that most methods use.
 
 use crate::audit::{Budget, CheckPoint, Draw, Limit, Output, Region};
 

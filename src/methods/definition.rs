@@ -1,4 +1,4 @@
-//! What the file of a method defines, and how the registry makes a [`Method`] of it.
+//! The definition of a method in its file, and the [`Method`] that the registry makes of it.
 
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{

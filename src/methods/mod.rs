@@ -125,6 +125,8 @@ registry! {
         Fn(Complex<f64>), |f, z| f(z.into());
     Voigt "voigt" formerly "faddeeva.voigt":
         Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma);
+    VoigtHwhm "voigt-hwhm":
+        Fn(f64, f64), |f, i| f(i.sigma, i.gamma);
     CamLaw "cam-law":
         Fn(CamLawInput<'_>), |f, i| f(i);
     CamFourierSeries "cam-fourier-series":

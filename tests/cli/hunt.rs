@@ -1,4 +1,4 @@
-//! Hunts and the hard cases they leave.
+//! Hunts and hard cases.
 
 use crate::common::cells;
 use mechaudit::audit::{
@@ -93,7 +93,12 @@ fn the_audit_judges_hard_cases_and_says_which_are_recorded_findings() {
         let hard = method.hard();
         let report = audit_method(&*method, &settings, &|| ());
         let points = method.domain().check_points.len();
-        assert_eq!(report.cases, points + hard.len(), "{}", method.name());
+        assert_eq!(
+            report.cases,
+            (points + hard.len()) as u64,
+            "{}",
+            method.name()
+        );
         let over: HashSet<Vec<u64>> = hard
             .iter()
             .enumerate()
@@ -104,7 +109,7 @@ fn the_audit_judges_hard_cases_and_says_which_are_recorded_findings() {
             .map(|(_, h)| h.input.iter().map(|x| x.to_bits()).collect())
             .collect();
         assert!(report.passed(), "{}", method.name());
-        assert!(report.recorded >= over.len(), "{}", method.name());
+        assert!(report.recorded >= over.len() as u64, "{}", method.name());
     }
 }
 
@@ -168,7 +173,7 @@ fn a_recorded_finding_may_not_get_worse() {
     for (recorded, passed) in [(share, true), (0.9 * share, false), (1.0, false)] {
         let report = audit_method(&with(recorded), &settings, &|| ());
         let found = (report.cases, report.recorded, report.passed());
-        assert_eq!(found, (1, usize::from(passed), passed), "{recorded}");
+        assert_eq!(found, (1, u64::from(passed), passed), "{recorded}");
     }
 }
 
@@ -204,7 +209,7 @@ fn a_needle_is_found_by_its_slope() {
         ..Settings::default()
     };
     let random = audit_method(&faulty, &sampled, &|| ());
-    let sampled = random.outputs[0].max_of_budget;
+    let sampled = random.outputs()[0].max_of_budget;
     assert!(worst.share > 5.0 * sampled, "{} {sampled}", worst.share);
     assert!(found.evaluations <= 4000);
     // The same again.

@@ -1,4 +1,4 @@
-//! Tables, inputs and answers in files, and what is said of those that cannot be judged.
+//! Tables, inputs and answers in files, and refusals of those that cannot be judged.
 
 use crate::common::{cells, refused, run, said};
 use serde_json::Value;

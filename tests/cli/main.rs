@@ -5,6 +5,7 @@
 mod candidates;
 mod chirp;
 mod common;
+mod compare;
 mod dyad;
 mod eval;
 mod eval_chirp;

@@ -44,10 +44,11 @@ fn no_case_is_left_out() {
         };
         let domain = m.domain();
         let due = 2 * domain.regions.len() + domain.check_points.len() + m.hard().len();
+        let due = due as u64;
         let cases = Cases::new(&*m, &settings);
         for r in &domain.regions {
             assert!(cases.in_region(r.name, 0).is_ok(), "{name}: {}", r.name);
         }
-        assert_eq!(audit_method(&*m, &settings, &|| ()).cases, due, "{name}");
+        assert_eq!(audit_method(&*m, &settings, &|| ()).cases, due as u64, "{name}");
     }
 }

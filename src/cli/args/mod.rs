@@ -1,4 +1,4 @@
-//! What may be written on the command line.
+//! The grammar of the command line.
 
 mod audit;
 mod chirp;

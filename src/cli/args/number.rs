@@ -1,4 +1,4 @@
-//! Numbers on the command line, and what is said of those that are none.
+//! Numbers on the command line and their errors.
 
 use mechaudit::reference::Decimal;
 use std::ops::RangeInclusive;

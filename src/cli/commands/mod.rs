@@ -1,4 +1,4 @@
-//! What the program does: one file, or one folder, for each command.
+//! The commands: a file or folder each.
 
 pub mod audit;
 pub mod chirp;

@@ -1,4 +1,4 @@
-//! What a shell wants to know: completions and manual pages.
+//! Shell completions and manual pages.
 
 use crate::cli::args::{Args, CompletionsArgs, ManArgs};
 use crate::cli::failure::{Failure, Outcome};

@@ -155,7 +155,7 @@ pub struct Overrides {
     pub method: Option<Method>,
 }
 
-/// A machine and what it is to do.
+/// A machine and its run.
 pub struct Machine {
     /// Its name, or one made of its type.
     pub name: String,

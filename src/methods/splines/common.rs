@@ -1,4 +1,4 @@
-//! What the audited splines on arbitrary knots share.
+//! The shared part of the audited splines on arbitrary knots.
 //!
 //! Input: `x[n]`, `y[n]`, then two end values for the kinds that have them, then the two query
 //! points `q0`, `q1`. Output, for each query: `S`, `S'`, `S''`, `S'''` there and the integral from

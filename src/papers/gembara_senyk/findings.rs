@@ -1,4 +1,4 @@
-//! What follows from the misprints and from the model, in figures.
+//! Consequences of the misprints and of the model, in figures.
 
 use super::amplitude::{Formula, Passage};
 use super::charts::{self, Law, Programme};
@@ -6,7 +6,7 @@ use crate::papers::{Finding, FindingVerdict, Subject, figure, figures};
 use crate::reference::Ball;
 use crate::solvers::chirp_chart::{BeatZone, Chart, ChartPoint, ChirpChartError};
 
-/// Working precision of what is enclosed.
+/// Working precision of the enclosures.
 const PREC: u32 = 160;
 /// w = 10, n = 1/2, ε = 4, k = 2: the resonance is passed at t = 1.25 s.
 const OSCILLATOR: [(i32, u32); 4] = [(10, 1), (1, 2), (4, 1), (2, 1)];

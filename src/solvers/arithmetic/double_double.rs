@@ -19,32 +19,22 @@ pub(crate) struct Dd<R = f64> {
 /// `a + b = s + e` exactly (Knuth).
 #[inline(always)]
 pub(crate) fn two_sum<R: Real>(a: R, b: R) -> Dd<R> {
-    let s = a + b;
-    let t = s - a;
-    Dd {
-        hi: s,
-        lo: (a - (s - t)) + (b - t),
-    }
+    let (hi, lo) = a.two_sum(b);
+    Dd { hi, lo }
 }
 
 /// `a + b = s + e` exactly if `|a| ≥ |b|` or `a = 0` (Dekker).
 #[inline(always)]
 pub(crate) fn fast_two_sum<R: Real>(a: R, b: R) -> Dd<R> {
-    let s = a + b;
-    Dd {
-        hi: s,
-        lo: b - (s - a),
-    }
+    let (hi, lo) = a.fast_two_sum(b);
+    Dd { hi, lo }
 }
 
 /// `a b = p + e` exactly, barring underflow.
 #[inline(always)]
 pub(crate) fn two_prod<R: Real>(a: R, b: R) -> Dd<R> {
-    let p = a * b;
-    Dd {
-        hi: p,
-        lo: a.fma(b, -p),
-    }
+    let (hi, lo) = a.two_prod(b);
+    Dd { hi, lo }
 }
 
 impl Dd {

@@ -5,20 +5,32 @@
 
 use crate::real::{Four, Real};
 
-/// A set of instructions.
-pub(crate) trait Lanes: Copy {
-    /// Four numbers.
+/// Operations on four numbers side by side.
+pub trait Vectors: Copy {
+    /// One number.
+    type Scalar: Real;
+    /// Four of them.
     type V: Copy;
-    fn load(self, x: [f64; 4]) -> Self::V;
-    fn splat(self, x: f64) -> Self::V;
+    /// Four numbers.
+    fn load(self, x: [Self::Scalar; 4]) -> Self::V;
+    /// Four entries of a table.
+    fn entries(self, x: [f64; 4]) -> Self::V;
+    /// The same number four times.
+    fn splat(self, x: Self::Scalar) -> Self::V;
+    /// `a b`
     fn mul(self, a: Self::V, b: Self::V) -> Self::V;
     /// `a b + c`
     fn mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
     /// `c − a b`
     fn neg_mul_add(self, a: Self::V, b: Self::V, c: Self::V) -> Self::V;
-    fn parts(self, x: Self::V) -> [f64; 4];
+    /// The four numbers.
+    fn parts(self, x: Self::V) -> [Self::Scalar; 4];
     /// `(x₀ + x₂) + (x₁ + x₃)`
-    fn sum(self, x: Self::V) -> f64;
+    fn sum(self, x: Self::V) -> Self::Scalar;
+}
+
+/// A set of instructions.
+pub(crate) trait Lanes: Vectors<Scalar = f64> {
     /// Four numbers as a [`Real`].
     type Quad: Real;
     fn quad(self, x: [f64; 4]) -> Self::Quad;
@@ -42,7 +54,21 @@ pub(crate) fn with_best<T: Task>(task: T) -> T::Output {
         None => return x86::first(task),
         Some(None) => (),
     }
+    plain(task)
+}
+
+/// Runs the task where the processor has no vectors of four numbers.
+#[cfg(not(all(target_feature = "avx2", target_feature = "fma")))]
+#[inline(always)]
+fn plain<T: Task>(task: T) -> T::Output {
     Plain.run(task)
+}
+
+/// Code for such processors alone has no other: half of its size would be for processors it does not run on.
+#[cfg(all(target_feature = "avx2", target_feature = "fma"))]
+#[cold]
+fn plain<T: Task>(_: T) -> T::Output {
+    panic!("compiled for AVX2 and FMA, which this processor does not have");
 }
 
 /// Arrays.
@@ -56,10 +82,15 @@ impl Plain {
     }
 }
 
-impl Lanes for Plain {
+impl Vectors for Plain {
+    type Scalar = f64;
     type V = [f64; 4];
     #[inline(always)]
     fn load(self, x: [f64; 4]) -> [f64; 4] {
+        x
+    }
+    #[inline(always)]
+    fn entries(self, x: [f64; 4]) -> [f64; 4] {
         x
     }
     #[inline(always)]
@@ -88,6 +119,9 @@ impl Lanes for Plain {
     fn sum(self, x: [f64; 4]) -> f64 {
         (x[0] + x[2]) + (x[1] + x[3])
     }
+}
+
+impl Lanes for Plain {
     type Quad = Four;
     #[inline(always)]
     fn quad(self, x: [f64; 4]) -> Four {
@@ -105,7 +139,7 @@ impl Lanes for Plain {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Lanes, Plain, Task};
+    use super::{Lanes, Task, Vectors};
     use crate::pack::Pack;
     use pulp::x86::V3;
     use pulp::{NullaryFnOnce, cast, f64x4};
@@ -121,7 +155,7 @@ mod x86 {
     pub(crate) fn first<T: Task>(task: T) -> T::Output {
         match BEST.get_or_init(V3::try_new) {
             Some(v) => v.call(task),
-            None => Plain.run(task),
+            None => super::plain(task),
         }
     }
 
@@ -135,10 +169,15 @@ mod x86 {
         }
     }
 
-    impl Lanes for V3 {
+    impl Vectors for V3 {
+        type Scalar = f64;
         type V = f64x4;
         #[inline(always)]
         fn load(self, x: [f64; 4]) -> f64x4 {
+            cast(x)
+        }
+        #[inline(always)]
+        fn entries(self, x: [f64; 4]) -> f64x4 {
             cast(x)
         }
         #[inline(always)]
@@ -165,6 +204,9 @@ mod x86 {
         fn sum(self, x: f64x4) -> f64 {
             (x.0 + x.2) + (x.1 + x.3)
         }
+    }
+
+    impl Lanes for V3 {
         type Quad = Pack<V3>;
         #[inline(always)]
         fn quad(self, x: [f64; 4]) -> Pack<V3> {

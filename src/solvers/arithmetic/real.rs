@@ -9,10 +9,10 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Adding and subtracting this rounds a number below 2⁵¹ to an integer `k`; the low bits of the
 /// sum are those of `k`.
-pub(crate) const ROUND: f64 = hex("0x1.8p52");
+pub const ROUND: f64 = hex("0x1.8p52");
 
 /// A real number, or several in places of their own.
-pub(crate) trait Real:
+pub trait Real:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -26,14 +26,39 @@ pub(crate) trait Real:
     fn like(self, x: f64) -> Self;
     /// `self · b + c` with one rounding.
     fn fma(self, b: Self, c: Self) -> Self;
+    /// `self + b = s + e` exactly (Knuth).
+    #[inline(always)]
+    fn two_sum(self, b: Self) -> (Self, Self) {
+        let s = self + b;
+        let t = s - self;
+        (s, (self - (s - t)) + (b - t))
+    }
+    /// `self + b = s + e` exactly if `|self| ≥ |b|` or `self = 0` (Dekker).
+    #[inline(always)]
+    fn fast_two_sum(self, b: Self) -> (Self, Self) {
+        let s = self + b;
+        (s, b - (s - self))
+    }
+    /// `self · b = p + e` exactly, barring underflow.
+    #[inline(always)]
+    fn two_prod(self, b: Self) -> (Self, Self) {
+        let p = self * b;
+        (p, self.fma(b, -p))
+    }
+    /// Its absolute value.
     fn magnitude(self) -> Self;
+    /// `low` if it is smaller.
     fn at_least(self, low: Self) -> Self;
+    /// `high` if it is larger.
     fn at_most(self, high: Self) -> Self;
     /// At least a constant. Where the result is squared: of a comparison written out a compiler squares
     /// both sides and then chooses, and a square that underflows takes as long as half of a formula.
     fn raised(self, least: f64) -> Self;
+    /// Whether it is smaller than the other one.
     fn below(self, other: Self) -> Self::Mask;
+    /// Whether either is true.
     fn or(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// One or the other.
     fn pick(self, mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Whether the mask is true in every place.
     fn all(self, mask: Self::Mask) -> bool;

@@ -1,4 +1,4 @@
-//! A generated file: what its header says, and whether it still holds.
+//! A generated file: its header, and the check against it.
 
 use mechaudit::audit::{Origin, Uncertified};
 use mechaudit::report::words::numbers::clipped;

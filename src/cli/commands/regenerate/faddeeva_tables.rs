@@ -15,8 +15,8 @@ pub use relatives::{constants, tables as relatives_tables};
 
 use super::artefact::{Made, MakeError, Outcome};
 use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
-use rug::ops::Pow;
 use rug::Rational;
+use rug::ops::Pow;
 use std::fmt::Write as _;
 
 const FIRST_BITS: u32 = 256;

@@ -1,4 +1,4 @@
-//! Everything generated, made anew or compared.
+//! Generated files: regenerated, or compared with what is held.
 
 mod artefact;
 pub mod errata;
@@ -151,7 +151,7 @@ fn line(artefact: &Artefact, what: &str) -> Result<(), Failure> {
     write_to(None, |out| Ok(writeln!(out, "{path}: {what}")?))
 }
 
-/// What is in a file that is not what it should be.
+/// The first difference of a file, and whether its digest is broken.
 fn fault(form: Form, found: &str, due: &str) -> String {
     let place = difference(found, due).unwrap_or_default();
     match broken(form, found) {
@@ -185,8 +185,9 @@ mod tests {
         for (folder, ending) in [
             (VALUES, ".csv"),
             (PUBLISHED, "-errata.json"),
-            (FADDEEVA, "tables.rs"),
-            (FADDEEVA, "constants.rs"),
+            ("src/solvers/arithmetic", "tables.rs"),
+            ("src/solvers/special/faddeeva", "tables.rs"),
+            ("src/solvers/special/faddeeva", "constants.rs"),
         ] {
             for entry in std::fs::read_dir(root.join(folder)).expect("a folder") {
                 let name = entry.expect("an entry").file_name();

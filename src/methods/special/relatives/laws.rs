@@ -1,4 +1,4 @@
-//! Identities that several relatives of the Faddeeva function obey, and what their laws are made of.
+//! Identities of several relatives of the Faddeeva function, and the parts of their laws.
 
 use super::{C, Relative};
 use crate::audit::Law;

@@ -1,4 +1,4 @@
-//! What the audits of the complex relatives of the Faddeeva function share.
+//! The shared part of the audits of the Faddeeva function's complex relatives.
 
 mod dawson;
 mod erf;

@@ -1,4 +1,4 @@
-//! What the audit of the tables and the conclusion found, in words and figures.
+//! Findings on the tables and the conclusion, in words and figures.
 
 mod claims;
 mod inputs;

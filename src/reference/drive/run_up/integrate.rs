@@ -1,4 +1,4 @@
-//! Steps from the start to the times asked for.
+//! Integration from the start to the requested times.
 
 use super::coefficients::Coefficients;
 use super::motor::Motor;

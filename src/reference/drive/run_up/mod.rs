@@ -1,4 +1,4 @@
-//! The machine runs up: the motion of a linkage's crank under a motor, enclosed.
+//! Certified run-up: an enclosure of the motion of a linkage's crank under a motor.
 //!
 //! ```text
 //! dψ/dt = (M_d(ψ) + M_o(φ) − ½ ψ² S(φ)) / (I_n(φ) + I_1)      dφ/dt = ψ

@@ -1,4 +1,4 @@
-//! Which series serves an argument, and the symmetries that bring it there.
+//! The choice of the series for an argument, after reduction by symmetry.
 
 use super::argument::{Argument, Real};
 use super::pair::Member;

@@ -111,6 +111,15 @@ pub(super) fn two_terms<R: Real>(a: R, b: R) -> (R, R) {
     (gu.fma(p, p), gv.fma(q, q))
 }
 
+/// The first term alone, which is enough for `|z| ≥ 10^100`, at a point scaled so that its larger coordinate is
+/// within [1, 2).
+#[inline(always)]
+pub(super) fn one_term<R: Real>(a: R, b: R) -> (R, R) {
+    let (f, error) = reciprocal(a.at_least(b), a.at_most(b));
+    let part = |x: R| error.fma(x * f, x * f);
+    (part(b), part(a))
+}
+
 /// The same for `a ≥ b`: the real part divided by `b`, and the imaginary part.
 #[inline(always)]
 pub(super) fn series_beside_real_axis<R: Real, const N: usize>(a: R, b: R) -> (R, R) {

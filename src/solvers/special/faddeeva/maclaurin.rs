@@ -109,14 +109,15 @@ fn times_argument<R: Real, const N: usize>(s: R, minus: R, c: &[f64; N]) -> (R, 
 /// `2⁻⁵² y²`, less than the `2⁻⁵³ y` by which the function falls from one number to the next, so that
 /// it never grows with y.
 #[inline(always)]
-pub(super) fn on_imaginary_axis(y: f64) -> f64 {
-    let first = two_prod(y, K[0]);
-    let mut tail = 0.0;
+pub(super) fn on_imaginary_axis<R: Real>(y: R) -> R {
+    let like = |c: f64| y.like(c);
+    let first = two_prod(y, like(K[0]));
+    let mut tail = like(0.0);
     for k in K[1..].iter().rev() {
-        tail = y.mul_add(tail, *k);
+        tail = y.fma(tail, like(*k));
     }
-    let tail = (y * y).mul_add(tail, y.mul_add(FIRST_LO, first.lo));
-    let sum = fast_two_sum(1.0, first.hi);
+    let tail = (y * y).fma(tail, y.fma(like(FIRST_LO), first.lo));
+    let sum = fast_two_sum(like(1.0), first.hi);
     sum.hi + (sum.lo + tail)
 }
 

@@ -75,6 +75,9 @@ mod many;
 mod odd_series;
 mod plane;
 mod points;
+#[cfg(feature = "proof")]
+#[doc(hidden)]
+pub mod proof;
 mod quadrant;
 mod reflection;
 mod relatives_tables;
@@ -87,6 +90,7 @@ mod tables;
 mod taylor;
 mod trapezoidal;
 mod voigt;
+mod voigt_hwhm;
 mod zeros;
 
 pub use branch::Branch;
@@ -99,6 +103,7 @@ pub use erf_real::{erf_real, erfc_real, erfcx_real, erfi_real};
 pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use voigt::{voigt, voigt_batch};
+pub use voigt_hwhm::voigt_hwhm;
 
 use branch::{CELL, IMAGINARY_AXIS, MACLAURIN_21, formula_at};
 pub(crate) use extended::w_extended;

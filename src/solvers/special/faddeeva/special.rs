@@ -1,9 +1,8 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
-use super::constants::INV_SQRT_PI;
+use super::asymptotic::one_term;
 use crate::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
 use crate::payne_hanek;
-use crate::double_double::two_prod;
 use crate::real::{ROUND, scaled};
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.
@@ -21,12 +20,8 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
     } else {
         let k = ROUND - ((a.max(b).to_bits() >> 52) as f64 - 1023.0);
         let (p, q) = (scaled(a, k), scaled(b, k));
-        let r2 = p.mul_add(p, q * q);
-        let part = |x: f64| {
-            let t = two_prod(x / r2, INV_SQRT_PI.hi);
-            scaled(t.hi + t.lo, k)
-        };
-        (part(q), part(p))
+        let (re, im) = one_term(p, q);
+        (scaled(re, k), scaled(im, k))
     };
     if y >= 0.0 {
         return (u, v);

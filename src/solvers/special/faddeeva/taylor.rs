@@ -9,7 +9,7 @@
 //! interleaved polynomials in δ⁴, which the compiler turns into vector instructions.
 
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
-use crate::lanes::Lanes;
+use crate::lanes::Vectors;
 #[cfg(target_arch = "x86_64")]
 use crate::pack::{Pack, Wide, columns};
 use crate::real::Real;
@@ -29,8 +29,9 @@ fn block(c: &[f64], at: usize) -> [f64; 4] {
 }
 
 #[inline(always)]
-fn block8(c: &[f64; 40]) -> [f64; 8] {
-    [c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]]
+fn first_eight<R: Real>(x: R, c: &[f64; 40]) -> [R; 8] {
+    let at = |k: usize| x.like(c[k]);
+    [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)]
 }
 
 /// `δ²`
@@ -42,21 +43,21 @@ pub(super) fn square<R: Real>(dx: R, dy: R) -> (R, R) {
 /// `q₀ + q₁δ + …` from blocks of four real and four imaginary parts, the first one at `first`, the
 /// last one at `last`, with `δ² = x2 + i y2`.
 #[inline(always)]
-pub(super) fn polynomial<L: Lanes>(
+pub(super) fn polynomial<L: Vectors>(
     lanes: L,
     c: &[f64],
     (first, last): (usize, usize),
-    delta: (f64, f64),
-    d2: (f64, f64),
-) -> (f64, f64) {
+    delta: (L::Scalar, L::Scalar),
+    d2: (L::Scalar, L::Scalar),
+) -> (L::Scalar, L::Scalar) {
     let (x4, y4) = square(d2.0, d2.1);
     let (x4, y4) = (lanes.splat(x4), lanes.splat(y4));
-    let mut re = lanes.load(block(c, last));
-    let mut im = lanes.load(block(c, last + 4));
+    let mut re = lanes.entries(block(c, last));
+    let mut im = lanes.entries(block(c, last + 4));
     let mut at = last;
     while at > first {
         at -= 8;
-        let (a, b) = (lanes.load(block(c, at)), lanes.load(block(c, at + 4)));
+        let (a, b) = (lanes.entries(block(c, at)), lanes.entries(block(c, at + 4)));
         let r = lanes.mul_add(x4, re, lanes.neg_mul_add(y4, im, a));
         im = lanes.mul_add(x4, im, lanes.mul_add(y4, re, b));
         re = r;
@@ -119,25 +120,30 @@ fn complex_sum_rounded<R: Real>(
 
 /// Real and imaginary part of `w(c + dx + i dy)`, each as one number.
 #[inline(always)]
-pub(super) fn complex_row_rounded<L: Lanes>(
+pub(super) fn complex_row_rounded<L: Vectors>(
     lanes: L,
     row: &ComplexRow,
-    dx: f64,
-    dy: f64,
-) -> (f64, f64) {
+    dx: L::Scalar,
+    dy: L::Scalar,
+) -> (L::Scalar, L::Scalar) {
     let c = &row.0;
     let d2 = square(dx, dy);
     let q = polynomial(lanes, c, (8, 32), (dx, dy), d2);
-    complex_sum_rounded(block8(c), (dx, dy), d2, q)
+    complex_sum_rounded(first_eight(dx, c), (dx, dy), d2, q)
 }
 
 /// Real and imaginary part of `w(c + dx + i dy)`, unevaluated.
 #[inline(always)]
-pub(super) fn complex_row<L: Lanes>(lanes: L, row: &ComplexRow, dx: f64, dy: f64) -> (Dd, Dd) {
+pub(super) fn complex_row<L: Vectors>(
+    lanes: L,
+    row: &ComplexRow,
+    dx: L::Scalar,
+    dy: L::Scalar,
+) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
     let c = &row.0;
     let d2 = square(dx, dy);
     let q = polynomial(lanes, c, (8, 32), (dx, dy), d2);
-    complex_sum(block8(c), (dx, dy), d2, q)
+    complex_sum(first_eight(dx, c), (dx, dy), d2, q)
 }
 
 /// The powers of `δ = t + i b` up to the fourth: real parts, and imaginary parts divided by `b`.
@@ -169,40 +175,49 @@ fn real_sum<R: Real>(
 /// For a function `f` real on the real axis and expanded about a real centre: the real part of
 /// `f(c + t + i b)` and its imaginary part divided by `b`.
 #[inline(always)]
-pub(super) fn real_row<L: Lanes>(lanes: L, row: &RealRow, t: f64, b: f64) -> (Dd, Dd) {
+pub(super) fn real_row<L: Vectors>(
+    lanes: L,
+    row: &RealRow,
+    t: L::Scalar,
+    b: L::Scalar,
+) -> (Dd<L::Scalar>, Dd<L::Scalar>) {
     let (c, bb, powers, q) = real_polynomial(lanes, row, t, b);
     real_sum(c, (t, bb), powers, q)
 }
 
+/// The first four numbers of a [`RealRow`], b², δ², and what is left.
+type RealPolynomial<R> = ([R; 4], R, (R, R), (R, R));
+
 /// The first four numbers of the row, b², δ² and `q₀ + q₁δ + …`, imaginary parts divided by `b`.
 #[inline(always)]
-fn real_polynomial<L: Lanes>(
+fn real_polynomial<L: Vectors>(
     lanes: L,
     row: &RealRow,
-    t: f64,
-    b: f64,
-) -> ([f64; 4], f64, (f64, f64), (f64, f64)) {
+    t: L::Scalar,
+    b: L::Scalar,
+) -> RealPolynomial<L::Scalar> {
     let c = &row.0;
+    let (zero, one) = (t.like(0.0), t.like(1.0));
     let bb = b * b;
     let (p, s) = real_powers(t, bb);
     let (p4, s4, bs4) = (lanes.splat(p[4]), lanes.splat(s[4]), lanes.splat(bb * s[4]));
-    let mut re = lanes.load(block(c, 16));
+    let mut re = lanes.entries(block(c, 16));
     let mut im = lanes.mul(s4, re);
-    re = lanes.mul_add(p4, re, lanes.load(block(c, 12)));
+    re = lanes.mul_add(p4, re, lanes.entries(block(c, 12)));
     for at in [8, 4] {
-        let v = lanes.load(block(c, at));
+        let v = lanes.entries(block(c, at));
         let r = lanes.mul_add(p4, re, lanes.neg_mul_add(bs4, im, v));
         im = lanes.mul_add(p4, im, lanes.mul(s4, re));
         re = r;
     }
-    let bs = lanes.load([0.0, bb, bb * s[2], bb * s[3]]);
+    let bs = lanes.load([zero, bb, bb * s[2], bb * s[3]]);
     let (pv, sv) = (
-        lanes.load([1.0, t, p[2], p[3]]),
-        lanes.load([0.0, 1.0, s[2], s[3]]),
+        lanes.load([one, t, p[2], p[3]]),
+        lanes.load([zero, one, s[2], s[3]]),
     );
     let qr = lanes.sum(lanes.neg_mul_add(bs, im, lanes.mul(pv, re)));
     let qs = lanes.sum(lanes.mul_add(pv, im, lanes.mul(sv, re)));
-    (block(c, 0), bb, (p[2], s[2]), (qr, qs))
+    (block(c, 0).map(|c| t.like(c)), bb, (p[2], s[2]), (qr, qs))
 }
 
 /// [`polynomial`] for several points with a row each.
@@ -233,14 +248,14 @@ impl<S: Wide> OnRows<'_, S> {
     #[inline(always)]
     pub(super) fn unevaluated(&self, simd: S) -> (Dd<Pack<S>>, Dd<Pack<S>>) {
         let [d2, q] = self.polynomials(simd);
-        complex_sum(self.first_eight(simd), (self.dx, self.dy), d2, q)
+        complex_sum(self.leading(simd), (self.dx, self.dy), d2, q)
     }
 
     /// [`complex_row_rounded`]
     #[inline(always)]
     pub(super) fn rounded(&self, simd: S) -> (Pack<S>, Pack<S>) {
         let [d2, q] = self.polynomials(simd);
-        complex_sum_rounded(self.first_eight(simd), (self.dx, self.dy), d2, q)
+        complex_sum_rounded(self.leading(simd), (self.dx, self.dy), d2, q)
     }
 
     /// δ² and `q₀ + q₁δ + …`
@@ -252,7 +267,7 @@ impl<S: Wide> OnRows<'_, S> {
     }
 
     #[inline(always)]
-    fn first_eight(&self, simd: S) -> [Pack<S>; 8] {
+    fn leading(&self, simd: S) -> [Pack<S>; 8] {
         let (a, b) = (columns(simd, &self.rows, 0), columns(simd, &self.rows, 4));
         [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]]
     }

@@ -1,13 +1,6 @@
 use super::super::tests::Random;
-use super::super::tests::exact::{are_parts, error, float, w};
+use super::super::tests::exact::{error, float, w};
 use super::*;
-use mechaudit_reference::Ball;
-
-#[test]
-fn constants() {
-    let inverse = Ball::integer(300, 1) / &Ball::pi(300).sqrt();
-    assert!(are_parts(&inverse, &[INV_SQRT_PI.hi, INV_SQRT_PI.lo]));
-}
 
 /// Points beyond 10^100 that are finite and do not overflow: the nearest f64 or a neighbour of it,
 /// subnormal values included.
