@@ -1,6 +1,6 @@
 #!/bin/sh
 # Every measurement of benches/README.md, one after another on an idle machine; their output goes to
-# the folder given. LIBCERF_DIR and FADDEEVA_DIR: see benches/peers/README.md.
+# the folder given. MECHAUDIT_DIR, LIBCERF_DIR and FADDEEVA_DIR: see benches/peers/README.md.
 set -eu
 cd "$(dirname "$0")/.."
 out=${1:?"usage: benches/measure.sh FOLDER"}

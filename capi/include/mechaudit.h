@@ -79,7 +79,7 @@ typedef enum mechaudit_status {
      */
     MECHAUDIT_STATUS_MEMORY = 10,
     /**
-     * A defect of this library; please report it.
+     * A defect of this library; please report it. Builds that abort on one never return it.
      */
     MECHAUDIT_STATUS_INTERNAL = 11,
 } mechaudit_status;

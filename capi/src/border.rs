@@ -30,7 +30,7 @@ pub enum Status {
     Overflow = 9,
     /// No memory for a copy of the input.
     Memory = 10,
-    /// A defect of this library; please report it.
+    /// A defect of this library; please report it. Builds that abort on one never return it.
     Internal = 11,
 }
 

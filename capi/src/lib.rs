@@ -7,8 +7,9 @@
 //! - No state: every function is thread-safe, a spline may be read by many threads at once.
 //! - Functions of one point allocate nothing and cannot fail.
 //! - What can fail returns a [`Status`] and, where asked, an [`Error`] with the place and the rule.
-//! - Nothing unwinds into the caller: a panic, which would be a defect of this library, becomes
-//!   [`Status::Internal`].
+//! - Nothing unwinds into the caller. A panic would be a defect of this library: in the profile `capi`, which
+//!   `capi/install` builds, it aborts; in the others it becomes [`Status::Internal`] where a status is returned, and
+//!   aborts elsewhere.
 //!
 //! # Complex numbers by value
 //! C's `double _Complex` has no counterpart among Rust's types of the C ABI. On x86-64 (System V) and AArch64

@@ -84,11 +84,18 @@ int main(void) {
         }
     }
     for (int k = 0; k < 3000; ++k) {
-        point(between(-8, 8), between(-6, 8));
-        point(of_size(-30, 30), of_size(-30, 30));
-        point(of_size(-1020, 1020), of_size(-1020, 1020));
-        real(between(-30, 30), between(0, 3), between(0, 3));
-        real(of_size(-1020, 1020), fabs(of_size(-300, 300)), fabs(of_size(-300, 300)));
+        /* One after another: the order of arguments is the compiler's. */
+        double r[12];
+        r[0] = between(-8, 8), r[1] = between(-6, 8);
+        r[2] = of_size(-30, 30), r[3] = of_size(-30, 30);
+        r[4] = of_size(-1020, 1020), r[5] = of_size(-1020, 1020);
+        r[6] = between(-30, 30), r[7] = between(0, 3), r[8] = between(0, 3);
+        r[9] = of_size(-1020, 1020), r[10] = fabs(of_size(-300, 300)), r[11] = fabs(of_size(-300, 300));
+        point(r[0], r[1]);
+        point(r[2], r[3]);
+        point(r[4], r[5]);
+        real(r[6], r[7], r[8]);
+        real(r[9], r[10], r[11]);
     }
     printf("digest %016" PRIx64 "\n", digest);
     return verdict("abi");

@@ -27,6 +27,9 @@ built fortran
 expect "$out/fortran/profile" 'refused: x[0] = 5 is outside [0, 4]'
 
 export PKG_CONFIG_PATH=$prefix/lib/pkgconfig
+version=$(pkg-config --modversion mechaudit)
+grep -qF "set(PACKAGE_VERSION \"$version\")" "$prefix/share/mechaudit/cmake/mechauditConfigVersion.cmake" ||
+    { echo "examples: CMake's version is not $version" >&2 && exit 1; }
 cc "$top/examples/c/voigt.c" $(pkg-config --cflags --libs mechaudit) -o "$out/voigt"
 LD_LIBRARY_PATH=$prefix/lib expect "$out/voigt" 'half width'
 cc "$top/examples/c/voigt.c" -I"$prefix/include" $(pkg-config --static --libs-only-other mechaudit) \

@@ -20,7 +20,7 @@ for source in api.c abi.c names.cpp $examples/c/voigt.c $examples/c/spline.c $ex
     build asan "$source" -fsanitize=address,undefined -fno-sanitize-recover=all
     ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 "$out/asan" >"$out/text" 2>&1 || { cat "$out/text" && exit 1; }
     build plain "$source"
-    valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=all "$out/plain" \
+    ../tools valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=all "$out/plain" \
         >"$out/text" 2>&1 || { tail -40 "$out/text" && exit 1; }
     echo "$name"
     count=$((count + 2))

@@ -32,6 +32,26 @@ passed=$((passed + 1))
 # Where a program gets a function from.
 bound() { LD_DEBUG=bindings LD_PRELOAD=$ours "${@:2}" 2>&1 >/dev/null | grep -q "to $ours .*\`$1'"; }
 
+# libcerf 3 is two libraries, for C and for C++: the latter from Debian testing, which takes itself to be newer
+# than the system's C library.
+theirs=$PWD/../../target/libcerf
+if [ -e "$theirs/usr/include/cerf.h" ] || ../debian "$theirs" libcerf-dev; then
+    lib=$theirs/usr/lib/$(uname -m)-linux-gnu
+    c++ -O1 -I"$theirs/usr/include" preload.cpp "$lib/libcerfcpp.so" -Wl,--allow-shlib-undefined -o "$out/theirs"
+    c++ -O1 -I"$prefix/include/mechaudit" preload.cpp "$ours" -Wl,-rpath,"$prefix/lib" -o "$out/ours"
+    mkdir "$out/lib"
+    cp "$lib"/libcerfcpp.so.* "$out/lib"
+    LD_LIBRARY_PATH=$out/lib "$out/theirs" >"$out/before"
+    LD_LIBRARY_PATH=$out/lib LD_PRELOAD=$ours "$out/theirs" >"$out/after"
+    "$out/ours" >"$out/due"
+    ! cmp -s "$out/before" "$out/after" && diff "$out/after" "$out/due" ||
+        { echo "preload: other values than linked with it, or none changed, in C++" >&2 && exit 1; }
+    basename "$lib"/libcerfcpp.so.*.*
+    passed=$((passed + 1))
+else
+    echo "preload: no libcerf of Debian testing"
+fi
+
 # BornAgain: diffuse scattering by correlated rough layers, which calls cerfcx.
 if /usr/bin/python3 -c 'import bornagain' 2>/dev/null; then
     /usr/bin/python3 bornagain_layers.py >"$out/before"

@@ -260,8 +260,7 @@ fn what_cannot_be_run_is_bad_usage() {
         --exec true --region nowhere   | has no region
     ";
     for [args, part] in cells(usage) {
-        let args: Vec<&str> = args.split_whitespace().collect();
-        refused(&run(&[&["audit", "faddeeva"][..], &args].concat()), &part);
+        refused(&command(&format!("audit faddeeva {args}")), &part);
     }
     let nothing = run(&["audit", "faddeeva", "--exec", ""]);
     refused(&nothing, "--exec needs a command");

@@ -9,6 +9,7 @@ mod compare;
 mod dyad;
 mod eval;
 mod eval_chirp;
+mod examples;
 mod hunt;
 mod interrupt;
 #[cfg(unix)]

@@ -1,6 +1,6 @@
 //! Help, usage, lists and how output ends.
 
-use crate::common::{cells, done, names, program, refused, run, text};
+use crate::common::{cells, done, names, program, refused, run, text, words};
 use std::process::Stdio;
 use tempfile::tempdir;
 
@@ -90,7 +90,7 @@ fn a_slip_of_the_pen_is_guessed_and_the_right_help_named() {
         --seed x                | (see mechaudit --help)
     "#;
     for [args, part] in cells(slips) {
-        refused(&run(&args.split(' ').collect::<Vec<_>>()), &part);
+        refused(&run(&words(&args)), &part);
     }
 }
 
@@ -113,7 +113,7 @@ fn numbers_that_are_none_are_said_in_words() {
         runup x --tolerance -0.001 | must be a positive number
     ";
     for [args, part] in cells(numbers) {
-        let d = run(&args.split(' ').collect::<Vec<_>>());
+        let d = run(&words(&args));
         refused(&d, &part);
         assert!(!d.err.contains(" -- "), "{}", d.err);
     }
@@ -130,7 +130,7 @@ fn what_cannot_end_is_refused_at_once() {
         "audit erf --cases 99999999999999 --exec cat",
         "points erf --count 99999999999999",
     ] {
-        let d = run(&args.split(' ').collect::<Vec<_>>());
+        let d = run(&words(&args));
         refused(&d, "years; more than 30 days");
     }
     assert!(start.elapsed().as_secs() < 60);

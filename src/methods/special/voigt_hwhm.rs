@@ -7,7 +7,7 @@ use crate::audit::{
     Budget, CheckPoint, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer, Region,
     Uncertified,
 };
-use crate::methods::common::{held, output, region};
+use crate::methods::common::{held, output, point, region};
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{self as reference, Scaled};
@@ -41,10 +41,9 @@ impl Definition for VoigtHwhm {
     fn outputs() -> Vec<Output> {
         let budget = Budget::new(
             Limit::Ulps(1.0),
-            "half an ulp for the last rounding, a quarter more where a subnormal value is rounded twice; the \
-             rest for Re W at two points, known to a few \
-             hundredths before it is rounded, which the slope there carries over at most once into x \
-             (0.72 times for gamma = 0, once for sigma = 0)",
+            "half an ulp for the last rounding, a quarter more where a subnormal value is rounded twice; \
+             the rest for Re W at two points, known to a few hundredths before it is rounded, which the \
+             slope there carries over at most once into x (0.72 times for gamma = 0, once for sigma = 0)",
         );
         vec![output("x", "1", budget)]
     }
@@ -65,13 +64,11 @@ impl Definition for VoigtHwhm {
             return Ok(ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact));
         }
         let x = reference::voigt_hwhm(i.sigma, i.gamma, asked(bits))?;
-        Ok(ReferenceAnswer::Dues(
-            vec![Due::Number(x)],
-            Proof::Bounded(
-                "V - V(0)/2 falls and changes its sign between two floats, by balls \
-                 (reference::faddeeva::voigt_hwhm)",
-            ),
-        ))
+        let proof = Proof::Bounded(
+            "V - V(0)/2 falls and changes its sign between two floats, by balls \
+             (reference::faddeeva::voigt_hwhm)",
+        );
+        Ok(ReferenceAnswer::Dues(vec![Due::Number(x)], proof))
     }
 
     /// The width is at least that of either part.
@@ -245,7 +242,7 @@ fn regions() -> Vec<Region> {
 
 fn check_points() -> Vec<CheckPoint> {
     let (inf, nan, max, min) = (f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1));
-    let named = [
+    let named: [(_, [f64; 2]); 27] = [
         ("normal", [1.0, 0.0]),
         ("cauchy", [0.0, 1.0]),
         ("both", [1.0, 1.0]),
@@ -274,11 +271,5 @@ fn check_points() -> Vec<CheckPoint> {
         ("nan-gamma", [1.0, nan]),
         ("nan-and-infinite", [inf, nan]),
     ];
-    named
-        .into_iter()
-        .map(|(name, input)| CheckPoint {
-            name,
-            input: input.to_vec(),
-        })
-        .collect()
+    named.map(|(name, input)| point(name, input)).to_vec()
 }

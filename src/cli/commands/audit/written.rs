@@ -76,7 +76,8 @@ pub fn write(
             output.write(|out| Ok(writeln!(out, "{text}")?))?;
         }
         AuditFormat::Html => {
-            let page = html::audit::page(reports, besides.approximations.as_deref(), stopped);
+            let approximations = besides.approximations.as_deref();
+            let page = html::audit::page(reports, approximations, changes.as_ref(), stopped);
             output.text(&page)?;
         }
     }

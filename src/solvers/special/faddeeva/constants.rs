@@ -2,8 +2,8 @@
 //!
 //! Made by `mechaudit regenerate faddeeva-constants` (mechaudit 0.1.0); not to be edited.
 //! precision: every rounding decided at 256 to 8192 bits
-//! SHA-256 of the recipe: 2f9c0b3fe854de29758a53da58119475b156a5699879415a7acac60f7375fb3d
-//! SHA-256 of all lines below: daf320da02da5693800f0f97b70174f9067436047789e46d4870b28e91b87d55
+//! SHA-256 of the recipe: 5cef7974502fa25ef24d1bfecb1410b80c050f2a22c52cd97e3ce0c1c38f6e47
+//! SHA-256 of all lines below: 7cec8cf706f528386620f3451a64dd3345b0968b8e24b2b184346892e0465000
 
 #![allow(clippy::approx_constant)]
 
@@ -19,8 +19,6 @@ pub(super) const INV_SQRT_PI: Dd = Dd::new(0.5641895835477563, 7.66772980658294e
 pub(super) const INV_SQRT_2: Dd = Dd::new(0.7071067811865476, -4.833646656726457e-17);
 /// 1/√(2π).
 pub(super) const INV_SQRT_2_PI: Dd = Dd::new(0.3989422804014327, -2.49232720227773e-17);
-/// ln 2.
-pub(super) const LN_2: Dd = Dd::new(0.6931471805599453, 2.3190468138462996e-17);
 /// √(ln 2).
 pub(super) const SQRT_LN_2: Dd = Dd::new(0.8325546111576978, -4.2875407321628104e-17);
 /// 1/π.

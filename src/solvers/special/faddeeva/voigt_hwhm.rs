@@ -17,13 +17,14 @@
 //! γ (1 + (3/2) r² − (21/8) r⁴ + (183/16) r⁶ − (10413/128) r⁸ + …)
 //! ```
 
-use super::constants::{INV_SQRT_2, LN_2, SQRT_LN_2, TWO_OVER_SQRT_PI};
+use super::constants::{INV_SQRT_2, SQRT_LN_2, TWO_OVER_SQRT_PI};
 use super::quadrant::{times_power, w};
 use super::voigt::split;
 use crate::double_double::{Dd, fast_two_sum};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::ROUND;
+use std::f64::consts::LN_2;
 
 /// `γ/(σ√2)` below which γ does not matter: the width is `σ√(2 ln 2) + 0.53 γ + …`.
 const NORMAL: f64 = hex("0x1p-60");
@@ -49,7 +50,7 @@ fn with_slope<L: Lanes>(lanes: L, t: f64, y: f64) -> (Dd, f64, f64) {
 #[inline(always)]
 fn solved<L: Lanes>(lanes: L, y: Dd) -> Dd {
     let h = y.hi;
-    let t = 0.5 * 1.06868f64.mul_add(h, 0.86743f64.mul_add(h * h, 4.0 * LN_2.hi).sqrt());
+    let t = 0.5 * 1.06868f64.mul_add(h, 0.86743f64.mul_add(h * h, 4.0 * LN_2).sqrt());
     let half = w(lanes, 0.0, h).0.scale(0.5);
 
     let (u, re, im) = with_slope(lanes, t, h);

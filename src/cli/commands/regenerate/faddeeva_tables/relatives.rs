@@ -21,7 +21,7 @@ pub(super) fn column(row: &[f64], indent: &str) -> String {
 /// A number of two parts, by its name in Rust and in words.
 type Constant = (&'static str, &'static str, fn(u32) -> Ball);
 
-const CONSTANTS: [Constant; 8] = [
+const CONSTANTS: [Constant; 7] = [
     ("TWO_OVER_SQRT_PI", "2/√π", |p| {
         Ball::integer(p, 2) / &Ball::pi(p).sqrt()
     }),
@@ -33,10 +33,7 @@ const CONSTANTS: [Constant; 8] = [
     ("INV_SQRT_2_PI", "1/√(2π)", |p| {
         Ball::pi(p).shift(1).sqrt().recip()
     }),
-    ("LN_2", "ln 2", |p| Ball::integer(p, 2).ln()),
-    ("SQRT_LN_2", "√(ln 2)", |p| {
-        Ball::integer(p, 2).ln().sqrt()
-    }),
+    ("SQRT_LN_2", "√(ln 2)", |p| Ball::integer(p, 2).ln().sqrt()),
     ("INV_PI", "1/π", |p| Ball::pi(p).recip()),
 ];
 
