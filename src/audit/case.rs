@@ -123,10 +123,13 @@ impl Case {
             }
         }
         let bits = |x: &f64| x.to_bits();
-        key(&self.origin).cmp(&key(&other.origin)).then_with(|| {
+        let origins = key(&self.origin).cmp(&key(&other.origin));
+        let inputs = || {
             let own = self.input.iter().map(bits);
             own.cmp(other.input.iter().map(bits))
-        })
+        };
+        let regions = || self.region.cmp(other.region);
+        origins.then_with(inputs).then_with(regions)
     }
 
     /// A hash of the input, the same on every machine: FNV-1a, mixed once more.

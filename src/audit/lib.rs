@@ -32,6 +32,8 @@ mod report;
 mod run;
 mod sampling;
 mod settings;
+#[cfg(test)]
+mod soundness_tests;
 mod spread;
 mod tally;
 mod ulp;

@@ -356,3 +356,6 @@ impl Region {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -74,6 +74,7 @@ struct Output {
 
 #[derive(Deserialize)]
 struct Spread {
+    count: u64,
     max: Option<f64>,
     p99: Option<f64>,
     rms: Option<f64>,
@@ -243,9 +244,12 @@ impl Changes {
             };
             let mut of_output = |what, a, b| figure(Some(o.name), what, a, b, SAME);
             of_output("worst ulps", b.ulps.max, o.ulps.max);
-            of_output("p99 ulps", b.ulps.p99, o.ulps.p99);
-            of_output("RMS ulps", b.ulps.rms, o.ulps.rms);
             of_output("of budget", b.max_of_budget, o.max_of_budget);
+            // Of other values, with more or fewer of the wrong kind, they mean nothing.
+            if b.ulps.count == o.ulps.count {
+                of_output("p99 ulps", b.ulps.p99, o.ulps.p99);
+                of_output("RMS ulps", b.ulps.rms, o.ulps.rms);
+            }
         }
     }
 }

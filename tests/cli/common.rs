@@ -31,9 +31,14 @@ pub fn run(args: &[&str]) -> Done {
     done(program().args(args).output().unwrap())
 }
 
+/// Arguments without blanks in them.
+pub fn words(line: &str) -> Vec<&str> {
+    line.split_whitespace().collect()
+}
+
 /// A run as it is typed.
 pub fn command(line: &str) -> Done {
-    run(&line.split(' ').collect::<Vec<_>>())
+    run(&words(line))
 }
 
 /// `part` stands on stderr.

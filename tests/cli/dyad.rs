@@ -1,6 +1,6 @@
 //! `mechaudit linkage` for four-bar linkages and slider-cranks, as its user meets it.
 
-use crate::common::{Done, cells, changed, column, drawing, refused, run_on, said, texts};
+use crate::common::{Done, cells, changed, column, drawing, refused, run_on, said, texts, words};
 
 const FOUR_BAR: &str = include_str!("../../examples/four-bar.toml");
 const SLIDER: &str = include_str!("../../examples/slider-crank.toml");
@@ -88,50 +88,26 @@ fn the_slider_crank_is_the_closed_form() {
 #[test]
 fn the_crank_speed_turns_derivatives_into_rates() {
     let speed = "crank_speed = \"3 rad/s\"\ncrank_acceleration = \"-2 rad/s^2\"\n";
-    for (text, pairs) in [
-        (
-            four_bar(["10", "40", "30", "35"]),
-            [
-                (
-                    "dphi3_dphi1",
-                    "d2phi3_dphi1_2_per_rad",
-                    "omega3_rad_per_s",
-                    "epsilon3_rad_per_s2",
-                ),
-                (
-                    "dphi2_dphi1",
-                    "d2phi2_dphi1_2_per_rad",
-                    "omega2_rad_per_s",
-                    "epsilon2_rad_per_s2",
-                ),
-            ],
-        ),
-        (
-            slider("1", "3", "offset = \"20 cm\""),
-            [
-                (
-                    "dslider_dphi1_m_per_rad",
-                    "d2slider_dphi1_2_m_per_rad2",
-                    "slider_velocity_m_per_s",
-                    "slider_acceleration_m_per_s2",
-                ),
-                (
-                    "dphi2_dphi1",
-                    "d2phi2_dphi1_2_per_rad",
-                    "omega2_rad_per_s",
-                    "epsilon2_rad_per_s2",
-                ),
-            ],
-        ),
+    let bar = "
+        dphi3_dphi1 | d2phi3_dphi1_2_per_rad | omega3_rad_per_s | epsilon3_rad_per_s2
+        dphi2_dphi1 | d2phi2_dphi1_2_per_rad | omega2_rad_per_s | epsilon2_rad_per_s2
+    ";
+    let crank = "
+        dslider_dphi1_m_per_rad | d2slider_dphi1_2_m_per_rad2 | slider_velocity_m_per_s | slider_acceleration_m_per_s2
+        dphi2_dphi1 | d2phi2_dphi1_2_per_rad | omega2_rad_per_s | epsilon2_rad_per_s2
+    ";
+    for (text, columns) in [
+        (four_bar(["10", "40", "30", "35"]), bar),
+        (slider("1", "3", "offset = \"20 cm\""), crank),
     ] {
         for digits in [&[][..], &["--digits", "12"]] {
             let args = [&["--step-deg", "17"][..], digits].concat();
             let plain = linkage(&text, &args);
             let fast = linkage(&format!("{speed}{text}"), &args);
             assert_eq!((plain.code, fast.code), (0, 0), "{}", fast.err);
-            for (first, second, omega, epsilon) in pairs {
-                let [f, s] = [first, second].map(|n| column(&plain.out, n));
-                let [w, e] = [omega, epsilon].map(|n| column(&fast.out, n));
+            for [first, second, omega, epsilon] in cells(columns) {
+                let [f, s] = [first, second].map(|n| column(&plain.out, &n));
+                let [w, e] = [omega, epsilon].map(|n| column(&fast.out, &n));
                 for k in 0..f.len() {
                     close(w[k], 3.0 * f[k]);
                     close(e[k], 9.0 * s[k] - 2.0 * f[k]);
@@ -151,15 +127,7 @@ fn certified_digits_agree_with_floating_point_and_with_more_digits() {
         slider("2", "3", "direction = \"0.7 rad\"\noffset = \"-1.5 m\""),
     ] {
         let run = |digits: &str| {
-            let args = [
-                "--step-deg",
-                "22.5",
-                "--all-branches",
-                "--from-deg",
-                "-180",
-                "--to-deg",
-                "540",
-            ];
+            let args = words("--step-deg 22.5 --all-branches --from-deg -180 --to-deg 540");
             let d = match digits {
                 "" => linkage(&text, &args),
                 n => linkage(&text, &[&args[..], &["--digits", n]].concat()),
@@ -217,16 +185,7 @@ fn certified_digits_are_those_of_known_numbers() {
     // A parallelogram: the rocker follows the crank, the coupler stays.
     let d = linkage(
         &four_bar(["20", "50", "20", "50"]),
-        &[
-            "--from-deg",
-            "10",
-            "--to-deg",
-            "170",
-            "--step-deg",
-            "40",
-            "--digits",
-            "25",
-        ],
+        &words("--from-deg 10 --to-deg 170 --step-deg 40 --digits 25"),
     );
     assert_eq!(d.code, 0, "{}", d.err);
     assert!(texts(&d.out, "phi2_deg").iter().all(|t| t == "0"));
@@ -269,18 +228,7 @@ fn what_cannot_be_proved_is_undecided() {
     // an enclosure cannot tell a small number from zero.
     let d = linkage(
         &four_bar(["20", "20", "20", "20"]),
-        &[
-            "--from-deg",
-            "90",
-            "--to-deg",
-            "90",
-            "--step-deg",
-            "1",
-            "--digits",
-            "10",
-            "--branch",
-            "1",
-        ],
+        &words("--from-deg 90 --to-deg 90 --step-deg 1 --digits 10 --branch 1"),
     );
     assert_eq!(d.code, 1, "{}{}", d.out, d.err);
     assert_eq!(texts(&d.out, "dphi3_dphi1"), ["undecided"]);

@@ -1,6 +1,6 @@
 //! `mechaudit runup` as its user meets it.
 
-use crate::common::{Done, cells, changed, column, drawing, refused, run_on, said};
+use crate::common::{Done, cells, changed, column, drawing, refused, run_on, said, words};
 
 const SCREEN: &str = include_str!("../../examples/sand-screen-run-up.toml");
 const ROTOR: &str = include_str!("../../examples/sand-screen-rotor.toml");
@@ -288,8 +288,7 @@ fn bad_input_is_one_clear_line() {
         --nodes 12 --coefficients exact | --nodes has no meaning with exact coefficients
     ";
     for [args, part] in cells(options) {
-        let args: Vec<&str> = args.split(' ').collect();
-        refused(&runup(SCREEN, &args), &part);
+        refused(&runup(SCREEN, &words(&args)), &part);
     }
     // Without the names of Rust's types.
     let fields = r#"

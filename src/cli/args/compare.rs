@@ -72,6 +72,8 @@ pub enum CompareFormat {
     Json,
     /// A line for each region and candidate
     Csv,
+    /// A page to be opened in a browser
+    Html,
 }
 
 /// Arguments of `describe`.

@@ -1,6 +1,7 @@
 //! Several programs at the same cases, side by side.
 
 use crate::cli::args::{CompareArgs, CompareFormat, ProgramArgs};
+use crate::cli::commands::audit::written::POINTS;
 use crate::cli::commands::audit::{find, settings};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
@@ -14,7 +15,7 @@ use mechaudit::audit::{
     judge_together,
 };
 use mechaudit::report::baseline::Baseline;
-use mechaudit::report::{csv, json, text};
+use mechaudit::report::{csv, html, json, text};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io::Read;
@@ -33,7 +34,10 @@ const STARTS: usize = 3;
 
 /// Compares them.
 pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
-    let settings = settings(&args.run)?;
+    let mut settings = settings(&args.run)?;
+    if args.format == CompareFormat::Html {
+        settings.points = POINTS;
+    }
     let method = find(&args.method)?;
     let output = Output::open(args.output.as_deref())?;
     let before = args.baseline.as_deref().map(baseline).transpose()?;
@@ -83,6 +87,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
             Ok(())
         })?,
         CompareFormat::Json => write_json(output, &json::comparison(&found, changes.as_ref()))?,
+        CompareFormat::Html => output.text(&html::audit::comparison(&found, changes.as_ref()))?,
         CompareFormat::Csv => output
             .write(|out| csv::comparison(&found, out).map_err(|e| Failure::new(e.to_string())))?,
     }

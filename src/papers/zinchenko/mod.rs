@@ -15,10 +15,13 @@ mod formulas;
 mod hidden_recipe;
 mod ledger;
 mod moment_residual;
+mod motion;
 mod recipe;
 mod recovery;
 mod run_up;
 mod tables;
+
+pub use motion::motion;
 
 use super::{Citation, Finding, PaperReport, Progress, SCHEMA_VERSION};
 use crate::reference::{Ball, Undecided};

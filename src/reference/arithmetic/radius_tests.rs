@@ -34,11 +34,12 @@ fn both_ways(what: &str, b: &Ball, results: impl IntoIterator<Item = Float>, nee
     assert!(most >= needed, "{what}: only {most} of the radius is used");
 }
 
+type OfBall = fn(&Ball) -> Ball;
 type Real = fn(&Float) -> Float;
 
 #[test]
 fn functions_of_one_ball() {
-    let functions: [(&str, fn(&Ball) -> Ball, Real, f64); 7] = [
+    let functions: [(&str, OfBall, Real, f64); 7] = [
         ("sqrt", |b| b.sqrt(), |x| x.clone().sqrt(), 0.4),
         ("square", |b| b.square(), |x| x.clone().square(), 0.9),
         ("exp", |b| b.exp(), |x| x.clone().exp(), 0.5),
@@ -73,8 +74,9 @@ fn functions_of_one_ball() {
 
 #[test]
 fn operations_of_two_balls() {
+    type OfBalls = fn(&Ball, &Ball) -> Ball;
     type Pair = fn(&Float, &Float) -> Float;
-    let operations: [(&str, fn(&Ball, &Ball) -> Ball, Pair, f64); 5] = [
+    let operations: [(&str, OfBalls, Pair, f64); 5] = [
         ("+", |a, b| a + b, |x, y| Float::with_val(HIGH, x + y), 0.99),
         ("-", |a, b| a - b, |x, y| Float::with_val(HIGH, x - y), 0.99),
         ("*", |a, b| a * b, |x, y| Float::with_val(HIGH, x * y), 0.99),

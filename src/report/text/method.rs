@@ -37,9 +37,8 @@ pub fn method(report: &MethodReport, width: usize) -> String {
     }
     let left = report.failed().saturating_sub(shown.len() as u64);
     if left > 0 && !shown.is_empty() {
-        let text = format!(
-            "{left} more failing cases; --format json lists up to 500 of each region, csv counts all."
-        );
+        let text =
+            format!("{left} more failing cases; --format json lists the first 500 of each region.");
         out.push_str(&paragraph(&text, 2, width));
     }
     out.push_str(&trouble(report, width));
@@ -170,7 +169,7 @@ fn outputs(report: &MethodReport, width: usize) -> String {
         row.extend(["", "", "", ""].map(|t| (t.into(), PLAIN)));
         table.row(row);
     }
-    let dispensable = ["condition", "median", "RMS", "u(1+cond)"];
+    let dispensable = ["condition", "median", "RMS", "p99"];
     let mut out = table
         .fitted(width.saturating_sub(2), &dispensable)
         .render(2);

@@ -174,7 +174,7 @@ pub fn everything(
 
 #[cfg(test)]
 mod tests {
-    use super::super::method::tests::fabricated as method;
+    use super::super::method::tests::{fabricated as method, passing};
     use super::super::paper::tests::fabricated as paper_report;
     use super::super::style::plain;
     use super::*;
@@ -205,17 +205,13 @@ mod tests {
 
     #[test]
     fn a_passing_method_is_no_news() {
-        let mut report = method();
-        report.passed = report.cases;
-        report.failures.clear();
-        assert_eq!(news(&[], &[report], 80), "");
+        assert_eq!(news(&[], &[passing()], 80), "");
     }
 
     #[test]
     fn a_line_for_each_method() {
-        let mut passing = method();
+        let mut passing = passing();
         passing.method = "a-method-whose-name-is-as-long-1";
-        passing.passed = passing.cases;
         let reports = [method(), passing];
         let text = plain(&methods(&reports, 80));
         let lines: Vec<&str> = text.lines().collect();

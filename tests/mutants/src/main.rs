@@ -5,6 +5,7 @@
 //! each mutant meets only the tests that reach it, until one fails.
 
 mod mutate;
+mod planted;
 mod render;
 mod switch;
 mod tests_run;
@@ -31,8 +32,11 @@ use tree::Tree;
 #[derive(Parser, Debug)]
 struct Args {
     /// Files of one package, relative to the project's root
-    #[arg(required = true)]
+    #[arg(required_unless_present = "planted")]
     files: Vec<String>,
+    /// Plant the faults of this table, one at a time: the test named beside each has to fail
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["files", "sample", "list", "output", "filter", "test"])]
+    planted: Option<PathBuf>,
     /// The package they belong to
     #[arg(long, default_value = "mechaudit-reference")]
     package: String,
@@ -97,6 +101,9 @@ fn main() -> ExitCode {
 fn audit(args: &Args) -> Result<bool> {
     let project = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
     let project = project.canonicalize().context("the project")?;
+    if let Some(table) = &args.planted {
+        return planted::check(&project, table);
+    }
     let sources = read(&project, &args.files)?;
     let mut mutants = all(&sources);
     if let Some(n) = args.sample {
@@ -125,7 +132,8 @@ fn audit(args: &Args) -> Result<bool> {
         targets.push("--lib".into());
     }
     let mut left_out = HashSet::new();
-    let executables = compile(&tree, args, &sources, &mutants, &targets, &mut left_out)?;
+    let package = &args.package;
+    let executables = compile(&tree, package, &sources, &mutants, &targets, &mut left_out)?;
     let viable: Vec<&Mutant> = mutants
         .iter()
         .filter(|m| !left_out.contains(&m.number))
@@ -134,10 +142,7 @@ fn audit(args: &Args) -> Result<bool> {
         .jobs
         .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
     let longest = Duration::from_secs_f64(args.longest);
-    // Cargo runs a package's tests in its folder.
-    let library = tree.library(&args.package)?;
-    let mut folder = tree.root.join(&library);
-    while !folder.join("Cargo.toml").exists() && folder.pop() {}
+    let folder = tree.folder(package)?;
     let suite = Suite::new(&folder, &executables, &args.filter, longest, jobs, &work)?;
     eprintln!(
         "{} mutants, {} do not compile; {} tests, {} too long",
@@ -185,13 +190,13 @@ fn all(sources: &[Source]) -> Vec<Mutant> {
 /// Compiles all mutants, fewer from round to round, until what is left compiles.
 fn compile(
     tree: &Tree,
-    args: &Args,
+    package: &str,
     sources: &[Source],
     mutants: &[Mutant],
     targets: &[String],
     left_out: &mut HashSet<u32>,
 ) -> Result<Vec<PathBuf>> {
-    let library = tree.library(&args.package)?;
+    let library = tree.library(package)?;
     let mut build = false;
     for _ in 0..ROUNDS {
         let mut rendered: Vec<Rendered> = Vec::new();
@@ -218,7 +223,7 @@ fn compile(
             )?;
             tree.write(&library, &(original + switch::SOURCE))?;
         }
-        let built = tree.cargo(&args.package, targets, build)?;
+        let built = tree.cargo(package, targets, build)?;
         if built.errors.is_empty() {
             if build {
                 return Ok(built.executables);

@@ -42,15 +42,16 @@ pub struct Suite {
 const SLOWER: u32 = 10;
 const MORE: Duration = Duration::from_secs(3);
 /// No test without a mutant takes longer.
-const LONGEST: Duration = Duration::from_secs(600);
+pub const LONGEST: Duration = Duration::from_secs(600);
 
-enum Ended {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ended {
     Passed,
     Failed,
     TimedOut,
 }
 
-fn run(
+pub fn run(
     folder: &Path,
     executable: &Path,
     name: &str,
@@ -80,7 +81,7 @@ fn run(
 }
 
 /// The names of an executable's tests that hold one of the filters.
-fn names(folder: &Path, executable: &Path, filters: &[String]) -> Result<Vec<String>> {
+pub fn names(folder: &Path, executable: &Path, filters: &[String]) -> Result<Vec<String>> {
     let out = Command::new(executable)
         .current_dir(folder)
         .args(["--list", "--format", "terse"])

@@ -83,6 +83,13 @@ impl Tree {
         Ok(inside.to_string_lossy().into_owned())
     }
 
+    /// The folder of a package, in which cargo runs its tests.
+    pub fn folder(&self, package: &str) -> Result<PathBuf> {
+        let mut folder = self.root.join(self.library(package)?);
+        while !folder.join("Cargo.toml").exists() && folder.pop() {}
+        Ok(folder)
+    }
+
     /// Checks or builds the tests of a package.
     pub fn cargo(&self, package: &str, targets: &[String], build: bool) -> Result<Built> {
         let mut command = Command::new("cargo");

@@ -7,7 +7,7 @@ use crate::cli::files::output::{Output, write_json};
 use crate::cli::terminal::width;
 use mechaudit::audit::{ConvergenceReport, MethodReport, Uncertified};
 use mechaudit::report::baseline::Baseline;
-use mechaudit::report::words::audit::all_pass;
+use mechaudit::report::words::audit::{all_pass, totals};
 use mechaudit::report::{csv, html, json, junit, text};
 use std::path::Path;
 
@@ -52,6 +52,10 @@ pub fn write(
             for report in reports {
                 writeln!(out, "{}", in_words(report))?;
             }
+            if reports.iter().any(|r| r.cases > 1 || r.interrupted) {
+                let mark = if stopped { "Interrupted: " } else { "" };
+                writeln!(out, "{mark}{}.", totals(reports))?;
+            }
             if let Some(changes) = &changes {
                 write!(out, "{}", text::comparison::changes(changes, width()))?;
             }
@@ -72,7 +76,8 @@ pub fn write(
             output.write(|out| Ok(writeln!(out, "{text}")?))?;
         }
         AuditFormat::Html => {
-            let page = html::audit::page(reports, besides.approximations.as_deref(), stopped);
+            let approximations = besides.approximations.as_deref();
+            let page = html::audit::page(reports, approximations, changes.as_ref(), stopped);
             output.text(&page)?;
         }
     }
