@@ -18,6 +18,7 @@ fn help_and_version() {
         vec!["judge", "--help"],
         vec!["hunt", "--help"],
         vec!["converge", "--help"],
+        vec!["prove", "--help"],
         vec!["regenerate", "--help"],
         vec!["chirp", "--help"],
         vec!["completions", "--help"],
