@@ -196,8 +196,8 @@ pub(crate) fn roots() -> Vec<Rectangle> {
 
 /// A point of the closed quadrant that no rectangle covers, if there is one.
 ///
-/// The numbers by their bits, from 0 to 2⁶³: the square of all pairs is halved until one rectangle holds what is left
-/// of it, or none meets it.
+/// The numbers by their bits: the square of all pairs is cut at ends of rectangles until one of them holds what is
+/// left of it, or none meets it.
 pub fn hole(rectangles: &[Rectangle]) -> Option<[f64; 2]> {
     let bits = |[lo, hi]: [f64; 2]| [lo.to_bits(), hi.to_bits()];
     let all: Vec<[[u64; 2]; 2]> = rectangles.iter().map(|r| [bits(r.a), bits(r.b)]).collect();
@@ -220,14 +220,25 @@ fn hole_in(square: [[u64; 2]; 2], rectangles: &[[[u64; 2]; 2]]) -> Option<[u64; 
     if here.iter().any(holds) {
         return None;
     }
-    let sides = square.map(|[lo, hi]| hi - lo);
-    if here.is_empty() || sides == [0, 0] {
+    if here.is_empty() {
         return Some([a[0], b[0]]);
     }
-    let i = usize::from(sides[1] > sides[0]);
-    let middle = square[i][0] + sides[i] / 2;
+    // Where rectangles begin, inside the square: without any each of them holds it.
+    let cuts = [0, 1].map(|i| {
+        let ends = here
+            .iter()
+            .flat_map(|r| [r[i][0], r[i][1].saturating_add(1)]);
+        let mut cuts: Vec<u64> = ends
+            .filter(|e| finite[i][0] < *e && *e <= finite[i][1])
+            .collect();
+        cuts.sort_unstable();
+        cuts.dedup();
+        cuts
+    });
+    let i = usize::from(cuts[1].len() > cuts[0].len());
+    let at = cuts[i][cuts[i].len() / 2];
     let (mut low, mut high) = (square, square);
-    (low[i][1], high[i][0]) = (middle, middle + 1);
+    (low[i][1], high[i][0]) = (at - 1, at);
     hole_in(low, &here).or_else(|| hole_in(high, &here))
 }
 

@@ -9,6 +9,7 @@ use crate::tables::Tables;
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation::{self, Truncation};
 use mechaudit_solvers::faddeeva::{Branch, proof as code};
+use std::sync::PoisonError;
 
 /// A formula, with the row of a table where it has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -177,8 +178,19 @@ fn scaled_bound(
     rounding: Rounding,
 ) -> Result<Bound, &'static str> {
     let scaled = at.scaled().ok_or("several powers of two")?;
-    let (ways, truncation) = run(tables, Formula::Huge, &scaled, rounding)?;
-    let mut bound = gathered(Formula::Huge, &scaled, ways, truncation)?;
+    let [p, q, r, s] = [scaled.a[0], scaled.a[1], scaled.b[0], scaled.b[1]].map(f64::to_bits);
+    let key = ([p, q, r, s], rounding.fma_rounds_twice, rounding.truncates);
+    let known = || tables.scaled.lock().unwrap_or_else(PoisonError::into_inner);
+    let found = known().get(&key).copied();
+    let mut bound = match found {
+        Some(bound) => bound,
+        None => {
+            let (ways, truncation) = run(tables, Formula::Huge, &scaled, rounding)?;
+            let bound = gathered(Formula::Huge, &scaled, ways, truncation)?;
+            known().insert(key, bound);
+            bound
+        }
+    };
     bound.tiny = 6.0;
     Ok(bound)
 }

@@ -347,3 +347,7 @@ fn with_rows(
     }
     Ok(())
 }
+
+#[cfg(test)]
+#[path = "tests/theorem.rs"]
+mod tests;

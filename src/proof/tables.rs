@@ -1,10 +1,12 @@
 //! The solver's tables with their errors, each computed once.
 
+use crate::formula::Bound;
 use crate::truncation::{RowErrors, polynomial_error};
 use mechaudit_solvers::faddeeva::proof as code;
 use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::sync::{Arc, Mutex};
 
 type Key = (u64, u64);
 
@@ -19,7 +21,12 @@ pub struct Tables {
     real_axis: HashMap<Key, (Row, RowErrors)>,
     imaginary_axis: HashMap<Key, (AxisRow, RowErrors)>,
     pub(crate) real_line: [f64; 2],
+    /// Bounds of the scaled formula, whose rectangles are the same in every shell.
+    pub(crate) scaled: Arc<Mutex<HashMap<Scaled, Bound>>>,
 }
+
+/// A scaled rectangle by its bits, and how operations round.
+pub(crate) type Scaled = ([u64; 4], bool, Option<u32>);
 
 /// Centre and row of the cell around a point.
 pub(crate) fn cell_at(a: f64, b: f64) -> ((f64, f64), &'static Row) {
@@ -83,6 +90,7 @@ impl Tables {
                 polynomial_error(&line[0], false),
                 polynomial_error(&line[1], true),
             ],
+            scaled: Arc::default(),
         })
     }
 
@@ -108,5 +116,13 @@ impl Tables {
             .get(&key((0.0, centre)))
             .ok_or("no such centre")?;
         Ok((&found.0, &found.1))
+    }
+
+    /// A cell's row changed: its errors are computed anew.
+    #[cfg(test)]
+    pub(crate) fn change_cell(&mut self, centre: (f64, f64), change: impl FnOnce(&mut Row)) {
+        let (row, errors) = self.cells.get_mut(&key(centre)).expect("a cell");
+        change(row);
+        *errors = RowErrors::of(row, centre).expect("decided");
     }
 }

@@ -8,7 +8,7 @@ pub const AFTER_HELP: &str = "\
 Examples:
   mechaudit prove faddeeva
   mechaudit prove faddeeva --boxes boxes.csv --format json
-  mechaudit prove faddeeva --norm 1.5 --components
+  mechaudit prove faddeeva --within 64 --components
 
 Runs the solver's own code over rectangles that cover the closed upper half-plane, with numbers \
 that enclose the exact value and the error of every rounding, halves a rectangle until its bound \
@@ -43,6 +43,9 @@ pub struct ProveArgs {
     /// Halve rectangles also until the bound of each component is at most 6 units in its last place
     #[arg(long)]
     pub components: bool,
+    /// Only where Re z and Im z are below this: a part of the proof
+    #[arg(long, value_name = "R", value_parser = super::number::positive)]
+    pub within: Option<f64>,
     /// Write the rectangles to this file
     #[arg(long, value_name = "FILE")]
     pub boxes: Option<PathBuf>,

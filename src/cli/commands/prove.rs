@@ -37,7 +37,7 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         },
         ..Target::default()
     };
-    let Some(found) = proved(target)? else {
+    let Some(found) = proved(target, args.within)? else {
         return Ok(Outcome::Interrupted);
     };
     if let Some(output) = boxes {
@@ -49,21 +49,27 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     let seconds = begin.elapsed().as_secs_f64();
     match args.format {
         TextOrJson::Text => write_to(None, |out| {
-            Ok(write!(out, "{}", text(&found, &summary, seconds))?)
+            Ok(write!(
+                out,
+                "{}",
+                text(&found, &summary, args.within, seconds)
+            )?)
         })?,
-        TextOrJson::Json => print_json(&document(&found, &summary, seconds))?,
+        TextOrJson::Json => print_json(&document(&found, &summary, args.within, seconds))?,
     }
     Ok(Outcome::of(found.open.is_empty()))
 }
 
 /// On a thread of its own, watched; nothing if the user ends it.
-fn proved(target: Target) -> Result<Option<Certificate>, Failure> {
+fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
     let watch = Arc::new(Watch::default());
     let worker = std::thread::spawn({
         let watch = watch.clone();
         move || {
             let code = Code::of_the_solver()?;
-            Ok::<_, String>(upper_half_plane(&code, target, &watch, |_, _| true))
+            Ok::<_, String>(upper_half_plane(&code, target, &watch, |_, r| {
+                within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
+            }))
         }
     });
     let progress = Progress::new();
@@ -112,15 +118,17 @@ fn up(x: f64) -> String {
     format!("{:.3}", (x * 1000.0).next_up().ceil() / 1000.0)
 }
 
-fn text(found: &Certificate, summary: &Summary, seconds: f64) -> String {
+fn text(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> String {
     let mut out = format!("{}\n", paint(BOLD, "faddeeva, closed upper half-plane"));
     let line = |text: String| format!("  {text}\n");
     if found.open.is_empty() {
+        let part = within.map_or(String::new(), |r| {
+            format!(", |Re z| and Im z in the binades below {r}")
+        });
         out += &line(format!(
-            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite z with Im z ≥ 0, K = {}",
+            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite z with Im z ≥ 0{part}: K = {}",
             up(summary.norm.bound)
         ));
-        out += &line("(where |w| < 2^-930, and what underflows besides: see the last line)".into());
     } else {
         let text = format!("not proved: {} rectangles are open", found.open.len());
         out += &line(paint(BAD, &text));
@@ -148,14 +156,14 @@ fn text(found: &Certificate, summary: &Summary, seconds: f64) -> String {
         "Norm in units of 2^-52, components in units in the last place; –: not proved".into(),
     );
     out += &line(format!(
-        "Below 2^-960 a component may be off by another {} · 2^-1075",
+        "A component below 2^-960 in absolute value may be off by another {} · 2^-1075: underflow",
         up(summary.tiny)
     ));
     out += &line(format!("{} boxes, {seconds:.1} s", summary.boxes));
     out
 }
 
-fn document(found: &Certificate, summary: &Summary, seconds: f64) -> Value {
+fn document(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> Value {
     let ends = |at: &Rectangle| json!({ "re": at.a, "im": at.b });
     let attained = |a: &Attained| json!({ "bound": a.bound, "box": ends(&a.at) });
     let formulas: Vec<Value> = summary
@@ -182,6 +190,7 @@ fn document(found: &Certificate, summary: &Summary, seconds: f64) -> Value {
         "mechaudit_version": env!("CARGO_PKG_VERSION"),
         "function": "faddeeva",
         "part": "upper",
+        "within": within,
         "proved": found.open.is_empty(),
         "norm": attained(&summary.norm),
         "tiny": summary.tiny,
