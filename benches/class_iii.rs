@@ -5,23 +5,13 @@
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use mechaudit::papers::zinchenko::data;
-use mechaudit::solvers::class_iii::{ClassIii, State};
-use mechaudit::solvers::reduction::{Masses, Row};
+use mechaudit::papers::zinchenko::data::{self, solver_start};
+use mechaudit::solvers::class_iii::State;
+use mechaudit::solvers::reduction::Row;
 use std::f64::consts::TAU;
 
 fn main() {
     divan::main();
-}
-
-/// The sand screen of Zinchenko (2008) with the recovered centres of mass.
-fn sand_screen() -> (ClassIii, Masses, State) {
-    let linkage = data::solver_linkage();
-    let masses = data::MassParameters::new(data::RECOVERED).masses();
-    let phi1 = 14.426f64.to_radians();
-    let mode = linkage.assembly_modes(phi1).modes[2];
-    let start = linkage.state_near(phi1, mode).expect("closed");
-    (linkage, masses, start)
 }
 
 fn angles(start: &State, n: usize) -> Vec<f64> {
@@ -33,7 +23,7 @@ fn angles(start: &State, n: usize) -> Vec<f64> {
 /// A full row at each of n crank angles over a turn, one core.
 #[divan::bench(args = [48, 1000, 100_000])]
 fn rows(bencher: Bencher, n: usize) {
-    let (linkage, masses, start) = sand_screen();
+    let (linkage, masses, start) = solver_start();
     let angles = angles(&start, n);
     bencher.counter(ItemsCount::new(n)).bench(|| -> Vec<Row> {
         linkage
@@ -45,7 +35,7 @@ fn rows(bencher: Bencher, n: usize) {
 /// The same on all cores.
 #[divan::bench(args = [100_000])]
 fn rows_parallel(bencher: Bencher, n: usize) {
-    let (linkage, masses, start) = sand_screen();
+    let (linkage, masses, start) = solver_start();
     let angles = angles(&start, n);
     bencher.counter(ItemsCount::new(n)).bench(|| {
         let states = linkage
@@ -58,7 +48,7 @@ fn rows_parallel(bencher: Bencher, n: usize) {
 /// All assembly modes at one crank angle.
 #[divan::bench]
 fn assembly_modes(bencher: Bencher) {
-    let (linkage, _, start) = sand_screen();
+    let (linkage, _, start) = solver_start();
     bencher
         .counter(ItemsCount::new(1usize))
         .bench(|| linkage.assembly_modes(divan::black_box(start.phi1)));

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Times the chirp-forced oscillator against scipy's DOP853, both on one core, taken in turns.
+"""Times the chirp-forced oscillator against scipy's DOP853, both on one core, in interleaved runs.
 
 A hundred turns of the shaft from rest (eps = 4 rad/s^2), 20 harmonics of amplitude 1/k^2 and phase 0.3 k,
 w = 200 rad/s, n = 4 rad/s, displacements at 10^4 times. scipy: solve_ivp with DOP853, rtol 1e-10,

@@ -9,7 +9,7 @@ is found by trial; two times are given for it:
     adaptive   the trial included (30 bits more, then as many as were missing), as in our figure
     told       the precision that suffices for the point known in advance: Arb's arithmetic alone
 
-Best of several rounds in which the programs take turns. Times in microseconds a value. Exits with 1
+Best of several interleaved runs. Times in microseconds a value. Exits with 1
 if the values disagree.
 """
 

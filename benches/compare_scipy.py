@@ -3,8 +3,8 @@
     python3 benches/compare_scipy.py
 
 Builds and calls `examples/spline_timing.rs`. Everything is single-threaded except the line that
-says parallel. Times are the best of several runs; the two programs take turns, so that a change of
-clock rate or load in between meets both. Exits with 1 if the values disagree.
+says parallel. Times are the best of several runs; their runs are interleaved, so that a change of
+clock rate or load meets both. Exits with 1 if the values disagree.
 
 Where the result goes matters: memory that the system hands out during the call costs more than the
 whole evaluation. So both sides are measured both ways, and like is divided by like:

@@ -55,14 +55,14 @@ fn audited(bencher: Bencher, region: &str) {
     let settings = Settings::default();
     let cases = Cases::new(&*method, &settings);
     bencher.counter(ItemsCount::new(COUNT)).bench(|| {
-        let mut tally = Tally::new(&*method, 10);
+        let mut tally = Tally::new(&*method, &settings);
         for i in 0..COUNT {
             let case = cases.in_region(region, i).expect("a region");
             let answer = answer_of(&*method, &case.input);
             let report = judge_case_briefly(&*method, case, answer, &settings);
             assert_eq!(report.judgement.verdict, Verdict::Pass);
-            tally.add(report);
+            tally.add(&report);
         }
-        tally.finish(&*method, &settings)
+        tally.finish(&*method)
     });
 }

@@ -5,7 +5,7 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use mechaudit::papers::zinchenko::data;
+use mechaudit::papers::zinchenko::data::solver_start;
 use mechaudit::solvers::class_iii::{ClassIii, State};
 use mechaudit::solvers::reduction::Masses;
 use mechaudit::solvers::run_up::{
@@ -22,18 +22,8 @@ fn main() {
 /// Crank angles of one turn.
 const ANGLES: usize = 1000;
 
-/// The sand screen of Zinchenko (2008) with the recovered centres of mass.
-fn sand_screen() -> (ClassIii, Masses, State) {
-    let linkage = data::solver_linkage();
-    let masses = data::MassParameters::new(data::RECOVERED).masses();
-    let phi1 = 14.426f64.to_radians();
-    let mode = linkage.assembly_modes(phi1).modes[2];
-    let start = linkage.state_near(phi1, mode).expect("closed");
-    (linkage, masses, start)
-}
-
 fn model() -> (ClassIiiModel, f64) {
-    let (linkage, masses, start) = sand_screen();
+    let (linkage, masses, start) = solver_start();
     (ClassIiiModel::new(linkage, masses, start), start.phi1)
 }
 
@@ -44,7 +34,7 @@ fn motor() -> Drive {
 }
 
 fn states() -> (ClassIii, Masses, Vec<State>) {
-    let (linkage, masses, start) = sand_screen();
+    let (linkage, masses, start) = solver_start();
     let angles = (0..ANGLES).map(|k| start.phi1 + TAU * k as f64 / ANGLES as f64);
     let states = linkage.sweep(&start, angles).expect("a crank that turns");
     (linkage, masses, states)

@@ -3,9 +3,7 @@
 //!
 //! Values go to a buffer in use already. Into a new `Vec` the 80 MB have to come from the system
 //! first, which takes longer than the evaluation: `compare_scipy.py` measures both, and the loop
-//! `out[i] = 2 x[i]` in both as a floor. On a shared two-core EPYC (Zen 4), best of eleven runs: the
-//! floor is 5 to 6 ms reused and 33 to 50 ms fresh, 11 to 14 ms fresh where huge pages were granted;
-//! `values_sorted` is 16 ms with AVX-512, 23 ms with AVX2 only, 38 ms with SSE2 only.
+//! `out[i] = 2 x[i]` in both as a floor.
 
 use divan::{Bencher, black_box};
 use mechaudit::solvers::cubic_spline::{Boundary, CubicSpline, UniformCubicSpline};

@@ -108,7 +108,7 @@ struct Readme;
 
 #[cfg(feature = "oracle")]
 #[doc(inline)]
-pub use candidate::{audit, audit_by_name};
+pub use candidate::{audit, audit_by_name, compare};
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use mechaudit_audit as audit;
@@ -123,3 +123,6 @@ pub use mechaudit_solvers as solvers;
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use mechaudit_symbolic as symbolic;
+/// A complex number of two `f64`, as candidates take and give it.
+#[cfg(feature = "oracle")]
+pub use num_complex::Complex64;

@@ -17,6 +17,7 @@ program slider_crank
    real(dp) :: a, b, e, delta, phi, assembly, psi, h, h1, h2, c, c1, c2, theta, theta1, theta2
    integer :: status
 
+   print '(a)', '# name: slider-crank in Fortran', '# version: 1.0'
    do
       read (*, '(a)', iostat=status) line
       if (status /= 0) exit

@@ -4,7 +4,7 @@
  *     mechaudit audit tridiagonal --exec ./tridiagonal
  *
  * Input: lower[n-1], diagonal[n], upper[n-1], d[n] on one line, separated by commas. strtod reads
- * hexadecimal floats, and printf writes them with %a.
+ * hexadecimal floats, and printf writes them with %a. The first two lines are for the report.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
@@ -60,6 +60,7 @@ int main(void) {
     size_t length = 0;
     double *v = NULL;
     long room = 0;
+    puts("# name: sweep in C\n# version: 1.0");
     while (getline(&line, &length, stdin) > 0) {
         if (line[0] == '#') {
             continue;

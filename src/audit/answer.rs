@@ -1,7 +1,8 @@
-//! What the two sides answer.
+//! Answers of solver and reference.
 
 use super::due::Due;
-use mechaudit_reference::Ball;
+use mechaudit_reference::{Ball, Undecided};
+use rug::Rational;
 use serde::Serialize;
 
 /// Why a reference value is to be believed.
@@ -39,7 +40,33 @@ pub enum ReferenceAnswer {
     Failed(String),
 }
 
+impl From<Uncertified> for ReferenceAnswer {
+    fn from(why: Uncertified) -> ReferenceAnswer {
+        match why {
+            Uncertified::Refused(word) => ReferenceAnswer::Refuses(word),
+            Uncertified::Undecided(why) => ReferenceAnswer::Undecided(why),
+            Uncertified::Failed(why) => ReferenceAnswer::Failed(why),
+            Uncertified::NoNumber => ReferenceAnswer::Failed(why.to_string()),
+        }
+    }
+}
+
 impl ReferenceAnswer {
+    /// Values in exact rational arithmetic, rounded to balls of so many bits.
+    pub fn exact<'a>(values: impl IntoIterator<Item = &'a Rational>, bits: u32) -> ReferenceAnswer {
+        let values = values.into_iter().map(|v| Ball::rational(bits, v));
+        ReferenceAnswer::Values(Reference {
+            values: values.collect(),
+            proof: Proof::Exact,
+        })
+    }
+
+    /// Values whose radii follow from the cited bound.
+    pub fn bounded(values: Vec<Ball>, bound: &'static str) -> ReferenceAnswer {
+        let proof = Proof::Bounded(bound);
+        ReferenceAnswer::Values(Reference { values, proof })
+    }
+
     /// The same answer, its exact zeros with the signs that [`Method::signs_of_zero`](super::Method::signs_of_zero) tells.
     pub(super) fn with_signs_of_zero(self, signs: &[Option<bool>]) -> ReferenceAnswer {
         let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
@@ -70,12 +97,43 @@ impl ReferenceAnswer {
     }
 
     /// The values, if every one of them is due as a number.
-    pub fn numbers(self) -> Option<Vec<Ball>> {
+    ///
+    /// # Errors
+    /// Why they are not.
+    pub fn certified(self) -> Result<Vec<Ball>, Uncertified> {
         match self {
-            ReferenceAnswer::Values(r) => Some(r.values),
-            ReferenceAnswer::Dues(dues, _) => dues.into_iter().map(Due::into_number).collect(),
-            _ => None,
+            ReferenceAnswer::Values(r) => Ok(r.values),
+            ReferenceAnswer::Dues(dues, _) => {
+                let numbers: Option<Vec<Ball>> = dues.into_iter().map(Due::into_number).collect();
+                numbers.ok_or(Uncertified::NoNumber)
+            }
+            ReferenceAnswer::Refuses(word) => Err(Uncertified::Refused(word)),
+            ReferenceAnswer::Undecided(why) => Err(Uncertified::Undecided(why)),
+            ReferenceAnswer::Failed(why) => Err(Uncertified::Failed(why)),
         }
+    }
+}
+
+/// Why there are no certified values.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Uncertified {
+    /// There is no value, for the named reason.
+    #[error("{0}")]
+    Refused(&'static str),
+    /// Not decided at this precision.
+    #[error("{0}")]
+    Undecided(String),
+    /// The reference itself failed.
+    #[error("{0}")]
+    Failed(String),
+    /// An infinity or no value at all.
+    #[error("no finite value")]
+    NoNumber,
+}
+
+impl From<Undecided> for Uncertified {
+    fn from(e: Undecided) -> Uncertified {
+        Uncertified::Undecided(e.to_string())
     }
 }
 
@@ -89,8 +147,10 @@ pub enum SolverAnswer {
     /// A refusal of code that knows no names: in its own word, which has to be the reference's, or
     /// without any, which is right wherever the reference refuses.
     Declines(Option<String>),
-    /// No answer: what happened instead. Never a pass.
+    /// What came is no answer: it cannot be read, or the code panicked. Never a pass.
     Fails(String),
+    /// Nothing came, or not in time: what happened instead. Never a pass.
+    Unanswered(String),
 }
 
 impl SolverAnswer {

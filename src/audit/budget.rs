@@ -14,19 +14,40 @@ pub enum Limit {
     /// `|got − ref| ≤ k · 2⁻⁵³ · max_i (|ref_i| + Σ_j |x_j ∂ref_i/∂x_j|)`, the maximum over all
     /// values of the same output.
     Normwise(f64),
+    /// `|got − ref| ≤ r · |ref|`, and half the smallest number in any case.
+    Relative(f64),
+    /// `|got − ref| ≤ a`, in the output's unit.
+    Absolute(f64),
+    /// `|got − ref| ≤ max(a, r · |ref|)`.
+    RelativeOrAbsolute(f64, f64),
+    /// `|got − ref| ≤ r · ‖ref‖₂` over all values of the answer: what a [`NormBudget`] implies for
+    /// each of them.
+    OfNorm(f64),
 }
 
 impl Limit {
-    /// The factor `k`.
+    /// The factor `k`, `r` or `a`; of two the first.
     pub fn factor(self) -> f64 {
         match self {
             Limit::Ulps(k) | Limit::Conditioned(k) | Limit::Normwise(k) => k,
+            Limit::Relative(r) | Limit::RelativeOrAbsolute(r, _) | Limit::OfNorm(r) => r,
+            Limit::Absolute(a) => a,
         }
+    }
+
+    /// Whether it is finite and positive, as a budget has to be.
+    pub fn is_sound(self) -> bool {
+        let good = |k: f64| k.is_finite() && k > 0.0;
+        let second = match self {
+            Limit::RelativeOrAbsolute(_, a) => good(a),
+            _ => true,
+        };
+        good(self.factor()) && second
     }
 
     /// Whether the limit needs condition numbers.
     pub fn needs_conditions(self) -> bool {
-        !matches!(self, Limit::Ulps(_))
+        matches!(self, Limit::Conditioned(_) | Limit::Normwise(_))
     }
 }
 
@@ -36,6 +57,12 @@ impl std::fmt::Display for Limit {
             Limit::Ulps(k) => write!(f, "{k} ulp"),
             Limit::Conditioned(k) => write!(f, "{k} u (1 + cond)"),
             Limit::Normwise(k) => write!(f, "{k} u (1 + cond), normwise"),
+            Limit::Relative(r) => write!(f, "relative error {r:e}"),
+            Limit::Absolute(a) => write!(f, "absolute error {a:e}"),
+            Limit::RelativeOrAbsolute(r, a) => {
+                write!(f, "relative error {r:e} or absolute error {a:e}")
+            }
+            Limit::OfNorm(r) => write!(f, "{r:e} of the norm"),
         }
     }
 }
@@ -68,7 +95,13 @@ impl NormBudget {
 
 impl std::fmt::Display for NormBudget {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} u of the norm", self.factor)
+        match self.factor {
+            // Of one's own, given as a relative error.
+            k if k >= 1e6 || k.fract() != 0.0 => {
+                write!(f, "{:.3e} of the norm", k * 2f64.powi(-53))
+            }
+            k => write!(f, "{k} u of the norm"),
+        }
     }
 }
 
@@ -87,10 +120,9 @@ impl Budget {
     /// # Panics
     /// When the limit is not a finite positive number: an unbounded budget is no budget.
     pub fn new(limit: Limit, reason: &'static str) -> Budget {
-        let k = limit.factor();
         assert!(
-            k.is_finite() && k > 0.0,
-            "a budget is finite and positive, got {k}"
+            limit.is_sound(),
+            "a budget is finite and positive, got {limit}"
         );
         Budget { limit, reason }
     }

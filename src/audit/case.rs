@@ -5,8 +5,12 @@ use super::hard::HardCase;
 use super::hex_float::hex_float;
 use super::method::Method;
 use super::no_such::NoSuch;
+use super::sampling::Sampling;
 use super::settings::Settings;
-use serde::Serialize;
+use super::ulp::Format;
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+use std::cmp::Ordering;
 
 /// Where a case came from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -39,6 +43,51 @@ pub enum Origin {
         /// Its number.
         number: u64,
     },
+    /// Drawn in a box, see [`SampleBox`](super::SampleBox).
+    Box {
+        /// The box.
+        text: String,
+        /// The seed.
+        seed: u64,
+        /// The index within the box.
+        index: u64,
+    },
+    /// Drawn about an input, see [`Near`](super::Near).
+    Near {
+        /// The input.
+        text: String,
+        /// The radius.
+        radius: f64,
+        /// The seed.
+        seed: u64,
+        /// The index within the neighbourhood.
+        index: u64,
+    },
+}
+
+/// Numbers of an input that are written out beside the place where they come from.
+const SHORT: usize = 16;
+
+/// A case by its place, with its input if that is short: for statistics, of which there are many.
+pub(super) fn briefly<S: Serializer>(case: &Case, to: S) -> Result<S::Ok, S::Error> {
+    let mut brief = to.serialize_struct("Case", 4)?;
+    brief.serialize_field("region", case.region)?;
+    let short = (case.input.len() <= SHORT).then_some(&case.input);
+    brief.serialize_field("input", &short)?;
+    brief.serialize_field("origin", &case.origin)?;
+    brief.serialize_field("place", &case.place())?;
+    brief.end()
+}
+
+/// [`briefly`], if there is a case.
+pub(super) fn briefly_if<S: Serializer>(case: &Option<Case>, to: S) -> Result<S::Ok, S::Error> {
+    struct Brief<'a>(&'a Case);
+    impl Serialize for Brief<'_> {
+        fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+            briefly(self.0, to)
+        }
+    }
+    case.as_ref().map(Brief).serialize(to)
 }
 
 /// One input.
@@ -55,6 +104,46 @@ pub struct Case {
 }
 
 impl Case {
+    /// A total order of the cases of a region: named ones first, then by number, then by input. It does
+    /// not depend on how a run was divided.
+    pub fn order(&self, other: &Case) -> Ordering {
+        fn key(origin: &Origin) -> (u8, u64, u64, &str) {
+            match origin {
+                Origin::CheckPoint { name } => (0, 0, 0, *name),
+                Origin::Hard { number, folder } => {
+                    (1, *number as u64, 0, folder.as_deref().unwrap_or(""))
+                }
+                Origin::Random { seed, index } => (2, *index, *seed, ""),
+                Origin::Given => (3, 0, 0, ""),
+                Origin::Line { number } => (4, *number, 0, ""),
+                Origin::Box { text, seed, index } => (5, *index, *seed, text),
+                Origin::Near {
+                    text, seed, index, ..
+                } => (6, *index, *seed, text),
+            }
+        }
+        let bits = |x: &f64| x.to_bits();
+        let origins = key(&self.origin).cmp(&key(&other.origin));
+        let inputs = || {
+            let own = self.input.iter().map(bits);
+            own.cmp(other.input.iter().map(bits))
+        };
+        let regions = || self.region.cmp(other.region);
+        origins.then_with(inputs).then_with(regions)
+    }
+
+    /// A hash of the input, the same on every machine: FNV-1a, mixed once more.
+    pub(super) fn hash(&self) -> u64 {
+        let mut h: u64 = 0xcbf2_9ce4_8422_2325;
+        for x in &self.input {
+            h = (h ^ x.to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+            h ^= h >> 32;
+        }
+        h = (h ^ (h >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        h = (h ^ (h >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        h ^ (h >> 31)
+    }
+
     /// A command that runs this case alone.
     pub fn reproduce(&self) -> String {
         match &self.origin {
@@ -83,11 +172,23 @@ impl Case {
                 format!("--region {} --seed {seed} --case {index}", self.region)
             }
             Origin::Line { number } => format!("--line {number}"),
+            Origin::Box { text, seed, index } => {
+                format!("--box {} --seed {seed} --case {index}", quoted(text))
+            }
+            Origin::Near {
+                text,
+                radius,
+                seed,
+                index,
+            } => {
+                let text = quoted(text);
+                format!("--near {text} --radius {radius} --seed {seed} --case {index}")
+            }
         }
     }
 }
 
-/// A path as a word of a shell.
+/// A text as a word of a shell.
 fn quoted(path: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+,:@%".contains(c);
     match !path.is_empty() && path.chars().all(plain) {
@@ -103,6 +204,8 @@ pub struct Cases {
     hard: Vec<HardCase>,
     seed: u64,
     per_region: u64,
+    sampling: Sampling,
+    format: Format,
 }
 
 impl Cases {
@@ -114,14 +217,14 @@ impl Cases {
             hard: method.hard(),
             seed: settings.seed,
             per_region: settings.cases_per_region,
+            sampling: method.sampling(),
+            format: method.format(),
         }
     }
 
     /// Their number.
     pub fn len(&self) -> usize {
-        let random = self
-            .per_region
-            .saturating_mul(self.domain.regions.len() as u64);
+        let random = self.per_region.saturating_mul(self.parts());
         usize::try_from(random)
             .unwrap_or(usize::MAX)
             .saturating_add(self.named())
@@ -129,7 +232,19 @@ impl Cases {
 
     /// Check points and hard cases.
     fn named(&self) -> usize {
-        self.domain.check_points.len() + self.hard.len()
+        match self.sampling {
+            Sampling::Domain => self.domain.check_points.len() + self.hard.len(),
+            _ => 0,
+        }
+    }
+
+    /// Into how many regions random cases go.
+    fn parts(&self) -> u64 {
+        match &self.sampling {
+            Sampling::Near(_) => 1,
+            Sampling::Box(b) if b.is_whole() => 1,
+            _ => self.domain.regions.len() as u64,
+        }
     }
 
     /// Whether there are none.
@@ -142,6 +257,10 @@ impl Cases {
     /// # Panics
     /// From [`Cases::len`] on.
     pub fn get(&self, i: usize) -> Case {
+        if self.sampling != Sampling::Domain {
+            assert!(i < self.len(), "no case {i} of {}", self.len());
+            return self.sampled(i as u64);
+        }
         if let Some(point) = self.domain.check_points.get(i) {
             return self.check_point(point);
         }
@@ -151,6 +270,75 @@ impl Cases {
         let random = (i - self.named()) as u64;
         let region = &self.domain.regions[(random / self.per_region) as usize];
         self.random(region, random % self.per_region)
+    }
+
+    /// The case of that number in the box or about the input that cases are drawn from; `None` where they
+    /// are drawn from the regions.
+    pub fn at_index(&self, index: u64) -> Option<Case> {
+        (self.sampling != Sampling::Domain).then(|| self.sampled(index))
+    }
+
+    fn sampled(&self, index: u64) -> Case {
+        let stream = (self.seed, index);
+        let seed = self.seed;
+        let (region, input, origin) = match &self.sampling {
+            Sampling::Near(near) => {
+                let origin = Origin::Near {
+                    text: near.text().into(),
+                    radius: near.radius(),
+                    seed,
+                    index,
+                };
+                ("near", near.sample(self.method, stream), origin)
+            }
+            Sampling::Box(sides) => {
+                let (region, input) = sides.sample(self.method, &self.domain, stream);
+                let text = sides.text().into();
+                (region, input, Origin::Box { text, seed, index })
+            }
+            Sampling::Domain => unreachable!("there is a box or a centre"),
+        };
+        self.case(region, input, origin)
+    }
+
+    /// A case, its numbers those of the format.
+    fn case(&self, region: &'static str, mut input: Vec<f64>, origin: Origin) -> Case {
+        if self.format != Format::Double {
+            let numbers = input.iter_mut();
+            numbers.for_each(|x| *x = self.format.representable(*x));
+        }
+        Case {
+            method: self.method,
+            region,
+            input,
+            origin,
+        }
+    }
+
+    /// The region of the case of that number, and the number of the first case beyond it that may be of
+    /// another.
+    ///
+    /// # Panics
+    /// From [`Cases::len`] on.
+    pub fn region_of(&self, i: usize) -> (&'static str, usize) {
+        match &self.sampling {
+            Sampling::Domain => {}
+            Sampling::Near(_) => return ("near", self.len()),
+            Sampling::Box(b) if b.is_whole() => return ("box", self.len()),
+            Sampling::Box(_) => return (self.get(i).region, i + 1),
+        }
+        let points = self.domain.check_points.len();
+        if i < points {
+            return ("check-points", points);
+        }
+        if i < self.named() {
+            return ("hard", self.named());
+        }
+        let region = (i - self.named()) as u64 / self.per_region;
+        let end = (region + 1).saturating_mul(self.per_region);
+        let end = usize::try_from(end).unwrap_or(usize::MAX);
+        let name = self.domain.regions[region as usize].name;
+        (name, end.saturating_add(self.named()))
     }
 
     /// The hard case of that number, counted from one.
@@ -172,15 +360,11 @@ impl Cases {
     }
 
     fn hard(&self, i: usize) -> Case {
-        Case {
-            method: self.method,
-            region: "hard",
-            input: self.hard[i].input.clone(),
-            origin: Origin::Hard {
-                number: i + 1,
-                folder: self.hard[i].folder.clone(),
-            },
-        }
+        let origin = Origin::Hard {
+            number: i + 1,
+            folder: self.hard[i].folder.clone(),
+        };
+        self.case("hard", self.hard[i].input.clone(), origin)
     }
 
     /// The check point of that name.
@@ -211,23 +395,13 @@ impl Cases {
 
     fn random(&self, region: &Region, index: u64) -> Case {
         let mut draw = Draw::new(self.seed, self.method, region.name, index);
-        Case {
-            method: self.method,
-            region: region.name,
-            input: (region.sample)(&mut draw),
-            origin: Origin::Random {
-                seed: self.seed,
-                index,
-            },
-        }
+        let seed = self.seed;
+        let input = (region.sample)(&mut draw);
+        self.case(region.name, input, Origin::Random { seed, index })
     }
 
     fn check_point(&self, point: &CheckPoint) -> Case {
-        Case {
-            method: self.method,
-            region: "check-points",
-            input: point.input.clone(),
-            origin: Origin::CheckPoint { name: point.name },
-        }
+        let origin = Origin::CheckPoint { name: point.name };
+        self.case("check-points", point.input.clone(), origin)
     }
 }

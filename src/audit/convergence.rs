@@ -2,17 +2,17 @@
 //!
 //! An approximation differs from the truth by its *method error* (truncation, step, interpolation)
 //! and by *rounding*. A **twin**, the same algorithm without rounding, tells them apart: the method
-//! error is twin less truth, the rounding error is result less twin. Bounds come from balls.
+//! error is twin less truth, the rounding error is value less twin. Bounds come from balls.
 
-use super::answer::SolverAnswer;
-use super::ulp::distance;
+use super::answer::{SolverAnswer, Uncertified};
+use super::ulp::{Format, distance};
 use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;
 
 /// A numerical approximation with a refinement, a twin where there is one, and the truth.
 ///
 /// Values belong to outputs cyclically: value `i` to output `i mod outputs.len()`.
-pub trait Approximation: Sync {
+pub trait Approximation: Send + Sync {
     /// The name used on the command line.
     fn name(&self) -> &'static str;
     /// One line in plain words.
@@ -43,23 +43,23 @@ pub trait Approximation: Sync {
     ///
     /// # Errors
     /// Why it could not be had.
-    fn truth(&self) -> Result<Vec<Ball>, String>;
+    fn truth(&self) -> Result<Vec<Ball>, Uncertified>;
 }
 
 /// Errors of one output at one level, the largest over its values, as upper bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LevelError {
-    /// `|result − truth|`.
+    /// `|value − truth|`.
     pub total: f64,
     /// `|twin − truth|`.
     pub method: Option<f64>,
-    /// `|result − twin|`.
+    /// `|value − twin|`.
     pub rounding: Option<f64>,
     /// Observed order: `log(e₁/e₂) / log(work₂/work₁)` against the level before, of the method
     /// error where there is a twin and of the total otherwise. Where steps can be cut in two, `log₂`
     /// of the method error before and after that.
     pub order: Option<f64>,
-    /// The order that the results alone show (Richardson), `log(|v₀−v₁|/|v₁−v₂|)/log(work₂/work₁)`
+    /// The order that the values alone show (Richardson), `log(|v₀−v₁|/|v₁−v₂|)/log(work₂/work₁)`
     /// with the two levels before, where the work grows by the same factor each time.
     pub richardson: Option<f64>,
 }
@@ -108,7 +108,7 @@ struct Level {
 ///
 /// # Errors
 /// The truth could not be had.
-pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, String> {
+pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, Uncertified> {
     let truth = of.truth()?;
     let outputs = of.outputs();
     let n = outputs.len();
@@ -150,11 +150,11 @@ pub fn convergence(of: &dyn Approximation) -> Result<ConvergenceReport, String> 
                     .zip(beside_truth(&halved))
                     .and_then(|(whole, half)| ratio(whole, half, std::f64::consts::LN_2));
                 LevelError {
-                    total: largest(&|i| distance(values[i], &truth[i]).1),
+                    total: largest(&|i| distance(values[i], &truth[i], Format::Double).1),
                     method,
                     rounding: twin
                         .as_ref()
-                        .map(|t| largest(&|i| distance(values[i], &t[i]).1)),
+                        .map(|t| largest(&|i| distance(values[i], &t[i], Format::Double).1)),
                     order,
                     richardson: None,
                 }
@@ -225,7 +225,7 @@ fn ratio(old: f64, new: f64, step: f64) -> Option<f64> {
 fn failure(answer: &SolverAnswer) -> String {
     match answer {
         SolverAnswer::Values(_) => "a value is missing or not finite".into(),
-        SolverAnswer::Fails(why) => why.clone(),
+        SolverAnswer::Fails(why) | SolverAnswer::Unanswered(why) => why.clone(),
         other => other.refusal().unwrap_or("refused").into(),
     }
 }
@@ -277,7 +277,7 @@ mod tests {
             });
             Some(vec![Ball::rational(128, &area)])
         }
-        fn truth(&self) -> Result<Vec<Ball>, String> {
+        fn truth(&self) -> Result<Vec<Ball>, Uncertified> {
             Ok(vec![Ball::rational(128, &Rational::from((1, 3)))])
         }
     }

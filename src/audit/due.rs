@@ -1,6 +1,6 @@
 //! What is due for one value: a number, a zero with its sign, an infinity, or NaN.
 
-use super::ulp::distance;
+use super::ulp::{Format, distance};
 use mechaudit_reference::{Ball, Mag};
 
 /// What is due for one value.
@@ -78,9 +78,9 @@ impl Due {
     }
 
     /// Bounds on the error of `got`, as [`distance`]; zero or infinite where no number is due.
-    pub(super) fn distance(&self, got: f64) -> (Mag, Mag) {
+    pub(super) fn distance(&self, got: f64, format: Format) -> (Mag, Mag) {
         let right = match self {
-            Due::Number(ball) | Due::Zero { ball, .. } => return distance(got, ball),
+            Due::Number(ball) | Due::Zero { ball, .. } => return distance(got, ball, format),
             Due::Infinity { negative } => got.is_infinite() && got.is_sign_negative() == *negative,
             Due::NotANumber => got.is_nan(),
         };

@@ -4,7 +4,8 @@
 //! that output, how the input was found, and the input as hexadecimal floats. Lines are only added.
 
 use super::hex_float::hex_float;
-use mechaudit_reference::HexFloat;
+use super::no_such::NoSuch;
+use mechaudit_reference::{HexFloat, HexFloatError};
 
 /// A hard case as recorded.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,13 +27,40 @@ pub struct HardCase {
 const SLACK: f64 = 1.01;
 
 /// A line that is no hard case.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("hard case on line {line}: {reason}")]
+#[derive(Debug, thiserror::Error)]
+#[error("hard case on line {line}: {fault}")]
 pub struct HardCaseError {
     /// Counted from one.
     pub line: u64,
     /// What is wrong.
-    pub reason: String,
+    #[source]
+    pub fault: HardCaseFault,
+}
+
+/// What is wrong with a line of hard cases.
+#[derive(Debug, thiserror::Error)]
+pub enum HardCaseFault {
+    /// No CSV.
+    #[error(transparent)]
+    Csv(#[from] csv::Error),
+    /// Other names than [`HARD_HEADER`].
+    #[error("the names are {0:?} where {HARD_HEADER:?} is due")]
+    Header(String),
+    /// Too few or too many fields.
+    #[error("{0} fields where 4 are due")]
+    Fields(usize),
+    /// A negative share or none.
+    #[error("{0:?} is no share of a budget")]
+    Share(String),
+    /// A number of the input.
+    #[error(transparent)]
+    Number(#[from] HexFloatError),
+    /// An output that the method does not have.
+    #[error(transparent)]
+    NoSuch(#[from] NoSuch),
+    /// An input that the method does not admit.
+    #[error("the input is outside of the domain of {0}")]
+    OutsideDomain(&'static str),
 }
 
 /// The line of names.
@@ -49,52 +77,42 @@ impl HardCase {
 
     pub(super) fn read_if(
         text: &str,
-        check: impl Fn(&HardCase) -> Result<(), String>,
+        check: impl Fn(&HardCase) -> Result<(), HardCaseFault>,
     ) -> Result<Vec<HardCase>, HardCaseError> {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
             .from_reader(text.as_bytes());
         let mut all = Vec::new();
-        let bad = |line, reason: String| HardCaseError { line, reason };
-        let header = reader.headers().map_err(|e| bad(1, e.to_string()))?;
+        let bad = |line, fault| HardCaseError { line, fault };
+        let header = reader.headers().map_err(|e| bad(1, e.into()))?;
         let names: Vec<&str> = header.iter().collect();
         // Without any line there is nothing that could be misread.
         if !names.is_empty() && names.join(",") != HARD_HEADER {
             let comment = |l: &str| l.trim().is_empty() || l.starts_with('#');
             let line = text.lines().take_while(|l| comment(l)).count() as u64 + 1;
-            let names = names.join(",");
-            let names = names.chars().take(80).collect::<String>();
-            return Err(bad(
-                line,
-                format!("the names are {names:?} where {HARD_HEADER:?} is due"),
-            ));
+            let names = names.join(",").chars().take(80).collect();
+            return Err(bad(line, HardCaseFault::Header(names)));
         }
         for record in reader.records() {
-            let record = record.map_err(|e| bad(all.len() as u64 + 2, e.to_string()))?;
+            let record = record.map_err(|e| bad(all.len() as u64 + 2, e.into()))?;
             let line = record.position().map_or(0, csv::Position::line);
             let fields: Vec<&str> = record.iter().collect();
             let &[share, output, reason, input] = fields.as_slice() else {
-                return Err(bad(
-                    line,
-                    format!("{} fields where 4 are due", fields.len()),
-                ));
+                return Err(bad(line, HardCaseFault::Fields(fields.len())));
             };
             let input: Result<Vec<f64>, _> = input
                 .split_whitespace()
                 .map(|x| HexFloat::parse(x).map(|x| x.to_f64()))
                 .collect();
+            let positive = share.parse().ok().filter(|s: &f64| *s >= 0.0);
             let case = HardCase {
-                share: share
-                    .parse()
-                    .ok()
-                    .filter(|s: &f64| *s >= 0.0)
-                    .ok_or_else(|| bad(line, format!("{share:?} is no share of a budget")))?,
+                share: positive.ok_or_else(|| bad(line, HardCaseFault::Share(share.into())))?,
                 output: output.into(),
                 reason: reason.into(),
-                input: input.map_err(|e| bad(line, e.to_string()))?,
+                input: input.map_err(|e| bad(line, e.into()))?,
                 folder: None,
             };
-            check(&case).map_err(|why| bad(line, why))?;
+            check(&case).map_err(|fault| bad(line, fault))?;
             all.push(case);
         }
         Ok(all)
@@ -155,12 +173,13 @@ mod tests {
             let e = HardCase::read(&format!("{HARD_HEADER}\n{bad}\n")).unwrap_err();
             assert_eq!(e.line, 2, "{bad}");
         }
-        // What is no table of hard cases loses no line as its header.
+        // What is no file of hard cases loses no line as its header.
         for bad in ["garbage", "1,Re W,climbed,0x1p0", "a,b,c,d"] {
             let e = HardCase::read(&format!("# comment\n{bad}\n")).unwrap_err();
             assert_eq!(e.line, 2, "{e}");
-            assert!(e.reason.contains(HARD_HEADER), "{e}");
+            assert!(matches!(e.fault, HardCaseFault::Header(_)), "{e}");
+            assert!(e.to_string().contains(HARD_HEADER), "{e}");
         }
-        assert_eq!(HardCase::read("# comment\n"), Ok(Vec::new()));
+        assert_eq!(HardCase::read("# comment\n").unwrap(), Vec::new());
     }
 }

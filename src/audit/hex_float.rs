@@ -1,4 +1,4 @@
-//! Floats as C writes them.
+//! Hexadecimal floats as in C99.
 
 /// A float in C's `%a` form, exact.
 ///

@@ -3,8 +3,9 @@
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Limit, NormBudget};
 use super::due::Due;
+use super::kind::Kind;
 use super::method::Output;
-use super::ulp::{overflow, ulp_exponent};
+use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
 use serde::Serialize;
 use std::borrow::Cow;
@@ -33,6 +34,8 @@ pub struct ComponentJudgement {
     pub output: &'static str,
     /// The verdict.
     pub verdict: Verdict,
+    /// In which way it is of the wrong kind, if it is.
+    pub kind: Option<Kind>,
     /// The error in ulps of the reference, an upper bound; NaN where the reference cannot be told
     /// from zero, whose ulps mean nothing, and where no number is due.
     pub ulps: f64,
@@ -52,22 +55,64 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// Why it is not a pass, if it is not.
     pub reason: Option<String>,
+    /// In which way it is of the wrong kind, if it is: the first value's that is.
+    pub kind: Option<Kind>,
     /// One entry for each value.
     pub components: Vec<ComponentJudgement>,
-    /// `‖got − ref‖₂ / ‖ref‖₂` in units of 2⁻⁵³, an upper bound; over all values, so of meaning
-    /// only where they share a unit. NaN unless all values are due as numbers.
+    /// `‖got − ref‖₂ / max(‖ref‖₂, N)` in units of u, N the smallest normal number, an upper bound; over
+    /// all values, so of meaning only where they share a unit. NaN unless all values are due as
+    /// numbers.
     pub normwise: f64,
+    /// The share of its budget that the norm of all errors takes up, an upper bound; NaN where there
+    /// is no such budget or no norm.
+    pub norm_of_budget: f64,
 }
 
 impl Judgement {
-    fn whole(verdict: Verdict, reason: String) -> Judgement {
+    fn whole(verdict: Verdict, kind: Option<Kind>, reason: String) -> Judgement {
         Judgement {
             verdict,
             reason: Some(reason),
+            kind,
             components: Vec::new(),
             normwise: f64::INFINITY,
+            norm_of_budget: f64::NAN,
         }
     }
+
+    fn wrong(kind: Kind, reason: String) -> Judgement {
+        Judgement::whole(Verdict::WrongKind, Some(kind), reason)
+    }
+
+    /// Whether the errors can be measured: the answer is right in kind, and the reference decided.
+    pub fn is_measured(&self) -> bool {
+        matches!(self.verdict, Verdict::Pass | Verdict::Over)
+    }
+
+    /// The largest share of a budget that a value or the norm takes up; infinite where a value is wrong
+    /// in kind or its error has no bound.
+    pub fn share(&self) -> f64 {
+        if self.components.is_empty() && self.verdict != Verdict::Pass {
+            return f64::INFINITY;
+        }
+        let shares = self.components.iter().map(|c| match c.of_budget {
+            x if x.is_nan() => f64::INFINITY,
+            x => x,
+        });
+        // NaN is less than any number here.
+        shares.fold(0.0, f64::max).max(self.norm_of_budget)
+    }
+}
+
+/// What an answer is judged by.
+#[derive(Clone, Copy, Debug)]
+pub struct Rules<'a> {
+    /// The outputs with their budgets.
+    pub outputs: &'a [Output],
+    /// What the norm of all errors may be.
+    pub norm: Option<&'a NormBudget>,
+    /// The format of the numbers.
+    pub format: Format,
 }
 
 /// Judges `answer` against `reference`.
@@ -95,19 +140,37 @@ pub fn judge_with_norm(
     reference: &ReferenceAnswer,
     conditions: Option<&[f64]>,
 ) -> Judgement {
+    let rules = Rules {
+        outputs,
+        norm,
+        format: Format::Double,
+    };
+    judge_by(&rules, answer, reference, conditions)
+}
+
+/// [`judge`] by all there is to judge by.
+pub fn judge_by(
+    rules: &Rules,
+    answer: &SolverAnswer,
+    reference: &ReferenceAnswer,
+    conditions: Option<&[f64]>,
+) -> Judgement {
     use ReferenceAnswer as R;
+    let outputs = rules.outputs;
     let (got, values) = match (answer, reference) {
-        (_, R::Failed(why)) => return Judgement::whole(Verdict::OracleError, why.clone()),
-        (_, R::Undecided(why)) => return Judgement::whole(Verdict::Undecided, why.clone()),
-        (SolverAnswer::Fails(why), _) => return Judgement::whole(Verdict::WrongKind, why.clone()),
+        (_, R::Failed(why)) => return Judgement::whole(Verdict::OracleError, None, why.clone()),
+        // What is not there is wrong whatever is due.
+        (SolverAnswer::Unanswered(why), _) => {
+            return Judgement::wrong(Kind::Unanswered, why.clone());
+        }
+        (_, R::Undecided(why)) => return Judgement::whole(Verdict::Undecided, None, why.clone()),
+        (SolverAnswer::Fails(why), _) => return Judgement::wrong(Kind::Unreadable, why.clone()),
         (SolverAnswer::Refuses(_) | SolverAnswer::Declines(_), _) => {
             return judge_refusal(answer.refusal(), reference);
         }
         (SolverAnswer::Values(_), R::Refuses(b)) => {
-            return Judgement::whole(
-                Verdict::WrongKind,
-                format!("values given where the reference refuses as {b:?}"),
-            );
+            let reason = format!("values given where the reference refuses as {b:?}");
+            return Judgement::wrong(Kind::Value, reason);
         }
         (SolverAnswer::Values(got), R::Values(r)) => {
             let numbers = r.values.iter().cloned().map(Due::Number);
@@ -117,26 +180,24 @@ pub fn judge_with_norm(
     };
     if outputs.is_empty() || got.len() != values.len() {
         let reason = format!("{} values where {} are due", got.len(), values.len());
-        return Judgement::whole(Verdict::WrongKind, reason);
+        return Judgement::wrong(Kind::Missing, reason);
     }
     let conditions = conditions.filter(|c| c.len() == values.len());
-    let scales = output_scales(outputs.len(), &values, conditions);
+    let scales = output_scales(outputs, &values, conditions);
     let mut components = Vec::with_capacity(got.len());
-    let mut worst = (Verdict::Pass, None);
+    let mut worst = (Verdict::Pass, None, None);
     let mut squares = Squares::default();
     for (i, (&g, due)) in got.iter().zip(values.iter()).enumerate() {
         let o = i % outputs.len();
-        let (lo, hi) = due.distance(g);
+        let (lo, hi) = due.distance(g, rules.format);
         squares.add(due, lo, hi);
-        let c = component(
-            g,
-            due,
-            lo,
-            hi,
-            &outputs[o],
-            conditions.map(|c| c[i]),
-            scales[o],
-        );
+        let place = Place {
+            output: &outputs[o],
+            condition: conditions.map(|c| c[i]),
+            scale: scales[o],
+            format: rules.format,
+        };
+        let c = component(g, due, [lo, hi], place);
         if c.verdict > worst.0 {
             let place = format!("{} (value {i})", outputs[o].name);
             let reason = match c.verdict {
@@ -154,26 +215,30 @@ pub fn judge_with_norm(
                 }
                 _ => format!("{place} cannot be decided against its budget"),
             };
-            worst = (c.verdict, Some(reason));
+            worst = (c.verdict, c.kind, Some(reason));
         }
         components.push(c);
     }
     let numbers = got.iter().all(|g| g.is_finite());
-    if let Some(budget) = norm.filter(|_| numbers && squares.numbers) {
-        let verdict = squares.verdict(budget);
+    let mut norm_of_budget = f64::NAN;
+    if let Some(budget) = rules.norm.filter(|_| numbers && squares.numbers) {
+        let (verdict, share) = squares.verdict(budget, rules.format);
+        norm_of_budget = share;
         if verdict > worst.0 {
             let reason = match verdict {
                 Verdict::Over => "the norm of the errors is over its budget",
                 _ => "the norm of the errors cannot be decided against its budget",
             };
-            worst = (verdict, Some(reason.into()));
+            worst = (verdict, None, Some(reason.into()));
         }
     }
     Judgement {
         verdict: worst.0,
-        reason: worst.1,
+        kind: worst.1,
+        reason: worst.2,
         components,
-        normwise: squares.normwise(),
+        normwise: squares.normwise(rules.format),
+        norm_of_budget,
     }
 }
 
@@ -184,14 +249,15 @@ fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
         ReferenceAnswer::Refuses(due) if word.is_none_or(|w| w == *due) => Judgement {
             verdict: Verdict::Pass,
             reason: None,
+            kind: None,
             components: Vec::new(),
             normwise: 0.0,
+            norm_of_budget: f64::NAN,
         },
-        ReferenceAnswer::Refuses(due) => Judgement::whole(
-            Verdict::WrongKind,
-            format!("{named}, the reference as {due:?}"),
-        ),
-        _ => Judgement::whole(Verdict::WrongKind, format!("{named} where values exist")),
+        ReferenceAnswer::Refuses(due) => {
+            Judgement::wrong(Kind::Refusal, format!("{named}, the reference as {due:?}"))
+        }
+        _ => Judgement::wrong(Kind::Refusal, format!("{named} where values exist")),
     }
 }
 
@@ -232,47 +298,87 @@ impl Squares {
         sum.sqrt().mul(Mag::from_f64(1.0 - 2f64.powi(-40)))
     }
 
-    fn normwise(&self) -> f64 {
+    fn normwise(&self, format: Format) -> f64 {
         if !self.numbers {
             return f64::NAN;
         }
-        let size = Squares::root_below(self.norm);
-        self.high.sqrt().div(size).shift(53).to_f64()
+        if self.high.is_zero() {
+            return 0.0;
+        }
+        let least = Mag::from_f64(format.min_positive());
+        let size = Squares::root_below(self.norm).max(least);
+        self.high
+            .sqrt()
+            .div(size)
+            .shift(format.precision())
+            .to_f64()
     }
 
-    fn verdict(&self, budget: &NormBudget) -> Verdict {
-        let size = Squares::root_below(self.norm).max(Mag::from_f64(f64::MIN_POSITIVE));
-        let allowed = Mag::from_f64(budget.factor).mul(size).shift(-53);
-        if self.high.sqrt() <= allowed {
+    /// The verdict, and the share of the budget.
+    fn verdict(&self, budget: &NormBudget, format: Format) -> (Verdict, f64) {
+        let least = Mag::from_f64(format.min_positive());
+        let size = Squares::root_below(self.norm).max(least);
+        let allowed = Mag::from_f64(budget.factor).mul(size);
+        let allowed = allowed.shift(-format.precision());
+        let share = self.high.sqrt().div(allowed).to_f64();
+        let verdict = if self.high.sqrt() <= allowed {
             Verdict::Pass
         } else if Squares::root_below(self.low) > allowed {
             Verdict::Over
         } else {
             Verdict::Undecided
-        }
+        };
+        (verdict, share)
     }
 }
 
-/// `max_i (|ref_i| + cond_i)` for each output, for the normwise limits.
-fn output_scales(outputs: usize, values: &[Due], conditions: Option<&[f64]>) -> Vec<Mag> {
-    let mut scales = vec![Mag::ZERO; outputs];
+/// `max_i (|ref_i| + cond_i)` for each output, for the normwise limits; the norm of all values for
+/// those of the norm.
+fn output_scales(outputs: &[Output], values: &[Due], conditions: Option<&[f64]>) -> Vec<Mag> {
+    let mut scales = vec![Mag::ZERO; outputs.len()];
+    let mut squares = Mag::ZERO;
     for (i, v) in values.iter().enumerate() {
+        let scale = &mut scales[i % outputs.len()];
         let c = conditions.map_or(Mag::ZERO, |c| Mag::from_f64(c[i]));
         let size = v.number().map_or(Mag::ZERO, Ball::mignitude);
-        scales[i % outputs] = scales[i % outputs].max(size.add(c));
+        *scale = scale.max(size.add(c));
+        squares = squares.add(size.mul(size));
+    }
+    for (scale, output) in scales.iter_mut().zip(outputs) {
+        if let Limit::OfNorm(_) = output.budget.limit {
+            *scale = Squares::root_below(squares);
+        }
     }
     scales
 }
 
-fn component(
-    got: f64,
-    due: &Due,
-    lo: Mag,
-    hi: Mag,
-    output: &Output,
+/// Where a value stands, and what it is measured by.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    output: &'a Output,
     condition: Option<f64>,
     scale: Mag,
-) -> ComponentJudgement {
+    format: Format,
+}
+
+/// What is wrong in the kind of a value that is known to be.
+fn wrong_kind(got: f64, due: &Due) -> Kind {
+    match got {
+        g if g.is_nan() => Kind::Nan,
+        g if due.wrong_zero(g) => Kind::WrongZero,
+        g if g.is_infinite() => Kind::Infinity,
+        _ => Kind::Finite,
+    }
+}
+
+/// Judges a value whose error is between the two bounds.
+fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> ComponentJudgement {
+    let Place {
+        output,
+        condition,
+        scale,
+        format,
+    } = place;
     let limit = output.budget.limit;
     let Some(reference) = due.number() else {
         let (verdict, of_budget) = match lo.is_zero() {
@@ -282,13 +388,17 @@ fn component(
         return ComponentJudgement {
             output: output.name,
             verdict,
+            kind: (verdict == Verdict::WrongKind).then(|| wrong_kind(got, due)),
             ulps: f64::NAN,
             conditioned: f64::NAN,
             of_budget,
             condition: f64::NAN,
         };
     };
-    let ulp = ulp_exponent(reference.mid());
+    let ulp = format.ulp_exponent(reference.mid());
+    let u = -format.precision();
+    // What the rounding of a subnormal number may cost.
+    let half = Mag::power_of_two(format.least() - 1);
     let size = reference.mignitude();
     // An infinite or absurd condition number allows nothing rather than everything.
     let condition = condition.filter(|c| c.is_finite());
@@ -302,8 +412,14 @@ fn component(
     let factor = Mag::from_f64(limit.factor());
     let allowed = match (limit, condition) {
         (Limit::Ulps(_), _) => Some(factor.shift(ulp)),
-        (Limit::Conditioned(_), Some(c)) => Some(factor.mul(size.add(Mag::from_f64(c))).shift(-53)),
-        (Limit::Normwise(_), Some(_)) => Some(factor.mul(scale).shift(-53)),
+        (Limit::Conditioned(_), Some(c)) => Some(factor.mul(size.add(Mag::from_f64(c))).shift(u)),
+        (Limit::Normwise(_), Some(_)) => Some(factor.mul(scale).shift(u)),
+        (Limit::Relative(_), _) => Some(factor.mul(size).max(half)),
+        (Limit::Absolute(_), _) => Some(factor),
+        (Limit::RelativeOrAbsolute(_, a), _) => {
+            Some(factor.mul(size).max(half).max(Mag::from_f64(a)))
+        }
+        (Limit::OfNorm(_), _) => Some(factor.mul(scale).max(half)),
         _ => None,
     };
     let verdict = match allowed {
@@ -311,12 +427,14 @@ fn component(
         _ if !reference.is_finite() => Verdict::Undecided,
         Some(a) if hi <= a => Verdict::Pass,
         // An infinity for a number or a number for an infinity.
-        Some(a) if lo > a && (got.is_infinite() || overflows(reference)) => Verdict::WrongKind,
+        Some(a) if lo > a && (got.is_infinite() || overflows(reference, format)) => {
+            Verdict::WrongKind
+        }
         Some(a) if lo > a => Verdict::Over,
         _ => Verdict::Undecided,
     };
     let conditioned = condition.map_or(f64::NAN, |c| {
-        hi.div(size.add(Mag::from_f64(c)).shift(-53)).to_f64()
+        hi.div(size.add(Mag::from_f64(c)).shift(u)).to_f64()
     });
     let ulps = if size.is_zero() {
         f64::NAN
@@ -326,6 +444,7 @@ fn component(
     ComponentJudgement {
         output: output.name,
         verdict,
+        kind: (verdict == Verdict::WrongKind).then(|| wrong_kind(got, due)),
         ulps,
         conditioned,
         of_budget: allowed.map_or(f64::INFINITY, |a| hi.div(a).to_f64()),
@@ -334,8 +453,8 @@ fn component(
 }
 
 /// Whether the number certainly rounds to an infinity.
-fn overflows(reference: &Ball) -> bool {
-    (&reference.abs() - &overflow()).lower() >= 0
+fn overflows(reference: &Ball, format: Format) -> bool {
+    (&reference.abs() - &format.overflow()).lower() >= 0
 }
 
 #[cfg(test)]

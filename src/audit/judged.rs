@@ -1,11 +1,13 @@
 //! One case, judged.
 
 use super::answer::{Proof, ReferenceAnswer, SolverAnswer};
+use super::budget::NormBudget;
 use super::case::Case;
-use super::judge::{Judgement, Verdict, judge_with_norm};
+use super::judge::{Judgement, Rules, Verdict, judge_by};
 use super::layout::Layout;
-use super::method::Method;
+use super::method::{BranchAt, Method, Output};
 use super::settings::Settings;
+use super::ulp::Format;
 use mechaudit_reference::Mag;
 use rug::Rational;
 use serde::Serialize;
@@ -29,6 +31,8 @@ pub struct CaseReport {
     pub radii: Vec<f64>,
     /// Why the reference holds.
     pub proof: Option<Proof>,
+    /// Where the case stands among the formulas of the method's own solver, if that is known.
+    pub branch: Option<BranchAt>,
 }
 
 /// What the method's own solver answers; a panic is a failure to answer.
@@ -72,6 +76,23 @@ pub fn judge_case_briefly(
     judge(method, case, answer, settings, false)
 }
 
+/// The same case with everything that is known of it: the reference's digits, the condition numbers,
+/// the solver's formula.
+pub(super) fn complete(method: &dyn Method, report: CaseReport, settings: &Settings) -> CaseReport {
+    /// Numbers of an input up to which condition numbers by differences cost little.
+    const FEW: usize = 16;
+    let Some(answer) = report.answer.clone() else {
+        return report;
+    };
+    let settings = Settings {
+        conditions: settings.conditions || report.case.input.len() <= FEW,
+        ..settings.clone()
+    };
+    let branch = method.branch(&report.case.input);
+    let whole = judge(method, report.case, answer, &settings, true);
+    CaseReport { branch, ..whole }
+}
+
 fn judge(
     method: &dyn Method,
     case: Case,
@@ -79,62 +100,128 @@ fn judge(
     settings: &Settings,
     always_digits: bool,
 ) -> CaseReport {
-    let exact: Option<Vec<Rational>> = case.input.iter().map(|&x| Rational::from_f64(x)).collect();
-    let outputs = method.outputs();
-    let norm = method.norm_budget();
-    let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
-    let mut conditions = None;
-    let signs = method.signs_of_zero(&case.input);
-    let mut bits = settings.first_bits;
-    loop {
-        let reference = match &exact {
-            Some(x) => method.reference(x, bits),
-            None => method.reference_not_finite(&case.input),
-        };
-        let c = conditions
-            .get_or_insert_with(|| match exact.is_some() && conditional {
-                true => method.conditions_beside(&case.input, &reference),
-                false => None,
-            })
-            .as_deref();
-        let reference = reference.with_signs_of_zero(&signs);
-        let mut judgement = judge_with_norm(&outputs, norm.as_ref(), &answer, &reference, c);
-        if let (SolverAnswer::Values(got), Some(due)) = (&answer, reference.len())
-            && got.len() != due
-            && let Some(reason) = &mut judgement.reason
-        {
-            // Which they are, and in which order.
-            reason.push_str(&format!(": {}", Layout::new(method).answer()));
-        }
-        if judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
-            bits *= 2;
-            continue;
-        }
-        let brief = judgement.verdict == Verdict::Pass && !always_digits;
-        let (values, radii, proof) = match &reference {
-            _ if brief => (Vec::new(), Vec::new(), None),
-            ReferenceAnswer::Values(r) => (
-                r.values.iter().map(|b| b.to_decimal(20)).collect(),
-                r.values.iter().map(|b| b.rad().to_f64()).collect(),
-                Some(r.proof),
-            ),
-            ReferenceAnswer::Dues(dues, proof) => (
-                dues.iter().map(|d| d.to_decimal(20)).collect(),
-                dues.iter()
-                    .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
-                    .collect(),
-                Some(*proof),
-            ),
-            _ => (Vec::new(), Vec::new(), None),
-        };
-        return CaseReport {
+    Referee::new(method, case, settings).judge(answer, always_digits)
+}
+
+/// Judges answers to one case: what was computed of the reference serves them all.
+pub struct Referee<'a> {
+    method: &'a dyn Method,
+    case: Case,
+    settings: &'a Settings,
+    outputs: Vec<Output>,
+    norm: Option<NormBudget>,
+    exact: Option<Vec<Rational>>,
+    signs: Vec<Option<bool>>,
+    /// By precision, doubled from one to the next.
+    references: Vec<ReferenceAnswer>,
+    conditions: Option<Option<Vec<f64>>>,
+}
+
+impl<'a> Referee<'a> {
+    /// For answers to this case.
+    pub fn new(method: &'a dyn Method, case: Case, settings: &'a Settings) -> Referee<'a> {
+        Referee {
+            exact: case.input.iter().map(|&x| Rational::from_f64(x)).collect(),
+            signs: method.signs_of_zero(&case.input),
+            outputs: method.outputs(),
+            norm: method.norm_budget(),
+            method,
             case,
-            answer: Some(answer),
-            judgement,
-            bits,
-            reference: values,
-            radii,
-            proof,
+            settings,
+            references: Vec::new(),
+            conditions: None,
+        }
+    }
+
+    /// Computes the reference at the next precision.
+    fn next(&mut self, bits: u32) {
+        let (method, input) = (self.method, &self.case.input);
+        let reference = match &self.exact {
+            Some(x) => method.reference(x, bits),
+            None => method.reference_not_finite(input),
         };
+        let asked = |o: &Output| o.budget.limit.needs_conditions();
+        let conditional = self.settings.conditions || self.outputs.iter().any(asked);
+        let finite = self.exact.is_some();
+        self.conditions
+            .get_or_insert_with(|| match finite && conditional {
+                true => method.conditions_beside(input, &reference),
+                false => None,
+            });
+        self.references
+            .push(reference.with_signs_of_zero(&self.signs));
+    }
+
+    /// Judges an answer; the precision doubles until that can be decided. Without `digits` the
+    /// reference's are left out where it passes: they cost as much as a judgement.
+    pub fn judge(&mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
+        let format = self.method.format();
+        let answer = match answer {
+            SolverAnswer::Values(v) if format != Format::Double => {
+                SolverAnswer::Values(v.into_iter().map(|x| format.round(x)).collect())
+            }
+            other => other,
+        };
+        let mut bits = self.settings.first_bits;
+        let mut level = 0;
+        loop {
+            if level == self.references.len() {
+                self.next(bits);
+            }
+            let reference = &self.references[level];
+            let rules = Rules {
+                outputs: &self.outputs,
+                norm: self.norm.as_ref(),
+                format,
+            };
+            let conditions = self.conditions.as_ref().and_then(|c| c.as_deref());
+            let mut judgement = judge_by(&rules, &answer, reference, conditions);
+            if judgement.verdict == Verdict::Undecided && bits < self.settings.last_bits {
+                bits *= 2;
+                level += 1;
+                continue;
+            }
+            if let (SolverAnswer::Values(got), Some(due)) = (&answer, reference.len())
+                && got.len() != due
+                && let Some(reason) = &mut judgement.reason
+            {
+                // Which they are, and in which order.
+                reason.push_str(&format!(": {}", Layout::new(self.method).answer()));
+            }
+            let brief = judgement.verdict == Verdict::Pass && !digits;
+            let (reference, radii, proof) = match brief {
+                true => (Vec::new(), Vec::new(), None),
+                false => decimals(reference),
+            };
+            return CaseReport {
+                case: self.case.clone(),
+                answer: Some(answer),
+                judgement,
+                bits,
+                reference,
+                radii,
+                proof,
+                branch: None,
+            };
+        }
+    }
+}
+
+/// The reference's values to 20 digits, their radii, and why they hold.
+fn decimals(reference: &ReferenceAnswer) -> (Vec<Option<String>>, Vec<f64>, Option<Proof>) {
+    match reference {
+        ReferenceAnswer::Values(r) => (
+            r.values.iter().map(|b| b.to_decimal(20)).collect(),
+            r.values.iter().map(|b| b.rad().to_f64()).collect(),
+            Some(r.proof),
+        ),
+        ReferenceAnswer::Dues(dues, proof) => (
+            dues.iter().map(|d| d.to_decimal(20)).collect(),
+            dues.iter()
+                .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
+                .collect(),
+            Some(*proof),
+        ),
+        _ => (Vec::new(), Vec::new(), None),
     }
 }

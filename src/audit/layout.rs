@@ -1,4 +1,4 @@
-//! How inputs and answers are laid out: one description for lists, files, tables and messages.
+//! The layout of inputs and answers: one description for lists, files, tables and messages.
 //!
 //! An input is named `symbol`, `symbol[length]` or either with a note in parentheses:
 //! `phi1`, `lower[n-1]`, `assembly (1 or -1)`. A length is the symbol of an input before it
@@ -6,6 +6,7 @@
 //! added. The outputs form a row, which [`Rows`] may repeat.
 
 use super::method::{Input, Method, Rows};
+use serde::Serialize;
 
 /// Numbers that are not laid out as a method asks for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -84,6 +85,20 @@ impl Part {
             Length::Of { .. } => format!("{}[{k}]", self.symbol),
         }
     }
+}
+
+/// A part of the input as it is laid out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Shape {
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// Of a vector its length: the symbol of an input before it or a letter that follows from the count
+    /// of all numbers, a constant added or not.
+    pub length: Option<String>,
+    /// Its unit, `1` if none.
+    pub unit: &'static str,
+    /// What it may be.
+    pub note: Option<&'static str>,
 }
 
 /// What a column of a table holds.
@@ -297,6 +312,33 @@ impl Layout {
     /// Whether a part of the input is a single number.
     pub fn is_single(&self, part: usize) -> bool {
         self.parts[part].length == Length::One
+    }
+
+    /// The parts of the input one by one.
+    pub fn shapes(&self) -> Vec<Shape> {
+        let parts = self.parts.iter().zip(&self.inputs);
+        parts
+            .map(|(part, input)| Shape {
+                symbol: part.symbol,
+                length: match part.length {
+                    Length::One => None,
+                    Length::Of { symbol, more: 0 } => Some(symbol.to_string()),
+                    Length::Of { symbol, more } => Some(format!("{symbol}{more:+}")),
+                },
+                unit: part.unit,
+                note: input
+                    .name
+                    .split_once(" (")
+                    .map(|(_, n)| n.trim_end_matches(')')),
+            })
+            .collect()
+    }
+
+    /// The symbols of single numbers, with their places in an input: those before the first part whose
+    /// length is not fixed.
+    pub fn singles(&self) -> Vec<(&'static str, usize)> {
+        let singles = self.parts.iter().take_while(|p| p.length == Length::One);
+        singles.enumerate().map(|(k, p)| (p.symbol, k)).collect()
     }
 
     /// The names of an input's numbers; `[k]` if it is not laid out as it should be.

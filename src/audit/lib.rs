@@ -9,6 +9,7 @@
 mod answer;
 mod budget;
 mod case;
+mod comparison;
 mod convergence;
 mod domain;
 mod due;
@@ -17,6 +18,7 @@ mod hex_float;
 mod hunt;
 mod judge;
 mod judged;
+mod kind;
 mod layout;
 mod maps;
 mod method;
@@ -24,32 +26,49 @@ mod nearest;
 mod no_such;
 mod parts;
 mod printed;
+mod ranking;
+mod region_tally;
+mod report;
 mod run;
+mod sampling;
 mod settings;
+#[cfg(test)]
+mod soundness_tests;
+mod spread;
 mod tally;
 mod ulp;
 mod variant;
 
-pub use answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
+pub use answer::{Proof, Reference, ReferenceAnswer, SolverAnswer, Uncertified};
 pub use budget::{Budget, Limit, NormBudget};
 pub use case::{Case, Cases, Origin};
+pub use comparison::{
+    Compared, Comparison, Contender, Contest, Speed, Standing, compare, judge_together,
+};
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
-pub use hard::{HARD_HEADER, HardCase, HardCaseError, rounded_up};
+pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
 pub use hex_float::hex_float;
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
-pub use judge::{ComponentJudgement, Judgement, Verdict, judge, judge_with_norm};
-pub use judged::{CaseReport, answer_of, audit_case, judge_case, judge_case_briefly};
-pub use layout::{Column, Layout, LayoutError};
+pub use judge::{ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm};
+pub use judged::{CaseReport, Referee, answer_of, audit_case, judge_case, judge_case_briefly};
+pub use kind::{Kind, Kinds};
+pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
-pub use method::{Input, Law, Method, Output, Rows, conditions_by_differences};
+pub use method::{BranchAt, Input, Law, Method, Output, Rows, conditions_by_differences};
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
-pub use run::{audit_method, audit_method_until};
+pub use report::{
+    CandidateReport, LawReport, MethodReport, Octave, OutputBudget, OutputStatistics, Point,
+    RegionReport, Reproduce,
+};
+pub use run::{audit_method, audit_method_until, audit_one};
+pub use sampling::{Near, SampleBox, Sampling, SamplingError};
 pub use settings::Settings;
-pub use tally::{LawReport, MethodReport, OutputStatistics, Spread, SpreadTally, Tally};
-pub use ulp::{ulp_exponent, ulps};
+pub use spread::{Spread, SpreadTally};
+pub use tally::Tally;
+pub use ulp::{Format, ulp_exponent, ulps};
 pub use variant::Variant;

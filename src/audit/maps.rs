@@ -49,6 +49,12 @@ impl ErrorMap {
     pub fn points(&self) -> usize {
         self.columns * self.rows
     }
+
+    /// The point judged in a cell.
+    pub fn at(&self, column: usize, row: usize) -> [f64; 2] {
+        let place = |k: usize, from: f64| from + self.side * (k as f64 + WITHIN);
+        [place(column, self.corner[0]), place(row, self.corner[1])]
+    }
 }
 
 /// How many points the method's map has; none if it is not a function of one complex variable.

@@ -1,9 +1,12 @@
-//! What an audited method has to say about itself.
+//! The interface of an audited method.
 
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::{Budget, NormBudget};
 use super::domain::Domain;
-use super::hard::{HardCase, HardCaseError};
+use super::hard::{HardCase, HardCaseError, HardCaseFault};
+use super::no_such::NoSuch;
+use super::sampling::Sampling;
+use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
 use rug::{Float, Rational};
 use serde::Serialize;
@@ -42,6 +45,17 @@ pub struct Rows {
     pub meaning: &'static str,
 }
 
+/// The formula by which a solver computes at an input, and the nearest place where another takes over.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BranchAt {
+    /// The formula, where it has a name.
+    pub branch: Option<String>,
+    /// The nearest seam: `|z|^2 = 48`.
+    pub seam: String,
+    /// The distance to it, in the unit of the inputs.
+    pub distance: f64,
+}
+
 /// An identity that the solver's own values have to satisfy.
 #[derive(Clone, Copy)]
 pub struct Law {
@@ -77,6 +91,10 @@ pub trait Method: Sync {
     }
     /// Where it is audited.
     fn domain(&self) -> Domain;
+    /// Where in it cases are drawn.
+    fn sampling(&self) -> Sampling {
+        Sampling::Domain
+    }
     /// Calls the code under test.
     fn solve(&self, input: &[f64]) -> SolverAnswer;
     /// The reference at a working precision of `bits`.
@@ -110,6 +128,22 @@ pub trait Method: Sync {
         None
     }
 
+    /// The format of the numbers under test.
+    fn format(&self) -> Format {
+        Format::Double
+    }
+
+    /// By which of its formulas the method's own solver computes the values at `input`, and how far it is
+    /// to where another takes over; `None` where the solver does not say.
+    fn branch(&self, _input: &[f64]) -> Option<BranchAt> {
+        None
+    }
+
+    /// Whether number `j` of an input is data, which may take any value; if not, it counts or chooses.
+    fn is_data(&self, _j: usize) -> bool {
+        true
+    }
+
     /// Hard cases found by earlier hunts, judged in every audit.
     fn hard(&self) -> Vec<HardCase> {
         Vec::new()
@@ -134,15 +168,12 @@ impl HardCase {
     /// Also an output that the method does not have and an input outside of its domain.
     pub fn read_of(method: &dyn Method, text: &str) -> Result<Vec<HardCase>, HardCaseError> {
         let name = method.name();
-        let known: Vec<&str> = method.outputs().iter().map(|o| o.name).collect();
+        let known: Vec<&'static str> = method.outputs().iter().map(|o| o.name).collect();
         HardCase::read_if(text, |case| match case.output.as_str() {
-            output if !known.contains(&output) => Err(format!(
-                "{name} has no output {output:?}; it has: {}",
-                known.join(", ")
-            )),
-            _ if !method.admits(&case.input) => {
-                Err(format!("the input is outside of the domain of {name}"))
+            output if !known.contains(&output) => {
+                Err(NoSuch::new(name, "output", output, known.clone()).into())
             }
+            _ if !method.admits(&case.input) => Err(HardCaseFault::OutsideDomain(name)),
             _ => Ok(()),
         })
     }
@@ -161,7 +192,7 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
     const BITS: u32 = 256;
     let exact: Option<Vec<Rational>> = input.iter().map(|&x| Rational::from_f64(x)).collect();
     let mut x = exact?;
-    let base = method.reference(&x, BITS).numbers()?;
+    let base = method.reference(&x, BITS).certified().ok()?;
     let mut sum = vec![Mag::ZERO; base.len()];
     let scale = Rational::from(1) + (Rational::from(1) >> 40u32);
     for j in 0..x.len() {
@@ -172,7 +203,7 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
         let old = std::mem::replace(&mut x[j], moved);
         let answer = method.reference(&x, BITS);
         x[j] = old;
-        let shifted = answer.numbers().filter(|s| s.len() == sum.len())?;
+        let shifted = answer.certified().ok().filter(|s| s.len() == sum.len())?;
         for ((s, a), b) in sum.iter_mut().zip(&shifted).zip(&base) {
             let d = Float::with_val(64, a.mid() - b.mid());
             *s = s.add(Mag::above(&d).shift(40));

@@ -1,20 +1,21 @@
-//! Which of the names there are somebody may have meant.
+//! The known name closest to a misspelt one.
 
 /// How alike two names have to be.
 const ALIKE: f64 = 0.8;
 
 /// The name that is most like the one asked for, if any is.
-pub fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
+pub fn nearest<'a, K: AsRef<str>>(name: &str, known: &'a [K]) -> Option<&'a str> {
     let alike = |k: &str| strsim::jaro_winkler(&name.to_lowercase(), &k.to_lowercase());
     // Of `faddeeva.erf` the last part may be what was asked for.
     let last = |k: &str| alike(k.rsplit('.').next().unwrap_or(k));
-    let known = known.iter().map(|k| (*k, alike(k).max(last(k))));
+    let known = known.iter().map(K::as_ref);
+    let known = known.map(|k| (k, alike(k).max(last(k))));
     let best = known.max_by(|a, b| a.1.total_cmp(&b.1))?;
     (best.1 > ALIKE).then_some(best.0)
 }
 
 /// ` (did you mean "…"?)`, or nothing.
-pub fn did_you_mean(name: &str, known: &[&str]) -> String {
+pub fn did_you_mean(name: &str, known: &[impl AsRef<str>]) -> String {
     nearest(name, known).map_or(String::new(), |n| format!(" (did you mean {n:?}?)"))
 }
 
@@ -45,6 +46,6 @@ mod tests {
             assert_eq!(nearest(name, &known), due, "{name}");
         }
         assert_eq!(did_you_mean("ercf", &known), " (did you mean \"erfc\"?)");
-        assert_eq!(did_you_mean("x", &[]), "");
+        assert_eq!(did_you_mean("x", &[""; 0]), "");
     }
 }

@@ -1,4 +1,4 @@
-//! Names that a method does not have.
+//! The error for a name that a method does not have.
 
 use super::nearest::did_you_mean;
 

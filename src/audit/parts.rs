@@ -1,4 +1,4 @@
-//! The error of a single value taken apart.
+//! The error of a single value, split into method error and rounding.
 
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::judged::answer_of;
@@ -13,7 +13,7 @@ use serde::Serialize;
 pub struct ErrorParts {
     /// Of the method: twin less reference.
     pub method: f64,
-    /// Of rounding: result less twin.
+    /// Of rounding: value less twin.
     pub rounding: f64,
 }
 

@@ -1,12 +1,14 @@
 //! Runs a method over its domain.
 
-use super::case::Cases;
-use super::judged::{answer_of, judge_case_briefly};
+use super::answer::SolverAnswer;
+use super::case::{Case, Cases};
+use super::judged::{answer_of, judge_case, judge_case_briefly};
 use super::maps::error_map;
 use super::method::Method;
 use super::parts::error_parts;
+use super::report::MethodReport;
 use super::settings::Settings;
-use super::tally::{MethodReport, Tally};
+use super::tally::Tally;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -33,7 +35,7 @@ pub fn audit_method_until(
 ) -> MethodReport {
     let cases = Cases::new(method, settings);
     let laws = method.laws();
-    let mut tally = Tally::new(method, usize::MAX);
+    let mut tally = Tally::new(method, settings);
     for start in (0..cases.len()).step_by(CHUNK) {
         let end = cases.len().min(start + CHUNK);
         let judged: Vec<_> = (start..end)
@@ -51,7 +53,7 @@ pub fn audit_method_until(
             .collect();
         for (report, residuals) in judged {
             tally.laws(&report.case, &residuals);
-            tally.add(report);
+            tally.add(&report);
         }
         if stop.load(Ordering::Relaxed) {
             tally.interrupt();
@@ -65,12 +67,33 @@ pub fn audit_method_until(
             tally.interrupt();
         }
     }
-    let mut report = tally.finish(method, settings);
+    let mut report = tally.finish(method);
     report.map = map;
-    for (i, output) in report.outputs.iter_mut().enumerate() {
+    for (i, output) in report.total.outputs.iter_mut().enumerate() {
         let worst = output.worst.as_ref().filter(|_| !report.interrupted);
         output.parts =
             worst.and_then(|case| error_parts(method, &case.input, i, settings.first_bits));
     }
     report
+}
+
+/// Audits one case, at which the code under test gave `answer`, or the method's own solver if there is
+/// none.
+pub fn audit_one(
+    method: &dyn Method,
+    case: Case,
+    answer: Option<SolverAnswer>,
+    settings: &Settings,
+) -> MethodReport {
+    let answer = answer.unwrap_or_else(|| answer_of(method, &case.input));
+    let report = judge_case(method, case, answer, settings);
+    let mut tally = Tally::new(method, settings);
+    let laws = method.laws();
+    let residuals: Vec<Option<f64>> = laws
+        .iter()
+        .map(|l| (l.residual)(&report.case.input))
+        .collect();
+    tally.laws(&report.case, &residuals);
+    tally.add(&report);
+    tally.finish(method)
 }

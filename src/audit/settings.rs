@@ -1,4 +1,4 @@
-//! What a run is given.
+//! Settings of a run.
 
 use serde::Serialize;
 
@@ -15,6 +15,10 @@ pub struct Settings {
     pub last_bits: u32,
     /// Whether functions of a complex variable are mapped besides; see [`error_map`](super::error_map).
     pub maps: bool,
+    /// Whether condition numbers are had of every case, be its budget in ulps.
+    pub conditions: bool,
+    /// Cases of each region that the report shows with all their errors, whatever they are.
+    pub points: usize,
 }
 
 impl Default for Settings {
@@ -25,6 +29,8 @@ impl Default for Settings {
             first_bits: 128,
             last_bits: 2048,
             maps: false,
+            conditions: false,
+            points: 0,
         }
     }
 }

@@ -2,12 +2,81 @@
 
 use mechaudit_reference::{Ball, Mag};
 use rug::Float;
+use serde::Serialize;
 
-/// The smallest number that rounds to infinity: half a unit beyond the largest `f64`,
-/// `2¹⁰²⁴ − 2⁹⁷⁰`.
-pub(super) fn overflow() -> Ball {
-    let edge = (Float::with_val(64, 1) << 1024i32) - (Float::with_val(64, 1) << 970i32);
-    Ball::new(edge, Mag::ZERO)
+/// The floating-point format of the code under test: whose ulps, whose largest number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Format {
+    /// IEEE 754 binary64, `f64`.
+    #[default]
+    Double,
+    /// IEEE 754 binary32, `f32`.
+    Single,
+}
+
+impl Format {
+    /// Bits of the significand, the leading one included.
+    pub const fn precision(self) -> i64 {
+        match self {
+            Format::Double => 53,
+            Format::Single => 24,
+        }
+    }
+
+    /// The exponent of the smallest positive number.
+    pub(super) const fn least(self) -> i64 {
+        match self {
+            Format::Double => -1074,
+            Format::Single => -149,
+        }
+    }
+
+    /// The smallest normal number.
+    pub(super) fn min_positive(self) -> f64 {
+        match self {
+            Format::Double => f64::MIN_POSITIVE,
+            Format::Single => f64::from(f32::MIN_POSITIVE),
+        }
+    }
+
+    /// The exponent `k` of the unit in the last place of this format, see [`ulp_exponent`].
+    pub fn ulp_exponent(self, x: &Float) -> i64 {
+        match x.get_exp() {
+            Some(e) => (i64::from(e) - self.precision()).max(self.least()),
+            None => self.least(),
+        }
+    }
+
+    /// The smallest number that rounds to infinity, half a unit beyond the largest: `2¹⁰²⁴ − 2⁹⁷⁰`
+    /// or `2¹²⁸ − 2¹⁰³`.
+    pub(super) fn overflow(self) -> Ball {
+        let (beyond, half) = match self {
+            Format::Double => (1024i32, 970i32),
+            Format::Single => (128, 103),
+        };
+        let edge = (Float::with_val(64, 1) << beyond) - (Float::with_val(64, 1) << half);
+        Ball::new(edge, Mag::ZERO)
+    }
+
+    /// The nearest number of this format.
+    pub fn round(self, x: f64) -> f64 {
+        match self {
+            Format::Double => x,
+            Format::Single => f64::from(x as f32),
+        }
+    }
+
+    /// The nearest number of this format but zero and infinity, if `x` is neither.
+    pub fn representable(self, x: f64) -> f64 {
+        match self {
+            Format::Single if x != 0.0 && x.is_finite() => {
+                let size = x.abs().clamp(2f64.powi(-149), f64::from(f32::MAX));
+                self.round(size).copysign(x)
+            }
+            _ => x,
+        }
+    }
 }
 
 /// The exponent `k` of the unit in the last place, `ulp(x) = 2^k`: for `|x|` in `[2^e, 2^(e+1))`
@@ -15,29 +84,26 @@ pub(super) fn overflow() -> Ball {
 ///
 /// A ball that straddles a power of two takes the exponent of its midpoint.
 pub fn ulp_exponent(x: &Float) -> i64 {
-    match x.get_exp() {
-        Some(e) => (i64::from(e) - 1 - 52).max(-1074),
-        None => -1074,
-    }
+    Format::Double.ulp_exponent(x)
 }
 
 /// Bounds on `|got − ref|` in ulps of the reference: `(at least, at most)`.
 pub fn ulps(got: f64, reference: &Ball) -> (f64, f64) {
-    let (lo, hi) = distance(got, reference);
+    let (lo, hi) = distance(got, reference, Format::Double);
     let k = -ulp_exponent(reference.mid());
     (lo.shift(k).to_f64(), hi.shift(k).to_f64())
 }
 
 /// Bounds on `|got − ref|`. Not a number is infinitely far. An infinity stands for all numbers that
 /// round to it, the nearest of which counts.
-pub(crate) fn distance(got: f64, reference: &Ball) -> (Mag, Mag) {
+pub(crate) fn distance(got: f64, reference: &Ball, format: Format) -> (Mag, Mag) {
     if got.is_nan() {
         return (Mag::INFINITY, Mag::INFINITY);
     }
     if got.is_infinite() {
         let gap = match got > 0.0 {
-            true => overflow() - reference,
-            false => overflow() + reference,
+            true => format.overflow() - reference,
+            false => format.overflow() + reference,
         };
         return match gap.is_finite() {
             true if gap.upper() <= 0 => (Mag::ZERO, Mag::ZERO),
@@ -62,6 +128,21 @@ mod tests {
         assert!((lo - 1.0 / 3.0).abs() < 1e-9 && (hi - 1.0 / 3.0).abs() < 1e-9);
         let (lo, _) = ulps((1.0f64 / 3.0).next_up(), &third);
         assert!((lo - 2.0 / 3.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn single_precision() {
+        let f = Format::Single;
+        assert_eq!(f.ulp_exponent(&Float::with_val(53, 1.0)), -23);
+        assert_eq!(f.ulp_exponent(&Float::with_val(53, 1e-45)), -149);
+        assert_eq!(f.round(0.1), f64::from(0.1f32));
+        assert_eq!(f.representable(1e300), f64::from(f32::MAX));
+        assert_eq!(f.representable(-1e-300), -(2f64.powi(-149)));
+        assert!(f.representable(f64::NAN).is_nan() && f.representable(-0.0) == 0.0);
+        assert_eq!(f.representable(f64::INFINITY), f64::INFINITY);
+        // Infinity is right from half a unit beyond the largest on.
+        let beyond = |x: f64| distance(f64::INFINITY, &Ball::exact(128, x), f).0;
+        assert!(beyond(3.402_823_6e38).is_zero() && !beyond(3.4e38).is_zero());
     }
 
     #[test]

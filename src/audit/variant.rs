@@ -5,24 +5,33 @@ use super::budget::{Budget, Limit, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
 use super::hard::HardCase;
-use super::method::{Input, Law, Method, Output, Rows};
+use super::method::{BranchAt, Input, Law, Method, Output, Rows};
 use super::no_such::NoSuch;
+use super::sampling::{Sampling, is_ordinary};
+use super::ulp::Format;
 use mechaudit_reference::Ball;
 use rug::Rational;
 
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 
+/// The reason for a budget of one's own.
+const AS_ASKED: &str = "as asked for";
+
 /// A method with something changed; everything else is passed through.
 pub struct Variant<'a> {
     method: &'a dyn Method,
     solver: Option<Solver<'a>>,
-    region: Option<String>,
+    regions: Option<Vec<&'static str>>,
+    ordinary: bool,
+    sampling: Sampling,
+    norm: Option<f64>,
     check_points: bool,
     /// Which of the method's outputs are judged.
     selected: Option<Vec<bool>>,
     limit: Option<Limit>,
     laws: bool,
     hard: Option<Vec<HardCase>>,
+    format: Option<Format>,
 }
 
 impl<'a> Variant<'a> {
@@ -31,12 +40,16 @@ impl<'a> Variant<'a> {
         Variant {
             method,
             solver: None,
-            region: None,
+            regions: None,
+            ordinary: false,
+            sampling: Sampling::Domain,
+            norm: None,
             check_points: true,
             selected: None,
             limit: None,
             laws: true,
             hard: None,
+            format: None,
         }
     }
 
@@ -54,24 +67,56 @@ impl<'a> Variant<'a> {
         self
     }
 
-    /// One region of the domain, without check points.
+    /// One more region of the domain; only those asked for, without check points.
     ///
     /// # Errors
     /// A region that there is not.
     pub fn region(mut self, name: &str) -> Result<Variant<'a>, NoSuch> {
-        let known: Vec<&str> = self
-            .method
-            .domain()
-            .regions
-            .iter()
-            .map(|r| r.name)
-            .collect();
-        if !known.contains(&name) {
+        let regions = self.method.domain().regions;
+        let known: Vec<&'static str> = regions.iter().map(|r| r.name).collect();
+        let Some(found) = known.iter().find(|k| **k == name) else {
             return Err(NoSuch::new(self.method.name(), "region", name, known));
-        }
-        self.region = Some(name.into());
+        };
+        self.regions.get_or_insert_default().push(found);
         self.check_points = false;
         Ok(self)
+    }
+
+    /// Without the regions at the ends of the range of floating-point numbers, and without check points and
+    /// hard cases there: see [`Region::is_ordinary`](super::Region::is_ordinary).
+    #[must_use]
+    pub fn ordinary(mut self) -> Variant<'a> {
+        self.ordinary = true;
+        self
+    }
+
+    /// Cases from a box or from about an input, in place of the regions, check points and hard cases.
+    #[must_use]
+    pub fn sampling(mut self, sampling: Sampling) -> Variant<'a> {
+        self.sampling = sampling;
+        self
+    }
+
+    /// Code whose numbers are of another format: inputs are numbers of it, ulps are its ulps, answers
+    /// are rounded to it.
+    #[must_use]
+    pub fn format(mut self, format: Format) -> Variant<'a> {
+        self.format = Some(format);
+        self
+    }
+
+    /// A limit of one's own for the norm of all errors: `‖got − ref‖₂ ≤ r ‖ref‖₂`. Besides the outputs'
+    /// limits where there are some of one's own, in their place where there are none.
+    ///
+    /// # Panics
+    /// When `r` is not a finite positive number.
+    #[must_use]
+    pub fn norm_limit(mut self, r: f64) -> Variant<'a> {
+        self.norm = Some(r);
+        match self.limit {
+            None => self.limit(Limit::OfNorm(r)),
+            Some(_) => self,
+        }
     }
 
     /// Other hard cases than the method's own.
@@ -106,7 +151,7 @@ impl<'a> Variant<'a> {
     /// When the limit is not a finite positive number.
     #[must_use]
     pub fn limit(mut self, limit: Limit) -> Variant<'a> {
-        self.limit = Some(Budget::new(limit, "as asked for").limit);
+        self.limit = Some(Budget::new(limit, AS_ASKED).limit);
         self
     }
 
@@ -154,7 +199,7 @@ impl Method for Variant<'_> {
     fn outputs(&self) -> Vec<Output> {
         let mut outputs = self.select(self.method.outputs());
         if let Some(limit) = self.limit {
-            let budget = Budget::new(limit, "as asked for");
+            let budget = Budget::new(limit, AS_ASKED);
             outputs.iter_mut().for_each(|o| o.budget = budget);
         }
         outputs
@@ -163,18 +208,33 @@ impl Method for Variant<'_> {
         self.method.rows()
     }
     fn norm_budget(&self) -> Option<NormBudget> {
+        if let Some(r) = self.norm {
+            let u = 2f64.powi(Method::format(self).precision() as i32);
+            return Some(NormBudget::new(r * u, AS_ASKED));
+        }
         let whole = self.selected.is_none() && self.limit.is_none();
         self.method.norm_budget().filter(|_| whole)
     }
     fn domain(&self) -> Domain {
         let mut domain = self.method.domain();
-        if let Some(name) = &self.region {
-            domain.regions.retain(|r| r.name == *name);
+        if let Some(names) = &self.regions {
+            domain.regions.retain(|r| names.contains(&r.name));
         }
         if !self.check_points {
             domain.check_points.clear();
         }
+        if self.ordinary {
+            let name = self.method.name();
+            domain.regions.retain(|r| r.is_ordinary(name));
+            domain.check_points.retain(|p| is_ordinary(&p.input));
+        }
         domain
+    }
+    fn sampling(&self) -> Sampling {
+        match &self.sampling {
+            Sampling::Domain => self.method.sampling(),
+            own => own.clone(),
+        }
     }
     fn solve(&self, input: &[f64]) -> SolverAnswer {
         match &self.solver {
@@ -211,13 +271,25 @@ impl Method for Variant<'_> {
             None => self.method.twin(input).map(|t| self.select(t)),
         }
     }
+    fn format(&self) -> Format {
+        self.format.unwrap_or_else(|| self.method.format())
+    }
+    fn branch(&self, input: &[f64]) -> Option<BranchAt> {
+        self.method.branch(input)
+    }
+    fn is_data(&self, j: usize) -> bool {
+        self.method.is_data(j)
+    }
     fn hard(&self) -> Vec<HardCase> {
         if !self.check_points {
             return Vec::new();
         }
         let own = || self.method.hard();
         let mut hard = self.hard.clone().unwrap_or_else(own);
-        if self.limit.is_some() {
+        if self.ordinary {
+            hard.retain(|h| is_ordinary(&h.input));
+        }
+        if self.limit.is_some() || self.format.is_some() {
             // What is recorded is recorded of the method's own budget.
             hard.iter_mut().for_each(|h| h.share = 0.0);
         }

@@ -22,14 +22,16 @@
 //! # Ok::<(), mechaudit::candidate::AuditError>(())
 //! ```
 
+mod comparison;
 mod report;
 
 pub use crate::methods::{Candidate, IntoAnswer, Typed};
+pub use comparison::{Compare, compare};
 pub use report::Report;
 
 use crate::audit::{
-    Cases, Limit, NoSuch, Settings, SolverAnswer, Tally, Variant, audit_case, audit_method,
-    did_you_mean,
+    CandidateReport, Case, Cases, Format, Limit, Method, Near, NoSuch, SampleBox, Sampling,
+    SamplingError, Settings, SolverAnswer, Variant, audit_method, audit_one, did_you_mean,
 };
 use crate::methods;
 
@@ -56,6 +58,12 @@ pub enum AuditError {
     /// One case without its region.
     #[error("case {0} of which region?")]
     NoRegion(u64),
+    /// A single case where many are compared.
+    #[error("{0} is one case: a comparison is over many")]
+    OneCase(String),
+    /// No such box or neighbourhood.
+    #[error(transparent)]
+    Sampling(#[from] SamplingError),
 }
 
 /// Audits `candidate` as the method `M`, with the method's domain, reference and budget.
@@ -103,12 +111,18 @@ pub struct Audit<'a> {
     candidate: Solver<'a>,
     settings: Settings,
     effort: f64,
-    region: Option<String>,
+    regions: Vec<String>,
     case: Option<u64>,
     check_point: Option<String>,
     hard_case: Option<usize>,
+    sample_box: Option<String>,
+    near: Option<(String, f64)>,
+    ordinary: bool,
+    single: bool,
     outputs: Option<Vec<String>>,
     limit: Option<Limit>,
+    norm: Option<f64>,
+    name: (String, Option<String>),
 }
 
 impl<'a> Audit<'a> {
@@ -121,12 +135,18 @@ impl<'a> Audit<'a> {
             candidate: Box::new(candidate),
             settings: Settings::default(),
             effort: 1.0,
-            region: None,
+            regions: Vec::new(),
             case: None,
             check_point: None,
             hard_case: None,
+            sample_box: None,
+            near: None,
+            ordinary: false,
+            single: false,
             outputs: None,
             limit: None,
+            norm: None,
+            name: ("closure".into(), None),
         }
     }
 
@@ -148,13 +168,66 @@ impl<'a> Audit<'a> {
         self
     }
 
-    /// Only this region, without check points.
+    /// Only this region, without check points; of several calls the regions of all.
     pub fn region(mut self, name: &str) -> Audit<'a> {
-        self.region = Some(name.into());
+        self.regions.push(name.into());
         self
     }
 
-    /// Only this case of the region.
+    /// Cases from a box in some inputs or all: `"Re z=0..8,Im z=log 1e-9..1"`; see
+    /// [`SampleBox`](crate::audit::SampleBox).
+    pub fn sample_box(mut self, sides: &str) -> Audit<'a> {
+        self.sample_box = Some(sides.into());
+        self
+    }
+
+    /// Cases about this one, as far as `radius` relative to each number: numbers separated by commas, a
+    /// check point, `REGION/INDEX` or `hard/NUMBER`; see [`Near`](crate::audit::Near).
+    pub fn near(mut self, case: &str, radius: f64) -> Audit<'a> {
+        self.near = Some((case.into(), radius));
+        self
+    }
+
+    /// Without regions, check points and hard cases at the ends of the range of floating-point numbers.
+    pub fn ordinary(mut self) -> Audit<'a> {
+        self.ordinary = true;
+        self
+    }
+
+    /// The code computes in single precision: inputs are numbers that `f32` holds, ulps are those of
+    /// `f32`, answers are rounded to it.
+    ///
+    /// ```
+    /// use mechaudit::Complex64;
+    /// use mechaudit::methods::Erf;
+    ///
+    /// // The real error function of the crate's own solver, rounded to single precision.
+    /// let erf32 = |z: Complex64| {
+    ///     let w = mechaudit::solvers::faddeeva::erf(z);
+    ///     [f64::from(w.re as f32), f64::from(w.im as f32)]
+    /// };
+    /// let report = mechaudit::audit::<Erf>(erf32).single().region("mid").effort(0.1).run()?;
+    /// assert!(report.passed() && report.total.outputs[0].ulps.max <= 0.5);
+    /// # Ok::<(), mechaudit::candidate::AuditError>(())
+    /// ```
+    pub fn single(mut self) -> Audit<'a> {
+        self.single = true;
+        self
+    }
+
+    /// What the code is called in reports.
+    pub fn named(mut self, name: &str, version: Option<&str>) -> Audit<'a> {
+        self.name = (name.into(), version.map(Into::into));
+        self
+    }
+
+    /// Condition numbers, and errors in u (1 + condition), of every case, be the budget in ulps.
+    pub fn conditions(mut self) -> Audit<'a> {
+        self.settings.conditions = true;
+        self
+    }
+
+    /// Only this case of the region, the box or the neighbourhood.
     pub fn case(mut self, index: u64) -> Audit<'a> {
         self.case = Some(index);
         self
@@ -184,50 +257,102 @@ impl<'a> Audit<'a> {
         self
     }
 
+    /// Allows a norm of all errors of `r` times the norm of the values; alone, or besides
+    /// [`Audit::limit`].
+    pub fn normwise(mut self, r: f64) -> Audit<'a> {
+        self.norm = Some(r);
+        self
+    }
+
     /// Runs it on all cores.
     ///
     /// # Errors
     /// A region, check point or output that the method does not have; an effort or limit that is
     /// not a positive number.
     pub fn run(self) -> Result<Report, AuditError> {
+        let method = methods::find(self.method).expect("the name is in the registry");
+        let (settings, variant, one) = self.planned(&*method)?;
+        let variant = variant.solver(self.candidate);
+        let mut found = match one {
+            Some(case) => audit_one(&variant, case, None, &settings),
+            None => audit_method(&variant, &settings, &|| ()),
+        };
+        let (name, version) = self.name;
+        found.candidate = Some(CandidateReport {
+            name,
+            version,
+            command: None,
+            answered: found.cases,
+            trouble: None,
+        });
+        Ok(Report::new(&variant, found))
+    }
+
+    /// The settings, what is judged and where, and the one case if it is one.
+    fn planned<'m>(
+        &self,
+        method: &'m dyn Method,
+    ) -> Result<(Settings, Variant<'m>, Option<Case>), AuditError> {
         if !(self.effort.is_finite() && self.effort > 0.0) {
             return Err(AuditError::Effort(self.effort));
         }
-        let mut settings = self.settings;
+        let mut settings = self.settings.clone();
         // Saturates.
         settings.cases_per_region = (settings.cases_per_region as f64 * self.effort).ceil() as u64;
-        let method = methods::find(self.method).expect("the name is in the registry");
-        let mut variant = Variant::new(&*method).solver(self.candidate);
+        let mut variant = Variant::new(method).without_laws();
         if let Some(names) = &self.outputs {
             variant = variant.outputs(names)?;
         }
+        if self.single {
+            variant = variant.format(Format::Single);
+        }
         if let Some(limit) = self.limit {
-            let k = limit.factor();
-            if !(k.is_finite() && k > 0.0) {
-                return Err(AuditError::Limit(k));
+            if !limit.is_sound() {
+                return Err(AuditError::Limit(limit.factor()));
             }
             variant = variant.limit(limit);
         }
-        let cases = Cases::new(&*method, &settings);
-        let one = match (&self.check_point, &self.region, self.case) {
+        if let Some(r) = self.norm {
+            if !(r.is_finite() && r > 0.0) {
+                return Err(AuditError::Limit(r));
+            }
+            variant = variant.norm_limit(r);
+        }
+        if self.ordinary {
+            variant = variant.ordinary();
+        }
+        if let Some((text, radius)) = &self.near {
+            let near = Near::read(&variant, &settings, text, *radius)?;
+            variant = variant.sampling(Sampling::Near(near));
+        }
+        let cases = Cases::new(&variant, &settings);
+        let one = match (&self.check_point, self.regions.as_slice(), self.case) {
             _ if self.hard_case.is_some() => {
                 self.hard_case.map(|n| cases.hard_case(n)).transpose()?
             }
             (Some(name), ..) => Some(cases.at_check_point(name)?),
-            (None, Some(region), Some(index)) => Some(cases.in_region(region, index)?),
-            (None, None, Some(index)) => return Err(AuditError::NoRegion(index)),
+            (None, [region], Some(index)) if self.sample_box.is_none() => {
+                Some(cases.in_region(region, index)?)
+            }
             _ => None,
         };
-        if let Some(case) = one {
-            let mut tally = Tally::new(&variant, usize::MAX);
-            tally.add(audit_case(&variant, case, &settings));
-            return Ok(Report::new(&variant, tally.finish(&variant, &settings)));
-        }
-        if let Some(name) = &self.region {
-            variant = variant.region(name)?;
-        }
-        let found = audit_method(&variant, &settings, &|| ());
-        Ok(Report::new(&variant, found))
+        let one = match one {
+            Some(case) => Some(case),
+            None => {
+                for name in &self.regions {
+                    variant = variant.region(name)?;
+                }
+                if let Some(text) = &self.sample_box {
+                    let sides = SampleBox::read(&variant, text)?;
+                    variant = variant.sampling(Sampling::Box(sides));
+                }
+                let drawn = |index| Cases::new(&variant, &settings).at_index(index);
+                let asked = self.case.filter(|_| self.check_point.is_none());
+                let no_region = |index| drawn(index).ok_or(AuditError::NoRegion(index));
+                asked.map(no_region).transpose()?
+            }
+        };
+        Ok((settings, variant, one))
     }
 }
 

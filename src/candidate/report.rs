@@ -1,8 +1,8 @@
 //! What an audit of somebody's code found, in words that can be acted on.
 
 use crate::audit::{
-    Budget, CaseReport, ComponentJudgement, Layout, Method, MethodReport, Origin, Proof,
-    SolverAnswer, hex_float,
+    Budget, CaseReport, ComponentJudgement, Kinds, Layout, Method, MethodReport, Origin, Proof,
+    SolverAnswer, Spread, Verdict, hex_float,
 };
 use std::fmt::{self, Display, Formatter};
 use std::ops::Deref;
@@ -64,11 +64,23 @@ impl Report {
         }
         match &report.answer {
             Some(SolverAnswer::Values(got)) => values(f, report, got)?,
-            Some(SolverAnswer::Fails(_)) | None => writeln!(f, "  {:<11}no answer", "got")?,
+            Some(SolverAnswer::Fails(_) | SolverAnswer::Unanswered(_)) | None => {
+                writeln!(f, "  {:<11}no answer", "got")?
+            }
             Some(refusal) => {
                 let word = refusal.refusal().unwrap_or("no reason");
                 writeln!(f, "  {:<11}a refusal: {word}", "got")?;
             }
+        }
+        if let Some(at) = &report.branch {
+            let branch = at.branch.as_ref();
+            let branch = branch.map_or(String::new(), |b| format!("{b}, "));
+            let (distance, seam) = (short(at.distance), &at.seam);
+            writeln!(
+                f,
+                "  {:<11}{branch}{distance} from the seam {seam}",
+                "branch"
+            )?;
         }
         let proof = match report.proof {
             Some(Proof::Exact) => ", exact",
@@ -83,6 +95,15 @@ impl Report {
                 format!(".region({:?}).seed({seed}).case({index})", case.region)
             }
             Origin::Line { number } => format!("line {number}"),
+            Origin::Box { text, seed, index } => {
+                format!(".sample_box({text:?}).seed({seed}).case({index})")
+            }
+            Origin::Near {
+                text,
+                radius,
+                seed,
+                index,
+            } => format!(".near({text:?}, {radius:e}).seed({seed}).case({index})"),
             Origin::Given => "the input itself".into(),
         };
         writeln!(f, "  {:<11}{chosen}", "reproduce")?;
@@ -137,8 +158,32 @@ fn short(x: f64) -> String {
     }
 }
 
-impl Display for Report {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+/// Answers of each wrong kind, after a semicolon; nothing if there are none.
+fn wrong(kinds: &Kinds) -> String {
+    let each: Vec<String> = kinds
+        .some()
+        .map(|(kind, n)| format!("{n} {}", kind.name()))
+        .collect();
+    match each.is_empty() {
+        true => String::new(),
+        false => format!("; wrong in kind: {}", each.join(", ")),
+    }
+}
+
+/// Worst, 99th percentile, median and root mean square.
+fn figures(s: &Spread) -> String {
+    let [max, p99, median, rms] = [s.max, s.p99, s.median, s.rms].map(short);
+    let beyond = match s.beyond {
+        0 => String::new(),
+        n => format!(", {n} beyond 1e308"),
+    };
+    format!("worst found {max}, 99 % below {p99}, median {median}, RMS {rms}{beyond}")
+}
+
+impl Report {
+    /// The head, the statistics and the budgets: what is the same from run to run and from machine to
+    /// machine.
+    fn statistics(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         let r = &self.found;
         let word = if r.passed() { "pass" } else { "FAIL" };
         let recorded = match r.recorded {
@@ -150,25 +195,90 @@ impl Display for Report {
             "{}: {word}, {} of {} cases within budget{recorded} (seed {}, {} cases per region)",
             r.method, r.passed, r.cases, r.settings.seed, r.settings.cases_per_region
         )?;
-        for o in &r.outputs {
+        for o in r.outputs() {
+            let (figures, share) = (figures(&o.ulps), short(o.max_of_budget));
             writeln!(
                 f,
-                "  {:<11}{} values; worst found {} ulps, 99 % below {}, {} of its budget",
+                "  {:<11}{} values; in ulps {figures}; {share} of its budget{}",
                 o.name,
                 o.values,
-                short(o.ulps.max),
-                short(o.ulps.p99),
-                short(o.max_of_budget)
+                wrong(&o.kinds)
             )?;
+        }
+        if let Some(norm) = r.total.normwise.filter(|n| n.count > 0) {
+            writeln!(f, "  {:<11}in u {}", "norm", figures(&norm))?;
         }
         for (names, budget) in &self.budgets {
             let (names, why) = (names.join(", "), budget.reason);
             writeln!(f, "  {:<11}{names}: {} ({why})", "budget", budget.limit)?;
         }
-        for failure in r.failures.iter().take(SHOWN) {
-            self.case(f, failure)?;
+        if let Some(norm) = r.norm_budget {
+            writeln!(f, "  {:<11}all together: {norm} ({})", "", norm.reason)?;
         }
-        let left = r.cases - r.passed - r.recorded - r.failures.len().min(SHOWN);
+        for (k, region) in r.regions.iter().enumerate() {
+            let label = if k == 0 { "regions" } else { "" };
+            let failed = match region.failed() {
+                0 => String::new(),
+                n => format!(", {n} FAIL"),
+            };
+            writeln!(
+                f,
+                "  {label:<11}{}: {} cases{failed}, {} of a budget at most{}",
+                region.name,
+                region.cases,
+                short(region.max_of_budget),
+                wrong(&region.kinds)
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The report as text that stays the same as long as the code, the seed and this crate's version
+    /// do: no times, no paths, no colours. For snapshots:
+    ///
+    /// ```
+    /// let report = mechaudit::audit_by_name("erfc", |x| {
+    ///     let z = mechaudit::Complex64::new(x[0], x[1]);
+    ///     mechaudit::solvers::faddeeva::erfc(z)
+    /// })?
+    /// .region("mid")
+    /// .effort(0.1)
+    /// .run()?;
+    /// let text = report.snapshot();
+    /// assert!(text.starts_with("erfc: pass, 20 of 20 cases within budget"), "{text}");
+    /// // In a test: insta::assert_snapshot!(report.snapshot());
+    /// # Ok::<(), mechaudit::candidate::AuditError>(())
+    /// ```
+    pub fn snapshot(&self) -> String {
+        let mut text = String::new();
+        self.statistics(&mut text)
+            .expect("a text takes all that is written");
+        for case in self.found.worst.iter().chain(&self.found.wrong) {
+            let input: Vec<String> = case.case.input.iter().map(|x| hex_float(*x)).collect();
+            let reason = case.judgement.reason.as_deref().unwrap_or("pass");
+            let (region, place) = (case.case.region, case.case.place());
+            let input = input.join(",");
+            let share = short(case.judgement.share());
+            text.push_str(&format!(
+                "\n{region}: {reason}; {share} of a budget\n  {input}\n  {place}\n"
+            ));
+        }
+        text
+    }
+}
+
+impl Display for Report {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let r = &self.found;
+        self.statistics(f)?;
+        let over = r.worst.iter();
+        let over = over.filter(|c| c.judgement.verdict == Verdict::Over);
+        let mut shown = 0;
+        for failure in over.take(SHOWN).chain(&r.wrong).take(2 * SHOWN) {
+            self.case(f, failure)?;
+            shown += 1;
+        }
+        let left = r.failed().saturating_sub(shown);
         if left > 0 {
             writeln!(f, "\n{left} more failing cases")?;
         }

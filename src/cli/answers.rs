@@ -1,24 +1,69 @@
-//! Answers as they come. They are read on a thread of their own, so that waiting for one can end.
+//! Answers of a candidate, read on a thread of their own so that waiting for one can end.
 
+use crate::cli::process::frames::{Frame, Frames};
 use crate::cli::process::interrupt;
-use crate::cli::process::wire::{Line, Lines};
-use std::io::BufRead;
+use crate::cli::process::wire::Lines;
+use mechaudit::audit::SolverAnswer;
+use std::collections::VecDeque;
+use std::io::{BufReader, Read};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Answers read before they are asked for.
-const AHEAD: usize = 4096;
+/// Answers handed over at once, and how many such batches are read before they are asked for.
+const BATCH: usize = 512;
+const AHEAD: usize = 8;
+/// Characters of a name or version.
+const LONGEST: usize = 80;
+
+/// How answers are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    Lines,
+    Frames,
+}
+
+/// What the code calls itself, in lines `name: …` and `version: …` before its first answer.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Header {
+    pub name: Option<String>,
+    pub version: Option<String>,
+}
+
+impl Header {
+    fn read(&mut self, line: &str) {
+        let Some((key, value)) = line.split_once(':') else {
+            return;
+        };
+        let place = match key.trim() {
+            "name" => &mut self.name,
+            "version" => &mut self.version,
+            _ => return,
+        };
+        let printable = value.trim().chars().filter(|c| !c.is_control());
+        let value: String = printable.take(LONGEST).collect();
+        if place.is_none() && !value.is_empty() {
+            *place = Some(value);
+        }
+    }
+}
+
+type Batch = Vec<std::io::Result<SolverAnswer>>;
 
 /// A stream of answers.
-pub struct Answers(Receiver<std::io::Result<Line>>);
+pub struct Answers {
+    from: Receiver<Batch>,
+    here: VecDeque<std::io::Result<SolverAnswer>>,
+    header: Arc<Mutex<Header>>,
+}
 
 /// What came of waiting for one.
 pub enum Next {
-    Answer(Line),
+    Answer(SolverAnswer),
     /// There are no more.
     Closed,
-    Unreadable(String),
+    Unreadable(std::io::Error),
     /// Nothing came in time.
     Silent,
     /// The user has asked to stop.
@@ -26,25 +71,48 @@ pub enum Next {
 }
 
 impl Answers {
-    pub fn of(input: impl BufRead + Send + 'static) -> Answers {
-        let (sender, receiver) = sync_channel(AHEAD);
-        thread::spawn(move || listen(Lines::new(input), &sender));
-        Answers(receiver)
+    pub fn of(input: impl Read + Send + 'static, form: Form) -> Answers {
+        let (sender, from) = sync_channel(AHEAD);
+        let header = Arc::new(Mutex::new(Header::default()));
+        let filled = Arc::clone(&header);
+        let input = BufReader::with_capacity(1 << 16, input);
+        thread::spawn(move || match form {
+            Form::Lines => listen(&mut Lines::new(input), &filled, &sender),
+            Form::Frames => listen(&mut Frames::new(input), &filled, &sender),
+        });
+        Answers {
+            from,
+            here: VecDeque::new(),
+            header,
+        }
+    }
+
+    /// What the code has called itself until now.
+    pub fn header(&self) -> Header {
+        let header = self.header.lock();
+        header.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// The next one, waited for as long as that, or for ever.
-    pub fn next(&self, patience: Option<Duration>) -> Next {
+    pub fn next(&mut self, patience: Option<Duration>) -> Next {
         interrupt::flag();
+        if interrupt::asked() {
+            return Next::Interrupted;
+        }
+        if let Some(answer) = self.here.pop_front() {
+            return taken(answer);
+        }
         let start = Instant::now();
         loop {
-            if interrupt::asked() {
-                return Next::Interrupted;
-            }
             let left = patience.map(|p| p.saturating_sub(start.elapsed()));
             let wait = left.map_or(interrupt::POLL, |l| l.min(interrupt::POLL));
-            match self.0.recv_timeout(wait) {
-                Ok(Ok(line)) => return Next::Answer(line),
-                Ok(Err(e)) => return Next::Unreadable(e.to_string()),
+            match self.from.recv_timeout(wait) {
+                Ok(batch) => {
+                    self.here.extend(batch);
+                    if let Some(answer) = self.here.pop_front() {
+                        return taken(answer);
+                    }
+                }
                 Err(RecvTimeoutError::Disconnected) => return Next::Closed,
                 Err(RecvTimeoutError::Timeout) => {
                     if left.is_some_and(|l| l <= wait) {
@@ -52,16 +120,116 @@ impl Answers {
                     }
                 }
             }
+            if interrupt::asked() {
+                return Next::Interrupted;
+            }
         }
     }
 }
 
-/// Hands over line by line until there are no more or nobody wants them.
-fn listen(mut lines: Lines<impl BufRead>, to: &SyncSender<std::io::Result<Line>>) {
-    while let Some(line) = lines.read().transpose() {
-        let last = line.is_err();
-        if to.send(line).is_err() || last {
+fn taken(answer: std::io::Result<SolverAnswer>) -> Next {
+    match answer {
+        Ok(answer) => Next::Answer(answer),
+        Err(e) => Next::Unreadable(e),
+    }
+}
+
+/// What answers are read from.
+trait Source {
+    /// The next answer; lines of a header on the way go to `header`.
+    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>>;
+    /// Whether the next one has to be waited for.
+    fn is_drained(&self) -> bool;
+}
+
+impl<R: Read> Source for Lines<BufReader<R>> {
+    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>> {
+        loop {
+            match self.read_any() {
+                Ok(Some(line)) if line.is_comment() => {
+                    line.comment().into_iter().for_each(&mut *header)
+                }
+                Ok(Some(line)) => return Some(Ok(line.answer())),
+                Ok(None) => return None,
+                Err(e) => return Some(Err(e)),
+            }
+        }
+    }
+
+    fn is_drained(&self) -> bool {
+        Lines::is_drained(self)
+    }
+}
+
+impl<R: Read> Source for Frames<R> {
+    fn answer(&mut self, header: &mut dyn FnMut(&str)) -> Option<std::io::Result<SolverAnswer>> {
+        loop {
+            match self.read() {
+                Ok(Some(Frame::Answer(answer))) => return Some(Ok(answer)),
+                Ok(Some(Frame::Text(text))) => text.lines().for_each(&mut *header),
+                Ok(None) => return None,
+                Err(e) => return Some(Err(e)),
+            }
+        }
+    }
+
+    fn is_drained(&self) -> bool {
+        Frames::is_drained(self)
+    }
+}
+
+/// Hands over answers until there are no more or nobody wants them.
+fn listen(from: &mut impl Source, header: &Mutex<Header>, to: &SyncSender<Batch>) {
+    let mut first = true;
+    let mut batch = Vec::new();
+    loop {
+        let answer = from.answer(&mut |line| {
+            if first {
+                let mut header = header.lock().unwrap_or_else(PoisonError::into_inner);
+                header.read(line);
+            }
+        });
+        first = false;
+        let last = answer.as_ref().is_none_or(|a| a.is_err());
+        batch.extend(answer);
+        if (last || batch.len() == BATCH || from.is_drained())
+            && !batch.is_empty()
+            && to.send(std::mem::take(&mut batch)).is_err()
+        {
             return;
         }
+        if last {
+            return;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn header(bytes: &'static [u8], form: Form) -> (Header, usize) {
+        let mut answers = Answers::of(bytes, form);
+        let mut count = 0;
+        while let Next::Answer(_) = answers.next(None) {
+            count += 1;
+        }
+        (answers.header(), count)
+    }
+
+    #[test]
+    fn a_header_names_the_code() {
+        let text = b"# name: libcerf\n# version:  2.4 \n# other: x\n# name: second\n1,2\n# version: 3\n1\n";
+        let (found, answers) = header(text, Form::Lines);
+        assert_eq!(found.name.as_deref(), Some("libcerf"));
+        assert_eq!((found.version.as_deref(), answers), (Some("2.4"), 2));
+        // None is needed, and what is none does no harm.
+        assert_eq!(
+            header(b"1\n# name: late\n", Form::Lines).0,
+            Header::default()
+        );
+        let (found, _) = header(b"# name: \x1b[31mred\n# version:\n1\n", Form::Lines);
+        assert_eq!(found.name.as_deref(), Some("[31mred"));
+        assert_eq!(found.version, None);
     }
 }

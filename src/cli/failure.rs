@@ -1,4 +1,4 @@
-//! How a run ends.
+//! Outcomes and failures of a run.
 
 use crate::cli::complain;
 use mechaudit::audit::did_you_mean;
@@ -45,6 +45,20 @@ impl Outcome {
     }
 }
 
+/// An error and its causes on one line. A cause that the message before it quotes is not repeated.
+pub fn chain(e: &dyn Error) -> String {
+    let mut text = e.to_string();
+    let mut next = e.source();
+    while let Some(cause) = next {
+        let why = cause.to_string();
+        if !text.contains(&why) {
+            text += &format!(": {why}");
+        }
+        next = cause.source();
+    }
+    text
+}
+
 /// A run that could not be done.
 #[derive(Debug)]
 pub enum Failure {
@@ -61,13 +75,19 @@ impl Failure {
         Failure::Message(text.into())
     }
 
-    /// An error whose message says all that there is to say.
-    pub fn caused(e: impl Error + 'static) -> Failure {
-        Failure::Caused(e.to_string(), e.into())
+    /// An error with all that caused it.
+    pub fn caused(e: impl Into<Box<dyn Error>>) -> Failure {
+        let e = e.into();
+        Failure::Caused(chain(&*e), e)
+    }
+
+    /// What cannot be done to a file or folder: "read", "write".
+    pub fn cannot(act: &str, path: &Path, e: impl Into<Box<dyn Error>>) -> Failure {
+        Failure::caused(e).about(format!("cannot {act} {}", path.display()))
     }
 
     /// An error about what a file describes.
-    pub fn in_file(file: &Path, e: impl Error + 'static) -> Failure {
+    pub fn in_file(file: &Path, e: impl Into<Box<dyn Error>>) -> Failure {
         Failure::caused(e).about(file.display())
     }
 
@@ -111,26 +131,26 @@ impl From<std::io::Error> for Failure {
     fn from(e: std::io::Error) -> Failure {
         match e.kind() {
             std::io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
-            _ => Failure::new(format!("cannot write: {e}")),
+            _ => Failure::caused(e).about("cannot write"),
         }
     }
 }
 
 impl From<mechaudit::audit::NoSuch> for Failure {
     fn from(e: mechaudit::audit::NoSuch) -> Failure {
-        Failure::new(e.to_string())
+        Failure::caused(e)
     }
 }
 
 impl From<mechaudit::report::columns::UnitsError> for Failure {
     fn from(e: mechaudit::report::columns::UnitsError) -> Failure {
-        Failure::new(format!("--units: {e}"))
+        Failure::caused(e).about("--units")
     }
 }
 
 impl From<mechaudit::report::svg::CannotDraw> for Failure {
     fn from(e: mechaudit::report::svg::CannotDraw) -> Failure {
-        Failure::new(e.to_string())
+        Failure::caused(e)
     }
 }
 
@@ -138,7 +158,7 @@ impl From<csv::Error> for Failure {
     fn from(e: csv::Error) -> Failure {
         match e.is_io_error() {
             true => std::io::Error::from(e).into(),
-            false => Failure::new(format!("cannot write CSV: {e}")),
+            false => Failure::caused(e).about("cannot write CSV"),
         }
     }
 }
@@ -146,5 +166,30 @@ impl From<csv::Error> for Failure {
 impl From<serde_json::Error> for Failure {
     fn from(e: serde_json::Error) -> Failure {
         std::io::Error::from(e).into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::reference::HexFloat;
+
+    #[derive(Debug, thiserror::Error)]
+    #[error("line {0}")]
+    struct OnLine(u64, #[source] Box<dyn Error>);
+
+    #[test]
+    fn failures_tell_their_causes_once() {
+        let cause = HexFloat::parse("0x").unwrap_err();
+        let why = cause.to_string();
+        let failure = Failure::caused(OnLine(3, Box::new(cause))).about("inputs");
+        assert_eq!(failure.to_string(), format!("inputs: line 3: {why}"));
+        assert!(failure.source().and_then(Error::source).is_some());
+        let quoted = OnLine(3, "on line 3, line 3".into());
+        assert_eq!(chain(&quoted), "line 3: on line 3, line 3");
+        assert_eq!(
+            chain(&OnLine(3, Box::new(OnLine(3, "x".into())))),
+            "line 3: x"
+        );
     }
 }

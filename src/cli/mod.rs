@@ -11,13 +11,14 @@ mod fuzz;
 mod number;
 mod process;
 mod progress;
+mod scope;
 mod terminal;
 
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
-    audit, chirp, converge, eval, hunt, judge, linkage, list, paper, points, prove, regenerate,
-    runup, shell,
+    audit, chirp, compare, converge, describe, eval, hunt, judge, linkage, list, paper, points,
+    prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 #[cfg(unix)]
@@ -53,6 +54,8 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     match args.command {
         None => audit::everything(&args.run, args.verbose),
         Some(Command::Audit(a)) => audit::methods(&a),
+        Some(Command::Compare(a)) => compare::compare(&a),
+        Some(Command::Describe(a)) => describe::describe(&a),
         Some(Command::Points(a)) => points::points(&a),
         Some(Command::Judge(a)) => judge::judge(&a),
         Some(Command::Hunt(a)) => hunt::hunt(&a),

@@ -1,4 +1,4 @@
-//! A number as a line of `eval` gives it.
+//! A number in a line of `eval`.
 
 use mechaudit::reference::{Decimal, DecimalError, HexFloat, HexFloatError};
 use rug::Rational;

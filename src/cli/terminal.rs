@@ -1,4 +1,4 @@
-//! The terminal that reports go to.
+//! The width of the terminal.
 
 use std::io::IsTerminal;
 

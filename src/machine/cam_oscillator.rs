@@ -18,18 +18,18 @@ use serde::de::{Deserializer, Error as _, MapAccess, Visitor};
 struct File {
     name: Option<String>,
     harmonics: Option<u32>,
-    oscillator: OscillatorTable,
-    cam: CamTable,
-    speed: SpeedTable,
+    oscillator: OscillatorSection,
+    cam: CamSection,
+    speed: SpeedSection,
     #[serde(default)]
-    initial: InitialTable,
-    run: Option<RunTable>,
-    chart: Option<ChartTable>,
+    initial: InitialSection,
+    run: Option<RunSection>,
+    chart: Option<ChartSection>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct OscillatorTable {
+struct OscillatorSection {
     frequency: Quantity<AngularVelocity>,
     damping: Option<Quantity<AngularVelocity>>,
     damping_ratio: Option<f64>,
@@ -37,7 +37,7 @@ struct OscillatorTable {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct CamTable {
+struct CamSection {
     lift: Either<Length, Angle>,
     law: Law,
     return_law: Option<Law>,
@@ -83,16 +83,16 @@ impl<A, B> Either<A, B> {
     }
 }
 
-/// A law of motion: its name, or a table.
+/// A law of motion: its name, or a section.
 #[derive(Clone)]
 enum Law {
     Name(String),
-    Table(LawTable),
+    Table(LawSection),
 }
 
 #[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct LawTable {
+struct LawSection {
     name: Option<String>,
     scca: Option<[f64; 3]>,
     polynomial: Option<Vec<f64>>,
@@ -107,7 +107,7 @@ impl<'de> Deserialize<'de> for Law {
             type Value = Law;
             fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
                 f.write_str(
-                    "the name of a law, or a table with one of name, scca (three shares), \
+                    "the name of a law, or a section with one of name, scca (three shares), \
                      polynomial (coefficients), table (pairs), and perhaps acceleration_fraction",
                 )
             }
@@ -115,7 +115,7 @@ impl<'de> Deserialize<'de> for Law {
                 Ok(Law::Name(name.into()))
             }
             fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<Law, M::Error> {
-                LawTable::deserialize(MapAccessDeserializer::new(map)).map(Law::Table)
+                LawSection::deserialize(MapAccessDeserializer::new(map)).map(Law::Table)
             }
         }
         from.deserialize_any(V)
@@ -124,28 +124,28 @@ impl<'de> Deserialize<'de> for Law {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct SpeedTable {
+struct SpeedSection {
     start: Option<Quantity<AngularVelocity>>,
     acceleration: Quantity<AngularAcceleration>,
 }
 
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct InitialTable {
+struct InitialSection {
     displacement: Option<Either<Length, Angle>>,
     velocity: Option<Either<Velocity, AngularVelocity>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RunTable {
+struct RunSection {
     duration: Quantity<Time>,
     step: Option<Quantity<Time>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct ChartTable {
+struct ChartSection {
     from: f64,
     to: f64,
     step: f64,
@@ -259,9 +259,9 @@ impl CamOscillator {
                 eps: speed.acceleration.to_f64(),
             },
         };
-        let run = file.run.as_ref().map(|table| run(source, table));
+        let run = file.run.as_ref().map(|section| run(source, section));
         let chart = file.chart.as_ref();
-        let chart = chart.map(|table| chart_plan(source, table, &file.cam, &drive));
+        let chart = chart.map(|section| chart_plan(source, section, &file.cam, &drive));
         let chart = chart.transpose()?;
         let harmonics = match harmonics.or(file.harmonics) {
             Some(n) if (1..=MOST_HARMONICS).contains(&n) => n,
@@ -308,9 +308,9 @@ impl CamOscillator {
     }
 }
 
-fn oscillator(source: &Source, table: &OscillatorTable) -> Result<Oscillator, Refusal> {
-    let w = table.frequency.to_f64();
-    let n = match (&table.damping, table.damping_ratio) {
+fn oscillator(source: &Source, section: &OscillatorSection) -> Result<Oscillator, Refusal> {
+    let w = section.frequency.to_f64();
+    let n = match (&section.damping, section.damping_ratio) {
         (Some(n), None) => n.to_f64(),
         (None, Some(ratio)) => ratio * w,
         (None, None) => {
@@ -351,7 +351,7 @@ fn refused(source: &Source, place: &str, e: CamLawError) -> Refusal {
 fn law(source: &Source, place: &str, law: &Law) -> Result<MotionLaw, Refusal> {
     let made = match law {
         Law::Name(name) => MotionLaw::by_name(name),
-        Law::Table(LawTable {
+        Law::Table(LawSection {
             name,
             scca,
             polynomial,
@@ -382,7 +382,7 @@ fn law(source: &Source, place: &str, law: &Law) -> Result<MotionLaw, Refusal> {
 
 fn cycle(
     source: &Source,
-    cam: &CamTable,
+    cam: &CamSection,
     rising: &MotionLaw,
     falling: &MotionLaw,
 ) -> Result<CamCycle, Refusal> {
@@ -404,7 +404,7 @@ fn cycle(
 
 fn initial(
     source: &Source,
-    table: &InitialTable,
+    section: &InitialSection,
     lift: &Either<Length, Angle>,
 ) -> Result<Option<InitialState>, Refusal> {
     let due = |place, fits: bool, names: [&str; 2]| match fits {
@@ -417,7 +417,7 @@ fn initial(
             ))
         }
     };
-    let (y, v) = (&table.displacement, &table.velocity);
+    let (y, v) = (&section.displacement, &section.velocity);
     if let Some(y) = y {
         let names = [Length::NAME, Angle::NAME];
         due("initial.displacement", y.unit() == lift.unit(), names)?;
@@ -432,9 +432,9 @@ fn initial(
     }))
 }
 
-fn run(source: &Source, table: &RunTable) -> Result<Run, Refusal> {
-    let duration = table.duration.to_f64();
-    let step = table
+fn run(source: &Source, section: &RunSection) -> Result<Run, Refusal> {
+    let duration = section.duration.to_f64();
+    let step = section
         .step
         .as_ref()
         .map_or(duration / ROWS, Quantity::to_f64);
@@ -457,17 +457,17 @@ fn run(source: &Source, table: &RunTable) -> Result<Run, Refusal> {
 
 fn chart_plan(
     source: &Source,
-    table: &ChartTable,
-    cam: &CamTable,
+    section: &ChartSection,
+    cam: &CamSection,
     drive: &CamDrive,
 ) -> Result<ChartPlan, Refusal> {
-    let ChartTable {
+    let ChartSection {
         from,
         to,
         step,
         period,
         ..
-    } = *table;
+    } = *section;
     if !(from > 0.0 && to >= from && to.is_finite()) {
         let rule = format!(
             "chart.from = {from} and chart.to = {to} must be positive numbers in ascending order"
@@ -484,7 +484,7 @@ fn chart_plan(
         let time = drive.time_of(*xi, period);
         time.map_err(|e| source.refuse("chart", e))?;
     }
-    let drives = match &table.laws {
+    let drives = match &section.laws {
         None => vec![(label(&cam.law), drive.clone())],
         Some(names) => {
             let one = |name: &String| {

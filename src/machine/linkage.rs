@@ -29,7 +29,7 @@ pub struct CrankMotion {
     pub epsilon: Quantity<AngularAcceleration>,
 }
 
-/// The type alone; everything else is read by the type's own table.
+/// The type alone; everything else is read by the type's own section.
 #[derive(Deserialize)]
 struct Head {
     #[serde(rename = "type", default)]
@@ -45,7 +45,7 @@ enum Type {
     SliderCrank,
 }
 
-/// The file: what every type has, and its own tables of geometry, start and bodies.
+/// The file: what every type has, and its own sections of geometry, start and bodies.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct File<G, S, B> {
@@ -130,10 +130,10 @@ impl<G, S, B> File<G, S, B> {
     }
 }
 
-/// A body's table.
+/// A body's section.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct BodyTable {
+pub(super) struct BodySection {
     mass: Quantity<Mass>,
     inertia: Quantity<Inertia>,
     #[serde(default)]
@@ -151,7 +151,7 @@ enum About {
     Pivot,
 }
 
-impl BodyTable {
+impl BodySection {
     /// The body, exactly.
     pub fn exact(&self) -> exact::Body {
         let none = exact::ExactAngle::Degrees(Rational::new());

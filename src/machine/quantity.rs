@@ -476,6 +476,60 @@ mod tests {
         assert_eq!(nearest_f64(&si::<Mass>("0.1 kg")), 0.1);
     }
 
+    /// Every unit that [`KNOWN`] names against its definition: the SI (BIPM, *The International System of
+    /// Units*, 9th ed. 2019, tables 4, 5, 7 and 8); the international yard and pound of 1959: 1 yd = 0.9144 m,
+    /// 1 lb = 0.453 592 37 kg, 1 ft = 1/3 yd, 1 in = 1/36 yd.
+    #[test]
+    fn every_unit_is_its_definition() {
+        let yard = Rational::from((9144, 10_000));
+        let ten = |k: u32| Rational::from(rug::Integer::from(rug::Integer::u_pow_u(10, k)));
+        let one = || Rational::from(1);
+        let (length, mass, time) = ([1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]);
+        let (angle, rate, force) = ([0, 0, 0, 1], [0, 0, -1, 1], [1, 1, -2, 0]);
+        let full_turn = || Rational::from(360);
+        let definitions = [
+            ("m", one(), length, false),
+            ("dm", ten(1).recip(), length, false),
+            ("cm", ten(2).recip(), length, false),
+            ("mm", ten(3).recip(), length, false),
+            ("um", ten(6).recip(), length, false),
+            ("µm", ten(6).recip(), length, false),
+            ("in", Rational::from(&yard / 36u32), length, false),
+            ("inch", Rational::from(&yard / 36u32), length, false),
+            ("ft", Rational::from(&yard / 3u32), length, false),
+            ("kg", one(), mass, false),
+            ("g", ten(3).recip(), mass, false),
+            ("t", ten(3), mass, false),
+            ("lb", Rational::from(45_359_237) / ten(8), mass, false),
+            ("N", one(), force, false),
+            ("kN", ten(3), force, false),
+            ("s", one(), time, false),
+            ("ms", ten(3).recip(), time, false),
+            ("min", Rational::from(60), time, false),
+            ("rad", one(), angle, false),
+            ("deg", one(), angle, true),
+            ("°", one(), angle, true),
+            ("rev", full_turn(), angle, true),
+            ("rpm", full_turn() / 60u32, rate, true),
+            ("Hz", full_turn(), rate, true),
+            ("1/min", full_turn() / 60u32, rate, true),
+        ];
+        let named: Vec<&str> = definitions.iter().map(|d| d.0).collect();
+        assert_eq!(named.join(" "), KNOWN);
+        for (name, scale, dimension, degrees) in definitions {
+            let found = unit(name).unwrap();
+            assert_eq!(
+                found,
+                Unit {
+                    scale,
+                    dimension,
+                    degrees
+                },
+                "{name}"
+            );
+        }
+    }
+
     /// The value is rounded once also where it is subnormal.
     #[test]
     fn subnormal_values_are_nearest() {

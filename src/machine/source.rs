@@ -67,7 +67,7 @@ impl Refusal {
         self.line
     }
 
-    /// The value or table, such as `geometry.l5`; empty for the whole file.
+    /// The value or section, such as `geometry.l5`; empty for the whole file.
     pub fn place(&self) -> &str {
         &self.place
     }
@@ -193,21 +193,21 @@ impl Source {
         }
     }
 
-    /// The line of what stands in this place, or of the innermost table there is around it.
+    /// The line of what stands in this place, or of the innermost section there is around it.
     fn line_of(&self, place: &str) -> Option<usize> {
         if self.form == Form::Json {
             return None;
         }
         let file = toml::de::DeTable::parse(&self.text).ok()?;
-        let mut table = file.get_ref();
+        let mut section = file.get_ref();
         let mut found = None;
         for key in place.split('.') {
-            let Some((key, value)) = table.get_key_value(key) else {
+            let Some((key, value)) = section.get_key_value(key) else {
                 break;
             };
             found = Some(key.span().start);
             match value.get_ref().as_table() {
-                Some(inner) => table = inner,
+                Some(inner) => section = inner,
                 None => break,
             }
         }
@@ -242,9 +242,9 @@ fn refused(place: &str, line: Option<usize>, message: &str, source: Cause) -> Re
 fn in_words(place: &str, message: &str) -> String {
     if let Some(field) = quoted_after(message, "missing field `") {
         return match place {
-            // All that the file itself has to have are tables.
-            "" => format!("the table [{field}] is missing"),
-            table => format!("{table}.{field} is missing"),
+            // All that the file itself has to have are sections.
+            "" => format!("the section [{field}] is missing"),
+            section => format!("{section}.{field} is missing"),
         };
     }
     let expected = message.split_once(", expected ").map(|p| p.1);
@@ -395,7 +395,7 @@ mod tests {
         }
         for source in [Source::toml("_kind = \"cubic\""), Source::json("{}")] {
             let e = source.parse::<File>().unwrap_err();
-            assert_eq!(e.to_string(), "the table [geometry] is missing");
+            assert_eq!(e.to_string(), "the section [geometry] is missing");
         }
     }
 

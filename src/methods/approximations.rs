@@ -2,12 +2,13 @@
 
 use super::RunUpInput;
 use super::drive::run_up;
-use crate::audit::{Approximation, ReferenceAnswer, SolverAnswer};
+use crate::audit::{Approximation, SolverAnswer, Uncertified};
 use crate::reference::Ball;
 use crate::reference::cubic_spline::Spline as ExactSpline;
 use crate::solvers::cubic_spline::{Boundary, CubicSpline};
 use crate::solvers::run_up::Method as Integration;
 use rug::Rational;
+use std::error::Error;
 use std::sync::OnceLock;
 
 /// Every approximation.
@@ -55,7 +56,7 @@ pub fn approximations() -> Vec<Box<dyn Approximation>> {
 /// let finest = report.levels.last().unwrap().errors[0];
 /// assert!((finest.order.unwrap() - 4.0).abs() < 0.1);
 /// assert!(finest.rounding.unwrap() < 1e-15);
-/// # Ok::<(), String>(())
+/// # Ok::<(), mechaudit::audit::Uncertified>(())
 /// ```
 pub fn find_approximation(name: &str) -> Option<Box<dyn Approximation>> {
     approximations().into_iter().find(|a| a.name() == name)
@@ -142,21 +143,18 @@ impl Approximation for SplineOfWitch {
             Ends::Natural => Boundary::second_derivatives(0.0, 0.0),
             Ends::NotAKnot => Boundary::NOT_A_KNOT,
         };
-        let values = || {
-            let s = CubicSpline::fit(x, y, boundary).map_err(|e| e.to_string())?;
+        let values = || -> Result<Vec<f64>, Box<dyn Error>> {
+            let s = CubicSpline::fit(x, y, boundary)?;
             let mut all = Vec::new();
             for q in queries() {
-                let j = s.jet(q).map_err(|e| e.to_string())?;
+                let j = s.jet(q)?;
                 all.extend([j.value, j.first, j.second, j.third]);
             }
             Ok(all)
         };
-        let answer: Result<Vec<f64>, String> = values();
-        let work = u64::from(COARSEST << level);
-        (
-            work,
-            answer.map_or_else(SolverAnswer::Fails, SolverAnswer::Values),
-        )
+        let answer =
+            values().map_or_else(|e| SolverAnswer::Fails(e.to_string()), SolverAnswer::Values);
+        (u64::from(COARSEST << level), answer)
     }
 
     fn twin(&self, level: usize) -> Option<Vec<Ball>> {
@@ -174,7 +172,7 @@ impl Approximation for SplineOfWitch {
         Some(balls(&values?))
     }
 
-    fn truth(&self) -> Result<Vec<Ball>, String> {
+    fn truth(&self) -> Result<Vec<Ball>, Uncertified> {
         let exact = queries().filter_map(Rational::from_f64);
         let values: Vec<[Rational; 4]> = exact.map(|q| witch(&q)).collect();
         Ok(balls(&values))
@@ -199,7 +197,7 @@ enum Machine {
 struct RunUp {
     method: Integration,
     machine: Machine,
-    truth: OnceLock<Result<Vec<Ball>, String>>,
+    truth: OnceLock<Result<Vec<Ball>, Uncertified>>,
 }
 
 impl RunUp {
@@ -274,11 +272,8 @@ impl Approximation for RunUp {
         run_up::twin_of_half_steps(self.input(), RunUp::tolerance(level), self.method)
     }
 
-    fn truth(&self) -> Result<Vec<Ball>, String> {
-        let truth = || match run_up::truth(self.input(), 160) {
-            ReferenceAnswer::Values(r) => Ok(r.values),
-            other => Err(format!("{other:?}")),
-        };
+    fn truth(&self) -> Result<Vec<Ball>, Uncertified> {
+        let truth = || run_up::truth(self.input(), 160);
         self.truth.get_or_init(truth).clone()
     }
 }

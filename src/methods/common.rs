@@ -1,6 +1,6 @@
-//! What many methods write.
+//! Constructors that most methods use.
 
-use crate::audit::{CheckPoint, Draw, Region};
+use crate::audit::{Budget, CheckPoint, Draw, Limit, Output, Region};
 
 pub(super) fn region(
     name: &'static str,
@@ -19,6 +19,34 @@ pub(super) fn point(name: &'static str, input: impl Into<Vec<f64>>) -> CheckPoin
         name,
         input: input.into(),
     }
+}
+
+/// Check points as a table: in each line a name and the numbers.
+///
+/// # Panics
+/// On what is no number; a test of the registry makes every domain.
+pub(super) fn points(table: &'static str) -> Vec<CheckPoint> {
+    let line = |line: &'static str| {
+        let mut words = line.split_whitespace();
+        let name = words.next().expect("a name");
+        let numbers = words.map(|w| w.parse::<f64>().expect(w));
+        point(name, numbers.collect::<Vec<f64>>())
+    };
+    table.lines().map(line).collect()
+}
+
+pub(super) fn output(name: &'static str, unit: &'static str, budget: Budget) -> Output {
+    Output { name, unit, budget }
+}
+
+/// An output that may be wrong by so many u times one and its condition.
+pub(super) fn conditioned(
+    name: &'static str,
+    unit: &'static str,
+    k: f64,
+    reason: &'static str,
+) -> Output {
+    output(name, unit, Budget::new(Limit::Conditioned(k), reason))
 }
 
 /// The residual of a law that holds bit for bit or not at all.

@@ -1,12 +1,12 @@
-//! What the file of a method defines, and how the registry makes a [`Method`] of it.
+//! The definition of a method in its file, and the [`Method`] that the registry makes of it.
 
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{
-    Domain, Due, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer, Rows,
-    SolverAnswer, conditions_by_differences,
+    BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer,
+    Rows, SolverAnswer, Uncertified, conditions_by_differences,
 };
+use crate::reference::Ball;
 use crate::reference::faddeeva::Scaled;
-use crate::reference::{Ball, Undecided};
 use rug::Rational;
 use std::marker::PhantomData;
 
@@ -14,6 +14,8 @@ use std::marker::PhantomData;
 pub trait Typed {
     /// Its name in the registry.
     const NAME: &'static str;
+    /// The signature of a candidate in Rust, but for its result.
+    const SIGNATURE: &'static str;
 }
 
 /// What its line in the registry gives a method besides.
@@ -45,7 +47,10 @@ pub trait Definition: Registered + Sized {
     fn domain() -> Domain;
     /// Calls the code under test; its refusal by name.
     fn solve(input: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str>;
-    fn reference(input: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer;
+    fn reference(
+        input: Self::Input<'_, Rational>,
+        bits: u32,
+    ) -> Result<ReferenceAnswer, Uncertified>;
     fn reference_not_finite(_input: Self::Input<'_, f64>) -> ReferenceAnswer {
         ReferenceAnswer::Refuses("not finite")
     }
@@ -59,8 +64,8 @@ pub trait Definition: Registered + Sized {
             is_data.get(j).copied().unwrap_or(true)
         })
     }
-    /// [`Definition::conditions`] where the reference's answer is at hand.
-    fn conditions_beside(numbers: &[f64], _reference: &ReferenceAnswer) -> Option<Vec<f64>> {
+    /// [`Definition::conditions`] where the reference's values are at hand.
+    fn conditions_at(numbers: &[f64], _values: &[Ball]) -> Option<Vec<f64>> {
         Self::conditions(numbers)
     }
     fn twin(_input: Self::Input<'_, f64>) -> Option<Vec<Ball>> {
@@ -68,6 +73,10 @@ pub trait Definition: Registered + Sized {
     }
     fn admits(_input: Self::Input<'_, f64>) -> bool {
         true
+    }
+    /// By which formula the solver computes, and where the nearest other one begins.
+    fn branch(_input: Self::Input<'_, f64>) -> Option<BranchAt> {
+        None
     }
     fn laws() -> Vec<Law>;
 
@@ -78,18 +87,8 @@ pub trait Definition: Registered + Sized {
     /// Values whose relative radius shrinks with `2^-bits`, for `eval`: those of the reference, unless
     /// it can say more of them than an `f64` could hold.
     fn certify(input: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
-        let number = |due: Due| match due {
-            Due::Number(ball) | Due::Zero { ball, .. } => Ok(ball.into()),
-            Due::Infinity { .. } | Due::NotANumber => Err(Uncertified::NoNumber),
-        };
-        match Self::reference(input, bits) {
-            ReferenceAnswer::Values(r) => Ok(r.values.into_iter().map(Scaled::from).collect()),
-            ReferenceAnswer::Dues(dues, _) => dues.into_iter().map(number).collect(),
-            ReferenceAnswer::Refuses(word) => Err(Uncertified::Refused(word)),
-            ReferenceAnswer::Undecided(why) | ReferenceAnswer::Failed(why) => {
-                Err(Uncertified::Undecided(why))
-            }
-        }
+        let values = Self::reference(input, bits)?.certified()?;
+        Ok(values.into_iter().map(Scaled::from).collect())
     }
 
     /// The declaration of the input.
@@ -105,26 +104,6 @@ pub trait Definition: Registered + Sized {
         }
         let nearest: Vec<f64> = numbers.iter().map(T::nearest).collect();
         Self::Input::take(&mut Row::new(numbers, layout.lengths(&nearest).ok()?))
-    }
-}
-
-/// Why there are no certified values.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Uncertified {
-    /// There is no value, for the named reason.
-    #[error("{0}")]
-    Refused(&'static str),
-    /// Not decided at this precision.
-    #[error("{0}")]
-    Undecided(String),
-    /// An infinity or no value at all.
-    #[error("no finite value")]
-    NoNumber,
-}
-
-impl From<Undecided> for Uncertified {
-    fn from(e: Undecided) -> Uncertified {
-        Uncertified::Undecided(e.to_string())
     }
 }
 
@@ -182,10 +161,10 @@ impl<D: Definition> Method for Entry<D> {
         }
     }
     fn reference(&self, numbers: &[Rational], bits: u32) -> ReferenceAnswer {
-        match D::unpack(numbers) {
-            Some(input) => D::reference(input, bits),
-            None => ReferenceAnswer::Refuses(BAD_LAYOUT),
-        }
+        let input = D::unpack(numbers).ok_or(Uncertified::Refused(BAD_LAYOUT));
+        input
+            .and_then(|input| D::reference(input, bits))
+            .unwrap_or_else(ReferenceAnswer::from)
     }
     fn reference_not_finite(&self, numbers: &[f64]) -> ReferenceAnswer {
         let refused = ReferenceAnswer::Refuses(BAD_LAYOUT);
@@ -198,13 +177,24 @@ impl<D: Definition> Method for Entry<D> {
         D::conditions(numbers)
     }
     fn conditions_beside(&self, numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
-        D::conditions_beside(numbers, reference)
+        match reference {
+            ReferenceAnswer::Values(r) => D::conditions_at(numbers, &r.values),
+            ReferenceAnswer::Refuses(_) | ReferenceAnswer::Failed(_) => None,
+            ReferenceAnswer::Dues(..) | ReferenceAnswer::Undecided(_) => D::conditions(numbers),
+        }
     }
     fn twin(&self, numbers: &[f64]) -> Option<Vec<Ball>> {
         D::twin(D::unpack(numbers)?)
     }
     fn hard(&self) -> Vec<HardCase> {
         HardCase::included(D::HARD)
+    }
+    fn branch(&self, numbers: &[f64]) -> Option<BranchAt> {
+        D::branch(D::unpack(numbers)?)
+    }
+    /// Of a list every number is data.
+    fn is_data(&self, j: usize) -> bool {
+        D::fields().get(j).is_none_or(|f| f.is_data)
     }
     fn admits(&self, numbers: &[f64]) -> bool {
         D::unpack(numbers).is_some_and(D::admits)
@@ -216,10 +206,10 @@ impl<D: Definition> Method for Entry<D> {
 
 impl<D: Definition> Evaluable for Entry<D> {
     fn certify(&self, numbers: &[Rational], bits: u32) -> Result<Vec<Scaled>, Uncertified> {
-        match D::unpack(numbers) {
-            Some(input) => D::certify(input, bits),
-            None => Err(Uncertified::Refused(BAD_LAYOUT)),
-        }
+        D::certify(
+            D::unpack(numbers).ok_or(Uncertified::Refused(BAD_LAYOUT))?,
+            bits,
+        )
     }
     fn refusal(&self, numbers: &[f64]) -> Option<String> {
         D::refusal(D::unpack(numbers)?)
@@ -227,6 +217,15 @@ impl<D: Definition> Evaluable for Entry<D> {
     fn former_names(&self) -> &'static [&'static str] {
         D::FORMER
     }
+}
+
+/// [`Definition::conditions`] by [`Definition::conditions_at`] at values of so many bits.
+pub(super) fn conditions_at_reference<D: Definition>(
+    numbers: &[f64],
+    bits: u32,
+) -> Option<Vec<f64>> {
+    let answer = D::reference(D::unpack(&exact(numbers)?)?, bits).ok()?;
+    D::conditions_at(numbers, &answer.certified().ok()?)
 }
 
 /// The numbers as exact fractions, if all are finite.

@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 
 pub use approximations::{approximations, find_approximation};
 pub use cams::*;
-pub use definition::{Evaluable, Typed, Uncertified};
+pub use definition::{Evaluable, Typed};
 pub use drive::*;
 pub use inputs::Number;
 pub use linear::*;
@@ -41,9 +41,18 @@ macro_rules! registry {
             vec![$(Box::new(Entry::<$method>::NEW)),*]
         }
 
+        /// The signature in Rust of a candidate for the method of that name, but for its result.
+        pub fn signature(name: &str) -> Option<&'static str> {
+            match name {
+                $($name => Some($method::SIGNATURE),)*
+                _ => None,
+            }
+        }
+
         $(
             impl Typed for $method {
                 const NAME: &'static str = $name;
+                const SIGNATURE: &'static str = stringify!(Fn($($argument),*));
             }
 
             impl Registered for $method {
@@ -116,6 +125,8 @@ registry! {
         Fn(Complex<f64>), |f, z| f(z.into());
     Voigt "voigt" formerly "faddeeva.voigt":
         Fn(f64, f64, f64), |f, i| f(i.x, i.sigma, i.gamma);
+    VoigtHwhm "voigt-hwhm":
+        Fn(f64, f64), |f, i| f(i.sigma, i.gamma);
     CamLaw "cam-law":
         Fn(CamLawInput<'_>), |f, i| f(i);
     CamFourierSeries "cam-fourier-series":

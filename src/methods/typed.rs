@@ -4,6 +4,21 @@ use crate::audit::SolverAnswer;
 use num_complex::Complex;
 
 /// Code that can be audited as the method `M`: a function with the signature that `M` documents.
+///
+/// The compiler says which one that is:
+///
+/// ```compile_fail
+/// // error: this is no candidate for `Faddeeva`
+/// mechaudit::audit::<mechaudit::methods::Faddeeva>(|x: f64, y: f64| x + y);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "this is no candidate for `{M}`",
+    label = "not a function with the signature of `{M}`",
+    note = "`{M}` documents the signature, and `mechaudit describe` prints it",
+    note = "the arguments of a closure need their types: `|z: Complex64| …` with `mechaudit::Complex64`",
+    note = "it returns numbers in the order of the outputs (`f64`, `Complex64`, `Vec<f64>`, arrays of \
+            them), or an `Option` or `Result` of those, and is `Sync`"
+)]
 pub trait Candidate<M>: Sync {
     /// Its answer to an input in the method's layout.
     fn answer(&self, input: &[f64]) -> SolverAnswer;
@@ -12,6 +27,12 @@ pub trait Candidate<M>: Sync {
 /// What a candidate may return: numbers in the order of the method's outputs, or a refusal.
 ///
 /// `None` and `Err` are refusals without a reason, right wherever the reference refuses.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no answer of a candidate",
+    label = "neither numbers nor a refusal",
+    note = "a candidate returns `f64`, `Complex64`, `Vec<f64>`, `[f64; N]`, rows of those, or an `Option` or \
+            `Result` of them"
+)]
 pub trait IntoAnswer {
     /// The answer.
     fn into_answer(self) -> SolverAnswer;

@@ -3,15 +3,17 @@
 
 pub mod gembara_senyk;
 pub mod ledger;
+pub mod motion;
 mod report;
 pub mod zinchenko;
 
 pub use report::{
     Citation, Entry, EntryVerdict, Figure, Finding, FindingVerdict, PaperReport, SCHEMA_VERSION,
-    Subject, Tally, VariantResult,
+    Subject, Tally, VariantJudgement,
 };
 
 use crate::reference::Undecided;
+use report::{figure, figures};
 
 /// Called now and then with the phase, how much of it is done, and its whole.
 pub type Progress<'a> = &'a (dyn Fn(&str, u64, u64) + Sync);
@@ -24,6 +26,7 @@ struct Paper {
     key: &'static str,
     audit: PaperAudit,
     ledger: fn() -> ledger::Ledger,
+    motion: Option<fn() -> motion::Motion>,
 }
 
 const PAPERS: &[Paper] = &[
@@ -31,11 +34,13 @@ const PAPERS: &[Paper] = &[
         key: zinchenko::KEY,
         audit: zinchenko::report,
         ledger: zinchenko::ledger,
+        motion: Some(zinchenko::motion),
     },
     Paper {
         key: gembara_senyk::KEY,
         audit: gembara_senyk::report,
         ledger: gembara_senyk::ledger,
+        motion: None,
     },
 ];
 
@@ -51,6 +56,11 @@ pub fn find(key: &str) -> Option<PaperAudit> {
 /// The ledger of the paper of that key, decided now.
 pub fn ledger_of(key: &str) -> Option<ledger::Ledger> {
     paper(key).map(|p| (p.ledger)())
+}
+
+/// The motion of the mechanism of the paper of that key, where it has one.
+pub fn motion_of(key: &str) -> Option<motion::Motion> {
+    paper(key).and_then(|p| p.motion).map(|motion| motion())
 }
 
 /// The keys of all papers.

@@ -91,6 +91,23 @@ pub struct Figure {
     pub latex: Option<String>,
 }
 
+pub(super) fn figure(name: impl Into<String>, value: impl ToString, unit: &'static str) -> Figure {
+    Figure {
+        name: name.into(),
+        value: value.to_string(),
+        unit,
+        latex: None,
+    }
+}
+
+/// Figures as a table: `name: value, arguments => unit;`, name and value as [`format!`] takes them.
+macro_rules! figures {
+    ($($name:literal: $value:literal $(, $argument:expr)* => $unit:expr;)*) => {
+        vec![$($crate::papers::figure(format!($name), format!($value $(, $argument)*), $unit)),*]
+    };
+}
+pub(super) use figures;
+
 /// One finding.
 #[derive(Clone, Debug, Serialize)]
 pub struct Finding {
@@ -128,7 +145,7 @@ pub enum EntryVerdict {
 
 /// A printed entry under one variant of the data.
 #[derive(Clone, Debug, Serialize)]
-pub struct VariantResult {
+pub struct VariantJudgement {
     /// The certified value, at least 20 significant digits.
     pub recomputed: String,
     /// `(printed − recomputed)` in units of the last printed digit.
@@ -152,7 +169,7 @@ pub struct Entry {
     /// The text as printed, with a decimal point.
     pub printed: String,
     /// By variant of the data: `as_printed`, `recovered`, `recovered_fitted_nodes`.
-    pub variants: BTreeMap<&'static str, VariantResult>,
+    pub variants: BTreeMap<&'static str, VariantJudgement>,
 }
 
 /// How many entries of a column agree.

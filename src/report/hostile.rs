@@ -1,11 +1,14 @@
 //! No text of a report becomes markup, whatever it says.
 
+use super::baseline::{Change, Changes};
 use super::svg::{chirp, reduced, run_up, scene};
 use super::{html, junit, text};
 use crate::audit::{
-    Case, ConvergenceReport, ErrorMap, LevelReport, MapOutput, MethodReport, Origin, Verdict,
+    BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, LevelReport,
+    MapOutput, MethodReport, Origin, Point, Uncertified, Verdict,
 };
 use crate::papers::ledger::{Formula, Ledger};
+use crate::papers::motion::{Course, Motion, Point as Joint};
 use crate::papers::{Citation, PaperReport};
 
 /// Ends an element, an attribute between quotes of either kind, and begins a script.
@@ -17,6 +20,36 @@ fn harmless(page: &str, texts: usize) {
     assert!(!page.contains("\"></style>"), "{page}");
     let escaped = page.matches("&lt;script&gt;alert(1)").count();
     assert!(escaped >= texts, "{escaped} of {texts} texts in {page}");
+}
+
+/// The same of a page with scripts: these are the program's own, named in its policy, and its data are
+/// JSON whose strings hold `data` of the texts.
+fn harmless_page(page: &str, texts: usize, data: usize) {
+    let (mut markup, own) = html::page::tests::markup(page);
+    assert!(own >= 1);
+    const OPEN: &str = "<script type=\"application/json\" id=";
+    let mut held = 0;
+    while let Some(start) = markup.find(OPEN) {
+        let inner = start + markup[start..].find('>').unwrap() + 1;
+        let end = inner + markup[inner..].find("</script>").unwrap();
+        let value: serde_json::Value = serde_json::from_str(&markup[inner..end]).unwrap();
+        held += hostile_strings(&value);
+        markup.replace_range(start..end + "</script>".len(), "");
+    }
+    assert!(held >= data, "{held} of {data} texts in the data");
+    harmless(&markup, texts);
+}
+
+fn hostile_strings(value: &serde_json::Value) -> usize {
+    match value {
+        serde_json::Value::String(s) => usize::from(s.contains(HOSTILE)),
+        serde_json::Value::Array(all) => all.iter().map(hostile_strings).sum(),
+        serde_json::Value::Object(all) => {
+            let keys = all.keys().filter(|k| k.contains(HOSTILE)).count();
+            keys + all.values().map(hostile_strings).sum::<usize>()
+        }
+        _ => 0,
+    }
 }
 
 fn citation() -> Citation {
@@ -38,8 +71,31 @@ fn method() -> MethodReport {
         origin: Origin::CheckPoint { name: HOSTILE },
     };
     (report.method, report.summary, report.source) = (HOSTILE, HOSTILE, HOSTILE);
-    report.outputs[0].name = HOSTILE;
-    report.outputs[0].worst = Some(case.clone());
+    for region in report.regions.iter_mut().chain([&mut report.total]) {
+        (region.name, region.description) = (HOSTILE, HOSTILE);
+        region.worst = Some(case.clone());
+        region.outputs[0].name = HOSTILE;
+        region.outputs[0].worst = Some(case.clone());
+        for octave in &mut region.outputs[0].histogram {
+            octave.worst = case.clone();
+        }
+    }
+    report.candidate = Some(CandidateReport {
+        name: HOSTILE.into(),
+        version: Some(HOSTILE.into()),
+        command: Some("./candidate".into()),
+        answered: 1,
+        trouble: Some(HOSTILE.into()),
+    });
+    report.inputs = vec![(HOSTILE, 0)];
+    report.budgets[0].name = HOSTILE;
+    report.reproduce.head = HOSTILE.into();
+    report.points = vec![Point {
+        case: case.clone(),
+        verdict: Verdict::Pass,
+        ulps: vec![f64::INFINITY],
+        of_budget: f64::NAN,
+    }];
     let law = &mut report.laws[0];
     (law.name, law.statement, law.worst) = (HOSTILE, HOSTILE, 2.0);
     let failure = &mut report.failures[0];
@@ -48,6 +104,13 @@ fn method() -> MethodReport {
     failure.judgement.reason = Some(HOSTILE.into());
     failure.judgement.components[0].output = HOSTILE;
     failure.reference = vec![Some(HOSTILE.into())];
+    failure.branch = Some(BranchAt {
+        branch: Some(HOSTILE.into()),
+        seam: HOSTILE.into(),
+        distance: 0.0,
+    });
+    report.worst = vec![failure.clone()];
+    report.wrong = vec![failure.clone()];
     report.map = Some(ErrorMap {
         columns: 1,
         rows: 1,
@@ -79,9 +142,24 @@ fn an_audit() {
         fitted: vec![None],
         levels: vec![level],
     };
-    let approximations = [Ok(convergence), Err(HOSTILE.into())];
-    let page = html::audit::page(&[method()], Some(&approximations), false);
-    harmless(&page, 22);
+    let changes = Changes {
+        changes: vec![Change {
+            of: HOSTILE.into(),
+            region: HOSTILE.into(),
+            output: Some(HOSTILE.into()),
+            figure: HOSTILE,
+            before: 0.0,
+            now: f64::INFINITY,
+            better: false,
+        }],
+        not_compared: vec![HOSTILE.into()],
+    };
+    let approximations = [Ok(convergence), Err(Uncertified::Undecided(HOSTILE.into()))];
+    let page = html::audit::page(&[method()], Some(&approximations), Some(&changes), false);
+    harmless_page(&page, 66, 12);
+    let speed = None;
+    let found = Comparison::new(HOSTILE, vec![(method(), speed), (method(), speed)]);
+    harmless_page(&html::audit::comparison(&found, None), 120, 24);
     let xml = junit::document(&[method()]).unwrap();
     harmless(&xml, 7);
     quick_junit::Report::deserialize_from_str(&xml).unwrap();
@@ -118,7 +196,29 @@ fn a_paper() {
             (r.recomputed, r.note) = (HOSTILE.into(), Some(HOSTILE.into()));
         }
     }
-    harmless(&html::paper::page(&report), 40);
+    let motion = Motion {
+        name: HOSTILE,
+        crank_deg: vec![0.0, 180.0],
+        points: vec![
+            Joint {
+                label: HOSTILE,
+                path: vec![[0.0, 0.0]],
+            },
+            Joint {
+                label: HOSTILE,
+                path: vec![[1.0, 0.0], [-1.0, 0.0]],
+            },
+        ],
+        links: vec![[0, 1]],
+        plates: Vec::new(),
+        courses: vec![Course {
+            name: HOSTILE,
+            unit: HOSTILE,
+            variants: vec![(HOSTILE, vec![1.0, f64::NAN])],
+            printed: Vec::new(),
+        }],
+    };
+    harmless_page(&html::paper::page(&report, Some(&motion)), 60, 6);
 }
 
 #[test]
@@ -142,7 +242,7 @@ fn a_ledger() {
             (edit.before, edit.after) = (HOSTILE.into(), HOSTILE.into());
         }
     }
-    harmless(&html::ledger::page(&ledger), 25);
+    harmless_page(&html::ledger::page(&ledger), 25, 0);
 }
 
 #[test]

@@ -1,12 +1,13 @@
 //! The report of an audit as JUnit XML: a suite for each method, a test for each region and law.
+//! Budgets, candidate and settings are properties of the suite.
 
 use super::text::case;
+use super::text::method::failing;
 use super::text::style::plain;
-use super::words::audit::holds;
-use crate::audit::{CaseReport, MethodReport};
-use crate::methods;
-use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
-use std::collections::BTreeMap;
+use super::words::audit::{budgets, candidate, holds, kinds, settings, undecided};
+use super::words::numbers::{percent, short};
+use crate::audit::{CaseReport, MethodReport, RegionReport};
+use quick_junit::{NonSuccessKind, Property, Report, TestCase, TestCaseStatus, TestSuite};
 
 /// The text of the first failing cases of a region goes with its failure.
 const FAILURES_SHOWN: usize = 5;
@@ -22,23 +23,19 @@ pub fn document(reports: &[MethodReport]) -> Result<String, quick_junit::Seriali
 
 fn suite(report: &MethodReport) -> TestSuite {
     let mut suite = TestSuite::new(report.method);
-    let mut failures: BTreeMap<&str, Vec<&CaseReport>> = BTreeMap::new();
-    for f in &report.failures {
-        failures.entry(f.case.region).or_default().push(f);
+    suite.add_property(Property::new("budget", budgets(report)));
+    suite.add_property(Property::new("settings", settings(&report.settings)));
+    if let Some(c) = &report.candidate {
+        suite.add_property(Property::new("candidate", candidate(c)));
     }
-    let domain = methods::find(report.method)
-        .map(|m| m.domain())
-        .unwrap_or_default();
-    let mut regions: Vec<&str> = vec!["check-points", "hard"];
-    regions.extend(domain.regions.iter().map(|r| r.name));
-    let others = failures.keys().filter(|r| !regions.contains(r));
-    regions.extend(others.copied().collect::<Vec<&str>>());
-    for region in regions {
-        let status = match failures.get(region) {
-            None => TestCaseStatus::success(),
-            Some(failed) => failure(failed),
+    for region in &report.regions {
+        let status = match region.failed() {
+            0 => TestCaseStatus::success(),
+            _ => failure(report, region),
         };
-        suite.add_test_case(TestCase::new(region, status));
+        let mut test = TestCase::new(region.name, status);
+        test.set_system_out(figures(region));
+        suite.add_test_case(test);
     }
     for law in &report.laws {
         let status = match holds(law) {
@@ -51,14 +48,16 @@ fn suite(report: &MethodReport) -> TestSuite {
         };
         suite.add_test_case(TestCase::new(format!("law {}", law.name), status));
     }
-    if (report.cases == 0 && !report.interrupted) || report.failures_left_out > 0 {
+    let trouble = report.candidate.as_ref().and_then(|c| c.trouble.clone());
+    if report.cases == 0 && !report.interrupted {
         let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-        let left = report.failures_left_out;
-        status.set_message(format!(
-            "{} cases, {left} failing ones not listed",
-            report.cases
-        ));
-        suite.add_test_case(TestCase::new("all cases listed", status));
+        status.set_message("there are no cases");
+        suite.add_test_case(TestCase::new("some cases", status));
+    }
+    if let Some(trouble) = trouble {
+        let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+        status.set_message(trouble);
+        suite.add_test_case(TestCase::new("the program", status));
     }
     if report.interrupted {
         let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
@@ -68,18 +67,41 @@ fn suite(report: &MethodReport) -> TestSuite {
     suite
 }
 
-fn failure(failed: &[&CaseReport]) -> TestCaseStatus {
+/// What was found in a region, a line for each output.
+fn figures(region: &RegionReport) -> String {
+    let line = |o: &crate::audit::OutputStatistics| {
+        format!(
+            "{}: {} values, worst {} ulps, p99 {}, median {}, RMS {}, {} of budget",
+            o.name,
+            o.values,
+            short(o.ulps.max),
+            short(o.ulps.p99),
+            short(o.ulps.median),
+            short(o.ulps.rms),
+            percent(o.max_of_budget)
+        )
+    };
+    let lines: Vec<String> = region.outputs.iter().map(line).collect();
+    lines.join("\n")
+}
+
+fn failure(report: &MethodReport, region: &RegionReport) -> TestCaseStatus {
     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+    let all = failing(report, usize::MAX).into_iter();
+    let failed: Vec<&CaseReport> = all.filter(|f| f.case.region == region.name).collect();
     let reason = failed.first().and_then(|f| f.judgement.reason.clone());
-    status.set_message(format!(
-        "{} cases fail, the first: {}",
-        failed.len(),
-        reason.unwrap_or_default()
-    ));
+    let parts = [
+        format!("{} of {} cases fail", region.failed(), region.cases),
+        kinds(&region.kinds),
+        undecided(region),
+        reason.map_or(String::new(), |r| format!("the worst: {r}")),
+    ];
+    let parts: Vec<String> = parts.into_iter().filter(|p| !p.is_empty()).collect();
+    status.set_message(parts.join("; "));
     let texts = failed
         .iter()
         .take(FAILURES_SHOWN)
-        .map(|f| plain(&case::text(f, &f.case.reproduce(), 100)));
+        .map(|f| plain(&case::text(f, &report.again(&f.case), 100)));
     status.set_description(texts.collect::<Vec<String>>().join("\n"));
     status
 }

@@ -27,7 +27,9 @@ mod splines;
 mod tests;
 pub mod units;
 
-use arithmetic::{double_double, hex, lanes, real};
+use arithmetic::{
+    double_double, double_double_functions, exponential, hex, lanes, payne_hanek, real,
+};
 #[cfg(target_arch = "x86_64")]
 use arithmetic::{pack, two};
 

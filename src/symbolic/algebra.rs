@@ -13,7 +13,8 @@ pub type Derivation = BTreeMap<Symbol, ExpSum>;
 /// * Square roots: `s² = P` with P squarefree and coprime to the radicands before it, so that no
 ///   product of radicands is a square and the products of distinct roots are linearly independent.
 ///   A normal form has every root to the first power at most and none in a denominator. Symbols
-///   under a root are taken to be positive: `√(x²) = x`.
+///   under a root are taken to be positive: `√(x²) = x`. Variables of integrals and symbols for which a value
+///   is put in have any sign; a root of them is refused.
 /// * `G(z) = ∫_0^z e^{s²} ds` for rational functions z: odd, `G(0) = 0`, `dG = e^{z²} dz`. Values at
 ///   different arguments are kept as independent; that is enough to prove identities. A normal form
 ///   that is not zero is called non-zero only after an enclosure at a point has excluded zero.
@@ -21,6 +22,8 @@ pub type Derivation = BTreeMap<Symbol, ExpSum>;
 pub struct Algebra {
     roots: Vec<(Symbol, Poly)>,
     antiderivatives: Vec<(Symbol, Fraction)>,
+    /// Symbols that stand for values of any sign at present, as often as they are bound.
+    unsigned: Vec<Symbol>,
 }
 
 fn generated(name: &str) -> Result<Symbol, SymbolicError> {
@@ -41,6 +44,45 @@ impl Algebra {
     /// The arguments z of the values `G(z)` in use.
     pub fn antiderivatives(&self) -> &[(Symbol, Fraction)] {
         &self.antiderivatives
+    }
+
+    /// What is made by `f`, in which x may have either sign.
+    pub(super) fn unsigned<T>(
+        exact: &mut super::Exact,
+        x: Symbol,
+        f: impl FnOnce(&mut super::Exact) -> T,
+    ) -> T {
+        exact.algebra.unsigned.push(x);
+        let out = f(exact);
+        exact.algebra.unsigned.pop();
+        out
+    }
+
+    /// Whether the symbol's value is positive whatever the values of the free symbols, which are positive.
+    fn is_positive_symbol(&self, x: Symbol) -> bool {
+        if self.unsigned.contains(&x) || self.antiderivatives.iter().any(|(g, _)| *g == x) {
+            return false;
+        }
+        let root = self.roots.iter().find(|(s, _)| *s == x);
+        root.is_none_or(|(_, radicand)| self.is_positive(radicand))
+    }
+
+    /// Whether all terms of p are positive.
+    pub(super) fn is_positive(&self, p: &Poly) -> bool {
+        !p.is_zero()
+            && p.terms().all(|(_, c)| c.im.is_zero() && c.re > 0)
+            && p.symbols().into_iter().all(|x| self.is_positive_symbol(x))
+    }
+
+    /// Whether p depends on x otherwise than as a polynomial in it: by a root or an integral.
+    pub(super) fn hides(&self, p: &Poly, x: Symbol) -> bool {
+        let depends = |q: &Poly| q.contains(x) || self.hides(q, x);
+        p.symbols().into_iter().any(|y| {
+            let root = self.roots.iter().find(|(s, _)| *s == y);
+            let value = self.antiderivatives.iter().find(|(g, _)| *g == y);
+            root.is_some_and(|(_, radicand)| depends(radicand))
+                || value.is_some_and(|(_, z)| depends(z.num()) || depends(z.den()))
+        })
     }
 
     /// With every root to the first power at most.
@@ -160,15 +202,23 @@ impl Algebra {
         if f.is_zero() {
             return Ok(Fraction::zero());
         }
-        if f.den().terms().count() != 1 {
+        if f.den().terms().count() != 1 || !self.is_positive(f.den()) {
             return Err(SymbolicError::Unsupported(format!("the root of {f}")));
         }
-        // √(num/den) = √(num den)/den.
+        // √(num/den) = √(num den)/den, den > 0.
         let p = f.num() * f.den();
+        if let Some(x) = p
+            .symbols()
+            .into_iter()
+            .find(|x| !self.is_positive_symbol(*x))
+        {
+            return Err(SymbolicError::Unsupported(format!(
+                "a root of {x}, which may have any sign"
+            )));
+        }
         let mut out = f.inverse_of_denominator();
         let lead = p.leading();
         let mut rest = p.scaled(&lead.inverse().unwrap_or_default());
-        out = &out * &self.sqrt_constant(&lead)?;
         for x in p.symbols() {
             let lowest = rest.coefficients(x).iter().position(|c| !c.is_zero());
             let k = lowest.unwrap_or(0) as u32;
@@ -183,6 +233,20 @@ impl Algebra {
                 out = &out * &self.adjoin(Some(name), x_poly)?;
             }
         }
+        // √(c P) = √c √P where c or P is positive. Else only |c| comes out: √(y − x) is not i√(x − y) where
+        // y > x.
+        let outside = match () {
+            () if lead.im.is_zero() && lead.re > 0 || self.is_positive(&rest) => lead,
+            () if lead.im.is_zero() => {
+                rest = rest.scaled(&Gauss::real(-1));
+                -&lead
+            }
+            () => {
+                rest = rest.scaled(&lead);
+                Gauss::real(1)
+            }
+        };
+        out = &out * &self.sqrt_constant(&outside)?;
         if !rest.is_one() {
             out = &out * &self.adjoin(None, rest)?;
         }
@@ -253,11 +317,18 @@ impl Algebra {
         out
     }
 
-    /// Conjugated, all symbols being real and under roots positive.
+    /// Conjugated, all symbols being real.
     ///
     /// # Errors
-    /// [`SymbolicError::Unsupported`] if a value of G is left, whose argument is complex.
+    /// [`SymbolicError::Unsupported`] if a value of G is left, whose argument is complex, or a root of what may be
+    /// negative.
     pub fn conj(&self, e: &ExpSum) -> Result<ExpSum, SymbolicError> {
+        let complex = |(s, p): &&(Symbol, Poly)| e.contains(*s) && !self.is_positive(p);
+        if let Some((_, p)) = self.roots.iter().find(complex) {
+            return Err(SymbolicError::Unsupported(format!(
+                "the conjugate of the root of {p}, which may be negative"
+            )));
+        }
         if self.antiderivatives.iter().any(|(g, _)| e.contains(*g)) {
             return Err(SymbolicError::Unsupported(
                 "the conjugate of an integral".into(),

@@ -79,15 +79,15 @@ pub(super) fn antiderivative(z: &ComplexBall) -> Result<ComplexBall, SymbolicErr
     let square = z * z;
     let mut power = z.clone();
     let mut sum = ComplexBall::zero(p);
-    let bits = f64::from(p);
+    let small = Mag::power_of_two(-i64::from(p));
     for k in 0_u32..5000 {
         let over = Ball::integer(p, i64::from(2 * k + 1)).recip();
         sum = &sum + &power.scaled(&over);
         let next = (&power * &square).scaled(&Ball::integer(p, i64::from(k + 1)).recip());
         power = next;
-        let term = size(&power);
-        if r * r <= f64::from(k + 2) / 2.0 && term.log2() < -bits {
-            let tail = Mag::from_f64(2.0 * term);
+        let term = power.magnitude();
+        if r * r <= f64::from(k + 2) / 2.0 && term < small {
+            let tail = term.shift(1);
             return Ok(ComplexBall::new(sum.re.widened(tail), sum.im.widened(tail)));
         }
     }

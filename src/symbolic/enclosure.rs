@@ -109,6 +109,7 @@ impl<'a> Enclosures<'a> {
 
 /// Radius of the circle for Cauchy's bound, the path of integration having length one.
 const CIRCLE: i64 = 4;
+const _: () = assert!((CIRCLE as u64).is_power_of_two());
 
 impl Enclosures<'_> {
     /// The integral over a straight path, by the Taylor series of the integrand, with Cauchy's
@@ -135,10 +136,11 @@ impl Enclosures<'_> {
         scope.bound.push((bound.var.clone(), disc));
         let on_disc = walk(self, scope, &bound.body);
         scope.bound.pop();
-        let largest = complex::size(&on_disc?);
+        let largest = on_disc?.magnitude();
         // Σ_{k≥N} R^{-k}/(k+1) ≤ R^{-N} (4/3)/(N+1).
-        let n = Jets::ORDER as i32;
-        let tail = Mag::from_f64(largest * (CIRCLE as f64).powi(-n) * 1.34 / f64::from(n));
+        let n = Jets::ORDER as i64;
+        let share = Mag::from_f64(4.0).div(Mag::from_f64(3.0 * (n + 1) as f64));
+        let tail = largest.mul(share).shift(-n * i64::from(CIRCLE.ilog2()));
         let out = ComplexBall::new(sum.re.widened(tail), sum.im.widened(tail));
         Ok(&out * step)
     }

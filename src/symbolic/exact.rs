@@ -38,7 +38,10 @@ impl Exact {
         let zero = Poly::zero();
         for (p, c) in f.terms() {
             let parts = p.num().coefficients(x);
-            if p.den().contains(x) || parts.len() > 3 || c.den().contains(x) {
+            let hidden = [p.num(), p.den(), c.num(), c.den()]
+                .into_iter()
+                .any(|q| self.algebra.hides(q, x));
+            if p.den().contains(x) || parts.len() > 3 || c.den().contains(x) || hidden {
                 return Err(SymbolicError::Unsupported(format!("the integral of {f}")));
             }
             let part = |k: usize| {
@@ -91,7 +94,8 @@ impl Exact {
             let mut product = Fraction::constant(c.clone());
             for (s, k) in m {
                 let roots = self.algebra.roots().iter();
-                let mut roots = roots.filter(|(r, q)| r == s && q.contains(x));
+                let hidden = |q: &Poly| q.contains(x) || self.algebra.hides(q, x);
+                let mut roots = roots.filter(|(r, q)| r == s && hidden(q));
                 if roots.next().is_some() {
                     return Err(SymbolicError::Unsupported(format!(
                         "a value of {x} under a root"
@@ -195,8 +199,7 @@ impl Domain for Exact {
                 let found = x.as_single().and_then(|(p, c)| {
                     let positive = c.den().is_one()
                         && c.num().terms().count() == 1
-                        && c.num().leading().im.is_zero()
-                        && c.num().leading().re > 0;
+                        && self.algebra.is_positive(c.num());
                     let minus_i = Fraction::constant(Gauss::i_power(3));
                     let theta = p * &minus_i;
                     (positive && theta == theta.conj()).then_some(theta)
@@ -222,7 +225,7 @@ impl Domain for Exact {
         let name = format!("${}", scope.bound.len());
         let x = Symbol::new(&name).ok_or(SymbolicError::Name(name))?;
         scope.bound.push((bound.var.clone(), ExpSum::symbol(x)));
-        let f = walk(self, scope, &bound.body);
+        let f = Algebra::unsigned(self, x, |exact| walk(exact, scope, &bound.body));
         scope.bound.pop();
         self.definite(&f?, x, &a, &b)
     }
@@ -264,7 +267,7 @@ impl Domain for Exact {
         };
         let x = Symbol::new(symbol).ok_or_else(|| SymbolicError::Name(symbol.into()))?;
         scope.bound.push((symbol.into(), ExpSum::symbol(x)));
-        let f = walk(self, scope, body);
+        let f = Algebra::unsigned(self, x, |exact| walk(exact, scope, body));
         scope.bound.pop();
         let mut out = ExpSum::zero();
         for (p, c) in f?.terms() {

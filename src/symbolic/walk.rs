@@ -5,7 +5,7 @@ use super::{Gauss, SymbolicError, parse};
 use rug::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Names and what they stand for.
+/// Definitions by name.
 #[derive(Clone, Debug, Default)]
 pub struct Definitions {
     /// Names that stand for expressions.

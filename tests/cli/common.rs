@@ -1,4 +1,4 @@
-//! The program run as its user runs it, and what its answers have in common.
+//! Runs of the program, and checks of its output.
 
 use std::io::Write;
 use std::path::Path;
@@ -31,6 +31,21 @@ pub fn run(args: &[&str]) -> Done {
     done(program().args(args).output().unwrap())
 }
 
+/// Arguments without blanks in them.
+pub fn words(line: &str) -> Vec<&str> {
+    line.split_whitespace().collect()
+}
+
+/// A run as it is typed.
+pub fn command(line: &str) -> Done {
+    run(&words(line))
+}
+
+/// `part` stands on stderr.
+pub fn said(d: &Done, part: &str) {
+    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+}
+
 /// Begins a run with pipes on all three sides.
 pub fn start(args: &[&str]) -> Child {
     program()
@@ -60,7 +75,7 @@ pub fn refused(d: &Done, part: &str) {
     assert_eq!(d.code, 2, "{}{}", d.out, d.err);
     assert_eq!(d.err.lines().count(), 1, "{}", d.err);
     assert!(d.err.starts_with("mechaudit: "), "{}", d.err);
-    assert!(d.err.contains(part), "{part:?} is missing in {}", d.err);
+    said(d, part);
     assert_eq!(d.out, "");
     assert!(!d.err.contains("panicked"));
 }
@@ -70,6 +85,18 @@ pub fn changed(text: &str, from: &str, to: &str) -> String {
     let new = text.replacen(from, to, 1);
     assert_ne!(new, text, "{from:?} is not in the example");
     new
+}
+
+/// A table as text, its cells between bars; `\n` in a cell ends a line.
+pub fn cells<const N: usize>(table: &str) -> impl Iterator<Item = [String; N]> {
+    let lines = table.lines().filter(|l| !l.trim().is_empty());
+    lines.map(|line| {
+        let cells: Vec<String> = line
+            .split('|')
+            .map(|c| c.trim().replace("\\n", "\n"))
+            .collect();
+        cells.try_into().expect(line)
+    })
 }
 
 /// Names and rows of a table.

@@ -1,6 +1,6 @@
 //! `mechaudit eval` as its user meets it.
 
-use crate::common::{self, Done, run_on};
+use crate::common::{self, Done, run_on, said};
 use mechaudit::reference::HexFloat;
 use mechaudit::solvers::faddeeva::faddeeva;
 use num_complex::Complex;
@@ -310,7 +310,7 @@ mod relatives {
         // No density: nothing can be certified, which is a finding.
         let d = eval(&["voigt", "--digits", "5"], b"0,-1,1\n");
         assert_eq!(d.code, 1, "{}", d.err);
-        assert!(d.err.contains("σ ≥ 0"), "{}", d.err);
+        said(&d, "σ ≥ 0");
         let list = good(&["--list"], "");
         assert_eq!(
             list.lines().count(),

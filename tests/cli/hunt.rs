@@ -1,5 +1,6 @@
-//! Hunts and the hard cases they leave.
+//! Hunts and hard cases.
 
+use crate::common::cells;
 use mechaudit::audit::{
     Case, Cases, Domain, HardCase, Hunt, HuntSettings, Input, Method, Origin, Output,
     ReferenceAnswer, Settings, SolverAnswer, Variant, Verdict, audit_case, audit_method, hex_float,
@@ -92,7 +93,12 @@ fn the_audit_judges_hard_cases_and_says_which_are_recorded_findings() {
         let hard = method.hard();
         let report = audit_method(&*method, &settings, &|| ());
         let points = method.domain().check_points.len();
-        assert_eq!(report.cases, points + hard.len(), "{}", method.name());
+        assert_eq!(
+            report.cases,
+            (points + hard.len()) as u64,
+            "{}",
+            method.name()
+        );
         let over: HashSet<Vec<u64>> = hard
             .iter()
             .enumerate()
@@ -103,7 +109,7 @@ fn the_audit_judges_hard_cases_and_says_which_are_recorded_findings() {
             .map(|(_, h)| h.input.iter().map(|x| x.to_bits()).collect())
             .collect();
         assert!(report.passed(), "{}", method.name());
-        assert!(report.recorded >= over.len(), "{}", method.name());
+        assert!(report.recorded >= over.len() as u64, "{}", method.name());
     }
 }
 
@@ -167,7 +173,7 @@ fn a_recorded_finding_may_not_get_worse() {
     for (recorded, passed) in [(share, true), (0.9 * share, false), (1.0, false)] {
         let report = audit_method(&with(recorded), &settings, &|| ());
         let found = (report.cases, report.recorded, report.passed());
-        assert_eq!(found, (1, usize::from(passed), passed), "{recorded}");
+        assert_eq!(found, (1, u64::from(passed), passed), "{recorded}");
     }
 }
 
@@ -203,7 +209,7 @@ fn a_needle_is_found_by_its_slope() {
         ..Settings::default()
     };
     let random = audit_method(&faulty, &sampled, &|| ());
-    let sampled = random.outputs[0].max_of_budget;
+    let sampled = random.outputs()[0].max_of_budget;
     assert!(worst.share > 5.0 * sampled, "{} {sampled}", worst.share);
     assert!(found.evaluations <= 4000);
     // The same again.
@@ -394,38 +400,20 @@ fn what_a_hunt_found_can_be_judged_again() {
     let (_, text) = mechaudit(&["points", "slider-crank", "--count", "0", "--hard", folder]);
     assert!(cases.iter().all(|c| text.contains(&hex_float(c.input[0]))));
     // Whose there are none.
-    for (args, part) in [
-        (
-            vec!["audit", "erfc", "--hard", folder],
-            "it holds no erfc.csv",
-        ),
-        (
-            vec!["audit", "--hard", "/no/such"],
-            "there is no such folder",
-        ),
-        (
-            vec!["audit", "erfc", "--hard", "3"],
-            "--hard-case 3 chooses one case",
-        ),
-        (
-            vec![
-                "audit",
-                "slider-crank",
-                "--hard",
-                folder,
-                "--hard-case",
-                "99",
-            ],
-            "no hard case \"99\"",
-        ),
-        (
-            vec!["audit", "slider-crank", "--at", "1,2"],
-            "2 numbers cannot be an input",
-        ),
-        (vec!["audit", "slider-crank", "--at", "1,b"], "\"b\""),
-    ] {
+    let options = "
+        erfc --hard FOLDER                           | it holds no erfc.csv
+        --hard /no/such                              | there is no such folder
+        erfc --hard 3                                | --hard-case 3 chooses one case
+        slider-crank --hard FOLDER --hard-case 99    | no hard case \"99\"
+        slider-crank --at 1,2                        | 2 numbers cannot be an input
+        slider-crank --at 1,b                        | \"b\"
+    ";
+    for [args, part] in cells(options) {
+        let word = |w| if w == "FOLDER" { folder } else { w };
+        let args: Vec<&str> = args.split_whitespace().map(word).collect();
+        let args = [&["audit"], &args[..]].concat();
         let (code, said) = mechaudit(&args);
-        assert!(code == 2 && said.contains(part), "{args:?}: {said}");
+        assert!(code == 2 && said.contains(&part), "{args:?}: {said}");
         assert_eq!(said.lines().count(), 1, "{said}");
     }
 }

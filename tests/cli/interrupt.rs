@@ -117,7 +117,10 @@ fn a_program_under_audit_is_ended() {
     ]);
     let v = json(&d);
     assert_eq!(
-        (v["answered"].as_u64(), v["passed"].as_bool()),
+        (
+            v["methods"][0]["candidate"]["answered"].as_u64(),
+            v["passed"].as_bool()
+        ),
         (Some(3), Some(false))
     );
     // Inputs that it was not asked about are no failures of its.

@@ -1,6 +1,6 @@
 //! `mechaudit linkage`: files that are refused, files that are written.
 
-use crate::common::{drawing, names, refused, run, text};
+use crate::common::{cells, drawing, names, refused, run, text};
 use crate::linkage::{linkage_of, screen};
 use std::path::PathBuf;
 use tempfile::tempdir;
@@ -16,39 +16,23 @@ fn bad_files() {
     bad(b"[geometry", "line 1");
     bad(b"{\"geometry\": ", "line 1");
     bad(b"name = \"x\"", "[geometry] is missing");
-    bad(screen("l5 = \"48.5 cm\"", ""), "geometry.l5 is missing");
-    bad(
-        screen("l5 = \"48.5 cm\"", "l5 = 48.5"),
-        "write for instance \"48.5 cm\"",
-    );
-    bad(screen("l5 = \"48.5 cm\"", "l5 = nan"), "geometry.l5");
-    bad(screen("l5 = \"48.5 cm\"", "l5 = \"nan cm\""), "geometry.l5");
-    bad(
-        screen("l5 = \"48.5 cm\"", "l5 = \"48.5 kg\""),
-        "is not a length",
-    );
-    bad(
-        screen("l5 = \"48.5 cm\"", "l5 = \"1e400 cm\""),
-        "l5 = inf is not a finite number",
-    );
-    bad(
-        screen("l5 = \"48.5 cm\"", "l5 = true"),
-        "a string with a number and its unit",
-    );
-    bad(
-        screen("l5 = ", "l7 = \"1 cm\"\nl5 = "),
-        "unknown field `l7`",
-    );
-    bad(
-        screen("\"550 kg\"", "\"-550 kg\""),
-        "mass of link 4 = -550 kg must not be negative",
-    );
-    bad(
-        screen("\"18 kg m^2\"", "\"18 kg\""),
-        "is not a moment of inertia",
-    );
-    bad(screen("[bodies.5]", "[bodies.9]"), "[bodies.9]");
-    bad(screen("class-iii", "class-ix"), "type = \"class-ix\"");
+    let changes = r#"
+        l5 = "48.5 cm" |                    | geometry.l5 is missing
+        l5 = "48.5 cm" | l5 = 48.5          | write for instance "48.5 cm"
+        l5 = "48.5 cm" | l5 = nan           | geometry.l5
+        l5 = "48.5 cm" | l5 = "nan cm"      | geometry.l5
+        l5 = "48.5 cm" | l5 = "48.5 kg"     | is not a length
+        l5 = "48.5 cm" | l5 = "1e400 cm"    | l5 = inf is not a finite number
+        l5 = "48.5 cm" | l5 = true          | a string with a number and its unit
+        l5 =           | l7 = "1 cm"\nl5 =  | unknown field `l7`
+        "550 kg"       | "-550 kg"          | mass of link 4 = -550 kg must not be negative
+        "18 kg m^2"    | "18 kg"            | is not a moment of inertia
+        [bodies.5]     | [bodies.9]         | [bodies.9]
+        class-iii      | class-ix           | type = "class-ix"
+    "#;
+    for [from, to, part] in cells(changes) {
+        bad(screen(&from, &to), &part);
+    }
     bad(
         include_bytes!("../../examples/unassemblable.toml"),
         "cannot be assembled",

@@ -5,9 +5,11 @@
 mod candidates;
 mod chirp;
 mod common;
+mod compare;
 mod dyad;
 mod eval;
 mod eval_chirp;
+mod examples;
 mod hunt;
 mod interrupt;
 #[cfg(unix)]

@@ -1,6 +1,6 @@
 //! Papers and their ledgers.
 
-use crate::common::{browsed, refused, run, text};
+use crate::common::{browsed, refused, run, said, text};
 
 #[test]
 fn papers_in_every_form() {
@@ -71,7 +71,7 @@ fn errata_are_written_whole_and_checked() {
     std::fs::write(&file, "{}").unwrap();
     let d = errata(true);
     assert_eq!(d.code, 1);
-    assert!(d.err.contains("is not up to date"), "{}", d.err);
+    said(&d, "is not up to date");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "{}");
     refused(&run(&["paper", "zinchenko", "--check"]), "--ledger");
 }

@@ -1,6 +1,6 @@
 //! `mechaudit regenerate`, and the files it makes as somebody without this crate reads them.
 
-use crate::common::{csv, names, refused, run, text};
+use crate::common::{csv, names, refused, run, text, words};
 use mechaudit::methods;
 use mechaudit::reference::{Ball, Decimal, HexFloat};
 use std::path::{Path, PathBuf};
@@ -31,12 +31,7 @@ fn copy(name: &str, change: impl Fn(&str) -> String) -> (TempDir, PathBuf) {
 
 #[test]
 fn what_is_held_is_what_the_references_give() {
-    let some = [
-        "slider-crank",
-        "erfcx",
-        "zinchenko-errata",
-        "faddeeva-constants",
-    ];
+    let some = words("slider-crank erfcx zinchenko-errata faddeeva-constants");
     let d = run(&[&["regenerate", "--check"][..], &some].concat());
     assert_eq!((d.code, d.err.as_str()), (0, ""), "{}", d.out);
     assert!(

@@ -33,6 +33,26 @@ fn faults(schema: &Value, root: &Value, value: &Value, place: &str, found: &mut 
         "object" => value.is_object(),
         other => panic!("{other} in the schema"),
     };
+    if let Some(one_of) = schema["anyOf"].as_array() {
+        let fits = |s: &Value| {
+            let mut inner = Vec::new();
+            faults(s, root, value, place, &mut inner);
+            inner
+        };
+        let tried: Vec<Vec<String>> = one_of.iter().map(fits).collect();
+        if !tried.iter().any(Vec::is_empty) {
+            found.extend(tried.into_iter().flatten());
+        }
+        return;
+    }
+    if let (Some(due), Some(items)) = (schema["prefixItems"].as_array(), value.as_array()) {
+        for (i, (s, item)) in due.iter().zip(items).enumerate() {
+            faults(s, root, item, &format!("{place}/{i}"), found);
+        }
+        if due.len() != items.len() {
+            found.push(format!("{place}: {} items", items.len()));
+        }
+    }
     let kinds: Vec<&str> = match &schema["type"] {
         Value::String(kind) => vec![kind],
         Value::Array(kinds) => kinds.iter().filter_map(Value::as_str).collect(),
@@ -55,8 +75,6 @@ fn faults(schema: &Value, root: &Value, value: &Value, place: &str, found: &mut 
         for (name, inner) in object {
             match known.get(name) {
                 Some(s) => faults(s, root, inner, &format!("{place}/{name}"), found),
-                // What tells where a case came from differs from kind to kind.
-                None if place.ends_with("/origin") => {}
                 None => found.push(format!("{place}: {name} is not in the schema")),
             }
         }
@@ -118,6 +136,19 @@ fn json_is_as_its_schema_says() {
             .unwrap()
             .is_empty()
     );
+    // A candidate with answers of every kind, its numbers in single precision.
+    let wrong = "sh -c 'i=0; while read x; do i=$((i+1)); case $((i%5)) in 0) echo nan,1;; \
+                 1) echo inf,0;; 2) echo refuse;; 3) echo 1;; 4) echo x;; esac; done'";
+    let args = [
+        "audit", "erf", "--cases", "2", "--single", "--format", "json",
+    ];
+    let (code, text) = run(&[&args[..], &["--relative", "1e-5", "--exec", wrong]].concat());
+    let wrong: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, check(&wrong)), (1, Vec::new()));
+    let kinds = &wrong["methods"][0]["total"]["kinds"];
+    for kind in ["nan", "infinity", "refusal", "missing", "unreadable"] {
+        assert!(kinds[kind].as_u64().unwrap() > 0, "{kind}: {kinds}");
+    }
     // The check itself finds faults.
     v["methods"][0]["cases"] = "many".into();
     v["methods"][1].as_object_mut().unwrap().remove("laws");
@@ -131,8 +162,13 @@ fn junit_has_a_suite_for_each_method() {
     let report = quick_junit::Report::deserialize_from_str(&text).unwrap();
     let suite = &report.test_suites[0];
     let method = mechaudit::methods::find("slider-crank").unwrap();
-    let due = 2 + method.domain().regions.len() + method.laws().len();
+    let hard = usize::from(!method.hard().is_empty());
+    let due = 1 + hard + method.domain().regions.len() + method.laws().len();
     assert_eq!((code, suite.tests, suite.failures), (0, due, 0), "{text}");
+    // The budget in force and what was found.
+    for part in ["budget", "references from", "% of budget"] {
+        assert!(text.contains(part), "{part} is missing in {text}");
+    }
     let args = [
         "audit",
         "slider-crank",

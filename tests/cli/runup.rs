@@ -1,6 +1,6 @@
 //! `mechaudit runup` as its user meets it.
 
-use crate::common::{Done, changed, column, drawing, refused, run_on};
+use crate::common::{Done, cells, changed, column, drawing, refused, run_on, said, words};
 
 const SCREEN: &str = include_str!("../../examples/sand-screen-run-up.toml");
 const ROTOR: &str = include_str!("../../examples/sand-screen-rotor.toml");
@@ -27,13 +27,10 @@ fn the_screen_runs_up() {
     let balance = column(&d.out, "energy_balance_J");
     assert!(balance.iter().all(|b| b.abs() < 1e-8));
     // The light dead position, with its cause.
-    assert!(d.err.contains("falls to 0.03435 kg·m²"), "{}", d.err);
-    assert!(
-        d.err
-            .contains("I_1 = 0: the file gives neither motor.rotor_inertia")
-    );
-    assert!(d.err.contains("9.985716 rad/s in the mean"), "{}", d.err);
-    assert!(d.err.contains("flywheel: 57.1159 kg·m² more"), "{}", d.err);
+    said(&d, "falls to 0.03435 kg·m²");
+    said(&d, "I_1 = 0: the file gives neither motor.rotor_inertia");
+    said(&d, "9.985716 rad/s in the mean");
+    said(&d, "flywheel: 57.1159 kg·m² more");
     let geared = changed(SCREEN, "# rotor_inertia", "rotor_inertia");
     let geared = changed(&geared, "# ratio = 15 ", "ratio = 15 ");
     let geared = changed(&geared, "\"10 rad/s\"", "\"150 rad/s\"");
@@ -55,7 +52,7 @@ fn coefficients_and_methods_can_be_chosen() {
     let (exact, _) = last(&[]);
     let (hybrid, d) = last(&["--coefficients", "hybrid", "--nodes", "12"]);
     assert!((hybrid - exact).abs() > 1e-4 && (hybrid - exact).abs() < 2e-2);
-    assert!(d.err.contains("energy is not kept"), "{}", d.err);
+    said(&d, "energy is not kept");
     let lost = *column(&d.out, "energy_balance_J").last().unwrap();
     assert!((lost + 0.8275).abs() < 1e-3, "{lost}");
     let (splines, _) = last(&["--coefficients", "splines", "--nodes", "48"]);
@@ -63,7 +60,7 @@ fn coefficients_and_methods_can_be_chosen() {
     for method in ["dop853", "radau5"] {
         let (other, d) = last(&["--method", method, "--tolerance", "1e-11"]);
         assert!((other - exact).abs() < 1e-8, "{method}: {other}");
-        assert!(d.err.contains(method), "{}", d.err);
+        said(&d, method);
     }
 }
 
@@ -92,18 +89,14 @@ fn stalls_and_captures_are_reported_at_once() {
     let weak = changed(&weak, "step = \"1 ms\"", "step = \"10 ms\"");
     let d = runup(&weak, &[]);
     assert_eq!(d.code, 0, "{}", d.err);
-    assert!(d.err.contains("stalled: the crank"), "{}", d.err);
+    said(&d, "stalled: the crank");
     let held = changed(
         &weak,
         "\"14.426 deg\"\nphi4 = \"22.6 deg\"",
         "\"320 deg\"\nmode = 2",
     );
     let d = runup(&held, &[]);
-    assert!(
-        d.err.contains("does not start at phi1 = 320.000 deg"),
-        "{}",
-        d.err
-    );
+    said(&d, "does not start at phi1 = 320.000 deg");
     assert_eq!(d.out.lines().count(), 2);
     let fan = changed(FOUR_BAR, "\"0.05 N m s\"", "\"1.5 N m s\"");
     let fan = changed(&fan, "\"2 s\"", "\"1000 s\"\nsettle = 1e-7");
@@ -113,7 +106,7 @@ fn stalls_and_captures_are_reported_at_once() {
         "step = \"100 ms\"\ntarget_speed = \"30 rad/s\"",
     );
     let d = runup(&fan, &[]);
-    assert!(d.err.contains("captured after"), "{}", d.err);
+    said(&d, "captured after");
 }
 
 #[test]
@@ -255,143 +248,61 @@ duration = "1 s"
 
 #[test]
 fn bad_input_is_one_clear_line() {
-    let with = |from: &str, to: &str| runup(&changed(SCREEN, from, to), &[]);
     let (motor, _) = SCREEN.split_once("[motor]").unwrap();
-    refused(&runup(motor, &[]), "the table [motor] is missing");
+    refused(&runup(motor, &[]), "the section [motor] is missing");
     let (no_run, _) = SCREEN.split_once("[run]").unwrap();
-    refused(&runup(no_run, &[]), "the table [run] is missing");
+    refused(&runup(no_run, &[]), "the section [run] is missing");
     refused(&runup("", &[]), "the file is empty");
-    refused(
-        &with("\"kloss\"", "\"steam\""),
-        "motor.kind = \"steam\" must be one of",
-    );
-    refused(
-        &with("\"kloss\"", "\"linear\""),
-        "motor.synchronous_speed has no meaning with kind = \"linear\"",
-    );
-    refused(
-        &with("overload = 2.2", "overload = 0.5"),
-        "k = 0.5 must be at least 1",
-    );
-    refused(
-        &with("overload = 2.2", "overload = nan"),
-        "overload factor = NaN is not a finite number",
-    );
-    refused(&with("overload = 2.2", ""), "motor.overload is missing");
-    refused(
-        &with("overload = 2.2", "overload = \"2.2\""),
-        "expected a number",
-    );
-    refused(
-        &with("rated_slip = 0.05", "rated_slip = 1.5"),
-        "slip 1.5 must lie between 0 and 1",
-    );
-    refused(
-        &with(
-            "rated_slip = 0.05",
-            "rated_slip = 0.05\ncritical_slip = 0.2",
-        ),
-        "exclude each other",
-    );
-    refused(
-        &with("\"200 N m\"", "200"),
-        "motor.rated_torque = \"200\" has no unit",
-    );
-    refused(&with("\"200 N m\"", "\"200 N\""), "is not a torque");
-    refused(
-        &with("\"200 N m\"", "\"-200 N m\""),
-        "rated torque = -200 N m must be greater than zero",
-    );
-    refused(
-        &with("rated_slip = 0.05", "rated_slip = 0.05\nratio = 0"),
-        "must not be zero",
-    );
-    refused(
-        &with(
-            "rated_slip = 0.05",
-            "rated_slip = 0.05\nrotor_inertia = \"-1 kg m^2\"",
-        ),
-        "rotor inertia = -1",
-    );
-    refused(
-        &with("rated_slip", "rated_slop"),
-        "unknown field `rated_slop`",
-    );
-    refused(
-        &with("\"3 s\"", "\"0 s\""),
-        "duration = 0 must be greater than zero",
-    );
-    refused(&with("\"3 s\"", "\"3 m\""), "is not a time");
-    refused(
-        &with("\"1 ms\"", "\"1e-9 s\""),
-        "more than ten million samples",
-    );
-    refused(&with("1e-12", "1e-20"), "must lie between 1e-14 and 1e-2");
-    refused(
-        &with("[run]", "[load]\nviscous = \"-1 N m s\"\n[run]"),
-        "viscous resistance = -1",
-    );
-    refused(
-        &runup(SCREEN, &["--method", "euler"]),
-        "'--method <NAME>' [possible values: verner98, dop853, radau5]",
-    );
-    refused(
-        &runup(SCREEN, &["--coefficients", "none"]),
-        "'--coefficients <MODEL>' [possible values: exact, splines, hybrid]",
-    );
-    refused(
-        &runup(SCREEN, &["--coefficients", "splines", "--nodes", "2"]),
-        "at least 3",
-    );
-    refused(&runup(SCREEN, &["--tolerance", "x"]), "invalid value");
-    for (args, part) in [
-        (
-            &["--method", "radau"][..],
-            "'radau' for '--method <NAME>' [possible values: verner98, dop853, radau5]; a similar value exists: 'radau5'",
-        ),
-        (
-            &["--coefficients", "spline"],
-            "a similar value exists: 'splines'",
-        ),
-        // Nothing would come of it.
-        (
-            &["--nodes", "12"],
-            "--nodes has no meaning with exact coefficients",
-        ),
-        (
-            &["--nodes", "12", "--coefficients", "exact"],
-            "--nodes has no meaning with exact coefficients",
-        ),
-    ] {
-        refused(&runup(SCREEN, args), part);
+    let changes = r#"
+        "kloss"           | "steam"                    | motor.kind = "steam" must be one of
+        "kloss"           | "linear"                   | motor.synchronous_speed has no meaning with kind = "linear"
+        overload = 2.2    | overload = 0.5             | k = 0.5 must be at least 1
+        overload = 2.2    | overload = nan             | overload factor = NaN is not a finite number
+        overload = 2.2    |                            | motor.overload is missing
+        overload = 2.2    | overload = "2.2"           | expected a number
+        rated_slip = 0.05 | rated_slip = 1.5           | slip 1.5 must lie between 0 and 1
+        rated_slip = 0.05 | rated_slip = 0.05\ncritical_slip = 0.2 | exclude each other
+        "200 N m"         | 200                        | motor.rated_torque = "200" has no unit
+        "200 N m"         | "200 N"                    | is not a torque
+        "200 N m"         | "-200 N m"                 | rated torque = -200 N m must be greater than zero
+        rated_slip = 0.05 | rated_slip = 0.05\nratio = 0 | must not be zero
+        rated_slip = 0.05 | rated_slip = 0.05\nrotor_inertia = "-1 kg m^2" | rotor inertia = -1
+        rated_slip        | rated_slop                 | unknown field `rated_slop`
+        "3 s"             | "0 s"                      | duration = 0 must be greater than zero
+        "3 s"             | "3 m"                      | is not a time
+        "1 ms"            | "1e-9 s"                   | more than ten million samples
+        1e-12             | 1e-20                      | must lie between 1e-14 and 1e-2
+        [run]             | [load]\nviscous = "-1 N m s"\n[run] | viscous resistance = -1
+    "#;
+    for [from, to, part] in cells(changes) {
+        refused(&runup(&changed(SCREEN, &from, &to), &[]), &part);
     }
-    let run = |field: &str| runup(&changed(SCREEN, "[run]", &format!("[run]\n{field}")), &[]);
-    refused(&run("nodes = 12"), "run.nodes has no meaning with exact");
-    refused(
-        &run("method = \"radau\""),
-        "run.method = \"radau\" (did you mean \"radau5\"?) must be one of \"verner98\", \"dop853\", \"radau5\"",
-    );
-    refused(
-        &run("coefficients = \"spline\""),
-        "run.coefficients = \"spline\" (did you mean \"splines\"?) must be one of \"exact\"",
-    );
+    let options = "
+        --method euler             | '--method <NAME>' [possible values: verner98, dop853, radau5]
+        --coefficients none        | '--coefficients <MODEL>' [possible values: exact, splines, hybrid]
+        --coefficients splines --nodes 2 | at least 3
+        --tolerance x              | invalid value
+        --method radau             | 'radau' for '--method <NAME>' [possible values: verner98, dop853, radau5]; a similar value exists: 'radau5'
+        --coefficients spline      | a similar value exists: 'splines'
+        --nodes 12                 | --nodes has no meaning with exact coefficients
+        --nodes 12 --coefficients exact | --nodes has no meaning with exact coefficients
+    ";
+    for [args, part] in cells(options) {
+        refused(&runup(SCREEN, &words(&args)), &part);
+    }
     // Without the names of Rust's types.
-    for (field, due) in [
-        (
-            "nodes = \"x\"",
-            "string \"x\", expected a whole number, 0 or more",
-        ),
-        (
-            "nodes = -3",
-            "integer `-3`, expected a whole number, 0 or more",
-        ),
-        ("settle = \"x\"", "string \"x\", expected a number"),
-        (
-            "duraton = 3",
-            "unknown field `duraton` (did you mean \"duration\"?), expected one of",
-        ),
-    ] {
-        refused(&run(field), due);
+    let fields = r#"
+        nodes = 12              | run.nodes has no meaning with exact
+        method = "radau"        | run.method = "radau" (did you mean "radau5"?) must be one of "verner98", "dop853", "radau5"
+        coefficients = "spline" | run.coefficients = "spline" (did you mean "splines"?) must be one of "exact"
+        nodes = "x"             | string "x", expected a whole number, 0 or more
+        nodes = -3              | integer `-3`, expected a whole number, 0 or more
+        settle = "x"            | string "x", expected a number
+        duraton = 3             | unknown field `duraton` (did you mean "duration"?), expected one of
+    "#;
+    for [field, part] in cells(fields) {
+        let text = changed(SCREEN, "[run]", &format!("[run]\n{field}"));
+        refused(&runup(&text, &[]), &part);
     }
     let bodiless = SCREEN.replace("bodies.2", "x2").replace("[x2]", "[[x]]");
     refused(&runup(&bodiless, &[]), "unknown field `x`");
@@ -456,11 +367,7 @@ fn a_stiff_machine_is_run_up_by_radaus_method_and_that_is_said() {
     let text = changed(SCREEN, "\"200 N m\"", "\"1e6 N m\"");
     let d = runup(&text, &[]);
     assert_eq!(d.code, 0, "{}", d.err);
-    assert!(
-        d.err.contains("radau5 took over from verner98"),
-        "{}",
-        d.err
-    );
+    said(&d, "radau5 took over from verner98");
     let gentle = runup(SCREEN, &["--format", "json"]);
     assert!(!gentle.err.contains("stiff"), "{}", gentle.err);
     assert!(

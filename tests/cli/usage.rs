@@ -1,29 +1,15 @@
 //! Help, usage, lists and how output ends.
 
-use crate::common::{done, names, program, refused, run, text};
+use crate::common::{cells, done, names, program, refused, run, text, words};
 use std::process::Stdio;
 use tempfile::tempdir;
 
 #[test]
 fn help_and_version() {
-    for args in [
-        vec!["--help"],
-        vec!["audit", "--help"],
-        vec!["list", "--help"],
-        vec!["paper", "--help"],
-        vec!["linkage", "--help"],
-        vec!["eval", "--help"],
-        vec!["runup", "--help"],
-        vec!["points", "--help"],
-        vec!["judge", "--help"],
-        vec!["hunt", "--help"],
-        vec!["converge", "--help"],
-        vec!["prove", "--help"],
-        vec!["regenerate", "--help"],
-        vec!["chirp", "--help"],
-        vec!["completions", "--help"],
-        vec!["man", "--help"],
-    ] {
+    let commands = "audit compare describe list paper linkage eval runup points judge \
+                    hunt converge prove regenerate chirp completions man";
+    let own = commands.split(' ').map(|command| vec![command, "--help"]);
+    for args in own.chain([vec!["--help"]]) {
         let d = run(&args);
         assert_eq!((d.code, d.err.as_str()), (0, ""));
         assert!(d.out.contains("Examples:"), "{}", d.out);
@@ -90,68 +76,45 @@ fn bad_usage() {
 
 #[test]
 fn a_slip_of_the_pen_is_guessed_and_the_right_help_named() {
-    for (args, part) in [
-        (
-            "audit fourbar",
-            "\"fourbar\" (did you mean \"four-bar\"?); there are: ",
-        ),
-        (
-            "audit erf --region smal",
-            "\"smal\" (did you mean \"small\"?); it has: ",
-        ),
-        ("eval fadeeva", "(did you mean \"faddeeva\"?)"),
-        ("eval erfz", "(did you mean \"erf\"?)"),
-        ("paper zinchenco", "(did you mean \"zinchenko\"?)"),
-        (
-            "converge spline-clampd",
-            "(did you mean \"spline-clamped\"?)",
-        ),
-        ("regenerate fadeeva", "(did you mean \"faddeeva\"?)"),
-        (
-            "adit",
-            "a similar subcommand exists: 'audit' (see mechaudit --help)",
-        ),
-        (
-            "audit --formt json",
-            "a similar argument exists: '--format' (see mechaudit audit --help)",
-        ),
-        ("runup", "<FILE> (see mechaudit runup --help)"),
-        ("--seed x", "(see mechaudit --help)"),
-    ] {
-        refused(&run(&args.split(' ').collect::<Vec<_>>()), part);
+    let slips = r#"
+        audit fourbar           | "fourbar" (did you mean "four-bar"?); there are:
+        audit erf --region smal | "smal" (did you mean "small"?); it has:
+        eval fadeeva            | (did you mean "faddeeva"?)
+        eval erfz               | (did you mean "erf"?)
+        paper zinchenco         | (did you mean "zinchenko"?)
+        converge spline-clampd  | (did you mean "spline-clamped"?)
+        regenerate fadeeva      | (did you mean "faddeeva"?)
+        adit                    | a similar subcommand exists: 'audit' (see mechaudit --help)
+        audit --formt json      | a similar argument exists: '--format' (see mechaudit audit --help)
+        runup                   | <FILE> (see mechaudit runup --help)
+        --seed x                | (see mechaudit --help)
+    "#;
+    for [args, part] in cells(slips) {
+        refused(&run(&words(&args)), &part);
     }
 }
 
 #[test]
 fn numbers_that_are_none_are_said_in_words() {
-    let (whole, from_one) = (
-        "must be a whole number, 0 or more",
-        "must be a whole number, 1 or more",
-    );
-    for (args, part) in [
-        ("audit erf --seed -1", whole),
-        ("audit erf --seed 1.5", whole),
-        ("audit erf --cases 0", from_one),
-        ("--cases 0", from_one),
-        ("points erf --count -3", whole),
-        ("points erf --region small --case x", whole),
-        ("judge erf --inputs x --values y --line x", whole),
-        ("linkage examples/four-bar.toml --branch -1", whole),
-        (
-            "linkage examples/four-bar.toml --digits 0",
-            "a whole number from 1 to 1000",
-        ),
-        ("eval erf --threads x", "a whole number from 1 to 1024"),
-        ("hunt erf --evals 0", from_one),
-        ("audit erf --ulps x", "must be a positive number"),
-        (
-            "audit erf --exec true --timeout -1",
-            "must be a positive number of seconds",
-        ),
-        ("runup x --tolerance -0.001", "must be a positive number"),
-    ] {
-        let d = run(&args.split(' ').collect::<Vec<_>>());
-        refused(&d, part);
+    let numbers = "
+        audit erf --seed -1        | must be a whole number, 0 or more
+        audit erf --seed 1.5       | must be a whole number, 0 or more
+        audit erf --cases 0        | must be a whole number, 1 or more
+        --cases 0                  | must be a whole number, 1 or more
+        points erf --count -3      | must be a whole number, 0 or more
+        points erf --region small --case x | must be a whole number, 0 or more
+        judge erf --inputs x --values y --line x | must be a whole number, 0 or more
+        linkage examples/four-bar.toml --branch -1 | must be a whole number, 0 or more
+        linkage examples/four-bar.toml --digits 0 | a whole number from 1 to 1000
+        eval erf --threads x       | a whole number from 1 to 1024
+        hunt erf --evals 0         | must be a whole number, 1 or more
+        audit erf --ulps x         | must be a positive number
+        audit erf --exec true --timeout -1 | must be a positive number of seconds
+        runup x --tolerance -0.001 | must be a positive number
+    ";
+    for [args, part] in cells(numbers) {
+        let d = run(&words(&args));
+        refused(&d, &part);
         assert!(!d.err.contains(" -- "), "{}", d.err);
     }
     let d = run(&["points", "erf", "--region", "small", "--count", "1e1"]);
@@ -167,7 +130,7 @@ fn what_cannot_end_is_refused_at_once() {
         "audit erf --cases 99999999999999 --exec cat",
         "points erf --count 99999999999999",
     ] {
-        let d = run(&args.split(' ').collect::<Vec<_>>());
+        let d = run(&words(&args));
         refused(&d, "years; more than 30 days");
     }
     assert!(start.elapsed().as_secs() < 60);
@@ -250,7 +213,7 @@ fn the_reproduce_command_works() {
             }
             let json = run(&[&args[..], &["--format", "json"]].concat());
             let v: serde_json::Value = serde_json::from_str(&json.out).unwrap();
-            assert_eq!(v["reproduce"], command.as_str());
+            assert_eq!(v["methods"][0]["worst"][0]["reproduce"], command.as_str());
             assert_eq!(v["passed"], true);
         }
     }

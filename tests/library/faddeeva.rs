@@ -1,5 +1,6 @@
 //! Pins certified digits of the Faddeeva function at notable points, its zeros included.
 
+use crate::pin;
 use mechaudit::reference::faddeeva::{w, w_scaled, zero};
 use mechaudit::reference::{Decimal, HexFloat};
 use rug::Rational;
@@ -7,14 +8,6 @@ use std::fmt::Write;
 
 const DIGITS: usize = 60;
 const BITS: u32 = 220;
-
-fn pin(name: &str, text: &str) {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../../snapshots");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(name, text));
-}
 
 fn exact(text: &str) -> Rational {
     match text.contains("0x") {

@@ -3,29 +3,12 @@
 //! `PROPTEST_CASES=100000 cargo test --release --test library fuzz_parsers` looks longer; the readers of
 //! the command line are tried in `src/cli/fuzz.rs`.
 
+use crate::fuzz_solvers::cases;
 use mechaudit::audit::{HARD_HEADER, HardCase, hex_float};
 use mechaudit::reference::{Decimal, HexFloat};
 use mechaudit::symbolic::{parse, parse_equation};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use rug::Rational;
-
-fn cases(quick: u32) -> ProptestConfig {
-    let asked = std::env::var("PROPTEST_CASES")
-        .ok()
-        .and_then(|n| n.parse().ok());
-    let usual = ProptestConfig::default();
-    ProptestConfig {
-        cases: asked.unwrap_or(quick),
-        failure_persistence: None,
-        // The same cases every time, unless more are asked for.
-        rng_seed: match asked {
-            Some(_) => usual.rng_seed,
-            None => RngSeed::Fixed(1),
-        },
-        ..usual
-    }
-}
 
 /// Words of a language and a few that are not, one after the other.
 fn text(words: &'static [&'static str]) -> impl Strategy<Value = String> {

@@ -1,4 +1,4 @@
-//! What every method says of the layout of its inputs and answers holds for them.
+//! Layouts of inputs and answers hold for every method.
 
 use mechaudit::audit::{Cases, Column, Layout, Settings, SolverAnswer};
 use mechaudit::methods;

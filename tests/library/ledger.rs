@@ -1,5 +1,6 @@
 //! Pins the ledgers of the papers, and plants faults in them.
 
+use crate::pin;
 use mechaudit::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
 use mechaudit::papers::{gembara_senyk, zinchenko};
 use mechaudit::symbolic::{Family, Outcome, edits, parse_equation};
@@ -13,14 +14,6 @@ fn ledgers() -> &'static [Ledger; 2] {
 
 fn items() -> Vec<Item> {
     [zinchenko::ledger_items(), gembara_senyk::ledger_items()].concat()
-}
-
-fn pin(name: &str, text: &str) {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../../snapshots");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(name, text));
 }
 
 fn summary(e: &LedgerEntry) -> String {

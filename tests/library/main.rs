@@ -12,6 +12,8 @@ mod gembara_senyk;
 #[cfg(feature = "oracle")]
 mod independent;
 #[cfg(feature = "oracle")]
+mod inventory;
+#[cfg(feature = "oracle")]
 mod layouts;
 #[cfg(feature = "oracle")]
 mod ledger;
@@ -21,9 +23,22 @@ mod methods;
 mod run_up_accuracy;
 #[cfg(feature = "oracle")]
 mod run_up_witness;
+#[cfg(feature = "cli")]
+mod signatures;
 #[cfg(feature = "oracle")]
 mod solver_values_written;
 #[cfg(feature = "oracle")]
 mod swept_peak;
+mod voigt_hwhm;
 #[cfg(feature = "oracle")]
 mod zinchenko;
+
+/// Compares a text with `snapshots/NAME.snap`.
+#[cfg(feature = "oracle")]
+fn pin(name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
+}

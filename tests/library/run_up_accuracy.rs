@@ -1,7 +1,7 @@
 //! The run-up of the sand screen in floating point against its certified enclosure, over 3 s.
 
+use crate::run_up_witness::certified_run;
 use mechaudit::papers::zinchenko::data;
-use mechaudit::reference::Decimal;
 use mechaudit::reference::run_up as certified;
 use mechaudit::solvers::run_up::{
     ClassIiiModel, Drive, Equation, Hybrid, Kloss, Method, Motor, Plan, ReducedModel, Settings,
@@ -9,19 +9,10 @@ use mechaudit::solvers::run_up::{
 };
 use mechaudit::solvers::units::{AngularVelocity, Torque};
 use rug::Rational;
-use std::sync::Arc;
-
-fn q(text: &str) -> Rational {
-    Decimal::parse(text).expect("a decimal").value
-}
 
 fn model() -> (ClassIiiModel, f64) {
-    let linkage = data::solver_linkage();
-    let masses = data::MassParameters::new(data::RECOVERED).masses();
-    let phi1 = 14.426f64.to_radians();
-    let mode = linkage.assembly_modes(phi1).modes[2];
-    let start = linkage.state_near(phi1, mode).expect("closed");
-    (ClassIiiModel::new(linkage, masses, start), phi1)
+    let (linkage, masses, start) = data::solver_start();
+    (ClassIiiModel::new(linkage, masses, start), start.phi1)
 }
 
 fn drive() -> Drive {
@@ -45,24 +36,8 @@ fn plan(method: Method, phi: f64, duration: f64, sampling: Option<f64>) -> Plan 
 /// At a tolerance of 1e-12 within 1e-10 rad/s at 300 moments of 3 s.
 #[test]
 fn within_1e_10_of_the_enclosure() {
-    const BITS: u32 = 72;
-    let (_, start) = data::start(BITS).expect("decided");
-    let offset = data::row_angle(&Rational::new());
-    let masses = data::masses(data::RECOVERED);
-    let curve = certified::LinkageCurve::new(&data::geometry(), &masses, &offset, &start, 48, BITS);
-    let request = certified::Run {
-        motor: certified::Motor::Rated {
-            torque: q("200"),
-            overload: q("2.2"),
-            slip: q("0.05"),
-            synchronous: q("10"),
-        },
-        rotor_inertia: Rational::new(),
-        angle: offset,
-        speed: Rational::new(),
-    };
+    let (exact, request) = certified_run(72);
     let times: Vec<Rational> = (1..=300).map(|k| Rational::from((k, 100))).collect();
-    let exact = certified::Coefficients::exact(&Arc::new(curve));
     let reference = certified::integrate(&exact, &request, &times).expect("decided");
     let (model, phi) = model();
     let drive = drive();

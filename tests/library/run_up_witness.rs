@@ -309,13 +309,12 @@ impl Machine {
     }
 }
 
-#[test]
-fn extrapolation_in_time_agrees() {
-    let times = [q("0.001"), q("0.01")];
-    let (_, start) = data::start(BITS).expect("decided");
+/// The sand screen from rest under its Kloss motor, exact coefficients.
+pub fn certified_run(bits: u32) -> (Coefficients, Run) {
+    let (_, start) = data::start(bits).expect("decided");
     let offset = data::row_angle(&Rational::new());
     let masses = data::masses(data::RECOVERED);
-    let curve = LinkageCurve::new(&data::geometry(), &masses, &offset, &start, 48, BITS);
+    let curve = LinkageCurve::new(&data::geometry(), &masses, &offset, &start, 48, bits);
     let run = Run {
         motor: Motor::Rated {
             torque: q("200"),
@@ -327,7 +326,14 @@ fn extrapolation_in_time_agrees() {
         angle: offset,
         speed: Rational::new(),
     };
-    let motion = integrate(&Coefficients::exact(&Arc::new(curve)), &run, &times).expect("decided");
+    (Coefficients::exact(&Arc::new(curve)), run)
+}
+
+#[test]
+fn extrapolation_in_time_agrees() {
+    let times = [q("0.001"), q("0.01")];
+    let (coefficients, run) = certified_run(BITS);
+    let motion = integrate(&coefficients, &run, &times).expect("decided");
     for s in &motion.samples {
         let y = Machine::new().run(&f(s.time.clone()), 1e-24);
         for (ours, theirs) in [(&s.angle, &y[0]), (&s.speed, &y[1])] {

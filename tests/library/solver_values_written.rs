@@ -84,7 +84,9 @@ fn place(case: &Case) -> String {
         Origin::Random { index, .. } => format!("{}-{index}", case.region),
         Origin::Hard { number, .. } => format!("hard-{number}"),
         Origin::Line { number } => format!("{}-{number}", case.region),
-        Origin::Given => unreachable!("no case of a domain"),
+        Origin::Given | Origin::Box { .. } | Origin::Near { .. } => {
+            unreachable!("no case of a domain")
+        }
     }
 }
 
@@ -113,6 +115,7 @@ fn budget(method: &dyn Method, case: &Case, values: &[f64]) -> Vec<f64> {
                 let same = (i % outputs.len()..values.len()).step_by(outputs.len());
                 k * u * same.map(size).fold(0.0, f64::max)
             }
+            other => unreachable!("no method's own limit: {other}"),
         })
         .collect()
 }

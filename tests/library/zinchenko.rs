@@ -1,6 +1,7 @@
 //! Pins what the audit of Zinchenko (2008) says: oracle digits, deviations and verdicts of all
 //! 441 printed entries, and the findings.
 
+use crate::pin;
 use mechaudit::papers::{EntryVerdict, PaperReport, zinchenko};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -9,14 +10,6 @@ use std::sync::OnceLock;
 fn report() -> &'static PaperReport {
     static REPORT: OnceLock<PaperReport> = OnceLock::new();
     REPORT.get_or_init(|| zinchenko::report(&|_, _, _| ()).expect("decided"))
-}
-
-fn pin(name: &str, text: &str) {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../../snapshots");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!(name, text));
 }
 
 /// One table under one variant: printed, recomputed to 20 digits, deviation, verdict.

@@ -1,9 +1,9 @@
 //! C and C++ libraries, opened at run time where they are installed.
 
-use crate::code::{Code, Codes, Scalar};
+use crate::code::{Code, Codes, Scalar, Shape};
 use libloading::Library;
 use num_complex::Complex64;
-use std::ffi::OsString;
+use std::ffi::{OsString, c_int, c_void};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -17,15 +17,29 @@ struct CComplex {
 }
 
 type Plain = unsafe extern "C" fn(CComplex) -> CComplex;
+/// `mechaudit_batch`.
+type Batch =
+    unsafe extern "C" fn(c_int, usize, *const f64, isize, *mut f64, isize, *mut c_void) -> c_int;
 type WithTolerance = unsafe extern "C" fn(CComplex, f64) -> CComplex;
 
-/// Adds libcerf, in as many versions as `LIBCERF_DIR` lists, and the MIT Faddeeva package.
+/// Adds this project's own C library, where `MECHAUDIT_DIR` has it, libcerf, in as many versions as
+/// `LIBCERF_DIR` lists, and the MIT Faddeeva package.
 pub fn add(codes: &mut Codes) {
     if !cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) || cfg!(windows) {
         let reason = "C calling convention for complex numbers not known on this target";
         codes.add("libcerf", Err(reason.into()));
         codes.add("MIT Faddeeva", Err(reason.into()));
         return;
+    }
+    if let Some(folder) = folders("MECHAUDIT_DIR").first() {
+        match library_in(folder, &["libmechaudit"]).map(|path| own(&path)) {
+            Some(Ok([scalar, batch])) => codes.found.extend([scalar, batch]),
+            Some(Err(e)) => codes.add("mechaudit C", Err(e)),
+            None => {
+                let reason = format!("no libmechaudit in {}", folder.display());
+                codes.add("mechaudit C", Err(reason));
+            }
+        }
     }
     let stems = ["libcerf"];
     let given = folders("LIBCERF_DIR");
@@ -112,6 +126,59 @@ fn file(path: &Path) -> String {
     let real = path.canonicalize().unwrap_or_else(|_| path.to_owned());
     let name = real.file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()
+}
+
+/// The project's function through its C interface.
+fn own(path: &Path) -> Result<[Box<dyn Code>; 2], String> {
+    let library = open(path)?;
+    // SAFETY: mechaudit.h: `double _Complex mechaudit_faddeeva_c(double _Complex)`.
+    let w: Plain = *unsafe { library.get(b"mechaudit_faddeeva_c\0") }.map_err(|e| e.to_string())?;
+    // SAFETY: mechaudit.h: `mechaudit_status mechaudit_batch(int function, size_t n, const double *z,
+    // ptrdiff_t incz, double *w, ptrdiff_t incw, mechaudit_error *error)`.
+    let batch: Batch = *unsafe { library.get(b"mechaudit_batch\0") }.map_err(|e| e.to_string())?;
+    let scalar = Scalar {
+        name: "mechaudit C".into(),
+        version: file(path),
+        own: true,
+        w: move |z: Complex64| {
+            // SAFETY: a pure function of its argument.
+            let r = unsafe { w(CComplex { re: z.re, im: z.im }) };
+            Complex64::new(r.re, r.im)
+        },
+    };
+    let batch = CBatch {
+        version: file(path),
+        batch,
+    };
+    Ok([Box::new(scalar), Box::new(batch)])
+}
+
+/// The project's batches through its C interface.
+struct CBatch {
+    version: String,
+    batch: Batch,
+}
+
+impl Code for CBatch {
+    fn name(&self) -> &str {
+        "mechaudit C batch"
+    }
+    fn version(&self) -> &str {
+        &self.version
+    }
+    fn shape(&self) -> Shape {
+        Shape::Batch
+    }
+    fn own(&self) -> bool {
+        true
+    }
+    fn evaluate(&self, z: &[Complex64], out: &mut [Complex64]) {
+        assert_eq!(z.len(), out.len());
+        let (from, to) = (z.as_ptr().cast(), out.as_mut_ptr().cast());
+        // SAFETY: both hold so many complex numbers, one after another; NULL asks for no message.
+        let status = unsafe { (self.batch)(0, z.len(), from, 1, to, 1, std::ptr::null_mut()) };
+        assert_eq!(status, 0, "status of mechaudit_batch");
+    }
 }
 
 fn libcerf(path: &Path) -> Result<Box<dyn Code>, String> {

@@ -327,3 +327,84 @@ fn the_norm_has_a_budget_of_its_own() {
     assert_eq!(in_the_norm([0.0, 0.0], [0.0, 0.0], 4.0), Verdict::Pass);
     assert_eq!(in_the_norm([s(3), 0.0], [0.0, 0.0], 4.0), Verdict::Over);
 }
+
+#[test]
+fn limits_of_ones_own() {
+    for (limit, passes, fails) in [
+        (
+            Limit::Relative(1e-6),
+            1.25 * (1.0 + 0.9e-6),
+            1.25 * (1.0 + 1.1e-6),
+        ),
+        (Limit::Absolute(1e-3), 1.2509, 1.2511),
+        (Limit::RelativeOrAbsolute(1e-6, 1e-3), 1.2509, 1.2511),
+        (Limit::RelativeOrAbsolute(1e-2, 1e-9), 1.2624, 1.2626),
+        // The norm is that of 7e8.
+        (Limit::OfNorm(1e-9), 1.25 + 0.69, 1.25 + 0.71),
+    ] {
+        let got = |x: f64| vec![x, -3.0e-5, 7.0e8];
+        assert_eq!(verdict(got(passes), limit), Verdict::Pass, "{limit}");
+        assert_eq!(verdict(got(fails), limit), Verdict::Over, "{limit}");
+        assert_eq!(verdict(got(f64::NAN), limit), Verdict::WrongKind);
+    }
+    // A rounding of the smallest numbers is no relative error that anybody could avoid.
+    let third = ReferenceAnswer::Values(Reference {
+        values: vec![Ball::new(Float::with_val(64, 1.4) << -1074i32, Mag::ZERO)],
+        proof: Proof::Exact,
+    });
+    let o = outputs(Limit::Relative(1e-12));
+    let nearest = SolverAnswer::Values(vec![5e-324]);
+    assert_eq!(judge(&o, &nearest, &third, None).verdict, Verdict::Pass);
+    let zero = SolverAnswer::Values(vec![0.0]);
+    assert_eq!(judge(&o, &zero, &third, None).verdict, Verdict::Over);
+}
+
+#[test]
+fn single_precision_has_ulps_of_its_own() {
+    let o = outputs(Limit::Ulps(1.0));
+    let rules = Rules {
+        outputs: &o,
+        norm: None,
+        format: Format::Single,
+    };
+    let one = |got: f64, due: f64| {
+        judge_by(
+            &rules,
+            &SolverAnswer::Values(vec![got]),
+            &exact(&[due]),
+            None,
+        )
+    };
+    let ulp = 2f64.powi(-23);
+    assert_eq!(one(1.0 + ulp, 1.0).verdict, Verdict::Pass);
+    let over = one(1.0 + 2.0 * ulp, 1.0);
+    assert_eq!(
+        (over.verdict, over.components[0].ulps),
+        (Verdict::Over, 2.0)
+    );
+    assert!((over.normwise - 4.0).abs() < 1e-9);
+    // Infinite beyond the largest f32, and not before.
+    assert_eq!(one(f64::INFINITY, 3.5e38).verdict, Verdict::Pass);
+    let early = one(f64::INFINITY, 3.0e38);
+    assert_eq!(
+        (early.verdict, early.kind),
+        (Verdict::WrongKind, Some(Kind::Infinity))
+    );
+    let late = one(f64::from(f32::MAX), 1e39);
+    assert_eq!(
+        (late.verdict, late.kind),
+        (Verdict::WrongKind, Some(Kind::Finite))
+    );
+}
+
+#[test]
+fn a_norm_has_a_share_of_its_budget() {
+    let norm = NormBudget::new(4.0, "planted");
+    let o = outputs(Limit::Relative(1.0));
+    let got = SolverAnswer::Values(vec![3.0, 4.0 + 8.0 * 2f64.powi(-51)]);
+    let found = judge_with_norm(&o, Some(&norm), &got, &exact(&[3.0, 4.0]), None);
+    // 8 · 2⁻⁵¹ of 5 is 6.4 u, 1.6 times the budget.
+    assert!((found.norm_of_budget - 1.6).abs() < 1e-9, "{found:?}");
+    assert_eq!((found.verdict, found.kind), (Verdict::Over, None));
+    assert!((found.share() - 1.6).abs() < 1e-9);
+}

@@ -1,7 +1,8 @@
 //! Arguments of `mechaudit audit`, and what `judge` shares with it.
 
-use super::{RunArgs, number};
-use crate::cli::process::wire;
+use super::RunArgs;
+use super::number::{self, Refused};
+use super::scope::{Numbers, ScopeArgs, WhereArgs, numbers};
 use clap::{Args as ClapArgs, ValueEnum};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -19,6 +20,10 @@ Examples:
   mechaudit audit erfc --maps --format json    errors over the complex plane
   mechaudit audit faddeeva --exec ./candidate  a program in any language
   mechaudit audit faddeeva --exec 'python3 w.py' --cases 1000 --timeout 5 --ulps 100
+  mechaudit audit faddeeva --exec ./w --ordinary --relative 1e-12 --format html --output w.html
+  mechaudit audit faddeeva --exec ./w --box 'Re z=0..8,Im z=+-log 1e-9..1' --cases 5000
+  mechaudit audit faddeeva --exec ./w --near zero-4 --radius 1e-3
+  mechaudit audit erfc --exec ./erfcf --single --region small --region mid --format csv
 
 With --exec the program reads inputs and writes answers, one a line, see mechaudit points \
 --help. It gets all inputs without waiting for its answers. A line that cannot be read fails its \
@@ -33,23 +38,10 @@ Ctrl-C ends an audit with a report of what is judged until then and exit code 13
 pub struct AuditArgs {
     /// The method; all methods if left out
     pub method: Option<String>,
-    /// Only this region of its domain
-    #[arg(long, value_name = "REGION", requires = "method")]
-    pub region: Option<String>,
-    /// Only this case of the region
-    #[arg(long, value_name = "I", requires = "region", value_parser = number::whole)]
-    pub case: Option<u64>,
-    /// Only this check point
-    #[arg(long, value_name = "NAME", requires = "method", conflicts_with_all = ["region", "case"])]
-    pub check_point: Option<String>,
-    /// Judge the hard cases in this folder, METHOD.csv for each method, in place of those built in
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["region", "check_point"])]
-    pub hard: Option<PathBuf>,
-    /// Only this hard case, counted from 1 in its file
-    #[arg(long, value_name = "N", requires = "method", conflicts_with_all = ["region", "case", "check_point"], value_parser = number::index)]
-    pub hard_case: Option<usize>,
+    #[command(flatten)]
+    pub place: WhereArgs,
     /// Only this input, its numbers separated by commas
-    #[arg(long, value_name = "NUMBERS", requires = "method", allow_hyphen_values = true, value_parser = numbers, conflicts_with_all = ["region", "case", "check_point", "hard_case"])]
+    #[arg(long, value_name = "NUMBERS", requires = "method", allow_hyphen_values = true, value_parser = numbers, conflicts_with_all = ["region", "case", "check_point", "hard_case", "sides", "near"])]
     pub at: Option<Numbers>,
     #[command(flatten)]
     pub run: RunArgs,
@@ -63,6 +55,9 @@ pub struct AuditArgs {
     /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// A report of `audit` in JSON: says what is better and worse since
+    #[arg(long, value_name = "FILE", requires = "method")]
+    pub baseline: Option<PathBuf>,
     #[command(flatten)]
     pub program: ExecArgs,
     #[command(flatten)]
@@ -75,39 +70,29 @@ pub struct ExecArgs {
     /// Audit this program in place of the method's solver
     #[arg(long, value_name = "COMMAND", requires = "method")]
     pub exec: Option<String>,
+    #[command(flatten)]
+    pub program: ProgramArgs,
+}
+
+/// How programs are spoken to.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct ProgramArgs {
     /// Seconds without a line from the program after which it is ended
     #[arg(long, value_name = "S", default_value = "60", value_parser = seconds, requires = "exec")]
     pub timeout: Duration,
     /// Give the program decimals instead of hexadecimal floats
     #[arg(long, requires = "exec")]
     pub decimal: bool,
+    /// Speak with the program in binary frames of 64-bit words instead of lines; it sees
+    /// MECHAUDIT_PROTOCOL=binary in its environment
+    #[arg(long, requires = "exec", conflicts_with = "decimal")]
+    pub binary: bool,
 }
 
-fn seconds(text: &str) -> Result<Duration, String> {
+fn seconds(text: &str) -> Result<Duration, Refused> {
     let seconds = number::positive(text).ok();
     let duration = seconds.and_then(|x| Duration::try_from_secs_f64(x).ok());
-    duration
-        .filter(|d| !d.is_zero())
-        .ok_or_else(|| "must be a positive number of seconds".into())
-}
-
-/// What is judged, and how strictly.
-#[derive(ClapArgs, Clone, Debug)]
-pub struct ScopeArgs {
-    /// Judge these outputs only, separated by commas: an answer holds no others
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub outputs: Option<Vec<String>>,
-    /// Allow K ulps for every output instead of the method's budget
-    #[arg(long, value_name = "K", value_parser = number::positive)]
-    pub ulps: Option<f64>,
-}
-
-/// An input on the command line.
-#[derive(Clone, Debug)]
-pub struct Numbers(pub Vec<f64>);
-
-fn numbers(text: &str) -> Result<Numbers, String> {
-    wire::numbers(text).map(Numbers)
+    duration.filter(|d| !d.is_zero()).ok_or(Refused::Seconds)
 }
 
 /// The forms of an audit's report.
@@ -117,6 +102,8 @@ pub enum AuditFormat {
     Text,
     /// Everything, as schema/audit.schema.json describes it
     Json,
+    /// Statistics, a line for each region and output
+    Csv,
     /// JUnit XML, for build servers
     Junit,
     /// One page without outside parts

@@ -9,11 +9,11 @@ Examples:
   mechaudit converge spline-clamped
   mechaudit converge run-up-dop853-rotor --format json
 
-Errors are upper bounds: total is result less truth, method is twin less truth, rounding result \
+Errors are upper bounds: total is value less truth, method is twin less truth, rounding value \
 less twin, where the twin is the same algorithm without rounding. The order observed compares a \
 level with the one before, of the method error where there is a twin; where the code under test \
 chooses its steps itself, it is log2 of the method error before and after every step is cut in \
-two. Richardson's uses the results alone. Work is counted, not timed. A failed run is marked, and no order is observed \
+two. Richardson's uses the values alone. Work is counted, not timed. A failed run is marked, and no order is observed \
 across it.
 
 Exit codes: 0; 2, bad usage; 130, ended by Ctrl-C, with the approximations done until then.";

@@ -1,6 +1,6 @@
 //! Arguments of `mechaudit judge`.
 
-use super::{ScopeArgs, TextOrJson, number};
+use super::{AuditFormat, ScopeArgs, number};
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -55,5 +55,8 @@ pub struct JudgeArgs {
     pub scope: ScopeArgs,
     /// Form of the report
     #[arg(long, value_enum, default_value = "text")]
-    pub format: TextOrJson,
+    pub format: AuditFormat,
+    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }

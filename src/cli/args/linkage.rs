@@ -25,7 +25,7 @@ The file (TOML or JSON) gives every quantity as a string with its unit:
   [start]                           # optional: which branch
   phi1 = \"14.426 deg\"
   phi4 = \"22.6 deg\"                 # near enough to choose; or mode = 2
-  [bodies.2]                        # optional, a link without a table has no mass
+  [bodies.2]                        # optional, a link without a section has no mass
   mass = \"10 kg\"
   inertia = \"0.8 kg m^2\"
   inertia_about = \"centre of mass\"  # or \"pivot\"
@@ -51,7 +51,7 @@ pub struct LinkageArgs {
         long,
         value_name = "DEG",
         default_value = "7.5",
-        value_parser = decimal,
+        value_parser = Decimal::parse,
         allow_hyphen_values = true
     )]
     pub step_deg: Decimal,
@@ -59,10 +59,10 @@ pub struct LinkageArgs {
     #[arg(long, value_enum, default_value = "csv")]
     pub format: CsvOrJson,
     /// First crank angle in degrees [default: start.phi1 of the file, else 0]
-    #[arg(long, value_name = "A", value_parser = decimal, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", value_parser = Decimal::parse, allow_hyphen_values = true)]
     pub from_deg: Option<Decimal>,
     /// Last crank angle in degrees, itself included [default: one turn, its end left out]
-    #[arg(long, value_name = "B", value_parser = decimal, allow_hyphen_values = true)]
+    #[arg(long, value_name = "B", value_parser = Decimal::parse, allow_hyphen_values = true)]
     pub to_deg: Option<Decimal>,
     /// Follow the assembly mode of this number at the first crank angle, counted from 0 by phi4
     /// (four-bar, slider-crank: 0 positive, 1 negative assembly)
@@ -82,8 +82,4 @@ pub struct LinkageArgs {
     /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-}
-
-fn decimal(text: &str) -> Result<Decimal, String> {
-    Decimal::parse(text).map_err(|e| e.to_string())
 }

@@ -1,7 +1,8 @@
-//! What may be written on the command line.
+//! The grammar of the command line.
 
 mod audit;
 mod chirp;
+mod compare;
 mod converge;
 mod eval;
 mod hunt;
@@ -14,11 +15,13 @@ mod points;
 mod prove;
 mod regenerate;
 mod runup;
+mod scope;
 mod shell;
 mod units;
 
-pub use audit::{AuditArgs, AuditFormat, ExecArgs, Numbers, ScopeArgs};
+pub use audit::{AuditArgs, AuditFormat, ProgramArgs};
 pub use chirp::{ChirpArgs, ChirpRows};
+pub use compare::{CompareArgs, CompareFormat, DescribeArgs};
 pub use converge::ConvergeArgs;
 pub use eval::EvalArgs;
 pub use hunt::HuntArgs;
@@ -30,6 +33,7 @@ pub use points::PointsArgs;
 pub use prove::ProveArgs;
 pub use regenerate::RegenerateArgs;
 pub use runup::RunupArgs;
+pub use scope::{Numbers, ScopeArgs, WhereArgs};
 pub use shell::{CompletionsArgs, ManArgs};
 pub use units::UnitsArgs;
 
@@ -92,6 +96,12 @@ pub enum Command {
     /// Audit all methods or one, a region of one or a single case
     #[command(after_help = audit::AFTER_HELP)]
     Audit(AuditArgs),
+    /// Judge several programs at the same cases, side by side
+    #[command(after_help = compare::AFTER_HELP)]
+    Compare(CompareArgs),
+    /// Describe a method to whoever writes a candidate: inputs, outputs, budgets, domain, protocol
+    #[command(after_help = compare::AFTER_DESCRIBE)]
+    Describe(DescribeArgs),
     /// List the methods with their domains and budgets, and the papers
     #[command(after_help = list::AFTER_HELP)]
     List(ListArgs),

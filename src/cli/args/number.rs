@@ -1,4 +1,4 @@
-//! Numbers on the command line, and what is said of those that are none.
+//! Numbers on the command line and their errors.
 
 use mechaudit::reference::Decimal;
 use std::ops::RangeInclusive;
@@ -6,14 +6,29 @@ use std::ops::RangeInclusive;
 /// Integers up to here are exact as `f64`.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
+/// What an argument has to be.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Refused {
+    #[error("must be a whole number, {0} or more")]
+    Whole(u64),
+    #[error("must be a whole number from {0} to {1}")]
+    Within(u64, u64),
+    #[error("must be at most {0}")]
+    AtMost(u64),
+    #[error("must be a positive number")]
+    Positive,
+    #[error("must be a positive number of seconds")]
+    Seconds,
+}
+
 /// A whole number, also as `1e6`.
-pub fn whole(text: &str) -> Result<u64, String> {
+pub fn whole(text: &str) -> Result<u64, Refused> {
     match text.parse::<u64>() {
         Ok(n) => Ok(n),
         Err(_) => match Decimal::nearest(text).ok() {
             Some(x) if (0.0..=EXACT).contains(&x) && x.fract() == 0.0 => Ok(x as u64),
-            Some(x) if x > EXACT && x.is_finite() => Err(format!("must be at most {}", u64::MAX)),
-            _ => Err("must be a whole number, 0 or more".into()),
+            Some(x) if x > EXACT && x.is_finite() => Err(Refused::AtMost(u64::MAX)),
+            _ => Err(Refused::Whole(0)),
         },
     }
 }
@@ -21,24 +36,22 @@ pub fn whole(text: &str) -> Result<u64, String> {
 /// A whole number within limits.
 pub fn within<T>(
     range: RangeInclusive<u64>,
-) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync
+) -> impl Fn(&str) -> Result<T, Refused> + Clone + Send + Sync
 where
     T: TryFrom<u64> + 'static,
 {
     move |text| {
-        let (least, most) = (range.start(), range.end());
         let number = whole(text).ok().filter(|n| range.contains(n));
-        number
-            .and_then(|n| T::try_from(n).ok())
-            .ok_or_else(|| match *most {
-                u64::MAX => format!("must be a whole number, {least} or more"),
-                most => format!("must be a whole number from {least} to {most}"),
-            })
+        let number = number.and_then(|n| T::try_from(n).ok());
+        number.ok_or(match (*range.start(), *range.end()) {
+            (least, u64::MAX) => Refused::Whole(least),
+            (least, most) => Refused::Within(least, most),
+        })
     }
 }
 
 /// A whole number, one or more.
-pub fn counting<T>() -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync
+pub fn counting<T>() -> impl Fn(&str) -> Result<T, Refused> + Clone + Send + Sync
 where
     T: TryFrom<u64> + 'static,
 {
@@ -46,15 +59,17 @@ where
 }
 
 /// A whole number that counts or numbers things.
-pub fn index(text: &str) -> Result<usize, String> {
-    whole(text).and_then(|n| usize::try_from(n).map_err(|e| e.to_string()))
+pub fn index(text: &str) -> Result<usize, Refused> {
+    whole(text)?
+        .try_into()
+        .map_err(|_| Refused::AtMost(usize::MAX as u64))
 }
 
 /// A positive number.
-pub fn positive(text: &str) -> Result<f64, String> {
+pub fn positive(text: &str) -> Result<f64, Refused> {
     match Decimal::nearest(text) {
         Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
-        _ => Err("must be a positive number".into()),
+        _ => Err(Refused::Positive),
     }
 }
 
@@ -69,14 +84,10 @@ mod tests {
         }
         assert_eq!(whole(&u64::MAX.to_string()), Ok(u64::MAX));
         for text in ["-1", "x", "", "1.5", "nan", "inf", "1e-3", "0x10"] {
-            let due = Err("must be a whole number, 0 or more".into());
-            assert_eq!(whole(text), due, "{text}");
+            assert_eq!(whole(text), Err(Refused::Whole(0)), "{text}");
         }
-        assert!(
-            whole("99999999999999999999")
-                .unwrap_err()
-                .contains("at most")
-        );
+        let large = whole("99999999999999999999");
+        assert_eq!(large, Err(Refused::AtMost(u64::MAX)));
     }
 
     #[test]
@@ -84,11 +95,9 @@ mod tests {
         let digits = within::<u32>(1..=1000);
         assert_eq!(digits("40"), Ok(40));
         for text in ["0", "1001", "-1", "x", "1e30"] {
-            let due = Err("must be a whole number from 1 to 1000".into());
-            assert_eq!(digits(text), due, "{text}");
+            assert_eq!(digits(text), Err(Refused::Within(1, 1000)), "{text}");
         }
-        let due = Err("must be a whole number, 1 or more".into());
-        assert_eq!(counting::<u64>()("0"), due);
+        assert_eq!(counting::<u64>()("0"), Err(Refused::Whole(1)));
         assert!(positive("1e-9").is_ok() && positive("0").is_err() && positive("x").is_err());
     }
 }

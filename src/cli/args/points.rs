@@ -1,6 +1,7 @@
 //! Arguments of `mechaudit points`.
 
 use super::number;
+use super::scope::WhereArgs;
 use clap::Args as ClapArgs;
 use std::path::PathBuf;
 
@@ -23,27 +24,17 @@ where there are no values, with a reason after it or without.";
 pub struct PointsArgs {
     /// The method
     pub method: String,
-    /// Only this region of its domain, without check points
-    #[arg(long, value_name = "REGION")]
-    pub region: Option<String>,
-    /// Only this case of the region
-    #[arg(long, value_name = "I", requires = "region", value_parser = number::whole)]
-    pub case: Option<u64>,
-    /// Only this check point
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["region", "case"])]
-    pub check_point: Option<String>,
-    /// Write the hard cases in this folder, METHOD.csv for each method, in place of those built in
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["region", "check_point"])]
-    pub hard: Option<PathBuf>,
-    /// Only this hard case, counted from 1 in its file
-    #[arg(long, value_name = "N", conflicts_with_all = ["region", "case", "check_point"], value_parser = number::index)]
-    pub hard_case: Option<usize>,
+    #[command(flatten)]
+    pub place: WhereArgs,
     /// Random inputs in each region
     #[arg(long, value_name = "N", default_value = "200", value_parser = number::whole)]
     pub count: u64,
     /// Key of the random stream
     #[arg(long, value_name = "SEED", default_value = "1", value_parser = number::whole)]
     pub seed: u64,
+    /// Numbers that single precision holds
+    #[arg(long)]
+    pub single: bool,
     /// Decimals instead of hexadecimal floats
     #[arg(long)]
     pub decimal: bool,

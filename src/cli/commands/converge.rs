@@ -22,19 +22,17 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
             Failure::no_such("approximation", name, &known)
         })?],
     };
-    let names: Vec<&'static str> = chosen.iter().map(|a| a.name()).collect();
+    let total = chosen.len();
     let mut reports = Vec::new();
     let progress = Progress::new();
     let mut done = 0;
-    for name in &names {
-        progress.show(name, done as u64, names.len() as u64);
-        let name = *name;
-        let Some(report) = interrupt::unless_asked(move || {
-            convergence(&*find_approximation(name).ok_or("it is gone")?)
-        }) else {
+    for approximation in chosen {
+        let name = approximation.name();
+        progress.show(name, done as u64, total as u64);
+        let Some(report) = interrupt::unless_asked(move || convergence(&*approximation)) else {
             break;
         };
-        let report = report.map_err(Failure::new)?;
+        let report = report.map_err(|e| Failure::caused(e).about(name))?;
         done += 1;
         progress.clear();
         match args.format {
@@ -46,13 +44,13 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
         print_json(&json!({
             "schema_version": 1,
             "mechaudit_version": env!("CARGO_PKG_VERSION"),
-            "interrupted": done < names.len(),
+            "interrupted": done < total,
             "approximations": reports,
         }))?;
     }
-    let interrupted = done < names.len();
+    let interrupted = done < total;
     if interrupted && args.format == TextOrJson::Text {
-        let text = format!("Interrupted: {done} of {} approximations.", names.len());
+        let text = format!("Interrupted: {done} of {} approximations.", total);
         write_to(None, |out| Ok(writeln!(out, "{}", paint(BAD, &text))?))?;
     }
     Ok(Outcome::unless_interrupted(interrupted, true))

@@ -2,12 +2,12 @@
 
 use crate::cli::args::EvalArgs;
 use crate::cli::complain;
-use crate::cli::failure::{Failure, Outcome};
+use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::write_to;
-use crate::cli::number::Number;
+use crate::cli::number::{Number, NumberError};
 use crate::cli::process::wire::shortened;
-use mechaudit::audit::{Layout, SolverAnswer, answer_of, hex_float};
-use mechaudit::methods::{Evaluable, Uncertified, evaluable, find_evaluable};
+use mechaudit::audit::{Layout, LayoutError, SolverAnswer, Uncertified, answer_of, hex_float};
+use mechaudit::methods::{Evaluable, evaluable, find_evaluable};
 use rayon::prelude::*;
 use rug::Rational;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -26,11 +26,35 @@ struct Line {
 }
 
 /// Why there is no value.
-enum Trouble {
-    /// The line is wrong.
-    Input(String),
-    /// The digits could not be certified.
-    Undecided(String),
+#[derive(Debug, thiserror::Error)]
+enum EvalError {
+    #[error("longer than {LONGEST} bytes")]
+    TooLong,
+    #[error("not UTF-8")]
+    NotUtf8(#[from] std::str::Utf8Error),
+    #[error(transparent)]
+    Number(#[from] NumberError),
+    #[error(transparent)]
+    Layout(#[from] LayoutError),
+    #[error("{0}")]
+    OutsideDomain(String),
+    #[error("refused: {0}")]
+    Refused(&'static str),
+    /// A solver that answers neither with values nor with a refusal.
+    #[error("{0:?}")]
+    NoAnswer(SolverAnswer),
+    #[error(transparent)]
+    Uncertified(Uncertified),
+    #[error("{0} digits could not be certified")]
+    Digits(u32),
+}
+
+impl EvalError {
+    /// Whether the line is right and its value could not be had.
+    fn is_undecided(&self) -> bool {
+        use EvalError::{Digits, NoAnswer, Uncertified};
+        matches!(self, NoAnswer(_) | Uncertified(_) | Digits(_))
+    }
 }
 
 /// Evaluates, or lists what can be evaluated.
@@ -46,7 +70,7 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
-        .map_err(|e| Failure::new(format!("cannot start {threads} threads: {e}")))?;
+        .map_err(|e| Failure::caused(e).about(format!("cannot start {threads} threads")))?;
     let mut outcome = Outcome::AsExpected;
     write_to(None, |out| {
         let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
@@ -91,7 +115,7 @@ pub fn stream(
             let read = (&mut input)
                 .take(LONGEST as u64 + 1)
                 .read_until(b'\n', &mut text)
-                .map_err(|e| Failure::new(format!("cannot read standard input: {e}")))?;
+                .map_err(|e| Failure::caused(e).about("cannot read standard input"))?;
             more = read > 0 && text.len() <= LONGEST;
             number += 1;
             if read > 0 {
@@ -106,23 +130,21 @@ pub fn stream(
             }),
         };
         for (line, answer) in lines.iter().zip(answers) {
-            let why = match answer {
+            let e = match answer {
                 Ok(None) => continue,
                 Ok(Some(text)) => {
                     writeln!(out, "{text}")?;
                     continue;
                 }
-                Err(why) => why,
+                Err(e) => e,
             };
             out.flush()?;
             let shown = format!("line {} ({:?})", line.number, shortened(&line.text));
-            return match why {
-                Trouble::Input(why) => Err(Failure::new(format!("{shown}: {why}"))),
-                Trouble::Undecided(why) => {
-                    complain(&format!("{shown}: {why}"));
-                    Ok(Outcome::Finding)
-                }
-            };
+            if e.is_undecided() {
+                complain(&format!("{shown}: {}", chain(&e)));
+                return Ok(Outcome::Finding);
+            }
+            return Err(Failure::caused(e).about(shown));
         }
         out.flush()?;
     }
@@ -142,36 +164,32 @@ struct Evaluation<'a> {
 
 impl Evaluation<'_> {
     /// The values of a line; nothing for a blank one or a comment.
-    fn answer(&self, line: &Line) -> Result<Option<String>, Trouble> {
-        let input = Trouble::Input;
+    fn answer(&self, line: &Line) -> Result<Option<String>, EvalError> {
         if line.text.len() > LONGEST {
-            return Err(input(format!("longer than {LONGEST} bytes")));
+            return Err(EvalError::TooLong);
         }
-        let text = std::str::from_utf8(&line.text).map_err(|_| input("not UTF-8".into()))?;
-        let text = text.trim();
+        let text = std::str::from_utf8(&line.text)?.trim();
         if text.is_empty() || text.starts_with('#') {
             return Ok(None);
         }
         let numbers: Vec<Number> = text
             .split(',')
-            .map(|f| Number::parse(f).map_err(|e| input(e.to_string())))
+            .map(Number::parse)
             .collect::<Result<_, _>>()?;
         let x: Vec<f64> = numbers.iter().map(Number::nearest).collect();
-        self.layout.lengths(&x).map_err(|e| input(e.to_string()))?;
+        self.layout.lengths(&x)?;
         if let Some(why) = self.method.refusal(&x) {
-            return Err(input(why));
+            return Err(EvalError::OutsideDomain(why));
         }
         let values = match self.digits {
             None => match answer_of(self.method, &x) {
                 SolverAnswer::Values(values) => values.into_iter().map(hex_float).collect(),
-                SolverAnswer::Refuses(why) => return Err(input(format!("refused: {why}"))),
-                other => return Err(Trouble::Undecided(format!("{other:?}"))),
+                SolverAnswer::Refuses(why) => return Err(EvalError::Refused(why)),
+                other => return Err(EvalError::NoAnswer(other)),
             },
             Some(count) => {
-                let exact = numbers
-                    .iter()
-                    .map(|n| n.exact().map_err(|e| input(e.to_string())));
-                digits(self.method, &exact.collect::<Result<Vec<_>, _>>()?, count)?
+                let exact: Result<Vec<_>, _> = numbers.iter().map(Number::exact).collect();
+                digits(self.method, &exact?, count)?
             }
         };
         Ok(Some(values.join(",")))
@@ -179,21 +197,20 @@ impl Evaluation<'_> {
 }
 
 /// That many certified digits of each value.
-fn digits(method: &dyn Evaluable, x: &[Rational], digits: u32) -> Result<Vec<String>, Trouble> {
+fn digits(method: &dyn Evaluable, x: &[Rational], digits: u32) -> Result<Vec<String>, EvalError> {
     let first = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
     // Most references keep to the relative accuracy asked for, so that the first time is enough.
     for times in [1, 2, 4, 8] {
         let values = method.certify(x, times * first).map_err(|e| match e {
-            Uncertified::Refused(why) => Trouble::Input(format!("refused: {why}")),
-            other => Trouble::Undecided(other.to_string()),
+            Uncertified::Refused(why) => EvalError::Refused(why),
+            other => EvalError::Uncertified(other),
         })?;
         let texts = values.iter().map(|v| v.to_decimal(digits as usize));
         if let Some(texts) = texts.collect() {
             return Ok(texts);
         }
     }
-    let why = format!("{digits} digits could not be certified");
-    Err(Trouble::Undecided(why))
+    Err(EvalError::Digits(digits))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What there is to audit.
+//! The list of methods and papers.
 
 use crate::cli::args::{ListArgs, TextOrJson};
 use crate::cli::commands::audit::find;

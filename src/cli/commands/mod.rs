@@ -1,8 +1,10 @@
-//! What the program does: one file, or one folder, for each command.
+//! The commands: a file or folder each.
 
 pub mod audit;
 pub mod chirp;
+pub mod compare;
 pub mod converge;
+pub mod describe;
 pub mod eval;
 pub mod hunt;
 pub mod judge;

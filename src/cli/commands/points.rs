@@ -4,8 +4,8 @@ use crate::cli::args::PointsArgs;
 use crate::cli::commands::audit::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
-use crate::cli::{commands::hunt::hard_folder, forecast, process::wire};
-use mechaudit::audit::{Case, Cases, Layout, Method, Settings, Variant};
+use crate::cli::{forecast, process::wire, scope};
+use mechaudit::audit::{Case, Cases, Format, Layout, Method, Origin, Settings, Variant};
 use std::io::Write;
 
 /// Writes them.
@@ -18,19 +18,14 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
         ..Settings::default()
     };
     let mut chosen = Variant::new(&*method);
-    if let Some(folder) = &args.hard {
-        chosen = chosen.hard_cases(hard_folder::of_method(folder, &*method)?);
+    if args.single {
+        chosen = chosen.format(Format::Single);
     }
-    let all = Cases::new(&chosen, &settings);
-    let one = match (&args.check_point, &args.region, args.case) {
-        _ if args.hard_case.is_some() => args.hard_case.map(|n| all.hard_case(n)).transpose()?,
-        (Some(name), ..) => Some(all.at_check_point(name)?),
-        (None, Some(region), Some(index)) => Some(all.in_region(region, index)?),
-        _ => None,
-    };
-    let cases = match &args.region {
-        Some(region) => Cases::new(&chosen.region(region)?, &settings),
-        None => all,
+    let chosen = scope::placed(chosen, &args.place, &settings, true)?;
+    let one = scope::one_case(&chosen, &args.place, &settings)?;
+    let cases = match one {
+        Some(_) => Cases::new(&chosen, &settings),
+        None => Cases::new(&scope::regions(chosen, &args.place)?, &settings),
     };
     if one.is_none() {
         forecast::points(&cases, &settings, args.decimal)?;
@@ -68,7 +63,9 @@ fn header(method: &dyn Method, out: &mut dyn Write) -> Result<(), Failure> {
 fn heading(method: &dyn Method, case: &Case, out: &mut dyn Write) -> Result<(), Failure> {
     let regions = method.domain().regions;
     let place = match &case.origin {
-        mechaudit::audit::Origin::Random { seed, index } => format!("seed {seed}, from {index}"),
+        Origin::Random { seed, index }
+        | Origin::Box { seed, index, .. }
+        | Origin::Near { seed, index, .. } => format!("seed {seed}, from {index}"),
         _ => "named".into(),
     };
     let description = regions.iter().find(|r| r.name == case.region);

@@ -1,4 +1,4 @@
-//! What a shell wants to know: completions and manual pages.
+//! Shell completions and manual pages.
 
 use crate::cli::args::{Args, CompletionsArgs, ManArgs};
 use crate::cli::failure::{Failure, Outcome};
@@ -24,8 +24,7 @@ pub fn man(args: &ManArgs) -> Result<Outcome, Failure> {
         write_to(None, |out| Ok(out.write_all(&page)?))?;
         return Ok(Outcome::AsExpected);
     };
-    std::fs::create_dir_all(folder)
-        .map_err(|e| Failure::new(format!("cannot make {}: {e}", folder.display())))?;
+    std::fs::create_dir_all(folder).map_err(|e| Failure::cannot("make", folder, e))?;
     let parts: Vec<clap::Command> = command.get_subcommands().cloned().collect();
     for part in parts {
         let name = format!("{NAME}-{}", part.get_name());

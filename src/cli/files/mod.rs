@@ -1,4 +1,4 @@
-//! Files in, files out.
+//! Input and output files.
 
 pub mod output;
 pub mod source;

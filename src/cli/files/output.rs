@@ -51,7 +51,7 @@ impl Output {
     /// Standard output for nothing and for `-`.
     pub fn open(target: Option<&Path>) -> Result<Output, Failure> {
         let name = target.unwrap_or(Path::new("-"));
-        let refused = |e: io::Error| Failure::new(format!("cannot write {}: {e}", name.display()));
+        let refused = |e: io::Error| Failure::cannot("write", name, e);
         let target = match name == Path::new("-") {
             true => Target::Standard,
             false => Target::of(name).map_err(refused)?,
@@ -62,9 +62,8 @@ impl Output {
 
     /// A file of a folder, which is made if missing.
     pub fn within(folder: &Path, file: &str) -> Result<Output, Failure> {
-        std::fs::create_dir_all(folder).map_err(|e| {
-            Failure::new(format!("cannot make the folder {}: {e}", folder.display()))
-        })?;
+        std::fs::create_dir_all(folder)
+            .map_err(|e| Failure::cannot("make the folder", folder, e))?;
         Output::open(Some(&folder.join(file)))
     }
 
@@ -82,11 +81,10 @@ impl Output {
         self,
         write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
-        let name = self.name.display().to_string();
         let refused = |e: io::Error| match e.kind() {
             // Nobody reads it any more.
             io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
-            _ => Failure::new(format!("cannot write {name}: {e}")),
+            _ => Failure::cannot("write", &self.name, e),
         };
         match self.target {
             Target::Standard => {

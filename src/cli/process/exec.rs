@@ -1,114 +1,201 @@
-//! A program under audit: it reads inputs and writes answers, one a line.
+//! Programs under audit: they read inputs and write answers.
 //!
-//! One thread writes all inputs, one reads answers ahead ([`Answers`]), and the answers are judged as they come; inputs are drawn anew where they are needed, so that nothing grows with
-//! their number.
+//! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers are
+//! judged batch by batch, those of several programs to a case together. Inputs are drawn anew where they
+//! are needed, so that nothing grows with their number.
 
-use crate::cli::answers::{Answers, Next};
-use crate::cli::args::{AuditArgs, AuditFormat, ExecArgs, TextOrJson};
-use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::Output;
-use crate::cli::process::candidate::{BATCH, Judged, failures_kept, judge_batch};
+use crate::cli::answers::{Answers, Form, Next};
+use crate::cli::args::ProgramArgs;
+use crate::cli::failure::Failure;
+use crate::cli::process::candidate::{BATCH, judge_batch};
 use crate::cli::process::interrupt::POLL;
 use crate::cli::process::program::Program;
-use crate::cli::process::wire::{self, Line};
+use crate::cli::process::{frames, wire};
 use crate::cli::progress::Progress;
-use mechaudit::audit::{Case, Cases, Method, Settings, SolverAnswer, Tally, judge_case};
-use std::io::{BufReader, BufWriter, Write};
+use mechaudit::audit::{
+    CandidateReport, Case, Cases, Method, MethodReport, Settings, SolverAnswer, Tally, judge_case,
+};
+use std::io::{BufWriter, Write};
 use std::process::ChildStdin;
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
 /// The inputs of a run, drawn when they are asked for.
-enum Inputs {
+pub enum Inputs {
     All(Cases),
     One(Case),
 }
 
 impl Inputs {
-    fn len(&self) -> usize {
+    /// One case, or all of the method.
+    pub fn of(
+        method: &dyn Method,
+        one: Option<Case>,
+        settings: &Settings,
+    ) -> Result<Arc<Inputs>, Failure> {
+        let inputs = match one {
+            Some(case) => Inputs::One(case),
+            None => Inputs::All(Cases::new(method, settings)),
+        };
+        match inputs.len() {
+            0 => Err(Failure::new("there are no cases to audit")),
+            _ => Ok(Arc::new(inputs)),
+        }
+    }
+
+    pub fn len(&self) -> usize {
         match self {
             Inputs::All(cases) => cases.len(),
             Inputs::One(_) => 1,
         }
     }
 
-    fn get(&self, i: usize) -> Case {
+    pub fn get(&self, i: usize) -> Case {
         match self {
             Inputs::All(cases) => cases.get(i),
             Inputs::One(case) => case.clone(),
         }
     }
+
+    /// The region of the input of that number, and where the next begins.
+    fn region_of(&self, i: usize) -> (&'static str, usize) {
+        match self {
+            Inputs::All(cases) => cases.region_of(i),
+            Inputs::One(case) => (case.region, 1),
+        }
+    }
 }
 
-/// Audits the program as the arguments ask for: at one input, or over the method's domain.
+/// A program that is fed so many inputs, from the first to the last and round again.
+pub struct Fed {
+    command: String,
+    child: Program,
+    answers: Answers,
+    timeout: Duration,
+    total: usize,
+    answered: usize,
+}
+
+impl Fed {
+    pub fn start(
+        command: &str,
+        program: &ProgramArgs,
+        inputs: &Arc<Inputs>,
+        total: usize,
+    ) -> Result<Fed, Failure> {
+        let (protocol, form) = match program.binary {
+            true => ("binary", Form::Frames),
+            false => ("text", Form::Lines),
+        };
+        let mut child = Program::start(command, protocol)?;
+        let (stdin, stdout) = child.pipes()?;
+        let (given, decimal) = (Arc::clone(inputs), program.decimal);
+        thread::spawn(move || feed(stdin, &given, total, form, decimal));
+        Ok(Fed {
+            command: command.into(),
+            child,
+            answers: Answers::of(stdout, form),
+            timeout: program.timeout,
+            total,
+            answered: 0,
+        })
+    }
+
+    /// Waits for that many answers more, or for their end.
+    pub fn collect(&mut self, due: usize, batch: &mut Vec<SolverAnswer>) -> Option<End> {
+        for _ in 0..due {
+            match self.answers.next(Some(self.timeout)) {
+                Next::Answer(answer) => batch.push(answer),
+                Next::Unreadable(why) => return Some(End::Unreadable(why)),
+                Next::Silent => return Some(End::Silent),
+                Next::Closed => return Some(End::Closed),
+                Next::Interrupted => return Some(End::Interrupted),
+            }
+            self.answered += 1;
+        }
+        None
+    }
+
+    /// Every input is answered: waits for the end of its output, which what it left behind may hold open.
+    pub fn rest(&mut self) -> End {
+        let start = Instant::now();
+        loop {
+            match self.answers.next(Some(POLL)) {
+                Next::Answer(_) => return End::TooMany,
+                Next::Unreadable(why) => return End::Unreadable(why),
+                Next::Closed => return End::Closed,
+                Next::Interrupted => return End::Interrupted,
+                Next::Silent if start.elapsed() > self.timeout => return End::Silent,
+                Next::Silent if self.child.has_ended() => self.child.end_group(),
+                Next::Silent => {}
+            }
+        }
+    }
+
+    /// Ends it, and says what went wrong, if anything did.
+    pub fn end(&mut self, end: End) -> Option<String> {
+        let (answered, total) = (self.answered, self.total);
+        if let End::Interrupted = end {
+            return Some(format!(
+                "Interrupted: the program had answered {answered} of {total} inputs."
+            ));
+        }
+        let early = || (answered < total).then(|| EARLY.to_string());
+        let why = self.child.end(end, self.timeout).or_else(early)?;
+        let tail = match total - answered {
+            0 => String::new(),
+            left => format!("; {left} of {total} inputs are unanswered"),
+        };
+        Some(format!(
+            "The program answered {answered} times, then {why}{tail}."
+        ))
+    }
+
+    /// What is reported of it besides the verdicts.
+    pub fn report(&self, trouble: Option<String>) -> CandidateReport {
+        let header = self.answers.header();
+        CandidateReport {
+            name: header.name.unwrap_or_else(|| self.command.clone()),
+            version: header.version,
+            command: Some(self.command.clone()),
+            answered: self.answered as u64,
+            trouble,
+        }
+    }
+
+    /// How many answers there were.
+    pub fn answered(&self) -> usize {
+        self.answered
+    }
+}
+
+const EARLY: &str = "it ended its output, with exit status 0";
+
+/// Audits a program at one input, or over the method's domain.
 pub fn audit(
     method: &dyn Method,
     one: Option<Case>,
-    args: &AuditArgs,
     command: &str,
+    program: &ProgramArgs,
     settings: &Settings,
-    output: Output,
-) -> Result<Outcome, Failure> {
-    let format = match args.format {
-        AuditFormat::Text => TextOrJson::Text,
-        AuditFormat::Json => TextOrJson::Json,
-        _ => {
-            return Err(Failure::new(
-                "a program's audit is reported as text or json",
-            ));
-        }
-    };
-    let inputs = match one {
-        Some(case) => Inputs::One(case),
-        None => Inputs::All(Cases::new(method, settings)),
-    };
-    let inputs = Arc::new(inputs);
-    let judged = run(method, settings, inputs, command, &args.program, format)?;
-    let decimal = if args.program.decimal {
-        " --decimal"
-    } else {
-        ""
-    };
-    let quoted = shell_words::quote(command);
-    judged.write(output, format, &|case| {
-        format!("{} --exec {quoted}{decimal}", case.reproduce())
-    })
-}
-
-fn run(
-    method: &dyn Method,
-    settings: &Settings,
-    inputs: Arc<Inputs>,
-    command: &str,
-    program: &ExecArgs,
-    format: TextOrJson,
-) -> Result<Judged, Failure> {
-    let timeout = program.timeout;
+) -> Result<MethodReport, Failure> {
+    let inputs = Inputs::of(method, one, settings)?;
     let total = inputs.len();
-    if total == 0 {
-        return Err(Failure::new("there are no cases to audit"));
-    }
-    let mut child = Program::start(command)?;
-    let (stdin, stdout) = child.pipes()?;
-    let (given, decimal) = (Arc::clone(&inputs), program.decimal);
-    thread::spawn(move || feed(stdin, &given, decimal));
-    let answers = Answers::of(BufReader::new(stdout));
-    let mut tally = Tally::new(method, failures_kept(format));
+    let mut fed = Fed::start(command, program, &inputs, total)?;
+    let mut tally = Tally::new(method, settings);
     let progress = Progress::new();
-    let mut answered = 0;
     let end = loop {
         let mut batch = Vec::new();
-        let end = match total - answered {
-            0 => Some(rest(&mut child, &answers, timeout)),
-            due => collect(&answers, timeout, due, &mut batch),
+        let from = fed.answered();
+        let end = match total - from {
+            0 => Some(fed.rest()),
+            due => fed.collect(due.min(BATCH), &mut batch),
         };
-        let cases = batch.iter().enumerate();
-        let pairs = cases.map(|(k, line)| (inputs.get(answered + k), line.answer()));
-        let pairs: Vec<_> = pairs.collect();
-        answered += pairs.len();
+        let cases = batch.into_iter().enumerate();
+        let pairs: Vec<_> = cases.map(|(k, a)| (inputs.get(from + k), a)).collect();
         judge_batch(method, settings, pairs, &mut tally);
-        progress.show(method.name(), answered as u64, total as u64);
+        progress.show(method.name(), fed.answered() as u64, total as u64);
         match end {
             Some(end) => break end,
             None if tally.is_interrupted() => break End::Interrupted,
@@ -118,37 +205,39 @@ fn run(
     drop(progress);
     if let End::Interrupted = end {
         tally.interrupt();
-        return Ok(Judged {
-            report: tally.finish(method, settings),
-            answered,
-            trouble: Some(format!(
-                "Interrupted: the program had answered {answered} of {total} inputs."
-            )),
-        });
     }
-    let trouble = child.end(end, timeout).or_else(|| {
-        (answered < total).then(|| "it ended its output, with exit status 0".to_string())
-    });
-    let trouble = trouble.map(|why| {
-        let left = total - answered;
-        let tail = match left {
-            0 => String::new(),
-            _ => format!("; {left} of {total} inputs are unanswered"),
-        };
-        format!("The program answered {answered} times, then {why}{tail}.")
-    });
-    if answered < total {
-        let why = trouble.clone().unwrap_or_default();
-        let first = inputs.get(answered);
-        let answer = SolverAnswer::Fails(why);
-        tally.add(judge_case(method, first, answer, settings));
-        tally.unanswered(total - answered - 1);
+    let interrupted = tally.is_interrupted();
+    let trouble = fed.end(end);
+    if let (Some(why), false) = (&trouble, interrupted) {
+        unanswered(method, settings, &inputs, fed.answered(), why, &mut tally);
     }
-    Ok(Judged {
-        report: tally.finish(method, settings),
-        answered,
-        trouble,
-    })
+    let mut report = tally.finish(method);
+    report.candidate = Some(fed.report(trouble));
+    Ok(report)
+}
+
+/// Counts the inputs from `from` on as unanswered, region by region; the first of them is a case to look
+/// at.
+pub fn unanswered(
+    method: &dyn Method,
+    settings: &Settings,
+    inputs: &Inputs,
+    from: usize,
+    why: &str,
+    tally: &mut Tally,
+) {
+    if from >= inputs.len() {
+        return;
+    }
+    let first = inputs.get(from);
+    let answer = SolverAnswer::Unanswered(why.into());
+    tally.add(&judge_case(method, first, answer, settings));
+    let mut at = from + 1;
+    while at < inputs.len() {
+        let (region, end) = inputs.region_of(at);
+        tally.unanswered(region, (end - at) as u64);
+        at = end;
+    }
 }
 
 /// Why there are no more answers to judge.
@@ -160,52 +249,26 @@ pub enum End {
     /// Nothing came for so long.
     Silent,
     /// Its output cannot be read.
-    Unreadable(String),
+    Unreadable(std::io::Error),
     /// The user has asked to stop.
     Interrupted,
 }
 
-/// Waits for an answer and takes what else is there.
-fn collect(answers: &Answers, timeout: Duration, due: usize, batch: &mut Vec<Line>) -> Option<End> {
-    let mut patience = timeout;
-    loop {
-        match answers.next(Some(patience)) {
-            Next::Answer(_) if batch.len() == due => return Some(End::TooMany),
-            Next::Answer(line) => batch.push(line),
-            Next::Unreadable(why) => return Some(End::Unreadable(why)),
-            Next::Silent if batch.is_empty() => return Some(End::Silent),
-            Next::Silent => return None,
-            Next::Closed => return Some(End::Closed),
-            Next::Interrupted => return Some(End::Interrupted),
-        }
-        if batch.len() == BATCH {
-            return None;
-        }
-        patience = Duration::ZERO;
-    }
-}
-
-/// Every input is answered: waits for the end of its output, which what it left behind may hold open.
-fn rest(child: &mut Program, answers: &Answers, timeout: Duration) -> End {
-    let start = Instant::now();
-    loop {
-        match answers.next(Some(POLL)) {
-            Next::Answer(_) => return End::TooMany,
-            Next::Unreadable(why) => return End::Unreadable(why),
-            Next::Closed => return End::Closed,
-            Next::Interrupted => return End::Interrupted,
-            Next::Silent if start.elapsed() > timeout => return End::Silent,
-            Next::Silent if child.has_ended() => child.end_group(),
-            Next::Silent => {}
-        }
-    }
-}
-
-/// Writes all inputs; a program that reads no more is noticed by its silence or its end.
-fn feed(stdin: ChildStdin, inputs: &Inputs, decimal: bool) {
-    let mut out = BufWriter::new(stdin);
-    for i in 0..inputs.len() {
-        if writeln!(out, "{}", wire::line(&inputs.get(i).input, decimal)).is_err() {
+/// Writes so many inputs; a program that reads no more is noticed by its silence or its end.
+fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: bool) {
+    let mut out = BufWriter::with_capacity(1 << 16, stdin);
+    let mut frame = Vec::new();
+    for i in 0..total {
+        let case = inputs.get(i % inputs.len());
+        let written = match form {
+            Form::Lines => writeln!(out, "{}", wire::line(&case.input, decimal)),
+            Form::Frames => {
+                frame.clear();
+                frames::encode(&case.input, &mut frame);
+                out.write_all(&frame)
+            }
+        };
+        if written.is_err() {
             return;
         }
     }

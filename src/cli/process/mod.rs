@@ -3,6 +3,7 @@
 pub mod bounded;
 pub mod candidate;
 pub mod exec;
+pub mod frames;
 #[cfg(unix)]
 pub mod guard;
 pub mod interrupt;

@@ -5,6 +5,7 @@ use crate::cli::failure::Failure;
 use crate::cli::process::exec::End;
 #[cfg(unix)]
 use crate::cli::process::guard::Guard;
+use std::io;
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -19,16 +20,18 @@ pub struct Program {
 }
 
 impl Program {
-    pub fn start(command: &str) -> Result<Program, Failure> {
+    /// Starts a command; `protocol` tells it how it is spoken to.
+    pub fn start(command: &str, protocol: &str) -> Result<Program, Failure> {
         let words = shell_words::split(command)
-            .map_err(|e| Failure::new(format!("--exec {command:?}: {e}")))?;
+            .map_err(|e| Failure::caused(e).about(format!("--exec {command:?}")))?;
         let [program, arguments @ ..] = words.as_slice() else {
             return Err(Failure::new("--exec needs a command"));
         };
         let mut start = Command::new(program);
         start.args(arguments);
+        start.env("MECHAUDIT_PROTOCOL", protocol);
         start.stdin(Stdio::piped()).stdout(Stdio::piped());
-        let failed = |e| Failure::new(format!("cannot start {program:?}: {e}"));
+        let failed = |e: io::Error| Failure::caused(e).about(format!("cannot start {program:?}"));
         #[cfg(unix)]
         {
             std::os::unix::process::CommandExt::process_group(&mut start, 0);

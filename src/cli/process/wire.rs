@@ -1,15 +1,35 @@
 //! Inputs and answers as lines of text.
 
-use crate::cli::failure::Failure;
-use crate::cli::number::Number;
+use crate::cli::failure::{Failure, chain};
+use crate::cli::number::{Number, NumberError};
 use crate::cli::process::bounded::size;
 use mechaudit::audit::{SolverAnswer, hex_float};
-use std::io::{BufRead, Read};
+use std::io::{BufRead, BufReader, Read};
 
 /// The longest line of an input, an answer or a table.
 pub const LONGEST: usize = 1 << 20;
 /// The most numbers on one.
 pub const FIELDS: usize = 100_000;
+
+/// A line that holds no numbers.
+#[derive(Debug, thiserror::Error)]
+pub enum LineError {
+    #[error("longer than {}", size(LONGEST))]
+    TooLong,
+    #[error("not UTF-8")]
+    NotUtf8(#[from] std::str::Utf8Error),
+    #[error("empty")]
+    Empty,
+    #[error("more than {FIELDS} fields")]
+    TooManyFields,
+    #[error("an empty field in {0:?}")]
+    EmptyField(String),
+    /// Longer than what is shown of a line.
+    #[error("a field that is no number in {line:?}")]
+    LongField { line: String },
+    #[error("{source} in {line:?}")]
+    Field { line: String, source: NumberError },
+}
 
 /// A line without its end; one that is longer than allowed is cut.
 pub struct Line {
@@ -33,7 +53,7 @@ impl<R: BufRead> Lines<R> {
     pub fn read(&mut self) -> std::io::Result<Option<Line>> {
         loop {
             match self.read_any()? {
-                Some(l) if l.text.first() == Some(&b'#') => {}
+                Some(l) if l.is_comment() => {}
                 line => return Ok(line),
             }
         }
@@ -57,13 +77,24 @@ impl<R: BufRead> Lines<R> {
     }
 }
 
+impl<R: Read> Lines<BufReader<R>> {
+    /// Whether the end of the next line has to be waited for.
+    pub fn is_drained(&self) -> bool {
+        !self.input.buffer().contains(&b'\n')
+    }
+}
+
 impl Line {
-    fn text(&self) -> Result<&str, String> {
+    /// Whether it is a comment, readable or not.
+    pub fn is_comment(&self) -> bool {
+        self.text.first() == Some(&b'#')
+    }
+
+    fn text(&self) -> Result<&str, LineError> {
         if self.text.len() > LONGEST {
-            return Err(format!("longer than {}", size(LONGEST)));
+            return Err(LineError::TooLong);
         }
-        let text = std::str::from_utf8(&self.text).map_err(|_| "not UTF-8".to_string())?;
-        Ok(text.trim())
+        Ok(std::str::from_utf8(&self.text)?.trim())
     }
 
     /// What follows `#`, trimmed, if the line is a comment.
@@ -78,17 +109,17 @@ impl Line {
     /// An input: numbers separated by commas or blanks.
     pub fn input(&self) -> Result<Vec<f64>, Failure> {
         let numbers = self.text().and_then(numbers);
-        numbers.map_err(|why| Failure::new(format!("inputs, line {}: {why}", self.number)))
+        numbers.map_err(|e| Failure::caused(e).about(format!("inputs, line {}", self.number)))
     }
 
     /// An answer; a line that is none is a failure to answer.
     pub fn answer(&self) -> SolverAnswer {
-        let failed = |why| {
-            let line = self.number;
+        let failed = |e: LineError| {
+            let (line, why) = (self.number, chain(&e));
             SolverAnswer::Fails(format!("malformed answer on line {line}: {why}"))
         };
         let text = match self.text() {
-            Ok("") => return failed("empty".to_string()),
+            Ok("") => return failed(LineError::Empty),
             Ok(text) => text,
             Err(why) => return failed(why),
         };
@@ -103,9 +134,11 @@ impl Line {
     }
 }
 
+/// Characters of a line in a message.
+const SHOWN: usize = 80;
+
 /// The beginning of a line, for messages.
 pub fn shortened(text: &[u8]) -> String {
-    const SHOWN: usize = 80;
     let text = String::from_utf8_lossy(&text[..text.len().min(4 * SHOWN)]);
     let text = text.trim();
     match text.char_indices().nth(SHOWN) {
@@ -115,8 +148,8 @@ pub fn shortened(text: &[u8]) -> String {
 }
 
 /// Numbers separated by commas or blanks.
-pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
-    let shown = |why: String| format!("{why} in {:?}", shortened(text.as_bytes()));
+pub fn numbers(text: &str) -> Result<Vec<f64>, LineError> {
+    let line = || shortened(text.as_bytes());
     let separated = text.split(',').flat_map(|part| {
         let mut words = part.split_whitespace().peekable();
         // Nothing between two commas is something missing.
@@ -126,15 +159,16 @@ pub fn numbers(text: &str) -> Result<Vec<f64>, String> {
     separated
         .enumerate()
         .map(|(k, field)| match field {
-            _ if k == FIELDS => Err(format!("more than {FIELDS} fields")),
-            "" => Err(shown("an empty field".into())),
-            field => Number::parse(field).map(|n| n.nearest()).map_err(|e| {
-                // The field itself may be as long as the line.
-                match field.len() {
-                    ..=80 => shown(e.to_string()),
-                    _ => shown("a field that is no number".into()),
+            _ if k == FIELDS => Err(LineError::TooManyFields),
+            "" => Err(LineError::EmptyField(line())),
+            field => match Number::parse(field) {
+                Ok(number) => Ok(number.nearest()),
+                Err(source) if field.len() <= SHOWN => {
+                    let line = line();
+                    Err(LineError::Field { line, source })
                 }
-            }),
+                Err(_) => Err(LineError::LongField { line: line() }),
+            },
         })
         .collect()
 }

@@ -1,4 +1,4 @@
-//! The branch that is meant, and how far the crank can turn on it.
+//! The choice of a branch, and the crank's range on it.
 
 use super::Start;
 use crate::reference::nearest_f64;
@@ -43,7 +43,7 @@ pub enum Reach {
     },
 }
 
-/// A branch with what is known of it.
+/// A branch with its range and dead positions.
 #[derive(Clone, Debug)]
 pub struct Branch {
     /// Number of the mode at the start, counted from 0 by φ4.

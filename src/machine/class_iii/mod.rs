@@ -9,7 +9,7 @@ pub use branch::{Branch, BranchError, End, Reach, TURNS, choose, unassembled};
 pub use certified::Certifier;
 pub use columns::{names, values};
 
-use super::linkage::{BodyTable, CrankMotion, File, massless, rounded};
+use super::linkage::{BodySection, CrankMotion, File, massless, rounded};
 use super::quantity::Quantity;
 use super::source::{Refusal, Source};
 use crate::reference::class_iii as exact;
@@ -24,7 +24,7 @@ use std::collections::BTreeMap;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct GeometryTable {
+struct GeometrySection {
     l1: Quantity<Length>,
     l2: Quantity<Length>,
     l3: Quantity<Length>,
@@ -40,7 +40,7 @@ struct GeometryTable {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct StartTable {
+struct StartSection {
     phi1: Option<Quantity<Angle>>,
     phi4: Option<Quantity<Angle>>,
     mode: Option<usize>,
@@ -84,7 +84,7 @@ pub struct Linkage {
     pub start: Start,
 }
 
-type Bodies = BTreeMap<String, BodyTable>;
+type Bodies = BTreeMap<String, BodySection>;
 
 impl Linkage {
     /// Reads the description of a linkage of class III.
@@ -92,7 +92,7 @@ impl Linkage {
     /// # Errors
     /// [`Refusal`].
     pub fn read(source: &Source) -> Result<Linkage, Refusal> {
-        let file: File<GeometryTable, StartTable, Bodies> = source.parse()?;
+        let file: File<GeometrySection, StartSection, Bodies> = source.parse()?;
         let crank = file.crank(source)?;
         let (geometry, exact) = file.geometry.read();
         let solver = ClassIii::new(geometry).map_err(|e| source.refuse("geometry", e))?;
@@ -106,7 +106,7 @@ impl Linkage {
                 let rule = "start.phi4 and start.mode exclude each other";
                 return Err(source.breach("start.mode", rule));
             }
-            Some(StartTable {
+            Some(StartSection {
                 phi1, phi4, mode, ..
             }) => Start { phi1, phi4, mode },
         };
@@ -128,16 +128,16 @@ impl Linkage {
 
 fn masses(
     source: &Source,
-    tables: &Bodies,
+    sections: &Bodies,
     gravity: &Quantity<Acceleration>,
 ) -> Result<BothMasses, Refusal> {
     let mut bodies: [exact::Body; 5] = std::array::from_fn(|_| massless());
-    for (key, table) in tables {
+    for (key, section) in sections {
         let Ok(link @ 1..=5) = key.parse::<usize>() else {
             let rule = format!("[bodies.{key}]: links are numbered from 1 (crank) to 5");
             return Err(source.breach(&format!("bodies.{key}"), rule));
         };
-        bodies[link - 1] = table.exact();
+        bodies[link - 1] = section.exact();
     }
     let solver = Masses::new(
         bodies.each_ref().map(rounded),
@@ -152,7 +152,7 @@ fn masses(
     })
 }
 
-impl GeometryTable {
+impl GeometrySection {
     fn read(&self) -> (Geometry, exact::Geometry) {
         let q = |l: &Quantity<Length>| l.value.clone();
         let m = |l: &Quantity<Length>| Length::from_m(nearest_f64(&l.value));

@@ -9,7 +9,7 @@ pub use certified::{Proved, certified};
 pub use range::{Dead, Turn, dead, swing, turn};
 pub use values::{ASSEMBLIES, RowError, Values, floating, names, number};
 
-use super::linkage::{BodyTable, CrankMotion, File, massless, rounded};
+use super::linkage::{BodySection, CrankMotion, File, massless, rounded};
 use super::quantity::Quantity;
 use super::source::{Refusal, Source};
 use crate::reference::class_iii::ExactAngle;
@@ -23,7 +23,7 @@ use serde::de::{DeserializeOwned, IgnoredAny};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct StartTable {
+struct StartSection {
     phi1: Option<Quantity<Angle>>,
     #[serde(default)]
     assembly: AssemblyName,
@@ -42,7 +42,7 @@ enum AssemblyName {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct FourBarTable {
+struct FourBarSection {
     crank: Quantity<Length>,
     coupler: Quantity<Length>,
     rocker: Quantity<Length>,
@@ -52,14 +52,14 @@ struct FourBarTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct FourBarBodies {
-    crank: Option<BodyTable>,
-    coupler: Option<BodyTable>,
-    rocker: Option<BodyTable>,
+    crank: Option<BodySection>,
+    coupler: Option<BodySection>,
+    rocker: Option<BodySection>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct SliderCrankTable {
+struct SliderCrankSection {
     crank: Quantity<Length>,
     rod: Quantity<Length>,
     offset: Option<Quantity<Length>>,
@@ -69,14 +69,14 @@ struct SliderCrankTable {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SliderCrankBodies {
-    crank: Option<BodyTable>,
-    rod: Option<BodyTable>,
-    slider: Option<SliderTable>,
+    crank: Option<BodySection>,
+    rod: Option<BodySection>,
+    slider: Option<SliderSection>,
 }
 
 /// A slider does not turn: of a body's fields it has the mass only.
 #[derive(Deserialize)]
-struct SliderTable {
+struct SliderSection {
     mass: Quantity<Mass>,
 }
 
@@ -122,7 +122,7 @@ pub struct Dyad {
 
 /// Reads the description of a four-bar linkage.
 pub(super) fn four_bar(source: &Source) -> Result<Dyad, Refusal> {
-    dyad(source, |g: &FourBarTable, b: Option<&FourBarBodies>| {
+    dyad(source, |g: &FourBarSection, b: Option<&FourBarBodies>| {
         let exact = [&g.crank, &g.coupler, &g.rocker, &g.frame].map(|l| l.value.clone());
         let [a, b_, c, d] = exact.each_ref().map(metres);
         let solver = FourBar::new(a, b_, c, d).map_err(|e| source.refuse("geometry", e))?;
@@ -140,7 +140,7 @@ pub(super) fn four_bar(source: &Source) -> Result<Dyad, Refusal> {
 pub(super) fn slider_crank(source: &Source) -> Result<Dyad, Refusal> {
     dyad(
         source,
-        |g: &SliderCrankTable, b: Option<&SliderCrankBodies>| {
+        |g: &SliderCrankSection, b: Option<&SliderCrankBodies>| {
             let offset = g
                 .offset
                 .as_ref()
@@ -169,7 +169,7 @@ fn dyad<G: DeserializeOwned, B: DeserializeOwned>(
     source: &Source,
     shape: impl FnOnce(&G, Option<&B>) -> Result<Shape, Refusal>,
 ) -> Result<Dyad, Refusal> {
-    let file: File<G, StartTable, B> = source.parse()?;
+    let file: File<G, StartSection, B> = source.parse()?;
     let start = file.start.as_ref();
     Ok(Dyad {
         crank: file.crank(source)?,
@@ -188,9 +188,9 @@ fn metres(q: &Rational) -> Length {
     Length::from_m(nearest_f64(q))
 }
 
-/// A link without a table has no mass.
-fn body(table: &Option<BodyTable>) -> Body {
-    rounded(&table.as_ref().map_or_else(massless, BodyTable::exact))
+/// A link without a section has no mass.
+fn body(section: &Option<BodySection>) -> Body {
+    rounded(&section.as_ref().map_or_else(massless, BodySection::exact))
 }
 
 impl Shape {

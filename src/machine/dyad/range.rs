@@ -1,4 +1,4 @@
-//! Where the crank of a four-bar linkage or slider-crank gets to, and its dead positions.
+//! Crank range and dead positions of a four-bar linkage or slider-crank.
 
 use super::Shape;
 use crate::solvers::dyad::{Assembly, CrankRange, FourBar, GrashofType, SliderCrank};

@@ -1,4 +1,4 @@
-//! A machine as its file describes it: the linkage, and the tables of its motor, load and run.
+//! A machine as its file describes it: the linkage, and the sections of its motor, load and run.
 
 mod precision;
 mod steady;
@@ -20,24 +20,24 @@ use crate::solvers::units::{AngularVelocity, Inertia, Torque};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error as _};
 
-/// The tables read here; those of the linkage are read with it.
+/// The sections read here; those of the linkage are read with it.
 #[derive(Deserialize)]
 struct File {
-    start: Option<StartTable>,
-    motor: MotorTable,
+    start: Option<StartSection>,
+    motor: MotorSection,
     #[serde(default)]
-    load: LoadTable,
-    run: RunTable,
+    load: LoadSection,
+    run: RunSection,
 }
 
 #[derive(Deserialize)]
-struct StartTable {
+struct StartSection {
     speed: Option<Quantity<AngularVelocity>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct MotorTable {
+struct MotorSection {
     kind: MotorKind,
     synchronous_speed: Option<Quantity<AngularVelocity>>,
     rated_torque: Option<Quantity<Torque>>,
@@ -80,7 +80,7 @@ enum Reading {
 
 #[derive(Deserialize, Default)]
 #[serde(deny_unknown_fields)]
-struct LoadTable {
+struct LoadSection {
     constant: Option<Quantity<Torque>>,
     viscous: Option<Quantity<ViscousResistance>>,
     quadratic: Option<Quantity<QuadraticResistance>>,
@@ -88,7 +88,7 @@ struct LoadTable {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RunTable {
+struct RunSection {
     duration: Quantity<Time>,
     step: Option<Quantity<Time>>,
     tolerance: Option<f64>,
@@ -155,7 +155,7 @@ pub struct Overrides {
     pub method: Option<Method>,
 }
 
-/// A machine and what it is to do.
+/// A machine and its run.
 pub struct Machine {
     /// Its name, or one made of its type.
     pub name: String,
@@ -189,7 +189,7 @@ pub enum MachineError {
     #[error(transparent)]
     Branch(#[from] BranchError),
     /// The linkage has no masses.
-    #[error("a run needs masses: the tables [bodies.…] are missing")]
+    #[error("a run needs masses: the sections [bodies.…] are missing")]
     NoBodies,
 }
 
@@ -262,7 +262,7 @@ impl Machine {
     }
 }
 
-impl RunTable {
+impl RunSection {
     fn plan(&self, overrides: Overrides, phi: f64, psi: f64) -> Plan {
         let duration = self.duration.to_f64();
         let step = self.step.as_ref().map_or(duration / ROWS, Quantity::to_f64);
@@ -320,7 +320,7 @@ fn si<D>(quantity: &Option<Quantity<D>>) -> f64 {
     quantity.as_ref().map_or(0.0, Quantity::to_f64)
 }
 
-fn drive(source: &Source, motor: &MotorTable, load: &LoadTable) -> Result<Drive, Refusal> {
+fn drive(source: &Source, motor: &MotorSection, load: &LoadSection) -> Result<Drive, Refusal> {
     let resistance = Resistance {
         constant: Torque::from_n_m(si(&load.constant)),
         viscous_n_m_s: si(&load.viscous),
@@ -367,7 +367,7 @@ impl MotorKind {
     }
 }
 
-impl MotorTable {
+impl MotorSection {
     fn read(&self, source: &Source) -> Result<Motor, Refusal> {
         let kind = self.kind;
         let given = self.given();

@@ -1,4 +1,4 @@
-//! Work against precision: what each method costs for what accuracy on a machine.
+//! Work-precision data of each integration method on a machine.
 
 use super::Machine;
 use crate::solvers::run_up::{Equation, Method, Plan, RunError, Settings, run};

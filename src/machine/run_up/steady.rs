@@ -1,4 +1,4 @@
-//! What becomes of a machine after its run.
+//! Steady cycle and flywheel of a machine after its run.
 
 use super::{Machine, MotorKind};
 use crate::solvers::run_up::{

@@ -1,11 +1,9 @@
 //! Fourier series of cam cycles.
 
 use super::law_input::{self as input, LawInput};
-use crate::audit::{
-    Budget, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer, Rows,
-};
-use crate::methods::common::{point, region};
-use crate::methods::definition::{Definition, exact};
+use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified};
+use crate::methods::common::{output, point, region};
+use crate::methods::definition::{Definition, conditions_at_reference, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::cam_law::Law as ExactLaw;
 use crate::reference::fourier_series::{self as reference, Orders, Stroke as ExactStroke};
@@ -136,21 +134,9 @@ impl Definition for CamFourierSeries {
              a transform by up to a factor of 5",
         );
         vec![
-            Output {
-                name: "a_0",
-                unit: "m",
-                budget: mean,
-            },
-            Output {
-                name: "a_n",
-                unit: "m",
-                budget: coefficient,
-            },
-            Output {
-                name: "b_n",
-                unit: "m",
-                budget: coefficient,
-            },
+            output("a_0", "m", mean),
+            output("a_n", "m", coefficient),
+            output("b_n", "m", coefficient),
         ]
     }
 
@@ -241,12 +227,11 @@ impl Definition for CamFourierSeries {
         Ok(values)
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
-        let Some((rise, fall)) = i.exact_strokes() else {
-            return ReferenceAnswer::Refuses("bad layout");
-        };
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        let strokes = i.exact_strokes();
+        let (rise, fall) = strokes.ok_or(Uncertified::Refused("bad layout"))?;
         if i.orders().any(|n| !(1..=LAST_HARMONIC).contains(&n)) {
-            return ReferenceAnswer::Refuses("harmonic");
+            return Err(Uncertified::Refused("harmonic"));
         }
         let (lift, fall) = (i.cycle.lift, fall.as_ref());
         let mean = reference::mean(lift, &rise, fall, bits);
@@ -254,28 +239,21 @@ impl Definition for CamFourierSeries {
         for [a, b] in reference::harmonics(lift, &rise, fall, i.exact_orders(), bits) {
             values.extend([mean.clone(), a, b]);
         }
-        ReferenceAnswer::Values(Reference {
+        Ok(ReferenceAnswer::bounded(
             values,
-            proof: Proof::Bounded(
-                "zones and polynomial pieces integrated in balls, phases reduced exactly \
-                 (reference::fourier_series)",
-            ),
-        })
+            "zones and polynomial pieces integrated in balls, phases reduced exactly \
+             (reference::fourier_series)",
+        ))
     }
 
     /// Of the mean all lengths are known to half an ulp, of the harmonics the lift alone; of a
     /// table also its data. Both follow from the values: the mean is a sum of terms proportional
     /// to one length each.
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let q = exact(numbers)?;
-        let reference = Self::reference(Self::unpack(&q)?, BITS_OF_CONDITIONS);
-        Self::conditions_beside(numbers, &reference)
+        conditions_at_reference::<Self>(numbers, BITS_OF_CONDITIONS)
     }
 
-    fn conditions_beside(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
-        let ReferenceAnswer::Values(base) = reference else {
-            return None;
-        };
+    fn conditions_at(numbers: &[f64], values: &[Ball]) -> Option<Vec<f64>> {
         let i = Self::unpack(numbers)?;
         let q = exact(numbers)?;
         let fractions = Self::unpack(&q)?;
@@ -298,7 +276,7 @@ impl Definition for CamFourierSeries {
                     rise + c.high_dwell + c.fall * size(fall, true)?
                 }
             };
-        let own = base.values.iter().enumerate().map(|(i, v)| {
+        let own = values.iter().enumerate().map(|(i, v)| {
             let size = v.magnitude().to_f64();
             if i % 3 == 0 { size + lengths } else { size }
         });

@@ -2,10 +2,10 @@
 
 use super::law_input::{self as input, LawInput};
 use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
+    Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Uncertified,
     conditions_by_differences,
 };
-use crate::methods::common::region;
+use crate::methods::common::{output, point, region};
 use crate::methods::definition::{Definition, Entry, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::Ball;
@@ -54,26 +54,15 @@ impl Definition for CamLaw {
              one, two units of it; the condition is above 1 there",
         );
         ["s", "1 - s", "s'", "s''", "s'''"]
-            .map(|name| {
-                let budget = if name.contains('\'') {
-                    budget
-                } else {
-                    complement
-                };
-                Output {
-                    name,
-                    unit: "1",
-                    budget,
-                }
+            .map(|name| match name.contains('\'') {
+                true => output(name, "1", budget),
+                false => output(name, "1", complement),
             })
             .to_vec()
     }
 
     fn domain() -> Domain {
-        let named = |name, x: f64, b: f64, d: f64| CheckPoint {
-            name,
-            input: vec![x, input::SCCA, 0.5, 2.0, b, d],
-        };
+        let named = |name, x: f64, b: f64, d: f64| point(name, [x, input::SCCA, 0.5, 2.0, b, d]);
         Domain {
             regions: vec![
                 region(
@@ -133,16 +122,13 @@ impl Definition for CamLaw {
         }
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
-        match reference_jet(i, bits) {
-            Some([s, v, a, j, _]) => ReferenceAnswer::Values(Reference {
-                values: vec![s.clone(), Ball::integer(bits, 1) - s, v, a, j],
-                proof: Proof::Bounded(
-                    "exact polynomials; SCCA zones integrated in balls (reference::cam_law)",
-                ),
-            }),
-            None => ReferenceAnswer::Refuses("bad layout"),
-        }
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        let jet = reference_jet(i, bits);
+        let [s, v, a, j, _] = jet.ok_or(Uncertified::Refused("bad layout"))?;
+        Ok(ReferenceAnswer::bounded(
+            vec![s.clone(), Ball::integer(bits, 1) - s, v, a, j],
+            "exact polynomials; SCCA zones integrated in balls (reference::cam_law)",
+        ))
     }
 
     /// The place as the only number that is known to half an ulp; of a table also its data.

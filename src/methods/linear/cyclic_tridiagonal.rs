@@ -1,9 +1,8 @@
 //! Cyclic tridiagonal systems.
 
-use super::tridiagonal::{conditions, dominant, identical, values, word};
-use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Region, Rows,
-};
+use super::tridiagonal::{UNKNOWNS, conditions, dominant, identical, word};
+use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
+use crate::methods::common::{conditioned, point, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::tridiagonal as reference;
@@ -64,24 +63,14 @@ impl Definition for CyclicTridiagonal {
     const SOURCE: &'static str = "Zinchenko 2008, eqs (18)-(20), closed to a ring";
 
     fn outputs() -> Vec<Output> {
-        vec![Output {
-            name: "x",
-            unit: "1",
-            budget: Budget::new(
-                Limit::Conditioned(24.0),
-                "elimination of a matrix dominant by rows; the last row collects one product for \
-                 each of at most 9 unknowns, n + 4 roundings against 4 of the open sweep, and \
-                 |L||U| is a small multiple of |A|",
-            ),
-        }]
+        let reason = "elimination of a matrix dominant by rows; the last row collects one product for each \
+                      of at most 9 unknowns, n + 4 roundings against 4 of the open sweep, and |L||U| \
+                      is a small multiple of |A|";
+        vec![conditioned("x", "1", 24.0, reason)]
     }
 
     fn rows() -> Option<Rows> {
-        Some(Rows {
-            index: "i",
-            count: "n",
-            meaning: "the unknowns",
-        })
+        Some(UNKNOWNS)
     }
 
     fn domain() -> Domain {
@@ -90,50 +79,35 @@ impl Definition for CyclicTridiagonal {
         };
         Domain {
             regions: vec![
-                Region {
-                    name: "well-scaled",
-                    description: "n = 3..9, entries 0.1..1, diagonal 1.05 to 3 times the row's rest",
-                    sample: |d| assemble(d, |_| 1.0, |d| d.uniform(0.05, 2.0)),
-                },
-                Region {
-                    name: "badly-scaled",
-                    description: "as well-scaled, each row times 1e-40..1e40",
-                    sample: |d| {
-                        assemble(d, |d| d.log_uniform(1e-40, 1e40), |d| d.uniform(0.05, 2.0))
-                    },
-                },
-                Region {
-                    name: "nearly-singular",
-                    description: "dominance by 1e-12..1e-3 only",
-                    sample: |d| {
-                        // One sign off the diagonal and the other on it: constants are almost
-                        // in the kernel.
-                        let mut v = assemble(d, |_| 1.0, |d| d.log_uniform(1e-12, 1e-3));
-                        let n = v.len() / 4;
-                        for (i, v) in v[..3 * n].iter_mut().enumerate() {
-                            *v = if i / n == 1 { v.abs() } else { -v.abs() };
-                        }
-                        v
-                    },
-                },
+                region(
+                    "well-scaled",
+                    "n = 3..9, entries 0.1..1, diagonal 1.05 to 3 times the row's rest",
+                    |d| assemble(d, |_| 1.0, |d| d.uniform(0.05, 2.0)),
+                ),
+                region(
+                    "badly-scaled",
+                    "as well-scaled, each row times 1e-40..1e40",
+                    |d| assemble(d, |d| d.log_uniform(1e-40, 1e40), |d| d.uniform(0.05, 2.0)),
+                ),
+                region("nearly-singular", "dominance by 1e-12..1e-3 only", |d| {
+                    // One sign off the diagonal and the other on it: constants are almost
+                    // in the kernel.
+                    let mut v = assemble(d, |_| 1.0, |d| d.log_uniform(1e-12, 1e-3));
+                    let n = v.len() / 4;
+                    for (i, v) in v[..3 * n].iter_mut().enumerate() {
+                        *v = if i / n == 1 { v.abs() } else { -v.abs() };
+                    }
+                    v
+                }),
             ],
             check_points: vec![
-                CheckPoint {
-                    name: "spline-ring",
-                    input: ring(5, 1.0, 4.0, 1.0, vec![1.0, -2.0, 1.0, 0.5, -0.5]),
-                },
-                CheckPoint {
-                    name: "smallest",
-                    input: ring(3, 1.0, 4.0, 1.0, vec![6.0, 0.0, -6.0]),
-                },
-                CheckPoint {
-                    name: "too-small",
-                    input: ring(2, 1.0, 4.0, 1.0, vec![6.0, 0.0]),
-                },
-                CheckPoint {
-                    name: "singular",
-                    input: ring(3, -1.0, 2.0, -1.0, vec![1.0, 0.0, -1.0]),
-                },
+                point(
+                    "spline-ring",
+                    ring(5, 1.0, 4.0, 1.0, vec![1.0, -2.0, 1.0, 0.5, -0.5]),
+                ),
+                point("smallest", ring(3, 1.0, 4.0, 1.0, vec![6.0, 0.0, -6.0])),
+                point("too-small", ring(2, 1.0, 4.0, 1.0, vec![6.0, 0.0])),
+                point("singular", ring(3, -1.0, 2.0, -1.0, vec![1.0, 0.0, -1.0])),
             ],
         }
     }
@@ -148,14 +122,13 @@ impl Definition for CyclicTridiagonal {
         sweep.solve(i.d).map_err(|e| word(&e))
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         if !is_ring(i) {
-            return ReferenceAnswer::Refuses("bad layout");
+            return Err(Uncertified::Refused("bad layout"));
         }
-        match reference::solve_cyclic(i.lower, i.diagonal, i.upper, i.d) {
-            Some(x) => values(&x, bits),
-            None => ReferenceAnswer::Refuses("singular"),
-        }
+        let x = reference::solve_cyclic(i.lower, i.diagonal, i.upper, i.d);
+        let x = x.ok_or(Uncertified::Refused("singular"))?;
+        Ok(ReferenceAnswer::exact(&x, bits))
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {

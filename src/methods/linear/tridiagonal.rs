@@ -1,13 +1,10 @@
 //! Tridiagonal systems by the sweep.
 
-use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-    Region, Rows,
-};
-use crate::methods::common::held;
+use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
+use crate::methods::common::{conditioned, held, point, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
-use crate::reference::{Ball, tridiagonal as reference};
+use crate::reference::tridiagonal as reference;
 use crate::solvers::tridiagonal::{Sweep, TridiagonalError};
 use rug::Rational;
 
@@ -64,13 +61,12 @@ pub(super) fn conditions(
         .collect()
 }
 
-/// Exact values as balls.
-pub(super) fn values(x: &[Rational], bits: u32) -> ReferenceAnswer {
-    ReferenceAnswer::Values(Reference {
-        values: x.iter().map(|q| Ball::rational(bits, q)).collect(),
-        proof: Proof::Exact,
-    })
-}
+/// A row of outputs for each unknown.
+pub(super) const UNKNOWNS: Rows = Rows {
+    index: "i",
+    count: "n",
+    meaning: "the unknowns",
+};
 
 /// Zero if two bit-identical answers, infinite otherwise.
 pub(in crate::methods) fn identical(a: &[f64], b: &[f64]) -> f64 {
@@ -127,24 +123,14 @@ impl Definition for Tridiagonal {
     const SOURCE: &'static str = "Zinchenko 2008, eqs (18)-(20), corrected";
 
     fn outputs() -> Vec<Output> {
-        vec![Output {
-            name: "x",
-            unit: "1",
-            budget: Budget::new(
-                Limit::Conditioned(13.0),
-                "a matrix dominant by rows is factored with |L||U| <= 3|A|, and the sweep solves a \
-                 system off by 4u|L||U| (Higham, Accuracy and Stability, 2nd ed., th. 9.12-9.13); \
-                 u more for the quotient -c/p",
-            ),
-        }]
+        let reason = "a matrix dominant by rows is factored with |L||U| <= 3|A|, and the sweep solves a \
+                      system off by 4u|L||U| (Higham, Accuracy and Stability, 2nd ed., \
+                      th. 9.12-9.13); u more for the quotient -c/p";
+        vec![conditioned("x", "1", 13.0, reason)]
     }
 
     fn rows() -> Option<Rows> {
-        Some(Rows {
-            index: "i",
-            count: "n",
-            meaning: "the unknowns",
-        })
+        Some(UNKNOWNS)
     }
 
     fn domain() -> Domain {
@@ -156,18 +142,18 @@ impl Definition for Tridiagonal {
         ];
         Domain {
             regions: vec![
-                Region {
-                    name: "well-scaled",
-                    description: "n = 1..10, entries 0.1..1, diagonal 1.05 to 3 times the row's rest",
-                    sample: |d| {
+                region(
+                    "well-scaled",
+                    "n = 1..10, entries 0.1..1, diagonal 1.05 to 3 times the row's rest",
+                    |d| {
                         let n = size(d);
                         assemble(d, n, |_| 1.0, |d| d.uniform(0.05, 2.0))
                     },
-                },
-                Region {
-                    name: "badly-scaled",
-                    description: "as well-scaled, each row times 1e-40..1e40",
-                    sample: |d| {
+                ),
+                region(
+                    "badly-scaled",
+                    "as well-scaled, each row times 1e-40..1e40",
+                    |d| {
                         let n = size(d);
                         assemble(
                             d,
@@ -176,37 +162,25 @@ impl Definition for Tridiagonal {
                             |d| d.uniform(0.05, 2.0),
                         )
                     },
-                },
-                Region {
-                    name: "nearly-singular",
-                    description: "n = 2..10, dominance by 1e-14..1e-3 only",
-                    sample: |d| {
+                ),
+                region(
+                    "nearly-singular",
+                    "n = 2..10, dominance by 1e-14..1e-3 only",
+                    |d| {
                         let n = d.integer(2, 10);
                         assemble(d, n, |_| 1.0, |d| d.log_uniform(1e-14, 1e-3))
                     },
-                },
+                ),
             ],
             check_points: vec![
-                CheckPoint {
-                    name: "table-1",
-                    input: table_1,
-                },
-                CheckPoint {
-                    name: "one",
-                    input: vec![3.0, 1.0],
-                },
-                CheckPoint {
-                    name: "singular-one",
-                    input: vec![0.0, 1.0],
-                },
-                CheckPoint {
-                    name: "singular",
-                    input: vec![1.0, 1.0, 1.0, 1.0, 2.0, 3.0],
-                },
-                CheckPoint {
-                    name: "singular-last-row",
-                    input: vec![-1.0, -1.0, 1.0, 2.0, 1.0, -1.0, -1.0, 1.0, 0.0, 0.0],
-                },
+                point("table-1", table_1),
+                point("one", [3.0, 1.0]),
+                point("singular-one", [0.0, 1.0]),
+                point("singular", [1.0, 1.0, 1.0, 1.0, 2.0, 3.0]),
+                point(
+                    "singular-last-row",
+                    [-1.0, -1.0, 1.0, 2.0, 1.0, -1.0, -1.0, 1.0, 0.0, 0.0],
+                ),
             ],
         }
     }
@@ -224,11 +198,10 @@ impl Definition for Tridiagonal {
         solution(i, i.d)
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
-        match reference::solve(i.lower, i.diagonal, i.upper, i.d) {
-            Some(x) => values(&x, bits),
-            None => ReferenceAnswer::Refuses("singular"),
-        }
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        let x = reference::solve(i.lower, i.diagonal, i.upper, i.d);
+        let x = x.ok_or(Uncertified::Refused("singular"))?;
+        Ok(ReferenceAnswer::exact(&x, bits))
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {

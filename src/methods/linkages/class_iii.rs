@@ -1,13 +1,11 @@
 //! The class-III linkage on a chosen assembly mode: positions, rates and reduced quantities.
 
-use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-};
-use crate::methods::common::{held, region};
-use crate::methods::definition::{Definition, exact};
+use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Uncertified};
+use crate::methods::common::{held, output, point, region};
+use crate::methods::definition::{Definition, conditions_at_reference, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::{self as reference, Configuration, ExactAngle, Linkage};
-use crate::reference::{Ball, Mag};
+use crate::reference::{Ball, Mag, Undecided};
 use crate::solvers::class_iii::{self as solver, Geometry, State};
 use crate::solvers::reduction::{Body, Masses, MomentOfInertia, Row};
 use crate::solvers::units::{Acceleration, Angle, Inertia, Length, Mass};
@@ -140,28 +138,6 @@ const REDUCED: Budget = Budget {
     reason: "five bodies summed from rates that carry the linkage's error",
 };
 
-fn outputs() -> Vec<Output> {
-    let o = |name, unit, budget| Output { name, unit, budget };
-    vec![
-        o("phi2", "rad", LINKAGE),
-        o("phi3", "rad", LINKAGE),
-        o("phi4", "rad", LINKAGE),
-        o("phi5", "rad", LINKAGE),
-        o("phi2'", "1", LINKAGE),
-        o("phi3'", "1", LINKAGE),
-        o("phi4'", "1", LINKAGE),
-        o("phi5'", "1", LINKAGE),
-        o("phi2''", "1/rad", LINKAGE),
-        o("phi3''", "1/rad", LINKAGE),
-        o("phi4''", "1/rad", LINKAGE),
-        o("phi5''", "1/rad", LINKAGE),
-        o("I_n", "kg m^2", REDUCED),
-        o("dI_n/dphi1", "kg m^2", REDUCED),
-        o("M_o", "N m", REDUCED),
-        o("dM_o/dphi1", "N m", REDUCED),
-    ]
-}
-
 impl ClassIiiInput<'_> {
     /// Whether the mode is a whole number and the flags of the pivots are 0 or 1.
     pub(in crate::methods) fn is_whole(&self) -> bool {
@@ -253,12 +229,10 @@ impl ClassIiiInput<'_, Rational> {
         &self,
         linkage: &Linkage,
         phi1: &Ball,
-    ) -> Result<Configuration, ReferenceAnswer> {
-        let mut modes = linkage
-            .modes(phi1)
-            .map_err(|e| ReferenceAnswer::Undecided(e.reason))?;
+    ) -> Result<Configuration, Uncertified> {
+        let mut modes = linkage.modes(phi1)?;
         if modes.is_empty() {
-            return Err(ReferenceAnswer::Refuses("cannot be assembled"));
+            return Err(Uncertified::Refused("cannot be assembled"));
         }
         let index = self.mode.to_f64() as usize % modes.len();
         Ok(modes.swap_remove(index).configuration)
@@ -270,8 +244,8 @@ fn values(
     linkage: &Linkage,
     at: &Configuration,
     i: ClassIiiInput<Rational>,
-) -> Result<Vec<Ball>, String> {
-    let k = linkage.kinematics(at).map_err(|e| e.reason)?;
+) -> Result<Vec<Ball>, Undecided> {
+    let k = linkage.kinematics(at)?;
     let r = linkage.reduce(&k, &i.exact_masses());
     let mut all: Vec<Ball> = Vec::with_capacity(16);
     all.extend(k.angles);
@@ -286,21 +260,9 @@ fn values(
     Ok(all)
 }
 
-/// Conditions by implicit differentiation, at the reference's angles.
-fn at_angles(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
-    let ReferenceAnswer::Values(Reference { values, .. }) = reference else {
-        return None;
-    };
-    let (bits, phi3, phi5) = (values[1].prec(), &values[1], &values[3]);
-    let exact = exact(numbers)?;
-    let i = ClassIii::unpack(&exact)?;
-    let linkage = Linkage::new(&i.geometry.exact(), bits);
-    let phi1 = Ball::rational(bits, i.phi1);
-    let at = linkage.placed(&phi1, phi3, phi5);
-    let c = linkage.conditions(&phi1, &at, &i.exact_masses())?;
-    let all = [c.angles, c.first, c.second, c.reduced].concat();
-    Some(all.into_iter().map(Mag::to_f64).collect())
-}
+/// Why the reference holds.
+pub(super) const PROOF: &str =
+    "Krawczyk (1969); Neumaier (1990), Thm 5.1.8; all modes by bisection with a Taylor bound";
 
 impl Definition for ClassIii {
     type Input<'a, T: Number> = ClassIiiInput<'a, T>;
@@ -310,7 +272,20 @@ impl Definition for ClassIii {
         "Zinchenko (2008), eqs (3)-(7) and the velocity and acceleration systems";
 
     fn outputs() -> Vec<Output> {
-        outputs()
+        let angles = [
+            (["phi2", "phi3", "phi4", "phi5"], "rad"),
+            (["phi2'", "phi3'", "phi4'", "phi5'"], "1"),
+            (["phi2''", "phi3''", "phi4''", "phi5''"], "1/rad"),
+        ];
+        let angles = angles.map(|(names, unit)| names.map(|name| output(name, unit, LINKAGE)));
+        let reduced = [
+            ("I_n", "kg m^2"),
+            ("dI_n/dphi1", "kg m^2"),
+            ("M_o", "N m"),
+            ("dM_o/dphi1", "N m"),
+        ];
+        let reduced = reduced.map(|(name, unit)| output(name, unit, REDUCED));
+        angles.into_iter().flatten().chain(reduced).collect()
     }
 
     fn domain() -> Domain {
@@ -353,14 +328,11 @@ impl Definition for ClassIii {
                 ),
             ],
             check_points: vec![
-                CheckPoint {
-                    name: "paper-row-0",
-                    input: at_degrees(14.426, 2.0).to_vec(),
-                },
-                CheckPoint {
-                    name: "paper-row-41",
-                    input: at_degrees(14.426 + 41.0 * 7.5, 2.0).to_vec(),
-                },
+                point("paper-row-0", at_degrees(14.426, 2.0).to_vec()),
+                point(
+                    "paper-row-41",
+                    at_degrees(14.426 + 41.0 * 7.5, 2.0).to_vec(),
+                ),
             ],
         }
     }
@@ -384,35 +356,27 @@ impl Definition for ClassIii {
         Ok(all)
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let linkage = Linkage::new(&i.geometry.exact(), bits);
-        let at = match i.configuration(&linkage, &Ball::rational(bits, i.phi1)) {
-            Ok(at) => at,
-            Err(answer) => return answer,
-        };
-        match values(&linkage, &at, i) {
-            Ok(values) => ReferenceAnswer::Values(Reference {
-                values,
-                proof: Proof::Bounded(
-                    "Krawczyk (1969); Neumaier (1990), Thm 5.1.8; all modes by bisection with a \
-                     Taylor bound",
-                ),
-            }),
-            Err(reason) => ReferenceAnswer::Undecided(reason),
-        }
+        let at = i.configuration(&linkage, &Ball::rational(bits, i.phi1))?;
+        Ok(ReferenceAnswer::bounded(values(&linkage, &at, i)?, PROOF))
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let exact = exact(numbers)?;
-        let reference = Self::reference(Self::unpack(&exact)?, BITS_OF_CONDITIONS);
-        at_angles(numbers, &reference)
+        conditions_at_reference::<Self>(numbers, BITS_OF_CONDITIONS)
     }
 
-    fn conditions_beside(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
-        match reference {
-            ReferenceAnswer::Undecided(_) => Self::conditions(numbers),
-            _ => at_angles(numbers, reference),
-        }
+    /// By implicit differentiation, at the reference's angles.
+    fn conditions_at(numbers: &[f64], values: &[Ball]) -> Option<Vec<f64>> {
+        let (bits, phi3, phi5) = (values[1].prec(), &values[1], &values[3]);
+        let exact = exact(numbers)?;
+        let i = ClassIii::unpack(&exact)?;
+        let linkage = Linkage::new(&i.geometry.exact(), bits);
+        let phi1 = Ball::rational(bits, i.phi1);
+        let at = linkage.placed(&phi1, phi3, phi5);
+        let c = linkage.conditions(&phi1, &at, &i.exact_masses())?;
+        let all = [c.angles, c.first, c.second, c.reduced].concat();
+        Some(all.into_iter().map(Mag::to_f64).collect())
     }
 
     fn laws() -> Vec<Law> {

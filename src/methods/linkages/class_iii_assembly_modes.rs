@@ -1,11 +1,9 @@
 //! All assembly modes of the class-III linkage: their number and every angle.
 
-use super::class_iii::ClassIiiGeometry;
-use crate::audit::{
-    Budget, CheckPoint, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer,
-    Region, Rows,
-};
-use crate::methods::definition::{Definition, exact};
+use super::class_iii::{ClassIiiGeometry, PROOF};
+use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified};
+use crate::methods::common::{output, point, region};
+use crate::methods::definition::{Definition, conditions_at_reference, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::Linkage;
 use crate::reference::{Ball, Mag};
@@ -52,26 +50,13 @@ const PAPER: [f64; 11] = [
 /// Crank angle of the fold at 217.27° for the numbers above.
 const FOLD: f64 = 3.792_092_161_844_882;
 
-fn linkage(i: ClassIiiAssemblyModesInput<Rational>, bits: u32) -> Linkage {
-    Linkage::new(&i.geometry.exact(), bits)
+/// The paper's linkage at a crank angle.
+fn paper_at(phi1: f64) -> Vec<f64> {
+    [&PAPER[..], &[phi1]].concat()
 }
 
-/// Conditions by implicit differentiation, at the reference's angles.
-fn at_angles(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
-    let ReferenceAnswer::Values(Reference { values, .. }) = reference else {
-        return None;
-    };
-    let bits = values.first()?.prec();
-    let exact = exact(numbers)?;
-    let i = ClassIiiAssemblyModes::unpack(&exact)?;
-    let linkage = linkage(i, bits);
-    let phi1 = Ball::rational(bits, i.phi1);
-    let mut all = Vec::with_capacity(values.len());
-    for angles in values.chunks(4) {
-        let at = linkage.placed(&phi1, &angles[1], &angles[3]);
-        all.extend(linkage.angle_conditions(&phi1, &at)?.map(Mag::to_f64));
-    }
-    Some(all)
+fn linkage(i: ClassIiiAssemblyModesInput<Rational>, bits: u32) -> Linkage {
+    Linkage::new(&i.geometry.exact(), bits)
 }
 
 impl Definition for ClassIiiAssemblyModes {
@@ -82,11 +67,7 @@ impl Definition for ClassIiiAssemblyModes {
 
     fn outputs() -> Vec<Output> {
         ["phi2", "phi3", "phi4", "phi5"]
-            .map(|name| Output {
-                name,
-                unit: "rad",
-                budget: BUDGET,
-            })
+            .map(|name| output(name, "rad", BUDGET))
             .to_vec()
     }
 
@@ -99,41 +80,28 @@ impl Definition for ClassIiiAssemblyModes {
     }
 
     fn domain() -> Domain {
-        let mut row = PAPER.to_vec();
-        row.push(14.426f64.to_radians());
         Domain {
             regions: vec![
-                Region {
-                    name: "paper",
-                    description: "Zinchenko's linkage at any crank angle",
-                    sample: |d| {
-                        let mut x = PAPER.to_vec();
-                        x.push(d.uniform(0.0, TAU));
-                        x
-                    },
-                },
-                Region {
-                    name: "near-fold",
-                    description: "1e-1 to 1e-8 rad on either side of where two of its modes merge: \
+                region("paper", "Zinchenko's linkage at any crank angle", |d| {
+                    paper_at(d.uniform(0.0, TAU))
+                }),
+                region(
+                    "near-fold",
+                    "1e-1 to 1e-8 rad on either side of where two of its modes merge: \
                                   the number has to be right",
-                    sample: |d| {
+                    |d| {
                         let offset = d.log_uniform(1e-8, 0.1);
-                        let mut x = PAPER.to_vec();
-                        x.push(FOLD + d.signed(offset));
-                        x
+                        paper_at(FOLD + d.signed(offset))
                     },
-                },
-                Region {
-                    name: "random",
-                    description: "random lengths (factor 10) and pivots within reach; two to six \
+                ),
+                region(
+                    "random",
+                    "random lengths (factor 10) and pivots within reach; two to six \
                                   modes, or none",
-                    sample: random,
-                },
+                    random,
+                ),
             ],
-            check_points: vec![CheckPoint {
-                name: "paper-row-0",
-                input: row,
-            }],
+            check_points: vec![point("paper-row-0", paper_at(14.426f64.to_radians()))],
         }
     }
 
@@ -146,42 +114,36 @@ impl Definition for ClassIiiAssemblyModes {
         Ok(found.modes.iter().flat_map(|m| m.to_array()).collect())
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let linkage = linkage(i, bits);
-        let modes = match linkage.modes(&Ball::rational(bits, i.phi1)) {
-            Ok(modes) if modes.is_empty() => {
-                return ReferenceAnswer::Refuses("cannot be assembled");
-            }
-            Ok(modes) => modes,
-            Err(e) => return ReferenceAnswer::Undecided(e.reason),
-        };
+        let modes = linkage.modes(&Ball::rational(bits, i.phi1))?;
+        if modes.is_empty() {
+            return Err(Uncertified::Refused("cannot be assembled"));
+        }
         let mut values = Vec::new();
         for mode in &modes {
-            match linkage.kinematics(&mode.configuration) {
-                Ok(k) => values.extend(k.angles),
-                Err(e) => return ReferenceAnswer::Undecided(e.reason),
-            }
+            values.extend(linkage.kinematics(&mode.configuration)?.angles);
         }
-        ReferenceAnswer::Values(Reference {
-            values,
-            proof: Proof::Bounded(
-                "Krawczyk (1969); Neumaier (1990), Thm 5.1.8; all modes by bisection with a Taylor \
-                 bound",
-            ),
-        })
+        Ok(ReferenceAnswer::bounded(values, PROOF))
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let exact = exact(numbers)?;
-        let reference = Self::reference(Self::unpack(&exact)?, BITS_OF_CONDITIONS);
-        at_angles(numbers, &reference)
+        conditions_at_reference::<Self>(numbers, BITS_OF_CONDITIONS)
     }
 
-    fn conditions_beside(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
-        match reference {
-            ReferenceAnswer::Undecided(_) => Self::conditions(numbers),
-            _ => at_angles(numbers, reference),
+    /// By implicit differentiation, at the reference's angles.
+    fn conditions_at(numbers: &[f64], values: &[Ball]) -> Option<Vec<f64>> {
+        let bits = values.first()?.prec();
+        let exact = exact(numbers)?;
+        let i = Self::unpack(&exact)?;
+        let linkage = linkage(i, bits);
+        let phi1 = Ball::rational(bits, i.phi1);
+        let mut all = Vec::with_capacity(values.len());
+        for angles in values.chunks(4) {
+            let at = linkage.placed(&phi1, &angles[1], &angles[3]);
+            all.extend(linkage.angle_conditions(&phi1, &at)?.map(Mag::to_f64));
         }
+        Some(all)
     }
 
     fn laws() -> Vec<Law> {

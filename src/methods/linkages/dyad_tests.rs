@@ -1,4 +1,4 @@
-//! The audits of both dyads, and what they refuse.
+//! Audits and refusals of both dyads.
 
 use crate::audit::{Draw, Settings, SolverAnswer, audit_method};
 use crate::methods::find;

@@ -1,8 +1,8 @@
 //! The slider-crank.
 
 use super::four_bar::{refusal, side};
-use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer};
-use crate::methods::common::{held, point, region};
+use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Uncertified};
+use crate::methods::common::{conditioned, held, point, region};
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::dyad::slider_crank;
@@ -63,19 +63,14 @@ impl Definition for SliderCrank {
          Theory of Mechanisms and Machines, class-II groups";
 
     fn outputs() -> Vec<Output> {
-        let output = |name, unit, k, reason| Output {
-            name,
-            unit,
-            budget: Budget::new(Limit::Conditioned(k), reason),
-        };
         vec![
-            output("x", "m", 4.0, POSITION),
-            output("x'", "m", 4.0, FIRST),
-            output("x''", "m", 6.0, SECOND),
-            output("phi2", "rad", 4.0, POSITION),
-            output("phi2'", "1", 4.0, FIRST),
-            output("phi2''", "1", 6.0, SECOND),
-            output("mu", "rad", 4.0, POSITION),
+            conditioned("x", "m", 4.0, POSITION),
+            conditioned("x'", "m", 4.0, FIRST),
+            conditioned("x''", "m", 6.0, SECOND),
+            conditioned("phi2", "rad", 4.0, POSITION),
+            conditioned("phi2'", "1", 4.0, FIRST),
+            conditioned("phi2''", "1", 6.0, SECOND),
+            conditioned("mu", "rad", 4.0, POSITION),
         ]
     }
 
@@ -181,22 +176,17 @@ impl Definition for SliderCrank {
         Ok(values(&motion(i)?))
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let lengths = [i.a, i.b, i.e].map(Rational::clone);
         let ahead = i.assembly.cmp0() == Ordering::Greater;
-        let m = match slider_crank(&lengths, i.delta, i.phi1, ahead, bits) {
-            Ok(m) => m,
-            Err(why) => return refusal(why),
-        };
+        let m = slider_crank(&lengths, i.delta, i.phi1, ahead, bits).map_err(refusal)?;
         let mut values = m.slider.to_vec();
         values.extend(m.rod);
         values.push(m.transmission);
-        ReferenceAnswer::Values(Reference {
+        Ok(ReferenceAnswer::bounded(
             values,
-            proof: Proof::Bounded(
-                "intersection of circle and line in ball arithmetic, implicit differentiation",
-            ),
-        })
+            "intersection of circle and line in ball arithmetic, implicit differentiation",
+        ))
     }
 
     fn laws() -> Vec<Law> {

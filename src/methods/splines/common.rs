@@ -1,12 +1,12 @@
-//! What the audited splines on arbitrary knots share.
+//! The shared part of the audited splines on arbitrary knots.
 //!
 //! Input: `x[n]`, `y[n]`, then two end values for the kinds that have them, then the two query
 //! points `q0`, `q1`. Output, for each query: `S`, `S'`, `S''`, `S'''` there and the integral from
 //! it to the other query.
 
-use crate::audit::{Budget, Limit, Output, Proof, Reference, ReferenceAnswer, Rows};
+use crate::audit::{Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::Number;
-use crate::reference::Ball;
+use crate::methods::common::conditioned;
 use crate::reference::cubic_spline::{Spline as ExactSpline, SplineError};
 use crate::solvers::cubic_spline::{
     Boundary, CubicSpline, CubicSplineError, EvaluationError, Grid, Spline,
@@ -70,7 +70,11 @@ impl EndCondition {
         outputs_of(&self.fit(p)?, p.queries)
     }
 
-    pub(super) fn reference(self, p: SplineProblem<Rational>, bits: u32) -> ReferenceAnswer {
+    pub(super) fn reference(
+        self,
+        p: SplineProblem<Rational>,
+        bits: u32,
+    ) -> Result<ReferenceAnswer, Uncertified> {
         let ends = || p.ends.expect(ENDS);
         let spline = match self {
             EndCondition::SecondDerivatives => {
@@ -80,13 +84,15 @@ impl EndCondition {
             EndCondition::NotAKnot => ExactSpline::not_a_knot(p.x, p.y),
             EndCondition::Periodic => ExactSpline::periodic(p.x, p.y),
         };
-        match spline {
-            Ok(s) => reference_of(&s, p.x, p.queries, bits),
-            Err(SplineError::TooFew(_)) => ReferenceAnswer::Refuses("too few knots"),
-            Err(SplineError::Length { .. }) => ReferenceAnswer::Refuses("bad layout"),
-            Err(SplineError::NotIncreasing(_)) => ReferenceAnswer::Refuses("knots not increasing"),
-            Err(SplineError::NotPeriodic) => ReferenceAnswer::Refuses("not periodic"),
-        }
+        let refused = |e| {
+            Uncertified::Refused(match e {
+                SplineError::TooFew(_) => "too few knots",
+                SplineError::Length { .. } => "bad layout",
+                SplineError::NotIncreasing(_) => "knots not increasing",
+                SplineError::NotPeriodic => "not periodic",
+            })
+        };
+        reference_of(&spline.map_err(refused)?, p.x, p.queries, bits)
     }
 }
 
@@ -123,9 +129,9 @@ pub(super) fn reference_of(
     x: &[Rational],
     q: [&Rational; 2],
     bits: u32,
-) -> ReferenceAnswer {
+) -> Result<ReferenceAnswer, Uncertified> {
     if q.iter().any(|q| **q < x[0] || **q > x[x.len() - 1]) {
-        return ReferenceAnswer::Refuses("outside");
+        return Err(Uncertified::Refused("outside"));
     }
     let mut values = Vec::with_capacity(10);
     let integral = s.integral(q[0], q[1]);
@@ -133,10 +139,7 @@ pub(super) fn reference_of(
     values.push(integral.clone());
     values.extend(s.eval(q[1]));
     values.push(-integral);
-    ReferenceAnswer::Values(Reference {
-        values: values.iter().map(|v| Ball::rational(bits, v)).collect(),
-        proof: Proof::Exact,
-    })
+    Ok(ReferenceAnswer::exact(&values, bits))
 }
 
 const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few factors, each with a \
@@ -152,11 +155,7 @@ pub(super) fn outputs(k: f64) -> Vec<Output> {
         ("S'''", "y/x^3"),
         ("integral", "x y"),
     ]
-    .map(|(name, unit)| Output {
-        name,
-        unit,
-        budget: Budget::new(Limit::Conditioned(k), REASON),
-    })
+    .map(|(name, unit)| conditioned(name, unit, k, REASON))
     .to_vec()
 }
 

@@ -1,7 +1,8 @@
 //! Where splines on arbitrary knots are audited.
 
 use super::common::EndCondition;
-use crate::audit::{CheckPoint, Domain, Draw, Region};
+use crate::audit::{Domain, Draw};
+use crate::methods::common::{point, region};
 
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Shape {
@@ -9,6 +10,15 @@ pub(super) enum Shape {
     Scaled,
     NearKnots,
     Wild,
+}
+
+/// `x` or a float up to three places from it.
+pub(super) fn a_few_floats_away(draw: &mut Draw, x: f64) -> f64 {
+    let steps = draw.integer(0, 3);
+    (0..steps).fold(x, |x, _| match draw.chance(0.5) {
+        true => x.next_up(),
+        false => x.next_down(),
+    })
 }
 
 impl EndCondition {
@@ -50,15 +60,8 @@ impl EndCondition {
         let query = |draw: &mut Draw| {
             let q = match shape {
                 Shape::NearKnots => {
-                    let mut q = x[draw.integer(0, n - 1)];
-                    for _ in 0..draw.integer(0, 3) {
-                        q = if draw.chance(0.5) {
-                            q.next_up()
-                        } else {
-                            q.next_down()
-                        };
-                    }
-                    q
+                    let knot = x[draw.integer(0, n - 1)];
+                    a_few_floats_away(draw, knot)
                 }
                 Shape::Wild => {
                     let i = draw.integer(0, n - 2);
@@ -92,33 +95,32 @@ pub(super) use domain;
 pub(super) fn domain_of(kind: EndCondition, samplers: [fn(&mut Draw) -> Vec<f64>; 4]) -> Domain {
     let [well, scaled, near, wild] = samplers;
     let ends = |a: f64, b: f64| [a, b][..kind.end_values()].to_vec();
-    let point = |name, x: &[f64], y: &[f64], q: [f64; 2]| CheckPoint {
-        name,
-        input: [x, y, &ends(3.0, -5.0), &q[..]].concat(),
+    let point = |name, x: &[f64], y: &[f64], q: [f64; 2]| {
+        point(name, [x, y, &ends(3.0, -5.0), &q[..]].concat())
     };
     Domain {
         regions: vec![
-            Region {
-                name: "well-scaled",
-                description: "2 to 9 knots with steps 0.3..2, ordinates and end values -5..5",
-                sample: well,
-            },
-            Region {
-                name: "badly-scaled",
-                description: "as well-scaled, units of x and y from 1e-30 to 1e30, ordinates spread \
+            region(
+                "well-scaled",
+                "2 to 9 knots with steps 0.3..2, ordinates and end values -5..5",
+                well,
+            ),
+            region(
+                "badly-scaled",
+                "as well-scaled, units of x and y from 1e-30 to 1e30, ordinates spread \
                               over 16 orders",
-                sample: scaled,
-            },
-            Region {
-                name: "near-knots",
-                description: "as well-scaled, queries at most three floats away from a knot",
-                sample: near,
-            },
-            Region {
-                name: "wild-spacing",
-                description: "4 to 9 knots with steps 1e-6..1e3, log-uniform",
-                sample: wild,
-            },
+                scaled,
+            ),
+            region(
+                "near-knots",
+                "as well-scaled, queries at most three floats away from a knot",
+                near,
+            ),
+            region(
+                "wild-spacing",
+                "4 to 9 knots with steps 1e-6..1e3, log-uniform",
+                wild,
+            ),
         ],
         check_points: vec![
             point("two-knots", &[0.0, 1.0], &[1.0, 1.0], [0.25, 1.0]),

@@ -3,7 +3,7 @@
 use super::common::{self, EndCondition, SplineProblem};
 use super::laws::{ends_law, knots_law, scaling_law};
 use super::{conditions, domain};
-use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows};
+use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use rug::Rational;
@@ -84,7 +84,10 @@ macro_rules! on_knots {
             fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
                 $kind.solve(i.into())
             }
-            fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+            fn reference(
+        i: Self::Input<'_, Rational>,
+        bits: u32,
+    ) -> Result<ReferenceAnswer, Uncertified> {
                 $kind.reference(i.into(), bits)
             }
             fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {

@@ -1,9 +1,10 @@
 //! Cubic splines on equally spaced knots: the fit with the constant λ.
 
 use super::common::{ROWS, outputs, outputs_of, reference_of};
-use crate::audit::{CheckPoint, Domain, Draw, Law, Output, ReferenceAnswer, Region, Rows};
-use crate::methods::common::held;
-use crate::methods::definition::{Definition, exact};
+use super::domain::a_few_floats_away;
+use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Rows, Uncertified};
+use crate::methods::common::{held, point, region};
+use crate::methods::definition::{Definition, conditions_at_reference};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linear::identical;
 use crate::reference::Ball;
@@ -69,7 +70,9 @@ fn fit(i: CubicSplineUniformInput) -> Result<UniformCubicSpline, &'static str> {
     })
 }
 
-fn sample(draw: &mut Draw, n: usize, shape: Shape) -> Vec<f64> {
+/// Of so many segments.
+fn sample(draw: &mut Draw, segments: [usize; 2], shape: Shape) -> Vec<f64> {
+    let n = draw.integer(segments[0], segments[1]);
     let (sx, sy) = match shape {
         Shape::Scaled => (draw.log_uniform(1e-30, 1e30), draw.log_uniform(1e-30, 1e30)),
         _ => (1.0, 1.0),
@@ -79,15 +82,8 @@ fn sample(draw: &mut Draw, n: usize, shape: Shape) -> Vec<f64> {
     let (m0, mn) = (end(draw), end(draw));
     let query = |draw: &mut Draw| match shape {
         Shape::NearKnots => {
-            let mut q = x0 + h * draw.integer(1, n - 1) as f64;
-            for _ in 0..draw.integer(0, 3) {
-                q = if draw.chance(0.5) {
-                    q.next_up()
-                } else {
-                    q.next_down()
-                };
-            }
-            q
+            let knot = x0 + h * draw.integer(1, n - 1) as f64;
+            a_few_floats_away(draw, knot)
         }
         _ => x0 + h * draw.uniform(0.0, n as f64 * (1.0 - 1e-15)),
     };
@@ -165,52 +161,32 @@ impl Definition for CubicSplineUniform {
     }
 
     fn domain() -> Domain {
-        let point = |name, head: [f64; 6], y: &[f64]| CheckPoint {
-            name,
-            input: [&head[..], y].concat(),
-        };
+        let point = |name, head: [f64; 6], y: &[f64]| point(name, [&head[..], y].concat());
         Domain {
             regions: vec![
-                Region {
-                    name: "short",
-                    description: "1 to 12 segments, steps 0.1..2, ordinates -5..5",
-                    sample: |d| {
-                        let n = d.integer(1, 12);
-                        sample(d, n, Shape::Well)
-                    },
-                },
-                Region {
-                    name: "seam",
-                    description: "40 to 60 segments: where the constant lambda takes over (24 from each end)",
-                    sample: |d| {
-                        let n = d.integer(40, 60);
-                        sample(d, n, Shape::Well)
-                    },
-                },
-                Region {
-                    name: "long",
-                    description: "100 to 250 segments",
-                    sample: |d| {
-                        let n = d.integer(100, 250);
-                        sample(d, n, Shape::Well)
-                    },
-                },
-                Region {
-                    name: "badly-scaled",
-                    description: "2 to 60 segments, units from 1e-30 to 1e30, ordinates spread over 16 orders",
-                    sample: |d| {
-                        let n = d.integer(2, 60);
-                        sample(d, n, Shape::Scaled)
-                    },
-                },
-                Region {
-                    name: "near-knots",
-                    description: "2 to 60 segments, queries at most three floats away from a rounded knot",
-                    sample: |d| {
-                        let n = d.integer(2, 60);
-                        sample(d, n, Shape::NearKnots)
-                    },
-                },
+                region(
+                    "short",
+                    "1 to 12 segments, steps 0.1..2, ordinates -5..5",
+                    |d| sample(d, [1, 12], Shape::Well),
+                ),
+                region(
+                    "seam",
+                    "40 to 60 segments: where the constant lambda takes over (24 from each end)",
+                    |d| sample(d, [40, 60], Shape::Well),
+                ),
+                region("long", "100 to 250 segments", |d| {
+                    sample(d, [100, 250], Shape::Well)
+                }),
+                region(
+                    "badly-scaled",
+                    "2 to 60 segments, units from 1e-30 to 1e30, ordinates spread over 16 orders",
+                    |d| sample(d, [2, 60], Shape::Scaled),
+                ),
+                region(
+                    "near-knots",
+                    "2 to 60 segments, queries at most three floats away from a rounded knot",
+                    |d| sample(d, [2, 60], Shape::NearKnots),
+                ),
             ],
             check_points: vec![
                 point("one-segment", [0.0, 1.0, 3.0, -5.0, 0.25, 1.0], &[1.0, 2.0]),
@@ -232,29 +208,25 @@ impl Definition for CubicSplineUniform {
         outputs_of(&fit(i)?, [i.q0, i.q1])
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let knot = |k| Rational::from(i.h * k as u32) + i.x0;
         let x: Vec<Rational> = (0..i.y.len()).map(knot).collect();
-        match ExactSpline::second_derivatives(&x, i.y, i.m0, i.mn) {
-            Ok(s) => reference_of(&s, &x, [i.q0, i.q1], bits),
-            Err(SplineError::TooFew(_)) => ReferenceAnswer::Refuses("too few knots"),
-            Err(SplineError::NotIncreasing(_)) => ReferenceAnswer::Refuses("bad step"),
-            Err(e) => ReferenceAnswer::Failed(e.to_string()),
-        }
+        let spline = ExactSpline::second_derivatives(&x, i.y, i.m0, i.mn).map_err(|e| match e {
+            SplineError::TooFew(_) => Uncertified::Refused("too few knots"),
+            SplineError::NotIncreasing(_) => Uncertified::Refused("bad step"),
+            e => Uncertified::Failed(e.to_string()),
+        })?;
+        reference_of(&spline, &x, [i.q0, i.q1], bits)
     }
 
     /// The spline is linear in ordinates and end values, whose weights come from one transposed
     /// solve each; moving or stretching the abscissae acts through the spline's own derivatives.
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let exact = exact(numbers)?;
-        Self::conditions_beside(numbers, &Self::reference(Self::unpack(&exact)?, 128))
+        conditions_at_reference::<Self>(numbers, 128)
     }
 
-    fn conditions_beside(numbers: &[f64], reference: &ReferenceAnswer) -> Option<Vec<f64>> {
-        let ReferenceAnswer::Values(reference) = reference else {
-            return None;
-        };
-        let base: Vec<f64> = reference.values.iter().map(Ball::to_f64).collect();
+    fn conditions_at(numbers: &[f64], values: &[Ball]) -> Option<Vec<f64>> {
+        let base: Vec<f64> = values.iter().map(Ball::to_f64).collect();
         let i = Self::unpack(numbers)?;
         let CubicSplineUniformInput { x0, h, y, .. } = i;
         let queries = [i.q0, i.q1];

@@ -1,24 +1,15 @@
-//! What follows from the misprints and from the model, in figures.
+//! Consequences of the misprints and of the model, in figures.
 
 use super::amplitude::{Formula, Passage};
 use super::charts::{self, Law, Programme};
-use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use crate::papers::{Finding, FindingVerdict, Subject, figure, figures};
 use crate::reference::Ball;
 use crate::solvers::chirp_chart::{BeatZone, Chart, ChartPoint, ChirpChartError};
 
-/// Working precision of what is enclosed.
+/// Working precision of the enclosures.
 const PREC: u32 = 160;
 /// w = 10, n = 1/2, ε = 4, k = 2: the resonance is passed at t = 1.25 s.
 const OSCILLATOR: [(i32, u32); 4] = [(10, 1), (1, 2), (4, 1), (2, 1)];
-
-fn figure(name: impl Into<String>, value: impl Into<String>, unit: &'static str) -> Figure {
-    Figure {
-        name: name.into(),
-        value: value.into(),
-        unit,
-        latex: None,
-    }
-}
 
 fn passage(t: (i32, u32)) -> Passage {
     let [w, n, eps, k] = OSCILLATOR;
@@ -72,14 +63,10 @@ pub(super) fn formulas() -> Vec<Finding> {
                 percent(error(Formula::Printed18)),
                 percent(worst18),
             ),
-            figures: vec![
-                figure(
-                    "relative error at t = 1.5 s",
-                    percent(error(Formula::Printed18)),
-                    "%",
-                ),
-                figure("worst found, t = 0.1 … 5 s", percent(worst18), "%"),
-            ],
+            figures: figures! {
+                "relative error at t = 1.5 s": "{}", percent(error(Formula::Printed18)) => "%";
+                "worst found, t = 0.1 … 5 s": "{}", percent(worst18) => "%";
+            },
             as_recorded: holds && sharp18 && (0.3..0.45).contains(&error(Formula::Printed18).abs()),
         },
         Finding {
@@ -95,14 +82,10 @@ pub(super) fn formulas() -> Vec<Finding> {
                 percent(error(Formula::Printed19)),
                 percent(worst19),
             ),
-            figures: vec![
-                figure(
-                    "relative error at t = 1.5 s",
-                    percent(error(Formula::Printed19)),
-                    "%",
-                ),
-                figure("worst found, t = 0.1 … 5 s", percent(worst19), "%"),
-            ],
+            figures: figures! {
+                "relative error at t = 1.5 s": "{}", percent(error(Formula::Printed19)) => "%";
+                "worst found, t = 0.1 … 5 s": "{}", percent(worst19) => "%";
+            },
             as_recorded: holds
                 && sharp19
                 && (0.005..0.012).contains(&error(Formula::Printed19).abs()),

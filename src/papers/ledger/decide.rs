@@ -1,4 +1,4 @@
-//! From data to verdict.
+//! The decision of an entry: from data to verdict.
 
 use super::repair::{bound, search};
 use super::{Formula, Item, LedgerEntry, Obligation, Requirement, Verdict};

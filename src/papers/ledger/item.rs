@@ -1,4 +1,4 @@
-//! An entry before it is decided.
+//! An undecided entry of a ledger.
 
 use super::{Kind, Verdict};
 use crate::symbolic::{Family, Outcome};

@@ -140,6 +140,18 @@ pub fn solver_linkage() -> f64_linkage::ClassIii {
     f64_linkage::ClassIii::new(geometry).expect("the paper's geometry is valid")
 }
 
+/// The linkage with the recovered masses, as the solvers take them, and its state at the crank angle of row 0.
+///
+/// # Panics
+/// Never: the paper's linkage can be assembled there.
+pub fn solver_start() -> (f64_linkage::ClassIii, reduction::Masses, f64_linkage::State) {
+    let linkage = solver_linkage();
+    let phi1 = 14.426f64.to_radians();
+    let mode = linkage.assembly_modes(phi1).modes[2];
+    let start = linkage.state_near(phi1, mode).expect("closed");
+    (linkage, MassParameters::new(RECOVERED).masses(), start)
+}
+
 /// Everything about the masses that the tables may determine, as plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassParameters {

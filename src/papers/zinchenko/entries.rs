@@ -1,7 +1,7 @@
 //! Every printed entry against its recomputed value.
 
 use super::tables::{Column, Printed, ROWS};
-use crate::papers::{Entry, EntryVerdict, Tally, VariantResult};
+use crate::papers::{Entry, EntryVerdict, Tally, VariantJudgement};
 use crate::reference::{Ball, Decimal};
 use std::collections::BTreeMap;
 
@@ -62,7 +62,7 @@ fn judge(
     value: &Ball,
     twin: Option<(&Printed, &Ball)>,
     column_agrees: bool,
-) -> VariantResult {
+) -> VariantJudgement {
     let p = &printed[at];
     let (verdict, note) = if within(&p.value, value, 0.5) {
         (EntryVerdict::Agrees, None)
@@ -87,7 +87,7 @@ fn judge(
         }
     };
     let u = p.value.units_off(value);
-    VariantResult {
+    VariantJudgement {
         recomputed: value
             .to_decimal(DIGITS)
             .unwrap_or_else(|| "undecided".into()),

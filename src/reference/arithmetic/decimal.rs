@@ -5,7 +5,7 @@ use super::mag::Mag;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 
-/// A decimal number as somebody wrote it: its exact value and the place of its last digit.
+/// A decimal number as written: its exact value and the place of its last digit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decimal {
     /// The exact value.

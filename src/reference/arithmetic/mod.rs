@@ -6,4 +6,6 @@ pub(crate) mod decimal;
 pub(crate) mod elementary;
 pub(crate) mod hex_float;
 pub(crate) mod mag;
+#[cfg(test)]
+mod radius_tests;
 pub(crate) mod taylor_model;

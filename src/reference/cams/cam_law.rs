@@ -55,7 +55,7 @@ pub struct Law(pub(super) Form);
 /// derivative jumps by minus the jump of `s'''`: differentiate `s(x_j) = y_j` and the continuity of
 /// `s''` there.
 pub(super) struct Variation {
-    /// The value of what is varied.
+    /// The value of the varied datum.
     pub(super) datum: Ball,
     /// `∫ σ dx`.
     pub(super) integral: Ball,

@@ -1,4 +1,4 @@
-//! Cams: laws of motion, their Fourier series, the follower's response to a chirp.
+//! Cams: laws of motion, Fourier series, response of the follower to a chirp.
 
 pub mod cam_law;
 pub mod chirp_oscillator;

@@ -1,14 +1,14 @@
 //! Convergence of approximations, with method error and rounding apart.
 
 use super::plots;
-use crate::audit::{ConvergenceReport, LevelError};
+use crate::audit::{ConvergenceReport, LevelError, Uncertified};
 use maud::{Markup, html};
 
 /// A line of a diagram: its name, work and error.
 type Line = (String, Vec<(f64, f64)>);
 
 /// All of them; approximations of the same problem stand in one diagram.
-pub fn all(reports: &[Result<ConvergenceReport, String>]) -> Markup {
+pub fn all(reports: &[Result<ConvergenceReport, Uncertified>]) -> Markup {
     let mut rest: Vec<&ConvergenceReport> = reports.iter().flatten().collect();
     let mut problems = Vec::new();
     while let Some(first) = rest.first().copied() {

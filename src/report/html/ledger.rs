@@ -1,6 +1,6 @@
 //! A ledger as one page without outside parts; formulas in MathML, which browsers render.
 
-use super::page::{AboutPaper, class, entry_of_contents};
+use super::page::{AboutPaper, class, counted, entry_of_contents, filter};
 use super::paper::WIDE;
 use super::prose::{expression, math, prose};
 use crate::papers::ledger::{Formula, Ledger, LedgerEntry, Obligation, Verdict};
@@ -11,23 +11,12 @@ use crate::symbolic::Outcome;
 use maud::{Markup, html};
 use pulldown_latex::config::DisplayMode;
 
-/// What a ledger needs beyond the style sheet of papers.
-const EXTRA: &str = "
-.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 30rem), 1fr));
-  gap: .4rem 1.5rem; margin: .5rem 0; }
-.pair > div { overflow: auto hidden; padding: .3rem .6rem .6rem; border: 1px solid var(--line);
-  border-radius: .25rem; }
-.pair .wrong { background: var(--misprint); } .pair .right { background: var(--agrees); }
-.cap { display: block; font-size: .75rem; color: var(--soft); }
-.ob { margin: .25rem 0; padding: .2rem 0 .4rem; overflow: auto hidden; }
-";
-
 /// The page.
 pub fn page(ledger: &Ledger) -> String {
+    let verdicts = counted(ledger.entries.iter().map(|e| e.verdict.words()));
     let about = AboutPaper {
         paper: &ledger.paper,
         kind: "ledger",
-        style: EXTRA,
         verdict: (ledger.as_recorded(), entries(ledger)),
         contents: html! {
             @for e in &ledger.entries {
@@ -36,9 +25,11 @@ pub fn page(ledger: &Ledger) -> String {
             }
         },
         main: html! {
+            (filter("article.finding", "entries", &verdicts))
             div.cards { "\n" @for e in &ledger.entries { (entry(e)) } } "\n"
         },
-        version: ledger.mechaudit_version,
+        data: &[],
+        scripts: &[],
     };
     about.page()
 }
@@ -53,7 +44,8 @@ fn entry(e: &LedgerEntry) -> Markup {
     let mut formulas = shown.chain(e.obligations.iter().map(|o| &o.formula));
     let wide = formulas.any(|f| f.text.chars().count() > WIDE);
     html! {
-        article.finding.(class(tone)).wide[wide] id=(e.id) { "\n"
+        article.finding.(class(tone)).wide[wide] id=(e.id)
+            data-verdict=(e.verdict.words()) { "\n"
             h3 { (prose(e.place)) } "\n"
             div.tag { (sign) " " (e.verdict.words()) } "\n"
             @if !e.as_recorded { p.alarm { "Not as recorded." } "\n" }

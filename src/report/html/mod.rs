@@ -1,10 +1,12 @@
 //! Pages without outside parts, for light and dark, for desk and phone.
 
+mod assets;
 pub mod audit;
 mod convergence;
 pub mod ledger;
-mod page;
+mod motion;
+pub(crate) mod page;
 pub mod paper;
 mod plots;
 mod prose;
-mod style;
+mod spark;

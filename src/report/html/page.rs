@@ -1,10 +1,11 @@
-//! What every page has: its head, its style, its end.
+//! The frame of every page: bar, contents, text, data and scripts.
 
+use super::assets::{FRAME_CSS, FRAME_JS, source};
 use super::prose::prose;
-use super::style::{CSS, PAPER_CSS};
 use crate::papers::Citation;
 use crate::report::words::Tone;
 use maud::{Markup, PreEscaped, html};
+use serde::Serialize;
 
 /// The class that gives an element its tone.
 pub fn class(tone: Tone) -> &'static str {
@@ -16,26 +17,112 @@ pub fn class(tone: Tone) -> &'static str {
     }
 }
 
-/// A whole page with a style of its own besides the common one.
-pub fn document(title: &str, style: &str, body: &Markup) -> String {
-    let page = html! {
-        (PreEscaped("<!doctype html>\n"))
-        html lang="en" { "\n"
-            head { "\n"
-                meta charset="utf-8"; "\n"
-                meta name="viewport" content="width=device-width, initial-scale=1"; "\n"
-                title { (title) } "\n"
-                style { (PreEscaped(CSS)) (PreEscaped(style)) } "\n"
+/// A whole page.
+pub struct Page<'a> {
+    /// Its title.
+    pub title: &'a str,
+    /// What the bar says beside the program's name.
+    pub kind: &'a str,
+    /// Style sheets besides the frame's.
+    pub styles: &'a [&'a str],
+    /// Lines of the contents.
+    pub contents: Markup,
+    /// The text.
+    pub main: Markup,
+    /// Data for scripts: name of the element and JSON.
+    pub data: &'a [(&'a str, String)],
+    /// Scripts besides the frame's, in their order.
+    pub scripts: &'a [&'a str],
+}
+
+impl Page<'_> {
+    /// The page as text. Its content security policy lets no script run but those named by their
+    /// digest, and nothing be fetched.
+    pub fn write(&self) -> String {
+        let scripts = || std::iter::once(FRAME_JS).chain(self.scripts.iter().copied());
+        let allowed: Vec<String> = scripts().map(source).collect();
+        let policy = format!(
+            "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; \
+             form-action 'none'; script-src {}",
+            allowed.join(" ")
+        );
+        let page = html! {
+            (PreEscaped("<!doctype html>\n"))
+            html lang="en" { "\n"
+                head { "\n"
+                    meta charset="utf-8"; "\n"
+                    meta http-equiv="Content-Security-Policy" content=(policy); "\n"
+                    meta name="viewport" content="width=device-width, initial-scale=1"; "\n"
+                    title { (self.title) } "\n"
+                    style {
+                        (PreEscaped(FRAME_CSS)) @for s in self.styles { (PreEscaped(*s)) }
+                    } "\n"
+                    // First of all: it says whether controls are shown, and in which colours.
+                    script { (PreEscaped(FRAME_JS)) } "\n"
+                } "\n"
+                body { "\n"
+                    a.skip href="#main" { "Skip to the text" } "\n"
+                    header.bar {
+                        b { "mechaudit" } span.kind { (self.kind) }
+                        button.js #theme type="button" { "Colours: system" }
+                    } "\n"
+                    div.page { "\n"
+                        nav.toc aria-label="Contents" tabindex="0" {
+                            details open { summary { "Contents" } ul { "\n" (self.contents) } }
+                        } "\n"
+                        main #main { "\n"
+                            (self.main)
+                            footer { "Written by mechaudit " (env!("CARGO_PKG_VERSION")) "." } "\n"
+                        } "\n"
+                    } "\n"
+                    @for (name, json) in self.data {
+                        script type="application/json" id=(name) { (PreEscaped(json)) } "\n"
+                    }
+                    @for script in self.scripts { script { (PreEscaped(*script)) } "\n" }
+                } "\n"
             } "\n"
-            body { "\n" (body) } "\n"
-        } "\n"
-    };
-    page.into_string()
+        };
+        page.into_string()
+    }
+}
+
+/// JSON that can stand in a `script` element: no `<`, hence neither its end nor a comment.
+pub fn embedded<T: Serialize>(value: &T) -> String {
+    let text = serde_json::to_string(value).unwrap_or_else(|_| "null".into());
+    text.replace('<', "\\u003c")
 }
 
 /// The verdict, in the first line of a page.
 pub fn verdict(tone: Tone, word: &str, rest: &str) -> Markup {
     html! { p.verdict { span.{ "sign " (class(tone)) } { (word) } ": " (rest) } "\n" }
+}
+
+/// A button for each verdict that occurs, with how often, and a search field, over the elements that
+/// `selector` finds.
+pub fn filter(selector: &str, what: &str, verdicts: &[(String, usize)]) -> Markup {
+    html! {
+        div.filter.js role="group" aria-label={ "Filter of " (what) } data-of=(selector) {
+            @for (name, n) in verdicts.iter().filter(|v| v.1 > 0) {
+                button type="button" aria-pressed="false" data-verdict=(name) {
+                    (name) " " span.n { (n) }
+                } " "
+            }
+            input type="search" placeholder={ "search " (what) } aria-label={ "Search " (what) };
+            output aria-live="polite" {}
+        } "\n"
+    }
+}
+
+/// How often each verdict occurs, in the order of first occurrence.
+pub fn counted<'a>(verdicts: impl Iterator<Item = &'a str>) -> Vec<(String, usize)> {
+    let mut all: Vec<(String, usize)> = Vec::new();
+    for v in verdicts {
+        match all.iter_mut().find(|a| a.0 == v) {
+            Some(found) => found.1 += 1,
+            None => all.push((v.into(), 1)),
+        }
+    }
+    all
 }
 
 /// What a page about a paper consists of.
@@ -44,41 +131,43 @@ pub struct AboutPaper<'a> {
     pub paper: &'a Citation,
     /// Kind of page, for its title.
     pub kind: &'a str,
-    /// Style besides that of all such pages.
-    pub style: &'a str,
     /// Whether all is as recorded, and how many there are of what.
     pub verdict: (bool, String),
     /// Lines of the contents.
     pub contents: Markup,
     /// Everything below.
     pub main: Markup,
-    /// Version of the program.
-    pub version: &'a str,
+    /// Data for scripts.
+    pub data: &'a [(&'a str, String)],
+    /// Scripts besides the frame's.
+    pub scripts: &'a [&'a str],
 }
 
 impl AboutPaper<'_> {
     /// The page.
-    pub fn page(&self) -> String {
+    pub fn page(self) -> String {
         let paper = self.paper;
         let year = paper.year.map_or(String::new(), |y| format!(" ({y})"));
         let (tone, word) = match self.verdict.0 {
             true => (Tone::Good, "As recorded"),
             false => (Tone::Bad, "NOT as recorded"),
         };
-        let body = html! {
+        let main = html! {
             h1 { (paper.title) } "\n"
             p.soft { (paper.authors) (year) ", " (paper.venue) } "\n"
             (verdict(tone, word, &format!("{}.", self.verdict.1)))
-            div.page { "\n"
-                nav.toc aria-label="Contents" { "\n" ul { "\n" (self.contents) } "\n" } "\n"
-                main { "\n"
-                    (self.main)
-                    p.soft { "Written by mechaudit " (self.version) "." } "\n"
-                } "\n"
-            } "\n"
+            (self.main)
         };
-        let title = format!("{}: {}", paper.title, self.kind);
-        document(&title, &format!("{PAPER_CSS}{}", self.style), &body)
+        let page = Page {
+            title: &format!("{}: {}", paper.title, self.kind),
+            kind: &format!("{} of {}", self.kind, paper.key),
+            styles: &[super::assets::PAPER_CSS],
+            contents: self.contents,
+            main,
+            data: self.data,
+            scripts: self.scripts,
+        };
+        page.write()
     }
 }
 
@@ -93,21 +182,54 @@ pub fn entry_of_contents(id: &str, tone: Tone, sign: &str, name: &str) -> Markup
 
 #[cfg(test)]
 pub(crate) mod tests {
+    use super::*;
+
+    /// The page without its scripts' and style sheets' text, and how many scripts run.
+    pub fn markup(page: &str) -> (String, usize) {
+        let mut parts = page.split("<script>");
+        let mut out = parts.next().unwrap().to_string();
+        let mut scripts = 0;
+        for part in parts {
+            let (script, rest) = part.split_once("</script>").unwrap();
+            assert!(page.contains(&source(script)), "a script out of the policy");
+            out.push_str(rest);
+            scripts += 1;
+        }
+        let style = out.find("<style>").unwrap()..out.find("</style>").unwrap();
+        out.replace_range(style, "");
+        (out, scripts)
+    }
+
     /// Refuses a page that is not whole, or needs anything from outside.
     pub fn whole(page: &str) {
         assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
-        for outside in [
-            "http:", "https:", "src=", "<script", "@import", "url(", "merror",
-        ] {
-            assert!(!page.contains(outside), "{outside}");
+        assert!(page.len() < 2_000_000, "{} bytes", page.len());
+        assert!(page.contains("content=\"default-src 'none';"));
+        let (markup, _) = markup(page);
+        for outside in ["http:", "https:", "src=", "@import", "url(", "merror"] {
+            assert!(!markup.contains(outside), "{outside}");
         }
         for tag in [
-            "article", "code", "dd", "details", "div", "dl", "dt", "figure", "li", "main", "math",
-            "mrow", "nav", "p", "pre", "span", "svg", "table", "td", "th", "tr", "ul",
+            "article", "button", "code", "dd", "details", "div", "dl", "dt", "figure", "li",
+            "main", "math", "mrow", "nav", "p", "pre", "section", "span", "svg", "table", "tbody",
+            "td", "th", "thead", "tr", "ul",
         ] {
-            let opened = page.matches(&format!("<{tag}>")).count()
-                + page.matches(&format!("<{tag} ")).count();
-            assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");
+            let opened = markup.matches(&format!("<{tag}>")).count()
+                + markup.matches(&format!("<{tag} ")).count();
+            assert_eq!(
+                opened,
+                markup.matches(&format!("</{tag}>")).count(),
+                "{tag}"
+            );
         }
+    }
+
+    #[test]
+    fn data_end_no_script() {
+        let hostile = "</script><script>alert(1)</script><!--\u{2028}'\"\\";
+        let json = embedded(&[hostile]);
+        assert!(!json.contains('<'), "{json}");
+        let back: Vec<String> = serde_json::from_str(&json).unwrap();
+        assert_eq!(back, [hostile]);
     }
 }

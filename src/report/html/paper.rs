@@ -1,36 +1,57 @@
 //! A paper's report as one page without outside parts.
 
-use super::page::{AboutPaper, class, entry_of_contents};
+mod printed;
+
+use super::assets::{D3_JS, FIGURES_JS, MOTION_JS, PLOT_JS};
+use super::page::{AboutPaper, class, counted, entry_of_contents, filter};
 use super::prose::{math, prose};
-use crate::papers::{Entry, EntryVerdict, Figure, Finding, PaperReport};
+use super::{motion, spark};
+use crate::papers::motion::Motion;
+use crate::papers::{Entry, EntryVerdict, Figure, Finding, PaperReport, Tally};
 use crate::report::words::numbers::{short, unit};
 use crate::report::words::paper::{SUBJECTS, entry, findings, mark, of_subject};
 use maud::{Markup, html};
 use pulldown_latex::config::DisplayMode;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The page.
-pub fn page(report: &PaperReport) -> String {
+/// The page; with the mechanism in motion where the paper has one.
+pub fn page(report: &PaperReport, moving: Option<&Motion>) -> String {
+    let verdicts = counted(report.findings.iter().map(|f| mark(f.verdict).1));
+    let (data, scripts) = match moving {
+        Some(m) => (
+            vec![("motion-data", motion::data(m))],
+            &[D3_JS, PLOT_JS, FIGURES_JS, MOTION_JS][..],
+        ),
+        None => (Vec::new(), &[][..]),
+    };
     let about = AboutPaper {
         paper: &report.paper,
         kind: "audit",
-        style: "",
         verdict: (report.as_recorded(), findings(report)),
-        contents: contents(report),
+        contents: contents(report, moving),
         main: html! {
+            @if let Some(m) = moving { (motion::section(m)) }
+            h2 #findings { "Findings" } "\n"
+            (filter("article.finding", "findings", &verdicts))
             @for (subject, name) in SUBJECTS {
                 @let findings = of_subject(report, subject);
                 @if !findings.is_empty() {
-                    h2 id={ "subject-" (name) } { (name) } "\n"
-                    div.flow { "\n"
-                        @for (f, wide) in findings.iter().zip(wide(&findings)) { (finding(f, wide)) }
+                    section data-filtered { "\n"
+                        h3 id={ "subject-" (name) } { (name) } "\n"
+                        div.flow { "\n"
+                            @for (f, wide) in findings.iter().zip(wide(&findings)) {
+                                (finding(f, wide))
+                            }
+                        } "\n"
                     } "\n"
                 }
             }
             (tallies(report))
+            (printed::table(report))
             (entries(report))
         },
-        version: report.mechaudit_version,
+        data: &data,
+        scripts,
     };
     about.page()
 }
@@ -39,8 +60,11 @@ fn tables(report: &PaperReport) -> BTreeSet<u32> {
     report.entries.iter().map(|e| e.table).collect()
 }
 
-fn contents(report: &PaperReport) -> Markup {
+fn contents(report: &PaperReport, moving: Option<&Motion>) -> Markup {
     html! {
+        @if let Some(m) = moving {
+            li { a href="#motion" { b { (m.name) " in motion" } } } "\n"
+        }
         @for (subject, name) in SUBJECTS {
             @let findings = of_subject(report, subject);
             @if !findings.is_empty() {
@@ -54,6 +78,9 @@ fn contents(report: &PaperReport) -> Markup {
                     }
                 } "\n"
             }
+        }
+        @if !report.entries.is_empty() {
+            li { a href="#printed-entries" { b { "Printed entries" } } } "\n"
         }
         @if !report.tallies.is_empty() {
             li { a href="#tallies" { b { "Entries that agree" } } } "\n"
@@ -84,7 +111,7 @@ fn wide(findings: &[&Finding]) -> Vec<bool> {
 fn finding(f: &Finding, wide: bool) -> Markup {
     let (sign, words, tone) = mark(f.verdict);
     html! {
-        article.finding.(class(tone)).wide[wide] id=(f.id) { "\n"
+        article.finding.(class(tone)).wide[wide] id=(f.id) data-verdict=(words) { "\n"
             h3 { (prose(&f.title)) } "\n"
             div.tag { (sign) " " (words) " " span.soft { "· " (prose(f.place)) } } "\n"
             @if !f.as_recorded {
@@ -118,12 +145,13 @@ fn tallies(report: &PaperReport) -> Markup {
                 (report.entries.len()) " printed entries recomputed. "
                 "Deviations in units of the last printed digit; within ½ is the correct rounding."
             } "\n"
-            div.scroll { table { "\n"
-                tr {
-                    th { "table" } th.left { "data" } th.left { "column" } th { "entries" }
+            div.scroll tabindex="0" { table.sortable { "\n"
+                thead { tr {
+                    th { "table" } th.left { "data" } th.left { "column" }
+                    th.left data-sort="none" { "deviations by row, ±2 units" } th { "entries" }
                     th { "within ½" } th { "within 1" } th { "worst units" } th { "worst deviation" }
-                } "\n"
-                @for t in tallies {
+                } } "\n"
+                tbody { "\n" @for t in tallies {
                     @let class = match t.entries {
                         n if n == t.within_half => "agrees",
                         n if n == t.within_one => "rounding",
@@ -133,13 +161,25 @@ fn tallies(report: &PaperReport) -> Markup {
                         td { (t.table) }
                         td.left { (t.variant.replace('_', " ")) }
                         td.left { (t.column) }
+                        td { (spark::deviations(t.column, &along(report, t))) }
                         td { (t.entries) } td { (t.within_half) } td { (t.within_one) }
-                        td { (short(t.worst_units)) } td { (short(t.worst)) }
+                        td data-v=(t.worst_units) { (short(t.worst_units)) }
+                        td data-v=(t.worst) { (short(t.worst)) }
                     } "\n"
-                }
+                } } "\n"
             } } "\n"
         }
     }
+}
+
+/// Deviations of a column in units of its last digits, row by row.
+fn along(report: &PaperReport, t: &Tally) -> Vec<f64> {
+    let of = report
+        .entries
+        .iter()
+        .filter(|e| e.table == t.table && e.column == t.column);
+    of.filter_map(|e| Some(e.variants.get(t.variant)?.units_in_last_digit))
+        .collect()
 }
 
 fn entries(report: &PaperReport) -> Markup {
@@ -158,7 +198,7 @@ fn entries(report: &PaperReport) -> Markup {
             div.side { "\n"
                 @for variant in variants {
                     details open { summary { "Data: " (variant.replace('_', " ")) } "\n"
-                        (grid(&of, variant))
+                        div.scroll tabindex="0" { (grid(&of, variant)) }
                     } "\n"
                 }
             } "\n"
@@ -177,8 +217,8 @@ fn grid(entries: &[&Entry], variant: &str) -> Markup {
     }
     html! {
         table.entries { "\n"
-            tr { th { "row" } @for c in &columns { th { (c) } } } "\n"
-            @for (row, cells) in rows {
+            thead { tr { th { "row" } @for c in &columns { th { (c) } } } } "\n"
+            tbody { "\n" @for (row, cells) in rows {
                 tr {
                     th { (row) }
                     @for column in &columns {
@@ -188,7 +228,7 @@ fn grid(entries: &[&Entry], variant: &str) -> Markup {
                         }
                     }
                 } "\n"
-            }
+            } } "\n"
         } "\n"
     }
 }
@@ -220,10 +260,9 @@ mod tests {
 
     #[test]
     fn the_page_is_whole_escaped_and_without_outside_parts() {
-        let html = page(&fabricated());
+        let html = page(&fabricated(), None);
         for part in [
             "On &lt;tests&gt; &amp; such",
-            "prefers-color-scheme: dark",
             "class=\"misprint\" tabindex=\"0\" data-tip=\"recomputed 1.2345678901234567890\n12.00 units",
             "3 for 5",
             "Not as recorded",

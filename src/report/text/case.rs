@@ -43,7 +43,9 @@ pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
     out.push_str(&input(case, 4));
     match &report.answer {
         Some(SolverAnswer::Values(got)) => out.push_str(&values(report, got)),
-        Some(SolverAnswer::Fails(_)) | None => out.push_str("    got        no answer\n"),
+        Some(SolverAnswer::Fails(_) | SolverAnswer::Unanswered(_)) | None => {
+            out.push_str("    got        no answer\n")
+        }
         Some(refusal) => {
             let word = refusal.refusal().unwrap_or("without a reason");
             out.push_str(&format!("    got        refusal: {word}\n"));
@@ -57,6 +59,14 @@ pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
         out.push_str("    proof      ");
         out.push_str(&wrap(proof, 15, width));
         out.push('\n');
+    }
+    if let Some(at) = &report.branch {
+        let branch = at.branch.as_ref();
+        let branch = branch.map_or(String::new(), |b| format!("{b}; "));
+        let (distance, seam) = (short(at.distance), &at.seam);
+        out.push_str(&format!(
+            "    branch     {branch}{distance} from the seam {seam}\n"
+        ));
     }
     out.push_str(&format!("    reproduce  {again}\n"));
     out

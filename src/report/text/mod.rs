@@ -1,6 +1,7 @@
 //! Reports for people, in as many columns as there are.
 
 pub mod case;
+pub mod comparison;
 pub mod ledger;
 pub mod method;
 pub mod paper;

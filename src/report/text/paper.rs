@@ -125,18 +125,18 @@ pub(crate) mod tests {
     use super::*;
     use crate::papers::{
         Citation, Entry, EntryVerdict, Figure, FindingVerdict, SCHEMA_VERSION, Subject,
-        VariantResult,
+        VariantJudgement,
     };
 
     /// A report that exists for tests.
     pub fn fabricated() -> PaperReport {
-        let result = |units: f64, verdict, note: Option<&str>| VariantResult {
+        let result = |units: f64, verdict, note: Option<&str>| VariantJudgement {
             recomputed: "1.2345678901234567890".into(),
             units_in_last_digit: units,
             verdict,
             note: note.map(Into::into),
         };
-        let entry = |row, column, printed: &str, a: VariantResult, b: VariantResult| Entry {
+        let entry = |row, column, printed: &str, a: VariantJudgement, b: VariantJudgement| Entry {
             table: 1,
             row,
             column,

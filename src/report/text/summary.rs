@@ -1,9 +1,10 @@
 //! The report of everything in brief: what failed or is new, a line for each method and finding.
 
+use super::method::failing;
 use super::style::{self, BAD, BOLD, DIM, GOOD, PLAIN, paint, paragraph, wrap};
 use super::table::Table;
 use super::{case, paper as papers};
-use crate::audit::{Case, MethodReport};
+use crate::audit::MethodReport;
 use crate::papers::PaperReport;
 use crate::report::words::audit as of;
 use crate::report::words::audit::{Worst, holds, settings, share, totals};
@@ -22,12 +23,11 @@ pub fn news(papers: &[PaperReport], methods: &[MethodReport], width: usize) -> S
         }
     }
     for report in methods.iter().filter(|r| !r.passed()) {
-        let reproduce = |c: &Case| c.reproduce();
         out.push_str(&format!("\n{}\n", paint(BOLD, report.method)));
-        for failure in report.failures.iter().take(FAILURES_SHOWN) {
-            out.push_str(&case::text(failure, &reproduce(&failure.case), width));
+        for failure in failing(report, FAILURES_SHOWN) {
+            out.push_str(&case::text(failure, &report.again(&failure.case), width));
         }
-        let failed = report.cases - report.passed;
+        let failed = report.failed() as usize;
         if failed > FAILURES_SHOWN {
             let more = format!(
                 "{} more: mechaudit audit {}",
@@ -40,7 +40,7 @@ pub fn news(papers: &[PaperReport], methods: &[MethodReport], width: usize) -> S
             let text = format!("law {} does not hold: {}", law.name, law.statement);
             out.push_str(&paragraph(&paint(BAD, &text), 2, width));
             if let Some(worst) = &law.worst_case {
-                out.push_str(&format!("    reproduce  {}\n", worst.reproduce()));
+                out.push_str(&format!("    reproduce  {}\n", report.again(worst)));
             }
         }
     }
@@ -61,7 +61,7 @@ pub fn methods(reports: &[MethodReport], width: usize) -> String {
     let mut table = Table::new(&header, &[0, 5]);
     for report in reports {
         let (word, tone) = of::verdict(report);
-        let failed = report.cases - report.passed - report.recorded;
+        let failed = report.failed();
         let word = match (report.interrupted, failed) {
             (false, 1..) => format!("{word}: {failed}"),
             _ => word.into(),
@@ -174,7 +174,7 @@ pub fn everything(
 
 #[cfg(test)]
 mod tests {
-    use super::super::method::tests::fabricated as method;
+    use super::super::method::tests::{fabricated as method, passing};
     use super::super::paper::tests::fabricated as paper_report;
     use super::super::style::plain;
     use super::*;
@@ -205,17 +205,13 @@ mod tests {
 
     #[test]
     fn a_passing_method_is_no_news() {
-        let mut report = method();
-        report.passed = report.cases;
-        report.failures.clear();
-        assert_eq!(news(&[], &[report], 80), "");
+        assert_eq!(news(&[], &[passing()], 80), "");
     }
 
     #[test]
     fn a_line_for_each_method() {
-        let mut passing = method();
+        let mut passing = passing();
         passing.method = "a-method-whose-name-is-as-long-1";
-        passing.passed = passing.cases;
         let reports = [method(), passing];
         let text = plain(&methods(&reports, 80));
         let lines: Vec<&str> = text.lines().collect();

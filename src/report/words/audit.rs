@@ -2,7 +2,10 @@
 
 use super::Tone;
 use super::numbers::{count, short_if};
-use crate::audit::{LawReport, MethodReport, OutputStatistics, Spread, Verdict};
+use crate::audit::{
+    CandidateReport, Kinds, LawReport, MethodReport, OutputStatistics, RegionReport, Spread,
+    Verdict,
+};
 
 /// The verdict on a method.
 pub fn verdict(report: &MethodReport) -> (&'static str, Tone) {
@@ -38,17 +41,66 @@ impl Worst {
     /// The worst of this report.
     pub fn of(report: &MethodReport) -> Worst {
         let spread = |of: fn(&OutputStatistics) -> &Spread| {
-            let all = || report.outputs.iter().map(of).filter(|s| s.count > 0);
+            let all = || report.outputs().iter().map(of).filter(|s| s.count > 0);
             let max = all().map(|s| s.max).fold(0.0, f64::max);
             short_if(all().next().is_some(), max)
         };
-        let shares = report.outputs.iter().map(|o| o.max_of_budget);
         Worst {
             ulps: spread(|o| &o.ulps),
             conditioned: spread(|o| &o.conditioned),
-            of_budget: shares.fold(0.0, f64::max),
+            of_budget: report.total.max_of_budget,
         }
     }
+}
+
+/// How many there are of each wrong kind.
+pub fn kinds(of: &Kinds) -> String {
+    let each = of.some().map(|(kind, n)| format!("{n} {}", kind.name()));
+    each.collect::<Vec<_>>().join(", ")
+}
+
+/// Cases that the reference left open; nothing if there are none.
+pub fn undecided(of: &RegionReport) -> String {
+    let part = |n: u64, what: &str| match n {
+        0 => None,
+        n => Some(format!("{} {what}", count(n as usize, "case"))),
+    };
+    let parts = [
+        part(of.undecided, "undecided"),
+        part(of.reference_failed, "at which the reference failed"),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+/// Whose code it is, and how many answers it gave.
+pub fn candidate(of: &CandidateReport) -> String {
+    let version = of.version.as_ref();
+    let version = version.map_or(String::new(), |v| format!(" {v}"));
+    let command = of.command.as_ref().filter(|c| **c != of.name);
+    let command = command.map_or(String::new(), |c| format!(" ({c})"));
+    let answers = count(of.answered as usize, "answer");
+    format!("{}{version}{command}, {answers}", of.name)
+}
+
+/// The budgets in force, those that outputs share once.
+pub fn budgets(report: &MethodReport) -> String {
+    let mut groups: Vec<(Vec<&str>, String)> = Vec::new();
+    for o in &report.budgets {
+        let limit = o.budget.limit.to_string();
+        match groups.iter_mut().find(|g| g.1 == limit) {
+            Some(group) => group.0.push(o.name),
+            None => groups.push((vec![o.name], limit)),
+        }
+    }
+    let each = groups.iter();
+    let mut all: Vec<String> = each
+        .map(|(names, limit)| format!("{}: {limit}", names.join(", ")))
+        .collect();
+    all.extend(report.norm_budget.map(|n| format!("all together: {n}")));
+    if report.format == crate::audit::Format::Single {
+        all.push("in single precision, u = 2⁻²⁴".into());
+    }
+    all.join("; ")
 }
 
 /// How near a budget so large a share of it is.
@@ -75,13 +127,13 @@ pub fn mark(law: &LawReport) -> (&'static str, Tone) {
 
 /// How many methods and cases pass.
 pub fn totals(reports: &[MethodReport]) -> String {
-    let sum = |of: fn(&MethodReport) -> usize| reports.iter().map(of).sum::<usize>();
+    let sum = |of: fn(&MethodReport) -> u64| reports.iter().map(of).sum::<u64>() as usize;
     let recorded = match sum(|r| r.recorded) {
         0 => String::new(),
         n => format!(", {n} over budget as recorded"),
     };
     let (cases, passed) = (sum(|r| r.cases), sum(|r| r.passed));
-    let (all, good) = (reports.len(), sum(|r| usize::from(r.passed())));
+    let (all, good) = (reports.len(), sum(|r| u64::from(r.passed())));
     match good == all {
         true => {
             let pass = if all == 1 { "passes" } else { "pass" };
@@ -111,14 +163,12 @@ pub fn settings(s: &crate::audit::Settings) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::text::method::tests::fabricated;
+    use crate::report::text::method::tests::{fabricated, passing};
 
     #[test]
     fn one_failing_method_or_none_at_all_is_no_pass() {
         let failing = fabricated();
-        let mut passing = fabricated();
-        passing.passed = passing.cases;
-        passing.failures.clear();
+        let passing = passing();
         assert!(all_pass(&[passing.clone(), passing.clone()]));
         assert!(!all_pass(&[passing.clone(), failing.clone()]) && !all_pass(&[]));
         assert_eq!(totals(&[passing.clone()]), "1 method passes, 400 cases");

@@ -54,7 +54,21 @@ pub(crate) fn with_best<T: Task>(task: T) -> T::Output {
         None => return x86::first(task),
         Some(None) => (),
     }
+    plain(task)
+}
+
+/// Runs the task where the processor has no vectors of four numbers.
+#[cfg(not(all(target_feature = "avx2", target_feature = "fma")))]
+#[inline(always)]
+fn plain<T: Task>(task: T) -> T::Output {
     Plain.run(task)
+}
+
+/// Code for such processors alone has no other: half of its size would be for processors it does not run on.
+#[cfg(all(target_feature = "avx2", target_feature = "fma"))]
+#[cold]
+fn plain<T: Task>(_: T) -> T::Output {
+    panic!("compiled for AVX2 and FMA, which this processor does not have");
 }
 
 /// Arrays.
@@ -87,11 +101,13 @@ impl Vectors for Plain {
     fn mul(self, a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| a[i] * b[i])
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| a[i].mul_add(b[i], c[i]))
     }
-    #[inline(always)]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg_mul_add(self, a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
         std::array::from_fn(|i| (-a[i]).mul_add(b[i], c[i]))
     }
@@ -123,7 +139,7 @@ impl Lanes for Plain {
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Lanes, Plain, Task, Vectors};
+    use super::{Lanes, Task, Vectors};
     use crate::pack::Pack;
     use pulp::x86::V3;
     use pulp::{NullaryFnOnce, cast, f64x4};
@@ -139,7 +155,7 @@ mod x86 {
     pub(crate) fn first<T: Task>(task: T) -> T::Output {
         match BEST.get_or_init(V3::try_new) {
             Some(v) => v.call(task),
-            None => Plain.run(task),
+            None => super::plain(task),
         }
     }
 
@@ -200,7 +216,9 @@ mod x86 {
         fn array(self, x: Pack<V3>) -> [f64; 4] {
             cast(x.1)
         }
-        #[inline(always)]
+        // In a crate of several parts an inlined one is compiled once for each part that calls it.
+        #[cfg_attr(debug_assertions, inline(never))]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn call<T: Task>(self, task: T) -> T::Output {
             self.vectorize(Compiled(self, task))
         }

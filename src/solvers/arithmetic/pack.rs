@@ -17,7 +17,10 @@ pub(crate) trait Wide: Simd {
     /// Which bytes equal `k`, the first one in the lowest bit.
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32;
     /// `bit` where the mask is true, 0 elsewhere.
-    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s;
+    #[inline(always)]
+    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
+        self.select_u64s(mask, self.splat_u64s(bit), self.splat_u64s(0))
+    }
     /// The larger and the smaller of two numbers; the second one if one is not a number.
     fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
     fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s;
@@ -26,7 +29,10 @@ pub(crate) trait Wide: Simd {
     /// `x << 62`
     fn to_sign(self, x: Self::u64s) -> Self::u64s;
     /// Whether `a = b` as integers, for 0 and 1 only.
-    fn is_one(self, a: Self::u64s) -> Self::m64s;
+    #[inline(always)]
+    fn is_one(self, a: Self::u64s) -> Self::m64s {
+        self.equal_u64s(a, self.splat_u64s(1))
+    }
     /// Numbers `at … at + 3` of each row: four vectors, one place for each row.
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
     /// The four interleaved polynomials of Taylor rows in δ⁴; the last block of coefficients stands
@@ -45,8 +51,6 @@ pub(crate) trait Wide: Simd {
     fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s);
     /// The reverse of it.
     fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8];
-    /// The numbers, up to eight.
-    fn store(self, v: Self::f64s, x: &mut [f64; 8]);
 }
 
 #[inline(always)]
@@ -69,47 +73,71 @@ fn transposed(simd: V3, [a, b, c, d]: [f64x4; 4]) -> [f64x4; 4] {
     ]
 }
 
+/// What the two sets differ in by their names and widths only.
+macro_rules! by_width {
+    ($width:literal, $add:ident, $shl:ident, $shr:ident, $avx:ident:
+     $max:ident, $min:ident, $low:ident, $high:ident, [$($even:literal),*]) => {
+        const WIDTH: usize = $width;
+        #[cfg_attr(debug_assertions, inline(never))]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output {
+            self.vectorize(task)
+        }
+        #[inline(always)]
+        fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
+            self.$shl::<52>(self.$add(x, add))
+        }
+        #[inline(always)]
+        fn leading(self, x: Self::u64s) -> Self::u64s {
+            self.$shr::<50>(x)
+        }
+        #[inline(always)]
+        fn to_sign(self, x: Self::u64s) -> Self::u64s {
+            self.$shl::<62>(x)
+        }
+        #[inline(always)]
+        fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
+            cast(self.$avx.$max(cast(a), cast(b)))
+        }
+        #[inline(always)]
+        fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
+            cast(self.$avx.$min(cast(a), cast(b)))
+        }
+        #[inline(always)]
+        fn load(self, x: &[f64], at: usize) -> Self::f64s {
+            let v: &[f64; $width] = x[at..at + $width].try_into().expect("the width");
+            cast(*v)
+        }
+        #[inline(always)]
+        fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
+            let v: [f64; $width] = cast(v);
+            x[at..at + $width].copy_from_slice(&v);
+        }
+        #[inline(always)]
+        fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
+            let (a, b) = (cast([$(p($even)),*]), cast([$(p($even + 1)),*]));
+            (cast(self.$avx.$low(a, b)), cast(self.$avx.$high(a, b)))
+        }
+        #[inline(always)]
+        fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
+            let (a, b, mut pairs) = (cast(first), cast(second), [[0.0; 2]; 8]);
+            let p: [[f64; 2]; $width / 2] = cast(self.$avx.$low(a, b));
+            let q: [[f64; 2]; $width / 2] = cast(self.$avx.$high(a, b));
+            $((pairs[$even], pairs[$even + 1]) = (p[$even / 2], q[$even / 2]);)*
+            pairs
+        }
+    };
+}
+
 impl Wide for V3 {
-    const WIDTH: usize = 4;
-    #[inline(always)]
-    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output {
-        self.vectorize(task)
-    }
-    #[inline(always)]
-    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
-        cast(
-            self.avx2
-                ._mm256_slli_epi64::<52>(self.avx2._mm256_add_epi64(cast(x), cast(add))),
-        )
-    }
+    by_width!(
+        4, wrapping_add_u64x4, shl_const_u64x4, shr_const_u64x4,
+        avx: _mm256_max_pd, _mm256_min_pd, _mm256_unpacklo_pd, _mm256_unpackhi_pd, [0, 2]
+    );
     #[inline(always)]
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
         let equal = self.avx2._mm256_cmpeq_epi8(cast(*bytes), cast([k; 32]));
         self.avx2._mm256_movemask_epi8(equal) as u32
-    }
-    #[inline(always)]
-    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
-        self.and_u64s(cast(mask), self.splat_u64s(bit))
-    }
-    #[inline(always)]
-    fn larger(self, a: f64x4, b: f64x4) -> f64x4 {
-        cast(self.avx._mm256_max_pd(cast(a), cast(b)))
-    }
-    #[inline(always)]
-    fn smaller(self, a: f64x4, b: f64x4) -> f64x4 {
-        cast(self.avx._mm256_min_pd(cast(a), cast(b)))
-    }
-    #[inline(always)]
-    fn leading(self, x: Self::u64s) -> Self::u64s {
-        cast(self.avx2._mm256_srli_epi64::<50>(cast(x)))
-    }
-    #[inline(always)]
-    fn to_sign(self, x: Self::u64s) -> Self::u64s {
-        cast(self.avx2._mm256_slli_epi64::<62>(cast(x)))
-    }
-    #[inline(always)]
-    fn is_one(self, a: Self::u64s) -> Self::m64s {
-        self.equal_u64s(a, self.splat_u64s(1))
     }
     #[inline(always)]
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
@@ -125,78 +153,17 @@ impl Wide for V3 {
     ) -> Parts<Self> {
         by_rows(self, rows, ends, d4)
     }
-    #[inline(always)]
-    fn load(self, x: &[f64], at: usize) -> Self::f64s {
-        let v: &[f64; 4] = x[at..at + 4].try_into().expect("four");
-        cast(*v)
-    }
-    #[inline(always)]
-    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
-        let v: [f64; 4] = cast(v);
-        x[at..at + 4].copy_from_slice(&v);
-    }
-    #[inline(always)]
-    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
-        let (a, b) = (cast([p(0), p(2)]), cast([p(1), p(3)]));
-        let x = self.avx;
-        (
-            cast(x._mm256_unpacklo_pd(a, b)),
-            cast(x._mm256_unpackhi_pd(a, b)),
-        )
-    }
-    #[inline(always)]
-    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
-        let (a, b, x) = (cast(first), cast(second), self.avx);
-        let p: [[f64; 2]; 2] = cast(x._mm256_unpacklo_pd(a, b));
-        let q: [[f64; 2]; 2] = cast(x._mm256_unpackhi_pd(a, b));
-        let none = [0.0; 2];
-        [p[0], q[0], p[1], q[1], none, none, none, none]
-    }
-    #[inline(always)]
-    fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
-        let v: [f64; 4] = cast(v);
-        x[..4].copy_from_slice(&v);
-    }
 }
 
 impl Wide for V4 {
-    const WIDTH: usize = 8;
-    #[inline(always)]
-    fn outlined<T: NullaryFnOnce>(self, task: T) -> T::Output {
-        self.vectorize(task)
-    }
-    #[inline(always)]
-    fn exponent(self, x: Self::u64s, add: Self::u64s) -> Self::u64s {
-        self.shl_const_u64x8::<52>(self.wrapping_add_u64x8(x, add))
-    }
+    by_width!(
+        8, wrapping_add_u64x8, shl_const_u64x8, shr_const_u64x8,
+        avx512f: _mm512_max_pd, _mm512_min_pd, _mm512_unpacklo_pd, _mm512_unpackhi_pd, [0, 2, 4, 6]
+    );
     #[inline(always)]
     fn equal(self, bytes: &[u8; 32], k: u8) -> u32 {
         let v: V3 = *self;
         v.equal(bytes, k)
-    }
-    #[inline(always)]
-    fn flag(self, mask: Self::m64s, bit: u64) -> Self::u64s {
-        self.select_u64s(mask, self.splat_u64s(bit), self.splat_u64s(0))
-    }
-    #[inline(always)]
-    fn larger(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
-        cast(self.avx512f._mm512_max_pd(cast(a), cast(b)))
-    }
-    #[inline(always)]
-    fn smaller(self, a: Self::f64s, b: Self::f64s) -> Self::f64s {
-        cast(self.avx512f._mm512_min_pd(cast(a), cast(b)))
-    }
-    #[inline(always)]
-    fn leading(self, x: Self::u64s) -> Self::u64s {
-        self.shr_const_u64x8::<50>(x)
-    }
-    #[inline(always)]
-    fn to_sign(self, x: Self::u64s) -> Self::u64s {
-        self.shl_const_u64x8::<62>(x)
-    }
-    #[inline(always)]
-    fn is_one(self, a: Self::u64s) -> Self::m64s {
-        self.equal_u64s(a, self.splat_u64s(1))
     }
     #[inline(always)]
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4] {
@@ -231,39 +198,6 @@ impl Wide for V4 {
     ) -> Parts<Self> {
         by_columns(self, rows, ends, d4)
     }
-    #[inline(always)]
-    fn load(self, x: &[f64], at: usize) -> Self::f64s {
-        let v: &[f64; 8] = x[at..at + 8].try_into().expect("eight");
-        cast(*v)
-    }
-    #[inline(always)]
-    fn store_at(self, v: Self::f64s, x: &mut [f64], at: usize) {
-        let v: [f64; 8] = cast(v);
-        x[at..at + 8].copy_from_slice(&v);
-    }
-    #[inline(always)]
-    fn deinterleave(self, p: impl Fn(usize) -> [f64; 2]) -> (Self::f64s, Self::f64s) {
-        let (a, b) = (
-            cast([p(0), p(2), p(4), p(6)]),
-            cast([p(1), p(3), p(5), p(7)]),
-        );
-        let x = self.avx512f;
-        (
-            cast(x._mm512_unpacklo_pd(a, b)),
-            cast(x._mm512_unpackhi_pd(a, b)),
-        )
-    }
-    #[inline(always)]
-    fn interleave(self, first: Self::f64s, second: Self::f64s) -> [[f64; 2]; 8] {
-        let (a, b, x) = (cast(first), cast(second), self.avx512f);
-        let p: [[f64; 2]; 4] = cast(x._mm512_unpacklo_pd(a, b));
-        let q: [[f64; 2]; 4] = cast(x._mm512_unpackhi_pd(a, b));
-        [p[0], q[0], p[1], q[1], p[2], q[2], p[3], q[3]]
-    }
-    #[inline(always)]
-    fn store(self, v: Self::f64s, x: &mut [f64; 8]) {
-        *x = cast(v);
-    }
 }
 
 /// Several numbers.
@@ -275,11 +209,6 @@ impl<S: Wide> Pack<S> {
     #[inline(always)]
     pub(crate) fn load(simd: S, x: &[f64], at: usize) -> Pack<S> {
         Pack(simd, simd.load(x, at))
-    }
-
-    #[inline(always)]
-    pub(crate) fn store(self, x: &mut [f64; 8]) {
-        self.0.store(self.1, x);
     }
 
     /// Stores the numbers from `at` on.
@@ -301,7 +230,7 @@ impl<S: Wide> Pack<S> {
     #[inline(always)]
     pub(crate) fn array(self) -> [f64; 8] {
         let mut v = [0.0; 8];
-        self.store(&mut v);
+        self.store_at(&mut v, 0);
         v
     }
 
@@ -456,10 +385,7 @@ pub(crate) fn by_rows<const N: usize>(
 ) -> Parts<V3> {
     let numbers = |v: f64x4| -> [f64; 4] { cast(v) };
     let (x, y) = (numbers(x.1), numbers(y.1));
-    let load = |m: usize, at: usize| -> f64x4 {
-        let row = rows[m];
-        cast([row[at], row[at + 1], row[at + 2], row[at + 3]])
-    };
+    let load = |m: usize, at: usize| -> f64x4 { cast(four(rows[m], at)) };
     let zero = simd.splat_f64x4(0.0);
     let (mut re, mut im) = ([zero; 4], [zero; 4]);
     for m in 0..4 {

@@ -184,7 +184,9 @@ impl Real for Four {
     fn like(self, x: f64) -> Four {
         Four([x; 4])
     }
-    #[inline(always)]
+    // Four calls where there is no instruction for it: inlined they are most of the time that tests take to build.
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn fma(self, b: Four, c: Four) -> Four {
         Four(std::array::from_fn(|i| self.0[i].mul_add(b.0[i], c.0[i])))
     }

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 /// The number of cases: as many as are quick, or what `PROPTEST_CASES` says.
-fn cases(quick: u32) -> ProptestConfig {
+pub fn cases(quick: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES")
         .ok()
         .and_then(|n| n.parse().ok());

@@ -1,29 +1,27 @@
 //! Running audits: everything, a method, a region or one case.
 
+pub mod written;
+
+use self::written::Besides;
 use crate::cli::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{Output, write_json, write_to};
+use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
-use crate::cli::{
-    commands::hunt::hard_folder, complain, forecast, process::candidate, process::exec,
-    process::interrupt,
-};
+use crate::cli::{complain, forecast, process::exec, process::interrupt, scope};
 use mechaudit::audit::{
-    Case, CaseReport, Cases, ConvergenceReport, Law, Layout, Method, MethodReport, NoSuch, Origin,
-    Settings, Variant, Verdict, answer_of, audit_case, audit_method_until, convergence, map_points,
+    Case, Cases, ConvergenceReport, Layout, Method, MethodReport, Origin, Settings, Uncertified,
+    Variant, answer_of, audit_method_until, audit_one, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
 use mechaudit::reference::Decimal;
 use mechaudit::reference::Undecided;
-use mechaudit::report::text::style::{BAD, BOLD, paint};
+use mechaudit::report::text;
 use mechaudit::report::text::summary::{self, End};
 use mechaudit::report::words::audit::{all_pass, settings as settings_line, totals};
-use mechaudit::report::words::numbers::{count, percent};
-use mechaudit::report::{html, json as in_json, junit, text};
+use mechaudit::report::words::numbers::count;
 use mechaudit::{methods, papers};
 use rayon::prelude::*;
-use serde_json::{Value, json};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -105,7 +103,7 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
                 write!(out, "\n{}", text::paper::paper(report, width))?;
             }
             for report in &reports {
-                let text = text::method::method(report, &Case::reproduce, width);
+                let text = text::method::method(report, width);
                 write!(out, "\n{text}")?;
             }
         }
@@ -124,7 +122,7 @@ fn end(outcome: Outcome) -> End {
 
 /// Cases drawn, solved, judged and counted in a second.
 fn rate(reports: &[MethodReport], seconds: f64) -> String {
-    let cases: usize = reports.iter().map(|r| r.cases).sum();
+    let cases: u64 = reports.iter().map(|r| r.cases).sum();
     let cores = rayon::current_num_threads();
     let each = cases as f64 / seconds.max(1e-9) / cores as f64;
     let each = match each {
@@ -154,20 +152,18 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (Method
     (report, started.elapsed().as_secs_f64())
 }
 
-/// The method as the arguments ask for it, over its whole domain.
-fn scoped<'a>(method: &'a dyn Method, args: &AuditArgs) -> Result<Variant<'a>, Failure> {
-    let variant = candidate::scoped(method, &args.scope)?;
+/// The method as the arguments ask for it.
+fn scoped<'a>(
+    method: &'a dyn Method,
+    args: &AuditArgs,
+    settings: &Settings,
+) -> Result<Variant<'a>, Failure> {
+    let variant = scope::judged(method, &args.scope)?;
     let variant = match args.program.exec {
         Some(_) => variant.without_laws(),
         None => variant,
     };
-    Ok(match (&args.hard, &args.method) {
-        (None, _) => variant,
-        (Some(folder), Some(_)) => variant.hard_cases(hard_folder::of_method(folder, method)?),
-        (Some(folder), None) => {
-            variant.hard_cases(hard_folder::read(folder, method)?.unwrap_or_default())
-        }
-    })
+    scope::placed(variant, &args.place, settings, args.method.is_some())
 }
 
 /// Says what very many cases will take, and refuses what cannot end.
@@ -179,7 +175,11 @@ fn foresee(methods: &[Box<dyn Method>], settings: &Settings) -> Result<(), Failu
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let settings = Settings {
-        maps: args.maps || args.format == AuditFormat::Html,
+        maps: args.maps || (args.format == AuditFormat::Html && args.program.exec.is_none()),
+        points: match args.format {
+            AuditFormat::Html => written::POINTS,
+            _ => 0,
+        },
         ..settings(&args.run)?
     };
     let chosen = match &args.method {
@@ -187,37 +187,49 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
         Some(name) => vec![find(name)?],
     };
     let output = Output::open(args.output.as_deref())?;
+    let mut besides = Besides {
+        baseline: written::baseline(args.baseline.as_deref(), args.format)?,
+        ..Besides::default()
+    };
     foresee(&chosen, &settings)?;
     // All of them before the first is judged: what cannot be read is refused.
-    let chosen: Result<Vec<Variant>, Failure> =
-        chosen.iter().map(|m| scoped(m.as_ref(), args)).collect();
+    let chosen: Result<Vec<Variant>, Failure> = (chosen.iter())
+        .map(|m| scoped(m.as_ref(), args, &settings))
+        .collect();
     let chosen = chosen?;
-    if let (Some(_), [method]) = (&args.method, chosen.as_slice())
-        && let Some(case) = one_case(method, args, &settings)?
-    {
-        return match &args.program.exec {
-            Some(command) => exec::audit(method, Some(case), args, command, &settings, output),
-            None => single(method, case, &settings, args, output),
-        };
+    let mut one = None;
+    if let (Some(_), [method]) = (&args.method, chosen.as_slice()) {
+        one = one_case(method, args, &settings)?;
     }
-    let chosen: Result<Vec<Variant>, NoSuch> = chosen
+    let tail = tail(args);
+    let finish = |mut report: MethodReport| {
+        report.reproduce.tail.clone_from(&tail);
+        report
+    };
+    if let (Some(case), [method], None) = (&one, chosen.as_slice(), &args.program.exec) {
+        let report = finish(audit_one(method, case.clone(), None, &settings));
+        return written::write(&[report], args.format, output, &besides);
+    }
+    let chosen: Result<Vec<Variant>, Failure> = chosen
         .into_iter()
-        .map(|method| match &args.region {
-            Some(region) => method.region(region),
-            None => Ok(method),
+        .map(|method| match one {
+            None => scope::regions(method, &args.place),
+            Some(_) => Ok(method),
         })
         .collect();
     let chosen = chosen?;
     if let (Some(method), Some(command)) = (chosen.first(), &args.program.exec) {
-        return exec::audit(method, None, args, command, &settings, output);
+        let report = exec::audit(method, one, command, &args.program.program, &settings)?;
+        return written::write(&[finish(report)], args.format, output, &besides);
     }
     let progress = Progress::new();
     let (mut reports, mut judging, mut stopped) = (Vec::new(), 0.0, false);
     for method in &chosen {
         let (report, seconds) = run(method, &settings, &progress);
+        let report = finish(report);
         judging += seconds;
         if args.format == AuditFormat::Text && output.is_standard() {
-            let text = text::method::method(&report, &Case::reproduce, width());
+            let text = text::method::method(&report, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
         }
         stopped = report.interrupted;
@@ -226,52 +238,44 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
             break;
         }
     }
-    let good = all_pass(&reports);
-    let mut outcome = Outcome::unless_interrupted(stopped, good);
-    match args.format {
-        AuditFormat::Text if output.is_standard() => {
-            let how = [settings_line(&settings), rate(&reports, judging)];
-            let text = summary::verdict(end(outcome), &totals(&reports), &how, width());
-            output.text(&text)?;
+    if args.format == AuditFormat::Text && output.is_standard() {
+        let outcome = Outcome::unless_interrupted(stopped, all_pass(&reports));
+        let how = [settings_line(&settings), rate(&reports, judging)];
+        let mut text = summary::verdict(end(outcome), &totals(&reports), &how, width());
+        if let Some(before) = &besides.baseline {
+            text.push_str(&text::comparison::changes(
+                &before.changes(&reports),
+                width(),
+            ));
         }
-        AuditFormat::Text => output.write(|out| {
-            for report in &reports {
-                let text = text::method::method(report, &Case::reproduce, width());
-                writeln!(out, "{text}")?;
-            }
-            let mark = if stopped { "Interrupted: " } else { "" };
-            Ok(writeln!(out, "{mark}{}.", totals(&reports))?)
-        })?,
-        AuditFormat::Json => {
-            let methods = reports.iter();
-            let methods = methods.map(|r| in_json::method(r, &Case::reproduce));
-            let value = json!({
-                "schema_version": 1,
-                "mechaudit_version": env!("CARGO_PKG_VERSION"),
-                "passed": good,
-                "interrupted": stopped,
-                "methods": methods.collect::<Vec<Value>>(),
-            });
-            write_json(output, &value)?;
-        }
-        AuditFormat::Junit => {
-            let text = junit::document(&reports).map_err(|e| Failure::new(e.to_string()))?;
-            output.write(|out| Ok(writeln!(out, "{text}")?))?;
-        }
-        AuditFormat::Html => {
-            let all = args.method.is_none() && !stopped;
-            let approximations = all.then(approximations).flatten();
-            stopped |= all && approximations.is_none();
-            outcome = Outcome::unless_interrupted(stopped, good);
-            let page = html::audit::page(&reports, approximations.as_deref(), stopped);
-            output.text(&page)?;
+        output.text(&text)?;
+        return Ok(outcome);
+    }
+    if args.format == AuditFormat::Html && args.method.is_none() && !stopped {
+        besides.approximations = approximations();
+        if let (None, Some(last)) = (&besides.approximations, reports.last_mut()) {
+            last.interrupted = true;
         }
     }
-    Ok(outcome)
+    written::write(&reports, args.format, output, &besides)
+}
+
+/// The options that a command needs besides to judge a case of this audit again.
+fn tail(args: &AuditArgs) -> String {
+    let mut words = Vec::new();
+    if let Some(command) = &args.program.exec {
+        words.extend(["--exec".to_string(), shell_words::quote(command).into()]);
+    }
+    let program = &args.program.program;
+    for (asked, word) in [(program.decimal, "--decimal"), (program.binary, "--binary")] {
+        words.extend(asked.then(|| word.to_string()));
+    }
+    words.extend(scope::words(&args.scope, &args.place));
+    words.iter().map(|w| format!(" {w}")).collect()
 }
 
 /// The convergence of all approximations, unless the user asks to stop.
-fn approximations() -> Option<Vec<Result<ConvergenceReport, String>>> {
+fn approximations() -> Option<Vec<Result<ConvergenceReport, Uncertified>>> {
     interrupt::unless_asked(|| {
         let all = methods::approximations();
         all.par_iter().map(|a| convergence(&**a)).collect()
@@ -292,18 +296,10 @@ fn one_case(
     args: &AuditArgs,
     settings: &Settings,
 ) -> Result<Option<Case>, Failure> {
-    let cases = Cases::new(method, settings);
-    if let Some(Numbers(input)) = &args.at {
-        return given(method, input).map(Some);
+    match &args.at {
+        Some(Numbers(input)) => given(method, input).map(Some),
+        None => scope::one_case(method, &args.place, settings),
     }
-    if let Some(number) = args.hard_case {
-        return Ok(Some(cases.hard_case(number)?));
-    }
-    Ok(match (&args.check_point, &args.region, args.case) {
-        (Some(name), ..) => Some(cases.at_check_point(name)?),
-        (None, Some(region), Some(index)) => Some(cases.in_region(region, index)?),
-        _ => None,
-    })
 }
 
 /// An input given by itself.
@@ -319,57 +315,11 @@ fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
     Ok(Case {
         method: method.name(),
         region: "given",
-        input: input.to_vec(),
+        input: (input.iter())
+            .map(|x| method.format().representable(*x))
+            .collect(),
         origin: Origin::Given,
     })
-}
-
-fn single(
-    method: &dyn Method,
-    case: Case,
-    settings: &Settings,
-    args: &AuditArgs,
-    output: Output,
-) -> Result<Outcome, Failure> {
-    let report: CaseReport = audit_case(method, case, settings);
-    let laws: Vec<(Law, Option<f64>)> = method
-        .laws()
-        .into_iter()
-        .map(|l| (l, (l.residual)(&report.case.input)))
-        .collect();
-    let held = |x: &Option<f64>| x.is_none_or(|x| x <= 1.0);
-    let good = report.judgement.verdict == Verdict::Pass && laws.iter().all(|(_, x)| held(x));
-    match args.format {
-        AuditFormat::Text => output.write(|out| {
-            write!(
-                out,
-                "{}",
-                text::case::text(&report, &report.case.reproduce(), width())
-            )?;
-            for (law, residual) in &laws {
-                if let Some(x) = residual {
-                    let style = if *x <= 1.0 { BOLD } else { BAD };
-                    let share = percent(*x);
-                    let name = paint(style, law.name);
-                    writeln!(out, "    law        {name}: {share} of what is allowed")?;
-                }
-            }
-            Ok(())
-        })?,
-        AuditFormat::Json => {
-            let mut value = in_json::case(&report, &report.case.reproduce());
-            let laws = laws
-                .iter()
-                .map(|(l, x)| json!({ "name": l.name, "residual": x }));
-            value["laws"] = laws.collect();
-            value["passed"] = json!(good);
-            write_json(output, &value)?;
-        }
-        AuditFormat::Junit | AuditFormat::Html => {
-            return Err(Failure::new("one case is reported as text or json"));
-        }
-    }
-    Ok(Outcome::of(good))
 }
 
 #[cfg(test)]

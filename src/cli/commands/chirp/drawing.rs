@@ -1,4 +1,4 @@
-//! What the drawings of a cam-driven oscillator show.
+//! Drawings of a cam-driven oscillator.
 
 use crate::cli::failure::Failure;
 use mechaudit::machine::cam_oscillator::{CamOscillator, LawChart, Run};

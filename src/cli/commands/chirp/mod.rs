@@ -26,8 +26,8 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
         (None, Some(_)) => ChirpRows::Chart,
         (None, None) => ChirpRows::Spectrum,
     });
-    let missing = |table: &str| {
-        let text = format!("the table [{table}] is missing");
+    let missing = |section: &str| {
+        let text = format!("the section [{section}] is missing");
         Failure::new(text).about(args.file.display())
     };
     match wanted {

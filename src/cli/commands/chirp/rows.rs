@@ -37,7 +37,7 @@ pub fn chart_line(chart: &LawChart) -> String {
     )
 }
 
-/// How many harmonics there are and what is left out.
+/// The number of harmonics and the bound on those left out.
 pub fn harmonics_line(machine: &CamOscillator) -> String {
     let series = FourierSeries::new(&machine.drive.cycle);
     let n = machine.harmonics;

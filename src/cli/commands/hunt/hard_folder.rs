@@ -14,13 +14,12 @@ fn file(folder: &Path, method: &dyn Method) -> PathBuf {
 /// The hard cases of a method and the text that holds them; nothing if there is no file.
 fn held(folder: &Path, method: &dyn Method) -> Result<Option<(String, Vec<HardCase>)>, Failure> {
     let path = file(folder, method);
-    let refused = |e: &dyn std::fmt::Display| Failure::new(format!("{}: {e}", path.display()));
     let text = match std::fs::read_to_string(&path) {
         Ok(text) => text,
         Err(e) if e.kind() == ErrorKind::NotFound => return Ok(None),
-        Err(e) => return Err(refused(&format!("cannot be read: {e}"))),
+        Err(e) => return Err(Failure::cannot("read", &path, e)),
     };
-    let mut cases = HardCase::read_of(method, &text).map_err(|e| refused(&e))?;
+    let mut cases = HardCase::read_of(method, &text).map_err(|e| Failure::in_file(&path, e))?;
     for case in &mut cases {
         case.folder = Some(folder.to_string_lossy().into_owned());
     }
@@ -67,8 +66,7 @@ pub fn add(
     worse: impl FnOnce(&[HardCase]) -> Vec<HardCase>,
 ) -> Result<Vec<(usize, HardCase)>, Failure> {
     let path = file(folder, method);
-    let _lock =
-        lock(folder).map_err(|e| Failure::new(format!("cannot lock {}: {e}", folder.display())))?;
+    let _lock = lock(folder).map_err(|e| Failure::cannot("lock", folder, e))?;
     let (mut text, known) = held(folder, method)?.unwrap_or_default();
     let new = worse(&known);
     if new.is_empty() {

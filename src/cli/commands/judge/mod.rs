@@ -2,19 +2,24 @@
 
 pub mod published;
 
-use crate::cli::answers::{Answers, Next};
-use crate::cli::args::JudgeArgs;
+use crate::cli::answers::{Answers, Form, Next};
+use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
 use crate::cli::commands::audit::find;
+use crate::cli::commands::audit::written::{self, Besides};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::process::bounded::Bounded;
-use crate::cli::process::candidate::{BATCH, Judged, failures_kept, judge_batch, scoped};
+use crate::cli::process::candidate::{BATCH, judge_batch};
 use crate::cli::process::wire::{LONGEST, Line, Lines};
 use crate::cli::progress::Progress;
-use mechaudit::audit::{Case, Layout, Method, Origin, Settings, SolverAnswer, Tally, judge_case};
+use crate::cli::scope;
+use mechaudit::audit::{
+    CandidateReport, Case, Layout, Method, Origin, Reproduce, Settings, SolverAnswer, Tally,
+    judge_case,
+};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Judges them.
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
@@ -27,21 +32,28 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             "--inputs and --values, or --table, are needed",
         ));
     };
-    let method = scoped(&*method, &args.scope)?.without_laws();
-    let settings = Settings::default();
+    let output = Output::open(args.output.as_deref())?;
+    let method = scope::judged(&*method, &args.scope)?.without_laws();
+    let settings = Settings {
+        points: match args.format {
+            AuditFormat::Html => written::POINTS,
+            _ => 0,
+        },
+        ..Settings::default()
+    };
     let mut inputs = Inputs::open(&method, inputs_path)?;
     let total = count(inputs_path);
-    let values = Answers::of(reader(values_path)?);
-    let unreadable = |e| Failure::new(format!("cannot read {}: {e}", values_path.display()));
-    let mut tally = Tally::new(&method, failures_kept(args.format));
+    let mut values = Answers::of(reader(values_path)?, Form::Lines);
+    let unreadable = |e| Failure::cannot("read", values_path, e);
+    let mut tally = Tally::new(&method, &settings);
     let progress = Progress::new();
     let mut answered = 0u64;
     let mut batch = Vec::new();
     // The first input without an answer.
     let mut open = None;
     while let Some(case) = inputs.read()? {
-        let line = match values.next(None) {
-            Next::Answer(line) => line,
+        let answer = match values.next(None) {
+            Next::Answer(answer) => answer,
             Next::Unreadable(e) => return Err(unreadable(e)),
             Next::Interrupted => {
                 tally.interrupt();
@@ -55,7 +67,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         answered += 1;
         let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
         if args.line.is_none_or(wanted) {
-            batch.push((case, line.answer()));
+            batch.push((case, answer));
         }
         if batch.len() == BATCH {
             judge_batch(&method, &settings, std::mem::take(&mut batch), &mut tally);
@@ -71,11 +83,11 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         trouble = Some(format!("Interrupted after {answered} answers."));
     } else if let Some(case) = open {
         let why = format!("the values end after {answered} answers");
-        let answer = SolverAnswer::Fails(why.clone());
-        tally.add(judge_case(&method, case, answer, &settings));
+        let answer = SolverAnswer::Unanswered(why.clone());
+        tally.add(&judge_case(&method, case, answer, &settings));
         let mut left = 1;
-        while inputs.read()?.is_some() {
-            tally.unanswered(1);
+        while let Some(left_over) = inputs.read()? {
+            tally.unanswered(left_over.region, 1);
             left += 1;
         }
         trouble = Some(format!("{why}; {left} inputs are left"));
@@ -90,27 +102,36 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         }
     }
     drop(progress);
-    let report = tally.finish(&method, &settings);
+    let mut report = tally.finish(&method);
     if report.cases == 0 && !report.interrupted {
         let what = args
             .line
             .map_or("no inputs".into(), |n| format!("no input on line {n}"));
         return Err(Failure::new(format!("{}: {what}", inputs_path.display())));
     }
-    let judged = Judged {
-        report,
-        answered: answered as usize,
+    let header = values.header();
+    let name = format!("answers in {}", values_path.display());
+    report.candidate = Some(CandidateReport {
+        name: header.name.unwrap_or(name),
+        version: header.version,
+        command: None,
+        answered,
         trouble,
+    });
+    let file = |path: &Path| shell_words::quote(&path.to_string_lossy()).into_owned();
+    report.reproduce = Reproduce {
+        head: format!(
+            "mechaudit judge {} --inputs {} --values {}",
+            method.name(),
+            file(inputs_path),
+            file(values_path)
+        ),
+        tail: scope::words(&args.scope, &WhereArgs::default())
+            .iter()
+            .map(|w| format!(" {w}"))
+            .collect(),
     };
-    judged.write(Output::open(None)?, args.format, &|case| {
-        format!(
-            "mechaudit judge {} --inputs {} --values {} {}",
-            case.method,
-            shell_words::quote(&inputs_path.to_string_lossy()),
-            shell_words::quote(&values_path.to_string_lossy()),
-            case.place()
-        )
-    })
+    written::write(&[report], args.format, output, &Besides::default())
 }
 
 /// Inputs of a file, for the progress; nothing is known of a pipe.
@@ -129,10 +150,7 @@ fn count(path: &Path) -> Option<u64> {
 fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
     let input: Box<dyn Read + Send> = match path == Path::new("-") {
         true => Box::new(std::io::stdin()),
-        false => Box::new(
-            File::open(path)
-                .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?,
-        ),
+        false => Box::new(File::open(path).map_err(|e| Failure::cannot("read", path, e))?),
     };
     // A line that is too long costs its own case; one without an end would cost all time.
     let bounded = Bounded::new(input, 64 * LONGEST, usize::MAX);
@@ -142,7 +160,7 @@ fn reader(path: &Path) -> Result<Box<dyn BufRead + Send>, Failure> {
 /// The cases in a file of inputs.
 struct Inputs {
     lines: Lines<Box<dyn BufRead + Send>>,
-    path: String,
+    path: PathBuf,
     method: &'static str,
     layout: Layout,
     regions: Vec<&'static str>,
@@ -154,7 +172,7 @@ impl Inputs {
         let regions = method.domain().regions;
         Ok(Inputs {
             lines: Lines::new(reader(path)?),
-            path: path.display().to_string(),
+            path: path.into(),
             method: method.name(),
             layout: Layout::new(method),
             regions: regions.iter().map(|r| r.name).collect(),
@@ -165,7 +183,7 @@ impl Inputs {
     fn read(&mut self) -> Result<Option<Case>, Failure> {
         loop {
             let read = self.lines.read_any();
-            let read = read.map_err(|e| Failure::new(format!("cannot read {}: {e}", self.path)))?;
+            let read = read.map_err(|e| Failure::cannot("read", &self.path, e))?;
             let Some(line) = read else { return Ok(None) };
             if let Some(comment) = line.comment() {
                 self.region(comment);
@@ -193,7 +211,7 @@ impl Inputs {
         let input = line.input()?;
         self.layout
             .lengths(&input)
-            .map_err(|e| Failure::new(format!("inputs, line {}: {e}", line.number)))?;
+            .map_err(|e| Failure::caused(e).about(format!("inputs, line {}", line.number)))?;
         Ok(Case {
             method: self.method,
             region: self.region,

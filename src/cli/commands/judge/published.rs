@@ -1,14 +1,15 @@
 //! Judging a published table of values, entry by entry.
 
-use crate::cli::args::TextOrJson;
+use crate::cli::args::AuditFormat;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{print_json, write_to};
 use crate::cli::process::bounded::Bounded;
 use crate::cli::process::wire::{FIELDS, LONGEST};
 use mechaudit::audit::{
-    Agreement, Column, EntryJudgement, Layout, Method, Settings, did_you_mean, judge_printed,
+    Agreement, Column, EntryJudgement, Layout, LayoutError, Method, Settings, did_you_mean,
+    judge_printed,
 };
-use mechaudit::reference::Decimal;
+use mechaudit::reference::{Decimal, DecimalError};
 use mechaudit::report::text::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use mechaudit::report::words::numbers::short;
@@ -21,6 +22,60 @@ use std::path::Path;
 /// The largest table, and the longest field of one.
 const WHOLE: usize = 64 << 20;
 const FIELD: usize = 1000;
+
+/// Text that holds no table of the method's values.
+#[derive(Debug, thiserror::Error)]
+pub enum TableError {
+    #[error("{}", reason(.0))]
+    Csv(#[from] csv::Error),
+    #[error("more than {FIELDS} columns")]
+    TooManyColumns,
+    #[error("two columns are named {0}")]
+    SameColumn(String),
+    #[error("{method} has no column {name:?}{}; it has: {}", did_you_mean(.name, .known), .known.join(", "))]
+    NoColumn {
+        method: &'static str,
+        name: String,
+        known: Vec<String>,
+    },
+    #[error("{name} is in [{due}], not in [{unit}]: convert the column")]
+    Unit {
+        name: String,
+        due: &'static str,
+        unit: String,
+    },
+    #[error("no column is named as an output of {method}: {}", .outputs.join(", "))]
+    NoOutput {
+        method: &'static str,
+        outputs: Vec<String>,
+    },
+    #[error("the column {column} of {method} is missing")]
+    NoInput {
+        method: &'static str,
+        column: String,
+    },
+    #[error("line {line}")]
+    Line { line: u64, source: RowError },
+    #[error("there are no entries")]
+    Empty,
+}
+
+/// A line that is no row of the table.
+#[derive(Debug, thiserror::Error)]
+pub enum RowError {
+    #[error("{found} fields where {due} are due")]
+    Fields { found: usize, due: usize },
+    #[error("a field is longer than {FIELD} bytes")]
+    LongField,
+    #[error(transparent)]
+    Decimal(#[from] DecimalError),
+    #[error("{0} is empty")]
+    NoInput(String),
+    #[error(transparent)]
+    Layout(#[from] LayoutError),
+    #[error("the lengths do not fit: {0}")]
+    Lengths(String),
+}
 
 /// A line of the table as printed.
 pub struct Row {
@@ -48,10 +103,9 @@ struct Judged {
 
 /// Judges the table in a CSV file, whose columns are named as the method's inputs, taken exactly as
 /// printed, and its outputs.
-pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Outcome, Failure> {
-    let named = |e: String| Failure::new(format!("{}: {e}", path.display()));
-    let file = std::fs::File::open(path).map_err(|e| named(e.to_string()))?;
-    let (header, rows) = read(method, file).map_err(named)?;
+pub fn judge(method: &dyn Method, path: &Path, format: AuditFormat) -> Result<Outcome, Failure> {
+    let file = std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?;
+    let (header, rows) = read(method, file).map_err(|e| Failure::in_file(path, e))?;
     let settings = Settings::default();
     let judged: Vec<Judged> = rows
         .into_par_iter()
@@ -73,7 +127,7 @@ pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Out
     let agreeing = count(Agreement::Agrees);
     let good = !judged.is_empty() && agreeing == judged.len();
     match format {
-        TextOrJson::Text => write_to(None, |out| {
+        AuditFormat::Text => write_to(None, |out| {
             let (word, style) = if good { ("pass", GOOD) } else { ("FAIL", BAD) };
             let (all, name) = (judged.len(), paint(BOLD, method.name()));
             let word = paint(style, word);
@@ -92,7 +146,7 @@ pub fn judge(method: &dyn Method, path: &Path, format: TextOrJson) -> Result<Out
             }
             Ok(())
         })?,
-        TextOrJson::Json => {
+        _ => {
             let entries = judged.iter().map(|j| {
                 json!({
                     "line": j.line,
@@ -146,23 +200,23 @@ fn table(header: &[String], judged: &[Judged]) -> String {
 pub fn read(
     method: &dyn Method,
     input: impl std::io::Read,
-) -> Result<(Vec<String>, Vec<Row>), String> {
+) -> Result<(Vec<String>, Vec<Row>), TableError> {
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
         .flexible(true)
         .from_reader(Bounded::new(input, LONGEST, WHOLE));
     let layout = Layout::new(method);
-    let header = reader.headers().map_err(|e| reason(&e))?;
+    let header = reader.headers()?;
     if header.len() > FIELDS {
-        return Err(format!("more than {FIELDS} columns"));
+        return Err(TableError::TooManyColumns);
     }
     let mut names = Vec::new();
     let mut columns = Vec::new();
     for text in header {
         let (name, column) = column(method, &layout, text)?;
         if names.contains(&name) {
-            return Err(format!("two columns are named {name}"));
+            return Err(TableError::SameColumn(name));
         }
         names.push(name);
         columns.push(column);
@@ -170,17 +224,13 @@ pub fn read(
     complete(method, &layout, &columns)?;
     let mut rows = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|e| reason(&e))?;
+        let record = record?;
         let line = record.position().map_or(0, csv::Position::line);
-        let fields = record.len();
-        let row = match fields == columns.len() {
-            true => row(&layout, &columns, &record, line),
-            false => Err(format!("{fields} fields where {} are due", columns.len())),
-        };
-        rows.push(row.map_err(|e| format!("line {line}: {e}"))?);
+        let row = row(&layout, &columns, &record, line);
+        rows.push(row.map_err(|source| TableError::Line { line, source })?);
     }
     if rows.iter().all(|r| r.entries.is_empty()) {
-        return Err("there are no entries".into());
+        return Err(TableError::Empty);
     }
     Ok((names, rows))
 }
@@ -198,38 +248,38 @@ fn reason(e: &csv::Error) -> String {
 }
 
 /// A column by its name, which a unit in brackets may follow.
-fn column(method: &dyn Method, layout: &Layout, text: &str) -> Result<(String, Column), String> {
+fn column(
+    method: &dyn Method,
+    layout: &Layout,
+    text: &str,
+) -> Result<(String, Column), TableError> {
     let (name, unit) = match text.strip_suffix(']').and_then(|t| t.split_once(" [")) {
         Some((name, unit)) => (name.trim_end(), Some(unit)),
         None => (text, None),
     };
     let Some(column) = layout.column(name) else {
-        let known = layout.columns();
-        let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        return Err(format!(
-            "{} has no column {name:?}{}; it has: {}",
-            method.name(),
-            did_you_mean(name, &known),
-            known.join(", ")
-        ));
+        return Err(TableError::NoColumn {
+            method: method.name(),
+            name: name.into(),
+            known: layout.columns(),
+        });
     };
     match (unit, layout.unit(column)) {
-        (Some(unit), due) if unit != due => Err(format!(
-            "{name} is in [{due}], not in [{unit}]: convert the column"
-        )),
+        (Some(unit), due) if unit != due => Err(TableError::Unit {
+            name: name.into(),
+            due,
+            unit: unit.into(),
+        }),
         _ => Ok((name.into(), column)),
     }
 }
 
 /// Whether every input has its column, and there is something to judge.
-fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<(), String> {
-    let name = method.name();
+fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<(), TableError> {
+    let method = method.name();
     if !columns.iter().any(|c| matches!(c, Column::Value(_))) {
-        let outputs: Vec<String> = layout.columns().split_off(layout.parts());
-        return Err(format!(
-            "no column is named as an output of {name}: {}",
-            outputs.join(", ")
-        ));
+        let outputs = layout.columns().split_off(layout.parts());
+        return Err(TableError::NoOutput { method, outputs });
     }
     for part in 0..layout.parts() {
         let there = |index| columns.contains(&Column::Input { part, index });
@@ -243,8 +293,8 @@ fn complete(method: &dyn Method, layout: &Layout, columns: &[Column]) -> Result<
             (false, last) => last.map_or(0, |k| k + 1),
         };
         if let Some(k) = (0..due).find(|k| !there(*k)) {
-            let missing = layout.input_column(part, k);
-            return Err(format!("the column {missing} of {name} is missing"));
+            let column = layout.input_column(part, k);
+            return Err(TableError::NoInput { method, column });
         }
     }
     Ok(())
@@ -256,7 +306,13 @@ fn row(
     columns: &[Column],
     record: &csv::StringRecord,
     line: u64,
-) -> Result<Row, String> {
+) -> Result<Row, RowError> {
+    if record.len() != columns.len() {
+        return Err(RowError::Fields {
+            found: record.len(),
+            due: columns.len(),
+        });
+    }
     let mut parts: Vec<BTreeMap<usize, Rational>> = vec![BTreeMap::new(); layout.parts()];
     let mut entries = Vec::new();
     for (k, (text, column)) in record.iter().zip(columns).enumerate() {
@@ -265,9 +321,9 @@ fn row(
             continue;
         }
         if text.len() > FIELD {
-            return Err(format!("a field is longer than {FIELD} bytes"));
+            return Err(RowError::LongField);
         }
-        let number = Decimal::parse(text).map_err(|e| e.to_string())?;
+        let number = Decimal::parse(text)?;
         match *column {
             Column::Input { part, index } => {
                 parts[part].insert(index, number.value);
@@ -286,19 +342,19 @@ fn row(
             false => found.last_key_value().map_or(0, |(k, _)| k + 1),
         };
         if let Some(k) = (0..due).find(|k| !found.contains_key(k)) {
-            return Err(format!("{} is empty", layout.input_column(part, k)));
+            return Err(RowError::NoInput(layout.input_column(part, k)));
         }
     }
     let found: Vec<usize> = parts.iter().map(BTreeMap::len).collect();
     let input: Vec<Rational> = parts.into_iter().flat_map(BTreeMap::into_values).collect();
     let nearest: Vec<f64> = input.iter().map(Rational::to_f64).collect();
-    let due = layout.lengths(&nearest).map_err(|e| e.to_string())?;
+    let due = layout.lengths(&nearest)?;
     match due == found {
         true => Ok(Row {
             line,
             input,
             entries,
         }),
-        false => Err(format!("the lengths do not fit: {}", layout.input())),
+        false => Err(RowError::Lengths(layout.input())),
     }
 }

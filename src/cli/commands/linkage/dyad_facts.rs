@@ -1,4 +1,4 @@
-//! What is known of a four-bar linkage or slider-crank as a whole, in words and as JSON.
+//! Type, range and dead positions of a four-bar linkage or slider-crank, in words and as JSON.
 
 use mechaudit::machine::dyad::{Dyad, Shape, Turn, dead, number, swing, turn};
 use mechaudit::solvers::dyad::{Assembly, FourBar, GrashofType};

@@ -1,4 +1,4 @@
-//! What is known of a linkage of class III and its branch, in words and as JSON.
+//! Range, dead positions and folds of a class-III linkage, in words and as JSON.
 
 use mechaudit::machine::class_iii::{Branch, End, Linkage, Reach, TURNS};
 use mechaudit::solvers::class_iii::Fold;

@@ -27,8 +27,9 @@ pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
         PaperFormat::Json => json(&ledger)?,
         PaperFormat::Html => html::ledger::page(&ledger),
         PaperFormat::Latex => latex::ledger(&ledger),
-        PaperFormat::Errata => crate::cli::commands::regenerate::errata::text(&ledger)
-            .map_err(|e| Failure::new(e.to_string()))?,
+        PaperFormat::Errata => {
+            crate::cli::commands::regenerate::errata::text(&ledger).map_err(Failure::caused)?
+        }
         PaperFormat::Csv => return Err(Failure::new("a ledger has no CSV form")),
     };
     if args.check {
@@ -45,8 +46,7 @@ pub fn ledger(args: &PaperArgs) -> Result<Outcome, Failure> {
 }
 
 fn json<T: serde::Serialize>(value: &T) -> Result<String, Failure> {
-    let text = serde_json::to_string_pretty(value);
-    let text = text.map_err(|e| Failure::new(e.to_string()))?;
+    let text = serde_json::to_string_pretty(value).map_err(Failure::caused)?;
     Ok(text + "\n")
 }
 
@@ -55,8 +55,7 @@ fn check(args: &PaperArgs, written: &str) -> Result<Outcome, Failure> {
     let Some(path) = &args.output else {
         return Err(Failure::new("--check needs --output FILE to compare with"));
     };
-    let held = std::fs::read_to_string(path)
-        .map_err(|e| Failure::new(format!("cannot read {}: {e}", path.display())))?;
+    let held = std::fs::read_to_string(path).map_err(|e| Failure::cannot("read", path, e))?;
     // Colour is for terminals; files never have any.
     let plain = anstream::adapter::strip_str(written).to_string();
     let same = held == plain;

@@ -1,5 +1,6 @@
-//! A generated file: what its header says, and whether it still holds.
+//! A generated file: its header, and the check against it.
 
+use mechaudit::audit::{Origin, Uncertified};
 use mechaudit::report::words::numbers::clipped;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
@@ -8,6 +9,29 @@ use std::path::PathBuf;
 
 /// A calculation that may stay undecided.
 pub type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// Why a file cannot be made, where no layer below says it.
+#[derive(Debug, thiserror::Error)]
+pub enum MakeError {
+    #[error("there is no paper {0:?}")]
+    NoPaper(&'static str),
+    #[error("the content is no JSON object")]
+    NoObject,
+    #[error("{what}: a rounding is undecided at {bits} bits")]
+    Rounding { what: String, bits: u32 },
+    #[error("{digits} digits are undecided at {bits} bits")]
+    Digits { digits: usize, bits: u32 },
+    #[error("{what} is not an f64")]
+    NotExact { what: String },
+    #[error("the polynomials leave out {0:e}")]
+    LeftOut(f64),
+    #[error("{0:?} is no case of a region")]
+    NotOfRegion(Origin),
+    #[error("{case}")]
+    Case { case: String, source: Uncertified },
+    #[error("{case}: value {value} is undecided")]
+    Value { case: String, value: usize },
+}
 
 /// What a recipe gives.
 pub struct Made {
@@ -66,7 +90,7 @@ pub fn document(name: &str, form: Form, made: &Made) -> Outcome<String> {
         let mut whole = Map::new();
         whole.insert("generated".into(), header.into());
         let Value::Object(content) = serde_json::from_str(&made.body)? else {
-            return Err("the content is no JSON object".into());
+            return Err(MakeError::NoObject.into());
         };
         whole.extend(content);
         return Ok(serde_json::to_string_pretty(&whole)? + "\n");

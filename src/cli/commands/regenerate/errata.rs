@@ -1,4 +1,4 @@
-//! What is wrong in a paper as printed.
+//! Errata of a paper.
 
 use super::artefact::{Form, Made, Outcome, document};
 use mechaudit::papers::ledger::Ledger;

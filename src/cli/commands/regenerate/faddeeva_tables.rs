@@ -1,20 +1,22 @@
-//! The numbers behind the `f64` Faddeeva function and its relatives, from the certified reference:
-//! `tables.rs`, `constants.rs` and `relatives_tables.rs` in `src/solvers/special/faddeeva/`.
+//! The numbers behind the `f64` Faddeeva function, its relatives and the exponential below them, from the
+//! certified reference: `tables.rs`, `constants.rs` and `relatives_tables.rs` in
+//! `src/solvers/special/faddeeva/`, `tables.rs` in `src/solvers/arithmetic/`.
 //!
 //! Every number is the `f64` nearest to the exact one, and every second or third part of a number
 //! the `f64` nearest to the exact rest: both ends of a ball have to round to it. Where they do not,
 //! the precision is doubled; at [`LAST_BITS`] it gives up.
 
+mod arithmetic;
 mod real_line;
 mod relatives;
 
+pub use arithmetic::tables as arithmetic_tables;
 pub use relatives::{constants, tables as relatives_tables};
 
-use super::artefact::{Made, Outcome};
+use super::artefact::{Made, MakeError, Outcome};
 use mechaudit::reference::{Ball, ComplexBall, Undecided, faddeeva};
-use rug::float::Round;
+use rug::Rational;
 use rug::ops::Pow;
-use rug::{Float, Integer, Rational};
 use std::fmt::Write as _;
 
 const FIRST_BITS: u32 = 256;
@@ -27,10 +29,6 @@ const REAL_AXIS: (i64, i64, i64) = (18, 144, 16);
 /// Zeros, and coefficients `g_0 … g_19` of each.
 const ZEROS: u32 = 12;
 const ZERO_TERMS: usize = 20;
-/// Binary digits of 2/π in words of 64: the product with `2^1024 · 2^1025` needs those up to 2300.
-const WORDS: u32 = 40;
-/// `1/n!` for n below this.
-const FACTORIALS: u32 = 32;
 /// The step 23/64 of the trapezoidal rule, and its nodes.
 const STEP: (i64, i64) = (23, 64);
 const NODES: i64 = 24;
@@ -64,7 +62,11 @@ fn decided<T>(what: &str, f: impl Fn(u32) -> Result<Option<T>, Undecided>) -> Ou
         }
         bits *= 2;
     }
-    Err(format!("{what}: a rounding is undecided at {LAST_BITS} bits").into())
+    Err(MakeError::Rounding {
+        what: what.into(),
+        bits: LAST_BITS,
+    }
+    .into())
 }
 
 /// `c_0`, `c_1` in two parts, then blocks of four real and four imaginary parts.
@@ -290,46 +292,6 @@ fn zero_table(tables: &mut Tables) -> Outcome<()> {
     Ok(())
 }
 
-fn two_over_pi(tables: &mut Tables) -> Outcome<()> {
-    tables.open(
-        "The binary digits of 2/π after the point, sixty-four in a word.",
-        "TWO_OVER_PI_BITS",
-        &format!("[u64; {WORDS}]"),
-    );
-    let digits = 64 * WORDS;
-    let whole = decided("2/π", |bits| {
-        let prec = digits + bits;
-        let q = Ball::integer(prec, 2) / &Ball::pi(prec);
-        let floor = |x: &Float| -> Option<Integer> {
-            let x = Float::with_val(prec, x << digits);
-            Some(x.to_integer_round(Round::Down)?.0)
-        };
-        let (low, high) = (floor(&q.lower()), floor(&q.upper()));
-        Ok(if low == high { low } else { None })
-    })?;
-    for at in (0..WORDS).rev() {
-        let word = Integer::from(&whole >> (64 * at)).to_u64_wrapping();
-        let _ = writeln!(tables.text, "    {word:#018x},");
-    }
-    tables.close();
-    Ok(())
-}
-
-fn factorials(tables: &mut Tables) -> Outcome<()> {
-    tables.open(
-        "`1/n!` in two parts.",
-        "INVERSE_FACTORIAL",
-        &format!("[[f64; 2]; {FACTORIALS}]"),
-    );
-    for n in 0..FACTORIALS {
-        let q = Rational::from((1, Integer::from(Integer::factorial(n))));
-        let row = decided("1/n!", |bits| Ok(parts::<2>(&Ball::rational(bits, &q))))?;
-        let _ = writeln!(tables.text, "    {row:?},");
-    }
-    tables.close();
-    Ok(())
-}
-
 /// The square of node `k` of a rule.
 fn node_square(rule: i64, k: i64) -> Rational {
     Rational::from(((2 * k + rule) * STEP.0, 2 * STEP.1)).pow(2)
@@ -350,7 +312,8 @@ fn trapezoidal(tables: &mut Tables) -> Outcome<()> {
             let tau = node_square(rule, k);
             let value = tau.to_f64();
             if tau != value {
-                return Err(format!("the square of node {k} is not an f64").into());
+                let what = format!("the square of node {k}");
+                return Err(MakeError::NotExact { what }.into());
             }
             row.push(value);
         }
@@ -391,8 +354,6 @@ pub fn tables() -> Outcome<Made> {
     let mut tables = Tables::default();
     cell_tables(&mut tables)?;
     zero_table(&mut tables)?;
-    two_over_pi(&mut tables)?;
-    factorials(&mut tables)?;
     trapezoidal(&mut tables)?;
     real_line::polynomials(&mut tables)?;
     let body = format!(

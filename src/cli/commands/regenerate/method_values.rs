@@ -1,8 +1,10 @@
 //! Certified values of a method at inputs from every region of its domain.
 
-use super::artefact::{Made, Outcome};
+use super::artefact::{Made, MakeError, Outcome};
 use crate::cli::process::wire;
-use mechaudit::audit::{Case, Cases, Due, Layout, Method, Origin, ReferenceAnswer, Settings};
+use mechaudit::audit::{
+    Case, Cases, Due, Layout, Method, Origin, ReferenceAnswer, Settings, Uncertified,
+};
 use mechaudit::reference::Ball;
 use rayon::prelude::*;
 use rug::Rational;
@@ -33,7 +35,7 @@ of a random case, see `mechaudit points --help`.";
 pub fn made(method: &dyn Method) -> Outcome<Made> {
     let settings = Settings::default();
     let cases = chosen(method, &settings)?;
-    let rows: Result<Vec<Row>, String> = cases
+    let rows: Result<Vec<Row>, MakeError> = cases
         .par_iter()
         .map(|case| row(method, case, &settings))
         .collect();
@@ -43,7 +45,7 @@ pub fn made(method: &dyn Method) -> Outcome<Made> {
         let place = match &case.origin {
             Origin::CheckPoint { name } => (*name).to_string(),
             Origin::Random { index, .. } => index.to_string(),
-            other => return Err(format!("{other:?} is no case of a region").into()),
+            other => return Err(MakeError::NotOfRegion(other.clone()).into()),
         };
         let input = wire::line(&case.input, false).replace(',', " ");
         let start = format!("{},{place},{input}", case.region);
@@ -104,8 +106,12 @@ struct Row {
     condition: String,
 }
 
-fn row(method: &dyn Method, case: &Case, settings: &Settings) -> Result<Row, String> {
+fn row(method: &dyn Method, case: &Case, settings: &Settings) -> Result<Row, MakeError> {
     let exact: Option<Vec<Rational>> = case.input.iter().map(|&x| Rational::from_f64(x)).collect();
+    let failed = |source| MakeError::Case {
+        case: case.reproduce(),
+        source,
+    };
     let mut bits = settings.first_bits;
     let dues = loop {
         let answer = match &exact {
@@ -126,9 +132,8 @@ fn row(method: &dyn Method, case: &Case, settings: &Settings) -> Result<Row, Str
                 bits *= 2;
                 continue;
             }
-            ReferenceAnswer::Undecided(why) | ReferenceAnswer::Failed(why) => {
-                return Err(format!("{}: {why}", case.reproduce()));
-            }
+            ReferenceAnswer::Undecided(why) => return Err(failed(Uncertified::Undecided(why))),
+            ReferenceAnswer::Failed(why) => return Err(failed(Uncertified::Failed(why))),
         };
         let open = |b: &Ball| match b.is_finite() {
             true => bits < LAST_BITS && !b.is_zero() && b.accuracy_bits() < NEEDED,
@@ -147,7 +152,10 @@ fn row(method: &dyn Method, case: &Case, settings: &Settings) -> Result<Row, Str
             Some(ball) => ball.to_decimal_with_radius(DIGITS),
             None => due.to_decimal(DIGITS).map(|text| (text, "0".to_string())),
         }
-        .ok_or_else(|| format!("{}: value {i} is undecided", case.reproduce()))?;
+        .ok_or_else(|| MakeError::Value {
+            case: case.reproduce(),
+            value: i,
+        })?;
         values.push(value);
         radii.push(radius);
         let size = due.number().map_or(f64::NAN, |b| b.to_f64().abs());

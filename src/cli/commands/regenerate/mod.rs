@@ -1,4 +1,4 @@
-//! Everything generated, made anew or compared.
+//! Generated files: regenerated, or compared with what is held.
 
 mod artefact;
 pub mod errata;
@@ -8,10 +8,10 @@ mod sand_screen;
 
 use crate::cli::args::RegenerateArgs;
 use crate::cli::complain;
-use crate::cli::failure::{Failure, Outcome};
+use crate::cli::failure::{Failure, Outcome, chain};
 use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
-use artefact::{Artefact, Form, Made, broken, difference};
+use artefact::{Artefact, Form, Made, MakeError, broken, difference};
 use mechaudit::report::text::style::{BAD, DIM, GOOD, paint};
 use mechaudit::{methods, papers};
 use std::io::ErrorKind;
@@ -19,7 +19,7 @@ use std::path::Path;
 
 const VALUES: &str = "reference/values";
 const PUBLISHED: &str = "reference/published";
-const FADDEEVA: &str = "src/solvers/special/faddeeva";
+const SOLVERS: &str = "src/solvers";
 
 /// Every generated file.
 fn artefacts() -> Vec<Artefact> {
@@ -31,7 +31,7 @@ fn artefacts() -> Vec<Artefact> {
     };
     let rust = |name: &str, file: &str, make: fn() -> artefact::Outcome<Made>| Artefact {
         name: name.into(),
-        path: Path::new(FADDEEVA).join(file),
+        path: Path::new(SOLVERS).join(file),
         form: Form::Rust,
         make: Box::new(make),
     };
@@ -40,7 +40,7 @@ fn artefacts() -> Vec<Artefact> {
         path: Path::new(PUBLISHED).join(format!("{}.json", errata::name(key))),
         form: Form::Json,
         make: Box::new(move || {
-            let ledger = papers::ledger_of(key).ok_or("there is no such paper")?;
+            let ledger = papers::ledger_of(key).ok_or(MakeError::NoPaper(key))?;
             errata::made(&ledger)
         }),
     };
@@ -54,15 +54,24 @@ fn artefacts() -> Vec<Artefact> {
     all.push(csv("sand-screen-run-up", Box::new(sand_screen::made)));
     all.extend(papers::keys().into_iter().map(errata));
     all.extend([
-        rust("faddeeva-tables", "tables.rs", faddeeva_tables::tables),
+        rust(
+            "arithmetic-tables",
+            "arithmetic/tables.rs",
+            faddeeva_tables::arithmetic_tables,
+        ),
+        rust(
+            "faddeeva-tables",
+            "special/faddeeva/tables.rs",
+            faddeeva_tables::tables,
+        ),
         rust(
             "faddeeva-constants",
-            "constants.rs",
+            "special/faddeeva/constants.rs",
             faddeeva_tables::constants,
         ),
         rust(
             "faddeeva-relatives-tables",
-            "relatives_tables.rs",
+            "special/faddeeva/relatives_tables.rs",
             faddeeva_tables::relatives_tables,
         ),
     ]);
@@ -82,7 +91,7 @@ fn chosen(names: &[String]) -> Result<Vec<Artefact>, Failure> {
 /// Makes or compares what the arguments name.
 pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
     let chosen = chosen(&args.names)?;
-    for folder in [VALUES, PUBLISHED, FADDEEVA] {
+    for folder in [VALUES, PUBLISHED, SOLVERS] {
         if !args.root.join(folder).is_dir() {
             return Err(Failure::new(format!(
                 "{} holds no {folder}: --root has to be the folder of mechaudit's sources",
@@ -104,7 +113,7 @@ pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
             Ok(text) => text,
             Err(e) => {
                 progress.clear();
-                complain(&format!("{}: {e}", artefact.name));
+                complain(&format!("{}: {}", artefact.name, chain(&*e)));
                 continue;
             }
         };
@@ -142,7 +151,7 @@ fn line(artefact: &Artefact, what: &str) -> Result<(), Failure> {
     write_to(None, |out| Ok(writeln!(out, "{path}: {what}")?))
 }
 
-/// What is in a file that is not what it should be.
+/// The first difference of a file, and whether its digest is broken.
 fn fault(form: Form, found: &str, due: &str) -> String {
     let place = difference(found, due).unwrap_or_default();
     match broken(form, found) {
@@ -155,6 +164,39 @@ fn held(path: &Path) -> Result<Option<String>, Failure> {
     match std::fs::read_to_string(path) {
         Ok(text) => Ok(Some(text)),
         Err(e) if e.kind() == ErrorKind::NotFound => Ok(None),
-        Err(e) => Err(Failure::new(format!("cannot read {}: {e}", path.display()))),
+        Err(e) => Err(Failure::cannot("read", path, e)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// Every generated file of the folders is made and compared: none is left out of what is chosen without a name.
+    #[test]
+    fn no_file_of_the_folders_is_left_out() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let made: BTreeSet<_> = match chosen(&[]) {
+            Ok(all) => all.into_iter().map(|a| a.path).collect(),
+            Err(_) => panic!("without names all are chosen"),
+        };
+        let mut there = BTreeSet::new();
+        for (folder, ending) in [
+            (VALUES, ".csv"),
+            (PUBLISHED, "-errata.json"),
+            ("src/solvers/arithmetic", "tables.rs"),
+            ("src/solvers/special/faddeeva", "tables.rs"),
+            ("src/solvers/special/faddeeva", "constants.rs"),
+        ] {
+            for entry in std::fs::read_dir(root.join(folder)).expect("a folder") {
+                let name = entry.expect("an entry").file_name();
+                let name = name.to_str().expect("text").to_owned();
+                if name.ends_with(ending) {
+                    there.insert(Path::new(folder).join(name));
+                }
+            }
+        }
+        assert_eq!(made, there);
     }
 }

@@ -1,7 +1,7 @@
 //! The enclosed run-up of the sand screen: recovered masses, a motor by Kloss's formula at the
 //! crank, from rest.
 
-use super::artefact::{Made, Outcome};
+use super::artefact::{Made, MakeError, Outcome};
 use mechaudit::papers::zinchenko::data;
 use mechaudit::reference::run_up::{
     Coefficients, LinkageCurve, Motor, Run, free_motion_factor, integrate,
@@ -41,7 +41,10 @@ fn exactly(text: &str) -> Outcome<Rational> {
 
 fn digits(ball: &Ball) -> Outcome<String> {
     let text = ball.to_decimal(DIGITS);
-    text.ok_or_else(|| format!("{DIGITS} digits are undecided at {BITS} bits").into())
+    Ok(text.ok_or(MakeError::Digits {
+        digits: DIGITS,
+        bits: BITS,
+    })?)
 }
 
 /// Angle and speed at [`TIMES`], and the factor of the speed over a turn of free motion.

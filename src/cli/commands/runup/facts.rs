@@ -1,4 +1,4 @@
-//! What there is to say about a run besides its rows.
+//! Outcome, events, steady cycle and flywheel of a run, in words and as JSON.
 
 use mechaudit::machine::run_up::{Coefficients, Machine, Steady};
 use mechaudit::solvers::run_up::{Counts, Cycle, Event, EventKind, InertiaRange, Motion, Outcome};

@@ -1,4 +1,4 @@
-//! Work against precision: what each method costs for what accuracy, on the machine of the file.
+//! Work-precision rows: each integration method on the machine of the file.
 
 use crate::cli::args::RunupArgs;
 use crate::cli::complain;

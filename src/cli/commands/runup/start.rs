@@ -1,4 +1,4 @@
-//! Whether the start of a run is too short to be seen beside the rest.
+//! The window of a start too short to be seen beside the rest of the run.
 
 use mechaudit::solvers::run_up::Sample;
 

@@ -2,8 +2,9 @@
 
 mod regions;
 
-use crate::audit::{Budget, Domain, Law, Limit, Output, Proof, Reference, ReferenceAnswer};
-use crate::methods::definition::{Definition, Uncertified, exact};
+use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
+use crate::methods::common::{conditioned, held};
+use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::chirp_oscillator::{Problem, conditions, enclose, response};
 use crate::reference::faddeeva::Scaled;
@@ -73,11 +74,7 @@ impl Definition for ChirpResponse {
     const SOURCE: &'static str = "Gembara & Senyk (9), (10), (15), (18) with the corrections of their ledger; DLMF 7.2.3, 7.12.1";
 
     fn outputs() -> Vec<Output> {
-        let output = |name, unit| Output {
-            name,
-            unit,
-            budget: Budget::new(Limit::Conditioned(20.0), REASON),
-        };
+        let output = |name, unit| conditioned(name, unit, 20.0, REASON);
         vec![
             output("y", "m"),
             output("v", "m/s"),
@@ -98,18 +95,13 @@ impl Definition for ChirpResponse {
         values(i).map_err(|e| e.name())
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
-        let problem = match problem(i) {
-            Ok(problem) => problem,
-            Err(name) => return ReferenceAnswer::Refuses(name),
-        };
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        let problem = problem(i).map_err(Uncertified::Refused)?;
         let r = enclose(&problem, bits + GUARD);
-        ReferenceAnswer::Values(Reference {
-            values: r.components().map(Clone::clone).to_vec(),
-            proof: Proof::Bounded(
-                "closed form with the certified Faddeeva function in ball arithmetic",
-            ),
-        })
+        Ok(ReferenceAnswer::bounded(
+            r.components().map(Clone::clone).to_vec(),
+            "closed form with the certified Faddeeva function in ball arithmetic",
+        ))
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
@@ -172,17 +164,13 @@ fn equation(x: &[f64]) -> Option<f64> {
     Some(terms.iter().sum::<f64>().abs() / (16.0 * U * (scale + w * w * size)))
 }
 
-fn agree(a: &[f64], b: &[f64]) -> f64 {
-    if a == b { 0.0 } else { f64::INFINITY }
-}
-
 fn mirror(x: &[f64]) -> Option<f64> {
     let i = ChirpResponse::unpack(x)?;
     let here = values(i).ok()?;
     let (k, delta) = (-i.k, -i.delta);
     let mut there = values(ChirpResponseInput { k, delta, ..i }).ok()?;
     there[4] = -there[4];
-    Some(agree(&here, &there))
+    held(here == there)
 }
 
 fn unit(x: &[f64]) -> Option<f64> {
@@ -201,7 +189,7 @@ fn unit(x: &[f64]) -> Option<f64> {
     .ok()?;
     there[1] /= BY;
     there[2] /= BY * BY;
-    Some(agree(&here, &there))
+    held(here == there)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Where the chirp-forced oscillator is audited.
 
 use crate::audit::{CheckPoint, Draw, Region};
-use crate::methods::common::{point, region};
+use crate::methods::common::{points, region};
 use std::f64::consts::PI;
 
 /// A case from w, n/w, kε, kΩ₀ and t: splits kε and kΩ₀ by a whole k, adds a phase and, in half of
@@ -286,93 +286,31 @@ fn seam(d: &mut Draw) -> Vec<f64> {
     finish(d, [w, zeta, kappa, omega - kappa * t, t])
 }
 
+/// Columns: name, `w`, `n`, `eps`, `omega0`, `k`, `delta`, `y0`, `v0`, `t`.
+const CHECK_POINTS: &str = "\
+run-up-from-rest                   10   0.5     4      0  2     0   0  0   1.5
+run-down-from-speed                10   0.5    -4     30  2   0.3 0.1 -2     8
+at-time-zero                       10   0.5     4      3  2  0.25 0.5 -2     0
+a-moment-after-rest               100     2    50      3  1   0.3   0  0 1e-30
+constant-force                     10   0.5     4      3  0  0.25   0  0   0.7
+constant-force-long-after          10   0.5     4      3  0  0.25   0  0   400
+resonance-without-damping          10     0     0     10  1     0   0  0   100
+resonance-with-damping             10   0.1     0     10  1     0   0  0   1e4
+critical-from-rest                  1     1     1      0  1     0   0  0     5
+critical-both-passed                1     1   0.5     -3  1     0   0  0    40
+both-resonances-passed              2  0.01   0.5     -9  1     0   0  0    40
+no-speed                            3   0.2     0      0  5     1   0  0     2
+negative-multiple                  10   0.5     4      1 -2   0.5   0  0   1.5
+phase-beyond-the-fast-reduction    10  1e-9     0    3e9  1     0   0  0    10
+slow-units                       1e-9 1e-10 1e-18      0  2   0.3   0  0   3e9
+fast-units                       1e12  1e11  1e23   1e12  3   0.3   0  0 1e-11
+no-frequency                        0   0.5     4      0  2     0   0  0   1.5
+negative-frequency                 -1   0.5     4      0  2     0   0  0   1.5
+negative-damping                   10  -0.5     4      0  2     0   0  0   1.5
+negative-time                      10   0.5     4      0  2     0   0  0  -1.5
+frequency-not-a-number            nan   0.5     4      0  2     0   0  0   1.5
+infinite-time                      10   0.5     4      0  2     0   0  0   inf";
+
 pub(super) fn check_points() -> Vec<CheckPoint> {
-    let nan = f64::NAN;
-    vec![
-        point(
-            "run-up-from-rest",
-            [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
-        ),
-        point(
-            "run-down-from-speed",
-            [10.0, 0.5, -4.0, 30.0, 2.0, 0.3, 0.1, -2.0, 8.0],
-        ),
-        point(
-            "at-time-zero",
-            [10.0, 0.5, 4.0, 3.0, 2.0, 0.25, 0.5, -2.0, 0.0],
-        ),
-        point(
-            "a-moment-after-rest",
-            [100.0, 2.0, 50.0, 3.0, 1.0, 0.3, 0.0, 0.0, 1e-30],
-        ),
-        point(
-            "constant-force",
-            [10.0, 0.5, 4.0, 3.0, 0.0, 0.25, 0.0, 0.0, 0.7],
-        ),
-        point(
-            "constant-force-long-after",
-            [10.0, 0.5, 4.0, 3.0, 0.0, 0.25, 0.0, 0.0, 400.0],
-        ),
-        point(
-            "resonance-without-damping",
-            [10.0, 0.0, 0.0, 10.0, 1.0, 0.0, 0.0, 0.0, 100.0],
-        ),
-        point(
-            "resonance-with-damping",
-            [10.0, 0.1, 0.0, 10.0, 1.0, 0.0, 0.0, 0.0, 1e4],
-        ),
-        point(
-            "critical-from-rest",
-            [1.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 5.0],
-        ),
-        point(
-            "critical-both-passed",
-            [1.0, 1.0, 0.5, -3.0, 1.0, 0.0, 0.0, 0.0, 40.0],
-        ),
-        point(
-            "both-resonances-passed",
-            [2.0, 0.01, 0.5, -9.0, 1.0, 0.0, 0.0, 0.0, 40.0],
-        ),
-        point("no-speed", [3.0, 0.2, 0.0, 0.0, 5.0, 1.0, 0.0, 0.0, 2.0]),
-        point(
-            "negative-multiple",
-            [10.0, 0.5, 4.0, 1.0, -2.0, 0.5, 0.0, 0.0, 1.5],
-        ),
-        point(
-            "phase-beyond-the-fast-reduction",
-            [10.0, 1e-9, 0.0, 3e9, 1.0, 0.0, 0.0, 0.0, 10.0],
-        ),
-        point(
-            "slow-units",
-            [1e-9, 1e-10, 1e-18, 0.0, 2.0, 0.3, 0.0, 0.0, 3e9],
-        ),
-        point(
-            "fast-units",
-            [1e12, 1e11, 1e23, 1e12, 3.0, 0.3, 0.0, 0.0, 1e-11],
-        ),
-        point(
-            "no-frequency",
-            [0.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
-        ),
-        point(
-            "negative-frequency",
-            [-1.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
-        ),
-        point(
-            "negative-damping",
-            [10.0, -0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
-        ),
-        point(
-            "negative-time",
-            [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, -1.5],
-        ),
-        point(
-            "frequency-not-a-number",
-            [nan, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.5],
-        ),
-        point(
-            "infinite-time",
-            [10.0, 0.5, 4.0, 0.0, 2.0, 0.0, 0.0, 0.0, f64::INFINITY],
-        ),
-    ]
+    points(CHECK_POINTS)
 }

@@ -3,9 +3,9 @@
 mod twin;
 
 use crate::audit::{
-    Budget, Domain, Draw, Law, Limit, Output, Proof, Reference, ReferenceAnswer, SolverAnswer,
+    Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, SolverAnswer, Uncertified,
 };
-use crate::methods::common::{point, region};
+use crate::methods::common::{output, point, region};
 use crate::methods::definition::{Definition, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::methods::linkages::{ClassIiiInput, at_degrees};
@@ -134,7 +134,7 @@ static CURVES: Mutex<Vec<Known>> = Mutex::new(Vec::new());
 type Known = (Vec<Rational>, u32, Arc<LinkageCurve>);
 const CURVES_KEPT: usize = 8;
 
-fn curve(i: ClassIiiInput<Rational>, bits: u32) -> Result<Arc<LinkageCurve>, ReferenceAnswer> {
+fn curve(i: ClassIiiInput<Rational>, bits: u32) -> Result<Arc<LinkageCurve>, Uncertified> {
     let key = i.to_fractions();
     let mut known = CURVES.lock().unwrap_or_else(|e| e.into_inner());
     if let Some((_, _, c)) = known.iter().find(|(k, b, _)| *b == bits && *k == key) {
@@ -162,20 +162,19 @@ fn curve(i: ClassIiiInput<Rational>, bits: u32) -> Result<Arc<LinkageCurve>, Ref
 fn reference_model(
     i: RunUpInput<Rational>,
     bits: u32,
-) -> Result<certified::Coefficients, ReferenceAnswer> {
-    let undecided = |e: crate::reference::Undecided| ReferenceAnswer::Undecided(e.reason);
+) -> Result<certified::Coefficients, Uncertified> {
     let (kind, nodes) = (i.coefficients.to_f64(), i.nodes.to_f64() as u32);
     if kind == CONSTANT {
         let zero = Rational::new();
         return Ok(certified::Coefficients::constant(&zero, &zero, bits));
     }
     let curve = curve(i.linkage, bits)?;
-    match kind {
-        EXACT => Ok(certified::Coefficients::exact(&curve)),
-        SPLINES => certified::Coefficients::splines(&curve, nodes).map_err(undecided),
-        HYBRID => certified::Coefficients::hybrid(&curve, nodes).map_err(undecided),
-        _ => Err(ReferenceAnswer::Refuses("layout")),
-    }
+    Ok(match kind {
+        EXACT => certified::Coefficients::exact(&curve),
+        SPLINES => certified::Coefficients::splines(&curve, nodes)?,
+        HYBRID => certified::Coefficients::hybrid(&curve, nodes)?,
+        _ => return Err(Uncertified::Refused("layout")),
+    })
 }
 
 fn reference_motor(i: RunUpInput<Rational>) -> Option<certified::Motor> {
@@ -216,12 +215,7 @@ impl Definition for RunUp {
         "Zinchenko (2008), eqs (1), (2), with I_n by (4), dI_n/dphi by (5), M_o by (7), or splines";
 
     fn outputs() -> Vec<Output> {
-        let o = |name, unit| Output {
-            name,
-            unit,
-            budget: BUDGET,
-        };
-        vec![o("phi", "rad"), o("psi", "rad/s")]
+        vec![output("phi", "rad", BUDGET), output("psi", "rad/s", BUDGET)]
     }
 
     fn domain() -> Domain {
@@ -270,28 +264,19 @@ impl Definition for RunUp {
         Ok(vec![m.end.phi, m.end.psi])
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         // The budget is far above an ulp: fewer bits decide, and more are asked for if not. 80 leave
         // radii of a few ulps after a start from rest.
         let bits = bits * 5 / 8;
-        let model = match reference_model(i, bits) {
-            Ok(model) => model,
-            Err(answer) => return answer,
-        };
-        let Some(run) = reference_run(i) else {
-            return ReferenceAnswer::Refuses("layout");
-        };
-        match certified::integrate(&model, &run, std::slice::from_ref(i.duration)) {
-            Ok(m) => ReferenceAnswer::Values(Reference {
-                values: vec![m.samples[0].angle.clone(), m.samples[0].speed.clone()],
-                proof: Proof::Bounded(
-                    "Taylor polynomials with their defect bounded in Taylor models and the error \
-                     by a differential inequality in the crank angle (Walter 1998, §9); the \
-                     linkage by a contraction and Cauchy's estimate",
-                ),
-            }),
-            Err(e) => ReferenceAnswer::Undecided(e.reason),
-        }
+        let model = reference_model(i, bits)?;
+        let run = reference_run(i).ok_or(Uncertified::Refused("layout"))?;
+        let m = certified::integrate(&model, &run, std::slice::from_ref(i.duration))?;
+        Ok(ReferenceAnswer::bounded(
+            vec![m.samples[0].angle.clone(), m.samples[0].speed.clone()],
+            "Taylor polynomials with their defect bounded in Taylor models and the error by a \
+             differential inequality in the crank angle (Walter 1998, §9); the linkage by a \
+             contraction and Cauchy's estimate",
+        ))
     }
 
     fn twin(i: Self::Input<'_, f64>) -> Option<Vec<Ball>> {
@@ -369,11 +354,11 @@ pub(in crate::methods) fn at_tolerance(
 }
 
 /// The enclosed end of the motion.
-pub(in crate::methods) fn truth(i: RunUpInput, bits: u32) -> ReferenceAnswer {
+pub(in crate::methods) fn truth(i: RunUpInput, bits: u32) -> Result<Vec<Ball>, Uncertified> {
     let exact = exact(&i.to_vec());
     match exact.as_deref().and_then(RunUp::unpack) {
-        Some(i) => RunUp::reference(i, bits),
-        None => RunUp::reference_not_finite(i),
+        Some(i) => RunUp::reference(i, bits)?.certified(),
+        None => RunUp::reference_not_finite(i).certified(),
     }
 }
 

@@ -248,7 +248,7 @@ mod tests {
             ..AuditSettings::default()
         };
         let report = audit_method(&some, &settings, &|| ());
-        for o in &report.outputs {
+        for o in report.outputs() {
             let parts = o.parts.unwrap();
             assert!(
                 parts.method + parts.rounding >= o.ulps.max * (1.0 - 1e-9),
@@ -262,6 +262,6 @@ mod tests {
             other => other,
         });
         let report = audit_method(&planted, &settings, &|| ());
-        assert!(report.outputs.iter().all(|o| o.parts.is_none()));
+        assert!(report.outputs().iter().all(|o| o.parts.is_none()));
     }
 }

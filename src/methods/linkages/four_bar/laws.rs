@@ -1,4 +1,4 @@
-//! What holds for every position of a four-bar linkage.
+//! Identities of every position of a four-bar linkage.
 
 use super::{FourBar, FourBarInput, motion, values};
 use crate::audit::Law;

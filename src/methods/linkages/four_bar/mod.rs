@@ -3,7 +3,8 @@
 mod laws;
 mod regions;
 
-use crate::audit::{Budget, Domain, Law, Limit, Output, Proof, Reference, ReferenceAnswer};
+use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
+use crate::methods::common::conditioned;
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::dyad::{DyadRefusal, four_bar};
@@ -67,14 +68,14 @@ fn values(m: &FourBarMotion) -> Vec<f64> {
 }
 
 /// The word of a reference that gives no values.
-pub(super) fn refusal(why: DyadRefusal) -> ReferenceAnswer {
-    match why {
-        DyadRefusal::NotPositive => ReferenceAnswer::Refuses("not positive"),
-        DyadRefusal::CannotClose => ReferenceAnswer::Refuses("cannot close"),
-        DyadRefusal::Unreachable => ReferenceAnswer::Refuses("unreachable"),
-        DyadRefusal::Singular => ReferenceAnswer::Refuses("singular"),
-        DyadRefusal::Undecided(u) => ReferenceAnswer::Undecided(u.to_string()),
-    }
+pub(super) fn refusal(why: DyadRefusal) -> Uncertified {
+    Uncertified::Refused(match why {
+        DyadRefusal::NotPositive => "not positive",
+        DyadRefusal::CannotClose => "cannot close",
+        DyadRefusal::Unreachable => "unreachable",
+        DyadRefusal::Singular => "singular",
+        DyadRefusal::Undecided(u) => return u.into(),
+    })
 }
 
 impl Definition for FourBar {
@@ -85,21 +86,16 @@ impl Definition for FourBar {
          the solver; Artobolevskii, Theory of Mechanisms and Machines, class-II groups";
 
     fn outputs() -> Vec<Output> {
-        let output = |name, unit, k, reason| Output {
-            name,
-            unit,
-            budget: Budget::new(Limit::Conditioned(k), reason),
-        };
         vec![
-            output("phi2", "rad", 4.0, POSITION),
-            output("phi3", "rad", 4.0, POSITION),
-            output("phi2'", "1", 8.0, FIRST),
-            output("phi3'", "1", 8.0, FIRST),
-            output("phi2''", "1", 12.0, SECOND),
-            output("phi3''", "1", 12.0, SECOND),
-            output("mu", "rad", 4.0, POSITION),
-            output("x_C", "m", 8.0, POSITION),
-            output("y_C", "m", 8.0, POSITION),
+            conditioned("phi2", "rad", 4.0, POSITION),
+            conditioned("phi3", "rad", 4.0, POSITION),
+            conditioned("phi2'", "1", 8.0, FIRST),
+            conditioned("phi3'", "1", 8.0, FIRST),
+            conditioned("phi2''", "1", 12.0, SECOND),
+            conditioned("phi3''", "1", 12.0, SECOND),
+            conditioned("mu", "rad", 4.0, POSITION),
+            conditioned("x_C", "m", 8.0, POSITION),
+            conditioned("y_C", "m", 8.0, POSITION),
         ]
     }
 
@@ -115,32 +111,18 @@ impl Definition for FourBar {
         Ok(values(&motion(i)?))
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let lengths = [i.a, i.b, i.c, i.d].map(Rational::clone);
         let positive = i.assembly.cmp0() == Ordering::Greater;
-        let m = match four_bar(&lengths, i.phi1, positive, bits) {
-            Ok(m) => m,
-            Err(why) => return refusal(why),
-        };
+        let m = four_bar(&lengths, i.phi1, positive, bits).map_err(refusal)?;
         let [phi2, first2, second2] = m.coupler;
         let [phi3, first3, second3] = m.rocker;
-        let [x, y] = m.joint;
-        ReferenceAnswer::Values(Reference {
-            values: vec![
-                phi2,
-                phi3,
-                first2,
-                first3,
-                second2,
-                second3,
-                m.transmission,
-                x,
-                y,
-            ],
-            proof: Proof::Bounded(
-                "intersection of circles in ball arithmetic, implicit differentiation",
-            ),
-        })
+        let mut values = vec![phi2, phi3, first2, first3, second2, second3, m.transmission];
+        values.extend(m.joint);
+        Ok(ReferenceAnswer::bounded(
+            values,
+            "intersection of circles in ball arithmetic, implicit differentiation",
+        ))
     }
 
     fn laws() -> Vec<Law> {

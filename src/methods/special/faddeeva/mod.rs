@@ -4,12 +4,18 @@ pub(super) mod curves;
 mod laws;
 pub(super) mod regions;
 
-use crate::audit::{Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
-use crate::methods::definition::{Definition, Uncertified};
+use super::branches::nearest;
+use super::relatives::{NORM, PROOF};
+use crate::audit::{
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
+    Uncertified,
+};
+use crate::methods::common::output;
+use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
-use crate::reference::{Ball, Mag};
-use crate::solvers::faddeeva::faddeeva;
+use crate::reference::{Ball, Mag, Undecided};
+use crate::solvers::faddeeva::{SEAMS, branch, faddeeva};
 use num_complex::Complex;
 use rug::{Float, Rational};
 
@@ -60,17 +66,12 @@ pub(super) fn due(part: &Scaled) -> Due {
     }
 }
 
-fn dues(re: &Rational, im: &Rational, bits: u32) -> ReferenceAnswer {
+fn dues(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Due>, Undecided> {
     let bits = asked(bits);
-    let values = match w(re, im, bits) {
+    Ok(match w(re, im, bits) {
         Ok(w) => vec![Due::Number(w.re), Due::Number(w.im)],
-        Err(_) => match w_scaled(re, im, bits) {
-            Ok(parts) => parts.iter().map(due).collect(),
-            Err(e) => return ReferenceAnswer::Undecided(e.to_string()),
-        },
-    };
-    let proof = "Taylor, Kummer and asymptotic series with remainder bounds (reference::faddeeva)";
-    ReferenceAnswer::Dues(values, Proof::Bounded(proof))
+        Err(_) => w_scaled(re, im, bits)?.iter().map(due).collect(),
+    })
 }
 
 /// The limits at infinity, where there are any. W tends to 0 in the closed upper half-plane and
@@ -117,20 +118,12 @@ impl Definition for Faddeeva {
              once; 4 ulp leave the exponential, the scaling and the table entries an ulp each",
         );
         ["Re W", "Im W"]
-            .map(|name| Output {
-                name,
-                unit: "1",
-                budget,
-            })
+            .map(|name| output(name, "1", budget))
             .to_vec()
     }
 
     fn norm_budget() -> Option<NormBudget> {
-        Some(NormBudget::new(
-            4.0,
-            "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
-             for what happens before",
-        ))
+        Some(NormBudget::new(NORM.0, NORM.1))
     }
 
     fn domain() -> Domain {
@@ -149,8 +142,13 @@ impl Definition for Faddeeva {
         Ok(vec![w.re, w.im])
     }
 
-    fn reference(z: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
-        dues(z.re, z.im, bits)
+    fn branch(z: Self::Input<'_, f64>) -> Option<BranchAt> {
+        let z = z.into();
+        nearest(z, &SEAMS, Some(format!("{:?}", branch(z))))
+    }
+
+    fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        Ok(ReferenceAnswer::Dues(dues(z.re, z.im, bits)?, PROOF))
     }
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
@@ -172,10 +170,7 @@ mod tests {
 
     fn reference(x: f64, y: f64) -> Vec<Due> {
         let exact = [x, y].map(|v| Rational::from_f64(v).unwrap());
-        match dues(&exact[0], &exact[1], 128) {
-            ReferenceAnswer::Dues(dues, _) => dues,
-            other => panic!("{other:?}"),
-        }
+        dues(&exact[0], &exact[1], 128).unwrap()
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::curves;
 use crate::audit::{CheckPoint, Draw, Region};
-use crate::methods::common::region;
+use crate::methods::common::{point, region};
 use crate::solvers::faddeeva::SEAMS;
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
@@ -34,6 +34,28 @@ pub(in crate::methods::special) fn both_signs(d: &mut Draw, x: f64, y: f64) -> V
     vec![d.signed(x), d.signed(y)]
 }
 
+/// [`both_signs`], with the two exchanged in half of the cases.
+pub(in crate::methods::special) fn in_either_order(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
+    match d.chance(0.5) {
+        true => both_signs(d, x, y),
+        false => both_signs(d, y, x),
+    }
+}
+
+/// Named arguments, and the first zeros of so many.
+pub(in crate::methods::special) fn named_points(
+    named: &[(&'static str, f64, f64)],
+    zero: fn(usize) -> [f64; 2],
+    zeros: usize,
+) -> Vec<CheckPoint> {
+    let first = ["zero-1", "zero-2", "zero-3", "zero-4", "zero-5"];
+    let first = first.into_iter().take(zeros).enumerate();
+    let named = named.iter().map(|&(name, x, y)| point(name, [x, y]));
+    named
+        .chain(first.map(|(k, name)| point(name, zero(k + 1))))
+        .collect()
+}
+
 /// A part so small that every product with it may be subnormal, and the other from where exponentials
 /// leave the range of `f64`.
 pub(in crate::methods::special) fn tiny_part(d: &mut Draw) -> (f64, f64) {
@@ -60,6 +82,14 @@ pub(in crate::methods::special) fn listed(seams: &[f64]) -> String {
         }
     };
     seams.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// Within 1e-17 to 0.1 of the k-th zero or its mirror image.
+fn near_zero(d: &mut Draw, k: usize) -> Vec<f64> {
+    let r = d.log_uniform(1e-17, 0.1);
+    let theta = whole(d);
+    let z = curves::zero(k);
+    vec![d.signed(z[0] + r * theta.cos()), z[1] + r * theta.sin()]
 }
 
 static ON_CIRCLES: LazyLock<String> = LazyLock::new(|| {
@@ -186,10 +216,7 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
             "within 1e-17..0.1 of one of the first 12 zeros or its mirror image",
             |d| {
                 let k = d.integer(1, 12);
-                let r = d.log_uniform(1e-17, 0.1);
-                let theta = whole(d);
-                let z = curves::zero(k);
-                vec![d.signed(z[0] + r * theta.cos()), z[1] + r * theta.sin()]
+                near_zero(d, k)
             },
         ),
         region(
@@ -197,10 +224,7 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
             "within 1e-17..0.1 of one of the zeros 13 to 400",
             |d| {
                 let k = d.log_uniform(13.0, 400.0) as usize;
-                let r = d.log_uniform(1e-17, 0.1);
-                let theta = whole(d);
-                let z = curves::zero(k);
-                vec![d.signed(z[0] + r * theta.cos()), z[1] + r * theta.sin()]
+                near_zero(d, k)
             },
         ),
         region(
@@ -342,10 +366,7 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
                 true => d.uniform(0.0, 7.5),
                 false => d.log_uniform(1e-6, 0.3),
             };
-            match d.chance(0.5) {
-                true => both_signs(d, edge, other),
-                false => both_signs(d, other, edge),
-            }
+            in_either_order(d, edge, other)
         }),
         region(
             "any-bits",
@@ -373,7 +394,7 @@ pub(in crate::methods::special) fn all() -> Vec<Region> {
 pub(in crate::methods::special) fn check_points() -> Vec<CheckPoint> {
     let (inf, nan, max, min) = (f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1));
     let normal = f64::MIN_POSITIVE;
-    let named: [(&'static str, f64, f64); 40] = [
+    let named = [
         ("zero", 0.0, 0.0),
         ("zero-minus-re", -0.0, 0.0),
         ("zero-minus-im", 0.0, -0.0),
@@ -415,17 +436,5 @@ pub(in crate::methods::special) fn check_points() -> Vec<CheckPoint> {
         ("nan-im", 1.0, nan),
         ("nan-im-on-the-axis", 0.0, nan),
     ];
-    let mut all: Vec<CheckPoint> = named
-        .into_iter()
-        .map(|(name, x, y)| CheckPoint {
-            name,
-            input: vec![x, y],
-        })
-        .collect();
-    let zeros = ["zero-1", "zero-2", "zero-3", "zero-4", "zero-5"];
-    all.extend(zeros.into_iter().enumerate().map(|(k, name)| CheckPoint {
-        name,
-        input: curves::zero(k + 1).to_vec(),
-    }));
-    all
+    named_points(&named, curves::zero, 5)
 }

@@ -1,11 +1,11 @@
 //! Dawson's function.
 
-use super::laws::{batch_agrees, odd_law, on_the_axis, point, within};
+use super::laws::{batch_agrees, odd_law, on_the_axis, point, real_argument_law, within};
 use super::regions::zero_of_erfi;
-use super::{C, Relative, Zeros, odd_limit, on_axis};
+use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis};
 use crate::audit::{Due, Law};
-use crate::reference::faddeeva::{self, Scaled};
-use crate::reference::{Ball, Undecided};
+use crate::reference::Ball;
+use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
 use rug::Rational;
 
@@ -25,24 +25,14 @@ impl Relative for Dawson {
         "the difference of exp(-z^2) and W, again in double-double where they cancel: an ulp each \
          for the exponential, W, their difference and the last rounding",
     );
-    const NORM: (f64, &'static str) = (
-        4.0,
-        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
-         for the exponential and W",
-    );
+    const NORM: (f64, &'static str) = NORM_OF_PRODUCTS;
+    const VALUE: fn(C) -> C = dawson;
+    const EXACT: Exact = faddeeva::dawson_scaled;
     const ZEROS: Zeros = Zeros {
         at: zero_of_erfi,
         mirrored: [true, true],
         stored: 14,
     };
-
-    fn value(z: C) -> C {
-        dawson(z)
-    }
-
-    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-        faddeeva::dawson_scaled(re, im, bits)
-    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         odd_limit(0, x, y)
@@ -77,11 +67,7 @@ impl Relative for Dawson {
                     batch_agrees::<Dawson>(point(input)?, |z, f| dawson_batch(z, f).is_ok())
                 },
             },
-            Law {
-                name: "real-argument",
-                statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Dawson>(dawson_real, point(input)?.re),
-            },
+            real_argument_law(|input| on_the_axis::<Dawson>(dawson_real, input)),
         ]
     }
 }

@@ -1,13 +1,11 @@
 //! The error function.
 
-use super::laws::{gaussian, odd_law, on_the_axis, point, within};
+use super::laws::{gaussian, odd_law, on_the_axis, point, real_argument_law, within};
 use super::regions::zero_of_erf;
-use super::{C, Relative, Zeros, odd_limit, odd_signs};
+use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, odd_signs};
 use crate::audit::{Due, Law};
-use crate::reference::Undecided;
-use crate::reference::faddeeva::{self, Scaled};
+use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
-use rug::Rational;
 
 /// Input `Re z, Im z`, output `Re erf z, Im erf z`.
 ///
@@ -24,24 +22,14 @@ impl Relative for Erf {
         "1 - exp(-z^2) W(iz) or a series without cancellation, else in double-double: an ulp each \
          for the exponential, W, their product and the last rounding",
     );
-    const NORM: (f64, &'static str) = (
-        4.0,
-        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
-         for the exponential and W",
-    );
+    const NORM: (f64, &'static str) = NORM_OF_PRODUCTS;
+    const VALUE: fn(C) -> C = erf;
+    const EXACT: Exact = faddeeva::erf_scaled;
     const ZEROS: Zeros = Zeros {
         at: zero_of_erf,
         mirrored: [true, true],
         stored: 14,
     };
-
-    fn value(z: C) -> C {
-        erf(z)
-    }
-
-    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-        faddeeva::erf_scaled(re, im, bits)
-    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         odd_limit(1, x, y)
@@ -66,11 +54,7 @@ impl Relative for Erf {
                             0 <= Re z, |z| <= 1e8",
                 residual: by_w,
             },
-            Law {
-                name: "real-argument",
-                statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Erf>(erf_real, point(input)?.re),
-            },
+            real_argument_law(|input| on_the_axis::<Erf>(erf_real, input)),
         ]
     }
 }

@@ -1,13 +1,14 @@
 //! The complementary error function.
 
-use super::laws::{conjugation_law, gaussian, on_the_axis, plain, point, within};
+use super::laws::{
+    conjugation_law, gaussian, on_the_axis, plain, point, real_argument_law, within,
+};
 use super::regions::zero_of_erfc;
-use super::{C, Relative, Zeros, negated, odd_limit, on_axis};
+use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis};
 use crate::audit::{Due, Law};
-use crate::reference::faddeeva::{self, Scaled};
-use crate::reference::{Ball, Undecided};
+use crate::reference::Ball;
+use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};
-use rug::Rational;
 
 /// Input `Re z, Im z`, output `Re erfc z, Im erfc z`.
 ///
@@ -25,24 +26,14 @@ impl Relative for Erfc {
         "exp(-z^2) W(iz), 2 minus it or 1 minus a series, again in double-double where the terms \
          cancel: an ulp each for the exponential, W, their product and the last rounding",
     );
-    const NORM: (f64, &'static str) = (
-        4.0,
-        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
-         for the exponential and W",
-    );
+    const NORM: (f64, &'static str) = NORM_OF_PRODUCTS;
+    const VALUE: fn(C) -> C = erfc;
+    const EXACT: Exact = faddeeva::erfc_scaled;
     const ZEROS: Zeros = Zeros {
         at: zero_of_erfc,
         mirrored: [false, true],
         stored: 12,
     };
-
-    fn value(z: C) -> C {
-        erfc(z)
-    }
-
-    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-        faddeeva::erfc_scaled(re, im, bits)
-    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         let [re, im] = odd_limit(1, x, y);
@@ -71,11 +62,7 @@ impl Relative for Erfc {
                 statement: "erfc(z) = exp(-z^2) erfcx(z) within 14 u |erfc(z)|, for |z| <= 1e8",
                 residual: scaled,
             },
-            Law {
-                name: "real-argument",
-                statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Erfc>(erfc_real, point(input)?.re),
-            },
+            real_argument_law(|input| on_the_axis::<Erfc>(erfc_real, input)),
         ]
     }
 }

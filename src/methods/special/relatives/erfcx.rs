@@ -1,15 +1,17 @@
 //! The scaled complementary error function.
 
-use super::laws::{batch_agrees, conjugation_law, gaussian, on_the_axis, point, within};
+use super::laws::{
+    batch_agrees, conjugation_law, gaussian, on_the_axis, point, real_argument_law, within,
+};
 use super::regions::zero_of_erfc;
-use super::{C, Relative, Zeros};
-use crate::audit::{Due, Law};
+use super::{C, Exact, NORM, Relative, Zeros};
+use crate::audit::{BranchAt, Due, Law};
 use crate::methods::common::held;
+use crate::methods::special::branches::nearest;
 use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
-use crate::reference::Undecided;
-use crate::reference::faddeeva::{self, Scaled};
-use crate::solvers::faddeeva::{erfcx, erfcx_batch, erfcx_real, faddeeva as w};
-use rug::Rational;
+use crate::reference::faddeeva;
+use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
+use num_complex::Complex;
 
 /// Input `Re z, Im z`, output `Re erfcx z, Im erfcx z`.
 ///
@@ -27,24 +29,14 @@ impl Relative for Erfcx {
         "W(iz), whose components come from sums without cancellation or in double-double; 4 ulp \
          leave the exponential, the scaling and the table entries an ulp each",
     );
-    const NORM: (f64, &'static str) = (
-        4.0,
-        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
-         for what happens before",
-    );
+    const NORM: (f64, &'static str) = NORM;
+    const VALUE: fn(C) -> C = erfcx;
+    const EXACT: Exact = faddeeva::erfcx_scaled;
     const ZEROS: Zeros = Zeros {
         at: zero_of_erfc,
         mirrored: [false, true],
         stored: 12,
     };
-
-    fn value(z: C) -> C {
-        erfcx(z)
-    }
-
-    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-        faddeeva::erfcx_scaled(re, im, bits)
-    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         dues_not_finite(-y, x)
@@ -52,6 +44,16 @@ impl Relative for Erfcx {
 
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
         signs_of_zero(-y, x)
+    }
+
+    /// Those of w at `i z`.
+    fn branch(z: Complex<f64>) -> Option<BranchAt> {
+        let turned = Complex::new(-z.im, z.re);
+        let at = nearest(turned, &SEAMS, Some(format!("{:?}", branch(turned))))?;
+        Some(BranchAt {
+            seam: format!("{} of i z", at.seam),
+            ..at
+        })
     }
 
     fn laws() -> Vec<Law> {
@@ -75,11 +77,7 @@ impl Relative for Erfcx {
                     batch_agrees::<Erfcx>(point(input)?, |z, f| erfcx_batch(z, f).is_ok())
                 },
             },
-            Law {
-                name: "real-argument",
-                statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Erfcx>(erfcx_real, point(input)?.re),
-            },
+            real_argument_law(|input| on_the_axis::<Erfcx>(erfcx_real, input)),
             Law {
                 name: "monotonicity",
                 statement: "on the real axis erfcx does not grow from x to x + 2^-40 |x|",

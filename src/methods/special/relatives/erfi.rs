@@ -1,14 +1,14 @@
 //! The imaginary error function.
 
-use super::laws::{gaussian, odd_law, on_the_axis, plain, point, same_pair, within};
+use super::laws::{
+    gaussian, odd_law, on_the_axis, plain, point, real_argument_law, same_pair, within,
+};
 use super::regions::zero_of_erfi;
-use super::{C, Relative, Zeros, negated, odd_limit, odd_signs};
+use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, odd_signs};
 use crate::audit::{Due, Law};
 use crate::methods::common::held;
-use crate::reference::Undecided;
-use crate::reference::faddeeva::{self, Scaled};
+use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, erf, erfi, erfi_real};
-use rug::Rational;
 use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfi z, Im erfi z`.
@@ -26,24 +26,14 @@ impl Relative for Erfi {
         4.0,
         "erf at iz: an ulp each for the exponential, W, their product and the last rounding",
     );
-    const NORM: (f64, &'static str) = (
-        4.0,
-        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
-         for the exponential and W",
-    );
+    const NORM: (f64, &'static str) = NORM_OF_PRODUCTS;
+    const VALUE: fn(C) -> C = erfi;
+    const EXACT: Exact = faddeeva::erfi_scaled;
     const ZEROS: Zeros = Zeros {
         at: zero_of_erfi,
         mirrored: [true, true],
         stored: 14,
     };
-
-    fn value(z: C) -> C {
-        erfi(z)
-    }
-
-    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-        faddeeva::erfi_scaled(re, im, bits)
-    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         let [re, im] = odd_limit(1, -y, x);
@@ -68,11 +58,7 @@ impl Relative for Erfi {
                 statement: "erfi(z) = 2/sqrt(pi) exp(z^2) F(z) within 16 u |erfi(z)|, for |z| <= 1e8",
                 residual: by_dawson,
             },
-            Law {
-                name: "real-argument",
-                statement: "the function of a real argument agrees at Re z within 6 ulp",
-                residual: |input| on_the_axis::<Erfi>(erfi_real, point(input)?.re),
-            },
+            real_argument_law(|input| on_the_axis::<Erfi>(erfi_real, input)),
         ]
     }
 }

@@ -1,12 +1,12 @@
 //! The derivative of the Faddeeva function.
 
 use super::laws::{point, same_pair, within};
-use super::{C, Relative, Zeros, infinity, number, on_axis};
+use super::{C, Exact, NORM, Relative, Zeros, infinity, number, on_axis};
 use crate::audit::{Due, Law};
 use crate::methods::common::held;
 use crate::methods::special::faddeeva::curves::zero as zero_of_w;
-use crate::reference::faddeeva::{self, Scaled, w_f64};
-use crate::reference::{ComplexBall, Undecided};
+use crate::reference::ComplexBall;
+use crate::reference::faddeeva::{self, w_f64};
 use crate::solvers::faddeeva::{faddeeva as w, w_derivative};
 use rug::Rational;
 use std::f64::consts::FRAC_2_SQRT_PI;
@@ -28,24 +28,14 @@ impl Relative for FaddeevaDerivative {
         "the differentiated series, and -4 z exp(-z^2) below the axis, again in double-double where \
          terms cancel: an ulp each for the exponential, the series, the product and the last rounding",
     );
-    const NORM: (f64, &'static str) = (
-        4.0,
-        "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more \
-         for what happens before",
-    );
+    const NORM: (f64, &'static str) = NORM;
+    const VALUE: fn(C) -> C = w_derivative;
+    const EXACT: Exact = faddeeva::w_derivative_scaled;
     const ZEROS: Zeros = Zeros {
         at: zero,
         mirrored: [true, false],
         stored: 0,
     };
-
-    fn value(z: C) -> C {
-        w_derivative(z)
-    }
-
-    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided> {
-        faddeeva::w_derivative_scaled(re, im, bits)
-    }
 
     /// W' tends to 0 in the closed upper half-plane and for Re z → ±∞, to +i∞ down the imaginary
     /// axis, on which it is imaginary.

@@ -1,4 +1,4 @@
-//! What the audits of the complex relatives of the Faddeeva function share.
+//! The shared part of the audits of the Faddeeva function's complex relatives.
 
 mod dawson;
 mod erf;
@@ -9,12 +9,18 @@ mod faddeeva_derivative;
 pub(super) mod laws;
 mod regions;
 
+use super::branches::nearest;
 use super::faddeeva::{ComplexInput, asked, due};
-use crate::audit::{Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer};
-use crate::methods::definition::{Definition, Registered, Uncertified};
+use crate::audit::{
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
+    Uncertified,
+};
+use crate::methods::common::output;
+use crate::methods::definition::{Definition, Registered};
 use crate::methods::inputs::Number;
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Undecided};
+use crate::solvers::faddeeva::SEAMS_OF_RELATIVES;
 use num_complex::Complex;
 use rug::Rational;
 
@@ -26,6 +32,22 @@ pub use erfi::Erfi;
 pub use faddeeva_derivative::FaddeevaDerivative;
 
 pub(super) type C = Complex<f64>;
+
+/// Components from `Re z, Im z` and the bits asked for.
+pub type Exact = fn(&Rational, &Rational, u32) -> Result<[Scaled; 2], Undecided>;
+
+/// What the norm may be wrong by: as for W itself.
+pub(super) const NORM: (f64, &str) = (
+    4.0,
+    "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more for what \
+     happens before",
+);
+/// The same for a product of W and an exponential.
+const NORM_OF_PRODUCTS: (f64, &str) = (
+    4.0,
+    "2 eps: half a unit of rounding in each component is 1 u of the norm at most, 3 u more for the \
+     exponential and W",
+);
 
 /// The zeros of a function next to which it is audited.
 pub struct Zeros {
@@ -47,13 +69,13 @@ pub trait Relative: Registered {
     const ULPS: (f64, &'static str);
     /// What the norm may be wrong by, in units of 2⁻⁵³, and why.
     const NORM: (f64, &'static str);
+    /// The code under test.
+    const VALUE: fn(C) -> C;
+    /// The certified value.
+    const EXACT: Exact;
     /// Where it is zero.
     const ZEROS: Zeros;
 
-    /// The code under test.
-    fn value(z: Complex<f64>) -> Complex<f64>;
-    /// The certified value.
-    fn exact(re: &Rational, im: &Rational, bits: u32) -> Result<[Scaled; 2], Undecided>;
     /// What is due at an argument that is not finite.
     fn limit(x: f64, y: f64) -> [Due; 2];
     /// Whether the limit of each component, where it is zero, is −0; `None` where there is no limit
@@ -61,6 +83,10 @@ pub trait Relative: Registered {
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
     /// Identities of the values.
     fn laws() -> Vec<Law>;
+    /// Where the solver's formulas meet next to `z`.
+    fn branch(z: Complex<f64>) -> Option<BranchAt> {
+        nearest(z, &SEAMS_OF_RELATIVES, None)
+    }
 }
 
 /// An exact small number.
@@ -112,13 +138,7 @@ impl<F: Relative> Definition for F {
 
     fn outputs() -> Vec<Output> {
         let budget = Budget::new(Limit::Ulps(F::ULPS.0), F::ULPS.1);
-        F::OUTPUTS
-            .map(|name| Output {
-                name,
-                unit: "1",
-                budget,
-            })
-            .to_vec()
+        F::OUTPUTS.map(|name| output(name, "1", budget)).to_vec()
     }
 
     fn norm_budget() -> Option<NormBudget> {
@@ -133,19 +153,24 @@ impl<F: Relative> Definition for F {
     }
 
     fn solve(z: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
-        let value = F::value(z.into());
+        let value = (F::VALUE)(z.into());
         Ok(vec![value.re, value.im])
     }
 
-    fn reference(z: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
-        match F::exact(z.re, z.im, asked(bits)) {
-            Ok(parts) => ReferenceAnswer::Dues(parts.iter().map(due).collect(), PROOF),
-            Err(e) => ReferenceAnswer::Undecided(e.to_string()),
-        }
+    fn reference(z: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        let parts = (F::EXACT)(z.re, z.im, asked(bits))?;
+        Ok(ReferenceAnswer::Dues(
+            parts.iter().map(due).collect(),
+            PROOF,
+        ))
     }
 
     fn reference_not_finite(z: Self::Input<'_, f64>) -> ReferenceAnswer {
         ReferenceAnswer::Dues(F::limit(z.re, z.im).to_vec(), Proof::Exact)
+    }
+
+    fn branch(z: Self::Input<'_, f64>) -> Option<BranchAt> {
+        <F as Relative>::branch(z.into())
     }
 
     fn signs_of_zero(z: Self::Input<'_, f64>) -> Vec<Option<bool>> {
@@ -157,7 +182,7 @@ impl<F: Relative> Definition for F {
     }
 
     fn certify(z: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
-        Ok(F::exact(z.re, z.im, bits)?.to_vec())
+        Ok((F::EXACT)(z.re, z.im, bits)?.to_vec())
     }
 }
 

@@ -8,7 +8,8 @@ use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::region;
 use crate::methods::special::faddeeva::curves::{crossing, next_to, zero as zero_of_w};
 use crate::methods::special::faddeeva::regions::{
-    TINY_PART, beside, both_signs, listed, one_of, polar, tiny_part, whole,
+    TINY_PART, beside, both_signs, in_either_order, listed, named_points, one_of, polar, tiny_part,
+    whole,
 };
 use crate::reference::faddeeva::zero_of_erf as certified;
 use crate::solvers::faddeeva::{SEAMS, SEAMS_OF_RELATIVES, Seams};
@@ -57,7 +58,7 @@ fn component<F: Relative, const PART: usize>(x: f64, y: f64) -> f64 {
     let (Some(re), Some(im)) = (Rational::from_f64(x), Rational::from_f64(y)) else {
         return f64::NAN;
     };
-    F::exact(&re, &im, 60).map_or(0.0, |parts| parts[PART].to_ball().to_f64())
+    (F::EXACT)(&re, &im, 60).map_or(0.0, |parts| parts[PART].to_ball().to_f64())
 }
 
 /// Up to the pair `(v, t)`, or `(t, v)`.
@@ -200,10 +201,7 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
                     false => d.log_uniform(1e-300, 1e-3),
                 };
                 let b = a.mul_add(a, d.uniform(690.0, 760.0)).sqrt();
-                match d.chance(0.5) {
-                    true => both_signs(d, a, b),
-                    false => both_signs(d, b, a),
-                }
+                in_either_order(d, a, b)
             },
         ),
         region(
@@ -213,10 +211,7 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
             |d| {
                 let a = d.log_uniform(5e-324, 1e-290);
                 let b = d.uniform(680.0, 1480.0).sqrt();
-                match d.chance(0.5) {
-                    true => both_signs(d, a, b),
-                    false => both_signs(d, b, a),
-                }
+                in_either_order(d, a, b)
             },
         ),
         region(
@@ -229,18 +224,12 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
                     1 => d.log_uniform(1e-3, 30.0),
                     _ => d.log_uniform(1e290, 1.7e308),
                 };
-                match d.chance(0.5) {
-                    true => both_signs(d, a, b),
-                    false => both_signs(d, b, a),
-                }
+                in_either_order(d, a, b)
             },
         ),
         region("tiny-part", TINY_PART, |d| {
             let (tiny, other) = tiny_part(d);
-            match d.chance(0.5) {
-                true => both_signs(d, tiny, other),
-                false => both_signs(d, other, tiny),
-            }
+            in_either_order(d, tiny, other)
         }),
         region(
             "phase",
@@ -266,10 +255,7 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
                 true => d.uniform(0.0, 10.0),
                 false => d.log_uniform(1e-6, 40.0),
             };
-            match d.chance(0.5) {
-                true => both_signs(d, t, other),
-                false => both_signs(d, other, t),
-            }
+            in_either_order(d, t, other)
         }),
         region(
             "zero-curves-of-re",
@@ -369,18 +355,5 @@ pub(super) fn check_points<F: Relative>() -> Vec<CheckPoint> {
         ("infinite-re-nan-im", inf, nan),
         ("nan-re-infinite-im", nan, inf),
     ];
-    let mut all: Vec<CheckPoint> = named
-        .into_iter()
-        .map(|(name, x, y)| CheckPoint {
-            name,
-            input: vec![x, y],
-        })
-        .collect();
-    let zeros = ["zero-1", "zero-2", "zero-3", "zero-4", "zero-5"];
-    let zeros = zeros.into_iter().take(F::ZEROS.stored).enumerate();
-    all.extend(zeros.map(|(k, name)| CheckPoint {
-        name,
-        input: (F::ZEROS.at)(k + 1).to_vec(),
-    }));
-    all
+    named_points(&named, F::ZEROS.at, F::ZEROS.stored)
 }

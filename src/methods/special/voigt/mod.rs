@@ -5,9 +5,9 @@ mod regions;
 use super::faddeeva::{asked, due};
 use super::relatives::laws::{U, same};
 use super::relatives::{PROOF, number};
-use crate::audit::{Budget, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer};
-use crate::methods::common::held;
-use crate::methods::definition::{Definition, Uncertified};
+use crate::audit::{Budget, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer, Uncertified};
+use crate::methods::common::{held, output};
+use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::faddeeva::{Scaled, voigt_scaled};
 use crate::solvers::faddeeva::{faddeeva as w, voigt, voigt_batch};
@@ -32,24 +32,6 @@ inputs! {
 #[derive(Clone, Copy, Debug)]
 pub struct Voigt;
 
-fn profile(x: &Rational, sigma: &Rational, gamma: &Rational, bits: u32) -> ReferenceAnswer {
-    if *sigma < 0 || *gamma < 0 {
-        return ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact);
-    }
-    if *sigma == 0 && *gamma == 0 {
-        // A point mass.
-        let value = match *x == 0 {
-            true => Due::Infinity { negative: false },
-            false => number(0),
-        };
-        return ReferenceAnswer::Dues(vec![value], Proof::Exact);
-    }
-    match voigt_scaled(x, sigma, gamma, asked(bits)) {
-        Ok(value) => ReferenceAnswer::Dues(vec![due(&value)], PROOF),
-        Err(e) => ReferenceAnswer::Undecided(e.to_string()),
-    }
-}
-
 impl Definition for Voigt {
     type Input<'a, T: Number> = VoigtInput<'a, T>;
     const SUMMARY: &'static str =
@@ -57,15 +39,12 @@ impl Definition for Voigt {
     const SOURCE: &'static str = "DLMF 7.19.1 in other units";
 
     fn outputs() -> Vec<Output> {
-        vec![Output {
-            name: "V",
-            unit: "1",
-            budget: Budget::new(
-                Limit::Ulps(3.0),
-                "Re W at quotients kept to 100 bits: 2 ulp of Re W in the upper half-plane, one more \
-                 for the slope and the scaling",
-            ),
-        }]
+        let budget = Budget::new(
+            Limit::Ulps(3.0),
+            "Re W at quotients kept to 100 bits: 2 ulp of Re W in the upper half-plane, one more for \
+             the slope and the scaling",
+        );
+        vec![output("V", "1", budget)]
     }
 
     fn domain() -> Domain {
@@ -79,8 +58,20 @@ impl Definition for Voigt {
         Ok(vec![voigt(i.x, i.sigma, i.gamma)])
     }
 
-    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> ReferenceAnswer {
-        profile(i.x, i.sigma, i.gamma, bits)
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        if *i.sigma < 0 || *i.gamma < 0 {
+            return Ok(ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact));
+        }
+        if *i.sigma == 0 && *i.gamma == 0 {
+            // A point mass.
+            let value = match *i.x == 0 {
+                true => Due::Infinity { negative: false },
+                false => number(0),
+            };
+            return Ok(ReferenceAnswer::Dues(vec![value], Proof::Exact));
+        }
+        let value = voigt_scaled(i.x, i.sigma, i.gamma, asked(bits))?;
+        Ok(ReferenceAnswer::Dues(vec![due(&value)], PROOF))
     }
 
     fn reference_not_finite(i: Self::Input<'_, f64>) -> ReferenceAnswer {

@@ -1,7 +1,7 @@
 //! Where the Voigt profile is audited.
 
 use crate::audit::{CheckPoint, Draw, Region};
-use crate::methods::common::region;
+use crate::methods::common::{point, region};
 use crate::methods::special::faddeeva::regions::beside;
 
 /// Half the widths, normalised: `σ`, and x and γ in units of `σ√2`.
@@ -179,11 +179,5 @@ pub(super) fn check_points() -> Vec<CheckPoint> {
         ("nan-gamma", [0.0, 1.0, nan]),
         ("nan-x-infinite-sigma", [nan, inf, 1.0]),
     ];
-    named
-        .into_iter()
-        .map(|(name, input)| CheckPoint {
-            name,
-            input: input.to_vec(),
-        })
-        .collect()
+    named.map(|(name, input)| point(name, input)).to_vec()
 }

@@ -1,8 +1,7 @@
 //! Findings about the claim and the conclusion.
 
-use super::figure;
 use crate::papers::zinchenko::derivative_claim::{FINE, NodeErrors, degrees};
-use crate::papers::{Finding, FindingVerdict, Subject};
+use crate::papers::{Finding, FindingVerdict, Subject, figure, figures};
 use crate::reference::Ball;
 
 /// The claim of 0.119.
@@ -155,28 +154,12 @@ pub(in crate::papers::zinchenko) fn conclusion(hybrid: [(usize, f64); 2]) -> Fin
             100.0 * (1.0 - factor(i12)),
             factor(i48),
         ),
-        figures: vec![
-            figure(
-                "closed integral of S'_In/I_n, 12 nodes",
-                format!("{i12:.12}"),
-                "1",
-            ),
-            figure(
-                "omega after a free turn, 12 nodes",
-                format!("{:.10}", factor(i12)),
-                "of omega",
-            ),
-            figure(
-                "closed integral of S'_In/I_n, 48 nodes",
-                format!("{i48:.9}"),
-                "1",
-            ),
-            figure(
-                "omega after a free turn, 48 nodes",
-                format!("{:.8}", factor(i48)),
-                "of omega",
-            ),
-        ],
+        figures: figures! {
+            "closed integral of S'_In/I_n, 12 nodes": "{i12:.12}" => "1";
+            "omega after a free turn, 12 nodes": "{:.10}", factor(i12) => "of omega";
+            "closed integral of S'_In/I_n, 48 nodes": "{i48:.9}" => "1";
+            "omega after a free turn, 48 nodes": "{:.8}", factor(i48) => "of omega";
+        },
         as_recorded: (factor(i12) - 0.880_234_866_6).abs() < 1e-8
             && (factor(i48) - 0.999_868_96).abs() < 1e-7,
     }

@@ -1,8 +1,7 @@
 //! Findings about the input data.
 
-use super::figure;
 use crate::papers::zinchenko::recovery::{Estimate, Identifiability, Parameter, Recovery};
-use crate::papers::{Finding, FindingVerdict, Subject, Tally};
+use crate::papers::{Finding, FindingVerdict, Subject, Tally, figure, figures};
 
 fn cm(e: &Estimate) -> String {
     format!("{:.3} ± {:.3}", e.value * 100.0, e.deviation * 100.0)
@@ -58,42 +57,20 @@ pub(in crate::papers::zinchenko) fn recovered_centres(
             cm(&s3),
             cm(&s5),
         ),
-        figures: vec![
-            figure("s2 (I_n columns)", cm(&s2), "cm"),
-            figure(
-                "r4 (I_n columns)",
-                format!("{:.4} ± {:.4}", radius * 100.0, radius_sd * 100.0),
-                "cm",
-            ),
-            figure(
-                "angle of r4 (I_n columns)",
-                format!("{:.4} ± {:.4}", angle.to_degrees(), angle_sd.to_degrees()),
-                "deg",
-            ),
-            figure("s2 (with M_o)", cm(&centre(all, 0, 0)), "cm"),
-            figure("s3 (with M_o)", cm(&s3), "cm"),
-            figure("s5 (with M_o)", cm(&s5), "cm"),
-            figure(
-                "misfit of the I_n columns over rounding",
-                format!("{:.2}", inertia.misfit),
-                "1",
-            ),
-            figure(
-                "entries used / left out as misprints (I_n columns)",
-                format!("{} / {}", inertia.used, inertia.left_out),
-                "entries",
-            ),
-            figure(
-                "rank of s2, s3, s4x, s4y, s5 in the I_n columns",
-                format!("{} of 5", ranks[0]),
-                "1",
-            ),
-            figure(
-                "rank of all 17 mass parameters in all columns",
-                format!("{} of 17", ranks[1]),
-                "1",
-            ),
-        ],
+        figures: figures! {
+            "s2 (I_n columns)": "{}", cm(&s2) => "cm";
+            "r4 (I_n columns)": "{:.4} ± {:.4}", radius * 100.0, radius_sd * 100.0 => "cm";
+            "angle of r4 (I_n columns)":
+                "{:.4} ± {:.4}", angle.to_degrees(), angle_sd.to_degrees() => "deg";
+            "s2 (with M_o)": "{}", cm(&centre(all, 0, 0)) => "cm";
+            "s3 (with M_o)": "{}", cm(&s3) => "cm";
+            "s5 (with M_o)": "{}", cm(&s5) => "cm";
+            "misfit of the I_n columns over rounding": "{:.2}", inertia.misfit => "1";
+            "entries used / left out as misprints (I_n columns)":
+                "{} / {}", inertia.used, inertia.left_out => "entries";
+            "rank of s2, s3, s4x, s4y, s5 in the I_n columns": "{} of 5", ranks[0] => "1";
+            "rank of all 17 mass parameters in all columns": "{} of 17", ranks[1] => "1";
+        },
         as_recorded: inside(s2.value, 0.5, s2.deviation)
             && inside(radius, 0.25, radius_sd)
             && inside(angle.to_degrees(), -12.0, angle_sd.to_degrees())
@@ -181,23 +158,12 @@ pub(in crate::papers::zinchenko) fn units_of_length(
              {:.1e} with the recovered ones.",
             worst("recovered"),
         ),
-        figures: vec![
-            figure(
-                "worst |I_n| deviation, lengths in m",
-                format!("{in_metres_worst:.2e}"),
-                "kg m^2",
-            ),
-            figure(
-                "worst |I_n| deviation, cm, printed centres",
-                format!("{printed:.4}"),
-                "kg m^2",
-            ),
-            figure(
-                "worst |I_n| deviation, cm, recovered centres",
-                format!("{:.2e}", worst("recovered")),
-                "kg m^2",
-            ),
-        ],
+        figures: figures! {
+            "worst |I_n| deviation, lengths in m": "{in_metres_worst:.2e}" => "kg m^2";
+            "worst |I_n| deviation, cm, printed centres": "{printed:.4}" => "kg m^2";
+            "worst |I_n| deviation, cm, recovered centres":
+                "{:.2e}", worst("recovered") => "kg m^2";
+        },
         as_recorded: in_metres_worst > 1e4 && printed < 0.2 && worst("recovered") < 1e-3,
     }
 }

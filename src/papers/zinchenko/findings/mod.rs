@@ -1,4 +1,4 @@
-//! What the audit of the tables and the conclusion found, in words and figures.
+//! Findings on the tables and the conclusion, in words and figures.
 
 mod claims;
 mod inputs;
@@ -9,14 +9,3 @@ pub(super) use claims::{claim_0119, conclusion, convergence};
 pub(super) use inputs::{identifiability, recovered_centres, units_of_length};
 pub(super) use run_up::run_up;
 pub(super) use tables::{hidden_recipe, misprints, moment, reproduction};
-
-use crate::papers::Figure;
-
-fn figure(name: impl Into<String>, value: impl Into<String>, unit: &'static str) -> Figure {
-    Figure {
-        name: name.into(),
-        value: value.into(),
-        unit,
-        latex: None,
-    }
-}

@@ -1,8 +1,7 @@
 //! Findings about the motion that the tables were made for.
 
-use super::figure;
 use crate::papers::zinchenko::run_up::{Against, Figures, MOMENTS, ROTOR, SYNCHRONOUS};
-use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure, figures};
 
 /// The verdict on leaving out the exact derivative, as the motion sees it.
 pub(in crate::papers::zinchenko) fn run_up(f: Option<&Figures>) -> Vec<Finding> {
@@ -44,23 +43,12 @@ fn under_a_motor(f: &Figures) -> Finding {
     let [h12, h48] = f.hybrids;
     let [bare, rotor] = f.start_times.map(|t| 1e3 * t);
     let percent = |a: &Against| 100.0 * a.run_up.max(a.steady) / SYNCHRONOUS;
-    let mut figures = vec![
-        figure(
-            "mean speed of the steady cycle, exact",
-            format!("{:.6}", f.exact.mean),
-            "rad/s",
-        ),
-        figure(
-            "least and largest speed, exact",
-            format!("{:.4}, {:.4}", f.exact.least.0, f.exact.most.0),
-            "rad/s",
-        ),
-        figure(
-            "coefficient of fluctuation, exact",
-            format!("{:.6}", f.exact.fluctuation),
-            "1",
-        ),
-    ];
+    let mut figures = figures! {
+        "mean speed of the steady cycle, exact": "{:.6}", f.exact.mean => "rad/s";
+        "least and largest speed, exact":
+            "{:.4}, {:.4}", f.exact.least.0, f.exact.most.0 => "rad/s";
+        "coefficient of fluctuation, exact": "{:.6}", f.exact.fluctuation => "1";
+    };
     figures.extend(named(
         f,
         "worst difference of the speed found, t < 0.7 s / t > 2 s",
@@ -124,11 +112,10 @@ fn in_free_motion(f: &Figures) -> Finding {
     let [s12, s48] = f.splines;
     let [h12, h48] = f.hybrids;
     let lost = |a: &Against| 100.0 * (1.0 - a.free * a.free);
-    let mut figures = vec![figure(
-        "speed after a free turn, exact coefficients",
-        format!("{:.10}", f.exact_free),
-        "of the speed before",
-    )];
+    let mut figures = figures! {
+        "speed after a free turn, exact coefficients":
+            "{:.10}", f.exact_free => "of the speed before";
+    };
     figures.extend(named(
         f,
         "speed after a free turn",
@@ -178,11 +165,9 @@ fn in_free_motion(f: &Figures) -> Finding {
 fn the_saving(f: &Figures) -> Finding {
     let [h12, h48] = f.hybrids;
     let more = |a: &Against| 100.0 * (a.evaluations as f64 / f.exact_evaluations as f64 - 1.0);
-    let mut figures = vec![figure(
-        "evaluations of (1), exact",
-        f.exact_evaluations.to_string(),
-        "1",
-    )];
+    let mut figures = figures! {
+        "evaluations of (1), exact": "{}", f.exact_evaluations => "1";
+    };
     figures.extend(named(f, "evaluations of (1)", "1", |a| {
         a.evaluations.to_string()
     }));

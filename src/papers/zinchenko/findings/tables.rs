@@ -1,12 +1,13 @@
 //! Findings about the tables.
 
-use super::figure;
 use crate::papers::zinchenko::entries::totals;
 use crate::papers::zinchenko::fitted_nodes::FittedMoment;
 use crate::papers::zinchenko::hidden_recipe::{Alias, Projection};
 use crate::papers::zinchenko::moment_residual::MomentResidual;
 use crate::papers::zinchenko::tables::{Column, ROWS};
-use crate::papers::{Entry, EntryVerdict, Finding, FindingVerdict, Subject, Tally};
+use crate::papers::{
+    Entry, EntryVerdict, Finding, FindingVerdict, Subject, Tally, figure, figures,
+};
 
 /// Entries that agree with exact nodes, and with fitted M_o nodes: (within half a unit, within
 /// one), as first recorded. Fewer is a defect of this program.
@@ -57,33 +58,14 @@ pub(in crate::papers::zinchenko) fn hidden_recipe(
         .filter(|p| (p.nodes, p.offset) == (12, 0))
         .max_by(|a, b| a.ratio.total_cmp(&b.ratio))
         .map_or("none", |p| p.column.name());
-    let mut figures = vec![
-        figure(
-            "column with the worst residual, 12 nodes",
-            worst_column,
-            "1",
-        ),
-        figure(
-            "worst rms residual over rounding, 12 nodes at rows 0, 4, 8, …",
-            format!("{twelve:.2}"),
-            "1",
-        ),
-        figure(
-            "best of 6, 8, 16 nodes and of 12 shifted nodes",
-            format!("{next_best:.0}"),
-            "1",
-        ),
-        figure(
-            "farthest clear alias from the law, in deviations of rounding (S'_dIn left out for its misprint)",
-            format!("{off_law:.1}"),
-            "1",
-        ),
-        figure(
-            "clear aliases within 20 % of the law",
-            format!("{on_law} of {}", clear.len()),
-            "1",
-        ),
-    ];
+    let mut figures = figures! {
+        "column with the worst residual, 12 nodes": "{}", worst_column => "1";
+        "worst rms residual over rounding, 12 nodes at rows 0, 4, 8, …": "{twelve:.2}" => "1";
+        "best of 6, 8, 16 nodes and of 12 shifted nodes": "{next_best:.0}" => "1";
+        "farthest clear alias from the law, in deviations of rounding (S'_dIn left out for its misprint)":
+            "{off_law:.1}" => "1";
+        "clear aliases within 20 % of the law": "{on_law} of {}", clear.len() => "1";
+    };
     figures.push(figure(
         "worst deviation of S'_In, periodic ends",
         format!("{periodic:.4}"),
@@ -142,19 +124,11 @@ pub(in crate::papers::zinchenko) fn reproduction(tallies: &[Tally], entries: &[E
              all in the two columns of M_o: with its twelve nodes fitted, {fitted_half} agree and \
              {fitted_one} are within one unit. With the data as printed {as_half} agree.",
         ),
-        figures: vec![
-            figure("exact nodes: within ½ / 1 unit", of(half, one), "entries"),
-            figure(
-                "M_o nodes fitted: within ½ / 1 unit",
-                of(fitted_half, fitted_one),
-                "entries",
-            ),
-            figure(
-                "data as printed: within ½ / 1 unit",
-                of(as_half, as_one),
-                "entries",
-            ),
-        ],
+        figures: figures! {
+            "exact nodes: within ½ / 1 unit": "{}", of(half, one) => "entries";
+            "M_o nodes fitted: within ½ / 1 unit": "{}", of(fitted_half, fitted_one) => "entries";
+            "data as printed: within ½ / 1 unit": "{}", of(as_half, as_one) => "entries";
+        },
         as_recorded: half >= RECORDED_EXACT.0
             && one >= RECORDED_EXACT.1
             && fitted_half >= RECORDED_FITTED.0
@@ -258,32 +232,14 @@ pub(in crate::papers::zinchenko) fn moment(
             residual.errors[4] * 1e4,
             residual.errors[8] * 1e4,
         ),
-        figures: vec![
-            figure("mean of the exact nodes", mean, "N m"),
-            figure(
-                "mean of the printed nodes",
-                format!(
-                    "{:.3e} ± {:.1e}",
-                    residual.printed_mean, residual.mean_deviation
-                ),
-                "N m",
-            ),
-            figure(
-                "fitted minus exact nodes, rows 0, 4, … 44",
-                list.join(" "),
-                "1e-4 N m",
-            ),
-            figure(
-                "entries left out of the fit as misprints",
-                fitted.left_out.len().to_string(),
-                "entries",
-            ),
-            figure(
-                "standard deviation of a fitted node",
-                format!("{:.1}", deviation * 1e4),
-                "1e-4 N m",
-            ),
-        ],
+        figures: figures! {
+            "mean of the exact nodes": "{}", mean => "N m";
+            "mean of the printed nodes":
+                "{:.3e} ± {:.1e}", residual.printed_mean, residual.mean_deviation => "N m";
+            "fitted minus exact nodes, rows 0, 4, … 44": "{}", list.join(" ") => "1e-4 N m";
+            "entries left out of the fit as misprints": "{}", fitted.left_out.len() => "entries";
+            "standard deviation of a fitted node": "{:.1}", deviation * 1e4 => "1e-4 N m";
+        },
         as_recorded: sigmas > 10.0
             && negative == 0
             && fitted.worst_units < 0.5

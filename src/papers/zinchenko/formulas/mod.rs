@@ -18,7 +18,7 @@ mod sample;
 mod spline;
 mod sweep;
 
-use crate::papers::{Figure, Finding, FindingVerdict, Subject};
+use crate::papers::{Figure, Finding, FindingVerdict, Subject, figure};
 use crate::reference::{Ball, Undecided};
 
 /// What a check found out about a formula.
@@ -92,15 +92,6 @@ fn rounded_up(x: f64) -> String {
             format!("{:.1e}", shown + 0.1 * step)
         }
         _ => text,
-    }
-}
-
-fn figure(name: impl Into<String>, value: impl ToString, unit: &'static str) -> Figure {
-    Figure {
-        name: name.into(),
-        value: value.to_string(),
-        unit,
-        latex: None,
     }
 }
 
@@ -178,6 +169,21 @@ fn undecided(id: &'static str, place: &'static str, error: &Undecided) -> Findin
         figures: Vec::new(),
         as_recorded: false,
     }
+}
+
+/// The formulas with a fault planted change the findings of these names and no others.
+#[cfg(test)]
+fn found<F: Copy>(
+    printed: F,
+    findings: impl Fn(&F) -> Vec<Finding>,
+    due: &[&str],
+    plant: fn(&mut F),
+) {
+    let mut faulty = printed;
+    plant(&mut faulty);
+    let all = findings(&faulty);
+    let changed = all.iter().filter(|f| !f.as_recorded).map(|f| f.id);
+    assert_eq!(changed.collect::<Vec<_>>(), due);
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The equation of motion (1) and Kloss's formula (2).
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome, decimals, figure};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome, decimals};
+use crate::papers::{Finding, FindingVerdict, figure, figures};
 use crate::reference::{Ball, Decimal};
 
 /// `dψ/dt` from I_n, dI_n/dφ, ψ, M_d, M_o.
@@ -40,17 +40,11 @@ pub(super) fn equation_of_motion(form: Acceleration) -> Finding {
                the identity was proved exactly. It asks for M_o as a moment with a sign, which is \
                what formula (7) delivers: negative while the sieve is being lifted. Entering a \
                resisting moment as a positive number breaks the balance by 2 M_o ψ.",
-        figures: vec![
-            figure("grid points of the exact identity", signed.points, "1"),
-            figure(
-                "imbalance at the first point with M_o taken as a positive resistance",
-                unsigned
-                    .failure
-                    .as_ref()
-                    .map_or("none".into(), |f| f.1.to_string()),
-                "W",
-            ),
-        ],
+        figures: figures! {
+            "grid points of the exact identity": "{}", signed.points => "1";
+            "imbalance at the first point with M_o taken as a positive resistance":
+                "{}", unsigned .failure .as_ref() .map_or("none".into(), |f| f.1.to_string()) => "W";
+        },
         checks: vec![
             (signed.outcome(), Outcome::Holds),
             (unsigned.outcome(), Outcome::Fails),

@@ -1,8 +1,8 @@
 //! The velocity system and the acceleration system, four scalar equations each.
 
 use super::sample::{BITS, Dimensions, Position, Sample};
-use super::{Draft, Outcome, figure, largest};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome, largest};
+use crate::papers::{Finding, FindingVerdict, figure};
 use crate::reference::Ball;
 
 /// Everything that stands in the two systems. Arrays are indexed by the link's number; entry 0 is

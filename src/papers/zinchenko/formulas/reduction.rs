@@ -4,8 +4,8 @@ use super::exact::{Grid, Q};
 use super::sample::{
     BITS, Dimensions, Loads, Position, ROWS, Rockers, Sample, ball, masses, number,
 };
-use super::{Draft, Outcome, decimals, figure, largest};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome, decimals, largest};
+use crate::papers::{Finding, FindingVerdict, figure};
 use crate::reference::class_iii::{Masses, Reduced};
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
@@ -464,89 +464,47 @@ pub(super) fn findings(f: &Forms, sample: &Sample) -> Vec<Finding> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::found;
     use super::*;
 
     #[test]
     fn planted_faults_are_found() {
         let sample = Sample::new().unwrap();
-        let lost = |f: Forms| -> Vec<&'static str> {
-            let all = findings(&f, &sample);
-            all.iter()
-                .filter(|f| !f.as_recorded)
-                .map(|f| f.id)
-                .collect()
+        let lost = |due: &[&str], plant: fn(&mut Forms)| {
+            found(PRINTED, |f| findings(f, &sample), due, plant);
         };
-        let good = PRINTED;
-        assert_eq!(lost(good), Vec::<&str>::new());
-        assert_eq!(
-            lost(Forms {
-                energy: |s, b| (PRINTED.energy)(s, b) - &b.i[0],
-                ..good
-            }),
-            ["formula-3"]
-        );
-        assert_eq!(
-            lost(Forms {
-                mass: |i, l1| i / l1,
-                ..good
-            }),
-            ["formula-3"]
-        );
+        lost(&[], |_| ());
+        lost(&["formula-3"], |f| {
+            f.energy = |s, b| (PRINTED.energy)(s, b) - &b.i[0]
+        });
+        lost(&["formula-3"], |f| f.mass = |i, l1| i / l1);
         // I_1 kept: no longer the recorded error.
-        assert_eq!(
-            lost(Forms {
-                inertia: |s, b| (PRINTED.inertia)(s, b) + &b.i[0],
-                ..good
-            }),
-            ["formula-4"]
-        );
-        assert_eq!(
-            lost(Forms {
-                inertia: |s, b| (PRINTED.inertia)(s, b) * s.omega1.square(),
-                ..good
-            }),
-            ["formula-4"]
-        );
+        lost(&["formula-4"], |f| {
+            f.inertia = |s, b| (PRINTED.inertia)(s, b) + &b.i[0]
+        });
+        lost(&["formula-4"], |f| {
+            f.inertia = |s, b| (PRINTED.inertia)(s, b) * s.omega1.square()
+        });
         // The factor restored.
-        assert_eq!(
-            lost(Forms {
-                derivative: |s, b| &(PRINTED.derivative)(s, b) / &s.omega1.square(),
-                ..good
-            }),
-            ["formula-5"]
-        );
+        lost(&["formula-5"], |f| {
+            f.derivative = |s, b| &(PRINTED.derivative)(s, b) / &s.omega1.square()
+        });
         // One term lost, of the smallest link.
-        assert_eq!(
-            lost(Forms {
-                derivative: |s, b| {
-                    let term = &b.i[4] * &s.omega[3] * &s.omega_slope[3];
-                    (PRINTED.derivative)(s, b) - term.shift(1)
-                },
-                ..good
-            }),
-            ["formula-5"]
-        );
-        assert_eq!(
-            lost(Forms {
-                power: |p, v, c, w| (PRINTED.power)(p, v, c, &w.abs()),
-                ..good
-            }),
-            ["formula-6"]
-        );
-        assert_eq!(
-            lost(Forms {
-                moment: |s, b| -(PRINTED.moment)(s, b),
-                ..good
-            }),
-            ["formula-7"]
-        );
-        assert_eq!(
-            lost(Forms {
-                moment: |s, b| &(PRINTED.moment)(s, b) / &s.omega1,
-                ..good
-            }),
-            ["formula-7"]
-        );
+        lost(&["formula-5"], |f| {
+            f.derivative = |s, b| {
+                let term = &b.i[4] * &s.omega[3] * &s.omega_slope[3];
+                (PRINTED.derivative)(s, b) - term.shift(1)
+            }
+        });
+        lost(&["formula-6"], |f| {
+            f.power = |p, v, c, w| (PRINTED.power)(p, v, c, &w.abs())
+        });
+        lost(&["formula-7"], |f| {
+            f.moment = |s, b| -(PRINTED.moment)(s, b)
+        });
+        lost(&["formula-7"], |f| {
+            f.moment = |s, b| &(PRINTED.moment)(s, b) / &s.omega1
+        });
     }
 
     #[test]

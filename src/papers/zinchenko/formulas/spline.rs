@@ -1,8 +1,8 @@
 //! The cubic spline: formulas (8) to (17) and the inline right-hand sides.
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome, figure};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome};
+use crate::papers::{Finding, FindingVerdict, figure};
 
 /// One section of the spline, between nodes i and i + 1.
 pub(super) struct Section {
@@ -315,121 +315,48 @@ pub(super) fn findings(f: &Forms) -> Vec<Finding> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::found;
     use super::*;
 
-    /// Names of the findings that are not as recorded.
-    fn lost(f: Forms) -> Vec<&'static str> {
-        let all = findings(&f);
-        all.iter()
-            .filter(|f| !f.as_recorded)
-            .map(|f| f.id)
-            .collect()
+    fn lost(due: &[&str], plant: fn(&mut Forms)) {
+        found(PRINTED, findings, due, plant);
     }
 
     #[test]
     fn planted_faults_are_found() {
-        let good = PRINTED;
-        assert_eq!(lost(good), Vec::<&str>::new());
-        let first = vec!["formula-8-12"];
-        let second = vec!["formula-13-16"];
-        assert_eq!(
-            lost(Forms {
-                second: |s| &s.m[1] + &s.k * (&s.m[1] - &s.m[0]),
-                ..good
-            }),
-            first
-        );
-        assert_eq!(
-            lost(Forms {
-                slope: |s, c| (PRINTED.slope)(s, c) + &s.k,
-                ..good
-            }),
-            first
-        );
-        assert_eq!(
-            lost(Forms {
-                value: |s, a, _| (PRINTED.value)(s, a, &s.y[1]),
-                ..good
-            }),
-            first
-        );
-        assert_eq!(
-            lost(Forms {
-                c1: |s| (PRINTED.c1)(s) + &s.m[1] * &s.h,
-                ..good
-            }),
-            first
-        );
-        assert_eq!(
-            lost(Forms {
-                c2: |s| s.y[1].clone(),
-                ..good
-            }),
-            first
-        );
-        assert_eq!(
-            lost(Forms {
-                value_collected: |s| (PRINTED.value_collected)(s) + &s.k - 1,
-                ..good
-            }),
-            first
-        );
-        assert_eq!(
-            lost(Forms {
-                value_substituted: |s| (PRINTED.value_substituted)(s) - &s.h,
-                ..good
-            }),
-            first
-        );
-        assert_eq!(
-            lost(Forms {
-                slope_collected: |s| (PRINTED.slope_collected)(s) + &s.m[1],
-                ..good
-            }),
-            ["formula-8-12", "formula-13-16"]
-        );
+        lost(&[], |_| ());
+        let first = &["formula-8-12"];
+        let second = &["formula-13-16"];
+        lost(first, |f| {
+            f.second = |s| &s.m[1] + &s.k * (&s.m[1] - &s.m[0])
+        });
+        lost(first, |f| f.slope = |s, c| (PRINTED.slope)(s, c) + &s.k);
+        lost(first, |f| {
+            f.value = |s, a, _| (PRINTED.value)(s, a, &s.y[1])
+        });
+        lost(first, |f| f.c1 = |s| (PRINTED.c1)(s) + &s.m[1] * &s.h);
+        lost(first, |f| f.c2 = |s| s.y[1].clone());
+        lost(first, |f| {
+            f.value_collected = |s| (PRINTED.value_collected)(s) + &s.k - 1
+        });
+        lost(first, |f| {
+            f.value_substituted = |s| (PRINTED.value_substituted)(s) - &s.h
+        });
+        lost(&["formula-8-12", "formula-13-16"], |f| {
+            f.slope_collected = |s| (PRINTED.slope_collected)(s) + &s.m[1]
+        });
         // The bracket of (13) without its signs.
-        assert_eq!(
-            lost(Forms {
-                slope_left: |n| (&n.y[1] - &n.y[0]) / &n.h - &n.h / 6 * (&n.m[0] + &n.m[1] * 2),
-                ..good
-            }),
-            second
-        );
-        assert_eq!(
-            lost(Forms {
-                slope_right: |n| (PRINTED.slope_right)(n) + 1,
-                ..good
-            }),
-            second
-        );
-        assert_eq!(
-            lost(Forms {
-                continuity: (|n| n.h.clone(), PRINTED.continuity.1),
-                ..good
-            }),
-            second
-        );
-        assert_eq!(
-            lost(Forms {
-                moments: (|n| &n.m[0] + &n.m[1] * 3 + &n.m[2], PRINTED.moments.1),
-                ..good
-            }),
-            ["formula-13-16", "formula-17"]
-        );
-        assert_eq!(
-            lost(Forms {
-                inline: |n| (PRINTED.table)(n) * 3,
-                ..good
-            }),
-            ["inline-d"]
-        );
-        assert_eq!(
-            lost(Forms {
-                table: |n| (PRINTED.table)(n) * 2,
-                ..good
-            }),
-            ["inline-d"]
-        );
+        lost(second, |f| {
+            f.slope_left = |n| (&n.y[1] - &n.y[0]) / &n.h - &n.h / 6 * (&n.m[0] + &n.m[1] * 2)
+        });
+        lost(second, |f| f.slope_right = |n| (PRINTED.slope_right)(n) + 1);
+        lost(second, |f| {
+            f.continuity = (|n| n.h.clone(), PRINTED.continuity.1)
+        });
+        lost(&["formula-13-16", "formula-17"], |f| {
+            f.moments = (|n| &n.m[0] + &n.m[1] * 3 + &n.m[2], PRINTED.moments.1)
+        });
+        lost(&["inline-d"], |f| f.inline = |n| (PRINTED.table)(n) * 3);
+        lost(&["inline-d"], |f| f.table = |n| (PRINTED.table)(n) * 2);
     }
 }

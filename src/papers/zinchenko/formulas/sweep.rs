@@ -1,8 +1,8 @@
 //! The tridiagonal system and its sweep: (18), table 1, (19), λ1 = η1 = 0, (20).
 
 use super::exact::{Grid, Identity, Q, q};
-use super::{Draft, Outcome, figure};
-use crate::papers::{Finding, FindingVerdict};
+use super::{Draft, Outcome};
+use crate::papers::{Finding, FindingVerdict, figure, figures};
 
 /// One equation of the tridiagonal system.
 #[derive(Clone, Debug)]
@@ -313,17 +313,14 @@ fn start(f: &Forms) -> Finding {
                test with U_0 = 3 the sweep returns m_0 = 0, and since all other equations are \
                satisfied exactly nothing looks wrong. Right only for U_0 = 0, the case the paper \
                calls the most frequent.",
-        figures: vec![
-            figure("m_0 with eta_1 = 0, U_0 = 3", shown(&printed, 0), "1"),
-            figure("m_0 with eta_1 = U_0", shown(&corrected, 0), "1"),
-            figure("m_1 with eta_1 = 0", shown(&printed, 1), "1"),
-            figure("m_1 with eta_1 = U_0", shown(&corrected, 1), "1"),
-            figure(
-                "largest residual of the other equations with eta_1 = 0",
-                r[1..].iter().map(Q::abs).fold(Q::from(0), Q::max),
-                "1",
-            ),
-        ],
+        figures: figures! {
+            "m_0 with eta_1 = 0, U_0 = 3": "{}", shown(&printed, 0) => "1";
+            "m_0 with eta_1 = U_0": "{}", shown(&corrected, 0) => "1";
+            "m_1 with eta_1 = 0": "{}", shown(&printed, 1) => "1";
+            "m_1 with eta_1 = U_0": "{}", shown(&corrected, 1) => "1";
+            "largest residual of the other equations with eta_1 = 0":
+                "{}", r[1..].iter().map(Q::abs).fold(Q::from(0), Q::max) => "1";
+        },
         checks: vec![
             (Outcome::of(all_zero(&r)), Outcome::Fails),
             (Outcome::of(only_the_end), Outcome::Holds),
@@ -380,67 +377,31 @@ pub(super) fn findings(f: &Forms) -> Vec<Finding> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::found;
     use super::*;
 
-    fn lost(f: Forms) -> Vec<&'static str> {
-        let all = findings(&f);
-        all.iter()
-            .filter(|f| !f.as_recorded)
-            .map(|f| f.id)
-            .collect()
+    fn lost(due: &[&str], plant: fn(&mut Forms)) {
+        found(PRINTED, findings, due, plant);
     }
 
     #[test]
     fn planted_faults_are_found() {
-        let good = PRINTED;
-        assert_eq!(lost(good), Vec::<&str>::new());
+        lost(&[], |_| ());
         // A recorded error that is no longer there counts as a change, too.
-        assert_eq!(
-            lost(Forms {
-                canonical: CORRECTED.canonical,
-                ..good
-            }),
-            ["formula-18"]
-        );
-        let mut table = good.table;
-        table[2] = CORRECTED.table[2];
-        assert_eq!(lost(Forms { table, ..good }), ["table-1-last-row"]);
-        assert_eq!(
-            lost(Forms {
-                start: CORRECTED.start,
-                ..good
-            }),
-            ["lambda-1-eta-1"]
-        );
-        assert_eq!(lost(Forms { first: 1, ..good }), ["formula-20"]);
+        lost(&["formula-18"], |f| f.canonical = CORRECTED.canonical);
+        lost(&["table-1-last-row"], |f| f.table[2] = CORRECTED.table[2]);
+        lost(&["lambda-1-eta-1"], |f| f.start = CORRECTED.start);
+        lost(&["formula-20"], |f| f.first = 1);
         // Other faults.
-        assert_eq!(
-            lost(Forms {
-                start: |_| (q(1, 3), Q::from(0)),
-                ..good
-            }),
-            ["lambda-1-eta-1"]
-        );
-        assert_eq!(
-            lost(Forms {
-                backward: |m, l, e| m * l - e,
-                ..good
-            }),
-            ["formula-20"]
-        );
-        assert_eq!(
-            lost(Forms {
-                forward: |v| {
-                    let (l, e) = (PRINTED.forward)(v);
-                    (l, -e)
-                },
-                ..good
-            }),
-            ["formula-19"]
-        );
-        let mut table = good.table;
-        table[2] = [0, 2, 0];
-        assert_eq!(lost(Forms { table, ..good }), ["table-1-last-row"]);
+        lost(&["lambda-1-eta-1"], |f| f.start = |_| (q(1, 3), Q::from(0)));
+        lost(&["formula-20"], |f| f.backward = |m, l, e| m * l - e);
+        lost(&["formula-19"], |f| {
+            f.forward = |v| {
+                let (l, e) = (PRINTED.forward)(v);
+                (l, -e)
+            }
+        });
+        lost(&["table-1-last-row"], |f| f.table[2] = [0, 2, 0]);
     }
 
     #[test]

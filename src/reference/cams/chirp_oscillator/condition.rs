@@ -1,4 +1,4 @@
-//! How much the response depends on its inputs.
+//! Condition numbers of the response.
 //!
 //! With a chirp (κ ≠ 0) and off critical damping by the derivatives of `E(λ; ν, κ, t)`,
 //!

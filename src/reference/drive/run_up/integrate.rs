@@ -1,4 +1,4 @@
-//! Steps from the start to the times asked for.
+//! Integration from the start to the requested times.
 
 use super::coefficients::Coefficients;
 use super::motor::Motor;
@@ -159,7 +159,7 @@ pub fn integrate_with(
 }
 
 /// The state between two steps.
-struct Walk<'a> {
+pub(super) struct Walk<'a> {
     model: &'a Coefficients,
     set: Setting,
     index: i64,
@@ -168,7 +168,11 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    fn new<'a>(model: &'a Coefficients, run: &Run, order: usize) -> Result<Walk<'a>, Undecided> {
+    pub(super) fn new<'a>(
+        model: &'a Coefficients,
+        run: &Run,
+        order: usize,
+    ) -> Result<Walk<'a>, Undecided> {
         let bits = model.bits;
         let undecided = |reason: &str| Undecided {
             bits,
@@ -229,7 +233,7 @@ impl Walk<'_> {
     }
 
     /// A proved step: as long as it can be, shorter where the proof fails.
-    fn step(&self) -> Result<Piece, Undecided> {
+    pub(super) fn step(&self) -> Result<Piece, Undecided> {
         let panel = self.model.panel(self.index)?;
         let limit = Float::with_val(64, if self.set.backward { -1 } else { 1 });
         let mut longest = LONGEST;
@@ -279,5 +283,42 @@ impl Walk<'_> {
             speed: Some(piece.speed),
         };
         self.time = end;
+    }
+}
+
+/// Starts that no run has, for tests of what a step does with them.
+#[cfg(test)]
+impl Walk<'_> {
+    /// The speed is known to a radius only.
+    pub(super) fn uncertain(&mut self, radius: Mag) {
+        self.here.speed = self.here.speed.as_ref().map(|v| v.widened(radius));
+    }
+
+    /// The place is known to a slack only.
+    pub(super) fn displaced(&mut self, slack: Mag) {
+        self.here.slack = self.here.slack.add(slack);
+    }
+
+    /// Another place.
+    pub(super) fn moved(&mut self, by: &Float) {
+        let bits = self.here.x.prec().max(by.prec()) + 64;
+        self.here.x = Float::with_val(bits, &self.here.x + by);
+    }
+
+    /// Speed and time at the place `x` of this panel, in as many steps as it takes.
+    pub(super) fn state_at(mut self, x: &Float) -> Result<(Ball, Ball), Undecided> {
+        loop {
+            let panel = self.model.panel(self.index)?;
+            let piece =
+                step(&self.set, &panel, &self.here, x, LONGEST).map_err(|reason| Undecided {
+                    bits: self.set.bits,
+                    reason: reason.into(),
+                })?;
+            let end = &self.time + &piece.duration;
+            if piece.x1 == *x {
+                return Ok((piece.speed, end));
+            }
+            self.advance(piece, end);
+        }
     }
 }

@@ -425,3 +425,7 @@ fn invert(mut a: Vec<Vec<Float>>, bits: u32) -> Option<Vec<Vec<Float>>> {
     }
     Some(a.into_iter().map(|r| r[n..].to_vec()).collect())
 }
+
+#[cfg(test)]
+#[path = "linkage_panel_tests.rs"]
+mod tests;

@@ -1,4 +1,4 @@
-//! The machine runs up: the motion of a linkage's crank under a motor, enclosed.
+//! Certified run-up: an enclosure of the motion of a linkage's crank under a motor.
 //!
 //! ```text
 //! dψ/dt = (M_d(ψ) + M_o(φ) − ½ ψ² S(φ)) / (I_n(φ) + I_1)      dφ/dt = ψ
@@ -63,6 +63,8 @@ mod piece;
 mod proof;
 mod series;
 mod setting;
+#[cfg(test)]
+mod soundness_tests;
 mod step;
 #[cfg(test)]
 mod tests;

@@ -1,4 +1,4 @@
-//! A proved step, read at times within it.
+//! A proved step, evaluated at times within it.
 
 use crate::taylor_model::TaylorModel;
 use crate::{Ball, Mag};

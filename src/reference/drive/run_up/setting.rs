@@ -1,4 +1,4 @@
-//! What stays the same from step to step.
+//! Constants of an integration.
 
 use super::motor::Characteristic;
 use crate::Ball;

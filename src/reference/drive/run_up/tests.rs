@@ -14,7 +14,7 @@ fn q(t: &str) -> Rational {
     Decimal::parse(t).unwrap().value
 }
 
-fn geometry() -> Geometry {
+pub(super) fn geometry() -> Geometry {
     Geometry {
         l1: q("0.10"),
         l2: q("1.04"),
@@ -29,7 +29,7 @@ fn geometry() -> Geometry {
 }
 
 /// The sand screen's masses that reproduce the tables, in a field of gravity.
-fn masses(gravity: &str) -> Masses {
+pub(super) fn masses(gravity: &str) -> Masses {
     let body = |m: &str, j: &str, about_pivot: bool, r: &str, a: &str| Body {
         mass: q(m),
         inertia: q(j),
@@ -67,7 +67,7 @@ fn curve(bits: u32, gravity: &str) -> Arc<LinkageCurve> {
     ))
 }
 
-static LOW: LazyLock<Arc<LinkageCurve>> = LazyLock::new(|| curve(72, "9.81"));
+pub(super) static LOW: LazyLock<Arc<LinkageCurve>> = LazyLock::new(|| curve(72, "9.81"));
 static HIGH: LazyLock<Arc<LinkageCurve>> = LazyLock::new(|| curve(144, "9.81"));
 
 fn rated(m: &str) -> Motor {

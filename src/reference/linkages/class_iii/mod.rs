@@ -16,6 +16,8 @@ mod enclosure;
 mod modes;
 mod motion;
 mod sensitivity;
+#[cfg(test)]
+mod soundness_tests;
 
 pub use enclosure::Configuration;
 pub use modes::Mode;

@@ -89,7 +89,7 @@ impl Laurent {
     }
 }
 
-/// T and what is needed to go back from its zeros to positions.
+/// T and the data that lead from its zeros back to positions.
 struct Resultant {
     n: Laurent,
     delta: Laurent,

@@ -1,4 +1,4 @@
-//! How much a configuration and what follows from it depend on the input.
+//! Condition numbers of a configuration and of the quantities derived from it.
 //!
 //! Along a change δ of the dimensions the distance equations `P·P = l²` and their first two
 //! derivatives with respect to φ1 (primes) give

@@ -60,7 +60,7 @@
 use super::argument::Argument;
 use super::fixed;
 use super::gaussian::Gaussian;
-use super::pair::Kind;
+use super::pair::Member;
 use super::scaled::Scaled;
 use crate::{Ball, Mag};
 use rug::Integer;
@@ -122,7 +122,7 @@ pub(super) fn terms(log_r: f64, prec: u32) -> Option<u64> {
 
 /// w (or w − e^{−z²}, first quadrant only) by components; `None` where the series does not reach
 /// `prec` bits. `z.x` must not be negative.
-pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> {
+pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
     let log_r = z.norm_log2() - 1e-8;
     let n = terms(log_r, prec)?;
     let inner = prec + 24;
@@ -163,7 +163,7 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> 
     let absent = Mag::power_of_two(-i64::from(prec) - 8);
     let re_size = re.mignitude();
     // Above the diagonal e^{−z²} is no part of w, however large it is.
-    if kind == Kind::W && !lower && (!near_real || plain <= absent.mul(re_size)) {
+    if member == Member::W && !lower && (!near_real || plain <= absent.mul(re_size)) {
         return Some([
             plain_scaled(re.widened(plain)),
             plain_scaled(im.widened(im_error)),
@@ -178,9 +178,9 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> 
     };
     if z.y.is_zero() {
         // S_N and the remainder contribute nothing to Re w. Im e^{−z²} is zero.
-        let re = match kind {
-            Kind::W => Scaled::new(e.c, e.k),
-            Kind::Dawson => plain_scaled(re),
+        let re = match member {
+            Member::W => Scaled::new(e.c, e.k),
+            Member::Dawson => plain_scaled(re),
         };
         return Some([re, plain_scaled(im.widened(im_error))]);
     }
@@ -199,9 +199,9 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> 
     let re_error = if with_gaussian { beside } else { scale(plain) };
     let im = im.widened(scale(im_error));
     let re = re.widened(re_error);
-    let (re, im) = match (kind, lower, with_gaussian) {
-        (Kind::Dawson, _, true) => (re, im + &es),
-        (Kind::Dawson, _, false) => (re - &ec, im + &es),
+    let (re, im) = match (member, lower, with_gaussian) {
+        (Member::Dawson, _, true) => (re, im + &es),
+        (Member::Dawson, _, false) => (re - &ec, im + &es),
         (_, false, false) => (re, im),
         (_, false, true) => (&ec + &re, im),
         (_, true, false) => (ec.shift(1) - &re, es.shift(1) + &im),

@@ -1,21 +1,21 @@
-//! Which series serves an argument, and the symmetries that bring it there.
+//! The choice of the series for an argument, after reduction by symmetry.
 
 use super::argument::{Argument, Real};
-use super::pair::Kind;
+use super::pair::Member;
 use super::scaled::Scaled;
 use super::{asymptotic, kummer};
 use rug::Integer;
 
 /// One evaluation for `z.x ≥ 0`. `None` where |z|² is beyond 10^8 and the asymptotic series does
 /// not reach the precision.
-pub(super) fn at(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> {
-    if let Some(parts) = asymptotic::parts(z, kind, prec) {
+pub(super) fn at(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
+    if let Some(parts) = asymptotic::parts(z, member, prec) {
         return Some(parts);
     }
     if !(z.norm_f64() < 1e8) {
         return None;
     }
-    let value = kummer::parts(z, kind, prec);
+    let value = kummer::parts(z, member, prec);
     Some([value.re, value.im].map(|b| Scaled::new(b, Integer::new())))
 }
 
@@ -23,7 +23,7 @@ pub(super) fn at(z: &Argument, kind: Kind, prec: u32) -> Option<[Scaled; 2]> {
 pub(super) fn once(x: Real, y: Real, prec: u32) -> Option<[Scaled; 2]> {
     let mirrored = x.is_negative();
     let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let [re, im] = at(&z, Kind::W, prec)?;
+    let [re, im] = at(&z, Member::W, prec)?;
     Some(if mirrored { [re, -im] } else { [re, im] })
 }
 
@@ -33,6 +33,6 @@ pub(super) fn once_dawson(x: &Real, y: &Real, prec: u32) -> Option<[Scaled; 2]> 
     let (a, b) = (x.is_negative(), y.is_negative());
     let positive = |r: &Real, flip| if flip { r.negated() } else { r.clone() };
     let z = Argument::new(positive(x, a), positive(y, b));
-    let [re, im] = at(&z, Kind::Dawson, prec)?;
+    let [re, im] = at(&z, Member::Dawson, prec)?;
     Some([if b { -re } else { re }, if a { -im } else { im }])
 }

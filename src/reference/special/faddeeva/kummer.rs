@@ -28,7 +28,7 @@
 use super::argument::Argument;
 use super::fixed;
 use super::gaussian::Gaussian;
-use super::pair::Kind;
+use super::pair::Member;
 use crate::{Ball, ComplexBall, Mag};
 use rug::Integer;
 
@@ -79,7 +79,7 @@ fn scale(size: f64) -> (u64, u32) {
 
 /// w, or w − e^{−z²}, at relative precision about 2^-prec of its modulus in the upper half-plane.
 /// `|z|²` has to be below 2^31.
-pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> ComplexBall {
+pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> ComplexBall {
     let size = z.norm_f64();
     let loss = (size * std::f64::consts::LOG2_E).ceil() as u32;
     let guard = 12 + 2 * (1.0 + size).log2().ceil() as u32;
@@ -107,7 +107,7 @@ pub(super) fn parts(z: &Argument, kind: Kind, prec: u32) -> ComplexBall {
     let factor = Ball::integer(inner, 2) / &Ball::pi(inner).sqrt();
     let re = -((&factor * &y) * &(&big_p - &(&x2 * &big_s)));
     let im = (&factor * &x) * &(&big_p + &(&y2 * &big_s));
-    if kind == Kind::Dawson {
+    if member == Member::Dawson {
         return ComplexBall::new(re, im);
     }
     let e = Gaussian::new(&x, &y, inner);

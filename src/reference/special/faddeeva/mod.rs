@@ -31,6 +31,7 @@ mod related;
 mod scaled;
 pub mod trapezoidal;
 mod value;
+mod voigt_hwhm;
 mod zeros;
 mod ziv;
 
@@ -47,6 +48,7 @@ pub use related::{
     erfi_scaled, voigt, voigt_scaled,
 };
 pub use scaled::Scaled;
+pub use voigt_hwhm::voigt_hwhm;
 pub use zeros::{zero, zero_of_erf};
 
 /// w(z) for z = re + i im, each component with a relative radius of at most 2^-bits.

@@ -2,7 +2,7 @@
 
 /// Which function of the pair: both come from the same series.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum Member {
     /// `w(z)`.
     W,
     /// `w(z) − e^{−z²} = (2i/√π) F(z)`, F Dawson's function; in the first quadrant only.

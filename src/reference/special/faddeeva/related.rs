@@ -16,7 +16,7 @@
 use super::argument::{Argument, Real};
 use super::choice::{at, once, once_dawson};
 use super::gaussian::Gaussian;
-use super::pair::Kind;
+use super::pair::Member;
 use super::scaled::{Scaled, aligned};
 use super::value::scaled;
 use super::ziv::{balls, decide};
@@ -232,7 +232,7 @@ pub fn voigt_scaled(
     let z = Argument::new(if a.is_negative() { a.negated() } else { a }, b);
     let all = length(&z.x, &z.y);
     let [re, _] = decide("the Voigt profile", bits + 4, all, |p| {
-        let [re, _] = at(&z, Kind::W, p)?;
+        let [re, _] = at(&z, Member::W, p)?;
         Some([re, Scaled::new(Ball::integer(64, 0), Integer::new())])
     })?;
     let root = Ball::rational(p, &Rational::from(sigma.square_ref())) * &Ball::pi(p).shift(1);

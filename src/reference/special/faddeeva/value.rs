@@ -3,7 +3,7 @@
 use super::argument::{Argument, Real};
 use super::choice::at;
 use super::fast;
-use super::pair::Kind;
+use super::pair::Member;
 use super::scaled::Scaled;
 use super::ziv::{balls, decide};
 use crate::{ComplexBall, Undecided};
@@ -24,6 +24,6 @@ pub(super) fn scaled(x: Real, y: Real, bits: u32) -> Result<[Scaled; 2], Undecid
     let length = x.length().saturating_add(y.length());
     let mirrored = x.is_negative();
     let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let [re, im] = decide("w", bits, length, |prec| at(&z, Kind::W, prec))?;
+    let [re, im] = decide("w", bits, length, |prec| at(&z, Member::W, prec))?;
     Ok(if mirrored { [re, -im] } else { [re, im] })
 }

@@ -5,7 +5,7 @@ use super::inlined::two;
 use super::roots::Roots;
 use super::series::{FAR, Z, terms};
 use crate::double_double::Dd;
-use crate::faddeeva::exponential::{reduce, sin_cos_reduced, turn};
+use crate::exponential::{reduce, sin_cos_reduced, turn};
 use crate::lanes::Lanes;
 use crate::real::Real;
 use num_complex::Complex;

@@ -1,8 +1,8 @@
 //! Phases in double-double and their sines and cosines.
 
 use crate::double_double::Dd;
-use crate::faddeeva::exponential::{LARGE_PHASE, reduce, sin_cos_reduced, turn};
-use crate::faddeeva::payne_hanek;
+use crate::exponential::{LARGE_PHASE, reduce, sin_cos_reduced, turn};
+use crate::payne_hanek;
 use crate::real::ROUND;
 use num_complex::Complex;
 

@@ -12,8 +12,8 @@ use super::roots::Roots;
 use super::series::FAR;
 use super::sweep::Sweep;
 use crate::double_double::{Dd, two_prod};
-use crate::faddeeva::double_double_functions::circles_and_exponential;
-use crate::faddeeva::exponential::LARGE_PHASE;
+use crate::double_double_functions::circles_and_exponential;
+use crate::exponential::LARGE_PHASE;
 use crate::lanes::{Lanes, Task, with_best};
 use num_complex::Complex;
 

@@ -34,7 +34,7 @@ use super::roots::Roots;
 use super::series::{self, FAR, Z, terms};
 use super::types::Chirp;
 use crate::double_double::{Dd, two_prod};
-use crate::faddeeva::exponential::LARGE_PHASE;
+use crate::exponential::LARGE_PHASE;
 use crate::faddeeva::{faddeeva, w_derivative};
 use crate::real::Real;
 use num_complex::Complex;

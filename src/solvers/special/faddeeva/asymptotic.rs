@@ -8,7 +8,7 @@
 //! for each term (Knuth, *TAOCP* 2, 4.6.4) and its imaginary part comes out with the factor
 //! `Im q`: both components of w keep their relative accuracy beside the axes.
 
-use super::double_double_functions::exp_minus_square;
+use crate::double_double_functions::exp_minus_square;
 use super::tables::REAL_LINE;
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::lanes::Lanes;

@@ -2,8 +2,8 @@
 //!
 //! Made by `mechaudit regenerate faddeeva-constants` (mechaudit 0.1.0); not to be edited.
 //! precision: every rounding decided at 256 to 8192 bits
-//! SHA-256 of the recipe: 20c10cabbbef0170aa9850b0b844d6ad800043532fdbe24f526fe549b735ff81
-//! SHA-256 of all lines below: b33c50c49fe51356cc0608849a582cb88580aafb1561141e403de94f17ed3752
+//! SHA-256 of the recipe: 5cef7974502fa25ef24d1bfecb1410b80c050f2a22c52cd97e3ce0c1c38f6e47
+//! SHA-256 of all lines below: 7cec8cf706f528386620f3451a64dd3345b0968b8e24b2b184346892e0465000
 
 #![allow(clippy::approx_constant)]
 
@@ -19,7 +19,7 @@ pub(super) const INV_SQRT_PI: Dd = Dd::new(0.5641895835477563, 7.66772980658294e
 pub(super) const INV_SQRT_2: Dd = Dd::new(0.7071067811865476, -4.833646656726457e-17);
 /// 1/√(2π).
 pub(super) const INV_SQRT_2_PI: Dd = Dd::new(0.3989422804014327, -2.49232720227773e-17);
-/// ln 2.
-pub(super) const LN_2: Dd = Dd::new(0.6931471805599453, 2.3190468138462996e-17);
+/// √(ln 2).
+pub(super) const SQRT_LN_2: Dd = Dd::new(0.8325546111576978, -4.2875407321628104e-17);
 /// 1/π.
 pub(super) const INV_PI: Dd = Dd::new(0.3183098861837907, -1.9678676675182486e-17);

@@ -11,7 +11,7 @@
 
 use super::branch::is_huge;
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use super::exponential::exponent;
+use crate::exponential::exponent;
 use super::long_relatives;
 use super::long_w::turned;
 use super::quadrant::{

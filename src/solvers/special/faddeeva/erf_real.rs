@@ -2,7 +2,7 @@
 
 use super::branch::is_huge;
 use super::constants::TWO_OVER_SQRT_PI;
-use super::exponential::{exp, exponent};
+use crate::exponential::{exp, exponent};
 use super::odd_series::{ERF, odd, odd_real};
 use super::plane;
 use super::quadrant::{dawson_in_strip, pair_times_power, times_power, w};

@@ -1,6 +1,6 @@
 //! The scaled complementary error function, `erfcx z = e^{z²} erfc z = W(iz)` (DLMF 7.2.3).
 
-use super::exponential::exponent;
+use crate::exponential::exponent;
 use super::lengths::{LengthMismatch, same_length};
 use super::many::all;
 use super::plane;

@@ -1,7 +1,7 @@
 //! Exponentials and the Gaussian of complex arguments in 256 bits.
 
 use super::long::Long;
-use super::payne_hanek;
+use crate::payne_hanek;
 
 /// Real and imaginary part.
 pub(super) type Complex = (Long, Long);

@@ -60,12 +60,10 @@ mod branch;
 mod constants;
 mod dawson;
 mod derivative;
-pub(crate) mod double_double_functions;
 mod erf;
 mod erf_real;
 mod erf_zeros;
 mod erfcx;
-pub(crate) mod exponential;
 mod extended;
 mod lengths;
 mod long;
@@ -75,7 +73,6 @@ mod long_w;
 mod maclaurin;
 mod many;
 mod odd_series;
-pub(crate) mod payne_hanek;
 mod plane;
 mod points;
 #[cfg(feature = "proof")]
@@ -93,6 +90,7 @@ mod tables;
 mod taylor;
 mod trapezoidal;
 mod voigt;
+mod voigt_hwhm;
 mod zeros;
 
 pub use branch::Branch;
@@ -105,6 +103,7 @@ pub use erf_real::{erf_real, erfc_real, erfcx_real, erfi_real};
 pub use erfcx::{erfcx, erfcx_batch};
 pub use lengths::LengthMismatch;
 pub use voigt::{voigt, voigt_batch};
+pub use voigt_hwhm::voigt_hwhm;
 
 use branch::{CELL, IMAGINARY_AXIS, MACLAURIN_21, formula_at};
 pub(crate) use extended::w_extended;

@@ -8,7 +8,7 @@ use super::branch::{
     SERIES_4, SERIES_6, SERIES_14, SERIES_26, SURELY_BELOW_HUGE, SURELY_FARTHEST, SURELY_NEAREST,
     TINY, formula_at,
 };
-use super::exponential::{
+use crate::exponential::{
     exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
 };
 use super::long_w::{self, turned, vanishing_part};

@@ -1,6 +1,6 @@
 //! The lower half-plane: `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3), both terms at `a − i b` from a and b.
 
-use super::exponential::{
+use crate::exponential::{
     binary_exponent, exp_minus_square_rounded, exp_minus_square_short, exponent,
 };
 use crate::double_double::{Dd, two_sum};

@@ -1,8 +1,8 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::asymptotic::one_term;
-use super::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
-use super::payne_hanek;
+use crate::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
+use crate::payne_hanek;
 use crate::real::{ROUND, scaled};
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.

@@ -17,7 +17,7 @@
 //! Re = y Σ a (r² + τ)/M,   Im = x Σ a (r² − τ)/M,   M = (r² − τ)² + 4τy²,   τ = t², a = (2h/π) e^{−τ}
 //! ```
 
-use super::double_double_functions::exp_minus_square;
+use crate::double_double_functions::exp_minus_square;
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 use crate::double_double::{Dd, two_prod};
 use crate::lanes::Lanes;

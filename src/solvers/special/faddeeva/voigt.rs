@@ -15,7 +15,7 @@ const LINEAR: f64 = hex("0x1p-400");
 
 /// `x = m 2^e`, `1 ≤ m < 2`, for finite `x > 0`; zero is `0 · 2⁰`.
 #[inline(always)]
-fn split(x: f64) -> (f64, f64) {
+pub(super) fn split(x: f64) -> (f64, f64) {
     const UP: f64 = hex("0x1p60");
     if x == 0.0 {
         return (0.0, 0.0);

@@ -5,7 +5,7 @@
 //! interval are subtracted one after the other (Lanczos, *Applied Analysis*, 1956, VII.8), all with
 //! exact rational numbers. What is left out is at most the sum of the factors subtracted.
 
-use super::super::artefact::Outcome;
+use super::super::artefact::{MakeError, Outcome};
 use super::{Tables, decided, nearest};
 use mechaudit::reference::Ball;
 use rug::Rational;
@@ -88,7 +88,7 @@ pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
         // v times this stands beside 1.
         let part = (off / PER).to_f64();
         if part > 2f64.powi(-56) {
-            return Err(format!("the polynomials leave out {part:e}").into());
+            return Err(MakeError::LeftOut(part).into());
         }
         let _ = writeln!(tables.text, "    {row:?},");
     }

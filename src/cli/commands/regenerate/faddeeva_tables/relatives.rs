@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 const ZEROS: u32 = 14;
 
 /// An array as rustfmt breaks it.
-fn column(row: &[f64], indent: &str) -> String {
+pub(super) fn column(row: &[f64], indent: &str) -> String {
     let lines: String = row
         .iter()
         .map(|x| format!("{indent}    {x:?},\n"))
@@ -33,7 +33,7 @@ const CONSTANTS: [Constant; 7] = [
     ("INV_SQRT_2_PI", "1/√(2π)", |p| {
         Ball::pi(p).shift(1).sqrt().recip()
     }),
-    ("LN_2", "ln 2", |p| Ball::integer(p, 2).ln()),
+    ("SQRT_LN_2", "√(ln 2)", |p| Ball::integer(p, 2).ln().sqrt()),
     ("INV_PI", "1/π", |p| Ball::pi(p).recip()),
 ];
 

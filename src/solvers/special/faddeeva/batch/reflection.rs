@@ -2,7 +2,7 @@
 
 use super::super::asymptotic::{series, series_rounded};
 use super::super::branch::{CELL, SERIES_6, SERIES_14, SERIES_26};
-use super::super::exponential::{LARGE_PHASE, exp_minus_square};
+use crate::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::reflection::{
     ALONE, close, exponential_dominates, image_dominates, negligible, reflect,
 };

@@ -338,6 +338,10 @@ const FUNCTIONS: &[(&str, Many)] = &[
             })
             .collect()
     }),
+    ("voigt_hwhm", |z| {
+        let width = |z: &C| voigt_hwhm(z.re.abs(), z.im.abs());
+        z.iter().map(|z| C::new(width(z), 0.0)).collect()
+    }),
     ("faddeeva_batch", |z| {
         let mut w = vec![C::default(); z.len()];
         faddeeva_batch(z, &mut w).expect("the same length");

@@ -1,0 +1,32 @@
+#!/bin/sh
+# Every measurement of benches/README.md, one after another on an idle machine; their output goes to
+# the folder given. MECHAUDIT_DIR, LIBCERF_DIR and FADDEEVA_DIR: see benches/peers/README.md.
+set -eu
+cd "$(dirname "$0")/.."
+out=${1:?"usage: benches/measure.sh FOLDER"}
+mkdir -p "$out"
+
+measure() {
+    name=$1
+    shift
+    echo "$name: $*"
+    "$@" >"$out/$name.txt" 2>&1 || echo "$name failed, see $out/$name.txt"
+}
+
+{ uname -a; grep -m 1 "model name" /proc/cpuinfo; rustc --version; git rev-parse HEAD; } >"$out/machine.txt" || true
+for bench in class_iii run_up spline chirp_oscillator judgements faddeeva_reference; do
+    measure "$bench" cargo bench --bench "$bench"
+done
+measure scipy python3 benches/compare_scipy.py
+measure dop853 python3 benches/compare_dop853.py
+measure flint python3 benches/compare_flint.py
+peers() {
+    name=$1
+    shift
+    measure "$name" cargo run --release --manifest-path benches/peers/Cargo.toml -- --format markdown "$@"
+}
+for run in 1 2 3; do
+    peers "peers-speed-$run" --speed
+done
+peers peers-accuracy --accuracy 20000
+peers peers-accuracy-own --accuracy 10000000 --codes mechaudit

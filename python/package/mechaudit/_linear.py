@@ -1,0 +1,134 @@
+"""Tridiagonal systems by the sweep, with the evidence for the solution."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _mechaudit
+
+__all__ = ["Solution", "Stability", "solve_cyclic", "solve_tridiagonal"]
+
+
+class Stability(NamedTuple):
+    """How far a solution can be trusted.
+
+    Attributes
+    ----------
+    growth : float
+        The largest entry that elimination produced, relative to its row.
+    dominant : bool
+        Whether the matrix is diagonally dominant, by rows or by columns.
+    rcond : float
+        Estimated reciprocal condition number in the 1-norm.
+    skeel : float
+        Estimated condition number by Skeel.
+    relative_error : float
+        Estimated bound on the relative error.
+    reliable : bool
+        Whether the sweep without pivoting was stable enough.
+    """
+
+    growth: float
+    dominant: bool
+    rcond: float
+    skeel: float
+    relative_error: float
+    reliable: bool
+
+
+class Solution(NamedTuple):
+    """A solution with the evidence for it."""
+
+    x: Any
+    stability: Stability
+
+
+def _array(name: str, a: Any) -> Any:
+    array = np.asarray(a)
+    if array.dtype.kind not in "fiub":
+        raise TypeError(f"{name} must hold real numbers, got {array.dtype}")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def _solve(function: Any, lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
+    bands = [_array(n, a) for n, a in zip(("lower", "diagonal", "upper"), (lower, diagonal, upper))]
+    for name, band in zip(("lower", "diagonal", "upper"), bands):
+        if band.ndim != 1:
+            raise ValueError(f"{name} must have one dimension, got {band.ndim}")
+    right = _array("d", d)
+    n = len(bands[1])
+    if right.ndim == 0 or right.shape[0] != n:
+        raise ValueError(f"d must have {n} rows as the diagonal has, got shape {right.shape}")
+    columns = np.ascontiguousarray(right.reshape(n, -1).T)
+    x, evidence = function(*bands, columns.reshape(-1))
+    x = np.ascontiguousarray(x.reshape(columns.shape).T).reshape(right.shape)
+    return Solution(x, Stability(*evidence))
+
+
+def solve_tridiagonal(lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
+    """Solve ``A x = d`` for a tridiagonal matrix by the sweep (Thomas's algorithm).
+
+    Parameters
+    ----------
+    lower, diagonal, upper : array_like
+        The bands of A: n - 1, n and n - 1 numbers.
+    d : array_like, shape (n,) or (n, ...)
+        Right-hand sides.
+
+    Returns
+    -------
+    Solution
+        `x`, of the shape of `d`, and `stability`.
+
+    Raises
+    ------
+    ValueError
+        Lengths that do not fit, a number that is not finite, a pivot that is zero.
+
+    See Also
+    --------
+    scipy.linalg.solve_banded : Pivots, and takes any number of bands.
+
+    Examples
+    --------
+    >>> from mechaudit import solve_tridiagonal
+    >>> s = solve_tridiagonal([1, 1], [4, 4, 4], [1, 1], [6, 12, 14])
+    >>> s.x
+    array([1., 2., 3.])
+    >>> s.stability.reliable
+    True
+    """
+    return _solve(_mechaudit.solve_tridiagonal, lower, diagonal, upper, d)
+
+
+def solve_cyclic(lower: Any, diagonal: Any, upper: Any, d: Any) -> Solution:
+    """Solve ``A x = d`` for a cyclic tridiagonal matrix.
+
+    Parameters
+    ----------
+    lower, diagonal, upper : array_like
+        n numbers each: row i is ``lower[i] x[i-1] + diagonal[i] x[i] + upper[i] x[i+1]``, with
+        indices modulo n.
+    d : array_like, shape (n,) or (n, ...)
+        Right-hand sides.
+
+    Returns
+    -------
+    Solution
+        `x`, of the shape of `d`, and `stability`.
+
+    Raises
+    ------
+    ValueError
+        Fewer than three rows, lengths that do not fit, a number that is not finite, a pivot that is
+        zero.
+
+    Examples
+    --------
+    >>> from mechaudit import solve_cyclic
+    >>> solve_cyclic([1] * 4, [4] * 4, [1] * 4, [6, 6, 6, 6]).x
+    array([1., 1., 1., 1.])
+    """
+    return _solve(_mechaudit.solve_cyclic, lower, diagonal, upper, d)

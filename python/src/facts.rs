@@ -1,0 +1,137 @@
+//! Reports, cases and methods as plain Python data.
+
+use mechaudit::audit::{CaseReport, Layout, Proof, RegionReport, SolverAnswer, Spread, Verdict};
+use mechaudit::methods;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use std::fmt::Display;
+
+fn spread<'py>(py: Python<'py>, s: &Spread) -> PyResult<Bound<'py, PyDict>> {
+    let d = PyDict::new(py);
+    d.set_item("count", s.count)?;
+    d.set_item("beyond", s.beyond)?;
+    d.set_item("max", s.max)?;
+    d.set_item("p99", s.p99)?;
+    d.set_item("median", s.median)?;
+    d.set_item("rms", s.rms)?;
+    Ok(d)
+}
+
+fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "pass",
+        Verdict::Undecided => "undecided",
+        Verdict::Over => "over budget",
+        Verdict::WrongKind => "wrong kind",
+        Verdict::OracleError => "reference failed",
+    }
+}
+
+pub fn proof(proof: Option<Proof>) -> Option<String> {
+    proof.map(|p| match p {
+        Proof::Exact => "exact".into(),
+        Proof::Bounded(why) => why.into(),
+    })
+}
+
+/// What was found in a region, or in all.
+pub fn statistics<'py>(py: Python<'py>, r: &RegionReport) -> PyResult<Bound<'py, PyDict>> {
+    let d = PyDict::new(py);
+    d.set_item("description", r.description)?;
+    d.set_item("cases", r.cases)?;
+    d.set_item("passed", r.passed)?;
+    d.set_item("recorded", r.recorded)?;
+    d.set_item("over", r.over)?;
+    d.set_item("undecided", r.undecided)?;
+    d.set_item("wrong_kind", r.kinds.total())?;
+    let normwise = r.normwise.as_ref().map(|s| spread(py, s)).transpose()?;
+    d.set_item("normwise_u", normwise)?;
+    let outputs = PyList::empty(py);
+    for o in &r.outputs {
+        let one = PyDict::new(py);
+        one.set_item("name", o.name)?;
+        one.set_item("values", o.values)?;
+        one.set_item("wrong_kind", o.kinds.total())?;
+        one.set_item("ulps", spread(py, &o.ulps)?)?;
+        one.set_item("conditioned_u", spread(py, &o.conditioned)?)?;
+        one.set_item("max_of_budget", o.max_of_budget)?;
+        one.set_item("max_condition", o.max_condition)?;
+        let octaves: Vec<_> = o.histogram.iter().map(|o| (o.exponent, o.count)).collect();
+        one.set_item("histogram", octaves)?;
+        outputs.append(one)?;
+    }
+    d.set_item("outputs", outputs)?;
+    Ok(d)
+}
+
+/// Everything about a judged case.
+pub fn case_facts<'py>(py: Python<'py>, r: &CaseReport) -> PyResult<Bound<'py, PyDict>> {
+    let d = PyDict::new(py);
+    let text = |e: &dyn Display| e.to_string();
+    d.set_item("method", r.case.method)?;
+    d.set_item("region", r.case.region)?;
+    d.set_item("place", r.case.place())?;
+    d.set_item("input", r.case.input.clone())?;
+    match &r.answer {
+        Some(SolverAnswer::Values(v)) => d.set_item("got", v.clone())?,
+        Some(SolverAnswer::Fails(why)) => d.set_item("got", why)?,
+        Some(refusal) => {
+            let why = refusal.refusal().unwrap_or("no reason");
+            d.set_item("got", text(&format_args!("refused: {why}")))?;
+        }
+        None => d.set_item("got", py.None())?,
+    }
+    d.set_item("due", r.reference.clone())?;
+    d.set_item("radius", r.radii.clone())?;
+    d.set_item("verdict", word(r.judgement.verdict))?;
+    d.set_item("reason", r.judgement.reason.clone())?;
+    let c = &r.judgement.components;
+    d.set_item("outputs", c.iter().map(|c| c.output).collect::<Vec<_>>())?;
+    d.set_item("ulps", c.iter().map(|c| c.ulps).collect::<Vec<_>>())?;
+    d.set_item(
+        "of_budget",
+        c.iter().map(|c| c.of_budget).collect::<Vec<_>>(),
+    )?;
+    d.set_item(
+        "condition",
+        c.iter().map(|c| c.condition).collect::<Vec<_>>(),
+    )?;
+    d.set_item("bits", r.bits)?;
+    d.set_item("proof", proof(r.proof))?;
+    Ok(d)
+}
+
+/// What is audited: name, summary, source, inputs, outputs, regions and check points of each method.
+#[pyfunction]
+#[pyo3(name = "methods")]
+pub fn all_methods(py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+    let all = PyList::empty(py);
+    for m in methods::registry() {
+        let layout = Layout::new(&*m);
+        let domain = m.domain();
+        let d = PyDict::new(py);
+        d.set_item("name", m.name())?;
+        d.set_item("summary", m.summary())?;
+        d.set_item("source", m.source())?;
+        let inputs: Vec<_> = m.inputs().iter().map(|i| (i.name, i.unit)).collect();
+        d.set_item("inputs", inputs)?;
+        let outputs: Vec<_> = m.outputs().iter().map(|o| (o.name, o.unit)).collect();
+        d.set_item("outputs", outputs)?;
+        d.set_item(
+            "fixed",
+            (0..layout.parts()).all(|p| layout.is_single(p)) && m.rows().is_none(),
+        )?;
+        d.set_item("input", layout.input())?;
+        d.set_item("answer", layout.answer())?;
+        let regions: Vec<_> = domain
+            .regions
+            .iter()
+            .map(|r| (r.name, r.description))
+            .collect();
+        d.set_item("regions", regions)?;
+        let points: Vec<_> = domain.check_points.iter().map(|p| p.name).collect();
+        d.set_item("check_points", points)?;
+        all.append(d)?;
+    }
+    Ok(all)
+}

@@ -1,0 +1,436 @@
+//! Machines as their files describe them.
+
+use crate::errors::{DomainError, Undecided, value_error};
+use mechaudit::machine::class_iii::{self, Branch, Certifier, Reach};
+use mechaudit::machine::dyad::{self, Dyad, Proved};
+use mechaudit::machine::run_up::{Coefficients, Machine, Overrides};
+use mechaudit::machine::{self, CamOscillator, Source};
+use mechaudit::reference::nearest_f64;
+use mechaudit::solvers::dyad::Assembly;
+use mechaudit::solvers::run_up::{Equation, Hybrid, ReducedModel, Splined, run};
+use numpy::ndarray::Array2;
+use numpy::{PyArray2, PyReadonlyArray1, ToPyArray};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rug::Rational;
+
+use crate::certified::rational;
+
+/// Rows between two looks at pending signals.
+const ROWS: usize = 1024;
+
+type Table<'py> = (Vec<String>, Bound<'py, PyArray2<f64>>);
+
+fn source(text: String, is_json: bool) -> Source {
+    match is_json {
+        true => Source::json(text),
+        false => Source::toml(text),
+    }
+}
+
+fn table<'py>(py: Python<'py>, names: Vec<String>, rows: Vec<Vec<f64>>) -> Table<'py> {
+    let width = names.len();
+    let flat: Vec<f64> = rows.iter().flatten().copied().collect();
+    let all = Array2::from_shape_vec((rows.len(), width), flat).expect("rows are as wide as names");
+    (names, all.to_pyarray(py))
+}
+
+/// A linkage.
+#[pyclass(frozen, module = "mechaudit._mechaudit")]
+pub struct Linkage {
+    linkage: machine::Linkage,
+    text: String,
+    is_json: bool,
+}
+
+fn assembly(dyad: &Dyad, branch: Option<usize>) -> PyResult<Assembly> {
+    match branch {
+        None => Ok(dyad.assembly),
+        Some(k) if k < 2 => Ok(dyad::ASSEMBLIES[k]),
+        Some(k) => Err(PyValueError::new_err(format!(
+            "branch: a linkage with one dyad has branches 0 and 1, not {k}"
+        ))),
+    }
+}
+
+fn degrees(x: f64) -> PyResult<Rational> {
+    Rational::from_f64(x)
+        .ok_or_else(|| PyValueError::new_err(format!("phi: a crank angle must be finite, got {x}")))
+}
+
+impl Linkage {
+    fn branch(
+        &self,
+        linkage: &class_iii::Linkage,
+        first: Rational,
+        branch: Option<usize>,
+    ) -> PyResult<(Branch, Rational)> {
+        let start = linkage.start_degrees().unwrap_or(first);
+        let chosen = class_iii::choose(&linkage.solver, &start, branch, &linkage.start);
+        Ok((chosen.map_err(value_error)?, start))
+    }
+}
+
+#[pymethods]
+impl Linkage {
+    #[new]
+    fn new(text: String, is_json: bool) -> PyResult<Linkage> {
+        let linkage =
+            machine::Linkage::read(&source(text.clone(), is_json)).map_err(value_error)?;
+        Ok(Linkage {
+            linkage,
+            text,
+            is_json,
+        })
+    }
+
+    fn __getnewargs__(&self) -> (String, bool) {
+        (self.text.clone(), self.is_json)
+    }
+
+    /// Its name, if it has one.
+    #[getter]
+    fn name(&self) -> Option<String> {
+        match &self.linkage {
+            machine::Linkage::ClassIii(l) => l.name.clone(),
+            machine::Linkage::Dyad(l) => l.name.clone(),
+        }
+    }
+
+    /// The type as the file names it.
+    #[getter]
+    fn kind(&self) -> &str {
+        match &self.linkage {
+            machine::Linkage::ClassIii(_) => "class-iii",
+            machine::Linkage::Dyad(l) => l.shape.type_name(),
+        }
+    }
+
+    /// The names of a row's columns.
+    #[getter]
+    fn columns(&self) -> Vec<String> {
+        match &self.linkage {
+            machine::Linkage::ClassIii(l) => class_iii::names(l, false),
+            machine::Linkage::Dyad(l) => dyad::names(l),
+        }
+    }
+
+    /// The rows of all assembly modes at a crank angle in degrees.
+    fn modes<'py>(&self, py: Python<'py>, phi_deg: f64) -> PyResult<Table<'py>> {
+        let at = degrees(phi_deg)?;
+        let rows = match &self.linkage {
+            machine::Linkage::ClassIii(l) => {
+                let angle = phi_deg.to_radians();
+                let modes = l.solver.assembly_modes(angle).modes;
+                let mut rows = Vec::new();
+                for (k, mode) in modes.into_iter().enumerate() {
+                    let state = l.solver.state_near(angle, mode).map_err(value_error)?;
+                    let mut row = vec![phi_deg, k as f64];
+                    row.extend(class_iii::values(l, &state));
+                    rows.push(row);
+                }
+                rows
+            }
+            machine::Linkage::Dyad(l) => {
+                let mut rows = Vec::new();
+                for (k, assembly) in dyad::ASSEMBLIES.into_iter().enumerate() {
+                    if let Some(v) = dyad::floating(l, &at, assembly).map_err(value_error)? {
+                        let mut row = vec![phi_deg, k as f64];
+                        row.extend(v);
+                        rows.push(row);
+                    }
+                }
+                rows
+            }
+        };
+        Ok(table(py, self.columns(), rows))
+    }
+
+    /// The joints of a class-III linkage at the crank angles of a sweep, and its fixed pivots: for
+    /// drawings. Nothing for other types.
+    fn joints(&self, phi_deg: f64, branch: Option<usize>) -> PyResult<Option<Vec<[f64; 2]>>> {
+        let machine::Linkage::ClassIii(l) = &self.linkage else {
+            return Ok(None);
+        };
+        let at = degrees(phi_deg)?;
+        let (chosen, _) = self.branch(l, at, branch)?;
+        let state = l
+            .solver
+            .follow(&chosen.start, phi_deg.to_radians())
+            .map_err(value_error)?;
+        Ok(Some(state.joints().to_vec()))
+    }
+
+    /// A row for each crank angle in degrees, in their order; NaN where the branch does not reach.
+    fn sweep<'py>(
+        &self,
+        py: Python<'py>,
+        phi_deg: PyReadonlyArray1<'py, f64>,
+        branch: Option<usize>,
+    ) -> PyResult<Table<'py>> {
+        let angles = phi_deg.as_slice()?;
+        let names = self.columns();
+        let width = names.len();
+        let mut rows = Vec::with_capacity(angles.len());
+        let missing = |phi: f64, number: usize| {
+            let mut row = vec![f64::NAN; width];
+            (row[0], row[1]) = (phi, number as f64);
+            row
+        };
+        match &self.linkage {
+            machine::Linkage::ClassIii(l) => {
+                let first = degrees(angles.first().copied().unwrap_or(0.0))?;
+                let (chosen, _) = self.branch(l, first, branch)?;
+                let mut here = chosen.start;
+                for (k, &phi) in angles.iter().enumerate() {
+                    if k % ROWS == 0 {
+                        py.check_signals()?;
+                    }
+                    degrees(phi)?;
+                    let to = phi.to_radians();
+                    if let Reach::Part { low, high } = chosen.reach
+                        && !(low.reached <= to && to <= high.reached)
+                    {
+                        rows.push(missing(phi, chosen.mode));
+                        continue;
+                    }
+                    here = l.solver.follow(&here, to).map_err(value_error)?;
+                    let mut row = vec![phi, chosen.mode as f64];
+                    row.extend(class_iii::values(l, &here));
+                    rows.push(row);
+                }
+            }
+            machine::Linkage::Dyad(l) => {
+                let assembly = assembly(l, branch)?;
+                let number = dyad::number(assembly);
+                for (k, &phi) in angles.iter().enumerate() {
+                    if k % ROWS == 0 {
+                        py.check_signals()?;
+                    }
+                    let at = degrees(phi)?;
+                    rows.push(
+                        match dyad::floating(l, &at, assembly).map_err(value_error)? {
+                            None => missing(phi, number),
+                            Some(values) => {
+                                let mut row = vec![phi, number as f64];
+                                row.extend(values);
+                                row
+                            }
+                        },
+                    );
+                }
+            }
+        }
+        Ok(table(py, names, rows))
+    }
+
+    /// Certified digits of the row at an exact crank angle in degrees: names and decimals, `None`
+    /// where they could not be proved.
+    fn certified(
+        &self,
+        py: Python<'_>,
+        phi_deg: (String, String),
+        digits: u32,
+        branch: Option<usize>,
+    ) -> PyResult<Vec<(String, Option<String>)>> {
+        let at = rational(&phi_deg)?;
+        let near = nearest_f64(&at);
+        degrees(near)?;
+        let (names, values) = match &self.linkage {
+            machine::Linkage::ClassIii(l) => {
+                let (chosen, _) = self.branch(l, at.clone(), branch)?;
+                let state = l
+                    .solver
+                    .follow(&chosen.start, near.to_radians())
+                    .map_err(|e| DomainError::new_err(e.to_string()))?;
+                let values = py.detach(|| {
+                    let mut certifier = Certifier::new(l, digits);
+                    let q = certifier.advance(&at, &state)?;
+                    Some(certifier.values(&at, &q))
+                });
+                let values = values.ok_or_else(|| {
+                    Undecided::new_err(format!(
+                        "no position near phi1 = {near} deg could be proved"
+                    ))
+                })?;
+                (class_iii::names(l, true), values)
+            }
+            machine::Linkage::Dyad(l) => {
+                let assembly = assembly(l, branch)?;
+                match py.detach(|| dyad::certified(l, &at, assembly, digits)) {
+                    Proved::Values(values) => (dyad::names(l), values.to_vec()),
+                    Proved::Unreachable => {
+                        return Err(DomainError::new_err(format!(
+                            "the crank does not reach phi1 = {near} deg: the links cannot be joined there"
+                        )));
+                    }
+                }
+            }
+        };
+        Ok(names.into_iter().skip(2).zip(values).collect())
+    }
+}
+
+/// The columns of a run-up.
+const RUN_UP: [&str; 13] = [
+    "t_s",
+    "phi1_deg",
+    "omega_rad_per_s",
+    "epsilon_rad_per_s2",
+    "I_kg_m2",
+    "M_motor_N_m",
+    "M_o_N_m",
+    "M_load_N_m",
+    "kinetic_energy_J",
+    "work_motor_J",
+    "work_weights_J",
+    "work_load_J",
+    "energy_balance_J",
+];
+
+/// Runs the machine of a description; its rows and how the run ended.
+#[pyfunction]
+pub fn run_up<'py>(
+    py: Python<'py>,
+    text: String,
+    is_json: bool,
+    tolerance: Option<f64>,
+) -> PyResult<(Table<'py>, String)> {
+    let overrides = Overrides {
+        tolerance,
+        ..Overrides::default()
+    };
+    let done: Result<_, String> = py.detach(|| {
+        let word = |e: &dyn std::fmt::Display| e.to_string();
+        let machine = Machine::read(&source(text, is_json), overrides).map_err(|e| word(&e))?;
+        let (exact, first) = (&*machine.model, machine.plan.phi);
+        let (splined, hybrid);
+        let model: &dyn ReducedModel = match machine.coefficients {
+            Coefficients::Exact => exact,
+            Coefficients::Splines => {
+                splined = Splined::new(exact, first, machine.nodes).map_err(|e| word(&e))?;
+                &splined
+            }
+            Coefficients::Hybrid => {
+                hybrid = Hybrid::new(exact, first, machine.nodes).map_err(|e| word(&e))?;
+                &hybrid
+            }
+        };
+        let equation = Equation::new(model, &machine.drive);
+        run(&equation, &machine.plan).map_err(|e| word(&e))
+    });
+    let motion = done.map_err(PyValueError::new_err)?;
+    let row = |s: &mechaudit::solvers::run_up::Sample| {
+        vec![
+            s.t,
+            s.phi.to_degrees(),
+            s.psi,
+            s.acceleration,
+            s.inertia,
+            s.motor,
+            s.weights,
+            s.resistance,
+            s.kinetic_energy,
+            s.work[0],
+            s.work[1],
+            s.work[2],
+            s.balance,
+        ]
+    };
+    let rows = motion.samples.iter().map(row).collect();
+    let names = RUN_UP.map(String::from).to_vec();
+    Ok((table(py, names, rows), format!("{:?}", motion.outcome)))
+}
+
+/// A cam-driven oscillator.
+#[pyclass(frozen, module = "mechaudit._mechaudit")]
+pub struct Cam {
+    machine: CamOscillator,
+    response: mechaudit::solvers::chirp_chart::CamResponse,
+    text: String,
+    is_json: bool,
+    harmonics: Option<u32>,
+}
+
+#[pymethods]
+impl Cam {
+    #[new]
+    fn new(text: String, is_json: bool, harmonics: Option<u32>) -> PyResult<Cam> {
+        let machine =
+            CamOscillator::read(&source(text.clone(), is_json), harmonics).map_err(value_error)?;
+        let response = machine.response(&machine.drive).map_err(value_error)?;
+        Ok(Cam {
+            machine,
+            response,
+            text,
+            is_json,
+            harmonics,
+        })
+    }
+
+    fn __getnewargs__(&self) -> (String, bool, Option<u32>) {
+        (self.text.clone(), self.is_json, self.harmonics)
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.machine.name
+    }
+
+    #[getter]
+    fn law(&self) -> &str {
+        &self.machine.law
+    }
+
+    #[getter]
+    fn harmonics(&self) -> u32 {
+        self.machine.harmonics
+    }
+
+    /// The motion at each time in seconds.
+    fn response<'py>(
+        &self,
+        py: Python<'py>,
+        t: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Table<'py>> {
+        let unit = self.machine.unit;
+        let mut names = ["t_s", "shaft_deg", "speed_rad_per_s"]
+            .map(String::from)
+            .to_vec();
+        names.extend([
+            format!("f_{unit}"),
+            format!("y_{unit}"),
+            format!("v_{unit}_per_s"),
+            format!("a_{unit}_per_s2"),
+        ]);
+        let mut rows = Vec::new();
+        for (k, &t) in t.as_slice()?.iter().enumerate() {
+            if k % ROWS == 0 {
+                py.check_signals()?;
+            }
+            let s = self.response.state(t).map_err(value_error)?;
+            rows.push(vec![
+                s.t,
+                360.0 * s.turns,
+                s.speed,
+                s.cam,
+                s.displacement,
+                s.velocity,
+                s.acceleration,
+            ]);
+        }
+        Ok(table(py, names, rows))
+    }
+
+    /// Facts for a drawing's title.
+    fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        let drive = &self.machine.drive;
+        all.set_item("w_rad_per_s", drive.oscillator.w())?;
+        all.set_item("n_rad_per_s", drive.oscillator.n())?;
+        all.set_item("omega0_rad_per_s", drive.chirp.omega0)?;
+        all.set_item("epsilon_rad_per_s2", drive.chirp.eps)?;
+        Ok(all)
+    }
+}

@@ -1,0 +1,312 @@
+"""The audit of a callable: what passes, what is found, what can be reproduced."""
+
+import math
+import pickle
+import threading
+
+import mechaudit
+import numpy as np
+import pytest
+import scipy.special
+from mechaudit import special
+
+pytestmark = [
+    pytest.mark.skipif(not mechaudit.HAS_ORACLE, reason="needs references"),
+    # Planted faults compute what they like.
+    pytest.mark.filterwarnings("ignore::RuntimeWarning"),
+]
+
+
+def audit(f, **options):
+    return mechaudit.audit("faddeeva", f, **{"cases": 10, "progress": False, **options})
+
+
+def test_ours_pass_vectorised_and_scalar():
+    both = [audit(special.wofz), audit(lambda z: complex(special.wofz(complex(z)))), audit(None)]
+    assert [r.mode for r in both] == ["vectorised", "scalar", "in Rust"]
+    for report in both:
+        assert report.passed and report.cases == report.passed_cases > 300
+        assert report.assert_within_budget() is report and not report.findings
+        assert report.facts["outputs"] == both[0].facts["outputs"]
+
+
+def test_planted_faults_are_found():
+    """Each of these is one way of being wrong; none may pass."""
+    w = special.wofz
+
+    def where(z, wrong, value):
+        out = w(z)
+        out[wrong] = value(z[wrong], out[wrong])
+        return out
+
+    faults = {
+        "last digits": lambda z: w(z) * (1 + 4e-15),
+        "one region": lambda z: where(z, abs(z.imag) < 1e-3, lambda z, w: w.real * (1 + 1e-13) + 1j * w.imag),
+        "conjugate": lambda z: np.conj(w(z)),
+        "NaN": lambda z: where(z, abs(z) > 1e5, lambda z, w: np.nan * w),
+        "zero": lambda z: np.zeros_like(z),
+        "sign of zero": lambda z: w(z) + 0.0,
+        "infinity": lambda z: where(z, np.isinf(w(z).real), lambda z, w: -w),
+        "single": lambda z: w(z.astype(np.complex64)),
+        "scipy": scipy.special.wofz,
+    }
+    for name, f in faults.items():
+        report = audit(f)
+        assert not report.passed, name
+        assert report.passed_cases < report.cases, name
+        with pytest.raises(AssertionError, match="mechaudit.case"):
+            report.assert_within_budget()
+
+
+def test_every_method_passes_through_python():
+    for method in mechaudit.methods():
+        if method["name"] == "run-up":
+            continue  # Seconds for a case.
+        report = mechaudit.audit(method["name"], cases=2, progress=False)
+        assert report.passed, report
+
+
+def test_other_shapes_of_callables():
+    assert mechaudit.audit("voigt", special.voigt_profile, cases=10).passed
+    assert mechaudit.audit("voigt", lambda *a: float(special.voigt_profile(*a)), cases=5).passed
+    from mechaudit import solve_cyclic, solve_tridiagonal
+
+    for name, solve in (("tridiagonal", solve_tridiagonal), ("cyclic-tridiagonal", solve_cyclic)):
+        report = mechaudit.audit(name, lambda *a, solve=solve: solve(*a).x, cases=5)
+        assert report.passed and report.mode == "scalar", report
+
+    def spline(x, y, q0, q1):
+        s = mechaudit.CubicSpline(x, y)
+        if not x[0] <= min(q0, q1) <= max(q0, q1) <= x[-1]:
+            raise ValueError("outside of the knots")
+        row = lambda p, q: [s(p), s(p, 1), s(p, 2), s(p, 3), s.integrate(p, q)]  # noqa: E731
+        return [row(q0, q1), row(q1, q0)]
+
+    report = mechaudit.audit("cubic-spline-not-a-knot", spline, cases=20)
+    assert report.mode == "scalar" and report.passed, report
+
+
+def test_exceptions_shapes_and_types_are_findings():
+    def kinds(f, **options):
+        report = audit(f, **options)
+        assert not report.passed
+        for finding in report.findings:
+            assert isinstance(eval(finding.reproducer), mechaudit.Case)
+        return {f.kind for f in report.findings}
+
+    def fails(z):
+        raise RuntimeError("not today")
+
+    assert kinds(fails) == {"RuntimeError"}
+    assert "TypeError" in kinds(lambda z: "text")
+    assert "TypeError" in kinds(lambda z: None)
+    assert kinds(lambda z: special.wofz(z).astype(np.complex64)) == {"complex64"}
+    assert "NaN" in kinds(lambda z: special.wofz(z) * np.nan)
+    assert kinds(lambda z: special.wofz(z)[:-1], vectorised=True) == {"ValueError"}
+
+    def some(z):
+        if np.any(abs(z) > 100):
+            raise OverflowError("too far")
+        return special.wofz(z)
+
+    report = audit(some)
+    found = {f.kind: f for f in report.findings}
+    assert set(found) == {"OverflowError"} and found["OverflowError"].count > 10
+    assert report.passed_cases > 100
+
+    def overwrites(z):
+        w = special.wofz(z)
+        z[:] = 0
+        return w
+
+    assert [f.kind for f in audit(overwrites).findings] == ["overwritten"]
+
+
+def test_worst_cases_can_be_called_again():
+    report = audit(scipy.special.wofz, cases=30)
+    worst = report.worst(10)
+    assert len({c["region"] for c in worst}) == 10
+    excess = [c["share"] for c in worst]
+    assert excess == sorted(excess, reverse=True)
+    for found in worst:
+        case = eval(found["reproducer"])
+        assert list(case.input) == found["input"]
+        again = case.judge(scipy.special.wofz)
+        assert not again.passed and again.worst(1)[0]["got"] == pytest.approx(found["got"], nan_ok=True)
+        assert case.judge(special.wofz).passed
+
+
+def test_regions_boxes_outputs_and_budgets():
+    assert {r["region"] for r in audit(special.wofz, regions=["mid", "lower"]).rows()} == {"mid", "lower"}
+    report = audit(special.wofz, box={"Re z": (0, 8), "Im z": (1e-9, 1, "log")}, cases=50)
+    assert report.cases == 50 and report.passed
+    for case in report.worst(10):
+        assert 0 <= case["input"][0] < 8 and 1e-9 <= case["input"][1] < 1
+    assert {r["output"] for r in audit(special.wofz, outputs="Re W").rows()} == {"Re W"}
+    rough = audit(lambda z: special.wofz(z) * (1 + 1e-10), regions="mid", ulps=1e7)
+    assert rough.passed and "10000000 ulp" in str(rough)
+    assert not audit(special.wofz, regions="mid", cases=100, ulps=0.3).passed
+    assert audit(special.wofz, seed=1).facts != audit(special.wofz, seed=2).facts
+
+
+@pytest.mark.parametrize(
+    ("options", "word"),
+    [
+        ({"method": "fadeeva"}, "faddeeva"),
+        ({"regions": "nowhere"}, "nowhere"),
+        ({"outputs": "Abs W"}, "Abs W"),
+        ({"cases": 0}, "cases"),
+        ({"seed": -1}, "seed"),
+        ({"box": {"x": (0, 1)}}, "Re z"),
+        ({"box": {"Re z": (1, 0)}}, "in order"),
+        ({"box": {"Re z": (-1, 1, "log")}}, "zero"),
+        ({"box": {"Re z": (0, 1)}, "regions": "mid"}, "exclude"),
+        ({"ulps": 0}, "positive"),
+        ({"ulps": math.inf}, "positive"),
+        ({"ulps": 1, "normwise": 1}, "exclude"),
+    ],
+)
+def test_bad_arguments_name_themselves(options, word):
+    with pytest.raises(ValueError, match=word):
+        mechaudit.audit(**{"method": "faddeeva", "f": special.wofz, **options})
+
+
+def test_interrupt_gives_what_was_found():
+    calls = 0
+
+    def f(z):
+        nonlocal calls
+        calls += 1
+        if calls > 100:
+            raise KeyboardInterrupt
+        return complex(special.wofz(complex(z)))
+
+    report = audit(f, vectorised=False)
+    assert report.interrupted and not report.passed
+    assert 0 < report.cases <= 100 == report.passed_cases or report.passed_cases == report.cases
+    assert "interrupted" in str(report)
+
+
+def test_progress(capfd):
+    pytest.importorskip("tqdm")
+    assert audit(special.wofz, progress=True).passed
+    shown = capfd.readouterr().err
+    assert "100%" in shown and "cases" in shown
+    assert audit(special.wofz, progress=False).passed and not capfd.readouterr().err
+
+
+def test_reports_are_shown(tmp_path):
+    report = audit(scipy.special.wofz)
+    text, page = str(report), report._repr_html_()
+    assert "FAIL" in text and "mechaudit points faddeeva" in text and "ulps" in text
+    assert page.startswith("<p>") and "<table>" in page
+    hostile = audit(special.wofz, name="<script>")
+    assert "<script>" not in hostile._repr_html_()
+    hostile.html(tmp_path / "report.html")
+    written = (tmp_path / "report.html").read_text()
+    assert "<script>" not in written and "http" not in written and "</table>" in written
+    frame = pytest.importorskip("pandas") and report.to_frame()
+    assert {"region", "output", "worst_ulps", "passed"} <= set(frame.columns) and len(frame) > 30
+
+
+def test_judge():
+    z = np.array([0j, 1 + 1j, 3 - 2j, 1e300])
+    assert mechaudit.judge("faddeeva", z, special.wofz(z)).passed
+    report = mechaudit.judge("faddeeva", z, special.wofz(z) * (1 + 1e-12))
+    assert not report.passed and report.passed_cases == 0
+    assert mechaudit.judge("faddeeva", z, special.wofz(z).real[:, None], outputs="Re W").passed
+    p = mechaudit.points("voigt", 5)
+    values = special.voigt_profile(p["x"], p["sigma"], p["gamma"])
+    assert mechaudit.judge("voigt", p, values[:, None]).passed
+    with pytest.raises(ValueError):
+        mechaudit.judge("faddeeva", z, [1, 2])
+    with pytest.raises(TypeError):
+        mechaudit.judge("faddeeva", z, z, wrong=1)
+
+
+def test_points_are_those_of_the_audit():
+    p = mechaudit.points("faddeeva", 3, seed=9)
+    q = mechaudit.points("faddeeva", 3, seed=9)
+    assert np.array_equal(p, q) and p.dtype.names == ("Re z", "Im z", "region")
+    one = mechaudit.points("tridiagonal", 2)
+    assert all(len(a) == 4 for _, a in one)
+    first = mechaudit.case("faddeeva", f"--region {p['region'][0]} --seed 9 --case 0")
+    assert first.input == (p["Re z"][0], p["Im z"][0])
+
+
+def test_cases():
+    case = mechaudit.case("faddeeva", "--at 0x1p+0,1")
+    assert case.arguments == (1 + 1j,) and case.region == "given"
+    assert str(case.due(20)[0]) == "0.30474420525691259246" and "remainder" in case.proof
+    assert pickle.loads(pickle.dumps(case)).input == case.input
+    assert mechaudit.case("faddeeva", "--hard-case 1").region == "hard"
+    for bad in ("", "--at", "--at x", "--region mid", "--check-point no", "--hard-case 999", "--other 1"):
+        with pytest.raises(ValueError):
+            mechaudit.case("faddeeva", bad)
+    with pytest.raises(ValueError):
+        mechaudit.case("faddeeva", "--at 1")
+
+
+def test_compare():
+    found = mechaudit.compare(
+        "faddeeva", {"scipy": scipy.special.wofz, "ours": special.wofz}, cases=10, progress=False
+    )
+    assert not found.passed and found.reports["ours"].passed
+    rows = found.rows()
+    assert {r["best"] for r in rows} <= {"scipy", "ours"} and rows[0].keys() >= {"scipy", "ours"}
+    assert "ns a case" in str(found) and found.seconds_per_case["ours"] > 0
+    with pytest.raises(ValueError):
+        mechaudit.compare("faddeeva", {})
+
+
+def test_vectors(tmp_path):
+    pytest.importorskip("pandas")
+    found = mechaudit.vectors("faddeeva", 2, 30, regions=["mid", "near-zeros"])
+    assert len(found) == 4 and found.proofs[0] and len(found.to_frame()) == 4
+    # The floats nearest to the certified values pass any budget above half a unit.
+    z = found.inputs[:, 0] + 1j * found.inputs[:, 1]
+    assert mechaudit.judge("faddeeva", z, found.values, ulps=0.5001).passed
+    found.to_csv(tmp_path / "v.csv")
+    lines = (tmp_path / "v.csv").read_text().splitlines()
+    assert lines[0].startswith("region,in0_real,in0_imag,out0_real,out0_real_radius") and len(lines) == 5
+    assert float.fromhex(lines[1].split(",")[1]) == found.inputs[0, 0]
+    found.to_npz(tmp_path / "v.npz")
+    with np.load(tmp_path / "v.npz") as arrays:
+        np.testing.assert_array_equal(arrays["out0_real"], found.values[:, 0])
+
+
+def test_vectors_in_the_layout_of_xsref(tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    for method, stem, metadata in (
+        ("faddeeva", "cd-cd", {b"in": b"D", b"out": b"D", b"function": b"wofz"}),
+        ("voigt", "d_d_d-d", {b"in": b"ddd", b"out": b"d", b"function": b"voigt_profile"}),
+    ):
+        found = mechaudit.vectors(method, 1, 25)
+        first, second = found.to_parquet(tmp_path / method)
+        assert (first.name, second.name) == (f"In_{stem}.parquet", f"Out_{stem}.parquet")
+        inputs, outputs = parquet.read_table(first), parquet.read_table(second)
+        known = inputs.schema.metadata
+        assert {k: known[k] for k in metadata} == metadata
+        assert outputs.num_rows == inputs.num_rows == len(found)
+        assert not any(outputs["fallback"].to_pylist()) and all(outputs["proof"].to_pylist())
+        assert b"input_checksum" in outputs.schema.metadata
+    with pytest.raises(ValueError, match="layout"):
+        mechaudit.vectors("four-bar", 1, 20).to_parquet(tmp_path)
+    with pytest.raises(ValueError, match="fixed"):
+        mechaudit.vectors("tridiagonal", 1)
+
+
+def test_threads():
+    """Audits side by side find what one alone finds."""
+    alone = audit(special.wofz).facts
+    found = [None] * 4
+
+    def work(k):
+        found[k] = audit(special.wofz).facts
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(4)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    assert all(str(f) == str(alone) for f in found)

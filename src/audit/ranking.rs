@@ -1,0 +1,78 @@
+//! The few that are kept of many, the same whatever the order in which they came.
+
+use std::cmp::Ordering;
+
+/// The first so many of all that were offered, in an order that leaves no two of them equal.
+#[derive(Clone, Debug)]
+pub(super) struct First<T> {
+    room: usize,
+    kept: Vec<T>,
+}
+
+impl<T> First<T> {
+    /// Room for that many.
+    pub(super) fn new(room: usize) -> First<T> {
+        First {
+            room,
+            kept: Vec::new(),
+        }
+    }
+
+    /// Offers one; `place` compares one that is kept with it. It is made only if it is kept.
+    pub(super) fn offer(&mut self, place: impl Fn(&T) -> Ordering, make: impl FnOnce() -> T) {
+        let at = self.kept.partition_point(|kept| place(kept).is_le());
+        if at < self.room {
+            self.kept.truncate(self.room - 1);
+            self.kept.insert(at, make());
+        }
+    }
+
+    /// Those kept, in their order.
+    pub(super) fn kept(&self) -> &[T] {
+        &self.kept
+    }
+
+    /// Adds those of another.
+    pub(super) fn merge(&mut self, other: First<T>, order: impl Fn(&T, &T) -> Ordering) {
+        for item in other.kept {
+            let at = self.kept.partition_point(|kept| order(kept, &item).is_le());
+            if at < self.room {
+                self.kept.truncate(self.room - 1);
+                self.kept.insert(at, item);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn of(values: &[u16], room: usize) -> First<u16> {
+        let mut first = First::new(room);
+        values
+            .iter()
+            .for_each(|v| first.offer(|kept: &u16| kept.cmp(v), || *v));
+        first
+    }
+
+    proptest! {
+        #[test]
+        fn the_first_of_all(
+            values in prop::collection::vec(any::<u16>(), 0..40), cut in 0usize..40, room in 1usize..9,
+        ) {
+            let mut sorted = values.clone();
+            sorted.sort();
+            sorted.truncate(room);
+            let whole = of(&values, room);
+            prop_assert_eq!(whole.kept(), &sorted);
+            let (a, b) = values.split_at(cut.min(values.len()));
+            for (a, b) in [(a, b), (b, a)] {
+                let mut merged = of(a, room);
+                merged.merge(of(b, room), Ord::cmp);
+                prop_assert_eq!(merged.kept(), &sorted);
+            }
+        }
+    }
+}

@@ -1,0 +1,311 @@
+//! What was found in one region so far. Counts, bins, exact sums and firsts of a fixed order: merging
+//! is associative and commutative, bit for bit.
+
+use super::case::Case;
+use super::judge::{ComponentJudgement, Verdict};
+use super::judged::CaseReport;
+use super::kind::{Kind, Kinds};
+use super::ranking::First;
+use super::report::{Octave, OutputStatistics, Point, RegionReport};
+use super::settings::Settings;
+use super::spread::{SpreadTally, octave};
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+/// Cases kept of those with the largest shares of a budget.
+pub(super) const WORST: usize = 10;
+/// Cases kept of each wrong kind.
+const EXAMPLES: usize = 3;
+/// Failing cases kept.
+const FAILURES: usize = 500;
+
+/// The larger number first, then the earlier case.
+fn larger(a: (f64, &Case), b: (f64, &Case)) -> Ordering {
+    b.0.total_cmp(&a.0).then_with(|| a.1.order(b.1))
+}
+
+/// A number with the case that it belongs to.
+type Largest = First<(f64, Case)>;
+
+fn offer(largest: &mut Largest, x: f64, case: &Case) {
+    largest.offer(|k| larger((k.0, &k.1), (x, case)), || (x, case.clone()));
+}
+
+fn by_number(a: &(f64, Case), b: &(f64, Case)) -> Ordering {
+    larger((a.0, &a.1), (b.0, &b.1))
+}
+
+/// What was found for one output.
+#[derive(Clone, Debug)]
+struct OutputTally {
+    values: u64,
+    kinds: Kinds,
+    ulps: SpreadTally,
+    conditioned: SpreadTally,
+    max_condition: f64,
+    worst: Largest,
+    octaves: BTreeMap<Option<i32>, Largest>,
+}
+
+impl OutputTally {
+    fn new() -> OutputTally {
+        OutputTally {
+            values: 0,
+            kinds: Kinds::default(),
+            ulps: SpreadTally::default(),
+            conditioned: SpreadTally::default(),
+            max_condition: 0.0,
+            worst: First::new(1),
+            octaves: BTreeMap::new(),
+        }
+    }
+
+    fn add(&mut self, case: &Case, c: &ComponentJudgement) {
+        self.values += 1;
+        if let Some(kind) = c.kind {
+            self.kinds[kind] += 1;
+        }
+        if c.condition.is_finite() {
+            self.max_condition = self.max_condition.max(c.condition);
+        }
+        if !matches!(c.verdict, Verdict::Pass | Verdict::Over) {
+            return;
+        }
+        self.ulps.add(c.ulps);
+        self.conditioned.add(c.conditioned);
+        offer(&mut self.worst, c.of_budget, case);
+        if c.ulps.is_finite() {
+            let largest = self.octaves.entry(octave(c.ulps));
+            offer(largest.or_insert_with(|| First::new(1)), c.ulps, case);
+        }
+    }
+
+    fn merge(&mut self, other: OutputTally) {
+        self.values += other.values;
+        self.kinds.merge(&other.kinds);
+        self.ulps.merge(&other.ulps);
+        self.conditioned.merge(&other.conditioned);
+        self.max_condition = self.max_condition.max(other.max_condition);
+        self.worst.merge(other.worst, by_number);
+        for (k, largest) in other.octaves {
+            let own = self.octaves.entry(k).or_insert_with(|| First::new(1));
+            own.merge(largest, by_number);
+        }
+    }
+
+    fn statistics(&self, name: &'static str) -> OutputStatistics {
+        let worst = self.worst.kept().first();
+        let histogram = self.ulps.octaves().into_iter().filter_map(|(k, count)| {
+            let (_, worst) = self.octaves.get(&k)?.kept().first()?.clone();
+            Some(Octave {
+                exponent: k,
+                count,
+                worst,
+            })
+        });
+        OutputStatistics {
+            name,
+            values: self.values,
+            kinds: self.kinds,
+            ulps: self.ulps.spread(),
+            conditioned: self.conditioned.spread(),
+            histogram: histogram.collect(),
+            max_of_budget: worst.map_or(0.0, |w| w.0),
+            max_condition: self.max_condition,
+            worst: worst.map(|w| w.1.clone()),
+            parts: None,
+        }
+    }
+}
+
+/// What was found in a region.
+#[derive(Clone, Debug)]
+pub(super) struct RegionTally {
+    pub(super) cases: u64,
+    pub(super) passed: u64,
+    pub(super) recorded: u64,
+    over: u64,
+    undecided: u64,
+    reference_failed: u64,
+    kinds: Kinds,
+    outputs: Vec<OutputTally>,
+    normwise: SpreadTally,
+    share: Largest,
+    worst: First<(f64, CaseReport)>,
+    wrong: BTreeMap<(Verdict, Option<Kind>), First<CaseReport>>,
+    failures: First<CaseReport>,
+    points: First<(u64, Point)>,
+}
+
+impl RegionTally {
+    pub(super) fn new(outputs: usize, settings: &Settings) -> RegionTally {
+        RegionTally {
+            cases: 0,
+            passed: 0,
+            recorded: 0,
+            over: 0,
+            undecided: 0,
+            reference_failed: 0,
+            kinds: Kinds::default(),
+            outputs: vec![OutputTally::new(); outputs],
+            normwise: SpreadTally::default(),
+            share: First::new(1),
+            worst: First::new(WORST),
+            wrong: BTreeMap::new(),
+            failures: First::new(FAILURES),
+            points: First::new(settings.points),
+        }
+    }
+
+    /// One case; `recorded` if it fails as is recorded.
+    pub(super) fn add(&mut self, report: &CaseReport, recorded: bool) {
+        let (case, judgement) = (&report.case, &report.judgement);
+        self.cases += 1;
+        let outputs = self.outputs.len();
+        for (i, c) in judgement.components.iter().enumerate() {
+            self.outputs[i % outputs].add(case, c);
+        }
+        self.sample(report);
+        let share = judgement.share();
+        if judgement.is_measured() {
+            if !judgement.components.is_empty() {
+                self.normwise.add(judgement.normwise);
+            }
+            offer(&mut self.share, share, case);
+            self.worst.offer(
+                |k| larger((k.0, &k.1.case), (share, case)),
+                || (share, report.clone()),
+            );
+        }
+        match judgement.verdict {
+            Verdict::Pass => self.passed += 1,
+            _ if recorded => self.recorded += 1,
+            Verdict::Over => self.over += 1,
+            Verdict::Undecided => self.undecided += 1,
+            Verdict::OracleError => self.reference_failed += 1,
+            Verdict::WrongKind => {
+                let kind = judgement.kind.unwrap_or(Kind::Unreadable);
+                self.kinds[kind] += 1;
+            }
+        }
+        if judgement.verdict == Verdict::Pass || recorded {
+            return;
+        }
+        let earlier = |kept: &CaseReport| kept.case.order(case);
+        self.failures.offer(earlier, || report.clone());
+        if judgement.verdict != Verdict::Over {
+            let key = (judgement.verdict, judgement.kind);
+            let examples = self.wrong.entry(key);
+            let examples = examples.or_insert_with(|| First::new(EXAMPLES));
+            examples.offer(earlier, || report.clone());
+        }
+    }
+
+    /// The cases with the smallest hashes of their inputs: a sample that does not depend on the order
+    /// or on the machine.
+    fn sample(&mut self, report: &CaseReport) {
+        let (case, judgement) = (&report.case, &report.judgement);
+        let hash = case.hash();
+        let outputs = self.outputs.len();
+        let largest = |o: usize| {
+            let own = judgement.components.iter().skip(o).step_by(outputs);
+            let measured = own.filter(|c| c.kind.is_none()).map(|c| c.ulps);
+            measured.fold(f64::NAN, f64::max)
+        };
+        self.points.offer(
+            |(h, p)| h.cmp(&hash).then_with(|| p.case.order(case)),
+            || {
+                let point = Point {
+                    case: case.clone(),
+                    verdict: judgement.verdict,
+                    ulps: (0..outputs).map(largest).collect(),
+                    of_budget: judgement.share(),
+                };
+                (hash, point)
+            },
+        );
+    }
+
+    /// Cases that got no answer and are counted only.
+    pub(super) fn unanswered(&mut self, cases: u64) {
+        self.cases += cases;
+        self.kinds[Kind::Unanswered] += cases;
+    }
+
+    pub(super) fn merge(&mut self, other: RegionTally) {
+        self.cases += other.cases;
+        self.passed += other.passed;
+        self.recorded += other.recorded;
+        self.over += other.over;
+        self.undecided += other.undecided;
+        self.reference_failed += other.reference_failed;
+        self.kinds.merge(&other.kinds);
+        for (own, more) in self.outputs.iter_mut().zip(other.outputs) {
+            own.merge(more);
+        }
+        self.normwise.merge(&other.normwise);
+        self.share.merge(other.share, by_number);
+        self.worst.merge(other.worst, |a, b| {
+            larger((a.0, &a.1.case), (b.0, &b.1.case))
+        });
+        let earlier = |a: &CaseReport, b: &CaseReport| a.case.order(&b.case);
+        for (key, examples) in other.wrong {
+            let own = self.wrong.entry(key);
+            own.or_insert_with(|| First::new(EXAMPLES))
+                .merge(examples, earlier);
+        }
+        self.failures.merge(other.failures, earlier);
+        self.points.merge(other.points, |a, b| {
+            a.0.cmp(&b.0).then_with(|| a.1.case.order(&b.1.case))
+        });
+    }
+
+    /// The cases with the largest shares, the largest first.
+    pub(super) fn worst(&self) -> &[(f64, CaseReport)] {
+        self.worst.kept()
+    }
+
+    /// The first of each wrong kind.
+    pub(super) fn wrong(&self) -> impl Iterator<Item = (&(Verdict, Option<Kind>), &[CaseReport])> {
+        self.wrong.iter().map(|(key, first)| (key, first.kept()))
+    }
+
+    /// The first cases that did not pass.
+    pub(super) fn failures(&self) -> &[CaseReport] {
+        self.failures.kept()
+    }
+
+    /// The sample, in the order of cases.
+    pub(super) fn points(&self) -> Vec<Point> {
+        let kept = self.points.kept().iter();
+        let mut points: Vec<Point> = kept.map(|(_, p)| p.clone()).collect();
+        points.sort_by(|a, b| a.case.order(&b.case));
+        points
+    }
+
+    /// What is said of it; `norm` if its normwise errors mean something.
+    pub(super) fn report(
+        &self,
+        (name, description): (&'static str, &'static str),
+        outputs: &[&'static str],
+        norm: bool,
+    ) -> RegionReport {
+        let worst = self.share.kept().first();
+        let outputs = self.outputs.iter().zip(outputs);
+        RegionReport {
+            name,
+            description,
+            cases: self.cases,
+            passed: self.passed,
+            recorded: self.recorded,
+            over: self.over,
+            undecided: self.undecided,
+            reference_failed: self.reference_failed,
+            kinds: self.kinds,
+            outputs: outputs.map(|(o, name)| o.statistics(name)).collect(),
+            normwise: norm.then(|| self.normwise.spread()),
+            max_of_budget: worst.map_or(0.0, |w| w.0),
+            worst: worst.map(|w| w.1.clone()),
+        }
+    }
+}

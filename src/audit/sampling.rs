@@ -1,0 +1,361 @@
+//! Where a run draws its cases: the regions of the domain, a box, or the neighbourhood of an input.
+//!
+//! A box is written `NAME=SIDE, NAME=SIDE`: names of single numbers of the input, and for each
+//!
+//! | side | draws |
+//! |---|---|
+//! | `1.5` | this number |
+//! | `-6..0` | uniformly |
+//! | `log 1e-8..1e3` | uniformly in the logarithm; both ends of one sign |
+//! | `+-log 1e-8..1e3` | the same with either sign |
+//!
+//! Inputs that it does not name are drawn from the regions, from one after the other.
+
+use super::case::Case;
+use super::domain::{Domain, Draw, Region};
+use super::layout::Layout;
+use super::method::Method;
+use super::nearest::did_you_mean;
+use super::no_such::NoSuch;
+use super::settings::Settings;
+use mechaudit_reference::{Decimal, HexFloat};
+
+/// Where cases are drawn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Sampling {
+    /// In the regions, after check points and hard cases.
+    #[default]
+    Domain,
+    /// In a box.
+    Box(SampleBox),
+    /// About an input.
+    Near(Near),
+}
+
+/// Why there is no such box or neighbourhood.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SamplingError {
+    /// Not `NAME=SIDE`.
+    #[error("{part:?} in the box is not NAME=LO..HI, NAME=log LO..HI, NAME=+-log LO..HI or NAME=X")]
+    Side {
+        /// The part.
+        part: String,
+    },
+    /// A side that holds no numbers.
+    #[error("{part:?} in the box: {reason}")]
+    Ends {
+        /// The part.
+        part: String,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// A name that is no single number of the input.
+    #[error("{method} has no single input {name:?}{hint}; it has: {known}")]
+    Name {
+        /// The method.
+        method: &'static str,
+        /// The name.
+        name: String,
+        /// Which may be meant.
+        hint: String,
+        /// Those there are.
+        known: String,
+    },
+    /// A name that stands twice.
+    #[error("the box names {name} twice")]
+    Twice {
+        /// The name.
+        name: String,
+    },
+    /// No input.
+    #[error("{text:?} is neither numbers, a check point, REGION/CASE nor hard/N: {reason}")]
+    Centre {
+        /// What was given.
+        text: String,
+        /// Why not.
+        reason: String,
+    },
+    /// A radius that is not a positive number.
+    #[error("the radius {0} must be positive and at most 1")]
+    Radius(f64),
+    /// No regions to draw the rest from.
+    #[error("there is no region to draw the other inputs from")]
+    NoRegion,
+}
+
+/// How a number of a box is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Spacing {
+    Uniform,
+    Logarithmic,
+    /// Logarithmic with either sign.
+    EitherSign,
+}
+
+/// A number of a box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Side {
+    /// Its place in the input.
+    at: usize,
+    ends: [f64; 2],
+    spacing: Spacing,
+}
+
+/// A box in some numbers of the input, or all.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SampleBox {
+    text: String,
+    sides: Vec<Side>,
+    /// Whether it names every number.
+    whole: bool,
+}
+
+/// A number, decimal or hexadecimal.
+fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let hex = text.trim_start_matches(['+', '-']).starts_with("0x");
+    let x = match hex {
+        true => HexFloat::parse(text).ok()?.to_f64(),
+        false => Decimal::nearest(text).ok()?,
+    };
+    x.is_finite().then_some(x)
+}
+
+impl SampleBox {
+    /// Reads a box of a method.
+    ///
+    /// # Errors
+    /// A part that is no side, a name that the method does not have.
+    pub fn read(method: &dyn Method, text: &str) -> Result<SampleBox, SamplingError> {
+        let layout = Layout::new(method);
+        let singles = layout.singles();
+        let mut sides: Vec<Side> = Vec::new();
+        for part in text.split(',') {
+            let part = part.trim();
+            let bad = || SamplingError::Side { part: part.into() };
+            let (name, side) = part.split_once('=').ok_or_else(bad)?;
+            let (name, side) = (name.trim(), side.trim());
+            let Some(&(_, at)) = singles.iter().find(|(symbol, _)| *symbol == name) else {
+                let known: Vec<&str> = singles.iter().map(|(symbol, _)| *symbol).collect();
+                return Err(SamplingError::Name {
+                    method: method.name(),
+                    name: name.into(),
+                    hint: did_you_mean(name, &known),
+                    known: match known.len() {
+                        0 => "none at a fixed place".into(),
+                        _ => known.join(", "),
+                    },
+                });
+            };
+            if sides.iter().any(|s| s.at == at) {
+                return Err(SamplingError::Twice { name: name.into() });
+            }
+            let (spacing, ends) = match side {
+                s if s.starts_with("+-log ") => (Spacing::EitherSign, &s[6..]),
+                s if s.starts_with("log ") => (Spacing::Logarithmic, &s[4..]),
+                s => (Spacing::Uniform, s),
+            };
+            let (lo, hi) = ends.split_once("..").unwrap_or((ends, ends));
+            let ends = [number(lo).ok_or_else(bad)?, number(hi).ok_or_else(bad)?];
+            let reason = match spacing {
+                _ if ends[0] > ends[1] => Some("the lower end comes first"),
+                Spacing::Logarithmic if ends[0] * ends[1].signum() <= 0.0 => {
+                    Some("a logarithm needs both ends of one sign")
+                }
+                Spacing::EitherSign if ends[0] <= 0.0 => {
+                    Some("with either sign both ends are positive")
+                }
+                _ => None,
+            };
+            if let Some(reason) = reason {
+                let part = part.into();
+                return Err(SamplingError::Ends { part, reason });
+            }
+            sides.push(Side { at, ends, spacing });
+        }
+        sides.sort_by_key(|s| s.at);
+        let whole = sides.len() == layout.parts();
+        if !whole && method.domain().regions.is_empty() {
+            return Err(SamplingError::NoRegion);
+        }
+        Ok(SampleBox {
+            text: text.into(),
+            sides,
+            whole,
+        })
+    }
+
+    /// As it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether it names every number of the input, so that no region is drawn from.
+    pub fn is_whole(&self) -> bool {
+        self.whole
+    }
+
+    /// The input of that number, and the region that it was drawn from.
+    pub(super) fn sample(
+        &self,
+        method: &'static str,
+        domain: &Domain,
+        (seed, index): (u64, u64),
+    ) -> (&'static str, Vec<f64>) {
+        let (region, mut input) = match self.whole {
+            true => ("box", vec![0.0; self.sides.len()]),
+            false => {
+                let n = domain.regions.len() as u64;
+                let region = &domain.regions[(index % n) as usize];
+                let mut draw = Draw::new(seed, method, region.name, index / n);
+                (region.name, (region.sample)(&mut draw))
+            }
+        };
+        let mut draw = Draw::new(seed, method, "box", index);
+        for side in &self.sides {
+            let x = side.draw(&mut draw);
+            if let Some(number) = input.get_mut(side.at) {
+                *number = x;
+            }
+        }
+        (region, input)
+    }
+}
+
+impl Side {
+    fn draw(&self, draw: &mut Draw) -> f64 {
+        let [lo, hi] = self.ends;
+        let t = draw.unit();
+        let size = |lo: f64, hi: f64| {
+            let x = ((1.0 - t) * lo.ln() + t * hi.ln()).exp();
+            x.clamp(lo, hi)
+        };
+        match self.spacing {
+            // Without the difference, which may overflow.
+            Spacing::Uniform => ((1.0 - t) * lo + t * hi).clamp(lo, hi),
+            Spacing::Logarithmic if hi < 0.0 => -size(-hi, -lo),
+            Spacing::Logarithmic => size(lo, hi),
+            Spacing::EitherSign => draw.signed(size(lo, hi)),
+        }
+    }
+}
+
+/// The neighbourhood of an input: data `x` becomes `x (1 + ρ t)`, a zero `ρ t`, with t uniform on
+/// [−1, 1); ρ is the radius in one half of the cases and log-uniform from 2⁻⁵² up to it in the other.
+/// Counts and choices stay.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Near {
+    text: String,
+    centre: Vec<f64>,
+    data: Vec<bool>,
+    radius: f64,
+}
+
+impl Near {
+    /// Reads the centre: numbers separated by commas, the name of a check point, `REGION/CASE` of the
+    /// settings' seed, or `hard/N`.
+    ///
+    /// # Errors
+    /// What is no input of the method; a radius that is not positive and at most 1.
+    pub fn read(
+        method: &dyn Method,
+        settings: &Settings,
+        text: &str,
+        radius: f64,
+    ) -> Result<Near, SamplingError> {
+        if !(radius > 0.0 && radius <= 1.0) {
+            return Err(SamplingError::Radius(radius));
+        }
+        let bad = |reason: String| SamplingError::Centre {
+            text: text.into(),
+            reason,
+        };
+        let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+        let centre = match numbers {
+            Some(input) => {
+                let layout = Layout::new(method);
+                layout.lengths(&input).map_err(|e| bad(e.to_string()))?;
+                input
+            }
+            None => {
+                named(method, settings, text)
+                    .map_err(|e| bad(e.to_string()))?
+                    .input
+            }
+        };
+        if let Some(x) = centre.iter().find(|x| !x.is_finite()) {
+            return Err(bad(format!("{x} has no neighbours")));
+        }
+        Ok(Near {
+            text: text.into(),
+            data: (0..centre.len()).map(|j| method.is_data(j)).collect(),
+            centre,
+            radius,
+        })
+    }
+
+    /// As the centre was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The radius.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    pub(super) fn sample(&self, method: &'static str, (seed, index): (u64, u64)) -> Vec<f64> {
+        let mut draw = Draw::new(seed, method, "near", index);
+        let least = 2f64.powi(-52).min(self.radius);
+        let radius = match draw.chance(0.5) {
+            true => self.radius,
+            false => draw.log_uniform(least, self.radius),
+        };
+        let numbers = self.centre.iter().zip(&self.data);
+        let moved = numbers.map(|(&x, data)| {
+            let t = draw.uniform(-1.0, 1.0);
+            match (data, x == 0.0) {
+                (false, _) => x,
+                (true, true) => radius * t,
+                (true, false) => (x + x * (radius * t)).clamp(f64::MIN, f64::MAX),
+            }
+        });
+        moved.collect()
+    }
+}
+
+/// A case by its name.
+fn named(method: &dyn Method, settings: &Settings, text: &str) -> Result<Case, NoSuch> {
+    let cases = super::case::Cases::new(method, settings);
+    match text.rsplit_once('/') {
+        Some((region, index)) => match (region, index.parse::<u64>()) {
+            ("hard", Ok(n)) => cases.hard_case(usize::try_from(n).unwrap_or(usize::MAX)),
+            (region, Ok(n)) => cases.in_region(region, n),
+            _ => cases.at_check_point(text),
+        },
+        None => cases.at_check_point(text),
+    }
+}
+
+/// Magnitudes of ordinary numbers: far from the ends of the range, with their squares and cubes.
+const ORDINARY: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+
+/// Whether every number is zero or of ordinary size.
+pub(super) fn is_ordinary(input: &[f64]) -> bool {
+    let ordinary = |x: &f64| *x == 0.0 || ORDINARY.contains(&x.abs());
+    input.iter().all(ordinary)
+}
+
+impl Region {
+    /// Whether the region stays away from the ends of the range: all numbers of 64 draws of a fixed
+    /// stream are zero or between 1e-100 and 1e100 in magnitude.
+    pub fn is_ordinary(&self, method: &str) -> bool {
+        (0..64).all(|i| {
+            let mut draw = Draw::new(0, method, self.name, i);
+            is_ordinary(&(self.sample)(&mut draw))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,210 @@
+//! What may never pass: a method whose solver, reference and laws go wrong on demand.
+
+use super::*;
+use rug::Rational;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What goes wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fault {
+    None,
+    /// The solver's square is NaN in one region.
+    Nan,
+    /// The solver gives nothing in one region.
+    Silence,
+    /// The reference never decides.
+    Undecided,
+    /// The reference decides at 512 bits.
+    Late,
+    /// The reference fails at check points.
+    Failed,
+    /// A law does not hold.
+    Law,
+    /// A law's residual is NaN.
+    LawNan,
+}
+
+/// `x²` on `[1, 2)` and `[2, 4)`.
+struct Square(Fault);
+
+fn sample_low(d: &mut Draw) -> Vec<f64> {
+    vec![d.uniform(1.0, 2.0)]
+}
+
+fn sample_high(d: &mut Draw) -> Vec<f64> {
+    vec![d.uniform(2.0, 4.0)]
+}
+
+impl Method for Square {
+    fn name(&self) -> &'static str {
+        "square"
+    }
+    fn summary(&self) -> &'static str {
+        "x squared"
+    }
+    fn source(&self) -> &'static str {
+        "arithmetic"
+    }
+    fn inputs(&self) -> Vec<Input> {
+        let (name, unit) = ("x", "1");
+        vec![Input { name, unit }]
+    }
+    fn outputs(&self) -> Vec<Output> {
+        let budget = Budget::new(Limit::Ulps(0.5), "one rounding");
+        let (name, unit) = ("y", "1");
+        vec![Output { name, unit, budget }]
+    }
+    fn domain(&self) -> Domain {
+        let region = |name, sample| Region {
+            name,
+            description: "",
+            sample,
+        };
+        Domain {
+            regions: vec![
+                region("low", sample_low as fn(&mut Draw) -> Vec<f64>),
+                region("high", sample_high),
+            ],
+            check_points: vec![CheckPoint {
+                name: "three",
+                input: vec![3.0],
+            }],
+        }
+    }
+    fn solve(&self, input: &[f64]) -> SolverAnswer {
+        let x = input[0];
+        let high = (2.0..4.0).contains(&x) && x != 3.0;
+        SolverAnswer::Values(match self.0 {
+            Fault::Nan if high => vec![f64::NAN],
+            Fault::Silence if high => vec![],
+            _ => vec![x * x],
+        })
+    }
+    fn reference(&self, input: &[Rational], bits: u32) -> ReferenceAnswer {
+        match self.0 {
+            Fault::Undecided => ReferenceAnswer::Undecided("never".into()),
+            Fault::Late if bits < 512 => ReferenceAnswer::Undecided("not yet".into()),
+            Fault::Failed if input[0] == 3 => ReferenceAnswer::Failed("broken".into()),
+            _ => ReferenceAnswer::exact([&input[0].clone().square()], bits),
+        }
+    }
+    fn laws(&self) -> Vec<Law> {
+        let residual: fn(&[f64]) -> Option<f64> = match self.0 {
+            Fault::Law => |x| Some(if x[0] > 3.9 { 1.5 } else { 0.0 }),
+            Fault::LawNan => |_| Some(f64::NAN),
+            _ => |_| Some(1.0),
+        };
+        let (name, statement) = ("even", "(-x)^2 = x^2");
+        vec![Law {
+            name,
+            statement,
+            residual,
+        }]
+    }
+}
+
+fn settings() -> Settings {
+    Settings {
+        cases_per_region: 100,
+        ..Settings::default()
+    }
+}
+
+fn audited(fault: Fault) -> MethodReport {
+    audit_method(&Square(fault), &settings(), &|| ())
+}
+
+#[test]
+fn every_case_of_every_region_is_judged() {
+    let report = audited(Fault::None);
+    assert!(report.passed());
+    assert_eq!((report.cases, report.passed), (201, 201));
+    let by_region: Vec<_> = report.regions.iter().map(|r| (r.name, r.cases)).collect();
+    assert_eq!(
+        by_region,
+        [("low", 100), ("high", 100), ("check-points", 1)]
+    );
+    // Each case is another one.
+    let cases = Cases::new(&Square(Fault::None), &settings());
+    let inputs: std::collections::BTreeSet<u64> = (0..cases.len())
+        .map(|i| cases.get(i).input[0].to_bits())
+        .collect();
+    assert_eq!(inputs.len(), 201);
+}
+
+#[test]
+fn an_undecided_reference_passes_nothing() {
+    let report = audited(Fault::Undecided);
+    assert!(!report.passed());
+    assert_eq!((report.passed, report.total.undecided), (0, 201));
+    let case = Cases::new(&Square(Fault::Undecided), &settings()).get(0);
+    let one = audit_case(&Square(Fault::Undecided), case, &settings());
+    assert_eq!(
+        (one.judgement.verdict, one.bits),
+        (Verdict::Undecided, 2048)
+    );
+}
+
+#[test]
+fn the_precision_grows_until_the_reference_decides() {
+    let report = audited(Fault::Late);
+    assert!(report.passed());
+    let case = Cases::new(&Square(Fault::Late), &settings()).get(0);
+    let one = audit_case(&Square(Fault::Late), case, &settings());
+    assert_eq!((one.judgement.verdict, one.bits), (Verdict::Pass, 512));
+    // But no farther than allowed.
+    let short = Settings {
+        last_bits: 256,
+        ..settings()
+    };
+    assert_eq!(audit_method(&Square(Fault::Late), &short, &|| ()).passed, 0);
+}
+
+#[test]
+fn nan_is_a_failure_and_no_error() {
+    let report = audited(Fault::Nan);
+    assert!(!report.passed());
+    assert_eq!((report.passed, report.failed()), (101, 100));
+    let y = &report.total.outputs[0];
+    // Counted apart: the statistics hold the numbers that came.
+    assert_eq!((y.values, y.ulps.count), (201, 101));
+    assert!(y.ulps.max <= 0.5 && y.ulps.max > 0.25);
+    let high = report.regions.iter().find(|r| r.name == "high").unwrap();
+    assert_eq!((high.passed, high.outputs[0].ulps.count), (0, 0));
+}
+
+#[test]
+fn a_missing_answer_and_a_broken_reference_fail() {
+    let silent = audited(Fault::Silence);
+    assert!(!silent.passed());
+    assert_eq!((silent.passed, silent.failed()), (101, 100));
+    let broken = audited(Fault::Failed);
+    assert!(!broken.passed());
+    assert_eq!((broken.passed, broken.total.reference_failed), (200, 1));
+}
+
+#[test]
+fn a_law_that_fails_once_fails_the_method() {
+    for fault in [Fault::Law, Fault::LawNan] {
+        let report = audited(fault);
+        // Every case passes.
+        assert_eq!(report.passed, 201);
+        assert!(!report.passed(), "{fault:?}");
+    }
+}
+
+#[test]
+fn nothing_and_half_of_it_are_no_pass() {
+    let none = Settings {
+        cases_per_region: 0,
+        ..settings()
+    };
+    // The check point alone is judged.
+    assert_eq!(audit_method(&Square(Fault::None), &none, &|| ()).cases, 1);
+    let stopped = AtomicBool::new(false);
+    let tick = || stopped.store(true, Ordering::Relaxed);
+    let report = audit_method_until(&Square(Fault::None), &settings(), &tick, &stopped);
+    assert!(report.interrupted && !report.passed() && report.failed() == 0);
+    let empty = Tally::new(&Square(Fault::None), &settings()).finish(&Square(Fault::None));
+    assert!(!empty.passed());
+}

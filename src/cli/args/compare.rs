@@ -1,0 +1,87 @@
+//! Arguments of `mechaudit compare` and `mechaudit describe`.
+
+use super::{ProgramArgs, RunArgs, ScopeArgs, TextOrJson, WhereArgs};
+use clap::{Args as ClapArgs, ValueEnum};
+use std::path::PathBuf;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit compare faddeeva --exec 'python3 scipy_w.py' --exec ./cerf_w --with ours
+  mechaudit compare erfc --exec ./old --exec ./new --ordinary --relative 1e-12 --format csv
+  mechaudit compare faddeeva --exec ./w --baseline old.json
+
+All programs get the same cases, and those of a case are judged by one reference. For each region: cases \
+that fail, the largest share of a budget, how many times that of the best (marked *: the fewest answers \
+of the wrong kind, then the smallest share). Speed is the time of a run of many inputs less that of a run \
+of one, divided by their number: start-up apart, the protocol included. The method's own solver is \
+called in this process.
+
+The exit code is 1 if one of them is over budget.";
+
+pub const AFTER_DESCRIBE: &str = "\
+Examples:
+  mechaudit describe faddeeva
+  mechaudit describe cubic-spline-clamped --format json";
+
+/// Arguments of `compare`.
+#[derive(ClapArgs, Debug)]
+pub struct CompareArgs {
+    /// The method
+    pub method: String,
+    /// A program; may be given several times
+    #[arg(long, value_name = "COMMAND", required = true)]
+    pub exec: Vec<String>,
+    /// Compare with the method's own solver besides
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub with: Option<With>,
+    #[command(flatten)]
+    pub program: ProgramArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
+    #[command(flatten)]
+    pub place: WhereArgs,
+    #[command(flatten)]
+    pub scope: ScopeArgs,
+    /// Leave the speed out
+    #[arg(long)]
+    pub no_speed: bool,
+    /// A report of `compare` or `audit` in JSON: says what is better and worse since
+    #[arg(long, value_name = "FILE")]
+    pub baseline: Option<PathBuf>,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: CompareFormat,
+    /// Write to this file, whole or not at all, or to a device or pipe; - is standard output
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What is compared besides programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum With {
+    /// The method's own solver
+    Ours,
+}
+
+/// The forms of a comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CompareFormat {
+    /// For people
+    Text,
+    /// Everything, with each report as schema/audit.schema.json describes it
+    Json,
+    /// A line for each region and candidate
+    Csv,
+    /// A page to be opened in a browser
+    Html,
+}
+
+/// Arguments of `describe`.
+#[derive(ClapArgs, Debug)]
+pub struct DescribeArgs {
+    /// The method
+    pub method: String,
+    /// Form of the description
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}

@@ -1,0 +1,235 @@
+//! Several programs at the same cases, side by side.
+
+use crate::cli::args::{CompareArgs, CompareFormat, ProgramArgs};
+use crate::cli::commands::audit::written::POINTS;
+use crate::cli::commands::audit::{find, settings};
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::{Output, write_json};
+use crate::cli::process::exec::{End, Fed, Inputs, unanswered};
+use crate::cli::process::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::scope;
+use crate::cli::terminal::width;
+use mechaudit::audit::{
+    Case, Comparison, Method, MethodReport, Settings, SolverAnswer, Speed, Tally, answer_of,
+    judge_together,
+};
+use mechaudit::report::baseline::Baseline;
+use mechaudit::report::{csv, html, json, text};
+use rayon::prelude::*;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Cases judged together.
+const BATCH: usize = 1024;
+/// Inputs of a first timed run, the most of a second one, and how long it should take.
+const FEW: usize = 200;
+const MANY: usize = 500_000;
+const LONG: Duration = Duration::from_millis(400);
+/// Runs of one input.
+const STARTS: usize = 3;
+
+/// Compares them.
+pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
+    let mut settings = settings(&args.run)?;
+    if args.format == CompareFormat::Html {
+        settings.points = POINTS;
+    }
+    let method = find(&args.method)?;
+    let output = Output::open(args.output.as_deref())?;
+    let before = args.baseline.as_deref().map(baseline).transpose()?;
+    let variant = scope::judged(&*method, &args.scope)?.without_laws();
+    let variant = scope::placed(variant, &args.place, &settings, true)?;
+    let one = scope::one_case(&variant, &args.place, &settings)?;
+    let variant = match one {
+        Some(_) => variant,
+        None => scope::regions(variant, &args.place)?,
+    };
+    let inputs = Inputs::of(&variant, one, &settings)?;
+    let mut reports = judged(&variant, args, &inputs, &settings)?;
+    let stopped = reports.iter().any(|r| r.interrupted);
+    let words = scope::words(&args.scope, &args.place);
+    let tail: String = words.iter().map(|w| format!(" {w}")).collect();
+    for report in &mut reports {
+        let command = report.candidate.as_ref().and_then(|c| c.command.clone());
+        report.reproduce.tail = match command {
+            Some(command) => format!(
+                " --exec {}{}{tail}",
+                shell_words::quote(&command),
+                form(&args.program)
+            ),
+            None => tail.clone(),
+        };
+    }
+    let timed: Vec<(MethodReport, Option<Speed>)> = reports
+        .into_iter()
+        .map(|report| {
+            let command = report.candidate.as_ref().and_then(|c| c.command.clone());
+            let speed = match command {
+                _ if args.no_speed || stopped => None,
+                Some(command) => speed(&command, &args.program, &inputs),
+                None => Some(called(&variant, &inputs)),
+            };
+            (report, speed)
+        })
+        .collect();
+    let found = Comparison::new(variant.name(), timed);
+    let changes = before.as_ref().map(|b| b.changes_of(&found));
+    match args.format {
+        CompareFormat::Text => output.write(|out| {
+            write!(out, "{}", text::comparison::comparison(&found, width()))?;
+            if let Some(changes) = &changes {
+                write!(out, "{}", text::comparison::changes(changes, width()))?;
+            }
+            Ok(())
+        })?,
+        CompareFormat::Json => write_json(output, &json::comparison(&found, changes.as_ref()))?,
+        CompareFormat::Html => output.text(&html::audit::comparison(&found, changes.as_ref()))?,
+        CompareFormat::Csv => output
+            .write(|out| csv::comparison(&found, out).map_err(|e| Failure::new(e.to_string())))?,
+    }
+    let outcome = Outcome::unless_interrupted(found.interrupted(), found.passed());
+    Ok(outcome)
+}
+
+/// The longest baseline.
+const WHOLE: u64 = 1 << 30;
+
+/// A report of an earlier run.
+pub fn baseline(path: &Path) -> Result<Baseline, Failure> {
+    let refused = |e: std::io::Error| Failure::cannot("read", path, e);
+    let mut text = String::new();
+    let file = File::open(path).map_err(refused)?;
+    file.take(WHOLE)
+        .read_to_string(&mut text)
+        .map_err(refused)?;
+    Baseline::read(&text).map_err(|e| Failure::in_file(path, e))
+}
+
+fn form(program: &ProgramArgs) -> &'static str {
+    match (program.decimal, program.binary) {
+        (true, _) => " --decimal",
+        (_, true) => " --binary",
+        _ => "",
+    }
+}
+
+/// Runs all programs over all cases, one batch of cases after the other.
+fn judged(
+    method: &dyn Method,
+    args: &CompareArgs,
+    inputs: &Arc<Inputs>,
+    settings: &Settings,
+) -> Result<Vec<MethodReport>, Failure> {
+    let total = inputs.len();
+    let start = |command: &String| Fed::start(command, &args.program, inputs, total);
+    let mut programs: Vec<Fed> = args.exec.iter().map(start).collect::<Result<_, _>>()?;
+    let ours = usize::from(args.with.is_some());
+    let mut tallies = vec![Tally::new(method, settings); programs.len() + ours];
+    let mut ends: Vec<Option<End>> = programs.iter().map(|_| None).collect();
+    let progress = Progress::new();
+    for from in (0..total).step_by(BATCH) {
+        let to = total.min(from + BATCH);
+        let mut cases: Vec<(Case, Vec<Option<SolverAnswer>>)> =
+            (from..to).map(|i| (inputs.get(i), Vec::new())).collect();
+        for (program, end) in programs.iter_mut().zip(&mut ends) {
+            let mut batch = Vec::new();
+            if end.is_none() {
+                *end = program.collect(to - from, &mut batch);
+            }
+            let mut answers = batch.into_iter();
+            cases.iter_mut().for_each(|c| c.1.push(answers.next()));
+        }
+        if ours > 0 {
+            cases
+                .par_iter_mut()
+                .for_each(|(case, answers)| answers.push(Some(answer_of(method, &case.input))));
+        }
+        judge_together(method, settings, cases, &mut tallies);
+        progress.show(method.name(), to as u64, total as u64);
+        if interrupt::asked() {
+            tallies.iter_mut().for_each(Tally::interrupt);
+            break;
+        }
+    }
+    drop(progress);
+    let mut troubles = Vec::new();
+    for ((program, end), tally) in programs.iter_mut().zip(ends).zip(&mut tallies) {
+        let end = match end {
+            _ if tally.is_interrupted() => End::Interrupted,
+            Some(end) => end,
+            None => program.rest(),
+        };
+        let trouble = program.end(end);
+        if let (Some(why), false) = (&trouble, tally.is_interrupted()) {
+            unanswered(method, settings, inputs, program.answered(), why, tally);
+        }
+        troubles.push(program.report(trouble));
+    }
+    let mut known = troubles.into_iter();
+    let reports = tallies.into_iter().map(|tally| {
+        let mut report = tally.finish(method);
+        report.candidate = known.next();
+        report
+    });
+    Ok(reports.collect())
+}
+
+/// How long a program takes for so many inputs, if it answers all of them and ends well.
+fn timed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>, n: usize) -> Option<Duration> {
+    let start = Instant::now();
+    let mut fed = Fed::start(command, program, inputs, n).ok()?;
+    let mut left = n;
+    while left > 0 {
+        let mut batch = Vec::with_capacity(left.min(BATCH));
+        if fed.collect(left.min(BATCH), &mut batch).is_some() {
+            return None;
+        }
+        left -= batch.len();
+    }
+    let end = fed.rest();
+    fed.end(end).is_none().then(|| start.elapsed())
+}
+
+/// The time for an answer through the protocol, start-up apart.
+fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<Speed> {
+    let run = |n: usize| timed(command, program, inputs, n);
+    let starts: Option<Vec<Duration>> = (0..STARTS).map(|_| run(1)).collect();
+    let start = starts?.into_iter().min()?;
+    let first = run(FEW)?.saturating_sub(start);
+    let each = (first / FEW as u32).max(Duration::from_nanos(200));
+    let most = (LONG.as_secs_f64() / each.as_secs_f64()) as usize;
+    let (n, whole) = match most.min(MANY) {
+        n if n > FEW => (n, run(n)?),
+        _ => (FEW, first + start),
+    };
+    let taken = whole.saturating_sub(start).as_secs_f64();
+    Some(Speed {
+        ns_per_answer: taken * 1e9 / (n - 1) as f64,
+        start_up_ms: Some(start.as_secs_f64() * 1e3),
+        answers: n as u64,
+    })
+}
+
+/// The time for an answer of the method's own solver, called in this process on one core.
+fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
+    let n = inputs.len().min(BATCH);
+    let all: Vec<Vec<f64>> = (0..n)
+        .map(|k| inputs.get(k * inputs.len() / n).input)
+        .collect();
+    let round = || {
+        let start = Instant::now();
+        for input in &all {
+            std::hint::black_box(answer_of(method, std::hint::black_box(input)));
+        }
+        start.elapsed().as_secs_f64() * 1e9 / n as f64
+    };
+    Speed {
+        ns_per_answer: (0..STARTS).map(|_| round()).fold(f64::INFINITY, f64::min),
+        start_up_ms: None,
+        answers: n as u64,
+    }
+}

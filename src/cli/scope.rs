@@ -1,0 +1,145 @@
+//! What is judged, where and how strictly, as the arguments ask for it.
+
+use crate::cli::args::{ScopeArgs, WhereArgs};
+use crate::cli::commands::hunt::hard_folder;
+use crate::cli::failure::Failure;
+use mechaudit::audit::{
+    Case, Cases, Format, Limit, Method, Near, SampleBox, Sampling, Settings, Variant,
+};
+
+/// The limit for each output that is asked for, if one is.
+fn limit(scope: &ScopeArgs) -> Option<Limit> {
+    match (scope.ulps, scope.relative, scope.absolute) {
+        (Some(k), ..) => Some(Limit::Ulps(k)),
+        (None, Some(r), Some(a)) => Some(Limit::RelativeOrAbsolute(r, a)),
+        (None, Some(r), None) => Some(Limit::Relative(r)),
+        (None, None, Some(a)) => Some(Limit::Absolute(a)),
+        (None, None, None) => None,
+    }
+}
+
+/// The method with the outputs, the format and the limits asked for.
+pub fn judged<'a>(method: &'a dyn Method, scope: &ScopeArgs) -> Result<Variant<'a>, Failure> {
+    let mut variant = Variant::new(method);
+    if let Some(names) = &scope.outputs {
+        variant = variant.outputs(names)?;
+    }
+    if scope.single {
+        variant = variant.format(Format::Single);
+    }
+    if let Some(limit) = limit(scope) {
+        variant = variant.limit(limit);
+    }
+    if let Some(r) = scope.normwise {
+        variant = variant.norm_limit(r);
+    }
+    Ok(variant)
+}
+
+/// The method over the part of its domain asked for, but for regions: [`regions`] comes after a case of
+/// one was looked for.
+pub fn placed<'a>(
+    variant: Variant<'a>,
+    place: &WhereArgs,
+    settings: &Settings,
+    alone: bool,
+) -> Result<Variant<'a>, Failure> {
+    let mut variant = variant;
+    if let Some(folder) = &place.hard {
+        let cases = match alone {
+            true => hard_folder::of_method(folder, &variant)?,
+            false => hard_folder::read(folder, &variant)?.unwrap_or_default(),
+        };
+        variant = variant.hard_cases(cases);
+    }
+    if place.ordinary {
+        variant = variant.ordinary();
+    }
+    if let Some(text) = &place.sides {
+        // Other inputs come from the regions asked for.
+        let named = place.regions.iter();
+        variant = named
+            .into_iter()
+            .try_fold(variant, |v, name| v.region(name))?;
+        let sides = SampleBox::read(&variant, text).map_err(Failure::caused)?;
+        variant = variant.sampling(Sampling::Box(sides));
+    }
+    if let (Some(text), Some(radius)) = (&place.near, place.radius) {
+        let near = Near::read(&variant, settings, text, radius).map_err(Failure::caused)?;
+        variant = variant.sampling(Sampling::Near(near));
+    }
+    Ok(variant)
+}
+
+/// Only the regions asked for.
+pub fn regions<'a>(variant: Variant<'a>, place: &WhereArgs) -> Result<Variant<'a>, Failure> {
+    if place.sides.is_some() {
+        return Ok(variant);
+    }
+    let mut named = place.regions.iter();
+    Ok(named.try_fold(variant, |v, name| v.region(name))?)
+}
+
+/// The one case that the arguments ask for, if they do.
+pub fn one_case(
+    method: &dyn Method,
+    place: &WhereArgs,
+    settings: &Settings,
+) -> Result<Option<Case>, Failure> {
+    let cases = Cases::new(method, settings);
+    if let Some(number) = place.hard_case {
+        return Ok(Some(cases.hard_case(number)?));
+    }
+    if let Some(name) = &place.check_point {
+        return Ok(Some(cases.at_check_point(name)?));
+    }
+    let Some(index) = place.case else {
+        return Ok(None);
+    };
+    if let Some(case) = cases.at_index(index) {
+        return Ok(Some(case));
+    }
+    match place.regions.as_slice() {
+        [region] => Ok(Some(cases.in_region(region, index)?)),
+        [] => Err(Failure::new(
+            "--case: of which region? Give --region, --box or --near",
+        )),
+        _ => Err(Failure::new("--case: of which of the regions? Give one")),
+    }
+}
+
+/// The options that a command needs besides the place of a case to judge it again.
+pub fn words(scope: &ScopeArgs, place: &WhereArgs) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut pair = |name: &str, value: String| {
+        words.extend([name.to_string(), shell_words::quote(&value).into_owned()]);
+    };
+    if let Some(names) = &scope.outputs {
+        pair("--outputs", names.join(","));
+    }
+    let numbers = [
+        ("--ulps", scope.ulps),
+        ("--relative", scope.relative),
+        ("--absolute", scope.absolute),
+        ("--normwise", scope.normwise),
+    ];
+    for (name, value) in numbers {
+        if let Some(x) = value {
+            pair(name, format!("{x:?}"));
+        }
+    }
+    // A box draws what it does not name from them, one after the other.
+    if place.sides.is_some() {
+        place
+            .regions
+            .iter()
+            .for_each(|r| pair("--region", r.clone()));
+        if place.ordinary {
+            words.push("--ordinary".into());
+        }
+    }
+    if scope.single {
+        words.push("--single".into());
+    }
+    words
+}

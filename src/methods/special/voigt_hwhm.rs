@@ -1,0 +1,275 @@
+//! Half the width of the Voigt profile.
+
+use super::faddeeva::asked;
+use super::faddeeva::regions::beside;
+use super::relatives::laws::{U, same};
+use crate::audit::{
+    Budget, CheckPoint, Domain, Due, Law, Limit, Output, Proof, ReferenceAnswer, Region,
+    Uncertified,
+};
+use crate::methods::common::{held, output, point, region};
+use crate::methods::definition::Definition;
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::faddeeva::{self as reference, Scaled};
+use crate::solvers::faddeeva::{voigt, voigt_hwhm};
+use rug::Rational;
+use std::f64::consts::{LN_2, SQRT_2};
+
+inputs! {
+    /// The two widths of a Voigt profile.
+    pub struct VoigtHwhmInput {
+        /// Standard deviation of the normal part.
+        sigma: number "sigma", "1";
+        /// Half the width of the Cauchy part at half its height.
+        gamma: number "gamma", "1";
+    }
+}
+
+/// Half the width of the Voigt profile at half its maximum: input `sigma, gamma`, output x with
+/// `V(x) = V(0)/2`.
+///
+/// A candidate is a `Fn(sigma, gamma) -> f64`.
+#[derive(Clone, Copy, Debug)]
+pub struct VoigtHwhm;
+
+impl Definition for VoigtHwhm {
+    type Input<'a, T: Number> = VoigtHwhmInput<'a, T>;
+    const SUMMARY: &'static str =
+        "Half the width at half the maximum of the Voigt profile of sigma and gamma";
+    const SOURCE: &'static str = "DLMF 7.19.1 in other units; V(x) = V(0)/2";
+
+    fn outputs() -> Vec<Output> {
+        let budget = Budget::new(
+            Limit::Ulps(1.0),
+            "half an ulp for the last rounding, a quarter more where a subnormal value is rounded twice; \
+             the rest for Re W at two points, known to a few hundredths before it is rounded, which the \
+             slope there carries over at most once into x (0.72 times for gamma = 0, once for sigma = 0)",
+        );
+        vec![output("x", "1", budget)]
+    }
+
+    fn domain() -> Domain {
+        Domain {
+            regions: regions(),
+            check_points: check_points(),
+        }
+    }
+
+    fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        Ok(vec![voigt_hwhm(i.sigma, i.gamma)])
+    }
+
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        if *i.sigma < 0 || *i.gamma < 0 {
+            return Ok(ReferenceAnswer::Dues(vec![Due::NotANumber], Proof::Exact));
+        }
+        let x = reference::voigt_hwhm(i.sigma, i.gamma, asked(bits))?;
+        let proof = Proof::Bounded(
+            "V - V(0)/2 falls and changes its sign between two floats, by balls \
+             (reference::faddeeva::voigt_hwhm)",
+        );
+        Ok(ReferenceAnswer::Dues(vec![Due::Number(x)], proof))
+    }
+
+    /// The width is at least that of either part.
+    fn reference_not_finite(i: Self::Input<'_, f64>) -> ReferenceAnswer {
+        let value = match i.sigma >= 0.0 && i.gamma >= 0.0 {
+            true => Due::Infinity { negative: false },
+            false => Due::NotANumber,
+        };
+        ReferenceAnswer::Dues(vec![value], Proof::Exact)
+    }
+
+    /// Widths are not negative.
+    fn signs_of_zero(_: Self::Input<'_, f64>) -> Vec<Option<bool>> {
+        vec![Some(false)]
+    }
+
+    fn certify(i: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
+        Ok(vec![reference::voigt_hwhm(i.sigma, i.gamma, bits)?.into()])
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            Law {
+                name: "units",
+                statement: "x(sigma/8, gamma/8) = x(sigma, gamma)/8, bit for bit, where nothing is \
+                            subnormal or overflows",
+                residual: units,
+            },
+            Law {
+                name: "half",
+                statement: "V(x) = V(0)/2 within 12 u, where neither is subnormal or overflows",
+                residual: half,
+            },
+            Law {
+                name: "pure",
+                statement: "x(0, gamma) = gamma, bit for bit; x(sigma, 0) = sigma sqrt(2 ln 2) within 3 u",
+                residual: pure,
+            },
+        ]
+    }
+}
+
+fn arguments(input: &[f64]) -> Option<[f64; 2]> {
+    let i = VoigtHwhm::unpack(input)?;
+    Some([i.sigma, i.gamma])
+}
+
+fn plain(t: f64) -> bool {
+    (1e-300..1e300).contains(&t)
+}
+
+fn units(input: &[f64]) -> Option<f64> {
+    let [s, g] = arguments(input)?;
+    let good = |t: f64| t == 0.0 || plain(t);
+    let x = voigt_hwhm(s, g);
+    if !(good(s) && good(g) && plain(x)) {
+        return None;
+    }
+    held(same(voigt_hwhm(s / 8.0, g / 8.0), x / 8.0))
+}
+
+/// `|d ln V/d ln x| = 2 t |Re W′|/Re W` is at most 2 ln 2 there; 4 u in x and 3 u in each value.
+fn half(input: &[f64]) -> Option<f64> {
+    let [s, g] = arguments(input)?;
+    let x = voigt_hwhm(s, g);
+    let (v, top) = (voigt(x, s, g), voigt(0.0, s, g));
+    if !(plain(x) && plain(v) && plain(top)) {
+        return None;
+    }
+    Some((v / top - 0.5).abs() / (0.5 * 12.0 * U))
+}
+
+fn pure(input: &[f64]) -> Option<f64> {
+    let [s, g] = arguments(input)?;
+    if !(plain(s) && plain(g)) {
+        return None;
+    }
+    let gauss = voigt_hwhm(s, 0.0) / s / (SQRT_2 * LN_2.sqrt());
+    held(same(voigt_hwhm(0.0, g), g) && (gauss - 1.0).abs() <= 6.0 * U)
+}
+
+/// Where `γ/(σ√2)` is p and σ about 1.
+fn ratio(d: &mut crate::audit::Draw, p: f64) -> Vec<f64> {
+    let sigma = d.log_uniform(1e-3, 1e3);
+    vec![sigma, p * sigma * SQRT_2]
+}
+
+fn regions() -> Vec<Region> {
+    vec![
+        region("comparable", "sigma = 0.05..2, gamma < 3", |d| {
+            vec![d.uniform(0.05, 2.0), d.uniform(0.0, 3.0)]
+        }),
+        region(
+            "any-ratio",
+            "gamma = 1e-20..1e20 sigma, sigma = 1e-3..1e3",
+            |d| {
+                let p = d.log_uniform(1e-20, 1e20);
+                ratio(d, p)
+            },
+        ),
+        region(
+            "narrow-lorentz",
+            "gamma = 1e-20..1 times sigma sqrt 2",
+            |d| {
+                let p = d.log_uniform(1e-20, 1.0);
+                ratio(d, p)
+            },
+        ),
+        region("narrow-gauss", "gamma = 1..1e5 times sigma sqrt 2", |d| {
+            let p = d.log_uniform(1.0, 1e5);
+            ratio(d, p)
+        }),
+        region("normal", "gamma = 0, sigma = 1e-308..1e308", |d| {
+            vec![d.log_uniform(1e-308, 1e308), 0.0]
+        }),
+        region("cauchy", "sigma = 0, gamma = 1e-308..1e308", |d| {
+            vec![0.0, d.log_uniform(1e-308, 1e308)]
+        }),
+        region(
+            "seams",
+            "gamma is 2^-60, 256 or where W changes its formula times sigma sqrt 2, nearly",
+            |d| {
+                // |t + iy| or y on one of the limits of W's formulas.
+                let edges = [
+                    2f64.powi(-60),
+                    256.0,
+                    0.0625,
+                    0.125,
+                    0.1875,
+                    0.25,
+                    0.375,
+                    1.0,
+                    4.8125,
+                    6.92820323,
+                ];
+                let edge = edges[d.integer(0, edges.len() - 1)];
+                let p = match d.chance(0.5) {
+                    true => beside(d, edge),
+                    false => edge * d.uniform(0.6, 1.1),
+                };
+                ratio(d, p)
+            },
+        ),
+        region("subnormal", "sigma and gamma 5e-324..1e-300 or zero", |d| {
+            let mut tiny = || match d.chance(0.25) {
+                true => 0.0,
+                false => d.log_uniform(5e-324, 1e-300),
+            };
+            vec![tiny(), tiny()]
+        }),
+        region("overflow", "sigma and gamma 1e306..1.7e308", |d| {
+            vec![d.log_uniform(1e306, 1.7e308), d.log_uniform(1e306, 1.7e308)]
+        }),
+        region("any-exponent", "sigma, gamma = 1e-308..1e308", |d| {
+            vec![d.log_uniform(1e-308, 1e308), d.log_uniform(1e-308, 1e308)]
+        }),
+        region(
+            "any-bits",
+            "any bit patterns, widths seldom negative",
+            |d| {
+                let mut any = || {
+                    let mut half = || d.integer(0, u32::MAX as usize) as u64;
+                    let x = f64::from_bits(half() << 32 | half());
+                    if d.chance(0.05) { x } else { x.abs() }
+                };
+                vec![any(), any()]
+            },
+        ),
+    ]
+}
+
+fn check_points() -> Vec<CheckPoint> {
+    let (inf, nan, max, min) = (f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1));
+    let named: [(_, [f64; 2]); 27] = [
+        ("normal", [1.0, 0.0]),
+        ("cauchy", [0.0, 1.0]),
+        ("both", [1.0, 1.0]),
+        ("point-mass", [0.0, 0.0]),
+        ("minus-zero-widths", [-0.0, -0.0]),
+        ("minus-zero-sigma", [-0.0, 1.0]),
+        ("minus-zero-gamma", [1.0, -0.0]),
+        ("smallest-widths", [min, min]),
+        ("smallest-sigma", [min, 1.0]),
+        ("smallest-gamma", [1.0, min]),
+        ("smallest-sigma-alone", [min, 0.0]),
+        ("largest-widths", [max, max]),
+        ("largest-sigma", [max, 1.0]),
+        ("largest-gamma", [1.0, max]),
+        ("largest-and-smallest", [max, min]),
+        ("smallest-and-largest", [min, max]),
+        ("last-that-fits", [1.5e308, 1.0]),
+        ("infinite-sigma", [inf, 1.0]),
+        ("infinite-gamma", [0.0, inf]),
+        ("infinite-widths", [inf, inf]),
+        ("negative-sigma", [-1.0, 1.0]),
+        ("negative-gamma", [1.0, -min]),
+        ("minus-infinite-sigma", [-inf, 1.0]),
+        ("infinite-and-negative", [inf, -1.0]),
+        ("nan-sigma", [nan, 1.0]),
+        ("nan-gamma", [1.0, nan]),
+        ("nan-and-infinite", [inf, nan]),
+    ];
+    named.map(|(name, input)| point(name, input)).to_vec()
+}

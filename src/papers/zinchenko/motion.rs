@@ -1,0 +1,123 @@
+//! The sand screen over one turn of its crank.
+
+use super::data::{MassParameters, PRINTED, RECOVERED, START_DEG};
+use super::recovery::node_states;
+use super::tables::{Column, Printed, column, printed};
+use crate::papers::motion::{Course, Motion, Point};
+use crate::solvers::reduction::Reduced;
+
+/// Positions of a turn: fifteen to each of the paper's rows.
+const POSITIONS: usize = 720;
+/// Rows of the paper's tables.
+const ROWS: usize = 48;
+
+/// The sand screen on the paper's assembly mode, with I_n, dI_n/dφ and M_o for the printed and for the
+/// recovered centres of mass, and the printed columns at the paper's 48 crank angles.
+///
+/// Coordinates are rounded to 10 µm, quantities to six significant digits.
+pub fn motion() -> Motion {
+    let states = node_states(POSITIONS);
+    let table = printed();
+    let start: f64 = START_DEG.parse().expect("a decimal in the source");
+    let degrees = |k: usize, n: usize| start + 360.0 * k as f64 / n as f64;
+    let g = *super::data::solver_linkage().geometry();
+    let pivot = |label, x: f64, y: f64| Point {
+        label,
+        path: vec![[x, y]],
+    };
+    let mut points = vec![
+        pivot("O1", 0.0, 0.0),
+        pivot("O3", g.x3.m(), g.y3.m()),
+        pivot("O5", g.x5.m(), g.y5.m()),
+    ];
+    points.extend(["A", "B", "C", "D"].iter().enumerate().map(|(i, label)| {
+        let place = |s: &crate::solvers::class_iii::State| s.joints()[i].map(micro);
+        let path = states.iter().map(place).collect();
+        Point { label, path }
+    }));
+    let reduced = [("recovered", RECOVERED), ("as printed", PRINTED)].map(|(name, centres)| {
+        let masses = MassParameters::new(centres).masses();
+        let rows: Vec<Reduced> = states.iter().map(|s| masses.reduce(s)).collect();
+        (name, rows)
+    });
+    let course = |name, unit, of: fn(&Reduced) -> f64, printed_as: Column| Course {
+        name,
+        unit,
+        variants: reduced
+            .iter()
+            .map(|(v, rows)| (*v, rows.iter().map(|r| six(of(r))).collect()))
+            .collect(),
+        printed: nodes(&table, printed_as)
+            .enumerate()
+            .map(|(k, value)| (degrees(k, ROWS), value))
+            .collect(),
+    };
+    Motion {
+        name: "Sand screen",
+        crank_deg: (0..POSITIONS).map(|k| degrees(k, POSITIONS)).collect(),
+        points,
+        links: vec![[0, 3], [3, 4], [1, 5], [2, 6]],
+        plates: vec![[4, 5, 6]],
+        courses: vec![
+            course("I_n", "kg·m²", |r| r.inertia_kg_m2, Column::Inertia),
+            course(
+                "dI_n/dφ",
+                "kg·m²/rad",
+                |r| r.inertia_derivative_kg_m2,
+                Column::Derivative,
+            ),
+            course("M_o", "N·m", |r| r.moment_n_m, Column::Moment),
+        ],
+    }
+}
+
+/// A printed column of one turn; the last row repeats the first.
+fn nodes(table: &[Printed], of: Column) -> impl Iterator<Item = f64> {
+    let entries = column(table, of).into_iter().take(ROWS);
+    entries.map(|e| e.to_f64())
+}
+
+/// To 10 µm.
+fn micro(x: f64) -> f64 {
+    (x * 1e5).round() / 1e5
+}
+
+/// Six significant digits.
+fn six(x: f64) -> f64 {
+    format!("{x:.5e}").parse().expect("what was written")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn links_keep_their_lengths_and_printed_values_lie_on_the_curve() {
+        let motion = motion();
+        let at = |p: usize, k: usize| {
+            let path = &motion.points[p].path;
+            path[k % path.len()]
+        };
+        for [a, b] in &motion.links {
+            let length = |k: usize| {
+                let (p, q) = (at(*a, k), at(*b, k));
+                (p[0] - q[0]).hypot(p[1] - q[1])
+            };
+            for k in 0..POSITIONS {
+                assert!((length(k) - length(0)).abs() < 4e-5, "{a}-{b} at {k}");
+            }
+        }
+        // Inertia and its derivative come from the recovered centres; a few entries are misprints.
+        for course in &motion.courses[..2] {
+            let curve = &course.variants[0].1;
+            let size = curve.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            let far = |(k, p): &(usize, &(f64, f64))| (p.1 - curve[15 * k]).abs() > 2e-3 * size;
+            let far = course.printed.iter().enumerate().filter(far).count();
+            assert!(
+                far <= 4,
+                "{}: {far} printed values off the curve",
+                course.name
+            );
+        }
+    }
+}

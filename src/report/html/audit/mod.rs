@@ -1,0 +1,212 @@
+//! The report of an audit as one page without outside parts, whosever code was audited.
+
+mod comparison;
+mod data;
+mod encoded;
+mod method;
+mod overview;
+mod whole;
+
+use super::assets::{AUDIT_CSS, AUDIT_JS, D3_JS, FIGURES_JS, MAP_JS, PLOT_JS};
+use super::page::{Page, class, verdict};
+use super::{convergence, page::entry_of_contents};
+use crate::audit::{Comparison, ConvergenceReport, MethodReport, Uncertified};
+use crate::report::baseline::Changes;
+use crate::report::words::Tone;
+use crate::report::words::audit::{all_pass, holds, settings, totals, verdict as of_method};
+use crate::report::words::numbers::count;
+use maud::{Markup, html};
+
+/// The page: the verdict, what is over budget, a line for each method, then each in full. With the
+/// convergence of approximations and the changes since a baseline, where they were asked for.
+/// `interrupted` if the run was ended early.
+pub fn page(
+    reports: &[MethodReport],
+    approximations: Option<&[Result<ConvergenceReport, Uncertified>]>,
+    changes: Option<&Changes>,
+    interrupted: bool,
+) -> String {
+    let named: Named = reports.iter().map(|r| (r.method, r)).collect();
+    let title = match reports {
+        [only] => format!("Audit of {}", only.method),
+        _ => format!("Audit of {}", count(reports.len(), "method")),
+    };
+    let parts = Parts {
+        title,
+        kind: "audit",
+        named,
+        first: html! {},
+        totals: totals(reports),
+        changes,
+        approximations,
+        state: (!interrupted).then(|| all_pass(reports)),
+    };
+    parts.page()
+}
+
+/// Several codes side by side, then each in full.
+pub fn comparison(found: &Comparison, changes: Option<&Changes>) -> String {
+    let codes = &found.candidates;
+    let good = codes.iter().filter(|c| c.report.passed()).count();
+    let parts = Parts {
+        title: format!(
+            "{}: {} side by side",
+            found.method,
+            count(codes.len(), "code")
+        ),
+        kind: "comparison",
+        named: codes.iter().map(|c| (c.name.as_str(), &c.report)).collect(),
+        first: comparison::table(found),
+        totals: format!("{good} of {} pass", count(codes.len(), "code")),
+        changes,
+        approximations: None,
+        state: (!found.interrupted()).then(|| found.passed()),
+    };
+    parts.page()
+}
+
+/// Reports with the names of their sections.
+type Named<'a> = Vec<(&'a str, &'a MethodReport)>;
+
+/// What a page consists of.
+struct Parts<'a> {
+    title: String,
+    kind: &'a str,
+    named: Named<'a>,
+    /// Before all else.
+    first: Markup,
+    totals: String,
+    changes: Option<&'a Changes>,
+    approximations: Option<&'a [Result<ConvergenceReport, Uncertified>]>,
+    /// Whether all pass; nothing if the run was ended early.
+    state: Option<bool>,
+}
+
+impl Parts<'_> {
+    fn page(&self) -> String {
+        let (tone, word) = match self.state {
+            None => (Tone::Bad, "Interrupted"),
+            Some(true) => (Tone::Good, "As expected"),
+            Some(false) => (Tone::Bad, "NOT as expected"),
+        };
+        let reports: Vec<&MethodReport> = self.named.iter().map(|n| n.1).collect();
+        let data = data::Data::of(&self.named);
+        let several = self.kind == "audit" && reports.len() > 1;
+        let main = html! {
+            h1 { (self.title) } "\n"
+            (verdict(tone, word, &format!("{}.", self.totals)))
+            @if let Some(first) = reports.first() { p.soft { (settings(&first.settings)) } "\n" }
+            (news(&self.named))
+            (self.first)
+            @if let Some(changes) = self.changes { (comparison::changes(changes)) }
+            @if several { (overview::table(&reports, &data)) }
+            @for (k, (name, report)) in self.named.iter().enumerate() {
+                (method::section(k, name, report, &data, reports.len() <= 3))
+            }
+            @if let Some(reports) = self.approximations { (convergence::all(reports)) }
+            p.soft.small {
+                "An ulp is the unit in the last place of the unrounded reference; u is 2" sup { "-53" }
+                "; worst found is the largest of a sample."
+            } "\n"
+            dialog #case aria-labelledby="case-title" {} "\n"
+        };
+        let page = Page {
+            title: &format!("{}: {word}", self.title),
+            kind: self.kind,
+            styles: &[AUDIT_CSS],
+            contents: self.contents(several),
+            main,
+            data: &[("audit-data", super::page::embedded(&data))],
+            scripts: &[D3_JS, PLOT_JS, FIGURES_JS, MAP_JS, AUDIT_JS],
+        };
+        page.write()
+    }
+
+    fn contents(&self, several: bool) -> Markup {
+        html! {
+            @if self.kind == "comparison" { li { a href="#comparison" { b { "Side by side" } } } "\n" }
+            @if self.changes.is_some() { li { a href="#changes" { b { "Since the baseline" } } } "\n" }
+            @if several { li { a href="#overview" { b { "Overview" } } } "\n" }
+            @for (k, (name, r)) in self.named.iter().enumerate() {
+                @let (_, tone) = of_method(r);
+                @let sign = if r.passed() { "✓" } else { "✗" };
+                (entry_of_contents(&anchor(k), tone, sign, name))
+                @if self.named.len() == 1 {
+                    @for part in ["regions", "cases", "figures"] {
+                        li { a href={ "#" (part) "-" (k) } { (part) } } "\n"
+                    }
+                }
+            }
+            @if self.approximations.is_some() {
+                li { a href="#convergence" { b { "Convergence" } } } "\n"
+            }
+        }
+    }
+}
+
+/// The name of a section.
+fn anchor(k: usize) -> String {
+    format!("method-{k}")
+}
+
+/// What is over budget, and laws that do not hold.
+fn news(named: &Named) -> Markup {
+    let failing: Vec<_> = named
+        .iter()
+        .enumerate()
+        .filter(|(_, n)| !n.1.passed())
+        .collect();
+    html! {
+        @if !failing.is_empty() {
+            ul.news { "\n"
+                @for (k, (name, r)) in failing {
+                    li {
+                        a href={ "#" (anchor(k)) } { (name) } ": "
+                        @if r.interrupted { "interrupted after " (r.cases) " cases" }
+                        @else { (r.failed()) " of " (r.cases) " cases do not pass" }
+                        @for law in r.laws.iter().filter(|l| !holds(l)) {
+                            "; law " (law.name) " does not hold"
+                        }
+                        @if let Some(trouble) = r.candidate.as_ref().and_then(|c| c.trouble.as_ref()) {
+                            "; " (trouble)
+                        }
+                    } "\n"
+                }
+            } "\n"
+        }
+    }
+}
+
+/// A verdict as a word in its colour.
+fn word(r: &MethodReport) -> Markup {
+    let (word, tone) = of_method(r);
+    html! { span.sign.(class(tone)) { (word) } }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::html::page::tests::{markup, whole};
+    use crate::report::text::method::tests::{fabricated, passing};
+
+    #[test]
+    fn the_verdict_comes_first_then_what_is_over_budget() {
+        let page = page(&[fabricated(), passing()], None, None, false);
+        whole(&page);
+        let order = [
+            "<title>Audit of 2 methods: NOT as expected</title>",
+            "NOT as expected</span>: 1 of 2 methods pass, 799 of 800 cases.",
+            "1 of 400 cases do not pass",
+            "id=\"overview\"",
+            "id=\"method-0\"",
+            "reproduce  mechaudit audit a-method",
+            "id=\"method-1\"",
+        ];
+        let places: Vec<usize> = order.iter().map(|p| page.find(p).expect(p)).collect();
+        assert!(places.is_sorted(), "{places:?}");
+        let good = passing();
+        let page = super::page(&[good], None, None, false);
+        assert!(!page.contains("class=\"news\""));
+        assert_eq!(markup(&page).1, 6);
+    }
+}

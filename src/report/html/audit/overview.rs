@@ -1,0 +1,116 @@
+//! The heat map of methods and regions, as a table that sorts.
+
+use super::data::Data;
+use super::{anchor, word};
+use crate::audit::{MethodReport, RegionReport};
+use crate::report::words::audit::Worst;
+use crate::report::words::numbers::{percent, short};
+use maud::{Markup, html};
+
+/// The class of colour of a region or output: by its share of the budget, or because cases fail.
+pub fn heat(failed: bool, share: f64) -> &'static str {
+    match share {
+        _ if failed => "h5",
+        s if s <= 0.25 => "h0",
+        s if s <= 0.5 => "h1",
+        s if s <= 0.75 => "h2",
+        s if s <= 1.0 => "h3",
+        // Over budget by no more than is recorded.
+        _ => "h4",
+    }
+}
+
+/// A share of the budget in at most five characters.
+pub fn brief(share: f64) -> String {
+    match share {
+        s if s.is_nan() => "–".into(),
+        s if s < 9.995 => format!("{:.0} %", 100.0 * s),
+        s if s < 1e4 => format!("{s:.0}×"),
+        s => format!("{s:.0e}×"),
+    }
+}
+
+/// What a cell of a region says: how many cases are of the wrong kind, or the share of the budget.
+pub fn cell(region: &RegionReport) -> String {
+    match region.kinds.total() {
+        0 => brief(region.max_of_budget),
+        n => format!("✗ {n}"),
+    }
+}
+
+/// What it says aloud.
+pub fn spoken(region: &RegionReport) -> String {
+    format!(
+        "{}: {} of {} cases pass, worst {} of its budget",
+        region.name,
+        region.passed,
+        region.cases,
+        percent(region.max_of_budget)
+    )
+}
+
+/// A line for each method, a cell for each of its regions.
+pub fn table(reports: &[&MethodReport], data: &Data) -> Markup {
+    html! {
+        section { "\n"
+            h2 #overview { "Overview" } "\n"
+            (legend())
+            div.scroll tabindex="0" { table.sortable #overview-table { "\n"
+                thead { tr {
+                    th.left { "method" } th.left { "verdict" } th { "cases" } th { "failed" }
+                    th { "worst ulps" } th { "of budget" }
+                    th.left data-sort="none" { "regions: worst share of the budget" }
+                } } "\n"
+                tbody { "\n" @for (k, r) in reports.iter().enumerate() { (row(k, r, data)) } } "\n"
+            } } "\n"
+        } "\n"
+    }
+}
+
+fn row(k: usize, r: &MethodReport, data: &Data) -> Markup {
+    let ulps = r.outputs().iter().map(|o| o.ulps.max).fold(0.0, f64::max);
+    html! {
+        tr data-m=(k) {
+            td.left { a href={ "#" (anchor(k)) } { (r.method) } }
+            td.left { (word(r)) }
+            td { (r.cases) } td { (r.failed()) }
+            td data-v=(sorting(ulps)) { (Worst::of(r).ulps) }
+            td data-v=(sorting(r.total.max_of_budget)) { (percent(r.total.max_of_budget)) }
+            td.left.strip { @for (i, region) in r.regions.iter().enumerate() {
+                button.heat.(heat(region.failed() > 0, region.max_of_budget)) title=(spoken(region))
+                    data-c=[data.worst_of(k, i)] {
+                    (cell(region))
+                }
+            } }
+        } "\n"
+    }
+}
+
+/// What the colours mean.
+pub fn legend() -> Markup {
+    html! {
+        p.legend.small {
+            @for (class, name) in [
+                ("h0", "≤ 25 % of the budget"), ("h1", "≤ 50 %"), ("h2", "≤ 75 %"),
+                ("h3", "≤ 100 %"), ("h4", "over, as recorded"), ("h5", "cases fail"),
+            ] {
+                span.heat.(class) { (name) } " "
+            }
+            span.js { "A cell opens its worst case; ✗ counts answers of the wrong kind." }
+        } "\n"
+    }
+}
+
+/// A number to sort by.
+pub fn sorting(x: f64) -> String {
+    match x {
+        0.0 => "0".into(),
+        _ if x.is_infinite() => format!("{}Infinity", if x < 0.0 { "-" } else { "" }),
+        _ => format!("{x:.3e}"),
+    }
+}
+
+/// A number, and what to sort it by.
+pub fn number(there: bool, x: f64) -> Markup {
+    html! { @if there { td data-v=(sorting(x)) { (short(x)) } } @else { td { "–" } } }
+}

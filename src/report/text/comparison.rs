@@ -1,0 +1,140 @@
+//! Several codes side by side, and what has changed since an earlier report.
+
+use super::style::{self, BAD, BOLD, DIM, GOOD, PLAIN, paint, paragraph, wrap};
+use super::table::Table;
+use crate::audit::{Comparison, Speed, Standing};
+use crate::report::baseline::Changes;
+use crate::report::words::audit::{budgets, candidate, kinds, share, verdict};
+use crate::report::words::numbers::{percent, short};
+use anstyle::Style;
+
+/// Changes written out.
+const SHOWN: usize = 40;
+
+/// The codes, then region by region a line for each; the best are marked.
+pub fn comparison(found: &Comparison, width: usize) -> String {
+    let mut out = format!("{}\n", paint(BOLD, found.method));
+    if let Some(first) = found.candidates.first() {
+        let text = budgets(&first.report);
+        out.push_str(&format!("  budget     {}\n", wrap(&text, 13, width)));
+    }
+    for (k, c) in found.candidates.iter().enumerate() {
+        let (word, tone) = verdict(&c.report);
+        let who = c.report.candidate.as_ref();
+        let who = who.map_or("the method's own solver".into(), candidate);
+        let speed = c
+            .speed
+            .map_or(String::new(), |s| format!("; {}", speed(&s)));
+        let label = paint(BOLD, &letter(k));
+        let word = paint(style::of(tone), word);
+        let text = format!("{word}  {}: {who}{speed}", c.name);
+        out.push_str(&format!("  {label:<2} {}\n", wrap(&text, 5, width)));
+        if let Some(trouble) = c.report.candidate.as_ref().and_then(|c| c.trouble.as_ref()) {
+            let text = paragraph(trouble, 5, width);
+            out.push_str(&format!("{}\n", paint(BAD, text.trim_end())));
+        }
+    }
+    let header = [
+        "region",
+        "",
+        "cases",
+        "failed",
+        "of budget",
+        "times the best",
+        "worst ulps",
+        "RMS",
+        "wrong",
+    ];
+    let mut table = Table::new(&header, &[0, 1, 8]);
+    for contest in &found.regions {
+        for (k, s) in contest.standings.iter().enumerate() {
+            let report = &found.candidates[k].report;
+            let region = report.regions.iter().chain([&report.total]);
+            let region = region.into_iter().rfind(|r| r.name == contest.region);
+            let wrong = region.map_or(String::new(), |r| kinds(&r.kinds));
+            table.row(line(k, contest.region, s, wrong));
+        }
+    }
+    let dispensable = ["RMS", "cases", "wrong"];
+    let table = table.fitted(width.saturating_sub(2), &dispensable);
+    out.push_str(&table.render(2));
+    out
+}
+
+fn letter(k: usize) -> String {
+    match u8::try_from(k) {
+        Ok(k) if k < 26 => char::from(b'A' + k).to_string(),
+        _ => k.to_string(),
+    }
+}
+
+fn line(k: usize, region: &str, s: &Standing, wrong: String) -> Vec<(String, Style)> {
+    let mark = if s.best { "*" } else { " " };
+    let emphasis = if s.best { GOOD } else { PLAIN };
+    let failed = match s.failed {
+        0 => ("–".into(), DIM),
+        n => (n.to_string(), BAD),
+    };
+    let region = if k == 0 { region } else { "" };
+    vec![
+        (region.into(), PLAIN),
+        (format!("{}{mark}", letter(k)), emphasis),
+        (s.cases.to_string(), DIM),
+        failed,
+        (percent(s.of_budget), style::of(share(s.of_budget))),
+        (s.ratio.map_or("–".into(), short), emphasis),
+        (short(s.worst_ulps), PLAIN),
+        (short(s.rms_ulps), PLAIN),
+        (wrong, BAD),
+    ]
+}
+
+/// What an answer takes, in words.
+fn speed(s: &Speed) -> String {
+    let each = short(s.ns_per_answer);
+    match s.start_up_ms {
+        Some(ms) => format!(
+            "{each} ns an answer through the protocol, start-up {} ms",
+            short(ms)
+        ),
+        None => format!("{each} ns an answer, called"),
+    }
+}
+
+/// What is better and worse, worse first.
+pub fn changes(found: &Changes, width: usize) -> String {
+    let worse = found.changes.iter().filter(|c| !c.better).count();
+    let better = found.changes.len() - worse;
+    let head = format!("Since the baseline: {worse} figures worse, {better} better");
+    let mut out = format!("{}\n", paint(BOLD, &head));
+    let header = ["", "of", "region", "output", "figure", "before", "now"];
+    let mut table = Table::new(&header, &[0, 1, 2, 3, 4]);
+    for c in found.changes.iter().take(SHOWN) {
+        let (word, style) = if c.better {
+            ("better", GOOD)
+        } else {
+            ("worse", BAD)
+        };
+        table.row(vec![
+            (word.into(), style),
+            (c.of.clone(), PLAIN),
+            (c.region.clone(), PLAIN),
+            (c.output.clone().unwrap_or_default(), PLAIN),
+            (c.figure.into(), PLAIN),
+            (short(c.before), PLAIN),
+            (short(c.now), style),
+        ]);
+    }
+    if !found.changes.is_empty() {
+        out.push_str(&table.render(2));
+    }
+    let left = found.changes.len().saturating_sub(SHOWN);
+    if left > 0 {
+        let text = format!("{left} more; --format json lists all of them.");
+        out.push_str(&paragraph(&text, 2, width));
+    }
+    for text in &found.not_compared {
+        out.push_str(&paragraph(text, 2, width));
+    }
+    out
+}

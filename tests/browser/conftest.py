@@ -1,0 +1,82 @@
+"""Pages written by the program, in Debian's Chromium.
+
+Playwright drives it (waits for what is to happen, knows colour schemes, widths, print and the clipboard)
+from its Python package, which brings its own driver: no Node.js has to be installed.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import sync_playwright
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("MECHAUDIT", str(ROOT / "target/release/mechaudit"))
+BROWSER = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
+
+# A candidate that is wrong in many ways: a series with too few terms, NaN, refusals, a name to be escaped.
+BAD = ROOT / "tests/browser/bad_w.py"
+
+# What the program is asked for each page, and the exit codes that are no accident.
+PAGES = {
+    "audit": (["audit", "--cases", "4"], [0]),
+    "method": (["audit", "faddeeva", "--cases", "20"], [0]),
+    "candidate": (["audit", "faddeeva", "--cases", "20", "--exec", f"{sys.executable} {BAD}"], [1]),
+    "comparison": (
+        ["compare", "faddeeva", "--cases", "10", "--with", "ours", "--exec", f"{sys.executable} {BAD}"],
+        [1],
+    ),
+    "paper": (["paper", "zinchenko"], [0]),
+    "plain-paper": (["paper", "gembara-senyk"], [0]),
+    "ledger": (["paper", "zinchenko", "--ledger"], [0]),
+    "long-ledger": (["paper", "gembara-senyk", "--ledger"], [0]),
+}
+
+
+@pytest.fixture(scope="session")
+def written(tmp_path_factory):
+    """Paths of all pages by name."""
+    folder = tmp_path_factory.mktemp("pages")
+    paths = {}
+    for name, (arguments, codes) in PAGES.items():
+        paths[name] = folder / f"{name}.html"
+        command = [PROGRAM, *arguments, "--format", "html", "--output", paths[name]]
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+        assert done.returncode in codes, f"{command}: {done.returncode}\n{done.stderr}"
+    return paths
+
+
+@pytest.fixture(scope="session")
+def browser():
+    # Without its sandbox, which needs what a container does not grant; it opens these files alone.
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def visit(browser, written):
+    """Opens a page from disk; at the end fails if it logged anything, or asked for anything else."""
+    contexts, complaints = [], []
+
+    def visit(name, width=1280, scheme="light", **options):
+        context = browser.new_context(
+            viewport={"width": width, "height": 900}, color_scheme=scheme, **options
+        )
+        contexts.append(context)
+        page = context.new_page()
+        own = written[name].as_uri()
+        page.on("console", lambda m: complaints.append(f"{name}: {m.type}: {m.text}"))
+        page.on("pageerror", lambda e: complaints.append(f"{name}: {e}"))
+        page.on("request", lambda r: r.url.split("#")[0] == own or complaints.append(r.url))
+        page.goto(own)
+        return page
+
+    yield visit
+    for context in contexts:
+        context.close()
+    assert not complaints, "\n".join(complaints)

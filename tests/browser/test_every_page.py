@@ -1,0 +1,77 @@
+"""What holds of every page: room at each width, contrast in both schemes, no word in the console."""
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from conftest import PAGES
+
+WIDTHS = [360, 768, 1280]
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+@pytest.mark.parametrize("name", PAGES)
+def test_no_overflow(visit, name, width):
+    page = visit(name, width)
+    page.wait_for_timeout(300)
+    extent = page.evaluate("document.documentElement.scrollWidth")
+    assert extent <= width
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("name", PAGES)
+def test_contrast_and_access(visit, name, scheme):
+    """axe-core: 4.5 for text and 3 for large text (WCAG 2 AA), names of controls, order of headings."""
+    page = visit(name, scheme=scheme)
+    page.wait_for_timeout(300)
+    rules = {"runOnly": ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]}
+    results = Axe().run(page, options=rules)
+    passed = {rule["id"] for rule in results.response["passes"]}
+    assert "color-contrast" in passed | {v["id"] for v in results.response["violations"]}
+    assert results.violations_count == 0, results.generate_report()
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_size_and_title(written, visit, name):
+    assert written[name].stat().st_size < 2_000_000
+    page = visit(name)
+    assert page.locator("h1").count() == 1
+    assert page.title()
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_without_scripts_the_text_is_there(visit, name):
+    page = visit(name, java_script_enabled=False)
+    assert len(page.locator("main").inner_text()) > 2000
+    assert page.locator(".js:visible").count() == 0
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_theme_switch(visit, name):
+    page = visit(name, scheme="light")
+    background = lambda: page.evaluate("getComputedStyle(document.body).backgroundColor")
+    light = background()
+    button = page.locator("#theme")
+    button.focus()
+    page.keyboard.press("Enter")
+    assert button.inner_text() == "Colours: light" and background() == light
+    page.keyboard.press("Enter")
+    assert button.inner_text() == "Colours: dark" and background() != light
+    page.reload()
+    assert background() != light, "the choice is kept"
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_print(visit, name):
+    page = visit(name, scheme="dark")
+    page.emulate_media(media="print")
+    assert not page.locator(".bar").is_visible()
+    assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_every_link_of_the_contents_leads_somewhere(visit, name):
+    page = visit(name)
+    lost = page.evaluate(
+        "[...document.querySelectorAll('.toc a')].map(a => a.hash.slice(1))"
+        ".filter(id => document.querySelectorAll(`[id='${CSS.escape(id)}']`).length !== 1)"
+    )
+    assert page.locator(".toc a").count() > 2 and lost == []

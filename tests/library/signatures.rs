@@ -1,0 +1,91 @@
+//! What the compiler says of code that is no candidate: which signature is wanted.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+/// The library that these tests are linked with, the last that was built, and the folder of those it
+/// needs.
+fn library() -> (PathBuf, PathBuf) {
+    let own = std::env::current_exe().unwrap();
+    let folder = own.parent().unwrap().to_path_buf();
+    let built = std::fs::read_dir(&folder).unwrap().filter_map(|entry| {
+        let path = entry.ok()?.path();
+        let name = path.file_name()?.to_str()?;
+        let is_it = name.starts_with("libmechaudit-") && name.ends_with(".rlib");
+        let modified = path.metadata().ok()?.modified().ok()?;
+        is_it.then_some((modified, path))
+    });
+    let (_, path) = built.max().expect("the library is built");
+    (path, folder)
+}
+
+/// What the compiler says of the code; nothing if it compiles.
+fn said(code: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("fixture.rs");
+    let text = format!(
+        "use mechaudit::Complex64;\nuse mechaudit::methods::*;\n\
+         pub fn audited() {{ let _ = {code}; }}\npub fn unused(_: Complex64) {{}}\n"
+    );
+    std::fs::write(&source, text).unwrap();
+    let (library, needed) = library();
+    let compiler = std::env::var_os("RUSTC").unwrap_or("rustc".into());
+    let output = Command::new(compiler)
+        .args([
+            "--edition",
+            "2024",
+            "--crate-type",
+            "lib",
+            "--emit",
+            "metadata",
+            "-o",
+        ])
+        .arg(folder.path().join("fixture.rmeta"))
+        .arg("-L")
+        .arg(format!("dependency={}", needed.display()))
+        .arg("--extern")
+        .arg(format!("mechaudit={}", library.display()))
+        .arg(&source)
+        .output()
+        .unwrap();
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.success(), text.is_empty(), "{text}");
+    text
+}
+
+#[test]
+fn the_compiler_names_the_signature() {
+    let right = "mechaudit::audit::<Faddeeva>(|z: Complex64| z)";
+    assert_eq!(said(right), "");
+    for (code, parts) in [
+        (
+            "mechaudit::audit::<Faddeeva>(|x: f64| x)",
+            &["Complex<f64>) -> _`", "Candidate<Faddeeva>"][..],
+        ),
+        (
+            "mechaudit::audit::<FourBar>(|x: f64| x)",
+            &[
+                "takes 1 argument",
+                "to take 3 arguments",
+                "Candidate<FourBar>",
+            ],
+        ),
+        (
+            "mechaudit::audit::<Faddeeva>(3.0)",
+            &[
+                "this is no candidate for `Faddeeva`",
+                "Fn(",
+                "mechaudit describe",
+            ],
+        ),
+        (
+            "mechaudit::audit::<Faddeeva>(|_: Complex64| \"text\")",
+            &["`&str` is no answer of a candidate", "Option"],
+        ),
+    ] {
+        let text = said(code);
+        for part in parts {
+            assert!(text.contains(part), "{part:?} is missing in\n{text}");
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Faults named in a table, each with the test that has to notice it.
+
+use crate::mutate::{Kind, Place};
+use crate::render::Mutant;
+use crate::tests_run::{Ended, LONGEST, names, run};
+use crate::tree::Tree;
+use crate::{Source, compile};
+use anyhow::{Context, Result, bail};
+use serde::Deserialize;
+use std::collections::{BTreeMap, HashSet};
+use std::fs;
+use std::path::Path;
+
+/// A condition on which a proof or a verdict rests.
+#[derive(Deserialize)]
+struct Row {
+    package: String,
+    file: String,
+    /// What it is for, in words.
+    condition: String,
+    /// The expression in the file, which stands there once.
+    code: String,
+    /// What stands there in the fault.
+    fault: String,
+    /// The test, by its path in the crate.
+    test: String,
+}
+
+/// Whether every fault makes its test fail, and without one every test passes.
+pub fn check(project: &Path, table: &Path) -> Result<bool> {
+    let mut reader = csv::Reader::from_path(table).with_context(|| table.display().to_string())?;
+    let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
+    let rows = rows.with_context(|| table.display().to_string())?;
+    let mut packages: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
+    for row in &rows {
+        packages.entry(&row.package).or_default().push(row);
+    }
+    let mut good = 0;
+    for (package, rows) in packages {
+        good += of_package(project, package, &rows)?;
+    }
+    println!("{good} of {} faults make their tests fail", rows.len());
+    Ok(good == rows.len())
+}
+
+fn of_package(project: &Path, package: &str, rows: &[&Row]) -> Result<usize> {
+    let (sources, mutants) = planted(project, rows)?;
+    let tree = Tree::new(project, &project.join("target/mutants").join(package))?;
+    let mut left_out = HashSet::new();
+    let targets = ["--lib".to_string()];
+    let executables = compile(&tree, package, &sources, &mutants, &targets, &mut left_out)?;
+    if let Some(n) = left_out.iter().min() {
+        let row = rows[*n as usize];
+        bail!("{}: the fault {:?} does not compile", row.file, row.fault);
+    }
+    let folder = tree.folder(package)?;
+    let [executable] = executables.as_slice() else {
+        bail!("{package} has {} test programs", executables.len());
+    };
+    let there: HashSet<String> = names(&folder, executable, &[])?.into_iter().collect();
+    let mut passing = HashSet::new();
+    let mut good = 0;
+    for (n, row) in rows.iter().enumerate() {
+        let place = format!("{}: {} → {}", row.file, row.code, row.fault);
+        if !there.contains(&row.test) {
+            println!("{place}: there is no test {}", row.test);
+            continue;
+        }
+        let without = || run(&folder, executable, &row.test, &[], LONGEST);
+        if passing.insert(&row.test) && without()? != Ended::Passed {
+            println!("{} fails without any fault", row.test);
+            continue;
+        }
+        let number = n.to_string();
+        let planted = [("MUTANT", number.as_str())];
+        match run(&folder, executable, &row.test, &planted, LONGEST)? {
+            Ended::Passed => println!("{place}: {} passes ({})", row.test, row.condition),
+            Ended::Failed | Ended::TimedOut => good += 1,
+        }
+    }
+    Ok(good)
+}
+
+/// The files with a place for each piece of code that is named.
+fn planted(project: &Path, rows: &[&Row]) -> Result<(Vec<Source>, Vec<Mutant>)> {
+    let mut sources: Vec<Source> = Vec::new();
+    let mut found = Vec::new();
+    for row in rows {
+        let file = match sources.iter().position(|s| s.name == row.file) {
+            Some(file) => file,
+            None => {
+                let text = fs::read_to_string(project.join(&row.file));
+                sources.push(Source {
+                    name: row.file.clone(),
+                    text: text.with_context(|| row.file.clone())?,
+                    places: Vec::new(),
+                });
+                sources.len() - 1
+            }
+        };
+        let text = &sources[file].text;
+        let mut at = text.match_indices(row.code.as_str());
+        let (Some((start, _)), None) = (at.next(), at.next()) else {
+            bail!("{}: {:?} does not stand there once", row.file, row.code);
+        };
+        found.push((file, start..start + row.code.len()));
+    }
+    for (file, source) in sources.iter_mut().enumerate() {
+        let here = found.iter().zip(rows).filter(|((f, _), _)| *f == file);
+        for ((_, bytes), row) in here {
+            if let Some(place) = source.places.iter_mut().find(|p| p.bytes == *bytes) {
+                place.instead.push(row.fault.clone());
+                continue;
+            }
+            source.places.push(Place {
+                kind: Kind::Expression,
+                line: source.text[..bytes.start].matches('\n').count() + 1,
+                column: 1,
+                function: row.condition.clone(),
+                bytes: bytes.clone(),
+                instead: vec![row.fault.clone()],
+            });
+        }
+        source
+            .places
+            .sort_by_key(|p| (p.bytes.start, usize::MAX - p.bytes.end));
+    }
+    let mutants = found.iter().zip(rows).enumerate();
+    let mutants = mutants.map(|(n, ((file, bytes), row))| {
+        let places = &sources[*file].places;
+        let place = places.iter().position(|p| p.bytes == *bytes);
+        let place = place.context("a place for every row")?;
+        let instead = places[place].instead.iter();
+        let choice = instead.clone().position(|t| *t == row.fault);
+        Ok(Mutant {
+            number: n as u32,
+            file: *file,
+            place,
+            choice: choice.context("a text for every row")?,
+        })
+    });
+    let mutants = mutants.collect::<Result<Vec<Mutant>>>()?;
+    Ok((sources, mutants))
+}

@@ -1,0 +1,161 @@
+//! The copy of the project that is changed, and what cargo says about it.
+
+use anyhow::{Context, Result, bail};
+use serde_json::Value;
+use std::fs;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A copy of the files that git tracks.
+pub struct Tree {
+    pub root: PathBuf,
+    target: PathBuf,
+}
+
+/// An error of the compiler: the file, and the bytes of it.
+pub struct CompileError {
+    pub file: String,
+    pub bytes: Range<usize>,
+    pub message: String,
+}
+
+/// What a build gave.
+pub struct Built {
+    pub executables: Vec<PathBuf>,
+    pub errors: Vec<CompileError>,
+}
+
+impl Tree {
+    /// Copies what has changed since the last copy.
+    pub fn new(project: &Path, work: &Path) -> Result<Tree> {
+        let listed = Command::new("git")
+            .current_dir(project)
+            .args([
+                "ls-files",
+                "-z",
+                "--cached",
+                "--others",
+                "--exclude-standard",
+            ])
+            .output()
+            .context("git ls-files")?;
+        if !listed.status.success() {
+            bail!("{} is no git checkout", project.display());
+        }
+        let root = work.join("tree");
+        for name in String::from_utf8(listed.stdout)?.split_terminator('\0') {
+            let from = project.join(name);
+            if from.is_file() {
+                write_if_other(&root.join(name), &fs::read(&from)?)?;
+            }
+        }
+        let target = work.join("build");
+        Ok(Tree { root, target })
+    }
+
+    /// Replaces a file.
+    pub fn write(&self, name: &str, text: &str) -> Result<()> {
+        write_if_other(&self.root.join(name), text.as_bytes())
+    }
+
+    /// The root file of a package's library, relative to the tree.
+    pub fn library(&self, package: &str) -> Result<String> {
+        let out = Command::new("cargo")
+            .current_dir(&self.root)
+            .args(["metadata", "--no-deps", "--format-version", "1"])
+            .stderr(Stdio::inherit())
+            .output()?;
+        let data: Value = serde_json::from_slice(&out.stdout).context("cargo metadata")?;
+        let packages = data["packages"].as_array().context("packages")?;
+        let found = packages.iter().find(|p| p["name"] == package);
+        let found = found.with_context(|| format!("there is no package {package:?}"))?;
+        let targets = found["targets"].as_array().context("targets")?;
+        let library = targets.iter().find(|t| {
+            let kinds = t["kind"].as_array();
+            kinds.is_some_and(|k| k.iter().any(|k| k == "lib"))
+        });
+        let path = library.context("the package has no library")?["src_path"]
+            .as_str()
+            .context("src_path")?;
+        let root = fs::canonicalize(&self.root)?;
+        let inside = Path::new(path).strip_prefix(root).context("src_path")?;
+        Ok(inside.to_string_lossy().into_owned())
+    }
+
+    /// The folder of a package, in which cargo runs its tests.
+    pub fn folder(&self, package: &str) -> Result<PathBuf> {
+        let mut folder = self.root.join(self.library(package)?);
+        while !folder.join("Cargo.toml").exists() && folder.pop() {}
+        Ok(folder)
+    }
+
+    /// Checks or builds the tests of a package.
+    pub fn cargo(&self, package: &str, targets: &[String], build: bool) -> Result<Built> {
+        let mut command = Command::new("cargo");
+        command
+            .current_dir(&self.root)
+            .env("CARGO_TARGET_DIR", &self.target)
+            .args(if build {
+                &["test", "--no-run"][..]
+            } else {
+                &["check"]
+            })
+            .args(["--package", package, "--message-format", "json"]);
+        if !build {
+            command.args(["--profile", "test"]);
+        }
+        command.args(targets);
+        let out = command.stderr(Stdio::piped()).output().context("cargo")?;
+        let mut built = Built {
+            executables: Vec::new(),
+            errors: Vec::new(),
+        };
+        for line in out.stdout.split(|b| *b == b'\n') {
+            let Ok(message) = serde_json::from_slice::<Value>(line) else {
+                continue;
+            };
+            match message["reason"].as_str() {
+                Some("compiler-artifact") if message["profile"]["test"] == true => {
+                    if let Some(path) = message["executable"].as_str() {
+                        built.executables.push(path.into());
+                    }
+                }
+                Some("compiler-message") if message["message"]["level"] == "error" => {
+                    built.errors.extend(spans(&message["message"]));
+                }
+                _ => {}
+            }
+        }
+        if !out.status.success() && built.errors.is_empty() {
+            bail!("{}", String::from_utf8_lossy(&out.stderr));
+        }
+        Ok(built)
+    }
+}
+
+/// The primary spans of an error.
+fn spans(message: &Value) -> Vec<CompileError> {
+    let text = message["message"].as_str().unwrap_or_default();
+    let all = message["spans"].as_array().into_iter().flatten();
+    all.filter(|s| s["is_primary"] == true)
+        .filter_map(|s| {
+            let number = |key: &str| s[key].as_u64().map(|n| n as usize);
+            Some(CompileError {
+                file: s["file_name"].as_str()?.to_owned(),
+                bytes: number("byte_start")?..number("byte_end")?,
+                message: text.to_owned(),
+            })
+        })
+        .collect()
+}
+
+fn write_if_other(path: &Path, bytes: &[u8]) -> Result<()> {
+    if fs::read(path).is_ok_and(|old| old == bytes) {
+        return Ok(());
+    }
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    fs::write(path, bytes).with_context(|| path.display().to_string())
+}
