@@ -160,7 +160,8 @@ fn products_rounded_before_the_sum_show() {
     let (sound, faulty) = (worst(&CODE, formula, &at), worst(&code, formula, &at));
     assert!(sound < 1.5 && faulty > 1.3 * sound, "{sound} {faulty}");
     let (sound, faulty) = (worst(&CODE, CELL, &cell()), worst(&code, CELL, &cell()));
-    assert!(faulty > sound + 0.1, "{sound} {faulty}");
+    // Only the last but one product of the sum counts there.
+    assert!(faulty > 1.02 * sound, "{sound} {faulty}");
 }
 
 #[test]

@@ -58,7 +58,9 @@ pub(crate) fn asymptotic(terms: u32, at: &Rectangle) -> Truncation {
 /// most `e^{y² − x²}` each.
 pub(crate) fn strip(at: &Rectangle) -> Truncation {
     let mut t = asymptotic(16, at);
-    t.norm = sum_up(t.norm, 3.0 * decay(at));
+    t.norm = sum_up(t.norm, up(3.0 * decay(at)));
+    // The exponential is not bounded by itself.
+    t.re = f64::INFINITY;
     t
 }
 
