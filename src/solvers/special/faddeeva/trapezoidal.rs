@@ -20,7 +20,7 @@
 use crate::double_double_functions::exp_minus_square;
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 use crate::double_double::{Dd, two_prod};
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Task};
 use crate::real::{ROUND, scaled};
 
 /// Nodes of each rule.
@@ -103,9 +103,17 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
 }
 
 /// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of the
-/// larger of the two terms it is the sum of.
-#[inline(always)]
-pub(super) fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
+/// larger of the two terms it is the sum of. A function of its own: each relative has a use for it.
+pub(super) struct Upper {
+    pub a: f64,
+    pub b: f64,
+}
+
+impl Task for Upper {
+    type Output = (Dd, Dd);
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> (Dd, Dd) {
+        let Upper { a, b } = self;
     let n = (a * (STEPS / PER) + ROUND) - ROUND;
     let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
     // Beyond, what is left of the residue is below the error of the rule.
@@ -136,6 +144,7 @@ pub(super) fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
     let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
     (re + by(c), im + by(s))
+}
 }
 
 #[cfg(test)]
