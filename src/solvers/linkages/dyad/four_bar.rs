@@ -2,8 +2,9 @@
 
 use super::error::DyadError;
 use super::motion::{Assembly, LinkMotion, PointMotion};
-use super::numeric::{PI_TAIL, check_lengths, scale, sign_of_sum};
+use super::numeric::{PI_TAIL, check_lengths, scale};
 use super::rrr::{Span, check_finite, joint_motion, link, solve_span};
+use crate::double_double::sign_of_sum;
 use crate::units::{Angle, Length};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
