@@ -6,6 +6,7 @@
 //! rigorous error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44 (2017),
 //! art. 15, whose algorithm numbers are quoted. With `u = 2⁻⁵³`.
 
+use super::tables::HALF_PI;
 use crate::real::Real;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -59,6 +60,7 @@ pub(crate) fn sign_of_sum(terms: &[f64]) -> f64 {
 }
 
 impl Dd {
+    pub(crate) const PI: Dd = Dd::new(2.0 * HALF_PI[0], 2.0 * HALF_PI[1]);
     pub(crate) const ZERO: Dd = Dd { hi: 0.0, lo: 0.0 };
 
     #[inline(always)]

@@ -21,8 +21,6 @@ const SUM_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 const SINE_PART: Dd = Dd::new(hex("0x1.d9c62f2e193cbp-5"), hex("0x1.3a950143f6642p-60"));
 /// `1/π²`.
 const COSINE_PART: Dd = Dd::new(hex("0x1.9f02f6222c72p-4"), hex("-0x1.24a918f92ba3dp-58"));
-/// `π`.
-const PI_DD: Dd = Dd::new(PI, hex("0x1.1a62633145c07p-53"));
 /// `1/π`.
 const INV_PI: Dd = Dd::new(std::f64::consts::FRAC_1_PI, hex("-0x1.6b01ec5417056p-56"));
 
@@ -48,7 +46,7 @@ struct Part {
 
 impl Part {
     fn new(share: f64, acceleration: Dd) -> Part {
-        let frequency = PI_DD.div(Dd::from(share));
+        let frequency = Dd::PI.div(Dd::from(share));
         let jerk = frequency * acceleration;
         Part {
             frequency: factor(frequency),

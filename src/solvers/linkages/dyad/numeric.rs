@@ -117,9 +117,6 @@ pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// π as a sum of two numbers: the second is π minus the first, rounded.
-pub(super) const PI_TAIL: f64 = 1.224_646_799_147_353_2e-16;
-
 #[cfg(test)]
 mod tests {
     use super::*;

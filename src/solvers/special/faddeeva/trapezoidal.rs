@@ -17,9 +17,10 @@
 //! Re = y Σ a (r² + τ)/M,   Im = x Σ a (r² − τ)/M,   M = (r² − τ)² + 4τy²,   τ = t², a = (2h/π) e^{−τ}
 //! ```
 
-use crate::double_double_functions::exp_minus_square;
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 use crate::double_double::{Dd, two_prod};
+use crate::double_double_functions::exp_minus_square;
+use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
 use crate::real::{ROUND, scaled};
 
@@ -27,9 +28,9 @@ use crate::real::{ROUND, scaled};
 pub(super) const NODES: usize = 24;
 const LANES: usize = 8;
 
-const TWO_PI: Dd = Dd::new(std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
+const TWO_PI: Dd = Dd::new(2.0 * Dd::PI.hi, 2.0 * Dd::PI.lo);
 /// 2π/23.
-const TWO_PI_OVER_PER: Dd = Dd::new(0.2731819698773733, 1.5476159230086362e-17);
+const TWO_PI_OVER_PER: Dd = Dd::new(hex("0x1.17bd03a9ebb32p-2"), hex("0x1.1d7c187b51ea1p-56"));
 /// 1/h = 64/23.
 const STEPS: f64 = 64.0;
 const PER: f64 = 23.0;
@@ -114,37 +115,37 @@ impl Task for Upper {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> (Dd, Dd) {
         let Upper { a, b } = self;
-    let n = (a * (STEPS / PER) + ROUND) - ROUND;
-    let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
-    // Beyond, what is left of the residue is below the error of the rule.
-    let outside = b > 8.0 || a > 30.0;
-    let (x, y) = if outside { (0.0, 0.0) } else { (a, b) };
-    let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
-        lanes,
-        x,
-        -y,
-        f * TWO_PI,
-        two_prod(y, -STEPS) * TWO_PI_OVER_PER,
-    );
-    let (rule, kappa, sine) = if cosine.hi <= 0.0 {
-        (0, -cosine, sine)
-    } else {
-        (1, cosine, -sine)
-    };
-    let (xx, yy) = (two_prod(a, a), two_prod(b, b));
-    let (plus, minus) = sums(rule, xx + yy, yy);
-    let (re, im) = (plus.mul_f(b), minus.mul_f(a));
-    if outside {
-        return (re, im);
+        let n = (a * (STEPS / PER) + ROUND) - ROUND;
+        let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
+        // Beyond, what is left of the residue is below the error of the rule.
+        let outside = b > 8.0 || a > 30.0;
+        let (x, y) = if outside { (0.0, 0.0) } else { (a, b) };
+        let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
+            lanes,
+            x,
+            -y,
+            f * TWO_PI,
+            two_prod(y, -STEPS) * TWO_PI_OVER_PER,
+        );
+        let (rule, kappa, sine) = if cosine.hi <= 0.0 {
+            (0, -cosine, sine)
+        } else {
+            (1, cosine, -sine)
+        };
+        let (xx, yy) = (two_prod(a, a), two_prod(b, b));
+        let (plus, minus) = sums(rule, xx + yy, yy);
+        let (re, im) = (plus.mul_f(b), minus.mul_f(a));
+        if outside {
+            return (re, im);
+        }
+        // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
+        let g = g.scale(scaled(1.0, gk));
+        let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
+        let (p, q) = (g * (g + kappa), -(g * sine));
+        let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
+        let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
+        (re + by(c), im + by(s))
     }
-    // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
-    let g = g.scale(scaled(1.0, gk));
-    let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
-    let (p, q) = (g * (g + kappa), -(g * sine));
-    let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
-    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
-    (re + by(c), im + by(s))
-}
 }
 
 #[cfg(test)]

@@ -145,14 +145,41 @@ impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
     }
 }
 
+/// In development builds a part of [`Chunk::run`] is a function of its own: without optimisation all of them together
+/// need 3.5 MB of stack, more than a thread has.
+#[inline(always)]
+fn apart<S: Wide>(simd: S, part: impl FnOnce()) {
+    if cfg!(debug_assertions) {
+        simd.outlined(part);
+    } else {
+        part();
+    }
+}
+
 impl Chunk<'_> {
     #[inline(always)]
     fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         self.buffers.near_zeros = 0;
-        self.upper(simd);
-        self.one_term_dominates(simd, lanes);
-        self.both_terms(simd, lanes);
-        self.beside_real_axis(simd, lanes);
+        apart(
+            simd,
+            #[inline(always)]
+            || self.upper(simd),
+        );
+        apart(
+            simd,
+            #[inline(always)]
+            || self.one_term_dominates(simd, lanes),
+        );
+        apart(
+            simd,
+            #[inline(always)]
+            || self.both_terms(simd, lanes),
+        );
+        apart(
+            simd,
+            #[inline(always)]
+            || self.beside_real_axis(simd, lanes),
+        );
         for at in 0..self.buffers.len(Branch::Huge.number()) {
             let i = self.buffers.numbers(Branch::Huge.number(), at)[0];
             self.alone(lanes, i);
