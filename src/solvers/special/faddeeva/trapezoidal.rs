@@ -64,6 +64,15 @@ fn sums(rule: usize, r2: Dd, y2: Dd) -> (Dd, Dd) {
     (plus, minus)
 }
 
+/// The rule for which `cos 2θ ≤ 0`, with `−cos 2θ` and `sin 2θ`.
+#[inline(always)]
+fn chosen(sine: Dd, cosine: Dd) -> (usize, Dd, Dd) {
+    match cosine.hi <= 0.0 {
+        true => (0, -cosine, sine),
+        false => (1, cosine, -sine),
+    }
+}
+
 /// The value at `a − i b`, `a, b ≥ 0`, `|z| < 2²⁴`, away from overflow; relative error of each
 /// component about 2⁻⁹² of the larger of the two terms it is the sum of. After it `|2e^{−z²}|`, about.
 #[inline(always)]
@@ -78,13 +87,7 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
         f * TWO_PI,
         two_prod(b.min(8.0), -STEPS) * TWO_PI_OVER_PER,
     );
-    // cos 2θ ≤ 0 for the rule chosen.
-    let (rule, kappa, sine) = if cosine.hi <= 0.0 {
-        (0, -cosine, sine)
-    } else {
-        (1, cosine, -sine)
-    };
-
+    let (rule, kappa, sine) = chosen(sine, cosine);
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let (plus, minus) = sums(rule, xx + yy, yy);
     // Tiny parts are lifted, lest the low halves become subnormal.
@@ -127,11 +130,7 @@ impl Task for Upper {
             f * TWO_PI,
             two_prod(y, -STEPS) * TWO_PI_OVER_PER,
         );
-        let (rule, kappa, sine) = if cosine.hi <= 0.0 {
-            (0, -cosine, sine)
-        } else {
-            (1, cosine, -sine)
-        };
+        let (rule, kappa, sine) = chosen(sine, cosine);
         let (xx, yy) = (two_prod(a, a), two_prod(b, b));
         let (plus, minus) = sums(rule, xx + yy, yy);
         let (re, im) = (plus.mul_f(b), minus.mul_f(a));

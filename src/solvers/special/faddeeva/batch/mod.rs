@@ -309,20 +309,18 @@ fn window(numbers: &[u8; ROOM], at: usize) -> &[u8; GROUPS] {
 
 /// Runs the batch with the widest vectors of this processor; `false` if it has none.
 pub(super) fn with_best_vectors<P: Points>(points: &mut P) -> bool {
-    struct Run<'a, S, P>(S, V3, &'a mut P);
-    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
-        type Output = ();
-        #[inline(always)]
-        fn call(self) {
-            batch(self.0, self.1, self.2);
-        }
-    }
     if let Some(v) = V4::try_new() {
-        v.vectorize(Run(v, *v, points));
+        v.vectorize(
+            #[inline(always)]
+            || batch(v, *v, points),
+        );
         return true;
     }
     if let Some(v) = V3::try_new() {
-        v.vectorize(Run(v, v, points));
+        v.vectorize(
+            #[inline(always)]
+            || batch(v, v, points),
+        );
         return true;
     }
     false
