@@ -11,6 +11,7 @@
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
+//! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `oracle` |
 //! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
 //! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `cli` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
@@ -111,6 +112,9 @@ pub use candidate::{audit, audit_by_name, compare};
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use mechaudit_audit as audit;
+#[cfg(feature = "oracle")]
+#[doc(inline)]
+pub use mechaudit_proof as proof;
 #[cfg(feature = "oracle")]
 #[doc(inline)]
 pub use mechaudit_reference as reference;

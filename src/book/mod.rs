@@ -7,9 +7,10 @@
 //! 4. [A new method in one file](adding_a_method)
 //! 5. [Auditing your own code](your_own_code)
 //! 6. [Hunting, hard cases and recorded findings](hunting)
-//! 7. [Convergence and twins](convergence)
-//! 8. [Reading the reports](reports)
-//! 9. [Commands, exit codes and file formats](formats)
+//! 7. [Proofs of error bounds](proofs)
+//! 8. [Convergence and twins](convergence)
+//! 9. [Reading the reports](reports)
+//! 10. [Commands, exit codes and file formats](formats)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
@@ -24,6 +25,8 @@ pub mod formats {}
 pub mod hunting {}
 #[doc = include_str!("judging.md")]
 pub mod judging {}
+#[doc = include_str!("proofs.md")]
+pub mod proofs {}
 #[doc = include_str!("references.md")]
 pub mod references {}
 #[doc = include_str!("reports.md")]

@@ -18,7 +18,7 @@ use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
     audit, chirp, compare, converge, describe, eval, hunt, judge, linkage, list, paper, points,
-    regenerate, runup, shell,
+    prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 #[cfg(unix)]
@@ -64,6 +64,7 @@ fn run(args: Args) -> Result<Outcome, Failure> {
         Some(Command::Completions(a)) => shell::completions(&a),
         Some(Command::Man(a)) => shell::man(&a),
         Some(Command::List(a)) => list::list(&a),
+        Some(Command::Prove(a)) => prove::prove(&a),
         Some(Command::Paper(a)) => paper::paper(&a),
         Some(Command::Linkage(a)) => linkage::linkage(&a),
         Some(Command::Eval(a)) => eval::eval(&a),

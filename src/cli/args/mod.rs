@@ -12,6 +12,7 @@ mod list;
 mod number;
 mod paper;
 mod points;
+mod prove;
 mod regenerate;
 mod runup;
 mod scope;
@@ -29,6 +30,7 @@ pub use linkage::LinkageArgs;
 pub use list::ListArgs;
 pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;
+pub use prove::ProveArgs;
 pub use regenerate::RegenerateArgs;
 pub use runup::RunupArgs;
 pub use scope::{Numbers, ScopeArgs, WhereArgs};
@@ -115,6 +117,9 @@ pub enum Command {
     /// Show where the errors of approximations come from and how fast they fall
     #[command(after_help = converge::AFTER_HELP)]
     Converge(ConvergeArgs),
+    /// Prove an error bound of a function for every input
+    #[command(after_help = prove::AFTER_HELP)]
+    Prove(ProveArgs),
     /// Audit a published paper: its tables, its claims or its formulas
     #[command(after_help = paper::AFTER_HELP)]
     Paper(PaperArgs),
@@ -205,6 +210,7 @@ mod tests {
             include_str!("../../book/convergence.md"),
             include_str!("../../book/formats.md"),
             include_str!("../../book/hunting.md"),
+            include_str!("../../book/proofs.md"),
             include_str!("../../book/reports.md"),
             include_str!("../../book/your_own_code.md"),
         ];

@@ -12,6 +12,7 @@ pub mod linkage;
 pub mod list;
 pub mod paper;
 pub mod points;
+pub mod prove;
 pub mod regenerate;
 pub mod runup;
 pub mod shell;

@@ -1,0 +1,55 @@
+//! Arguments of `mechaudit prove`.
+
+use super::TextOrJson;
+use clap::{Args as ClapArgs, ValueEnum};
+use std::path::PathBuf;
+
+pub const AFTER_HELP: &str = "\
+Examples:
+  mechaudit prove faddeeva
+  mechaudit prove faddeeva --boxes boxes.csv --format json
+  mechaudit prove faddeeva --within 64 --components
+
+Runs the solver's own code over rectangles that cover the closed upper half-plane, with numbers \
+that enclose the exact value and the error of every rounding, halves a rectangle until its bound \
+is below the target, and prints the largest bound that is left: the theorem. The chapter on proofs \
+of the book has the model of arithmetic and every inequality.
+
+A file of boxes has a line for each: the ends of Re z and Im z, both included, the formula, the \
+centre of its Taylor series, the bounds. reference/independent/faddeeva_proof.py checks it.
+
+Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage; 130, ended \
+by Ctrl-C, without a theorem.";
+
+/// What is proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Part {
+    /// The closed upper half-plane
+    Upper,
+}
+
+/// Arguments of `prove`.
+#[derive(ClapArgs, Debug)]
+pub struct ProveArgs {
+    /// The function
+    #[arg(value_parser = ["faddeeva"])]
+    pub function: String,
+    /// Where
+    #[arg(long, value_enum, default_value = "upper")]
+    pub part: Part,
+    /// Halve rectangles until the error of the norm is at most this, in units of 2^-52
+    #[arg(long, value_name = "K", default_value = "1.25", value_parser = super::number::positive)]
+    pub norm: f64,
+    /// Halve rectangles also until the bound of each component is at most 6 units in its last place
+    #[arg(long)]
+    pub components: bool,
+    /// Only where Re z and Im z are below this: a part of the proof
+    #[arg(long, value_name = "R", value_parser = super::number::positive)]
+    pub within: Option<f64>,
+    /// Write the rectangles to this file
+    #[arg(long, value_name = "FILE")]
+    pub boxes: Option<PathBuf>,
+    /// Form of the report
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: TextOrJson,
+}

@@ -1,0 +1,202 @@
+//! Proofs of error bounds.
+
+use crate::cli::args::{ProveArgs, TextOrJson};
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::{Output, print_json, write_to};
+use crate::cli::process::interrupt;
+use crate::cli::progress::Progress;
+use mechaudit::audit::hex_float;
+use mechaudit::proof::{
+    Attained, Certificate, Code, Leaf, Rectangle, Summary, Target, Watch, upper_half_plane,
+};
+use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
+use mechaudit::report::text::table::Table;
+use serde_json::{Value, json};
+use std::io::Write;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+/// The bound of a component down to which rectangles are halved, where that is asked for.
+const COMPONENT: f64 = 6.0;
+
+/// Proves, and prints what is proved.
+pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
+    let boxes = args
+        .boxes
+        .as_deref()
+        .map(|p| Output::open(Some(p)))
+        .transpose()?;
+    let begin = Instant::now();
+    let target = Target {
+        norm: args.norm,
+        component: if args.components {
+            COMPONENT
+        } else {
+            f64::INFINITY
+        },
+        ..Target::default()
+    };
+    let Some(found) = proved(target, args.within)? else {
+        return Ok(Outcome::Interrupted);
+    };
+    if let Some(output) = boxes {
+        output.write(|out| write_boxes(&found, out))?;
+    }
+    let summary = found
+        .summary()
+        .ok_or_else(|| Failure::new("nothing was proved"))?;
+    let seconds = begin.elapsed().as_secs_f64();
+    match args.format {
+        TextOrJson::Text => write_to(None, |out| {
+            Ok(write!(
+                out,
+                "{}",
+                text(&found, &summary, args.within, seconds)
+            )?)
+        })?,
+        TextOrJson::Json => print_json(&document(&found, &summary, args.within, seconds))?,
+    }
+    Ok(Outcome::of(found.open.is_empty()))
+}
+
+/// On a thread of its own, watched; nothing if the user ends it.
+fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
+    let watch = Arc::new(Watch::default());
+    let worker = std::thread::spawn({
+        let watch = watch.clone();
+        move || {
+            let code = Code::of_the_solver()?;
+            Ok::<_, String>(upper_half_plane(&code, target, &watch, |_, r| {
+                within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
+            }))
+        }
+    });
+    let progress = Progress::new();
+    let stop = interrupt::flag();
+    while !worker.is_finished() {
+        if stop.load(Ordering::Relaxed) {
+            watch.stop.store(true, Ordering::Relaxed);
+        }
+        let [done, of] = [&watch.done, &watch.of].map(|n| n.load(Ordering::Relaxed));
+        progress.show("faddeeva", done, of.max(1));
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    progress.clear();
+    match worker.join() {
+        Ok(found) => found.map_err(Failure::new),
+        Err(panic) => std::panic::resume_unwind(panic),
+    }
+}
+
+fn write_boxes(found: &Certificate, out: &mut dyn Write) -> Result<(), Failure> {
+    writeln!(
+        out,
+        "re_from,re_to,im_from,im_to,formula,centre_re,centre_im,norm,re,im,tiny"
+    )?;
+    for Leaf { at, formula, bound } in &found.leaves {
+        let [p, q, r, s] = [at.a[0], at.a[1], at.b[0], at.b[1]].map(hex_float);
+        let centre = formula.centre().map(|(x, y)| [x, y].map(hex_float));
+        let [x, y] = centre.unwrap_or_default();
+        let [norm, re, im, tiny] = [bound.norm, bound.re, bound.im, bound.tiny].map(hex_float);
+        let name = formula.name().replace(", ", " ");
+        writeln!(
+            out,
+            "{p},{q},{r},{s},{name},{x},{y},{norm},{re},{im},{tiny}"
+        )?;
+    }
+    Ok(())
+}
+
+fn place(at: &Rectangle) -> String {
+    let ends = |[lo, hi]: [f64; 2]| format!("[{lo:.4e}, {hi:.4e}]");
+    format!("{} + i {}", ends(at.a), ends(at.b))
+}
+
+/// A bound, rounded up to three places.
+fn up(x: f64) -> String {
+    format!("{:.3}", (x * 1000.0).next_up().ceil() / 1000.0)
+}
+
+fn text(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> String {
+    let mut out = format!("{}\n", paint(BOLD, "faddeeva, closed upper half-plane"));
+    let line = |text: String| format!("  {text}\n");
+    if found.open.is_empty() {
+        let part = within.map_or(String::new(), |r| {
+            format!(", |Re z| and Im z in the binades below {r}")
+        });
+        out += &line(format!(
+            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite z with Im z ≥ 0{part}: K = {}",
+            up(summary.norm.bound)
+        ));
+    } else {
+        let text = format!("not proved: {} rectangles are open", found.open.len());
+        out += &line(paint(BAD, &text));
+        for open in found.open.iter().take(5) {
+            out += &line(format!("{}: {}", place(&open.at), open.why));
+        }
+    }
+    out += &line(format!("K is attained in {}", place(&summary.norm.at)));
+    let mut table = Table::new(&["formula", "boxes", "norm", "Re", "Im"], &[0]);
+    let part = |a: Option<Attained>| match a {
+        Some(a) => (up(a.bound), PLAIN),
+        None => ("–".into(), DIM),
+    };
+    for f in &summary.formulas {
+        table.row(vec![
+            (f.name.to_string(), PLAIN),
+            (f.boxes.to_string(), DIM),
+            (up(f.norm.bound), PLAIN),
+            part(f.re),
+            part(f.im),
+        ]);
+    }
+    out += &table.render(2);
+    out += &line(
+        "Norm in units of 2^-52, components in units in the last place; –: not proved".into(),
+    );
+    out += &line(format!(
+        "A component below 2^-960 in absolute value may be off by another {} · 2^-1075: underflow",
+        up(summary.tiny)
+    ));
+    out += &line(format!("{} boxes, {seconds:.1} s", summary.boxes));
+    out
+}
+
+fn document(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> Value {
+    let ends = |at: &Rectangle| json!({ "re": at.a, "im": at.b });
+    let attained = |a: &Attained| json!({ "bound": a.bound, "box": ends(&a.at) });
+    let formulas: Vec<Value> = summary
+        .formulas
+        .iter()
+        .map(|f| {
+            json!({
+                "formula": f.name,
+                "boxes": f.boxes,
+                "norm": attained(&f.norm),
+                "re": f.re.as_ref().map(attained),
+                "im": f.im.as_ref().map(attained),
+                "tiny": f.tiny,
+            })
+        })
+        .collect();
+    let open: Vec<Value> = found
+        .open
+        .iter()
+        .map(|o| json!({ "box": ends(&o.at), "why": o.why }))
+        .collect();
+    json!({
+        "schema_version": 1,
+        "mechaudit_version": env!("CARGO_PKG_VERSION"),
+        "function": "faddeeva",
+        "part": "upper",
+        "within": within,
+        "proved": found.open.is_empty(),
+        "norm": attained(&summary.norm),
+        "tiny": summary.tiny,
+        "boxes": summary.boxes,
+        "seconds": seconds,
+        "formulas": formulas,
+        "open": open,
+    })
+}

@@ -1,0 +1,29 @@
+//! Machine proofs of error bounds of `f64` solvers.
+//!
+//! [`upper_half_plane`] proves a bound of the error of the Faddeeva function of `mechaudit-solvers` at every finite
+//! `f64` point of the closed upper half-plane. It runs the solver's own generic code with numbers that enclose, over
+//! a rectangle of inputs, the exact value and all that rounding does to it; the truncation of each formula is
+//! bounded by certified values of `mechaudit-reference`. The model of arithmetic, every rule and every inequality:
+//! the chapter on proofs in the book of `mechaudit`.
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod bounds;
+mod constants;
+mod cover;
+mod exact;
+mod form;
+mod formula;
+mod interval;
+mod prove;
+mod summary;
+mod tables;
+mod tracked;
+mod truncation;
+
+pub use cover::{Rectangle, hole};
+pub use formula::{Bound, Formula};
+pub use prove::{Certificate, Code, Leaf, Open, Target, Watch, upper_half_plane};
+pub use summary::{Attained, OfFormula, Summary};
+pub use tables::Tables;
+pub use tracked::Rounding;

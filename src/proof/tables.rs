@@ -1,0 +1,128 @@
+//! The solver's tables with their errors, each computed once.
+
+use crate::formula::Bound;
+use crate::truncation::{RowErrors, polynomial_error};
+use mechaudit_solvers::faddeeva::proof as code;
+use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex};
+
+type Key = (u64, u64);
+
+fn key((x, y): (f64, f64)) -> Key {
+    (x.to_bits(), y.to_bits())
+}
+
+/// Rows by their centres.
+#[derive(Clone)]
+pub struct Tables {
+    cells: HashMap<Key, (Row, RowErrors)>,
+    real_axis: HashMap<Key, (Row, RowErrors)>,
+    imaginary_axis: HashMap<Key, (AxisRow, RowErrors)>,
+    pub(crate) real_line: [f64; 2],
+    /// Bounds of the scaled formula, whose rectangles are the same in every shell.
+    pub(crate) scaled: Arc<Mutex<HashMap<Scaled, Bound>>>,
+}
+
+/// A scaled rectangle by its bits, and how operations round.
+pub(crate) type Scaled = ([u64; 4], bool, Option<u32>);
+
+/// Centre and row of the cell around a point.
+pub(crate) fn cell_at(a: f64, b: f64) -> ((f64, f64), &'static Row) {
+    let (row, dx, dy) = code::cell(a, b);
+    ((a - dx, b - dy), row)
+}
+
+/// Centre and row on the real axis.
+pub(crate) fn real_axis_at(a: f64) -> (f64, &'static Row) {
+    let (row, t) = code::real_axis(a);
+    (a - t, row)
+}
+
+/// Centre and row on the imaginary axis.
+pub(crate) fn imaginary_axis_at(b: f64) -> (f64, &'static AxisRow) {
+    let (row, t) = code::imaginary_axis(b);
+    (b - t, row)
+}
+
+impl Tables {
+    /// Those of the solver, at every centre that a point of the upper half-plane may have.
+    ///
+    /// # Errors
+    /// If the reference is undecided about a coefficient.
+    pub fn of_the_solver() -> Result<Tables, String> {
+        let mut cells: HashMap<Key, ((f64, f64), &'static Row)> = HashMap::new();
+        // Just inside the corners of the fine cells, which no line between cells meets.
+        let near = |i: i32, s: f64| (0.25 * f64::from(i) + s).max(0.0);
+        for (i, j) in (0..=30).flat_map(|i| (0..=30).map(move |j| (i, j))) {
+            for (s, t) in [(-0.1, -0.1), (-0.1, 0.1), (0.1, -0.1), (0.1, 0.1)] {
+                let (a, b) = (near(i, s), near(j, t));
+                if a * a + b * b < 56.0 {
+                    let (centre, row) = cell_at(a, b);
+                    cells.insert(key(centre), (centre, row));
+                }
+            }
+        }
+        let cells = cells.into_values().collect::<Vec<_>>();
+        let rows = |c: Vec<((f64, f64), &'static Row)>| {
+            c.into_par_iter()
+                .map(|(centre, row)| Ok((key(centre), (*row, RowErrors::of(row, centre)?))))
+                .collect::<Result<HashMap<_, _>, String>>()
+        };
+        let real = (18..=144).map(|k| {
+            let (centre, row) = real_axis_at(0.0625 * f64::from(k));
+            ((centre, 0.0), row)
+        });
+        let imaginary: Vec<_> = (0..=28)
+            .map(|k| imaginary_axis_at(0.25 * f64::from(k)))
+            .collect();
+        let imaginary_axis = imaginary
+            .into_par_iter()
+            .map(|(s, row)| Ok((key((0.0, s)), (*row, RowErrors::on_axis(row, s)?))))
+            .collect::<Result<HashMap<_, _>, String>>()?;
+        let line = code::real_line_polynomials();
+        Ok(Tables {
+            cells: rows(cells)?,
+            real_axis: rows(real.collect())?,
+            imaginary_axis,
+            real_line: [
+                polynomial_error(&line[0], false),
+                polynomial_error(&line[1], true),
+            ],
+            scaled: Arc::default(),
+        })
+    }
+
+    pub(crate) fn cell(&self, centre: (f64, f64)) -> Result<(&Row, &RowErrors), &'static str> {
+        let found = self.cells.get(&key(centre)).ok_or("no such cell")?;
+        Ok((&found.0, &found.1))
+    }
+
+    pub(crate) fn real_axis(&self, centre: f64) -> Result<(&Row, &RowErrors), &'static str> {
+        let found = self
+            .real_axis
+            .get(&key((centre, 0.0)))
+            .ok_or("no such centre")?;
+        Ok((&found.0, &found.1))
+    }
+
+    pub(crate) fn imaginary_axis(
+        &self,
+        centre: f64,
+    ) -> Result<(&AxisRow, &RowErrors), &'static str> {
+        let found = self
+            .imaginary_axis
+            .get(&key((0.0, centre)))
+            .ok_or("no such centre")?;
+        Ok((&found.0, &found.1))
+    }
+
+    /// A cell's row changed: its errors are computed anew.
+    #[cfg(test)]
+    pub(crate) fn change_cell(&mut self, centre: (f64, f64), change: impl FnOnce(&mut Row)) {
+        let (row, errors) = self.cells.get_mut(&key(centre)).expect("a cell");
+        change(row);
+        *errors = RowErrors::of(row, centre).expect("decided");
+    }
+}

@@ -1,0 +1,221 @@
+//! The bounds against certified values at points, and with planted faults.
+
+use super::*;
+use crate::cover::{Rectangle, hole, roots};
+use crate::formula::{Bound, Formula, bound};
+use crate::tracked::Rounding;
+use mechaudit_reference::faddeeva::w_f64;
+use mechaudit_solvers::faddeeva::{Branch, branch, faddeeva};
+use num_complex::Complex;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use rug::Float;
+use std::sync::LazyLock;
+
+static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
+
+const NORM_ALONE: Target = Target {
+    norm: 1.5,
+    component: f64::INFINITY,
+    depth: 40,
+};
+
+/// The proof on shells up to a radius, by the norm alone.
+fn within(code: &Code, lo: f64, hi: f64) -> Certificate {
+    let watch = Watch::default();
+    let wanted = |_: usize, r: &Rectangle| {
+        let most = r.a[1].max(r.b[1]);
+        lo <= most && most < hi
+    };
+    upper_half_plane(code, NORM_ALONE, &watch, wanted).expect("not stopped")
+}
+
+fn worst(code: &Code, formula: Formula, at: &Rectangle) -> f64 {
+    bound(&code.tables, formula, at, code.rounding).map_or(f64::INFINITY, |b| b.norm)
+}
+
+/// `|computed − w|/|w|` in units of 2⁻⁵².
+fn error(z: Complex<f64>) -> f64 {
+    let (w, got) = (w_f64(z.re, z.im, 100).expect("decided"), faddeeva(z));
+    let part = |g: f64, w: &mechaudit_reference::Ball| Float::with_val(200, g) - w.mid();
+    let off = part(got.re, &w.re).square() + part(got.im, &w.im).square();
+    let size = Float::with_val(200, w.re.mid().square_ref())
+        + Float::with_val(200, w.im.mid().square_ref());
+    (off / size).sqrt().to_f64() * 2f64.powi(52)
+}
+
+#[test]
+fn errors_at_points_are_below_their_bounds() {
+    let found = within(&CODE, 0.0, 4096.0);
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let mut close = 0.0f64;
+    for leaf in found.leaves.iter().step_by(7) {
+        for _ in 0..3 {
+            let mut between = |[lo, hi]: [f64; 2]| {
+                let (p, q) = (lo.to_bits(), hi.to_bits());
+                f64::from_bits(p + random.next_u64() % (q - p + 1))
+            };
+            let z = Complex::new(between(leaf.at.a), between(leaf.at.b));
+            // Where the leaf's is not the formula of the point, another leaf has it.
+            if Formula::of(branch(z), z.re == 0.0).is_some_and(|f| f != leaf.formula) {
+                continue;
+            }
+            let off = error(z);
+            assert!(off <= leaf.bound.norm, "{z} {off} {:?}", leaf);
+            close = close.max(off / leaf.bound.norm);
+        }
+    }
+    // Not idle bounds either.
+    assert!(close > 0.4, "{close}");
+}
+
+#[test]
+fn the_near_part_is_covered() {
+    let found = within(&CODE, 0.0, 4.1e3);
+    let mut all: Vec<Rectangle> = found.leaves.iter().map(|l| l.at).collect();
+    // Beyond, the first partition stands for the rest.
+    all.extend(roots().into_iter().filter(|r| r.a[1].max(r.b[1]) >= 4.1e3));
+    assert_eq!(hole(&all), None);
+    let lost = all.swap_remove(100);
+    assert!(hole(&all).is_some(), "{lost:?}");
+}
+
+const CENTRE: (f64, f64) = (1.5, 1.5);
+const CELL: Formula = Formula::Cell { centre: CENTRE };
+
+fn cell() -> Rectangle {
+    Rectangle {
+        a: [1.53125, 1.546875],
+        b: [1.53125, 1.546875],
+    }
+}
+
+/// The code with entry `at` of a cell's row changed.
+fn with_entry(at: usize, change: impl Fn(f64) -> f64) -> Code {
+    let mut code = CODE.clone();
+    code.tables
+        .change_cell(CENTRE, |row| row[at] = change(row[at]));
+    code
+}
+
+#[test]
+fn a_coefficient_off_by_eight_units_shows() {
+    let sound = worst(&CODE, CELL, &cell());
+    let off = |x: f64| f64::from_bits(x.to_bits() + 8);
+    let faulty = worst(&with_entry(0, off), CELL, &cell());
+    assert!(sound < 1.0 && faulty > sound + 2.0, "{sound} {faulty}");
+}
+
+#[test]
+fn a_dropped_term_shows() {
+    // The tenth: 0 in place of c₉.
+    let drop = |at: usize| with_entry(at, |_| 0.0);
+    let at = Rectangle {
+        a: [1.6, 1.62],
+        b: [1.6, 1.62],
+    };
+    let (sound, faulty) = (worst(&CODE, CELL, &at), worst(&drop(8 + 8 + 3), CELL, &at));
+    assert!(sound < 1.0 && faulty > 5.0 * sound, "{sound} {faulty}");
+}
+
+#[test]
+fn a_moved_limit_shows() {
+    fn moved(a: f64, b: f64) -> Branch {
+        let z = branch(Complex::new(a, b));
+        match z {
+            Branch::Cell { .. } if a.mul_add(a, b * b) >= 20.0 => Branch::Asymptotic { terms: 26 },
+            _ => z,
+        }
+    }
+    let code = Code {
+        branch: moved,
+        ..CODE.clone()
+    };
+    let at = Rectangle {
+        a: [3.25, 3.3125],
+        b: [3.25, 3.3125],
+    };
+    let parts = crate::prove::parts(&code, &at).expect("one formula");
+    let (at, formula) = parts[0];
+    let faulty = worst(&code, formula, &at);
+    assert!(faulty > 10.0, "{formula:?} {faulty}");
+}
+
+#[test]
+fn products_rounded_before_the_sum_show() {
+    let twice = Rounding {
+        fma_rounds_twice: true,
+        truncates: None,
+    };
+    let code = Code {
+        rounding: twice,
+        ..CODE.clone()
+    };
+    let at = Rectangle {
+        a: [40.0, 40.25],
+        b: [20.0, 20.25],
+    };
+    let formula = Formula::Asymptotic { terms: 6 };
+    let (sound, faulty) = (worst(&CODE, formula, &at), worst(&code, formula, &at));
+    assert!(sound < 1.5 && faulty > 1.3 * sound, "{sound} {faulty}");
+    let (sound, faulty) = (worst(&CODE, CELL, &cell()), worst(&code, CELL, &cell()));
+    // Only the last but one product of the sum counts there.
+    assert!(faulty > 1.02 * sound, "{sound} {faulty}");
+}
+
+#[test]
+fn a_wrong_centre_shows() {
+    let mut code = CODE.clone();
+    let other = *CODE.tables.cell((1.5, 1.75)).expect("a cell").0;
+    code.tables.change_cell(CENTRE, |row| *row = other);
+    assert!(worst(&code, CELL, &cell()) > 1e12);
+}
+
+#[test]
+fn one_operation_that_truncates_shows() {
+    let at = cell();
+    let sound = worst(&CODE, CELL, &at);
+    let last = (1..400).map(|k| {
+        let rounding = Rounding {
+            fma_rounds_twice: false,
+            truncates: Some(k),
+        };
+        worst(
+            &Code {
+                rounding,
+                ..CODE.clone()
+            },
+            CELL,
+            &at,
+        )
+    });
+    let most = last.fold(0.0, f64::max);
+    assert!(most > sound + 0.2, "{sound} {most}");
+}
+
+#[test]
+fn subnormal_and_scaled_values() {
+    for (z, formula) in [
+        (
+            Complex::new(1e-310, 3.0),
+            Formula::Cell { centre: (0.0, 3.0) },
+        ),
+        (Complex::new(1e305, 1e-320), Formula::Huge),
+    ] {
+        let at = Rectangle {
+            a: [z.re; 2],
+            b: [z.im; 2],
+        };
+        let Bound { norm, tiny, .. } =
+            bound(&CODE.tables, formula, &at, CODE.rounding).expect("a bound");
+        let (w, got) = (w_f64(z.re, z.im, 100).expect("decided"), faddeeva(z));
+        for (g, w) in [(got.re, &w.re), (got.im, &w.im)] {
+            let off = (Float::with_val(2000, g) - w.mid()).abs();
+            let size = Float::with_val(200, w.mid().abs_ref()) * 2f64.powi(-52);
+            let unit = Float::with_val(60, 1) >> 1075u32;
+            let all = size * (2.0 * norm) + unit * (tiny + 1.0);
+            assert!(off <= all, "{z} {formula:?}");
+        }
+    }
+}

@@ -1,0 +1,638 @@
+//! A type of number for the solver's generic code: each operation is applied to [`Form`]s.
+//!
+//! The forms of one evaluation live beside the thread that does it. A decision that is not the same all over the
+//! box is taken both ways, one evaluation after the other: every point of the box follows one of them.
+
+use crate::exact::Exact;
+use crate::form::{
+    Form, grain_of, mapped, power_of_two, product, quotient, regrained, rounded, rounding, sum,
+};
+use crate::interval::{Interval, product_up};
+use mechaudit_solvers::faddeeva::proof::{ROUND, Real, Vectors};
+use std::cell::RefCell;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// How the operations round; all but the first choice are faults, for tests of the proof.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rounding {
+    /// Products of `fma` are rounded before the sum.
+    pub fma_rounds_twice: bool,
+    /// This operation, counted from 1, truncates.
+    pub truncates: Option<u32>,
+}
+
+/// A stored number that stands for another one: what exact arithmetic has in its place, and the difference
+/// `stored − exact`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Constant {
+    pub stored: f64,
+    pub exact: Interval,
+    pub error: Interval,
+}
+
+/// What an evaluation is told.
+#[derive(Clone, Copy)]
+pub(crate) struct Setting<'a> {
+    /// The range of the small coordinate, not negative.
+    pub sigma: Exact,
+    pub constants: &'a [Constant],
+    pub rounding: Rounding,
+}
+
+/// The evaluation of this thread.
+struct Evaluation {
+    sigma: Exact,
+    constants: Vec<Constant>,
+    rounding: Rounding,
+    forms: Vec<Form>,
+    /// Operations that rounded; number 0 is the difference of the constants.
+    operations: u32,
+    /// The decisions to take, and between how many ways.
+    script: Vec<(usize, usize)>,
+    taken: usize,
+    /// Why no bound is had.
+    failure: Option<&'static str>,
+}
+
+thread_local! {
+    static HERE: RefCell<Evaluation> = const {
+        RefCell::new(Evaluation {
+            sigma: Exact::ZERO,
+            constants: Vec::new(),
+            rounding: Rounding { fma_rounds_twice: false, truncates: None },
+            forms: Vec::new(),
+            operations: 0,
+            script: Vec::new(),
+            taken: 0,
+            failure: None,
+        })
+    };
+}
+
+/// Decisions of one evaluation more than which are not followed.
+const WAYS: usize = 4096;
+
+impl Evaluation {
+    fn push(&mut self, form: Form) -> Tracked {
+        self.forms.push(form);
+        Tracked(self.forms.len() as u32 - 1)
+    }
+
+    fn fail(&mut self, why: &'static str) -> Tracked {
+        self.failure.get_or_insert(why);
+        self.push(Form::point(0.0))
+    }
+
+    fn choose(&mut self, ways: usize) -> usize {
+        if self.taken == self.script.len() {
+            self.script.push((0, ways));
+        }
+        let (chosen, of) = self.script[self.taken];
+        debug_assert_eq!(of, ways, "the same box, the same decisions");
+        self.taken += 1;
+        chosen
+    }
+
+    fn form(&self, x: Tracked) -> &Form {
+        &self.forms[x.0 as usize]
+    }
+
+    /// The number rounded, and its error with the sign reversed.
+    fn round(&mut self, form: Form) -> (Tracked, Tracked) {
+        let factor = match self.rounding.truncates {
+            Some(k) if k == self.operations + 1 => 2.0,
+            _ => 1.0,
+        };
+        match rounding(&form, self.sigma, factor) {
+            None => {
+                let form = regrained(form, self.sigma);
+                (self.push(form), self.push(Form::point(0.0)))
+            }
+            Some((error, absolute)) => {
+                self.operations += 1;
+                let k = self.operations;
+                let mut lost = Form::exact(Exact::ZERO, form.grain);
+                (lost.small, lost.tiny) = (form.small, absolute);
+                if error != 0.0 {
+                    lost.terms.push((k, Interval::point(-error)));
+                }
+                let form = rounded(form, self.sigma, (error, absolute), k);
+                (self.push(form), self.push(lost.summed()))
+            }
+        }
+    }
+
+    /// Both with the same s.
+    fn alike(&self, x: Tracked, y: Tracked) -> (Form, Form) {
+        let (x, y) = (self.form(x), self.form(y));
+        match x.small == y.small {
+            true => (x.clone(), y.clone()),
+            // Zero has no size.
+            false if x.is_zero() || y.is_zero() => (x.clone(), y.clone()),
+            false => (x.plain(self.sigma), y.plain(self.sigma)),
+        }
+    }
+
+    /// `x + y` before rounding.
+    fn sum(&self, x: Tracked, y: Tracked) -> Form {
+        if x == y {
+            return self.form(x).doubled();
+        }
+        let (x, y) = self.alike(x, y);
+        match (x.is_zero(), y.is_zero()) {
+            (true, _) => y,
+            (_, true) => x,
+            _ => sum(&x, &y),
+        }
+    }
+
+    /// `x y` before rounding.
+    fn product(&self, x: Tracked, y: Tracked) -> Form {
+        let (p, q) = (self.form(x), self.form(y));
+        if p.is_zero() || q.is_zero() {
+            return Form::point(0.0);
+        }
+        match p.small && q.small {
+            true => product(p, &q.plain(self.sigma), self.sigma, false),
+            false => product(p, q, self.sigma, x == y),
+        }
+    }
+
+    /// `x y` where one of them is a power of two and nothing is rounded, or below the normal numbers only.
+    fn scaled(&self, x: Tracked, y: Tracked) -> Option<Form> {
+        let (p, q) = (self.form(x), self.form(y));
+        let (by, mut form) = match (p.constant(), q.constant()) {
+            (Some(c), _) if is_power_of_two(c) => (c, q.clone()),
+            (_, Some(c)) if is_power_of_two(c) => (c, p.clone()),
+            _ => return None,
+        };
+        let k = crate::form::exponent(by.abs());
+        let times = |c: Interval| {
+            let c = if by < 0.0 { -c } else { c };
+            let by = by.abs();
+            let (lo, hi) = (c.lo * by, c.hi * by);
+            // Exact unless it underflows or overflows.
+            let exact = |x: f64, y: f64| y / by == x;
+            let lo = if exact(c.lo, lo) { lo } else { lo.next_down() };
+            let hi = if exact(c.hi, hi) { hi } else { hi.next_up() };
+            Interval::new(lo, hi)
+        };
+        form.main = form.main.scaled(by, times(form.main.range));
+        form.terms = mapped(&form.terms, times);
+        form.rest = product_up(form.rest, by.abs());
+        form.tiny = product_up(form.tiny, by.abs());
+        form.grain = form.grain.saturating_add(k);
+        let mut form = form.summed();
+        let range = form.range(self.sigma);
+        if crate::form::exponent(range.magnitude().max(f64::MIN_POSITIVE)) >= 1023 {
+            return None;
+        }
+        if form.grain < -1074 && range.mignitude() < f64::MIN_POSITIVE {
+            form.tiny = crate::interval::sum_up(form.tiny, 1.0);
+        }
+        form.grain = form.grain.max(-1074);
+        Some(form)
+    }
+
+    fn multiply(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+        if let (Some(a), Some(b)) = (self.form(x).constant(), self.form(y).constant())
+            && exact_product(a, b)
+        {
+            let zero = self.push(Form::point(0.0));
+            return (self.push(Form::point(a * b)), zero);
+        }
+        if let Some(form) = self.scaled(x, y) {
+            let mut lost = Form::point(0.0);
+            lost.tiny = form.tiny;
+            let lost = self.push(lost);
+            return (self.push(regrained(form, self.sigma)), lost);
+        }
+        let form = self.product(x, y);
+        self.round(form)
+    }
+
+    fn add(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+        if self.form(x).is_zero() || self.form(y).is_zero() {
+            let sum = if self.form(x).is_zero() { y } else { x };
+            return (sum, self.push(Form::point(0.0)));
+        }
+        if let (Some(a), Some(b)) = (self.form(x).constant(), self.form(y).constant())
+            && exact_sum(a, b)
+        {
+            let zero = self.push(Form::point(0.0));
+            return (self.push(Form::point(a + b)), zero);
+        }
+        let form = self.sum(x, y);
+        self.round(form)
+    }
+
+    fn fma(&mut self, x: Tracked, y: Tracked, z: Tracked) -> Tracked {
+        if self.form(z).constant() == Some(ROUND) {
+            return self.integer(x, y);
+        }
+        if self.form(z).is_zero() {
+            return self.multiply(x, y).0;
+        }
+        if self.form(x).is_zero() || self.form(y).is_zero() {
+            return z;
+        }
+        if self.rounding.fma_rounds_twice {
+            let p = self.multiply(x, y).0;
+            return self.add(p, z).0;
+        }
+        let form = match self.scaled(x, y) {
+            // Not rounded before the sum.
+            Some(form) if form.tiny == 0.0 => form,
+            _ => self.product(x, y),
+        };
+        let p = self.push(form);
+        let form = self.sum(p, z);
+        self.round(form).0
+    }
+
+    /// `x y + ROUND`: one number for each integer that `x y` may be rounded to.
+    fn integer(&mut self, x: Tracked, y: Tracked) -> Tracked {
+        let range = self.product(x, y).range(self.sigma);
+        if !(range.magnitude() < 1e9) {
+            return self.fail("an integer beyond 10⁹");
+        }
+        let least = (range.lo - 0.5).next_down().ceil();
+        let most = (range.hi + 0.5).next_up().floor();
+        let ways = (most - least) as usize + 1;
+        if ways > WAYS {
+            return self.fail("too many integers");
+        }
+        let k = match ways {
+            1 => 0,
+            _ => self.choose(ways),
+        };
+        self.push(Form::point(ROUND + (least + k as f64)))
+    }
+
+    /// Whether `x < y`.
+    fn below(&mut self, x: Tracked, y: Tracked) -> bool {
+        let (p, q) = (
+            self.form(x).range(self.sigma),
+            self.form(y).range(self.sigma),
+        );
+        if p.hi < q.lo {
+            return true;
+        }
+        if p.lo >= q.hi {
+            return false;
+        }
+        self.choose(2) == 0
+    }
+}
+
+fn is_power_of_two(x: f64) -> bool {
+    x.is_normal() && x.to_bits() << 12 == 0
+}
+
+/// Whether `a b` is an `f64`; normal numbers only.
+fn exact_product(a: f64, b: f64) -> bool {
+    let p = a * b;
+    p == 0.0 && (a == 0.0 || b == 0.0)
+        || p.is_normal() && p.abs() > 1e-290 && a.mul_add(b, -p) == 0.0
+}
+
+/// Whether `a + b` is an `f64`.
+fn exact_sum(a: f64, b: f64) -> bool {
+    let s = a + b;
+    let t = s - a;
+    s.is_finite() && (a - (s - t)) + (b - t) == 0.0
+}
+
+/// A number of the evaluation that this thread is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Tracked(u32);
+
+fn here<T>(f: impl FnOnce(&mut Evaluation) -> T) -> T {
+    HERE.with_borrow_mut(f)
+}
+
+/// What is known of a result.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Result {
+    /// Its value in exact arithmetic, divided by σ if it is small.
+    pub exact: Interval,
+    /// How far the number computed may be from it, divided by σ if it is small.
+    pub error: f64,
+    /// And besides, in units of 2⁻¹⁰⁷⁵.
+    pub tiny: f64,
+    /// Whether σ is a factor.
+    pub small: bool,
+}
+
+impl Tracked {
+    /// Coordinate `i` of the rectangle, any `f64` between the ends.
+    pub fn input(i: usize, [lo, hi]: [f64; 2]) -> Tracked {
+        let least = Interval::new(lo, hi).mignitude();
+        Tracked::input_on_grid(i, [lo, hi], grain_of(least))
+    }
+
+    /// Coordinate `i`, any multiple of `2^grain` between the ends.
+    pub fn input_on_grid(i: usize, [lo, hi]: [f64; 2], grain: i32) -> Tracked {
+        let exact = match lo == hi {
+            true => Exact::point(lo),
+            false => Exact::coordinate(Interval::new(lo, hi), i),
+        };
+        here(|e| e.push(Form::exact(exact, grain)))
+    }
+
+    /// The small coordinate.
+    pub fn sigma() -> Tracked {
+        here(|e| {
+            let mut form = Form::exact(Exact::point(1.0), grain_of(e.sigma.range.lo));
+            form.small = true;
+            e.push(form)
+        })
+    }
+
+    /// A table's entry, which stands for itself.
+    pub fn entry(x: f64) -> Tracked {
+        here(|e| e.push(Form::point(x)))
+    }
+
+    pub fn result(self) -> Result {
+        here(|e| {
+            let form = e.form(self);
+            Result {
+                exact: form.main.range,
+                error: form.deviation,
+                tiny: form.tiny,
+                small: form.small,
+            }
+        })
+    }
+
+    fn constant(self) -> Option<f64> {
+        here(|e| e.form(self).constant())
+    }
+}
+
+/// The results of `f` on every way through its decisions.
+///
+/// # Errors
+/// Why no bound is had.
+pub(crate) fn evaluate<T>(
+    setting: Setting<'_>,
+    mut f: impl FnMut() -> T,
+) -> std::result::Result<Vec<T>, &'static str> {
+    here(|e| {
+        e.sigma = setting.sigma;
+        e.constants.clear();
+        e.constants.extend_from_slice(setting.constants);
+        e.rounding = setting.rounding;
+        e.script.clear();
+    });
+    let mut all = Vec::new();
+    loop {
+        here(|e| {
+            e.forms.clear();
+            (e.operations, e.taken, e.failure) = (0, 0, None);
+        });
+        all.push(f());
+        let more = here(|e| {
+            if let Some(why) = e.failure {
+                return Err(why);
+            }
+            while let Some((chosen, ways)) = e.script.pop() {
+                if chosen + 1 < ways {
+                    e.script.push((chosen + 1, ways));
+                    return Ok(true);
+                }
+            }
+            Ok(false)
+        })?;
+        if !more {
+            return Ok(all);
+        }
+        if all.len() > WAYS {
+            return Err("too many ways through the decisions");
+        }
+    }
+}
+
+impl Add for Tracked {
+    type Output = Tracked;
+    fn add(self, other: Tracked) -> Tracked {
+        here(|e| e.add(self, other).0)
+    }
+}
+
+impl Neg for Tracked {
+    type Output = Tracked;
+    fn neg(self) -> Tracked {
+        here(|e| {
+            let form = e.form(self).negative();
+            e.push(form)
+        })
+    }
+}
+
+impl Sub for Tracked {
+    type Output = Tracked;
+    fn sub(self, other: Tracked) -> Tracked {
+        self + -other
+    }
+}
+
+impl Mul for Tracked {
+    type Output = Tracked;
+    fn mul(self, other: Tracked) -> Tracked {
+        here(|e| e.multiply(self, other).0)
+    }
+}
+
+impl Div for Tracked {
+    type Output = Tracked;
+    fn div(self, other: Tracked) -> Tracked {
+        here(|e| {
+            let y = e.form(other).plain(e.sigma);
+            match quotient(e.form(self), &y) {
+                Some(form) => e.round(form).0,
+                None => e.fail("a divisor may be zero"),
+            }
+        })
+    }
+}
+
+impl Real for Tracked {
+    type Mask = bool;
+
+    fn like(self, x: f64) -> Tracked {
+        here(|e| {
+            let known = e.constants.iter().find(|c| c.stored.abs() == x.abs());
+            let form = match known {
+                None => Form::point(x),
+                Some(c) => {
+                    let sign = |v: Interval| if c.stored == x { v } else { -v };
+                    let exact = Exact::within(sign(c.exact));
+                    let mut form = Form::exact(exact, grain_of(x.abs()));
+                    form.terms.push((0, sign(c.error)));
+                    form.summed()
+                }
+            };
+            e.push(form)
+        })
+    }
+
+    fn fma(self, b: Tracked, c: Tracked) -> Tracked {
+        here(|e| e.fma(self, b, c))
+    }
+
+    fn two_sum(self, b: Tracked) -> (Tracked, Tracked) {
+        here(|e| e.add(self, b))
+    }
+
+    fn fast_two_sum(self, b: Tracked) -> (Tracked, Tracked) {
+        let exact = here(|e| {
+            let (p, q) = (e.form(self).range(e.sigma), e.form(b).range(e.sigma));
+            p.is_zero() || p.mignitude() >= q.magnitude()
+        });
+        if exact {
+            return self.two_sum(b);
+        }
+        let s = self + b;
+        (s, b - (s - self))
+    }
+
+    fn two_prod(self, b: Tracked) -> (Tracked, Tracked) {
+        if here(|e| e.rounding.fma_rounds_twice) {
+            let p = self * b;
+            return (p, self.fma(b, -p));
+        }
+        here(|e| {
+            let grain = e.form(self).grain.saturating_add(e.form(b).grain);
+            let (p, lost) = e.multiply(self, b);
+            let mut form = e.form(lost).clone();
+            if grain < -1074 && !form.is_zero() {
+                // The error itself is rounded to a multiple of 2⁻¹⁰⁷⁴.
+                form.tiny = crate::interval::sum_up(form.tiny, 1.0);
+            }
+            (p, e.push(form))
+        })
+    }
+
+    fn magnitude(self) -> Tracked {
+        let sign = here(|e| {
+            let range = e.form(self).range(e.sigma);
+            (range.lo >= 0.0, range.hi <= 0.0)
+        });
+        match sign {
+            (true, _) => self,
+            (_, true) => -self,
+            _ => here(|e| {
+                let mut form = e.form(self).clone();
+                form.main = Exact::within(Interval::new(0.0, form.main.range.magnitude()));
+                form.rest = form.deviation;
+                form.terms.clear();
+                e.push(form)
+            }),
+        }
+    }
+
+    fn at_least(self, low: Tracked) -> Tracked {
+        if self.below(low) { low } else { self }
+    }
+
+    fn at_most(self, high: Tracked) -> Tracked {
+        if high.below(self) { high } else { self }
+    }
+
+    fn raised(self, least: f64) -> Tracked {
+        here(|e| {
+            let mut form = e.form(self).plain(e.sigma);
+            if form.range(e.sigma).lo < least {
+                // Between 0 and `least` is added; nothing is rounded.
+                form.rest = crate::interval::sum_up(form.rest, least);
+                form.grain = form.grain.min(grain_of(least));
+                form = form.summed();
+            }
+            e.push(form)
+        })
+    }
+
+    fn below(self, other: Tracked) -> bool {
+        here(|e| e.below(self, other))
+    }
+
+    fn or(self, a: bool, b: bool) -> bool {
+        a | b
+    }
+
+    fn pick(self, mask: bool, yes: Tracked, no: Tracked) -> Tracked {
+        if mask { yes } else { no }
+    }
+
+    fn all(self, mask: bool) -> bool {
+        mask
+    }
+
+    fn power_of_two(self) -> Tracked {
+        match self.constant().map(|x| x - ROUND) {
+            Some(k) if k.abs() < 1000.0 => Tracked::entry(power_of_two(k as i32)),
+            _ => here(|e| e.fail("the exponent of a power of two is open")),
+        }
+    }
+
+    fn is_odd(self) -> bool {
+        match self.constant() {
+            Some(x) => x.to_bits() & 1 != 0,
+            None => {
+                here(|e| e.fail("whether an integer is odd is open"));
+                false
+            }
+        }
+    }
+
+    fn flip(self, x: Tracked) -> Tracked {
+        match self.constant() {
+            Some(n) if n.to_bits() & 2 != 0 => -x,
+            Some(_) => x,
+            None => here(|e| e.fail("an integer modulo four is open")),
+        }
+    }
+}
+
+/// Four of them side by side.
+#[derive(Clone, Copy)]
+pub(crate) struct Tracking;
+
+impl Vectors for Tracking {
+    type Scalar = Tracked;
+    type V = [Tracked; 4];
+
+    fn load(self, x: [Tracked; 4]) -> [Tracked; 4] {
+        x
+    }
+
+    fn entries(self, x: [f64; 4]) -> [Tracked; 4] {
+        x.map(Tracked::entry)
+    }
+
+    fn splat(self, x: Tracked) -> [Tracked; 4] {
+        [x; 4]
+    }
+
+    fn mul(self, a: [Tracked; 4], b: [Tracked; 4]) -> [Tracked; 4] {
+        std::array::from_fn(|i| a[i] * b[i])
+    }
+
+    fn mul_add(self, a: [Tracked; 4], b: [Tracked; 4], c: [Tracked; 4]) -> [Tracked; 4] {
+        std::array::from_fn(|i| a[i].fma(b[i], c[i]))
+    }
+
+    fn neg_mul_add(self, a: [Tracked; 4], b: [Tracked; 4], c: [Tracked; 4]) -> [Tracked; 4] {
+        std::array::from_fn(|i| (-a[i]).fma(b[i], c[i]))
+    }
+
+    fn parts(self, x: [Tracked; 4]) -> [Tracked; 4] {
+        x
+    }
+
+    fn sum(self, x: [Tracked; 4]) -> Tracked {
+        (x[0] + x[2]) + (x[1] + x[3])
+    }
+}

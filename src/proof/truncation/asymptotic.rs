@@ -1,0 +1,151 @@
+//! The asymptotic series, and what is added to it beside the real axis.
+
+use super::Truncation;
+use crate::bounds::{HALF_PI, exp_up, remainder, remainder_slope};
+use crate::cover::Rectangle;
+use crate::form::TINIEST;
+use crate::interval::{hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
+use rug::Rational;
+
+/// An upper bound of `e^{y² − x²}` over the rectangle.
+fn decay(at: &Rectangle) -> f64 {
+    let t = up(up(at.b[1] * at.b[1]) - (at.a[0] * at.a[0]).next_down());
+    if t > 700.0 { f64::INFINITY } else { exp_up(t) }
+}
+
+/// With the terms up to `a_N`, so that `R_{N+1}` is left out; the component along the small coordinate divided by
+/// it.
+///
+/// On the real axis `w − e^{−z²}` and the series are imaginary, on the imaginary axis both are real: along the arc
+/// from there the component grows as the remainder's slope allows, `π/2 − θ ≤ (π/2) Re z/|z|`,
+/// `θ ≤ (π/2) Im z/|z|` (for `θ ≤ π/4`).
+pub(crate) fn asymptotic(terms: u32, at: &Rectangle) -> Truncation {
+    let (near, far) = (hypot_down(at.a[0], at.b[0]), hypot_up(at.a[1], at.b[1]));
+    let whole = remainder(terms + 1, near);
+    let slope = remainder_slope(terms + 1, near);
+    let along = quotient_up(product_up(HALF_PI, slope), near);
+    let im = match at.small_re() {
+        true => along,
+        false => whole.min(product_up(along, at.a[1])),
+    };
+    let (mut re, mut tiny) = (whole, 0.0);
+    if at.b[1] <= at.a[0] {
+        let e = decay(at);
+        // 2|z|² e^{y² − x²}
+        let turned = product_up(product_up(2.0 * far, far), e);
+        let along = quotient_up(product_up(HALF_PI, sum_up(slope, turned)), near);
+        // Below half the smallest number, 2⁻¹⁰⁷⁵ > e^{−745.2}.
+        let alone = if e <= TINIEST { 0.0 } else { e };
+        if alone == 0.0 {
+            tiny = 2.0;
+        }
+        re = match at.small_im() {
+            true => sum_up(along, quotient_up(alone, at.b[0])),
+            false => whole.min(sum_up(product_up(along, at.b[1]), alone)),
+        };
+    } else if at.small_im() {
+        re = f64::INFINITY;
+    }
+    Truncation {
+        norm: whole,
+        re,
+        im,
+        tiny,
+    }
+}
+
+/// The same with 16 terms where `e^{−z²}` is added or does not count: what is added, and what should be, are at
+/// most `e^{y² − x²}` each.
+pub(crate) fn strip(at: &Rectangle) -> Truncation {
+    let mut t = asymptotic(16, at);
+    t.norm = sum_up(t.norm, up(3.0 * decay(at)));
+    // The exponential is not bounded by itself.
+    t.re = f64::INFINITY;
+    t
+}
+
+/// Next to the real axis, `b < 2⁻²⁸`, by the polynomials in `v = 1/a²`.
+///
+/// `|w(a + ib) − w(a) − i b w′(a)| ≤ b²/2 sup |w″|`, and by Cauchy's estimate on circles of radius 3 about the
+/// points between, `|w″| ≤ (2/9) sup |w|`, where for `a ≥ 8.9` all points have `|z| ≥ 5.9` and
+/// `|w| ≤ 0.6/5.9 + 2e^{h² − x²}`, `x² − h² ≥ 5.9²`: together below 0.023. (`|w| ≤ (1 + B₁ √π|z|)/(√π|z|)` above
+/// the axis with `B₁ ≤ 0.74/|z|³`.) The rest is the remainder of 25 terms and its slope, and what the polynomials
+/// differ from the sums they stand for.
+pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2]) -> Truncation {
+    let (a, b) = (at.a[0], at.b[1]);
+    if !(a >= 8.9) {
+        let norm = f64::INFINITY;
+        return Truncation {
+            norm,
+            re: norm,
+            im: norm,
+            tiny: 0.0,
+        };
+    }
+    let curved = product_up(0.0115, product_up(b, b));
+    let v = quotient_up(quotient_up(1.0, a), a);
+    // f a (1 + v p) with f a ≤ 0.5642/a.
+    let size = quotient_up(product_up(0.5642, v), a);
+    let im = sum_up(remainder(25, a), product_up(size, p0));
+    let slope = sum_up(
+        quotient_up(remainder_slope(25, a), a),
+        quotient_up(product_up(size, p1), a),
+    );
+    let both = sum_up(im, product_up(b, slope));
+    let e = decay(at);
+    // e^{−z²} itself, its slope 2|z| e^{−x²}, and what the code adds for it.
+    let exponentials = product_up(e, sum_up(4.0, product_up(2.0 * at.a[1], b)));
+    let norm = sum_up(sum_up(curved, both), exponentials);
+    Truncation {
+        norm,
+        re: f64::INFINITY,
+        im: norm,
+        tiny: 0.0,
+    }
+}
+
+/// The most by which a stored polynomial of the real line differs from `Σ_{k<24} a_{k+1} (2k + 3)^s v^k` for
+/// `0 ≤ v ≤ 1/79`, `s = 0` or 1.
+pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
+    const PIECES: i64 = 64;
+    let mut a = Rational::from(1);
+    let mut c: Vec<Rational> = Vec::new();
+    for k in 0..24i64 {
+        a *= Rational::from((2 * k + 1, 2));
+        let factor = if slope { 2 * k + 3 } else { 1 };
+        c.push(-Rational::from(&a * Rational::from(factor)));
+    }
+    for (k, s) in stored.iter().enumerate() {
+        c[k] += Rational::from_f64(*s).expect("finite");
+    }
+    let half = Rational::from((1, 2 * 79 * PIECES));
+    let mut most = Rational::new();
+    for piece in 0..PIECES {
+        let centre = Rational::from((2 * piece + 1, 2 * 79 * PIECES));
+        // Taylor shift by repeated division.
+        let mut t = c.clone();
+        for i in 0..t.len() {
+            for j in (i..t.len() - 1).rev() {
+                let more = Rational::from(&t[j + 1] * &centre);
+                t[j] += more;
+            }
+        }
+        let bound = t
+            .iter()
+            .rev()
+            .fold(Rational::new(), |sum, t| sum * &half + t.clone().abs());
+        most = most.max(bound);
+    }
+    up(most.to_f64().next_up())
+}
+
+/// One term, `|z| ≥ 10^100`, divided by the first term's scale: below `2⁻⁶⁰⁰`.
+pub(crate) fn huge() -> Truncation {
+    let norm = 1e-180;
+    Truncation {
+        norm,
+        re: norm,
+        im: norm,
+        tiny: 0.0,
+    }
+}

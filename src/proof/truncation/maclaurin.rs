@@ -1,0 +1,33 @@
+//! Maclaurin series.
+
+use super::Truncation;
+use crate::bounds::power_up;
+use crate::interval::{product_up, quotient_up};
+
+/// `Σ_{n>last} |z|ⁿ/Γ(n/2 + 1)`, last 8 or 20, `|z| ≤ r < ½`; the imaginary part divided by `Re z`.
+///
+/// Γ grows there, and `|Im vⁿ| ≤ n |Im v| |v|^{n−1}`, `n r^{n−1}` summed at most twice its first term, because
+/// `(n + 1) r/n ≤ ½` for `r ≤ 9/20`.
+pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
+    if !(r <= 0.45) {
+        let norm = f64::INFINITY;
+        return Truncation {
+            norm,
+            re: norm,
+            im: norm,
+            tiny: 0.0,
+        };
+    }
+    // Γ(5.5) = 945 √π/32 and Γ(11.5) = 13749310575 √π/2048, rounded down.
+    let gamma = if last == 8 { 52.3 } else { 1.189e7 };
+    let first = quotient_up(power_up(r, last + 1), gamma);
+    let norm = product_up(2.0, first);
+    let slope = quotient_up(power_up(r, last), gamma);
+    let im = product_up(2.0 * f64::from(last + 1), slope);
+    Truncation {
+        norm,
+        re: norm,
+        im,
+        tiny: 0.0,
+    }
+}

@@ -1,0 +1,156 @@
+//! Taylor rows: the stored coefficients against certified ones, and what follows the last of them.
+//!
+//! With `c_n` the coefficients of w at the centre, `c̃_n` the stored ones (n < 18), `|δ| ≤ D`:
+//!
+//! ```text
+//! |p(δ) − w| ≤ Σ_{n<18} |c̃_n − c_n| Dⁿ + Σ_{n=18}^{40} |c_n| Dⁿ + Σ_{n>40} M (D/ρ)ⁿ
+//! ```
+//!
+//! by Cauchy's estimate on the circle ρ = 3 about the centre: `|w(z)| ≤ erfcx(Im z)` (the integral
+//! `(2/√π)∫₀^∞ e^{−t²+2izt}dt` with the absolute value inside), which is at most `2e^{(Im z)²}` below the axis, so
+//! that with a centre on or above the axis `M = 2e⁹`.
+
+use super::Truncation;
+use crate::bounds::{above, power_up};
+use crate::interval::{product_up, quotient_up, sum_up};
+use mechaudit_reference::{Ball, ComplexBall, faddeeva};
+use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
+use rug::Rational;
+
+const BITS: u32 = 300;
+const STORED: usize = 18;
+const TERMS: usize = 41;
+const RADIUS: f64 = 3.0;
+/// Above `2e⁹`.
+const MOST: f64 = 16207.0;
+
+/// Bounds of the components of what each coefficient of the formula is wrong by.
+#[derive(Clone, Debug)]
+pub(crate) struct RowErrors {
+    /// The centre.
+    pub centre: (f64, f64),
+    parts: Vec<[f64; 2]>,
+}
+
+fn rational(x: f64) -> Rational {
+    Rational::from_f64(x).expect("finite")
+}
+
+/// `stored − exact`.
+fn difference(stored: [f64; 2], exact: &Ball) -> f64 {
+    let sum = rational(stored[0]) + rational(stored[1]);
+    above(&(&Ball::rational(4 * BITS, &sum) - exact))
+}
+
+/// The stored coefficient: high and low parts, real and imaginary.
+fn stored(row: &Row, n: usize) -> [[f64; 2]; 2] {
+    if n < 2 {
+        return [
+            [row[4 * n], row[4 * n + 1]],
+            [row[4 * n + 2], row[4 * n + 3]],
+        ];
+    }
+    let (block, place) = ((n - 2) / 4, (n - 2) % 4);
+    let at = 8 + 8 * block + place;
+    [[row[at], 0.0], [row[at + 4], 0.0]]
+}
+
+impl RowErrors {
+    /// Of a row about a centre in the closed quadrant.
+    ///
+    /// # Errors
+    /// If the reference is undecided.
+    pub fn of(row: &Row, centre: (f64, f64)) -> Result<RowErrors, String> {
+        let c = certified(centre)?;
+        let parts = c.iter().enumerate().map(|(n, c)| match n < STORED {
+            true => {
+                let [re, im] = stored(row, n);
+                [difference(re, &c.re), difference(im, &c.im)]
+            }
+            false => [above(&c.re), above(&c.im)],
+        });
+        let parts = parts.collect();
+        Ok(RowErrors { centre, parts })
+    }
+
+    /// Of a row of erfcx about `s` on the imaginary axis; `erfcx(s + t) = Σ iⁿ c_n tⁿ`.
+    ///
+    /// # Errors
+    /// If the reference is undecided.
+    pub fn on_axis(row: &AxisRow, s: f64) -> Result<RowErrors, String> {
+        let c = certified((0.0, s))?;
+        let parts = c.iter().enumerate().map(|(n, c)| {
+            let real = match n % 4 {
+                0 => c.re.clone(),
+                1 => -c.im.clone(),
+                2 => -c.re.clone(),
+                _ => c.im.clone(),
+            };
+            match n {
+                0 | 1 => [difference([row[2 * n], row[2 * n + 1]], &real), 0.0],
+                _ if n < STORED => [difference([row[n + 2], 0.0], &real), 0.0],
+                _ => [above(&real), 0.0],
+            }
+        });
+        let parts = parts.collect();
+        let centre = (0.0, s);
+        Ok(RowErrors { centre, parts })
+    }
+
+    /// For `|Re δ| ≤ dx`, `|Im δ| ≤ dy`.
+    ///
+    /// The real part about a real centre: `Re Σ e_n δⁿ` is at most `Σ |Re e_n| Dⁿ + dy Σ n |Im e_n| D^{n−1}`, since
+    /// `|Im δⁿ| ≤ n |Im δ| |δ|^{n−1}`. The imaginary part about a centre on the imaginary axis, where `iⁿ e_n` is
+    /// real, divided by `Re δ`: at most `Σ n |e_n| D^{n−1}`, by the same for `−iδ`.
+    pub fn within(&self, dx: f64, dy: f64) -> Truncation {
+        let d = crate::interval::hypot_up(dx, dy);
+        if !(d <= 1.0) {
+            let norm = f64::INFINITY;
+            return Truncation {
+                norm,
+                re: norm,
+                im: norm,
+                tiny: 0.0,
+            };
+        }
+        let (mut norm, mut re, mut im) = (0.0, 0.0, 0.0);
+        let (mut power, mut before) = (1.0, 0.0);
+        for (n, e) in self.parts.iter().enumerate() {
+            let size = crate::interval::hypot_up(e[0], e[1]);
+            let slope = product_up(n as f64, before);
+            norm = sum_up(norm, product_up(size, power));
+            let turned = product_up(dy, product_up(e[1], slope));
+            re = sum_up(re, sum_up(product_up(e[0], power), turned));
+            im = sum_up(im, product_up(size, slope));
+            before = power;
+            power = product_up(power, d);
+        }
+        // Σ_{n>40} n q^{n−1} ≤ 41 q⁴⁰/(1 − q)² ≤ 100 q⁴⁰, q = D/ρ ≤ 1/3; the sum without n is less.
+        let q = quotient_up(d, RADIUS);
+        let tail = product_up(100.0 * MOST, power_up(q, TERMS as u32 - 1));
+        norm = sum_up(norm, tail);
+        re = sum_up(re, tail);
+        im = sum_up(im, tail);
+        let (on_real, on_imaginary) = (self.centre.1 == 0.0, self.centre.0 == 0.0);
+        Truncation {
+            norm,
+            re: if on_real { re } else { norm },
+            im: if on_imaginary { im } else { norm },
+            tiny: 0.0,
+        }
+    }
+
+    /// Whether the components that are zero by symmetry about a centre on the imaginary axis are exactly zero.
+    pub fn is_symmetric(&self) -> bool {
+        self.centre.0 == 0.0
+            && self.parts.iter().enumerate().all(|(n, e)| match n % 2 {
+                0 => e[1] == 0.0,
+                _ => e[0] == 0.0,
+            })
+    }
+}
+
+fn certified(centre: (f64, f64)) -> Result<Vec<ComplexBall>, String> {
+    faddeeva::taylor(&rational(centre.0), &rational(centre.1), TERMS - 1, BITS)
+        .map_err(|e| e.to_string())
+}
