@@ -86,7 +86,8 @@ def main():
     rng = np.random.default_rng(1)
     print(f"scipy {scipy.__version__}, numpy {np.__version__}; scipy's time divided by ours\n")
     sizes = (1, 10, 100, 10_000, 1_000_000)
-    print("| `wofz` in region | " + " | ".join(f"{n:,} points".replace(",", " ") for n in sizes) + " |")
+    heads = " | ".join(f"{n:,} point{'s' * (n > 1)}".replace(",", " ") for n in sizes)
+    print(f"| `wofz` in region | {heads} |")
     print("|---|" + "---|" * len(sizes))
     for region, meaning in REGIONS.items():
         cells = []
@@ -101,7 +102,7 @@ def main():
             )
             cells.append(f"{found:.1f}")
         print(f"| {region}: {meaning.replace('|', chr(92) + '|')} | " + " | ".join(cells) + " |", flush=True)
-    print("\n| other functions | " + " | ".join(f"{n:,} points".replace(",", " ") for n in sizes) + " |")
+    print(f"\n| other functions | {heads} |")
     print("|---|" + "---|" * len(sizes))
     for name in ("erf", "erfc", "erfcx", "erfi", "dawsn"):
         for kind in ("real", "complex"):

@@ -23,13 +23,15 @@ pub enum Limit {
     /// `|got − ref| ≤ r · ‖ref‖₂` over all values of the answer: what a [`NormBudget`] implies for
     /// each of them.
     OfNorm(f64),
+    /// `|printed − ref| ≤ k` units of the last printed digit, which differ from entry to entry.
+    LastDigit(f64),
 }
 
 impl Limit {
     /// The factor `k`, `r` or `a`; of two the first.
     pub fn factor(self) -> f64 {
         match self {
-            Limit::Ulps(k) | Limit::Conditioned(k) | Limit::Normwise(k) => k,
+            Limit::Ulps(k) | Limit::Conditioned(k) | Limit::Normwise(k) | Limit::LastDigit(k) => k,
             Limit::Relative(r) | Limit::RelativeOrAbsolute(r, _) | Limit::OfNorm(r) => r,
             Limit::Absolute(a) => a,
         }
@@ -62,6 +64,7 @@ impl std::fmt::Display for Limit {
             Limit::RelativeOrAbsolute(r, a) => {
                 write!(f, "relative error {r:e} or absolute error {a:e}")
             }
+            Limit::LastDigit(k) => write!(f, "{k} of a unit of the last digit"),
             Limit::OfNorm(r) => write!(f, "{r:e} of the norm"),
         }
     }

@@ -1,7 +1,7 @@
 //! One case, judged.
 
 use super::answer::{Proof, ReferenceAnswer, SolverAnswer};
-use super::budget::NormBudget;
+use super::budget::{Limit, NormBudget};
 use super::case::Case;
 use super::judge::{Judgement, Rules, Verdict, judge_by};
 use super::layout::Layout;
@@ -81,9 +81,14 @@ pub fn judge_case_briefly(
 pub(super) fn complete(method: &dyn Method, report: CaseReport, settings: &Settings) -> CaseReport {
     /// Numbers of an input up to which condition numbers by differences cost little.
     const FEW: usize = 16;
+    // A table's entries are judged as printed.
+    let printed = |o: &Output| matches!(o.budget.limit, Limit::LastDigit(_));
     let Some(answer) = report.answer.clone() else {
         return report;
     };
+    if method.outputs().iter().any(printed) {
+        return report;
+    }
     let settings = Settings {
         conditions: settings.conditions || report.case.input.len() <= FEW,
         ..settings.clone()

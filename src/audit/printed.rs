@@ -36,6 +36,8 @@ pub struct EntryJudgement {
     pub reference: Option<String>,
     /// Why there is no verdict, if there is none.
     pub reason: Option<String>,
+    /// The working precision that decided.
+    pub bits: u32,
 }
 
 impl EntryJudgement {
@@ -45,6 +47,7 @@ impl EntryJudgement {
             units: f64::NAN,
             reference: None,
             reason: Some(reason),
+            bits: 0,
         }
     }
 }
@@ -63,7 +66,10 @@ pub fn judge_printed(
         let reference = method.reference(input, bits);
         let judged: Vec<EntryJudgement> = printed
             .iter()
-            .map(|(i, decimal)| entry(&reference, *i, decimal))
+            .map(|(i, decimal)| EntryJudgement {
+                bits,
+                ..entry(&reference, *i, decimal)
+            })
             .collect();
         let open = |e: &EntryJudgement| e.agreement == Agreement::Undecided;
         if bits >= settings.last_bits || !judged.iter().any(open) {
@@ -103,6 +109,7 @@ fn against(value: &Ball, printed: &Decimal) -> EntryJudgement {
         units: off.magnitude().to_f64().copysign(off.mid().to_f64()),
         reference: value.to_decimal(20),
         reason: undecided.then(|| "too near to half a unit of its last digit or to one".into()),
+        bits: 0,
     }
 }
 

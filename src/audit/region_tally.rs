@@ -128,6 +128,7 @@ pub(super) struct RegionTally {
     undecided: u64,
     reference_failed: u64,
     kinds: Kinds,
+    names: Vec<&'static str>,
     outputs: Vec<OutputTally>,
     normwise: SpreadTally,
     share: Largest,
@@ -138,8 +139,9 @@ pub(super) struct RegionTally {
 }
 
 impl RegionTally {
-    pub(super) fn new(outputs: usize, settings: &Settings) -> RegionTally {
+    pub(super) fn new(names: &[&'static str], settings: &Settings) -> RegionTally {
         RegionTally {
+            names: names.to_vec(),
             cases: 0,
             passed: 0,
             recorded: 0,
@@ -147,7 +149,7 @@ impl RegionTally {
             undecided: 0,
             reference_failed: 0,
             kinds: Kinds::default(),
-            outputs: vec![OutputTally::new(); outputs],
+            outputs: vec![OutputTally::new(); names.len()],
             normwise: SpreadTally::default(),
             share: First::new(1),
             worst: First::new(WORST),
@@ -161,9 +163,10 @@ impl RegionTally {
     pub(super) fn add(&mut self, report: &CaseReport, recorded: bool) {
         let (case, judgement) = (&report.case, &report.judgement);
         self.cases += 1;
-        let outputs = self.outputs.len();
         for (i, c) in judgement.components.iter().enumerate() {
-            self.outputs[i % outputs].add(case, c);
+            if let Some(at) = self.output(i, c) {
+                self.outputs[at].add(case, c);
+            }
         }
         self.sample(report);
         let share = judgement.share();
@@ -201,16 +204,25 @@ impl RegionTally {
         }
     }
 
+    /// Which output value `i` belongs to. Of a table some may be missing.
+    fn output(&self, i: usize, c: &ComponentJudgement) -> Option<usize> {
+        let cyclic = i % self.names.len();
+        match self.names[cyclic] == c.output {
+            true => Some(cyclic),
+            false => self.names.iter().position(|n| *n == c.output),
+        }
+    }
+
     /// The cases with the smallest hashes of their inputs: a sample that does not depend on the order
     /// or on the machine.
     fn sample(&mut self, report: &CaseReport) {
         let (case, judgement) = (&report.case, &report.judgement);
         let hash = case.hash();
-        let outputs = self.outputs.len();
+        let outputs = self.names.len();
         let largest = |o: usize| {
-            let own = judgement.components.iter().skip(o).step_by(outputs);
-            let measured = own.filter(|c| c.kind.is_none()).map(|c| c.ulps);
-            measured.fold(f64::NAN, f64::max)
+            let all = judgement.components.iter();
+            let own = all.filter(|c| c.output == self.names[o] && c.kind.is_none());
+            own.map(|c| c.ulps).fold(f64::NAN, f64::max)
         };
         self.points.offer(
             |(h, p)| h.cmp(&hash).then_with(|| p.case.order(case)),
@@ -287,11 +299,10 @@ impl RegionTally {
     pub(super) fn report(
         &self,
         (name, description): (&'static str, &'static str),
-        outputs: &[&'static str],
         norm: bool,
     ) -> RegionReport {
         let worst = self.share.kept().first();
-        let outputs = self.outputs.iter().zip(outputs);
+        let outputs = self.outputs.iter().zip(&self.names);
         RegionReport {
             name,
             description,

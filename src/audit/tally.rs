@@ -15,7 +15,7 @@ use std::cmp::Ordering;
 #[derive(Clone)]
 pub struct Tally {
     settings: Settings,
-    outputs: usize,
+    outputs: Vec<&'static str>,
     /// In the order of reports.
     regions: Vec<(&'static str, RegionTally)>,
     /// Those of the domain with their descriptions.
@@ -48,7 +48,7 @@ impl Tally {
         let domain = domain.map(|r| (r.name, r.description));
         Tally {
             settings: settings.clone(),
-            outputs: method.outputs().len(),
+            outputs: method.outputs().iter().map(|o| o.name).collect(),
             regions: Vec::new(),
             known: NAMED.into_iter().chain(domain).collect(),
             laws: laws.collect(),
@@ -70,7 +70,7 @@ impl Tally {
             None => {
                 let place = self.place(name);
                 let at = self.regions.partition_point(|r| self.place(r.0) < place);
-                let new = RegionTally::new(self.outputs, &self.settings);
+                let new = RegionTally::new(&self.outputs, &self.settings);
                 self.regions.insert(at, (name, new));
                 at
             }
@@ -188,16 +188,15 @@ impl Tally {
     pub fn finish(self, method: &dyn Method) -> MethodReport {
         let settings = &self.settings;
         let outputs = method.outputs();
-        let names: Vec<&'static str> = outputs.iter().map(|o| o.name).collect();
         let norm_budget = method.norm_budget();
         let norm = norm_budget.is_some() || outputs.iter().all(|o| o.unit == outputs[0].unit);
-        let mut all = RegionTally::new(self.outputs, settings);
+        let mut all = RegionTally::new(&self.outputs, settings);
         let mut regions = Vec::new();
         let (mut wrong, mut failures, mut points) = (Vec::new(), Vec::new(), Vec::new());
         for (name, tally) in &self.regions {
             let described = self.known.iter().find(|r| r.0 == *name);
             let described = described.map_or("", |r| r.1);
-            regions.push(tally.report((*name, described), &names, norm));
+            regions.push(tally.report((*name, described), norm));
             wrong.extend(tally.wrong().map(|(key, kept)| (*key, kept.to_vec())));
             failures.extend_from_slice(tally.failures());
             points.extend(tally.points());
@@ -215,7 +214,7 @@ impl Tally {
             let all = reports.into_iter();
             all.map(|r| complete(method, r, settings)).collect()
         };
-        let total = all.report(("all", "all regions together"), &names, norm);
+        let total = all.report(("all", "all regions together"), norm);
         let layout = Layout::new(method);
         MethodReport {
             method: method.name(),

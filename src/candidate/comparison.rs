@@ -5,13 +5,15 @@ use crate::audit::{Comparison, Contender, Method, SolverAnswer, compare as compa
 use crate::methods::{self, Candidate, Typed};
 use std::marker::PhantomData;
 
+/// What code is called, and its version.
+type Name = (String, Option<String>);
 type Solver<'a> = Box<dyn Fn(&[f64]) -> SolverAnswer + Sync + 'a>;
 
 /// Code for the method `M` to be judged at the same cases.
 #[must_use = "nothing is compared before it is run"]
 pub struct Compare<'a, M> {
     audit: Audit<'a>,
-    contenders: Vec<(Option<(String, Option<String>)>, Solver<'a>)>,
+    contenders: Vec<(Option<Name>, Solver<'a>)>,
     method: PhantomData<fn() -> M>,
 }
 

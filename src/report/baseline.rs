@@ -197,8 +197,8 @@ impl Changes {
             return;
         }
         for region in now.regions.iter().chain([&now.total]) {
-            let all = before.regions.iter().chain([&before.total]);
-            match all.filter(|r| r.name == region.name).next_back() {
+            let mut all = before.regions.iter().chain([&before.total]);
+            match all.rfind(|r| r.name == region.name) {
                 Some(earlier) if earlier.cases == region.cases => self.region(of, earlier, region),
                 Some(_) => self
                     .not_compared

@@ -156,10 +156,10 @@ fn an_audit() {
     };
     let approximations = [Ok(convergence), Err(Uncertified::Undecided(HOSTILE.into()))];
     let page = html::audit::page(&[method()], Some(&approximations), Some(&changes), false);
-    harmless_page(&page, 66, 12);
+    harmless_page(&page, 50, 12);
     let speed = None;
     let found = Comparison::new(HOSTILE, vec![(method(), speed), (method(), speed)]);
-    harmless_page(&html::audit::comparison(&found, None), 120, 24);
+    harmless_page(&html::audit::comparison(&found, None), 80, 24);
     let xml = junit::document(&[method()]).unwrap();
     harmless(&xml, 7);
     quick_junit::Report::deserialize_from_str(&xml).unwrap();

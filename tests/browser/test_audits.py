@@ -4,8 +4,6 @@ import re
 
 import pytest
 
-METHODS = 23
-
 
 def dialog(page):
     box = page.locator("#case")
@@ -39,7 +37,7 @@ def press(page):
 def test_overview(visit):
     page = visit("audit")
     rows = page.locator("#overview-table tbody tr")
-    assert rows.count() == METHODS
+    assert rows.count() == page.locator("section.method").count() > 20
     page.locator("#overview-table th", has_text="worst ulps").locator("button").click()
     values = page.evaluate(
         "[...document.querySelectorAll('#overview-table tbody tr')].map(r => +r.cells[4].dataset.v)"

@@ -22,6 +22,20 @@ fn a_published_table() {
     assert_eq!(entries.len(), 7);
     let verdict = |k: usize| entries[k]["judgement"]["agreement"].as_str().unwrap();
     assert!((0..6).all(|k| verdict(k) == "agrees"), "{}", d.out);
+    // One report for tables, too.
+    let m = &v["methods"][0];
+    assert_eq!(
+        (&v["schema_version"], &m["cases"], &m["passed"]),
+        (&2.into(), &4.into(), &3.into())
+    );
+    let d = judge("faddeeva", right, &["--format", "junit"]);
+    assert!(
+        d.code == 1 && d.out.contains("0.5 of a unit of the last digit"),
+        "{}",
+        d.out
+    );
+    let d = judge("faddeeva", right, &["--line", "5"]);
+    assert!(d.code == 0 && d.out.contains("2 of 2 entries"), "{}", d.out);
     // Misprints: a digit exchanged, the last digit off by one, a sign.
     let wrong = "Re z,Im z [1],Re W [1],Im W\n1,1,0.307444,0.208220\n1,1,0.304745,-0.208219\n1,1,0.3047,2.1e-1\n";
     let d = judge("faddeeva", wrong, &[]);
@@ -33,6 +47,20 @@ fn a_published_table() {
     ] {
         assert!(d.out.contains(part), "{part} is missing in {}", d.out);
     }
+    let d = judge("faddeeva", wrong, &["--format", "csv"]);
+    let rows: Vec<&str> = d.out.lines().collect();
+    assert!(d.code == 1 && rows.len() == 1 + 2 * 3, "{}", d.out);
+    assert!(
+        rows[1].contains("--table") && rows[1].contains("--line"),
+        "{}",
+        rows[1]
+    );
+    let d = judge("faddeeva", wrong, &["--format", "html"]);
+    assert!(
+        d.code == 1 && d.out.contains("is not rounded from the value"),
+        "{}",
+        d.out
+    );
     // The exact solution of a system: (1/3, 1/3).
     let names = "lower[0],diagonal[0],diagonal[1],upper[0],d[0],d[1],x[0],x[1]\n";
     let system = |row: &str| judge("tridiagonal", &format!("{names}{row}\n"), &[]);

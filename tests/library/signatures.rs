@@ -60,20 +60,16 @@ fn the_compiler_names_the_signature() {
     for (code, parts) in [
         (
             "mechaudit::audit::<Faddeeva>(|x: f64| x)",
-            &["Complex<f64>) -> _`", "Candidate<Faddeeva>"][..],
+            &["Complex<f64>) -> _`", "Faddeeva>"][..],
         ),
         (
             "mechaudit::audit::<FourBar>(|x: f64| x)",
-            &[
-                "takes 1 argument",
-                "to take 3 arguments",
-                "Candidate<FourBar>",
-            ],
+            &["takes 1 argument", "to take 3 arguments", "FourBar>"],
         ),
         (
             "mechaudit::audit::<Faddeeva>(3.0)",
             &[
-                "this is no candidate for `Faddeeva`",
+                "this is no candidate for `",
                 "Fn(",
                 "mechaudit describe",
             ],

@@ -12,6 +12,7 @@ Examples:
   ./candidate < points.txt | mechaudit judge faddeeva --inputs points.txt --values -
   mechaudit judge faddeeva --inputs points.txt --values values.txt --line 17
   mechaudit judge faddeeva --table published.csv
+  mechaudit judge faddeeva --table published.csv --format csv
 
 Answers are matched with inputs in their order; comments (#) are skipped in both files. An \
 answer that cannot be read is judged as one, and those after it still count. See mechaudit \
@@ -45,11 +46,12 @@ pub struct JudgeArgs {
     /// The answers; `-` reads standard input
     #[arg(long, value_name = "FILE", requires = "inputs")]
     pub values: Option<PathBuf>,
-    /// Only the input on this line of its file, with everything that is known of it
-    #[arg(long, value_name = "N", requires = "inputs", value_parser = number::whole)]
+    /// Only the input on this line of its file, or the row of the table, with everything that is known
+    /// of it
+    #[arg(long, value_name = "N", value_parser = number::whole)]
     pub line: Option<u64>,
     /// A published table in CSV: inputs and printed decimals
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["inputs", "values", "outputs", "ulps"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["inputs", "values", "outputs", "ulps", "relative", "absolute", "normwise", "single"])]
     pub table: Option<PathBuf>,
     #[command(flatten)]
     pub scope: ScopeArgs,

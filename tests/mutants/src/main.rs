@@ -121,7 +121,7 @@ fn audit(args: &Args) -> Result<bool> {
         }
         return Ok(true);
     }
-    let work = project.join("target/mutants").join(&args.package);
+    let work = project.join("target/mutants");
     let tree = Tree::new(&project, &work)?;
     let mut targets: Vec<String> = args
         .test

@@ -45,7 +45,7 @@ pub fn check(project: &Path, table: &Path) -> Result<bool> {
 
 fn of_package(project: &Path, package: &str, rows: &[&Row]) -> Result<usize> {
     let (sources, mutants) = planted(project, rows)?;
-    let tree = Tree::new(project, &project.join("target/mutants").join(package))?;
+    let tree = Tree::new(project, &project.join("target/mutants"))?;
     let mut left_out = HashSet::new();
     let targets = ["--lib".to_string()];
     let executables = compile(&tree, package, &sources, &mutants, &targets, &mut left_out)?;

@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let method = find(&args.method)?;
     if let Some(path) = &args.table {
-        return published::judge(&*method, path, args.format);
+        return published::judge(&*method, path, args);
     }
     let (Some(inputs_path), Some(values_path)) = (&args.inputs, &args.values) else {
         return Err(Failure::new(

@@ -1,15 +1,18 @@
 //! Judging a published table of values, entry by entry.
 
-use crate::cli::args::AuditFormat;
+use crate::cli::args::{AuditFormat, JudgeArgs};
+use crate::cli::commands::audit::written::{self, Besides};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{print_json, write_to};
+use crate::cli::files::output::{Output, write_json};
 use crate::cli::process::bounded::Bounded;
 use crate::cli::process::wire::{FIELDS, LONGEST};
 use mechaudit::audit::{
-    Agreement, Column, EntryJudgement, Layout, LayoutError, Method, Settings, did_you_mean,
-    judge_printed,
+    Agreement, CandidateReport, Case, CaseReport, Column, ComponentJudgement, EntryJudgement,
+    Judgement, Kind, Layout, LayoutError, Limit, Method, Origin, Reproduce, Settings, SolverAnswer,
+    Tally, Variant, Verdict, did_you_mean, judge_printed,
 };
-use mechaudit::reference::{Decimal, DecimalError};
+use mechaudit::reference::{Decimal, DecimalError, nearest_f64};
+use mechaudit::report::json as in_json;
 use mechaudit::report::text::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use mechaudit::report::words::numbers::short;
@@ -101,33 +104,55 @@ struct Judged {
     found: EntryJudgement,
 }
 
+/// Half a unit of the last digit.
+const LIMIT: Limit = Limit::LastDigit(0.5);
+
 /// Judges the table in a CSV file, whose columns are named as the method's inputs, taken exactly as
 /// printed, and its outputs.
-pub fn judge(method: &dyn Method, path: &Path, format: AuditFormat) -> Result<Outcome, Failure> {
+pub fn judge(method: &dyn Method, path: &Path, args: &JudgeArgs) -> Result<Outcome, Failure> {
+    let output = Output::open(args.output.as_deref())?;
     let file = std::fs::File::open(path).map_err(|e| Failure::in_file(path, e))?;
-    let (header, rows) = read(method, file).map_err(|e| Failure::in_file(path, e))?;
+    let (header, mut rows) = read(method, file).map_err(|e| Failure::in_file(path, e))?;
+    if let Some(line) = args.line {
+        rows.retain(|r| r.line == line);
+        if rows.is_empty() {
+            let name = path.display();
+            return Err(Failure::new(format!("{name}: no row on line {line}")));
+        }
+    }
     let settings = Settings::default();
-    let judged: Vec<Judged> = rows
+    let variant = Variant::new(method).limit(LIMIT).without_laws();
+    let judged: Vec<(CaseReport, Vec<Judged>)> = rows
         .into_par_iter()
-        .flat_map_iter(|row| {
-            let entries = row.entries.iter();
-            let due: Vec<(usize, &Decimal)> = entries.map(|e| (e.value, &e.number)).collect();
-            let found = judge_printed(method, &row.input, &due, &settings);
-            let pairs: Vec<_> = row.entries.into_iter().zip(found).collect();
-            let line = row.line;
-            pairs.into_iter().map(move |(entry, found)| Judged {
-                line,
-                column: entry.column,
-                text: entry.text,
-                found,
-            })
-        })
+        .map(|row| judged(&variant, row, &settings))
         .collect();
+    let mut tally = Tally::new(&variant, &settings);
+    judged.iter().for_each(|(case, _)| tally.add(case));
+    let mut report = tally.finish(&variant);
+    let judged: Vec<Judged> = judged
+        .into_iter()
+        .flat_map(|(_, entries)| entries)
+        .collect();
+    report.candidate = Some(CandidateReport {
+        name: format!("table {}", path.display()),
+        version: None,
+        command: None,
+        answered: judged.len() as u64,
+        trouble: None,
+    });
+    report.reproduce = Reproduce {
+        head: format!(
+            "mechaudit judge {} --table {}",
+            method.name(),
+            shell_words::quote(&path.to_string_lossy())
+        ),
+        tail: String::new(),
+    };
     let count = |a: Agreement| judged.iter().filter(|j| j.found.agreement == a).count();
     let agreeing = count(Agreement::Agrees);
-    let good = !judged.is_empty() && agreeing == judged.len();
-    match format {
-        AuditFormat::Text => write_to(None, |out| {
+    let good = report.passed();
+    match args.format {
+        AuditFormat::Text => output.write(|out| {
             let (word, style) = if good { ("pass", GOOD) } else { ("FAIL", BAD) };
             let (all, name) = (judged.len(), paint(BOLD, method.name()));
             let word = paint(style, word);
@@ -146,7 +171,7 @@ pub fn judge(method: &dyn Method, path: &Path, format: AuditFormat) -> Result<Ou
             }
             Ok(())
         })?,
-        _ => {
+        AuditFormat::Json => {
             let entries = judged.iter().map(|j| {
                 json!({
                     "line": j.line,
@@ -155,16 +180,84 @@ pub fn judge(method: &dyn Method, path: &Path, format: AuditFormat) -> Result<Ou
                     "judgement": j.found,
                 })
             });
-            print_json(&json!({
-                "mechaudit_version": env!("CARGO_PKG_VERSION"),
-                "method": method.name(),
-                "passed": good,
-                "agreeing": agreeing,
-                "entries": entries.collect::<Vec<_>>(),
-            }))?;
+            let mut value = in_json::document(&[report], false);
+            value["entries"] = entries.collect();
+            write_json(output, &value)?;
         }
+        other => return written::write(&[report], other, output, &Besides::default()),
     }
     Ok(Outcome::of(good))
+}
+
+/// A row judged: as a case of the report, and entry by entry.
+fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<Judged>) {
+    let entries = row.entries.iter();
+    let due: Vec<(usize, &Decimal)> = entries.map(|e| (e.value, &e.number)).collect();
+    let found = judge_printed(variant, &row.input, &due, settings);
+    let outputs = variant.outputs();
+    let component = |(entry, found): (&Entry, &EntryJudgement)| {
+        let (verdict, kind) = match found.agreement {
+            Agreement::Agrees => (Verdict::Pass, None),
+            Agreement::LastDigit | Agreement::Differs => (Verdict::Over, None),
+            Agreement::Undecided => (Verdict::Undecided, None),
+            Agreement::NoValue => (Verdict::WrongKind, Some(Kind::Value)),
+        };
+        ComponentJudgement {
+            output: outputs[entry.value % outputs.len()].name,
+            verdict,
+            kind,
+            ulps: f64::NAN,
+            conditioned: f64::NAN,
+            of_budget: found.units.abs() / LIMIT.factor(),
+            condition: f64::NAN,
+        }
+    };
+    let components: Vec<ComponentJudgement> =
+        (row.entries.iter().zip(&found)).map(component).collect();
+    let worst = components.iter().max_by_key(|c| c.verdict);
+    let verdict = worst.map_or(Verdict::Pass, |c| c.verdict);
+    let reason = worst
+        .filter(|_| verdict != Verdict::Pass)
+        .map(|c| match verdict {
+            Verdict::Over => format!("{} is not rounded from the value", c.output),
+            Verdict::Undecided => format!("{} cannot be decided", c.output),
+            _ => format!("{} has no such value", c.output),
+        });
+    let case = CaseReport {
+        case: Case {
+            method: variant.name(),
+            region: "given",
+            input: row.input.iter().map(nearest_f64).collect(),
+            origin: Origin::Line { number: row.line },
+        },
+        answer: Some(SolverAnswer::Values(
+            (row.entries.iter())
+                .map(|e| nearest_f64(&e.number.value))
+                .collect(),
+        )),
+        judgement: Judgement {
+            verdict,
+            reason,
+            kind: worst.and_then(|c| c.kind),
+            components,
+            normwise: f64::NAN,
+            norm_of_budget: f64::NAN,
+        },
+        bits: found.iter().map(|f| f.bits).max().unwrap_or(0),
+        reference: found.iter().map(|f| f.reference.clone()).collect(),
+        radii: Vec::new(),
+        proof: None,
+        branch: None,
+    };
+    let line = row.line;
+    let pairs = row.entries.into_iter().zip(found);
+    let judged = pairs.map(move |(entry, found)| Judged {
+        line,
+        column: entry.column,
+        text: entry.text,
+        found,
+    });
+    (case, judged.collect())
 }
 
 /// The entries that do not agree.

@@ -130,7 +130,7 @@ const figures = (() => {
     const at = (v) => (v === 0 ? 0 : Math.sign(v) * Math.min(1.3 + high - low, Math.max(0.05, 1 + Math.log10(Math.abs(v)) - low)));
     const sides = [Math.min(...values) < 0 ? -1 : 0, Math.max(...values) > 0 ? 1 : 0].filter(Boolean);
     const every = Math.max(1, Math.ceil((high - low) / Math.max(1, Math.floor(width / (55 * sides.length)))));
-    const powers = d3.range(low, high + 1, every);
+    const powers = d3.range(low + every, high + 1, every);
     const ticks = [0, ...sides.flatMap((s) => powers.map((e) => s * (1 + e - low)))];
     const name = (t) => (t === 0 ? "0" : `${t < 0 ? "−" : ""}10${power(Math.abs(t) - 1 + low).slice(1)}`);
     return { at, options: { ticks, tickFormat: name } };

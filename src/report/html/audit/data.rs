@@ -167,7 +167,13 @@ impl<'a> Data<'a> {
     }
 }
 
-fn of_method<'a>(name: &'a str, r: &'a MethodReport, points: usize, whole: usize) -> OfMethod<'a> {
+fn of_method<'a>(
+    name: &'a str,
+    r: &'a MethodReport,
+    points: usize,
+    whole: usize,
+    most: (usize, usize),
+) -> OfMethod<'a> {
     let mut book = Book::new(r, most);
     for c in r
         .wrong
