@@ -243,8 +243,8 @@ fn regions() -> Vec<Region> {
 fn check_points() -> Vec<CheckPoint> {
     let (inf, nan, max, min) = (f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1));
     let named: [(_, [f64; 2]); 27] = [
-        ("normal", [1.0, 0.0]),
-        ("cauchy", [0.0, 1.0]),
+        ("unit-normal", [1.0, 0.0]),
+        ("unit-cauchy", [0.0, 1.0]),
         ("both", [1.0, 1.0]),
         ("point-mass", [0.0, 0.0]),
         ("minus-zero-widths", [-0.0, -0.0]),
