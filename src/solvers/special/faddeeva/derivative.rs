@@ -11,7 +11,6 @@
 
 use super::branch::is_huge;
 use super::constants::{INV_SQRT_PI, TWO_OVER_SQRT_PI};
-use crate::exponential::exponent;
 use super::long_relatives;
 use super::long_w::turned;
 use super::quadrant::{
@@ -19,6 +18,7 @@ use super::quadrant::{
     pair_times_power, product, series_derivative, times_power, w_exact,
 };
 use crate::double_double::{Dd, two_prod};
+use crate::exponential::exponent;
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::{ROUND, scaled, with_sign_of};

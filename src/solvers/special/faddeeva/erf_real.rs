@@ -2,11 +2,11 @@
 
 use super::branch::is_huge;
 use super::constants::TWO_OVER_SQRT_PI;
-use crate::exponential::{exp, exponent};
 use super::odd_series::{ERF, odd, odd_real};
 use super::plane;
 use super::quadrant::{dawson_in_strip, pair_times_power, times_power, w};
 use crate::double_double::Dd;
+use crate::exponential::{exp, exponent};
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::{ROUND, scaled};
 

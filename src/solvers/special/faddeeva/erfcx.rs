@@ -1,11 +1,11 @@
 //! The scaled complementary error function, `erfcx z = e^{z²} erfc z = W(iz)` (DLMF 7.2.3).
 
-use crate::exponential::exponent;
 use super::lengths::{LengthMismatch, same_length};
 use super::many::all;
 use super::plane;
 use super::points::{Interleaved, Points};
 use super::quadrant::{derivative, exp_wide, gaussian, pair_times_power, times_power};
+use crate::exponential::exponent;
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real;

@@ -8,9 +8,6 @@ use super::branch::{
     SERIES_4, SERIES_6, SERIES_14, SERIES_26, SURELY_BELOW_HUGE, SURELY_FARTHEST, SURELY_NEAREST,
     TINY, formula_at,
 };
-use crate::exponential::{
-    exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
-};
 use super::long_w::{self, turned, vanishing_part};
 use super::maclaurin::{self, nine_terms, twenty_one_terms};
 use super::reflection::{
@@ -24,6 +21,9 @@ use super::rows::{
 use super::taylor::{complex_row, complex_row_rounded, real_row};
 use super::{special, trapezoidal, zeros};
 use crate::double_double::{Dd, fast_two_sum, two_prod};
+use crate::exponential::{
+    exp_minus_square_any, exp_rounded, exponent_in_strip, gaussian, times_power,
+};
 use crate::lanes::{Lanes, Task, with_best};
 use crate::real::{ROUND, Real, scaled, with_sign_of};
 

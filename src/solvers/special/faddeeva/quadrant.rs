@@ -7,14 +7,14 @@ use super::branch::{
     series_of_pairs,
 };
 use super::constants::INV_SQRT_PI;
-use crate::double_double_functions as exact;
-pub(super) use crate::exponential::{circle, exp_wide, gaussian, times_power};
-use crate::exponential::{exp_minus_square_any, exponent};
 use super::plane::from_erfcx;
 use super::rows::{imaginary_axis_row, in_cell, on_axis, on_real_axis, real_axis_row};
 use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
+use crate::double_double_functions as exact;
+pub(super) use crate::exponential::{circle, exp_wide, gaussian, times_power};
+use crate::exponential::{exp_minus_square_any, exponent};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
 use crate::real::{ROUND, scaled};

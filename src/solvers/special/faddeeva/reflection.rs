@@ -1,9 +1,9 @@
 //! The lower half-plane: `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3), both terms at `a − i b` from a and b.
 
+use crate::double_double::{Dd, two_sum};
 use crate::exponential::{
     binary_exponent, exp_minus_square_rounded, exp_minus_square_short, exponent,
 };
-use crate::double_double::{Dd, two_sum};
 use crate::hex::hex;
 use crate::real::{ROUND, Real};
 

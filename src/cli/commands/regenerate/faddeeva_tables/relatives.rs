@@ -33,7 +33,9 @@ const CONSTANTS: [Constant; 7] = [
     ("INV_SQRT_2_PI", "1/√(2π)", |p| {
         Ball::pi(p).shift(1).sqrt().recip()
     }),
-    ("SQRT_LN_2", "√(ln 2)", |p| Ball::integer(p, 2).ln().sqrt()),
+    ("SQRT_LN_2", "√(ln 2)", |p| {
+        Ball::integer(p, 2).ln().sqrt()
+    }),
     ("INV_PI", "1/π", |p| Ball::pi(p).recip()),
 ];
 
