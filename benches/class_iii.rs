@@ -8,15 +8,16 @@ use divan::counter::ItemsCount;
 use mechaudit::papers::zinchenko::data::{self, solver_start};
 use mechaudit::solvers::class_iii::State;
 use mechaudit::solvers::reduction::Row;
+use mechaudit::solvers::units::Angle;
 use std::f64::consts::TAU;
 
 fn main() {
     divan::main();
 }
 
-fn angles(start: &State, n: usize) -> Vec<f64> {
+fn angles(start: &State, n: usize) -> Vec<Angle> {
     (0..n)
-        .map(|k| start.phi1 + TAU * k as f64 / n as f64)
+        .map(|k| Angle::from_rad(start.phi1 + TAU * k as f64 / n as f64))
         .collect()
 }
 
@@ -51,7 +52,7 @@ fn assembly_modes(bencher: Bencher) {
     let (linkage, _, start) = solver_start();
     bencher
         .counter(ItemsCount::new(1usize))
-        .bench(|| linkage.assembly_modes(divan::black_box(start.phi1)));
+        .bench(|| linkage.assembly_modes(Angle::from_rad(divan::black_box(start.phi1))));
 }
 
 mod certified {

@@ -12,7 +12,7 @@ use mechaudit::solvers::run_up::{
     ClassIiiModel, Drive, Equation, Hybrid, Kloss, Method, Motor, Plan, ReducedModel, Settings,
     Splined, run,
 };
-use mechaudit::solvers::units::{AngularVelocity, Torque};
+use mechaudit::solvers::units::{Angle, AngularVelocity, Torque};
 use std::f64::consts::TAU;
 
 fn main() {
@@ -35,7 +35,7 @@ fn motor() -> Drive {
 
 fn states() -> (ClassIii, Masses, Vec<State>) {
     let (linkage, masses, start) = solver_start();
-    let angles = (0..ANGLES).map(|k| start.phi1 + TAU * k as f64 / ANGLES as f64);
+    let angles = (0..ANGLES).map(|k| Angle::from_rad(start.phi1 + TAU * k as f64 / ANGLES as f64));
     let states = linkage.sweep(&start, angles).expect("a crank that turns");
     (linkage, masses, states)
 }
@@ -51,7 +51,7 @@ mod parts {
         bencher.counter(ItemsCount::new(ANGLES)).bench(|| {
             let v = |s: &State| {
                 linkage
-                    .velocities(s.phi1, s.positions)
+                    .velocities(Angle::from_rad(s.phi1), s.positions)
                     .expect("regular")
                     .first[2]
             };
@@ -65,7 +65,9 @@ mod parts {
         let (linkage, masses, states) = states();
         bencher.counter(ItemsCount::new(ANGLES)).bench(|| {
             let f = |s: &State| {
-                let v = linkage.velocities(s.phi1, s.positions).expect("regular");
+                let v = linkage
+                    .velocities(Angle::from_rad(s.phi1), s.positions)
+                    .expect("regular");
                 let (i, m) = masses.inertia_and_moment(&v);
                 i + m
             };
@@ -79,7 +81,9 @@ mod parts {
         let (linkage, masses, states) = states();
         bencher.counter(ItemsCount::new(ANGLES)).bench(|| {
             let f = |s: &State| {
-                let v = linkage.velocities(s.phi1, s.positions).expect("regular");
+                let v = linkage
+                    .velocities(Angle::from_rad(s.phi1), s.positions)
+                    .expect("regular");
                 let (i, m) = masses.inertia_and_moment(&v);
                 i + m + v.accelerations().expect("regular")[2]
             };
@@ -93,7 +97,9 @@ mod parts {
         let (linkage, masses, states) = states();
         bencher.counter(ItemsCount::new(ANGLES)).bench(|| {
             let f = |s: &State| {
-                let s = linkage.state(s.phi1, s.positions).expect("regular");
+                let s = linkage
+                    .state(Angle::from_rad(s.phi1), s.positions)
+                    .expect("regular");
                 let r = masses.reduce(&s);
                 r.inertia_kg_m2 + r.moment_n_m + r.inertia_derivative_kg_m2
             };

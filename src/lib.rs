@@ -30,11 +30,11 @@
 //!     lb: cm(22.0), phi_b: Angle::from_deg(-39.3),
 //!     x3: cm(75.0), y3: cm(93.0), x5: cm(128.5), y5: cm(103.5),
 //! })?;
-//! let phi1 = 0.5;
+//! let phi1 = Angle::from_rad(0.5);
 //! let mode = linkage.assembly_modes(phi1).modes[2];
 //! let start = linkage.state_near(phi1, mode)?;
 //! // Follow the branch: steps are as short as the Newton-Kantorovich theorem asks for.
-//! let end = linkage.follow(&start, phi1 + std::f64::consts::TAU)?;
+//! let end = linkage.follow(&start, Angle::from_rad(0.5 + std::f64::consts::TAU))?;
 //! assert!((end.positions.phi4 - start.positions.phi4).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -8,6 +8,7 @@ use mechaudit::machine::{self, CamOscillator, Source};
 use mechaudit::reference::nearest_f64;
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::run_up::{Equation, Hybrid, ReducedModel, Splined, run};
+use mechaudit::solvers::units::Angle;
 use numpy::ndarray::Array2;
 use numpy::{PyArray2, PyReadonlyArray1, ToPyArray};
 use pyo3::exceptions::PyValueError;
@@ -121,7 +122,7 @@ impl Linkage {
         let at = degrees(phi_deg)?;
         let rows = match &self.linkage {
             machine::Linkage::ClassIii(l) => {
-                let angle = phi_deg.to_radians();
+                let angle = Angle::from_deg(phi_deg);
                 let modes = l.solver.assembly_modes(angle).modes;
                 let mut rows = Vec::new();
                 for (k, mode) in modes.into_iter().enumerate() {
@@ -157,7 +158,7 @@ impl Linkage {
         let (chosen, _) = self.branch(l, at, branch)?;
         let state = l
             .solver
-            .follow(&chosen.start, phi_deg.to_radians())
+            .follow(&chosen.start, Angle::from_deg(phi_deg))
             .map_err(value_error)?;
         Ok(Some(state.joints().to_vec()))
     }
@@ -195,7 +196,10 @@ impl Linkage {
                         rows.push(missing(phi, chosen.mode));
                         continue;
                     }
-                    here = l.solver.follow(&here, to).map_err(value_error)?;
+                    here = l
+                        .solver
+                        .follow(&here, Angle::from_rad(to))
+                        .map_err(value_error)?;
                     let mut row = vec![phi, chosen.mode as f64];
                     row.extend(class_iii::values(l, &here));
                     rows.push(row);
@@ -242,7 +246,7 @@ impl Linkage {
                 let (chosen, _) = self.branch(l, at.clone(), branch)?;
                 let state = l
                     .solver
-                    .follow(&chosen.start, near.to_radians())
+                    .follow(&chosen.start, Angle::from_deg(near))
                     .map_err(|e| DomainError::new_err(e.to_string()))?;
                 let values = py.detach(|| {
                     let mut certifier = Certifier::new(l, digits);

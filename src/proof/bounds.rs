@@ -12,7 +12,7 @@ const SQRT_PI: f64 = 1.772_453_850_905_516_4;
 /// √e, rounded up.
 const SQRT_E: f64 = 1.648_721_270_700_128_3;
 /// π, rounded down.
-const PI_BELOW: f64 = 3.141_592_653_589_793;
+const PI_BELOW: f64 = std::f64::consts::PI;
 
 /// An upper bound of `e^t`.
 pub(crate) fn exp_up(t: f64) -> f64 {

@@ -268,7 +268,10 @@ mod tests {
     #[test]
     fn what_has_changed() {
         let (mut before, after) = (fabricated(), fabricated());
-        assert_eq!(of(&before).changes(&[after.clone()]), Changes::default());
+        assert_eq!(
+            of(&before).changes(std::slice::from_ref(&after)),
+            Changes::default()
+        );
         // One region was better in one statistic.
         before.regions[0].outputs[0].ulps.max = 5.0;
         let found = of(&before).changes(&[after]);

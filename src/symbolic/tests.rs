@@ -251,6 +251,7 @@ fn bound_variables_have_any_sign() {
         "int(s, -1, 1, sqrt(s^2)) = 0",
         "int(s, -1, 1, abs(s)) = 0",
         "int(s, 0, 1, sqrt(s + 1)) = int(s, 1, 2, sqrt(s + 1))",
+        "int(s, 0, 1, int(u, 0, s, exp(u^2))) = int(s, 1, 2, int(u, 0, s, exp(u^2)))",
         "at(sqrt(x^2), x, -1) = -1",
         "at(abs(x), x, -3) = -3",
         "at(sqrt(1 + sqrt(x)), x, 9) = sqrt(1 + sqrt(x))",

@@ -130,7 +130,7 @@ fn what_cannot_end_is_refused_at_once() {
         "audit erf --cases 99999999999999 --exec cat",
         "points erf --count 99999999999999",
     ] {
-        let d = run(&words(&args));
+        let d = run(&words(args));
         refused(&d, "years; more than 30 days");
     }
     assert!(start.elapsed().as_secs() < 60);

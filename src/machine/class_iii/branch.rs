@@ -3,6 +3,7 @@
 use super::Start;
 use crate::reference::nearest_f64;
 use crate::solvers::class_iii::{ClassIii, ContinuationError, DeadPosition, Positions, State};
+use crate::solvers::units::Angle;
 use rug::Rational;
 use std::f64::consts::TAU;
 
@@ -153,7 +154,7 @@ pub fn choose(
     start: &Start,
 ) -> Result<Branch, BranchError> {
     let degrees = nearest_f64(phi1);
-    let angle = degrees.to_radians();
+    let angle = Angle::from_deg(degrees);
     let found = linkage.assembly_modes(angle).modes;
     if found.is_empty() {
         return Err(unassembled(linkage, degrees));
@@ -193,7 +194,8 @@ pub fn choose(
 /// Why there is no mode at the angle: [`BranchError::Nowhere`] or [`BranchError::NotHere`].
 pub fn unassembled(linkage: &ClassIii, degrees: f64) -> BranchError {
     let angle = |k: u32| f64::from(k) * 360.0 / f64::from(TRIED);
-    let modes = |k: u32| -> Vec<Positions> { linkage.assembly_modes(angle(k).to_radians()).modes };
+    let modes =
+        |k: u32| -> Vec<Positions> { linkage.assembly_modes(Angle::from_deg(angle(k))).modes };
     let mut parts: Vec<(u32, u32)> = Vec::new();
     for k in (0..TRIED).filter(|k| !modes(*k).is_empty()) {
         match parts.last_mut() {
@@ -216,7 +218,7 @@ fn explore(linkage: &ClassIii, mode: usize, start: State) -> Result<Branch, Bran
     let mut turns = None;
     let mut high = None;
     for k in 1..=TURNS {
-        match linkage.follow(&here, start.phi1 + TAU * f64::from(k)) {
+        match linkage.follow(&here, Angle::from_rad(start.phi1 + TAU * f64::from(k))) {
             Ok(state) => here = state,
             Err(e) => {
                 high = Some(end(linkage, &start, e, 1.0)?);
@@ -229,7 +231,7 @@ fn explore(linkage: &ClassIii, mode: usize, start: State) -> Result<Branch, Bran
         }
     }
     let Some(high) = high else {
-        let to = start.phi1 + TAU * f64::from(turns.unwrap_or(1));
+        let to = Angle::from_rad(start.phi1 + TAU * f64::from(turns.unwrap_or(1)));
         return Ok(Branch {
             mode,
             start,
@@ -237,11 +239,14 @@ fn explore(linkage: &ClassIii, mode: usize, start: State) -> Result<Branch, Bran
             dead: linkage.dead_positions(&start, to).unwrap_or_else(|e| e.0),
         });
     };
-    let low = match linkage.follow(&start, start.phi1 - TAU * f64::from(TURNS)) {
+    let low = match linkage.follow(&start, Angle::from_rad(start.phi1 - TAU * f64::from(TURNS))) {
         Err(e) => end(linkage, &start, e, -1.0)?,
         Ok(_) => return Err(BranchError::OneSided),
     };
-    let dead = |to: f64| linkage.dead_positions(&start, to).unwrap_or_else(|e| e.0);
+    let dead = |to: f64| {
+        let found = linkage.dead_positions(&start, Angle::from_rad(to));
+        found.unwrap_or_else(|e| e.0)
+    };
     let mut all = dead(low.reached);
     all.extend(dead(high.reached));
     all.sort_by(|a, b| a.state.phi1.total_cmp(&b.state.phi1));
@@ -271,7 +276,7 @@ fn end(
     let ContinuationError::Fold { phi1: reached } = why else {
         return Err(why.into());
     };
-    let last = match linkage.follow(start, reached) {
+    let last = match linkage.follow(start, Angle::from_rad(reached)) {
         Ok(state) => state,
         Err(ContinuationError::Fold { .. }) => *start,
         Err(e) => return Err(e.into()),
@@ -284,10 +289,11 @@ fn end(
     };
     // From a little before the last angle reached to a little beyond the fold.
     let before = last.phi1 - direction * 1e-4;
-    let Ok(before) = linkage.follow(&last, before) else {
+    let Ok(before) = linkage.follow(&last, Angle::from_rad(before)) else {
         return Ok(plain);
     };
-    let map = linkage.trace_branches(&[before.phi1, last.phi1 + direction * 2e-3]);
+    let map =
+        linkage.trace_branches(&[before.phi1, last.phi1 + direction * 2e-3].map(Angle::from_rad));
     let Some(ours) = map.rows[0].iter().find(|s| same(&s.state, &before)) else {
         return Ok(plain);
     };

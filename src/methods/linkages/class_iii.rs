@@ -150,12 +150,14 @@ impl ClassIiiInput<'_> {
         &self,
         linkage: &solver::ClassIii,
     ) -> Result<State, &'static str> {
-        let modes = linkage.assembly_modes(self.phi1).modes;
+        let modes = linkage.assembly_modes(Angle::from_rad(self.phi1)).modes;
         if modes.is_empty() {
             return Err("cannot be assembled");
         }
         let mode = modes[self.mode as usize % modes.len()];
-        linkage.state(self.phi1, mode).map_err(|_| "singular")
+        linkage
+            .state(Angle::from_rad(self.phi1), mode)
+            .map_err(|_| "singular")
     }
 
     /// The masses, as the solver takes them.
@@ -409,8 +411,10 @@ fn round_trip_law(x: &[f64]) -> Option<f64> {
     let i = ClassIii::unpack(x)?;
     let linkage = i.geometry.solver()?;
     let start = i.row().ok()?.state;
-    let there = linkage.follow(&start, start.phi1 + 1e-3).ok()?;
-    let back = linkage.follow(&there, start.phi1).ok()?;
+    let there = linkage
+        .follow(&start, Angle::from_rad(start.phi1 + 1e-3))
+        .ok()?;
+    let back = linkage.follow(&there, Angle::from_rad(start.phi1)).ok()?;
     let (a, b) = (start.positions.to_array(), back.positions.to_array());
     let moved = a
         .iter()

@@ -7,6 +7,7 @@ use crate::methods::definition::{Definition, conditions_at_reference, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::Linkage;
 use crate::reference::{Ball, Mag};
+use crate::solvers::units::Angle;
 use rug::Rational;
 use std::f64::consts::TAU;
 
@@ -107,7 +108,7 @@ impl Definition for ClassIiiAssemblyModes {
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
         let linkage = i.geometry.solver().ok_or("geometry")?;
-        let found = linkage.assembly_modes(i.phi1);
+        let found = linkage.assembly_modes(Angle::from_rad(i.phi1));
         if found.modes.is_empty() {
             return Err("cannot be assembled");
         }

@@ -146,7 +146,7 @@ pub fn solver_linkage() -> f64_linkage::ClassIii {
 /// Never: the paper's linkage can be assembled there.
 pub fn solver_start() -> (f64_linkage::ClassIii, reduction::Masses, f64_linkage::State) {
     let linkage = solver_linkage();
-    let phi1 = 14.426f64.to_radians();
+    let phi1 = Angle::from_deg(14.426);
     let mode = linkage.assembly_modes(phi1).modes[2];
     let start = linkage.state_near(phi1, mode).expect("closed");
     (linkage, MassParameters::new(RECOVERED).masses(), start)

@@ -9,6 +9,7 @@ use super::design::{TURN, least_squares, rounding_deviation, spline_rows};
 use super::recipe::NODES;
 use super::tables::{Column, Printed, Source, column};
 use crate::solvers::class_iii::State;
+use crate::solvers::units::Angle;
 use nalgebra::{DMatrix, DVector};
 
 /// A parameter of the masses.
@@ -350,16 +351,16 @@ pub(super) fn node_states(n: usize) -> Vec<State> {
     let phi4: f64 = data::START_PHI4_DEG
         .parse()
         .expect("a decimal in the source");
-    let modes = linkage.assembly_modes(start.to_radians()).modes;
+    let modes = linkage.assembly_modes(Angle::from_deg(start)).modes;
     let mode = modes.iter().min_by(|a, b| {
         let d = |m: &crate::solvers::class_iii::Positions| (m.phi4.to_degrees() - phi4).abs();
         d(a).total_cmp(&d(b))
     });
     let mode = *mode.expect("the paper's linkage can be assembled");
     let first = linkage
-        .state_near(start.to_radians(), mode)
+        .state_near(Angle::from_deg(start), mode)
         .expect("a closed start");
-    let angles = (0..n).map(|j| (start + 360.0 * j as f64 / n as f64).to_radians());
+    let angles = (0..n).map(|j| Angle::from_deg(start + 360.0 * j as f64 / n as f64));
     linkage
         .sweep(&first, angles)
         .expect("the paper's crank turns fully")

@@ -113,7 +113,7 @@ pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
     for k in 0..24i64 {
         a *= Rational::from((2 * k + 1, 2));
         let factor = if slope { 2 * k + 3 } else { 1 };
-        c.push(-Rational::from(&a * Rational::from(factor)));
+        c.push(-(&a * Rational::from(factor)));
     }
     for (k, s) in stored.iter().enumerate() {
         c[k] += Rational::from_f64(*s).expect("finite");

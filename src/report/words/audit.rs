@@ -171,7 +171,10 @@ mod tests {
         let passing = passing();
         assert!(all_pass(&[passing.clone(), passing.clone()]));
         assert!(!all_pass(&[passing.clone(), failing.clone()]) && !all_pass(&[]));
-        assert_eq!(totals(&[passing.clone()]), "1 method passes, 400 cases");
+        assert_eq!(
+            totals(std::slice::from_ref(&passing)),
+            "1 method passes, 400 cases"
+        );
         assert_eq!(
             totals(&[passing, failing]),
             "1 of 2 methods pass, 799 of 800 cases"

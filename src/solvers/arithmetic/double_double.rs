@@ -6,6 +6,7 @@
 //! rigorous error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44 (2017),
 //! art. 15, whose algorithm numbers are quoted. With `u = 2⁻⁵³`.
 
+use super::tables::HALF_PI;
 use crate::real::Real;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -37,7 +38,29 @@ pub(crate) fn two_prod<R: Real>(a: R, b: R) -> Dd<R> {
     Dd { hi, lo }
 }
 
+/// The sign of a sum of a few numbers, exactly: an expansion without overlap is grown term by
+/// term and its last non-zero component has the sign of the whole (J. R. Shewchuk, *Adaptive
+/// precision floating-point arithmetic*, Discrete Comput. Geom. 18, 1997, theorem 10).
+pub(crate) fn sign_of_sum(terms: &[f64]) -> f64 {
+    let mut expansion: Vec<f64> = Vec::with_capacity(terms.len());
+    for &t in terms {
+        let mut carry = t;
+        for e in &mut expansion {
+            let sum = carry + *e;
+            let back = sum - carry;
+            *e = (carry - (sum - back)) + (*e - back);
+            carry = sum;
+        }
+        expansion.push(carry);
+    }
+    match expansion.iter().rev().find(|&&e| e != 0.0) {
+        Some(e) => e.signum(),
+        None => 0.0,
+    }
+}
+
 impl Dd {
+    pub(crate) const PI: Dd = Dd::new(2.0 * HALF_PI[0], 2.0 * HALF_PI[1]);
     pub(crate) const ZERO: Dd = Dd { hi: 0.0, lo: 0.0 };
 
     #[inline(always)]

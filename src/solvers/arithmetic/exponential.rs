@@ -257,16 +257,21 @@ pub(crate) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
     (e * c, -(e * s), n)
 }
 
-/// [`exp_minus_square`] for a phase of any size.
+/// `2 a y` modulo π/2 and `ROUND` plus the quadrant, for any size of the phase.
 #[inline(always)]
-pub(crate) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
+fn reduce_any(a: f64, y: f64) -> (Dd, f64) {
     let theta = phase(a, y);
-    let reduced = if theta.hi.abs() < LARGE_PHASE {
+    if theta.hi.abs() < LARGE_PHASE {
         reduce(theta)
     } else {
         payne_hanek::reduce(a, y)
-    };
-    product(exp(exponent(a, y)), reduced)
+    }
+}
+
+/// [`exp_minus_square`] for a phase of any size.
+#[inline(always)]
+pub(crate) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
+    product(exp(exponent(a, y)), reduce_any(a, y))
 }
 
 /// `t 2^k`, `n = ROUND + k`, for any `k`: in range where t is subnormal and k above 2040, too.
@@ -283,12 +288,7 @@ pub(crate) fn times_power(t: f64, n: f64) -> f64 {
 /// The sine and cosine of `2 a y`, `a ≥ 0`, for any size of the phase.
 #[inline(always)]
 pub(crate) fn circle(a: f64, y: f64) -> (Dd, Dd) {
-    let theta = phase(a, y);
-    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
-        reduce(theta)
-    } else {
-        payne_hanek::reduce(a, y)
-    };
+    let (r, quadrant) = reduce_any(a, y);
     let (s, c) = sin_cos_reduced(r);
     turn(s, c, quadrant)
 }

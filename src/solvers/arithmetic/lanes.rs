@@ -40,9 +40,24 @@ pub(crate) trait Lanes: Vectors<Scalar = f64> {
 }
 
 /// Something to be run with a set of instructions. `run` has to be inlined.
-pub(crate) trait Task {
+pub(crate) trait Task: Sized {
     type Output;
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
+    // Methods of the task: incremental builds keep them with the module of the task, so that a change there
+    // compiles no other task again.
+    /// Runs it with arrays, as a function of its own.
+    #[inline(never)]
+    fn with_arrays(self) -> Self::Output {
+        self.run(Plain)
+    }
+    /// Runs it with AVX2 and FMA, as a function of its own. In development builds there is one of it, not one for
+    /// each module that calls it.
+    #[cfg(target_arch = "x86_64")]
+    #[cfg_attr(debug_assertions, inline(never))]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn with_avx2(self, v: pulp::x86::V3) -> Self::Output {
+        v.vectorize(x86::Compiled(v, self))
+    }
 }
 
 /// Runs the task with the best instructions of this processor.
@@ -61,7 +76,7 @@ pub(crate) fn with_best<T: Task>(task: T) -> T::Output {
 #[cfg(not(all(target_feature = "avx2", target_feature = "fma")))]
 #[inline(always)]
 fn plain<T: Task>(task: T) -> T::Output {
-    Plain.run(task)
+    task.with_arrays()
 }
 
 /// Code for such processors alone has no other: half of its size would be for processors it does not run on.
@@ -74,13 +89,6 @@ fn plain<T: Task>(_: T) -> T::Output {
 /// Arrays.
 #[derive(Clone, Copy)]
 pub(crate) struct Plain;
-
-impl Plain {
-    #[inline(never)]
-    fn run<T: Task>(self, task: T) -> T::Output {
-        task.run(self)
-    }
-}
 
 impl Vectors for Plain {
     type Scalar = f64;
@@ -133,7 +141,7 @@ impl Lanes for Plain {
     }
     #[inline(always)]
     fn call<T: Task>(self, task: T) -> T::Output {
-        self.run(task)
+        task.with_arrays()
     }
 }
 
@@ -159,7 +167,7 @@ mod x86 {
         }
     }
 
-    struct Compiled<T>(V3, T);
+    pub(super) struct Compiled<T>(pub V3, pub T);
 
     impl<T: Task> NullaryFnOnce for Compiled<T> {
         type Output = T::Output;
@@ -216,11 +224,9 @@ mod x86 {
         fn array(self, x: Pack<V3>) -> [f64; 4] {
             cast(x.1)
         }
-        // In a crate of several parts an inlined one is compiled once for each part that calls it.
-        #[cfg_attr(debug_assertions, inline(never))]
-        #[cfg_attr(not(debug_assertions), inline(always))]
+        #[inline(always)]
         fn call<T: Task>(self, task: T) -> T::Output {
-            self.vectorize(Compiled(self, task))
+            task.with_avx2(self)
         }
     }
 }

@@ -37,12 +37,15 @@ pub(crate) trait Wide: Simd {
     fn columns<const N: usize>(self, rows: &[&[f64; N]; 8], at: usize) -> [Self::f64s; 4];
     /// The four interleaved polynomials of Taylor rows in δ⁴; the last block of coefficients stands
     /// at the second of the ends.
+    #[inline(always)]
     fn polynomials<const N: usize>(
         self,
         rows: &[&[f64; N]; 8],
         ends: (usize, usize),
         d4: (Pack<Self>, Pack<Self>),
-    ) -> Parts<Self>;
+    ) -> Parts<Self> {
+        by_columns(self, rows, ends, d4)
+    }
     /// The numbers from `at` on.
     fn load(self, x: &[f64], at: usize) -> Self::f64s;
     /// Stores the numbers from `at` on.
@@ -188,15 +191,6 @@ impl Wide for V4 {
             cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(p, s)),
             cast(x._mm512_shuffle_f64x2::<0b11_01_11_01>(q, t)),
         ]
-    }
-    #[inline(always)]
-    fn polynomials<const N: usize>(
-        self,
-        rows: &[&[f64; N]; 8],
-        ends: (usize, usize),
-        d4: (Pack<Self>, Pack<Self>),
-    ) -> Parts<Self> {
-        by_columns(self, rows, ends, d4)
     }
 }
 

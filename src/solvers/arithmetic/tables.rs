@@ -1,7 +1,10 @@
-//! Numbers behind the exponential and the reduction of phases, each the nearest `f64` to what is left of
-//! it.
+//! Numbers behind the exponential and the reduction of phases, each the nearest `f64` to what is
+//! left, by the certified reference.
 //!
 //! Made by `mechaudit regenerate arithmetic-tables` (mechaudit 0.1.0); not to be edited.
+//! precision: every rounding decided at 256 to 8192 bits
+//! SHA-256 of the recipe: 16ecc2caf3a9aeb671c6e88a03457fa237ca3c1f035e035875d6531e498f8b65
+//! SHA-256 of all lines below: d755649f9d1e2ad5638dc0a2b9a325c8e4f93f93f585bc76d50fe1b3240e0d0a
 
 #![allow(clippy::approx_constant)]
 

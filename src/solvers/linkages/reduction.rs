@@ -270,7 +270,7 @@ pub struct Row {
 }
 
 impl ClassIii {
-    /// Follows the branch of `start` over the crank angles (radians) and reduces at each.
+    /// Follows the branch of `start` over the crank angles and reduces at each.
     ///
     /// # Errors
     /// With the rows up to there, when the branch ends.
@@ -278,7 +278,7 @@ impl ClassIii {
         &self,
         masses: &Masses,
         start: &State,
-        angles: impl IntoIterator<Item = f64>,
+        angles: impl IntoIterator<Item = Angle>,
     ) -> Result<Vec<Row>, (Vec<Row>, super::class_iii::ContinuationError)> {
         let mut rows = Vec::new();
         let mut here = *start;
@@ -332,9 +332,12 @@ pub(crate) mod tests {
         let linkage = zinchenko();
         let phi1 = 14.426f64.to_radians();
         let start = linkage
-            .state_near(phi1, linkage.assembly_modes(phi1).modes[2])
+            .state_near(
+                Angle::from_rad(phi1),
+                linkage.assembly_modes(Angle::from_rad(phi1)).modes[2],
+            )
             .unwrap();
-        let angles = (0..48).map(|k| phi1 + (7.5 * f64::from(k)).to_radians());
+        let angles = (0..48).map(|k| Angle::from_rad(phi1 + (7.5 * f64::from(k)).to_radians()));
         let rows = linkage.rows(&recovered(), &start, angles).unwrap();
         // Rows 0, 4, 8, … of Table 2 are exact nodes.
         for (row, i_n, d_i_n) in [(4, 1.600, 5.278), (8, 4.402, 4.283), (36, 5.630, 0.615)] {
@@ -350,11 +353,18 @@ pub(crate) mod tests {
         let linkage = zinchenko();
         let masses = recovered();
         let start = linkage
-            .state_near(1.0, linkage.assembly_modes(1.0).modes[2])
+            .state_near(
+                Angle::from_rad(1.0),
+                linkage.assembly_modes(Angle::from_rad(1.0)).modes[2],
+            )
             .unwrap();
         let h = 1e-5;
         let r = linkage
-            .rows(&masses, &start, [2.0 - h, 2.0, 2.0 + h])
+            .rows(
+                &masses,
+                &start,
+                [2.0 - h, 2.0, 2.0 + h].map(Angle::from_rad),
+            )
             .unwrap();
         let d = |f: fn(&Reduced) -> f64| (f(&r[2].reduced) - f(&r[0].reduced)) / (2.0 * h);
         let mid = &r[1].reduced;
@@ -373,10 +383,12 @@ pub(crate) mod tests {
     #[test]
     fn velocities_alone_give_inertia_and_moment() {
         let (linkage, masses) = (zinchenko(), recovered());
-        for mode in linkage.assembly_modes(1.0).modes {
-            let state = linkage.state_near(1.0, mode).unwrap();
+        for mode in linkage.assembly_modes(Angle::from_rad(1.0)).modes {
+            let state = linkage.state_near(Angle::from_rad(1.0), mode).unwrap();
             let full = masses.reduce(&state);
-            let v = linkage.velocities(1.0, state.positions).unwrap();
+            let v = linkage
+                .velocities(Angle::from_rad(1.0), state.positions)
+                .unwrap();
             let (inertia, moment) = masses.inertia_and_moment(&v);
             approx::assert_relative_eq!(inertia, full.inertia_kg_m2, max_relative = 1e-14);
             approx::assert_relative_eq!(moment, full.moment_n_m, max_relative = 1e-13);

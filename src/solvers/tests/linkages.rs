@@ -31,7 +31,7 @@ fn masses(x: &[f64]) -> Masses {
 
 fn modes(x: &[f64]) -> Result<(ClassIii, Vec<Positions>), String> {
     let linkage = linkage(x)?;
-    let modes = linkage.assembly_modes(x[11]).modes;
+    let modes = linkage.assembly_modes(Angle::from_rad(x[11])).modes;
     match modes.is_empty() {
         true => Err("cannot be assembled".into()),
         false => Ok((linkage, modes)),
@@ -42,7 +42,9 @@ fn modes(x: &[f64]) -> Result<(ClassIii, Vec<Positions>), String> {
 fn chosen(x: &[f64]) -> Result<(ClassIii, State, Masses), String> {
     let (linkage, modes) = modes(x)?;
     let mode = modes[x[12] as usize % modes.len()];
-    let state = linkage.state(x[11], mode).map_err(|_| "singular")?;
+    let state = linkage
+        .state(Angle::from_rad(x[11]), mode)
+        .map_err(|_| "singular")?;
     Ok((linkage, state, masses(x)))
 }
 
@@ -75,7 +77,7 @@ fn class_iii() {
     let velocities = |x: &[f64]| -> Answer {
         let (linkage, state, masses) = chosen(x)?;
         let v = linkage
-            .velocities(x[11], state.positions)
+            .velocities(Angle::from_rad(x[11]), state.positions)
             .map_err(|_| "singular")?;
         let mut all = row(&state, &masses);
         all[4..8].copy_from_slice(&v.first);
@@ -103,11 +105,13 @@ fn branches_are_followed() {
     let mut met = 0;
     for (line, linkage, start, masses) in regular() {
         let there = start.phi1 + 0.01;
-        let Ok(end) = linkage.follow(&start, there) else {
+        let Ok(end) = linkage.follow(&start, Angle::from_rad(there)) else {
             continue;
         };
         assert!(same(end.phi1, there));
-        let back = linkage.follow(&end, start.phi1).expect("the same way");
+        let back = linkage
+            .follow(&end, Angle::from_rad(start.phi1))
+            .expect("the same way");
         line.check("class-iii, there and back,", &Ok(row(&back, &masses)));
         // Close by, where the derivatives say: an error of the third order.
         for i in 0..4 {
@@ -120,7 +124,7 @@ fn branches_are_followed() {
                 line.place
             );
         }
-        let angles = [start.phi1, start.phi1 + 0.004, there];
+        let angles = [start.phi1, start.phi1 + 0.004, there].map(Angle::from_rad);
         let swept = linkage.sweep(&start, angles).expect("the same way");
         assert_eq!(swept.len(), 3);
         line.check("class-iii, sweep,", &Ok(row(&swept[0], &masses)));
@@ -247,7 +251,7 @@ fn slider_crank() {
 #[test]
 fn masses_at_many_positions() {
     let (_, linkage, state, masses) = regular().next().expect("a linkage");
-    let near = |k: u32| linkage.follow(&state, state.phi1 + 1e-4 * f64::from(k));
+    let near = |k: u32| linkage.follow(&state, Angle::from_rad(state.phi1 + 1e-4 * f64::from(k)));
     let states: Vec<State> = (0..20).map_while(|k| near(k).ok()).collect();
     let one: Vec<_> = states.iter().map(|s| masses.reduce(s)).collect();
     assert!(!one.is_empty());

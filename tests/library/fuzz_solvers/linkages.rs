@@ -93,31 +93,32 @@ proptest! {
         let bodies = std::array::from_fn(|i| body(&m[4 * i..4 * i + 4], pivots[i]));
         let masses = said(Masses::new(bodies, Acceleration::from_m_per_s2(m[20])));
         for at in [phi, small] {
+            let rad = Angle::from_rad;
             let guess = Positions::from_array(guess);
-            let _ = said(linkage.state_near(at, guess));
-            let _ = (linkage.state(at, guess), linkage.velocities(at, guess));
-            let modes = linkage.assembly_modes(at).modes;
+            let _ = said(linkage.state_near(rad(at), guess));
+            let _ = (linkage.state(rad(at), guess), linkage.velocities(rad(at), guess));
+            let modes = linkage.assembly_modes(rad(at)).modes;
             prop_assert!(modes.len() <= 6);
             for mode in modes {
                 prop_assert!(all_finite(&mode.to_array()));
-                let Some(state) = said(linkage.state_near(at, mode)) else { continue };
+                let Some(state) = said(linkage.state_near(rad(at), mode)) else { continue };
                 prop_assert!(all_finite(&state.positions.wrapped().to_array()));
                 prop_assert!(all_finite(state.joints().as_flattened()));
                 let _ = state.rates.at_crank_speed(AngularVelocity::from_rad_per_s(m[21]), m[20]);
                 let _ = state.point(Link::Link4, m[0], m[1]);
-                let _ = said(linkage.follow(&state, to.clamp(-1e3, 1e3)));
-                let _ = linkage.dead_positions(&state, at + 0.1).map_err(|e| e.1.to_string());
-                let _ = linkage.sweep(&state, [at, at + 0.01, to.min(1e3)]).is_ok();
+                let _ = said(linkage.follow(&state, rad(to.clamp(-1e3, 1e3))));
+                let _ = linkage.dead_positions(&state, rad(at + 0.1)).map_err(|e| e.1.to_string());
+                let _ = linkage.sweep(&state, [at, at + 0.01, to.min(1e3)].map(rad)).is_ok();
                 #[cfg(feature = "parallel")]
-                let _ = linkage.sweep_parallel(&state, &[at, at + 0.01]).is_ok();
+                let _ = linkage.sweep_parallel(&state, &[at, at + 0.01].map(rad)).is_ok();
                 if let Some(masses) = &masses {
                     let _ = (masses.reduce(&state), masses.motions(&state));
-                    let _ = linkage.rows(masses, &state, [at, small]).is_ok();
+                    let _ = linkage.rows(masses, &state, [at, small].map(rad)).is_ok();
                 }
             }
         }
-        let _ = linkage.trace_branches(&[small, small + 0.01, small - 0.02]);
-        let _ = linkage.trace_branches(&[phi]);
+        let _ = linkage.trace_branches(&[small, small + 0.01, small - 0.02].map(Angle::from_rad));
+        let _ = linkage.trace_branches(&[Angle::from_rad(phi)]);
     }
 
     #[test]

@@ -7,6 +7,7 @@ use mechaudit::machine::class_iii::{Branch, Linkage, Reach};
 use mechaudit::report::svg::reduced;
 use mechaudit::report::svg::scene::{Bar, Joint, Pivot, Pose, Scene};
 use mechaudit::solvers::class_iii::{Geometry, State};
+use mechaudit::solvers::units::Angle;
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -56,7 +57,8 @@ fn path(linkage: &Linkage, branch: &Branch) -> Result<Vec<State>, Failure> {
         Reach::Whole { .. } => (branch.start.phi1, branch.start.phi1 + TAU),
         Reach::Part { low, high } => (low.reached, high.reached),
     };
-    let angles = (0..=SAMPLES).map(|k| from + (to - from) * f64::from(k) / f64::from(SAMPLES));
+    let angle = |k: u32| from + (to - from) * f64::from(k) / f64::from(SAMPLES);
+    let angles = (0..=SAMPLES).map(|k| Angle::from_rad(angle(k)));
     linkage
         .solver
         .sweep(&branch.start, angles)

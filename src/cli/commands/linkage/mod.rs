@@ -21,6 +21,7 @@ use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
 use mechaudit::report::rows::Rows;
 use mechaudit::solvers::class_iii::{BranchMap, State};
+use mechaudit::solvers::units::Angle;
 use rug::Rational;
 use serde_json::{Value, json};
 
@@ -127,7 +128,7 @@ fn floating(
     for (done, (shown, at)) in plan.angles().enumerate() {
         here = linkage
             .solver
-            .follow(&here, nearest_f64(&at).to_radians())
+            .follow(&here, Angle::from_deg(nearest_f64(&at)))
             .map_err(Failure::caused)?;
         rows.row(&floating_row(linkage, &shown, branch.mode, &here))?;
         if done % 1024 == 0 {
@@ -152,7 +153,7 @@ fn certified_rows(
     for (done, (shown, at)) in plan.angles().enumerate() {
         here = linkage
             .solver
-            .follow(&here, nearest_f64(&at).to_radians())
+            .follow(&here, Angle::from_deg(nearest_f64(&at)))
             .map_err(Failure::caused)?;
         let Some(q) = certifier.advance(&at, &here) else {
             complain(&format!(
@@ -177,9 +178,9 @@ fn all_branches(
 ) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     let degrees: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
-    let angles: Vec<f64> = degrees
+    let angles: Vec<Angle> = degrees
         .iter()
-        .map(|q| nearest_f64(q).to_radians())
+        .map(|q| Angle::from_deg(nearest_f64(q)))
         .collect();
     let map = linkage.solver.trace_branches(&angles);
     if map.rows.iter().all(Vec::is_empty) {

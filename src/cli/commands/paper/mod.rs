@@ -46,7 +46,9 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
         }
         PaperFormat::Csv => Ok(csv::paper(&report, out)?),
         PaperFormat::Latex | PaperFormat::Errata => Ok(()),
-        PaperFormat::Html => Ok(out.write_all(html::paper::page(&report, papers::motion_of(&args.key).as_ref()).as_bytes())?),
+        PaperFormat::Html => Ok(out.write_all(
+            html::paper::page(&report, papers::motion_of(&args.key).as_ref()).as_bytes(),
+        )?),
     })?;
     Ok(Outcome::of(report.as_recorded()))
 }

@@ -9,6 +9,9 @@ pub const LEVELS: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz01
 const FIRST: f64 = -5.0;
 const PER_OCTAVE: f64 = 4.0;
 
+/// Names, then runs of cells: the number of a name and how many cells have it.
+type Runs = (Vec<String>, Vec<(usize, usize)>);
+
 /// An error map.
 #[derive(Serialize)]
 pub struct Map<'a> {
@@ -23,8 +26,8 @@ pub struct Map<'a> {
     /// Upper end of each level in ulps; nothing for "no number".
     ends: Vec<Option<f64>>,
     levels: &'a str,
-    /// The formula of each cell, where the method tells: names, then runs of cells.
-    branches: Option<(Vec<String>, Vec<(usize, usize)>)>,
+    /// The formula of each cell, where the method tells.
+    branches: Option<Runs>,
 }
 
 fn level(ulps: f64) -> usize {
@@ -68,8 +71,8 @@ impl<'a> Map<'a> {
     }
 }
 
-/// The formula at the point of each cell: the number of a name and how many cells have it.
-fn branches(map: &ErrorMap, method: &str) -> Option<(Vec<String>, Vec<(usize, usize)>)> {
+/// The formula at the point of each cell.
+fn branches(map: &ErrorMap, method: &str) -> Option<Runs> {
     let method = crate::methods::find(method)?;
     let mut names: Vec<String> = Vec::new();
     let mut runs: Vec<(usize, usize)> = Vec::new();

@@ -2,7 +2,7 @@
 
 use super::Random;
 use super::exact::{in_squares, rational, sum};
-use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::double_double::{Dd, fast_two_sum, sign_of_sum, two_prod, two_sum};
 use rug::Rational;
 
 const SAMPLES: usize = 40_000;
@@ -102,4 +102,13 @@ impl Nearest for Rational {
     fn to_f64_nearest(&self) -> f64 {
         rug::Float::with_val(53, self).to_f64()
     }
+}
+
+#[test]
+fn signs_are_exact() {
+    assert_eq!(sign_of_sum(&[1.0, 1e-30, -1.0]), 1.0);
+    assert_eq!(sign_of_sum(&[1e-30, 1.0, -1.0, -1e-30]), 0.0);
+    assert_eq!(sign_of_sum(&[0.1, 0.2, -0.3]), 1.0);
+    assert_eq!(sign_of_sum(&[0.3, -0.1, -0.2]), -1.0);
+    assert_eq!(sign_of_sum(&[]), 0.0);
 }

@@ -1,12 +1,13 @@
 //! Laws of motion.
 
 use super::error::CamLawError;
-use super::motion::{Motion, Peaks};
+use super::motion::{Motion, Peaks, factor, times};
 use super::polynomial::Polynomial;
-use super::scca::Scca;
+use super::scca::{Place, Scca};
 use super::symmetric_polynomial::SymmetricPolynomial;
 use super::tabulated::Tabulated;
 use crate::cubic_spline::End;
+use crate::double_double::{Dd, two_sum};
 
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
@@ -34,6 +35,30 @@ pub struct MotionLaw {
     shape: Shape,
     /// The share of the stroke spent accelerating.
     fraction: f64,
+    halves: [Stretch; 2],
+}
+
+/// How a half of the symmetric law is stretched: its share of the stroke, and the powers 1, −1 and −2 of twice that,
+/// which scale displacement, acceleration and jerk.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    share: Dd,
+    displacement: Dd,
+    acceleration: Dd,
+    jerk: Dd,
+}
+
+impl Stretch {
+    fn new(share: Dd) -> Stretch {
+        let displacement = share.scale(2.0);
+        let acceleration = Dd::from(1.0).div(displacement);
+        Stretch {
+            share,
+            displacement,
+            acceleration: factor(acceleration),
+            jerk: factor(acceleration * acceleration),
+        }
+    }
 }
 
 impl MotionLaw {
@@ -41,6 +66,7 @@ impl MotionLaw {
         MotionLaw {
             shape,
             fraction: 0.5,
+            halves: [Stretch::new(Dd::from(0.5)); 2],
         }
     }
 
@@ -154,6 +180,7 @@ impl MotionLaw {
             return Err(CamLawError::AccelerationFraction { value: fraction });
         }
         self.fraction = fraction;
+        self.halves = [Dd::from(fraction), two_sum(1.0, -fraction)].map(Stretch::new);
         Ok(self)
     }
 
@@ -166,12 +193,11 @@ impl MotionLaw {
         &self.shape
     }
 
-    /// The accelerating half of a law that is symmetric about the middle of its stroke, at `y` with
-    /// `left = 1 − 2y`.
-    fn half(&self, y: f64, left: f64) -> Option<Motion> {
+    /// The accelerating half of a law that is symmetric about the middle of its stroke.
+    fn half(&self, place: &Place) -> Option<Motion> {
         match &self.shape {
-            Shape::Scca(law) => Some(law.half(y, left)),
-            Shape::Symmetric(law) => Some(law.half(y, left)),
+            Shape::Scca(law) => Some(law.half(place)),
+            Shape::Symmetric(law) => Some(law.half(place.y, place.left)),
             Shape::Polynomial(_) | Shape::Tabulated(_) => None,
         }
     }
@@ -182,43 +208,42 @@ impl MotionLaw {
             return Err(CamLawError::Outside { x });
         }
         let accelerating = x < self.fraction;
-        let (place, share) = match accelerating {
-            true => (x, self.fraction),
-            false => (1.0 - x, 1.0 - self.fraction),
+        let (distance, half) = match accelerating {
+            true => (Dd::from(x), &self.halves[0]),
+            false => (two_sum(1.0, -x), &self.halves[1]),
         };
-        let stretch = 2.0 * share;
-        let y = place / stretch;
+        let y = distance.hi / half.displacement.hi;
         // Beside the middle, with a short half before it, `1 − x` rounds away more than `x` says.
         let (y, left) = match y < 0.25 {
             true => (y, 1.0 - 2.0 * y),
             false => {
-                let left = (x - self.fraction).abs() / share;
+                let left = (x - self.fraction).abs() / half.share.hi;
                 (0.5 * (1.0 - left), left)
             }
         };
-        let Some(half) = self.half(y, left) else {
+        let place = Place {
+            distance,
+            share: half.share,
+            y,
+            left,
+        };
+        let Some(m) = self.half(&place) else {
             return match &self.shape {
                 Shape::Polynomial(law) => Ok(law.motion(x)),
                 Shape::Tabulated(law) => law.motion(x),
                 _ => unreachable!("halved above"),
             };
         };
-        // What `1 − λ` has lost in rounding, as a share of it; the difference is exact.
-        let lost = match accelerating {
-            true => 0.0,
-            false => ((1.0 - share) - self.fraction) / share,
-        };
-        let corrected = |value: f64, power: f64| value + power * lost * value;
-        let near = corrected(stretch * half.displacement, 1.0);
+        let near = times(m.displacement, half.displacement);
         let (displacement, remaining, sign) = match accelerating {
             true => (near, 1.0 - near, 1.0),
             false => (1.0 - near, near, -1.0),
         };
         let motion = Motion {
             displacement,
-            velocity: half.velocity,
-            acceleration: sign * corrected(half.acceleration / stretch, -1.0),
-            jerk: corrected(half.jerk / (stretch * stretch), -2.0),
+            velocity: m.velocity,
+            acceleration: sign * times(m.acceleration, half.acceleration),
+            jerk: times(m.jerk, half.jerk),
         };
         Ok((motion, remaining))
     }

@@ -1,5 +1,7 @@
 //! What a law gives, and what laws are compared by.
 
+use crate::double_double::Dd;
+
 /// Displacement of a law and its derivatives in `x`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
@@ -22,6 +24,19 @@ impl Motion {
             jerk: f * self.jerk,
         }
     }
+}
+
+/// A factor for [`times`]: beyond the range of `f64` infinite without a second part.
+pub(super) fn factor(x: Dd) -> Dd {
+    match x.hi.is_finite() && x.lo.is_finite() {
+        true => x,
+        false => Dd::from(x.hi),
+    }
+}
+
+/// A number by a factor in two parts, rounded once.
+pub(super) fn times(x: f64, factor: Dd) -> f64 {
+    x.mul_add(factor.hi, x * factor.lo)
 }
 
 /// The constants that laws are compared by.

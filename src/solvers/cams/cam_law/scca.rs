@@ -9,19 +9,20 @@
 //! ```
 
 use super::error::{CamLawError, finite};
-use super::motion::{Motion, Peaks};
-use crate::double_double::{Dd, two_prod};
+use super::motion::{Motion, Peaks, factor, times};
+use crate::double_double::{Dd, sign_of_sum, two_prod, two_sum};
+use crate::hex::hex;
 use std::f64::consts::PI;
 
 /// `b + c + d` may differ from one by this much: each was rounded once.
 const SUM_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// `(π − 2)/(2π²)`.
-const SINE_PART: Dd = Dd::new(0.057_833_759_449_557_56, 1.065_845_445_755_426_5e-18);
+const SINE_PART: Dd = Dd::new(hex("0x1.d9c62f2e193cbp-5"), hex("0x1.3a950143f6642p-60"));
 /// `1/π²`.
-const COSINE_PART: Dd = Dd::new(0.101_321_183_642_337_78, -3.966_289_879_439_441_4e-18);
+const COSINE_PART: Dd = Dd::new(hex("0x1.9f02f6222c72p-4"), hex("-0x1.24a918f92ba3dp-58"));
 /// `1/π`.
-const INV_PI: Dd = Dd::new(std::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17);
+const INV_PI: Dd = Dd::new(std::f64::consts::FRAC_1_PI, hex("-0x1.6b01ec5417056p-56"));
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scca {
@@ -30,6 +31,69 @@ pub(crate) struct Scca {
     pub(crate) d: f64,
     /// C_a.
     pub(crate) acceleration: f64,
+    sine: Part,
+    cosine: Part,
+}
+
+/// A sine or a cosine over a share of the stroke.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Part {
+    /// π by the share: radians for a length on the stroke.
+    frequency: Dd,
+    /// C_a times that: the largest jerk.
+    jerk: Dd,
+}
+
+impl Part {
+    fn new(share: f64, acceleration: Dd) -> Part {
+        let frequency = Dd::PI.div(Dd::from(share));
+        let jerk = frequency * acceleration;
+        Part {
+            frequency: factor(frequency),
+            jerk: factor(jerk),
+        }
+    }
+}
+
+/// A place in a half of the stroke: how far it is from the stroke's end and how long the half is, exactly, and
+/// where it is in the symmetric law: `0 ≤ y ≤ 1/2`, rounded, and `left = 1 − 2y`.
+pub(super) struct Place {
+    pub distance: Dd,
+    pub share: Dd,
+    pub y: f64,
+    pub left: f64,
+}
+
+impl Place {
+    /// The sign of `2y − part`, of the numbers as they are: a jerk that vanishes on one side of a joint and is
+    /// rounded on the other would be wrong by more than its condition.
+    fn beyond(&self, part: Dd) -> f64 {
+        let rough = 2.0 * self.y - part.hi;
+        if rough.abs() > 1e-14 {
+            return rough;
+        }
+        let Place {
+            distance, share, ..
+        } = self;
+        let [p, q, r, s] = [
+            two_prod(-share.hi, part.hi),
+            two_prod(-share.hi, part.lo),
+            two_prod(-share.lo, part.hi),
+            two_prod(-share.lo, part.lo),
+        ];
+        sign_of_sum(&[
+            distance.hi,
+            distance.lo,
+            p.hi,
+            p.lo,
+            q.hi,
+            q.lo,
+            r.hi,
+            r.lo,
+            s.hi,
+            s.lo,
+        ])
+    }
 }
 
 /// `x − sin x` for `0 ≤ x ≤ π/2`, by its Taylor series.
@@ -64,21 +128,17 @@ impl Scca {
         let sine = SINE_PART * two_prod(b, b) + v.mul_f(0.5 * c);
         let constant = two_prod(c, c).scale(0.125) + v.add_f(0.5 * c).mul_f(0.5 * d);
         let middle = sine + constant + COSINE_PART * two_prod(d, d);
-        Ok(Scca {
+        Ok(Scca::scaled(b, c, d, Dd::from(0.5).div(middle)))
+    }
+
+    fn scaled(b: f64, c: f64, d: f64, acceleration: Dd) -> Scca {
+        Scca {
             b,
             c,
             d,
-            acceleration: Dd::from(0.5).div(middle).value(),
-        })
-    }
-
-    /// Whether `y` lies in the cosine part: `2y > 1 − d`, decided exactly.
-    fn in_cosine(&self, y: f64) -> bool {
-        let y2 = 2.0 * y;
-        if y2 >= 0.5 {
-            self.d > 1.0 - y2
-        } else {
-            y2 > 1.0 - self.d
+            acceleration: acceleration.value(),
+            sine: Part::new(b, acceleration),
+            cosine: Part::new(d, acceleration),
         }
     }
 
@@ -100,33 +160,34 @@ impl Scca {
         }
     }
 
-    /// The accelerating half at `0 ≤ y ≤ 1/2`, with `left = 1 − 2y`.
-    pub(super) fn half(&self, y: f64, left: f64) -> Motion {
+    /// The accelerating half.
+    pub(super) fn half(&self, place: &Place) -> Motion {
         let (b, c, d) = (self.b, self.c, self.d);
-        let normalised = if 2.0 * y <= b && b > 0.0 {
-            let phi = PI * (y / b);
+        let (y, left) = (place.y, place.left);
+        let normalised = if place.beyond(Dd::from(b)) < 0.0 {
+            let phi = times(y, self.sine.frequency);
             let half_sine = (0.5 * phi).sin();
-            let rest = PI * (self.left_of_sine(y, left) / b);
+            let rest = times(self.left_of_sine(y, left), self.sine.frequency);
             Motion {
                 displacement: (b / PI) * (b / PI) * x_minus_sin(phi),
                 velocity: b / PI * (2.0 * half_sine * half_sine),
                 acceleration: phi.sin(),
-                jerk: PI / b * rest.sin(),
+                jerk: times(rest.sin(), self.sine.jerk),
             }
         } else {
             let (s1, v1) = (b * b * SINE_PART.hi, b / PI);
-            if self.in_cosine(y) {
+            if place.beyond(two_sum(1.0, -d)) > 0.0 {
                 let t = self.depth_in_cosine(y, left);
                 let (s2, v2) = (s1 + 0.5 * c * (v1 + 0.25 * c), v1 + 0.5 * c);
-                let phi = PI * (t / d);
+                let phi = times(t, self.cosine.frequency);
                 let half_sine = (0.5 * phi).sin();
                 // From the middle of the stroke, where the acceleration vanishes.
-                let rest = PI * (0.5 * left / d);
+                let rest = times(0.5 * left, self.cosine.frequency);
                 Motion {
                     displacement: s2 + v2 * t + (d / PI) * (d / PI) * (2.0 * half_sine * half_sine),
                     velocity: v2 + d / PI * phi.sin(),
                     acceleration: if rest < phi { rest.sin() } else { phi.cos() },
-                    jerk: -PI / d * phi.sin(),
+                    jerk: -times(phi.sin(), self.cosine.jerk),
                 }
             } else {
                 let t = y - 0.5 * b;
@@ -138,7 +199,10 @@ impl Scca {
                 }
             }
         };
-        normalised.scaled(self.acceleration)
+        Motion {
+            jerk: normalised.jerk,
+            ..normalised.scaled(self.acceleration)
+        }
     }
 
     /// `∫ s dx` over the accelerating half, all terms positive.
@@ -173,12 +237,15 @@ mod tests {
     use super::*;
 
     fn with(d: f64) -> Scca {
-        let (b, c, acceleration) = (0.0, 1.0 - d, 1.0);
-        Scca {
-            b,
-            c,
-            d,
-            acceleration,
+        Scca::scaled(0.0, 1.0 - d, d, Dd::from(1.0))
+    }
+
+    fn at(y: f64) -> Place {
+        Place {
+            distance: Dd::from(y),
+            share: Dd::from(0.5),
+            y,
+            left: 1.0 - 2.0 * y,
         }
     }
 
@@ -186,6 +253,7 @@ mod tests {
     /// other is not, and would say the opposite here.
     #[test]
     fn where_the_cosine_begins() {
+        let in_cosine = |d: f64, y: f64| at(y).beyond(two_sum(1.0, -d)) > 0.0;
         for (d, y) in [
             (0.1, 0.45),
             (0.2, 0.4),
@@ -193,13 +261,24 @@ mod tests {
             (0.7, 0.150_000_000_000_000_05),
             (0.51, 0.245_000_000_000_000_02),
         ] {
-            assert!(with(d).in_cosine(y), "{d} {y}");
-            assert!(!with(d).in_cosine(y.next_down()), "{d} {y}");
+            assert!(in_cosine(d, y), "{d} {y}");
+            assert!(!in_cosine(d, y.next_down()), "{d} {y}");
         }
         // The place itself belongs to the part before.
         for (d, y) in [(0.75, 0.125), (0.25, 0.375), (0.5, 0.25)] {
-            assert!(!with(d).in_cosine(y) && with(d).in_cosine(y.next_up()));
+            assert!(!in_cosine(d, y) && in_cosine(d, y.next_up()));
         }
+    }
+
+    /// The half is shorter than 1/2 by an ulp, so that the place lies beyond the sine by less than y can say.
+    #[test]
+    fn a_joint_of_an_asymmetric_law() {
+        let law = crate::cam_law::MotionLaw::scca(0.625, 0.25, 0.125).expect("a law");
+        let law = law.with_acceleration_fraction(0.5f64.next_down());
+        let law = law.expect("a share");
+        assert_eq!(law.motion(0.3125).expect("a motion").jerk, 0.0);
+        let before = law.motion(0.3125f64.next_down()).expect("a motion").jerk;
+        assert!(before > 0.0 && before < 1e-12, "{before:e}");
     }
 
     /// `y − (1 − d)/2` of the numbers as they are, in rational arithmetic.

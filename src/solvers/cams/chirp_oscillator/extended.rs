@@ -6,6 +6,7 @@ use super::roots::Roots;
 use super::sweep::Sweep;
 use crate::double_double::Dd;
 use crate::faddeeva::w_extended;
+use crate::hex::hex;
 use num_complex::Complex;
 
 /// A gap below this part of the scale of `F` is replaced by the derivative: what that neglects is
@@ -13,7 +14,7 @@ use num_complex::Complex;
 const DERIVATIVE: f64 = 1e-9;
 
 /// √π/2.
-const HALF_SQRT_PI: Dd = Dd::new(0.886_226_925_452_758, -3.833_293_249_912_899_3e-17);
+const HALF_SQRT_PI: Dd = Dd::new(hex("0x1.c5bf891b4ef6bp-1"), hex("-0x1.618f13eb7ca89p-55"));
 
 /// `F`, `R` at `p = −η + iX`.
 fn single(sweep: &Sweep, eta: Dd, x: Dd, beyond: bool) -> (Cd, Cd) {

@@ -3,6 +3,7 @@
 use crate::class_iii::{ClassIii, ContinuationError, State};
 use crate::dyad::DyadError;
 use crate::reduction::Masses;
+use crate::units::Angle;
 use std::cell::Cell;
 use std::f64::consts::TAU;
 
@@ -112,7 +113,7 @@ impl ClassIiiModel {
     pub fn new(linkage: ClassIii, masses: Masses, start: State) -> ClassIiiModel {
         // Where the crank cannot turn fully, those on the way are enough.
         let dead = linkage
-            .dead_positions(&start, start.phi1 + TAU)
+            .dead_positions(&start, Angle::from_rad(start.phi1 + TAU))
             .unwrap_or_else(|e| e.0);
         ClassIiiModel {
             linkage,
@@ -125,7 +126,9 @@ impl ClassIiiModel {
 
 impl ReducedModel for ClassIiiModel {
     fn coefficients(&self, phi: f64) -> Result<Coefficients, ModelError> {
-        let state = self.linkage.follow(&self.here.get(), phi)?;
+        let state = self
+            .linkage
+            .follow(&self.here.get(), Angle::from_rad(phi))?;
         self.here.set(state);
         let r = self.masses.reduce(&state);
         Ok(Coefficients {
@@ -208,8 +211,8 @@ pub(crate) mod tests {
     pub(crate) fn sand_screen() -> ClassIiiModel {
         let linkage = zinchenko();
         let phi1 = START;
-        let mode = linkage.assembly_modes(phi1).modes[2];
-        let start = linkage.state_near(phi1, mode).unwrap();
+        let mode = linkage.assembly_modes(Angle::from_rad(phi1)).modes[2];
+        let start = linkage.state_near(Angle::from_rad(phi1), mode).unwrap();
         ClassIiiModel::new(linkage, recovered(), start)
     }
 

@@ -3,7 +3,7 @@
 use super::dyad_model::tests::{four_bar, slider_crank};
 use super::model::tests::{START, sand_screen};
 use super::*;
-use crate::units::{AngularVelocity, Inertia, Torque};
+use crate::units::{Angle, AngularVelocity, Inertia, Torque};
 use std::f64::consts::TAU;
 
 fn kloss(synchronous: f64, rated: f64) -> Motor {
@@ -496,8 +496,10 @@ fn a_fold_ends_the_run() {
     let mut values = zinchenko().geometry().named_values().map(|n| n.1);
     values[0] = 0.45;
     let linkage = ClassIii::new(Geometry::from_values(&values)).unwrap();
-    let modes = linkage.assembly_modes(START).modes;
-    let start = linkage.state_near(START, modes[0]).unwrap();
+    let modes = linkage.assembly_modes(Angle::from_rad(START)).modes;
+    let start = linkage
+        .state_near(Angle::from_rad(START), modes[0])
+        .unwrap();
     let model = ClassIiiModel::new(linkage, recovered(), start);
     let drive = Drive::direct(Motor::constant(Torque::from_n_m(1000.0)).unwrap());
     let result = run(&Equation::new(&model, &drive), &Plan::new(START, 100.0));

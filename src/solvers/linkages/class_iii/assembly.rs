@@ -23,6 +23,7 @@
 use super::geometry::{ClassIii, Lengths};
 use super::loops::{cross, dot, unit};
 use super::positions::{Positions, wrap};
+use crate::units::Angle;
 use num_complex::Complex64;
 
 /// Every real solution of the loop equations at one crank angle.
@@ -342,7 +343,7 @@ fn aberth(poly: &[Complex64], z: &mut [Complex64]) -> usize {
 }
 
 impl ClassIii {
-    /// All assembly modes at the crank angle `phi1` (radians).
+    /// All assembly modes at the crank angle `phi1`.
     ///
     /// ```
     /// use mechaudit_solvers::class_iii::{ClassIii, Geometry};
@@ -353,12 +354,13 @@ impl ClassIii {
     ///     lb: cm(22.0), phi_b: Angle::from_deg(-39.3),
     ///     x3: cm(75.0), y3: cm(93.0), x5: cm(128.5), y5: cm(103.5),
     /// })?;
-    /// let found = linkage.assembly_modes(14.426f64.to_radians());
+    /// let found = linkage.assembly_modes(Angle::from_deg(14.426));
     /// assert_eq!(found.modes.len(), 4);
     /// assert!((found.modes[2].phi4.to_degrees() - 22.558).abs() < 1e-3);
     /// # Ok::<(), mechaudit_solvers::class_iii::GeometryError>(())
     /// ```
-    pub fn assembly_modes(&self, phi1: f64) -> AssemblyModes {
+    pub fn assembly_modes(&self, phi1: Angle) -> AssemblyModes {
+        let phi1 = phi1.rad();
         let e1 = unit(phi1);
         let resultant = Resultant::new(&self.l, e1);
         let angles = resultant.partition();
@@ -436,7 +438,7 @@ mod tests {
             1.0, 5.6, 2.0, 2.0, 2.0, 1.0, phi_b, 5.0, 3.0, 7.0, 3.0,
         ]))?;
         let phi1 = 10f64.to_radians();
-        let modes = linkage.assembly_modes(phi1).modes;
+        let modes = linkage.assembly_modes(Angle::from_rad(phi1)).modes;
         let parallel: Vec<_> = modes.iter().filter(|m| m.phi4.abs() < 1e-12).collect();
         assert_eq!(parallel.len(), 2, "{modes:?}");
         for m in &modes {
@@ -449,7 +451,7 @@ mod tests {
 
     #[test]
     fn the_modes_of_the_paper() {
-        let found = zinchenko().assembly_modes(14.426f64.to_radians());
+        let found = zinchenko().assembly_modes(Angle::from_rad(14.426f64.to_radians()));
         assert!(!found.near_fold);
         let degrees: Vec<[f64; 4]> = found
             .modes
@@ -475,7 +477,7 @@ mod tests {
         for row in 0..48 {
             let phi1 = (14.426 + 7.5 * f64::from(row)).to_radians();
             let due = if (28..=35).contains(&row) { 2 } else { 4 };
-            let modes = zinchenko().assembly_modes(phi1).modes;
+            let modes = zinchenko().assembly_modes(Angle::from_rad(phi1)).modes;
             assert_eq!(modes.len(), due, "row {row}");
         }
     }

@@ -135,10 +135,10 @@ fn zeros_are_closed_in() {
 
 /// The crank angle at which a pair of modes merges, to the last bit, by the number of modes.
 fn fold(linkage: &ClassIii, mut with: f64, mut without: f64) -> f64 {
-    let n = linkage.assembly_modes(with).modes.len();
+    let n = linkage.assembly_modes(Angle::from_rad(with)).modes.len();
     for _ in 0..60 {
         let middle = 0.5 * (with + without);
-        match linkage.assembly_modes(middle).modes.len() == n {
+        match linkage.assembly_modes(Angle::from_rad(middle)).modes.len() == n {
             true => with = middle,
             false => without = middle,
         }
@@ -148,7 +148,7 @@ fn fold(linkage: &ClassIii, mut with: f64, mut without: f64) -> f64 {
 
 /// Places where the number of modes changes in a turn.
 fn folds(linkage: &ClassIii) -> Vec<(f64, f64)> {
-    let count = |phi1: f64| linkage.assembly_modes(phi1).modes.len();
+    let count = |phi1: f64| linkage.assembly_modes(Angle::from_rad(phi1)).modes.len();
     (0..360)
         .map(|k| (f64::from(k).to_radians(), f64::from(k + 1).to_radians()))
         .filter_map(|(a, b)| match count(a).cmp(&count(b)) {
@@ -167,18 +167,25 @@ fn merging_pairs() -> Result<(), GeometryError> {
             let at = fold(&linkage, with, without);
             let inwards = (with - at).signum();
             // Close by the modes are nearly one: said so next to the fold, not farther off.
-            assert!(linkage.assembly_modes(at).near_fold, "{at}");
             assert!(
-                !linkage.assembly_modes(at + 1e-5 * inwards).near_fold,
+                linkage.assembly_modes(Angle::from_rad(at)).near_fold,
                 "{at}"
             );
             assert!(
-                !linkage.assembly_modes(at - 1e-5 * inwards).near_fold,
+                !linkage
+                    .assembly_modes(Angle::from_rad(at + 1e-5 * inwards))
+                    .near_fold,
+                "{at}"
+            );
+            assert!(
+                !linkage
+                    .assembly_modes(Angle::from_rad(at - 1e-5 * inwards))
+                    .near_fold,
                 "{at}"
             );
             for off in [1e-5, 1e-4] {
                 let phi1 = at + off * inwards;
-                let modes = linkage.assembly_modes(phi1).modes;
+                let modes = linkage.assembly_modes(Angle::from_rad(phi1)).modes;
                 let gap = |i: usize, j: usize| modes[i].distance(modes[j]);
                 let (i, j) = (0..modes.len())
                     .flat_map(|i| (0..i).map(move |j| (i, j)))

@@ -6,6 +6,7 @@ use super::geometry::ClassIii;
 use super::kinematics::State;
 use super::loops::unit;
 use super::positions::{Positions, wrap};
+use crate::units::Angle;
 
 /// One configuration with the branch it lies on.
 #[derive(Clone, Copy, Debug)]
@@ -41,11 +42,11 @@ pub struct BranchMap {
 }
 
 impl ClassIii {
-    /// Traces all branches over the crank angles (radians, in order).
+    /// Traces all branches over the crank angles, in order.
     ///
     /// Branches are joined only by [`ClassIii::follow`], which proves each step; a configuration
     /// that no branch reaches begins a new one.
-    pub fn trace_branches(&self, angles: &[f64]) -> BranchMap {
+    pub fn trace_branches(&self, angles: &[Angle]) -> BranchMap {
         let mut map = BranchMap::default();
         let mut living: Vec<BranchSample> = Vec::new();
         for (row, &phi1) in angles.iter().enumerate() {
@@ -61,8 +62,8 @@ impl ClassIii {
         map: &mut BranchMap,
         living: &mut Vec<BranchSample>,
         first: bool,
-        before: f64,
-        phi1: f64,
+        before: Angle,
+        phi1: Angle,
     ) {
         let mut open: Vec<Positions> = self.assembly_modes(phi1).modes;
         let mut next = Vec::new();
@@ -137,7 +138,7 @@ impl ClassIii {
         let d = |phi1: f64, at: f64| Resultant::new(&self.l, unit(phi1)).merging(at);
         // From far off the pair's φ4 may be anybody's; beside the fold the extremum nearest to
         // merging is the one.
-        let modes = self.assembly_modes(near).modes;
+        let modes = self.assembly_modes(Angle::from_rad(near)).modes;
         let mut at = phi4;
         let mut closest = f64::INFINITY;
         for (i, a) in modes.iter().enumerate() {
@@ -171,12 +172,13 @@ impl ClassIii {
 #[cfg(test)]
 mod tests {
     use super::super::tests::zinchenko;
+    use crate::units::Angle;
 
     #[test]
     fn the_folds_of_the_unused_pair() {
         let start = 14.426f64.to_radians();
-        let angles: Vec<f64> = (0..=48)
-            .map(|k| start + (7.5 * k as f64).to_radians())
+        let angles: Vec<Angle> = (0..=48)
+            .map(|k| Angle::from_rad(start + (7.5 * k as f64).to_radians()))
             .collect();
         let map = zinchenko().trace_branches(&angles);
         assert_eq!(map.folds.len(), 2, "{:?}", map.folds);

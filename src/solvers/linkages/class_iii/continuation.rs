@@ -12,6 +12,7 @@ use super::geometry::ClassIii;
 use super::kinematics::State;
 use super::loops::{Frame, Jacobian, unit};
 use super::positions::Positions;
+use crate::units::Angle;
 use num_complex::Complex64;
 
 /// The branch could not be followed.
@@ -100,7 +101,8 @@ impl ClassIii {
     ///
     /// # Errors
     /// [`ContinuationError::Fold`] when the branch ends before `to`.
-    pub fn follow(&self, from: &State, to: f64) -> Result<State, ContinuationError> {
+    pub fn follow(&self, from: &State, to: Angle) -> Result<State, ContinuationError> {
+        let to = to.rad();
         checked(to)?;
         let k = self.l.lipschitz();
         let mut here = *from;
@@ -139,15 +141,16 @@ impl ClassIii {
         let found = starts
             .into_iter()
             .find_map(|start| self.newton(e1, start).filter(&inside))?;
-        self.state(phi1, found).ok()
+        self.state(Angle::from_rad(phi1), found).ok()
     }
 
-    /// A checked start for [`ClassIii::follow`]: the solution at `phi1` near `guess`.
+    /// A checked start for [`ClassIii::follow`]: the solution at the crank angle `at` near `guess`.
     ///
     /// # Errors
     /// When Newton's method does not settle within `1e-2` rad of the guess, or the position is
     /// singular.
-    pub fn state_near(&self, phi1: f64, guess: Positions) -> Result<State, ContinuationError> {
+    pub fn state_near(&self, at: Angle, guess: Positions) -> Result<State, ContinuationError> {
+        let phi1 = at.rad();
         checked(phi1)?;
         let found = self
             .newton(unit(phi1), guess)
@@ -156,7 +159,7 @@ impl ClassIii {
             phi1,
             correction: self.first_correction(unit(phi1), &guess),
         };
-        self.state(phi1, found.ok_or(not_closed)?)
+        self.state(at, found.ok_or(not_closed)?)
             .map_err(|_| ContinuationError::Fold { phi1 })
     }
 
@@ -169,14 +172,14 @@ impl ClassIii {
         }
     }
 
-    /// The states at the given crank angles (radians), each followed from the one before.
+    /// The states at the given crank angles, each followed from the one before.
     ///
     /// # Errors
     /// With the states up to there, when the branch ends.
     pub fn sweep(
         &self,
         start: &State,
-        angles: impl IntoIterator<Item = f64>,
+        angles: impl IntoIterator<Item = Angle>,
     ) -> Result<Vec<State>, (Vec<State>, ContinuationError)> {
         let mut states = Vec::new();
         let mut here = *start;
@@ -199,7 +202,7 @@ impl ClassIii {
     pub fn sweep_parallel(
         &self,
         start: &State,
-        angles: &[f64],
+        angles: &[Angle],
     ) -> Result<Vec<State>, ContinuationError> {
         use rayon::prelude::*;
         let size = angles
@@ -230,15 +233,17 @@ mod tests {
     fn a_whole_turn_closes() {
         let linkage = zinchenko();
         let phi1 = 14.426f64.to_radians();
-        let paper = linkage.assembly_modes(phi1).modes[2];
-        let start = linkage.state_near(phi1, paper).unwrap();
+        let paper = linkage.assembly_modes(Angle::from_rad(phi1)).modes[2];
+        let start = linkage.state_near(Angle::from_rad(phi1), paper).unwrap();
         let end = linkage
-            .follow(&start, phi1 + std::f64::consts::TAU)
+            .follow(&start, Angle::from_rad(phi1 + std::f64::consts::TAU))
             .unwrap();
         let (a, b) = (start.positions.to_array(), end.positions.to_array());
         assert!(a.iter().zip(b).all(|(x, y)| (x - y).abs() < 1e-13));
         // Steps of any size give the same states.
-        let angles: Vec<f64> = (0..=1000).map(|k| phi1 + k as f64 * 1e-3).collect();
+        let angles: Vec<Angle> = (0..=1000)
+            .map(|k| Angle::from_rad(phi1 + k as f64 * 1e-3))
+            .collect();
         let fine = linkage.sweep(&start, angles.iter().copied()).unwrap();
         let coarse = linkage.follow(&start, angles[1000]).unwrap();
         assert!(fine[1000].positions.distance(coarse.positions) < 1e-13);
@@ -255,12 +260,15 @@ mod tests {
     fn a_fold_ends_the_branch() {
         let linkage = zinchenko();
         let phi1 = 200f64.to_radians();
-        let modes = linkage.assembly_modes(phi1).modes;
+        let modes = linkage.assembly_modes(Angle::from_rad(phi1)).modes;
         let folding = modes
             .iter()
             .filter_map(|m| {
                 linkage
-                    .follow(&linkage.state_near(phi1, *m).unwrap(), 4.0)
+                    .follow(
+                        &linkage.state_near(Angle::from_rad(phi1), *m).unwrap(),
+                        Angle::from_rad(4.0),
+                    )
                     .err()
             })
             .collect::<Vec<_>>();
@@ -291,11 +299,11 @@ mod tests {
                     continue;
                 };
                 for at in [phi1, small] {
-                    for mode in linkage.assembly_modes(at).modes {
-                        if let Ok(state) = linkage.state_near(at, mode) {
-                            let _ = linkage.follow(&state, to);
-                            let _ = linkage.follow(&state, small);
-                            let _ = linkage.dead_positions(&state, at + 0.1);
+                    for mode in linkage.assembly_modes(Angle::from_rad(at)).modes {
+                        if let Ok(state) = linkage.state_near(Angle::from_rad(at), mode) {
+                            let _ = linkage.follow(&state, Angle::from_rad(to));
+                            let _ = linkage.follow(&state, Angle::from_rad(small));
+                            let _ = linkage.dead_positions(&state, Angle::from_rad(at + 0.1));
                         }
                     }
                 }
@@ -307,9 +315,12 @@ mod tests {
     fn far_angles_are_refused() {
         let linkage = zinchenko();
         let start = linkage
-            .state_near(0.3, linkage.assembly_modes(0.3).modes[2])
+            .state_near(
+                Angle::from_rad(0.3),
+                linkage.assembly_modes(Angle::from_rad(0.3)).modes[2],
+            )
             .unwrap();
-        let e = linkage.follow(&start, 1e7).unwrap_err();
+        let e = linkage.follow(&start, Angle::from_rad(1e7)).unwrap_err();
         assert!(matches!(e, ContinuationError::TooFar { .. }), "{e}");
     }
 
@@ -318,12 +329,12 @@ mod tests {
         let linkage = zinchenko();
         let p = Positions::from_array([0.0; 4]);
         assert!(matches!(
-            linkage.state_near(0.3, p),
+            linkage.state_near(Angle::from_rad(0.3), p),
             Err(ContinuationError::NotClosed { .. })
         ));
         for bad in [f64::NAN, f64::INFINITY] {
             assert!(matches!(
-                linkage.state_near(bad, p),
+                linkage.state_near(Angle::from_rad(bad), p),
                 Err(ContinuationError::NotFinite { .. })
             ));
         }

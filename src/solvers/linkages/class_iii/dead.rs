@@ -3,6 +3,7 @@
 use super::continuation::ContinuationError;
 use super::geometry::ClassIii;
 use super::kinematics::State;
+use crate::units::Angle;
 
 /// A position in which the crank and link 2 lie in one line.
 ///
@@ -22,7 +23,7 @@ fn alignment(s: &State) -> f64 {
 }
 
 impl ClassIii {
-    /// The dead positions of a branch for crank angles from that of `start` to `to` (radians), in
+    /// The dead positions of a branch for crank angles from that of `start` to `to`, in
     /// order.
     ///
     /// # Errors
@@ -30,8 +31,9 @@ impl ClassIii {
     pub fn dead_positions(
         &self,
         start: &State,
-        to: f64,
+        to: Angle,
     ) -> Result<Vec<DeadPosition>, (Vec<DeadPosition>, ContinuationError)> {
+        let to = to.rad();
         if !to.is_finite() {
             return Err((Vec::new(), ContinuationError::NotFinite { phi1: to }));
         }
@@ -40,7 +42,7 @@ impl ClassIii {
         let mut here = *start;
         for k in 1..=steps {
             let phi1 = start.phi1 + (to - start.phi1) * k as f64 / steps as f64;
-            let next = match self.follow(&here, phi1) {
+            let next = match self.follow(&here, Angle::from_rad(phi1)) {
                 Ok(s) => s,
                 Err(e) => return Err((found, e)),
             };
@@ -73,7 +75,7 @@ impl ClassIii {
                 break;
             }
             let last = step.abs() <= 4.0 * f64::EPSILON * (1.0 + here.phi1.abs());
-            here = self.follow(&here, next)?;
+            here = self.follow(&here, Angle::from_rad(next))?;
             if last {
                 break;
             }
@@ -85,14 +87,15 @@ impl ClassIii {
 #[cfg(test)]
 mod tests {
     use super::super::tests::zinchenko;
+    use crate::units::Angle;
 
     #[test]
     fn the_two_extreme_positions_of_the_paper() {
         let linkage = zinchenko();
-        let paper = linkage.assembly_modes(0.0).modes[2];
-        let start = linkage.state_near(0.0, paper).unwrap();
+        let paper = linkage.assembly_modes(Angle::from_rad(0.0)).modes[2];
+        let start = linkage.state_near(Angle::from_rad(0.0), paper).unwrap();
         let dead = linkage
-            .dead_positions(&start, std::f64::consts::TAU)
+            .dead_positions(&start, Angle::from_rad(std::f64::consts::TAU))
             .unwrap();
         let degrees: Vec<f64> = dead.iter().map(|d| d.state.phi1.to_degrees()).collect();
         assert_eq!(degrees.len(), 2);

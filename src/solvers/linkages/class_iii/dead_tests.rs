@@ -42,10 +42,16 @@ fn dead_positions_where_they_were_built() {
         for l2 in [1.5, 2.0, 5.0] {
             for stretched in [true, false] {
                 let (linkage, p) = built(phi1, l2, stretched);
-                let here = linkage.state_near(phi1, p).expect("a state");
+                let here = linkage
+                    .state_near(Angle::from_rad(phi1), p)
+                    .expect("a state");
                 for way in [0.013, -0.013] {
-                    let start = linkage.follow(&here, phi1 - way).expect("a state");
-                    let found = linkage.dead_positions(&start, phi1 + way).expect("a way");
+                    let start = linkage
+                        .follow(&here, Angle::from_rad(phi1 - way))
+                        .expect("a state");
+                    let found = linkage
+                        .dead_positions(&start, Angle::from_rad(phi1 + way))
+                        .expect("a way");
                     assert_eq!(found.len(), 1, "{phi1} {l2} {stretched}");
                     assert_eq!(found[0].stretched, stretched, "{phi1} {l2}");
                     let off = (found[0].state.phi1 - phi1).abs();
@@ -60,9 +66,13 @@ fn dead_positions_where_they_were_built() {
 #[test]
 fn dead_positions_at_the_ends() {
     let (linkage, p) = built(0.0, 2.0, true);
-    let mut here = linkage.state_near(0.0, p).expect("a state");
+    let mut here = linkage
+        .state_near(Angle::from_rad(0.0), p)
+        .expect("a state");
     here.positions.phi2 = 0.0;
-    let found = linkage.dead_positions(&here, 0.01).expect("a way");
+    let found = linkage
+        .dead_positions(&here, Angle::from_rad(0.01))
+        .expect("a way");
     assert_eq!(found.len(), 1);
     assert!(found[0].state.phi1.abs() < 1e-15);
 }
@@ -71,11 +81,17 @@ fn dead_positions_at_the_ends() {
 #[test]
 fn dead_positions_on_both_sides_of_zero() {
     let linkage = super::super::tests::zinchenko();
-    let mode = linkage.assembly_modes(0.0).modes[2];
-    let middle = linkage.state_near(0.0, mode).expect("a state");
+    let mode = linkage.assembly_modes(Angle::from_rad(0.0)).modes[2];
+    let middle = linkage
+        .state_near(Angle::from_rad(0.0), mode)
+        .expect("a state");
     for from in [PI, -PI] {
-        let start = linkage.follow(&middle, from).expect("a state");
-        let found = linkage.dead_positions(&start, -from).expect("a turn");
+        let start = linkage
+            .follow(&middle, Angle::from_rad(from))
+            .expect("a state");
+        let found = linkage
+            .dead_positions(&start, Angle::from_rad(-from))
+            .expect("a turn");
         assert_eq!(found.len(), 2);
     }
 }

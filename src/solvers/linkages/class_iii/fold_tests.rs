@@ -1,6 +1,7 @@
 //! Folds: how closely they are found, and which are the same.
 
 use super::super::tests::zinchenko;
+use crate::units::Angle;
 
 /// The angles of the paper's linkage in degrees, by halving on the number of modes.
 const FOLDS: [f64; 2] = [217.270876406, 282.845029080];
@@ -11,7 +12,7 @@ fn folds_from_nearby() {
     let linkage = zinchenko();
     for (degrees, side) in FOLDS.into_iter().zip([-1.0, 1.0]) {
         let near = degrees.to_radians();
-        let phi4 = |phi1: f64| linkage.assembly_modes(phi1).modes[0].phi4;
+        let phi4 = |phi1: f64| linkage.assembly_modes(Angle::from_rad(phi1)).modes[0].phi4;
         let inside = near + 1e-8 * side;
         let (at, theta) = linkage
             .refine_fold(inside, phi4(near + 0.01 * side))

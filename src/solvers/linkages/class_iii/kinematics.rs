@@ -3,7 +3,7 @@
 use super::geometry::ClassIii;
 use super::loops::{Frame, Jacobian, dot, unit};
 use super::positions::Positions;
-use crate::units::AngularVelocity;
+use crate::units::{Angle, AngularVelocity};
 use num_complex::Complex64;
 
 /// First and second derivatives of the links' angles with respect to φ1.
@@ -112,15 +112,16 @@ impl Velocities {
 }
 
 impl ClassIii {
-    /// First derivatives at a configuration that closes the loops; `phi1` in radians.
+    /// First derivatives at a configuration that closes the loops.
     ///
     /// # Errors
     /// The position is singular.
     pub fn velocities(
         &self,
-        phi1: f64,
+        phi1: Angle,
         positions: Positions,
     ) -> Result<Velocities, SingularPosition> {
+        let phi1 = phi1.rad();
         let l = &self.l;
         let e1 = unit(phi1);
         let frame = Frame::new(l, &positions);
@@ -139,13 +140,13 @@ impl ClassIii {
         })
     }
 
-    /// Rates at a configuration that closes the loops; `phi1` in radians.
+    /// Rates at a configuration that closes the loops.
     ///
     /// The accelerations use the same factored matrix as the velocities.
     ///
     /// # Errors
     /// The position is singular.
-    pub fn state(&self, phi1: f64, positions: Positions) -> Result<State, SingularPosition> {
+    pub fn state(&self, phi1: Angle, positions: Positions) -> Result<State, SingularPosition> {
         let l = &self.l;
         let v = self.velocities(phi1, positions)?;
         let second = v.accelerations()?;
@@ -156,7 +157,7 @@ impl ClassIii {
         let along = dot(f.e2, path).abs();
         let across = super::loops::cross(f.e2, path).abs();
         Ok(State {
-            phi1,
+            phi1: phi1.rad(),
             positions,
             rates: Rates {
                 first: v.first,

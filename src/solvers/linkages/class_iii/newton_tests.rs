@@ -2,6 +2,7 @@
 
 use super::super::tests::zinchenko;
 use super::*;
+use crate::units::Angle;
 
 /// Below 2⁻⁵⁰, or below 1e-12 and more than half of the correction before.
 #[test]
@@ -45,7 +46,7 @@ fn leaps_are_given_up() {
 #[test]
 fn bounds_of_each_angle() {
     let l = zinchenko().l;
-    let p = zinchenko().assembly_modes(0.3).modes[2];
+    let p = zinchenko().assembly_modes(Angle::from_rad(0.3)).modes[2];
     let mut worst = [0; 4];
     for (l2, l5, l3, l4) in [
         (0.1, 0.485, 0.6, 0.64),
@@ -83,8 +84,13 @@ fn bounds_of_each_angle() {
 #[test]
 fn a_singular_position_is_named() {
     let flat = Positions::from_array([0.0; 4]);
-    let e = zinchenko().state(0.3, flat).unwrap_err();
+    let e = zinchenko().state(Angle::from_rad(0.3), flat).unwrap_err();
     assert_eq!(e, crate::class_iii::SingularPosition { phi1: 0.3 });
     assert!(e.to_string().contains("0.3 rad"), "{e}");
-    assert_eq!(zinchenko().velocities(0.3, flat).unwrap_err(), e);
+    assert_eq!(
+        zinchenko()
+            .velocities(Angle::from_rad(0.3), flat)
+            .unwrap_err(),
+        e
+    );
 }

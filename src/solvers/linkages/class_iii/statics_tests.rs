@@ -5,7 +5,7 @@ use super::positions::{Positions, wrap};
 use super::tests::zinchenko;
 use super::*;
 use crate::class_iii::geometry::Lengths;
-use crate::units::AngularVelocity;
+use crate::units::{Angle, AngularVelocity};
 use nalgebra::Matrix4;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
@@ -20,8 +20,13 @@ fn states() -> Vec<(ClassIii, State)> {
     for linkage in [zinchenko(), other()] {
         for k in 0..30 {
             let phi1 = 0.2 * f64::from(k);
-            for mode in linkage.assembly_modes(phi1).modes {
-                all.push((linkage, linkage.state_near(phi1, mode).expect("a state")));
+            for mode in linkage.assembly_modes(Angle::from_rad(phi1)).modes {
+                all.push((
+                    linkage,
+                    linkage
+                        .state_near(Angle::from_rad(phi1), mode)
+                        .expect("a state"),
+                ));
             }
         }
     }
@@ -155,7 +160,11 @@ fn points_by_differences() {
             continue;
         }
         let h = 1e-4;
-        let near = |k: f64| linkage.follow(&s, s.phi1 + k * h).expect("a state");
+        let near = |k: f64| {
+            linkage
+                .follow(&s, Angle::from_rad(s.phi1 + k * h))
+                .expect("a state")
+        };
         let (before, after) = (near(-1.0), near(1.0));
         let [_, b, c, d] = s.joints();
         let l = linkage.geometry();
@@ -180,7 +189,9 @@ fn points_by_differences() {
             let off = (at.r[0] - origin[0]).hypot(at.r[1] - origin[1]);
             assert!((off - r).abs() < 1e-14, "{link:?}");
             // What is asked for without accelerations is the same.
-            let v = linkage.velocities(s.phi1, s.positions).expect("regular");
+            let v = linkage
+                .velocities(Angle::from_rad(s.phi1), s.positions)
+                .expect("regular");
             let along = v.point_along(link, unit(a) * r);
             assert!(
                 (0..2).all(|i| (along[i] - at.first[i]).abs() < 1e-13),
@@ -229,7 +240,7 @@ fn corrections_that_are_too_large() {
         }
         let mut p = s.positions.to_array();
         p[2] += 0.012;
-        let e = linkage.state_near(s.phi1, Positions::from_array(p));
+        let e = linkage.state_near(Angle::from_rad(s.phi1), Positions::from_array(p));
         let Err(ContinuationError::NotClosed { phi1, correction }) = e else {
             panic!("{e:?}");
         };
@@ -244,9 +255,14 @@ fn corrections_that_are_too_large() {
 fn sweeps_in_parallel() {
     let linkage = zinchenko();
     let start = linkage
-        .state_near(0.0, linkage.assembly_modes(0.0).modes[2])
+        .state_near(
+            Angle::from_rad(0.0),
+            linkage.assembly_modes(Angle::from_rad(0.0)).modes[2],
+        )
         .expect("a state");
-    let angles: Vec<f64> = (0..700).map(|k| 0.004 * f64::from(k)).collect();
+    let angles: Vec<Angle> = (0..700)
+        .map(|k| Angle::from_rad(0.004 * f64::from(k)))
+        .collect();
     let one = linkage
         .sweep(&start, angles.iter().copied())
         .expect("a turn");
@@ -262,11 +278,19 @@ fn sweeps_in_parallel() {
 #[test]
 fn dead_positions_either_way() {
     let linkage = zinchenko();
-    let mode = linkage.assembly_modes(0.0).modes[2];
-    let start = linkage.state_near(0.0, mode).expect("a state");
-    let there = linkage.dead_positions(&start, TAU).expect("a turn");
-    let end = linkage.follow(&start, TAU).expect("a turn");
-    let back = linkage.dead_positions(&end, 0.0).expect("a turn");
+    let mode = linkage.assembly_modes(Angle::from_rad(0.0)).modes[2];
+    let start = linkage
+        .state_near(Angle::from_rad(0.0), mode)
+        .expect("a state");
+    let there = linkage
+        .dead_positions(&start, Angle::from_rad(TAU))
+        .expect("a turn");
+    let end = linkage
+        .follow(&start, Angle::from_rad(TAU))
+        .expect("a turn");
+    let back = linkage
+        .dead_positions(&end, Angle::from_rad(0.0))
+        .expect("a turn");
     assert_eq!((there.len(), back.len()), (2, 2));
     for (a, b) in there.iter().zip(back.iter().rev()) {
         assert!((a.state.phi1 - b.state.phi1).abs() < 1e-13);
@@ -279,13 +303,18 @@ fn dead_positions_either_way() {
     let mut here = start;
     for k in 1..=4 {
         let to = TAU * f64::from(k) / 4.0;
-        found += linkage.dead_positions(&here, to).expect("a quarter").len();
-        here = linkage.follow(&here, to).expect("a quarter");
+        found += linkage
+            .dead_positions(&here, Angle::from_rad(to))
+            .expect("a quarter")
+            .len();
+        here = linkage
+            .follow(&here, Angle::from_rad(to))
+            .expect("a quarter");
     }
     assert_eq!(found, 2);
     assert!(
         linkage
-            .dead_positions(&start, start.phi1)
+            .dead_positions(&start, Angle::from_rad(start.phi1))
             .expect("nothing")
             .is_empty()
     );
@@ -295,9 +324,11 @@ fn dead_positions_either_way() {
 #[test]
 fn folds_of_a_turn() {
     for linkage in [zinchenko(), other()] {
-        let angles: Vec<f64> = (0..=90).map(|k| TAU * f64::from(k) / 90.0).collect();
+        let angles: Vec<Angle> = (0..=90)
+            .map(|k| Angle::from_rad(TAU * f64::from(k) / 90.0))
+            .collect();
         let map = linkage.trace_branches(&angles);
-        let count = |phi1: f64| linkage.assembly_modes(phi1).modes.len() as i64;
+        let count = |phi1: f64| linkage.assembly_modes(Angle::from_rad(phi1)).modes.len() as i64;
         for f in &map.folds {
             assert_eq!(f.branches.len(), 2, "{f:?}");
             let change = count(f.phi1 + 1e-7) - count(f.phi1 - 1e-7);
@@ -309,7 +340,7 @@ fn folds_of_a_turn() {
             assert!(wrap(x - f.phi4).abs() < 1e-6, "{f:?}: {x}");
         }
         for (row, &phi1) in map.rows.iter().zip(&angles) {
-            assert_eq!(row.len() as i64, count(phi1), "{phi1}");
+            assert_eq!(row.len() as i64, count(phi1.rad()), "{phi1:?}");
         }
         let born = map.folds.iter().filter(|f| f.begins).count();
         let first = map.rows[0].len();

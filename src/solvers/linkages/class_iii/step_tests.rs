@@ -38,11 +38,15 @@ fn the_radius_of_the_only_solution() {
 #[test]
 fn predictions() {
     let linkage = zinchenko();
-    let mode = linkage.assembly_modes(0.3).modes[2];
-    let start = linkage.state_near(0.3, mode).expect("a state");
+    let mode = linkage.assembly_modes(Angle::from_rad(0.3)).modes[2];
+    let start = linkage
+        .state_near(Angle::from_rad(0.3), mode)
+        .expect("a state");
     for h in [0.02, -0.02] {
         let off = |h: f64| {
-            let there = linkage.follow(&start, 0.3 + h).expect("a state");
+            let there = linkage
+                .follow(&start, Angle::from_rad(0.3 + h))
+                .expect("a state");
             predicted(&start, 0.3 + h).distance(there.positions)
         };
         let ratio = off(h) / off(0.5 * h);

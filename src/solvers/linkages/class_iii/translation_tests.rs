@@ -14,13 +14,13 @@ fn turned(mut v: [f64; 11], turn: f64) -> ClassIii {
 
 /// Turned by anything, the linkage has the same modes, `n` of them, `parallel` with φ4 = `theta`.
 fn hold(v: [f64; 11], phi1: f64, n: usize, (theta, parallel): (f64, usize)) {
-    let due = turned(v, 0.0).assembly_modes(phi1).modes;
+    let due = turned(v, 0.0).assembly_modes(Angle::from_rad(phi1)).modes;
     assert_eq!(due.len(), n, "{v:?}");
     for k in 0..100 {
         let turn = 0.0628 * f64::from(k);
         let linkage = turned(v, turn);
         let e1 = unit(phi1 + turn);
-        let modes = linkage.assembly_modes(phi1 + turn).modes;
+        let modes = linkage.assembly_modes(Angle::from_rad(phi1 + turn)).modes;
         assert_eq!(modes.len(), n, "{v:?} {turn}");
         let near = |m: &&Positions| wrap(m.phi4 - theta - turn).abs() < 1e-6;
         assert_eq!(modes.iter().filter(near).count(), parallel, "{v:?} {turn}");
@@ -96,7 +96,7 @@ fn modes_mirrored_in_parallel_lines() {
             let (linkage, pair) = mirrored(phi1, phi4, p, q);
             // Also where the two have parted by less than the noise of T shows, or more.
             for off in [0.0, 1e-12, -1e-9, 1e-8, -1e-7, 1e-6] {
-                let modes = linkage.assembly_modes(phi1 + off).modes;
+                let modes = linkage.assembly_modes(Angle::from_rad(phi1 + off)).modes;
                 for u in pair {
                     let near = |m: &&Positions| {
                         wrap(m.phi4 - phi4).abs() < 1e-3 && wrap(m.phi3 - u.arg()).abs() < 1e-3

@@ -2,8 +2,9 @@
 
 use super::error::DyadError;
 use super::motion::{Assembly, LinkMotion, PointMotion};
-use super::numeric::{PI_TAIL, check_lengths, scale, sign_of_sum};
+use super::numeric::{check_lengths, scale};
 use super::rrr::{Span, check_finite, joint_motion, link, solve_span};
+use crate::double_double::{Dd, sign_of_sum};
 use crate::units::{Angle, Length};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -180,7 +181,7 @@ impl FourBar {
         } else {
             let principal = (-span.d[1]).atan2(-span.d[0]);
             let turns = ((phi - principal) / TAU).round();
-            let eta = (principal + turns * TAU) + turns * (2.0 * PI_TAIL);
+            let eta = (principal + turns * TAU) + turns * (2.0 * Dd::PI.lo);
             (eta - s * k.alpha.supplement(), eta - s * k.beta.angle())
         };
         let m = |v: f64| scale(v, self.exponent);

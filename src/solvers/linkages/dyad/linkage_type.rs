@@ -2,7 +2,8 @@
 
 use super::four_bar::FourBar;
 use super::motion::Assembly;
-use super::numeric::{HalfAngle, sign_of_sum, sum3};
+use super::numeric::{HalfAngle, sum3};
+use crate::double_double::sign_of_sum;
 use crate::units::Angle;
 use std::f64::consts::PI;
 

@@ -53,27 +53,6 @@ pub(super) fn check_lengths(
     Ok(exponent(longest_m))
 }
 
-/// The sign of a sum of a few numbers, exactly: an expansion without overlap is grown term by
-/// term and its last non-zero component has the sign of the whole (J. R. Shewchuk, *Adaptive
-/// precision floating-point arithmetic*, Discrete Comput. Geom. 18, 1997, theorem 10).
-pub(super) fn sign_of_sum(terms: &[f64]) -> f64 {
-    let mut expansion: Vec<f64> = Vec::with_capacity(terms.len());
-    for &t in terms {
-        let mut carry = t;
-        for e in &mut expansion {
-            let sum = carry + *e;
-            let back = sum - carry;
-            *e = (carry - (sum - back)) + (*e - back);
-            carry = sum;
-        }
-        expansion.push(carry);
-    }
-    match expansion.iter().rev().find(|&&e| e != 0.0) {
-        Some(e) => e.signum(),
-        None => 0.0,
-    }
-}
-
 /// The angle between two sides of a triangle, as the pair whose `atan2` is half of it.
 ///
 /// With the sides `p` and `q` enclosing the angle and `o` opposite to it,
@@ -138,21 +117,9 @@ pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-/// π as a sum of two numbers: the second is π minus the first, rounded.
-pub(super) const PI_TAIL: f64 = 1.224_646_799_147_353_2e-16;
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn signs_are_exact() {
-        assert_eq!(sign_of_sum(&[1.0, 1e-30, -1.0]), 1.0);
-        assert_eq!(sign_of_sum(&[1e-30, 1.0, -1.0, -1e-30]), 0.0);
-        assert_eq!(sign_of_sum(&[0.1, 0.2, -0.3]), 1.0);
-        assert_eq!(sign_of_sum(&[0.3, -0.1, -0.2]), -1.0);
-        assert_eq!(sign_of_sum(&[]), 0.0);
-    }
 
     #[test]
     fn scaling_is_exact_over_the_whole_range() {

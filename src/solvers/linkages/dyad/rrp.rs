@@ -2,7 +2,8 @@
 
 use super::error::DyadError;
 use super::motion::{Assembly, LinkMotion, PointMotion};
-use super::numeric::{PI_TAIL, check_lengths, dot, exponent, scale};
+use super::numeric::{check_lengths, dot, exponent, scale};
+use crate::double_double::Dd;
 use crate::units::{Angle, Length};
 use std::f64::consts::PI;
 
@@ -132,7 +133,7 @@ pub(super) fn solve_guide(
     let tilt = h.atan2(root);
     let angle = match assembly {
         Assembly::Positive => direction + tilt,
-        Assembly::Negative => ((direction + PI) + PI_TAIL) - tilt,
+        Assembly::Negative => ((direction + PI) + Dd::PI.lo) - tilt,
     };
     let m = |x: f64| scale(x, e);
     let out = RrpMotion {

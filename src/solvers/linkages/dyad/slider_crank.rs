@@ -2,9 +2,10 @@
 
 use super::error::DyadError;
 use super::motion::Assembly;
-use super::numeric::{check_lengths, scale, sign_of_sum};
+use super::numeric::{check_lengths, scale};
 use super::rrp::RrpMotion;
 use super::rrp::solve_guide;
+use crate::double_double::sign_of_sum;
 use crate::units::{Angle, Length};
 use std::f64::consts::PI;
 

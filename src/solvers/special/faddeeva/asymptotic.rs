@@ -8,9 +8,10 @@
 //! for each term (Knuth, *TAOCP* 2, 4.6.4) and its imaginary part comes out with the factor
 //! `Im q`: both components of w keep their relative accuracy beside the axes.
 
-use crate::double_double_functions::exp_minus_square;
+use super::constants::{HALF_SQRT_PI, INV_SQRT_PI};
 use super::tables::REAL_LINE;
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::double_double_functions::exp_minus_square;
 use crate::lanes::Lanes;
 use crate::real::{Real, scaled};
 
@@ -28,11 +29,8 @@ const A: [f64; TERMS] = {
     a
 };
 
-/// `1/√π`.
-const INV_SQRT_PI: Dd = Dd::new(0.564_189_583_547_756_3, 7.667_729_806_582_94e-18);
-
 /// `√π`.
-const SQRT_PI: f64 = 1.772_453_850_905_516;
+const SQRT_PI: f64 = 2.0 * HALF_SQRT_PI.hi;
 
 /// `x (hi + lo)(1 + g)`
 #[inline(always)]

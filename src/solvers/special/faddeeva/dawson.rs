@@ -37,7 +37,7 @@ pub(super) const ROUNDING_SHOWS: f64 = hex("0x1p-20");
 /// `2 f₂ = −1/x₀` and `f₃ = 1/3`.
 const LEADING: [Dd; 2] = [
     Dd::new(MINUS_INVERSE_MAXIMUM[0], MINUS_INVERSE_MAXIMUM[1]),
-    Dd::new(1.0 / 3.0, 1.850371707708594e-17),
+    Dd::new(1.0 / 3.0, -odd_series::THIRD_LOW),
 ];
 /// Terms used.
 const ORDER: usize = 24;

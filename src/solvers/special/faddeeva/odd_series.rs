@@ -5,6 +5,7 @@
 //! accuracy beside the axes and next to zero.
 
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
+use crate::hex::hex;
 
 /// |z|² up to which the series here are used.
 pub(super) const REACH: f64 = 0.5;
@@ -18,7 +19,7 @@ pub(super) const ERF: Coefficients<16> = (&ERF_TERMS, THIRD_LOW);
 pub(super) const DAWSON: Coefficients<18> = (&DAWSON_TERMS, 2.0 * THIRD_LOW);
 
 /// −1/3 minus its rounded value.
-const THIRD_LOW: f64 = -1.850371707708594e-17;
+pub(super) const THIRD_LOW: f64 = hex("-0x1.5555555555555p-56");
 
 /// `(−1)ⁿ/(n! (2n + 1))`: erf z = (2/√π) f(z) (DLMF 7.6.1).
 const ERF_TERMS: [f64; 16] = {

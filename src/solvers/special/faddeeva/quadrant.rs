@@ -16,7 +16,7 @@ use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::hex::hex;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Task};
 use crate::real::{ROUND, scaled};
 
 /// A sum smaller than this part of its terms is computed again in double-double.
@@ -320,9 +320,23 @@ pub(super) fn dawson_in_strip<L: Lanes>(lanes: L, t: f64, b: f64) -> (Dd, Dd) {
 #[inline(always)]
 pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
     if a.max(b) < 4096.0 {
-        trapezoidal::upper(lanes, a, b)
+        lanes.call(trapezoidal::Upper { a, b })
     } else {
         four_terms(a, b)
+    }
+}
+
+/// `e^{−z²}` at `a + i y` in double-double. A function of its own, as [`trapezoidal::Upper`].
+struct ExpMinusSquare {
+    a: f64,
+    y: f64,
+}
+
+impl Task for ExpMinusSquare {
+    type Output = exact::Gaussian;
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> exact::Gaussian {
+        exact::exp_minus_square(lanes, self.a, -self.y, Dd::ZERO, Dd::ZERO).0
     }
 }
 
@@ -331,7 +345,7 @@ pub(super) fn w_exact<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
 #[inline(always)]
 pub(super) fn gaussian_exact<L: Lanes>(lanes: L, a: f64, y: f64) -> (Dd, Dd, f64) {
     if exponent(a, y).hi.abs() < 1400.0 {
-        exact::exp_minus_square(lanes, a, -y, Dd::ZERO, Dd::ZERO).0
+        lanes.call(ExpMinusSquare { a, y })
     } else {
         gaussian(a, y)
     }

@@ -1,8 +1,7 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::asymptotic::one_term;
-use crate::exponential::{LARGE_PHASE, phase, reduce, sin_cos_reduced, turn};
-use crate::payne_hanek;
+use crate::exponential::circle;
 use crate::real::{ROUND, scaled};
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.
@@ -38,14 +37,7 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
         // a² − b² ≥ |z| ulp(|z|) is far beyond 745.
         return (-u, v);
     }
-    let theta = phase(a, y);
-    let (r, quadrant) = if theta.hi.abs() < LARGE_PHASE {
-        reduce(theta)
-    } else {
-        payne_hanek::reduce(a, y)
-    };
-    let (s, c) = sin_cos_reduced(r);
-    let (s, c) = turn(s, c, quadrant);
+    let (s, c) = circle(a, y);
     let (s, c) = (-s.hi, c.hi);
     if b > a {
         return (f64::INFINITY.copysign(c), f64::INFINITY.copysign(s));

@@ -2,8 +2,8 @@
 //!
 //! Made by `mechaudit regenerate faddeeva-tables` (mechaudit 0.1.0); not to be edited.
 //! precision: every rounding decided at 256 to 8192 bits
-//! SHA-256 of the recipe: 82c77ed4365113d2a9b64da264768ea583aa011d4f89cc9dd848ab17829c3960
-//! SHA-256 of all lines below: d8e8dfcbb8968d28a65d045a984f3951ffa772e9b85abcf503dfb0b2338cf6bd
+//! SHA-256 of the recipe: ef372b9cb015012404a716a9d5594a12ffc8120cfdddee1b21579dccdb6ea283
+//! SHA-256 of all lines below: 0b2ed97ff80b2c69ac1f1b53d81581509e14d9aafb62bb391ef18833b6fdb89a
 
 use super::taylor::{ComplexRow, RealRow};
 use super::zeros::ZeroRow;

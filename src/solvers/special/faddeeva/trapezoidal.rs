@@ -17,19 +17,20 @@
 //! Re = y Σ a (r² + τ)/M,   Im = x Σ a (r² − τ)/M,   M = (r² − τ)² + 4τy²,   τ = t², a = (2h/π) e^{−τ}
 //! ```
 
-use crate::double_double_functions::exp_minus_square;
 use super::tables::{TRAPEZOIDAL_NODES, TRAPEZOIDAL_WEIGHTS};
 use crate::double_double::{Dd, two_prod};
-use crate::lanes::Lanes;
+use crate::double_double_functions::exp_minus_square;
+use crate::hex::hex;
+use crate::lanes::{Lanes, Task};
 use crate::real::{ROUND, scaled};
 
 /// Nodes of each rule.
 pub(super) const NODES: usize = 24;
 const LANES: usize = 8;
 
-const TWO_PI: Dd = Dd::new(std::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
+const TWO_PI: Dd = Dd::new(2.0 * Dd::PI.hi, 2.0 * Dd::PI.lo);
 /// 2π/23.
-const TWO_PI_OVER_PER: Dd = Dd::new(0.2731819698773733, 1.5476159230086362e-17);
+const TWO_PI_OVER_PER: Dd = Dd::new(hex("0x1.17bd03a9ebb32p-2"), hex("0x1.1d7c187b51ea1p-56"));
 /// 1/h = 64/23.
 const STEPS: f64 = 64.0;
 const PER: f64 = 23.0;
@@ -63,6 +64,15 @@ fn sums(rule: usize, r2: Dd, y2: Dd) -> (Dd, Dd) {
     (plus, minus)
 }
 
+/// The rule for which `cos 2θ ≤ 0`, with `−cos 2θ` and `sin 2θ`.
+#[inline(always)]
+fn chosen(sine: Dd, cosine: Dd) -> (usize, Dd, Dd) {
+    match cosine.hi <= 0.0 {
+        true => (0, -cosine, sine),
+        false => (1, cosine, -sine),
+    }
+}
+
 /// The value at `a − i b`, `a, b ≥ 0`, `|z| < 2²⁴`, away from overflow; relative error of each
 /// component about 2⁻⁹² of the larger of the two terms it is the sum of. After it `|2e^{−z²}|`, about.
 #[inline(always)]
@@ -77,13 +87,7 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
         f * TWO_PI,
         two_prod(b.min(8.0), -STEPS) * TWO_PI_OVER_PER,
     );
-    // cos 2θ ≤ 0 for the rule chosen.
-    let (rule, kappa, sine) = if cosine.hi <= 0.0 {
-        (0, -cosine, sine)
-    } else {
-        (1, cosine, -sine)
-    };
-
+    let (rule, kappa, sine) = chosen(sine, cosine);
     let (xx, yy) = (two_prod(a, a), two_prod(b, b));
     let (plus, minus) = sums(rule, xx + yy, yy);
     // Tiny parts are lifted, lest the low halves become subnormal.
@@ -103,39 +107,44 @@ pub(super) fn lower<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, f64) {
 }
 
 /// The value at `a + i b`, `a, b ≥ 0`, `|z| < 2²⁴`; relative error of each component about 2⁻¹⁰⁰ of the
-/// larger of the two terms it is the sum of.
-#[inline(always)]
-pub(super) fn upper<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd) {
-    let n = (a * (STEPS / PER) + ROUND) - ROUND;
-    let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
-    // Beyond, what is left of the residue is below the error of the rule.
-    let outside = b > 8.0 || a > 30.0;
-    let (x, y) = if outside { (0.0, 0.0) } else { (a, b) };
-    let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
-        lanes,
-        x,
-        -y,
-        f * TWO_PI,
-        two_prod(y, -STEPS) * TWO_PI_OVER_PER,
-    );
-    let (rule, kappa, sine) = if cosine.hi <= 0.0 {
-        (0, -cosine, sine)
-    } else {
-        (1, cosine, -sine)
-    };
-    let (xx, yy) = (two_prod(a, a), two_prod(b, b));
-    let (plus, minus) = sums(rule, xx + yy, yy);
-    let (re, im) = (plus.mul_f(b), minus.mul_f(a));
-    if outside {
-        return (re, im);
+/// larger of the two terms it is the sum of. A function of its own: each relative has a use for it.
+pub(super) struct Upper {
+    pub a: f64,
+    pub b: f64,
+}
+
+impl Task for Upper {
+    type Output = (Dd, Dd);
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> (Dd, Dd) {
+        let Upper { a, b } = self;
+        let n = (a * (STEPS / PER) + ROUND) - ROUND;
+        let f = Dd::from(n.mul_add(-PER, a * STEPS)).div(Dd::from(PER));
+        // Beyond, what is left of the residue is below the error of the rule.
+        let outside = b > 8.0 || a > 30.0;
+        let (x, y) = if outside { (0.0, 0.0) } else { (a, b) };
+        let ((c, s, k), (sine, cosine), (g, gk)) = exp_minus_square(
+            lanes,
+            x,
+            -y,
+            f * TWO_PI,
+            two_prod(y, -STEPS) * TWO_PI_OVER_PER,
+        );
+        let (rule, kappa, sine) = chosen(sine, cosine);
+        let (xx, yy) = (two_prod(a, a), two_prod(b, b));
+        let (plus, minus) = sums(rule, xx + yy, yy);
+        let (re, im) = (plus.mul_f(b), minus.mul_f(a));
+        if outside {
+            return (re, im);
+        }
+        // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
+        let g = g.scale(scaled(1.0, gk));
+        let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
+        let (p, q) = (g * (g + kappa), -(g * sine));
+        let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
+        let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
+        (re + by(c), im + by(s))
     }
-    // 2 e^{−z²} (g² + κg − i g sin 2θ)/(1 + g² + 2κg), g = e^{−2πb/h}.
-    let g = g.scale(scaled(1.0, gk));
-    let den = (g * (g + kappa.scale(2.0))).add_f(1.0);
-    let (p, q) = (g * (g + kappa), -(g * sine));
-    let (c, s) = ((c * p - s * q).div(den), (c * q + s * p).div(den));
-    let by = |t: Dd| Dd::new(scaled(t.hi, k + 1.0), scaled(t.lo, k + 1.0));
-    (re + by(c), im + by(s))
 }
 
 #[cfg(test)]

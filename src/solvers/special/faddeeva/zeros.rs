@@ -9,6 +9,7 @@
 //! and the zeros are stored as three `f64`, from which δ keeps 100 bits however small it is.
 
 #[cfg(target_arch = "x86_64")]
+use super::constants::TWO_OVER_SQRT_PI;
 use super::taylor::polynomials;
 use super::taylor::{polynomial, square};
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
@@ -22,9 +23,6 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 /// parts of `g`.
 #[repr(align(16))]
 pub(super) struct ZeroRow(pub [f64; 46]);
-
-/// 2/√π.
-const TWO_OVER_SQRT_PI: Dd = Dd::new(std::f64::consts::FRAC_2_SQRT_PI, 1.533_545_961_316_588e-17);
 
 /// Whether the point `a − i b` may lie in the square of a zero. There `p = 2ab` is near `2π(k − 0.1325)`, and
 /// `a² − b²` near the straight line through the values at the zeros; squares become squares, turned and `2|z|`

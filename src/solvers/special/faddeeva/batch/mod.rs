@@ -145,14 +145,41 @@ impl<S: Wide, L: Lanes> NullaryFnOnce for Compute<'_, S, L> {
     }
 }
 
+/// In development builds a part of [`Chunk::run`] is a function of its own: without optimisation all of them together
+/// need 3.5 MB of stack, more than a thread has.
+#[inline(always)]
+fn apart<S: Wide>(simd: S, part: impl FnOnce()) {
+    if cfg!(debug_assertions) {
+        simd.outlined(part);
+    } else {
+        part();
+    }
+}
+
 impl Chunk<'_> {
     #[inline(always)]
     fn run<S: Wide, L: Lanes>(&mut self, simd: S, lanes: L) {
         self.buffers.near_zeros = 0;
-        self.upper(simd);
-        self.one_term_dominates(simd, lanes);
-        self.both_terms(simd, lanes);
-        self.beside_real_axis(simd, lanes);
+        apart(
+            simd,
+            #[inline(always)]
+            || self.upper(simd),
+        );
+        apart(
+            simd,
+            #[inline(always)]
+            || self.one_term_dominates(simd, lanes),
+        );
+        apart(
+            simd,
+            #[inline(always)]
+            || self.both_terms(simd, lanes),
+        );
+        apart(
+            simd,
+            #[inline(always)]
+            || self.beside_real_axis(simd, lanes),
+        );
         for at in 0..self.buffers.len(Branch::Huge.number()) {
             let i = self.buffers.numbers(Branch::Huge.number(), at)[0];
             self.alone(lanes, i);
@@ -282,20 +309,18 @@ fn window(numbers: &[u8; ROOM], at: usize) -> &[u8; GROUPS] {
 
 /// Runs the batch with the widest vectors of this processor; `false` if it has none.
 pub(super) fn with_best_vectors<P: Points>(points: &mut P) -> bool {
-    struct Run<'a, S, P>(S, V3, &'a mut P);
-    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
-        type Output = ();
-        #[inline(always)]
-        fn call(self) {
-            batch(self.0, self.1, self.2);
-        }
-    }
     if let Some(v) = V4::try_new() {
-        v.vectorize(Run(v, *v, points));
+        v.vectorize(
+            #[inline(always)]
+            || batch(v, *v, points),
+        );
         return true;
     }
     if let Some(v) = V3::try_new() {
-        v.vectorize(Run(v, v, points));
+        v.vectorize(
+            #[inline(always)]
+            || batch(v, v, points),
+        );
         return true;
     }
     false

@@ -2,7 +2,6 @@
 
 use super::super::asymptotic::{series, series_rounded};
 use super::super::branch::{CELL, SERIES_6, SERIES_14, SERIES_26};
-use crate::exponential::{LARGE_PHASE, exp_minus_square};
 use super::super::reflection::{
     ALONE, close, exponential_dominates, image_dominates, negligible, reflect,
 };
@@ -13,6 +12,7 @@ use super::chunk::{CHUNK, Chunk};
 use super::formulas::Formula;
 use super::tables::Cells;
 use crate::double_double::Dd;
+use crate::exponential::{LARGE_PHASE, exp_minus_square};
 use crate::lanes::Lanes;
 use crate::pack::{Pack, Wide};
 use crate::real::{ROUND, Real};

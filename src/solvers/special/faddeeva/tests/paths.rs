@@ -108,25 +108,19 @@ fn lengths_have_to_agree() {
 #[test]
 fn every_set_of_vectors() {
     use super::super::batch::batch;
-    use super::super::points::{Interleaved, Points};
+    use super::super::points::Interleaved;
     use crate::pack::Wide;
     use pulp::x86::{V3, V4};
-    use pulp::{NullaryFnOnce, Simd};
 
-    struct Run<'a, S, P>(S, V3, &'a mut P);
-    impl<S: Wide, P: Points> NullaryFnOnce for Run<'_, S, P> {
-        type Output = ();
-        #[inline(always)]
-        fn call(self) {
-            batch(self.0, self.1, self.2);
-        }
-    }
-    fn check<S: Wide + Simd>(simd: S, lanes: V3) {
+    fn check<S: Wide>(simd: S, lanes: V3) {
         for n in (0..600).chain([20_000]) {
             let z = points(1000 + n as u64, n);
             let mut w = vec![Complex::new(7.0, 7.0); n];
             let points = &mut Interleaved { z: &z, w: &mut w };
-            simd.vectorize(Run(simd, lanes, points));
+            simd.outlined(
+                #[inline(always)]
+                || batch(simd, lanes, points),
+            );
             assert_same(&z, &w);
         }
     }
