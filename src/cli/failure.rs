@@ -51,7 +51,8 @@ pub fn chain(e: &dyn Error) -> String {
     let mut next = e.source();
     while let Some(cause) = next {
         let why = cause.to_string();
-        if !text.contains(&why) {
+        // Diagrams over several lines say where, which the error above them has said.
+        if !text.contains(&why) && !why.contains('\n') {
             text += &format!(": {why}");
         }
         next = cause.source();

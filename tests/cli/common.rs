@@ -203,6 +203,40 @@ pub fn browsed(path: &Path, width: u32) -> Option<String> {
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
+/// A page without its scripts and styles.
+pub fn markup(page: &str) -> String {
+    let mut out = String::new();
+    let mut rest = page;
+    while let Some(at) = rest
+        .find("<script")
+        .into_iter()
+        .chain(rest.find("<style"))
+        .min()
+    {
+        let end = match rest[at..].starts_with("<script") {
+            true => "</script>",
+            false => "</style>",
+        };
+        let length = rest[at..].find(end).expect("an end");
+        let opening = rest[at..].split('>').next().unwrap();
+        assert!(!opening.contains("src"), "{opening}");
+        out.push_str(&rest[..at]);
+        rest = &rest[at + length + end.len()..];
+    }
+    out + rest
+}
+
+/// Nothing is fetched: by its policy a page may not, and no part of it asks for anything.
+pub fn needs_nothing_else(page: &str) {
+    assert!(page.contains("default-src 'none'"), "no policy");
+    let markup = markup(page)
+        .replace("http-equiv", "")
+        .replace("http://www.w3.org/", "");
+    for outside in ["<link", "<img", "src=", "url(", "@import", "http"] {
+        assert!(!markup.contains(outside), "{outside}");
+    }
+}
+
 /// Whether programs started here ignore a signal: the hang-up under `nohup`, the interrupt in the background of
 /// a shell.
 #[cfg(target_os = "linux")]

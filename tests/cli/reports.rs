@@ -1,6 +1,6 @@
 //! The forms of an audit's report.
 
-use crate::common::browsed;
+use crate::common::{browsed, markup, needs_nothing_else};
 use serde_json::Value;
 use std::process::Command;
 
@@ -199,47 +199,30 @@ fn the_page_is_whole_and_needs_nothing_else() {
     ]);
     assert_eq!(code, 0);
     let page = std::fs::read_to_string(&path).unwrap();
-    for outside in [
-        "<script", "<link", "<img", "src=", "url(", "@import", "http",
-    ] {
-        assert!(!page.contains(outside), "{outside}");
-    }
+    needs_nothing_else(&page);
+    let markup = markup(&page);
     for broken in ["NaN", "=\"inf", "-inf", "undefined", "{}"] {
-        assert!(!page.contains(broken), "{broken}");
+        assert!(!markup.contains(broken), "{broken}");
     }
-    for m in mechaudit::methods::registry() {
-        let anchor = |how: &str| page.matches(&format!("{how}{}\"", m.name())).count();
-        assert_eq!(
-            (anchor("href=\"#"), anchor("id=\"")),
-            (1, 1),
+    let registry = mechaudit::methods::registry();
+    for (i, m) in registry.iter().enumerate() {
+        let anchor = |how: &str| markup.matches(&format!("{how}method-{i}\"")).count();
+        assert!(
+            anchor("href=\"#") >= 1 && anchor("id=\"") == 1,
+            "{}",
+            m.name()
+        );
+        assert!(
+            markup.contains(m.summary()) || m.summary().contains('&'),
             "{}",
             m.name()
         );
     }
-    let of_the_plane = |inputs: Vec<mechaudit::audit::Input>| {
-        let names: Vec<&str> = inputs.iter().map(|i| i.name).collect();
-        names == ["Re z", "Im z"]
-    };
-    let registry = mechaudit::methods::registry();
-    assert_eq!(
-        page.matches("class=\"m0\"").count(),
-        3 * registry.iter().filter(|m| of_the_plane(m.inputs())).count(),
-        "two maps and their legend for each function of a complex argument"
-    );
-    assert!(page.contains("prefers-color-scheme: dark"));
-    assert!(page.matches("<polyline").count() > 20);
+    // Without scripts the numbers are there.
+    assert!(markup.matches("<table").count() > registry.len());
     if let Some(dom) = browsed(&path, 1280) {
         // A parser that had to mend the page would have changed these.
-        for tag in [
-            "<svg",
-            "<polyline",
-            "<table",
-            "<details",
-            "</figure>",
-            "<code",
-            "</pre>",
-            "<tr>",
-        ] {
+        for tag in ["<details", "</details>", "</section>"] {
             assert_eq!(dom.matches(tag).count(), page.matches(tag).count(), "{tag}");
         }
         assert!(dom.trim_end().ends_with("</html>"));

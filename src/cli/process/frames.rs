@@ -83,6 +83,8 @@ impl<R: Read> Frames<R> {
             Some(REFUSAL) => return Ok(Some(Frame::Answer(SolverAnswer::Declines(None)))),
             Some(TEXT) => return self.text(),
             Some(count) => usize::try_from(count).unwrap_or(usize::MAX),
+            // Between two frames nothing is cut off.
+            None if self.bytes.is_empty() => return Ok(None),
             None => return Ok(self.cut()),
         };
         if due > FIELDS {
@@ -103,7 +105,6 @@ impl<R: Read> Frames<R> {
         let read = self.fill(8)?;
         self.ended = read < 8;
         if read == 0 {
-            // Between two frames: nothing is cut off.
             self.bytes.clear();
         }
         let word = self.bytes.as_slice().try_into();
@@ -112,10 +113,9 @@ impl<R: Read> Frames<R> {
 
     /// What ends within a frame.
     fn cut(&mut self) -> Option<Frame> {
-        let between = self.bytes.is_empty() && self.ended;
         self.ended = true;
         let why = format!("frame {} is cut off", self.number);
-        (!between).then_some(Frame::Answer(SolverAnswer::Fails(why)))
+        Some(Frame::Answer(SolverAnswer::Fails(why)))
     }
 
     fn text(&mut self) -> std::io::Result<Option<Frame>> {

@@ -107,17 +107,19 @@ mod tests {
                 assert!((length(k) - length(0)).abs() < 4e-5, "{a}-{b} at {k}");
             }
         }
-        // Inertia and its derivative come from the recovered centres; a few entries are misprints.
+        // The paper's rows are values of splines through twelve nodes (see `recipe`), which stray from the curve of the
+        // recovered centres by less than a hundredth of its size.
         for course in &motion.courses[..2] {
             let curve = &course.variants[0].1;
             let size = curve.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            let far = |(k, p): &(usize, &(f64, f64))| (p.1 - curve[15 * k]).abs() > 2e-3 * size;
-            let far = course.printed.iter().enumerate().filter(far).count();
-            assert!(
-                far <= 4,
-                "{}: {far} printed values off the curve",
-                course.name
-            );
+            let far = |(k, p): (usize, &(f64, f64))| (p.1 - curve[15 * k]).abs() / size;
+            let far = course
+                .printed
+                .iter()
+                .enumerate()
+                .map(far)
+                .fold(0.0, f64::max);
+            assert!(far < 1e-2, "{}: {far}", course.name);
         }
     }
 }
