@@ -175,14 +175,14 @@ impl<'a> Audit<'a> {
     }
 
     /// Cases from a box in some inputs or all: `"Re z=0..8,Im z=log 1e-9..1"`; see
-    /// [`SampleBox`](crate::audit::SampleBox).
+    /// [`SampleBox`].
     pub fn sample_box(mut self, sides: &str) -> Audit<'a> {
         self.sample_box = Some(sides.into());
         self
     }
 
     /// Cases about this one, as far as `radius` relative to each number: numbers separated by commas, a
-    /// check point, `REGION/INDEX` or `hard/NUMBER`; see [`Near`](crate::audit::Near).
+    /// check point, `REGION/INDEX` or `hard/NUMBER`; see [`Near`].
     pub fn near(mut self, case: &str, radius: f64) -> Audit<'a> {
         self.near = Some((case.into(), radius));
         self

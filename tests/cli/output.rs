@@ -167,8 +167,18 @@ fn what_cannot_be_written_is_refused_before_the_work() {
         refused(&points_to(path), part);
     }
     // A form that shows no changes, too.
-    let args = ["audit", "tridiagonal", "--exec", &program, "--baseline", "none"];
-    refused(&run(&[&args[..], &["--format", "html"]].concat()), "text and json");
+    let args = [
+        "audit",
+        "tridiagonal",
+        "--exec",
+        &program,
+        "--baseline",
+        "none",
+    ];
+    refused(
+        &run(&[&args[..], &["--format", "html"]].concat()),
+        "text and json",
+    );
     assert!(!begun.exists());
     assert_eq!(fs::read_to_string(&locked).unwrap(), "before");
 }

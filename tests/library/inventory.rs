@@ -49,6 +49,10 @@ fn no_case_is_left_out() {
         for r in &domain.regions {
             assert!(cases.in_region(r.name, 0).is_ok(), "{name}: {}", r.name);
         }
-        assert_eq!(audit_method(&*m, &settings, &|| ()).cases, due as u64, "{name}");
+        assert_eq!(
+            audit_method(&*m, &settings, &|| ()).cases,
+            due as u64,
+            "{name}"
+        );
     }
 }

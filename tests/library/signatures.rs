@@ -68,11 +68,7 @@ fn the_compiler_names_the_signature() {
         ),
         (
             "mechaudit::audit::<Faddeeva>(3.0)",
-            &[
-                "this is no candidate for `",
-                "Fn(",
-                "mechaudit describe",
-            ],
+            &["this is no candidate for `", "Fn(", "mechaudit describe"],
         ),
         (
             "mechaudit::audit::<Faddeeva>(|_: Complex64| \"text\")",
