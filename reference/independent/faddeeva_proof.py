@@ -319,7 +319,7 @@ def main():
         size = abs(exact)
         unit = arb(2) ** -1075
         allowed = size * norm * arb(2) ** -52 + 2 * tiny * unit
-        error = (off[0] ** 2 + off[1] ** 2).sqrt()
+        error = abs(acb(*off))
         if not error <= allowed:
             sys.exit(f"{name} at {a!r} + {b!r} i: error {error} above {allowed}")
         worst = max(worst, float(error / allowed))
