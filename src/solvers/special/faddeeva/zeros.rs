@@ -8,8 +8,8 @@
 //!
 //! and the zeros are stored as three `f64`, from which δ keeps 100 bits however small it is.
 
-#[cfg(target_arch = "x86_64")]
 use super::constants::TWO_OVER_SQRT_PI;
+#[cfg(target_arch = "x86_64")]
 use super::taylor::polynomials;
 use super::taylor::{polynomial, square};
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
