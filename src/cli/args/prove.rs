@@ -10,7 +10,7 @@ Examples:
   mechaudit prove faddeeva --boxes boxes.csv --format json
   mechaudit prove faddeeva --within 64 --components
 
-Runs the solver's own code over rectangles that cover the closed upper half-plane, with numbers \
+Runs the solver's own code over rectangles that cover the closed upper half-plane up to --within, with numbers \
 that enclose the exact value and the error of every rounding, halves a rectangle until its bound \
 is below the target, and prints the largest bound that is left: the theorem. The chapter on proofs \
 of the book has the model of arithmetic and every inequality.
@@ -43,9 +43,9 @@ pub struct ProveArgs {
     /// Halve rectangles also until the bound of each component is at most 6 units in its last place
     #[arg(long)]
     pub components: bool,
-    /// Only where Re z and Im z are below this: a part of the proof
-    #[arg(long, value_name = "R", value_parser = super::number::positive)]
-    pub within: Option<f64>,
+    /// Only where Re z and Im z are below this. Beyond the default no run has been carried to its end
+    #[arg(long, value_name = "R", default_value = "1e60", value_parser = super::number::positive)]
+    pub within: f64,
     /// Write the rectangles to this file
     #[arg(long, value_name = "FILE")]
     pub boxes: Option<PathBuf>,

@@ -61,14 +61,14 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
 }
 
 /// On a thread of its own, watched; nothing if the user ends it.
-fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
+fn proved(target: Target, within: f64) -> Result<Option<Certificate>, Failure> {
     let watch = Arc::new(Watch::default());
     let worker = std::thread::spawn({
         let watch = watch.clone();
         move || {
             let code = Code::of_the_solver()?;
             Ok::<_, String>(upper_half_plane(&code, target, &watch, |_, r| {
-                within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
+                r.a[1].max(r.b[1]) < within
             }))
         }
     });
@@ -118,15 +118,17 @@ fn up(x: f64) -> String {
     format!("{:.3}", (x * 1000.0).next_up().ceil() / 1000.0)
 }
 
-fn text(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> String {
+fn text(found: &Certificate, summary: &Summary, within: f64, seconds: f64) -> String {
     let mut out = format!("{}\n", paint(BOLD, "faddeeva, closed upper half-plane"));
     let line = |text: String| format!("  {text}\n");
     if found.open.is_empty() {
-        let part = within.map_or(String::new(), |r| {
-            format!(", |Re z| and Im z in the binades below {r}")
-        });
+        let most = match within < 1e6 {
+            true => within.to_string(),
+            false => format!("{within:e}"),
+        };
         out += &line(format!(
-            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite z with Im z ≥ 0{part}: K = {}",
+            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every f64 z with Im z ≥ 0, |Re z| and Im z in the \
+             binades below {most}: K = {}",
             up(summary.norm.bound)
         ));
     } else {
@@ -163,7 +165,7 @@ fn text(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f6
     out
 }
 
-fn document(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> Value {
+fn document(found: &Certificate, summary: &Summary, within: f64, seconds: f64) -> Value {
     let ends = |at: &Rectangle| json!({ "re": at.a, "im": at.b });
     let attained = |a: &Attained| json!({ "bound": a.bound, "box": ends(&a.at) });
     let formulas: Vec<Value> = summary
