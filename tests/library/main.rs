@@ -29,6 +29,7 @@ mod signatures;
 mod solver_values_written;
 #[cfg(feature = "oracle")]
 mod swept_peak;
+#[cfg(feature = "oracle")]
 mod voigt_hwhm;
 #[cfg(feature = "oracle")]
 mod zinchenko;
