@@ -117,7 +117,7 @@ pub enum Command {
     /// Show where the errors of approximations come from and how fast they fall
     #[command(after_help = converge::AFTER_HELP)]
     Converge(ConvergeArgs),
-    /// Prove an error bound of a function for every input
+    /// Prove an error bound of a function over a part of the plane, by machine
     #[command(after_help = prove::AFTER_HELP)]
     Prove(ProveArgs),
     /// Audit a published paper: its tables, its claims or its formulas
