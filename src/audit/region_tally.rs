@@ -96,8 +96,9 @@ impl OutputTally {
         self.conditioned.add(c.conditioned);
         offer(&mut self.worst, c.of_budget, case);
         if c.ulps.is_finite() {
-            let largest = self.octaves.entry(octave(c.ulps));
-            offer(largest.or_insert_with(|| First::new(1)), c.ulps, case);
+            let ulps = self.ulps.counted(c.ulps);
+            let largest = self.octaves.entry(octave(ulps));
+            offer(largest.or_insert_with(|| First::new(1)), ulps, case);
         }
     }
 

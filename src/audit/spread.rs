@@ -14,7 +14,7 @@ pub struct Spread {
     /// The largest found.
     pub max: f64,
     /// 99th percentile (nearest rank), rounded up by less than a thousandth, in a campaign by less than
-    /// a hundredth.
+    /// a hundredth or to 2⁻²⁰.
     pub p99: f64,
     /// 99.99th percentile, rounded up likewise; of ten thousand errors or more.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -95,10 +95,19 @@ impl SpreadTally {
         }
     }
 
-    /// One whose percentiles are rounded up by less than a hundredth, and which takes an eighth of the
-    /// space. It may be merged with its like only.
+    /// One that takes less space: percentiles are rounded up by less than a hundredth, and numbers below
+    /// 2⁻²⁰ that are not zero are rounded up to it. It may be merged with its like only.
     pub fn coarse() -> SpreadTally {
         SpreadTally::dropping(DROPPED_COARSELY)
+    }
+
+    /// The number that is counted for one: itself, or the least that is told from zero.
+    pub(super) fn counted(&self, value: f64) -> f64 {
+        const LEAST: f64 = 1.0 / (1 << 20) as f64;
+        match self.dropped == DROPPED_COARSELY && value > 0.0 && value < LEAST {
+            true => LEAST,
+            false => value,
+        }
     }
 
     /// One error, which is not negative; NaN is passed over.
@@ -111,7 +120,7 @@ impl SpreadTally {
             return;
         }
         // −0 is 0.
-        let bits = value.abs().to_bits();
+        let bits = self.counted(value.abs()).to_bits();
         let (m, exponent) = parts(bits);
         let square = Squares {
             low: u128::from(m) * u128::from(m),
@@ -281,6 +290,9 @@ mod tests {
             assert!((1.0..1.01).contains(&(found / due)), "{found} {due}");
         }
         assert_eq!(coarse.spread().p9999, Some(coarse.quantile(9999)));
+        let mut tiny = SpreadTally::coarse();
+        [0.0, 1e-300, 1e-7].map(|x| tiny.add(x));
+        assert_eq!(tiny.octaves(), [(None, 1), (Some(-20), 2)]);
         assert_eq!(of([1.0; 9999]).p9999, None);
     }
 
