@@ -30,9 +30,10 @@ pub struct HuntTally {
 struct Worst {
     /// The complement of the share's bits, so that the largest comes first.
     order: u64,
-    seed: u64,
     /// By their bits.
     input: Vec<u64>,
+    /// The first of several that found it.
+    seed: u64,
     reason: String,
 }
 
@@ -55,8 +56,8 @@ impl HuntTally {
             let found = Worst {
                 // Shares are not negative, so their bits are in their order.
                 order: !w.share.to_bits(),
-                seed,
                 input: w.input.iter().map(|x| x.to_bits()).collect(),
+                seed,
                 reason: w.reason.clone(),
             };
             Some((output, vec![found]))
@@ -92,6 +93,7 @@ impl HuntTally {
             let own = &mut self.worst[at].1;
             own.extend(found);
             own.sort();
+            own.dedup_by(|b, a| (a.order, &a.input) == (b.order, &b.input));
             own.truncate(WORST);
         }
     }
@@ -177,5 +179,55 @@ impl WorstOf {
             origin: Origin::Given,
         };
         case.reproduce()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn found(seed: u64, share: u8, input: u64) -> HuntTally {
+        let worst = Worst {
+            order: !f64::from(share).to_bits(),
+            input: vec![input],
+            seed,
+            reason: format!("seed {seed}"),
+        };
+        HuntTally {
+            hunts: 1,
+            evaluations: 10,
+            failures: 1,
+            first_failures: vec![(seed, 0, format!("failure {seed}"))],
+            worst: vec![((seed % 2) as usize, vec![worst])],
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn hunts_add_up_in_any_order(
+            // An input has one share.
+            shares in prop::collection::vec((0u8..30, 0u64..3), 0..60), cut in 0usize..60,
+        ) {
+            let all: Vec<HuntTally> = shares.iter().enumerate()
+                .map(|(k, (share, n))| found(k as u64, *share, u64::from(*share) + 100 * n))
+                .collect();
+            let sum = |part: &[HuntTally]| {
+                let mut sum = HuntTally::default();
+                part.iter().for_each(|t| sum.merge(t.clone()));
+                sum
+            };
+            let whole = sum(&all);
+            let (a, b) = all.split_at(cut.min(all.len()));
+            for (a, b) in [(a, b), (b, a)] {
+                let mut merged = sum(a);
+                merged.merge(sum(b));
+                let text = serde_json::to_string(&merged).unwrap();
+                prop_assert_eq!(&serde_json::from_str::<HuntTally>(&text).unwrap(), &whole);
+            }
+            for (_, worst) in &whole.worst {
+                prop_assert!(worst.len() <= WORST && worst.is_sorted_by(|a, b| a.order <= b.order));
+            }
+        }
     }
 }
