@@ -5,6 +5,7 @@ The program is `MECHAUDIT_BINARY`, or what stands in `target/`.
 """
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -201,3 +202,27 @@ def test_what_the_program_refuses_is_said(folder, begun, tmp_path):
     wrong.write_text(PLAN.replace("erf", "erff"))
     said = ended(client(begun, str(wrong), "--local", "1", "--output", str(tmp_path / "x")), code=2)
     assert 'there is no method "erff"' in said
+
+
+def example(name):
+    return ROOT / "examples" / "campaigns" / name
+
+
+def test_hyperqueue(folder, begun, due, tmp_path):
+    pytest.importorskip("hyperqueue")
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "mechaudit").symlink_to(BINARY)
+    path = f"{tmp_path / 'bin'}:{os.environ['PATH']}"
+    ended(begun(sys.executable, str(example("hyperqueue_local.py")), str(folder), "2", env={**os.environ, "PATH": path}))
+    assert program("merge", str(folder)) == due
+
+
+def test_the_job_that_slurm_gets(begun, tmp_path):
+    """As far as it goes without Slurm: the job is what it is meant to be."""
+    pytest.importorskip("dask_jobqueue")
+    pytest.importorskip("mechaudit")
+    show = "import sys; sys.path.insert(0, sys.argv[1])\nimport slurm_dask\nwith slurm_dask.cluster() as c: print(c.job_script())"
+    job = ended(begun(sys.executable, "-c", show, str(example(""))))
+    # The scheduler's address differs.
+    job = re.sub(r"tcp://\S+", "tcp://HOST:PORT", job)
+    assert [line for line in job.splitlines() if line] == example("slurm_dask.job").read_text().splitlines()

@@ -471,3 +471,62 @@ fn a_program_that_ends_leaves_its_shard() {
         (Some(40), Some(0))
     );
 }
+
+/// The recipes that run here; `mechaudit` is on the path.
+#[test]
+fn recipes() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = planned(&folder, "one", CALM, 1);
+    finished(&whole);
+    let due = campaign(&["merge", text(&whole)]).out;
+    let program = Path::new(env!("CARGO_BIN_EXE_mechaudit"));
+    let mut places = vec![program.parent().unwrap().to_path_buf()];
+    places.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap()));
+    let path = std::env::join_paths(places).unwrap();
+    let recipe = |name: &str| {
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/campaigns");
+        let mut recipe = std::process::Command::new("sh");
+        recipe.arg(script.join(name)).env("PATH", &path);
+        recipe
+    };
+    let by = |name: &str| {
+        let own = planned(&folder, name, CALM, 9);
+        let d = done(recipe(name).arg(&own).arg("3").output().unwrap());
+        assert_eq!(d.code, 0, "{name}: {}{}", d.out, d.err);
+        assert_eq!(campaign(&["merge", text(&own)]).out, due, "{name}");
+    };
+    by("xargs.sh");
+    let gnu = std::process::Command::new("parallel").arg("--version").output();
+    match gnu {
+        Ok(said) if said.stdout.starts_with(b"GNU") => by("parallel.sh"),
+        _ => common::skipped("GNU parallel"),
+    }
+    // As Slurm runs its tasks, in any order; one was lost and is run again.
+    let own = planned(&folder, "slurm-array.sh", CALM, 4);
+    for task in ["2", "0", "3", "2", "1"] {
+        let mut array = recipe("slurm-array.sh");
+        let d = done(array.arg(&own).env("SLURM_ARRAY_TASK_ID", task).output().unwrap());
+        assert_eq!(d.code, 0, "{}", d.err);
+    }
+    assert_eq!(campaign(&["merge", text(&own)]).out, due);
+    assert_eq!(campaign(&["status", text(&own), "--missing"]).out, "");
+}
+
+/// The plans that are committed are plans.
+#[test]
+fn committed_plans() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().unwrap();
+    let mut all = vec![root.join("examples/campaign.toml")];
+    let plans = fs::read_dir(root.join("reference/campaigns")).unwrap();
+    let plans = plans.map(|e| e.unwrap().path());
+    all.extend(plans.filter(|p| p.extension().is_some_and(|e| e == "toml")));
+    assert!(all.len() > 3, "{all:?}");
+    for plan in all {
+        let name = plan.file_stem().unwrap().to_str().unwrap();
+        let output = folder.path().join(name);
+        let d = campaign(&["plan", text(&plan), "--output", text(&output)]);
+        assert_eq!(d.code, 0, "{}", d.err);
+        assert!(d.out.starts_with(&format!("{name}: ")) || name == "campaign", "{}", d.out);
+    }
+}

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 TRIALS = 3
 #: Tasks in the scheduler's hands for each thread of the cluster: it never sees more of a large campaign.
 AHEAD = 4
+#: States of a task that will come to something.
+UNDER_WAY = ("pending", "lost")
 
 
 class CampaignError(RuntimeError):
@@ -182,8 +184,9 @@ def run(
 
         def taken(future: Any, alone: bool) -> range | None:
             """Writes what a task did; gives its shards if they are to be tried again alone."""
-            some = numbers.pop(future.key)
+            some = numbers[future.key]
             if future.status == "finished":
+                # Waits where the result went with its worker and is computed again.
                 for k, found in future.result().items():
                     _write(_shard(folder, k), found)
                 outcome.done += len(some)
@@ -203,15 +206,21 @@ def run(
         waiting = as_completed([submitted(some) for some in islice(todo, ahead)])
         suspects = []
         for future in waiting:
+            if future.status in UNDER_WAY:
+                # It was done, and went with its worker.
+                waiting.add(future)
+                continue
             if (suspect := taken(future, alone=False)) is not None:
                 suspects.append(suspect)
+            del numbers[future.key]
             future.release()
             for some in islice(todo, max(ahead - len(numbers), 0)):
                 waiting.add(submitted(some))
         # Whose worker was killed may have stood beside the culprit.
         for suspect in suspects:
             future = submitted(suspect, "-alone")
-            wait(future)
+            while future.status in UNDER_WAY:
+                wait(future)
             taken(future, alone=True)
             future.release()
     after = status(folder, binary=binary)

@@ -76,6 +76,9 @@ pub struct StatusArgs {
     /// Form of the answer
     #[arg(long, value_enum, default_value = "text")]
     pub format: TextOrJson,
+    /// Print the numbers of the shards that are not done instead, one a line
+    #[arg(long, conflicts_with = "format")]
+    pub missing: bool,
 }
 
 /// Arguments of `campaign merge`.

@@ -260,7 +260,8 @@ impl Folder {
         }
     }
 
-    /// A shard that somebody else has done, or that needs nobody, is no longer claimed.
+    /// A shard that is done, or is left to another run, is no longer claimed. Should two runs do it now, they
+    /// write the same.
     pub fn leave(&self, claim: Claim) {
         claim.release();
     }

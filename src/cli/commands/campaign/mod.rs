@@ -77,7 +77,12 @@ fn status(args: &StatusArgs) -> Result<Outcome, Failure> {
         let file = |k: u64| folder.file(k).display().to_string();
         all.iter().map(|(k, why)| (file(*k), why.clone())).collect()
     };
-    if args.format == TextOrJson::Json {
+    if args.missing {
+        write_to(None, |out| {
+            missing.iter().try_for_each(|k| writeln!(out, "{k}"))?;
+            Ok(())
+        })?;
+    } else if args.format == TextOrJson::Json {
         let files = |all: &[(u64, String)]| -> Vec<serde_json::Value> {
             let all = all.iter();
             all.map(|(k, why)| json!({ "shard": k, "why": why }))
