@@ -291,7 +291,7 @@ mod tests {
         }
         assert_eq!(coarse.spread().p9999, Some(coarse.quantile(9999)));
         let mut tiny = SpreadTally::coarse();
-        [0.0, 1e-300, 1e-7].map(|x| tiny.add(x));
+        [0.0, 1e-300, 1e-7].iter().for_each(|x| tiny.add(*x));
         assert_eq!(tiny.octaves(), [(None, 1), (Some(-20), 2)]);
         assert_eq!(of([1.0; 9999]).p9999, None);
     }

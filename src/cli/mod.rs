@@ -17,8 +17,8 @@ mod terminal;
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
-    audit, campaign, chirp, compare, converge, describe, eval, hunt, judge, linkage, list, paper, points,
-    prove, regenerate, runup, shell,
+    audit, campaign, chirp, compare, converge, describe, eval, hunt, judge, linkage, list, paper,
+    points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 #[cfg(unix)]

@@ -496,7 +496,9 @@ fn recipes() {
         assert_eq!(campaign(&["merge", text(&own)]).out, due, "{name}");
     };
     by("xargs.sh");
-    let gnu = std::process::Command::new("parallel").arg("--version").output();
+    let gnu = std::process::Command::new("parallel")
+        .arg("--version")
+        .output();
     match gnu {
         Ok(said) if said.stdout.starts_with(b"GNU") => by("parallel.sh"),
         _ => common::skipped("GNU parallel"),
@@ -505,7 +507,13 @@ fn recipes() {
     let own = planned(&folder, "slurm-array.sh", CALM, 4);
     for task in ["2", "0", "3", "2", "1"] {
         let mut array = recipe("slurm-array.sh");
-        let d = done(array.arg(&own).env("SLURM_ARRAY_TASK_ID", task).output().unwrap());
+        let d = done(
+            array
+                .arg(&own)
+                .env("SLURM_ARRAY_TASK_ID", task)
+                .output()
+                .unwrap(),
+        );
         assert_eq!(d.code, 0, "{}", d.err);
     }
     assert_eq!(campaign(&["merge", text(&own)]).out, due);
@@ -527,6 +535,10 @@ fn committed_plans() {
         let output = folder.path().join(name);
         let d = campaign(&["plan", text(&plan), "--output", text(&output)]);
         assert_eq!(d.code, 0, "{}", d.err);
-        assert!(d.out.starts_with(&format!("{name}: ")) || name == "campaign", "{}", d.out);
+        assert!(
+            d.out.starts_with(&format!("{name}: ")) || name == "campaign",
+            "{}",
+            d.out
+        );
     }
 }

@@ -22,7 +22,8 @@ mod units;
 
 pub use audit::{AuditArgs, AuditFormat, ProgramArgs};
 pub use campaign::{
-    CampaignArgs, CampaignReportArgs, CampaignRunArgs, CampaignStep, MergeArgs, PlanArgs, StatusArgs,
+    CampaignArgs, CampaignReportArgs, CampaignRunArgs, CampaignStep, MergeArgs, PlanArgs,
+    StatusArgs,
 };
 pub use chirp::{ChirpArgs, ChirpRows};
 pub use compare::{CompareArgs, CompareFormat, DescribeArgs};
