@@ -13,7 +13,7 @@
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
 //! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `oracle` |
 //! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
-//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `cli` |
+//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `report` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
 //! With `default-features = false` only the solvers are built, without GMP, MPFR or any
@@ -99,7 +99,7 @@ pub mod machine;
 pub mod methods;
 #[cfg(feature = "oracle")]
 pub mod papers;
-#[cfg(feature = "cli")]
+#[cfg(feature = "report")]
 pub mod report;
 
 #[cfg(all(doctest, feature = "oracle"))]

@@ -247,7 +247,7 @@ impl Tally {
             failures,
             points,
             reproduce: Reproduce {
-                head: format!("mechaudit audit {}", method.name()),
+                head: format!("mechaudit audit {} ", method.name()),
                 tail: String::new(),
             },
         }

@@ -111,7 +111,7 @@ pub(crate) fn distance(got: f64, reference: &Ball, format: Format) -> (Mag, Mag)
             false => (Mag::ZERO, Mag::INFINITY),
         };
     }
-    let d = &Ball::exact(reference.prec().max(64), got) - reference;
+    let d = reference.subtracted_from(got);
     (d.mignitude(), d.magnitude())
 }
 

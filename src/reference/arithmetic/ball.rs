@@ -108,6 +108,13 @@ impl Ball {
         )
     }
 
+    /// `x` minus this number, for an exact and finite `x`: rounded once, to at least 64 bits.
+    pub fn subtracted_from(&self, x: f64) -> Ball {
+        let p = self.prec().max(64);
+        let mid = Float::with_val_round(p, x - &self.mid, Round::Nearest);
+        Ball::rounded(mid, self.rad)
+    }
+
     /// An upper bound on the absolute value.
     pub fn magnitude(&self) -> Mag {
         Mag::above(&self.mid).add(self.rad)
