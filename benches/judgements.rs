@@ -12,8 +12,9 @@ use mechaudit::audit::{
 use mechaudit::methods;
 use rug::Rational;
 
-/// Of W some regions, of other methods the first.
-const WHERE: [&str; 12] = [
+/// Methods over all their regions, and W in some.
+const WHERE: [&str; 13] = [
+    "faddeeva",
     "faddeeva mid",
     "faddeeva far",
     "faddeeva lower",
@@ -33,17 +34,25 @@ fn main() {
     divan::main();
 }
 
-/// A method and cases of it that pass.
-fn drawn_from(place: &str) -> (Box<dyn Method>, Vec<Case>) {
+/// A method with the places of random cases: region and number.
+fn places(place: &str) -> (Box<dyn Method>, Vec<(&'static str, u64)>) {
     let (name, region) = place.split_once(' ').unwrap_or((place, ""));
     let method = methods::find(name).expect("in the registry");
+    let regions = method.domain().regions.into_iter().map(|r| r.name);
+    let regions: Vec<_> = regions
+        .filter(|r| region.is_empty() || *r == region)
+        .collect();
+    let n = regions.len() as u64;
+    let places = (0..COUNT).map(|i| (regions[(i % n) as usize], i / n));
+    (method, places.collect())
+}
+
+/// A method and cases.
+fn drawn_from(place: &str) -> (Box<dyn Method>, Vec<Case>) {
+    let (method, places) = places(place);
     let cases = Cases::new(&*method, &Settings::default());
-    let region = match region {
-        "" => method.domain().regions[0].name,
-        named => named,
-    };
-    let cases = (0..COUNT).map(|i| cases.in_region(region, i).expect("a region"));
-    let cases = cases.collect();
+    let cases = places.iter().map(|(r, i)| cases.in_region(r, *i));
+    let cases = cases.map(|case| case.expect("a region")).collect();
     (method, cases)
 }
 
@@ -68,7 +77,9 @@ fn owed(bencher: Bencher, place: &str) {
             divan::black_box(answer_of(&*method, &case.input));
             let exact: Option<Vec<Rational>> =
                 case.input.iter().map(|&x| Rational::from_f64(x)).collect();
-            let reference = method.reference(&exact.expect("finite"), bits);
+            // Inputs that are not finite owe nothing.
+            let Some(exact) = exact else { continue };
+            let reference = method.reference(&exact, bits);
             if conditional {
                 divan::black_box(method.conditions_beside(&case.input, &reference));
             }
@@ -79,11 +90,11 @@ fn owed(bencher: Bencher, place: &str) {
 
 #[divan::bench(args = WHERE)]
 fn drawn(bencher: Bencher, place: &str) {
-    let (method, drawn) = drawn_from(place);
-    let (region, cases) = (drawn[0].region, Cases::new(&*method, &Settings::default()));
+    let (method, places) = places(place);
+    let cases = Cases::new(&*method, &Settings::default());
     bencher.counter(ItemsCount::new(COUNT)).bench(|| {
-        for i in 0..COUNT {
-            divan::black_box(cases.in_region(region, i).expect("a region"));
+        for (region, i) in &places {
+            divan::black_box(cases.in_region(region, *i).expect("a region"));
         }
     });
 }
@@ -124,16 +135,15 @@ fn counted(bencher: Bencher, place: &str) {
 /// Without what is done once at the beginning and at the end.
 #[divan::bench(args = WHERE)]
 fn audited(bencher: Bencher, place: &str) {
-    let (method, drawn) = drawn_from(place);
-    let region = drawn[0].region;
+    let (method, places) = places(place);
     let settings = Settings::default();
     let cases = Cases::new(&*method, &settings);
     bencher
         .counter(ItemsCount::new(COUNT))
         .with_inputs(|| Tally::new(&*method, &settings))
         .bench_refs(|tally| {
-            for i in 0..COUNT {
-                let case = cases.in_region(region, i).expect("a region");
+            for (region, i) in &places {
+                let case = cases.in_region(region, *i).expect("a region");
                 let answer = answer_of(&*method, &case.input);
                 let report = judge_case_briefly(&*method, case, answer, &settings);
                 assert_eq!(report.judgement.verdict, Verdict::Pass);
