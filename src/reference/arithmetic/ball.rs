@@ -111,8 +111,11 @@ impl Ball {
 
     /// Bounds on the distance of this number from an exact and finite `x`: at least, at most.
     pub fn distance_from(&self, x: f64) -> (Mag, Mag) {
-        let bounds = |up| self.mid_from(x).map(|(d, e)| Mag::of_integer(d, e, up));
-        if let (Some(low), Some(high)) = (bounds(false), bounds(true)) {
+        if let Some(([low, high], e)) = self.mid_from(x) {
+            let (low, high) = (
+                Mag::of_integer(low, e, false),
+                Mag::of_integer(high, e, true),
+            );
             return (low.sub_below(self.rad), high.add(self.rad));
         }
         let p = self.prec().max(64);
@@ -121,14 +124,17 @@ impl Ball {
         (difference.mignitude(), difference.magnitude())
     }
 
-    /// `|x − mid| = d · 2^e` exactly, where 128 bits hold both: a tenth of the time of a difference in
-    /// MPFR, which judgements consist of.
-    fn mid_from(&self, x: f64) -> Option<(u128, i64)> {
+    /// Bounds on `|x − mid|` in units of `2^e`, of which `|mid|` holds 2¹²⁷ or more, where x holds a
+    /// whole number of them: a tenth of the time of a difference in MPFR, which judgements consist of.
+    fn mid_from(&self, x: f64) -> Option<([u128; 2], i64)> {
         let e = i64::from(self.mid.get_exp()?) - 128;
         let significand = self.mid.get_significand()?;
-        let mid = match (significand.as_limbs(), LIMB_BITS) {
-            (&[high], 64) => u128::from(high) << 64,
-            (&[low, high], 64) => u128::from(high) << 64 | u128::from(low),
+        let (mid, rest) = match (significand.as_limbs(), LIMB_BITS) {
+            (&[high], 64) => (u128::from(high) << 64, false),
+            (&[ref rest @ .., low, high], 64) => (
+                u128::from(high) << 64 | u128::from(low),
+                rest.iter().any(|&limb| limb != 0),
+            ),
             _ => return None,
         };
         if self.mid.is_sign_negative() != x.is_sign_negative() || !x.is_normal() {
@@ -138,9 +144,11 @@ impl Ball {
         let m = u128::from(bits << 12 >> 12 | 1 << 52);
         let shift = (bits << 1 >> 53) as i64 - 1075 - e;
         // At most 128 bits, none lost.
-        (0..=75)
-            .contains(&shift)
-            .then(|| (mid.abs_diff(m << shift), e))
+        let x = (0..=75).contains(&shift).then(|| m << shift)?;
+        // What is cut off of mid is less than a unit.
+        let d = mid.abs_diff(x);
+        let rest = u128::from(rest);
+        Some(([d.saturating_sub(rest), d.checked_add(rest)?], e))
     }
 
     /// An upper bound on the absolute value.
