@@ -9,6 +9,7 @@
 //! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
+//! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `cli` |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
 //! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `oracle` |
@@ -91,6 +92,8 @@
 
 #[cfg(feature = "oracle")]
 pub mod book;
+#[cfg(feature = "cli")]
+pub mod campaign;
 #[cfg(feature = "oracle")]
 pub mod candidate;
 #[cfg(feature = "machine")]

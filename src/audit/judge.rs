@@ -7,11 +7,11 @@ use super::kind::Kind;
 use super::method::Output;
 use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// The outcome of one comparison. Only [`Verdict::Pass`] passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// Certainly within the budget.

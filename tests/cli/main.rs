@@ -2,6 +2,8 @@
 #![cfg(feature = "cli")]
 
 #[cfg(unix)]
+mod campaign;
+#[cfg(unix)]
 mod candidates;
 mod chirp;
 mod common;

@@ -1,6 +1,7 @@
 //! The grammar of the command line.
 
 mod audit;
+mod campaign;
 mod chirp;
 mod compare;
 mod converge;
@@ -20,6 +21,10 @@ mod shell;
 mod units;
 
 pub use audit::{AuditArgs, AuditFormat, ProgramArgs};
+pub use campaign::{
+    CampaignArgs, CampaignReportArgs, CampaignRunArgs, CampaignStep, MergeArgs, PlanArgs,
+    StatusArgs,
+};
 pub use chirp::{ChirpArgs, ChirpRows};
 pub use compare::{CompareArgs, CompareFormat, DescribeArgs};
 pub use converge::ConvergeArgs;
@@ -114,6 +119,9 @@ pub enum Command {
     /// Search a method's domain for its worst inputs
     #[command(after_help = hunt::AFTER_HELP)]
     Hunt(HuntArgs),
+    /// Judge very many cases in shards, on one machine or many, and add them up exactly
+    #[command(after_help = campaign::AFTER_HELP)]
+    Campaign(CampaignArgs),
     /// Show where the errors of approximations come from and how fast they fall
     #[command(after_help = converge::AFTER_HELP)]
     Converge(ConvergeArgs),
@@ -207,6 +215,7 @@ mod tests {
     fn commands_in_help_readme_and_book_are_commands() {
         let pages = [
             include_str!("../../../README.md"),
+            include_str!("../../book/campaigns.md"),
             include_str!("../../book/convergence.md"),
             include_str!("../../book/formats.md"),
             include_str!("../../book/hunting.md"),

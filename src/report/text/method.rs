@@ -320,6 +320,7 @@ pub(crate) mod tests {
             beyond: 0,
             max: 7.25,
             p99: 1.5,
+            p9999: None,
             median: 0.3,
             rms: 0.4,
         };
