@@ -10,6 +10,7 @@
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
 //! | `methods` | one file for each audited method | feature `oracle` |
+//! | `claims` | what is said of published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
 //! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `oracle` |
 //! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
@@ -93,6 +94,8 @@
 pub mod book;
 #[cfg(feature = "oracle")]
 pub mod candidate;
+#[cfg(feature = "oracle")]
+pub mod claims;
 #[cfg(feature = "machine")]
 pub mod machine;
 #[cfg(feature = "oracle")]

@@ -5,6 +5,8 @@
 //! beside the real axis; and n = 16 within `|x| + y < 10`, region II of w4 beyond (`hum2zpf16`).
 //! JQSRT 112 (2011) 1010–1025: Weideman's N = 24 within `|x| + y < 15`, region I of w4 beyond (`hum1wei24`).
 
+#![allow(clippy::excessive_precision)] // Constants as printed.
+
 use crate::algorithm::{Algorithm, Parts, Plane};
 use crate::elementary::{FRAC_1_SQRT_PI, horner, quotient, times_i};
 use crate::gauss_hermite::positive;

@@ -89,8 +89,8 @@ impl Sums {
             return Complex::new(FRAC_1_SQRT_PI * y / size, FRAC_1_SQRT_PI * x / size);
         }
         let (a, over_pi) = (self.a, self.a / PI);
-        let [third, fifth] = self.about(x, y);
-        let [first, second, fourth] = self.from_the_origin(x, y);
+        let [third, fifth] = self.about_the_peak(x, y);
+        let [first, second, fourth] = self.about_the_origin(x, y);
         let gauss = libm::exp(-x * x);
         let scaled = erfcx_real(y);
         let (half_sine, _) = libm::sincos(x * y);
@@ -110,7 +110,7 @@ impl Sums {
     }
 
     /// Σ₁, Σ₂ and Σ₄.
-    fn from_the_origin(&self, x: f64, y: f64) -> [f64; 3] {
+    fn about_the_origin(&self, x: f64, y: f64) -> [f64; 3] {
         let mut sums = [0.0; 3];
         for n in (1..=self.terms).rev() {
             let n = f64::from(n);
@@ -125,7 +125,7 @@ impl Sums {
     }
 
     /// Σ₃ and Σ₅, about the largest term.
-    fn about(&self, x: f64, y: f64) -> [f64; 2] {
+    fn about_the_peak(&self, x: f64, y: f64) -> [f64; 2] {
         let centre = (x / self.a).ceil().max(1.0);
         let mut sums = [0.0; 2];
         for k in (0..=self.terms).rev() {

@@ -25,6 +25,7 @@ use std::time::{Duration, Instant};
 pub enum Inputs {
     All(Cases),
     One(Case),
+    Listed(Vec<Case>),
 }
 
 impl Inputs {
@@ -48,6 +49,7 @@ impl Inputs {
         match self {
             Inputs::All(cases) => cases.len(),
             Inputs::One(_) => 1,
+            Inputs::Listed(cases) => cases.len(),
         }
     }
 
@@ -55,6 +57,7 @@ impl Inputs {
         match self {
             Inputs::All(cases) => cases.get(i),
             Inputs::One(case) => case.clone(),
+            Inputs::Listed(cases) => cases[i].clone(),
         }
     }
 
@@ -63,6 +66,7 @@ impl Inputs {
         match self {
             Inputs::All(cases) => cases.region_of(i),
             Inputs::One(case) => (case.region, 1),
+            Inputs::Listed(cases) => (cases[i].region, i + 1),
         }
     }
 }
