@@ -7,7 +7,7 @@
 //! `|w − w_N| ≤ 0.7 e^{−πN}` for `h = √(π/(N+1))` and their choice of the rule.
 
 use crate::algorithm::{Algorithm, Parts, Plane};
-use crate::elementary::{continued_below, exp, mirrored, quotient, times_i};
+use crate::elementary::{continued_below, exp, gaussian, mirrored, quotient, times_i};
 use num_complex::{Complex, Complex64};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -30,7 +30,8 @@ pub const AL_AZAH_CHANDLER_WILDE: [Algorithm; 1] = [Algorithm {
     name: "al-azah-chandler-wilde-2021",
     title: "Modified trapezoidal rules, N = 11",
     source: "M. Al Azah, S. N. Chandler-Wilde, SIAM J. Numer. Anal. 59 (2021) 2346-2367",
-    read_from: "the authors' wTrap.m and wTrapWCP.m",
+    read_from: "the authors' wTrap.m and wTrapWCP.m; the pole's term as 2e^(-z²)/(…), because e^(z²), by which the program \
+                divides, overflows from Re z = 26.7 on",
     plane: Plane::Whole,
     parts: Parts::Both,
     w: w_11,
@@ -122,9 +123,13 @@ impl Rule {
         quotient(Complex::new(0.0, self.h / PI), z) + self.sum(z, &self.multiples)
     }
 
-    /// `2/(e^{z²} (1 ± e^{−2πiz/h}))`.
+    /// `2e^{−z²}/(1 ± e^{−2πiz/h})`.
     fn pole(&self, z: Complex64, sign: f64) -> Complex64 {
-        let turn = exp(Complex::new(z.im, -z.re) * (2.0 * PI / self.h));
-        quotient(Complex::new(2.0, 0.0), exp(z * z) * (1.0 + sign * turn))
+        let turns = Complex::new(z.im, -z.re) * (2.0 * PI / self.h);
+        // Nothing is left of it, and the exponential may overflow.
+        if turns.re > 700.0 {
+            return Complex::new(0.0, 0.0);
+        }
+        quotient(2.0 * gaussian(z), 1.0 + sign * exp(turns))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::code::Code;
 use super::whole::Effort;
-use super::{at, regions};
+use super::{WHOLE, at, regions};
 use crate::audit::{Draw, Format, Limit, Method, Referee, Settings, SolverAnswer, Variant};
 use crate::methods::find;
 use mechaudit_atlas::Parts;
@@ -52,7 +52,7 @@ fn points(k: i32, effort: &Effort) -> Vec<Vec<f64>> {
 /// For each code, its heights.
 pub fn heights(codes: &[&Code], effort: &Effort) -> Vec<Vec<Height>> {
     let method = find("faddeeva").expect("a method of the registry");
-    let mut variant = Variant::new(&*method).limit(Limit::Relative(1.0));
+    let mut variant = Variant::new(&*method).limit(Limit::Relative(WHOLE));
     let first = codes.first().map(|c| (c.parts, c.single));
     if let Some((Parts::Real, _)) = first {
         variant = variant.outputs(&["Re W"]).expect("an output of W");
@@ -105,7 +105,7 @@ pub fn errors(
             if !judgement.is_measured() {
                 return [f64::INFINITY; 2];
             }
-            let parts = judgement.components.iter().map(|c| c.of_budget);
+            let parts = judgement.components.iter().map(|c| c.of_budget * WHOLE);
             [judgement.normwise * unit, parts.fold(0.0, f64::max)]
         })
         .collect()

@@ -1,6 +1,7 @@
 //! Errors beside the real axis: |Re z| against the logarithm of Im z.
 
 use super::code::Code;
+use super::WHOLE;
 use super::heights::errors;
 use crate::audit::{Limit, SolverAnswer, Variant};
 use crate::methods::find;
@@ -53,7 +54,7 @@ pub fn map(code: &Code) -> Map {
         })
         .collect();
     let method = find("faddeeva").expect("a method of the registry");
-    let mut variant = Variant::new(&*method).limit(Limit::Relative(1.0));
+    let mut variant = Variant::new(&*method).limit(Limit::Relative(WHOLE));
     if code.parts == Parts::Real {
         variant = variant.outputs(&["Re W"]).expect("an output of W");
     }

@@ -45,6 +45,10 @@ pub use mechaudit_atlas::{Algorithm, NOT_AT_HAND, NotAtHand, Parts, Plane, all, 
 
 use crate::audit::{Case, Origin};
 
+/// The relative limit that measured errors are judged by: an answer is off by exactly that much by no
+/// accident that happens, as zero for a value is by 1.
+const WHOLE: f64 = 3.0;
+
 /// A case of the method `faddeeva` at a point.
 fn at(method: &'static str, input: &[f64]) -> Case {
     Case {

@@ -5,7 +5,7 @@ use super::heights::{Height, heights};
 use super::placed::Placed;
 use super::seams::{Jump, jumps};
 use super::whole::Effort;
-use super::{regions, rounded};
+use super::{WHOLE, regions, rounded};
 use crate::audit::{
     Case, Cases, Format, Limit, MethodReport, RegionReport, Settings, SolverAnswer, Tally,
     Variant, judge_together,
@@ -164,7 +164,7 @@ fn judged(
     const CHUNK: usize = 4096;
     let method = find(method).expect("a method of the registry");
     let placed = Placed::new(&*method, regions.to_vec(), |_| true);
-    let mut variant = Variant::new(&placed).limit(Limit::Relative(1.0));
+    let mut variant = Variant::new(&placed).limit(Limit::Relative(WHOLE));
     let first = codes.first().map(|c| (c.parts, c.single));
     if let Some((Parts::Real, _)) = first {
         variant = variant.outputs(&["Re W"]).expect("an output of W");
@@ -252,7 +252,7 @@ fn figures(report: &MethodReport, negative: &[(&'static str, u64)], unit: f64) -
         let worst = |k: usize| {
             let o = region.outputs.get(k)?;
             o.worst.as_ref()?;
-            Some(rounded(o.max_of_budget))
+            Some(rounded(o.max_of_budget * WHOLE))
         };
         let counted = negative.iter().filter(|n| name == "all" || n.0 == name);
         let largest = region

@@ -95,6 +95,7 @@ fn rows(found: &Atlas, width: usize) -> String {
         "Re",
         "wings: Re",
         "wrong",
+        "huge",
         "Re<0",
         "seam",
         "W'",
@@ -113,8 +114,7 @@ fn rows(found: &Atlas, width: usize) -> String {
         .max();
     let note = format!(
         "Of {} points in each region: ordinary |Re z| < 8, Im z = 0.1..8; beside the axis Im z = 1e-8..0.1, \
-         wings |Re z| = 8..1e4 there. wrong: NaN or infinity where a number is due, Re<0: where Re W > 0, \
-         both in all regions; seam: the largest relative jump of Re W where formulas meet.",
+         wings |Re z| = 8..1e4 there. wrong: NaN or infinity where a number is due, huge: those for |z| = 1e8..1e300; Re<0: where Re W > 0; seam: the largest relative jump of Re W where formulas meet.",
         cases.unwrap_or(0)
     );
     out.push_str(&paint(DIM, &paragraph(&note, 0, width)));
@@ -127,6 +127,7 @@ fn line(row: &Row) -> Vec<(String, Style)> {
     let norm = |f: Option<&Figures>, of: fn(&Figures) -> f64| error(f.map(of));
     let figures = ordinary.and_then(|p| p.norm.as_ref());
     let all = row.part("all");
+    let huge = row.part("huge").map_or(0, |p| p.wrong);
     let jump = row.jumps.iter().map(|j| j.re).reduce(f64::max);
     vec![
         (row.name.clone(), PLAIN),
@@ -138,7 +139,8 @@ fn line(row: &Row) -> Vec<(String, Style)> {
         norm(beside.and_then(|p| p.norm.as_ref()), |f| f.worst),
         error(beside.and_then(|p| p.re)),
         error(row.part("wings").and_then(|p| p.re)),
-        count(all.map_or(0, |p| p.wrong)),
+        count(all.map_or(0, |p| p.wrong) - huge),
+        count(huge),
         count(all.map_or(0, |p| p.negative)),
         error(jump),
         norm(row.derivative.as_ref(), |f| f.worst),
