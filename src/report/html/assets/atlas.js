@@ -31,7 +31,7 @@ document.addEventListener("DOMContentLoaded", () => {
     const cells = [...map[part]].map((c) => levels.indexOf(c));
     const svg = figures.plot({
       label: `Relative errors of ${name}: Re z across, log Im z up; arrow keys read`,
-      width: 260, height: 190, marginLeft: 34, marginBottom: 28, marginTop: 6, marginRight: 6,
+      width: 260, height: 190, marginLeft: 44, marginBottom: 26, marginTop: 6, marginRight: 6,
       x: { domain: [0, 16], label: null, ticks: [0, 4, 8, 12, 16] },
       y: { domain: [-16, 2], label: null, ticks: [-16, -12, -8, -4, 0], tickFormat: (e) => `10${superscript(e)}` },
       marks: [Plot.raster(cells, { width: map.columns, height: map.rows, x1: 0, x2: 16, y1: -16, y2: 2, fill: colour, imageRendering: "pixelated" })],
@@ -62,6 +62,21 @@ document.addEventListener("DOMContentLoaded", () => {
   }
   draw();
 
+  // Names beside their points; one that would cover another goes below it, with a line to its point.
+  function beside(svg, points) {
+    const taken = [];
+    const layer = d3.select(svg).append("g").attr("font-size", 10).attr("fill", "var(--fg)");
+    for (const p of points.sort((a, b) => a.y - b.y || a.x - b.x)) {
+      const wide = 9 + 5.6 * p.name.length;
+      let y = p.y;
+      const covered = () => taken.find((t) => Math.abs(t.y - y) < 11 && p.x < t.x + t.wide && t.x < p.x + wide);
+      for (let t = covered(); t; t = covered()) y = t.y + 11.5;
+      taken.push({ x: p.x, y, wide });
+      if (y !== p.y) layer.append("path").attr("d", `M${p.x + 4},${p.y}L${p.x + 8},${y}`).attr("stroke", "var(--soft)").attr("fill", "none");
+      layer.append("text").attr("x", p.x + 9).attr("y", y + 3.5).text(p.name);
+    }
+  }
+
   // Time against the worst error found; names stand beside their points where there is room.
   const place = document.getElementById("atlas-work");
   const diagrams = [["of the norm, ordinary region", 2], ["of Re W, ordinary region", 3], ["of Re W beside the axis, Im z = 1e-8..0.1", 4]];
@@ -77,11 +92,11 @@ document.addEventListener("DOMContentLoaded", () => {
       y: { type: "log", grid: true, label: "ns a value", ticks: 5, tickFormat: "~g", nice: true },
       marks: [
         Plot.dot(rows, { x: "error", y: "ns", r: 4, fill: "var(--blue)" }),
-        ...(width > 600 ? [Plot.text(rows, { x: "error", y: "ns", text: "name", dx: 8, textAnchor: "start", fill: "var(--fg)", fontSize: 10 })] : []),
       ],
     });
     const x = svg.scale("x");
     const y = svg.scale("y");
+    if (width > 600) beside(svg, rows.map((r) => ({ name: r.name, x: x.apply(r.error), y: y.apply(r.ns) })));
     const items = rows.map((r) => ({ x: x.apply(r.error), y: y.apply(r.ns), text: `${r.name}: ${d3.format(".3~g")(r.ns)} ns, ${r.error.toExponential(1)}` }))
       .sort((a, b) => a.x - b.x);
     place.append(figures.figure(words, svg, figures.reading(svg, items, open), true));
