@@ -16,9 +16,8 @@ use super::disc::Disc;
 use super::energy::{Forces, Load};
 use super::enclosure::{Linkage, Position};
 use super::reactions::Rates;
-use super::scalar::Scalar;
 use crate::gauss_legendre::GaussLegendre;
-use crate::{Ball, ComplexBall, Mag, Undecided};
+use crate::{Ball, Mag, Undecided};
 use rug::float::Round;
 use rug::{Float, Rational};
 
@@ -56,6 +55,10 @@ const RHO: u32 = 4;
 const REACH: f64 = 2.125;
 /// Radius of a disc over h: the ellipse with room for roundings.
 const RADIUS: f64 = 2.15625;
+/// Radius of the disc of positions over that of the disc where I and W are bounded.
+const WIDER: f64 = 1.625;
+/// Taylor coefficients that bound I and W.
+const ORDER: usize = 20;
 /// Halvings of a panel before the motion is given up.
 const DEEPEST: u32 = 40;
 
@@ -66,15 +69,56 @@ struct Panel {
     from: Ball,
     at: Position,
     half: Float,
-    /// Radius of the disc.
+    /// Where the bound holds, around the panel's middle.
     radius: Mag,
     /// Bound of `√(I/2W)` on the disc.
     most: Mag,
     least_force: f64,
 }
 
+/// Taylor coefficients of I and V about the centre of a disc, and bounds on the disc.
+struct Expansion {
+    radius: Mag,
+    inertia: Vec<Ball>,
+    potential: Vec<Ball>,
+    most: [Mag; 2],
+}
+
+impl Expansion {
+    /// A bound on `|Σ_{n≥from} a_n s^{n−down}|` for `|s| ≤ reach`: coefficients as far as they are known, then Cauchy's
+    /// `|a_n| ≤ M/R^n`.
+    fn spread(&self, which: usize, from: usize, down: usize, reach: Mag) -> Mag {
+        let series = [&self.inertia, &self.potential][which];
+        let mut power = Mag::from_f64(1.0);
+        let mut sum = Mag::ZERO;
+        for (n, a) in series.iter().enumerate().skip(down) {
+            if n >= from {
+                sum = sum.add(a.magnitude().mul(power));
+            }
+            power = power.mul(reach);
+        }
+        // M/R^n reach^(n − down) from the first unknown n on, a geometric series.
+        let below = Mag::below(&self.radius.to_float());
+        let ratio = reach.div(below);
+        let mut first = self.most[which];
+        for n in 0..series.len() {
+            first = first.mul(if n < down { Mag::from_f64(1.0).div(below) } else { ratio });
+        }
+        sum.add(first.div(Mag::from_f64(1.0).sub_below(ratio)))
+    }
+
+    /// Bounds on I: upper and lower, for `|s| ≤ reach`.
+    fn inertia(&self, reach: Mag) -> (Mag, Mag) {
+        let spread = self.spread(0, 1, 0, reach);
+        let first = &self.inertia[0];
+        (first.magnitude().add(spread), first.mignitude().sub_below(spread))
+    }
+}
+
 struct Path<'a> {
     linkage: &'a Linkage,
+    /// The same with 64 bits.
+    low: Linkage,
     forces: &'a Forces,
     fine: Load,
     coarse: Load,
@@ -103,6 +147,10 @@ impl Linkage {
             forces,
             fine: Load::new(&self.mechanism, forces, self.bits()),
             coarse: Load::new(&self.mechanism, forces, 64),
+            low: Linkage {
+                fine: self.coarse.clone(),
+                ..self.clone()
+            },
             // 16^−N below 2^−bits.
             rule: GaussLegendre::new(self.bits() as usize / 4 + 2, self.bits() + 16)?,
             start: start.clone(),
@@ -139,12 +187,21 @@ impl Path<'_> {
         Ok(self.fine.inertia(&pose, &self.linkage.rates(position)?))
     }
 
-    /// `Q − V'` and I over a disc; none unless I excludes zero.
-    fn over(&self, disc: &Disc) -> Option<(ComplexBall, Mag)> {
-        let slope = self.coarse.potential_rate(&disc.pose, &disc.rates);
-        let force = ComplexBall::real(&self.coarse.drive).minus(&slope);
-        let inertia = self.coarse.inertia(&disc.pose, &disc.rates);
-        (!inertia.mignitude().is_zero()).then(|| (force, inertia.magnitude()))
+    /// What is known of I and V about the centre of a disc.
+    fn expand(&self, disc: &Disc, middle: &Position, radius: Mag) -> Option<Expansion> {
+        let at = Position {
+            x: middle.x.iter().map(|x| x.with_prec(64)).collect(),
+        };
+        let series = self.low.series(&at, ORDER + 1).ok()?;
+        Some(Expansion {
+            radius,
+            inertia: self.coarse.inertia_series(&series),
+            potential: self.coarse.potential_series(&series),
+            most: [
+                self.coarse.inertia(&disc.pose, &disc.rates).magnitude(),
+                self.coarse.potential(&disc.pose).magnitude(),
+            ],
+        })
     }
 
     /// The position at a drive of a disc, on its branch.
@@ -161,16 +218,20 @@ impl Path<'_> {
     /// The first panel, in `x = √(b − b0)` from 0 to the root of `width`, a power of four: its time and end.
     fn first(&self, width: &Float) -> Option<(Panel, Ball)> {
         // |x| ≤ (1 + 17/8) √width/2 on the ellipse.
-        let radius = Mag::above(width).mul(Mag::from_f64(1.5625 * 1.5625));
+        let reach = Mag::above(width).mul(Mag::from_f64(1.5625 * 1.5625));
+        let radius = reach.mul(Mag::from_f64(WIDER));
         let disc = self.linkage.disc(&self.start, &self.resting, radius)?;
         if !disc.owns(&self.start, &self.resting) {
             return None;
         }
-        let (force, inertia) = self.over(&disc)?;
-        if !force.re.is_positive() {
+        let known = self.expand(&disc, &self.resting, radius)?;
+        let (inertia, positive) = known.inertia(reach);
+        // W/(b − b0) = Q − V_1 − V_2 (b − b0) − …
+        let force = &self.coarse.drive - &known.potential[1];
+        let least = force.mignitude().sub_below(known.spread(1, 2, 1, reach));
+        if positive.is_zero() || least.is_zero() || !force.is_positive() {
             return None;
         }
-        let least = force.re.mignitude();
         let most = inertia.div(least.shift(1)).sqrt();
         let root = exact(&width.clone().sqrt());
         let half = root.shift(-1);
@@ -192,7 +253,7 @@ impl Path<'_> {
             from: end,
             at,
             half: width.clone() >> 1,
-            radius,
+            radius: reach,
             most,
             least_force: below(least),
         };
@@ -203,17 +264,20 @@ impl Path<'_> {
     fn panel(&self, from: &Ball, at: &Position, guess: &[Float], half: &Float) -> Option<Panel> {
         let centre = from + &exact(half);
         let middle = self.linkage.position(&centre, guess).ok()?;
-        let radius = Mag::above(half).mul(Mag::from_f64(RADIUS));
+        let reach = Mag::above(half).mul(Mag::from_f64(RADIUS));
+        let radius = reach.mul(Mag::from_f64(WIDER));
         let disc = self.linkage.disc(&centre, &middle, radius)?;
         if !disc.owns(from, at) || !disc.owns(&centre, &middle) {
             return None;
         }
-        let (force, inertia) = self.over(&disc)?;
-        // W = W(c) + ∫ W' over a way within the disc.
+        let known = self.expand(&disc, &middle, radius)?;
+        let (inertia, positive) = known.inertia(reach);
+        // W(c) + (Q − V_1) (b − c) − V_2 (b − c)² − …
         let work = self.work(&centre, &middle).with_prec(64);
-        let most_way = force.magnitude().mul(radius);
-        let least = work.mignitude().sub_below(most_way);
-        if !work.is_positive() || least.is_zero() {
+        let force = &self.coarse.drive - &known.potential[1];
+        let spread = force.magnitude().mul(reach).add(known.spread(1, 2, 0, reach));
+        let least = work.mignitude().sub_below(spread);
+        if positive.is_zero() || least.is_zero() || !work.is_positive() {
             return None;
         }
         let far = (&centre - &self.start).magnitude().add(Mag::above(half));
@@ -224,7 +288,7 @@ impl Path<'_> {
             from: from.clone(),
             at: at.clone(),
             half: half.clone(),
-            radius,
+            radius: reach,
         })
     }
 
@@ -279,7 +343,7 @@ impl Path<'_> {
         let (mut from, mut at) = (panel.from.clone(), panel.at.clone());
         let mut due = times.iter().peekable();
         while due.peek().is_some() {
-            let mut half: Float = panel.half.clone() << 1;
+            let mut half = Float::with_val(64, &panel.half * 1.25f64);
             let mut tries = 0;
             panel = loop {
                 let by = Float::with_val(64, from.mid() - panel.disc.drive.mid()).to_f64();
@@ -291,7 +355,7 @@ impl Path<'_> {
                 if tries == DEEPEST {
                     return Err(self.undecided("the path cannot be continued"));
                 }
-                half >>= 1;
+                half *= 0.75;
             };
             let centre = &from + &exact(&panel.half);
             let end = &from + &exact(&panel.half).shift(1);
@@ -355,9 +419,7 @@ impl Path<'_> {
         let inertia = self.fine.inertia_series(&series);
         let energy = self.work(&drive, &position);
         let square = energy.shift(1) / &inertia[0];
-        let pose = linkage.fine.pose(position.x.clone());
-        let force = &self.fine.drive
-            - &self.fine.potential_rate(&pose, &linkage.rates(&position)?);
+        let force = &self.fine.drive - &self.fine.potential_series(&series)[1];
         let acceleration = (force - (&inertia[1] * &square).shift(-1)) / &inertia[0];
         let rates = linkage.in_time(&position, &square.sqrt(), &acceleration)?;
         Ok(Moment {

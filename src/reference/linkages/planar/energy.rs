@@ -5,7 +5,7 @@ use super::mechanism::{Attachment, Body, Mechanism, Point};
 use super::scalar::Scalar;
 use super::series::{Series, product};
 use super::system::{BallForm, Pose};
-use crate::Ball;
+use crate::{Ball, dot};
 use rug::Rational;
 
 /// A linear spring between two points.
@@ -105,44 +105,23 @@ impl Load {
     }
 
     /// The energy of springs and weights, `Σ k (L − l)²/2 − m g·S`.
-    pub(super) fn potential(&self, pose: &Pose<Ball>) -> Ball {
-        let zero = Ball::integer(self.bits, 0);
+    pub(super) fn potential<T: Scalar>(&self, pose: &Pose<T>) -> T {
+        let zero = T::real(&Ball::integer(self.bits, 0));
+        let half = Ball::integer(self.bits, 1).shift(-1);
         let mut out = zero.clone();
         for s in &self.springs {
             let [x, y] = s.ends.value(pose, &zero);
-            let stretch = (x.square() + y.square()).sqrt() - &s.length;
-            out = out + (&s.stiffness * &stretch.square()).shift(-1);
+            let square = x.times(&x).plus(&y.times(&y));
+            let stretch = square
+                .times(&square.over_root())
+                .minus(&T::real(&s.length));
+            out = out.plus(&stretch.times(&stretch).by(&s.stiffness).by(&half));
         }
         if self.gravity.iter().any(|g| !g.is_zero()) {
             for body in &self.bodies {
                 let [x, y] = body.centre.value(pose, &zero);
-                out = out - &body.mass * &(&x * &self.gravity[0] + &y * &self.gravity[1]);
-            }
-        }
-        out
-    }
-
-    /// The derivative of the potential for given rates: `Σ k (1 − l/L) (D·D') − m g·S'`, D being a spring's ends.
-    pub(super) fn potential_rate<T: Scalar>(
-        &self,
-        pose: &Pose<T>,
-        rates: &[T],
-    ) -> T {
-        let zero = T::real(&Ball::integer(self.bits, 0));
-        let mut out = zero.clone();
-        for s in &self.springs {
-            let [x, y] = s.ends.value(pose, &zero);
-            let [u, v] = s.ends.rate(pose, rates, &zero);
-            let q = x.times(&x).plus(&y.times(&y));
-            let work = x.times(&u).plus(&y.times(&v)).by(&s.stiffness);
-            let share = work.times(&q.over_root()).by(&s.length);
-            out = out.plus(&work).minus(&share);
-        }
-        if self.gravity.iter().any(|g| !g.is_zero()) {
-            for body in &self.bodies {
-                let [x, y] = body.centre.rate(pose, rates, &zero);
-                let work = x.by(&self.gravity[0]).plus(&y.by(&self.gravity[1]));
-                out = out.minus(&work.by(&body.mass));
+                let height = x.by(&self.gravity[0]).plus(&y.by(&self.gravity[1]));
+                out = out.minus(&height.by(&body.mass));
             }
         }
         out
@@ -168,6 +147,45 @@ impl Load {
                 }
             }
             add(&body.inertia, &slope(series.of(body.angle)));
+        }
+        out
+    }
+}
+
+impl Load {
+    /// Taylor coefficients of the potential. A spring's length is the root of `|D|²`:
+    /// `2 L_0 L_n = (|D|²)_n − Σ_{k=1}^{n−1} L_k L_{n−k}`.
+    pub(super) fn potential_series(&self, series: &Series) -> Vec<Ball> {
+        let bits = self.bits;
+        let orders = 0..=series.order();
+        let mut out = vec![Ball::integer(bits, 0); series.order() + 1];
+        for s in &self.springs {
+            let [x, y] = series.path(&s.ends);
+            let mut length: Vec<Ball> = Vec::with_capacity(out.len());
+            for n in orders.clone() {
+                let square = product(&x, &x, n, bits) + product(&y, &y, n, bits);
+                length.push(match n {
+                    0 => square.sqrt(),
+                    _ => {
+                        let inner = (1..n).map(|k| (&length[k], &length[n - k]));
+                        (square - dot(bits, inner)) / length[0].shift(1)
+                    }
+                });
+            }
+            length[0] = &length[0] - &s.length;
+            for n in orders.clone() {
+                let half = (&s.stiffness * &product(&length, &length, n, bits)).shift(-1);
+                out[n] = &out[n] + &half;
+            }
+        }
+        if self.gravity.iter().any(|g| !g.is_zero()) {
+            for body in &self.bodies {
+                for (path, g) in series.path(&body.centre).iter().zip(&self.gravity) {
+                    for (out, s) in out.iter_mut().zip(path) {
+                        *out = &*out - &(&(&body.mass * g) * s);
+                    }
+                }
+            }
         }
         out
     }
