@@ -14,6 +14,7 @@ mod enclosure;
 mod energy;
 mod loops;
 mod mechanism;
+mod panel;
 mod reactions;
 mod scalar;
 mod series;

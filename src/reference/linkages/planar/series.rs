@@ -64,6 +64,11 @@ impl Series {
         self.x.first().map_or(0, |x| x.len() - 1)
     }
 
+    /// How many coordinates there are.
+    pub fn coordinates(&self) -> usize {
+        self.x.len()
+    }
+
     /// `x_i^{(n)}/n!`.
     pub fn coefficient(&self, i: usize, n: usize) -> &Ball {
         &self.x[i][n]
