@@ -57,6 +57,13 @@ impl Mechanism {
         Ok(state)
     }
 
+    /// Follows the branch as far as it goes: the last state, and why it is not at `to`.
+    pub fn follow_as_far(&self, from: &State, to: f64) -> (State, Option<PositionError>) {
+        let mut state = from.clone();
+        let end = self.advance(&mut state, to, &mut Work::new(&self.chain));
+        (state, end.err())
+    }
+
     fn checked(&self, drive: f64) -> Result<f64, PositionError> {
         let inner = self.inner_drive(drive);
         match inner.abs() <= LARGEST_DRIVE {

@@ -31,7 +31,7 @@ pub enum SingularKind {
     ChangePoint,
 }
 
-/// Below this share of its size, `w·F_φ` counts as zero. A branch is followed to within about 1e-8 of a
+/// Below this share of `‖F_φ‖`, `w·F_φ` counts as zero. A branch is followed to within about 1e-8 of a
 /// change point.
 const NOTHING: f64 = 1e-5;
 
@@ -41,10 +41,10 @@ impl Mechanism {
     pub fn singularity(&self, last: &State) -> Option<Singularity> {
         let n = self.chain.unknowns;
         let (v, w) = null_vectors(&last.factors, n)?;
-        let parts = (0..n).map(|r| w[r] * last.jacobian[(r, n)]);
-        let along: f64 = parts.clone().sum();
-        let largest = parts.fold(0.0f64, |m, x| m.max(x.abs()));
-        let (kind, pose) = match along.abs() > NOTHING * largest.max(1e-12) {
+        let column = |r: usize| last.jacobian[(r, n)];
+        let along: f64 = (0..n).map(|r| w[r] * column(r)).sum();
+        let largest = (0..n).fold(0.0f64, |m, r| m.max(column(r).abs()));
+        let (kind, pose) = match along.abs() > NOTHING * largest {
             true => (SingularKind::Fold, self.fold(last, v)?),
             false => (SingularKind::ChangePoint, self.change_point(last, [&v, &w])?),
         };

@@ -126,11 +126,17 @@ pub(super) fn structure(description: &Description) -> Result<Structure, Mechanis
             bodies: names(&moving),
         });
     }
-    let groups = components(game.paid()).into_iter().filter_map(|c| {
-        let members: Vec<usize> = c.into_iter().filter(|&v| v < bodies && v != GROUND).collect();
-        (!members.is_empty()).then(|| group(description, members))
-    });
-    Ok(Structure { groups: groups.collect() })
+    let mut groups = Vec::new();
+    let mut known = vec![GROUND];
+    for component in components(game.paid()) {
+        let own = |v: &usize| *v < bodies && *v != GROUND;
+        let members: Vec<usize> = component.into_iter().filter(own).collect();
+        if !members.is_empty() {
+            groups.push(group(description, members.clone(), &known));
+            known.extend(members);
+        }
+    }
+    Ok(Structure { groups })
 }
 
 /// The bodies of a joint; of a rack the wheel and the rack.
@@ -147,16 +153,17 @@ fn joined(description: &Description, joint: &Joint) -> Vec<usize> {
     }
 }
 
-fn group(description: &Description, bodies: Vec<usize>) -> Group {
+/// Joints with bodies of later groups belong to those.
+fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Group {
     let inside = |b: &usize| bodies.contains(b);
-    // A pin of k bodies counts as k − 1 joints: those of its bodies inside are joined to one another,
-    // and once to the others.
+    // Of a pin the bodies inside are joined to one another, and once to those known.
     let (mut order, mut inner) = (0, Vec::new());
     let mut pairs = vec![0usize; bodies.len()];
     for joint in &description.joints {
-        let all = joined(description, &joint.part);
+        let mut all = joined(description, &joint.part);
+        all.retain(|b| inside(b) || known.contains(b));
         let ours: Vec<usize> = (0..bodies.len()).filter(|&k| all.contains(&bodies[k])).collect();
-        if ours.is_empty() {
+        if ours.is_empty() || all.len() < 2 {
             continue;
         }
         ours.iter().for_each(|&k| pairs[k] += 1);
