@@ -53,4 +53,6 @@ mod tests;
 #[cfg(test)]
 mod branch_tests;
 #[cfg(test)]
+mod law_tests;
+#[cfg(test)]
 mod load_tests;
