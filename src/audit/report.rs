@@ -148,11 +148,11 @@ pub struct Point {
     pub of_budget: f64,
 }
 
-/// The parts of a command that are the same for all cases of a report: the command is head, a blank,
-/// the place of the case, tail.
+/// The parts of a command that are the same for all cases of a report: the command is head, the place
+/// of the case, tail.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reproduce {
-    /// What comes before the place of a case: `mechaudit audit METHOD`.
+    /// What comes before the place of a case: `mechaudit audit METHOD ` with the blank.
     pub head: String,
     /// What comes after it: nothing, or a blank and options.
     pub tail: String,
@@ -236,6 +236,6 @@ impl MethodReport {
     /// The command that judges a case again.
     pub fn again(&self, case: &Case) -> String {
         let Reproduce { head, tail } = &self.reproduce;
-        format!("{head} {}{tail}", case.place())
+        format!("{head}{}{tail}", case.place())
     }
 }

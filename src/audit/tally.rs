@@ -264,7 +264,7 @@ impl Tally {
             failures: judged(failures),
             points,
             reproduce: Reproduce {
-                head: format!("mechaudit audit {}", method.name()),
+                head: format!("mechaudit audit {} ", method.name()),
                 tail: String::new(),
             },
         }

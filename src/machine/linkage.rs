@@ -2,6 +2,7 @@
 
 use super::class_iii;
 use super::dyad::{self, Dyad};
+use super::planar;
 use super::quantity::{AngularAcceleration, Quantity};
 use super::source::{Refusal, Source};
 use crate::reference::class_iii as exact;
@@ -18,6 +19,8 @@ pub enum Linkage {
     ClassIii(Box<class_iii::Linkage>),
     /// Four-bar or slider-crank.
     Dyad(Box<Dyad>),
+    /// Bodies and joints of any structure.
+    Planar(Box<planar::Machine>),
 }
 
 /// The motion of the crank.
@@ -43,6 +46,7 @@ enum Type {
     ClassIii,
     FourBar,
     SliderCrank,
+    Planar,
 }
 
 /// The file: what every type has, and its own sections of geometry, start and bodies.
@@ -101,6 +105,7 @@ impl Linkage {
             Type::ClassIii => Linkage::ClassIii(Box::new(class_iii::Linkage::read(source)?)),
             Type::FourBar => Linkage::Dyad(Box::new(dyad::four_bar(source)?)),
             Type::SliderCrank => Linkage::Dyad(Box::new(dyad::slider_crank(source)?)),
+            Type::Planar => Linkage::Planar(Box::new(planar::Machine::read(source)?)),
         })
     }
 }

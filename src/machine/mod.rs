@@ -8,6 +8,7 @@
 //! | [`quantity`] | numbers with units, exact |
 //! | [`class_iii`] | linkages of class III: branches, rows, certified decimals |
 //! | [`dyad`] | four-bar linkages and slider-cranks: rows, certified decimals, crank ranges |
+//! | [`planar`] | mechanisms of any structure: bodies, joints, drive |
 //! | [`crank_angles`] | the crank angles of rows, exact |
 //! | [`run_up`] | machines with motor and load: run, steady cycle, work against precision |
 //! | [`cam_oscillator`] | cam-driven oscillators whose shaft changes speed |
@@ -35,6 +36,7 @@ pub mod class_iii;
 pub mod crank_angles;
 pub mod dyad;
 mod linkage;
+pub mod planar;
 pub mod quantity;
 pub mod run_up;
 mod source;

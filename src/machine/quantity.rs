@@ -55,6 +55,18 @@ pub enum Time {}
 /// The dimension of a torque per angular velocity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ViscousResistance {}
+/// The dimension of a force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Force {}
+/// The dimension of a force per length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stiffness {}
+/// The dimension of a torque per angle, radians only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TorsionalStiffness {}
+/// The dimension of a force per velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Damping {}
 /// The dimension of a torque per angular velocity squared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum QuadraticResistance {}
@@ -71,6 +83,10 @@ dimensions! {
     Torque: "a torque", "N m", [2, 1, -2, 0];
     Time: "a time", "s", [0, 0, 1, 0];
     ViscousResistance: "a viscous resistance", "N m s", [2, 1, -1, 0];
+    Force: "a force", "N", [1, 1, -2, 0];
+    Stiffness: "a stiffness", "N/m", [0, 1, -2, 0];
+    TorsionalStiffness: "a torsional stiffness", "N m/rad", [2, 1, -2, -1];
+    Damping: "a damping", "N s/m", [0, 1, -1, 0];
     QuadraticResistance: "a quadratic resistance", "N m s^2", [2, 1, 0, 0];
 }
 

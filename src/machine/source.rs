@@ -202,11 +202,17 @@ impl Source {
         let mut section = file.get_ref();
         let mut found = None;
         for key in place.split('.') {
-            let Some((key, value)) = section.get_key_value(key) else {
+            // A member of an array of sections: name[k].
+            let (name, index) = match key.strip_suffix(']').and_then(|k| k.split_once('[')) {
+                Some((name, k)) => (name, k.parse::<usize>().ok()),
+                None => (key, None),
+            };
+            let Some((key, value)) = section.get_key_value(name) else {
                 break;
             };
-            found = Some(key.span().start);
-            match value.get_ref().as_table() {
+            let member = index.and_then(|k| value.get_ref().as_array()?.get(k));
+            found = Some(member.map_or(key.span().start, |m| m.span().start));
+            match member.unwrap_or(value).get_ref().as_table() {
                 Some(inner) => section = inner,
                 None => break,
             }
@@ -406,6 +412,10 @@ mod tests {
             assert_eq!(source.line_of(place), Some(line), "{place}");
         }
         assert_eq!(source.line_of("x"), None);
+        let source = Source::toml("[[b]]\nc = 1\n[[b]]\n\nc = 2\n");
+        for (place, line) in [("b[0].c", 2), ("b[1]", 3), ("b[1].c", 5), ("b[1].x", 3), ("b[7]", 1)] {
+            assert_eq!(source.line_of(place), Some(line), "{place}");
+        }
         assert_eq!(Source::json("{\"a\": 1}").line_of("a"), None);
     }
 

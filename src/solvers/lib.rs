@@ -5,7 +5,7 @@
 //! | special | [`faddeeva`] |
 //! | linear | [`tridiagonal`], [`cyclic_tridiagonal`] |
 //! | splines | [`cubic_spline`] |
-//! | linkages | [`class_iii`], [`dyad`], [`reduction`] |
+//! | linkages | [`class_iii`], [`dyad`], [`planar`], [`reduction`] |
 //! | drive | [`run_up`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`], [`chirp_chart`] |
 //!
@@ -36,6 +36,6 @@ use arithmetic::{pack, two};
 pub use cams::{cam_law, chirp_chart, chirp_oscillator, fourier_series};
 pub use drive::run_up;
 pub use linear::{cyclic_tridiagonal, tridiagonal};
-pub use linkages::{class_iii, dyad, reduction};
+pub use linkages::{class_iii, dyad, planar, reduction};
 pub use special::faddeeva;
 pub use splines::cubic_spline;

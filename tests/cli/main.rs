@@ -20,6 +20,7 @@ mod linkage;
 mod linkage_files;
 mod output;
 mod papers;
+mod planar;
 mod regenerate;
 mod reports;
 mod runup;

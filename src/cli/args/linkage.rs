@@ -13,6 +13,7 @@ Examples:
   mechaudit linkage examples/no-full-turn.toml --step-deg 5 --svg drawings
   mechaudit linkage examples/four-bar.toml --step-deg 10 --all-branches
   mechaudit linkage examples/slider-crank.toml --step-deg 15 --digits 20
+  mechaudit linkage examples/jansen-leg.toml --paths --svg drawings
 
 The file (TOML or JSON) gives every quantity as a string with its unit:
   type = \"class-iii\"                # or \"four-bar\", \"slider-crank\": see below
@@ -39,7 +40,24 @@ With type = \"four-bar\" or \"slider-crank\", without [bodies]:
   [start]                           # optional
   phi1 = \"0 deg\"
   assembly = \"positive\"             # joint left of the line from the crank's end to the rocker's
-                                    # pivot, slider ahead: branch 0; or \"negative\": branch 1";
+                                    # pivot, slider ahead: branch 0; or \"negative\": branch 1
+
+With type = \"planar\", any mechanism with one degree of freedom; `mechaudit::book` has all of it:
+  [points]                          # where points are in a drawing, if there is one
+  A = [\"4.1 cm\", \"3.75 cm\"]
+  [ground]
+  drawn = [\"A\"]                     # or points = { A = [\"4.1 cm\", \"3.75 cm\"] }
+  [[body]]
+  name = \"crank\"
+  drawn = [\"A\", \"B\"]                # or ends = [\"A\", \"B\"] with length, or three with sides, or
+                                    # points = { A = [\"0 cm\", \"0 cm\"], … } in its own frame
+  mass = \"1 kg\"                     # optional, with inertia (about the centre) and centre
+  [[joint]]
+  kind = \"pin\"                      # or \"slide\", \"slot\", \"gears\", \"rack\"
+  point = \"A\"                       # joins all bodies that have it
+  [drive]
+  body = \"crank\"                    # or joint = the name of a slide, with range and step
+  speed = \"60 rpm\"                  # optional";
 
 /// Arguments of `linkage`.
 #[derive(ClapArgs, Debug)]
@@ -74,6 +92,12 @@ pub struct LinkageArgs {
     /// Certified decimals with this many significant digits instead of floating-point numbers
     #[arg(long, value_name = "N", value_parser = number::within::<u32>(1..=1000))]
     pub digits: Option<u32>,
+    /// Positions, derivatives and curvature of the paths of all named points (type = "planar")
+    #[arg(long)]
+    pub paths: bool,
+    /// Forces in the joints at the drive's speed and acceleration (type = "planar")
+    #[arg(long)]
+    pub reactions: bool,
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,

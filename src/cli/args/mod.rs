@@ -1,5 +1,6 @@
 //! The grammar of the command line.
 
+mod atlas;
 mod audit;
 mod campaign;
 mod chirp;
@@ -20,6 +21,7 @@ mod scope;
 mod shell;
 mod units;
 
+pub use atlas::{AtlasArgs, AtlasFormat, AtlasTable};
 pub use audit::{AuditArgs, AuditFormat, ProgramArgs};
 pub use campaign::{
     CampaignArgs, CampaignReportArgs, CampaignRunArgs, CampaignStep, MergeArgs, PlanArgs,
@@ -104,6 +106,9 @@ pub enum Command {
     /// Judge several programs at the same cases, side by side
     #[command(after_help = compare::AFTER_HELP)]
     Compare(CompareArgs),
+    /// Published algorithms for W(z) and Voigt, and what is claimed about them, beside certified values
+    #[command(after_help = atlas::AFTER_HELP)]
+    Atlas(AtlasArgs),
     /// Describe a method to whoever writes a candidate: inputs, outputs, budgets, domain, protocol
     #[command(after_help = compare::AFTER_DESCRIBE)]
     Describe(DescribeArgs),

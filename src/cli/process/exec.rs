@@ -29,6 +29,7 @@ pub enum Inputs {
     /// Those of a shard.
     Dealt(Cases, Stride),
     One(Case),
+    Listed(Vec<Case>),
 }
 
 impl Inputs {
@@ -53,6 +54,7 @@ impl Inputs {
             Inputs::All(cases) => cases.len(),
             Inputs::Dealt(_, stride) => stride.len() as usize,
             Inputs::One(_) => 1,
+            Inputs::Listed(cases) => cases.len(),
         }
     }
 
@@ -61,6 +63,7 @@ impl Inputs {
             Inputs::All(cases) => cases.get(i),
             Inputs::Dealt(cases, stride) => cases.get(stride.at(i as u64) as usize),
             Inputs::One(case) => case.clone(),
+            Inputs::Listed(cases) => cases[i].clone(),
         }
     }
 
@@ -70,6 +73,7 @@ impl Inputs {
             Inputs::All(cases) => cases.region_of(i),
             Inputs::Dealt(..) => (self.get(i).region, i + 1),
             Inputs::One(case) => (case.region, 1),
+            Inputs::Listed(cases) => (cases[i].region, i + 1),
         }
     }
 }

@@ -217,6 +217,10 @@ impl Machine {
     /// [`MachineError`].
     pub fn read(source: &Source, overrides: Overrides) -> Result<Machine, MachineError> {
         let linkage = Linkage::read(source)?;
+        if let Linkage::Planar(_) = linkage {
+            let rule = "a run-up is for class-iii, four-bar and slider-crank, not yet for type = \"planar\"";
+            return Err(source.breach("type", rule).into());
+        }
         let File {
             start,
             motor,
@@ -227,6 +231,7 @@ impl Machine {
         let type_name = match &linkage {
             Linkage::ClassIii(_) => "class-iii",
             Linkage::Dyad(dyad) => dyad.shape.type_name(),
+            Linkage::Planar(_) => "planar",
         };
         let (name, model, phi, branch) = match linkage {
             Linkage::ClassIii(linkage) => {
@@ -237,6 +242,7 @@ impl Machine {
                 let (model, phi) = dyad_model(source, &dyad)?;
                 (dyad.name, model, phi, None)
             }
+            Linkage::Planar(_) => unreachable!("refused above"),
         };
         let coefficients = overrides.coefficients.or(run.coefficients);
         let coefficients = coefficients.unwrap_or_default();

@@ -422,7 +422,7 @@ pub(crate) mod tests {
             points: Vec::new(),
             map: None,
             reproduce: Reproduce {
-                head: "mechaudit audit a-method".into(),
+                head: "mechaudit audit a-method ".into(),
                 tail: String::new(),
             },
         }

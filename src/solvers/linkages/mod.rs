@@ -2,4 +2,5 @@
 
 pub mod class_iii;
 pub mod dyad;
+pub mod planar;
 pub mod reduction;

@@ -5,6 +5,9 @@ mod dyad;
 mod dyad_drawing;
 mod dyad_facts;
 pub mod facts;
+mod planar;
+mod planar_drawing;
+mod planar_facts;
 
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
@@ -35,12 +38,30 @@ pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
     let source = source::open(&args.file)?;
     let linkage = machine::Linkage::read(&source).map_err(|e| Failure::in_file(&args.file, e))?;
     match linkage {
-        machine::Linkage::ClassIii(linkage) => of_class_iii(args, &linkage),
-        machine::Linkage::Dyad(linkage) => dyad::linkage(args, &linkage),
+        machine::Linkage::ClassIii(linkage) => {
+            args.only_planar()?;
+            of_class_iii(args, &linkage)
+        }
+        machine::Linkage::Dyad(linkage) => {
+            args.only_planar()?;
+            dyad::linkage(args, &linkage)
+        }
+        machine::Linkage::Planar(machine) => planar::linkage(args, &machine),
     }
 }
 
 impl LinkageArgs {
+    /// Refuses what is there for type = "planar" alone.
+    fn only_planar(&self) -> Result<(), Failure> {
+        for (given, name) in [(self.paths, "--paths"), (self.reactions, "--reactions")] {
+            if given {
+                let text = format!("{name} is for files with type = \"planar\"");
+                return Err(Failure::new(text).about(self.file.display()));
+            }
+        }
+        Ok(())
+    }
+
     /// The crank angles asked for; they begin at `start` if the arguments do not say where.
     pub fn grid(&self, start: Option<Rational>) -> Result<Grid, Failure> {
         let window = Window {

@@ -1,6 +1,7 @@
 //! Generated files: regenerated, or compared with what is held.
 
 mod artefact;
+mod atlas;
 pub mod errata;
 mod faddeeva_tables;
 mod method_values;
@@ -20,6 +21,7 @@ use std::path::Path;
 const VALUES: &str = "reference/values";
 const PUBLISHED: &str = "reference/published";
 const SOLVERS: &str = "src/solvers";
+const ATLAS: &str = "reference/atlas";
 
 /// Every generated file.
 fn artefacts() -> Vec<Artefact> {
@@ -53,6 +55,20 @@ fn artefacts() -> Vec<Artefact> {
         .collect();
     all.push(csv("sand-screen-run-up", Box::new(sand_screen::made)));
     all.extend(papers::keys().into_iter().map(errata));
+    let atlas = |name: &str, form: Form, make: fn() -> artefact::Outcome<Made>| Artefact {
+        name: name.into(),
+        path: Path::new(ATLAS).join(match form {
+            Form::Json => format!("{name}.json"),
+            _ => format!("{name}.csv"),
+        }),
+        form,
+        make: Box::new(make),
+    };
+    all.extend([
+        atlas("atlas-rows", Form::Csv, atlas::rows),
+        atlas("atlas-claims", Form::Csv, atlas::claims),
+        atlas("atlas", Form::Json, atlas::document),
+    ]);
     all.extend([
         rust(
             "arithmetic-tables",
@@ -91,7 +107,7 @@ fn chosen(names: &[String]) -> Result<Vec<Artefact>, Failure> {
 /// Makes or compares what the arguments name.
 pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
     let chosen = chosen(&args.names)?;
-    for folder in [VALUES, PUBLISHED, SOLVERS] {
+    for folder in [VALUES, PUBLISHED, SOLVERS, ATLAS] {
         if !args.root.join(folder).is_dir() {
             return Err(Failure::new(format!(
                 "{} holds no {folder}: --root has to be the folder of mechaudit's sources",
@@ -185,6 +201,7 @@ mod tests {
         for (folder, ending) in [
             (VALUES, ".csv"),
             (PUBLISHED, "-errata.json"),
+            (ATLAS, ""),
             ("src/solvers/arithmetic", "tables.rs"),
             ("src/solvers/special/faddeeva", "tables.rs"),
             ("src/solvers/special/faddeeva", "constants.rs"),

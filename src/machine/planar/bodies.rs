@@ -1,0 +1,211 @@
+//! Bodies with their points.
+
+use super::file::{Body, File, Place};
+use crate::machine::source::{Refusal, Source};
+use crate::reference::nearest_f64;
+use crate::solvers::planar::{GROUND, Point};
+use rug::Rational;
+
+/// All bodies, the ground first.
+pub(super) struct Bodies {
+    pub names: Vec<String>,
+    /// Points of each body in metres.
+    points: Vec<Vec<(String, [f64; 2])>>,
+    /// The angle of each body's line in its frame.
+    pub lines: Vec<f64>,
+    /// Whether a body is given by points of the drawing.
+    pub drawn: Vec<bool>,
+}
+
+fn place([x, y]: &Place) -> [Rational; 2] {
+    [x.value.clone(), y.value.clone()]
+}
+
+fn rounded(p: &[Rational; 2]) -> [f64; 2] {
+    [nearest_f64(&p[0]), nearest_f64(&p[1])]
+}
+
+/// Names in columns and messages.
+fn check_name(source: &Source, at: &str, name: &str) -> Result<(), Refusal> {
+    let good = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '\'');
+    match !name.is_empty() && name.len() <= 40 && name.chars().all(good) {
+        true => Ok(()),
+        false => {
+            let rule = format!("{at} = {name:?} must be a name: letters, digits, _, - and ', at most 40");
+            Err(source.breach(at, rule))
+        }
+    }
+}
+
+impl Bodies {
+    pub(super) fn new(source: &Source, file: &File) -> Result<Bodies, Refusal> {
+        let mut all = Bodies {
+            names: vec!["ground".into()],
+            points: vec![Vec::new()],
+            lines: vec![0.0],
+            drawn: vec![true],
+        };
+        for (name, at) in &file.ground.points {
+            check_name(source, "ground.points", name)?;
+            all.points[GROUND].push((name.clone(), rounded(&place(at))));
+        }
+        for name in &file.ground.drawn {
+            let at = drawn(source, file, "ground.drawn", name)?;
+            all.points[GROUND].push((name.clone(), rounded(&at)));
+        }
+        for (k, body) in file.body.iter().enumerate() {
+            let at = format!("body[{k}]");
+            check_name(source, &format!("{at}.name"), &body.name)?;
+            if all.names.contains(&body.name) {
+                let rule = format!("{at}.name = {:?} is taken", body.name);
+                return Err(source.breach(&format!("{at}.name"), rule));
+            }
+            let points = points(source, file, body, &at)?;
+            let line = match (&points[..], body.drawn.is_empty()) {
+                ([(_, p), (_, q), ..], false) => (q[1] - p[1]).atan2(q[0] - p[0]),
+                _ => 0.0,
+            };
+            all.names.push(body.name.clone());
+            all.points.push(points);
+            all.lines.push(line);
+            all.drawn.push(!body.drawn.is_empty());
+        }
+        for (b, points) in all.points.iter().enumerate() {
+            for (k, (name, _)) in points.iter().enumerate() {
+                if points[..k].iter().any(|p| p.0 == *name) {
+                    let rule = format!("{} has the point {name:?} twice", all.names[b]);
+                    let at = if b == GROUND { "ground".into() } else { format!("body[{}]", b - 1) };
+                    return Err(source.breach(&at, rule));
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    /// The number of a body.
+    pub(super) fn find(&self, source: &Source, at: &str, name: &str) -> Result<usize, Refusal> {
+        let found = self.names.iter().position(|n| n == name);
+        found.ok_or_else(|| {
+            let names: Vec<&str> = self.names.iter().map(String::as_str).collect();
+            let meant = crate::audit::did_you_mean(name, &names);
+            source.breach(at, format!("{at} = {name:?} is no body{meant}"))
+        })
+    }
+
+    /// A point of a body.
+    pub(super) fn on(&self, body: usize, name: &str) -> Option<Point> {
+        let at = self.points[body].iter().find(|p| p.0 == name)?.1;
+        Some(Point::from_m(body, at))
+    }
+
+    /// The points of this name on all bodies.
+    pub(super) fn all(&self, name: &str) -> Vec<Point> {
+        (0..self.names.len()).filter_map(|b| self.on(b, name)).collect()
+    }
+
+    /// `POINT` on any body that has it, or `BODY.POINT`.
+    pub(super) fn point(&self, source: &Source, at: &str, text: &str) -> Result<Point, Refusal> {
+        let found = match text.split_once('.') {
+            Some((body, name)) => {
+                let body = self.find(source, at, body)?;
+                self.on(body, name)
+            }
+            None => self.all(text).into_iter().next(),
+        };
+        found.ok_or_else(|| source.breach(at, format!("{at} = {text:?} is no point of a body")))
+    }
+
+    /// The named points on moving bodies, each name once.
+    pub(super) fn moving(&self) -> Vec<(String, Point)> {
+        let mut all: Vec<(String, Point)> = Vec::new();
+        for body in 1..self.names.len() {
+            for (name, at) in &self.points[body] {
+                let fixed = self.on(GROUND, name).is_some();
+                if !fixed && !all.iter().any(|p| p.0 == *name) {
+                    all.push((name.clone(), Point::from_m(body, *at)));
+                }
+            }
+        }
+        all.sort_by(|a, b| a.0.cmp(&b.0));
+        all
+    }
+
+    /// The points of every body.
+    pub(super) fn outlines(&self) -> Vec<Vec<(String, Point)>> {
+        let of = |(b, points): (usize, &Vec<(String, [f64; 2])>)| {
+            points.iter().map(|(n, p)| (n.clone(), Point::from_m(b, *p))).collect()
+        };
+        self.points.iter().enumerate().map(of).collect()
+    }
+}
+
+/// A point of the drawing.
+fn drawn(source: &Source, file: &File, at: &str, name: &str) -> Result<[Rational; 2], Refusal> {
+    check_name(source, at, name)?;
+    match file.points.get(name) {
+        Some(p) => Ok(place(p)),
+        None => Err(source.breach(at, format!("{at}: {name:?} is not in [points]"))),
+    }
+}
+
+fn points(
+    source: &Source,
+    file: &File,
+    body: &Body,
+    at: &str,
+) -> Result<Vec<(String, [f64; 2])>, Refusal> {
+    let ways = [!body.drawn.is_empty(), !body.ends.is_empty()];
+    if ways == [true, true] || (ways[0] && !body.points.is_empty()) {
+        let rule = format!("{at}: drawn stands alone, without points and ends");
+        return Err(source.breach(at, rule));
+    }
+    let mut all = Vec::new();
+    if let Some(first) = body.drawn.first() {
+        let origin = drawn(source, file, &format!("{at}.drawn"), first)?;
+        for name in &body.drawn {
+            let [x, y] = drawn(source, file, &format!("{at}.drawn"), name)?;
+            all.push((name.clone(), rounded(&[x - &origin[0], y - &origin[1]])));
+        }
+    }
+    let place_of = format!("{at}.ends");
+    match (&body.ends[..], &body.length, &body.sides) {
+        ([], None, None) => {}
+        ([a, b], Some(l), None) => {
+            check_name(source, &place_of, a)?;
+            check_name(source, &place_of, b)?;
+            let l = nearest_f64(&l.value);
+            if !(l > 0.0) {
+                return Err(source.breach(&format!("{at}.length"), format!("{at}.length must be positive")));
+            }
+            all.extend([(a.clone(), [0.0, 0.0]), (b.clone(), [l, 0.0])]);
+        }
+        ([a, b, c], None, Some(sides)) => {
+            for name in [a, b, c] {
+                check_name(source, &place_of, name)?;
+            }
+            let [ab, bc, ca] = sides.each_ref().map(|s| nearest_f64(&s.value));
+            // Heron's square root of the four factors.
+            let s = [ab + bc + ca, bc + ca - ab, ab + ca - bc, ab + bc - ca];
+            if !s.iter().all(|x| *x >= 0.0) || !(ab > 0.0) {
+                let rule = format!("{at}.sides: no triangle has these sides");
+                return Err(source.breach(&format!("{at}.sides"), rule));
+            }
+            let height = 0.5 * (s[0] * s[1]).sqrt() * (s[2] * s[3]).sqrt() / ab;
+            let x = 0.5 * (ab + (ca - bc) * (ca + bc) / ab);
+            let y = if body.clockwise { -height } else { height };
+            all.extend([(a.clone(), [0.0, 0.0]), (b.clone(), [ab, 0.0]), (c.clone(), [x, y])]);
+        }
+        _ => {
+            let rule = format!("{at}: two ends with length, or three ends with sides");
+            return Err(source.breach(at, rule));
+        }
+    }
+    for (name, p) in &body.points {
+        check_name(source, &format!("{at}.points"), name)?;
+        all.push((name.clone(), rounded(&place(p))));
+    }
+    if all.is_empty() {
+        return Err(source.breach(at, format!("{at} has no points, ends or drawn")));
+    }
+    Ok(all)
+}

@@ -1,0 +1,247 @@
+//! The choice of a branch, and how far the drive goes on it.
+
+use super::Machine;
+use crate::solvers::planar::{Modes, SingularKind, State};
+use std::f64::consts::TAU;
+
+/// Turns after which a branch is given up to close.
+const TURNS: u32 = 12;
+/// How near the bodies' angles have to be to choose a mode: 15 degrees.
+const NEAR: f64 = 0.262;
+/// How close to a singular position rows are computed, in radians.
+pub const MARGIN: f64 = 1e-6;
+
+/// The end of a branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// The user's drive there, in radians or metres.
+    pub drive: f64,
+    /// A fold or a change point; `None` if the singular position could not be refined.
+    pub kind: Option<SingularKind>,
+}
+
+/// How far the drive goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reach {
+    /// All round; after so many turns the mechanism is back where it was, `None` if not within 12.
+    Whole {
+        /// The turns.
+        turns: Option<u32>,
+    },
+    /// Between ends; `None` where a displacement goes as far as its range.
+    Part {
+        /// The end in the negative sense.
+        low: Option<End>,
+        /// The end in the positive one.
+        high: Option<End>,
+    },
+}
+
+/// A branch.
+#[derive(Clone, Debug)]
+pub struct Branch {
+    /// Number of the mode at the start.
+    pub mode: usize,
+    /// How many there are.
+    pub modes: usize,
+    /// Whether these are all.
+    pub complete: bool,
+    /// The position at the start.
+    pub start: State,
+    /// How far the drive goes.
+    pub reach: Reach,
+}
+
+/// Why there is no branch.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PlanarError {
+    /// There are fewer assembly modes.
+    #[error("there is no branch {number} at {at}; there are {count}, counted from 0")]
+    NoSuchMode {
+        /// The number asked for.
+        number: usize,
+        /// The drive with its unit.
+        at: String,
+        /// How many there are.
+        count: usize,
+    },
+    /// No mode is near the angles given.
+    #[error("no assembly mode at {at} has its bodies within 15 deg of {what}; {listed}")]
+    NoModeNear {
+        /// The drive with its unit.
+        at: String,
+        /// `start.near` or the drawing.
+        what: &'static str,
+        /// The modes that there are.
+        listed: String,
+    },
+    /// There are several, and nothing says which.
+    #[error("which branch? {listed}; write --branch N, --all-branches, or start.near in the file")]
+    Ambiguous {
+        /// The modes that there are.
+        listed: String,
+    },
+    /// The loops do not close.
+    #[error("the mechanism cannot be assembled at {at}{more}")]
+    NotHere {
+        /// The drive with its unit.
+        at: String,
+        /// Where it can be.
+        more: String,
+    },
+    /// A group that is not solved.
+    #[error(
+        "the positions at {at} were not found: a group has gears among its unknowns, is too large, or has special dimensions"
+    )]
+    Unsolved {
+        /// The drive with its unit.
+        at: String,
+    },
+}
+
+impl Machine {
+    /// The user's drive in words.
+    pub fn drive_text(&self, drive: f64) -> String {
+        match self.rotary() {
+            true => format!("{} deg", (drive.to_degrees() * 1e9).round() / 1e9),
+            false => format!("{} m", (drive * 1e12).round() / 1e12),
+        }
+    }
+
+    /// The angle of a body's line in radians.
+    pub fn line(&self, state: &State, body: usize) -> f64 {
+        self.solver.body_angle(state, body).angle.rad() + self.lines[body]
+    }
+
+    fn listed(&self, modes: &Modes) -> String {
+        let of = |(k, s): (usize, &State)| {
+            let angles = (1..self.bodies.len()).map(|b| {
+                let degrees = wrapped(self.line(s, b)).to_degrees();
+                format!("{} {:.3}", self.bodies[b], degrees)
+            });
+            format!("{k}: {} deg", angles.collect::<Vec<_>>().join(", "))
+        };
+        let most = 20;
+        let mut all: Vec<String> = modes.states.iter().take(most).enumerate().map(of).collect();
+        if modes.states.len() > most {
+            all.push(format!("{} more", modes.states.len() - most));
+        }
+        format!("there are {}", all.join("; "))
+    }
+
+    /// Where over a turn, or the drive's range, the mechanism can be assembled.
+    fn elsewhere(&self) -> String {
+        const TRIED: u32 = 360;
+        let (from, to) = match self.window {
+            Some([from, to, _]) => (from, to),
+            None => (0.0, TAU),
+        };
+        let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(TRIED);
+        let good = (0..TRIED).find(|&k| {
+            !self.solver.assembly_modes(self.inner(at(k))).states.is_empty()
+        });
+        match good {
+            Some(k) => format!(", but can be at {}", self.drive_text(at(k))),
+            None => format!(", nor at any of {TRIED} values of the drive"),
+        }
+    }
+}
+
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// The mode at the drive (user's, radians or metres) that is asked for.
+fn mode_at(
+    machine: &Machine,
+    drive: f64,
+    number: Option<usize>,
+    use_start: bool,
+) -> Result<(usize, Modes), PlanarError> {
+    let modes = machine.solver.assembly_modes(machine.inner(drive));
+    let at = machine.drive_text(drive);
+    let count = modes.states.len();
+    if count == 0 {
+        return Err(match modes.complete {
+            false => PlanarError::Unsolved { at },
+            true => PlanarError::NotHere { at, more: machine.elsewhere() },
+        });
+    }
+    let start = &machine.start;
+    let number = number.or(start.mode.filter(|_| use_start));
+    if let Some(number) = number {
+        return match number < count {
+            true => Ok((number, modes)),
+            false => Err(PlanarError::NoSuchMode { number, at, count }),
+        };
+    }
+    if use_start && !start.near.is_empty() {
+        let apart = |s: &State| {
+            let of = |(b, a): &(usize, f64)| wrapped(machine.line(s, *b) - a).abs();
+            start.near.iter().map(of).fold(0.0, f64::max)
+        };
+        let best = (0..count).min_by(|&a, &b| {
+            apart(&modes.states[a]).total_cmp(&apart(&modes.states[b]))
+        });
+        return match best.filter(|&k| apart(&modes.states[k]) <= NEAR) {
+            Some(k) => Ok((k, modes)),
+            None => Err(PlanarError::NoModeNear {
+                at,
+                what: if start.drawn { "the drawing" } else { "start.near" },
+                listed: machine.listed(&modes),
+            }),
+        };
+    }
+    match count {
+        1 => Ok((0, modes)),
+        _ => Err(PlanarError::Ambiguous { listed: machine.listed(&modes) }),
+    }
+}
+
+/// The branch through the mode asked for at a drive (user's, radians or metres): the mode of that
+/// number, or what the file's start says.
+///
+/// # Errors
+/// [`PlanarError`].
+pub fn choose(machine: &Machine, drive: f64, number: Option<usize>) -> Result<Branch, PlanarError> {
+    let (mode, found) = mode_at(machine, drive, number, number.is_none())?;
+    let (modes, complete) = (found.states.len(), found.complete);
+    let start = found.states.into_iter().nth(mode).expect("a mode there is");
+    let reach = reach(machine, &start);
+    Ok(Branch { mode, modes, complete, start, reach })
+}
+
+fn reach(machine: &Machine, start: &State) -> Reach {
+    let solver = &machine.solver;
+    let from = solver.drive_of(start);
+    let end = |to: f64| -> (State, Option<End>) {
+        let (last, error) = solver.follow_as_far(start, to);
+        let end = error.map(|_| {
+            let at = solver.singularity(&last);
+            let drive = at.as_ref().map_or(solver.drive_of(&last), |s| s.drive);
+            End { drive: machine.outer(drive), kind: at.map(|s| s.kind) }
+        });
+        (last, end)
+    };
+    if let Some([low, high, _]) = machine.window {
+        return Reach::Part { low: end(low).1, high: end(high).1 };
+    }
+    let (mut here, high) = end(from + TAU);
+    if high.is_some() {
+        // The other end is met within a turn, or the branch would go round.
+        return Reach::Part { low: end(from - TAU).1, high };
+    }
+    for turn in 1..=TURNS {
+        let back = (1..machine.bodies.len()).all(|b| {
+            wrapped(machine.line(&here, b) - machine.line(start, b)).abs() < 1e-6
+        });
+        if back {
+            return Reach::Whole { turns: Some(turn) };
+        }
+        match solver.follow(&here, solver.drive_of(&here) + TAU) {
+            Ok(next) => here = next,
+            Err(_) => break,
+        }
+    }
+    Reach::Whole { turns: None }
+}

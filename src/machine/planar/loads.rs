@@ -1,0 +1,172 @@
+//! Masses and loads.
+
+use super::bodies::Bodies;
+use super::file::File;
+use super::joints::drive_value;
+use crate::machine::quantity::{Dimension, Force, Quantity};
+use crate::machine::source::{Refusal, Source};
+use crate::reference::nearest_f64;
+use crate::solvers::planar::{BodyMass, Course, GROUND, Load, Loads, Mechanism};
+use crate::solvers::units::{Inertia, Length, Mass, Torque};
+use std::str::FromStr;
+
+/// A value or a table over the drive; `offset` is the angle of the driven body's line in its frame.
+struct Courses<'a> {
+    source: &'a Source,
+    rotary: bool,
+    offset: f64,
+}
+
+impl Courses<'_> {
+    fn value<D: Dimension>(&self, at: &str, text: &str) -> Result<f64, Refusal> {
+        match Quantity::<D>::from_str(text) {
+            Ok(q) => Ok(q.to_f64()),
+            Err(e) => Err(self.source.breach(at, format!("{at} = {e}"))),
+        }
+    }
+
+    fn read<D: Dimension>(
+        &self,
+        at: &str,
+        value: &Option<String>,
+        table: &Option<Vec<[String; 2]>>,
+    ) -> Result<Course, Refusal> {
+        match (value, table) {
+            (Some(text), None) => Ok(Course::Constant(self.value::<D>(&format!("{at}.value"), text)?)),
+            (None, Some(rows)) => {
+                let place = format!("{at}.table");
+                let row = |[drive, value]: &[String; 2]| -> Result<[f64; 2], Refusal> {
+                    let x = drive_value(self.source, &place, drive, self.rotary)?;
+                    let x = if self.rotary { x.to_radians() - self.offset } else { x };
+                    Ok([x, self.value::<D>(&place, value)?])
+                };
+                Ok(Course::Table(rows.iter().map(row).collect::<Result<_, _>>()?))
+            }
+            _ => Err(self.source.breach(at, format!("{at} needs either value or table"))),
+        }
+    }
+}
+
+/// Masses and loads; `None` if the file has none.
+pub(super) fn read(
+    source: &Source,
+    file: &File,
+    bodies: &Bodies,
+    mechanism: &Mechanism,
+    offset: f64,
+) -> Result<Option<Loads>, Refusal> {
+    let courses = Courses { source, rotary: !mechanism.drive_is_displacement(), offset };
+    let mut masses = Vec::new();
+    for (k, body) in file.body.iter().enumerate() {
+        let at = format!("body[{k}]");
+        let Some(mass) = &body.mass else {
+            if body.inertia.is_none() && body.centre.is_none() {
+                continue;
+            }
+            return Err(source.breach(&at, format!("{at}: inertia and centre need mass")));
+        };
+        let Some(centre) = &body.centre else {
+            return Err(source.breach(&at, format!("{at}: mass needs centre, in the body's frame")));
+        };
+        let m = |q: &Quantity<Length>| Length::from_m(nearest_f64(&q.value));
+        masses.push(BodyMass {
+            body: k + 1,
+            mass: Mass::from_kg(nearest_f64(&mass.value)),
+            inertia: Inertia::from_kg_m2(body.inertia.as_ref().map_or(0.0, |j| nearest_f64(&j.value))),
+            centre: [m(&centre[0]), m(&centre[1])],
+        });
+    }
+    let loads = loads(source, file, bodies, &courses)?;
+    if masses.is_empty() && loads.is_empty() {
+        return Ok(None);
+    }
+    let g = file.gravity.as_ref().map_or(9.80665, |g| nearest_f64(&g.value));
+    let gravity = match &file.gravity_direction {
+        None => [0.0, -g],
+        Some(a) => {
+            let (s, c) = a.to_f64().sin_cos();
+            [g * c, g * s]
+        }
+    };
+    let loads = Loads::new(mechanism, masses, loads, gravity);
+    loads.map(Some).map_err(|e| source.refuse("body", e))
+}
+
+fn loads(
+    source: &Source,
+    file: &File,
+    bodies: &Bodies,
+    courses: &Courses,
+) -> Result<Vec<Load>, Refusal> {
+    let body = |at: &str, key: &str, name: &str| bodies.find(source, &format!("{at}.{key}"), name);
+    let from = |at: &str, name: &Option<String>| match name {
+        Some(name) => body(at, "from", name),
+        None => Ok(GROUND),
+    };
+    let ends = |at: &str, [a, b]: &[String; 2]| -> Result<_, Refusal> {
+        let place = format!("{at}.ends");
+        Ok([bodies.point(source, &place, a)?, bodies.point(source, &place, b)?])
+    };
+    let mut all = Vec::new();
+    for (k, f) in file.force.iter().enumerate() {
+        let at = format!("force[{k}]");
+        let size = courses.read::<Force>(&at, &f.value, &f.table)?;
+        let (s, c) = f.direction.to_f64().sin_cos();
+        let along = match &f.with {
+            Some(name) => body(&at, "with", name)?,
+            None => GROUND,
+        };
+        let part = |factor: f64| match &size {
+            Course::Constant(x) => Course::Constant(x * factor),
+            Course::Table(rows) => Course::Table(rows.iter().map(|[x, y]| [*x, y * factor]).collect()),
+        };
+        let at = bodies.point(source, &format!("{at}.at"), &f.at)?;
+        all.push(Load::Force { at, components: [part(c), part(s)], along });
+    }
+    for (k, t) in file.torque.iter().enumerate() {
+        let at = format!("torque[{k}]");
+        all.push(Load::Torque {
+            body: body(&at, "body", &t.body)?,
+            from: from(&at, &t.from)?,
+            torque: courses.read::<Torque>(&at, &t.value, &t.table)?,
+        });
+    }
+    for (k, s) in file.spring.iter().enumerate() {
+        all.push(Load::Spring {
+            ends: ends(&format!("spring[{k}]"), &s.ends)?,
+            stiffness: nearest_f64(&s.stiffness.value),
+            length: nearest_f64(&s.length.value),
+        });
+    }
+    for (k, s) in file.torsion_spring.iter().enumerate() {
+        let at = format!("torsion_spring[{k}]");
+        if s.stiffness.degrees {
+            let place = format!("{at}.stiffness");
+            let rule = format!("{place}: write it for each radian, for instance in N m/rad");
+            return Err(source.breach(&place, rule));
+        }
+        // Between the lines of the bodies, as angles are shown.
+        let (b, f) = (body(&at, "body", &s.body)?, from(&at, &s.from)?);
+        all.push(Load::TorsionSpring {
+            body: b,
+            from: f,
+            stiffness: nearest_f64(&s.stiffness.value),
+            angle: s.angle.to_f64() - bodies.lines[b] + bodies.lines[f],
+        });
+    }
+    for (k, d) in file.damper.iter().enumerate() {
+        all.push(Load::Damper {
+            ends: ends(&format!("damper[{k}]"), &d.ends)?,
+            damping: nearest_f64(&d.damping.value),
+        });
+    }
+    for (k, d) in file.torsion_damper.iter().enumerate() {
+        let at = format!("torsion_damper[{k}]");
+        all.push(Load::TorsionDamper {
+            body: body(&at, "body", &d.body)?,
+            from: from(&at, &d.from)?,
+            damping: nearest_f64(&d.damping.value),
+        });
+    }
+    Ok(all)
+}

@@ -1,0 +1,149 @@
+//! A mechanism of bodies and joints as its file describes it.
+
+mod bodies;
+mod branch;
+mod file;
+mod joints;
+mod loads;
+mod rows;
+
+pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
+pub use rows::{Columns, names, values};
+
+use super::source::{Refusal, Source};
+use crate::solvers::planar::{Drive, Loads, Mechanism, Point};
+use bodies::Bodies;
+use file::File;
+
+/// A mechanism as described, in floating point.
+pub struct Machine {
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// Bodies, joints and drive.
+    pub solver: Mechanism,
+    /// Where the file gives masses or loads.
+    pub loads: Option<Loads>,
+    /// Names of all bodies, the ground first.
+    pub bodies: Vec<String>,
+    /// Names of the joints.
+    pub joints: Vec<String>,
+    /// For each body the angle, in its frame, of the line that its angle is that of; radians.
+    pub lines: Vec<f64>,
+    /// The named points on moving bodies, each once.
+    pub points: Vec<(String, Point)>,
+    /// All points of each body, in the file's order of names, for drawings.
+    pub outlines: Vec<Vec<(String, Point)>>,
+    /// Speed and acceleration of the drive, if given, in rad/s or m/s and their squares.
+    pub speed: Option<[f64; 2]>,
+    /// Of a drive by displacement: first value, last value and step in metres.
+    pub window: Option<[f64; 3]>,
+    /// Which branch is meant.
+    pub start: Start,
+}
+
+/// Which branch is meant.
+#[derive(Clone, Debug, Default)]
+pub struct Start {
+    /// The drive there, as the user counts it: degrees or metres.
+    pub at: Option<f64>,
+    /// The mode of this number.
+    pub mode: Option<usize>,
+    /// Bodies with the angles of their lines in radians, near which they are.
+    pub near: Vec<(usize, f64)>,
+    /// Whether these come from the drawing.
+    pub drawn: bool,
+}
+
+impl Machine {
+    /// Reads the description of a mechanism.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn read(source: &Source) -> Result<Machine, Refusal> {
+        let file: File = source.parse()?;
+        let bodies = Bodies::new(source, &file)?;
+        let (description, joints) = joints::read(source, &file, &bodies)?;
+        let solver = Mechanism::new(description).map_err(|e| {
+            let place = if file.joint.is_empty() { "body" } else { "joint" };
+            source.refuse(place, e)
+        })?;
+        let driven = match solver.description().drive {
+            Drive::Angle { body, .. } => Some(body),
+            Drive::Displacement { .. } => None,
+        };
+        let offset = driven.map_or(0.0, |b| bodies.lines[b]);
+        let loads = loads::read(source, &file, &bodies, &solver, offset)?;
+        let drive = joints::drive(source, &file, driven.is_some())?;
+        let start = start(source, &file, &bodies, driven)?;
+        Ok(Machine {
+            name: file.name,
+            loads,
+            joints,
+            lines: bodies.lines.clone(),
+            points: bodies.moving(),
+            outlines: bodies.outlines(),
+            bodies: bodies.names,
+            speed: drive.speed,
+            window: drive.window,
+            start,
+            solver,
+        })
+    }
+
+    /// Whether the drive is an angle.
+    pub fn rotary(&self) -> bool {
+        !self.solver.drive_is_displacement()
+    }
+
+    /// The solver's drive for the user's: an angle of the driven body's line, in radians, or metres.
+    pub fn inner(&self, drive: f64) -> f64 {
+        drive - self.offset()
+    }
+
+    /// The user's drive for the solver's.
+    pub fn outer(&self, drive: f64) -> f64 {
+        drive + self.offset()
+    }
+
+    fn offset(&self) -> f64 {
+        match self.solver.description().drive {
+            Drive::Angle { body, .. } => self.lines[body],
+            Drive::Displacement { .. } => 0.0,
+        }
+    }
+}
+
+/// The section `[start]`; without it the drawing, if every body is drawn.
+fn start(
+    source: &Source,
+    file: &File,
+    bodies: &Bodies,
+    driven: Option<usize>,
+) -> Result<Start, Refusal> {
+    let section = &file.start;
+    if section.mode.is_some() && !section.near.is_empty() {
+        let rule = "start.mode and start.near exclude each other";
+        return Err(source.breach("start.mode", rule));
+    }
+    let mut near = Vec::new();
+    for (name, angle) in &section.near {
+        let place = format!("start.near.{name}");
+        near.push((bodies.find(source, &place, name)?, angle.to_f64()));
+    }
+    let given = match &section.at {
+        Some(text) => Some(joints::drive_value(source, "start.at", text, driven.is_some())?),
+        None => None,
+    };
+    let told = given.is_some() || section.mode.is_some() || !near.is_empty();
+    let all_drawn = bodies.drawn[1..].iter().all(|d| *d);
+    if let (false, true, Some(driven)) = (told, all_drawn, driven) {
+        let lines = (1..bodies.names.len()).map(|b| (b, bodies.lines[b]));
+        return Ok(Start {
+            at: Some(bodies.lines[driven].to_degrees()),
+            mode: None,
+            near: lines.collect(),
+            drawn: true,
+        });
+    }
+    Ok(Start { at: given, mode: section.mode, near, drawn: false })
+}

@@ -1,0 +1,186 @@
+//! The columns of a mechanism's rows, and a row in floating point.
+
+use super::Machine;
+use crate::solvers::planar::{GroupKind, Joint, State, curvature};
+
+/// Which columns there are besides the bodies' angles.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Columns {
+    /// Positions, derivatives and curvature of the paths of all named points.
+    pub paths: bool,
+    /// Forces in the joints.
+    pub reactions: bool,
+}
+
+/// Names of derivatives: with the drive's speed velocities, without derivatives by the drive.
+struct Derivatives {
+    speed: bool,
+    rotary: bool,
+}
+
+impl Derivatives {
+    /// First and second derivative of an angle.
+    fn angle(&self, name: &str) -> [String; 2] {
+        match (self.speed, self.rotary) {
+            (true, _) => [format!("omega_{name}_rad_per_s"), format!("epsilon_{name}_rad_per_s2")],
+            (false, true) => [format!("d{name}_dphi"), format!("d2{name}_dphi_2_per_rad")],
+            (false, false) => [format!("d{name}_ds_rad_per_m"), format!("d2{name}_ds_2_rad_per_m2")],
+        }
+    }
+
+    /// Of a coordinate.
+    fn length(&self, name: &str) -> [String; 2] {
+        match (self.speed, self.rotary) {
+            (true, _) => [format!("v_{name}_m_per_s"), format!("a_{name}_m_per_s2")],
+            (false, true) => [format!("d{name}_dphi_m_per_rad"), format!("d2{name}_dphi_2_m_per_rad2")],
+            (false, false) => [format!("d{name}_ds"), format!("d2{name}_ds_2_per_m")],
+        }
+    }
+}
+
+/// The columns' names with their units; the drive and `branch` first.
+pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
+    let rotary = machine.rotary();
+    let by = Derivatives { speed: machine.speed.is_some(), rotary };
+    let drive = if rotary { "phi_deg" } else { "s_m" };
+    let mut all: Vec<String> = vec![drive.into(), "branch".into()];
+    for name in &machine.bodies[1..] {
+        all.push(format!("{name}_deg"));
+        all.extend(by.angle(name));
+    }
+    for (_, name) in travels(machine) {
+        all.push(format!("s_{name}_m"));
+        all.extend(by.length(&format!("s_{name}")));
+    }
+    if machine.loads.is_some() {
+        let reduced: [&str; 4] = match rotary {
+            true => ["I_n_kg_m2", "dI_n_dphi_kg_m2_per_rad", "M_o_N_m", "dM_o_dphi_N_m_per_rad"],
+            false => ["m_n_kg", "dm_n_ds_kg_per_m", "F_o_N", "dF_o_ds_N_per_m"],
+        };
+        all.extend(reduced.map(String::from));
+        if machine.speed.is_some() {
+            all.push(format!("drive_{}", if rotary { "N_m" } else { "N" }));
+        }
+    }
+    for g in dyads(machine) {
+        let bodies = &machine.solver.structure().groups[g].bodies;
+        let names: Vec<&str> = bodies.iter().map(|&b| &*machine.bodies[b]).collect();
+        all.push(format!("transmission_{}_deg", names.join("_")));
+    }
+    if columns.paths {
+        for (name, _) in &machine.points {
+            all.extend(["x", "y"].map(|c| format!("{c}_{name}_m")));
+            for c in ["x", "y"] {
+                all.extend(by.length(&format!("{c}_{name}")));
+            }
+            all.push(format!("curvature_{name}_per_m"));
+        }
+    }
+    if columns.reactions {
+        for (joint, body, moment) in forces(machine) {
+            let at = format!("{}_{}", machine.joints[joint], machine.bodies[body]);
+            all.extend(["x", "y"].map(|c| format!("F{c}_{at}_N")));
+            if moment {
+                all.push(format!("M_{at}_N_m"));
+            }
+        }
+    }
+    all
+}
+
+/// Slides and slots.
+fn travels(machine: &Machine) -> Vec<(usize, &str)> {
+    let joints = machine.solver.description().joints.iter().enumerate();
+    joints
+        .filter(|(_, j)| matches!(j.part, Joint::Slide { .. } | Joint::Slot { .. }))
+        .map(|(k, _)| (k, &*machine.joints[k]))
+        .collect()
+}
+
+/// Groups that are dyads with three pins.
+fn dyads(machine: &Machine) -> Vec<usize> {
+    let pinned = |body: usize| {
+        machine.solver.description().joints.iter().all(|j| match &j.part {
+            Joint::Pin { .. } => true,
+            Joint::Slide { slider, guide, .. } => slider.body != body && guide.origin.body != body,
+            Joint::Slot { pin, slot } => pin.body != body && slot.origin.body != body,
+            Joint::Gears { wheels, .. } => !wheels.contains(&body),
+            Joint::Rack { wheel, .. } => *wheel != body,
+        })
+    };
+    let groups = machine.solver.structure().groups.iter().enumerate();
+    groups
+        .filter(|(_, g)| g.kind == GroupKind::Assur { class: 2 } && g.bodies.len() == 2)
+        .filter(|(_, g)| g.bodies.iter().all(|&b| pinned(b)))
+        .map(|(k, _)| k)
+        .collect()
+}
+
+/// Joints with the bodies that their forces act on, and whether they have a moment.
+fn forces(machine: &Machine) -> Vec<(usize, usize, bool)> {
+    let mut all = Vec::new();
+    for (k, joint) in machine.solver.description().joints.iter().enumerate() {
+        match &joint.part {
+            Joint::Pin { points } => all.extend(points[1..].iter().map(|p| (k, p.body, false))),
+            Joint::Slide { slider, .. } => all.push((k, slider.body, true)),
+            Joint::Slot { pin, .. } => all.push((k, pin.body, false)),
+            Joint::Gears { .. } | Joint::Rack { .. } => {}
+        }
+    }
+    all
+}
+
+/// The values of a row from the column after `branch` on. Forces that are not determined are NaN.
+pub fn values(machine: &Machine, state: &State, columns: Columns) -> Vec<f64> {
+    let solver = &machine.solver;
+    let by = |first: f64, second: f64| match machine.speed {
+        Some([w, e]) => [first * w, second * w * w + first * e],
+        None => [first, second],
+    };
+    let mut all = Vec::new();
+    for body in 1..machine.bodies.len() {
+        let turn = solver.body_angle(state, body);
+        let angle = turn.angle.rad() + machine.lines[body];
+        let turns = (angle / std::f64::consts::TAU).round();
+        all.push((angle - turns * std::f64::consts::TAU).to_degrees());
+        all.extend(by(turn.first, turn.second));
+    }
+    for (joint, _) in travels(machine) {
+        if let Some(s) = solver.joint_displacement(state, joint) {
+            all.push(s.s_m);
+            all.extend(by(s.first_m, s.second_m));
+        }
+    }
+    if let Some(loads) = &machine.loads {
+        let r = loads.reduce(solver, state);
+        all.extend([r.inertia, r.inertia_derivative, r.moment, r.moment_derivative]);
+        if let Some([w, e]) = machine.speed {
+            all.push(r.drive(w, e));
+        }
+    }
+    for g in dyads(machine) {
+        all.push(solver.transmission(state, g).map_or(f64::NAN, |a| a.deg()));
+    }
+    if columns.paths {
+        for (_, point) in &machine.points {
+            let m = solver.point(state, point);
+            all.extend(m.r);
+            (0..2).for_each(|i| all.extend(by(m.first[i], m.second[i])));
+            all.push(curvature(&m));
+        }
+    }
+    if let (true, Some(loads)) = (columns.reactions, &machine.loads) {
+        let [w, e] = machine.speed.unwrap_or_default();
+        let found = loads.reactions(solver, state, w, e).ok();
+        for (joint, body, moment) in forces(machine) {
+            let force = found.as_ref().and_then(|r| {
+                r.joints.iter().find(|j| (j.joint, j.body) == (joint, body))
+            });
+            all.extend(force.map_or([f64::NAN; 2], |f| f.force_n));
+            if moment {
+                all.push(force.map_or(f64::NAN, |f| f.moment_n_m));
+            }
+        }
+    }
+    all
+}

@@ -1,0 +1,267 @@
+//! A mechanism of any structure at several positions, with the paths of its points.
+
+use super::scene::Point;
+use super::style::{head, legible};
+use maud::{Markup, html};
+
+const WIDTH: f64 = 1000.0;
+const MARGIN: f64 = 70.0;
+const HEAD: f64 = 56.0;
+const INK: &str = "#1d2125";
+const SOFT: &str = "#5b646d";
+const PAPER: &str = "#ffffff";
+/// Colours of paths, again from the first when they are used up.
+const PATHS: [&str; 5] = ["#c2571a", "#1f6fb2", "#2f8f4e", "#7a4fa3", "#8a8f98"];
+
+/// A mechanism over its drive's range.
+pub struct Scene<'a> {
+    /// What it is.
+    pub name: &'a str,
+    /// The drive's unit as written behind a number.
+    pub unit: &'a str,
+    /// Points of the ground in metres.
+    pub fixed: &'a [(String, Point)],
+    /// Names of the moving points, in the order of [`Pose::points`].
+    pub points: &'a [String],
+    /// Positions from one end of the range to the other.
+    pub poses: &'a [Pose],
+    /// Whether that is a whole turn.
+    pub whole: bool,
+}
+
+/// A position.
+#[derive(Clone)]
+pub struct Pose {
+    /// The drive in the scene's unit.
+    pub drive: f64,
+    /// The moving points.
+    pub points: Vec<Point>,
+    /// The moving bodies.
+    pub shapes: Vec<Shape>,
+}
+
+/// A body: its points.
+#[derive(Clone)]
+pub struct Shape {
+    /// One point, two of a bar, or the corners of a plate.
+    pub corners: Vec<Point>,
+}
+
+/// From metres, y up, to the drawing, y down.
+struct View {
+    scale: f64,
+    left: f64,
+    top: f64,
+    height: f64,
+}
+
+impl View {
+    fn new(points: impl Iterator<Item = Point> + Clone) -> View {
+        let range = |i: usize| {
+            let all = points.clone().map(|p| p[i]).filter(|x| x.is_finite());
+            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+        };
+        let ([x0, x1], [y0, y1]) = (range(0), range(1));
+        let size = (x1 - x0).max(y1 - y0).max(f64::MIN_POSITIVE);
+        let scale = (WIDTH - 2.0 * MARGIN) / size;
+        let slack = 0.5 * (size - (x1 - x0)) * scale;
+        View {
+            scale,
+            left: MARGIN + slack - x0 * scale,
+            top: HEAD + MARGIN + y1 * scale,
+            height: HEAD + 2.0 * MARGIN + (y1 - y0) * scale,
+        }
+    }
+
+    fn at(&self, p: Point) -> (f64, f64) {
+        (self.left + p[0] * self.scale, self.top - p[1] * self.scale)
+    }
+
+    fn line(&self, points: impl Iterator<Item = Point>) -> String {
+        let text = |p: Point| {
+            let (x, y) = self.at(p);
+            format!("{x:.2},{y:.2}")
+        };
+        points.map(text).collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// The corners of the convex hull, counter-clockwise (Andrew's monotone chain).
+fn hull(corners: &[Point]) -> Vec<Point> {
+    let mut sorted = corners.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let turn = |a: Point, b: Point, c: Point| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    let half = |points: &mut dyn Iterator<Item = Point>| {
+        let mut chain: Vec<Point> = Vec::new();
+        for p in points {
+            while chain.len() > 1 && turn(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0.0 {
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let lower = half(&mut sorted.iter().copied());
+    let upper = half(&mut sorted.iter().rev().copied());
+    [lower, upper].concat()
+}
+
+impl Scene<'_> {
+    /// The drawing.
+    pub fn draw(&self) -> String {
+        let moving = self.poses.iter().flat_map(|p| &p.points).copied();
+        let view = View::new(self.fixed.iter().map(|f| f.1).chain(moving));
+        let chosen = self.chosen();
+        let (legend, height) = (self.legend(&chosen), format!("{:.0}", view.height));
+        let svg = html! {
+            svg xmlns="http://www.w3.org/2000/svg" viewBox={ "0 0 " (WIDTH) " " (height) }
+                width=(WIDTH) height=(height) font-family="sans-serif" font-size="16" { "\n"
+                (head(self.name, &legend))
+                rect width="100%" height="100%" fill=(PAPER) {} "\n"
+                text x="24" y="36" font-size="22" font-weight="600" fill=(INK) { (legible(self.name)) } "\n"
+                text x="24" y="60" font-size="15" fill=(SOFT) { (legend) } "\n"
+                @for pose in chosen.iter().skip(1) { (bodies(&view, pose, false)) }
+                @for (i, _) in self.points.iter().enumerate() {
+                    polyline points=(view.line(self.poses.iter().map(|p| p.points[i]))) fill="none"
+                        stroke=(PATHS[i % PATHS.len()]) stroke-width="1.6" {} "\n"
+                }
+                @if let Some(first) = chosen.first() {
+                    (bodies(&view, first, true))
+                    @for (name, at) in self.fixed { (pivot(&view, name, *at)) }
+                    @for (i, name) in self.points.iter().enumerate() {
+                        (dot(&view, name, first.points[i], PATHS[i % PATHS.len()]))
+                    }
+                }
+            } "\n"
+        };
+        svg.into_string()
+    }
+
+    /// The position drawn in full and those drawn faintly: of a turn its start and eighths, of a range
+    /// its middle and quarters.
+    fn chosen(&self) -> Vec<&Pose> {
+        let n = self.poses.len();
+        let order: &[usize] = if self.whole { &[0, 1, 2, 3, 4, 5, 6, 7] } else { &[4, 0, 2, 6, 8] };
+        match n {
+            0..8 => self.poses.iter().collect(),
+            _ => order.iter().map(|k| &self.poses[k * (n - 1) / 8]).collect(),
+        }
+    }
+
+    fn legend(&self, chosen: &[&Pose]) -> String {
+        let unit = self.unit;
+        let first = chosen.first().map_or(f64::NAN, |p| p.drive);
+        let others = match self.whole {
+            true => "every eighth of a turn faint".to_string(),
+            false => {
+                let drives = || chosen.iter().map(|p| p.drive);
+                let low = drives().fold(f64::INFINITY, f64::min);
+                let high = drives().fold(f64::NEG_INFINITY, f64::max);
+                format!("from {low:.2}{unit} to {high:.2}{unit} faint")
+            }
+        };
+        let names = self.points.join(", ");
+        legible(&format!("drive at {first:.3}{unit}, {others}; paths of {names}"))
+    }
+}
+
+fn bodies(view: &View, pose: &Pose, lead: bool) -> Markup {
+    let (opacity, width) = if lead { ("1", "4") } else { ("0.16", "2") };
+    html! {
+        g stroke=(INK) stroke-width=(width) opacity=(opacity) stroke-linecap="round"
+            stroke-linejoin="round" fill="none" { "\n"
+            @for shape in &pose.shapes {
+                @match shape.corners.len() {
+                    0 => {}
+                    1 => { (slider(view, shape.corners[0])) }
+                    2 => { polyline points=(view.line(shape.corners.iter().copied())) {} "\n" }
+                    _ => {
+                        polygon points=(view.line(hull(&shape.corners).into_iter())) fill=(INK)
+                            fill-opacity="0.12" {} "\n"
+                    }
+                }
+            }
+        } "\n"
+    }
+}
+
+/// A body of one point.
+fn slider(view: &View, at: Point) -> Markup {
+    let (x, y) = view.at(at);
+    html! {
+        rect x=(format!("{:.1}", x - 14.0)) y=(format!("{:.1}", y - 9.0)) width="28" height="18" {} "\n"
+    }
+}
+
+fn label(name: &str, (x, y): (f64, f64), colour: &str) -> Markup {
+    // A white edge keeps labels readable on lines.
+    html! {
+        text x=(format!("{x:.1}")) y=(format!("{y:.1}")) fill=(colour) stroke=(PAPER) stroke-width="4"
+            paint-order="stroke" stroke-linejoin="round" { (legible(name)) } "\n"
+    }
+}
+
+fn dot(view: &View, name: &str, at: Point, colour: &str) -> Markup {
+    let (x, y) = view.at(at);
+    html! {
+        circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="5" fill=(PAPER) stroke=(colour)
+            stroke-width="3" {} "\n"
+        (label(name, (x + 9.0, y - 9.0), colour))
+    }
+}
+
+/// A fixed pivot on hatched ground.
+fn pivot(view: &View, name: &str, at: Point) -> Markup {
+    let (x, y) = view.at(at);
+    html! {
+        g stroke=(INK) stroke-width="1.6" { "\n"
+            path d=(format!("M{x:.1} {y:.1}l-13 22h26z")) fill=(PAPER) {} "\n"
+            path d=(format!("M{:.1} {:.1}h44", x - 22.0, y + 22.0)) {} "\n"
+            circle cx=(format!("{x:.1}")) cy=(format!("{y:.1}")) r="5" fill=(PAPER) {} "\n"
+        } "\n"
+        (label(name, (x + 18.0, y + 18.0), INK))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::style::tests::whole;
+    use super::*;
+
+    #[test]
+    fn a_scene_is_drawn_with_every_text_escaped() {
+        let pose = |k: u32| {
+            let (sin, cos) = (f64::from(k) * 45.0).to_radians().sin_cos();
+            Pose {
+                drive: f64::from(k) * 45.0,
+                points: vec![[cos, sin]],
+                shapes: vec![
+                    Shape { corners: vec![[0.0, 0.0], [cos, sin]] },
+                    Shape { corners: vec![[0.0, 0.0], [cos, sin], [1.0, 1.0], [0.5, 0.6]] },
+                    Shape { corners: vec![[cos, sin]] },
+                ],
+            }
+        };
+        let scene = Scene {
+            name: "crank & more",
+            unit: "°",
+            fixed: &[("O".into(), [0.0, 0.0])],
+            points: &["A".into()],
+            poses: &(0..=8).map(pose).collect::<Vec<_>>(),
+            whole: true,
+        };
+        let text = scene.draw();
+        whole(&text);
+        for part in ["<title>crank &amp; more</title>", "drive at 0.000°, every eighth", "paths of A<"] {
+            assert!(text.contains(part), "{part} is missing in {text}");
+        }
+        assert_eq!(text.matches("opacity=\"0.16\"").count(), 7);
+    }
+
+    #[test]
+    fn hulls_have_no_inner_points() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.5], [2.0, 2.0], [0.0, 2.0], [1.0, 0.0]];
+        assert_eq!(hull(&corners), [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
+    }
+}

@@ -1,0 +1,212 @@
+//! Continuation along a branch that cannot jump to another one unseen.
+//!
+//! Let F(u, φ) be the closures with the Jacobian J in the unknowns, A = J⁻¹ at the solution u₀, φ₀ and
+//! u' = −A F_φ. With the bounds k, m, w of [`super::bounds`] on the rows' second derivatives let
+//!
+//! ```text
+//! κ = ‖|A| k‖,  μ = ‖|A| m‖,  ω = ‖|A| w‖,  ν = ‖u'‖      (maximum norms)
+//! ```
+//!
+//! For |s| ≤ S and all u within r of c(s) = u₀ + u' s, Taylor's formula gives
+//!
+//! ```text
+//! ‖1 − A J(u, φ₀ + s)‖ ≤ κ (ν S + r) + μ S,
+//! ‖A F(c(s), φ₀ + s)‖  ≤ ½ S² (κ ν² + 2 μ ν + ω).
+//! ```
+//!
+//! Where the first is at most ½ and the second at most r/2, `u − A F(u, φ₀ + s)` maps that ball into
+//! itself and contracts: for **every** value of the drive on the way there is exactly one solution in
+//! the ball, and they join continuously. A step of that length stays on the branch; longer ones are
+//! divided. Near a singular position the steps shrink to nothing.
+
+use super::bounds::{SLACK, bounds};
+use super::error::PositionError;
+use super::mechanism::Mechanism;
+use super::newton::Work;
+use super::pose::Pose;
+use super::state::State;
+
+/// Below this step, in radians or units of length, a branch counts as ended.
+const SMALLEST_STEP: f64 = 1e-9;
+/// The drive beyond this, in radians or units of length, is refused: a step of [`SMALLEST_STEP`] has to
+/// remain one.
+const LARGEST_DRIVE: f64 = 1e6;
+/// Steps of one call.
+const MOST_STEPS: u32 = 2_000_000;
+/// Leaves room for rounding.
+const SAFETY: f64 = 0.98;
+
+/// A step that is proved: its length, and the radius around the tangent's end.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    length: f64,
+    radius: f64,
+}
+
+impl Mechanism {
+    /// Follows the branch of a state to another value of the drive, in radians or metres. Angles are
+    /// carried on beyond whole turns.
+    ///
+    /// # Errors
+    /// [`PositionError::Ends`] where the mechanism becomes singular on the way; then
+    /// [`Mechanism::singularity`] tells what is there.
+    pub fn follow(&self, from: &State, to: f64) -> Result<State, PositionError> {
+        let mut state = from.clone();
+        let mut work = Work::new(&self.chain);
+        self.advance(&mut state, to, &mut work)?;
+        Ok(state)
+    }
+
+    /// Follows the branch as far as it goes: the last state, and why it is not at `to`.
+    pub fn follow_as_far(&self, from: &State, to: f64) -> (State, Option<PositionError>) {
+        let mut state = from.clone();
+        let end = self.advance(&mut state, to, &mut Work::new(&self.chain));
+        (state, end.err())
+    }
+
+    fn checked(&self, drive: f64) -> Result<f64, PositionError> {
+        let inner = self.inner_drive(drive);
+        match inner.abs() <= LARGEST_DRIVE {
+            true => Ok(inner),
+            false => Err(PositionError::Drive { value: drive }),
+        }
+    }
+
+    /// Moves a state along its branch; on an error it is the last one that was reached.
+    pub(super) fn advance(
+        &self,
+        state: &mut State,
+        to: f64,
+        work: &mut Work,
+    ) -> Result<(), PositionError> {
+        let to = self.checked(to)?;
+        for _ in 0..MOST_STEPS {
+            let left = to - state.pose.drive;
+            if left == 0.0 {
+                return Ok(());
+            }
+            let step = self.longest_step(state, work);
+            let ends = || PositionError::Ends { drive: self.outer_drive(state.pose.drive) };
+            if !(step.length >= SMALLEST_STEP) {
+                return Err(ends());
+            }
+            let drive = match left.abs() <= step.length {
+                true => to,
+                false => state.pose.drive + step.length.copysign(left),
+            };
+            *state = self.correct(state, drive, step.radius, work).ok_or_else(ends)?;
+        }
+        Err(PositionError::TooManySteps {
+            drive: self.outer_drive(state.pose.drive),
+            steps: MOST_STEPS,
+        })
+    }
+
+    /// The longest step that is proved from a state.
+    fn longest_step(&self, state: &State, work: &mut Work) -> Step {
+        let n = self.chain.unknowns;
+        bounds(&self.chain, &state.pose, &mut work.bounds);
+        work.sums.clear();
+        work.sums.resize(n, [0.0; 3]);
+        for row in 0..n {
+            let b = work.bounds[row];
+            if b.k == 0.0 && b.m == 0.0 && b.w == 0.0 {
+                continue;
+            }
+            let unit = |r: usize| f64::from(u8::from(r == row));
+            state.factors.solve(unit, &mut work.step);
+            for (sum, a) in work.sums.iter_mut().zip(&work.step) {
+                let a = a.abs();
+                sum[0] += a * b.k;
+                sum[1] += a * b.m;
+                sum[2] += a * b.w;
+            }
+        }
+        let largest = |i: usize| work.sums.iter().fold(0.0f64, |m, s| m.max(s[i]));
+        let [kappa, mu, omega] = [0, 1, 2].map(largest);
+        let nu = state.rates[0].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let radius = (0.25 / kappa).min(0.5 * SLACK);
+        let contracts = 0.25 / (kappa * nu + mu);
+        let within = (radius / (kappa * nu * nu + 2.0 * mu * nu + omega)).sqrt();
+        let near = 0.5 * SLACK / nu.max(1.0);
+        let length = SAFETY * contracts.min(within).min(near);
+        // NaN is no step.
+        let sound = kappa.is_finite() && mu.is_finite() && omega.is_finite();
+        Step { length: if sound { length } else { 0.0 }, radius }
+    }
+
+    /// The state at another value of the drive, within the radius of the tangent's end.
+    fn correct(&self, from: &State, drive: f64, radius: f64, work: &mut Work) -> Option<State> {
+        let s = drive - from.pose.drive;
+        let [first, second] = &from.rates;
+        let tangent = |k: usize| from.pose.u[k] + first[k] * s;
+        let n = self.chain.unknowns;
+        let curved: Vec<f64> = (0..n).map(|k| tangent(k) + 0.5 * second[k] * s * s).collect();
+        // A predictor outside the ball would prove nothing; the tangent's end always lies inside.
+        for start in [curved, (0..n).map(tangent).collect()] {
+            let mut pose = Pose::new(&self.chain, drive, start);
+            let inside = self.chain.newton(&mut pose, None, work)
+                && (0..n).all(|k| (pose.u[k] - tangent(k)).abs() <= radius);
+            if inside {
+                return State::new(self, pose);
+            }
+        }
+        None
+    }
+
+    /// The states at the given values of the drive, each followed from the one before.
+    ///
+    /// # Errors
+    /// With the states up to there, when the branch ends.
+    pub fn sweep(
+        &self,
+        start: &State,
+        drives: impl IntoIterator<Item = f64>,
+    ) -> Result<Vec<State>, (Vec<State>, PositionError)> {
+        let mut work = Work::new(&self.chain);
+        let mut states = Vec::new();
+        let mut here = start.clone();
+        for drive in drives {
+            match self.advance(&mut here, drive, &mut work) {
+                Ok(()) => states.push(here.clone()),
+                Err(e) => return Err((states, e)),
+            }
+        }
+        Ok(states)
+    }
+
+    /// The state at a value of the drive near a guess of every moving body's angle (radians) and
+    /// origin (metres), in the order of the bodies; at most 10⁻² radians or units of length from it.
+    ///
+    /// # Errors
+    /// [`PositionError::NotClosed`], [`PositionError::Singular`].
+    pub fn state_near(&self, drive: f64, guess: &[BodyGuess]) -> Result<State, PositionError> {
+        self.checked(drive)?;
+        let modes = self.assembly_modes(drive);
+        let l = self.chain.metres;
+        let apart = |state: &State| -> f64 {
+            let bodies = guess.iter().enumerate().map(|(k, g)| {
+                let body = k + 1;
+                let turn = super::isotropic::wrapped(state.pose.angle(&self.chain, body) - g.angle);
+                let [x, y] = g.origin_m.map(|x| x / l);
+                let p = state.pose.p[body];
+                turn.abs().max((p.re - x).abs()).max((p.im - y).abs())
+            });
+            bodies.fold(0.0, f64::max)
+        };
+        let best = modes.states.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        match best.filter(|s| apart(s) <= 1e-2) {
+            Some(state) => Ok(state.clone()),
+            None => Err(PositionError::NotClosed { drive }),
+        }
+    }
+}
+
+/// Where a body is thought to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyGuess {
+    /// Its angle in radians.
+    pub angle: f64,
+    /// The origin of its frame in metres.
+    pub origin_m: [f64; 2],
+}

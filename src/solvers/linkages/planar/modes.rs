@@ -1,0 +1,162 @@
+//! All assembly modes: every real solution of every group in turn.
+
+use super::chain::Block;
+use super::circles::meet;
+use super::homotopy::{self, MOST_UNKNOWNS};
+use super::isotropic::{Isotropic, NoForms};
+use super::mechanism::Mechanism;
+use super::newton::Work;
+use super::pose::Pose;
+use super::state::State;
+
+/// Every position that closes the loops at one value of the drive.
+#[derive(Clone, Debug)]
+pub struct Modes {
+    /// The drive in radians or metres.
+    pub drive: f64,
+    /// The positions, ordered by their unknowns. Singular ones, which have no rates, are left out.
+    pub states: Vec<State>,
+    /// Whether the method finds every isolated position: a closed form or a resultant for dyads and
+    /// triads, for other groups a homotopy none of whose paths was lost.
+    pub complete: bool,
+    /// Whether positions are so close to merging that rounding may have added or removed them, or one
+    /// of them is singular.
+    pub near_singular: bool,
+}
+
+/// Solutions of one group.
+#[derive(Default)]
+struct Found {
+    poses: Vec<Pose>,
+    incomplete: bool,
+    near: bool,
+}
+
+/// How far, in radians or units of length, Newton's method may move a solution.
+const FARTHEST: f64 = 1e-2;
+/// Solutions nearer than this are one.
+const SAME: f64 = 1e-9;
+
+impl Mechanism {
+    /// All assembly modes at one value of the drive, in radians or metres.
+    ///
+    /// Dyads and other groups with one complex unknown in closed form, triads by a polynomial of
+    /// degree 6, other groups by a homotopy with C(2n, n) paths up to n = 6. Groups that have gears
+    /// among their unknowns, and larger ones, are not solved: then the result is empty and not
+    /// complete.
+    pub fn assembly_modes(&self, drive: f64) -> Modes {
+        let chain = &self.chain;
+        let mut modes = Modes { drive, states: Vec::new(), complete: true, near_singular: false };
+        if !drive.is_finite() {
+            return modes;
+        }
+        let mut work = Work::new(chain);
+        let start = Pose::new(chain, self.inner_drive(drive), vec![0.0; chain.unknowns]);
+        let mut poses = vec![start];
+        for k in 0..chain.blocks.len() {
+            let mut next = Vec::new();
+            for pose in &poses {
+                let found = self.solve_block(k, pose, &mut work);
+                modes.complete &= !found.incomplete;
+                modes.near_singular |= found.near;
+                next.extend(found.poses);
+            }
+            poses = next;
+        }
+        for pose in poses {
+            match State::new(self, pose) {
+                Some(state) => modes.states.push(state),
+                None => modes.near_singular = true,
+            }
+        }
+        modes.states.sort_by(|a, b| {
+            let pairs = a.pose.u.iter().zip(&b.pose.u).map(|(x, y)| x.total_cmp(y));
+            pairs.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+        });
+        modes
+    }
+
+    fn solve_block(&self, k: usize, pose: &Pose, work: &mut Work) -> Found {
+        let block = &self.chain.blocks[k];
+        let mut found = Found::default();
+        if let Some((modes, near)) = self.triads[k].as_ref().and_then(|t| t.modes(pose)) {
+            found.near = near;
+            for angles in modes {
+                let mut trial = pose.clone();
+                for (body, angle) in angles {
+                    if let Some(u) = self.chain.turns[body].unknown {
+                        trial.u[u] = angle;
+                    }
+                }
+                let bodies = self.placed_in(block);
+                trial.place(&self.chain, &bodies);
+                self.collect(block, trial, work, &mut found);
+            }
+            return found;
+        }
+        let system = match Isotropic::new(&self.chain, block, pose) {
+            Ok(system) => system,
+            Err(NoForms::Contradiction) => return found,
+            Err(NoForms::Gears | NoForms::Special) => {
+                found.incomplete = true;
+                return found;
+            }
+        };
+        let solutions = match system.n {
+            0 => vec![Vec::new()],
+            1 => {
+                let meeting = meet(&system.forms);
+                found.near |= meeting.near;
+                found.incomplete |= meeting.same;
+                meeting.points.into_iter().map(|x| vec![x]).collect()
+            }
+            n if n <= MOST_UNKNOWNS => {
+                let ends = homotopy::all(&system.forms);
+                found.incomplete |= ends.lost > 0;
+                ends.real
+            }
+            _ => {
+                found.incomplete = true;
+                Vec::new()
+            }
+        };
+        for x in solutions {
+            let mut trial = pose.clone();
+            system.settle(&self.chain, block, &mut trial, &x);
+            self.collect(block, trial, work, &mut found);
+        }
+        found
+    }
+
+    /// The bodies of a group in the order in which they are placed.
+    fn placed_in(&self, block: &Block) -> Vec<usize> {
+        let order = self.chain.order.iter().copied();
+        order.filter(|b| block.bodies.contains(b)).collect()
+    }
+
+    /// Refines a solution and adds it if it is new.
+    fn collect(&self, block: &Block, trial: Pose, work: &mut Work, found: &mut Found) {
+        let mut pose = trial.clone();
+        if !self.chain.newton(&mut pose, Some(block), work) {
+            found.near = true;
+            return;
+        }
+        let range = block.unknowns.clone();
+        let scale = |k: usize| if self.chain.lengths[k] { 1.0 + trial.u[k].abs() } else { 1.0 };
+        let apart = |a: &Pose, b: &Pose| -> f64 {
+            let of = |k: usize| {
+                let d = a.u[k] - b.u[k];
+                let d = if self.chain.lengths[k] { d } else { super::isotropic::wrapped(d) };
+                d.abs() / scale(k)
+            };
+            range.clone().map(of).fold(0.0, f64::max)
+        };
+        if apart(&pose, &trial) > FARTHEST {
+            found.near = true;
+            return;
+        }
+        if !found.poses.iter().any(|p| apart(p, &pose) < SAME) {
+            found.poses.push(pose);
+        }
+    }
+}

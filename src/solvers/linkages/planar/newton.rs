@@ -1,0 +1,82 @@
+//! Newton's method on the closures, and memory for it.
+
+use super::bounds::Bound;
+use super::chain::{Block, Chain};
+use super::dense::{Factors, Matrix};
+use super::pose::Pose;
+
+/// Memory that is used again.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Work {
+    pub jacobian: Matrix,
+    pub factors: Factors,
+    pub residual: Vec<f64>,
+    pub step: Vec<f64>,
+    pub bounds: Vec<Bound>,
+    /// Row sums of `|J⁻¹|` times the bounds.
+    pub sums: Vec<[f64; 3]>,
+}
+
+impl Work {
+    pub(super) fn new(chain: &Chain) -> Work {
+        let n = chain.unknowns;
+        Work {
+            jacobian: Matrix::new(n, n + 1),
+            step: vec![0.0; n],
+            ..Work::default()
+        }
+    }
+}
+
+/// Whether Newton's method is done after corrections of `last` and `size`: below 2⁻⁵⁰, or below
+/// 1e-12 and no longer halved.
+fn settled(size: f64, last: f64) -> bool {
+    size <= f64::EPSILON * 4.0 || (size <= 1e-12 && size >= last * 0.5)
+}
+
+/// The most rounds.
+const MOST: usize = 30;
+
+impl Chain {
+    /// Newton's method on the equations of one group, or of all; the pose is the solution where it
+    /// settles.
+    pub(super) fn newton(&self, pose: &mut Pose, block: Option<&Block>, work: &mut Work) -> bool {
+        let (unknowns, closures, bodies) = match block {
+            Some(b) => (b.unknowns.clone(), &self.closures[b.closures.clone()], Some(&b.bodies)),
+            None => (0..self.unknowns, &self.closures[..], None),
+        };
+        let n = unknowns.len();
+        let order: Vec<usize> = match bodies {
+            Some(bodies) => self.order.iter().copied().filter(|b| bodies.contains(b)).collect(),
+            None => Vec::new(),
+        };
+        let order = if bodies.is_some() { &order } else { &self.order };
+        let mut last = f64::INFINITY;
+        for _ in 0..MOST {
+            pose.residual(self, closures, &mut work.residual);
+            pose.jacobian(self, closures, &mut work.jacobian);
+            if !work.factors.of(&work.jacobian, n, unknowns.start) {
+                return n == 0;
+            }
+            let residual = &work.residual;
+            work.factors.solve(|r| -residual[r], &mut work.step[..n]);
+            // A displacement is as good as its size.
+            let mut size = 0.0f64;
+            for (k, d) in unknowns.clone().zip(&work.step[..n]) {
+                let scale = if self.lengths[k] { pose.u[k].abs().max(1.0) } else { 1.0 };
+                size = size.max(d.abs() / scale);
+                pose.u[k] += d;
+            }
+            pose.place(self, order);
+            if settled(size, last) {
+                return true;
+            }
+            if !(size <= 10.0) {
+                return false;
+            }
+            last = size;
+        }
+        // Beside a fold the corrections stay near the square root of the rounding error.
+        last < 1e-6
+    }
+}

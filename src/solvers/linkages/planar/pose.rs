@@ -1,0 +1,239 @@
+//! Where the bodies are, the closures' residual and their Jacobian.
+
+use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
+use super::dense::Matrix;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+pub(super) fn dot(a: Complex64, b: Complex64) -> f64 {
+    a.re * b.re + a.im * b.im
+}
+
+pub(super) fn cross(a: Complex64, b: Complex64) -> f64 {
+    a.re * b.im - a.im * b.re
+}
+
+/// `i a`: a quarter turn.
+pub(super) fn quarter(a: Complex64) -> Complex64 {
+    Complex64::new(-a.im, a.re)
+}
+
+/// Directions and origins of all bodies for given unknowns.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pose {
+    pub drive: f64,
+    /// The unknowns.
+    pub u: Vec<f64>,
+    /// `e^{iθ}` of each body.
+    pub e: Vec<Complex64>,
+    /// Origins of their frames.
+    pub p: Vec<Complex64>,
+}
+
+impl Pose {
+    pub(super) fn new(chain: &Chain, drive: f64, u: Vec<f64>) -> Pose {
+        let n = chain.body_count();
+        let mut pose = Pose {
+            drive,
+            u,
+            e: vec![Complex64::new(1.0, 0.0); n],
+            p: vec![Complex64::new(0.0, 0.0); n],
+        };
+        pose.place(chain, &chain.order);
+        pose
+    }
+
+    /// Places these bodies, in the chain's order, on those that they hang on.
+    pub(super) fn place(&mut self, chain: &Chain, bodies: &[usize]) {
+        for &b in bodies {
+            let (s, c) = self.angle(chain, b).sin_cos();
+            let e = Complex64::new(c, s);
+            self.e[b] = e;
+            self.p[b] = match chain.entries[b] {
+                Entry::Ground => Complex64::new(0.0, 0.0),
+                Entry::Pin { on, own } => self.at(on) - e * own,
+                Entry::OnRail { rail, own, travel } => {
+                    let s = self.travel(travel);
+                    self.p[rail.body] + self.e[rail.body] * (rail.at + rail.along * s) - e * own
+                }
+                Entry::WithRail { on, at, along, travel } => {
+                    self.at(on) - e * (at + along * self.travel(travel))
+                }
+            };
+        }
+    }
+
+    /// The body's angle, not reduced by whole turns.
+    pub(super) fn angle(&self, chain: &Chain, body: usize) -> f64 {
+        let t = &chain.turns[body];
+        let own = t.unknown.map_or(0.0, |k| self.u[k]) + t.offset;
+        if t.drive == 0.0 { own } else { own + t.drive * self.drive }
+    }
+
+    pub(super) fn travel(&self, travel: Travel) -> f64 {
+        match travel {
+            Travel::Unknown(k) => self.u[k],
+            Travel::Drive => self.drive,
+        }
+    }
+
+    pub(super) fn at(&self, spot: Spot) -> Complex64 {
+        self.p[spot.body] + self.e[spot.body] * spot.at
+    }
+
+    /// Direction of a rail and the vector from its origin to a point.
+    pub(super) fn along(&self, rail: Rail, point: Spot) -> (Complex64, Complex64) {
+        let origin = self.p[rail.body] + self.e[rail.body] * rail.at;
+        (self.e[rail.body] * rail.along, self.at(point) - origin)
+    }
+
+    /// Residuals of closures, row by row.
+    pub(super) fn residual(&self, chain: &Chain, closures: &[Closure], out: &mut Vec<f64>) {
+        out.clear();
+        for closure in closures {
+            match *closure {
+                Closure::Pin { a, b } => {
+                    let d = self.at(a) - self.at(b);
+                    out.extend([d.re, d.im]);
+                }
+                Closure::Line { rail, point } => {
+                    let (u, d) = self.along(rail, point);
+                    out.push(cross(u, d));
+                }
+                Closure::Travel { rail, point } => {
+                    let (u, d) = self.along(rail, point);
+                    out.push(dot(u, d) - self.drive);
+                }
+                Closure::Tie { a, b, offset, drive } => {
+                    let d = self.angle(chain, b) - self.angle(chain, a);
+                    let d = d - offset - drive * self.drive;
+                    out.push(d - (d / TAU).round() * TAU);
+                }
+                Closure::Gears { wheels: [a, b], carrier, ratio, phase } => {
+                    let [a, b, c] = [a, b, carrier].map(|x| self.angle(chain, x));
+                    out.push((b - c) - ratio * (a - c) - phase);
+                }
+                Closure::Rack { rail, point, wheel, radius, phase } => {
+                    let (u, d) = self.along(rail, point);
+                    let turn = self.angle(chain, wheel) - self.angle(chain, rail.body);
+                    out.push(dot(u, d) - radius * turn - phase);
+                }
+            }
+        }
+    }
+
+    /// Calls `add` with the columns that a point depends on and its derivatives; the drive's column
+    /// is [`Chain::unknowns`].
+    fn walk(&self, chain: &Chain, spot: Spot, add: &mut impl FnMut(usize, Complex64)) {
+        let mut body = spot.body;
+        let mut here = self.at(spot);
+        loop {
+            let (on, next) = match chain.entries[body] {
+                Entry::Ground => return,
+                Entry::Pin { on, .. } => (on.body, self.at(on)),
+                Entry::OnRail { rail, travel, .. } => {
+                    let along = self.e[rail.body] * rail.along;
+                    let origin = self.p[rail.body] + self.e[rail.body] * rail.at;
+                    add(column(chain, travel), along);
+                    (rail.body, origin + along * self.travel(travel))
+                }
+                Entry::WithRail { on, along, travel, .. } => {
+                    add(column(chain, travel), -(self.e[body] * along));
+                    (on.body, self.at(on))
+                }
+            };
+            self.turned(chain, body, quarter(here - next), add);
+            (body, here) = (on, next);
+        }
+    }
+
+    /// The columns of a body's angle, with a factor.
+    fn turned(
+        &self,
+        chain: &Chain,
+        body: usize,
+        factor: Complex64,
+        add: &mut impl FnMut(usize, Complex64),
+    ) {
+        let t = &chain.turns[body];
+        if let Some(k) = t.unknown {
+            add(k, factor);
+        }
+        if t.drive != 0.0 {
+            add(chain.unknowns, factor * t.drive);
+        }
+    }
+
+    /// The Jacobian of closures; its last column is the derivative with respect to the drive. The
+    /// first row of `out` is that of the first closure.
+    pub(super) fn jacobian(&self, chain: &Chain, closures: &[Closure], out: &mut Matrix) {
+        out.clear();
+        let drive = chain.unknowns;
+        let mut row = 0;
+        let real = |x: f64| Complex64::new(x, 0.0);
+        for closure in closures {
+            match *closure {
+                Closure::Pin { a, b } => {
+                    self.walk(chain, a, &mut |k, d| {
+                        out[(row, k)] += d.re;
+                        out[(row + 1, k)] += d.im;
+                    });
+                    self.walk(chain, b, &mut |k, d| {
+                        out[(row, k)] -= d.re;
+                        out[(row + 1, k)] -= d.im;
+                    });
+                }
+                Closure::Line { rail, point } => {
+                    let (u, d) = self.along(rail, point);
+                    let origin = Spot { body: rail.body, at: rail.at };
+                    self.walk(chain, point, &mut |k, x| out[(row, k)] += cross(u, x));
+                    self.walk(chain, origin, &mut |k, x| out[(row, k)] -= cross(u, x));
+                    self.turned(chain, rail.body, real(-dot(u, d)), &mut |k, x| {
+                        out[(row, k)] += x.re;
+                    });
+                }
+                Closure::Travel { rail, point } => {
+                    self.travelled(chain, rail, point, row, out);
+                    out[(row, drive)] -= 1.0;
+                }
+                Closure::Rack { rail, point, wheel, radius, .. } => {
+                    self.travelled(chain, rail, point, row, out);
+                    let mut add = |k, x: Complex64| out[(row, k)] += x.re;
+                    self.turned(chain, wheel, real(-radius), &mut add);
+                    self.turned(chain, rail.body, real(radius), &mut add);
+                }
+                Closure::Tie { a, b, drive: by, .. } => {
+                    let mut add = |k, x: Complex64| out[(row, k)] += x.re;
+                    self.turned(chain, b, real(1.0), &mut add);
+                    self.turned(chain, a, real(-1.0), &mut add);
+                    out[(row, drive)] -= by;
+                }
+                Closure::Gears { wheels: [a, b], carrier, ratio, .. } => {
+                    let mut add = |k, x: Complex64| out[(row, k)] += x.re;
+                    self.turned(chain, b, real(1.0), &mut add);
+                    self.turned(chain, a, real(-ratio), &mut add);
+                    self.turned(chain, carrier, real(ratio - 1.0), &mut add);
+                }
+            }
+            row += closure.rows();
+        }
+    }
+
+    /// The row of a point's displacement along a rail.
+    fn travelled(&self, chain: &Chain, rail: Rail, point: Spot, row: usize, out: &mut Matrix) {
+        let (u, d) = self.along(rail, point);
+        let origin = Spot { body: rail.body, at: rail.at };
+        self.walk(chain, point, &mut |k, x| out[(row, k)] += dot(u, x));
+        self.walk(chain, origin, &mut |k, x| out[(row, k)] -= dot(u, x));
+        self.turned(chain, rail.body, Complex64::new(cross(u, d), 0.0), &mut |k, x| {
+            out[(row, k)] += x.re;
+        });
+    }
+}
+
+fn column(chain: &Chain, travel: Travel) -> usize {
+    match travel {
+        Travel::Unknown(k) => k,
+        Travel::Drive => chain.unknowns,
+    }
+}

@@ -1,0 +1,288 @@
+//! `mechaudit linkage` for mechanisms of bodies and joints, as its user meets it.
+
+use crate::common::{cells, changed, column, command, drawing, refused, run, run_on, said, texts, words};
+use tempfile::tempdir;
+
+const JANSEN: &str = include_str!("../../examples/jansen-leg.toml");
+const QUICK: &str = include_str!("../../examples/quick-return.toml");
+
+fn close(x: f64, y: f64, by: f64) {
+    assert!((x - y).abs() <= by * (1.0 + y.abs()), "{x} {y}");
+}
+
+/// The columns of a point.
+fn point(table: &str, name: &str) -> Vec<[f64; 2]> {
+    let [x, y] = ["x", "y"].map(|c| column(table, &format!("{c}_{name}_m")));
+    x.into_iter().zip(y).map(|(x, y)| [x, y]).collect()
+}
+
+#[test]
+fn every_example_says_what_it_is() {
+    let examples = r#"
+        andrews            | K2, K3 (dyad, order 2)                            | 4 | turns fully
+        double-butterfly   | CE, DH, EFJ, HIJ, FG, BGI (Assur group of class 4, order 3) | 2 | 40.858620188 deg (fold) to 146.627279513 deg (fold)
+        jansen-leg         | f, ghi (dyad, order 2)                            | 8 | turns fully
+        pmksweb-91         | coupler, rocker (dyad, order 2)                   | 2 | -292.329374714 deg (fold) to -4.319239059 deg (fold)
+        pmksweb-92         | DE, EF (dyad, order 2)                            | 4 | 67.283635271 deg (fold) to 78.254148753 deg (fold)
+        quick-return       | lever (one body, order 2)                         | 2 | turns fully
+        rack-and-wheel     | wheel (one body, order 2); rack (one body, order 2) | 2 | turns fully
+        sand-screen-bodies | 2, 3, 4, 5 (Assur group of class 3, order 3)      | 4 | turns fully
+        stephenson-1       | EG, FG (dyad, order 2)                            | 4 | turns fully
+        stephenson-2       | BD, CE, plate, rocker (Assur group of class 3, order 3) | 4 | from -62.644699709 deg (fold)
+        stephenson-3       | BC, plate, FD, GE (Assur group of class 3, order 3) | 6 | from 56.065563439 deg (fold)
+        watt-1             | EG, FG (dyad, order 2)                            | 4 | 143.611070242 deg (fold)
+        watt-2             | EF, GF (dyad, order 2)                            | 4 | turns fully
+    "#;
+    for [name, groups, modes, range] in cells(examples) {
+        let d = command(&format!("linkage examples/{name}.toml --step-deg 90"));
+        assert_eq!(d.code, 0, "{name}: {}", d.err);
+        said(&d, &groups);
+        said(&d, &format!("{modes} assembly modes at"));
+        said(&d, "all that there are");
+        said(&d, &range);
+    }
+}
+
+/// Zinchenko's linkage by its own solver and as bodies and joints.
+#[test]
+fn the_sand_screen_is_the_same_both_ways() {
+    let due = command("linkage examples/sand-screen.toml --step-deg 7.5");
+    let d = command("linkage examples/sand-screen-bodies.toml --step-deg 7.5");
+    assert_eq!((d.code, due.code), (0, 0), "{}", d.err);
+    for (ours, theirs, by) in [
+        ("4_deg", "phi4_deg", 1e-13),
+        ("omega_4_rad_per_s", "omega4_rad_per_s", 1e-12),
+        ("epsilon_5_rad_per_s2", "epsilon5_rad_per_s2", 1e-11),
+        ("I_n_kg_m2", "I_n_kg_m2", 1e-12),
+        ("dI_n_dphi_kg_m2_per_rad", "dI_n_dphi_kg_m2_per_rad", 1e-11),
+        ("M_o_N_m", "M_o_N_m", 1e-12),
+        ("dM_o_dphi_N_m_per_rad", "dM_o_dphi_N_m_per_rad", 1e-11),
+    ] {
+        let (a, b) = (column(&d.out, ours), column(&due.out, theirs));
+        assert_eq!((a.len(), b.len()), (48, 48));
+        let size = b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        for (x, y) in a.iter().zip(&b) {
+            assert!((x - y).abs() <= by * size, "{ours}: {x} {y}");
+        }
+    }
+}
+
+/// The accelerations at the start that the test set prints.
+#[test]
+fn andrews_starts_as_published() {
+    let d = command("linkage examples/andrews.toml --step-deg 360");
+    let [inertia, moment, second] = ["I_n_kg_m2", "M_o_N_m", "dK2_dphi"].map(|n| column(&d.out, n)[0]);
+    let beta = moment / inertia;
+    close(beta, 14222.4439199541138705911625887, 1e-12);
+    close((second - 1.0) * beta, -10666.8329399655854029433719415, 1e-12);
+    for (column_, due) in [
+        ("K3_deg", 0.455279819163070380255912382449),
+        ("K5_deg", 0.487364979543842550225598953530),
+        ("K7_deg", 1.23054744454982119249735015568),
+    ] {
+        close(column(&d.out, column_)[0].to_radians(), due, 1e-14);
+    }
+}
+
+/// What the cell is for: D on a straight line, its path without curvature.
+#[test]
+fn peaucellier_draws_a_straight_line() {
+    let d = command("linkage examples/peaucellier-cell.toml --step-deg 2.5 --paths");
+    assert_eq!(d.code, 0, "{}", d.err);
+    let points = point(&d.out, "D");
+    assert!(points.len() > 60);
+    points.iter().for_each(|p| close(p[0], 0.105, 1e-14));
+    for k in column(&d.out, "curvature_D_per_m") {
+        assert!(k.abs() < 1e-10, "{k}");
+    }
+}
+
+#[test]
+fn the_leg_closes_and_its_foot_walks() {
+    let d = command("linkage examples/jansen-leg.toml --step-deg 5 --paths");
+    let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    let [m, x, y, z, w, f] = ["M", "X", "Y", "Z", "W", "F"].map(|n| point(&d.out, n));
+    let p = [-0.38, -0.078];
+    for k in 0..72 {
+        for (a, b, l) in [
+            (m[k], x[k], 0.5),
+            (p, x[k], 0.415),
+            (m[k], z[k], 0.619),
+            (p, z[k], 0.393),
+            (x[k], y[k], 0.558),
+            (p, y[k], 0.401),
+            (y[k], w[k], 0.394),
+            (z[k], w[k], 0.367),
+            (w[k], f[k], 0.657),
+            (z[k], f[k], 0.49),
+        ] {
+            close(distance(a, b), l, 1e-14);
+        }
+    }
+    // On the ground for half the turn, within 2 % of its step.
+    let low = f.iter().map(|q| q[1]).fold(f64::INFINITY, f64::min);
+    assert!(f.iter().filter(|q| q[1] < low + 0.012).count() > 30);
+}
+
+#[test]
+fn a_drawing_is_a_position() {
+    for (name, points) in [
+        ("pmksweb-91", &[("B", [1.244, 0.196]), ("C", [-2.32, -2.293]), ("E", [-2.591, 1.657])][..]),
+        ("pmksweb-92", &[("D", [-0.24, 4.01]), ("E", [5.08, 5.31]), ("F", [8.14, 3.35])]),
+        ("double-butterfly", &[("J", [4.13, 2.05]), ("I", [4.67, -1.09])]),
+    ] {
+        let d = command(&format!("linkage examples/{name}.toml --step-deg 400 --paths"));
+        for (p, due) in points {
+            let at = point(&d.out, p)[0];
+            (0..2).for_each(|i| close(100.0 * at[i], due[i], 1e-13));
+        }
+    }
+    // Counter-clockwise at 10 rpm: |v_B| = ω |AB|.
+    let d = command("linkage examples/pmksweb-91.toml --step-deg 400 --paths");
+    let [x, y] = ["x", "y"].map(|c| column(&d.out, &format!("v_{c}_B_m_per_s"))[0]);
+    let arm = [0.01 * (1.244 - 4.1), 0.01 * (0.196 - 3.75)];
+    let omega = std::f64::consts::PI / 3.0;
+    close(x, -omega * arm[1], 1e-13);
+    close(y, omega * arm[0], 1e-13);
+}
+
+#[test]
+fn all_branches_with_their_folds() {
+    let d = command("linkage examples/stephenson-3.toml --step-deg 15 --all-branches --format json");
+    assert_eq!(d.code, 0, "{}", d.err);
+    let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    assert_eq!(json["modes_complete"], true);
+    assert_eq!(json["unmatched"], 0);
+    let ends = json["ends"].as_array().unwrap();
+    assert!(!ends.is_empty() && ends.iter().all(|e| e["kind"] == "fold"));
+    for e in ends {
+        assert_eq!(e["branches"].as_array().unwrap().len(), 2, "{e}");
+    }
+    said(&d, "branches, from ");
+    said(&d, "assembly modes at a value of the drive, all that there are");
+}
+
+/// The drive torque by the bodies' equations and by the reduced quantities are one column each time;
+/// power is balanced between force, motion and drive.
+#[test]
+fn forces_of_the_quick_return() {
+    let d = command("linkage examples/quick-return.toml --step-deg 15 --reactions");
+    assert_eq!(d.code, 0, "{}", d.err);
+    let [guide, pin, torque, drive] = ["Fy_guide_ram_N", "Fx_C_ram_N", "M_guide_ram_N_m", "drive_N_m"]
+        .map(|n| column(&d.out, n));
+    assert_eq!(guide.len(), 24);
+    assert!(torque.iter().all(|m| m.abs() < 1e-9), "{torque:?}");
+    // The link bears no mass, so its pin's force is along it.
+    let link = column(&d.out, "link_deg");
+    let along = column(&d.out, "Fy_C_ram_N");
+    for k in 0..24 {
+        let (s, c) = link[k].to_radians().sin_cos();
+        assert!((pin[k] * s - along[k] * c).abs() < 1e-9 * (1.0 + pin[k].abs()), "row {k}");
+    }
+    assert!(drive.iter().any(|t| t.abs() > 1.0));
+}
+
+#[test]
+fn a_drive_by_displacement() {
+    let d = command("linkage examples/cylinder-boom.toml");
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert_eq!(texts(&d.out, "s_m").len(), 11);
+    // The cylinder is the third side of a triangle.
+    let (a, b) = ((0.4f64).hypot(0.6), (1.2f64).hypot(0.1));
+    let beta = (-0.6f64).atan2(0.4);
+    let delta = (-0.1f64).atan2(1.2);
+    for (s, boom) in column(&d.out, "s_m").iter().zip(column(&d.out, "boom_deg")) {
+        let angle = ((a * a + b * b - s * s) / (2.0 * a * b)).acos();
+        close(boom.to_radians(), beta + angle - delta, 1e-13);
+    }
+    refused(
+        &command("linkage examples/cylinder-boom.toml --from-deg 3"),
+        "the drive is a displacement",
+    );
+}
+
+#[test]
+fn gears_and_racks_turn_as_their_teeth_say() {
+    let d = command("linkage examples/rack-and-wheel.toml --step-deg 20");
+    let [rocker, rate, rack] = ["drocker_dphi", "dwheel_dphi", "ds_guide_dphi_m_per_rad"].map(|n| column(&d.out, n));
+    for k in 0..18 {
+        close(rate[k], -1.5 * rocker[k], 1e-13);
+        close(rack[k], 0.04 * rate[k], 1e-13);
+    }
+    let e = command("linkage examples/rack-and-wheel.toml --reactions");
+    refused(&e, "--reactions needs masses or loads");
+}
+
+#[test]
+fn drawings_are_whole() {
+    let folder = tempdir().unwrap();
+    for name in ["jansen-leg", "quick-return", "double-butterfly", "cylinder-boom"] {
+        let to = folder.path().join(name);
+        let d = run(&["linkage", &format!("examples/{name}.toml"), "--svg", to.to_str().unwrap()]);
+        assert_eq!(d.code, 0, "{}", d.err);
+        let svg = std::fs::read_to_string(to.join("mechanism.svg")).unwrap();
+        assert!(drawing(&svg).iter().any(|l| l.len() > 700), "{name}");
+    }
+}
+
+#[test]
+fn bad_files_are_refused_by_name() {
+    let changes = r#"
+        length = "50 cm"    | length = "0 cm"     | body[1].length must be positive
+        length = "50 cm"    | length = "50"       | body[1].length
+        length = "50 cm"    | length = "50 kg"    | is not a length
+        ends = ["M", "X"]   | ends = ["M"]        | two ends with length, or three ends with sides
+        "55.8 cm", "40.1"   | "155.8 cm", "40.1"  | no triangle has these sides
+        name = "j"          | name = "crank"      | is taken
+        name = "j"          | name = "a b"        | must be a name
+        point = "W"         | point = "V"         | point = "V" is on 0 body
+        point = "W"         | point = "F"         | point = "F" is on 1 body
+        kind = "pin"        | kind = "pinn"       | must be one of
+        body = "crank"      | body = "crnk"       | is no body (did you mean "crank"?)
+        body = "crank"      | bdy = "crank"       | unknown field `bdy`
+        [drive]             | [[joint]]\nkind = "slide"\nbody = "j"\npoint = "X"\nthrough = "O"\n[drive] | either direction or toward
+        [drive]             | [[spring]]\nends = ["X", "Q"]\nstiffness = "1 N/m"\nlength = "1 m"\n[drive] | "Q" is no point of a body
+        [drive]             | [[spring]]\nends = ["X", "F"]\nstiffness = "1 N"\nlength = "1 m"\n[drive] | is not a stiffness
+        c = "-74 deg"       | c = "-74 deg", q = "1 deg" | start.near.q
+        bde = "70 deg"      | bde = "170 deg"     | within 15 deg of start.near; there are 0: crank
+    "#;
+    for [from, to, part] in cells(changes) {
+        let d = run_on(changed(JANSEN, &from, &to), &words("linkage - --step-deg 90"));
+        refused(&d, &part);
+    }
+    // A pin that is forgotten is not a point that moves by itself.
+    let text = changed(JANSEN, "[[joint]]\nkind = \"pin\"\npoint = \"W\"\n", "");
+    refused(&run_on(text, &words("linkage -")), "f and ghi have a point \"W\", and no joint holds that of f");
+    for option in ["--digits 20", "--reactions", "--branch 9"] {
+        let d = run_on(JANSEN, &words(&format!("linkage - {option}")));
+        refused(&d, option.split(' ').next().unwrap().trim_start_matches("--branch"));
+    }
+    refused(&run_on(JANSEN, &words("runup -")), "runup");
+}
+
+#[test]
+fn what_cannot_move_or_moves_too_much_is_told() {
+    let more = |text: &str| run_on(format!("{JANSEN}\n{text}"), &words("linkage -"));
+    let bar = "[[body]]\nname = \"bar\"\nends = [\"M\", \"F\"]\nlength = \"90 cm\"\n";
+    let d = more(&format!("{bar}[[joint]]\nkind = \"pin\"\nname = \"m2\"\npoint = \"F\"\n"));
+    assert_eq!(d.code, 2);
+    // The pin M takes the new bar as well: one bar too many.
+    assert!(d.err.contains("over-constrained") || d.err.contains("locked"), "{}", d.err);
+    let loose = "[[body]]\nname = \"bar\"\nends = [\"F\", \"T\"]\nlength = \"90 cm\"\n[[joint]]\nkind = \"pin\"\npoint = \"F\"\n";
+    let d = more(loose);
+    refused(&d, "1 degrees of freedom besides the drive: bar can still move");
+    said(&d, "line ");
+}
+
+#[test]
+fn other_linkages_have_no_paths() {
+    refused(&command("linkage examples/four-bar.toml --paths"), "--paths is for files with type = \"planar\"");
+    refused(&command("linkage examples/sand-screen.toml --reactions"), "--reactions is for files");
+}
+
+#[test]
+fn columns_in_other_units() {
+    let d = run_on(QUICK, &words("linkage - --units mm --step-deg 90"));
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert_eq!(texts(&d.out, "s_guide_mm").len(), 4);
+}
