@@ -40,13 +40,19 @@ fn text(write: impl FnOnce(&mut Vec<u8>) -> Result<(), csv::Error>) -> Outcome<S
 /// A line for each code and region.
 pub fn rows() -> Outcome<Made> {
     let body = text(|out| report::atlas::rows(small(), out))?;
-    Ok(made("Worst relative errors found of published algorithms for W(z) and Voigt", body))
+    Ok(made(
+        "Worst relative errors found of published algorithms for W(z) and Voigt",
+        body,
+    ))
 }
 
 /// A line for each claim.
 pub fn claims() -> Outcome<Made> {
     let body = text(|out| report::atlas::claims(small(), out))?;
-    Ok(made("Claims about published algorithms for W(z) and Voigt, decided", body))
+    Ok(made(
+        "Claims about published algorithms for W(z) and Voigt, decided",
+        body,
+    ))
 }
 
 /// All of it.
@@ -57,5 +63,8 @@ pub fn document() -> Outcome<Made> {
         object.shift_remove("mechaudit_version");
     }
     let body = serde_json::to_string_pretty(&value)? + "\n";
-    Ok(made("The atlas of published algorithms for W(z) and Voigt", body))
+    Ok(made(
+        "The atlas of published algorithms for W(z) and Voigt",
+        body,
+    ))
 }
