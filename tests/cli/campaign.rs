@@ -472,6 +472,34 @@ fn a_program_that_ends_leaves_its_shard() {
     );
 }
 
+#[test]
+fn new_worst_cases_are_recorded() {
+    let folder = tempfile::tempdir().unwrap();
+    let hard = folder.path().join("hard");
+    fs::create_dir(&hard).unwrap();
+    let own = planned(&folder, "own", PLAN, 3);
+    finished(&own);
+    let record = || campaign(&["merge", text(&own), "--hard", text(&hard), "--output", "-"]);
+    let d = record();
+    said(&d, "erf: hard case 1 added, Re erf at ");
+    // Not of a candidate.
+    assert_eq!(
+        common::names(&hard),
+        ["erf.csv", "faddeeva.csv", "four-bar.csv"]
+    );
+    let judged = run(&["audit", "erf", "--hard", text(&hard), "--hard-case", "1"]);
+    assert_eq!(judged.code, 0, "{}{}", judged.out, judged.err);
+    // Nothing is worse than itself, and the sum is the same.
+    let again = record();
+    assert_eq!((again.err.as_str(), &again.out), ("", &d.out));
+    assert_eq!(d.out, merged(&own));
+    let nowhere = folder.path().join("none");
+    refused(
+        &campaign(&["merge", text(&own), "--hard", text(&nowhere)]),
+        "no such folder",
+    );
+}
+
 /// The recipes that run here; `mechaudit` is on the path.
 #[test]
 fn recipes() {

@@ -177,7 +177,8 @@ def run(
         return future
 
     def threads() -> int:
-        return max(sum(client.nthreads().values()), 1)
+        found: dict[str, int] = client.nthreads()
+        return max(sum(found.values()), 1)
 
     hidden = None if progress is None else not progress
     with tqdm(total=before["shards"], initial=before["done"], unit="shard", desc=name, disable=hidden) as bar:

@@ -86,6 +86,9 @@ pub struct StatusArgs {
 pub struct MergeArgs {
     /// The campaign's folder
     pub folder: PathBuf,
+    /// Add inputs worse than any recorded to METHOD.csv in this folder of hard cases, as hunts do
+    #[arg(long, value_name = "DIR")]
+    pub hard: Option<PathBuf>,
     /// Write to this file, whole or not at all; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,

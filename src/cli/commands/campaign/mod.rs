@@ -1,6 +1,7 @@
 //! Campaigns: plan, run, status, merge, report.
 
 mod folder;
+mod hard;
 mod run;
 
 use self::folder::{Folder, State};
@@ -166,6 +167,12 @@ fn merge(args: &MergeArgs) -> Result<Outcome, Failure> {
     let folder = Folder::open(&args.folder)?;
     folder.same_program()?;
     let output = Output::open(args.output.as_deref())?;
+    if let Some(hard) = args.hard.as_deref().filter(|f| !f.is_dir()) {
+        let hard = hard.display();
+        return Err(Failure::new(format!(
+            "--hard {hard}: there is no such folder"
+        )));
+    }
     let methods = folder.plan.methods();
     let (sum, missing) = sum(&folder, &methods)?;
     if missing > 0 {
@@ -180,6 +187,9 @@ fn merge(args: &MergeArgs) -> Result<Outcome, Failure> {
         )));
     }
     let parts = sum.finish(true);
+    if let Some(hard) = &args.hard {
+        hard::record(hard, &folder.plan, &parts)?;
+    }
     write_json(output, &document(&folder.plan, &folder.identity, &parts))?;
     Ok(Outcome::of(parts.iter().all(PartSum::passed)))
 }
