@@ -10,7 +10,8 @@
 //! 7. [Proofs of error bounds](proofs)
 //! 8. [Convergence and twins](convergence)
 //! 9. [Reading the reports](reports)
-//! 10. [Commands, exit codes and file formats](formats)
+//! 10. [Planar mechanisms](planar_mechanisms)
+//! 11. [Commands, exit codes and file formats](formats)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
@@ -25,6 +26,8 @@ pub mod formats {}
 pub mod hunting {}
 #[doc = include_str!("judging.md")]
 pub mod judging {}
+#[doc = include_str!("planar_mechanisms.md")]
+pub mod planar_mechanisms {}
 #[doc = include_str!("proofs.md")]
 pub mod proofs {}
 #[doc = include_str!("references.md")]
