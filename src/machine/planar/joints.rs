@@ -32,7 +32,8 @@ pub(super) fn read(
             section,
             at,
         };
-        let name = section.name.clone().or_else(|| section.point.clone());
+        let pinned = section.point.clone().filter(|_| section.kind == Kind::Pin);
+        let name = section.name.clone().or(pinned);
         let name = name.unwrap_or_else(|| format!("{}-{}", section.kind.word(), k + 1));
         if joints.iter().any(|j| j.name == name) {
             let rule = format!(

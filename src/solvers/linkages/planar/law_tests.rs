@@ -53,9 +53,14 @@ fn bad_parts_are_refused() {
         Mechanism::new(d).map(|_| ()).unwrap_err()
     };
     use MechanismError as E;
-    let nan = told(&|d| drop(d.pin("x", &[(1, [f64::NAN, 0.0]), (2, [0.0; 2])])));
+    let pin = |points: &[(usize, [f64; 2])]| {
+        told(&|d| {
+            d.pin("x", points);
+        })
+    };
+    let nan = pin(&[(1, [f64::NAN, 0.0]), (2, [0.0; 2])]);
     assert!(matches!(nan, E::NotFinite { .. }), "{nan}");
-    let body = told(&|d| drop(d.pin("x", &[(1, [0.0; 2]), (9, [0.0; 2])])));
+    let body = pin(&[(1, [0.0; 2]), (9, [0.0; 2])]);
     assert!(
         matches!(
             body,
@@ -67,9 +72,9 @@ fn bad_parts_are_refused() {
         ),
         "{body}"
     );
-    let same = told(&|d| drop(d.pin("x", &[(1, [0.0; 2]), (1, [0.1; 2])])));
+    let same = pin(&[(1, [0.0; 2]), (1, [0.1; 2])]);
     assert!(matches!(same, E::SameBody { .. }), "{same}");
-    let lonely = told(&|d| drop(d.pin("x", &[(1, [0.0; 2])])));
+    let lonely = pin(&[(1, [0.0; 2])]);
     assert!(matches!(lonely, E::LonelyPin { count: 1, .. }), "{lonely}");
     let drive = told(&|d| d.drive = Drive::Displacement { joint: 0 });
     assert!(matches!(drive, E::NoSlide { joint: 0, .. }), "{drive}");

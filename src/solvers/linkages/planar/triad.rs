@@ -21,6 +21,9 @@ struct Leg {
     plate: Complex64,
 }
 
+/// The bodies of a triad with their angles.
+type Angles = [(usize, f64); 4];
+
 /// A triad.
 #[derive(Clone, Debug)]
 pub(super) struct Triad {
@@ -68,7 +71,7 @@ impl Triad {
 
     /// Angles of the bodies at every assembly mode, and whether modes are near merging; `None` for
     /// dimensions that the polynomial does not take.
-    pub(super) fn modes(&self, pose: &Pose) -> Option<(Vec<[(usize, f64); 4]>, bool)> {
+    pub(super) fn modes(&self, pose: &Pose) -> Option<(Vec<Angles>, bool)> {
         let [two, three, five] = &self.legs;
         let length = |l: &Leg| (l.own[1] - l.own[0]).norm();
         let [a, o3, o5] = [two, three, five].map(|l| pose.at(l.outer));
