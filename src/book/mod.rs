@@ -11,7 +11,8 @@
 //! 8. [Proofs of error bounds](proofs)
 //! 9. [Convergence and twins](convergence)
 //! 10. [Reading the reports](reports)
-//! 11. [Commands, exit codes and file formats](formats)
+//! 11. [Planar mechanisms](planar_mechanisms)
+//! 12. [Commands, exit codes and file formats](formats)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
@@ -28,6 +29,8 @@ pub mod formats {}
 pub mod hunting {}
 #[doc = include_str!("judging.md")]
 pub mod judging {}
+#[doc = include_str!("planar_mechanisms.md")]
+pub mod planar_mechanisms {}
 #[doc = include_str!("proofs.md")]
 pub mod proofs {}
 #[doc = include_str!("references.md")]
