@@ -1,5 +1,6 @@
 //! Generated files: regenerated, or compared with what is held.
 
+mod andrews_motion;
 mod artefact;
 pub mod errata;
 mod faddeeva_tables;
@@ -52,6 +53,7 @@ fn artefacts() -> Vec<Artefact> {
         })
         .collect();
     all.push(csv("sand-screen-run-up", Box::new(sand_screen::made)));
+    all.push(csv("andrews-motion", Box::new(andrews_motion::made)));
     all.extend(papers::keys().into_iter().map(errata));
     all.extend([
         rust(

@@ -26,8 +26,6 @@ mod tests;
 
 pub use conservative::{Course, Moment};
 pub use energy::{Forces, Spring};
-pub use mechanism::{
-    Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point,
-};
+pub use mechanism::{Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point};
 pub use reactions::Rates;
 pub use series::Series;

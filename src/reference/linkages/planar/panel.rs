@@ -226,7 +226,10 @@ impl<'a> Loaded<'a> {
         half: &Float,
     ) -> Option<Panel> {
         let centre = from + &exact(half);
-        let middle = self.linkage.position(&centre, &before.guess(&centre)).ok()?;
+        let middle = self
+            .linkage
+            .position(&centre, &before.guess(&centre))
+            .ok()?;
         let reach = Mag::above(half).mul(Mag::from_f64(BOUNDED));
         let branch = self.branch(&centre, &middle, reach)?;
         if !branch.disc.owns(from, at) {
