@@ -18,6 +18,8 @@ mod panel;
 mod reactions;
 mod scalar;
 mod series;
+#[cfg(test)]
+mod soundness_tests;
 mod system;
 
 pub use enclosure::{Linkage, Position};
