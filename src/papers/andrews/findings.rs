@@ -153,7 +153,7 @@ fn later(end: &[&Printed], motion: &Motion) -> Finding {
         title: format!("The printed angles are those of a moment {crank:.3} ps later"),
         verdict: FindingVerdict::Recovered,
         text: "All seven differ from the certified ones by the same time times their rates, as far as \
-               16 digits tell: the run kept to the constraints and lost phase, 3e-11 of the time. \
+               16 digits tell: the run kept to the constraints and is ahead by 3e-11 of the time. \
                That sets the limit of what agreement with this reference can show."
             .into(),
         figures,

@@ -91,10 +91,8 @@ impl Scalar for Round {
             up(Float::with_val_round(53, r.shift(-1).to_float().sinh_ref(), float::Round::Up).0);
         let rest = half.mul(half).shift(1);
         let spread = |along: &Ball, across: &Ball| {
-            across
-                .magnitude()
-                .mul(sinh)
-                .add(along.magnitude().mul(rest))
+            let first = across.magnitude().mul(sinh);
+            first.add(along.magnitude().mul(rest))
         };
         let (dc, ds) = (spread(&c, &s), spread(&s, &c));
         (Round(c.widened(dc)), Round(s.widened(ds)))
