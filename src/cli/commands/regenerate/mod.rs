@@ -1,5 +1,6 @@
 //! Generated files: regenerated, or compared with what is held.
 
+mod andrews_motion;
 mod artefact;
 mod atlas;
 pub mod errata;
@@ -54,6 +55,7 @@ fn artefacts() -> Vec<Artefact> {
         })
         .collect();
     all.push(csv("sand-screen-run-up", Box::new(sand_screen::made)));
+    all.push(csv("andrews-motion", Box::new(andrews_motion::made)));
     all.extend(papers::keys().into_iter().map(errata));
     let atlas = |name: &str, form: Form, make: fn() -> artefact::Outcome<Made>| Artefact {
         name: name.into(),
