@@ -11,12 +11,15 @@
 //! 8. [Convergence and twins](convergence)
 //! 9. [Reading the reports](reports)
 //! 10. [Commands, exit codes and file formats](formats)
+//! 11. [The atlas of published algorithms](atlas)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
 
 #[doc = include_str!("adding_a_method.md")]
 pub mod adding_a_method {}
+#[doc = include_str!("atlas.md")]
+pub mod atlas {}
 #[doc = include_str!("convergence.md")]
 pub mod convergence {}
 #[doc = include_str!("formats.md")]

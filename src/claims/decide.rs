@@ -269,7 +269,11 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
     };
     decided.found = Some(rounded(share * tested.bound));
     decided.at = Some([z[0], z[1]]);
-    decided.verdict = if over { Verdict::Refuted } else { Verdict::Holds };
+    decided.verdict = if over {
+        Verdict::Refuted
+    } else {
+        Verdict::Holds
+    };
     // What is left when a strip along the real axis is left out.
     let ceiling = search.ceiling * (1.0 + 1e-9);
     if !over || !(0.0..STRIP).contains(&ceiling) {

@@ -181,6 +181,8 @@ mod tests {
             "{six:?}"
         );
         assert!(six.sentence.contains("of the wrong sign"));
+        let book = include_str!("../book/atlas.md");
+        assert!(found.iter().all(|f| book.contains(&f.sentence)));
         let none = findings(&|name| name == "hunter-regan-1972");
         assert!(none.is_empty());
     }

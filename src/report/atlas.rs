@@ -129,8 +129,7 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
             &c.points.to_string(),
             &number(c.found),
             &number(c.within),
-            &c.at
-                .map_or(String::new(), |z| z.map(hex_float).join(",")),
+            &c.at.map_or(String::new(), |z| z.map(hex_float).join(",")),
             c.reproduce.as_deref().unwrap_or(""),
         ])?;
     }
