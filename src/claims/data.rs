@@ -394,7 +394,7 @@ pub fn claims() -> Vec<Claim> {
         claim(
             "schreier-2018-hum2zpf16",
             "fast and generally more accurate than rtol=3.e-5",
-            "astropy, Voigt1D, method 'Humlicek2' (the default)",
+            "astropy's documentation of Voigt1D, method 'Humlicek2', the default of the releases that say so",
             "Re, at every point",
             (HALF_PLANE, RelativeRe, Maximum, 3e-5),
         ),

@@ -51,7 +51,7 @@ const POINTS: [Where; 15] = [
     ),
     (
         "schreier-2018-hum2zpf16",
-        "astropy's Voigt1D by default, there said to be within 3e-5",
+        "astropy's Voigt1D, method Humlicek2, said to be within 3e-5",
         [5.5, 1e-8],
         0,
     ),
