@@ -213,12 +213,13 @@ struct Search {
 }
 
 impl Search {
+    /// What is certain comes before what is not.
     fn offer(&mut self, (share, over): (f64, bool), z: &[f64]) {
         if over {
             self.ceiling = self.ceiling.max(z[1]);
         }
-        let more = self.worst.as_ref().is_none_or(|w| share > w.0);
-        if more {
+        let worse = |w: &(f64, Vec<f64>, bool)| (over, share) > (w.2, w.0);
+        if self.worst.as_ref().is_none_or(worse) {
             self.worst = Some((share, z.to_vec(), over));
         }
     }
@@ -269,10 +270,11 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
     };
     decided.found = Some(rounded(share * tested.bound));
     decided.at = Some([z[0], z[1]]);
-    decided.verdict = if over {
-        Verdict::Refuted
-    } else {
-        Verdict::Holds
+    decided.verdict = match (over, share <= 1.0) {
+        (true, _) => Verdict::Refuted,
+        (false, true) => Verdict::Holds,
+        // The reference could not tell.
+        (false, false) => Verdict::Open,
     };
     // What is left when a strip along the real axis is left out.
     let ceiling = search.ceiling * (1.0 + 1e-9);
@@ -287,13 +289,13 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
         let above = searched(tested, floor, effort);
         decided.points += above.points;
         match above.worst {
-            Some((_, _, false)) => {
+            Some((share, _, false)) if share <= 1.0 => {
                 decided.verdict = Verdict::InPart;
                 decided.part = format!("where Im z >= {floor:e}");
                 return;
             }
             Some((_, z, true)) => floor = power_above(above.ceiling.max(z[1])),
-            None => return,
+            _ => return,
         }
     }
 }
