@@ -10,13 +10,15 @@ use crate::report::words::Tone;
 use maud::{Markup, html};
 use serde::Serialize;
 
+/// Name, nanoseconds, worst errors of the norm and of Re in the ordinary region, of Re beside the axis.
+type Work<'a> = (&'a str, f64, Option<f64>, Option<f64>, Option<f64>);
+
 /// What the script reads.
 #[derive(Serialize)]
 struct Data<'a> {
     levels: &'a str,
     maps: &'a [(String, Map)],
-    /// Name, nanoseconds, worst errors of the norm and of Re in the ordinary region, of Re beside the axis.
-    work: Vec<(&'a str, f64, Option<f64>, Option<f64>, Option<f64>)>,
+    work: Vec<Work<'a>>,
 }
 
 /// The page.
