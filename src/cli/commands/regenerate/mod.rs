@@ -109,7 +109,7 @@ fn chosen(names: &[String]) -> Result<Vec<Artefact>, Failure> {
 /// Makes or compares what the arguments name.
 pub fn regenerate(args: &RegenerateArgs) -> Result<Outcome, Failure> {
     let chosen = chosen(&args.names)?;
-    for folder in [VALUES, PUBLISHED, SOLVERS, ATLAS] {
+    for folder in [VALUES, PUBLISHED, SOLVERS] {
         if !args.root.join(folder).is_dir() {
             return Err(Failure::new(format!(
                 "{} holds no {folder}: --root has to be the folder of mechaudit's sources",
