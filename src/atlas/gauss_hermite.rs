@@ -4,9 +4,9 @@ use crate::elementary::SQRT_PI;
 
 /// The positive nodes of the formula with an even number `n` of nodes, ascending, with their weights.
 ///
-/// Newton's method for the orthonormal Hermite polynomials (DLMF 18.3, 3.5.28), from the estimate
-/// `√(2n+1) cos(π (4k+3)/(4n+2))`-like spacing improved by deflation; the weight is `2/h'²` of the orthonormal
-/// polynomial of degree n, `w_k = 1/(n h_{n−1}(t_k)²)`.
+/// Changes of sign of the orthonormal Hermite polynomial `h_n` (DLMF 18.3) on a lattice finer than its nodes, each
+/// refined by Newton's method; `w_k = 1/(n h_{n−1}(t_k)²)` (DLMF 3.5.22 with `h_n' = √(2n) h_{n−1}`). The nodes of n = 12 are
+/// those that Humlíček prints.
 pub fn positive(n: usize) -> Vec<(f64, f64)> {
     let mut found: Vec<(f64, f64)> = Vec::new();
     let end = ((2 * n + 1) as f64).sqrt();

@@ -7,7 +7,7 @@
 use crate::algorithm::{Algorithm, Parts, Plane};
 use num_complex::{Complex, Complex64};
 
-/// The algorithm, and its first formula alone.
+/// The algorithm.
 pub const ALGORITHMS: [Algorithm; 1] = [Algorithm {
     name: "humlicek-1979",
     title: "Humlíček's twelve poles with e^(-x²) near the real axis (cpf12)",

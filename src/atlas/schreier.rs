@@ -54,7 +54,7 @@ pub const ALGORITHMS: [Algorithm; 4] = [
     },
     Algorithm {
         name: "schreier-2018-hum2zpf16",
-        title: "Poles n = 16 as one fraction inside |x| + y < 10, two poles outside (astropy's default)",
+        title: "Poles n = 16 as one fraction inside |x| + y < 10, two poles outside (astropy's Humlicek2)",
         source: "F. Schreier, MNRAS 479 (2018) 3068-3075",
         read_from: "coefficients as in astropy's Voigt1D._hum2zpf16c",
         plane: Plane::Upper,

@@ -57,7 +57,9 @@ pub use judged::{CaseReport, Referee, answer_of, audit_case, judge_case, judge_c
 pub use kind::{Kind, Kinds};
 pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
-pub use method::{BranchAt, Input, Law, Method, Output, Rows, conditions_by_differences};
+pub use method::{
+    BranchAt, Input, Law, Method, Output, ProvedBound, Rows, conditions_by_differences,
+};
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use parts::ErrorParts;

@@ -7,6 +7,7 @@ use super::judge::Verdict;
 use super::judged::CaseReport;
 use super::kind::Kinds;
 use super::maps::ErrorMap;
+use super::method::ProvedBound;
 use super::parts::ErrorParts;
 use super::settings::Settings;
 use super::spread::Spread;
@@ -180,6 +181,8 @@ pub struct MethodReport {
     pub budgets: Vec<OutputBudget>,
     /// The budget of the norm, if one is in force.
     pub norm_budget: Option<NormBudget>,
+    /// What is proved of the error of the method's own solver.
+    pub proved: Vec<ProvedBound>,
     /// Cases judged.
     pub cases: u64,
     /// Cases passed.

@@ -250,6 +250,7 @@ impl Tally {
                 })
                 .collect(),
             norm_budget,
+            proved: method.proved(),
             cases: total.cases,
             passed: total.passed,
             recorded: total.recorded,

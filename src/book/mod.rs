@@ -8,16 +8,20 @@
 //! 5. [Auditing your own code](your_own_code)
 //! 6. [Hunting, hard cases and recorded findings](hunting)
 //! 7. [Campaigns: very many cases, on one machine or many](campaigns)
-//! 8. [Proofs of error bounds](proofs)
-//! 9. [Convergence and twins](convergence)
-//! 10. [Reading the reports](reports)
-//! 11. [Commands, exit codes and file formats](formats)
+//! 8. [The atlas of published algorithms](atlas)
+//! 9. [Proofs of error bounds](proofs)
+//! 10. [Convergence and twins](convergence)
+//! 11. [Reading the reports](reports)
+//! 12. [Planar mechanisms](planar_mechanisms)
+//! 13. [Commands, exit codes and file formats](formats)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
 
 #[doc = include_str!("adding_a_method.md")]
 pub mod adding_a_method {}
+#[doc = include_str!("atlas.md")]
+pub mod atlas {}
 #[doc = include_str!("campaigns.md")]
 pub mod campaigns {}
 #[doc = include_str!("convergence.md")]
@@ -28,6 +32,8 @@ pub mod formats {}
 pub mod hunting {}
 #[doc = include_str!("judging.md")]
 pub mod judging {}
+#[doc = include_str!("planar_mechanisms.md")]
+pub mod planar_mechanisms {}
 #[doc = include_str!("proofs.md")]
 pub mod proofs {}
 #[doc = include_str!("references.md")]

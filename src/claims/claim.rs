@@ -81,7 +81,7 @@ pub enum Verdict {
     InPart,
     /// At a point that is named it certainly does not hold.
     Refuted,
-    /// The mean's interval holds the bound.
+    /// The mean's interval holds the bound, or the reference could not tell.
     Open,
     /// Not a statement about a double, or about an algorithm that is not at hand.
     NotTestable,

@@ -1,6 +1,7 @@
 //! Code that is surveyed: an algorithm, or a library run as a program.
 
 use crate::audit::{SolverAnswer, hex_float};
+use crate::solvers::faddeeva::faddeeva;
 use mechaudit_atlas::{Algorithm, Parts, Plane};
 use num_complex::{Complex, Complex32};
 
@@ -48,7 +49,7 @@ impl<'a> Code<'a> {
             SolverAnswer::Values(vec![f64::from(w.re), f64::from(w.im)])
         };
         Some(Code {
-            name: format!("{}, f32", a.name),
+            name: format!("{} (f32)", a.name),
             single: true,
             answers: Box::new(move |inputs| inputs.iter().map(one).collect()),
             ..Code::double(a)
@@ -84,6 +85,28 @@ impl<'a> Code<'a> {
         let [x, y] = z.map(hex_float);
         format!("atlas --only {} --at {x},{y}", self.name)
     }
+}
+
+/// The solver of this suite, surveyed with the others.
+fn ours() -> Algorithm {
+    Algorithm {
+        name: "mechaudit",
+        title: "This suite's own solver, mechaudit_solvers::faddeeva",
+        source: "mechaudit-solvers",
+        read_from: "its code",
+        plane: Plane::Whole,
+        parts: Parts::Both,
+        w: faddeeva,
+        single: None,
+        formula: None,
+    }
+}
+
+/// The published algorithms and this suite's own.
+pub fn algorithms() -> Vec<Algorithm> {
+    let mut all = mechaudit_atlas::all();
+    all.push(ours());
+    all
 }
 
 /// The answer of an algorithm.

@@ -213,12 +213,13 @@ struct Search {
 }
 
 impl Search {
+    /// What is certain comes before what is not.
     fn offer(&mut self, (share, over): (f64, bool), z: &[f64]) {
         if over {
             self.ceiling = self.ceiling.max(z[1]);
         }
-        let more = self.worst.as_ref().is_none_or(|w| share > w.0);
-        if more {
+        let worse = |w: &(f64, Vec<f64>, bool)| (over, share) > (w.2, w.0);
+        if self.worst.as_ref().is_none_or(worse) {
             self.worst = Some((share, z.to_vec(), over));
         }
     }
@@ -269,7 +270,12 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
     };
     decided.found = Some(rounded(share * tested.bound));
     decided.at = Some([z[0], z[1]]);
-    decided.verdict = if over { Verdict::Refuted } else { Verdict::Holds };
+    decided.verdict = match (over, share <= 1.0) {
+        (true, _) => Verdict::Refuted,
+        (false, true) => Verdict::Holds,
+        // The reference could not tell.
+        (false, false) => Verdict::Open,
+    };
     // What is left when a strip along the real axis is left out.
     let ceiling = search.ceiling * (1.0 + 1e-9);
     if !over || !(0.0..STRIP).contains(&ceiling) {
@@ -283,13 +289,13 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
         let above = searched(tested, floor, effort);
         decided.points += above.points;
         match above.worst {
-            Some((_, _, false)) => {
+            Some((share, _, false)) if share <= 1.0 => {
                 decided.verdict = Verdict::InPart;
                 decided.part = format!("where Im z >= {floor:e}");
                 return;
             }
             Some((_, z, true)) => floor = power_above(above.ceiling.max(z[1])),
-            None => return,
+            _ => return,
         }
     }
 }
@@ -298,4 +304,81 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
 fn power_above(y: f64) -> f64 {
     let k = (y.max(1e-20) * (1.0 + 1e-9)).log10().floor() as i32 + 1;
     format!("1e{k}").parse().unwrap_or(f64::INFINITY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EFFORT: Effort = Effort { cases: 5, seed: 1 };
+
+    fn planted(algorithm: &'static str, place: Place, test: (Measure, Statistic, f64)) -> Decided {
+        let claim = Claim {
+            algorithm,
+            statement: "planted",
+            source: "",
+            reading: "",
+            test: Some((place, test.0, test.1, test.2)),
+        };
+        decide(&claim, &EFFORT)
+    }
+
+    const SQUARE: Place = Place {
+        words: "",
+        draw: |d| vec![d.uniform(-4.0, 4.0), d.uniform(0.0, 4.0)],
+        holds: |x, y| x.abs() <= 4.0 && (0.0..=4.0).contains(&y),
+    };
+    const FAR_ON_THE_AXIS: Place = Place {
+        words: "",
+        draw: |d| vec![d.uniform(150.0, 200.0), 0.0],
+        holds: |x, y| x >= 150.0 && y == 0.0,
+    };
+
+    #[test]
+    fn what_is_too_good_is_refuted_and_what_is_true_holds() {
+        use Statistic::{Maximum, Mean};
+        for measure in [Measure::Norm, Measure::RelativeParts, Measure::Absolute] {
+            let w4 =
+                |statistic, bound| planted("humlicek-1982", SQUARE, (measure, statistic, bound));
+            assert_eq!(w4(Maximum, 1e-9).verdict, Verdict::Refuted, "{measure:?}");
+            assert_eq!(w4(Maximum, 1e-2).verdict, Verdict::Holds, "{measure:?}");
+            assert_eq!(w4(Mean, 1e-12).verdict, Verdict::Refuted, "{measure:?}");
+            assert_eq!(w4(Mean, 1e-2).verdict, Verdict::Holds, "{measure:?}");
+        }
+    }
+
+    #[test]
+    fn nan_refutes_whatever_the_bound() {
+        let found = planted(
+            "wells-1999-r4",
+            FAR_ON_THE_AXIS,
+            (Measure::RelativeIm, Statistic::Maximum, 1e9),
+        );
+        assert_eq!(found.verdict, Verdict::Refuted);
+        assert!(found.reproduce.unwrap().contains("--at 0x1."));
+        let mean = planted(
+            "wells-1999-r4",
+            FAR_ON_THE_AXIS,
+            (Measure::RelativeIm, Statistic::Mean, 1e9),
+        );
+        assert_eq!(mean.verdict, Verdict::Refuted);
+    }
+
+    #[test]
+    fn the_refuting_point_is_of_the_domain_and_certainly_over() {
+        let found = planted(
+            "weideman-1994-32",
+            SQUARE,
+            (Measure::RelativeRe, Statistic::Maximum, 1e-14),
+        );
+        let z = found.at.unwrap();
+        assert!((SQUARE.holds)(z[0], z[1]) && found.found.unwrap() > 1e-14);
+    }
+
+    #[test]
+    fn powers_above() {
+        assert_eq!(power_above(1e-9), 1e-8);
+        assert_eq!(power_above(3e-9), 1e-8);
+        assert_eq!(power_above(0.0), 1e-19);
+    }
 }

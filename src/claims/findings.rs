@@ -51,7 +51,7 @@ const POINTS: [Where; 15] = [
     ),
     (
         "schreier-2018-hum2zpf16",
-        "astropy's Voigt1D by default, there said to be within 3e-5",
+        "astropy's Voigt1D, method Humlicek2, said to be within 3e-5",
         [5.5, 1e-8],
         0,
     ),
@@ -181,6 +181,8 @@ mod tests {
             "{six:?}"
         );
         assert!(six.sentence.contains("of the wrong sign"));
+        let book = include_str!("../book/atlas.md");
+        assert!(found.iter().all(|f| book.contains(&f.sentence)));
         let none = findings(&|name| name == "hunter-regan-1972");
         assert!(none.is_empty());
     }

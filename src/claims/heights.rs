@@ -14,8 +14,6 @@ pub const TARGETS: [f64; 4] = [1e-4, 1e-6, 1e-10, 2.0 * f64::EPSILON];
 /// Powers of ten that bound the bands; the lowest band is the axis itself and all below `10^LOW`.
 const LOW: i32 = -20;
 const HIGH: i32 = 3;
-/// Points in a band for each case of a region.
-const SHARE: u64 = 4;
 
 /// Where no point was found with a larger error.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -30,9 +28,8 @@ pub struct Height {
 
 /// The points of the band above `10^k`; of that below all others for `k = LOW − 1`.
 fn points(k: i32, effort: &Effort) -> Vec<Vec<f64>> {
-    let n = (effort.cases / SHARE).max(8);
     let band = (k + 64) as u64;
-    (0..n)
+    (0..effort.cases)
         .map(|i| {
             let mut d = Draw::new(effort.seed, "atlas", "heights", band << 32 | i);
             let x = match d.chance(0.67) {

@@ -1,7 +1,7 @@
 //! Errors beside the real axis: |Re z| against the logarithm of Im z.
 
-use super::code::Code;
 use super::WHOLE;
+use super::code::Code;
 use super::heights::errors;
 use crate::audit::{Limit, SolverAnswer, Variant};
 use crate::methods::find;

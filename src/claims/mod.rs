@@ -30,7 +30,7 @@ mod whole;
 
 pub use advice::{Advice, advice};
 pub use claim::{Claim, Measure, Place, Statistic, Verdict};
-pub use code::Code;
+pub use code::{Code, algorithms};
 pub use data::claims;
 pub use decide::{Decided, decide};
 pub use findings::{Finding, findings};

@@ -6,11 +6,13 @@ use crate::audit::{
 };
 use rug::Rational;
 
+type Admits<'a> = Box<dyn Fn(&[f64]) -> bool + Sync + 'a>;
+
 /// The method with these regions alone; a hunt stays where `admits` holds.
 pub struct Placed<'a> {
     method: &'a dyn Method,
     regions: Vec<Region>,
-    admits: Box<dyn Fn(&[f64]) -> bool + Sync + 'a>,
+    admits: Admits<'a>,
 }
 
 impl<'a> Placed<'a> {

@@ -53,7 +53,11 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
             Parts::Real => re,
         };
         // From the inner to the outer point.
-        let (inner, outer) = if p.re.abs() < q.re.abs() { (w, v) } else { (v, w) };
+        let (inner, outer) = if p.re.abs() < q.re.abs() {
+            (w, v)
+        } else {
+            (v, w)
+        };
         let rises = level && outer.re - inner.re > LEAST * 100.0 * inner.re.abs();
         let (f, g) = (formula(p), formula(q));
         let between = [f.min(g), f.max(g)];

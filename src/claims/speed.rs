@@ -15,10 +15,7 @@ pub fn nanoseconds(algorithms: &[Algorithm]) -> Vec<f64> {
         .map(|k| {
             // The golden ratio's multiples, which fill the square evenly.
             let t = k as f64 * 0.618_033_988_749_895;
-            Complex::new(
-                8.0 * (t - t.floor()),
-                0.1 + 7.9 * k as f64 / POINTS as f64,
-            )
+            Complex::new(8.0 * (t - t.floor()), 0.1 + 7.9 * k as f64 / POINTS as f64)
         })
         .collect();
     let mut best = vec![f64::INFINITY; algorithms.len()];

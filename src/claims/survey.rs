@@ -7,8 +7,8 @@ use super::seams::{Jump, jumps};
 use super::whole::Effort;
 use super::{WHOLE, regions, rounded};
 use crate::audit::{
-    Case, Cases, Format, Limit, MethodReport, RegionReport, Settings, SolverAnswer, Tally,
-    Variant, judge_together,
+    Case, Cases, Format, Limit, MethodReport, RegionReport, Settings, SolverAnswer, Tally, Variant,
+    judge_together,
 };
 use crate::methods::find;
 use mechaudit_atlas::{Parts, Plane};
@@ -188,12 +188,13 @@ fn judged(
                 .collect();
             let mut answers = code.answers(&inputs).into_iter();
             for (case, all) in &mut batch {
-                let answer = match own(&case.input) {
-                    true => Some(answers.next().unwrap_or(SolverAnswer::Unanswered(
-                        "the program ended before".into(),
-                    ))),
-                    false => None,
-                };
+                let answer =
+                    match own(&case.input) {
+                        true => Some(answers.next().unwrap_or(SolverAnswer::Unanswered(
+                            "the program ended before".into(),
+                        ))),
+                        false => None,
+                    };
                 if let Some(SolverAnswer::Values(w)) = &answer
                     && case.input[1] >= 0.0
                     && w.first().is_some_and(|re| *re < 0.0)
@@ -220,18 +221,16 @@ fn judged_slopes(
 ) -> Vec<MethodReport> {
     let single = codes.first().is_some_and(|c| c.single);
     let slope = move |z: &[f64], answer: SolverAnswer| match answer {
-        SolverAnswer::Values(w) if w.len() == 2 => {
-            SolverAnswer::Values(if single {
-                let z = Complex32::new(z[0] as f32, z[1] as f32);
-                let w = Complex32::new(w[0] as f32, w[1] as f32);
-                let slope = -2.0 * z * w + Complex32::new(0.0, FRAC_2_SQRT_PI as f32);
-                vec![f64::from(slope.re), f64::from(slope.im)]
-            } else {
-                let (z, w) = (Complex::new(z[0], z[1]), Complex::new(w[0], w[1]));
-                let slope = -2.0 * z * w + Complex::new(0.0, FRAC_2_SQRT_PI);
-                vec![slope.re, slope.im]
-            })
-        }
+        SolverAnswer::Values(w) if w.len() == 2 => SolverAnswer::Values(if single {
+            let z = Complex32::new(z[0] as f32, z[1] as f32);
+            let w = Complex32::new(w[0] as f32, w[1] as f32);
+            let slope = -2.0 * z * w + Complex32::new(0.0, FRAC_2_SQRT_PI as f32);
+            vec![f64::from(slope.re), f64::from(slope.im)]
+        } else {
+            let (z, w) = (Complex::new(z[0], z[1]), Complex::new(w[0], w[1]));
+            let slope = -2.0 * z * w + Complex::new(0.0, FRAC_2_SQRT_PI);
+            vec![slope.re, slope.im]
+        }),
         other => other,
     };
     let judged = judged("faddeeva-derivative", codes, &regions, settings, &slope);

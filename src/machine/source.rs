@@ -413,7 +413,13 @@ mod tests {
         }
         assert_eq!(source.line_of("x"), None);
         let source = Source::toml("[[b]]\nc = 1\n[[b]]\n\nc = 2\n");
-        for (place, line) in [("b[0].c", 2), ("b[1]", 3), ("b[1].c", 5), ("b[1].x", 3), ("b[7]", 1)] {
+        for (place, line) in [
+            ("b[0].c", 2),
+            ("b[1]", 3),
+            ("b[1].c", 5),
+            ("b[1].x", 3),
+            ("b[7]", 1),
+        ] {
             assert_eq!(source.line_of(place), Some(line), "{place}");
         }
         assert_eq!(Source::json("{\"a\": 1}").line_of("a"), None);

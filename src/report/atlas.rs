@@ -59,7 +59,8 @@ pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
         "worst_im",
         "wrong",
         "negative_re",
-        "worst_at",
+        "worst_at_re",
+        "worst_at_im",
         "worst_derivative",
         "worst_jump_re",
         "ns",
@@ -75,8 +76,8 @@ pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
             fields.extend(spread(part.norm.as_ref()));
             fields.extend([number(part.re), number(part.im)]);
             fields.extend([part.wrong.to_string(), part.negative.to_string()]);
-            let at = part.worst_at.map(|z| z.map(hex_float).join(","));
-            fields.push(at.unwrap_or_default());
+            let at = part.worst_at.map(|z| z.map(hex_float));
+            fields.extend(at.unwrap_or_default());
             let all = part.region == "all";
             let once = |x: Option<f64>| number(x.filter(|_| all));
             fields.push(once(row.derivative.as_ref().map(|d| d.worst)));
@@ -108,7 +109,8 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
         "points",
         "found",
         "within",
-        "at",
+        "at_re",
+        "at_im",
         "reproduce",
     ])?;
     for c in &atlas.claims {
@@ -116,6 +118,7 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
             Verdict::NotTestable => c.reading,
             _ => &c.part,
         };
+        let [re, im] = c.at.map(|z| z.map(hex_float)).unwrap_or_default();
         csv.write_record([
             c.algorithm,
             c.statement,
@@ -129,8 +132,8 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
             &c.points.to_string(),
             &number(c.found),
             &number(c.within),
-            &c.at
-                .map_or(String::new(), |z| z.map(hex_float).join(",")),
+            &re,
+            &im,
             c.reproduce.as_deref().unwrap_or(""),
         ])?;
     }

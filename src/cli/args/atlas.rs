@@ -28,7 +28,7 @@ pub struct AtlasArgs {
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub only: Vec<String>,
     /// Show the algorithms at this point beside the certified value, and nothing else
-    #[arg(long, value_name = "RE,IM")]
+    #[arg(long, value_name = "RE,IM", allow_hyphen_values = true)]
     pub at: Option<String>,
     /// Libraries besides, those of the built-in list that are installed
     #[arg(long)]

@@ -220,6 +220,7 @@ mod tests {
     fn commands_in_help_readme_and_book_are_commands() {
         let pages = [
             include_str!("../../../README.md"),
+            include_str!("../../book/atlas.md"),
             include_str!("../../book/campaigns.md"),
             include_str!("../../book/convergence.md"),
             include_str!("../../book/formats.md"),

@@ -31,7 +31,8 @@ fn check_name(source: &Source, at: &str, name: &str) -> Result<(), Refusal> {
     match !name.is_empty() && name.len() <= 40 && name.chars().all(good) {
         true => Ok(()),
         false => {
-            let rule = format!("{at} = {name:?} must be a name: letters, digits, _, - and ', at most 40");
+            let rule =
+                format!("{at} = {name:?} must be a name: letters, digits, _, - and ', at most 40");
             Err(source.breach(at, rule))
         }
     }
@@ -74,7 +75,11 @@ impl Bodies {
             for (k, (name, _)) in points.iter().enumerate() {
                 if points[..k].iter().any(|p| p.0 == *name) {
                     let rule = format!("{} has the point {name:?} twice", all.names[b]);
-                    let at = if b == GROUND { "ground".into() } else { format!("body[{}]", b - 1) };
+                    let at = if b == GROUND {
+                        "ground".into()
+                    } else {
+                        format!("body[{}]", b - 1)
+                    };
                     return Err(source.breach(&at, rule));
                 }
             }
@@ -100,7 +105,9 @@ impl Bodies {
 
     /// The points of this name on all bodies.
     pub(super) fn all(&self, name: &str) -> Vec<Point> {
-        (0..self.names.len()).filter_map(|b| self.on(b, name)).collect()
+        (0..self.names.len())
+            .filter_map(|b| self.on(b, name))
+            .collect()
     }
 
     /// `POINT` on any body that has it, or `BODY.POINT`.
@@ -133,7 +140,10 @@ impl Bodies {
     /// The points of every body.
     pub(super) fn outlines(&self) -> Vec<Vec<(String, Point)>> {
         let of = |(b, points): (usize, &Vec<(String, [f64; 2])>)| {
-            points.iter().map(|(n, p)| (n.clone(), Point::from_m(b, *p))).collect()
+            points
+                .iter()
+                .map(|(n, p)| (n.clone(), Point::from_m(b, *p)))
+                .collect()
         };
         self.points.iter().enumerate().map(of).collect()
     }
@@ -175,7 +185,10 @@ fn points(
             check_name(source, &place_of, b)?;
             let l = nearest_f64(&l.value);
             if !(l > 0.0) {
-                return Err(source.breach(&format!("{at}.length"), format!("{at}.length must be positive")));
+                return Err(source.breach(
+                    &format!("{at}.length"),
+                    format!("{at}.length must be positive"),
+                ));
             }
             all.extend([(a.clone(), [0.0, 0.0]), (b.clone(), [l, 0.0])]);
         }
@@ -193,7 +206,11 @@ fn points(
             let height = 0.5 * (s[0] * s[1]).sqrt() * (s[2] * s[3]).sqrt() / ab;
             let x = 0.5 * (ab + (ca - bc) * (ca + bc) / ab);
             let y = if body.clockwise { -height } else { height };
-            all.extend([(a.clone(), [0.0, 0.0]), (b.clone(), [ab, 0.0]), (c.clone(), [x, y])]);
+            all.extend([
+                (a.clone(), [0.0, 0.0]),
+                (b.clone(), [ab, 0.0]),
+                (c.clone(), [x, y]),
+            ]);
         }
         _ => {
             let rule = format!("{at}: two ends with length, or three ends with sides");

@@ -138,7 +138,11 @@ impl Machine {
         };
         let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(TRIED);
         let good = (0..TRIED).find(|&k| {
-            !self.solver.assembly_modes(self.inner(at(k))).states.is_empty()
+            !self
+                .solver
+                .assembly_modes(self.inner(at(k)))
+                .states
+                .is_empty()
         });
         match good {
             Some(k) => format!(", but can be at {}", self.drive_text(at(k))),
@@ -164,7 +168,10 @@ fn mode_at(
     if count == 0 {
         return Err(match modes.complete {
             false => PlanarError::Unsolved { at },
-            true => PlanarError::NotHere { at, more: machine.elsewhere() },
+            true => PlanarError::NotHere {
+                at,
+                more: machine.elsewhere(),
+            },
         });
     }
     let start = &machine.start;
@@ -180,21 +187,26 @@ fn mode_at(
             let of = |(b, a): &(usize, f64)| wrapped(machine.line(s, *b) - a).abs();
             start.near.iter().map(of).fold(0.0, f64::max)
         };
-        let best = (0..count).min_by(|&a, &b| {
-            apart(&modes.states[a]).total_cmp(&apart(&modes.states[b]))
-        });
+        let best =
+            (0..count).min_by(|&a, &b| apart(&modes.states[a]).total_cmp(&apart(&modes.states[b])));
         return match best.filter(|&k| apart(&modes.states[k]) <= NEAR) {
             Some(k) => Ok((k, modes)),
             None => Err(PlanarError::NoModeNear {
                 at,
-                what: if start.drawn { "the drawing" } else { "start.near" },
+                what: if start.drawn {
+                    "the drawing"
+                } else {
+                    "start.near"
+                },
                 listed: machine.listed(&modes),
             }),
         };
     }
     match count {
         1 => Ok((0, modes)),
-        _ => Err(PlanarError::Ambiguous { listed: machine.listed(&modes) }),
+        _ => Err(PlanarError::Ambiguous {
+            listed: machine.listed(&modes),
+        }),
     }
 }
 
@@ -208,7 +220,13 @@ pub fn choose(machine: &Machine, drive: f64, number: Option<usize>) -> Result<Br
     let (modes, complete) = (found.states.len(), found.complete);
     let start = found.states.into_iter().nth(mode).expect("a mode there is");
     let reach = reach(machine, &start);
-    Ok(Branch { mode, modes, complete, start, reach })
+    Ok(Branch {
+        mode,
+        modes,
+        complete,
+        start,
+        reach,
+    })
 }
 
 fn reach(machine: &Machine, start: &State) -> Reach {
@@ -219,22 +237,30 @@ fn reach(machine: &Machine, start: &State) -> Reach {
         let end = error.map(|_| {
             let at = solver.singularity(&last);
             let drive = at.as_ref().map_or(solver.drive_of(&last), |s| s.drive);
-            End { drive: machine.outer(drive), kind: at.map(|s| s.kind) }
+            End {
+                drive: machine.outer(drive),
+                kind: at.map(|s| s.kind),
+            }
         });
         (last, end)
     };
     if let Some([low, high, _]) = machine.window {
-        return Reach::Part { low: end(low).1, high: end(high).1 };
+        return Reach::Part {
+            low: end(low).1,
+            high: end(high).1,
+        };
     }
     let (mut here, high) = end(from + TAU);
     if high.is_some() {
         // The other end is met within a turn, or the branch would go round.
-        return Reach::Part { low: end(from - TAU).1, high };
+        return Reach::Part {
+            low: end(from - TAU).1,
+            high,
+        };
     }
     for turn in 1..=TURNS {
-        let back = (1..machine.bodies.len()).all(|b| {
-            wrapped(machine.line(&here, b) - machine.line(start, b)).abs() < 1e-6
-        });
+        let back = (1..machine.bodies.len())
+            .all(|b| wrapped(machine.line(&here, b) - machine.line(start, b)).abs() < 1e-6);
         if back {
             return Reach::Whole { turns: Some(turn) };
         }

@@ -46,6 +46,13 @@ pub(super) struct File {
     pub damper: Vec<Damper>,
     #[serde(default)]
     pub torsion_damper: Vec<TorsionDamper>,
+    /// These belong to a run-up.
+    #[serde(rename = "motor")]
+    _motor: Option<IgnoredAny>,
+    #[serde(rename = "load")]
+    _load: Option<IgnoredAny>,
+    #[serde(rename = "run")]
+    _run: Option<IgnoredAny>,
 }
 
 #[derive(Default, Deserialize)]
@@ -147,6 +154,9 @@ pub(super) struct Start {
     pub mode: Option<usize>,
     #[serde(default)]
     pub near: BTreeMap<String, Quantity<Angle>>,
+    /// This belongs to a run-up.
+    #[serde(rename = "speed")]
+    _speed: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]

@@ -26,11 +26,20 @@ pub(super) fn read(
     let mut joints: Vec<Named<Joint>> = Vec::new();
     for (k, section) in file.joint.iter().enumerate() {
         let at = format!("joint[{k}]");
-        let reader = Reader { source, bodies, section, at };
-        let name = section.name.clone().or_else(|| section.point.clone());
+        let reader = Reader {
+            source,
+            bodies,
+            section,
+            at,
+        };
+        let pinned = section.point.clone().filter(|_| section.kind == Kind::Pin);
+        let name = section.name.clone().or(pinned);
         let name = name.unwrap_or_else(|| format!("{}-{}", section.kind.word(), k + 1));
         if joints.iter().any(|j| j.name == name) {
-            let rule = format!("{}: a joint with the name {name:?} stands before it", reader.at);
+            let rule = format!(
+                "{}: a joint with the name {name:?} stands before it",
+                reader.at
+            );
             return Err(source.breach(&reader.at, rule));
         }
         let part = reader.joint(&joints)?;
@@ -39,7 +48,14 @@ pub(super) fn read(
     pinned(source, bodies, &joints)?;
     let drive = driven(source, file, bodies, &joints)?;
     let names = joints.iter().map(|j| j.name.clone()).collect();
-    Ok((Description { bodies: bodies.names.clone(), joints, drive }, names))
+    Ok((
+        Description {
+            bodies: bodies.names.clone(),
+            joints,
+            drive,
+        },
+        names,
+    ))
 }
 
 /// Points of one name on several bodies have to be a pin, or one of them is meant to be another.
@@ -47,13 +63,19 @@ fn pinned(source: &Source, bodies: &Bodies, joints: &[Named<Joint>]) -> Result<(
     for outline in bodies.outlines() {
         for (name, point) in &outline {
             let all = bodies.all(name);
-            let held = |p: &Point| joints.iter().any(|j| match &j.part {
-                Joint::Pin { points } => points.contains(p),
-                Joint::Slide { slider: q, guide, .. } | Joint::Slot { pin: q, slot: guide } => {
-                    p == q || *p == guide.origin
-                }
-                _ => false,
-            });
+            let held = |p: &Point| {
+                joints.iter().any(|j| match &j.part {
+                    Joint::Pin { points } => points.contains(p),
+                    Joint::Slide {
+                        slider: q, guide, ..
+                    }
+                    | Joint::Slot {
+                        pin: q,
+                        slot: guide,
+                    } => p == q || *p == guide.origin,
+                    _ => false,
+                })
+            };
             if all.len() > 1 && !held(point) {
                 let names: Vec<&str> = all.iter().map(|p| &*bodies.names[p.body]).collect();
                 let rule = format!(
@@ -79,13 +101,14 @@ impl Reader<'_> {
 
     /// A value that this kind of joint needs.
     fn needs<'v, T>(&self, key: &str, value: &'v Option<T>) -> Result<&'v T, Refusal> {
-        value.as_ref().ok_or_else(|| {
-            self.breach(&format!("a {} needs {key}", self.section.kind.word()))
-        })
+        value
+            .as_ref()
+            .ok_or_else(|| self.breach(&format!("a {} needs {key}", self.section.kind.word())))
     }
 
     fn body(&self, key: &str, value: &Option<String>) -> Result<usize, Refusal> {
-        self.bodies.find(self.source, &self.place(key), self.needs(key, value)?)
+        self.bodies
+            .find(self.source, &self.place(key), self.needs(key, value)?)
     }
 
     /// No other keys than those of this kind.
@@ -135,15 +158,30 @@ impl Reader<'_> {
             }
             Kind::Slide | Kind::Slot => {
                 let slide = s.kind == Kind::Slide;
-                let keys = ["point", "body", "on", "through", "toward", "direction", "turn"];
+                let keys = [
+                    "point",
+                    "body",
+                    "on",
+                    "through",
+                    "toward",
+                    "direction",
+                    "turn",
+                ];
                 self.only(if slide { &keys } else { &keys[..6] })?;
                 let body = self.body("body", &s.body)?;
                 let point = self.point("point", body, self.needs("point", &s.point)?)?;
                 let guide = self.guide()?;
                 let turn = s.turn.as_ref().map_or(0.0, Quantity::to_f64);
                 Ok(match slide {
-                    true => Joint::Slide { slider: point, guide, turn: Angle::from_rad(turn) },
-                    false => Joint::Slot { pin: point, slot: guide },
+                    true => Joint::Slide {
+                        slider: point,
+                        guide,
+                        turn: Angle::from_rad(turn),
+                    },
+                    false => Joint::Slot {
+                        pin: point,
+                        slot: guide,
+                    },
                 })
             }
             Kind::Gears => {
@@ -160,9 +198,18 @@ impl Reader<'_> {
                     return Err(self.breach("teeth must be positive"));
                 }
                 let size = f64::from(p) / f64::from(q);
-                let ratio = if s.internal == Some(true) { size } else { -size };
+                let ratio = if s.internal == Some(true) {
+                    size
+                } else {
+                    -size
+                };
                 let phase = s.phase.as_ref().map_or(0.0, Quantity::to_f64);
-                Ok(Joint::Gears { wheels, carrier, ratio, phase: Angle::from_rad(phase) })
+                Ok(Joint::Gears {
+                    wheels,
+                    carrier,
+                    ratio,
+                    phase: Angle::from_rad(phase),
+                })
             }
             Kind::Rack => {
                 self.only(&["wheel", "slide", "radius", "offset"])?;
@@ -185,7 +232,10 @@ impl Reader<'_> {
     fn point(&self, key: &str, body: usize, name: &str) -> Result<Point, Refusal> {
         self.bodies.on(body, name).ok_or_else(|| {
             let place = self.place(key);
-            let rule = format!("{place} = {name:?} is no point of {}", self.bodies.names[body]);
+            let rule = format!(
+                "{place} = {name:?} is no point of {}",
+                self.bodies.names[body]
+            );
             self.source.breach(&place, rule)
         })
     }
@@ -210,7 +260,10 @@ impl Reader<'_> {
             }
             _ => return Err(self.breach("either direction or toward")),
         };
-        Ok(Guide { origin, direction: Angle::from_rad(direction) })
+        Ok(Guide {
+            origin,
+            direction: Angle::from_rad(direction),
+        })
     }
 }
 
@@ -241,7 +294,10 @@ fn driven(
                 Err(source.breach("drive.joint", rule))
             }
         },
-        _ => Err(source.breach("drive", "drive needs either body, whose angle it is, or joint, a slide")),
+        _ => Err(source.breach(
+            "drive",
+            "drive needs either body, whose angle it is, or joint, a slide",
+        )),
     }
 }
 

@@ -32,17 +32,27 @@ impl Courses<'_> {
         table: &Option<Vec<[String; 2]>>,
     ) -> Result<Course, Refusal> {
         match (value, table) {
-            (Some(text), None) => Ok(Course::Constant(self.value::<D>(&format!("{at}.value"), text)?)),
+            (Some(text), None) => Ok(Course::Constant(
+                self.value::<D>(&format!("{at}.value"), text)?,
+            )),
             (None, Some(rows)) => {
                 let place = format!("{at}.table");
                 let row = |[drive, value]: &[String; 2]| -> Result<[f64; 2], Refusal> {
                     let x = drive_value(self.source, &place, drive, self.rotary)?;
-                    let x = if self.rotary { x.to_radians() - self.offset } else { x };
+                    let x = if self.rotary {
+                        x.to_radians() - self.offset
+                    } else {
+                        x
+                    };
                     Ok([x, self.value::<D>(&place, value)?])
                 };
-                Ok(Course::Table(rows.iter().map(row).collect::<Result<_, _>>()?))
+                Ok(Course::Table(
+                    rows.iter().map(row).collect::<Result<_, _>>()?,
+                ))
             }
-            _ => Err(self.source.breach(at, format!("{at} needs either value or table"))),
+            _ => Err(self
+                .source
+                .breach(at, format!("{at} needs either value or table"))),
         }
     }
 }
@@ -55,7 +65,11 @@ pub(super) fn read(
     mechanism: &Mechanism,
     offset: f64,
 ) -> Result<Option<Loads>, Refusal> {
-    let courses = Courses { source, rotary: !mechanism.drive_is_displacement(), offset };
+    let courses = Courses {
+        source,
+        rotary: !mechanism.drive_is_displacement(),
+        offset,
+    };
     let mut masses = Vec::new();
     for (k, body) in file.body.iter().enumerate() {
         let at = format!("body[{k}]");
@@ -72,7 +86,9 @@ pub(super) fn read(
         masses.push(BodyMass {
             body: k + 1,
             mass: Mass::from_kg(nearest_f64(&mass.value)),
-            inertia: Inertia::from_kg_m2(body.inertia.as_ref().map_or(0.0, |j| nearest_f64(&j.value))),
+            inertia: Inertia::from_kg_m2(
+                body.inertia.as_ref().map_or(0.0, |j| nearest_f64(&j.value)),
+            ),
             centre: [m(&centre[0]), m(&centre[1])],
         });
     }
@@ -80,7 +96,10 @@ pub(super) fn read(
     if masses.is_empty() && loads.is_empty() {
         return Ok(None);
     }
-    let g = file.gravity.as_ref().map_or(9.80665, |g| nearest_f64(&g.value));
+    let g = file
+        .gravity
+        .as_ref()
+        .map_or(9.80665, |g| nearest_f64(&g.value));
     let gravity = match &file.gravity_direction {
         None => [0.0, -g],
         Some(a) => {
@@ -105,7 +124,10 @@ fn loads(
     };
     let ends = |at: &str, [a, b]: &[String; 2]| -> Result<_, Refusal> {
         let place = format!("{at}.ends");
-        Ok([bodies.point(source, &place, a)?, bodies.point(source, &place, b)?])
+        Ok([
+            bodies.point(source, &place, a)?,
+            bodies.point(source, &place, b)?,
+        ])
     };
     let mut all = Vec::new();
     for (k, f) in file.force.iter().enumerate() {
@@ -118,10 +140,16 @@ fn loads(
         };
         let part = |factor: f64| match &size {
             Course::Constant(x) => Course::Constant(x * factor),
-            Course::Table(rows) => Course::Table(rows.iter().map(|[x, y]| [*x, y * factor]).collect()),
+            Course::Table(rows) => {
+                Course::Table(rows.iter().map(|[x, y]| [*x, y * factor]).collect())
+            }
         };
         let at = bodies.point(source, &format!("{at}.at"), &f.at)?;
-        all.push(Load::Force { at, components: [part(c), part(s)], along });
+        all.push(Load::Force {
+            at,
+            components: [part(c), part(s)],
+            along,
+        });
     }
     for (k, t) in file.torque.iter().enumerate() {
         let at = format!("torque[{k}]");

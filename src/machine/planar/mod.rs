@@ -64,7 +64,11 @@ impl Machine {
         let bodies = Bodies::new(source, &file)?;
         let (description, joints) = joints::read(source, &file, &bodies)?;
         let solver = Mechanism::new(description).map_err(|e| {
-            let place = if file.joint.is_empty() { "body" } else { "joint" };
+            let place = if file.joint.is_empty() {
+                "body"
+            } else {
+                "joint"
+            };
             source.refuse(place, e)
         })?;
         let driven = match solver.description().drive {
@@ -131,7 +135,12 @@ fn start(
         near.push((bodies.find(source, &place, name)?, angle.to_f64()));
     }
     let given = match &section.at {
-        Some(text) => Some(joints::drive_value(source, "start.at", text, driven.is_some())?),
+        Some(text) => Some(joints::drive_value(
+            source,
+            "start.at",
+            text,
+            driven.is_some(),
+        )?),
         None => None,
     };
     let told = given.is_some() || section.mode.is_some() || !near.is_empty();
@@ -145,5 +154,10 @@ fn start(
             drawn: true,
         });
     }
-    Ok(Start { at: given, mode: section.mode, near, drawn: false })
+    Ok(Start {
+        at: given,
+        mode: section.mode,
+        near,
+        drawn: false,
+    })
 }

@@ -22,9 +22,15 @@ impl Derivatives {
     /// First and second derivative of an angle.
     fn angle(&self, name: &str) -> [String; 2] {
         match (self.speed, self.rotary) {
-            (true, _) => [format!("omega_{name}_rad_per_s"), format!("epsilon_{name}_rad_per_s2")],
+            (true, _) => [
+                format!("omega_{name}_rad_per_s"),
+                format!("epsilon_{name}_rad_per_s2"),
+            ],
             (false, true) => [format!("d{name}_dphi"), format!("d2{name}_dphi_2_per_rad")],
-            (false, false) => [format!("d{name}_ds_rad_per_m"), format!("d2{name}_ds_2_rad_per_m2")],
+            (false, false) => [
+                format!("d{name}_ds_rad_per_m"),
+                format!("d2{name}_ds_2_rad_per_m2"),
+            ],
         }
     }
 
@@ -32,7 +38,10 @@ impl Derivatives {
     fn length(&self, name: &str) -> [String; 2] {
         match (self.speed, self.rotary) {
             (true, _) => [format!("v_{name}_m_per_s"), format!("a_{name}_m_per_s2")],
-            (false, true) => [format!("d{name}_dphi_m_per_rad"), format!("d2{name}_dphi_2_m_per_rad2")],
+            (false, true) => [
+                format!("d{name}_dphi_m_per_rad"),
+                format!("d2{name}_dphi_2_m_per_rad2"),
+            ],
             (false, false) => [format!("d{name}_ds"), format!("d2{name}_ds_2_per_m")],
         }
     }
@@ -41,7 +50,10 @@ impl Derivatives {
 /// The columns' names with their units; the drive and `branch` first.
 pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
     let rotary = machine.rotary();
-    let by = Derivatives { speed: machine.speed.is_some(), rotary };
+    let by = Derivatives {
+        speed: machine.speed.is_some(),
+        rotary,
+    };
     let drive = if rotary { "phi_deg" } else { "s_m" };
     let mut all: Vec<String> = vec![drive.into(), "branch".into()];
     for name in &machine.bodies[1..] {
@@ -54,7 +66,12 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
     }
     if machine.loads.is_some() {
         let reduced: [&str; 4] = match rotary {
-            true => ["I_n_kg_m2", "dI_n_dphi_kg_m2_per_rad", "M_o_N_m", "dM_o_dphi_N_m_per_rad"],
+            true => [
+                "I_n_kg_m2",
+                "dI_n_dphi_kg_m2_per_rad",
+                "M_o_N_m",
+                "dM_o_dphi_N_m_per_rad",
+            ],
             false => ["m_n_kg", "dm_n_ds_kg_per_m", "F_o_N", "dF_o_ds_N_per_m"],
         };
         all.extend(reduced.map(String::from));
@@ -100,13 +117,20 @@ fn travels(machine: &Machine) -> Vec<(usize, &str)> {
 /// Groups that are dyads with three pins.
 fn dyads(machine: &Machine) -> Vec<usize> {
     let pinned = |body: usize| {
-        machine.solver.description().joints.iter().all(|j| match &j.part {
-            Joint::Pin { .. } => true,
-            Joint::Slide { slider, guide, .. } => slider.body != body && guide.origin.body != body,
-            Joint::Slot { pin, slot } => pin.body != body && slot.origin.body != body,
-            Joint::Gears { wheels, .. } => !wheels.contains(&body),
-            Joint::Rack { wheel, .. } => *wheel != body,
-        })
+        machine
+            .solver
+            .description()
+            .joints
+            .iter()
+            .all(|j| match &j.part {
+                Joint::Pin { .. } => true,
+                Joint::Slide { slider, guide, .. } => {
+                    slider.body != body && guide.origin.body != body
+                }
+                Joint::Slot { pin, slot } => pin.body != body && slot.origin.body != body,
+                Joint::Gears { wheels, .. } => !wheels.contains(&body),
+                Joint::Rack { wheel, .. } => *wheel != body,
+            })
     };
     let groups = machine.solver.structure().groups.iter().enumerate();
     groups
@@ -153,7 +177,12 @@ pub fn values(machine: &Machine, state: &State, columns: Columns) -> Vec<f64> {
     }
     if let Some(loads) = &machine.loads {
         let r = loads.reduce(solver, state);
-        all.extend([r.inertia, r.inertia_derivative, r.moment, r.moment_derivative]);
+        all.extend([
+            r.inertia,
+            r.inertia_derivative,
+            r.moment,
+            r.moment_derivative,
+        ]);
         if let Some([w, e]) = machine.speed {
             all.push(r.drive(w, e));
         }
@@ -173,9 +202,9 @@ pub fn values(machine: &Machine, state: &State, columns: Columns) -> Vec<f64> {
         let [w, e] = machine.speed.unwrap_or_default();
         let found = loads.reactions(solver, state, w, e).ok();
         for (joint, body, moment) in forces(machine) {
-            let force = found.as_ref().and_then(|r| {
-                r.joints.iter().find(|j| (j.joint, j.body) == (joint, body))
-            });
+            let force = found
+                .as_ref()
+                .and_then(|r| r.joints.iter().find(|j| (j.joint, j.body) == (joint, body)));
             all.extend(force.map_or([f64::NAN; 2], |f| f.force_n));
             if moment {
                 all.push(force.map_or(f64::NAN, |f| f.moment_n_m));

@@ -9,12 +9,13 @@ pub use steady::Steady;
 use super::class_iii::{self, Branch, BranchError};
 use super::dyad::{Dyad, Shape};
 use super::linkage::Linkage;
+use super::planar;
 use super::quantity::{QuadraticResistance, Quantity, Time, ViscousResistance};
 use super::source::{Refusal, Source};
 use crate::reference::nearest_f64;
 use crate::solvers::run_up::{
-    ClassIiiModel, Drive, FourBarModel, Kloss, Method, Motor, MotorError, Plan, ReducedModel,
-    Resistance, Settings, SliderCrankModel, TableReading, TorqueTable,
+    ClassIiiModel, Drive, FourBarModel, Kloss, Method, Motor, MotorError, Plan, PlanarModel,
+    ReducedModel, Resistance, Settings, SliderCrankModel, TableReading, TorqueTable,
 };
 use crate::solvers::units::{AngularVelocity, Inertia, Torque};
 use serde::Deserialize;
@@ -188,6 +189,12 @@ pub enum MachineError {
     /// The linkage has no such branch.
     #[error(transparent)]
     Branch(#[from] BranchError),
+    /// The mechanism has no such branch.
+    #[error(transparent)]
+    Mechanism(#[from] planar::PlanarError),
+    /// The mechanism has neither masses nor loads.
+    #[error("a run needs masses: no [[body]] has one")]
+    NoMasses,
     /// The linkage has no masses.
     #[error("a run needs masses: the sections [bodies.…] are missing")]
     NoBodies,
@@ -217,10 +224,6 @@ impl Machine {
     /// [`MachineError`].
     pub fn read(source: &Source, overrides: Overrides) -> Result<Machine, MachineError> {
         let linkage = Linkage::read(source)?;
-        if let Linkage::Planar(_) = linkage {
-            let rule = "a run-up is for class-iii, four-bar and slider-crank, not yet for type = \"planar\"";
-            return Err(source.breach("type", rule).into());
-        }
         let File {
             start,
             motor,
@@ -242,7 +245,11 @@ impl Machine {
                 let (model, phi) = dyad_model(source, &dyad)?;
                 (dyad.name, model, phi, None)
             }
-            Linkage::Planar(_) => unreachable!("refused above"),
+            Linkage::Planar(machine) => {
+                let name = machine.name.clone();
+                let (model, phi) = planar_model(source, *machine)?;
+                (name, model, phi, None)
+            }
         };
         let coefficients = overrides.coefficients.or(run.coefficients);
         let coefficients = coefficients.unwrap_or_default();
@@ -320,6 +327,19 @@ fn dyad_model(source: &Source, dyad: &Dyad) -> Result<(Box<dyn ReducedModel>, f6
         }
     };
     Ok((model, phi))
+}
+
+fn planar_model(
+    source: &Source,
+    machine: planar::Machine,
+) -> Result<(Box<dyn ReducedModel>, f64), MachineError> {
+    let loads = machine.loads.clone().ok_or(MachineError::NoMasses)?;
+    let phi = machine.start.at.unwrap_or(0.0).to_radians();
+    let branch = planar::choose(&machine, phi, None)?;
+    let offset = machine.outer(0.0);
+    let model = PlanarModel::new(machine.solver, loads, branch.start, offset);
+    let model = model.map_err(|e| source.refuse("drive", e))?;
+    Ok((Box::new(model), phi))
 }
 
 fn si<D>(quantity: &Option<Quantity<D>>) -> f64 {

@@ -48,9 +48,10 @@ pub(super) fn right_digits(p: &Printed, value: &Ball) -> (usize, usize) {
     };
     let begins = |k: usize| {
         // The first k digits of the print, with zeros for the rest.
-        let cut = p.text.char_indices().map(|(i, c)| {
-            if digits[k..].contains(&i) { '0' } else { c }
-        });
+        let cut = p
+            .text
+            .char_indices()
+            .map(|(i, c)| if digits[k..].contains(&i) { '0' } else { c });
         let cut: String = cut.collect();
         let Ok(cut) = Decimal::parse(cut.trim_start_matches('-')) else {
             return false;
@@ -93,7 +94,8 @@ fn judge(p: &Printed, value: &Ball) -> VariantJudgement {
             .unwrap_or_else(|| "undecided".into()),
         units_in_last_digit: (p.value.units_off(value).to_f64() * 1e3).round() / 1e3,
         verdict,
-        note: (right < all).then(|| format!("{right} of {all} digits are right: {}", marked(p, value))),
+        note: (right < all)
+            .then(|| format!("{right} of {all} digits are right: {}", marked(p, value))),
     }
 }
 
@@ -103,15 +105,16 @@ pub(super) fn entries(printed: &[Printed], motion: &Motion) -> (Vec<Entry>, Vec<
     let mut tallies = Vec::new();
     for (table, time) in TABLES {
         for (k, column) in COLUMNS.into_iter().enumerate() {
-            let of = printed.iter().filter(|p| p.time == time && kind(p.quantity) == k);
+            let of = printed
+                .iter()
+                .filter(|p| p.time == time && kind(p.quantity) == k);
             let of: Vec<&Printed> = of.collect();
             let count = |limit: f64| {
                 let near = of.iter().filter(|p| within(p, certified(motion, p), limit));
                 near.count()
             };
-            let worst = |off: &dyn Fn(&Printed) -> f64| {
-                of.iter().map(|p| off(p).abs()).fold(0.0, f64::max)
-            };
+            let worst =
+                |off: &dyn Fn(&Printed) -> f64| of.iter().map(|p| off(p).abs()).fold(0.0, f64::max);
             let units = |p: &Printed| p.value.units_off(certified(motion, p)).to_f64();
             if !of.is_empty() {
                 tallies.push(Tally {

@@ -76,7 +76,9 @@ mod tests {
         let report = report(&|_, _, _| {}).unwrap();
         for f in &report.findings {
             println!("{} {} {}\n{}", f.id, f.as_recorded, f.title, f.text);
-            for g in &f.figures { println!("   {} {} {}", g.name, g.value, g.unit); }
+            for g in &f.figures {
+                println!("   {} {} {}", g.name, g.value, g.unit);
+            }
         }
         assert!(report.as_recorded());
     }

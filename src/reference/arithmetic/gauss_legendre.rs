@@ -78,7 +78,10 @@ impl GaussLegendre {
     pub(crate) fn error(&self, most: Mag, rho: u32) -> Mag {
         let inverse = Mag::from_f64(1.0).div(Mag::from_f64(f64::from(rho)));
         let square = inverse.mul(inverse);
-        let power = self.nodes.iter().fold(Mag::from_f64(1.0), |p, _| p.mul(square));
+        let power = self
+            .nodes
+            .iter()
+            .fold(Mag::from_f64(1.0), |p, _| p.mul(square));
         let rest = Mag::from_f64(1.0).sub_below(square);
         let factor = Mag::from_f64(64.0).div(Mag::from_f64(15.0));
         factor.mul(most).mul(power).div(rest)
@@ -124,7 +127,8 @@ mod tests {
         let a = Ball::rational(128, &a);
         let due = Ball::integer(128, 1).atan2(&a).shift(1) / &a;
         // |x² + a²| is least where the ellipse is nearest to a pole, on the imaginary axis.
-        let most = Ball::integer(128, 1) / (&square - Ball::rational(128, &Rational::from((9, 16))));
+        let most =
+            Ball::integer(128, 1) / (&square - Ball::rational(128, &Rational::from((9, 16))));
         let bound = rule.error(most.magnitude(), 2);
         let off = (sum - due).abs();
         assert!((Ball::new(bound.to_float(), Mag::ZERO) - &off).is_positive());

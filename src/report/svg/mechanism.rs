@@ -59,7 +59,9 @@ impl View {
     fn new(points: impl Iterator<Item = Point> + Clone) -> View {
         let range = |i: usize| {
             let all = points.clone().map(|p| p[i]).filter(|x| x.is_finite());
-            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
+                [a.min(x), b.max(x)]
+            })
         };
         let ([x0, x1], [y0, y1]) = (range(0), range(1));
         let size = (x1 - x0).max(y1 - y0).max(f64::MIN_POSITIVE);
@@ -90,11 +92,14 @@ impl View {
 fn hull(corners: &[Point]) -> Vec<Point> {
     let mut sorted = corners.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let turn = |a: Point, b: Point, c: Point| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    let turn = |a: Point, b: Point, c: Point| {
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    };
     let half = |points: &mut dyn Iterator<Item = Point>| {
         let mut chain: Vec<Point> = Vec::new();
         for p in points {
-            while chain.len() > 1 && turn(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0.0 {
+            while chain.len() > 1 && turn(chain[chain.len() - 2], chain[chain.len() - 1], p) <= 0.0
+            {
                 chain.pop();
             }
             chain.push(p);
@@ -142,7 +147,11 @@ impl Scene<'_> {
     /// its middle and quarters.
     fn chosen(&self) -> Vec<&Pose> {
         let n = self.poses.len();
-        let order: &[usize] = if self.whole { &[0, 1, 2, 3, 4, 5, 6, 7] } else { &[4, 0, 2, 6, 8] };
+        let order: &[usize] = if self.whole {
+            &[0, 1, 2, 3, 4, 5, 6, 7]
+        } else {
+            &[4, 0, 2, 6, 8]
+        };
         match n {
             0..8 => self.poses.iter().collect(),
             _ => order.iter().map(|k| &self.poses[k * (n - 1) / 8]).collect(),
@@ -162,7 +171,9 @@ impl Scene<'_> {
             }
         };
         let names = self.points.join(", ");
-        legible(&format!("drive at {first:.3}{unit}, {others}; paths of {names}"))
+        legible(&format!(
+            "drive at {first:.3}{unit}, {others}; paths of {names}"
+        ))
     }
 }
 
@@ -237,9 +248,15 @@ mod tests {
                 drive: f64::from(k) * 45.0,
                 points: vec![[cos, sin]],
                 shapes: vec![
-                    Shape { corners: vec![[0.0, 0.0], [cos, sin]] },
-                    Shape { corners: vec![[0.0, 0.0], [cos, sin], [1.0, 1.0], [0.5, 0.6]] },
-                    Shape { corners: vec![[cos, sin]] },
+                    Shape {
+                        corners: vec![[0.0, 0.0], [cos, sin]],
+                    },
+                    Shape {
+                        corners: vec![[0.0, 0.0], [cos, sin], [1.0, 1.0], [0.5, 0.6]],
+                    },
+                    Shape {
+                        corners: vec![[cos, sin]],
+                    },
                 ],
             }
         };
@@ -253,7 +270,11 @@ mod tests {
         };
         let text = scene.draw();
         whole(&text);
-        for part in ["<title>crank &amp; more</title>", "drive at 0.000°, every eighth", "paths of A<"] {
+        for part in [
+            "<title>crank &amp; more</title>",
+            "drive at 0.000°, every eighth",
+            "paths of A<",
+        ] {
             assert!(text.contains(part), "{part} is missing in {text}");
         }
         assert_eq!(text.matches("opacity=\"0.16\"").count(), 7);
@@ -261,7 +282,17 @@ mod tests {
 
     #[test]
     fn hulls_have_no_inner_points() {
-        let corners = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.5], [2.0, 2.0], [0.0, 2.0], [1.0, 0.0]];
-        assert_eq!(hull(&corners), [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
+        let corners = [
+            [0.0, 0.0],
+            [2.0, 0.0],
+            [1.0, 0.5],
+            [2.0, 2.0],
+            [0.0, 2.0],
+            [1.0, 0.0],
+        ];
+        assert_eq!(
+            hull(&corners),
+            [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]
+        );
     }
 }

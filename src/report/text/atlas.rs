@@ -35,11 +35,7 @@ pub fn atlas(found: &Atlas, width: usize) -> String {
     }
     out.push_str(&format!("\n{}\n", paint(BOLD, "What meets which need")));
     for a in advice(&found.rows) {
-        let codes = match a.codes.is_empty() {
-            true => "none of these".into(),
-            false => a.codes.join(", "),
-        };
-        out.push_str(&paragraph(&format!("{}: {codes}", a.need), 2, width));
+        out.push_str(&paragraph(&format!("{}: {}", a.need, a.words()), 2, width));
     }
     out
 }
@@ -190,11 +186,7 @@ fn decided(c: &Decided, width: usize) -> String {
         Verdict::Refuted => BAD,
         Verdict::NotTestable => DIM,
     };
-    let mut out = format!(
-        "  {} {}\n",
-        c.algorithm,
-        paint(style, c.verdict.words())
-    );
+    let mut out = format!("  {} {}\n", c.algorithm, paint(style, c.verdict.words()));
     let said = format!("“{}” ({})", c.statement, c.source);
     out.push_str(&format!("    {}\n", wrap(&said, 4, width)));
     let mut facts = Vec::new();

@@ -9,7 +9,7 @@ use crate::cli::files::output::{Output, write_json};
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
-use mechaudit::claims::{Algorithm, Code, Effort, Map, all, atlas as whole, map};
+use mechaudit::claims::{Algorithm, Code, Effort, Map, algorithms, atlas as whole, map};
 use mechaudit::report::{self, html, text};
 
 /// Points in each region where nothing else is asked for.
@@ -72,7 +72,7 @@ fn made((chosen, programs): Asked, effort: Effort, timed: bool, mapped: bool) ->
 }
 
 fn chosen(names: &[String]) -> Result<Vec<Algorithm>, Failure> {
-    let mut chosen = all();
+    let mut chosen = algorithms();
     let known: Vec<&str> = chosen.iter().map(|a| a.name).collect();
     if let Some(name) = names.iter().find(|n| !known.contains(&n.as_str())) {
         return Err(Failure::no_such("algorithm", name, &known));

@@ -45,13 +45,18 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         let text = "--digits is not there for type = \"planar\": its rows are in floating point";
         return Err(Failure::new(text).about(args.file.display()));
     }
-    let columns = Columns { paths: args.paths, reactions: args.reactions };
+    let columns = Columns {
+        paths: args.paths,
+        reactions: args.reactions,
+    };
     if args.reactions && (machine.loads.is_none() || machine.speed.is_none()) {
         let text = "--reactions needs masses or loads, and drive.speed, in the file";
         return Err(Failure::new(text).about(args.file.display()));
     }
     if args.svg.is_some() && args.all_branches {
-        return Err(Failure::new("--svg draws one branch: leave out --all-branches"));
+        return Err(Failure::new(
+            "--svg draws one branch: leave out --all-branches",
+        ));
     }
     let values = Values::new(args, machine)?;
     let shown = Shown::of(planar::names(machine, columns), &args.units.units, false)?;
@@ -119,7 +124,11 @@ fn one_branch(
         let next = machine.solver.follow(&here, machine.inner(at));
         here = next.map_err(Failure::caused)?;
         let mut cells = vec![Cell::Float(shown), Cell::Count(branch.mode)];
-        cells.extend(planar::values(machine, &here, columns).into_iter().map(Cell::Float));
+        cells.extend(
+            planar::values(machine, &here, columns)
+                .into_iter()
+                .map(Cell::Float),
+        );
         rows.row(&cells)?;
         written += 1;
         if done % 1024 == 0 {
@@ -142,7 +151,9 @@ fn all_branches(
     if map.rows.iter().all(Vec::is_empty) {
         let why = match map.complete {
             true => "the mechanism cannot be assembled at any value of the drive asked for",
-            false => "no position was found: a group has gears among its unknowns, is too large, or has special dimensions",
+            false => {
+                "no position was found: a group has gears among its unknowns, is too large, or has special dimensions"
+            }
         };
         return Err(Failure::new(why));
     }
@@ -161,6 +172,8 @@ fn all_branches(
         Ok(())
     })?;
     facts::lines(machine).iter().for_each(|l| complain(l));
-    facts::map_lines(machine, &map).iter().for_each(|l| complain(l));
+    facts::map_lines(machine, &map)
+        .iter()
+        .for_each(|l| complain(l));
     Ok(Outcome::AsExpected)
 }

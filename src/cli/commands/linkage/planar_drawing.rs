@@ -31,7 +31,9 @@ pub fn draw(machine: &Machine, branch: &Branch) -> String {
         }
     }
     let names = machine.points.iter().map(|(n, _)| n.clone());
-    let fixed = machine.outlines[0].iter().map(|(n, p)| (n.clone(), p.at.map(|x| x.m())));
+    let fixed = machine.outlines[0]
+        .iter()
+        .map(|(n, p)| (n.clone(), p.at.map(|x| x.m())));
     let scene = Scene {
         name: machine.name.as_deref().unwrap_or("mechanism"),
         unit: if machine.rotary() { "°" } else { " m" },
@@ -49,7 +51,11 @@ fn pose(machine: &Machine, state: &State, drive: f64) -> Pose {
         corners: points.iter().map(|(_, p)| at(p)).collect(),
     });
     Pose {
-        drive: if machine.rotary() { drive.to_degrees() } else { drive },
+        drive: if machine.rotary() {
+            drive.to_degrees()
+        } else {
+            drive
+        },
         points: machine.points.iter().map(|(_, p)| at(p)).collect(),
         shapes: shapes.collect(),
     }

@@ -43,7 +43,11 @@ pub fn lines(machine: &Machine) -> Vec<String> {
 /// One line about the modes at the start.
 pub fn modes_line(machine: &Machine, branch: &Branch) -> String {
     let at = machine.drive_text(machine.outer(machine.solver.drive_of(&branch.start)));
-    let all = if branch.complete { "all" } else { "perhaps not all" };
+    let all = if branch.complete {
+        "all"
+    } else {
+        "perhaps not all"
+    };
     let plural = if branch.modes == 1 { "" } else { "s" };
     format!(
         "{} assembly mode{plural} at {at}, {all} that there are; this is number {}",
@@ -54,7 +58,11 @@ pub fn modes_line(machine: &Machine, branch: &Branch) -> String {
 /// One line about how far the drive goes.
 pub fn range_line(machine: &Machine, branch: &Branch) -> String {
     let end = |e: Option<End>, whole: f64| match e {
-        Some(e) => format!("{} ({})", machine.drive_text(e.drive), singular_word(e.kind)),
+        Some(e) => format!(
+            "{} ({})",
+            machine.drive_text(e.drive),
+            singular_word(e.kind)
+        ),
         None => machine.drive_text(whole),
     };
     match branch.reach {
@@ -62,10 +70,16 @@ pub fn range_line(machine: &Machine, branch: &Branch) -> String {
         Reach::Whole { turns: Some(n) } => format!(
             "the drive turns fully on this branch; the mechanism is back in its position after {n} turns"
         ),
-        Reach::Whole { turns: None } => "the drive turns fully on this branch, and the mechanism does not come back".into(),
+        Reach::Whole { turns: None } => {
+            "the drive turns fully on this branch, and the mechanism does not come back".into()
+        }
         Reach::Part { low, high } => {
             let [from, to] = machine.window.map_or([f64::NAN; 2], |w| [w[0], w[1]]);
-            format!("the branch reaches from {} to {}", end(low, from), end(high, to))
+            format!(
+                "the branch reaches from {} to {}",
+                end(low, from),
+                end(high, to)
+            )
         }
     }
 }
@@ -97,13 +111,20 @@ fn head(machine: &Machine) -> Map<String, Value> {
     if let Some([speed, acceleration]) = machine.speed {
         let unit = if machine.rotary() { "rad" } else { "m" };
         put(&format!("drive_speed_{unit}_per_s"), json!(speed));
-        put(&format!("drive_acceleration_{unit}_per_s2"), json!(acceleration));
+        put(
+            &format!("drive_acceleration_{unit}_per_s2"),
+            json!(acceleration),
+        );
     }
     map
 }
 
 fn shown(machine: &Machine, drive: f64) -> f64 {
-    if machine.rotary() { drive.to_degrees() } else { drive }
+    if machine.rotary() {
+        drive.to_degrees()
+    } else {
+        drive
+    }
 }
 
 /// What is known of a branch.

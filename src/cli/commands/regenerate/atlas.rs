@@ -1,19 +1,22 @@
 //! The committed atlas: at a small effort, without times.
 
 use super::artefact::{Made, Outcome};
-use mechaudit::claims::{Atlas, Code, Effort, all, atlas};
+use mechaudit::claims::{Atlas, Code, Effort, algorithms, atlas};
 use mechaudit::report;
 use std::sync::OnceLock;
 
 /// Points in each region.
-const EFFORT: Effort = Effort { cases: 40, seed: 1 };
+const EFFORT: Effort = Effort {
+    cases: 100,
+    seed: 1,
+};
 
 /// Made once for all files.
 fn small() -> &'static Atlas {
     static SMALL: OnceLock<Atlas> = OnceLock::new();
     SMALL.get_or_init(|| {
-        let mut codes: Vec<Code> = all().into_iter().map(Code::double).collect();
-        codes.extend(all().into_iter().filter_map(Code::single));
+        let mut codes: Vec<Code> = algorithms().into_iter().map(Code::double).collect();
+        codes.extend(algorithms().into_iter().filter_map(Code::single));
         atlas(&codes, &EFFORT, false, &|_| ())
     })
 }
@@ -40,13 +43,19 @@ fn text(write: impl FnOnce(&mut Vec<u8>) -> Result<(), csv::Error>) -> Outcome<S
 /// A line for each code and region.
 pub fn rows() -> Outcome<Made> {
     let body = text(|out| report::atlas::rows(small(), out))?;
-    Ok(made("Worst relative errors found of published algorithms for W(z) and Voigt", body))
+    Ok(made(
+        "Worst relative errors found of published algorithms for W(z) and Voigt",
+        body,
+    ))
 }
 
 /// A line for each claim.
 pub fn claims() -> Outcome<Made> {
     let body = text(|out| report::atlas::claims(small(), out))?;
-    Ok(made("Claims about published algorithms for W(z) and Voigt, decided", body))
+    Ok(made(
+        "Claims about published algorithms for W(z) and Voigt, decided",
+        body,
+    ))
 }
 
 /// All of it.
@@ -57,5 +66,8 @@ pub fn document() -> Outcome<Made> {
         object.shift_remove("mechaudit_version");
     }
     let body = serde_json::to_string_pretty(&value)? + "\n";
-    Ok(made("The atlas of published algorithms for W(z) and Voigt", body))
+    Ok(made(
+        "The atlas of published algorithms for W(z) and Voigt",
+        body,
+    ))
 }

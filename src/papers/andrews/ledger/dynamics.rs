@@ -55,10 +55,26 @@ fn masses() -> Vec<Item> {
             "M_11 = m1*ra^2 + m2*(rr^2 - 2*da*rr*cos(Theta) + da^2) + i1 + i2",
             &["M_11 = D(D(T, v_1), v_1)"],
         ),
-        element("an-m21", "M_21 = m2*(da^2 - da*rr*cos(Theta)) + i2", &["M_21 = D(D(T, v_1), v_2)"]),
-        element("an-m22", "M_22 = m2*da^2 + i2", &["M_22 = D(D(T, v_2), v_2)"]),
-        element("an-m33", "M_33 = m3*(sa^2 + sb^2) + i3", &["M_33 = D(D(T, v_3), v_3)"]),
-        element("an-m44", "M_44 = m4*(e - ea)^2 + i4", &["M_44 = D(D(T, v_4), v_4)"]),
+        element(
+            "an-m21",
+            "M_21 = m2*(da^2 - da*rr*cos(Theta)) + i2",
+            &["M_21 = D(D(T, v_1), v_2)"],
+        ),
+        element(
+            "an-m22",
+            "M_22 = m2*da^2 + i2",
+            &["M_22 = D(D(T, v_2), v_2)"],
+        ),
+        element(
+            "an-m33",
+            "M_33 = m3*(sa^2 + sb^2) + i3",
+            &["M_33 = D(D(T, v_3), v_3)"],
+        ),
+        element(
+            "an-m44",
+            "M_44 = m4*(e - ea)^2 + i4",
+            &["M_44 = D(D(T, v_4), v_4)"],
+        ),
         element(
             "an-m54",
             "M_54 = m4*((e - ea)^2 + zt*(e - ea)*sin(Phi)) + i4",
@@ -69,7 +85,11 @@ fn masses() -> Vec<Item> {
             "M_55 = m4*(zt^2 + 2*zt*(e - ea)*sin(Phi) + (e - ea)^2) + m5*(ta^2 + tb^2) + i4 + i5",
             &["M_55 = D(D(T, v_5), v_5)"],
         ),
-        element("an-m66", "M_66 = m6*(zf - fa)^2 + i6", &["M_66 = D(D(T, v_6), v_6)"]),
+        element(
+            "an-m66",
+            "M_66 = m6*(zf - fa)^2 + i6",
+            &["M_66 = D(D(T, v_6), v_6)"],
+        ),
         element(
             "an-m76",
             "M_76 = m6*((zf - fa)^2 - u*(zf - fa)*sin(Omega)) + i6",
@@ -155,7 +175,9 @@ fn spring() -> Vec<Item> {
             .with(&["F = -c0*(L - l0)/L"])
             .requires(&["F_y*L = -c0*(L - l0)*(yd - yc)"]),
         Item::new("an-f3", "f", Formula)
-            .printed("f_3 = Fx*(sc*cos(gamma) - sd*sin(gamma)) + Fy*(sd*cos(gamma) + sc*sin(gamma))")
+            .printed(
+                "f_3 = Fx*(sc*cos(gamma) - sd*sin(gamma)) + Fy*(sd*cos(gamma) + sc*sin(gamma))",
+            )
             .claims(
                 "The moment of the spring: less the derivative of c0 (L - l0)²/2 by γ, with \
                  2L dL/dγ = dQ/dγ for Q = L².",

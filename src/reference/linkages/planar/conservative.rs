@@ -57,7 +57,7 @@ const RHO: u32 = 4;
 /// Attempts at a panel before the motion is given up: its length shrinks by 2^−20 and more.
 const ATTEMPTS: usize = 50;
 
-struct Path<'a> {
+pub(super) struct Path<'a> {
     loaded: Loaded<'a>,
     forces: &'a Forces,
     rule: GaussLegendre,
@@ -81,14 +81,20 @@ impl Linkage {
             return Err(self.undecided("the times are not positive and ascending"));
         }
         let resting = self.position(start, guess)?;
-        let path = Path {
-            loaded: Loaded::new(self, forces, start, resting),
-            forces,
+        Path::new(Loaded::new(self, forces, start, resting), forces)?.follow(times)
+    }
+}
+
+impl<'a> Path<'a> {
+    pub(super) fn new(loaded: Loaded<'a>, forces: &'a Forces) -> Result<Path<'a>, Undecided> {
+        let bits = loaded.linkage.bits();
+        Ok(Path {
             // 16^−N below 2^−bits.
-            rule: GaussLegendre::new(self.bits() as usize / 4 + 2, self.bits() + 16)?,
-            bits: self.bits(),
-        };
-        path.follow(times)
+            rule: GaussLegendre::new(bits as usize / 4 + 2, bits + 16)?,
+            loaded,
+            forces,
+            bits,
+        })
     }
 }
 
@@ -115,7 +121,7 @@ impl Path<'_> {
     }
 
     /// `∫ √(I/2W) db` from the panel's left end to `to`, which lies in the panel or next to its ends.
-    fn integral(&self, panel: &Panel, to: &Ball) -> Result<Ball, Undecided> {
+    pub(super) fn integral(&self, panel: &Panel, to: &Ball) -> Result<Ball, Undecided> {
         let half = (to - &panel.from).shift(-1);
         let middle = &panel.from + &half;
         let centre = &panel.from + &exact(&panel.half);

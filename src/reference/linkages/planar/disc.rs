@@ -122,7 +122,9 @@ impl Linkage {
         let y = self.coarse.approximate_inverse(&z)?;
         let mut last = Mag::INFINITY;
         loop {
-            let residual = self.fine.residual(&self.fine.pose(exact(&z, self.bits())), drive);
+            let residual = self
+                .fine
+                .residual(&self.fine.pose(exact(&z, self.bits())), drive);
             let step = apply(&y, &residual);
             let size = step.iter().fold(Mag::ZERO, |m, s| m.max(s.magnitude()));
             if !size.is_finite() {
@@ -153,23 +155,20 @@ impl Disc {
         }
         let step = apply(&self.inverse, residual);
         let off = norm(step.iter().map(Ball::magnitude), &self.r).div(rest);
-        let x = z.iter().zip(&self.r).map(|(x, r)| Ball::new(x.clone(), off.mul(*r)));
+        let x = z
+            .iter()
+            .zip(&self.r)
+            .map(|(x, r)| Ball::new(x.clone(), off.mul(*r)));
         Some(Position { x: x.collect() })
     }
 
     /// Whether a position at a real drive of the disc is the disc's: its enclosure lies in the polydisc, where there is
     /// but one.
     pub(super) fn owns(&self, drive: &Ball, position: &Position) -> bool {
-        let inside = |((x, z), r): ((&Ball, &Float), &Mag)| {
-            Ball::new(z.clone(), *r).contains_ball(x)
-        };
+        let inside =
+            |((x, z), r): ((&Ball, &Float), &Mag)| Ball::new(z.clone(), *r).contains_ball(x);
         self.drive.contains_ball(drive)
-            && position
-                .x
-                .iter()
-                .zip(&self.centre)
-                .zip(&self.r)
-                .all(inside)
+            && position.x.iter().zip(&self.centre).zip(&self.r).all(inside)
     }
 }
 

@@ -73,7 +73,8 @@ impl System {
 
     /// Upper bounds on the entries of `|I − Y F'(X)|` over the box of half-widths r around z.
     fn contraction(&self, y: &DMatrix<f64>, z: &[Float], r: &[Mag]) -> Vec<Vec<Mag>> {
-        let wide = exact(z, self.bits).into_iter()
+        let wide = exact(z, self.bits)
+            .into_iter()
             .zip(r)
             .map(|(x, r)| x.widened(*r));
         let j = self.jacobian(&self.pose(wide.collect()));
@@ -114,11 +115,7 @@ impl Linkage {
     ///
     /// # Errors
     /// [`MechanismError::Drive`] if the drive names no coordinate.
-    pub fn new(
-        mechanism: &Mechanism,
-        drive: &Drive,
-        bits: u32,
-    ) -> Result<Linkage, MechanismError> {
+    pub fn new(mechanism: &Mechanism, drive: &Drive, bits: u32) -> Result<Linkage, MechanismError> {
         mechanism.check_drive(drive)?;
         Ok(Linkage {
             fine: System::new(mechanism, drive, bits),

@@ -112,9 +112,7 @@ impl Load {
         for s in &self.springs {
             let [x, y] = s.ends.value(pose, &zero);
             let square = x.times(&x).plus(&y.times(&y));
-            let stretch = square
-                .times(&square.over_root())
-                .minus(&T::real(&s.length));
+            let stretch = square.times(&square.over_root()).minus(&T::real(&s.length));
             out = out.plus(&stretch.times(&stretch).by(&s.stiffness).by(&half));
         }
         if self.gravity.iter().any(|g| !g.is_zero()) {

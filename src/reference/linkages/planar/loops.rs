@@ -212,9 +212,8 @@ fn relation(joint: &Joint, slides: &[Option<usize>]) -> Option<Relation> {
     match joint {
         Joint::Pin { .. } | Joint::Slot { .. } => None,
         Joint::Slide { a, b, turn, .. } => {
-            let side = |at: &Attachment, k: i32| {
-                direction(at.frame).map(|body| (body, Rational::from(k)))
-            };
+            let side =
+                |at: &Attachment, k: i32| direction(at.frame).map(|body| (body, Rational::from(k)));
             Some(Relation {
                 terms: [side(b, 1), side(a, -1)].into_iter().flatten().collect(),
                 constant: turn.clone(),

@@ -18,6 +18,8 @@ mod panel;
 mod reactions;
 mod scalar;
 mod series;
+#[cfg(test)]
+mod soundness_tests;
 mod system;
 
 pub use enclosure::{Linkage, Position};
@@ -26,8 +28,6 @@ mod tests;
 
 pub use conservative::{Course, Moment};
 pub use energy::{Forces, Spring};
-pub use mechanism::{
-    Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point,
-};
+pub use mechanism::{Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point};
 pub use reactions::Rates;
 pub use series::Series;

@@ -66,31 +66,37 @@ pub(super) fn exact(x: &Float) -> Ball {
     Ball::new(x.clone(), Mag::ZERO)
 }
 
-impl Branch {
-    /// A bound on `|Σ_{n≥from} a_n s^{n−down}|` for `|s| ≤ reach`: coefficients as far as they are known, then Cauchy's
-    /// `|a_n| ≤ M/R^n`.
-    fn spread(&self, series: &[Ball], most: Mag, [from, down]: [usize; 2], reach: Mag) -> Mag {
-        let mut power = Mag::from_f64(1.0);
-        let mut sum = Mag::ZERO;
-        for (n, a) in series.iter().enumerate().skip(down) {
-            if n >= from {
-                sum = sum.add(a.magnitude().mul(power));
-            }
-            power = power.mul(reach);
+/// A bound on `|Σ_{n≥from} a_n s^{n−down}|` for `|s| ≤ reach`: coefficients as far as they are known, then Cauchy's
+/// `|a_n| ≤ M/R^n` for a function that M bounds on the disc of radius R.
+pub(super) fn tail(
+    series: &[Ball],
+    most: Mag,
+    radius: Mag,
+    [from, down]: [usize; 2],
+    reach: Mag,
+) -> Mag {
+    let mut power = Mag::from_f64(1.0);
+    let mut sum = Mag::ZERO;
+    for (n, a) in series.iter().enumerate().skip(down) {
+        if n >= from {
+            sum = sum.add(a.magnitude().mul(power));
         }
-        // M/R^n reach^(n − down) from the first unknown n on, a geometric series.
-        let radius = Mag::below(&self.radius.to_float());
-        let (inverse, ratio) = (Mag::from_f64(1.0).div(radius), reach.div(radius));
-        let mut first = most;
-        for n in 0..series.len() {
-            first = first.mul(if n < down { inverse } else { ratio });
-        }
-        sum.add(first.div(Mag::from_f64(1.0).sub_below(ratio)))
+        power = power.mul(reach);
     }
+    // M/R^n reach^(n − down) from the first unknown n on, a geometric series.
+    let radius = Mag::below(&radius.to_float());
+    let (inverse, ratio) = (Mag::from_f64(1.0).div(radius), reach.div(radius));
+    let mut first = most;
+    for n in 0..series.len() {
+        first = first.mul(if n < down { inverse } else { ratio });
+    }
+    sum.add(first.div(Mag::from_f64(1.0).sub_below(ratio)))
+}
 
+impl Branch {
     /// An upper bound on I for `|s| ≤ reach`; none unless I is not zero there.
     fn inertia(&self, reach: Mag) -> Option<Mag> {
-        let spread = self.spread(&self.inertia, self.most[0], [1, 0], reach);
+        let spread = tail(&self.inertia, self.most[0], self.radius, [1, 0], reach);
         let first = &self.inertia[0];
         let least = first.mignitude().sub_below(spread);
         (!least.is_zero()).then(|| first.magnitude().add(spread))
@@ -98,7 +104,7 @@ impl Branch {
 
     /// A bound on `|V_2 s^{2−down} + V_3 s^{3−down} + …|`.
     fn curved(&self, down: usize, reach: Mag) -> Mag {
-        self.spread(&self.potential, self.most[1], [2, down], reach)
+        tail(&self.potential, self.most[1], self.radius, [2, down], reach)
     }
 
     /// A guess at the position there.
@@ -226,7 +232,10 @@ impl<'a> Loaded<'a> {
         half: &Float,
     ) -> Option<Panel> {
         let centre = from + &exact(half);
-        let middle = self.linkage.position(&centre, &before.guess(&centre)).ok()?;
+        let middle = self
+            .linkage
+            .position(&centre, &before.guess(&centre))
+            .ok()?;
         let reach = Mag::above(half).mul(Mag::from_f64(BOUNDED));
         let branch = self.branch(&centre, &middle, reach)?;
         if !branch.disc.owns(from, at) {

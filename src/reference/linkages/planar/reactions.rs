@@ -5,8 +5,8 @@
 //! multipliers are the components of the force between the two points that it joins; the drive's is the force that
 //! the motion needs less, and zero in free motion.
 
-use super::energy::{Forces, Load};
 use super::enclosure::{Linkage, Position};
+use super::energy::{Forces, Load};
 use crate::{Ball, BallLu, Undecided};
 
 /// Rates and accelerations of a position in motion.
@@ -94,9 +94,8 @@ impl Linkage {
         let j = system.jacobian(&pose);
         let n = system.coordinates;
         let turned = (0..n).map(|i| (0..n).map(|k| j[k][i].clone()).collect());
-        let matrix = BallLu::new(turned.collect()).ok_or_else(|| {
-            self.undecided("the Jacobian cannot be told from a singular one")
-        })?;
+        let matrix = BallLu::new(turned.collect())
+            .ok_or_else(|| self.undecided("the Jacobian cannot be told from a singular one"))?;
         Ok(matrix.solve(&right))
     }
 }

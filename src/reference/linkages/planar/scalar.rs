@@ -87,10 +87,12 @@ impl Scalar for Round {
         let up = |x: Float| Mag::above(&x);
         let sinh = up(Float::with_val_round(53, r.to_float().sinh_ref(), float::Round::Up).0);
         // cosh r − 1 = 2 sinh²(r/2).
-        let half = up(Float::with_val_round(53, r.shift(-1).to_float().sinh_ref(), float::Round::Up).0);
+        let half =
+            up(Float::with_val_round(53, r.shift(-1).to_float().sinh_ref(), float::Round::Up).0);
         let rest = half.mul(half).shift(1);
         let spread = |along: &Ball, across: &Ball| {
-            across.magnitude().mul(sinh).add(along.magnitude().mul(rest))
+            let first = across.magnitude().mul(sinh);
+            first.add(along.magnitude().mul(rest))
         };
         let (dc, ds) = (spread(&c, &s), spread(&s, &c));
         (Round(c.widened(dc)), Round(s.widened(ds)))
@@ -132,7 +134,8 @@ mod tests {
                 [whole(0.0) + &s * &cosh, whole(0.0) + &c * &sinh],
                 [half.clone().cos() * &modulus, half.sin() * &modulus],
             ];
-            for (k, (ball, [re, im])) in [&cosine, &sine, &root].into_iter().zip(values).enumerate() {
+            for (k, (ball, [re, im])) in [&cosine, &sine, &root].into_iter().zip(values).enumerate()
+            {
                 let way: Float = (re - ball.0.mid()).hypot(&im);
                 let share = (way / ball.0.rad().to_float()).to_f64();
                 assert!(share <= 1.0, "{k} {i} {share}");

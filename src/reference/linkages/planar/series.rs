@@ -90,7 +90,9 @@ impl Series {
                     product(&self.sin[k], &self.x[j], n, self.bits),
                 ],
                 (None, Some(j)) => [self.x[j][n].clone(), Ball::integer(self.bits, 0)],
-                (None, None) if n == 0 => [Ball::integer(self.bits, 1), Ball::integer(self.bits, 0)],
+                (None, None) if n == 0 => {
+                    [Ball::integer(self.bits, 1), Ball::integer(self.bits, 0)]
+                }
                 (None, None) => continue,
             };
             out[0] = &out[0] + &(&c * &t.re - &s * &t.im);

@@ -10,13 +10,15 @@ use crate::report::words::Tone;
 use maud::{Markup, html};
 use serde::Serialize;
 
+/// Name, nanoseconds, worst errors of the norm and of Re in the ordinary region, of Re beside the axis.
+type Work<'a> = (&'a str, f64, Option<f64>, Option<f64>, Option<f64>);
+
 /// What the script reads.
 #[derive(Serialize)]
 struct Data<'a> {
     levels: &'a str,
     maps: &'a [(String, Map)],
-    /// Name, nanoseconds, worst errors of the norm and of Re in the ordinary region, of Re beside the axis.
-    work: Vec<(&'a str, f64, Option<f64>, Option<f64>, Option<f64>)>,
+    work: Vec<Work<'a>>,
 }
 
 /// The page.
@@ -163,14 +165,16 @@ fn figures(maps: usize) -> Markup {
 }
 
 fn choosing(found: &Atlas) -> Markup {
+    let timed = found.rows.iter().any(|r| r.nanoseconds.is_some());
     html! {
         section { "\n"
             h2 #advice { "What meets which need" } "\n"
-            p.soft { "At every point that was tried, the fastest first where times were measured." } "\n"
+            p.soft { "At every point that was tried; the fastest by the times of this run, double precision alone." } "\n"
             dl {
                 @for a in advice(&found.rows) {
                     dt { (a.need) }
-                    dd { @if a.codes.is_empty() { "none of these" } @else { (a.codes.join(", ")) } }
+                    dd { (a.words())
+                        @if let [first, ..] = a.codes.as_slice() && timed { "; fastest: " (first) } }
                 }
             } "\n"
         } "\n"
@@ -203,7 +207,12 @@ mod tests {
         let maps = vec![("humlicek-1982".to_string(), map(&codes[0]))];
         let page = page(&found, &maps);
         whole(&page);
-        for part in ["id=\"claims\"", "id=\"maps\"", "id=\"work\"", "“Relative accuracy ~1e-4 everywhere”"] {
+        for part in [
+            "id=\"claims\"",
+            "id=\"maps\"",
+            "id=\"work\"",
+            "“Relative accuracy ~1e-4 everywhere”",
+        ] {
             assert!(page.contains(part), "{part}");
         }
     }

@@ -49,6 +49,7 @@ mod dyad_model;
 mod equation;
 mod model;
 mod motor;
+mod planar_model;
 
 #[cfg(feature = "run-up")]
 mod crossing;
@@ -80,6 +81,7 @@ pub use model::{
     inertia_range,
 };
 pub use motor::{Kloss, Motor, MotorError, OutsideTable, TableReading, TorqueTable};
+pub use planar_model::{PlanarModel, PlanarModelError};
 
 #[cfg(feature = "run-up")]
 pub use flywheel::{Flywheel, FlywheelError, flywheel};

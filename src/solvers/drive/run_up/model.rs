@@ -32,6 +32,9 @@ pub enum ModelError {
         /// Why.
         source: DyadError,
     },
+    /// The mechanism cannot be followed to the angle.
+    #[error(transparent)]
+    Mechanism(#[from] crate::planar::PositionError),
     /// The crank angle is not finite or too large to be told from its neighbours.
     #[error("the crank angle {phi} rad is not a finite number below 1e6 rad")]
     Angle {

@@ -103,7 +103,10 @@ fn path(chain: &Chain, pose: &Pose, spot: Spot, sum: &mut Path) {
 fn projected(chain: &Chain, pose: &Pose, rail: Rail, point: Spot) -> Bound {
     let mut sum = Path::default();
     path(chain, pose, point, &mut sum);
-    let origin = Spot { body: rail.body, at: rail.at };
+    let origin = Spot {
+        body: rail.body,
+        at: rail.at,
+    };
     path(chain, pose, origin, &mut sum);
     let [u, d] = turns(chain, rail.body);
     let (_, distance) = pose.along(rail, point);

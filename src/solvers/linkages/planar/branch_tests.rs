@@ -9,12 +9,17 @@ fn folds_are_those_of_the_special_solver() {
     let special = ClassIii::new(Geometry::from_values(&SAND_SCREEN)).unwrap();
     let general = class_iii(&SAND_SCREEN);
     let start = 14.426f64.to_radians();
-    let drives: Vec<f64> = (0..=48).map(|k| start + (7.5 * f64::from(k)).to_radians()).collect();
+    let drives: Vec<f64> = (0..=48)
+        .map(|k| start + (7.5 * f64::from(k)).to_radians())
+        .collect();
     let angles: Vec<Angle> = drives.iter().map(|&x| Angle::from_rad(x)).collect();
     let due = special.trace_branches(&angles);
     let map = general.trace_branches(&drives);
     assert!(map.complete && map.unmatched == 0);
-    assert_eq!((map.branches, map.ends.len()), (due.branches, due.folds.len()));
+    assert_eq!(
+        (map.branches, map.ends.len()),
+        (due.branches, due.folds.len())
+    );
     for (end, fold) in map.ends.iter().zip(&due.folds) {
         let at = end.at.as_ref().unwrap();
         assert_eq!((at.kind, end.begins), (SingularKind::Fold, fold.begins));
@@ -29,7 +34,11 @@ fn folds_are_those_of_the_special_solver() {
 
 #[test]
 fn a_whole_turn_closes() {
-    for mechanism in [four_bar([0.1, 0.4, 0.3, 0.35]), class_iii(&SAND_SCREEN), slider_crank([0.1, 0.3, 0.02])] {
+    for mechanism in [
+        four_bar([0.1, 0.4, 0.3, 0.35]),
+        class_iii(&SAND_SCREEN),
+        slider_crank([0.1, 0.3, 0.02]),
+    ] {
         for start in mechanism.assembly_modes(0.3).states {
             let Ok(end) = mechanism.follow(&start, 0.3 + TAU) else {
                 continue;
@@ -39,7 +48,9 @@ fn a_whole_turn_closes() {
                 assert!(turn(a, b) < 1e-12, "body {body}");
             }
             // Steps of any size give the same.
-            let fine = mechanism.sweep(&start, (1..=100).map(|k| 0.3 + 0.02 * f64::from(k))).unwrap();
+            let fine = mechanism
+                .sweep(&start, (1..=100).map(|k| 0.3 + 0.02 * f64::from(k)))
+                .unwrap();
             let coarse = mechanism.follow(&start, 0.3 + 0.02 * 100.0).unwrap();
             let last = &fine[99];
             for body in 1..mechanism.description().bodies.len() {
@@ -75,7 +86,10 @@ fn change_points_are_told() {
         let mut state = start.clone();
         let mut work = super::newton::Work::new(&m.chain);
         let e = m.advance(&mut state, 4.0, &mut work).unwrap_err();
-        assert!(matches!(e, PositionError::Ends { drive } if (drive - std::f64::consts::PI).abs() < 1e-3), "{e}");
+        assert!(
+            matches!(e, PositionError::Ends { drive } if (drive - std::f64::consts::PI).abs() < 1e-3),
+            "{e}"
+        );
         let at = m.singularity(&state).unwrap();
         assert_eq!(at.kind, SingularKind::ChangePoint);
         assert!((at.drive - std::f64::consts::PI).abs() < 1e-7, "{at:?}");
@@ -85,10 +99,17 @@ fn change_points_are_told() {
 /// Rates by finite differences of the continuation.
 #[test]
 fn rates_are_derivatives() {
-    for mechanism in [class_iii(&SAND_SCREEN), slider_crank([0.1, 0.3, 0.02]), double_butterfly()] {
+    for mechanism in [
+        class_iii(&SAND_SCREEN),
+        slider_crank([0.1, 0.3, 0.02]),
+        double_butterfly(),
+    ] {
         let h = 1e-4;
         for mid in mechanism.assembly_modes(0.1).states {
-            let (Ok(a), Ok(b)) = (mechanism.follow(&mid, 0.1 - h), mechanism.follow(&mid, 0.1 + h)) else {
+            let (Ok(a), Ok(b)) = (
+                mechanism.follow(&mid, 0.1 - h),
+                mechanism.follow(&mid, 0.1 + h),
+            ) else {
                 continue;
             };
             for body in 1..mechanism.description().bodies.len() {
@@ -98,8 +119,14 @@ fn rates_are_derivatives() {
                     let first = (z.r[i] - x.r[i]) / (2.0 * h);
                     let second = (z.r[i] - 2.0 * y.r[i] + x.r[i]) / (h * h);
                     let size = 1.0 + y.first[i].abs() + y.second[i].abs();
-                    assert!((first - y.first[i]).abs() < 1e-3 * size.powi(3), "{first} {y:?}");
-                    assert!((second - y.second[i]).abs() < 1e-3 * size.powi(4), "{second} {y:?}");
+                    assert!(
+                        (first - y.first[i]).abs() < 1e-3 * size.powi(3),
+                        "{first} {y:?}"
+                    );
+                    assert!(
+                        (second - y.second[i]).abs() < 1e-3 * size.powi(4),
+                        "{second} {y:?}"
+                    );
                 }
             }
         }

@@ -52,7 +52,10 @@ impl Mechanism {
     /// Branches are joined only by [`Mechanism::follow`], which proves each step; a position that no
     /// branch reaches begins a new one.
     pub fn trace_branches(&self, drives: &[f64]) -> BranchMap {
-        let mut map = BranchMap { complete: true, ..BranchMap::default() };
+        let mut map = BranchMap {
+            complete: true,
+            ..BranchMap::default()
+        };
         let mut living: Vec<BranchSample> = Vec::new();
         for (row, &drive) in drives.iter().enumerate() {
             let before = (row > 0).then(|| drives[row - 1]);
@@ -98,7 +101,10 @@ impl Mechanism {
                 let mut back = state.clone();
                 match self.advance(&mut back, before, &mut work) {
                     Ok(()) => map.unmatched += 1,
-                    Err(_) => born.push(BranchSample { branch, state: back }),
+                    Err(_) => born.push(BranchSample {
+                        branch,
+                        state: back,
+                    }),
                 }
             }
             next.push(BranchSample { branch, state });
@@ -136,7 +142,12 @@ impl Mechanism {
             };
             match ends.iter_mut().find(same) {
                 Some(e) => e.branches.push(branch),
-                None => ends.push(BranchEnd { at, drive, branches: vec![branch], begins }),
+                None => ends.push(BranchEnd {
+                    at,
+                    drive,
+                    branches: vec![branch],
+                    begins,
+                }),
             }
         }
         ends.sort_by(|a, b| a.drive.total_cmp(&b.drive));

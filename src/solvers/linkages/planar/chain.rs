@@ -46,11 +46,23 @@ pub(super) enum Travel {
 pub(super) enum Entry {
     Ground,
     /// A point of its own on a point of the other.
-    Pin { on: Spot, own: Complex64 },
+    Pin {
+        on: Spot,
+        own: Complex64,
+    },
     /// A point of its own on a rail of the other.
-    OnRail { rail: Rail, own: Complex64, travel: Travel },
+    OnRail {
+        rail: Rail,
+        own: Complex64,
+        travel: Travel,
+    },
     /// A rail of its own through a point of the other.
-    WithRail { on: Spot, at: Complex64, along: Complex64, travel: Travel },
+    WithRail {
+        on: Spot,
+        at: Complex64,
+        along: Complex64,
+        travel: Travel,
+    },
 }
 
 /// A closure equation, zero where the joint is together.
@@ -63,11 +75,27 @@ pub(super) enum Closure {
     /// `along · (point − at) − φ`.
     Travel { rail: Rail, point: Spot },
     /// `θ_b − θ_a − offset − drive φ`, to the nearest whole turn.
-    Tie { a: usize, b: usize, offset: f64, drive: f64 },
+    Tie {
+        a: usize,
+        b: usize,
+        offset: f64,
+        drive: f64,
+    },
     /// `θ_b − θ_c − ratio (θ_a − θ_c) − phase`.
-    Gears { wheels: [usize; 2], carrier: usize, ratio: f64, phase: f64 },
+    Gears {
+        wheels: [usize; 2],
+        carrier: usize,
+        ratio: f64,
+        phase: f64,
+    },
     /// `along · (point − at) − radius (θ_wheel − θ_guide) − phase`.
-    Rack { rail: Rail, point: Spot, wheel: usize, radius: f64, phase: f64 },
+    Rack {
+        rail: Rail,
+        point: Spot,
+        wheel: usize,
+        radius: f64,
+        phase: f64,
+    },
 }
 
 impl Closure {
@@ -122,12 +150,19 @@ pub(super) struct Chain {
 
 pub(super) fn spot(p: &Point, metres: f64) -> Spot {
     let [x, y] = p.at.map(|l| l.m() / metres);
-    Spot { body: p.body, at: Complex64::new(x, y) }
+    Spot {
+        body: p.body,
+        at: Complex64::new(x, y),
+    }
 }
 
 pub(super) fn rail(g: &Guide, metres: f64) -> Rail {
     let Spot { body, at } = spot(&g.origin, metres);
-    Rail { body, at, along: unit(g.direction) }
+    Rail {
+        body,
+        at,
+        along: unit(g.direction),
+    }
 }
 
 /// A joint by which a body may hang, or a closure.
@@ -190,7 +225,11 @@ impl Chain {
 
 fn ties(description: &Description) -> Vec<Tie> {
     let slides = description.joints.iter().filter_map(|j| match &j.part {
-        Joint::Slide { slider, guide, turn } => Some(Tie {
+        Joint::Slide {
+            slider,
+            guide,
+            turn,
+        } => Some(Tie {
             a: guide.origin.body,
             b: slider.body,
             offset: turn.rad(),
@@ -199,7 +238,12 @@ fn ties(description: &Description) -> Vec<Tie> {
         _ => None,
     });
     let drive = match description.drive {
-        Drive::Angle { body, from } => Some(Tie { a: from, b: body, offset: 0.0, drive: 1.0 }),
+        Drive::Angle { body, from } => Some(Tie {
+            a: from,
+            b: body,
+            offset: 0.0,
+            drive: 1.0,
+        }),
         Drive::Displacement { .. } => None,
     };
     slides.chain(drive).collect()
@@ -228,7 +272,9 @@ impl Builder<'_> {
             closures: closure..self.chain.closures.len(),
         };
         self.chain.blocks.push(block);
-        bodies.iter().for_each(|&b| self.chain.group[b] = self.chain.blocks.len());
+        bodies
+            .iter()
+            .for_each(|&b| self.chain.group[b] = self.chain.blocks.len());
     }
 
     fn rows(&self) -> usize {
@@ -261,7 +307,15 @@ impl Builder<'_> {
                         }
                     }
                 }
-                Joint::Slide { slider: point, guide, .. } | Joint::Slot { pin: point, slot: guide } => {
+                Joint::Slide {
+                    slider: point,
+                    guide,
+                    ..
+                }
+                | Joint::Slot {
+                    pin: point,
+                    slot: guide,
+                } => {
                     let slot = matches!(joint.part, Joint::Slot { .. });
                     let travel = match driven == Some(k) {
                         true => Travel::Drive,
@@ -275,14 +329,23 @@ impl Builder<'_> {
                     };
                     let source = (k, 0);
                     all.push(Candidate {
-                        entry: Entry::OnRail { rail, own: p.at, travel },
+                        entry: Entry::OnRail {
+                            rail,
+                            own: p.at,
+                            travel,
+                        },
                         bodies: [p.body, rail.body],
                         cost,
                         source,
                     });
                     let (at, along) = (rail.at, rail.along);
                     all.push(Candidate {
-                        entry: Entry::WithRail { on: p, at, along, travel },
+                        entry: Entry::WithRail {
+                            on: p,
+                            at,
+                            along,
+                            travel,
+                        },
                         bodies: [rail.body, p.body],
                         cost,
                         source,
@@ -300,14 +363,22 @@ impl Builder<'_> {
             GROUND => Some(0),
             b => self.chain.order.iter().position(|&x| x == b).map(|k| k + 1),
         };
-        let best = (0..points.len()).filter_map(|k| Some((rank(&points[k])?, k))).min()?;
+        let best = (0..points.len())
+            .filter_map(|k| Some((rank(&points[k])?, k)))
+            .min()?;
         Some((best.1, spot(&points[best.1], self.metres)))
     }
 
     fn place(&mut self, candidate: Candidate) {
         let body = candidate.bodies[0];
-        if let Entry::OnRail { travel: Travel::Unknown(_), .. }
-        | Entry::WithRail { travel: Travel::Unknown(_), .. } = candidate.entry
+        if let Entry::OnRail {
+            travel: Travel::Unknown(_),
+            ..
+        }
+        | Entry::WithRail {
+            travel: Travel::Unknown(_),
+            ..
+        } = candidate.entry
         {
             self.unknown(true);
         }
@@ -315,11 +386,14 @@ impl Builder<'_> {
             let t = self.chain.ties[k];
             let turn = |from: usize, sign: f64| {
                 let base = self.chain.turns[from];
-                (k, Turn {
-                    offset: base.offset + sign * t.offset,
-                    drive: base.drive + sign * t.drive,
-                    ..base
-                })
+                (
+                    k,
+                    Turn {
+                        offset: base.offset + sign * t.offset,
+                        drive: base.drive + sign * t.drive,
+                        ..base
+                    },
+                )
             };
             match (t.a, t.b) {
                 (a, b) if b == body && self.placed[a] => Some(turn(a, 1.0)),
@@ -332,7 +406,10 @@ impl Builder<'_> {
                 self.kept.push(k);
                 turn
             }
-            None => Turn { unknown: Some(self.unknown(false)), ..Turn::default() },
+            None => Turn {
+                unknown: Some(self.unknown(false)),
+                ..Turn::default()
+            },
         };
         self.chain.entries[body] = candidate.entry;
         self.chain.order.push(body);
@@ -352,10 +429,20 @@ impl Builder<'_> {
             self.close_joint(k);
         }
         for k in 0..self.chain.ties.len() {
-            let Tie { a, b, offset, drive } = self.chain.ties[k];
+            let Tie {
+                a,
+                b,
+                offset,
+                drive,
+            } = self.chain.ties[k];
             if self.placed[a] && self.placed[b] && !self.kept.contains(&k) {
                 self.kept.push(k);
-                self.chain.closures.push(Closure::Tie { a, b, offset, drive });
+                self.chain.closures.push(Closure::Tie {
+                    a,
+                    b,
+                    offset,
+                    drive,
+                });
             }
         }
     }
@@ -377,7 +464,15 @@ impl Builder<'_> {
                     }
                 }
             }
-            Joint::Slide { slider: point, guide, .. } | Joint::Slot { pin: point, slot: guide } => {
+            Joint::Slide {
+                slider: point,
+                guide,
+                ..
+            }
+            | Joint::Slot {
+                pin: point,
+                slot: guide,
+            } => {
                 let both = self.placed[point.body] && self.placed[guide.origin.body];
                 if both && fresh(&self.used, (k, 0)) {
                     self.used.push((k, 0));
@@ -388,8 +483,15 @@ impl Builder<'_> {
                     }
                 }
             }
-            Joint::Gears { wheels, carrier, ratio, phase } => {
-                let all = [wheels[0], wheels[1], *carrier].iter().all(|&b| self.placed[b]);
+            Joint::Gears {
+                wheels,
+                carrier,
+                ratio,
+                phase,
+            } => {
+                let all = [wheels[0], wheels[1], *carrier]
+                    .iter()
+                    .all(|&b| self.placed[b]);
                 if all && fresh(&self.used, (k, 0)) {
                     self.used.push((k, 0));
                     self.chain.closures.push(Closure::Gears {
@@ -400,11 +502,18 @@ impl Builder<'_> {
                     });
                 }
             }
-            Joint::Rack { wheel, slide, radius, phase } => {
+            Joint::Rack {
+                wheel,
+                slide,
+                radius,
+                phase,
+            } => {
                 let Joint::Slide { slider, guide, .. } = &description.joints[*slide].part else {
                     return;
                 };
-                let all = [*wheel, slider.body, guide.origin.body].iter().all(|&b| self.placed[b]);
+                let all = [*wheel, slider.body, guide.origin.body]
+                    .iter()
+                    .all(|&b| self.placed[b]);
                 if all && fresh(&self.used, (k, 0)) {
                     self.used.push((k, 0));
                     self.chain.closures.push(Closure::Rack {

@@ -41,7 +41,8 @@ impl Checker<'_> {
 
     fn point(&self, p: &Point) -> Result<(), MechanismError> {
         self.body(p.body)?;
-        p.at.iter().try_for_each(|x| self.finite("a coordinate", x.m()))
+        p.at.iter()
+            .try_for_each(|x| self.finite("a coordinate", x.m()))
     }
 
     fn guide(&self, g: &Guide) -> Result<(), MechanismError> {
@@ -90,11 +91,17 @@ impl Checker<'_> {
                     });
                 }
                 for (k, p) in points.iter().enumerate() {
-                    points[..k].iter().try_for_each(|q| self.two(p.body, q.body))?;
+                    points[..k]
+                        .iter()
+                        .try_for_each(|q| self.two(p.body, q.body))?;
                 }
                 Ok(())
             }
-            Joint::Slide { slider, guide, turn } => {
+            Joint::Slide {
+                slider,
+                guide,
+                turn,
+            } => {
                 self.point(slider)?;
                 self.guide(guide)?;
                 self.finite("the turn", turn.rad())?;
@@ -105,7 +112,12 @@ impl Checker<'_> {
                 self.guide(slot)?;
                 self.two(pin.body, slot.origin.body)
             }
-            Joint::Gears { wheels: [a, b], carrier, ratio, phase } => {
+            Joint::Gears {
+                wheels: [a, b],
+                carrier,
+                ratio,
+                phase,
+            } => {
                 [*a, *b, *carrier].iter().try_for_each(|&x| self.body(x))?;
                 for (x, y) in [(a, b), (a, carrier), (b, carrier)] {
                     self.two(*x, *y)?;
@@ -113,12 +125,18 @@ impl Checker<'_> {
                 self.nonzero("the ratio", *ratio)?;
                 self.finite("the phase", phase.rad())
             }
-            Joint::Rack { wheel, slide, radius, phase } => {
+            Joint::Rack {
+                wheel,
+                slide,
+                radius,
+                phase,
+            } => {
                 self.body(*wheel)?;
                 self.slide(*slide)?;
                 self.nonzero("the radius", radius.m())?;
                 self.finite("the phase", phase.m())?;
-                let Joint::Slide { slider, guide, .. } = &self.description.joints[*slide].part else {
+                let Joint::Slide { slider, guide, .. } = &self.description.joints[*slide].part
+                else {
                     unreachable!("a slide, as checked");
                 };
                 self.two(*wheel, slider.body)?;
@@ -135,10 +153,17 @@ pub(super) fn check(description: &Description) -> Result<(), MechanismError> {
         ("joints", description.joints.len()),
     ] {
         if count > MOST {
-            return Err(MechanismError::TooMany { what, count, most: MOST });
+            return Err(MechanismError::TooMany {
+                what,
+                count,
+                most: MOST,
+            });
         }
     }
-    let checker = |what: &str| Checker { description, what: what.into() };
+    let checker = |what: &str| Checker {
+        description,
+        what: what.into(),
+    };
     for joint in &description.joints {
         checker(&joint.name).joint(&joint.part)?;
     }
@@ -159,15 +184,29 @@ pub(super) fn largest(description: &Description) -> Result<f64, MechanismError> 
     let of = |joint: &Joint| -> f64 {
         let points: Vec<&Point> = match joint {
             Joint::Pin { points } => points.iter().collect(),
-            Joint::Slide { slider: p, guide, .. } | Joint::Slot { pin: p, slot: guide } => {
+            Joint::Slide {
+                slider: p, guide, ..
+            }
+            | Joint::Slot {
+                pin: p,
+                slot: guide,
+            } => {
                 vec![p, &guide.origin]
             }
             Joint::Gears { .. } => Vec::new(),
             Joint::Rack { radius, .. } => return size(radius),
         };
-        points.iter().flat_map(|p| &p.at).map(size).fold(0.0, f64::max)
+        points
+            .iter()
+            .flat_map(|p| &p.at)
+            .map(size)
+            .fold(0.0, f64::max)
     };
-    let largest_m = description.joints.iter().map(|j| of(&j.part)).fold(0.0, f64::max);
+    let largest_m = description
+        .joints
+        .iter()
+        .map(|j| of(&j.part))
+        .fold(0.0, f64::max);
     match (1e-100..=1e100).contains(&largest_m) {
         true => Ok(largest_m),
         false => Err(MechanismError::Size { largest_m }),

@@ -24,9 +24,17 @@ struct Circle {
 
 impl Circle {
     fn new(m: &Bilinear) -> Circle {
-        let circle = Circle { a: m[1][1].re, b: m[1][0], c: m[0][0].re };
+        let circle = Circle {
+            a: m[1][1].re,
+            b: m[1][0],
+            c: m[0][0].re,
+        };
         let size = circle.a.abs().max(circle.b.norm()).max(circle.c.abs());
-        Circle { a: circle.a / size, b: circle.b / size, c: circle.c / size }
+        Circle {
+            a: circle.a / size,
+            b: circle.b / size,
+            c: circle.c / size,
+        }
     }
 
     fn value(&self, x: Complex64) -> f64 {
@@ -51,7 +59,11 @@ fn line_on_circle(b: Complex64, c: f64, circle: Circle) -> Meeting {
     let near = square.abs() <= doubt * a.abs() + 16.0 * f64::EPSILON * h * h;
     let at = |t: f64| foot + along * t;
     let points = if a == 0.0 {
-        if h == 0.0 { Vec::new() } else { vec![at(-0.5 * k / h)] }
+        if h == 0.0 {
+            Vec::new()
+        } else {
+            vec![at(-0.5 * k / h)]
+        }
     } else if square < 0.0 && !near {
         Vec::new()
     } else {
@@ -64,13 +76,21 @@ fn line_on_circle(b: Complex64, c: f64, circle: Circle) -> Meeting {
             false => ts.map(at).to_vec(),
         }
     };
-    Meeting { points, near, same: false }
+    Meeting {
+        points,
+        near,
+        same: false,
+    }
 }
 
 /// The common points of two circles or lines.
 pub(super) fn meet(forms: &[Bilinear]) -> Meeting {
     let (f, g) = (Circle::new(&forms[0]), Circle::new(&forms[1]));
-    let (round, other) = if f.a.abs() >= g.a.abs() { (f, g) } else { (g, f) };
+    let (round, other) = if f.a.abs() >= g.a.abs() {
+        (f, g)
+    } else {
+        (g, f)
+    };
     if round.a.abs() < 1e-14 {
         return lines(f, g);
     }
@@ -81,7 +101,11 @@ pub(super) fn meet(forms: &[Bilinear]) -> Meeting {
     let constant = (other.c * round.a).abs() + (round.c * other.a).abs();
     if b.norm() <= 1e-13 * (size + constant) {
         let same = c.abs() <= 1e-12 * (size + constant);
-        return Meeting { same, near: same, ..Meeting::default() };
+        return Meeting {
+            same,
+            near: same,
+            ..Meeting::default()
+        };
     }
     line_on_circle(b, c, round)
 }
@@ -91,13 +115,21 @@ fn lines(f: Circle, g: Circle) -> Meeting {
     // Re(b x) = b.re x.re − b.im x.im
     let determinant = -f.b.re * g.b.im + f.b.im * g.b.re;
     if determinant.abs() <= 1e-14 * f.b.norm() * g.b.norm() {
-        let same = (f.b.re * g.c - g.b.re * f.c).abs() + (f.b.im * g.c - g.b.im * f.c).abs() < 1e-13;
-        return Meeting { same, near: same, ..Meeting::default() };
+        let same =
+            (f.b.re * g.c - g.b.re * f.c).abs() + (f.b.im * g.c - g.b.im * f.c).abs() < 1e-13;
+        return Meeting {
+            same,
+            near: same,
+            ..Meeting::default()
+        };
     }
     let (p, q) = (-0.5 * f.c, -0.5 * g.c);
     let x = (-p * g.b.im + q * f.b.im) / determinant;
     let y = (f.b.re * q - g.b.re * p) / determinant;
-    Meeting { points: vec![Complex64::new(x, y)], ..Meeting::default() }
+    Meeting {
+        points: vec![Complex64::new(x, y)],
+        ..Meeting::default()
+    }
 }
 
 #[cfg(test)]
@@ -111,7 +143,10 @@ mod tests {
     }
 
     fn line(b: Complex64, c: f64) -> Bilinear {
-        vec![vec![Complex64::new(c, 0.0), b.conj()], vec![b, Complex64::new(0.0, 0.0)]]
+        vec![
+            vec![Complex64::new(c, 0.0), b.conj()],
+            vec![b, Complex64::new(0.0, 0.0)],
+        ]
     }
 
     #[test]
@@ -122,7 +157,11 @@ mod tests {
         for p in &two.points {
             assert!((p.re - 1.8).abs() < 1e-15 && (p.im.abs() - 2.4).abs() < 1e-15);
         }
-        assert!(meet(&[circle(z(0.0, 0.0), 1.0), circle(z(5.0, 1.0), 2.0)]).points.is_empty());
+        assert!(
+            meet(&[circle(z(0.0, 0.0), 1.0), circle(z(5.0, 1.0), 2.0)])
+                .points
+                .is_empty()
+        );
         assert!(meet(&[circle(z(0.0, 0.0), 1.0), circle(z(3.0, 0.0), 2.0)]).near);
         assert!(meet(&[circle(z(1.0, 2.0), 1.5), circle(z(1.0, 2.0), 1.5)]).same);
         let none = meet(&[circle(z(1.0, 2.0), 1.5), circle(z(1.0, 2.0), 1.0)]);

@@ -23,7 +23,6 @@ use super::bounds::{SLACK, bounds};
 use super::error::PositionError;
 use super::mechanism::Mechanism;
 use super::newton::Work;
-use super::pose::Pose;
 use super::state::State;
 
 /// Below this step, in radians or units of length, a branch counts as ended.
@@ -80,21 +79,37 @@ impl Mechanism {
         work: &mut Work,
     ) -> Result<(), PositionError> {
         let to = self.checked(to)?;
+        let mut next = work.spare.take().unwrap_or_else(|| state.clone());
+        let end = self.steps(state, &mut next, to, work);
+        work.spare = Some(next);
+        end
+    }
+
+    /// Steps from `state` on; `next` is memory for its successor.
+    fn steps(
+        &self,
+        state: &mut State,
+        next: &mut State,
+        to: f64,
+        work: &mut Work,
+    ) -> Result<(), PositionError> {
         for _ in 0..MOST_STEPS {
             let left = to - state.pose.drive;
             if left == 0.0 {
                 return Ok(());
             }
             let step = self.longest_step(state, work);
-            let ends = || PositionError::Ends { drive: self.outer_drive(state.pose.drive) };
-            if !(step.length >= SMALLEST_STEP) {
-                return Err(ends());
-            }
             let drive = match left.abs() <= step.length {
                 true => to,
                 false => state.pose.drive + step.length.copysign(left),
             };
-            *state = self.correct(state, drive, step.radius, work).ok_or_else(ends)?;
+            let long = step.length >= SMALLEST_STEP;
+            if !(long && self.correct(state, next, drive, step.radius, work)) {
+                return Err(PositionError::Ends {
+                    drive: self.outer_drive(state.pose.drive),
+                });
+            }
+            std::mem::swap(state, next);
         }
         Err(PositionError::TooManySteps {
             drive: self.outer_drive(state.pose.drive),
@@ -132,26 +147,57 @@ impl Mechanism {
         let length = SAFETY * contracts.min(within).min(near);
         // NaN is no step.
         let sound = kappa.is_finite() && mu.is_finite() && omega.is_finite();
-        Step { length: if sound { length } else { 0.0 }, radius }
+        Step {
+            length: if sound { length } else { 0.0 },
+            radius,
+        }
     }
 
-    /// The state at another value of the drive, within the radius of the tangent's end.
-    fn correct(&self, from: &State, drive: f64, radius: f64, work: &mut Work) -> Option<State> {
+    /// The state at another value of the drive, within the radius of the tangent's end, into `next`.
+    fn correct(
+        &self,
+        from: &State,
+        next: &mut State,
+        drive: f64,
+        radius: f64,
+        work: &mut Work,
+    ) -> bool {
         let s = drive - from.pose.drive;
         let [first, second] = &from.rates;
         let tangent = |k: usize| from.pose.u[k] + first[k] * s;
         let n = self.chain.unknowns;
-        let curved: Vec<f64> = (0..n).map(|k| tangent(k) + 0.5 * second[k] * s * s).collect();
         // A predictor outside the ball would prove nothing; the tangent's end always lies inside.
-        for start in [curved, (0..n).map(tangent).collect()] {
-            let mut pose = Pose::new(&self.chain, drive, start);
-            let inside = self.chain.newton(&mut pose, None, work)
+        for curved in [0.5 * s * s, 0.0] {
+            let pose = &mut next.pose;
+            pose.drive = drive;
+            (0..n).for_each(|k| pose.u[k] = tangent(k) + curved * second[k]);
+            pose.place(&self.chain, &self.chain.order);
+            let inside = self.chain.newton(pose, None, work)
                 && (0..n).all(|k| (pose.u[k] - tangent(k)).abs() <= radius);
             if inside {
-                return State::new(self, pose);
+                return next.update(&self.chain, work);
             }
         }
-        None
+        false
+    }
+
+    /// Calls `visit` with the state at each value of the drive, each followed from the one before.
+    ///
+    /// # Errors
+    /// When the branch ends; `visit` has seen the states up to there.
+    pub fn each(
+        &self,
+        start: &State,
+        drives: impl IntoIterator<Item = f64>,
+        mut visit: impl FnMut(&State),
+    ) -> Result<(), PositionError> {
+        let mut work = Work::new(&self.chain);
+        let mut here = start.clone();
+        for drive in drives {
+            self.advance(&mut here, drive, &mut work)?;
+            visit(&here);
+        }
+        Ok(())
     }
 
     /// The states at the given values of the drive, each followed from the one before.
@@ -163,16 +209,11 @@ impl Mechanism {
         start: &State,
         drives: impl IntoIterator<Item = f64>,
     ) -> Result<Vec<State>, (Vec<State>, PositionError)> {
-        let mut work = Work::new(&self.chain);
         let mut states = Vec::new();
-        let mut here = start.clone();
-        for drive in drives {
-            match self.advance(&mut here, drive, &mut work) {
-                Ok(()) => states.push(here.clone()),
-                Err(e) => return Err((states, e)),
-            }
+        match self.each(start, drives, |s| states.push(s.clone())) {
+            Ok(()) => Ok(states),
+            Err(e) => Err((states, e)),
         }
-        Ok(states)
     }
 
     /// The state at a value of the drive near a guess of every moving body's angle (radians) and
@@ -194,7 +235,10 @@ impl Mechanism {
             });
             bodies.fold(0.0, f64::max)
         };
-        let best = modes.states.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let best = modes
+            .states
+            .iter()
+            .min_by(|a, b| apart(a).total_cmp(&apart(b)));
         match best.filter(|s| apart(s) <= 1e-2) {
             Some(state) => Ok(state.clone()),
             None => Err(PositionError::NotClosed { drive }),

@@ -11,7 +11,10 @@ pub(super) struct Matrix {
 
 impl Matrix {
     pub(super) fn new(rows: usize, columns: usize) -> Matrix {
-        Matrix { columns, values: vec![0.0; rows * columns] }
+        Matrix {
+            columns,
+            values: vec![0.0; rows * columns],
+        }
     }
 
     /// All values zero.
@@ -55,7 +58,8 @@ impl Factors {
         self.odd = false;
         self.lu.clear();
         for r in 0..n {
-            self.lu.extend_from_slice(&a.row(r)[first_column..first_column + n]);
+            self.lu
+                .extend_from_slice(&a.row(r)[first_column..first_column + n]);
         }
         self.rows.clear();
         self.rows.extend(0..n);
@@ -138,7 +142,10 @@ impl Factors {
     /// The determinant.
     pub(super) fn determinant(&self) -> f64 {
         let sign = if self.odd { -1.0 } else { 1.0 };
-        (0..self.n).map(|k| self.lu[k * self.n + k]).product::<f64>() * sign
+        (0..self.n)
+            .map(|k| self.lu[k * self.n + k])
+            .product::<f64>()
+            * sign
     }
 }
 
@@ -149,7 +156,10 @@ mod tests {
     #[test]
     fn solutions_of_both_systems() {
         let mut a = Matrix::new(3, 4);
-        for (k, v) in [0.0, 2.0, 1.0, 9.0, 1.0, -1.0, 3.0, 9.0, 4.0, 0.5, 0.0, 9.0].iter().enumerate() {
+        for (k, v) in [0.0, 2.0, 1.0, 9.0, 1.0, -1.0, 3.0, 9.0, 4.0, 0.5, 0.0, 9.0]
+            .iter()
+            .enumerate()
+        {
             a[(k / 4, k % 4)] = *v;
         }
         let mut f = Factors::default();
@@ -160,7 +170,9 @@ mod tests {
         let times = |r: usize| (0..3).map(|c| a[(r, c)] * due[c]).sum::<f64>();
         let mut x = [0.0; 3];
         f.solve(times, &mut x);
-        let transposed: Vec<f64> = (0..3).map(|c| (0..3).map(|r| a[(r, c)] * due[r]).sum()).collect();
+        let transposed: Vec<f64> = (0..3)
+            .map(|c| (0..3).map(|r| a[(r, c)] * due[r]).sum())
+            .collect();
         let mut y = [0.0; 3];
         f.solve_transposed(&transposed, &mut y);
         for k in 0..3 {

@@ -63,7 +63,9 @@ pub enum MechanismError {
         most: usize,
     },
     /// All dimensions are zero, or they differ too much.
-    #[error("the largest coordinate of a joint is {largest_m} m; it has to be from 1e-100 m to 1e100 m")]
+    #[error(
+        "the largest coordinate of a joint is {largest_m} m; it has to be from 1e-100 m to 1e100 m"
+    )]
     Size {
         /// The largest coordinate in metres.
         largest_m: f64,
@@ -123,13 +125,17 @@ pub enum PositionError {
         drive: f64,
     },
     /// The branch ends or meets others.
-    #[error("the branch cannot be followed beyond {drive} of the drive: the mechanism is singular there")]
+    #[error(
+        "the branch cannot be followed beyond {drive} of the drive: the mechanism is singular there"
+    )]
     Ends {
         /// The last value of the drive that was reached.
         drive: f64,
     },
     /// The mechanism stays nearly singular.
-    #[error("gave up at {drive} of the drive after {steps} steps: the mechanism stays nearly singular")]
+    #[error(
+        "gave up at {drive} of the drive after {steps} steps: the mechanism stays nearly singular"
+    )]
     TooManySteps {
         /// The last value of the drive that was reached.
         drive: f64,

@@ -54,7 +54,9 @@ impl Random {
 
     /// Of sizes between a half and one.
     fn vector(&mut self, n: usize) -> Vec<Complex64> {
-        (0..n).map(|_| self.phase() * (0.5 + 0.5 * self.next())).collect()
+        (0..n)
+            .map(|_| self.phase() * (0.5 + 0.5 * self.next()))
+            .collect()
     }
 }
 
@@ -62,7 +64,8 @@ impl Random {
 fn solve(a: &mut [Complex64], b: &mut [Complex64]) -> bool {
     let n = b.len();
     for k in 0..n {
-        let pivot = (k..n).max_by(|&i, &j| a[i * n + k].norm_sqr().total_cmp(&a[j * n + k].norm_sqr()));
+        let pivot =
+            (k..n).max_by(|&i, &j| a[i * n + k].norm_sqr().total_cmp(&a[j * n + k].norm_sqr()));
         let pivot = pivot.unwrap_or(k);
         if pivot != k {
             for c in k..n {
@@ -136,18 +139,28 @@ impl Homotopy {
                 flat.iter().map(|z| z / size).collect()
             })
             .collect();
-        let factors: Vec<[Vec<Complex64>; 2]> =
-            forms.iter().map(|_| [random.vector(width), random.vector(width)]).collect();
+        let factors: Vec<[Vec<Complex64>; 2]> = forms
+            .iter()
+            .map(|_| [random.vector(width), random.vector(width)])
+            .collect();
         let gamma = random.phase();
         let start = factors
             .iter()
             .map(|[a, b]| {
                 let size = norm(a) * norm(b);
-                a.iter().flat_map(|x| b.iter().map(move |y| gamma * x * y / size)).collect()
+                a.iter()
+                    .flat_map(|x| b.iter().map(move |y| gamma * x * y / size))
+                    .collect()
             })
             .collect();
         let patches = [random.vector(width), random.vector(width)];
-        Homotopy { width, target, start, factors, patches }
+        Homotopy {
+            width,
+            target,
+            start,
+            factors,
+            patches,
+        }
     }
 
     /// The start at which the first factors in `set` vanish, and the second ones of the others.
@@ -167,7 +180,14 @@ impl Homotopy {
     }
 
     /// Jacobian into `work.matrix`; residual and derivative by t into the two slices.
-    fn evaluate(&self, t: f64, v: &[Complex64], matrix: &mut [Complex64], residual: &mut [Complex64], rate: Option<&mut [Complex64]>) {
+    fn evaluate(
+        &self,
+        t: f64,
+        v: &[Complex64],
+        matrix: &mut [Complex64],
+        residual: &mut [Complex64],
+        rate: Option<&mut [Complex64]>,
+    ) {
         let w = self.width;
         let n = 2 * w;
         let (x, y) = v.split_at(w);
@@ -215,7 +235,14 @@ impl Homotopy {
     }
 
     /// Newton's method at a fixed t; the size of the last correction relative to the point.
-    fn correct(&self, t: f64, v: &mut [Complex64], work: &mut Work, rounds: usize, goal: f64) -> Option<f64> {
+    fn correct(
+        &self,
+        t: f64,
+        v: &mut [Complex64],
+        work: &mut Work,
+        rounds: usize,
+        goal: f64,
+    ) -> Option<f64> {
         let mut last = f64::INFINITY;
         for _ in 0..rounds {
             self.evaluate(t, v, &mut work.matrix, &mut work.right, None);
@@ -245,7 +272,11 @@ impl Homotopy {
             slope: [zeros(), zeros(), zeros(), zeros()],
             point: zeros(),
         };
-        let (longest, grow, goal) = if careful { (0.02, 8, 1e-11) } else { (0.1, 3, 1e-9) };
+        let (longest, grow, goal) = if careful {
+            (0.02, 8, 1e-11)
+        } else {
+            (0.1, 3, 1e-9)
+        };
         let (mut t, mut step, mut good) = (0.0, longest / 2.0, 0);
         let mut trial = v.clone();
         while t < 1.0 {
@@ -277,7 +308,14 @@ impl Homotopy {
     }
 
     /// A step of the classical Runge–Kutta method.
-    fn predict(&self, t: f64, h: f64, v: &[Complex64], work: &mut Work, out: &mut [Complex64]) -> bool {
+    fn predict(
+        &self,
+        t: f64,
+        h: f64,
+        v: &[Complex64],
+        work: &mut Work,
+        out: &mut [Complex64],
+    ) -> bool {
         if !self.slope(t, v, work, 0) {
             return false;
         }
@@ -308,7 +346,10 @@ struct Finite {
 }
 
 fn distance(a: &[Complex64], b: &[Complex64]) -> f64 {
-    a.iter().zip(b).map(|(p, q)| (p - q.conj()).norm()).fold(0.0, f64::max)
+    a.iter()
+        .zip(b)
+        .map(|(p, q)| (p - q.conj()).norm())
+        .fold(0.0, f64::max)
 }
 
 /// All solutions of 2n bilinear equations in n + n unknowns.
@@ -336,7 +377,11 @@ fn run(forms: &[Bilinear], seed: u64, careful: bool) -> Ends {
         let part = |z: &[Complex64]| z[0].norm() / norm(z);
         let smallest = part(x).min(part(y));
         // A regular end is known to rounding; others are as near as the last step.
-        let (at_infinity, there) = if regular { (1e-9, true) } else { (1e-2, t > 1.0 - 1e-6) };
+        let (at_infinity, there) = if regular {
+            (1e-9, true)
+        } else {
+            (1e-2, t > 1.0 - 1e-6)
+        };
         if smallest < at_infinity && there {
             ends.infinite += 1;
             continue;
@@ -361,7 +406,9 @@ fn sort(finite: Vec<Finite>, ends: &mut Ends) {
         let near = if f.regular { 1e-7 } else { 1e-3 } * scale(f);
         let twin = finite[..k].iter().any(|g| {
             let same = |a: &[Complex64], b: &[Complex64]| {
-                a.iter().zip(b).all(|(p, q)| (p - q).norm() <= 1e-8 * scale(f))
+                a.iter()
+                    .zip(b)
+                    .all(|(p, q)| (p - q).norm() <= 1e-8 * scale(f))
             };
             f.regular && g.regular && same(&f.x, &g.x) && same(&f.y, &g.y)
         });

@@ -112,7 +112,13 @@ impl Gathering<'_> {
     /// A point at a known displacement on a rail.
     fn travel(&mut self, rail: Rail, point: Spot, s: f64) {
         let at = rail.at + rail.along * s;
-        self.pin(point, Spot { body: rail.body, at });
+        self.pin(
+            point,
+            Spot {
+                body: rail.body,
+                at,
+            },
+        );
     }
 
     fn geared_angle(&mut self, body: usize, angle: f64) {
@@ -134,7 +140,12 @@ impl Gathering<'_> {
                 Entry::OnRail { rail, own, travel } => {
                     self.on_rail(rail, Spot { body, at: own }, travel);
                 }
-                Entry::WithRail { on, at, along, travel } => {
+                Entry::WithRail {
+                    on,
+                    at,
+                    along,
+                    travel,
+                } => {
                     self.on_rail(Rail { body, at, along }, on, travel);
                 }
             }
@@ -159,7 +170,12 @@ impl Gathering<'_> {
                 }
                 // Among the ties of the chain.
                 Closure::Tie { .. } => {}
-                Closure::Gears { wheels: [a, b], carrier: c, ratio, phase } => {
+                Closure::Gears {
+                    wheels: [a, b],
+                    carrier: c,
+                    ratio,
+                    phase,
+                } => {
                     if self.known(c) && self.known(a) {
                         let (a, c) = (angle(self, a), angle(self, c));
                         self.geared_angle(b, c + ratio * (a - c) + phase);
@@ -170,14 +186,21 @@ impl Gathering<'_> {
                         return Err(NoForms::Gears);
                     }
                 }
-                Closure::Rack { rail, point, wheel, radius, phase } => {
+                Closure::Rack {
+                    rail,
+                    point,
+                    wheel,
+                    radius,
+                    phase,
+                } => {
                     if self.known(rail.body) && self.known(point.body) {
                         let (u, d) = self.pose.along(rail, point);
                         let turn = (dot(u, d) - phase) / radius;
                         self.geared_angle(wheel, angle(self, rail.body) + turn);
                     } else if self.known(wheel) && self.known(rail.body) {
                         let turn = angle(self, wheel) - angle(self, rail.body);
-                        self.lines.retain(|(_, p)| p.body != point.body || p.at != point.at);
+                        self.lines
+                            .retain(|(_, p)| p.body != point.body || p.at != point.at);
                         self.travel(rail, point, radius * turn + phase);
                     } else {
                         return Err(NoForms::Gears);
@@ -212,7 +235,10 @@ impl Gathering<'_> {
         let mut given = vec![false; n];
         let merge = |class: &mut Vec<usize>, a: usize, b: usize| {
             let (from, to) = (class[a], class[b]);
-            class.iter_mut().filter(|c| **c == from).for_each(|c| *c = to);
+            class
+                .iter_mut()
+                .filter(|c| **c == from)
+                .for_each(|c| *c = to);
         };
         for t in &self.chain.ties {
             match (self.member(t.a), self.member(t.b)) {
@@ -226,7 +252,9 @@ impl Gathering<'_> {
             self.member(b).into_iter().for_each(|k| given[k] = true);
         }
         let known: Vec<usize> = (0..n).filter(|&k| given[k]).map(|k| class[k]).collect();
-        (0..n).filter(|&k| class[k] == k && !known.contains(&k)).collect()
+        (0..n)
+            .filter(|&k| class[k] == k && !known.contains(&k))
+            .collect()
     }
 }
 
@@ -266,7 +294,10 @@ impl Isotropic {
         };
         let along = |rail: Rail, point: Spot| -> [Form; 2] {
             let [_, z] = pose_of(rail.body);
-            let from = at(Spot { body: rail.body, at: rail.at });
+            let from = at(Spot {
+                body: rail.body,
+                at: rail.at,
+            });
             let d = at(point).iter().zip(&from).map(|(a, b)| a - b).collect();
             [z.iter().map(|z| z * rail.along).collect(), d]
         };
@@ -298,7 +329,12 @@ impl Isotropic {
     /// The unknowns of the group for x, into the pose, whose bodies of the group are then placed.
     pub(super) fn settle(&self, chain: &Chain, block: &Block, pose: &mut Pose, x: &[Complex64]) {
         let value = |form: &Form| -> Complex64 {
-            form[0] + form[1..].iter().zip(x).map(|(a, b)| a * b).sum::<Complex64>()
+            form[0]
+                + form[1..]
+                    .iter()
+                    .zip(x)
+                    .map(|(a, b)| a * b)
+                    .sum::<Complex64>()
         };
         for (k, &body) in block.bodies.iter().enumerate() {
             let [p, z] = [0, 1].map(|i| value(&self.bodies[k][i]));
@@ -313,7 +349,12 @@ impl Isotropic {
             }
             let (rail, point, travel) = match chain.entries[body] {
                 Entry::OnRail { rail, own, travel } => (rail, Spot { body, at: own }, travel),
-                Entry::WithRail { on, at, along, travel } => (Rail { body, at, along }, on, travel),
+                Entry::WithRail {
+                    on,
+                    at,
+                    along,
+                    travel,
+                } => (Rail { body, at, along }, on, travel),
                 _ => continue,
             };
             if let Travel::Unknown(k) = travel {
@@ -322,8 +363,12 @@ impl Isotropic {
                 debug_assert!(cross(u, d).is_finite() || !d.is_finite());
             }
         }
-        let placed: Vec<usize> =
-            chain.order.iter().copied().filter(|b| block.bodies.contains(b)).collect();
+        let placed: Vec<usize> = chain
+            .order
+            .iter()
+            .copied()
+            .filter(|b| block.bodies.contains(b))
+            .collect();
         pose.place(chain, &placed);
     }
 }
@@ -380,7 +425,9 @@ fn eliminate(rows: &mut [Form], variables: usize) -> Option<(usize, Vec<Form>)> 
         for (k, row) in rows.iter_mut().enumerate() {
             let factor = row[c];
             if k != r && factor != ZERO {
-                row.iter_mut().zip(&pivot).for_each(|(z, p)| *z -= factor * p);
+                row.iter_mut()
+                    .zip(&pivot)
+                    .for_each(|(z, p)| *z -= factor * p);
                 row[c] = ZERO;
             }
         }
@@ -393,9 +440,15 @@ fn eliminate(rows: &mut [Form], variables: usize) -> Option<(usize, Vec<Form>)> 
         match pivots.iter().position(|&c| c == v) {
             Some(r) => {
                 form[0] = rows[r][variables];
-                free.iter().enumerate().for_each(|(k, &c)| form[k + 1] = -rows[r][c]);
+                free.iter()
+                    .enumerate()
+                    .for_each(|(k, &c)| form[k + 1] = -rows[r][c]);
             }
-            None => free.iter().enumerate().filter(|f| *f.1 == v).for_each(|f| form[f.0 + 1] = ONE),
+            None => free
+                .iter()
+                .enumerate()
+                .filter(|f| *f.1 == v)
+                .for_each(|f| form[f.0 + 1] = ONE),
         }
         form
     });

@@ -14,19 +14,43 @@ fn mass(body: usize, kg: f64, j: f64, centre: [f64; 2]) -> BodyMass {
 
 /// Everything that there is, on a class-III linkage.
 fn loaded(mechanism: &Mechanism) -> Loads {
-    let masses = (1..=5).map(|k| mass(k, 0.5 + k as f64, 0.02 * k as f64, [0.05 * k as f64, -0.03]));
+    let masses =
+        (1..=5).map(|k| mass(k, 0.5 + k as f64, 0.02 * k as f64, [0.05 * k as f64, -0.03]));
     let point = |body, at| Point::from_m(body, at);
     let loads = vec![
         Load::Force {
             at: point(4, [0.2, 0.1]),
-            components: [Course::Constant(30.0), Course::Table(vec![[0.0, 1.0], [2.0, -7.0]])],
+            components: [
+                Course::Constant(30.0),
+                Course::Table(vec![[0.0, 1.0], [2.0, -7.0]]),
+            ],
             along: 4,
         },
-        Load::Torque { body: 5, from: 4, torque: Course::Constant(-3.0) },
-        Load::Spring { ends: [point(0, [0.5, 0.5]), point(2, [0.4, 0.1])], stiffness: 200.0, length: 0.1 },
-        Load::TorsionSpring { body: 3, from: 0, stiffness: 15.0, angle: 0.4 },
-        Load::Damper { ends: [point(1, [0.02, 0.0]), point(5, [0.1, 0.0])], damping: 12.0 },
-        Load::TorsionDamper { body: 4, from: 2, damping: 0.7 },
+        Load::Torque {
+            body: 5,
+            from: 4,
+            torque: Course::Constant(-3.0),
+        },
+        Load::Spring {
+            ends: [point(0, [0.5, 0.5]), point(2, [0.4, 0.1])],
+            stiffness: 200.0,
+            length: 0.1,
+        },
+        Load::TorsionSpring {
+            body: 3,
+            from: 0,
+            stiffness: 15.0,
+            angle: 0.4,
+        },
+        Load::Damper {
+            ends: [point(1, [0.02, 0.0]), point(5, [0.1, 0.0])],
+            damping: 12.0,
+        },
+        Load::TorsionDamper {
+            body: 4,
+            from: 2,
+            damping: 0.7,
+        },
     ];
     Loads::new(mechanism, masses.collect(), loads, [0.3, -9.81]).unwrap()
 }
@@ -41,7 +65,11 @@ fn power_is_balanced() {
             for (w, e) in [(0.0, 0.0), (3.0, 0.0), (-2.0, 5.0)] {
                 let due = loads.reduce(&mechanism, &state).drive(w, e);
                 let found = loads.reactions(&mechanism, &state, w, e).unwrap();
-                assert!((found.drive - due).abs() < 1e-9 * (1.0 + due.abs()), "{} {due}", found.drive);
+                assert!(
+                    (found.drive - due).abs() < 1e-9 * (1.0 + due.abs()),
+                    "{} {due}",
+                    found.drive
+                );
             }
         }
     }
@@ -51,7 +79,13 @@ fn power_is_balanced() {
 fn forces_hold_every_body() {
     // The force on the slider is what it needs: gravity only at rest.
     let m = slider_crank([0.1, 0.3, 0.0]);
-    let loads = Loads::new(&m, vec![mass(3, 2.0, 0.0, [0.0, 0.0])], Vec::new(), [0.0, -10.0]).unwrap();
+    let loads = Loads::new(
+        &m,
+        vec![mass(3, 2.0, 0.0, [0.0, 0.0])],
+        Vec::new(),
+        [0.0, -10.0],
+    )
+    .unwrap();
     for state in m.assembly_modes(0.7).states {
         let r = loads.reactions(&m, &state, 0.0, 0.0).unwrap();
         assert!(r.drive.abs() < 1e-12);
@@ -60,7 +94,13 @@ fn forces_hold_every_body() {
     }
     // A pendulum driven at constant speed: centripetal force and weight in the pivot.
     let m = four_bar([0.1, 0.4, 0.3, 0.35]);
-    let loads = Loads::new(&m, vec![mass(1, 3.0, 0.1, [0.2, 0.0])], Vec::new(), [0.0, -10.0]).unwrap();
+    let loads = Loads::new(
+        &m,
+        vec![mass(1, 3.0, 0.1, [0.2, 0.0])],
+        Vec::new(),
+        [0.0, -10.0],
+    )
+    .unwrap();
     let state = m.assembly_modes(0.0).states[0].clone();
     let r = loads.reactions(&m, &state, 5.0, 2.0).unwrap();
     let pivot = r.joints[0];
@@ -110,15 +150,25 @@ fn the_sand_screen_reduces_as_before() {
         for mode in special.assembly_modes(angle).modes {
             let due = masses.reduce(&special.state(angle, mode).unwrap());
             let states = general.assembly_modes(drive).states;
-            let state = states.iter().find(|s| turn(general.body_angle(s, 4).angle.rad(), mode.phi4) < 1e-9);
-            let Some(state) = state else { panic!("a mode is missing") };
+            let state = states
+                .iter()
+                .find(|s| turn(general.body_angle(s, 4).angle.rad(), mode.phi4) < 1e-9);
+            let Some(state) = state else {
+                panic!("a mode is missing")
+            };
             // Inertias of rockers 3 and 5 about their centres are negative with these masses: the
             // reduction itself does not mind.
             let g = reduced_with(&general, state, &bodies);
             assert!((g.inertia - due.inertia_kg_m2).abs() < 1e-9 * due.inertia_kg_m2);
-            assert!((g.inertia_derivative - due.inertia_derivative_kg_m2).abs() < 1e-8 * (1.0 + due.inertia_kg_m2));
+            assert!(
+                (g.inertia_derivative - due.inertia_derivative_kg_m2).abs()
+                    < 1e-8 * (1.0 + due.inertia_kg_m2)
+            );
             assert!((g.moment - due.moment_n_m).abs() < 1e-9 * (1.0 + due.moment_n_m.abs()));
-            assert!((g.moment_derivative - due.moment_derivative_n_m).abs() < 1e-7 * (1.0 + due.moment_derivative_n_m.abs()));
+            assert!(
+                (g.moment_derivative - due.moment_derivative_n_m).abs()
+                    < 1e-7 * (1.0 + due.moment_derivative_n_m.abs())
+            );
         }
     }
     let _ = Acceleration::from_m_per_s2(9.81);
@@ -127,22 +177,53 @@ fn the_sand_screen_reduces_as_before() {
 type Parts = (usize, Mass, f64, [f64; 2]);
 
 fn reduced_with(m: &Mechanism, state: &State, bodies: &[Parts]) -> ReducedLoads {
-    let masses = bodies.iter().map(|(b, kg, j, c)| mass(*b, kg.kg(), *j, *c)).collect();
-    let loads = Loads { masses, loads: Vec::new(), gravity: [0.0, -9.81] };
+    let masses = bodies
+        .iter()
+        .map(|(b, kg, j, c)| mass(*b, kg.kg(), *j, *c))
+        .collect();
+    let loads = Loads {
+        masses,
+        loads: Vec::new(),
+        gravity: [0.0, -9.81],
+    };
     loads.reduce(m, state)
 }
 
 #[test]
 fn bad_loads_are_refused() {
     let m = four_bar([0.1, 0.4, 0.3, 0.35]);
-    let refused = |masses: Vec<BodyMass>, loads: Vec<Load>| Loads::new(&m, masses, loads, [0.0; 2]).unwrap_err();
+    let refused = |masses: Vec<BodyMass>, loads: Vec<Load>| {
+        Loads::new(&m, masses, loads, [0.0; 2]).unwrap_err()
+    };
     let none = Vec::new;
-    assert!(matches!(refused(vec![mass(2, -1.0, 0.0, [0.0; 2])], none()), LoadError::Negative { .. }));
-    assert!(matches!(refused(vec![mass(2, f64::NAN, 0.0, [0.0; 2])], none()), LoadError::NotFinite { .. }));
-    assert!(matches!(refused(vec![mass(9, 1.0, 0.0, [0.0; 2])], none()), LoadError::NoSuchBody { .. }));
-    assert!(matches!(refused(vec![mass(0, 1.0, 0.0, [0.0; 2])], none()), LoadError::Twice { body: 0 }));
-    let table = |rows| vec![Load::Torque { body: 1, from: 0, torque: Course::Table(rows) }];
-    for rows in [vec![], vec![[1.0, 0.0], [1.0, 2.0]], vec![[0.0, 0.0], [7.0, 2.0]]] {
+    assert!(matches!(
+        refused(vec![mass(2, -1.0, 0.0, [0.0; 2])], none()),
+        LoadError::Negative { .. }
+    ));
+    assert!(matches!(
+        refused(vec![mass(2, f64::NAN, 0.0, [0.0; 2])], none()),
+        LoadError::NotFinite { .. }
+    ));
+    assert!(matches!(
+        refused(vec![mass(9, 1.0, 0.0, [0.0; 2])], none()),
+        LoadError::NoSuchBody { .. }
+    ));
+    assert!(matches!(
+        refused(vec![mass(0, 1.0, 0.0, [0.0; 2])], none()),
+        LoadError::Twice { body: 0 }
+    ));
+    let table = |rows| {
+        vec![Load::Torque {
+            body: 1,
+            from: 0,
+            torque: Course::Table(rows),
+        }]
+    };
+    for rows in [
+        vec![],
+        vec![[1.0, 0.0], [1.0, 2.0]],
+        vec![[0.0, 0.0], [7.0, 2.0]],
+    ] {
         assert_eq!(refused(Vec::new(), table(rows)), LoadError::Table);
     }
 }
@@ -158,7 +239,10 @@ fn tables_are_read_by_straight_lines() {
         (1.5 + std::f64::consts::TAU, false, [3.0, 2.0]),
     ] {
         let [a, b] = table.at(x, linear);
-        assert!((a - due[0]).abs() < 1e-14 && (b - due[1]).abs() < 1e-14, "{x}");
+        assert!(
+            (a - due[0]).abs() < 1e-14 && (b - due[1]).abs() < 1e-14,
+            "{x}"
+        );
     }
     // From the last row on towards the first, a turn later.
     let [a, b] = table.at(0.5, false);

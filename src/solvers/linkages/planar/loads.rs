@@ -132,7 +132,9 @@ pub enum LoadError {
         body: usize,
     },
     /// A table is empty, or its first column does not ascend within a turn.
-    #[error("a table has to hold at least one row, the drive ascending and, for an angle, within one turn")]
+    #[error(
+        "a table has to hold at least one row, the drive ascending and, for an angle, within one turn"
+    )]
     Table,
 }
 
@@ -181,7 +183,11 @@ impl Course {
                 let ascends = rows.windows(2).all(|w| w[0][0] < w[1][0]);
                 let span = rows.last().zip(rows.first()).map(|(b, a)| b[0] - a[0]);
                 let within = span.is_some_and(|s| linear || s < std::f64::consts::TAU);
-                if ascends && within { Ok(()) } else { Err(LoadError::Table) }
+                if ascends && within {
+                    Ok(())
+                } else {
+                    Err(LoadError::Table)
+                }
             }
         }
     }
@@ -194,7 +200,11 @@ impl Course {
         };
         let turn = std::f64::consts::TAU;
         let first = rows[0];
-        let x = if linear { drive } else { first[0] + (drive - first[0]).rem_euclid(turn) };
+        let x = if linear {
+            drive
+        } else {
+            first[0] + (drive - first[0]).rem_euclid(turn)
+        };
         let after = rows.partition_point(|r| r[0] <= x);
         let line = |a: [f64; 2], b: [f64; 2]| {
             let slope = (b[1] - a[1]) / (b[0] - a[0]);
@@ -253,26 +263,45 @@ impl Loads {
             }
             not_negative("mass", m.mass.kg())?;
             not_negative("inertia", m.inertia.kg_m2())?;
-            m.centre.iter().try_for_each(|x| finite("the centre of mass", x.m()))?;
+            m.centre
+                .iter()
+                .try_for_each(|x| finite("the centre of mass", x.m()))?;
         }
         for load in &loads {
             match load {
-                Load::Force { at, components, along } => {
+                Load::Force {
+                    at,
+                    components,
+                    along,
+                } => {
                     point(at)?;
                     body("a force", *along)?;
                     components.iter().try_for_each(|c| c.check(linear))?;
                 }
-                Load::Torque { body: b, from, torque } => {
+                Load::Torque {
+                    body: b,
+                    from,
+                    torque,
+                } => {
                     body("a torque", *b)?;
                     body("a torque", *from)?;
                     torque.check(linear)?;
                 }
-                Load::Spring { ends, stiffness, length } => {
+                Load::Spring {
+                    ends,
+                    stiffness,
+                    length,
+                } => {
                     ends.iter().try_for_each(point)?;
                     not_negative("stiffness", *stiffness)?;
                     not_negative("length", *length)?;
                 }
-                Load::TorsionSpring { body: b, from, stiffness, angle } => {
+                Load::TorsionSpring {
+                    body: b,
+                    from,
+                    stiffness,
+                    angle,
+                } => {
                     body("a spring", *b)?;
                     body("a spring", *from)?;
                     not_negative("stiffness", *stiffness)?;
@@ -282,29 +311,33 @@ impl Loads {
                     ends.iter().try_for_each(point)?;
                     not_negative("damping", *damping)?;
                 }
-                Load::TorsionDamper { body: b, from, damping } => {
+                Load::TorsionDamper {
+                    body: b,
+                    from,
+                    damping,
+                } => {
                     body("a damper", *b)?;
                     body("a damper", *from)?;
                     not_negative("damping", *damping)?;
                 }
             }
         }
-        Ok(Loads { masses, loads, gravity })
+        Ok(Loads {
+            masses,
+            loads,
+            gravity,
+        })
+    }
+
+    /// Whether anything acts with the speed.
+    pub fn has_dampers(&self) -> bool {
+        let damper = |l: &Load| matches!(l, Load::Damper { .. } | Load::TorsionDamper { .. });
+        self.loads.iter().any(damper)
     }
 
     /// The reduced quantities at a position.
     pub fn reduce(&self, mechanism: &Mechanism, state: &State) -> ReducedLoads {
         let mut sum = ReducedLoads::default();
-        let mut force = |f: [f64; 2], by: [[f64; 2]; 2]| {
-            sum.moment += f[0] * by[0][0] + f[1] * by[0][1];
-            sum.moment_derivative += f[0] * by[1][0] + f[1] * by[1][1];
-        };
-        for m in &self.masses {
-            let [x, y] = m.centre;
-            let c = mechanism.point(state, &Point::new(m.body, x, y));
-            let kg = m.mass.kg();
-            force(self.gravity.map(|g| g * kg), [c.first, c.second]);
-        }
         for m in &self.masses {
             let [x, y] = m.centre;
             let c = mechanism.point(state, &Point::new(m.body, x, y));
@@ -314,6 +347,9 @@ impl Loads {
             sum.inertia += kg * (v[0] * v[0] + v[1] * v[1]) + j * turn.first * turn.first;
             let change = kg * (v[0] * a[0] + v[1] * a[1]) + j * turn.first * turn.second;
             sum.inertia_derivative += 2.0 * change;
+            let g = self.gravity;
+            sum.moment += kg * (g[0] * v[0] + g[1] * v[1]);
+            sum.moment_derivative += kg * (g[0] * a[0] + g[1] * a[1]);
         }
         for load in &self.loads {
             apply(mechanism, state, load, &mut sum);
@@ -330,18 +366,33 @@ pub(super) fn stretch(mechanism: &Mechanism, state: &State, ends: &[Point; 2]) -
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let length = r[0].hypot(r[1]);
     let first = dot(r, v) / length;
-    [length, first, (dot(v, v) + dot(r, a) - first * first) / length]
+    [
+        length,
+        first,
+        (dot(v, v) + dot(r, a) - first * first) / length,
+    ]
 }
 
 fn apply(mechanism: &Mechanism, state: &State, load: &Load, sum: &mut ReducedLoads) {
     let linear = mechanism.drive_is_displacement();
     let drive = mechanism.drive_of(state);
     let between = |body: usize, from: usize| {
-        let (a, b) = (mechanism.body_angle(state, body), mechanism.body_angle(state, from));
-        [a.angle.rad() - b.angle.rad(), a.first - b.first, a.second - b.second]
+        let (a, b) = (
+            mechanism.body_angle(state, body),
+            mechanism.body_angle(state, from),
+        );
+        [
+            a.angle.rad() - b.angle.rad(),
+            a.first - b.first,
+            a.second - b.second,
+        ]
     };
     match load {
-        Load::Force { at, components, along } => {
+        Load::Force {
+            at,
+            components,
+            along,
+        } => {
             let m = mechanism.point(state, at);
             let frame = mechanism.body_angle(state, *along);
             let (s, c) = frame.angle.rad().sin_cos();
@@ -359,12 +410,21 @@ fn apply(mechanism: &Mechanism, state: &State, load: &Load, sum: &mut ReducedLoa
             sum.moment += t * first;
             sum.moment_derivative += t * second + dt * first;
         }
-        Load::Spring { ends, stiffness, length } => {
+        Load::Spring {
+            ends,
+            stiffness,
+            length,
+        } => {
             let [l, first, second] = stretch(mechanism, state, ends);
             sum.moment -= stiffness * (l - length) * first;
             sum.moment_derivative -= stiffness * (first * first + (l - length) * second);
         }
-        Load::TorsionSpring { body, from, stiffness, angle } => {
+        Load::TorsionSpring {
+            body,
+            from,
+            stiffness,
+            angle,
+        } => {
             let [a, first, second] = between(*body, *from);
             sum.moment -= stiffness * (a - angle) * first;
             sum.moment_derivative -= stiffness * (first * first + (a - angle) * second);
@@ -373,7 +433,11 @@ fn apply(mechanism: &Mechanism, state: &State, load: &Load, sum: &mut ReducedLoa
             let first = stretch(mechanism, state, ends)[1];
             sum.damping += damping * first * first;
         }
-        Load::TorsionDamper { body, from, damping } => {
+        Load::TorsionDamper {
+            body,
+            from,
+            damping,
+        } => {
             let first = between(*body, *from)[1];
             sum.damping += damping * first * first;
         }

@@ -54,12 +54,21 @@ impl Mechanism {
         for block in &chain.blocks {
             let placed = block.bodies.iter().all(|b| chain.order.contains(b));
             if !placed || block.unknowns.len() != block.rows.len() {
-                let bodies = block.bodies.iter().map(|&b| description.bodies[b].clone()).collect();
+                let bodies = block
+                    .bodies
+                    .iter()
+                    .map(|&b| description.bodies[b].clone())
+                    .collect();
                 return Err(MechanismError::Hanging { bodies });
             }
         }
         let triads = chain.blocks.iter().map(|b| Triad::of(&chain, b)).collect();
-        Ok(Mechanism { description, structure, chain, triads })
+        Ok(Mechanism {
+            description,
+            structure,
+            chain,
+            triads,
+        })
     }
 
     /// What it was made from.

@@ -49,10 +49,10 @@ pub use state::{Displacement, State, curvature};
 pub use structure::{Group, GroupKind, Structure};
 
 #[cfg(test)]
-mod tests;
-#[cfg(test)]
 mod branch_tests;
 #[cfg(test)]
 mod law_tests;
 #[cfg(test)]
 mod load_tests;
+#[cfg(test)]
+mod tests;

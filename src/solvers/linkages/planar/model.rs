@@ -130,7 +130,10 @@ impl Description {
         Description {
             bodies: vec!["ground".into()],
             joints: Vec::new(),
-            drive: Drive::Angle { body: 1, from: GROUND },
+            drive: Drive::Angle {
+                body: 1,
+                from: GROUND,
+            },
         }
     }
 

@@ -46,7 +46,12 @@ impl Mechanism {
     /// complete.
     pub fn assembly_modes(&self, drive: f64) -> Modes {
         let chain = &self.chain;
-        let mut modes = Modes { drive, states: Vec::new(), complete: true, near_singular: false };
+        let mut modes = Modes {
+            drive,
+            states: Vec::new(),
+            complete: true,
+            near_singular: false,
+        };
         if !drive.is_finite() {
             return modes;
         }
@@ -142,11 +147,21 @@ impl Mechanism {
             return;
         }
         let range = block.unknowns.clone();
-        let scale = |k: usize| if self.chain.lengths[k] { 1.0 + trial.u[k].abs() } else { 1.0 };
+        let scale = |k: usize| {
+            if self.chain.lengths[k] {
+                1.0 + trial.u[k].abs()
+            } else {
+                1.0
+            }
+        };
         let apart = |a: &Pose, b: &Pose| -> f64 {
             let of = |k: usize| {
                 let d = a.u[k] - b.u[k];
-                let d = if self.chain.lengths[k] { d } else { super::isotropic::wrapped(d) };
+                let d = if self.chain.lengths[k] {
+                    d
+                } else {
+                    super::isotropic::wrapped(d)
+                };
                 d.abs() / scale(k)
             };
             range.clone().map(of).fold(0.0, f64::max)

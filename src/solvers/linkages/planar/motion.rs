@@ -60,12 +60,21 @@ impl Motion {
                     let [dv, da] = turned(e * own, turn);
                     [v - dv, a - da]
                 }
-                Entry::OnRail { rail, own, travel: t } => {
+                Entry::OnRail {
+                    rail,
+                    own,
+                    travel: t,
+                } => {
                     let [v, a] = self.on_rail(pose, rail, pose.travel(t), travel(t));
                     let [dv, da] = turned(e * own, turn);
                     [v - dv, a - da]
                 }
-                Entry::WithRail { on, at, along, travel: t } => {
+                Entry::WithRail {
+                    on,
+                    at,
+                    along,
+                    travel: t,
+                } => {
                     let [_, v, a] = self.spot(pose, on);
                     let arm = e * (at + along * pose.travel(t));
                     let [dv, da] = stretched(arm, e * along, turn, travel(t));
@@ -95,7 +104,13 @@ impl Motion {
     pub(super) fn along(&self, pose: &Pose, rail: Rail, point: Spot) -> [Jet; 2] {
         let u = pose.e[rail.body] * rail.along;
         let [u1, u2] = turned(u, self.bodies[rail.body].turn);
-        let from = self.spot(pose, Spot { body: rail.body, at: rail.at });
+        let from = self.spot(
+            pose,
+            Spot {
+                body: rail.body,
+                at: rail.at,
+            },
+        );
         let to = self.spot(pose, point);
         [[u, u1, u2], std::array::from_fn(|k| to[k] - from[k])]
     }
@@ -116,12 +131,23 @@ impl Motion {
                     out.push(cross(u[2], d[0]) + 2.0 * cross(u[1], d[1]) + cross(u[0], d[2]));
                 }
                 Closure::Travel { rail, point } => out.push(dots(self.along(pose, rail, point))),
-                Closure::Rack { rail, point, wheel, radius, .. } => {
+                Closure::Rack {
+                    rail,
+                    point,
+                    wheel,
+                    radius,
+                    ..
+                } => {
                     let turn = angle(wheel) - angle(rail.body);
                     out.push(dots(self.along(pose, rail, point)) - radius * turn);
                 }
                 Closure::Tie { a, b, .. } => out.push(angle(b) - angle(a)),
-                Closure::Gears { wheels: [a, b], carrier, ratio, .. } => {
+                Closure::Gears {
+                    wheels: [a, b],
+                    carrier,
+                    ratio,
+                    ..
+                } => {
                     let c = angle(carrier);
                     out.push((angle(b) - c) - ratio * (angle(a) - c));
                 }

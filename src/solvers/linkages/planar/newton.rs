@@ -4,6 +4,7 @@ use super::bounds::Bound;
 use super::chain::{Block, Chain};
 use super::dense::{Factors, Matrix};
 use super::pose::Pose;
+use super::state::State;
 
 /// Memory that is used again.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +16,8 @@ pub(super) struct Work {
     pub bounds: Vec<Bound>,
     /// Row sums of `|J⁻¹|` times the bounds.
     pub sums: Vec<[f64; 3]>,
+    /// Memory for the next state of a continuation.
+    pub spare: Option<State>,
 }
 
 impl Work {
@@ -42,15 +45,28 @@ impl Chain {
     /// settles.
     pub(super) fn newton(&self, pose: &mut Pose, block: Option<&Block>, work: &mut Work) -> bool {
         let (unknowns, closures, bodies) = match block {
-            Some(b) => (b.unknowns.clone(), &self.closures[b.closures.clone()], Some(&b.bodies)),
+            Some(b) => (
+                b.unknowns.clone(),
+                &self.closures[b.closures.clone()],
+                Some(&b.bodies),
+            ),
             None => (0..self.unknowns, &self.closures[..], None),
         };
         let n = unknowns.len();
         let order: Vec<usize> = match bodies {
-            Some(bodies) => self.order.iter().copied().filter(|b| bodies.contains(b)).collect(),
+            Some(bodies) => self
+                .order
+                .iter()
+                .copied()
+                .filter(|b| bodies.contains(b))
+                .collect(),
             None => Vec::new(),
         };
-        let order = if bodies.is_some() { &order } else { &self.order };
+        let order = if bodies.is_some() {
+            &order
+        } else {
+            &self.order
+        };
         let mut last = f64::INFINITY;
         for _ in 0..MOST {
             pose.residual(self, closures, &mut work.residual);
@@ -63,7 +79,11 @@ impl Chain {
             // A displacement is as good as its size.
             let mut size = 0.0f64;
             for (k, d) in unknowns.clone().zip(&work.step[..n]) {
-                let scale = if self.lengths[k] { pose.u[k].abs().max(1.0) } else { 1.0 };
+                let scale = if self.lengths[k] {
+                    pose.u[k].abs().max(1.0)
+                } else {
+                    1.0
+                };
                 size = size.max(d.abs() / scale);
                 pose.u[k] += d;
             }

@@ -56,9 +56,12 @@ impl Pose {
                     let s = self.travel(travel);
                     self.p[rail.body] + self.e[rail.body] * (rail.at + rail.along * s) - e * own
                 }
-                Entry::WithRail { on, at, along, travel } => {
-                    self.at(on) - e * (at + along * self.travel(travel))
-                }
+                Entry::WithRail {
+                    on,
+                    at,
+                    along,
+                    travel,
+                } => self.at(on) - e * (at + along * self.travel(travel)),
             };
         }
     }
@@ -67,7 +70,11 @@ impl Pose {
     pub(super) fn angle(&self, chain: &Chain, body: usize) -> f64 {
         let t = &chain.turns[body];
         let own = t.unknown.map_or(0.0, |k| self.u[k]) + t.offset;
-        if t.drive == 0.0 { own } else { own + t.drive * self.drive }
+        if t.drive == 0.0 {
+            own
+        } else {
+            own + t.drive * self.drive
+        }
     }
 
     pub(super) fn travel(&self, travel: Travel) -> f64 {
@@ -104,16 +111,32 @@ impl Pose {
                     let (u, d) = self.along(rail, point);
                     out.push(dot(u, d) - self.drive);
                 }
-                Closure::Tie { a, b, offset, drive } => {
+                Closure::Tie {
+                    a,
+                    b,
+                    offset,
+                    drive,
+                } => {
                     let d = self.angle(chain, b) - self.angle(chain, a);
                     let d = d - offset - drive * self.drive;
                     out.push(d - (d / TAU).round() * TAU);
                 }
-                Closure::Gears { wheels: [a, b], carrier, ratio, phase } => {
+                Closure::Gears {
+                    wheels: [a, b],
+                    carrier,
+                    ratio,
+                    phase,
+                } => {
                     let [a, b, c] = [a, b, carrier].map(|x| self.angle(chain, x));
                     out.push((b - c) - ratio * (a - c) - phase);
                 }
-                Closure::Rack { rail, point, wheel, radius, phase } => {
+                Closure::Rack {
+                    rail,
+                    point,
+                    wheel,
+                    radius,
+                    phase,
+                } => {
                     let (u, d) = self.along(rail, point);
                     let turn = self.angle(chain, wheel) - self.angle(chain, rail.body);
                     out.push(dot(u, d) - radius * turn - phase);
@@ -137,7 +160,9 @@ impl Pose {
                     add(column(chain, travel), along);
                     (rail.body, origin + along * self.travel(travel))
                 }
-                Entry::WithRail { on, along, travel, .. } => {
+                Entry::WithRail {
+                    on, along, travel, ..
+                } => {
                     add(column(chain, travel), -(self.e[body] * along));
                     (on.body, self.at(on))
                 }
@@ -185,7 +210,10 @@ impl Pose {
                 }
                 Closure::Line { rail, point } => {
                     let (u, d) = self.along(rail, point);
-                    let origin = Spot { body: rail.body, at: rail.at };
+                    let origin = Spot {
+                        body: rail.body,
+                        at: rail.at,
+                    };
                     self.walk(chain, point, &mut |k, x| out[(row, k)] += cross(u, x));
                     self.walk(chain, origin, &mut |k, x| out[(row, k)] -= cross(u, x));
                     self.turned(chain, rail.body, real(-dot(u, d)), &mut |k, x| {
@@ -196,19 +224,32 @@ impl Pose {
                     self.travelled(chain, rail, point, row, out);
                     out[(row, drive)] -= 1.0;
                 }
-                Closure::Rack { rail, point, wheel, radius, .. } => {
+                Closure::Rack {
+                    rail,
+                    point,
+                    wheel,
+                    radius,
+                    ..
+                } => {
                     self.travelled(chain, rail, point, row, out);
                     let mut add = |k, x: Complex64| out[(row, k)] += x.re;
                     self.turned(chain, wheel, real(-radius), &mut add);
                     self.turned(chain, rail.body, real(radius), &mut add);
                 }
-                Closure::Tie { a, b, drive: by, .. } => {
+                Closure::Tie {
+                    a, b, drive: by, ..
+                } => {
                     let mut add = |k, x: Complex64| out[(row, k)] += x.re;
                     self.turned(chain, b, real(1.0), &mut add);
                     self.turned(chain, a, real(-1.0), &mut add);
                     out[(row, drive)] -= by;
                 }
-                Closure::Gears { wheels: [a, b], carrier, ratio, .. } => {
+                Closure::Gears {
+                    wheels: [a, b],
+                    carrier,
+                    ratio,
+                    ..
+                } => {
                     let mut add = |k, x: Complex64| out[(row, k)] += x.re;
                     self.turned(chain, b, real(1.0), &mut add);
                     self.turned(chain, a, real(-ratio), &mut add);
@@ -222,12 +263,20 @@ impl Pose {
     /// The row of a point's displacement along a rail.
     fn travelled(&self, chain: &Chain, rail: Rail, point: Spot, row: usize, out: &mut Matrix) {
         let (u, d) = self.along(rail, point);
-        let origin = Spot { body: rail.body, at: rail.at };
+        let origin = Spot {
+            body: rail.body,
+            at: rail.at,
+        };
         self.walk(chain, point, &mut |k, x| out[(row, k)] += dot(u, x));
         self.walk(chain, origin, &mut |k, x| out[(row, k)] -= dot(u, x));
-        self.turned(chain, rail.body, Complex64::new(cross(u, d), 0.0), &mut |k, x| {
-            out[(row, k)] += x.re;
-        });
+        self.turned(
+            chain,
+            rail.body,
+            Complex64::new(cross(u, d), 0.0),
+            &mut |k, x| {
+                out[(row, k)] += x.re;
+            },
+        );
     }
 }
 

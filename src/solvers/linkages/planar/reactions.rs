@@ -40,7 +40,9 @@ pub struct Reactions {
 #[non_exhaustive]
 pub enum ReactionError {
     /// Where the teeth of a gear or rack meet is not part of the description.
-    #[error("{joint} is a gear or rack: forces need the place where its teeth meet, which is not known")]
+    #[error(
+        "{joint} is a gear or rack: forces need the place where its teeth meet, which is not known"
+    )]
     Teeth {
         /// The joint's name.
         joint: String,
@@ -98,7 +100,10 @@ impl Loads {
         let bodies = mechanism.description().bodies.len();
         let masses: Vec<BodyMass> = (0..bodies).map(|b| self.mass_of(b)).collect();
         let centre = |m: &BodyMass| Point::new(m.body, m.centre[0], m.centre[1]);
-        let motions: Vec<_> = masses.iter().map(|m| mechanism.point(state, &centre(m))).collect();
+        let motions: Vec<_> = masses
+            .iter()
+            .map(|m| mechanism.point(state, &centre(m)))
+            .collect();
         let mut sums = Sums {
             centres: motions.iter().map(|m| m.r).collect(),
             rows: vec![0.0; 3 * (bodies - 1)],
@@ -112,7 +117,9 @@ impl Loads {
             let torque = -m.inertia.kg_m2() * at(turn.second, turn.first);
             sums.add(m.body, force, c.r, torque, 1.0);
         }
-        self.loads.iter().for_each(|l| applied(mechanism, state, l, speed, &mut sums));
+        self.loads
+            .iter()
+            .for_each(|l| applied(mechanism, state, l, speed, &mut sums));
         let (units, owners) = units(mechanism, state)?;
         let n = sums.rows.len();
         if units.len() != n {
@@ -142,7 +149,11 @@ impl Loads {
             inertia: Inertia::from_kg_m2(0.0),
             centre: [Length::from_m(0.0); 2],
         };
-        self.masses.iter().find(|m| m.body == body).copied().unwrap_or(none)
+        self.masses
+            .iter()
+            .find(|m| m.body == body)
+            .copied()
+            .unwrap_or(none)
     }
 }
 
@@ -155,7 +166,9 @@ fn gathered(units: &[Unit], owners: &[Option<(usize, usize)>], sizes: &[f64]) ->
             drive = *size;
             continue;
         };
-        let same = joints.iter_mut().find(|j| (j.joint, j.body) == (joint, body));
+        let same = joints
+            .iter_mut()
+            .find(|j| (j.joint, j.body) == (joint, body));
         let (force, torque) = (u.force.map(|f| f * size), u.moment * size);
         match same {
             Some(j) => {
@@ -189,7 +202,13 @@ fn units(mechanism: &Mechanism, state: &State) -> Result<Units, ReactionError> {
     let description = mechanism.description();
     for (joint, named) in description.joints.iter().enumerate() {
         let mut add = |on: usize, against: usize, force: [f64; 2], at: [f64; 2], moment: f64| {
-            units.push(Unit { on, against, force, at, moment });
+            units.push(Unit {
+                on,
+                against,
+                force,
+                at,
+                moment,
+            });
             owners.push(Some((joint, on)));
         };
         match &named.part {
@@ -200,7 +219,13 @@ fn units(mechanism: &Mechanism, state: &State) -> Result<Units, ReactionError> {
                     }
                 }
             }
-            Joint::Slide { slider: p, guide, .. } | Joint::Slot { pin: p, slot: guide } => {
+            Joint::Slide {
+                slider: p, guide, ..
+            }
+            | Joint::Slot {
+                pin: p,
+                slot: guide,
+            } => {
                 let [c, s] = direction(guide);
                 add(p.body, guide.origin.body, [-s, c], at(p), 0.0);
                 if matches!(named.part, Joint::Slide { .. }) {
@@ -208,7 +233,9 @@ fn units(mechanism: &Mechanism, state: &State) -> Result<Units, ReactionError> {
                 }
             }
             Joint::Gears { .. } | Joint::Rack { .. } => {
-                return Err(ReactionError::Teeth { joint: named.name.clone() });
+                return Err(ReactionError::Teeth {
+                    joint: named.name.clone(),
+                });
             }
         }
     }
@@ -249,15 +276,28 @@ fn applied(mechanism: &Mechanism, state: &State, load: &Load, speed: f64, sums: 
     };
     match load {
         Load::Torque { body, from, torque } => couple(*body, *from, torque.at(drive, linear)[0]),
-        Load::TorsionSpring { body, from, stiffness, angle: rest } => {
+        Load::TorsionSpring {
+            body,
+            from,
+            stiffness,
+            angle: rest,
+        } => {
             let turn = angle(*body).angle.rad() - angle(*from).angle.rad() - rest;
             couple(*body, *from, -stiffness * turn);
         }
-        Load::TorsionDamper { body, from, damping } => {
+        Load::TorsionDamper {
+            body,
+            from,
+            damping,
+        } => {
             let rate = (angle(*body).first - angle(*from).first) * speed;
             couple(*body, *from, -damping * rate);
         }
-        Load::Force { at, components, along } => {
+        Load::Force {
+            at,
+            components,
+            along,
+        } => {
             let (s, c) = angle(*along).angle.rad().sin_cos();
             let [x, y] = components.each_ref().map(|f| f.at(drive, linear)[0]);
             let place = mechanism.point(state, at).r;
@@ -266,7 +306,9 @@ fn applied(mechanism: &Mechanism, state: &State, load: &Load, speed: f64, sums: 
         Load::Spring { ends, .. } | Load::Damper { ends, .. } => {
             let [l, first, _] = stretch(mechanism, state, ends);
             let tension = match load {
-                Load::Spring { stiffness, length, .. } => stiffness * (l - length),
+                Load::Spring {
+                    stiffness, length, ..
+                } => stiffness * (l - length),
                 Load::Damper { damping, .. } => damping * first * speed,
                 _ => 0.0,
             };

@@ -46,17 +46,32 @@ impl Mechanism {
         let largest = (0..n).fold(0.0f64, |m, r| m.max(column(r).abs()));
         let (kind, pose) = match along.abs() > NOTHING * largest {
             true => (SingularKind::Fold, self.fold(last, v)?),
-            false => (SingularKind::ChangePoint, self.change_point(last, [&v, &w])?),
+            false => (
+                SingularKind::ChangePoint,
+                self.change_point(last, [&v, &w])?,
+            ),
         };
-        let angles = (1..self.chain.body_count()).map(|b| pose.angle(&self.chain, b)).collect();
-        Some(Singularity { drive: self.outer_drive(pose.drive), kind, angles })
+        let angles = (1..self.chain.body_count())
+            .map(|b| pose.angle(&self.chain, b))
+            .collect();
+        Some(Singularity {
+            drive: self.outer_drive(pose.drive),
+            kind,
+            angles,
+        })
     }
 
     /// Along the tangent to where `w J v` is zero.
     fn change_point(&self, last: &State, [v, w]: [&[f64]; 2]) -> Option<Pose> {
         let n = self.chain.unknowns;
         let moved = |h: f64| {
-            let u = last.pose.u.iter().zip(&last.rates[0]).map(|(u, d)| u + h * d).collect();
+            let u = last
+                .pose
+                .u
+                .iter()
+                .zip(&last.rates[0])
+                .map(|(u, d)| u + h * d)
+                .collect();
             Pose::new(&self.chain, last.pose.drive + h, u)
         };
         let mut jacobian = Matrix::new(n, n + 1);
@@ -91,7 +106,12 @@ impl Mechanism {
             // Jacobian along v: (J(u + h v) − J(u − h v)) / 2h is symmetric in its arguments.
             let h = 1e-5;
             let mut change = |sign: f64| {
-                let u = pose.u.iter().zip(&v).map(|(u, v)| u + sign * h * v).collect();
+                let u = pose
+                    .u
+                    .iter()
+                    .zip(&v)
+                    .map(|(u, v)| u + sign * h * v)
+                    .collect();
                 let moved = Pose::new(&self.chain, pose.drive, u);
                 moved.jacobian(&self.chain, &self.chain.closures, &mut shifted);
                 shifted.clone()

@@ -53,7 +53,8 @@ impl State {
     /// Rates from the pose; `false` if it is singular.
     pub(super) fn update(&mut self, chain: &Chain, work: &mut Work) -> bool {
         let n = chain.unknowns;
-        self.pose.jacobian(chain, &chain.closures, &mut self.jacobian);
+        self.pose
+            .jacobian(chain, &chain.closures, &mut self.jacobian);
         if !self.factors.of(&self.jacobian, n, 0) {
             return false;
         }
@@ -62,7 +63,8 @@ impl State {
         self.factors.solve(|r| -jacobian[(r, n)], first);
         second.fill(0.0);
         self.motion.set(chain, &self.pose, [first, second]);
-        self.motion.second(&self.pose, &chain.closures, &mut work.residual);
+        self.motion
+            .second(&self.pose, &chain.closures, &mut work.residual);
         let right = &work.residual;
         self.factors.solve(|r| -right[r], second);
         self.motion.set(chain, &self.pose, [first, second]);
@@ -85,7 +87,11 @@ impl Mechanism {
     /// From values with derivatives in the chain's units to metres and the drive's unit.
     fn outer(&self, value: [f64; 3], lengths: bool) -> [f64; 3] {
         let l = if lengths { self.chain.metres } else { 1.0 };
-        let d = if self.chain.linear { self.chain.metres } else { 1.0 };
+        let d = if self.chain.linear {
+            self.chain.metres
+        } else {
+            1.0
+        };
         [value[0] * l, value[1] * l / d, value[2] * l / d / d]
     }
 
@@ -94,22 +100,35 @@ impl Mechanism {
         let angle = state.pose.angle(&self.chain, body);
         let [first, second] = state.motion.bodies[body].turn;
         let [angle, first, second] = self.outer([angle, first, second], false);
-        LinkMotion { angle: Angle::from_rad(angle), first, second }
+        LinkMotion {
+            angle: Angle::from_rad(angle),
+            first,
+            second,
+        }
     }
 
     /// A point fixed on a body.
     pub fn point(&self, state: &State, point: &Point) -> PointMotion {
-        let jet = state.motion.spot(&state.pose, spot(point, self.chain.metres));
+        let jet = state
+            .motion
+            .spot(&state.pose, spot(point, self.chain.metres));
         let [x, y] = [0, 1].map(|i| {
             let part = |z: Complex64| if i == 0 { z.re } else { z.im };
             self.outer(jet.map(part), true)
         });
-        PointMotion { r: [x[0], y[0]], first: [x[1], y[1]], second: [x[2], y[2]] }
+        PointMotion {
+            r: [x[0], y[0]],
+            first: [x[1], y[1]],
+            second: [x[2], y[2]],
+        }
     }
 
     /// The displacement of a point along a guide.
     pub fn displacement(&self, state: &State, point: &Point, guide: &Guide) -> Displacement {
-        let (rail, point) = (rail(guide, self.chain.metres), spot(point, self.chain.metres));
+        let (rail, point) = (
+            rail(guide, self.chain.metres),
+            spot(point, self.chain.metres),
+        );
         let [u, d] = state.motion.along(&state.pose, rail, point);
         let s = [
             dot(u[0], d[0]),
@@ -117,15 +136,25 @@ impl Mechanism {
             dot(u[2], d[0]) + 2.0 * dot(u[1], d[1]) + dot(u[0], d[2]),
         ];
         let [s_m, first_m, second_m] = self.outer(s, true);
-        Displacement { s_m, first_m, second_m }
+        Displacement {
+            s_m,
+            first_m,
+            second_m,
+        }
     }
 
     /// The displacement of a slide or slot; `None` for other joints.
     pub fn joint_displacement(&self, state: &State, joint: usize) -> Option<Displacement> {
         match &self.description().joints.get(joint)?.part {
-            Joint::Slide { slider: point, guide, .. } | Joint::Slot { pin: point, slot: guide } => {
-                Some(self.displacement(state, point, guide))
+            Joint::Slide {
+                slider: point,
+                guide,
+                ..
             }
+            | Joint::Slot {
+                pin: point,
+                slot: guide,
+            } => Some(self.displacement(state, point, guide)),
             _ => None,
         }
     }
@@ -134,7 +163,9 @@ impl Mechanism {
     /// metres): how well the loops are closed.
     pub fn gap(&self, state: &State) -> f64 {
         let mut rows = Vec::new();
-        state.pose.residual(&self.chain, &self.chain.closures, &mut rows);
+        state
+            .pose
+            .residual(&self.chain, &self.chain.closures, &mut rows);
         rows.iter().fold(0.0, |m: f64, x| m.max(x.abs())) * self.chain.metres.max(1e-300)
     }
 
@@ -153,10 +184,18 @@ impl Mechanism {
             let on = |body: usize| points.iter().find(|p| p.body == body);
             match (on(a), on(b)) {
                 (Some(p), Some(_)) if inner.is_none() => inner = Some(*p),
-                (Some(p), None) if points.iter().any(|p| self.precedes(p.body, block.bodies[0])) => {
+                (Some(p), None)
+                    if points
+                        .iter()
+                        .any(|p| self.precedes(p.body, block.bodies[0])) =>
+                {
                     outer[0] = Some(*p);
                 }
-                (None, Some(p)) if points.iter().any(|p| self.precedes(p.body, block.bodies[0])) => {
+                (None, Some(p))
+                    if points
+                        .iter()
+                        .any(|p| self.precedes(p.body, block.bodies[0])) =>
+                {
                     outer[1] = Some(*p);
                 }
                 _ => {}

@@ -108,10 +108,11 @@ pub(super) fn structure(description: &Description) -> Result<Structure, Mechanis
     let mut game = Pebbles::new(vertices.pebbles);
     for (Named { name, .. }, edges) in description.joints.iter().zip(&vertices.edges) {
         for [a, b] in edges {
-            game.insert(*a, *b).map_err(|set| MechanismError::OverConstrained {
-                what: name.clone(),
-                bodies: names(&set),
-            })?;
+            game.insert(*a, *b)
+                .map_err(|set| MechanismError::OverConstrained {
+                    what: name.clone(),
+                    bodies: names(&set),
+                })?;
         }
     }
     let [a, b] = vertices.drive;
@@ -162,7 +163,9 @@ fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Grou
     for joint in &description.joints {
         let mut all = joined(description, &joint.part);
         all.retain(|b| inside(b) || known.contains(b));
-        let ours: Vec<usize> = (0..bodies.len()).filter(|&k| all.contains(&bodies[k])).collect();
+        let ours: Vec<usize> = (0..bodies.len())
+            .filter(|&k| all.contains(&bodies[k]))
+            .collect();
         if ours.is_empty() || all.len() < 2 {
             continue;
         }
@@ -177,12 +180,18 @@ fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Grou
         1 => GroupKind::Single,
         n => {
             let rigid = pairs.iter().copied().filter(|&p| p > 2).max();
-            let contour = (0..inner.len()).filter_map(|k| shortest_cycle(n, &inner, k)).max();
+            let contour = (0..inner.len())
+                .filter_map(|k| shortest_cycle(n, &inner, k))
+                .max();
             let class = rigid.into_iter().chain(contour).max().unwrap_or(2);
             GroupKind::Assur { class }
         }
     };
-    Group { bodies, kind, order }
+    Group {
+        bodies,
+        kind,
+        order,
+    }
 }
 
 /// The length of the shortest cycle over an edge, if there is any.

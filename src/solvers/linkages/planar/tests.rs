@@ -29,7 +29,10 @@ pub(super) fn four_bar([a, b, c, d]: [f64; 4]) -> Mechanism {
     m.pin("A", &[(crank, [a, 0.0]), (coupler, [0.0, 0.0])]);
     m.pin("B", &[(coupler, [b, 0.0]), (rocker, [c, 0.0])]);
     m.pin("C", &[(GROUND, [d, 0.0]), (rocker, [0.0, 0.0])]);
-    m.drive = Drive::Angle { body: crank, from: GROUND };
+    m.drive = Drive::Angle {
+        body: crank,
+        from: GROUND,
+    };
     Mechanism::new(m).unwrap()
 }
 
@@ -40,8 +43,14 @@ pub(super) fn slider_crank([a, b, e]: [f64; 3]) -> Mechanism {
     m.pin("O", &[(GROUND, [0.0, 0.0]), (crank, [0.0, 0.0])]);
     m.pin("A", &[(crank, [a, 0.0]), (rod, [0.0, 0.0])]);
     m.pin("B", &[(rod, [b, 0.0]), (slider, [0.0, 0.0])]);
-    m.joint("guide", slide((slider, [0.0, 0.0]), (GROUND, [0.0, e]), 0.0));
-    m.drive = Drive::Angle { body: crank, from: GROUND };
+    m.joint(
+        "guide",
+        slide((slider, [0.0, 0.0]), (GROUND, [0.0, e]), 0.0),
+    );
+    m.drive = Drive::Angle {
+        body: crank,
+        from: GROUND,
+    };
     Mechanism::new(m).unwrap()
 }
 
@@ -54,7 +63,10 @@ pub(super) fn slide(slider: (usize, [f64; 2]), on: (usize, [f64; 2]), direction:
 }
 
 pub(super) fn guide(on: (usize, [f64; 2]), direction: f64) -> Guide {
-    Guide { origin: Point::from_m(on.0, on.1), direction: Angle::from_rad(direction) }
+    Guide {
+        origin: Point::from_m(on.0, on.1),
+        direction: Angle::from_rad(direction),
+    }
 }
 
 /// The linkage of [`crate::class_iii`] as a mechanism; link k is body k.
@@ -72,12 +84,25 @@ pub(super) fn class_iii(v: &[f64; 11]) -> Mechanism {
     m.pin("B", &[(2, [l2, 0.0]), (4, b)]);
     m.pin("C", &[(3, [l3, 0.0]), (4, [0.0, 0.0])]);
     m.pin("D", &[(5, [l5, 0.0]), (4, [l4, 0.0])]);
-    m.drive = Drive::Angle { body: 1, from: GROUND };
+    m.drive = Drive::Angle {
+        body: 1,
+        from: GROUND,
+    };
     Mechanism::new(m).unwrap()
 }
 
 pub(super) const SAND_SCREEN: [f64; 11] = [
-    0.10, 1.04, 0.60, 0.64, 0.485, 0.22, -0.685_914_396_033_981_6, 0.75, 0.93, 1.285, 1.035,
+    0.10,
+    1.04,
+    0.60,
+    0.64,
+    0.485,
+    0.22,
+    -0.685_914_396_033_981_6,
+    0.75,
+    0.93,
+    1.285,
+    1.035,
 ];
 
 /// PMKSWeb's double butterfly driven by the ternary link ACD about A (coordinates in metres here).
@@ -107,13 +132,19 @@ pub(super) fn drawn(bodies: &[&str], fixed: &[&str], at: impl Fn(char) -> [f64; 
     points.sort_unstable();
     points.dedup();
     for p in points {
-        let all: Vec<(usize, [f64; 2])> =
-            on.iter().filter(|b| b.1.contains(p)).map(|b| (b.0, at(p))).collect();
+        let all: Vec<(usize, [f64; 2])> = on
+            .iter()
+            .filter(|b| b.1.contains(p))
+            .map(|b| (b.0, at(p)))
+            .collect();
         if all.len() > 1 {
             m.pin(p.to_string(), &all);
         }
     }
-    m.drive = Drive::Angle { body: 1, from: GROUND };
+    m.drive = Drive::Angle {
+        body: 1,
+        from: GROUND,
+    };
     Mechanism::new(m).unwrap()
 }
 
@@ -154,7 +185,10 @@ fn a_four_bar_is_that_of_the_dyads() {
                 assert!(turn(g.angle.rad(), link.angle.rad()) < bad);
                 assert!((g.first - link.first).abs() < 10.0 * bad * (1.0 + link.first.abs()));
                 let size = 1.0 + link.second.abs();
-                assert!((g.second - link.second).abs() < 100.0 * bad * size, "{g:?} {link:?}");
+                assert!(
+                    (g.second - link.second).abs() < 100.0 * bad * size,
+                    "{g:?} {link:?}"
+                );
             }
             let gamma = general.transmission(state, 1).unwrap();
             assert!((gamma.rad() - s.transmission.rad()).abs() < bad);
@@ -185,7 +219,10 @@ fn a_slider_crank_is_that_of_the_dyads() {
             due += 1;
             let travel = |x: &State| general.joint_displacement(x, 3).unwrap();
             let apart = |x: &&State| (travel(x).s_m - s.slider_m).abs();
-            let state = modes.states.iter().min_by(|x, y| apart(x).total_cmp(&apart(y)));
+            let state = modes
+                .states
+                .iter()
+                .min_by(|x, y| apart(x).total_cmp(&apart(y)));
             let t = travel(state.unwrap());
             assert!((t.s_m - s.slider_m).abs() < 1e-12, "{t:?} {}", s.slider_m);
         }
@@ -206,7 +243,10 @@ fn a_class_iii_linkage_is_that_of_its_solver() {
         let general = class_iii(&v);
         let groups = &general.structure().groups;
         assert_eq!(groups[1].kind, GroupKind::Assur { class: 3 });
-        assert_eq!((groups[1].order, &groups[1].bodies[..]), (3, &[2, 3, 4, 5][..]));
+        assert_eq!(
+            (groups[1].order, &groups[1].bodies[..]),
+            (3, &[2, 3, 4, 5][..])
+        );
         let found = special.assembly_modes(Angle::from_rad(phi));
         let modes = general.assembly_modes(phi);
         assert_eq!(found.modes.len(), modes.states.len());
@@ -217,7 +257,11 @@ fn a_class_iii_linkage_is_that_of_its_solver() {
                 let of = |k: usize| turn(general.body_angle(s, k + 2).angle.rad(), angles[k]);
                 (0..4).map(of).fold(0.0, f64::max)
             };
-            let state = modes.states.iter().min_by(|x, y| apart(x).total_cmp(&apart(y))).unwrap();
+            let state = modes
+                .states
+                .iter()
+                .min_by(|x, y| apart(x).total_cmp(&apart(y)))
+                .unwrap();
             let bad = 1e-15 * due.condition;
             assert!(apart(&state) < bad, "{} {}", apart(&state), due.condition);
             for k in 0..4 {
@@ -225,7 +269,11 @@ fn a_class_iii_linkage_is_that_of_its_solver() {
                 let (w, x) = (due.rates.first[k], due.rates.second[k]);
                 let size = due.condition * bad;
                 assert!((g.first - w).abs() <= size, "{} {w} {size}", g.first);
-                assert!((g.second - x).abs() <= size * due.condition, "{} {x}", g.second);
+                assert!(
+                    (g.second - x).abs() <= size * due.condition,
+                    "{} {x}",
+                    g.second
+                );
             }
         }
     }

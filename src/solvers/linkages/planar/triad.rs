@@ -21,6 +21,9 @@ struct Leg {
     plate: Complex64,
 }
 
+/// The bodies of a triad with their angles.
+type Angles = [(usize, f64); 4];
+
 /// A triad.
 #[derive(Clone, Debug)]
 pub(super) struct Triad {
@@ -43,7 +46,9 @@ impl Triad {
             own().count() == 3 && !own().any(outer)
         })?;
         let leg = |body: usize| -> Option<Leg> {
-            let to_plate = pins.iter().find(|p| end(p, body).is_some() && end(p, plate).is_some())?;
+            let to_plate = pins
+                .iter()
+                .find(|p| end(p, body).is_some() && end(p, plate).is_some())?;
             let to_known = pins.iter().find(|p| end(p, body).is_some() && outer(p))?;
             Some(Leg {
                 body,
@@ -52,14 +57,21 @@ impl Triad {
                 plate: end(to_plate, plate)?,
             })
         };
-        let legs: Vec<Leg> =
-            block.bodies.iter().filter(|&&b| b != plate).map(|&b| leg(b)).collect::<Option<_>>()?;
-        Some(Triad { plate, legs: legs.try_into().ok()? })
+        let legs: Vec<Leg> = block
+            .bodies
+            .iter()
+            .filter(|&&b| b != plate)
+            .map(|&b| leg(b))
+            .collect::<Option<_>>()?;
+        Some(Triad {
+            plate,
+            legs: legs.try_into().ok()?,
+        })
     }
 
     /// Angles of the bodies at every assembly mode, and whether modes are near merging; `None` for
     /// dimensions that the polynomial does not take.
-    pub(super) fn modes(&self, pose: &Pose) -> Option<(Vec<[(usize, f64); 4]>, bool)> {
+    pub(super) fn modes(&self, pose: &Pose) -> Option<(Vec<Angles>, bool)> {
         let [two, three, five] = &self.legs;
         let length = |l: &Leg| (l.own[1] - l.own[0]).norm();
         let [a, o3, o5] = [two, three, five].map(|l| pose.at(l.outer));
@@ -104,10 +116,16 @@ fn pins(chain: &Chain, block: &Block) -> Option<Vec<[Spot; 2]>> {
         Entry::Pin { on, own } => Some([Spot { body, at: own }, on]),
         _ => None,
     });
-    let closures = chain.closures[block.closures.clone()].iter().map(|c| match *c {
-        Closure::Pin { a, b } => Some([a, b]),
-        _ => None,
+    let closures = chain.closures[block.closures.clone()]
+        .iter()
+        .map(|c| match *c {
+            Closure::Pin { a, b } => Some([a, b]),
+            _ => None,
+        });
+    let free = block.bodies.iter().all(|&b| {
+        chain.turns[b]
+            .unknown
+            .is_some_and(|k| block.unknowns.contains(&k))
     });
-    let free = block.bodies.iter().all(|&b| chain.turns[b].unknown.is_some_and(|k| block.unknowns.contains(&k)));
     free.then(|| entries.chain(closures).collect::<Option<Vec<_>>>())?
 }
