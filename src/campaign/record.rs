@@ -151,12 +151,14 @@ mod tests {
     #[test]
     fn a_file_is_whole_or_what_is_wrong_with_it() {
         let own = identity("1", "r");
-        let record = |plan, shard, identity| Record {
-            plan,
-            shard,
-            shards: 4,
-            identity,
-        };
+        fn record<'a>(plan: &'a str, shard: u64, identity: &'a Identity) -> Record<'a> {
+            Record {
+                plan,
+                shard,
+                shards: 4,
+                identity,
+            }
+        }
         let due = record("p", 2, &own);
         let content = Content { parts: Vec::new() };
         let bytes = due.write(&content, 1.5, 2);
