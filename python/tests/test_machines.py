@@ -129,3 +129,18 @@ def test_pickle():
     assert again.sweep([10.0]).tolist() == linkage.sweep([10.0]).tolist()
     rows = linkage.sweep([10.0])
     assert pickle.loads(pickle.dumps(rows)).tolist() == rows.tolist()
+
+
+def test_mechanisms_of_bodies_and_joints():
+    linkage = mechaudit.Linkage.from_toml(EXAMPLES / "watt-1.toml")
+    assert linkage.type == "planar"
+    modes = linkage.modes(70)
+    assert len(modes) >= 2 and list(modes["branch"]) == list(range(len(modes)))
+    rows = linkage.sweep(np.arange(0, 360, 5), branch=0)
+    assert rows.dtype.names[:2] == ("phi_deg", "branch") and len(rows) == 72
+    with pytest.raises(mechaudit.DomainError, match="floating point"):
+        linkage.certified(0)
+    boom = mechaudit.Linkage.from_toml(EXAMPLES / "cylinder-boom.toml")
+    assert boom.sweep([1.0]).dtype.names[0] == "s_m"
+    with pytest.raises(ValueError, match="line"):
+        mechaudit.Linkage.from_toml('type = "planar"\n[[body]]\nname = "a"\nlenght = "1 m"\n')

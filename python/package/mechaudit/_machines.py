@@ -142,11 +142,11 @@ class Linkage:
 
     @property
     def type(self) -> str:
-        """'class-iii', 'four-bar' or 'slider-crank'."""
+        """'class-iii', 'four-bar', 'slider-crank' or 'planar'."""
         return self._compiled.kind
 
     def modes(self, phi: float) -> Rows:
-        """All assembly modes at a crank angle in degrees, a row for each."""
+        """All assembly modes at a crank angle in degrees (a displacement in metres), a row for each."""
         return _rows(self._compiled.modes(float(phi)))
 
     def sweep(self, phi: Any, branch: int | None = None) -> Rows:
@@ -155,7 +155,7 @@ class Linkage:
         Parameters
         ----------
         phi : array_like
-            Crank angles in degrees, followed in this order.
+            Crank angles in degrees, or displacements of the drive in metres, followed in this order.
         branch : int, optional
             Its number among the modes at the description's start angle, or at the first angle; the
             description's own if not given.
@@ -188,7 +188,8 @@ class Linkage:
         Raises
         ------
         DomainError
-            The crank does not reach the angle.
+            The crank does not reach the angle, or the linkage is of type 'planar', whose rows are in
+            floating point.
         Undecided
             No position could be proved.
         """
