@@ -7,6 +7,7 @@ use mechaudit::machine::planar::{self, Columns};
 use mechaudit::machine::run_up::{Coefficients, Machine, Overrides};
 use mechaudit::machine::{self, CamOscillator, Source};
 use mechaudit::reference::nearest_f64;
+use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
 use mechaudit::solvers::planar::State;
 use mechaudit::solvers::run_up::{Equation, Hybrid, ReducedModel, Splined, run};
@@ -178,19 +179,22 @@ impl Linkage {
         Ok(table(py, self.columns(), rows))
     }
 
-    /// The joints of a class-III linkage at the crank angles of a sweep, and its fixed pivots: for
-    /// drawings. Nothing for other types.
-    fn joints(&self, phi_deg: f64, branch: Option<usize>) -> PyResult<Option<Vec<[f64; 2]>>> {
-        let machine::Linkage::ClassIii(l) = &self.linkage else {
-            return Ok(None);
-        };
-        let at = degrees(phi_deg)?;
-        let (chosen, _) = self.branch(l, at, branch)?;
-        let state = l
-            .solver
-            .follow(&chosen.start, Angle::from_deg(phi_deg))
-            .map_err(value_error)?;
-        Ok(Some(state.joints().to_vec()))
+    /// The drawing of a branch.
+    fn svg(&self, py: Python<'_>, branch: Option<usize>) -> PyResult<String> {
+        py.detach(|| match &self.linkage {
+            machine::Linkage::ClassIii(l) => {
+                let (chosen, _) = self.branch(l, Rational::new(), branch)?;
+                let path = class_iii::path(l, &chosen, drawn::SAMPLES).map_err(value_error)?;
+                Ok(drawn::class_iii(l, &chosen, &path))
+            }
+            machine::Linkage::Dyad(l) => Ok(drawn::dyad(l, assembly(l, branch)?)),
+            machine::Linkage::Planar(l) => {
+                let start = l.start.at.filter(|_| branch.is_none()).unwrap_or(0.0);
+                let first = l.window.map_or(start, |w| w[0]);
+                let chosen = planar::choose(l, drive(l, first), branch).map_err(value_error)?;
+                Ok(drawn::planar(l, &chosen))
+            }
+        })
     }
 
     /// A row for each value of the drive (degrees, or metres), in their order; NaN where the branch does

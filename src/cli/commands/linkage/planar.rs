@@ -1,6 +1,6 @@
 //! A mechanism of bodies and joints given in a file, computed over its drive.
 
-use super::{planar_drawing, planar_facts as facts};
+use super::planar_facts as facts;
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -11,6 +11,7 @@ use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns as Shown;
 use mechaudit::report::rows::Rows;
+use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::planar::BranchMap;
 use rug::Rational;
 
@@ -73,7 +74,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let branch = planar::choose(machine, start, args.branch).map_err(in_file)?;
     if let Some(folder) = &args.svg {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&planar_drawing::draw(machine, &branch))?;
+        drawing.text(&drawn::planar(machine, &branch))?;
     }
     let mut written = 0;
     output.write(|out| {
