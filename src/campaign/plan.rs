@@ -317,7 +317,7 @@ impl Part {
     /// The method.
     ///
     /// # Panics
-    /// When it is not in the registry, which [`Part::check`] refuses.
+    /// When it is not in the registry, which a plan refuses.
     pub fn method(&self) -> Box<dyn Method> {
         methods::find(&self.method).expect("the plan was checked")
     }

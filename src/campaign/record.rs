@@ -12,7 +12,7 @@ pub const SCHEMA: u32 = 1;
 /// What the file of a shard belongs to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Header {
-    /// [`SCHEMA`].
+    /// The version of the form.
     pub campaign_shard: u32,
     /// The plan's digest.
     pub plan: String,
@@ -133,5 +133,59 @@ impl Content {
     /// What is no content.
     pub fn read(body: &[u8]) -> Result<Content, RecordError> {
         Ok(serde_json::from_slice(body)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn identity(program: &str, references: &str) -> Identity {
+        Identity {
+            program: program.into(),
+            references: references.into(),
+            solvers: "s".into(),
+        }
+    }
+
+    #[test]
+    fn a_file_is_whole_or_what_is_wrong_with_it() {
+        let own = identity("1", "r");
+        fn record<'a>(plan: &'a str, shard: u64, identity: &'a Identity) -> Record<'a> {
+            Record {
+                plan,
+                shard,
+                shards: 4,
+                identity,
+            }
+        }
+        let due = record("p", 2, &own);
+        let content = Content { parts: Vec::new() };
+        let bytes = due.write(&content, 1.5, 2);
+        let Found::Whole(header, body) = due.read(&bytes) else {
+            panic!("it is whole");
+        };
+        assert_eq!((header.shard, header.threads), (2, 2));
+        assert_eq!(Content::read(body).unwrap(), content);
+        // Cut off anywhere, or changed anywhere after the header.
+        for end in 0..bytes.len() {
+            assert!(
+                matches!(due.read(&bytes[..end]), Found::Damaged(_)),
+                "{end}"
+            );
+        }
+        let start = bytes.iter().position(|b| *b == b'\n').unwrap() + 1;
+        for at in start..bytes.len() {
+            let mut changed = bytes.clone();
+            changed[at] ^= 4;
+            assert!(matches!(due.read(&changed), Found::Damaged(_)), "{at}");
+        }
+        for other in [record("q", 2, &own), record("p", 3, &own)] {
+            assert!(matches!(other.read(&bytes), Found::Foreign(_)));
+        }
+        for other in [identity("2", "r"), identity("1", "q")] {
+            let found = record("p", 2, &other).read(&bytes);
+            assert!(matches!(found, Found::OtherVersion(_)), "{found:?}");
+        }
     }
 }

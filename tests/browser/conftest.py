@@ -20,6 +20,24 @@ BROWSER = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which
 # A candidate that is wrong in many ways: a series with too few terms, NaN, refusals, a name to be escaped.
 BAD = ROOT / "tests/browser/bad_w.py"
 
+# A campaign with every kind of part that a page shows.
+PLAN = """
+name = "pages"
+[[part]]
+methods = ["faddeeva", "erf"]
+seeds = [1, 2]
+cases = 5
+[[part]]
+methods = ["faddeeva"]
+box = "Re z=0..8,Im z=log 1e-9..1"
+cases = 50
+[[part]]
+kind = "hunt"
+methods = ["four-bar"]
+hunts = 2
+evaluations = 100
+"""
+
 # What the program is asked for each page, and the exit codes that are no accident.
 PAGES = {
     "audit": (["audit", "--cases", "4"], [0]),
@@ -30,11 +48,21 @@ PAGES = {
         [1],
     ),
     "atlas": (["atlas", "--cases", "10"], [0]),
+    "campaign": (["campaign", "report"], [0]),
     "paper": (["paper", "zinchenko"], [0]),
     "plain-paper": (["paper", "gembara-senyk"], [0]),
     "ledger": (["paper", "zinchenko", "--ledger"], [0]),
     "long-ledger": (["paper", "gembara-senyk", "--ledger"], [0]),
 }
+
+
+def campaign(folder):
+    """A campaign's folder, done in part."""
+    plan, made = folder / "plan.toml", folder / "campaign"
+    plan.write_text(PLAN)
+    for step in (["plan", plan, "--shards", "4", "--output", made], ["run", made, "--shard", "0-2"]):
+        subprocess.run([PROGRAM, "campaign", *step], check=True, capture_output=True)
+    return made
 
 
 @pytest.fixture(scope="session")
@@ -44,7 +72,10 @@ def written(tmp_path_factory):
     paths = {}
     for name, (arguments, codes) in PAGES.items():
         paths[name] = folder / f"{name}.html"
-        command = [PROGRAM, *arguments, "--format", "html", "--output", paths[name]]
+        form = ["--format", "html"]
+        if name == "campaign":
+            form = [campaign(folder)]
+        command = [PROGRAM, *arguments, *form, "--output", paths[name]]
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
         assert done.returncode in codes, f"{command}: {done.returncode}\n{done.stderr}"
     return paths

@@ -22,6 +22,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
+from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
@@ -274,7 +275,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 2
     except KeyboardInterrupt:
         return 130
-    except (OSError, TimeoutError, distributed.client.FutureCancelledError) as e:
+    except (OSError, TimeoutError, CancelledError) as e:
         # Also whatever distributed raises when its scheduler goes.
         print(f"mechaudit.campaign: {' '.join(str(e).split()) or type(e).__name__}", file=sys.stderr)
         return 2

@@ -1,12 +1,11 @@
 //! What a campaign has besides audits.
 
-use super::overview::number;
 use crate::audit::Method;
 use crate::audit::MethodReport;
 use crate::campaign::{HuntTally, PartSum, Plan};
 use crate::report::html::page::class;
 use crate::report::words::Tone;
-use crate::report::words::numbers::{percent, short};
+use crate::report::words::numbers::percent;
 use maud::{Markup, html};
 
 /// Cases of all parts.
@@ -52,11 +51,11 @@ fn lines(label: &str, hunts: &HuntTally, method: &dyn Method) -> Markup {
         @for w in &worst {
             tr {
                 td.left { (label) }
-                (number(true, hunts.hunts as f64)) td { (hunts.evaluations) } td { (hunts.failures) }
+                td { (hunts.hunts) } td { (hunts.evaluations) } td { (hunts.failures) }
                 td.left { (w.output) }
                 td { (percent(w.share)) }
                 td.left { @if w.new { span.sign.(class(tone(w.share))) { "new" } } }
-                td.left.wrap { (w.reason) ", seed " (short(w.seed as f64)) }
+                td.left.wrap { (w.reason) ", seed " (w.seed) }
                 td.left { code { (w.reproduce(method)) } }
             } "\n"
         }

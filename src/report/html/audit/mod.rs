@@ -123,7 +123,7 @@ impl Parts<'_> {
         let main = html! {
             h1 { (self.title) } "\n"
             (verdict(tone, word, &format!("{}.", self.totals)))
-            @if let Some(first) = reports.first() { p.soft { (settings(&first.settings)) } "\n" }
+            @if let Some(first) = reports.first().filter(|_| self.kind != "campaign") { p.soft { (settings(&first.settings)) } "\n" }
             (news(&self.named))
             (self.first)
             @if let Some(changes) = self.changes { (comparison::changes(changes)) }
@@ -154,6 +154,9 @@ impl Parts<'_> {
         html! {
             @if self.kind == "comparison" { li { a href="#comparison" { b { "Side by side" } } } "\n" }
             @if self.changes.is_some() { li { a href="#changes" { b { "Since the baseline" } } } "\n" }
+            @if self.kind == "campaign" && !self.first.0.is_empty() {
+                li { a href="#hunts" { b { "Hunts" } } } "\n"
+            }
             @if several { li { a href="#overview" { b { "Overview" } } } "\n" }
             @for (k, (name, r)) in self.named.iter().enumerate() {
                 @let (_, tone) = of_method(r);
