@@ -93,7 +93,7 @@
 
 #[cfg(feature = "oracle")]
 pub mod book;
-#[cfg(feature = "cli")]
+#[cfg(feature = "report")]
 pub mod campaign;
 #[cfg(feature = "oracle")]
 pub mod candidate;
