@@ -268,7 +268,7 @@ mod tests {
         let text = format!("type = \"{kind}\"\n[geometry]\n{geometry}");
         match Linkage::read(&Source::toml(text)).unwrap() {
             Linkage::Dyad(dyad) => dyad.shape,
-            Linkage::ClassIii(_) => unreachable!("a dyad"),
+            _ => unreachable!("a dyad"),
         }
     }
 
