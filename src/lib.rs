@@ -9,11 +9,13 @@
 //! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
+//! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `cli` |
 //! | `methods` | one file for each audited method | feature `oracle` |
+//! | `claims` | what is said of published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
 //! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `oracle` |
 //! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
-//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `cli` |
+//! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `report` |
 //! | `papers` | published papers: data, tables, formulas, findings | feature `oracle` |
 //!
 //! With `default-features = false` only the solvers are built, without GMP, MPFR or any
@@ -91,15 +93,19 @@
 
 #[cfg(feature = "oracle")]
 pub mod book;
+#[cfg(feature = "cli")]
+pub mod campaign;
 #[cfg(feature = "oracle")]
 pub mod candidate;
+#[cfg(feature = "oracle")]
+pub mod claims;
 #[cfg(feature = "machine")]
 pub mod machine;
 #[cfg(feature = "oracle")]
 pub mod methods;
 #[cfg(feature = "oracle")]
 pub mod papers;
-#[cfg(feature = "cli")]
+#[cfg(feature = "report")]
 pub mod report;
 
 #[cfg(all(doctest, feature = "oracle"))]

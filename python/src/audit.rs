@@ -2,11 +2,12 @@
 
 use crate::certified::{Component, component, evaluable_method, uncertified, values_of};
 use crate::errors::value_error;
-use crate::facts::{case_facts, proof, statistics};
+use crate::facts::{proof, report_facts};
 use crate::pool::pool;
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Draw, Layout, Limit, Origin, ReferenceAnswer, Settings, SolverAnswer,
-    Tally, Uncertified, Variant, Verdict, answer_of, judge_case, judge_case_briefly,
+    CandidateReport, Case, CaseReport, Cases, Format, Layout, Limit, Method, MethodReport, Near,
+    Origin, ReferenceAnswer, Reproduce, SampleBox, Sampling, Settings, SolverAnswer, Tally,
+    Uncertified, Variant, Verdict, answer_of, judge_case_briefly,
 };
 use mechaudit::methods::Evaluable;
 use mechaudit::reference::{Ball, HexFloat};
@@ -14,15 +15,13 @@ use numpy::ndarray::Array2;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::PyDict;
 use rayon::prelude::*;
 use rug::Rational;
 use std::collections::BTreeMap;
 
-/// Worst cases kept of each region.
-const WORST: usize = 10;
-/// The name of what was drawn from a box.
-const BOX: &str = "box";
+/// Cases of each region that a page shows with all their errors.
+const POINTS: usize = 64;
 
 /// What a callable did at a case.
 #[derive(FromPyObject)]
@@ -45,15 +44,10 @@ impl From<Answer> for SolverAnswer {
     }
 }
 
-/// An interval of an input, and whether it is sampled logarithmically.
-type Interval = (usize, f64, f64, bool);
-
 /// Which cases.
 enum Choice {
-    /// Regions, and the named cases if all are chosen.
-    Regions { names: Vec<String>, named: bool },
-    /// Drawn from intervals; inputs without one come from the regions in turn.
-    Box(Vec<Interval>),
+    /// Drawn: those of the method's sampling.
+    Drawn,
     /// Inputs.
     Given(Vec<Vec<f64>>),
     /// One.
@@ -64,76 +58,216 @@ enum Choice {
 #[pyclass(module = "mechaudit._mechaudit")]
 pub struct Run {
     method: &'static dyn Evaluable,
+    scope: Scope,
     cases: Cases,
     choice: Choice,
     settings: Settings,
-    outputs: Option<Vec<String>>,
-    limit: Option<Limit>,
     tally: Option<Tally>,
-    worst: BTreeMap<&'static str, Vec<(f64, Case, SolverAnswer)>>,
+    report: Option<MethodReport>,
+}
+
+/// What a run judges and by which budget, all of it optional.
+#[derive(Default, FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Scope {
+    #[pyo3(default)]
+    outputs: Option<Vec<String>>,
+    limits: BTreeMap<String, f64>,
+    #[pyo3(default)]
+    single: bool,
+    #[pyo3(default)]
+    regions: Vec<String>,
+    #[pyo3(default)]
+    ordinary: bool,
+    #[pyo3(default)]
+    sides: Option<String>,
+    #[pyo3(default)]
+    near: Option<(String, f64)>,
 }
 
 fn given(word: &str, value: &str, rule: &str) -> PyErr {
     PyValueError::new_err(format!("{word}: {rule}, got {value:?}"))
 }
 
-/// Reads the place of a case, written like the arguments of `mechaudit audit` that choose it.
-fn single(method: &'static dyn Evaluable, place: &str, settings: &mut Settings) -> PyResult<Case> {
-    let mut found: BTreeMap<&str, &str> = BTreeMap::new();
-    let mut words = place.split_whitespace();
-    while let Some(flag) = words.next() {
-        let known = [
-            "--region",
-            "--seed",
-            "--case",
-            "--check-point",
-            "--hard-case",
-            "--at",
-        ];
-        if !known.contains(&flag) {
-            let rule = format!("a case is chosen by {}", known.join(", "));
-            return Err(given("place", place, &rule));
+/// The limit for each output that is asked for, if one is.
+fn limit(limits: &BTreeMap<String, f64>) -> PyResult<Option<Limit>> {
+    for (kind, k) in limits {
+        if !(k.is_finite() && *k > 0.0) {
+            let rule = "a budget is finite and positive";
+            return Err(PyValueError::new_err(format!("{kind}: {rule}, got {k}")));
         }
-        let value = words.next();
-        found.insert(
-            flag,
-            value.ok_or_else(|| given("place", place, &format!("{flag} needs a value")))?,
-        );
     }
-    let number = |flag: &str| -> PyResult<Option<u64>> {
+    let limit = |kind: &str| limits.get(kind).copied();
+    let outputs: Vec<&str> = limits.keys().map(String::as_str).collect();
+    let outputs: Vec<&str> = outputs.into_iter().filter(|k| *k != "normwise").collect();
+    Ok(match outputs.as_slice() {
+        [] => None,
+        ["ulps"] => limit("ulps").map(Limit::Ulps),
+        ["conditioned"] => limit("conditioned").map(Limit::Conditioned),
+        ["relative"] => limit("relative").map(Limit::Relative),
+        ["absolute"] => limit("absolute").map(Limit::Absolute),
+        ["absolute", "relative"] => limit("relative")
+            .zip(limit("absolute"))
+            .map(|(r, a)| Limit::RelativeOrAbsolute(r, a)),
+        several => {
+            return Err(PyValueError::new_err(format!(
+                "{} exclude each other: a budget is ulps, conditioned, or relative and absolute",
+                several.join(" and ")
+            )));
+        }
+    })
+}
+
+impl Scope {
+    /// What the place of a case needs besides: how its run draws.
+    fn tail(&self) -> String {
+        let mut tail = String::new();
+        if self.single {
+            tail.push_str(" --single");
+        }
+        if self.sides.is_some() {
+            // What the box does not name is drawn from them, one after the other.
+            tail.extend(self.regions.iter().map(|r| format!(" --region {r}")));
+            tail.push_str(if self.ordinary { " --ordinary" } else { "" });
+        }
+        tail
+    }
+
+    /// The method as it is asked for.
+    fn variant(
+        &self,
+        method: &'static dyn Evaluable,
+        settings: &Settings,
+    ) -> PyResult<Variant<'static>> {
+        let mut variant = Variant::new(method).without_laws();
+        if let Some(names) = &self.outputs {
+            variant = variant.outputs(names).map_err(value_error)?;
+        }
+        if self.single {
+            variant = variant.format(Format::Single);
+        }
+        if let Some(limit) = limit(&self.limits)? {
+            variant = variant.limit(limit);
+        }
+        if let Some(r) = self.limits.get("normwise") {
+            variant = variant.norm_limit(*r);
+        }
+        for name in &self.regions {
+            variant = variant.region(name).map_err(value_error)?;
+        }
+        if self.ordinary {
+            variant = variant.ordinary();
+        }
+        if let Some(text) = &self.sides {
+            let sides = SampleBox::read(&variant, text).map_err(value_error)?;
+            variant = variant.sampling(Sampling::Box(sides));
+        }
+        if let Some((text, radius)) = &self.near {
+            let near = Near::read(&variant, settings, text, *radius).map_err(value_error)?;
+            variant = variant.sampling(Sampling::Near(near));
+        }
+        Ok(variant)
+    }
+}
+
+/// Reads the place of a case, written like the arguments of `mechaudit audit` that choose it: how its
+/// run draws, and which it is.
+fn place(words: &[String], settings: &mut Settings) -> PyResult<(Scope, BTreeMap<String, String>)> {
+    const VALUED: [&str; 9] = [
+        "--region",
+        "--seed",
+        "--case",
+        "--check-point",
+        "--hard-case",
+        "--at",
+        "--box",
+        "--near",
+        "--radius",
+    ];
+    let whole = words.join(" ");
+    let bad = |rule: &str| given("place", &whole, rule);
+    let (mut scope, mut found) = (Scope::default(), BTreeMap::new());
+    let mut words = words.iter();
+    while let Some(flag) = words.next() {
+        match flag.as_str() {
+            "--single" => scope.single = true,
+            "--ordinary" => scope.ordinary = true,
+            flag if VALUED.contains(&flag) => {
+                let value = words
+                    .next()
+                    .ok_or_else(|| bad(&format!("{flag} needs a value")))?;
+                match flag {
+                    "--region" => scope.regions.push(value.clone()),
+                    "--box" => scope.sides = Some(value.clone()),
+                    _ => {
+                        found.insert(flag.to_string(), value.clone());
+                    }
+                }
+            }
+            _ => {
+                let known = VALUED.join(", ");
+                let rule = format!("a case is chosen by {known}, --ordinary or --single");
+                return Err(bad(&rule));
+            }
+        }
+    }
+    if let Some(seed) = found.get("--seed") {
+        settings.seed = seed.parse().map_err(|_| bad("--seed is a number"))?;
+    }
+    if let Some(text) = found.remove("--near") {
+        let radius = found.get("--radius").and_then(|r| r.parse().ok());
+        let radius = radius.ok_or_else(|| bad("--near needs a --radius, a number"))?;
+        scope.near = Some((text, radius));
+    }
+    Ok((scope, found))
+}
+
+/// The case that the rest of a place names.
+fn named(
+    method: &dyn Method,
+    cases: &Cases,
+    scope: &Scope,
+    found: &BTreeMap<String, String>,
+) -> PyResult<Case> {
+    let number = |flag: &str| {
         let text = found.get(flag);
-        let read = text.map(|t| {
-            t.parse()
-                .map_err(|_| given("place", place, &format!("{flag} is a number")))
-        });
-        read.transpose()
+        let read = text.map(|t| t.parse::<u64>());
+        let rule = "is a number";
+        read.transpose().map_err(|_| given("place", flag, rule))
     };
-    if let Some(seed) = number("--seed")? {
-        settings.seed = seed;
-    }
-    let cases = Cases::new(method, settings);
     let case = if let Some(name) = found.get("--check-point") {
         cases.at_check_point(name)
     } else if let Some(n) = number("--hard-case")? {
-        cases.hard_case(n as usize)
+        cases.hard_case(usize::try_from(n).unwrap_or(usize::MAX))
     } else if let Some(numbers) = found.get("--at") {
         let input = numbers.split(',').map(|t| {
             let hex = HexFloat::parse(t).ok().map(|x| x.to_f64());
             hex.or_else(|| t.parse().ok())
         });
         let input: Option<Vec<f64>> = input.collect();
-        let input = input.ok_or_else(|| given("place", place, "--at takes numbers"))?;
+        let input = input.ok_or_else(|| given("place", numbers, "--at takes numbers"))?;
         return of_input(method, input);
-    } else if let (Some(region), Some(index)) = (found.get("--region"), number("--case")?) {
-        cases.in_region(region, index)
+    } else if let Some(index) = number("--case")? {
+        match (cases.at_index(index), scope.regions.as_slice()) {
+            (Some(case), _) => Ok(case),
+            (None, [region]) => cases.in_region(region, index),
+            (None, _) => {
+                return Err(given(
+                    "place",
+                    "--case",
+                    "of one --region, a --box or --near",
+                ));
+            }
+        }
     } else {
-        let rule = "a case is a --check-point, a --hard-case, an --at, or a --case of a --region";
-        return Err(given("place", place, rule));
+        let rule = "a case is a --check-point, a --hard-case, an --at, or a --case of a --region, \
+                    a --box or --near";
+        return Err(given("place", "", rule));
     };
     case.map_err(value_error)
 }
 
-fn of_input(method: &dyn Evaluable, input: Vec<f64>) -> PyResult<Case> {
+fn of_input(method: &dyn Method, input: Vec<f64>) -> PyResult<Case> {
     Layout::new(method).lengths(&input).map_err(value_error)?;
     Ok(Case {
         method: method.name(),
@@ -145,38 +279,29 @@ fn of_input(method: &dyn Evaluable, input: Vec<f64>) -> PyResult<Case> {
 
 impl Run {
     fn variant(&self) -> PyResult<Variant<'static>> {
-        let mut variant = Variant::new(self.method).without_laws();
-        if let Some(names) = &self.outputs {
-            variant = variant.outputs(names).map_err(value_error)?;
-        }
-        if let Some(limit) = self.limit {
-            variant = variant.limit(limit);
-        }
-        Ok(variant)
+        self.scope.variant(self.method, &self.settings)
     }
 
     fn count(&self) -> usize {
-        let per_region = self.settings.cases_per_region as usize;
         match &self.choice {
-            Choice::Regions { named: true, .. } => self.cases.len(),
-            Choice::Regions { names, .. } => names.len().saturating_mul(per_region),
-            Choice::Box(_) => per_region,
+            Choice::Drawn => self.cases.len(),
             Choice::Given(all) => all.len(),
             Choice::Single(_) => 1,
         }
     }
 
+    fn checked(&self, i: usize) -> PyResult<usize> {
+        match self.count() {
+            n if i < n => Ok(i),
+            n => Err(PyValueError::new_err(format!(
+                "case: there are {n}, not {i}"
+            ))),
+        }
+    }
+
     fn case(&self, i: usize) -> Case {
-        let per_region = self.settings.cases_per_region;
         match &self.choice {
-            Choice::Regions { named: true, .. } => self.cases.get(i),
-            Choice::Regions { names, .. } => {
-                let (region, index) = (i as u64 / per_region, i as u64 % per_region);
-                self.cases
-                    .in_region(&names[region as usize], index)
-                    .expect("regions are checked when they are chosen")
-            }
-            Choice::Box(intervals) => self.boxed(intervals, i as u64),
+            Choice::Drawn => self.cases.get(i),
             Choice::Given(all) => Case {
                 method: self.method.name(),
                 region: "given",
@@ -187,54 +312,6 @@ impl Run {
             },
             Choice::Single(case) => (**case).clone(),
         }
-    }
-
-    /// A case of the regions in turn, with some inputs from their intervals.
-    fn boxed(&self, intervals: &[Interval], i: u64) -> Case {
-        let regions = self.method.domain().regions;
-        let mut draw = Draw::new(self.settings.seed, self.method.name(), BOX, i);
-        let region = &regions[(i % regions.len() as u64) as usize];
-        let mut input = (region.sample)(&mut draw);
-        for &(k, low, high, logarithmic) in intervals {
-            if let Some(x) = input.get_mut(k) {
-                *x = match logarithmic {
-                    false => draw.uniform(low, high),
-                    true if low < 0.0 => -draw.log_uniform(-high, -low),
-                    true => draw.log_uniform(low, high),
-                };
-            }
-        }
-        Case {
-            method: self.method.name(),
-            region: BOX,
-            input,
-            origin: Origin::Given,
-        }
-    }
-
-    fn add(&mut self, variant: &Variant<'_>, report: CaseReport) -> bool {
-        let passed = report.judgement.verdict == Verdict::Pass;
-        let region = report.case.region;
-        let shares = report.judgement.components.iter().map(|c| c.of_budget);
-        let whole = report.judgement.components.is_empty() && !passed;
-        let share = shares.fold(if whole { f64::INFINITY } else { 0.0 }, |a, b| {
-            // What is not a number is the worst of all.
-            if b.is_nan() { f64::INFINITY } else { a.max(b) }
-        });
-        let worst = self.worst.entry(region).or_default();
-        if worst.len() < WORST || worst.last().is_some_and(|w| share > w.0) {
-            let at = worst.partition_point(|w| w.0 >= share);
-            let answer = report.answer.clone();
-            let answer = answer.unwrap_or(SolverAnswer::Declines(None));
-            worst.insert(at, (share, report.case.clone(), answer));
-            worst.truncate(WORST);
-        }
-        let settings = &self.settings;
-        let tally = self
-            .tally
-            .get_or_insert_with(|| Tally::new(variant, settings));
-        tally.add(&report);
-        passed
     }
 
     /// Judges answers to the cases from `start` on.
@@ -250,8 +327,8 @@ impl Run {
         let Some(end) = end else {
             return Err(PyValueError::new_err("more answers than cases"));
         };
-        let variant = self.variant()?;
-        let (here, settings) = (&*self, &self.settings);
+        let here = &*self;
+        let (variant, settings) = (here.variant()?, &here.settings);
         let threads = pool()?;
         let judged: Vec<CaseReport> = py.detach(|| {
             threads.install(|| {
@@ -262,7 +339,13 @@ impl Run {
                     .collect()
             })
         });
-        let passed = judged.into_iter().map(|r| self.add(&variant, r));
+        let tally = self
+            .tally
+            .get_or_insert_with(|| Tally::new(&variant, &self.settings));
+        let passed = judged.iter().map(|report| {
+            tally.add(report);
+            report.judgement.verdict == Verdict::Pass
+        });
         Ok(passed.collect())
     }
 }
@@ -270,79 +353,55 @@ impl Run {
 #[pymethods]
 impl Run {
     #[new]
-    #[pyo3(signature = (method, *, seed, cases, regions=None, intervals=None, given=None, place=None, outputs=None, limit=None, named=true))]
-    #[expect(clippy::too_many_arguments, reason = "Python names each")]
+    #[pyo3(signature = (method, *, seed=1, cases=1, scope=None, given=None, place=None))]
     fn new(
         method: &str,
         seed: u64,
         cases: u64,
-        regions: Option<Vec<String>>,
-        intervals: Option<Vec<Interval>>,
+        scope: Option<Scope>,
         given: Option<Vec<Vec<f64>>>,
-        place: Option<&str>,
-        outputs: Option<Vec<String>>,
-        limit: Option<(String, f64)>,
-        named: bool,
+        place: Option<Vec<String>>,
     ) -> PyResult<Run> {
         let method = evaluable_method(method)?;
         let mut settings = Settings {
             seed,
             cases_per_region: cases,
+            points: POINTS,
             ..Settings::default()
         };
-        let all_regions = || {
-            method
-                .domain()
-                .regions
-                .iter()
-                .map(|r| r.name.into())
-                .collect()
-        };
-        let choice = if let Some(place) = place {
-            Choice::Single(Box::new(single(method, place, &mut settings)?))
-        } else if let Some(inputs) = given {
-            let layout = Layout::new(method);
-            for x in &inputs {
-                layout.lengths(x).map_err(value_error)?;
+        let mut scope = scope.unwrap_or_default();
+        let mut found = None;
+        if let Some(words) = &place {
+            let (drawn, rest) = self::place(words, &mut settings)?;
+            scope = Scope {
+                outputs: scope.outputs,
+                limits: scope.limits,
+                ..drawn
+            };
+            found = Some(rest);
+        }
+        let variant = scope.variant(method, &settings)?;
+        let cases = Cases::new(&variant, &settings);
+        let choice = match (found, given) {
+            (Some(rest), _) => Choice::Single(Box::new(named(&variant, &cases, &scope, &rest)?)),
+            (None, Some(inputs)) => {
+                let layout = Layout::new(method);
+                for x in &inputs {
+                    layout.lengths(x).map_err(value_error)?;
+                }
+                Choice::Given(inputs)
             }
-            Choice::Given(inputs)
-        } else if let Some(intervals) = intervals {
-            Choice::Box(intervals)
-        } else {
-            let named = named && regions.is_none();
-            Choice::Regions {
-                names: regions.unwrap_or_else(all_regions),
-                named,
-            }
+            (None, None) => Choice::Drawn,
         };
-        let limit = limit.map(|(kind, k)| match kind.as_str() {
-            _ if !(k.is_finite() && k > 0.0) => Err(PyValueError::new_err(format!(
-                "{kind}: a budget is finite and positive, got {k}"
-            ))),
-            "ulps" => Ok(Limit::Ulps(k)),
-            "conditioned" => Ok(Limit::Conditioned(k)),
-            "normwise" => Ok(Limit::Normwise(k)),
-            _ => Err(PyValueError::new_err(format!(
-                "limit: a budget is in ulps, conditioned or normwise, not {kind:?}"
-            ))),
-        });
-        let run = Run {
-            cases: Cases::new(method, &settings),
+        Ok(Run {
             method,
+            scope,
+            cases,
             choice,
             settings,
-            outputs,
-            limit: limit.transpose()?,
             tally: None,
-            worst: BTreeMap::new(),
-        };
-        run.variant()?;
-        if let Choice::Regions { names, .. } = &run.choice {
-            for name in names {
-                run.cases.in_region(name, 0).map_err(value_error)?;
-            }
-        }
-        Ok(run)
+            report: None,
+        })
     }
 
     fn __len__(&self) -> usize {
@@ -372,13 +431,7 @@ impl Run {
         py: Python<'py>,
         i: usize,
     ) -> PyResult<(Bound<'py, PyArray1<f64>>, Vec<usize>)> {
-        if i >= self.count() {
-            return Err(PyValueError::new_err(format!(
-                "case: there are {}, not {i}",
-                self.count()
-            )));
-        }
-        let input = self.case(i).input;
+        let input = self.case(self.checked(i)?).input;
         let lengths = Layout::new(self.method)
             .lengths(&input)
             .map_err(value_error)?;
@@ -387,13 +440,8 @@ impl Run {
 
     /// What the method's own solver gives at a case; nothing if it refuses.
     fn own(&self, i: usize) -> PyResult<Option<Vec<f64>>> {
-        if i >= self.count() {
-            return Err(PyValueError::new_err(format!(
-                "case: there are {}, not {i}",
-                self.count()
-            )));
-        }
-        Ok(match answer_of(&self.variant()?, &self.case(i).input) {
+        let case = self.case(self.checked(i)?);
+        Ok(match answer_of(&self.variant()?, &case.input) {
             SolverAnswer::Values(values) => Some(values),
             _ => None,
         })
@@ -401,16 +449,11 @@ impl Run {
 
     /// The region and the place of a case.
     fn place(&self, i: usize) -> PyResult<(&'static str, String)> {
-        match i < self.count() {
-            true => {
-                let case = self.case(i);
-                Ok((case.region, case.place()))
-            }
-            false => Err(PyValueError::new_err(format!(
-                "case: there are {}, not {i}",
-                self.count()
-            ))),
-        }
+        let case = self.case(self.checked(i)?);
+        Ok((
+            case.region,
+            format!("{}{}", case.place(), self.scope.tail()),
+        ))
     }
 
     /// Judges one row of values for each case from `start` on; which passed.
@@ -437,8 +480,7 @@ impl Run {
     /// Judges the method's own solver at the cases from `start` to `end`; which passed.
     fn judge_own(&mut self, py: Python<'_>, start: usize, end: usize) -> PyResult<Vec<bool>> {
         let end = end.min(self.count());
-        let variant = self.variant()?;
-        let here = &*self;
+        let (here, variant) = (&*self, self.variant()?);
         let threads = pool()?;
         let answers = py.detach(|| {
             threads.install(|| {
@@ -451,50 +493,49 @@ impl Run {
         self.judge_all(py, start.min(end), answers)
     }
 
-    /// What was found.
-    fn finish<'py>(&mut self, py: Python<'py>, interrupted: bool) -> PyResult<Bound<'py, PyDict>> {
-        let variant = self.variant()?;
-        let settings = &self.settings;
+    /// What was found, by the callable of that name; `trouble` besides its answers makes it fail.
+    #[pyo3(signature = (interrupted, name=None))]
+    fn finish<'py>(
+        &mut self,
+        py: Python<'py>,
+        interrupted: bool,
+        name: Option<String>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (variant, tail) = (self.variant()?, self.scope.tail());
         let tally = self.tally.take();
-        let mut tally = tally.unwrap_or_else(|| Tally::new(&variant, settings));
+        let mut tally = tally.unwrap_or_else(|| Tally::new(&variant, &self.settings));
         if interrupted {
             tally.interrupt();
         }
-        let report = tally.finish(&variant);
-        let d = statistics(py, &report.total)?;
-        d.set_item("method", report.method)?;
-        d.set_item("summary", report.summary)?;
-        d.set_item("source", report.source)?;
-        d.set_item("seed", settings.seed)?;
-        d.set_item("cases_per_region", settings.cases_per_region)?;
-        d.set_item("interrupted", report.interrupted)?;
-        d.set_item("within_budget", report.passed())?;
-        let budgets: Vec<(&str, String, &str)> = (report.budgets.iter())
-            .map(|o| (o.name, o.budget.limit.to_string(), o.budget.reason))
-            .collect();
-        d.set_item("budgets", budgets)?;
-        let norm = report.norm_budget;
-        d.set_item("norm_budget", norm.map(|n| (n.to_string(), n.reason)))?;
-        let regions = PyDict::new(py);
-        for region in &report.regions {
-            regions.set_item(region.name, statistics(py, region)?)?;
+        let mut report = py.detach(|| tally.finish(&variant));
+        report.reproduce = Reproduce {
+            head: format!("mechaudit.case({:?}, \"", report.method),
+            tail: format!("{tail}\")"),
+        };
+        report.candidate = name.map(|name| CandidateReport {
+            name,
+            answered: report.cases,
+            ..CandidateReport::default()
+        });
+        let facts = report_facts(py, &report, &tail)?;
+        self.report = Some(report);
+        Ok(facts)
+    }
+
+    /// What was found, as a page that needs nothing from elsewhere: that of `mechaudit audit --format html`.
+    fn page(&self) -> PyResult<String> {
+        match &self.report {
+            Some(report) => {
+                let all = std::slice::from_ref(report);
+                Ok(mechaudit::report::html::audit::page(
+                    all,
+                    None,
+                    None,
+                    report.interrupted,
+                ))
+            }
+            None => Err(PyValueError::new_err("the run is not finished")),
         }
-        d.set_item("regions", regions)?;
-        let failures = PyList::empty(py);
-        for failure in &report.failures {
-            failures.append(case_facts(py, failure)?)?;
-        }
-        d.set_item("failures", failures)?;
-        d.set_item("failures_left_out", report.failures_left_out)?;
-        let worst = PyList::empty(py);
-        for (share, case, answer) in std::mem::take(&mut self.worst).into_values().flatten() {
-            let judged = py.detach(|| judge_case(&variant, case, answer, &self.settings));
-            let facts = case_facts(py, &judged)?;
-            facts.set_item("share", share)?;
-            worst.append(facts)?;
-        }
-        d.set_item("worst", worst)?;
-        Ok(d)
     }
 
     /// Certified values of a case, with their proof.
@@ -504,13 +545,7 @@ impl Run {
         i: usize,
         digits: u32,
     ) -> PyResult<(Vec<Component>, Option<String>)> {
-        if i >= self.count() {
-            return Err(PyValueError::new_err(format!(
-                "case: there are {}, not {i}",
-                self.count()
-            )));
-        }
-        let case = self.case(i);
+        let case = self.case(self.checked(i)?);
         let exact: Option<Vec<Rational>> =
             case.input.iter().map(|x| Rational::from_f64(*x)).collect();
         let Some(exact) = exact else {

@@ -1,6 +1,8 @@
 //! Reports, cases and methods as plain Python data.
 
-use mechaudit::audit::{CaseReport, Layout, Proof, RegionReport, SolverAnswer, Spread, Verdict};
+use mechaudit::audit::{
+    CaseReport, Layout, MethodReport, Proof, RegionReport, SolverAnswer, Spread, Verdict,
+};
 use mechaudit::methods;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -64,13 +66,60 @@ pub fn statistics<'py>(py: Python<'py>, r: &RegionReport) -> PyResult<Bound<'py,
     Ok(d)
 }
 
+/// A report; `tail` is what the place of a case needs besides.
+pub fn report_facts<'py>(
+    py: Python<'py>,
+    report: &MethodReport,
+    tail: &str,
+) -> PyResult<Bound<'py, PyDict>> {
+    let d = statistics(py, &report.total)?;
+    d.set_item("method", report.method)?;
+    d.set_item("summary", report.summary)?;
+    d.set_item("source", report.source)?;
+    d.set_item("seed", report.settings.seed)?;
+    d.set_item("cases_per_region", report.settings.cases_per_region)?;
+    d.set_item("interrupted", report.interrupted)?;
+    d.set_item("within_budget", report.passed())?;
+    let budgets: Vec<(&str, String, &str)> = (report.budgets.iter())
+        .map(|o| (o.name, o.budget.limit.to_string(), o.budget.reason))
+        .collect();
+    d.set_item("budgets", budgets)?;
+    let norm = report.norm_budget;
+    d.set_item("norm_budget", norm.map(|n| (n.to_string(), n.reason)))?;
+    let regions = PyDict::new(py);
+    for region in &report.regions {
+        regions.set_item(region.name, statistics(py, region)?)?;
+    }
+    d.set_item("regions", regions)?;
+    let cases = |all: &[CaseReport]| {
+        let list = PyList::empty(py);
+        for case in all {
+            list.append(case_facts(py, case, tail)?)?;
+        }
+        Ok::<_, PyErr>(list)
+    };
+    d.set_item("failures", cases(&report.failures)?)?;
+    d.set_item("failures_left_out", report.failures_left_out)?;
+    let wrong = report.wrong.iter();
+    let unlike = |r: &&CaseReport| !r.judgement.is_measured();
+    let worst: Vec<CaseReport> = report
+        .worst
+        .iter()
+        .chain(wrong.filter(unlike))
+        .cloned()
+        .collect();
+    d.set_item("worst", cases(&worst)?)?;
+    Ok(d)
+}
+
 /// Everything about a judged case.
-pub fn case_facts<'py>(py: Python<'py>, r: &CaseReport) -> PyResult<Bound<'py, PyDict>> {
+fn case_facts<'py>(py: Python<'py>, r: &CaseReport, tail: &str) -> PyResult<Bound<'py, PyDict>> {
     let d = PyDict::new(py);
     let text = |e: &dyn Display| e.to_string();
     d.set_item("method", r.case.method)?;
     d.set_item("region", r.case.region)?;
-    d.set_item("place", r.case.place())?;
+    d.set_item("place", format!("{}{tail}", r.case.place()))?;
+    d.set_item("share", r.judgement.share())?;
     d.set_item("input", r.case.input.clone())?;
     match &r.answer {
         Some(SolverAnswer::Values(v)) => d.set_item("got", v.clone())?,

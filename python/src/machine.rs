@@ -3,10 +3,13 @@
 use crate::errors::{DomainError, Undecided, value_error};
 use mechaudit::machine::class_iii::{self, Branch, Certifier, Reach};
 use mechaudit::machine::dyad::{self, Dyad, Proved};
+use mechaudit::machine::planar::{self, Columns};
 use mechaudit::machine::run_up::{Coefficients, Machine, Overrides};
 use mechaudit::machine::{self, CamOscillator, Source};
 use mechaudit::reference::nearest_f64;
+use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
+use mechaudit::solvers::planar::State;
 use mechaudit::solvers::run_up::{Equation, Hybrid, ReducedModel, Splined, run};
 use mechaudit::solvers::units::Angle;
 use numpy::ndarray::Array2;
@@ -55,6 +58,26 @@ fn assembly(dyad: &Dyad, branch: Option<usize>) -> PyResult<Assembly> {
     }
 }
 
+/// All columns but the forces in the joints, which only loads and a speed give.
+const ALL: Columns = Columns {
+    paths: true,
+    reactions: false,
+};
+
+/// A value of the drive in radians or metres.
+fn drive(linkage: &planar::Machine, given: f64) -> f64 {
+    match linkage.rotary() {
+        true => given.to_radians(),
+        false => given,
+    }
+}
+
+fn planar_row(linkage: &planar::Machine, given: f64, number: usize, state: &State) -> Vec<f64> {
+    let mut row = vec![given, number as f64];
+    row.extend(planar::values(linkage, state, ALL));
+    row
+}
+
 fn degrees(x: f64) -> PyResult<Rational> {
     Rational::from_f64(x)
         .ok_or_else(|| PyValueError::new_err(format!("phi: a crank angle must be finite, got {x}")))
@@ -96,6 +119,7 @@ impl Linkage {
         match &self.linkage {
             machine::Linkage::ClassIii(l) => l.name.clone(),
             machine::Linkage::Dyad(l) => l.name.clone(),
+            machine::Linkage::Planar(l) => l.name.clone(),
         }
     }
 
@@ -105,6 +129,7 @@ impl Linkage {
         match &self.linkage {
             machine::Linkage::ClassIii(_) => "class-iii",
             machine::Linkage::Dyad(l) => l.shape.type_name(),
+            machine::Linkage::Planar(_) => "planar",
         }
     }
 
@@ -114,10 +139,11 @@ impl Linkage {
         match &self.linkage {
             machine::Linkage::ClassIii(l) => class_iii::names(l, false),
             machine::Linkage::Dyad(l) => dyad::names(l),
+            machine::Linkage::Planar(l) => planar::names(l, ALL),
         }
     }
 
-    /// The rows of all assembly modes at a crank angle in degrees.
+    /// The rows of all assembly modes at a value of the drive: degrees, or metres.
     fn modes<'py>(&self, py: Python<'py>, phi_deg: f64) -> PyResult<Table<'py>> {
         let at = degrees(phi_deg)?;
         let rows = match &self.linkage {
@@ -144,26 +170,35 @@ impl Linkage {
                 }
                 rows
             }
+            machine::Linkage::Planar(l) => {
+                let modes = l.solver.assembly_modes(l.inner(drive(l, phi_deg)));
+                let row = |(k, state)| planar_row(l, phi_deg, k, state);
+                modes.states.iter().enumerate().map(row).collect()
+            }
         };
         Ok(table(py, self.columns(), rows))
     }
 
-    /// The joints of a class-III linkage at the crank angles of a sweep, and its fixed pivots: for
-    /// drawings. Nothing for other types.
-    fn joints(&self, phi_deg: f64, branch: Option<usize>) -> PyResult<Option<Vec<[f64; 2]>>> {
-        let machine::Linkage::ClassIii(l) = &self.linkage else {
-            return Ok(None);
-        };
-        let at = degrees(phi_deg)?;
-        let (chosen, _) = self.branch(l, at, branch)?;
-        let state = l
-            .solver
-            .follow(&chosen.start, Angle::from_deg(phi_deg))
-            .map_err(value_error)?;
-        Ok(Some(state.joints().to_vec()))
+    /// The drawing of a branch.
+    fn svg(&self, py: Python<'_>, branch: Option<usize>) -> PyResult<String> {
+        py.detach(|| match &self.linkage {
+            machine::Linkage::ClassIii(l) => {
+                let (chosen, _) = self.branch(l, Rational::new(), branch)?;
+                let path = class_iii::path(l, &chosen, drawn::SAMPLES).map_err(value_error)?;
+                Ok(drawn::class_iii(l, &chosen, &path))
+            }
+            machine::Linkage::Dyad(l) => Ok(drawn::dyad(l, assembly(l, branch)?)),
+            machine::Linkage::Planar(l) => {
+                let start = l.start.at.filter(|_| branch.is_none()).unwrap_or(0.0);
+                let first = l.window.map_or(start, |w| w[0]);
+                let chosen = planar::choose(l, drive(l, first), branch).map_err(value_error)?;
+                Ok(drawn::planar(l, &chosen))
+            }
+        })
     }
 
-    /// A row for each crank angle in degrees, in their order; NaN where the branch does not reach.
+    /// A row for each value of the drive (degrees, or metres), in their order; NaN where the branch does
+    /// not reach.
     fn sweep<'py>(
         &self,
         py: Python<'py>,
@@ -225,6 +260,28 @@ impl Linkage {
                     );
                 }
             }
+            machine::Linkage::Planar(l) => {
+                let first = angles.first().copied().unwrap_or(0.0);
+                let start = match (branch, l.start.at) {
+                    (None, Some(at)) => at,
+                    _ => first,
+                };
+                degrees(start)?;
+                let chosen = planar::choose(l, drive(l, start), branch).map_err(value_error)?;
+                let mut here = chosen.start.clone();
+                for (k, &phi) in angles.iter().enumerate() {
+                    if k % ROWS == 0 {
+                        py.check_signals()?;
+                    }
+                    degrees(phi)?;
+                    let Some(at) = chosen.turned_to(l, drive(l, phi)) else {
+                        rows.push(missing(phi, chosen.mode));
+                        continue;
+                    };
+                    here = l.solver.follow(&here, l.inner(at)).map_err(value_error)?;
+                    rows.push(planar_row(l, phi, chosen.mode, &here));
+                }
+            }
         }
         Ok(table(py, names, rows))
     }
@@ -270,6 +327,11 @@ impl Linkage {
                         )));
                     }
                 }
+            }
+            machine::Linkage::Planar(_) => {
+                return Err(DomainError::new_err(
+                    "certified: rows of type = \"planar\" are in floating point",
+                ));
             }
         };
         Ok(names.into_iter().skip(2).zip(values).collect())

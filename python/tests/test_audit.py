@@ -149,6 +149,56 @@ def test_regions_boxes_outputs_and_budgets():
     assert audit(special.wofz, seed=1).facts != audit(special.wofz, seed=2).facts
 
 
+def test_boxes_neighbourhoods_and_their_cases():
+    def scipys(**where):
+        report = audit(scipy.special.wofz, ulps=1e-3, cases=20, **where)
+        assert not report.passed
+        for found in report.worst(3):
+            case = eval(found["reproducer"])
+            assert list(case.input) == found["input"] and not case.judge(lambda z: 0 * z).passed
+        return report
+
+    report = scipys(box={"Im z": (1e-9, 1, "+-log")}, regions=["mid", "far"])
+    assert {r["region"] for r in report.rows()} == {"mid", "far"}
+    assert all("--region mid --region far" in c["place"] for c in report.worst(3))
+    fixed = scipys(box="Re z=6, Im z=log 1e-9..1e-3")
+    assert all(c["input"][0] == 6 for c in fixed.worst(10))
+    for near in (6 + 1e-8j, (6, 1e-8), "6,1e-8", "hard/1"):
+        report = scipys(near=near, radius=1e-3)
+        assert {r["region"] for r in report.rows()} == {"near"}
+    ordinary = audit(special.wofz, ordinary=True)
+    assert 0 < ordinary.cases < audit(special.wofz).cases
+
+
+def test_budgets_of_ones_own():
+    rough = lambda z: special.wofz(z) * (1 + 1e-10)  # noqa: E731
+    options = {"regions": "mid", "cases": 50}
+    assert audit(rough, relative=1.1e-10, **options).passed
+    assert not audit(rough, relative=0.9e-10, **options).passed
+    assert audit(rough, absolute=1e-9, **options).passed
+    assert audit(rough, relative=1e-11, absolute=1e-9, **options).passed
+    assert audit(rough, normwise=1.1e-10, **options).passed
+    report = audit(rough, normwise=0.9e-10, **options)
+    assert not report.passed and "9e-11 of the norm" in str(report)
+
+
+def test_single_precision():
+    def single(z):
+        assert z.dtype == np.complex64
+        return special.wofz(z)
+
+    report = audit(single, single=True, regions="mid", cases=50)
+    assert report.passed and not report.findings
+    assert all(np.float32(x) == x for c in report.worst(10) for x in c["input"])
+    coarse = audit(lambda z: special.wofz(z) * np.float32(1 + 1e-5), single=True, regions="mid")
+    assert not coarse.passed
+    case = eval(coarse.worst(1)[0]["reproducer"])
+    assert "--single" in case.place and list(case.input) == coarse.worst(1)[0]["input"]
+    assert case.judge(single).passed
+    scalar = audit(lambda z: special.wofz(z), single=True, regions="mid", vectorised=False)
+    assert scalar.passed and not scalar.findings
+
+
 @pytest.mark.parametrize(
     ("options", "word"),
     [
@@ -158,12 +208,19 @@ def test_regions_boxes_outputs_and_budgets():
         ({"cases": 0}, "cases"),
         ({"seed": -1}, "seed"),
         ({"box": {"x": (0, 1)}}, "Re z"),
-        ({"box": {"Re z": (1, 0)}}, "in order"),
-        ({"box": {"Re z": (-1, 1, "log")}}, "zero"),
-        ({"box": {"Re z": (0, 1)}, "regions": "mid"}, "exclude"),
+        ({"box": {"Re z": (1, 0)}}, "lower end comes first"),
+        ({"box": {"Re z": (-1, 1, "log")}}, "one sign"),
+        ({"box": {"Re z": (0, 1, 2)}}, "two numbers"),
+        ({"box": {"Re z": (0, "one")}}, "two numbers"),
+        ({"box": {"Re z": None}}, "numbers"),
+        ({"box": "Re z=0..1", "near": "one", "radius": 0.1}, "exclude"),
+        ({"near": "one"}, "need each other"),
+        ({"near": "nowhere", "radius": 0.1}, "nowhere"),
+        ({"near": 1j, "radius": 2.0}, "radius"),
         ({"ulps": 0}, "positive"),
         ({"ulps": math.inf}, "positive"),
-        ({"ulps": 1, "normwise": 1}, "exclude"),
+        ({"ulps": 1, "relative": 1}, "exclude"),
+        ({"relative": -1e-10}, "positive"),
     ],
 )
 def test_bad_arguments_name_themselves(options, word):
@@ -204,7 +261,12 @@ def test_reports_are_shown(tmp_path):
     assert "<script>" not in hostile._repr_html_()
     hostile.html(tmp_path / "report.html")
     written = (tmp_path / "report.html").read_text()
-    assert "<script>" not in written and "http" not in written and "</table>" in written
+    assert written.startswith("<!doctype html>") and "&lt;script&gt;" in written
+    assert "http:" not in written.split("</style>")[1].split("<script>")[0]
+    (tmp_path / "page.html").write_text("before")
+    report.html(tmp_path / "page.html")
+    page = (tmp_path / "page.html").read_text()
+    assert "NOT as expected" in page and 'mechaudit.case(\\"faddeeva\\"' in page
     frame = pytest.importorskip("pandas") and report.to_frame()
     assert {"region", "output", "worst_ulps", "passed"} <= set(frame.columns) and len(frame) > 30
 
@@ -240,7 +302,7 @@ def test_cases():
     assert str(case.due(20)[0]) == "0.30474420525691259246" and "remainder" in case.proof
     assert pickle.loads(pickle.dumps(case)).input == case.input
     assert mechaudit.case("faddeeva", "--hard-case 1").region == "hard"
-    for bad in ("", "--at", "--at x", "--region mid", "--check-point no", "--hard-case 999", "--other 1"):
+    for bad in ("--near one", "--near one --radius 9 --case 1", "--box Re=1 --case 0", "", "--at", "--at x", "--region mid", "--check-point no", "--hard-case 999", "--other 1"):
         with pytest.raises(ValueError):
             mechaudit.case("faddeeva", bad)
     with pytest.raises(ValueError):

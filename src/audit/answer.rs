@@ -67,19 +67,15 @@ impl ReferenceAnswer {
         ReferenceAnswer::Values(Reference { values, proof })
     }
 
-    /// The same answer, its exact zeros with the signs that [`Method::signs_of_zero`](super::Method::signs_of_zero) tells.
+    /// The same answer, value by value, its exact zeros with the signs that
+    /// [`Method::signs_of_zero`](super::Method::signs_of_zero) tells.
     pub(super) fn with_signs_of_zero(self, signs: &[Option<bool>]) -> ReferenceAnswer {
         let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
         match self {
-            ReferenceAnswer::Values(r) if !signs.is_empty() => ReferenceAnswer::Dues(
-                r.values
-                    .into_iter()
-                    .map(Due::Number)
-                    .enumerate()
-                    .map(signed)
-                    .collect(),
-                r.proof,
-            ),
+            ReferenceAnswer::Values(r) => {
+                let numbers = r.values.into_iter().map(Due::Number);
+                ReferenceAnswer::Dues(numbers.enumerate().map(signed).collect(), r.proof)
+            }
             ReferenceAnswer::Dues(dues, proof) => {
                 ReferenceAnswer::Dues(dues.into_iter().enumerate().map(signed).collect(), proof)
             }

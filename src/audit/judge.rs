@@ -7,11 +7,11 @@ use super::kind::Kind;
 use super::method::Output;
 use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 /// The outcome of one comparison. Only [`Verdict::Pass`] passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// Certainly within the budget.
@@ -190,11 +190,13 @@ pub fn judge_by(
     for (i, (&g, due)) in got.iter().zip(values.iter()).enumerate() {
         let o = i % outputs.len();
         let (lo, hi) = due.distance(g, rules.format);
-        squares.add(due, lo, hi);
+        let size = due.number().map(Ball::mignitude);
+        squares.add(size, lo, hi);
         let place = Place {
             output: &outputs[o],
             condition: conditions.map(|c| c[i]),
-            scale: scales[o],
+            size: size.unwrap_or(Mag::ZERO),
+            scale: scales.get(o).copied().unwrap_or(Mag::ZERO),
             format: rules.format,
         };
         let c = component(g, due, [lo, hi], place);
@@ -282,14 +284,14 @@ impl Default for Squares {
 }
 
 impl Squares {
-    fn add(&mut self, due: &Due, lo: Mag, hi: Mag) {
-        let Some(reference) = due.number() else {
+    /// A number due, at least that large, whose error is between the two bounds; or none.
+    fn add(&mut self, size: Option<Mag>, lo: Mag, hi: Mag) {
+        let Some(size) = size else {
             self.numbers = false;
             return;
         };
         self.low = self.low.add(lo.mul(lo));
         self.high = self.high.add(hi.mul(hi));
-        let size = reference.mignitude();
         self.norm = self.norm.add(size.mul(size));
     }
 
@@ -333,8 +335,12 @@ impl Squares {
 }
 
 /// `max_i (|ref_i| + cond_i)` for each output, for the normwise limits; the norm of all values for
-/// those of the norm.
+/// those of the norm. Nothing where no limit asks for it.
 fn output_scales(outputs: &[Output], values: &[Due], conditions: Option<&[f64]>) -> Vec<Mag> {
+    let asks = |o: &Output| matches!(o.budget.limit, Limit::Normwise(_) | Limit::OfNorm(_));
+    if !outputs.iter().any(asks) {
+        return Vec::new();
+    }
     let mut scales = vec![Mag::ZERO; outputs.len()];
     let mut squares = Mag::ZERO;
     for (i, v) in values.iter().enumerate() {
@@ -357,6 +363,8 @@ fn output_scales(outputs: &[Output], values: &[Due], conditions: Option<&[f64]>)
 struct Place<'a> {
     output: &'a Output,
     condition: Option<f64>,
+    /// A lower bound on the reference.
+    size: Mag,
     scale: Mag,
     format: Format,
 }
@@ -376,6 +384,7 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
     let Place {
         output,
         condition,
+        size,
         scale,
         format,
     } = place;
@@ -399,7 +408,6 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
     let u = -format.precision();
     // What the rounding of a subnormal number may cost.
     let half = Mag::power_of_two(format.least() - 1);
-    let size = reference.mignitude();
     // An infinite or absurd condition number allows nothing rather than everything.
     let condition = condition.filter(|c| c.is_finite());
     let relative = condition.map_or(f64::NAN, |c| {

@@ -105,7 +105,7 @@ fn judge(
     settings: &Settings,
     always_digits: bool,
 ) -> CaseReport {
-    Referee::new(method, case, settings).judge(answer, always_digits)
+    Referee::new(method, case, settings).judge_last(answer, always_digits)
 }
 
 /// Judges answers to one case: what was computed of the reference serves them all.
@@ -160,6 +160,17 @@ impl<'a> Referee<'a> {
     /// Judges an answer; the precision doubles until that can be decided. Without `digits` the
     /// reference's are left out where it passes: they cost as much as a judgement.
     pub fn judge(&mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
+        let decided = self.decide(answer);
+        decided.report(self.case.clone(), &self.references, digits)
+    }
+
+    /// [`Referee::judge`], for the last answer.
+    pub fn judge_last(mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
+        let decided = self.decide(answer);
+        decided.report(self.case, &self.references, digits)
+    }
+
+    fn decide(&mut self, answer: SolverAnswer) -> Decided {
         let format = self.method.format();
         let answer = match answer {
             SolverAnswer::Values(v) if format != Format::Double => {
@@ -193,21 +204,40 @@ impl<'a> Referee<'a> {
                 // Which they are, and in which order.
                 reason.push_str(&format!(": {}", Layout::new(self.method).answer()));
             }
-            let brief = judgement.verdict == Verdict::Pass && !digits;
-            let (reference, radii, proof) = match brief {
-                true => (Vec::new(), Vec::new(), None),
-                false => decimals(reference),
-            };
-            return CaseReport {
-                case: self.case.clone(),
-                answer: Some(answer),
+            return Decided {
+                answer,
                 judgement,
                 bits,
-                reference,
-                radii,
-                proof,
-                branch: None,
+                level,
             };
+        }
+    }
+}
+
+/// A judgement, and the reference that decided it.
+struct Decided {
+    answer: SolverAnswer,
+    judgement: Judgement,
+    bits: u32,
+    level: usize,
+}
+
+impl Decided {
+    fn report(self, case: Case, references: &[ReferenceAnswer], digits: bool) -> CaseReport {
+        let brief = self.judgement.verdict == Verdict::Pass && !digits;
+        let (reference, radii, proof) = match brief {
+            true => (Vec::new(), Vec::new(), None),
+            false => decimals(&references[self.level]),
+        };
+        CaseReport {
+            case,
+            answer: Some(self.answer),
+            judgement: self.judgement,
+            bits: self.bits,
+            reference,
+            radii,
+            proof,
+            branch: None,
         }
     }
 }

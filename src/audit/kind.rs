@@ -1,11 +1,11 @@
 //! Answers of the wrong kind, told apart and counted.
 
-use serde::Serialize;
 use serde::ser::SerializeMap;
+use serde::{Deserialize, Serialize};
 use std::ops::{Index, IndexMut};
 
 /// In which way an answer is of the wrong kind: it has no error that could be measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
     /// NaN where something else is due.
@@ -75,7 +75,7 @@ impl Kind {
 
 /// How many there are of each [`Kind`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Kinds([u64; Kind::ALL.len()]);
+pub struct Kinds(pub(super) [u64; Kind::ALL.len()]);
 
 impl Kinds {
     /// All together.

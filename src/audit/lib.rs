@@ -18,6 +18,7 @@ mod hex_float;
 mod hunt;
 mod judge;
 mod judged;
+mod kept;
 mod kind;
 mod layout;
 mod maps;
@@ -56,7 +57,9 @@ pub use judged::{CaseReport, Referee, answer_of, audit_case, judge_case, judge_c
 pub use kind::{Kind, Kinds};
 pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
-pub use method::{BranchAt, Input, Law, Method, Output, Rows, conditions_by_differences};
+pub use method::{
+    BranchAt, Input, Law, Method, Output, ProvedBound, Rows, conditions_by_differences,
+};
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
 pub use parts::ErrorParts;
@@ -69,6 +72,6 @@ pub use run::{audit_method, audit_method_until, audit_one};
 pub use sampling::{Near, SampleBox, Sampling, SamplingError};
 pub use settings::Settings;
 pub use spread::{Spread, SpreadTally};
-pub use tally::Tally;
+pub use tally::{StoredError, StoredTally, Tally};
 pub use ulp::{Format, ulp_exponent, ulps};
 pub use variant::Variant;

@@ -56,6 +56,18 @@ pub struct BranchAt {
     pub distance: f64,
 }
 
+/// A bound on the error of the method's own solver that is proved for every input of a set; what is found
+/// beside it is the worst of a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ProvedBound {
+    /// `‖got − ref‖₂ ≤ k u ‖ref‖₂` with u = 2⁻⁵³, but for what underflows.
+    pub norm: f64,
+    /// The inputs: `Im z >= 0`.
+    pub inputs: &'static str,
+    /// The command that proves it.
+    pub command: &'static str,
+}
+
 /// An identity that the solver's own values have to satisfy.
 #[derive(Clone, Copy)]
 pub struct Law {
@@ -88,6 +100,10 @@ pub trait Method: Sync {
     /// What all values together may be wrong by, besides.
     fn norm_budget(&self) -> Option<NormBudget> {
         None
+    }
+    /// What is proved of the solver's error.
+    fn proved(&self) -> Vec<ProvedBound> {
+        Vec::new()
     }
     /// Where it is audited.
     fn domain(&self) -> Domain;

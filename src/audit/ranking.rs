@@ -18,6 +18,11 @@ impl<T> First<T> {
         }
     }
 
+    /// Those kept of another that has as much room.
+    pub(super) fn again(room: usize, kept: Vec<T>) -> Option<First<T>> {
+        (kept.len() <= room).then_some(First { room, kept })
+    }
+
     /// Offers one; `place` compares one that is kept with it. It is made only if it is kept.
     pub(super) fn offer(&mut self, place: impl Fn(&T) -> Ordering, make: impl FnOnce() -> T) {
         let at = self.kept.partition_point(|kept| place(kept).is_le());
@@ -25,6 +30,11 @@ impl<T> First<T> {
             self.kept.truncate(self.room - 1);
             self.kept.insert(at, make());
         }
+    }
+
+    /// How many may be kept.
+    pub(super) fn room(&self) -> usize {
+        self.room
     }
 
     /// Those kept, in their order.

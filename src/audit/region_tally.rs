@@ -4,6 +4,7 @@
 use super::case::Case;
 use super::judge::{ComponentJudgement, Verdict};
 use super::judged::CaseReport;
+use super::kept::Kept;
 use super::kind::{Kind, Kinds};
 use super::ranking::First;
 use super::report::{Octave, OutputStatistics, Point, RegionReport};
@@ -15,9 +16,29 @@ use std::collections::BTreeMap;
 /// Cases kept of those with the largest shares of a budget.
 pub(super) const WORST: usize = 10;
 /// Cases kept of each wrong kind.
-const EXAMPLES: usize = 3;
-/// Failing cases kept.
-const FAILURES: usize = 500;
+pub(super) const EXAMPLES: usize = 3;
+
+/// How much of the cases a tally keeps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Keep {
+    /// Failing cases of a region.
+    pub(super) failures: usize,
+    /// Nothing gathered yet of errors.
+    pub(super) spread: fn() -> SpreadTally,
+}
+
+impl Keep {
+    /// For a report at the end of a run.
+    pub(super) const WHOLE: Keep = Keep {
+        failures: 500,
+        spread: SpreadTally::default,
+    };
+    /// For tallies in files, of which there are very many.
+    pub(super) const LEAN: Keep = Keep {
+        failures: 20,
+        spread: SpreadTally::coarse,
+    };
+}
 
 /// The larger number first, then the earlier case.
 fn larger(a: (f64, &Case), b: (f64, &Case)) -> Ordering {
@@ -25,7 +46,7 @@ fn larger(a: (f64, &Case), b: (f64, &Case)) -> Ordering {
 }
 
 /// A number with the case that it belongs to.
-type Largest = First<(f64, Case)>;
+pub(super) type Largest = First<(f64, Case)>;
 
 fn offer(largest: &mut Largest, x: f64, case: &Case) {
     largest.offer(|k| larger((k.0, &k.1), (x, case)), || (x, case.clone()));
@@ -37,23 +58,23 @@ fn by_number(a: &(f64, Case), b: &(f64, Case)) -> Ordering {
 
 /// What was found for one output.
 #[derive(Clone, Debug)]
-struct OutputTally {
-    values: u64,
-    kinds: Kinds,
-    ulps: SpreadTally,
-    conditioned: SpreadTally,
-    max_condition: f64,
-    worst: Largest,
-    octaves: BTreeMap<Option<i32>, Largest>,
+pub(super) struct OutputTally {
+    pub(super) values: u64,
+    pub(super) kinds: Kinds,
+    pub(super) ulps: SpreadTally,
+    pub(super) conditioned: SpreadTally,
+    pub(super) max_condition: f64,
+    pub(super) worst: Largest,
+    pub(super) octaves: BTreeMap<Option<i32>, Largest>,
 }
 
 impl OutputTally {
-    fn new() -> OutputTally {
+    fn new(keep: Keep) -> OutputTally {
         OutputTally {
             values: 0,
             kinds: Kinds::default(),
-            ulps: SpreadTally::default(),
-            conditioned: SpreadTally::default(),
+            ulps: (keep.spread)(),
+            conditioned: (keep.spread)(),
             max_condition: 0.0,
             worst: First::new(1),
             octaves: BTreeMap::new(),
@@ -75,8 +96,9 @@ impl OutputTally {
         self.conditioned.add(c.conditioned);
         offer(&mut self.worst, c.of_budget, case);
         if c.ulps.is_finite() {
-            let largest = self.octaves.entry(octave(c.ulps));
-            offer(largest.or_insert_with(|| First::new(1)), c.ulps, case);
+            let ulps = self.ulps.counted(c.ulps);
+            let largest = self.octaves.entry(octave(ulps));
+            offer(largest.or_insert_with(|| First::new(1)), ulps, case);
         }
     }
 
@@ -124,22 +146,22 @@ pub(super) struct RegionTally {
     pub(super) cases: u64,
     pub(super) passed: u64,
     pub(super) recorded: u64,
-    over: u64,
-    undecided: u64,
-    reference_failed: u64,
-    kinds: Kinds,
-    names: Vec<&'static str>,
-    outputs: Vec<OutputTally>,
-    normwise: SpreadTally,
-    share: Largest,
-    worst: First<(f64, CaseReport)>,
-    wrong: BTreeMap<(Verdict, Option<Kind>), First<CaseReport>>,
-    failures: First<CaseReport>,
-    points: First<(u64, Point)>,
+    pub(super) over: u64,
+    pub(super) undecided: u64,
+    pub(super) reference_failed: u64,
+    pub(super) kinds: Kinds,
+    pub(super) names: Vec<&'static str>,
+    pub(super) outputs: Vec<OutputTally>,
+    pub(super) normwise: SpreadTally,
+    pub(super) share: Largest,
+    pub(super) worst: First<(f64, Kept)>,
+    pub(super) wrong: BTreeMap<(Verdict, Option<Kind>), First<Kept>>,
+    pub(super) failures: First<Kept>,
+    pub(super) points: First<(u64, Point)>,
 }
 
 impl RegionTally {
-    pub(super) fn new(names: &[&'static str], settings: &Settings) -> RegionTally {
+    pub(super) fn new(names: &[&'static str], settings: &Settings, keep: Keep) -> RegionTally {
         RegionTally {
             names: names.to_vec(),
             cases: 0,
@@ -149,12 +171,12 @@ impl RegionTally {
             undecided: 0,
             reference_failed: 0,
             kinds: Kinds::default(),
-            outputs: vec![OutputTally::new(); names.len()],
-            normwise: SpreadTally::default(),
+            outputs: vec![OutputTally::new(keep); names.len()],
+            normwise: (keep.spread)(),
             share: First::new(1),
             worst: First::new(WORST),
             wrong: BTreeMap::new(),
-            failures: First::new(FAILURES),
+            failures: First::new(keep.failures),
             points: First::new(settings.points),
         }
     }
@@ -176,8 +198,8 @@ impl RegionTally {
             }
             offer(&mut self.share, share, case);
             self.worst.offer(
-                |k| larger((k.0, &k.1.case), (share, case)),
-                || (share, report.clone()),
+                |k| larger((k.0, k.1.case()), (share, case)),
+                || (share, Kept::of(report)),
             );
         }
         match judgement.verdict {
@@ -194,13 +216,13 @@ impl RegionTally {
         if judgement.verdict == Verdict::Pass || recorded {
             return;
         }
-        let earlier = |kept: &CaseReport| kept.case.order(case);
-        self.failures.offer(earlier, || report.clone());
+        let earlier = |kept: &Kept| kept.case().order(case);
+        self.failures.offer(earlier, || Kept::of(report));
         if judgement.verdict != Verdict::Over {
             let key = (judgement.verdict, judgement.kind);
             let examples = self.wrong.entry(key);
             let examples = examples.or_insert_with(|| First::new(EXAMPLES));
-            examples.offer(earlier, || report.clone());
+            examples.offer(earlier, || Kept::of(report));
         }
     }
 
@@ -258,9 +280,9 @@ impl RegionTally {
         self.normwise.merge(&other.normwise);
         self.share.merge(other.share, by_number);
         self.worst.merge(other.worst, |a, b| {
-            larger((a.0, &a.1.case), (b.0, &b.1.case))
+            larger((a.0, a.1.case()), (b.0, b.1.case()))
         });
-        let earlier = |a: &CaseReport, b: &CaseReport| a.case.order(&b.case);
+        let earlier = |a: &Kept, b: &Kept| a.case().order(b.case());
         for (key, examples) in other.wrong {
             let own = self.wrong.entry(key);
             own.or_insert_with(|| First::new(EXAMPLES))
@@ -273,17 +295,17 @@ impl RegionTally {
     }
 
     /// The cases with the largest shares, the largest first.
-    pub(super) fn worst(&self) -> &[(f64, CaseReport)] {
+    pub(super) fn worst(&self) -> &[(f64, Kept)] {
         self.worst.kept()
     }
 
     /// The first of each wrong kind.
-    pub(super) fn wrong(&self) -> impl Iterator<Item = (&(Verdict, Option<Kind>), &[CaseReport])> {
+    pub(super) fn wrong(&self) -> impl Iterator<Item = (&(Verdict, Option<Kind>), &[Kept])> {
         self.wrong.iter().map(|(key, first)| (key, first.kept()))
     }
 
     /// The first cases that did not pass.
-    pub(super) fn failures(&self) -> &[CaseReport] {
+    pub(super) fn failures(&self) -> &[Kept] {
         self.failures.kept()
     }
 

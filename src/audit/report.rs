@@ -7,6 +7,7 @@ use super::judge::Verdict;
 use super::judged::CaseReport;
 use super::kind::Kinds;
 use super::maps::ErrorMap;
+use super::method::ProvedBound;
 use super::parts::ErrorParts;
 use super::settings::Settings;
 use super::spread::Spread;
@@ -148,11 +149,11 @@ pub struct Point {
     pub of_budget: f64,
 }
 
-/// The parts of a command that are the same for all cases of a report: the command is head, a blank,
-/// the place of the case, tail.
+/// The parts of a command that are the same for all cases of a report: the command is head, the place
+/// of the case, tail.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Reproduce {
-    /// What comes before the place of a case: `mechaudit audit METHOD`.
+    /// What comes before the place of a case: `mechaudit audit METHOD ` with the blank.
     pub head: String,
     /// What comes after it: nothing, or a blank and options.
     pub tail: String,
@@ -180,6 +181,8 @@ pub struct MethodReport {
     pub budgets: Vec<OutputBudget>,
     /// The budget of the norm, if one is in force.
     pub norm_budget: Option<NormBudget>,
+    /// What is proved of the error of the method's own solver.
+    pub proved: Vec<ProvedBound>,
     /// Cases judged.
     pub cases: u64,
     /// Cases passed.
@@ -236,6 +239,6 @@ impl MethodReport {
     /// The command that judges a case again.
     pub fn again(&self, case: &Case) -> String {
         let Reproduce { head, tail } = &self.reproduce;
-        format!("{head} {}{tail}", case.place())
+        format!("{head}{}{tail}", case.place())
     }
 }

@@ -13,8 +13,12 @@ pub struct Spread {
     pub beyond: u64,
     /// The largest found.
     pub max: f64,
-    /// 99th percentile (nearest rank), rounded up by less than a thousandth.
+    /// 99th percentile (nearest rank), rounded up by less than a thousandth, in a campaign by less than
+    /// a hundredth or to 2⁻²⁰.
     pub p99: f64,
+    /// 99.99th percentile, rounded up likewise; of ten thousand errors or more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub p9999: Option<f64>,
     /// Median (nearest rank), rounded up likewise.
     pub median: f64,
     /// Root mean square, rounded once.
@@ -23,38 +27,44 @@ pub struct Spread {
 
 /// Gathers a [`Spread`] in a bounded space. Nothing is rounded before [`SpreadTally::spread`], so the
 /// order of additions and merges never shows.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SpreadTally {
-    /// By the leading bits: numbers of a bin share their exponent.
-    bins: BTreeMap<u32, Bin>,
-    count: u64,
-    beyond: u64,
+    /// Bits of the fraction dropped for percentiles.
+    pub(super) dropped: u32,
+    /// By the leading bits.
+    pub(super) bins: BTreeMap<Bin, u64>,
+    /// By the exponent `e` of `m · 2^e`.
+    pub(super) squares: BTreeMap<i32, Squares>,
+    pub(super) count: u64,
+    pub(super) beyond: u64,
     /// The bits of the largest; numbers that are not negative are in the order of their bits.
-    max: u64,
+    pub(super) max: u64,
 }
 
-/// Numbers `m · 2^e` with the same leading bits.
+/// The leading bits of a number.
+pub(super) type Bin = u32;
+
+/// Σ m² over numbers `m · 2^e` of one exponent, in 192 bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Bin {
-    count: u64,
-    /// Σ m², in 192 bits.
-    squares: u128,
-    carry: u64,
+pub(super) struct Squares {
+    pub(super) low: u128,
+    pub(super) carry: u64,
 }
 
-/// Bits of the fraction dropped for percentiles.
+/// Bits of the fraction dropped for percentiles: 2¹⁰ bins an octave.
 const DROPPED: u32 = 42;
+/// Where tallies travel: 2⁷ bins an octave.
+const DROPPED_COARSELY: u32 = 45;
 
-impl Bin {
-    fn add(&mut self, other: Bin) {
-        self.count += other.count;
-        let (sum, carry) = self.squares.overflowing_add(other.squares);
-        self.squares = sum;
+impl Squares {
+    fn add(&mut self, other: Squares) {
+        let (sum, carry) = self.low.overflowing_add(other.low);
+        self.low = sum;
         self.carry += other.carry + u64::from(carry);
     }
 
     fn sum(&self) -> Integer {
-        (Integer::from(self.carry) << 128u32) + Integer::from(self.squares)
+        (Integer::from(self.carry) << 128u32) + Integer::from(self.low)
     }
 }
 
@@ -67,7 +77,39 @@ fn parts(bits: u64) -> (u64, i32) {
     }
 }
 
+impl Default for SpreadTally {
+    fn default() -> SpreadTally {
+        SpreadTally::dropping(DROPPED)
+    }
+}
+
 impl SpreadTally {
+    pub(super) fn dropping(dropped: u32) -> SpreadTally {
+        SpreadTally {
+            dropped,
+            bins: BTreeMap::new(),
+            squares: BTreeMap::new(),
+            count: 0,
+            beyond: 0,
+            max: 0,
+        }
+    }
+
+    /// One that takes less space: percentiles are rounded up by less than a hundredth, and numbers below
+    /// 2⁻²⁰ that are not zero are rounded up to it. It may be merged with its like only.
+    pub fn coarse() -> SpreadTally {
+        SpreadTally::dropping(DROPPED_COARSELY)
+    }
+
+    /// The number that is counted for one: itself, or the least that is told from zero.
+    pub(super) fn counted(&self, value: f64) -> f64 {
+        const LEAST: f64 = 1.0 / (1 << 20) as f64;
+        match self.dropped == DROPPED_COARSELY && value > 0.0 && value < LEAST {
+            true => LEAST,
+            false => value,
+        }
+    }
+
     /// One error, which is not negative; NaN is passed over.
     pub fn add(&mut self, value: f64) {
         if value.is_nan() {
@@ -78,25 +120,29 @@ impl SpreadTally {
             return;
         }
         // −0 is 0.
-        let bits = value.abs().to_bits();
-        let m = u128::from(parts(bits).0);
-        let one = Bin {
-            count: 1,
-            squares: m * m,
+        let bits = self.counted(value.abs()).to_bits();
+        let (m, exponent) = parts(bits);
+        let square = Squares {
+            low: u128::from(m) * u128::from(m),
             carry: 0,
         };
-        self.bins
-            .entry((bits >> DROPPED) as u32)
-            .or_default()
-            .add(one);
+        *self.bins.entry((bits >> self.dropped) as Bin).or_default() += 1;
+        self.squares.entry(exponent).or_default().add(square);
         self.count += 1;
         self.max = self.max.max(bits);
     }
 
     /// Adds what another tally has gathered.
+    ///
+    /// # Panics
+    /// When one of them is coarse and the other is not.
     pub fn merge(&mut self, other: &SpreadTally) {
-        for (k, bin) in &other.bins {
-            self.bins.entry(*k).or_default().add(*bin);
+        assert_eq!(self.dropped, other.dropped, "bins of one width");
+        for (k, count) in &other.bins {
+            *self.bins.entry(*k).or_default() += count;
+        }
+        for (e, squares) in &other.squares {
+            self.squares.entry(*e).or_default().add(*squares);
         }
         self.count += other.count;
         self.beyond += other.beyond;
@@ -107,9 +153,9 @@ impl SpreadTally {
     /// zeros.
     pub fn octaves(&self) -> Vec<(Option<i32>, u64)> {
         let mut octaves: BTreeMap<Option<i32>, u64> = BTreeMap::new();
-        for (k, bin) in &self.bins {
-            let x = f64::from_bits(u64::from(*k) << DROPPED);
-            *octaves.entry(octave(x)).or_default() += bin.count;
+        for (k, count) in &self.bins {
+            let x = f64::from_bits(u64::from(*k) << self.dropped);
+            *octaves.entry(octave(x)).or_default() += count;
         }
         octaves.into_iter().collect()
     }
@@ -117,16 +163,28 @@ impl SpreadTally {
     /// The number of that rank, counted from one, rounded up to the end of its bin.
     fn at_rank(&self, rank: u64) -> f64 {
         let mut below = 0;
-        let bin = self.bins.iter().find(|(_, bin)| {
-            below += bin.count;
+        let bin = self.bins.iter().find(|(_, count)| {
+            below += *count;
             below >= rank
         });
         let max = f64::from_bits(self.max);
         bin.map_or(max, |(k, _)| match k {
             // Zeros, and subnormal numbers of no interest.
             0 => 0.0,
-            k => f64::from_bits((u64::from(*k) << DROPPED) | ((1 << DROPPED) - 1)).min(max),
+            k => {
+                let end = (u64::from(*k) << self.dropped) | ((1 << self.dropped) - 1);
+                f64::from_bits(end).min(max)
+            }
         })
+    }
+
+    /// The number that `share` of all numbers do not exceed, given in ten-thousandths (nearest rank),
+    /// rounded up to the end of its bin; 0 of none.
+    pub fn quantile(&self, share: u32) -> f64 {
+        match self.count {
+            0 => 0.0,
+            n => self.at_rank((u128::from(n) * u128::from(share)).div_ceil(10_000) as u64),
+        }
     }
 
     /// What was gathered.
@@ -137,25 +195,24 @@ impl SpreadTally {
                 ..Spread::default()
             };
         }
-        let rank = |hundredths: u128| (u128::from(self.count) * hundredths).div_ceil(100) as u64;
         Spread {
             count: self.count,
             beyond: self.beyond,
             max: f64::from_bits(self.max),
-            p99: self.at_rank(rank(99)),
-            median: self.at_rank(rank(50)),
+            p99: self.quantile(9900),
+            p9999: (self.count >= 10_000).then(|| self.quantile(9999)),
+            median: self.quantile(5000),
             rms: self.rms(),
         }
     }
 
     fn rms(&self) -> f64 {
-        let exponent = |k: u32| parts(u64::from(k) << DROPPED).1;
-        let Some(least) = self.bins.keys().next().map(|k| exponent(*k)) else {
+        let Some(least) = self.squares.keys().next().copied() else {
             return 0.0;
         };
         let mut sum = Integer::new();
-        for (k, bin) in &self.bins {
-            sum += bin.sum() << (2 * (exponent(*k) - least)) as u32;
+        for (e, squares) in &self.squares {
+            sum += squares.sum() << (2 * (e - least)) as u32;
         }
         let mean = Float::with_val(192, sum) / self.count;
         let root: Float = mean.sqrt() << least;
@@ -167,7 +224,7 @@ impl SpreadTally {
 /// ones.
 pub fn octave(x: f64) -> Option<i32> {
     match (x.to_bits() >> 52) as i32 {
-        0 if x.to_bits() >> DROPPED == 0 => None,
+        0 if x.to_bits() >> DROPPED_COARSELY == 0 => None,
         e => Some(e.max(1) - 1023),
     }
 }
@@ -222,6 +279,21 @@ mod tests {
         for x in [1.0, 1.999, 0.3, 1e-300, 1e300] {
             assert_eq!(octave(x), Some(x.log2().floor() as i32), "{x}");
         }
+    }
+
+    #[test]
+    fn coarse_percentiles_are_rounded_up_by_less_than_a_hundredth() {
+        let mut coarse = SpreadTally::coarse();
+        (1..=20_000).for_each(|k| coarse.add(f64::from(k)));
+        for (share, due) in [(5000, 10_000.0), (9900, 19_800.0), (9999, 19_998.0)] {
+            let found = coarse.quantile(share);
+            assert!((1.0..1.01).contains(&(found / due)), "{found} {due}");
+        }
+        assert_eq!(coarse.spread().p9999, Some(coarse.quantile(9999)));
+        let mut tiny = SpreadTally::coarse();
+        [0.0, 1e-300, 1e-7].iter().for_each(|x| tiny.add(*x));
+        assert_eq!(tiny.octaves(), [(None, 1), (Some(-20), 2)]);
+        assert_eq!(of([1.0; 9999]).p9999, None);
     }
 
     /// Sums of squares beyond 128 bits.

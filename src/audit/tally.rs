@@ -4,9 +4,10 @@ use super::case::Case;
 use super::hard::HardCase;
 use super::judge::Verdict;
 use super::judged::{CaseReport, complete};
+use super::kept::Kept;
 use super::layout::Layout;
 use super::method::Method;
-use super::region_tally::{RegionTally, WORST};
+use super::region_tally::{Keep, RegionTally, WORST};
 use super::report::{LawReport, MethodReport, OutputBudget, Reproduce};
 use super::settings::Settings;
 use std::cmp::Ordering;
@@ -15,6 +16,7 @@ use std::cmp::Ordering;
 #[derive(Clone)]
 pub struct Tally {
     settings: Settings,
+    keep: Keep,
     outputs: Vec<&'static str>,
     /// In the order of reports.
     regions: Vec<(&'static str, RegionTally)>,
@@ -48,12 +50,23 @@ impl Tally {
         let domain = domain.map(|r| (r.name, r.description));
         Tally {
             settings: settings.clone(),
+            keep: Keep::WHOLE,
             outputs: method.outputs().iter().map(|o| o.name).collect(),
             regions: Vec::new(),
             known: NAMED.into_iter().chain(domain).collect(),
             laws: laws.collect(),
             interrupted: false,
             hard: method.hard(),
+        }
+    }
+
+    /// Nothing found yet, for tallies that are [stored](Tally::stored): percentiles are rounded up by less
+    /// than a hundredth, and of each region's failing cases the first twenty are kept. Merges with its
+    /// like only.
+    pub fn lean(method: &dyn Method, settings: &Settings) -> Tally {
+        Tally {
+            keep: Keep::LEAN,
+            ..Tally::new(method, settings)
         }
     }
 
@@ -70,7 +83,7 @@ impl Tally {
             None => {
                 let place = self.place(name);
                 let at = self.regions.partition_point(|r| self.place(r.0) < place);
-                let new = RegionTally::new(&self.outputs, &self.settings);
+                let new = RegionTally::new(&self.outputs, &self.settings, self.keep);
                 self.regions.insert(at, (name, new));
                 at
             }
@@ -168,11 +181,11 @@ impl Tally {
     }
 
     /// The ten worst: of each region the worst, and if there is room the worst of the rest.
-    fn worst(&self) -> Vec<CaseReport> {
+    fn worst(&self) -> Vec<Kept> {
         let all = |skip: usize, take: usize| {
             let of = move |(at, (_, t)): (usize, &'_ (_, RegionTally))| {
                 let some = t.worst().iter().skip(skip).take(take).cloned();
-                some.map(move |(share, report)| (share, at, report))
+                some.map(move |(share, kept)| (share, at, kept))
                     .collect::<Vec<_>>()
             };
             let mut all: Vec<_> = self.regions.iter().enumerate().flat_map(of).collect();
@@ -181,7 +194,7 @@ impl Tally {
             all
         };
         let chosen = all(0, 1).into_iter().chain(all(1, WORST)).take(WORST);
-        chosen.map(|(_, _, report)| report).collect()
+        chosen.map(|(_, _, kept)| kept).collect()
     }
 
     /// The report.
@@ -190,7 +203,7 @@ impl Tally {
         let outputs = method.outputs();
         let norm_budget = method.norm_budget();
         let norm = norm_budget.is_some() || outputs.iter().all(|o| o.unit == outputs[0].unit);
-        let mut all = RegionTally::new(&self.outputs, settings);
+        let mut all = RegionTally::new(&self.outputs, settings, self.keep);
         let mut regions = Vec::new();
         let (mut wrong, mut failures, mut points) = (Vec::new(), Vec::new(), Vec::new());
         for (name, tally) in &self.regions {
@@ -204,14 +217,18 @@ impl Tally {
         }
         // Kind by kind; of each as many as of one region, the first regions' first.
         wrong.sort_by_key(|w| w.0);
-        let mut examples: Vec<CaseReport> = Vec::new();
+        let mut examples: Vec<Kept> = Vec::new();
         for group in wrong.chunk_by(|a, b| a.0 == b.0) {
             let first = group.iter().filter_map(|(_, kept)| kept.first());
             let rest = group.iter().flat_map(|(_, kept)| kept.iter().skip(1));
             examples.extend(first.chain(rest).take(3).cloned());
         }
-        let completed = |reports: Vec<CaseReport>| -> Vec<CaseReport> {
-            let all = reports.into_iter();
+        let judged = |kept: Vec<Kept>| -> Vec<CaseReport> {
+            let all = kept.into_iter();
+            all.map(|k| k.report(method, settings)).collect()
+        };
+        let completed = |kept: Vec<Kept>| -> Vec<CaseReport> {
+            let all = judged(kept).into_iter();
             all.map(|r| complete(method, r, settings)).collect()
         };
         let total = all.report(("all", "all regions together"), norm);
@@ -233,6 +250,7 @@ impl Tally {
                 })
                 .collect(),
             norm_budget,
+            proved: method.proved(),
             cases: total.cases,
             passed: total.passed,
             recorded: total.recorded,
@@ -244,15 +262,18 @@ impl Tally {
             wrong: completed(examples),
             laws: self.laws,
             map: None,
-            failures,
+            failures: judged(failures),
             points,
             reproduce: Reproduce {
-                head: format!("mechaudit audit {}", method.name()),
+                head: format!("mechaudit audit {} ", method.name()),
                 tail: String::new(),
             },
         }
     }
 }
+
+mod stored;
+pub use stored::{StoredError, StoredTally};
 
 #[cfg(test)]
 mod tests;

@@ -111,8 +111,7 @@ pub(crate) fn distance(got: f64, reference: &Ball, format: Format) -> (Mag, Mag)
             false => (Mag::ZERO, Mag::INFINITY),
         };
     }
-    let d = &Ball::exact(reference.prec().max(64), got) - reference;
-    (d.mignitude(), d.magnitude())
+    reference.distance_from(got)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::budget::{Budget, Limit, NormBudget};
 use super::domain::Domain;
 use super::due::Due;
 use super::hard::HardCase;
-use super::method::{BranchAt, Input, Law, Method, Output, Rows};
+use super::method::{BranchAt, Input, Law, Method, Output, ProvedBound, Rows};
 use super::no_such::NoSuch;
 use super::sampling::{Sampling, is_ordinary};
 use super::ulp::Format;
@@ -53,14 +53,14 @@ impl<'a> Variant<'a> {
         }
     }
 
-    /// Other code under test. The laws go: they are about the method's own.
+    /// Other code under test. The laws and what is proved go: they are about the method's own.
     #[must_use]
     pub fn solver(mut self, solve: impl Fn(&[f64]) -> SolverAnswer + Sync + 'a) -> Variant<'a> {
         self.solver = Some(Box::new(solve));
         self.without_laws()
     }
 
-    /// Without the laws, which are about the method's own solver.
+    /// Without the laws and what is proved, which are about the method's own solver.
     #[must_use]
     pub fn without_laws(mut self) -> Variant<'a> {
         self.laws = false;
@@ -214,6 +214,12 @@ impl Method for Variant<'_> {
         }
         let whole = self.selected.is_none() && self.limit.is_none();
         self.method.norm_budget().filter(|_| whole)
+    }
+    fn proved(&self) -> Vec<ProvedBound> {
+        match self.laws && self.format.is_none() {
+            true => self.method.proved(),
+            false => Vec::new(),
+        }
     }
     fn domain(&self) -> Domain {
         let mut domain = self.method.domain();

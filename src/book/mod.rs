@@ -7,17 +7,23 @@
 //! 4. [A new method in one file](adding_a_method)
 //! 5. [Auditing your own code](your_own_code)
 //! 6. [Hunting, hard cases and recorded findings](hunting)
-//! 7. [Proofs of error bounds](proofs)
-//! 8. [Convergence and twins](convergence)
-//! 9. [Reading the reports](reports)
-//! 10. [Planar mechanisms](planar_mechanisms)
-//! 11. [Commands, exit codes and file formats](formats)
+//! 7. [Campaigns: very many cases, on one machine or many](campaigns)
+//! 8. [The atlas of published algorithms](atlas)
+//! 9. [Proofs of error bounds](proofs)
+//! 10. [Convergence and twins](convergence)
+//! 11. [Reading the reports](reports)
+//! 12. [Planar mechanisms](planar_mechanisms)
+//! 13. [Commands, exit codes and file formats](formats)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
 
 #[doc = include_str!("adding_a_method.md")]
 pub mod adding_a_method {}
+#[doc = include_str!("atlas.md")]
+pub mod atlas {}
+#[doc = include_str!("campaigns.md")]
+pub mod campaigns {}
 #[doc = include_str!("convergence.md")]
 pub mod convergence {}
 #[doc = include_str!("formats.md")]

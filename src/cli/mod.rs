@@ -17,8 +17,8 @@ mod terminal;
 use args::{Args, Command};
 use clap::{CommandFactory, FromArgMatches};
 use commands::{
-    audit, chirp, compare, converge, describe, eval, hunt, judge, linkage, list, paper, points,
-    prove, regenerate, runup, shell,
+    atlas, audit, campaign, chirp, compare, converge, describe, eval, hunt, judge, linkage, list,
+    paper, points, prove, regenerate, runup, shell,
 };
 use failure::{Failure, Outcome};
 #[cfg(unix)]
@@ -54,11 +54,13 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     match args.command {
         None => audit::everything(&args.run, args.verbose),
         Some(Command::Audit(a)) => audit::methods(&a),
+        Some(Command::Atlas(a)) => atlas::atlas(&a),
         Some(Command::Compare(a)) => compare::compare(&a),
         Some(Command::Describe(a)) => describe::describe(&a),
         Some(Command::Points(a)) => points::points(&a),
         Some(Command::Judge(a)) => judge::judge(&a),
         Some(Command::Hunt(a)) => hunt::hunt(&a),
+        Some(Command::Campaign(a)) => campaign::campaign(&a),
         Some(Command::Converge(a)) => converge::converge(&a),
         Some(Command::Regenerate(a)) => regenerate::regenerate(&a),
         Some(Command::Completions(a)) => shell::completions(&a),

@@ -41,6 +41,9 @@ impl Progress {
                 ProgressStyle::with_template("{msg:32!} {bar:30} {pos}/{len} {per_sec} {eta} left");
             let bar = ProgressBar::new(total);
             bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            // The rate is that of what comes from here on.
+            bar.set_position(done);
+            bar.reset_eta();
             bar
         });
         bar.set_message(phase.to_owned());
@@ -51,6 +54,11 @@ impl Progress {
     /// One more of `total` is done.
     pub fn tick(&self, phase: &str, total: u64) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        self.reach(phase, done, total);
+    }
+
+    /// `done` of `total` are done; shown if enough time has passed.
+    pub fn reach(&self, phase: &str, done: u64, total: u64) {
         let now = self.start.elapsed().as_millis() as u64;
         let last = self.shown.load(Ordering::Relaxed);
         if now < last + PAUSE {

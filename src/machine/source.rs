@@ -141,7 +141,7 @@ impl Source {
     }
 
     /// Reads the fields of `T`.
-    pub(super) fn parse<T: DeserializeOwned>(&self) -> Result<T, Refusal> {
+    pub(crate) fn parse<T: DeserializeOwned>(&self) -> Result<T, Refusal> {
         match self.form {
             Form::Toml => {
                 let file = toml::Deserializer::parse(&self.text);
@@ -184,7 +184,7 @@ impl Source {
     }
 
     /// A refusal of what stands in this place by a rule of the file.
-    pub(super) fn breach(&self, place: &str, rule: impl Into<String>) -> Refusal {
+    pub(crate) fn breach(&self, place: &str, rule: impl Into<String>) -> Refusal {
         Refusal {
             line: self.line_of(place),
             place: place.into(),

@@ -2,8 +2,8 @@
 
 use super::inputs::{Field, Fields, Number, Row};
 use crate::audit::{
-    BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ReferenceAnswer,
-    Rows, SolverAnswer, Uncertified, conditions_by_differences,
+    BranchAt, Domain, HardCase, Input, Law, Layout, Method, NormBudget, Output, ProvedBound,
+    ReferenceAnswer, Rows, SolverAnswer, Uncertified, conditions_by_differences,
 };
 use crate::reference::Ball;
 use crate::reference::faddeeva::Scaled;
@@ -43,6 +43,10 @@ pub trait Definition: Registered + Sized {
     }
     fn norm_budget() -> Option<NormBudget> {
         None
+    }
+    /// What is proved of the solver's error.
+    fn proved() -> Vec<ProvedBound> {
+        Vec::new()
     }
     fn domain() -> Domain;
     /// Calls the code under test; its refusal by name.
@@ -150,6 +154,9 @@ impl<D: Definition> Method for Entry<D> {
     }
     fn norm_budget(&self) -> Option<NormBudget> {
         D::norm_budget()
+    }
+    fn proved(&self) -> Vec<ProvedBound> {
+        D::proved()
     }
     fn domain(&self) -> Domain {
         D::domain()

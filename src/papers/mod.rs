@@ -1,6 +1,7 @@
 //! Published papers taken apart: their data as printed, their tables, their formulas, and what was
 //! found. Each paper is a module; what it finds has the common shape defined here.
 
+pub mod andrews;
 pub mod gembara_senyk;
 pub mod ledger;
 pub mod motion;
@@ -40,6 +41,12 @@ const PAPERS: &[Paper] = &[
         key: gembara_senyk::KEY,
         audit: gembara_senyk::report,
         ledger: gembara_senyk::ledger,
+        motion: None,
+    },
+    Paper {
+        key: andrews::KEY,
+        audit: andrews::report,
+        ledger: andrews::ledger,
         motion: None,
     },
 ];

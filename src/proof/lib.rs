@@ -23,7 +23,7 @@ mod truncation;
 
 pub use cover::{Rectangle, hole};
 pub use formula::{Bound, Formula};
-pub use prove::{Certificate, Code, Leaf, Open, Target, Watch, upper_half_plane};
+pub use prove::{Certificate, Code, Leaf, Open, Target, UPPER_HALF_PLANE, Watch, upper_half_plane};
 pub use summary::{Attained, OfFormula, Summary};
 pub use tables::Tables;
 pub use tracked::Rounding;

@@ -20,13 +20,17 @@ pub struct Target {
     pub depth: u32,
 }
 
+/// The target that the proof of the closed upper half-plane reaches for both coordinates below 2¹⁹⁹, its
+/// bound of the norm on every rectangle.
+pub const UPPER_HALF_PLANE: Target = Target {
+    norm: 1.25,
+    component: 3.5,
+    depth: 48,
+};
+
 impl Default for Target {
     fn default() -> Target {
-        Target {
-            norm: 1.25,
-            component: 3.5,
-            depth: 48,
-        }
+        UPPER_HALF_PLANE
     }
 }
 

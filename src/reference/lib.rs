@@ -9,7 +9,7 @@
 //! | special | [`faddeeva`] |
 //! | linear | [`tridiagonal`], [`BallLu`] |
 //! | splines | [`cubic_spline`] |
-//! | linkages | [`class_iii`], [`dyad`] |
+//! | linkages | [`class_iii`], [`dyad`], [`planar`] |
 //! | drive | [`run_up`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
 //!
@@ -25,13 +25,13 @@ mod linkages;
 mod special;
 mod splines;
 
-use arithmetic::{ball, complex, decimal, hex_float, mag, taylor_model};
+use arithmetic::{ball, complex, decimal, gauss_legendre, hex_float, mag, taylor_model};
 use linear::lu;
 
 pub use cams::{cam_law, chirp_oscillator, fourier_series};
 pub use drive::run_up;
 pub use linear::tridiagonal;
-pub use linkages::{class_iii, dyad};
+pub use linkages::{class_iii, dyad, planar};
 pub use special::faddeeva;
 pub use splines::cubic_spline;
 

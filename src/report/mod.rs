@@ -3,6 +3,7 @@
 //! Whatever is shown comes in as a value; nothing here solves, judges or proves. What two forms say in
 //! the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every text.
 
+pub mod atlas;
 pub mod baseline;
 pub mod cell;
 pub mod columns;

@@ -29,6 +29,7 @@ PAGES = {
         ["compare", "faddeeva", "--cases", "10", "--with", "ours", "--exec", f"{sys.executable} {BAD}"],
         [1],
     ),
+    "atlas": (["atlas", "--cases", "10"], [0]),
     "paper": (["paper", "zinchenko"], [0]),
     "plain-paper": (["paper", "gembara-senyk"], [0]),
     "ledger": (["paper", "zinchenko", "--ledger"], [0]),

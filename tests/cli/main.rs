@@ -1,6 +1,9 @@
 //! The program as its user meets it: output, messages and exit codes.
 #![cfg(feature = "cli")]
 
+mod atlas;
+#[cfg(unix)]
+mod campaign;
 #[cfg(unix)]
 mod candidates;
 mod chirp;

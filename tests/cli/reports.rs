@@ -17,11 +17,29 @@ fn run(args: &[&str]) -> (i32, String) {
     (output.status.code().unwrap(), text)
 }
 
-/// Where `value` is not as the schema says; the part of JSON Schema that the file uses.
+fn schema(file: &str) -> Value {
+    let path = format!("{}/schema/{file}", env!("CARGO_MANIFEST_DIR"));
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// Where a document is not as the schema of that file says.
+fn against(file: &str, document: &Value) -> Vec<String> {
+    let mut found = Vec::new();
+    let root = schema(file);
+    faults(&root, &root, document, "", &mut found);
+    found
+}
+
+/// Where `value` is not as the schema says; the part of JSON Schema that the files use.
 fn faults(schema: &Value, root: &Value, value: &Value, place: &str, found: &mut Vec<String>) {
     if let Some(name) = schema["$ref"].as_str() {
-        let target = root.pointer(name.strip_prefix('#').unwrap()).expect(name);
-        return faults(target, root, value, place, found);
+        let (file, pointer) = name.split_once('#').unwrap();
+        let other = match file {
+            "" => root,
+            file => &self::schema(file),
+        };
+        let target = other.pointer(pointer).expect(name);
+        return faults(target, other, value, place, found);
     }
     let is = |kind: &str| match kind {
         "null" => value.is_null(),
@@ -88,13 +106,7 @@ fn faults(schema: &Value, root: &Value, value: &Value, place: &str, found: &mut 
 
 #[test]
 fn json_is_as_its_schema_says() {
-    let schema = concat!(env!("CARGO_MANIFEST_DIR"), "/schema/audit.schema.json");
-    let schema: Value = serde_json::from_str(&std::fs::read_to_string(schema).unwrap()).unwrap();
-    let check = |v: &Value| {
-        let mut found = Vec::new();
-        faults(&schema, &schema, v, "", &mut found);
-        found
-    };
+    let check = |v: &Value| against("audit.schema.json", v);
     let (code, text) = run(&["audit", "--cases", "2", "--format", "json"]);
     let mut v: Value = serde_json::from_str(&text).unwrap();
     assert_eq!((code, check(&v)), (0, Vec::new()));
@@ -154,6 +166,32 @@ fn json_is_as_its_schema_says() {
     v["methods"][1].as_object_mut().unwrap().remove("laws");
     v["more"] = 1.into();
     assert_eq!(check(&v).len(), 3, "{:?}", check(&v));
+}
+
+#[test]
+fn a_comparison_is_as_its_schema_says() {
+    let wrong = "sh -c 'while read x; do echo nan,1; done'";
+    let options = [
+        "erf", "--cases", "3", "--region", "disc", "--with", "ours", "--format", "json",
+    ];
+    let args = [&["compare"], &options[..], &["--exec", wrong]].concat();
+    let (code, text) = run(&args);
+    let v: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, against("compare.schema.json", &v)), (1, Vec::new()));
+    let before = std::env::temp_dir().join(format!("mechaudit-before-{}.json", std::process::id()));
+    std::fs::write(&before, &text).unwrap();
+    let baseline = ["--no-speed", "--baseline", before.to_str().unwrap()];
+    let (code, text) = run(&[&args[..], &baseline].concat());
+    std::fs::remove_file(&before).unwrap();
+    let mut v: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((code, against("compare.schema.json", &v)), (1, Vec::new()));
+    assert!(v["baseline"].is_object() && v["candidates"][0]["speed"].is_null());
+    v["candidates"][0]["report"]
+        .as_object_mut()
+        .unwrap()
+        .remove("total");
+    v["regions"][0]["standings"][1]["best"] = 1.into();
+    assert_eq!(against("compare.schema.json", &v).len(), 2);
 }
 
 #[test]

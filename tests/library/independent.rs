@@ -117,3 +117,24 @@ fn mpmath_and_arb_agree_on_the_faddeeva_function() {
     }
     assert_eq!(rows, 113);
 }
+
+/// Extrapolation of the printed equations in time beside the enclosed motion, which integrates nothing in time.
+#[test]
+fn mpmath_agrees_on_andrews_mechanism() {
+    use mechaudit::papers::andrews::{BITS, QUANTITIES, TIMES, motion};
+    let text = include_str!("../../reference/independent/andrews.csv");
+    let motion = motion(BITS).expect("decided");
+    let mut rows = 0;
+    for line in text.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let at = TIMES.iter().position(|t| *t == cells[0]).expect("a time");
+        let quantity = QUANTITIES.iter().position(|q| *q == cells[1]);
+        let ours = &motion.values[at + 1][quantity.expect("a quantity")];
+        let theirs = Ball::rational(BITS, &Decimal::parse(cells[2]).expect("a number").value);
+        let gap = ((ours - &theirs) / ours).abs().upper();
+        assert!(gap < 1e-18, "{line}: {}", ours.mid());
+        assert!(ours.accuracy_bits() > 100, "{line}");
+        rows += 1;
+    }
+    assert_eq!(rows, 3 * QUANTITIES.len());
+}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
@@ -9,39 +10,50 @@ import numpy as np
 
 from . import _mechaudit, certified
 from ._methods import Description, block_answers, flat
-from ._report import Report
+from ._report import Report, called
 from ._run import audited
 
 __all__ = ["Case", "audit", "case", "judge", "points"]
 
 
-def _intervals(description: Description, box: Mapping[str, Any]) -> list[tuple[int, float, float, bool]]:
-    symbols = [description.symbol(k) for k in range(len(description.inputs))]
-    if not description.fixed:
-        raise ValueError(f"box: the inputs of {description.name} have no fixed number")
-    found = []
-    for name, interval in box.items():
-        if name not in symbols:
-            raise ValueError(f"box: {description.name} has no input {name!r}; it has: {', '.join(symbols)}")
-        low, high, *more = interval
-        low, high = float(low), float(high)
-        if not (np.isfinite(low) and np.isfinite(high) and low < high):
-            raise ValueError(f"box: {name} needs two finite numbers in order, got {low} and {high}")
-        logarithmic = more == ["log"]
-        if more and not logarithmic:
-            raise ValueError(f"box: {name} takes 'log' after its ends, got {more}")
-        if logarithmic and low <= 0 <= high:
-            raise ValueError(f"box: {name} cannot be logarithmic across zero")
-        found.append((symbols.index(name), low, high, logarithmic))
-    return found
+def _number(name: str, x: Any) -> str:
+    try:
+        return repr(float(x))
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} needs numbers, got {x!r}") from None
 
 
-def limit_of(ulps: float | None, conditioned: float | None, normwise: float | None) -> Any:
-    given = {"ulps": ulps, "conditioned": conditioned, "normwise": normwise}
-    chosen = [(k, float(v)) for k, v in given.items() if v is not None]
-    if len(chosen) > 1:
-        raise ValueError(f"one budget at a time: {' and '.join(k for k, _ in chosen)} exclude each other")
-    return chosen[0] if chosen else None
+def _sides(box: Mapping[str, Any] | str) -> str:
+    """A box as `mechaudit audit --box` writes it."""
+    if isinstance(box, str):
+        return box
+    sides = []
+    for name, side in box.items():
+        if isinstance(side, str) or not isinstance(side, Iterable):
+            side = (side,)
+        ends = [_number(f"box: {name}", x) for x in side if not isinstance(x, str)]
+        words = [x for x in side if isinstance(x, str)]
+        if not 1 <= len(ends) <= 2 or words not in ([], ["log"], ["+-log"]):
+            rule = "a number, two numbers, or two numbers and 'log' or '+-log'"
+            raise ValueError(f"box: {name} takes {rule}, got {side!r}")
+        sides.append(f"{name}={' '.join([*words, '..'.join(ends)])}")
+    return ", ".join(sides)
+
+
+_BUDGETS = ("ulps", "conditioned", "relative", "absolute", "normwise")
+
+
+def scope_of(
+    outputs: str | Iterable[str] | None = None,
+    budgets: Mapping[str, float | None] | None = None,
+    **where: Any,
+) -> dict[str, Any]:
+    """What is judged, where and by which budget, as the compiled part takes it."""
+    limits = {k: float(v) for k, v in (budgets or {}).items() if v is not None}
+    scope: dict[str, Any] = {"limits": limits, **where}
+    if outputs is not None:
+        scope["outputs"] = names_of(outputs)
+    return scope
 
 
 def audit(
@@ -51,11 +63,17 @@ def audit(
     seed: int = 1,
     cases: int = 200,
     regions: str | Iterable[str] | None = None,
-    box: Mapping[str, Any] | None = None,
+    box: Mapping[str, Any] | str | None = None,
+    near: str | complex | Iterable[float] | None = None,
+    radius: float | None = None,
+    ordinary: bool = False,
     outputs: str | Iterable[str] | None = None,
     ulps: float | None = None,
     conditioned: float | None = None,
+    relative: float | None = None,
+    absolute: float | None = None,
     normwise: float | None = None,
+    single: bool = False,
     vectorised: bool | None = None,
     progress: bool | None = None,
     name: str | None = None,
@@ -73,17 +91,31 @@ def audit(
     seed : int
         Key of the random stream.
     cases : int
-        Random cases in each region, or in the box.
+        Random cases in each region, in a box that names every input, or about an input.
     regions : str or sequence of str, optional
         Only these, without the named cases.
-    box : dict, optional
-        Intervals of inputs, ``{"Re z": (0, 8), "Im z": (1e-9, 1, "log")}``; the others come from the
-        regions in turn.
+    box : dict or str, optional
+        Intervals of inputs, ``{"Re z": (0, 8), "Im z": (1e-9, 1, "log")}``; ``"+-log"`` draws either
+        sign, a single number is that number. The others come from the regions in turn. As text it is
+        written as for ``mechaudit audit --box``.
+    near : str, complex or sequence of float, optional
+        Cases about an input: its numbers, the name of a check point, ``"REGION/CASE"`` or
+        ``"hard/N"``; needs `radius`.
+    radius : float, optional
+        Of that neighbourhood, relative, positive and at most 1.
+    ordinary : bool
+        Leaves out regions and named cases at the ends of the range of floating-point numbers.
     outputs : str or sequence of str, optional
         Only these are judged.
-    ulps, conditioned, normwise : float, optional
-        A budget of one's own: units in the last place, units of ``2**-53 * (1 + condition)``, the
-        same of the largest value.
+    ulps, conditioned, relative, absolute : float, optional
+        A budget of one's own for each output: units in the last place, units of
+        ``2**-53 * (1 + condition)``, a relative or an absolute error. Of the last two given together
+        the larger one counts.
+    normwise : float, optional
+        A budget of one's own for the norm of all errors by the norm of all values.
+    single : bool
+        Whether `f` computes in single precision: it is given float32 and complex64, inputs are numbers
+        of that format, ulps are its ulps.
     vectorised : bool, optional
         Whether `f` takes arrays. Found out with three points if not given.
     progress : bool, optional
@@ -110,20 +142,32 @@ def audit(
     """
     if seed < 0 or cases < 1:
         raise ValueError(f"seed = {seed} must not be negative, cases = {cases} must be at least 1")
-    if regions is not None and box is not None:
-        raise ValueError("regions and box exclude each other")
+    if box is not None and near is not None:
+        raise ValueError("box and near exclude each other")
+    if (near is None) != (radius is None):
+        raise ValueError("near and radius need each other")
     description = Description(method)
+    where: dict[str, Any] = {"single": single, "ordinary": ordinary}
+    if regions is not None:
+        where["regions"] = names_of(regions)
+    if box is not None:
+        where["sides"] = _sides(box)
+    if near is not None and radius is not None:
+        where["near"] = (_centre(near), float(radius))
+    budgets = dict(zip(_BUDGETS, (ulps, conditioned, relative, absolute, normwise)))
     chosen = names_of(outputs)
-    run = _mechaudit.Run(
-        description.name,
-        seed=seed,
-        cases=cases,
-        regions=names_of(regions),
-        intervals=None if box is None else _intervals(description, box),
-        outputs=chosen,
-        limit=limit_of(ulps, conditioned, normwise),
-    )
-    return audited(description, run, f, chosen, vectorised, progress, name)
+    scope = scope_of(chosen, budgets, **where)
+    run = _mechaudit.Run(description.name, seed=seed, cases=cases, scope=scope)
+    return audited(description, run, f, chosen, vectorised, progress, name, single)
+
+
+def _centre(near: str | complex | Iterable[float]) -> str:
+    if isinstance(near, str):
+        return near
+    if isinstance(near, (complex, np.complexfloating)):
+        near = (near.real, near.imag)
+    numbers = near if isinstance(near, Iterable) else (near,)
+    return ",".join(_number("near", x) for x in numbers)
 
 
 def names_of(names: str | Iterable[str] | None) -> list[str] | None:
@@ -147,7 +191,8 @@ class Case:
 
     def __init__(self, method: str, place: str) -> None:
         self._description = Description(method)
-        self._run = _mechaudit.Run(self._description.name, seed=1, cases=1, place=place)
+        self._run = _mechaudit.Run(self._description.name, place=shlex.split(place))
+        self._single = "--single" in shlex.split(place)
         numbers, lengths = self._run.input(0)
         self.method = self._description.name
         self.region, self.place = self._run.place(0)
@@ -170,14 +215,14 @@ class Case:
 
     def judge(self, f: Callable[..., Any]) -> Report:
         """The audit of a callable at this case alone."""
-        run = _mechaudit.Run(self._description.name, seed=1, cases=1, place=self.place)
-        return audited(self._description, run, f, None, False, False, None)
+        run = _mechaudit.Run(self._description.name, place=shlex.split(self.place))
+        return audited(self._description, run, f, None, False, False, None, self._single)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Case, (self.method, self.place)
 
     def __repr__(self) -> str:
-        return f"mechaudit.case({self.method!r}, {self.place!r})"
+        return called(self.method, self.place)
 
 
 def case(method: str, place: str) -> Case:
@@ -188,8 +233,8 @@ def case(method: str, place: str) -> Case:
     method : str
         Its name.
     place : str
-        ``--region NAME --seed S --case N``, ``--check-point NAME``, ``--hard-case N`` or
-        ``--at X,Y``.
+        ``--region NAME --seed S --case N``, ``--check-point NAME``, ``--hard-case N``, ``--at X,Y``,
+        or a ``--case N`` of a ``--box`` or of what is ``--near``.
 
     Examples
     --------
@@ -201,6 +246,16 @@ def case(method: str, place: str) -> Case:
     0.3047442052569125924571388
     """
     return Case(method, place)
+
+
+def drawn(
+    description: Description, n: int, seed: int, regions: str | Iterable[str] | None
+) -> _mechaudit.Run:
+    """n cases of each region, without the named cases."""
+    names = names_of(regions)
+    if names is None:
+        names = [name for name, _ in description.facts["regions"]]
+    return _mechaudit.Run(description.name, seed=seed, cases=n, scope=scope_of(regions=names))
 
 
 def points(method: str, n: int, *, seed: int = 1, regions: str | Iterable[str] | None = None) -> Any:
@@ -220,9 +275,7 @@ def points(method: str, n: int, *, seed: int = 1, regions: str | Iterable[str] |
     if n < 1:
         raise ValueError(f"n must be at least 1, got {n}")
     description = Description(method)
-    run = _mechaudit.Run(
-        description.name, seed=seed, cases=n, regions=names_of(regions), named=False
-    )
+    run = drawn(description, n, seed, regions)
     count = len(run)
     places = [run.place(i)[0] for i in range(count)]
     if not description.fixed:
@@ -250,7 +303,7 @@ def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
     values : array_like
         What is to be judged: complex numbers, one number a point, or a row for each point.
     **options
-        `outputs`, and a budget: `ulps`, `conditioned` or `normwise`.
+        `outputs`, `single`, and budgets: `ulps`, `conditioned`, `relative`, `absolute`, `normwise`.
 
     Returns
     -------
@@ -264,13 +317,13 @@ def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
     """
     description = Description(method)
     chosen = names_of(options.pop("outputs", None))
-    limit = limit_of(*(options.pop(k, None) for k in ("ulps", "conditioned", "normwise")))
+    budgets = {k: options.pop(k, None) for k in _BUDGETS}
+    single = bool(options.pop("single", False))
     if options:
         raise TypeError(f"judge has no option {next(iter(options))!r}")
     rows = _rows(description, points)
-    run = _mechaudit.Run(
-        description.name, seed=1, cases=1, given=rows, outputs=chosen, limit=limit
-    )
+    scope = scope_of(chosen, budgets, single=single)
+    run = _mechaudit.Run(description.name, scope=scope, given=rows)
     outputs = description.outputs if chosen is None else [o for o in description.outputs if o in chosen]
     given = values
     array = np.asarray(values)
@@ -282,7 +335,8 @@ def judge(method: str, points: Any, values: Any, **options: Any) -> Report:
         run.judge_block(0, np.ascontiguousarray(array, dtype=np.float64))
     else:
         run.judge(0, [flat(v) for v in given])
-    return Report(run.finish(False), [], "as values", "the values given")
+    name = "the values given"
+    return Report(run.finish(False, name), [], "as values", name, run.page())
 
 
 def _rows(description: Description, points: Any) -> list[list[float]]:

@@ -142,11 +142,11 @@ class Linkage:
 
     @property
     def type(self) -> str:
-        """'class-iii', 'four-bar' or 'slider-crank'."""
+        """'class-iii', 'four-bar', 'slider-crank' or 'planar'."""
         return self._compiled.kind
 
     def modes(self, phi: float) -> Rows:
-        """All assembly modes at a crank angle in degrees, a row for each."""
+        """All assembly modes at a crank angle in degrees (a displacement in metres), a row for each."""
         return _rows(self._compiled.modes(float(phi)))
 
     def sweep(self, phi: Any, branch: int | None = None) -> Rows:
@@ -155,7 +155,7 @@ class Linkage:
         Parameters
         ----------
         phi : array_like
-            Crank angles in degrees, followed in this order.
+            Crank angles in degrees, or displacements of the drive in metres, followed in this order.
         branch : int, optional
             Its number among the modes at the description's start angle, or at the first angle; the
             description's own if not given.
@@ -188,7 +188,8 @@ class Linkage:
         Raises
         ------
         DomainError
-            The crank does not reach the angle.
+            The crank does not reach the angle, or the linkage is of type 'planar', whose rows are in
+            floating point.
         Undecided
             No position could be proved.
         """
@@ -220,38 +221,23 @@ class Linkage:
         name = f" {self.name!r}" if self.name else ""
         return f"<Linkage{name}: {self.type}>"
 
-    def _repr_html_(self) -> str:
-        svg = self._svg()
-        return svg if svg is not None else f"<code>{_escaped(repr(self))}</code>"
+    def svg(self, branch: int | None = None) -> str:
+        """A drawing of one branch: several positions, and the paths of the joints.
 
-    def _svg(self) -> str | None:
-        """A drawing at the start angle, for notebooks."""
+        Parameters
+        ----------
+        branch : int, optional
+            Its number among the modes at the description's start, or at 0; the description's own if not
+            given.
+        """
+        return self._compiled.svg(branch)
+
+    def _repr_html_(self) -> str:
         try:
-            joints = self._compiled.joints(0.0, None)
+            return self.svg()
         except ValueError:
-            return None
-        if joints is None:
-            return None
-        (a, b, c, d) = joints
-        lines = [((0.0, 0.0), a), (b, c), (c, d), (a, b)]
-        points = [(0.0, 0.0), a, b, c, d]
-        xs, ys = [p[0] for p in points], [-p[1] for p in points]
-        left, top = min(xs), min(ys)
-        width, height = max(xs) - left or 1.0, max(ys) - top or 1.0
-        edge = 0.08 * max(width, height)
-        stroke = 0.01 * max(width, height)
-        drawn = "".join(
-            f'<line x1="{p[0]:.6g}" y1="{-p[1]:.6g}" x2="{q[0]:.6g}" y2="{-q[1]:.6g}"/>'
-            for p, q in lines
-        )
-        dots = "".join(f'<circle cx="{p[0]:.6g}" cy="{-p[1]:.6g}" r="{1.5 * stroke:.6g}"/>' for p in points)
-        box = f"{left - edge:.6g} {top - edge:.6g} {width + 2 * edge:.6g} {height + 2 * edge:.6g}"
-        return (
-            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="420" role="img" '
-            f'aria-label="{_escaped(repr(self))}"><g fill="none" stroke="currentColor" '
-            f'stroke-width="{stroke:.6g}" stroke-linecap="round">{drawn}</g>'
-            f'<g fill="currentColor">{dots}</g></svg>'
-        )
+            # No branch is chosen, or it cannot be assembled where it starts.
+            return f"<code>{_escaped(repr(self))}</code>"
 
 
 def _escaped(text: str) -> str:

@@ -30,7 +30,7 @@ class Description:
 
     def __init__(self, method: str) -> None:
         # Also by the name of an earlier release; an unknown one is refused with those there are.
-        name: str = _mechaudit.Run(method, seed=1, cases=1).finish(True)["method"]
+        name: str = _mechaudit.Run(method).finish(True)["method"]
         facts = next(m for m in methods() if m["name"] == name)
         self.name = name
         self.facts = facts

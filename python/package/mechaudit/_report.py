@@ -9,7 +9,7 @@ from typing import Any
 
 from ._files import written_whole
 
-__all__ = ["Finding", "Report"]
+__all__ = ["Finding", "Report", "called"]
 
 #: Failing cases written out in messages.
 _SHOWN = 5
@@ -21,6 +21,11 @@ def _short(x: float) -> str:
     if x == 0 or 1e-3 <= abs(x) < 1e3 or math.isinf(x):
         return f"{x:.3f}"
     return f"{x:.0f}" if 1e3 <= abs(x) < 1e6 else f"{x:.2e}"
+
+
+def called(method: str, place: str) -> str:
+    """The Python expression that gives a case."""
+    return f'mechaudit.case("{method}", "{place}")'
 
 
 class Finding:
@@ -48,7 +53,7 @@ class Finding:
     @property
     def reproducer(self) -> str:
         """The Python expression that gives the case."""
-        return f"mechaudit.case({self.method!r}, {self.place!r})"
+        return called(self.method, self.place)
 
     def __repr__(self) -> str:
         return f"{self.kind} ({self.count}): {self.message}; {self.reproducer}"
@@ -76,11 +81,14 @@ class Report:
         Everything, as plain numbers and text.
     """
 
-    def __init__(self, facts: dict[str, Any], findings: list[Finding], mode: str, name: str) -> None:
+    def __init__(
+        self, facts: dict[str, Any], findings: list[Finding], mode: str, name: str, page: str
+    ) -> None:
         self.facts = facts
         self.findings = findings
         self.mode = mode
         self.name = name
+        self._page = page
 
     @property
     def passed(self) -> bool:
@@ -103,9 +111,10 @@ class Report:
         return str(self.facts["method"])
 
     def worst(self, n: int = 10) -> list[dict[str, Any]]:
-        """The n worst cases, the worst of each region first.
+        """The n worst of those kept, the worst of each region first.
 
-        Each has its `region`, `input`, what was `got` and what is `due` to 20 digits with its
+        Kept are the ten with the largest shares of a budget, the worst of each region before the rest,
+        and the first of each way of being wrong in kind. Each has its `region`, `input`, what was `got` and what is `due` to 20 digits with its
         `radius`, `ulps`, `of_budget`, `condition`, `verdict`, `reason`, and a `reproducer`.
         """
         by_region: dict[str, list[dict[str, Any]]] = {}
@@ -117,7 +126,7 @@ class Report:
             layer = [cases[place] for cases in ranked if len(cases) > place]
             ordered.extend(sorted(layer, key=_rank, reverse=True))
         return [
-            {**case, "reproducer": f"mechaudit.case({case['method']!r}, {case['place']!r})"}
+            {**case, "reproducer": called(case["method"], case["place"])}
             for case in ordered[:n]
         ]
 
@@ -157,18 +166,12 @@ class Report:
         return self
 
     def html(self, path: str | os.PathLike[str]) -> None:
-        """Write what notebooks show as a page of its own, which needs nothing from elsewhere."""
-        title = html.escape(f"{self.method} by {self.name}")
-        page = (
-            '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-            '<meta name="viewport" content="width=device-width, initial-scale=1">'
-            f"<title>{title}</title><style>:root{{color-scheme:light dark}}"
-            "body{font:16px/1.4 system-ui,sans-serif;margin:1rem}table{border-collapse:collapse;"
-            "display:block;overflow-x:auto}td,th{padding:.2em .7em;text-align:right;border-bottom:1px "
-            "solid #8886}td:nth-child(-n+2),th:nth-child(-n+2){text-align:left}</style></head>"
-            f"<body>{self._repr_html_()}</body></html>\n"
-        )
-        written_whole(path, page)
+        """Write the report as a page that needs nothing from elsewhere.
+
+        The page of ``mechaudit audit --format html``: regions, histograms, errors against the inputs,
+        and for each case the expression that gives it.
+        """
+        written_whole(path, self._page)
 
     def _case_lines(self, case: dict[str, Any]) -> list[str]:
         reason = case["reason"] or case["verdict"]
@@ -191,7 +194,7 @@ class Report:
                     )
         proof = f", {case['proof']}" if case["proof"] else ""
         lines.append(f"  reference  {case['bits']} bits{proof}")
-        lines.append(f"  reproduce  mechaudit.case({case['method']!r}, {case['place']!r})")
+        lines.append(f"  reproduce  {called(case['method'], case['place'])}")
         lines.append(f"             mechaudit points {case['method']} {case['place']}")
         return lines
 

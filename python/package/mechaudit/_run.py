@@ -74,9 +74,14 @@ def audited(
     vectorised: bool | None,
     progress: bool | None,
     name: str | None,
+    single: bool = False,
 ) -> Report:
     outputs = description.outputs if chosen is None else [o for o in description.outputs if o in chosen]
     findings = Findings(run, description.name)
+    if single and f is not None:
+        called_in_single = f
+        f = lambda *arguments: called_in_single(*map(in_single, arguments))  # noqa: E731
+        name = name or str(getattr(called_in_single, "__name__", type(called_in_single).__name__))
     total = len(run)
     bar = _progress(total, progress)
     interrupted = False
@@ -97,9 +102,9 @@ def audited(
                 run.judge_own(done, end)
             elif vectorised:
                 end = min(total, done + _BLOCK)
-                _vectorised(description, run, f, done, end, outputs, findings)
+                _vectorised(description, run, f, done, end, outputs, findings, single)
             else:
-                end = _scalar(description, run, f, done, total, outputs, findings)
+                end = _scalar(description, run, f, done, total, outputs, findings, single)
             if bar is not None:
                 bar.update(end - done)
             done = end
@@ -108,12 +113,26 @@ def audited(
     finally:
         if bar is not None:
             bar.close()
-    facts = run.finish(interrupted)
-    return Report(facts, list(findings.all.values()), mode, called)
+    facts = run.finish(interrupted, None if f is None else called)
+    return Report(facts, list(findings.all.values()), mode, called, run.page())
+
+
+def in_single(x: Any) -> Any:
+    """An argument in single precision."""
+    if isinstance(x, np.ndarray):
+        return x.astype(np.complex64 if x.dtype.kind == "c" else np.float32)
+    return np.complex64(x) if isinstance(x, complex) else np.float32(x)
 
 
 def _vectorised(
-    description: Description, run: Any, f: Any, start: int, end: int, outputs: Any, findings: Findings
+    description: Description,
+    run: Any,
+    f: Any,
+    start: int,
+    end: int,
+    outputs: Any,
+    findings: Findings,
+    single: bool,
 ) -> None:
     block = run.block(start, end)
     arguments = description.arguments(block)
@@ -129,9 +148,9 @@ def _vectorised(
         return
     if any(not np.array_equal(_bits(a), _bits(b)) for a, b in zip(arguments, before)):
         findings.add("overwritten", "the callable writes to its arguments", start)
-    single = _single_types(answer)
-    if single is not None:
-        findings.add(single, f"the answer is {single} for arguments in double precision", start)
+    narrow = _single_types(answer)
+    if narrow is not None and not single:
+        findings.add(narrow, f"the answer is {narrow} for arguments in double precision", start)
     passed = np.array(run.judge_block(start, values))
     for i in np.flatnonzero(np.isnan(values).any(axis=1) & ~passed):
         findings.add("NaN", _NAN, start + int(i))
@@ -166,7 +185,14 @@ def _failed(e: Exception, i: int, findings: Findings) -> tuple[bool, str | None]
 
 
 def _scalar(
-    description: Description, run: Any, f: Any, start: int, total: int, outputs: Any, findings: Findings
+    description: Description,
+    run: Any,
+    f: Any,
+    start: int,
+    total: int,
+    outputs: Any,
+    findings: Findings,
+    single: bool,
 ) -> int:
     answers: list[Any] = []
     clock = time.monotonic()
@@ -182,10 +208,10 @@ def _scalar(
             try:
                 answer = f(*description.single(numbers, lengths))
                 row = numbers_of(description, answer, outputs)
-                single = _single_types(answer)
-                if single is not None:
-                    message = f"the answer is {single} for arguments in double precision"
-                    findings.add(single, message, i)
+                narrow = _single_types(answer)
+                if narrow is not None and not single:
+                    message = f"the answer is {narrow} for arguments in double precision"
+                    findings.add(narrow, message, i)
                 answers.append(row)
             except KeyboardInterrupt:
                 raise

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from . import _mechaudit, certified
-from ._audit import names_of
+from ._audit import drawn
 from ._files import whole
 from ._methods import Description
 
@@ -194,7 +194,7 @@ def vectors(
     description = Description(method)
     if not description.fixed:
         raise ValueError(f"method: the inputs or outputs of {description.name} have no fixed number")
-    run = _mechaudit.Run(description.name, seed=seed, cases=n, regions=names_of(regions), named=False)
+    run = drawn(description, n, seed, regions)
     found = Vectors(description, digits)
     inputs, values = [], []
     for i in range(len(run)):

@@ -273,4 +273,68 @@ proptest! {
             prop_assert_eq!(&shown(&sum.finish(&Twice)), &whole);
         }
     }
+
+    /// Written, read, and written again; alone and merged with another.
+    #[test]
+    fn a_tally_that_was_stored_is_the_same(
+        cases in prop::collection::btree_map(any_case(), 0u64..40, 0..40), cut in 0usize..40,
+    ) {
+        let all: Vec<CaseReport> = cases.into_iter().map(planted).collect();
+        let settings = Settings { points: 4, ..Settings::default() };
+        let tally = |part: &[CaseReport]| {
+            let mut tally = Tally::lean(&Twice, &settings);
+            part.iter().for_each(|r| tally.add(r));
+            tally
+        };
+        let again = |tally: &Tally| {
+            let text = serde_json::to_string(&tally.stored()).unwrap();
+            let read: StoredTally = serde_json::from_str(&text).unwrap();
+            let back = Tally::restored(&Twice, &settings, read).unwrap();
+            assert_eq!(serde_json::to_string(&back.stored()).unwrap(), text);
+            back
+        };
+        // The word of a refusal is judged alike, whoever says it.
+        let shown = |tally: Tally| {
+            shown(&tally.finish(&Twice)).replace(r#"Declines(Some("negative"))"#, r#"Refuses("negative")"#)
+        };
+        let whole = shown(tally(&all));
+        prop_assert_eq!(&shown(again(&tally(&all))), &whole);
+        let (a, b) = all.split_at(cut.min(all.len()));
+        for (a, b) in [(a, b), (b, a)] {
+            let mut sum = again(&tally(a));
+            sum.merge(again(&tally(b)));
+            prop_assert_eq!(&shown(again(&sum)), &whole);
+        }
+    }
+}
+
+#[test]
+fn what_no_tally_of_the_method_holds_is_refused() {
+    let settings = Settings::default();
+    let mut tally = Tally::lean(&Twice, &settings);
+    tally.add(&off("small", 0, 3));
+    let text = serde_json::to_string(&tally.stored()).unwrap();
+    let restored = |text: &str| {
+        let read: StoredTally = serde_json::from_str(text).unwrap();
+        Tally::restored(&Twice, &settings, read).map(drop)
+    };
+    assert_eq!(restored(&text), Ok(()));
+    for (from, to, why) in [
+        ("\"small\"", "\"tiny\"", "no region \"tiny\""),
+        ("\"two\"", "\"three\"", "no output \"three\""),
+        ("\"dropped\":45", "\"dropped\":42", "widths of bins"),
+        ("\"count\":1", "\"count\":2", "a spread"),
+        ("\"kinds\":[0,", "\"kinds\":[", "numbers of kinds"),
+    ] {
+        let changed = text.replacen(from, to, 1);
+        assert_ne!(changed, text, "{from}");
+        let e = restored(&changed).unwrap_err().to_string();
+        assert!(e.contains(why), "{e}");
+    }
+    // Of a spread that is not lean.
+    let whole = Tally::new(&Twice, &settings);
+    let mut whole = whole;
+    whole.add(&off("small", 0, 3));
+    let e = Tally::restored(&Twice, &settings, whole.stored());
+    assert!(e.is_err());
 }

@@ -68,7 +68,7 @@ pub enum With {
 pub enum CompareFormat {
     /// For people
     Text,
-    /// Everything, with each report as schema/audit.schema.json describes it
+    /// Everything, as schema/compare.schema.json describes it
     Json,
     /// A line for each region and candidate
     Csv,

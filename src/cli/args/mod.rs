@@ -1,6 +1,8 @@
 //! The grammar of the command line.
 
+mod atlas;
 mod audit;
+mod campaign;
 mod chirp;
 mod compare;
 mod converge;
@@ -19,7 +21,12 @@ mod scope;
 mod shell;
 mod units;
 
+pub use atlas::{AtlasArgs, AtlasFormat, AtlasTable};
 pub use audit::{AuditArgs, AuditFormat, ProgramArgs};
+pub use campaign::{
+    CampaignArgs, CampaignReportArgs, CampaignRunArgs, CampaignStep, MergeArgs, PlanArgs,
+    StatusArgs,
+};
 pub use chirp::{ChirpArgs, ChirpRows};
 pub use compare::{CompareArgs, CompareFormat, DescribeArgs};
 pub use converge::ConvergeArgs;
@@ -99,6 +106,9 @@ pub enum Command {
     /// Judge several programs at the same cases, side by side
     #[command(after_help = compare::AFTER_HELP)]
     Compare(CompareArgs),
+    /// Published algorithms for W(z) and Voigt, and what is claimed about them, beside certified values
+    #[command(after_help = atlas::AFTER_HELP)]
+    Atlas(AtlasArgs),
     /// Describe a method to whoever writes a candidate: inputs, outputs, budgets, domain, protocol
     #[command(after_help = compare::AFTER_DESCRIBE)]
     Describe(DescribeArgs),
@@ -114,6 +124,9 @@ pub enum Command {
     /// Search a method's domain for its worst inputs
     #[command(after_help = hunt::AFTER_HELP)]
     Hunt(HuntArgs),
+    /// Judge very many cases in shards, on one machine or many, and add them up exactly
+    #[command(after_help = campaign::AFTER_HELP)]
+    Campaign(CampaignArgs),
     /// Show where the errors of approximations come from and how fast they fall
     #[command(after_help = converge::AFTER_HELP)]
     Converge(ConvergeArgs),
@@ -207,6 +220,8 @@ mod tests {
     fn commands_in_help_readme_and_book_are_commands() {
         let pages = [
             include_str!("../../../README.md"),
+            include_str!("../../book/atlas.md"),
+            include_str!("../../book/campaigns.md"),
             include_str!("../../book/convergence.md"),
             include_str!("../../book/formats.md"),
             include_str!("../../book/hunting.md"),

@@ -8,6 +8,7 @@ Examples:
   mechaudit paper zinchenko
   mechaudit paper zinchenko --format html --output zinchenko.html
   mechaudit paper zinchenko --format csv | head
+  mechaudit paper andrews
   mechaudit paper gembara-senyk --ledger
   mechaudit paper gembara-senyk --ledger --format html --output ledger.html";
 

@@ -25,7 +25,7 @@ use std::time::{Duration, Instant};
 
 /// Cases judged together.
 const BATCH: usize = 1024;
-/// Inputs of a first timed run, the most of a second one, and how long it should take.
+/// Inputs of a first timed run, the most of any, and how long the last one takes at least if they suffice.
 const FEW: usize = 200;
 const MANY: usize = 500_000;
 const LONG: Duration = Duration::from_millis(400);
@@ -199,16 +199,15 @@ fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<S
     let run = |n: usize| timed(command, program, inputs, n);
     let starts: Option<Vec<Duration>> = (0..STARTS).map(|_| run(1)).collect();
     let start = starts?.into_iter().min()?;
-    let first = run(FEW)?.saturating_sub(start);
-    let each = (first / FEW as u32).max(Duration::from_nanos(200));
-    let most = (LONG.as_secs_f64() / each.as_secs_f64()) as usize;
-    let (n, whole) = match most.min(MANY) {
-        n if n > FEW => (n, run(n)?),
-        _ => (FEW, first + start),
-    };
-    let taken = whole.saturating_sub(start).as_secs_f64();
+    // More and more of them, until starting it is no matter.
+    let (mut n, mut taken) = (FEW, run(FEW)?.saturating_sub(start));
+    while n < MANY && taken < LONG {
+        let wanted = LONG.as_secs_f64() / taken.as_secs_f64().max(1e-9) * n as f64 * 1.25;
+        n = (wanted as usize).clamp(2 * n, 16 * n).min(MANY);
+        taken = run(n)?.saturating_sub(start);
+    }
     Some(Speed {
-        ns_per_answer: taken * 1e9 / (n - 1) as f64,
+        ns_per_answer: taken.as_secs_f64() * 1e9 / (n - 1) as f64,
         start_up_ms: Some(start.as_secs_f64() * 1e3),
         answers: n as u64,
     })

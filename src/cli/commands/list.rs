@@ -7,6 +7,7 @@ use crate::cli::files::output::{print_json, write_to};
 use crate::cli::terminal::width;
 use mechaudit::audit::{Budget, Layout, Method};
 use mechaudit::report::text::style::{BOLD, paint, paragraph, wrap};
+use mechaudit::report::words::audit::proved;
 use mechaudit::report::words::numbers;
 use mechaudit::{methods, papers};
 use serde_json::{Value, json};
@@ -88,6 +89,9 @@ fn text(method: &dyn Method, width: usize) -> String {
         let text = format!("all together: {norm}; {}", norm.reason);
         out.push_str(&line("", &text, width));
     }
+    for bound in method.proved() {
+        out.push_str(&line("proved", &proved(&bound), width));
+    }
     let domain = method.domain();
     for (i, r) in domain.regions.iter().enumerate() {
         let text = format!("{}: {}", r.name, r.description);
@@ -119,6 +123,7 @@ fn json(method: &dyn Method) -> Value {
         "input": Layout::new(method).input(),
         "answer": Layout::new(method).answer(),
         "norm_budget": method.norm_budget(),
+        "proved": method.proved(),
         "regions": regions
             .map(|r| json!({ "name": r.name, "description": r.description }))
             .collect::<Vec<_>>(),

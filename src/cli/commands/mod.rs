@@ -1,6 +1,8 @@
 //! The commands: a file or folder each.
 
+pub mod atlas;
 pub mod audit;
+pub mod campaign;
 pub mod chirp;
 pub mod compare;
 pub mod converge;

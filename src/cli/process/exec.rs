@@ -15,6 +15,8 @@ use crate::cli::progress::Progress;
 use mechaudit::audit::{
     CandidateReport, Case, Cases, Method, MethodReport, Settings, SolverAnswer, Tally, judge_case,
 };
+use mechaudit::campaign::Stride;
+use std::cell::Cell;
 use std::io::{BufWriter, Write};
 use std::process::ChildStdin;
 use std::sync::Arc;
@@ -24,7 +26,10 @@ use std::time::{Duration, Instant};
 /// The inputs of a run, drawn when they are asked for.
 pub enum Inputs {
     All(Cases),
+    /// Those of a shard.
+    Dealt(Cases, Stride),
     One(Case),
+    Listed(Vec<Case>),
 }
 
 impl Inputs {
@@ -47,14 +52,18 @@ impl Inputs {
     pub fn len(&self) -> usize {
         match self {
             Inputs::All(cases) => cases.len(),
+            Inputs::Dealt(_, stride) => stride.len() as usize,
             Inputs::One(_) => 1,
+            Inputs::Listed(cases) => cases.len(),
         }
     }
 
     pub fn get(&self, i: usize) -> Case {
         match self {
             Inputs::All(cases) => cases.get(i),
+            Inputs::Dealt(cases, stride) => cases.get(stride.at(i as u64) as usize),
             Inputs::One(case) => case.clone(),
+            Inputs::Listed(cases) => cases[i].clone(),
         }
     }
 
@@ -62,7 +71,9 @@ impl Inputs {
     fn region_of(&self, i: usize) -> (&'static str, usize) {
         match self {
             Inputs::All(cases) => cases.region_of(i),
+            Inputs::Dealt(..) => (self.get(i).region, i + 1),
             Inputs::One(case) => (case.region, 1),
+            Inputs::Listed(cases) => (cases[i].region, i + 1),
         }
     }
 }
@@ -185,23 +196,8 @@ pub fn audit(
     let mut fed = Fed::start(command, program, &inputs, total)?;
     let mut tally = Tally::new(method, settings);
     let progress = Progress::new();
-    let end = loop {
-        let mut batch = Vec::new();
-        let from = fed.answered();
-        let end = match total - from {
-            0 => Some(fed.rest()),
-            due => fed.collect(due.min(BATCH), &mut batch),
-        };
-        let cases = batch.into_iter().enumerate();
-        let pairs: Vec<_> = cases.map(|(k, a)| (inputs.get(from + k), a)).collect();
-        judge_batch(method, settings, pairs, &mut tally);
-        progress.show(method.name(), fed.answered() as u64, total as u64);
-        match end {
-            Some(end) => break end,
-            None if tally.is_interrupted() => break End::Interrupted,
-            None => {}
-        }
-    };
+    let show = |answered| progress.show(method.name(), answered, total as u64);
+    let end = judged(&mut fed, &inputs, (method, settings), &mut tally, &show);
     drop(progress);
     if let End::Interrupted = end {
         tally.interrupt();
@@ -214,6 +210,53 @@ pub fn audit(
     let mut report = tally.finish(method);
     report.candidate = Some(fed.report(trouble));
     Ok(report)
+}
+
+/// Audits a program at the inputs of a shard into a tally; its report names what went wrong, and nothing is
+/// counted in place of answers that did not come. `progress` is told of cases judged.
+pub fn gather(
+    method: &dyn Method,
+    inputs: Inputs,
+    command: &str,
+    program: &ProgramArgs,
+    settings: &Settings,
+    tally: &mut Tally,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<CandidateReport, Failure> {
+    let inputs = Arc::new(inputs);
+    let mut fed = Fed::start(command, program, &inputs, inputs.len())?;
+    let told = Cell::new(0);
+    let show = |answered| progress(answered - told.replace(answered));
+    let end = judged(&mut fed, &inputs, (method, settings), tally, &show);
+    let trouble = fed.end(end);
+    Ok(fed.report(trouble))
+}
+
+/// Judges answers until there are no more; says why not. `show` is told how many there were.
+fn judged(
+    fed: &mut Fed,
+    inputs: &Inputs,
+    (method, settings): (&dyn Method, &Settings),
+    tally: &mut Tally,
+    show: &dyn Fn(u64),
+) -> End {
+    loop {
+        let mut batch = Vec::new();
+        let from = fed.answered();
+        let end = match inputs.len() - from {
+            0 => Some(fed.rest()),
+            due => fed.collect(due.min(BATCH), &mut batch),
+        };
+        let cases = batch.into_iter().enumerate();
+        let pairs: Vec<_> = cases.map(|(k, a)| (inputs.get(from + k), a)).collect();
+        judge_batch(method, settings, pairs, tally);
+        show(fed.answered() as u64);
+        match end {
+            Some(end) => return end,
+            None if tally.is_interrupted() => return End::Interrupted,
+            None => {}
+        }
+    }
 }
 
 /// Counts the inputs from `from` on as unanswered, region by region; the first of them is a case to look

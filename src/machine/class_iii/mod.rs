@@ -4,10 +4,12 @@
 mod branch;
 mod certified;
 mod columns;
+mod path;
 
 pub use branch::{Branch, BranchError, End, Reach, TURNS, choose, unassembled};
 pub use certified::Certifier;
 pub use columns::{names, values};
+pub use path::path;
 
 use super::linkage::{BodySection, CrankMotion, File, massless, rounded};
 use super::quantity::Quantity;

@@ -2,10 +2,12 @@
 //! in floating point and as certified decimals.
 
 mod certified;
+mod path;
 mod range;
 mod values;
 
 pub use certified::{Proved, certified};
+pub use path::{Position, path};
 pub use range::{Dead, Turn, dead, swing, turn};
 pub use values::{ASSEMBLIES, RowError, Values, floating, names, number};
 

@@ -52,6 +52,23 @@ pub struct Branch {
     pub reach: Reach,
 }
 
+impl Branch {
+    /// A value of the drive (user's, radians or metres) on the branch's own count of turns; nothing where the
+    /// branch does not reach.
+    pub fn turned_to(&self, machine: &Machine, drive: f64) -> Option<f64> {
+        let Reach::Part { low, high } = self.reach else {
+            return Some(drive);
+        };
+        let low = low.map_or(f64::NEG_INFINITY, |e| e.drive + MARGIN);
+        let high = high.map_or(f64::INFINITY, |e| e.drive - MARGIN);
+        let at = match machine.rotary() && low.is_finite() {
+            true => drive + ((low - drive) / TAU).ceil() * TAU,
+            false => drive,
+        };
+        (low <= at && at <= high).then_some(at)
+    }
+}
+
 /// Why there is no branch.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlanarError {

@@ -5,9 +5,11 @@ mod branch;
 mod file;
 mod joints;
 mod loads;
+mod path;
 mod rows;
 
 pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
+pub use path::path;
 pub use rows::{Columns, names, values};
 
 use super::source::{Refusal, Source};

@@ -8,6 +8,7 @@
 //! operation and rounded up ([`Mag`]).
 
 use super::mag::Mag;
+use gmp_mpfr_sys::gmp::LIMB_BITS;
 use rug::float::{Constant, Round};
 use rug::ops::{AddAssignRound, NegAssign};
 use rug::{Float, Rational};
@@ -106,6 +107,48 @@ impl Ball {
             Float::with_val_round(prec, &self.mid, Round::Nearest),
             self.rad,
         )
+    }
+
+    /// Bounds on the distance of this number from an exact and finite `x`: at least, at most.
+    pub fn distance_from(&self, x: f64) -> (Mag, Mag) {
+        if let Some(([low, high], e)) = self.mid_from(x) {
+            let (low, high) = (
+                Mag::of_integer(low, e, false),
+                Mag::of_integer(high, e, true),
+            );
+            return (low.sub_below(self.rad), high.add(self.rad));
+        }
+        let p = self.prec().max(64);
+        let difference = Float::with_val_round(p, x - &self.mid, Round::Nearest);
+        let difference = Ball::rounded(difference, self.rad);
+        (difference.mignitude(), difference.magnitude())
+    }
+
+    /// Bounds on `|x − mid|` in units of `2^e`, of which `|mid|` holds 2¹²⁷ or more, where x holds a
+    /// whole number of them: a tenth of the time of a difference in MPFR, which judgements consist of.
+    fn mid_from(&self, x: f64) -> Option<([u128; 2], i64)> {
+        let e = i64::from(self.mid.get_exp()?) - 128;
+        let significand = self.mid.get_significand()?;
+        let (mid, rest) = match (significand.as_limbs(), LIMB_BITS) {
+            (&[high], 64) => (u128::from(high) << 64, false),
+            (&[ref rest @ .., low, high], 64) => (
+                u128::from(high) << 64 | u128::from(low),
+                rest.iter().any(|&limb| limb != 0),
+            ),
+            _ => return None,
+        };
+        if self.mid.is_sign_negative() != x.is_sign_negative() || !x.is_normal() {
+            return None;
+        }
+        let bits = x.to_bits();
+        let m = u128::from(bits << 12 >> 12 | 1 << 52);
+        let shift = (bits << 1 >> 53) as i64 - 1075 - e;
+        // At most 128 bits, none lost.
+        let x = (0..=75).contains(&shift).then(|| m << shift)?;
+        // What is cut off of mid is less than a unit.
+        let d = mid.abs_diff(x);
+        let rest = u128::from(rest);
+        Some(([d.saturating_sub(rest), d.checked_add(rest)?], e))
     }
 
     /// An upper bound on the absolute value.
@@ -511,6 +554,54 @@ mod tests {
             assert_eq!(signs(&at(&mid, 0.0)), apart);
         }
         assert!(Ball::integer(120, 0).contains_zero());
+    }
+
+    /// Against differences in MPFR that lose nothing.
+    #[test]
+    fn distances_are_exact_and_hold_the_radius() {
+        let exact = |m: Mag| Float::with_val(4000, m.to_float());
+        let mut on_integers = 0;
+        for bits in [53, 64, 65, 100, 128, 129, 300] {
+            for k in [-1080, -1022, -3, 0, 1, 1000] {
+                let third: Float = Float::with_val(bits, 1) / 3;
+                let below = Float::with_val(bits, 1) - (Float::with_val(bits, 1) >> (bits - 1));
+                for mid in [third.clone(), below, -third, Float::with_val(bits, 1)] {
+                    let mid: Float = mid << k;
+                    let near = mid.to_f64();
+                    let wrong = [
+                        -near,
+                        2.0 * near,
+                        near / 3.0,
+                        0.0,
+                        1e-320,
+                        f64::MAX,
+                        near * 1e9,
+                    ];
+                    for x in [near, near.next_up(), near.next_down()]
+                        .into_iter()
+                        .chain(wrong)
+                    {
+                        let x = x.clamp(f64::MIN, f64::MAX);
+                        let rad = Mag::power_of_two(i64::from(k) - 60);
+                        let truth = (Float::with_val(4000, x) - &mid).abs();
+                        let sharp = Ball::new(mid.clone(), Mag::ZERO);
+                        on_integers += u32::from(sharp.mid_from(x).is_some());
+                        let (low, high) = sharp.distance_from(x);
+                        assert!(exact(low) <= truth && truth <= exact(high), "{mid} {x}");
+                        let gap = exact(high) - exact(low);
+                        assert!(gap <= truth.clone() * 1e-15, "{mid} {x}");
+                        let (low, high) = Ball::new(mid.clone(), rad).distance_from(x);
+                        let r = exact(rad);
+                        let (least, most) = (truth.clone() - &r, truth + &r);
+                        assert!(
+                            exact(high) >= most && exact(low) <= least.clone().max(&Float::new(64))
+                        );
+                        assert!(exact(low) > 0 || least <= 1e-15 * r, "{mid} {x}");
+                    }
+                }
+            }
+        }
+        assert!(on_integers > 100, "{on_integers}");
     }
 
     #[test]

@@ -100,6 +100,15 @@ impl Mag {
         Mag::normal(m.abs(), i64::from(e))
     }
 
+    /// A bound on `d · 2^e`, from above or from below.
+    pub(super) fn of_integer(d: u128, e: i64, up: bool) -> Mag {
+        let bits = 128 - i64::from(d.leading_zeros());
+        let cut = (bits - 53).max(0);
+        let m = (d >> cut) as u64 + u64::from(up && (d >> cut) << cut != d);
+        // Less than or equal to 2^53: exact.
+        Mag::normal(m as f64, e + cut)
+    }
+
     /// Whether this is exactly zero.
     pub fn is_zero(self) -> bool {
         self.m == 0.0
@@ -306,6 +315,30 @@ mod tests {
                 assert!(gap <= f64::EPSILON, "{bits}: {x}");
                 assert!(bits > 53 || gap == 0, "{bits}: {x}");
             }
+        }
+    }
+
+    #[test]
+    fn integers_lie_between_their_bounds() {
+        let odd = (1u128 << 127) | 1;
+        for d in [
+            0,
+            1,
+            3,
+            (1 << 53) - 1,
+            (1 << 53) + 1,
+            (1 << 54) - 1,
+            odd,
+            u128::MAX,
+        ] {
+            let size = Float::with_val(200, rug::Integer::from(d)) >> 9u32;
+            let [low, high] = [false, true].map(|up| exact(Mag::of_integer(d, -9, up)));
+            assert!(low <= size && size <= high, "{d}");
+            assert!(
+                Float::with_val(200, &high - &low) <= size.clone() * f64::EPSILON,
+                "{d}"
+            );
+            assert!(d >= 1 << 53 || low == high, "{d}");
         }
     }
 

@@ -4,6 +4,7 @@ pub(crate) mod ball;
 pub(crate) mod complex;
 pub(crate) mod decimal;
 pub(crate) mod elementary;
+pub(crate) mod gauss_legendre;
 pub(crate) mod hex_float;
 pub(crate) mod mag;
 #[cfg(test)]

@@ -2,3 +2,4 @@
 
 pub mod class_iii;
 pub mod dyad;
+pub mod planar;

@@ -1,6 +1,7 @@
 //! Pages without outside parts, for light and dark, for desk and phone.
 
 mod assets;
+pub mod atlas;
 pub mod audit;
 mod convergence;
 pub mod ledger;

@@ -1,6 +1,6 @@
 //! A mechanism of any structure at several positions, with the paths of its points.
 
-use super::scene::Point;
+use super::linkage::Point;
 use super::style::{head, legible};
 use maud::{Markup, html};
 

@@ -1,11 +1,11 @@
 //! Drawings as SVG, for light and dark pages.
 
 pub mod chirp;
-pub mod mechanism;
+pub mod linkage;
+mod mechanism;
 mod panel;
 pub mod reduced;
 pub mod run_up;
-pub mod scene;
 mod style;
 
 pub use panel::CannotDraw;

@@ -7,7 +7,7 @@ use crate::audit::{
     CaseReport, ErrorMap, Kinds, MethodReport, OutputStatistics, RegionReport, Spread, Verdict,
 };
 use crate::report::words::audit::{
-    budgets, candidate, holds, kinds, mark, share, undecided, verdict,
+    budgets, candidate, holds, kinds, mark, proved, share, undecided, verdict,
 };
 use crate::report::words::numbers::{percent, short, short_if};
 use anstyle::Style;
@@ -119,6 +119,9 @@ fn heading(report: &MethodReport, width: usize) -> String {
         out.push_str(&line("candidate", &candidate(c)));
     }
     out.push_str(&line("budget", &budgets(report)));
+    for bound in &report.proved {
+        out.push_str(&line("proved", &proved(bound)));
+    }
     out
 }
 
@@ -320,6 +323,7 @@ pub(crate) mod tests {
             beyond: 0,
             max: 7.25,
             p99: 1.5,
+            p9999: None,
             median: 0.3,
             rms: 0.4,
         };
@@ -401,6 +405,7 @@ pub(crate) mod tests {
                 budget: Budget::new(Limit::Ulps(4.0), "planted"),
             }],
             norm_budget: None,
+            proved: Vec::new(),
             cases: 400,
             passed: 399,
             recorded: 0,
@@ -421,7 +426,7 @@ pub(crate) mod tests {
             points: Vec::new(),
             map: None,
             reproduce: Reproduce {
-                head: "mechaudit audit a-method".into(),
+                head: "mechaudit audit a-method ".into(),
                 tail: String::new(),
             },
         }

@@ -1,5 +1,6 @@
 //! Reports for people, in as many columns as there are.
 
+pub mod atlas;
 pub mod case;
 pub mod comparison;
 pub mod ledger;

@@ -3,8 +3,8 @@
 use super::Tone;
 use super::numbers::{count, short_if};
 use crate::audit::{
-    CandidateReport, Kinds, LawReport, MethodReport, OutputStatistics, RegionReport, Spread,
-    Verdict,
+    CandidateReport, Kinds, LawReport, MethodReport, OutputStatistics, ProvedBound, RegionReport,
+    Spread, Verdict,
 };
 
 /// The verdict on a method.
@@ -101,6 +101,16 @@ pub fn budgets(report: &MethodReport) -> String {
         all.push("in single precision, u = 2⁻²⁴".into());
     }
     all.join("; ")
+}
+
+/// A proved bound, and how it is proved.
+pub fn proved(bound: &ProvedBound) -> String {
+    let ProvedBound {
+        norm,
+        inputs,
+        command,
+    } = bound;
+    format!("error at most {norm} u of the norm for {inputs}: {command}")
 }
 
 /// How near a budget so large a share of it is.

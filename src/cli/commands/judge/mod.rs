@@ -121,7 +121,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let file = |path: &Path| shell_words::quote(&path.to_string_lossy()).into_owned();
     report.reproduce = Reproduce {
         head: format!(
-            "mechaudit judge {} --inputs {} --values {}",
+            "mechaudit judge {} --inputs {} --values {} ",
             method.name(),
             file(inputs_path),
             file(values_path)

@@ -1,6 +1,6 @@
 //! A four-bar linkage or slider-crank given in a file, computed over the turn of its crank.
 
-use super::{dyad_drawing, dyad_facts as facts};
+use super::dyad_facts as facts;
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -12,6 +12,7 @@ use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns;
 use mechaudit::report::rows::Rows;
+use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
 
 /// Computes the linkage as the arguments ask for.
@@ -45,7 +46,7 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&dyad_drawing::draw(dyad, *assembly))?;
+        drawing.text(&drawn::dyad(dyad, *assembly))?;
     }
     let mut count = 0;
     let outcome = output.write(|out| {

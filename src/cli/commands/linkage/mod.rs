@@ -2,11 +2,9 @@
 
 mod drawing;
 mod dyad;
-mod dyad_drawing;
 mod dyad_facts;
 pub mod facts;
 mod planar;
-mod planar_drawing;
 mod planar_facts;
 
 use crate::cli::args::LinkageArgs;

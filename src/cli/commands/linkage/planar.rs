@@ -1,19 +1,19 @@
 //! A mechanism of bodies and joints given in a file, computed over its drive.
 
-use super::{planar_drawing, planar_facts as facts};
+use super::planar_facts as facts;
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
-use mechaudit::machine::planar::{self, Branch, Columns, Machine, Reach};
+use mechaudit::machine::planar::{self, Branch, Columns, Machine};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns as Shown;
 use mechaudit::report::rows::Rows;
+use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::planar::BranchMap;
 use rug::Rational;
-use std::f64::consts::TAU;
 
 /// The values of the drive: as shown (degrees or metres) and in radians or metres.
 struct Values(Vec<(f64, f64)>);
@@ -74,7 +74,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     let branch = planar::choose(machine, start, args.branch).map_err(in_file)?;
     if let Some(folder) = &args.svg {
         let drawing = Output::within(folder, "mechanism.svg")?;
-        drawing.text(&planar_drawing::draw(machine, &branch))?;
+        drawing.text(&drawn::planar(machine, &branch))?;
     }
     let mut written = 0;
     output.write(|out| {
@@ -93,20 +93,6 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     Ok(Outcome::AsExpected)
 }
 
-/// The drive on the branch's own count of turns, if the branch reaches it.
-fn on_branch(machine: &Machine, branch: &Branch, drive: f64) -> Option<f64> {
-    let Reach::Part { low, high } = branch.reach else {
-        return Some(drive);
-    };
-    let low = low.map_or(f64::NEG_INFINITY, |e| e.drive + planar::MARGIN);
-    let high = high.map_or(f64::INFINITY, |e| e.drive - planar::MARGIN);
-    let at = match machine.rotary() && low.is_finite() {
-        true => drive + ((low - drive) / TAU).ceil() * TAU,
-        false => drive,
-    };
-    (low <= at && at <= high).then_some(at)
-}
-
 fn one_branch(
     machine: &Machine,
     branch: &Branch,
@@ -118,7 +104,7 @@ fn one_branch(
     let mut here = branch.start.clone();
     let mut written = 0;
     for (done, &(shown, drive)) in values.0.iter().enumerate() {
-        let Some(at) = on_branch(machine, branch, drive) else {
+        let Some(at) = branch.turned_to(machine, drive) else {
             continue;
         };
         let next = machine.solver.follow(&here, machine.inner(at));

@@ -1,6 +1,8 @@
 //! Generated files: regenerated, or compared with what is held.
 
+mod andrews_motion;
 mod artefact;
+mod atlas;
 pub mod errata;
 mod faddeeva_tables;
 mod method_values;
@@ -20,6 +22,7 @@ use std::path::Path;
 const VALUES: &str = "reference/values";
 const PUBLISHED: &str = "reference/published";
 const SOLVERS: &str = "src/solvers";
+const ATLAS: &str = "reference/atlas";
 
 /// Every generated file.
 fn artefacts() -> Vec<Artefact> {
@@ -52,7 +55,22 @@ fn artefacts() -> Vec<Artefact> {
         })
         .collect();
     all.push(csv("sand-screen-run-up", Box::new(sand_screen::made)));
+    all.push(csv("andrews-motion", Box::new(andrews_motion::made)));
     all.extend(papers::keys().into_iter().map(errata));
+    let atlas = |name: &str, form: Form, make: fn() -> artefact::Outcome<Made>| Artefact {
+        name: name.into(),
+        path: Path::new(ATLAS).join(match form {
+            Form::Json => format!("{name}.json"),
+            _ => format!("{name}.csv"),
+        }),
+        form,
+        make: Box::new(make),
+    };
+    all.extend([
+        atlas("atlas-rows", Form::Csv, atlas::rows),
+        atlas("atlas-claims", Form::Csv, atlas::claims),
+        atlas("atlas", Form::Json, atlas::document),
+    ]);
     all.extend([
         rust(
             "arithmetic-tables",
@@ -185,6 +203,7 @@ mod tests {
         for (folder, ending) in [
             (VALUES, ".csv"),
             (PUBLISHED, "-errata.json"),
+            (ATLAS, ""),
             ("src/solvers/arithmetic", "tables.rs"),
             ("src/solvers/special/faddeeva", "tables.rs"),
             ("src/solvers/special/faddeeva", "constants.rs"),

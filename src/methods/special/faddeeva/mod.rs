@@ -7,12 +7,13 @@ pub(super) mod regions;
 use super::branches::nearest;
 use super::relatives::{NORM, PROOF};
 use crate::audit::{
-    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
-    Uncertified,
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound,
+    ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
+use crate::proof::UPPER_HALF_PLANE;
 use crate::reference::faddeeva::{Scaled, w, w_scaled};
 use crate::reference::{Ball, Mag, Undecided};
 use crate::solvers::faddeeva::{SEAMS, branch, faddeeva};
@@ -124,6 +125,14 @@ impl Definition for Faddeeva {
 
     fn norm_budget() -> Option<NormBudget> {
         Some(NormBudget::new(NORM.0, NORM.1))
+    }
+
+    fn proved() -> Vec<ProvedBound> {
+        vec![ProvedBound {
+            norm: 2.0 * UPPER_HALF_PLANE.norm,
+            inputs: "Im z >= 0 and |Re z|, Im z < 2^199",
+            command: "mechaudit prove faddeeva",
+        }]
     }
 
     fn domain() -> Domain {

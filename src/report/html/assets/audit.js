@@ -56,7 +56,7 @@ document.addEventListener("DOMContentLoaded", () => {
       if (what.ulps) parts.push(table(["output", "error"], method.outputs.map((o, k) => [o.name, figures.ulps(what.ulps[k])]), [0]));
     }
     const command = element("div", undefined, "command");
-    const code = element("code", `${method.command[0]} ${place}${method.command[1]}`);
+    const code = element("code", `${method.command[0]}${place}${method.command[1]}`);
     const copy = element("button", "Copy the command", "copy");
     copy.type = "button";
     command.append(code, copy);

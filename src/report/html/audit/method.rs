@@ -7,7 +7,9 @@ use crate::audit::{CaseReport, LawReport, MethodReport, OutputStatistics, Region
 use crate::report::html::page::class;
 use crate::report::text::case;
 use crate::report::text::style::plain;
-use crate::report::words::audit::{budgets, candidate, holds, kinds, mark, of_case, undecided};
+use crate::report::words::audit::{
+    budgets, candidate, holds, kinds, mark, of_case, proved, undecided,
+};
 use crate::report::words::numbers::{percent, short, short_if};
 use maud::{Markup, html};
 
@@ -26,6 +28,7 @@ pub fn section(k: usize, name: &str, r: &MethodReport, data: &Data, full: bool) 
                 @if let Some(trouble) = &c.trouble { p.alarm { (trouble) } "\n" }
             }
             p.soft.small { "Budget: " (budgets(r)) } "\n"
+            @for bound in &r.proved { p.soft.small { "Proved: " (proved(bound)) } "\n" }
             p.soft.small { (r.source) } "\n"
             (outputs(r))
             h3 id={ "regions-" (k) } { "Regions" } "\n"

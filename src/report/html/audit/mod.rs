@@ -1,5 +1,6 @@
 //! The report of an audit as one page without outside parts, whosever code was audited.
 
+mod campaign;
 mod comparison;
 mod data;
 mod encoded;
@@ -11,6 +12,7 @@ use super::assets::{AUDIT_CSS, AUDIT_JS, D3_JS, FIGURES_JS, MAP_JS, PLOT_JS};
 use super::page::{Page, class, verdict};
 use super::{convergence, page::entry_of_contents};
 use crate::audit::{Comparison, ConvergenceReport, MethodReport, Uncertified};
+use crate::campaign::{PartSum, Plan};
 use crate::report::baseline::Changes;
 use crate::report::words::Tone;
 use crate::report::words::audit::{all_pass, holds, settings, totals, verdict as of_method};
@@ -42,6 +44,31 @@ pub fn page(
         state: (!interrupted).then(|| all_pass(reports)),
     };
     parts.page()
+}
+
+/// A campaign as far as it is done, so many of its shards.
+pub fn campaign(plan: &Plan, (done, shards): (u64, u64), found: &[PartSum]) -> String {
+    let labels: Vec<String> = plan.parts.iter().map(|p| p.label()).collect();
+    let parts = labels.iter().zip(found);
+    let named: Named = parts
+        .filter_map(|(label, found)| match found {
+            PartSum::Report(report) => Some((label.as_str(), &**report)),
+            PartSum::Hunts(..) => None,
+        })
+        .collect();
+    let reports: Vec<&MethodReport> = named.iter().map(|n| n.1).collect();
+    let shards_done = format!("{done} of {} done", count(shards as usize, "shard"));
+    let page = Parts {
+        title: format!("Campaign {}", plan.name),
+        kind: "campaign",
+        totals: format!("{shards_done}; {}", campaign::totals(&reports)),
+        named,
+        first: campaign::hunts(plan, found),
+        changes: None,
+        approximations: None,
+        state: (done == shards).then(|| found.iter().all(PartSum::passed)),
+    };
+    page.page()
 }
 
 /// Several codes side by side, then each in full.
@@ -85,13 +112,14 @@ struct Parts<'a> {
 impl Parts<'_> {
     fn page(&self) -> String {
         let (tone, word) = match self.state {
+            None if self.kind == "campaign" => (Tone::Doubt, "Under way"),
             None => (Tone::Bad, "Interrupted"),
             Some(true) => (Tone::Good, "As expected"),
             Some(false) => (Tone::Bad, "NOT as expected"),
         };
         let reports: Vec<&MethodReport> = self.named.iter().map(|n| n.1).collect();
         let data = data::Data::of(&self.named);
-        let several = self.kind == "audit" && reports.len() > 1;
+        let several = self.kind != "comparison" && reports.len() > 1;
         let main = html! {
             h1 { (self.title) } "\n"
             (verdict(tone, word, &format!("{}.", self.totals)))

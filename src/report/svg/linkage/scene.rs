@@ -1,6 +1,6 @@
 //! A mechanism at several positions, with the paths of its joints.
 
-use super::style::{head, legible};
+use super::super::style::{head, legible};
 use maud::{Markup, html};
 
 const WIDTH: f64 = 1000.0;
@@ -302,7 +302,7 @@ fn circle(view: &View, p: Point, colour: &str, width: f64) -> Markup {
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::super::style::tests::whole;
+    use super::super::super::style::tests::whole;
     use super::*;
 
     /// A slider-crank of unit lengths over a turn, drawn.

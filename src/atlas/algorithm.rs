@@ -1,0 +1,55 @@
+//! What an algorithm is described by.
+
+use num_complex::{Complex32, Complex64};
+
+/// Where an algorithm is defined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Plane {
+    /// `Im z ≥ 0`.
+    Upper,
+    /// Everywhere.
+    Whole,
+}
+
+/// What an algorithm gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parts {
+    /// w.
+    Both,
+    /// Re w alone, the Voigt function; the imaginary part of [`Algorithm::w`] is NaN.
+    Real,
+}
+
+/// A published algorithm.
+#[derive(Clone, Copy, Debug)]
+pub struct Algorithm {
+    /// Authors, year, variant: lower case, joined by hyphens.
+    pub name: &'static str,
+    /// In a few words.
+    pub title: &'static str,
+    /// The paper.
+    pub source: &'static str,
+    /// Where its formulas and constants were read.
+    pub read_from: &'static str,
+    /// Where it is defined.
+    pub plane: Plane,
+    /// What it gives.
+    pub parts: Parts,
+    /// The algorithm.
+    pub w: fn(Complex64) -> Complex64,
+    /// The same operations in single precision, where it is made of arithmetic and exponentials alone.
+    pub single: Option<fn(Complex32) -> Complex32>,
+    /// The number of the formula that is used at an argument, where there are several.
+    pub formula: Option<fn(Complex64) -> u8>,
+}
+
+/// A published algorithm that could not be written here.
+#[derive(Clone, Copy, Debug)]
+pub struct NotAtHand {
+    /// Authors and year.
+    pub name: &'static str,
+    /// The paper.
+    pub source: &'static str,
+    /// Why it is missing.
+    pub why: &'static str,
+}

@@ -1,0 +1,134 @@
+//! How the work of a plan is dealt to shards.
+
+use super::plan::{Kind, Part, Plan};
+use crate::audit::Cases;
+
+/// The numbers `first`, `first + step`, … below `end`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stride {
+    /// The first.
+    pub first: u64,
+    /// The distance of two neighbours.
+    pub step: u64,
+    /// The end.
+    pub end: u64,
+}
+
+impl Stride {
+    /// How many there are.
+    pub fn len(self) -> u64 {
+        self.end.saturating_sub(self.first).div_ceil(self.step)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(self) -> bool {
+        self.first >= self.end
+    }
+
+    /// Number `j` of them.
+    pub fn at(self, j: u64) -> u64 {
+        self.first + j * self.step
+    }
+}
+
+/// The units of a plan, numbered through all parts and dealt one by one.
+#[derive(Clone, Debug)]
+pub struct Deal {
+    /// Units of each part, and how many cases or evaluations one of them is.
+    parts: Vec<(u64, u64)>,
+    shards: u64,
+}
+
+impl Deal {
+    /// Among so many shards.
+    ///
+    /// # Panics
+    /// Of a plan that was not checked, or no shards.
+    pub fn new(plan: &Plan, shards: u64) -> Deal {
+        assert!(shards > 0, "a campaign has a shard");
+        let units = |part: &Part| match part.kind {
+            Kind::Hunt => (part.hunts, part.evaluations),
+            Kind::Audit | Kind::Candidate => {
+                let method = part.method();
+                let variant = part.variant(&*method).expect("the plan was checked");
+                (Cases::new(&variant, &part.settings()).len() as u64, 1)
+            }
+        };
+        Deal {
+            parts: plan.parts.iter().map(units).collect(),
+            shards,
+        }
+    }
+
+    /// How many shards there are.
+    pub fn shards(&self) -> u64 {
+        self.shards
+    }
+
+    /// The units of the parts that shard `k` holds.
+    pub fn of(&self, k: u64) -> Vec<Stride> {
+        let n = self.shards;
+        let mut before = 0;
+        let mut of_part = |units: u64| {
+            let first = (k + n - before % n) % n;
+            before = (before % n + units % n) % n;
+            Stride {
+                first,
+                step: n,
+                end: units,
+            }
+        };
+        self.parts.iter().map(|p| of_part(p.0)).collect()
+    }
+
+    /// Units of all shards.
+    pub fn units(&self) -> u64 {
+        let units = self.parts.iter().map(|p| p.0);
+        units.fold(0, u64::saturating_add)
+    }
+
+    /// Cases and evaluations of a shard.
+    pub fn work_of(&self, k: u64) -> u64 {
+        let strides = self.of(k).into_iter().zip(&self.parts);
+        strides.map(|(s, p)| s.len().saturating_mul(p.1)).sum()
+    }
+
+    /// Cases and evaluations of all shards.
+    pub fn work(&self) -> u64 {
+        let each = self.parts.iter().map(|(n, each)| n.saturating_mul(*each));
+        each.fold(0, u64::saturating_add)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_unit_is_dealt_once() {
+        for shards in [1, 2, 7, 64] {
+            let deal = Deal {
+                parts: vec![(10, 1), (0, 1), (3, 100), (129, 1)],
+                shards,
+            };
+            let mut seen: Vec<(usize, u64)> = Vec::new();
+            let mut sizes = Vec::new();
+            for k in 0..shards {
+                let before = seen.len();
+                for (part, stride) in deal.of(k).into_iter().enumerate() {
+                    seen.extend((0..stride.len()).map(|j| (part, stride.at(j))));
+                }
+                sizes.push(seen.len() - before);
+            }
+            assert!(sizes.iter().max().unwrap() - sizes.iter().min().unwrap() <= 1);
+            seen.sort();
+            let due = deal.parts.iter().enumerate();
+            let due: Vec<(usize, u64)> = due
+                .flat_map(|(p, (n, _))| (0..*n).map(move |i| (p, i)))
+                .collect();
+            assert_eq!(seen, due, "{shards}");
+            let work: u64 = (0..shards).map(|k| deal.work_of(k)).sum();
+            assert_eq!((work, deal.units()), (deal.work(), 142));
+        }
+    }
+}

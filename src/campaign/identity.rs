@@ -1,0 +1,124 @@
+//! What computes: by what it answers, so that no build with other references, solvers or functions of the
+//! system's library takes part in a campaign unnoticed.
+
+use super::plan::{Kind, Plan, hex};
+use crate::audit::{Case, Cases, Method, ReferenceAnswer, Settings, SolverAnswer, answer_of};
+use rug::Rational;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeSet;
+
+/// Cases of each region that are tried, and check points and hard cases of each method.
+const DRAWN: u64 = 2;
+const NAMED: usize = 16;
+
+/// Digests of answers at cases of every method of a plan: check points, hard cases, and two draws of each
+/// region.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Identity {
+    /// The program's version.
+    pub program: String,
+    /// Budgets, and what the references answer: midpoints and radii in full.
+    pub references: String,
+    /// All inputs, and what the solvers answer, bit for bit.
+    pub solvers: String,
+}
+
+impl Identity {
+    /// Of this program, for that plan.
+    pub fn of(plan: &Plan) -> Identity {
+        let (mut references, mut solvers) = (Sha256::new(), Sha256::new());
+        let methods: BTreeSet<(&str, u64, bool)> = plan
+            .parts
+            .iter()
+            .map(|p| (p.method.as_str(), p.seed, p.kind == Kind::Candidate))
+            .collect();
+        for (name, seed, candidate) in methods {
+            let Some(method) = crate::methods::find(name) else {
+                continue;
+            };
+            let settings = Settings {
+                seed,
+                cases_per_region: DRAWN,
+                ..Settings::default()
+            };
+            references.update(format!("{name} {:?}\n", method.outputs()));
+            references.update(format!("{:?}\n", method.norm_budget()));
+            for case in probes(&*method, &settings) {
+                solvers.update(format!("{:?} ", bits(&case.input)));
+                if !candidate {
+                    solvers.update(answered(&answer_of(&*method, &case.input)));
+                }
+                references.update(reference(&*method, &case.input, settings.first_bits));
+            }
+            // The work is dealt by the number of cases: hard cases that are added change it.
+            solvers.update(format!("{}\n", Cases::new(&*method, &settings).len()));
+        }
+        Identity {
+            program: env!("CARGO_PKG_VERSION").into(),
+            references: hex(&references.finalize()),
+            solvers: hex(&solvers.finalize()),
+        }
+    }
+
+    /// In what another one differs, if it does.
+    pub fn differs(&self, from: &Identity) -> Option<String> {
+        let short = |digest: &str| digest.get(..12).unwrap_or(digest).to_string();
+        let (own, other) = (self, from);
+        if own.program != other.program {
+            let (own, other) = (&own.program, &other.program);
+            return Some(format!(
+                "it is of version {other:?}, this program of {own:?}"
+            ));
+        }
+        let digests = [
+            ("references", &own.references, &other.references),
+            ("solvers or draws", &own.solvers, &other.solvers),
+        ];
+        let (what, own, other) = digests.into_iter().find(|(_, a, b)| a != b)?;
+        let (own, other) = (short(own), short(other));
+        Some(format!(
+            "its {what} answered otherwise ({other}) than this program's ({own})"
+        ))
+    }
+}
+
+fn probes(method: &dyn Method, settings: &Settings) -> Vec<Case> {
+    let cases = Cases::new(method, settings);
+    let random = method.domain().regions.len() as u64 * DRAWN;
+    let named = cases.len() - random as usize;
+    let step = named.div_ceil(NAMED).max(1);
+    let named_ones = (0..named).step_by(step);
+    named_ones
+        .chain(named..cases.len())
+        .map(|i| cases.get(i))
+        .collect()
+}
+
+fn bits(x: &[f64]) -> Vec<u64> {
+    x.iter().map(|x| x.to_bits()).collect()
+}
+
+fn answered(answer: &SolverAnswer) -> String {
+    match answer {
+        SolverAnswer::Values(v) => format!("{:?}\n", bits(v)),
+        other => format!("{:?}\n", other.refusal()),
+    }
+}
+
+/// A ball by exact midpoint and radius.
+fn reference(method: &dyn Method, input: &[f64], precision: u32) -> String {
+    let exact: Option<Vec<Rational>> = input.iter().map(|&x| Rational::from_f64(x)).collect();
+    let answer = match exact {
+        Some(x) => method.reference(&x, precision),
+        None => method.reference_not_finite(input),
+    };
+    match answer {
+        ReferenceAnswer::Values(r) => format!("{:?}\n", r.values),
+        ReferenceAnswer::Dues(dues, _) => format!("{dues:?}\n"),
+        ReferenceAnswer::Refuses(word) => format!("refuses {word}\n"),
+        ReferenceAnswer::Undecided(_) => "undecided\n".into(),
+        ReferenceAnswer::Failed(_) => "failed\n".into(),
+    }
+}

@@ -1,0 +1,119 @@
+//! Code that is surveyed: an algorithm, or a library run as a program.
+
+use crate::audit::{SolverAnswer, hex_float};
+use crate::solvers::faddeeva::faddeeva;
+use mechaudit_atlas::{Algorithm, Parts, Plane};
+use num_complex::{Complex, Complex32};
+
+type Answers<'a> = Box<dyn Fn(&[Vec<f64>]) -> Vec<SolverAnswer> + 'a>;
+
+/// Code with what it is called.
+pub struct Code<'a> {
+    /// The name of its row.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// The paper, or the version.
+    pub source: String,
+    /// Where it is defined.
+    pub plane: Plane,
+    /// What it gives.
+    pub parts: Parts,
+    /// Whether it computes in single precision.
+    pub single: bool,
+    /// The algorithm, if it is one.
+    pub algorithm: Option<Algorithm>,
+    answers: Answers<'a>,
+}
+
+impl<'a> Code<'a> {
+    /// An algorithm in double precision.
+    pub fn double(a: Algorithm) -> Code<'a> {
+        Code {
+            name: a.name.into(),
+            title: a.title.into(),
+            source: a.source.into(),
+            plane: a.plane,
+            parts: a.parts,
+            single: false,
+            algorithm: Some(a),
+            answers: Box::new(move |inputs| inputs.iter().map(|z| answer(&a, z)).collect()),
+        }
+    }
+
+    /// An algorithm in single precision, if it has that.
+    pub fn single(a: Algorithm) -> Option<Code<'a>> {
+        let w = a.single?;
+        let one = move |z: &Vec<f64>| {
+            let w = w(Complex32::new(z[0] as f32, z[1] as f32));
+            SolverAnswer::Values(vec![f64::from(w.re), f64::from(w.im)])
+        };
+        Some(Code {
+            name: format!("{} (f32)", a.name),
+            single: true,
+            answers: Box::new(move |inputs| inputs.iter().map(one).collect()),
+            ..Code::double(a)
+        })
+    }
+
+    /// Anything else: `answers` gets points of the upper half-plane, of the whole plane if `plane` says so.
+    pub fn other(
+        (name, title, source): (String, String, String),
+        plane: Plane,
+        parts: Parts,
+        answers: impl Fn(&[Vec<f64>]) -> Vec<SolverAnswer> + 'a,
+    ) -> Code<'a> {
+        Code {
+            name,
+            title,
+            source,
+            plane,
+            parts,
+            single: false,
+            algorithm: None,
+            answers: Box::new(answers),
+        }
+    }
+
+    /// Its answers, one for each point.
+    pub fn answers(&self, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
+        (self.answers)(inputs)
+    }
+
+    /// The arguments of `mechaudit` that show it at a point.
+    pub fn at(&self, z: [f64; 2]) -> String {
+        let [x, y] = z.map(hex_float);
+        format!("atlas --only {} --at {x},{y}", self.name)
+    }
+}
+
+/// The solver of this suite, surveyed with the others.
+fn ours() -> Algorithm {
+    Algorithm {
+        name: "mechaudit",
+        title: "This suite's own solver, mechaudit_solvers::faddeeva",
+        source: "mechaudit-solvers",
+        read_from: "its code",
+        plane: Plane::Whole,
+        parts: Parts::Both,
+        w: faddeeva,
+        single: None,
+        formula: None,
+    }
+}
+
+/// The published algorithms and this suite's own.
+pub fn algorithms() -> Vec<Algorithm> {
+    let mut all = mechaudit_atlas::all();
+    all.push(ours());
+    all
+}
+
+/// The answer of an algorithm.
+pub fn answer(a: &Algorithm, z: &[f64]) -> SolverAnswer {
+    let w = (a.w)(Complex::new(z[0], z[1]));
+    SolverAnswer::Values(match a.parts {
+        Parts::Both => vec![w.re, w.im],
+        Parts::Real => vec![w.re],
+    })
+}

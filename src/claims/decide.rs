@@ -1,0 +1,384 @@
+//! Decides claims: maxima by an audit of the claim's own domain and a hunt in it, means by a certified sample.
+
+use super::claim::{Claim, Measure, Place, Statistic, Verdict};
+use super::code::answer;
+use super::mean::{Mean, mean};
+use super::placed::Placed;
+use super::whole::Effort;
+use super::{at, rounded};
+use crate::audit::{
+    Cases, HuntSettings, Limit, Method, Region, Settings, SolverAnswer, Variant, audit_method,
+    hex_float, hunt, judge_case_briefly,
+};
+use crate::methods::find;
+use mechaudit_atlas::{Algorithm, find as find_algorithm};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Points of an audit, evaluations of a hunt, points of a mean, for each case of a region.
+const AUDITED: u64 = 10;
+const HUNTED: u64 = 20;
+const AVERAGED: u64 = 40;
+/// A strip this low may be what a claim leaves out.
+const STRIP: f64 = 0.1;
+
+/// A claim with what became of it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Decided {
+    /// The algorithm.
+    pub algorithm: &'static str,
+    /// As printed.
+    pub statement: &'static str,
+    /// Where, and what was read.
+    pub source: &'static str,
+    /// How it is read here.
+    pub reading: &'static str,
+    /// Where it is tested.
+    pub domain: &'static str,
+    /// What is measured, in words.
+    pub measure: String,
+    /// What it may be.
+    pub bound: Option<f64>,
+    /// What became of it.
+    pub verdict: Verdict,
+    /// Which part holds, or why it cannot be tested.
+    pub part: String,
+    /// Points and evaluations of hunts.
+    pub points: u64,
+    /// The largest error found, or the mean.
+    pub found: Option<f64>,
+    /// Half the width of the mean's interval.
+    pub within: Option<f64>,
+    /// The point with the largest error; a claim is refuted by it.
+    pub at: Option<[f64; 2]>,
+    /// A command that shows it.
+    pub reproduce: Option<String>,
+}
+
+/// Decides it.
+pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
+    let mut decided = Decided {
+        algorithm: claim.algorithm,
+        statement: claim.statement,
+        source: claim.source,
+        reading: claim.reading,
+        domain: claim.test.map_or("", |t| t.0.words),
+        measure: String::new(),
+        bound: claim.test.map(|t| t.3),
+        verdict: Verdict::NotTestable,
+        part: claim.reading.into(),
+        points: 0,
+        found: None,
+        within: None,
+        at: None,
+        reproduce: None,
+    };
+    let known = find_algorithm(claim.algorithm);
+    let (Some((place, measure, statistic, bound)), Some(algorithm)) = (claim.test, known) else {
+        return decided;
+    };
+    decided.part = String::new();
+    match statistic {
+        Statistic::Maximum => {
+            decided.measure = measure.words().into();
+            maximum(
+                &mut decided,
+                &Tested::new(algorithm, place, measure, bound),
+                effort,
+            );
+        }
+        Statistic::Mean => {
+            decided.measure = format!("mean, {}", measure.words());
+            let tested = Tested::new(algorithm, place, measure, 1.0);
+            let Some(m) = tested.mean(effort) else {
+                decided.verdict = Verdict::Refuted;
+                decided.part = "an answer is no number".into();
+                return decided;
+            };
+            decided.points = m.points;
+            decided.found = Some(rounded(m.mean));
+            decided.within = Some(rounded(m.within));
+            decided.verdict = match bound {
+                b if m.mean + m.within <= b => Verdict::Holds,
+                b if m.mean - m.within > b => Verdict::Refuted,
+                _ => Verdict::Open,
+            };
+        }
+    }
+    decided.reproduce = decided.at.map(|z| {
+        let [x, y] = z.map(hex_float);
+        format!("mechaudit atlas --only {} --at {x},{y}", claim.algorithm)
+    });
+    decided
+}
+
+/// An algorithm where a claim is tested.
+struct Tested {
+    algorithm: Algorithm,
+    place: Place,
+    measure: Measure,
+    bound: f64,
+    method: Box<dyn Method>,
+}
+
+impl Tested {
+    fn new(algorithm: Algorithm, place: Place, measure: Measure, bound: f64) -> Tested {
+        Tested {
+            algorithm,
+            place,
+            measure,
+            bound,
+            method: find("faddeeva").expect("a method of the registry"),
+        }
+    }
+
+    /// Calls `f` with the method over the claim's domain above `Im z = floor`, judged as the claim is read.
+    fn over<T>(&self, floor: f64, f: impl FnOnce(&dyn Method) -> T) -> T {
+        let region = Region {
+            name: "claim",
+            description: self.place.words,
+            sample: self.place.draw,
+        };
+        let holds = move |z: &[f64]| z[1] >= floor && (self.place.holds)(z[0], z[1]);
+        let placed = Placed::new(&*self.method, vec![region], holds);
+        let a = self.algorithm;
+        let chosen: &[&str] = match self.measure {
+            Measure::RelativeRe | Measure::AbsoluteRe => &["Re W"],
+            Measure::RelativeIm => &["Im W"],
+            _ => &["Re W", "Im W"],
+        };
+        let part = match self.measure {
+            Measure::RelativeIm => 1..2,
+            Measure::RelativeRe | Measure::AbsoluteRe => 0..1,
+            _ => 0..2,
+        };
+        let solve = move |z: &[f64]| match answer(&a, z) {
+            SolverAnswer::Values(v) if v.len() == 2 => SolverAnswer::Values(v[part.clone()].into()),
+            other => other,
+        };
+        let variant = Variant::new(&placed).solver(solve);
+        let variant = match self.measure {
+            Measure::Norm => variant.norm_limit(self.bound),
+            Measure::Absolute | Measure::AbsoluteRe => variant.limit(Limit::Absolute(self.bound)),
+            _ => variant.limit(Limit::Relative(self.bound)),
+        };
+        let variant = match chosen.len() {
+            2 => variant,
+            _ => variant.outputs(chosen).expect("outputs of W"),
+        };
+        f(&variant)
+    }
+
+    /// The error at a point in units of the bound, and whether it certainly is over it.
+    fn share(&self, method: &dyn Method, z: &[f64]) -> (f64, bool) {
+        let answer = method.solve(z);
+        let report = judge_case_briefly(method, at("faddeeva", z), answer, &Settings::default());
+        let j = &report.judgement;
+        let over = matches!(
+            j.verdict,
+            crate::audit::Verdict::Over | crate::audit::Verdict::WrongKind
+        );
+        let share = match self.measure {
+            // The components' shares are of the same bound and no larger.
+            Measure::Norm if j.norm_of_budget.is_finite() => j.norm_of_budget,
+            _ => j.share(),
+        };
+        (share, over)
+    }
+
+    fn mean(&self, effort: &Effort) -> Option<Mean> {
+        let settings = Settings {
+            seed: effort.seed,
+            cases_per_region: effort.cases * AVERAGED,
+            ..Settings::default()
+        };
+        self.over(f64::NEG_INFINITY, |method| {
+            let cases = Cases::new(method, &settings);
+            let errors: Vec<f64> = (0..cases.len())
+                .into_par_iter()
+                .map(|i| self.share(method, &cases.get(i).input).0)
+                .collect();
+            let numbers = errors.iter().all(|e| e.is_finite());
+            numbers.then(|| mean(&errors))
+        })
+    }
+}
+
+/// The worst of a search.
+struct Search {
+    worst: Option<(f64, Vec<f64>, bool)>,
+    /// The highest failing point.
+    ceiling: f64,
+    points: u64,
+}
+
+impl Search {
+    /// What is certain comes before what is not.
+    fn offer(&mut self, (share, over): (f64, bool), z: &[f64]) {
+        if over {
+            self.ceiling = self.ceiling.max(z[1]);
+        }
+        let worse = |w: &(f64, Vec<f64>, bool)| (over, share) > (w.2, w.0);
+        if self.worst.as_ref().is_none_or(worse) {
+            self.worst = Some((share, z.to_vec(), over));
+        }
+    }
+}
+
+fn searched(tested: &Tested, floor: f64, effort: &Effort) -> Search {
+    let settings = Settings {
+        seed: effort.seed,
+        cases_per_region: effort.cases * AUDITED,
+        ..Settings::default()
+    };
+    let mut search = Search {
+        worst: None,
+        ceiling: f64::NEG_INFINITY,
+        points: 0,
+    };
+    tested.over(floor, |method| {
+        if floor == f64::NEG_INFINITY {
+            let report = audit_method(method, &settings, &|| ());
+            search.points += report.cases;
+            let found = report.failures.iter().chain(&report.worst);
+            for case in found.chain(&report.wrong) {
+                let z = &case.case.input;
+                search.offer(tested.share(method, z), z);
+            }
+        }
+        let hunted = HuntSettings {
+            evaluations: effort.cases * HUNTED,
+            seed: effort.seed,
+        };
+        let found = hunt(method, &hunted, &|_| ());
+        search.points += found.evaluations;
+        for worst in &found.worst {
+            search.offer(tested.share(method, &worst.input), &worst.input);
+        }
+        for failure in &found.failures {
+            search.offer(tested.share(method, &failure.input), &failure.input);
+        }
+    });
+    search
+}
+
+fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
+    let search = searched(tested, f64::NEG_INFINITY, effort);
+    decided.points = search.points;
+    let Some((share, z, over)) = search.worst else {
+        return;
+    };
+    decided.found = Some(rounded(share * tested.bound));
+    decided.at = Some([z[0], z[1]]);
+    decided.verdict = match (over, share <= 1.0) {
+        (true, _) => Verdict::Refuted,
+        (false, true) => Verdict::Holds,
+        // The reference could not tell.
+        (false, false) => Verdict::Open,
+    };
+    // What is left when a strip along the real axis is left out.
+    let ceiling = search.ceiling * (1.0 + 1e-9);
+    if !over || !(0.0..STRIP).contains(&ceiling) {
+        return;
+    }
+    let mut floor = power_above(ceiling);
+    for _ in 0..4 {
+        if floor > STRIP {
+            return;
+        }
+        let above = searched(tested, floor, effort);
+        decided.points += above.points;
+        match above.worst {
+            Some((share, _, false)) if share <= 1.0 => {
+                decided.verdict = Verdict::InPart;
+                decided.part = format!("where Im z >= {floor:e}");
+                return;
+            }
+            Some((_, z, true)) => floor = power_above(above.ceiling.max(z[1])),
+            _ => return,
+        }
+    }
+}
+
+/// The power of ten above a number, not below 1e-20.
+fn power_above(y: f64) -> f64 {
+    let k = (y.max(1e-20) * (1.0 + 1e-9)).log10().floor() as i32 + 1;
+    format!("1e{k}").parse().unwrap_or(f64::INFINITY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const EFFORT: Effort = Effort { cases: 5, seed: 1 };
+
+    fn planted(algorithm: &'static str, place: Place, test: (Measure, Statistic, f64)) -> Decided {
+        let claim = Claim {
+            algorithm,
+            statement: "planted",
+            source: "",
+            reading: "",
+            test: Some((place, test.0, test.1, test.2)),
+        };
+        decide(&claim, &EFFORT)
+    }
+
+    const SQUARE: Place = Place {
+        words: "",
+        draw: |d| vec![d.uniform(-4.0, 4.0), d.uniform(0.0, 4.0)],
+        holds: |x, y| x.abs() <= 4.0 && (0.0..=4.0).contains(&y),
+    };
+    const FAR_ON_THE_AXIS: Place = Place {
+        words: "",
+        draw: |d| vec![d.uniform(150.0, 200.0), 0.0],
+        holds: |x, y| x >= 150.0 && y == 0.0,
+    };
+
+    #[test]
+    fn what_is_too_good_is_refuted_and_what_is_true_holds() {
+        use Statistic::{Maximum, Mean};
+        for measure in [Measure::Norm, Measure::RelativeParts, Measure::Absolute] {
+            let w4 =
+                |statistic, bound| planted("humlicek-1982", SQUARE, (measure, statistic, bound));
+            assert_eq!(w4(Maximum, 1e-9).verdict, Verdict::Refuted, "{measure:?}");
+            assert_eq!(w4(Maximum, 1e-2).verdict, Verdict::Holds, "{measure:?}");
+            assert_eq!(w4(Mean, 1e-12).verdict, Verdict::Refuted, "{measure:?}");
+            assert_eq!(w4(Mean, 1e-2).verdict, Verdict::Holds, "{measure:?}");
+        }
+    }
+
+    #[test]
+    fn nan_refutes_whatever_the_bound() {
+        let found = planted(
+            "wells-1999-r4",
+            FAR_ON_THE_AXIS,
+            (Measure::RelativeIm, Statistic::Maximum, 1e9),
+        );
+        assert_eq!(found.verdict, Verdict::Refuted);
+        assert!(found.reproduce.unwrap().contains("--at 0x1."));
+        let mean = planted(
+            "wells-1999-r4",
+            FAR_ON_THE_AXIS,
+            (Measure::RelativeIm, Statistic::Mean, 1e9),
+        );
+        assert_eq!(mean.verdict, Verdict::Refuted);
+    }
+
+    #[test]
+    fn the_refuting_point_is_of_the_domain_and_certainly_over() {
+        let found = planted(
+            "weideman-1994-32",
+            SQUARE,
+            (Measure::RelativeRe, Statistic::Maximum, 1e-14),
+        );
+        let z = found.at.unwrap();
+        assert!((SQUARE.holds)(z[0], z[1]) && found.found.unwrap() > 1e-14);
+    }
+
+    #[test]
+    fn powers_above() {
+        assert_eq!(power_above(1e-9), 1e-8);
+        assert_eq!(power_above(3e-9), 1e-8);
+        assert_eq!(power_above(0.0), 1e-19);
+    }
+}

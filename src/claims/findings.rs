@@ -1,0 +1,189 @@
+//! What is wrong where in what is widely used, each in one sentence with a command.
+
+use super::code::Code;
+use super::{at, rounded};
+use crate::audit::{Limit, Referee, Settings, SolverAnswer, Variant};
+use crate::methods::find;
+use mechaudit_atlas::find as find_algorithm;
+use serde::Serialize;
+
+/// A finding.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Finding {
+    /// The algorithm.
+    pub algorithm: &'static str,
+    /// Who uses it.
+    pub used_by: &'static str,
+    /// In one sentence.
+    pub sentence: String,
+    /// The point.
+    pub at: [f64; 2],
+    /// The part of w.
+    pub part: &'static str,
+    /// What it gives there.
+    pub got: f64,
+    /// What is due, to 20 digits.
+    pub due: String,
+    /// The relative error of the part; nothing where none is a number.
+    pub error: Option<f64>,
+    /// A command that shows it.
+    pub reproduce: String,
+}
+
+/// Algorithm, who uses it, point, part.
+type Where = (&'static str, &'static str, [f64; 2], usize);
+
+/// Found by the survey and then written down: the test computes every one anew.
+const POINTS: [Where; 15] = [
+    ("weideman-1994-32", "jax.scipy.special.wofz", [6.0, 0.0], 0),
+    ("weideman-1994-32", "jax.scipy.special.wofz", [6.0, 1e-8], 0),
+    (
+        "schreier-2011-hum1wei24",
+        "the default of HAPI, HITRAN's own program",
+        [4.5, 1e-6],
+        0,
+    ),
+    (
+        "schreier-2011-hum1wei24",
+        "the default of HAPI, HITRAN's own program",
+        [5.5, 1e-8],
+        0,
+    ),
+    (
+        "schreier-2018-hum2zpf16",
+        "astropy's Voigt1D, method Humlicek2, said to be within 3e-5",
+        [5.5, 1e-8],
+        0,
+    ),
+    (
+        "mclean-1994",
+        "spectrum fitting; astropy's Voigt1D of former releases",
+        [4.5, 1e-6],
+        0,
+    ),
+    (
+        "karbach-raven-schiller-2014-fast",
+        "RooFit's faddeeva_fast",
+        [4.5, 1e-6],
+        0,
+    ),
+    (
+        "karbach-raven-schiller-2014",
+        "RooFit's faddeeva",
+        [5.0, 0.0],
+        0,
+    ),
+    (
+        "humlicek-1982",
+        "w4, the usual choice of line-by-line codes",
+        [5.5, 1e-12],
+        0,
+    ),
+    (
+        "hui-armstrong-wray-1978",
+        "SIR and other codes of solar physics",
+        [4.5, 1e-6],
+        0,
+    ),
+    (
+        "cernlib-wwerf",
+        "MAD-X, SixTrack, PyHEADTAIL",
+        [5.0, 0.0],
+        0,
+    ),
+    (
+        "poppe-wijers-1990",
+        "algorithm 680, WOFZ of plasma codes",
+        [6.2, 1e-12],
+        0,
+    ),
+    (
+        "zaghloul-ali-2011",
+        "algorithm 916 by itself, without the continued fraction that the MIT package and libcerf put around it",
+        [10000000000.0, 1.0],
+        0,
+    ),
+    (
+        "wells-1999-r4",
+        "HUMLIK of line-by-line codes",
+        [150.0, 0.0],
+        1,
+    ),
+    (
+        "thompson-cox-hastings-1987",
+        "the peak shape of Rietveld refinement",
+        [10.0, 1e-6],
+        0,
+    ),
+];
+
+/// Those about algorithms that are asked for.
+pub fn findings(asked: &dyn Fn(&str) -> bool) -> Vec<Finding> {
+    let chosen = POINTS.iter().filter(|p| asked(p.0));
+    chosen.filter_map(found).collect()
+}
+
+fn found((name, used_by, z, part): &Where) -> Option<Finding> {
+    let algorithm = find_algorithm(name)?;
+    let method = find("faddeeva")?;
+    let variant = Variant::new(&*method).limit(Limit::Relative(1e-300));
+    let settings = Settings::default();
+    let w = (algorithm.w)(num_complex::Complex::new(z[0], z[1]));
+    let mut referee = Referee::new(&variant, at("faddeeva", z), &settings);
+    let report = referee.judge(SolverAnswer::Values(vec![w.re, w.im]), true);
+    let got = [w.re, w.im][*part];
+    let due = report.reference.get(*part)?.clone()?;
+    let error = report.judgement.components.get(*part)?.of_budget * 1e-300;
+    let error = error.is_finite().then(|| rounded(error));
+    let word = ["Re W", "Im W"][*part];
+    let short: f64 = due.parse().ok()?;
+    let place = match z[1] {
+        0.0 => format!("{}", z[0]),
+        y => format!("{} + {y:e}i", z[0]),
+    };
+    let size = match error {
+        Some(e) if got.is_sign_negative() != short.is_sign_negative() => {
+            format!("of the wrong sign, {e:.1e} times the value off")
+        }
+        Some(e) => format!("a relative error of {e:.1e}"),
+        None => "no number".into(),
+    };
+    Some(Finding {
+        algorithm: algorithm.name,
+        used_by,
+        sentence: format!(
+            "{name} ({used_by}) gives {word}({place}) = {got:.3e}, where {short:.3e} is due: {size}."
+        ),
+        at: *z,
+        part: word,
+        got,
+        due,
+        error,
+        reproduce: format!("mechaudit {}", Code::double(algorithm).at(*z)),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_finding_is_one() {
+        let found = findings(&|_| true);
+        assert_eq!(found.len(), POINTS.len());
+        for f in &found {
+            // No number, or far beyond what the algorithm is taken for.
+            assert!(f.error.is_none_or(|e| e > 2e-7), "{}", f.sentence);
+        }
+        let six = &found[0];
+        assert!(
+            six.got < -2.5e-14 && six.due.starts_with("2.3195228302435"),
+            "{six:?}"
+        );
+        assert!(six.sentence.contains("of the wrong sign"));
+        let book = include_str!("../book/atlas.md");
+        assert!(found.iter().all(|f| book.contains(&f.sentence)));
+        let none = findings(&|name| name == "hunter-regan-1972");
+        assert!(none.is_empty());
+    }
+}

@@ -1,0 +1,91 @@
+//! Errors beside the real axis: |Re z| against the logarithm of Im z.
+
+use super::WHOLE;
+use super::code::Code;
+use super::heights::errors;
+use crate::audit::{Limit, SolverAnswer, Variant};
+use crate::methods::find;
+use mechaudit_atlas::Parts;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Columns over 0 ≤ Re z < 16 and rows over 1e-16 ≤ Im z < 1e2, from below.
+const COLUMNS: usize = 64;
+const ROWS: usize = 54;
+const WIDTH: f64 = 16.0;
+const LOWEST: f64 = -16.0;
+const PER_DECADE: f64 = 3.0;
+/// Points lie off the middle of their cells by something that is no simple fraction.
+const WITHIN: f64 = 0.527_864;
+
+/// A character for each level: the first for no number, then up to 1e-17, then a third of a decade each.
+pub const LEVELS: &str = "0ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+
+/// The level of a relative error.
+pub fn level(error: f64) -> usize {
+    if !error.is_finite() {
+        return 0;
+    }
+    let thirds = ((error.max(1e-300).log10() + 17.0) * 3.0).ceil();
+    1 + thirds.clamp(0.0, (LEVELS.len() - 2) as f64) as usize
+}
+
+/// The errors of a code.
+#[derive(Clone, Debug, Serialize)]
+pub struct Map {
+    /// Cells along Re z.
+    pub columns: usize,
+    /// Cells along log Im z.
+    pub rows: usize,
+    /// Of the norm, a character a cell, rows from below.
+    pub norm: String,
+    /// The larger of the two parts', likewise.
+    pub parts: String,
+}
+
+/// The map of a code in double precision.
+pub fn map(code: &Code) -> Map {
+    let points: Vec<Vec<f64>> = (0..ROWS * COLUMNS)
+        .map(|i| {
+            let (column, row) = ((i % COLUMNS) as f64, (i / COLUMNS) as f64);
+            let x = (column + WITHIN) * WIDTH / COLUMNS as f64;
+            let power = LOWEST + (row + WITHIN) / PER_DECADE;
+            vec![x, libm::exp10(power)]
+        })
+        .collect();
+    let method = find("faddeeva").expect("a method of the registry");
+    let mut variant = Variant::new(&*method).limit(Limit::Relative(WHOLE));
+    if code.parts == Parts::Real {
+        variant = variant.outputs(&["Re W"]).expect("an output of W");
+    }
+    let answers: Vec<SolverAnswer> = code.answers(&points);
+    let found: Vec<[f64; 2]> = points
+        .par_iter()
+        .enumerate()
+        .map(|(i, z)| errors(&variant, z, std::iter::once(answers.get(i).cloned()))[0])
+        .collect();
+    let letters = |part: usize| {
+        let letter = |e: &[f64; 2]| char::from(LEVELS.as_bytes()[level(e[part])]);
+        found.iter().map(letter).collect()
+    };
+    Map {
+        columns: COLUMNS,
+        rows: ROWS,
+        norm: letters(0),
+        parts: letters(1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_thirds_of_decades() {
+        assert_eq!((level(f64::NAN), level(0.0), level(1e-17)), (0, 1, 1));
+        assert_eq!(level(1.1e-17), 2);
+        assert_eq!(level(1e300), LEVELS.len() - 1);
+        assert_eq!(LEVELS.len(), 53);
+        assert!(level(1e-6) < level(1e-5));
+    }
+}

@@ -1,0 +1,68 @@
+//! What is claimed about published algorithms for W(z) and the Voigt function, beside what is certified.
+//!
+//! `mechaudit-atlas` has the algorithms; here they are surveyed by the audit's judge ([`survey`]), and what
+//! their papers and users say of them is decided ([`decide`]): a claim is data, with the statement as printed,
+//! its domain, its measure and its source.
+//!
+//! ```
+//! use mechaudit::claims::{Effort, Verdict, claims, decide};
+//!
+//! let claim = claims().into_iter().find(|c| c.algorithm == "humlicek-1982").unwrap();
+//! let decided = decide(&claim, &Effort { cases: 10, seed: 1 });
+//! assert_ne!(decided.verdict, Verdict::NotTestable);
+//! ```
+
+mod advice;
+mod claim;
+mod code;
+mod data;
+mod decide;
+mod findings;
+mod heights;
+mod maps;
+mod mean;
+mod placed;
+mod regions;
+mod seams;
+mod speed;
+mod survey;
+mod whole;
+
+pub use advice::{Advice, advice};
+pub use claim::{Claim, Measure, Place, Statistic, Verdict};
+pub use code::{Code, algorithms};
+pub use data::claims;
+pub use decide::{Decided, decide};
+pub use findings::{Finding, findings};
+pub use heights::{Height, TARGETS};
+pub use maps::{LEVELS, Map, level, map};
+pub use seams::Jump;
+pub use speed::nanoseconds;
+pub use survey::{Figures, Part, Row, survey};
+pub use whole::{Atlas, Effort, Missing, atlas};
+
+pub use mechaudit_atlas::{Algorithm, NOT_AT_HAND, NotAtHand, Parts, Plane, all, find};
+
+use crate::audit::{Case, Origin};
+
+/// The relative limit that measured errors are judged by: an answer is off by exactly that much by no
+/// accident that happens, as zero for a value is by 1.
+const WHOLE: f64 = 3.0;
+
+/// A case of the method `faddeeva` at a point.
+fn at(method: &'static str, input: &[f64]) -> Case {
+    Case {
+        method,
+        region: "given",
+        input: input.to_vec(),
+        origin: Origin::Given,
+    }
+}
+
+/// Three significant digits: what does not depend on the last bit of a figure.
+fn rounded(x: f64) -> f64 {
+    match x.is_finite() {
+        true => format!("{x:.2e}").parse().unwrap_or(x),
+        false => x,
+    }
+}

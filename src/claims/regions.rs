@@ -1,0 +1,95 @@
+//! Where algorithms are surveyed.
+//!
+//! Powers and angles are those of the `libm` crate: the points come out the same on every machine.
+
+use crate::audit::{Draw, Region};
+use std::f64::consts::PI;
+
+/// Log-uniform on `[lo, hi)`.
+pub fn log_uniform(d: &mut Draw, lo: f64, hi: f64) -> f64 {
+    libm::exp(d.uniform(libm::log(lo), libm::log(hi)))
+}
+
+/// With either sign of the real part.
+pub fn either_side(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
+    vec![d.signed(x), y]
+}
+
+fn polar(r: f64, angle: f64) -> Vec<f64> {
+    let (sin, cos) = libm::sincos(angle);
+    vec![r * cos, r * sin]
+}
+
+fn region(
+    name: &'static str,
+    description: &'static str,
+    sample: fn(&mut Draw) -> Vec<f64>,
+) -> Region {
+    Region {
+        name,
+        description,
+        sample,
+    }
+}
+
+/// Of the upper half-plane.
+pub fn upper() -> Vec<Region> {
+    vec![
+        region("ordinary", "|Re z| < 8, Im z = 0.1..8", |d| {
+            let (x, y) = (d.uniform(0.0, 8.0), d.uniform(0.1, 8.0));
+            either_side(d, x, y)
+        }),
+        region("beside-axis", "|Re z| < 8, Im z = 1e-8..0.1", |d| {
+            let (x, y) = (d.uniform(0.0, 8.0), log_uniform(d, 1e-8, 0.1));
+            either_side(d, x, y)
+        }),
+        region("at-axis", "|Re z| < 8, Im z = 1e-300..1e-8", |d| {
+            let (x, y) = (d.uniform(0.0, 8.0), log_uniform(d, 1e-300, 1e-8));
+            either_side(d, x, y)
+        }),
+        region("on-axis", "|Re z| < 8, Im z = 0", |d| {
+            let x = d.uniform(0.0, 8.0);
+            either_side(d, x, 0.0)
+        }),
+        region("wings", "|Re z| = 8..1e4, Im z = 1e-8..0.1", |d| {
+            let (x, y) = (log_uniform(d, 8.0, 1e4), log_uniform(d, 1e-8, 0.1));
+            either_side(d, x, y)
+        }),
+        region("far", "|z| = 8..1e8, every direction above the axis", |d| {
+            let r = log_uniform(d, 8.0, 1e8);
+            polar(r, d.uniform(0.0, PI))
+        }),
+        region("origin", "|z| = 1e-8..0.1, likewise", |d| {
+            let r = log_uniform(d, 1e-8, 0.1);
+            polar(r, d.uniform(0.0, PI))
+        }),
+        region("imaginary-axis", "|Re z| = 1e-8..0.1, Im z = 0..30", |d| {
+            let (x, y) = (log_uniform(d, 1e-8, 0.1), d.uniform(0.0, 30.0));
+            either_side(d, x, y)
+        }),
+        region(
+            "huge",
+            "|z| = 1e8..1e300, every direction above the axis",
+            |d| {
+                let r = log_uniform(d, 1e8, 1e300);
+                polar(r, d.uniform(0.0, PI))
+            },
+        ),
+    ]
+}
+
+/// Below the axis, for algorithms of the whole plane.
+pub fn lower() -> Vec<Region> {
+    vec![region("lower", "|Re z| < 8, -6 <= Im z < 0", |d| {
+        let (x, y) = (d.uniform(0.0, 8.0), -d.uniform(0.0, 6.0));
+        either_side(d, x, y)
+    })]
+}
+
+/// The part of [`upper`] that a single-precision code is asked for.
+pub fn of_single() -> Vec<Region> {
+    let left = ["at-axis", "huge"];
+    let mut all = upper();
+    all.retain(|r| !left.contains(&r.name));
+    all
+}

@@ -1,0 +1,102 @@
+//! The atlas: rows, claims, findings.
+
+use super::claim::Verdict;
+use super::code::Code;
+use super::decide::{Decided, decide};
+use super::findings::{Finding, findings};
+use super::survey::{Row, survey};
+use super::{NOT_AT_HAND, claims, nanoseconds};
+use mechaudit_atlas::Algorithm;
+use serde::Serialize;
+
+/// How much is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Effort {
+    /// Points in each region; searches are multiples.
+    pub cases: u64,
+    /// Key of the random stream.
+    pub seed: u64,
+}
+
+/// An algorithm that is missing.
+#[derive(Clone, Debug, Serialize)]
+pub struct Missing {
+    /// Its name.
+    pub name: String,
+    /// The paper, or the library.
+    pub source: String,
+    /// Why.
+    pub why: String,
+}
+
+/// All of it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Atlas {
+    /// How much was done.
+    pub effort: Effort,
+    /// The codes.
+    pub rows: Vec<Row>,
+    /// What is said of them.
+    pub claims: Vec<Decided>,
+    /// What follows for what is in use.
+    pub findings: Vec<Finding>,
+    /// What is missing.
+    pub not_at_hand: Vec<Missing>,
+}
+
+/// The atlas of these codes. `step` is called when something is done, with a word for it.
+pub fn atlas(codes: &[Code], effort: &Effort, timed: bool, step: &dyn Fn(&str)) -> Atlas {
+    let mut rows = survey(codes, effort, step);
+    let chosen = |name: &str| codes.iter().any(|c| c.name == name);
+    if timed {
+        let own: Vec<(usize, Algorithm)> = rows
+            .iter()
+            .enumerate()
+            .filter(|(_, r)| !r.single)
+            .filter_map(|(k, r)| {
+                let code = codes.iter().find(|c| c.name == r.name)?;
+                Some((k, code.algorithm?))
+            })
+            .collect();
+        let algorithms: Vec<Algorithm> = own.iter().map(|o| o.1).collect();
+        for ((k, _), ns) in own.iter().zip(nanoseconds(&algorithms)) {
+            rows[*k].nanoseconds = Some(ns);
+        }
+        step("speed");
+    }
+    let missing = |name: &str| NOT_AT_HAND.iter().any(|m| m.name == name);
+    let everything = mechaudit_atlas::all().iter().all(|a| chosen(a.name));
+    let decided: Vec<Decided> = claims()
+        .iter()
+        .filter(|c| chosen(c.algorithm) || (everything && missing(c.algorithm)))
+        .map(|claim| {
+            let decided = decide(claim, effort);
+            step(claim.algorithm);
+            decided
+        })
+        .collect();
+    Atlas {
+        effort: *effort,
+        findings: findings(&|name| chosen(name)),
+        rows,
+        claims: decided,
+        not_at_hand: match everything {
+            true => NOT_AT_HAND
+                .iter()
+                .map(|m| Missing {
+                    name: m.name.into(),
+                    source: m.source.into(),
+                    why: m.why.into(),
+                })
+                .collect(),
+            false => Vec::new(),
+        },
+    }
+}
+
+impl Atlas {
+    /// How many claims have that verdict.
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.claims.iter().filter(|c| c.verdict == verdict).count()
+    }
+}

@@ -1,0 +1,82 @@
+//! The atlas of published algorithms for W(z) and the Voigt function.
+
+mod point;
+mod programs;
+
+use crate::cli::args::{AtlasArgs, AtlasFormat, AtlasTable};
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::{Output, write_json};
+use crate::cli::process::interrupt;
+use crate::cli::progress::Progress;
+use crate::cli::terminal::width;
+use mechaudit::claims::{Algorithm, Code, Effort, Map, algorithms, atlas as whole, map};
+use mechaudit::report::{self, html, text};
+
+/// Points in each region where nothing else is asked for.
+const CASES: u64 = 200;
+
+/// Makes it and writes it.
+pub fn atlas(args: &AtlasArgs) -> Result<Outcome, Failure> {
+    let chosen = chosen(&args.only)?;
+    if let Some(z) = &args.at {
+        return point::show(&chosen, z);
+    }
+    let output = Output::open(args.output.as_deref())?;
+    let effort = Effort {
+        cases: args.cases.unwrap_or(CASES),
+        seed: args.seed.unwrap_or(1),
+    };
+    let (programs, missing) = programs::all(args)?;
+    let timed = !args.no_speed;
+    let mapped = args.format == AtlasFormat::Html;
+    let asked = (chosen.clone(), programs);
+    let made = interrupt::unless_asked(move || made(asked, effort, timed, mapped));
+    let Some((mut found, maps)) = made else {
+        return Ok(Outcome::Interrupted);
+    };
+    found.not_at_hand.extend(missing);
+    match args.format {
+        AtlasFormat::Text => {
+            output.write(|out| Ok(write!(out, "{}", text::atlas::atlas(&found, width()))?))?
+        }
+        AtlasFormat::Json => write_json(output, &report::atlas::document(&found))?,
+        AtlasFormat::Csv => output.write(|out| {
+            let written = match args.table {
+                AtlasTable::Rows => report::atlas::rows(&found, out),
+                AtlasTable::Claims => report::atlas::claims(&found, out),
+            };
+            written.map_err(|e| Failure::new(e.to_string()))
+        })?,
+        AtlasFormat::Html => output.text(&html::atlas::page(&found, &maps))?,
+    }
+    Ok(Outcome::AsExpected)
+}
+
+type Asked = (Vec<Algorithm>, Vec<programs::Library>);
+type Made = (mechaudit::claims::Atlas, Vec<(String, Map)>);
+
+fn made((chosen, programs): Asked, effort: Effort, timed: bool, mapped: bool) -> Made {
+    let progress = Progress::new();
+    let mut codes: Vec<Code> = chosen.iter().map(|a| Code::double(*a)).collect();
+    codes.extend(programs.into_iter().map(programs::Library::code));
+    codes.extend(chosen.iter().filter_map(|a| Code::single(*a)));
+    // Values, derivatives, heights and seams of three groups, the speed, the claims.
+    let steps = 13 + mechaudit::claims::claims().len() as u64;
+    let found = whole(&codes, &effort, timed, &|what| {
+        progress.tick(what, steps);
+    });
+    let double = codes.iter().filter(|c| mapped && !c.single);
+    let maps = double.map(|c| (c.name.clone(), map(c))).collect();
+    progress.clear();
+    (found, maps)
+}
+
+fn chosen(names: &[String]) -> Result<Vec<Algorithm>, Failure> {
+    let mut chosen = algorithms();
+    let known: Vec<&str> = chosen.iter().map(|a| a.name).collect();
+    if let Some(name) = names.iter().find(|n| !known.contains(&n.as_str())) {
+        return Err(Failure::no_such("algorithm", name, &known));
+    }
+    chosen.retain(|a| names.is_empty() || names.iter().any(|n| n == a.name));
+    Ok(chosen)
+}

@@ -1,0 +1,129 @@
+//! Libraries and programs beside the algorithms.
+
+use crate::cli::args::{AtlasArgs, ProgramArgs};
+use crate::cli::failure::Failure;
+use crate::cli::process::exec::{Fed, Inputs};
+use mechaudit::audit::{Case, Origin, SolverAnswer};
+use mechaudit::claims::{Code, Missing, Parts, Plane};
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// The candidate of every library that Python reaches.
+const SCRIPT: &str = include_str!("../../../../examples/atlas/libraries.py");
+/// What the script knows.
+const KNOWN: [(&str, Parts); 7] = [
+    ("scipy", Parts::Both),
+    ("libcerf", Parts::Both),
+    ("mpmath", Parts::Both),
+    ("jax", Parts::Both),
+    ("astropy", Parts::Real),
+    ("lmfit", Parts::Real),
+    ("numba-scipy", Parts::Both),
+];
+/// What the script ends with where a library is not installed.
+const NOT_INSTALLED: i32 = 3;
+/// How long a program may be silent.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// A program with its name.
+pub struct Library {
+    name: String,
+    version: String,
+    command: String,
+    parts: Parts,
+}
+
+/// Those that the arguments ask for, and those that are not installed.
+pub fn all(args: &AtlasArgs) -> Result<(Vec<Library>, Vec<Missing>), Failure> {
+    let mut found = Vec::new();
+    let mut missing = Vec::new();
+    for (name, parts) in KNOWN.iter().filter(|_| args.libraries) {
+        match version(name)? {
+            Some(version) => found.push(Library {
+                name: name.to_string(),
+                version,
+                command: format!("python3 -c {} {name}", shell_words::quote(SCRIPT)),
+                parts: *parts,
+            }),
+            None => missing.push(Missing {
+                name: name.to_string(),
+                source: "library".into(),
+                why: "not installed".into(),
+            }),
+        }
+    }
+    for command in &args.exec {
+        found.push(Library {
+            name: command.clone(),
+            version: String::new(),
+            command: command.clone(),
+            parts: Parts::Both,
+        });
+    }
+    Ok((found, missing))
+}
+
+/// The version of a library; nothing where it is not installed.
+fn version(name: &str) -> Result<Option<String>, Failure> {
+    let started = Command::new("python3")
+        .args(["-c", SCRIPT, name, "--version"])
+        .stdin(Stdio::null())
+        .stderr(Stdio::null())
+        .output();
+    let Ok(done) = started else {
+        // No Python: nothing of the list is there.
+        return Ok(None);
+    };
+    match done.status.code() {
+        Some(0) => Ok(Some(String::from_utf8_lossy(&done.stdout).trim().into())),
+        Some(NOT_INSTALLED) => Ok(None),
+        _ => Err(Failure::new(format!("{name}: its version is not known"))),
+    }
+}
+
+impl Library {
+    /// As code of the survey.
+    pub fn code<'a>(self) -> Code<'a> {
+        let title = match self.version.is_empty() {
+            true => "a program".to_string(),
+            false => format!("{} {}", self.name, self.version),
+        };
+        let (command, parts) = (self.command, self.parts);
+        let answers = move |inputs: &[Vec<f64>]| answers(&command, inputs);
+        // Below the axis too, where a library goes there: what it refuses is counted.
+        let plane = match self.name.as_str() {
+            "jax" | "astropy" | "lmfit" => Plane::Upper,
+            _ => Plane::Whole,
+        };
+        Code::other((self.name, title, self.version), plane, parts, answers)
+    }
+}
+
+/// What the program answers; what does not come is unanswered.
+fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
+    let listed = inputs.iter().map(|z| Case {
+        method: "faddeeva",
+        region: "given",
+        input: z.clone(),
+        origin: Origin::Given,
+    });
+    let listed = Arc::new(Inputs::Listed(listed.collect()));
+    let how = ProgramArgs {
+        decimal: false,
+        binary: false,
+        timeout: PATIENCE,
+    };
+    let mut all = Vec::with_capacity(inputs.len());
+    let trouble = match Fed::start(command, &how, &listed, inputs.len()) {
+        Err(e) => Some(e.to_string()),
+        Ok(mut fed) => {
+            let end = fed.collect(inputs.len(), &mut all);
+            let end = end.unwrap_or_else(|| fed.rest());
+            fed.end(end)
+        }
+    };
+    let why = trouble.unwrap_or("nothing came".into());
+    all.resize_with(inputs.len(), || SolverAnswer::Unanswered(why.clone()));
+    all
+}

@@ -1,0 +1,227 @@
+//! Doing the shards that are missing.
+
+use super::folder::{Folder, State};
+use crate::cli::args::{CampaignRunArgs, ProgramArgs};
+use crate::cli::complain;
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::write_to;
+use crate::cli::process::{exec, interrupt};
+use crate::cli::progress::Progress;
+use mechaudit::audit::{Cases, Method, Settings, Tally};
+use mechaudit::campaign::{self, Program, Stride, Who};
+use mechaudit::report::words::numbers::count;
+use rayon::ThreadPool;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How often a shard that somebody else does is looked at.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// Does what is missing of the shards asked for; waits for those that another run does.
+pub fn run(args: &CampaignRunArgs) -> Result<Outcome, Failure> {
+    let folder = Folder::open(&args.folder)?;
+    folder.same_program()?;
+    let asked = asked(args, folder.deal.shards())?;
+    let mut run = Run::new(folder, args.jobs)?;
+    let mut left: Vec<u64> = asked;
+    while !left.is_empty() && !interrupt::asked() {
+        let before = left.len();
+        let mut others = Vec::new();
+        for k in left {
+            if interrupt::asked() {
+                break;
+            }
+            if !run.shard(k)? {
+                others.push(k);
+            }
+        }
+        left = others;
+        if left.len() == before && !interrupt::asked() {
+            thread::sleep(PATIENCE);
+        }
+    }
+    run.end()
+}
+
+/// The numbers of the shards asked for, in their order.
+fn asked(args: &CampaignRunArgs, shards: u64) -> Result<Vec<u64>, Failure> {
+    let beyond = args.shards.iter().find(|(_, to)| *to >= shards);
+    if let Some((_, to)) = beyond {
+        let last = shards - 1;
+        return Err(Failure::new(format!(
+            "--shard {to}: the shards are numbered 0 to {last}"
+        )));
+    }
+    let mut all: Vec<u64> = match args.shards.as_slice() {
+        [] => (0..shards).collect(),
+        some => some.iter().flat_map(|(from, to)| *from..=*to).collect(),
+    };
+    all.sort();
+    all.dedup();
+    Ok(all)
+}
+
+struct Run {
+    folder: Folder,
+    pool: ThreadPool,
+    threads: usize,
+    progress: Progress,
+    /// Cases and evaluations done by anybody.
+    done: AtomicU64,
+    total: u64,
+    own: u64,
+    before: u64,
+    /// Shards that cannot be done, and why.
+    failed: Vec<(u64, String)>,
+}
+
+impl Run {
+    fn new(folder: Folder, jobs: Option<usize>) -> Result<Run, Failure> {
+        interrupt::flag();
+        let mut builder = rayon::ThreadPoolBuilder::new();
+        if let Some(n) = jobs {
+            builder = builder.num_threads(n);
+        }
+        let pool = builder.build().map_err(Failure::caused)?;
+        let total = folder.deal.work();
+        Ok(Run {
+            threads: pool.current_num_threads(),
+            folder,
+            pool,
+            progress: Progress::new(),
+            done: AtomicU64::new(0),
+            total,
+            own: 0,
+            before: 0,
+            failed: Vec::new(),
+        })
+    }
+
+    fn tell(&self, more: u64) {
+        let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
+        self.progress
+            .reach(&self.folder.plan.name, done, self.total);
+    }
+
+    /// Whether the shard needs nothing more from this run: it is done, or cannot be. If not, somebody else
+    /// does it.
+    fn shard(&mut self, k: u64) -> Result<bool, Failure> {
+        if self.is_done(k)? {
+            self.before += 1;
+            return Ok(true);
+        }
+        let Some(claim) = self.folder.claim(k)? else {
+            return Ok(false);
+        };
+        // It may have been done since.
+        if self.is_done(k)? {
+            self.before += 1;
+            self.folder.leave(claim);
+            return Ok(true);
+        }
+        if let State::Bad(why) = self.folder.state(k)? {
+            complain(&format!("{}: {why}", self.folder.file(k).display()));
+        }
+        let started = Instant::now();
+        let at = self.done.load(Ordering::Relaxed);
+        let (plan, deal) = (&self.folder.plan, &self.folder.deal);
+        let tell = |more| self.tell(more);
+        let found = campaign::run(
+            (plan, deal, k),
+            &self.pool,
+            &answers,
+            &tell,
+            interrupt::flag(),
+        );
+        match found {
+            Ok(Some(content)) => {
+                let took = (started.elapsed().as_secs_f64(), self.threads);
+                self.folder.write(claim, k, &content, took)?;
+                self.own += 1;
+            }
+            // Stopped: what is half done is dropped.
+            Ok(None) => self.folder.leave(claim),
+            Err(e) => {
+                self.folder.leave(claim);
+                self.done.store(at, Ordering::Relaxed);
+                self.failed.push((k, e.to_string()));
+            }
+        }
+        Ok(true)
+    }
+
+    fn is_done(&self, k: u64) -> Result<bool, Failure> {
+        match self.folder.state(k)? {
+            State::Done(_) => {
+                self.done
+                    .fetch_add(self.folder.deal.work_of(k), Ordering::Relaxed);
+                Ok(true)
+            }
+            State::Missing | State::Bad(_) => Ok(false),
+            State::Refused(why) => {
+                let file = self.folder.file(k);
+                Err(Failure::new(format!("{}: {why}", file.display())))
+            }
+        }
+    }
+
+    fn end(self) -> Result<Outcome, Failure> {
+        self.progress.clear();
+        let stopped = interrupt::asked();
+        let shards = |n: u64| count(n as usize, "shard");
+        let mark = if stopped { "Interrupted: " } else { "" };
+        let text = format!(
+            "{mark}{} done, {} done before.",
+            shards(self.own),
+            self.before
+        );
+        write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
+        if stopped {
+            return Ok(Outcome::Interrupted);
+        }
+        let Some((k, why)) = self.failed.first() else {
+            return Ok(Outcome::AsExpected);
+        };
+        let n = shards(self.failed.len() as u64);
+        Err(Failure::new(format!(
+            "{n} cannot be done, the first: {k}, {why}"
+        )))
+    }
+}
+
+/// Lets a program answer the cases of a shard.
+fn answers(
+    program: &Program,
+    method: &dyn Method,
+    (cases, stride): (Cases, Stride),
+    settings: &Settings,
+    tally: &mut Tally,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Option<Who>, String> {
+    let spoken = ProgramArgs {
+        timeout: Duration::try_from_secs_f64(program.timeout).map_err(|e| e.to_string())?,
+        decimal: program.decimal,
+        binary: program.binary,
+    };
+    let inputs = exec::Inputs::Dealt(cases, stride);
+    let found = exec::gather(
+        method,
+        inputs,
+        &program.exec,
+        &spoken,
+        settings,
+        tally,
+        progress,
+    );
+    match found.map_err(|e| e.to_string())? {
+        _ if tally.is_interrupted() => Ok(None),
+        report => match report.trouble {
+            Some(why) => Err(why),
+            None => Ok(Some(Who {
+                name: report.name,
+                version: report.version,
+            })),
+        },
+    }
+}

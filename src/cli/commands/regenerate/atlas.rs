@@ -1,0 +1,73 @@
+//! The committed atlas: at a small effort, without times.
+
+use super::artefact::{Made, Outcome};
+use mechaudit::claims::{Atlas, Code, Effort, algorithms, atlas};
+use mechaudit::report;
+use std::sync::OnceLock;
+
+/// Points in each region.
+const EFFORT: Effort = Effort {
+    cases: 100,
+    seed: 1,
+};
+
+/// Made once for all files.
+fn small() -> &'static Atlas {
+    static SMALL: OnceLock<Atlas> = OnceLock::new();
+    SMALL.get_or_init(|| {
+        let mut codes: Vec<Code> = algorithms().into_iter().map(Code::double).collect();
+        codes.extend(algorithms().into_iter().filter_map(Code::single));
+        atlas(&codes, &EFFORT, false, &|_| ())
+    })
+}
+
+fn made(title: &str, body: String) -> Made {
+    Made {
+        title: title.into(),
+        facts: vec![
+            ("points in each region", EFFORT.cases.to_string()),
+            ("seed", EFFORT.seed.to_string()),
+            ("figures", "three significant digits, upper bounds".into()),
+        ],
+        recipe: format!("{EFFORT:?}\n"),
+        body,
+    }
+}
+
+fn text(write: impl FnOnce(&mut Vec<u8>) -> Result<(), csv::Error>) -> Outcome<String> {
+    let mut body = Vec::new();
+    write(&mut body)?;
+    Ok(String::from_utf8(body)?)
+}
+
+/// A line for each code and region.
+pub fn rows() -> Outcome<Made> {
+    let body = text(|out| report::atlas::rows(small(), out))?;
+    Ok(made(
+        "Worst relative errors found of published algorithms for W(z) and Voigt",
+        body,
+    ))
+}
+
+/// A line for each claim.
+pub fn claims() -> Outcome<Made> {
+    let body = text(|out| report::atlas::claims(small(), out))?;
+    Ok(made(
+        "Claims about published algorithms for W(z) and Voigt, decided",
+        body,
+    ))
+}
+
+/// All of it.
+pub fn document() -> Outcome<Made> {
+    let mut value = report::atlas::document(small());
+    // The header has it.
+    if let Some(object) = value.as_object_mut() {
+        object.shift_remove("mechaudit_version");
+    }
+    let body = serde_json::to_string_pretty(&value)? + "\n";
+    Ok(made(
+        "The atlas of published algorithms for W(z) and Voigt",
+        body,
+    ))
+}

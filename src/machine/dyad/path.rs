@@ -1,0 +1,61 @@
+//! Positions over the turn of the crank.
+
+use super::{Dyad, Shape, Turn, turn};
+use crate::reference::nearest_f64;
+use crate::solvers::dyad::Assembly;
+use crate::solvers::units::Angle;
+
+/// A position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Position {
+    /// The crank angle in degrees.
+    pub crank_deg: f64,
+    /// The crank's end and the joint at the dyad's other end, in metres.
+    pub joints_m: [[f64; 2]; 2],
+}
+
+/// The crank's end and the joint at the dyad's other end.
+fn joints(shape: &Shape, phi: Angle, assembly: Assembly) -> Option<[[f64; 2]; 2]> {
+    let (sin, cos) = phi.rad().sin_cos();
+    let (a, b) = match shape {
+        Shape::FourBar { solver, .. } => {
+            let m = solver.position(phi, assembly).ok()?;
+            (solver.crank().m(), m.joint.position_m)
+        }
+        Shape::SliderCrank { solver, .. } => {
+            let m = solver.position(phi, assembly).ok()?;
+            let (e, (s, c)) = (solver.offset().m(), solver.direction().rad().sin_cos());
+            let x = m.slider_m;
+            (solver.crank().m(), [x * c - e * s, x * s + e * c])
+        }
+    };
+    Some([[a * cos, a * sin], b])
+}
+
+/// A turn, or the range that holds the start, or the first one.
+fn range(dyad: &Dyad) -> ([f64; 2], bool) {
+    let start = dyad.start.as_ref().map_or(0.0, nearest_f64);
+    match turn(&dyad.shape) {
+        Turn::Full { .. } => ([start, start + 360.0], true),
+        Turn::Parts(parts) => {
+            let holds = |p: &&[f64; 2]| (start - p[0]).rem_euclid(360.0) <= p[1] - p[0];
+            let part = parts.iter().find(holds).or(parts.first());
+            (part.copied().unwrap_or([start, start]), false)
+        }
+    }
+}
+
+/// Up to `n + 1` positions of one assembly over a turn, or over the range of the crank that holds the start;
+/// whether it is a turn.
+pub fn path(dyad: &Dyad, assembly: Assembly, n: u32) -> (Vec<Position>, bool) {
+    let ([from, to], whole) = range(dyad);
+    let position = |k: u32| {
+        let crank_deg = from + (to - from) * f64::from(k) / f64::from(n);
+        let joints_m = joints(&dyad.shape, Angle::from_deg(crank_deg), assembly)?;
+        Some(Position {
+            crank_deg,
+            joints_m,
+        })
+    };
+    ((0..=n).filter_map(position).collect(), whole)
+}

@@ -1,0 +1,90 @@
+//! Andrews' squeezing mechanism, the benchmark of solvers for equations of motion with constraints: seven bodies, a
+//! constant torque, one spring, as the Test Set for Initial Value Problem Solvers prints it after Hairer and Wanner.
+//!
+//! [`motion()`] encloses the motion without integrating in time; every printed digit is compared with it. [`ledger()`]
+//! proves the printed equations from the kinetic and potential energy.
+
+pub mod data;
+mod entries;
+mod findings;
+mod ledger;
+mod motion;
+mod printed;
+
+pub use motion::{BITS, DIGITS, Motion, TIMES, motion};
+pub use printed::{Printed, QUANTITIES, printed, unit};
+
+use super::ledger::{Item, Ledger};
+use super::{Citation, PaperReport, Progress, SCHEMA_VERSION};
+use crate::reference::Undecided;
+
+/// The name used on the command line.
+pub const KEY: &str = "andrews";
+
+/// The source.
+pub fn citation() -> Citation {
+    Citation {
+        key: KEY,
+        authors: "F. Mazzia, C. Magherini, F. Iavernaro",
+        title: "Test Set for Initial Value Problem Solvers, problem andrews",
+        year: Some(2006),
+        venue: "Release 2.3, Report 43/2006, University of Bari; after E. Hairer, G. Wanner, Solving \
+                Ordinary Differential Equations II, VII.7",
+    }
+}
+
+/// Every printed equation, decided.
+pub fn ledger() -> Ledger {
+    Ledger::of(citation(), &ledger_items())
+}
+
+/// The entries of the ledger before they are decided.
+pub fn ledger_items() -> Vec<Item> {
+    ledger::items()
+}
+
+/// Encloses the motion and compares every printed value.
+///
+/// # Errors
+/// [`Undecided`] if a proof fails.
+pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
+    progress("ledger", 0, 3);
+    let ledger = ledger();
+    progress("motion", 1, 3);
+    let motion = motion(BITS)?;
+    progress("digits", 2, 3);
+    let printed = printed();
+    let (entries, tallies) = entries::entries(&printed, &motion);
+    let findings = findings::all(&ledger, &printed, &motion);
+    progress("done", 3, 3);
+    Ok(PaperReport {
+        schema_version: SCHEMA_VERSION,
+        mechaudit_version: env!("CARGO_PKG_VERSION"),
+        paper: citation(),
+        findings,
+        tallies,
+        entries,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_finding_is_as_recorded() {
+        let report = report(&|_, _, _| {}).unwrap();
+        for f in &report.findings {
+            println!("{} {} {}\n{}", f.id, f.as_recorded, f.title, f.text);
+            for g in &f.figures {
+                println!("   {} {} {}", g.name, g.value, g.unit);
+            }
+        }
+        assert!(report.as_recorded());
+    }
+
+    #[test]
+    fn every_entry_is_as_recorded() {
+        crate::papers::ledger::all_as_recorded(&ledger::items());
+    }
+}

@@ -1,0 +1,241 @@
+//! Loop equations: every point as a form in the bodies' directions.
+//!
+//! With `u_k = (cos ψ_k, sin ψ_k)` as a complex number and exact complex z, a point is
+//! `P = Σ z u_k` over the joints on the way from the ground to its body, a term of a slide having its displacement as a
+//! further factor. A joint that closes a loop says that two such forms are equal.
+
+use super::mechanism::{Attachment, Body, Frame, Joint, MechanismError, Point};
+use crate::class_iii::ExactAngle;
+use rug::Rational;
+
+/// `z s u`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Term {
+    /// z.
+    pub z: Point,
+    /// The coordinate s; none is one.
+    pub slide: Option<usize>,
+    /// The body whose direction is u; none is the ground, u = 1.
+    pub body: Option<usize>,
+}
+
+/// A point or a difference of points.
+pub(super) type Form = Vec<Term>;
+
+/// `Σ k x = constant` in the coordinates x.
+#[derive(Clone, Debug)]
+pub(super) struct Relation {
+    pub terms: Vec<(usize, Rational)>,
+    pub constant: ExactAngle,
+}
+
+/// Bodies' origins, loops and relations.
+#[derive(Clone, Debug)]
+pub(super) struct Loops {
+    /// Angles and displacements.
+    pub coordinates: usize,
+    /// Where each body's origin is.
+    pub origins: Vec<Form>,
+    /// What has to be zero, two equations each.
+    pub closures: Vec<Form>,
+    /// One equation each.
+    pub relations: Vec<Relation>,
+}
+
+fn add(form: &mut Form, term: Term) {
+    match form
+        .iter_mut()
+        .find(|t| t.slide == term.slide && t.body == term.body)
+    {
+        Some(same) => {
+            for i in 0..2 {
+                same.z[i] += &term.z[i];
+            }
+        }
+        None => form.push(term),
+    }
+    form.retain(|t| t.z.iter().any(|x| !x.is_zero()));
+}
+
+fn direction(frame: Frame) -> Option<usize> {
+    match frame {
+        Frame::Ground => None,
+        Frame::Body(i) => Some(i),
+    }
+}
+
+/// `a − b`.
+pub(super) fn difference(a: &Form, b: &Form) -> Form {
+    let mut out = a.clone();
+    for t in b {
+        let z = [-t.z[0].clone(), -t.z[1].clone()];
+        add(&mut out, Term { z, ..t.clone() });
+    }
+    out
+}
+
+/// The point, from the origins known so far; none if its body's is not.
+fn located(origins: &[Option<Form>], at: &Attachment) -> Option<Form> {
+    let mut form = match at.frame {
+        Frame::Ground => Form::new(),
+        Frame::Body(i) => origins[i].clone()?,
+    };
+    add(
+        &mut form,
+        Term {
+            z: at.point.clone(),
+            slide: None,
+            body: direction(at.frame),
+        },
+    );
+    Some(form)
+}
+
+/// What a joint says of two points: `a + travel = b`.
+struct Link<'a> {
+    a: &'a Attachment,
+    b: &'a Attachment,
+    travel: Option<Term>,
+}
+
+impl Link<'_> {
+    /// Gives one body its origin if the other end is located.
+    fn locate(&self, origins: &mut [Option<Form>]) -> bool {
+        for (from, to, sign) in [(self.a, self.b, 1), (self.b, self.a, -1)] {
+            let Frame::Body(new) = to.frame else { continue };
+            if origins[new].is_some() {
+                continue;
+            }
+            let Some(mut form) = located(origins, from) else {
+                continue;
+            };
+            if let Some(t) = &self.travel {
+                let z = t.z.clone().map(|x| x * sign);
+                add(&mut form, Term { z, ..t.clone() });
+            }
+            let z = to.point.clone().map(|x| -x);
+            add(
+                &mut form,
+                Term {
+                    z,
+                    slide: None,
+                    body: Some(new),
+                },
+            );
+            origins[new] = Some(form);
+            return true;
+        }
+        false
+    }
+}
+
+impl Loops {
+    /// Walks from the ground; joints that locate no body close loops.
+    pub(super) fn close(bodies: &[Body], joints: &[Joint]) -> Result<Loops, MechanismError> {
+        let mut coordinates = bodies.len();
+        let mut slides = vec![None; joints.len()];
+        for (i, j) in joints.iter().enumerate() {
+            if j.slides() {
+                slides[i] = Some(coordinates);
+                coordinates += 1;
+            }
+        }
+        let links: Vec<Option<Link>> = joints
+            .iter()
+            .enumerate()
+            .map(|(i, j)| link(j, slides[i]))
+            .collect();
+        let mut origins: Vec<Option<Form>> = vec![None; bodies.len()];
+        let mut open: Vec<&Link> = links.iter().flatten().collect();
+        loop {
+            let before = open.len();
+            open.retain(|l| !l.locate(&mut origins));
+            if open.len() == before {
+                break;
+            }
+        }
+        if let Some(loose) = origins.iter().position(Option::is_none) {
+            return Err(MechanismError::Loose(bodies[loose].name.clone()));
+        }
+        let closures = open
+            .iter()
+            .map(|l| {
+                let end = |at| located(&origins, at).unwrap_or_default();
+                let mut from = end(l.a);
+                if let Some(t) = &l.travel {
+                    add(&mut from, t.clone());
+                }
+                difference(&from, &end(l.b))
+            })
+            .collect();
+        Ok(Loops {
+            coordinates,
+            closures,
+            relations: joints.iter().filter_map(|j| relation(j, &slides)).collect(),
+            origins: origins.into_iter().flatten().collect(),
+        })
+    }
+
+    /// How many real equations there are.
+    pub(super) fn equations(&self) -> usize {
+        2 * self.closures.len() + self.relations.len()
+    }
+
+    /// The point of an attachment.
+    pub(super) fn point(&self, at: &Attachment) -> Form {
+        let origins: Vec<Option<Form>> = self.origins.iter().cloned().map(Some).collect();
+        located(&origins, at).unwrap_or_default()
+    }
+}
+
+fn link(joint: &Joint, slide: Option<usize>) -> Option<Link<'_>> {
+    match joint {
+        Joint::Pin { a, b } => Some(Link { a, b, travel: None }),
+        Joint::Slide {
+            a, b, direction: d, ..
+        }
+        | Joint::Slot { a, b, direction: d } => Some(Link {
+            a,
+            b,
+            travel: Some(Term {
+                z: d.clone(),
+                slide,
+                body: direction(a.frame),
+            }),
+        }),
+        Joint::Gear { .. } | Joint::Rack { .. } => None,
+    }
+}
+
+fn relation(joint: &Joint, slides: &[Option<usize>]) -> Option<Relation> {
+    let one = || Rational::from(1);
+    match joint {
+        Joint::Pin { .. } | Joint::Slot { .. } => None,
+        Joint::Slide { a, b, turn, .. } => {
+            let side =
+                |at: &Attachment, k: i32| direction(at.frame).map(|body| (body, Rational::from(k)));
+            Some(Relation {
+                terms: [side(b, 1), side(a, -1)].into_iter().flatten().collect(),
+                constant: turn.clone(),
+            })
+        }
+        Joint::Gear {
+            a,
+            b,
+            ratio,
+            offset,
+        } => Some(Relation {
+            terms: vec![(*b, one()), (*a, Rational::from(-ratio))],
+            constant: offset.clone(),
+        }),
+        Joint::Rack {
+            pinion,
+            slide,
+            ratio,
+            offset,
+        } => Some(Relation {
+            terms: vec![(slides[*slide]?, one()), (*pinion, Rational::from(-ratio))],
+            constant: ExactAngle::Radians(offset.clone()),
+        }),
+    }
+}

@@ -1,0 +1,299 @@
+//! A mechanism in exact data.
+
+use crate::class_iii::ExactAngle;
+use rug::Rational;
+
+/// A point or a vector, in the unit of length of the mechanism.
+pub type Point = [Rational; 2];
+
+/// What a point belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Frame {
+    /// The ground; its coordinates are the mechanism's.
+    Ground,
+    /// A moving body, by its index; coordinates in its own axes.
+    Body(usize),
+}
+
+/// A point of a body or of the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attachment {
+    /// Whose point.
+    pub frame: Frame,
+    /// Where in it.
+    pub point: Point,
+}
+
+impl Attachment {
+    /// A point of a body.
+    pub fn body(index: usize, point: Point) -> Attachment {
+        Attachment {
+            frame: Frame::Body(index),
+            point,
+        }
+    }
+
+    /// A point of the ground.
+    pub fn ground(point: Point) -> Attachment {
+        Attachment {
+            frame: Frame::Ground,
+            point,
+        }
+    }
+}
+
+/// A moving body. Mass and inertia are zero where only positions are asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Its name in messages.
+    pub name: String,
+    /// Mass.
+    pub mass: Rational,
+    /// Moment of inertia about the centre of mass.
+    pub inertia: Rational,
+    /// Centre of mass in the body's axes.
+    pub centre: Point,
+}
+
+impl Body {
+    /// A body without mass.
+    pub fn massless(name: &str) -> Body {
+        Body {
+            name: name.into(),
+            mass: Rational::new(),
+            inertia: Rational::new(),
+            centre: [Rational::new(), Rational::new()],
+        }
+    }
+}
+
+/// A joint. Several bodies on one pin are several pins at one point.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Joint {
+    /// The two points coincide: two equations.
+    Pin {
+        /// One point.
+        a: Attachment,
+        /// The other.
+        b: Attachment,
+    },
+    /// Point b lies at `a + s d` with the direction d fixed in a's frame, and the axes of b's frame are those of a's
+    /// turned by `turn`. Three equations and one coordinate: s, in units of |d|.
+    Slide {
+        /// A point of the guide.
+        a: Attachment,
+        /// The guide's direction d in the axes of a's frame; not zero.
+        direction: Point,
+        /// A point of the slider.
+        b: Attachment,
+        /// Angle from the axes of a's frame to those of b's.
+        turn: ExactAngle,
+    },
+    /// Point b lies at `a + s d`: two equations and the coordinate s, in units of |d|.
+    Slot {
+        /// A point of the slot.
+        a: Attachment,
+        /// The slot's direction d in the axes of a's frame; not zero.
+        direction: Point,
+        /// The pin's centre.
+        b: Attachment,
+    },
+    /// Gears with fixed centres: `ψ_b = ratio ψ_a + offset`.
+    Gear {
+        /// One gear.
+        a: usize,
+        /// The other.
+        b: usize,
+        /// Turns of b for one turn of a; negative where they mesh outside.
+        ratio: Rational,
+        /// ψ_b at ψ_a = 0.
+        offset: ExactAngle,
+    },
+    /// Rack and pinion with a fixed centre: `s = ratio ψ + offset` for the coordinate s of a slide.
+    Rack {
+        /// The pinion.
+        pinion: usize,
+        /// The index of the joint that is the rack's slide.
+        slide: usize,
+        /// Travel for an angle of one radian.
+        ratio: Rational,
+        /// Travel at ψ = 0.
+        offset: Rational,
+    },
+}
+
+impl Joint {
+    /// Whether it brings a coordinate with it.
+    pub(super) fn slides(&self) -> bool {
+        matches!(self, Joint::Slide { .. } | Joint::Slot { .. })
+    }
+}
+
+/// A linear form in the coordinates, which the drive holds at a given value: the angle of one body, the difference of
+/// two angles, a displacement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drive(pub Vec<(usize, Rational)>);
+
+impl Drive {
+    /// The coordinate of that index.
+    pub fn coordinate(index: usize) -> Drive {
+        Drive(vec![(index, Rational::from(1))])
+    }
+
+    /// `x_b − x_a`: the angle of body b relative to body a.
+    pub fn relative(a: usize, b: usize) -> Drive {
+        Drive(vec![(a, Rational::from(-1)), (b, Rational::from(1))])
+    }
+}
+
+/// What makes a set of bodies and joints no mechanism of one degree of freedom.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MechanismError {
+    /// An index is out of range.
+    #[error("joint {joint} names a body or joint that does not exist")]
+    Missing {
+        /// The joint.
+        joint: usize,
+    },
+    /// A joint between a frame and itself.
+    #[error("joint {joint} joins a body to itself")]
+    Itself {
+        /// The joint.
+        joint: usize,
+    },
+    /// A direction is zero.
+    #[error("the direction of joint {joint} is zero")]
+    Direction {
+        /// The joint.
+        joint: usize,
+    },
+    /// A mass or inertia is negative.
+    #[error("body {0}: mass and inertia are not negative")]
+    Negative(String),
+    /// A body hangs on nothing.
+    #[error("body {0} is not joined to the ground by pins, slides or slots")]
+    Loose(String),
+    /// Not one equation for every coordinate but one.
+    #[error("{equations} equations for {coordinates} coordinates: {} degrees of freedom instead of one",
+            *coordinates as i64 - *equations as i64)]
+    Freedom {
+        /// Angles and displacements.
+        coordinates: usize,
+        /// Equations of loops, slides, gears and racks.
+        equations: usize,
+    },
+    /// The drive names a coordinate that does not exist, or none.
+    #[error("the drive names no coordinate of the mechanism")]
+    Drive,
+}
+
+/// Bodies and joints with one degree of freedom by count.
+///
+/// Coordinates: the angles ψ of the bodies' axes in the order of the bodies, then one displacement for every slide and
+/// slot in the order of the joints.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    pub(super) bodies: Vec<Body>,
+    pub(super) joints: Vec<Joint>,
+    pub(super) loops: super::loops::Loops,
+}
+
+impl Mechanism {
+    /// Checks the parts and closes the loops.
+    ///
+    /// ```
+    /// use mechaudit_reference::planar::{Attachment, Body, Joint, Mechanism};
+    /// use rug::Rational;
+    /// // A parallelogram: crank, coupler, rocker.
+    /// let q = |x: i32, y: i32| [Rational::from(x), Rational::from(y)];
+    /// let bodies = ["crank", "coupler", "rocker"].map(Body::massless).to_vec();
+    /// let pin = |a, b| Joint::Pin { a, b };
+    /// let joints = vec![
+    ///     pin(Attachment::ground(q(0, 0)), Attachment::body(0, q(0, 0))),
+    ///     pin(Attachment::body(0, q(1, 0)), Attachment::body(1, q(0, 0))),
+    ///     pin(Attachment::ground(q(2, 0)), Attachment::body(2, q(0, 0))),
+    ///     pin(Attachment::body(1, q(2, 0)), Attachment::body(2, q(1, 0))),
+    /// ];
+    /// assert_eq!(Mechanism::new(bodies, joints)?.coordinates(), 3);
+    /// # Ok::<(), mechaudit_reference::planar::MechanismError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// See [`MechanismError`].
+    pub fn new(bodies: Vec<Body>, joints: Vec<Joint>) -> Result<Mechanism, MechanismError> {
+        check(&bodies, &joints)?;
+        let loops = super::loops::Loops::close(&bodies, &joints)?;
+        let (coordinates, equations) = (loops.coordinates, loops.equations());
+        if equations + 1 != coordinates {
+            return Err(MechanismError::Freedom {
+                coordinates,
+                equations,
+            });
+        }
+        Ok(Mechanism {
+            bodies,
+            joints,
+            loops,
+        })
+    }
+
+    /// How many coordinates there are.
+    pub fn coordinates(&self) -> usize {
+        self.loops.coordinates
+    }
+
+    /// The bodies.
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// The joints.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    pub(super) fn check_drive(&self, drive: &Drive) -> Result<(), MechanismError> {
+        let known = drive.0.iter().all(|(i, _)| *i < self.coordinates());
+        let some = drive.0.iter().any(|(_, k)| !k.is_zero());
+        if known && some {
+            Ok(())
+        } else {
+            Err(MechanismError::Drive)
+        }
+    }
+}
+
+fn check(bodies: &[Body], joints: &[Joint]) -> Result<(), MechanismError> {
+    for body in bodies {
+        if body.mass < 0 || body.inertia < 0 {
+            return Err(MechanismError::Negative(body.name.clone()));
+        }
+    }
+    let exists = |f: &Frame| !matches!(f, Frame::Body(i) if *i >= bodies.len());
+    for (joint, j) in joints.iter().enumerate() {
+        let (frames, direction) = match j {
+            Joint::Pin { a, b } => ([a.frame, b.frame], None),
+            Joint::Slide {
+                a, b, direction, ..
+            }
+            | Joint::Slot { a, b, direction } => ([a.frame, b.frame], Some(direction)),
+            Joint::Gear { a, b, .. } => ([Frame::Body(*a), Frame::Body(*b)], None),
+            Joint::Rack { pinion, slide, .. } => {
+                if !joints.get(*slide).is_some_and(Joint::slides) {
+                    return Err(MechanismError::Missing { joint });
+                }
+                ([Frame::Body(*pinion), Frame::Ground], None)
+            }
+        };
+        if !frames.iter().all(exists) {
+            return Err(MechanismError::Missing { joint });
+        }
+        if frames[0] == frames[1] {
+            return Err(MechanismError::Itself { joint });
+        }
+        if direction.is_some_and(|d| d.iter().all(Rational::is_zero)) {
+            return Err(MechanismError::Direction { joint });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,147 @@
+//! The numbers in which loop equations are evaluated.
+
+use crate::{Ball, Mag};
+use rug::{Float, float};
+
+/// Balls for the mechanism as it is, complex discs for its continuation over a disc of drive coordinates. Both
+/// enclose: an operation's result holds the exact result for all numbers that the operands hold.
+pub(super) trait Scalar: Clone {
+    /// A real number.
+    fn real(b: &Ball) -> Self;
+    /// Sum.
+    fn plus(&self, other: &Self) -> Self;
+    /// Difference.
+    fn minus(&self, other: &Self) -> Self;
+    /// Product.
+    fn times(&self, other: &Self) -> Self;
+    /// Product with a real number.
+    fn by(&self, k: &Ball) -> Self;
+    /// Cosine and sine.
+    fn cos_sin(&self) -> (Self, Self);
+    /// `1/√q` by the branch that is positive on the positive real line; unbounded unless that is analytic on all that
+    /// the operand holds.
+    fn over_root(&self) -> Self;
+    /// An upper bound on the absolute value.
+    fn size(&self) -> Mag;
+}
+
+impl Scalar for Ball {
+    fn real(b: &Ball) -> Ball {
+        b.clone()
+    }
+    fn plus(&self, other: &Ball) -> Ball {
+        self + other
+    }
+    fn minus(&self, other: &Ball) -> Ball {
+        self - other
+    }
+    fn times(&self, other: &Ball) -> Ball {
+        self * other
+    }
+    fn by(&self, k: &Ball) -> Ball {
+        self * k
+    }
+    fn cos_sin(&self) -> (Ball, Ball) {
+        let (s, c) = self.sin_cos();
+        (c, s)
+    }
+    fn over_root(&self) -> Ball {
+        self.sqrt().recip()
+    }
+    fn size(&self) -> Mag {
+        self.magnitude()
+    }
+}
+
+/// All complex numbers within a radius of a real midpoint.
+///
+/// The radii of a ball's sums, products, quotients and roots bound complex numbers as well: they are built from absolute
+/// values alone, and for `r ≤ m` the root of `|x − m| ≤ r` has no negative real part. Cosine and sine grow off the real
+/// line and have a bound of their own.
+#[derive(Clone, Debug)]
+pub(super) struct Round(pub Ball);
+
+impl Scalar for Round {
+    fn real(b: &Ball) -> Round {
+        Round(b.clone())
+    }
+    fn plus(&self, other: &Round) -> Round {
+        Round(&self.0 + &other.0)
+    }
+    fn minus(&self, other: &Round) -> Round {
+        Round(&self.0 - &other.0)
+    }
+    fn times(&self, other: &Round) -> Round {
+        Round(&self.0 * &other.0)
+    }
+    fn by(&self, k: &Ball) -> Round {
+        Round(&self.0 * k)
+    }
+    /// `|cos(m + δ) − cos m| ≤ |sin m| sinh r + |cos m| (cosh r − 1)` for `|δ| ≤ r`, and likewise the sine.
+    fn cos_sin(&self) -> (Round, Round) {
+        let (s, c) = Ball::new(self.0.mid().clone(), Mag::ZERO).sin_cos();
+        let r = self.0.rad();
+        if !r.is_finite() {
+            return (Round(c.widened(r)), Round(s.widened(r)));
+        }
+        let up = |x: Float| Mag::above(&x);
+        let sinh = up(Float::with_val_round(53, r.to_float().sinh_ref(), float::Round::Up).0);
+        // cosh r − 1 = 2 sinh²(r/2).
+        let half =
+            up(Float::with_val_round(53, r.shift(-1).to_float().sinh_ref(), float::Round::Up).0);
+        let rest = half.mul(half).shift(1);
+        let spread = |along: &Ball, across: &Ball| {
+            let first = across.magnitude().mul(sinh);
+            first.add(along.magnitude().mul(rest))
+        };
+        let (dc, ds) = (spread(&c, &s), spread(&s, &c));
+        (Round(c.widened(dc)), Round(s.widened(ds)))
+    }
+    fn over_root(&self) -> Round {
+        Round(self.0.sqrt().recip())
+    }
+    fn size(&self) -> Mag {
+        self.0.magnitude()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points on the circle, by addition theorems in 200 bits, against the disc's cosine, sine and inverse root.
+    #[test]
+    fn functions_of_a_disc() {
+        let (m, r) = (0.7, 0.4);
+        let disc = Round(Ball::exact(64, m).widened(Mag::from_f64(r)));
+        let (cosine, sine) = disc.cos_sin();
+        let root = disc.over_root();
+        let mut far = [0.0f64; 3];
+        let whole = |x: f64| Float::with_val(200, x);
+        for i in 0..64 {
+            let angle: Float = whole(f64::from(i)) * std::f64::consts::PI / 32;
+            let (y, x) = angle.sin_cos(whole(0.0));
+            let (x, y): (Float, Float) = (x * r + m, y * r);
+            let (up, down) = (y.clone().exp(), (-y.clone()).exp());
+            let cosh: Float = whole(0.0) + (up.clone() + &down) / 2;
+            let sinh: Float = (up - down) / 2;
+            let (s, c) = x.clone().sin_cos(whole(0.0));
+            // 1/√z by modulus and argument.
+            let modulus: Float = x.clone().hypot(&y).sqrt().recip();
+            let half: Float = y.clone().atan2(&x) / -2;
+            let values: [[Float; 2]; 3] = [
+                [whole(0.0) + &c * &cosh, whole(0.0) - &s * &sinh],
+                [whole(0.0) + &s * &cosh, whole(0.0) + &c * &sinh],
+                [half.clone().cos() * &modulus, half.sin() * &modulus],
+            ];
+            for (k, (ball, [re, im])) in [&cosine, &sine, &root].into_iter().zip(values).enumerate()
+            {
+                let way: Float = (re - ball.0.mid()).hypot(&im);
+                let share = (way / ball.0.rad().to_float()).to_f64();
+                assert!(share <= 1.0, "{k} {i} {share}");
+                far[k] = far[k].max(share);
+            }
+        }
+        assert!(far[0] > 0.8 && far[1] > 0.8 && far[2] > 0.3, "{far:?}");
+    }
+}

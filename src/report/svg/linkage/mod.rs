@@ -1,0 +1,14 @@
+//! Linkages at several positions, with the paths of their joints.
+
+mod class_iii;
+mod dyad;
+mod planar;
+mod scene;
+
+pub use class_iii::class_iii;
+pub use dyad::dyad;
+pub use planar::planar;
+pub(super) use scene::Point;
+
+/// Positions along a branch that paths are drawn through, but for the first.
+pub const SAMPLES: u32 = 720;

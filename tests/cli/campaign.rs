@@ -1,0 +1,572 @@
+//! Campaigns: the same bytes however they are cut, killed and taken up again; nothing lost, nothing
+//! counted twice.
+
+use crate::common::{self, Done, done, refused, run, said, text};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Child;
+use std::thread;
+use std::time::Duration;
+use tempfile::TempDir;
+
+/// Every kind of part, in a second or two.
+const PLAN: &str = r#"
+    name = "small"
+    [[part]]
+    methods = ["faddeeva", "erf"]
+    seeds = [1, 2]
+    cases = 40
+    [[part]]
+    methods = ["faddeeva"]
+    box = "Re z=0..8,Im z=log 1e-9..1"
+    cases = 500
+    [[part]]
+    kind = "hunt"
+    methods = ["four-bar"]
+    hunts = 12
+    evaluations = 60
+    [[part]]
+    kind = "candidate"
+    methods = ["tridiagonal"]
+    exec = "sh -c 'while read line; do echo refuse; done'"
+    cases = 5
+"#;
+
+fn campaign(args: &[&str]) -> Done {
+    run(&[&["campaign"], args].concat())
+}
+
+/// Makes the folder of a plan.
+fn planned(folder: &TempDir, name: &str, plan: &str, shards: u64) -> PathBuf {
+    let file = folder.path().join("plan.toml");
+    fs::write(&file, plan).unwrap();
+    let output = folder.path().join(name);
+    let shards = shards.to_string();
+    let made = campaign(&[
+        "plan",
+        text(&file),
+        "--shards",
+        &shards,
+        "--output",
+        text(&output),
+    ]);
+    assert_eq!(made.code, 0, "{}", made.err);
+    output
+}
+
+fn shards(folder: &Path) -> PathBuf {
+    folder.join("shards")
+}
+
+fn shard(folder: &Path, k: u64) -> PathBuf {
+    shards(folder).join(format!("{k:06}.json"))
+}
+
+/// The sum, of a plan with findings.
+fn merged(folder: &Path) -> String {
+    let d = campaign(&["merge", text(folder)]);
+    assert_eq!(d.code, 1, "{}", d.err);
+    d.out
+}
+
+fn status(folder: &Path) -> Value {
+    let d = campaign(&["status", text(folder), "--format", "json"]);
+    serde_json::from_str(&d.out).unwrap()
+}
+
+fn finished(folder: &Path) {
+    let d = campaign(&["run", text(folder)]);
+    assert_eq!(d.code, 0, "{}", d.err);
+}
+
+/// Begins a run on a number of threads.
+fn begun(folder: &Path, jobs: &str, more: &[&str]) -> Child {
+    common::start(&[&["campaign", "run", text(folder), "--jobs", jobs], more].concat())
+}
+
+#[test]
+fn the_sum_is_the_same_however_it_is_cut_and_killed() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = planned(&folder, "one", PLAN, 1);
+    finished(&whole);
+    let due = merged(&whole);
+    // The sum of an audit is the audit.
+    let v: Value = serde_json::from_str(&due).unwrap();
+    let audit = run(&[
+        "audit", "erf", "--seed", "2", "--cases", "40", "--format", "json",
+    ]);
+    let audit: Value = serde_json::from_str(&audit.out).unwrap();
+    let (sum, alone) = (&v["parts"][3]["found"], &audit["methods"][0]);
+    for member in ["method", "cases", "passed", "laws"] {
+        assert_eq!(sum[member], alone[member], "{member}");
+    }
+    for member in ["max", "count"] {
+        let of = |v: &Value| v["total"]["outputs"][0]["ulps"][member].clone();
+        assert_eq!(of(sum), of(alone), "{member}");
+    }
+    for time in ["seconds", "/tmp", "elapsed"] {
+        assert!(!due.contains(time), "{time}");
+    }
+
+    // Some backwards, one by one, on several threads.
+    let seven = planned(&folder, "seven", PLAN, 7);
+    for k in [5, 2, 6, 0, 3] {
+        let k = k.to_string();
+        let d = campaign(&["run", text(&seven), "--shard", &k, "--jobs", "3"]);
+        assert_eq!(d.code, 0, "{}", d.err);
+        assert!(d.out.starts_with("1 shard done"), "{}", d.out);
+    }
+    assert_eq!(status(&seven)["missing"], serde_json::json!([1, 4]));
+    finished(&seven);
+    assert_eq!(merged(&seven), due);
+
+    // Killed again and again, and two at a time.
+    let many = planned(&folder, "many", PLAN, 64);
+    let mut pause = 20;
+    for _ in 0..6 {
+        let mut both = [
+            begun(&many, "1", &[]),
+            begun(&many, "2", &["--shard", "30-63"]),
+        ];
+        thread::sleep(Duration::from_millis(pause));
+        for child in &mut both {
+            child.kill().unwrap();
+            child.wait().unwrap();
+        }
+        pause = pause * 3 / 2;
+    }
+    let both = [begun(&many, "1", &[]), begun(&many, "1", &[])];
+    let both = both.map(|child| done(child.wait_with_output().unwrap()));
+    for d in &both {
+        assert_eq!(d.code, 0, "{}", d.err);
+    }
+    assert_eq!(merged(&many), due);
+    // Neither locks nor halves are left.
+    assert_eq!(common::names(&shards(&many)).len(), 64);
+    // Nothing is done twice.
+    finished(&many);
+    let again = campaign(&["run", text(&many)]);
+    assert_eq!(again.out, "0 shards done, 64 done before.\n");
+}
+
+/// A plan without findings, done at once.
+const CALM: &str = r#"
+    name = "calm"
+    [[part]]
+    methods = ["erf"]
+    regions = ["small"]
+    cases = 400
+"#;
+
+#[test]
+fn what_is_no_shard_is_named_and_done_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = planned(&folder, "own", CALM, 4);
+    finished(&own);
+    let due = campaign(&["merge", text(&own)]);
+    assert_eq!(due.code, 0, "{}", due.err);
+    let other = planned(&folder, "other", &CALM.replace("400", "300"), 4);
+    finished(&other);
+    let whole = fs::read(shard(&own, 1)).unwrap();
+    let half = whole[..whole.len() / 2].to_vec();
+    let mut changed = whole.clone();
+    let at = changed.len() - 20;
+    changed[at] ^= 1;
+    let foreign = fs::read(shard(&other, 1)).unwrap();
+    let neighbour = fs::read(shard(&own, 2)).unwrap();
+    for (bytes, why) in [
+        (half, "damaged"),
+        (changed, "damaged, its content is not what its digest says"),
+        (Vec::new(), "damaged, its first line has no end"),
+        (b"{}\n".to_vec(), "damaged, its first line is no header"),
+        (foreign, "foreign, it belongs to another plan"),
+        (neighbour, "foreign, it is shard 2 of 4"),
+    ] {
+        fs::write(shard(&own, 1), &bytes).unwrap();
+        let d = campaign(&["status", text(&own)]);
+        assert_eq!(d.code, 1, "{}", d.err);
+        assert!(d.out.contains(&format!("000001.json: {why}")), "{}", d.out);
+        refused(
+            &campaign(&["merge", text(&own)]),
+            "1 shard of 4 not done, the first: 1",
+        );
+        let d = campaign(&["run", text(&own)]);
+        assert_eq!(
+            (d.code, d.out.as_str()),
+            (0, "1 shard done, 3 done before.\n")
+        );
+        said(&d, why);
+        // It may be somebody's.
+        assert_eq!(
+            fs::read(shard(&own, 1).with_extension("json.aside")).unwrap(),
+            bytes
+        );
+        assert_eq!(campaign(&["merge", text(&own)]).out, due.out, "{why}");
+    }
+}
+
+#[test]
+fn other_versions_are_refused_and_left_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = planned(&folder, "own", CALM, 2);
+    finished(&own);
+    let whole = fs::read_to_string(shard(&own, 1)).unwrap();
+    let version = format!("\"program\":\"{}\"", env!("CARGO_PKG_VERSION"));
+    let digest = whole.split("\"references\":\"").nth(1).unwrap();
+    let digest = &digest[..64];
+    for (from, to, why) in [
+        (
+            version.as_str(),
+            "\"program\":\"9.9.9\"",
+            "it is of version \"9.9.9\"",
+        ),
+        (digest, &"0".repeat(64), "its references answered otherwise"),
+        (
+            "\"campaign_shard\":1",
+            "\"campaign_shard\":2",
+            "its form has version 2, not 1",
+        ),
+    ] {
+        let other = common::changed(&whole, from, to);
+        fs::write(shard(&own, 1), &other).unwrap();
+        for step in ["run", "merge", "report"] {
+            refused(&campaign(&[step, text(&own)]), why);
+        }
+        let d = campaign(&["status", text(&own)]);
+        assert_eq!(d.code, 2);
+        said(&d, why);
+        assert_eq!(fs::read_to_string(shard(&own, 1)).unwrap(), other);
+    }
+    // The plan as well.
+    let file = own.join("plan.json");
+    let plan = fs::read_to_string(&file).unwrap();
+    for (from, to, why) in [
+        (digest, "0".repeat(64), "the plan is of another program"),
+        (
+            "\"campaign\": 1",
+            "\"campaign\": 7".into(),
+            "its form has version 7, not 1",
+        ),
+        (
+            "\"cases\": 400",
+            "\"cases\": 401".into(),
+            "not what its digest says",
+        ),
+    ] {
+        fs::write(&file, common::changed(&plan, from, &to)).unwrap();
+        refused(&campaign(&["run", text(&own)]), why);
+    }
+}
+
+#[test]
+fn what_cannot_be_a_campaign_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plan.toml");
+    let output = folder.path().join("out");
+    let asked = |plan: &str, shards: &str| {
+        fs::write(&file, plan).unwrap();
+        campaign(&[
+            "plan",
+            text(&file),
+            "--shards",
+            shards,
+            "--output",
+            text(&output),
+        ])
+    };
+    for (from, to, why) in [
+        (
+            "\"erf\"",
+            "\"erff\"",
+            "part 1: there is no method \"erff\" (did you mean \"erf\"?)",
+        ),
+        ("\"small\"", "\"smal\"", "erf has no region \"smal\""),
+        ("[\"erf\"]", "[]", "names none"),
+        ("cases = 400", "cases = 0", "1 or more"),
+        ("cases = 400", "", "cases belong to"),
+        (
+            "cases = 400",
+            "cases = 4\n    cats = 1",
+            "unknown field `cats`",
+        ),
+        (
+            "cases = 400",
+            "cases = 4\n    ulps = 1.0\n    relative = 1e-9",
+            "exclude each other",
+        ),
+        (
+            "cases = 400",
+            "cases = 4\n    ulps = -1.0",
+            "finite and positive",
+        ),
+        (
+            "cases = 400",
+            "cases = 4\n    hunts = 2",
+            "hunts and evaluations belong to",
+        ),
+        (
+            "cases = 400",
+            "cases = 4\n    exec = \"true\"",
+            "exec belongs to",
+        ),
+        (
+            "cases = 400",
+            "cases = 4\n    box = \"Re y=1\"",
+            "no single input",
+        ),
+    ] {
+        refused(&asked(&common::changed(CALM, from, to), "2"), why);
+    }
+    refused(
+        &asked(CALM, "401"),
+        "401 are more than the 400 cases and hunts",
+    );
+    assert!(!output.exists());
+    assert_eq!(asked(CALM, "2").code, 0);
+    // The same again is no harm, something else is.
+    assert_eq!(asked(CALM, "2").code, 0);
+    refused(&asked(CALM, "3"), "another campaign, \"calm\" in 2 shards");
+    refused(
+        &campaign(&["run", text(&output), "--shard", "2"]),
+        "the shards are numbered 0 to 1",
+    );
+    refused(
+        &campaign(&["run", text(folder.path())]),
+        "it has no plan.json",
+    );
+    refused(
+        &campaign(&["plan", text(&file), "--output", text(folder.path())]),
+        "the folder is not empty",
+    );
+}
+
+/// Nothing can be written: a message, no half of a file, and all of it later.
+#[test]
+fn a_full_disk_loses_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = planned(&folder, "own", CALM, 3);
+    let d = campaign(&["run", text(&own), "--shard", "0"]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    // Files of more than 512 bytes cannot be written.
+    let program = env!("CARGO_BIN_EXE_mechaudit");
+    let limited = format!(
+        "ulimit -f 1; trap '' XFSZ; exec {program} campaign run {}",
+        text(&own)
+    );
+    let d = done(
+        std::process::Command::new("sh")
+            .args(["-c", &limited])
+            .output()
+            .unwrap(),
+    );
+    assert_eq!(d.code, 2, "{}{}", d.out, d.err);
+    said(&d, "cannot write");
+    let left = common::names(&shards(&own));
+    assert!(
+        left.iter()
+            .all(|n| n == "000000.json" || n.ends_with(".lock")),
+        "{left:?}"
+    );
+    finished(&own);
+    assert_eq!(campaign(&["merge", text(&own)]).code, 0);
+}
+
+#[test]
+fn a_read_only_folder_is_refused_at_once() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().unwrap();
+    let own = planned(&folder, "own", CALM, 3);
+    let mode = |m| fs::set_permissions(shards(&own), fs::Permissions::from_mode(m)).unwrap();
+    mode(0o555);
+    let probe = shards(&own).join("probe");
+    if fs::write(&probe, "").is_ok() {
+        // A superuser writes everywhere.
+        fs::remove_file(probe).unwrap();
+        common::skipped("a user who is refused");
+    } else {
+        refused(&campaign(&["run", text(&own)]), "cannot write");
+    }
+    mode(0o755);
+    finished(&own);
+}
+
+#[test]
+fn the_first_ctrl_c_drops_the_shard_under_way() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = CALM.replace("cases = 400", "cases = 400_000");
+    let own = planned(&folder, "own", &plan, 40);
+    let child = begun(&own, "1", &[]);
+    while common::names(&shards(&own))
+        .iter()
+        .all(|n| n.ends_with(".lock"))
+    {
+        thread::sleep(Duration::from_millis(5));
+    }
+    let kill = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.unwrap().success());
+    let d = done(child.wait_with_output().unwrap());
+    assert_eq!(d.code, 130, "{}{}", d.out, d.err);
+    assert!(d.out.starts_with("Interrupted: "), "{}", d.out);
+    let v = status(&own);
+    let there = common::names(&shards(&own));
+    assert_eq!(v["done"].as_u64().unwrap(), there.len() as u64, "{there:?}");
+    assert_eq!(v["bad"], serde_json::json!([]));
+    // A page of what is done until now.
+    let d = campaign(&["report", text(&own)]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!(d.out.contains("Under way"));
+    common::needs_nothing_else(&d.out);
+}
+
+#[test]
+fn a_page_shows_audits_and_hunts() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = planned(&folder, "own", PLAN, 3);
+    finished(&own);
+    let d = campaign(&["report", text(&own)]);
+    assert_eq!(d.code, 1, "{}", d.err);
+    for part in [
+        "Campaign small",
+        "3 of 3 shards done",
+        "id=\"hunts\"",
+        "erf, seed 2",
+        "four-bar",
+    ] {
+        assert!(d.out.contains(part), "{part}");
+    }
+    common::needs_nothing_else(&d.out);
+}
+
+/// Its shard is not done, and nothing is counted in its place; others are.
+#[test]
+fn a_program_that_ends_leaves_its_shard() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = r#"
+        name = "dies"
+        [[part]]
+        kind = "candidate"
+        methods = ["erf"]
+        regions = ["small"]
+        cases = 40
+        exec = "sh -c 'test -e FLAG || { read x; echo 0,0; exit 3; }; while read x; do echo 0,0; done'"
+    "#;
+    let flag = folder.path().join("flag");
+    let own = planned(&folder, "own", &plan.replace("FLAG", text(&flag)), 2);
+    let d = campaign(&["run", text(&own)]);
+    assert_eq!(d.code, 2);
+    said(
+        &d,
+        "2 shards cannot be done, the first: 0, part 1: The program answered 1 times",
+    );
+    assert_eq!(status(&own)["done"], 0);
+    fs::write(&flag, "").unwrap();
+    finished(&own);
+    let v: Value = serde_json::from_str(&merged(&own)).unwrap();
+    let found = &v["parts"][0]["found"];
+    assert_eq!(
+        (found["cases"].as_u64(), found["passed"].as_u64()),
+        (Some(40), Some(0))
+    );
+}
+
+#[test]
+fn new_worst_cases_are_recorded() {
+    let folder = tempfile::tempdir().unwrap();
+    let hard = folder.path().join("hard");
+    fs::create_dir(&hard).unwrap();
+    let own = planned(&folder, "own", PLAN, 3);
+    finished(&own);
+    let record = || campaign(&["merge", text(&own), "--hard", text(&hard), "--output", "-"]);
+    let d = record();
+    said(&d, "erf: hard case 1 added, Re erf at ");
+    // Not of a candidate.
+    assert_eq!(
+        common::names(&hard),
+        ["erf.csv", "faddeeva.csv", "four-bar.csv"]
+    );
+    let judged = run(&["audit", "erf", "--hard", text(&hard), "--hard-case", "1"]);
+    assert_eq!(judged.code, 0, "{}{}", judged.out, judged.err);
+    // Nothing is worse than itself, and the sum is the same.
+    let again = record();
+    assert_eq!((again.err.as_str(), &again.out), ("", &d.out));
+    assert_eq!(d.out, merged(&own));
+    let nowhere = folder.path().join("none");
+    refused(
+        &campaign(&["merge", text(&own), "--hard", text(&nowhere)]),
+        "no such folder",
+    );
+}
+
+/// The recipes that run here; `mechaudit` is on the path.
+#[test]
+fn recipes() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = planned(&folder, "one", CALM, 1);
+    finished(&whole);
+    let due = campaign(&["merge", text(&whole)]).out;
+    let program = Path::new(env!("CARGO_BIN_EXE_mechaudit"));
+    let mut places = vec![program.parent().unwrap().to_path_buf()];
+    places.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap()));
+    let path = std::env::join_paths(places).unwrap();
+    let recipe = |name: &str| {
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/campaigns");
+        let mut recipe = std::process::Command::new("sh");
+        recipe.arg(script.join(name)).env("PATH", &path);
+        recipe
+    };
+    let by = |name: &str| {
+        let own = planned(&folder, name, CALM, 9);
+        let d = done(recipe(name).arg(&own).arg("3").output().unwrap());
+        assert_eq!(d.code, 0, "{name}: {}{}", d.out, d.err);
+        assert_eq!(campaign(&["merge", text(&own)]).out, due, "{name}");
+    };
+    by("xargs.sh");
+    let gnu = std::process::Command::new("parallel")
+        .arg("--version")
+        .output();
+    match gnu {
+        Ok(said) if said.stdout.starts_with(b"GNU") => by("parallel.sh"),
+        _ => common::skipped("GNU parallel"),
+    }
+    // As Slurm runs its tasks, in any order; one was lost and is run again.
+    let own = planned(&folder, "slurm-array.sh", CALM, 4);
+    for task in ["2", "0", "3", "2", "1"] {
+        let mut array = recipe("slurm-array.sh");
+        let d = done(
+            array
+                .arg(&own)
+                .env("SLURM_ARRAY_TASK_ID", task)
+                .output()
+                .unwrap(),
+        );
+        assert_eq!(d.code, 0, "{}", d.err);
+    }
+    assert_eq!(campaign(&["merge", text(&own)]).out, due);
+    assert_eq!(campaign(&["status", text(&own), "--missing"]).out, "");
+}
+
+/// The plans that are committed are plans.
+#[test]
+fn committed_plans() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().unwrap();
+    let mut all = vec![root.join("examples/campaign.toml")];
+    let plans = fs::read_dir(root.join("reference/campaigns")).unwrap();
+    let plans = plans.map(|e| e.unwrap().path());
+    all.extend(plans.filter(|p| p.extension().is_some_and(|e| e == "toml")));
+    assert!(all.len() > 3, "{all:?}");
+    for plan in all {
+        let name = plan.file_stem().unwrap().to_str().unwrap();
+        let output = folder.path().join(name);
+        let d = campaign(&["plan", text(&plan), "--output", text(&output)]);
+        assert_eq!(d.code, 0, "{}", d.err);
+        assert!(
+            d.out.starts_with(&format!("{name}: ")) || name == "campaign",
+            "{}",
+            d.out
+        );
+    }
+}
