@@ -215,42 +215,4 @@ impl Mechanism {
             Err(e) => Err((states, e)),
         }
     }
-
-    /// The state at a value of the drive near a guess of every moving body's angle (radians) and
-    /// origin (metres), in the order of the bodies; at most 10⁻² radians or units of length from it.
-    ///
-    /// # Errors
-    /// [`PositionError::NotClosed`], [`PositionError::Singular`].
-    pub fn state_near(&self, drive: f64, guess: &[BodyGuess]) -> Result<State, PositionError> {
-        self.checked(drive)?;
-        let modes = self.assembly_modes(drive);
-        let l = self.chain.metres;
-        let apart = |state: &State| -> f64 {
-            let bodies = guess.iter().enumerate().map(|(k, g)| {
-                let body = k + 1;
-                let turn = super::isotropic::wrapped(state.pose.angle(&self.chain, body) - g.angle);
-                let [x, y] = g.origin_m.map(|x| x / l);
-                let p = state.pose.p[body];
-                turn.abs().max((p.re - x).abs()).max((p.im - y).abs())
-            });
-            bodies.fold(0.0, f64::max)
-        };
-        let best = modes
-            .states
-            .iter()
-            .min_by(|a, b| apart(a).total_cmp(&apart(b)));
-        match best.filter(|s| apart(s) <= 1e-2) {
-            Some(state) => Ok(state.clone()),
-            None => Err(PositionError::NotClosed { drive }),
-        }
-    }
-}
-
-/// Where a body is thought to be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyGuess {
-    /// Its angle in radians.
-    pub angle: f64,
-    /// The origin of its frame in metres.
-    pub origin_m: [f64; 2],
 }

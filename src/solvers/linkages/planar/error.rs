@@ -112,18 +112,6 @@ pub enum PositionError {
         /// The value.
         value: f64,
     },
-    /// The loops do not close near the guess.
-    #[error("the loops do not close near the position given at {drive} of the drive")]
-    NotClosed {
-        /// The drive's value.
-        drive: f64,
-    },
-    /// The Jacobian has no inverse.
-    #[error("the position at {drive} of the drive is singular")]
-    Singular {
-        /// The drive's value.
-        drive: f64,
-    },
     /// The branch ends or meets others.
     #[error(
         "the branch cannot be followed beyond {drive} of the drive: the mechanism is singular there"

@@ -37,7 +37,6 @@ mod structure;
 mod triad;
 
 pub use branches::{BranchEnd, BranchMap, BranchSample};
-pub use continuation::BodyGuess;
 pub use error::{MechanismError, PositionError};
 pub use loads::{BodyMass, Course, Load, LoadError, Loads, ReducedLoads};
 pub use mechanism::Mechanism;

@@ -68,11 +68,14 @@ impl Chain {
             &self.order
         };
         let mut last = f64::INFINITY;
+        let mut fresh = true;
         for _ in 0..MOST {
             pose.residual(self, closures, &mut work.residual);
-            pose.jacobian(self, closures, &mut work.jacobian);
-            if !work.factors.of(&work.jacobian, n, unknowns.start) {
-                return n == 0;
+            if fresh {
+                pose.jacobian(self, closures, &mut work.jacobian);
+                if !work.factors.of(&work.jacobian, n, unknowns.start) {
+                    return n == 0;
+                }
             }
             let residual = &work.residual;
             work.factors.solve(|r| -residual[r], &mut work.step[..n]);
@@ -94,6 +97,9 @@ impl Chain {
             if !(size <= 10.0) {
                 return false;
             }
+            // After a small correction the factors are good for more, as long as each of them gains two
+            // digits.
+            fresh = !(size <= 1e-5 && (fresh || size <= 1e-2 * last));
             last = size;
         }
         // Beside a fold the corrections stay near the square root of the rounding error.
