@@ -14,6 +14,9 @@ mod enclosure;
 mod energy;
 mod loops;
 mod mechanism;
+mod modes;
+#[cfg(test)]
+mod modes_tests;
 mod panel;
 mod reactions;
 mod scalar;
