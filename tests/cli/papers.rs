@@ -89,7 +89,7 @@ fn readable(html: &str) {
             .collect()
     };
     let (links, ids) = (values("href=\"#"), values(" id=\""));
-    assert!(links.len() >= text.matches("<article").count() && links.len() > 20);
+    assert!(links.len() >= text.matches("<article").count() && links.len() > 7);
     for link in &links {
         assert_eq!(ids.iter().filter(|id| *id == link).count(), 1, "{link}");
     }

@@ -203,7 +203,7 @@ impl Ledger {
         let wrong = |e: &&LedgerEntry| matches!(e.verdict, Verdict::Misprint | Verdict::Refuted);
         Errata {
             paper: self.paper.clone(),
-            source: "text layer of a scan; a misprint may be one of the paper or of the text layer",
+            source: "text layer of a scan, or a file of the source; a misprint may be one of the paper or of that text",
             errata: self.entries.iter().filter(wrong).map(Erratum::of).collect(),
         }
     }

@@ -5,8 +5,35 @@
 //! `z u_k` and `z s u_k`, so that the loops are closed by equations of that kind. A [`Linkage`] adds a [`Drive`], which
 //! is one more linear equation, and a precision.
 //!
-//! Positions are enclosed by Krawczyk's operator, which proves existence and uniqueness. At a change point or a dead
-//! position of the drive the answer is [`Undecided`](crate::Undecided).
+//! [`Linkage::position`] encloses by Krawczyk's operator, which proves existence and uniqueness; [`Linkage::modes`] finds
+//! all positions and proves that none is missing; [`Linkage::series`], [`Linkage::reduced_inertia`] and
+//! [`Linkage::multipliers`] give derivatives of any order, inertia and reactions; [`Linkage::from_rest`] the motion under
+//! conservative forces. At a change point or a dead position of the drive the answer is [`Undecided`](crate::Undecided).
+//!
+//! ```
+//! use mechaudit_reference::Ball;
+//! use mechaudit_reference::planar::{Attachment, Body, Drive, Joint, Linkage, Mechanism};
+//! use rug::Rational;
+//! // Crank 1, coupler 3, rocker 4, frame 6.
+//! let at = |x: i32| [Rational::from(x), Rational::new()];
+//! let pin = |a, b| Joint::Pin { a, b };
+//! let joints = vec![
+//!     pin(Attachment::ground(at(0)), Attachment::body(0, at(0))),
+//!     pin(Attachment::body(0, at(1)), Attachment::body(1, at(0))),
+//!     pin(Attachment::ground(at(6)), Attachment::body(2, at(0))),
+//!     pin(Attachment::body(1, at(3)), Attachment::body(2, at(4))),
+//! ];
+//! let bodies = ["crank", "coupler", "rocker"].map(Body::massless).to_vec();
+//! let linkage = Linkage::new(&Mechanism::new(bodies, joints)?, &Drive::coordinate(0), 128)?;
+//! // At φ = 0 coupler and rocker are the legs of a 3-4-5 triangle, above or below the frame.
+//! let modes = linkage.modes(&Ball::integer(128, 0))?;
+//! assert_eq!(modes.len(), 2);
+//! for mode in &modes {
+//!     let (_, cosine) = mode.x[1].sin_cos();
+//!     assert!(cosine.contains(&Rational::from((3, 5))));
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod conservative;
 mod disc;
@@ -14,6 +41,9 @@ mod enclosure;
 mod energy;
 mod loops;
 mod mechanism;
+mod modes;
+#[cfg(test)]
+mod modes_tests;
 mod panel;
 mod reactions;
 mod scalar;

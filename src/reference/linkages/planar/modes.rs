@@ -1,0 +1,181 @@
+//! All assembly modes at a value of the drive, with the proof that none is missing.
+//!
+//! Branch and prune over the compact chart `[−π, π]^n` of the bodies' angles. A box goes when an equation cannot be zero
+//! on it or when `K(X)` does not meet it, every zero of X being one of `K(X)`; it is settled when `K(X)` lies in the
+//! interior of X, which proves one zero; else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros on
+//! common faces lie inside some box; what is found twice, by whole turns too, is told by the box in which a zero is
+//! alone.
+
+use super::enclosure::{Linkage, Position, apply, defect, exact, reach};
+use crate::{Ball, Mag, Undecided};
+use rug::Float;
+
+/// Boxes looked at before the search is given up: some seconds.
+const MOST_BOXES: usize = 100_000;
+/// Boxes narrower than this are left undecided: modes that meet, or nearly so.
+const NARROWEST: f64 = 1e-6;
+
+/// A zero and a box in which it is the only one.
+struct Found {
+    position: Position,
+    alone: Vec<Ball>,
+}
+
+/// What is made of a box.
+enum Look {
+    Empty,
+    Single(Vec<Ball>),
+    Smaller(Vec<Ball>),
+    Open,
+}
+
+fn intersection(a: &Ball, b: &Ball) -> Option<Ball> {
+    let low = if a.lower() > b.lower() {
+        a.lower()
+    } else {
+        b.lower()
+    };
+    let high = if a.upper() < b.upper() {
+        a.upper()
+    } else {
+        b.upper()
+    };
+    (low <= high).then(|| Ball::between(64, &low, &high))
+}
+
+impl Linkage {
+    /// Every position at that value of the drive, proved to be all, in no particular order; angles of bodies up to whole
+    /// turns.
+    ///
+    /// # Errors
+    /// [`Undecided`] with the number of boxes that are left where modes meet or nearly so, where the search takes too
+    /// long, and for mechanisms with slides or slots, whose displacements lie in no compact chart.
+    pub fn modes(&self, drive: &Ball) -> Result<Vec<Position>, Undecided> {
+        let n = self.coarse.coordinates;
+        if n != self.coarse.bodies {
+            return Err(self.undecided("displacements have no compact chart"));
+        }
+        let turn = Ball::integer(64, 0).widened(Ball::pi(64).magnitude());
+        let mut boxes = vec![vec![turn; n]];
+        let mut found: Vec<Found> = Vec::new();
+        let (mut looked, mut left) = (0, 0);
+        let coarse = drive.with_prec(64);
+        while let Some(x) = boxes.pop() {
+            looked += 1;
+            if looked > MOST_BOXES {
+                let open = boxes.len() + 1 + left;
+                return Err(
+                    self.undecided(&format!("{open} boxes are left of the search for modes"))
+                );
+            }
+            match self.look(&x, &coarse) {
+                Look::Empty => {}
+                Look::Single(alone) => self.record(drive, alone, &mut found)?,
+                Look::Smaller(cut) => boxes.push(cut),
+                Look::Open => {
+                    let width = |b: &Ball| b.rad().to_f64();
+                    let widest = (0..n).max_by(|&i, &j| width(&x[i]).total_cmp(&width(&x[j])));
+                    let Some(i) = widest.filter(|&i| width(&x[i]) > NARROWEST) else {
+                        left += 1;
+                        continue;
+                    };
+                    for (low, high) in [
+                        (x[i].lower(), x[i].mid().clone()),
+                        (x[i].mid().clone(), x[i].upper()),
+                    ] {
+                        let mut half = x.clone();
+                        half[i] = Ball::between(64, &low, &high);
+                        boxes.push(half);
+                    }
+                }
+            }
+        }
+        if left > 0 {
+            return Err(self.undecided(&format!("{left} boxes are left of the search for modes")));
+        }
+        Ok(found.into_iter().map(|f| f.position).collect())
+    }
+
+    fn look(&self, x: &[Ball], drive: &Ball) -> Look {
+        let system = &self.coarse;
+        let over = system.residual(&system.pose(x.to_vec()), drive);
+        if over.iter().any(|f| !f.contains_zero()) {
+            return Look::Empty;
+        }
+        // A tenth wider, and never of no width.
+        let wide =
+            |b: &Ball| b.widened(b.rad().mul(Mag::from_f64(0.1)).add(Mag::power_of_two(-40)));
+        let wide: Vec<Ball> = x.iter().map(wide).collect();
+        let z: Vec<Float> = wide.iter().map(|b| b.mid().clone()).collect();
+        let Some(y) = system.approximate_inverse(&z) else {
+            return Look::Open;
+        };
+        let step = apply(&y, &system.residual(&system.pose(exact(&z, 64)), drive));
+        let e = defect(&y, &system.jacobian(&system.pose(wide.clone())));
+        let r: Vec<Mag> = wide.iter().map(Ball::rad).collect();
+        let spread: Vec<Mag> = e.iter().map(|e| reach(e, &r)).collect();
+        let inside = |i: usize| step[i].magnitude().add(spread[i]) < r[i];
+        if (0..x.len()).all(inside) {
+            return Look::Single(wide);
+        }
+        let mut cut = Vec::with_capacity(x.len());
+        let mut shrunk = false;
+        for i in 0..x.len() {
+            let image = (Ball::new(z[i].clone(), Mag::ZERO) - &step[i]).widened(spread[i]);
+            let Some(rest) = (match image.is_finite() {
+                true => intersection(&x[i], &image),
+                false => Some(x[i].clone()),
+            }) else {
+                return Look::Empty;
+            };
+            shrunk |= rest.rad() < x[i].rad().mul(Mag::from_f64(0.6))
+                && x[i].rad() > Mag::power_of_two(-40);
+            cut.push(rest);
+        }
+        if shrunk {
+            Look::Smaller(cut)
+        } else {
+            Look::Open
+        }
+    }
+
+    /// Adds the only zero of a box unless it is known.
+    fn record(
+        &self,
+        drive: &Ball,
+        alone: Vec<Ball>,
+        found: &mut Vec<Found>,
+    ) -> Result<(), Undecided> {
+        let guess: Vec<Float> = alone.iter().map(|b| b.mid().clone()).collect();
+        let position = self.position(drive, &guess)?;
+        if !alone
+            .iter()
+            .zip(&position.x)
+            .all(|(a, x)| a.contains_ball(x))
+        {
+            return Err(self.undecided("a mode leaves the box in which it is alone"));
+        }
+        let turn = Ball::pi(self.bits()).shift(1);
+        // The whole turns that bring an angle next to another.
+        let moved = |x: &Ball, to: &Ball| {
+            let turns = (to - x).mid().to_f64() / std::f64::consts::TAU;
+            x + &(Ball::integer(self.bits(), turns.round() as i64) * &turn)
+        };
+        for known in found.iter() {
+            let pairs = || position.x.iter().zip(&known.position.x);
+            let apart = pairs().any(|(x, k)| !moved(x, k).overlaps(k));
+            let same = position
+                .x
+                .iter()
+                .zip(&known.alone)
+                .all(|(x, a)| a.contains_ball(&moved(x, a)));
+            match (same, apart) {
+                (true, _) => return Ok(()),
+                (false, true) => {}
+                (false, false) => return Err(self.undecided("two modes are not told apart")),
+            }
+        }
+        found.push(Found { position, alone });
+        Ok(())
+    }
+}
