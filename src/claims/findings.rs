@@ -117,6 +117,14 @@ const POINTS: [Where; 15] = [
     ),
 ];
 
+/// An exponent only where it is needed.
+fn plain(x: f64) -> String {
+    match (1e-3..1e6).contains(&x.abs()) {
+        true => format!("{x}"),
+        false => format!("{x:e}"),
+    }
+}
+
 /// Those about algorithms that are asked for.
 pub fn findings(asked: &dyn Fn(&str) -> bool) -> Vec<Finding> {
     let chosen = POINTS.iter().filter(|p| asked(p.0));
@@ -138,8 +146,8 @@ fn found((name, used_by, z, part): &Where) -> Option<Finding> {
     let word = ["Re W", "Im W"][*part];
     let short: f64 = due.parse().ok()?;
     let place = match z[1] {
-        0.0 => format!("{}", z[0]),
-        y => format!("{} + {y:e}i", z[0]),
+        0.0 => plain(z[0]),
+        y => format!("{} + {}i", plain(z[0]), plain(y)),
     };
     let size = match error {
         Some(e) if got.is_sign_negative() != short.is_sign_negative() => {

@@ -65,9 +65,9 @@ document.addEventListener("DOMContentLoaded", () => {
   // Names beside their points; one that would cover another goes below it, with a line to its point.
   function beside(svg, points) {
     const taken = [];
-    const layer = d3.select(svg).append("g").attr("font-size", 10).attr("fill", "var(--fg)");
+    const layer = d3.select(svg).append("g").attr("font-size", 10).attr("text-anchor", "start").attr("fill", "var(--fg)");
     for (const p of points.sort((a, b) => a.y - b.y || a.x - b.x)) {
-      const wide = 9 + 5.6 * p.name.length;
+      const wide = 12 + 6 * p.name.length;
       let y = p.y;
       const covered = () => taken.find((t) => Math.abs(t.y - y) < 11 && p.x < t.x + t.wide && t.x < p.x + wide);
       for (let t = covered(); t; t = covered()) y = t.y + 11.5;
