@@ -9,7 +9,7 @@
 //! | `reference` (`mechaudit-reference`) | balls over MPFR, exact rational systems and splines, linkages enclosed by Krawczyk's operator | feature `oracle` |
 //! | `audit` (`mechaudit-audit`) | domains, cases, budgets, the judge, statistics | feature `oracle` |
 //! | `candidate` | code of one's own in place of a method's solver | feature `oracle` |
-//! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `cli` |
+//! | `campaign` | audits and hunts cut into shards, and their exact sum | feature `report` |
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `claims` | what is said of published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |

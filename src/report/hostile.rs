@@ -1,7 +1,7 @@
 //! No text of a report becomes markup, whatever it says.
 
 use super::baseline::{Change, Changes};
-use super::svg::{chirp, reduced, run_up, scene};
+use super::svg::{chirp, linkage, reduced, run_up};
 use super::{html, junit, text};
 use crate::audit::{
     BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, LevelReport,
@@ -285,7 +285,7 @@ fn drawings() {
         (crank, reduced)
     };
     for (drawing, texts) in [
-        (scene::tests::drawn(HOSTILE, true), 2),
+        (linkage::tests::drawn(HOSTILE, true), 2),
         (chirp::history(&history).unwrap(), 4),
         (chirp::spectrum(&spectrum).unwrap(), 3),
         (

@@ -9,6 +9,8 @@ pub use class_iii::class_iii;
 pub use dyad::dyad;
 pub use planar::planar;
 pub(super) use scene::Point;
+#[cfg(test)]
+pub(in crate::report) use scene::tests;
 
 /// Positions along a branch that paths are drawn through, but for the first.
 pub const SAMPLES: u32 = 720;
