@@ -161,12 +161,31 @@ fn discs_hold_what_lies_in_them_and_end_at_dead_positions() {
         .position(&ball("2"), &guess(&[2.0, -0.1, 2.6]))
         .unwrap();
     for radius in [0.3, 0.4, 0.6, 1.0] {
-        assert!(
-            linkage
-                .disc(&ball("2"), &near, Mag::from_f64(radius))
-                .is_none()
-        );
+        let disc = linkage.disc(&ball("2"), &near, Mag::from_f64(radius));
+        assert!(disc.is_none());
     }
+    // Next to it positions move away faster than the rates say: a disc that is proved holds them all the same.
+    let close = ["2.1", "2.2", "2.26"].iter().fold(near, |at, phi| {
+        linkage
+            .position(&ball(phi), &at.midpoints())
+            .expect("proved")
+    });
+    let (left, mut proved) = ((-0.6625f64).acos() - 2.26, 0);
+    for k in 1..26 {
+        let radius = 0.05 * f64::from(k) * left;
+        let Some(disc) = linkage.disc(&ball("2.26"), &close, Mag::from_f64(radius)) else {
+            continue;
+        };
+        proved += 1;
+        for part in [-0.999, 0.999] {
+            let drive = ball("2.26") + Ball::exact(BITS, radius * part);
+            let there = linkage
+                .position(&drive, &close.midpoints())
+                .expect("a position");
+            assert!(disc.owns(&drive, &there), "{k} {part}");
+        }
+    }
+    assert!(proved > 2, "{proved}");
 }
 
 /// A point outside the polydisc is no start for its bound: the position found there is another one.
@@ -188,8 +207,8 @@ fn another_branch_is_not_the_disc_s() {
             .within(&disc, &ball("0.9"), &one.midpoints())
             .is_some()
     );
-    // Nor is a drive outside the disc.
-    let drive = ball("1.2");
+    // Nor is a drive outside the disc, though the position there lies in the polydisc.
+    let drive = ball("0.951");
     let beyond = linkage.position(&drive, &one.midpoints()).unwrap();
     assert!(!disc.owns(&drive, &beyond));
     assert!(linkage.within(&disc, &drive, &beyond.midpoints()).is_none());
