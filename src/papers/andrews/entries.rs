@@ -4,7 +4,6 @@ use super::motion::{DIGITS, Motion, TIMES};
 use super::printed::{Printed, QUANTITIES, kind};
 use crate::papers::{Entry, EntryVerdict, Tally, VariantJudgement};
 use crate::reference::{Ball, Decimal};
-use rug::Rational;
 use std::collections::BTreeMap;
 
 /// The variant of the data: there is but one.
@@ -61,7 +60,7 @@ pub(super) fn right_digits(p: &Printed, value: &Ball) -> (usize, usize) {
             unit *= 10;
         }
         let low = &size - Ball::rational(size.prec(), &cut.value);
-        let high = Ball::rational(size.prec(), &Rational::from(&cut.value + unit)) - &size;
+        let high = Ball::rational(size.prec(), &(cut.value + unit)) - &size;
         low.is_positive() && high.is_positive()
     };
     let same_sign = value.is_negative() == p.text.starts_with('-');
