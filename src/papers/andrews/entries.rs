@@ -165,7 +165,7 @@ mod tests {
         assert_eq!(check("0.1234e2", "12.34499"), ((4, 4), "0.1234e2".into()));
         // Cut off instead of rounded.
         assert_eq!(check("0.1234e2", "12.3476"), ((4, 4), "0.1234e2".into()));
-        assert_eq!(check("0.1234e2", "12.3376"), ((3, 4), "0.123|4e2".into()));
+        assert_eq!(check("0.1234e2", "12.3276"), ((3, 4), "0.123|4e2".into()));
         assert_eq!(check("-0.1234e2", "-12.4"), ((2, 4), "-0.12|34e2".into()));
         assert_eq!(check("-0.05", "0.05"), ((0, 1), "-0.0|5".into()));
         assert_eq!(check("7.000", "6.9990"), ((0, 4), "|7.000".into()));
