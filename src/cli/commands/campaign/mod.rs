@@ -110,12 +110,11 @@ fn status(args: &StatusArgs) -> Result<Outcome, Failure> {
                 count(shards as usize, "shard")
             )?;
             if done > 0 {
-                let left = (total - work) as f64 / rate;
-                writeln!(
-                    out,
-                    "{rate:.0} a second and thread; {} on one thread for the others.",
-                    time(left)
-                )?;
+                let left = match total - work {
+                    0 => ".".into(),
+                    n => format!("; {} on one thread for the others.", time(n as f64 / rate)),
+                };
+                writeln!(out, "{rate:.0} a second and thread{left}")?;
             }
             for (file, why) in named(&bad) {
                 writeln!(out, "{file}: {why}")?;
