@@ -21,7 +21,7 @@ const WHERE: [&str; 13] = [
     "erf",
     "voigt",
     "tridiagonal",
-    "cubic-spline-natural",
+    "cubic-spline-clamped",
     "four-bar",
     "class-iii",
     "chirp-response",

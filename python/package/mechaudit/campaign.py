@@ -29,7 +29,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from distributed import Client
+    from distributed import Client as _Client
 
 #: How often a task is tried before it is given up.
 TRIALS = 3
@@ -139,7 +139,7 @@ def status(folder: str | Path, *, binary: str = "mechaudit") -> dict[str, Any]:
 
 def run(
     folder: str | Path,
-    client: Client,
+    client: _Client,
     *,
     binary: str = "mechaudit",
     batch: int = 1,
