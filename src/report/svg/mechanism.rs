@@ -1,15 +1,9 @@
 //! A mechanism of any structure at several positions, with the paths of its points.
 
-use super::linkage::Point;
 use super::style::{head, legible};
+use super::view::{INK, PAPER, Point, SOFT, View, WIDTH};
 use maud::{Markup, html};
 
-const WIDTH: f64 = 1000.0;
-const MARGIN: f64 = 70.0;
-const HEAD: f64 = 56.0;
-const INK: &str = "#1d2125";
-const SOFT: &str = "#5b646d";
-const PAPER: &str = "#ffffff";
 /// Colours of paths, again from the first when they are used up.
 const PATHS: [&str; 5] = ["#c2571a", "#1f6fb2", "#2f8f4e", "#7a4fa3", "#8a8f98"];
 
@@ -45,47 +39,6 @@ pub struct Pose {
 pub struct Shape {
     /// One point, two of a bar, or the corners of a plate.
     pub corners: Vec<Point>,
-}
-
-/// From metres, y up, to the drawing, y down.
-struct View {
-    scale: f64,
-    left: f64,
-    top: f64,
-    height: f64,
-}
-
-impl View {
-    fn new(points: impl Iterator<Item = Point> + Clone) -> View {
-        let range = |i: usize| {
-            let all = points.clone().map(|p| p[i]).filter(|x| x.is_finite());
-            all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| {
-                [a.min(x), b.max(x)]
-            })
-        };
-        let ([x0, x1], [y0, y1]) = (range(0), range(1));
-        let size = (x1 - x0).max(y1 - y0).max(f64::MIN_POSITIVE);
-        let scale = (WIDTH - 2.0 * MARGIN) / size;
-        let slack = 0.5 * (size - (x1 - x0)) * scale;
-        View {
-            scale,
-            left: MARGIN + slack - x0 * scale,
-            top: HEAD + MARGIN + y1 * scale,
-            height: HEAD + 2.0 * MARGIN + (y1 - y0) * scale,
-        }
-    }
-
-    fn at(&self, p: Point) -> (f64, f64) {
-        (self.left + p[0] * self.scale, self.top - p[1] * self.scale)
-    }
-
-    fn line(&self, points: impl Iterator<Item = Point>) -> String {
-        let text = |p: Point| {
-            let (x, y) = self.at(p);
-            format!("{x:.2},{y:.2}")
-        };
-        points.map(text).collect::<Vec<_>>().join(" ")
-    }
 }
 
 /// The corners of the convex hull, counter-clockwise (Andrew's monotone chain).

@@ -7,5 +7,6 @@ mod panel;
 pub mod reduced;
 pub mod run_up;
 mod style;
+mod view;
 
 pub use panel::CannotDraw;

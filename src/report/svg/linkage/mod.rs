@@ -8,7 +8,6 @@ mod scene;
 pub use class_iii::class_iii;
 pub use dyad::dyad;
 pub use planar::planar;
-pub(super) use scene::Point;
 #[cfg(test)]
 pub(in crate::report) use scene::tests;
 

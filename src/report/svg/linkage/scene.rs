@@ -1,19 +1,11 @@
 //! A mechanism at several positions, with the paths of its joints.
 
 use super::super::style::{head, legible};
+use super::super::view::{INK, PAPER, Point, SOFT, View, WIDTH};
 use maud::{Markup, html};
 
-const WIDTH: f64 = 1000.0;
-const MARGIN: f64 = 70.0;
-const HEAD: f64 = 56.0;
-const INK: &str = "#1d2125";
-const SOFT: &str = "#5b646d";
-const PAPER: &str = "#ffffff";
 /// Half the length and half the width of a slider.
 const SLIDER: [f64; 2] = [24.0, 14.0];
-
-/// A point in metres.
-pub type Point = [f64; 2];
 
 /// A mechanism over its crank's range.
 pub struct Scene<'a> {
@@ -71,49 +63,6 @@ pub struct Bar {
     pub ends: [Point; 2],
 }
 
-/// From metres, y up, to the drawing, y down.
-struct View {
-    scale: f64,
-    left: f64,
-    top: f64,
-    height: f64,
-}
-
-impl View {
-    fn new(points: &[Point]) -> View {
-        let range = |i: usize| {
-            let fold = |f: fn(f64, f64) -> f64, start| points.iter().map(|p| p[i]).fold(start, f);
-            (
-                fold(f64::min, f64::INFINITY),
-                fold(f64::max, f64::NEG_INFINITY),
-            )
-        };
-        let ((x0, x1), (y0, y1)) = (range(0), range(1));
-        // Neither side much longer than the other would leave room to draw in.
-        let size = (x1 - x0).max(y1 - y0).max(f64::MIN_POSITIVE);
-        let scale = (WIDTH - 2.0 * MARGIN) / size;
-        let slack = 0.5 * (size - (x1 - x0)) * scale;
-        View {
-            scale,
-            left: MARGIN + slack - x0 * scale,
-            top: HEAD + MARGIN + y1 * scale,
-            height: HEAD + 2.0 * MARGIN + (y1 - y0) * scale,
-        }
-    }
-
-    fn at(&self, p: Point) -> (f64, f64) {
-        (self.left + p[0] * self.scale, self.top - p[1] * self.scale)
-    }
-
-    fn points(&self, points: &[Point]) -> String {
-        let text = |p: &Point| {
-            let (x, y) = self.at(*p);
-            format!("{x:.2},{y:.2}")
-        };
-        points.iter().map(text).collect::<Vec<_>>().join(" ")
-    }
-}
-
 /// A coordinate to a tenth.
 fn tenths(x: f64) -> String {
     format!("{x:.1}")
@@ -123,13 +72,8 @@ impl Scene<'_> {
     /// The drawing.
     pub fn draw(&self) -> String {
         let joints = self.path.iter().flat_map(|p| &p.joints);
-        let all: Vec<Point> = self
-            .pivots
-            .iter()
-            .map(|p| p.at)
-            .chain(joints.copied())
-            .collect();
-        let view = View::new(&all);
+        let pivots = self.pivots.iter().map(|p| p.at);
+        let view = View::new(pivots.chain(joints.copied()));
         let chosen = self.chosen();
         let (legend, height) = (self.legend(&chosen), format!("{:.0}", view.height));
         let svg = html! {
@@ -146,7 +90,7 @@ impl Scene<'_> {
                 @for pose in chosen.iter().skip(1) { (self.links(&view, pose, false)) }
                 @for (i, joint) in self.joints.iter().enumerate() {
                     @let points: Vec<Point> = self.path.iter().map(|p| p.joints[i]).collect();
-                    polyline points=(view.points(&points)) fill="none" stroke=(joint.colour)
+                    polyline points=(view.line(points.iter().copied())) fill="none" stroke=(joint.colour)
                         stroke-width="2" stroke-dasharray=[(i == 0).then_some("3 4")] {} "\n"
                 }
                 @if let Some(first) = chosen.first() {
@@ -208,9 +152,9 @@ impl Scene<'_> {
         html! {
             g stroke=(INK) stroke-width=(width) opacity=(opacity) stroke-linecap="round"
                 stroke-linejoin="round" fill="none" { "\n"
-                @for bar in &pose.bars { polyline points=(view.points(&bar.ends)) {} "\n" }
+                @for bar in &pose.bars { polyline points=(view.line(bar.ends.into_iter())) {} "\n" }
                 @if let Some((_, corners)) = &pose.plate {
-                    polygon points=(view.points(corners)) fill=(INK) fill-opacity="0.12" {} "\n"
+                    polygon points=(view.line(corners.iter().copied())) fill=(INK) fill-opacity="0.12" {} "\n"
                 }
                 @if let Some((angle, p)) = slider {
                     @let (x, y) = view.at(*p);
