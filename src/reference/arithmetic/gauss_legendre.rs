@@ -135,10 +135,31 @@ mod tests {
     #[test]
     fn nodes_that_meet_are_no_rule() {
         let rule = GaussLegendre::new(3, 64).unwrap();
-        let mut nodes: Vec<Ball> = rule.nodes.iter().map(|(x, _)| x.clone()).collect();
+        let nodes: Vec<Ball> = rule.nodes.iter().map(|(x, _)| x.clone()).collect();
         assert!(GaussLegendre::of_nodes(nodes.clone()).is_some());
-        nodes[0] = nodes[1].clone();
-        assert!(GaussLegendre::of_nodes(nodes).is_none());
+        for [to, from] in [[0, 1], [2, 1]] {
+            let mut met = nodes.clone();
+            met[to] = nodes[from].clone();
+            assert!(GaussLegendre::of_nodes(met).is_none());
+        }
+    }
+
+    /// `(64/15) M ρ^−2N/(1 − ρ^−2)`, rounded up and no farther.
+    #[test]
+    fn the_bound_is_the_theorem_s() {
+        for (n, rho, most) in [(2, 2u32, 1.0), (6, 4, 3.0), (9, 3, 0.125)] {
+            let rule = GaussLegendre::new(n, 64).unwrap();
+            let bound = rule.error(Mag::from_f64(most), rho).to_float();
+            let square = Rational::from((1, rho * rho));
+            let power = (0..n).fold(Rational::from(1), |p, _| p * &square);
+            let due = Rational::from((64, 15)) * power / (1 - square);
+            let due = due * Rational::from_f64(most).unwrap();
+            assert!(bound >= due, "{n} {rho}");
+            assert!(
+                bound <= due * Rational::from_f64(1.0 + 1e-13).unwrap(),
+                "{n} {rho}"
+            );
+        }
     }
 
     #[test]
