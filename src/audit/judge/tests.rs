@@ -680,5 +680,45 @@ fn a_bound_on_a_norm_from_below_is_below() {
         let root = Squares::root_below(x).to_f64();
         let due = (f64::from(k) * 0.37).sqrt();
         assert!(root < due && root > due * (1.0 - 1e-11), "{k}");
+
+/// k roundings of subnormal numbers are allowed, no more, and none where nothing has a size.
+#[test]
+fn subnormal_roundings() {
+    let tiny = 2f64.powi(-1074);
+    let judged = |got: f64, due: &Ball, limit: Limit, condition: f64| {
+        let reference = ReferenceAnswer::Values(Reference {
+            values: vec![due.clone()],
+            proof: Proof::Exact,
+        });
+        let got = SolverAnswer::Values(vec![got]);
+        judge(&outputs(limit), &got, &reference, Some(&[condition])).verdict
+    };
+    let due = Ball::exact(128, 8.0 * tiny);
+    for limit in [Limit::Conditioned(4.0), Limit::Normwise(4.0)] {
+        let off = |k: f64| judged((8.0 + k) * tiny, &due, limit, 8.0 * tiny);
+        assert_eq!(off(2.0), Verdict::Pass);
+        assert_eq!(off(-2.0), Verdict::Pass);
+        assert_eq!(off(3.0), Verdict::Over);
+        let zero = Ball::exact(128, 0.0);
+        assert_eq!(judged(0.0, &zero, limit, 0.0), Verdict::Pass);
+        assert_eq!(judged(tiny, &zero, limit, 0.0), Verdict::Over);
     }
+}
+
+#[test]
+fn a_budget_is_finite_and_positive() {
+    for k in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(!Limit::Ulps(k).is_sound(), "{k}");
+        assert!(!Limit::RelativeOrAbsolute(1.0, k).is_sound(), "{k}");
+        assert!(!Limit::RelativeOrAbsolute(k, 1.0).is_sound(), "{k}");
+        assert!(std::panic::catch_unwind(|| NormBudget::new(k, "planted")).is_err());
+        assert!(std::panic::catch_unwind(|| Budget::new(Limit::Relative(k), "planted")).is_err());
+    }
+    assert!(Limit::Ulps(1e-9).is_sound() && Limit::RelativeOrAbsolute(1.0, 5e-324).is_sound());
+    let asks = |l: Limit| l.needs_conditions();
+    assert!(asks(Limit::Conditioned(1.0)) && asks(Limit::Normwise(1.0)));
+    assert!(!asks(Limit::Ulps(1.0)) && !asks(Limit::OfNorm(1.0)) && !asks(Limit::Absolute(1.0)));
+    assert_eq!(NormBudget::new(4.0, "").to_string(), "4 u of the norm");
+    assert_eq!(NormBudget::new(1e6, "").to_string(), "1.110e-10 of the norm");
+    assert_eq!(NormBudget::new(4.5, "").to_string(), "4.996e-16 of the norm");
 }
