@@ -680,6 +680,8 @@ fn a_bound_on_a_norm_from_below_is_below() {
         let root = Squares::root_below(x).to_f64();
         let due = (f64::from(k) * 0.37).sqrt();
         assert!(root < due && root > due * (1.0 - 1e-11), "{k}");
+    }
+}
 
 /// k roundings of subnormal numbers are allowed, no more, and none where nothing has a size.
 #[test]
@@ -719,6 +721,12 @@ fn a_budget_is_finite_and_positive() {
     assert!(asks(Limit::Conditioned(1.0)) && asks(Limit::Normwise(1.0)));
     assert!(!asks(Limit::Ulps(1.0)) && !asks(Limit::OfNorm(1.0)) && !asks(Limit::Absolute(1.0)));
     assert_eq!(NormBudget::new(4.0, "").to_string(), "4 u of the norm");
-    assert_eq!(NormBudget::new(1e6, "").to_string(), "1.110e-10 of the norm");
-    assert_eq!(NormBudget::new(4.5, "").to_string(), "4.996e-16 of the norm");
+    assert_eq!(
+        NormBudget::new(1e6, "").to_string(),
+        "1.110e-10 of the norm"
+    );
+    assert_eq!(
+        NormBudget::new(4.5, "").to_string(),
+        "4.996e-16 of the norm"
+    );
 }
