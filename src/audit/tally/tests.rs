@@ -136,6 +136,9 @@ fn only_what_is_recorded_is_forgiven() {
     // No number is no recorded excess.
     let nan = SolverAnswer::Values(vec![f64::NAN, 2.0 * RECORDED]);
     assert_eq!(report(&[judged("small", 0, RECORDED, nan)]).failed(), 1);
+    // Nor is an answer that is not there.
+    let silent = SolverAnswer::Unanswered("planted".into());
+    assert_eq!(report(&[judged("small", 0, RECORDED, silent)]).failed(), 1);
     // Recorded and passed cases add up over merged tallies.
     let half = |n: u64| {
         let mut tally = Tally::new(&Twice, &Settings::default());

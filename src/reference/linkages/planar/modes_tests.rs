@@ -267,6 +267,12 @@ fn a_mode_is_told_by_the_box_in_which_it_is_alone() {
             .record(&phi, beside.clone(), &mut Vec::new())
             .is_err()
     );
+    // A mode on the edge of the box is not in it.
+    let mut edge = around(&modes[0].x, 0.0);
+    edge[1] = (&modes[0].x[1] + &Ball::exact(BITS, 0.01)).with_prec(BITS);
+    edge[1] = Ball::new(edge[1].mid().clone(), Mag::from_f64(0.01));
+    assert!(edge[1].overlaps(&modes[0].x[1]) && !edge[1].contains_ball(&modes[0].x[1]));
+    assert!(linkage.record(&phi, edge, &mut Vec::new()).is_err());
     let mut found = Vec::new();
     linkage
         .record(&phi, around(&modes[0].x, 0.0), &mut found)

@@ -207,6 +207,26 @@ fn another_branch_is_not_the_disc_s() {
             .within(&disc, &ball("0.9"), &one.midpoints())
             .is_some()
     );
+    // Nor is what reaches out of the polydisc, or a ball of drives that reaches out of the disc.
+    let out = |x: &[Ball]| Position {
+        x: (x.iter().zip(&disc.r))
+            .map(|(x, r)| x.widened(r.shift(1)))
+            .collect(),
+    };
+    assert!(!disc.owns(&ball("0.9"), &out(&one.x)));
+    let wide = ball("0.9").widened(Mag::from_f64(0.06));
+    assert!(!disc.owns(&wide, &one));
+    assert!(linkage.within(&disc, &wide, &one.midpoints()).is_none());
+    assert!(
+        !one.holds(&other)
+            && one.holds(&one)
+            && out(&one.x).holds(&one)
+            && !one.holds(&out(&one.x))
+    );
+    let partly = Position {
+        x: [&one.x[..1], &other.x[1..]].concat(),
+    };
+    assert!(!one.holds(&partly));
     // Nor is a drive outside the disc, though the position there lies in the polydisc.
     let drive = ball("0.951");
     let beyond = linkage.position(&drive, &one.midpoints()).unwrap();
