@@ -185,12 +185,12 @@ fn refine(
     halve(code, target, watch, at, depth, across_re, found)
 }
 
-/// Which cut a rectangle beside the real axis needs: the lines first, then columns, of one row each or across which
+/// Which cut a rectangle beside the real axis needs: the lines first, then columns, of half a row or across which
 /// `e^{−z²}` changes by less than a fifth; `None` elsewhere and for what is narrower.
 fn beside_real_axis(at: &Rectangle, leaves: &[Leaf]) -> Option<bool> {
     let column = |l: &Leaf| match l.formula {
         Formula::RealLine => Some(0.004),
-        Formula::RealAxis { .. } => Some(0.0625),
+        Formula::RealAxis { .. } => Some(0.032),
         _ => None,
     };
     let column = leaves.iter().filter_map(column).reduce(f64::min)?;

@@ -294,3 +294,17 @@ fn a_wrong_exponential_shows() {
     let at = next_to_real_axis()[1];
     assert!(worst_re(&faulty, &at) > worst_re(&CODE, &at) + 0.3);
 }
+
+#[test]
+fn components_are_proved_where_all_formulas_beside_the_real_axis_meet() {
+    let watch = Watch::default();
+    let wanted = |_: usize, r: &Rectangle| (8.0..16.0).contains(&r.a[1].max(r.b[1]));
+    let found = upper_half_plane(&CODE, UPPER_HALF_PLANE, &watch, wanted).expect("not stopped");
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    let summary = found.summary().expect("rectangles");
+    let most = summary.component.expect("each formula").bound;
+    assert!(most <= UPPER_HALF_PLANE.component && summary.norm.bound <= UPPER_HALF_PLANE.norm);
+    for f in summary.formulas {
+        eprintln!("{} {} {} {:?} {:?}", f.name, f.boxes, f.norm.bound, f.re, f.im);
+    }
+}
