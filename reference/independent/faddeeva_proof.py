@@ -213,7 +213,8 @@ def tables():
         return [[float(x) for x in r.split(",") if x.strip()] for r in re.findall(r"Row\(\[([^]]*)\]", body)]
 
     body = text[text.index("REAL_LINE:"):]
-    line = re.findall(r"\[([^][;]*)\]", body[body.index("=") : body.index("];")] + "]")
+    body = body[body.index("="):]
+    line = re.findall(r"\[([^][]*)\]", body[: body.index("];")])
     return rows("CELLS"), rows("REAL_AXIS"), [[float(x) for x in r.split(",") if x.strip()] for r in line]
 
 

@@ -164,7 +164,7 @@ pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2]) -> f64 {
         let off = (Rational::from_f64(*c).expect("finite") - &exact).abs();
         sum = sum_up(sum, product_up(up(off.to_f64().next_up()), power));
     }
-    let next = Rational::from(&exact / Rational::from(coefficients.len() + 2));
+    let next = exact / Rational::from(coefficients.len() + 2);
     let tail = product_up(product_up(power, MOST), up(next.to_f64().next_up()));
     quotient_up(sum_up(sum, product_up(1.03, tail)), 0.7)
 }
