@@ -1,0 +1,16 @@
+//! Planar linkages of any structure: bodies joined by pins, one of them driven.
+
+mod conditions;
+mod drawn;
+mod input;
+mod kinematics;
+mod laws;
+mod points;
+mod reactions;
+mod reduction;
+mod regions;
+
+pub use input::{PlanarForcesInput, PlanarLinkageInput};
+pub use kinematics::PlanarLinkage;
+pub use reactions::PlanarReactions;
+pub use reduction::PlanarReduction;
