@@ -3,6 +3,10 @@
 //! With origins O and angles θ of the bodies, `F(q, p) = 0` says that every pin's points `O + e^{iθ} z` coincide and that
 //! the first angle is φ. A datum p moves q, q', q'' by `F_q δq = −F_p δp` and the same differentiated once and twice by
 //! the drive with what the lower orders give on the right. `Σ |p ∂f/∂p|` follows by one pass for each datum.
+//!
+//! To these come the coefficients of the linear systems for q' and q'', as if each were a datum: Skeel's
+//! `|F_q⁻¹| (|F_q| |q'| + |right side|)` (*J. ACM* 26 (1979) 494–526). Without them a body that by its structure moves as
+//! another does, the data being what they may, would have to have the difference of both exactly.
 
 use super::input::{PlanarForcesInput, PlanarLinkageInput};
 use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
@@ -71,6 +75,8 @@ pub(super) struct Flow {
     direction: Vec<C>,
     motion: Motion,
     loops: LU<f64, Dyn, Dyn>,
+    /// What the coefficients of the systems for the first and second derivatives make of origins and angles.
+    systems: Vec<[[f64; 2]; 2]>,
 }
 
 /// A centre of mass with its derivatives, or its changes.
@@ -113,6 +119,7 @@ impl Flow {
             direction,
             motion: Motion::still(bodies),
             loops: matrix.lu(),
+            systems: vec![[[0.0; 2]; 2]; bodies + 1],
         };
         // Origins are not needed: only their derivatives are.
         let mut right = DVector::zeros(n);
@@ -124,7 +131,48 @@ impl Flow {
         };
         let right = flow.closed(second, 0.0);
         flow.motion.set(2, &flow.loops.solve(&right)?);
+        flow.systems = flow.of_systems()?;
         Some(flow)
+    }
+
+    fn of_systems(&self) -> Option<Vec<[[f64; 2]; 2]>> {
+        let inverse = self.loops.try_inverse()?.abs();
+        let mut all = vec![[[0.0; 2]; 2]; self.bodies + 1];
+        for order in [1, 2] {
+            let mut right = DVector::zeros(3 * self.bodies);
+            for (row, s) in (self.pins.iter().enumerate()).flat_map(|(j, p)| p.map(|s| (2 * j, s)))
+            {
+                let o = self.motion.origin[s.body];
+                let [_, first, second] = self.motion.turn[s.body];
+                let arm = s.at.norm();
+                let turning = match order {
+                    1 => arm * first.abs(),
+                    _ => {
+                        arm * (second.abs() + first * first + 2.0 * first.abs() * all[s.body][1][0])
+                    }
+                };
+                right[row] += o[order].re.abs() + turning;
+                right[row + 1] += o[order].im.abs() + turning;
+            }
+            let size = &inverse * right;
+            for (k, of) in all.iter_mut().skip(1).enumerate() {
+                of[0][order - 1] = size[3 * k].max(size[3 * k + 1]);
+                of[1][order - 1] = size[3 * k + 2];
+            }
+        }
+        Some(all)
+    }
+
+    /// What the systems make of the first and second derivative of a body's centre of mass and of its angle.
+    fn system(&self, k: usize) -> [[f64; 2]; 2] {
+        let [origin, turn] = self.systems[k + 1];
+        let arm = self.centres[k].norm();
+        let first = self.motion.turn[k + 1][1].abs();
+        let path = [
+            origin[0] + arm * turn[0],
+            origin[1] + arm * (turn[1] + 2.0 * first * turn[0]),
+        ];
+        [path, turn]
     }
 
     /// The right side with the difference of a pin's two points of `of`, and the drive's.
@@ -251,6 +299,12 @@ impl Flow {
                     *s += size * v.abs();
                 }
             }
+            let [path, turn] = self.system(k);
+            for order in 0..2 {
+                sum[1 + order] += turn[order];
+                sum[5 + 2 * order] += path[order];
+                sum[6 + 2 * order] += path[order];
+            }
         }
         sum.concat()
     }
@@ -295,6 +349,7 @@ impl Flow {
                 .for_each(|(s, v)| *s += size * v.abs());
         };
         let mut total = [0.0; 4];
+        let mut systems = [0.0; 5];
         for (k, [_, v, a]) in paths.iter().enumerate() {
             let [_, w, e] = self.motion.turn[k + 1];
             let of_mass = [dot(*v, *v), 2.0 * dot(*v, *a), dot(g, *v), dot(g, *a)];
@@ -310,6 +365,21 @@ impl Flow {
             };
             add(size, [0.0, 0.0, heavy(1), heavy(2)]);
         }
+        let size = |z: C| z.re.abs() + z.im.abs();
+        for (k, [_, v, a]) in paths.iter().enumerate() {
+            let ([path, turn], [_, w, e]) = (self.system(k), self.motion.turn[k + 1]);
+            let (m, j, w, e) = (i.m[k], i.j[k], w.abs(), e.abs());
+            let inertia = 2.0 * (m * size(*v) * path[0] + j * w * turn[0]);
+            let by_path = m * (size(*v) * path[1] + size(*a) * path[0]);
+            let slope = 2.0 * (by_path + j * (w * turn[1] + e * turn[0]));
+            let heavy = path.map(|x| m * size(g) * x);
+            let of = [inertia, slope, heavy[0], heavy[1]];
+            let torque = inertia * i.acceleration.abs() + 0.5 * slope * square + heavy[0];
+            of.into_iter()
+                .chain([torque])
+                .zip(&mut systems)
+                .for_each(|(v, s)| *s += v);
+        }
         let done = self.each(|size, changes, d, _| {
             let mut v = [0.0; 4];
             for (k, ([_, s1, s2], [_, d1, d2])) in paths.iter().zip(changes).enumerate() {
@@ -324,7 +394,7 @@ impl Flow {
         });
         sum[4] += (total[0] * i.acceleration).abs() + (total[1] * square).abs();
         match done {
-            Some(()) => sum.to_vec(),
+            Some(()) => sum.iter().zip(systems).map(|(a, b)| a + b).collect(),
             None => vec![f64::INFINITY; 5],
         }
     }
@@ -349,6 +419,7 @@ impl Flow {
             }
         }
         matrix[(2, n - 1)] = 1.0;
+        let sizes = matrix.abs();
         let lu = matrix.lu();
         let due = |mass: f64, by: C, inertia: f64, turn: f64| {
             [mass * by.re, mass * by.im, inertia * turn]
@@ -414,6 +485,15 @@ impl Flow {
             }
             add(size, right);
         })?;
-        Some(sum)
+        let mut right = sizes * forces.abs();
+        for k in 0..self.bodies {
+            let [path, turn] = self.system(k);
+            let in_time = |of: [f64; 2]| of[1] * square + of[0] * forward.abs();
+            right[3 * k] += i.m[k] * in_time(path);
+            right[3 * k + 1] += i.m[k] * in_time(path);
+            right[3 * k + 2] += i.j[k] * in_time(turn);
+        }
+        let systems = lu.try_inverse()?.abs() * right;
+        Some(sum.iter().zip(systems.iter()).map(|(a, b)| a + b).collect())
     }
 }

@@ -102,11 +102,13 @@ fn exchange(x: &[f64]) -> Option<f64> {
     let i = PlanarLinkage::unpack(x)?;
     let here = PlanarLinkage::solve(i).ok()?;
     let last = i.near.len();
-    let [angle, rate] = [here[9 * (last - 1)], here[9 * (last - 1) + 1]];
+    let of_last = 9 * (last - 1);
+    let [angle, rate, second] = [0, 1, 2].map(|n| here[of_last + n]);
     let conditions = PlanarLinkage::conditions(x)?;
     // A last body that hardly moves, or whose rate is not known well, drives nothing.
-    let vague = conditions[9 * (last - 1) + 1] / rate.abs();
-    if !(rate.abs() > 1e-2 && vague < 1e6) {
+    let vague = conditions[of_last + 1] / rate.abs();
+    let known = angle.abs() + conditions[of_last];
+    if !(rate.abs() > 1e-2 && vague < 1e4) {
         return None;
     }
     let mut description = i.solver().ok()?.description().clone();
@@ -122,9 +124,10 @@ fn exchange(x: &[f64]) -> Option<f64> {
     let worst = (0..last).map(|k| {
         let due = here[9 * k + 1] / rate;
         let got = mechanism.body_angle(&state, k + 1).first;
+        // The derivative by the last body's angle, which is rounded.
+        let slope = (here[9 * k + 2] - due * second) / (rate * rate);
         let condition = conditions[9 * k + 1] / rate.abs() + due.abs() * vague;
-        // Both positions are rounded: with the angle of the last body its rate's error comes in twice.
-        let allowed = 64.0 * U * (due.abs() + condition) * (1.0 + vague);
+        let allowed = 64.0 * U * (due.abs() + condition + slope.abs() * known);
         (got - due).abs() / allowed
     });
     Some(worst.fold(0.0, f64::max))
