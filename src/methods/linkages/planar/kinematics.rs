@@ -65,15 +65,15 @@ impl Definition for PlanarLinkage {
 
     fn outputs() -> Vec<Output> {
         vec![
-            conditioned("theta", "rad", 4.0, POSITION),
-            conditioned("theta'", "1", 4.0, FIRST),
-            conditioned("theta''", "1/rad", 4.0, SECOND),
-            conditioned("x", "m", 4.0, POSITION),
-            conditioned("y", "m", 4.0, POSITION),
-            conditioned("x'", "m", 4.0, FIRST),
-            conditioned("y'", "m", 4.0, FIRST),
-            conditioned("x''", "m", 4.0, SECOND),
-            conditioned("y''", "m", 4.0, SECOND),
+            conditioned("theta", "rad", 2.0, POSITION),
+            conditioned("theta'", "1", 2.0, FIRST),
+            conditioned("theta''", "1/rad", 2.0, SECOND),
+            conditioned("x", "m", 2.0, POSITION),
+            conditioned("y", "m", 2.0, POSITION),
+            conditioned("x'", "m", 2.0, FIRST),
+            conditioned("y'", "m", 2.0, FIRST),
+            conditioned("x''", "m", 2.0, SECOND),
+            conditioned("y''", "m", 2.0, SECOND),
         ]
     }
 

@@ -28,8 +28,8 @@ impl Definition for PlanarReactions {
 
     fn outputs() -> Vec<Output> {
         vec![
-            conditioned("F_x", "N", 4.0, FORCE),
-            conditioned("F_y", "N", 4.0, FORCE),
+            conditioned("F_x", "N", 2.0, FORCE),
+            conditioned("F_y", "N", 2.0, FORCE),
         ]
     }
 

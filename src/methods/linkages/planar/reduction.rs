@@ -28,11 +28,11 @@ impl Definition for PlanarReduction {
 
     fn outputs() -> Vec<Output> {
         vec![
-            conditioned("I_n", "kg m^2", 4.0, REDUCED),
-            conditioned("dI_n/dphi", "kg m^2", 4.0, REDUCED),
-            conditioned("M_o", "N m", 4.0, REDUCED),
-            conditioned("dM_o/dphi", "N m", 4.0, REDUCED),
-            conditioned("Q", "N m", 4.0, TORQUE),
+            conditioned("I_n", "kg m^2", 2.0, REDUCED),
+            conditioned("dI_n/dphi", "kg m^2", 2.0, REDUCED),
+            conditioned("M_o", "N m", 2.0, REDUCED),
+            conditioned("dM_o/dphi", "N m", 2.0, REDUCED),
+            conditioned("Q", "N m", 2.0, TORQUE),
         ]
     }
 
