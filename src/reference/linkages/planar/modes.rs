@@ -4,7 +4,8 @@
 //! on it or when `K(X)` does not meet it, every zero of X being one of `K(X)`; it is settled when `K(X)` lies in the
 //! interior of X, which proves one zero; else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros on
 //! common faces lie inside some box; what is found twice, by whole turns too, is told by the box in which a zero is
-//! alone.
+//! alone. A drive that is an angle or the difference of two is due up to whole turns: with its value in `[−π, π]` the form
+//! of angles of the chart gives that value or one turn more or less.
 
 use super::enclosure::{Linkage, Position, apply, defect, exact, reach};
 use crate::{Ball, Mag, Undecided};
@@ -49,15 +50,42 @@ impl Linkage {
     ///
     /// # Errors
     /// [`Undecided`] with the number of boxes that are left where modes meet or nearly so, where the search takes too
-    /// long, and for mechanisms with slides or slots, whose displacements lie in no compact chart.
+    /// long, for mechanisms with slides or slots, whose displacements lie in no compact chart, and with gears, whose
+    /// positions do not repeat with the whole turns of each wheel.
     pub fn modes(&self, drive: &Ball) -> Result<Vec<Position>, Undecided> {
         let n = self.coarse.coordinates;
         if n != self.coarse.bodies {
             return Err(self.undecided("displacements have no compact chart"));
         }
+        if !self.coarse.relations.is_empty() {
+            return Err(self.undecided("wheels in mesh have no chart of one turn each"));
+        }
+        let one = |k: &Ball| {
+            [1, -1]
+                .map(|x| Ball::integer(64, x))
+                .iter()
+                .any(|x| x.mid() == k.mid())
+                && k.rad().is_zero()
+        };
+        let of_turns = self.coarse.drive.len() <= 2 && self.coarse.drive.iter().all(|d| one(&d.1));
+        if !of_turns {
+            return Err(self.undecided("the drive is neither an angle nor a difference of two"));
+        }
+        let turn = Ball::pi(self.bits()).shift(1);
+        let turns = (drive.to_f64() / std::f64::consts::TAU).round() as i64;
+        let mut found: Vec<Found> = Vec::new();
+        for more in [-1, 0, 1] {
+            let turns = Ball::integer(self.bits(), turns + more);
+            self.search(&(drive - &(turns * &turn)), &mut found)?;
+        }
+        Ok(found.into_iter().map(|f| f.position).collect())
+    }
+
+    /// Adds what lies in the chart with the drive's form at exactly that value.
+    fn search(&self, drive: &Ball, found: &mut Vec<Found>) -> Result<(), Undecided> {
+        let n = self.coarse.coordinates;
         let turn = Ball::integer(64, 0).widened(Ball::pi(64).magnitude());
         let mut boxes = vec![vec![turn; n]];
-        let mut found: Vec<Found> = Vec::new();
         let (mut looked, mut left) = (0, 0);
         let coarse = drive.with_prec(64);
         while let Some(x) = boxes.pop() {
@@ -70,7 +98,7 @@ impl Linkage {
             }
             match self.look(&x, &coarse) {
                 Look::Empty => {}
-                Look::Single(alone) => self.record(drive, alone, &mut found)?,
+                Look::Single(alone) => self.record(drive, alone, found)?,
                 Look::Smaller(cut) => boxes.push(cut),
                 Look::Open => {
                     let width = |b: &Ball| b.rad().to_f64();
@@ -93,7 +121,7 @@ impl Linkage {
         if left > 0 {
             return Err(self.undecided(&format!("{left} boxes are left of the search for modes")));
         }
-        Ok(found.into_iter().map(|f| f.position).collect())
+        Ok(())
     }
 
     fn look(&self, x: &[Ball], drive: &Ball) -> Look {

@@ -126,3 +126,26 @@ fn none_where_it_cannot_be_joined_and_undecided_where_modes_meet() {
     assert!(flat.is_err(), "{flat:?}");
     assert_eq!(with("2").modes(&ball("0.5")).unwrap().len(), 2);
 }
+
+/// Whole turns of the drive, and a drive between two bodies whose difference leaves the chart.
+#[test]
+fn whole_turns_lose_no_mode() {
+    let linkage = cranked(&four_bar());
+    let turn = Ball::pi(BITS).shift(1);
+    for turns in [-3, 1, 2] {
+        let at = ball("0.9") + Ball::integer(BITS, turns) * &turn;
+        assert_eq!(linkage.modes(&at).unwrap().len(), 2, "{turns}");
+    }
+    // Coupler less crank at the values that both modes of a crank angle have.
+    let relative = Linkage::new(&four_bar(), &Drive::relative(0, 1), BITS).unwrap();
+    for phi in ["0.9", "2.5", "-3.1", "3.141"] {
+        for mode in linkage.modes(&ball(phi)).unwrap() {
+            let modes = relative.modes(&(&mode.x[1] - &mode.x[0])).unwrap();
+            let same = |m: &&super::Position| {
+                let pairs = m.x.iter().zip(&mode.x);
+                pairs.into_iter().all(|(a, b)| turned(a, b) < 1e-25)
+            };
+            assert_eq!(modes.iter().filter(same).count(), 1, "{phi}");
+        }
+    }
+}
