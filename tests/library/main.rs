@@ -20,6 +20,7 @@ mod ledger;
 #[cfg(feature = "oracle")]
 mod methods;
 #[cfg(feature = "oracle")]
+mod peaucellier;
 mod run_up_accuracy;
 #[cfg(feature = "oracle")]
 mod run_up_witness;

@@ -9,6 +9,8 @@ mod points;
 mod reactions;
 mod reduction;
 mod regions;
+#[cfg(test)]
+mod tests;
 
 pub use input::{PlanarForcesInput, PlanarLinkageInput};
 pub use kinematics::PlanarLinkage;
