@@ -418,10 +418,15 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
         }
     });
     let factor = Mag::from_f64(limit.factor());
+    // k roundings of numbers of this size.
+    let roundings = |of: Mag| match of.is_zero() {
+        true => Mag::ZERO,
+        false => factor.mul(of.shift(u).max(half)),
+    };
     let allowed = match (limit, condition) {
         (Limit::Ulps(_), _) => Some(factor.shift(ulp)),
-        (Limit::Conditioned(_), Some(c)) => Some(factor.mul(size.add(Mag::from_f64(c))).shift(u)),
-        (Limit::Normwise(_), Some(_)) => Some(factor.mul(scale).shift(u)),
+        (Limit::Conditioned(_), Some(c)) => Some(roundings(size.add(Mag::from_f64(c)))),
+        (Limit::Normwise(_), Some(_)) => Some(roundings(scale)),
         (Limit::Relative(_), _) => Some(factor.mul(size).max(half)),
         (Limit::Absolute(_), _) => Some(factor),
         (Limit::RelativeOrAbsolute(_, a), _) => {

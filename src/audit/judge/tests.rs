@@ -408,3 +408,27 @@ fn a_norm_has_a_share_of_its_budget() {
     assert_eq!((found.verdict, found.kind), (Verdict::Over, None));
     assert!((found.share() - 1.6).abs() < 1e-9);
 }
+
+/// k roundings of subnormal numbers are allowed, no more, and none where nothing has a size.
+#[test]
+fn subnormal_roundings() {
+    let tiny = 2f64.powi(-1074);
+    let judged = |got: f64, due: &Ball, limit: Limit, condition: f64| {
+        let reference = ReferenceAnswer::Values(Reference {
+            values: vec![due.clone()],
+            proof: Proof::Exact,
+        });
+        let got = SolverAnswer::Values(vec![got]);
+        judge(&outputs(limit), &got, &reference, Some(&[condition])).verdict
+    };
+    let due = Ball::exact(128, 8.0 * tiny);
+    for limit in [Limit::Conditioned(4.0), Limit::Normwise(4.0)] {
+        let off = |k: f64| judged((8.0 + k) * tiny, &due, limit, 8.0 * tiny);
+        assert_eq!(off(2.0), Verdict::Pass);
+        assert_eq!(off(-2.0), Verdict::Pass);
+        assert_eq!(off(3.0), Verdict::Over);
+        let zero = Ball::exact(128, 0.0);
+        assert_eq!(judged(0.0, &zero, limit, 0.0), Verdict::Pass);
+        assert_eq!(judged(tiny, &zero, limit, 0.0), Verdict::Over);
+    }
+}
