@@ -21,6 +21,7 @@ mod ledger;
 mod methods;
 #[cfg(feature = "oracle")]
 mod peaucellier;
+#[cfg(feature = "oracle")]
 mod run_up_accuracy;
 #[cfg(feature = "oracle")]
 mod run_up_witness;

@@ -2,8 +2,7 @@
 //!
 //! Branch and prune over the compact chart `[−π, π]^n` of the bodies' angles. A box goes when an equation cannot be zero
 //! on it or when `K(X)` does not meet it, every zero of X being one of `K(X)`; it is settled when `K(X)` lies in the
-//! interior of X, or of a cube around X, which proves one zero there; else it is cut to `K(X)` or halved. Boxes overlap a
-//! little, so that zeros on common faces lie inside some box; what is found twice, by whole turns too, is told by the box
+//! interior of X, which proves one zero there; else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros on common faces lie inside some box; what is found twice, by whole turns too, is told by the box
 //! in which a zero is alone. A drive that is an angle or the difference of two is due up to whole turns: with its value in
 //! `[−π, π]` the form of angles of the chart gives that value or one turn more or less.
 
@@ -15,9 +14,6 @@ use rug::Float;
 const MOST_BOXES: usize = 100_000;
 /// Boxes narrower than this are left undecided: modes that meet, or nearly so.
 const NARROWEST: f64 = 1e-6;
-
-/// Boxes narrower than this are looked at as a part of a cube, too.
-const FLAT: f64 = 0.05;
 
 /// A zero and a box in which it is the only one.
 struct Found {
@@ -148,21 +144,6 @@ impl Linkage {
         let inside = |i: usize| step[i].magnitude().add(spread[i]) < r[i];
         if (0..x.len()).all(inside) {
             return Look::Single(wide);
-        }
-        // A zero just outside of a thin box is neither in it nor told from it: the cube around both.
-        let largest = |v: &mut dyn Iterator<Item = Mag>| v.fold(Mag::ZERO, Mag::max);
-        let width = largest(&mut r.iter().copied());
-        if width < Mag::from_f64(FLAT) {
-            let half = width
-                .add(largest(&mut step.iter().map(Ball::magnitude)))
-                .shift(1);
-            let cube: Vec<Ball> = exact(&z, 64).iter().map(|b| b.widened(half)).collect();
-            let e = defect(&y, &system.jacobian(&system.pose(cube.clone())));
-            let halves = vec![half; x.len()];
-            let inside = |i: usize| step[i].magnitude().add(reach(&e[i], &halves)) < half;
-            if (0..x.len()).all(inside) {
-                return Look::Single(cube);
-            }
         }
         let mut cut = Vec::with_capacity(x.len());
         let mut shrunk = false;
