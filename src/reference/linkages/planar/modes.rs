@@ -2,9 +2,10 @@
 //!
 //! Branch and prune over the compact chart `[−π, π]^n` of the bodies' angles. A box goes when an equation cannot be zero
 //! on it or when `K(X)` does not meet it, every zero of X being one of `K(X)`; it is settled when `K(X)` lies in the
-//! interior of X, which proves one zero there; else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros on common faces lie inside some box; what is found twice, by whole turns too, is told by the box
-//! in which a zero is alone. A drive that is an angle or the difference of two is due up to whole turns: with its value in
-//! `[−π, π]` the form of angles of the chart gives that value or one turn more or less.
+//! interior of X, which proves one zero there; else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros
+//! on common faces lie inside some box; what is found twice, by whole turns too, is told by the box in which a zero is
+//! alone. A drive that is an angle or the difference of two is due up to whole turns: with its value in `[−π, π]` the form
+//! of angles of the chart gives that value or one turn more or less.
 
 use super::enclosure::{Linkage, Position, apply, defect, exact, reach};
 use crate::{Ball, Mag, Undecided};
