@@ -34,7 +34,9 @@ fn parts(x: &[f64]) -> Input<'_> {
 impl Input<'_> {
     fn placed(&self) -> Result<(Mechanism, State), String> {
         let mut d = Description::new();
-        (1..=self.bodies).for_each(|k| drop(d.body(k.to_string())));
+        for k in 1..=self.bodies {
+            d.body(k.to_string());
+        }
         for k in 0..self.pins[0].len() {
             let at = |n: usize| self.pins[n][k];
             let ends = [
