@@ -112,7 +112,7 @@ impl<'a> Certifier<'a> {
 
     /// The reference's drive for the user's in degrees, so many whole turns on.
     fn drive(&self, degrees: &Rational, turns: i64, bits: u32) -> Ball {
-        let all = Rational::from(degrees + Rational::from(360 * turns));
+        let all = degrees + Rational::from(360 * turns);
         let angle = Ball::rational(bits, &(all / 180u32)) * Ball::pi(bits);
         angle - self.line(self.driven[0], bits)
     }
@@ -171,7 +171,7 @@ impl<'a> Certifier<'a> {
             // The drive and its derivatives are what they are, exactly.
             if self.driven == [k + 1, GROUND] {
                 let turns = (degrees.to_f64() / 360.0).round() as i64;
-                let rest = Rational::from(degrees - Rational::from(360 * turns));
+                let rest = degrees - Rational::from(360 * turns);
                 all.push(Ball::rational(bits, &rest));
                 all.extend([1, 0].map(|n| Ball::integer(bits, n)));
                 continue;
