@@ -352,6 +352,18 @@ impl Layout {
             .collect()
     }
 
+    /// For each number of an input whether it is data of the method; where it is not laid out as it should be,
+    /// every number is.
+    pub fn is_data(&self, method: &(impl Method + ?Sized), input: &[f64]) -> Vec<bool> {
+        let Ok(lengths) = self.lengths(input) else {
+            return vec![true; input.len()];
+        };
+        let parts = lengths.into_iter().enumerate();
+        parts
+            .flat_map(|(k, n)| std::iter::repeat_n(method.is_data(k), n))
+            .collect()
+    }
+
     /// The names of columns that there are; of vectors the first.
     pub fn columns(&self) -> Vec<String> {
         let inputs = self.parts.iter().map(|p| p.column(0));

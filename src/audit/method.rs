@@ -155,8 +155,8 @@ pub trait Method: Sync {
         None
     }
 
-    /// Whether number `j` of an input is data, which may take any value; if not, it counts or chooses.
-    fn is_data(&self, _j: usize) -> bool {
+    /// Whether part `k` of the layout is data, which may take any value; if not, it counts or chooses.
+    fn is_data(&self, _k: usize) -> bool {
         true
     }
 

@@ -288,7 +288,7 @@ impl Near {
         }
         Ok(Near {
             text: text.into(),
-            data: (0..centre.len()).map(|j| method.is_data(j)).collect(),
+            data: Layout::new(method).is_data(method, &centre),
             centre,
             radius,
         })

@@ -283,8 +283,8 @@ impl Method for Variant<'_> {
     fn branch(&self, input: &[f64]) -> Option<BranchAt> {
         self.method.branch(input)
     }
-    fn is_data(&self, j: usize) -> bool {
-        self.method.is_data(j)
+    fn is_data(&self, k: usize) -> bool {
+        self.method.is_data(k)
     }
     fn hard(&self) -> Vec<HardCase> {
         if !self.check_points {

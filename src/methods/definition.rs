@@ -62,11 +62,8 @@ pub trait Definition: Registered + Sized {
         Vec::new()
     }
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let is_data: Vec<bool> = (Self::fields().iter().map(|f| f.is_data)).collect();
-        // Of a list every number is data.
-        conditions_by_differences(&Entry::<Self>::NEW, numbers, |j| {
-            is_data.get(j).copied().unwrap_or(true)
-        })
+        let is_data = Self::layout().is_data(&Entry::<Self>::NEW, numbers);
+        conditions_by_differences(&Entry::<Self>::NEW, numbers, |j| is_data[j])
     }
     /// [`Definition::conditions`] where the reference's values are at hand.
     fn conditions_at(numbers: &[f64], _values: &[Ball]) -> Option<Vec<f64>> {
@@ -199,9 +196,8 @@ impl<D: Definition> Method for Entry<D> {
     fn branch(&self, numbers: &[f64]) -> Option<BranchAt> {
         D::branch(D::unpack(numbers)?)
     }
-    /// Of a list every number is data.
-    fn is_data(&self, j: usize) -> bool {
-        D::fields().get(j).is_none_or(|f| f.is_data)
+    fn is_data(&self, k: usize) -> bool {
+        D::fields().get(k).is_none_or(|f| f.is_data)
     }
     fn admits(&self, numbers: &[f64]) -> bool {
         D::unpack(numbers).is_some_and(D::admits)

@@ -112,6 +112,7 @@ pub trait Fields<'a, T: Number>: Copy {
 ///     a: number "a", "m";                      one number
 ///     side: choice "side (1 or -1)", "1";      one that chooses or counts
 ///     weights: list "weights[n]", "kg";        several
+///     ends: choices "ends[n]", "1";            several that choose
 ///     base: (Base);                            the fields of another input
 /// }
 /// ```
@@ -176,6 +177,7 @@ macro_rules! inputs {
         }
     };
     (@type list $a:lifetime $t:ident) => { &$a [$t] };
+    (@type choices $a:lifetime $t:ident) => { &$a [$t] };
     (@type ($group:ident) $a:lifetime $t:ident) => { $group<$a, $t> };
     (@type $one:ident $a:lifetime $t:ident) => { <$t as $crate::methods::Number>::Of<$a> };
     (@declare $all:ident ($group:ident) $a:lifetime $t:ident) => {
@@ -187,6 +189,9 @@ macro_rules! inputs {
             is_data: false,
         }])
     };
+    (@declare $all:ident choices $a:lifetime $t:ident $text:literal, $unit:literal) => {
+        $crate::methods::inputs::inputs!(@declare $all choice $a $t $text, $unit)
+    };
     (@declare $all:ident $data:ident $a:lifetime $t:ident $text:literal, $unit:literal) => {
         $all.extend([$crate::methods::inputs::Field {
             input: $crate::audit::Input { name: $text, unit: $unit },
@@ -194,12 +199,15 @@ macro_rules! inputs {
         }])
     };
     (@take $row:ident list) => { $row.list() };
+    (@take $row:ident choices) => { $row.list() };
     (@take $row:ident ($group:ident)) => { $crate::methods::inputs::Fields::take($row) };
     (@take $row:ident $one:ident) => { $row.number() };
     (@put $all:ident $value:expr, list) => { $all.extend_from_slice($value) };
+    (@put $all:ident $value:expr, choices) => { $all.extend_from_slice($value) };
     (@put $all:ident $value:expr, ($group:ident)) => { $all.extend($value.to_vec()) };
     (@put $all:ident $value:expr, $one:ident) => { $all.extend([$value]) };
     (@change $all:ident $value:expr, list) => {};
+    (@change $all:ident $value:expr, choices) => {};
     (@change $all:ident $value:expr, ($group:ident)) => { $all.extend($value.numbers_mut()) };
     (@change $all:ident $value:expr, $one:ident) => { $all.extend([&mut $value]) };
 }

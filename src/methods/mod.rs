@@ -109,6 +109,12 @@ registry! {
         Fn(&[f64; 11], f64), |f, i| f(&i.geometry.values(), i.phi1);
     ClassIii "class-iii":
         Fn(ClassIiiInput<'_>), |f, i| f(i);
+    PlanarLinkage "planar-linkage":
+        Fn(PlanarLinkageInput<'_>), |f, i| f(i);
+    PlanarReduction "planar-reduction":
+        Fn(PlanarForcesInput<'_>), |f, i| f(i);
+    PlanarReactions "planar-reactions":
+        Fn(PlanarForcesInput<'_>), |f, i| f(i);
     Faddeeva "faddeeva" formerly "faddeeva.w":
         Fn(Complex<f64>), |f, z| f(z.into());
     FaddeevaDerivative "faddeeva-derivative" formerly "faddeeva.w_derivative":

@@ -321,7 +321,15 @@ fn bad_files_are_refused_by_name() {
         &run_on(text, &words("linkage -")),
         "f and ghi have a point \"W\", and no joint holds that of f",
     );
-    for option in ["--digits 20", "--reactions", "--branch 9"] {
+    refused(
+        &run_on(JANSEN, &words("linkage - --digits 20")),
+        "given by sides, which make it a square root",
+    );
+    refused(
+        &run_on(QUICK, &words("linkage - --digits 20")),
+        "joint slot is no pin: certified digits are for mechanisms of pins alone",
+    );
+    for option in ["--reactions", "--branch 9"] {
         let d = run_on(JANSEN, &words(&format!("linkage - {option}")));
         refused(
             &d,
@@ -378,4 +386,67 @@ fn columns_in_other_units() {
     let d = run_on(QUICK, &words("linkage - --units mm --step-deg 90"));
     assert_eq!(d.code, 0, "{}", d.err);
     assert_eq!(texts(&d.out, "s_guide_mm").len(), 4);
+}
+
+/// Digits of the same row at two precisions agree, and with floating point.
+#[test]
+fn rows_have_certified_digits() {
+    let file =
+        "linkage examples/stephenson-3.toml --from-deg 60 --to-deg 70 --step-deg 10 --branch 4";
+    let rows = |more: &str| command(&format!("{file} --paths {more}"));
+    let (floats, short, long) = (rows(""), rows("--digits 12"), rows("--digits 40"));
+    assert_eq!(
+        (floats.code, short.code, long.code),
+        (0, 0, 0),
+        "{}",
+        long.err
+    );
+    for name in [
+        "plate_deg",
+        "dplate_dphi",
+        "d2plate_dphi_2_per_rad",
+        "x_E_m",
+        "d2y_D_dphi_2_m_per_rad2",
+    ] {
+        let due = column(&floats.out, name);
+        for (x, y) in column(&short.out, name).iter().zip(&due) {
+            close(*x, *y, 1e-9);
+        }
+        let [short, long] = [&short, &long].map(|d| texts(&d.out, name));
+        assert_eq!(short.len(), 2);
+        for (short, long) in short.iter().zip(&long) {
+            let digits = |t: &str| t.chars().filter(char::is_ascii_digit).count();
+            assert!(digits(long) >= 40, "{name}: {long}");
+            // The last digit may be rounded.
+            assert!(
+                long.starts_with(&short[..short.len() - 3]),
+                "{name}: {short} {long}"
+            );
+        }
+    }
+}
+
+/// The counts of modes of the six-bars and of the disputed drawings, proved; what floating point found are these.
+#[test]
+fn all_modes_are_proved() {
+    let counts = r#"
+        watt-1       | 4
+        watt-2       | 4
+        stephenson-1 | 4
+        stephenson-2 | 4
+        stephenson-3 | 6
+        pmksweb-91   | 2
+        pmksweb-92   | 4
+    "#;
+    for [name, count] in cells(counts) {
+        let d = command(&format!(
+            "linkage examples/{name}.toml --step-deg 360 --all-branches --digits 15"
+        ));
+        assert_eq!(d.code, 0, "{name}: {}", d.err);
+        said(
+            &d,
+            "proved for 1 of 1 values of the drive: these are all assembly modes",
+        );
+        assert_eq!(texts(&d.out, "branch").len().to_string(), count, "{name}");
+    }
 }

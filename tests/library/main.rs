@@ -20,6 +20,8 @@ mod ledger;
 #[cfg(feature = "oracle")]
 mod methods;
 #[cfg(feature = "oracle")]
+mod peaucellier;
+#[cfg(feature = "oracle")]
 mod run_up_accuracy;
 #[cfg(feature = "oracle")]
 mod run_up_witness;

@@ -25,6 +25,7 @@ fn path(method: &dyn Method) -> PathBuf {
 fn per_region(method: &dyn Method) -> u64 {
     match method.name() {
         "run-up" => 1,
+        "planar-linkage" | "planar-reduction" | "planar-reactions" => 3,
         "class-iii" | "class-iii-assembly-modes" => 8,
         "faddeeva" => 50,
         _ if of_a_point(method) => 30,

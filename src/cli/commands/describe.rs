@@ -7,7 +7,7 @@ use crate::cli::files::output::{print_json, write_to};
 use crate::cli::process::wire;
 use crate::cli::terminal::width;
 use mechaudit::audit::{
-    Case, Cases, Layout, Method, Settings, Shape, SolverAnswer, answer_of, hex_float,
+    Case, Cases, Layout, Method, Settings, SolverAnswer, answer_of, hex_float,
 };
 use mechaudit::methods;
 use mechaudit::report::text::style::{BOLD, DIM, PLAIN, paint, paragraph, wrap};
@@ -46,11 +46,6 @@ fn example(method: &dyn Method) -> Option<(Case, Vec<f64>)> {
     random.min_by_key(|(case, v)| case.input.len() + v.len())
 }
 
-fn data(method: &dyn Method, shapes: &[Shape], k: usize) -> bool {
-    // Counts and choices come before vectors.
-    shapes[k].length.is_some() || method.is_data(k)
-}
-
 fn json(method: &dyn Method) -> Value {
     let layout = Layout::new(method);
     let domain = method.domain();
@@ -64,7 +59,7 @@ fn json(method: &dyn Method) -> Value {
                 "length": s.length,
                 "unit": s.unit,
                 "note": s.note,
-                "data": data(method, &shapes, k),
+                "data": method.is_data(k),
             })
         })
         .collect();
@@ -128,7 +123,7 @@ fn text(method: &dyn Method, width: usize) -> String {
     }
     let mut table = Table::new(&["input", "length", "unit", "", "note"], &[0, 1, 2, 3, 4]);
     for (k, s) in shapes.iter().enumerate() {
-        let kind = match data(method, &shapes, k) {
+        let kind = match method.is_data(k) {
             true => "data",
             false => "count or choice",
         };

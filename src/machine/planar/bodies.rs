@@ -11,11 +11,19 @@ pub(super) struct Bodies {
     pub names: Vec<String>,
     /// Points of each body in metres.
     points: Vec<Vec<(String, [f64; 2])>>,
+    /// The same points exactly, where the file gives them by fractions.
+    exact: Vec<Vec<Option<Exact>>>,
     /// The angle of each body's line in its frame.
     pub lines: Vec<f64>,
     /// Whether a body is given by points of the drawing.
     pub drawn: Vec<bool>,
 }
+
+/// A point by fractions of a metre.
+pub(super) type Exact = [Rational; 2];
+
+/// Points of a body with their names, rounded and exact.
+type Points = Vec<(String, [f64; 2], Option<Exact>)>;
 
 fn place([x, y]: &Place) -> [Rational; 2] {
     [x.value.clone(), y.value.clone()]
@@ -43,16 +51,19 @@ impl Bodies {
         let mut all = Bodies {
             names: vec!["ground".into()],
             points: vec![Vec::new()],
+            exact: vec![Vec::new()],
             lines: vec![0.0],
             drawn: vec![true],
         };
         for (name, at) in &file.ground.points {
             check_name(source, "ground.points", name)?;
             all.points[GROUND].push((name.clone(), rounded(&place(at))));
+            all.exact[GROUND].push(Some(place(at)));
         }
         for name in &file.ground.drawn {
             let at = drawn(source, file, "ground.drawn", name)?;
             all.points[GROUND].push((name.clone(), rounded(&at)));
+            all.exact[GROUND].push(Some(at));
         }
         for (k, body) in file.body.iter().enumerate() {
             let at = format!("body[{k}]");
@@ -63,11 +74,13 @@ impl Bodies {
             }
             let points = points(source, file, body, &at)?;
             let line = match (&points[..], body.drawn.is_empty()) {
-                ([(_, p), (_, q), ..], false) => (q[1] - p[1]).atan2(q[0] - p[0]),
+                ([(_, p, _), (_, q, _), ..], false) => (q[1] - p[1]).atan2(q[0] - p[0]),
                 _ => 0.0,
             };
             all.names.push(body.name.clone());
-            all.points.push(points);
+            all.exact.push(points.iter().map(|p| p.2.clone()).collect());
+            let rounded = points.into_iter().map(|(name, at, _)| (name, at));
+            all.points.push(rounded.collect());
             all.lines.push(line);
             all.drawn.push(!body.drawn.is_empty());
         }
@@ -137,6 +150,17 @@ impl Bodies {
         all
     }
 
+    /// The exact place of every point of a body.
+    pub(super) fn exact(&self) -> Vec<Vec<(Point, Option<Exact>)>> {
+        let of = |(b, points): (usize, &Vec<(String, [f64; 2])>)| {
+            let pairs = points.iter().zip(&self.exact[b]);
+            pairs
+                .map(|((_, p), exact)| (Point::from_m(b, *p), exact.clone()))
+                .collect()
+        };
+        self.points.iter().enumerate().map(of).collect()
+    }
+
     /// The points of every body.
     pub(super) fn outlines(&self) -> Vec<Vec<(String, Point)>> {
         let of = |(b, points): (usize, &Vec<(String, [f64; 2])>)| {
@@ -158,12 +182,7 @@ fn drawn(source: &Source, file: &File, at: &str, name: &str) -> Result<[Rational
     }
 }
 
-fn points(
-    source: &Source,
-    file: &File,
-    body: &Body,
-    at: &str,
-) -> Result<Vec<(String, [f64; 2])>, Refusal> {
+fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points, Refusal> {
     let ways = [!body.drawn.is_empty(), !body.ends.is_empty()];
     if ways == [true, true] || (ways[0] && !body.points.is_empty()) {
         let rule = format!("{at}: drawn stands alone, without points and ends");
@@ -174,7 +193,8 @@ fn points(
         let origin = drawn(source, file, &format!("{at}.drawn"), first)?;
         for name in &body.drawn {
             let [x, y] = drawn(source, file, &format!("{at}.drawn"), name)?;
-            all.push((name.clone(), rounded(&[x - &origin[0], y - &origin[1]])));
+            let arm = [x - &origin[0], y - &origin[1]];
+            all.push((name.clone(), rounded(&arm), Some(arm)));
         }
     }
     let place_of = format!("{at}.ends");
@@ -183,19 +203,24 @@ fn points(
         ([a, b], Some(l), None) => {
             check_name(source, &place_of, a)?;
             check_name(source, &place_of, b)?;
-            let l = nearest_f64(&l.value);
+            let (l, exact) = (nearest_f64(&l.value), l.value.clone());
             if !(l > 0.0) {
                 return Err(source.breach(
                     &format!("{at}.length"),
                     format!("{at}.length must be positive"),
                 ));
             }
-            all.extend([(a.clone(), [0.0, 0.0]), (b.clone(), [l, 0.0])]);
+            let none = Rational::new;
+            all.extend([
+                (a.clone(), [0.0, 0.0], Some([none(), none()])),
+                (b.clone(), [l, 0.0], Some([exact, none()])),
+            ]);
         }
         ([a, b, c], None, Some(sides)) => {
             for name in [a, b, c] {
                 check_name(source, &place_of, name)?;
             }
+            let first = sides[0].value.clone();
             let [ab, bc, ca] = sides.each_ref().map(|s| nearest_f64(&s.value));
             // Heron's square root of the four factors.
             let s = [ab + bc + ca, bc + ca - ab, ab + ca - bc, ab + bc - ca];
@@ -206,10 +231,12 @@ fn points(
             let height = 0.5 * (s[0] * s[1]).sqrt() * (s[2] * s[3]).sqrt() / ab;
             let x = 0.5 * (ab + (ca - bc) * (ca + bc) / ab);
             let y = if body.clockwise { -height } else { height };
+            let none = Rational::new;
+            // The third point's height is a square root.
             all.extend([
-                (a.clone(), [0.0, 0.0]),
-                (b.clone(), [ab, 0.0]),
-                (c.clone(), [x, y]),
+                (a.clone(), [0.0, 0.0], Some([none(), none()])),
+                (b.clone(), [ab, 0.0], Some([first, none()])),
+                (c.clone(), [x, y], None),
             ]);
         }
         _ => {
@@ -219,7 +246,7 @@ fn points(
     }
     for (name, p) in &body.points {
         check_name(source, &format!("{at}.points"), name)?;
-        all.push((name.clone(), rounded(&place(p))));
+        all.push((name.clone(), rounded(&place(p)), Some(place(p))));
     }
     if all.is_empty() {
         return Err(source.breach(at, format!("{at} has no points, ends or drawn")));

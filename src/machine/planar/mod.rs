@@ -2,6 +2,7 @@
 
 mod bodies;
 mod branch;
+mod certified;
 mod file;
 mod joints;
 mod loads;
@@ -9,12 +10,13 @@ mod path;
 mod rows;
 
 pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
+pub use certified::{Certifier, NotExact};
 pub use path::path;
-pub use rows::{Columns, names, values};
+pub use rows::{Columns, certified_names, names, values};
 
 use super::source::{Refusal, Source};
 use crate::solvers::planar::{Drive, Loads, Mechanism, Point};
-use bodies::Bodies;
+use bodies::{Bodies, Exact};
 use file::File;
 
 /// A mechanism as described, in floating point.
@@ -41,6 +43,8 @@ pub struct Machine {
     pub window: Option<[f64; 3]>,
     /// Which branch is meant.
     pub start: Start,
+    /// The places of all points of each body by fractions, where the file gives them.
+    exact: Vec<Vec<(Point, Option<Exact>)>>,
 }
 
 /// Which branch is meant.
@@ -88,6 +92,7 @@ impl Machine {
             lines: bodies.lines.clone(),
             points: bodies.moving(),
             outlines: bodies.outlines(),
+            exact: bodies.exact(),
             bodies: bodies.names,
             speed: drive.speed,
             window: drive.window,

@@ -105,6 +105,27 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
     all
 }
 
+/// The columns of certified rows: the drive, `branch`, angles with derivatives by the drive and, where paths are asked
+/// for, the named points with theirs.
+pub fn certified_names(machine: &Machine, paths: bool) -> Vec<String> {
+    let by = Derivatives {
+        speed: false,
+        rotary: true,
+    };
+    let mut all: Vec<String> = vec!["phi_deg".into(), "branch".into()];
+    for name in &machine.bodies[1..] {
+        all.push(format!("{name}_deg"));
+        all.extend(by.angle(name));
+    }
+    for (name, _) in machine.points.iter().filter(|_| paths) {
+        all.extend(["x", "y"].map(|c| format!("{c}_{name}_m")));
+        for c in ["x", "y"] {
+            all.extend(by.length(&format!("{c}_{name}")));
+        }
+    }
+    all
+}
+
 /// Slides and slots.
 fn travels(machine: &Machine) -> Vec<(usize, &str)> {
     let joints = machine.solver.description().joints.iter().enumerate();

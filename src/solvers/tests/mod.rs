@@ -15,6 +15,7 @@ mod faddeeva;
 mod laws;
 mod linkages;
 mod motion;
+mod planar;
 mod spline_edges;
 mod splines;
 mod stability;

@@ -6,26 +6,27 @@ use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::progress::Progress;
-use mechaudit::machine::planar::{self, Branch, Columns, Machine};
+use mechaudit::machine::crank_angles::decimal;
+use mechaudit::machine::planar::{self, Branch, Certifier, Columns, Machine, NotExact};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns as Shown;
 use mechaudit::report::rows::Rows;
 use mechaudit::report::svg::linkage as drawn;
-use mechaudit::solvers::planar::BranchMap;
+use mechaudit::solvers::planar::{BranchMap, State};
 use rug::Rational;
 
-/// The values of the drive: as shown (degrees or metres) and in radians or metres.
-struct Values(Vec<(f64, f64)>);
+/// The values of the drive: as shown (degrees or metres) and in radians or metres; angles in degrees exactly.
+struct Values(Vec<(f64, f64)>, Vec<Rational>);
 
 impl Values {
     fn new(args: &LinkageArgs, machine: &Machine) -> Result<Values, Failure> {
         let Some([from, to, step]) = machine.window else {
             let start = machine.start.at.and_then(Rational::from_f64);
             let grid = args.grid(start)?;
-            let angle = |k: u64| nearest_f64(&grid.angle(k as i64));
-            let all = (0..grid.count).map(angle).map(|d| (d, d.to_radians()));
-            return Ok(Values(all.collect()));
+            let exact: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
+            let all = exact.iter().map(nearest_f64).map(|d| (d, d.to_radians()));
+            return Ok(Values(all.collect(), exact));
         };
         if args.from_deg.is_some() || args.to_deg.is_some() {
             return Err(Failure::new(
@@ -34,15 +35,18 @@ impl Values {
         }
         let count = ((to - from) / step + 1e-9).floor() as u64;
         let at = |k: u64| from + step * k as f64;
-        Ok(Values((0..=count).map(|k| (at(k), at(k))).collect()))
+        let all = (0..=count).map(|k| (at(k), at(k)));
+        Ok(Values(all.collect(), Vec::new()))
     }
 }
 
 /// Computes the mechanism as the arguments ask for.
 pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure> {
     let in_file = |e| Failure::in_file(&args.file, e);
-    if args.digits.is_some() {
-        let text = "--digits is not there for type = \"planar\": its rows are in floating point";
+    let certifier = args.digits.map(|d| Certifier::new(machine, d));
+    let certifier = certifier.transpose().map_err(in_file_of(args))?;
+    if args.digits.is_some() && args.reactions {
+        let text = "--reactions has no certified digits: leave out --digits";
         return Err(Failure::new(text).about(args.file.display()));
     }
     let columns = Columns {
@@ -59,10 +63,18 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         ));
     }
     let values = Values::new(args, machine)?;
-    let shown = Shown::of(planar::names(machine, columns), &args.units.units, false)?;
+    let names = match certifier {
+        None => planar::names(machine, columns),
+        Some(_) => planar::certified_names(machine, args.paths),
+    };
+    let shown = Shown::of(names, &args.units.units, certifier.is_some())?;
     let first = values.0.first().map_or(0.0, |v| v.1);
     if args.all_branches {
-        let outcome = all_branches(args, machine, &values, columns, shown);
+        let asked = Asked {
+            columns,
+            certifier: certifier.as_ref(),
+        };
+        let outcome = all_branches(args, machine, &values, &asked, shown);
         return outcome.map_err(|f| f.about(args.file.display()));
     }
     let start = match (args.branch, machine.start.at) {
@@ -76,13 +88,16 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         let drawing = Output::within(folder, "mechanism.svg")?;
         drawing.text(&drawn::planar(machine, &branch))?;
     }
-    let mut written = 0;
-    output.write(|out| {
+    let asked = Asked {
+        columns,
+        certifier: certifier.as_ref(),
+    };
+    let (written, undecided) = output.write(|out| {
         let about = facts::of_branch(machine, &branch);
         let mut rows = Rows::begin(out, args.format, shown, &about)?;
-        written = one_branch(machine, &branch, &values, columns, &mut rows)?;
+        let written = one_branch(machine, &branch, &values, &asked, &mut rows)?;
         rows.end()?;
-        Ok(())
+        Ok(written)
     })?;
     facts::lines(machine).iter().for_each(|l| complain(l));
     complain(&facts::modes_line(machine, &branch));
@@ -90,45 +105,83 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
     if written == 0 {
         complain("no value of the drive asked for lies in that range");
     }
-    Ok(Outcome::AsExpected)
+    Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
 }
 
+fn in_file_of(args: &LinkageArgs) -> impl Fn(NotExact) -> Failure + '_ {
+    |e| Failure::in_file(&args.file, e)
+}
+
+/// What a row holds, and whether it is certified.
+struct Asked<'a> {
+    columns: Columns,
+    certifier: Option<&'a Certifier<'a>>,
+}
+
+impl Asked<'_> {
+    /// The row of a position at the value of that number.
+    fn row(
+        &self,
+        machine: &Machine,
+        values: &Values,
+        number: usize,
+        (branch, state): (usize, &State),
+    ) -> Vec<Cell> {
+        match self.certifier {
+            None => {
+                let mut cells = vec![Cell::Float(values.0[number].0), Cell::Count(branch)];
+                let row = planar::values(machine, state, self.columns);
+                cells.extend(row.into_iter().map(Cell::Float));
+                cells
+            }
+            Some(certifier) => {
+                let degrees = &values.1[number];
+                let mut cells = vec![Cell::Decimal(decimal(degrees)), Cell::Count(branch)];
+                let row = certifier.values(degrees, state, self.columns.paths);
+                cells.extend(row.into_iter().map(Cell::certified));
+                cells
+            }
+        }
+    }
+}
+
+fn undecided_in(cells: &[Cell]) -> usize {
+    cells.iter().filter(|c| **c == Cell::Undecided).count()
+}
+
+/// The rows of a branch: how many, and how many values of them are undecided.
 fn one_branch(
     machine: &Machine,
     branch: &Branch,
     values: &Values,
-    columns: Columns,
+    asked: &Asked,
     rows: &mut Rows,
-) -> Result<u64, Failure> {
+) -> Result<(u64, usize), Failure> {
     let progress = Progress::new();
     let mut here = branch.start.clone();
-    let mut written = 0;
-    for (done, &(shown, drive)) in values.0.iter().enumerate() {
+    let (mut written, mut undecided) = (0, 0);
+    for (done, &(_, drive)) in values.0.iter().enumerate() {
         let Some(at) = branch.turned_to(machine, drive) else {
             continue;
         };
         let next = machine.solver.follow(&here, machine.inner(at));
         here = next.map_err(Failure::caused)?;
-        let mut cells = vec![Cell::Float(shown), Cell::Count(branch.mode)];
-        cells.extend(
-            planar::values(machine, &here, columns)
-                .into_iter()
-                .map(Cell::Float),
-        );
+        let cells = asked.row(machine, values, done, (branch.mode, &here));
+        undecided += undecided_in(&cells);
         rows.row(&cells)?;
         written += 1;
-        if done % 1024 == 0 {
+        if asked.certifier.is_some() || done % 1024 == 0 {
             progress.show("rows", done as u64, values.0.len() as u64);
         }
     }
-    Ok(written)
+    Ok((written, undecided))
 }
 
 fn all_branches(
     args: &LinkageArgs,
     machine: &Machine,
     values: &Values,
-    columns: Columns,
+    asked: &Asked,
     shown: Shown,
 ) -> Result<Outcome, Failure> {
     let output = Output::open(args.output.as_deref())?;
@@ -143,23 +196,56 @@ fn all_branches(
         };
         return Err(Failure::new(why));
     }
-    output.write(|out| {
+    let mut undecided = output.write(|out| {
         let about = facts::of_map(machine, &map);
         let mut rows = Rows::begin(out, args.format, shown, &about)?;
-        for (&(drive, _), samples) in values.0.iter().zip(&map.rows) {
+        let mut undecided = 0;
+        for (number, samples) in map.rows.iter().enumerate() {
             for s in samples {
-                let mut cells = vec![Cell::Float(drive), Cell::Count(s.branch)];
-                let row = planar::values(machine, &s.state, columns);
-                cells.extend(row.into_iter().map(Cell::Float));
+                let cells = asked.row(machine, values, number, (s.branch, &s.state));
+                undecided += undecided_in(&cells);
                 rows.row(&cells)?;
             }
         }
         rows.end()?;
-        Ok(())
+        Ok(undecided)
     })?;
     facts::lines(machine).iter().for_each(|l| complain(l));
     facts::map_lines(machine, &map)
         .iter()
         .for_each(|l| complain(l));
-    Ok(Outcome::AsExpected)
+    if let Some(certifier) = asked.certifier {
+        undecided += prove_counts(certifier, values, &map);
+    }
+    Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
+}
+
+/// Proves at every value of the drive how many modes there are; at how many that is open or another number.
+fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usize {
+    let progress = Progress::new();
+    let mut open = 0;
+    for (number, (degrees, samples)) in values.1.iter().zip(&map.rows).enumerate() {
+        let at = || nearest_f64(degrees);
+        match certifier.modes(degrees) {
+            Ok(modes) if modes.len() == samples.len() => continue,
+            Ok(modes) => complain(&format!(
+                "at {} deg there are {} assembly modes, proved; {} were found in floating point",
+                at(),
+                modes.len(),
+                samples.len()
+            )),
+            Err(e) => complain(&format!(
+                "undecided at {} deg whether these are all assembly modes: {e}",
+                at()
+            )),
+        }
+        open += 1;
+        progress.show("proofs of all modes", number as u64, values.1.len() as u64);
+    }
+    let all = values.1.len();
+    complain(&format!(
+        "proved for {} of {all} values of the drive: these are all assembly modes",
+        all - open
+    ));
+    open
 }

@@ -73,7 +73,7 @@ impl System {
     }
 
     /// Upper bounds on the entries of `|I − Y F'(X)|` over the box of half-widths r around z.
-    fn contraction(&self, y: &DMatrix<f64>, z: &[Float], r: &[Mag]) -> Vec<Vec<Mag>> {
+    pub(super) fn contraction(&self, y: &DMatrix<f64>, z: &[Float], r: &[Mag]) -> Vec<Vec<Mag>> {
         let wide = exact(z, self.bits)
             .into_iter()
             .zip(r)

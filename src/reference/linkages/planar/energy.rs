@@ -208,6 +208,20 @@ impl Linkage {
         Ok(load.inertia_series(&self.series(position, order + 1)?))
     }
 
+    /// What forces do for a unit of the drive, `Q − dV/db`, and its derivative.
+    ///
+    /// # Errors
+    /// [`Undecided`](crate::Undecided) where the Jacobian may be singular.
+    pub fn reduced_force(
+        &self,
+        position: &Position,
+        forces: &Forces,
+    ) -> Result<[Ball; 2], crate::Undecided> {
+        let load = Load::new(&self.mechanism, forces, self.bits());
+        let potential = load.potential_series(&self.series(position, 2)?);
+        Ok([&load.drive - &potential[1], -potential[2].shift(1)])
+    }
+
     /// The energy of springs and weights at a position.
     pub fn potential(&self, position: &Position, forces: &Forces) -> Ball {
         let load = Load::new(&self.mechanism, forces, self.bits());

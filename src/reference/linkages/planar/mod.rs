@@ -6,7 +6,8 @@
 //! is one more linear equation, and a precision.
 //!
 //! [`Linkage::position`] encloses by Krawczyk's operator, which proves existence and uniqueness; [`Linkage::modes`] finds
-//! all positions and proves that none is missing; [`Linkage::series`], [`Linkage::reduced_inertia`] and
+//! all positions and proves that none is missing, [`Linkage::nearest`] the one next to approximate coordinates;
+//! [`Linkage::series`], [`Linkage::reduced_inertia`] and
 //! [`Linkage::multipliers`] give derivatives of any order, inertia and reactions; [`Linkage::from_rest`] the motion under
 //! conservative forces. At a change point or a dead position of the drive the answer is [`Undecided`](crate::Undecided).
 //!
@@ -40,11 +41,13 @@ mod conservative;
 mod disc;
 mod enclosure;
 mod energy;
+mod joint_forces;
 mod loops;
 mod mechanism;
 mod modes;
 #[cfg(test)]
 mod modes_tests;
+mod nearest;
 mod panel;
 mod reactions;
 mod scalar;
@@ -59,6 +62,7 @@ mod tests;
 
 pub use conservative::{Course, Moment};
 pub use energy::{Forces, Spring};
+pub use joint_forces::JointForces;
 pub use mechanism::{Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point};
 pub use reactions::Rates;
 pub use series::Series;

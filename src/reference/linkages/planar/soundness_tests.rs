@@ -371,6 +371,31 @@ fn an_integral_stays_in_its_panel() {
     assert!(path.integral(&panel, &end("1.1")).is_err());
 }
 
+/// With two positions nearby, only a guess clearly next to one of them gets it; without any, none.
+#[test]
+fn the_nearest_position_is_told_or_not_at_all() {
+    let linkage = cranked(&four_bar());
+    let phi = ball("0.9");
+    let [upper, lower] = both(&linkage, &phi);
+    let near = |p: &Position, by: f64| -> Vec<f64> {
+        let x = p.x.iter().skip(1).map(|x| x.to_f64() + by);
+        std::iter::once(0.9).chain(x).collect()
+    };
+    for (position, by) in [(&upper, 1e-9), (&upper, -0.05), (&lower, 0.05)] {
+        let found = linkage.nearest(&phi, &near(position, by), 0.1).unwrap();
+        assert!(found.unwrap().x[1].overlaps(&position.x[1]), "{by}");
+    }
+    // Between both, where Newton's method goes to one of them.
+    let middle: Vec<f64> = (0..3)
+        .map(|k| 0.49 * upper.x[k].to_f64() + 0.51 * lower.x[k].to_f64())
+        .collect();
+    assert!(linkage.nearest(&phi, &middle, 10.0).is_err());
+    // Far from both, and farther off than asked for.
+    let far = [0.9, 2.5, -0.5];
+    assert!(linkage.nearest(&phi, &far, 0.1).unwrap().is_none());
+    assert!(linkage.nearest(&phi, &near(&upper, 0.2), 0.1).is_err());
+}
+
 /// The drive at a time that is known within a radius: the Newton step over `b ± 2δ` has to stay inside. Next to the
 /// start, where the speed grows like a root, it does not for a wide one.
 #[test]

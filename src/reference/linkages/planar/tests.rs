@@ -375,3 +375,28 @@ fn what_is_no_mechanism_is_told_as_such() {
         assert_eq!(refused, MechanismError::Drive);
     }
 }
+
+/// Newton and Euler's equations against the multipliers of the loops: the drive's torque and the force in the pin that
+/// closes the loop.
+#[test]
+fn forces_in_pins_are_those_of_the_multipliers() {
+    let linkage = cranked(&four_bar());
+    let phi = ball("0.9");
+    let position = linkage.position(&phi, &guess(&[0.9, 0.5, 1.6])).unwrap();
+    let rates = linkage.in_time(&position, &ball("3"), &ball("-7")).unwrap();
+    let forces = Forces {
+        gravity: at("0.5", "-9.75"),
+        ..unloaded()
+    };
+    let multipliers = linkage.multipliers(&position, &rates, &forces).unwrap();
+    let found = linkage.joint_forces(&position, &rates, &forces).unwrap();
+    meets(&found.drive, &-&multipliers[2]);
+    // The closure is coupler's end less rocker's: its multipliers act on the rocker.
+    meets(&found.pins[3][0], &multipliers[0]);
+    meets(&found.pins[3][1], &multipliers[1]);
+    // The torque from the reduced quantities.
+    let inertia = linkage.reduced_inertia(&position, 1).unwrap();
+    let [moment, _] = linkage.reduced_force(&position, &forces).unwrap();
+    let due = &inertia[0] * &ball("-7") + (&inertia[1] * &ball("9")).shift(-1) - moment;
+    meets(&found.drive, &due);
+}

@@ -1,6 +1,6 @@
 //! Small dense systems, row by row in one piece of memory that is used again.
 
-use std::ops::{Index, IndexMut};
+use std::ops::{Index, IndexMut, Range};
 
 /// A matrix.
 #[derive(Clone, Debug, Default)]
@@ -40,20 +40,39 @@ impl IndexMut<(usize, usize)> for Matrix {
     }
 }
 
-/// `P A = L U` of the leading square part of a matrix.
+/// A block lower triangular matrix with `P A = L U` of each block on its diagonal; the rest of a block's rows is kept as
+/// it is.
+///
+/// A block's part of a solution depends on its own rows and those before it alone, so that large numbers in later groups
+/// of a mechanism leave no rounding errors in earlier ones, which elimination with pivots from all rows would.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Factors {
     n: usize,
     lu: Vec<f64>,
     /// Where each row comes from.
     rows: Vec<usize>,
+    /// The rows and columns of each block, all in turn.
+    blocks: Vec<Range<usize>>,
     odd: bool,
 }
 
 impl Factors {
-    /// Factors the columns and rows in the range given; `false` if a pivot is zero or not finite.
+    /// Factors the first rows of a matrix, a square from `first_column` on, as one block; `false` if a pivot is zero or
+    /// not finite.
     pub(super) fn of(&mut self, a: &Matrix, rows: usize, first_column: usize) -> bool {
-        let n = rows;
+        self.of_blocks(a, first_column, std::iter::once(0..rows))
+    }
+
+    /// [`Factors::of`] of a block lower triangular matrix: what stands to the right of a block is not looked at.
+    pub(super) fn of_blocks(
+        &mut self,
+        a: &Matrix,
+        first_column: usize,
+        blocks: impl Iterator<Item = Range<usize>>,
+    ) -> bool {
+        self.blocks.clear();
+        self.blocks.extend(blocks.filter(|b| !b.is_empty()));
+        let n = self.blocks.last().map_or(0, |b| b.end);
         self.n = n;
         self.odd = false;
         self.lu.clear();
@@ -64,32 +83,34 @@ impl Factors {
         self.rows.clear();
         self.rows.extend(0..n);
         let lu = &mut self.lu;
-        for k in 0..n {
-            let mut pivot = k;
-            for r in k + 1..n {
-                if lu[r * n + k].abs() > lu[pivot * n + k].abs() {
-                    pivot = r;
+        for block in &self.blocks {
+            for k in block.clone() {
+                let mut pivot = k;
+                for r in k + 1..block.end {
+                    if lu[r * n + k].abs() > lu[pivot * n + k].abs() {
+                        pivot = r;
+                    }
                 }
-            }
-            if pivot != k {
-                for c in 0..n {
-                    lu.swap(k * n + c, pivot * n + c);
+                if pivot != k {
+                    for c in 0..block.end {
+                        lu.swap(k * n + c, pivot * n + c);
+                    }
+                    self.rows.swap(k, pivot);
+                    self.odd = !self.odd;
                 }
-                self.rows.swap(k, pivot);
-                self.odd = !self.odd;
-            }
-            let d = lu[k * n + k];
-            if d == 0.0 || !d.is_finite() {
-                return false;
-            }
-            let (upper, lower) = lu.split_at_mut((k + 1) * n);
-            let source = &upper[k * n..];
-            for row in lower.chunks_exact_mut(n) {
-                let m = row[k] / d;
-                row[k] = m;
-                if m != 0.0 {
-                    for c in k + 1..n {
-                        row[c] -= m * source[c];
+                let d = lu[k * n + k];
+                if d == 0.0 || !d.is_finite() {
+                    return false;
+                }
+                let (upper, lower) = lu.split_at_mut((k + 1) * n);
+                let source = &upper[k * n..][k + 1..block.end];
+                for row in lower.chunks_exact_mut(n).take(block.end - k - 1) {
+                    let m = row[k] / d;
+                    row[k] = m;
+                    if m != 0.0 {
+                        for (x, s) in row[k + 1..block.end].iter_mut().zip(source) {
+                            *x -= m * s;
+                        }
                     }
                 }
             }
@@ -99,20 +120,21 @@ impl Factors {
 
     /// Solves `A x = b`.
     pub(super) fn solve(&self, b: impl Fn(usize) -> f64, x: &mut [f64]) {
-        let (n, lu) = (self.n, &self.lu);
-        for r in 0..n {
-            let mut sum = b(self.rows[r]);
-            for c in 0..r {
-                sum -= lu[r * n + c] * x[c];
+        let n = self.n;
+        for block in &self.blocks {
+            let (from, end) = (block.start, block.end);
+            // With L of the block, and what the blocks before it give.
+            for r in from..end {
+                let row = &self.lu[r * n..][..r];
+                let known = row.iter().zip(&*x);
+                x[r] = known.fold(b(self.rows[r]), |sum, (a, x)| sum - a * x);
             }
-            x[r] = sum;
-        }
-        for r in (0..n).rev() {
-            let mut sum = x[r];
-            for c in r + 1..n {
-                sum -= lu[r * n + c] * x[c];
+            for r in (from..end).rev() {
+                let row = &self.lu[r * n..][..end];
+                let known = row[r + 1..].iter().zip(&x[r + 1..end]);
+                let sum = known.fold(x[r], |sum, (a, x)| sum - a * x);
+                x[r] = sum / row[r];
             }
-            x[r] = sum / lu[r * n + r];
         }
     }
 
@@ -120,19 +142,28 @@ impl Factors {
     pub(super) fn solve_transposed(&self, b: &[f64], y: &mut [f64]) {
         let (n, lu) = (self.n, &self.lu);
         let mut z = b.to_vec();
-        for r in 0..n {
-            let mut sum = z[r];
-            for c in 0..r {
-                sum -= lu[c * n + r] * z[c];
+        for block in self.blocks.iter().rev() {
+            let (from, end) = (block.start, block.end);
+            for r in from..end {
+                let mut sum = z[r];
+                for c in from..r {
+                    sum -= lu[c * n + r] * z[c];
+                }
+                z[r] = sum / lu[r * n + r];
             }
-            z[r] = sum / lu[r * n + r];
-        }
-        for r in (0..n).rev() {
-            let mut sum = z[r];
-            for c in r + 1..n {
-                sum -= lu[c * n + r] * z[c];
+            for r in (from..end).rev() {
+                let mut sum = z[r];
+                for c in r + 1..end {
+                    sum -= lu[c * n + r] * z[c];
+                }
+                z[r] = sum;
             }
-            z[r] = sum;
+            // What the block gives in the equations of the columns before it.
+            for c in 0..from {
+                for r in from..end {
+                    z[c] -= lu[r * n + c] * z[r];
+                }
+            }
         }
         for r in 0..n {
             y[self.rows[r]] = z[r];
@@ -181,5 +212,43 @@ mod tests {
         a[(0, 1)] = 0.0;
         a[(0, 2)] = 0.0;
         assert!(!f.of(&a, 3, 0));
+    }
+
+    #[test]
+    fn blocks_one_after_the_other() {
+        let rows = [
+            [1e-3, 2.0, 0.0, 0.0],
+            [4.0, -1.0, 0.0, 0.0],
+            [0.5, 3.0, 1.0, 2.0],
+            [1.0, -2.0, 5.0, 1e-9],
+        ];
+        let mut a = Matrix::new(4, 4);
+        let places = (0..4).flat_map(|r| (0..4).map(move |c| (r, c)));
+        for (r, c) in places {
+            a[(r, c)] = rows[r][c];
+        }
+        let (mut f, mut whole) = (Factors::default(), Factors::default());
+        assert!(f.of_blocks(&a, 0, [0..2, 2..2, 2..4].into_iter()) && whole.of(&a, 4, 0));
+        approx::assert_relative_eq!(f.determinant(), whole.determinant(), max_relative = 1e-15);
+        let due = [1.0, -2.0, 0.5, 3.0];
+        let (mut x, mut y) = ([0.0; 4], [0.0; 4]);
+        f.solve(|r| (0..4).map(|c| a[(r, c)] * due[c]).sum(), &mut x);
+        let b: Vec<f64> = (0..4)
+            .map(|c| (0..4).map(|r| a[(r, c)] * due[r]).sum())
+            .collect();
+        f.solve_transposed(&b, &mut y);
+        for k in 0..4 {
+            assert!((x[k] - due[k]).abs() < 1e-14 && (y[k] - due[k]).abs() < 1e-14);
+        }
+        // The right sides of later blocks do not reach earlier ones.
+        let mut other = [0.0; 4];
+        f.solve(
+            |r| match r {
+                0 | 1 => (0..4).map(|c| a[(r, c)] * due[c]).sum(),
+                _ => 1e300,
+            },
+            &mut other,
+        );
+        assert_eq!(x[..2], other[..2]);
     }
 }

@@ -73,7 +73,14 @@ impl Chain {
             pose.residual(self, closures, &mut work.residual);
             if fresh {
                 pose.jacobian(self, closures, &mut work.jacobian);
-                if !work.factors.of(&work.jacobian, n, unknowns.start) {
+                let factored = match block {
+                    Some(_) => work.factors.of(&work.jacobian, n, unknowns.start),
+                    None => {
+                        let blocks = self.blocks.iter().map(|b| b.rows.clone());
+                        work.factors.of_blocks(&work.jacobian, 0, blocks)
+                    }
+                };
+                if !factored {
                     return n == 0;
                 }
             }

@@ -126,19 +126,27 @@ impl Loads {
             return Err(ReactionError::Singular);
         }
         let known = std::mem::replace(&mut sums.rows, vec![0.0; n]);
+        let order = Order::new(mechanism, &units);
         let mut matrix = Matrix::new(n, n);
-        for (column, u) in units.iter().enumerate() {
+        for (column, &unit) in order.units.iter().enumerate() {
+            let u = &units[unit];
             sums.rows.fill(0.0);
             sums.add(u.on, u.force, u.at, u.moment, 1.0);
             sums.add(u.against, u.force, u.at, u.moment, -1.0);
-            (0..n).for_each(|r| matrix[(r, column)] = sums.rows[r]);
+            for (row, &from) in order.rows.iter().enumerate() {
+                matrix[(row, column)] = sums.rows[from];
+            }
         }
         let mut factors = Factors::default();
-        let mut sizes = vec![0.0; n];
-        if !factors.of(&matrix, n, 0) {
+        if !factors.of_blocks(&matrix, 0, order.blocks.into_iter()) {
             return Err(ReactionError::Singular);
         }
-        factors.solve(|r| -known[r], &mut sizes);
+        let mut solved = vec![0.0; n];
+        factors.solve(|r| -known[order.rows[r]], &mut solved);
+        let mut sizes = vec![0.0; n];
+        for (&unit, size) in order.units.iter().zip(solved) {
+            sizes[unit] = size;
+        }
         Ok(gathered(&units, &owners, &sizes))
     }
 
@@ -154,6 +162,44 @@ impl Loads {
             .find(|m| m.body == body)
             .copied()
             .unwrap_or(none)
+    }
+}
+
+/// The equations and unknowns of the groups, the last group first: its joints hold nothing but its own bodies.
+struct Order {
+    rows: Vec<usize>,
+    units: Vec<usize>,
+    blocks: Vec<std::ops::Range<usize>>,
+}
+
+impl Order {
+    /// All in one block where a group has not as many unknowns as equations: a pin of several bodies whose first one
+    /// belongs to a later group.
+    fn new(mechanism: &Mechanism, units: &[Unit]) -> Order {
+        let group = &mechanism.chain.group;
+        let of = |u: &Unit| group[u.on].max(group[u.against]);
+        let mut all = Order {
+            rows: Vec::with_capacity(units.len()),
+            units: Vec::with_capacity(units.len()),
+            blocks: Vec::new(),
+        };
+        for k in (1..=mechanism.chain.blocks.len()).rev() {
+            let from = all.rows.len();
+            for body in (1..group.len()).filter(|&b| group[b] == k) {
+                all.rows.extend(3 * (body - 1)..3 * body);
+            }
+            let own = (0..units.len()).filter(|&u| of(&units[u]) == k);
+            all.units.extend(own);
+            all.blocks.push(from..all.rows.len());
+            if all.units.len() != all.rows.len() {
+                return Order {
+                    rows: (0..units.len()).collect(),
+                    units: (0..units.len()).collect(),
+                    blocks: std::iter::once(0..units.len()).collect(),
+                };
+            }
+        }
+        all
     }
 }
 

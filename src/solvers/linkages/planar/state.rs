@@ -55,7 +55,8 @@ impl State {
         let n = chain.unknowns;
         self.pose
             .jacobian(chain, &chain.closures, &mut self.jacobian);
-        if !self.factors.of(&self.jacobian, n, 0) {
+        let blocks = chain.blocks.iter().map(|b| b.rows.clone());
+        if !self.factors.of_blocks(&self.jacobian, 0, blocks) {
             return false;
         }
         let [first, second] = &mut self.rates;

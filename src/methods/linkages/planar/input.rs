@@ -1,0 +1,201 @@
+//! What the methods of planar linkages take, as solver and reference take it.
+
+use crate::audit::Uncertified;
+use crate::methods::inputs::{Number, inputs};
+use crate::reference::Ball;
+use crate::reference::planar::{
+    Attachment, Body, Drive, Forces, Joint, Linkage, Mechanism, Position,
+};
+use crate::solvers::planar::{self as solver, BodyMass, GROUND, Loads, State};
+use crate::solvers::units::{Inertia, Length, Mass};
+use rug::Rational;
+use std::f64::consts::TAU;
+
+inputs! {
+    /// Bodies joined by pins, the first of them turned from the ground; where they are, about.
+    pub struct PlanarLinkageInput {
+        bodies: choice "bodies (moving ones; the drive turns the first)", "1";
+        pins: choice "pins (2 pins + 1 = 3 bodies)", "1";
+        phi: number "phi", "rad";
+        a: choices "a[pins] (one body of each pin; 0 is the ground)", "1";
+        b: choices "b[pins] (its other body)", "1";
+        xa: list "xa[pins] (the pin in the frame of a)", "m";
+        ya: list "ya[pins]", "m";
+        xb: list "xb[pins] (the pin in the frame of b)", "m";
+        yb: list "yb[pins]", "m";
+        xs: list "xs[bodies] (centre of mass in the body's frame)", "m";
+        ys: list "ys[bodies]", "m";
+        near: choices "near[bodies] (angles within 0.1 rad of which the position lies)", "rad";
+    }
+}
+
+inputs! {
+    /// A planar linkage in motion with masses.
+    pub struct PlanarForcesInput {
+        speed: number "speed", "rad/s";
+        acceleration: number "acceleration", "rad/s^2";
+        gx: number "gx", "m/s^2";
+        gy: number "gy", "m/s^2";
+        linkage: (PlanarLinkageInput);
+        m: list "m[bodies]", "kg";
+        j: list "J[bodies] (about the centre of mass)", "kg m^2";
+    }
+}
+
+/// How far from `near` the angles may be.
+pub(super) const REACH: f64 = 0.1;
+/// More bodies than this are not taken: what the solver's homotopy is for.
+const MOST_BODIES: usize = 9;
+
+/// The word where no position is within reach.
+pub(super) const NONE: &str = "no position near";
+
+impl<T: Number> PlanarLinkageInput<'_, T> {
+    /// The bodies of each pin; nothing if the counts or the bodies are none.
+    pub(super) fn joined(&self) -> Option<Vec<[usize; 2]>> {
+        let count = |x: f64| (x.fract() == 0.0 && (0.0..=64.0).contains(&x)).then_some(x as usize);
+        let bodies = count(T::near(self.bodies)).filter(|n| (1..=MOST_BODIES).contains(n))?;
+        let pins = count(T::near(self.pins)).filter(|p| 2 * p + 1 == 3 * bodies)?;
+        let body = |x: &T| count(x.nearest()).filter(|b| *b <= bodies);
+        let joined = |k: usize| {
+            let pair = [body(&self.a[k])?, body(&self.b[k])?];
+            (pair[0] != pair[1]).then_some(pair)
+        };
+        (0..pins).map(joined).collect()
+    }
+}
+
+impl PlanarLinkageInput<'_> {
+    /// The mechanism, as the solver takes it.
+    pub(super) fn solver(&self) -> Result<solver::Mechanism, &'static str> {
+        let mut all = solver::Description::new();
+        let joined = self.joined().ok_or("bad layout")?;
+        for k in 1..=self.near.len() {
+            all.body(k.to_string());
+        }
+        for (k, [a, b]) in joined.into_iter().enumerate() {
+            let ends = [(a, [self.xa[k], self.ya[k]]), (b, [self.xb[k], self.yb[k]])];
+            all.pin(k.to_string(), &ends);
+        }
+        all.drive = solver::Drive::Angle {
+            body: 1,
+            from: GROUND,
+        };
+        solver::Mechanism::new(all).map_err(|_| "structure")
+    }
+
+    /// The position that the solver finds next to `near`.
+    pub(super) fn state(&self, mechanism: &solver::Mechanism) -> Result<State, &'static str> {
+        let modes = mechanism.assembly_modes(self.phi);
+        let off = |s: &State| {
+            let of = |(k, near): (usize, &f64)| {
+                let angle = mechanism.body_angle(s, k + 1).angle.rad();
+                (next_to(angle, *near) - near).abs()
+            };
+            self.near.iter().enumerate().map(of).fold(0.0, f64::max)
+        };
+        let nearest = modes
+            .states
+            .into_iter()
+            .min_by(|a, b| off(a).total_cmp(&off(b)));
+        match nearest {
+            Some(state) if off(&state) <= REACH => Ok(state),
+            _ if modes.complete => Err(NONE),
+            _ => Err("unsolved"),
+        }
+    }
+
+    /// The centre of mass of moving body k.
+    pub(super) fn centre(&self, k: usize) -> solver::Point {
+        solver::Point::from_m(k + 1, [self.xs[k], self.ys[k]])
+    }
+}
+
+/// The angle and the whole turns that bring it next to another.
+pub(super) fn next_to(angle: f64, near: f64) -> f64 {
+    match ((near - angle) / TAU).round() {
+        0.0 => angle,
+        turns => angle + turns * TAU,
+    }
+}
+
+impl PlanarLinkageInput<'_, Rational> {
+    /// The linkage, as the reference takes it, its bodies with these masses and inertias.
+    fn exact(&self, masses: &[[Rational; 2]], bits: u32) -> Result<Linkage, Uncertified> {
+        let joined = self.joined().ok_or(Uncertified::Refused("bad layout"))?;
+        let at = |body: usize, x: &Rational, y: &Rational| {
+            let point = [x.clone(), y.clone()];
+            match body.checked_sub(1) {
+                None => Attachment::ground(point),
+                Some(k) => Attachment::body(k, point),
+            }
+        };
+        let pin = |(k, &[a, b]): (usize, &[usize; 2])| Joint::Pin {
+            a: at(a, &self.xa[k], &self.ya[k]),
+            b: at(b, &self.xb[k], &self.yb[k]),
+        };
+        let body = |(k, [mass, inertia]): (usize, &[Rational; 2])| Body {
+            mass: mass.clone(),
+            inertia: inertia.clone(),
+            centre: [self.xs[k].clone(), self.ys[k].clone()],
+            ..Body::massless(&(k + 1).to_string())
+        };
+        let bodies = masses.iter().enumerate().map(body).collect();
+        let joints = joined.iter().enumerate().map(pin).collect();
+        Mechanism::new(bodies, joints)
+            .and_then(|m| Linkage::new(&m, &Drive::coordinate(0), bits))
+            .map_err(|_| Uncertified::Refused("structure"))
+    }
+
+    /// The linkage without masses and the position next to `near`.
+    pub(super) fn placed(&self, bits: u32) -> Result<(Linkage, Position), Uncertified> {
+        let nothing = vec![[Rational::new(), Rational::new()]; self.near.len()];
+        self.placed_with(&nothing, bits)
+    }
+
+    fn placed_with(
+        &self,
+        masses: &[[Rational; 2]],
+        bits: u32,
+    ) -> Result<(Linkage, Position), Uncertified> {
+        let linkage = self.exact(masses, bits)?;
+        let near: Vec<f64> = self.near.iter().map(Rational::to_f64).collect();
+        let position = linkage.nearest(&Ball::rational(bits, self.phi), &near, REACH)?;
+        Ok((linkage, position.ok_or(Uncertified::Refused(NONE))?))
+    }
+}
+
+impl PlanarForcesInput<'_> {
+    /// Masses and gravity, as the solver takes them.
+    pub(super) fn loads(&self, mechanism: &solver::Mechanism) -> Result<Loads, &'static str> {
+        let mass = |k: usize| BodyMass {
+            body: k + 1,
+            mass: Mass::from_kg(self.m[k]),
+            inertia: Inertia::from_kg_m2(self.j[k]),
+            centre: [self.linkage.xs[k], self.linkage.ys[k]].map(Length::from_m),
+        };
+        let masses = (0..self.m.len()).map(mass).collect();
+        Loads::new(mechanism, masses, Vec::new(), [self.gx, self.gy]).map_err(|_| "masses")
+    }
+}
+
+impl PlanarForcesInput<'_, Rational> {
+    /// The linkage with its masses and the position next to `near`.
+    pub(super) fn placed(&self, bits: u32) -> Result<(Linkage, Position), Uncertified> {
+        if self.m.iter().chain(self.j).any(|x| *x < 0) {
+            return Err(Uncertified::Refused("masses"));
+        }
+        let pairs = self.m.iter().zip(self.j);
+        let masses: Vec<_> = pairs.map(|(m, j)| [m.clone(), j.clone()]).collect();
+        self.linkage.placed_with(&masses, bits)
+    }
+
+    /// Its weight.
+    pub(super) fn weight(&self) -> Forces {
+        Forces {
+            drive: Rational::new(),
+            springs: Vec::new(),
+            gravity: [self.gx.clone(), self.gy.clone()],
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! Positions, rates and accelerations of a planar linkage.
+
+use super::conditions::Flow;
+use super::input::{PlanarLinkageInput, next_to};
+use super::{laws, points, regions};
+use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
+use crate::methods::common::conditioned;
+use crate::methods::definition::{Definition, exact};
+use crate::methods::inputs::Number;
+use crate::reference::planar::{Attachment, Linkage, Position};
+use crate::reference::{Ball, Undecided};
+use rug::Rational;
+
+/// A planar linkage of pins next to an approximate position: angles, centres of mass, both derivatives.
+///
+/// A candidate is a `Fn(PlanarLinkageInput) -> ` nine values for every moving body, as
+/// `mechaudit list planar-linkage` lays them out.
+#[derive(Clone, Copy, Debug)]
+pub struct PlanarLinkage;
+
+const POSITION: &str = "the last Newton correction leaves a residual of a few rounding errors in each loop: the \
+    effect of perturbing each coordinate and the drive by a few units";
+const FIRST: &str = "one factored system whose matrix carries the position's errors";
+const SECOND: &str = "the same system with a right side of squared rates";
+
+/// Why the reference holds.
+pub(super) const PROOF: &str = "Krawczyk (1969); no nearer position by a one-to-one map on the cube around the \
+    angles given; Taylor arithmetic in balls";
+/// Where the equations come from.
+pub(super) const SOURCE: &str = "closed loops of rigid bodies, differentiated; Assur groups: Artobolevskii, Theory of Mechanisms and Machines";
+
+/// Bits at which conditions are taken.
+pub(super) const BITS_OF_CONDITIONS: u32 = 128;
+
+fn values(
+    linkage: &Linkage,
+    at: &Position,
+    i: &PlanarLinkageInput<Rational>,
+) -> Result<Vec<Ball>, Undecided> {
+    let series = linkage.series(at, 2)?;
+    let mut all = Vec::with_capacity(9 * i.near.len());
+    for k in 0..i.near.len() {
+        match k {
+            // The drive itself, exactly.
+            0 => {
+                let bits = linkage.bits();
+                all.push(Ball::rational(bits, i.phi));
+                all.extend([1, 0].map(|n| Ball::integer(bits, n)));
+            }
+            _ => {
+                all.extend([0, 1].map(|n| series.coefficient(k, n).clone()));
+                all.push(series.coefficient(k, 2).shift(1));
+            }
+        }
+        let centre = Attachment::body(k, [i.xs[k].clone(), i.ys[k].clone()]);
+        all.extend(linkage.point_motion(&series, &centre).into_iter().flatten());
+    }
+    Ok(all)
+}
+
+impl Definition for PlanarLinkage {
+    type Input<'a, T: Number> = PlanarLinkageInput<'a, T>;
+    const SUMMARY: &'static str = "planar linkage of any structure: angles and centres of mass of its bodies, both derivatives by the drive";
+    const SOURCE: &'static str = SOURCE;
+
+    fn outputs() -> Vec<Output> {
+        vec![
+            conditioned("theta", "rad", 2.0, POSITION),
+            conditioned("theta'", "1", 2.0, FIRST),
+            conditioned("theta''", "1/rad", 2.0, SECOND),
+            conditioned("x", "m", 2.0, POSITION),
+            conditioned("y", "m", 2.0, POSITION),
+            conditioned("x'", "m", 2.0, FIRST),
+            conditioned("y'", "m", 2.0, FIRST),
+            conditioned("x''", "m", 2.0, SECOND),
+            conditioned("y''", "m", 2.0, SECOND),
+        ]
+    }
+
+    fn rows() -> Option<Rows> {
+        Some(Rows {
+            index: "k",
+            count: "bodies",
+            meaning: "of moving body k + 1",
+        })
+    }
+
+    fn domain() -> Domain {
+        Domain {
+            regions: regions::of_linkages(),
+            check_points: points::of_linkages(),
+        }
+    }
+
+    fn admits(i: Self::Input<'_, f64>) -> bool {
+        let numbers = i.to_vec();
+        let placed = |x: &Vec<Rational>| Some(PlanarLinkage::unpack(x)?.placed(64).is_ok());
+        i.joined().is_some() && exact(&numbers).as_ref().and_then(placed) == Some(true)
+    }
+
+    fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
+        let mechanism = i.solver()?;
+        let state = i.state(&mechanism)?;
+        let mut all = Vec::with_capacity(9 * i.near.len());
+        for (k, near) in i.near.iter().enumerate() {
+            let turn = mechanism.body_angle(&state, k + 1);
+            all.extend([next_to(turn.angle.rad(), *near), turn.first, turn.second]);
+            let c = mechanism.point(&state, &i.centre(k));
+            all.extend([c.r, c.first, c.second].concat());
+        }
+        Ok(all)
+    }
+
+    fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
+        let (linkage, at) = i.placed(bits)?;
+        Ok(ReferenceAnswer::bounded(values(&linkage, &at, &i)?, PROOF))
+    }
+
+    fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
+        let exact = exact(numbers)?;
+        let (_, at) = Self::unpack(&exact)?.placed(BITS_OF_CONDITIONS).ok()?;
+        let angles: Vec<f64> = at.x.iter().map(Ball::to_f64).collect();
+        Flow::new(&Self::unpack(numbers)?, &angles).map(|f| f.of_motion())
+    }
+
+    /// By implicit differentiation at the reference's angles.
+    fn conditions_at(numbers: &[f64], values: &[Ball]) -> Option<Vec<f64>> {
+        let angles: Vec<f64> = values.iter().step_by(9).map(Ball::to_f64).collect();
+        Flow::new(&Self::unpack(numbers)?, &angles).map(|f| f.of_motion())
+    }
+
+    fn laws() -> Vec<Law> {
+        laws::of_linkages()
+    }
+}
