@@ -215,8 +215,7 @@ fn profile(line: &Line, how: &Manner) -> Complex64 {
             let z1 = root(x + y) - root_y;
             let z2 = z1 + root_y * 2.0;
             let (s1, s2) = (z1.norm(), z2.norm());
-            let near =
-                how.joined && (s1 - s2).abs() <= 1.0 && s1.max(s2) > 8.0 && s1.min(s2) <= 8.0;
+            let near = (s1 - s2).abs() <= 1.0 && s1.max(s2) > 8.0 && s1.min(s2) <= 8.0;
             let (w1, w2) = match near {
                 true => (cpf3(times_i(z1)), cpf3(times_i(z2))),
                 false => (w(z1), w(z2)),

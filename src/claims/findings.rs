@@ -167,7 +167,7 @@ fn found((name, used_by, z, part): &Where) -> Option<Finding> {
         got,
         due,
         error,
-        reproduce: format!("mechaudit {}", Code::double(algorithm).at(*z)),
+        reproduce: format!("mechaudit {}", Code::double(algorithm).at(z)),
     })
 }
 

@@ -72,10 +72,7 @@ fn line(row: &Row) -> Markup {
             (of(norm("lower"), |f| f.worst))
             (count(all.map_or(0, |p| p.wrong) - huge)) (count(huge)) (count(all.map_or(0, |p| p.negative)))
             (error(jump)) (count(rising)) (of(row.derivative.as_ref(), |f| f.worst))
-            @match row.nanoseconds {
-                Some(ns) => td data-v=(format!("{ns:.2}")) { (format!("{ns:.0}")) },
-                None => td data-v="-1" { "–" },
-            }
+            (time(row))
         } "\n"
     }
 }
@@ -105,6 +102,59 @@ pub fn heights(found: &Atlas) -> Markup {
                 } "\n"
             } } "\n"
         } "\n"
+    }
+}
+
+/// The Hartmann–Tran profile.
+pub fn lines(found: &Atlas) -> Markup {
+    let regions = [
+        "doppler",
+        "mixed",
+        "collisions",
+        "wings",
+        "no-quadratic",
+        "rautian",
+    ];
+    html! {
+        section { "\n"
+            h2 #lines { "Hartmann-Tran profile" } "\n"
+            p.soft.small {
+                "Worst relative errors of the norm and of Re found, against a certified reference of its own: Gamma_0 of "
+                "1e-5..0.1 (doppler), 0.1..10 (mixed), 10..1000 Doppler widths (collisions) within 8 widths of the centre, "
+                "any ratio farther out (wings), without quadratic terms, and without shifts and correlation (rautian)."
+            } "\n"
+            div.scroll tabindex="0" { table #lines-table { "\n"
+                thead { tr {
+                    th.left { "code" }
+                    @for region in regions { th { (region) ": norm" } th { "Re" } }
+                    th { "wrong" } th { "Re < 0" } th { "ns" }
+                } } "\n"
+                tbody { "\n"
+                    @for row in &found.profiles {
+                        tr {
+                            td.left title=(row.source) { (row.name) }
+                            @for region in regions {
+                                @let part = row.part(region).filter(|p| p.cases > 0);
+                                (error(part.and_then(|p| p.norm.as_ref()).map(|f| f.worst)))
+                                (error(part.and_then(|p| p.re)))
+                            }
+                            (count(row.part("all").map_or(0, |p| p.wrong)))
+                            (count(row.part("all").map_or(0, |p| p.negative)))
+                            (time(row))
+                        } "\n"
+                    }
+                } "\n"
+            } } "\n"
+        } "\n"
+    }
+}
+
+fn time(row: &Row) -> Markup {
+    html! {
+        @match row.nanoseconds {
+            Some(ns) => td data-v=(format!("{ns:.2}")) { (format!("{ns:.0}")) },
+            None => td data-v="-1" { "–" },
+        }
     }
 }
 
