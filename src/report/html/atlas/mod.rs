@@ -158,8 +158,8 @@ fn figures(maps: usize) -> Markup {
         section { "\n"
             h2 #work { "Work and precision" } "\n"
             p {
-                "Nanoseconds a value on one core, each code in turn in one run, against the worst relative error "
-                "found. Farther down and to the left is better."
+                "Nanoseconds a value on one core, each code in turn in one run, programs as they measure themselves at the "
+                "same points, against the worst relative error found. Farther down and to the left is better."
             } "\n"
             div.js.figures #atlas-work {} "\n"
         } "\n"
