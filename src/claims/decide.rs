@@ -115,27 +115,27 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
 }
 
 /// What a claim is about.
-enum Subject {
+pub(super) enum Subject {
     W(Algorithm),
     Line(Profile),
 }
 
 impl Subject {
-    fn of(name: &str) -> Option<Subject> {
+    pub(super) fn of(name: &str) -> Option<Subject> {
         let profile = PROFILES.iter().find(|p| p.name == name);
         find_algorithm(name)
             .map(Subject::W)
             .or(profile.map(|p| Subject::Line(*p)))
     }
 
-    fn method(&self) -> Box<dyn Method> {
+    pub(super) fn method(&self) -> Box<dyn Method> {
         match self {
             Subject::W(_) => find("faddeeva").expect("a method of the registry"),
             Subject::Line(_) => Box::new(HartmannTran),
         }
     }
 
-    fn answer(&self, input: &[f64]) -> SolverAnswer {
+    pub(super) fn answer(&self, input: &[f64]) -> SolverAnswer {
         match self {
             Subject::W(a) => answer(a, input),
             Subject::Line(p) => lines::answer(p, input),

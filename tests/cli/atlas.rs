@@ -79,10 +79,10 @@ fn tables() {
     let d = run(&args);
     let (header, rows) = csv(&d.out);
     assert!(header.contains(&"worst_norm".to_string()));
-    // Nine regions of the upper half-plane and all of them.
-    assert_eq!(rows.len(), 10, "{}", d.out);
+    // Ten regions of the upper half-plane and all of them.
+    assert_eq!(rows.len(), 11, "{}", d.out);
     let negative = header.iter().position(|h| h == "negative_re").unwrap();
-    let count: u64 = rows[9][negative].parse().unwrap();
+    let count: u64 = rows[10][negative].parse().unwrap();
     assert!(count > 0);
     let d = run(&[&args[..], &["--table", "claims"]].concat());
     let (header, rows) = csv(&d.out);
