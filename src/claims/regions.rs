@@ -15,9 +15,9 @@ pub fn either_side(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
     vec![d.signed(x), y]
 }
 
-/// A multiple of 1/4, below a quarter of `count`.
+/// A multiple of 1/4 up to a quarter of `count`; not zero, where Im w is exactly zero.
 pub fn fourth(d: &mut Draw, count: f64) -> f64 {
-    d.uniform(0.0, count).floor() * 0.25
+    (d.uniform(0.0, count).floor() + 1.0) * 0.25
 }
 
 fn polar(r: f64, angle: f64) -> Vec<f64> {
@@ -58,7 +58,7 @@ pub fn upper() -> Vec<Region> {
         }),
         region(
             "grid",
-            "Re z a multiple of 1/4 below 8, Im z = 1e-12..0.1",
+            "|Re z| = 1/4, 1/2, .. 8, Im z = 1e-12..0.1",
             |d| {
                 // Nodes of quadrature, points of tables, and what users ask for.
                 let (x, y) = (fourth(d, 32.0), log_uniform(d, 1e-12, 0.1));
