@@ -9,10 +9,11 @@ pub enum Limit {
     /// `|got − ref| ≤ k · ulp(ref)`.
     Ulps(f64),
     /// `|got − ref| ≤ k · 2⁻⁵³ · (|ref| + Σ_j |x_j ∂ref/∂x_j|)`: what a backward-stable method
-    /// achieves when each input is known to half an ulp.
+    /// achieves when each input is known to half an ulp. At least `k · 2⁻¹⁰⁷⁵`, what k roundings of
+    /// subnormal numbers may cost, unless nothing at all is allowed.
     Conditioned(f64),
     /// `|got − ref| ≤ k · 2⁻⁵³ · max_i (|ref_i| + Σ_j |x_j ∂ref_i/∂x_j|)`, the maximum over all
-    /// values of the same output.
+    /// values of the same output; at least as with [`Conditioned`](Limit::Conditioned).
     Normwise(f64),
     /// `|got − ref| ≤ r · |ref|`, and half the smallest number in any case.
     Relative(f64),

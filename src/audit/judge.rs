@@ -222,9 +222,10 @@ pub fn judge_by(
         components.push(c);
     }
     let numbers = got.iter().all(|g| g.is_finite());
+    let norms = squares.norms(rules.format);
     let mut norm_of_budget = f64::NAN;
     if let Some(budget) = rules.norm.filter(|_| numbers && squares.numbers) {
-        let (verdict, share) = squares.verdict(budget, rules.format);
+        let (verdict, share) = squares.verdict(norms, budget, rules.format);
         norm_of_budget = share;
         if verdict > worst.0 {
             let reason = match verdict {
@@ -239,7 +240,7 @@ pub fn judge_by(
         kind: worst.1,
         reason: worst.2,
         components,
-        normwise: squares.normwise(rules.format),
+        normwise: squares.normwise(norms, rules.format),
         norm_of_budget,
     }
 }
@@ -300,37 +301,38 @@ impl Squares {
         sum.sqrt().mul(Mag::from_f64(1.0 - 2f64.powi(-40)))
     }
 
-    fn normwise(&self, format: Format) -> f64 {
-        if !self.numbers {
-            return f64::NAN;
-        }
-        if self.high.is_zero() {
-            return 0.0;
-        }
+    /// Lower and upper bounds on the norms: of the references, but for the smallest normal number, and of
+    /// the errors.
+    fn norms(&self, format: Format) -> (Mag, Mag) {
         let least = Mag::from_f64(format.min_positive());
-        let size = Squares::root_below(self.norm).max(least);
-        self.high
-            .sqrt()
-            .div(size)
-            .shift(format.precision())
-            .to_f64()
+        (Squares::root_below(self.norm).max(least), self.high.sqrt())
+    }
+
+    fn normwise(&self, (size, error): (Mag, Mag), format: Format) -> f64 {
+        match self.numbers {
+            true if error.is_zero() => 0.0,
+            true => error.div(size).shift(format.precision()).to_f64(),
+            false => f64::NAN,
+        }
     }
 
     /// The verdict, and the share of the budget.
-    fn verdict(&self, budget: &NormBudget, format: Format) -> (Verdict, f64) {
-        let least = Mag::from_f64(format.min_positive());
-        let size = Squares::root_below(self.norm).max(least);
+    fn verdict(
+        &self,
+        (size, error): (Mag, Mag),
+        budget: &NormBudget,
+        format: Format,
+    ) -> (Verdict, f64) {
         let allowed = Mag::from_f64(budget.factor).mul(size);
         let allowed = allowed.shift(-format.precision());
-        let share = self.high.sqrt().div(allowed).to_f64();
-        let verdict = if self.high.sqrt() <= allowed {
+        let verdict = if error <= allowed {
             Verdict::Pass
         } else if Squares::root_below(self.low) > allowed {
             Verdict::Over
         } else {
             Verdict::Undecided
         };
-        (verdict, share)
+        (verdict, error.div(allowed).to_f64())
     }
 }
 
@@ -418,10 +420,15 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
         }
     });
     let factor = Mag::from_f64(limit.factor());
+    // k roundings of numbers of this size.
+    let roundings = |of: Mag| match of.is_zero() {
+        true => Mag::ZERO,
+        false => factor.mul(of.shift(u).max(half)),
+    };
     let allowed = match (limit, condition) {
         (Limit::Ulps(_), _) => Some(factor.shift(ulp)),
-        (Limit::Conditioned(_), Some(c)) => Some(factor.mul(size.add(Mag::from_f64(c))).shift(u)),
-        (Limit::Normwise(_), Some(_)) => Some(factor.mul(scale).shift(u)),
+        (Limit::Conditioned(_), Some(c)) => Some(roundings(size.add(Mag::from_f64(c)))),
+        (Limit::Normwise(_), Some(_)) => Some(roundings(scale)),
         (Limit::Relative(_), _) => Some(factor.mul(size).max(half)),
         (Limit::Absolute(_), _) => Some(factor),
         (Limit::RelativeOrAbsolute(_, a), _) => {

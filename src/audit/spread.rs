@@ -31,10 +31,8 @@ pub struct Spread {
 pub struct SpreadTally {
     /// Bits of the fraction dropped for percentiles.
     pub(super) dropped: u32,
-    /// By the leading bits.
-    pub(super) bins: BTreeMap<Bin, u64>,
-    /// By the exponent `e` of `m · 2^e`.
-    pub(super) squares: BTreeMap<i32, Squares>,
+    /// By the field of the exponent.
+    octaves: BTreeMap<u32, OctaveTally>,
     pub(super) count: u64,
     pub(super) beyond: u64,
     /// The bits of the largest; numbers that are not negative are in the order of their bits.
@@ -43,6 +41,24 @@ pub struct SpreadTally {
 
 /// The leading bits of a number.
 pub(super) type Bin = u32;
+
+/// Numbers of one exponent.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct OctaveTally {
+    /// By the leading bits of the fraction; nothing or all of them.
+    bins: Vec<u64>,
+    squares: Squares,
+}
+
+impl OctaveTally {
+    fn bin(&mut self, dropped: u32, bin: Bin) -> &mut u64 {
+        if self.bins.is_empty() {
+            self.bins = vec![0; 1 << (52 - dropped)];
+        }
+        let last = self.bins.len() - 1;
+        &mut self.bins[bin as usize & last]
+    }
+}
 
 /// Σ m² over numbers `m · 2^e` of one exponent, in 192 bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,13 +84,9 @@ impl Squares {
     }
 }
 
-/// `x = m · 2^e` with an integer `m < 2⁵³`.
-fn parts(bits: u64) -> (u64, i32) {
-    let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
-    match exponent {
-        0 => (fraction, -1074),
-        e => (fraction | 1 << 52, e - 1075),
-    }
+/// The exponent `e` of `m · 2^e`, `m < 2⁵³`, from its field.
+fn exponent(field: u32) -> i32 {
+    field.max(1) as i32 - 1075
 }
 
 impl Default for SpreadTally {
@@ -87,8 +99,7 @@ impl SpreadTally {
     pub(super) fn dropping(dropped: u32) -> SpreadTally {
         SpreadTally {
             dropped,
-            bins: BTreeMap::new(),
-            squares: BTreeMap::new(),
+            octaves: BTreeMap::new(),
             count: 0,
             beyond: 0,
             max: 0,
@@ -121,13 +132,14 @@ impl SpreadTally {
         }
         // −0 is 0.
         let bits = self.counted(value.abs()).to_bits();
-        let (m, exponent) = parts(bits);
-        let square = Squares {
-            low: u128::from(m) * u128::from(m),
+        let (field, fraction) = ((bits >> 52) as u32, bits & ((1 << 52) - 1));
+        let m = u128::from(fraction | u64::from(field > 0) << 52);
+        let octave = self.octaves.entry(field).or_default();
+        *octave.bin(self.dropped, (bits >> self.dropped) as Bin) += 1;
+        octave.squares.add(Squares {
+            low: m * m,
             carry: 0,
-        };
-        *self.bins.entry((bits >> self.dropped) as Bin).or_default() += 1;
-        self.squares.entry(exponent).or_default().add(square);
+        });
         self.count += 1;
         self.max = self.max.max(bits);
     }
@@ -138,23 +150,63 @@ impl SpreadTally {
     /// When one of them is coarse and the other is not.
     pub fn merge(&mut self, other: &SpreadTally) {
         assert_eq!(self.dropped, other.dropped, "bins of one width");
-        for (k, count) in &other.bins {
-            *self.bins.entry(*k).or_default() += count;
-        }
-        for (e, squares) in &other.squares {
-            self.squares.entry(*e).or_default().add(*squares);
+        for (field, more) in &other.octaves {
+            let own = self.octaves.entry(*field).or_default();
+            own.squares.add(more.squares);
+            match own.bins.is_empty() {
+                true => own.bins.clone_from(&more.bins),
+                false => own
+                    .bins
+                    .iter_mut()
+                    .zip(&more.bins)
+                    .for_each(|(n, k)| *n += k),
+            }
         }
         self.count += other.count;
         self.beyond += other.beyond;
         self.max = self.max.max(other.max);
     }
 
+    /// The bins that are not empty, in rising order.
+    pub(super) fn bins(&self) -> impl Iterator<Item = (Bin, u64)> + '_ {
+        let shift = 52 - self.dropped;
+        let all = self.octaves.iter().flat_map(move |(field, octave)| {
+            let bins = octave.bins.iter().enumerate();
+            bins.map(move |(k, count)| (field << shift | k as Bin, *count))
+        });
+        all.filter(|(_, count)| *count > 0)
+    }
+
+    /// Sums of squares by exponents, in rising order.
+    pub(super) fn squares(&self) -> impl Iterator<Item = (i32, Squares)> + '_ {
+        let octaves = self.octaves.iter();
+        octaves.map(|(field, octave)| (exponent(*field), octave.squares))
+    }
+
+    /// Sets a bin, of one that was stored; `None` if there is no such bin.
+    pub(super) fn set_bin(&mut self, bin: Bin, count: u64) -> Option<()> {
+        let field = bin >> (52 - self.dropped);
+        let octave = (field < 2047).then(|| self.octaves.entry(field).or_default())?;
+        *octave.bin(self.dropped, bin) = count;
+        Some(())
+    }
+
+    /// Sets the sum of squares of an exponent, likewise, after its bins.
+    pub(super) fn set_squares(&mut self, exponent: i32, squares: Squares) -> Option<()> {
+        let field = u32::try_from(exponent.checked_add(1075)?).ok()?;
+        let zeros = (field == 1)
+            .then_some(0)
+            .filter(|k| self.octaves.contains_key(k));
+        self.octaves.get_mut(&zeros.unwrap_or(field))?.squares = squares;
+        Some(())
+    }
+
     /// The numbers counted by octaves: `(k, n)` for n numbers in `[2^k, 2^(k+1))`, `(None, n)` for
     /// zeros.
     pub fn octaves(&self) -> Vec<(Option<i32>, u64)> {
         let mut octaves: BTreeMap<Option<i32>, u64> = BTreeMap::new();
-        for (k, count) in &self.bins {
-            let x = f64::from_bits(u64::from(*k) << self.dropped);
+        for (k, count) in self.bins() {
+            let x = f64::from_bits(u64::from(k) << self.dropped);
             *octaves.entry(octave(x)).or_default() += count;
         }
         octaves.into_iter().collect()
@@ -163,8 +215,8 @@ impl SpreadTally {
     /// The number of that rank, counted from one, rounded up to the end of its bin.
     fn at_rank(&self, rank: u64) -> f64 {
         let mut below = 0;
-        let bin = self.bins.iter().find(|(_, count)| {
-            below += *count;
+        let bin = self.bins().find(|(_, count)| {
+            below += count;
             below >= rank
         });
         let max = f64::from_bits(self.max);
@@ -172,7 +224,7 @@ impl SpreadTally {
             // Zeros, and subnormal numbers of no interest.
             0 => 0.0,
             k => {
-                let end = (u64::from(*k) << self.dropped) | ((1 << self.dropped) - 1);
+                let end = (u64::from(k) << self.dropped) | ((1 << self.dropped) - 1);
                 f64::from_bits(end).min(max)
             }
         })
@@ -207,11 +259,11 @@ impl SpreadTally {
     }
 
     fn rms(&self) -> f64 {
-        let Some(least) = self.squares.keys().next().copied() else {
+        let Some((least, _)) = self.squares().next() else {
             return 0.0;
         };
         let mut sum = Integer::new();
-        for (e, squares) in &self.squares {
+        for (e, squares) in self.squares() {
             sum += squares.sum() << (2 * (e - least)) as u32;
         }
         let mean = Float::with_val(192, sum) / self.count;

@@ -97,22 +97,24 @@ impl Tally {
         self.region(report.case.region).add(report, recorded);
     }
 
-    /// Whether this is a hard case, over its budget by no more than is recorded. It is known by its
-    /// input, which may have come in a file.
+    /// Whether this is a hard case, each output over its budget by no more than is recorded of it. It is
+    /// known by its input, which may have come in a file.
     fn is_recorded(&self, report: &CaseReport) -> bool {
         if report.judgement.verdict != Verdict::Over {
             return false;
         }
-        let shares = report.judgement.components.iter().map(|c| c.of_budget);
-        let share = shares.fold(0.0, f64::max);
+        // A norm over its budget is no value over its own.
+        if report.judgement.norm_of_budget > 1.0 {
+            return false;
+        }
         let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
         let input = bits(&report.case.input);
-        // A norm over its budget is no value over its own.
-        share > 1.0
-            && self
-                .hard
-                .iter()
-                .any(|h| h.allows(share) && bits(&h.input) == input)
+        let known: Vec<&HardCase> = (self.hard.iter())
+            .filter(|h| bits(&h.input) == input)
+            .collect();
+        let components = report.judgement.components.iter();
+        let mut over = components.filter(|c| c.verdict != Verdict::Pass);
+        over.all(|c| (known.iter()).any(|h| h.output == c.output && h.allows(c.of_budget)))
     }
 
     /// The residuals of the method's laws at a case, in the laws' order.

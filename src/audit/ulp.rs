@@ -144,6 +144,29 @@ mod tests {
         assert!(beyond(3.402_823_6e38).is_zero() && !beyond(3.4e38).is_zero());
     }
 
+    /// A ball over the border of the range: an infinity may be right, and may be off by what lies below the border.
+    #[test]
+    fn an_infinity_next_to_the_border() {
+        let edge = Format::Double.overflow();
+        let half = Mag::power_of_two(960);
+        let (lo, hi) = distance(f64::INFINITY, &edge.widened(half), Format::Double);
+        assert!(lo.is_zero() && hi >= half && hi <= half.shift(1));
+        let (lo, hi) = distance(f64::NEG_INFINITY, &-edge.widened(half), Format::Double);
+        assert!(lo.is_zero() && hi >= half && hi <= half.shift(1));
+        let beyond = &edge + &Ball::new(half.shift(1).to_float(), Mag::ZERO);
+        let far = distance(f64::INFINITY, &beyond.widened(half), Format::Double);
+        assert!(far.0.is_zero() && far.1.is_zero());
+        assert_eq!(
+            distance(f64::NEG_INFINITY, &beyond, Format::Double)
+                .0
+                .exponent(),
+            Some(1024)
+        );
+        // Of f32 the border is 2^128 - 2^103.
+        let single = Format::Single.overflow().to_f64();
+        assert_eq!(single, 2f64.powi(128) - 2f64.powi(103));
+    }
+
     #[test]
     fn the_edges() {
         assert_eq!(ulp_exponent(&Float::with_val(53, 1.0)), -52);

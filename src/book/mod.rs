@@ -3,17 +3,18 @@
 //!
 //! 1. [What an ulp is here](ulps)
 //! 2. [How a reference earns trust](references)
-//! 3. [How the judge works](judging)
-//! 4. [A new method in one file](adding_a_method)
-//! 5. [Auditing your own code](your_own_code)
-//! 6. [Hunting, hard cases and recorded findings](hunting)
-//! 7. [Campaigns: very many cases, on one machine or many](campaigns)
-//! 8. [The atlas of published algorithms](atlas)
-//! 9. [Proofs of error bounds](proofs)
-//! 10. [Convergence and twins](convergence)
-//! 11. [Reading the reports](reports)
-//! 12. [Planar mechanisms](planar_mechanisms)
-//! 13. [Commands, exit codes and file formats](formats)
+//! 3. [What each reference proves](theorems)
+//! 4. [How the judge works](judging)
+//! 5. [A new method in one file](adding_a_method)
+//! 6. [Auditing your own code](your_own_code)
+//! 7. [Hunting, hard cases and recorded findings](hunting)
+//! 8. [Campaigns: very many cases, on one machine or many](campaigns)
+//! 9. [The atlas of published algorithms](atlas)
+//! 10. [Proofs of error bounds](proofs)
+//! 11. [Convergence and twins](convergence)
+//! 12. [Reading the reports](reports)
+//! 13. [Planar mechanisms](planar_mechanisms)
+//! 14. [Commands, exit codes and file formats](formats)
 //!
 //! What the crate is for, how to install it and how fast it is stands in the
 //! [README](https://docs.rs/crate/mechaudit/latest/source/README.md).
@@ -40,6 +41,8 @@ pub mod proofs {}
 pub mod references {}
 #[doc = include_str!("reports.md")]
 pub mod reports {}
+#[doc = include_str!("theorems.md")]
+pub mod theorems {}
 #[doc = include_str!("ulps.md")]
 pub mod ulps {}
 #[doc = include_str!("your_own_code.md")]

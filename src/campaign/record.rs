@@ -183,6 +183,10 @@ mod tests {
         for other in [record("q", 2, &own), record("p", 3, &own)] {
             assert!(matches!(other.read(&bytes), Found::Foreign(_)));
         }
+        // Another form of the file is not read by this one's rules.
+        let text = String::from_utf8(bytes.clone()).unwrap();
+        let form = text.replacen("\"campaign_shard\":1", "\"campaign_shard\":2", 1);
+        assert!(matches!(due.read(form.as_bytes()), Found::OtherVersion(_)));
         for other in [identity("2", "r"), identity("1", "q")] {
             let found = record("p", 2, &other).read(&bytes);
             assert!(matches!(found, Found::OtherVersion(_)), "{found:?}");

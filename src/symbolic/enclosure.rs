@@ -184,7 +184,13 @@ impl Domain for Enclosures<'_> {
             Func::Im => Ok(real(x.im.clone())),
             Func::Abs => Ok(real(x.norm_sqr().sqrt())),
             Func::Arg => Ok(real(x.arg())),
-            Func::Arctan if x.im.contains_zero() => Ok(real(x.re.atan2(&Ball::integer(BITS, 1)))),
+            Func::Arctan if x.im.is_zero() => Ok(real(x.re.atan2(&Ball::integer(BITS, 1)))),
+            // |arctan′| = 1/|1 + z²| ≤ 1/(1 − |Im z|)² ≤ 4 on the way from Re z to z.
+            Func::Arctan if x.im.contains_zero() && x.im.magnitude() <= Mag::from_f64(0.5) => {
+                let off = x.im.magnitude().shift(2);
+                let re = x.re.atan2(&Ball::integer(BITS, 1)).widened(off);
+                Ok(ComplexBall::new(re, Ball::integer(BITS, 0).widened(off)))
+            }
             Func::Arctan => Err(SymbolicError::Unsupported(
                 "arctan of a complex number".into(),
             )),

@@ -5,7 +5,9 @@ use crate::answer::{Proof, Reference, ReferenceAnswer, SolverAnswer};
 use crate::case::Origin;
 use crate::judged::judge_case_briefly;
 use crate::kind::{Kind, Kinds};
-use crate::{Budget, CheckPoint, Domain, Input, Law, Limit, Output, Region};
+use crate::{
+    Budget, CandidateReport, CheckPoint, Domain, Input, Law, Limit, NormBudget, Output, Region,
+};
 use mechaudit_reference::Ball;
 use proptest::prelude::*;
 use rug::Rational;
@@ -76,6 +78,194 @@ impl Method for Twice {
     }
     fn laws(&self) -> Vec<Law> {
         Vec::new()
+    }
+    fn hard(&self) -> Vec<HardCase> {
+        let row = |share, output: &str, x| HardCase {
+            share,
+            output: output.into(),
+            reason: "planted".into(),
+            input: vec![x],
+            folder: None,
+        };
+        vec![
+            row(2.0, "one", RECORDED),
+            row(0.5, "one", 1.625),
+            row(9.0, "two", 1.75),
+        ]
+    }
+    fn norm_budget(&self) -> Option<NormBudget> {
+        Some(NormBudget::new(34.0, "planted"))
+    }
+}
+
+/// Where the first output is known to be over its budget of 4 ulps, twice of it.
+const RECORDED: f64 = 1.5;
+
+/// A finding that is recorded is forgiven: this output at this input, so much and no more, and nothing besides.
+#[test]
+fn only_what_is_recorded_is_forgiven() {
+    let at = |x: f64, [one, two]: [u64; 2]| {
+        let off = |x: f64, ulps: u64| f64::from_bits(x.to_bits() + ulps);
+        let got = SolverAnswer::Values(vec![off(x, one), off(2.0 * x, two)]);
+        let found = report(&[judged("small", 0, x, got)]);
+        (
+            found.passed,
+            found.total.recorded,
+            found.failed(),
+            found.passed(),
+        )
+    };
+    let (good, known, bad) = ((1, 0, 0, true), (0, 1, 0, true), (0, 0, 1, false));
+    assert_eq!(at(RECORDED, [4, 4]), good);
+    assert_eq!(at(RECORDED, [5, 0]), known);
+    assert_eq!(at(RECORDED, [8, 4]), known);
+    // Worse than recorded; the other output; both.
+    assert_eq!(at(RECORDED, [9, 0]), bad);
+    assert_eq!(at(RECORDED, [0, 5]), bad);
+    assert_eq!(at(RECORDED, [6, 6]), bad);
+    // Recorded within its budget, where no excess is forgiven; elsewhere; of the other output.
+    assert_eq!(at(1.625, [5, 0]), bad);
+    assert_eq!(at(RECORDED.next_up(), [5, 0]), bad);
+    assert_eq!(at(1.75, [5, 0]), bad);
+    assert_eq!(
+        at(1.75, [0, 34]),
+        bad,
+        "the norm is over its budget as well"
+    );
+    assert_eq!(at(1.75, [0, 12]), known);
+    // No number is no recorded excess.
+    let nan = SolverAnswer::Values(vec![f64::NAN, 2.0 * RECORDED]);
+    assert_eq!(report(&[judged("small", 0, RECORDED, nan)]).failed(), 1);
+    // Nor is an answer that is not there.
+    let silent = SolverAnswer::Unanswered("planted".into());
+    assert_eq!(report(&[judged("small", 0, RECORDED, silent)]).failed(), 1);
+    // Recorded and passed cases add up over merged tallies.
+    let half = |n: u64| {
+        let mut tally = Tally::new(&Twice, &Settings::default());
+        for i in 0..n {
+            let x = f64::from_bits(RECORDED.to_bits() + 6);
+            tally.add(&judged(
+                "small",
+                i,
+                RECORDED,
+                SolverAnswer::Values(vec![x, 2.0 * RECORDED]),
+            ));
+        }
+        tally
+    };
+    let mut whole = half(3);
+    whole.merge(half(2));
+    let found = whole.finish(&Twice);
+    assert_eq!(
+        (found.total.recorded, found.cases, found.passed()),
+        (5, 5, true)
+    );
+}
+
+/// A report is a pass only if its program came through.
+#[test]
+fn trouble_besides_the_answers_is_no_pass() {
+    let mut found = report(&[off("small", 0, 0)]);
+    assert!(found.passed());
+    found.candidate = Some(CandidateReport::default());
+    assert!(found.passed());
+    found.candidate = Some(CandidateReport {
+        trouble: Some("it crashed".into()),
+        ..CandidateReport::default()
+    });
+    assert!(!found.passed());
+}
+
+/// Of two laws one that fails is enough, in whichever order, and its worst case is the largest residual's, the
+/// earliest of equals.
+#[test]
+fn laws_keep_their_worst() {
+    let settings = Settings::default();
+    let mut tally = Tally::new(&Lawful, &settings);
+    let at = |index: u64| case("small", index, 1.0 + index as f64 / 64.0);
+    tally.laws(&at(3), &[Some(0.25), Some(0.5)]);
+    tally.laws(&at(2), &[Some(0.25), None]);
+    tally.laws(&at(4), &[Some(0.25), Some(1.5)]);
+    tally.laws(&at(5), &[None, Some(1.25)]);
+    let place = |l: &crate::LawReport| l.worst_case.as_ref().map(|c| c.place());
+    let check = |tally: &Tally| {
+        let found = tally.clone().finish(&Lawful);
+        let [one, two] = found.laws.as_slice() else {
+            panic!("two laws")
+        };
+        assert_eq!(
+            (one.worst, one.cases, place(one)),
+            (0.25, 3, Some(at(2).place()))
+        );
+        assert_eq!(
+            (two.worst, two.cases, place(two)),
+            (1.5, 3, Some(at(4).place()))
+        );
+        assert!(!found.passed());
+    };
+    check(&tally);
+    // The same in two parts, either way round.
+    let (mut a, mut b) = (
+        Tally::new(&Lawful, &settings),
+        Tally::new(&Lawful, &settings),
+    );
+    a.laws(&at(2), &[Some(0.25), None]);
+    a.laws(&at(5), &[None, Some(1.25)]);
+    b.laws(&at(3), &[Some(0.25), Some(0.5)]);
+    b.laws(&at(4), &[Some(0.25), Some(1.5)]);
+    let (c, d) = (a.clone(), b.clone());
+    a.merge(d);
+    b.merge(c);
+    check(&a);
+    check(&b);
+    // Zero is no worst case.
+    let mut calm = Tally::new(&Lawful, &settings);
+    calm.laws(&at(1), &[Some(0.0), Some(0.0)]);
+    let found = calm.finish(&Lawful);
+    assert!(
+        found
+            .laws
+            .iter()
+            .all(|l| l.worst == 0.0 && l.worst_case.is_none() && l.cases == 1)
+    );
+}
+
+/// [`Twice`] with two laws, whose residuals are planted.
+struct Lawful;
+
+impl Method for Lawful {
+    fn name(&self) -> &'static str {
+        Twice.name()
+    }
+    fn summary(&self) -> &'static str {
+        Twice.summary()
+    }
+    fn source(&self) -> &'static str {
+        Twice.source()
+    }
+    fn inputs(&self) -> Vec<Input> {
+        Twice.inputs()
+    }
+    fn outputs(&self) -> Vec<Output> {
+        Twice.outputs()
+    }
+    fn domain(&self) -> Domain {
+        Twice.domain()
+    }
+    fn solve(&self, x: &[f64]) -> SolverAnswer {
+        Twice.solve(x)
+    }
+    fn reference(&self, x: &[Rational], bits: u32) -> ReferenceAnswer {
+        Twice.reference(x, bits)
+    }
+    fn laws(&self) -> Vec<Law> {
+        ["first", "second"]
+            .map(|name| Law {
+                name,
+                statement: "planted",
+                residual: |_| None,
+            })
+            .to_vec()
     }
 }
 

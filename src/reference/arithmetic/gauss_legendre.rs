@@ -25,6 +25,14 @@ fn legendre(n: usize, x: &Ball) -> (Ball, Ball) {
     (p, slope)
 }
 
+/// The zero of `P_n` within a radius of x, if the interval Newton step proves it.
+fn node(n: usize, x: &Float, radius: Mag) -> Option<Ball> {
+    let (p, _) = legendre(n, &Ball::new(x.clone(), Mag::ZERO));
+    let (_, slope) = legendre(n, &Ball::new(x.clone(), radius));
+    let step = (&p / &slope).magnitude();
+    (step < radius).then(|| Ball::new(x.clone(), step))
+}
+
 impl GaussLegendre {
     /// Encloses the nodes by the interval Newton method, `x − P(x)/P'(X)` in the interior of X, which proves one zero in
     /// X; n zeros in balls that do not meet are all. Weights are `2/((1 − x²) P'(x)²)`.
@@ -49,23 +57,28 @@ impl GaussLegendre {
                 x -= Float::with_val(work, p.mid() / slope.mid());
             }
             let radius = Mag::power_of_two(-i64::from(bits) - 8);
-            let (p, _) = legendre(n, &Ball::new(x.clone(), Mag::ZERO));
-            let (_, slope) = legendre(n, &Ball::new(x.clone(), radius));
-            let step = &p / &slope;
-            if !(step.magnitude() < radius) {
-                return Err(undecided("a node of the quadrature is not proved"));
-            }
-            let x = Ball::new(x, step.magnitude());
-            let (_, slope) = legendre(n, &x);
-            let below = Ball::integer(work, 1) - x.square();
-            let weight = Ball::integer(work, 2) / (below * slope.square());
-            nodes.push((x, weight));
+            let node = node(n, &x, radius);
+            nodes.push(node.ok_or_else(|| undecided("a node of the quadrature is not proved"))?);
         }
-        let apart = nodes.windows(2).all(|w| (&w[1].0 - &w[0].0).is_positive());
+        GaussLegendre::of_nodes(nodes).ok_or_else(|| undecided("two nodes of the quadrature meet"))
+    }
+
+    /// The rule whose nodes are these, ascending, if they do not meet.
+    fn of_nodes(nodes: Vec<Ball>) -> Option<GaussLegendre> {
+        let apart = nodes.windows(2).all(|w| (&w[1] - &w[0]).is_positive());
         if !apart {
-            return Err(undecided("two nodes of the quadrature meet"));
+            return None;
         }
-        Ok(GaussLegendre { nodes })
+        let n = nodes.len();
+        let weighted = nodes.into_iter().map(|x| {
+            let (_, slope) = legendre(n, &x);
+            let whole = |k: i64| Ball::integer(x.prec(), k);
+            let weight = whole(2) / ((whole(1) - x.square()) * slope.square());
+            (x, weight)
+        });
+        Some(GaussLegendre {
+            nodes: weighted.collect(),
+        })
     }
 
     /// A bound on the error for an integrand that is analytic and at most `most` within the ellipse with the foci ±1 and
@@ -92,6 +105,62 @@ impl GaussLegendre {
 mod tests {
     use super::*;
     use rug::Rational;
+
+    /// Of `P_2`, whose zeros are ±1/√3, the box decides, and the step is of the size of the distance.
+    #[test]
+    fn a_node_is_where_the_newton_step_stays_inside() {
+        let due = (Ball::integer(200, 1) / Ball::integer(200, 3)).sqrt();
+        let radius = Mag::power_of_two(-20);
+        for (off, inside) in [
+            (0.0, true),
+            (0.9, true),
+            (-0.9, true),
+            (1.1, false),
+            (-40.0, false),
+        ] {
+            let away = radius.to_float() * off;
+            let x = Float::with_val(200, due.mid() + away);
+            let found = node(2, &x, radius);
+            assert_eq!(found.is_some(), inside, "{off}");
+            if let Some(found) = found {
+                assert!(found.contains_ball(&due.widened(Mag::power_of_two(-150))) || off == 0.0);
+                assert!(off == 0.0 || found.rad() < radius.mul(Mag::from_f64(0.91)));
+            }
+        }
+        // Between two zeros the slope may vanish.
+        assert!(node(3, &Float::with_val(200, 0.447), Mag::from_f64(0.1)).is_none());
+    }
+
+    /// N nodes are all of them only if no two are the same zero.
+    #[test]
+    fn nodes_that_meet_are_no_rule() {
+        let rule = GaussLegendre::new(3, 64).unwrap();
+        let nodes: Vec<Ball> = rule.nodes.iter().map(|(x, _)| x.clone()).collect();
+        assert!(GaussLegendre::of_nodes(nodes.clone()).is_some());
+        for [to, from] in [[0, 1], [2, 1]] {
+            let mut met = nodes.clone();
+            met[to] = nodes[from].clone();
+            assert!(GaussLegendre::of_nodes(met).is_none());
+        }
+    }
+
+    /// `(64/15) M ρ^−2N/(1 − ρ^−2)`, rounded up and no farther.
+    #[test]
+    fn the_bound_is_the_theorem_s() {
+        for (n, rho, most) in [(2, 2u32, 1.0), (6, 4, 3.0), (9, 3, 0.125)] {
+            let rule = GaussLegendre::new(n, 64).unwrap();
+            let bound = rule.error(Mag::from_f64(most), rho).to_float();
+            let square = Rational::from((1, rho * rho));
+            let power = (0..n).fold(Rational::from(1), |p, _| p * &square);
+            let due = Rational::from((64, 15)) * power / (1 - square);
+            let due = due * Rational::from_f64(most).unwrap();
+            assert!(bound >= due, "{n} {rho}");
+            assert!(
+                bound <= due * Rational::from_f64(1.0 + 1e-13).unwrap(),
+                "{n} {rho}"
+            );
+        }
+    }
 
     #[test]
     fn powers_are_exact_below_twice_the_nodes() {

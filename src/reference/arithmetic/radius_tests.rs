@@ -203,3 +203,220 @@ impl Exactly for f64 {
         rug::Rational::from_f64(*self).expect("finite")
     }
 }
+
+/// Balls inside of balls and beside them, by exact ends.
+#[test]
+fn balls_hold_and_meet_by_their_ends() {
+    let b = |mid: f64, rad: f64| ball(mid, rad);
+    for (x, y, holds, meets) in [
+        (b(1.0, 0.5), b(1.25, 0.25), true, true),
+        (b(1.0, 0.5), b(1.25, 0.25f64.next_up()), false, true),
+        (b(1.0, 0.5), b(0.5, 0.0), true, true),
+        (b(1.0, 0.5), b(0.5f64.next_down(), 0.0), false, false),
+        (b(1.0, 0.5), b(2.0, 0.5), false, true),
+        (b(1.0, 0.5), b(2.0f64.next_up(), 0.5), false, false),
+        (b(-1.0, 0.5), b(1.0, 0.5), false, false),
+        (b(-1.0, 0.5), b(-1.0, 0.5), true, true),
+        (b(1.0, 0.25), b(1.0, 0.5), false, true),
+    ] {
+        assert_eq!(x.contains_ball(&y), holds, "{x:?} {y:?}");
+        assert_eq!(
+            (x.overlaps(&y), y.overlaps(&x)),
+            (meets, meets),
+            "{x:?} {y:?}"
+        );
+        let (zero, one) = (Ball::integer(P, 0), Ball::integer(P, 1));
+        let pair = |re: &Ball, im: &Ball| ComplexBall::new(re.clone(), im.clone());
+        assert_eq!(pair(&x, &zero).overlaps(&pair(&y, &zero)), meets);
+        assert_eq!(pair(&zero, &x).overlaps(&pair(&zero, &y)), meets);
+        assert!(!pair(&x, &zero).overlaps(&pair(&y, &one)));
+    }
+    // The whole line holds all and meets all, and nothing less holds it.
+    let line = Ball::new(Float::with_val(P, 5), Mag::INFINITY);
+    let some = b(1.0, 0.5);
+    assert!(line.contains_ball(&some) && line.contains_ball(&line) && !some.contains_ball(&line));
+    assert!(line.overlaps(&some) && some.overlaps(&line) && line.overlaps(&line));
+    assert!(line.contains_zero() && line.mignitude().is_zero() && !line.is_positive());
+    let plane = ComplexBall::new(some.clone(), line.clone());
+    assert!(!plane.is_finite() && ComplexBall::new(some.clone(), some).is_finite());
+    assert!(!ComplexBall::new(line.clone(), b(1.0, 0.0)).is_finite());
+}
+
+/// An interval's ball and the union of two hold all ends, exactly, and are no wider than a rounding asks for.
+#[test]
+fn intervals_are_held_by_their_balls() {
+    let third = Float::with_val(200, 1) / 3u32;
+    let ends = [
+        (Float::with_val(200, -1.0), third.clone()),
+        (third.clone(), Float::with_val(200, &third + 1e-40f64)),
+        (Float::with_val(53, 1.0), Float::with_val(200, &third + 1)),
+        (
+            Float::with_val(24, 1e-300),
+            Float::with_val(300, &third * 3u32),
+        ),
+        (Float::with_val(64, -1e30), Float::with_val(64, 1e-30)),
+    ];
+    for (lo, hi) in &ends {
+        let width = Float::with_val(900, hi - lo);
+        for prec in [24, 64, 250] {
+            let b = Ball::between(prec, lo, hi);
+            let q = |x: &Float| x.to_rational().unwrap();
+            assert!(b.contains(&q(lo)) && b.contains(&q(hi)), "{prec} {lo} {hi}");
+            // Half the width, and the rounding of a midpoint.
+            let rounding = Float::with_val(900, b.mid().clone().abs()) >> (prec as i32 - 1);
+            assert!(b.rad().to_float() <= (width.clone() / 2u32 + rounding) * 1.000001f64);
+        }
+        let (x, y) = (ball(1.5, 0.25), Ball::between(90, lo, hi));
+        for u in [x.union(&y), y.union(&x), y.union(&y)] {
+            assert!(u.contains_ball(&y), "{lo} {hi}");
+        }
+        assert!(x.union(&y).contains_ball(&x) && y.union(&x).contains_ball(&x));
+    }
+    // No fewer bits than the better of the two has.
+    let fine = Ball::rational(200, &rug::Rational::from((1, 3)));
+    assert_eq!(fine.union(&ball(0.5, 0.0)).prec(), 200);
+    assert_eq!(ball(0.5, 0.0).union(&fine).prec(), 200);
+    for both in [
+        &fine + &ball(1.0, 0.0),
+        &ball(1.0, 0.0) * &fine,
+        &ball(1.0, 0.0) - &fine,
+        &ball(1.0, 0.0) / &fine,
+    ] {
+        assert_eq!(both.prec(), 200);
+    }
+}
+
+/// What lies outside of a function's domain bounds nothing.
+#[test]
+fn outside_of_the_domain_is_the_whole_line() {
+    let open = |b: Ball| assert!(!b.is_finite(), "{b:?}");
+    let line = Ball::new(Float::with_val(P, 1), Mag::INFINITY);
+    open(ball(-1.0, 0.0).sqrt());
+    open(ball(1.0, 1.5).sqrt());
+    open(ball(0.0, 0.5).sqrt());
+    assert!(ball(0.0, 0.0).sqrt().is_zero() && ball(1.0, 1.0).sqrt().is_finite());
+    open(ball(1.0, 1.0).ln());
+    open(ball(-1.0, 0.0).ln());
+    open(ball(1.0, 1.0).recip());
+    open(&ball(1.0, 0.0) / &ball(0.5, 0.5));
+    open(&ball(1.0, 0.0) / &ball(0.0, 0.0));
+    open(ball(0.0, 0.0).atan2(&ball(0.0, 0.0)));
+    open(ball(1.0, 2.0).atan2(&ball(1.0, 2.0)));
+    assert!(ball(0.0, 0.0).atan2(&ball(1.0, 0.0)).is_finite());
+    assert!(ball(1.0, 0.0).atan2(&ball(0.0, 0.0)).is_finite());
+    for whole in [
+        line.exp(),
+        line.ln(),
+        line.sqrt(),
+        line.square(),
+        line.recip(),
+        &line + &line,
+        &line * &ball(2.0, 0.0),
+    ] {
+        open(whole);
+    }
+    // But sine and cosine.
+    let sine = line.sin_cos().0.rad().to_f64();
+    assert!((2.0..2.001).contains(&sine), "{sine}");
+    for x in [f64::NAN, f64::INFINITY] {
+        open(Ball::exact(P, x));
+    }
+}
+
+/// Bits of accuracy are no more than there are, and at most two fewer.
+#[test]
+fn bits_of_accuracy() {
+    for (mid, rad) in [
+        (1.0, 0.25),
+        (1.99, 0.3),
+        (1.0, 0.49),
+        (1e10, 1e-7),
+        (-3.0, 1.99),
+        (1.5, 0.75),
+    ] {
+        let due = (f64::abs(mid) / rad).log2();
+        let bits = ball(mid, rad).accuracy_bits() as f64;
+        assert!(
+            bits <= due && bits > due - 2.0 - 1e-12,
+            "{mid} {rad}: {bits} of {due}"
+        );
+    }
+    assert_eq!(ball(1.0, 0.0).accuracy_bits(), i64::MAX);
+    assert_eq!(ball(0.0, 0.0).accuracy_bits(), i64::MAX);
+    assert_eq!(ball(0.0, 1.0).accuracy_bits(), i64::MIN);
+    assert_eq!(
+        Ball::new(Float::with_val(P, 1), Mag::INFINITY).accuracy_bits(),
+        i64::MIN
+    );
+}
+
+/// Infinite and zero bounds.
+#[test]
+fn bounds_at_the_ends() {
+    let (zero, one, inf) = (Mag::ZERO, Mag::from_f64(1.0), Mag::INFINITY);
+    let nan = Float::with_val(53, f64::NAN);
+    assert!(!Mag::from_f64(f64::NAN).is_finite() && !Mag::above(&nan).is_finite());
+    assert!(Mag::below(&nan).is_zero() && Mag::below(&Float::new(53)).is_zero());
+    for x in [one, Mag::power_of_two(-5000), Mag::power_of_two(5000)] {
+        for y in [
+            x.add(inf),
+            inf.add(x),
+            x.mul(inf),
+            inf.mul(x),
+            x.div(zero),
+            inf.div(x),
+        ] {
+            assert!(!y.is_finite(), "{x:?}");
+        }
+        assert!(x.div(inf).is_zero() && zero.div(x).is_zero() && zero.mul(x).is_zero());
+        assert!(
+            x.sub_below(x).is_zero() && x.sub_below(inf).is_zero() && zero.sub_below(x).is_zero()
+        );
+        assert!(x.sub_below(x.shift(1)).is_zero() && !inf.sub_below(x).is_finite());
+        assert_eq!((x.sub_below(zero), x.add(zero), zero.add(x)), (x, x, x));
+        assert!(inf.sub_below(inf).is_zero());
+    }
+    assert!(zero.div(zero).is_zero() && zero.sqrt().is_zero() && !inf.sqrt().is_finite());
+    assert_eq!(
+        (zero.exponent(), inf.exponent(), one.exponent()),
+        (None, None, Some(0))
+    );
+    // Powers of two are exact, and a tiny term still moves a sum up and a difference down.
+    assert_eq!(Mag::power_of_two(-3).to_f64(), 0.125);
+    for k in [50, 59, 60, 61, 62, 100, 4000] {
+        let tiny = Mag::power_of_two(-k);
+        for sum in [one.add(tiny), tiny.add(one)] {
+            assert!(
+                sum > one && sum <= Mag::from_f64(1.0 + 2f64.powi(-k as i32) + 3.0 * f64::EPSILON),
+                "{k}"
+            );
+        }
+        let less = one.sub_below(tiny);
+        assert!(
+            less < one && less >= Mag::from_f64(1.0 - 2f64.powi(-k as i32) - 3.0 * f64::EPSILON),
+            "{k}"
+        );
+    }
+    // As f64, from above.
+    for (e, due) in [
+        (1023, 2f64.powi(1023)),
+        (1024, f64::INFINITY),
+        (-1021, 2f64.powi(-1021)),
+        (-1074, f64::from_bits(2)),
+        (-1075, f64::from_bits(1)),
+    ] {
+        assert_eq!(Mag::power_of_two(e).to_f64(), due, "{e}");
+    }
+    for d in [
+        (1u128 << 53) + 1,
+        (1 << 54) + 2,
+        (1 << 60) + 1,
+        u128::MAX - 1,
+    ] {
+        let exact = Mag::of_integer(d, 0, true);
+        assert!(
+            exact.to_float() >= d && Mag::of_integer(d, 0, false).to_float() <= d,
+            "{d}"
+        );
+    }
+}

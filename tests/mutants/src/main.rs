@@ -61,6 +61,9 @@ struct Args {
     /// Mutants judged at once; all cores if left out
     #[arg(long, value_name = "N")]
     jobs: Option<usize>,
+    /// Where the copy of the project is changed and built, one folder for each run at a time; target/mutants if left out
+    #[arg(long, value_name = "FOLDER")]
+    work: Option<PathBuf>,
     /// Write every mutant with its verdict to this CSV file
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -101,8 +104,10 @@ fn main() -> ExitCode {
 fn audit(args: &Args) -> Result<bool> {
     let project = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
     let project = project.canonicalize().context("the project")?;
+    let folder = args.work.clone();
+    let work = std::path::absolute(folder.unwrap_or_else(|| project.join("target/mutants")))?;
     if let Some(table) = &args.planted {
-        return planted::check(&project, table);
+        return planted::check(&project, &work, table);
     }
     let sources = read(&project, &args.files)?;
     let mut mutants = all(&sources);
@@ -121,7 +126,6 @@ fn audit(args: &Args) -> Result<bool> {
         }
         return Ok(true);
     }
-    let work = project.join("target/mutants");
     let tree = Tree::new(&project, &work)?;
     let mut targets: Vec<String> = args
         .test
@@ -232,10 +236,16 @@ fn compile(
             continue;
         }
         let before = left_out.len();
-        for e in &built.errors {
-            let file = sources.iter().position(|s| s.name == e.file);
-            if let Some(file) = file {
-                left_out.extend(rendered[file].blamed(&e.bytes));
+        // What stands beside the errors is to blame only where nothing at them is.
+        for primary in [true, false] {
+            for e in built.errors.iter().filter(|e| e.primary == primary) {
+                let file = sources.iter().position(|s| s.name == e.file);
+                if let Some(file) = file {
+                    left_out.extend(rendered[file].blamed(&e.bytes));
+                }
+            }
+            if left_out.len() > before {
+                break;
             }
         }
         if left_out.len() == before {

@@ -27,7 +27,7 @@ struct Row {
 }
 
 /// Whether every fault makes its test fail, and without one every test passes.
-pub fn check(project: &Path, table: &Path) -> Result<bool> {
+pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let mut reader = csv::Reader::from_path(table).with_context(|| table.display().to_string())?;
     let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
     let rows = rows.with_context(|| table.display().to_string())?;
@@ -37,15 +37,15 @@ pub fn check(project: &Path, table: &Path) -> Result<bool> {
     }
     let mut good = 0;
     for (package, rows) in packages {
-        good += of_package(project, package, &rows)?;
+        good += of_package(project, work, package, &rows)?;
     }
     println!("{good} of {} faults make their tests fail", rows.len());
     Ok(good == rows.len())
 }
 
-fn of_package(project: &Path, package: &str, rows: &[&Row]) -> Result<usize> {
+fn of_package(project: &Path, work: &Path, package: &str, rows: &[&Row]) -> Result<usize> {
     let (sources, mutants) = planted(project, rows)?;
-    let tree = Tree::new(project, &project.join("target/mutants"))?;
+    let tree = Tree::new(project, work)?;
     let mut left_out = HashSet::new();
     let targets = ["--lib".to_string()];
     let executables = compile(&tree, package, &sources, &mutants, &targets, &mut left_out)?;

@@ -13,10 +13,12 @@ pub struct Tree {
     target: PathBuf,
 }
 
-/// An error of the compiler: the file, and the bytes of it.
+/// An error of the compiler, or what it names beside one: the file, and the bytes of it.
 pub struct CompileError {
     pub file: String,
     pub bytes: Range<usize>,
+    /// Whether the error stands here; beside it is where a value went that is missing, say.
+    pub primary: bool,
     pub message: String,
 }
 
@@ -134,20 +136,20 @@ impl Tree {
     }
 }
 
-/// The primary spans of an error.
+/// The spans of an error.
 fn spans(message: &Value) -> Vec<CompileError> {
     let text = message["message"].as_str().unwrap_or_default();
     let all = message["spans"].as_array().into_iter().flatten();
-    all.filter(|s| s["is_primary"] == true)
-        .filter_map(|s| {
-            let number = |key: &str| s[key].as_u64().map(|n| n as usize);
-            Some(CompileError {
-                file: s["file_name"].as_str()?.to_owned(),
-                bytes: number("byte_start")?..number("byte_end")?,
-                message: text.to_owned(),
-            })
+    all.filter_map(|s| {
+        let number = |key: &str| s[key].as_u64().map(|n| n as usize);
+        Some(CompileError {
+            file: s["file_name"].as_str()?.to_owned(),
+            bytes: number("byte_start")?..number("byte_end")?,
+            primary: s["is_primary"] == true,
+            message: text.to_owned(),
         })
-        .collect()
+    })
+    .collect()
 }
 
 fn write_if_other(path: &Path, bytes: &[u8]) -> Result<()> {

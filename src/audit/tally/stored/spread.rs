@@ -22,20 +22,20 @@ pub(super) struct StoredSpread {
 impl StoredSpread {
     pub(super) fn of(spread: &SpreadTally) -> StoredSpread {
         let mut before = 0;
-        let bins = spread.bins.iter().flat_map(|(k, count)| {
+        let bins = spread.bins().flat_map(|(k, count)| {
             let step = u64::from(k - before);
-            before = *k;
-            [step, *count]
+            before = k;
+            [step, count]
         });
-        let squares = spread.squares.iter();
         StoredSpread {
             dropped: spread.dropped,
             count: spread.count,
             beyond: spread.beyond,
             max: Bits(f64::from_bits(spread.max)),
             bins: bins.collect(),
-            squares: squares
-                .map(|(e, s)| (*e, s.carry, format!("{:x}", s.low)))
+            squares: spread
+                .squares()
+                .map(|(e, s)| (e, s.carry, format!("{:x}", s.low)))
                 .collect(),
         }
     }
@@ -55,16 +55,17 @@ impl StoredSpread {
         for [step, count] in pairs {
             let step = Bin::try_from(*step).map_err(|_| bad())?;
             at = at.checked_add(step).ok_or_else(bad)?;
-            spread.bins.insert(at, *count);
+            spread.set_bin(at, *count).ok_or_else(bad)?;
         }
         for (e, carry, low) in self.squares {
             let low = u128::from_str_radix(&low, 16).map_err(|_| bad())?;
-            spread.squares.insert(e, Squares { low, carry });
+            let squares = Squares { low, carry };
+            spread.set_squares(e, squares).ok_or_else(bad)?;
         }
-        let total = spread
-            .bins
-            .values()
-            .try_fold(0u64, |n, k| n.checked_add(*k));
+        let total = {
+            let mut counts = spread.bins().map(|(_, count)| count);
+            counts.try_fold(0u64, u64::checked_add)
+        };
         if total != Some(self.count) {
             return Err(bad());
         }

@@ -185,3 +185,30 @@ fn reduced_quantities_of_an_uncertain_angle() {
     }
     assert!(most.iter().all(|m| *m > 1.0 / 500.0), "{most:?}");
 }
+
+/// The box of the proof holds both ends with all that is uncertain of them, and every crank angle between them.
+#[test]
+fn the_way_between_two_positions_is_all_of_it() {
+    let bits = 128;
+    let linkage = Linkage::new(&zinchenko(), bits);
+    let phi = degrees("14.426", bits);
+    let at = linkage.modes(&phi).unwrap()[0].configuration.clone();
+    let arc = ComplexBall::unit(&phi.with_prec(64));
+    assert!(linkage.joined(&arc, &at, &at));
+    let wide = |r: f64| Configuration {
+        c: at.c.widened(Mag::from_f64(r)),
+        ..at.clone()
+    };
+    assert!(linkage.joined(&arc, &wide(1e-6), &at) && linkage.joined(&arc, &at, &wide(1e-6)));
+    assert!(!linkage.joined(&arc, &wide(60.0), &at) && !linkage.joined(&arc, &at, &wide(60.0)));
+    // Two modes end in a fold at 217.27 degrees: a whole turn brings the crank back, and them not.
+    let (start, turned) = (degrees("217.2", bits), degrees("577.2", bits));
+    let modes = linkage.modes(&start).unwrap();
+    let beyond = linkage.modes(&degrees("217.3", bits)).unwrap();
+    assert_eq!(modes.len(), beyond.len() + 2);
+    let ended = modes.iter().filter(|m| {
+        let from = &m.configuration;
+        linkage.follow(from, &start, &turned).is_none()
+    });
+    assert!(ended.count() >= 2);
+}

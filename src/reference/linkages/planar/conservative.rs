@@ -201,7 +201,12 @@ impl Path<'_> {
     }
 
     /// The drive at the time `left` after the panel's left end.
-    fn invert(&self, panel: &Panel, left: &Ball, guess: &Float) -> Result<Ball, Undecided> {
+    pub(super) fn invert(
+        &self,
+        panel: &Panel,
+        left: &Ball,
+        guess: &Float,
+    ) -> Result<Ball, Undecided> {
         let one = Ball::integer(self.bits, 1);
         let tiny = Mag::power_of_two(-i64::from(self.bits));
         let slowness = |b: &Ball| self.loaded.slowness(&panel.branch, b, &one);

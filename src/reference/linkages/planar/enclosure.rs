@@ -16,6 +16,7 @@ use rug::Float;
 #[derive(Clone, Debug)]
 pub struct Linkage {
     pub(super) mechanism: Mechanism,
+    pub(super) drive: Drive,
     pub(super) fine: System,
     /// For contraction factors, which need no digits.
     pub(super) coarse: System,
@@ -121,6 +122,7 @@ impl Linkage {
             fine: System::new(mechanism, drive, bits),
             coarse: System::new(mechanism, drive, 64),
             mechanism: mechanism.clone(),
+            drive: drive.clone(),
         })
     }
 

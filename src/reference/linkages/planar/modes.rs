@@ -1,14 +1,15 @@
 //! All assembly modes at a value of the drive, with the proof that none is missing.
 //!
-//! Branch and prune over the compact chart `[−π, π]^n` of the bodies' angles. A box goes when an equation cannot be zero
+//! Branch and prune over a compact chart of the bodies' angles ([`chart`](super::chart)). A box goes when an equation cannot be zero
 //! on it or when `K(X)` does not meet it, every zero of X being one of `K(X)`; it is settled when `K(X)` lies in the
 //! interior of X, which proves one zero; else it is cut to `K(X)` or halved. Boxes overlap a little, so that zeros on
 //! common faces lie inside some box; what is found twice, by whole turns too, is told by the box in which a zero is
 //! alone.
 
+use super::chart::Equation;
 use super::enclosure::{Linkage, Position, apply, defect, exact, reach};
 use crate::{Ball, Mag, Undecided};
-use rug::Float;
+use rug::{Float, Rational};
 
 /// Boxes looked at before the search is given up: some seconds.
 const MOST_BOXES: usize = 100_000;
@@ -16,9 +17,9 @@ const MOST_BOXES: usize = 100_000;
 const NARROWEST: f64 = 1e-6;
 
 /// A zero and a box in which it is the only one.
-struct Found {
-    position: Position,
-    alone: Vec<Ball>,
+pub(super) struct Found {
+    pub position: Position,
+    pub alone: Vec<Ball>,
 }
 
 /// What is made of a box.
@@ -45,7 +46,7 @@ fn intersection(a: &Ball, b: &Ball) -> Option<Ball> {
 
 impl Linkage {
     /// Every position at that value of the drive, proved to be all, in no particular order; angles of bodies up to whole
-    /// turns.
+    /// turns that keep gears and drive (a crank at 4 rad is none at 4 − 2π).
     ///
     /// # Errors
     /// [`Undecided`] with the number of boxes that are left where modes meet or nearly so, where the search takes too
@@ -55,11 +56,10 @@ impl Linkage {
         if n != self.coarse.bodies {
             return Err(self.undecided("displacements have no compact chart"));
         }
-        let turn = Ball::integer(64, 0).widened(Ball::pi(64).magnitude());
-        let mut boxes = vec![vec![turn; n]];
+        let coarse = drive.with_prec(64);
+        let mut boxes = vec![self.coarse.chart(&self.linear(&coarse))];
         let mut found: Vec<Found> = Vec::new();
         let (mut looked, mut left) = (0, 0);
-        let coarse = drive.with_prec(64);
         while let Some(x) = boxes.pop() {
             looked += 1;
             if looked > MOST_BOXES {
@@ -94,6 +94,27 @@ impl Linkage {
             return Err(self.undecided(&format!("{left} boxes are left of the search for modes")));
         }
         Ok(found.into_iter().map(|f| f.position).collect())
+    }
+
+    /// Gears and drive.
+    fn linear(&self, drive: &Ball) -> Vec<Equation> {
+        let relations = &self.mechanism.loops.relations;
+        let gears = relations.iter().zip(&self.coarse.relations);
+        let gears = gears.map(|(exact, r)| (exact.terms.clone(), r.constant.clone()));
+        let drive = (self.drive.0.clone(), drive.clone());
+        gears.chain([drive]).collect()
+    }
+
+    /// Whether whole turns of the bodies change no gear and no drive.
+    fn keeps(&self, turns: &[i64]) -> bool {
+        let relations = self.mechanism.loops.relations.iter().map(|r| &r.terms);
+        relations.chain([&self.drive.0]).all(|terms| {
+            let sum: Rational = terms
+                .iter()
+                .map(|(i, k)| Rational::from(k * turns[*i]))
+                .sum();
+            sum.is_zero()
+        })
     }
 
     fn look(&self, x: &[Ball], drive: &Ball) -> Look {
@@ -140,7 +161,7 @@ impl Linkage {
     }
 
     /// Adds the only zero of a box unless it is known.
-    fn record(
+    pub(super) fn record(
         &self,
         drive: &Ball,
         alone: Vec<Ball>,
@@ -148,27 +169,29 @@ impl Linkage {
     ) -> Result<(), Undecided> {
         let guess: Vec<Float> = alone.iter().map(|b| b.mid().clone()).collect();
         let position = self.position(drive, &guess)?;
-        if !alone
-            .iter()
-            .zip(&position.x)
-            .all(|(a, x)| a.contains_ball(x))
-        {
+        let mut parts = alone.iter().zip(&position.x);
+        if !parts.all(|(a, x)| a.contains_ball(x)) {
             return Err(self.undecided("a mode leaves the box in which it is alone"));
         }
         let turn = Ball::pi(self.bits()).shift(1);
         // The whole turns that bring an angle next to another.
-        let moved = |x: &Ball, to: &Ball| {
-            let turns = (to - x).mid().to_f64() / std::f64::consts::TAU;
-            x + &(Ball::integer(self.bits(), turns.round() as i64) * &turn)
-        };
+        let turns =
+            |x: &Ball, to: &Ball| ((to - x).mid().to_f64() / std::f64::consts::TAU).round() as i64;
+        let moved = |x: &Ball, by: i64| x + &(Ball::integer(self.bits(), by) * &turn);
         for known in found.iter() {
-            let pairs = || position.x.iter().zip(&known.position.x);
-            let apart = pairs().any(|(x, k)| !moved(x, k).overlaps(k));
-            let same = position
-                .x
-                .iter()
-                .zip(&known.alone)
-                .all(|(x, a)| a.contains_ball(&moved(x, a)));
+            let apart = position.x.iter().zip(&known.position.x);
+            let apart = apart
+                .into_iter()
+                .any(|(x, k)| !moved(x, turns(x, k)).overlaps(k));
+            let by: Vec<i64> = (position.x.iter().zip(&known.alone))
+                .map(|(x, a)| turns(x, a))
+                .collect();
+            let there = position.x.iter().zip(&by).zip(&known.alone);
+            // Turns that do not keep gears and drive lead to no solution, wherever.
+            let same = self.keeps(&by)
+                && there
+                    .into_iter()
+                    .all(|((x, v), a)| a.contains_ball(&moved(x, *v)));
             match (same, apart) {
                 (true, _) => return Ok(()),
                 (false, true) => {}

@@ -207,6 +207,26 @@ fn another_branch_is_not_the_disc_s() {
             .within(&disc, &ball("0.9"), &one.midpoints())
             .is_some()
     );
+    // Nor is what reaches out of the polydisc, or a ball of drives that reaches out of the disc.
+    let out = |x: &[Ball]| Position {
+        x: (x.iter().zip(&disc.r))
+            .map(|(x, r)| x.widened(r.shift(1)))
+            .collect(),
+    };
+    assert!(!disc.owns(&ball("0.9"), &out(&one.x)));
+    let wide = ball("0.9").widened(Mag::from_f64(0.06));
+    assert!(!disc.owns(&wide, &one));
+    assert!(linkage.within(&disc, &wide, &one.midpoints()).is_none());
+    assert!(
+        !one.holds(&other)
+            && one.holds(&one)
+            && out(&one.x).holds(&one)
+            && !one.holds(&out(&one.x))
+    );
+    let partly = Position {
+        x: [&one.x[..1], &other.x[1..]].concat(),
+    };
+    assert!(!one.holds(&partly));
     // Nor is a drive outside the disc, though the position there lies in the polydisc.
     let drive = ball("0.951");
     let beyond = linkage.position(&drive, &one.midpoints()).unwrap();
@@ -349,4 +369,41 @@ fn an_integral_stays_in_its_panel() {
     let end = |k: &str| &panel.from + &(exact(&panel.half).shift(1) * ball(k));
     assert!(path.integral(&panel, &end("1")).is_ok());
     assert!(path.integral(&panel, &end("1.1")).is_err());
+}
+
+/// The drive at a time that is known within a radius: the Newton step over `b ± 2δ` has to stay inside. Next to the
+/// start, where the speed grows like a root, it does not for a wide one.
+#[test]
+fn the_drive_at_a_time_is_a_newton_step_that_stays_inside() {
+    let (linkage, forces) = (cranked(&four_bar()), forces());
+    let (loaded, panel) = first_panel(&linkage);
+    let from = &panel.from + &exact(&panel.half).shift(1);
+    let at = loaded.on(&panel.branch, &from).unwrap();
+    let half = (0..20).map(|k| Float::with_val(64, &panel.half) * 3u32 * 0.8f64.powi(k));
+    let panel = half
+        .into_iter()
+        .find_map(|half| loaded.panel(&from, &at, &panel.branch, &half))
+        .unwrap();
+    let path = super::conservative::Path::new(loaded, &forces).unwrap();
+    let middle = &panel.from + &exact(&panel.half);
+    let due = path.integral(&panel, &middle).unwrap();
+    let (mut narrow, mut refused) = (0, 0);
+    for k in 0..40 {
+        let radius = due.magnitude().mul(Mag::from_f64(4.0 * 0.8f64.powi(k)));
+        match path.invert(&panel, &due.widened(radius), middle.mid()) {
+            // What comes back holds the drive at both ends of the time.
+            Ok(drive) => {
+                narrow += 1;
+                let wide = |b: &rug::Float| path.integral(&panel, &exact(b)).unwrap();
+                if (&due - &wide(&drive.lower())).is_positive() {
+                    let (low, high) = (wide(&drive.lower()), wide(&drive.upper()));
+                    let by = Ball::new(radius.to_float(), Mag::ZERO);
+                    assert!(!(&low - &(&due - &by)).is_positive(), "{k}");
+                    assert!(!(&high - &(&due + &by)).is_negative(), "{k}");
+                }
+            }
+            Err(e) => refused += i32::from(e.reason.contains("is not proved")),
+        }
+    }
+    assert!(narrow > 3 && refused > 0, "{narrow} {refused}");
 }

@@ -240,6 +240,34 @@ mod tests {
     use proptest::prelude::*;
     use rug::Rational;
 
+    /// `T_N` and what the head of the file makes of it, with a bit for the roundings and the step from `ln Γ` to its bound.
+    #[test]
+    fn remainders_are_those_of_the_head() {
+        use rug::Float;
+        let log2 = |x: Float| x.ln() / std::f64::consts::LN_2;
+        for n in [1u64, 2, 3, 7, 40, 1000, 1_000_000] {
+            for log_r in [0.5, 3.0, 12.25, 100.0] {
+                let f = |x: f64| Float::with_val(160, x);
+                let whole = f(n as f64);
+                let s: Float = whole.clone() + 0.5;
+                let t: Float = s.clone().ln_gamma() / f(2.0).ln()
+                    - log2(Float::with_val(160, rug::float::Constant::Pi))
+                    - s * log_r;
+                let half_e: Float = f(1.0).exp().ln() / f(2.0).ln() / 2;
+                let root: Float = Float::with_val(160, &whole + 1.5).sqrt();
+                let turning: Float = (whole.clone() * 2 - 1) * root.clone() + whole * 2 + 3;
+                let bound = remainder(n, log_r);
+                for (found, due) in [
+                    (bound.plain, t.clone() + &half_e + log2(root)),
+                    (bound.turning, t.clone() + &half_e + log2(turning)),
+                ] {
+                    let more = found - due.to_f64();
+                    assert!((0.99..1.02).contains(&more), "{n} {log_r}: {more}");
+                }
+            }
+        }
+    }
+
     proptest! {
         /// w and w' at moderate |z| (Kummer's series) against N terms: both remainders obey their
         /// bounds over the closed quadrant.

@@ -209,6 +209,90 @@ mod tests {
         assert!(zero_of_erf(40, 1000).is_ok() && zero_of_erf(100_000, 60).is_ok());
     }
 
+    /// What each argument of a Lipschitz constant is, and where the theorem's conditions end: β η M ≤ ½, 2 Z r ≤ 1.
+    #[test]
+    fn certificates_end_where_the_theorem_does() {
+        type Bound = fn([Mag; 2], Mag, Mag, Mag) -> Mag;
+        type Expected = fn([f64; 2], f64, f64, f64) -> f64;
+        let bounds: [(Bound, Expected); 6] = [
+            (|_, _, _, _| Mag::from_f64(3.0), |_, _, _, _| 3.0),
+            (|[v, _], _, _, _| v.shift(3), |[v, _], _, _, _| 8.0 * v),
+            (|[_, s], _, _, _| s, |[_, s], _, _, _| s),
+            (|_, z, _, _| z.shift(2), |_, z, _, _| 4.0 * z),
+            (|_, _, r, _| r.shift(3), |_, _, r, _| 8.0 * r),
+            (|_, _, _, g| g, |_, _, _, g| g),
+        ];
+        let ball = |x: f64, r: f64| {
+            let re = Ball::new(Float::with_val(128, x), Mag::from_f64(r));
+            ComplexBall::new(re, Ball::integer(128, 0))
+        };
+        let mut proved = [0; 2];
+        for (bound, expected) in bounds {
+            let f = Function {
+                at: |_, _| None,
+                lipschitz: bound,
+            };
+            for (place, slope, spread) in [
+                (0.5, 1.0, 0.0),
+                (1.0, 1.0, 0.25),
+                (0.25, 2.0, 0.5),
+                (2.0, 0.5, 0.125),
+            ] {
+                for k in 1..400 {
+                    let value = 0.003 * f64::from(k);
+                    let (v, low, high) = (
+                        value * (1.0 + spread),
+                        slope - 0.5 * spread,
+                        slope + 0.5 * spread,
+                    );
+                    let eta = v / low;
+                    let r = 2.0 * eta;
+                    let z = place + r;
+                    let t = 2.0 * z * r;
+                    let share = 2.0 * eta * expected([v, high], z, r, 1.0 + 2.0 * t) / low;
+                    if (t - 1.0).abs() < 1e-9 || (share - 1.0).abs() < 1e-9 {
+                        continue;
+                    }
+                    let due = t < 1.0 && share < 1.0;
+                    let here = [ball(value, value * spread), ball(slope, 0.5 * spread)];
+                    let found = certificate(&f, &ball(place, 0.0), &here);
+                    assert_eq!(found.is_some(), due, "{place} {slope} {spread} {value}");
+                    if let Some(found) = found {
+                        assert!(found.to_f64() >= r && found.to_f64() < r * (1.0 + 1e-12));
+                    }
+                    proved[usize::from(due)] += 1;
+                }
+            }
+        }
+        assert!(proved.iter().all(|n| *n > 500), "{proved:?}");
+        // Without a slope nothing is proved.
+        let f = Function {
+            at: |_, _| None,
+            lipschitz: |_, _, _, _| Mag::ZERO,
+        };
+        assert!(certificate(&f, &ball(1.0, 0.0), &[ball(0.1, 0.0), ball(0.5, 0.5)]).is_none());
+    }
+
+    #[test]
+    fn lipschitz_constants_are_those_of_the_head() {
+        let root = std::f64::consts::PI.sqrt();
+        for (v, s, z, r, g) in [
+            (0.1, 2.0, 3.0, 0.05, 1.25),
+            (2.0, 0.5, 0.75, 0.25, 2.5),
+            (0.0, 1.0, 0.5, 0.5, 1.0),
+        ] {
+            let m = Mag::from_f64;
+            let of = |f: &Function| (f.lipschitz)([m(v), m(s)], m(z), m(r), m(g)).to_f64();
+            let w = (4.0 * z * z + 2.0) * g * (v + 2.0 * r / root) + 4.0 * z / root;
+            for (found, due) in [(of(&W), w), (of(&ERF), 2.0 * z * g * s)] {
+                assert!(
+                    found >= due * (1.0 - 1e-15) && found < due * (1.0 + 1e-13),
+                    "{found} {due}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn a_point_that_is_no_zero_has_no_certificate() {
         for f in [&W, &ERF] {

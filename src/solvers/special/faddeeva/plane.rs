@@ -136,7 +136,7 @@ fn on_imaginary_axis<L: Lanes>(lanes: L, b: f64) -> f64 {
         SERIES_14 => series::<_, 14>(0.0, b).0,
         SERIES_6 | SERIES_4 | SERIES_2 => series::<_, 6>(0.0, b).0,
         MACLAURIN_9 => return maclaurin::on_imaginary_axis(b),
-        _ => return special::huge(0.0, b).0,
+        _ => return special::on_imaginary_axis(b),
     };
     re.hi
 }

@@ -1,8 +1,26 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::asymptotic::one_term;
+use super::constants::INV_SQRT_PI;
+use crate::double_double::Dd;
 use crate::exponential::circle;
 use crate::real::{ROUND, scaled};
+
+/// `ROUND − k` for a coordinate within `[2^k, 2^(k+1))`: what scales it to about one.
+fn to_one(a: f64) -> f64 {
+    ROUND - ((a.to_bits() >> 52) as f64 - 1023.0)
+}
+
+/// `w(i b) = 1/(√π b)` for `b ≥ 10^100`: a quotient of pairs, whose roundings keep it from growing with b.
+#[cold]
+#[inline(never)]
+pub(super) fn on_imaginary_axis(b: f64) -> f64 {
+    if !b.is_finite() {
+        return huge(0.0, b).0;
+    }
+    let k = to_one(b);
+    scaled(INV_SQRT_PI.div(Dd::from(scaled(b, k))).hi, k)
+}
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.
 #[cold]
@@ -17,7 +35,7 @@ pub(super) fn huge(a: f64, y: f64) -> (f64, f64) {
     let (u, v) = if a.is_infinite() || b.is_infinite() {
         (0.0, 0.0)
     } else {
-        let k = ROUND - ((a.max(b).to_bits() >> 52) as f64 - 1023.0);
+        let k = to_one(a.max(b));
         let (p, q) = (scaled(a, k), scaled(b, k));
         let (re, im) = one_term(p, q);
         (scaled(re, k), scaled(im, k))

@@ -28,3 +28,19 @@ fn large_moduli() {
         }
     }
 }
+
+/// `w(i b)` from one number to the next, the subnormal values included.
+#[test]
+fn does_not_grow_along_the_imaginary_axis() {
+    let mut random = Random(82);
+    let at = |b: f64| on_imaginary_axis(b);
+    for _ in 0..200_000 {
+        let b = random.power(333.0, 1023.9);
+        assert!(at(b.next_up()) <= at(b), "{b:e}");
+        // Subnormal values are rounded a second time.
+        let normal = at(b) >= f64::MIN_POSITIVE;
+        assert!(!normal || at(b) == w(0.0, b).0.to_f64(), "{b:e}");
+    }
+    let b = crate::hex::hex("0x1.ae9b57f2f06f8p1015");
+    assert!(at(b.next_up()) <= at(b));
+}
