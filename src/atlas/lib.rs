@@ -23,6 +23,7 @@ mod algorithm;
 mod elementary;
 mod gauss_hermite;
 mod gautschi;
+mod hartmann_tran;
 mod hui_armstrong_wray;
 mod humlicek_1979;
 mod humlicek_1982;
@@ -42,11 +43,13 @@ mod zaghloul_2017;
 mod zaghloul_ali;
 
 pub use algorithm::{Algorithm, NotAtHand, Parts, Plane};
+pub use hartmann_tran::{Line, PROFILES, Profile};
 
 /// All of them, by the years of their papers.
 pub fn all() -> Vec<Algorithm> {
     let mut all = Vec::new();
     all.extend(gautschi::ALGORITHMS);
+    all.extend(trapezoidal::MATTA_REICHEL);
     all.extend(trapezoidal::HUNTER_REGAN);
     all.extend(hui_armstrong_wray::ALGORITHMS);
     all.extend(humlicek_1979::ALGORITHMS);
@@ -58,6 +61,7 @@ pub fn all() -> Vec<Algorithm> {
     all.extend(wells::ALGORITHMS);
     all.extend(zaghloul_ali::ALGORITHMS);
     all.extend(abrarov_quine::ALGORITHMS);
+    all.extend(hartmann_tran::ALGORITHMS);
     all.extend(karbach_raven_schiller::ALGORITHMS);
     all.extend(zaghloul_2017::ALGORITHMS);
     all.extend(schreier::ALGORITHMS);
@@ -71,22 +75,9 @@ pub fn find(name: &str) -> Option<Algorithm> {
 }
 
 /// What is missing from [`all`], and why.
-pub const NOT_AT_HAND: &[NotAtHand] = &[
-    NotAtHand {
-        name: "letchworth-benner-2007",
-        source: "K. L. Letchworth, D. C. Benner, JQSRT 107 (2007) 173-192",
-        why: "its tables' grids and the borders of its three methods are in no text at hand; the abstract has \
-              only which methods they are",
-    },
-    NotAtHand {
-        name: "matta-reichel-1971",
-        source: "F. Matta, A. Reichel, Math. Comp. 25 (1971) 339-344",
-        why: "the step and the number of terms of the paper are in no text at hand; hunter-regan-1972 is the same \
-              sum with the remedy at its poles",
-    },
-    NotAtHand {
-        name: "hartmann-tran-2013",
-        source: "H. Tran, N. H. Ngo, J.-M. Hartmann, JQSRT 129 (2013) 199-203",
-        why: "a difference of two values of w with seven parameters: it needs a reference of its own",
-    },
-];
+pub const NOT_AT_HAND: &[NotAtHand] = &[NotAtHand {
+    name: "letchworth-benner-2007",
+    source: "K. L. Letchworth, D. C. Benner, JQSRT 107 (2007) 173-192",
+    why: "its tables' grids, the borders of its three methods and the orders of its quadrature and interpolation are in no text and \
+              no public code at hand; abstracts have only which methods they are",
+}];

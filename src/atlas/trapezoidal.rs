@@ -2,6 +2,8 @@
 //! `w ≈ (2ihz/π) Σ e^{−t²}/(z² − t²)` over `t = h/2, 3h/2, …` (midpoints), or `t = h, 2h, …` and `(ih/π)/z`; where z is
 //! below `π/h`, besides `2e^{−z²}/(1 ± e^{−2πiz/h})`.
 //!
+//! F. Matta, A. Reichel, Math. Comp. 25 (1971) 339–344 take the multiples of h everywhere, whose pole's term
+//! and whose sum cancel beside each node.
 //! D. B. Hunter, T. Regan, Math. Comp. 26 (1972) 539–541 change between the two rules by the distance of the
 //! pole from the nodes. M. Al Azah, S. N. Chandler-Wilde, SIAM J. Numer. Anal. 59 (2021) 2346–2367 prove
 //! `|w − w_N| ≤ 0.7 e^{−πN}` for `h = √(π/(N+1))` and their choice of the rule.
@@ -12,12 +14,26 @@ use num_complex::{Complex, Complex64};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// A step and a number of terms within the range of `f64`; the paper leaves both to the reader.
+/// h = 1/2 and twelve terms.
+pub const MATTA_REICHEL: [Algorithm; 1] = [Algorithm {
+    name: "matta-reichel-1971",
+    title: "Trapezoidal rule with the pole's term, h = 1/2, 12 terms",
+    source: "F. Matta, A. Reichel, Math. Comp. 25 (1971) 339-344",
+    read_from: "K. Eriksson's function of 1981 in public codes of stellar atmospheres, which has the real part: its step, its twelve \
+                terms, the pole's term for Im z <= 2 pi; the imaginary part by the same formula",
+    plane: Plane::Upper,
+    parts: Parts::Both,
+    w: matta_reichel,
+    single: None,
+    formula: Some(|z| u8::from(z.im > PI / HALF.h)),
+}];
+
+/// The step and the number of terms of Matta and Reichel's.
 pub const HUNTER_REGAN: [Algorithm; 1] = [Algorithm {
     name: "hunter-regan-1972",
     title: "Trapezoidal rule with pole correction, h = 1/2, 12 terms",
     source: "D. B. Hunter, T. Regan, Math. Comp. 26 (1972) 539-541, after F. Matta and A. Reichel 1971",
-    read_from: "the formulas, derived at the head of the file; h and the number of terms are ours: e^(-(pi/h)²) = 7e-18",
+    read_from: "the formulas, derived at the head of the file; h and the number of terms as matta-reichel-1971: e^(-(pi/h)²) = 7e-18",
     plane: Plane::Whole,
     parts: Parts::Both,
     w: hunter_regan,
@@ -57,6 +73,16 @@ fn quadrant(z: Complex64) -> Complex64 {
 fn formula_of_hunter_regan(z: Complex64) -> u8 {
     let z = quadrant(z);
     HALF.rule(z) + 2 * u8::from(z.im >= PI / HALF.h)
+}
+
+fn matta_reichel(z: Complex64) -> Complex64 {
+    mirrored(z, |z| {
+        let sum = HALF.by_multiples(z);
+        match z.im > PI / HALF.h {
+            true => sum,
+            false => sum + HALF.pole(z, -1.0),
+        }
+    })
 }
 
 fn hunter_regan(z: Complex64) -> Complex64 {

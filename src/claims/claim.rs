@@ -53,7 +53,7 @@ pub struct Place {
     /// Draws a point of it.
     pub draw: fn(&mut Draw) -> Vec<f64>,
     /// Whether a point is of it.
-    pub holds: fn(f64, f64) -> bool,
+    pub holds: fn(&[f64]) -> bool,
 }
 
 /// A claim.

@@ -1,8 +1,9 @@
 //! Code that is surveyed: an algorithm, or a library run as a program.
 
+use super::lines;
 use crate::audit::{SolverAnswer, hex_float};
 use crate::solvers::faddeeva::faddeeva;
-use mechaudit_atlas::{Algorithm, Parts, Plane};
+use mechaudit_atlas::{Algorithm, Parts, Plane, Profile};
 use num_complex::{Complex, Complex32};
 
 type Answers<'a> = Box<dyn Fn(&[Vec<f64>]) -> Vec<SolverAnswer> + 'a>;
@@ -23,6 +24,8 @@ pub struct Code<'a> {
     pub single: bool,
     /// The algorithm, if it is one.
     pub algorithm: Option<Algorithm>,
+    /// Nanoseconds a value, as a program has measured itself.
+    pub nanoseconds: Option<f64>,
     answers: Answers<'a>,
 }
 
@@ -37,6 +40,7 @@ impl<'a> Code<'a> {
             parts: a.parts,
             single: false,
             algorithm: Some(a),
+            nanoseconds: None,
             answers: Box::new(move |inputs| inputs.iter().map(|z| answer(&a, z)).collect()),
         }
     }
@@ -56,6 +60,16 @@ impl<'a> Code<'a> {
         })
     }
 
+    /// An algorithm for the Hartmann–Tran profile: `answers` gets lines of eight parameters.
+    pub fn line(p: Profile) -> Code<'a> {
+        let source = (p.name.into(), p.title.into(), p.source.into());
+        // Half of the lines where it has half of the parameters.
+        let plane = if p.whole { Plane::Whole } else { Plane::Upper };
+        Code::other(source, plane, Parts::Both, move |inputs| {
+            inputs.iter().map(|i| lines::answer(&p, i)).collect()
+        })
+    }
+
     /// Anything else: `answers` gets points of the upper half-plane, of the whole plane if `plane` says so.
     pub fn other(
         (name, title, source): (String, String, String),
@@ -71,6 +85,7 @@ impl<'a> Code<'a> {
             parts,
             single: false,
             algorithm: None,
+            nanoseconds: None,
             answers: Box::new(answers),
         }
     }
@@ -81,10 +96,15 @@ impl<'a> Code<'a> {
     }
 
     /// The arguments of `mechaudit` that show it at a point.
-    pub fn at(&self, z: [f64; 2]) -> String {
-        let [x, y] = z.map(hex_float);
-        format!("atlas --only {} --at {x},{y}", self.name)
+    pub fn at(&self, z: &[f64]) -> String {
+        at(&self.name, z)
     }
+}
+
+/// The arguments of `mechaudit` that show an algorithm at a point.
+pub fn at(name: &str, z: &[f64]) -> String {
+    let place: Vec<String> = z.iter().map(|x| hex_float(*x)).collect();
+    format!("atlas --only {name} --at {}", place.join(","))
 }
 
 /// The solver of this suite, surveyed with the others.

@@ -1,17 +1,18 @@
 //! Decides claims: maxima by an audit of the claim's own domain and a hunt in it, means by a certified sample.
 
 use super::claim::{Claim, Measure, Place, Statistic, Verdict};
-use super::code::answer;
+use super::code::{self, answer};
+use super::lines::{self, HartmannTran};
 use super::mean::{Mean, mean};
 use super::placed::Placed;
 use super::whole::Effort;
 use super::{at, rounded};
 use crate::audit::{
     Cases, HuntSettings, Limit, Method, Region, Settings, SolverAnswer, Variant, audit_method,
-    hex_float, hunt, judge_case_briefly,
+    hunt, judge_case_briefly,
 };
 use crate::methods::find;
-use mechaudit_atlas::{Algorithm, find as find_algorithm};
+use mechaudit_atlas::{Algorithm, PROFILES, Profile, find as find_algorithm};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -50,7 +51,7 @@ pub struct Decided {
     /// Half the width of the mean's interval.
     pub within: Option<f64>,
     /// The point with the largest error; a claim is refuted by it.
-    pub at: Option<[f64; 2]>,
+    pub at: Option<Vec<f64>>,
     /// A command that shows it.
     pub reproduce: Option<String>,
 }
@@ -73,8 +74,9 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
         at: None,
         reproduce: None,
     };
-    let known = find_algorithm(claim.algorithm);
-    let (Some((place, measure, statistic, bound)), Some(algorithm)) = (claim.test, known) else {
+    let (Some((place, measure, statistic, bound)), Some(subject)) =
+        (claim.test, Subject::of(claim.algorithm))
+    else {
         return decided;
     };
     decided.part = String::new();
@@ -83,13 +85,13 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
             decided.measure = measure.words().into();
             maximum(
                 &mut decided,
-                &Tested::new(algorithm, place, measure, bound),
+                &Tested::new(subject, place, measure, bound),
                 effort,
             );
         }
         Statistic::Mean => {
             decided.measure = format!("mean, {}", measure.words());
-            let tested = Tested::new(algorithm, place, measure, 1.0);
+            let tested = Tested::new(subject, place, measure, 1.0);
             let Some(m) = tested.mean(effort) else {
                 decided.verdict = Verdict::Refuted;
                 decided.part = "an answer is no number".into();
@@ -105,16 +107,45 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
             };
         }
     }
-    decided.reproduce = decided.at.map(|z| {
-        let [x, y] = z.map(hex_float);
-        format!("mechaudit atlas --only {} --at {x},{y}", claim.algorithm)
-    });
+    decided.reproduce = decided
+        .at
+        .as_ref()
+        .map(|z| format!("mechaudit {}", code::at(claim.algorithm, z)));
     decided
+}
+
+/// What a claim is about.
+pub(super) enum Subject {
+    W(Algorithm),
+    Line(Profile),
+}
+
+impl Subject {
+    pub(super) fn of(name: &str) -> Option<Subject> {
+        let profile = PROFILES.iter().find(|p| p.name == name);
+        find_algorithm(name)
+            .map(Subject::W)
+            .or(profile.map(|p| Subject::Line(*p)))
+    }
+
+    pub(super) fn method(&self) -> Box<dyn Method> {
+        match self {
+            Subject::W(_) => find("faddeeva").expect("a method of the registry"),
+            Subject::Line(_) => Box::new(HartmannTran),
+        }
+    }
+
+    pub(super) fn answer(&self, input: &[f64]) -> SolverAnswer {
+        match self {
+            Subject::W(a) => answer(a, input),
+            Subject::Line(p) => lines::answer(p, input),
+        }
+    }
 }
 
 /// An algorithm where a claim is tested.
 struct Tested {
-    algorithm: Algorithm,
+    subject: Subject,
     place: Place,
     measure: Measure,
     bound: f64,
@@ -122,13 +153,13 @@ struct Tested {
 }
 
 impl Tested {
-    fn new(algorithm: Algorithm, place: Place, measure: Measure, bound: f64) -> Tested {
+    fn new(subject: Subject, place: Place, measure: Measure, bound: f64) -> Tested {
         Tested {
-            algorithm,
+            method: subject.method(),
+            subject,
             place,
             measure,
             bound,
-            method: find("faddeeva").expect("a method of the registry"),
         }
     }
 
@@ -139,20 +170,17 @@ impl Tested {
             description: self.place.words,
             sample: self.place.draw,
         };
-        let holds = move |z: &[f64]| z[1] >= floor && (self.place.holds)(z[0], z[1]);
+        let holds =
+            move |z: &[f64]| (z[1] >= floor || floor == f64::NEG_INFINITY) && (self.place.holds)(z);
         let placed = Placed::new(&*self.method, vec![region], holds);
-        let a = self.algorithm;
-        let chosen: &[&str] = match self.measure {
-            Measure::RelativeRe | Measure::AbsoluteRe => &["Re W"],
-            Measure::RelativeIm => &["Im W"],
-            _ => &["Re W", "Im W"],
-        };
         let part = match self.measure {
             Measure::RelativeIm => 1..2,
             Measure::RelativeRe | Measure::AbsoluteRe => 0..1,
             _ => 0..2,
         };
-        let solve = move |z: &[f64]| match answer(&a, z) {
+        let names: Vec<&str> = self.method.outputs().iter().map(|o| o.name).collect();
+        let chosen = &names[part.clone()];
+        let solve = move |z: &[f64]| match self.subject.answer(z) {
             SolverAnswer::Values(v) if v.len() == 2 => SolverAnswer::Values(v[part.clone()].into()),
             other => other,
         };
@@ -172,7 +200,12 @@ impl Tested {
     /// The error at a point in units of the bound, and whether it certainly is over it.
     fn share(&self, method: &dyn Method, z: &[f64]) -> (f64, bool) {
         let answer = method.solve(z);
-        let report = judge_case_briefly(method, at("faddeeva", z), answer, &Settings::default());
+        let report = judge_case_briefly(
+            method,
+            at(self.method.name(), z),
+            answer,
+            &Settings::default(),
+        );
         let j = &report.judgement;
         let over = matches!(
             j.verdict,
@@ -269,7 +302,7 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
         return;
     };
     decided.found = Some(rounded(share * tested.bound));
-    decided.at = Some([z[0], z[1]]);
+    decided.at = Some(z.clone());
     decided.verdict = match (over, share <= 1.0) {
         (true, _) => Verdict::Refuted,
         (false, true) => Verdict::Holds,
@@ -278,7 +311,8 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
     };
     // What is left when a strip along the real axis is left out.
     let ceiling = search.ceiling * (1.0 + 1e-9);
-    if !over || !(0.0..STRIP).contains(&ceiling) {
+    let plane = matches!(tested.subject, Subject::W(_));
+    if !over || !plane || !(0.0..STRIP).contains(&ceiling) {
         return;
     }
     let mut floor = power_above(ceiling);
@@ -326,12 +360,18 @@ mod tests {
     const SQUARE: Place = Place {
         words: "",
         draw: |d| vec![d.uniform(-4.0, 4.0), d.uniform(0.0, 4.0)],
-        holds: |x, y| x.abs() <= 4.0 && (0.0..=4.0).contains(&y),
+        holds: |z| {
+            let (x, y) = (z[0], z[1]);
+            x.abs() <= 4.0 && (0.0..=4.0).contains(&y)
+        },
     };
     const FAR_ON_THE_AXIS: Place = Place {
         words: "",
         draw: |d| vec![d.uniform(150.0, 200.0), 0.0],
-        holds: |x, y| x >= 150.0 && y == 0.0,
+        holds: |z| {
+            let (x, y) = (z[0], z[1]);
+            x >= 150.0 && y == 0.0
+        },
     };
 
     #[test]
@@ -372,7 +412,7 @@ mod tests {
             (Measure::RelativeRe, Statistic::Maximum, 1e-14),
         );
         let z = found.at.unwrap();
-        assert!((SQUARE.holds)(z[0], z[1]) && found.found.unwrap() > 1e-14);
+        assert!((SQUARE.holds)(&z) && found.found.unwrap() > 1e-14);
     }
 
     #[test]

@@ -1,10 +1,9 @@
 //! What is wrong where in what is widely used, each in one sentence with a command.
 
-use super::code::Code;
+use super::code;
+use super::decide::Subject;
 use super::{at, rounded};
 use crate::audit::{Limit, Referee, Settings, SolverAnswer, Variant};
-use crate::methods::find;
-use mechaudit_atlas::find as find_algorithm;
 use serde::Serialize;
 
 /// A finding.
@@ -17,7 +16,7 @@ pub struct Finding {
     /// In one sentence.
     pub sentence: String,
     /// The point.
-    pub at: [f64; 2],
+    pub at: Vec<f64>,
     /// The part of w.
     pub part: &'static str,
     /// What it gives there.
@@ -31,88 +30,111 @@ pub struct Finding {
 }
 
 /// Algorithm, who uses it, point, part.
-type Where = (&'static str, &'static str, [f64; 2], usize);
+type Where = (&'static str, &'static str, &'static [f64], usize);
 
 /// Found by the survey and then written down: the test computes every one anew.
-const POINTS: [Where; 15] = [
-    ("weideman-1994-32", "jax.scipy.special.wofz", [6.0, 0.0], 0),
-    ("weideman-1994-32", "jax.scipy.special.wofz", [6.0, 1e-8], 0),
+const POINTS: [Where; 18] = [
+    ("weideman-1994-32", "jax.scipy.special.wofz", &[6.0, 0.0], 0),
     (
-        "schreier-2011-hum1wei24",
-        "the default of HAPI, HITRAN's own program",
-        [4.5, 1e-6],
+        "weideman-1994-32",
+        "jax.scipy.special.wofz",
+        &[6.0, 1e-8],
         0,
     ),
     (
         "schreier-2011-hum1wei24",
         "the default of HAPI, HITRAN's own program",
-        [5.5, 1e-8],
+        &[4.5, 1e-6],
+        0,
+    ),
+    (
+        "schreier-2011-hum1wei24",
+        "the default of HAPI, HITRAN's own program",
+        &[5.5, 1e-8],
         0,
     ),
     (
         "schreier-2018-hum2zpf16",
         "astropy's Voigt1D, method Humlicek2, said to be within 3e-5",
-        [5.5, 1e-8],
+        &[5.5, 1e-8],
         0,
     ),
     (
         "mclean-1994",
         "spectrum fitting; astropy's Voigt1D of former releases",
-        [4.5, 1e-6],
+        &[4.5, 1e-6],
         0,
     ),
     (
         "karbach-raven-schiller-2014-fast",
         "RooFit's faddeeva_fast",
-        [4.5, 1e-6],
+        &[4.5, 1e-6],
         0,
     ),
     (
         "karbach-raven-schiller-2014",
         "RooFit's faddeeva",
-        [5.0, 0.0],
+        &[5.0, 0.0],
         0,
     ),
     (
         "humlicek-1982",
         "w4, the usual choice of line-by-line codes",
-        [5.5, 1e-12],
+        &[5.5, 1e-12],
         0,
     ),
     (
         "hui-armstrong-wray-1978",
         "SIR and other codes of solar physics",
-        [4.5, 1e-6],
+        &[4.5, 1e-6],
         0,
     ),
     (
         "cernlib-wwerf",
         "MAD-X, SixTrack, PyHEADTAIL",
-        [5.0, 0.0],
+        &[5.0, 0.0],
         0,
     ),
     (
         "poppe-wijers-1990",
         "algorithm 680, WOFZ of plasma codes",
-        [6.2, 1e-12],
+        &[6.2, 1e-12],
         0,
     ),
     (
         "zaghloul-ali-2011",
         "algorithm 916 by itself, without the continued fraction that the MIT package and libcerf put around it",
-        [10000000000.0, 1.0],
+        &[10000000000.0, 1.0],
         0,
     ),
     (
         "wells-1999-r4",
         "HUMLIK of line-by-line codes",
-        [150.0, 0.0],
+        &[150.0, 0.0],
         1,
     ),
     (
         "thompson-cox-hastings-1987",
         "the peak shape of Rietveld refinement",
-        [10.0, 1e-6],
+        &[10.0, 1e-6],
+        0,
+    ),
+    (
+        "matta-reichel-1971",
+        "programs for stellar spectra, as Eriksson's HH",
+        &[2.0, 1e-9],
+        0,
+    ),
+    (
+        "hapi-pcqsdhc",
+        "the Hartmann-Tran profile of HAPI, Gamma_D = 0.01, Gamma_0 = 0.3, Gamma_2 = 0.06",
+        &[0.01, 0.3, 0.06, 0.0, 0.0, 0.0, 0.0, 6.8],
+        0,
+    ),
+    (
+        "hapi-pcqsdhc",
+        "the same line",
+        &[0.01, 0.3, 0.06, 0.0, 0.0, 0.0, 0.0, 7.0],
         0,
     ),
 ];
@@ -132,22 +154,33 @@ pub fn findings(asked: &dyn Fn(&str) -> bool) -> Vec<Finding> {
 }
 
 fn found((name, used_by, z, part): &Where) -> Option<Finding> {
-    let algorithm = find_algorithm(name)?;
-    let method = find("faddeeva")?;
+    let subject = Subject::of(name)?;
+    let method = subject.method();
     let variant = Variant::new(&*method).limit(Limit::Relative(1e-300));
     let settings = Settings::default();
-    let w = (algorithm.w)(num_complex::Complex::new(z[0], z[1]));
-    let mut referee = Referee::new(&variant, at("faddeeva", z), &settings);
-    let report = referee.judge(SolverAnswer::Values(vec![w.re, w.im]), true);
-    let got = [w.re, w.im][*part];
+    let answer = subject.answer(z);
+    let got = match &answer {
+        SolverAnswer::Values(values) => *values.get(*part)?,
+        _ => return None,
+    };
+    let answer = match answer {
+        // A real part alone is judged with nothing beside it.
+        SolverAnswer::Values(values) if values.len() == 1 => {
+            SolverAnswer::Values(vec![values[0], f64::NAN])
+        }
+        other => other,
+    };
+    let mut referee = Referee::new(&variant, at(method.name(), z), &settings);
+    let report = referee.judge(answer, true);
     let due = report.reference.get(*part)?.clone()?;
     let error = report.judgement.components.get(*part)?.of_budget * 1e-300;
     let error = error.is_finite().then(|| rounded(error));
-    let word = ["Re W", "Im W"][*part];
+    let word = method.outputs().get(*part)?.name;
     let short: f64 = due.parse().ok()?;
-    let place = match z[1] {
-        0.0 => plain(z[0]),
-        y => format!("{} + {}i", plain(z[0]), plain(y)),
+    let place = match z[..] {
+        [x, 0.0] => plain(x),
+        [x, y] => format!("{} + {}i", plain(x), plain(y)),
+        _ => format!("detuning {}", plain(*z.last()?)),
     };
     let size = match error {
         Some(e) if got.is_sign_negative() != short.is_sign_negative() => {
@@ -157,17 +190,17 @@ fn found((name, used_by, z, part): &Where) -> Option<Finding> {
         None => "no number".into(),
     };
     Some(Finding {
-        algorithm: algorithm.name,
+        algorithm: name,
         used_by,
         sentence: format!(
             "{name} ({used_by}) gives {word}({place}) = {got:.3e}, where {short:.3e} is due: {size}."
         ),
-        at: *z,
+        at: z.to_vec(),
         part: word,
         got,
         due,
         error,
-        reproduce: format!("mechaudit {}", Code::double(algorithm).at(*z)),
+        reproduce: format!("mechaudit {}", code::at(name, z)),
     })
 }
 

@@ -32,9 +32,10 @@ fn points(k: i32, effort: &Effort) -> Vec<Vec<f64>> {
     (0..effort.cases)
         .map(|i| {
             let mut d = Draw::new(effort.seed, "atlas", "heights", band << 32 | i);
-            let x = match d.chance(0.67) {
-                true => d.uniform(0.0, 30.0),
-                false => regions::log_uniform(&mut d, 1e-3, 1e5),
+            let x = match d.uniform(0.0, 1.0) {
+                u if u < 0.5 => d.uniform(0.0, 30.0),
+                u if u < 0.75 => regions::fourth(&mut d, 64.0),
+                _ => regions::log_uniform(&mut d, 1e-3, 1e5),
             };
             let y = match k < LOW {
                 true if d.chance(0.5) => 0.0,

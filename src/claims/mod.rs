@@ -13,12 +13,14 @@
 //! ```
 
 mod advice;
+mod breaks;
 mod claim;
 mod code;
 mod data;
 mod decide;
 mod findings;
 mod heights;
+mod lines;
 mod maps;
 mod mean;
 mod placed;
@@ -35,13 +37,16 @@ pub use data::claims;
 pub use decide::{Decided, decide};
 pub use findings::{Finding, findings};
 pub use heights::{Height, TARGETS};
+pub use lines::{HartmannTran, answer};
 pub use maps::{LEVELS, Map, level, map};
 pub use seams::Jump;
-pub use speed::nanoseconds;
-pub use survey::{Figures, Part, Row, survey};
+pub use speed::{nanoseconds, nanoseconds_of_lines};
+pub use survey::{Figures, Part, Row, survey, survey_lines};
 pub use whole::{Atlas, Effort, Missing, atlas};
 
-pub use mechaudit_atlas::{Algorithm, NOT_AT_HAND, NotAtHand, Parts, Plane, all, find};
+pub use mechaudit_atlas::{
+    Algorithm, NOT_AT_HAND, NotAtHand, PROFILES, Parts, Plane, Profile, all, find,
+};
 
 use crate::audit::{Case, Origin};
 

@@ -15,6 +15,11 @@ pub fn either_side(d: &mut Draw, x: f64, y: f64) -> Vec<f64> {
     vec![d.signed(x), y]
 }
 
+/// A multiple of 1/4 up to a quarter of `count`; not zero, where Im w is exactly zero.
+pub fn fourth(d: &mut Draw, count: f64) -> f64 {
+    (d.uniform(0.0, count).floor() + 1.0) * 0.25
+}
+
 fn polar(r: f64, angle: f64) -> Vec<f64> {
     let (sin, cos) = libm::sincos(angle);
     vec![r * cos, r * sin]
@@ -51,6 +56,15 @@ pub fn upper() -> Vec<Region> {
             let x = d.uniform(0.0, 8.0);
             either_side(d, x, 0.0)
         }),
+        region(
+            "grid",
+            "|Re z| = 1/4, 1/2, .. 8, Im z = 1e-12..0.1",
+            |d| {
+                // Nodes of quadrature, points of tables, and what users ask for.
+                let (x, y) = (fourth(d, 32.0), log_uniform(d, 1e-12, 0.1));
+                either_side(d, x, y)
+            },
+        ),
         region("wings", "|Re z| = 8..1e4, Im z = 1e-8..0.1", |d| {
             let (x, y) = (log_uniform(d, 8.0, 1e4), log_uniform(d, 1e-8, 0.1));
             either_side(d, x, y)

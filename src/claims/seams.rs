@@ -13,15 +13,15 @@ use serde::Serialize;
 /// Segments that are tried.
 const SEGMENTS: u64 = 3000;
 /// Jumps below are rounding.
-const LEAST: f64 = 1e-14;
+pub const LEAST: f64 = 1e-14;
 
 /// The largest jump between two formulas that was found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Jump {
-    /// The numbers of the formulas.
-    pub between: [u8; 2],
-    /// `|w₁ − w₂|/|w₁|`.
-    pub norm: f64,
+    /// The numbers of the formulas; nothing where they are not known and the jump was searched for.
+    pub between: Option<[u8; 2]>,
+    /// `|w₁ − w₂|/|w₁|`, of known formulas.
+    pub norm: Option<f64>,
     /// That of Re w.
     pub re: f64,
     /// Where the jump of Re w is largest.
@@ -60,12 +60,12 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
         };
         let rises = level && outer.re - inner.re > LEAST * 100.0 * inner.re.abs();
         let (f, g) = (formula(p), formula(q));
-        let between = [f.min(g), f.max(g)];
+        let between = Some([f.min(g), f.max(g)]);
         let known = found.iter().position(|j| j.between == between);
         let known = known.unwrap_or_else(|| {
             found.push(Jump {
                 between,
-                norm: 0.0,
+                norm: Some(0.0),
                 re: -1.0,
                 at: [0.0; 2],
                 crossings: 0,
@@ -76,16 +76,16 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
         let jump = &mut found[known];
         jump.crossings += u64::from(level);
         jump.rising += u64::from(rises);
-        jump.norm = jump.norm.max(norm);
+        jump.norm = jump.norm.map(|n| n.max(norm));
         if re > jump.re {
             jump.re = re;
             jump.at = [p.re, p.im];
         }
     }
     found.sort_by_key(|j| j.between);
-    found.retain(|j| j.norm > LEAST || j.re > LEAST);
+    found.retain(|j| j.norm > Some(LEAST) || j.re > LEAST);
     for j in &mut found {
-        (j.norm, j.re) = (rounded(j.norm), rounded(j.re));
+        (j.norm, j.re) = (j.norm.map(rounded), rounded(j.re));
     }
     found
 }

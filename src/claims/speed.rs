@@ -1,6 +1,8 @@
 //! Time for a value, all codes in turn.
 
-use mechaudit_atlas::Algorithm;
+use super::lines;
+use crate::audit::Draw;
+use mechaudit_atlas::{Algorithm, Line, Profile};
 use num_complex::Complex;
 use std::hint::black_box;
 use std::time::Instant;
@@ -18,14 +20,26 @@ pub fn nanoseconds(algorithms: &[Algorithm]) -> Vec<f64> {
             Complex::new(8.0 * (t - t.floor()), 0.1 + 7.9 * k as f64 / POINTS as f64)
         })
         .collect();
-    let mut best = vec![f64::INFINITY; algorithms.len()];
+    in_turn(algorithms, &points, |a, z| (a.w)(z))
+}
+
+/// Of profiles, likewise, at lines without shifts and correlation, which all of them have.
+pub fn nanoseconds_of_lines(profiles: &[Profile]) -> Vec<f64> {
+    let points: Vec<Line> = (0..POINTS as u64)
+        .map(|k| lines::line(&lines::any_simple(&mut Draw::new(1, "atlas", "speed", k))))
+        .collect();
+    in_turn(profiles, &points, |p, line| (p.value)(&line))
+}
+
+fn in_turn<C, P: Copy, V>(codes: &[C], points: &[P], value: impl Fn(&C, P) -> V) -> Vec<f64> {
+    let mut best = vec![f64::INFINITY; codes.len()];
     for _ in 0..ROUNDS {
-        for (a, best) in algorithms.iter().zip(&mut best) {
+        for (code, best) in codes.iter().zip(&mut best) {
             let start = Instant::now();
-            for &z in &points {
-                black_box((a.w)(black_box(z)));
+            for &p in points {
+                black_box(value(code, black_box(p)));
             }
-            let each = start.elapsed().as_secs_f64() * 1e9 / POINTS as f64;
+            let each = start.elapsed().as_secs_f64() * 1e9 / points.len() as f64;
             *best = best.min(each);
         }
     }

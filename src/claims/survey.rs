@@ -1,14 +1,16 @@
 //! The errors of codes at the same points, region by region.
 
+use super::breaks::breaks;
 use super::code::Code;
 use super::heights::{Height, heights};
+use super::lines::{self, HartmannTran};
 use super::placed::Placed;
 use super::seams::{Jump, jumps};
 use super::whole::Effort;
 use super::{WHOLE, regions, rounded};
 use crate::audit::{
-    Case, Cases, Format, Limit, MethodReport, RegionReport, Settings, SolverAnswer, Tally, Variant,
-    judge_together,
+    Case, Cases, Format, Limit, Method, MethodReport, RegionReport, Settings, SolverAnswer, Tally,
+    Variant, judge_together,
 };
 use crate::methods::find;
 use mechaudit_atlas::{Parts, Plane};
@@ -50,7 +52,7 @@ pub struct Part {
     /// Answers with Re w < 0 above or on the real axis, where Re w > 0.
     pub negative: u64,
     /// The point with the largest error of a part.
-    pub worst_at: Option<[f64; 2]>,
+    pub worst_at: Option<Vec<f64>>,
 }
 
 /// What was found about a code.
@@ -112,7 +114,8 @@ pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> 
             true => regions::of_single(),
             false => [regions::upper(), regions::lower()].concat(),
         };
-        let judged = judged("faddeeva", &group, &regions, &settings, &|_, w| w);
+        let method = find("faddeeva").expect("a method of the registry");
+        let judged = judged(&*method, &group, &regions, &settings, &above, &|_, w| w);
         step("values");
         let slopes = match parts {
             Parts::Both => {
@@ -130,7 +133,12 @@ pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> 
             let unit = if single { U_SINGLE } else { U };
             let parts = figures(&report, &negative, unit);
             let slope = slope.and_then(|r| norm(&r.total, unit));
-            let algorithm = code.algorithm.as_ref().filter(|_| !single);
+            let known = code.algorithm.filter(|a| a.formula.is_some());
+            let jumps = match known {
+                _ if single => Vec::new(),
+                Some(a) => jumps(&a, effort.seed),
+                None => breaks(code, effort.seed),
+            };
             rows[k] = Some(Row {
                 name: code.name.clone(),
                 title: code.title.clone(),
@@ -141,8 +149,8 @@ pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> 
                 parts,
                 derivative: slope,
                 heights,
-                jumps: algorithm.map_or(Vec::new(), |a| jumps(a, effort.seed)),
-                nanoseconds: None,
+                jumps,
+                nanoseconds: code.nanoseconds,
             });
         }
         step("seams");
@@ -150,20 +158,59 @@ pub fn survey(codes: &[Code], effort: &Effort, step: &dyn Fn(&str)) -> Vec<Row> 
     rows.into_iter().flatten().collect()
 }
 
+/// Whether a code is asked there.
+fn above(code: &Code, z: &[f64]) -> bool {
+    code.plane == Plane::Whole || z[1] >= 0.0
+}
+
+/// The same of profiles, over lines.
+pub fn survey_lines(codes: &[Code], effort: &Effort) -> Vec<Row> {
+    let settings = Settings {
+        seed: effort.seed,
+        cases_per_region: effort.cases,
+        ..Settings::default()
+    };
+    let group: Vec<&Code> = codes.iter().collect();
+    let own = |code: &Code, p: &[f64]| code.plane == Plane::Whole || lines::simple(p);
+    let judged = judged(
+        &HartmannTran,
+        &group,
+        &lines::regions(),
+        &settings,
+        &own,
+        &|_, w| w,
+    );
+    let rows = codes.iter().zip(judged);
+    rows.map(|(code, (report, negative))| Row {
+        name: code.name.clone(),
+        title: code.title.clone(),
+        source: code.source.clone(),
+        whole_plane: code.plane == Plane::Whole,
+        real_part_only: false,
+        single: false,
+        parts: figures(&report, &negative, U),
+        derivative: None,
+        heights: Vec::new(),
+        jumps: Vec::new(),
+        nanoseconds: None,
+    })
+    .collect()
+}
+
 /// What a point and the code's w make its answer.
 type Turned<'a> = dyn Fn(&[f64], SolverAnswer) -> SolverAnswer + 'a;
 
 /// For each code its report and how often Re w was negative, by region.
 fn judged(
-    method: &str,
+    method: &dyn Method,
     codes: &[&Code],
     regions: &[crate::audit::Region],
     settings: &Settings,
+    own: &dyn Fn(&Code, &[f64]) -> bool,
     turned: &Turned,
 ) -> Vec<(MethodReport, Vec<(&'static str, u64)>)> {
     const CHUNK: usize = 4096;
-    let method = find(method).expect("a method of the registry");
-    let placed = Placed::new(&*method, regions.to_vec(), |_| true);
+    let placed = Placed::new(method, regions.to_vec(), |_| true);
     let mut variant = Variant::new(&placed).limit(Limit::Relative(WHOLE));
     let first = codes.first().map(|c| (c.parts, c.single));
     if let Some((Parts::Real, _)) = first {
@@ -180,7 +227,7 @@ fn judged(
         let mut batch: Vec<(Case, Vec<Option<SolverAnswer>>)> =
             (from..to).map(|i| (cases.get(i), Vec::new())).collect();
         for (k, code) in codes.iter().enumerate() {
-            let own = |z: &[f64]| code.plane == Plane::Whole || z[1] >= 0.0;
+            let own = |z: &[f64]| own(code, z);
             let inputs: Vec<Vec<f64>> = batch
                 .iter()
                 .map(|(case, _)| case.input.clone())
@@ -233,7 +280,8 @@ fn judged_slopes(
         }),
         other => other,
     };
-    let judged = judged("faddeeva-derivative", codes, &regions, settings, &slope);
+    let method = find("faddeeva-derivative").expect("a method of the registry");
+    let judged = judged(&*method, codes, &regions, settings, &above, &slope);
     judged.into_iter().map(|(report, _)| report).collect()
 }
 
@@ -267,7 +315,7 @@ fn figures(report: &MethodReport, negative: &[(&'static str, u64)], unit: f64) -
             im: worst(1),
             wrong: region.kinds.total() + region.undecided + region.reference_failed,
             negative: counted.map(|n| n.1).sum(),
-            worst_at: at.map(|case| [case.input[0], case.input[1]]),
+            worst_at: at.map(|case| case.input.clone()),
         }
     };
     let mut parts: Vec<Part> = report.regions.iter().map(|r| part(r, r.name)).collect();

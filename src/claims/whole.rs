@@ -4,9 +4,10 @@ use super::claim::Verdict;
 use super::code::Code;
 use super::decide::{Decided, decide};
 use super::findings::{Finding, findings};
-use super::survey::{Row, survey};
-use super::{NOT_AT_HAND, claims, nanoseconds};
-use mechaudit_atlas::Algorithm;
+use super::speed::{nanoseconds, nanoseconds_of_lines};
+use super::survey::{Row, survey, survey_lines};
+use super::{NOT_AT_HAND, claims};
+use mechaudit_atlas::{Algorithm, Profile};
 use serde::Serialize;
 
 /// How much is done.
@@ -34,8 +35,10 @@ pub struct Missing {
 pub struct Atlas {
     /// How much was done.
     pub effort: Effort,
-    /// The codes.
+    /// The codes for w.
     pub rows: Vec<Row>,
+    /// Those for the Hartmann–Tran profile.
+    pub profiles: Vec<Row>,
     /// What is said of them.
     pub claims: Vec<Decided>,
     /// What follows for what is in use.
@@ -44,10 +47,20 @@ pub struct Atlas {
     pub not_at_hand: Vec<Missing>,
 }
 
-/// The atlas of these codes. `step` is called when something is done, with a word for it.
-pub fn atlas(codes: &[Code], effort: &Effort, timed: bool, step: &dyn Fn(&str)) -> Atlas {
+/// The atlas of these codes and profiles. `step` is called when something is done, with a word for it.
+pub fn atlas(
+    codes: &[Code],
+    lines: &[Profile],
+    effort: &Effort,
+    timed: bool,
+    step: &dyn Fn(&str),
+) -> Atlas {
     let mut rows = survey(codes, effort, step);
-    let chosen = |name: &str| codes.iter().any(|c| c.name == name);
+    let of_lines: Vec<Code> = lines.iter().map(|p| Code::line(*p)).collect();
+    let mut profiles = survey_lines(&of_lines, effort);
+    step("lines");
+    let chosen =
+        |name: &str| codes.iter().any(|c| c.name == name) || lines.iter().any(|p| p.name == name);
     if timed {
         let own: Vec<(usize, Algorithm)> = rows
             .iter()
@@ -61,6 +74,9 @@ pub fn atlas(codes: &[Code], effort: &Effort, timed: bool, step: &dyn Fn(&str)) 
         let algorithms: Vec<Algorithm> = own.iter().map(|o| o.1).collect();
         for ((k, _), ns) in own.iter().zip(nanoseconds(&algorithms)) {
             rows[*k].nanoseconds = Some(ns);
+        }
+        for (row, ns) in profiles.iter_mut().zip(nanoseconds_of_lines(lines)) {
+            row.nanoseconds = Some(ns);
         }
         step("speed");
     }
@@ -79,6 +95,7 @@ pub fn atlas(codes: &[Code], effort: &Effort, timed: bool, step: &dyn Fn(&str)) 
         effort: *effort,
         findings: findings(&|name| chosen(name)),
         rows,
+        profiles,
         claims: decided,
         not_at_hand: match everything {
             true => NOT_AT_HAND

@@ -6,7 +6,7 @@
 //! | folder | modules |
 //! |---|---|
 //! | arithmetic | [`Ball`], [`ComplexBall`], [`Mag`], [`Decimal`], [`HexFloat`], Taylor models |
-//! | special | [`faddeeva`] |
+//! | special | [`faddeeva`], [`hartmann_tran`] |
 //! | linear | [`tridiagonal`], [`BallLu`] |
 //! | splines | [`cubic_spline`] |
 //! | linkages | [`class_iii`], [`dyad`], [`planar`] |
@@ -32,7 +32,7 @@ pub use cams::{cam_law, chirp_oscillator, fourier_series};
 pub use drive::run_up;
 pub use linear::tridiagonal;
 pub use linkages::{class_iii, dyad, planar};
-pub use special::faddeeva;
+pub use special::{faddeeva, hartmann_tran};
 pub use splines::cubic_spline;
 
 pub use ball::{Ball, dot};

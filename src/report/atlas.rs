@@ -41,6 +41,14 @@ fn spread(f: Option<&Figures>) -> [String; 3] {
     }
 }
 
+/// A point of the plane; a line's eight parameters are in the document.
+fn point(at: Option<&[f64]>) -> [String; 2] {
+    match at {
+        Some([x, y]) => [hex_float(*x), hex_float(*y)],
+        _ => Default::default(),
+    }
+}
+
 /// A line for each code and region, all regions last; a field without a number is empty.
 ///
 /// # Errors
@@ -65,7 +73,7 @@ pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
         "worst_jump_re",
         "ns",
     ])?;
-    for row in &atlas.rows {
+    for row in atlas.rows.iter().chain(&atlas.profiles) {
         for part in &row.parts {
             let mut fields = vec![
                 row.name.clone(),
@@ -76,8 +84,7 @@ pub fn rows(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
             fields.extend(spread(part.norm.as_ref()));
             fields.extend([number(part.re), number(part.im)]);
             fields.extend([part.wrong.to_string(), part.negative.to_string()]);
-            let at = part.worst_at.map(|z| z.map(hex_float));
-            fields.extend(at.unwrap_or_default());
+            fields.extend(point(part.worst_at.as_deref()));
             let all = part.region == "all";
             let once = |x: Option<f64>| number(x.filter(|_| all));
             fields.push(once(row.derivative.as_ref().map(|d| d.worst)));
@@ -118,7 +125,7 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
             Verdict::NotTestable => c.reading,
             _ => &c.part,
         };
-        let [re, im] = c.at.map(|z| z.map(hex_float)).unwrap_or_default();
+        let [re, im] = point(c.at.as_deref());
         csv.write_record([
             c.algorithm,
             c.statement,

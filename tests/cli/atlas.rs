@@ -79,10 +79,10 @@ fn tables() {
     let d = run(&args);
     let (header, rows) = csv(&d.out);
     assert!(header.contains(&"worst_norm".to_string()));
-    // Nine regions of the upper half-plane and all of them.
-    assert_eq!(rows.len(), 10, "{}", d.out);
+    // Ten regions of the upper half-plane and all of them.
+    assert_eq!(rows.len(), 11, "{}", d.out);
     let negative = header.iter().position(|h| h == "negative_re").unwrap();
-    let count: u64 = rows[9][negative].parse().unwrap();
+    let count: u64 = rows[10][negative].parse().unwrap();
     assert!(count > 0);
     let d = run(&[&args[..], &["--table", "claims"]].concat());
     let (header, rows) = csv(&d.out);
@@ -118,8 +118,73 @@ fn a_program_beside() {
 }
 
 #[test]
+fn lines_of_the_hartmann_tran_profile() {
+    let v = json(&["--only", "tran-ngo-hartmann-2013", "--cases", "10"]);
+    assert_eq!(v["rows"].as_array().unwrap().len(), 0);
+    let profiles = v["profiles"].as_array().unwrap();
+    assert_eq!(profiles.len(), 1);
+    let parts = profiles[0]["parts"].as_array().unwrap();
+    let mixed = parts.iter().find(|p| p["region"] == "mixed").unwrap();
+    assert!(mixed["norm"]["worst"].as_f64().unwrap() < 1e-4, "{mixed}");
+    assert_eq!(mixed["worst_at"].as_array().unwrap().len(), 8);
+    let claims = v["claims"].as_array().unwrap();
+    assert_eq!(claims.len(), 2);
+    for claim in claims {
+        let command = claim["reproduce"].as_str().unwrap();
+        let d = run(&command.split(' ').skip(1).collect::<Vec<_>>());
+        says(&d, "certified  Re HT");
+    }
+    // The line of the reference's own test, by mpmath's quadrature.
+    let line = "1,0.5,0.0625,0.25,-0.03125,0.125,0.25,1.5";
+    let d = run(&["atlas", "--at", line]);
+    says(&d, "0.16095040964210702468");
+    says(&d, "without shifts and correlation");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_program_says_what_it_is() {
+    let own = env!("CARGO_BIN_EXE_mechaudit");
+    let program = format!(
+        "sh -c 'printf \"# name: planted\\n# version: 7\\n# ns: 47.5\\n\"; exec {own} eval faddeeva'"
+    );
+    let args = [
+        "atlas",
+        "--format",
+        "json",
+        "--only",
+        "wells-1999-r4",
+        "--cases",
+        "4",
+        "--exec",
+    ];
+    let d = run(&[&args[..], &[&program]].concat());
+    assert_eq!(d.code, 0, "{}", d.err);
+    let v: Value = serde_json::from_str(&d.out).unwrap();
+    let rows = v["rows"].as_array().unwrap();
+    let row = rows.iter().find(|r| r["name"] == "planted").unwrap();
+    assert_eq!(
+        (&row["source"], &row["nanoseconds"]),
+        (&"7".into(), &47.5.into())
+    );
+    // What is rounded from certified digits jumps nowhere.
+    assert_eq!(row["jumps"].as_array().unwrap().len(), 0);
+}
+
+#[test]
 fn what_there_is_not() {
     refused(&run(&["atlas", "--only", "humlicek-1983"]), "humlicek-1982");
     refused(&run(&["atlas", "--at", "1"]), "RE,IM");
     refused(&run(&["atlas", "--at", "inf,0"]), "finite");
+    // A line has eight numbers, a point of the plane two.
+    let only = ["atlas", "--only", "hapi-pcqsdhc", "--at", "6,0"];
+    refused(&run(&only), "eight numbers");
+    let only = [
+        "atlas",
+        "--only",
+        "humlicek-1982",
+        "--at",
+        "1,1,0,0,0,0,0,1",
+    ];
+    refused(&run(&only), "RE,IM");
 }

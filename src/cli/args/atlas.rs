@@ -9,6 +9,7 @@ Examples:
   mechaudit atlas                              every algorithm, every claim
   mechaudit atlas --only humlicek-1982 weideman-1994-32
   mechaudit atlas --only weideman-1994-32 --at 6,0
+  mechaudit atlas --only tran-ngo-hartmann-2013 --at 0.01,0.02,0.002,0,0,0,0,0.03
   mechaudit atlas --libraries                  with scipy, libcerf and others that are installed
   mechaudit atlas --exec ./w --only zaghloul-ali-2011
   mechaudit atlas --format html --output atlas.html
@@ -16,7 +17,8 @@ Examples:
 
 Errors are relative and upper bounds; worst is the worst found, never a bound. A claim holds as far as searched: an \
 audit of its domain and a hunt found nothing against it. It is refuted by the point that is named. Seams: the largest \
-jump of Re w between neighbouring floats where an algorithm changes its formula. Heights: the power of ten from which \
+jump of Re w between neighbouring floats where an algorithm changes its formula; of programs, whose formulas are not \
+known, where their error changes most. Heights: the power of ten from which \
 Im z on no larger error was found. Times are of one run on one core, each code in turn.
 
 Exit codes: 0, whatever became of the claims; 2, bad usage or input; 130, ended by Ctrl-C.";
@@ -27,7 +29,8 @@ pub struct AtlasArgs {
     /// These algorithms only, and of the claims those about them
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub only: Vec<String>,
-    /// Show the algorithms at this point beside the certified value, and nothing else
+    /// Show the algorithms at this point beside the certified value, and nothing else; the Hartmann-Tran profile at a line of
+    /// eight numbers, Gamma_D,Gamma_0,Gamma_2,Delta_0,Delta_2,nu_VC,eta,detuning
     #[arg(long, value_name = "RE,IM", allow_hyphen_values = true)]
     pub at: Option<String>,
     /// Libraries besides, those of the built-in list that are installed

@@ -4,7 +4,7 @@
 //! judged batch by batch, those of several programs to a case together. Inputs are drawn anew where they
 //! are needed, so that nothing grows with their number.
 
-use crate::cli::answers::{Answers, Form, Next};
+use crate::cli::answers::{Answers, Form, Header, Next};
 use crate::cli::args::ProgramArgs;
 use crate::cli::failure::Failure;
 use crate::cli::process::candidate::{BATCH, judge_batch};
@@ -173,6 +173,11 @@ impl Fed {
             answered: self.answered as u64,
             trouble,
         }
+    }
+
+    /// What it says of itself, as far as its header is read.
+    pub fn header(&self) -> Header {
+        self.answers.header()
     }
 
     /// How many answers there were.

@@ -1,3 +1,4 @@
-//! The Faddeeva function and its relatives.
+//! The Faddeeva function and its relatives, line shapes made of it.
 
 pub mod faddeeva;
+pub mod hartmann_tran;

@@ -3,14 +3,12 @@
 use super::style::{BAD, BOLD, DIM, DOUBT, GOOD, PLAIN, paint, paragraph, wrap};
 use super::table::Table;
 use crate::claims::{Atlas, Decided, Figures, Row, Verdict, advice};
-use crate::report::atlas::height;
 use anstyle::Style;
 
 /// Summary, rows, heights, claims, findings, what is missing, advice.
 pub fn atlas(found: &Atlas, width: usize) -> String {
     let mut out = format!("{}\n\n", paint(BOLD, &summary(found)));
     out.push_str(&rows(found, width));
-    out.push('\n');
     out.push_str(&heights(found, width));
     out.push_str(&format!("\n{}\n", paint(BOLD, "Claims")));
     for claim in &found.claims {
@@ -57,7 +55,7 @@ pub fn summary(found: &Atlas) -> String {
     let claims: Vec<String> = each.collect();
     format!(
         "{} codes; {} claims: {}.",
-        found.rows.len(),
+        found.rows.len() + found.profiles.len(),
         found.claims.len(),
         claims.join(", ")
     )
@@ -77,104 +75,196 @@ fn count(n: u64) -> (String, Style) {
     }
 }
 
-/// Worst relative errors: of the norm and of Re in the ordinary region and beside the axis, then what is
-/// counted over all regions.
-fn rows(found: &Atlas, width: usize) -> String {
-    let header = [
-        "worst relative error",
-        "norm",
-        "Re",
-        "Im",
-        "p99",
-        "p50",
-        "beside: norm",
-        "Re",
-        "wings: Re",
-        "wrong",
-        "huge",
-        "Re<0",
-        "seam",
-        "W'",
-        "ns",
-    ];
-    let mut table = Table::new(&header, &[0]);
-    for row in &found.rows {
-        table.row(line(row));
+/// The longest name in a table.
+const NAME: usize = 32;
+
+fn name(row: &Row) -> (String, Style) {
+    let long = row.name.chars().count() > NAME;
+    let shown: String = match long {
+        true => row.name.chars().take(NAME - 1).chain(['…']).collect(),
+        false => row.name.clone(),
+    };
+    (shown, PLAIN)
+}
+
+type Cells = fn(&Row) -> Vec<(String, Style)>;
+
+/// A table with a title, a line for each row, and a note.
+fn table(
+    (title, header): (&str, &[&'static str]),
+    rows: &[Row],
+    cells: Cells,
+    note: &str,
+    width: usize,
+) -> String {
+    let mut table = Table::new(header, &[0]);
+    for row in rows {
+        table.row([vec![name(row)], cells(row)].concat());
     }
-    let dispensable = ["p50", "p99", "Im", "wings: Re"];
-    let mut out = table.fitted(width, &dispensable).render(0);
+    let mut out = format!("{}\n{}", paint(BOLD, title), table.render(0));
+    out.push_str(&paint(DIM, &paragraph(note, 0, width)));
+    out.push('\n');
+    out
+}
+
+/// Worst relative errors in the ordinary region and beside the axis, then what is counted over all regions.
+fn rows(found: &Atlas, width: usize) -> String {
     let regions = found.rows.iter().flat_map(|r| &r.parts);
     let cases = regions
         .filter(|p| p.region == "ordinary")
         .map(|p| p.cases)
         .max();
-    let note = format!(
-        "Of {} points in each region: ordinary |Re z| < 8, Im z = 0.1..8; beside the axis Im z = 1e-8..0.1, \
-         wings |Re z| = 8..1e4 there. wrong: NaN or infinity where a number is due, huge: those for |z| = 1e8..1e300; Re<0: where Re W > 0; seam: the largest relative jump of Re W where formulas meet.",
+    let worst = format!(
+        "Worst found of {} points a region. norm, Re: ordinary, |Re z| < 8, Im z = 0.1..8; beside Re: of Re W at \
+         Im z = 1e-8..0.1; W': by -2zW + 2i/sqrt(pi), ordinary; ns: a value, all in one run, programs as they measure \
+         themselves.",
         cases.unwrap_or(0)
     );
-    out.push_str(&paint(DIM, &paragraph(&note, 0, width)));
+    let mut out = table(
+        (
+            "Worst relative errors",
+            &["", "norm", "Re", "beside Re", "W'", "ns"],
+        ),
+        &found.rows,
+        worst_errors,
+        &worst,
+        width,
+    );
+    out.push_str(&table(
+        (
+            "More of them",
+            &["", "p50", "p99", "Im", "grid", "wings"],
+        ),
+        &found.rows,
+        more_errors,
+        "p50, p99: half and 99 % of the errors of the norm are below, ordinary; grid: of Re W where Re z is a multiple of 1/4, Im z = 1e-12..0.1; wings: of Re W, |Re z| = 8..1e4, Im z = 1e-8..0.1.",
+        width,
+    ));
+    out.push_str(&table(
+        (
+            "What no line shape does",
+            &["", "wrong", "huge", "Re<0", "seam", "rising"],
+        ),
+        &found.rows,
+        counts,
+        "Over all regions. wrong: NaN or infinity where a number is due, huge: those for |z| = 1e8..1e300; Re<0: negative \
+         where Re W > 0; seam: the largest relative jump of Re W between neighbouring floats; rising: level crossings of \
+         seams at which Re W rises away from the imaginary axis, where it falls.",
+        width,
+    ));
+    if !found.profiles.is_empty() {
+        out.push_str(&lines(found, width));
+    }
     out
 }
 
-fn line(row: &Row) -> Vec<(String, Style)> {
-    let ordinary = row.part("ordinary");
-    let beside = row.part("beside-axis");
-    let norm = |f: Option<&Figures>, of: fn(&Figures) -> f64| error(f.map(of));
-    let figures = ordinary.and_then(|p| p.norm.as_ref());
+/// The Hartmann–Tran profile.
+fn lines(found: &Atlas, width: usize) -> String {
+    let cases = found.profiles.iter().flat_map(|r| &r.parts);
+    let cases = cases.filter(|p| p.region == "wings").map(|p| p.cases).max();
+    let note = format!(
+        "Worst relative error of Re found of {} lines a region: Gamma_0 of 1e-5..0.1, 0.1..10, 10..1000 Doppler widths \
+         within 8 widths of the centre, farther out, without shifts and correlation (rautian). Re<0: of all regions.",
+        cases.unwrap_or(0)
+    );
+    table(
+        (
+            "Hartmann-Tran profile",
+            &[
+                "", "doppler", "mixed", "coll.", "wings", "rautian", "Re<0", "ns",
+            ],
+        ),
+        &found.profiles,
+        |row| {
+            let regions = ["doppler", "mixed", "collisions", "wings", "rautian"];
+            let re = |name: &&str| {
+                let asked = row.part(name).filter(|p| p.cases > 0);
+                short_error(asked.and_then(|p| p.re))
+            };
+            let mut cells: Vec<(String, Style)> = regions.iter().map(re).collect();
+            cells.push(count(row.part("all").map_or(0, |p| p.negative)));
+            cells.push(time(row));
+            cells
+        },
+        &note,
+        width,
+    )
+}
+
+/// One digit.
+fn short_error(x: Option<f64>) -> (String, Style) {
+    match x {
+        Some(x) => (format!("{x:.0e}"), PLAIN),
+        None => ("–".into(), DIM),
+    }
+}
+
+fn time(row: &Row) -> (String, Style) {
+    match row.nanoseconds {
+        Some(ns) => (format!("{ns:.0}"), PLAIN),
+        None => ("–".into(), DIM),
+    }
+}
+
+fn of(f: Option<&Figures>, part: fn(&Figures) -> f64) -> (String, Style) {
+    error(f.map(part))
+}
+
+fn norm<'a>(row: &'a Row, region: &str) -> Option<&'a Figures> {
+    row.part(region).and_then(|p| p.norm.as_ref())
+}
+
+fn worst_errors(row: &Row) -> Vec<(String, Style)> {
+    vec![
+        of(norm(row, "ordinary"), |f| f.worst),
+        error(row.part("ordinary").and_then(|p| p.re)),
+        error(row.part("beside-axis").and_then(|p| p.re)),
+        of(row.derivative.as_ref(), |f| f.worst),
+        time(row),
+    ]
+}
+
+fn more_errors(row: &Row) -> Vec<(String, Style)> {
+    vec![
+        of(norm(row, "ordinary"), |f| f.median),
+        of(norm(row, "ordinary"), |f| f.p99),
+        error(row.part("ordinary").and_then(|p| p.im)),
+        error(row.part("grid").and_then(|p| p.re)),
+        error(row.part("wings").and_then(|p| p.re)),
+    ]
+}
+
+fn counts(row: &Row) -> Vec<(String, Style)> {
     let all = row.part("all");
     let huge = row.part("huge").map_or(0, |p| p.wrong);
-    let jump = row.jumps.iter().map(|j| j.re).reduce(f64::max);
     vec![
-        (row.name.clone(), PLAIN),
-        norm(figures, |f| f.worst),
-        error(ordinary.and_then(|p| p.re)),
-        error(ordinary.and_then(|p| p.im)),
-        norm(figures, |f| f.p99),
-        norm(figures, |f| f.median),
-        norm(beside.and_then(|p| p.norm.as_ref()), |f| f.worst),
-        error(beside.and_then(|p| p.re)),
-        error(row.part("wings").and_then(|p| p.re)),
         count(all.map_or(0, |p| p.wrong) - huge),
         count(huge),
         count(all.map_or(0, |p| p.negative)),
-        error(jump),
-        norm(row.derivative.as_ref(), |f| f.worst),
-        match row.nanoseconds {
-            Some(ns) => (format!("{ns:.0}"), PLAIN),
-            None => ("–".into(), DIM),
-        },
+        error(row.jumps.iter().map(|j| j.re).reduce(f64::max)),
+        count(row.jumps.iter().map(|j| j.rising).sum()),
     ]
 }
 
 fn heights(found: &Atlas, width: usize) -> String {
-    let header = [
-        "reached from Im z on",
-        "1e-4 norm",
-        "each part",
-        "1e-6 norm",
-        "each part",
-        "1e-10 norm",
-        "each part",
-        "2 ε norm",
-        "each part",
-    ];
-    let mut table = Table::new(&header, &[0]);
+    let reached = |h: Option<f64>| match h {
+        Some(f64::NEG_INFINITY) => "all".to_string(),
+        Some(k) => format!("{k}"),
+        None => "–".into(),
+    };
+    let mut table = Table::new(&["", "1e-4", "1e-6", "1e-10", "2 ε"], &[0]);
     for row in &found.rows {
-        let mut cells = vec![(row.name.clone(), PLAIN)];
+        let mut cells = vec![name(row)];
         for h in &row.heights {
-            for reached in [h.norm, h.parts] {
-                cells.push(match reached {
-                    Some(f64::NEG_INFINITY) => ("all".into(), GOOD),
-                    Some(y) => (height(y), PLAIN),
-                    None => ("–".into(), DIM),
-                });
-            }
+            let all = [h.norm, h.parts] == [Some(f64::NEG_INFINITY); 2];
+            let text = format!("{} / {}", reached(h.norm), reached(h.parts));
+            cells.push((text, if all { GOOD } else { PLAIN }));
         }
         table.row(cells);
     }
-    let mut out = table.fitted(width, &[]).render(0);
-    let note = "|Re z| < 1e5, Im z < 1e3, a band for every power of ten down to 1e-20 and the rest with the axis.";
+    let title = "Where an accuracy is met: the k of Im z >= 10^k, of the norm / of each part";
+    let mut out = format!("{}\n{}", paint(BOLD, title), table.render(0));
+    let note = "all: every Im z >= 0; –: nowhere. |Re z| < 1e5, Im z < 1e3, a band for every power of ten down to 1e-20 and the rest with the axis.";
     out.push_str(&paint(DIM, &paragraph(note, 0, width)));
     out
 }

@@ -9,7 +9,9 @@ use crate::cli::files::output::{Output, write_json};
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::terminal::width;
-use mechaudit::claims::{Algorithm, Code, Effort, Map, algorithms, atlas as whole, map};
+use mechaudit::claims::{
+    Algorithm, Code, Effort, Map, PROFILES, Profile, algorithms, atlas as whole, map,
+};
 use mechaudit::report::{self, html, text};
 
 /// Points in each region where nothing else is asked for.
@@ -19,7 +21,7 @@ const CASES: u64 = 200;
 pub fn atlas(args: &AtlasArgs) -> Result<Outcome, Failure> {
     let chosen = chosen(&args.only)?;
     if let Some(z) = &args.at {
-        return point::show(&chosen, z);
+        return point::show(&chosen.0, &chosen.1, z);
     }
     let output = Output::open(args.output.as_deref())?;
     let effort = Effort {
@@ -52,17 +54,18 @@ pub fn atlas(args: &AtlasArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::AsExpected)
 }
 
-type Asked = (Vec<Algorithm>, Vec<programs::Library>);
+type Chosen = (Vec<Algorithm>, Vec<Profile>);
+type Asked = (Chosen, Vec<programs::Library>);
 type Made = (mechaudit::claims::Atlas, Vec<(String, Map)>);
 
-fn made((chosen, programs): Asked, effort: Effort, timed: bool, mapped: bool) -> Made {
+fn made(((chosen, profiles), programs): Asked, effort: Effort, timed: bool, mapped: bool) -> Made {
     let progress = Progress::new();
     let mut codes: Vec<Code> = chosen.iter().map(|a| Code::double(*a)).collect();
     codes.extend(programs.into_iter().map(programs::Library::code));
     codes.extend(chosen.iter().filter_map(|a| Code::single(*a)));
-    // Values, derivatives, heights and seams of three groups, the speed, the claims.
-    let steps = 13 + mechaudit::claims::claims().len() as u64;
-    let found = whole(&codes, &effort, timed, &|what| {
+    // Values, derivatives, heights and seams of three groups, lines, the speed, the claims.
+    let steps = 14 + mechaudit::claims::claims().len() as u64;
+    let found = whole(&codes, &profiles, &effort, timed, &|what| {
         progress.tick(what, steps);
     });
     let double = codes.iter().filter(|c| mapped && !c.single);
@@ -71,12 +74,15 @@ fn made((chosen, programs): Asked, effort: Effort, timed: bool, mapped: bool) ->
     (found, maps)
 }
 
-fn chosen(names: &[String]) -> Result<Vec<Algorithm>, Failure> {
-    let mut chosen = algorithms();
-    let known: Vec<&str> = chosen.iter().map(|a| a.name).collect();
+fn chosen(names: &[String]) -> Result<Chosen, Failure> {
+    let (mut chosen, mut profiles) = (algorithms(), PROFILES.to_vec());
+    let of_w = chosen.iter().map(|a| a.name);
+    let known: Vec<&str> = of_w.chain(profiles.iter().map(|p| p.name)).collect();
     if let Some(name) = names.iter().find(|n| !known.contains(&n.as_str())) {
         return Err(Failure::no_such("algorithm", name, &known));
     }
-    chosen.retain(|a| names.is_empty() || names.iter().any(|n| n == a.name));
-    Ok(chosen)
+    let wanted = |name: &str| names.is_empty() || names.iter().any(|n| n == name);
+    chosen.retain(|a| wanted(a.name));
+    profiles.retain(|p| wanted(p.name));
+    Ok((chosen, profiles))
 }

@@ -1,5 +1,6 @@
 //! Libraries and programs beside the algorithms.
 
+use crate::cli::answers::Header;
 use crate::cli::args::{AtlasArgs, ProgramArgs};
 use crate::cli::failure::Failure;
 use crate::cli::process::exec::{Fed, Inputs};
@@ -12,14 +13,16 @@ use std::time::Duration;
 /// The candidate of every library that Python reaches.
 const SCRIPT: &str = include_str!("../../../../examples/atlas/libraries.py");
 /// What the script knows.
-const KNOWN: [(&str, Parts); 7] = [
+const KNOWN: [(&str, Parts); 9] = [
     ("scipy", Parts::Both),
     ("libcerf", Parts::Both),
     ("mpmath", Parts::Both),
     ("jax", Parts::Both),
     ("astropy", Parts::Real),
     ("lmfit", Parts::Real),
-    ("numba-scipy", Parts::Both),
+    ("mht-accurate", Parts::Both),
+    ("mht-fast", Parts::Both),
+    ("hapi", Parts::Both),
 ];
 /// What the script ends with where a library is not installed.
 const NOT_INSTALLED: i32 = 3;
@@ -32,6 +35,7 @@ pub struct Library {
     version: String,
     command: String,
     parts: Parts,
+    nanoseconds: Option<f64>,
 }
 
 /// Those that the arguments ask for, and those that are not installed.
@@ -40,12 +44,18 @@ pub fn all(args: &AtlasArgs) -> Result<(Vec<Library>, Vec<Missing>), Failure> {
     let mut missing = Vec::new();
     for (name, parts) in KNOWN.iter().filter(|_| args.libraries) {
         match version(name)? {
-            Some(version) => found.push(Library {
-                name: name.to_string(),
-                version,
-                command: format!("python3 -c {} {name}", shell_words::quote(SCRIPT)),
-                parts: *parts,
-            }),
+            Some(version) => {
+                let command = format!("python3 -c {} {name}", shell_words::quote(SCRIPT));
+                let timed = format!("{command} --time");
+                let asked = (!args.no_speed).then(|| header(&timed));
+                found.push(Library {
+                    name: name.to_string(),
+                    version,
+                    command,
+                    parts: *parts,
+                    nanoseconds: asked.and_then(|h| h.ns),
+                })
+            }
             None => missing.push(Missing {
                 name: name.to_string(),
                 source: "library".into(),
@@ -54,11 +64,13 @@ pub fn all(args: &AtlasArgs) -> Result<(Vec<Library>, Vec<Missing>), Failure> {
         }
     }
     for command in &args.exec {
+        let header = header(command);
         found.push(Library {
-            name: command.clone(),
-            version: String::new(),
+            name: header.name.unwrap_or_else(|| command.clone()),
+            version: header.version.unwrap_or_default(),
             command: command.clone(),
             parts: Parts::Both,
+            nanoseconds: header.ns.filter(|_| !args.no_speed),
         });
     }
     Ok((found, missing))
@@ -93,29 +105,50 @@ impl Library {
         let answers = move |inputs: &[Vec<f64>]| answers(&command, inputs);
         // Below the axis too, where a library goes there: what it refuses is counted.
         let plane = match self.name.as_str() {
-            "jax" | "astropy" | "lmfit" => Plane::Upper,
+            "jax" | "astropy" | "lmfit" | "mht-accurate" | "mht-fast" | "hapi" => Plane::Upper,
             _ => Plane::Whole,
         };
-        Code::other((self.name, title, self.version), plane, parts, answers)
+        let mut code = Code::other((self.name, title, self.version), plane, parts, answers);
+        code.nanoseconds = self.nanoseconds;
+        code
     }
 }
 
-/// What the program answers; what does not come is unanswered.
-fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
-    let listed = inputs.iter().map(|z| Case {
+/// What a program says of itself before it answers a first input.
+fn header(command: &str) -> Header {
+    let one = Inputs::Listed(vec![case(vec![1.0, 1.0])]);
+    match Fed::start(command, &HOW, &Arc::new(one), 1) {
+        Err(_) => Header::default(),
+        Ok(mut fed) => {
+            let end = fed.collect(1, &mut Vec::new());
+            let end = end.unwrap_or_else(|| fed.rest());
+            fed.end(end);
+            fed.header()
+        }
+    }
+}
+
+fn case(input: Vec<f64>) -> Case {
+    Case {
         method: "faddeeva",
         region: "given",
-        input: z.clone(),
+        input,
         origin: Origin::Given,
-    });
+    }
+}
+
+const HOW: ProgramArgs = ProgramArgs {
+    decimal: false,
+    binary: false,
+    timeout: PATIENCE,
+};
+
+/// What the program answers; what does not come is unanswered.
+fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
+    let listed = inputs.iter().map(|z| case(z.clone()));
     let listed = Arc::new(Inputs::Listed(listed.collect()));
-    let how = ProgramArgs {
-        decimal: false,
-        binary: false,
-        timeout: PATIENCE,
-    };
     let mut all = Vec::with_capacity(inputs.len());
-    let trouble = match Fed::start(command, &how, &listed, inputs.len()) {
+    let trouble = match Fed::start(command, &HOW, &listed, inputs.len()) {
         Err(e) => Some(e.to_string()),
         Ok(mut fed) => {
             let end = fed.collect(inputs.len(), &mut all);

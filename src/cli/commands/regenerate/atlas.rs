@@ -1,7 +1,7 @@
 //! The committed atlas: at a small effort, without times.
 
 use super::artefact::{Made, Outcome};
-use mechaudit::claims::{Atlas, Code, Effort, algorithms, atlas};
+use mechaudit::claims::{Atlas, Code, Effort, PROFILES, algorithms, atlas};
 use mechaudit::report;
 use std::sync::OnceLock;
 
@@ -17,7 +17,7 @@ fn small() -> &'static Atlas {
     SMALL.get_or_init(|| {
         let mut codes: Vec<Code> = algorithms().into_iter().map(Code::double).collect();
         codes.extend(algorithms().into_iter().filter_map(Code::single));
-        atlas(&codes, &EFFORT, false, &|_| ())
+        atlas(&codes, &PROFILES, &EFFORT, false, &|_| ())
     })
 }
 

@@ -53,6 +53,7 @@ pub fn page(found: &Atlas, maps: &[(String, Map)]) -> String {
         (claims(found))
         (tables::rows(found))
         (tables::heights(found))
+        @if !found.profiles.is_empty() { (tables::lines(found)) }
         @if !maps.is_empty() { (figures(maps.len())) }
         (choosing(found))
         (missing(found))
@@ -76,6 +77,7 @@ fn contents(found: &Atlas, mapped: bool) -> Markup {
         (line("claims", "Claims"))
         (line("rows", "Worst errors"))
         (line("heights", "Accuracy by the distance to the axis"))
+        @if !found.profiles.is_empty() { (line("lines", "Hartmann-Tran profile")) }
         @if mapped {
             (line("maps", "Error maps"))
             (line("work", "Work and precision"))
@@ -156,8 +158,8 @@ fn figures(maps: usize) -> Markup {
         section { "\n"
             h2 #work { "Work and precision" } "\n"
             p {
-                "Nanoseconds a value on one core, each code in turn in one run, against the worst relative error "
-                "found. Farther down and to the left is better."
+                "Nanoseconds a value on one core, each code in turn in one run, programs as they measure themselves at the "
+                "same points, against the worst relative error found. Farther down and to the left is better."
             } "\n"
             div.js.figures #atlas-work {} "\n"
         } "\n"
@@ -195,7 +197,7 @@ fn missing(found: &Atlas) -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::{Code, Effort, atlas, find, map};
+    use crate::claims::{Code, Effort, PROFILES, atlas, find, map};
     use crate::report::html::page::tests::whole;
 
     #[test]
@@ -203,7 +205,7 @@ mod tests {
         let a = find("humlicek-1982").unwrap();
         let codes = [Code::double(a)];
         let effort = Effort { cases: 4, seed: 1 };
-        let found = atlas(&codes, &effort, true, &|_| ());
+        let found = atlas(&codes, &PROFILES[..1], &effort, true, &|_| ());
         let maps = vec![("humlicek-1982".to_string(), map(&codes[0]))];
         let page = page(&found, &maps);
         whole(&page);
@@ -211,6 +213,7 @@ mod tests {
             "id=\"claims\"",
             "id=\"maps\"",
             "id=\"work\"",
+            "id=\"lines\"",
             "“Relative accuracy ~1e-4 everywhere”",
         ] {
             assert!(page.contains(part), "{part}");

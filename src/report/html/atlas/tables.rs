@@ -10,7 +10,8 @@ pub fn rows(found: &Atlas) -> Markup {
         section { "\n"
             h2 #rows { "Worst errors" } "\n"
             p.soft.small {
-                "Ordinary: |Re z| < 8, Im z = 0.1..8; beside the axis: Im z = 1e-8..0.1; wings: |Re z| = 8..1e4 there. "
+                "Ordinary: |Re z| < 8, Im z = 0.1..8; beside the axis: Im z = 1e-8..0.1; grid: Re z a multiple of "
+                "1/4, Im z = 1e-12..0.1; wings: |Re z| = 8..1e4 beside the axis. "
                 "wrong: NaN or infinity where a number is due; huge: those for |z| = 1e8..1e300. Re < 0: answers of a "
                 "negative Re W where it is positive. seam: the largest relative jump of Re W between neighbouring "
                 "floats where formulas meet; rising: crossings at which Re W rises away from the imaginary axis. W': by "
@@ -20,7 +21,7 @@ pub fn rows(found: &Atlas) -> Markup {
                 thead { tr {
                     th.left { "code" }
                     th { "norm" } th { "99 %" } th { "median" } th { "Re" } th { "Im" }
-                    th { "beside: norm" } th { "Re" } th { "wings: Re" } th { "lower: norm" }
+                    th { "beside: norm" } th { "Re" } th { "grid: Re" } th { "wings: Re" } th { "lower: norm" }
                     th { "wrong" } th { "huge" } th { "Re < 0" } th { "seam" } th { "rising" } th { "W'" } th { "ns" }
                 } } "\n"
                 tbody { "\n" @for row in &found.rows { (line(row)) } } "\n"
@@ -68,14 +69,11 @@ fn line(row: &Row) -> Markup {
             td.left title=(row.source) { (row.name) }
             (of(norm("ordinary"), |f| f.worst)) (of(norm("ordinary"), |f| f.p99)) (of(norm("ordinary"), |f| f.median))
             (re("ordinary")) (error(ordinary.and_then(|p| p.im)))
-            (of(norm("beside-axis"), |f| f.worst)) (re("beside-axis")) (re("wings"))
+            (of(norm("beside-axis"), |f| f.worst)) (re("beside-axis")) (re("grid")) (re("wings"))
             (of(norm("lower"), |f| f.worst))
             (count(all.map_or(0, |p| p.wrong) - huge)) (count(huge)) (count(all.map_or(0, |p| p.negative)))
             (error(jump)) (count(rising)) (of(row.derivative.as_ref(), |f| f.worst))
-            @match row.nanoseconds {
-                Some(ns) => td data-v=(format!("{ns:.2}")) { (format!("{ns:.0}")) },
-                None => td data-v="-1" { "–" },
-            }
+            (time(row))
         } "\n"
     }
 }
@@ -105,6 +103,59 @@ pub fn heights(found: &Atlas) -> Markup {
                 } "\n"
             } } "\n"
         } "\n"
+    }
+}
+
+/// The Hartmann–Tran profile.
+pub fn lines(found: &Atlas) -> Markup {
+    let regions = [
+        "doppler",
+        "mixed",
+        "collisions",
+        "wings",
+        "no-quadratic",
+        "rautian",
+    ];
+    html! {
+        section { "\n"
+            h2 #lines { "Hartmann-Tran profile" } "\n"
+            p.soft.small {
+                "Worst relative errors of the norm and of Re found, against a certified reference of its own: Gamma_0 of "
+                "1e-5..0.1 (doppler), 0.1..10 (mixed), 10..1000 Doppler widths (collisions) within 8 widths of the centre, "
+                "any ratio farther out (wings), without quadratic terms, and without shifts and correlation (rautian)."
+            } "\n"
+            div.scroll tabindex="0" { table #lines-table { "\n"
+                thead { tr {
+                    th.left { "code" }
+                    @for region in regions { th { (region) ": norm" } th { "Re" } }
+                    th { "wrong" } th { "Re < 0" } th { "ns" }
+                } } "\n"
+                tbody { "\n"
+                    @for row in &found.profiles {
+                        tr {
+                            td.left title=(row.source) { (row.name) }
+                            @for region in regions {
+                                @let part = row.part(region).filter(|p| p.cases > 0);
+                                (error(part.and_then(|p| p.norm.as_ref()).map(|f| f.worst)))
+                                (error(part.and_then(|p| p.re)))
+                            }
+                            (count(row.part("all").map_or(0, |p| p.wrong)))
+                            (count(row.part("all").map_or(0, |p| p.negative)))
+                            (time(row))
+                        } "\n"
+                    }
+                } "\n"
+            } } "\n"
+        } "\n"
+    }
+}
+
+fn time(row: &Row) -> Markup {
+    html! {
+        @match row.nanoseconds {
+            Some(ns) => td data-v=(format!("{ns:.2}")) { (format!("{ns:.0}")) },
+            None => td data-v="-1" { "–" },
+        }
     }
 }
 
