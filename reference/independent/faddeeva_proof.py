@@ -116,6 +116,66 @@ def series(a, b, terms):
     return fma(gu, p, p), fma(gv, q, q)
 
 
+LOG2_E = 1.4426950408889634
+ROUND = 6755399441055744.0
+LN_2 = [float.fromhex("0x1.62e42fefa3p-1"), float.fromhex("0x1.3de6af278ece6p-42")]
+EXP = [1.0 / math.factorial(n) for n in range(2, 14)]
+
+
+def paired(c, x):
+    xx = x * x
+    even, odd = c[-2], c[-1]
+    for k in range(len(c) - 3, -1, -1):
+        if k % 2 == 0:
+            even = fma(xx, even, c[k])
+        else:
+            odd = fma(xx, odd, c[k])
+    return fma(x, odd, even)
+
+
+def exp_rounded(hi, lo):
+    k = fma(hi, LOG2_E, ROUND) - ROUND
+    r = fma(-k, LN_2[0], hi)
+    lo = fma(-k, LN_2[1], lo)
+    s = r + lo
+    lo = lo - (s - r)
+    return 1.0 + (s + fma(s * s, paired(EXP, s), lo)), int(k)
+
+
+def by_fours(c, x):
+    x2 = x * x
+    x4 = x2 * x2
+    p = fma(x4, fma(x4, c[8], c[4]), c[0])
+    q = fma(x4, fma(x4, c[9], c[5]), c[1])
+    s = fma(x4, c[6], c[2])
+    t = fma(x4, c[7], c[3])
+    return fma(x2, fma(x, t, s), fma(x, q, p))
+
+
+def beside_real_axis(a, b, next_to):
+    hi, lo = two_prod(a, a)
+    if next_to:
+        f = ROOT / hi
+        error = (fma(-hi, f, ROOT) + fma(-f, lo, ROOT_LO)) * SQRT_PI
+        v = f * SQRT_PI
+        gu, gv = fma(v, by_fours(REAL_LINE[1], v), error), fma(v, by_fours(REAL_LINE[0], v), error)
+        exponent = (-hi, -lo)
+    else:
+        y = max(b, 1e-140)
+        f, error = reciprocal(a, y)
+        xx, yy = a * a, y * y
+        t = f * f * math.pi
+        b1, b2 = polynomial(2.0 * (xx - yy) * t, t, 16)
+        gu, gv = t * fma(3.0 * xx - yy, b1, -b2) + error, t * fma(xx - 3.0 * yy, b1, -b2) + error
+        exponent = (-hi, fma(y, y, -lo))
+    q = a * f
+    u, v = fma(gu, f, f), fma(gv, q, q)
+    if b * u > 2.5e-19:
+        return b * u, v
+    e, k = exp_rounded(*exponent)
+    return fma(b * 2.0**200, u, math.ldexp(e, k + 200)) * 2.0**-200, v
+
+
 def plus(a, b, x, y, u, v):
     return fma(x, u, fma(-y, v, a)), fma(x, v, fma(y, u, b))
 
@@ -152,10 +212,13 @@ def tables():
         body = body[: body.index("\n];")]
         return [[float(x) for x in r.split(",") if x.strip()] for r in re.findall(r"Row\(\[([^]]*)\]", body)]
 
-    return rows("CELLS"), rows("REAL_AXIS")
+    body = text[text.index("REAL_LINE:"):]
+    body = body[body.index("="):]
+    line = re.findall(r"\[([^][]*)\]", body[: body.index("];")])
+    return rows("CELLS"), rows("REAL_AXIS"), [[float(x) for x in r.split(",") if x.strip()] for r in line]
 
 
-CELLS, REAL_AXIS = tables()
+CELLS, REAL_AXIS, REAL_LINE = tables()
 
 
 def w(x, y):
@@ -222,6 +285,8 @@ def computed(name, centre, a, b):
         return nine_terms(a, b)
     if name.startswith("asymptotic"):
         return series(a, b, int(name.split()[1]))
+    if name in ("strip", "real line"):
+        return beside_real_axis(a, b, name == "real line")
     if name == "Taylor cell":
         return row(centre_row(CELLS, centre), a - centre[0], b - centre[1])
     if name == "Taylor real axis":

@@ -18,6 +18,15 @@ const LINES: [&[f64]; 2] = {
     [re, SEAMS.im]
 };
 
+/// Lines on Im z next to the real axis: below the first `e^{−z²}` counts in Re w for every Re z there, above the second
+/// for none; then those of the code.
+const BESIDE_REAL_AXIS: &[f64] = &[
+    f64::from_bits((1023 - 55) << 52),
+    f64::from_bits((1023 - 51) << 52),
+    SEAMS.im[0],
+    SEAMS.im[1],
+];
+
 /// Beyond this ratio of its ends a coordinate is worth a factor of its own.
 const NARROW: f64 = 4.0;
 
@@ -79,7 +88,7 @@ impl Rectangle {
         if nearest < 7.0 {
             LINES
         } else if nearest < 28.0 {
-            [&[], LINES[1].split_at(2).0]
+            [&[], BESIDE_REAL_AXIS]
         } else {
             [&[], &[]]
         }

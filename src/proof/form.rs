@@ -57,12 +57,14 @@ pub(crate) struct Form {
     pub grain: i32,
     /// `Σ |c_k| + rest`.
     pub deviation: f64,
+    /// Bound of `|v − t − s m|/(s |m|)` that sums of numbers of one sign keep; see [`Form::relative`].
+    pub share: f64,
 }
 
 impl Form {
     /// A number known exactly.
     pub fn point(x: f64) -> Form {
-        Form::exact(Exact::point(x), grain_of(x.abs()))
+        Form::exact(Exact::point(x), grain_of_point(x))
     }
 
     /// Any `f64` of an interval.
@@ -75,11 +77,24 @@ impl Form {
             small: false,
             grain,
             deviation: 0.0,
+            share: f64::INFINITY,
         }
+    }
+
+    /// The error as a part of m: of the sum of two numbers of one sign no larger than the larger of theirs, however
+    /// different their sizes are over the box.
+    pub fn relative(&self) -> f64 {
+        let by_size = quotient_up(self.deviation, self.main.range.mignitude());
+        self.share.min(by_size)
     }
 
     /// With its deviation computed.
     pub fn summed(mut self) -> Form {
+        // Far out what underflowed is multiplied by |z|² again and again: its unit would overflow.
+        if self.tiny > 1e100 && !self.small {
+            self.rest = sum_up(self.rest, product_up(self.tiny, TINIEST));
+            (self.tiny, self.share) = (0.0, f64::INFINITY);
+        }
         let terms = self.terms.iter();
         self.deviation = terms.fold(self.rest, |sum, (_, c)| sum_up(sum, c.magnitude()));
         self
@@ -146,6 +161,7 @@ impl Form {
             small: self.small,
             grain: self.grain.saturating_add(1),
             deviation: self.deviation * 2.0,
+            share: self.share,
         }
     }
 }
@@ -193,6 +209,10 @@ pub(crate) fn sum(x: &Form, y: &Form) -> Form {
     let both = |a: Option<Interval>, b: Option<Interval>| {
         a.unwrap_or(Interval::ZERO) + b.unwrap_or(Interval::ZERO)
     };
+    let share = match x.main.range.lo >= 0.0 && y.main.range.lo >= 0.0 {
+        true => x.relative().max(y.relative()),
+        false => f64::INFINITY,
+    };
     Form {
         main: x.main + y.main,
         terms: merged(&x.terms, &y.terms, both),
@@ -201,6 +221,7 @@ pub(crate) fn sum(x: &Form, y: &Form) -> Form {
         small: x.small,
         grain: x.grain.min(y.grain),
         deviation: 0.0,
+        share,
     }
     .summed()
 }
@@ -216,6 +237,7 @@ pub(crate) fn product(x: &Form, y: &Form, sigma: Exact, square: bool) -> Form {
         x.main * y.main
     };
     let (p, q) = (x.main.range, y.main.range);
+    let (rx, ry) = (x.relative(), y.relative());
     let both = |a: Option<Interval>, b: Option<Interval>| {
         let a = a.map_or(Interval::ZERO, |a| a * q);
         let b = b.map_or(Interval::ZERO, |b| b * p);
@@ -240,6 +262,7 @@ pub(crate) fn product(x: &Form, y: &Form, sigma: Exact, square: bool) -> Form {
         small: x.small || y.small,
         grain: x.grain.saturating_add(y.grain),
         deviation: 0.0,
+        share: sum_up(sum_up(rx, ry), product_up(rx, ry)),
     }
     .summed()
 }
@@ -273,6 +296,7 @@ pub(crate) fn quotient(x: &Form, y: &Form) -> Option<Form> {
             small: x.small,
             grain: i32::MIN,
             deviation: 0.0,
+            share: f64::INFINITY,
         }
         .summed(),
     )
@@ -284,6 +308,20 @@ pub(crate) fn grain_of(x: f64) -> i32 {
         return -1074;
     }
     (exponent(x) - 52).max(-1074)
+}
+
+/// The same for one number, by its last bit that is set.
+fn grain_of_point(x: f64) -> i32 {
+    if x == 0.0 || !x.is_finite() {
+        return grain_of(x.abs());
+    }
+    let bits = x.to_bits() & ((1 << 52) - 1);
+    let significand = if x.is_subnormal() {
+        bits
+    } else {
+        bits | 1 << 52
+    };
+    grain_of(x.abs()) + significand.trailing_zeros() as i32
 }
 
 /// The error of one rounding of the number that `form` encloses, in units of s, and the part of it that is
@@ -332,7 +370,25 @@ pub(crate) fn rounding(form: &Form, sigma: Exact, factor: f64) -> Option<(f64, f
 }
 
 /// The form after its rounding with operation `k` as the error's ε.
-pub(crate) fn rounded(mut form: Form, sigma: Exact, (error, absolute): (f64, f64), k: u32) -> Form {
+pub(crate) fn rounded(
+    mut form: Form,
+    sigma: Exact,
+    (error, absolute): (f64, f64),
+    factor: f64,
+    k: u32,
+) -> Form {
+    // At most 2⁻⁵³|v|, unless v may be below the normal numbers.
+    let unit = factor * power_of_two(-53);
+    let relative = form.relative();
+    let least = match relative < 0.5 && !form.small {
+        true => 0.5 * form.main.range.mignitude(),
+        false => form.range(sigma).mignitude(),
+    };
+    let normal = form.tiny == 0.0 && least >= f64::MIN_POSITIVE;
+    form.share = match normal {
+        true => sum_up(sum_up(relative, unit), product_up(relative, unit)),
+        false => f64::INFINITY,
+    };
     if error != 0.0 {
         form.terms.push((k, Interval::point(error)));
         form.deviation = sum_up(form.deviation, error);

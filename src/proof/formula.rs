@@ -7,7 +7,7 @@ use crate::form::{TINIEST, exponent, grain_of, power_of_two};
 use crate::interval::{Interval, hypot_down, hypot_up, product_up, quotient_up, sum_up};
 use crate::tables::Tables;
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
-use crate::truncation::{self, Truncation};
+use crate::truncation::{self, OfSum, Truncation};
 use mechaudit_solvers::faddeeva::{Branch, proof as code};
 use std::sync::PoisonError;
 
@@ -74,11 +74,6 @@ impl Formula {
             Formula::AsymptoticOnAxis { .. } => "asymptotic, imaginary axis",
             Formula::Huge => "scaled",
         }
-    }
-
-    /// Whether a bound of each component is proved.
-    pub fn has_components(self) -> bool {
-        !matches!(self, Formula::Strip | Formula::RealLine)
     }
 
     /// The centre of its row.
@@ -227,9 +222,9 @@ fn small(formula: Formula, at: &Rectangle) -> [bool; 2] {
     match formula {
         Formula::Cell { centre } => [centre.0 == 0.0, false],
         Formula::Maclaurin { .. } => [true, false],
-        Formula::Asymptotic { .. } | Formula::Strip | Formula::RealLine | Formula::Huge => {
-            [at.small_re(), at.small_im()]
-        }
+        Formula::Asymptotic { .. } | Formula::Huge => [at.small_re(), at.small_im()],
+        // Re w is a multiple of Im z there, or e^{−z²} added to one.
+        Formula::Strip | Formula::RealLine => [false, true],
         _ => [false, false],
     }
 }
@@ -333,7 +328,10 @@ fn run(
         ),
         Formula::RealLine => {
             let ways = series(setting(&ASYMPTOTIC), code::on_real_line::<Tracked>)?;
-            (ways, truncation::on_real_line(at, tables.real_line))
+            (
+                ways,
+                truncation::on_real_line(at, tables.real_line, tables.exponential),
+            )
         }
         Formula::Asymptotic { terms } => {
             let f = match terms {
@@ -425,11 +423,20 @@ impl Evaluated {
         let part = |r: &Tracks, truncated, tiny: f64| {
             let (units, least) = component(r, truncated, t.norm, sigma);
             match least > FAR_ABOVE {
-                true => (sum_up(units, tiny * 1e-20), 0.0),
+                true => (sum_up(units, lost_units(tiny, least)), 0.0),
                 false => (units, tiny),
             }
         };
-        let ((re, p), (im, q)) = (part(re, t.re, re_tiny), part(im, t.im, im_tiny));
+        let (im, q) = part(im, t.im, im_tiny);
+        let (re, p) = match t.sum {
+            None => part(re, t.re, re_tiny),
+            Some(sum) => match of_sum(re, &sum, sigma) {
+                (units, least) if least > FAR_ABOVE => {
+                    (sum_up(units, lost_units(re_tiny, least)), 0.0)
+                }
+                (units, _) => (units, re_tiny),
+            },
+        };
         Bound {
             norm,
             re,
@@ -439,10 +446,46 @@ impl Evaluated {
     }
 }
 
-/// 2⁻⁹⁶⁰: a unit in the last place of what is above it is above 2⁻¹⁰¹³, 2⁶² times the unit of what underflows.
+/// 2⁻⁹⁶⁰: a unit in the last place of what is above it is at least 2⁻¹⁰¹², 2⁶³ times the unit of what underflows.
 const FAR_ABOVE: f64 = f64::from_bits((1023 - 960) << 52);
 
+/// What underflows, in units in the last place of the least value.
+fn lost_units(tiny: f64, least: f64) -> f64 {
+    quotient_up(
+        product_up(tiny, TINIEST),
+        power_of_two(exponent(least) - 52),
+    )
+}
+
 const TWO_52: f64 = 4_503_599_627_370_496.0;
+
+/// That of the real part beside the real axis, `y u` where the formula leaves `e^{−z²}` out, `y u + E` where it adds it:
+/// a sum of positive terms is wrong by no larger a part of it than one of them.
+fn of_sum(r: &Tracks, t: &OfSum, sigma: Interval) -> (f64, f64) {
+    const NOT_PROVED: (f64, f64) = (f64::INFINITY, 0.0);
+    let (off, size, least) = if r.small {
+        if !(r.exact.lo > 0.0) {
+            return NOT_PROVED;
+        }
+        // All divided by y: ρ u + |u − U| + E/y, and U − E/y.
+        let u = r.exact.hi;
+        let left = quotient_up(t.most, sigma.lo);
+        let off = sum_up(product_up(r.relative, u), sum_up(t.slope, left));
+        let off = off.min(sum_up(r.error, sum_up(t.slope, left)));
+        let size = (r.exact.lo - sum_up(t.slope, left)).next_down();
+        (off, size, (size * sigma.lo).next_down())
+    } else {
+        let slope = quotient_up(t.slope, (t.least - t.slope).next_down());
+        let formula = slope.max(t.exponential);
+        let off = sum_up(product_up(r.relative, sum_up(1.0, formula)), formula);
+        (off, 1.0, (r.exact.lo * 0.99).max(0.0))
+    };
+    if !(size > 0.0 && off.is_finite()) {
+        return NOT_PROVED;
+    }
+    // A unit in the last place is more than 2⁻⁵³ of the value.
+    (quotient_up(off, size) * (2.0 * TWO_52), least)
+}
 
 /// The error of a component in units in the last place of its value, without what underflows, and the least
 /// value.

@@ -195,7 +195,13 @@ impl Mul for Interval {
         }
         let lo = p.iter().copied().fold(f64::INFINITY, f64::min);
         let hi = p.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        Interval::new(down(lo), up(hi))
+        let positive = self.lo >= 0.0 && other.lo >= 0.0;
+        let lo = if positive {
+            down(lo).max(0.0)
+        } else {
+            down(lo)
+        };
+        Interval::new(lo, up(hi))
     }
 }
 

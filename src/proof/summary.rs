@@ -22,7 +22,7 @@ pub struct OfFormula {
     pub boxes: usize,
     /// Of the norm, in units of 2⁻⁵².
     pub norm: Attained,
-    /// Of the real part, in units in its last place; `None` where nothing is proved.
+    /// Of the real part, in units in its last place; `None` where a rectangle has no bound.
     pub re: Option<Attained>,
     /// Of the imaginary part.
     pub im: Option<Attained>,
@@ -35,7 +35,7 @@ pub struct OfFormula {
 pub struct Summary {
     /// K, over all formulas.
     pub norm: Attained,
-    /// C, over the formulas with a bound for components.
+    /// C, over all formulas; `None` unless each has a bound of both parts.
     pub component: Option<Attained>,
     /// What underflows, in units of 2⁻¹⁰⁷⁵.
     pub tiny: f64,
@@ -86,8 +86,10 @@ impl Certificate {
             of_formula(name, &some)
         });
         let formulas: Vec<OfFormula> = formulas.collect();
-        let parts = formulas.iter().filter_map(|f| Some([f.re?, f.im?]));
-        let component = parts.flatten().max_by(|a, b| a.bound.total_cmp(&b.bound));
+        let parts: Option<Vec<[Attained; 2]>> =
+            formulas.iter().map(|f| Some([f.re?, f.im?])).collect();
+        let parts = parts.into_iter().flatten().flatten();
+        let component = parts.max_by(|a, b| a.bound.total_cmp(&b.bound));
         Some(Summary {
             norm: worst(&all, |b| b.norm)?,
             component,

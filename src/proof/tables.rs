@@ -1,7 +1,7 @@
 //! The solver's tables with their errors, each computed once.
 
 use crate::formula::Bound;
-use crate::truncation::{RowErrors, polynomial_error};
+use crate::truncation::{RowErrors, exponential_error, polynomial_error};
 use mechaudit_solvers::faddeeva::proof as code;
 use mechaudit_solvers::faddeeva::proof::{AxisRow, Row};
 use rayon::prelude::*;
@@ -21,6 +21,8 @@ pub struct Tables {
     real_axis: HashMap<Key, (Row, RowErrors)>,
     imaginary_axis: HashMap<Key, (AxisRow, RowErrors)>,
     pub(crate) real_line: [f64; 2],
+    /// What the exponential beside the real axis is wrong by without rounding.
+    pub(crate) exponential: f64,
     /// Bounds of the scaled formula, whose rectangles are the same in every shell.
     pub(crate) scaled: Arc<Mutex<HashMap<Scaled, Bound>>>,
 }
@@ -82,6 +84,7 @@ impl Tables {
             .map(|(s, row)| Ok((key((0.0, s)), (*row, RowErrors::on_axis(row, s)?))))
             .collect::<Result<HashMap<_, _>, String>>()?;
         let line = code::real_line_polynomials();
+        let (coefficients, ln_2) = code::exponential();
         Ok(Tables {
             cells: rows(cells)?,
             real_axis: rows(real.collect())?,
@@ -90,6 +93,7 @@ impl Tables {
                 polynomial_error(&line[0], false),
                 polynomial_error(&line[1], true),
             ],
+            exponential: exponential_error(coefficients, ln_2),
             scaled: Arc::default(),
         })
     }

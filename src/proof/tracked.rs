@@ -116,7 +116,7 @@ impl Evaluation {
                 if error != 0.0 {
                     lost.terms.push((k, Interval::point(-error)));
                 }
-                let form = rounded(form, self.sigma, (error, absolute), k);
+                let form = rounded(form, self.sigma, (error, absolute), factor, k);
                 (self.push(form), self.push(lost.summed()))
             }
         }
@@ -322,6 +322,8 @@ pub(crate) struct Result {
     pub tiny: f64,
     /// Whether σ is a factor.
     pub small: bool,
+    /// The error as a part of the value, besides.
+    pub relative: f64,
 }
 
 impl Tracked {
@@ -362,6 +364,7 @@ impl Tracked {
                 error: form.deviation,
                 tiny: form.tiny,
                 small: form.small,
+                relative: form.relative(),
             }
         })
     }
@@ -527,6 +530,7 @@ impl Real for Tracked {
                 let mut form = e.form(self).clone();
                 form.main = Exact::within(Interval::new(0.0, form.main.range.magnitude()));
                 form.rest = form.deviation;
+                form.share = f64::INFINITY;
                 form.terms.clear();
                 e.push(form)
             }),
@@ -547,6 +551,7 @@ impl Real for Tracked {
             if form.range(e.sigma).lo < least {
                 // Between 0 and `least` is added; nothing is rounded.
                 form.rest = crate::interval::sum_up(form.rest, least);
+                form.share = f64::INFINITY;
                 form.grain = form.grain.min(grain_of(least));
                 form = form.summed();
             }

@@ -8,11 +8,11 @@ pub const AFTER_HELP: &str = "\
 Examples:
   mechaudit prove faddeeva
   mechaudit prove faddeeva --boxes boxes.csv --format json
-  mechaudit prove faddeeva --within 64 --components
+  mechaudit prove faddeeva --within 64 --component 6
 
-Runs the solver's own code over rectangles that cover the closed upper half-plane up to --within, with numbers \
-that enclose the exact value and the error of every rounding, halves a rectangle until its bound \
-is below the target, and prints the largest bound that is left: the theorem. The chapter on proofs \
+Runs the solver's own code over rectangles that cover the closed upper half-plane, all of it or up to --within, with \
+numbers that enclose the exact value and the error of every rounding, halves a rectangle until its bounds \
+are below the targets, and prints the largest that are left: the theorem. The chapter on proofs \
 of the book has the model of arithmetic and every inequality.
 
 A file of boxes has a line for each: the ends of Re z and Im z, both included, the formula, the \
@@ -40,12 +40,12 @@ pub struct ProveArgs {
     /// Halve rectangles until the error of the norm is at most this, in units of 2^-52
     #[arg(long, value_name = "K", default_value = "1.25", value_parser = super::number::positive)]
     pub norm: f64,
-    /// Halve rectangles also until the bound of each component is at most 6 units in its last place
-    #[arg(long)]
-    pub components: bool,
-    /// Only where Re z and Im z are below this. Beyond the default no run has been carried to its end
-    #[arg(long, value_name = "R", default_value = "1e60", value_parser = super::number::positive)]
-    pub within: f64,
+    /// Halve rectangles until the error of each component is at most this, in units in its last place
+    #[arg(long, value_name = "C", default_value = "4.25", value_parser = super::number::positive)]
+    pub component: f64,
+    /// Only where Re z and Im z are below this; without it every finite number
+    #[arg(long, value_name = "R", value_parser = super::number::positive)]
+    pub within: Option<f64>,
     /// Write the rectangles to this file
     #[arg(long, value_name = "FILE")]
     pub boxes: Option<PathBuf>,

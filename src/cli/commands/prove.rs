@@ -17,9 +17,6 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-/// The bound of a component down to which rectangles are halved, where that is asked for.
-const COMPONENT: f64 = 6.0;
-
 /// Proves, and prints what is proved.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     let boxes = args
@@ -30,11 +27,7 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     let begin = Instant::now();
     let target = Target {
         norm: args.norm,
-        component: if args.components {
-            COMPONENT
-        } else {
-            f64::INFINITY
-        },
+        component: args.component,
         ..Target::default()
     };
     let Some(found) = proved(target, args.within)? else {
@@ -61,14 +54,14 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
 }
 
 /// On a thread of its own, watched; nothing if the user ends it.
-fn proved(target: Target, within: f64) -> Result<Option<Certificate>, Failure> {
+fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
     let watch = Arc::new(Watch::default());
     let worker = std::thread::spawn({
         let watch = watch.clone();
         move || {
             let code = Code::of_the_solver()?;
             Ok::<_, String>(upper_half_plane(&code, target, &watch, |_, r| {
-                r.a[1].max(r.b[1]) < within
+                within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
             }))
         }
     });
@@ -118,19 +111,33 @@ fn up(x: f64) -> String {
     format!("{:.3}", (x * 1000.0).next_up().ceil() / 1000.0)
 }
 
-fn text(found: &Certificate, summary: &Summary, within: f64, seconds: f64) -> String {
+fn text(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> String {
     let mut out = format!("{}\n", paint(BOLD, "faddeeva, closed upper half-plane"));
     let line = |text: String| format!("  {text}\n");
     if found.open.is_empty() {
-        let most = match within < 1e6 {
-            true => within.to_string(),
-            false => format!("{within:e}"),
+        let inputs = match within {
+            None => "every finite f64 z with Im z ≥ 0".to_string(),
+            Some(r) => {
+                let most = if r < 1e6 {
+                    r.to_string()
+                } else {
+                    format!("{r:e}")
+                };
+                format!("every f64 z with Im z ≥ 0, |Re z| and Im z in the binades below {most}")
+            }
         };
         out += &line(format!(
-            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every f64 z with Im z ≥ 0, |Re z| and Im z in the \
-             binades below {most}: K = {}",
+            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for {inputs}: K = {}",
             up(summary.norm.bound)
         ));
+        out += &line(match &summary.component {
+            Some(c) if c.bound.is_finite() => format!(
+                "each component within C units in its last place, C = {}, attained in {}",
+                up(c.bound),
+                place(&c.at)
+            ),
+            _ => "no bound of the components".into(),
+        });
     } else {
         let text = format!("not proved: {} rectangles are open", found.open.len());
         out += &line(paint(BAD, &text));
@@ -165,7 +172,7 @@ fn text(found: &Certificate, summary: &Summary, within: f64, seconds: f64) -> St
     out
 }
 
-fn document(found: &Certificate, summary: &Summary, within: f64, seconds: f64) -> Value {
+fn document(found: &Certificate, summary: &Summary, within: Option<f64>, seconds: f64) -> Value {
     let ends = |at: &Rectangle| json!({ "re": at.a, "im": at.b });
     let attained = |a: &Attained| json!({ "bound": a.bound, "box": ends(&a.at) });
     let formulas: Vec<Value> = summary
@@ -195,6 +202,7 @@ fn document(found: &Certificate, summary: &Summary, within: f64, seconds: f64) -
         "within": within,
         "proved": found.open.is_empty(),
         "norm": attained(&summary.norm),
+        "component": summary.component.as_ref().map(attained),
         "tiny": summary.tiny,
         "boxes": summary.boxes,
         "seconds": seconds,

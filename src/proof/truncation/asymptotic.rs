@@ -1,10 +1,11 @@
 //! The asymptotic series, and what is added to it beside the real axis.
 
-use super::Truncation;
-use crate::bounds::{HALF_PI, exp_up, remainder, remainder_slope};
+use super::{OfSum, Truncation};
+use crate::bounds::{HALF_PI, above, exp_up, remainder, remainder_slope};
 use crate::cover::Rectangle;
 use crate::form::TINIEST;
 use crate::interval::{hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
+use mechaudit_reference::Ball;
 use rug::Rational;
 
 /// An upper bound of `e^{y² − x²}` over the rectangle.
@@ -51,17 +52,37 @@ pub(crate) fn asymptotic(terms: u32, at: &Rectangle) -> Truncation {
         re,
         im,
         tiny,
+        sum: None,
     }
 }
 
 /// The same with 16 terms where `e^{−z²}` is added or does not count: what is added, and what should be, are at
 /// most `e^{y² − x²}` each.
+///
+/// Re w is bounded by its two terms, [`OfSum`]: the remainder without `e^{−z²}` is imaginary on the real axis, so that
+/// its real part is at most `(π/2)(y/|z|)` times its slope, [`asymptotic`]. The exponential is only added below
+/// `y = 2⁻⁵⁰`, which these boxes are above.
 pub(crate) fn strip(at: &Rectangle) -> Truncation {
     let mut t = asymptotic(16, at);
-    t.norm = sum_up(t.norm, up(3.0 * decay(at)));
-    // The exponential is not bounded by itself.
+    let most = decay(at);
+    t.norm = sum_up(t.norm, up(3.0 * most));
+    t.sum = Some(OfSum {
+        slope: beside(17, at),
+        exponential: f64::INFINITY,
+        most,
+        least: 0.0,
+    });
     t.re = f64::INFINITY;
     t
+}
+
+/// A bound of `|Re (R_n − e^{−z²})|/y` for `0 ≤ y ≤ x`.
+fn beside(n: u32, at: &Rectangle) -> f64 {
+    let (near, far) = (hypot_down(at.a[0], at.b[0]), hypot_up(at.a[1], at.b[1]));
+    // 2|z|² e^{y² − x²}, the slope of the exponential.
+    let turned = product_up(product_up(2.0 * far, far), decay(at));
+    let slope = sum_up(remainder_slope(n, near), turned);
+    quotient_up(product_up(HALF_PI, slope), near)
 }
 
 /// Next to the real axis, `b < 2⁻²⁸`, by the polynomials in `v = 1/a²`.
@@ -71,7 +92,12 @@ pub(crate) fn strip(at: &Rectangle) -> Truncation {
 /// `|w| ≤ 0.6/5.9 + 2e^{h² − x²}`, `x² − h² ≥ 5.9²`: together below 0.023. (`|w| ≤ (1 + B₁ √π|z|)/(√π|z|)` above
 /// the axis with `B₁ ≤ 0.74/|z|³`.) The rest is the remainder of 25 terms and its slope, and what the polynomials
 /// differ from the sums they stand for.
-pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2]) -> Truncation {
+///
+/// `Re w = y U + E`: U is wrong by the remainder of 25 terms of the series ([`beside`]), by what follows the first
+/// power of y in their sum, and by the polynomial. Each term `a_n Re i z^{−m}/√π`, `m = 2n + 1`, is odd in y, so that
+/// what follows is at most `y³ m(m + 1)(m + 2)/6 · a_n x^{−m−3}/√π`, summed below `0.7 y³/x⁴` for `x² ≥ 79`. E has `e^{−a²}` in place of `e^{y² − a²} cos 2ay`, wrong by `y²` and `(2ay)²/2` parts of
+/// it, and what the code's exponential is wrong by.
+pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64) -> Truncation {
     let (a, b) = (at.a[0], at.b[1]);
     if !(a >= 8.9) {
         let norm = f64::INFINITY;
@@ -80,6 +106,7 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2]) -> Truncation {
             re: norm,
             im: norm,
             tiny: 0.0,
+            sum: None,
         };
     }
     let curved = product_up(0.0115, product_up(b, b));
@@ -96,12 +123,50 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2]) -> Truncation {
     // e^{−z²} itself, its slope 2|z| e^{−x²}, and what the code adds for it.
     let exponentials = product_up(e, sum_up(4.0, product_up(2.0 * at.a[1], b)));
     let norm = sum_up(sum_up(curved, both), exponentials);
+    let cubed = product_up(product_up(0.7, product_up(v, v)), product_up(b, b));
+    let phase = product_up(2.0 * at.a[1], b);
+    let turned = sum_up(product_up(1.01 * b, b), product_up(phase, phase));
     Truncation {
         norm,
         re: f64::INFINITY,
         im: norm,
         tiny: 0.0,
+        sum: Some(OfSum {
+            slope: sum_up(
+                sum_up(beside(25, at), cubed),
+                product_up(product_up(size, v), p1),
+            ),
+            exponential: sum_up(exponential, turned),
+            most: e,
+            least: 0.564 * (1.0 - 1e-9) / (at.a[1] * at.a[1]),
+        }),
     }
+}
+
+/// What `2^k (1 + s + s² Σ c_j s^j)`, evaluated without rounding, differs from `e^x` by, as a part of it:
+/// `s = x − k (L₀ + L₁)` with `|s| ≤ 0.348`, `|k| ≤ 1200`.
+///
+/// k is an integer next to `x log₂ e` as computed, so that `|s| ≤ ½ ln 2 + 2⁻³⁰`, and the low part of x is below 2⁻⁴⁴.
+/// `k (ln 2 − L₀ − L₁)`, the errors of the coefficients, and what follows the last of them, `Σ_{n>13} |s|ⁿ/n!`, at most
+/// 1.03 times its first term; all divided by `e^{−0.348} > 0.7`.
+pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2]) -> f64 {
+    const BITS: u32 = 300;
+    const MOST: f64 = 0.348;
+    let parts =
+        Rational::from_f64(ln_2[0]).expect("finite") + Rational::from_f64(ln_2[1]).expect("finite");
+    let reduced = above(&(&Ball::integer(BITS, 2).ln() - &Ball::rational(BITS, &parts)));
+    let mut sum = product_up(1200.0, product_up(reduced, 1.01));
+    let mut exact = Rational::from(1);
+    let mut power = MOST;
+    for (j, c) in coefficients.iter().enumerate() {
+        exact /= Rational::from(j + 2);
+        power = product_up(power, MOST);
+        let off = (Rational::from_f64(*c).expect("finite") - &exact).abs();
+        sum = sum_up(sum, product_up(up(off.to_f64().next_up()), power));
+    }
+    let next = exact / Rational::from(coefficients.len() + 2);
+    let tail = product_up(product_up(power, MOST), up(next.to_f64().next_up()));
+    quotient_up(sum_up(sum, product_up(1.03, tail)), 0.7)
 }
 
 /// The most by which a stored polynomial of the real line differs from `Σ_{k<24} a_{k+1} (2k + 3)^s v^k` for
@@ -147,5 +212,6 @@ pub(crate) fn huge() -> Truncation {
         re: norm,
         im: norm,
         tiny: 0.0,
+        sum: None,
     }
 }

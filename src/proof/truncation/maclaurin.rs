@@ -16,6 +16,7 @@ pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
             re: norm,
             im: norm,
             tiny: 0.0,
+            sum: None,
         };
     }
     // Γ(5.5) = 945 √π/32 and Γ(11.5) = 13749310575 √π/2048, rounded down.
@@ -29,5 +30,6 @@ pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
         re: norm,
         im,
         tiny: 0.0,
+        sum: None,
     }
 }

@@ -4,7 +4,9 @@ mod asymptotic;
 mod maclaurin;
 mod rows;
 
-pub(crate) use asymptotic::{asymptotic, huge, on_real_line, polynomial_error, strip};
+pub(crate) use asymptotic::{
+    asymptotic, exponential_error, huge, on_real_line, polynomial_error, strip,
+};
 pub(crate) use maclaurin::maclaurin;
 pub(crate) use rows::RowErrors;
 
@@ -19,4 +21,20 @@ pub(crate) struct Truncation {
     pub im: f64,
     /// Besides, of each component, in units of 2⁻¹⁰⁷⁵.
     pub tiny: f64,
+    /// Of the real part beside the real axis, where `e^{−z²}` is added.
+    pub sum: Option<OfSum>,
+}
+
+/// `Re w = y U + E` beside the real axis, `E = Re e^{−z²}`, both terms positive: bounds of what each of the two that
+/// the formula has in their place is wrong by.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OfSum {
+    /// Of U.
+    pub slope: f64,
+    /// Of E, as a part of it.
+    pub exponential: f64,
+    /// The largest `|E|`.
+    pub most: f64,
+    /// Below the formula's U where E is added: `1/(√π x²)`, and positive terms besides.
+    pub least: f64,
 }

@@ -111,6 +111,7 @@ impl RowErrors {
                 re: norm,
                 im: norm,
                 tiny: 0.0,
+                sum: None,
             };
         }
         let (mut norm, mut re, mut im) = (0.0, 0.0, 0.0);
@@ -137,6 +138,7 @@ impl RowErrors {
             re: if on_real { re } else { norm },
             im: if on_imaginary { im } else { norm },
             tiny: 0.0,
+            sum: None,
         }
     }
 

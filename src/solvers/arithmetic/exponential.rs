@@ -136,6 +136,12 @@ pub(crate) fn exp_rounded<R: Real>(x: Dd<R>) -> (R, R) {
     (like(1.0) + (s + (s * s).fma(paired(&EXP, s), lo)), n)
 }
 
+/// The constants of [`exp_rounded`].
+#[cfg(feature = "proof")]
+pub(crate) fn of_rounded() -> (&'static [f64; 12], [f64; 2]) {
+    (&EXP, LN_2)
+}
+
 /// A phase modulo π/2: the rest in [−π/4, π/4] and `ROUND` plus the quadrant.
 #[inline(always)]
 pub(crate) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {

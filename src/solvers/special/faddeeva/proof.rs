@@ -113,6 +113,12 @@ pub fn real_line_polynomials() -> &'static [[f64; 10]; 2] {
     &super::tables::REAL_LINE
 }
 
+/// `1/n!` from `n = 2` on in the polynomial of [`in_strip`] and [`on_real_line`] for `e^s`, and the two parts of ln 2
+/// that reduce its argument.
+pub fn exponential() -> (&'static [f64; 12], [f64; 2]) {
+    crate::exponential::of_rounded()
+}
+
 /// w from `|z|² = 10^200` on, unscaled.
 pub fn huge(a: f64, b: f64) -> (f64, f64) {
     special::huge(a, b)
