@@ -1,6 +1,6 @@
 /* W(z) by libcerf, for `mechaudit atlas --exec ./libcerf`: reads "re,im" in hexadecimal floats, writes a line for each.
  *
- *     cc -O2 -o libcerf examples/atlas/libcerf.c -lcerf -lm
+ *     cc -O2 -DVERSION="\"$(pkg-config --modversion libcerf)\"" -o libcerf examples/atlas/libcerf.c -lcerf -lm
  */
 #include <complex.h>
 #include <math.h>
@@ -33,7 +33,11 @@ static double nanoseconds(void)
 
 int main(void)
 {
-    printf("# name: libcerf\n# ns: %.1f\n", nanoseconds());
+    printf("# name: libcerf\n");
+#ifdef VERSION
+    printf("# version: " VERSION "\n");
+#endif
+    printf("# ns: %.1f\n", nanoseconds());
     char line[256];
     while (fgets(line, sizeof line, stdin)) {
         double re, im;

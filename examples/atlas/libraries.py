@@ -16,6 +16,7 @@ import ctypes
 import ctypes.util
 import importlib.metadata
 import math
+import os
 import sys
 import time
 
@@ -37,7 +38,18 @@ def libcerf():
         function = getattr(library, name)
         function.restype = ctypes.c_double
         function.argtypes = [ctypes.c_double, ctypes.c_double]
-    return lambda z: complex(library.re_w_of_z(z.real, z.imag), library.im_w_of_z(z.real, z.imag)), path, None
+    w = lambda z: complex(library.re_w_of_z(z.real, z.imag), library.im_w_of_z(z.real, z.imag))
+    return w, loaded(path), None
+
+
+def loaded(name):
+    """The file that the loader took, which has the version in its name; on Linux."""
+    try:
+        with open("/proc/self/maps") as maps:
+            files = {line.split()[-1] for line in maps if name.split(".so")[0] in line}
+    except OSError:
+        files = set()
+    return os.path.basename(os.path.realpath(min(files))) if files else name
 
 
 def mpmath():
