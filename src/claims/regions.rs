@@ -56,15 +56,11 @@ pub fn upper() -> Vec<Region> {
             let x = d.uniform(0.0, 8.0);
             either_side(d, x, 0.0)
         }),
-        region(
-            "grid",
-            "|Re z| = 1/4, 1/2, .. 8, Im z = 1e-12..0.1",
-            |d| {
-                // Nodes of quadrature, points of tables, and what users ask for.
-                let (x, y) = (fourth(d, 32.0), log_uniform(d, 1e-12, 0.1));
-                either_side(d, x, y)
-            },
-        ),
+        region("grid", "|Re z| = 1/4, 1/2, .. 8, Im z = 1e-12..0.1", |d| {
+            // Nodes of quadrature, points of tables, and what users ask for.
+            let (x, y) = (fourth(d, 32.0), log_uniform(d, 1e-12, 0.1));
+            either_side(d, x, y)
+        }),
         region("wings", "|Re z| = 8..1e4, Im z = 1e-8..0.1", |d| {
             let (x, y) = (log_uniform(d, 8.0, 1e4), log_uniform(d, 1e-8, 0.1));
             either_side(d, x, y)

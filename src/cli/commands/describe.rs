@@ -6,9 +6,7 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{print_json, write_to};
 use crate::cli::process::wire;
 use crate::cli::terminal::width;
-use mechaudit::audit::{
-    Case, Cases, Layout, Method, Settings, SolverAnswer, answer_of, hex_float,
-};
+use mechaudit::audit::{Case, Cases, Layout, Method, Settings, SolverAnswer, answer_of, hex_float};
 use mechaudit::methods;
 use mechaudit::report::text::style::{BOLD, DIM, PLAIN, paint, paragraph, wrap};
 use mechaudit::report::text::table::Table;

@@ -58,26 +58,35 @@ const ALL: [(&str, Pins); 4] = [
     ("double-butterfly", DOUBLE_BUTTERFLY),
 ];
 
-/// All frames are the drawing's, all angles zero there; the centre of mass is the mean of a body's pins.
+/// The frame of body k has the drawing's origin and is turned by k/4 rad there, so that no angle is zero; the
+/// centre of mass is the mean of a body's pins.
 fn drawn(pins: Pins) -> Linkage {
     let bodies = pins.iter().flat_map(|p| p.0).max().unwrap_or(0);
+    let angle = |body: usize| body as f64 / 4.0;
+    let seen = |body: usize, [x, y]: [f64; 2]| {
+        let (s, c) = angle(body).sin_cos();
+        [c * x + s * y, c * y - s * x]
+    };
     let mut all = Linkage {
-        near: vec![0.0; bodies],
+        phi: angle(1),
+        near: (1..=bodies).map(angle).collect(),
         ..Linkage::default()
     };
-    for &([a, b], [x, y]) in pins {
+    for &([a, b], at) in pins {
+        let ([xa, ya], [xb, yb]) = (seen(a, at), seen(b, at));
         all.a.push(a as f64);
         all.b.push(b as f64);
-        all.xa.push(x);
-        all.ya.push(y);
-        all.xb.push(x);
-        all.yb.push(y);
+        all.xa.push(xa);
+        all.ya.push(ya);
+        all.xb.push(xb);
+        all.yb.push(yb);
     }
     for body in 1..=bodies {
         let on = || pins.iter().filter(|p| p.0.contains(&body));
         let mean = |i: usize| on().map(|p| p.1[i]).sum::<f64>() / on().count() as f64;
-        all.xs.push(mean(0));
-        all.ys.push(mean(1));
+        let [xs, ys] = seen(body, [mean(0), mean(1)]);
+        all.xs.push(xs);
+        all.ys.push(ys);
     }
     all
 }
