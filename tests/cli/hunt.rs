@@ -140,8 +140,9 @@ impl Method for Planted {
     }
     fn solve(&self, x: &[f64]) -> SolverAnswer {
         match self.0.solve(x) {
-            SolverAnswer::Values(v) => {
-                SolverAnswer::Values(v.iter().map(|v| v * (1.0 + 1e-13)).collect())
+            SolverAnswer::Values(mut v) => {
+                v[0] *= 1.0 + 1e-13;
+                SolverAnswer::Values(v)
             }
             other => other,
         }
