@@ -45,7 +45,8 @@ pub fn all(args: &AtlasArgs) -> Result<(Vec<Library>, Vec<Missing>), Failure> {
     for (name, parts) in KNOWN.iter().filter(|_| args.libraries) {
         match version(name)? {
             Some(version) => {
-                let command = format!("python3 -c {} {name}", shell_words::quote(SCRIPT));
+                // Warnings of the libraries are no answers.
+                let command = format!("python3 -W ignore -c {} {name}", shell_words::quote(SCRIPT));
                 let timed = format!("{command} --time");
                 let asked = (!args.no_speed).then(|| header(&timed));
                 found.push(Library {
