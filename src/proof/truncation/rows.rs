@@ -42,17 +42,18 @@ fn difference(stored: [f64; 2], exact: &Ball) -> f64 {
     above(&(&Ball::rational(4 * BITS, &sum) - exact))
 }
 
-/// The stored coefficient: high and low parts, real and imaginary.
+/// The stored coefficient as the formula takes it: high and low parts, real and imaginary. The low parts of c₁ serve
+/// the lower half-plane alone, where values are left unevaluated.
 fn stored(row: &Row, n: usize) -> [[f64; 2]; 2] {
-    if n < 2 {
-        return [
-            [row[4 * n], row[4 * n + 1]],
-            [row[4 * n + 2], row[4 * n + 3]],
-        ];
+    match n {
+        0 => [[row[0], row[1]], [row[2], row[3]]],
+        1 => [[row[4], 0.0], [row[6], 0.0]],
+        _ => {
+            let (block, place) = ((n - 2) / 4, (n - 2) % 4);
+            let at = 8 + 8 * block + place;
+            [[row[at], 0.0], [row[at + 4], 0.0]]
+        }
     }
-    let (block, place) = ((n - 2) / 4, (n - 2) % 4);
-    let at = 8 + 8 * block + place;
-    [[row[at], 0.0], [row[at + 4], 0.0]]
 }
 
 impl RowErrors {
