@@ -312,3 +312,24 @@ fn components_are_proved_where_all_formulas_beside_the_real_axis_meet() {
         );
     }
 }
+
+/// Where the low part of c₁, which the formula leaves out, is worth a unit in the last place.
+#[test]
+fn the_imaginary_part_in_a_cell_is_within_its_bound() {
+    let at = Rectangle {
+        a: [0.125, 0.125],
+        b: [1.8125, 1.875f64.next_down()],
+    };
+    let cell = Formula::Cell {
+        centre: (0.0, 1.75),
+    };
+    let most = bound(&CODE.tables, cell, &at, CODE.rounding)
+        .expect("a cell")
+        .im;
+    let z = Complex::new(0.125, 1.8384331584680664);
+    let w = w_f64(z.re, z.im, 100).expect("decided").im;
+    let off = (Float::with_val(200, faddeeva(z).im) - w.mid()).abs();
+    let ulp = 2f64.powi(-59);
+    let off = (off / ulp).to_f64();
+    assert!((1.5..=most).contains(&off), "{off} {most}");
+}
