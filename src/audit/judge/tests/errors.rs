@@ -1,0 +1,325 @@
+//! How errors, shares and budgets are measured and told.
+
+use super::*;
+
+fn measured(got: &[f64], due: &[f64], limit: Limit, conditions: Option<&[f64]>) -> Judgement {
+    let answer = SolverAnswer::Values(got.to_vec());
+    judge(&outputs(limit), &answer, &exact(due), conditions)
+}
+
+/// `1 + k u` in units of u = 2^-53, where one is 2u wide above and u below.
+fn near_one(k: f64) -> f64 {
+    1.0 + k * 2f64.powi(-53)
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let due = |d: Due| ReferenceAnswer::Dues(vec![d], Proof::Exact);
+    let o = outputs(Limit::Ulps(4.0));
+    let said = |got: f64, d: Due| judge(&o, &SolverAnswer::Values(vec![got]), &due(d), None);
+    let zero = said(-0.0, Due::zero(false));
+    assert_eq!(
+        zero.reason.as_deref(),
+        Some("x (value 0) is -0.0 where 0.0 is due")
+    );
+    assert_eq!(
+        (zero.kind, zero.components[0].kind),
+        (Some(Kind::WrongZero), Some(Kind::WrongZero))
+    );
+    let nan = said(f64::NAN, Due::zero(false));
+    assert_eq!(nan.reason.as_deref(), Some("x (value 0) is NaN"));
+    assert_eq!(nan.kind, Some(Kind::Nan));
+    let number = |x: f64| Due::Number(Ball::exact(64, x));
+    assert_eq!(said(f64::INFINITY, number(1.0)).kind, Some(Kind::Infinity));
+    let over = said(1.0 + 8.0 * f64::EPSILON, number(1.0));
+    assert_eq!((over.kind, over.components[0].kind), (None, None));
+    assert_eq!(
+        over.reason.as_deref(),
+        Some("x (value 0) is 2.000 times its budget off")
+    );
+    let far = |times: f64| {
+        said(1.0 + 4.0 * times * f64::EPSILON, number(1.0))
+            .reason
+            .unwrap()
+    };
+    assert!(far(9999.0).contains("9999.000 times"), "{}", far(9999.0));
+    assert!(far(1e4).contains("1.00e4 times"), "{}", far(1e4));
+    let beyond = said(f64::MAX, number(5e-324)).reason.unwrap();
+    assert!(beyond.contains("more than 1e308 times"), "{beyond}");
+    // The first of two equally wrong values is named.
+    let first = measured(&[2.0, 7.0], &[1.0, 1.0], Limit::Ulps(4.0), None);
+    assert!(first.reason.unwrap().starts_with("x (value 0) is "));
+    let lost = measured(
+        &[f64::NAN, f64::INFINITY],
+        &[1.0, 1.0],
+        Limit::Ulps(4.0),
+        None,
+    );
+    assert_eq!(lost.kind, Some(Kind::Nan));
+    // No infinity that is due has a share but none or all of its budget.
+    let infinity = said(f64::INFINITY, Due::Infinity { negative: false });
+    assert_eq!(
+        (infinity.components[0].of_budget, infinity.share()),
+        (0.0, 0.0)
+    );
+    let other = said(f64::NEG_INFINITY, Due::Infinity { negative: false });
+    assert_eq!(other.share(), f64::INFINITY);
+}
+
+#[test]
+fn a_share_is_that_of_the_worst() {
+    let two = measured(
+        &[near_one(2.0), near_one(4.0)],
+        &[1.0, 1.0],
+        Limit::Ulps(4.0),
+        None,
+    );
+    assert!((two.share() - 0.5).abs() < 1e-12);
+    // Nothing there is all of the budget, unless nothing is due.
+    let none = measured(&[1.0], &[1.0, 1.0], Limit::Ulps(4.0), None);
+    assert_eq!((none.components.len(), none.share()), (0, f64::INFINITY));
+    let refused = ReferenceAnswer::Refuses("singular");
+    let right = judge(
+        &outputs(Limit::Ulps(1.0)),
+        &SolverAnswer::Refuses("singular"),
+        &refused,
+        None,
+    );
+    assert_eq!((right.share(), right.normwise), (0.0, 0.0));
+    // A share that is no number is all of it.
+    let lost = Judgement {
+        components: vec![ComponentJudgement {
+            of_budget: f64::NAN,
+            ..two.components[0].clone()
+        }],
+        ..two
+    };
+    assert_eq!(lost.share(), f64::INFINITY);
+}
+
+#[test]
+fn errors_are_measured_in_their_units() {
+    // 2 u off 1, conditioned on |1| + 3.
+    let one = measured(
+        &[near_one(2.0)],
+        &[1.0],
+        Limit::Conditioned(4.0),
+        Some(&[3.0]),
+    );
+    let c = &one.components[0];
+    assert!(c.ulps == 1.0 && (c.condition - 3.0).abs() < 1e-12, "{c:?}");
+    assert!(
+        (c.conditioned - 0.5).abs() < 1e-12 && (c.of_budget - 0.125).abs() < 1e-12,
+        "{c:?}"
+    );
+    assert!((one.normwise - 2.0).abs() < 1e-9);
+    // A condition number is by |f|: 3 of |2| is 1.5.
+    let two = measured(&[2.0], &[2.0], Limit::Conditioned(4.0), Some(&[3.0]));
+    assert!((two.components[0].condition - 1.5).abs() < 1e-12);
+    assert_eq!(two.normwise, 0.0);
+    // Zero has none, nor ulps.
+    let zero = measured(&[0.0], &[0.0], Limit::Absolute(1.0), Some(&[3.0]));
+    let c = &zero.components[0];
+    assert!(c.ulps.is_nan() && c.condition == f64::INFINITY, "{c:?}");
+    // Without condition numbers, or with one that is none, the limit that needs them is undecided.
+    for conditions in [
+        None,
+        Some(&[f64::INFINITY][..]),
+        Some(&[f64::NAN]),
+        Some(&[1.0, 1.0]),
+    ] {
+        for limit in [Limit::Conditioned(4.0), Limit::Normwise(4.0)] {
+            let open = measured(&[1.0], &[1.0], limit, conditions);
+            if conditions.is_none()
+                || limit == Limit::Conditioned(4.0)
+                || conditions.unwrap().len() == 2
+            {
+                assert_eq!(open.verdict, Verdict::Undecided, "{limit} {conditions:?}");
+            }
+            assert!(open.verdict != Verdict::Over);
+        }
+    }
+    // The norm is over all values: errors of 2 u in both of (3, 4) are 2 √2/5 u.
+    let u = 2f64.powi(-51);
+    let norm = measured(
+        &[3.0 + u, 4.0 + 2.0 * u],
+        &[3.0, 4.0],
+        Limit::Absolute(1.0),
+        None,
+    );
+    assert!(
+        (norm.normwise - 4.0 * 5f64.sqrt() / 5.0).abs() < 1e-9,
+        "{}",
+        norm.normwise
+    );
+    // With a value that is no number it has no meaning.
+    let dues = vec![
+        Due::Number(Ball::integer(64, 1)),
+        Due::Infinity { negative: false },
+    ];
+    let dues = ReferenceAnswer::Dues(dues, Proof::Exact);
+    let got = SolverAnswer::Values(vec![1.0, f64::INFINITY]);
+    let budget = NormBudget::new(4.0, "planted");
+    let mixed = judge_with_norm(&outputs(Limit::Ulps(1.0)), Some(&budget), &got, &dues, None);
+    assert!(mixed.normwise.is_nan() && mixed.norm_of_budget.is_nan());
+    assert_eq!(mixed.verdict, Verdict::Pass);
+}
+
+#[test]
+fn a_norm_s_budget_is_for_numbers_and_decided_by_bounds() {
+    let budget = NormBudget::new(4.0, "planted");
+    let o = outputs(Limit::Absolute(1e300));
+    let judged = |got: f64, due: Ball| {
+        let reference = ReferenceAnswer::Values(Reference {
+            values: vec![due],
+            proof: Proof::Exact,
+        });
+        judge_with_norm(
+            &o,
+            Some(&budget),
+            &SolverAnswer::Values(vec![got]),
+            &reference,
+            None,
+        )
+    };
+    // 4 u of 1 with a reference known to 2 u: over from 6 u on, a pass up to 2 u, else undecided.
+    let wide = || Ball::new(Float::with_val(128, 1.0), Mag::from_f64(2f64.powi(-52)));
+    for (k, verdict) in [
+        (0.0, Verdict::Pass),
+        (1.9, Verdict::Pass),
+        (4.0, Verdict::Undecided),
+        (8.0, Verdict::Over),
+    ] {
+        let found = judged(
+            1.0,
+            Ball::new(
+                Float::with_val(128, 1.0) + Float::with_val(128, k * 2f64.powi(-53)),
+                wide().rad(),
+            ),
+        );
+        assert_eq!(found.verdict, verdict, "{k}");
+        assert_eq!(found.reason.is_some(), verdict != Verdict::Pass);
+        if verdict == Verdict::Undecided {
+            assert!(found.reason.unwrap().contains("cannot be decided"));
+        } else if verdict == Verdict::Over {
+            assert!(found.reason.unwrap().contains("over its budget"));
+        }
+    }
+    // A component that is already as wrong keeps its reason.
+    let tight = outputs(Limit::Ulps(1.0));
+    let off = SolverAnswer::Values(vec![1.0 + 64.0 * f64::EPSILON]);
+    let both = judge_with_norm(&tight, Some(&budget), &off, &exact(&[1.0]), None);
+    assert!(both.reason.unwrap().contains("64.000 times its budget"));
+    // An infinity is no number of a norm.
+    let lost = judge_with_norm(
+        &o,
+        Some(&budget),
+        &SolverAnswer::Values(vec![f64::INFINITY, 1.0]),
+        &exact(&[1.0, 1.0]),
+        None,
+    );
+    assert!(lost.norm_of_budget.is_nan());
+}
+
+#[test]
+fn normwise_limits_take_the_largest_with_its_condition() {
+    // Of 1 and 4 with conditions 1 and 8 the scale is 12: 4 u of it are 48 u.
+    let at = |k: f64| {
+        let got = [1.0 + k * 2f64.powi(-53), 4.0];
+        measured(&got, &[1.0, 4.0], Limit::Normwise(4.0), Some(&[1.0, 8.0])).verdict
+    };
+    assert_eq!((at(48.0), at(50.0)), (Verdict::Pass, Verdict::Over));
+    // Another output's limit does not take the scale away.
+    let mut mixed = outputs(Limit::Ulps(4.0));
+    mixed.extend(outputs(Limit::OfNorm(1e-3)));
+    let got = SolverAnswer::Values(vec![3.0, 4.0 + 4.9e-3]);
+    let found = judge(&mixed, &got, &exact(&[3.0, 4.0]), None);
+    assert_eq!(found.verdict, Verdict::Pass);
+    let got = SolverAnswer::Values(vec![3.0, 4.0 + 5.1e-3]);
+    assert_eq!(
+        judge(&mixed, &got, &exact(&[3.0, 4.0]), None).verdict,
+        Verdict::Over
+    );
+}
+
+#[test]
+fn roundings_of_the_smallest_numbers_are_free_under_every_relative_limit() {
+    let due = ReferenceAnswer::Values(Reference {
+        values: vec![Ball::new(Float::with_val(64, 1.5) << -1074i32, Mag::ZERO)],
+        proof: Proof::Exact,
+    });
+    for limit in [
+        Limit::Relative(1e-12),
+        Limit::RelativeOrAbsolute(1e-12, 5e-324),
+        Limit::OfNorm(1e-12),
+    ] {
+        for (bits, verdict) in [
+            (1, Verdict::Pass),
+            (2, Verdict::Pass),
+            (3, Verdict::Over),
+            (0, Verdict::Over),
+        ] {
+            let got = SolverAnswer::Values(vec![f64::from_bits(bits)]);
+            let found = judge(&outputs(limit), &got, &due, None);
+            assert_eq!(found.verdict, verdict, "{limit} {bits}");
+        }
+    }
+}
+
+#[test]
+fn a_bound_on_a_norm_from_below_is_below() {
+    for k in 1..2000 {
+        let x = Mag::from_f64(f64::from(k) * 0.37);
+        let root = Squares::root_below(x).to_f64();
+        let due = (f64::from(k) * 0.37).sqrt();
+        assert!(root < due && root > due * (1.0 - 1e-11), "{k}");
+    }
+}
+
+/// k roundings of subnormal numbers are allowed, no more, and none where nothing has a size.
+#[test]
+fn subnormal_roundings() {
+    let tiny = 2f64.powi(-1074);
+    let judged = |got: f64, due: &Ball, limit: Limit, condition: f64| {
+        let reference = ReferenceAnswer::Values(Reference {
+            values: vec![due.clone()],
+            proof: Proof::Exact,
+        });
+        let got = SolverAnswer::Values(vec![got]);
+        judge(&outputs(limit), &got, &reference, Some(&[condition])).verdict
+    };
+    let due = Ball::exact(128, 8.0 * tiny);
+    for limit in [Limit::Conditioned(4.0), Limit::Normwise(4.0)] {
+        let off = |k: f64| judged((8.0 + k) * tiny, &due, limit, 8.0 * tiny);
+        assert_eq!(off(2.0), Verdict::Pass);
+        assert_eq!(off(-2.0), Verdict::Pass);
+        assert_eq!(off(3.0), Verdict::Over);
+        let zero = Ball::exact(128, 0.0);
+        assert_eq!(judged(0.0, &zero, limit, 0.0), Verdict::Pass);
+        assert_eq!(judged(tiny, &zero, limit, 0.0), Verdict::Over);
+    }
+}
+
+#[test]
+fn a_budget_is_finite_and_positive() {
+    for k in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(!Limit::Ulps(k).is_sound(), "{k}");
+        assert!(!Limit::RelativeOrAbsolute(1.0, k).is_sound(), "{k}");
+        assert!(!Limit::RelativeOrAbsolute(k, 1.0).is_sound(), "{k}");
+        assert!(std::panic::catch_unwind(|| NormBudget::new(k, "planted")).is_err());
+        assert!(std::panic::catch_unwind(|| Budget::new(Limit::Relative(k), "planted")).is_err());
+    }
+    assert!(Limit::Ulps(1e-9).is_sound() && Limit::RelativeOrAbsolute(1.0, 5e-324).is_sound());
+    let asks = |l: Limit| l.needs_conditions();
+    assert!(asks(Limit::Conditioned(1.0)) && asks(Limit::Normwise(1.0)));
+    assert!(!asks(Limit::Ulps(1.0)) && !asks(Limit::OfNorm(1.0)) && !asks(Limit::Absolute(1.0)));
+    assert_eq!(NormBudget::new(4.0, "").to_string(), "4 u of the norm");
+    assert_eq!(
+        NormBudget::new(1e6, "").to_string(),
+        "1.110e-10 of the norm"
+    );
+    assert_eq!(
+        NormBudget::new(4.5, "").to_string(),
+        "4.996e-16 of the norm"
+    );
+}
