@@ -23,7 +23,7 @@ pub struct Target {
 /// The target that the proof of the closed upper half-plane reaches on every rectangle.
 pub const UPPER_HALF_PLANE: Target = Target {
     norm: 1.25,
-    component: 5.25,
+    component: 4.0,
     depth: 48,
 };
 

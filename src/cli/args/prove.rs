@@ -41,7 +41,7 @@ pub struct ProveArgs {
     #[arg(long, value_name = "K", default_value = "1.25", value_parser = super::number::positive)]
     pub norm: f64,
     /// Halve rectangles until the error of each component is at most this, in units in its last place
-    #[arg(long, value_name = "C", default_value = "5.25", value_parser = super::number::positive)]
+    #[arg(long, value_name = "C", default_value = "4", value_parser = super::number::positive)]
     pub component: f64,
     /// Only where Re z and Im z are below this; without it every finite number
     #[arg(long, value_name = "R", value_parser = super::number::positive)]

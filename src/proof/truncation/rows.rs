@@ -42,12 +42,11 @@ fn difference(stored: [f64; 2], exact: &Ball) -> f64 {
     above(&(&Ball::rational(4 * BITS, &sum) - exact))
 }
 
-/// The stored coefficient as the formula takes it: high and low parts, real and imaginary. The low parts of c₁ serve
-/// the lower half-plane alone, where values are left unevaluated.
+/// The stored coefficient as the formula takes it: high and low parts, real and imaginary.
 fn stored(row: &Row, n: usize) -> [[f64; 2]; 2] {
     match n {
         0 => [[row[0], row[1]], [row[2], row[3]]],
-        1 => [[row[4], 0.0], [row[6], 0.0]],
+        1 => [[row[4], row[5]], [row[6], row[7]]],
         _ => {
             let (block, place) = ((n - 2) / 4, (n - 2) % 4);
             let at = 8 + 8 * block + place;

@@ -86,6 +86,8 @@ pub(super) fn twenty_one_terms<R: Real>(x: R, y: R) -> (R, R) {
         times_argument(s, minus, &EVEN),
         times_argument(s, minus, &ODD),
     );
+    // What c₀ leaves out is added where it costs no operation.
+    let (e, g) = (minus * e, minus.fma(g, like(FIRST_LO)));
     // Re v³/y and −Im v³/x.
     let (re3, im3) = (xx.fma(like(-2.0), q), (y * y).fma(like(2.0), q));
     let re = y.fma(re3.fma(h, g), f.fma(q, e));
@@ -94,7 +96,7 @@ pub(super) fn twenty_one_terms<R: Real>(x: R, y: R) -> (R, R) {
     (like(1.0) + y.fma(first, re), -x.fma(first, x * im))
 }
 
-/// `α` and `β` with `q Σ c_m q^m = α + β q`, where `q² = sq − t`; from s and −t.
+/// `α` and `β` with `q Σ c_m q^m = −t α + β q`, where `q² = sq − t`; from s and −t.
 #[inline(always)]
 fn times_argument<R: Real, const N: usize>(s: R, minus: R, c: &[f64; N]) -> (R, R) {
     let like = |m: usize| s.like(c[m]);
@@ -102,7 +104,7 @@ fn times_argument<R: Real, const N: usize>(s: R, minus: R, c: &[f64; N]) -> (R, 
     for m in (1..N - 2).rev() {
         (last, next) = (s.fma(last, minus.fma(next, like(m))), last);
     }
-    (minus * last, s.fma(last, minus.fma(next, like(0))))
+    (last, s.fma(last, minus.fma(next, like(0))))
 }
 
 /// `w(iy) = erfcx y` for `|y| < 2⁻⁷`, rounded once at the end. What is rounded before is below

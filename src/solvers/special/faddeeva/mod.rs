@@ -11,7 +11,7 @@
 //! of the audit is 2.5 units in the last place. `benches/peers` repeats the measurement beside other
 //! codes, `mechaudit audit faddeeva` judges it.
 //!
-//! Proved by machine for every finite z with Im z ≥ 0: 1.25 · 2⁻⁵² of the norm and 5.25 units in the last place of each
+//! Proved by machine for every finite z with Im z ≥ 0: 1.25 · 2⁻⁵² of the norm and 4 units in the last place of each
 //! component, but for what underflows (`mechaudit prove faddeeva`).
 //!
 //! # Method

@@ -102,20 +102,17 @@ fn complex_sum<R: Real>(
     (re, im)
 }
 
-/// `c₀ + c₁δ + δ²q`, rounded, from the same numbers.
+/// `c₀ + c₁δ + δ²q`, rounded, from the same numbers: the smallest terms first, so that of the roundings but the last
+/// none is of the whole.
 #[inline(always)]
-fn complex_sum_rounded<R: Real>(
-    c: [R; 8],
-    (dx, dy): (R, R),
-    (x2, y2): (R, R),
-    (qr, qi): (R, R),
-) -> (R, R) {
-    let (tr, ti) = (x2.fma(qr, -(y2 * qi)), x2.fma(qi, y2 * qr));
-    let (tr, ti) = (
-        c[4].fma(dx, (-c[6]).fma(dy, tr)),
-        c[4].fma(dy, c[6].fma(dx, ti)),
+fn complex_sum_rounded<R: Real>(c: [R; 8], delta: (R, R), d2: (R, R), q: (R, R)) -> (R, R) {
+    let (dx, dy) = delta;
+    let low = (
+        c[5].fma(dx, (-c[7]).fma(dy, c[1])),
+        c[5].fma(dy, c[7].fma(dx, c[3])),
     );
-    (c[0] + (c[1] + tr), c[2] + (c[3] + ti))
+    let (re, im) = plus(plus(low, d2, q), delta, (c[4], c[6]));
+    (c[0] + re, c[2] + im)
 }
 
 /// Real and imaginary part of `w(c + dx + i dy)`, each as one number.
