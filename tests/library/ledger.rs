@@ -2,18 +2,19 @@
 
 use crate::pin;
 use mechaudit::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
-use mechaudit::papers::{andrews, gembara_senyk, zinchenko};
+use mechaudit::papers::{andrews, gembara_senyk, n_four_bar, zinchenko};
 use mechaudit::symbolic::{Family, Outcome, edits, parse_equation};
 use std::fmt::Write;
 use std::sync::OnceLock;
 
-fn ledgers() -> &'static [Ledger; 3] {
-    static LEDGERS: OnceLock<[Ledger; 3]> = OnceLock::new();
+fn ledgers() -> &'static [Ledger; 4] {
+    static LEDGERS: OnceLock<[Ledger; 4]> = OnceLock::new();
     LEDGERS.get_or_init(|| {
         [
             zinchenko::ledger(),
             gembara_senyk::ledger(),
             andrews::ledger(),
+            n_four_bar::ledger(),
         ]
     })
 }
@@ -23,6 +24,7 @@ fn items() -> Vec<Item> {
         zinchenko::ledger_items(),
         gembara_senyk::ledger_items(),
         andrews::ledger_items(),
+        n_four_bar::ledger_items(),
     ]
     .concat()
 }
