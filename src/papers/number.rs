@@ -159,4 +159,16 @@ mod tests {
         assert_eq!(check("-0.05", "0.05"), ((0, 1), "-0.0|5".into()));
         assert_eq!(check("7.000", "6.9990"), ((0, 4), "|7.000".into()));
     }
+
+    /// A ball that reaches beyond the limit decides nothing, though its midpoint fits.
+    #[test]
+    fn a_value_that_is_not_known_agrees_with_nothing() {
+        use crate::reference::Mag;
+        let p = Number::read("0.1234");
+        let near = ball("0.12340");
+        assert!(p.within(&near.widened(Mag::from_f64(4e-5)), 0.5));
+        assert!(!p.within(&near.widened(Mag::from_f64(6e-5)), 0.5));
+        assert!(!p.within(&near.widened(Mag::INFINITY), 0.5));
+        assert_eq!(p.right_digits(&near.widened(Mag::from_f64(6e-5))).0, 3);
+    }
 }

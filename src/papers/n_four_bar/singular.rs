@@ -15,6 +15,10 @@
 //! first s cranks to the right and the others to the left, s = 0 to N + 1, where N + 1 circles meet; circle (l, r) goes
 //! through s = l and s = r + 1. So every position but these N + 2 has one degree of freedom, and these have N + 1 curves
 //! through them.
+//!
+//! Where two neighbouring cranks lie on the ground, the window between them is on one line and loses a rank: a circle with
+//! more than one crank before its block, or after it, is singular all along without another curve. The parallelograms',
+//! (0, N), is regular.
 
 use super::data;
 use super::exact::{Matrix, rank, solve};
@@ -48,10 +52,25 @@ pub fn on_one_line(n: usize, right: usize) -> Directions {
 
 /// A position of the parallelogram branch with sin θ = 4/5.
 pub fn parallelogram(n: usize) -> Directions {
-    let crank = [Rational::from((3, 5)), Rational::from((4, 5))];
+    on_circle(n, 0, n)
+}
+
+/// The position of circle (l, r) with sin θ = 4/5.
+pub fn on_circle(n: usize, l: usize, r: usize) -> Directions {
+    let crank = |k: usize| match k {
+        _ if k < l => along(1),
+        _ if k > r => along(-1),
+        _ => [Rational::from((3, 5)), Rational::from((4, 5))],
+    };
+    let minus = |d: Direction| d.map(|x| -x);
+    let rod = |k: usize| match k {
+        _ if k + 1 == l => crank(l),
+        _ if k == r => minus(crank(r)),
+        _ => along(1),
+    };
     Directions {
-        cranks: vec![crank; n + 1],
-        rods: vec![along(1); n],
+        cranks: (0..=n).map(crank).collect(),
+        rods: (0..n).map(rod).collect(),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::super::data::{SIZES, fall, squares};
 use super::super::motion::{BITS, DIGITS, Motion};
 use super::super::singular::{
-    Meeting, accelerations_without_branch, jacobian_rank, meeting, parallelogram, poles,
+    Meeting, accelerations_without_branch, jacobian_rank, meeting, on_circle, parallelogram, poles,
 };
 use super::shown;
 use crate::papers::{Finding, FindingVerdict, Subject, figure};
@@ -90,7 +90,7 @@ pub(super) fn curves() -> Finding {
             0..=10 => (0..=n + 1).collect(),
             _ => vec![0, n / 2, n + 1],
         };
-        right &= positions.iter().all(|&s| meeting(n, s) == due);
+        right &= positions.iter().all(|&s| meeting(n, s) == due) && regular_modes(n) == 2;
         for (what, value) in [
             ("positions with all bars on one line", n + 2),
             ("curves that meet in each", n + 1),
@@ -99,6 +99,7 @@ pub(super) fn curves() -> Finding {
                 (n + 1) * (n + 2) / 2,
             ),
             ("assembly modes for an angle of the first crank", n + 1),
+            ("of these with a regular Jacobian", regular_modes(n)),
         ] {
             figures.push(figure(format!("N = {n}, {what}"), value, "1"));
         }
@@ -114,11 +115,19 @@ pub(super) fn curves() -> Finding {
                those before them point right, those after them left. Circles meet only with all bars on one line. Their \
                N + 1 tangents are independent and span all rates that the Jacobian allows, but a sum of two of them \
                breaks the loops to the second order (ledger, nb-order-2): admissible are N + 1 lines, not a space of \
-               N + 1 dimensions. A solver that takes any rate from the kernel leaves the mechanism."
+               N + 1 dimensions. A solver that takes any rate from the kernel leaves the mechanism. Circles with two \
+               or more cranks side by side on the ground are singular all along, a rank for every window between them, \
+               and are curves all the same."
             .into(),
         figures,
         as_recorded: right,
     }
+}
+
+/// Circles of the first crank whose Jacobian has full rank at sin θ = 4/5.
+fn regular_modes(n: usize) -> usize {
+    let full = |r: &usize| jacobian_rank(&on_circle(n, 0, *r)) == 2 * n;
+    (0..=n).filter(full).count()
 }
 
 pub(super) fn which_way(motion: &Motion) -> Finding {

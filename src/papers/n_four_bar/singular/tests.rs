@@ -19,6 +19,28 @@ fn ranks_fall_by_n_on_one_line_only() {
     }
 }
 
+/// On every circle all windows are closed, and a rank is missing for every window whose cranks both lie on the ground.
+#[test]
+fn circles_keep_to_the_loops() {
+    for n in 1..=4usize {
+        for l in 0..=n {
+            for r in l..=n {
+                let at = on_circle(n, l, r);
+                for k in 0..n {
+                    let [a, b, c] = [&at.cranks[k], &at.cranks[k + 1], &at.rods[k]];
+                    assert!(
+                        Rational::from(&a[0] + &c[0]) == Rational::from(&b[0] + 1u32),
+                        "{n} {l} {r}"
+                    );
+                    assert!(Rational::from(&a[1] + &c[1]) == b[1], "{n} {l} {r}");
+                }
+                let lost = l.saturating_sub(1) + (n - r).saturating_sub(1);
+                assert_eq!(jacobian_rank(&at), 2 * n - lost, "{n} {l} {r}");
+            }
+        }
+    }
+}
+
 /// Every position of a window is one of three; words over them give the circles that the text counts.
 #[test]
 fn the_circles_are_all_that_there_is() {
