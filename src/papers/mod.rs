@@ -7,6 +7,7 @@ pub mod ledger;
 pub mod motion;
 pub mod n_four_bar;
 pub mod number;
+pub mod pmksweb;
 mod report;
 pub mod zinchenko;
 
@@ -55,6 +56,12 @@ const PAPERS: &[Paper] = &[
         key: n_four_bar::KEY,
         audit: n_four_bar::report,
         ledger: n_four_bar::ledger,
+        motion: None,
+    },
+    Paper {
+        key: pmksweb::KEY,
+        audit: pmksweb::report,
+        ledger: pmksweb::ledger,
         motion: None,
     },
 ];
