@@ -451,3 +451,21 @@ fn all_modes_are_proved() {
         assert_eq!(texts(&d.out, "branch").len().to_string(), count, "{name}");
     }
 }
+
+/// The four-bar of issue 91, whose coupler turns by 65 degrees for one of the crank: continuation by steps that are proved
+/// stays on the branch with rows 10 degrees apart, where taking the nearest position does not.
+#[test]
+fn rows_far_apart_stay_on_the_branch() {
+    let at = |step: u32| {
+        command(&format!(
+            "linkage examples/pmksweb-91.toml --from-deg -288.785 --to-deg -8.785 --step-deg {step} --paths"
+        ))
+    };
+    let (fine, coarse) = (at(1), at(10));
+    assert_eq!((fine.code, coarse.code), (0, 0), "{}", coarse.err);
+    let [due, found] = [&fine, &coarse].map(|d| point(&d.out, "C"));
+    assert!(found.len() >= 28 && due.len() > 10 * (found.len() - 1));
+    for (k, c) in found.iter().enumerate() {
+        (0..2).for_each(|i| close(c[i], due[10 * k][i], 1e-11));
+    }
+}

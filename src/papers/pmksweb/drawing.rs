@@ -166,3 +166,66 @@ pub fn nearest_leaves(linkage: &FourBar, step: &Rational) -> Result<Option<Ratio
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Crank 1, coupler 2, rocker 2, frame 3, drawn with the crank square to the frame.
+    const SWINGING: [Drawn; 4] = [["0", "0"], ["0", "1"], ["2", "1"], ["3.2", "-0.6"]];
+
+    #[test]
+    fn positions_keep_the_lengths_and_begin_with_the_drawing() {
+        let linkage = FourBar::new(SWINGING).unwrap();
+        let d = point(SWINGING[3]);
+        let here = linkage.modes(&Ball::integer(BITS, 0)).unwrap().unwrap();
+        assert!(
+            (&here.c[0] - &point(SWINGING[2]))
+                .norm_sqr()
+                .contains_zero()
+        );
+        for turned in [-20, 7, 31] {
+            let modes = linkage
+                .modes(&degrees(&Rational::from(turned)))
+                .unwrap()
+                .unwrap();
+            for c in &modes.c {
+                let way = [&(c - &modes.b), &(c - &d)].map(ComplexBall::norm_sqr);
+                assert!(
+                    way.iter().all(|n| n.contains(&Rational::from(4))),
+                    "{turned}"
+                );
+            }
+            let off = (&modes.c[0] - &modes.c[1]).norm_sqr();
+            assert!(off.is_positive());
+        }
+    }
+
+    /// Stretched to 4 beyond |AB| + |AD|, or short of it.
+    #[test]
+    fn a_crank_ends_where_coupler_and_rocker_are_too_short() {
+        let free = FourBar::new(SWINGING).unwrap();
+        let [r, _, _, g] = &free.lengths;
+        assert!((r + g - Ball::integer(BITS, 4)).is_positive());
+        let dead = free.dead().unwrap().expect("a dead position");
+        let end = &dead - &free.drawn();
+        let before = &end - &degrees(&Rational::from((1, 1000)));
+        assert!(free.modes(&before).unwrap().is_some());
+        let after = &end + &degrees(&Rational::from((1, 1000)));
+        assert!(free.modes(&after).unwrap().is_none());
+        let turns = [["0", "0"], ["0", "1"], ["2", "1"], ["2", "-1"]];
+        assert!(FourBar::new(turns).unwrap().dead().unwrap().is_none());
+    }
+
+    #[test]
+    fn what_balls_cannot_tell_is_undecided() {
+        let flat = [["0", "0"], ["0", "1"], ["1", "1"], ["2", "1"]];
+        assert!(FourBar::new(flat).is_err());
+        let linkage = FourBar::new(SWINGING).unwrap();
+        let end = linkage.dead().unwrap().expect("a dead position") - linkage.drawn();
+        assert!(linkage.modes(&end).is_err());
+        // A parallelogram: crank and frame are as long as coupler and rocker.
+        let change = [["0", "0"], ["0", "1"], ["2", "1"], ["2", "0"]];
+        assert!(FourBar::new(change).unwrap().dead().is_err());
+    }
+}

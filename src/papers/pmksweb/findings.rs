@@ -118,7 +118,7 @@ fn held_side(linkage: &FourBar) -> Result<Finding, Undecided> {
         place: "issue 91",
         title: "Who intersects two circles and holds the side of BD is right between the dead positions".into(),
         verdict: FindingVerdict::Confirmed,
-        text: "PMKS+, the Matlab script and the construction in Geogebra do. C is on BD only where coupler and rocker are \
+        text: "PMKS+ (its source of 2024), the Matlab script and the construction in Geogebra do. C is on BD only where coupler and rocker are \
                stretched or folded (ledger, pm-height); they never fold, |BD| keeping above their difference by the figure \
                below, and stretched is where the crank ends. So the side is the branch. That path looks wrong and is not: \
                with B near D the coupler whirls, by the turn below for one degree of the crank."
@@ -213,7 +213,7 @@ fn lengths() -> Result<Finding, Undecided> {
         verdict: FindingVerdict::Confirmed,
         text: "Clockwise from the drawing D and F get farther apart than DE and EF reach, within the sixth degree; the \
                four-bar ABCG goes on. The mechanism ends there, with D, E and F on one line. A program that takes ABCG as the \
-               only loop (issue 122) goes on and stretches them, up to the last figure and beyond."
+               only loop (issue 122) goes on and stretches them, to the last figure."
             .into(),
         figures: vec![
             figure("|DE| + |EF|", shown(&reach), "cm"),
@@ -227,10 +227,13 @@ fn lengths() -> Result<Finding, Undecided> {
 }
 
 fn tangency(ledger: &Ledger) -> Finding {
-    let proved = |id: &str| {
-        let entry = ledger.entries.iter().find(|e| e.id == id);
-        entry.is_some_and(|e| e.verdict == Verdict::Proved)
-    };
+    let of = ledger
+        .entries
+        .iter()
+        .filter(|e| e.place == "pull request 231");
+    let (holds, all) = of.fold((0, 0), |(n, all), e| {
+        (n + usize::from(e.as_recorded), all + 1)
+    });
     Finding {
         id: "231-tangency",
         subject: Subject::Claim,
@@ -239,11 +242,11 @@ fn tangency(ledger: &Ledger) -> Finding {
         verdict: FindingVerdict::Confirmed,
         text: "Where the crank pin reaches just as far from the guide as the rod is long, the distance from the foot is 2 sin z \
                times a root that keeps its sign: the smooth motion comes out on the other index, as the pull request says, and \
-               a held index turns the slider back. It is a change point, and its one degree of freedom is lost by any other \
-               rod: a shorter one ends at a dead position before, a longer one turns back short of the foot (ledger, pm-apart). \
-               Which of the three it is cannot be decided from rounded coordinates."
+               a held index turns the slider back. That is a change point. With a rod that is shorter by anything the crank \
+               ends at a dead position before it, with a longer one the slider turns back short of the foot (ledger, \
+               pm-apart): which of the three it is cannot be decided from rounded coordinates."
             .into(),
-        figures: vec![figure("squared rate at the foot over 4 r L", "1, exactly", "1")],
-        as_recorded: ["pm-touch", "pm-through", "pm-apart"].into_iter().all(proved),
+        figures: vec![figure("statements of the ledger that hold", format!("{holds} of {all}"), "1")],
+        as_recorded: holds == all && all == 4,
     }
 }
