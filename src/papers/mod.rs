@@ -5,6 +5,9 @@ pub mod andrews;
 pub mod gembara_senyk;
 pub mod ledger;
 pub mod motion;
+pub mod n_four_bar;
+pub mod number;
+pub mod pmksweb;
 mod report;
 pub mod zinchenko;
 
@@ -47,6 +50,18 @@ const PAPERS: &[Paper] = &[
         key: andrews::KEY,
         audit: andrews::report,
         ledger: andrews::ledger,
+        motion: None,
+    },
+    Paper {
+        key: n_four_bar::KEY,
+        audit: n_four_bar::report,
+        ledger: n_four_bar::ledger,
+        motion: None,
+    },
+    Paper {
+        key: pmksweb::KEY,
+        audit: pmksweb::report,
+        ledger: pmksweb::ledger,
         motion: None,
     },
 ];

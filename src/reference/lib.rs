@@ -10,7 +10,7 @@
 //! | linear | [`tridiagonal`], [`BallLu`] |
 //! | splines | [`cubic_spline`] |
 //! | linkages | [`class_iii`], [`dyad`], [`planar`] |
-//! | drive | [`run_up`] |
+//! | drive | [`run_up`], [`pendulum`] |
 //! | cams | [`cam_law`], [`fourier_series`], [`chirp_oscillator`] |
 //!
 //! Balls are over MPFR, through the crate `rug`: whoever links this links GMP and MPFR (LGPL).
@@ -29,7 +29,7 @@ use arithmetic::{ball, complex, decimal, gauss_legendre, hex_float, mag, taylor_
 use linear::lu;
 
 pub use cams::{cam_law, chirp_oscillator, fourier_series};
-pub use drive::run_up;
+pub use drive::{pendulum, run_up};
 pub use linear::tridiagonal;
 pub use linkages::{class_iii, dyad, planar};
 pub use special::{faddeeva, hartmann_tran};

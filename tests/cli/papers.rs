@@ -36,7 +36,13 @@ fn ledgers_in_every_form() {
         let d = form("json");
         assert_eq!(d.code, 0, "{}", d.err);
         let v: serde_json::Value = serde_json::from_str(&d.out).unwrap();
-        assert!(v["entries"].as_array().unwrap().len() > 50);
+        // The specification of the N four-bar mechanism prints few formulas, a drawing none.
+        let least = match key {
+            "n-four-bar" => 25,
+            "pmksweb" => 8,
+            _ => 50,
+        };
+        assert!(v["entries"].as_array().unwrap().len() > least);
         let html = form("html").out;
         assert!(html.starts_with("<!doctype html>") && html.trim_end().ends_with("</html>"));
         needs_nothing_else(&html);

@@ -23,6 +23,7 @@ fn every_example_says_what_it_is() {
     let examples = r#"
         andrews            | K2, K3 (dyad, order 2)                            | 4 | turns fully
         double-butterfly   | CE, DH, EFJ, HIJ, FG, BGI (Assur group of class 4, order 3) | 2 | 40.858620188 deg (fold) to 146.627279513 deg (fold)
+        n-four-bar         | crank2, rod1 (dyad, order 2)                      | 3 | 0.000000099 deg (change point) to 180 deg (change point)
         jansen-leg         | f, ghi (dyad, order 2)                            | 8 | turns fully
         pmksweb-91         | coupler, rocker (dyad, order 2)                   | 2 | -292.329374714 deg (fold) to -4.319239059 deg (fold)
         pmksweb-92         | DE, EF (dyad, order 2)                            | 4 | 67.283635271 deg (fold) to 78.254148753 deg (fold)
@@ -448,5 +449,23 @@ fn all_modes_are_proved() {
             "proved for 1 of 1 values of the drive: these are all assembly modes",
         );
         assert_eq!(texts(&d.out, "branch").len().to_string(), count, "{name}");
+    }
+}
+
+/// The four-bar of issue 91, whose coupler turns by 65 degrees for one of the crank: continuation by steps that are proved
+/// stays on the branch with rows 10 degrees apart, where taking the nearest position does not.
+#[test]
+fn rows_far_apart_stay_on_the_branch() {
+    let at = |step: u32| {
+        command(&format!(
+            "linkage examples/pmksweb-91.toml --from-deg -288.785 --to-deg -8.785 --step-deg {step} --paths"
+        ))
+    };
+    let (fine, coarse) = (at(1), at(10));
+    assert_eq!((fine.code, coarse.code), (0, 0), "{}", coarse.err);
+    let [due, found] = [&fine, &coarse].map(|d| point(&d.out, "C"));
+    assert!(found.len() >= 28 && due.len() > 10 * (found.len() - 1));
+    for (k, c) in found.iter().enumerate() {
+        (0..2).for_each(|i| close(c[i], due[10 * k][i], 1e-11));
     }
 }

@@ -216,7 +216,7 @@ fn parts_of_the_main_job(shown: &[String]) {
     let all = methods::registry();
     let settings = Settings::default();
     let cases: usize = all.iter().map(|m| Cases::new(&**m, &settings).len()).sum();
-    let (n, counts) = (all.len(), "papers with 61 findings");
+    let (n, counts) = (all.len(), "papers with 82 findings");
     let due = format!("{counts}; {n} methods pass, {cases} cases.");
     assert!(
         shown[0].contains(&due),

@@ -138,3 +138,34 @@ fn mpmath_agrees_on_andrews_mechanism() {
     }
     assert_eq!(rows, 3 * QUANTITIES.len());
 }
+
+/// Energies summed over the bars and integrated in time, beside the pendulum by means.
+#[test]
+fn mpmath_agrees_on_the_n_four_bar() {
+    use mechaudit::papers::n_four_bar::data::{pendulum, state};
+    use mechaudit::papers::n_four_bar::{BITS, QUANTITIES};
+    let text = include_str!("../../reference/independent/n_four_bar.csv");
+    let mut rows = 0;
+    for line in text.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let motion = pendulum(cells[0].parse().expect("N"), BITS).expect("decided");
+        let ours = match cells[2] {
+            "period" => motion.period().expect("decided"),
+            "passage" => {
+                let quarter = Ball::pi(BITS).shift(-1);
+                motion.time(&quarter).expect("decided")
+            }
+            name => {
+                let at = state(&motion, &cells[1].parse().expect("a time")).expect("decided");
+                let k = QUANTITIES.iter().position(|(q, _)| *q == name);
+                at.values[k.expect("a quantity")].clone()
+            }
+        };
+        let theirs = Ball::rational(BITS, &Decimal::parse(cells[3]).expect("a number").value);
+        let gap = ((&ours - &theirs) / &ours).abs().upper();
+        assert!(gap < 1e-18, "{line}: {}", ours.mid());
+        assert!(ours.accuracy_bits() > 130, "{line}");
+        rows += 1;
+    }
+    assert_eq!(rows, 72);
+}

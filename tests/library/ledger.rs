@@ -2,18 +2,20 @@
 
 use crate::pin;
 use mechaudit::papers::ledger::{Item, Ledger, LedgerEntry, Verdict, decide};
-use mechaudit::papers::{andrews, gembara_senyk, zinchenko};
+use mechaudit::papers::{andrews, gembara_senyk, n_four_bar, pmksweb, zinchenko};
 use mechaudit::symbolic::{Family, Outcome, edits, parse_equation};
 use std::fmt::Write;
 use std::sync::OnceLock;
 
-fn ledgers() -> &'static [Ledger; 3] {
-    static LEDGERS: OnceLock<[Ledger; 3]> = OnceLock::new();
+fn ledgers() -> &'static [Ledger; 5] {
+    static LEDGERS: OnceLock<[Ledger; 5]> = OnceLock::new();
     LEDGERS.get_or_init(|| {
         [
             zinchenko::ledger(),
             gembara_senyk::ledger(),
             andrews::ledger(),
+            n_four_bar::ledger(),
+            pmksweb::ledger(),
         ]
     })
 }
@@ -23,6 +25,8 @@ fn items() -> Vec<Item> {
         zinchenko::ledger_items(),
         gembara_senyk::ledger_items(),
         andrews::ledger_items(),
+        n_four_bar::ledger_items(),
+        pmksweb::ledger_items(),
     ]
     .concat()
 }

@@ -9,6 +9,8 @@ Examples:
   mechaudit paper zinchenko --format html --output zinchenko.html
   mechaudit paper zinchenko --format csv | head
   mechaudit paper andrews
+  mechaudit paper n-four-bar
+  mechaudit paper pmksweb
   mechaudit paper gembara-senyk --ledger
   mechaudit paper gembara-senyk --ledger --format html --output ledger.html";
 

@@ -1,6 +1,6 @@
 //! What was found.
 
-use super::entries::{certified, marked, right_digits, within};
+use super::entries::certified;
 use super::motion::{BITS, DIGITS, Motion, TIMES};
 use super::printed::{Printed, QUANTITIES, kind, unit};
 use crate::papers::ledger::{Ledger, Verdict};
@@ -38,10 +38,10 @@ fn equations(ledger: &Ledger) -> Finding {
 }
 
 fn start_values(start: &[&Printed], motion: &Motion) -> Finding {
-    let right = |p: &&&Printed| within(p, certified(motion, p), 0.5);
+    let right = |p: &&&Printed| p.number.within(certified(motion, p), 0.5);
     let agree = start.iter().filter(right).count();
     let off: Vec<&&Printed> = start.iter().filter(|p| !right(p)).collect();
-    let units = |p: &Printed| p.value.units_off(certified(motion, p)).to_f64();
+    let units = |p: &Printed| p.number.units_off(certified(motion, p));
     let figures = off.iter().map(|p| {
         let name = format!(
             "{} off by, in units of the last digit",
@@ -73,7 +73,7 @@ fn span(of: &[&Printed], motion: &Motion, which: usize) -> [usize; 2] {
     let counts = of
         .iter()
         .filter(|p| kind(p.quantity) == which)
-        .map(|p| right_digits(p, certified(motion, p)).0);
+        .map(|p| p.number.right_digits(certified(motion, p)).0);
     let (least, most) = counts.fold((usize::MAX, 0), |(a, b), n| (a.min(n), b.max(n)));
     [least, most]
 }
@@ -86,7 +86,7 @@ fn reference_solution(end: &[&Printed], motion: &Motion) -> Finding {
     let [q, v, w, l] = spans.map(|[a, b]| format!("{a} to {b}"));
     let agree = end
         .iter()
-        .filter(|p| within(p, certified(motion, p), 1.0))
+        .filter(|p| p.number.within(certified(motion, p), 1.0))
         .count();
     Finding {
         id: "reference-solution",
@@ -106,7 +106,7 @@ fn reference_solution(end: &[&Printed], motion: &Motion) -> Finding {
         figures: end
             .iter()
             .map(|p| {
-                let shown = marked(p, certified(motion, p));
+                let shown = p.number.marked(certified(motion, p));
                 figure(QUANTITIES[p.quantity], shown, unit(p.quantity))
             })
             .collect(),
@@ -117,17 +117,15 @@ fn reference_solution(end: &[&Printed], motion: &Motion) -> Finding {
 /// `(printed − certified)/rate` of the angles.
 fn later(end: &[&Printed], motion: &Motion) -> Finding {
     let values = &motion.values[TIMES.len()];
-    let difference = |p: &Printed| {
-        let value = certified(motion, p);
-        &Ball::rational(value.prec(), &p.value.value) - value
-    };
+    let difference = |p: &Printed| p.number.difference(certified(motion, p));
     let shift = |p: &&Printed| (difference(p) / &values[p.quantity + 7]).to_f64() * 1e12;
     let of = |which: usize| end.iter().filter(move |p| kind(p.quantity) == which);
     let shifts: Vec<f64> = of(0).map(shift).collect();
     let crank = shifts.first().copied().unwrap_or(f64::NAN);
     // What an angle that is 1 unit of its 16th digit off would make of it.
-    let slack =
-        |p: &&Printed| p.value.unit().to_f64() / values[p.quantity + 7].to_f64().abs() * 1e12;
+    let slack = |p: &&Printed| {
+        p.number.value.unit().to_f64() / values[p.quantity + 7].to_f64().abs() * 1e12
+    };
     let fits = of(0)
         .zip(&shifts)
         .all(|(p, s)| (s - crank).abs() <= 1e-3 + 2.0 * slack(p));
@@ -169,7 +167,7 @@ fn mirrored(end: &[&Printed], motion: &Motion) -> Finding {
             .iter()
             .all(|&(a, b)| (&t[a] + &t[b]).contains_zero())
     };
-    let texts = [17, 19].map(|k| printed(k).map_or("", |p| p.text.as_str()));
+    let texts = [17, 19].map(|k| printed(k).map_or("", |p| p.number.text.as_str()));
     let differ = texts[0].trim_start_matches('-') != texts[1].trim_start_matches('-');
     let mut figures = figures! {
         "Phi_ddot as printed": "{}", texts[0] => "rad/s^2";

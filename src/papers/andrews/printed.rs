@@ -1,6 +1,6 @@
 //! The printed values.
 
-use crate::reference::Decimal;
+use crate::papers::number::Number;
 
 const VALUES: &str = include_str!("../../../reference/published/andrews.csv");
 
@@ -52,10 +52,8 @@ pub struct Printed {
     pub time: String,
     /// Index in [`QUANTITIES`].
     pub quantity: usize,
-    /// The characters.
-    pub text: String,
-    /// Their value.
-    pub value: Decimal,
+    /// What stands there.
+    pub number: Number,
 }
 
 /// All printed values in the order of the file.
@@ -68,8 +66,7 @@ pub fn printed() -> Vec<Printed> {
         Printed {
             time: r[0].into(),
             quantity: name.expect("a quantity of the mechanism"),
-            text: r[2].into(),
-            value: Decimal::parse(&r[2]).expect("a printed decimal"),
+            number: Number::read(&r[2]),
         }
     };
     let rows = reader.records().map(|r| row(r.expect("a row of values")));

@@ -1,3 +1,4 @@
-//! Machines under a motor.
+//! Machines under a motor, and pendulums.
 
+pub mod pendulum;
 pub mod run_up;

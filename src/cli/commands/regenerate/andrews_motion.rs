@@ -12,7 +12,7 @@ pub fn made() -> Outcome<Made> {
     for (time, values) in ["0"].iter().chain(&TIMES).zip(&motion.values) {
         for (k, value) in values.iter().enumerate() {
             let text = printed.iter().find(|p| p.time == *time && p.quantity == k);
-            let text = text.map_or("", |p| &p.text);
+            let text = text.map_or("", |p| &p.number.text);
             // Zero at rest and unloaded: an enclosure of zero has no digits.
             let value = match value.contains_zero() && *time == "0" {
                 true => "0".into(),

@@ -6,6 +6,7 @@ mod atlas;
 pub mod errata;
 mod faddeeva_tables;
 mod method_values;
+mod n_four_bar_motion;
 mod sand_screen;
 
 use crate::cli::args::RegenerateArgs;
@@ -56,6 +57,7 @@ fn artefacts() -> Vec<Artefact> {
         .collect();
     all.push(csv("sand-screen-run-up", Box::new(sand_screen::made)));
     all.push(csv("andrews-motion", Box::new(andrews_motion::made)));
+    all.push(csv("n-four-bar-motion", Box::new(n_four_bar_motion::made)));
     all.extend(papers::keys().into_iter().map(errata));
     let atlas = |name: &str, form: Form, make: fn() -> artefact::Outcome<Made>| Artefact {
         name: name.into(),

@@ -1,0 +1,155 @@
+use super::*;
+use crate::reference::Ball;
+use crate::reference::planar::{Drive, Linkage};
+use std::collections::BTreeSet;
+
+#[test]
+fn ranks_fall_by_n_on_one_line_only() {
+    for n in [1usize, 2, 3, 10] {
+        assert_eq!(jacobian_rank(&parallelogram(n)), 2 * n);
+        for right in 0..=n + 1 {
+            let due = Meeting {
+                rank: n,
+                curves: n + 1,
+                tangents: n + 1,
+                admissible: true,
+            };
+            assert_eq!(meeting(n, right), due, "{n} {right}");
+        }
+    }
+}
+
+/// On every circle all windows are closed, and a rank is missing for every window whose cranks both lie on the ground.
+#[test]
+fn circles_keep_to_the_loops() {
+    for n in 1..=4usize {
+        for l in 0..=n {
+            for r in l..=n {
+                let at = on_circle(n, l, r);
+                for k in 0..n {
+                    let [a, b, c] = [&at.cranks[k], &at.cranks[k + 1], &at.rods[k]];
+                    assert!(
+                        Rational::from(&a[0] + &c[0]) == Rational::from(&b[0] + 1u32),
+                        "{n} {l} {r}"
+                    );
+                    assert!(Rational::from(&a[1] + &c[1]) == b[1], "{n} {l} {r}");
+                }
+                let lost = l.saturating_sub(1) + (n - r).saturating_sub(1);
+                assert_eq!(jacobian_rank(&at), 2 * n - lost, "{n} {l} {r}");
+            }
+        }
+    }
+}
+
+/// Every position of a window is one of three; words over them give the circles that the text counts.
+#[test]
+fn the_circles_are_all_that_there_is() {
+    // A crank's angle on a component: fixed to the right or to the left, or free as one of a group.
+    for n in 1..=5usize {
+        let mut circles = BTreeSet::new();
+        for word in 0..3usize.pow(n as u32) {
+            let letter = |k: usize| word / 3usize.pow(k as u32) % 3;
+            // Groups of cranks that turn alike, cut at folded windows.
+            let mut fixed = vec![None; n + 1];
+            let mut possible = true;
+            let mut group = vec![0usize; n + 1];
+            for k in 0..n {
+                group[k + 1] = group[k] + usize::from(letter(k) != 0);
+            }
+            for k in 0..n {
+                let (crank, sign) = match letter(k) {
+                    0 => continue,
+                    1 => (k, 1),
+                    _ => (k + 1, -1),
+                };
+                for j in (0..=n).filter(|&j| group[j] == group[crank]) {
+                    possible &= fixed[j].is_none_or(|s| s == sign);
+                    fixed[j] = Some(sign);
+                }
+            }
+            if possible {
+                let free: BTreeSet<usize> = (0..=n)
+                    .filter(|&j| fixed[j].is_none())
+                    .map(|j| group[j])
+                    .collect();
+                assert_eq!(free.len(), 1, "one degree of freedom");
+                circles.insert(fixed);
+            }
+        }
+        assert_eq!(circles.len(), (n + 1) * (n + 2) / 2);
+        for c in &circles {
+            let free: Vec<usize> = (0..=n).filter(|&k| c[k].is_none()).collect();
+            let (l, r) = (free[0], free[free.len() - 1]);
+            assert_eq!(free.len(), r - l + 1);
+            assert!((0..l).all(|k| c[k] == Some(1)) && (r + 1..=n).all(|k| c[k] == Some(-1)));
+        }
+    }
+}
+
+/// Rates in the kernel that break the second order are no tangents: two cranks at rates 1 and 2.
+#[test]
+fn the_kernel_is_wider_than_the_tangents() {
+    let at = on_one_line(1, 2);
+    let rates = |u: i32, v: i32| [u, v, v - u].map(Rational::from);
+    assert!(admissible(&at, &rates(1, 1)) && admissible(&at, &rates(0, 1)));
+    for (u, v) in [(1, 2), (1, 0), (1, -1)] {
+        assert!(!admissible(&at, &rates(u, v)), "{u} {v}");
+    }
+    assert!(!admissible(&at, &[1, 1, 1].map(Rational::from)));
+}
+
+/// Two windows by hand: 27/22 for the outer cranks, 12/11 for the middle one, 7/6 on the branch; one window: 6/5 both ways.
+#[test]
+fn accelerations_without_a_branch_are_others() {
+    let q = |n: i32, d: i32| Rational::from((n, d));
+    assert_eq!(
+        accelerations_without_branch(2).unwrap(),
+        [q(27, 22), q(12, 11), q(27, 22)]
+    );
+    assert_eq!(accelerations_without_branch(1).unwrap(), [q(6, 5), q(6, 5)]);
+    assert_eq!([data::fall(1), data::fall(2)], [q(6, 5), q(7, 6)]);
+}
+
+/// The reference for any planar mechanism, 10⁻⁶ before the horizontal position: its multipliers are the forces at the pins
+/// that close the loops, and `sin θ F` tends to the poles.
+#[test]
+fn forces_grow_as_the_poles_say() {
+    for n in [1u32, 2, 3] {
+        let k = n as usize;
+        let mechanism = data::mechanism(k).unwrap();
+        let linkage = Linkage::new(&mechanism, &Drive::coordinate(0), 192).unwrap();
+        let theta = Ball::exact(192, 1e-6);
+        let mut guess = vec![theta.mid().clone(); k + 1];
+        guess.resize(2 * k + 1, rug::Float::new(64));
+        let position = linkage.position(&theta, &guess).unwrap();
+        let [force, _] = linkage.reduced_force(&position, &data::forces()).unwrap();
+        let acceleration = force / Ball::rational(192, &data::inertia(n));
+        let speed = Ball::integer(192, -3);
+        let rates = linkage.in_time(&position, &speed, &acceleration).unwrap();
+        let found = linkage
+            .multipliers(&position, &rates, &data::forces())
+            .unwrap();
+        let scale = theta.sin_cos().0 / Ball::rational(192, &data::gravity());
+        let found: Vec<f64> = found.iter().map(|f| (f * &scale).to_f64()).collect();
+        for pole in poles(n) {
+            let due = pole.to_f64();
+            let near = |f: &f64| (f.abs() - due.abs()).abs() < 1e-4;
+            assert!(found.iter().any(near), "{n}: {due} in {found:?}");
+        }
+        let largest = found.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+        let due = poles(n).iter().fold(0.0f64, |m, p| m.max(p.to_f64().abs()));
+        assert!(largest < due + 1e-4, "{n}: {largest} {due}");
+    }
+}
+
+#[test]
+fn poles_in_closed_form() {
+    for n in [1u32, 2, 3, 10, 40] {
+        let due = |i: u32| Rational::from((2 * i as i32 + 1 - n as i32, 4 * (4 * n as i32 + 1)));
+        let found = poles(n);
+        assert!(
+            found.iter().enumerate().all(|(i, p)| *p == due(i as u32)),
+            "{n}"
+        );
+    }
+}

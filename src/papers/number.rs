@@ -1,0 +1,174 @@
+//! A printed number beside its certified value, digit by digit.
+
+use super::{EntryVerdict, Tally, VariantJudgement};
+use crate::reference::{Ball, Decimal};
+
+/// A number as printed.
+#[derive(Clone, Debug)]
+pub struct Number {
+    /// The characters.
+    pub text: String,
+    /// Their value.
+    pub value: Decimal,
+}
+
+impl Number {
+    /// A number of a transcription.
+    ///
+    /// # Panics
+    /// If the text is no decimal.
+    pub(super) fn read(text: &str) -> Number {
+        Number {
+            text: text.into(),
+            value: Decimal::parse(text).expect("a printed decimal"),
+        }
+    }
+
+    /// `printed − value` in units of the last digit.
+    pub(super) fn units_off(&self, value: &Ball) -> f64 {
+        self.value.units_off(value).to_f64()
+    }
+
+    /// `printed − value`.
+    pub(super) fn difference(&self, value: &Ball) -> Ball {
+        Ball::rational(value.prec(), &self.value.value) - value
+    }
+
+    /// Certainly within `limit` units of the last digit.
+    pub(super) fn within(&self, value: &Ball, limit: f64) -> bool {
+        let u = self.value.units_off(value);
+        u.is_finite() && u.abs().upper() <= limit
+    }
+
+    /// How many of the printed digits are right, and how many there are: those that the value has in the same places,
+    /// or all where the print is the correct rounding.
+    pub(super) fn right_digits(&self, value: &Ball) -> (usize, usize) {
+        let digits = significant(&self.text);
+        let all = digits.len();
+        if self.within(value, 0.5) {
+            return (all, all);
+        }
+        let size = match value.is_negative() {
+            true => -value,
+            false => value.clone(),
+        };
+        let begins = |k: usize| {
+            // The first k digits of the print, with zeros for the rest.
+            let cut = self
+                .text
+                .char_indices()
+                .map(|(i, c)| if digits[k..].contains(&i) { '0' } else { c });
+            let cut: String = cut.collect();
+            let Ok(cut) = Decimal::parse(cut.trim_start_matches('-')) else {
+                return false;
+            };
+            let mut unit = self.value.unit();
+            for _ in k..all {
+                unit *= 10;
+            }
+            let low = &size - Ball::rational(size.prec(), &cut.value);
+            let high = Ball::rational(size.prec(), &(cut.value + unit)) - &size;
+            low.is_positive() && high.is_positive()
+        };
+        let same_sign = value.is_negative() == self.text.starts_with('-');
+        let right = (1..=all).take_while(|&k| same_sign && begins(k)).count();
+        (right, all)
+    }
+
+    /// The printed number with a bar after the last digit that is right.
+    pub(super) fn marked(&self, value: &Ball) -> String {
+        let digits = significant(&self.text);
+        match self.right_digits(value) {
+            (right, all) if right == all => self.text.clone(),
+            (right, _) => {
+                let (a, b) = self.text.split_at(digits[right]);
+                format!("{a}|{b}")
+            }
+        }
+    }
+
+    /// The verdict, with the value to so many digits.
+    pub(super) fn judged(&self, value: &Ball, digits: usize) -> VariantJudgement {
+        let verdict = match () {
+            () if self.within(value, 0.5) => EntryVerdict::Agrees,
+            () if self.within(value, 1.0) => EntryVerdict::Rounding,
+            () => EntryVerdict::Unexplained,
+        };
+        let (right, all) = self.right_digits(value);
+        VariantJudgement {
+            recomputed: value
+                .to_decimal(digits)
+                .unwrap_or_else(|| "undecided".into()),
+            units_in_last_digit: (self.units_off(value) * 1e3).round() / 1e3,
+            verdict,
+            note: (right < all)
+                .then(|| format!("{right} of {all} digits are right: {}", self.marked(value))),
+        }
+    }
+}
+
+/// The places of significant digits in a printed number.
+fn significant(text: &str) -> Vec<usize> {
+    let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+    let places = mantissa.char_indices().filter(|(_, c)| c.is_ascii_digit());
+    let places = places.skip_while(|(_, c)| *c == '0');
+    places.map(|(i, _)| i).collect()
+}
+
+/// How many numbers of a column agree with their values.
+pub(super) fn tally(
+    [variant, column]: [&'static str; 2],
+    table: u32,
+    of: &[(&Number, &Ball)],
+) -> Tally {
+    let count = |limit: f64| of.iter().filter(|(p, v)| p.within(v, limit)).count();
+    let worst = |off: &dyn Fn(&Number, &Ball) -> f64| {
+        of.iter().map(|(p, v)| off(p, v).abs()).fold(0.0, f64::max)
+    };
+    Tally {
+        variant,
+        table,
+        column,
+        entries: of.len(),
+        within_half: count(0.5),
+        within_one: count(1.0),
+        worst_units: worst(&Number::units_off),
+        worst: worst(&|p, v| p.units_off(v) * p.value.unit().to_f64()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ball(text: &str) -> Ball {
+        Ball::rational(200, &Decimal::parse(text).unwrap().value)
+    }
+
+    #[test]
+    fn digits_are_compared_in_their_places() {
+        let check = |text: &str, value: &str| {
+            let (p, v) = (Number::read(text), ball(value));
+            (p.right_digits(&v), p.marked(&v))
+        };
+        assert_eq!(check("0.1234e2", "12.34499"), ((4, 4), "0.1234e2".into()));
+        // Cut off instead of rounded.
+        assert_eq!(check("0.1234e2", "12.3476"), ((4, 4), "0.1234e2".into()));
+        assert_eq!(check("0.1234e2", "12.3276"), ((3, 4), "0.123|4e2".into()));
+        assert_eq!(check("-0.1234e2", "-12.4"), ((2, 4), "-0.12|34e2".into()));
+        assert_eq!(check("-0.05", "0.05"), ((0, 1), "-0.0|5".into()));
+        assert_eq!(check("7.000", "6.9990"), ((0, 4), "|7.000".into()));
+    }
+
+    /// A ball that reaches beyond the limit decides nothing, though its midpoint fits.
+    #[test]
+    fn a_value_that_is_not_known_agrees_with_nothing() {
+        use crate::reference::Mag;
+        let p = Number::read("0.1234");
+        let near = ball("0.12340");
+        assert!(p.within(&near.widened(Mag::from_f64(4e-5)), 0.5));
+        assert!(!p.within(&near.widened(Mag::from_f64(6e-5)), 0.5));
+        assert!(!p.within(&near.widened(Mag::INFINITY), 0.5));
+        assert_eq!(p.right_digits(&near.widened(Mag::from_f64(6e-5))).0, 3);
+    }
+}

@@ -1,0 +1,79 @@
+//! Drawings and claims under dispute in PMKSWeb, a program for planar linkages: its issue 91, four programs that trace two
+//! different paths of one four-bar; issue 92, links that change their lengths; pull request 231, a slider that passes through
+//! the position in which its two roots meet.
+//!
+//! [`drawing`] has the positions in balls from the drawn decimals; [`ledger()`] proves what they rest on.
+
+pub mod drawing;
+mod findings;
+mod ledger;
+
+use super::ledger::{Item, Ledger};
+use super::{Citation, PaperReport, Progress, SCHEMA_VERSION};
+use crate::reference::Undecided;
+
+/// The name used on the command line.
+pub const KEY: &str = "pmksweb";
+
+/// The source.
+pub fn citation() -> Citation {
+    Citation {
+        key: KEY,
+        authors: "PMKS-Web",
+        title: "Issues 91 and 92, pull request 231 of PMKSWeb",
+        year: Some(2023),
+        venue: "github.com/PMKS-Web/PMKSWeb, 2023 to 2026",
+    }
+}
+
+/// Every formula, decided.
+pub fn ledger() -> Ledger {
+    Ledger::of(citation(), &ledger_items())
+}
+
+/// The entries of the ledger before they are decided.
+pub fn ledger_items() -> Vec<Item> {
+    ledger::items()
+}
+
+/// The verdicts.
+///
+/// # Errors
+/// [`Undecided`] if a sign cannot be told.
+pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
+    progress("ledger", 0, 2);
+    let ledger = ledger();
+    progress("drawings", 1, 2);
+    let findings = findings::all(&ledger)?;
+    progress("done", 2, 2);
+    Ok(PaperReport {
+        schema_version: SCHEMA_VERSION,
+        mechaudit_version: env!("CARGO_PKG_VERSION"),
+        paper: citation(),
+        findings,
+        tallies: Vec::new(),
+        entries: Vec::new(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_finding_is_as_recorded() {
+        let report = report(&|_, _, _| {}).unwrap();
+        for f in &report.findings {
+            println!("{} {} {}\n{}", f.id, f.as_recorded, f.title, f.text);
+            for g in &f.figures {
+                println!("   {} {} {}", g.name, g.value, g.unit);
+            }
+        }
+        assert!(report.as_recorded());
+    }
+
+    #[test]
+    fn every_entry_is_as_recorded() {
+        crate::papers::ledger::all_as_recorded(&ledger::items());
+    }
+}
