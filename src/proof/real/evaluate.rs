@@ -6,40 +6,14 @@ use super::{Function, Interval};
 use crate::bounds::{exp_up, remainder};
 use crate::constants::ASYMPTOTIC;
 use crate::exact::Exact;
-use crate::form::{exponent, power_of_two};
+use crate::form::{TINIEST, exponent, power_of_two};
 use crate::formula::{FAR_ABOVE, TWO_52, lost_units, offsets};
 use crate::interval::{Interval as Enclosure, product_up, quotient_up, sum_up};
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
-use mechaudit_solvers::faddeeva::proof::{AxisRow, ROUND};
+use mechaudit_reference::faddeeva;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
-
-/// `|computed − f| ≤ ulps · ulp(f) + tiny · 2⁻¹⁰⁷⁵`, where `ulp(f)` is at least the smallest number.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bound {
-    /// In units in the last place of the value.
-    pub ulps: f64,
-    /// What underflows besides, where the value may be below 2⁻⁹⁶⁰.
-    pub tiny: f64,
-}
-
-impl Bound {
-    /// Nothing wrong at all.
-    pub const NONE: Bound = Bound {
-        ulps: 0.0,
-        tiny: 0.0,
-    };
-
-    fn max(self, other: Bound) -> Bound {
-        Bound {
-            ulps: self.ulps.max(other.ulps),
-            tiny: self.tiny.max(other.tiny),
-        }
-    }
-
-    fn ulps(ulps: f64) -> Bound {
-        Bound { ulps, tiny: 0.0 }
-    }
-}
+use mechaudit_solvers::faddeeva::proof::{AxisRow, ROUND};
+use rug::Rational;
 
 /// What a formula gives before its last rounding.
 struct Way {
@@ -132,7 +106,8 @@ fn sum_of([hi, lo]: [Tracked; 2]) -> Tracks {
     hi.exact_sum(lo)
 }
 
-/// The formula that is used, infinity included, and its bound over an interval.
+/// The formula that is used, infinity included, and its bound over an interval: `|computed − f| ≤ C ulp(f)`, where `ulp(f)`
+/// is at least the smallest number.
 ///
 /// # Errors
 /// Why there is none.
@@ -142,7 +117,7 @@ pub(super) fn bound(
     formula: Formula,
     at: &Interval,
     rounding: Rounding,
-) -> Result<(Formula, Bound), &'static str> {
+) -> Result<(Formula, f64), &'static str> {
     let ends = at.ends;
     let setting = |constants| Setting {
         sigma: Exact::ZERO,
@@ -153,16 +128,13 @@ pub(super) fn bound(
     let [two_over_root, half_root, inverse_root] = tables.constants;
     let exponential = tables.exponential;
     let one = |ways: Result<Vec<Way>, &'static str>, part: &dyn Fn(&Way) -> f64| {
-        let mut worst = Bound::NONE;
+        let mut worst = 0.0;
         for way in ways? {
-            worst = worst.max(rounded(&way.sum, at, part(&way), rounding)?);
-            if let Some(n) = way.exponent {
-                // The product with the power of two is rounded once more where it is subnormal.
-                let least = exponent(way.sum.exact.mignitude().max(f64::MIN_POSITIVE));
-                if n + f64::from(least) < -1021.0 {
-                    worst.ulps = sum_up(worst.ulps, 0.25);
-                }
-            }
+            let normal = match way.exponent {
+                None => true,
+                Some(n) => n + f64::from(exponent(way.sum.exact.mignitude())) > -1022.0,
+            };
+            worst = f64::max(worst, rounded(&way.sum, at, part(&way), normal, rounding)?);
         }
         Ok((formula, worst))
     };
@@ -172,6 +144,9 @@ pub(super) fn bound(
         exponent: None,
     };
     match formula {
+        Formula::Near if function != Function::Erfc && ends[1] < SMALL => {
+            Ok((formula, underflowing(function, ends, two_over_root)))
+        }
         Formula::Near => {
             let setting = Setting {
                 sigma: Exact::coordinate(Enclosure::new(ends[0], ends[1]), 0),
@@ -232,7 +207,10 @@ pub(super) fn bound(
             let both = function == Function::Erfcx;
             let exponential = if both { 2.0 * exponential } else { exponential };
             one(ways, &|way| {
-                let inner = way.inner.as_ref().map_or(f64::INFINITY, |w| operand.part(w));
+                let inner = way
+                    .inner
+                    .as_ref()
+                    .map_or(f64::INFINITY, |w| operand.part(w));
                 joined(exponential, inner)
             })
         }
@@ -245,8 +223,8 @@ pub(super) fn bound(
                     exponent: n.constant().map(|n| n - ROUND + 1.0),
                 }
             });
-            if overflows(ways.as_deref().map_err(|why| *why)?)? {
-                return Ok((Formula::Overflow, Bound::NONE));
+            if overflows(ways.as_deref().map_err(|why| *why)?, at)? {
+                return Ok((Formula::Overflow, 0.0));
             }
             // erfcx x < 1 beside more than 2²⁰⁰.
             one(ways, &|_| joined(exponential, power_of_two(-200)))
@@ -259,7 +237,7 @@ pub(super) fn bound(
             let rest = 1e-190;
             if function == Function::Dawson {
                 // The quotient is rounded once.
-                return Ok((formula, Bound::ulps(sum_up(0.5, rest * TWO_52 * 2.0))));
+                return Ok((formula, sum_up(0.5, rest * TWO_52 * 2.0)));
             }
             let k = exponent(ends[0]);
             if k != exponent(ends[1]) {
@@ -279,17 +257,17 @@ pub(super) fn bound(
             let erfc = quotient_up(exp_up(-(x * x).next_down()), (x * 1.77).next_down());
             Ok((
                 formula,
-                Bound::ulps(match (function, at.negative) {
+                match (function, at.negative) {
                     (Function::Erf, _) if x > 1.0 => product_up(erfc, 2.0 * TWO_52),
                     (Function::Erfc, true) if x > 1.0 => product_up(erfc, TWO_52),
                     // Below half the smallest number, 2⁻¹⁰⁷⁵ > e^{−745.2}.
                     (Function::Erfc, false) if x * x > 745.2 => 0.5,
                     _ => return Err("not a constant there"),
-                }),
+                },
             ))
         }
         // 2e^{x²} − 1 is above 2¹⁰²⁴ = e^{709.8}.
-        Formula::Overflow if ends[0] * ends[0] > 710.0 => Ok((formula, Bound::NONE)),
+        Formula::Overflow if ends[0] * ends[0] > 710.0 => Ok((formula, 0.0)),
         Formula::Overflow => Err("no overflow there"),
     }
 }
@@ -299,8 +277,22 @@ fn joined(p: f64, q: f64) -> f64 {
     sum_up(sum_up(p, q), product_up(p, q))
 }
 
-/// Whether the value is above the range all over the interval; it may not be next to its end.
-fn overflows(ways: &[Way]) -> Result<bool, &'static str> {
+/// Whether the value is above the range all over the interval; it may not be within `2⁻⁵⁰` of its end.
+fn overflows(ways: &[Way], at: &Interval) -> Result<bool, &'static str> {
+    let margin = power_of_two(-50);
+    if at.is_point() {
+        // x² itself is known to too few digits.
+        let x = Rational::from_f64(-at.ends[0]).ok_or("not finite")?;
+        let value = faddeeva::erfcx(&x, &Rational::new(), 120)
+            .map_err(|_| "undecided")?
+            .re;
+        let part = value.shift(-1024);
+        return match (part.lower() > 1.0 + margin, part.upper() < 1.0 - margin) {
+            (true, _) => Ok(true),
+            (_, true) => Ok(false),
+            _ => Err("on both sides of overflow"),
+        };
+    }
     let mut all = None;
     for way in ways {
         let k = way.exponent.ok_or("the exponent is open")? - 1024.0;
@@ -308,7 +300,6 @@ fn overflows(ways: &[Way]) -> Result<bool, &'static str> {
             return Err("an exponent beyond 2000");
         }
         let by = power_of_two(k as i32);
-        let margin = power_of_two(-50);
         let over = match (way.sum.exact.lo * by, way.sum.exact.hi * by) {
             (_, hi) if hi < 1.0 - margin => false,
             (lo, _) if lo > 1.0 + margin => true,
@@ -321,41 +312,83 @@ fn overflows(ways: &[Way]) -> Result<bool, &'static str> {
     all.ok_or("no way")
 }
 
-/// The bound of a sum y of two numbers, rounded to nearest, where y without rounding is wrong by `part` of f.
+/// The bound, in units in the last place of f, of a sum y of two numbers that is rounded to nearest, where y without
+/// rounding is wrong by `part` of f.
 ///
 /// With `|y − f| ≤ e ulp(f)`, `e ≤ 1`, the rounded y is within `½ + e` units of f: where y and f are in the same binade
 /// it is within half a unit of y; where y is below and f is not, y has the smaller unit; where f is below 2^k and y is
 /// not, y is rounded to 2^k, which lies between them.
+///
+/// If it is then multiplied by a power of two and the product may be subnormal, it is rounded once more there, by half a
+/// unit. The first rounding and e are half as many units then: `¾ + e/2`. Where f is the least normal number or
+/// above and y is below, or the other way round, the result is that number if `e < ¼`.
 fn rounded(
     y: &Tracks,
     at: &Interval,
     part: f64,
+    normal: bool,
     rounding: Rounding,
-) -> Result<Bound, &'static str> {
+) -> Result<f64, &'static str> {
     let of_m = y.relative.min(quotient_up(y.error, y.exact.mignitude()));
-    let whole = joined(of_m, part);
     // A unit in the last place is more than 2⁻⁵³ of the value.
-    let mut e = product_up(whole, 2.0 * TWO_52);
-    let factor = if y.small { at.ends[0] } else { 1.0 };
-    let least = (y.exact.mignitude() * factor * 0.999).next_down();
-    let mut tiny = 0.0;
+    let mut e = product_up(joined(of_m, part), 2.0 * TWO_52);
     if y.tiny > 0.0 {
-        match least > FAR_ABOVE {
-            true => e = sum_up(e, lost_units(y.tiny, least)),
-            // Twice, for what lies beyond a power of two by it.
-            false => tiny = 2.0 * y.tiny,
+        let factor = if y.small { at.ends[0] } else { 1.0 };
+        let least = (y.exact.mignitude() * factor * 0.999).next_down();
+        if !(least > FAR_ABOVE) {
+            return Err("digits are lost to underflow");
         }
+        e = sum_up(e, lost_units(y.tiny, least));
     }
-    let most = if tiny > 0.0 { 0.5 } else { 1.0 };
-    if !(e <= most) {
+    if !(e <= if normal { 1.0 } else { 0.25 }) {
         return Err("the sum is off by a unit in its last place");
     }
     let last = match rounding.truncates {
         Some(Rounding::LAST) => 1.0,
         _ => 0.5,
     };
-    Ok(Bound {
-        ulps: sum_up(last, e),
-        tiny,
+    let once = sum_up(last, e);
+    Ok(match normal {
+        true => once,
+        false => once.max(sum_up(sum_up(0.25, last), 0.5 * e)),
     })
+}
+
+/// Below this x² is no `f64` but zero.
+pub(super) const SMALL: f64 = f64::from_bits((1023 - 950) << 52);
+
+/// Whether the product of x with 2/√π as stored is at least 2⁻¹⁰²¹; exactly, as the difference of 2¹⁰⁰⁰ times as much is
+/// not rounded to zero.
+pub(super) fn beyond_subnormal(x: f64) -> bool {
+    let [c, _] = code::constants()[0];
+    (x * power_of_two(1000)).mul_add(c, -power_of_two(-21)) >= 0.0
+}
+
+/// The bound of `Maclaurin series` where `x < 2⁻⁹⁵⁰`. There `x²` and with it all that follows the first term is zero in
+/// the code, so that Dawson's function is x, within a part x² of its value, and erf x is `x (C + c)`, (C, c) the two parts
+/// of 2/√π:
+///
+/// ```text
+/// p = RN(x C),  q = RN(x C − p),  t = RN(x c),  erf = RN(p + RN(q + t))
+/// ```
+///
+/// In units of 2⁻¹⁰⁷⁵, of which subnormal numbers have an even number: where `x C < 2⁻¹⁰²¹` p is off by 1, so that q = 0,
+/// and t = 0. From there on a unit in the last place of erf x is at least 4; q is off by 1, t by 1 or by all of it, if that
+/// is less, and what is rounded of `q + t`, below 2⁻⁵¹ of p, does not count.
+fn underflowing(function: Function, ends: [f64; 2], constant: f64) -> f64 {
+    const C_LOW: f64 = 1.54e-17;
+    const ROUNDINGS: f64 = 1e-15;
+    if function == Function::Dawson {
+        return ROUNDINGS;
+    }
+    let part = product_up(constant, 2.0 * TWO_52);
+    if !beyond_subnormal(ends[1]) {
+        // c x is at most 1.4 · 10⁻¹⁷ of the value.
+        return sum_up(sum_up(0.5, product_up(1.4e-17, 2.0 * TWO_52)), part);
+    }
+    let ulp = exponent(ends[0] * 1.128).max(-1021) - 52;
+    let units = (ends[1] / TINIEST * (2.0 * C_LOW)).next_up();
+    let off = sum_up(1.0, units.min(1.0));
+    let off = product_up(off, 0.5 * (TINIEST / power_of_two(ulp)));
+    sum_up(sum_up(0.5, off), sum_up(part, ROUNDINGS))
 }

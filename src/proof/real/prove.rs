@@ -1,7 +1,7 @@
 //! The proof: intervals halved until the bound is good enough on each.
 
 use super::choice::{Formula, choice};
-use super::evaluate::{Bound, bound};
+use super::evaluate::{SMALL, beyond_subnormal, bound};
 use super::tables::Tables;
 use super::{Function, Interval};
 use crate::cover::pieces;
@@ -42,8 +42,8 @@ pub struct Leaf {
     pub at: Interval,
     /// By which formula.
     pub formula: Formula,
-    /// What is proved.
-    pub bound: Bound,
+    /// `|computed − f| ≤ ulps · ulp(f)`.
+    pub ulps: f64,
 }
 
 /// An interval on which nothing is proved.
@@ -64,11 +64,19 @@ pub struct Certificate {
     pub open: Vec<Open>,
 }
 
-/// How often an interval is halved at most: to single numbers.
-const DEPTH: u32 = 64;
+/// How often an interval is halved at most for a better bound, and for one at all: to single numbers.
+const DEPTH: u32 = 14;
+const MOST_DEPTH: u32 = 64;
+/// More than these intervals for one to begin with, and it is given up.
+const MANY: usize = 1 << 16;
 
-/// Below this a value may have lost digits to underflow.
-const SMALL: f64 = f64::from_bits((1023 - 950) << 52);
+/// The number of its binade in the underflowing range, of eight binades elsewhere.
+fn binades(x: f64) -> (bool, u64) {
+    match x < SMALL {
+        true if beyond_subnormal(x) => (true, x.to_bits() >> 52),
+        small => (small, if small { 0 } else { x.to_bits() >> 55 }),
+    }
+}
 
 /// The intervals to begin with: one formula each, one centre, and at most a few binades.
 fn roots(code: &Code, function: Function) -> Vec<(Interval, Formula)> {
@@ -76,7 +84,7 @@ fn roots(code: &Code, function: Function) -> Vec<(Interval, Formula)> {
     for &negative in function.signs() {
         let at = |x| (code.choice)(function, negative, x);
         for (ends, formula) in pieces([0.0, f64::MAX], at) {
-            for (ends, _) in pieces(ends, |x| (x >= SMALL, x.to_bits() >> 55)) {
+            for (ends, _) in pieces(ends, binades) {
                 all.push((Interval { negative, ends }, formula));
             }
         }
@@ -133,12 +141,12 @@ impl Refined<'_> {
         let Code {
             tables, rounding, ..
         } = self.code;
-        let last = depth >= DEPTH || at.is_point();
+        let point = at.is_point() || found.leaves.len() + found.open.len() > MANY;
         match bound(tables, self.function, self.formula, &at, *rounding) {
-            Ok((formula, bound)) if last || bound.ulps <= self.target => {
-                found.leaves.push(Leaf { at, formula, bound });
+            Ok((formula, ulps)) if point || depth >= DEPTH || ulps <= self.target => {
+                found.leaves.push(Leaf { at, formula, ulps });
             }
-            Err(why) if last => found.open.push(Open { at, why }),
+            Err(why) if point || depth >= MOST_DEPTH => found.open.push(Open { at, why }),
             _ => {
                 for half in at.halves() {
                     self.refine(half, depth + 1, found);

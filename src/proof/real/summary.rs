@@ -16,8 +16,6 @@ pub struct OfFormula {
     pub ulps: f64,
     /// Where.
     pub at: Interval,
-    /// Besides, in units of 2⁻¹⁰⁷⁵, where the value may be below 2⁻⁹⁶⁰.
-    pub tiny: f64,
 }
 
 /// The theorem.
@@ -27,8 +25,6 @@ pub struct Summary {
     pub ulps: f64,
     /// Where.
     pub at: Interval,
-    /// What underflows, in units of 2⁻¹⁰⁷⁵.
-    pub tiny: f64,
     /// Intervals.
     pub intervals: usize,
     /// Each formula, in the order of x.
@@ -41,9 +37,8 @@ impl OfFormula {
             name,
             intervals: 0,
             ends: leaf.at.signed(),
-            ulps: leaf.bound.ulps,
+            ulps: leaf.ulps,
             at: leaf.at,
-            tiny: leaf.bound.tiny,
         }
     }
 
@@ -51,9 +46,8 @@ impl OfFormula {
         let [lo, hi] = leaf.at.signed();
         self.intervals += 1;
         self.ends = [self.ends[0].min(lo), self.ends[1].max(hi)];
-        self.tiny = self.tiny.max(leaf.bound.tiny);
-        if leaf.bound.ulps > self.ulps {
-            (self.ulps, self.at) = (leaf.bound.ulps, leaf.at);
+        if leaf.ulps > self.ulps {
+            (self.ulps, self.at) = (leaf.ulps, leaf.at);
         }
     }
 }
@@ -80,7 +74,6 @@ impl Certificate {
         Some(Summary {
             ulps: worst.ulps,
             at: worst.at,
-            tiny: formulas.iter().fold(0.0, |most, f| most.max(f.tiny)),
             intervals: self.leaves.len(),
             formulas,
         })

@@ -36,9 +36,9 @@ pub(super) const MOST: f64 = 1300.0;
 pub(super) fn near_error(function: Function, (c, low): (&[f64], f64)) -> f64 {
     match function {
         // (−2)ⁿ/(2n + 1)!!
-        Function::Dawson => odd_series_error(c, low, |n, before| {
-            before * Rational::from((-2, 2 * n + 1))
-        }),
+        Function::Dawson => {
+            odd_series_error(c, low, |n, before| before * Rational::from((-2, 2 * n + 1)))
+        }
         // (−1)ⁿ/(n! (2n + 1))
         _ => odd_series_error(c, low, |n, before| {
             before * Rational::from((-(2 * i64::from(n) - 1), n * (2 * n + 1)))
