@@ -203,19 +203,21 @@ def row(c, dx, dy):
     return c[0] + (c[1] + tr), c[2] + (c[3] + ti)
 
 
-def tables():
-    """Rows by their centres, found by their first coefficient."""
+def rows_of(name):
+    """The rows of a table."""
     text = (SOURCE / "tables.rs").read_text()
+    body = text[text.index(f"static {name}:"):]
+    body = body[: body.index("\n];")]
+    return [[float(x) for x in r.split(",") if x.strip()] for r in re.findall(r"Row\(\[([^]]*)\]", body)]
 
-    def rows(name):
-        body = text[text.index(f"static {name}:"):]
-        body = body[: body.index("\n];")]
-        return [[float(x) for x in r.split(",") if x.strip()] for r in re.findall(r"Row\(\[([^]]*)\]", body)]
 
+def tables():
+    """Those of w, and the polynomials of the real line."""
+    text = (SOURCE / "tables.rs").read_text()
     body = text[text.index("REAL_LINE:"):]
     body = body[body.index("="):]
     line = re.findall(r"\[([^][]*)\]", body[: body.index("];")])
-    return rows("CELLS"), rows("REAL_AXIS"), [[float(x) for x in r.split(",") if x.strip()] for r in line]
+    return rows_of("CELLS"), rows_of("REAL_AXIS"), [[float(x) for x in r.split(",") if x.strip()] for r in line]
 
 
 CELLS, REAL_AXIS, REAL_LINE = tables()

@@ -58,7 +58,7 @@ pub use kind::{Kind, Kinds};
 pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
 pub use method::{
-    BranchAt, Input, Law, Method, Output, ProvedBound, Rows, conditions_by_differences,
+    BranchAt, Input, Law, Method, Output, ProvedBound, ProvedError, Rows, conditions_by_differences,
 };
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;

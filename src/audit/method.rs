@@ -56,12 +56,33 @@ pub struct BranchAt {
     pub distance: f64,
 }
 
+/// What a proved bound is a bound of.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ProvedError {
+    /// `‖got − ref‖₂ ≤ k u ‖ref‖₂` with u = 2⁻⁵³, but for what underflows.
+    Norm(f64),
+    /// `|got − ref| ≤ k ulp(ref)`, the unit in the last place at least the smallest number; infinity where the value is
+    /// above the range.
+    Ulps(f64),
+}
+
+impl std::fmt::Display for ProvedError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            ProvedError::Norm(k) => write!(f, "{k} u of the norm"),
+            ProvedError::Ulps(k) => write!(f, "{k} ulp"),
+        }
+    }
+}
+
 /// A bound on the error of the method's own solver that is proved for every input of a set; what is found
 /// beside it is the worst of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ProvedBound {
-    /// `‖got − ref‖₂ ≤ k u ‖ref‖₂` with u = 2⁻⁵³, but for what underflows.
-    pub norm: f64,
+    /// Of which error, and how large.
+    #[serde(flatten)]
+    pub error: ProvedError,
     /// The inputs: `Im z >= 0`.
     pub inputs: &'static str,
     /// The command that proves it.

@@ -365,9 +365,9 @@ fn run(
 }
 
 /// The distances of numbers from a centre, which the code computes without rounding.
-struct Offsets {
+pub(crate) struct Offsets {
     ends: [f64; 2],
-    grain: i32,
+    pub grain: i32,
 }
 
 impl Offsets {
@@ -375,7 +375,7 @@ impl Offsets {
         Tracked::input_on_grid(i, self.ends, self.grain)
     }
 
-    fn most(&self) -> f64 {
+    pub fn most(&self) -> f64 {
         self.ends[0].abs().max(self.ends[1].abs())
     }
 }
@@ -383,7 +383,7 @@ impl Offsets {
 /// # Errors
 /// If a difference may be rounded: the numbers and the centre are multiples of `2^g`, so that a difference below
 /// `2^{g+53}` is exact.
-fn offsets([lo, hi]: [f64; 2], centre: f64) -> Result<Offsets, &'static str> {
+pub(crate) fn offsets([lo, hi]: [f64; 2], centre: f64) -> Result<Offsets, &'static str> {
     if centre == 0.0 {
         return Ok(Offsets {
             ends: [lo, hi],
@@ -447,17 +447,17 @@ impl Evaluated {
 }
 
 /// 2⁻⁹⁶⁰: a unit in the last place of what is above it is at least 2⁻¹⁰¹², 2⁶³ times the unit of what underflows.
-const FAR_ABOVE: f64 = f64::from_bits((1023 - 960) << 52);
+pub(crate) const FAR_ABOVE: f64 = f64::from_bits((1023 - 960) << 52);
 
 /// What underflows, in units in the last place of the least value.
-fn lost_units(tiny: f64, least: f64) -> f64 {
+pub(crate) fn lost_units(tiny: f64, least: f64) -> f64 {
     quotient_up(
         product_up(tiny, TINIEST),
         power_of_two(exponent(least) - 52),
     )
 }
 
-const TWO_52: f64 = 4_503_599_627_370_496.0;
+pub(crate) const TWO_52: f64 = 4_503_599_627_370_496.0;
 
 /// That of the real part beside the real axis, `y u` where the formula leaves `e^{−z²}` out, `y u + E` where it adds it:
 /// a sum of positive terms is wrong by no larger a part of it than one of them.

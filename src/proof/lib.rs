@@ -16,6 +16,7 @@ mod form;
 mod formula;
 mod interval;
 mod prove;
+pub mod real;
 mod summary;
 mod tables;
 mod tracked;

@@ -93,7 +93,7 @@ impl Tables {
                 polynomial_error(&line[0], false),
                 polynomial_error(&line[1], true),
             ],
-            exponential: exponential_error(coefficients, ln_2),
+            exponential: exponential_error(coefficients, ln_2, 1200.0),
             scaled: Arc::default(),
         })
     }

@@ -21,6 +21,11 @@ pub struct Rounding {
     pub truncates: Option<u32>,
 }
 
+impl Rounding {
+    /// Number of the last rounding of a sum of two numbers.
+    pub(crate) const LAST: u32 = u32::MAX;
+}
+
 /// A stored number that stands for another one: what exact arithmetic has in its place, and the difference
 /// `stored − exact`.
 #[derive(Clone, Copy, Debug)]
@@ -326,6 +331,18 @@ pub(crate) struct Result {
     pub relative: f64,
 }
 
+impl Result {
+    fn of(form: &Form) -> Result {
+        Result {
+            exact: form.main.range,
+            error: form.deviation,
+            tiny: form.tiny,
+            small: form.small,
+            relative: form.relative(),
+        }
+    }
+}
+
 impl Tracked {
     /// Coordinate `i` of the rectangle, any `f64` between the ends.
     pub fn input(i: usize, [lo, hi]: [f64; 2]) -> Tracked {
@@ -351,25 +368,30 @@ impl Tracked {
         })
     }
 
+    /// A coordinate's distance from a centre, which the code computes without rounding: a multiple of `2^grain`.
+    pub fn offset(self, centre: f64, grain: i32) -> Tracked {
+        here(|e| {
+            let main = e.form(self).main + Exact::point(-centre);
+            e.push(Form::exact(main, grain))
+        })
+    }
+
     /// A table's entry, which stands for itself.
     pub fn entry(x: f64) -> Tracked {
         here(|e| e.push(Form::point(x)))
     }
 
     pub fn result(self) -> Result {
-        here(|e| {
-            let form = e.form(self);
-            Result {
-                exact: form.main.range,
-                error: form.deviation,
-                tiny: form.tiny,
-                small: form.small,
-                relative: form.relative(),
-            }
-        })
+        here(|e| Result::of(e.form(self)))
     }
 
-    fn constant(self) -> Option<f64> {
+    /// The sum of two numbers, not rounded.
+    pub fn exact_sum(self, other: Tracked) -> Result {
+        here(|e| Result::of(&e.sum(self, other)))
+    }
+
+    /// The number, if it is the same all over the box.
+    pub fn constant(self) -> Option<f64> {
         here(|e| e.form(self).constant())
     }
 }

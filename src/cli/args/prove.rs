@@ -9,14 +9,19 @@ Examples:
   mechaudit prove faddeeva
   mechaudit prove faddeeva --boxes boxes.csv --format json
   mechaudit prove faddeeva --within 64 --component 6
+  mechaudit prove erfcx
 
 Runs the solver's own code over rectangles that cover the closed upper half-plane, all of it or up to --within, with \
 numbers that enclose the exact value and the error of every rounding, halves a rectangle until its bounds \
 are below the targets, and prints the largest that are left: the theorem. The chapter on proofs \
 of the book has the model of arithmetic and every inequality.
 
+erf, erfc, erfcx and dawson are the functions of a real argument, every finite number of either sign: intervals in \
+place of rectangles, and one bound in units in the last place of the value.
+
 A file of boxes has a line for each: the ends of Re z and Im z, both included, the formula, the \
-centre of its Taylor series, the bounds. reference/independent/faddeeva_proof.py checks it.
+centre of its Taylor series, the bounds; for a function of a real argument the ends of x, the formula, the centre, the \
+bound. reference/independent/faddeeva_proof.py checks it.
 
 Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage; 130, ended \
 by Ctrl-C, without a theorem.";
@@ -32,18 +37,19 @@ pub enum Part {
 #[derive(ClapArgs, Debug)]
 pub struct ProveArgs {
     /// The function
-    #[arg(value_parser = ["faddeeva"])]
+    #[arg(value_parser = ["faddeeva", "erf", "erfc", "erfcx", "dawson"])]
     pub function: String,
-    /// Where
-    #[arg(long, value_enum, default_value = "upper")]
-    pub part: Part,
-    /// Halve rectangles until the error of the norm is at most this, in units of 2^-52
-    #[arg(long, value_name = "K", default_value = "1.25", value_parser = super::number::positive)]
-    pub norm: f64,
-    /// Halve rectangles until the error of each component is at most this, in units in its last place
-    #[arg(long, value_name = "C", default_value = "4", value_parser = super::number::positive)]
-    pub component: f64,
-    /// Only where Re z and Im z are below this; without it every finite number
+    /// Where; faddeeva alone
+    #[arg(long, value_enum)]
+    pub part: Option<Part>,
+    /// Halve rectangles until the error of the norm is at most this, in units of 2^-52; faddeeva alone [default: 1.25]
+    #[arg(long, value_name = "K", value_parser = super::number::positive)]
+    pub norm: Option<f64>,
+    /// Halve rectangles until the error of each component is at most this, in units in its last place; intervals until
+    /// that of the value is [default: 4; of a real argument 0.875]
+    #[arg(long, value_name = "C", value_parser = super::number::positive)]
+    pub component: Option<f64>,
+    /// faddeeva alone: only where Re z and Im z are below this; without it every finite number
     #[arg(long, value_name = "R", value_parser = super::number::positive)]
     pub within: Option<f64>,
     /// Write the rectangles to this file

@@ -1,13 +1,17 @@
 //! Proofs of error bounds.
 
+mod real;
+
 use crate::cli::args::{ProveArgs, TextOrJson};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, print_json, write_to};
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use mechaudit::audit::hex_float;
+use mechaudit::proof::real::Function;
 use mechaudit::proof::{
-    Attained, Certificate, Code, Leaf, Rectangle, Summary, Target, Watch, upper_half_plane,
+    Attained, Certificate, Code, Leaf, Rectangle, Summary, Target, UPPER_HALF_PLANE, Watch,
+    upper_half_plane,
 };
 use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
 use mechaudit::report::text::table::Table;
@@ -19,6 +23,12 @@ use std::time::{Duration, Instant};
 
 /// Proves, and prints what is proved.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
+    if let Some(function) = Function::ALL
+        .into_iter()
+        .find(|f| f.name() == args.function)
+    {
+        return real::prove(function, args);
+    }
     let boxes = args
         .boxes
         .as_deref()
@@ -26,9 +36,9 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         .transpose()?;
     let begin = Instant::now();
     let target = Target {
-        norm: args.norm,
-        component: args.component,
-        ..Target::default()
+        norm: args.norm.unwrap_or(UPPER_HALF_PLANE.norm),
+        component: args.component.unwrap_or(UPPER_HALF_PLANE.component),
+        ..UPPER_HALF_PLANE
     };
     let Some(found) = proved(target, args.within)? else {
         return Ok(Outcome::Interrupted);
@@ -53,17 +63,24 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::of(found.open.is_empty()))
 }
 
-/// On a thread of its own, watched; nothing if the user ends it.
 fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
+    watched("faddeeva", move |watch| {
+        let code = Code::of_the_solver()?;
+        Ok(upper_half_plane(&code, target, watch, |_, r| {
+            within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
+        }))
+    })
+}
+
+/// A proof on a thread of its own, watched; nothing if the user ends it.
+fn watched<T: Send + 'static>(
+    name: &str,
+    proof: impl FnOnce(&Watch) -> Result<Option<T>, String> + Send + 'static,
+) -> Result<Option<T>, Failure> {
     let watch = Arc::new(Watch::default());
     let worker = std::thread::spawn({
         let watch = watch.clone();
-        move || {
-            let code = Code::of_the_solver()?;
-            Ok::<_, String>(upper_half_plane(&code, target, &watch, |_, r| {
-                within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
-            }))
-        }
+        move || proof(&watch)
     });
     let progress = Progress::new();
     let stop = interrupt::flag();
@@ -72,7 +89,7 @@ fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Fa
             watch.stop.store(true, Ordering::Relaxed);
         }
         let [done, of] = [&watch.done, &watch.of].map(|n| n.load(Ordering::Relaxed));
-        progress.show("faddeeva", done, of.max(1));
+        progress.show(name, done, of.max(1));
         std::thread::sleep(Duration::from_millis(20));
     }
     progress.clear();

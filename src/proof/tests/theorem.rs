@@ -278,14 +278,14 @@ fn an_operation_that_truncates_beside_the_real_axis_shows() {
 #[test]
 fn a_wrong_exponential_shows() {
     let (c, ln_2) = code::exponential();
-    let sound = exponential_error(c, ln_2);
+    let sound = exponential_error(c, ln_2, 1200.0);
     let mut off = *c;
     off[0] = f64::from_bits(off[0].to_bits() + 8);
     // One term less, an entry off by eight units, the second part of ln 2 left out.
     let faults = [
-        exponential_error(&c[..11], ln_2),
-        exponential_error(&off, ln_2),
-        exponential_error(c, [ln_2[0], 0.0]),
+        exponential_error(&c[..11], ln_2, 1200.0),
+        exponential_error(&off, ln_2, 1200.0),
+        exponential_error(c, [ln_2[0], 0.0], 1200.0),
     ];
     for faulty in faults {
         assert!(faulty > 5.0 * sound, "{sound} {faulty}");

@@ -144,18 +144,18 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64)
 }
 
 /// What `2^k (1 + s + s² Σ c_j s^j)`, evaluated without rounding, differs from `e^x` by, as a part of it:
-/// `s = x − k (L₀ + L₁)` with `|s| ≤ 0.348`, `|k| ≤ 1200`.
+/// `s = x − k (L₀ + L₁)` with `|s| ≤ 0.348`, `|k| ≤ most`.
 ///
 /// k is an integer next to `x log₂ e` as computed, so that `|s| ≤ ½ ln 2 + 2⁻³⁰`, and the low part of x is below 2⁻⁴⁴.
 /// `k (ln 2 − L₀ − L₁)`, the errors of the coefficients, and what follows the last of them, `Σ_{n>13} |s|ⁿ/n!`, at most
 /// 1.03 times its first term; all divided by `e^{−0.348} > 0.7`.
-pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2]) -> f64 {
+pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2], most: f64) -> f64 {
     const BITS: u32 = 300;
     const MOST: f64 = 0.348;
     let parts =
         Rational::from_f64(ln_2[0]).expect("finite") + Rational::from_f64(ln_2[1]).expect("finite");
     let reduced = above(&(&Ball::integer(BITS, 2).ln() - &Ball::rational(BITS, &parts)));
-    let mut sum = product_up(1200.0, product_up(reduced, 1.01));
+    let mut sum = product_up(most, product_up(reduced, 1.01));
     let mut exact = Rational::from(1);
     let mut power = MOST;
     for (j, c) in coefficients.iter().enumerate() {

@@ -2,12 +2,14 @@
 
 mod asymptotic;
 mod maclaurin;
+mod odd;
 mod rows;
 
 pub(crate) use asymptotic::{
     asymptotic, exponential_error, huge, on_real_line, polynomial_error, strip,
 };
 pub(crate) use maclaurin::maclaurin;
+pub(crate) use odd::{odd_series_error, pair_error};
 pub(crate) use rows::RowErrors;
 
 /// Bounds of `|formula − w|`, and of its components divided by σ, where they have the factor σ in the formula.

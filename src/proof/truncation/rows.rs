@@ -78,14 +78,30 @@ impl RowErrors {
     /// # Errors
     /// If the reference is undecided.
     pub fn on_axis(row: &AxisRow, s: f64) -> Result<RowErrors, String> {
-        let c = certified((0.0, s))?;
+        RowErrors::of_real(row, (0.0, s), |n, c| match n % 4 {
+            0 => c.re.clone(),
+            1 => -c.im.clone(),
+            2 => -c.re.clone(),
+            _ => c.im.clone(),
+        })
+    }
+
+    /// Of a row of `(2/√π) F` about `t` on the real axis, F Dawson's function: the imaginary parts.
+    ///
+    /// # Errors
+    /// If the reference is undecided.
+    pub fn of_dawson(row: &AxisRow, t: f64) -> Result<RowErrors, String> {
+        RowErrors::of_real(row, (t, 0.0), |_, c| c.im.clone())
+    }
+
+    fn of_real(
+        row: &AxisRow,
+        centre: (f64, f64),
+        real: impl Fn(usize, &ComplexBall) -> Ball,
+    ) -> Result<RowErrors, String> {
+        let c = certified(centre)?;
         let parts = c.iter().enumerate().map(|(n, c)| {
-            let real = match n % 4 {
-                0 => c.re.clone(),
-                1 => -c.im.clone(),
-                2 => -c.re.clone(),
-                _ => c.im.clone(),
-            };
+            let real = real(n, c);
             match n {
                 0 | 1 => [difference([row[2 * n], row[2 * n + 1]], &real), 0.0],
                 _ if n < STORED => [difference([row[n + 2], 0.0], &real), 0.0],
@@ -93,7 +109,6 @@ impl RowErrors {
             }
         });
         let parts = parts.collect();
-        let centre = (0.0, s);
         Ok(RowErrors { centre, parts })
     }
 

@@ -106,11 +106,11 @@ pub fn budgets(report: &MethodReport) -> String {
 /// A proved bound, and how it is proved.
 pub fn proved(bound: &ProvedBound) -> String {
     let ProvedBound {
-        norm,
+        error,
         inputs,
         command,
     } = bound;
-    format!("error at most {norm} u of the norm for {inputs}: {command}")
+    format!("error at most {error} for {inputs}: {command}")
 }
 
 /// How near a budget so large a share of it is.

@@ -68,6 +68,12 @@ impl Dd {
         Dd { hi, lo: 0.0 }
     }
 
+    /// The constant in every place.
+    #[inline(always)]
+    pub(crate) fn like<R: Real>(self, x: R) -> Dd<R> {
+        Dd::new(x.like(self.hi), x.like(self.lo))
+    }
+
     /// Exact product with a power of two (barring underflow).
     #[inline(always)]
     pub(crate) fn scale(self, power_of_two: f64) -> Dd {

@@ -142,6 +142,12 @@ pub(crate) fn of_rounded() -> (&'static [f64; 12], [f64; 2]) {
     (&EXP, LN_2)
 }
 
+/// The constants of [`exp`], those of the polynomial from `1/3!` on.
+#[cfg(feature = "proof")]
+pub(crate) fn of_pairs() -> (&'static [f64; 11], [f64; 2]) {
+    (&EXP_FROM_CUBE, LN_2)
+}
+
 /// A phase modulo π/2: the rest in [−π/4, π/4] and `ROUND` plus the quadrant.
 #[inline(always)]
 pub(crate) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {

@@ -7,7 +7,7 @@ pub(super) mod regions;
 use super::branches::nearest;
 use super::relatives::{NORM, PROOF};
 use crate::audit::{
-    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound,
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
     ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
@@ -129,7 +129,7 @@ impl Definition for Faddeeva {
 
     fn proved() -> Vec<ProvedBound> {
         vec![ProvedBound {
-            norm: 2.0 * UPPER_HALF_PLANE.norm,
+            error: ProvedError::Norm(2.0 * UPPER_HALF_PLANE.norm),
             inputs: "Im z >= 0",
             command: "mechaudit prove faddeeva",
         }]

@@ -2,8 +2,9 @@
 
 use super::laws::{batch_agrees, odd_law, on_the_axis, point, real_argument_law, within};
 use super::regions::zero_of_erfi;
-use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis};
-use crate::audit::{Due, Law};
+use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis, on_the_real_line};
+use crate::audit::{Due, Law, ProvedBound};
+use crate::proof::real::Function;
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
@@ -48,6 +49,14 @@ impl Relative for Dawson {
             _ => None,
         };
         [on_axis(x, 1.0), im]
+    }
+
+    fn proved() -> Vec<ProvedBound> {
+        on_the_real_line(
+            Function::Dawson,
+            "real arguments, by dawson_real",
+            "mechaudit prove dawson",
+        )
     }
 
     fn laws() -> Vec<Law> {

@@ -2,8 +2,9 @@
 
 use super::laws::{gaussian, odd_law, on_the_axis, point, real_argument_law, within};
 use super::regions::zero_of_erf;
-use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, odd_signs};
-use crate::audit::{Due, Law};
+use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, odd_signs, on_the_real_line};
+use crate::audit::{Due, Law, ProvedBound};
+use crate::proof::real::Function;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
 
@@ -38,6 +39,14 @@ impl Relative for Erf {
     /// erf′ = (2/√π) e^{−z²} is positive on both axes.
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
         odd_signs(x, y)
+    }
+
+    fn proved() -> Vec<ProvedBound> {
+        on_the_real_line(
+            Function::Erf,
+            "real arguments, by erf_real",
+            "mechaudit prove erf",
+        )
     }
 
     fn laws() -> Vec<Law> {

@@ -4,8 +4,11 @@ use super::laws::{
     conjugation_law, gaussian, on_the_axis, plain, point, real_argument_law, within,
 };
 use super::regions::zero_of_erfc;
-use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis};
-use crate::audit::{Due, Law};
+use super::{
+    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis, on_the_real_line,
+};
+use crate::audit::{Due, Law, ProvedBound};
+use crate::proof::real::Function;
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};
@@ -47,6 +50,14 @@ impl Relative for Erfc {
     /// erfc falls along the real axis.
     fn signs_of_zero(_: f64, y: f64) -> [Option<bool>; 2] {
         [None, on_axis(y, -1.0)]
+    }
+
+    fn proved() -> Vec<ProvedBound> {
+        on_the_real_line(
+            Function::Erfc,
+            "real arguments, by erfc_real",
+            "mechaudit prove erfc",
+        )
     }
 
     fn laws() -> Vec<Law> {

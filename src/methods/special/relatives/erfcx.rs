@@ -4,11 +4,12 @@ use super::laws::{
     batch_agrees, conjugation_law, gaussian, on_the_axis, point, real_argument_law, within,
 };
 use super::regions::zero_of_erfc;
-use super::{C, Exact, NORM, Relative, Zeros};
-use crate::audit::{BranchAt, Due, Law};
+use super::{C, Exact, NORM, Relative, Zeros, on_the_real_line};
+use crate::audit::{BranchAt, Due, Law, ProvedBound};
 use crate::methods::common::held;
 use crate::methods::special::branches::nearest;
 use crate::methods::special::faddeeva::{dues_not_finite, signs_of_zero};
+use crate::proof::real::Function;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
 use num_complex::Complex;
@@ -54,6 +55,14 @@ impl Relative for Erfcx {
             seam: format!("{} of i z", at.seam),
             ..at
         })
+    }
+
+    fn proved() -> Vec<ProvedBound> {
+        on_the_real_line(
+            Function::Erfcx,
+            "real arguments, by erfcx_real",
+            "mechaudit prove erfcx",
+        )
     }
 
     fn laws() -> Vec<Law> {

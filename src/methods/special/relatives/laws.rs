@@ -58,13 +58,13 @@ pub(super) fn conjugation_law<F: Relative>() -> Law {
 pub(super) fn real_argument_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
     Law {
         name: "real-argument",
-        statement: "the function of a real argument agrees at Re z within 6 ulp",
+        statement: "the function of a real argument agrees at Re z within 5 ulp",
         residual,
     }
 }
 
-/// How far the function of a real argument is from the complex one on the real axis, in three units
-/// in the last place each.
+/// How far the function of a real argument is from the complex one on the real axis: four units in the last place for
+/// that one, and one for this, of which less than 7/8 is proved (erfi: found).
 pub(super) fn on_the_axis<F: Relative>(real: fn(f64) -> f64, input: &[f64]) -> Option<f64> {
     let x = point(input)?.re;
     let (a, b) = ((F::VALUE)(Complex::new(x, 0.0)), real(x));
@@ -72,7 +72,7 @@ pub(super) fn on_the_axis<F: Relative>(real: fn(f64) -> f64, input: &[f64]) -> O
         return held(same(a.re, b));
     }
     let ulp = (a.re.abs() * f64::EPSILON).max(f64::from_bits(1));
-    held(a.im == 0.0).map(|r| r.max((a.re - b).abs() / (6.0 * ulp)))
+    held(a.im == 0.0).map(|r| r.max((a.re - b).abs() / (5.0 * ulp)))
 }
 
 /// The batch at the point and around it, of every length up to 40, gives the scalar values.

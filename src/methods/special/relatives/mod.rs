@@ -12,12 +12,13 @@ mod regions;
 use super::branches::nearest;
 use super::faddeeva::{ComplexInput, asked, due};
 use crate::audit::{
-    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ReferenceAnswer,
-    Uncertified,
+    BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
+    ReferenceAnswer, Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::{Definition, Registered};
 use crate::methods::inputs::Number;
+use crate::proof::real::Function;
 use crate::reference::faddeeva::Scaled;
 use crate::reference::{Ball, Undecided};
 use crate::solvers::faddeeva::SEAMS_OF_RELATIVES;
@@ -83,6 +84,10 @@ pub trait Relative: Registered {
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2];
     /// Identities of the values.
     fn laws() -> Vec<Law>;
+    /// What is proved of the solver's error.
+    fn proved() -> Vec<ProvedBound> {
+        Vec::new()
+    }
     /// Where the solver's formulas meet next to `z`.
     fn branch(z: Complex<f64>) -> Option<BranchAt> {
         nearest(z, &SEAMS_OF_RELATIVES, None)
@@ -145,6 +150,10 @@ impl<F: Relative> Definition for F {
         Some(NormBudget::new(F::NORM.0, F::NORM.1))
     }
 
+    fn proved() -> Vec<ProvedBound> {
+        <F as Relative>::proved()
+    }
+
     fn domain() -> Domain {
         Domain {
             regions: regions::all::<F>(),
@@ -184,6 +193,19 @@ impl<F: Relative> Definition for F {
     fn certify(z: Self::Input<'_, Rational>, bits: u32) -> Result<Vec<Scaled>, Uncertified> {
         Ok((F::EXACT)(z.re, z.im, bits)?.to_vec())
     }
+}
+
+/// What is proved of a function of a real argument.
+fn on_the_real_line(
+    function: Function,
+    inputs: &'static str,
+    command: &'static str,
+) -> Vec<ProvedBound> {
+    vec![ProvedBound {
+        error: ProvedError::Ulps(function.ulps()),
+        inputs,
+        command,
+    }]
 }
 
 /// The sign of `x` times that of `factor`, where x is zero: the sign of a component that vanishes

@@ -16,11 +16,12 @@ use super::erf_zeros;
 use super::lengths::{LengthMismatch, same_length};
 use super::long_relatives;
 use super::long_w::{turned, vanishing_part};
-use super::odd_series::{self, odd, odd_real};
+use super::odd_series::{self, odd};
 use super::quadrant::{
     circle, dawson_in_strip, gaussian, gaussian_exact, lifted, pair_times_power, times_power, w,
     w_exact,
 };
+use super::real_line::{SERIES, dawson_beyond, dawson_near};
 use super::relatives_tables::{MAXIMUM_OF_DAWSON as MAXIMUM, MINUS_INVERSE_MAXIMUM};
 use crate::double_double::{Dd, two_prod, two_sum};
 use crate::lanes::{Lanes, Task, with_best};
@@ -258,13 +259,13 @@ impl Task for DawsonReal {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let x = self.0.abs();
-        let value = if x < 0.5 {
-            odd_real(odd_series::DAWSON, x).value()
+        let value = if x < SERIES {
+            dawson_near(x).value()
         } else if is_huge(x, 0.0) {
             // NaN stays NaN.
             0.5 / x
         } else {
-            (dawson_in_strip(lanes, x, 0.0).0 * HALF_SQRT_PI).value()
+            dawson_beyond(dawson_in_strip(lanes, x, 0.0).0).value()
         };
         value.copysign(self.0)
     }

@@ -2,28 +2,22 @@
 
 use super::branch::is_huge;
 use super::constants::TWO_OVER_SQRT_PI;
-use super::odd_series::{ERF, odd, odd_real};
+use super::odd_series::{ERF, odd};
 use super::plane;
-use super::quadrant::{dawson_in_strip, pair_times_power, times_power, w};
+use super::quadrant::{dawson_in_strip, times_power, w};
+use super::real_line::{
+    COMPLEMENT, FAR, ONE, SERIES, alone, erf_near, erf_right, erfc_left, erfc_near, erfc_right,
+    erfcx_left,
+};
 use crate::double_double::Dd;
 use crate::exponential::{exp, exponent};
 use crate::lanes::{Lanes, Task, with_best};
-use crate::real::{ROUND, scaled};
-
-/// |x| below which erfc x is computed as 1 − erf x.
-const COMPLEMENT: f64 = 0.25;
+use crate::real::scaled;
 
 /// `e^{x²} erfc x` for `0 ≤ x < 10¹⁰⁰`.
 #[inline(always)]
 fn erfcx_right<L: Lanes>(lanes: L, x: f64) -> Dd {
     w(lanes, 0.0, x).0
-}
-
-/// erfc x for `¼ ≤ x < 30` as a mantissa and `ROUND` plus the exponent.
-#[inline(always)]
-fn erfc_right<L: Lanes>(lanes: L, x: f64) -> (Dd, f64) {
-    let (e, n) = exp(exponent(x, 0.0));
-    (e * erfcx_right(lanes, x), n)
 }
 
 /// erf x, real.
@@ -34,11 +28,10 @@ impl Task for ErfReal {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let x = self.0.abs();
-        let value = if x < 0.5 {
-            (odd_real(ERF, x) * TWO_OVER_SQRT_PI).value()
-        } else if x < 6.0 {
-            let (t, n) = erfc_right(lanes, x);
-            (-pair_times_power(t, n)).add_f(1.0).value()
+        let value = if x < SERIES {
+            erf_near(x).value()
+        } else if x < ONE {
+            erf_right(x, erfcx_right(lanes, x)).value()
         } else if x.is_nan() {
             return f64::NAN;
         } else {
@@ -58,15 +51,15 @@ impl Task for ErfcReal {
         let x = self.0;
         let b = x.abs();
         if b < COMPLEMENT {
-            return (-(odd_real(ERF, x) * TWO_OVER_SQRT_PI)).add_f(1.0).value();
+            return erfc_near(x).value();
         }
-        if b < 30.0 {
-            let (t, n) = erfc_right(lanes, b);
-            return if x > 0.0 {
-                scaled(t.value(), n)
-            } else {
-                (-pair_times_power(t, n)).add_f(2.0).value()
-            };
+        if b < FAR {
+            let w = erfcx_right(lanes, b);
+            if x > 0.0 {
+                let (t, n) = erfc_right(b, w);
+                return scaled(t.value(), n);
+            }
+            return erfc_left(b, w).value();
         }
         if x.is_nan() {
             f64::NAN
@@ -86,11 +79,11 @@ impl Task for ErfiReal {
     #[inline(always)]
     fn run<L: Lanes>(self, lanes: L) -> f64 {
         let x = self.0.abs();
-        let value = if x < 0.5 {
+        let value = if x < SERIES {
             // erfi x = −i erf(ix): the signs of the coefficients alternate no more.
             let (_, im) = odd(ERF, 0.0, x);
             (im * TWO_OVER_SQRT_PI).value()
-        } else if x < 30.0 {
+        } else if x < FAR {
             let (e, n) = exp(exponent(0.0, x));
             let (p, _) = dawson_in_strip(lanes, x, 0.0);
             times_power((e * p).value(), n)
@@ -118,16 +111,16 @@ impl Task for ErfcxReal {
         if x >= 0.0 {
             return erfcx_right(lanes, b).value();
         }
-        if b > 30.0 {
+        if b > FAR {
             return f64::INFINITY;
         }
         // 2 e^{x²} − erfcx |x|.
         let (e, n) = exp(exponent(0.0, b));
         let t = erfcx_right(lanes, b);
-        if n > ROUND + 200.0 {
+        if alone(n) {
             return times_power(e.value(), n + 1.0);
         }
-        (pair_times_power(e, n + 1.0) - t).value()
+        erfcx_left((e, n), t).value()
     }
 }
 

@@ -82,6 +82,7 @@ mod points;
 #[doc(hidden)]
 pub mod proof;
 mod quadrant;
+mod real_line;
 mod reflection;
 mod relatives_tables;
 mod rows;

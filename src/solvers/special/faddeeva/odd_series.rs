@@ -6,6 +6,7 @@
 
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
 use crate::hex::hex;
+use crate::real::Real;
 
 /// |z|² up to which the series here are used.
 pub(super) const REACH: f64 = 0.5;
@@ -89,20 +90,19 @@ pub(super) fn odd<const N: usize>((c, low): (&[f64; N], f64), x: f64, y: f64) ->
 
 /// `f(x)` on the real axis, |x| ≤ √½; the square's rounding error is made up for.
 #[inline(always)]
-pub(super) fn odd_real<const N: usize>((c, low): (&[f64; N], f64), x: f64) -> Dd {
+pub(super) fn odd_real<R: Real, const N: usize>((c, low): (&[f64; N], f64), x: R) -> Dd<R> {
+    let like = |c: f64| x.like(c);
     let q = two_prod(x, x);
-    let mut p = c[N - 1];
+    let mut p = like(c[N - 1]);
     let mut k = N - 1;
     while k > 2 {
         k -= 1;
-        p = q.hi.mul_add(p, c[k]);
+        p = q.hi.fma(p, like(c[k]));
     }
     // c₁q with its rounding errors, then the rest.
-    let first = two_prod(c[1], q.hi);
-    let g = fast_two_sum(
-        first.hi,
-        (q.hi * q.hi).mul_add(p, first.lo + c[1].mul_add(q.lo, low * q.hi)),
-    );
-    let h = fast_two_sum(1.0, g.hi);
+    let first = two_prod(like(c[1]), q.hi);
+    let rest = first.lo + like(c[1]).fma(q.lo, like(low) * q.hi);
+    let g = fast_two_sum(first.hi, (q.hi * q.hi).fma(p, rest));
+    let h = fast_two_sum(like(1.0), g.hi);
     Dd::new(h.hi, h.lo + g.lo).mul_f(x)
 }

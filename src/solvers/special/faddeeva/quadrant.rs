@@ -17,7 +17,7 @@ pub(super) use crate::exponential::{circle, exp_wide, gaussian, times_power};
 use crate::exponential::{exp_minus_square_any, exponent};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
-use crate::real::{ROUND, scaled};
+use crate::real::{ROUND, Real, scaled};
 
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 6.0;
@@ -30,8 +30,8 @@ pub(super) fn lost(sum: Dd, term: Dd) -> bool {
 
 /// Both parts of `t 2^k`, `n = ROUND + k`, `k` below 1000.
 #[inline(always)]
-pub(super) fn pair_times_power(t: Dd, n: f64) -> Dd {
-    let n = n.max(ROUND - 2040.0);
+pub(super) fn pair_times_power<R: Real>(t: Dd<R>, n: R) -> Dd<R> {
+    let n = n.raised(ROUND - 2040.0);
     Dd::new(scaled(t.hi, n), scaled(t.lo, n))
 }
 
@@ -279,7 +279,7 @@ pub(super) fn derivative<L: Lanes>(lanes: L, a: f64, b: f64) -> (Dd, Dd, bool) {
 
 /// For `(2/√π) F` with Dawson's function `F` at `t + i b`: the row about a real centre.
 #[inline(always)]
-fn dawson_part(row: &ComplexRow) -> RealRow {
+pub(super) fn dawson_part(row: &ComplexRow) -> RealRow {
     // On the real axis w = e^{−x²} + i (2/√π) F(x).
     let c = &row.0;
     let mut d = [0.0; 20];

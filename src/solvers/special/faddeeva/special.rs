@@ -1,8 +1,7 @@
 //! W(z) for arguments that are not finite or so large that `|z|²` overflows.
 
 use super::asymptotic::one_term;
-use super::constants::INV_SQRT_PI;
-use crate::double_double::Dd;
+use super::real_line::erfcx_far;
 use crate::exponential::circle;
 use crate::real::{ROUND, scaled};
 
@@ -19,7 +18,7 @@ pub(super) fn on_imaginary_axis(b: f64) -> f64 {
         return huge(0.0, b).0;
     }
     let k = to_one(b);
-    scaled(INV_SQRT_PI.div(Dd::from(scaled(b, k))).hi, k)
+    scaled(erfcx_far(scaled(b, k)).hi, k)
 }
 
 /// `(Re w, Im w)` at `a + i y`, `a ≥ 0`, for `|z| ≥ 10^100` and everything not finite.

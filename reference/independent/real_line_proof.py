@@ -1,0 +1,358 @@
+#!/usr/bin/env python3
+"""Checks the intervals of the proofs of erf, erfc, erfcx and Dawson's function of a real argument, with python-flint
+alone.
+
+    mechaudit prove erfcx --boxes erfcx.csv
+    python3 reference/independent/real_line_proof.py erfcx erfcx.csv [--points 2000] [--seed 1]
+
+Covering: every finite number of either sign, of an odd function every positive one, by the bits of the numbers.
+Points: ends of intervals and random numbers in them. At each the formula that the code uses is found from its published
+limits; it has to be the interval's, with its centre. It is carried out operation by operation, each rounded exactly, with
+the tables as they stand in the source; the value comes from Arb. The error has to be below the interval's bound.
+"""
+import argparse
+import csv
+import functools
+import math
+import pathlib
+import random
+import sys
+from fractions import Fraction
+
+from flint import arb, ctx
+
+from faddeeva_proof import CELLS, LN_2, LOG2_E, MAX, REAL_AXIS, ROUND, A, bits, centre_row, fma, number, rows_of, two_prod, w
+
+ODD = ("erf", "dawson")
+TWO_OVER_ROOT = (1.1283791670955126, 1.533545961316588e-17)
+HALF_ROOT = (0.886226925452758, -3.8332932499128993e-17)
+INVERSE_ROOT = (0.5641895835477563, 7.66772980658294e-18)
+THIRD_LOW = -float.fromhex("0x1.5555555555555p-56")
+EXP = [1.0 / math.factorial(n) for n in range(3, 14)]
+
+
+def coefficients(count, step):
+    c, before = [1.0], (1.0, 1.0)
+    for n in range(1, count):
+        value, before = step(n, *before)
+        c.append(value)
+    return c
+
+
+def erf_step(n, f, _):
+    f *= -float(n)
+    return 1.0 / (f * (2 * n + 1)), (f, 1.0)
+
+
+def dawson_step(n, f, two):
+    f, two = f * (2 * n + 1), two * -2.0
+    return two / f, (f, two)
+
+
+ERF, DAWSON = coefficients(16, erf_step), coefficients(18, dawson_step)
+
+# Sums of two numbers, as the code has them.
+
+
+def two_sum(a, b):
+    s = a + b
+    t = s - a
+    return s, (a - (s - t)) + (b - t)
+
+
+def fast_two_sum(a, b):
+    s = a + b
+    return s, b - (s - a)
+
+
+def negative(x):
+    return -x[0], -x[1]
+
+
+def times(x, y):
+    p, q = two_prod(x[0], y[0])
+    return fast_two_sum(p, q + fma(x[1], y[0], fma(x[0], y[1], x[1] * y[1])))
+
+
+def times_number(x, b):
+    p, q = two_prod(x[0], b)
+    return fast_two_sum(p, fma(x[1], b, q))
+
+
+def plus_number(x, b):
+    s, t = two_sum(x[0], b)
+    return fast_two_sum(s, t + x[1])
+
+
+def minus(x, y):
+    s, t = two_sum(x[0], -y[0]), two_sum(x[1], -y[1])
+    v = fast_two_sum(s[0], s[1] + t[0])
+    return fast_two_sum(v[0], v[1] + t[1])
+
+
+def over(x, b):
+    q = x[0] / b
+    p = two_prod(q, b)
+    r = (x[0] - p[0]) - p[1] + fma(q, -0.0, x[1])
+    return fast_two_sum(q, r / b)
+
+
+def paired(c, x):
+    xx, n = x * x, len(c)
+    even, odd = c[(n - 1) & ~1], c[(n - 2) | 1]
+    for k in range(n - 3, -1, -1):
+        if k % 2 == 0:
+            even = fma(xx, even, c[k])
+        else:
+            odd = fma(xx, odd, c[k])
+    return fma(x, odd, even)
+
+
+def exp_square(x, sign):
+    """e^(sign x^2) as a sum and the exponent of a power of two."""
+    h, lo = two_prod(sign * x, x)
+    h, lo = fast_two_sum(h, lo)
+    k = fma(h, LOG2_E, ROUND) - ROUND
+    r, s = two_sum(fma(-k, LN_2[0], h), fma(-k, LN_2[1], lo))
+    half = two_prod(r, 0.5 * r)
+    p = fast_two_sum(1.0, r)
+    q = fast_two_sum(p[0], half[0])
+    tail = fma(r * r * r, paired(EXP, r), fma(s, r, s))
+    return fast_two_sum(q[0], p[1] + q[1] + (half[1] + tail)), int(k)
+
+
+def odd_real(c, low, x):
+    hi, lo = two_prod(x, x)
+    p = c[-1]
+    for k in range(len(c) - 2, 1, -1):
+        p = fma(hi, p, c[k])
+    first = two_prod(c[1], hi)
+    g = fast_two_sum(first[0], fma(hi * hi, p, first[1] + fma(c[1], lo, low * hi)))
+    h = fast_two_sum(1.0, g[0])
+    return times_number((h[0], h[1] + g[1]), x)
+
+
+def real_row(c, t):
+    p2 = t * t
+    p3, p4 = t * p2, p2 * p2
+    re = list(c[16:20])
+    for at in (12, 8, 4):
+        re = [fma(p4, re[m], c[at + m]) for m in range(4)]
+    x = [re[0], t * re[1], p2 * re[2], p3 * re[3]]
+    tr = p2 * ((x[0] + x[2]) + (x[1] + x[3]))
+    a = two_prod(c[2], t)
+    h = two_sum(c[0], a[0])
+    return fast_two_sum(h[0], h[1] + (a[1] + fma(c[3], t, c[1]) + tr))
+
+
+def polynomial(s, t, terms):
+    s2, t2 = fma(s, s, -(t + t)), t * t
+    o1, o2, e1, e2 = A[terms - 1], 0.0, A[terms], 0.0
+    for k in range(terms - 2, 2, -2):
+        o1, o2, e1, e2 = fma(s2, o1, fma(-t2, o2, A[k - 1])), o1, fma(s2, e1, fma(-t2, e2, A[k])), e1
+    if terms > 2:
+        oa, ob, ea, eb = fma(-t2, o2, A[1]), o1, fma(-t2, e2, A[2]), e1
+    else:
+        oa, ob, ea, eb = o1, o2, e1, e2
+    oa, ob = fma(-t, ob, oa), s * ob
+    ea, eb = fma(-t, eb, ea), s * eb
+    return fma(s, ob + ea, fma(fma(s, s, -t), eb, oa)), fma(s, eb, ob + ea)
+
+
+def series(a, b, terms, real):
+    """Re w at i b, or Im w at a."""
+    x = b if real else a
+    a, b = max(a, 1e-140), max(b, 1e-140)
+    xx, yy = two_prod(a, a), two_prod(b, b)
+    r2 = two_sum(xx[0], yy[0])
+    low = r2[1] + (xx[1] + yy[1])
+    inverse = 1.0 / r2[0]
+    e = fma(-r2[0], inverse, 1.0) - low * inverse
+    p = two_prod(inverse, INVERSE_ROOT[0])
+    inverse_low = p[1] + fma(inverse, INVERSE_ROOT[1], p[0] * e)
+    t = inverse * inverse
+    b1, b2 = polynomial(2.0 * (xx[0] - yy[0]) * t, t, terms)
+    turned = 3.0 * xx[0] - yy[0] if real else xx[0] - 3.0 * yy[0]
+    g = t * fma(turned, b1, -b2)
+    m = two_prod(x, p[0])
+    return fast_two_sum(m[0], fma(g, m[0], fma(x, inverse_low, m[1])))
+
+
+# Which formula, and its value.
+
+
+def terms_at(r2):
+    return next(n for limit, n in ((112.0, 26), (1024.0, 14), (1048576.0, 6), (1e200, 2)) if r2 < limit)
+
+
+def square_of(x):
+    return (x + 1e-150) * (x + 1e-150)
+
+
+def nearest(x, parts):
+    return float(round(Fraction(x) * parts)) / parts
+
+
+ERFCX_ROWS = rows_of("IMAGINARY_AXIS")
+
+
+def erfcx_right(x):
+    """Centre or terms, and the sum."""
+    r2 = square_of(x)
+    if r2 < 48.0:
+        centre = nearest(x, 4)
+        return centre, None, real_row(ERFCX_ROWS[int(4 * centre)], x - centre)
+    n = terms_at(r2)
+    return None, n, series(0.0, x, n, True)
+
+
+@functools.cache
+def dawson_row(centre, near):
+    c = centre_row(CELLS if near else REAL_AXIS, (centre, 0.0))
+    return [c[2], c[3], c[6], c[7]] + [c[12 + 8 * k + m] for k in range(4) for m in range(4)]
+
+
+def scaled(x, k):
+    half = k // 2
+    return math.ldexp(math.ldexp(x, half), k - half)
+
+
+def pair_scaled(x, k):
+    return scaled(x[0], k), scaled(x[1], k)
+
+
+def product(x):
+    e, k = exp_square(x, -1.0)
+    centre, n, right = erfcx_right(x)
+    return times(e, right), k, centre, n
+
+
+def computed(function, x):
+    """Name of the formula, centre, value."""
+    b = abs(x)
+    if function in ODD:
+        x = b
+    if function == "erf":
+        if b < 0.5:
+            return "Maclaurin series", None, sum(times(odd_real(ERF, THIRD_LOW, x), TWO_OVER_ROOT))
+        if b < 6.0:
+            t, k, centre, _ = product(x)
+            return "1 - erfc x", centre, sum(plus_number(negative(pair_scaled(t, k)), 1.0))
+        return "1", None, 1.0
+    if function == "erfc":
+        if b < 0.25:
+            t = times(odd_real(ERF, THIRD_LOW, x), TWO_OVER_ROOT)
+            return "1 - Maclaurin series", None, sum(plus_number(negative(t), 1.0))
+        if b >= 30.0:
+            return ("0", None, 0.0) if x > 0.0 else ("2", None, 2.0)
+        t, k, centre, n = product(b)
+        if x < 0.0:
+            return "2 - erfc |x|", centre, sum(plus_number(negative(pair_scaled(t, k)), 2.0))
+        kind = "asymptotic" if n else "Taylor"
+        return f"exp(-x^2) erfcx x {kind}", centre, scaled(sum(t), k)
+    huge = b > 2e100 or not square_of(b) < 1e200
+    if function == "dawson":
+        if b < 0.5:
+            return "Maclaurin series", None, sum(odd_real(DAWSON, 2.0 * THIRD_LOW, x))
+        if huge:
+            return "1/(2x)", None, 0.5 / x
+        r2 = x * x
+        if r2 < 80.0:
+            centre = nearest(x, 4 if r2 < 1.25 else 16)
+            v = real_row(dawson_row(centre, r2 < 1.25), x - centre)
+            return "Taylor series", centre, sum(times(v, HALF_ROOT))
+        n = terms_at(r2)
+        return f"asymptotic {n} terms", None, sum(times(series(x, 0.0, n, False), HALF_ROOT))
+    if math.copysign(1.0, x) > 0.0:
+        if huge:
+            k = math.frexp(x)[1] - 1
+            return "1/(sqrt(pi) x) scaled", None, scaled(over(INVERSE_ROOT, math.ldexp(x, -k))[0], -k)
+        centre, n, right = erfcx_right(x)
+        return (f"asymptotic {n} terms" if n else "Taylor series"), centre, sum(right)
+    if b > 30.0:
+        return "infinity", None, math.inf
+    e, k = exp_square(b, 1.0)
+    if k > 200:
+        try:
+            return "2 exp(x^2)", None, scaled(sum(e), k + 1)
+        except OverflowError:
+            return "infinity", None, math.inf
+    centre, _, right = erfcx_right(b)
+    return "2 exp(x^2) - erfcx |x|", centre, sum(minus(pair_scaled(e, k + 1), right))
+
+
+def exact(function, x):
+    for ctx.prec in (300, 3000):
+        y = arb(x)
+        if function == "erf":
+            value = y.erf()
+        elif function == "erfc":
+            value = y.erfc() if x < 1e6 else arb(0)
+        elif function == "dawson":
+            value = w(x, 0.0).imag * arb.pi().sqrt() / 2
+        elif x > 0.0:
+            value = w(0.0, x).real
+        else:
+            value = (y * y).exp() * y.erfc()
+        if value.rel_accuracy_bits() > 80 or x == 0.0:
+            break
+    return value
+
+
+def check_covering(function, intervals):
+    for negative_side in (False, True):
+        if negative_side and function in ODD:
+            continue
+        ends = sorted(tuple(bits(abs(e)) for e in i) for i in intervals if (math.copysign(1.0, i[1]) < 0.0) == negative_side)
+        follows = 0
+        for lo, hi in (sorted(e) for e in ends):
+            if lo != follows:
+                sys.exit(f"no interval holds {number(follows)!r}, negative: {negative_side}")
+            follows = hi + 1
+        if follows != MAX + 1:
+            sys.exit(f"no interval holds {number(follows)!r}, negative: {negative_side}")
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("function", choices=["erf", "erfc", "erfcx", "dawson"])
+    arguments.add_argument("intervals", type=pathlib.Path)
+    arguments.add_argument("--points", type=int, default=2000)
+    arguments.add_argument("--seed", type=int, default=1)
+    args = arguments.parse_args()
+    choose = random.Random(args.seed)
+    with args.intervals.open() as file:
+        rows = [
+            ([float.fromhex(r[k]) for k in ("from", "to")], r["formula"], float.fromhex(r["centre"]) if r["centre"] else None, float.fromhex(r["ulps"]))
+            for r in csv.DictReader(file)
+        ]
+    check_covering(args.function, [ends for ends, *_ in rows])
+    kinds = sorted({name for _, name, *_ in rows})
+    of_kind = {name: [r for r in rows if r[1] == name] for name in kinds}
+    worst, counts = 0.0, {}
+    for i in range(args.points):
+        ends, name, centre, bound = choose.choice(of_kind[kinds[i % len(kinds)]])
+        low, high = sorted(bits(abs(e)) for e in ends)
+        size = choose.choice([number(low), number(high), number(choose.randint(low, high)), number(choose.randint(low, high))])
+        x = math.copysign(size, ends[1])
+        used, about, value = computed(args.function, x)
+        if (used, about) != (name, centre):
+            sys.exit(f"at {x!r} the formula is {used} {about}, not {name} {centre}")
+        due = exact(args.function, x)
+        if math.isinf(value):
+            if not due > arb(sys.float_info.max):
+                sys.exit(f"infinity at {x!r}, where the value is {due}")
+            continue
+        e = max(math.frexp(float(due))[1] - 53, -1074)
+        off = abs(arb(value) - due) * arb(2) ** -e
+        if not off <= bound:
+            sys.exit(f"{name} at {x!r}: off by {off} units, above {bound}")
+        worst = max(worst, float(off / bound) if bound > 1e-9 else 0.0)
+        counts[name] = counts.get(name, 0) + 1
+    print(f"{args.function}: {len(rows)} intervals cover the line; at {sum(counts.values())} points the error is at most {worst:.3f} of the bound")
+    for name, count in sorted(counts.items()):
+        print(f"  {name}: {count}")
+
+
+if __name__ == "__main__":
+    main()

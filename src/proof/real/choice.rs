@@ -1,0 +1,122 @@
+//! Which formula the code uses where.
+
+use super::Function;
+use crate::tables::imaginary_axis_at;
+use mechaudit_solvers::faddeeva::Branch;
+use mechaudit_solvers::faddeeva::proof::real_line as code;
+
+/// A formula for erfcx x, or for `(2/√π) F(x)`, F Dawson's function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Inner {
+    /// Taylor series.
+    Row {
+        /// About this centre.
+        centre: f64,
+    },
+    /// Asymptotic series.
+    Series {
+        /// Terms.
+        terms: u32,
+    },
+}
+
+/// A formula of a function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Formula {
+    /// Maclaurin series of erf or of Dawson's function; for erfc 1 less that of erf.
+    Near,
+    /// erfcx, or Dawson's function.
+    Value(Inner),
+    /// `e^{−x²}` erfcx x.
+    Product(Inner),
+    /// 1 or 2 less that; `2e^{x²}` less erfcx.
+    Difference(Inner),
+    /// `2e^{x²}`.
+    Exponential,
+    /// The first term of the asymptotic series.
+    Far,
+    /// 0, 1 or 2.
+    Constant,
+    /// Infinity, where the value is above the range.
+    Overflow,
+}
+
+impl Formula {
+    /// Its name in tables, without the centre.
+    pub fn name(self, function: Function, negative: bool) -> &'static str {
+        use Function::{Dawson, Erf, Erfc};
+        use Inner::{Row, Series};
+        match self {
+            Formula::Near if function == Erfc => "1 - Maclaurin series",
+            Formula::Near => "Maclaurin series",
+            Formula::Value(Row { .. }) => "Taylor series",
+            Formula::Value(Series { terms: 26 }) => "asymptotic, 26 terms",
+            Formula::Value(Series { terms: 14 }) => "asymptotic, 14 terms",
+            Formula::Value(Series { terms: 6 }) => "asymptotic, 6 terms",
+            Formula::Value(Series { .. }) => "asymptotic, 2 terms",
+            Formula::Product(Row { .. }) => "exp(-x^2) erfcx x, Taylor",
+            Formula::Product(Series { .. }) => "exp(-x^2) erfcx x, asymptotic",
+            Formula::Difference(_) if function == Erf => "1 - erfc x",
+            Formula::Difference(_) if function == Erfc => "2 - erfc |x|",
+            Formula::Difference(_) => "2 exp(x^2) - erfcx |x|",
+            Formula::Exponential => "2 exp(x^2)",
+            Formula::Far if function == Dawson => "1/(2x)",
+            Formula::Far => "1/(sqrt(pi) x), scaled",
+            Formula::Constant => match (function, negative) {
+                (Erf, _) => "1",
+                (_, false) => "0",
+                (_, true) => "2",
+            },
+            Formula::Overflow => "infinity",
+        }
+    }
+
+    /// The centre of its row.
+    pub fn centre(self) -> Option<f64> {
+        match self {
+            Formula::Value(Inner::Row { centre })
+            | Formula::Product(Inner::Row { centre })
+            | Formula::Difference(Inner::Row { centre }) => Some(centre),
+            _ => None,
+        }
+    }
+}
+
+fn inner(branch: Branch, centre: impl Fn() -> f64) -> Inner {
+    match branch {
+        Branch::Asymptotic { terms } => Inner::Series { terms },
+        _ => Inner::Row { centre: centre() },
+    }
+}
+
+fn of_erfcx(x: f64) -> Inner {
+    inner(code::erfcx_branch(x), || imaginary_axis_at(x).0)
+}
+
+/// The formula of the solver at x or −x, `x ≥ 0`. Its choices are comparisons of x with constants, and of numbers that
+/// never fall when x grows.
+pub fn choice(function: Function, negative: bool, x: f64) -> Formula {
+    let [series, complement, one, far] = code::LIMITS;
+    match function {
+        Function::Erf if x < series => Formula::Near,
+        Function::Erf if x < one => Formula::Difference(of_erfcx(x)),
+        Function::Erf => Formula::Constant,
+        Function::Erfc if x < complement => Formula::Near,
+        Function::Erfc if x >= far => Formula::Constant,
+        Function::Erfc if negative => Formula::Difference(of_erfcx(x)),
+        Function::Erfc => Formula::Product(of_erfcx(x)),
+        Function::Erfcx if code::is_huge(x) && !negative => Formula::Far,
+        Function::Erfcx if !negative => Formula::Value(of_erfcx(x)),
+        Function::Erfcx if x > far => Formula::Overflow,
+        Function::Erfcx => match code::alone(code::exponential(x).1) {
+            true => Formula::Exponential,
+            false => Formula::Difference(of_erfcx(x)),
+        },
+        Function::Dawson if x < series => Formula::Near,
+        Function::Dawson if code::is_huge(x) => Formula::Far,
+        Function::Dawson => {
+            let branch = code::dawson_branch(x);
+            Formula::Value(inner(branch, || x - code::dawson_row(x).1))
+        }
+    }
+}

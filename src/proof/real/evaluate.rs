@@ -1,0 +1,394 @@
+//! A formula over an interval, and the bound that is proved for it there.
+
+use super::choice::{Formula, Inner};
+use super::tables::Tables;
+use super::{Function, Interval};
+use crate::bounds::{exp_up, remainder};
+use crate::constants::ASYMPTOTIC;
+use crate::exact::Exact;
+use crate::form::{TINIEST, exponent, power_of_two};
+use crate::formula::{FAR_ABOVE, TWO_52, lost_units, offsets};
+use crate::interval::{Interval as Enclosure, product_up, quotient_up, sum_up};
+use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
+use mechaudit_reference::faddeeva;
+use mechaudit_solvers::faddeeva::proof::real_line as code;
+use mechaudit_solvers::faddeeva::proof::{AxisRow, ROUND};
+use rug::Rational;
+
+/// What a formula gives before its last rounding.
+struct Way {
+    /// The sum of the two numbers.
+    sum: Tracks,
+    /// That of erfcx among its operands.
+    inner: Option<Tracks>,
+    /// The binary exponent of a power of two to be multiplied with.
+    exponent: Option<f64>,
+}
+
+/// erfcx, or `(2/√π) F`, over an interval.
+struct Operand<'a> {
+    function: Function,
+    row: Option<(&'a AxisRow, f64, i32)>,
+    terms: u32,
+    /// What the formula without rounding is wrong by at most.
+    off: f64,
+}
+
+impl<'a> Operand<'a> {
+    fn new(
+        tables: &'a Tables,
+        function: Function,
+        inner: Inner,
+        ends: [f64; 2],
+    ) -> Result<Operand<'a>, &'static str> {
+        Ok(match inner {
+            Inner::Row { centre } => {
+                let (row, errors) = tables.row(centre)?;
+                let t = offsets(ends, centre)?;
+                Operand {
+                    function,
+                    row: Some((row, centre, t.grain)),
+                    terms: 0,
+                    off: errors.within(t.most(), 0.0).norm,
+                }
+            }
+            Inner::Series { terms } if matches!(terms, 2 | 6 | 14 | 26) => Operand {
+                function,
+                row: None,
+                terms,
+                off: remainder(terms + 1, ends[0]),
+            },
+            Inner::Series { .. } => return Err("no such number of terms"),
+        })
+    }
+
+    /// Those of the series: the others stand for themselves.
+    fn constants(&self) -> &'static [Constant] {
+        if self.row.is_some() { &[] } else { &ASYMPTOTIC }
+    }
+
+    fn at(&self, x: Tracked) -> [Tracked; 2] {
+        let dawson = self.function == Function::Dawson;
+        if let Some((row, centre, grain)) = self.row {
+            let t = x.offset(centre, grain);
+            return match dawson {
+                true => code::dawson_row_value(Tracking, row, t),
+                false => code::erfcx_row(Tracking, row, t),
+            };
+        }
+        let series = match (self.terms, dawson) {
+            (2, true) => code::dawson_series::<Tracked, 2>,
+            (6, true) => code::dawson_series::<Tracked, 6>,
+            (14, true) => code::dawson_series::<Tracked, 14>,
+            (_, true) => code::dawson_series::<Tracked, 26>,
+            (2, false) => code::erfcx_series::<Tracked, 2>,
+            (6, false) => code::erfcx_series::<Tracked, 6>,
+            (14, false) => code::erfcx_series::<Tracked, 14>,
+            (_, false) => code::erfcx_series::<Tracked, 26>,
+        };
+        series(x)
+    }
+
+    /// What it is wrong by without rounding, as a part of it, from its enclosure.
+    fn part(&self, value: &Tracks) -> f64 {
+        // (2/√π) F, from F.
+        let factor = if self.function == Function::Dawson {
+            1.128
+        } else {
+            1.0
+        };
+        let least = (value.exact.mignitude() * factor).next_down() - self.off;
+        quotient_up(self.off, least.next_down())
+    }
+}
+
+fn sum_of([hi, lo]: [Tracked; 2]) -> Tracks {
+    hi.exact_sum(lo)
+}
+
+/// The formula that is used, infinity included, and its bound over an interval: `|computed − f| ≤ C ulp(f)`, where `ulp(f)`
+/// is at least the smallest number.
+///
+/// # Errors
+/// Why there is none.
+pub(super) fn bound(
+    tables: &Tables,
+    function: Function,
+    formula: Formula,
+    at: &Interval,
+    rounding: Rounding,
+) -> Result<(Formula, f64), &'static str> {
+    let ends = at.ends;
+    let setting = |constants| Setting {
+        sigma: Exact::ZERO,
+        constants,
+        rounding,
+    };
+    let x = || Tracked::input(0, ends);
+    let [two_over_root, half_root, inverse_root] = tables.constants;
+    let exponential = tables.exponential;
+    let one = |ways: Result<Vec<Way>, &'static str>, part: &dyn Fn(&Way) -> f64| {
+        let mut worst = 0.0;
+        for way in ways? {
+            let normal = match way.exponent {
+                None => true,
+                Some(n) => n + f64::from(exponent(way.sum.exact.mignitude())) > -1022.0,
+            };
+            worst = f64::max(worst, rounded(&way.sum, at, part(&way), normal, rounding)?);
+        }
+        Ok((formula, worst))
+    };
+    let alone = |sum| Way {
+        sum,
+        inner: None,
+        exponent: None,
+    };
+    match formula {
+        Formula::Near if function != Function::Erfc && ends[1] < SMALL => {
+            Ok((formula, underflowing(function, ends, two_over_root)))
+        }
+        Formula::Near => {
+            let setting = Setting {
+                sigma: Exact::coordinate(Enclosure::new(ends[0], ends[1]), 0),
+                ..setting(&[])
+            };
+            let f = match function {
+                Function::Dawson => code::dawson_near::<Tracked>,
+                Function::Erfc => code::erfc_near::<Tracked>,
+                _ => code::erf_near::<Tracked>,
+            };
+            let ways = evaluate(setting, || {
+                let x = Tracked::sigma();
+                alone(sum_of(f(if at.negative { -x } else { x })))
+            });
+            let factor = if function == Function::Dawson {
+                0.0
+            } else {
+                two_over_root
+            };
+            // |erf x| is less than erfc x there.
+            one(ways, &|_| joined(tables.near, factor))
+        }
+        Formula::Value(inner) => {
+            let operand = Operand::new(tables, function, inner, ends)?;
+            let ways = evaluate(setting(operand.constants()), || {
+                alone(sum_of(operand.at(x())))
+            });
+            let factor = match function {
+                Function::Dawson => half_root,
+                _ => 0.0,
+            };
+            one(ways, &|way| joined(operand.part(&way.sum), factor))
+        }
+        Formula::Product(inner) | Formula::Difference(inner) => {
+            let operand = Operand::new(tables, function, inner, ends)?;
+            let product = matches!(formula, Formula::Product(_));
+            let ways = evaluate(setting(operand.constants()), || {
+                let x = x();
+                let w = operand.at(x);
+                let inner = Some(sum_of(w));
+                let (sum, n) = match function {
+                    Function::Erfc if product => {
+                        let (t, n) = code::erfc_right(x, w);
+                        (t, n.constant().map(|n| n - ROUND))
+                    }
+                    Function::Erf => (code::erf_right(x, w), None),
+                    Function::Erfc => (code::erfc_left(x, w), None),
+                    _ => (code::erfcx_left(code::exponential(x), w), None),
+                };
+                let sum = sum_of(sum);
+                Way {
+                    sum,
+                    inner,
+                    exponent: n,
+                }
+            });
+            // erfc x is less than what it is taken from leaves; erfcx x is less than that, and 2e^{x²} less than twice.
+            let both = function == Function::Erfcx;
+            let exponential = if both { 2.0 * exponential } else { exponential };
+            one(ways, &|way| {
+                let inner = way
+                    .inner
+                    .as_ref()
+                    .map_or(f64::INFINITY, |w| operand.part(w));
+                joined(exponential, inner)
+            })
+        }
+        Formula::Exponential => {
+            let ways = evaluate(setting(&[]), || {
+                let (e, n) = code::exponential(x());
+                Way {
+                    sum: sum_of(e),
+                    inner: None,
+                    exponent: n.constant().map(|n| n - ROUND + 1.0),
+                }
+            });
+            if overflows(ways.as_deref().map_err(|why| *why)?, at)? {
+                return Ok((Formula::Overflow, 0.0));
+            }
+            // erfcx x < 1 beside more than 2²⁰⁰.
+            one(ways, &|_| joined(exponential, power_of_two(-200)))
+        }
+        Formula::Far => {
+            // R₁ is less than 1/x² of the first term, and x at least 10⁹⁹.
+            if !(ends[0] >= 1e99) {
+                return Err("one term is not enough");
+            }
+            let rest = 1e-190;
+            if function == Function::Dawson {
+                // The quotient is rounded once.
+                return Ok((formula, sum_up(0.5, rest * TWO_52 * 2.0)));
+            }
+            let k = exponent(ends[0]);
+            if k != exponent(ends[1]) {
+                return Err("several powers of two");
+            }
+            let scaled = ends.map(|x| x * power_of_two(-k));
+            let ways = evaluate(setting(&[]), || Way {
+                sum: sum_of(code::erfcx_far(Tracked::input(0, scaled))),
+                inner: None,
+                exponent: Some(f64::from(-k)),
+            });
+            one(ways, &|_| joined(inverse_root, rest))
+        }
+        Formula::Constant => {
+            // erfc x ≤ e^{−x²}/(√π x)
+            let x = ends[0];
+            let erfc = quotient_up(exp_up(-(x * x).next_down()), (x * 1.77).next_down());
+            Ok((
+                formula,
+                match (function, at.negative) {
+                    (Function::Erf, _) if x > 1.0 => product_up(erfc, 2.0 * TWO_52),
+                    (Function::Erfc, true) if x > 1.0 => product_up(erfc, TWO_52),
+                    // Below half the smallest number, 2⁻¹⁰⁷⁵ > e^{−745.2}.
+                    (Function::Erfc, false) if x * x > 745.2 => 0.5,
+                    _ => return Err("not a constant there"),
+                },
+            ))
+        }
+        // 2e^{x²} − 1 is above 2¹⁰²⁴ = e^{709.8}.
+        Formula::Overflow if ends[0] * ends[0] > 710.0 => Ok((formula, 0.0)),
+        Formula::Overflow => Err("no overflow there"),
+    }
+}
+
+/// `(1 + p)(1 + q) − 1`
+fn joined(p: f64, q: f64) -> f64 {
+    sum_up(sum_up(p, q), product_up(p, q))
+}
+
+/// Whether the value is above the range all over the interval; it may not be within `2⁻⁵⁰` of its end.
+fn overflows(ways: &[Way], at: &Interval) -> Result<bool, &'static str> {
+    let margin = power_of_two(-50);
+    if at.is_point() {
+        // x² itself is known to too few digits.
+        let x = Rational::from_f64(-at.ends[0]).ok_or("not finite")?;
+        let value = faddeeva::erfcx(&x, &Rational::new(), 120)
+            .map_err(|_| "undecided")?
+            .re;
+        let part = value.shift(-1024);
+        return match (part.lower() > 1.0 + margin, part.upper() < 1.0 - margin) {
+            (true, _) => Ok(true),
+            (_, true) => Ok(false),
+            _ => Err("on both sides of overflow"),
+        };
+    }
+    let mut all = None;
+    for way in ways {
+        let k = way.exponent.ok_or("the exponent is open")? - 1024.0;
+        if !(k.abs() < 1000.0) {
+            return Err("an exponent beyond 2000");
+        }
+        let by = power_of_two(k as i32);
+        let over = match (way.sum.exact.lo * by, way.sum.exact.hi * by) {
+            (_, hi) if hi < 1.0 - margin => false,
+            (lo, _) if lo > 1.0 + margin => true,
+            _ => return Err("on both sides of overflow"),
+        };
+        if *all.get_or_insert(over) != over {
+            return Err("on both sides of overflow");
+        }
+    }
+    all.ok_or("no way")
+}
+
+/// The bound, in units in the last place of f, of a sum y of two numbers that is rounded to nearest, where y without
+/// rounding is wrong by `part` of f.
+///
+/// With `|y − f| ≤ e ulp(f)`, `e ≤ 1`, the rounded y is within `½ + e` units of f: where y and f are in the same binade
+/// it is within half a unit of y; where y is below and f is not, y has the smaller unit; where f is below 2^k and y is
+/// not, y is rounded to 2^k, which lies between them.
+///
+/// If it is then multiplied by a power of two and the product may be subnormal, it is rounded once more there, by half a
+/// unit. The first rounding and e are half as many units then: `¾ + e/2`. Where f is the least normal number or
+/// above and y is below, or the other way round, the result is that number if `e < ¼`.
+fn rounded(
+    y: &Tracks,
+    at: &Interval,
+    part: f64,
+    normal: bool,
+    rounding: Rounding,
+) -> Result<f64, &'static str> {
+    let of_m = y.relative.min(quotient_up(y.error, y.exact.mignitude()));
+    // A unit in the last place is more than 2⁻⁵³ of the value.
+    let mut e = product_up(joined(of_m, part), 2.0 * TWO_52);
+    if y.tiny > 0.0 {
+        let factor = if y.small { at.ends[0] } else { 1.0 };
+        let least = (y.exact.mignitude() * factor * 0.999).next_down();
+        if !(least > FAR_ABOVE) {
+            return Err("digits are lost to underflow");
+        }
+        e = sum_up(e, lost_units(y.tiny, least));
+    }
+    if !(e <= if normal { 1.0 } else { 0.25 }) {
+        return Err("the sum is off by a unit in its last place");
+    }
+    let last = match rounding.truncates {
+        Some(Rounding::LAST) => 1.0,
+        _ => 0.5,
+    };
+    let once = sum_up(last, e);
+    Ok(match normal {
+        true => once,
+        false => once.max(sum_up(sum_up(0.25, last), 0.5 * e)),
+    })
+}
+
+/// Below this x² is no `f64` but zero.
+pub(super) const SMALL: f64 = f64::from_bits((1023 - 950) << 52);
+
+/// Whether the product of x with 2/√π as stored is at least 2⁻¹⁰²¹; exactly, as the difference of 2¹⁰⁰⁰ times as much is
+/// not rounded to zero.
+pub(super) fn beyond_subnormal(x: f64) -> bool {
+    let [c, _] = code::constants()[0];
+    (x * power_of_two(1000)).mul_add(c, -power_of_two(-21)) >= 0.0
+}
+
+/// The bound of `Maclaurin series` where `x < 2⁻⁹⁵⁰`. There `x²` and with it all that follows the first term is zero in
+/// the code, so that Dawson's function is x, within a part x² of its value, and erf x is `x (C + c)`, (C, c) the two parts
+/// of 2/√π:
+///
+/// ```text
+/// p = RN(x C),  q = RN(x C − p),  t = RN(x c),  erf = RN(p + RN(q + t))
+/// ```
+///
+/// In units of 2⁻¹⁰⁷⁵, of which subnormal numbers have an even number: where `x C < 2⁻¹⁰²¹` p is off by 1, so that q = 0,
+/// and t = 0. From there on a unit in the last place of erf x is at least 4; q is off by 1, t by 1 or by all of it, if that
+/// is less, and what is rounded of `q + t`, below 2⁻⁵¹ of p, does not count.
+fn underflowing(function: Function, ends: [f64; 2], constant: f64) -> f64 {
+    const C_LOW: f64 = 1.54e-17;
+    const ROUNDINGS: f64 = 1e-15;
+    if function == Function::Dawson {
+        return ROUNDINGS;
+    }
+    let part = product_up(constant, 2.0 * TWO_52);
+    if !beyond_subnormal(ends[1]) {
+        // c x is at most 1.4 · 10⁻¹⁷ of the value.
+        return sum_up(sum_up(0.5, product_up(1.4e-17, 2.0 * TWO_52)), part);
+    }
+    let ulp = exponent(ends[0] * 1.128).max(-1021) - 52;
+    let units = (ends[1] / TINIEST * (2.0 * C_LOW)).next_up();
+    let off = sum_up(1.0, units.min(1.0));
+    let off = product_up(off, 0.5 * (TINIEST / power_of_two(ulp)));
+    sum_up(sum_up(0.5, off), sum_up(part, ROUNDINGS))
+}

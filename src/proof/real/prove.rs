@@ -1,0 +1,184 @@
+//! The proof: intervals halved until the bound is good enough on each.
+
+use super::choice::{Formula, choice};
+use super::evaluate::{SMALL, beyond_subnormal, bound};
+use super::tables::Tables;
+use super::{Function, Interval};
+use crate::cover::pieces;
+use crate::prove::Watch;
+use crate::tracked::Rounding;
+use rayon::prelude::*;
+use std::sync::atomic::Ordering;
+
+/// The code whose error is bounded, and how its operations round.
+#[derive(Clone)]
+pub struct Code {
+    /// Its rows and constants.
+    pub tables: Tables,
+    /// Which formula it uses at x or −x.
+    pub choice: fn(Function, bool, f64) -> Formula,
+    /// How operations round.
+    pub rounding: Rounding,
+}
+
+impl Code {
+    /// The solver's.
+    ///
+    /// # Errors
+    /// If the reference is undecided about a coefficient.
+    pub fn of_the_solver(function: Function) -> Result<Code, String> {
+        Ok(Code {
+            tables: Tables::of_the_solver(function)?,
+            choice,
+            rounding: Rounding::default(),
+        })
+    }
+}
+
+/// An interval with the formula that is used in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Leaf {
+    /// Where.
+    pub at: Interval,
+    /// By which formula.
+    pub formula: Formula,
+    /// `|computed − f| ≤ ulps · ulp(f)`.
+    pub ulps: f64,
+}
+
+/// An interval on which nothing is proved.
+#[derive(Clone, Copy, Debug)]
+pub struct Open {
+    /// Where.
+    pub at: Interval,
+    /// Why.
+    pub why: &'static str,
+}
+
+/// All of them.
+#[derive(Clone, Debug, Default)]
+pub struct Certificate {
+    /// What is proved; together they cover the finite numbers unless something is open.
+    pub leaves: Vec<Leaf>,
+    /// What is not.
+    pub open: Vec<Open>,
+}
+
+/// How often an interval is halved at most for a better bound, and for one at all: to single numbers.
+const DEPTH: u32 = 14;
+const MOST_DEPTH: u32 = 64;
+/// More than these intervals for one to begin with, and it is given up.
+const MANY: usize = 1 << 16;
+
+/// The number of its binade in the underflowing range, of eight binades elsewhere.
+fn binades(x: f64) -> (bool, u64) {
+    match x < SMALL {
+        true if beyond_subnormal(x) => (true, x.to_bits() >> 52),
+        small => (small, if small { 0 } else { x.to_bits() >> 55 }),
+    }
+}
+
+/// The intervals to begin with: one formula each, one centre, and at most a few binades.
+fn roots(code: &Code, function: Function) -> Vec<(Interval, Formula)> {
+    let mut all = Vec::new();
+    for &negative in function.signs() {
+        let at = |x| (code.choice)(function, negative, x);
+        for (ends, formula) in pieces([0.0, f64::MAX], at) {
+            for (ends, _) in pieces(ends, binades) {
+                all.push((Interval { negative, ends }, formula));
+            }
+        }
+    }
+    all
+}
+
+/// Proves what can be proved of a function, with intervals halved until the bound is at most `target` units in the last
+/// place; `None` if it was stopped.
+pub fn real_line(
+    code: &Code,
+    function: Function,
+    target: f64,
+    watch: &Watch,
+) -> Option<Certificate> {
+    let all = roots(code, function);
+    watch.of.store(all.len() as u64, Ordering::Relaxed);
+    let each: Option<Vec<Certificate>> = all
+        .par_iter()
+        .with_max_len(1)
+        .map(|&(at, formula)| {
+            let mut found = Certificate::default();
+            let refined = Refined {
+                code,
+                function,
+                target,
+                formula,
+            };
+            if watch.stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            refined.refine(at, 0, &mut found);
+            watch.done.fetch_add(1, Ordering::Relaxed);
+            Some(found)
+        })
+        .collect();
+    let mut whole = Certificate::default();
+    for part in each? {
+        whole.leaves.extend(part.leaves);
+        whole.open.extend(part.open);
+    }
+    Some(whole)
+}
+
+struct Refined<'a> {
+    code: &'a Code,
+    function: Function,
+    target: f64,
+    formula: Formula,
+}
+
+impl Refined<'_> {
+    fn refine(&self, at: Interval, depth: u32, found: &mut Certificate) {
+        let Code {
+            tables, rounding, ..
+        } = self.code;
+        let point = at.is_point() || found.leaves.len() + found.open.len() > MANY;
+        match bound(tables, self.function, self.formula, &at, *rounding) {
+            Ok((formula, ulps)) if point || depth >= DEPTH || ulps <= self.target => {
+                found.leaves.push(Leaf { at, formula, ulps });
+            }
+            Err(why) if point || depth >= MOST_DEPTH => found.open.push(Open { at, why }),
+            _ => {
+                for half in at.halves() {
+                    self.refine(half, depth + 1, found);
+                }
+            }
+        }
+    }
+}
+
+/// A finite number that no interval holds, if there is one; of an odd function the positive ones count.
+pub fn hole(function: Function, intervals: impl IntoIterator<Item = Interval>) -> Option<f64> {
+    const LAST: u64 = f64::MAX.to_bits();
+    let all: Vec<Interval> = intervals.into_iter().collect();
+    function.signs().iter().find_map(|&negative| {
+        let mut some: Vec<[u64; 2]> = all
+            .iter()
+            .filter(|i| i.negative == negative)
+            .map(|i| i.ends.map(f64::to_bits))
+            .collect();
+        some.sort_unstable();
+        let mut next = 0;
+        for [lo, hi] in some {
+            if lo > next {
+                break;
+            }
+            next = next.max(hi + 1);
+        }
+        let x = f64::from_bits(next);
+        (next <= LAST).then_some(if negative { -x } else { x })
+    })
+}
+
+#[cfg(test)]
+#[path = "tests/theorem.rs"]
+mod tests;

@@ -1,0 +1,282 @@
+//! The bounds against certified values at points, and with planted faults.
+
+use super::*;
+use crate::real::tables::{MOST, exponential_coefficients, near_error};
+use crate::real::{Inner, choice};
+use crate::truncation::exponential_error;
+use mechaudit_reference::faddeeva as certified;
+use mechaudit_reference::faddeeva::Scaled;
+use mechaudit_solvers::faddeeva::proof::real_line as code;
+use mechaudit_solvers::faddeeva::{dawson_real, erf_real, erfc_real, erfcx_real};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use rug::{Float, Rational};
+
+fn solvers(function: Function) -> Code {
+    Code::of_the_solver(function).expect("decided")
+}
+
+fn proved(code: &Code, function: Function) -> Certificate {
+    real_line(code, function, function.ulps(), &Watch::default()).expect("not stopped")
+}
+
+fn computed(function: Function, x: f64) -> f64 {
+    match function {
+        Function::Erf => erf_real(x),
+        Function::Erfc => erfc_real(x),
+        Function::Erfcx => erfcx_real(x),
+        Function::Dawson => dawson_real(x),
+    }
+}
+
+/// The error at a point in units in the last place of the value; infinity where the value is above the range counts
+/// as none.
+fn error(function: Function, x: f64) -> f64 {
+    let exact = match function {
+        Function::Erf => certified::erf_scaled,
+        Function::Erfc => certified::erfc_scaled,
+        Function::Erfcx => certified::erfcx_scaled,
+        Function::Dawson => certified::dawson_scaled,
+    };
+    let x_exact = Rational::from_f64(x).expect("finite");
+    let [value, _]: [Scaled; 2] = exact(&x_exact, &Rational::new(), 120).expect("decided");
+    let value = value.to_ball().mid().clone();
+    let got = computed(function, x);
+    if !got.is_finite() {
+        return if value > f64::MAX && got > 0.0 {
+            0.0
+        } else {
+            f64::INFINITY
+        };
+    }
+    let e = value.get_exp().unwrap_or(-2000).max(-1021) - 53;
+    ((Float::with_val(200, got) - &value) >> e).abs().to_f64()
+}
+
+fn worst(code: &Code, function: Function, at: &Interval) -> f64 {
+    let formula = (code.choice)(function, at.negative, at.ends[0]);
+    bound(&code.tables, function, formula, at, code.rounding).map_or(f64::INFINITY, |b| b.1)
+}
+
+#[test]
+fn every_number_is_covered_and_points_are_within_their_bounds() {
+    let mut random = ChaCha8Rng::seed_from_u64(9);
+    for function in Function::ALL {
+        let found = proved(&solvers(function), function);
+        assert!(
+            found.open.is_empty(),
+            "{function:?} {:?}",
+            found.open.first()
+        );
+        let all = || found.leaves.iter().map(|l| l.at);
+        assert_eq!(hole(function, all()), None);
+        for missing in [0, 1, found.leaves.len() / 2, found.leaves.len() - 1] {
+            let some = all().enumerate().filter(|(i, _)| *i != missing);
+            let x = hole(function, some.map(|(_, at)| at)).expect("a hole");
+            let at = found.leaves[missing].at;
+            assert!(at.ends.contains(&x.abs()), "{function:?} {x} {at:?}");
+        }
+        let mut most = 0.0f64;
+        for leaf in found.leaves.iter().step_by(5) {
+            assert!(leaf.ulps <= function.ulps(), "{function:?} {leaf:?}");
+            let [p, q] = leaf.at.ends.map(f64::to_bits);
+            for k in 0..3 {
+                let x = match k {
+                    0 => leaf.at.ends[0],
+                    _ => f64::from_bits(p + random.next_u64() % (q - p + 1)),
+                };
+                let off = error(function, if leaf.at.negative { -x } else { x });
+                assert!(off <= leaf.ulps, "{function:?} {x:e} {off} {leaf:?}");
+                most = most.max(off);
+            }
+        }
+        // Not idle bounds either.
+        assert!(most > 0.5, "{function:?} {most}");
+    }
+}
+
+/// Where values, or what is added to them, are subnormal.
+#[test]
+fn points_beside_underflow_are_within_their_bounds() {
+    let mut random = ChaCha8Rng::seed_from_u64(10);
+    for (function, from, to) in [
+        (Function::Erf, 0.0, 1e-300),
+        (Function::Erf, 4e-308, 2e-307),
+        (Function::Dawson, 0.0, 1e-300),
+        (Function::Erfc, 26.5, 27.3),
+        (Function::Erfcx, 1e307, f64::MAX),
+        (Function::Dawson, 1e307, f64::MAX),
+    ] {
+        let (p, q) = (f64::to_bits(from), f64::to_bits(to));
+        for _ in 0..2000 {
+            let x = f64::from_bits(p + random.next_u64() % (q - p));
+            let off = error(function, x);
+            assert!(off <= function.ulps(), "{function:?} {x:e} {off}");
+        }
+    }
+}
+
+#[test]
+fn infinity_begins_where_the_value_is_above_the_range() {
+    let last = 26.628_735_713_751_49;
+    assert!(computed(Function::Erfcx, -last).is_finite());
+    assert_eq!(
+        computed(Function::Erfcx, -f64::next_up(last)),
+        f64::INFINITY
+    );
+    assert!(error(Function::Erfcx, -last) < 1.0);
+    assert_eq!(error(Function::Erfcx, -f64::next_up(last)), 0.0);
+}
+
+/// An interval of each formula of Taylor series and exponentials.
+const NEAR: [(Function, Interval); 5] = [
+    (Function::Erf, at(false, 1.0, 1.01)),
+    (Function::Erfc, at(false, 2.0, 2.01)),
+    (Function::Erfc, at(true, 0.5, 0.51)),
+    (Function::Erfcx, at(true, 0.5, 0.51)),
+    (Function::Dawson, at(false, 3.0, 3.01)),
+];
+
+const fn at(negative: bool, lo: f64, hi: f64) -> Interval {
+    Interval {
+        negative,
+        ends: [lo, hi],
+    }
+}
+
+/// The code with every row changed.
+fn with_rows(function: Function, change: impl Fn(&mut [f64; 20])) -> Code {
+    let mut code = solvers(function);
+    for (centre, (row, errors)) in &mut code.tables.rows {
+        let centre = f64::from_bits(*centre);
+        change(row);
+        *errors = match function {
+            Function::Dawson => RowErrors::of_dawson(row, centre),
+            _ => RowErrors::on_axis(row, centre),
+        }
+        .expect("decided");
+    }
+    code
+}
+
+use crate::truncation::RowErrors;
+
+fn off_by_eight(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() + 8)
+}
+
+#[test]
+fn a_coefficient_off_by_eight_units_shows() {
+    for (function, at) in NEAR {
+        let sound = worst(&solvers(function), function, &at);
+        let faulty = with_rows(function, |row| row[0] = off_by_eight(row[0]));
+        assert!(sound <= 0.875, "{function:?} {sound}");
+        assert_eq!(worst(&faulty, function, &at), f64::INFINITY, "{function:?}");
+        // Where one unit of it is a sixteenth of one of the value.
+        let faulty = with_rows(function, |row| row[2] += row[2] * 2f64.powi(-51));
+        let at = match function {
+            Function::Dawson => Interval {
+                ends: [3.03, 3.031],
+                ..at
+            },
+            _ => Interval {
+                ends: [at.ends[0] + 0.1, at.ends[0] + 0.101],
+                ..at
+            },
+        };
+        let sound = worst(&solvers(function), function, &at);
+        let faulty = worst(&faulty, function, &at);
+        assert!(faulty > sound + 0.01, "{function:?} {sound} {faulty}");
+    }
+}
+
+#[test]
+fn a_dropped_term_shows() {
+    for (function, at) in NEAR {
+        let at = Interval {
+            ends: at.ends.map(|x| x + 0.03),
+            ..at
+        };
+        let faulty = with_rows(function, |row| row[8] = 0.0);
+        let (sound, faulty) = (
+            worst(&solvers(function), function, &at),
+            worst(&faulty, function, &at),
+        );
+        assert!(faulty > sound + 0.01, "{function:?} {sound} {faulty}");
+    }
+    // Of the Maclaurin series, and of the exponential.
+    for (function, (c, low)) in [Function::Erf, Function::Dawson]
+        .into_iter()
+        .zip(code::odd_series())
+    {
+        let sound = near_error(function, (c, low));
+        let mut off = c.to_vec();
+        off[3] = off_by_eight(off[3]);
+        assert!(near_error(function, (&c[..c.len() - 3], low)) > 3.0 * sound);
+        assert!(near_error(function, (&off, low)) > 3.0 * sound);
+        assert!(near_error(function, (c, 0.0)) > 2.0 * sound);
+    }
+    let (c, ln_2) = exponential_coefficients();
+    let sound = exponential_error(&c, ln_2, MOST);
+    for faulty in [
+        exponential_error(&c[..11], ln_2, MOST),
+        exponential_error(&c, [ln_2[0], 0.0], MOST),
+    ] {
+        assert!(faulty > 5.0 * sound);
+        let mut code = solvers(Function::Erfc);
+        code.tables.exponential = faulty;
+        let (function, at) = NEAR[1];
+        assert!(worst(&code, function, &at) > worst(&solvers(function), function, &at) + 0.1);
+    }
+}
+
+#[test]
+fn a_moved_limit_shows() {
+    fn moved(function: Function, negative: bool, x: f64) -> Formula {
+        match choice(function, negative, x) {
+            Formula::Near if x > 0.4 => choice(function, negative, 0.5),
+            Formula::Difference(_) if function == Function::Erf && x > 5.5 => Formula::Constant,
+            Formula::Value(Inner::Series { terms: 26 }) if x > 9.5 => {
+                Formula::Value(Inner::Series { terms: 14 })
+            }
+            Formula::Product(_) if x > 25.0 => Formula::Constant,
+            Formula::Difference(_) if x > 10.0 => Formula::Exponential,
+            formula => formula,
+        }
+    }
+    for function in Function::ALL {
+        let code = Code {
+            choice: moved,
+            ..solvers(function)
+        };
+        let found = proved(&code, function);
+        let most = found.leaves.iter().fold(0.0f64, |most, l| most.max(l.ulps));
+        assert!(!found.open.is_empty() || most > 0.9, "{function:?} {most}");
+    }
+}
+
+#[test]
+fn products_rounded_before_the_sum_show() {
+    for (function, at) in NEAR {
+        let mut code = solvers(function);
+        let sound = worst(&code, function, &at);
+        code.rounding.fma_rounds_twice = true;
+        let faulty = worst(&code, function, &at);
+        assert!(faulty > sound + 0.1, "{function:?} {sound} {faulty}");
+    }
+}
+
+#[test]
+fn one_operation_that_truncates_shows() {
+    for (function, at) in NEAR {
+        let mut code = solvers(function);
+        let sound = worst(&code, function, &at);
+        let mut with = |k| {
+            code.rounding.truncates = Some(k);
+            worst(&code, function, &at)
+        };
+        assert!(with(Rounding::LAST) >= sound + 0.5);
+        let most = (1..200).map(with).fold(0.0, f64::max);
+        assert!(most > sound + 0.003, "{function:?} {sound} {most}");
+    }
+}

@@ -1,0 +1,82 @@
+//! Formulas of erf, erfc, erfcx and Dawson's function of a real argument, for any type of number, as sums of two that
+//! are not rounded to one yet.
+
+use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
+pub(super) use super::erf::COMPLEMENT;
+use super::odd_series::{DAWSON, ERF, odd_real};
+use super::quadrant::pair_times_power;
+use crate::double_double::Dd;
+use crate::exponential::{exp, exponent};
+use crate::real::{ROUND, Real};
+
+/// |x| below which erf x and Dawson's function are Maclaurin series.
+pub(super) const SERIES: f64 = 0.5;
+/// |x| from which |erf x| rounds to 1.
+pub(super) const ONE: f64 = 6.0;
+/// |x| from which erfc x rounds to 0 or 2; beyond it `e^{x²}` overflows.
+pub(super) const FAR: f64 = 30.0;
+/// The binary exponent of `e^{x²}` above which erfcx |x| is nothing beside it.
+const ALONE: f64 = 200.0;
+
+/// erf x for `|x| <` [`SERIES`].
+#[inline(always)]
+pub(super) fn erf_near<R: Real>(x: R) -> Dd<R> {
+    odd_real(ERF, x) * TWO_OVER_SQRT_PI.like(x)
+}
+
+/// erf x for [`SERIES`] `≤ x <` [`ONE`], from erfcx x.
+#[inline(always)]
+pub(super) fn erf_right<R: Real>(x: R, w: Dd<R>) -> Dd<R> {
+    let (t, n) = erfc_right(x, w);
+    (-pair_times_power(t, n)).add_f(x.like(1.0))
+}
+
+/// erfc x for `|x| <` [`COMPLEMENT`].
+#[inline(always)]
+pub(super) fn erfc_near<R: Real>(x: R) -> Dd<R> {
+    (-erf_near(x)).add_f(x.like(1.0))
+}
+
+/// erfc x for [`COMPLEMENT`] `≤ x <` [`FAR`], from erfcx x, as a mantissa and `ROUND` plus the exponent.
+#[inline(always)]
+pub(super) fn erfc_right<R: Real>(x: R, w: Dd<R>) -> (Dd<R>, R) {
+    let (e, n) = exp(exponent(x, x.like(0.0)));
+    (e * w, n)
+}
+
+/// erfc −x there.
+#[inline(always)]
+pub(super) fn erfc_left<R: Real>(x: R, w: Dd<R>) -> Dd<R> {
+    let (t, n) = erfc_right(x, w);
+    (-pair_times_power(t, n)).add_f(x.like(2.0))
+}
+
+/// Whether erfcx −x is `2e^{x²}` to the last place, from `ROUND` plus the exponent of `e^{x²}`.
+#[inline(always)]
+pub(super) fn alone(n: f64) -> bool {
+    n > ROUND + ALONE
+}
+
+/// erfcx −x = `2e^{x²}` − erfcx x, from mantissa and `ROUND` plus the exponent of `e^{x²}` and erfcx x.
+#[inline(always)]
+pub(super) fn erfcx_left<R: Real>((e, n): (Dd<R>, R), w: Dd<R>) -> Dd<R> {
+    pair_times_power(e, n + n.like(1.0)) - w
+}
+
+/// `1/(√π x)`, erfcx x for `x ≥ 10¹⁰⁰`, at an x scaled to about one.
+#[inline(always)]
+pub(super) fn erfcx_far<R: Real>(x: R) -> Dd<R> {
+    INV_SQRT_PI.like(x).div(Dd::new(x, x.like(0.0)))
+}
+
+/// Dawson's function for `|x| <` [`SERIES`].
+#[inline(always)]
+pub(super) fn dawson_near<R: Real>(x: R) -> Dd<R> {
+    odd_real(DAWSON, x)
+}
+
+/// Dawson's function from Im w.
+#[inline(always)]
+pub(super) fn dawson_beyond<R: Real>(v: Dd<R>) -> Dd<R> {
+    v * HALF_SQRT_PI.like(v.hi)
+}
