@@ -226,8 +226,12 @@ pub(super) fn bound(
             if overflows(ways.as_deref().map_err(|why| *why)?, at)? {
                 return Ok((Formula::Overflow, 0.0));
             }
-            // erfcx x < 1 beside more than 2²⁰⁰.
-            one(ways, &|_| joined(exponential, power_of_two(-200)))
+            // erfcx x < 1 beside 2ᵏ and more.
+            one(ways, &|way| {
+                let k = way.exponent.filter(|k| (0.0..2000.0).contains(k));
+                let w = k.map_or(f64::INFINITY, |k| power_of_two(1 - k.min(900.0) as i32));
+                joined(exponential, w)
+            })
         }
         Formula::Far => {
             // R₁ is less than 1/x² of the first term, and x at least 10⁹⁹.
