@@ -365,17 +365,17 @@ fn run(
 }
 
 /// The distances of numbers from a centre, which the code computes without rounding.
-struct Offsets {
-    ends: [f64; 2],
+pub(crate) struct Offsets {
+    pub ends: [f64; 2],
     grain: i32,
 }
 
 impl Offsets {
-    fn tracked(&self, i: usize) -> Tracked {
+    pub fn tracked(&self, i: usize) -> Tracked {
         Tracked::input_on_grid(i, self.ends, self.grain)
     }
 
-    fn most(&self) -> f64 {
+    pub fn most(&self) -> f64 {
         self.ends[0].abs().max(self.ends[1].abs())
     }
 }
@@ -383,7 +383,7 @@ impl Offsets {
 /// # Errors
 /// If a difference may be rounded: the numbers and the centre are multiples of `2^g`, so that a difference below
 /// `2^{g+53}` is exact.
-fn offsets([lo, hi]: [f64; 2], centre: f64) -> Result<Offsets, &'static str> {
+pub(crate) fn offsets([lo, hi]: [f64; 2], centre: f64) -> Result<Offsets, &'static str> {
     if centre == 0.0 {
         return Ok(Offsets {
             ends: [lo, hi],

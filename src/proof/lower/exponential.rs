@@ -69,32 +69,37 @@ pub struct Exponential {
     pub rounded: f64,
     /// With fewer digits: for `x = 0`, and what is added for each unit of |x|.
     pub short: [f64; 2],
+    /// Sine and cosine alone, the leading parts of pairs.
+    pub leading: f64,
     /// Boxes that were run.
     pub boxes: usize,
 }
 
 /// An error in each form of a factor.
 #[derive(Clone, Copy, Default)]
-struct Three {
+struct Errors {
     pair: f64,
     rounded: f64,
     short: f64,
+    leading: f64,
 }
 
-impl Three {
-    fn max(self, other: Three) -> Three {
-        Three {
+impl Errors {
+    fn max(self, other: Errors) -> Errors {
+        Errors {
             pair: self.pair.max(other.pair),
             rounded: self.rounded.max(other.rounded),
             short: self.short.max(other.short),
+            leading: self.leading.max(other.leading),
         }
     }
 
-    fn map(self, f: impl Fn(f64) -> f64) -> Three {
-        Three {
+    fn map(self, f: impl Fn(f64) -> f64) -> Errors {
+        Errors {
             pair: f(self.pair),
             rounded: f(self.rounded),
             short: f(self.short),
+            leading: f(self.leading),
         }
     }
 }
@@ -154,26 +159,26 @@ fn setting(rounding: Rounding) -> Setting<'static> {
 }
 
 /// `e^x` over an interval of its leading part, each error as a part of it.
-fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Three, &'static str> {
+fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Errors, &'static str> {
     let relative = |r: crate::tracked::Result| quotient_up(r.error, r.exact.mignitude());
     let both = evaluate(setting(f.rounding), || {
         let h = Tracked::input(0, at);
         let l = around_zero(if f.low_part { low(at) } else { 0.0 });
         let ((hi, lo), _) = code::exp((h, l));
-        Three {
+        Errors {
             pair: relative(hi.with_low(lo)),
             rounded: relative(code::exp_rounded((h, l)).0.result()),
-            short: 0.0,
+            ..Errors::default()
         }
     })?;
-    let short = evaluate(setting(f.rounding), || Three {
+    let short = evaluate(setting(f.rounding), || Errors {
         short: relative(code::exp_short(Tracked::input(0, at)).0.result()),
-        ..Three::default()
+        ..Errors::default()
     })?;
-    let worst = both.into_iter().chain(short).fold(Three::default(), Three::max);
+    let worst = both.into_iter().chain(short).fold(Errors::default(), Errors::max);
     // A low part that is not handed on is missing.
     let missing = if f.low_part { 0.0 } else { product_up(1.01, low(at)) };
-    Ok(Three {
+    Ok(Errors {
         pair: sum_up(worst.pair, missing),
         rounded: sum_up(worst.rounded, missing),
         ..worst
@@ -191,7 +196,7 @@ fn of_circle(
     phase: &Phase,
     of_polynomials: [[f64; 2]; 2],
     at: [f64; 2],
-) -> Result<Three, &'static str> {
+) -> Result<Errors, &'static str> {
     let x = at[0].abs().max(at[1].abs());
     let l = low(at);
     let error = |s: crate::tracked::Result, c: crate::tracked::Result| [s.error, c.error];
@@ -199,9 +204,11 @@ fn of_circle(
         let r = (Tracked::input(0, at), around_zero(l));
         let [(sh, sl), (ch, cl)] = code::sin_cos(r);
         let (s, c) = code::sin_cos_rounded(r);
+        let (p, q) = code::sin_cos_leading(r);
         [
             error(sh.with_low(sl), ch.with_low(cl)),
             error(s.result(), c.result()),
+            error(p.result(), q.result()),
         ]
     })?;
     let cubed = product_up(product_up(x, x), x);
@@ -219,12 +226,13 @@ fn of_circle(
         )
     };
     let [accurate, rounded] = of_polynomials;
-    let mut worst = Three::default();
-    for [p, r] in both {
-        worst = worst.max(Three {
+    let mut worst = Errors::default();
+    for [p, r, q] in both {
+        worst = worst.max(Errors {
             pair: all(p, sine, accurate),
             rounded: all(r, sine_rounded, rounded),
-            short: 0.0,
+            leading: all(q, sine, rounded),
+            ..Errors::default()
         });
     }
     Ok(worst)
@@ -241,9 +249,9 @@ impl Exponential {
         let of_series = exponential_error(&c.exp, c.ln_2);
         let all = arguments();
         let circle = intervals(-phase::REDUCED, phase::REDUCED, 1.0 / 96.0);
-        let worst = |each: Vec<Result<Three, &'static str>>| {
-            let all: Result<Vec<Three>, &str> = each.into_iter().collect();
-            all.map(|all| all.into_iter().fold(Three::default(), Three::max))
+        let worst = |each: Vec<Result<Errors, &'static str>>| {
+            let all: Result<Vec<Errors>, &str> = each.into_iter().collect();
+            all.map(|all| all.into_iter().fold(Errors::default(), Errors::max))
                 .map_err(String::from)
         };
         let polynomials = phase::polynomials(&c);
@@ -255,7 +263,7 @@ impl Exponential {
                 .map(|at| of_circle(f, &phase, polynomials, *at))
                 .collect(),
         )?;
-        let t = Three {
+        let t = Errors {
             short: phase.short,
             ..t
         };
@@ -268,6 +276,7 @@ impl Exponential {
         Ok(Exponential {
             pair: both(e.pair, t.pair, sum_up(argument, PRODUCT)),
             rounded: both(e.rounded, t.rounded, sum_up(argument, U)),
+            leading: t.leading,
             short: [both(e.short, t.short, U), up(3.01 * U)],
             boxes: all.len() + circle.len() + phase.boxes,
         })

@@ -123,6 +123,12 @@ pub fn sin_cos_rounded<R: Real>(r: Pair<R>) -> (R, R) {
     exponentials::sin_cos_rounded(dd(r))
 }
 
+/// The leading parts of those whose sine is not so accurate.
+pub fn sin_cos_leading<R: Real>(r: Pair<R>) -> (R, R) {
+    let (s, c) = exponentials::sin_cos_reduced(dd(r));
+    (s.hi, c.hi)
+}
+
 /// `(sin, cos)` of a phase less `k π/2`, with fewer digits.
 pub fn sin_cos_short<R: Real>(theta: Pair<R>, k: R) -> (R, R) {
     exponentials::sin_cos_short(dd(theta), k)
