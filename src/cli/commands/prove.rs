@@ -1,6 +1,8 @@
 //! Proofs of error bounds.
 
-use crate::cli::args::{ProveArgs, TextOrJson};
+mod lower;
+
+use crate::cli::args::{Part, ProveArgs, TextOrJson};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, print_json, write_to};
 use crate::cli::process::interrupt;
@@ -19,6 +21,9 @@ use std::time::{Duration, Instant};
 
 /// Proves, and prints what is proved.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
+    if args.part == Part::Lower {
+        return lower::prove(args);
+    }
     let boxes = args
         .boxes
         .as_deref()
@@ -53,17 +58,24 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::of(found.open.is_empty()))
 }
 
-/// On a thread of its own, watched; nothing if the user ends it.
+/// The closed upper half-plane; nothing if the user ends it.
 fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
+    watched(move |watch| {
+        let code = Code::of_the_solver()?;
+        Ok(upper_half_plane(&code, target, watch, |_, r| {
+            within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
+        }))
+    })
+}
+
+/// On a thread of its own, watched; nothing if the user ends it.
+fn watched<T: Send + 'static>(
+    work: impl FnOnce(&Watch) -> Result<Option<T>, String> + Send + 'static,
+) -> Result<Option<T>, Failure> {
     let watch = Arc::new(Watch::default());
     let worker = std::thread::spawn({
         let watch = watch.clone();
-        move || {
-            let code = Code::of_the_solver()?;
-            Ok::<_, String>(upper_half_plane(&code, target, &watch, |_, r| {
-                within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
-            }))
-        }
+        move || work(&watch)
     });
     let progress = Progress::new();
     let stop = interrupt::flag();

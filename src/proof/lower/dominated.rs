@@ -87,7 +87,8 @@ fn image(u: f64, e: &Exponential, limits: &Limits, w: f64) -> f64 {
     let left_out = quotient_up(up(2.0 * exp_up(-limits.negligible)), down(w)) * TWO_52;
     // The worst is at the limit from D = 1 on.
     match d > 1.0 && q < 1.0 {
-        true => up(quotient_up(up(u + up(rho * q)), down(1.0 - q)) * (1.0 + 1e-12) + 0.5).max(u + left_out),
+        true => up(quotient_up(up(u + up(rho * q)), down(1.0 - q)) * (1.0 + 1e-12) + 0.5)
+            .max(u + left_out),
         false => f64::INFINITY,
     }
 }

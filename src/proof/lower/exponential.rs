@@ -18,10 +18,10 @@
 //! [`PRODUCT`].
 
 use super::phase::{self, Phase};
-use crate::interval::{Interval, hypot_up, product_up, quotient_up, sum_up, up};
-use crate::form::{exponent, power_of_two};
-use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use crate::exact::Exact;
+use crate::form::{exponent, power_of_two};
+use crate::interval::{Interval, hypot_up, product_up, quotient_up, sum_up, up};
+use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use crate::truncation::exponential_error;
 use mechaudit_solvers::faddeeva::proof::lower as code;
 use rayon::prelude::*;
@@ -147,7 +147,10 @@ fn low([lo, hi]: [f64; 2]) -> f64 {
 /// Any number within `r` of zero.
 pub(super) fn around_zero(r: f64) -> Tracked {
     use crate::form::Form;
-    Tracked::of(Form::exact(Exact::within(Interval::new(-r, r)), i32::MIN / 4))
+    Tracked::of(Form::exact(
+        Exact::within(Interval::new(-r, r)),
+        i32::MIN / 4,
+    ))
 }
 
 fn setting(rounding: Rounding) -> Setting<'static> {
@@ -175,9 +178,16 @@ fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Errors, &'static str> {
         short: relative(code::exp_short(Tracked::input(0, at)).0.result()),
         ..Errors::default()
     })?;
-    let worst = both.into_iter().chain(short).fold(Errors::default(), Errors::max);
+    let worst = both
+        .into_iter()
+        .chain(short)
+        .fold(Errors::default(), Errors::max);
     // A low part that is not handed on is missing.
-    let missing = if f.low_part { 0.0 } else { product_up(1.01, low(at)) };
+    let missing = if f.low_part {
+        0.0
+    } else {
+        product_up(1.01, low(at))
+    };
     Ok(Errors {
         pair: sum_up(worst.pair, missing),
         rounded: sum_up(worst.rounded, missing),

@@ -41,7 +41,9 @@ fn rational(x: f64) -> Rational {
 
 /// `|π/2 − Σ parts|`.
 fn left_of_half_pi(parts: &[f64]) -> f64 {
-    let sum = parts.iter().fold(Rational::new(), |sum, x| sum + rational(*x));
+    let sum = parts
+        .iter()
+        .fold(Rational::new(), |sum, x| sum + rational(*x));
     above(&(&Ball::pi(BITS).shift(-1) - &Ball::rational(BITS, &sum)))
 }
 
@@ -163,12 +165,18 @@ fn difference(c: &[Rational], first: u32, sign: i32) -> f64 {
     let (mut sum, mut n) = (0.0, first);
     for stored in c {
         let off = Rational::from(stored - &exact).abs();
-        sum = sum_up(sum, product_up(up(off.to_f64()), crate::bounds::power_up(REDUCED, n)));
+        sum = sum_up(
+            sum,
+            product_up(up(off.to_f64()), crate::bounds::power_up(REDUCED, n)),
+        );
         exact /= -Rational::from((n + 1) * (n + 2));
         n += 2;
     }
     sum_up(
         sum,
-        product_up(up(exact.abs().to_f64()), crate::bounds::power_up(REDUCED, n)),
+        product_up(
+            up(exact.abs().to_f64()),
+            crate::bounds::power_up(REDUCED, n),
+        ),
     )
 }

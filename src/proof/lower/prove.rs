@@ -20,9 +20,9 @@ pub struct Target {
 
 /// The target that the proof of the lower half-plane reaches on every rectangle.
 pub const LOWER_HALF_PLANE: Target = Target {
-    norm: 5.0,
-    away: 2.5,
-    depth: 60,
+    norm: 6.5,
+    away: 3.0,
+    depth: 40,
 };
 
 /// A rectangle with a formula that may be used in it.
@@ -146,7 +146,7 @@ fn refine(
 }
 
 /// The formulas that may be used in a rectangle, each with the bound on its piece of it.
-fn leaves(code: &Code, at: &Rectangle) -> Result<Vec<Leaf>, &'static str> {
+pub(super) fn leaves(code: &Code, at: &Rectangle) -> Result<Vec<Leaf>, &'static str> {
     let all = regions(code, at)?.into_iter();
     all.map(|(at, region)| {
         let [norm, away] = bound(code, region, &at)?;

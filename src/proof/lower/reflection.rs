@@ -84,7 +84,10 @@ fn least_of_w(at: &Rectangle) -> f64 {
     let [p, q] = size(|x| down(x.mignitude().to_f64()));
     let [s, t] = size(above);
     let turn = product_up(product_up(2.0, r), d);
-    let most = quotient_up(sum_up(hypot_up(s, t), product_up(1.13, d)), down(1.0 - turn));
+    let most = quotient_up(
+        sum_up(hypot_up(s, t), product_up(1.13, d)),
+        down(1.0 - turn),
+    );
     let slope = sum_up(product_up(product_up(2.0, r), most), 1.13);
     down(hypot_down(p, q) - product_up(d, slope)).max(0.0)
 }

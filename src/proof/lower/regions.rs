@@ -1,6 +1,6 @@
 //! Which formulas the code may use on a rectangle of the lower half-plane, and the bound of each.
 
-use super::exponential::Exponential;
+use super::exponential::{Exponential, Factors};
 use super::reflection::{Value, decay, overflows, reflected, reflected_off_zeros};
 use super::rows::{Kind, Rows, disc_at};
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
@@ -29,6 +29,23 @@ pub struct Code {
     pub limits: code::Limits,
     /// How operations round.
     pub rounding: Rounding,
+}
+
+impl Code {
+    /// The solver's.
+    ///
+    /// # Errors
+    /// If the reference is undecided about a coefficient, or no bound of the exponential is had.
+    pub fn of_the_solver() -> std::result::Result<Code, String> {
+        Ok(Code {
+            tables: Tables::of_the_solver()?,
+            rows: Rows::of_the_solver()?,
+            formula: code::formula,
+            exponential: Exponential::of(&Factors::default())?,
+            limits: code::LIMITS,
+            rounding: Rounding::default(),
+        })
+    }
 }
 
 /// A formula of the lower half-plane.
@@ -122,9 +139,8 @@ pub(super) fn regions(
 ) -> Result<Vec<(Rectangle, Region)>, &'static str> {
     let mut out = Vec::new();
     let [re, im] = at.lines();
-    let side = |lines: &'static [f64]| {
-        move |x: f64| lines.iter().filter(|line| x >= **line).count()
-    };
+    let side =
+        |lines: &'static [f64]| move |x: f64| lines.iter().filter(|line| x >= **line).count();
     for (a, _) in pieces(at.a, side(re)) {
         for (b, _) in pieces(at.b, side(im)) {
             let piece = Rectangle { a, b };
@@ -222,11 +238,7 @@ const AWAY: f64 = 0.1;
 ///
 /// # Errors
 /// Why there is none.
-pub(super) fn bound(
-    code: &Code,
-    region: Region,
-    at: &Rectangle,
-) -> Result<[f64; 2], &'static str> {
+pub(super) fn bound(code: &Code, region: Region, at: &Rectangle) -> Result<[f64; 2], &'static str> {
     let rho = code.exponential.pair;
     let norm = |w: &Value| match region {
         Region::Cell { .. } | Region::Asymptotic { .. } => {
@@ -252,7 +264,7 @@ pub(super) fn bound(
 }
 
 /// What the formula gives, on each way through its decisions; of the reflected ones w(−z).
-pub(super) fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'static str> {
+fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'static str> {
     let y = [-at.b[1], -at.b[0]];
     let setting = |constants: &'static [Constant]| Setting {
         sigma: Exact::ZERO,
@@ -262,7 +274,8 @@ pub(super) fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<
     let of = |truncated: f64| move |parts: [Tracks; 2]| Value::of(parts, truncated);
     let both = |(re, im): (Tracked, Tracked)| [re.result(), im.result()];
     let pairs = |[(p, q), (r, s)]: [(Tracked, Tracked); 2]| [p.with_low(q), r.with_low(s)];
-    let all = |ways: Vec<[Tracks; 2]>, truncated: f64| Ok(ways.into_iter().map(of(truncated)).collect());
+    let all =
+        |ways: Vec<[Tracks; 2]>, truncated: f64| Ok(ways.into_iter().map(of(truncated)).collect());
     match region {
         Region::Maclaurin { terms } => {
             let f = match terms {
@@ -272,7 +285,10 @@ pub(super) fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<
             let ways = evaluate(setting(&MACLAURIN), || {
                 both(f(Tracked::input(0, at.a), Tracked::input(1, y)))
             })?;
-            all(ways, truncation::maclaurin(terms - 1, hypot_up(at.a[1], at.b[1])).norm)
+            all(
+                ways,
+                truncation::maclaurin(terms - 1, hypot_up(at.a[1], at.b[1])).norm,
+            )
         }
         Region::Disc { centre } => {
             let row = code.rows.get(Kind::Disc, centre)?;

@@ -142,7 +142,11 @@ impl Rows {
             .map(Rows)
     }
 
-    pub(crate) fn get(&self, kind: Kind, centre: (f64, f64)) -> Result<&RowWithErrors, &'static str> {
+    pub(crate) fn get(
+        &self,
+        kind: Kind,
+        centre: (f64, f64),
+    ) -> Result<&RowWithErrors, &'static str> {
         self.0.get(&key(kind, centre)).ok_or("no such row")
     }
 

@@ -1,48 +1,128 @@
+use super::exponential::U;
+use super::prove::leaves;
+use super::rows::Kind;
 use super::*;
+use crate::Rectangle;
+use mechaudit_solvers::faddeeva::Branch;
+use mechaudit_solvers::faddeeva::proof::lower as solver;
+use std::sync::LazyLock;
 
-#[test]
-fn exponential() {
-    let e = Exponential::of(&Factors::default()).expect("bounds");
-    let unit = 2f64.powi(52);
-    eprintln!("{} {} {} {} {}", e.pair * unit, e.rounded * unit, e.short[0] * unit, e.short[1] * unit, e.boxes);
+static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
+
+fn square(a: f64, b: f64, side: f64) -> Rectangle {
+    Rectangle {
+        a: [a, a + side],
+        b: [b, b + side],
+    }
 }
 
+fn worst(code: &Code, at: &Rectangle) -> f64 {
+    let all = leaves(code, at).map_err(|_| ());
+    all.map_or(f64::INFINITY, |l| {
+        l.iter().map(|l| l.norm).fold(0.0, f64::max)
+    })
+}
 
-fn code() -> Code {
-    Code {
-        tables: crate::Tables::of_the_solver().unwrap(),
-        rows: rows::Rows::of_the_solver().unwrap(),
-        formula: mechaudit_solvers::faddeeva::proof::lower::formula,
-        exponential: Exponential { pair: 0.1346 / 2f64.powi(52), rounded: 1.957 / 2f64.powi(52), short: [2.31 / 2f64.powi(52), 1.51 / 2f64.powi(52)], leading: 0.0, boxes: 0 },
-        limits: mechaudit_solvers::faddeeva::proof::lower::LIMITS,
-        rounding: Default::default(),
+#[test]
+fn the_exponential_has_bounds() {
+    let e = &CODE.exponential;
+    assert!(e.pair < 0.28 * U && e.rounded < 4.0 * U, "{e:?}");
+}
+
+#[test]
+fn faults_of_the_exponential_show() {
+    fn coefficient() -> solver::Constants {
+        let mut c = solver::constants();
+        c.exp[1] = f64::from_bits(c.exp[1].to_bits() + 8);
+        c
+    }
+    fn half_pi() -> solver::Constants {
+        let mut c = solver::constants();
+        c.half_pi[2] = 0.0;
+        c.half_pi[1] = 0.0;
+        c
+    }
+    let sound = CODE.exponential.pair;
+    let bound = |f: Factors| Exponential::of(&f).map_or(f64::INFINITY, |e| e.pair);
+    let constants = |constants| Factors {
+        constants,
+        ..Factors::default()
+    };
+    for faulty in [
+        bound(constants(coefficient)),
+        bound(constants(half_pi)),
+        bound(Factors {
+            low_part: false,
+            ..Factors::default()
+        }),
+    ] {
+        assert!(faulty > 1.3 * sound, "{sound} {faulty}");
     }
 }
 
 #[test]
-fn plane() {
-    let code = code();
-    let t = std::time::Instant::now();
-    let watch = crate::Watch::default();
-    //let d = Dominated::of(&crate::Code::of_the_solver().unwrap(), &code.exponential, &code.limits, &watch);
-    //eprintln!("{d:?} {:?}", t.elapsed());
-    for (lo, hi) in [(4.0, 8.0), (8.0, 16.0), (0.0, 1e300)] {
-        let t = std::time::Instant::now();
-        let c = lower_half_plane(&code, Target { depth: 30, ..LOWER_HALF_PLANE }, &watch, |r| { let m = r.a[1].max(r.b[1]); lo <= m && m < hi }).unwrap();
-        let mut worst = std::collections::BTreeMap::new();
-        for l in &c.leaves { let e = worst.entry(l.region.name()).or_insert((0, 0.0f64, 0.0f64)); e.0 += 1; e.1 = e.1.max(l.norm); e.2 = e.2.max(l.away); }
-        eprintln!("{lo} {hi}: {} open {:?} {:?} {:#?}", c.open.len(), c.open.iter().step_by(c.open.len() / 6 + 1).collect::<Vec<_>>(), t.elapsed(), worst);
-    }
-}
-
-#[test]
-fn cells() {
-    let code = code();
-    for (a, b, d) in [(1.0, 1.0, 0.01), (1.1, 1.1, 0.01), (1.1, 1.1, 0.001), (1.9,1.3, 0.01),(1.99,1.35,0.01),(1.99,1.35,0.001), (1.37, 1.12, 0.001),(1.37, 1.37, 0.001), (2.1,0.6,0.001), (3.0,3.0,0.01),(5.0,4.5,0.01)] {
-        let at = crate::Rectangle { a: [a, a + d], b: [b, b + d] };
-        for (at, r) in regions::regions(&code, &at).unwrap() {
-            let v = regions::values(&code, r, &at).unwrap();
-            eprintln!("{a} {b} {d} {r:?} {:?} {:?} decay {:?} W {:?}", v[0].norm(), regions::bound(&code, r, &at), reflection::exponential([reflection::decay(&at).lo, reflection::decay(&at).hi]), v[0]);
+fn a_moved_limit_shows() {
+    fn moved(a: f64, b: f64) -> Branch {
+        match solver::formula(a, b) {
+            Branch::Cell { .. } if a * a + b * b > 20.0 => Branch::Asymptotic { terms: 26 },
+            b => b,
         }
     }
+    let at = square(3.3, 3.1, 1e-3);
+    let faulty = Code {
+        formula: moved,
+        ..CODE.clone()
+    };
+    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+    let mut faulty = CODE.clone();
+    faulty.limits.cancelled = 0.001;
+    let at = square(20.0, 19.89, 1e-2);
+    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+}
+
+#[test]
+fn a_coefficient_of_a_row_shows() {
+    for (kind, centre, at) in [
+        (Kind::Disc, (0.5, -0.5), square(0.5, 0.5, 1e-2)),
+        (Kind::Cell, (3.0, 3.0), square(3.0, 3.0, 1e-2)),
+    ] {
+        let mut faulty = CODE.clone();
+        let off = |x: f64| f64::from_bits(x.to_bits() + 8);
+        faulty.rows.change(kind, centre, |row| row[0] = off(row[0]));
+        let (sound, faulty) = (worst(&CODE, &at), worst(&faulty, &at));
+        assert!(faulty > 1.3 * sound, "{kind:?} {sound} {faulty}");
+    }
+}
+
+#[test]
+fn the_first_partition_has_no_hole() {
+    // With the real axis, and what is scaled.
+    let least = f64::from_bits(1);
+    let end = 2f64.powi(333);
+    let mut all = roots();
+    all.push(Rectangle {
+        a: [0.0, f64::MAX],
+        b: [0.0; 2],
+    });
+    all.push(Rectangle {
+        a: [end, f64::MAX],
+        b: [least, f64::MAX],
+    });
+    all.push(Rectangle {
+        a: [0.0, f64::MAX],
+        b: [end, f64::MAX],
+    });
+    assert_eq!(crate::hole(&all), None);
+    all.remove(40);
+    assert!(crate::hole(&all).is_some());
+}
+
+#[test]
+fn rings_of_zeros_are_proved() {
+    let watch = crate::Watch::default();
+    let wanted = |r: &Rectangle| (2.0..16.0).contains(&r.a[1].max(r.b[1]));
+    let found = lower_half_plane(&CODE, LOWER_HALF_PLANE, &watch, wanted).expect("not stopped");
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    let most = found.leaves.iter().map(|l| l.norm).fold(0.0, f64::max);
+    assert!(most > 4.0 && most <= LOWER_HALF_PLANE.norm, "{most}");
 }
