@@ -366,12 +366,12 @@ fn run(
 
 /// The distances of numbers from a centre, which the code computes without rounding.
 pub(crate) struct Offsets {
-    ends: [f64; 2],
+    pub ends: [f64; 2],
     pub grain: i32,
 }
 
 impl Offsets {
-    fn tracked(&self, i: usize) -> Tracked {
+    pub fn tracked(&self, i: usize) -> Tracked {
         Tracked::input_on_grid(i, self.ends, self.grain)
     }
 

@@ -15,6 +15,7 @@ mod exact;
 mod form;
 mod formula;
 mod interval;
+pub mod lower;
 mod prove;
 pub mod real;
 mod summary;

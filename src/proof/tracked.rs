@@ -57,6 +57,10 @@ struct Evaluation {
     taken: usize,
     /// Why no bound is had.
     failure: Option<&'static str>,
+    /// Numbers that are others times a power of two: which, and the power.
+    multiples: Vec<(u32, (u32, f64))>,
+    /// Products of two numbers that were rounded: of which, the product and what it lost.
+    products: Vec<([u32; 2], [Tracked; 2])>,
 }
 
 thread_local! {
@@ -70,6 +74,8 @@ thread_local! {
             script: Vec::new(),
             taken: 0,
             failure: None,
+            multiples: Vec::new(),
+            products: Vec::new(),
         })
     };
 }
@@ -208,12 +214,49 @@ impl Evaluation {
         }
         if let Some(form) = self.scaled(x, y) {
             let mut lost = Form::point(0.0);
+            let exact = form.tiny == 0.0;
             lost.tiny = form.tiny;
             let lost = self.push(lost);
-            return (self.push(regrained(form, self.sigma)), lost);
+            let p = self.push(regrained(form, self.sigma));
+            if exact {
+                let (of, by) = match self.form(y).constant() {
+                    Some(c) if is_power_of_two(c) => (x, c),
+                    _ => (y, self.form(x).constant().unwrap_or(1.0)),
+                };
+                self.multiples.push((p.0, (of.0, by)));
+            }
+            return (p, lost);
         }
+        self.rounded_product(x, y)
+    }
+
+    /// `x y` rounded. Of `x` and `2^k x` as factors the rounded products have the ratio `2^k`, if neither may be
+    /// below the normal numbers: they share their ε.
+    fn rounded_product(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
+        let multiple = |t: Tracked| {
+            let found = self.multiples.iter().find(|m| m.0 == t.0);
+            found.map_or((t.0, 1.0), |m| m.1)
+        };
+        let ((p, s), (q, t)) = (multiple(x), multiple(y));
+        let (of, by) = ([p.min(q), p.max(q)], s * t);
         let form = self.product(x, y);
-        self.round(form)
+        let normal = form.range(self.sigma).mignitude() > 1e-250 && (1e-9..1e9).contains(&by.abs());
+        if normal && let Some(&(_, [r, lost])) = self.products.iter().find(|k| k.0 == of) {
+            let factor = self.push(Form::point(by));
+            let both = [r, lost].map(|t| self.scaled(t, factor));
+            if let [Some(r), Some(lost)] = both
+                && r.tiny == 0.0
+                && lost.tiny == 0.0
+            {
+                let r = self.push(regrained(r, self.sigma));
+                return (r, self.push(lost));
+            }
+        }
+        let (r, lost) = self.round(form);
+        if normal && by == 1.0 {
+            self.products.push((of, [r, lost]));
+        }
+        (r, lost)
     }
 
     fn add(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
@@ -381,6 +424,11 @@ impl Tracked {
         here(|e| e.push(Form::point(x)))
     }
 
+    /// Any number that a form describes.
+    pub fn of(form: Form) -> Tracked {
+        here(|e| e.push(form))
+    }
+
     pub fn result(self) -> Result {
         here(|e| Result::of(e.form(self)))
     }
@@ -415,6 +463,8 @@ pub(crate) fn evaluate<T>(
     loop {
         here(|e| {
             e.forms.clear();
+            e.multiples.clear();
+            e.products.clear();
             (e.operations, e.taken, e.failure) = (0, 0, None);
         });
         all.push(f());

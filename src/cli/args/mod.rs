@@ -37,7 +37,7 @@ pub use linkage::LinkageArgs;
 pub use list::ListArgs;
 pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;
-pub use prove::ProveArgs;
+pub use prove::{Part, ProveArgs};
 pub use regenerate::RegenerateArgs;
 pub use runup::RunupArgs;
 pub use scope::{Numbers, ScopeArgs, WhereArgs};

@@ -10,6 +10,7 @@ Examples:
   mechaudit prove faddeeva --boxes boxes.csv --format json
   mechaudit prove faddeeva --within 64 --component 6
   mechaudit prove erfcx
+  mechaudit prove faddeeva --part lower
 
 Runs the solver's own code over rectangles that cover the closed upper half-plane, all of it or up to --within, with \
 numbers that enclose the exact value and the error of every rounding, halves a rectangle until its bounds \
@@ -23,6 +24,8 @@ A file of boxes has a line for each: the ends of Re z and Im z, both included, t
 centre of its Taylor series, the bounds; for a function of a real argument the ends of x, the formula, the centre, the \
 bound. reference/independent/faddeeva_proof.py checks it.
 
+For the lower half-plane the targets are fixed, and there is no file of boxes; the output says what is not proved.
+
 Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage; 130, ended \
 by Ctrl-C, without a theorem.";
 
@@ -31,6 +34,8 @@ by Ctrl-C, without a theorem.";
 pub enum Part {
     /// The closed upper half-plane
     Upper,
+    /// The open lower half-plane: the norm, where nothing is computed again and no stored zero serves
+    Lower,
 }
 
 /// Arguments of `prove`.

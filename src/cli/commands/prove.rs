@@ -1,8 +1,9 @@
 //! Proofs of error bounds.
 
+mod lower;
 mod real;
 
-use crate::cli::args::{ProveArgs, TextOrJson};
+use crate::cli::args::{Part, ProveArgs, TextOrJson};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, print_json, write_to};
 use crate::cli::process::interrupt;
@@ -28,6 +29,9 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         .find(|f| f.name() == args.function)
     {
         return real::prove(function, args);
+    }
+    if args.part == Some(Part::Lower) {
+        return lower::prove(args);
     }
     let boxes = args
         .boxes
@@ -63,6 +67,7 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::of(found.open.is_empty()))
 }
 
+/// The closed upper half-plane; nothing if the user ends it.
 fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Failure> {
     watched("faddeeva", move |watch| {
         let code = Code::of_the_solver()?;

@@ -148,12 +148,47 @@ pub(crate) fn of_pairs() -> (&'static [f64; 11], [f64; 2]) {
     (&EXP_FROM_CUBE, LN_2)
 }
 
+/// The coefficients of `e^s` from s³ on, of the sine from s³ and from s⁵ on, and of the cosine from s⁴ on; 1/6 and
+/// π/2 in parts, and the digits of 2/π.
+#[cfg(feature = "proof")]
+pub(crate) struct Constants {
+    pub exp: &'static [f64; 11],
+    pub sin: &'static [f64; 8],
+    pub sin_from_fifth: &'static [f64; 7],
+    pub cos: &'static [f64; 7],
+    pub sixth: [f64; 2],
+    pub half_pi: [f64; 3],
+    pub two_over_pi: &'static [u64],
+}
+
+#[cfg(feature = "proof")]
+pub(crate) const CONSTANTS: Constants = Constants {
+    exp: &EXP_FROM_CUBE,
+    sin: &SIN,
+    sin_from_fifth: &SIN_FROM_FIFTH,
+    cos: &COS,
+    sixth: [SIXTH.hi, SIXTH.lo],
+    half_pi: HALF_PI,
+    two_over_pi: &tables::TWO_OVER_PI_BITS,
+};
+
+/// `ROUND` plus the multiple of π/2 next to a phase.
+#[inline(always)]
+fn quarters<R: Real>(theta: R) -> R {
+    theta.fma(theta.like(TWO_OVER_PI), theta.like(ROUND))
+}
+
 /// A phase modulo π/2: the rest in [−π/4, π/4] and `ROUND` plus the quadrant.
 #[inline(always)]
 pub(crate) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {
+    let n = quarters(theta.hi);
+    (without_quarters(theta, n - n.like(ROUND)), n)
+}
+
+/// A phase less `k π/2`.
+#[inline(always)]
+pub(crate) fn without_quarters<R: Real>(theta: Dd<R>, k: R) -> Dd<R> {
     let like = |c: f64| theta.hi.like(c);
-    let n = theta.hi.fma(like(TWO_OVER_PI), like(ROUND));
-    let k = n - like(ROUND);
     // Exact: both are multiples of 2⁻⁵³ and the difference is below one.
     let r = (-k).fma(like(HALF_PI[0]), theta.hi);
     let p = two_prod(k, like(HALF_PI[1]));
@@ -161,7 +196,7 @@ pub(crate) fn reduce<R: Real>(theta: Dd<R>) -> (Dd<R>, R) {
     let s = two_sum(theta.lo, -p.hi);
     let rest = (-k).fma(like(HALF_PI[2]), s.lo - p.lo);
     let t = two_sum(r, s.hi);
-    (fast_two_sum(t.hi, t.lo + rest), n)
+    fast_two_sum(t.hi, t.lo + rest)
 }
 
 /// `(sin, cos)` of a reduced phase.
@@ -180,7 +215,7 @@ pub(crate) fn sin_cos_reduced<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
 
 /// The same with exact products up to the third power.
 #[inline(always)]
-fn sin_cos_accurate<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
+pub(crate) fn sin_cos_accurate<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
     let (x, xx) = (r.hi, r.hi * r.hi);
     let like = |c: f64| x.like(c);
     let h = two_prod(x, like(0.5) * x);
@@ -202,7 +237,7 @@ fn sin_cos_accurate<R: Real>(r: Dd<R>) -> (Dd<R>, Dd<R>) {
 
 /// The same, each as one number.
 #[inline(always)]
-fn sin_cos_rounded<R: Real>(r: Dd<R>) -> (R, R) {
+pub(crate) fn sin_cos_rounded<R: Real>(r: Dd<R>) -> (R, R) {
     let (x, xx) = (r.hi, r.hi * r.hi);
     let like = |c: f64| x.like(c);
     let sin = x + (-(x * xx)).fma(paired(&SIN, xx), r.lo);
@@ -250,23 +285,36 @@ pub(crate) fn exp_minus_square_rounded<R: Real>(a: R, y: R) -> (R, R, R) {
 /// 700.
 #[inline(always)]
 pub(crate) fn exp_minus_square_short<R: Real>(a: R, y: R) -> (R, R, R) {
-    let like = |c: f64| a.like(c);
     // y² − a² as one number.
-    let n = ((y - a) * (y + a)).fma(like(LOG2_E), like(ROUND));
-    let k = n - like(ROUND);
-    let r = (-k).fma(like(LN_2[0]), (y - a) * (y + a));
-    let r = (-k).fma(like(LN_2[1]), r);
-    let e = like(1.0) + (r * r).fma(paired(&EXP, r), r);
+    let (e, n) = exp_short((y - a) * (y + a));
     let theta = phase(a, y);
-    let q = theta.hi.fma(like(TWO_OVER_PI), like(ROUND));
-    let k = q - like(ROUND);
+    let q = quarters(theta.hi);
+    let (sin, cos) = sin_cos_short(theta, q - a.like(ROUND));
+    let (s, c) = turned(sin, cos, q);
+    (e * c, -(e * s), n)
+}
+
+/// `e^t = m 2^k` and `ROUND + k`.
+#[inline(always)]
+pub(crate) fn exp_short<R: Real>(t: R) -> (R, R) {
+    let like = |c: f64| t.like(c);
+    let n = t.fma(like(LOG2_E), like(ROUND));
+    let k = n - like(ROUND);
+    let r = (-k).fma(like(LN_2[0]), t);
+    let r = (-k).fma(like(LN_2[1]), r);
+    (like(1.0) + (r * r).fma(paired(&EXP, r), r), n)
+}
+
+/// `(sin, cos)` of a phase less `k π/2`.
+#[inline(always)]
+pub(crate) fn sin_cos_short<R: Real>(theta: Dd<R>, k: R) -> (R, R) {
+    let like = |c: f64| k.like(c);
     let x = (-k).fma(like(HALF_PI[0]), theta.hi);
     let x = x + (-k).fma(like(HALF_PI[1]), theta.lo);
     let xx = x * x;
     let sin = (-(x * xx)).fma(paired(&SIN, xx), x);
     let cos = (xx * xx).fma(paired(&COS, xx), like(-0.5).fma(xx, like(1.0)));
-    let (s, c) = turned(sin, cos, q);
-    (e * c, -(e * s), n)
+    (sin, cos)
 }
 
 /// `2 a y` modulo π/2 and `ROUND` plus the quadrant, for any size of the phase.

@@ -9,6 +9,7 @@ use super::rows::{above_real_axis, imaginary_axis_row, in_cell, on_axis, real_ax
 use super::taylor::{ComplexRow, RealRow, complex_row_rounded, real_row as sum_of_row};
 use super::{plane, rows, special};
 
+pub mod lower;
 pub mod real_line;
 
 pub use crate::lanes::Vectors;

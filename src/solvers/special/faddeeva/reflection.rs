@@ -8,7 +8,7 @@ use crate::hex::hex;
 use crate::real::{ROUND, Real};
 
 /// A component smaller than this part of its terms is computed again in double-double.
-const CANCELLED: f64 = 0.04;
+pub(super) const CANCELLED: f64 = 0.04;
 /// The same where `e^{−z²}` dominates and the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 2.0;
 /// The part of its modulus below which a component of `e^{−z²}` has to be computed again: the rest of a phase that is

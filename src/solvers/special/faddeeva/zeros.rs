@@ -13,7 +13,7 @@ use super::constants::TWO_OVER_SQRT_PI;
 use super::taylor::polynomials;
 use super::taylor::{polynomial, square};
 use crate::double_double::{Dd, fast_two_sum, two_prod, two_sum};
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Vectors};
 #[cfg(target_arch = "x86_64")]
 use crate::pack::{Pack, Wide, columns};
 use crate::real::{ROUND, Real};
@@ -42,14 +42,32 @@ pub(super) fn candidate<R: Real>(a: R, b: R) -> R::Mask {
 /// place this way.
 #[inline(always)]
 pub(super) fn near_zero<L: Lanes>(lanes: L, c: &[f64; 46], a: f64, b: f64) -> Option<(f64, f64)> {
-    let (dx, dy) = (
-        difference(a, c[0], c[1], c[2]),
-        difference(-b, c[3], c[4], c[5]),
-    );
+    let (dx, dy) = offset(c, a, -b);
+    let (re, im, lost) = at_offset(lanes, c, dx, dy);
+    if lost { None } else { Some((re, im)) }
+}
+
+/// `a + i y` less the zero.
+#[inline(always)]
+pub(super) fn offset<R: Real>(c: &[f64; 46], a: R, y: R) -> (Dd<R>, Dd<R>) {
+    let at = |k: usize| a.like(c[k]);
+    (
+        difference(a, at(0), at(1), at(2)),
+        difference(y, at(3), at(4), at(5)),
+    )
+}
+
+/// w at a distance from the zero; `true` where it fails.
+#[inline(always)]
+pub(super) fn at_offset<L: Vectors>(
+    lanes: L,
+    c: &[f64; 46],
+    dx: Dd<L::Scalar>,
+    dy: Dd<L::Scalar>,
+) -> (L::Scalar, L::Scalar, <L::Scalar as Real>::Mask) {
     let d2 = square(dx.hi, dy.hi);
     let q = polynomial(lanes, c, (6, 38), (dx.hi, dy.hi), d2);
-    let (re, im, lost) = assemble((dx, dy), d2, q);
-    if lost { None } else { Some((re, im)) }
+    assemble((dx, dy), d2, q)
 }
 
 /// `x − z`, `z` in three parts, for `|x − z|` below a sixteenth of `|z|`.

@@ -1,0 +1,123 @@
+//! The lower half-plane.
+
+use super::{place, up, watched};
+use crate::cli::args::{ProveArgs, TextOrJson};
+use crate::cli::failure::{Failure, Outcome};
+use crate::cli::files::output::{print_json, write_to};
+use mechaudit::proof::Rectangle;
+use mechaudit::proof::lower::{LOWER_HALF_PLANE, RECOMPUTED, Theorem, theorem};
+use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
+use mechaudit::report::text::table::Table;
+use serde_json::{Value, json};
+use std::io::Write;
+use std::time::Instant;
+
+/// Proves, and prints what is proved and what is not.
+pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
+    if args.boxes.is_some() {
+        return Err(Failure::new("--boxes: only for the upper half-plane"));
+    }
+    let begin = Instant::now();
+    let within = args.within;
+    let found = watched("faddeeva", move |watch| {
+        theorem(LOWER_HALF_PLANE, within, watch)
+    })?;
+    let Some(found) = found else {
+        return Ok(Outcome::Interrupted);
+    };
+    let seconds = begin.elapsed().as_secs_f64();
+    match args.format {
+        TextOrJson::Text => write_to(None, |out| {
+            Ok(write!(out, "{}", text(&found, within, seconds))?)
+        })?,
+        TextOrJson::Json => print_json(&document(&found, within, seconds))?,
+    }
+    Ok(Outcome::of(found.open.is_empty()))
+}
+
+/// `Re z` and Im z, below the axis.
+fn below(at: &Rectangle) -> String {
+    place(at).replace(" + i ", " − i ")
+}
+
+fn text(found: &Theorem, within: Option<f64>, seconds: f64) -> String {
+    let mut out = format!("{}\n", paint(BOLD, "faddeeva, open lower half-plane"));
+    let line = |text: String| format!("  {text}\n");
+    if found.open.is_empty() {
+        let part = within.map_or(String::new(), |r| {
+            format!(", |Re z| and |Im z| in the binades below {r}")
+        });
+        out += &line(format!(
+            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite f64 z with Im z < 0 where w does not overflow{part}, \
+             but for what is named last: K = {}",
+            up(found.norm)
+        ));
+        out += &line(format!("K = {} where |w(z)| ≥ |w(−z)|/10", up(found.away)));
+    } else {
+        let text = format!("not proved: {} rectangles are open", found.open.len());
+        out += &line(paint(BAD, &text));
+        for open in found.open.iter().take(5) {
+            out += &line(format!("{}: {}", below(&open.at), open.why));
+        }
+    }
+    let mut table = Table::new(
+        &["formula", "boxes", "norm", "away from zeros", "attained in"],
+        &[0, 4],
+    );
+    for r in &found.regions {
+        table.row(vec![
+            (r.name.to_string(), PLAIN),
+            (r.boxes.to_string(), DIM),
+            (up(r.norm), PLAIN),
+            (up(r.away), PLAIN),
+            (r.at.as_ref().map_or_else(|| "–".into(), below), DIM),
+        ]);
+    }
+    out += &table.render(2);
+    out += &line("In units of 2^-52; –: by an inequality, without rectangles".into());
+    out += &line("From |z| = 2^960 on another 6 · 2^-1075 in each component: underflow".into());
+    out += &line(format!("not proved: {RECOMPUTED}; components"));
+    let boxes: usize = found.regions.iter().map(|r| r.boxes).sum();
+    out += &line(format!(
+        "{boxes} boxes, and {} of the exponential, {seconds:.1} s",
+        found.of_exponential
+    ));
+    out
+}
+
+fn document(found: &Theorem, within: Option<f64>, seconds: f64) -> Value {
+    let ends = |at: &Rectangle| json!({ "re": at.a, "minus_im": at.b });
+    let formulas: Vec<Value> = found
+        .regions
+        .iter()
+        .map(|r| {
+            json!({
+                "formula": r.name,
+                "boxes": r.boxes,
+                "norm": r.norm,
+                "away_from_zeros": r.away,
+                "box": r.at.as_ref().map(ends),
+            })
+        })
+        .collect();
+    let open: Vec<Value> = found
+        .open
+        .iter()
+        .map(|o| json!({ "box": ends(&o.at), "why": o.why }))
+        .collect();
+    json!({
+        "schema_version": 1,
+        "mechaudit_version": env!("CARGO_PKG_VERSION"),
+        "function": "faddeeva",
+        "part": "lower",
+        "within": within,
+        "proved": found.open.is_empty(),
+        "norm": found.norm,
+        "away_from_zeros": found.away,
+        "boxes_of_exponential": found.of_exponential,
+        "seconds": seconds,
+        "formulas": formulas,
+        "open": open,
+        "not_proved": [RECOMPUTED, "components"],
+    })
+}

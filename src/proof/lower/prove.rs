@@ -1,0 +1,161 @@
+//! The proof for the open lower half-plane: rectangles `a − i b` halved until the bound is good enough on each.
+
+use super::regions::{Code, Region, bound, regions};
+use crate::cover::Rectangle;
+use crate::form::power_of_two;
+use crate::prove::{Open, Watch};
+use rayon::prelude::*;
+use std::sync::atomic::Ordering;
+
+/// What a rectangle is not halved below.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Of the norm, in units of 2⁻⁵².
+    pub norm: f64,
+    /// The same where `|w(z)| ≥ |w(−z)|/10`.
+    pub away: f64,
+    /// How often a rectangle is halved at most.
+    pub depth: u32,
+}
+
+/// The target that the proof of the lower half-plane reaches on every rectangle.
+pub const LOWER_HALF_PLANE: Target = Target {
+    norm: 6.5,
+    away: 3.0,
+    depth: 40,
+};
+
+/// A rectangle with a formula that may be used in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Leaf {
+    /// `Re z` and `−Im z`.
+    pub at: Rectangle,
+    /// By which formula.
+    pub region: Region,
+    /// What is proved of the norm, in units of 2⁻⁵².
+    pub norm: f64,
+    /// The same where `|w(z)| ≥ |w(−z)|/10`.
+    pub away: f64,
+}
+
+/// All of them.
+#[derive(Clone, Debug, Default)]
+pub struct Certificate {
+    /// What is proved; together they cover the quadrant up to `|z|² = 10²⁰⁰` but for overflow, unless something is open.
+    pub leaves: Vec<Leaf>,
+    /// What is not.
+    pub open: Vec<Open>,
+}
+
+/// The quadrant `a ≥ 0`, `b > 0` up to the shell in which z begins to be scaled, as shells of rectangles.
+pub fn roots() -> Vec<Rectangle> {
+    const FIRST: i32 = -9;
+    /// 2³³² < 10¹⁰⁰ < 2³³³.
+    const LAST: i32 = 332;
+    /// Binades of the smaller coordinate that are cut apart at once.
+    const BESIDE: i32 = 2;
+    let start = power_of_two;
+    let end = |k: i32| start(k + 1).next_down();
+    let least = f64::from_bits(1);
+    let square = end(FIRST - 1);
+    let mut all = vec![Rectangle {
+        a: [0.0, square],
+        b: [least, square],
+    }];
+    for k in FIRST..=LAST {
+        let long = [start(k), end(k)];
+        let rest = end(k - BESIDE - 1);
+        let mut add = |a, b| all.push(Rectangle { a, b });
+        add(long, [least, rest]);
+        add([0.0, rest], long);
+        for j in k - BESIDE..k {
+            let short = [start(j), end(j)];
+            add(long, short);
+            add(short, long);
+        }
+        add(long, long);
+    }
+    all
+}
+
+/// Proves what can be proved on the rectangles of the partition that `wanted` keeps; `None` if it was stopped.
+pub fn lower_half_plane(
+    code: &Code,
+    target: Target,
+    watch: &Watch,
+    wanted: impl Fn(&Rectangle) -> bool,
+) -> Option<Certificate> {
+    let all: Vec<Rectangle> = roots().into_iter().filter(wanted).collect();
+    watch.done.store(0, Ordering::Relaxed);
+    watch.of.store(all.len() as u64, Ordering::Relaxed);
+    let each: Option<Vec<Certificate>> = all
+        .par_iter()
+        .with_max_len(1)
+        .map(|r| {
+            let mut found = Certificate::default();
+            refine(code, target, watch, *r, 0, &mut found)?;
+            watch.done.fetch_add(1, Ordering::Relaxed);
+            Some(found)
+        })
+        .collect();
+    let mut whole = Certificate::default();
+    for part in each? {
+        whole.leaves.extend(part.leaves);
+        whole.open.extend(part.open);
+    }
+    Some(whole)
+}
+
+fn refine(
+    code: &Code,
+    target: Target,
+    watch: &Watch,
+    at: Rectangle,
+    depth: u32,
+    found: &mut Certificate,
+) -> Option<()> {
+    if watch.stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    let last = depth >= target.depth || at.is_point();
+    let leaves = leaves(code, &at);
+    let good = |l: &Leaf| l.norm <= target.norm && l.away <= target.away;
+    match leaves {
+        Ok(leaves) if leaves.iter().all(good) => {
+            found.leaves.extend(leaves);
+            return Some(());
+        }
+        Ok(leaves) if last => {
+            let why = match leaves.iter().all(|l| l.norm.is_finite()) {
+                true => "the bound is above the target",
+                false => "w may be zero",
+            };
+            found.open.push(Open { at, why });
+            return Some(());
+        }
+        Err(why) if last => {
+            found.open.push(Open { at, why });
+            return Some(());
+        }
+        _ => (),
+    }
+    for half in at.halves(at.across_re(true)) {
+        refine(code, target, watch, half, depth + 1, found)?;
+    }
+    Some(())
+}
+
+/// The formulas that may be used in a rectangle, each with the bound on its piece of it.
+pub(super) fn leaves(code: &Code, at: &Rectangle) -> Result<Vec<Leaf>, &'static str> {
+    let all = regions(code, at)?.into_iter();
+    all.map(|(at, region)| {
+        let [norm, away] = bound(code, region, &at)?;
+        Ok(Leaf {
+            at,
+            region,
+            norm,
+            away,
+        })
+    })
+    .collect()
+}

@@ -1,0 +1,356 @@
+//! Which formulas the code may use on a rectangle of the lower half-plane, and the bound of each.
+
+use super::exponential::{Exponential, Factors};
+use super::reflection::{Value, decay, overflows, reflected, reflected_off_zeros};
+use super::rows::{Kind, Rows, disc_at};
+use crate::constants::{ASYMPTOTIC, MACLAURIN};
+use crate::cover::{Rectangle, pieces};
+use crate::exact::Exact;
+use crate::formula::offsets;
+use crate::interval::hypot_up;
+use crate::tables::{Tables, cell_at, real_axis_at};
+use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
+use crate::truncation;
+use mechaudit_solvers::faddeeva::Branch;
+use mechaudit_solvers::faddeeva::proof::{self as upper, lower as code};
+
+/// The code whose error is bounded.
+#[derive(Clone)]
+pub struct Code {
+    /// The rows of the upper half-plane, and what its series are wrong by.
+    pub tables: Tables,
+    /// Rows.
+    pub rows: Rows,
+    /// Which formula is used at `a − i b`.
+    pub formula: fn(f64, f64) -> Branch,
+    /// The exponential.
+    pub exponential: Exponential,
+    /// The limits of the reflection.
+    pub limits: code::Limits,
+    /// How operations round.
+    pub rounding: Rounding,
+}
+
+impl Code {
+    /// The solver's.
+    ///
+    /// # Errors
+    /// If the reference is undecided about a coefficient, or no bound of the exponential is had.
+    pub fn of_the_solver() -> std::result::Result<Code, String> {
+        Ok(Code {
+            tables: Tables::of_the_solver()?,
+            rows: Rows::of_the_solver()?,
+            formula: code::formula,
+            exponential: Exponential::of(&Factors::default())?,
+            limits: code::LIMITS,
+            rounding: Rounding::default(),
+        })
+    }
+}
+
+/// A formula of the lower half-plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Region {
+    /// Maclaurin series.
+    Maclaurin {
+        /// Terms.
+        terms: u32,
+    },
+    /// Taylor series about the centre of a cell of the lower half-disc.
+    Disc {
+        /// The centre.
+        centre: (f64, f64),
+    },
+    /// Taylor series about a centre on the real axis.
+    RealAxis {
+        /// The centre.
+        centre: f64,
+    },
+    /// Asymptotic series and `e^{−z²}` beside the real axis.
+    Strip,
+    /// The same next to the real axis.
+    RealLine,
+    /// A cell of the upper half-plane, reflected in pairs.
+    Cell {
+        /// The centre.
+        centre: (f64, f64),
+    },
+    /// An asymptotic series, reflected in pairs.
+    Asymptotic {
+        /// Terms.
+        terms: u32,
+    },
+    /// `w(−z)` much larger than `2e^{−z²}`, or much smaller: [`dominated`](super::dominated).
+    Dominated,
+}
+
+impl Region {
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Region::Maclaurin { terms: 9 } => "Maclaurin, 9 terms",
+            Region::Maclaurin { .. } => "Maclaurin, 21 terms",
+            Region::Disc { .. } => "Taylor, lower half-disc",
+            Region::RealAxis { .. } => "Taylor, real axis",
+            Region::Strip => "strip",
+            Region::RealLine => "real line",
+            Region::Cell { .. } => "cell, both terms",
+            Region::Asymptotic { terms: 26 } => "26 terms, both terms",
+            Region::Asymptotic { terms: 14 } => "14 terms, both terms",
+            Region::Asymptotic { .. } => "6 terms, both terms",
+            Region::Dominated => "one term dominates",
+        }
+    }
+}
+
+/// More than these, and a rectangle is halved.
+const MANY: usize = 8;
+
+/// The rank of a formula along the rings below the axis.
+fn rank(b: Branch) -> Option<usize> {
+    Some(match b {
+        Branch::Maclaurin { terms: 9 } => 0,
+        Branch::Maclaurin { .. } => 1,
+        Branch::LowerCell { .. } => 2,
+        Branch::Cell { .. } => 3,
+        Branch::RealAxis { .. } | Branch::Asymptotic { terms: 26 } => 4,
+        Branch::Strip { .. } | Branch::RealLine { .. } => 5,
+        Branch::Asymptotic { terms: 14 } => 6,
+        Branch::Asymptotic { terms: 6 } => 7,
+        Branch::Huge => 8,
+        _ => return None,
+    })
+}
+
+/// Whether no third formula comes between the two, which are those at two opposite corners, away from lines.
+fn follows(first: Branch, second: Branch) -> bool {
+    let strip = |b: Branch| matches!(b, Branch::Strip { .. } | Branch::RealLine { .. });
+    let far = matches!(first, Branch::Asymptotic { terms: 26 });
+    let gap = if far && !strip(second) { 2 } else { 1 };
+    matches!((rank(first), rank(second)), (Some(p), Some(q)) if q == p + gap)
+}
+
+/// The formulas that the code may use on a rectangle of `a − i b`, each with its piece; none where w overflows.
+///
+/// As above the axis: the choice is made by |z|² and by lines.
+pub(super) fn regions(
+    code: &Code,
+    at: &Rectangle,
+) -> Result<Vec<(Rectangle, Region)>, &'static str> {
+    let mut out = Vec::new();
+    let [re, im] = at.lines();
+    let side =
+        |lines: &'static [f64]| move |x: f64| lines.iter().filter(|line| x >= **line).count();
+    for (a, _) in pieces(at.a, side(re)) {
+        for (b, _) in pieces(at.b, side(im)) {
+            let piece = Rectangle { a, b };
+            let (p, q) = ((code.formula)(a[0], b[0]), (code.formula)(a[1], b[1]));
+            if p != q && !follows(p, q) {
+                return Err("several formulas");
+            }
+            with_rows(code, &piece, p, &mut out)?;
+            if p != q {
+                with_rows(code, &piece, q, &mut out)?;
+            }
+            if out.len() > MANY {
+                return Err("several formulas");
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// The pieces of a rectangle by the centres of its rows.
+fn by_centre(
+    at: &Rectangle,
+    centre: impl Fn(f64, f64) -> (f64, f64),
+) -> Result<Vec<(Rectangle, (f64, f64))>, &'static str> {
+    let columns = pieces(at.a, |a| centre(a, at.b[0]).0);
+    let rows = pieces(at.b, |b| centre(at.a[0], b).1);
+    if columns.len() * rows.len() > MANY {
+        return Err("several cells");
+    }
+    let mut out = Vec::new();
+    for &(a, x) in &columns {
+        for &(b, y) in &rows {
+            out.push((Rectangle { a, b }, (x, y)));
+        }
+    }
+    Ok(out)
+}
+
+fn with_rows(
+    code: &Code,
+    at: &Rectangle,
+    branch: Branch,
+    out: &mut Vec<(Rectangle, Region)>,
+) -> Result<(), &'static str> {
+    // |decay| as computed is off by less than 2⁻⁵⁰ of |z|² < 112.
+    let limit = code.limits.dominant;
+    let of = decay(at);
+    let above = of.lo > limit + 1e-12;
+    let dominated = above || of.hi < -limit - 1e-12;
+    let may_dominate = of.hi > limit - 1e-12 || of.lo < -limit + 1e-12;
+    match branch {
+        Branch::Maclaurin { terms } => out.push((*at, Region::Maclaurin { terms })),
+        Branch::LowerCell { .. } => {
+            for (at, centre) in by_centre(at, |a, b| disc_at(a, b).0)? {
+                out.push((at, Region::Disc { centre }));
+            }
+        }
+        Branch::RealAxis { .. } => {
+            for (at, (centre, _)) in by_centre(at, |a, _| (real_axis_at(a).0, 0.0))? {
+                out.push((at, Region::RealAxis { centre }));
+            }
+        }
+        Branch::Strip { .. } => out.push((*at, Region::Strip)),
+        Branch::RealLine { .. } => out.push((*at, Region::RealLine)),
+        Branch::Cell { .. } => {
+            if may_dominate {
+                out.push((*at, Region::Dominated));
+            }
+            if !dominated {
+                for (at, centre) in by_centre(at, |a, b| cell_at(a, b).0)? {
+                    out.push((at, Region::Cell { centre }));
+                }
+            }
+        }
+        Branch::Asymptotic { terms: 26 } if above => out.push((*at, Region::Dominated)),
+        Branch::Asymptotic { terms } => {
+            if terms == 26 && of.hi > limit - 1e-12 {
+                out.push((*at, Region::Dominated));
+            }
+            if !overflows(at) {
+                out.push((*at, Region::Asymptotic { terms }));
+            }
+        }
+        // |z|² ≥ 10²⁰⁰: `huge`.
+        Branch::Huge => (),
+        _ => return Err("an unknown branch"),
+    }
+    Ok(())
+}
+
+/// `|w(z)|` above this part of `|w(−z)|` counts as away from zeros.
+const AWAY: f64 = 0.1;
+
+/// The bound of the norm on a rectangle, in units of 2⁻⁵², and that away from zeros.
+///
+/// # Errors
+/// Why there is none.
+pub(super) fn bound(code: &Code, region: Region, at: &Rectangle) -> Result<[f64; 2], &'static str> {
+    let rho = code.exponential.pair;
+    let norm = |w: &Value| match region {
+        Region::Cell { .. } | Region::Asymptotic { .. } => {
+            let both = [code.limits.cancelled, AWAY].map(|part| reflected(*w, at, rho, part));
+            // Beside the first zeros there is room for a better one.
+            match region {
+                Region::Cell { .. } if both[0] > 2.5 => {
+                    let off = reflected_off_zeros(*w, at, rho);
+                    both.map(|k| k.min(off))
+                }
+                _ => both,
+            }
+        }
+        _ => [w.norm(); 2],
+    };
+    let ways = match region {
+        // Not by rectangles.
+        Region::Dominated => return Ok([0.0; 2]),
+        _ => values(code, region, at)?,
+    };
+    let worst = |p: [f64; 2], q: [f64; 2]| [p[0].max(q[0]), p[1].max(q[1])];
+    Ok(ways.iter().map(norm).fold([0.0; 2], worst))
+}
+
+/// What the formula gives, on each way through its decisions; of the reflected ones w(−z).
+fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'static str> {
+    let y = [-at.b[1], -at.b[0]];
+    let setting = |constants: &'static [Constant]| Setting {
+        sigma: Exact::ZERO,
+        constants,
+        rounding: code.rounding,
+    };
+    let of = |truncated: f64| move |parts: [Tracks; 2]| Value::of(parts, truncated);
+    let both = |(re, im): (Tracked, Tracked)| [re.result(), im.result()];
+    let pairs = |[(p, q), (r, s)]: [(Tracked, Tracked); 2]| [p.exact_sum(q), r.exact_sum(s)];
+    let all =
+        |ways: Vec<[Tracks; 2]>, truncated: f64| Ok(ways.into_iter().map(of(truncated)).collect());
+    match region {
+        Region::Maclaurin { terms } => {
+            let f = match terms {
+                9 => upper::nine_terms::<Tracked>,
+                _ => upper::twenty_one_terms::<Tracked>,
+            };
+            let ways = evaluate(setting(&MACLAURIN), || {
+                both(f(Tracked::input(0, at.a), Tracked::input(1, y)))
+            })?;
+            all(
+                ways,
+                truncation::maclaurin(terms - 1, hypot_up(at.a[1], at.b[1])).norm,
+            )
+        }
+        Region::Disc { centre } => {
+            let row = code.rows.get(Kind::Disc, centre)?;
+            let (dx, dy) = (offsets(at.a, centre.0)?, offsets(at.b, -centre.1)?);
+            let ways = evaluate(setting(&[]), || {
+                let (dx, dy) = (dx.tracked(0), -dy.tracked(1));
+                both(upper::complex_row(Tracking, &row.row, dx, dy))
+            })?;
+            all(ways, row.within(hypot_up(dx.most(), dy.most())))
+        }
+        Region::RealAxis { centre } => {
+            let row = code.rows.get(Kind::RealAxis, (centre, 0.0))?;
+            let t = offsets(at.a, centre)?;
+            let ways = evaluate(setting(&[]), || {
+                let y = Tracked::input(1, y);
+                both(code::real_axis_value(Tracking, &row.row, t.tracked(0), y))
+            })?;
+            all(ways, row.within(hypot_up(t.most(), at.b[1])))
+        }
+        Region::Strip | Region::RealLine => {
+            let (f, t) = match region {
+                Region::Strip => (
+                    code::in_strip::<Tracked> as fn(_, _) -> _,
+                    truncation::strip(at),
+                ),
+                _ => (
+                    code::on_real_line::<Tracked> as fn(_, _) -> _,
+                    truncation::on_real_line(at, code.tables.real_line, code.tables.exponential),
+                ),
+            };
+            let ways = evaluate(setting(&ASYMPTOTIC), || {
+                let (re, im, _): (Tracked, Tracked, bool) =
+                    f(Tracked::input(0, at.a), Tracked::input(1, y));
+                both((re, im))
+            })?;
+            all(ways, t.norm)
+        }
+        Region::Cell { centre } => {
+            let row = code.rows.get(Kind::Cell, centre)?;
+            let (dx, dy) = (offsets(at.a, centre.0)?, offsets(at.b, centre.1)?);
+            let ways = evaluate(setting(&[]), || {
+                pairs(code::complex_row(
+                    Tracking,
+                    &row.row,
+                    dx.tracked(0),
+                    dy.tracked(1),
+                ))
+            })?;
+            all(ways, row.within(hypot_up(dx.most(), dy.most())))
+        }
+        Region::Asymptotic { terms } => {
+            let f = match terms {
+                26 => code::asymptotic::<Tracked, 26>,
+                14 => code::asymptotic::<Tracked, 14>,
+                6 => code::asymptotic::<Tracked, 6>,
+                _ => return Err("no such number of terms"),
+            };
+            let ways = evaluate(setting(&ASYMPTOTIC), || {
+                pairs(f(Tracked::input(0, at.a), Tracked::input(1, at.b)))
+            })?;
+            all(ways, truncation::asymptotic(terms, at).norm)
+        }
+        Region::Dominated => Err("not a formula of its own"),
+    }
+}

@@ -1,0 +1,128 @@
+use super::exponential::U;
+use super::prove::leaves;
+use super::rows::Kind;
+use super::*;
+use crate::Rectangle;
+use mechaudit_solvers::faddeeva::Branch;
+use mechaudit_solvers::faddeeva::proof::lower as solver;
+use std::sync::LazyLock;
+
+static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
+
+fn square(a: f64, b: f64, side: f64) -> Rectangle {
+    Rectangle {
+        a: [a, a + side],
+        b: [b, b + side],
+    }
+}
+
+fn worst(code: &Code, at: &Rectangle) -> f64 {
+    let all = leaves(code, at).map_err(|_| ());
+    all.map_or(f64::INFINITY, |l| {
+        l.iter().map(|l| l.norm).fold(0.0, f64::max)
+    })
+}
+
+#[test]
+fn the_exponential_has_bounds() {
+    let e = &CODE.exponential;
+    assert!(e.pair < 0.28 * U && e.rounded < 4.0 * U, "{e:?}");
+}
+
+#[test]
+fn faults_of_the_exponential_show() {
+    fn coefficient() -> solver::Constants {
+        let mut c = solver::constants();
+        c.exp[1] = f64::from_bits(c.exp[1].to_bits() + 8);
+        c
+    }
+    fn half_pi() -> solver::Constants {
+        let mut c = solver::constants();
+        c.half_pi[2] = 0.0;
+        c.half_pi[1] = 0.0;
+        c
+    }
+    let sound = CODE.exponential.pair;
+    let bound = |f: Factors| Exponential::of(&f).map_or(f64::INFINITY, |e| e.pair);
+    let constants = |constants| Factors {
+        constants,
+        ..Factors::default()
+    };
+    for faulty in [
+        bound(constants(coefficient)),
+        bound(constants(half_pi)),
+        bound(Factors {
+            low_part: false,
+            ..Factors::default()
+        }),
+    ] {
+        assert!(faulty > 1.3 * sound, "{sound} {faulty}");
+    }
+}
+
+#[test]
+fn a_moved_limit_shows() {
+    fn moved(a: f64, b: f64) -> Branch {
+        match solver::formula(a, b) {
+            Branch::Cell { .. } if a * a + b * b > 20.0 => Branch::Asymptotic { terms: 26 },
+            b => b,
+        }
+    }
+    let at = square(3.3, 3.1, 1e-3);
+    let faulty = Code {
+        formula: moved,
+        ..CODE.clone()
+    };
+    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+    let mut faulty = CODE.clone();
+    faulty.limits.cancelled = 0.001;
+    let at = square(20.0, 19.89, 1e-2);
+    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+}
+
+#[test]
+fn a_coefficient_of_a_row_shows() {
+    for (kind, centre, at) in [
+        (Kind::Disc, (0.5, -0.5), square(0.5, 0.5, 1e-2)),
+        (Kind::Cell, (3.0, 3.0), square(3.0, 3.0, 1e-2)),
+    ] {
+        let mut faulty = CODE.clone();
+        let off = |x: f64| f64::from_bits(x.to_bits() + 8);
+        faulty.rows.change(kind, centre, |row| row[0] = off(row[0]));
+        let (sound, faulty) = (worst(&CODE, &at), worst(&faulty, &at));
+        assert!(faulty > 1.3 * sound, "{kind:?} {sound} {faulty}");
+    }
+}
+
+#[test]
+fn the_first_partition_has_no_hole() {
+    // With the real axis, and what is scaled.
+    let least = f64::from_bits(1);
+    let end = 2f64.powi(333);
+    let mut all = roots();
+    all.push(Rectangle {
+        a: [0.0, f64::MAX],
+        b: [0.0; 2],
+    });
+    all.push(Rectangle {
+        a: [end, f64::MAX],
+        b: [least, f64::MAX],
+    });
+    all.push(Rectangle {
+        a: [0.0, f64::MAX],
+        b: [end, f64::MAX],
+    });
+    assert_eq!(crate::hole(&all), None);
+    all.remove(40);
+    assert!(crate::hole(&all).is_some());
+}
+
+#[test]
+fn rings_of_zeros_are_proved() {
+    let watch = crate::Watch::default();
+    let wanted = |r: &Rectangle| (2.0..16.0).contains(&r.a[1].max(r.b[1]));
+    let found = lower_half_plane(&CODE, LOWER_HALF_PLANE, &watch, wanted).expect("not stopped");
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    let most = found.leaves.iter().map(|l| l.norm).fold(0.0, f64::max);
+    assert!(most > 4.0 && most <= LOWER_HALF_PLANE.norm, "{most}");
+}
