@@ -256,7 +256,7 @@ impl Exponential {
     pub fn of(f: &Factors) -> Result<Exponential, String> {
         let c = (f.constants)();
         let phase = Phase::of(&c, f.rounding)?;
-        let of_series = exponential_error(&c.exp, c.ln_2);
+        let of_series = exponential_error(&c.exp, c.ln_2, MOST);
         let all = arguments();
         let circle = intervals(-phase::REDUCED, phase::REDUCED, 1.0 / 96.0);
         let worst = |each: Vec<Result<Errors, &'static str>>| {
