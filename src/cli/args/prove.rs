@@ -22,7 +22,7 @@ place of rectangles, and one bound in units in the last place of the value.
 
 A file of boxes has a line for each: the ends of Re z and Im z, both included, the formula, the \
 centre of its Taylor series, the bounds; for a function of a real argument the ends of x, the formula, the centre, the \
-bound. reference/independent/faddeeva_proof.py checks it.
+bound. faddeeva_proof.py and real_line_proof.py in reference/independent/ check them.
 
 For the lower half-plane the targets are fixed, and there is no file of boxes; the output says what is not proved.
 

@@ -38,6 +38,8 @@ const PRODUCT: f64 = 8.0 * U * U;
 /// 2⁻¹⁰⁰⁰ and so is what the code has for it.
 pub(crate) const LEAST: f64 = -700.0;
 const MOST: f64 = 710.5;
+/// Above the binary exponents of `e^X` there.
+const MOST_EXPONENT: f64 = 1100.0;
 
 /// The functions of an exponential that may be at fault, for tests.
 #[derive(Clone)]
@@ -256,7 +258,7 @@ impl Exponential {
     pub fn of(f: &Factors) -> Result<Exponential, String> {
         let c = (f.constants)();
         let phase = Phase::of(&c, f.rounding)?;
-        let of_series = exponential_error(&c.exp, c.ln_2, MOST);
+        let of_series = exponential_error(&c.exp, c.ln_2, MOST_EXPONENT);
         let all = arguments();
         let circle = intervals(-phase::REDUCED, phase::REDUCED, 1.0 / 96.0);
         let worst = |each: Vec<Result<Errors, &'static str>>| {

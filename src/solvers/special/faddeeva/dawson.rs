@@ -304,7 +304,8 @@ pub fn dawson(z: Complex<f64>) -> Complex<f64> {
 
 /// [`dawson`] of a real argument.
 ///
-/// Worst found, 10⁵ arguments of all sizes: 0.6 units in the last place. ±0 at ±∞, NaN for NaN.
+/// Proved for every finite argument: within 7/8 of a unit in the last place (`mechaudit prove dawson`). ±0 at ±∞, NaN for
+/// NaN.
 ///
 /// ```
 /// use mechaudit_solvers::faddeeva::dawson_real;
