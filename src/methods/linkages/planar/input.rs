@@ -6,10 +6,9 @@ use crate::reference::Ball;
 use crate::reference::planar::{
     Attachment, Body, Drive, Forces, Joint, Linkage, Mechanism, Position,
 };
-use crate::solvers::planar::{self as solver, BodyMass, GROUND, Loads, State};
-use crate::solvers::units::{Inertia, Length, Mass};
+use crate::solvers::planar::{self as solver, BodyMass, GROUND, Loads, NearestError, State};
+use crate::solvers::units::{Angle, Inertia, Length, Mass};
 use rug::Rational;
-use std::f64::consts::TAU;
 
 inputs! {
     /// Bodies joined by pins, the first of them turned from the ground; where they are, about.
@@ -84,38 +83,19 @@ impl PlanarLinkageInput<'_> {
         solver::Mechanism::new(all).map_err(|_| "structure")
     }
 
-    /// The position that the solver finds next to `near`.
+    /// The position that the solver finds nearest to `near`.
     pub(super) fn state(&self, mechanism: &solver::Mechanism) -> Result<State, &'static str> {
-        let modes = mechanism.assembly_modes(self.phi);
-        let off = |s: &State| {
-            let of = |(k, near): (usize, &f64)| {
-                let angle = mechanism.body_angle(s, k + 1).angle.rad();
-                (next_to(angle, *near) - near).abs()
-            };
-            self.near.iter().enumerate().map(of).fold(0.0, f64::max)
-        };
-        let nearest = modes
-            .states
-            .into_iter()
-            .min_by(|a, b| off(a).total_cmp(&off(b)));
-        match nearest {
-            Some(state) if off(&state) <= REACH => Ok(state),
-            _ if modes.complete => Err(NONE),
-            _ => Err("unsolved"),
-        }
+        let near: Vec<Angle> = self.near.iter().map(|&x| Angle::from_rad(x)).collect();
+        let found = mechanism.nearest(self.phi, &near, Angle::from_rad(REACH));
+        found.map_err(|e| match e {
+            NearestError::NoneWithin { .. } => NONE,
+            _ => "unsolved",
+        })
     }
 
     /// The centre of mass of moving body k.
     pub(super) fn centre(&self, k: usize) -> solver::Point {
         solver::Point::from_m(k + 1, [self.xs[k], self.ys[k]])
-    }
-}
-
-/// The angle and the whole turns that bring it next to another.
-pub(super) fn next_to(angle: f64, near: f64) -> f64 {
-    match ((near - angle) / TAU).round() {
-        0.0 => angle,
-        turns => angle + turns * TAU,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Positions, rates and accelerations of a planar linkage.
 
-use super::conditions::Flow;
-use super::input::{PlanarLinkageInput, next_to};
+use super::flow::Flow;
+use super::input::PlanarLinkageInput;
 use super::{laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
@@ -102,9 +102,9 @@ impl Definition for PlanarLinkage {
         let mechanism = i.solver()?;
         let state = i.state(&mechanism)?;
         let mut all = Vec::with_capacity(9 * i.near.len());
-        for (k, near) in i.near.iter().enumerate() {
+        for k in 0..i.near.len() {
             let turn = mechanism.body_angle(&state, k + 1);
-            all.extend([next_to(turn.angle.rad(), *near), turn.first, turn.second]);
+            all.extend([turn.angle.rad(), turn.first, turn.second]);
             let c = mechanism.point(&state, &i.centre(k));
             all.extend([c.r, c.first, c.second].concat());
         }

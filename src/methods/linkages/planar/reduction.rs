@@ -1,6 +1,6 @@
 //! Masses and weights of a planar linkage reduced to its drive.
 
-use super::conditions::Flow;
+use super::flow::Flow;
 use super::input::PlanarForcesInput;
 use super::kinematics::{BITS_OF_CONDITIONS, PROOF, SOURCE};
 use super::{laws, points, regions};
