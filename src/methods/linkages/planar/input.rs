@@ -127,10 +127,29 @@ impl PlanarLinkageInput<'_, Rational> {
             .map_err(|_| Uncertified::Refused("structure"))
     }
 
-    /// The linkage without masses and the position next to `near`.
+    /// The linkage without masses and the position nearest to `near`.
     pub(super) fn placed(&self, bits: u32) -> Result<(Linkage, Position), Uncertified> {
+        self.at_nearest(self.massless(bits)?)
+    }
+
+    fn at_nearest(&self, linkage: Linkage) -> Result<(Linkage, Position), Uncertified> {
+        let near: Vec<f64> = self.near.iter().map(Rational::to_f64).collect();
+        let phi = Ball::rational(linkage.bits(), self.phi);
+        let position = linkage.nearest(&phi, &near, REACH)?;
+        Ok((linkage, position.ok_or(Uncertified::Refused(NONE))?))
+    }
+
+    /// The linkage without masses.
+    pub(super) fn massless(&self, bits: u32) -> Result<Linkage, Uncertified> {
         let nothing = vec![[Rational::new(), Rational::new()]; self.near.len()];
-        self.placed_with(&nothing, bits)
+        self.exact(&nothing, bits)
+    }
+
+    /// The angles that conditions are taken at: with few bits if they are enough to prove the position.
+    pub(super) fn angles(&self) -> Option<Vec<f64>> {
+        let at = |bits| Some(self.placed(bits).ok()?.1);
+        let position = at(64).or_else(|| at(128))?;
+        Some(position.x.iter().map(Ball::to_f64).collect())
     }
 
     fn placed_with(
@@ -138,10 +157,7 @@ impl PlanarLinkageInput<'_, Rational> {
         masses: &[[Rational; 2]],
         bits: u32,
     ) -> Result<(Linkage, Position), Uncertified> {
-        let linkage = self.exact(masses, bits)?;
-        let near: Vec<f64> = self.near.iter().map(Rational::to_f64).collect();
-        let position = linkage.nearest(&Ball::rational(bits, self.phi), &near, REACH)?;
-        Ok((linkage, position.ok_or(Uncertified::Refused(NONE))?))
+        self.at_nearest(self.exact(masses, bits)?)
     }
 }
 
@@ -160,7 +176,7 @@ impl PlanarForcesInput<'_> {
 }
 
 impl PlanarForcesInput<'_, Rational> {
-    /// The linkage with its masses and the position next to `near`.
+    /// The linkage with its masses and the position nearest to `near`.
     pub(super) fn placed(&self, bits: u32) -> Result<(Linkage, Position), Uncertified> {
         if self.m.iter().chain(self.j).any(|x| *x < 0) {
             return Err(Uncertified::Refused("masses"));

@@ -11,7 +11,9 @@ use crate::reference::planar::{Attachment, Linkage, Position};
 use crate::reference::{Ball, Undecided};
 use rug::Rational;
 
-/// A planar linkage of pins next to an approximate position: angles, centres of mass, both derivatives.
+/// A planar linkage of pins: angles, centres of mass, both derivatives at the position whose largest difference from
+/// `near` over the angles of all moving bodies is least, if that is at most 0.1 rad; angles are real numbers, not reduced by
+/// whole turns.
 ///
 /// A candidate is a `Fn(PlanarLinkageInput) -> ` nine values for every moving body, as
 /// `mechaudit list planar-linkage` lays them out.
@@ -28,9 +30,6 @@ pub(super) const PROOF: &str = "Krawczyk (1969); no nearer position by a one-to-
     angles given; Taylor arithmetic in balls";
 /// Where the equations come from.
 pub(super) const SOURCE: &str = "closed loops of rigid bodies, differentiated; Assur groups: Artobolevskii, Theory of Mechanisms and Machines";
-
-/// Bits at which conditions are taken.
-pub(super) const BITS_OF_CONDITIONS: u32 = 128;
 
 fn values(
     linkage: &Linkage,
@@ -117,9 +116,7 @@ impl Definition for PlanarLinkage {
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let exact = exact(numbers)?;
-        let (_, at) = Self::unpack(&exact)?.placed(BITS_OF_CONDITIONS).ok()?;
-        let angles: Vec<f64> = at.x.iter().map(Ball::to_f64).collect();
+        let angles = Self::unpack(&exact(numbers)?)?.angles()?;
         Flow::new(&Self::unpack(numbers)?, &angles).map(|f| f.of_motion())
     }
 
