@@ -34,7 +34,9 @@ impl BallLu {
                 }
                 let f = &a[i][k] / &a[k][k];
                 for j in k + 1..n {
-                    a[i][j] = &a[i][j] - &(&f * &a[k][j]);
+                    if !a[k][j].is_zero() {
+                        a[i][j] = &a[i][j] - &(&f * &a[k][j]);
+                    }
                 }
                 a[i][k] = f;
             }

@@ -59,24 +59,25 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
     let started = Instant::now();
     let (mut good, mut stopped) = (true, false);
     let (mut papers_read, mut reports) = (Vec::new(), Vec::new());
-    for key in papers::keys() {
-        let shown = Arc::clone(&progress);
-        let report = interrupt::unless_asked(move || paper(key, &shown));
-        progress.clear();
+    // Side by side: parts of a paper that follow one from another leave a core to the others.
+    let shown = Arc::clone(&progress);
+    let read = interrupt::unless_asked(move || {
+        let keys = papers::keys().into_par_iter();
+        keys.filter_map(|key| Some((key, paper(key, &shown)?)))
+            .collect::<Vec<_>>()
+    });
+    progress.clear();
+    stopped |= read.is_none();
+    for (key, report) in read.unwrap_or_default() {
         match report {
-            None => {
-                stopped = true;
-                break;
-            }
-            Some(Some(Ok(report))) => {
+            Ok(report) => {
                 good &= report.as_recorded();
                 papers_read.push(report);
             }
-            Some(Some(Err(e))) => {
+            Err(e) => {
                 good = false;
                 complain(&format!("paper {key}: {e}"));
             }
-            Some(None) => {}
         }
     }
     let mut judging = 0.0;

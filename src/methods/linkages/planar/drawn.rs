@@ -1,9 +1,10 @@
 //! Linkages drawn at random at a position: the pins first, then the bodies' frames, so that each can be assembled.
 
-use super::input::{PlanarForcesInput, PlanarLinkageInput};
+use super::input::{PlanarForcesInput, PlanarLinkageInput, REACH};
 use super::kinematics::PlanarLinkage;
 use crate::audit::Draw;
 use crate::methods::definition::Definition;
+use crate::reference::Ball;
 use std::f64::consts::PI;
 
 type Place = [f64; 2];
@@ -262,17 +263,31 @@ impl Linkage {
                 continue;
             };
             let mut all = drawing.framed(d);
+            let decided = all.decider();
             let exact = all.near.clone();
             let mut size = d.log_uniform(1e-8, 0.05);
             for _ in 0..8 {
                 for (near, exact) in all.near.iter_mut().zip(&exact).skip(1) {
                     *near = exact + d.uniform(-size, size);
                 }
-                if PlanarLinkage::admits(all.input()) {
+                if decided(&all.near) {
                     return all;
                 }
                 size /= 16.0;
             }
+        }
+    }
+
+    /// Whether angles are those of a position that the reference proves to be the nearest: [`PlanarLinkage::admits`], the
+    /// linkage being made once.
+    fn decider(&self) -> impl Fn(&[f64]) -> bool + use<> {
+        const BITS: u32 = 64;
+        let numbers = crate::methods::definition::exact(&self.input().to_vec());
+        let linkage = numbers.and_then(|x| PlanarLinkage::unpack(&x)?.massless(BITS).ok());
+        let phi = Ball::exact(BITS, self.phi);
+        move |near| {
+            let nearest = linkage.as_ref().map(|l| l.nearest(&phi, near, REACH));
+            matches!(nearest, Some(Ok(Some(_))))
         }
     }
 

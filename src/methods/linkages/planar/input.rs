@@ -6,10 +6,9 @@ use crate::reference::Ball;
 use crate::reference::planar::{
     Attachment, Body, Drive, Forces, Joint, Linkage, Mechanism, Position,
 };
-use crate::solvers::planar::{self as solver, BodyMass, GROUND, Loads, State};
-use crate::solvers::units::{Inertia, Length, Mass};
+use crate::solvers::planar::{self as solver, BodyMass, GROUND, Loads, NearestError, State};
+use crate::solvers::units::{Angle, Inertia, Length, Mass};
 use rug::Rational;
-use std::f64::consts::TAU;
 
 inputs! {
     /// Bodies joined by pins, the first of them turned from the ground; where they are, about.
@@ -84,38 +83,19 @@ impl PlanarLinkageInput<'_> {
         solver::Mechanism::new(all).map_err(|_| "structure")
     }
 
-    /// The position that the solver finds next to `near`.
+    /// The position that the solver finds nearest to `near`.
     pub(super) fn state(&self, mechanism: &solver::Mechanism) -> Result<State, &'static str> {
-        let modes = mechanism.assembly_modes(self.phi);
-        let off = |s: &State| {
-            let of = |(k, near): (usize, &f64)| {
-                let angle = mechanism.body_angle(s, k + 1).angle.rad();
-                (next_to(angle, *near) - near).abs()
-            };
-            self.near.iter().enumerate().map(of).fold(0.0, f64::max)
-        };
-        let nearest = modes
-            .states
-            .into_iter()
-            .min_by(|a, b| off(a).total_cmp(&off(b)));
-        match nearest {
-            Some(state) if off(&state) <= REACH => Ok(state),
-            _ if modes.complete => Err(NONE),
-            _ => Err("unsolved"),
-        }
+        let near: Vec<Angle> = self.near.iter().map(|&x| Angle::from_rad(x)).collect();
+        let found = mechanism.nearest(self.phi, &near, Angle::from_rad(REACH));
+        found.map_err(|e| match e {
+            NearestError::NoneWithin { .. } => NONE,
+            _ => "unsolved",
+        })
     }
 
     /// The centre of mass of moving body k.
     pub(super) fn centre(&self, k: usize) -> solver::Point {
         solver::Point::from_m(k + 1, [self.xs[k], self.ys[k]])
-    }
-}
-
-/// The angle and the whole turns that bring it next to another.
-pub(super) fn next_to(angle: f64, near: f64) -> f64 {
-    match ((near - angle) / TAU).round() {
-        0.0 => angle,
-        turns => angle + turns * TAU,
     }
 }
 
@@ -147,10 +127,29 @@ impl PlanarLinkageInput<'_, Rational> {
             .map_err(|_| Uncertified::Refused("structure"))
     }
 
-    /// The linkage without masses and the position next to `near`.
+    /// The linkage without masses and the position nearest to `near`.
     pub(super) fn placed(&self, bits: u32) -> Result<(Linkage, Position), Uncertified> {
+        self.at_nearest(self.massless(bits)?)
+    }
+
+    fn at_nearest(&self, linkage: Linkage) -> Result<(Linkage, Position), Uncertified> {
+        let near: Vec<f64> = self.near.iter().map(Rational::to_f64).collect();
+        let phi = Ball::rational(linkage.bits(), self.phi);
+        let position = linkage.nearest(&phi, &near, REACH)?;
+        Ok((linkage, position.ok_or(Uncertified::Refused(NONE))?))
+    }
+
+    /// The linkage without masses.
+    pub(super) fn massless(&self, bits: u32) -> Result<Linkage, Uncertified> {
         let nothing = vec![[Rational::new(), Rational::new()]; self.near.len()];
-        self.placed_with(&nothing, bits)
+        self.exact(&nothing, bits)
+    }
+
+    /// The angles that conditions are taken at: with few bits if they are enough to prove the position.
+    pub(super) fn angles(&self) -> Option<Vec<f64>> {
+        let at = |bits| Some(self.placed(bits).ok()?.1);
+        let position = at(64).or_else(|| at(128))?;
+        Some(position.x.iter().map(Ball::to_f64).collect())
     }
 
     fn placed_with(
@@ -158,10 +157,7 @@ impl PlanarLinkageInput<'_, Rational> {
         masses: &[[Rational; 2]],
         bits: u32,
     ) -> Result<(Linkage, Position), Uncertified> {
-        let linkage = self.exact(masses, bits)?;
-        let near: Vec<f64> = self.near.iter().map(Rational::to_f64).collect();
-        let position = linkage.nearest(&Ball::rational(bits, self.phi), &near, REACH)?;
-        Ok((linkage, position.ok_or(Uncertified::Refused(NONE))?))
+        self.at_nearest(self.exact(masses, bits)?)
     }
 }
 
@@ -180,7 +176,7 @@ impl PlanarForcesInput<'_> {
 }
 
 impl PlanarForcesInput<'_, Rational> {
-    /// The linkage with its masses and the position next to `near`.
+    /// The linkage with its masses and the position nearest to `near`.
     pub(super) fn placed(&self, bits: u32) -> Result<(Linkage, Position), Uncertified> {
         if self.m.iter().chain(self.j).any(|x| *x < 0) {
             return Err(Uncertified::Refused("masses"));

@@ -1,7 +1,7 @@
 //! Positions, rates and accelerations of a planar linkage.
 
-use super::conditions::Flow;
-use super::input::{PlanarLinkageInput, next_to};
+use super::flow::Flow;
+use super::input::PlanarLinkageInput;
 use super::{laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
@@ -11,7 +11,9 @@ use crate::reference::planar::{Attachment, Linkage, Position};
 use crate::reference::{Ball, Undecided};
 use rug::Rational;
 
-/// A planar linkage of pins next to an approximate position: angles, centres of mass, both derivatives.
+/// A planar linkage of pins: angles, centres of mass, both derivatives at the position whose largest difference from
+/// `near` over the angles of all moving bodies is least, if that is at most 0.1 rad; angles are real numbers, not reduced by
+/// whole turns.
 ///
 /// A candidate is a `Fn(PlanarLinkageInput) -> ` nine values for every moving body, as
 /// `mechaudit list planar-linkage` lays them out.
@@ -28,9 +30,6 @@ pub(super) const PROOF: &str = "Krawczyk (1969); no nearer position by a one-to-
     angles given; Taylor arithmetic in balls";
 /// Where the equations come from.
 pub(super) const SOURCE: &str = "closed loops of rigid bodies, differentiated; Assur groups: Artobolevskii, Theory of Mechanisms and Machines";
-
-/// Bits at which conditions are taken.
-pub(super) const BITS_OF_CONDITIONS: u32 = 128;
 
 fn values(
     linkage: &Linkage,
@@ -102,9 +101,9 @@ impl Definition for PlanarLinkage {
         let mechanism = i.solver()?;
         let state = i.state(&mechanism)?;
         let mut all = Vec::with_capacity(9 * i.near.len());
-        for (k, near) in i.near.iter().enumerate() {
+        for k in 0..i.near.len() {
             let turn = mechanism.body_angle(&state, k + 1);
-            all.extend([next_to(turn.angle.rad(), *near), turn.first, turn.second]);
+            all.extend([turn.angle.rad(), turn.first, turn.second]);
             let c = mechanism.point(&state, &i.centre(k));
             all.extend([c.r, c.first, c.second].concat());
         }
@@ -117,9 +116,7 @@ impl Definition for PlanarLinkage {
     }
 
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
-        let exact = exact(numbers)?;
-        let (_, at) = Self::unpack(&exact)?.placed(BITS_OF_CONDITIONS).ok()?;
-        let angles: Vec<f64> = at.x.iter().map(Ball::to_f64).collect();
+        let angles = Self::unpack(&exact(numbers)?)?.angles()?;
         Flow::new(&Self::unpack(numbers)?, &angles).map(|f| f.of_motion())
     }
 

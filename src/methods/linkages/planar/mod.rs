@@ -2,6 +2,7 @@
 
 mod conditions;
 mod drawn;
+mod flow;
 mod input;
 mod kinematics;
 mod laws;

@@ -65,8 +65,9 @@ impl Definition for PlanarReactions {
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let (linkage, at) = i.placed(bits)?;
         let [speed, acceleration] = [i.speed, i.acceleration].map(|q| Ball::rational(bits, q));
-        let rates = linkage.in_time(&at, &speed, &acceleration)?;
-        let forces = linkage.joint_forces(&at, &rates, &i.weight())?;
+        let series = linkage.series(&at, 2)?;
+        let rates = series.in_time(&speed, &acceleration);
+        let forces = linkage.joint_forces(&series, &rates, &i.weight())?;
         let values = forces.pins.into_iter().flatten().collect();
         Ok(ReferenceAnswer::bounded(values, PROOF))
     }

@@ -1,8 +1,8 @@
 //! Masses and weights of a planar linkage reduced to its drive.
 
-use super::conditions::Flow;
+use super::flow::Flow;
 use super::input::PlanarForcesInput;
-use super::kinematics::{BITS_OF_CONDITIONS, PROOF, SOURCE};
+use super::kinematics::{PROOF, SOURCE};
 use super::{laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Uncertified};
 use crate::methods::common::conditioned;
@@ -63,8 +63,9 @@ impl Definition for PlanarReduction {
 
     fn reference(i: Self::Input<'_, Rational>, bits: u32) -> Result<ReferenceAnswer, Uncertified> {
         let (linkage, at) = i.placed(bits)?;
-        let inertia = linkage.reduced_inertia(&at, 1)?;
-        let [moment, slope] = linkage.reduced_force(&at, &i.weight())?;
+        let series = linkage.series(&at, 2)?;
+        let inertia = linkage.reduced_inertia(&series);
+        let [moment, slope] = linkage.reduced_force(&series, &i.weight());
         let [speed, acceleration] = [i.speed, i.acceleration].map(|q| Ball::rational(bits, q));
         let torque =
             &inertia[0] * &acceleration + (&inertia[1] * &speed.square()).shift(-1) - &moment;
@@ -91,10 +92,7 @@ pub(super) fn admits(i: PlanarForcesInput) -> bool {
 /// The linkage of an input at the reference's angles.
 pub(super) fn flow(numbers: &[f64]) -> Option<(Flow, Vec<f64>)> {
     let exact = exact(numbers)?;
-    let (_, at) = PlanarReduction::unpack(&exact)?
-        .placed(BITS_OF_CONDITIONS)
-        .ok()?;
-    let angles: Vec<f64> = at.x.iter().map(Ball::to_f64).collect();
+    let angles = PlanarReduction::unpack(&exact)?.linkage.angles()?;
     let flow = Flow::new(&PlanarReduction::unpack(numbers)?.linkage, &angles)?;
     Some((flow, angles))
 }

@@ -7,9 +7,11 @@
 //! exact; a bad one can only make the test fail.
 
 use super::mechanism::{Drive, Mechanism, MechanismError};
+use super::mid_rad::MidRad;
+use super::scalar::Scalar;
 use super::system::System;
 use crate::{Ball, BallLu, Mag, Undecided};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use rug::Float;
 
 /// A mechanism with a drive at a working precision.
@@ -63,12 +65,12 @@ pub(super) fn apply(y: &DMatrix<f64>, v: &[Ball]) -> Vec<Ball> {
 }
 
 impl System {
-    /// The inverse of the Jacobian's midpoint at z, in `f64`.
+    /// The inverse of the Jacobian at z, in `f64`.
     pub(super) fn approximate_inverse(&self, z: &[Float]) -> Option<DMatrix<f64>> {
-        let pose = self.pose(exact(z, self.bits));
-        let j = self.jacobian(&pose);
+        let pose = self.pose(z.iter().map(Float::to_f64).collect());
+        let j = self.jacobian::<f64>(&pose);
         let n = self.coordinates;
-        let m = DMatrix::from_fn(n, n, |i, k| j[i][k].mid().to_f64());
+        let m = DMatrix::from_fn(n, n, |i, k| j[i][k]);
         m.try_inverse().filter(|y| y.iter().all(|x| x.is_finite()))
     }
 
@@ -77,23 +79,23 @@ impl System {
         let wide = exact(z, self.bits)
             .into_iter()
             .zip(r)
-            .map(|(x, r)| x.widened(*r));
+            .map(|(x, r)| MidRad::of(&x.widened(*r)));
         let j = self.jacobian(&self.pose(wide.collect()));
         defect(y, &j)
     }
 }
 
 /// Upper bounds on the entries of `|I − Y J|`.
-pub(super) fn defect(y: &DMatrix<f64>, j: &[Vec<Ball>]) -> Vec<Vec<Mag>> {
+pub(super) fn defect<T: Scalar>(y: &DMatrix<f64>, j: &[Vec<T>]) -> Vec<Vec<Mag>> {
     let n = j.len();
     let entry = |i: usize, k: usize| {
-        let mut e = Ball::integer(64, i64::from(i == k));
+        let mut e = T::real(&Ball::integer(64, i64::from(i == k)));
         for (m, row) in j.iter().enumerate() {
-            if y[(i, m)] != 0.0 && !row[k].is_zero() {
-                e = e - &Ball::exact(64, y[(i, m)]) * &row[k];
+            if y[(i, m)] != 0.0 && !row[k].size().is_zero() {
+                e = e.minus(&row[k].by_f64(y[(i, m)]));
             }
         }
-        e.magnitude()
+        e.size()
     };
     (0..n)
         .map(|i| (0..n).map(|k| entry(i, k)).collect())
@@ -159,27 +161,28 @@ impl Linkage {
 
     pub(super) fn enclose(&self, drive: &Ball, guess: &[Float]) -> Option<Position> {
         let bits = self.bits();
-        let coarse = drive.with_prec(64);
-        let mut z: Vec<Float> = guess.iter().map(|x| Float::with_val(bits, x)).collect();
-        let mut y = self.coarse.approximate_inverse(&z)?;
-        // Newton to the digits of Y, then chords with all digits; the counts are only guards.
-        let mut last = Mag::INFINITY;
+        let mut y = self.coarse.approximate_inverse(guess)?;
+        // Newton's method in f64, then chords with all digits; the counts are only guards.
+        let near = drive.mid().to_f64();
+        let mut x: Vec<f64> = guess.iter().map(Float::to_f64).collect();
+        let mut last = f64::INFINITY;
         for round in 0..30 {
-            let step = apply(&y, &self.at(&self.coarse, &z, &coarse));
-            let size = largest(&step);
+            let f = self.coarse.residual(&self.coarse.pose(x.clone()), &near);
+            let step = &y * DVector::from_vec(f);
+            let size = step.amax();
             if !size.is_finite() {
                 return None;
             }
-            if round > 1 && size >= last.shift(-1) {
+            if round > 1 && size >= 0.5 * last {
                 break;
             }
-            for (z, s) in z.iter_mut().zip(&step) {
-                *z -= s.mid();
-            }
-            y = self.coarse.approximate_inverse(&z)?;
+            x.iter_mut().zip(&step).for_each(|(x, s)| *x -= s);
+            let at: Vec<Float> = x.iter().map(|x| Float::with_val(53, *x)).collect();
+            y = self.coarse.approximate_inverse(&at)?;
             last = size;
         }
-        last = Mag::INFINITY;
+        let mut z: Vec<Float> = x.iter().map(|x| Float::with_val(bits, *x)).collect();
+        let mut last = Mag::INFINITY;
         let mut step = apply(&y, &self.at(&self.fine, &z, drive));
         for round in 0..10 + bits / 16 {
             let size = largest(&step);

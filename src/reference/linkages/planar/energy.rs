@@ -190,36 +190,24 @@ impl Load {
 }
 
 impl Linkage {
-    /// Taylor coefficients of the reduced inertia `Σ m |dS/db|² + J (dψ/db)²`, orders 0 to `order`.
-    ///
-    /// # Errors
-    /// [`Undecided`](crate::Undecided) where the Jacobian may be singular.
-    pub fn reduced_inertia(
-        &self,
-        position: &Position,
-        order: usize,
-    ) -> Result<Vec<Ball>, crate::Undecided> {
+    /// Taylor coefficients of the reduced inertia `Σ m |dS/db|² + J (dψ/db)²`, one order less than the series has.
+    pub fn reduced_inertia(&self, series: &Series) -> Vec<Ball> {
         let nothing = Forces {
             drive: Rational::new(),
             springs: Vec::new(),
             gravity: [Rational::new(), Rational::new()],
         };
-        let load = Load::new(&self.mechanism, &nothing, self.bits());
-        Ok(load.inertia_series(&self.series(position, order + 1)?))
+        Load::new(&self.mechanism, &nothing, self.bits()).inertia_series(series)
     }
 
     /// What forces do for a unit of the drive, `Q − dV/db`, and its derivative.
     ///
-    /// # Errors
-    /// [`Undecided`](crate::Undecided) where the Jacobian may be singular.
-    pub fn reduced_force(
-        &self,
-        position: &Position,
-        forces: &Forces,
-    ) -> Result<[Ball; 2], crate::Undecided> {
+    /// # Panics
+    /// If the series has fewer than two orders.
+    pub fn reduced_force(&self, series: &Series, forces: &Forces) -> [Ball; 2] {
         let load = Load::new(&self.mechanism, forces, self.bits());
-        let potential = load.potential_series(&self.series(position, 2)?);
-        Ok([&load.drive - &potential[1], -potential[2].shift(1)])
+        let potential = load.potential_series(series);
+        [&load.drive - &potential[1], -potential[2].shift(1)]
     }
 
     /// The energy of springs and weights at a position.

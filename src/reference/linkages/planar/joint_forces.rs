@@ -4,7 +4,7 @@
 //! `m (S'' − g)` and their moments about its centre of mass S to `J ψ''`, the drive's torque among them: 3n linear
 //! equations for 2p forces and the torque. Nothing of the loops' multipliers is used, whose drive force is a check.
 
-use super::enclosure::{Linkage, Position};
+use super::enclosure::Linkage;
 use super::energy::Forces;
 use super::mechanism::{Attachment, Frame, Joint};
 use super::reactions::Rates;
@@ -32,14 +32,14 @@ impl Linkage {
         [p, v, a.map(|x| x.shift(1))]
     }
 
-    /// Forces in the pins under gravity and inertia, for the rates of a position.
+    /// Forces in the pins under gravity and inertia, for the rates of a position with its series of two orders or more.
     ///
     /// # Errors
     /// [`Undecided`] where the forces are not determined, and for mechanisms with joints other than pins or with
     /// springs.
     pub fn joint_forces(
         &self,
-        position: &Position,
+        series: &Series,
         rates: &Rates,
         forces: &Forces,
     ) -> Result<JointForces, Undecided> {
@@ -55,12 +55,9 @@ impl Linkage {
         if !forces.springs.is_empty() {
             return Err(self.undecided("forces are computed without springs"));
         }
-        let series = self.series(position, 2)?;
-        let pose = self.fine.pose(position.x.clone());
         let zero = Ball::integer(bits, 0);
-        let place = |at: &Attachment| {
-            BallForm::new(&self.mechanism.loops.point(at), bits).value(&pose, &zero)
-        };
+        let place =
+            |at: &Attachment| series.form(&BallForm::new(&self.mechanism.loops.point(at), bits), 0);
         let n = 3 * bodies.len();
         let mut matrix = vec![vec![zero.clone(); n]; n];
         let mut right = vec![zero.clone(); n];
@@ -69,7 +66,7 @@ impl Linkage {
         let mut centres = Vec::with_capacity(bodies.len());
         for (k, body) in bodies.iter().enumerate() {
             let centre = Attachment::body(k, body.centre.clone());
-            let [s, first, second] = self.point_motion(&series, &centre);
+            let [s, first, second] = self.point_motion(series, &centre);
             let mass = Ball::rational(bits, &body.mass);
             for i in 0..2 {
                 let by = &second[i] * &square + &first[i] * acceleration;

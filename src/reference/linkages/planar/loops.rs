@@ -76,19 +76,22 @@ pub(super) fn difference(a: &Form, b: &Form) -> Form {
 
 /// The point, from the origins known so far; none if its body's is not.
 fn located(origins: &[Option<Form>], at: &Attachment) -> Option<Form> {
-    let mut form = match at.frame {
+    let origin = match at.frame {
         Frame::Ground => Form::new(),
         Frame::Body(i) => origins[i].clone()?,
     };
-    add(
-        &mut form,
-        Term {
-            z: at.point.clone(),
-            slide: None,
-            body: direction(at.frame),
-        },
-    );
-    Some(form)
+    Some(attached(origin, at))
+}
+
+/// The point, from the origin of its frame.
+fn attached(mut origin: Form, at: &Attachment) -> Form {
+    let arm = Term {
+        z: at.point.clone(),
+        slide: None,
+        body: direction(at.frame),
+    };
+    add(&mut origin, arm);
+    origin
 }
 
 /// What a joint says of two points: `a + travel = b`.
@@ -183,8 +186,11 @@ impl Loops {
 
     /// The point of an attachment.
     pub(super) fn point(&self, at: &Attachment) -> Form {
-        let origins: Vec<Option<Form>> = self.origins.iter().cloned().map(Some).collect();
-        located(&origins, at).unwrap_or_default()
+        let origin = match at.frame {
+            Frame::Ground => Form::new(),
+            Frame::Body(i) => self.origins[i].clone(),
+        };
+        attached(origin, at)
     }
 }
 

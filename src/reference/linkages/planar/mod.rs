@@ -44,6 +44,7 @@ mod energy;
 mod joint_forces;
 mod loops;
 mod mechanism;
+mod mid_rad;
 mod modes;
 #[cfg(test)]
 mod modes_tests;

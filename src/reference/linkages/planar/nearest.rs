@@ -10,10 +10,11 @@ use crate::{Ball, Mag, Undecided};
 use rug::Float;
 
 impl Linkage {
-    /// The position at that value of the drive whose coordinates are nearest to `guess` in the largest of their
-    /// differences, if one lies within `reach` of it; none if it is proved that none does.
+    /// The position at that value of the drive whose largest difference from `guess` over all coordinates (the angles of
+    /// all moving bodies, where there are no slides or slots) is least, if that is at most `reach`; none if it is proved
+    /// that none is within `reach`.
     ///
-    /// Angles are not reduced: a position and its whole turns are several.
+    /// Angles are real numbers, not reduced by whole turns: a position and its whole turns are several.
     ///
     /// # Errors
     /// [`Undecided`] where positions nearly meet, where the guess is so far off that another position could be nearer,

@@ -7,6 +7,7 @@
 
 use super::enclosure::{Linkage, Position};
 use super::energy::{Forces, Load};
+use super::series::Series;
 use crate::{Ball, BallLu, Undecided};
 
 /// Rates and accelerations of a position in motion.
@@ -20,6 +21,26 @@ pub struct Rates {
     pub second: Vec<Ball>,
 }
 
+impl Series {
+    /// Rates of all coordinates for a speed and an acceleration of the drive.
+    ///
+    /// # Panics
+    /// If the series has fewer than two orders.
+    pub fn in_time(&self, speed: &Ball, acceleration: &Ball) -> Rates {
+        let square = speed.square();
+        let n = self.coordinates();
+        let first = |i: usize| self.coefficient(i, 1) * speed;
+        let second = |i: usize| {
+            (self.coefficient(i, 2) * &square).shift(1) + self.coefficient(i, 1) * acceleration
+        };
+        Rates {
+            drive: [speed.clone(), acceleration.clone()],
+            first: (0..n).map(first).collect(),
+            second: (0..n).map(second).collect(),
+        }
+    }
+}
+
 impl Linkage {
     /// Rates of all coordinates for a speed and an acceleration of the drive.
     ///
@@ -31,18 +52,7 @@ impl Linkage {
         speed: &Ball,
         acceleration: &Ball,
     ) -> Result<Rates, Undecided> {
-        let series = self.series(position, 2)?;
-        let square = speed.square();
-        let n = position.x.len();
-        let first = |i: usize| series.coefficient(i, 1) * speed;
-        let second = |i: usize| {
-            (series.coefficient(i, 2) * &square).shift(1) + series.coefficient(i, 1) * acceleration
-        };
-        Ok(Rates {
-            drive: [speed.clone(), acceleration.clone()],
-            first: (0..n).map(first).collect(),
-            second: (0..n).map(second).collect(),
-        })
+        Ok(self.series(position, 2)?.in_time(speed, acceleration))
     }
 
     /// The multipliers λ: two for each loop in the order of the joints that close them, one for each slide's, gear's or

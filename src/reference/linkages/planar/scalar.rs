@@ -3,8 +3,9 @@
 use crate::{Ball, Mag};
 use rug::{Float, float};
 
-/// Balls for the mechanism as it is, complex discs for its continuation over a disc of drive coordinates. Both
-/// enclose: an operation's result holds the exact result for all numbers that the operands hold.
+/// Balls for the mechanism as it is, `MidRad` where a bound needs no digits, complex discs for its continuation over a
+/// disc of drive coordinates. All enclose: an operation's result holds the exact result for all numbers that the operands
+/// hold. Plain `f64` do not, and serve to find what is proved by the others.
 pub(super) trait Scalar: Clone {
     /// A real number.
     fn real(b: &Ball) -> Self;
@@ -16,6 +17,10 @@ pub(super) trait Scalar: Clone {
     fn times(&self, other: &Self) -> Self;
     /// Product with a real number.
     fn by(&self, k: &Ball) -> Self;
+    /// Product with an exact number.
+    fn by_f64(&self, k: f64) -> Self {
+        self.by(&Ball::exact(64, k))
+    }
     /// Cosine and sine.
     fn cos_sin(&self) -> (Self, Self);
     /// `1/√q` by the branch that is positive on the positive real line; unbounded unless that is analytic on all that
@@ -50,6 +55,34 @@ impl Scalar for Ball {
     }
     fn size(&self) -> Mag {
         self.magnitude()
+    }
+}
+
+impl Scalar for f64 {
+    fn real(b: &Ball) -> f64 {
+        b.mid().to_f64()
+    }
+    fn plus(&self, other: &f64) -> f64 {
+        self + other
+    }
+    fn minus(&self, other: &f64) -> f64 {
+        self - other
+    }
+    fn times(&self, other: &f64) -> f64 {
+        self * other
+    }
+    fn by(&self, k: &Ball) -> f64 {
+        self * k.mid().to_f64()
+    }
+    fn cos_sin(&self) -> (f64, f64) {
+        let (s, c) = self.sin_cos();
+        (c, s)
+    }
+    fn over_root(&self) -> f64 {
+        self.sqrt().recip()
+    }
+    fn size(&self) -> Mag {
+        Mag::from_f64(*self)
     }
 }
 

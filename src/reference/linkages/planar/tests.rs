@@ -212,7 +212,7 @@ fn the_drive_s_multiplier_balances_the_power() {
     let (speed, acceleration) = (ball("1.7"), ball("-0.6"));
     let rates = linkage.in_time(&position, &speed, &acceleration).unwrap();
     let multipliers = linkage.multipliers(&position, &rates, &forces).unwrap();
-    let inertia = linkage.reduced_inertia(&position, 1).unwrap();
+    let inertia = linkage.reduced_inertia(&linkage.series(&position, 2).unwrap());
     let load = super::energy::Load::new(&mechanism, &forces, BITS);
     let potential = load.potential_series(&linkage.series(&position, 1).unwrap());
     let due =
@@ -389,14 +389,16 @@ fn forces_in_pins_are_those_of_the_multipliers() {
         ..unloaded()
     };
     let multipliers = linkage.multipliers(&position, &rates, &forces).unwrap();
-    let found = linkage.joint_forces(&position, &rates, &forces).unwrap();
+    let found = linkage
+        .joint_forces(&linkage.series(&position, 2).unwrap(), &rates, &forces)
+        .unwrap();
     meets(&found.drive, &-&multipliers[2]);
     // The closure is coupler's end less rocker's: its multipliers act on the rocker.
     meets(&found.pins[3][0], &multipliers[0]);
     meets(&found.pins[3][1], &multipliers[1]);
     // The torque from the reduced quantities.
-    let inertia = linkage.reduced_inertia(&position, 1).unwrap();
-    let [moment, _] = linkage.reduced_force(&position, &forces).unwrap();
+    let inertia = linkage.reduced_inertia(&linkage.series(&position, 2).unwrap());
+    let [moment, _] = linkage.reduced_force(&linkage.series(&position, 2).unwrap(), &forces);
     let due = &inertia[0] * &ball("-7") + (&inertia[1] * &ball("9")).shift(-1) - moment;
     meets(&found.drive, &due);
 }

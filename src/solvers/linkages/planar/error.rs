@@ -131,3 +131,35 @@ pub enum PositionError {
         steps: u32,
     },
 }
+
+/// Why it is not said which position is nearest to approximate angles.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NearestError {
+    /// Not one angle for each moving body.
+    #[error("{given} angles are given for {bodies} moving bodies")]
+    Count {
+        /// How many are given.
+        given: usize,
+        /// How many bodies move.
+        bodies: usize,
+    },
+    /// The drive, an angle or the reach is NaN or infinite.
+    #[error("drive, angles and reach have to be finite, and one of them is {value}")]
+    NotFinite {
+        /// Its value.
+        value: f64,
+    },
+    /// No position has all its angles so near.
+    #[error("no position has all angles within {reach} rad of those given")]
+    NoneWithin {
+        /// The reach in radians.
+        reach: f64,
+    },
+    /// Positions nearly merge or are equally far, modes may be missing, or there are gears or racks.
+    #[error(
+        "which position is nearest cannot be told: positions nearly merge or are equally far, or \
+         not all of them are found"
+    )]
+    CannotTell,
+}

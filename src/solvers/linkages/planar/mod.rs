@@ -4,6 +4,7 @@
 //! racks) and the drive. [`Mechanism::new`] counts its degrees of freedom by structure, tells which
 //! bodies are locked, over-constrained or loose, and takes it apart into Assur groups.
 //! [`Mechanism::assembly_modes`] finds every position at one value of the drive,
+//! [`Mechanism::nearest`] the one next to approximate angles,
 //! [`Mechanism::follow`] carries a position along its branch by steps that are proved not to change it,
 //! [`Mechanism::trace_branches`] does so for all of them and tells where they merge or cross. A
 //! [`State`] holds positions and rates.
@@ -14,6 +15,7 @@
 
 mod bounds;
 mod branches;
+mod building;
 mod chain;
 mod check;
 mod circles;
@@ -27,6 +29,7 @@ mod mechanism;
 mod model;
 mod modes;
 mod motion;
+mod nearest;
 mod newton;
 mod pebbles;
 mod pose;
@@ -37,7 +40,7 @@ mod structure;
 mod triad;
 
 pub use branches::{BranchEnd, BranchMap, BranchSample};
-pub use error::{MechanismError, PositionError};
+pub use error::{MechanismError, NearestError, PositionError};
 pub use loads::{BodyMass, Course, Load, LoadError, Loads, ReducedLoads};
 pub use mechanism::Mechanism;
 pub use model::{Description, Drive, GROUND, Guide, Joint, Named, Point};
@@ -53,5 +56,7 @@ mod branch_tests;
 mod law_tests;
 #[cfg(test)]
 mod load_tests;
+#[cfg(test)]
+mod nearest_tests;
 #[cfg(test)]
 mod tests;

@@ -1,0 +1,299 @@
+//! How a planar linkage moves with its data, by implicit differentiation in `f64` at the reference's angles.
+//!
+//! With origins O and angles θ of the bodies, `F(q, p) = 0` says that every pin's points `O + e^{iθ} z` coincide and that
+//! the first angle is φ. A datum p moves q, q', q'' by `F_q δq = −F_p δp` and the same differentiated once and twice by
+//! the drive with what the lower orders give on the right. `Σ |p ∂f/∂p|` follows by one pass for each datum.
+//!
+//! To these come the coefficients of the linear systems for q' and q'', as if each were a datum: Skeel's
+//! `|F_q⁻¹| (|F_q| |q'| + |right side|)` (*J. ACM* 26 (1979) 494–526). Without them a body that by its structure moves as
+//! another does, the data being what they may, would have to have the difference of both exactly.
+
+use super::input::PlanarLinkageInput;
+use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
+
+pub(super) type C = Complex<f64>;
+
+pub(super) const I: C = C::new(0.0, 1.0);
+
+/// The scalar product of two vectors.
+pub(super) fn dot(a: C, b: C) -> f64 {
+    a.re * b.re + a.im * b.im
+}
+
+/// The cross product of two vectors.
+pub(super) fn cross(a: C, b: C) -> f64 {
+    a.re * b.im - a.im * b.re
+}
+
+/// A point of a body.
+#[derive(Clone, Copy)]
+pub(super) struct Spot {
+    /// 0 is the ground.
+    pub body: usize,
+    pub at: C,
+}
+
+/// Origins and angles with two derivatives, or their changes, of the ground and all bodies.
+#[derive(Clone)]
+pub(super) struct Motion {
+    pub origin: Vec<[C; 3]>,
+    pub turn: Vec<[f64; 3]>,
+}
+
+impl Motion {
+    pub(super) fn still(bodies: usize) -> Motion {
+        Motion {
+            origin: vec![[C::default(); 3]; bodies + 1],
+            turn: vec![[0.0; 3]; bodies + 1],
+        }
+    }
+
+    /// Sets one order from a solution of the loops.
+    fn set(&mut self, order: usize, q: &DVector<f64>) {
+        for k in 1..self.turn.len() {
+            let at = 3 * (k - 1);
+            self.origin[k][order] = C::new(q[at], q[at + 1]);
+            self.turn[k][order] = q[at + 2];
+        }
+    }
+}
+
+/// A datum: its size, and which point or the drive it moves.
+pub(super) struct Datum {
+    pub size: f64,
+    /// The pin, its side and the change of the point; none is the drive.
+    pub of: Option<(usize, usize, C)>,
+}
+
+/// A linkage at a position.
+pub(super) struct Flow {
+    pub bodies: usize,
+    pub pins: Vec<[Spot; 2]>,
+    pub centres: Vec<C>,
+    pub phi: f64,
+    /// `e^{iθ}` of the ground and all bodies.
+    pub direction: Vec<C>,
+    pub motion: Motion,
+    pub loops: LU<f64, Dyn, Dyn>,
+    /// What the coefficients of the systems for the first and second derivatives make of origins and angles.
+    pub systems: Vec<[[f64; 2]; 2]>,
+}
+
+/// A centre of mass with its derivatives, or its changes.
+pub(super) type Path = [C; 3];
+
+impl Flow {
+    /// The linkage with its bodies at those angles; none at a singular position.
+    pub(super) fn new(i: &PlanarLinkageInput, angles: &[f64]) -> Option<Flow> {
+        let bodies = i.near.len();
+        let spot = |body: usize, x: f64, y: f64| Spot {
+            body,
+            at: C::new(x, y),
+        };
+        let ends = |(k, [a, b]): (usize, [usize; 2])| {
+            [spot(a, i.xa[k], i.ya[k]), spot(b, i.xb[k], i.yb[k])]
+        };
+        let pins: Vec<[Spot; 2]> = i.joined()?.into_iter().enumerate().map(ends).collect();
+        let mut direction = vec![C::new(1.0, 0.0)];
+        direction.extend(angles.iter().map(|t| C::new(t.cos(), t.sin())));
+        let n = 3 * bodies;
+        let mut matrix = DMatrix::zeros(n, n);
+        for (row, pin) in pins.iter().enumerate() {
+            for (spot, sign) in pin.iter().zip([1.0, -1.0]) {
+                let Some(k) = spot.body.checked_sub(1) else {
+                    continue;
+                };
+                let arm = I * direction[spot.body] * spot.at;
+                matrix[(2 * row, 3 * k)] = sign;
+                matrix[(2 * row + 1, 3 * k + 1)] = sign;
+                matrix[(2 * row, 3 * k + 2)] = sign * arm.re;
+                matrix[(2 * row + 1, 3 * k + 2)] = sign * arm.im;
+            }
+        }
+        matrix[(n - 1, 2)] = 1.0;
+        let mut flow = Flow {
+            bodies,
+            pins,
+            centres: (i.xs.iter().zip(i.ys).map(|(&x, &y)| C::new(x, y))).collect(),
+            phi: i.phi,
+            direction,
+            motion: Motion::still(bodies),
+            loops: matrix.lu(),
+            systems: vec![[[0.0; 2]; 2]; bodies + 1],
+        };
+        // Origins are not needed: only their derivatives are.
+        let mut right = DVector::zeros(n);
+        right[n - 1] = 1.0;
+        flow.motion.set(1, &flow.loops.solve(&right)?);
+        let second = |s: &Spot| {
+            let w = flow.motion.turn[s.body][1];
+            flow.direction[s.body] * s.at * (w * w)
+        };
+        let right = flow.closed(second, 0.0);
+        flow.motion.set(2, &flow.loops.solve(&right)?);
+        flow.systems = flow.of_systems()?;
+        Some(flow)
+    }
+
+    fn of_systems(&self) -> Option<Vec<[[f64; 2]; 2]>> {
+        let inverse = self.loops.try_inverse()?.abs();
+        let mut all = vec![[[0.0; 2]; 2]; self.bodies + 1];
+        for order in [1, 2] {
+            let mut right = DVector::zeros(3 * self.bodies);
+            for (row, s) in (self.pins.iter().enumerate()).flat_map(|(j, p)| p.map(|s| (2 * j, s)))
+            {
+                let o = self.motion.origin[s.body];
+                let [_, first, second] = self.motion.turn[s.body];
+                let arm = s.at.norm();
+                let turning = match order {
+                    1 => arm * first.abs(),
+                    _ => {
+                        arm * (second.abs() + first * first + 2.0 * first.abs() * all[s.body][1][0])
+                    }
+                };
+                right[row] += o[order].re.abs() + turning;
+                right[row + 1] += o[order].im.abs() + turning;
+            }
+            let size = &inverse * right;
+            for (k, of) in all.iter_mut().skip(1).enumerate() {
+                of[0][order - 1] = size[3 * k].max(size[3 * k + 1]);
+                of[1][order - 1] = size[3 * k + 2];
+            }
+        }
+        Some(all)
+    }
+
+    /// What the systems make of the first and second derivative of a body's centre of mass and of its angle.
+    pub(super) fn system(&self, k: usize) -> [[f64; 2]; 2] {
+        let [origin, turn] = self.systems[k + 1];
+        let arm = self.centres[k].norm();
+        let first = self.motion.turn[k + 1][1].abs();
+        let path = [
+            origin[0] + arm * turn[0],
+            origin[1] + arm * (turn[1] + 2.0 * first * turn[0]),
+        ];
+        [path, turn]
+    }
+
+    /// The right side with the difference of a pin's two points of `of`, and the drive's.
+    fn closed(&self, of: impl Fn(&Spot) -> C, drive: f64) -> DVector<f64> {
+        let mut right = DVector::zeros(3 * self.bodies);
+        for (row, [a, b]) in self.pins.iter().enumerate() {
+            let gap = of(a) - of(b);
+            right[2 * row] = gap.re;
+            right[2 * row + 1] = gap.im;
+        }
+        right[3 * self.bodies - 1] = drive;
+        right
+    }
+
+    /// A point with its derivatives, the origin's position left out.
+    pub(super) fn path(&self, s: Spot) -> Path {
+        let arm = self.direction[s.body] * s.at;
+        let [_, v, a] = self.motion.origin[s.body];
+        let [_, first, second] = self.motion.turn[s.body];
+        let along = I * second - first * first;
+        [arm, v + arm * I * first, a + arm * along]
+    }
+
+    /// How a point and its derivatives change with the bodies and with its place in the body.
+    pub(super) fn change(&self, s: Spot, by: C, d: &Motion) -> Path {
+        let e = self.direction[s.body];
+        let [_, first, second] = self.motion.turn[s.body];
+        let [turn, turn1, turn2] = d.turn[s.body];
+        let [o, o1, o2] = d.origin[s.body];
+        let moved = I * turn * s.at + by;
+        let squared = moved * (first * first) + s.at * (2.0 * first * turn1);
+        [
+            o + e * moved,
+            o1 + e * I * (moved * first + s.at * turn1),
+            o2 + e * (I * (moved * second + s.at * turn2) - squared),
+        ]
+    }
+
+    /// How the bodies move with a datum.
+    pub(super) fn moved(&self, datum: &Datum) -> Option<Motion> {
+        let mut d = Motion::still(self.bodies);
+        for order in 0..3 {
+            let mut right = DVector::zeros(3 * self.bodies);
+            for (row, pin) in self.pins.iter().enumerate() {
+                for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                    let by = self.by(datum, row, side);
+                    let gap = self.change(pin[side], by, &d)[order] * sign;
+                    right[2 * row] += gap.re;
+                    right[2 * row + 1] += gap.im;
+                }
+            }
+            if order == 0 && datum.of.is_none() {
+                right[3 * self.bodies - 1] = 1.0;
+            }
+            d.set(order, &self.loops.solve(&right)?);
+        }
+        Some(d)
+    }
+
+    /// How the datum moves a pin's point in its body.
+    pub(super) fn by(&self, datum: &Datum, pin: usize, side: usize) -> C {
+        match datum.of {
+            Some((p, s, by)) if (p, s) == (pin, side) => by,
+            _ => C::default(),
+        }
+    }
+
+    /// Drive and pins' coordinates.
+    pub(super) fn data(&self) -> Vec<Datum> {
+        let mut all = vec![Datum {
+            size: self.phi.abs(),
+            of: None,
+        }];
+        for (pin, ends) in self.pins.iter().enumerate() {
+            for (side, end) in ends.iter().enumerate() {
+                for (size, by) in [(end.at.re, C::new(1.0, 0.0)), (end.at.im, I)] {
+                    all.push(Datum {
+                        size: size.abs(),
+                        of: Some((pin, side, by)),
+                    });
+                }
+            }
+        }
+        all.retain(|d| d.size > 0.0);
+        all
+    }
+
+    pub(super) fn centre(&self, k: usize) -> Spot {
+        Spot {
+            body: k + 1,
+            at: self.centres[k],
+        }
+    }
+
+    /// The two data of a centre of mass with their sizes.
+    pub(super) fn of_centre(&self, k: usize) -> [(f64, C); 2] {
+        let c = self.centres[k];
+        [(c.re.abs(), C::new(1.0, 0.0)), (c.im.abs(), I)]
+    }
+
+    /// Runs over every geometric datum with its size and the changes of centres and angles.
+    pub(super) fn each(
+        &self,
+        mut go: impl FnMut(f64, &[Path], &Motion, &dyn Fn(usize, usize) -> C),
+    ) -> Option<()> {
+        for datum in self.data() {
+            let d = self.moved(&datum)?;
+            let change = |k| self.change(self.centre(k), C::default(), &d);
+            let paths: Vec<Path> = (0..self.bodies).map(change).collect();
+            go(datum.size, &paths, &d, &|pin, side| {
+                self.by(&datum, pin, side)
+            });
+        }
+        let still = Motion::still(self.bodies);
+        for k in 0..self.bodies {
+            for (size, by) in self.of_centre(k).into_iter().filter(|d| d.0 > 0.0) {
+                let mut paths = vec![[C::default(); 3]; self.bodies];
+                paths[k] = self.change(self.centre(k), by, &still);
+                go(size, &paths, &still, &|_, _| C::default());
+            }
+        }
+        Some(())
+    }
+}
