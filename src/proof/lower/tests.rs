@@ -126,3 +126,14 @@ fn rings_of_zeros_are_proved() {
     let most = found.leaves.iter().map(|l| l.norm).fold(0.0, f64::max);
     assert!(most > 4.0 && most <= LOWER_HALF_PLANE.norm, "{most}");
 }
+
+#[test]
+#[ignore = "minutes"]
+fn the_whole_half_plane() {
+    let watch = crate::Watch::default();
+    let found = theorem(LOWER_HALF_PLANE, None, &watch);
+    let found = found.expect("decided").expect("not stopped");
+    eprintln!("{found:#?}");
+    assert!(found.open.is_empty());
+    assert!(found.norm <= LOWER_HALF_PLANE.norm && found.away <= LOWER_HALF_PLANE.away);
+}
