@@ -73,11 +73,11 @@ fn a_moved_limit_shows() {
         formula: moved,
         ..CODE.clone()
     };
-    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+    assert!(worst(&CODE, &at) < 6.25 && worst(&faulty, &at) > 50.0);
     let mut faulty = CODE.clone();
     faulty.limits.cancelled = 0.001;
     let at = square(20.0, 19.89, 1e-2);
-    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+    assert!(worst(&CODE, &at) < 6.25 && worst(&faulty, &at) > 50.0);
 }
 
 #[test]
