@@ -12,16 +12,19 @@ use std::sync::atomic::Ordering;
 pub struct Target {
     /// Of the norm, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/10`.
+    /// The same where `|w(z)| ≥ |w(−z)|/8`.
     pub away: f64,
+    /// Of the norm where one formula serves.
+    pub single: f64,
     /// How often a rectangle is halved at most.
     pub depth: u32,
 }
 
 /// The target that the proof of the lower half-plane reaches on every rectangle.
 pub const LOWER_HALF_PLANE: Target = Target {
-    norm: 6.5,
-    away: 3.0,
+    norm: 6.25,
+    away: 2.5,
+    single: 1.5,
     depth: 40,
 };
 
@@ -34,7 +37,7 @@ pub struct Leaf {
     pub region: Region,
     /// What is proved of the norm, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/10`.
+    /// The same where `|w(z)| ≥ |w(−z)|/8`.
     pub away: f64,
 }
 
@@ -119,7 +122,13 @@ fn refine(
     }
     let last = depth >= target.depth || at.is_point();
     let leaves = leaves(code, &at);
-    let good = |l: &Leaf| l.norm <= target.norm && l.away <= target.away;
+    let good = |l: &Leaf| {
+        let norm = match l.region.is_reflected() {
+            true => target.norm,
+            false => target.single,
+        };
+        l.norm <= norm && l.away <= target.away
+    };
     match leaves {
         Ok(leaves) if leaves.iter().all(good) => {
             found.leaves.extend(leaves);

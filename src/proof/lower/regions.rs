@@ -85,6 +85,11 @@ pub enum Region {
 }
 
 impl Region {
+    /// Whether `2e^{−z²}` is added to a formula for w(−z), both as pairs.
+    pub(super) fn is_reflected(self) -> bool {
+        matches!(self, Region::Cell { .. } | Region::Asymptotic { .. })
+    }
+
     /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
@@ -232,7 +237,7 @@ fn with_rows(
 }
 
 /// `|w(z)|` above this part of `|w(−z)|` counts as away from zeros.
-const AWAY: f64 = 0.1;
+const AWAY: f64 = 0.125;
 
 /// The bound of the norm on a rectangle, in units of 2⁻⁵², and that away from zeros.
 ///

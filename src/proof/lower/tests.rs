@@ -3,8 +3,14 @@ use super::prove::leaves;
 use super::rows::Kind;
 use super::*;
 use crate::Rectangle;
-use mechaudit_solvers::faddeeva::Branch;
+use mechaudit_reference::Ball;
+use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::proof::lower as solver;
+use mechaudit_solvers::faddeeva::{Branch, faddeeva};
+use num_complex::Complex;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use rug::Float;
 use std::sync::LazyLock;
 
 static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
@@ -73,11 +79,11 @@ fn a_moved_limit_shows() {
         formula: moved,
         ..CODE.clone()
     };
-    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+    assert!(worst(&CODE, &at) < 6.25 && worst(&faulty, &at) > 50.0);
     let mut faulty = CODE.clone();
     faulty.limits.cancelled = 0.001;
     let at = square(20.0, 19.89, 1e-2);
-    assert!(worst(&CODE, &at) < 6.5 && worst(&faulty, &at) > 50.0);
+    assert!(worst(&CODE, &at) < 6.25 && worst(&faulty, &at) > 50.0);
 }
 
 #[test]
@@ -125,4 +131,54 @@ fn rings_of_zeros_are_proved() {
     assert!(found.open.is_empty(), "{:?}", found.open.first());
     let most = found.leaves.iter().map(|l| l.norm).fold(0.0, f64::max);
     assert!(most > 4.0 && most <= LOWER_HALF_PLANE.norm, "{most}");
+}
+
+#[test]
+#[ignore = "minutes"]
+fn the_whole_half_plane() {
+    let watch = crate::Watch::default();
+    let found = theorem(LOWER_HALF_PLANE, None, &watch);
+    let found = found.expect("decided").expect("not stopped");
+    eprintln!("{found:#?}");
+    assert!(found.open.is_empty());
+    assert!(found.norm <= LOWER_HALF_PLANE.norm && found.away <= LOWER_HALF_PLANE.away);
+}
+
+/// `|computed − w|/|w|` in units of 2⁻⁵².
+fn error(a: f64, b: f64) -> Option<f64> {
+    let got = faddeeva(Complex::new(a, -b));
+    let w = w_f64(a, -b, 100).ok()?;
+    let part = |g: f64, w: &Ball| (Float::with_val(200, g) - w.mid()).square();
+    let size = |w: &Ball| Float::with_val(200, w.mid().square_ref());
+    let off = part(got.re, &w.re) + part(got.im, &w.im);
+    Some((off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52))
+}
+
+#[test]
+fn errors_at_points_are_below_their_bounds() {
+    let watch = crate::Watch::default();
+    let found = lower_half_plane(&CODE, LOWER_HALF_PLANE, &watch, |r| {
+        r.a[1].max(r.b[1]) < 64.0
+    });
+    let found = found.expect("not stopped");
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    let mut points = 0;
+    for leaf in found
+        .leaves
+        .iter()
+        .filter(|l| l.region != Region::Dominated)
+    {
+        let mut between = |[lo, hi]: [f64; 2]| {
+            let (p, q) = (lo.to_bits(), hi.to_bits());
+            f64::from_bits(p + random.next_u64() % (q - p + 1))
+        };
+        let (a, b) = (between(leaf.at.a), between(leaf.at.b));
+        if !faddeeva(Complex::new(a, -b)).is_finite() {
+            continue;
+        }
+        let off = error(a, b).expect("decided");
+        assert!(off <= leaf.norm, "{a} {b} {off} {leaf:?}");
+        points += 1;
+    }
+    assert!(points > 2000, "{points}");
 }

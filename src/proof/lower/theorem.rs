@@ -18,7 +18,7 @@ pub struct OfRegion {
     pub boxes: usize,
     /// Of the norm, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/10`.
+    /// The same where `|w(z)| ≥ |w(−z)|/8`.
     pub away: f64,
     /// Where it is attained, `Re z` and `−Im z`; `None` for a bound without rectangles.
     pub at: Option<Rectangle>,
@@ -29,7 +29,7 @@ pub struct OfRegion {
 pub struct Theorem {
     /// K, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/10`.
+    /// The same where `|w(z)| ≥ |w(−z)|/8`.
     pub away: f64,
     /// Each formula.
     pub regions: Vec<OfRegion>,

@@ -9,7 +9,6 @@ use mechaudit::proof::lower::{LOWER_HALF_PLANE, RECOMPUTED, Theorem, theorem};
 use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use serde_json::{Value, json};
-use std::io::Write;
 use std::time::Instant;
 
 /// Proves, and prints what is proved and what is not.
@@ -52,7 +51,7 @@ fn text(found: &Theorem, within: Option<f64>, seconds: f64) -> String {
              but for what is named last: K = {}",
             up(found.norm)
         ));
-        out += &line(format!("K = {} where |w(z)| ≥ |w(−z)|/10", up(found.away)));
+        out += &line(format!("K = {} where |w(z)| ≥ |w(−z)|/8", up(found.away)));
     } else {
         let text = format!("not proved: {} rectangles are open", found.open.len());
         out += &line(paint(BAD, &text));
