@@ -165,11 +165,14 @@ pub(super) fn regions(
     Ok(out)
 }
 
+/// Pieces of a rectangle, each with the centre of its row.
+type WithCentres = Vec<(Rectangle, (f64, f64))>;
+
 /// The pieces of a rectangle by the centres of its rows.
 fn by_centre(
     at: &Rectangle,
     centre: impl Fn(f64, f64) -> (f64, f64),
-) -> Result<Vec<(Rectangle, (f64, f64))>, &'static str> {
+) -> Result<WithCentres, &'static str> {
     let columns = pieces(at.a, |a| centre(a, at.b[0]).0);
     let rows = pieces(at.b, |b| centre(at.a[0], b).1);
     if columns.len() * rows.len() > MANY {
