@@ -290,9 +290,15 @@ fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'s
                 9 => upper::nine_terms::<Tracked>,
                 _ => upper::twenty_one_terms::<Tracked>,
             };
-            let ways = evaluate(setting(&MACLAURIN), || {
+            let mut ways = evaluate(setting(&MACLAURIN), || {
                 both(f(Tracked::input(0, at.a), Tracked::input(1, y)))
             })?;
+            if terms == 9 && at.a[0] == 0.0 {
+                ways.extend(evaluate(setting(&MACLAURIN), || {
+                    let re = upper::nine_terms_on_imaginary_axis(Tracked::input(1, y));
+                    [re.result(), Tracked::entry(0.0).result()]
+                })?);
+            }
             all(
                 ways,
                 truncation::maclaurin(terms - 1, hypot_up(at.a[1], at.b[1])).norm,

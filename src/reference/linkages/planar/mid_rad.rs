@@ -161,6 +161,6 @@ mod tests {
             assert!(!b.size().is_finite());
         }
         assert!(!MidRad::exact(f64::NAN).size().is_finite());
-        assert!(MidRad::exact(0.0).size().is_zero() == false);
+        assert!(!MidRad::exact(0.0).size().is_zero());
     }
 }
