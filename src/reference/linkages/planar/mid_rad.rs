@@ -31,15 +31,11 @@ impl MidRad {
     /// What a ball holds.
     pub(super) fn of(b: &Ball) -> MidRad {
         let mid = b.mid().to_f64();
-        let cut = if *b.mid() == mid { 0.0 } else { mid.abs() * U };
-        let rad = b.rad().to_f64();
-        MidRad {
-            mid,
-            rad: match cut + rad == 0.0 {
-                true => 0.0,
-                false => above(cut + rad),
-            },
+        if *b.mid() == mid && b.rad().is_zero() {
+            return MidRad::exact(mid);
         }
+        let rad = above(b.rad().to_f64() + mid.abs() * U);
+        MidRad { mid, rad }
     }
 
     fn is_zero(self) -> bool {
@@ -162,5 +158,11 @@ mod tests {
         }
         assert!(!MidRad::exact(f64::NAN).size().is_finite());
         assert!(!MidRad::exact(0.0).size().is_zero());
+        // Below the range of f64, and not zero.
+        let tiny = Ball::new(Float::with_val(64, 1) >> 1100, Mag::ZERO);
+        assert!(
+            MidRad::of(&tiny).rad > 0.0
+                && MidRad::of(&-tiny).times(&large).size() >= Mag::from_f64(1e-20)
+        );
     }
 }
