@@ -326,10 +326,11 @@ fn the_imaginary_part_in_a_cell_is_within_its_bound() {
     let most = bound(&CODE.tables, cell, &at, CODE.rounding)
         .expect("a cell")
         .im;
-    let z = Complex::new(0.125, 1.8384331584680664);
+    // The worst found of 400 000.
+    let z = Complex::new(0.125, 1.8716325734632453);
     let w = w_f64(z.re, z.im, 100).expect("decided").im;
     let off = (Float::with_val(200, faddeeva(z).im) - w.mid()).abs();
-    let ulp = 2f64.powi(-59);
+    let ulp = 2f64.powi(w.mid().get_exp().expect("not zero") - 53);
     let off = (off / ulp).to_f64();
-    assert!((1.5..=most).contains(&off), "{off} {most}");
+    assert!((0.8..=most).contains(&off), "{off} {most}");
 }
