@@ -197,10 +197,9 @@ def row(c, dx, dy):
     even = plus(re[0], im[0], x2, y2, re[2], im[2])
     odd = plus(re[1], im[1], x2, y2, re[3], im[3])
     qr, qi = plus(*even, dx, dy, *odd)
-    tr, ti = fma(x2, qr, -(y2 * qi)), fma(x2, qi, y2 * qr)
-    tr = fma(c[4], dx, fma(-c[6], dy, tr))
-    ti = fma(c[4], dy, fma(c[6], dx, ti))
-    return c[0] + (c[1] + tr), c[2] + (c[3] + ti)
+    low = fma(c[5], dx, fma(-c[7], dy, c[1])), fma(c[5], dy, fma(c[7], dx, c[3]))
+    re, im = plus(*plus(*low, x2, y2, qr, qi), dx, dy, c[4], c[6])
+    return c[0] + re, c[2] + im
 
 
 def rows_of(name):
