@@ -80,7 +80,7 @@ pub enum Region {
         /// Terms.
         terms: u32,
     },
-    /// `w(−z)` much larger than `2e^{−z²}`, or much smaller: [`dominated`](super::dominated).
+    /// `w(−z)` much larger than `2e^{−z²}`, or much smaller: an inequality.
     Dominated,
 }
 
