@@ -71,9 +71,9 @@ pub(super) fn exponential([lo, hi]: [f64; 2]) -> [f64; 2] {
 }
 
 /// A lower bound of |w| over a rectangle, from its value at the centre: with D the distance of the farthest point and
-/// `|w′| ≤ 2|z||w| + 2/√π`, the largest |w| is at most `M = (|w(c)| + 1.13 D)/(1 − 2RD)` for `|z| ≤ R`, and the least at
-/// least `|w(c)| − D (2RM + 1.13)`. Zero where that is nothing.
-fn least_of_w(at: &Rectangle) -> f64 {
+/// `|w′| ≤ 2|z||w| + 2/√π`, the largest |w| is at most `M = (|w(c)| + 1.13 D)/(1 − 2RD)` for `|z| ≤ R` (infinite
+/// unless `2RD < 1`), and the least at least `|w(c)| − D (2RM + 1.13)`. Zero where that is nothing.
+pub(super) fn least_of_w(at: &Rectangle) -> f64 {
     let middle = |[lo, hi]: [f64; 2]| lo + 0.5 * (hi - lo);
     let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).max(up(c - lo));
     let (a, b) = (middle(at.a), middle(at.b));
