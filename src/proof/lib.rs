@@ -12,6 +12,7 @@
 mod bounds;
 mod constants;
 mod cover;
+mod evaluation;
 mod exact;
 mod form;
 mod formula;
@@ -25,8 +26,8 @@ mod tracked;
 mod truncation;
 
 pub use cover::{Rectangle, hole};
+pub use evaluation::Rounding;
 pub use formula::{Bound, Formula};
 pub use prove::{Certificate, Code, Leaf, Open, Target, UPPER_HALF_PLANE, Watch, upper_half_plane};
 pub use summary::{Attained, OfFormula, Summary};
 pub use tables::Tables;
-pub use tracked::Rounding;
