@@ -10,6 +10,7 @@
 #![warn(missing_docs)]
 
 mod bounds;
+mod certificate;
 mod constants;
 mod cover;
 mod evaluation;
@@ -25,9 +26,10 @@ mod tables;
 mod tracked;
 mod truncation;
 
+pub use certificate::{Open, Watch};
 pub use cover::{Rectangle, hole};
 pub use evaluation::Rounding;
 pub use formula::{Bound, Formula};
-pub use prove::{Certificate, Code, Leaf, Open, Target, UPPER_HALF_PLANE, Watch, upper_half_plane};
+pub use prove::{Certificate, Code, Leaf, Target, UPPER_HALF_PLANE, upper_half_plane};
 pub use summary::{Attained, OfFormula, Summary};
 pub use tables::Tables;

@@ -1,13 +1,12 @@
 //! The proof for the closed upper half-plane: rectangles halved until the bound is good enough on each.
 
+use crate::certificate::{self, Open, Watch};
 use crate::cover::{Rectangle, pieces, roots};
 use crate::formula::{Bound, Formula, bound};
 use crate::tables::{Tables, cell_at, imaginary_axis_at, real_axis_at};
 use crate::tracked::Rounding;
 use mechaudit_solvers::faddeeva::{Branch, branch};
 use num_complex::Complex;
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// What a rectangle is not halved below.
 #[derive(Clone, Copy, Debug)]
@@ -74,34 +73,8 @@ pub struct Leaf {
     pub bound: Bound,
 }
 
-/// A rectangle on which nothing is proved.
-#[derive(Clone, Copy, Debug)]
-pub struct Open {
-    /// Where.
-    pub at: Rectangle,
-    /// Why.
-    pub why: &'static str,
-}
-
-/// All of them.
-#[derive(Clone, Debug, Default)]
-pub struct Certificate {
-    /// What is proved; together they cover the closed quadrant unless something is open.
-    pub leaves: Vec<Leaf>,
-    /// What is not.
-    pub open: Vec<Open>,
-}
-
-/// How far a proof is, and whether it is to end.
-#[derive(Debug, Default)]
-pub struct Watch {
-    /// Rectangles of the first partition done.
-    pub done: AtomicU64,
-    /// Rectangles of the first partition.
-    pub of: AtomicU64,
-    /// Set from outside: no rectangle is begun any more.
-    pub stop: AtomicBool,
-}
+/// Leaves together cover the closed quadrant unless something is open.
+pub type Certificate = certificate::Certificate<Leaf>;
 
 /// Proves what can be proved on the rectangles of the partition that `wanted` keeps; `None` if it was stopped.
 pub fn upper_half_plane(
@@ -116,23 +89,9 @@ pub fn upper_half_plane(
         .filter(|(i, r)| wanted(*i, r))
         .map(|(_, r)| r)
         .collect();
-    watch.of.store(all.len() as u64, Ordering::Relaxed);
-    let each: Option<Vec<Certificate>> = all
-        .par_iter()
-        .with_max_len(1)
-        .map(|r| {
-            let mut found = Certificate::default();
-            refine(code, target, watch, *r, 0, &mut found)?;
-            watch.done.fetch_add(1, Ordering::Relaxed);
-            Some(found)
-        })
-        .collect();
-    let mut whole = Certificate::default();
-    for part in each? {
-        whole.leaves.extend(part.leaves);
-        whole.open.extend(part.open);
-    }
-    Some(whole)
+    Certificate::of_all(&all, watch, |r, found| {
+        refine(code, target, watch, *r, 0, found)
+    })
 }
 
 /// The rectangle, halved as often as it takes.
@@ -144,7 +103,7 @@ fn refine(
     depth: u32,
     found: &mut Certificate,
 ) -> Option<()> {
-    if watch.stop.load(Ordering::Relaxed) {
+    if watch.is_stopped() {
         return None;
     }
     let last = depth >= target.depth || at.is_point();

@@ -14,9 +14,10 @@
 use super::exponential::Exponential;
 use super::reflection::TWO_52;
 use crate::bounds::exp_up;
+use crate::certificate::Watch;
 use crate::formula::Formula;
 use crate::interval::{down, quotient_up, up};
-use crate::prove::{self, Target, Watch};
+use crate::prove::{self, Target};
 use mechaudit_solvers::faddeeva::proof::lower::Limits;
 
 /// Bounds of the norm, in units of 2⁻⁵².

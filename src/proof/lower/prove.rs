@@ -1,11 +1,9 @@
 //! The proof for the open lower half-plane: rectangles `a − i b` halved until the bound is good enough on each.
 
 use super::regions::{Code, Region, bound, regions};
+use crate::certificate::{self, Open, Watch};
 use crate::cover::Rectangle;
 use crate::form::power_of_two;
-use crate::prove::{Open, Watch};
-use rayon::prelude::*;
-use std::sync::atomic::Ordering;
 
 /// What a rectangle is not halved below.
 #[derive(Clone, Copy, Debug)]
@@ -41,14 +39,8 @@ pub struct Leaf {
     pub away: f64,
 }
 
-/// All of them.
-#[derive(Clone, Debug, Default)]
-pub struct Certificate {
-    /// What is proved; together they cover the quadrant up to `|z|² = 10²⁰⁰` but for overflow, unless something is open.
-    pub leaves: Vec<Leaf>,
-    /// What is not.
-    pub open: Vec<Open>,
-}
+/// Leaves together cover the quadrant up to `|z|² = 10²⁰⁰` but for overflow, unless something is open.
+pub type Certificate = certificate::Certificate<Leaf>;
 
 /// The quadrant `a ≥ 0`, `b > 0` up to the shell in which z begins to be scaled, as shells of rectangles.
 pub fn roots() -> Vec<Rectangle> {
@@ -89,24 +81,9 @@ pub fn lower_half_plane(
     wanted: impl Fn(&Rectangle) -> bool,
 ) -> Option<Certificate> {
     let all: Vec<Rectangle> = roots().into_iter().filter(wanted).collect();
-    watch.done.store(0, Ordering::Relaxed);
-    watch.of.store(all.len() as u64, Ordering::Relaxed);
-    let each: Option<Vec<Certificate>> = all
-        .par_iter()
-        .with_max_len(1)
-        .map(|r| {
-            let mut found = Certificate::default();
-            refine(code, target, watch, *r, 0, &mut found)?;
-            watch.done.fetch_add(1, Ordering::Relaxed);
-            Some(found)
-        })
-        .collect();
-    let mut whole = Certificate::default();
-    for part in each? {
-        whole.leaves.extend(part.leaves);
-        whole.open.extend(part.open);
-    }
-    Some(whole)
+    Certificate::of_all(&all, watch, |r, found| {
+        refine(code, target, watch, *r, 0, found)
+    })
 }
 
 fn refine(
@@ -117,7 +94,7 @@ fn refine(
     depth: u32,
     found: &mut Certificate,
 ) -> Option<()> {
-    if watch.stop.load(Ordering::Relaxed) {
+    if watch.is_stopped() {
         return None;
     }
     let last = depth >= target.depth || at.is_point();

@@ -1,8 +1,9 @@
 //! All bounds of the lower half-plane together.
 
 use super::{Certificate, Code, Dominated, Leaf, Target, lower_half_plane};
+use crate::certificate::{Open, Watch};
 use crate::cover::Rectangle;
-use crate::prove::{self, Open, UPPER_HALF_PLANE, Watch};
+use crate::prove::{self, UPPER_HALF_PLANE};
 use crate::tracked::Rounding;
 
 /// What is not proved.

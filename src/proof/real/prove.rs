@@ -4,11 +4,9 @@ use super::choice::{Formula, choice};
 use super::evaluate::{SMALL, beyond_subnormal, bound};
 use super::tables::Tables;
 use super::{Function, Interval};
+use crate::certificate::{self, Watch};
 use crate::cover::pieces;
-use crate::prove::Watch;
 use crate::tracked::Rounding;
-use rayon::prelude::*;
-use std::sync::atomic::Ordering;
 
 /// The code whose error is bounded, and how its operations round.
 #[derive(Clone)]
@@ -47,22 +45,9 @@ pub struct Leaf {
 }
 
 /// An interval on which nothing is proved.
-#[derive(Clone, Copy, Debug)]
-pub struct Open {
-    /// Where.
-    pub at: Interval,
-    /// Why.
-    pub why: &'static str,
-}
-
-/// All of them.
-#[derive(Clone, Debug, Default)]
-pub struct Certificate {
-    /// What is proved; together they cover the finite numbers unless something is open.
-    pub leaves: Vec<Leaf>,
-    /// What is not.
-    pub open: Vec<Open>,
-}
+pub type Open = certificate::Open<Interval>;
+/// Leaves together cover the finite numbers unless something is open.
+pub type Certificate = certificate::Certificate<Leaf, Interval>;
 
 /// How often an interval is halved at most for a better bound, and for one at all: to single numbers.
 const DEPTH: u32 = 14;
@@ -101,32 +86,19 @@ pub fn real_line(
     watch: &Watch,
 ) -> Option<Certificate> {
     let all = roots(code, function);
-    watch.of.store(all.len() as u64, Ordering::Relaxed);
-    let each: Option<Vec<Certificate>> = all
-        .par_iter()
-        .with_max_len(1)
-        .map(|&(at, formula)| {
-            let mut found = Certificate::default();
-            let refined = Refined {
-                code,
-                function,
-                target,
-                formula,
-            };
-            if watch.stop.load(Ordering::Relaxed) {
-                return None;
-            }
-            refined.refine(at, 0, &mut found);
-            watch.done.fetch_add(1, Ordering::Relaxed);
-            Some(found)
-        })
-        .collect();
-    let mut whole = Certificate::default();
-    for part in each? {
-        whole.leaves.extend(part.leaves);
-        whole.open.extend(part.open);
-    }
-    Some(whole)
+    Certificate::of_all(&all, watch, |&(at, formula), found| {
+        if watch.is_stopped() {
+            return None;
+        }
+        let refined = Refined {
+            code,
+            function,
+            target,
+            formula,
+        };
+        refined.refine(at, 0, found);
+        Some(())
+    })
 }
 
 struct Refined<'a> {

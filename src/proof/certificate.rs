@@ -1,0 +1,77 @@
+//! What a proof leaves: the parts on which a bound is proved, and those on which none is.
+
+use crate::cover::Rectangle;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+/// A part on which nothing is proved.
+#[derive(Clone, Copy, Debug)]
+pub struct Open<P = Rectangle> {
+    /// Where.
+    pub at: P,
+    /// Why.
+    pub why: &'static str,
+}
+
+/// All parts.
+#[derive(Clone, Debug)]
+pub struct Certificate<L, P = Rectangle> {
+    /// What is proved; together they cover all inputs that the theorem names unless something is open.
+    pub leaves: Vec<L>,
+    /// What is not.
+    pub open: Vec<Open<P>>,
+}
+
+impl<L, P> Default for Certificate<L, P> {
+    fn default() -> Certificate<L, P> {
+        Certificate {
+            leaves: Vec::new(),
+            open: Vec::new(),
+        }
+    }
+}
+
+/// How far a proof is, and whether it is to end.
+#[derive(Debug, Default)]
+pub struct Watch {
+    /// Parts of the first partition done.
+    pub done: AtomicU64,
+    /// Parts of the first partition.
+    pub of: AtomicU64,
+    /// Set from outside: no part is begun any more.
+    pub stop: AtomicBool,
+}
+
+impl Watch {
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+impl<L: Send, P: Send> Certificate<L, P> {
+    /// What `prove` finds on each part of the first partition, on all cores; `None` if it was stopped.
+    pub(crate) fn of_all<R: Sync>(
+        roots: &[R],
+        watch: &Watch,
+        prove: impl Fn(&R, &mut Certificate<L, P>) -> Option<()> + Sync,
+    ) -> Option<Certificate<L, P>> {
+        watch.done.store(0, Ordering::Relaxed);
+        watch.of.store(roots.len() as u64, Ordering::Relaxed);
+        let each: Option<Vec<Certificate<L, P>>> = roots
+            .par_iter()
+            .with_max_len(1)
+            .map(|root| {
+                let mut found = Certificate::default();
+                prove(root, &mut found)?;
+                watch.done.fetch_add(1, Ordering::Relaxed);
+                Some(found)
+            })
+            .collect();
+        let mut whole = Certificate::default();
+        for part in each? {
+            whole.leaves.extend(part.leaves);
+            whole.open.extend(part.open);
+        }
+        Some(whole)
+    }
+}
