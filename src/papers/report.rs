@@ -39,6 +39,27 @@ pub struct PaperReport {
 }
 
 impl PaperReport {
+    /// What this version of the program has found, without tables.
+    pub(super) fn new(paper: Citation, findings: Vec<Finding>) -> PaperReport {
+        PaperReport {
+            schema_version: SCHEMA_VERSION,
+            mechaudit_version: env!("CARGO_PKG_VERSION"),
+            paper,
+            findings,
+            tallies: Vec::new(),
+            entries: Vec::new(),
+        }
+    }
+
+    /// With the printed entries and how many of them agree.
+    pub(super) fn with_entries(self, entries: Vec<Entry>, tallies: Vec<Tally>) -> PaperReport {
+        PaperReport {
+            tallies,
+            entries,
+            ..self
+        }
+    }
+
     /// Whether every finding is as recorded.
     pub fn as_recorded(&self) -> bool {
         !self.findings.is_empty() && self.findings.iter().all(|f| f.as_recorded)
@@ -191,4 +212,22 @@ pub struct Tally {
     pub worst_units: f64,
     /// Largest absolute deviation.
     pub worst: f64,
+}
+
+/// Shows all findings, and fails at the first that is not as recorded.
+#[cfg(test)]
+pub(super) fn all_as_recorded(report: &PaperReport) {
+    for f in &report.findings {
+        println!("{} [{:?}] {}\n  {}", f.id, f.verdict, f.title, f.text);
+        for g in &f.figures {
+            println!("    {}: {} {}", g.name, g.value, g.unit);
+        }
+    }
+    for t in &report.tallies {
+        println!("{t:?}");
+    }
+    for f in &report.findings {
+        assert!(f.as_recorded, "{}", f.id);
+    }
+    assert!(report.as_recorded());
 }

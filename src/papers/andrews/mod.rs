@@ -15,7 +15,7 @@ pub use motion::{BITS, DIGITS, Motion, TIMES, motion};
 pub use printed::{Printed, QUANTITIES, printed, unit};
 
 use super::ledger::{Item, Ledger};
-use super::{Citation, PaperReport, Progress, SCHEMA_VERSION};
+use super::{Citation, PaperReport, Progress};
 use crate::reference::Undecided;
 
 /// The name used on the command line.
@@ -57,14 +57,7 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     let (entries, tallies) = entries::entries(&printed, &motion);
     let findings = findings::all(&ledger, &printed, &motion);
     progress("done", 3, 3);
-    Ok(PaperReport {
-        schema_version: SCHEMA_VERSION,
-        mechaudit_version: env!("CARGO_PKG_VERSION"),
-        paper: citation(),
-        findings,
-        tallies,
-        entries,
-    })
+    Ok(PaperReport::new(citation(), findings).with_entries(entries, tallies))
 }
 
 #[cfg(test)]
@@ -73,14 +66,7 @@ mod tests {
 
     #[test]
     fn every_finding_is_as_recorded() {
-        let report = report(&|_, _, _| {}).unwrap();
-        for f in &report.findings {
-            println!("{} {} {}\n{}", f.id, f.as_recorded, f.title, f.text);
-            for g in &f.figures {
-                println!("   {} {} {}", g.name, g.value, g.unit);
-            }
-        }
-        assert!(report.as_recorded());
+        crate::papers::report::all_as_recorded(&report(&|_, _, _| {}).unwrap());
     }
 
     #[test]

@@ -11,9 +11,7 @@ mod findings;
 mod ledger;
 
 use super::ledger::{Item, Ledger, Verdict};
-use super::{
-    Citation, Finding, FindingVerdict, PaperReport, Progress, SCHEMA_VERSION, Subject, figure,
-};
+use super::{Citation, Finding, FindingVerdict, PaperReport, Progress, Subject, figure};
 use crate::reference::Undecided;
 
 /// The name used on the command line.
@@ -54,14 +52,7 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("charts", 2, 3);
     findings.extend(findings::comparison());
     progress("done", 3, 3);
-    Ok(PaperReport {
-        schema_version: SCHEMA_VERSION,
-        mechaudit_version: env!("CARGO_PKG_VERSION"),
-        paper: citation(),
-        findings,
-        tallies: Vec::new(),
-        entries: Vec::new(),
-    })
+    Ok(PaperReport::new(citation(), findings))
 }
 
 fn of_the_ledger(ledger: &Ledger) -> Vec<Finding> {

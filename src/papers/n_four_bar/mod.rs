@@ -19,7 +19,7 @@ pub use motion::{BITS, Course, DIGITS, Motion, QUANTITIES, TIMES, motion};
 pub use printed::{Copied, Row};
 
 use super::ledger::{Item, Ledger};
-use super::{Citation, PaperReport, Progress, SCHEMA_VERSION};
+use super::{Citation, PaperReport, Progress};
 use crate::reference::Undecided;
 
 /// The name used on the command line.
@@ -62,14 +62,7 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("singular positions", 3, 4);
     let findings = findings::all(&ledger, &motion)?;
     progress("done", 4, 4);
-    Ok(PaperReport {
-        schema_version: SCHEMA_VERSION,
-        mechaudit_version: env!("CARGO_PKG_VERSION"),
-        paper: citation(),
-        findings,
-        tallies,
-        entries,
-    })
+    Ok(PaperReport::new(citation(), findings).with_entries(entries, tallies))
 }
 
 #[cfg(test)]
@@ -78,14 +71,7 @@ mod tests {
 
     #[test]
     fn every_finding_is_as_recorded() {
-        let report = report(&|_, _, _| {}).unwrap();
-        for f in &report.findings {
-            println!("{} {} {}\n{}", f.id, f.as_recorded, f.title, f.text);
-            for g in &f.figures {
-                println!("   {} {} {}", g.name, g.value, g.unit);
-            }
-        }
-        assert!(report.as_recorded());
+        crate::papers::report::all_as_recorded(&report(&|_, _, _| {}).unwrap());
     }
 
     #[test]
