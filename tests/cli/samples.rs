@@ -6,8 +6,9 @@
 //!
 //! The main job takes minutes: of its sample the counts, the lines of single methods and the findings
 //! are compared with the parts that print them; the whole with the output in the file that
-//! `MECHAUDIT_MAIN_JOB` names, which `.ci/run` makes. So does `MECHAUDIT_PROOF` for the proof of the error
-//! bound of the Faddeeva function, which takes a minute with all optimizations.
+//! `MECHAUDIT_MAIN_JOB` names, which `.ci/run` makes. So do `MECHAUDIT_PROOF` and
+//! `MECHAUDIT_PROOF_LOWER` for the proofs of the error bounds of the Faddeeva function, which take a minute with all
+//! optimizations.
 
 use crate::common::{run, skipped};
 use mechaudit::audit::{Cases, Settings};
@@ -164,6 +165,7 @@ fn check(file: &str) {
         let kept = match command {
             "mechaudit" => Some("MECHAUDIT_MAIN_JOB"),
             "mechaudit prove faddeeva" => Some("MECHAUDIT_PROOF"),
+            "mechaudit prove faddeeva --part lower" => Some("MECHAUDIT_PROOF_LOWER"),
             _ => None,
         };
         let found = match kept.map(output_in) {

@@ -1,7 +1,7 @@
 //! The open lower half-plane, `w(z) = 2e^{−z²} − w(−z)`.
 //!
 //! Proved is the norm, at every finite `f64` point with `Im z < 0` where w does not overflow and the code neither computes
-//! the value again because terms cancel ([`RECOMPUTED`]) nor takes it from a stored zero. Every bound and its derivation: the
+//! the value again because terms cancel ([`NOT_PROVED`]) nor takes it from a stored zero. Every bound and its derivation: the
 //! chapter on proofs of the book.
 
 mod dominated;
@@ -18,7 +18,7 @@ pub use exponential::{Exponential, Factors};
 pub use prove::{Certificate, LOWER_HALF_PLANE, Leaf, Target, lower_half_plane, roots};
 pub use regions::{Code, Region};
 pub use rows::Rows;
-pub use theorem::{OfRegion, RECOMPUTED, Theorem, theorem};
+pub use theorem::{NOT_PROVED, OfRegion, Theorem, theorem};
 
 #[cfg(test)]
 mod tests;

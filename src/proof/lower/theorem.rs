@@ -7,8 +7,11 @@ use crate::prove::{self, UPPER_HALF_PLANE};
 use crate::tracked::Rounding;
 
 /// What is not proved.
-pub const RECOMPUTED: &str = "points that are computed again in double-double or 256 bits because terms cancel, and those \
-in the squares around the first twelve zeros that are computed from the stored zero";
+pub const NOT_PROVED: [&str; 3] = [
+    "the components",
+    "points that are computed again, in double-double or 256 bits, because terms cancel",
+    "points around the first twelve zeros that are computed from the stored zero",
+];
 
 /// The worst of one formula.
 #[derive(Clone, Debug)]
