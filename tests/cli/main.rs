@@ -22,6 +22,7 @@ mod linkage_files;
 mod output;
 mod papers;
 mod planar;
+mod prove;
 mod regenerate;
 mod reports;
 mod runup;

@@ -13,8 +13,14 @@ use std::time::Instant;
 
 /// Proves, and prints what is proved and what is not.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
-    if args.boxes.is_some() {
-        return Err(Failure::new("--boxes: only for the upper half-plane"));
+    let others = [
+        ("--boxes", args.boxes.is_some()),
+        ("--norm", args.norm.is_some()),
+        ("--component", args.component.is_some()),
+    ];
+    if let Some((option, _)) = others.into_iter().find(|o| o.1) {
+        let why = "is for the upper half-plane: below the axis targets are fixed, and rectangles are not written";
+        return Err(Failure::new(format!("{option} {why}")));
     }
     let begin = Instant::now();
     let within = args.within;
