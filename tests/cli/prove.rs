@@ -46,5 +46,8 @@ fn a_proof_on_the_real_line() {
     let audit = command("audit erf --cases 1 --format json").out;
     let audit: Value = serde_json::from_str(&audit).unwrap();
     let proved = audit["methods"][0]["proved"][0]["ulps"].as_f64().unwrap();
-    assert!(found["ulps"]["bound"].as_f64().unwrap() <= proved, "{found}");
+    assert!(
+        found["ulps"]["bound"].as_f64().unwrap() <= proved,
+        "{found}"
+    );
 }
