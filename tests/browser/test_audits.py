@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from playwright.sync_api import expect
 
 
 def dialog(page):
@@ -22,10 +23,9 @@ def figures(page):
 
 
 def point(page, svg, x, y):
-    """Points at a share of a drawing's width and height."""
-    svg.scroll_into_view_if_needed()
+    """Points at a share of a drawing's width and height, once figures drawn above it have moved it to its place."""
     box = svg.bounding_box()
-    page.mouse.move(box["x"] + x * box["width"], box["y"] + y * box["height"])
+    svg.hover(position={"x": x * box["width"], "y": y * box["height"]})
 
 
 def press(page):
@@ -84,10 +84,9 @@ def test_copy_the_command(visit, grants):
 
 def test_histogram_reads_and_opens(visit):
     page = visit("candidate")
-    svg = figures(page).locator("figure svg").first
-    point(page, svg, 0.5, 0.5)
-    read = figures(page).locator("figure output").first
-    assert re.search(r"ulps.*: \d+ values", read.inner_text())
+    figure = figures(page).locator("figure").first
+    point(page, figure.locator("svg"), 0.5, 0.5)
+    expect(figure.locator("output")).to_have_text(re.compile(r"ulps.*: \d+ values"))
     press(page)
     assert "mechaudit audit faddeeva --" in command(page)
 

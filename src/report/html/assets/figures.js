@@ -87,7 +87,10 @@ const figures = (() => {
     const ends = [from(-2), from(Math.floor((high - low) / step) + 1)];
     const most = Math.max(2, ...data.map((b) => b.n));
     const limit = output.limit && Math.log2(output.limit);
-    const ticks = d3.ticks(low, high, Math.max(3, Math.floor(width / 60))).filter(Number.isInteger);
+    // None so near to "exact" that the two words would touch.
+    const apart = ((ends[1] - ends[0]) * 40) / (width - 66);
+    const ticks = d3.ticks(low, high, Math.max(3, Math.floor(width / 60)))
+      .filter((e) => Number.isInteger(e) && e - from(-1.5) > apart);
     const svg = plot({
       label: `Errors of ${output.name}, counted by octaves; arrow keys read, Enter opens the worst case`,
       width, height: 190, marginLeft: 46, marginBottom: 34,
