@@ -63,7 +63,10 @@ impl HexFloat {
         }
         Some(HexFloat {
             negative,
-            digits: Integer::from_str_radix(&all, 16).ok()?,
+            digits: match u64::from_str_radix(&all, 16) {
+                Ok(few) => few.into(),
+                Err(_) => Integer::from_str_radix(&all, 16).ok()?,
+            },
             exponent: exponent - 4 * fraction.len() as i64,
         })
     }

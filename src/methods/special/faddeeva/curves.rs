@@ -26,8 +26,10 @@ pub(in crate::methods::special) enum Part {
     Im,
 }
 
+/// The component, with its sign proved. Bits that a step of the secant has no use for would cost a second evaluation
+/// next to its zeros.
 fn value(x: f64, y: f64, part: Part) -> f64 {
-    let w = w_f64(x, y, 60).map(|w| match part {
+    let w = w_f64(x, y, 30).map(|w| match part {
         Part::Re => w.re.to_f64(),
         Part::Im => w.im.to_f64(),
     });

@@ -222,21 +222,28 @@ impl Part {
 }
 
 /// `e^{−(x+iy)²} = c − i s`, each with a relative error below 2^-140 and an absolute one of the third
-/// result. x and y are below 40 and known to 2^-158: the error of y − x is below 2^-151, that of
-/// t = y² − x² below 2^-143. The angle 2xy has a relative error below 2^-156, and so sin and cos the
-/// absolute error 2xy 2^-156; both coordinates exact, the angle is exact (106 bits).
-fn gaussian(x: &Coordinate, y: &Coordinate) -> (Float, Float, Mag) {
+/// result; nothing where t = y² − x² is beyond 2^15, or a coordinate that is not exact beyond 40.
+///
+/// Exact coordinates: y − x, y + x and their product are rounded once each, so the error of t is below
+/// 2^-158 |t| ≤ 2^-143, and the angle 2xy is exact (106 bits). Others are known to 2^-158: the error of
+/// y − x is below 2^-151, that of t below 2^-143. The angle has a relative error below 2^-156, and so sin
+/// and cos the absolute error 2xy 2^-156.
+fn gaussian(x: &Coordinate, y: &Coordinate) -> Option<(Float, Float, Mag)> {
     let (a, b) = (&x.value, &y.value);
+    let exact = x.exact && y.exact;
     let t = Float::with_val(PREC, b - a) * Float::with_val(PREC, b + a);
+    if *t.as_abs() > 1u32 << 15 || !exact && x.double.max(y.double) >= 40.0 {
+        return None;
+    }
     let e = t.exp();
     let angle = Float::with_val(PREC, a * b) << 1u32;
-    let slack = if x.exact && y.exact {
+    let slack = if exact {
         Mag::ZERO
     } else {
         Mag::above(&angle).mul(Mag::above(&e)).shift(-155)
     };
     let (s, c) = angle.sin_cos(Float::new(PREC));
-    (c * &e, s * e, slack)
+    Some((c * &e, s * e, slack))
 }
 
 /// w(x + iy) with components of at least `bits` bits, or nothing.
@@ -297,7 +304,7 @@ fn near(a: &Coordinate, h: &Coordinate, lower: bool) -> Option<ComplexBall> {
     if !dawson && !lower {
         return Some(ComplexBall::new(re.ball(Mag::ZERO), im.ball(Mag::ZERO)));
     }
-    let (c, s, slack) = gaussian(a, h);
+    let (c, s, slack) = gaussian(a, h)?;
     let (cm, sm) = (Mag::above(&c).shift(1), Mag::above(&s).shift(1));
     // Above: D + E (E = c − is) or w. Below: 2E − conj of that, E at a − ih being c + is.
     let (re, im) = match (dawson, lower) {
@@ -309,7 +316,7 @@ fn near(a: &Coordinate, h: &Coordinate, lower: bool) -> Option<ComplexBall> {
 }
 
 /// The asymptotic series with its plain remainder bound or, for |Im z| ≤ |Re z|, with that of the real
-/// part beside the real axis, on both sides of it ([`super::asymptotic`] has the derivation).
+/// part beside the real axis where that is less, on both sides of it ([`super::asymptotic`] has the derivation).
 /// `lower`: at x − iy instead of x + iy.
 ///
 /// Fixed point with units of 2^-114 here. With `v = C/z² = p + iq`, |v| ≤ 1, ρ = (2k+1)/(2C) and the
@@ -318,10 +325,6 @@ fn near(a: &Coordinate, h: &Coordinate, lower: bool) -> Option<ComplexBall> {
 /// Cb² are wrong by one unit, hence p by 3 and `q² = 4 Ca² Cb²` by 4 (3 + 2)), evaluated in `f64` and enlarged by 1 %.
 fn far(x: &Coordinate, y: &Coordinate, lower: bool, bits: u32) -> Option<ComplexBall> {
     const UNIT: u32 = 114;
-    let beside = y.double < 0.999 * x.double;
-    if lower && !beside {
-        return None;
-    }
     let square = |x: &Float| Float::with_val(PREC, x.square_ref());
     let norm = square(&x.value) + square(&y.value);
     let (m, e) = norm.to_f64_exp();
@@ -378,14 +381,26 @@ fn far(x: &Coordinate, y: &Coordinate, lower: bool, bits: u32) -> Option<Complex
     let im = part(a, sum - 2 * times(bb, rest));
     let bound = remainder(n, log_r);
     let im = im.widened(above_power(bound.plain));
-    if !beside {
-        return Some(ComplexBall::new(re.widened(above_power(bound.plain)), im));
-    }
+    let ball = |f: Float, slack: Mag| {
+        let error = Mag::above(&f).shift(-140).add(slack);
+        Ball::new(f, error)
+    };
     // θ ≤ (π/2) y/|z| = (π/2) |z| y/|z|², and D_N + 2|z|² e^{−Re z²}.
     let angle = angle.mul(above_power(0.5 * log_r + 0.66));
     let gauss = gaussian_bound(x, y);
     let turning = above_power(bound.turning).add(gauss.mul(above_power(log_r + 1.01)));
-    let re = re.widened(angle.mul(turning));
+    let (turned, plain) = (angle.mul(turning), above_power(bound.plain));
+    if y.double >= 0.999 * x.double || plain <= turned {
+        let re = re.widened(plain);
+        if !lower {
+            return Some(ComplexBall::new(re, im));
+        }
+        // 2E − conj w, E = c + is.
+        let (c, s, slack) = gaussian(x, y)?;
+        let (c, s) = (ball(c, slack).shift(1), ball(s, slack).shift(1));
+        return Some(ComplexBall::new(&c - &re, &im + &s));
+    }
+    let re = re.widened(turned);
     let re = if lower { -re } else { re };
     if gauss <= re.mignitude().shift(-i64::from(bits) - 8) {
         let im = if lower {
@@ -395,17 +410,13 @@ fn far(x: &Coordinate, y: &Coordinate, lower: bool, bits: u32) -> Option<Complex
         };
         return Some(ComplexBall::new(re.widened(gauss), im));
     }
-    if x.double >= 40.0 {
-        return None;
-    }
-    let (c, s, slack) = gaussian(x, y);
-    let ball = |f: Float| {
-        let error = Mag::above(&f).shift(-140).add(slack);
-        Ball::new(f, error)
-    };
+    let (c, s, slack) = gaussian(x, y)?;
     // Below: 2E − conj w, E = c + is.
-    let im = if lower { &im + &ball(s).shift(1) } else { im };
-    Some(ComplexBall::new(&re + &ball(c), im))
+    let im = match lower {
+        true => &im + &ball(s, slack).shift(1),
+        false => im,
+    };
+    Some(ComplexBall::new(&re + &ball(c, slack), im))
 }
 
 /// 2^x or more.
