@@ -74,8 +74,8 @@ proptest! {
         x in coordinate(), y in coordinate(), bits in 30u32..104, k in 0u32..9, small in -300.0..0.0f64,
     ) {
         // Anywhere; next to the axes; at the borders of the cells; further out, beside the real axis
-        // on both sides, however near, too; next to the diagonals, where e^(-z^2) is neither large nor small; far below the
-        // axis, where it is large beyond what doubles hold.
+        // on both sides, however near, too; next to the diagonals, where e^(-z^2) is neither large nor
+        // small; far below the axis, where it is large beyond what doubles hold.
         let (x, y) = match k {
             0 => (x, y),
             1 => (x * 1.1, y * 1e-5),
@@ -187,6 +187,18 @@ proptest! {
         let there = w(&z.0, &z.1, 80).unwrap();
         // |c_n| ≤ 1/Γ(n/2+1) above the axis, e^{O(h²)} times that below: 0.36^60/30! is 2^-196.
         prop_assert!(sum.widened(Mag::power_of_two(-120)).overlaps(&there), "{sum:?} {there:?}");
+    }
+}
+
+/// y a power of two, and y + x and y - x rounded by different amounts: t = y² - x² is 2^-160 t off, and e^t 2^-132.
+#[test]
+fn a_large_exponential_is_left_to_the_general_evaluation() {
+    let y = 2f64.powi(14);
+    let x = y * 2f64.powi(-120) * (1.0 + 2f64.powi(-41) + 2f64.powi(-52));
+    let (x, y) = (Real::Double(x), Real::Double(-y));
+    if let Some(fast) = fast::w(&x, &y, 60) {
+        let slow = balls(scaled(x, y, 160).unwrap(), 160).unwrap();
+        assert!(agree(&fast, 60, &slow, 160), "{fast:?} {slow:?}");
     }
 }
 
