@@ -7,7 +7,8 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 ///
 /// ChaCha8 keyed by the seed; the stream number is a hash of method, region and index, so a case
 /// can be drawn again without drawing those before it. The conversions to floats are written here
-/// so that no dependency's update can change them.
+/// so that no dependency's update can change them, and logarithms
+/// and exponentials are those of `libm`, which takes the same steps on every machine.
 pub struct Draw(ChaCha8Rng);
 
 impl Draw {
@@ -36,7 +37,7 @@ impl Draw {
 
     /// Log-uniform on `[lo, hi)`, both positive.
     pub fn log_uniform(&mut self, lo: f64, hi: f64) -> f64 {
-        (self.uniform(lo.ln(), hi.ln())).exp()
+        libm::exp(self.uniform(libm::log(lo), libm::log(hi)))
     }
 
     /// An integer in `lo..=hi`.
@@ -94,6 +95,8 @@ mod tests {
         let mut d = Draw::new(1, "method", "region", 0);
         let got = [d.unit(), d.uniform(-1.0, 1.0)].map(crate::hex_float);
         assert_eq!(got, ["0x1.899eab3e7ef18p-3", "0x1.1f892ec63e588p-3"]);
+        let got = crate::hex_float(d.log_uniform(1e-3, 1e3));
+        assert_eq!(got, "0x1.79452ee7f2e8p+8");
         let first = Draw::new(1, "method", "region", 0).unit();
         assert_ne!(Draw::new(1, "method", "region", 1).unit(), first);
         assert_ne!(Draw::new(2, "method", "region", 0).unit(), first);

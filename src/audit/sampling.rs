@@ -227,7 +227,7 @@ impl Side {
         let [lo, hi] = self.ends;
         let t = draw.unit();
         let size = |lo: f64, hi: f64| {
-            let x = ((1.0 - t) * lo.ln() + t * hi.ln()).exp();
+            let x = libm::exp((1.0 - t) * libm::log(lo) + t * libm::log(hi));
             x.clamp(lo, hi)
         };
         match self.spacing {

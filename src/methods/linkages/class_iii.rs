@@ -482,7 +482,7 @@ fn random(d: &mut Draw) -> ClassIiiInput<'static> {
     }
     g.phi_b = d.uniform(-3.1, 3.1);
     let phi: [f64; 5] = std::array::from_fn(|_| d.uniform(-3.1, 3.1));
-    let end = |l: f64, a: f64| [l * a.cos(), l * a.sin()];
+    let end = |l: f64, a: f64| [l * libm::cos(a), l * libm::sin(a)];
     let [a1, a2, a3, a4, a5] =
         [(g.l1, 0), (g.l2, 1), (g.l3, 2), (g.l4, 3), (g.l5, 4)].map(|(l, k)| end(l, phi[k]));
     let b = end(g.lb, phi[3] + g.phi_b);
@@ -516,7 +516,7 @@ fn apart(d: &mut Draw) -> ClassIiiInput<'static> {
     let reach = g.l3 + g.l4 + g.l5;
     let direction = d.uniform(-3.1, 3.1);
     let far = reach * d.uniform(1.001, 3.0);
-    g.x5 = g.x3 + far * direction.cos();
-    g.y5 = g.y3 + far * direction.sin();
+    g.x5 = g.x3 + far * libm::cos(direction);
+    g.y5 = g.y3 + far * libm::sin(direction);
     i
 }

@@ -157,7 +157,7 @@ fn random(d: &mut Draw) -> Vec<f64> {
     x.push(d.uniform(-3.1, 3.1));
     for _ in 0..2 {
         let (r, a) = (d.uniform(0.05, 1.2), d.uniform(-3.1, 3.1));
-        x.extend([r * a.cos(), r * a.sin()]);
+        x.extend([r * libm::cos(a), r * libm::sin(a)]);
     }
     x.push(d.uniform(-3.1, 3.1));
     x

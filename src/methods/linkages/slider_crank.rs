@@ -125,7 +125,7 @@ impl Definition for SliderCrank {
                         let [a, b, e] = [(); 3].map(|()| r.log_uniform(1e-6, 1e2));
                         let e = r.signed(e);
                         let (delta, phi) = (r.uniform(-PI, PI), r.uniform(-PI, PI));
-                        if (e - a * (phi - delta).sin()).abs() < 0.999 * b {
+                        if (e - a * libm::sin(phi - delta)).abs() < 0.999 * b {
                             return finish(r, a, b, e, delta, phi);
                         }
                     },
@@ -137,7 +137,7 @@ impl Definition for SliderCrank {
                         let [a, b] = [(); 2].map(|()| r.uniform(0.2, 2.0));
                         let e = r.uniform(-2.0, 2.0);
                         let (delta, phi) = (r.uniform(-PI, PI), r.uniform(-PI, PI));
-                        let h = e - a * (phi - delta).sin();
+                        let h = e - a * libm::sin(phi - delta);
                         if b < a + e.abs() && h.abs() < 0.999 * b {
                             return finish(r, a, b, e, delta, phi);
                         }
@@ -234,7 +234,7 @@ fn near_limit(r: &mut Draw, share: f64) -> Vec<f64> {
         let [a, b] = [(); 2].map(|()| r.uniform(0.2, 2.0));
         let (delta, phi) = (r.uniform(-PI, PI), r.uniform(-PI, PI));
         let h = r.signed(b * share);
-        let e = h + a * (phi - delta).sin();
+        let e = h + a * libm::sin(phi - delta);
         // The linkage as such has to close.
         if e.abs() < (a + b) * (1.0 - 1e-9) {
             return finish(r, a, b, e, delta, phi);

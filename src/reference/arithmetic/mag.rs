@@ -234,6 +234,11 @@ impl Mag {
         }
     }
 
+    /// The smaller.
+    pub fn min(self, other: Mag) -> Mag {
+        if other < self { other } else { self }
+    }
+
     /// An upper bound as an `f64` (infinite beyond its range, at least the smallest subnormal for
     /// anything positive).
     pub fn to_f64(self) -> f64 {

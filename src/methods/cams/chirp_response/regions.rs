@@ -277,9 +277,7 @@ fn seam(d: &mut Draw) -> Vec<f64> {
     };
     if d.chance(0.3) {
         let nu = d.uniform(-4.0, 4.0) * w;
-        let size = n
-            .hypot(nu.abs().max((nu + kappa * t).abs()) + d.signed(w3))
-            .max(w * 0.1);
+        let size = libm::hypot(n, nu.abs().max((nu + kappa * t).abs()) + d.signed(w3)).max(w * 0.1);
         let t = [4.0, 16.0][d.integer(0, 1)] / size * beside;
         return finish(d, [w, zeta, kappa, nu, t]);
     }

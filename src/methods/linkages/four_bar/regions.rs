@@ -131,7 +131,7 @@ fn near_change_point(r: &mut Draw) -> FourBarInput<'static> {
 fn near_limit(r: &mut Draw, gap: f64) -> FourBarInput<'static> {
     let (a, d) = (r.uniform(0.5, 2.0), r.uniform(2.5, 5.0));
     let phi = r.uniform(-PI, PI);
-    let span = (a * a + d * d - 2.0 * a * d * phi.cos()).sqrt();
+    let span = (a * a + d * d - 2.0 * a * d * libm::cos(phi)).sqrt();
     let (b, c) = if r.chance(0.5) {
         let sum = span / (1.0 - gap);
         let share = r.uniform(0.2, 0.8);

@@ -53,7 +53,7 @@ struct Drawing {
 }
 
 fn apart([a, b]: Place, [c, d]: Place) -> f64 {
-    (a - c).hypot(b - d)
+    libm::hypot(a - c, b - d)
 }
 
 fn anywhere(d: &mut Draw) -> Place {
@@ -180,7 +180,7 @@ impl Drawing {
         }
         let local = |body: usize, at: Place| -> Place {
             let (origin, angle): (Place, f64) = frames[body];
-            let ([x, y], (s, c)) = ([at[0] - origin[0], at[1] - origin[1]], angle.sin_cos());
+            let ([x, y], (s, c)) = ([at[0] - origin[0], at[1] - origin[1]], libm::sincos(angle));
             [c * x + s * y, c * y - s * x]
         };
         let mut all = Linkage {

@@ -3,7 +3,9 @@
 //! They are found with the reference, so that a case stays what it is when the solver changes.
 
 use crate::audit::Draw;
+use crate::methods::special::relatives::C;
 use crate::reference::faddeeva::{w_f64, zero as certified};
+use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 use std::sync::OnceLock;
 
 /// Zeros kept.
@@ -26,44 +28,57 @@ pub(in crate::methods::special) enum Part {
     Im,
 }
 
-/// The component, with its sign proved. Bits that a step of the secant has no use for would cost a second evaluation
-/// next to its zeros.
-fn value(x: f64, y: f64, part: Part) -> f64 {
-    let w = w_f64(x, y, 30).map(|w| match part {
-        Part::Re => w.re.to_f64(),
-        Part::Im => w.im.to_f64(),
-    });
-    // Undecided: taken for a zero.
-    w.unwrap_or(0.0)
+/// The direction of a line in the plane.
+#[derive(Clone, Copy)]
+pub(in crate::methods::special) enum Along {
+    Re,
+    Im,
 }
 
-/// A sign change of f between a and b by bisection with steps of the secant (Illinois).
-pub(in crate::methods::special) fn crossing(f: impl Fn(f64) -> f64, a: f64, b: f64) -> Option<f64> {
-    let (mut a, mut b) = (a, b);
-    let (mut p, mut q) = (f(a), f(b));
-    if !(p * q < 0.0) || !p.is_finite() || !q.is_finite() {
-        return None;
+/// Where a component of an analytic function f is zero on the line through `z`. A step goes to where it would be if
+/// f went on as an exponential function, but no further than `most`, over which a component turns by a quarter or less;
+/// a step whose square over `most` is less than a place of `f64` is the last. `f` gives value and derivative, the
+/// derivative to a few digits. Nothing where eight steps do not get there.
+pub(in crate::methods::special) fn zero_on_line(
+    f: impl Fn(C) -> Option<[C; 2]>,
+    part: Part,
+    along: Along,
+    z: C,
+    most: f64,
+) -> Option<f64> {
+    let (mut t, at): (f64, &dyn Fn(f64) -> C) = match along {
+        Along::Re => (z.re, &|t| C::new(t, z.im)),
+        Along::Im => (z.im, &|t| C::new(z.re, t)),
+    };
+    for _ in 0..8 {
+        let [value, slope] = f(at(t))?;
+        let slope = match along {
+            Along::Re => slope,
+            Along::Im => C::i() * slope,
+        };
+        // From where the argument of f is to where the component is zero.
+        let turn = match part {
+            Part::Re => libm::atan(value.re / value.im),
+            Part::Im => -libm::atan(value.im / value.re),
+        };
+        let step = turn / (slope / value).im;
+        if step.is_nan() {
+            return None;
+        }
+        t += step.clamp(-most, most);
+        if step * step <= f64::EPSILON / 16.0 * t.abs() * most {
+            return Some(t);
+        }
     }
-    for _ in 0..60 {
-        let c = b - q * (b - a) / (q - p);
-        if !(c > a.min(b) && c < a.max(b)) {
-            break;
-        }
-        let r = f(c);
-        if r == 0.0 {
-            return Some(c);
-        }
-        if (r < 0.0) == (q < 0.0) {
-            p /= 2.0;
-        } else {
-            (a, p) = (b, q);
-        }
-        if (c - b).abs() <= c.abs() * f64::EPSILON {
-            return Some(c);
-        }
-        (b, q) = (c, r);
-    }
-    Some(b)
+    None
+}
+
+/// W with proved components and its derivative −2zW + 2i/√π (DLMF 7.10.2), roughly. More bits would cost a
+/// second evaluation next to zeros.
+fn w_and_slope(z: C) -> Option<[C; 2]> {
+    let w = w_f64(z.re, z.im, 30).ok()?;
+    let w = C::new(w.re.to_f64(), w.im.to_f64());
+    Some([w, C::new(0.0, FRAC_2_SQRT_PI) - 2.0 * z * w])
 }
 
 /// `x` moved by up to three of its last places, so that the `f64` next to a crossing is among them, or by a relative
@@ -77,7 +92,8 @@ pub(in crate::methods::special) fn next_to(d: &mut Draw, x: f64, most: f64) -> f
     x + x * d.signed(shift)
 }
 
-/// A point of the lower half-plane next to a curve on which the component is zero.
+/// A point of the lower half-plane next to a curve on which the component is zero; where none is found, the point
+/// that it was looked for from.
 pub(in crate::methods::special) fn beside_curve(d: &mut Draw, part: Part) -> Vec<f64> {
     let far = d.chance(0.25);
     let b = match far {
@@ -88,27 +104,21 @@ pub(in crate::methods::special) fn beside_curve(d: &mut Draw, part: Part) -> Vec
         true => b + d.uniform(-300.0, 20.0) / (2.0 * b),
         false => d.uniform(0.0, b + 0.5),
     };
-    // Where 2e^{-z^2} leads, a sign changes within a quarter of a turn of 2ab.
-    let step = std::f64::consts::PI / (8.0 * b);
-    let f = |x: f64| value(x, -b, part);
-    let mut x = a;
-    for _ in 0..6 {
-        if let Some(c) = crossing(f, x, x + step) {
-            let c = next_to(d, c, 1e-2);
-            return vec![d.signed(c), -b];
-        }
-        x += step;
-    }
-    // No curve crosses here: the point itself.
-    vec![d.signed(a), -b]
+    // Where 2e^{-z^2} leads, a component turns like cos 2ab.
+    let turn = PI / (4.0 * b);
+    let x = match zero_on_line(w_and_slope, part, Along::Re, C::new(a, -b), turn) {
+        Some(x) => next_to(d, x, 1e-2),
+        None => a,
+    };
+    vec![d.signed(x), -b]
 }
 
 /// A point just below the real axis, next to the curve `e^{-x²} ≈ |y|/(√π x²)` on which Re W = 0.
 pub(in crate::methods::special) fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
     let x = d.uniform(2.3, 26.5);
-    let guess = std::f64::consts::PI.sqrt() * x * x * (-x * x).exp();
-    let f = |y: f64| value(x, -y, Part::Re);
-    let y = crossing(f, guess * 0.2, guess * 5.0).unwrap_or(guess);
+    let guess = PI.sqrt() * x * x * libm::exp(-x * x);
+    let z = C::new(x, -guess);
+    let y = zero_on_line(w_and_slope, Part::Re, Along::Im, z, guess / 2.0).map_or(guess, |y| -y);
     let y = next_to(d, y, 1e-1);
     vec![d.signed(x), -y]
 }
@@ -117,6 +127,37 @@ pub(in crate::methods::special) fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
 mod tests {
     use super::*;
 
+    fn component(x: f64, y: f64, part: Part) -> f64 {
+        let w = w_f64(x, y, 30).unwrap();
+        match part {
+            Part::Re => w.re.to_f64(),
+            Part::Im => w.im.to_f64(),
+        }
+    }
+
+    /// Of 100 lines parallel to the real axis at least 95 meet a curve, and a component changes its sign within two
+    /// places of where they do.
+    #[test]
+    fn zeros_on_lines_are_those_of_f64() {
+        for part in [Part::Re, Part::Im] {
+            let mut found = 0;
+            for i in 0..100 {
+                let mut d = Draw::new(2, "m", "r", i);
+                let b = d.log_uniform(0.5, 1e4);
+                let z = C::new(b * (1.0 - d.unit() * (20.0 / (b * b)).min(0.9)), -b);
+                let turn = PI / (4.0 * b);
+                let Some(x) = zero_on_line(w_and_slope, part, Along::Re, z, turn) else {
+                    continue;
+                };
+                let ends = [x.next_down().next_down(), x.next_up().next_up()];
+                let [p, q] = ends.map(|x| component(x, -b, part));
+                assert!(p * q < 0.0 || p * q == 0.0, "{x:e} {b:e}: {p:e} {q:e}");
+                found += 1;
+            }
+            assert!(found >= 95, "{found}");
+        }
+    }
+
     #[test]
     fn the_points_lie_beside_the_curves() {
         let mut found = 0;
@@ -124,7 +165,7 @@ mod tests {
             let mut d = Draw::new(1, "m", "r", i);
             for part in [Part::Re, Part::Im] {
                 let z = beside_curve(&mut d, part);
-                let (re, im) = (value(z[0], z[1], Part::Re), value(z[0], z[1], Part::Im));
+                let [re, im] = [Part::Re, Part::Im].map(|p| component(z[0], z[1], p));
                 let (small, size) = match part {
                     Part::Re => (re, im),
                     Part::Im => (im, re),
@@ -132,7 +173,7 @@ mod tests {
                 found += usize::from(small.abs() < 0.3 * size.abs());
             }
             let z = beside_flat_curve(&mut d);
-            let re = value(z[0], z[1], Part::Re);
+            let re = component(z[0], z[1], Part::Re);
             assert!(re.abs() < 0.2 * (-z[0] * z[0]).exp(), "{z:?} {re}");
         }
         assert!(found > 150, "{found}");

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 /// `r e^{iθ}`.
 pub(in crate::methods::special) fn polar(r: f64, theta: f64) -> Vec<f64> {
-    vec![r * theta.cos(), r * theta.sin()]
+    vec![r * libm::cos(theta), r * libm::sin(theta)]
 }
 
 pub(in crate::methods::special) fn whole(d: &mut Draw) -> f64 {
@@ -89,7 +89,10 @@ fn near_zero(d: &mut Draw, k: usize) -> Vec<f64> {
     let r = d.log_uniform(1e-17, 0.1);
     let theta = whole(d);
     let z = curves::zero(k);
-    vec![d.signed(z[0] + r * theta.cos()), z[1] + r * theta.sin()]
+    vec![
+        d.signed(z[0] + r * libm::cos(theta)),
+        z[1] + r * libm::sin(theta),
+    ]
 }
 
 static ON_CIRCLES: LazyLock<String> = LazyLock::new(|| {

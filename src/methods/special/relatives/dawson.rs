@@ -35,6 +35,10 @@ impl Relative for Dawson {
         stored: 14,
     };
 
+    fn slope(z: C, value: C) -> C {
+        1.0 - 2.0 * z * value
+    }
+
     fn limit(x: f64, y: f64) -> [Due; 2] {
         odd_limit(0, x, y)
     }
@@ -42,11 +46,11 @@ impl Relative for Dawson {
     /// On the imaginary axis `F(iy) = i (√π/2) e^{y²} erf y` grows with y. On the real axis
     /// `F′ = 1 − 2xF` is positive up to the maximum of F, negative beyond.
     fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
-        let im = match (y == 0.0, slope_is_negative(x)) {
-            (true, Some(negative)) => Some(y.is_sign_negative() != negative),
+        let im = match y == 0.0 {
+            true => slope_is_negative(x).map(|negative| y.is_sign_negative() != negative),
             // F = 1/(2z) + … there.
-            (false, _) if x.is_infinite() && y.is_finite() => Some(y > 0.0),
-            _ => None,
+            false if x.is_infinite() && y.is_finite() => Some(y > 0.0),
+            false => None,
         };
         [on_axis(x, 1.0), im]
     }

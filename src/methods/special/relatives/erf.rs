@@ -2,11 +2,15 @@
 
 use super::laws::{gaussian, odd_law, on_the_axis, point, real_argument_law, within};
 use super::regions::zero_of_erf;
-use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, odd_signs, on_the_real_line};
+use super::{
+    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, odd_signs,
+    on_the_real_line,
+};
 use crate::audit::{Due, Law, ProvedBound};
 use crate::proof::real::Function;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erf, erf_real, erfc, faddeeva as w};
+use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erf z, Im erf z`.
 ///
@@ -31,6 +35,10 @@ impl Relative for Erf {
         mirrored: [true, true],
         stored: 14,
     };
+
+    fn slope(z: C, _: C) -> C {
+        FRAC_2_SQRT_PI * exponential(-z * z)
+    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         odd_limit(1, x, y)

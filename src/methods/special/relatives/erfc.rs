@@ -5,13 +5,15 @@ use super::laws::{
 };
 use super::regions::zero_of_erfc;
 use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, on_axis, on_the_real_line,
+    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, negated, odd_limit, on_axis,
+    on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
 use crate::proof::real::Function;
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{erfc, erfc_real, erfcx};
+use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfc z, Im erfc z`.
 ///
@@ -37,6 +39,10 @@ impl Relative for Erfc {
         mirrored: [false, true],
         stored: 12,
     };
+
+    fn slope(z: C, _: C) -> C {
+        -FRAC_2_SQRT_PI * exponential(-z * z)
+    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         let [re, im] = odd_limit(1, x, y);

@@ -13,6 +13,7 @@ use crate::proof::real::Function;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{SEAMS, branch, erfcx, erfcx_batch, erfcx_real, faddeeva as w};
 use num_complex::Complex;
+use std::f64::consts::FRAC_2_SQRT_PI;
 
 /// Input `Re z, Im z`, output `Re erfcx z, Im erfcx z`.
 ///
@@ -38,6 +39,10 @@ impl Relative for Erfcx {
         mirrored: [false, true],
         stored: 12,
     };
+
+    fn slope(z: C, value: C) -> C {
+        2.0 * z * value - FRAC_2_SQRT_PI
+    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         dues_not_finite(-y, x)

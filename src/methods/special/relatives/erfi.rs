@@ -4,7 +4,9 @@ use super::laws::{
     gaussian, odd_law, on_the_axis, plain, point, real_argument_law, same_pair, within,
 };
 use super::regions::zero_of_erfi;
-use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, negated, odd_limit, odd_signs};
+use super::{
+    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, negated, odd_limit, odd_signs,
+};
 use crate::audit::{Due, Law};
 use crate::methods::common::held;
 use crate::reference::faddeeva;
@@ -34,6 +36,10 @@ impl Relative for Erfi {
         mirrored: [true, true],
         stored: 14,
     };
+
+    fn slope(z: C, _: C) -> C {
+        FRAC_2_SQRT_PI * exponential(z * z)
+    }
 
     fn limit(x: f64, y: f64) -> [Due; 2] {
         let [re, im] = odd_limit(1, -y, x);

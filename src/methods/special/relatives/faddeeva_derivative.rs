@@ -37,6 +37,12 @@ impl Relative for FaddeevaDerivative {
         stored: 0,
     };
 
+    /// `W″ = −2W − 2zW′`, and W from the equation of the first derivative.
+    fn slope(z: C, value: C) -> C {
+        let w = (C::new(0.0, FRAC_2_SQRT_PI) - value) / (2.0 * z);
+        -2.0 * (w + z * value)
+    }
+
     /// W' tends to 0 in the closed upper half-plane and for Re z → ±∞, to +i∞ down the imaginary
     /// axis, on which it is imaginary.
     fn limit(x: f64, y: f64) -> [Due; 2] {

@@ -77,6 +77,9 @@ pub trait Relative: Registered {
     /// Where it is zero.
     const ZEROS: Zeros;
 
+    /// The derivative at `z`, from the value there, to a few digits: points next to zero curves are found with it.
+    fn slope(z: C, value: C) -> C;
+
     /// What is due at an argument that is not finite.
     fn limit(x: f64, y: f64) -> [Due; 2];
     /// Whether the limit of each component, where it is zero, is −0; `None` where there is no limit
@@ -92,6 +95,11 @@ pub trait Relative: Registered {
     fn branch(z: Complex<f64>) -> Option<BranchAt> {
         nearest(z, &SEAMS_OF_RELATIVES, None)
     }
+}
+
+/// e^z, roughly and alike on every machine.
+fn exponential(z: C) -> C {
+    libm::exp(z.re) * C::new(libm::cos(z.im), libm::sin(z.im))
 }
 
 /// An exact small number.

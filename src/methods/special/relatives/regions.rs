@@ -3,10 +3,12 @@
 //! Their values turn into each other by quarter turns of the plane, so every region lies around both
 //! axes.
 
-use super::Relative;
+use super::{C, Relative};
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::region;
-use crate::methods::special::faddeeva::curves::{crossing, next_to, zero as zero_of_w};
+use crate::methods::special::faddeeva::curves::{
+    Along, Part, next_to, zero as zero_of_w, zero_on_line,
+};
 use crate::methods::special::faddeeva::regions::{
     TINY_PART, beside, both_signs, in_either_order, listed, named_points, one_of, polar, tiny_part,
     whole,
@@ -53,45 +55,43 @@ pub(super) fn zero_of_erfc(k: usize) -> [f64; 2] {
     [y, -x]
 }
 
-/// One component of the certified value, roughly; what is not decided is taken for zero.
-fn component<F: Relative, const PART: usize>(x: f64, y: f64) -> f64 {
-    let (Some(re), Some(im)) = (Rational::from_f64(x), Rational::from_f64(y)) else {
-        return f64::NAN;
-    };
-    (F::EXACT)(&re, &im, 60).map_or(0.0, |parts| parts[PART].to_ball().to_f64())
+/// The certified value and the derivative, roughly.
+fn value_and_slope<F: Relative>(z: C) -> Option<[C; 2]> {
+    let (re, im) = (Rational::from_f64(z.re)?, Rational::from_f64(z.im)?);
+    let [re, im] = (F::EXACT)(&re, &im, 30)
+        .ok()?
+        .map(|part| part.to_ball().to_f64());
+    let value = C::new(re, im);
+    Some([value, F::slope(z, value)])
 }
 
-/// Up to the pair `(v, t)`, or `(t, v)`.
-fn placed(across: bool, v: f64, t: f64) -> Vec<f64> {
-    if across { vec![t, v] } else { vec![v, t] }
-}
-
-/// A point next to a curve on which the component is zero, if one crosses a short line parallel to an
-/// axis; the line's beginning otherwise.
-fn beside_curve<F: Relative, const PART: usize>(d: &mut Draw) -> Vec<f64> {
-    let across = d.chance(0.5);
-    let (v, t) = (d.uniform(0.0, 7.0), d.uniform(0.0, 7.0));
-    let (v, t) = (d.signed(v), d.signed(t));
+/// A point next to a curve on which the component is zero, if a line parallel to an axis meets one near its
+/// beginning; the beginning otherwise.
+fn beside_curve<F: Relative>(d: &mut Draw, part: Part) -> Vec<f64> {
+    let along = if d.chance(0.5) { Along::Re } else { Along::Im };
+    let (x, y) = (d.uniform(0.0, 7.0), d.uniform(0.0, 7.0));
+    let (x, y) = (d.signed(x), d.signed(y));
     // The phase of e^{-z^2} turns by a quarter within one step.
-    let step = PI / (4.0 * v.abs().max(1.0));
-    let f = |t: f64| {
-        let z = placed(across, v, t);
-        component::<F, PART>(z[0], z[1])
+    let v = match along {
+        Along::Re => y,
+        Along::Im => x,
     };
-    for k in 0..4 {
-        let a = t + f64::from(k) * step;
-        if let Some(c) = crossing(f, a, a + step) {
-            return placed(across, v, next_to(d, c, 1e-2));
-        }
+    let turn = PI / (4.0 * v.abs().max(1.0));
+    match (
+        zero_on_line(value_and_slope::<F>, part, along, C::new(x, y), turn),
+        along,
+    ) {
+        (None, _) => vec![x, y],
+        (Some(t), Along::Re) => vec![next_to(d, t, 1e-2), y],
+        (Some(t), Along::Im) => vec![x, next_to(d, t, 1e-2)],
     }
-    placed(across, v, t)
 }
 
 /// A zero between two of them, moved by `least` to 0.1, in any of its mirror images.
 fn near<F: Relative>(d: &mut Draw, (first, last): (usize, usize), least: f64) -> Vec<f64> {
     let z = (F::ZEROS.at)(d.integer(first, last));
     let (r, theta) = (d.log_uniform(least, 0.1), whole(d));
-    let z = [z[0] + r * theta.cos(), z[1] + r * theta.sin()];
+    let z = [z[0] + r * libm::cos(theta), z[1] + r * libm::sin(theta)];
     let [re, im] = F::ZEROS.mirrored;
     let x = if re { d.signed(z[0]) } else { z[0] };
     vec![x, if im { d.signed(z[1]) } else { z[1] }]
@@ -260,12 +260,12 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
         region(
             "zero-curves-of-re",
             "the f64 next to a curve with Re f = 0 and its neighbours, or off by a relative 1e-15..1e-2",
-            beside_curve::<F, 0>,
+            |d| beside_curve::<F>(d, Part::Re),
         ),
         region(
             "zero-curves-of-im",
             "the f64 next to a curve with Im f = 0 and its neighbours, likewise",
-            beside_curve::<F, 1>,
+            |d| beside_curve::<F>(d, Part::Im),
         ),
         region(
             "far-zeros",

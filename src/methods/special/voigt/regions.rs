@@ -74,7 +74,7 @@ pub(super) fn all() -> Vec<Region> {
             |d| {
                 let p = d.uniform(1.5, 26.0);
                 let ratio = d.log_uniform(1e-4, 1e4);
-                let q = std::f64::consts::PI.sqrt() * p * p * (-p * p).exp() * ratio;
+                let q = std::f64::consts::PI.sqrt() * p * p * libm::exp(-p * p) * ratio;
                 in_widths(d, p, q)
             },
         ),

@@ -156,7 +156,7 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
         let sine = small.magnitude().mul(small.magnitude()).div(r).sqrt();
         Mag::from_f64(FRAC_PI_2.next_up()).mul(sine)
     };
-    let im_error = least(plain, arc(&x).mul(turning));
+    let im_error = plain.min(arc(&x).mul(turning));
 
     let near_real = h.magnitude() < x.mignitude();
     // Is e^{−z²} needed at all?
@@ -225,10 +225,6 @@ fn plain_scaled(b: Ball) -> Scaled {
 
 fn power(log2: f64) -> Mag {
     Mag::power_of_two(log2.ceil().max(-5e8) as i64)
-}
-
-fn least(a: Mag, b: Mag) -> Mag {
-    if b < a { b } else { a }
 }
 
 #[cfg(test)]

@@ -3,12 +3,21 @@
 use super::argument::{Argument, Real};
 use super::pair::Member;
 use super::scaled::Scaled;
-use super::{asymptotic, kummer};
-use rug::Integer;
+use super::{asymptotic, fast, kummer};
 
-/// One evaluation for `z.x ≥ 0`. `None` where |z|² is beyond 10^8 and the asymptotic series does
-/// not reach the precision.
+/// One evaluation for `z.x ≥ 0`, quick where that may do. `None` where |z|² is beyond 10^8 and the asymptotic
+/// series does not reach the precision.
 pub(super) fn at(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
+    if prec <= fast::MOST_BITS
+        && let Some(value) = fast::parts(&z.x, &z.y, member, prec)
+    {
+        return Some([value.re, value.im].map(Scaled::from));
+    }
+    general(z, member, prec)
+}
+
+/// [`at`], never quick.
+pub(super) fn general(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
     if let Some(parts) = asymptotic::parts(z, member, prec) {
         return Some(parts);
     }
@@ -16,7 +25,7 @@ pub(super) fn at(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]>
         return None;
     }
     let value = kummer::parts(z, member, prec);
-    Some([value.re, value.im].map(|b| Scaled::new(b, Integer::new())))
+    Some([value.re, value.im].map(Scaled::from))
 }
 
 /// One evaluation of w anywhere; `w(−conj z) = conj w(z)`.

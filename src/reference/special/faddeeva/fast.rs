@@ -2,7 +2,8 @@
 //! below 9.74, and the asymptotic series beyond.
 //!
 //! Whoever asks for more bits than come out, or for a component that loses too many, gets the
-//! general evaluation: this file only ever answers with proven balls or not at all.
+//! general evaluation: this file only ever answers with proven balls or not at all. [`parts`] also has
+//! `D = w − e^{−z²}` in the first quadrant.
 //!
 //! # Cells
 //! The centres are the points of the closed first quadrant with coordinates that are multiples of
@@ -45,6 +46,7 @@
 use super::argument::Real;
 use super::asymptotic::{remainder, terms};
 use super::derivatives::taylor;
+use super::pair::Member;
 use crate::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
 use std::sync::OnceLock;
@@ -246,15 +248,37 @@ fn gaussian(x: &Coordinate, y: &Coordinate) -> Option<(Float, Float, Mag)> {
     Some((c * &e, s * e, slack))
 }
 
+/// What is asked for, at a ± ih.
+#[derive(Clone, Copy, PartialEq)]
+enum Wanted {
+    /// w above the axis.
+    Upper,
+    /// w below it.
+    Lower,
+    /// D above it.
+    Dawson,
+}
+
+/// An enclosure of w(x + iy), or of D with y not negative, x being taken without its sign: of a relative radius
+/// of about 2^-bits if no component is much smaller than what it is the difference of.
+pub(super) fn parts(x: &Real, y: &Real, member: Member, bits: u32) -> Option<ComplexBall> {
+    let (a, h) = (Coordinate::new(x), Coordinate::new(y));
+    let wanted = match (member, y.is_negative()) {
+        (Member::W, false) => Wanted::Upper,
+        (Member::W, true) => Wanted::Lower,
+        (Member::Dawson, false) => Wanted::Dawson,
+        (Member::Dawson, true) => return None,
+    };
+    let limit = SIDE as f64 / 2.0 - 0.26;
+    match a.double < limit && h.double < limit {
+        true => near(&a, &h, wanted),
+        false => far(&a, &h, wanted, bits),
+    }
+}
+
 /// w(x + iy) with components of at least `bits` bits, or nothing.
 pub(super) fn w(x: &Real, y: &Real, bits: u32) -> Option<ComplexBall> {
-    let (a, h) = (Coordinate::new(x), Coordinate::new(y));
-    let limit = SIDE as f64 / 2.0 - 0.26;
-    let w = if a.double < limit && h.double < limit {
-        near(&a, &h, y.is_negative())?
-    } else {
-        far(&a, &h, y.is_negative(), bits)?
-    };
+    let w = parts(x, y, Member::W, bits)?;
     let enough = |b: &Ball| b.is_zero() || b.accuracy_bits() >= i64::from(bits);
     if !(enough(&w.re) && enough(&w.im)) {
         return None;
@@ -266,8 +290,8 @@ pub(super) fn w(x: &Real, y: &Real, bits: u32) -> Option<ComplexBall> {
     })
 }
 
-/// The cells. `lower`: at a − ih instead of a + ih.
-fn near(a: &Coordinate, h: &Coordinate, lower: bool) -> Option<ComplexBall> {
+/// The cells.
+fn near(a: &Coordinate, h: &Coordinate, wanted: Wanted) -> Option<ComplexBall> {
     let (i, j) = (a.centre(), h.centre());
     let cell = cell(i as usize, j as usize)?;
     let (fs, fv) = (a.offset()?, h.offset()?);
@@ -300,30 +324,31 @@ fn near(a: &Coordinate, h: &Coordinate, lower: bool) -> Option<ComplexBall> {
             (Part::plain(p), Part::plain(q))
         }
     };
+    // What there is: D in the cells on the real axis, else w.
     let dawson = j == 0.0;
-    if !dawson && !lower {
+    if (wanted == Wanted::Dawson) == dawson && wanted != Wanted::Lower {
         return Some(ComplexBall::new(re.ball(Mag::ZERO), im.ball(Mag::ZERO)));
     }
     let (c, s, slack) = gaussian(a, h)?;
     let (cm, sm) = (Mag::above(&c).shift(1), Mag::above(&s).shift(1));
-    // Above: D + E (E = c − is) or w. Below: 2E − conj of that, E at a − ih being c + is.
-    let (re, im) = match (dawson, lower) {
-        (true, false) => (re.plus(&c, 1, slack), im.plus(&s, -1, slack)),
-        (true, true) => (re.negated().plus(&c, 1, slack), im.plus(&s, 1, slack)),
-        _ => (re.negated().plus(&c, 2, slack), im.plus(&s, 2, slack)),
+    // Above, w = D + E with E = c − is. Below, w = 2E − conj of that, E at a − ih being c + is.
+    let (re, im) = match (wanted, dawson) {
+        (Wanted::Upper, _) => (re.plus(&c, 1, slack), im.plus(&s, -1, slack)),
+        (Wanted::Dawson, _) => (re.plus(&c, -1, slack), im.plus(&s, 1, slack)),
+        (Wanted::Lower, true) => (re.negated().plus(&c, 1, slack), im.plus(&s, 1, slack)),
+        (Wanted::Lower, false) => (re.negated().plus(&c, 2, slack), im.plus(&s, 2, slack)),
     };
     Some(ComplexBall::new(re.ball(cm), im.ball(sm)))
 }
 
 /// The asymptotic series with its plain remainder bound or, for |Im z| ≤ |Re z|, with that of the real
 /// part beside the real axis where that is less, on both sides of it ([`super::asymptotic`] has the derivation).
-/// `lower`: at x − iy instead of x + iy.
 ///
 /// Fixed point with units of 2^-114 here. With `v = C/z² = p + iq`, |v| ≤ 1, ρ = (2k+1)/(2C) and the
 /// sum from term k on equal to P + iqS: `P ← 1 + ρ (pP − q²S)`, `S ← ρ (P + pS)`. The errors E of P and
 /// F of S obey `E' = ρ (|p| E + q² F + 6 + 3|P| + 20|S|) + 1`, `F' = ρ (E + |p| F + 3 + 3|S|) + 1` (Ca² and
 /// Cb² are wrong by one unit, hence p by 3 and `q² = 4 Ca² Cb²` by 4 (3 + 2)), evaluated in `f64` and enlarged by 1 %.
-fn far(x: &Coordinate, y: &Coordinate, lower: bool, bits: u32) -> Option<ComplexBall> {
+fn far(x: &Coordinate, y: &Coordinate, wanted: Wanted, bits: u32) -> Option<ComplexBall> {
     const UNIT: u32 = 114;
     let square = |x: &Float| Float::with_val(PREC, x.square_ref());
     let norm = square(&x.value) + square(&y.value);
@@ -376,45 +401,60 @@ fn far(x: &Coordinate, y: &Coordinate, lower: bool, bits: u32) -> Option<Complex
             .add(Mag::above(&mid).shift(-150));
         Ball::new(mid, error)
     };
-    let angle = Mag::above(&b);
+    let [below, beside] = [Mag::above(&a), Mag::above(&b)];
     let re = part(b, sum + 2 * times(aa, rest));
     let im = part(a, sum - 2 * times(bb, rest));
     let bound = remainder(n, log_r);
-    let im = im.widened(above_power(bound.plain));
+    // An angle to an axis is at most π/2 times its sine: (π/2) |z| x/|z|² to the imaginary axis.
+    let arc = |sine: Mag| sine.mul(above_power(0.5 * log_r + 0.66));
+    let plain = above_power(bound.plain);
+    let im = im.widened(plain.min(arc(below).mul(above_power(bound.turning))));
     let ball = |f: Float, slack: Mag| {
         let error = Mag::above(&f).shift(-140).add(slack);
         Ball::new(f, error)
     };
-    // θ ≤ (π/2) y/|z| = (π/2) |z| y/|z|², and D_N + 2|z|² e^{−Re z²}.
-    let angle = angle.mul(above_power(0.5 * log_r + 0.66));
+    // D_N + 2|z|² e^{−Re z²}.
     let gauss = gaussian_bound(x, y);
     let turning = above_power(bound.turning).add(gauss.mul(above_power(log_r + 1.01)));
-    let (turned, plain) = (angle.mul(turning), above_power(bound.plain));
+    let turned = arc(beside).mul(turning);
     if y.double >= 0.999 * x.double || plain <= turned {
         let re = re.widened(plain);
-        if !lower {
+        if wanted == Wanted::Upper {
             return Some(ComplexBall::new(re, im));
         }
-        // 2E − conj w, E = c + is.
         let (c, s, slack) = gaussian(x, y)?;
-        let (c, s) = (ball(c, slack).shift(1), ball(s, slack).shift(1));
-        return Some(ComplexBall::new(&c - &re, &im + &s));
+        let (c, s) = (ball(c, slack), ball(s, slack));
+        return Some(match wanted {
+            Wanted::Dawson => ComplexBall::new(&re - &c, &im + &s),
+            // 2E − conj w, E = c + is.
+            _ => ComplexBall::new(&c.shift(1) - &re, &im + &s.shift(1)),
+        });
     }
     let re = re.widened(turned);
-    let re = if lower { -re } else { re };
+    let re = if wanted == Wanted::Lower { -re } else { re };
+    if wanted == Wanted::Dawson {
+        // Re D is what the series gives.
+        let im = match gauss <= im.mignitude().shift(-i64::from(bits) - 8) {
+            true => im.widened(gauss),
+            false => {
+                let (_, s, slack) = gaussian(x, y)?;
+                &im + &ball(s, slack)
+            }
+        };
+        return Some(ComplexBall::new(re, im));
+    }
     if gauss <= re.mignitude().shift(-i64::from(bits) - 8) {
-        let im = if lower {
-            im.widened(gauss.shift(1))
-        } else {
-            im
+        let im = match wanted {
+            Wanted::Lower => im.widened(gauss.shift(1)),
+            _ => im,
         };
         return Some(ComplexBall::new(re.widened(gauss), im));
     }
     let (c, s, slack) = gaussian(x, y)?;
     // Below: 2E − conj w, E = c + is.
-    let im = match lower {
-        true => &im + &ball(s, slack).shift(1),
-        false => im,
+    let im = match wanted {
+        Wanted::Lower => &im + &ball(s, slack).shift(1),
+        _ => im,
     };
     Some(ComplexBall::new(&re + &ball(c, slack), im))
 }

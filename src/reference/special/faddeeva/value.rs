@@ -1,13 +1,12 @@
 //! w, decided: by the fast evaluation where it serves, else by Ziv's loop.
 
 use super::argument::{Argument, Real};
-use super::choice::at;
+use super::choice::general;
 use super::fast;
 use super::pair::Member;
 use super::scaled::Scaled;
 use super::ziv::{balls, decide};
 use crate::{ComplexBall, Undecided};
-use rug::Integer;
 
 /// w with both components decided, as balls.
 pub(super) fn value(x: Real, y: Real, bits: u32) -> Result<ComplexBall, Undecided> {
@@ -19,11 +18,11 @@ pub(super) fn scaled(x: Real, y: Real, bits: u32) -> Result<[Scaled; 2], Undecid
     if bits <= fast::MOST_BITS
         && let Some(w) = fast::w(&x, &y, bits)
     {
-        return Ok([w.re, w.im].map(|part| Scaled::new(part, Integer::new())));
+        return Ok([w.re, w.im].map(Scaled::from));
     }
     let length = x.length().saturating_add(y.length());
     let mirrored = x.is_negative();
     let z = Argument::new(if mirrored { x.negated() } else { x }, y);
-    let [re, im] = decide("w", bits, length, |prec| at(&z, Member::W, prec))?;
+    let [re, im] = decide("w", bits, length, |prec| general(&z, Member::W, prec))?;
     Ok(if mirrored { [re, -im] } else { [re, im] })
 }
