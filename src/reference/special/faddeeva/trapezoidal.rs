@@ -131,3 +131,85 @@ fn upper(z: &ComplexBall, prec: u32, inner: u32) -> ComplexBall {
     }
     w.widened(error)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{LN_2, PI};
+
+    fn q(x: f64) -> Rational {
+        Rational::from_f64(x).unwrap()
+    }
+
+    /// Both errors of the head, from the step, the nearest node and the first node left out.
+    fn bound(x: f64, prec: u32) -> f64 {
+        let a = (4.0 / 3.0 * f64::from(prec + 4) * LN_2).sqrt().max(2.0) * (1.0 + 1e-9);
+        let h = PI / a;
+        let off = (x / h - (x / h).round()).abs();
+        let (sigma, distance) = if off <= 0.25 {
+            (0.5, 0.5 - off)
+        } else {
+            (0.0, off)
+        };
+        let count = ((f64::from(prec + 8) * LN_2).sqrt() / h).ceil() + 1.0;
+        let s = (count + sigma) * h;
+        let tail = 2.0 / (PI * distance) * (-s * s).exp() * (1.0 + 1.0 / (2.0 * h * s));
+        tail + 1.5 * (-0.75 * a * a).exp()
+    }
+
+    /// The radius is the bound of the head, no less and no more, and keeps what is promised.
+    #[test]
+    fn the_radius_is_the_bound() {
+        for prec in (0..150).step_by(7) {
+            for (x, y) in [
+                (0.0, 1.0),
+                (0.3, 0.5),
+                (0.5, 12.0),
+                (1.71875, 3.0),
+                (9.0, 1.0),
+            ] {
+                let r = w(&q(x), &q(y), prec).re.rad().to_f64();
+                let ratio = r / bound(x, prec);
+                assert!(
+                    (1.0 - 1e-9..1.0 + 1e-8).contains(&ratio),
+                    "{prec} {x} {y}: {ratio}"
+                );
+                assert!(r <= (-f64::from(prec)).exp2(), "{prec} {x} {y}: {r}");
+            }
+        }
+    }
+
+    /// Few bits, so that the rule's own error shows: beside its nodes, on either side of the border and of the real line.
+    #[test]
+    fn few_bits_hold_what_many_find() {
+        let a = (4.0 / 3.0 * 12.0 * LN_2).sqrt();
+        let mut heights = vec![0.0, 1e-9, 0.4];
+        heights.extend([0.3, 0.5, 0.74, 0.76, 0.99, 1.01, 1.3, 1.49, 2.0].map(|k| k * a));
+        for x in [0.0, 0.1, 0.235, 0.25, 0.47, 0.7, 0.94, 2.0] {
+            for y in &heights {
+                for y in [*y, -y] {
+                    let (coarse, fine) = (w(&q(x), &q(y), 8), w(&q(x), &q(y), 90));
+                    assert!(
+                        coarse.re.contains_ball(&fine.re),
+                        "{x} {y}: {coarse:?} {fine:?}"
+                    );
+                    assert!(
+                        coarse.im.contains_ball(&fine.im),
+                        "{x} {y}: {coarse:?} {fine:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// `e^{−z²}` of `e^(2^56)` keeps its bits.
+    #[test]
+    fn far_below_the_radius_is_relative() {
+        let (x, y) = (q(0.25), q(-268_435_456.5));
+        let found = w(&x, &y, 60);
+        let z = ComplexBall::rational(400, &x, &y);
+        let due = (-&z.square()).exp().scaled(&Ball::integer(400, 2));
+        assert!(found.overlaps(&due));
+        assert!(found.radius() <= due.magnitude().shift(-60));
+    }
+}
