@@ -359,3 +359,6 @@ fn enclose_symbol(
     }
     Enclosures::new(point).symbol(&x.name())
 }
+
+#[cfg(test)]
+mod tests;

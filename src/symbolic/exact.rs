@@ -134,6 +134,23 @@ impl Exact {
         Ok(self.algebra.reduce_fraction(&(&num * &inverse)))
     }
 
+    /// Refuses where a value bound on the way depends on `x`, which is to be free in what follows: a derivative by it
+    /// or a value put in for it would reach into what is bound. A name that is bound to its own symbol is free.
+    fn is_free(&self, scope: &Scope<ExpSum>, x: Symbol) -> Result<(), SymbolicError> {
+        let captured = scope.bound.iter().any(|(name, v)| {
+            let own = Symbol::new(name).is_some_and(|s| *v == ExpSum::symbol(s));
+            let hidden = |q: &Poly| self.algebra.hides(q, x);
+            let hides = |f: &Fraction| hidden(f.num()) || hidden(f.den());
+            !own && (v.contains(x) || v.terms().any(|(p, c)| hides(p) || hides(c)))
+        });
+        match captured {
+            true => Err(SymbolicError::Unsupported(format!(
+                "{x} inside of what is bound to a value of it"
+            ))),
+            false => Ok(()),
+        }
+    }
+
     fn square_root(&mut self, x: &ExpSum) -> Result<ExpSum, SymbolicError> {
         let x = self.fraction(x, "a root")?;
         Ok(self.algebra.sqrt(&x)?.into())
@@ -244,6 +261,13 @@ impl Domain for Exact {
             let s = Symbol::new(symbol).ok_or_else(|| SymbolicError::Name(symbol.clone()))?;
             d.insert(s, image);
         }
+        d.keys().try_for_each(|s| self.is_free(scope, *s))?;
+        let bound = scope.bound.iter().rev().find(|b| b.0 == by);
+        if bound.is_some_and(|b| b.1 != ExpSum::symbol(x)) {
+            return Err(SymbolicError::Unsupported(format!(
+                "a derivative by {by}, which is bound outside of it"
+            )));
+        }
         scope.bound.push((by.into(), ExpSum::symbol(x)));
         let f = walk(self, scope, body);
         scope.bound.pop();
@@ -266,6 +290,7 @@ impl Domain for Exact {
             return out;
         };
         let x = Symbol::new(symbol).ok_or_else(|| SymbolicError::Name(symbol.into()))?;
+        self.is_free(scope, x)?;
         scope.bound.push((symbol.into(), ExpSum::symbol(x)));
         let f = Algebra::unsigned(self, x, |exact| walk(exact, scope, body));
         scope.bound.pop();

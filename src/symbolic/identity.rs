@@ -209,3 +209,102 @@ fn coordinates(definitions: &Definitions, e: &Expr, point: &Point) -> Vec<(Strin
         .map(|n| (n.clone(), point.value(&n).to_string()))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse_equation;
+
+    /// At x = 2, y = 3.
+    fn found(lines: &[&str], text: &str) -> Identity {
+        let definitions = Definitions::read(lines).unwrap();
+        let named = [("x".into(), 2.into()), ("y".into(), 3.into())].into();
+        let point = Point { named, turn: 0 };
+        Identity::at(&definitions, &parse_equation(text).unwrap(), &point)
+    }
+
+    fn residual(text: &str) -> String {
+        let found = found(&[], text);
+        assert_eq!(found.outcome, Outcome::Refuted, "{text}: {found:?}");
+        found.witness.unwrap().residual
+    }
+
+    #[test]
+    fn residuals_of_rational_numbers_are_exact() {
+        for (text, due) in [
+            ("x^3 = 0", "8"),
+            ("x/y + i*x^2 = 0", "(2/3+4*i)"),
+            ("(x + y^2)/(x^2*y - 5) = 1", "4/7"),
+            ("x*y - y = 1", "2"),
+        ] {
+            assert_eq!(residual(text), due, "{text}");
+        }
+    }
+
+    /// Of what is no rational function of the point: eight digits.
+    #[test]
+    fn other_residuals_are_digits() {
+        for (text, due) in [
+            ("pi = 0", "3.1415927"),
+            ("x*pi + y = 0", "9.2831853"),
+            ("1/(x*pi) = 0", "0.15915494"),
+            ("1/(y - pi) = 0", "-7.0625133"),
+            ("sqrt(x) = 0", "1.4142136"),
+            ("x + sqrt(x) + sqrt(y) = 0", "5.1462644"),
+            ("1/(1 + sqrt(x)) = 0", "0.41421356"),
+            ("i*exp(x) = 0", "7.3890561*i"),
+            ("pi - i*pi/2 = 0", "3.1415927-1.5707963*i"),
+            ("pi + i*pi/2 = 0", "3.1415927+1.5707963*i"),
+            ("W(i*x) + W(i*y) = 0", "0.43439683"),
+        ] {
+            let found = residual(text);
+            // Trailing zeros and powers of ten are the decimals' own affair.
+            let value = |s: &str| s.parse::<f64>().ok();
+            match (value(&found), value(due)) {
+                (Some(a), Some(b)) => assert!((a / b - 1.0).abs() < 1e-7, "{text}: {found}"),
+                _ => assert_eq!(found, due, "{text}"),
+            }
+        }
+    }
+
+    /// The first point is that of turn 0, and the witness names the free symbols, definitions followed, and no others.
+    #[test]
+    fn witnesses_name_the_free_symbols() {
+        let lines = ["c = a*b", "d = c + c"];
+        let names = |text: &str| {
+            let found = found(&lines, text);
+            assert_eq!(found.outcome, Outcome::Refuted, "{text}: {found:?}");
+            let point = found.witness.unwrap().point;
+            for (name, value) in &point {
+                let due = match name.as_str() {
+                    "x" => 2.into(),
+                    "y" => 3.into(),
+                    name => Point::default().value(name),
+                };
+                assert_eq!(*value, due.to_string(), "{text}");
+            }
+            point.into_iter().map(|p| p.0).collect::<Vec<_>>().join(" ")
+        };
+        for (text, due) in [
+            ("u + pi = x", "u x"),
+            ("d = x", "a b x"),
+            ("c + d = c*a", "a b"),
+            ("int(s, p, q, s*x) = 0", "p q x"),
+            ("sum(k, 1, inf, k*x) = 0", "x"),
+            ("sum(k, 1, n_num, k*y) = 0", "y"),
+            ("at(t^2 + v, t, x) = 0", "v x"),
+            ("s + int(s, 0, 1, s) = 7", "s"),
+        ] {
+            assert_eq!(names(text), due, "{text}");
+        }
+    }
+
+    /// Straight from the data where there is no derivative: the normal form has lost the division by zero.
+    #[test]
+    fn points_are_tried_without_the_algebra() {
+        let text = "(x^2 - 4)/(x - 2) = 0";
+        assert_eq!(found(&[], text).outcome, Outcome::Undecided);
+        let derived = found(&[], "(D(x^2, x) - 4)/(x - 1) = 5");
+        assert_eq!(derived.outcome, Outcome::Refuted);
+    }
+}

@@ -421,3 +421,84 @@ fn what_cannot_be_said_is_undecided_or_an_error() {
     let found = Exact::default().value(&circle, &parse("a").unwrap());
     assert!(matches!(found, Err(SymbolicError::Circular(_))));
 }
+
+/// Values put in, and variables bound, whose names are used outside as well.
+#[test]
+fn bound_names_end_where_they_are_bound() {
+    for text in [
+        "at(x^2 + x, x, 3) = 12",
+        "at(x^2 - x*y, x, y + 1) = y + 1",
+        "x + at(x^2, x, 3) + x = 9 + 2*x",
+        "x + int(x, 0, 1, 2*x) + x = 1 + 2*x",
+        "int(s, 1, 2, exp(t*s)) = (exp(2*t) - exp(t))/t",
+        "int(s, 1, 2, exp(t*s + x)) = exp(x)*(exp(2*t) - exp(t))/t",
+        "im((1 + 2*i)*x) = 2*x",
+        "im((3 - 5*i)*x*y) = -5*x*y",
+        "im(7*x) = 0",
+        "sqrt(x) - at(z^2, z, 2) = sqrt(x) - 4",
+        "at(sqrt(y)*sqrt(x + y)*z, z, 2) = 2*sqrt(y)*sqrt(x + y)",
+        "at(W(z) + W(y), z, x) = W(x) + W(y)",
+        "at(exp(a*t), t, exp(b)) = exp(a*exp(b))",
+        "x + D(x^2, x) + x = 4*x",
+    ] {
+        let found = decided(text);
+        let outside = text.contains("exp(b))");
+        assert!(
+            outside || found.outcome == Outcome::Proved,
+            "{text}: {found:?}"
+        );
+    }
+    // The value has exponentials, so that it is bound from the start.
+    let none = Definitions::default();
+    let mut exact = Exact::default();
+    let mut form = |text: &str| exact.value(&none, &parse(text).unwrap());
+    assert_eq!(form("at(t^2, t, exp(b)) + t"), form("exp(2*b) + t"));
+    for text in [
+        "at(sqrt(x)*x, x, 2)",
+        "at(sqrt(1 + sqrt(x)) + x, x, 2)",
+        "arg(exp(i*t)*sqrt(x - y))",
+    ] {
+        let found = form(text);
+        assert!(
+            matches!(found, Err(SymbolicError::Unsupported(_))),
+            "{text}: {found:?}"
+        );
+    }
+}
+
+/// Neither a derivative by a variable that is bound outside of it, nor one or a value put in that would reach into a
+/// value bound outside, is taken for one of the free symbol.
+#[test]
+fn derivatives_by_bound_variables() {
+    for text in [
+        "int(x, 0, 1, D(x^2, x)) = 2*x",
+        "sum(k, 1, 3, D(k^2, k)) = 6*k",
+        "at(D(x^2, x), x, exp(t)) = 2*x",
+        "at(D(x*y, x), y, exp(x)) = (1 + x)*exp(x)",
+        "at(D(x*y, x), y, exp(sqrt(x))) = exp(sqrt(x)) + sqrt(x)/2*exp(sqrt(x))",
+        "at(at(x*y, x, 3), y, exp(x)) = 3*exp(3)",
+    ] {
+        let found = decided(text);
+        assert_ne!(found.outcome, Outcome::Proved, "{text}: {found:?}");
+    }
+    for text in [
+        "int(x, 0, 1, D(x^2, x)) = 1",
+        "sum(k, 1, 3, D(k^2, k)) = 12",
+        "at(D(x^2, x), x, exp(t)) = 2*exp(t)",
+        "at(D(x*y, x), y, exp(x)) = exp(x)",
+        "at(at(x*y, x, 3), y, exp(x)) = 3*exp(x)",
+    ] {
+        let found = decided(text);
+        assert_ne!(found.outcome, Outcome::Refuted, "{text}: {found:?}");
+    }
+    for text in [
+        "at(D(x*y, x), y, exp(t)) = exp(t)",
+        "at(at(x*y, x, 3), y, 2*x) = 6*x",
+        "at(D(x*y, x), y, 2*x) = 2*x",
+        "int(s, 0, 1, D(s*x, x)) = 1/2",
+        "int(x, 0, 1, at(D(x^2, x), x, 3)) = 6",
+    ] {
+        let found = decided(text);
+        assert_eq!(found.outcome, Outcome::Proved, "{text}: {found:?}");
+    }
+}
