@@ -401,6 +401,8 @@ mod tests {
         let e = (-Ball::integer(300, 49)).exp();
         assert!(re.to_ball().overlaps(&e) && re.to_ball().accuracy_bits() > 50);
         assert!(im.to_ball().accuracy_bits() > 50);
+        let bound = remainder(terms(49f64.log2() - 1e-8, 50).unwrap(), 49f64.log2() - 1e-8);
+        assert!(im.ball.rad() >= power(bound.plain));
         let [re, _] = found(7.0, 0.0, Member::Dawson, 50).unwrap();
         assert!(re.ball.is_zero());
         let [_, im] = found(0.0, 7.0, Member::W, 50).unwrap();

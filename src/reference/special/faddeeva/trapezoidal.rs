@@ -202,14 +202,14 @@ mod tests {
         }
     }
 
-    /// `e^{−z²}` of `e^(2^56)` keeps its bits.
+    /// `e^{−z²}` of `e^(2^28)` keeps its bits.
     #[test]
     fn far_below_the_radius_is_relative() {
-        let (x, y) = (q(0.25), q(-268_435_456.5));
+        let (x, y) = (q(0.25), q(-16_384.5));
         let found = w(&x, &y, 60);
         let z = ComplexBall::rational(400, &x, &y);
         let due = (-&z.square()).exp().scaled(&Ball::integer(400, 2));
-        assert!(found.overlaps(&due));
+        assert!(due.magnitude().is_finite() && found.overlaps(&due));
         assert!(found.radius() <= due.magnitude().shift(-60));
     }
 }
