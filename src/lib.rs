@@ -13,6 +13,7 @@
 //! | `methods` | one file for each audited method | feature `oracle` |
 //! | `claims` | what is said of published algorithms for W and Voigt (`mechaudit-atlas`), decided | feature `oracle` |
 //! | `machine` | machines as their files describe them: certified rows and branches in the user's units | feature `machine` |
+//! | `motion` | a mechanism in motion, as pages and drawings show it | feature `oracle` |
 //! | `proof` (`mechaudit-proof`) | error bounds of solvers proved for every input | feature `oracle` |
 //! | `symbolic` (`mechaudit-symbolic`) | polynomials, roots, exponentials and their derivatives, exactly; proofs of formulas | feature `oracle` |
 //! | `report` | reports as text, HTML, JSON, CSV, JUnit, LaTeX and SVG | feature `report` |
@@ -103,6 +104,8 @@ pub mod claims;
 pub mod machine;
 #[cfg(feature = "oracle")]
 pub mod methods;
+#[cfg(feature = "oracle")]
+pub mod motion;
 #[cfg(feature = "oracle")]
 pub mod papers;
 #[cfg(feature = "report")]

@@ -4,7 +4,6 @@
 pub mod andrews;
 pub mod gembara_senyk;
 pub mod ledger;
-pub mod motion;
 pub mod n_four_bar;
 pub mod number;
 pub mod pmksweb;
@@ -16,6 +15,7 @@ pub use report::{
     Subject, Tally, VariantJudgement,
 };
 
+use crate::motion::Motion;
 use crate::reference::Undecided;
 use report::{figure, figures};
 
@@ -30,7 +30,7 @@ struct Paper {
     key: &'static str,
     audit: PaperAudit,
     ledger: fn() -> ledger::Ledger,
-    motion: Option<fn() -> motion::Motion>,
+    motion: Option<fn() -> Motion>,
 }
 
 const PAPERS: &[Paper] = &[
@@ -81,7 +81,7 @@ pub fn ledger_of(key: &str) -> Option<ledger::Ledger> {
 }
 
 /// The motion of the mechanism of the paper of that key, where it has one.
-pub fn motion_of(key: &str) -> Option<motion::Motion> {
+pub fn motion_of(key: &str) -> Option<Motion> {
     paper(key).and_then(|p| p.motion).map(|motion| motion())
 }
 

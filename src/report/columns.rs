@@ -22,12 +22,26 @@ pub struct Columns {
     /// With their units.
     pub names: Vec<String>,
     scales: Vec<Option<Scale>>,
+    parts: Vec<Parts>,
 }
+
+/// A column's name without its unit, and the factors of that unit.
+type Parts = (String, Vec<(String, i32)>);
 
 impl From<Vec<String>> for Columns {
     fn from(names: Vec<String>) -> Columns {
         let scales = vec![None; names.len()];
-        Columns { names, scales }
+        let owned = |(s, p): &(&str, i32)| (s.to_string(), *p);
+        let part = |name: &String| {
+            let (stem, factors) = split(name);
+            (stem, factors.iter().map(owned).collect())
+        };
+        let parts = names.iter().map(part).collect();
+        Columns {
+            names,
+            scales,
+            parts,
+        }
     }
 }
 
@@ -133,6 +147,12 @@ impl Wanted<'_> {
     }
 }
 
+/// Whether one of the columns is a length or has one among its factors.
+pub fn any_length(names: &[String]) -> bool {
+    let length = |name: &String| split(name).1.iter().any(|f| f.0 == "m");
+    names.iter().any(length)
+}
+
 fn dimension(symbol: &str) -> Option<[i32; 4]> {
     match symbol {
         // No unit of energy is known by name.
@@ -164,8 +184,11 @@ impl Columns {
         }
         let own = columns.names.join(", ");
         let mut used = vec![false; wanted.len()];
-        for (name, scale) in columns.names.iter_mut().zip(&mut columns.scales) {
-            let (new, by) = one(name, &wanted, &mut used);
+        let rows = columns.names.iter_mut().zip(&mut columns.scales);
+        for ((name, scale), parts) in rows.zip(&mut columns.parts) {
+            let (in_unit, by) = one(name, &wanted, &mut used);
+            let new = joined(&in_unit.0, &in_unit.1);
+            *parts = in_unit;
             if let (true, Some(by)) = (certified, &by)
                 && power_of_ten(by).is_none()
             {
@@ -185,6 +208,36 @@ impl Columns {
         }
     }
 
+    /// The column's name without its unit.
+    pub fn stem(&self, column: usize) -> &str {
+        &self.parts[column].0
+    }
+
+    /// The column's unit as people write it.
+    pub fn unit(&self, column: usize) -> String {
+        let factors = &self.parts[column].1;
+        let part = |sign: i32| {
+            let of = factors.iter().filter(|f| f.1.signum() == sign);
+            let texts = of.map(|(s, p)| match p.abs() {
+                1 if s == "deg" => "°".into(),
+                1 => s.replace("1_per_", "1/"),
+                2 => format!("{s}²"),
+                p => format!("{s}^{p}"),
+            });
+            texts.collect::<Vec<String>>().join("·")
+        };
+        match (part(1), part(-1)) {
+            (over, under) if under.is_empty() => over,
+            (over, under) if over.is_empty() => format!("1/{under}"),
+            (over, under) => format!("{over}/{under}"),
+        }
+    }
+
+    /// A number in the column's unit.
+    pub fn value(&self, column: usize, x: f64) -> f64 {
+        self.scales[column].as_ref().map_or(x, |s| s.apply(x))
+    }
+
     /// A row's value in the column's unit.
     pub fn cell(&self, column: usize, cell: &Cell) -> Cell {
         let Some(Some(scale)) = self.scales.get(column) else {
@@ -202,7 +255,7 @@ impl Columns {
 }
 
 /// A column's new name, and what its values are multiplied by.
-fn one(name: &str, wanted: &[Wanted], used: &mut [bool]) -> (String, Option<Scale>) {
+fn one(name: &str, wanted: &[Wanted], used: &mut [bool]) -> (Parts, Option<Scale>) {
     let (stem, factors) = split(name);
     let mut by = Scale {
         by: Rational::from(1),
@@ -212,7 +265,7 @@ fn one(name: &str, wanted: &[Wanted], used: &mut [bool]) -> (String, Option<Scal
     if let (Some(k), [(angle @ ("rad" | "deg"), 1), ("s", -1)]) = (speed, &factors[..]) {
         used[k] = true;
         let scale = wanted[k].scale(angle, 1);
-        return (joined(&stem, &[(wanted[k].label.clone(), 1)]), Some(scale));
+        return ((stem, vec![(wanted[k].label.clone(), 1)]), Some(scale));
     }
     let mut new = Vec::new();
     for (symbol, power) in factors {
@@ -229,7 +282,7 @@ fn one(name: &str, wanted: &[Wanted], used: &mut [bool]) -> (String, Option<Scal
         }
     }
     let same = by.by == 1 && by.degrees == 0;
-    (joined(&stem, &new), (!same).then_some(by))
+    ((stem, new), (!same).then_some(by))
 }
 
 impl Scale {

@@ -7,8 +7,8 @@ use crate::audit::{
     BranchAt, CandidateReport, Case, Comparison, ConvergenceReport, ErrorMap, LevelReport,
     MapOutput, MethodReport, Origin, Point, Uncertified, Verdict,
 };
+use crate::motion::{Course, Drive, Motion, Point as Joint};
 use crate::papers::ledger::{Formula, Ledger};
-use crate::papers::motion::{Course, Motion, Point as Joint};
 use crate::papers::{Citation, PaperReport};
 
 /// Ends an element, an attribute between quotes of either kind, and begins a script.
@@ -197,24 +197,26 @@ fn a_paper() {
         }
     }
     let motion = Motion {
-        name: HOSTILE,
-        crank_deg: vec![0.0, 180.0],
+        name: HOSTILE.into(),
+        drive: Drive {
+            symbol: "φ",
+            unit: "°",
+            values: vec![0.0, 180.0],
+        },
+        closed: true,
+        start: 0,
         points: vec![
-            Joint {
-                label: HOSTILE,
-                path: vec![[0.0, 0.0]],
-            },
-            Joint {
-                label: HOSTILE,
-                path: vec![[1.0, 0.0], [-1.0, 0.0]],
-            },
+            Joint::fixed(HOSTILE, [0.0, 0.0]),
+            Joint::moving(HOSTILE, vec![[1.0, 0.0], [-1.0, 0.0]]),
         ],
         links: vec![[0, 1]],
         plates: Vec::new(),
+        guides: Vec::new(),
+        wheels: Vec::new(),
         courses: vec![Course {
-            name: HOSTILE,
-            unit: HOSTILE,
-            variants: vec![(HOSTILE, vec![1.0, f64::NAN])],
+            name: HOSTILE.into(),
+            unit: HOSTILE.into(),
+            variants: vec![(HOSTILE.into(), vec![1.0, f64::NAN])],
             printed: Vec::new(),
         }],
     };

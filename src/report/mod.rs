@@ -1,4 +1,4 @@
-//! Reports in every form: text, HTML, JSON, CSV, JUnit, LaTeX, SVG.
+//! Reports in every form: text, HTML, JSON, CSV, JUnit, LaTeX, SVG, DXF.
 //!
 //! Whatever is shown comes in as a value; nothing here solves, judges or proves. What two forms say in
 //! the same words stands in [`words`]. HTML and SVG are written by `maud`, which escapes every text.
@@ -8,6 +8,7 @@ pub mod baseline;
 pub mod cell;
 pub mod columns;
 pub mod csv;
+pub mod dxf;
 pub mod html;
 pub mod json;
 pub mod junit;

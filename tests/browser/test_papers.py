@@ -61,26 +61,26 @@ def test_spark_lines(visit):
 
 
 def joint(page, label):
-    return page.locator("#mechanism g[data-joint]", has_text=re.compile(f"^{label}$"))
+    return page.locator("#mechanism g[data-at]", has_text=re.compile(f"^{label}$"))
 
 
 def test_slider_moves_mechanism_and_curves(visit):
     page = visit("paper")
-    slider = page.locator("#phi1")
+    slider = page.locator("#drive")
     before = joint(page, "A").get_attribute("transform"), page.locator("#now-0").inner_text()
-    assert page.locator("#phi1-value").inner_text() == "14.426°"
+    assert page.locator("#drive-value").inner_text() == "14.426°"
     slider.focus()
     for _ in range(3):
         page.keyboard.press("PageUp")
     after = joint(page, "A").get_attribute("transform"), page.locator("#now-0").inner_text()
-    assert page.locator("#phi1-value").inner_text() != "14.426°"
+    assert page.locator("#drive-value").inner_text() != "14.426°"
     assert before[0] != after[0] and before[1] != after[1]
     # Half a turn: the crank's joint is on the other side of its pivot.
     place = lambda: [float(v) for v in re.findall(r"-?[\d.]+", joint(page, "A").get_attribute("transform"))]
     slider.fill("0")
     start = place()
     slider.fill("360")
-    assert page.locator("#phi1-value").inner_text() == "194.426°"
+    assert page.locator("#drive-value").inner_text() == "194.426°"
     pivot = [(a + b) / 2 for a, b in zip(start, place())]
     slider.fill("180")
     quarter = place()
@@ -96,11 +96,11 @@ def test_play_and_curves(visit):
     assert page.locator("#play").inner_text() == "Pause"
     page.wait_for_timeout(300)
     page.locator("#play").click()
-    assert int(page.locator("#phi1").input_value()) > 4
-    held = page.locator("#phi1").input_value()
+    assert int(page.locator("#drive").input_value()) > 4
+    held = page.locator("#drive").input_value()
     page.wait_for_timeout(150)
-    assert page.locator("#phi1").input_value() == held
+    assert page.locator("#drive").input_value() == held
     charts.first.scroll_into_view_if_needed()
     box = charts.first.bounding_box()
     page.mouse.click(box["x"] + 0.75 * box["width"], box["y"] + box["height"] / 2)
-    assert 200 < float(page.locator("#phi1-value").inner_text().rstrip("°")) < 320
+    assert 200 < float(page.locator("#drive-value").inner_text().rstrip("°")) < 320

@@ -1,7 +1,7 @@
 //! Arguments of `mechaudit linkage`.
 
-use super::{CsvOrJson, UnitsArgs, number};
-use clap::Args as ClapArgs;
+use super::{UnitsArgs, number};
+use clap::{Args as ClapArgs, ValueEnum};
 use mechaudit::reference::Decimal;
 use std::path::PathBuf;
 
@@ -14,6 +14,8 @@ Examples:
   mechaudit linkage examples/four-bar.toml --step-deg 10 --all-branches
   mechaudit linkage examples/slider-crank.toml --step-deg 15 --digits 20
   mechaudit linkage examples/jansen-leg.toml --paths --svg drawings
+  mechaudit linkage examples/jansen-leg.toml --format html --output leg.html
+  mechaudit linkage examples/peaucellier-cell.toml --dxf drawings --units mm --from-deg 30
 
 The file (TOML or JSON) gives every quantity as a string with its unit:
   type = \"class-iii\"                # or \"four-bar\", \"slider-crank\": see below
@@ -64,18 +66,12 @@ With type = \"planar\", any mechanism with one degree of freedom; `mechaudit::bo
 pub struct LinkageArgs {
     /// The linkage in TOML or JSON; `-` reads standard input
     pub file: PathBuf,
-    /// Step of the crank angle in degrees
-    #[arg(
-        long,
-        value_name = "DEG",
-        default_value = "7.5",
-        value_parser = Decimal::parse,
-        allow_hyphen_values = true
-    )]
-    pub step_deg: Decimal,
+    /// Step of the crank angle in degrees [default: 7.5; of a page, the 720th part of what there is]
+    #[arg(long, value_name = "DEG", value_parser = Decimal::parse, allow_hyphen_values = true)]
+    pub step_deg: Option<Decimal>,
     /// Form of the rows
     #[arg(long, value_enum, default_value = "csv")]
-    pub format: CsvOrJson,
+    pub format: LinkageFormat,
     /// First crank angle in degrees [default: start.phi1 of the file, else 0]
     #[arg(long, value_name = "A", value_parser = Decimal::parse, allow_hyphen_values = true)]
     pub from_deg: Option<Decimal>,
@@ -101,9 +97,24 @@ pub struct LinkageArgs {
     /// Draw mechanism.svg and, with masses, reduced.svg into this folder
     #[arg(long, value_name = "DIR")]
     pub svg: Option<PathBuf>,
+    /// Draw mechanism.dxf into this folder: the position at --from-deg, else at the start, and the paths of
+    /// all named points; in metres, or in the length among --units
+    #[arg(long, value_name = "DIR")]
+    pub dxf: Option<PathBuf>,
     #[command(flatten)]
     pub units: UnitsArgs,
-    /// Write the rows to this file, whole or not at all, or to a device or pipe; - is standard output
+    /// Write the rows, or the page, to this file, whole or not at all, or to a device or pipe; - is standard output
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// The forms of a linkage's rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LinkageFormat {
+    /// One line for each row
+    Csv,
+    /// The rows beside all that is known of the whole
+    Json,
+    /// One page without outside parts: the linkage moved by a slider, beside its values
+    Html,
 }

@@ -33,7 +33,7 @@ pub use converge::ConvergeArgs;
 pub use eval::EvalArgs;
 pub use hunt::HuntArgs;
 pub use judge::JudgeArgs;
-pub use linkage::LinkageArgs;
+pub use linkage::{LinkageArgs, LinkageFormat};
 pub use list::ListArgs;
 pub use paper::{PaperArgs, PaperFormat};
 pub use points::PointsArgs;

@@ -4,11 +4,13 @@
 mod branch;
 mod certified;
 mod columns;
+mod motion;
 mod path;
 
 pub use branch::{Branch, BranchError, End, Reach, TURNS, choose, unassembled};
 pub use certified::Certifier;
 pub use columns::{names, values};
+pub use motion::{motion, positions};
 pub use path::path;
 
 use super::linkage::{BodySection, CrankMotion, File, massless, rounded};

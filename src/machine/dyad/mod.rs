@@ -2,12 +2,14 @@
 //! in floating point and as certified decimals.
 
 mod certified;
+mod motion;
 mod path;
 mod range;
 mod values;
 
 pub use certified::{Proved, certified};
-pub use path::{Position, path};
+pub use motion::{drives, motion};
+pub use path::{Position, path, position, range};
 pub use range::{Dead, Turn, dead, swing, turn};
 pub use values::{ASSEMBLIES, RowError, Values, floating, names, number};
 

@@ -32,8 +32,8 @@ fn joints(shape: &Shape, phi: Angle, assembly: Assembly) -> Option<[[f64; 2]; 2]
     Some([[a * cos, a * sin], b])
 }
 
-/// A turn, or the range that holds the start, or the first one.
-fn range(dyad: &Dyad) -> ([f64; 2], bool) {
+/// A turn from the start, or the range that holds the start, or the first one, in degrees; whether it is a turn.
+pub fn range(dyad: &Dyad) -> ([f64; 2], bool) {
     let start = dyad.start.as_ref().map_or(0.0, nearest_f64);
     match turn(&dyad.shape) {
         Turn::Full { .. } => ([start, start + 360.0], true),
@@ -49,13 +49,16 @@ fn range(dyad: &Dyad) -> ([f64; 2], bool) {
 /// whether it is a turn.
 pub fn path(dyad: &Dyad, assembly: Assembly, n: u32) -> (Vec<Position>, bool) {
     let ([from, to], whole) = range(dyad);
-    let position = |k: u32| {
-        let crank_deg = from + (to - from) * f64::from(k) / f64::from(n);
-        let joints_m = joints(&dyad.shape, Angle::from_deg(crank_deg), assembly)?;
-        Some(Position {
-            crank_deg,
-            joints_m,
-        })
-    };
-    ((0..=n).filter_map(position).collect(), whole)
+    let at = |k: u32| from + (to - from) * f64::from(k) / f64::from(n);
+    let all = (0..=n).filter_map(|k| position(dyad, assembly, at(k)));
+    (all.collect(), whole)
+}
+
+/// The position at a crank angle in degrees; nothing where the crank does not reach it.
+pub fn position(dyad: &Dyad, assembly: Assembly, crank_deg: f64) -> Option<Position> {
+    let joints_m = joints(&dyad.shape, Angle::from_deg(crank_deg), assembly)?;
+    Some(Position {
+        crank_deg,
+        joints_m,
+    })
 }

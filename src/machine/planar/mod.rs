@@ -6,12 +6,14 @@ mod certified;
 mod file;
 mod joints;
 mod loads;
+mod motion;
 mod path;
 mod rows;
 
 pub use branch::{Branch, End, MARGIN, PlanarError, Reach, choose};
 pub use certified::{Certifier, NotExact};
-pub use path::path;
+pub use motion::motion;
+pub use path::{path, positions};
 pub use rows::{Columns, certified_names, names, values};
 
 use super::source::{Refusal, Source};

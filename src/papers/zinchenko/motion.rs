@@ -3,7 +3,7 @@
 use super::data::{MassParameters, PRINTED, RECOVERED, START_DEG};
 use super::recovery::node_states;
 use super::tables::{Column, Printed, column, printed};
-use crate::papers::motion::{Course, Motion, Point};
+use crate::motion::{Course, Drive, Motion, Point};
 use crate::solvers::reduction::Reduced;
 
 /// Positions of a turn: fifteen to each of the paper's rows.
@@ -13,39 +13,34 @@ const ROWS: usize = 48;
 
 /// The sand screen on the paper's assembly mode, with I_n, dI_n/dφ and M_o for the printed and for the
 /// recovered centres of mass, and the printed columns at the paper's 48 crank angles.
-///
-/// Coordinates are rounded to 10 µm, quantities to six significant digits.
 pub fn motion() -> Motion {
     let states = node_states(POSITIONS);
     let table = printed();
     let start: f64 = START_DEG.parse().expect("a decimal in the source");
     let degrees = |k: usize, n: usize| start + 360.0 * k as f64 / n as f64;
     let g = *super::data::solver_linkage().geometry();
-    let pivot = |label, x: f64, y: f64| Point {
-        label,
-        path: vec![[x, y]],
-    };
-    let mut points = vec![
-        pivot("O1", 0.0, 0.0),
-        pivot("O3", g.x3.m(), g.y3.m()),
-        pivot("O5", g.x5.m(), g.y5.m()),
+    let pivots = [
+        ("O1", [0.0; 2]),
+        ("O3", [g.x3.m(), g.y3.m()]),
+        ("O5", [g.x5.m(), g.y5.m()]),
     ];
-    points.extend(["A", "B", "C", "D"].iter().enumerate().map(|(i, label)| {
-        let place = |s: &crate::solvers::class_iii::State| s.joints()[i].map(micro);
-        let path = states.iter().map(place).collect();
-        Point { label, path }
-    }));
+    let mut points: Vec<Point> = pivots.map(|(label, at)| Point::fixed(label, at)).into();
+    points.extend(
+        ["A", "B", "C", "D"].iter().enumerate().map(|(i, label)| {
+            Point::moving(*label, states.iter().map(|s| s.joints()[i]).collect())
+        }),
+    );
     let reduced = [("recovered", RECOVERED), ("as printed", PRINTED)].map(|(name, centres)| {
         let masses = MassParameters::new(centres).masses();
         let rows: Vec<Reduced> = states.iter().map(|s| masses.reduce(s)).collect();
         (name, rows)
     });
-    let course = |name, unit, of: fn(&Reduced) -> f64, printed_as: Column| Course {
-        name,
-        unit,
+    let course = |name: &str, unit: &str, of: fn(&Reduced) -> f64, printed_as: Column| Course {
+        name: name.into(),
+        unit: unit.into(),
         variants: reduced
             .iter()
-            .map(|(v, rows)| (*v, rows.iter().map(|r| six(of(r))).collect()))
+            .map(|(v, rows)| (v.to_string(), rows.iter().map(of).collect()))
             .collect(),
         printed: nodes(&table, printed_as)
             .enumerate()
@@ -53,11 +48,19 @@ pub fn motion() -> Motion {
             .collect(),
     };
     Motion {
-        name: "Sand screen",
-        crank_deg: (0..POSITIONS).map(|k| degrees(k, POSITIONS)).collect(),
+        name: "Sand screen".into(),
+        drive: Drive {
+            symbol: "φ1",
+            unit: "°",
+            values: (0..POSITIONS).map(|k| degrees(k, POSITIONS)).collect(),
+        },
+        closed: true,
+        start: 0,
         points,
         links: vec![[0, 3], [3, 4], [1, 5], [2, 6]],
-        plates: vec![[4, 5, 6]],
+        plates: vec![vec![4, 5, 6]],
+        guides: Vec::new(),
+        wheels: Vec::new(),
         courses: vec![
             course("I_n", "kg·m²", |r| r.inertia_kg_m2, Column::Inertia),
             course(
@@ -77,16 +80,6 @@ fn nodes(table: &[Printed], of: Column) -> impl Iterator<Item = f64> {
     entries.map(|e| e.to_f64())
 }
 
-/// To 10 µm.
-fn micro(x: f64) -> f64 {
-    (x * 1e5).round() / 1e5
-}
-
-/// Six significant digits.
-fn six(x: f64) -> f64 {
-    format!("{x:.5e}").parse().expect("what was written")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -94,17 +87,14 @@ mod tests {
     #[test]
     fn links_keep_their_lengths_and_printed_values_lie_on_the_curve() {
         let motion = motion();
-        let at = |p: usize, k: usize| {
-            let path = &motion.points[p].path;
-            path[k % path.len()]
-        };
+        let at = |p: usize, k: usize| motion.points[p].at(k);
         for [a, b] in &motion.links {
             let length = |k: usize| {
                 let (p, q) = (at(*a, k), at(*b, k));
                 (p[0] - q[0]).hypot(p[1] - q[1])
             };
             for k in 0..POSITIONS {
-                assert!((length(k) - length(0)).abs() < 4e-5, "{a}-{b} at {k}");
+                assert!((length(k) - length(0)).abs() < 1e-13, "{a}-{b} at {k}");
             }
         }
         // The paper's rows are values of splines through twelve nodes (see `recipe`), which stray from the curve of the

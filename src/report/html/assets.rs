@@ -8,6 +8,8 @@ use sha2::{Digest, Sha256};
 pub const FRAME_CSS: &str = include_str!("assets/frame.css");
 /// Of papers and ledgers.
 pub const PAPER_CSS: &str = include_str!("assets/paper.css");
+/// The mechanism in motion.
+pub const MOTION_CSS: &str = include_str!("assets/motion.css");
 /// Of audits.
 pub const AUDIT_CSS: &str = include_str!("assets/audit.css");
 

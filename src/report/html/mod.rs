@@ -5,6 +5,7 @@ pub mod atlas;
 pub mod audit;
 mod convergence;
 pub mod ledger;
+pub mod linkage;
 mod motion;
 pub(crate) mod page;
 pub mod paper;

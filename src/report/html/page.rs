@@ -1,6 +1,6 @@
 //! The frame of every page: bar, contents, text, data and scripts.
 
-use super::assets::{FRAME_CSS, FRAME_JS, source};
+use super::assets::{FRAME_CSS, FRAME_JS, MOTION_CSS, PAPER_CSS, source};
 use super::prose::prose;
 use crate::papers::Citation;
 use crate::report::words::Tone;
@@ -161,7 +161,7 @@ impl AboutPaper<'_> {
         let page = Page {
             title: &format!("{}: {}", paper.title, self.kind),
             kind: &format!("{} of {}", self.kind, paper.key),
-            styles: &[super::assets::PAPER_CSS],
+            styles: &[PAPER_CSS, MOTION_CSS],
             contents: self.contents,
             main,
             data: self.data,

@@ -6,7 +6,7 @@ use super::assets::{D3_JS, FIGURES_JS, MOTION_JS, PLOT_JS};
 use super::page::{AboutPaper, class, counted, entry_of_contents, filter};
 use super::prose::{math, prose};
 use super::{motion, spark};
-use crate::papers::motion::Motion;
+use crate::motion::Motion;
 use crate::papers::{Entry, EntryVerdict, Figure, Finding, PaperReport, Tally};
 use crate::report::words::numbers::{short, unit};
 use crate::report::words::paper::{SUBJECTS, entry, findings, mark, of_subject};
@@ -30,7 +30,7 @@ pub fn page(report: &PaperReport, moving: Option<&Motion>) -> String {
         verdict: (report.as_recorded(), findings(report)),
         contents: contents(report, moving),
         main: html! {
-            @if let Some(m) = moving { (motion::section(m)) }
+            @if let Some(m) = moving { (motion::section(m, &positions(m))) }
             h2 #findings { "Findings" } "\n"
             (filter("article.finding", "findings", &verdicts))
             @for (subject, name) in SUBJECTS {
@@ -54,6 +54,20 @@ pub fn page(report: &PaperReport, moving: Option<&Motion>) -> String {
         scripts,
     };
     about.page()
+}
+
+/// What the positions and the curves are.
+fn positions(motion: &Motion) -> Markup {
+    let drive = &motion.drive.values;
+    let variants = motion.courses.first().map(|c| &c.variants[..]);
+    html! {
+        (drive.len()) " positions of one turn by the f64 solver"
+        @if let [a, b, ..] = drive[..] { ", one every " (short(b - a)) "°" } ". "
+        @for (k, (name, _)) in variants.unwrap_or_default().iter().enumerate() {
+            (if k == 0 { "Solid: centres of mass " } else { "; dashed: " }) (name)
+        }
+        ". Rings: values printed in the paper's tables."
+    }
 }
 
 fn tables(report: &PaperReport) -> BTreeSet<u32> {

@@ -1,6 +1,6 @@
 //! A four-bar linkage or slider-crank given in a file, computed over the turn of its crank.
 
-use super::dyad_facts as facts;
+use super::{dyad_facts as facts, shown};
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -10,7 +10,6 @@ use mechaudit::machine::crank_angles::{Grid, decimal};
 use mechaudit::machine::dyad::{self, ASSEMBLIES, Dyad, Proved, number};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
-use mechaudit::report::columns::Columns;
 use mechaudit::report::rows::Rows;
 use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
@@ -23,11 +22,6 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
             "{}: [bodies] is not possible with type = {kind:?} here: rows with masses are for class-iii only; runup takes them",
             args.file.display()
         )));
-    }
-    if args.svg.is_some() && args.all_branches {
-        return Err(Failure::new(
-            "--svg draws one branch: leave out --all-branches",
-        ));
     }
     let assemblies = match (args.all_branches, args.branch) {
         (true, _) => ASSEMBLIES.to_vec(),
@@ -42,24 +36,32 @@ pub fn linkage(args: &LinkageArgs, dyad: &Dyad) -> Result<Outcome, Failure> {
         },
     };
     let grid = args.grid(dyad.start.clone())?;
-    let columns = Columns::of(dyad::names(dyad), &args.units.units, args.digits.is_some())?;
+    let columns = args.columns(dyad::names(dyad), args.digits.is_some())?;
     let output = Output::open(args.output.as_deref())?;
     if let (Some(folder), [assembly]) = (&args.svg, &assemblies[..]) {
         let drawing = Output::within(folder, "mechanism.svg")?;
         drawing.text(&drawn::dyad(dyad, *assembly))?;
     }
+    if let (Some(cad), [assembly]) = (shown::Cad::open(args)?, &assemblies[..]) {
+        let motion = shown::dyad(args, dyad, *assembly, None);
+        cad.draw(motion.map_err(|f| f.about(args.file.display()))?)?;
+    }
+    let lines = facts::lines(dyad, &assemblies);
     let mut count = 0;
     let outcome = output.write(|out| {
+        let Some(form) = shown::form(args.format) else {
+            count = 1;
+            let motion = shown::dyad(args, dyad, assemblies[0], Some((&grid, &columns)))?;
+            return shown::page(out, &motion, &lines);
+        };
         let about = facts::json(dyad, &assemblies);
-        let mut rows = Rows::begin(out, args.format, columns, &about)?;
+        let mut rows = Rows::begin(out, form, columns, &about)?;
         let outcome = all_rows(args, dyad, &assemblies, &grid, &mut rows, &mut count);
         let outcome = outcome.map_err(|f| f.about(args.file.display()))?;
         rows.end()?;
         Ok(outcome)
     })?;
-    for line in facts::lines(dyad, &assemblies) {
-        complain(&line);
-    }
+    lines.iter().for_each(|l| complain(l));
     if count == 0 {
         complain("no crank angle of the window asked for lies in that range");
     }

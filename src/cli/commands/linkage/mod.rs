@@ -6,8 +6,9 @@ mod dyad_facts;
 pub mod facts;
 mod planar;
 mod planar_facts;
+mod shown;
 
-use crate::cli::args::LinkageArgs;
+use crate::cli::args::{LinkageArgs, LinkageFormat};
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
@@ -19,7 +20,7 @@ use mechaudit::machine::class_iii::{self, Branch, Certifier, Linkage};
 use mechaudit::machine::crank_angles::{Grid, GridError, Plan, Window, decimal, plan};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::cell::Cell;
-use mechaudit::report::columns::Columns;
+use mechaudit::report::columns::{self, Columns};
 use mechaudit::report::rows::Rows;
 use mechaudit::solvers::class_iii::{BranchMap, State};
 use mechaudit::solvers::units::Angle;
@@ -34,6 +35,7 @@ const MOST_ANGLES: u64 = 100_000;
 /// Computes the linkage as the arguments ask for.
 pub fn linkage(args: &LinkageArgs) -> Result<Outcome, Failure> {
     let source = source::open(&args.file)?;
+    args.consistent()?;
     let linkage = machine::Linkage::read(&source).map_err(|e| Failure::in_file(&args.file, e))?;
     match linkage {
         machine::Linkage::ClassIii(linkage) => {
@@ -60,10 +62,41 @@ impl LinkageArgs {
         Ok(())
     }
 
+    /// Refuses what does not go together.
+    fn consistent(&self) -> Result<(), Failure> {
+        let page = self.format == LinkageFormat::Html;
+        let shown = [
+            (self.svg.is_some(), "--svg draws"),
+            (self.dxf.is_some(), "--dxf draws"),
+            (page, "--format html shows"),
+        ];
+        if let (true, Some((_, what))) = (self.all_branches, shown.iter().find(|s| s.0)) {
+            let text = format!("{what} one branch: leave out --all-branches");
+            return Err(Failure::new(text));
+        }
+        match page && self.digits.is_some() {
+            true => Err(Failure::new(
+                "--format html shows floating-point numbers: leave out --digits",
+            )),
+            false => Ok(()),
+        }
+    }
+
+    /// The columns in the units asked for; a length may be that of the DXF file alone.
+    fn columns(&self, names: Vec<String>, certified: bool) -> Result<Columns, Failure> {
+        let drawn = self.dxf.is_some() && !columns::any_length(&names);
+        let units = self.units.units.iter();
+        let units = units.filter(|u| !(drawn && shown::is_length(u))).cloned();
+        Ok(Columns::of(names, &units.collect::<Vec<_>>(), certified)?)
+    }
+
     /// The crank angles asked for; they begin at `start` if the arguments do not say where.
     pub fn grid(&self, start: Option<Rational>) -> Result<Grid, Failure> {
         let window = Window {
-            step: self.step_deg.value.clone(),
+            step: match &self.step_deg {
+                Some(step) => step.value.clone(),
+                None => Rational::from((15, 2)),
+            },
             from: self.from_deg.as_ref().map(|d| d.value.clone()),
             to: self.to_deg.as_ref().map(|d| d.value.clone()),
         };
@@ -90,20 +123,16 @@ fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failur
     let grid = args.grid(linkage.start_degrees())?;
     let certified = args.digits.is_some();
     let names = class_iii::names(linkage, certified);
-    let columns = Columns::of(names, &args.units.units, certified)?;
+    let columns = args.columns(names, certified)?;
     let in_file = |e| Failure::in_file(&args.file, e);
     if args.all_branches {
-        if args.svg.is_some() {
-            return Err(Failure::new(
-                "--svg draws one branch: leave out --all-branches",
-            ));
-        }
         let outcome = all_branches(args, linkage, &grid, columns);
         return outcome.map_err(|f| f.about(args.file.display()));
     }
     let output = Output::open(args.output.as_deref())?;
     let drawings = args.svg.as_ref().map(|f| Drawings::open(f, linkage));
     let drawings = drawings.transpose()?;
+    let cad = shown::Cad::open(args)?;
     let start = match args.branch {
         None => linkage.start_degrees().unwrap_or_else(|| grid.from.clone()),
         Some(_) => grid.from.clone(),
@@ -113,11 +142,21 @@ fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failur
     if let Some(drawings) = drawings {
         drawings.draw(linkage, &branch)?;
     }
+    if let Some(cad) = cad {
+        let motion = shown::class_iii(args, linkage, &branch, None);
+        cad.draw(motion.map_err(|f| f.about(args.file.display()))?)?;
+    }
     let plan = plan(&grid, &branch);
+    let mut lines = vec![facts::range_line(&branch)];
+    lines.extend(facts::dead_line(&branch));
     let reached = plan.count();
     let outcome = output.write(|out| {
+        let Some(form) = shown::form(args.format) else {
+            let motion = shown::class_iii(args, linkage, &branch, Some((&plan, &columns)))?;
+            return shown::page(out, &motion, &lines);
+        };
         let facts = facts::of_branch(linkage, &branch);
-        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
+        let mut rows = Rows::begin(out, form, columns, &facts)?;
         let outcome = match args.digits {
             None => floating(linkage, &branch, plan, &mut rows)?,
             Some(digits) => certified_rows(linkage, &branch, plan, digits, &mut rows)?,
@@ -125,10 +164,7 @@ fn of_class_iii(args: &LinkageArgs, linkage: &Linkage) -> Result<Outcome, Failur
         rows.end()?;
         Ok(outcome)
     })?;
-    complain(&facts::range_line(&branch));
-    if let Some(line) = facts::dead_line(&branch) {
-        complain(&line);
-    }
+    lines.iter().for_each(|l| complain(l));
     if reached == 0 {
         complain("no crank angle of the window asked for lies in that range");
     }
@@ -211,7 +247,7 @@ fn all_branches(
         facts.insert("branches".into(), json!(map.branches));
         let folds: Vec<Value> = map.folds.iter().map(facts::fold_json).collect();
         facts.insert("folds".into(), json!(folds));
-        let mut rows = Rows::begin(out, args.format, columns, &facts)?;
+        let mut rows = Rows::begin(out, shown::rows(args.format), columns, &facts)?;
         let outcome = branch_rows(args, linkage, &map, &degrees, &mut rows)?;
         rows.end()?;
         Ok(outcome)

@@ -1,6 +1,6 @@
 //! A mechanism of bodies and joints given in a file, computed over its drive.
 
-use super::planar_facts as facts;
+use super::{planar_facts as facts, shown};
 use crate::cli::args::LinkageArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -57,17 +57,12 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         let text = "--reactions needs masses or loads, and drive.speed, in the file";
         return Err(Failure::new(text).about(args.file.display()));
     }
-    if args.svg.is_some() && args.all_branches {
-        return Err(Failure::new(
-            "--svg draws one branch: leave out --all-branches",
-        ));
-    }
     let values = Values::new(args, machine)?;
     let names = match certifier {
         None => planar::names(machine, columns),
         Some(_) => planar::certified_names(machine, args.paths),
     };
-    let shown = Shown::of(names, &args.units.units, certifier.is_some())?;
+    let shown = args.columns(names, certifier.is_some())?;
     let first = values.0.first().map_or(0.0, |v| v.1);
     if args.all_branches {
         let asked = Asked {
@@ -88,20 +83,35 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         let drawing = Output::within(folder, "mechanism.svg")?;
         drawing.text(&drawn::planar(machine, &branch))?;
     }
+    if let Some(cad) = shown::Cad::open(args)? {
+        let motion = shown::planar(args, machine, &branch, None);
+        cad.draw(motion.map_err(|f| f.about(args.file.display()))?)?;
+    }
+    let mut lines = facts::lines(machine);
+    lines.push(facts::modes_line(machine, &branch));
+    lines.push(facts::range_line(machine, &branch));
     let asked = Asked {
         columns,
         certifier: certifier.as_ref(),
     };
     let (written, undecided) = output.write(|out| {
+        let Some(form) = shown::form(args.format) else {
+            let window = shown::Window {
+                drives: &values.0,
+                named: &shown,
+                columns,
+            };
+            let motion = shown::planar(args, machine, &branch, Some(window))?;
+            shown::page(out, &motion, &lines)?;
+            return Ok((1, 0));
+        };
         let about = facts::of_branch(machine, &branch);
-        let mut rows = Rows::begin(out, args.format, shown, &about)?;
+        let mut rows = Rows::begin(out, form, shown, &about)?;
         let written = one_branch(machine, &branch, &values, &asked, &mut rows)?;
         rows.end()?;
         Ok(written)
     })?;
-    facts::lines(machine).iter().for_each(|l| complain(l));
-    complain(&facts::modes_line(machine, &branch));
-    complain(&facts::range_line(machine, &branch));
+    lines.iter().for_each(|l| complain(l));
     if written == 0 {
         complain("no value of the drive asked for lies in that range");
     }
@@ -198,7 +208,7 @@ fn all_branches(
     }
     let mut undecided = output.write(|out| {
         let about = facts::of_map(machine, &map);
-        let mut rows = Rows::begin(out, args.format, shown, &about)?;
+        let mut rows = Rows::begin(out, shown::rows(args.format), shown, &about)?;
         let mut undecided = 0;
         for (number, samples) in map.rows.iter().enumerate() {
             for s in samples {

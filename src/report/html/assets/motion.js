@@ -1,36 +1,42 @@
 "use strict";
-// The mechanism at the slider's crank angle, beside its reduced quantities. Everything shown was computed
-// when the page was written.
+// The mechanism at the slider's position, beside its quantities. Everything shown was computed when the page
+// was written.
 document.addEventListener("DOMContentLoaded", () => {
   const motion = mechaudit.data("motion-data");
-  const slider = document.getElementById("phi1");
+  const slider = document.getElementById("drive");
   const play = document.getElementById("play");
   const box = document.getElementById("courses");
-  const { scale, left, top } = motion.view;
   const place = (p, k) => {
-    const path = motion.points[p].path;
-    const [x, y] = path[k % path.length];
-    return [left + x * scale, top - y * scale].map((v) => v.toFixed(2));
+    const path = motion.points[p];
+    const i = path.length > 2 ? 2 * k : 0;
+    return [path[i], path[i + 1]];
   };
-  const corners = (points, k) => points.map((p) => place(p, k).join(",")).join(" ");
-  const parts = (name) => mechaudit.all(`#mechanism [data-${name}]`);
-  const degrees = (k) => `${motion.crank_deg[k].toFixed(3)}°`;
+  const shapes = mechaudit.all("#mechanism [data-points]")
+    .map((e) => ({ e, points: e.dataset.points.split(" ").map(Number) }));
+  const placed = mechaudit.all("#mechanism [data-at]").map((e) => ({ e, point: Number(e.dataset.at) }));
+  const buttons = mechaudit.all("button[data-course]");
+  const drive = (k) => `${motion.drive[k].toFixed(motion.unit === "°" ? 3 : 5)}${motion.unit === "°" ? "°" : ` ${motion.unit}`}`;
+  const axis = `${motion.symbol}, ${motion.unit === "°" ? "degrees" : motion.unit}`;
 
   let charts = [];
   function draw() {
     const width = Math.max(280, Math.min(700, box.clientWidth));
-    charts = motion.courses.map((course, i) => {
-      const rows = course.variants.map(([, values]) =>
-        values.map((value, k) => ({ deg: motion.crank_deg[k], value })));
-      const line = (data, extra) => Plot.line(data, { x: "deg", y: "value", ...extra });
-      const last = i + 1 === motion.courses.length;
+    const shown = motion.courses.filter((c) => c.drawn);
+    charts = shown.map((course, i) => {
+      // An angle that jumps by a turn begins a new line.
+      const piece = (k) => course.breaks.filter((b) => b <= k).length;
+      const rows = course.variants.map((values) =>
+        values.map((value, k) => ({ at: motion.drive[k], value, piece: piece(k) })));
+      const line = (data, extra) => Plot.line(data, { x: "at", y: "value", z: "piece", clip: true, ...extra });
+      const last = i + 1 === shown.length;
+      const unit = course.unit && `, ${course.unit}`;
       const chart = figures.plot({
         width, height: last ? 190 : 165, marginLeft: 60, marginBottom: last ? 36 : 22,
-        label: `${course.name} over the crank angle`,
-        x: { label: last ? "crank angle φ1, degrees" : null, ticks: Math.floor(width / 70) },
-        y: { label: `${course.name}, ${course.unit}`, grid: true, nice: true },
+        label: `${course.name} over ${motion.symbol}`,
+        x: { label: last ? axis : null, ticks: Math.floor(width / 70) },
+        y: { label: `${course.name}${unit}`, grid: true, nice: true, domain: course.range, tickFormat: "~g" },
         marks: [
-          Plot.ruleY([0], { stroke: "var(--edge)" }),
+          ...(course.range[0] <= 0 && course.range[1] >= 0 ? [Plot.ruleY([0], { stroke: "var(--edge)" })] : []),
           ...(rows[1] ? [line(rows[1], { stroke: "var(--orange)", strokeDasharray: "5 4" })] : []),
           line(rows[0], { stroke: "var(--blue)", strokeWidth: 2 }),
           Plot.dot(course.printed, { x: (p) => p[0], y: (p) => p[1], r: 2.2, stroke: "var(--fg)" }),
@@ -38,21 +44,23 @@ document.addEventListener("DOMContentLoaded", () => {
       });
       const x = chart.scale("x");
       const y = chart.scale("y");
-      const cursor = d3.select(chart).append("g").attr("pointer-events", "none");
+      const cursor = d3.select(chart).append("g").attr("class", "cursor").attr("pointer-events", "none");
       cursor.append("line").attr("y1", y.range[1]).attr("y2", y.range[0]).attr("stroke", "var(--fg)");
       cursor.append("circle").attr("r", 4).attr("fill", "var(--blue)");
       // A press or a drag on a curve moves the slider.
       const seek = (event) => {
         if (!(event.buttons & 1)) return;
         const at = x.invert(d3.pointer(event, chart)[0]);
-        slider.value = d3.leastIndex(motion.crank_deg, (a, b) => Math.abs(a - at) - Math.abs(b - at));
+        slider.value = d3.leastIndex(motion.drive, (a, b) => Math.abs(a - at) - Math.abs(b - at));
         show();
       };
       chart.addEventListener("pointerdown", seek);
       chart.addEventListener("pointermove", seek);
-      return { chart, course, move: (k) => {
-        cursor.attr("transform", `translate(${x.apply(motion.crank_deg[k])},0)`);
-        cursor.select("circle").attr("cy", y.apply(course.variants[0][1][k]));
+      return { chart, move: (k) => {
+        const value = course.variants[0][k];
+        const within = value !== null && value >= y.domain[0] && value <= y.domain[1];
+        cursor.attr("transform", `translate(${x.apply(motion.drive[k])},0)`);
+        cursor.select("circle").attr("cy", within ? y.apply(value) : 0).attr("visibility", within ? null : "hidden");
       } };
     });
     box.replaceChildren(...charts.map((c) => c.chart));
@@ -61,24 +69,39 @@ document.addEventListener("DOMContentLoaded", () => {
 
   function show() {
     const k = Number(slider.value);
-    for (const e of parts("link")) e.setAttribute("points", corners(motion.links[e.dataset.link], k));
-    for (const e of parts("plate")) e.setAttribute("points", corners(motion.plates[e.dataset.plate], k));
-    for (const e of parts("joint")) {
-      const [x, y] = place(e.dataset.joint, k);
-      e.setAttribute("transform", `translate(${x} ${y})`);
-    }
+    for (const { e, points } of shapes) e.setAttribute("points", points.map((p) => place(p, k).join(",")).join(" "));
+    for (const { e, point } of placed) e.setAttribute("transform", `translate(${place(point, k).join(" ")})`);
     for (const c of charts) c.move(k);
-    document.getElementById("phi1-value").textContent = degrees(k);
-    slider.setAttribute("aria-valuetext", degrees(k));
+    for (const id of ["drive-value", "drawn-at"]) document.getElementById(id).textContent = drive(k);
+    slider.setAttribute("aria-valuetext", drive(k));
     motion.courses.forEach((course, i) => {
-      const value = course.variants[0][1][k];
-      document.getElementById(`now-${i}`).textContent = `${value.toPrecision(5)} ${course.unit}`;
+      const value = course.variants[0][k];
+      const text = value === null ? "–" : `${value.toPrecision(5)} ${course.unit}`;
+      document.getElementById(`now-${i}`).textContent = text;
     });
   }
 
+  for (const b of buttons) {
+    b.addEventListener("click", () => {
+      const course = motion.courses[b.dataset.course];
+      course.drawn = !course.drawn;
+      b.setAttribute("aria-pressed", String(course.drawn));
+      draw();
+    });
+  }
+
+  // Round and round, or to and fro where the last position does not lead to the first.
   let timer = null;
+  let step = 2;
   const turn = () => {
-    slider.value = (Number(slider.value) + 2) % motion.crank_deg.length;
+    const n = motion.drive.length;
+    let next = Number(slider.value) + step;
+    if (motion.closed) next = (next + n) % n;
+    else if (next < 0 || next >= n) {
+      step = -step;
+      next = Math.min(Math.max(Number(slider.value) + step, 0), n - 1);
+    }
+    slider.value = next;
     show();
   };
   play.addEventListener("click", () => {
