@@ -53,7 +53,14 @@ PAGES = {
     "plain-paper": (["paper", "gembara-senyk"], [0]),
     "ledger": (["paper", "zinchenko", "--ledger"], [0]),
     "long-ledger": (["paper", "gembara-senyk", "--ledger"], [0]),
+    "linkage": (["linkage", "examples/quick-return.toml", "--reactions"], [0]),
+    "linkage-arc": (["linkage", "examples/no-full-turn.toml"], [0]),
 }
+
+# Every other linkage: opened, moved and measured.
+LINKAGES = """andrews cylinder-boom double-butterfly four-bar jansen-leg n-four-bar peaucellier-cell pmksweb-91 pmksweb-92
+rack-and-wheel sand-screen sand-screen-bodies slider-crank stephenson-1 stephenson-2 stephenson-3 watt-1 watt-2""".split()
+MOVED = {f"linkage-{name}": (["linkage", f"examples/{name}.toml"], [0]) for name in LINKAGES}
 
 
 def campaign(folder):
@@ -70,7 +77,7 @@ def written(tmp_path_factory):
     """Paths of all pages by name."""
     folder = tmp_path_factory.mktemp("pages")
     paths = {}
-    for name, (arguments, codes) in PAGES.items():
+    for name, (arguments, codes) in (PAGES | MOVED).items():
         paths[name] = folder / f"{name}.html"
         form = ["--format", "html"]
         if name == "campaign":

@@ -28,4 +28,5 @@ mod reports;
 mod runup;
 #[cfg(unix)]
 mod samples;
+mod shown;
 mod usage;

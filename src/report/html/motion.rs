@@ -122,15 +122,27 @@ fn row(course: &Course, drawn: bool) -> Row<'_> {
     }
 }
 
-/// Reduced quantities are what most look for; without them the first.
+/// Reduced quantities are what most look for; without them those of the first body that is not driven itself.
 fn drawn(motion: &Motion) -> Vec<bool> {
     let reduced =
         |c: &Course| ["I_n", "dI_n_dphi", "M_o", "m_n", "dm_n_ds", "F_o"].contains(&&*c.name);
     let any = motion.courses.iter().any(reduced);
+    let own = motion.courses.iter().take(1).any(|c| is_drive(motion, c));
+    let first = if own { DRAWN } else { 0 };
     let chosen = motion.courses.iter().enumerate();
+    let among = |k: usize| (first..first + DRAWN).contains(&k);
     chosen
-        .map(|(k, c)| if any { reduced(c) } else { k < DRAWN })
+        .map(|(k, c)| if any { reduced(c) } else { among(k) })
         .collect()
+}
+
+/// Whether an angle is the drive, but for whole turns.
+fn is_drive(motion: &Motion, course: &Course) -> bool {
+    let values = course.variants[0].1.iter().zip(&motion.drive.values);
+    course.unit == "°"
+        && values
+            .map(|(v, d)| (v - d) / 360.0)
+            .all(|t| (t - t.round()).abs() < 1e-9)
 }
 
 /// What the script reads.

@@ -18,6 +18,8 @@ document.addEventListener("DOMContentLoaded", () => {
   const drive = (k) => `${motion.drive[k].toFixed(motion.unit === "°" ? 3 : 5)}${motion.unit === "°" ? "°" : ` ${motion.unit}`}`;
   const axis = `${motion.symbol}, ${motion.unit === "°" ? "degrees" : motion.unit}`;
 
+  const tick = (v) => String(Number(v.toPrecision(6))).replace("-", "−");
+
   let charts = [];
   function draw() {
     const width = Math.max(280, Math.min(700, box.clientWidth));
@@ -34,7 +36,7 @@ document.addEventListener("DOMContentLoaded", () => {
         width, height: last ? 190 : 165, marginLeft: 60, marginBottom: last ? 36 : 22,
         label: `${course.name} over ${motion.symbol}`,
         x: { label: last ? axis : null, ticks: Math.floor(width / 70) },
-        y: { label: `${course.name}${unit}`, grid: true, nice: true, domain: course.range, tickFormat: "~g" },
+        y: { label: `${course.name}${unit}`, grid: true, nice: true, domain: course.range, tickFormat: tick },
         marks: [
           ...(course.range[0] <= 0 && course.range[1] >= 0 ? [Plot.ruleY([0], { stroke: "var(--edge)" })] : []),
           ...(rows[1] ? [line(rows[1], { stroke: "var(--orange)", strokeDasharray: "5 4" })] : []),
