@@ -122,7 +122,7 @@ fn a_drawing_holds_the_coordinates_of_the_library() {
     for name in ["A", "B", "C", "D"] {
         let near = |p: &Point| distance(p, at(name)) < 1e-10;
         assert!(joints.iter().any(|c| near(&c.center)), "{name}");
-        assert!(bars.iter().flatten().any(|p| near(p)), "{name}");
+        assert!(bars.iter().flatten().any(near), "{name}");
     }
     let straight = path(&drawing, "PATH_D");
     assert!(straight.vertices.len() > 700 && !straight.is_closed());
