@@ -220,7 +220,7 @@ fn a_paper() {
             printed: Vec::new(),
         }],
     };
-    harmless_page(&html::paper::page(&report, Some(&motion)), 60, 6);
+    harmless_page(&html::paper::page(&report, Some(&motion)), 64, 2);
 }
 
 #[test]

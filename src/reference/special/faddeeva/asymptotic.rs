@@ -440,7 +440,7 @@ mod tests {
             assert_eq!(power(log2), Mag::power_of_two(due));
         }
         let [one, two] = [0, 1].map(Mag::power_of_two);
-        assert!(least(one, two) == one && least(two, one) == one);
+        assert!(one.min(two) == one && two.min(one) == one);
     }
 
     proptest! {
