@@ -2,6 +2,9 @@
 //!
 //! Everything is computed where the mechanism is known; what shows it scales and rounds.
 
+mod class_iii;
+pub use class_iii::class_iii;
+
 /// A mechanism over its drive.
 #[derive(Clone, Debug)]
 pub struct Motion {

@@ -16,9 +16,8 @@ def test_no_overflow(visit, name, width):
     assert extent <= width
 
 
-# The arc's page has the parts of the other linkage's; axe-core takes minutes over it.
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("name", [name for name in PAGES if name != "linkage-arc"])
+@pytest.mark.parametrize("name", PAGES)
 def test_contrast_and_access(visit, name, scheme):
     """axe-core: 4.5 for text and 3 for large text (WCAG 2 AA), names of controls, order of headings."""
     page = visit(name, scheme=scheme)

@@ -1,7 +1,7 @@
 //! A branch in motion.
 
 use super::{Branch, Linkage, Reach, path};
-use crate::motion::{Drive, Motion, Point};
+use crate::motion::{self, Motion};
 use crate::solvers::class_iii::{ContinuationError, State};
 use crate::solvers::units::Angle;
 use std::f64::consts::TAU;
@@ -33,35 +33,12 @@ pub fn positions(
 
 /// The linkage at these positions, without quantities; `closed` if the first follows the last.
 pub fn motion(linkage: &Linkage, states: &[State], start: usize, closed: bool) -> Motion {
-    let g = linkage.solver.geometry();
-    let pivots = [
-        ("O1", [0.0; 2]),
-        ("O3", [g.x3.m(), g.y3.m()]),
-        ("O5", [g.x5.m(), g.y5.m()]),
-    ];
-    let mut points: Vec<Point> = pivots.map(|(label, at)| Point::fixed(label, at)).into();
-    points.extend(
-        ["A", "B", "C", "D"].iter().enumerate().map(|(i, label)| {
-            Point::moving(*label, states.iter().map(|s| s.joints()[i]).collect())
-        }),
-    );
+    let degrees = states.iter().map(|s| s.phi1.to_degrees()).collect();
+    let all = motion::class_iii(&linkage.solver, states, degrees);
     Motion {
-        name: linkage
-            .name
-            .clone()
-            .unwrap_or_else(|| "class-III linkage".into()),
-        drive: Drive {
-            symbol: "φ1",
-            unit: "°",
-            values: states.iter().map(|s| s.phi1.to_degrees()).collect(),
-        },
-        closed,
+        name: linkage.name.clone().unwrap_or(all.name),
         start,
-        points,
-        links: vec![[0, 3], [3, 4], [1, 5], [2, 6]],
-        plates: vec![vec![4, 5, 6]],
-        guides: Vec::new(),
-        wheels: Vec::new(),
-        courses: Vec::new(),
+        closed,
+        ..all
     }
 }

@@ -3,7 +3,7 @@
 use super::data::{MassParameters, PRINTED, RECOVERED, START_DEG};
 use super::recovery::node_states;
 use super::tables::{Column, Printed, column, printed};
-use crate::motion::{Course, Drive, Motion, Point};
+use crate::motion::{Course, Motion, class_iii};
 use crate::solvers::reduction::Reduced;
 
 /// Positions of a turn: fifteen to each of the paper's rows.
@@ -18,18 +18,6 @@ pub fn motion() -> Motion {
     let table = printed();
     let start: f64 = START_DEG.parse().expect("a decimal in the source");
     let degrees = |k: usize, n: usize| start + 360.0 * k as f64 / n as f64;
-    let g = *super::data::solver_linkage().geometry();
-    let pivots = [
-        ("O1", [0.0; 2]),
-        ("O3", [g.x3.m(), g.y3.m()]),
-        ("O5", [g.x5.m(), g.y5.m()]),
-    ];
-    let mut points: Vec<Point> = pivots.map(|(label, at)| Point::fixed(label, at)).into();
-    points.extend(
-        ["A", "B", "C", "D"].iter().enumerate().map(|(i, label)| {
-            Point::moving(*label, states.iter().map(|s| s.joints()[i]).collect())
-        }),
-    );
     let reduced = [("recovered", RECOVERED), ("as printed", PRINTED)].map(|(name, centres)| {
         let masses = MassParameters::new(centres).masses();
         let rows: Vec<Reduced> = states.iter().map(|s| masses.reduce(s)).collect();
@@ -47,20 +35,10 @@ pub fn motion() -> Motion {
             .map(|(k, value)| (degrees(k, ROWS), value))
             .collect(),
     };
+    let linkage = super::data::solver_linkage();
+    let values = (0..POSITIONS).map(|k| degrees(k, POSITIONS)).collect();
     Motion {
         name: "Sand screen".into(),
-        drive: Drive {
-            symbol: "φ1",
-            unit: "°",
-            values: (0..POSITIONS).map(|k| degrees(k, POSITIONS)).collect(),
-        },
-        closed: true,
-        start: 0,
-        points,
-        links: vec![[0, 3], [3, 4], [1, 5], [2, 6]],
-        plates: vec![vec![4, 5, 6]],
-        guides: Vec::new(),
-        wheels: Vec::new(),
         courses: vec![
             course("I_n", "kg·m²", |r| r.inertia_kg_m2, Column::Inertia),
             course(
@@ -71,6 +49,7 @@ pub fn motion() -> Motion {
             ),
             course("M_o", "N·m", |r| r.moment_n_m, Column::Moment),
         ],
+        ..class_iii(&linkage, &states, values)
     }
 }
 

@@ -38,7 +38,7 @@ pub(in crate::methods::special) enum Along {
 /// Where a component of an analytic function f is zero on the line through `z`. A step goes to where it would be if
 /// f went on as an exponential function, but no further than `most`, over which a component turns by a quarter or less;
 /// a step whose square over `most` is less than a place of `f64` is the last. `f` gives value and derivative, the
-/// derivative to a few digits. Nothing where eight steps do not get there.
+/// derivative to a few digits. Nothing where eight steps do not get there, or get to an axis.
 pub(in crate::methods::special) fn zero_on_line(
     f: impl Fn(C) -> Option<[C; 2]>,
     part: Part,
