@@ -1,14 +1,20 @@
 //! What an audit costs beside the solver and the certified reference, on one core.
 //!
-//! `cargo bench --bench judgements`. Items are cases. `owed` is the solver and the reference as the audit asks
-//! for it: at every precision until it decides, with condition numbers where a budget needs them; `audited` draws, solves, judges and counts the same
-//! cases (the laws are not part of it). `drawn`, `judged` and `counted` are parts of that.
+//! `cargo bench --bench judgements [-- METHOD | "METHOD REGION"…]`. Microseconds a case. `owed` is the solver and
+//! the reference as the audit asks for it: at every precision until it decides, with condition numbers where a
+//! budget needs them. `audited` draws, solves, judges and counts the same cases (the laws are not part of it);
+//! `solved`, `drawn`, `judged` and `counted` are parts of that, `judged` with the reference. The parts are
+//! interleaved over the rounds of one run; each column has the least of its rounds, in processor time of the thread,
+//! because other work on the machine only ever adds. `added` is what `audited` takes over `owed`, in percent.
 
-use divan::Bencher;
-use divan::counter::ItemsCount;
-use mechaudit::audit::{Case, Cases, Method, Settings, Tally, answer_of, judge_case_briefly};
+use mechaudit::audit::{
+    Case, CaseReport, Cases, Method, Settings, SolverAnswer, Tally, answer_of, judge_case_briefly,
+};
 use mechaudit::methods;
 use rug::Rational;
+use rustix::time::{ClockId, clock_gettime};
+use std::hint::black_box;
+use std::time::Duration;
 
 /// Methods over all their regions, and W in some.
 const WHERE: [&str; 13] = [
@@ -26,137 +32,152 @@ const WHERE: [&str; 13] = [
     "class-iii",
     "chirp-response",
 ];
-const COUNT: u64 = 1000;
+const COUNT: u64 = 500;
+const ROUNDS: usize = 25;
+const PARTS: [&str; 6] = ["solved", "drawn", "judged", "counted", "owed", "audited"];
 
-fn main() {
-    divan::main();
+/// Of this thread.
+fn processor_time() -> Duration {
+    let t = clock_gettime(ClockId::ThreadCPUTime);
+    Duration::new(t.tv_sec as u64, t.tv_nsec as u32)
 }
 
-/// A method with the places of random cases: region and number.
-fn places(place: &str) -> (Box<dyn Method>, Vec<(&'static str, u64)>) {
-    let (name, region) = place.split_once(' ').unwrap_or((place, ""));
-    let method = methods::find(name).expect("in the registry");
-    let regions = method.domain().regions.into_iter().map(|r| r.name);
-    let regions: Vec<_> = regions
-        .filter(|r| region.is_empty() || *r == region)
-        .collect();
-    let n = regions.len() as u64;
-    let places = (0..COUNT).map(|i| (regions[(i % n) as usize], i / n));
-    (method, places.collect())
+/// A method, the places of random cases (region and number), and what is done with them.
+struct Sample {
+    method: Box<dyn Method>,
+    settings: Settings,
+    places: Vec<(&'static str, u64)>,
+    drawn: Vec<Case>,
+    answers: Vec<SolverAnswer>,
+    judged: Vec<CaseReport>,
 }
 
-/// A method and cases.
-fn drawn_from(place: &str) -> (Box<dyn Method>, Vec<Case>) {
-    let (method, places) = places(place);
-    let cases = Cases::new(&*method, &Settings::default());
-    let cases = places.iter().map(|(r, i)| cases.in_region(r, *i));
-    let cases = cases.map(|case| case.expect("a region")).collect();
-    (method, cases)
-}
-
-#[divan::bench(args = WHERE)]
-fn solved(bencher: Bencher, place: &str) {
-    let (method, cases) = drawn_from(place);
-    bencher.counter(ItemsCount::new(COUNT)).bench(|| {
-        for case in &cases {
-            divan::black_box(answer_of(&*method, &case.input));
+impl Sample {
+    fn new(place: &str) -> Sample {
+        let (name, region) = place.split_once(' ').unwrap_or((place, ""));
+        let method = methods::find(name).expect("in the registry");
+        let regions = method.domain().regions.into_iter().map(|r| r.name);
+        let regions: Vec<_> = regions
+            .filter(|r| region.is_empty() || *r == region)
+            .collect();
+        let n = regions.len() as u64;
+        let places = (0..COUNT).map(|i| (regions[(i % n) as usize], i / n));
+        let places: Vec<_> = places.collect();
+        let settings = Settings::default();
+        let cases = Cases::new(&*method, &settings);
+        let drawn = (places.iter()).map(|(r, i)| cases.in_region(r, *i).expect("a region"));
+        let drawn: Vec<Case> = drawn.collect();
+        let answers: Vec<_> = (drawn.iter().map(|c| answer_of(&*method, &c.input))).collect();
+        let judged = drawn.iter().zip(&answers);
+        let judged = judged
+            .map(|(c, a)| judge_case_briefly(&*method, c.clone(), a.clone(), &settings))
+            .collect();
+        Sample {
+            method,
+            settings,
+            places,
+            drawn,
+            answers,
+            judged,
         }
-    });
-}
+    }
 
-#[divan::bench(args = WHERE)]
-fn owed(bencher: Bencher, place: &str) {
-    let (method, cases) = drawn_from(place);
-    let settings = Settings::default();
-    let first = settings.first_bits;
-    // The precision that decides.
-    let cases = cases.into_iter().map(|case| {
-        let answer = answer_of(&*method, &case.input);
-        let judged = judge_case_briefly(&*method, case.clone(), answer, &settings);
-        (case, judged.bits)
-    });
-    let cases: Vec<(Case, u32)> = cases.collect();
-    let outputs = method.outputs();
-    let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
-    bencher.counter(ItemsCount::new(COUNT)).bench(|| {
-        for (case, last) in &cases {
-            divan::black_box(answer_of(&*method, &case.input));
-            let exact: Option<Vec<Rational>> =
-                case.input.iter().map(|&x| Rational::from_f64(x)).collect();
+    fn solve(&self) {
+        for case in &self.drawn {
+            black_box(answer_of(&*self.method, &case.input));
+        }
+    }
+
+    fn draw(&self, cases: &Cases) {
+        for (region, i) in &self.places {
+            let _ = black_box(cases.in_region(region, *i));
+        }
+    }
+
+    fn judge(&self) {
+        for (case, answer) in self.drawn.iter().zip(&self.answers) {
+            let (case, answer) = (case.clone(), answer.clone());
+            black_box(judge_case_briefly(
+                &*self.method,
+                case,
+                answer,
+                &self.settings,
+            ));
+        }
+    }
+
+    fn count(&self, tally: &mut Tally) {
+        self.judged.iter().for_each(|report| tally.add(report));
+    }
+
+    fn owe(&self, conditional: bool) {
+        for (case, report) in self.drawn.iter().zip(&self.judged) {
+            black_box(answer_of(&*self.method, &case.input));
+            let exact = case.input.iter().map(|&x| Rational::from_f64(x));
             // Inputs that are not finite owe nothing.
-            let Some(exact) = exact else { continue };
-            let mut bits = first;
-            while bits <= *last {
-                let reference = method.reference(&exact, bits);
-                if conditional && bits == first {
-                    divan::black_box(method.conditions_beside(&case.input, &reference));
+            let Some(exact) = exact.collect::<Option<Vec<_>>>() else {
+                continue;
+            };
+            let mut bits = self.settings.first_bits;
+            while bits <= report.bits {
+                let reference = self.method.reference(&exact, bits);
+                if conditional && bits == self.settings.first_bits {
+                    black_box(self.method.conditions_beside(&case.input, &reference));
                 }
-                divan::black_box(reference);
+                black_box(reference);
                 bits *= 2;
             }
         }
-    });
-}
+    }
 
-#[divan::bench(args = WHERE)]
-fn drawn(bencher: Bencher, place: &str) {
-    let (method, places) = places(place);
-    let cases = Cases::new(&*method, &Settings::default());
-    bencher.counter(ItemsCount::new(COUNT)).bench(|| {
-        for (region, i) in &places {
-            divan::black_box(cases.in_region(region, *i).expect("a region"));
+    fn audit(&self, cases: &Cases, tally: &mut Tally) {
+        for (region, i) in &self.places {
+            let case = cases.in_region(region, *i).expect("a region");
+            let answer = answer_of(&*self.method, &case.input);
+            let report = judge_case_briefly(&*self.method, case, answer, &self.settings);
+            tally.add(&report);
         }
-    });
-}
+    }
 
-#[divan::bench(args = WHERE)]
-fn judged(bencher: Bencher, place: &str) {
-    let (method, cases) = drawn_from(place);
-    let settings = Settings::default();
-    let answers: Vec<_> = (cases.iter().map(|c| answer_of(&*method, &c.input))).collect();
-    bencher.counter(ItemsCount::new(COUNT)).bench(|| {
-        for (case, answer) in cases.iter().zip(&answers) {
-            let (case, answer) = (case.clone(), answer.clone());
-            divan::black_box(judge_case_briefly(&*method, case, answer, &settings));
-        }
-    });
-}
-
-/// Without what is done once at the end.
-#[divan::bench(args = WHERE)]
-fn counted(bencher: Bencher, place: &str) {
-    let (method, cases) = drawn_from(place);
-    let settings = Settings::default();
-    let judged = cases.into_iter().map(|case| {
-        let answer = answer_of(&*method, &case.input);
-        judge_case_briefly(&*method, case, answer, &settings)
-    });
-    let judged: Vec<_> = judged.collect();
-    bencher
-        .counter(ItemsCount::new(COUNT))
-        .with_inputs(|| {
-            let mut tally = Tally::new(&*method, &settings);
-            judged.iter().for_each(|report| tally.add(report));
-            tally
-        })
-        .bench_refs(|tally| judged.iter().for_each(|report| tally.add(report)));
-}
-
-/// Without what is done once at the beginning and at the end.
-#[divan::bench(args = WHERE)]
-fn audited(bencher: Bencher, place: &str) {
-    let (method, places) = places(place);
-    let settings = Settings::default();
-    let cases = Cases::new(&*method, &settings);
-    bencher
-        .counter(ItemsCount::new(COUNT))
-        .with_inputs(|| Tally::new(&*method, &settings))
-        .bench_refs(|tally| {
-            for (region, i) in &places {
-                let case = cases.in_region(region, *i).expect("a region");
-                let answer = answer_of(&*method, &case.input);
-                let report = judge_case_briefly(&*method, case, answer, &settings);
-                tally.add(&report);
+    /// Microseconds a case for each of the parts.
+    fn measure(&self) -> [f64; PARTS.len()] {
+        let cases = Cases::new(&*self.method, &self.settings);
+        let outputs = self.method.outputs();
+        let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
+        let mut tally = Tally::new(&*self.method, &self.settings);
+        let mut least = [f64::INFINITY; PARTS.len()];
+        for _ in 0..ROUNDS {
+            for (k, least) in least.iter_mut().enumerate() {
+                let start = processor_time();
+                match PARTS[k] {
+                    "solved" => self.solve(),
+                    "drawn" => self.draw(&cases),
+                    "judged" => self.judge(),
+                    "counted" => self.count(&mut tally),
+                    "owed" => self.owe(conditional),
+                    _ => self.audit(&cases, &mut tally),
+                }
+                *least = least.min((processor_time() - start).as_secs_f64() / COUNT as f64 * 1e6);
             }
-        });
+        }
+        least
+    }
+}
+
+fn main() {
+    // Cargo's own options begin with a dash.
+    let asked: Vec<String> = std::env::args().skip(1).collect();
+    let asked: Vec<&str> = asked.iter().map(String::as_str).collect();
+    let mut asked: Vec<&str> = asked.into_iter().filter(|a| !a.starts_with('-')).collect();
+    if asked.is_empty() {
+        asked = WHERE.to_vec();
+    }
+    let heads = PARTS.map(|part| format!("{part:>9}")).concat();
+    println!("{:<26}{heads}  added", "us a case");
+    for place in asked {
+        let times = Sample::new(place).measure();
+        let [.., owed, audited] = times;
+        let cells = times.map(|t| format!("{t:>9.2}")).concat();
+        println!("{place:<26}{cells}{:>6.0}%", (audited / owed - 1.0) * 100.0);
+    }
 }
