@@ -111,4 +111,35 @@ mod tests {
             assert!(d.signed(1.0).abs() == 1.0);
         }
     }
+
+    /// Integers, signs and chances of one stream, as they follow from its next number on [0, 1).
+    #[test]
+    fn choices_are_pinned() {
+        let stream = || Draw::new(7, "m", "r", 3);
+        let (mut d, mut plain) = (stream(), stream());
+        let mut drawn = [0; 6];
+        for _ in 0..600 {
+            let k = d.integer(4, 9);
+            assert_eq!(k, 4 + (6.0 * plain.unit()) as usize);
+            drawn[k - 4] += 1;
+        }
+        // Both ends are in, and no number is left out.
+        assert!(drawn.iter().all(|n| (70..130).contains(n)), "{drawn:?}");
+        let (mut d, mut plain) = (stream(), stream());
+        let mut negative = 0;
+        for _ in 0..100 {
+            let x = d.signed(3.0);
+            assert_eq!(x, if plain.unit() < 0.5 { 3.0 } else { -3.0 });
+            negative += usize::from(x < 0.0);
+        }
+        assert!((35..65).contains(&negative), "{negative}");
+        for p in [0.0, 0.25, 0.75, 1.0] {
+            let (mut d, mut plain) = (stream(), stream());
+            for _ in 0..100 {
+                assert_eq!(d.chance(p), plain.unit() < p);
+            }
+        }
+        let one = stream().integer(5, 5);
+        assert_eq!(one, 5);
+    }
 }

@@ -260,3 +260,6 @@ fn decimals(reference: &ReferenceAnswer) -> (Vec<Option<String>>, Vec<f64>, Opti
         _ => (Vec::new(), Vec::new(), None),
     }
 }
+
+#[cfg(test)]
+mod tests;

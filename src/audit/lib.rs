@@ -26,6 +26,8 @@ mod method;
 mod nearest;
 mod no_such;
 mod parts;
+#[cfg(test)]
+mod planted;
 mod printed;
 mod ranking;
 mod region_tally;

@@ -53,3 +53,6 @@ pub(super) fn error_parts(
         rounding: in_ulps(&result - &twin[i]),
     })
 }
+
+#[cfg(test)]
+mod tests;

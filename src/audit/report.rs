@@ -242,3 +242,28 @@ impl MethodReport {
         format!("{head}{}{tail}", case.place())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::planted::{Planted, case};
+    use crate::{Reproduce, Settings, audit_one};
+
+    /// A case is judged again by the command with its place in the middle.
+    #[test]
+    fn a_case_has_a_command() {
+        let mut report = audit_one(
+            &Planted::default(),
+            case(3, &[1.5]),
+            None,
+            &Settings::default(),
+        );
+        let place = "--region middle --seed 1 --case 3";
+        let again = |report: &super::MethodReport| report.again(&case(3, &[1.5]));
+        assert_eq!(again(&report), format!("mechaudit audit planted {place}"));
+        report.reproduce = Reproduce {
+            head: "head ".into(),
+            tail: " tail".into(),
+        };
+        assert_eq!(again(&report), format!("head {place} tail"));
+    }
+}

@@ -97,3 +97,6 @@ pub fn audit_one(
     tally.add(&report);
     tally.finish(method)
 }
+
+#[cfg(test)]
+mod tests;

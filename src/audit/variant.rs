@@ -311,3 +311,6 @@ impl Method for Variant<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
