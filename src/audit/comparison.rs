@@ -10,7 +10,7 @@ use super::tally::Tally;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// What an answer takes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -204,6 +204,16 @@ const CHUNK: usize = 1024;
 const TIMED: usize = 1000;
 const ROUNDS: usize = 5;
 
+/// What an answer takes by the fastest of rounds of so many answers; nothing without any.
+fn speed(rounds: impl Iterator<Item = Duration>, answers: usize) -> Option<Speed> {
+    let fastest = rounds.min().filter(|_| answers > 0)?;
+    Some(Speed {
+        ns_per_answer: fastest.as_secs_f64() * 1e9 / answers as f64,
+        start_up_ms: None,
+        answers: answers as u64,
+    })
+}
+
 /// Compares functions over the method's domain, on all cores, and times them on one.
 pub fn compare(method: &dyn Method, contenders: &[Contender], settings: &Settings) -> Comparison {
     let cases = Cases::new(method, settings);
@@ -228,19 +238,14 @@ pub fn compare(method: &dyn Method, contenders: &[Contender], settings: &Setting
         .map(|k| cases.get(k * cases.len() / cases.len().min(TIMED)).input)
         .collect();
     let timed = |solve: &(dyn Fn(&[f64]) -> SolverAnswer + Sync)| {
-        let round = || {
+        let round = |_| {
             let start = Instant::now();
             for input in &inputs {
                 std::hint::black_box(answer(solve, std::hint::black_box(input)));
             }
-            start.elapsed().as_secs_f64() * 1e9 / inputs.len() as f64
+            start.elapsed()
         };
-        let fastest = (0..ROUNDS).map(|_| round()).fold(f64::INFINITY, f64::min);
-        (!inputs.is_empty()).then_some(Speed {
-            ns_per_answer: fastest,
-            start_up_ms: None,
-            answers: inputs.len() as u64,
-        })
+        speed((0..ROUNDS).map(round), inputs.len())
     };
     let reports = tallies.into_iter().zip(contenders);
     let reports = reports.map(|(tally, (name, solve))| {
@@ -256,3 +261,6 @@ pub fn compare(method: &dyn Method, contenders: &[Contender], settings: &Setting
     });
     Comparison::new(method.name(), reports.collect())
 }
+
+#[cfg(test)]
+mod tests;

@@ -342,3 +342,6 @@ impl RegionTally {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -12,6 +12,9 @@ use mechaudit_reference::Ball;
 use proptest::prelude::*;
 use rug::Rational;
 
+mod report;
+mod stored;
+
 /// `x` and `2x`; refuses where x is negative.
 struct Twice;
 
