@@ -88,3 +88,41 @@ impl Due {
         (error, error)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Proof, ReferenceAnswer, Uncertified};
+
+    fn number(n: i64) -> Due {
+        Due::Number(Ball::integer(64, n))
+    }
+
+    #[test]
+    fn dues_are_written_with_their_signs() {
+        for (due, text) in [
+            (number(3), "3.0000"),
+            (Due::zero(false), "0"),
+            (Due::zero(true), "-0"),
+            (Due::Infinity { negative: false }, "inf"),
+            (Due::Infinity { negative: true }, "-inf"),
+            (Due::NotANumber, "nan"),
+        ] {
+            assert_eq!(due.to_decimal(5).as_deref(), Some(text));
+        }
+    }
+
+    /// Numbers and zeros are certified, infinities and NaN are none.
+    #[test]
+    fn dues_that_are_numbers_are_certified() {
+        let certified = |dues| ReferenceAnswer::Dues(dues, Proof::Exact).certified();
+        let balls = certified(vec![number(3), Due::zero(true)]).unwrap();
+        let values: Vec<f64> = balls.iter().map(|b| b.mid().to_f64()).collect();
+        assert_eq!(values, [3.0, 0.0]);
+        assert!(balls.iter().all(|b| b.rad().is_zero()));
+        for none in [Due::Infinity { negative: false }, Due::NotANumber] {
+            let found = certified(vec![number(3), none]);
+            assert_eq!(found.map(|b| b.len()), Err(Uncertified::NoNumber));
+        }
+    }
+}

@@ -34,3 +34,18 @@ impl Default for Settings {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Seed and number of cases choose the inputs of an audit, the bits what is called undecided: recorded
+    /// findings are those of these.
+    #[test]
+    fn the_defaults_are_pinned() {
+        let s = Settings::default();
+        assert_eq!((s.seed, s.cases_per_region), (1, 200));
+        assert_eq!((s.first_bits, s.last_bits), (128, 2048));
+        assert_eq!((s.maps, s.conditions, s.points), (false, false, 0));
+    }
+}

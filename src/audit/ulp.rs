@@ -167,6 +167,25 @@ mod tests {
         assert_eq!(single, 2f64.powi(128) - 2f64.powi(103));
     }
 
+    /// A ball that begins at the border is beyond it; a number just below is not, however little.
+    #[test]
+    fn an_infinity_at_the_border() {
+        let edge = Format::Double.overflow().mid().clone();
+        let half = Mag::power_of_two(960);
+        for sign in [1.0, -1.0] {
+            let infinity = sign * f64::INFINITY;
+            let at = |by: Float, radius: Mag| {
+                let mid = (Float::with_val(1200, &edge) + by) * sign;
+                distance(infinity, &Ball::new(mid, radius), Format::Double)
+            };
+            let zero = Float::new(64);
+            let exact = |x: f64| (Mag::from_f64(x), Mag::from_f64(x));
+            assert_eq!(at(zero, Mag::ZERO), exact(0.0));
+            assert_eq!(at(half.to_float(), half), exact(0.0));
+            assert_eq!(at(Float::with_val(64, -0.5), Mag::ZERO), exact(0.5));
+        }
+    }
+
     #[test]
     fn the_edges() {
         assert_eq!(ulp_exponent(&Float::with_val(53, 1.0)), -52);

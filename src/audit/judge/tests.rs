@@ -4,6 +4,7 @@ use super::*;
 use crate::{Budget, Proof, Reference};
 use rug::Float;
 
+mod edges;
 mod errors;
 
 fn outputs(limit: Limit) -> Vec<Output> {

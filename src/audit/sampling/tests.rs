@@ -115,6 +115,8 @@ fn what_is_no_box() {
         ("x=log -1..1", "both ends of one sign"),
         ("x=log 0..1", "both ends of one sign"),
         ("x=+-log -2..-1", "both ends are positive"),
+        ("x=+-log 0..1", "both ends are positive"),
+        ("x=log -1..0", "both ends of one sign"),
         ("z=1..2", "has no single input \"z\""),
         ("x=1..2,x=1..2", "names x twice"),
     ] {
@@ -160,6 +162,8 @@ fn neighbourhoods() {
         ("infinite", 0.1, "has no neighbours"),
         ("one", 0.0, "the radius 0"),
         ("one", f64::NAN, "the radius NaN"),
+        ("one", 1.0f64.next_up(), "the radius 1.0000000000000002"),
+        ("one", 1.75, "the radius 1.75"),
     ] {
         let e = near(text, radius).unwrap_err().to_string();
         assert!(e.contains(part), "{text}: {e}");
@@ -186,4 +190,128 @@ fn single_precision_has_inputs_of_its_own() {
     // Beyond its range: the end of it.
     let far = cases.in_region("far", 0).unwrap();
     assert_eq!(far.input[1], f64::from(f32::MAX));
+}
+
+/// A number of each spacing, as it follows from the stream of its case.
+#[test]
+fn sides_are_drawn_by_the_stream() {
+    let drawn = |side: &str, at: fn(f64) -> f64| {
+        let all = boxed(&format!("n=1,x=2,y={side}")).unwrap();
+        for (index, case) in (0..).zip(&all) {
+            // The third number of the box.
+            let mut draw = Draw::new(1, "plain", "box", index);
+            let [_, _, t] = [(); 3].map(|()| draw.unit());
+            let (y, due) = (case.input[2], at(t));
+            assert!((y - due).abs() <= 1e-14 * due.abs(), "{side}: {y} {due}");
+            assert_eq!(case.input[..2], [1.0, 2.0]);
+        }
+    };
+    drawn("3..7", |t| 3.0 + 4.0 * t);
+    drawn("-7..-3", |t| -7.0 + 4.0 * t);
+    drawn("5", |_| 5.0);
+    drawn("log 0.25..64", |t| (8.0 * t - 2.0).exp2());
+    drawn("log 2..64", |t| (5.0 * t + 1.0).exp2());
+    drawn("log 0.25..0.5", |t| (t - 2.0).exp2());
+    // The smallest of them is the first.
+    drawn("log -64..-0.25", |t| -(8.0 * t - 2.0).exp2());
+    let all = boxed("n=1,x=2,y=+-log 0.5..8").unwrap();
+    for (index, case) in (0..).zip(&all) {
+        let mut draw = Draw::new(1, "plain", "box", index);
+        let [_, _, t] = [(); 3].map(|()| draw.unit());
+        let size = (4.0 * t - 1.0).exp2();
+        let due = draw.signed(size);
+        assert!((case.input[2] - due).abs() <= 1e-14 * size);
+    }
+}
+
+/// The order in which a box names its numbers changes nothing, and a region's numbers are those of its own
+/// cases.
+#[test]
+fn a_box_draws_alike_however_it_is_written() {
+    let input = |text: &str| -> Vec<Vec<f64>> {
+        let all = boxed(text).unwrap().into_iter();
+        all.map(|c| c.input).collect()
+    };
+    assert_eq!(input("x=1..2,y=3..4,n=5"), input("n=5,y=3..4,x=1..2"));
+    let all = boxed("y=7").unwrap();
+    for (index, case) in (0..).zip(&all) {
+        let cases = Cases::new(&Plain, &settings(200));
+        let region = if index % 2 == 0 { "mid" } else { "far" };
+        let mut due = cases.in_region(region, index / 2).unwrap().input;
+        due[2] = 7.0;
+        assert_eq!((case.region, &case.input), (region, &due));
+    }
+}
+
+/// Without a region to draw the rest from, a box names every number.
+#[test]
+fn a_box_without_regions_is_whole() {
+    let method = crate::planted::Planted {
+        inputs: vec!["x", "y"],
+        domain: Domain::default(),
+        ..crate::planted::Planted::default()
+    };
+    let read = |text: &str| SampleBox::read(&method, text).map(|b| b.is_whole());
+    assert_eq!(read("x=1,y=2"), Ok(true));
+    assert_eq!(read("x=1"), Err(SamplingError::NoRegion));
+    assert_eq!(
+        SampleBox::read(&Plain, "x=1").map(|b| b.is_whole()),
+        Ok(false)
+    );
+}
+
+/// Neighbours as they follow from the stream of their case; radii up to one, down to any.
+#[test]
+fn neighbours_are_drawn_by_the_stream() {
+    for radius in [1.0, 1e-3, 2f64.powi(-60)] {
+        let all = near("4,-3,0", radius).unwrap();
+        let least = if radius < 1e-15 { radius } else { f64::EPSILON };
+        let mut far = 0;
+        for (index, case) in (0..).zip(&all) {
+            let mut draw = Draw::new(1, "plain", "near", index);
+            let own = match draw.unit() < 0.5 {
+                true => radius,
+                false => draw.log_uniform(least, radius),
+            };
+            far += usize::from(own == radius);
+            let t = [(); 3].map(|()| 2.0 * draw.unit() - 1.0);
+            let due = [4.0, -3.0 - 3.0 * (own * t[1]), own * t[2]];
+            for (x, due) in case.input.iter().zip(due) {
+                assert!((x - due).abs() <= 1e-15 * due.abs(), "{radius}: {x} {due}");
+            }
+        }
+        assert!((70..=200).contains(&far), "{far}");
+    }
+    let end = near(&format!("1,{:e},0", f64::MAX), 1.0).unwrap();
+    assert!(end.iter().all(|c| c.input[1].is_finite()));
+}
+
+/// A region is told by its draws 0 to 63 of seed 0, each of which has to be ordinary.
+#[test]
+fn ordinary_regions_are_told_by_sixty_four_draws() {
+    // Far away at the draw of that seed and index, and there alone.
+    fn far_at(draw: &mut Draw, seed: u64, index: u64) -> Vec<f64> {
+        let there = Draw::new(seed, "m", "r", index).unit();
+        let far = draw.unit() == there;
+        vec![1.0, if far { 1e200 } else { 2.0 }]
+    }
+    let ordinary = |sample: fn(&mut Draw) -> Vec<f64>| {
+        let region = crate::planted::region("r", sample);
+        region.is_ordinary("m")
+    };
+    assert!(!ordinary(|d| far_at(d, 0, 0)));
+    assert!(!ordinary(|d| far_at(d, 0, 17)));
+    assert!(!ordinary(|d| far_at(d, 0, 63)));
+    assert!(ordinary(|d| far_at(d, 0, 64)));
+    assert!(ordinary(|d| far_at(d, 1, 0)));
+    for (x, due) in [
+        (0.0, true),
+        (1e-100, true),
+        (-1e100, true),
+        (1e-100f64.next_down(), false),
+        ((-1e100f64).next_down(), false),
+        (f64::NAN, false),
+    ] {
+        assert_eq!(is_ordinary(&[1.0, x]), due, "{x}");
+    }
 }
