@@ -10,6 +10,10 @@ use mechaudit_reference::{Ball, Mag};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
+mod norm;
+
+use norm::{Squares, output_scales};
+
 /// The outcome of one comparison. Only [`Verdict::Pass`] passes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -196,7 +200,7 @@ pub fn judge_by(
             output: &outputs[o],
             condition: conditions.map(|c| c[i]),
             size: size.unwrap_or(Mag::ZERO),
-            scale: scales.get(o).copied().unwrap_or(Mag::ZERO),
+            scale: scales.get(o).copied().unwrap_or((Mag::ZERO, Mag::ZERO)),
             format: rules.format,
         };
         let c = component(g, due, [lo, hi], place);
@@ -264,101 +268,8 @@ fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
     }
 }
 
-/// Sums of squares over all values: bounds on the errors, a lower bound on the references.
-struct Squares {
-    /// Whether every value is due as a number.
-    numbers: bool,
-    low: Mag,
-    high: Mag,
-    norm: Mag,
-}
-
-impl Default for Squares {
-    fn default() -> Squares {
-        Squares {
-            numbers: true,
-            low: Mag::ZERO,
-            high: Mag::ZERO,
-            norm: Mag::ZERO,
-        }
-    }
-}
-
-impl Squares {
-    /// A number due, at least that large, whose error is between the two bounds; or none.
-    fn add(&mut self, size: Option<Mag>, lo: Mag, hi: Mag) {
-        let Some(size) = size else {
-            self.numbers = false;
-            return;
-        };
-        self.low = self.low.add(lo.mul(lo));
-        self.high = self.high.add(hi.mul(hi));
-        self.norm = self.norm.add(size.mul(size));
-    }
-
-    /// A lower bound on the root of a sum: `Mag` rounds up, by less than 2⁻⁴⁰ in all.
-    fn root_below(sum: Mag) -> Mag {
-        sum.sqrt().mul(Mag::from_f64(1.0 - 2f64.powi(-40)))
-    }
-
-    /// Lower and upper bounds on the norms: of the references, but for the smallest normal number, and of
-    /// the errors.
-    fn norms(&self, format: Format) -> (Mag, Mag) {
-        let least = Mag::from_f64(format.min_positive());
-        (Squares::root_below(self.norm).max(least), self.high.sqrt())
-    }
-
-    fn normwise(&self, (size, error): (Mag, Mag), format: Format) -> f64 {
-        match self.numbers {
-            true if error.is_zero() => 0.0,
-            true => error.div(size).shift(format.precision()).to_f64(),
-            false => f64::NAN,
-        }
-    }
-
-    /// The verdict, and the share of the budget.
-    fn verdict(
-        &self,
-        (size, error): (Mag, Mag),
-        budget: &NormBudget,
-        format: Format,
-    ) -> (Verdict, f64) {
-        let allowed = Mag::from_f64(budget.factor).mul(size);
-        let allowed = allowed.shift(-format.precision());
-        let verdict = if error <= allowed {
-            Verdict::Pass
-        } else if Squares::root_below(self.low) > allowed {
-            Verdict::Over
-        } else {
-            Verdict::Undecided
-        };
-        (verdict, error.div(allowed).to_f64())
-    }
-}
-
-/// `max_i (|ref_i| + cond_i)` for each output, for the normwise limits; the norm of all values for
-/// those of the norm. Nothing where no limit asks for it.
-fn output_scales(outputs: &[Output], values: &[Due], conditions: Option<&[f64]>) -> Vec<Mag> {
-    let asks = |o: &Output| matches!(o.budget.limit, Limit::Normwise(_) | Limit::OfNorm(_));
-    if !outputs.iter().any(asks) {
-        return Vec::new();
-    }
-    let mut scales = vec![Mag::ZERO; outputs.len()];
-    let mut squares = Mag::ZERO;
-    for (i, v) in values.iter().enumerate() {
-        let scale = &mut scales[i % outputs.len()];
-        let c = conditions.map_or(Mag::ZERO, |c| Mag::from_f64(c[i]));
-        let size = v.number().map_or(Mag::ZERO, Ball::mignitude);
-        *scale = scale.max(size.add(c));
-        squares = squares.add(size.mul(size));
-    }
-    for (scale, output) in scales.iter_mut().zip(outputs) {
-        if let Limit::OfNorm(_) = output.budget.limit {
-            *scale = Squares::root_below(squares);
-        }
-    }
-    scales
-}
+/// A sum or a product, bounded from one side.
+type Bound = fn(Mag, Mag) -> Mag;
 
 /// Where a value stands, and what it is measured by.
 #[derive(Clone, Copy)]
@@ -367,7 +278,8 @@ struct Place<'a> {
     condition: Option<f64>,
     /// A lower bound on the reference.
     size: Mag,
-    scale: Mag,
+    /// Rounded down and up.
+    scale: (Mag, Mag),
     format: Format,
 }
 
@@ -420,27 +332,32 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
         }
     });
     let factor = Mag::from_f64(limit.factor());
-    // k roundings of numbers of this size.
-    let roundings = |of: Mag| match of.is_zero() {
-        true => Mag::ZERO,
-        false => factor.mul(of.shift(u).max(half)),
-    };
-    let allowed = match (limit, condition) {
-        (Limit::Ulps(_), _) => Some(factor.shift(ulp)),
-        (Limit::Conditioned(_), Some(c)) => Some(roundings(size.add(Mag::from_f64(c)))),
-        (Limit::Normwise(_), Some(_)) => Some(roundings(scale)),
-        (Limit::Relative(_), _) => Some(factor.mul(size).max(half)),
-        (Limit::Absolute(_), _) => Some(factor),
-        (Limit::RelativeOrAbsolute(_, a), _) => {
-            Some(factor.mul(size).max(half).max(Mag::from_f64(a)))
+    // By sums and products from above; from below for what is certainly allowed.
+    let bound = |scale: Mag, mul: Bound, add: Bound| {
+        // k roundings of numbers of this size.
+        let roundings = |of: Mag| match of.is_zero() {
+            true => Mag::ZERO,
+            false => mul(factor, of.shift(u).max(half)),
+        };
+        match (limit, condition) {
+            (Limit::Ulps(_), _) => Some(factor.shift(ulp)),
+            (Limit::Conditioned(_), Some(c)) => Some(roundings(add(size, Mag::from_f64(c)))),
+            (Limit::Normwise(_), Some(_)) => Some(roundings(scale)),
+            (Limit::Relative(_), _) => Some(mul(factor, size).max(half)),
+            (Limit::Absolute(_), _) => Some(factor),
+            (Limit::RelativeOrAbsolute(_, a), _) => {
+                Some(mul(factor, size).max(half).max(Mag::from_f64(a)))
+            }
+            (Limit::OfNorm(_), _) => Some(mul(factor, scale).max(half)),
+            _ => None,
         }
-        (Limit::OfNorm(_), _) => Some(factor.mul(scale).max(half)),
-        _ => None,
     };
+    let allowed = bound(scale.1, Mag::mul, Mag::add);
+    let certain = bound(scale.0, Mag::mul_below, Mag::add_below);
     let verdict = match allowed {
         _ if got.is_nan() || due.wrong_zero(got) => Verdict::WrongKind,
         _ if !reference.is_finite() => Verdict::Undecided,
-        Some(a) if hi <= a => Verdict::Pass,
+        _ if certain.is_some_and(|a| hi <= a) => Verdict::Pass,
         // An infinity for a number or a number for an infinity.
         Some(a) if lo > a && (got.is_infinite() || overflows(reference, format)) => {
             Verdict::WrongKind

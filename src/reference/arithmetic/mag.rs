@@ -214,6 +214,37 @@ impl Mag {
         }
     }
 
+    /// The largest number of 53 bits that is not above `self + other`, of **lower** bounds; zero of
+    /// infinite ones, of which nothing is known.
+    pub fn add_below(self, other: Mag) -> Mag {
+        if !self.is_finite() || !other.is_finite() {
+            return Mag::ZERO;
+        }
+        let (big, small) = match self >= other {
+            true => (self, other),
+            false => (other, self),
+        };
+        let d = big.e - small.e;
+        if small.is_zero() || d > 60 {
+            return big;
+        }
+        let small = small.m * pow2(-d);
+        let sum = big.m + small;
+        // What was rounded off, exactly.
+        let rest = small - (sum - big.m);
+        Mag::normal(if rest < 0.0 { sum.next_down() } else { sum }, big.e)
+    }
+
+    /// The largest number of 53 bits that is not above `self · other`, likewise.
+    pub fn mul_below(self, other: Mag) -> Mag {
+        if !self.is_finite() || !other.is_finite() {
+            return Mag::ZERO;
+        }
+        let m = self.m * other.m;
+        let rest = self.m.mul_add(other.m, -m);
+        Mag::normal(if rest < 0.0 { m.next_down() } else { m }, self.e + other.e)
+    }
+
     /// An upper bound on `√self`.
     pub fn sqrt(self) -> Mag {
         match self.exponent() {
@@ -319,6 +350,43 @@ mod tests {
                 let gap = Float::with_val(4000, &high - &low) / &size;
                 assert!(gap <= f64::EPSILON, "{bits}: {x}");
                 assert!(bits > 53 || gap == 0, "{bits}: {x}");
+            }
+        }
+    }
+
+    /// Sums and products rounded down, once: exact where 53 bits hold them.
+    #[test]
+    fn sums_and_products_from_below_are_rounded_down() {
+        let floor = |x: Float| exact(Mag::below(&x));
+        let numbers = [
+            0.0,
+            5e-324,
+            1e-300,
+            0.3,
+            1.0 / 3.0,
+            0.5,
+            1.0,
+            1.0f64.next_up(),
+            2.0f64.next_down(),
+            3.0,
+            2f64.powi(53) - 1.0,
+            2f64.powi(59) + 256.0,
+            2f64.powi(60),
+            2f64.powi(61),
+            7e15,
+            1e300,
+        ];
+        for a in numbers {
+            for b in numbers {
+                let (x, y) = (Mag::from_f64(a), Mag::from_f64(b));
+                let sum = Float::with_val(4000, a) + b;
+                let product = Float::with_val(4000, a) * b;
+                assert_eq!(exact(x.add_below(y)), floor(sum), "{a:e} {b:e}");
+                assert_eq!(exact(x.mul_below(y)), floor(product), "{a:e} {b:e}");
+            }
+            let x = Mag::from_f64(a);
+            for (x, y) in [(x, Mag::INFINITY), (Mag::INFINITY, x)] {
+                assert!(x.add_below(y).is_zero() && x.mul_below(y).is_zero());
             }
         }
     }

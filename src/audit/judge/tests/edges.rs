@@ -180,3 +180,106 @@ fn norms_have_a_least_size() {
         2f64.powi(24)
     ));
 }
+
+/// `1` where the error is `part` of what is left of the reference and a constant: the reference `1 − e` for the
+/// error `e = part (1 − e + more)`, which is made larger by `by` of it.
+fn reference_of(part: &Float, more: f64, by: f64) -> Ball {
+    let e = Float::with_val(400, part * (Float::with_val(400, more) + 1))
+        / (Float::with_val(400, part) + 1);
+    let e = e * (Float::with_val(400, by) + 1);
+    Ball::new(1 - e, Mag::ZERO)
+}
+
+/// An error larger than the budget by 2^-60 of it is no pass, whatever the limit; within it by 2^-45 it passes.
+#[test]
+fn a_pass_is_within_the_budget() {
+    let mut undecided = 0;
+    for k in 1..300 {
+        let r = f64::from(k) * 0.0037;
+        let c = f64::from(k) * 0.0113;
+        let part = |u: i32| Float::with_val(400, r) >> u;
+        for (limit, part, more) in [
+            (Limit::Relative(r), part(0), 0.0),
+            (Limit::RelativeOrAbsolute(r, 1e-9), part(0), 0.0),
+            (Limit::Conditioned(r), part(53), c),
+            (Limit::Normwise(r), part(53), c),
+        ] {
+            let judged = |by: f64| {
+                let due = Due::Number(reference_of(&part, more, by));
+                one(limit, Format::Double, 1.0, due, Some(c)).verdict
+            };
+            let verdict = judged(2f64.powi(-60));
+            assert!(verdict != Verdict::Pass, "{limit} {c}");
+            undecided += u32::from(verdict == Verdict::Undecided);
+            assert_eq!(judged(-(2f64.powi(-45))), Verdict::Pass, "{limit} {c}");
+            assert_eq!(judged(2f64.powi(-45)), Verdict::Over, "{limit} {c}");
+        }
+    }
+    assert!(undecided > 0);
+}
+
+/// Under a normwise limit an infinite condition number of one value allows nothing of another: values of 1 and 2 ulps
+/// off beside an infinity that is due, and beside a number.
+#[test]
+fn an_infinite_condition_allows_nothing_elsewhere() {
+    let outputs = outputs(Limit::Normwise(4.0));
+    let number = |x: f64| Due::Number(Ball::exact(64, x));
+    let judged = |dues: [Due; 2], got: [f64; 2], conditions: [f64; 2]| {
+        let answer = SolverAnswer::Values(got.to_vec());
+        let reference = ReferenceAnswer::Dues(dues.to_vec(), Proof::Exact);
+        let found = judge(&outputs, &answer, &reference, Some(&conditions));
+        (found.verdict, found.components[1].verdict)
+    };
+    // 4 u of 1 + 1 are 4 ulps of one.
+    let (near, far) = (1.0 + 4.0 * f64::EPSILON, 1.0 + 5.0 * f64::EPSILON);
+    let infinity = || Due::Infinity { negative: false };
+    for c in [f64::INFINITY, f64::NAN] {
+        let beside = |got| judged([infinity(), number(1.0)], [f64::INFINITY, got], [c, 1.0]);
+        assert_eq!(beside(near), (Verdict::Pass, Verdict::Pass));
+        assert_eq!(beside(far), (Verdict::Over, Verdict::Over));
+        assert_eq!(beside(1e300), (Verdict::Over, Verdict::Over));
+        // The number's own condition is not known: it cannot be decided.
+        let beside = |got| judged([number(1.0), number(1.0)], [1.0, got], [c, 1.0]);
+        assert_eq!(beside(near), (Verdict::Undecided, Verdict::Pass));
+        assert_eq!(beside(far), (Verdict::Over, Verdict::Over));
+    }
+}
+
+/// A norm of very many values is bounded from below as one of few: each sum is rounded up.
+#[test]
+fn a_bound_on_a_norm_of_many_values_is_below() {
+    for n in [1u32, 1000, 100_000] {
+        let mut squares = Squares::default();
+        for _ in 0..n {
+            squares.add(Some(Mag::from_f64(1.0)), Mag::ZERO, Mag::ZERO);
+        }
+        let root = squares.norms(Format::Double).0.to_float();
+        let due = Float::with_val(200, n).sqrt();
+        assert!(root < due, "{n}");
+        assert!(root > due * (1.0 - 2f64.powi(-32)), "{n}");
+        assert_eq!(squares.terms, n as usize);
+    }
+    // Shares that are recorded depend on it.
+    for (n, slack) in [(0, -40), (1, -40), (1024, -40), (2048, -39), (8192, -37)] {
+        let root = Squares::root_below(Mag::from_f64(4.0), n).to_f64() / 2.0;
+        let due = 1.0 - 2f64.powi(slack);
+        assert!((due..due + 2f64.powi(-50)).contains(&root), "{n}");
+    }
+}
+
+/// A share of a normwise budget is that of the largest value with its condition number.
+#[test]
+fn a_share_is_of_the_largest_value() {
+    let share = |dues: [f64; 2], conditions: [f64; 2]| {
+        let got = SolverAnswer::Values(vec![dues[0] + 6.0 * f64::EPSILON, dues[1]]);
+        let o = outputs(Limit::Normwise(4.0));
+        let found = judge(&o, &got, &exact(&dues), Some(&conditions));
+        assert_eq!(found.verdict, Verdict::Pass);
+        found.share()
+    };
+    // 12 u of 4 u (4 + 8), (1 + 11), (1 + 2).
+    let near = |x: f64, due: f64| (x - due).abs() < 1e-12;
+    assert!(near(share([1.0, 4.0], [1.0, 8.0]), 0.25));
+    assert!(near(share([1.0, 1.0], [11.0, 2.0]), 0.25));
+    assert!(near(share([1.0, 0.5], [2.0, 0.25]), 1.0));
+}

@@ -270,7 +270,7 @@ fn roundings_of_the_smallest_numbers_are_free_under_every_relative_limit() {
 fn a_bound_on_a_norm_from_below_is_below() {
     for k in 1..2000 {
         let x = Mag::from_f64(f64::from(k) * 0.37);
-        let root = Squares::root_below(x).to_f64();
+        let root = Squares::root_below(x, 1).to_f64();
         let due = (f64::from(k) * 0.37).sqrt();
         assert!(root < due && root > due * (1.0 - 1e-11), "{k}");
     }
