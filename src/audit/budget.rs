@@ -1,5 +1,6 @@
 //! How much error a method is allowed, and why.
 
+use super::ulp::Format;
 use serde::Serialize;
 
 /// The largest error that passes. Always finite.
@@ -95,17 +96,22 @@ impl NormBudget {
         );
         NormBudget { factor, reason }
     }
-}
 
-impl std::fmt::Display for NormBudget {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+    /// For people, with the u of a format.
+    pub fn shown(&self, format: Format) -> String {
+        let u = 2f64.powi(-format.precision() as i32);
         match self.factor {
             // Of one's own, given as a relative error.
-            k if k >= 1e6 || k.fract() != 0.0 => {
-                write!(f, "{:.3e} of the norm", k * 2f64.powi(-53))
-            }
-            k => write!(f, "{k} u of the norm"),
+            k if k >= 1e6 || k.fract() != 0.0 => format!("{:.3e} of the norm", k * u),
+            k => format!("{k} u of the norm"),
         }
+    }
+}
+
+/// With the u of `f64`.
+impl std::fmt::Display for NormBudget {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.shown(Format::Double))
     }
 }
 

@@ -213,7 +213,8 @@ impl Report {
             writeln!(f, "  {:<11}{names}: {} ({why})", "budget", budget.limit)?;
         }
         if let Some(norm) = r.norm_budget {
-            writeln!(f, "  {:<11}all together: {norm} ({})", "", norm.reason)?;
+            let shown = norm.shown(r.format);
+            writeln!(f, "  {:<11}all together: {shown} ({})", "", norm.reason)?;
         }
         for (k, region) in r.regions.iter().enumerate() {
             let label = if k == 0 { "regions" } else { "" };

@@ -78,7 +78,8 @@ fn line(
         let own = report.budgets.iter().find(|b| b.name == o.name);
         own.map_or(String::new(), |b| b.budget.limit.to_string())
     };
-    let norm = report.norm_budget.map_or(String::new(), |n| n.to_string());
+    let norm = report.norm_budget;
+    let norm = norm.map_or(String::new(), |n| n.shown(report.format));
     let candidate = report.candidate.as_ref();
     let mut fields = vec![
         report.method.to_string(),

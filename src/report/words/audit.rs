@@ -96,7 +96,8 @@ pub fn budgets(report: &MethodReport) -> String {
     let mut all: Vec<String> = each
         .map(|(names, limit)| format!("{}: {limit}", names.join(", ")))
         .collect();
-    all.extend(report.norm_budget.map(|n| format!("all together: {n}")));
+    let norm = report.norm_budget.map(|n| n.shown(report.format));
+    all.extend(norm.map(|n| format!("all together: {n}")));
     if report.format == crate::audit::Format::Single {
         all.push("in single precision, u = 2⁻²⁴".into());
     }

@@ -314,6 +314,14 @@ fn a_budget_is_finite_and_positive() {
     assert!(asks(Limit::Conditioned(1.0)) && asks(Limit::Normwise(1.0)));
     assert!(!asks(Limit::Ulps(1.0)) && !asks(Limit::OfNorm(1.0)) && !asks(Limit::Absolute(1.0)));
     assert_eq!(NormBudget::new(4.0, "").to_string(), "4 u of the norm");
+    // In single precision u is 2^-24.
+    let shown = |k: f64| NormBudget::new(k, "").shown(Format::Single);
+    assert_eq!(shown(4.0), "4 u of the norm");
+    assert_eq!(shown(1e-6 * 2f64.powi(24)), "1.000e-6 of the norm");
+    assert_eq!(
+        NormBudget::new(999_999.0, "").to_string(),
+        "999999 u of the norm"
+    );
     assert_eq!(
         NormBudget::new(1e6, "").to_string(),
         "1.110e-10 of the norm"
