@@ -94,7 +94,10 @@ impl HardCase {
             return Err(bad(line, HardCaseFault::Header(names)));
         }
         for record in reader.records() {
-            let record = record.map_err(|e| bad(all.len() as u64 + 2, e.into()))?;
+            let record = record.map_err(|e| {
+                let line = e.position().map_or(0, csv::Position::line);
+                bad(line, e.into())
+            })?;
             let line = record.position().map_or(0, csv::Position::line);
             let fields: Vec<&str> = record.iter().collect();
             let &[share, output, reason, input] = fields.as_slice() else {
@@ -181,5 +184,43 @@ mod tests {
             assert!(e.to_string().contains(HARD_HEADER), "{e}");
         }
         assert_eq!(HardCase::read("# comment\n").unwrap(), Vec::new());
+    }
+
+    /// A fault is on its line, comments and good lines before it counted.
+    #[test]
+    fn faults_are_found_on_their_lines() {
+        let good = "0.5,x,planted,0x1p0";
+        for bad in ["1,x,y", "1,x,y,0x1p0,z", "-1,x,y,0x1p0", "1,x,y,1.5"] {
+            let text = format!("{HARD_HEADER}\n# one\n# two\n{good}\n{bad}\n");
+            assert_eq!(HardCase::read(&text).unwrap_err().line, 5, "{bad}");
+        }
+        let zero = HardCase::read(&format!("{HARD_HEADER}\n0,x,planted,0x1p0\n")).unwrap();
+        assert_eq!(zero[0].share, 0.0);
+        assert_eq!(
+            HardCase::included(&format!("{HARD_HEADER}\n{good}\n")).len(),
+            1
+        );
+    }
+
+    /// Four figures, never less than the share, and one unit more at most.
+    #[test]
+    fn shares_are_rounded_up_to_four_figures() {
+        for (share, due) in [
+            (0.123_41, 0.1235),
+            (1234.1, 1235.0),
+            (9.999_1, 10.0),
+            (1.0, 1.0),
+            (2.5, 2.5),
+            (7.000_01e-9, 7.001e-9),
+            (3.000_5e20, 3.001e20),
+            (0.0, 0.0),
+        ] {
+            assert_eq!(rounded_up(share), due, "{share}");
+        }
+        assert!(rounded_up(f64::NAN).is_nan());
+        // Recorded to a hundredth more, and no farther.
+        let mut case = HardCase::included(&format!("{HARD_HEADER}\n1,x,planted,0x1p0\n"));
+        let case = case.remove(0);
+        assert!(case.allows(SLACK) && !case.allows(SLACK.next_up()));
     }
 }

@@ -248,3 +248,6 @@ pub fn conditions_by_differences<M: Method + ?Sized>(
     }
     Some(sum.into_iter().map(Mag::to_f64).collect())
 }
+
+#[cfg(test)]
+mod tests;

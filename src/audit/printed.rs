@@ -84,9 +84,10 @@ fn entry(reference: &ReferenceAnswer, i: usize, printed: &Decimal) -> EntryJudge
     let ball = match reference {
         ReferenceAnswer::Values(r) => r.values.get(i),
         ReferenceAnswer::Dues(dues, _) => match dues.get(i) {
-            Some(Due::Number(ball)) => Some(ball),
-            Some(other) => return none(other.to_decimal(1).unwrap_or_default()),
-            None => None,
+            Some(due) if due.number().is_none() => {
+                return none(due.to_decimal(1).unwrap_or_default());
+            }
+            due => due.and_then(Due::number),
         },
         ReferenceAnswer::Refuses(why) => return none(format!("the reference refuses: {why}")),
         ReferenceAnswer::Undecided(why) => {
@@ -134,6 +135,9 @@ fn agreement(value: &Ball, printed: &Decimal) -> Agreement {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::planted::Planted;
+    use mechaudit_reference::Mag;
+    use std::sync::Mutex;
 
     #[test]
     fn entries_of_a_third() {
@@ -169,5 +173,152 @@ mod tests {
         let open = against(&wide, &printed("0.12"));
         assert_eq!(open.agreement, Agreement::Undecided);
         assert!(open.reason.is_some());
+    }
+
+    fn printed(text: &str) -> Decimal {
+        Decimal::parse(text).unwrap()
+    }
+
+    #[test]
+    fn verdicts_change_at_half_a_unit_and_at_one() {
+        let at = |value: f64, radius: f64| {
+            let ball = Ball::exact(128, value).widened(Mag::from_f64(radius));
+            against(&ball, &printed("1")).agreement
+        };
+        assert_eq!(at(1.5, 0.0), Agreement::Agrees);
+        assert_eq!(at(1.5f64.next_up(), 0.0), Agreement::LastDigit);
+        assert_eq!(at(2.0, 0.0), Agreement::LastDigit);
+        assert_eq!(at(0.0, 0.0), Agreement::LastDigit);
+        assert_eq!(at(2.0f64.next_up(), 0.0), Agreement::Differs);
+        // Balls that touch a border.
+        assert_eq!(at(1.25, 0.25), Agreement::Agrees);
+        assert_eq!(at(1.625, 0.125), Agreement::Undecided);
+        assert_eq!(at(1.75, 0.125), Agreement::LastDigit);
+        assert_eq!(at(1.875, 0.125), Agreement::LastDigit);
+        assert_eq!(at(2.125, 0.125), Agreement::Undecided);
+        assert_eq!(at(2.25, 0.125), Agreement::Differs);
+        assert_eq!(at(1.0, f64::INFINITY), Agreement::Undecided);
+    }
+
+    /// Units are bounds with the sign of entry less reference; the reference has 20 digits.
+    #[test]
+    fn an_entry_has_units_and_digits() {
+        let e = against(
+            &Ball::rational(200, &Rational::from((1, 3))),
+            &printed("0.34"),
+        );
+        assert!((e.units - 2.0 / 3.0).abs() < 1e-12 && e.reason.is_none());
+        assert_eq!(e.reference.as_deref(), Some("0.33333333333333333333"));
+        let wide = Ball::exact(128, 1.75).widened(Mag::from_f64(0.125));
+        let e = against(&wide, &printed("1"));
+        assert!((e.units + 0.875).abs() < 1e-9, "{}", e.units);
+    }
+
+    /// Every entry is judged at the precision that decides all of them, up to the last.
+    #[test]
+    fn the_precision_grows_until_every_entry_is_decided() {
+        let asked = Mutex::new(Vec::new());
+        let method = Planted {
+            reference: Box::new(|x, bits| {
+                asked.lock().unwrap().push(bits);
+                match bits {
+                    0..256 => ReferenceAnswer::Undecided("not yet".into()),
+                    _ => ReferenceAnswer::exact([&x[0], &(x[0].clone() / 3)], bits),
+                }
+            }),
+            ..Planted::default()
+        };
+        let judged = |first_bits, last_bits, entries: &[(usize, &str)]| {
+            asked.lock().unwrap().clear();
+            let settings = Settings {
+                first_bits,
+                last_bits,
+                ..Settings::default()
+            };
+            let parsed: Vec<_> = entries.iter().map(|(i, t)| (*i, printed(t))).collect();
+            let parsed: Vec<_> = parsed.iter().map(|(i, d)| (*i, d)).collect();
+            let found = judge_printed(&method, &[Rational::from(1)], &parsed, &settings);
+            let each = found.iter().map(|e| (e.agreement, e.bits)).collect();
+            (each, asked.lock().unwrap().clone())
+        };
+        let both = [(0, "1.00"), (1, "0.34")];
+        let (found, bits): (Vec<_>, Vec<u32>) = judged(64, 1024, &both);
+        assert_eq!(
+            found,
+            [(Agreement::Agrees, 256), (Agreement::LastDigit, 256)]
+        );
+        assert_eq!(bits, [64, 128, 256]);
+        let (found, bits): (Vec<_>, _) = judged(64, 128, &both);
+        assert_eq!(found, [(Agreement::Undecided, 128); 2]);
+        assert_eq!(bits, [64, 128]);
+        assert_eq!(judged(256, 512, &both).1, [256]);
+    }
+
+    /// One entry that cannot be decided asks for more bits, whatever the others are.
+    #[test]
+    fn one_open_entry_asks_for_more() {
+        let asked = Mutex::new(Vec::new());
+        let method = Planted {
+            reference: Box::new(|_, bits| {
+                asked.lock().unwrap().push(bits);
+                let open = Ball::exact(64, 1.5).widened(Mag::from_f64(0.125));
+                ReferenceAnswer::bounded(vec![Ball::integer(64, 1), open], "planted")
+            }),
+            ..Planted::default()
+        };
+        let settings = Settings {
+            first_bits: 100,
+            last_bits: 400,
+            ..Settings::default()
+        };
+        let one = printed("1");
+        let found = judge_printed(&method, &[], &[(0, &one), (1, &one)], &settings);
+        let each: Vec<_> = found.iter().map(|e| (e.agreement, e.bits)).collect();
+        assert_eq!(
+            each,
+            [(Agreement::Agrees, 400), (Agreement::Undecided, 400)]
+        );
+        assert_eq!(*asked.lock().unwrap(), [100, 200, 400]);
+    }
+
+    /// A zero is a number whatever its sign; an infinity, NaN, a refusal and a value that is not there are none.
+    #[test]
+    fn what_has_no_number_agrees_with_nothing() {
+        let dues = ReferenceAnswer::Dues(
+            vec![
+                Due::Number(Ball::integer(64, 2)),
+                Due::zero(true),
+                Due::Infinity { negative: true },
+            ],
+            crate::Proof::Exact,
+        );
+        let judged = |reference: &ReferenceAnswer, i: usize, text: &str| {
+            let e = entry(reference, i, &printed(text));
+            (e.agreement, e.reason.unwrap_or_default())
+        };
+        let agrees = (Agreement::Agrees, String::new());
+        let none = |why: &str| (Agreement::NoValue, why.to_string());
+        assert_eq!(judged(&dues, 0, "2.0"), agrees);
+        assert_eq!(judged(&dues, 1, "0.00"), agrees);
+        assert_eq!(judged(&dues, 1, "0.02").0, Agreement::Differs);
+        assert_eq!(judged(&dues, 2, "0"), none("-inf"));
+        let missing = none("the reference has fewer values");
+        assert_eq!(judged(&dues, 3, "0"), missing);
+        let values = ReferenceAnswer::exact([&Rational::from(2)], 64);
+        assert_eq!(judged(&values, 0, "2"), agrees);
+        assert_eq!(judged(&values, 1, "2"), missing);
+        let why = || "planted".to_string();
+        let refuses = ReferenceAnswer::Refuses("planted");
+        assert_eq!(
+            judged(&refuses, 0, "2"),
+            none("the reference refuses: planted")
+        );
+        let failed = ReferenceAnswer::Failed(why());
+        assert_eq!(
+            judged(&failed, 0, "2"),
+            none("the reference failed: planted")
+        );
+        let open = judged(&ReferenceAnswer::Undecided(why()), 0, "2");
+        assert_eq!(open, (Agreement::Undecided, why()));
     }
 }
