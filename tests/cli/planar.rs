@@ -22,7 +22,7 @@ fn point(table: &str, name: &str) -> Vec<[f64; 2]> {
 fn every_example_says_what_it_is() {
     let examples = r#"
         andrews            | K2, K3 (dyad, order 2)                            | 4 | turns fully
-        double-butterfly   | CE, DH, EFJ, HIJ, FG, BGI (Assur group of class 4, order 3) | 2 | 40.858620188 deg (fold) to 146.627279513 deg (fold)
+        double-butterfly   | CE, EFG, BFJ, DHI, GH, IJ (Assur group of class 5, order 3) | 8 | turns fully
         n-four-bar         | crank2, rod1 (dyad, order 2)                      | 3 | 0.000000099 deg (change point) to 180 deg (change point)
         jansen-leg         | f, ghi (dyad, order 2)                            | 8 | turns fully
         pmksweb-91         | coupler, rocker (dyad, order 2)                   | 2 | -292.329374714 deg (fold) to -4.319239059 deg (fold)

@@ -1,6 +1,8 @@
 //! The library as its user meets it: solvers, references, audit, methods and papers together.
 
 #[cfg(feature = "oracle")]
+mod double_butterfly;
+#[cfg(feature = "oracle")]
 mod faddeeva;
 #[cfg(feature = "oracle")]
 mod faddeeva_related;
@@ -13,6 +15,8 @@ mod gembara_senyk;
 mod independent;
 #[cfg(feature = "oracle")]
 mod inventory;
+#[cfg(feature = "oracle")]
+mod jansen_leg;
 #[cfg(feature = "oracle")]
 mod layouts;
 #[cfg(feature = "oracle")]

@@ -119,7 +119,7 @@ pub(super) fn double_butterfly() -> Mechanism {
         'I' => [4.67, -1.09],
         _ => [4.13, 2.05],
     };
-    drawn(&["ACD", "CE", "DH", "EFJ", "HIJ", "FG", "BGI"], &["AB"], at)
+    drawn(&["ACD", "CE", "EFG", "BFJ", "DHI", "GH", "IJ"], &["AB"], at)
 }
 
 /// Bodies as the drawing has them: each name is a set of its points, ground points in `fixed`; the first
