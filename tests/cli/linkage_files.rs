@@ -142,7 +142,7 @@ fn the_pictures_beside_the_examples_are_whole() {
         .unwrap()
         .map(|f| f.unwrap().path());
     let svgs = files.map(|f| std::fs::read_to_string(f).unwrap());
-    assert_eq!(svgs.filter(|svg| !drawing(svg).is_empty()).count(), 8);
+    assert_eq!(svgs.filter(|svg| !drawing(svg).is_empty()).count(), 10);
 }
 
 #[test]

@@ -9,7 +9,7 @@
 //! all positions and proves that none is missing, [`Linkage::nearest`] the one next to approximate coordinates;
 //! [`Linkage::series`], [`Linkage::reduced_inertia`] and
 //! [`Linkage::multipliers`] give derivatives of any order, inertia and reactions; [`Linkage::from_rest`] the motion under
-//! conservative forces. At a change point or a dead position of the drive the answer is [`Undecided`](crate::Undecided).
+//! conservative forces. A [`Drawing`] may have any number of degrees of freedom, which exact ranks tell. At a change point or a dead position of the drive the answer is [`Undecided`](crate::Undecided).
 //!
 //! ```
 //! use mechaudit_reference::Ball;
@@ -41,6 +41,9 @@ mod conservative;
 mod disc;
 mod enclosure;
 mod energy;
+mod freedom;
+#[cfg(test)]
+mod freedom_tests;
 mod joint_forces;
 mod loops;
 mod mechanism;
@@ -63,6 +66,7 @@ mod tests;
 
 pub use conservative::{Course, Moment};
 pub use energy::{Forces, Spring};
+pub use freedom::{Drawing, DrawnPin, Freedom, Mobility};
 pub use joint_forces::JointForces;
 pub use mechanism::{Attachment, Body, Drive, Frame, Joint, Mechanism, MechanismError, Point};
 pub use reactions::Rates;
