@@ -3,6 +3,7 @@
 mod bodies;
 mod branch;
 mod certified;
+mod drawn;
 mod file;
 mod joints;
 mod loads;
@@ -17,7 +18,8 @@ pub use path::{path, positions};
 pub use rows::{Columns, certified_names, names, values};
 
 use super::source::{Refusal, Source};
-use crate::solvers::planar::{Drive, Loads, Mechanism, Point};
+use crate::reference::planar::{Freedom, Mobility};
+use crate::solvers::planar::{Drive, Loads, Mechanism, MechanismError, Point};
 use bodies::{Bodies, Exact};
 use file::File;
 
@@ -45,6 +47,8 @@ pub struct Machine {
     pub window: Option<[f64; 3]>,
     /// Which branch is meant.
     pub start: Start,
+    /// Ranks in the drawing, where every body is drawn and every joint a pin.
+    pub drawing: Option<Freedom>,
     /// The places of all points of each body by fractions, where the file gives them.
     exact: Vec<Vec<(Point, Option<Exact>)>>,
 }
@@ -71,13 +75,22 @@ impl Machine {
         let file: File = source.parse()?;
         let bodies = Bodies::new(source, &file)?;
         let (description, joints) = joints::read(source, &file, &bodies)?;
+        let drawing = drawn::freedom(&file, &bodies);
         let solver = Mechanism::new(description).map_err(|e| {
             let place = if file.joint.is_empty() {
                 "body"
             } else {
                 "joint"
             };
-            source.refuse(place, e)
+            match (&drawing, &e) {
+                (
+                    Some(freedom),
+                    MechanismError::OverConstrained { .. }
+                    | MechanismError::Locked { .. }
+                    | MechanismError::Loose { .. },
+                ) => source.refuse(place, drawn::Special::new(e, freedom, &bodies)),
+                _ => source.refuse(place, e),
+            }
         })?;
         let driven = match solver.description().drive {
             Drive::Angle { body, .. } => Some(body),
@@ -100,7 +113,17 @@ impl Machine {
             window: drive.window,
             start,
             solver,
+            drawing,
         })
+    }
+
+    /// One line about the drawing where it is not regular: redundant equations there, or more than one velocity.
+    pub fn drawing_text(&self) -> Option<String> {
+        let drawing = self.drawing.as_ref()?;
+        match drawing.mobility {
+            Mobility::Regular { freedoms: 1 } => None,
+            _ => Some(drawn::words(drawing, &self.bodies)),
+        }
     }
 
     /// Whether the drive is an angle.

@@ -1,6 +1,7 @@
 //! Structure, range and branches of a mechanism, in words and as JSON.
 
 use mechaudit::machine::planar::{Branch, End, Machine, Reach};
+use mechaudit::reference::planar::Mobility;
 use mechaudit::solvers::planar::{BranchEnd, BranchMap, Group, GroupKind, SingularKind};
 use serde_json::{Map, Value, json};
 
@@ -34,10 +35,37 @@ pub fn lines(machine: &Machine) -> Vec<String> {
             _ => format!("{names} ({}, order {})", kind_word(g), g.order),
         }
     });
-    vec![format!(
+    let mut lines = vec![format!(
         "one degree of freedom; groups in the order of solving: {}",
         groups.collect::<Vec<_>>().join("; ")
-    )]
+    )];
+    lines.extend(machine.drawing_text());
+    lines
+}
+
+/// What is proved of the drawing.
+fn drawing(machine: &Machine) -> Value {
+    let Some(d) = &machine.drawing else {
+        return Value::Null;
+    };
+    let (mobility, freedoms) = match d.mobility {
+        Mobility::Locked => ("locked", 0),
+        Mobility::Regular { freedoms } => ("regular", freedoms),
+        Mobility::Turning { most } => ("moves", most),
+        Mobility::Undecided { most } => ("undecided", most),
+    };
+    // The ground comes first among the names.
+    let names = |of: &[usize]| members(machine, &of.iter().map(|k| k + 1).collect::<Vec<_>>());
+    json!({
+        "velocities": d.velocities,
+        "equations": d.equations,
+        "rank": d.rank,
+        "mobility": mobility,
+        "freedoms_at_most": freedoms,
+        "redundant": d.redundant(),
+        "redundant_among": names(&d.strained),
+        "movable": names(&d.movable),
+    })
 }
 
 /// One line about the modes at the start.
@@ -108,6 +136,7 @@ fn head(machine: &Machine) -> Map<String, Value> {
         })
     });
     put("groups", Value::Array(groups.collect()));
+    put("drawing", drawing(machine));
     if let Some([speed, acceleration]) = machine.speed {
         let unit = if machine.rotary() { "rad" } else { "m" };
         put(&format!("drive_speed_{unit}_per_s"), json!(speed));
