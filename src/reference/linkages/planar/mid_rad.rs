@@ -147,6 +147,45 @@ mod tests {
         }
     }
 
+    /// Each part of a radius where nothing else is there to make up for it.
+    #[test]
+    fn every_part_of_a_radius_is_needed() {
+        let small = 2f64.powi(-54);
+        let sum = MidRad::exact(1.0).plus(&MidRad::exact(small));
+        assert!(sum.mid == 1.0 && sum.rad >= small);
+        let one = MidRad { mid: 1.0, rad: 1.0 };
+        // Up to 2 · 2.
+        let square = one.times(&one);
+        assert!(square.mid + square.rad >= 4.0);
+        let third = rug::Rational::from((1, 3));
+        let ours = MidRad::of(&Ball::rational(100, &third));
+        assert!(holds(ours, &Float::with_val(300, &third)));
+    }
+
+    /// 1 + 2⁻⁵⁴ is rounded to 1 in f64: the factor in `above` takes it in where no midpoint does.
+    #[test]
+    fn radii_are_rounded_up() {
+        let small = 2f64.powi(-54);
+        let (a, b) = (
+            MidRad { mid: 1.0, rad: 1.0 },
+            MidRad {
+                mid: -1.0,
+                rad: small,
+            },
+        );
+        let sum = a.plus(&b);
+        assert_eq!(sum.mid, 0.0);
+        assert!(sum.rad >= Float::with_val(100, 1) + small);
+    }
+
+    /// A ball with a midpoint in f64 is no exact number.
+    #[test]
+    fn a_ball_keeps_its_radius() {
+        let wide = MidRad::of(&Ball::exact(64, 1.0).widened(Mag::from_f64(0.25)));
+        assert!(wide.rad >= 0.25);
+        assert_eq!(MidRad::of(&Ball::exact(64, 1.0)).rad, 0.0);
+    }
+
     #[test]
     fn what_is_not_finite_has_no_bound() {
         let large = MidRad::exact(1e300);

@@ -52,6 +52,8 @@ mod modes;
 #[cfg(test)]
 mod modes_tests;
 mod nearest;
+#[cfg(test)]
+mod nearest_tests;
 mod panel;
 mod reactions;
 mod scalar;

@@ -30,7 +30,7 @@ fn forces() -> Forces {
 }
 
 /// The four-bar's two positions at a crank angle.
-fn both(linkage: &Linkage, phi: &Ball) -> [Position; 2] {
+pub(super) fn both(linkage: &Linkage, phi: &Ball) -> [Position; 2] {
     [[0.5, 1.6], [-1.1, -1.9]].map(|[a, b]| {
         let start = guess(&[phi.to_f64(), a, b]);
         linkage.position(phi, &start).expect("proved")
@@ -369,31 +369,6 @@ fn an_integral_stays_in_its_panel() {
     let end = |k: &str| &panel.from + &(exact(&panel.half).shift(1) * ball(k));
     assert!(path.integral(&panel, &end("1")).is_ok());
     assert!(path.integral(&panel, &end("1.1")).is_err());
-}
-
-/// With two positions nearby, only a guess clearly next to one of them gets it; without any, none.
-#[test]
-fn the_nearest_position_is_told_or_not_at_all() {
-    let linkage = cranked(&four_bar());
-    let phi = ball("0.9");
-    let [upper, lower] = both(&linkage, &phi);
-    let near = |p: &Position, by: f64| -> Vec<f64> {
-        let x = p.x.iter().skip(1).map(|x| x.to_f64() + by);
-        std::iter::once(0.9).chain(x).collect()
-    };
-    for (position, by) in [(&upper, 1e-9), (&upper, -0.05), (&lower, 0.05)] {
-        let found = linkage.nearest(&phi, &near(position, by), 0.1).unwrap();
-        assert!(found.unwrap().x[1].overlaps(&position.x[1]), "{by}");
-    }
-    // Between both, where Newton's method goes to one of them.
-    let middle: Vec<f64> = (0..3)
-        .map(|k| 0.49 * upper.x[k].to_f64() + 0.51 * lower.x[k].to_f64())
-        .collect();
-    assert!(linkage.nearest(&phi, &middle, 10.0).is_err());
-    // Far from both, and farther off than asked for.
-    let far = [0.9, 2.5, -0.5];
-    assert!(linkage.nearest(&phi, &far, 0.1).unwrap().is_none());
-    assert!(linkage.nearest(&phi, &near(&upper, 0.2), 0.1).is_err());
 }
 
 /// The drive at a time that is known within a radius: the Newton step over `b ± 2δ` has to stay inside. Next to the
