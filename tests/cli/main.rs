@@ -22,6 +22,7 @@ mod linkage_files;
 mod output;
 mod papers;
 mod planar;
+mod planar_ranks;
 mod prove;
 mod regenerate;
 mod reports;

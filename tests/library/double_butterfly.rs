@@ -60,7 +60,7 @@ fn cross(a: &Vector, b: &Vector) -> Rational {
 fn turned(v: &Vector, t: &Rational) -> Vector {
     let square = t.clone().square();
     let whole = Rational::from(1 + &square);
-    let (c, s) = (Rational::from(1 - square), Rational::from(2 * t));
+    let (c, s) = (1 - square, Rational::from(2 * t));
     let x = Rational::from(&c * &v[0]) - Rational::from(&s * &v[1]);
     let y = Rational::from(&s * &v[0]) + Rational::from(&c * &v[1]);
     [x / &whole, y / whole]
@@ -183,7 +183,7 @@ impl Elimination {
         let (d, gh) = (self.d.clone(), square('G', 'H'));
         let joined = move |y: &Rational| {
             let h = plus(&d, &turned(&way('D', 'H'), y));
-            let both = Rational::from(1 + y.clone().square()) * &clear;
+            let both = (1 + y.clone().square()) * &clear;
             times(both)(bar(&less(&f, &h), &way('F', 'G'), &gh))
         };
         (for_x, for_y, joined)
@@ -247,7 +247,7 @@ fn real_roots(p: &Poly) -> usize {
     let changes = |far: bool| {
         let sign = |p: &Poly| {
             let positive = p[p.len() - 1].is_positive();
-            positive != (far && p.len() % 2 == 0)
+            positive != (far && p.len().is_multiple_of(2))
         };
         let signs: Vec<bool> = sequence.iter().map(sign).collect();
         signs.windows(2).filter(|w| w[0] != w[1]).count()
