@@ -32,8 +32,8 @@ const WHERE: [&str; 13] = [
     "class-iii",
     "chirp-response",
 ];
-const COUNT: u64 = 500;
-const ROUNDS: usize = 25;
+const COUNT: u64 = 4000;
+const ROUNDS: usize = 7;
 const PARTS: [&str; 6] = ["solved", "drawn", "judged", "counted", "owed", "audited"];
 
 /// Of this thread.
@@ -60,8 +60,9 @@ impl Sample {
         let regions: Vec<_> = regions
             .filter(|r| region.is_empty() || *r == region)
             .collect();
-        let n = regions.len() as u64;
-        let places = (0..COUNT).map(|i| (regions[(i % n) as usize], i / n));
+        // One region after another, as an audit goes.
+        let each = COUNT.div_ceil(regions.len() as u64);
+        let places = regions.iter().flat_map(|r| (0..each).map(move |i| (*r, i)));
         let places: Vec<_> = places.collect();
         let settings = Settings::default();
         let cases = Cases::new(&*method, &settings);
@@ -157,7 +158,8 @@ impl Sample {
                     "owed" => self.owe(conditional),
                     _ => self.audit(&cases, &mut tally),
                 }
-                *least = least.min((processor_time() - start).as_secs_f64() / COUNT as f64 * 1e6);
+                *least = least
+                    .min((processor_time() - start).as_secs_f64() / self.places.len() as f64 * 1e6);
             }
         }
         least

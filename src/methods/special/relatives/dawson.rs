@@ -2,13 +2,16 @@
 
 use super::laws::{batch_agrees, odd_law, on_the_axis, point, real_argument_law, within};
 use super::regions::zero_of_erfi;
-use super::{C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, odd_limit, on_axis, on_the_real_line};
+use super::{
+    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, on_axis, on_the_real_line,
+};
 use crate::audit::{Due, Law, ProvedBound};
 use crate::proof::real::Function;
 use crate::reference::Ball;
 use crate::reference::faddeeva;
 use crate::solvers::faddeeva::{dawson, dawson_batch, dawson_real};
 use rug::Rational;
+use std::f64::consts::PI;
 
 /// Input `Re z, Im z`, output `Re F, Im F`.
 ///
@@ -34,6 +37,10 @@ impl Relative for Dawson {
         mirrored: [true, true],
         stored: 14,
     };
+
+    fn from_w(w: fn(C) -> C, z: C) -> C {
+        C::new(0.0, PI.sqrt() / 2.0) * (exponential(-z * z) - w(z))
+    }
 
     fn slope(z: C, value: C) -> C {
         1.0 - 2.0 * z * value

@@ -3,7 +3,7 @@
 use super::laws::{gaussian, odd_law, on_the_axis, point, real_argument_law, within};
 use super::regions::zero_of_erf;
 use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, odd_signs,
+    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, odd_limit, odd_signs,
     on_the_real_line,
 };
 use crate::audit::{Due, Law, ProvedBound};
@@ -35,6 +35,10 @@ impl Relative for Erf {
         mirrored: [true, true],
         stored: 14,
     };
+
+    fn from_w(w: fn(C) -> C, z: C) -> C {
+        erf_from_w(w, z)
+    }
 
     fn slope(z: C, _: C) -> C {
         FRAC_2_SQRT_PI * exponential(-z * z)

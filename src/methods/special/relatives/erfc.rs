@@ -40,6 +40,10 @@ impl Relative for Erfc {
         stored: 12,
     };
 
+    fn from_w(w: fn(C) -> C, z: C) -> C {
+        exponential(-z * z) * w(C::i() * z)
+    }
+
     fn slope(z: C, _: C) -> C {
         -FRAC_2_SQRT_PI * exponential(-z * z)
     }

@@ -40,6 +40,10 @@ impl Relative for Erfcx {
         stored: 12,
     };
 
+    fn from_w(w: fn(C) -> C, z: C) -> C {
+        w(C::i() * z)
+    }
+
     fn slope(z: C, value: C) -> C {
         2.0 * z * value - FRAC_2_SQRT_PI
     }

@@ -5,7 +5,8 @@ use super::laws::{
 };
 use super::regions::zero_of_erfi;
 use super::{
-    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, negated, odd_limit, odd_signs,
+    C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, erf_from_w, exponential, negated, odd_limit,
+    odd_signs,
 };
 use crate::audit::{Due, Law};
 use crate::methods::common::held;
@@ -36,6 +37,10 @@ impl Relative for Erfi {
         mirrored: [true, true],
         stored: 14,
     };
+
+    fn from_w(w: fn(C) -> C, z: C) -> C {
+        -C::i() * erf_from_w(w, C::i() * z)
+    }
 
     fn slope(z: C, _: C) -> C {
         FRAC_2_SQRT_PI * exponential(z * z)

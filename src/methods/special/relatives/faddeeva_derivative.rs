@@ -38,6 +38,10 @@ impl Relative for FaddeevaDerivative {
     };
 
     /// `W″ = −2W − 2zW′`, and W from the equation of the first derivative.
+    fn from_w(w: fn(C) -> C, z: C) -> C {
+        C::new(0.0, FRAC_2_SQRT_PI) - 2.0 * z * w(z)
+    }
+
     fn slope(z: C, value: C) -> C {
         let w = (C::new(0.0, FRAC_2_SQRT_PI) - value) / (2.0 * z);
         -2.0 * (w + z * value)

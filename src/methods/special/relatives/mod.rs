@@ -77,6 +77,8 @@ pub trait Relative: Registered {
     /// Where it is zero.
     const ZEROS: Zeros;
 
+    /// The function by its definition from W, roughly: where the search for a point next to a zero curve begins.
+    fn from_w(w: fn(C) -> C, z: C) -> C;
     /// The derivative at `z`, from the value there, to a few digits: points next to zero curves are found with it.
     fn slope(z: C, value: C) -> C;
 
@@ -98,8 +100,16 @@ pub trait Relative: Registered {
 }
 
 /// e^z, roughly and alike on every machine.
-fn exponential(z: C) -> C {
+pub(super) fn exponential(z: C) -> C {
     libm::exp(z.re) * C::new(libm::cos(z.im), libm::sin(z.im))
+}
+
+/// erf z = 1 − e^{−z²} w(iz) on the side where w does not grow.
+fn erf_from_w(w: fn(C) -> C, z: C) -> C {
+    match z.re < 0.0 {
+        true => -erf_from_w(w, -z),
+        false => 1.0 - exponential(-z * z) * w(C::i() * z),
+    }
 }
 
 /// An exact small number.

@@ -7,7 +7,7 @@ use super::{C, Relative};
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::region;
 use crate::methods::special::faddeeva::curves::{
-    Along, Part, next_to, zero as zero_of_w, zero_on_line,
+    Along, Line, Part, next_to, w_roughly, zero as zero_of_w,
 };
 use crate::methods::special::faddeeva::regions::{
     TINY_PART, beside, both_signs, in_either_order, listed, named_points, one_of, polar, tiny_part,
@@ -77,10 +77,17 @@ fn beside_curve<F: Relative>(d: &mut Draw, part: Part) -> Vec<f64> {
         Along::Im => x,
     };
     let turn = PI / (4.0 * v.abs().max(1.0));
-    match (
-        zero_on_line(value_and_slope::<F>, part, along, C::new(x, y), turn),
+    let line = Line {
+        part,
         along,
-    ) {
+        z: C::new(x, y),
+        most: turn,
+    };
+    let rough = |z| {
+        let value = F::from_w(w_roughly, z);
+        Some([value, F::slope(z, value)])
+    };
+    match (line.zero(rough, value_and_slope::<F>), along) {
         (None, _) => vec![x, y],
         (Some(t), Along::Re) => vec![next_to(d, t, 1e-2), y],
         (Some(t), Along::Im) => vec![x, next_to(d, t, 1e-2)],
