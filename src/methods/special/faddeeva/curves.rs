@@ -203,7 +203,7 @@ pub(in crate::methods::special) fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
         most: guess,
     };
     let y = line
-        .zero_from(line.begin(), w_and_slope)
+        .zero_from(line.begin(), parts_and_slope)
         .map_or(guess, |y| -y);
     let y = next_to(d, y, 1e-1);
     vec![d.signed(x), -y]
