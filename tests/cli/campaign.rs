@@ -148,6 +148,10 @@ fn the_sum_is_the_same_however_it_is_cut_and_killed() {
     finished(&many);
     let again = campaign(&["run", text(&many)]);
     assert_eq!(again.out, "0 shards done, 64 done before.\n");
+    // Somebody was killed when all but the claim was gone.
+    fs::write(shards(&many).join("000030.lock"), "").unwrap();
+    finished(&many);
+    assert_eq!(common::names(&shards(&many)).len(), 64);
 }
 
 /// A plan without findings, done at once.

@@ -246,7 +246,7 @@ impl Folder {
     /// Makes sure that nobody else does a shard; nothing if somebody does. Where a file system has no locks
     /// two may do it: they write the same.
     pub fn claim(&self, shard: u64) -> Result<Option<Claim>, Failure> {
-        let path = self.path.join(SHARDS).join(format!("{shard:06}.lock"));
+        let path = self.lock(shard);
         let mut options = OpenOptions::new();
         let file = options.write(true).create(true).truncate(false).open(&path);
         let file = file.map_err(|e| Failure::cannot("write", &path, e))?;
@@ -257,6 +257,20 @@ impl Folder {
             })),
             Err(TryLockError::WouldBlock) => Ok(None),
             Err(TryLockError::Error(_)) => Ok(Some(Claim { path, _lock: None })),
+        }
+    }
+
+    fn lock(&self, shard: u64) -> PathBuf {
+        self.path.join(SHARDS).join(format!("{shard:06}.lock"))
+    }
+
+    /// Takes away what a program that was killed between its last write and its end has left of the claim of a
+    /// shard that is done.
+    pub fn sweep(&self, shard: u64) {
+        if self.lock(shard).exists()
+            && let Ok(Some(claim)) = self.claim(shard)
+        {
+            claim.release();
         }
     }
 

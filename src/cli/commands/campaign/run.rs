@@ -109,6 +109,7 @@ impl Run {
     fn shard(&mut self, k: u64) -> Result<bool, Failure> {
         if self.is_done(k)? {
             self.before += 1;
+            self.folder.sweep(k);
             return Ok(true);
         }
         let Some(claim) = self.folder.claim(k)? else {
