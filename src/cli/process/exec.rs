@@ -1,8 +1,8 @@
 //! Programs under audit: they read inputs and write answers.
 //!
 //! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers are
-//! judged batch by batch, those of several programs to a case together. Inputs are drawn anew where they
-//! are needed, so that nothing grows with their number.
+//! judged batch by batch, those of several programs to a case together. Inputs are drawn when they are needed;
+//! the last ones are kept, so that nothing grows with their number and few are drawn twice.
 
 use crate::cli::answers::{Answers, Form, Header, Next};
 use crate::cli::args::ProgramArgs;
@@ -19,12 +19,12 @@ use mechaudit::campaign::Stride;
 use std::cell::Cell;
 use std::io::{BufWriter, Write};
 use std::process::ChildStdin;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// The inputs of a run, drawn when they are asked for.
-pub enum Inputs {
+/// Where the inputs of a run come from.
+enum Source {
     All(Cases),
     /// Those of a shard.
     Dealt(Cases, Stride),
@@ -32,48 +32,97 @@ pub enum Inputs {
     Listed(Vec<Case>),
 }
 
+/// The inputs of a run, drawn when they are asked for.
+pub struct Inputs {
+    source: Source,
+    /// The last ones that were drawn, number `i` in place `i` modulo their number.
+    drawn: Mutex<Vec<Option<(usize, Case)>>>,
+}
+
+/// Inputs kept for whoever asks for them next: more than a program has read and not answered, as a rule.
+const KEPT: usize = 1 << 13;
+/// Numbers of an input that is kept. To draw longer ones is little beside judging them.
+const SHORT: usize = 64;
+
 impl Inputs {
+    fn new(source: Source) -> Inputs {
+        Inputs {
+            source,
+            drawn: Mutex::default(),
+        }
+    }
+
     /// One case, or all of the method.
     pub fn of(
         method: &dyn Method,
         one: Option<Case>,
         settings: &Settings,
     ) -> Result<Arc<Inputs>, Failure> {
-        let inputs = match one {
-            Some(case) => Inputs::One(case),
-            None => Inputs::All(Cases::new(method, settings)),
-        };
+        let inputs = Inputs::new(match one {
+            Some(case) => Source::One(case),
+            None => Source::All(Cases::new(method, settings)),
+        });
         match inputs.len() {
             0 => Err(Failure::new("there are no cases to audit")),
             _ => Ok(Arc::new(inputs)),
         }
     }
 
+    /// Those of a shard.
+    pub fn dealt(cases: Cases, stride: Stride) -> Inputs {
+        Inputs::new(Source::Dealt(cases, stride))
+    }
+
+    /// These.
+    pub fn listed(cases: Vec<Case>) -> Inputs {
+        Inputs::new(Source::Listed(cases))
+    }
+
     pub fn len(&self) -> usize {
-        match self {
-            Inputs::All(cases) => cases.len(),
-            Inputs::Dealt(_, stride) => stride.len() as usize,
-            Inputs::One(_) => 1,
-            Inputs::Listed(cases) => cases.len(),
+        match &self.source {
+            Source::All(cases) => cases.len(),
+            Source::Dealt(_, stride) => stride.len() as usize,
+            Source::One(_) => 1,
+            Source::Listed(cases) => cases.len(),
         }
     }
 
     pub fn get(&self, i: usize) -> Case {
-        match self {
-            Inputs::All(cases) => cases.get(i),
-            Inputs::Dealt(cases, stride) => cases.get(stride.at(i as u64) as usize),
-            Inputs::One(case) => case.clone(),
-            Inputs::Listed(cases) => cases[i].clone(),
+        match &self.source {
+            Source::All(cases) => self.kept(i, || cases.get(i)),
+            Source::Dealt(cases, stride) => {
+                self.kept(i, || cases.get(stride.at(i as u64) as usize))
+            }
+            Source::One(case) => case.clone(),
+            Source::Listed(cases) => cases[i].clone(),
         }
+    }
+
+    /// Number `i` as it was drawn before, if it is still there.
+    fn kept(&self, i: usize, draw: impl Fn() -> Case) -> Case {
+        // Nobody panics with the lock held.
+        let lock = || self.drawn.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(Some((k, case))) = lock().get(i % KEPT)
+            && *k == i
+        {
+            return case.clone();
+        }
+        let case = draw();
+        if case.input.len() <= SHORT {
+            let mut drawn = lock();
+            drawn.resize(KEPT, None);
+            drawn[i % KEPT] = Some((i, case.clone()));
+        }
+        case
     }
 
     /// The region of the input of that number, and where the next begins.
     fn region_of(&self, i: usize) -> (&'static str, usize) {
-        match self {
-            Inputs::All(cases) => cases.region_of(i),
-            Inputs::Dealt(..) => (self.get(i).region, i + 1),
-            Inputs::One(case) => (case.region, 1),
-            Inputs::Listed(cases) => (cases[i].region, i + 1),
+        match &self.source {
+            Source::All(cases) => cases.region_of(i),
+            Source::Dealt(..) => (self.get(i).region, i + 1),
+            Source::One(case) => (case.region, 1),
+            Source::Listed(cases) => (cases[i].region, i + 1),
         }
     }
 }
@@ -321,4 +370,28 @@ fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: b
         }
     }
     let _ = out.flush();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::methods;
+
+    #[test]
+    fn inputs_that_are_kept_are_those_of_their_numbers() {
+        let settings = Settings {
+            cases_per_region: 1000,
+            ..Settings::default()
+        };
+        let method = methods::find("erf").unwrap();
+        let inputs = Inputs::of(&*method, None, &settings).unwrap();
+        let cases = Cases::new(&*method, &settings);
+        assert!(inputs.len() > KEPT + 5);
+        for i in [5, 6, 5, KEPT + 5, 5, KEPT + 5, KEPT + 6, 6] {
+            let (kept, drawn) = (inputs.get(i), cases.get(i));
+            assert_eq!(kept.region, drawn.region, "{i}");
+            let bits = |case: &Case| case.input.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(&kept), bits(&drawn), "{i}");
+        }
+    }
 }

@@ -117,7 +117,7 @@ impl Library {
 
 /// What a program says of itself before it answers a first input.
 fn header(command: &str) -> Header {
-    let one = Inputs::Listed(vec![case(vec![1.0, 1.0])]);
+    let one = Inputs::listed(vec![case(vec![1.0, 1.0])]);
     match Fed::start(command, &HOW, &Arc::new(one), 1) {
         Err(_) => Header::default(),
         Ok(mut fed) => {
@@ -147,7 +147,7 @@ const HOW: ProgramArgs = ProgramArgs {
 /// What the program answers; what does not come is unanswered.
 fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
     let listed = inputs.iter().map(|z| case(z.clone()));
-    let listed = Arc::new(Inputs::Listed(listed.collect()));
+    let listed = Arc::new(Inputs::listed(listed.collect()));
     let mut all = Vec::with_capacity(inputs.len());
     let trouble = match Fed::start(command, &HOW, &listed, inputs.len()) {
         Err(e) => Some(e.to_string()),

@@ -205,7 +205,7 @@ fn answers(
         decimal: program.decimal,
         binary: program.binary,
     };
-    let inputs = exec::Inputs::Dealt(cases, stride);
+    let inputs = exec::Inputs::dealt(cases, stride);
     let found = exec::gather(
         method,
         inputs,
