@@ -5,9 +5,9 @@ use crate::errors::value_error;
 use crate::facts::{proof, report_facts};
 use crate::pool::pool;
 use mechaudit::audit::{
-    CandidateReport, Case, CaseReport, Cases, Format, Layout, Limit, Method, MethodReport, Near,
+    CandidateReport, Case, CaseReport, Cases, Format, Judge, Layout, Limit, Method, MethodReport, Near,
     Origin, ReferenceAnswer, Reproduce, SampleBox, Sampling, Settings, SolverAnswer, Tally,
-    Uncertified, Variant, Verdict, answer_of, judge_case_briefly,
+    Uncertified, Variant, Verdict, answer_of,
 };
 use mechaudit::methods::Evaluable;
 use mechaudit::reference::{Ball, HexFloat};
@@ -328,14 +328,15 @@ impl Run {
             return Err(PyValueError::new_err("more answers than cases"));
         };
         let here = &*self;
-        let (variant, settings) = (here.variant()?, &here.settings);
+        let variant = here.variant()?;
+        let judge = Judge::new(&variant, &here.settings);
         let threads = pool()?;
         let judged: Vec<CaseReport> = py.detach(|| {
             threads.install(|| {
                 (start..end)
                     .into_par_iter()
                     .zip(answers)
-                    .map(|(i, answer)| judge_case_briefly(&variant, here.case(i), answer, settings))
+                    .map(|(i, answer)| judge.judge(here.case(i), answer, false))
                     .collect()
             })
         });

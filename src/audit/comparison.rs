@@ -2,8 +2,9 @@
 
 use super::answer::SolverAnswer;
 use super::case::{Case, Cases};
-use super::judged::{CaseReport, Referee};
+use super::judged::CaseReport;
 use super::method::Method;
+use super::referee::Judge;
 use super::report::{CandidateReport, MethodReport, RegionReport};
 use super::settings::Settings;
 use super::tally::Tally;
@@ -175,10 +176,11 @@ pub fn judge_together(
     cases: Vec<(Case, Vec<Option<SolverAnswer>>)>,
     tallies: &mut [Tally],
 ) {
+    let judge = Judge::new(method, settings);
     let judged: Vec<Vec<Option<CaseReport>>> = cases
         .into_par_iter()
         .map(|(case, answers)| {
-            let mut referee = Referee::new(method, case, settings);
+            let mut referee = judge.referee(case);
             let answers = answers.into_iter();
             answers
                 .map(|a| a.map(|a| referee.judge(a, false)))

@@ -1,5 +1,7 @@
 //! Hexadecimal floats as in C99.
 
+use std::fmt::{self, Display, Formatter, Write};
+
 /// A float in C's `%a` form, exact.
 ///
 /// ```
@@ -8,28 +10,46 @@
 /// assert_eq!(hex_float(1.0), "0x1p+0");
 /// ```
 pub fn hex_float(x: f64) -> String {
-    if x.is_nan() {
-        return "nan".into();
+    let mut text = String::with_capacity(24);
+    write_hex_float(&mut text, x);
+    text
+}
+
+/// [`hex_float`] at the end of a text.
+pub fn write_hex_float(text: &mut String, x: f64) {
+    // A string takes everything.
+    let _ = write!(text, "{}", HexFloat(x));
+}
+
+struct HexFloat(f64);
+
+impl Display for HexFloat {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        let x = self.0;
+        if x.is_nan() {
+            return to.write_str("nan");
+        }
+        if x.is_sign_negative() {
+            to.write_char('-')?;
+        }
+        if x.is_infinite() {
+            return to.write_str("inf");
+        }
+        let bits = x.to_bits();
+        let (exponent, fraction) = ((bits >> 52) as i32 & 0x7ff, bits & ((1 << 52) - 1));
+        let (lead, e) = match exponent {
+            0 if fraction == 0 => (0, 0),
+            0 => (0, -1022),
+            _ => (1, exponent - 1023),
+        };
+        write!(to, "0x{lead}")?;
+        if fraction != 0 {
+            let zeros = fraction.trailing_zeros() / 4;
+            let digits = 13 - zeros as usize;
+            write!(to, ".{:0digits$x}", fraction >> (4 * zeros))?;
+        }
+        write!(to, "p{e:+}")
     }
-    let sign = if x.is_sign_negative() { "-" } else { "" };
-    if x.is_infinite() {
-        return format!("{sign}inf");
-    }
-    if x == 0.0 {
-        return format!("{sign}0x0p+0");
-    }
-    let bits = x.to_bits();
-    let exponent = ((bits >> 52) & 0x7ff) as i32;
-    let fraction = bits & ((1 << 52) - 1);
-    let (lead, e) = if exponent == 0 {
-        (0, -1022)
-    } else {
-        (1, exponent - 1023)
-    };
-    let digits = format!("{fraction:013x}");
-    let digits = digits.trim_end_matches('0');
-    let point = if digits.is_empty() { "" } else { "." };
-    format!("{sign}0x{lead}{point}{digits}p{e:+}")
 }
 
 #[cfg(test)]
@@ -39,6 +59,8 @@ mod tests {
     #[test]
     fn hex_floats() {
         assert_eq!(hex_float(0.1), "0x1.999999999999ap-4");
+        assert_eq!(hex_float(1.0625), "0x1.1p+0");
+        assert_eq!(hex_float(1.0 + 2f64.powi(-9)), "0x1.008p+0");
         assert_eq!(hex_float(f64::MAX), "0x1.fffffffffffffp+1023");
         assert_eq!(hex_float(f64::from_bits(1)), "0x0.0000000000001p-1022");
         assert_eq!(hex_float(-0.0), "-0x0p+0");

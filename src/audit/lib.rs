@@ -25,11 +25,13 @@ mod maps;
 mod method;
 mod nearest;
 mod no_such;
+mod panel;
 mod parts;
 #[cfg(test)]
 mod planted;
 mod printed;
 mod ranking;
+mod referee;
 mod region_tally;
 mod report;
 mod run;
@@ -52,10 +54,10 @@ pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport,
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
-pub use hex_float::hex_float;
+pub use hex_float::{hex_float, write_hex_float};
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm};
-pub use judged::{CaseReport, Referee, answer_of, audit_case, judge_case, judge_case_briefly};
+pub use judged::{CaseReport, answer_of, audit_case, judge_case, judge_case_briefly};
 pub use kind::{Kind, Kinds};
 pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};
@@ -64,8 +66,10 @@ pub use method::{
 };
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
+pub use panel::Panel;
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
+pub use referee::{Judge, Referee};
 pub use report::{
     CandidateReport, LawReport, MethodReport, Octave, OutputBudget, OutputStatistics, Point,
     RegionReport, Reproduce,

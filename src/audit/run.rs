@@ -2,18 +2,15 @@
 
 use super::answer::SolverAnswer;
 use super::case::{Case, Cases};
-use super::judged::{answer_of, judge_case, judge_case_briefly};
+use super::judged::{answer_of, judge_case};
 use super::maps::error_map;
 use super::method::Method;
+use super::panel::Panel;
 use super::parts::error_parts;
 use super::report::MethodReport;
 use super::settings::Settings;
 use super::tally::Tally;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
-
-/// Cases judged side by side before they are counted.
-const CHUNK: usize = 1024;
 
 /// Audits a method over its whole domain, on all cores. `progress` is called once for each case, and
 /// for each point of its map.
@@ -34,31 +31,13 @@ pub fn audit_method_until(
     stop: &AtomicBool,
 ) -> MethodReport {
     let cases = Cases::new(method, settings);
-    let laws = method.laws();
-    let mut tally = Tally::new(method, settings);
-    for start in (0..cases.len()).step_by(CHUNK) {
-        let end = cases.len().min(start + CHUNK);
-        let judged: Vec<_> = (start..end)
-            .into_par_iter()
-            .filter(|_| !stop.load(Ordering::Relaxed))
-            .map(|i| {
-                let case = cases.get(i);
-                let answer = answer_of(method, &case.input);
-                let report = judge_case_briefly(method, case, answer, settings);
-                let held = laws.iter().map(|l| (l.residual)(&report.case.input));
-                let residuals: Vec<Option<f64>> = held.collect();
-                progress();
-                (report, residuals)
-            })
-            .collect();
-        for (report, residuals) in judged {
-            tally.laws(&report.case, &residuals);
-            tally.add(&report);
-        }
-        if stop.load(Ordering::Relaxed) {
-            tally.interrupt();
-            break;
-        }
+    let panel = Panel::new(method, settings);
+    let case = |i: u64| cases.get(i as usize);
+    let tick = |judged: u64| (0..judged).for_each(|_| progress());
+    let whole = panel.audit(cases.len() as u64, &case, &tick, stop);
+    let mut tally = panel.into_tally();
+    if !whole {
+        tally.interrupt();
     }
     let mut map = None;
     if settings.maps && !tally.is_interrupted() {

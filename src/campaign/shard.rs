@@ -4,15 +4,11 @@ use super::deal::{Deal, Stride};
 use super::hunts::HuntTally;
 use super::plan::{Kind, Part, Plan, Program};
 use crate::audit::{
-    Cases, HuntSettings, Method, Settings, StoredTally, Tally, answer_of, hunt_until,
-    judge_case_briefly,
+    Cases, HuntSettings, Method, Panel, Settings, StoredTally, Tally, hunt_until,
 };
 use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-
-/// Cases that a thread takes at a time.
-const TAKEN: u64 = 64;
 
 /// A program as it called itself.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -54,16 +50,9 @@ pub struct ShardError {
     pub why: String,
 }
 
-/// Judges a program at some of the cases into the tally: gives who it was, nothing if it was stopped, or
+/// Judges a program at some of the cases on the panel: gives who it was, nothing if it was stopped, or
 /// why not every case has an answer. `progress` is told of cases judged.
-pub type Answering<'a> = dyn Fn(
-        &Program,
-        &dyn Method,
-        (Cases, Stride),
-        &Settings,
-        &mut Tally,
-        &(dyn Fn(u64) + Sync),
-    ) -> Result<Option<Who>, String>
+pub type Answering<'a> = dyn Fn(&Program, (Cases, Stride), &Panel, &(dyn Fn(u64) + Sync)) -> Result<Option<Who>, String>
     + Sync
     + 'a;
 
@@ -87,14 +76,14 @@ pub fn run(
         let settings = part.settings();
         let content = match (part.kind, &part.program) {
             (Kind::Candidate, Some(program)) => {
-                let mut tally = Tally::lean(&variant, &settings);
+                let panel = Panel::lean(&variant, &settings);
                 let cases = (Cases::new(&variant, &settings), stride);
-                let judged = || programs(program, &variant, cases, &settings, &mut tally, progress);
+                let judged = || programs(program, cases, &panel, progress);
                 let who = match stride.is_empty() {
                     true => None,
                     false => pool.install(judged).map_err(bad)?,
                 };
-                PartContent::Candidate(tally.stored(), who)
+                PartContent::Candidate(panel.into_tally().stored(), who)
             }
             (Kind::Hunt, _) => {
                 let hunts = || hunts(&variant, part, stride, progress, stop);
@@ -113,7 +102,6 @@ pub fn run(
     Ok(Some(Content { parts }))
 }
 
-/// Each thread has a tally of its own: how cases fall to threads does not show in the sum.
 fn audit(
     method: &dyn Method,
     settings: &Settings,
@@ -123,37 +111,10 @@ fn audit(
     stop: &AtomicBool,
 ) -> Tally {
     let cases = Cases::new(method, settings);
-    let laws = method.laws();
-    let next = AtomicU64::new(0);
-    let one = |tally: &mut Tally, i: u64| {
-        let case = cases.get(i as usize);
-        let answer = answer_of(method, &case.input);
-        let report = judge_case_briefly(method, case, answer, settings);
-        let residuals = laws.iter().map(|l| (l.residual)(&report.case.input));
-        let residuals: Vec<Option<f64>> = residuals.collect();
-        tally.laws(&report.case, &residuals);
-        tally.add(&report);
-    };
-    let tallies = pool.broadcast(|_| {
-        let mut tally = Tally::lean(method, settings);
-        loop {
-            let from = next.fetch_add(TAKEN, Ordering::Relaxed);
-            let end = stride.len().min(from.saturating_add(TAKEN));
-            if from >= end {
-                return tally;
-            }
-            for j in from..end {
-                if stop.load(Ordering::Relaxed) {
-                    return tally;
-                }
-                one(&mut tally, stride.at(j));
-            }
-            progress(end - from);
-        }
-    });
-    let mut sum = Tally::lean(method, settings);
-    tallies.into_iter().for_each(|t| sum.merge(t));
-    sum
+    let panel = Panel::lean(method, settings);
+    let case = |j: u64| cases.get(stride.at(j) as usize);
+    pool.install(|| panel.audit(stride.len(), &case, progress, stop));
+    panel.into_tally()
 }
 
 fn hunts(

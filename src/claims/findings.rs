@@ -3,7 +3,7 @@
 use super::code;
 use super::decide::Subject;
 use super::{at, rounded};
-use crate::audit::{Limit, Referee, Settings, SolverAnswer, Variant};
+use crate::audit::{Judge, Limit, Settings, SolverAnswer, Variant};
 use serde::Serialize;
 
 /// A finding.
@@ -170,8 +170,8 @@ fn found((name, used_by, z, part): &Where) -> Option<Finding> {
         }
         other => other,
     };
-    let mut referee = Referee::new(&variant, at(method.name(), z), &settings);
-    let report = referee.judge(answer, true);
+    let judge = Judge::new(&variant, &settings);
+    let report = judge.judge(at(method.name(), z), answer, true);
     let due = report.reference.get(*part)?.clone()?;
     let error = report.judgement.components.get(*part)?.of_budget * 1e-300;
     let error = error.is_finite().then(|| rounded(error));

@@ -3,7 +3,7 @@
 use super::code::Code;
 use super::whole::Effort;
 use super::{WHOLE, at, regions};
-use crate::audit::{Draw, Format, Limit, Method, Referee, Settings, SolverAnswer, Variant};
+use crate::audit::{Draw, Format, Limit, Method, Judge, Settings, SolverAnswer, Variant};
 use crate::methods::find;
 use mechaudit_atlas::Parts;
 use rayon::prelude::*;
@@ -93,7 +93,8 @@ pub fn errors(
 ) -> Vec<[f64; 2]> {
     let settings = Settings::default();
     let unit = 2f64.powi(-(variant.format().precision() as i32));
-    let mut referee = Referee::new(variant, at("faddeeva", input), &settings);
+    let judge = Judge::new(variant, &settings);
+    let mut referee = judge.referee(at("faddeeva", input));
     answers
         .map(|answer| {
             let Some(answer) = answer else {

@@ -292,6 +292,9 @@ def _client(distributed: Any, address: str | None, local: int | None) -> Any:
     scheduler = "distributed.scheduler"
     dask.config.set({f"{scheduler}.allowed-failures": TRIALS - 1, f"{scheduler}.worker-saturation": 1.0})
     if address is None:
+        # A worker waits for a process: there is nothing to profile in it, and its memory need not be watched closely.
+        worker = "distributed.worker"
+        dask.config.set({f"{worker}.profile.enabled": False, f"{worker}.memory.monitor-interval": "1s"})
         cluster = distributed.LocalCluster(n_workers=local, threads_per_worker=1, dashboard_address=":0")
         return distributed.Client(cluster)
     if Path(address).is_file():

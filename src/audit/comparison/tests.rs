@@ -12,7 +12,7 @@ fn judged(region: &'static str, index: u64, ulps: Option<u64>) -> CaseReport {
         ..case(index, &[1.0])
     };
     let answer = SolverAnswer::Values(vec![got]);
-    Referee::new(&Planted::default(), case, &Settings::default()).judge_last(answer, false)
+    Judge::new(&Planted::default(), &Settings::default()).judge(case, answer, false)
 }
 
 fn report(name: Option<&str>, all: &[CaseReport]) -> MethodReport {
@@ -163,7 +163,8 @@ fn what_the_reference_leaves_open_is_wrong() {
         let answer = SolverAnswer::Values(vec![x]);
         let referee = method(failed);
         let settings = Settings::default();
-        let referee = Referee::new(&referee, case(index, &[x]), &settings);
+        let judge = Judge::new(&referee, &settings);
+        let referee = judge.referee(case(index, &[x]));
         referee.judge_last(answer, false)
     };
     let open = at(false, 2.0, 0);
@@ -195,7 +196,8 @@ fn the_worst_output_counts() {
     let mut tally = Tally::new(&method, &settings);
     for (i, [x, y]) in [[4, 0], [0, 5], [0, 0], [0, 0]].into_iter().enumerate() {
         let answer = SolverAnswer::Values(vec![off(1.0, x), off(1.0, y)]);
-        let referee = Referee::new(&method, case(i as u64, &[1.0]), &settings);
+        let judge = Judge::new(&method, &settings);
+        let referee = judge.referee(case(i as u64, &[1.0]));
         tally.add(&referee.judge_last(answer, false));
     }
     let found = compared(vec![tally.finish(&method)]);

@@ -5,7 +5,8 @@ use crate::cli::commands::audit::written::POINTS;
 use crate::cli::commands::audit::{find, settings};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
-use crate::cli::process::exec::{End, Fed, Inputs, unanswered};
+use crate::cli::process::exec::{End, Fed, unanswered};
+use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt;
 use crate::cli::progress::Progress;
 use crate::cli::scope;
@@ -133,16 +134,18 @@ fn judged(
     let progress = Progress::new();
     for from in (0..total).step_by(BATCH) {
         let to = total.min(from + BATCH);
-        let mut cases: Vec<(Case, Vec<Option<SolverAnswer>>)> =
-            (from..to).map(|i| (inputs.get(i), Vec::new())).collect();
+        let mut answers: Vec<Vec<Option<SolverAnswer>>> = vec![Vec::new(); to - from];
         for (program, end) in programs.iter_mut().zip(&mut ends) {
             let mut batch = Vec::new();
             if end.is_none() {
                 *end = program.collect(to - from, &mut batch);
             }
-            let mut answers = batch.into_iter();
-            cases.iter_mut().for_each(|c| c.1.push(answers.next()));
+            let mut batch = batch.into_iter();
+            answers.iter_mut().for_each(|a| a.push(batch.next()));
         }
+        // The programs have been shown them by now.
+        let cases = (from..to).map(|i| inputs.take(i));
+        let mut cases: Vec<(Case, _)> = cases.zip(answers).collect();
         if ours > 0 {
             cases
                 .par_iter_mut()
@@ -217,7 +220,7 @@ fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<S
 fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
     let n = inputs.len().min(BATCH);
     let all: Vec<Vec<f64>> = (0..n)
-        .map(|k| inputs.get(k * inputs.len() / n).input)
+        .map(|k| inputs.show(k * inputs.len() / n).input)
         .collect();
     let round = || {
         let start = Instant::now();

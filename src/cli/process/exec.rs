@@ -1,131 +1,26 @@
 //! Programs under audit: they read inputs and write answers.
 //!
 //! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers are
-//! judged batch by batch, those of several programs to a case together. Inputs are drawn when they are needed;
-//! the last ones are kept, so that nothing grows with their number and few are drawn twice.
+//! judged batch by batch, those of several programs to a case together.
 
 use crate::cli::answers::{Answers, Form, Header, Next};
 use crate::cli::args::ProgramArgs;
 use crate::cli::failure::Failure;
 use crate::cli::process::candidate::{BATCH, judge_batch};
+use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt::POLL;
 use crate::cli::process::program::Program;
 use crate::cli::process::{frames, wire};
 use crate::cli::progress::Progress;
 use mechaudit::audit::{
-    CandidateReport, Case, Cases, Method, MethodReport, Settings, SolverAnswer, Tally, judge_case,
+    CandidateReport, Case, Method, MethodReport, Panel, Settings, SolverAnswer, Tally, judge_case,
 };
-use mechaudit::campaign::Stride;
 use std::cell::Cell;
 use std::io::{BufWriter, Write};
 use std::process::ChildStdin;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// Where the inputs of a run come from.
-enum Source {
-    All(Cases),
-    /// Those of a shard.
-    Dealt(Cases, Stride),
-    One(Case),
-    Listed(Vec<Case>),
-}
-
-/// The inputs of a run, drawn when they are asked for.
-pub struct Inputs {
-    source: Source,
-    /// The last ones that were drawn, number `i` in place `i` modulo their number.
-    drawn: Mutex<Vec<Option<(usize, Case)>>>,
-}
-
-/// Inputs kept for whoever asks for them next: more than a program has read and not answered, as a rule.
-const KEPT: usize = 1 << 13;
-/// Numbers of an input that is kept. To draw longer ones is little beside judging them.
-const SHORT: usize = 64;
-
-impl Inputs {
-    fn new(source: Source) -> Inputs {
-        Inputs {
-            source,
-            drawn: Mutex::default(),
-        }
-    }
-
-    /// One case, or all of the method.
-    pub fn of(
-        method: &dyn Method,
-        one: Option<Case>,
-        settings: &Settings,
-    ) -> Result<Arc<Inputs>, Failure> {
-        let inputs = Inputs::new(match one {
-            Some(case) => Source::One(case),
-            None => Source::All(Cases::new(method, settings)),
-        });
-        match inputs.len() {
-            0 => Err(Failure::new("there are no cases to audit")),
-            _ => Ok(Arc::new(inputs)),
-        }
-    }
-
-    /// Those of a shard.
-    pub fn dealt(cases: Cases, stride: Stride) -> Inputs {
-        Inputs::new(Source::Dealt(cases, stride))
-    }
-
-    /// These.
-    pub fn listed(cases: Vec<Case>) -> Inputs {
-        Inputs::new(Source::Listed(cases))
-    }
-
-    pub fn len(&self) -> usize {
-        match &self.source {
-            Source::All(cases) => cases.len(),
-            Source::Dealt(_, stride) => stride.len() as usize,
-            Source::One(_) => 1,
-            Source::Listed(cases) => cases.len(),
-        }
-    }
-
-    pub fn get(&self, i: usize) -> Case {
-        match &self.source {
-            Source::All(cases) => self.kept(i, || cases.get(i)),
-            Source::Dealt(cases, stride) => {
-                self.kept(i, || cases.get(stride.at(i as u64) as usize))
-            }
-            Source::One(case) => case.clone(),
-            Source::Listed(cases) => cases[i].clone(),
-        }
-    }
-
-    /// Number `i` as it was drawn before, if it is still there.
-    fn kept(&self, i: usize, draw: impl Fn() -> Case) -> Case {
-        // Nobody panics with the lock held.
-        let lock = || self.drawn.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(Some((k, case))) = lock().get(i % KEPT)
-            && *k == i
-        {
-            return case.clone();
-        }
-        let case = draw();
-        if case.input.len() <= SHORT {
-            let mut drawn = lock();
-            drawn.resize(KEPT, None);
-            drawn[i % KEPT] = Some((i, case.clone()));
-        }
-        case
-    }
-
-    /// The region of the input of that number, and where the next begins.
-    fn region_of(&self, i: usize) -> (&'static str, usize) {
-        match &self.source {
-            Source::All(cases) => cases.region_of(i),
-            Source::Dealt(..) => (self.get(i).region, i + 1),
-            Source::One(case) => (case.region, 1),
-            Source::Listed(cases) => (cases[i].region, i + 1),
-        }
-    }
-}
 
 /// A program that is fed so many inputs, from the first to the last and round again.
 pub struct Fed {
@@ -248,17 +143,17 @@ pub fn audit(
     let inputs = Inputs::of(method, one, settings)?;
     let total = inputs.len();
     let mut fed = Fed::start(command, program, &inputs, total)?;
-    let mut tally = Tally::new(method, settings);
+    let panel = Panel::new(method, settings);
     let progress = Progress::new();
     let show = |answered| progress.show(method.name(), answered, total as u64);
-    let end = judged(&mut fed, &inputs, (method, settings), &mut tally, &show);
+    let end = judged(&mut fed, &inputs, &panel, &show);
     drop(progress);
+    let mut tally = panel.into_tally();
     if let End::Interrupted = end {
         tally.interrupt();
     }
-    let interrupted = tally.is_interrupted();
     let trouble = fed.end(end);
-    if let (Some(why), false) = (&trouble, interrupted) {
+    if let (Some(why), false) = (&trouble, tally.is_interrupted()) {
         unanswered(method, settings, &inputs, fed.answered(), why, &mut tally);
     }
     let mut report = tally.finish(method);
@@ -266,32 +161,30 @@ pub fn audit(
     Ok(report)
 }
 
-/// Audits a program at the inputs of a shard into a tally; its report names what went wrong, and nothing is
-/// counted in place of answers that did not come. `progress` is told of cases judged.
+/// Audits a program at the inputs of a shard on a panel; its report names what went wrong, and nothing is
+/// counted in place of answers that did not come; no report if the user asked to stop. `progress` is told of cases judged.
 pub fn gather(
-    method: &dyn Method,
+    panel: &Panel,
     inputs: Inputs,
     command: &str,
     program: &ProgramArgs,
-    settings: &Settings,
-    tally: &mut Tally,
     progress: &(dyn Fn(u64) + Sync),
-) -> Result<CandidateReport, Failure> {
+) -> Result<Option<CandidateReport>, Failure> {
     let inputs = Arc::new(inputs);
     let mut fed = Fed::start(command, program, &inputs, inputs.len())?;
     let told = Cell::new(0);
     let show = |answered| progress(answered - told.replace(answered));
-    let end = judged(&mut fed, &inputs, (method, settings), tally, &show);
+    let end = judged(&mut fed, &inputs, panel, &show);
+    let stopped = matches!(end, End::Interrupted);
     let trouble = fed.end(end);
-    Ok(fed.report(trouble))
+    Ok((!stopped).then(|| fed.report(trouble)))
 }
 
 /// Judges answers until there are no more; says why not. `show` is told how many there were.
 fn judged(
     fed: &mut Fed,
     inputs: &Inputs,
-    (method, settings): (&dyn Method, &Settings),
-    tally: &mut Tally,
+    panel: &Panel,
     show: &dyn Fn(u64),
 ) -> End {
     loop {
@@ -302,12 +195,12 @@ fn judged(
             due => fed.collect(due.min(BATCH), &mut batch),
         };
         let cases = batch.into_iter().enumerate();
-        let pairs: Vec<_> = cases.map(|(k, a)| (inputs.get(from + k), a)).collect();
-        judge_batch(method, settings, pairs, tally);
+        let pairs: Vec<_> = cases.map(|(k, a)| (inputs.take(from + k), a)).collect();
+        let whole = judge_batch(panel, pairs);
         show(fed.answered() as u64);
         match end {
+            _ if !whole => return End::Interrupted,
             Some(end) => return end,
-            None if tally.is_interrupted() => return End::Interrupted,
             None => {}
         }
     }
@@ -326,7 +219,7 @@ pub fn unanswered(
     if from >= inputs.len() {
         return;
     }
-    let first = inputs.get(from);
+    let first = inputs.take(from);
     let answer = SolverAnswer::Unanswered(why.into());
     tally.add(&judge_case(method, first, answer, settings));
     let mut at = from + 1;
@@ -354,11 +247,16 @@ pub enum End {
 /// Writes so many inputs; a program that reads no more is noticed by its silence or its end.
 fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: bool) {
     let mut out = BufWriter::with_capacity(1 << 16, stdin);
-    let mut frame = Vec::new();
+    let (mut line, mut frame) = (String::new(), Vec::new());
     for i in 0..total {
-        let case = inputs.get(i % inputs.len());
+        let case = inputs.show(i % inputs.len());
         let written = match form {
-            Form::Lines => writeln!(out, "{}", wire::line(&case.input, decimal)),
+            Form::Lines => {
+                line.clear();
+                wire::write(&mut line, &case.input, decimal);
+                line.push('\n');
+                out.write_all(line.as_bytes())
+            }
             Form::Frames => {
                 frame.clear();
                 frames::encode(&case.input, &mut frame);
@@ -370,28 +268,4 @@ fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: b
         }
     }
     let _ = out.flush();
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use mechaudit::methods;
-
-    #[test]
-    fn inputs_that_are_kept_are_those_of_their_numbers() {
-        let settings = Settings {
-            cases_per_region: 1000,
-            ..Settings::default()
-        };
-        let method = methods::find("erf").unwrap();
-        let inputs = Inputs::of(&*method, None, &settings).unwrap();
-        let cases = Cases::new(&*method, &settings);
-        assert!(inputs.len() > KEPT + 5);
-        for i in [5, 6, 5, KEPT + 5, 5, KEPT + 5, KEPT + 6, 6] {
-            let (kept, drawn) = (inputs.get(i), cases.get(i));
-            assert_eq!(kept.region, drawn.region, "{i}");
-            let bits = |case: &Case| case.input.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-            assert_eq!(bits(&kept), bits(&drawn), "{i}");
-        }
-    }
 }

@@ -6,6 +6,7 @@ pub mod exec;
 pub mod frames;
 #[cfg(unix)]
 pub mod guard;
+pub mod inputs;
 pub mod interrupt;
 pub mod program;
 pub mod wire;

@@ -3,7 +3,7 @@
 use crate::cli::failure::{Failure, chain};
 use crate::cli::number::{Number, NumberError};
 use crate::cli::process::bounded::size;
-use mechaudit::audit::{SolverAnswer, hex_float};
+use mechaudit::audit::{SolverAnswer, write_hex_float};
 use std::io::{BufRead, BufReader, Read};
 
 /// The longest line of an input, an answer or a table.
@@ -175,13 +175,23 @@ pub fn numbers(text: &str) -> Result<Vec<f64>, LineError> {
 
 /// An input as a line: hexadecimal floats, or decimals that read back as the same numbers.
 pub fn line(input: &[f64], decimal: bool) -> String {
-    let field = |x: &f64| match decimal {
-        true if x.is_nan() => "nan".into(),
-        true => format!("{x:?}"),
-        false => hex_float(*x),
-    };
-    let fields: Vec<String> = input.iter().map(field).collect();
-    fields.join(",")
+    let mut line = String::new();
+    write(&mut line, input, decimal);
+    line
+}
+
+/// [`line`] at the end of a text.
+pub fn write(text: &mut String, input: &[f64], decimal: bool) {
+    for (k, x) in input.iter().enumerate() {
+        if k > 0 {
+            text.push(',');
+        }
+        match decimal {
+            true if x.is_nan() => text.push_str("nan"),
+            true => text.push_str(&format!("{x:?}")),
+            false => write_hex_float(text, *x),
+        }
+    }
 }
 
 #[cfg(test)]

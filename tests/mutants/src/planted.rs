@@ -2,14 +2,16 @@
 
 use crate::mutate::{Kind, Place};
 use crate::render::Mutant;
-use crate::tests_run::{Ended, LONGEST, names, run};
+use crate::tests_run::{Ended, LONGEST, limit, names, run};
 use crate::tree::Tree;
 use crate::{Source, compile};
 use anyhow::{Context, Result, bail};
+use rayon::prelude::*;
 use serde::Deserialize;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::fs;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// A condition on which a proof or a verdict rests.
 #[derive(Deserialize)]
@@ -58,27 +60,38 @@ fn of_package(project: &Path, work: &Path, package: &str, rows: &[&Row]) -> Resu
         bail!("{package} has {} test programs", executables.len());
     };
     let there: HashSet<String> = names(&folder, executable, &[])?.into_iter().collect();
-    let mut passing = HashSet::new();
-    let mut good = 0;
-    for (n, row) in rows.iter().enumerate() {
+    let asked: BTreeSet<&str> = rows.iter().map(|row| row.test.as_str()).collect();
+    // What each test takes without a fault; nothing if it fails.
+    let sound = asked.into_par_iter().filter(|test| there.contains(*test));
+    let sound = sound.map(|test| {
+        let start = Instant::now();
+        let ended = run(&folder, executable, test, &[], LONGEST)?;
+        Ok((test, (ended == Ended::Passed).then(|| start.elapsed())))
+    });
+    let sound = sound.collect::<Result<BTreeMap<&str, Option<Duration>>>>()?;
+    let noticed = rows.par_iter().enumerate().map(|(n, row)| {
         let place = format!("{}: {} → {}", row.file, row.code, row.fault);
-        if !there.contains(&row.test) {
-            println!("{place}: there is no test {}", row.test);
-            continue;
-        }
-        let without = || run(&folder, executable, &row.test, &[], LONGEST);
-        if passing.insert(&row.test) && without()? != Ended::Passed {
-            println!("{} fails without any fault", row.test);
-            continue;
-        }
+        let takes = match sound.get(row.test.as_str()) {
+            Some(Some(takes)) => *takes,
+            Some(None) => {
+                println!("{} fails without any fault", row.test);
+                return Ok(false);
+            }
+            None => {
+                println!("{place}: there is no test {}", row.test);
+                return Ok(false);
+            }
+        };
         let number = n.to_string();
         let planted = [("MUTANT", number.as_str())];
-        match run(&folder, executable, &row.test, &planted, LONGEST)? {
-            Ended::Passed => println!("{place}: {} passes ({})", row.test, row.condition),
-            Ended::Failed | Ended::TimedOut => good += 1,
+        let ended = run(&folder, executable, &row.test, &planted, limit(takes))?;
+        if ended == Ended::Passed {
+            println!("{place}: {} passes ({})", row.test, row.condition);
         }
-    }
-    Ok(good)
+        Ok(ended != Ended::Passed)
+    });
+    let noticed = noticed.collect::<Result<Vec<bool>>>()?;
+    Ok(noticed.into_iter().filter(|n| *n).count())
 }
 
 /// The files with a place for each piece of code that is named.

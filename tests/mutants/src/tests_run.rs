@@ -44,6 +44,11 @@ const MORE: Duration = Duration::from_secs(3);
 /// No test without a mutant takes longer.
 pub const LONGEST: Duration = Duration::from_secs(600);
 
+/// The time that a test has with a mutant.
+pub fn limit(takes: Duration) -> Duration {
+    takes * SLOWER + MORE
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
     Passed,
@@ -181,14 +186,8 @@ impl Suite {
         let number = mutant.to_string();
         for i in order {
             let t = &self.tests[i];
-            let limit = t.takes * SLOWER + MORE;
-            match run(
-                folder,
-                &t.executable,
-                &t.name,
-                &[("MUTANT", &number)],
-                limit,
-            )? {
+            let mutant = [("MUTANT", number.as_str())];
+            match run(folder, &t.executable, &t.name, &mutant, limit(t.takes))? {
                 Ended::Passed => {}
                 Ended::Failed => {
                     t.catches.fetch_add(1, Ordering::Relaxed);

@@ -4,7 +4,7 @@ use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
 use crate::cli::terminal::width;
 use mechaudit::audit::{
-    Case, Limit, Method, Origin, Referee, Settings, SolverAnswer, Variant, hex_float,
+    Case, Judge, Limit, Method, Origin, Settings, SolverAnswer, Variant, hex_float,
 };
 use mechaudit::claims::{Algorithm, HartmannTran, Parts, Plane, Profile, answer};
 use mechaudit::methods;
@@ -93,7 +93,8 @@ fn table(
         input: at.to_vec(),
         origin: Origin::Given,
     };
-    let mut referee = Referee::new(&variant, case, &settings);
+    let judge = Judge::new(&variant, &settings);
+    let mut referee = judge.referee(case);
     let [re, im]: [&'static str; 2] = match name {
         "faddeeva" => ["Re W", "Im W"],
         _ => ["Re HT", "Im HT"],

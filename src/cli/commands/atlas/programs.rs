@@ -3,7 +3,8 @@
 use crate::cli::answers::Header;
 use crate::cli::args::{AtlasArgs, ProgramArgs};
 use crate::cli::failure::Failure;
-use crate::cli::process::exec::{Fed, Inputs};
+use crate::cli::process::exec::Fed;
+use crate::cli::process::inputs::Inputs;
 use mechaudit::audit::{Case, Origin, SolverAnswer};
 use mechaudit::claims::{Code, Missing, Parts, Plane};
 use std::process::{Command, Stdio};

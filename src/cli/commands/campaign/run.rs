@@ -5,9 +5,10 @@ use crate::cli::args::{CampaignRunArgs, ProgramArgs};
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
+use crate::cli::process::inputs::Inputs;
 use crate::cli::process::{exec, interrupt};
 use crate::cli::progress::Progress;
-use mechaudit::audit::{Cases, Method, Settings, Tally};
+use mechaudit::audit::{Cases, Panel};
 use mechaudit::campaign::{self, Program, Stride, Who};
 use mechaudit::report::words::numbers::count;
 use rayon::ThreadPool;
@@ -194,10 +195,8 @@ impl Run {
 /// Lets a program answer the cases of a shard.
 fn answers(
     program: &Program,
-    method: &dyn Method,
     (cases, stride): (Cases, Stride),
-    settings: &Settings,
-    tally: &mut Tally,
+    panel: &Panel,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Option<Who>, String> {
     let spoken = ProgramArgs {
@@ -205,19 +204,11 @@ fn answers(
         decimal: program.decimal,
         binary: program.binary,
     };
-    let inputs = exec::Inputs::dealt(cases, stride);
-    let found = exec::gather(
-        method,
-        inputs,
-        &program.exec,
-        &spoken,
-        settings,
-        tally,
-        progress,
-    );
+    let inputs = Inputs::dealt(cases, stride);
+    let found = exec::gather(panel, inputs, &program.exec, &spoken, progress);
     match found.map_err(|e| e.to_string())? {
-        _ if tally.is_interrupted() => Ok(None),
-        report => match report.trouble {
+        None => Ok(None),
+        Some(report) => match report.trouble {
             Some(why) => Err(why),
             None => Ok(Some(Who {
                 name: report.name,

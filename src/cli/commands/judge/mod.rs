@@ -14,7 +14,7 @@ use crate::cli::process::wire::{LONGEST, Line, Lines};
 use crate::cli::progress::Progress;
 use crate::cli::scope;
 use mechaudit::audit::{
-    CandidateReport, Case, Layout, Method, Origin, Reproduce, Settings, SolverAnswer, Tally,
+    CandidateReport, Case, Layout, Method, Origin, Panel, Reproduce, Settings, SolverAnswer,
     judge_case,
 };
 use std::fs::File;
@@ -45,7 +45,8 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let total = count(inputs_path);
     let mut values = Answers::of(reader(values_path)?, Form::Lines);
     let unreadable = |e| Failure::cannot("read", values_path, e);
-    let mut tally = Tally::new(&method, &settings);
+    let panel = Panel::new(&method, &settings);
+    let mut interrupted = false;
     let progress = Progress::new();
     let mut answered = 0u64;
     let mut batch = Vec::new();
@@ -56,7 +57,7 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             Next::Answer(answer) => answer,
             Next::Unreadable(e) => return Err(unreadable(e)),
             Next::Interrupted => {
-                tally.interrupt();
+                interrupted = true;
                 break;
             }
             Next::Closed | Next::Silent => {
@@ -70,14 +71,18 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             batch.push((case, answer));
         }
         if batch.len() == BATCH {
-            judge_batch(&method, &settings, std::mem::take(&mut batch), &mut tally);
+            interrupted = !judge_batch(&panel, std::mem::take(&mut batch));
             progress.show(method.name(), answered, total.unwrap_or(answered));
         }
-        if tally.is_interrupted() {
+        if interrupted {
             break;
         }
     }
-    judge_batch(&method, &settings, batch, &mut tally);
+    interrupted |= !judge_batch(&panel, batch);
+    let mut tally = panel.into_tally();
+    if interrupted {
+        tally.interrupt();
+    }
     let mut trouble = None;
     if tally.is_interrupted() {
         trouble = Some(format!("Interrupted after {answered} answers."));

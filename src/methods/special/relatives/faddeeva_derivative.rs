@@ -2,14 +2,14 @@
 
 use super::laws::{point, same_pair, within};
 use super::{C, Exact, NORM, Relative, Zeros, infinity, number, on_axis};
-use crate::audit::{Due, Law};
-use crate::methods::common::held;
-use crate::methods::special::faddeeva::curves::zero as zero_of_w;
+use crate::audit::{Draw, Due, Law, Region};
+use crate::methods::common::{held, region};
+use crate::methods::special::faddeeva::curves::{next_to, zero as zero_of_w};
 use crate::reference::ComplexBall;
 use crate::reference::faddeeva::{self, w_f64};
 use crate::solvers::faddeeva::{faddeeva as w, w_derivative};
 use rug::Rational;
-use std::f64::consts::FRAC_2_SQRT_PI;
+use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 use std::sync::OnceLock;
 
 /// Input `Re z, Im z`, output `Re W', Im W'`.
@@ -73,6 +73,15 @@ impl Relative for FaddeevaDerivative {
         [re, im]
     }
 
+    fn regions() -> Vec<Region> {
+        vec![region(
+            "zero-curve-beside-real-axis",
+            "next to the zero curve of Re W' at Re z = 6..27.3, Im z to -5e-324, within some of its places in Im z \
+             or off by a relative 1e-15..1e-1",
+            beside_flat_curve,
+        )]
+    }
+
     fn laws() -> Vec<Law> {
         vec![
             Law {
@@ -100,6 +109,25 @@ fn equation(input: &[f64]) -> Option<f64> {
     // 4 u of each value, 2 u of the product's rounding, 1 u of the sum's: no value has all of it.
     let rest = (product - C::new(0.0, FRAC_2_SQRT_PI)) + slope;
     within(rest, 7.0, slope.norm() + product.norm() + 1.0)
+}
+
+/// A point just below the real axis, next to the curve `2x e^{-x²} = |y| Im W″(x)` on which `Re W′ = 0`, with `Im W″`
+/// by its asymptotic series (DLMF 7.12.1, twice differentiated), whose terms fall down to `e^{-x²}`.
+fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
+    let x = d.uniform(6.0, 27.3);
+    let square = x * x;
+    let gaussian = libm::exp(-square) * (1.0 - x.mul_add(x, -square));
+    // (2n − 1)!!/2ⁿ (2n + 1)(2n + 2)/x²ⁿ⁺³, over √π.
+    let mut term = 2.0 / (PI.sqrt() * square * x);
+    let mut curved = 0.0;
+    for n in 0..36 {
+        curved += term;
+        let n = f64::from(n);
+        term *= (n + 0.5) * (2.0 * n + 3.0) * (2.0 * n + 4.0)
+            / ((2.0 * n + 1.0) * (2.0 * n + 2.0) * square);
+    }
+    let y = next_to(d, 2.0 * x * gaussian / curved, 1e-1);
+    vec![d.signed(x), -y]
 }
 
 /// The `f64` next to the zero of W' that Newton's method finds from the k-th zero of W.
@@ -131,6 +159,22 @@ fn refined([x, y]: [f64; 2]) -> Option<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of the points beside the flat curve half are so close that all but a few digits of Re W' cancel.
+    #[test]
+    fn points_beside_the_flat_curve() {
+        let mut close = 0;
+        for i in 0..200 {
+            let z = beside_flat_curve(&mut Draw::new(1, "m", "r", i));
+            let exact = [z[0], z[1]].map(|x| Rational::from_f64(x).unwrap());
+            let due = faddeeva::w_derivative(1, &exact[0], &exact[1], 60).unwrap();
+            let one = 4.0 * z[0] * libm::exp(-z[0] * z[0]);
+            let share = due.re.to_f64().abs() / one.abs();
+            assert!(share < 0.11 || one.abs() < 1e-300, "{z:?}: {share}");
+            close += usize::from(share < 1e-13);
+        }
+        assert!((60..140).contains(&close), "{close}");
+    }
 
     #[test]
     fn zeros_of_the_derivative_are_zeros() {

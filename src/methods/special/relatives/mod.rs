@@ -13,7 +13,7 @@ use super::branches::nearest;
 use super::faddeeva::{ComplexInput, asked, due};
 use crate::audit::{
     BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
-    ReferenceAnswer, Uncertified,
+    ReferenceAnswer, Region, Uncertified,
 };
 use crate::methods::common::output;
 use crate::methods::definition::{Definition, Registered};
@@ -91,6 +91,10 @@ pub trait Relative: Registered {
     fn laws() -> Vec<Law>;
     /// What is proved of the solver's error.
     fn proved() -> Vec<ProvedBound> {
+        Vec::new()
+    }
+    /// Regions of this function alone.
+    fn regions() -> Vec<Region> {
         Vec::new()
     }
     /// Where the solver's formulas meet next to `z`.

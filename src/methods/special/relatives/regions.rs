@@ -305,6 +305,7 @@ pub(super) fn all<F: Relative>() -> Vec<Region> {
             |d| near::<F>(d, (1, F::ZEROS.stored), 1e-17),
         ));
     }
+    regions.extend(F::regions());
     regions
 }
 

@@ -99,21 +99,21 @@ fn vanishing(Exact { a, b, lower, down }: Exact) -> (f64, f64) {
 pub(super) const UNDERFLOW: f64 = 28.0;
 const LINEAR: f64 = hex("0x1p-900");
 
-/// w′ at `a ± i b` where Re w′ is a sum of subnormal numbers, each of which is rounded once.
+/// w′ at `a ± i b` where the terms of Re w′ may be subnormal: they are added 2³⁰⁰ times as large, and the sum is
+/// rounded once. Below the axis they have opposite signs.
 #[cold]
 #[inline(never)]
 fn underflowing(a: f64, b: f64, lower: bool) -> (f64, f64) {
     const LIFT: f64 = hex("0x1p300");
     let (u, v) = far_derivative(a, b * LIFT);
     let (e, n) = exp_wide(exponent(a, 0.0));
-    let on_axis = times_power((e * Dd::from(-a)).value(), n + 1.0);
-    let off_axis = times_power(u.value(), ROUND - 300.0);
-    let re = if lower {
-        on_axis - off_axis
-    } else {
-        on_axis + off_axis
-    };
-    (re, v.value())
+    let on_axis = pair_times_power(e * Dd::from(-a), n + 301.0);
+    let re = if lower { on_axis - u } else { on_axis + u };
+    if cancelled(re, u) {
+        let down = 0.0;
+        return vanishing(Exact { a, b, lower, down });
+    }
+    (times_power(re.value(), ROUND - 300.0), v.value())
 }
 
 /// w′ at `a + i b` or `a − i b`, `|z| < 10¹⁰⁰`.

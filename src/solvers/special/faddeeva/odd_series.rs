@@ -11,16 +11,20 @@ use crate::real::Real;
 /// |z|² up to which the series here are used.
 pub(super) const REACH: f64 = 0.5;
 
-/// The coefficients, and what the second one, rounded, lacks.
-type Coefficients<const N: usize> = (&'static [f64; N], f64);
+/// The coefficients, and what `c₁` and `c₂`, rounded, lack.
+type Coefficients<const N: usize> = (&'static [f64; N], [f64; 2]);
 
 /// erf z = (2/√π) f(z).
-pub(super) const ERF: Coefficients<16> = (&ERF_TERMS, THIRD_LOW);
+pub(super) const ERF: Coefficients<16> = (&ERF_TERMS, [THIRD_LOW, TENTH_LOW]);
 /// Dawson's function.
-pub(super) const DAWSON: Coefficients<18> = (&DAWSON_TERMS, 2.0 * THIRD_LOW);
+pub(super) const DAWSON: Coefficients<18> = (&DAWSON_TERMS, [2.0 * THIRD_LOW, FOUR_FIFTEENTHS_LOW]);
 
 /// −1/3 minus its rounded value.
 pub(super) const THIRD_LOW: f64 = hex("-0x1.5555555555555p-56");
+
+/// 1/10 and 4/15 minus their rounded values.
+const TENTH_LOW: f64 = hex("-0x1.999999999999ap-58");
+const FOUR_FIFTEENTHS_LOW: f64 = hex("0x1.1111111111111p-58");
 
 /// `(−1)ⁿ/(n! (2n + 1))`: erf z = (2/√π) f(z) (DLMF 7.6.1).
 const ERF_TERMS: [f64; 16] = {
@@ -48,49 +52,56 @@ const DAWSON_TERMS: [f64; 18] = {
     c
 };
 
-/// `x (1 + c₁h + g)`
+/// The coefficient and what it lacks by a number in two parts.
 #[inline(always)]
-fn part(x: f64, c: [f64; 2], h: Dd, g: f64) -> Dd {
-    let p = two_prod(c[0], h.hi);
-    let s = fast_two_sum(1.0, p.hi);
-    let lo = c[0].mul_add(h.lo, c[1] * h.hi) + p.lo;
-    fast_two_sum(s.hi, s.lo + (lo + g)).mul_f(x)
+fn by((c, low): (f64, f64), x: Dd) -> Dd {
+    let p = two_prod(c, x.hi);
+    Dd::new(p.hi, c.mul_add(x.lo, low * x.hi) + p.lo)
 }
 
-/// Real and imaginary part of `f(x + i y)`; `low` is what `c[1]` lacks.
+/// Real and imaginary part of `f(x + i y)`. Where `Im f` is small beside `y` it is what three terms leave of one
+/// another: they are taken in double-double, the rest of the series in double precision.
 #[inline(always)]
-pub(super) fn odd<const N: usize>((c, low): (&[f64; N], f64), x: f64, y: f64) -> (Dd, Dd) {
+pub(super) fn odd<const N: usize>((c, low): (&[f64; N], [f64; 2]), x: f64, y: f64) -> (Dd, Dd) {
     let (xx, yy) = (two_prod(x, x), two_prod(y, y));
-    let r2 = xx.hi + yy.hi;
-    let t = r2 * r2;
-    let s = 2.0 * (x - y) * (x + y);
+    let (p, r) = (xx - yy, xx + yy);
+    let s = 2.0 * p.hi;
+    let t = r.hi * r.hi;
     let (mut b1, mut b2) = (c[N - 1], 0.0);
     let mut k = N - 1;
-    while k > 2 {
+    while k > 3 {
         k -= 1;
         let next = s.mul_add(b1, (-t).mul_add(b2, c[k]));
         b2 = b1;
         b1 = next;
     }
-    // c₁ + rest is the next one; the product with c₁ is kept apart.
-    let (rest, b2) = (s.mul_add(b1, -(t * b2)), b1);
+    // The next one is c₂ + second, and c₁ + sc₂ + first the one after it.
+    let second = s.mul_add(b1, -(t * b2));
+    let first = s.mul_add(second, -(t * b1));
+    // (x² + y²)² with its rounding errors.
+    let rr = two_prod(r.hi, r.hi);
+    let rr = Dd::new(rr.hi, (2.0 * r.hi).mul_add(r.lo, rr.lo));
     // x² − 3y² and 3x² − y².
     let triple = |a: Dd, b: Dd| {
         let p = two_prod(-3.0, a.hi);
         let s = two_sum(p.hi, b.hi);
         Dd::new(s.hi, s.lo + (p.lo + (-3.0f64).mul_add(a.lo, b.lo)))
     };
-    let (hu, hv) = (triple(yy, xx), -triple(xx, yy));
-    let first = [c[1], low];
-    (
-        part(x, first, hu, hu.hi.mul_add(rest, -(t * b2))),
-        part(y, first, hv, hv.hi.mul_add(rest, -(t * b2))),
-    )
+    // x (1 + c₁h + c₂(hs − t) + …) with the first, y likewise with the second of them.
+    let part = |x: f64, h: Dd| {
+        let hs = two_prod(h.hi, s);
+        let hs = Dd::new(hs.hi, h.lo.mul_add(s, 2.0 * (h.hi * p.lo)) + hs.lo);
+        let one = by((c[1], low[0]), h).add_f(1.0);
+        let two = by((c[2], low[1]), hs - rr);
+        let rest = h.hi.mul_add(first, -(t * second));
+        (one + two).add_f(rest).mul_f(x)
+    };
+    (part(x, triple(yy, xx)), part(y, -triple(xx, yy)))
 }
 
 /// `f(x)` on the real axis, |x| ≤ √½; the square's rounding error is made up for.
 #[inline(always)]
-pub(super) fn odd_real<R: Real, const N: usize>((c, low): (&[f64; N], f64), x: R) -> Dd<R> {
+pub(super) fn odd_real<R: Real, const N: usize>((c, low): (&[f64; N], [f64; 2]), x: R) -> Dd<R> {
     let like = |c: f64| x.like(c);
     let q = two_prod(x, x);
     let mut p = like(c[N - 1]);
@@ -101,7 +112,7 @@ pub(super) fn odd_real<R: Real, const N: usize>((c, low): (&[f64; N], f64), x: R
     }
     // c₁q with its rounding errors, then the rest.
     let first = two_prod(like(c[1]), q.hi);
-    let rest = first.lo + like(c[1]).fma(q.lo, like(low) * q.hi);
+    let rest = first.lo + like(c[1]).fma(q.lo, like(low[0]) * q.hi);
     let g = fast_two_sum(first.hi, (q.hi * q.hi).fma(p, rest));
     let h = fast_two_sum(like(1.0), g.hi);
     Dd::new(h.hi, h.lo + g.lo).mul_f(x)

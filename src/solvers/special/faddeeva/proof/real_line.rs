@@ -143,7 +143,7 @@ pub fn dawson_near<R: Real>(x: R) -> Pair<R> {
 /// The coefficients of the series of `(√π/2) erf x` and of Dawson's function, and what the second of them lacks.
 pub fn odd_series() -> [(&'static [f64], f64); 2] {
     let ((erf, p), (dawson, q)) = (odd_series::ERF, odd_series::DAWSON);
-    [(erf, p), (dawson, q)]
+    [(erf, p[0]), (dawson, q[0])]
 }
 
 /// 2/√π, √π/2 and 1/√π.

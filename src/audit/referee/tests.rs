@@ -3,7 +3,8 @@
 use super::*;
 use crate::Rows;
 use crate::planted::{Planted, case, off, output};
-use crate::{Case, Kind, ReferenceAnswer};
+use crate::judged::complete;
+use crate::{BranchAt, Kind, Limit, answer_of, audit_case, judge_case, judge_case_briefly};
 use mechaudit_reference::Ball;
 use rug::Float;
 use std::sync::Mutex;
@@ -63,7 +64,8 @@ fn references_are_computed_once_at_doubled_precision() {
         last_bits: 512,
         ..Settings::default()
     };
-    let mut referee = Referee::new(&method, case(0, &[1.0]), &settings);
+    let judge = Judge::new(&method, &settings);
+    let mut referee = judge.referee(case(0, &[1.0]));
     let judge = |referee: &mut Referee, got| {
         let report = referee.judge(values(&[got]), true);
         (report.judgement.verdict, report.bits, report.radii)
@@ -111,7 +113,8 @@ fn conditions_are_had_where_they_are_asked_for() {
             conditions,
             ..Settings::default()
         };
-        let mut referee = Referee::new(&method, case(0, &[input]), &settings);
+        let judge = Judge::new(&method, &settings);
+        let mut referee = judge.referee(case(0, &[input]));
         let due = if input.is_finite() { input } else { 1.0 };
         for _ in 0..2 {
             let report = referee.judge(values(&vec![due; limits.len()]), false);
@@ -167,7 +170,8 @@ fn digits_are_left_out_of_brief_passes_alone() {
         shown(&judge_case_briefly(&third, at(), wrong.clone(), &settings)),
         full
     );
-    let mut referee = Referee::new(&third, at(), &settings);
+    let judge = Judge::new(&third, &settings);
+    let mut referee = judge.referee(at());
     assert_eq!(shown(&referee.judge(right.clone(), true)), full);
     assert_eq!(shown(&referee.judge(right.clone(), false)), brief);
     assert_eq!(shown(&referee.judge_last(right, false)), brief);
@@ -249,7 +253,7 @@ fn a_completed_report_has_everything() {
         };
         let case = || case(7, &vec![1.5; numbers]);
         let answer = || values(&vec![1.5; limits.len()]);
-        let brief = Referee::new(&method, case(), &Settings::default()).judge(answer(), false);
+        let brief = Judge::new(&method, &Settings::default()).judge(case(), answer(), false);
         assert!(brief.reference.is_empty() && brief.branch.is_none());
         let report = complete(&method, brief, &settings);
         assert_eq!(report.case.input, case().input);

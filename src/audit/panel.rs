@@ -1,0 +1,153 @@
+//! Many cases judged on all cores.
+
+use super::answer::SolverAnswer;
+use super::case::Case;
+use super::judged::answer_of;
+use super::method::{Law, Method};
+use super::referee::Judge;
+use super::settings::Settings;
+use super::tally::Tally;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// Cases that a thread takes at a time, and brings through one stage after another: the code and the tables of a
+/// stage stay in the processor's caches from case to case.
+const BLOCK: u64 = 32;
+/// Blocks for each thread, so that none waits long for the last one.
+const BLOCKS: u64 = 8;
+
+/// Judges cases of a method on the threads of the current pool. Each thread counts in a tally of its own: how
+/// cases fall to threads does not show in the sum.
+pub struct Panel<'a> {
+    method: &'a dyn Method,
+    judge: Judge<'a>,
+    laws: Vec<Law>,
+    /// Nothing found yet.
+    empty: Tally,
+    /// Those that no thread is counting in.
+    tallies: Mutex<Vec<Tally>>,
+}
+
+impl<'a> Panel<'a> {
+    /// For reports.
+    pub fn new(method: &'a dyn Method, settings: &'a Settings) -> Panel<'a> {
+        Panel::counting_in(Tally::new(method, settings), method, settings)
+    }
+
+    /// For tallies that are stored, see [`Tally::lean`].
+    pub fn lean(method: &'a dyn Method, settings: &'a Settings) -> Panel<'a> {
+        Panel::counting_in(Tally::lean(method, settings), method, settings)
+    }
+
+    fn counting_in(empty: Tally, method: &'a dyn Method, settings: &'a Settings) -> Panel<'a> {
+        Panel {
+            method,
+            judge: Judge::new(method, settings),
+            laws: method.laws(),
+            empty,
+            tallies: Mutex::default(),
+        }
+    }
+
+    /// Counts in a tally that no other thread has.
+    fn counting(&self, count: impl FnOnce(&mut Tally)) {
+        // Nobody panics with the lock held.
+        let free = || self.tallies.lock().unwrap_or_else(PoisonError::into_inner);
+        let taken = free().pop();
+        let mut tally = taken.unwrap_or_else(|| self.empty.clone());
+        count(&mut tally);
+        free().push(tally);
+    }
+
+    /// Cases of a block where there are so many in all.
+    fn block(total: u64) -> u64 {
+        let blocks = BLOCKS * rayon::current_num_threads() as u64;
+        (total / blocks).clamp(1, BLOCK)
+    }
+
+    /// Judges the method's own solver at so many cases, with its laws, until `stop` is set; says whether it was
+    /// to the end. `progress` is told of cases judged.
+    pub fn audit(
+        &self,
+        total: u64,
+        case: &(dyn Fn(u64) -> Case + Sync),
+        progress: &(dyn Fn(u64) + Sync),
+        stop: &AtomicBool,
+    ) -> bool {
+        let block = Panel::block(total);
+        let judged = AtomicU64::new(0);
+        let go_on = || !stop.load(Ordering::Relaxed);
+        let one = |k: u64| {
+            let from = k * block;
+            let numbers = (from..total.min(from + block)).take_while(|_| go_on());
+            let cases: Vec<Case> = numbers.map(case).collect();
+            let answer = |c: &Case| answer_of(self.method, &c.input);
+            let answers = cases.iter().take_while(|_| go_on()).map(answer);
+            let answers: Vec<SolverAnswer> = answers.collect();
+            let answered = cases.into_iter().zip(answers);
+            let counted = self.count(answered, &go_on, progress, true);
+            judged.fetch_add(counted, Ordering::Relaxed);
+        };
+        (0..total.div_ceil(block)).into_par_iter().for_each(one);
+        judged.into_inner() == total
+    }
+
+    /// Judges answers that have come from elsewhere as long as `go_on` says so; says whether it was to the end.
+    pub fn judge(
+        &self,
+        answered: Vec<(Case, SolverAnswer)>,
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> bool {
+        let block = Panel::block(answered.len() as u64) as usize;
+        let whole = AtomicBool::new(true);
+        answered.into_par_iter().chunks(block).for_each(|block| {
+            let due = block.len() as u64;
+            if self.count(block.into_iter(), go_on, &|_| {}, false) < due {
+                whole.store(false, Ordering::Relaxed);
+            }
+        });
+        whole.into_inner()
+    }
+
+    /// Judges cases and counts them; says how many.
+    fn count(
+        &self,
+        answered: impl Iterator<Item = (Case, SolverAnswer)>,
+        go_on: &(dyn Fn() -> bool + Sync),
+        progress: &(dyn Fn(u64) + Sync),
+        with_laws: bool,
+    ) -> u64 {
+        let judged = answered.take_while(|_| go_on()).map(|(case, answer)| {
+            let report = self.judge.judge(case, answer, false);
+            progress(1);
+            report
+        });
+        let judged: Vec<_> = judged.collect();
+        let laws = if with_laws { &self.laws[..] } else { &[] };
+        let residuals = judged.iter().map(|report| {
+            let of = |law: &Law| (law.residual)(&report.case.input);
+            laws.iter().map(of).collect::<Vec<Option<f64>>>()
+        });
+        let residuals: Vec<_> = residuals.collect();
+        self.counting(|tally| {
+            for (report, residuals) in judged.iter().zip(&residuals) {
+                tally.laws(&report.case, residuals);
+                tally.add(report);
+            }
+        });
+        judged.len() as u64
+    }
+
+    /// What was found.
+    pub fn into_tally(self) -> Tally {
+        let tallies = self.tallies.into_inner();
+        let mut tallies = tallies.unwrap_or_else(PoisonError::into_inner).into_iter();
+        let mut sum = tallies.next().unwrap_or(self.empty);
+        tallies.for_each(|t| sum.merge(t));
+        sum
+    }
+}
+
+#[cfg(test)]
+mod tests;

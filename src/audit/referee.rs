@@ -1,0 +1,197 @@
+//! Answers against the reference, at the precision that decides.
+
+use super::answer::{Proof, ReferenceAnswer, SolverAnswer};
+use super::budget::NormBudget;
+use super::case::Case;
+use super::judge::{Judgement, Rules, Verdict, judge_by};
+use super::judged::CaseReport;
+use super::layout::Layout;
+use super::method::{Method, Output};
+use super::settings::Settings;
+use super::ulp::Format;
+use mechaudit_reference::Mag;
+use rug::Rational;
+
+/// Judges answers to a method's cases: what is the same for all of them is asked for once.
+pub struct Judge<'a> {
+    method: &'a dyn Method,
+    settings: &'a Settings,
+    outputs: Vec<Output>,
+    norm: Option<NormBudget>,
+    format: Format,
+    /// Whether a budget or the settings ask for condition numbers.
+    conditional: bool,
+}
+
+impl<'a> Judge<'a> {
+    /// For cases of this method.
+    pub fn new(method: &'a dyn Method, settings: &'a Settings) -> Judge<'a> {
+        let outputs = method.outputs();
+        let asked = |o: &Output| o.budget.limit.needs_conditions();
+        Judge {
+            conditional: settings.conditions || outputs.iter().any(asked),
+            norm: method.norm_budget(),
+            format: method.format(),
+            outputs,
+            method,
+            settings,
+        }
+    }
+
+    /// Judges the answer to a case; the precision doubles until that can be decided. Without `digits` the
+    /// reference's are left out where it passes: they cost as much as a judgement.
+    pub fn judge(&self, case: Case, answer: SolverAnswer, digits: bool) -> CaseReport {
+        self.referee(case).judge_last(answer, digits)
+    }
+
+    /// For several answers to one case.
+    pub fn referee(&self, case: Case) -> Referee<'_> {
+        Referee {
+            exact: case.input.iter().map(|&x| Rational::from_f64(x)).collect(),
+            signs: self.method.signs_of_zero(&case.input),
+            judge: self,
+            case,
+            references: Vec::new(),
+            conditions: None,
+        }
+    }
+}
+
+/// Judges answers to one case: what was computed of the reference serves them all.
+pub struct Referee<'a> {
+    judge: &'a Judge<'a>,
+    case: Case,
+    exact: Option<Vec<Rational>>,
+    signs: Vec<Option<bool>>,
+    /// By precision, doubled from one to the next.
+    references: Vec<ReferenceAnswer>,
+    conditions: Option<Option<Vec<f64>>>,
+}
+
+impl Referee<'_> {
+    /// Computes the reference at the next precision.
+    fn next(&mut self, bits: u32) {
+        let (method, input) = (self.judge.method, &self.case.input);
+        let reference = match &self.exact {
+            Some(x) => method.reference(x, bits),
+            None => method.reference_not_finite(input),
+        };
+        let conditional = self.judge.conditional && self.exact.is_some();
+        self.conditions.get_or_insert_with(|| match conditional {
+            true => method.conditions_beside(input, &reference),
+            false => None,
+        });
+        self.references
+            .push(reference.with_signs_of_zero(&self.signs));
+    }
+
+    /// [`Judge::judge`], for an answer after which others may come.
+    pub fn judge(&mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
+        let decided = self.decide(answer);
+        decided.report(self.case.clone(), &self.references, digits)
+    }
+
+    /// [`Referee::judge`], for the last answer.
+    pub fn judge_last(mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
+        let decided = self.decide(answer);
+        decided.report(self.case, &self.references, digits)
+    }
+
+    fn decide(&mut self, answer: SolverAnswer) -> Decided {
+        let Judge {
+            method,
+            settings,
+            format,
+            ..
+        } = *self.judge;
+        let answer = match answer {
+            SolverAnswer::Values(v) if format != Format::Double => {
+                SolverAnswer::Values(v.into_iter().map(|x| format.round(x)).collect())
+            }
+            other => other,
+        };
+        let rules = Rules {
+            outputs: &self.judge.outputs,
+            norm: self.judge.norm.as_ref(),
+            format,
+        };
+        let mut bits = settings.first_bits;
+        let mut level = 0;
+        loop {
+            if level == self.references.len() {
+                self.next(bits);
+            }
+            let reference = &self.references[level];
+            let conditions = self.conditions.as_ref().and_then(|c| c.as_deref());
+            let mut judgement = judge_by(&rules, &answer, reference, conditions);
+            if judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
+                bits *= 2;
+                level += 1;
+                continue;
+            }
+            if let (SolverAnswer::Values(got), Some(due)) = (&answer, reference.len())
+                && got.len() != due
+                && let Some(reason) = &mut judgement.reason
+            {
+                // Which they are, and in which order.
+                reason.push_str(&format!(": {}", Layout::new(method).answer()));
+            }
+            return Decided {
+                answer,
+                judgement,
+                bits,
+                level,
+            };
+        }
+    }
+}
+
+/// A judgement, and the reference that decided it.
+struct Decided {
+    answer: SolverAnswer,
+    judgement: Judgement,
+    bits: u32,
+    level: usize,
+}
+
+impl Decided {
+    fn report(self, case: Case, references: &[ReferenceAnswer], digits: bool) -> CaseReport {
+        let brief = self.judgement.verdict == Verdict::Pass && !digits;
+        let (reference, radii, proof) = match brief {
+            true => (Vec::new(), Vec::new(), None),
+            false => decimals(&references[self.level]),
+        };
+        CaseReport {
+            case,
+            answer: Some(self.answer),
+            judgement: self.judgement,
+            bits: self.bits,
+            reference,
+            radii,
+            proof,
+            branch: None,
+        }
+    }
+}
+
+/// The reference's values to 20 digits, their radii, and why they hold.
+fn decimals(reference: &ReferenceAnswer) -> (Vec<Option<String>>, Vec<f64>, Option<Proof>) {
+    match reference {
+        ReferenceAnswer::Values(r) => (
+            r.values.iter().map(|b| b.to_decimal(20)).collect(),
+            r.values.iter().map(|b| b.rad().to_f64()).collect(),
+            Some(r.proof),
+        ),
+        ReferenceAnswer::Dues(dues, proof) => (
+            dues.iter().map(|d| d.to_decimal(20)).collect(),
+            dues.iter()
+                .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
+                .collect(),
+            Some(*proof),
+        ),
+        _ => (Vec::new(), Vec::new(), None),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,153 @@
+//! Inputs that programs are shown. They are drawn when they are needed; the last ones are kept, so that nothing
+//! grows with their number and few are drawn twice.
+
+use crate::cli::failure::Failure;
+use mechaudit::audit::{Case, Cases, Method, Settings};
+use mechaudit::campaign::Stride;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Where the inputs of a run come from.
+enum Source {
+    All(Cases),
+    /// Those of a shard.
+    Dealt(Cases, Stride),
+    One(Case),
+    Listed(Vec<Case>),
+}
+
+/// The inputs of a run, drawn when a program is shown them, and taken when its answers are judged.
+pub struct Inputs {
+    source: Source,
+    /// Those shown last, number `i` in place `i` modulo their number, until they are taken.
+    drawn: Mutex<Vec<Option<(usize, Case)>>>,
+}
+
+/// Inputs kept: more than a program has read and not answered, as a rule.
+const KEPT: usize = 1 << 15;
+/// Numbers of an input that is kept. To draw longer ones is little beside judging them.
+const SHORT: usize = 32;
+
+impl Inputs {
+    fn new(source: Source) -> Inputs {
+        Inputs {
+            source,
+            drawn: Mutex::default(),
+        }
+    }
+
+    /// One case, or all of the method.
+    pub fn of(
+        method: &dyn Method,
+        one: Option<Case>,
+        settings: &Settings,
+    ) -> Result<Arc<Inputs>, Failure> {
+        let inputs = Inputs::new(match one {
+            Some(case) => Source::One(case),
+            None => Source::All(Cases::new(method, settings)),
+        });
+        match inputs.len() {
+            0 => Err(Failure::new("there are no cases to audit")),
+            _ => Ok(Arc::new(inputs)),
+        }
+    }
+
+    /// Those of a shard.
+    pub fn dealt(cases: Cases, stride: Stride) -> Inputs {
+        Inputs::new(Source::Dealt(cases, stride))
+    }
+
+    /// These.
+    pub fn listed(cases: Vec<Case>) -> Inputs {
+        Inputs::new(Source::Listed(cases))
+    }
+
+    pub fn len(&self) -> usize {
+        match &self.source {
+            Source::All(cases) => cases.len(),
+            Source::Dealt(_, stride) => stride.len() as usize,
+            Source::One(_) => 1,
+            Source::Listed(cases) => cases.len(),
+        }
+    }
+
+    fn draw(&self, i: usize) -> Case {
+        match &self.source {
+            Source::All(cases) => cases.get(i),
+            Source::Dealt(cases, stride) => cases.get(stride.at(i as u64) as usize),
+            Source::One(case) => case.clone(),
+            Source::Listed(cases) => cases[i].clone(),
+        }
+    }
+
+    /// Nobody panics with the lock held.
+    fn lock(&self) -> MutexGuard<'_, Vec<Option<(usize, Case)>>> {
+        self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Number `i` for a program; other programs, and whoever judges their answers, find it kept.
+    pub fn show(&self, i: usize) -> Case {
+        if let Some(Some((k, case))) = self.lock().get(i % KEPT)
+            && *k == i
+        {
+            return case.clone();
+        }
+        let case = self.draw(i);
+        if case.input.len() <= SHORT {
+            let kept = Some((i, case.clone()));
+            let mut drawn = self.lock();
+            drawn.resize(KEPT, None);
+            drawn[i % KEPT] = kept;
+        }
+        case
+    }
+
+    /// Number `i`, which nobody asks for again, as a rule.
+    pub fn take(&self, i: usize) -> Case {
+        let kept = {
+            let mut drawn = self.lock();
+            let place = drawn.get_mut(i % KEPT);
+            place.and_then(|place| place.take_if(|(k, _)| *k == i))
+        };
+        kept.map_or_else(|| self.draw(i), |(_, case)| case)
+    }
+
+    /// The region of the input of that number, and where the next begins.
+    pub fn region_of(&self, i: usize) -> (&'static str, usize) {
+        match &self.source {
+            Source::All(cases) => cases.region_of(i),
+            Source::Dealt(..) => (self.draw(i).region, i + 1),
+            Source::One(case) => (case.region, 1),
+            Source::Listed(cases) => (cases[i].region, i + 1),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::methods;
+
+    #[test]
+    fn inputs_that_are_kept_are_those_of_their_numbers() {
+        let settings = Settings {
+            cases_per_region: 2000,
+            ..Settings::default()
+        };
+        let method = methods::find("erf").unwrap();
+        let inputs = Inputs::of(&*method, None, &settings).unwrap();
+        let cases = Cases::new(&*method, &settings);
+        assert!(inputs.len() > KEPT + 6);
+        let same = |given: Case, i: usize| {
+            let drawn = cases.get(i);
+            assert_eq!(given.region, drawn.region, "{i}");
+            let bits = |case: &Case| case.input.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(&given), bits(&drawn), "{i}");
+        };
+        for i in [5, 6, 5, KEPT + 5, 5, KEPT + 5, KEPT + 6, 6] {
+            same(inputs.show(i), i);
+        }
+        for i in [KEPT + 5, 5, 5, 6, KEPT + 6, 7] {
+            same(inputs.take(i), i);
+        }
+    }
+}
