@@ -2,6 +2,7 @@ use super::*;
 use crate::planted::{Planted, case, off};
 use crate::{CaseReport, Law, MethodReport, ReferenceAnswer, audit_case};
 use std::collections::BTreeMap;
+use std::sync::atomic::AtomicI64;
 
 /// `x` for `x`, some of them over the budget, with a law.
 fn planted<'a>() -> Planted<'a> {
@@ -103,7 +104,7 @@ fn a_stop_leaves_the_rest() {
     assert!(report.cases > 0 && report.cases <= solved.len() as u64);
     assert!(solved.len() < 99_000, "{}", solved.len());
     // The same for answers.
-    let (panel, left) = (Panel::new(&method, &settings), AtomicU64::new(40));
+    let (panel, left) = (Panel::new(&method, &settings), AtomicI64::new(40));
     let batch = (0..100).map(|i| (nth(i), SolverAnswer::Values(nth(i).input)));
     let go_on = || left.fetch_sub(1, Ordering::Relaxed) > 0 && !stop.load(Ordering::Relaxed);
     stop.store(false, Ordering::Relaxed);
