@@ -5,8 +5,8 @@ use crate::errors::value_error;
 use crate::facts::{proof, report_facts};
 use crate::pool::pool;
 use mechaudit::audit::{
-    CandidateReport, Case, CaseReport, Cases, Format, Judge, Layout, Limit, Method, MethodReport, Near,
-    Origin, ReferenceAnswer, Reproduce, SampleBox, Sampling, Settings, SolverAnswer, Tally,
+    CandidateReport, Case, CaseReport, Cases, Format, Judge, Layout, Limit, Method, MethodReport,
+    Near, Origin, ReferenceAnswer, Reproduce, SampleBox, Sampling, Settings, SolverAnswer, Tally,
     Uncertified, Variant, Verdict, answer_of,
 };
 use mechaudit::methods::Evaluable;

@@ -3,9 +3,7 @@
 use super::deal::{Deal, Stride};
 use super::hunts::HuntTally;
 use super::plan::{Kind, Part, Plan, Program};
-use crate::audit::{
-    Cases, HuntSettings, Method, Panel, Settings, StoredTally, Tally, hunt_until,
-};
+use crate::audit::{Cases, HuntSettings, Method, Panel, Settings, StoredTally, Tally, hunt_until};
 use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};

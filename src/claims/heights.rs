@@ -3,7 +3,7 @@
 use super::code::Code;
 use super::whole::Effort;
 use super::{WHOLE, at, regions};
-use crate::audit::{Draw, Format, Limit, Method, Judge, Settings, SolverAnswer, Variant};
+use crate::audit::{Draw, Format, Judge, Limit, Method, Settings, SolverAnswer, Variant};
 use crate::methods::find;
 use mechaudit_atlas::Parts;
 use rayon::prelude::*;

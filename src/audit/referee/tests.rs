@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::Rows;
-use crate::planted::{Planted, case, off, output};
 use crate::judged::complete;
+use crate::planted::{Planted, case, off, output};
 use crate::{BranchAt, Kind, Limit, answer_of, audit_case, judge_case, judge_case_briefly};
 use mechaudit_reference::Ball;
 use rug::Float;

@@ -181,12 +181,7 @@ pub fn gather(
 }
 
 /// Judges answers until there are no more; says why not. `show` is told how many there were.
-fn judged(
-    fed: &mut Fed,
-    inputs: &Inputs,
-    panel: &Panel,
-    show: &dyn Fn(u64),
-) -> End {
+fn judged(fed: &mut Fed, inputs: &Inputs, panel: &Panel, show: &dyn Fn(u64)) -> End {
     loop {
         let mut batch = Vec::new();
         let from = fed.answered();
