@@ -8,7 +8,8 @@
 //! because other work on the machine only ever adds. `added` is what `audited` takes over `owed`, in percent.
 
 use mechaudit::audit::{
-    Case, CaseReport, Cases, Method, Settings, SolverAnswer, Tally, answer_of, judge_case_briefly,
+    Case, CaseReport, Cases, Judge, Method, Panel, Settings, SolverAnswer, Tally, answer_of,
+    judge_case_briefly,
 };
 use mechaudit::methods;
 use rug::Rational;
@@ -17,7 +18,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 /// Methods over all their regions, and W in some.
-const WHERE: [&str; 13] = [
+const WHERE: [&str; 16] = [
     "faddeeva",
     "faddeeva mid",
     "faddeeva far",
@@ -25,6 +26,9 @@ const WHERE: [&str; 13] = [
     "faddeeva near-real-axis",
     "faddeeva small",
     "erf",
+    "erfc",
+    "erfcx",
+    "dawson",
     "voigt",
     "tridiagonal",
     "cubic-spline-clamped",
@@ -33,6 +37,8 @@ const WHERE: [&str; 13] = [
     "chirp-response",
 ];
 const COUNT: u64 = 4000;
+/// Cases that an audit brings through one stage after another.
+const BLOCK: usize = 32;
 const ROUNDS: usize = 7;
 const PARTS: [&str; 6] = ["solved", "drawn", "judged", "counted", "owed", "audited"];
 
@@ -96,14 +102,9 @@ impl Sample {
     }
 
     fn judge(&self) {
+        let judge = Judge::new(&*self.method, &self.settings);
         for (case, answer) in self.drawn.iter().zip(&self.answers) {
-            let (case, answer) = (case.clone(), answer.clone());
-            black_box(judge_case_briefly(
-                &*self.method,
-                case,
-                answer,
-                &self.settings,
-            ));
+            black_box(judge.judge(case.clone(), answer.clone(), false));
         }
     }
 
@@ -131,12 +132,14 @@ impl Sample {
         }
     }
 
-    fn audit(&self, cases: &Cases, tally: &mut Tally) {
-        for (region, i) in &self.places {
-            let case = cases.in_region(region, *i).expect("a region");
-            let answer = answer_of(&*self.method, &case.input);
-            let report = judge_case_briefly(&*self.method, case, answer, &self.settings);
-            tally.add(&report);
+    fn audit(&self, cases: &Cases, panel: &Panel) {
+        for block in self.places.chunks(BLOCK) {
+            let drawn = block.iter().map(|(r, i)| cases.in_region(r, *i));
+            let drawn: Vec<Case> = drawn.map(|case| case.expect("a region")).collect();
+            let answers: Vec<_> = (drawn.iter())
+                .map(|c| answer_of(&*self.method, &c.input))
+                .collect();
+            panel.judge(drawn.into_iter().zip(answers).collect(), &|| true);
         }
     }
 
@@ -146,6 +149,7 @@ impl Sample {
         let outputs = self.method.outputs();
         let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
         let mut tally = Tally::new(&*self.method, &self.settings);
+        let panel = Panel::new(&*self.method, &self.settings);
         let mut least = [f64::INFINITY; PARTS.len()];
         for _ in 0..ROUNDS {
             for (k, least) in least.iter_mut().enumerate() {
@@ -156,7 +160,7 @@ impl Sample {
                     "judged" => self.judge(),
                     "counted" => self.count(&mut tally),
                     "owed" => self.owe(conditional),
-                    _ => self.audit(&cases, &mut tally),
+                    _ => self.audit(&cases, &panel),
                 }
                 *least = least
                     .min((processor_time() - start).as_secs_f64() / self.places.len() as f64 * 1e6);
@@ -166,7 +170,15 @@ impl Sample {
     }
 }
 
+// As in the program.
+#[cfg(target_os = "linux")]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() {
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1);
+    let one = one.use_current_thread().build_global();
+    one.expect("nothing has run before");
     // Cargo's own options begin with a dash.
     let asked: Vec<String> = std::env::args().skip(1).collect();
     let asked: Vec<&str> = asked.iter().map(String::as_str).collect();
