@@ -170,11 +170,6 @@ impl Sample {
     }
 }
 
-// As in the program.
-#[cfg(target_os = "linux")]
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
-
 fn main() {
     let one = rayon::ThreadPoolBuilder::new().num_threads(1);
     let one = one.use_current_thread().build_global();

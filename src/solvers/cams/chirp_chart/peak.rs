@@ -32,8 +32,10 @@ pub(super) fn largest(places: &[f64], values: &[f64], f: impl Fn(f64) -> f64) ->
         if left == i || right == i {
             return most;
         }
-        let bend = 2.0 * size(i) - size(left) - size(right);
-        let slope = size(right) - size(left);
+        // Of the function that is positive here; beside a low peak it may change its sign.
+        let [before, after] = [left, right].map(|k| values[k] * values[i].signum());
+        let bend = 2.0 * size(i) - before - after;
+        let slope = after - before;
         match bend > 0.0 {
             true => size(i) + slope * slope / (8.0 * bend),
             false => size(i),

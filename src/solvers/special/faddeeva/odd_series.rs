@@ -59,12 +59,59 @@ fn by((c, low): (f64, f64), x: Dd) -> Dd {
     Dd::new(p.hi, c.mul_add(x.lo, low * x.hi) + p.lo)
 }
 
+/// A sum that is not renormalised: enough digits beside a rest of the series in double precision.
+#[inline(always)]
+fn sum(a: Dd, b: Dd) -> Dd {
+    let s = two_sum(a.hi, b.hi);
+    Dd::new(s.hi, s.lo + (a.lo + b.lo))
+}
+
+/// `b − 3a`: `x² − 3y²` and, negated, `3x² − y²`.
+#[inline(always)]
+fn triple(a: Dd, b: Dd) -> Dd {
+    let p = two_prod(-3.0, a.hi);
+    sum(Dd::new(p.hi, (-3.0f64).mul_add(a.lo, p.lo)), b)
+}
+
+/// `s = 2(x² − y²)` and `t = (x² + y²)²` of the recurrence, rounded, with what they are rounded from.
+#[derive(Clone, Copy)]
+struct Powers {
+    s: f64,
+    p: Dd,
+    t: f64,
+    rr: Dd,
+}
+
+impl Powers {
+    /// `x (1 + c₁h + c₂(hs − t) + …)`: the real part with `h = x² − 3y²`, the imaginary one with y for x and
+    /// `h = 3x² − y²`.
+    #[inline(always)]
+    fn part<const N: usize>(
+        self,
+        x: f64,
+        h: Dd,
+        (c, low): (&[f64; N], [f64; 2]),
+        [first, second]: [f64; 2],
+    ) -> Dd {
+        let hs = two_prod(h.hi, self.s);
+        let hs = Dd::new(
+            hs.hi,
+            h.lo.mul_add(self.s, 2.0 * (h.hi * self.p.lo)) + hs.lo,
+        );
+        let one = sum(Dd::from(1.0), by((c[1], low[0]), h));
+        let two = by((c[2], low[1]), sum(hs, -self.rr));
+        let three = sum(one, two);
+        let rest = h.hi.mul_add(first, -(self.t * second));
+        two_sum(three.hi, three.lo + rest).mul_f(x)
+    }
+}
+
 /// Real and imaginary part of `f(x + i y)`. Where `Im f` is small beside `y` it is what three terms leave of one
 /// another: they are taken in double-double, the rest of the series in double precision.
 #[inline(always)]
 pub(super) fn odd<const N: usize>((c, low): (&[f64; N], [f64; 2]), x: f64, y: f64) -> (Dd, Dd) {
     let (xx, yy) = (two_prod(x, x), two_prod(y, y));
-    let (p, r) = (xx - yy, xx + yy);
+    let (p, r) = (sum(xx, -yy), sum(xx, yy));
     let s = 2.0 * p.hi;
     let t = r.hi * r.hi;
     let (mut b1, mut b2) = (c[N - 1], 0.0);
@@ -81,22 +128,12 @@ pub(super) fn odd<const N: usize>((c, low): (&[f64; N], [f64; 2]), x: f64, y: f6
     // (x² + y²)² with its rounding errors.
     let rr = two_prod(r.hi, r.hi);
     let rr = Dd::new(rr.hi, (2.0 * r.hi).mul_add(r.lo, rr.lo));
-    // x² − 3y² and 3x² − y².
-    let triple = |a: Dd, b: Dd| {
-        let p = two_prod(-3.0, a.hi);
-        let s = two_sum(p.hi, b.hi);
-        Dd::new(s.hi, s.lo + (p.lo + (-3.0f64).mul_add(a.lo, b.lo)))
-    };
-    // x (1 + c₁h + c₂(hs − t) + …) with the first, y likewise with the second of them.
-    let part = |x: f64, h: Dd| {
-        let hs = two_prod(h.hi, s);
-        let hs = Dd::new(hs.hi, h.lo.mul_add(s, 2.0 * (h.hi * p.lo)) + hs.lo);
-        let one = by((c[1], low[0]), h).add_f(1.0);
-        let two = by((c[2], low[1]), hs - rr);
-        let rest = h.hi.mul_add(first, -(t * second));
-        (one + two).add_f(rest).mul_f(x)
-    };
-    (part(x, triple(yy, xx)), part(y, -triple(xx, yy)))
+    let powers = Powers { s, p, t, rr };
+    let (c, rest) = ((c, low), [first, second]);
+    (
+        powers.part(x, triple(yy, xx), c, rest),
+        powers.part(y, -triple(xx, yy), c, rest),
+    )
 }
 
 /// `f(x)` on the real axis, |x| ≤ √½; the square's rounding error is made up for.
