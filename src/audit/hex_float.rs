@@ -65,5 +65,6 @@ mod tests {
         assert_eq!(hex_float(f64::from_bits(1)), "0x0.0000000000001p-1022");
         assert_eq!(hex_float(-0.0), "-0x0p+0");
         assert_eq!(hex_float(f64::NEG_INFINITY), "-inf");
+        assert_eq!(hex_float(-f64::NAN), "nan");
     }
 }

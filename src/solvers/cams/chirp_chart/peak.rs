@@ -161,7 +161,7 @@ mod tests {
             let at = 0.25 + 0.025 * f64::from(place);
             for (f, looks) in [
                 (&sharp(at) as &dyn Fn(f64) -> f64, STEPS),
-                (&smooth(at), 12),
+                (&smooth(at), 10),
             ] {
                 seen.borrow_mut().clear();
                 let around = [0.0, 0.5, 1.0].map(|x| (x, f(x)));
