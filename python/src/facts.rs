@@ -133,7 +133,7 @@ fn case_facts<'py>(py: Python<'py>, r: &CaseReport, tail: &str) -> PyResult<Boun
     d.set_item("due", r.reference.clone())?;
     d.set_item("radius", r.radii.clone())?;
     d.set_item("verdict", word(r.judgement.verdict))?;
-    d.set_item("reason", r.judgement.reason.clone())?;
+    d.set_item("reason", r.judgement.why())?;
     let c = &r.judgement.components;
     d.set_item("outputs", c.iter().map(|c| c.output).collect::<Vec<_>>())?;
     d.set_item("ulps", c.iter().map(|c| c.ulps).collect::<Vec<_>>())?;

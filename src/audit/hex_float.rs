@@ -44,9 +44,12 @@ impl Display for HexFloat {
         };
         write!(to, "0x{lead}")?;
         if fraction != 0 {
-            let zeros = fraction.trailing_zeros() / 4;
-            let digits = 13 - zeros as usize;
-            write!(to, ".{:0digits$x}", fraction >> (4 * zeros))?;
+            let mut digits = *b".0000000000000";
+            let ends = 14 - fraction.trailing_zeros() as usize / 4;
+            for (k, digit) in digits[1..ends].iter_mut().enumerate() {
+                *digit = b"0123456789abcdef"[(fraction >> (48 - 4 * k)) as usize & 15];
+            }
+            to.write_str(std::str::from_utf8(&digits[..ends]).unwrap_or_default())?;
         }
         write!(to, "p{e:+}")
     }

@@ -5,6 +5,7 @@ use super::budget::{Limit, NormBudget};
 use super::due::Due;
 use super::kind::Kind;
 use super::method::Output;
+use super::reason::{Fault, Reason};
 use super::ulp::Format;
 use mechaudit_reference::{Ball, Mag};
 use serde::{Deserialize, Serialize};
@@ -58,7 +59,7 @@ pub struct Judgement {
     /// The worst verdict.
     pub verdict: Verdict,
     /// Why it is not a pass, if it is not.
-    pub reason: Option<String>,
+    pub reason: Option<Reason>,
     /// In which way it is of the wrong kind, if it is: the first value's that is.
     pub kind: Option<Kind>,
     /// One entry for each value.
@@ -76,7 +77,7 @@ impl Judgement {
     fn whole(verdict: Verdict, kind: Option<Kind>, reason: String) -> Judgement {
         Judgement {
             verdict,
-            reason: Some(reason),
+            reason: Some(reason.into()),
             kind,
             components: Vec::new(),
             normwise: f64::INFINITY,
@@ -86,6 +87,11 @@ impl Judgement {
 
     fn wrong(kind: Kind, reason: String) -> Judgement {
         Judgement::whole(Verdict::WrongKind, Some(kind), reason)
+    }
+
+    /// Why it is not a pass, in words.
+    pub fn why(&self) -> Option<String> {
+        self.reason.as_ref().map(Reason::to_string)
     }
 
     /// Whether the errors can be measured: the answer is right in kind, and the reference decided.
@@ -205,21 +211,17 @@ pub fn judge_by(
         };
         let c = component(g, due, [lo, hi], place);
         if c.verdict > worst.0 {
-            let place = format!("{} (value {i})", outputs[o].name);
-            let reason = match c.verdict {
-                Verdict::WrongKind if due.wrong_zero(g) => {
-                    format!("{place} is {g:?} where {:?} is due", -g)
-                }
-                Verdict::WrongKind => format!("{place} is {g}"),
-                Verdict::Over => {
-                    let times = match c.of_budget {
-                        x if x < 1e4 => format!("{x:.3}"),
-                        f64::INFINITY => "more than 1e308".into(),
-                        x => format!("{x:.2e}"),
-                    };
-                    format!("{place} is {times} times its budget off")
-                }
-                _ => format!("{place} cannot be decided against its budget"),
+            let fault = match c.verdict {
+                Verdict::WrongKind if due.wrong_zero(g) => Fault::Zero,
+                Verdict::WrongKind => Fault::Kind,
+                Verdict::Over => Fault::Over(c.of_budget),
+                _ => Fault::Open,
+            };
+            let reason = Reason::Value {
+                output: outputs[o].name,
+                number: i,
+                got: g,
+                fault,
             };
             worst = (c.verdict, c.kind, Some(reason));
         }
@@ -386,6 +388,9 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
 
 /// Whether the number certainly rounds to an infinity.
 fn overflows(reference: &Ball, format: Format) -> bool {
+    if reference.magnitude() < format.largest_power() {
+        return false;
+    }
     (&reference.abs() - &format.overflow()).lower() >= 0
 }
 

@@ -1,12 +1,13 @@
 //! One case, judged.
 
-use super::answer::{Proof, SolverAnswer};
+use super::answer::{Proof, ReferenceAnswer, SolverAnswer};
 use super::budget::Limit;
 use super::case::Case;
 use super::judge::Judgement;
 use super::method::{BranchAt, Method, Output};
 use super::referee::Judge;
 use super::settings::Settings;
+use mechaudit_reference::Mag;
 use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -30,6 +31,40 @@ pub struct CaseReport {
     pub proof: Option<Proof>,
     /// Where the case stands among the formulas of the method's own solver, if that is known.
     pub branch: Option<BranchAt>,
+    /// The reference whose digits are not written out yet: they cost as much as a judgement, and few cases are kept.
+    #[serde(skip)]
+    pub unwritten: Option<ReferenceAnswer>,
+}
+
+impl CaseReport {
+    /// With the reference's digits, if there is one to write.
+    pub(super) fn written(mut self) -> CaseReport {
+        if let Some(reference) = self.unwritten.take() {
+            (self.reference, self.radii, self.proof) = decimals(&reference);
+        }
+        self
+    }
+}
+
+/// The reference's values to 20 digits, their radii, and why they hold.
+pub(super) fn decimals(
+    reference: &ReferenceAnswer,
+) -> (Vec<Option<String>>, Vec<f64>, Option<Proof>) {
+    match reference {
+        ReferenceAnswer::Values(r) => (
+            r.values.iter().map(|b| b.to_decimal(20)).collect(),
+            r.values.iter().map(|b| b.rad().to_f64()).collect(),
+            Some(r.proof),
+        ),
+        ReferenceAnswer::Dues(dues, proof) => (
+            dues.iter().map(|d| d.to_decimal(20)).collect(),
+            dues.iter()
+                .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
+                .collect(),
+            Some(*proof),
+        ),
+        _ => (Vec::new(), Vec::new(), None),
+    }
 }
 
 /// What the method's own solver answers; a panic is a failure to answer.
@@ -62,15 +97,14 @@ pub fn judge_case(
     judge(method, case, answer, settings, true)
 }
 
-/// [`judge_case`], without the reference's digits where the case passes: they cost as much as a
-/// judgement.
+/// [`judge_case`], without the reference's digits where the case passes.
 pub fn judge_case_briefly(
     method: &dyn Method,
     case: Case,
     answer: SolverAnswer,
     settings: &Settings,
 ) -> CaseReport {
-    judge(method, case, answer, settings, false)
+    judge(method, case, answer, settings, false).written()
 }
 
 /// The same case with everything that is known of it: the reference's digits, the condition numbers,

@@ -39,7 +39,7 @@ impl Kept {
     /// With its judgement.
     pub(super) fn report(self, method: &dyn Method, settings: &Settings) -> CaseReport {
         match self {
-            Kept::Judged(report) => *report,
+            Kept::Judged(report) => report.written(),
             Kept::Read(read) => {
                 let (case, answer) = *read;
                 judge_case_briefly(method, case, answer, settings)

@@ -31,6 +31,7 @@ mod parts;
 mod planted;
 mod printed;
 mod ranking;
+mod reason;
 mod referee;
 mod region_tally;
 mod report;
@@ -69,6 +70,7 @@ pub use no_such::NoSuch;
 pub use panel::Panel;
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
+pub use reason::{Fault, Reason};
 pub use referee::{Judge, Referee};
 pub use report::{
     CandidateReport, LawReport, MethodReport, Octave, OutputBudget, OutputStatistics, Point,

@@ -43,13 +43,12 @@ impl<T> First<T> {
     }
 
     /// Adds those of another.
-    pub(super) fn merge(&mut self, other: First<T>, order: impl Fn(&T, &T) -> Ordering) {
-        for item in other.kept {
-            let at = self.kept.partition_point(|kept| order(kept, &item).is_le());
-            if at < self.room {
-                self.kept.truncate(self.room - 1);
-                self.kept.insert(at, item);
-            }
+    pub(super) fn merge(&mut self, other: &First<T>, order: impl Fn(&T, &T) -> Ordering)
+    where
+        T: Clone,
+    {
+        for item in &other.kept {
+            self.offer(|kept| order(kept, item), || item.clone());
         }
     }
 }
@@ -80,7 +79,7 @@ mod tests {
             let (a, b) = values.split_at(cut.min(values.len()));
             for (a, b) in [(a, b), (b, a)] {
                 let mut merged = of(a, room);
-                merged.merge(of(b, room), Ord::cmp);
+                merged.merge(&of(b, room), Ord::cmp);
                 prop_assert_eq!(merged.kept(), &sorted);
             }
         }

@@ -1,15 +1,15 @@
 //! Answers against the reference, at the precision that decides.
 
-use super::answer::{Proof, ReferenceAnswer, SolverAnswer};
+use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::NormBudget;
 use super::case::Case;
 use super::judge::{Judgement, Rules, Verdict, judge_by};
 use super::judged::CaseReport;
 use super::layout::Layout;
 use super::method::{Method, Output};
+use super::reason::Reason;
 use super::settings::Settings;
 use super::ulp::Format;
-use mechaudit_reference::Mag;
 use rug::Rational;
 
 /// Judges answers to a method's cases: what is the same for all of them is asked for once.
@@ -39,7 +39,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Judges the answer to a case; the precision doubles until that can be decided. Without `digits` the
-    /// reference's are left out where it passes: they cost as much as a judgement.
+    /// reference's are left out: they cost as much as a judgement.
     pub fn judge(&self, case: Case, answer: SolverAnswer, digits: bool) -> CaseReport {
         self.referee(case).judge_last(answer, digits)
     }
@@ -88,13 +88,19 @@ impl Referee<'_> {
     /// [`Judge::judge`], for an answer after which others may come.
     pub fn judge(&mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
         let decided = self.decide(answer);
-        decided.report(self.case.clone(), &self.references, digits)
+        let reference = decided
+            .shows(digits)
+            .then(|| self.references[decided.level].clone());
+        decided.report(self.case.clone(), reference, digits)
     }
 
     /// [`Referee::judge`], for the last answer.
     pub fn judge_last(mut self, answer: SolverAnswer, digits: bool) -> CaseReport {
         let decided = self.decide(answer);
-        decided.report(self.case, &self.references, digits)
+        let reference = decided
+            .shows(digits)
+            .then(|| self.references.swap_remove(decided.level));
+        decided.report(self.case, reference, digits)
     }
 
     fn decide(&mut self, answer: SolverAnswer) -> Decided {
@@ -134,7 +140,7 @@ impl Referee<'_> {
                 && let Some(reason) = &mut judgement.reason
             {
                 // Which they are, and in which order.
-                reason.push_str(&format!(": {}", Layout::new(method).answer()));
+                *reason = Reason::Words(format!("{reason}: {}", Layout::new(method).answer()));
             }
             return Decided {
                 answer,
@@ -155,41 +161,24 @@ struct Decided {
 }
 
 impl Decided {
-    fn report(self, case: Case, references: &[ReferenceAnswer], digits: bool) -> CaseReport {
-        let brief = self.judgement.verdict == Verdict::Pass && !digits;
-        let (reference, radii, proof) = match brief {
-            true => (Vec::new(), Vec::new(), None),
-            false => decimals(&references[self.level]),
-        };
-        CaseReport {
+    /// Whether the reference is of interest.
+    fn shows(&self, digits: bool) -> bool {
+        digits || self.judgement.verdict != Verdict::Pass
+    }
+
+    fn report(self, case: Case, reference: Option<ReferenceAnswer>, digits: bool) -> CaseReport {
+        let report = CaseReport {
             case,
             answer: Some(self.answer),
             judgement: self.judgement,
             bits: self.bits,
-            reference,
-            radii,
-            proof,
+            reference: Vec::new(),
+            radii: Vec::new(),
+            proof: None,
             branch: None,
-        }
-    }
-}
-
-/// The reference's values to 20 digits, their radii, and why they hold.
-fn decimals(reference: &ReferenceAnswer) -> (Vec<Option<String>>, Vec<f64>, Option<Proof>) {
-    match reference {
-        ReferenceAnswer::Values(r) => (
-            r.values.iter().map(|b| b.to_decimal(20)).collect(),
-            r.values.iter().map(|b| b.rad().to_f64()).collect(),
-            Some(r.proof),
-        ),
-        ReferenceAnswer::Dues(dues, proof) => (
-            dues.iter().map(|d| d.to_decimal(20)).collect(),
-            dues.iter()
-                .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
-                .collect(),
-            Some(*proof),
-        ),
-        _ => (Vec::new(), Vec::new(), None),
+            unwritten: reference,
+        };
+        if digits { report.written() } else { report }
     }
 }
 

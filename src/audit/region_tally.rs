@@ -102,15 +102,15 @@ impl OutputTally {
         }
     }
 
-    fn merge(&mut self, other: OutputTally) {
+    fn merge(&mut self, other: &OutputTally) {
         self.values += other.values;
         self.kinds.merge(&other.kinds);
         self.ulps.merge(&other.ulps);
         self.conditioned.merge(&other.conditioned);
         self.max_condition = self.max_condition.max(other.max_condition);
-        self.worst.merge(other.worst, by_number);
-        for (k, largest) in other.octaves {
-            let own = self.octaves.entry(k).or_insert_with(|| First::new(1));
+        self.worst.merge(&other.worst, by_number);
+        for (k, largest) in &other.octaves {
+            let own = self.octaves.entry(*k).or_insert_with(|| First::new(1));
             own.merge(largest, by_number);
         }
     }
@@ -266,7 +266,7 @@ impl RegionTally {
         self.kinds[Kind::Unanswered] += cases;
     }
 
-    pub(super) fn merge(&mut self, other: RegionTally) {
+    pub(super) fn merge(&mut self, other: &RegionTally) {
         self.cases += other.cases;
         self.passed += other.passed;
         self.recorded += other.recorded;
@@ -274,22 +274,22 @@ impl RegionTally {
         self.undecided += other.undecided;
         self.reference_failed += other.reference_failed;
         self.kinds.merge(&other.kinds);
-        for (own, more) in self.outputs.iter_mut().zip(other.outputs) {
+        for (own, more) in self.outputs.iter_mut().zip(&other.outputs) {
             own.merge(more);
         }
         self.normwise.merge(&other.normwise);
-        self.share.merge(other.share, by_number);
-        self.worst.merge(other.worst, |a, b| {
+        self.share.merge(&other.share, by_number);
+        self.worst.merge(&other.worst, |a, b| {
             larger((a.0, a.1.case()), (b.0, b.1.case()))
         });
         let earlier = |a: &Kept, b: &Kept| a.case().order(b.case());
-        for (key, examples) in other.wrong {
-            let own = self.wrong.entry(key);
+        for (key, examples) in &other.wrong {
+            let own = self.wrong.entry(*key);
             own.or_insert_with(|| First::new(EXAMPLES))
                 .merge(examples, earlier);
         }
-        self.failures.merge(other.failures, earlier);
-        self.points.merge(other.points, |a, b| {
+        self.failures.merge(&other.failures, earlier);
+        self.points.merge(&other.points, |a, b| {
             a.0.cmp(&b.0).then_with(|| a.1.case.order(&b.1.case))
         });
     }

@@ -42,21 +42,73 @@ pub struct SpreadTally {
 /// The leading bits of a number.
 pub(super) type Bin = u32;
 
+/// How many numbers have which leading bits, of one exponent.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Bins {
+    /// The bins of up to [`FEW`] numbers, in rising order. Errors of a bad candidate are in a hundred octaves.
+    Few(Vec<u16>),
+    /// Every bin's count.
+    All(Vec<u64>),
+}
+
+/// As many as take the space of 64 bins.
+const FEW: usize = 256;
+
+impl Bins {
+    /// Counts `more` numbers in one of `bins` bins.
+    fn add(&mut self, bins: usize, bin: usize, more: u64) {
+        let few = match self {
+            Bins::All(counts) => return counts[bin] += more,
+            Bins::Few(few) => few,
+        };
+        if more <= (FEW - few.len()) as u64 {
+            let (bin, more) = (bin as u16, more as usize);
+            let at = few.partition_point(|k| *k <= bin);
+            few.splice(at..at, std::iter::repeat_n(bin, more));
+            return;
+        }
+        let mut counts = vec![0; bins];
+        few.iter().for_each(|k| counts[usize::from(*k)] += 1);
+        counts[bin] += more;
+        *self = Bins::All(counts);
+    }
+
+    /// Bins in rising order with their counts, which are not zero.
+    fn counts(&self) -> Box<dyn Iterator<Item = (usize, u64)> + '_> {
+        match self {
+            Bins::Few(few) => {
+                let equal = few.chunk_by(|a, b| a == b);
+                Box::new(equal.map(|k| (usize::from(k[0]), k.len() as u64)))
+            }
+            Bins::All(counts) => {
+                let all = counts.iter().copied().enumerate();
+                Box::new(all.filter(|(_, count)| *count > 0))
+            }
+        }
+    }
+}
+
 /// Numbers of one exponent.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 struct OctaveTally {
-    /// By the leading bits of the fraction; nothing or all of them.
-    bins: Vec<u64>,
+    /// By the leading bits of the fraction.
+    bins: Bins,
     squares: Squares,
 }
 
-impl OctaveTally {
-    fn bin(&mut self, dropped: u32, bin: Bin) -> &mut u64 {
-        if self.bins.is_empty() {
-            self.bins = vec![0; 1 << (52 - dropped)];
+impl Default for OctaveTally {
+    fn default() -> OctaveTally {
+        OctaveTally {
+            bins: Bins::Few(Vec::new()),
+            squares: Squares::default(),
         }
-        let last = self.bins.len() - 1;
-        &mut self.bins[bin as usize & last]
+    }
+}
+
+impl OctaveTally {
+    fn count(&mut self, dropped: u32, bin: Bin, more: u64) {
+        let bins = 1 << (52 - dropped);
+        self.bins.add(bins, bin as usize & (bins - 1), more);
     }
 }
 
@@ -135,7 +187,7 @@ impl SpreadTally {
         let (field, fraction) = ((bits >> 52) as u32, bits & ((1 << 52) - 1));
         let m = u128::from(fraction | u64::from(field > 0) << 52);
         let octave = self.octaves.entry(field).or_default();
-        *octave.bin(self.dropped, (bits >> self.dropped) as Bin) += 1;
+        octave.count(self.dropped, (bits >> self.dropped) as Bin, 1);
         octave.squares.add(Squares {
             low: m * m,
             carry: 0,
@@ -153,13 +205,8 @@ impl SpreadTally {
         for (field, more) in &other.octaves {
             let own = self.octaves.entry(*field).or_default();
             own.squares.add(more.squares);
-            match own.bins.is_empty() {
-                true => own.bins.clone_from(&more.bins),
-                false => own
-                    .bins
-                    .iter_mut()
-                    .zip(&more.bins)
-                    .for_each(|(n, k)| *n += k),
+            for (bin, count) in more.bins.counts() {
+                own.count(self.dropped, bin as Bin, count);
             }
         }
         self.count += other.count;
@@ -170,11 +217,10 @@ impl SpreadTally {
     /// The bins that are not empty, in rising order.
     pub(super) fn bins(&self) -> impl Iterator<Item = (Bin, u64)> + '_ {
         let shift = 52 - self.dropped;
-        let all = self.octaves.iter().flat_map(move |(field, octave)| {
-            let bins = octave.bins.iter().enumerate();
-            bins.map(move |(k, count)| (field << shift | k as Bin, *count))
-        });
-        all.filter(|(_, count)| *count > 0)
+        self.octaves.iter().flat_map(move |(field, octave)| {
+            let bins = octave.bins.counts();
+            bins.map(move |(k, count)| (field << shift | k as Bin, count))
+        })
     }
 
     /// Sums of squares by exponents, in rising order.
@@ -183,11 +229,11 @@ impl SpreadTally {
         octaves.map(|(field, octave)| (exponent(*field), octave.squares))
     }
 
-    /// Sets a bin, of one that was stored; `None` if there is no such bin.
-    pub(super) fn set_bin(&mut self, bin: Bin, count: u64) -> Option<()> {
+    /// Counts in a bin, of one that was stored; `None` if there is no such bin.
+    pub(super) fn count_in_bin(&mut self, bin: Bin, count: u64) -> Option<()> {
         let field = bin >> (52 - self.dropped);
         let octave = (field < 2047).then(|| self.octaves.entry(field).or_default())?;
-        *octave.bin(self.dropped, bin) = count;
+        octave.count(self.dropped, bin, count);
         Some(())
     }
 

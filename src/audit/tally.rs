@@ -107,11 +107,10 @@ impl Tally {
         if report.judgement.norm_of_budget > 1.0 {
             return false;
         }
-        let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
-        let input = bits(&report.case.input);
-        let known: Vec<&HardCase> = (self.hard.iter())
-            .filter(|h| bits(&h.input) == input)
-            .collect();
+        let bits = |x: &f64| x.to_bits();
+        let input = || report.case.input.iter().map(bits);
+        let same = |h: &&HardCase| h.input.iter().map(bits).eq(input());
+        let known: Vec<&HardCase> = self.hard.iter().filter(same).collect();
         let components = report.judgement.components.iter();
         let mut over = components.filter(|c| c.verdict != Verdict::Pass);
         over.all(|c| (known.iter()).any(|h| h.output == c.output && h.allows(c.of_budget)))
@@ -142,7 +141,7 @@ impl Tally {
     /// on the order in which tallies are added, bit for bit.
     pub fn merge(&mut self, other: Tally) {
         for (name, tally) in other.regions {
-            self.region(name).merge(tally);
+            self.region(name).merge(&tally);
         }
         for k in 0..self.laws.len().min(other.laws.len()) {
             let (own, more) = (&self.laws[k], &other.laws[k]);
@@ -215,7 +214,7 @@ impl Tally {
             wrong.extend(tally.wrong().map(|(key, kept)| (*key, kept.to_vec())));
             failures.extend_from_slice(tally.failures());
             points.extend(tally.points());
-            all.merge(tally.clone());
+            all.merge(tally);
         }
         // Kind by kind; of each as many as of one region, the first regions' first.
         wrong.sort_by_key(|w| w.0);

@@ -48,6 +48,14 @@ impl Format {
         }
     }
 
+    /// The largest power of two.
+    pub(super) fn largest_power(self) -> Mag {
+        Mag::power_of_two(match self {
+            Format::Double => 1023,
+            Format::Single => 127,
+        })
+    }
+
     /// The smallest number that rounds to infinity, half a unit beyond the largest: `2¹⁰²⁴ − 2⁹⁷⁰`
     /// or `2¹²⁸ − 2¹⁰³`.
     pub(super) fn overflow(self) -> Ball {

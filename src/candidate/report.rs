@@ -55,7 +55,7 @@ impl Report {
 
     fn case(&self, f: &mut Formatter<'_>, report: &CaseReport) -> fmt::Result {
         let case = &report.case;
-        let reason = report.judgement.reason.as_deref().unwrap_or("pass");
+        let reason = report.judgement.why().unwrap_or("pass".into());
         writeln!(f, "\n{} / {}: {reason}", case.method, case.region)?;
         let names = self.layout.names(&case.input);
         for (i, (x, (name, _))) in case.input.iter().zip(names).enumerate() {
@@ -256,7 +256,7 @@ impl Report {
             .expect("a text takes all that is written");
         for case in self.found.worst.iter().chain(&self.found.wrong) {
             let input: Vec<String> = case.case.input.iter().map(|x| hex_float(*x)).collect();
-            let reason = case.judgement.reason.as_deref().unwrap_or("pass");
+            let reason = case.judgement.why().unwrap_or("pass".into());
             let (region, place) = (case.case.region, case.case.place());
             let input = input.join(",");
             let share = short(case.judgement.share());

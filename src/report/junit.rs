@@ -89,7 +89,7 @@ fn failure(report: &MethodReport, region: &RegionReport) -> TestCaseStatus {
     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
     let all = failing(report, usize::MAX).into_iter();
     let failed: Vec<&CaseReport> = all.filter(|f| f.case.region == region.name).collect();
-    let reason = failed.first().and_then(|f| f.judgement.reason.clone());
+    let reason = failed.first().and_then(|f| f.judgement.why());
     let parts = [
         format!("{} of {} cases fail", region.failed(), region.cases),
         kinds(&region.kinds),

@@ -34,7 +34,7 @@ fn all_methods_pass() {
                 "{}: {:?} {}\n  {}\n  input {:?}\n  = {}\n",
                 report.method,
                 f.judgement.verdict,
-                f.judgement.reason.as_deref().unwrap_or(""),
+                f.judgement.why().unwrap_or_default(),
                 f.case.reproduce(),
                 f.case.input,
                 hex.join(" "),

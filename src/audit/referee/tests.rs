@@ -2,10 +2,10 @@
 
 use super::*;
 use crate::Rows;
-use crate::judged::complete;
+use crate::judged::{complete, decimals};
 use crate::planted::{Planted, case, off, output};
-use crate::{BranchAt, Kind, Limit, answer_of, audit_case, judge_case, judge_case_briefly};
-use mechaudit_reference::Ball;
+use crate::{BranchAt, Kind, Limit, Proof, answer_of, audit_case, judge_case, judge_case_briefly};
+use mechaudit_reference::{Ball, Mag};
 use rug::Float;
 use std::sync::Mutex;
 
@@ -174,7 +174,12 @@ fn digits_are_left_out_of_brief_passes_alone() {
     let mut referee = judge.referee(at());
     assert_eq!(shown(&referee.judge(right.clone(), true)), full);
     assert_eq!(shown(&referee.judge(right.clone(), false)), brief);
-    assert_eq!(shown(&referee.judge_last(right, false)), brief);
+    // Those of what fails are written when it is kept.
+    let failing = referee.judge(wrong.clone(), false);
+    assert_eq!(shown(&failing), brief);
+    assert_eq!(shown(&failing.written()), full);
+    let passing = referee.judge_last(right, false);
+    assert_eq!(shown(&passing.written()), brief);
     // The radius is that of a rounding to 128 bits.
     let radius = judge_case(&third, at(), wrong, &settings).radii[0];
     assert_eq!(radius, 2f64.powi(-130));
@@ -217,7 +222,7 @@ fn a_wrong_number_of_values_is_told_which_are_due() {
     let reason = |answer| {
         let report = judge_case(&method, case(0, &[1.0]), answer, &Settings::default());
         let kind = report.judgement.kind;
-        (kind, report.judgement.reason.unwrap_or_default())
+        (kind, report.judgement.why().unwrap_or_default())
     };
     let words = Layout::new(&method).answer();
     let due = |n| format!("{n} values where 2 are due: {words}");

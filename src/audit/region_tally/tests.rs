@@ -54,7 +54,7 @@ fn every_way(all: &[CaseReport], check: impl Fn(&RegionReport)) {
         let (a, b) = all.split_at(cut);
         for (a, b) in [(a, b), (b, a)] {
             let mut sum = tally(a);
-            sum.merge(tally(b));
+            sum.merge(&tally(b));
             check(&report(&sum));
         }
     }
@@ -223,7 +223,7 @@ fn recorded_cases_are_counted_apart() {
     };
     assert_eq!(counts(&half(3)), (5, 1, 3, 1, 1, 1));
     let mut sum = half(3);
-    sum.merge(half(2));
+    sum.merge(&half(2));
     assert_eq!(counts(&sum), (9, 2, 5, 2, 2, 2));
     // An excess is no example of a wrong kind.
     assert_eq!(half(3).wrong().count(), 0);
@@ -295,8 +295,8 @@ fn the_sample_is_that_of_the_smallest_hashes() {
         };
         let (mut a, mut b) = (sampled(&all[..13]), sampled(&all[13..]));
         let (c, d) = (a.clone(), b.clone());
-        a.merge(d);
-        b.merge(c);
+        a.merge(&d);
+        b.merge(&c);
         for tally in [sampled(&all), a, b] {
             let points = tally.points();
             let found: Vec<u64> = (points.iter())
@@ -353,7 +353,7 @@ fn first_failures_and_examples_are_kept() {
             tally
         };
         let mut sum = part(a);
-        sum.merge(part(b));
+        sum.merge(&part(b));
         sum
     };
     for cut in 0..=all.len() {
@@ -381,7 +381,7 @@ fn the_ten_worst_are_kept() {
     let (a, b) = all.split_at(11);
     for (a, b) in [(a, b), (b, a)] {
         let mut sum = tally(a);
-        sum.merge(tally(b));
+        sum.merge(&tally(b));
         let found: Vec<_> = (sum.worst().iter())
             .map(|(share, kept)| ((4.0 * share).round(), index(&Some(kept.case().clone()))))
             .collect();

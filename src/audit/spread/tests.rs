@@ -183,7 +183,7 @@ fn stored_bins_are_those_of_numbers() {
     let set = |field: u32| {
         let mut tally = SpreadTally::coarse();
         let shift = 52 - DROPPED_COARSELY;
-        (tally.set_bin(field << shift, 3), tally)
+        (tally.count_in_bin(field << shift, 3), tally)
     };
     for (field, due) in [
         (0, true),

@@ -6,9 +6,37 @@ use rug::{Integer, Rational};
 #[derive(Clone, Debug, PartialEq)]
 pub struct HexFloat {
     negative: bool,
-    digits: Integer,
+    digits: Digits,
     /// Of two.
     exponent: i64,
+}
+
+/// An integer; one below 2⁶⁴ is always the first kind.
+#[derive(Clone, Debug, PartialEq)]
+enum Digits {
+    Few(u64),
+    Many(Integer),
+}
+
+impl Digits {
+    /// Of hexadecimal digits before and after a point.
+    fn parse(whole: &str, fraction: &str) -> Option<Digits> {
+        let all = || whole.bytes().chain(fraction.bytes());
+        let digit = |b: u8| char::from(b).to_digit(16);
+        let mut few = (all().next().is_some()).then_some(0u64)?;
+        for b in all() {
+            let next = u64::from(digit(b)?);
+            few = match few >> 60 {
+                0 => few << 4 | next,
+                _ if all().all(|b| b.is_ascii_hexdigit()) => {
+                    let all = [whole, fraction].concat();
+                    return Some(Digits::Many(Integer::from_str_radix(&all, 16).ok()?));
+                }
+                _ => return None,
+            };
+        }
+        Some(Digits::Few(few))
+    }
 }
 
 /// The text is not a hexadecimal float.
@@ -54,26 +82,23 @@ impl HexFloat {
             None => (rest, 0),
         };
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let all = [whole, fraction].concat();
-        if all.is_empty() || !all.bytes().all(|b| b.is_ascii_hexdigit()) {
-            return None;
-        }
+        let digits = Digits::parse(whole, fraction)?;
         if exponent.unsigned_abs() > LARGEST_EXPONENT {
             return None;
         }
         Some(HexFloat {
             negative,
-            digits: match u64::from_str_radix(&all, 16) {
-                Ok(few) => few.into(),
-                Err(_) => Integer::from_str_radix(&all, 16).ok()?,
-            },
+            digits,
             exponent: exponent - 4 * fraction.len() as i64,
         })
     }
 
     /// The exact value.
     pub fn value(&self) -> Rational {
-        let digits = Rational::from(&self.digits);
+        let digits = match &self.digits {
+            Digits::Few(few) => Rational::from(*few),
+            Digits::Many(many) => Rational::from(many),
+        };
         let q = match u32::try_from(self.exponent.unsigned_abs()) {
             Ok(k) if self.exponent >= 0 => digits << k,
             Ok(k) => digits >> k,
@@ -84,7 +109,15 @@ impl HexFloat {
 
     /// The nearest `f64`, ties to even; the sign of a zero is kept.
     pub fn to_f64(&self) -> f64 {
-        let size = nearest(&self.digits, self.exponent);
+        const EXACT: u64 = 1 << 53;
+        // What is at most 53 bits long and not below the subnormal numbers is not rounded.
+        let size = match &self.digits {
+            Digits::Few(few) if *few <= EXACT && self.exponent >= -1074 => {
+                exact(*few, self.exponent)
+            }
+            Digits::Few(few) => nearest(&Integer::from(*few), self.exponent),
+            Digits::Many(many) => nearest(many, self.exponent),
+        };
         if self.negative { -size } else { size }
     }
 }

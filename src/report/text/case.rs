@@ -37,8 +37,8 @@ pub fn text(report: &CaseReport, again: &str, width: usize) -> String {
         case.region,
         report.bits
     );
-    if let Some(reason) = &report.judgement.reason {
-        out.push_str(&paragraph(reason, 4, width));
+    if let Some(reason) = report.judgement.why() {
+        out.push_str(&paragraph(&reason, 4, width));
     }
     out.push_str(&input(case, 4));
     match &report.answer {

@@ -390,6 +390,7 @@ pub(crate) mod tests {
             radii: vec![1e-30],
             proof: Some(Proof::Exact),
             branch: None,
+            unwritten: None,
         };
         MethodReport {
             method: "a-method",

@@ -19,7 +19,7 @@ fn what_is_wrong_is_said() {
     let said = |got: f64, d: Due| judge(&o, &SolverAnswer::Values(vec![got]), &due(d), None);
     let zero = said(-0.0, Due::zero(false));
     assert_eq!(
-        zero.reason.as_deref(),
+        zero.why().as_deref(),
         Some("x (value 0) is -0.0 where 0.0 is due")
     );
     assert_eq!(
@@ -27,28 +27,28 @@ fn what_is_wrong_is_said() {
         (Some(Kind::WrongZero), Some(Kind::WrongZero))
     );
     let nan = said(f64::NAN, Due::zero(false));
-    assert_eq!(nan.reason.as_deref(), Some("x (value 0) is NaN"));
+    assert_eq!(nan.why().as_deref(), Some("x (value 0) is NaN"));
     assert_eq!(nan.kind, Some(Kind::Nan));
     let number = |x: f64| Due::Number(Ball::exact(64, x));
     assert_eq!(said(f64::INFINITY, number(1.0)).kind, Some(Kind::Infinity));
     let over = said(1.0 + 8.0 * f64::EPSILON, number(1.0));
     assert_eq!((over.kind, over.components[0].kind), (None, None));
     assert_eq!(
-        over.reason.as_deref(),
+        over.why().as_deref(),
         Some("x (value 0) is 2.000 times its budget off")
     );
     let far = |times: f64| {
         said(1.0 + 4.0 * times * f64::EPSILON, number(1.0))
-            .reason
+            .why()
             .unwrap()
     };
     assert!(far(9999.0).contains("9999.000 times"), "{}", far(9999.0));
     assert!(far(1e4).contains("1.00e4 times"), "{}", far(1e4));
-    let beyond = said(f64::MAX, number(5e-324)).reason.unwrap();
+    let beyond = said(f64::MAX, number(5e-324)).why().unwrap();
     assert!(beyond.contains("more than 1e308 times"), "{beyond}");
     // The first of two equally wrong values is named.
     let first = measured(&[2.0, 7.0], &[1.0, 1.0], Limit::Ulps(4.0), None);
-    assert!(first.reason.unwrap().starts_with("x (value 0) is "));
+    assert!(first.why().unwrap().starts_with("x (value 0) is "));
     let lost = measured(
         &[f64::NAN, f64::INFINITY],
         &[1.0, 1.0],
@@ -200,16 +200,16 @@ fn a_norm_s_budget_is_for_numbers_and_decided_by_bounds() {
         assert_eq!(found.verdict, verdict, "{k}");
         assert_eq!(found.reason.is_some(), verdict != Verdict::Pass);
         if verdict == Verdict::Undecided {
-            assert!(found.reason.unwrap().contains("cannot be decided"));
+            assert!(found.why().unwrap().contains("cannot be decided"));
         } else if verdict == Verdict::Over {
-            assert!(found.reason.unwrap().contains("over its budget"));
+            assert!(found.why().unwrap().contains("over its budget"));
         }
     }
     // A component that is already as wrong keeps its reason.
     let tight = outputs(Limit::Ulps(1.0));
     let off = SolverAnswer::Values(vec![1.0 + 64.0 * f64::EPSILON]);
     let both = judge_with_norm(&tight, Some(&budget), &off, &exact(&[1.0]), None);
-    assert!(both.reason.unwrap().contains("64.000 times its budget"));
+    assert!(both.why().unwrap().contains("64.000 times its budget"));
     // An infinity is no number of a norm.
     let lost = judge_with_norm(
         &o,

@@ -52,10 +52,13 @@ impl StoredSpread {
         if !rest.is_empty() {
             return Err(bad());
         }
-        for [step, count] in pairs {
+        for (k, [step, count]) in pairs.iter().enumerate() {
+            if k > 0 && *step == 0 {
+                return Err(bad());
+            }
             let step = Bin::try_from(*step).map_err(|_| bad())?;
             at = at.checked_add(step).ok_or_else(bad)?;
-            spread.set_bin(at, *count).ok_or_else(bad)?;
+            spread.count_in_bin(at, *count).ok_or_else(bad)?;
         }
         for (e, carry, low) in self.squares {
             let low = u128::from_str_radix(&low, 16).map_err(|_| bad())?;

@@ -237,7 +237,7 @@ fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<
         )),
         judgement: Judgement {
             verdict,
-            reason,
+            reason: reason.map(Into::into),
             kind: worst.and_then(|c| c.kind),
             components,
             normwise: f64::NAN,
@@ -248,6 +248,7 @@ fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<
         radii: Vec::new(),
         proof: None,
         branch: None,
+        unwritten: None,
     };
     let line = row.line;
     let pairs = row.entries.into_iter().zip(found);

@@ -195,7 +195,9 @@ pub(in crate::methods::special) fn beside_curve(d: &mut Draw, part: Part) -> Vec
 /// A point just below the real axis, next to the curve `e^{-x²} ≈ |y|/(√π x²)` on which Re W = 0.
 pub(in crate::methods::special) fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
     let x = d.uniform(2.3, 26.5);
-    let guess = PI.sqrt() * x * x * libm::exp(-x * x);
+    // Where the tangent of Re W at y = 0 is zero.
+    let slope = FRAC_2_SQRT_PI - 2.0 * x * w_roughly(C::new(x, 0.0)).im;
+    let guess = -libm::exp(-x * x) / slope;
     let line = Line {
         part: Part::Re,
         along: Along::Im,

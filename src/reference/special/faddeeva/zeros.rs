@@ -142,6 +142,8 @@ fn counted(k: u32, name: &str, bits: u32) -> Result<(), Undecided> {
 
 /// The zero that Newton's method finds from a start; or the precision reached and what is missing.
 fn refined(f: &Function, start: (f64, f64), bits: u32) -> Result<ComplexBall, (u32, &'static str)> {
+    /// A relative step after which the next one is below 96 bits.
+    const LAST: i64 = -32;
     let mut prec = 96;
     let mut z = ComplexBall::new(Ball::exact(prec, start.0), Ball::exact(prec, start.1));
     let cap = 4 * bits.max(64) + 4096;
@@ -155,7 +157,7 @@ fn refined(f: &Function, start: (f64, f64), bits: u32) -> Result<ComplexBall, (u
         z = exact(&(&z - &step), prec);
         here = (f.at)(&z, prec).ok_or((prec, "no value"))?;
         steps += 1;
-        if steps < 7 {
+        if steps < 7 && step.magnitude() > z.magnitude().shift(LAST) {
             continue;
         }
         if let Some(r) = certificate(f, &z, &here) {

@@ -41,7 +41,7 @@ impl Whole {
         Whole {
             verdict,
             tone: crate::report::html::page::class(tone),
-            reason: report.judgement.reason.clone(),
+            reason: report.judgement.why(),
             input: input(report, most),
             values: values(report, got, most),
             answer,
