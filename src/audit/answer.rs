@@ -67,9 +67,29 @@ impl ReferenceAnswer {
         ReferenceAnswer::Values(Reference { values, proof })
     }
 
+    /// Whether a value is exactly zero and has no sign yet.
+    fn has_zeros(&self) -> bool {
+        let zero = |b: &Ball| b.mid().is_zero() && b.rad().is_zero();
+        match self {
+            ReferenceAnswer::Values(r) => r.values.iter().any(zero),
+            ReferenceAnswer::Dues(dues, _) => {
+                let number = |d: &Due| matches!(d, Due::Number(ball) if zero(ball));
+                dues.iter().any(number)
+            }
+            _ => false,
+        }
+    }
+
     /// The same answer, value by value, its exact zeros with the signs that
     /// [`Method::signs_of_zero`](super::Method::signs_of_zero) tells.
-    pub(super) fn with_signs_of_zero(self, signs: &[Option<bool>]) -> ReferenceAnswer {
+    pub(super) fn with_signs_of_zero(
+        self,
+        signs: impl FnOnce() -> Vec<Option<bool>>,
+    ) -> ReferenceAnswer {
+        let signs = match self.has_zeros() {
+            true => signs(),
+            false => Vec::new(),
+        };
         let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
         match self {
             ReferenceAnswer::Values(r) => {

@@ -48,7 +48,6 @@ impl<'a> Judge<'a> {
     pub fn referee(&self, case: Case) -> Referee<'_> {
         Referee {
             exact: case.input.iter().map(|&x| Rational::from_f64(x)).collect(),
-            signs: self.method.signs_of_zero(&case.input),
             judge: self,
             case,
             references: Vec::new(),
@@ -62,7 +61,6 @@ pub struct Referee<'a> {
     judge: &'a Judge<'a>,
     case: Case,
     exact: Option<Vec<Rational>>,
-    signs: Vec<Option<bool>>,
     /// By precision, doubled from one to the next.
     references: Vec<ReferenceAnswer>,
     conditions: Option<Option<Vec<f64>>>,
@@ -82,7 +80,7 @@ impl Referee<'_> {
             false => None,
         });
         self.references
-            .push(reference.with_signs_of_zero(&self.signs));
+            .push(reference.with_signs_of_zero(|| method.signs_of_zero(input)));
     }
 
     /// [`Judge::judge`], for an answer after which others may come.

@@ -43,9 +43,9 @@ pub struct SpreadTally {
 pub(super) type Bin = u32;
 
 /// How many numbers have which leading bits, of one exponent.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 enum Bins {
-    /// The bins of up to [`FEW`] numbers, in rising order. Errors of a bad candidate are in a hundred octaves.
+    /// The bins of up to [`FEW`] numbers. Errors of a bad candidate are in a hundred octaves.
     Few(Vec<u16>),
     /// Every bin's count.
     All(Vec<u64>),
@@ -63,9 +63,10 @@ impl Bins {
         };
         if more <= (FEW - few.len()) as u64 {
             let (bin, more) = (bin as u16, more as usize);
-            let at = few.partition_point(|k| *k <= bin);
-            few.splice(at..at, std::iter::repeat_n(bin, more));
-            return;
+            return match more {
+                1 => few.push(bin),
+                _ => few.resize(few.len() + more, bin),
+            };
         }
         let mut counts = vec![0; bins];
         few.iter().for_each(|k| counts[usize::from(*k)] += 1);
@@ -74,23 +75,35 @@ impl Bins {
     }
 
     /// Bins in rising order with their counts, which are not zero.
-    fn counts(&self) -> Box<dyn Iterator<Item = (usize, u64)> + '_> {
-        match self {
+    fn counts(&self) -> impl Iterator<Item = (usize, u64)> {
+        let counts: Vec<(usize, u64)> = match self {
             Bins::Few(few) => {
+                let mut few = few.clone();
+                few.sort_unstable();
                 let equal = few.chunk_by(|a, b| a == b);
-                Box::new(equal.map(|k| (usize::from(k[0]), k.len() as u64)))
+                equal.map(|k| (usize::from(k[0]), k.len() as u64)).collect()
             }
             Bins::All(counts) => {
                 let all = counts.iter().copied().enumerate();
-                Box::new(all.filter(|(_, count)| *count > 0))
+                all.filter(|(_, count)| *count > 0).collect()
             }
-        }
+        };
+        counts.into_iter()
     }
 }
+
+impl PartialEq for Bins {
+    fn eq(&self, other: &Bins) -> bool {
+        self.counts().eq(other.counts())
+    }
+}
+
+impl Eq for Bins {}
 
 /// Numbers of one exponent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct OctaveTally {
+    count: u64,
     /// By the leading bits of the fraction.
     bins: Bins,
     squares: Squares,
@@ -99,6 +112,7 @@ struct OctaveTally {
 impl Default for OctaveTally {
     fn default() -> OctaveTally {
         OctaveTally {
+            count: 0,
             bins: Bins::Few(Vec::new()),
             squares: Squares::default(),
         }
@@ -108,6 +122,7 @@ impl Default for OctaveTally {
 impl OctaveTally {
     fn count(&mut self, dropped: u32, bin: Bin, more: u64) {
         let bins = 1 << (52 - dropped);
+        self.count = self.count.saturating_add(more);
         self.bins.add(bins, bin as usize & (bins - 1), more);
     }
 }
@@ -251,9 +266,18 @@ impl SpreadTally {
     /// zeros.
     pub fn octaves(&self) -> Vec<(Option<i32>, u64)> {
         let mut octaves: BTreeMap<Option<i32>, u64> = BTreeMap::new();
-        for (k, count) in self.bins() {
-            let x = f64::from_bits(u64::from(k) << self.dropped);
-            *octaves.entry(octave(x)).or_default() += count;
+        for (field, tally) in &self.octaves {
+            match field {
+                // Zeros and subnormal numbers.
+                0 => tally.bins.counts().for_each(|(k, count)| {
+                    let x = f64::from_bits((k as u64) << self.dropped);
+                    *octaves.entry(octave(x)).or_default() += count;
+                }),
+                _ => {
+                    let own = octave(f64::from_bits(u64::from(*field) << 52));
+                    *octaves.entry(own).or_default() += tally.count;
+                }
+            }
         }
         octaves.into_iter().collect()
     }
@@ -261,19 +285,27 @@ impl SpreadTally {
     /// The number of that rank, counted from one, rounded up to the end of its bin.
     fn at_rank(&self, rank: u64) -> f64 {
         let mut below = 0;
-        let bin = self.bins().find(|(_, count)| {
-            below += count;
-            below >= rank
-        });
         let max = f64::from_bits(self.max);
-        bin.map_or(max, |(k, _)| match k {
-            // Zeros, and subnormal numbers of no interest.
-            0 => 0.0,
-            k => {
-                let end = (u64::from(k) << self.dropped) | ((1 << self.dropped) - 1);
-                f64::from_bits(end).min(max)
+        for (field, octave) in &self.octaves {
+            if below + octave.count < rank {
+                below += octave.count;
+                continue;
             }
-        })
+            let bin = octave.bins.counts().find(|(_, count)| {
+                below += count;
+                below >= rank
+            });
+            let Some((bin, _)) = bin else { continue };
+            return match u64::from(*field) << (52 - self.dropped) | bin as u64 {
+                // Zeros, and subnormal numbers of no interest.
+                0 => 0.0,
+                k => {
+                    let end = (k << self.dropped) | ((1 << self.dropped) - 1);
+                    f64::from_bits(end).min(max)
+                }
+            };
+        }
+        max
     }
 
     /// The number that `share` of all numbers do not exceed, given in ten-thousandths (nearest rank),

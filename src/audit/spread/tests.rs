@@ -63,6 +63,27 @@ fn coarse_percentiles_are_rounded_up_by_less_than_a_hundredth() {
     assert_eq!(of([1.0; 9999]).p9999, None);
 }
 
+/// A list of numbers becomes an array of counts where it is full, whatever came first.
+#[test]
+fn full_lists_are_counted() {
+    let full = FEW as u32;
+    for n in [full - 1, full, full + 1, 3 * full] {
+        let value = |k: u32| 1.0 + f64::from(k * 37 % 64) / 64.0;
+        let whole = gathered((0..n).map(value));
+        assert_eq!(whole, gathered((0..n).rev().map(value)));
+        for cut in [1, n / 2, n - 1] {
+            let (mut a, b) = (gathered((0..cut).map(value)), gathered((cut..n).map(value)));
+            a.merge(&b);
+            assert_eq!(a, whole);
+            assert_eq!(a.octaves(), [(Some(0), u64::from(n))]);
+        }
+        let counts: Vec<u64> = whole.bins().map(|b| b.1).collect();
+        assert_eq!((counts.len(), counts.iter().sum()), (64, u64::from(n)));
+        assert_eq!(whole.quantile(10_000), 1.0 + 63.0 / 64.0);
+    }
+    assert_ne!(gathered([1.0, 1.25]), gathered([1.0, 1.5]));
+}
+
 /// Sums of squares beyond 128 bits.
 #[test]
 fn carries_are_kept() {

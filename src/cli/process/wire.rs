@@ -150,27 +150,28 @@ pub fn shortened(text: &[u8]) -> String {
 /// Numbers separated by commas or blanks.
 pub fn numbers(text: &str) -> Result<Vec<f64>, LineError> {
     let line = || shortened(text.as_bytes());
-    let separated = text.split(',').flat_map(|part| {
-        let mut words = part.split_whitespace().peekable();
-        // Nothing between two commas is something missing.
-        let missing = words.peek().is_none().then_some("");
-        missing.into_iter().chain(words)
-    });
-    separated
-        .enumerate()
-        .map(|(k, field)| match field {
-            _ if k == FIELDS => Err(LineError::TooManyFields),
-            "" => Err(LineError::EmptyField(line())),
-            field => match Number::parse(field) {
-                Ok(number) => Ok(number.nearest()),
+    let mut numbers = Vec::new();
+    for part in text.split(',') {
+        let before = numbers.len();
+        for field in part.split_whitespace() {
+            if numbers.len() == FIELDS {
+                return Err(LineError::TooManyFields);
+            }
+            numbers.push(match Number::parse(field) {
+                Ok(number) => number.nearest(),
                 Err(source) if field.len() <= SHOWN => {
                     let line = line();
-                    Err(LineError::Field { line, source })
+                    return Err(LineError::Field { line, source });
                 }
-                Err(_) => Err(LineError::LongField { line: line() }),
-            },
-        })
-        .collect()
+                Err(_) => return Err(LineError::LongField { line: line() }),
+            });
+        }
+        // Nothing between two commas is something missing.
+        if numbers.len() == before {
+            return Err(LineError::EmptyField(line()));
+        }
+    }
+    Ok(numbers)
 }
 
 /// An input as a line: hexadecimal floats, or decimals that read back as the same numbers.
