@@ -37,8 +37,8 @@ const WHERE: [&str; 16] = [
     "chirp-response",
 ];
 const COUNT: u64 = 4000;
-/// Cases that an audit brings through one stage after another.
-const BLOCK: usize = 32;
+/// Answers judged side by side, as of a program.
+const BATCH: usize = 1024;
 const ROUNDS: usize = 7;
 const PARTS: [&str; 6] = ["solved", "drawn", "judged", "counted", "owed", "audited"];
 
@@ -133,7 +133,7 @@ impl Sample {
     }
 
     fn audit(&self, cases: &Cases, panel: &Panel) {
-        for block in self.places.chunks(BLOCK) {
+        for block in self.places.chunks(BATCH) {
             let drawn = block.iter().map(|(r, i)| cases.in_region(r, *i));
             let drawn: Vec<Case> = drawn.map(|case| case.expect("a region")).collect();
             let answers: Vec<_> = (drawn.iter())

@@ -1,6 +1,6 @@
 //! Hexadecimal floats as in C99.
 
-use std::fmt::{self, Display, Formatter, Write};
+use std::fmt::Write;
 
 /// A float in C's `%a` form, exact.
 ///
@@ -17,42 +17,35 @@ pub fn hex_float(x: f64) -> String {
 
 /// [`hex_float`] at the end of a text.
 pub fn write_hex_float(text: &mut String, x: f64) {
-    // A string takes everything.
-    let _ = write!(text, "{}", HexFloat(x));
-}
-
-struct HexFloat(f64);
-
-impl Display for HexFloat {
-    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
-        let x = self.0;
-        if x.is_nan() {
-            return to.write_str("nan");
-        }
-        if x.is_sign_negative() {
-            to.write_char('-')?;
-        }
-        if x.is_infinite() {
-            return to.write_str("inf");
-        }
-        let bits = x.to_bits();
-        let (exponent, fraction) = ((bits >> 52) as i32 & 0x7ff, bits & ((1 << 52) - 1));
-        let (lead, e) = match exponent {
-            0 if fraction == 0 => (0, 0),
-            0 => (0, -1022),
-            _ => (1, exponent - 1023),
-        };
-        write!(to, "0x{lead}")?;
-        if fraction != 0 {
-            let mut digits = *b".0000000000000";
-            let ends = 14 - fraction.trailing_zeros() as usize / 4;
-            for (k, digit) in digits[1..ends].iter_mut().enumerate() {
-                *digit = b"0123456789abcdef"[(fraction >> (48 - 4 * k)) as usize & 15];
-            }
-            to.write_str(std::str::from_utf8(&digits[..ends]).unwrap_or_default())?;
-        }
-        write!(to, "p{e:+}")
+    if x.is_nan() {
+        return text.push_str("nan");
     }
+    if x.is_sign_negative() {
+        text.push('-');
+    }
+    if x.is_infinite() {
+        return text.push_str("inf");
+    }
+    let bits = x.to_bits();
+    let (exponent, fraction) = ((bits >> 52) as i32 & 0x7ff, bits & ((1 << 52) - 1));
+    let (lead, e) = match exponent {
+        0 if fraction == 0 => ("0x0", 0),
+        0 => ("0x0", -1022),
+        _ => ("0x1", exponent - 1023),
+    };
+    text.push_str(lead);
+    // Nibble by nibble: inputs and answers of programs are millions of these.
+    let mut left = fraction << 12;
+    if left != 0 {
+        text.push('.');
+    }
+    while left != 0 {
+        text.push(char::from(b"0123456789abcdef"[(left >> 60) as usize]));
+        left <<= 4;
+    }
+    text.push_str(if e < 0 { "p-" } else { "p+" });
+    // A string takes everything.
+    let _ = write!(text, "{}", e.unsigned_abs());
 }
 
 #[cfg(test)]

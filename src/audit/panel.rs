@@ -11,8 +11,8 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Cases that a thread takes at a time, and brings through one stage after another: the code and the tables of a
-/// stage stay in the processor's caches from case to case.
+/// Cases that a thread takes at a time; all of them are solved before the first is judged: the solver's code and tables
+/// stay in the processor's caches from case to case.
 const BLOCK: u64 = 32;
 /// Blocks for each thread, so that none waits long for the last one.
 const BLOCKS: u64 = 8;
@@ -118,25 +118,20 @@ impl<'a> Panel<'a> {
         progress: &(dyn Fn(u64) + Sync),
         with_laws: bool,
     ) -> u64 {
-        let judged = answered.take_while(|_| go_on()).map(|(case, answer)| {
-            let report = self.judge.judge(case, answer, false);
-            progress(1);
-            report
-        });
-        let judged: Vec<_> = judged.collect();
         let laws = if with_laws { &self.laws[..] } else { &[] };
-        let residuals = judged.iter().map(|report| {
-            let of = |law: &Law| (law.residual)(&report.case.input);
-            laws.iter().map(of).collect::<Vec<Option<f64>>>()
-        });
-        let residuals: Vec<_> = residuals.collect();
+        let mut counted = 0;
         self.counting(|tally| {
-            for (report, residuals) in judged.iter().zip(&residuals) {
-                tally.laws(&report.case, residuals);
-                tally.add(report);
+            for (case, answer) in answered.take_while(|_| go_on()) {
+                let report = self.judge.judge(case, answer, false);
+                let of = |law: &Law| (law.residual)(&report.case.input);
+                let residuals: Vec<Option<f64>> = laws.iter().map(of).collect();
+                tally.laws(&report.case, &residuals);
+                tally.add(&report);
+                progress(1);
+                counted += 1;
             }
         });
-        judged.len() as u64
+        counted
     }
 
     /// What was found.
