@@ -73,23 +73,32 @@ impl Line {
         (!step.is_nan()).then_some(step)
     }
 
-    /// Where the component is zero. `f` gives value and derivative, the derivative to a few digits; `rough` the same
-    /// without a proof and at a fraction of the time: it only says where to begin. A step whose square over `most` is
-    /// less than a place of `f64` is the last. Nothing where eight steps do not get there, or get to an axis.
-    pub fn zero(
+    /// A point beside the one where the component is zero. `f` gives value and derivative, the derivative to a few
+    /// digits; `rough` the same without a proof and at a fraction of the time: it says where to begin, and that is
+    /// all of it where the point is to lie farther off. Nothing where eight steps do not get there, or get to an axis.
+    pub fn beside(
         self,
+        beside: Beside,
         rough: impl Fn(C) -> Option<[C; 2]>,
         f: impl Fn(C) -> Option<[C; 2]>,
     ) -> Option<f64> {
         let near = self.steps(self.begin(), rough, |step, _| step <= 1e-6 * self.most)?;
-        self.zero_from(near, f)
+        let zero = match beside.is_close() {
+            true => self.zero_from(near, f)?,
+            false => self.off_axis(near)?,
+        };
+        Some(beside.of(zero))
     }
 
-    /// [`Line::zero`], begun at `t`.
+    /// Where the component is zero, from `t` near it. A step whose square over `most` is less than a place of `f64` is
+    /// the last.
     fn zero_from(self, t: f64, f: impl Fn(C) -> Option<[C; 2]>) -> Option<f64> {
         let place = f64::EPSILON / 16.0 * self.most;
-        let t = self.steps(t, f, |step, t| step * step <= place * t.abs())?;
-        // On an axis a component is zero by symmetry.
+        self.off_axis(self.steps(t, f, |step, t| step * step <= place * t.abs())?)
+    }
+
+    /// `t`, unless it is on an axis, where a component is zero by symmetry.
+    fn off_axis(self, t: f64) -> Option<f64> {
         (t.abs() > self.most / 4.0).then_some(t)
     }
 
@@ -153,15 +162,43 @@ pub(in crate::methods::special) fn w_roughly(z: C) -> C {
     }
 }
 
-/// `x` moved by up to three of its last places, so that the `f64` next to a crossing is among them, or by a relative
-/// 1e-15 and more.
-pub(in crate::methods::special) fn next_to(d: &mut Draw, x: f64, most: f64) -> f64 {
-    if d.chance(0.5) {
-        return (0..d.integer(0, 6))
-            .fold(x.next_down().next_down().next_down(), |x, _| x.next_up());
+/// How a number is moved: by up to three of its last places, so that the `f64` next to a crossing is among them, or
+/// relative to itself.
+#[derive(Clone, Copy)]
+pub(in crate::methods::special) enum Beside {
+    /// Three places down and so many up.
+    Places(usize),
+    Shift(f64),
+}
+
+impl Beside {
+    /// A shift by a relative 1e-15 to `most` one time in two.
+    pub fn draw(d: &mut Draw, most: f64) -> Beside {
+        if d.chance(0.5) {
+            return Beside::Places(d.integer(0, 6));
+        }
+        let shift = d.log_uniform(1e-15, most);
+        Beside::Shift(d.signed(shift))
     }
-    let shift = d.log_uniform(1e-15, most);
-    x + x * d.signed(shift)
+
+    /// The number so moved.
+    pub fn of(self, x: f64) -> f64 {
+        match self {
+            Beside::Places(up) => {
+                let down = x.next_down().next_down().next_down();
+                (0..up).fold(down, |x, _| x.next_up())
+            }
+            Beside::Shift(shift) => x + x * shift,
+        }
+    }
+
+    /// Whether it is moved by less than what [`w_roughly`] may be off.
+    fn is_close(self) -> bool {
+        match self {
+            Beside::Places(_) => true,
+            Beside::Shift(shift) => shift.abs() < 1e-9,
+        }
+    }
 }
 
 /// A point of the lower half-plane next to a curve on which the component is zero; where none is found, the point
@@ -185,16 +222,24 @@ pub(in crate::methods::special) fn beside_curve(d: &mut Draw, part: Part) -> Vec
         most: turn,
     };
     let rough = |z| Some(with_slope(z, w_roughly(z)));
-    let x = match line.zero(rough, w_and_slope) {
-        Some(x) => next_to(d, x, 1e-2),
-        None => a,
-    };
+    let beside = Beside::draw(d, 1e-2);
+    let x = line.beside(beside, rough, w_and_slope).unwrap_or(a);
     vec![d.signed(x), -b]
 }
 
-/// A point just below the real axis, next to the curve `e^{-x²} ≈ |y|/(√π x²)` on which Re W = 0.
+/// A point just below the real axis, next to the curve on which Re W = 0.
 pub(in crate::methods::special) fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
     let x = d.uniform(2.3, 26.5);
+    let y = match x < 6.5 {
+        true => flat_zero(x),
+        false => flat_zero_far_out(x),
+    };
+    let y = Beside::draw(d, 1e-1).of(y);
+    vec![d.signed(x), -y]
+}
+
+/// `−y` where `Re W(x + iy) = 0`, by Newton's method.
+fn flat_zero(x: f64) -> f64 {
     // Where the tangent of Re W at y = 0 is zero.
     let slope = FRAC_2_SQRT_PI - 2.0 * x * w_roughly(C::new(x, 0.0)).im;
     let guess = -libm::exp(-x * x) / slope;
@@ -204,11 +249,18 @@ pub(in crate::methods::special) fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
         z: C::new(x, -0.0),
         most: guess,
     };
-    let y = line
-        .zero_from(line.begin(), parts_and_slope)
-        .map_or(guess, |y| -y);
-    let y = next_to(d, y, 1e-1);
-    vec![d.signed(x), -y]
+    let zero = line.zero_from(line.begin(), parts_and_slope);
+    zero.map_or(guess, |y| -y)
+}
+
+/// [`flat_zero`] to a few places for x ≥ 6.5, where Re W is `e^{−x²} + y Im W′(x)` to 2⁻⁵³, by the asymptotic series
+/// `−Im W′(x) = (2/√π) Σ (2n − 1)!!/(2x²)ⁿ`, n ≥ 1 (DLMF 7.12.1), whose terms fall down to `e^{−x²}`.
+fn flat_zero_far_out(x: f64) -> f64 {
+    let square = x * x;
+    let gaussian = libm::exp(-square) * (1.0 - x.mul_add(x, -square));
+    let series = (1..42).rev();
+    let series = series.fold(1.0, |sum, n| sum * (f64::from(n) + 0.5) / square + 1.0);
+    PI.sqrt() * square * gaussian / series
 }
 
 #[cfg(test)]
@@ -241,7 +293,7 @@ mod tests {
                     most: turn,
                 };
                 let rough = |z| Some(with_slope(z, w_roughly(z)));
-                let Some(x) = line.zero(rough, w_and_slope) else {
+                let Some(x) = line.beside(Beside::Places(3), rough, w_and_slope) else {
                     continue;
                 };
                 let ends = [x.next_down().next_down(), x.next_up().next_up()];
@@ -251,6 +303,20 @@ mod tests {
             }
             assert!(found >= 90, "{found}");
         }
+    }
+
+    #[test]
+    fn the_flat_curve_far_out() {
+        let mut next = 0;
+        for i in 0..100 {
+            // Squares of steps do not underflow there.
+            let x = Draw::new(4, "m", "r", i).uniform(6.5, 15.0);
+            let y = flat_zero_far_out(x);
+            let off = (y - flat_zero(x)).abs() / (y.next_up() - y);
+            assert!(off <= 6.0, "{x}: {y:e} {off}");
+            next += i32::from(off <= 3.0);
+        }
+        assert!(next >= 90, "{next}");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::laws::{point, same_pair, within};
 use super::{C, Exact, NORM, Relative, Zeros, infinity, number, on_axis};
 use crate::audit::{Draw, Due, Law, Region};
 use crate::methods::common::{held, region};
-use crate::methods::special::faddeeva::curves::{next_to, zero as zero_of_w};
+use crate::methods::special::faddeeva::curves::{Beside, zero as zero_of_w};
 use crate::reference::ComplexBall;
 use crate::reference::faddeeva::{self, w_f64};
 use crate::solvers::faddeeva::{faddeeva as w, w_derivative};
@@ -126,7 +126,7 @@ fn beside_flat_curve(d: &mut Draw) -> Vec<f64> {
         term *= (n + 0.5) * (2.0 * n + 3.0) * (2.0 * n + 4.0)
             / ((2.0 * n + 1.0) * (2.0 * n + 2.0) * square);
     }
-    let y = next_to(d, 2.0 * x * gaussian / curved, 1e-1);
+    let y = Beside::draw(d, 1e-1).of(2.0 * x * gaussian / curved);
     vec![d.signed(x), -y]
 }
 

@@ -7,7 +7,7 @@ use super::{C, Relative};
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::region;
 use crate::methods::special::faddeeva::curves::{
-    Along, Line, Part, next_to, w_roughly, zero as zero_of_w,
+    Along, Beside, Line, Part, w_roughly, zero as zero_of_w,
 };
 use crate::methods::special::faddeeva::regions::{
     TINY_PART, beside, both_signs, in_either_order, listed, named_points, one_of, polar, tiny_part,
@@ -87,10 +87,11 @@ fn beside_curve<F: Relative>(d: &mut Draw, part: Part) -> Vec<f64> {
         let value = F::from_w(w_roughly, z);
         Some([value, F::slope(z, value)])
     };
-    match (line.zero(rough, value_and_slope::<F>), along) {
+    let beside = Beside::draw(d, 1e-2);
+    match (line.beside(beside, rough, value_and_slope::<F>), along) {
         (None, _) => vec![x, y],
-        (Some(t), Along::Re) => vec![next_to(d, t, 1e-2), y],
-        (Some(t), Along::Im) => vec![x, next_to(d, t, 1e-2)],
+        (Some(t), Along::Re) => vec![t, y],
+        (Some(t), Along::Im) => vec![x, t],
     }
 }
 
