@@ -25,6 +25,11 @@ impl<T> First<T> {
 
     /// Offers one; `place` compares one that is kept with it. It is made only if it is kept.
     pub(super) fn offer(&mut self, place: impl Fn(&T) -> Ordering, make: impl FnOnce() -> T) {
+        // As a rule there is no room.
+        let full = self.kept.len() == self.room;
+        if full && self.kept.last().is_some_and(|last| place(last).is_le()) {
+            return;
+        }
         let at = self.kept.partition_point(|kept| place(kept).is_le());
         if at < self.room {
             self.kept.truncate(self.room - 1);
