@@ -48,11 +48,12 @@ fn processor_time() -> Duration {
     Duration::new(t.tv_sec as u64, t.tv_nsec as u32)
 }
 
-/// A method, the places of random cases (region and number), and what is done with them.
+/// A method, the numbers of random cases, and what is done with them.
 struct Sample {
     method: Box<dyn Method>,
     settings: Settings,
-    places: Vec<(&'static str, u64)>,
+    cases: Cases,
+    numbers: Vec<usize>,
     drawn: Vec<Case>,
     answers: Vec<SolverAnswer>,
     judged: Vec<CaseReport>,
@@ -67,13 +68,21 @@ impl Sample {
             .filter(|r| region.is_empty() || *r == region)
             .collect();
         // One region after another, as an audit goes.
-        let each = COUNT.div_ceil(regions.len() as u64);
-        let places = regions.iter().flat_map(|r| (0..each).map(move |i| (*r, i)));
-        let places: Vec<_> = places.collect();
-        let settings = Settings::default();
+        let settings = Settings {
+            cases_per_region: COUNT.div_ceil(regions.len() as u64),
+            ..Settings::default()
+        };
         let cases = Cases::new(&*method, &settings);
-        let drawn = (places.iter()).map(|(r, i)| cases.in_region(r, *i).expect("a region"));
-        let drawn: Vec<Case> = drawn.collect();
+        let mut numbers = Vec::new();
+        let mut next = 0;
+        while next < cases.len() {
+            let (region, end) = cases.region_of(next);
+            if regions.contains(&region) {
+                numbers.extend(next..end);
+            }
+            next = end;
+        }
+        let drawn: Vec<Case> = numbers.iter().map(|i| cases.get(*i)).collect();
         let answers: Vec<_> = (drawn.iter().map(|c| answer_of(&*method, &c.input))).collect();
         let judged = drawn.iter().zip(&answers);
         let judged = judged
@@ -82,7 +91,8 @@ impl Sample {
         Sample {
             method,
             settings,
-            places,
+            cases,
+            numbers,
             drawn,
             answers,
             judged,
@@ -95,9 +105,9 @@ impl Sample {
         }
     }
 
-    fn draw(&self, cases: &Cases) {
-        for (region, i) in &self.places {
-            let _ = black_box(cases.in_region(region, *i));
+    fn draw(&self) {
+        for i in &self.numbers {
+            black_box(self.cases.get(*i));
         }
     }
 
@@ -132,10 +142,9 @@ impl Sample {
         }
     }
 
-    fn audit(&self, cases: &Cases, panel: &Panel) {
-        for block in self.places.chunks(BATCH) {
-            let drawn = block.iter().map(|(r, i)| cases.in_region(r, *i));
-            let drawn: Vec<Case> = drawn.map(|case| case.expect("a region")).collect();
+    fn audit(&self, panel: &Panel) {
+        for batch in self.numbers.chunks(BATCH) {
+            let drawn: Vec<Case> = batch.iter().map(|i| self.cases.get(*i)).collect();
             let answers: Vec<_> = (drawn.iter())
                 .map(|c| answer_of(&*self.method, &c.input))
                 .collect();
@@ -145,7 +154,6 @@ impl Sample {
 
     /// Microseconds a case for each of the parts.
     fn measure(&self) -> [f64; PARTS.len()] {
-        let cases = Cases::new(&*self.method, &self.settings);
         let outputs = self.method.outputs();
         let conditional = outputs.iter().any(|o| o.budget.limit.needs_conditions());
         let mut tally = Tally::new(&*self.method, &self.settings);
@@ -156,14 +164,15 @@ impl Sample {
                 let start = processor_time();
                 match PARTS[k] {
                     "solved" => self.solve(),
-                    "drawn" => self.draw(&cases),
+                    "drawn" => self.draw(),
                     "judged" => self.judge(),
                     "counted" => self.count(&mut tally),
                     "owed" => self.owe(conditional),
-                    _ => self.audit(&cases, &panel),
+                    _ => self.audit(&panel),
                 }
-                *least = least
-                    .min((processor_time() - start).as_secs_f64() / self.places.len() as f64 * 1e6);
+                *least = least.min(
+                    (processor_time() - start).as_secs_f64() / self.numbers.len() as f64 * 1e6,
+                );
             }
         }
         least
