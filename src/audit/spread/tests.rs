@@ -81,7 +81,11 @@ fn full_lists_are_counted() {
         assert_eq!((counts.len(), counts.iter().sum()), (64, u64::from(n)));
         assert_eq!(whole.quantile(10_000), 1.0 + 63.0 / 64.0);
     }
-    assert_ne!(gathered([1.0, 1.25]), gathered([1.0, 1.5]));
+    // Of as many numbers with the same largest one and the same squares.
+    assert_ne!(gathered([17.0, 31.0, 31.0]), gathered([25.0, 25.0, 31.0]));
+    // Subnormal numbers are in one octave with the smallest normal ones, and not zeros.
+    let low = gathered([0.0, 5e-309, f64::MIN_POSITIVE]);
+    assert_eq!(low.octaves(), [(None, 1), (Some(-1022), 2)]);
 }
 
 /// Sums of squares beyond 128 bits.
