@@ -142,7 +142,7 @@ fn counted(k: u32, name: &str, bits: u32) -> Result<(), Undecided> {
 
 /// The zero that Newton's method finds from a start; or the precision reached and what is missing.
 fn refined(f: &Function, start: (f64, f64), bits: u32) -> Result<ComplexBall, (u32, &'static str)> {
-    /// A relative step after which the next one is below 96 bits.
+    /// A relative step after which a certificate is tried: the next step has twice as many bits.
     const LAST: i64 = -32;
     let mut prec = 96;
     let mut z = ComplexBall::new(Ball::exact(prec, start.0), Ball::exact(prec, start.1));
