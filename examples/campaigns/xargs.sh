@@ -1,4 +1,4 @@
 #!/bin/sh
 # The missing shards of a campaign, so many at a time: xargs.sh DIR PROCESSES
 mechaudit campaign status "$1" --missing |
-    xargs -P "$2" -I K mechaudit campaign run "$1" --jobs 1 --shard K
+    xargs -r -P "$2" -n 1 mechaudit campaign run "$1" --jobs 1 --shard

@@ -144,7 +144,8 @@ pub(super) fn reference_of(
 
 const REASON: &str = "every weight of S, S', S'' and S''' is a product of a few factors, each with a \
     relative error of a few u, and the second derivatives come from a system dominant by rows, solved \
-    with a componentwise backward error of 13 u at most; the sum over the data is the condition";
+    with a componentwise backward error of 13 u at most, or from divided differences where four knots leave one \
+    cubic; the sum over the data is the condition";
 
 /// The five outputs with their budgets in units of the conditioned limit.
 pub(super) fn outputs(k: f64) -> Vec<Output> {

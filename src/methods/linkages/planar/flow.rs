@@ -4,9 +4,12 @@
 //! the first angle is φ. A datum p moves q, q', q'' by `F_q δq = −F_p δp` and the same differentiated once and twice by
 //! the drive with what the lower orders give on the right. `Σ |p ∂f/∂p|` follows by one pass for each datum.
 //!
-//! To these come the coefficients of the linear systems for q' and q'', as if each were a datum: Skeel's
-//! `|F_q⁻¹| (|F_q| |q'| + |right side|)` (*J. ACM* 26 (1979) 494–526). Without them a body that by its structure moves as
-//! another does, the data being what they may, would have to have the difference of both exactly.
+//! To these come the equations themselves, as they are solved one after another, each as if it had data of its own. A
+//! position closes the loops to within the rounding of their terms: a gap of that size in each is a datum which
+//! moves q and, through it alone, q' and q''. The coefficients of the linear systems for q' and q'' add Skeel's
+//! `|F_q⁻¹| (|F_q| |q'| + |right side|)` (*J. ACM* 26 (1979) 494–526). Without these a rate on which position and
+//! coefficients have opposite effects, the data being what they may, would have to be found without using the position,
+//! and a body that by its structure moves as another does would have to have the difference of both exactly.
 
 use super::input::PlanarLinkageInput;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
@@ -58,11 +61,20 @@ impl Motion {
     }
 }
 
-/// A datum: its size, and which point or the drive it moves.
+/// A datum: its size, and what it changes.
 pub(super) struct Datum {
     pub size: f64,
-    /// The pin, its side and the change of the point; none is the drive.
-    pub of: Option<(usize, usize, C)>,
+    pub of: Change,
+}
+
+/// What a datum changes.
+#[derive(Clone, Copy)]
+pub(super) enum Change {
+    Drive,
+    /// A pin's point on its body of that side, by so much for each unit.
+    Point(usize, usize, C),
+    /// The gap between a pin's points.
+    Gap(usize, C),
 }
 
 /// A linkage at a position.
@@ -121,7 +133,7 @@ impl Flow {
             loops: matrix.lu(),
             systems: vec![[[0.0; 2]; 2]; bodies + 1],
         };
-        // Origins are not needed: only their derivatives are.
+        flow.place(angles);
         let mut right = DVector::zeros(n);
         right[n - 1] = 1.0;
         flow.motion.set(1, &flow.loops.solve(&right)?);
@@ -133,6 +145,28 @@ impl Flow {
         flow.motion.set(2, &flow.loops.solve(&right)?);
         flow.systems = flow.of_systems()?;
         Some(flow)
+    }
+
+    /// The bodies' angles, and their origins from pin to pin.
+    fn place(&mut self, angles: &[f64]) {
+        for (turn, angle) in self.motion.turn[1..].iter_mut().zip(angles) {
+            turn[0] = *angle;
+        }
+        let mut known = vec![false; self.bodies + 1];
+        known[0] = true;
+        for _ in 0..self.bodies {
+            for [a, b] in &self.pins {
+                let (from, to) = match (known[a.body], known[b.body]) {
+                    (true, false) => (a, b),
+                    (false, true) => (b, a),
+                    _ => continue,
+                };
+                let arm = |s: &Spot| self.direction[s.body] * s.at;
+                self.motion.origin[to.body][0] =
+                    self.motion.origin[from.body][0] + arm(from) - arm(to);
+                known[to.body] = true;
+            }
+        }
     }
 
     fn of_systems(&self) -> Option<Vec<[[f64; 2]; 2]>> {
@@ -224,8 +258,13 @@ impl Flow {
                     right[2 * row + 1] += gap.im;
                 }
             }
-            if order == 0 && datum.of.is_none() {
-                right[3 * self.bodies - 1] = 1.0;
+            match datum.of {
+                Change::Drive if order == 0 => right[3 * self.bodies - 1] = 1.0,
+                Change::Gap(pin, by) if order == 0 => {
+                    right[2 * pin] += by.re;
+                    right[2 * pin + 1] += by.im;
+                }
+                _ => {}
             }
             d.set(order, &self.loops.solve(&right)?);
         }
@@ -235,29 +274,40 @@ impl Flow {
     /// How the datum moves a pin's point in its body.
     pub(super) fn by(&self, datum: &Datum, pin: usize, side: usize) -> C {
         match datum.of {
-            Some((p, s, by)) if (p, s) == (pin, side) => by,
+            Change::Point(p, s, by) if (p, s) == (pin, side) => by,
             _ => C::default(),
         }
     }
 
-    /// Drive and pins' coordinates.
+    /// Drive, pins' coordinates, loops.
     pub(super) fn data(&self) -> Vec<Datum> {
         let mut all = vec![Datum {
             size: self.phi.abs(),
-            of: None,
+            of: Change::Drive,
         }];
         for (pin, ends) in self.pins.iter().enumerate() {
             for (side, end) in ends.iter().enumerate() {
                 for (size, by) in [(end.at.re, C::new(1.0, 0.0)), (end.at.im, I)] {
                     all.push(Datum {
                         size: size.abs(),
-                        of: Some((pin, side, by)),
+                        of: Change::Point(pin, side, by),
                     });
                 }
             }
+            let size: f64 = ends.iter().map(|s| self.terms(s)).sum();
+            all.extend([C::new(1.0, 0.0), I].map(|by| Datum {
+                size,
+                of: Change::Gap(pin, by),
+            }));
         }
         all.retain(|d| d.size > 0.0);
         all
+    }
+
+    /// The size of the terms of a point, `O + e^{iθ} z`, θ being rounded too.
+    fn terms(&self, s: &Spot) -> f64 {
+        let turn = self.motion.turn[s.body][0].abs().max(1.0);
+        self.motion.origin[s.body][0].norm() + turn * s.at.norm()
     }
 
     pub(super) fn centre(&self, k: usize) -> Spot {

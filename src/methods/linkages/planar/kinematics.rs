@@ -24,6 +24,8 @@ const POSITION: &str = "the last Newton correction leaves a residual of a few ro
     effect of perturbing each coordinate and the drive by a few units";
 const FIRST: &str = "one factored system whose matrix carries the position's errors";
 const SECOND: &str = "the same system with a right side of squared rates";
+const SECOND_OF_POINT: &str = "the angle's second derivative, and the point's own sum of four products, each rounded \
+    twice with the direction";
 
 /// Why the reference holds.
 pub(super) const PROOF: &str = "Krawczyk (1969); no nearer position by a one-to-one map on the cube around the \
@@ -71,8 +73,8 @@ impl Definition for PlanarLinkage {
             conditioned("y", "m", 2.0, POSITION),
             conditioned("x'", "m", 2.0, FIRST),
             conditioned("y'", "m", 2.0, FIRST),
-            conditioned("x''", "m", 2.0, SECOND),
-            conditioned("y''", "m", 2.0, SECOND),
+            conditioned("x''", "m", 4.0, SECOND_OF_POINT),
+            conditioned("y''", "m", 4.0, SECOND_OF_POINT),
         ]
     }
 

@@ -6,6 +6,8 @@
 
 use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
 use super::pose::Pose;
+use num_complex::Complex64;
+use std::cell::Cell;
 
 /// How far unknowns and drive may move within one step, so that the bounds hold: radians or units of
 /// length.
@@ -62,52 +64,78 @@ fn turns(chain: &Chain, body: usize) -> [f64; 2] {
     [f64::from(u8::from(t.unknown.is_some())), t.drive.abs()]
 }
 
-/// The bounds along the way to a point.
-fn path(chain: &Chain, pose: &Pose, spot: Spot, sum: &mut Path) {
-    let mut body = spot.body;
-    let mut here = pose.at(spot);
+/// The bounds along the way to a point; displacements along rails by `travelled`.
+fn path(chain: &Chain, travelled: &impl Fn(Travel) -> f64, mut spot: Spot, sum: &mut Path) {
     let mut slack = 0.0;
     loop {
+        let body = spot.body;
         let turn = turns(chain, body);
-        let (on, next) = match chain.entries[body] {
+        let arm = |hinge: Complex64| (spot.at - hinge).norm_sqr().sqrt();
+        spot = match chain.entries[body] {
             Entry::Ground => return,
-            Entry::Pin { on, .. } => {
-                let next = pose.at(on);
-                sum.arm((here - next).norm() + slack, turn);
+            Entry::Pin { on, own } => {
+                sum.arm(arm(own) + slack, turn);
                 slack = 0.0;
-                (on.body, next)
+                on
             }
-            Entry::OnRail { rail, travel, .. } => {
-                let along = pose.e[rail.body] * rail.along;
-                let origin = pose.p[rail.body] + pose.e[rail.body] * rail.at;
-                let next = origin + along * pose.travel(travel);
-                sum.arm((here - next).norm() + slack, turn);
+            Entry::OnRail { rail, own, travel } => {
+                sum.arm(arm(own) + slack, turn);
                 sum.travel(travel, turns(chain, rail.body));
                 // The arm of the rail's body gets longer as the displacement grows.
                 slack = SLACK;
-                (rail.body, next)
+                rail.at(travelled(travel))
             }
-            Entry::WithRail { on, travel, .. } => {
-                let next = pose.at(on);
-                sum.arm((here - next).norm() + slack + SLACK, turn);
+            Entry::WithRail {
+                on,
+                at,
+                along,
+                travel,
+            } => {
+                sum.arm(arm(at + along * travelled(travel)) + slack + SLACK, turn);
                 sum.travel(travel, turn);
                 slack = 0.0;
-                (on.body, next)
+                on
             }
         };
-        (body, here) = (on, next);
     }
+}
+
+/// Bounds of a pin's rows.
+fn pinned(chain: &Chain, travelled: &impl Fn(Travel) -> f64, ends: [Spot; 2]) -> Bound {
+    let mut sum = Path::default();
+    for end in ends {
+        path(chain, travelled, end, &mut sum);
+    }
+    sum.second
+}
+
+/// The bounds that are the same at every position, for each closure: of pins with nothing but pins on the way.
+pub(super) fn constant(chain: &Chain) -> Vec<Option<Bound>> {
+    let of = |closure: &Closure| match *closure {
+        Closure::Pin { a, b } => {
+            let slides = Cell::new(false);
+            let bound = pinned(
+                chain,
+                &|_| {
+                    slides.set(true);
+                    0.0
+                },
+                [a, b],
+            );
+            (!slides.get()).then_some(bound)
+        }
+        Closure::Tie { .. } | Closure::Gears { .. } => Some(Bound::default()),
+        _ => None,
+    };
+    chain.closures.iter().map(of).collect()
 }
 
 /// `along × d` or `along · d` with a turning direction.
 fn projected(chain: &Chain, pose: &Pose, rail: Rail, point: Spot) -> Bound {
     let mut sum = Path::default();
-    path(chain, pose, point, &mut sum);
-    let origin = Spot {
-        body: rail.body,
-        at: rail.at,
-    };
-    path(chain, pose, origin, &mut sum);
+    let travelled = |t| pose.travel(t);
+    path(chain, &travelled, point, &mut sum);
+    path(chain, &travelled, rail.at(0.0), &mut sum);
     let [u, d] = turns(chain, rail.body);
     let (_, distance) = pose.along(rail, point);
     let far = distance.norm() + SLACK * (sum.first[0] + sum.first[1]);
@@ -122,19 +150,18 @@ fn projected(chain: &Chain, pose: &Pose, rail: Rail, point: Spot) -> Bound {
 /// The bounds of all rows.
 pub(super) fn bounds(chain: &Chain, pose: &Pose, out: &mut Vec<Bound>) {
     out.clear();
-    for closure in &chain.closures {
-        match *closure {
-            Closure::Pin { a, b } => {
-                let mut sum = Path::default();
-                path(chain, pose, a, &mut sum);
-                path(chain, pose, b, &mut sum);
-                out.extend([sum.second; 2]);
-            }
-            Closure::Line { rail, point } | Closure::Travel { rail, point } => {
-                out.push(projected(chain, pose, rail, point));
-            }
-            Closure::Rack { rail, point, .. } => out.push(projected(chain, pose, rail, point)),
-            Closure::Tie { .. } | Closure::Gears { .. } => out.push(Bound::default()),
-        }
+    for (closure, constant) in chain.closures.iter().zip(&chain.bounds) {
+        let bound = match (*constant, *closure) {
+            (Some(bound), _) => bound,
+            (None, Closure::Pin { a, b }) => pinned(chain, &|t| pose.travel(t), [a, b]),
+            (
+                None,
+                Closure::Line { rail, point }
+                | Closure::Travel { rail, point }
+                | Closure::Rack { rail, point, .. },
+            ) => projected(chain, pose, rail, point),
+            (None, Closure::Tie { .. } | Closure::Gears { .. }) => Bound::default(),
+        };
+        out.extend((0..closure.rows()).map(|_| bound));
     }
 }

@@ -39,9 +39,14 @@ impl Chain {
             kept: Vec::new(),
             chain: Chain {
                 entries: vec![Entry::Ground; n],
+                hung: vec![(0, 0); n],
+                forces: forces(description),
+                tied: vec![None; n],
                 turns: vec![Turn::default(); n],
                 order: Vec::new(),
                 closures: Vec::new(),
+                closed: Vec::new(),
+                bounds: Vec::new(),
                 blocks: Vec::new(),
                 group: vec![0; n],
                 ties: ties(description),
@@ -54,17 +59,34 @@ impl Chain {
         for group in &structure.groups {
             builder.block(&group.bodies);
         }
-        builder.chain
+        let mut chain = builder.chain;
+        chain.bounds = super::bounds::constant(&chain);
+        chain
     }
 }
 
+fn forces(description: &Description) -> Vec<usize> {
+    let mut all = vec![0];
+    for joint in &description.joints {
+        let own = match &joint.part {
+            Joint::Pin { points } => points.len() - 1,
+            Joint::Slide { .. } | Joint::Slot { .. } => 1,
+            Joint::Gears { .. } | Joint::Rack { .. } => 0,
+        };
+        all.push(all[all.len() - 1] + own);
+    }
+    all
+}
+
 fn ties(description: &Description) -> Vec<Tie> {
-    let slides = description.joints.iter().filter_map(|j| match &j.part {
+    let joints = description.joints.iter().enumerate();
+    let slides = joints.filter_map(|(k, j)| match &j.part {
         Joint::Slide {
             slider,
             guide,
             turn,
         } => Some(Tie {
+            joint: Some(k),
             a: guide.origin.body,
             b: slider.body,
             offset: turn.rad(),
@@ -74,6 +96,7 @@ fn ties(description: &Description) -> Vec<Tie> {
     });
     let drive = match description.drive {
         Drive::Angle { body, from } => Some(Tie {
+            joint: None,
             a: from,
             b: body,
             offset: 0.0,
@@ -239,6 +262,7 @@ impl Builder<'_> {
         self.chain.turns[body] = match tied {
             Some((k, turn)) => {
                 self.kept.push(k);
+                self.chain.tied[body] = Some(k);
                 turn
             }
             None => Turn {
@@ -247,6 +271,7 @@ impl Builder<'_> {
             },
         };
         self.chain.entries[body] = candidate.entry;
+        self.chain.hung[body] = candidate.source;
         self.chain.order.push(body);
         self.placed[body] = true;
         self.used.push(candidate.source);
@@ -269,17 +294,26 @@ impl Builder<'_> {
                 b,
                 offset,
                 drive,
+                ..
             } = self.chain.ties[k];
             if self.placed[a] && self.placed[b] && !self.kept.contains(&k) {
                 self.kept.push(k);
-                self.chain.closures.push(Closure::Tie {
-                    a,
-                    b,
-                    offset,
-                    drive,
-                });
+                self.add(
+                    None,
+                    Closure::Tie {
+                        a,
+                        b,
+                        offset,
+                        drive,
+                    },
+                );
             }
         }
+    }
+
+    fn add(&mut self, joint: Option<(usize, usize)>, closure: Closure) {
+        self.chain.closures.push(closure);
+        self.chain.closed.push(joint);
     }
 
     fn close_joint(&mut self, k: usize) {
@@ -295,7 +329,7 @@ impl Builder<'_> {
                     if i != anchor && self.placed[p.body] && fresh(&self.used, (k, i)) {
                         self.used.push((k, i));
                         let a = spot(p, metres);
-                        self.chain.closures.push(Closure::Pin { a, b });
+                        self.add(Some((k, i)), Closure::Pin { a, b });
                     }
                 }
             }
@@ -312,9 +346,9 @@ impl Builder<'_> {
                 if both && fresh(&self.used, (k, 0)) {
                     self.used.push((k, 0));
                     let (rail, point) = (rail(guide, metres), spot(point, metres));
-                    self.chain.closures.push(Closure::Line { rail, point });
+                    self.add(Some((k, 0)), Closure::Line { rail, point });
                     if description.drive == (Drive::Displacement { joint: k }) {
-                        self.chain.closures.push(Closure::Travel { rail, point });
+                        self.add(Some((k, 0)), Closure::Travel { rail, point });
                     }
                 }
             }
@@ -329,12 +363,15 @@ impl Builder<'_> {
                     .all(|&b| self.placed[b]);
                 if all && fresh(&self.used, (k, 0)) {
                     self.used.push((k, 0));
-                    self.chain.closures.push(Closure::Gears {
-                        wheels: *wheels,
-                        carrier: *carrier,
-                        ratio: *ratio,
-                        phase: phase.rad(),
-                    });
+                    self.add(
+                        Some((k, 0)),
+                        Closure::Gears {
+                            wheels: *wheels,
+                            carrier: *carrier,
+                            ratio: *ratio,
+                            phase: phase.rad(),
+                        },
+                    );
                 }
             }
             Joint::Rack {
@@ -351,13 +388,16 @@ impl Builder<'_> {
                     .all(|&b| self.placed[b]);
                 if all && fresh(&self.used, (k, 0)) {
                     self.used.push((k, 0));
-                    self.chain.closures.push(Closure::Rack {
-                        rail: rail(guide, metres),
-                        point: spot(slider, metres),
-                        wheel: *wheel,
-                        radius: radius.m() / metres,
-                        phase: phase.m() / metres,
-                    });
+                    self.add(
+                        Some((k, 0)),
+                        Closure::Rack {
+                            rail: rail(guide, metres),
+                            point: spot(slider, metres),
+                            wheel: *wheel,
+                            radius: radius.m() / metres,
+                            phase: phase.m() / metres,
+                        },
+                    );
                 }
             }
         }

@@ -6,6 +6,7 @@
 //! closure equations. Group by group there are as many as unknowns, so the Jacobian is block
 //! triangular. Lengths are in units of a power of two metres near the largest dimension.
 
+use super::bounds::Bound;
 use super::check::unit;
 use super::model::{Guide, Point};
 use num_complex::Complex64;
@@ -23,6 +24,16 @@ pub(super) struct Rail {
     pub body: usize,
     pub at: Complex64,
     pub along: Complex64,
+}
+
+impl Rail {
+    /// The point at a displacement.
+    pub(super) fn at(&self, s: f64) -> Spot {
+        Spot {
+            body: self.body,
+            at: self.at + self.along * s,
+        }
+    }
 }
 
 /// An angle: `u + offset + drive φ`.
@@ -109,6 +120,8 @@ impl Closure {
 /// An angle tied to another by a slide or the drive: `θ_b = θ_a + offset + drive φ`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tie {
+    /// The slide; none is the drive.
+    pub joint: Option<usize>,
     pub a: usize,
     pub b: usize,
     pub offset: f64,
@@ -129,10 +142,20 @@ pub(super) struct Block {
 pub(super) struct Chain {
     /// For each body; the ground hangs on nothing.
     pub entries: Vec<Entry>,
+    /// For each body the joint of its entry, and for pins the place of the body's own point in it.
+    pub hung: Vec<(usize, usize)>,
+    /// The number of forces, one for each point but a pin's first, of the joints before each, and of all.
+    pub forces: Vec<usize>,
+    /// For each body the tie that gives its angle, by number.
+    pub tied: Vec<Option<usize>>,
     pub turns: Vec<Turn>,
     /// The bodies in the order in which they are placed, without the ground.
     pub order: Vec<usize>,
     pub closures: Vec<Closure>,
+    /// For each closure its joint, and for pins the place of point a in it; none of ties.
+    pub closed: Vec<Option<(usize, usize)>>,
+    /// For each closure the bounds of its rows, where they are the same at every position.
+    pub bounds: Vec<Option<Bound>>,
     pub blocks: Vec<Block>,
     /// The number of each body's block, counted from 1; 0 for the ground.
     pub group: Vec<usize>,
@@ -167,5 +190,13 @@ pub(super) fn rail(g: &Guide, metres: f64) -> Rail {
 impl Chain {
     pub(super) fn body_count(&self) -> usize {
         self.entries.len()
+    }
+
+    /// The column of a displacement; that of the drive is after those of the unknowns.
+    pub(super) fn column(&self, travel: Travel) -> usize {
+        match travel {
+            Travel::Unknown(k) => k,
+            Travel::Drive => self.unknowns,
+        }
     }
 }

@@ -35,11 +35,45 @@ const MOST_STEPS: u32 = 2_000_000;
 /// Leaves room for rounding.
 const SAFETY: f64 = 0.98;
 
-/// A step that is proved: its length, and the radius around the tangent's end.
-#[derive(Clone, Copy, Debug)]
+/// A step that is proved: its length, the radius around the tangent's end, and the bounds κ and μ.
+#[derive(Clone, Copy, Debug, Default)]
 struct Step {
     length: f64,
     radius: f64,
+    kappa: f64,
+    mu: f64,
+}
+
+/// The state from which a step is proved. For all values of the drive within its length the branch is the one solution
+/// in the ball around the tangent's end, so that further states may be found in it without another proof.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Anchor {
+    step: Step,
+    drive: f64,
+    u: Vec<f64>,
+    rates: Vec<f64>,
+    /// The unknowns of the last state found from it.
+    last: Vec<f64>,
+}
+
+impl Anchor {
+    fn moor(&mut self, state: &State, step: Step) {
+        self.step = step;
+        self.drive = state.pose.drive;
+        self.u.clone_from(&state.pose.u);
+        self.rates.clone_from(&state.rates[0]);
+        self.last.clone_from(&state.pose.u);
+    }
+
+    /// Whether the state was found from here and the drive is within the step.
+    fn holds(&self, state: &State, drive: f64) -> bool {
+        (drive - self.drive).abs() <= self.step.length && self.last == state.pose.u
+    }
+
+    /// The end of the tangent.
+    fn tangent(&self, k: usize, drive: f64) -> f64 {
+        self.u[k] + self.rates[k] * (drive - self.drive)
+    }
 }
 
 impl Mechanism {
@@ -98,17 +132,24 @@ impl Mechanism {
             if left == 0.0 {
                 return Ok(());
             }
-            let step = self.longest_step(state, work);
-            let drive = match left.abs() <= step.length {
+            if !work.anchor.holds(state, to) {
+                let step = self.longest_step(state, work);
+                work.anchor.moor(state, step);
+            }
+            let anchor = std::mem::take(&mut work.anchor);
+            let Step { length, .. } = anchor.step;
+            let drive = match (to - anchor.drive).abs() <= length {
                 true => to,
-                false => state.pose.drive + step.length.copysign(left),
+                false => state.pose.drive + length.copysign(left),
             };
-            let long = step.length >= SMALLEST_STEP;
-            if !(long && self.correct(state, next, drive, step.radius, work)) {
+            let found = length >= SMALLEST_STEP && self.correct(state, next, drive, &anchor, work);
+            work.anchor = anchor;
+            if !found {
                 return Err(PositionError::Ends {
                     drive: self.outer_drive(state.pose.drive),
                 });
             }
+            work.anchor.last.clone_from(&next.pose.u);
             std::mem::swap(state, next);
         }
         Err(PositionError::TooManySteps {
@@ -150,30 +191,51 @@ impl Mechanism {
         Step {
             length: if sound { length } else { 0.0 },
             radius,
+            kappa,
+            mu,
         }
     }
 
-    /// The state at another value of the drive, within the radius of the tangent's end, into `next`.
+    /// The state at another value of the drive, within the anchor's radius of its tangent's end, into `next`.
     fn correct(
         &self,
         from: &State,
         next: &mut State,
         drive: f64,
-        radius: f64,
+        anchor: &Anchor,
         work: &mut Work,
     ) -> bool {
         let s = drive - from.pose.drive;
         let [first, second] = &from.rates;
-        let tangent = |k: usize| from.pose.u[k] + first[k] * s;
+        let Step {
+            radius, kappa, mu, ..
+        } = anchor.step;
         let n = self.chain.unknowns;
+        // What `next` held, the state before, gives third derivatives.
+        let before = from.pose.drive - next.pose.drive;
+        let third = match before.abs() <= 2.0 * s.abs() && before != 0.0 {
+            true => 1.0 / before,
+            false => 0.0,
+        };
         // A predictor outside the ball would prove nothing; the tangent's end always lies inside.
-        for curved in [0.5 * s * s, 0.0] {
+        for curved in [true, false] {
             let pose = &mut next.pose;
             pose.drive = drive;
-            (0..n).for_each(|k| pose.u[k] = tangent(k) + curved * second[k]);
+            for k in 0..n {
+                pose.u[k] = match curved {
+                    true => {
+                        let third = (second[k] - next.rates[1][k]) * third;
+                        from.pose.u[k] + s * (first[k] + s * (0.5 * second[k] + s * third / 6.0))
+                    }
+                    false => anchor.tangent(k, drive),
+                };
+            }
             pose.place(&self.chain, &self.chain.order);
-            let inside = self.chain.newton(pose, None, work)
-                && (0..n).all(|k| (pose.u[k] - tangent(k)).abs() <= radius);
+            // In the ball `|J⁻¹|` is at most twice that of the anchor.
+            let off = (0..n).fold(0.0f64, |m, k| m.max((pose.u[k] - from.pose.u[k]).abs()));
+            let near = (&from.factors, 4.0 * (kappa * off + mu * s.abs()));
+            let inside = self.chain.newton_within(pose, near, kappa, work)
+                && (0..n).all(|k| (pose.u[k] - anchor.tangent(k, drive)).abs() <= radius);
             if inside {
                 return next.update(&self.chain, work);
             }

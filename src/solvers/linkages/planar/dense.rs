@@ -49,12 +49,19 @@ impl IndexMut<(usize, usize)> for Matrix {
 pub(super) struct Factors {
     n: usize,
     lu: Vec<f64>,
+    /// Reciprocals of the pivots: a product for a quotient, where each waits for the one before.
+    over: Vec<f64>,
     /// Where each row comes from.
     rows: Vec<usize>,
     /// The rows and columns of each block, all in turn.
     blocks: Vec<Range<usize>>,
     odd: bool,
+    /// The smallest and the largest pivot.
+    pivots: [f64; 2],
 }
+
+/// Solutions are corrected where pivots differ by more than this factor.
+const UNEVEN: f64 = 16.0;
 
 impl Factors {
     /// Factors the first rows of a matrix, a square from `first_column` on, as one block; `false` if a pivot is zero or
@@ -75,7 +82,9 @@ impl Factors {
         let n = self.blocks.last().map_or(0, |b| b.end);
         self.n = n;
         self.odd = false;
+        self.pivots = [f64::INFINITY, 0.0];
         self.lu.clear();
+        self.over.clear();
         for r in 0..n {
             self.lu
                 .extend_from_slice(&a.row(r)[first_column..first_column + n]);
@@ -99,13 +108,16 @@ impl Factors {
                     self.odd = !self.odd;
                 }
                 let d = lu[k * n + k];
-                if d == 0.0 || !d.is_finite() {
+                let over = 1.0 / d;
+                if !(over.is_finite() && over != 0.0) {
                     return false;
                 }
+                self.over.push(over);
+                self.pivots = [self.pivots[0].min(d.abs()), self.pivots[1].max(d.abs())];
                 let (upper, lower) = lu.split_at_mut((k + 1) * n);
                 let source = &upper[k * n..][k + 1..block.end];
                 for row in lower.chunks_exact_mut(n).take(block.end - k - 1) {
-                    let m = row[k] / d;
+                    let m = row[k] * over;
                     row[k] = m;
                     if m != 0.0 {
                         for (x, s) in row[k + 1..block.end].iter_mut().zip(source) {
@@ -133,9 +145,36 @@ impl Factors {
                 let row = &self.lu[r * n..][..end];
                 let known = row[r + 1..].iter().zip(&x[r + 1..end]);
                 let sum = known.fold(x[r], |sum, (a, x)| sum - a * x);
-                x[r] = sum / row[r];
+                x[r] = sum * self.over[r];
             }
         }
+    }
+
+    /// Solves `A x = b` for the matrix that was factored. Where its pivots are uneven the solution is corrected once by
+    /// its residual, which makes it that of a system with every entry of A and b off by a few units alone, whatever the
+    /// scales of the rows (Skeel, *Math. Comp.* 35 (1980)). `room` is used for it.
+    pub(super) fn solve_closely(
+        &self,
+        a: &Matrix,
+        b: impl Fn(usize) -> f64,
+        x: &mut [f64],
+        room: &mut Vec<f64>,
+    ) {
+        self.solve(&b, x);
+        if self.are_even() {
+            return;
+        }
+        room.clear();
+        room.resize(2 * self.n, 0.0);
+        let (residual, step) = room.split_at_mut(self.n);
+        for block in &self.blocks {
+            for &row in &self.rows[block.clone()] {
+                let known = a.row(row)[..block.end].iter().zip(&*x);
+                residual[row] = known.fold(b(row), |sum, (a, x)| sum - a * x);
+            }
+        }
+        self.solve(|r| residual[r], step);
+        x.iter_mut().zip(step).for_each(|(x, d)| *x += *d);
     }
 
     /// Solves `Aᵀ y = b`.
@@ -149,7 +188,7 @@ impl Factors {
                 for c in from..r {
                     sum -= lu[c * n + r] * z[c];
                 }
-                z[r] = sum / lu[r * n + r];
+                z[r] = sum * self.over[r];
             }
             for r in (from..end).rev() {
                 let mut sum = z[r];
@@ -168,6 +207,28 @@ impl Factors {
         for r in 0..n {
             y[self.rows[r]] = z[r];
         }
+    }
+
+    /// [`Factors::solve_closely`] of `Aᵀ y = b`.
+    pub(super) fn solve_transposed_closely(&self, a: &Matrix, b: &[f64], y: &mut [f64]) {
+        self.solve_transposed(b, y);
+        if self.are_even() {
+            return;
+        }
+        let mut residual = b.to_vec();
+        for block in &self.blocks {
+            for row in block.clone() {
+                let entries = residual.iter_mut().zip(a.row(row)).take(block.end);
+                entries.for_each(|(sum, a)| *sum -= a * y[row]);
+            }
+        }
+        let mut step = vec![0.0; self.n];
+        self.solve_transposed(&residual, &mut step);
+        y.iter_mut().zip(step).for_each(|(y, d)| *y += d);
+    }
+
+    fn are_even(&self) -> bool {
+        self.pivots[1] <= UNEVEN * self.pivots[0]
     }
 
     /// The determinant.

@@ -294,10 +294,7 @@ impl Isotropic {
         };
         let along = |rail: Rail, point: Spot| -> [Form; 2] {
             let [_, z] = pose_of(rail.body);
-            let from = at(Spot {
-                body: rail.body,
-                at: rail.at,
-            });
+            let from = at(rail.at(0.0));
             let d = at(point).iter().zip(&from).map(|(a, b)| a - b).collect();
             [z.iter().map(|z| z * rail.along).collect(), d]
         };

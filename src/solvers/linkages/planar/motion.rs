@@ -104,13 +104,7 @@ impl Motion {
     pub(super) fn along(&self, pose: &Pose, rail: Rail, point: Spot) -> [Jet; 2] {
         let u = pose.e[rail.body] * rail.along;
         let [u1, u2] = turned(u, self.bodies[rail.body].turn);
-        let from = self.spot(
-            pose,
-            Spot {
-                body: rail.body,
-                at: rail.at,
-            },
-        );
+        let from = self.spot(pose, rail.at(0.0));
         let to = self.spot(pose, point);
         [[u, u1, u2], std::array::from_fn(|k| to[k] - from[k])]
     }

@@ -2,6 +2,7 @@
 
 use super::bounds::Bound;
 use super::chain::{Block, Chain};
+use super::continuation::Anchor;
 use super::dense::{Factors, Matrix};
 use super::pose::Pose;
 use super::state::State;
@@ -13,9 +14,15 @@ pub(super) struct Work {
     pub factors: Factors,
     pub residual: Vec<f64>,
     pub step: Vec<f64>,
+    /// Residuals and corrections of linear systems.
+    pub correction: Vec<f64>,
     pub bounds: Vec<Bound>,
     /// Row sums of `|J⁻¹|` times the bounds.
     pub sums: Vec<[f64; 3]>,
+    /// The last first correction of [`Chain::newton_within`].
+    pub size: f64,
+    /// What is proved about the way ahead of a continuation.
+    pub anchor: Anchor,
     /// Memory for the next state of a continuation.
     pub spare: Option<State>,
 }
@@ -86,17 +93,7 @@ impl Chain {
             }
             let residual = &work.residual;
             work.factors.solve(|r| -residual[r], &mut work.step[..n]);
-            // A displacement is as good as its size.
-            let mut size = 0.0f64;
-            for (k, d) in unknowns.clone().zip(&work.step[..n]) {
-                let scale = if self.lengths[k] {
-                    pose.u[k].abs().max(1.0)
-                } else {
-                    1.0
-                };
-                size = size.max(d.abs() / scale);
-                pose.u[k] += d;
-            }
+            let size = self.moved(pose, unknowns.clone(), &work.step);
             pose.place(self, order);
             if settled(size, last) {
                 return true;
@@ -111,5 +108,59 @@ impl Chain {
         }
         // Beside a fold the corrections stay near the square root of the rounding error.
         last < 1e-6
+    }
+
+    /// Moves unknowns by a step, and returns its size: a displacement is as good as its own.
+    fn moved(&self, pose: &mut Pose, unknowns: std::ops::Range<usize>, step: &[f64]) -> f64 {
+        let mut size = 0.0f64;
+        for (k, d) in unknowns.zip(step) {
+            let scale = match self.lengths[k] {
+                true => pose.u[k].abs().max(1.0),
+                false => 1.0,
+            };
+            size = size.max(d.abs() / scale);
+            pose.u[k] += d;
+        }
+        size
+    }
+
+    /// [`Chain::newton`] on all equations where much is known: corrections by the factors of a state close by leave at
+    /// most `near.1` of themselves, one of d by a Jacobian of its own at most `curvature` d².
+    pub(super) fn newton_within(
+        &self,
+        pose: &mut Pose,
+        near: (&Factors, f64),
+        curvature: f64,
+        work: &mut Work,
+    ) -> bool {
+        // What is left may be half a unit of an angle's rounding error.
+        const NOTHING: f64 = 0.25 * f64::EPSILON;
+        let all = 0..self.unknowns;
+        pose.residual(self, &self.closures, &mut work.residual);
+        // Tried where it would have been enough the last time.
+        if near.1 * work.size <= NOTHING {
+            near.0.solve(|r| -work.residual[r], &mut work.step);
+            work.size = self.moved(pose, all.clone(), &work.step);
+            if near.1 * work.size <= NOTHING {
+                pose.turn_little(self, &work.step);
+                return true;
+            }
+            pose.place(self, &self.order);
+            pose.residual(self, &self.closures, &mut work.residual);
+        }
+        pose.jacobian(self, &self.closures, &mut work.jacobian);
+        let blocks = self.blocks.iter().map(|b| b.rows.clone());
+        if !work.factors.of_blocks(&work.jacobian, 0, blocks) {
+            return self.unknowns == 0;
+        }
+        work.factors.solve(|r| -work.residual[r], &mut work.step);
+        let size = self.moved(pose, all, &work.step);
+        work.size = size;
+        if curvature * (size * size) <= NOTHING {
+            pose.turn_little(self, &work.step);
+            return true;
+        }
+        pose.place(self, &self.order);
+        self.newton(pose, None, work)
     }
 }

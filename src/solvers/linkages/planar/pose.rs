@@ -18,6 +18,9 @@ pub(super) fn quarter(a: Complex64) -> Complex64 {
     Complex64::new(-a.im, a.re)
 }
 
+/// Angles below this have squares that rounding hides.
+const LITTLE: f64 = 1e-8;
+
 /// Directions and origins of all bodies for given unknowns.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pose {
@@ -45,9 +48,22 @@ impl Pose {
 
     /// Places these bodies, in the chain's order, on those that they hang on.
     pub(super) fn place(&mut self, chain: &Chain, bodies: &[usize]) {
+        self.hang(chain, bodies, |pose, b| {
+            let (s, c) = pose.angle(chain, b).sin_cos();
+            Complex64::new(c, s)
+        });
+    }
+
+    /// Places these bodies with directions of `turned`.
+    #[inline(always)]
+    fn hang(
+        &mut self,
+        chain: &Chain,
+        bodies: &[usize],
+        turned: impl Fn(&Pose, usize) -> Complex64,
+    ) {
         for &b in bodies {
-            let (s, c) = self.angle(chain, b).sin_cos();
-            let e = Complex64::new(c, s);
+            let e = turned(self, b);
             self.e[b] = e;
             self.p[b] = match chain.entries[b] {
                 Entry::Ground => Complex64::new(0.0, 0.0),
@@ -64,6 +80,21 @@ impl Pose {
                 } => self.at(on) - e * (at + along * self.travel(travel)),
             };
         }
+    }
+
+    /// [`Pose::place`] after the unknowns have moved by a step: where it is small, directions turn by it, the square being
+    /// below rounding.
+    pub(super) fn turn_little(&mut self, chain: &Chain, step: &[f64]) {
+        if step.iter().any(|d| !(d.abs() <= LITTLE)) {
+            return self.place(chain, &chain.order);
+        }
+        self.hang(chain, &chain.order, |pose, b| {
+            let e = pose.e[b];
+            match chain.turns[b].unknown {
+                Some(k) => e + quarter(e) * step[k],
+                None => e,
+            }
+        });
     }
 
     /// The body's angle, not reduced by whole turns.
@@ -145,30 +176,40 @@ impl Pose {
         }
     }
 
+    /// The point of a body at which it hangs, in its own frame.
+    pub(super) fn hinge(&self, chain: &Chain, body: usize) -> Complex64 {
+        match chain.entries[body] {
+            Entry::Ground => Complex64::new(0.0, 0.0),
+            Entry::Pin { own, .. } | Entry::OnRail { own, .. } => own,
+            Entry::WithRail {
+                at, along, travel, ..
+            } => at + along * self.travel(travel),
+        }
+    }
+
     /// Calls `add` with the columns that a point depends on and its derivatives; the drive's column
-    /// is [`Chain::unknowns`].
-    fn walk(&self, chain: &Chain, spot: Spot, add: &mut impl FnMut(usize, Complex64)) {
-        let mut body = spot.body;
-        let mut here = self.at(spot);
+    /// is [`Chain::unknowns`]. Arms are differences in the bodies' own frames: those of the places would
+    /// lose the digits of links shorter than their distance from the origin.
+    fn walk(&self, chain: &Chain, mut spot: Spot, add: &mut impl FnMut(usize, Complex64)) {
         loop {
-            let (on, next) = match chain.entries[body] {
+            let body = spot.body;
+            let next = match chain.entries[body] {
                 Entry::Ground => return,
-                Entry::Pin { on, .. } => (on.body, self.at(on)),
+                Entry::Pin { on, .. } => on,
                 Entry::OnRail { rail, travel, .. } => {
-                    let along = self.e[rail.body] * rail.along;
-                    let origin = self.p[rail.body] + self.e[rail.body] * rail.at;
-                    add(column(chain, travel), along);
-                    (rail.body, origin + along * self.travel(travel))
+                    add(chain.column(travel), self.e[rail.body] * rail.along);
+                    rail.at(self.travel(travel))
                 }
                 Entry::WithRail {
                     on, along, travel, ..
                 } => {
-                    add(column(chain, travel), -(self.e[body] * along));
-                    (on.body, self.at(on))
+                    add(chain.column(travel), -(self.e[body] * along));
+                    on
                 }
             };
-            self.turned(chain, body, quarter(here - next), add);
-            (body, here) = (on, next);
+            let arm = self.e[body] * (spot.at - self.hinge(chain, body));
+            self.turned(chain, body, quarter(arm), add);
+            spot = next;
         }
     }
 
@@ -210,10 +251,7 @@ impl Pose {
                 }
                 Closure::Line { rail, point } => {
                     let (u, d) = self.along(rail, point);
-                    let origin = Spot {
-                        body: rail.body,
-                        at: rail.at,
-                    };
+                    let origin = rail.at(0.0);
                     self.walk(chain, point, &mut |k, x| out[(row, k)] += cross(u, x));
                     self.walk(chain, origin, &mut |k, x| out[(row, k)] -= cross(u, x));
                     self.turned(chain, rail.body, real(-dot(u, d)), &mut |k, x| {
@@ -263,10 +301,7 @@ impl Pose {
     /// The row of a point's displacement along a rail.
     fn travelled(&self, chain: &Chain, rail: Rail, point: Spot, row: usize, out: &mut Matrix) {
         let (u, d) = self.along(rail, point);
-        let origin = Spot {
-            body: rail.body,
-            at: rail.at,
-        };
+        let origin = rail.at(0.0);
         self.walk(chain, point, &mut |k, x| out[(row, k)] += dot(u, x));
         self.walk(chain, origin, &mut |k, x| out[(row, k)] -= dot(u, x));
         self.turned(
@@ -277,12 +312,5 @@ impl Pose {
                 out[(row, k)] += x.re;
             },
         );
-    }
-}
-
-fn column(chain: &Chain, travel: Travel) -> usize {
-    match travel {
-        Travel::Unknown(k) => k,
-        Travel::Drive => chain.unknowns,
     }
 }

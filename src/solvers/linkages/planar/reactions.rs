@@ -1,15 +1,24 @@
 //! Forces in the joints and the drive torque, by the laws of Newton and Euler for every body.
 //!
 //! For a given speed and acceleration of the drive each body's forces and torques have to add up to
-//! `m a` and `J θ̈` (about its centre of mass). With joints free of friction that is one linear system
-//! of three equations a body. It does not use the reduced quantities, whose drive torque is a check.
+//! `m a` and `J θ̈` (about its centre of mass). Joints are free of friction. Let Q be what loads and inertia do to each
+//! unknown of the tree of bodies: for an angle the moments about its bodies' hinges, for a displacement the force along
+//! the rail. The forces λ in the closures, which do no work together with Q, are
+//!
+//! ```text
+//! Jᵀ λ = −Q,      J the closures' Jacobian;
+//! ```
+//!
+//! with them in place each hinge bears what hangs on it, from the last body to the first, and the drive exerts
+//! `−Q_φ − λ·F_φ`. Reduced quantities are not used: the drive torque that they give is a check.
 
-use super::dense::{Factors, Matrix};
-use super::loads::{BodyMass, Load, Loads, stretch};
+use super::chain::{Chain, Closure, Entry, Rail, Spot, spot};
+use super::loads::{Load, Loads, stretch};
 use super::mechanism::Mechanism;
-use super::model::{Drive, GROUND, Guide, Joint, Point};
+use super::model::{Joint, Point};
+use super::pose::{Pose, cross, dot, quarter};
 use super::state::State;
-use crate::units::{Inertia, Length, Mass};
+use num_complex::Complex64;
 
 /// What a joint exerts on one of its bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,36 +61,97 @@ pub enum ReactionError {
     Singular,
 }
 
-/// One unknown: a unit force or torque on a body, and its opposite on another.
-#[derive(Clone, Copy, Debug)]
-struct Unit {
-    on: usize,
-    against: usize,
-    force: [f64; 2],
-    at: [f64; 2],
+/// What acts on a body: a force, and a moment about its hinge, in the chain's unit of length.
+#[derive(Clone, Copy, Debug, Default)]
+struct Wrench {
+    force: Complex64,
     moment: f64,
 }
 
-fn moment(arm: [f64; 2], force: [f64; 2]) -> f64 {
-    arm[0] * force[1] - arm[1] * force[0]
+/// What acts on the bodies of a mechanism at a pose.
+struct Wrenches<'a> {
+    chain: &'a Chain,
+    pose: &'a Pose,
+    on: Vec<Wrench>,
 }
 
-/// The forces on all bodies: x, y, and torque about each body's centre of mass.
-struct Sums {
-    centres: Vec<[f64; 2]>,
-    rows: Vec<f64>,
-}
+impl Wrenches<'_> {
+    /// A force at a point of the body's own frame.
+    fn push(&mut self, body: usize, force: Complex64, at: Complex64) {
+        let arm = self.pose.e[body] * (at - self.pose.hinge(self.chain, body));
+        self.on[body].force += force;
+        self.on[body].moment += cross(arm, force);
+    }
 
-impl Sums {
-    fn add(&mut self, body: usize, force: [f64; 2], at: [f64; 2], torque: f64, sign: f64) {
-        if body == GROUND {
-            return;
+    /// A force at a place.
+    fn push_at(&mut self, body: usize, force: Complex64, place: Complex64) {
+        let hinge = self.pose.hinge(self.chain, body);
+        let arm = place - self.pose.at(Spot { body, at: hinge });
+        self.on[body].force += force;
+        self.on[body].moment += cross(arm, force);
+    }
+
+    /// The forces in a closure, and moments of ties.
+    fn close(&mut self, closure: &Closure, size: &[f64]) {
+        let e = &self.pose.e;
+        match *closure {
+            Closure::Pin { a, b } => {
+                let force = Complex64::new(size[0], size[1]);
+                self.push(a.body, force, a.at);
+                self.push(b.body, -force, b.at);
+            }
+            Closure::Line { rail, point } | Closure::Travel { rail, point } => {
+                let along = e[rail.body] * rail.along;
+                let force = match closure {
+                    Closure::Line { .. } => quarter(along) * size[0],
+                    _ => along * size[0],
+                };
+                self.push(point.body, force, point.at);
+                self.push_at(rail.body, -force, self.pose.at(point));
+            }
+            Closure::Tie { a, b, .. } => {
+                self.on[b].moment += size[0];
+                self.on[a].moment -= size[0];
+            }
+            Closure::Gears { .. } | Closure::Rack { .. } => {}
         }
-        let k = 3 * (body - 1);
-        let c = self.centres[body];
-        self.rows[k] += sign * force[0];
-        self.rows[k + 1] += sign * force[1];
-        self.rows[k + 2] += sign * (torque + moment([at[0] - c[0], at[1] - c[1]], force));
+    }
+
+    /// Hands every body's force on to what it hangs on, the last body first.
+    fn hang(&mut self) {
+        for &body in self.chain.order.iter().rev() {
+            let force = self.on[body].force;
+            let on = match self.chain.entries[body] {
+                Entry::Ground => continue,
+                Entry::Pin { on, .. } | Entry::WithRail { on, .. } => on,
+                Entry::OnRail { rail, travel, .. } => rail.at(self.pose.travel(travel)),
+            };
+            self.push(on.body, force, on.at);
+        }
+    }
+
+    /// The work on a unit of each unknown and of the drive, which is last.
+    fn work(&self) -> Vec<f64> {
+        let (chain, e) = (self.chain, &self.pose.e);
+        let mut work = vec![0.0; chain.unknowns + 1];
+        for &body in &chain.order {
+            let Wrench { force, moment } = self.on[body];
+            let turn = &chain.turns[body];
+            if let Some(k) = turn.unknown {
+                work[k] += moment;
+            }
+            work[chain.unknowns] += turn.drive * moment;
+            match chain.entries[body] {
+                Entry::OnRail { rail, travel, .. } => {
+                    work[chain.column(travel)] += dot(e[rail.body] * rail.along, force);
+                }
+                Entry::WithRail { along, travel, .. } => {
+                    work[chain.column(travel)] -= dot(e[body] * along, force);
+                }
+                Entry::Ground | Entry::Pin { .. } => {}
+            }
+        }
+        work
     }
 }
 
@@ -97,228 +167,191 @@ impl Loads {
         speed: f64,
         acceleration: f64,
     ) -> Result<Reactions, ReactionError> {
-        let bodies = mechanism.description().bodies.len();
-        let masses: Vec<BodyMass> = (0..bodies).map(|b| self.mass_of(b)).collect();
-        let centre = |m: &BodyMass| Point::new(m.body, m.centre[0], m.centre[1]);
-        let motions: Vec<_> = masses
-            .iter()
-            .map(|m| mechanism.point(state, &centre(m)))
-            .collect();
-        let mut sums = Sums {
-            centres: motions.iter().map(|m| m.r).collect(),
-            rows: vec![0.0; 3 * (bodies - 1)],
+        let joints = &mechanism.description().joints;
+        let teeth = |j: &Joint| matches!(j, Joint::Gears { .. } | Joint::Rack { .. });
+        if let Some(joint) = joints.iter().find(|j| teeth(&j.part)) {
+            return Err(ReactionError::Teeth {
+                joint: joint.name.clone(),
+            });
+        }
+        let (chain, pose) = (&mechanism.chain, &state.pose);
+        let mut all = Wrenches {
+            chain,
+            pose,
+            on: vec![Wrench::default(); chain.body_count()],
         };
         // What is known: loads less inertia.
-        for (m, c) in masses.iter().zip(&motions).skip(1) {
-            let kg = m.mass.kg();
+        for m in &self.masses {
+            let [x, y] = m.centre;
+            let centre = Point::new(m.body, x, y);
+            let c = mechanism.point(state, &centre);
             let turn = mechanism.body_angle(state, m.body);
             let at = |second: f64, first: f64| second * speed * speed + first * acceleration;
-            let force = [0, 1].map(|i| kg * (self.gravity[i] - at(c.second[i], c.first[i])));
+            let kg = m.mass.kg();
+            let [x, y] = [0, 1].map(|i| kg * (self.gravity[i] - at(c.second[i], c.first[i])));
+            let own = spot(&centre, chain.metres).at;
+            all.push(m.body, Complex64::new(x, y), own);
             let torque = -m.inertia.kg_m2() * at(turn.second, turn.first);
-            sums.add(m.body, force, c.r, torque, 1.0);
+            all.on[m.body].moment += torque / chain.metres;
         }
         self.loads
             .iter()
-            .for_each(|l| applied(mechanism, state, l, speed, &mut sums));
-        let (units, owners) = units(mechanism, state)?;
-        let n = sums.rows.len();
-        if units.len() != n {
-            return Err(ReactionError::Singular);
-        }
-        let known = std::mem::replace(&mut sums.rows, vec![0.0; n]);
-        let order = Order::new(mechanism, &units);
-        let mut matrix = Matrix::new(n, n);
-        for (column, &unit) in order.units.iter().enumerate() {
-            let u = &units[unit];
-            sums.rows.fill(0.0);
-            sums.add(u.on, u.force, u.at, u.moment, 1.0);
-            sums.add(u.against, u.force, u.at, u.moment, -1.0);
-            for (row, &from) in order.rows.iter().enumerate() {
-                matrix[(row, column)] = sums.rows[from];
-            }
-        }
-        let mut factors = Factors::default();
-        if !factors.of_blocks(&matrix, 0, order.blocks.into_iter()) {
-            return Err(ReactionError::Singular);
-        }
-        let mut solved = vec![0.0; n];
-        factors.solve(|r| -known[order.rows[r]], &mut solved);
+            .for_each(|l| applied(mechanism, state, l, speed, &mut all));
+        let mut known = Wrenches {
+            on: all.on.clone(),
+            ..all
+        };
+        known.hang();
+        let work = known.work();
+        let n = chain.unknowns;
         let mut sizes = vec![0.0; n];
-        for (&unit, size) in order.units.iter().zip(solved) {
-            sizes[unit] = size;
+        let jacobian = &state.jacobian;
+        state
+            .factors
+            .solve_transposed_closely(jacobian, &work[..n], &mut sizes);
+        sizes.iter_mut().for_each(|x| *x = -*x);
+        let by_closures = (0..n).map(|r| sizes[r] * jacobian[(r, n)]).sum::<f64>();
+        let drive = -(work[n] + by_closures);
+        let mut row = 0;
+        for closure in &chain.closures {
+            all.close(closure, &sizes[row..]);
+            row += closure.rows();
         }
-        Ok(gathered(&units, &owners, &sizes))
-    }
-
-    fn mass_of(&self, body: usize) -> BodyMass {
-        let none = BodyMass {
-            body,
-            mass: Mass::from_kg(0.0),
-            inertia: Inertia::from_kg_m2(0.0),
-            centre: [Length::from_m(0.0); 2],
+        all.hang();
+        let found = Reactions {
+            joints: gathered(mechanism, &mut all, &sizes),
+            // A torque, or a force as it is.
+            drive: match chain.linear {
+                true => drive,
+                false => drive * chain.metres,
+            },
         };
-        self.masses
-            .iter()
-            .find(|m| m.body == body)
-            .copied()
-            .unwrap_or(none)
+        match found.drive.is_finite() {
+            true => Ok(found),
+            false => Err(ReactionError::Singular),
+        }
     }
 }
 
-/// The equations and unknowns of the groups, the last group first: its joints hold nothing but its own bodies.
-struct Order {
-    rows: Vec<usize>,
-    units: Vec<usize>,
-    blocks: Vec<std::ops::Range<usize>>,
-}
-
-impl Order {
-    /// All in one block where a group has not as many unknowns as equations: a pin of several bodies whose first one
-    /// belongs to a later group.
-    fn new(mechanism: &Mechanism, units: &[Unit]) -> Order {
-        let group = &mechanism.chain.group;
-        let of = |u: &Unit| group[u.on].max(group[u.against]);
-        let mut all = Order {
-            rows: Vec::with_capacity(units.len()),
-            units: Vec::with_capacity(units.len()),
-            blocks: Vec::new(),
+/// The forces of the joints, from those of hinges and closures.
+fn gathered(mechanism: &Mechanism, all: &mut Wrenches, sizes: &[f64]) -> Vec<JointForce> {
+    let (chain, pose) = (&mechanism.chain, all.pose);
+    let joints = &mechanism.description().joints;
+    let mut found: Vec<JointForce> = Vec::with_capacity(chain.forces[joints.len()]);
+    for (joint, named) in joints.iter().enumerate() {
+        let points = match &named.part {
+            Joint::Pin { points } => &points[1..],
+            Joint::Slide { slider: p, .. } | Joint::Slot { pin: p, .. } => std::slice::from_ref(p),
+            Joint::Gears { .. } | Joint::Rack { .. } => &[],
         };
-        for k in (1..=mechanism.chain.blocks.len()).rev() {
-            let from = all.rows.len();
-            for body in (1..group.len()).filter(|&b| group[b] == k) {
-                all.rows.extend(3 * (body - 1)..3 * body);
+        found.extend(points.iter().map(|point| {
+            let at = pose.at(spot(point, chain.metres)) * chain.metres;
+            JointForce {
+                joint,
+                body: point.body,
+                force_n: [0.0; 2],
+                moment_n_m: 0.0,
+                at_m: [at.re, at.im],
             }
-            let own = (0..units.len()).filter(|&u| of(&units[u]) == k);
-            all.units.extend(own);
-            all.blocks.push(from..all.rows.len());
-            if all.units.len() != all.rows.len() {
-                return Order {
-                    rows: (0..units.len()).collect(),
-                    units: (0..units.len()).collect(),
-                    blocks: std::iter::once(0..units.len()).collect(),
-                };
+        }));
+    }
+    let add = |found: &mut JointForce, force: Complex64| {
+        found.force_n[0] += force.re;
+        found.force_n[1] += force.im;
+    };
+    // What a pin exerts on the body of one of its points, and the opposite on the one that carries the others.
+    let mut pin = |(joint, point): (usize, usize), on: usize, force: Complex64| {
+        let own = &mut found[chain.forces[joint]..chain.forces[joint + 1]];
+        if let Some(k) = point.checked_sub(1) {
+            add(&mut own[k], force);
+        }
+        if let Some(other) = own.iter_mut().find(|f| f.body == on) {
+            add(other, -force);
+        }
+    };
+    for &body in &chain.order {
+        if let Entry::Pin { on, .. } = chain.entries[body] {
+            pin(chain.hung[body], on.body, -all.on[body].force);
+        }
+    }
+    let rows = |closures: &[Closure]| closures.iter().map(Closure::rows).sum::<usize>();
+    for (k, (closure, joint)) in chain.closures.iter().zip(&chain.closed).enumerate() {
+        if let (Closure::Pin { b, .. }, Some(joint)) = (closure, joint) {
+            let row = rows(&chain.closures[..k]);
+            pin(*joint, b.body, Complex64::new(sizes[row], sizes[row + 1]));
+        }
+    }
+    if joints
+        .iter()
+        .any(|j| matches!(j.part, Joint::Slide { .. } | Joint::Slot { .. }))
+    {
+        on_rails(chain, all, sizes, &mut found);
+    }
+    found
+}
+
+/// The forces of slides and slots, at right angles to their rails, and the moments of slides.
+fn on_rails(chain: &Chain, all: &mut Wrenches, sizes: &[f64], found: &mut [JointForce]) {
+    let pose = all.pose;
+    let first = |joint: usize| chain.forces[joint];
+    let normal = |rail: &Rail| quarter(pose.e[rail.body] * rail.along);
+    let set = |found: &mut [JointForce], joint: usize, normal: Complex64, size: f64| {
+        found[first(joint)].force_n = [normal.re * size, normal.im * size];
+    };
+    for &body in &chain.order {
+        let force = all.on[body].force;
+        let (joint, _) = chain.hung[body];
+        match chain.entries[body] {
+            Entry::OnRail { rail, .. } => {
+                let n = normal(&rail);
+                set(found, joint, n, -dot(n, force));
+            }
+            Entry::WithRail { along, .. } => {
+                let n = quarter(pose.e[body] * along);
+                set(found, joint, n, dot(n, force));
+            }
+            Entry::Ground | Entry::Pin { .. } => {}
+        }
+    }
+    let mut row = 0;
+    for (closure, joint) in chain.closures.iter().zip(&chain.closed) {
+        if let (Closure::Line { rail, .. }, Some((joint, _))) = (closure, joint) {
+            set(found, *joint, normal(rail), sizes[row]);
+        }
+        if let Closure::Tie { a, b, .. } = *closure {
+            let tie = chain.ties.iter().find(|t| (t.a, t.b) == (a, b));
+            if let Some(joint) = tie.and_then(|t| t.joint) {
+                found[first(joint)].moment_n_m = sizes[row] * chain.metres;
             }
         }
-        all
+        row += closure.rows();
     }
-}
-
-/// Joint forces from the sizes of their units; the last unit is the drive's.
-fn gathered(units: &[Unit], owners: &[Option<(usize, usize)>], sizes: &[f64]) -> Reactions {
-    let mut joints: Vec<JointForce> = Vec::new();
-    let mut drive = 0.0;
-    for ((u, owner), size) in units.iter().zip(owners).zip(sizes) {
-        let Some((joint, body)) = *owner else {
-            drive = *size;
+    // Each tie bears the moment that is left of the body placed last.
+    for &body in chain.order.iter().rev() {
+        let Some(tie) = chain.tied[body].map(|k| &chain.ties[k]) else {
             continue;
         };
-        let same = joints
-            .iter_mut()
-            .find(|j| (j.joint, j.body) == (joint, body));
-        let (force, torque) = (u.force.map(|f| f * size), u.moment * size);
-        match same {
-            Some(j) => {
-                j.force_n = [j.force_n[0] + force[0], j.force_n[1] + force[1]];
-                j.moment_n_m += torque;
-            }
-            None => joints.push(JointForce {
-                joint,
-                body,
-                force_n: force,
-                moment_n_m: torque,
-                at_m: u.at,
-            }),
-        }
-    }
-    Reactions { joints, drive }
-}
-
-type Units = (Vec<Unit>, Vec<Option<(usize, usize)>>);
-
-/// All unknown forces with the joint and body they belong to; `None` for the drive, which is last.
-fn units(mechanism: &Mechanism, state: &State) -> Result<Units, ReactionError> {
-    let at = |p: &Point| mechanism.point(state, p).r;
-    let direction = |g: &Guide| {
-        let turn = mechanism.body_angle(state, g.origin.body).angle.rad() + g.direction.rad();
-        let (s, c) = turn.sin_cos();
-        [c, s]
-    };
-    let mut units = Vec::new();
-    let mut owners = Vec::new();
-    let description = mechanism.description();
-    for (joint, named) in description.joints.iter().enumerate() {
-        let mut add = |on: usize, against: usize, force: [f64; 2], at: [f64; 2], moment: f64| {
-            units.push(Unit {
-                on,
-                against,
-                force,
-                at,
-                moment,
-            });
-            owners.push(Some((joint, on)));
+        let borne = -all.on[body].moment;
+        let (other, on_slider) = match tie.b == body {
+            true => (tie.a, borne),
+            false => (tie.b, -borne),
         };
-        match &named.part {
-            Joint::Pin { points } => {
-                for p in &points[1..] {
-                    for force in [[1.0, 0.0], [0.0, 1.0]] {
-                        add(p.body, points[0].body, force, at(p), 0.0);
-                    }
-                }
-            }
-            Joint::Slide {
-                slider: p, guide, ..
-            }
-            | Joint::Slot {
-                pin: p,
-                slot: guide,
-            } => {
-                let [c, s] = direction(guide);
-                add(p.body, guide.origin.body, [-s, c], at(p), 0.0);
-                if matches!(named.part, Joint::Slide { .. }) {
-                    add(p.body, guide.origin.body, [0.0, 0.0], at(p), 1.0);
-                }
-            }
-            Joint::Gears { .. } | Joint::Rack { .. } => {
-                return Err(ReactionError::Teeth {
-                    joint: named.name.clone(),
-                });
-            }
+        all.on[other].moment -= borne;
+        if let Some(joint) = tie.joint {
+            found[first(joint)].moment_n_m = on_slider * chain.metres;
         }
     }
-    let drive = match description.drive {
-        Drive::Angle { body, from } => Unit {
-            on: body,
-            against: from,
-            force: [0.0, 0.0],
-            at: [0.0, 0.0],
-            moment: 1.0,
-        },
-        Drive::Displacement { joint } => {
-            let Joint::Slide { slider, guide, .. } = &description.joints[joint].part else {
-                unreachable!("a slide, as checked");
-            };
-            Unit {
-                on: slider.body,
-                against: guide.origin.body,
-                force: direction(guide),
-                at: at(slider),
-                moment: 0.0,
-            }
-        }
-    };
-    units.push(drive);
-    owners.push(None);
-    Ok((units, owners))
 }
 
 /// Adds a load's forces at the drive's speed.
-fn applied(mechanism: &Mechanism, state: &State, load: &Load, speed: f64, sums: &mut Sums) {
+fn applied(mechanism: &Mechanism, state: &State, load: &Load, speed: f64, all: &mut Wrenches) {
     let linear = mechanism.drive_is_displacement();
     let drive = mechanism.drive_of(state);
     let angle = |b: usize| mechanism.body_angle(state, b);
+    let metres = mechanism.chain.metres;
     let mut couple = |body: usize, from: usize, torque: f64| {
-        sums.add(body, [0.0; 2], [0.0; 2], torque, 1.0);
-        sums.add(from, [0.0; 2], [0.0; 2], torque, -1.0);
+        all.on[body].moment += torque / metres;
+        all.on[from].moment -= torque / metres;
     };
     match load {
         Load::Torque { body, from, torque } => couple(*body, *from, torque.at(drive, linear)[0]),
@@ -346,8 +379,8 @@ fn applied(mechanism: &Mechanism, state: &State, load: &Load, speed: f64, sums: 
         } => {
             let (s, c) = angle(*along).angle.rad().sin_cos();
             let [x, y] = components.each_ref().map(|f| f.at(drive, linear)[0]);
-            let place = mechanism.point(state, at).r;
-            sums.add(at.body, [c * x - s * y, s * x + c * y], place, 0.0, 1.0);
+            let force = Complex64::new(c * x - s * y, s * x + c * y);
+            all.push(at.body, force, spot(at, metres).at);
         }
         Load::Spring { ends, .. } | Load::Damper { ends, .. } => {
             let [l, first, _] = stretch(mechanism, state, ends);
@@ -359,9 +392,10 @@ fn applied(mechanism: &Mechanism, state: &State, load: &Load, speed: f64, sums: 
                 _ => 0.0,
             };
             let [p, q] = ends.map(|e| mechanism.point(state, &e).r);
-            let pull = [(q[0] - p[0]) / l * tension, (q[1] - p[1]) / l * tension];
-            sums.add(ends[0].body, pull, p, 0.0, 1.0);
-            sums.add(ends[1].body, pull, q, 0.0, -1.0);
+            let pull = Complex64::new(q[0] - p[0], q[1] - p[1]) / l * tension;
+            for (end, force) in ends.iter().zip([pull, -pull]) {
+                all.push(end.body, force, spot(end, metres).at);
+            }
         }
     }
 }

@@ -61,13 +61,15 @@ impl State {
         }
         let [first, second] = &mut self.rates;
         let jacobian = &self.jacobian;
-        self.factors.solve(|r| -jacobian[(r, n)], first);
+        self.factors
+            .solve_closely(jacobian, |r| -jacobian[(r, n)], first, &mut work.correction);
         second.fill(0.0);
         self.motion.set(chain, &self.pose, [first, second]);
         self.motion
             .second(&self.pose, &chain.closures, &mut work.residual);
         let right = &work.residual;
-        self.factors.solve(|r| -right[r], second);
+        self.factors
+            .solve_closely(jacobian, |r| -right[r], second, &mut work.correction);
         self.motion.set(chain, &self.pose, [first, second]);
         first.iter().chain(second.iter()).all(|x| x.is_finite())
     }

@@ -40,18 +40,21 @@ impl<G: Grid> Spline<G> {
         })
     }
 
+    /// `PLAIN`: no point lies beside a given slope.
     #[inline(always)]
-    fn any_order<L: Lookup>(
+    fn any_order<L: Lookup, const PLAIN: bool>(
         &self,
         lookup: L,
         offset: usize,
         x: &[f64],
         out: &mut [f64],
     ) -> Result<(), Error> {
+        let plain = |x: &[f64; GROUP]| x.iter().fold(true, |all, x| all & self.is_plain(*x, *x));
         let mut start = 0;
         while start < x.len() {
             let found = x[start..]
                 .first_chunk::<GROUP>()
+                .filter(|x| PLAIN || plain(x))
                 .and_then(|x| self.grid.group(lookup, &self.y, &self.bend, x));
             if let Some(found) = found {
                 out[start..start + GROUP].copy_from_slice(&found);
@@ -116,20 +119,24 @@ impl<G: Grid> Spline<G> {
             let pairs = x.iter().zip(&x[1..]);
             let ascending = pairs.fold(x[0] >= before, |all, (a, b)| all & (a <= b));
             let (first, last) = self.grid.span();
-            if !ascending || x[0] < first || x[x.len() - 1] > last {
+            let (least, greatest) = (x[0], x[x.len() - 1]);
+            let plain = self.is_plain(least, greatest);
+            if !ascending || least < first || greatest > last || !(G::GROUPS || plain) {
                 self.exceptional(offset + done, before, x, out)?;
+            } else if G::GROUPS && plain {
+                self.any_order::<L, true>(lookup, offset + done, x, out)?;
             } else if G::GROUPS {
-                self.any_order(lookup, offset + done, x, out)?;
+                self.any_order::<L, false>(lookup, offset + done, x, out)?;
             } else {
                 segment = self.block(segment, x, out);
             }
-            before = x[x.len() - 1];
+            before = greatest;
             done += x.len();
         }
         Ok(())
     }
 
-    /// A block that is out of order or reaches beyond the knots.
+    /// A block that is out of order, reaches beyond the knots or beside a given slope.
     fn exceptional(
         &self,
         offset: usize,
@@ -196,10 +203,13 @@ impl<G: Grid> Work for Batch<'_, G> {
 
     #[inline(always)]
     fn run<L: Lookup>(self, lookup: L) -> Result<(), Error> {
+        let Batch { spline, x, out, .. } = self;
         if self.sorted {
-            self.spline.ascending(lookup, self.offset, self.x, self.out)
+            spline.ascending(lookup, self.offset, x, out)
+        } else if spline.is_plain(f64::NEG_INFINITY, f64::INFINITY) {
+            spline.any_order::<L, true>(lookup, self.offset, x, out)
         } else {
-            self.spline.any_order(lookup, self.offset, self.x, self.out)
+            spline.any_order::<L, false>(lookup, self.offset, x, out)
         }
     }
 }

@@ -19,8 +19,9 @@ pub struct Jet {
     pub third: f64,
 }
 
-/// The part of an end segment in which `S'` comes from the slope given there: the ordinates' weights
-/// grow from 0 at the end itself to two thirds of those in a difference quotient.
+/// The part of an end segment in which `S` and `S'` come from the slope given there. The far
+/// ordinate's weight in `S` is about `3k²` there, in (12) it is `k` and most of it cancels; in `S'`
+/// the ordinates' weights grow from 0 at the end itself to two thirds of those in (11).
 const BESIDE: f64 = 0.125;
 
 /// One segment ready for evaluation.
@@ -69,12 +70,15 @@ impl<G: Grid> Cell<G> {
         }
     }
 
-    /// The integral over `length` between two points of the segment, by Simpson's rule, which is
-    /// exact for cubics and does not subtract antiderivatives.
-    fn integral(&self, a: (f64, f64), b: (f64, f64), length: f64) -> f64 {
-        let mid = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
-        let ends = self.value_at(a) + self.value_at(b);
-        length * (ends + 4.0 * self.value_at(mid)) / 6.0
+    /// `S = y_i + k (h s + k h²/6 (2 m_i + S''))` beside the left end with slope `s`.
+    fn value_from_left(&self, (k, w): (f64, f64), slope: f64) -> f64 {
+        let second = w * self.p + k * self.q;
+        self.y0 + k * (self.at.h * slope + k * (2.0 * self.p + second))
+    }
+
+    fn value_from_right(&self, (k, w): (f64, f64), slope: f64) -> f64 {
+        let second = w * self.p + k * self.q;
+        self.y1 + w * (w * (2.0 * self.q + second) - self.at.h * slope)
     }
 
     fn whole(&self) -> f64 {
@@ -109,19 +113,40 @@ impl Sum {
     }
 }
 
+/// Between which points (12) and (11) give `S` and `S'`: all but those beside a given slope.
+pub(super) fn plain<G: Grid>(grid: &G, known: [Known; 2]) -> (f64, f64) {
+    let n = grid.segments();
+    let knot = |i: usize| grid.knot(i);
+    let margin = |i: usize| BESIDE * (knot(i + 1) - knot(i));
+    let given = known.map(|k| matches!(k, Known::First(_)));
+    (
+        if given[0] {
+            knot(0) + margin(0)
+        } else {
+            f64::NEG_INFINITY
+        },
+        if given[1] {
+            knot(n) - margin(n - 1)
+        } else {
+            f64::INFINITY
+        },
+    )
+}
+
 impl<G: Grid> Spline<G> {
     /// Value and derivatives with the cubic of segment `i`.
     pub(super) fn jet_on(&self, i: usize, x: f64) -> Jet {
         let cell = self.cell(i);
         let (k, w) = cell.fractions(x);
         let mut jet = cell.jet_at((k, w));
-        let (begins, ends) = (i == 0, i + 1 == self.grid.segments());
         let [first, last] = self.known;
         match (first, last) {
-            (Known::First(s), _) if begins && k.abs() < BESIDE => {
+            (Known::First(s), _) if x < self.plain.0 => {
+                jet.value = cell.value_from_left((k, w), s);
                 jet.first = s + (k * cell.at.h) * (0.5 * cell.m0 + 0.5 * jet.second);
             }
-            (_, Known::First(s)) if ends && w.abs() < BESIDE => {
+            (_, Known::First(s)) if x > self.plain.1 => {
+                jet.value = cell.value_from_right((k, w), s);
                 jet.first = s - (w * cell.at.h) * (0.5 * cell.m1 + 0.5 * jet.second);
             }
             _ => {}
@@ -192,7 +217,7 @@ impl<G: Grid> Spline<G> {
         match self.extrapolation {
             Extrapolation::EndPolynomial => self.jet_on(i, x),
             Extrapolation::Clamp => Jet {
-                value: self.cell(i).value(end),
+                value: self.y[if before { 0 } else { i + 1 }],
                 ..Jet::default()
             },
             _ => {
@@ -206,9 +231,23 @@ impl<G: Grid> Spline<G> {
         }
     }
 
+    /// `S` beside an end with a given slope.
+    #[cold]
+    #[inline(never)]
+    fn value_beside(&self, x: f64) -> f64 {
+        self.jet_on(self.grid.locate(x), x).value
+    }
+
+    /// Whether (12) gives `S` at these points.
+    #[inline(always)]
+    pub(super) fn is_plain(&self, least: f64, greatest: f64) -> bool {
+        least >= self.plain.0 && greatest <= self.plain.1
+    }
+
     pub(super) fn value_in_batch(&self, index: usize, x: f64) -> Result<f64, Error> {
         Ok(match self.place(index, x)? {
-            Place::Inside(x) => self.cell(self.grid.locate(x)).value(x),
+            Place::Inside(x) if self.is_plain(x, x) => self.cell(self.grid.locate(x)).value(x),
+            Place::Inside(x) => self.value_beside(x),
             Place::Before => self.outside(x, true).value,
             Place::After => self.outside(x, false).value,
         })
@@ -290,14 +329,27 @@ impl<G: Grid> Spline<G> {
         let (from, to) = (self.cell(i), self.cell(j));
         let (start, stop) = (from.fractions(a), to.fractions(b));
         if i == j {
-            sum.add(from.integral(start, stop, b - a));
+            sum.add(self.within(i, &from, start, stop, b - a));
             return;
         }
-        sum.add(from.integral(start, (1.0, 0.0), start.1 * from.at.h));
+        sum.add(self.within(i, &from, start, (1.0, 0.0), start.1 * from.at.h));
         for c in i + 1..j {
             sum.add(self.cell(c).whole());
         }
-        sum.add(to.integral((0.0, 1.0), stop, stop.0 * to.at.h));
+        sum.add(self.within(j, &to, (0.0, 1.0), stop, stop.0 * to.at.h));
+    }
+
+    /// The integral over `length` between two points of segment `i`, by Simpson's rule, which is
+    /// exact for cubics and does not subtract antiderivatives.
+    fn within(&self, i: usize, cell: &Cell<G>, a: (f64, f64), b: (f64, f64), length: f64) -> f64 {
+        let (begins, ends) = (i == 0, i + 1 == self.grid.segments());
+        let value = |(k, w): (f64, f64)| match self.known {
+            [Known::First(s), _] if begins && k < BESIDE => cell.value_from_left((k, w), s),
+            [_, Known::First(s)] if ends && w < BESIDE => cell.value_from_right((k, w), s),
+            _ => cell.value_at((k, w)),
+        };
+        let mid = (0.5 * (a.0 + b.0), 0.5 * (a.1 + b.1));
+        length * (value(a) + value(b) + 4.0 * value(mid)) / 6.0
     }
 }
 

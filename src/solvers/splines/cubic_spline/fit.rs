@@ -2,6 +2,7 @@
 
 use super::boundary::{Boundary, End, Known};
 use super::error::CubicSplineError as Error;
+use super::evaluate::plain;
 use super::grid::{Knots, LARGEST};
 use super::spline::{CubicSpline, Extrapolation, Spline};
 use crate::cyclic_tridiagonal::CyclicSweep;
@@ -94,10 +95,11 @@ impl CubicSpline {
             }
         }
         let mut known = boundary.known();
-        for (known, third) in known.iter_mut().zip(shared_third(boundary, &h, &m)) {
+        for (known, third) in known.iter_mut().zip(shared_third(boundary, &h, &slope, &m)) {
             *known = third.map_or(*known, Known::Third);
         }
         Ok(Spline {
+            plain: plain(&grid, known),
             grid,
             y,
             bend: m,
@@ -109,7 +111,7 @@ impl CubicSpline {
 
 /// The third derivatives that not-a-knot makes common to two segments, from the longest of them:
 /// over a short one the difference of two nearly equal second derivatives has few digits.
-fn shared_third(boundary: Boundary, h: &[f64], m: &[f64]) -> [Option<f64>; 2] {
+fn shared_third(boundary: Boundary, h: &[f64], slope: &[f64], m: &[f64]) -> [Option<f64>; 2] {
     let Boundary::Ends(first, last) = boundary else {
         return [None; 2];
     };
@@ -121,11 +123,44 @@ fn shared_third(boundary: Boundary, h: &[f64], m: &[f64]) -> [Option<f64>; 2] {
         first == End::NotAKnot && n > 1,
         last == End::NotAKnot && n > 1,
     ) {
-        (true, true) if n <= 3 => [longest(0..n); 2],
+        (true, true) if n < 3 => [longest(0..n); 2],
+        (true, true) if n == 3 => [Some(OneCubic::through(h, slope).third); 2],
         (l, r) => [
             if l { longest(0..2) } else { None },
             if r { longest(n - 2..n) } else { None },
         ],
+    }
+}
+
+/// The cubic through four knots, which is what not-a-knot at both ends makes of three segments. The
+/// two rows of the system are opposite to each other but for the middle step: over a short one they
+/// are left with few digits.
+struct OneCubic {
+    second: [f64; 4],
+    third: f64,
+}
+
+impl OneCubic {
+    /// `S''` is a straight line, `2 y[x_0, x_1, x_2]` at the mean of these knots and
+    /// `2 y[x_1, x_2, x_3]` at the mean of those, a third of the whole apart.
+    fn through(h: &[f64], slope: &[f64]) -> OneCubic {
+        let [h0, h1, h2] = [h[0], h[1], h[2]];
+        let whole = h0 + h1 + h2;
+        let left = (slope[1] - slope[0]) / (h0 + h1);
+        let right = (slope[2] - slope[1]) / (h1 + h2);
+        let at = |of_left: f64, of_right: f64| {
+            2.0 * (left * (of_left / whole) + right * (of_right / whole))
+        };
+        let (outer_left, outer_right) = (2.0 * h0 + h1, h1 + 2.0 * h2);
+        OneCubic {
+            second: [
+                at(whole + outer_left, -outer_left),
+                at(h1 + (h1 + h2), h0 - h1),
+                at(h2 - h1, h1 + (h0 + h1)),
+                at(-outer_right, whole + outer_right),
+            ],
+            third: 6.0 * ((right - left) / whole),
+        }
     }
 }
 
@@ -148,6 +183,9 @@ fn open(h: &[f64], slope: &[f64], first: End, last: End) -> Result<Vec<f64>, Tri
             jump(1) / (3.0 * (h[0] + h[1]))
         };
         return Ok(vec![m; n + 1]);
+    }
+    if first == NotAKnot && last == NotAKnot && n == 3 {
+        return Ok(OneCubic::through(h, slope).second.to_vec());
     }
     // A not-a-knot end is eliminated from the row of its neighbour.
     let s = usize::from(first == NotAKnot);

@@ -86,3 +86,93 @@ fn integrals_of_many_short_segments() {
     let s = s.with_extrapolation(Extrapolation::Wrap);
     assert_eq!(s.integral(far, far + 4.0 * length), Ok(4.0 * length));
 }
+
+/// Four knots, the inner two nearly one: the cubic through them has a second derivative of few digits
+/// if the two rows of the system, opposite to each other but for the short step, are eliminated.
+#[test]
+fn one_cubic_over_a_short_middle_step() {
+    for short in [2f64.powi(-8), 2f64.powi(-20), 2f64.powi(-24)] {
+        let x = vec![-1.0, 0.0, short, 2.0];
+        // All powers and sums are exact: S = x³ − x.
+        let y: Vec<f64> = x.iter().map(|x| x * x * x - x).collect();
+        let s = CubicSpline::fit(x, y, Boundary::NOT_A_KNOT).expect("a spline");
+        for at in [-0.75, 0.5 * short, 1.5] {
+            let jet = s.jet(at).expect("a point");
+            // The second difference over the short step is rounded at 2⁻⁵³ / short.
+            let allowed = 16.0 * f64::EPSILON / short * f64::from(u8::from(short < 1e-5))
+                + 16.0 * f64::EPSILON;
+            assert!(
+                (jet.third - 6.0).abs() <= allowed,
+                "{short} {at}: {}",
+                jet.third - 6.0
+            );
+            assert!(
+                (jet.second - 6.0 * at).abs() <= allowed,
+                "{short} {at}: {jet:?}"
+            );
+        }
+    }
+}
+
+/// Beside an end with a given slope the far ordinate, 2⁶⁰ times as large, has hardly any weight.
+#[test]
+fn values_beside_a_given_slope() {
+    let far = 2f64.powi(60);
+    // S = far (3 t² − 2 t³) + t (1 − t)², whose slopes are 1 and 0.
+    let due = |t: f64| far * (t * t * (3.0 - 2.0 * t)) + t * (1.0 - t) * (1.0 - t);
+    let s = CubicSpline::fit(vec![0.0, 1.0], vec![0.0, far], Boundary::clamped(1.0, 0.0));
+    let s = s.expect("a spline");
+    let mirrored = CubicSpline::fit(vec![0.0, 1.0], vec![far, 0.0], Boundary::clamped(0.0, -1.0));
+    let mirrored = mirrored.expect("a spline");
+    let uniform = UniformCubicSpline::fit(0.0, 1.0, vec![0.0, far], Boundary::clamped(1.0, 0.0));
+    let uniform = uniform.expect("a spline");
+    for power in 4..64 {
+        let t = 2f64.powi(-power);
+        let near = |got: f64| (got - due(t)).abs() <= 4.0 * f64::EPSILON * due(t);
+        assert!(near(s.value(t).expect("a point")), "{t}");
+        assert!(near(uniform.value(t).expect("a point")), "{t}");
+        if power < 50 {
+            assert!(near(mirrored.value(1.0 - t).expect("a point")), "{t}");
+        }
+        let integral = s.integral(0.0, t).expect("points");
+        let due =
+            far * (t * t * t - 0.5 * t.powi(4)) + t * t * (0.5 - 2.0 / 3.0 * t + 0.25 * t * t);
+        assert!((integral - due).abs() <= 8.0 * f64::EPSILON * due, "{t}");
+    }
+}
+
+/// Groups of points beside given slopes have the bits of single points.
+#[test]
+fn batches_beside_given_slopes() {
+    let y: Vec<f64> = (0..40)
+        .map(|i| f64::from(i % 7) - 0.3 * f64::from(i))
+        .collect();
+    let knots: Vec<f64> = (0..40).map(|i| 0.25 * f64::from(i)).collect();
+    let clamped = Boundary::clamped(3.0, -2.0);
+    let uniform = UniformCubicSpline::fit(0.0, 0.25, y.clone(), clamped).expect("a spline");
+    let on_knots = CubicSpline::fit(knots, y, clamped).expect("a spline");
+    let x: Vec<f64> = (0..=9750).map(|i| f64::from(i) * 1e-3).collect();
+    let (mut any, mut sorted) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+    uniform.values(&x, &mut any).expect("points");
+    uniform.values_sorted(&x, &mut sorted).expect("points");
+    for ((x, a), b) in x.iter().zip(&any).zip(&sorted) {
+        let one = uniform.value(*x).expect("a point");
+        assert_eq!(
+            (one.to_bits(), one.to_bits()),
+            (a.to_bits(), b.to_bits()),
+            "{x}"
+        );
+        assert_eq!(
+            one.to_bits(),
+            uniform.jet(*x).expect("a point").value.to_bits()
+        );
+    }
+    on_knots.values_sorted(&x, &mut sorted).expect("points");
+    for (x, b) in x.iter().zip(&sorted) {
+        assert_eq!(
+            on_knots.value(*x).expect("a point").to_bits(),
+            b.to_bits(),
+            "{x}"
+        );
+    }
+}

@@ -27,6 +27,8 @@ pub struct Spline<G: Grid> {
     /// Second derivatives in the grid's own scale, see [`Grid`].
     pub(super) bend: Vec<f64>,
     pub(super) known: [Known; 2],
+    /// See [`plain`](super::evaluate::plain).
+    pub(super) plain: (f64, f64),
     pub(super) extrapolation: Extrapolation,
 }
 

@@ -10,6 +10,7 @@
 
 use super::boundary::{Boundary, End};
 use super::error::CubicSplineError as Error;
+use super::evaluate::plain;
 use super::fit::{check_boundary, check_values};
 use super::grid::{LARGEST, UniformKnots};
 use super::spline::{Extrapolation, Spline, UniformCubicSpline};
@@ -57,11 +58,13 @@ impl UniformCubicSpline {
             check_values(&y)?;
             return Err(Error::Overflow { knot: 0 });
         };
+        let known = boundary.known();
         Ok(Spline {
+            plain: plain(&grid, known),
             grid,
             y,
             bend,
-            known: boundary.known(),
+            known,
             extrapolation: Extrapolation::Error,
         })
     }
