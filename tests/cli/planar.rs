@@ -23,7 +23,7 @@ fn every_example_says_what_it_is() {
     let examples = r#"
         andrews            | K2, K3 (dyad, order 2)                            | 4 | turns fully
         double-butterfly   | CE, EFG, BFJ, DHI, GH, IJ (Assur group of class 5, order 3) | 8 | turns fully
-        n-four-bar         | crank2, rod1 (dyad, order 2)                      | 3 | 0.000000099 deg (change point) to 180 deg (change point)
+        n-four-bar         | crank2, rod1 (dyad, order 2)                      | 3 | 0 deg (change point) to 180 deg (change point)
         jansen-leg         | f, ghi (dyad, order 2)                            | 8 | turns fully
         pmksweb-91         | coupler, rocker (dyad, order 2)                   | 2 | -292.329374714 deg (fold) to -4.319239059 deg (fold)
         pmksweb-92         | DE, EF (dyad, order 2)                            | 4 | 67.283635271 deg (fold) to 78.254148753 deg (fold)

@@ -119,9 +119,11 @@ pub enum PlanarError {
 impl Machine {
     /// The user's drive in words.
     pub fn drive_text(&self, drive: f64) -> String {
+        // Adding 0 takes the sign from a zero.
+        let rounded = |x: f64, places: f64| (x * places).round() / places + 0.0;
         match self.rotary() {
-            true => format!("{} deg", (drive.to_degrees() * 1e9).round() / 1e9),
-            false => format!("{} m", (drive * 1e12).round() / 1e12),
+            true => format!("{} deg", rounded(drive.to_degrees(), 1e9)),
+            false => format!("{} m", rounded(drive, 1e12)),
         }
     }
 
