@@ -207,11 +207,8 @@ impl Mag {
         } else {
             (self.m - upper.m * pow2(-d)).next_down()
         };
-        if m <= 0.0 {
-            Mag::ZERO
-        } else {
-            Mag::normal(m, self.e)
-        }
+        // Positive still: the two differ by 2⁻⁵³ at least, without rounding where they are near.
+        Mag::normal(m, self.e)
     }
 
     /// The largest number of 53 bits that is not above `self + other`, of **lower** bounds; zero of
@@ -276,7 +273,7 @@ impl Mag {
         match self.exponent() {
             None => self.m,
             Some(e) if e > 1023 => f64::INFINITY,
-            Some(e) if e < -1021 => {
+            Some(e) if e < -1022 => {
                 if e < -1074 {
                     return f64::from_bits(1);
                 }
@@ -311,119 +308,5 @@ impl PartialOrd for Mag {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    fn exact(m: Mag) -> Float {
-        Float::with_val(4000, m.to_float())
-    }
-
-    proptest! {
-        #[test]
-        fn every_operation_is_an_upper_bound(a in 1e-300f64..1e300, b in 1e-300f64..1e300) {
-            let (x, y) = (Mag::from_f64(a), Mag::from_f64(b));
-            prop_assert_eq!(exact(x), a);
-            prop_assert!(exact(x.add(y)) >= Float::with_val(4000, a) + b);
-            prop_assert!(exact(x.mul(y)) >= Float::with_val(4000, a) * b);
-            prop_assert!(exact(x.div(y)) >= Float::with_val(4000, a) / b);
-            prop_assert!(exact(x.sqrt()) >= Float::with_val(4000, a).sqrt());
-            let d = exact(x.sub_below(y));
-            prop_assert!(d == 0 || d <= Float::with_val(4000, a) - b);
-            // And a tight one.
-            prop_assert!(exact(x.mul(y)) <= Float::with_val(4000, a) * b * (1.0 + 1e-15));
-        }
-    }
-
-    #[test]
-    fn floats_of_any_length_lie_between_their_bounds() {
-        for bits in [2, 24, 53, 54, 64, 65, 128, 200] {
-            let third = Float::with_val(bits, 1) / 3;
-            // All bits set: rounded up it is a power of two.
-            let mut full = Float::with_val(bits, 2);
-            full.next_down();
-            let tiny = Float::with_val(bits, &third >> 5000u32);
-            for x in [third, full.clone(), -full, tiny, Float::with_val(bits, 3)] {
-                let size = Float::with_val(4000, x.abs_ref());
-                let (low, high) = (exact(Mag::below(&x)), exact(Mag::above(&x)));
-                assert!(low <= size && size <= high, "{bits}: {x}");
-                let gap = Float::with_val(4000, &high - &low) / &size;
-                assert!(gap <= f64::EPSILON, "{bits}: {x}");
-                assert!(bits > 53 || gap == 0, "{bits}: {x}");
-            }
-        }
-    }
-
-    /// Sums and products rounded down, once: exact where 53 bits hold them.
-    #[test]
-    fn sums_and_products_from_below_are_rounded_down() {
-        let floor = |x: Float| exact(Mag::below(&x));
-        let numbers = [
-            0.0,
-            5e-324,
-            1e-300,
-            0.3,
-            1.0 / 3.0,
-            0.5,
-            1.0,
-            1.0f64.next_up(),
-            2.0f64.next_down(),
-            3.0,
-            2f64.powi(53) - 1.0,
-            2f64.powi(59) + 256.0,
-            2f64.powi(60),
-            2f64.powi(61),
-            7e15,
-            1e300,
-        ];
-        for a in numbers {
-            for b in numbers {
-                let (x, y) = (Mag::from_f64(a), Mag::from_f64(b));
-                let sum = Float::with_val(4000, a) + b;
-                let product = Float::with_val(4000, a) * b;
-                assert_eq!(exact(x.add_below(y)), floor(sum), "{a:e} {b:e}");
-                assert_eq!(exact(x.mul_below(y)), floor(product), "{a:e} {b:e}");
-            }
-            let x = Mag::from_f64(a);
-            for (x, y) in [(x, Mag::INFINITY), (Mag::INFINITY, x)] {
-                assert!(x.add_below(y).is_zero() && x.mul_below(y).is_zero());
-            }
-        }
-    }
-
-    #[test]
-    fn integers_lie_between_their_bounds() {
-        let odd = (1u128 << 127) | 1;
-        for d in [
-            0,
-            1,
-            3,
-            (1 << 53) - 1,
-            (1 << 53) + 1,
-            (1 << 54) - 1,
-            odd,
-            u128::MAX,
-        ] {
-            let size = Float::with_val(200, rug::Integer::from(d)) >> 9u32;
-            let [low, high] = [false, true].map(|up| exact(Mag::of_integer(d, -9, up)));
-            assert!(low <= size && size <= high, "{d}");
-            assert!(
-                Float::with_val(200, &high - &low) <= size.clone() * f64::EPSILON,
-                "{d}"
-            );
-            assert!(d >= 1 << 53 || low == high, "{d}");
-        }
-    }
-
-    #[test]
-    fn the_ends_of_the_range() {
-        assert_eq!(Mag::from_f64(f64::from_bits(1)).to_f64(), f64::from_bits(2));
-        assert_eq!(Mag::from_f64(f64::MAX).to_f64(), f64::MAX);
-        assert_eq!(Mag::power_of_two(5000).to_f64(), f64::INFINITY);
-        assert_eq!(Mag::power_of_two(-5000).to_f64(), f64::from_bits(1));
-        assert!(!Mag::from_f64(f64::NAN).is_finite());
-        assert!(!Mag::ZERO.mul(Mag::INFINITY).is_finite());
-        assert!(!Mag::from_f64(1.0).div(Mag::ZERO).is_finite());
-        assert!(Mag::power_of_two(-40000) < Mag::power_of_two(40000));
-    }
-}
+#[path = "mag_tests.rs"]
+mod tests;

@@ -3,3 +3,4 @@
 pub mod cam_law;
 pub mod chirp_oscillator;
 pub mod fourier_series;
+mod fourier_transform;

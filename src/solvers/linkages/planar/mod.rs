@@ -51,7 +51,11 @@ pub use state::{Displacement, State, curvature};
 pub use structure::{Group, GroupKind, Structure};
 
 #[cfg(test)]
+mod bounds_tests;
+#[cfg(test)]
 mod branch_tests;
+#[cfg(test)]
+mod equilibrium_tests;
 #[cfg(test)]
 mod law_tests;
 #[cfg(test)]

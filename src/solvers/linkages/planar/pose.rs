@@ -314,3 +314,7 @@ impl Pose {
         );
     }
 }
+
+#[cfg(test)]
+#[path = "pose_tests.rs"]
+mod tests;

@@ -1,0 +1,144 @@
+//! Places, residuals and their Jacobian for every kind of joint.
+
+use super::super::equilibrium_tests::*;
+use super::super::tests::*;
+use super::super::*;
+use super::*;
+
+fn all() -> [(&'static str, Mechanism); 11] {
+    [
+        ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35])),
+        ("class III", class_iii(&SAND_SCREEN)),
+        ("slider-crank", slider_crank([0.1, 0.3, 0.02])),
+        ("quick return", quick_return()),
+        ("slotted lever", slotted_lever()),
+        ("scotch yoke", scotch_yoke()),
+        ("trammel", trammel()),
+        ("cylinder", cylinder()),
+        ("cross slides", cross_slides()),
+        ("common pin", common_pin()),
+        ("gears and rack", gears_and_rack()),
+    ]
+}
+
+fn anywhere(mechanism: &Mechanism, random: &mut Random) -> Pose {
+    let n = mechanism.chain.unknowns;
+    let u = (0..n).map(|_| random.within(-3.0, 3.0)).collect();
+    Pose::new(&mechanism.chain, random.within(-3.0, 3.0), u)
+}
+
+/// The Jacobian is the derivative of the residual.
+#[test]
+fn jacobians_are_derivatives() {
+    let mut random = Random(5);
+    for (what, mechanism) in all() {
+        let chain = &mechanism.chain;
+        let n = chain.unknowns;
+        let mut jacobian = Matrix::new(n, n + 1);
+        for _ in 0..20 {
+            let pose = anywhere(&mechanism, &mut random);
+            pose.jacobian(chain, &chain.closures, &mut jacobian);
+            for column in 0..=n {
+                let h = 1e-6;
+                let [back, ahead] = [-h, h].map(|h| {
+                    let mut u = pose.u.clone();
+                    let mut drive = pose.drive;
+                    match column < n {
+                        true => u[column] += h,
+                        false => drive += h,
+                    }
+                    let mut rows = Vec::new();
+                    Pose::new(chain, drive, u).residual(chain, &chain.closures, &mut rows);
+                    rows
+                });
+                for row in 0..n {
+                    let due = (ahead[row] - back[row]) / (2.0 * h);
+                    let off = (jacobian[(row, column)] - due).abs();
+                    assert!(off < 1e-8, "{what}: {row} {column}: {off}");
+                }
+            }
+        }
+    }
+}
+
+/// A closed mechanism is closed as its description has it: pins in one place, points on their guides.
+#[test]
+fn joints_are_together() {
+    for (what, mechanism) in all() {
+        // The modes of gears are not enumerated.
+        let modes = mechanism.assembly_modes(0.4);
+        assert!(
+            !modes.states.is_empty() || what == "gears and rack",
+            "{what}"
+        );
+        for state in modes.states {
+            let at = |p: &Point| mechanism.point(&state, p).r;
+            let turn = |body: usize| mechanism.body_angle(&state, body).angle.rad();
+            for joint in &mechanism.description().joints {
+                let off = match &joint.part {
+                    Joint::Pin { points } => {
+                        let [x, y] = at(&points[0]);
+                        let far = |p: &Point| (at(p)[0] - x).hypot(at(p)[1] - y);
+                        points.iter().map(far).fold(0.0, f64::max)
+                    }
+                    Joint::Slide {
+                        slider: p, guide, ..
+                    }
+                    | Joint::Slot {
+                        pin: p,
+                        slot: guide,
+                    } => {
+                        let (s, c) = (turn(guide.origin.body) + guide.direction.rad()).sin_cos();
+                        let ([x, y], [a, b]) = (at(p), at(&guide.origin));
+                        (c * (y - b) - s * (x - a)).abs()
+                    }
+                    _ => 0.0,
+                };
+                assert!(off < 1e-14, "{what}: {} {off}", joint.name);
+                if let Joint::Slide {
+                    slider,
+                    guide,
+                    turn: due,
+                } = &joint.part
+                {
+                    let between = turn(slider.body) - turn(guide.origin.body) - due.rad();
+                    let off = between - (between / TAU).round() * TAU;
+                    assert!(off.abs() < 1e-14, "{what}: {} {off}", joint.name);
+                }
+            }
+            if what == "cylinder" {
+                let Drive::Displacement { joint } = mechanism.description().drive else {
+                    unreachable!("driven by its stroke")
+                };
+                let s = mechanism.joint_displacement(&state, joint).unwrap();
+                assert!(
+                    (s.s_m - 0.4).abs() < 1e-14 && (s.first_m - 1.0).abs() < 1e-12,
+                    "{s:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Directions turned by a little are those of the new angles; by more they are found anew.
+#[test]
+fn little_turns() {
+    let mut random = Random(9);
+    for (what, mechanism) in all() {
+        let chain = &mechanism.chain;
+        for (size, bits) in [(LITTLE, false), (1e-3, true)] {
+            let mut pose = anywhere(&mechanism, &mut random);
+            let step: Vec<f64> = pose.u.iter().map(|u| size * u.signum()).collect();
+            pose.u.iter_mut().zip(&step).for_each(|(u, d)| *u += d);
+            let due = Pose::new(chain, pose.drive, pose.u.clone());
+            pose.turn_little(chain, &step);
+            for b in 0..chain.body_count() {
+                let off = (pose.e[b] - due.e[b])
+                    .norm()
+                    .max((pose.p[b] - due.p[b]).norm());
+                assert!(off < 4e-15, "{what}: body {b} {off:e}");
+                assert!(!bits || pose.e[b] == due.e[b], "{what}: body {b}");
+            }
+        }
+    }
+}
