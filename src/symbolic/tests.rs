@@ -455,6 +455,10 @@ fn bound_names_end_where_they_are_bound() {
         "at(sqrt(x)*x, x, 2)",
         "at(sqrt(1 + sqrt(x)) + x, x, 2)",
         "arg(exp(i*t)*sqrt(x - y))",
+        // A denominator may have any sign.
+        "arg(x/(y - 1)*exp(i*t))",
+        // Only one of the terms of what is bound hides x.
+        "at(at(u + x, x, 2), u, exp(i*t) + sqrt(x)*exp(-t))",
     ] {
         let found = form(text);
         assert!(
@@ -498,5 +502,26 @@ fn derivatives_by_bound_variables() {
     ] {
         let found = decided(text);
         assert_eq!(found.outcome, Outcome::Proved, "{text}: {found:?}");
+    }
+}
+
+/// Derivations of definitions, and names that stand for something else outside of what binds them.
+#[test]
+fn definitions_and_bound_names() {
+    let lines = ["x = y^2", "t: v = 3*v", "w = v*y"];
+    let definitions = Definitions::read(&lines).unwrap();
+    let none = Definitions::default();
+    let mut exact = Exact::default();
+    for (text, due) in [
+        ("D(v^2, t)", "6*v^2"),
+        ("D(w*t, t)", "3*v*y*t + v*y"),
+        // By the symbol itself, whatever the name stands for, and only inside.
+        ("D(x^2, x) - x", "2*x - y^2"),
+        ("at(x + 1, x, 3)*x", "4*y^2"),
+        ("at(u^2, u, exp(t)) + x", "exp(2*t) + y^2"),
+    ] {
+        let found = exact.value(&definitions, &parse(text).unwrap()).unwrap();
+        let due = exact.value(&none, &parse(due).unwrap()).unwrap();
+        assert_eq!(found, due, "{text}");
     }
 }

@@ -129,3 +129,65 @@ fn caches_keep_what_does_not_change() {
     // Inside a sum nothing is kept or used.
     near(value(4, "sum(j, 1, 2, fixed*j)"), 36.into());
 }
+
+/// The arc tangent of a ball that may be complex holds those of its points; where it might meet a branch cut it is
+/// refused.
+#[test]
+fn arc_tangents_beside_the_real_axis() {
+    let point = Point::default();
+    let mut enclosures = Enclosures::new(&point);
+    let ball = |x: f64, off: f64| {
+        let im = Ball::integer(BITS, 0).widened(Mag::from_f64(off));
+        ComplexBall::new(Ball::exact(BITS, x), im)
+    };
+    let mut arctan = |x: f64, off: f64| enclosures.call(Func::Arctan, &ball(x, off));
+    for x in [-3.0, -1.0, 0.0, 0.25, 1.0, 40.0f64] {
+        for off in [1e-20, 1e-3, 0.25, 0.5] {
+            let found = arctan(x, off).unwrap();
+            for y in [-off, -0.5 * off, 0.0, off] {
+                // Re and Im of atan(x + iy).
+                let re = 0.5 * (2.0 * x).atan2((1.0 - x * x) - y * y);
+                let im =
+                    0.25 * ((x * x + (1.0 + y) * (1.0 + y)) / (x * x + (1.0 - y) * (1.0 - y))).ln();
+                let holds = |b: &Ball, v: f64| {
+                    b.widened(Mag::from_f64(4e-16))
+                        .contains(&Rational::from_f64(v).unwrap())
+                };
+                assert!(
+                    holds(&found.re, re) && holds(&found.im, im),
+                    "{x} {y}: {found:?}"
+                );
+            }
+            // Four times what it may be off.
+            assert!(
+                found.im.rad().to_f64() <= 4.0 * off * (1.0 + 1e-15),
+                "{x} {off}"
+            );
+        }
+        assert!(arctan(x, 0.5f64.next_up()).is_err() && arctan(x, 0.75).is_err());
+    }
+    let off_axis = ComplexBall::new(Ball::integer(BITS, 1), Ball::exact(BITS, 0.125));
+    assert!(enclosures.call(Func::Arctan, &off_axis).is_err());
+    // Exactly real: no imaginary part at all.
+    let real = enclosures.call(Func::Arctan, &ball(2.0, 0.0)).unwrap();
+    assert!(real.im.is_zero());
+}
+
+/// What an integral binds is free again after it.
+#[test]
+fn variables_of_integrals_end_with_them() {
+    let named = [("s".to_string(), Rational::from(5))].into();
+    let point = Point { named, turn: 0 };
+    let value = |text: &str| {
+        let found = Enclosures::new(&point).value(&Definitions::default(), &parse(text).unwrap());
+        found.unwrap()
+    };
+    for (text, due) in [
+        ("int(s, 0, 1, 2*s) + s", 6),
+        ("s*int(s, 0, 1, 3*s^2)*s", 25),
+    ] {
+        let found = value(text);
+        assert!(found.re.contains(&Rational::from(due)), "{text}: {found:?}");
+        assert!(found.re.rad() < Mag::power_of_two(-60), "{text}: {found:?}");
+    }
+}

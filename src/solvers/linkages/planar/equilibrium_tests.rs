@@ -151,6 +151,14 @@ pub(super) fn slotted_lever() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
+/// A lever's pin in a slot of the crank.
+pub(super) fn slotted_crank() -> Mechanism {
+    let (mut m, b) = cranked(&["crank", "lever"]);
+    m.pin("C", &[(GROUND, [0.2, -0.3]), (b[1], [0.05, 0.0])]);
+    m.joint("slot", slot((b[1], [0.7, 0.1]), (b[0], [0.05, 0.02]), 0.3));
+    Mechanism::new(m).unwrap()
+}
+
 /// A yoke on a straight guide, moved by the crank's pin in its slot.
 pub(super) fn scotch_yoke() -> Mechanism {
     let (mut m, b) = cranked(&["crank", "yoke"]);
@@ -220,26 +228,23 @@ pub(super) fn common_pin() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
-/// A four-bar whose rocker turns a wheel on the coupler's carrier by gears, and the wheel moves a rack on a slanted guide.
+/// A four-bar whose rocker turns a wheel on the coupler by gears, and the wheel moves a rack on a guide of the coupler.
 pub(super) fn gears_and_rack() -> Mechanism {
     let (mut m, b) = cranked(&["crank", "coupler", "rocker", "wheel", "rack"]);
     m.pin("A", &[(b[0], [0.3, 0.0]), (b[1], [0.0, 0.0])]);
     m.pin("B", &[(b[1], [0.9, 0.0]), (b[2], [0.6, 0.0])]);
     m.pin("C", &[(GROUND, [0.8, 0.1]), (b[2], [0.0, 0.0])]);
-    m.pin("N", &[(GROUND, [1.1, 0.1]), (b[3], [0.0, 0.0])]);
+    m.pin("N", &[(b[1], [0.6, 0.1]), (b[3], [0.0, 0.0])]);
     m.joint(
         "gears",
         Joint::Gears {
             wheels: [b[2], b[3]],
-            carrier: GROUND,
+            carrier: b[1],
             ratio: -1.5,
             phase: Angle::from_rad(0.2),
         },
     );
-    let slide = m.joint(
-        "guide",
-        slide((b[4], [0.0, 0.1]), (GROUND, [1.1, 0.3]), 0.4),
-    );
+    let slide = m.joint("guide", slide((b[4], [0.0, 0.1]), (b[1], [0.5, 0.3]), 0.4));
     m.joint(
         "rack",
         Joint::Rack {
@@ -265,11 +270,12 @@ fn teeth_are_refused() {
 
 #[test]
 fn every_body_is_in_equilibrium() {
-    let all: [(&str, Mechanism, &[f64]); 9] = [
+    let all: [(&str, Mechanism, &[f64]); 10] = [
         ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), &[0.3, 2.0]),
         ("slider-crank", slider_crank([0.1, 0.3, 0.02]), &[0.7, 2.5]),
         ("quick return", quick_return(), &[0.4, 2.2, -1.0]),
         ("slotted lever", slotted_lever(), &[0.4, 2.2, -1.0]),
+        ("slotted crank", slotted_crank(), &[0.4, 2.2, -1.0]),
         ("scotch yoke", scotch_yoke(), &[0.4, 2.2, -1.0]),
         ("trammel", trammel(), &[0.4, 2.2, -1.0]),
         ("cylinder", cylinder(), &[0.3, 0.5]),

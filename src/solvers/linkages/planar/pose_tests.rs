@@ -5,13 +5,14 @@ use super::super::tests::*;
 use super::super::*;
 use super::*;
 
-fn all() -> [(&'static str, Mechanism); 11] {
+fn all() -> [(&'static str, Mechanism); 12] {
     [
         ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35])),
         ("class III", class_iii(&SAND_SCREEN)),
         ("slider-crank", slider_crank([0.1, 0.3, 0.02])),
         ("quick return", quick_return()),
         ("slotted lever", slotted_lever()),
+        ("slotted crank", slotted_crank()),
         ("scotch yoke", scotch_yoke()),
         ("trammel", trammel()),
         ("cylinder", cylinder()),
