@@ -302,3 +302,35 @@ impl Domain for Exact {
         Ok(self.algebra.reduce(&out))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse;
+
+    /// No value is put in below a root, however deep; beside one it is.
+    #[test]
+    fn values_under_roots() {
+        let mut exact = Exact::default();
+        let [x, y] = ["x", "y"].map(|n| Symbol::new(n).unwrap());
+        let mut at = |text: &str, s: Symbol| {
+            let form = exact.value(&Definitions::default(), &parse(text).unwrap());
+            let fraction = form.unwrap().as_fraction().unwrap();
+            exact.poly_at(fraction.num(), s, &Fraction::integer(3))
+        };
+        for text in [
+            "sqrt(x + y)",
+            "y*sqrt(x + y) + 1",
+            "sqrt(1 + sqrt(x))",
+            "sqrt(2)*sqrt(x)",
+        ] {
+            let found = at(text, x);
+            assert!(
+                matches!(found, Err(SymbolicError::Unsupported(_))),
+                "{text}: {found:?}"
+            );
+        }
+        let beside = at("y*sqrt(x) + 2*y^2", y).unwrap();
+        assert_eq!(beside, at("3*sqrt(x) + 18", y).unwrap());
+    }
+}

@@ -459,6 +459,7 @@ fn bound_names_end_where_they_are_bound() {
         "arg(x/(y - 1)*exp(i*t))",
         // Only one of the terms of what is bound hides x.
         "at(at(u + x, x, 2), u, exp(i*t) + sqrt(x)*exp(-t))",
+        "at(D(u*x, x), u, exp(i*t) + sqrt(x)*exp(-t))",
     ] {
         let found = form(text);
         assert!(
