@@ -1,8 +1,8 @@
 //! Fourier coefficients of a cam cycle, from its corners: where one zone or piece of its laws goes
 //! over into the next.
 //!
-//! The coefficient n of a stroke of B turns is the [`Transform`] of its law at `q = 2nB`. From one harmonic to the next
-//! each corner turns by the same angle.
+//! The coefficient n of a stroke of B turns is the transform of its law (`fourier_transform.rs`) at
+//! `q = 2nB`. From one harmonic to the next each corner turns by the same angle.
 
 use super::cam_law::{Form, Law};
 use super::fourier_transform::{Transform, by_jumps, cis};
