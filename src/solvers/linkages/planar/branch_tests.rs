@@ -132,3 +132,46 @@ fn rates_are_derivatives() {
         }
     }
 }
+
+/// A driver alone has no unknowns; it goes to every value of the drive, zero among them.
+#[test]
+fn a_driver_without_groups() {
+    let mut m = Description::new();
+    let crank = m.body("crank");
+    m.pin("O", &[(GROUND, [0.2, 0.1]), (crank, [0.3, 0.0])]);
+    m.drive = Drive::Angle {
+        body: crank,
+        from: GROUND,
+    };
+    let mechanism = Mechanism::new(m).unwrap();
+    let state = mechanism.assembly_modes(0.3).states.remove(0);
+    for to in [0.0, -0.0, 1.0, -2.5] {
+        let found = mechanism.follow(&state, to).unwrap();
+        assert_eq!(mechanism.drive_of(&found), to);
+    }
+}
+
+/// Many rows under one proof are those of a proof each.
+#[test]
+fn rows_under_one_proof() {
+    let mechanism = class_iii(&SAND_SCREEN);
+    for start in mechanism.assembly_modes(0.25).states {
+        let drives: Vec<f64> = (0..400).map(|k| 0.25 + 1e-3 * f64::from(k)).collect();
+        let (rows, _) = match mechanism.sweep(&start, drives.iter().copied()) {
+            Ok(rows) => (rows, None),
+            Err((rows, e)) => (rows, Some(e)),
+        };
+        let mut alone = start.clone();
+        for (row, drive) in rows.iter().zip(&drives) {
+            alone = mechanism.follow(&alone, *drive).unwrap();
+            for body in 1..=5 {
+                let [a, b] = [row, &alone].map(|s| mechanism.body_angle(s, body));
+                assert!((a.angle.rad() - b.angle.rad()).abs() < 1e-13, "{drive}");
+                assert!(
+                    (a.second - b.second).abs() < 1e-10 * (1.0 + a.second.abs()),
+                    "{drive}"
+                );
+            }
+        }
+    }
+}

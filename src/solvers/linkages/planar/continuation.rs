@@ -65,9 +65,10 @@ impl Anchor {
         self.last.clone_from(&state.pose.u);
     }
 
-    /// Whether the state was found from here and the drive is within the step.
+    /// Whether a step is proved here, the state was found from here and the drive is within the step.
     fn holds(&self, state: &State, drive: f64) -> bool {
-        (drive - self.drive).abs() <= self.step.length && self.last == state.pose.u
+        let length = self.step.length;
+        length > 0.0 && (drive - self.drive).abs() <= length && self.last == state.pose.u
     }
 
     /// The end of the tangent.
@@ -132,7 +133,8 @@ impl Mechanism {
             if left == 0.0 {
                 return Ok(());
             }
-            if !work.anchor.holds(state, to) {
+            let kept = work.anchor.holds(state, to);
+            if !kept {
                 let step = self.longest_step(state, work);
                 work.anchor.moor(state, step);
             }
@@ -143,6 +145,10 @@ impl Mechanism {
                 false => state.pose.drive + length.copysign(left),
             };
             let found = length >= SMALLEST_STEP && self.correct(state, next, drive, &anchor, work);
+            if !found && kept {
+                // Another proof, from here, before the branch counts as ended.
+                continue;
+            }
             work.anchor = anchor;
             if !found {
                 return Err(PositionError::Ends {
