@@ -24,7 +24,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 use tests_run::{Suite, Verdict};
-use tree::Tree;
+use tree::{Executable, Tree};
 
 /// Changes one operator, number, condition, bound or statement at a time and tells which changes no test notices.
 ///
@@ -136,8 +136,18 @@ fn audit(args: &Args) -> Result<bool> {
         targets.push("--lib".into());
     }
     let mut left_out = HashSet::new();
-    let package = &args.package;
-    let executables = compile(&tree, package, &sources, &mutants, &targets, &mut left_out)?;
+    let packages = [args.package.as_str()];
+    // Most of what does not compile is found without generating code.
+    let first = Step::Check;
+    let executables = compile(
+        &tree,
+        &packages,
+        &sources,
+        &mutants,
+        &targets,
+        first,
+        &mut left_out,
+    )?;
     let viable: Vec<&Mutant> = mutants
         .iter()
         .filter(|m| !left_out.contains(&m.number))
@@ -146,8 +156,7 @@ fn audit(args: &Args) -> Result<bool> {
         .jobs
         .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, Into::into));
     let longest = Duration::from_secs_f64(args.longest);
-    let folder = tree.folder(package)?;
-    let suite = Suite::new(&folder, &executables, &args.filter, longest, jobs, &work)?;
+    let suite = Suite::new(&executables, &args.filter, longest, jobs, &work)?;
     eprintln!(
         "{} mutants, {} do not compile; {} tests, {} too long",
         mutants.len(),
@@ -155,7 +164,7 @@ fn audit(args: &Args) -> Result<bool> {
         suite.tests.len(),
         suite.too_long.len()
     );
-    let verdicts = judge(&suite, &folder, &viable, jobs)?;
+    let verdicts = judge(&suite, &viable, jobs)?;
     report(args, &sources, &viable, &verdicts)
 }
 
@@ -191,17 +200,32 @@ fn all(sources: &[Source]) -> Vec<Mutant> {
     mutants
 }
 
+/// What the compiler is asked for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Step {
+    Check,
+    Build,
+}
+
 /// Compiles all mutants, fewer from round to round, until what is left compiles.
 fn compile(
     tree: &Tree,
-    package: &str,
+    packages: &[&str],
     sources: &[Source],
     mutants: &[Mutant],
     targets: &[String],
+    mut step: Step,
     left_out: &mut HashSet<u32>,
-) -> Result<Vec<PathBuf>> {
-    let library = tree.library(package)?;
-    let mut build = false;
+) -> Result<Vec<Executable>> {
+    let libraries = packages.iter().map(|p| tree.library(p));
+    let libraries = libraries.collect::<Result<Vec<String>>>()?;
+    for library in &libraries {
+        if !sources.iter().any(|s| s.name == *library) {
+            // The tree is a fresh copy: no switch stands in it yet.
+            let original = fs::read_to_string(tree.root.join(library))?;
+            tree.write(library, &(original + switch::SOURCE))?;
+        }
+    }
     for _ in 0..ROUNDS {
         let mut rendered: Vec<Rendered> = Vec::new();
         for (file, s) in sources.iter().enumerate() {
@@ -213,26 +237,18 @@ fn compile(
                 left_out,
                 "crate::mutant_switch::on",
             );
-            if s.name == library {
+            if libraries.contains(&s.name) {
                 r.text.push_str(switch::SOURCE);
             }
             tree.write(&s.name, &r.text)?;
             rendered.push(r);
         }
-        if !sources.iter().any(|s| s.name == library) {
-            let original = fs::read_to_string(
-                PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-                    .join("../..")
-                    .join(&library),
-            )?;
-            tree.write(&library, &(original + switch::SOURCE))?;
-        }
-        let built = tree.cargo(package, targets, build)?;
+        let built = tree.cargo(packages, targets, step == Step::Build)?;
         if built.errors.is_empty() {
-            if build {
+            if step == Step::Build {
                 return Ok(built.executables);
             }
-            build = true;
+            step = Step::Build;
             continue;
         }
         let before = left_out.len();
@@ -256,12 +272,7 @@ fn compile(
     bail!("after {ROUNDS} rounds there are still mutants that do not compile");
 }
 
-fn judge(
-    suite: &Suite,
-    folder: &std::path::Path,
-    viable: &[&Mutant],
-    jobs: usize,
-) -> Result<Vec<Verdict>> {
+fn judge(suite: &Suite, viable: &[&Mutant], jobs: usize) -> Result<Vec<Verdict>> {
     let next = AtomicUsize::new(0);
     let done = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
@@ -271,7 +282,7 @@ fn judge(
                     let i = next.fetch_add(1, Ordering::Relaxed);
                     viable.get(i).map(|m| (i, m))
                 } {
-                    let verdict = suite.judge(folder, m.number);
+                    let verdict = suite.judge(m.number);
                     let mut done = done.lock().expect("no job panics");
                     done.push((i, verdict));
                     if done.len() % 50 == 0 {

@@ -3,12 +3,12 @@
 use crate::mutate::{Kind, Place};
 use crate::render::Mutant;
 use crate::tests_run::{Ended, LONGEST, limit, names, run};
-use crate::tree::Tree;
-use crate::{Source, compile};
+use crate::tree::{Executable, Tree};
+use crate::{Source, Step, compile};
 use anyhow::{Context, Result, bail};
 use rayon::prelude::*;
 use serde::Deserialize;
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -33,47 +33,54 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let mut reader = csv::Reader::from_path(table).with_context(|| table.display().to_string())?;
     let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
     let rows = rows.with_context(|| table.display().to_string())?;
-    let mut packages: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
-    for row in &rows {
-        packages.entry(&row.package).or_default().push(row);
-    }
-    let mut good = 0;
-    for (package, rows) in packages {
-        good += of_package(project, work, package, &rows)?;
-    }
-    println!("{good} of {} faults make their tests fail", rows.len());
-    Ok(good == rows.len())
-}
-
-fn of_package(project: &Path, work: &Path, package: &str, rows: &[&Row]) -> Result<usize> {
-    let (sources, mutants) = planted(project, rows)?;
+    let (sources, mutants) = planted(project, &rows)?;
     let tree = Tree::new(project, work)?;
+    let packages: BTreeSet<&str> = rows.iter().map(|row| row.package.as_str()).collect();
+    let packages: Vec<&str> = packages.into_iter().collect();
     let mut left_out = HashSet::new();
     let targets = ["--lib".to_string()];
-    let executables = compile(&tree, package, &sources, &mutants, &targets, &mut left_out)?;
+    // All packages at once, and without a check beforehand: every fault is meant to compile.
+    let first = Step::Build;
+    let executables = compile(
+        &tree,
+        &packages,
+        &sources,
+        &mutants,
+        &targets,
+        first,
+        &mut left_out,
+    )?;
     if let Some(n) = left_out.iter().min() {
-        let row = rows[*n as usize];
+        let row = &rows[*n as usize];
         bail!("{}: the fault {:?} does not compile", row.file, row.fault);
     }
-    let folder = tree.folder(package)?;
-    let [executable] = executables.as_slice() else {
-        bail!("{package} has {} test programs", executables.len());
-    };
-    let there: HashSet<String> = names(&folder, executable, &[])?.into_iter().collect();
-    let asked: BTreeSet<&str> = rows.iter().map(|row| row.test.as_str()).collect();
+    // The program that holds a test, by package and test.
+    let mut there: HashMap<(String, String), &Executable> = HashMap::new();
+    for e in &executables {
+        for test in names(e, &[])? {
+            there.insert((e.package.clone(), test), e);
+        }
+    }
+    let named = |row: &Row| (row.package.clone(), row.test.clone());
+    let asked: BTreeSet<(String, String)> = rows.iter().map(named).collect();
     // What each test takes without a fault; nothing if it fails.
-    let sound = asked.into_par_iter().filter(|test| there.contains(*test));
-    let sound = sound.map(|test| {
+    let sound = asked
+        .par_iter()
+        .filter_map(|test| Some((test, *there.get(test)?)));
+    let sound = sound.map(|(test, program)| {
         let start = Instant::now();
-        let ended = run(&folder, executable, test, &[], LONGEST)?;
-        Ok((test, (ended == Ended::Passed).then(|| start.elapsed())))
+        let ended = run(program, &test.1, &[], LONGEST)?;
+        Ok((
+            test,
+            (program, (ended == Ended::Passed).then(|| start.elapsed())),
+        ))
     });
-    let sound = sound.collect::<Result<BTreeMap<&str, Option<Duration>>>>()?;
+    let sound = sound.collect::<Result<HashMap<_, (&Executable, Option<Duration>)>>>()?;
     let noticed = rows.par_iter().enumerate().map(|(n, row)| {
         let place = format!("{}: {} → {}", row.file, row.code, row.fault);
-        let takes = match sound.get(row.test.as_str()) {
-            Some(Some(takes)) => *takes,
-            Some(None) => {
+        let (program, takes) = match sound.get(&named(row)) {
+            Some((program, Some(takes))) => (program, *takes),
+            Some((_, None)) => {
                 println!("{} fails without any fault", row.test);
                 return Ok(false);
             }
@@ -84,18 +91,20 @@ fn of_package(project: &Path, work: &Path, package: &str, rows: &[&Row]) -> Resu
         };
         let number = n.to_string();
         let planted = [("MUTANT", number.as_str())];
-        let ended = run(&folder, executable, &row.test, &planted, limit(takes))?;
+        let ended = run(program, &row.test, &planted, limit(takes))?;
         if ended == Ended::Passed {
             println!("{place}: {} passes ({})", row.test, row.condition);
         }
         Ok(ended != Ended::Passed)
     });
     let noticed = noticed.collect::<Result<Vec<bool>>>()?;
-    Ok(noticed.into_iter().filter(|n| *n).count())
+    let good = noticed.iter().filter(|n| **n).count();
+    println!("{good} of {} faults make their tests fail", rows.len());
+    Ok(good == rows.len())
 }
 
 /// The files with a place for each piece of code that is named.
-fn planted(project: &Path, rows: &[&Row]) -> Result<(Vec<Source>, Vec<Mutant>)> {
+fn planted(project: &Path, rows: &[Row]) -> Result<(Vec<Source>, Vec<Mutant>)> {
     let mut sources: Vec<Source> = Vec::new();
     let mut found = Vec::new();
     for row in rows {

@@ -1,9 +1,10 @@
 //! The tests: which there are, what each reaches, and which of them fails for a mutant.
 
+use crate::tree::Executable;
 use anyhow::{Context, Result, bail};
 use std::collections::{BTreeMap, HashSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -12,7 +13,7 @@ use wait_timeout::ChildExt;
 
 /// One test of one executable.
 pub struct Test {
-    pub executable: PathBuf,
+    pub executable: Executable,
     pub name: String,
     pub takes: Duration,
     /// Mutants it caught.
@@ -57,14 +58,13 @@ pub enum Ended {
 }
 
 pub fn run(
-    folder: &Path,
-    executable: &Path,
+    executable: &Executable,
     name: &str,
     environment: &[(&str, &str)],
     limit: Duration,
 ) -> Result<Ended> {
-    let mut child = Command::new(executable)
-        .current_dir(folder)
+    let mut child = Command::new(&executable.path)
+        .current_dir(&executable.folder)
         .args(["--exact", name, "--test-threads", "1", "--include-ignored"])
         .env("PROPTEST_CASES", "32")
         .env("INSTA_UPDATE", "no")
@@ -73,7 +73,7 @@ pub fn run(
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
-        .with_context(|| executable.display().to_string())?;
+        .with_context(|| executable.path.display().to_string())?;
     Ok(match child.wait_timeout(limit)? {
         Some(status) if status.success() => Ended::Passed,
         Some(_) => Ended::Failed,
@@ -86,9 +86,9 @@ pub fn run(
 }
 
 /// The names of an executable's tests that hold one of the filters.
-pub fn names(folder: &Path, executable: &Path, filters: &[String]) -> Result<Vec<String>> {
-    let out = Command::new(executable)
-        .current_dir(folder)
+pub fn names(executable: &Executable, filters: &[String]) -> Result<Vec<String>> {
+    let out = Command::new(&executable.path)
+        .current_dir(&executable.folder)
         .args(["--list", "--format", "terse"])
         .output()?;
     let text = String::from_utf8(out.stdout)?;
@@ -102,8 +102,7 @@ pub fn names(folder: &Path, executable: &Path, filters: &[String]) -> Result<Vec
 impl Suite {
     /// Runs every test once without a mutant.
     pub fn new(
-        folder: &Path,
-        executables: &[PathBuf],
+        executables: &[Executable],
         filters: &[String],
         longest: Duration,
         jobs: usize,
@@ -111,11 +110,7 @@ impl Suite {
     ) -> Result<Suite> {
         let mut all = Vec::new();
         for e in executables {
-            all.extend(
-                names(folder, e, filters)?
-                    .into_iter()
-                    .map(|n| (e.clone(), n)),
-            );
+            all.extend(names(e, filters)?.into_iter().map(|n| (e.clone(), n)));
         }
         if all.is_empty() {
             bail!("no test matches");
@@ -132,7 +127,7 @@ impl Suite {
                         all.get(i).map(|t| (i, t))
                     } {
                         let trace = scratch.join(format!("trace-{job}"));
-                        match traced(folder, executable, name, &trace) {
+                        match traced(executable, name, &trace) {
                             Ok(t) => found.lock().unwrap().push((i, t)),
                             Err(e) => *failed.lock().unwrap() = Some(e),
                         }
@@ -172,7 +167,7 @@ impl Suite {
     }
 
     /// Runs the tests that reach a mutant, the likeliest and quickest first, until one fails.
-    pub fn judge(&self, folder: &Path, mutant: u32) -> Result<Verdict> {
+    pub fn judge(&self, mutant: u32) -> Result<Verdict> {
         let Some(reaching) = self.reaching.get(&mutant) else {
             return Ok(Verdict::Unreached);
         };
@@ -187,7 +182,7 @@ impl Suite {
         for i in order {
             let t = &self.tests[i];
             let mutant = [("MUTANT", number.as_str())];
-            match run(folder, &t.executable, &t.name, &mutant, limit(t.takes))? {
+            match run(&t.executable, &t.name, &mutant, limit(t.takes))? {
                 Ended::Passed => {}
                 Ended::Failed => {
                     t.catches.fetch_add(1, Ordering::Relaxed);
@@ -201,16 +196,11 @@ impl Suite {
 }
 
 /// The time that a test takes, and the mutants it reaches.
-fn traced(
-    folder: &Path,
-    executable: &Path,
-    name: &str,
-    trace: &Path,
-) -> Result<(Duration, HashSet<u32>)> {
+fn traced(executable: &Executable, name: &str, trace: &Path) -> Result<(Duration, HashSet<u32>)> {
     let _ = fs::remove_file(trace);
     let path = trace.to_str().context("a path that is not text")?;
     let start = Instant::now();
-    match run(folder, executable, name, &[("MUTANT_TRACE", path)], LONGEST)? {
+    match run(executable, name, &[("MUTANT_TRACE", path)], LONGEST)? {
         Ended::Passed => {}
         _ => bail!("the test {name} fails without any mutant"),
     }

@@ -22,9 +22,18 @@ pub struct CompileError {
     pub message: String,
 }
 
+/// A program of tests.
+#[derive(Clone)]
+pub struct Executable {
+    pub package: String,
+    pub path: PathBuf,
+    /// Where cargo runs it: the package's folder.
+    pub folder: PathBuf,
+}
+
 /// What a build gave.
 pub struct Built {
-    pub executables: Vec<PathBuf>,
+    pub executables: Vec<Executable>,
     pub errors: Vec<CompileError>,
 }
 
@@ -85,15 +94,8 @@ impl Tree {
         Ok(inside.to_string_lossy().into_owned())
     }
 
-    /// The folder of a package, in which cargo runs its tests.
-    pub fn folder(&self, package: &str) -> Result<PathBuf> {
-        let mut folder = self.root.join(self.library(package)?);
-        while !folder.join("Cargo.toml").exists() && folder.pop() {}
-        Ok(folder)
-    }
-
-    /// Checks or builds the tests of a package.
-    pub fn cargo(&self, package: &str, targets: &[String], build: bool) -> Result<Built> {
+    /// Checks or builds the tests of packages.
+    pub fn cargo(&self, packages: &[&str], targets: &[String], build: bool) -> Result<Built> {
         let mut command = Command::new("cargo");
         command
             .current_dir(&self.root)
@@ -103,7 +105,8 @@ impl Tree {
             } else {
                 &["check"]
             })
-            .args(["--package", package, "--message-format", "json"]);
+            .args(["--message-format", "json"])
+            .args(packages.iter().flat_map(|p| ["--package", *p]));
         if !build {
             command.args(["--profile", "test"]);
         }
@@ -119,9 +122,7 @@ impl Tree {
             };
             match message["reason"].as_str() {
                 Some("compiler-artifact") if message["profile"]["test"] == true => {
-                    if let Some(path) = message["executable"].as_str() {
-                        built.executables.push(path.into());
-                    }
+                    built.executables.extend(executable(&message));
                 }
                 Some("compiler-message") if message["message"]["level"] == "error" => {
                     built.errors.extend(spans(&message["message"]));
@@ -134,6 +135,21 @@ impl Tree {
         }
         Ok(built)
     }
+}
+
+/// The program that a message of cargo tells of.
+fn executable(message: &Value) -> Option<Executable> {
+    let manifest = Path::new(message["manifest_path"].as_str()?);
+    // `path+file:///…/src/audit#mechaudit-audit@0.1.0`; without a name where that is the folder's.
+    let (at, id) = message["package_id"].as_str()?.rsplit_once('#')?;
+    let name = id
+        .split_once('@')
+        .map_or(at.rsplit_once('/')?.1, |(name, _)| name);
+    Some(Executable {
+        package: name.into(),
+        path: message["executable"].as_str()?.into(),
+        folder: manifest.parent()?.into(),
+    })
 }
 
 /// The spans of an error.
