@@ -1,6 +1,6 @@
 //! One input of an audit and where it came from.
 
-use super::domain::{CheckPoint, Domain, Draw, Region};
+use super::domain::{CheckPoint, Domain, Draw};
 use super::hard::HardCase;
 use super::hex_float::hex_float;
 use super::method::Method;
@@ -201,6 +201,8 @@ fn quoted(path: &str) -> String {
 pub struct Cases {
     method: &'static str,
     domain: Domain,
+    /// Of each region, see [`Draw::named`].
+    streams: Vec<u64>,
     hard: Vec<HardCase>,
     seed: u64,
     per_region: u64,
@@ -211,9 +213,12 @@ pub struct Cases {
 impl Cases {
     /// Those of a method's whole domain.
     pub fn new(method: &dyn Method, settings: &Settings) -> Cases {
+        let (name, domain) = (method.name(), method.domain());
+        let streams = domain.regions.iter().map(|r| Draw::named(name, r.name));
         Cases {
-            method: method.name(),
-            domain: method.domain(),
+            method: name,
+            streams: streams.collect(),
+            domain,
             hard: method.hard(),
             seed: settings.seed,
             per_region: settings.cases_per_region,
@@ -268,7 +273,7 @@ impl Cases {
             return self.hard(i - self.domain.check_points.len());
         }
         let random = (i - self.named()) as u64;
-        let region = &self.domain.regions[(random / self.per_region) as usize];
+        let region = (random / self.per_region) as usize;
         self.random(region, random % self.per_region)
     }
 
@@ -386,16 +391,17 @@ impl Cases {
     /// A region that there is not.
     pub fn in_region(&self, name: &str, index: u64) -> Result<Case, NoSuch> {
         let regions = &self.domain.regions;
-        let found = regions.iter().find(|r| r.name == name);
+        let found = regions.iter().position(|r| r.name == name);
         let known = || regions.iter().map(|r| r.name).collect();
         found
             .map(|r| self.random(r, index))
             .ok_or_else(|| NoSuch::new(self.method, "region", name, known()))
     }
 
-    fn random(&self, region: &Region, index: u64) -> Case {
-        let mut draw = Draw::new(self.seed, self.method, region.name, index);
-        let seed = self.seed;
+    fn random(&self, region: usize, index: u64) -> Case {
+        let (seed, named) = (self.seed, self.streams[region]);
+        let region = &self.domain.regions[region];
+        let mut draw = Draw::of(seed, named, index);
         let input = (region.sample)(&mut draw);
         self.case(region.name, input, Origin::Random { seed, index })
     }

@@ -14,14 +14,19 @@ pub struct Draw(ChaCha8Rng);
 impl Draw {
     /// The stream of one case.
     pub fn new(seed: u64, method: &str, region: &str, index: u64) -> Draw {
-        // FNV-1a over the names, then the index.
-        let mut h: u64 = 0xcbf2_9ce4_8422_2325;
+        Draw::of(seed, Draw::named(method, region), index)
+    }
+
+    /// What the streams of a region have in common.
+    pub(super) fn named(method: &str, region: &str) -> u64 {
         let names = method.bytes().chain([0]).chain(region.bytes()).chain([0]);
-        for b in names.chain(index.to_le_bytes()) {
-            h = (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
+        hashed(0xcbf2_9ce4_8422_2325, names)
+    }
+
+    /// [`Draw::new`], the names hashed before.
+    pub(super) fn of(seed: u64, named: u64, index: u64) -> Draw {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        rng.set_stream(h);
+        rng.set_stream(hashed(named, index.to_le_bytes()));
         Draw(rng)
     }
 
@@ -54,6 +59,12 @@ impl Draw {
     pub fn chance(&mut self, p: f64) -> bool {
         self.unit() < p
     }
+}
+
+/// FNV-1a of more bytes.
+fn hashed(hash: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
+    let add = |h: u64, b: u8| (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3);
+    bytes.into_iter().fold(hash, add)
 }
 
 /// A part of the domain.

@@ -1,7 +1,5 @@
 //! Hexadecimal floats as in C99.
 
-use std::fmt::Write;
-
 /// A float in C's `%a` form, exact.
 ///
 /// ```
@@ -34,18 +32,18 @@ pub fn write_hex_float(text: &mut String, x: f64) {
         _ => ("0x1", exponent - 1023),
     };
     text.push_str(lead);
-    // Nibble by nibble: inputs and answers of programs are millions of these.
-    let mut left = fraction << 12;
-    if left != 0 {
+    // Without a formatter: inputs and answers of programs are millions of these.
+    let digit = |d: u64| b"0123456789abcdef"[d as usize];
+    if fraction != 0 {
+        let digits: [u8; 13] = std::array::from_fn(|k| digit(fraction >> (48 - 4 * k) & 15));
+        let count = 13 - fraction.trailing_zeros() as usize / 4;
         text.push('.');
-    }
-    while left != 0 {
-        text.push(char::from(b"0123456789abcdef"[(left >> 60) as usize]));
-        left <<= 4;
+        text.push_str(std::str::from_utf8(&digits[..count]).expect("digits are ASCII"));
     }
     text.push_str(if e < 0 { "p-" } else { "p+" });
-    // A string takes everything.
-    let _ = write!(text, "{}", e.unsigned_abs());
+    let size = u64::from(e.unsigned_abs());
+    let places = [1000, 100, 10, 1].into_iter().filter(|p| *p <= size.max(1));
+    text.extend(places.map(|p| char::from(digit(size / p % 10))));
 }
 
 #[cfg(test)]

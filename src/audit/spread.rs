@@ -43,12 +43,13 @@ pub struct SpreadTally {
 pub(super) type Bin = u32;
 
 /// How many numbers have which leading bits, of one exponent.
-#[derive(Clone, Debug)]
-enum Bins {
-    /// The bins of up to [`FEW`] numbers. Errors of a bad candidate are in a hundred octaves.
-    Few(Vec<u16>),
-    /// Every bin's count.
-    All(Vec<u64>),
+#[derive(Clone, Debug, Default)]
+struct Bins {
+    /// The bins of up to [`FEW`] numbers that are not in `all` yet: one count after another there would be a cache miss
+    /// each.
+    few: Vec<u16>,
+    /// Every bin's count; empty until there are more. Errors of a bad candidate are in a hundred octaves.
+    all: Vec<u64>,
 }
 
 /// As many as take the space of 64 bins.
@@ -57,34 +58,31 @@ const FEW: usize = 256;
 impl Bins {
     /// Counts `more` numbers in one of `bins` bins.
     fn add(&mut self, bins: usize, bin: usize, more: u64) {
-        let few = match self {
-            Bins::All(counts) => return counts[bin] += more,
-            Bins::Few(few) => few,
-        };
-        if more <= (FEW - few.len()) as u64 {
+        if more <= (FEW - self.few.len()) as u64 {
             let (bin, more) = (bin as u16, more as usize);
             return match more {
-                1 => few.push(bin),
-                _ => few.resize(few.len() + more, bin),
+                1 => self.few.push(bin),
+                _ => self.few.resize(self.few.len() + more, bin),
             };
         }
-        let mut counts = vec![0; bins];
-        few.iter().for_each(|k| counts[usize::from(*k)] += 1);
-        counts[bin] += more;
-        *self = Bins::All(counts);
+        self.all.resize(bins, 0);
+        let few = self.few.drain(..);
+        few.for_each(|k| self.all[usize::from(k)] += 1);
+        self.all[bin] += more;
     }
 
     /// Bins in rising order with their counts, which are not zero.
     fn counts(&self) -> impl Iterator<Item = (usize, u64)> {
-        let counts: Vec<(usize, u64)> = match self {
-            Bins::Few(few) => {
-                let mut few = few.clone();
-                few.sort_unstable();
-                let equal = few.chunk_by(|a, b| a == b);
-                equal.map(|k| (usize::from(k[0]), k.len() as u64)).collect()
-            }
-            Bins::All(counts) => {
-                let all = counts.iter().copied().enumerate();
+        let mut few = self.few.clone();
+        few.sort_unstable();
+        let equal = few.chunk_by(|a, b| a == b);
+        let few = equal.map(|k| (usize::from(k[0]), k.len() as u64));
+        let counts: Vec<(usize, u64)> = match self.all.is_empty() {
+            true => few.collect(),
+            false => {
+                let mut all = self.all.clone();
+                few.for_each(|(k, count)| all[k] += count);
+                let all = all.into_iter().enumerate();
                 all.filter(|(_, count)| *count > 0).collect()
             }
         };
@@ -101,22 +99,12 @@ impl PartialEq for Bins {
 impl Eq for Bins {}
 
 /// Numbers of one exponent.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct OctaveTally {
     count: u64,
     /// By the leading bits of the fraction.
     bins: Bins,
     squares: Squares,
-}
-
-impl Default for OctaveTally {
-    fn default() -> OctaveTally {
-        OctaveTally {
-            count: 0,
-            bins: Bins::Few(Vec::new()),
-            squares: Squares::default(),
-        }
-    }
 }
 
 impl OctaveTally {

@@ -118,7 +118,6 @@ impl Tally {
 
     /// The residuals of the method's laws at a case, in the laws' order.
     pub fn laws(&mut self, case: &Case, residuals: &[Option<f64>]) {
-        let place = self.place(case.region);
         for (k, residual) in residuals.iter().enumerate().take(self.laws.len()) {
             let Some(x) = *residual else { continue };
             // A residual that is not a number breaks the law.
@@ -126,7 +125,8 @@ impl Tally {
             let before = self.laws[k].worst_case.as_ref();
             let earlier = before.is_none_or(|b| {
                 let at = self.place(b.region);
-                place.cmp(&at).then_with(|| case.order(b)).is_lt()
+                let places = self.place(case.region).cmp(&at);
+                places.then_with(|| case.order(b)).is_lt()
             });
             let law = &mut self.laws[k];
             law.cases += 1;

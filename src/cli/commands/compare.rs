@@ -220,7 +220,7 @@ fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<S
 fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
     let n = inputs.len().min(BATCH);
     let all: Vec<Vec<f64>> = (0..n)
-        .map(|k| inputs.show(k * inputs.len() / n).input)
+        .map(|k| inputs.take(k * inputs.len() / n).input)
         .collect();
     let round = || {
         let start = Instant::now();

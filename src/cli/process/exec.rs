@@ -244,20 +244,24 @@ fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: b
     let mut out = BufWriter::with_capacity(1 << 16, stdin);
     let (mut line, mut frame) = (String::new(), Vec::new());
     for i in 0..total {
-        let case = inputs.show(i % inputs.len());
-        let written = match form {
+        let i = i % inputs.len();
+        let case = inputs.take(i);
+        let text = match form {
             Form::Lines => {
                 line.clear();
                 wire::write(&mut line, &case.input, decimal);
                 line.push('\n');
-                out.write_all(line.as_bytes())
+                line.as_bytes()
             }
             Form::Frames => {
                 frame.clear();
                 frames::encode(&case.input, &mut frame);
-                out.write_all(&frame)
+                &frame
             }
         };
+        // Before the answer to it can come.
+        inputs.keep(i, case);
+        let written = out.write_all(text);
         if written.is_err() {
             return;
         }

@@ -15,7 +15,7 @@ enum Source {
     Listed(Vec<Case>),
 }
 
-/// The inputs of a run, drawn when a program is shown them, and taken when its answers are judged.
+/// The inputs of a run, drawn when a program is shown them, kept, and taken when its answers are judged.
 pub struct Inputs {
     source: Source,
     /// Those shown last, number `i` in place `i` modulo their number, until they are taken.
@@ -84,24 +84,16 @@ impl Inputs {
         self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Number `i` for a program; other programs, and whoever judges their answers, find it kept.
-    pub fn show(&self, i: usize) -> Case {
-        if let Some(Some((k, case))) = self.lock().get(i % KEPT)
-            && *k == i
-        {
-            return case.clone();
-        }
-        let case = self.draw(i);
+    /// Number `i`, shown to a program: others, and whoever judges their answers, find it kept.
+    pub fn keep(&self, i: usize, case: Case) {
         if case.input.len() <= SHORT {
-            let kept = Some((i, case.clone()));
             let mut drawn = self.lock();
             drawn.resize(KEPT, None);
-            drawn[i % KEPT] = kept;
+            drawn[i % KEPT] = Some((i, case));
         }
-        case
     }
 
-    /// Number `i`, which nobody asks for again, as a rule.
+    /// Number `i`, which is kept no longer.
     pub fn take(&self, i: usize) -> Case {
         let kept = {
             let mut drawn = self.lock();
@@ -144,7 +136,9 @@ mod tests {
             assert_eq!(bits(&given), bits(&drawn), "{i}");
         };
         for i in [5, 6, 5, KEPT + 5, 5, KEPT + 5, KEPT + 6, 6] {
-            same(inputs.show(i), i);
+            let case = inputs.take(i);
+            same(case.clone(), i);
+            inputs.keep(i, case);
         }
         for i in [KEPT + 5, 5, 5, 6, KEPT + 6, 7] {
             same(inputs.take(i), i);

@@ -77,8 +77,9 @@ impl HexFloat {
         let rest = rest
             .strip_prefix("0x")
             .or_else(|| rest.strip_prefix("0X"))?;
-        let (mantissa, exponent) = match rest.split_once(['p', 'P']) {
-            Some((mantissa, e)) => (mantissa, e.parse::<i64>().ok()?),
+        // By bytes: answers of programs are millions of these.
+        let (mantissa, exponent) = match rest.bytes().position(|b| b | 0x20 == b'p') {
+            Some(at) => (&rest[..at], rest[at + 1..].parse::<i64>().ok()?),
             None => (rest, 0),
         };
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
