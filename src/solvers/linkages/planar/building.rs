@@ -47,6 +47,7 @@ impl Chain {
                 closures: Vec::new(),
                 closed: Vec::new(),
                 bounds: Vec::new(),
+                arms: Vec::new(),
                 blocks: Vec::new(),
                 group: vec![0; n],
                 ties: ties(description),
@@ -61,6 +62,7 @@ impl Chain {
         }
         let mut chain = builder.chain;
         chain.bounds = super::bounds::constant(&chain);
+        chain.arms = super::arms::constant(&chain);
         chain
     }
 }

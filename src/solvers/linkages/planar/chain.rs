@@ -6,6 +6,7 @@
 //! closure equations. Group by group there are as many as unknowns, so the Jacobian is block
 //! triangular. Lengths are in units of a power of two metres near the largest dimension.
 
+use super::arms::Arm;
 use super::bounds::Bound;
 use super::check::unit;
 use super::model::{Guide, Point};
@@ -156,6 +157,8 @@ pub(super) struct Chain {
     pub closed: Vec<Option<(usize, usize)>>,
     /// For each closure the bounds of its rows, where they are the same at every position.
     pub bounds: Vec<Option<Bound>>,
+    /// For each pin what it depends on, where that is the same at every position.
+    pub arms: Vec<Option<Vec<Arm>>>,
     pub blocks: Vec<Block>,
     /// The number of each body's block, counted from 1; 0 for the ground.
     pub group: Vec<usize>,
@@ -171,7 +174,9 @@ pub(super) struct Chain {
 }
 
 pub(super) fn spot(p: &Point, metres: f64) -> Spot {
-    let [x, y] = p.at.map(|l| l.m() / metres);
+    // The unit is a power of two: its reciprocal is exact.
+    let units = 1.0 / metres;
+    let [x, y] = p.at.map(|l| l.m() * units);
     Spot {
         body: p.body,
         at: Complex64::new(x, y),

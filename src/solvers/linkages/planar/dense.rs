@@ -25,6 +25,12 @@ impl Matrix {
     pub(super) fn row(&self, row: usize) -> &[f64] {
         &self.values[row * self.columns..][..self.columns]
     }
+
+    /// A row and the next.
+    pub(super) fn pair(&mut self, row: usize) -> (&mut [f64], &mut [f64]) {
+        let both = &mut self.values[row * self.columns..][..2 * self.columns];
+        both.split_at_mut(self.columns)
+    }
 }
 
 impl Index<(usize, usize)> for Matrix {
@@ -91,38 +97,91 @@ impl Factors {
         }
         self.rows.clear();
         self.rows.extend(0..n);
-        let lu = &mut self.lu;
-        for block in &self.blocks {
-            for k in block.clone() {
-                let mut pivot = k;
-                for r in k + 1..block.end {
-                    if lu[r * n + k].abs() > lu[pivot * n + k].abs() {
-                        pivot = r;
-                    }
+        // Sizes of dyads and triads by loops that the compiler unrolls.
+        (0..self.blocks.len()).all(|k| {
+            let block = self.blocks[k].clone();
+            match block.len() {
+                2 => self.eliminate::<2>(block.start),
+                4 => self.eliminate::<4>(block.start),
+                _ => self.eliminate_any(block),
+            }
+        })
+    }
+
+    /// Notes a pivot; its reciprocal, if there is one.
+    #[inline(always)]
+    fn pivot(&mut self, d: f64) -> Option<f64> {
+        let over = 1.0 / d;
+        self.over.push(over);
+        self.pivots = [self.pivots[0].min(d.abs()), self.pivots[1].max(d.abs())];
+        (over.is_finite() && over != 0.0).then_some(over)
+    }
+
+    /// Factors the block of N rows that starts at `from`.
+    #[inline(always)]
+    fn eliminate<const N: usize>(&mut self, from: usize) -> bool {
+        let n = self.n;
+        let place = |r: usize| (from + r) * n + from;
+        let mut a: [[f64; N]; N] = std::array::from_fn(|r| {
+            let line = &self.lu[place(r)..][..N];
+            std::array::from_fn(|c| line[c])
+        });
+        for k in 0..N {
+            let mut pivot = k;
+            for r in k + 1..N {
+                if a[r][k].abs() > a[pivot][k].abs() {
+                    pivot = r;
                 }
-                if pivot != k {
-                    for c in 0..block.end {
-                        lu.swap(k * n + c, pivot * n + c);
-                    }
-                    self.rows.swap(k, pivot);
-                    self.odd = !self.odd;
+            }
+            if pivot != k {
+                a.swap(k, pivot);
+                for c in 0..from {
+                    self.lu.swap((from + k) * n + c, (from + pivot) * n + c);
                 }
-                let d = lu[k * n + k];
-                let over = 1.0 / d;
-                if !(over.is_finite() && over != 0.0) {
-                    return false;
+                self.rows.swap(from + k, from + pivot);
+                self.odd = !self.odd;
+            }
+            let source = a[k];
+            let Some(over) = self.pivot(source[k]) else {
+                return false;
+            };
+            for row in &mut a[k + 1..] {
+                let m = row[k] * over;
+                for c in k + 1..N {
+                    row[c] -= m * source[c];
                 }
-                self.over.push(over);
-                self.pivots = [self.pivots[0].min(d.abs()), self.pivots[1].max(d.abs())];
-                let (upper, lower) = lu.split_at_mut((k + 1) * n);
-                let source = &upper[k * n..][k + 1..block.end];
-                for row in lower.chunks_exact_mut(n).take(block.end - k - 1) {
-                    let m = row[k] * over;
-                    row[k] = m;
-                    if m != 0.0 {
-                        for (x, s) in row[k + 1..block.end].iter_mut().zip(source) {
-                            *x -= m * s;
-                        }
+                row[k] = m;
+            }
+        }
+        for (r, row) in a.iter().enumerate() {
+            self.lu[place(r)..][..N].copy_from_slice(row);
+        }
+        true
+    }
+
+    fn eliminate_any(&mut self, block: Range<usize>) -> bool {
+        let n = self.n;
+        for k in block.clone() {
+            let size = |r: usize| self.lu[r * n + k].abs();
+            let pivot = (k + 1..block.end).fold(k, |p, r| if size(r) > size(p) { r } else { p });
+            if pivot != k {
+                for c in 0..block.end {
+                    self.lu.swap(k * n + c, pivot * n + c);
+                }
+                self.rows.swap(k, pivot);
+                self.odd = !self.odd;
+            }
+            let Some(over) = self.pivot(self.lu[k * n + k]) else {
+                return false;
+            };
+            let (upper, lower) = self.lu.split_at_mut((k + 1) * n);
+            let source = &upper[k * n..][k + 1..block.end];
+            for row in lower.chunks_exact_mut(n).take(block.end - k - 1) {
+                let m = row[k] * over;
+                row[k] = m;
+                if m != 0.0 {
+                    for (x, s) in row[k + 1..block.end].iter_mut().zip(source) {
+                        *x -= m * s;
                     }
                 }
             }
@@ -131,22 +190,57 @@ impl Factors {
     }
 
     /// Solves `A x = b`.
+    #[inline]
     pub(super) fn solve(&self, b: impl Fn(usize) -> f64, x: &mut [f64]) {
-        let n = self.n;
         for block in &self.blocks {
-            let (from, end) = (block.start, block.end);
-            // With L of the block, and what the blocks before it give.
-            for r in from..end {
-                let row = &self.lu[r * n..][..r];
-                let known = row.iter().zip(&*x);
-                x[r] = known.fold(b(self.rows[r]), |sum, (a, x)| sum - a * x);
+            match block.len() {
+                2 => self.solve_block::<2>(block.start, &b, x),
+                4 => self.solve_block::<4>(block.start, &b, x),
+                _ => self.solve_any(block, &b, x),
             }
-            for r in (from..end).rev() {
-                let row = &self.lu[r * n..][..end];
-                let known = row[r + 1..].iter().zip(&x[r + 1..end]);
-                let sum = known.fold(x[r], |sum, (a, x)| sum - a * x);
-                x[r] = sum * self.over[r];
+        }
+    }
+
+    /// The part of the block of N rows that starts at `from`.
+    #[inline(always)]
+    fn solve_block<const N: usize>(&self, from: usize, b: impl Fn(usize) -> f64, x: &mut [f64]) {
+        let lines = self.lu[from * self.n..].chunks_exact(self.n);
+        let (before, own) = x.split_at_mut(from);
+        let mut y = [0.0; N];
+        let mut upper = [[0.0; N]; N];
+        for (r, (line, &row)) in lines.zip(&self.rows[from..]).take(N).enumerate() {
+            let (known, line) = line.split_at(from);
+            let known = known.iter().zip(&*before);
+            let mut sum = known.fold(b(row), |sum, (a, x)| sum - a * x);
+            for c in 0..r {
+                sum -= line[c] * y[c];
             }
+            y[r] = sum;
+            upper[r].copy_from_slice(&line[..N]);
+        }
+        for r in (0..N).rev() {
+            for c in r + 1..N {
+                y[r] -= upper[r][c] * y[c];
+            }
+            y[r] *= self.over[from + r];
+        }
+        own[..N].copy_from_slice(&y);
+    }
+
+    fn solve_any(&self, block: &Range<usize>, b: impl Fn(usize) -> f64, x: &mut [f64]) {
+        let n = self.n;
+        let (from, end) = (block.start, block.end);
+        // With L of the block, and what the blocks before it give.
+        for r in from..end {
+            let row = &self.lu[r * n..][..r];
+            let known = row.iter().zip(&*x);
+            x[r] = known.fold(b(self.rows[r]), |sum, (a, x)| sum - a * x);
+        }
+        for r in (from..end).rev() {
+            let row = &self.lu[r * n..][..end];
+            let known = row[r + 1..].iter().zip(&x[r + 1..end]);
+            let sum = known.fold(x[r], |sum, (a, x)| sum - a * x);
+            x[r] = sum * self.over[r];
         }
     }
 

@@ -13,6 +13,7 @@
 //!
 //! Not in it: friction, contact, flexible links, mechanisms in space.
 
+mod arms;
 mod bounds;
 mod branches;
 mod building;

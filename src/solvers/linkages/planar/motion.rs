@@ -93,6 +93,7 @@ impl Motion {
     }
 
     /// A point fixed on a body.
+    #[inline]
     pub(super) fn spot(&self, pose: &Pose, spot: Spot) -> Jet {
         let BodyRates { turn, origin } = self.bodies[spot.body];
         let arm = pose.e[spot.body] * spot.at;

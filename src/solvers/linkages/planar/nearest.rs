@@ -274,7 +274,7 @@ impl Chain {
     fn is_alone(&self, given: &Pose, found: &Pose, d: f64, work: &mut Work) -> bool {
         let middle = given.u.iter().zip(&found.u).map(|(a, b)| 0.5 * (a + b));
         let pose = Pose::new(self, given.drive, middle.collect());
-        pose.jacobian(self, &self.closures, &mut work.jacobian);
+        pose.jacobian(self, 0..self.closures.len(), &mut work.jacobian);
         let blocks = self.blocks.iter().map(|b| b.rows.clone());
         if !work.factors.of_blocks(&work.jacobian, 0, blocks) {
             return self.unknowns == 0;
@@ -295,7 +295,7 @@ impl Chain {
             return true;
         }
         given.residual(self, &self.closures, &mut work.residual);
-        given.jacobian(self, &self.closures, &mut work.jacobian);
+        given.jacobian(self, 0..self.closures.len(), &mut work.jacobian);
         let (f, j) = (&work.residual, &work.jacobian);
         (0..f.len()).step_by(2).any(|r| {
             let arm = |k: usize| j[(r, k)].hypot(j[(r + 1, k)]) + rounding;

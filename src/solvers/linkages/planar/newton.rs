@@ -52,12 +52,8 @@ impl Chain {
     /// settles.
     pub(super) fn newton(&self, pose: &mut Pose, block: Option<&Block>, work: &mut Work) -> bool {
         let (unknowns, closures, bodies) = match block {
-            Some(b) => (
-                b.unknowns.clone(),
-                &self.closures[b.closures.clone()],
-                Some(&b.bodies),
-            ),
-            None => (0..self.unknowns, &self.closures[..], None),
+            Some(b) => (b.unknowns.clone(), b.closures.clone(), Some(&b.bodies)),
+            None => (0..self.unknowns, 0..self.closures.len(), None),
         };
         let n = unknowns.len();
         let order: Vec<usize> = match bodies {
@@ -77,9 +73,9 @@ impl Chain {
         let mut last = f64::INFINITY;
         let mut fresh = true;
         for _ in 0..MOST {
-            pose.residual(self, closures, &mut work.residual);
+            pose.residual(self, &self.closures[closures.clone()], &mut work.residual);
             if fresh {
-                pose.jacobian(self, closures, &mut work.jacobian);
+                pose.jacobian(self, closures.clone(), &mut work.jacobian);
                 let factored = match block {
                     Some(_) => work.factors.of(&work.jacobian, n, unknowns.start),
                     None => {
@@ -148,7 +144,7 @@ impl Chain {
             pose.place(self, &self.order);
             pose.residual(self, &self.closures, &mut work.residual);
         }
-        pose.jacobian(self, &self.closures, &mut work.jacobian);
+        pose.jacobian(self, 0..self.closures.len(), &mut work.jacobian);
         let blocks = self.blocks.iter().map(|b| b.rows.clone());
         if !work.factors.of_blocks(&work.jacobian, 0, blocks) {
             return self.unknowns == 0;

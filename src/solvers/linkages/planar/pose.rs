@@ -4,6 +4,7 @@ use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
 use super::dense::Matrix;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 pub(super) fn dot(a: Complex64, b: Complex64) -> f64 {
     a.re * b.re + a.im * b.im
@@ -232,13 +233,24 @@ impl Pose {
 
     /// The Jacobian of closures; its last column is the derivative with respect to the drive. The
     /// first row of `out` is that of the first closure.
-    pub(super) fn jacobian(&self, chain: &Chain, closures: &[Closure], out: &mut Matrix) {
+    pub(super) fn jacobian(&self, chain: &Chain, closures: Range<usize>, out: &mut Matrix) {
         out.clear();
         let drive = chain.unknowns;
         let mut row = 0;
         let real = |x: f64| Complex64::new(x, 0.0);
-        for closure in closures {
+        for (closure, arms) in chain.closures[closures.clone()]
+            .iter()
+            .zip(&chain.arms[closures])
+        {
             match *closure {
+                Closure::Pin { .. } if arms.is_some() => {
+                    let (x, y) = out.pair(row);
+                    for arm in arms.iter().flatten() {
+                        let d = quarter(self.e[arm.body] * arm.arm) * arm.by;
+                        x[arm.column] += d.re;
+                        y[arm.column] += d.im;
+                    }
+                }
                 Closure::Pin { a, b } => {
                     self.walk(chain, a, &mut |k, d| {
                         out[(row, k)] += d.re;

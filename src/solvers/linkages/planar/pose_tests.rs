@@ -38,7 +38,7 @@ fn jacobians_are_derivatives() {
         let mut jacobian = Matrix::new(n, n + 1);
         for _ in 0..20 {
             let pose = anywhere(&mechanism, &mut random);
-            pose.jacobian(chain, &chain.closures, &mut jacobian);
+            pose.jacobian(chain, 0..chain.closures.len(), &mut jacobian);
             for column in 0..=n {
                 let h = 1e-6;
                 let [back, ahead] = [-h, h].map(|h| {

@@ -76,7 +76,7 @@ impl Mechanism {
         };
         let mut jacobian = Matrix::new(n, n + 1);
         let mut sigma = |pose: &Pose| {
-            pose.jacobian(&self.chain, &self.chain.closures, &mut jacobian);
+            pose.jacobian(&self.chain, 0..self.chain.closures.len(), &mut jacobian);
             let row = |r: usize| (0..n).map(|c| jacobian[(r, c)] * v[c]).sum::<f64>();
             (0..n).map(|r| w[r] * row(r)).sum::<f64>()
         };
@@ -101,7 +101,7 @@ impl Mechanism {
         let mut last_size = f64::INFINITY;
         for _ in 0..40 {
             pose.residual(&self.chain, &self.chain.closures, &mut residual);
-            pose.jacobian(&self.chain, &self.chain.closures, &mut jacobian);
+            pose.jacobian(&self.chain, 0..self.chain.closures.len(), &mut jacobian);
             // The derivative of J v along every unknown and the drive, by central differences of the
             // Jacobian along v: (J(u + h v) − J(u − h v)) / 2h is symmetric in its arguments.
             let h = 1e-5;
@@ -113,7 +113,7 @@ impl Mechanism {
                     .map(|(u, v)| u + sign * h * v)
                     .collect();
                 let moved = Pose::new(&self.chain, pose.drive, u);
-                moved.jacobian(&self.chain, &self.chain.closures, &mut shifted);
+                moved.jacobian(&self.chain, 0..self.chain.closures.len(), &mut shifted);
                 shifted.clone()
             };
             let (plus, minus) = (change(1.0), change(-1.0));

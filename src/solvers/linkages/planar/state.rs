@@ -54,7 +54,7 @@ impl State {
     pub(super) fn update(&mut self, chain: &Chain, work: &mut Work) -> bool {
         let n = chain.unknowns;
         self.pose
-            .jacobian(chain, &chain.closures, &mut self.jacobian);
+            .jacobian(chain, 0..chain.closures.len(), &mut self.jacobian);
         let blocks = chain.blocks.iter().map(|b| b.rows.clone());
         if !self.factors.of_blocks(&self.jacobian, 0, blocks) {
             return false;
@@ -89,13 +89,11 @@ impl Mechanism {
 
     /// From values with derivatives in the chain's units to metres and the drive's unit.
     fn outer(&self, value: [f64; 3], lengths: bool) -> [f64; 3] {
-        let l = if lengths { self.chain.metres } else { 1.0 };
-        let d = if self.chain.linear {
-            self.chain.metres
-        } else {
-            1.0
-        };
-        [value[0] * l, value[1] * l / d, value[2] * l / d / d]
+        let metres = self.chain.metres;
+        let l = if lengths { metres } else { 1.0 };
+        // A power of two, so that its reciprocal is exact.
+        let d = if self.chain.linear { 1.0 / metres } else { 1.0 };
+        [value[0] * l, value[1] * l * d, value[2] * l * d * d]
     }
 
     /// A body's angle, not reduced by whole turns, with its derivatives.
