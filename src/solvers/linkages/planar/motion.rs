@@ -40,7 +40,7 @@ fn stretched(z: Complex64, along: Complex64, turn: [f64; 2], s: [f64; 2]) -> [Co
 impl Motion {
     /// `rates` holds first and second derivatives of the unknowns.
     pub(super) fn set(&mut self, chain: &Chain, pose: &Pose, rates: [&[f64]; 2]) {
-        self.bodies.clear();
+        // The ground's, which is not in the order, remain zero.
         self.bodies.resize(chain.body_count(), BodyRates::default());
         let travel = |t: Travel| match t {
             Travel::Unknown(k) => [rates[0][k], rates[1][k]],

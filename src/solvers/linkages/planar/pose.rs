@@ -242,15 +242,17 @@ impl Pose {
             .iter()
             .zip(&chain.arms[closures])
         {
-            match *closure {
-                Closure::Pin { .. } if arms.is_some() => {
-                    let (x, y) = out.pair(row);
-                    for arm in arms.iter().flatten() {
-                        let d = quarter(self.e[arm.body] * arm.arm) * arm.by;
-                        x[arm.column] += d.re;
-                        y[arm.column] += d.im;
-                    }
+            if let Some(arms) = arms {
+                let (x, y) = out.pair(row);
+                for arm in arms {
+                    let d = quarter(self.e[arm.body] * arm.arm) * arm.by;
+                    x[arm.column] += d.re;
+                    y[arm.column] += d.im;
                 }
+                row += 2;
+                continue;
+            }
+            match *closure {
                 Closure::Pin { a, b } => {
                     self.walk(chain, a, &mut |k, d| {
                         out[(row, k)] += d.re;
