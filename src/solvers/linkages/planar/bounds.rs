@@ -49,10 +49,10 @@ impl Path {
                 self.second.k += 2.0 * u;
                 self.second.m += d;
             }
+            // No body turns with a drive that is a displacement.
             Travel::Drive => {
                 self.first[1] += 1.0;
                 self.second.m += u;
-                self.second.w += 2.0 * d;
             }
         }
     }
@@ -154,12 +154,9 @@ pub(super) fn bounds(chain: &Chain, pose: &Pose, out: &mut Vec<Bound>) {
         let bound = match (*constant, *closure) {
             (Some(bound), _) => bound,
             (None, Closure::Pin { a, b }) => pinned(chain, &|t| pose.travel(t), [a, b]),
-            (
-                None,
-                Closure::Line { rail, point }
-                | Closure::Travel { rail, point }
-                | Closure::Rack { rail, point, .. },
-            ) => projected(chain, pose, rail, point),
+            (None, Closure::Line { rail, point } | Closure::Rack { rail, point, .. }) => {
+                projected(chain, pose, rail, point)
+            }
             (None, Closure::Tie { .. } | Closure::Gears { .. }) => Bound::default(),
         };
         out.extend((0..closure.rows()).map(|_| bound));

@@ -347,11 +347,9 @@ impl Builder<'_> {
                 let both = self.placed[point.body] && self.placed[guide.origin.body];
                 if both && fresh(&self.used, (k, 0)) {
                     self.used.push((k, 0));
+                    // Never the driven slide, which is the entry of the body that is placed last.
                     let (rail, point) = (rail(guide, metres), spot(point, metres));
                     self.add(Some((k, 0)), Closure::Line { rail, point });
-                    if description.drive == (Drive::Displacement { joint: k }) {
-                        self.add(Some((k, 0)), Closure::Travel { rail, point });
-                    }
                 }
             }
             Joint::Gears {

@@ -83,8 +83,6 @@ pub(super) enum Closure {
     Pin { a: Spot, b: Spot },
     /// `along × (point − at)`.
     Line { rail: Rail, point: Spot },
-    /// `along · (point − at) − φ`.
-    Travel { rail: Rail, point: Spot },
     /// `θ_b − θ_a − offset − drive φ`, to the nearest whole turn.
     Tie {
         a: usize,

@@ -143,3 +143,91 @@ fn even_systems_are_left_alone() {
     a[(0, 0)] = (1.0f64 / 16.0).next_down();
     assert!(f.of(&a, 2, 0) && !f.are_even());
 }
+
+/// Blocks whose loops are unrolled are factored and solved as those of any size; solutions solve their systems.
+#[test]
+fn blocks_of_every_size() {
+    let mut random = super::super::tests::Random(31);
+    for sizes in [
+        &[4usize, 2, 3, 1][..],
+        &[1, 2, 4, 4],
+        &[2, 2],
+        &[4],
+        &[3, 4, 2],
+    ] {
+        let ends = sizes.iter().scan(0, |end, n| {
+            *end += n;
+            Some(*end - n..*end)
+        });
+        let blocks: Vec<Range<usize>> = ends.collect();
+        let n: usize = sizes.iter().sum();
+        for _ in 0..20 {
+            let mut a = Matrix::new(n, n + 1);
+            for block in &blocks {
+                for (r, c) in block
+                    .clone()
+                    .flat_map(|r| (0..block.end).map(move |c| (r, c)))
+                {
+                    a[(r, c + 1)] = random.within(-1.0, 1.0);
+                }
+            }
+            let b: Vec<f64> = (0..n).map(|_| random.within(-1.0, 1.0)).collect();
+            let mut f = Factors::default();
+            assert!(f.of_blocks(&a, 1, blocks.iter().cloned()));
+            let mut any = Factors {
+                n,
+                lu: (0..n).flat_map(|r| a.row(r)[1..].to_vec()).collect(),
+                rows: (0..n).collect(),
+                blocks: blocks.clone(),
+                pivots: [f64::INFINITY, 0.0],
+                ..Factors::default()
+            };
+            assert!(blocks.iter().all(|k| any.eliminate_any(k.clone())));
+            assert_eq!(format!("{f:?}"), format!("{any:?}"));
+            let (mut x, mut y) = (vec![0.0; n], vec![0.0; n]);
+            f.solve(|r| b[r], &mut x);
+            blocks
+                .iter()
+                .for_each(|k| any.solve_any(k, |r| b[r], &mut y));
+            assert_eq!(x, y);
+            f.solve_transposed(&b, &mut y);
+            let largest = |x: &[f64]| x.iter().fold(1.0f64, |m, x| m.max(x.abs()));
+            for k in 0..n {
+                let row = (0..n).fold(b[k], |sum, c| sum - a[(k, c + 1)] * x[c]);
+                let column = (0..n).fold(b[k], |sum, r| sum - a[(r, k + 1)] * y[r]);
+                assert!(row.abs() < 1e-13 * largest(&x), "{sizes:?}: {row:e}");
+                assert!(column.abs() < 1e-13 * largest(&y), "{sizes:?}: {column:e}");
+            }
+            let mut whole = Factors::default();
+            assert!(whole.of(&a, n, 1));
+            let due = whole.determinant();
+            assert!(
+                (f.determinant() - due).abs() < 1e-10 * due.abs(),
+                "{sizes:?}"
+            );
+        }
+    }
+}
+
+/// A column of zeros below the diagonal, anywhere: no factors.
+#[test]
+fn singular_blocks_are_refused() {
+    for n in 1..=5 {
+        for zero in 0..n {
+            let mut a = Matrix::new(n, n);
+            for (r, c) in (0..n).flat_map(|r| (0..n).map(move |c| (r, c))) {
+                a[(r, c)] = if c == zero {
+                    0.0
+                } else {
+                    1.0 / (1 + r + c) as f64
+                };
+            }
+            let mut f = Factors::default();
+            assert!(!f.of(&a, n, 0), "{n} {zero}");
+            for r in 0..n {
+                a[(r, zero)] = if r == zero { f64::INFINITY } else { 0.0 };
+            }
+            assert!(!f.of(&a, n, 0), "{n} {zero}");
+        }
+    }
+}

@@ -57,7 +57,6 @@ struct Gathering<'a> {
     /// Linear equations over the p and z of the group's bodies, the right side last.
     rows: Vec<Form>,
     lines: Vec<(Rail, Spot)>,
-    travels: Vec<(Rail, Spot, f64)>,
     /// Angles that a gear or rack gives.
     geared: Vec<usize>,
 }
@@ -165,9 +164,6 @@ impl Gathering<'_> {
             match *closure {
                 Closure::Pin { a, b } => self.pin(a, b),
                 Closure::Line { rail, point } => self.lines.push((rail, point)),
-                Closure::Travel { rail, point } => {
-                    self.travels.push((rail, point, self.pose.drive));
-                }
                 // Among the ties of the chain.
                 Closure::Tie { .. } => {}
                 Closure::Gears {
@@ -267,7 +263,6 @@ impl Isotropic {
             pose,
             rows: Vec::new(),
             lines: Vec::new(),
-            travels: Vec::new(),
             geared: Vec::new(),
         };
         g.entries();
@@ -310,12 +305,6 @@ impl Isotropic {
             // Twice the imaginary part, times i.
             let i = Complex64::i();
             forms.push(sum(outer(&d, &u, i), outer(&u, &d, -i)));
-        }
-        for &(rail, point, s) in &g.travels {
-            let [u, d] = along(rail, point);
-            let mut m = sum(outer(&d, &u, ONE), outer(&u, &d, ONE));
-            m[0][0] -= 2.0 * s;
-            forms.push(m);
         }
         match forms.len() == 2 * n {
             true => Ok(Isotropic { n, forms, bodies }),

@@ -125,7 +125,6 @@ impl Motion {
                     let [u, d] = self.along(pose, rail, point);
                     out.push(cross(u[2], d[0]) + 2.0 * cross(u[1], d[1]) + cross(u[0], d[2]));
                 }
-                Closure::Travel { rail, point } => out.push(dots(self.along(pose, rail, point))),
                 Closure::Rack {
                     rail,
                     point,

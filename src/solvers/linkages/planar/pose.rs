@@ -139,10 +139,6 @@ impl Pose {
                     let (u, d) = self.along(rail, point);
                     out.push(cross(u, d));
                 }
-                Closure::Travel { rail, point } => {
-                    let (u, d) = self.along(rail, point);
-                    out.push(dot(u, d) - self.drive);
-                }
                 Closure::Tie {
                     a,
                     b,
@@ -271,10 +267,6 @@ impl Pose {
                     self.turned(chain, rail.body, real(-dot(u, d)), &mut |k, x| {
                         out[(row, k)] += x.re;
                     });
-                }
-                Closure::Travel { rail, point } => {
-                    self.travelled(chain, rail, point, row, out);
-                    out[(row, drive)] -= 1.0;
                 }
                 Closure::Rack {
                     rail,

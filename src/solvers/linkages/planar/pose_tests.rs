@@ -28,6 +28,23 @@ fn anywhere(mechanism: &Mechanism, random: &mut Random) -> Pose {
     Pose::new(&mechanism.chain, random.within(-3.0, 3.0), u)
 }
 
+/// Positions at a drive of 0.4: all modes, or, as those of gears are not enumerated, what Newton's method finds.
+fn closed(mechanism: &Mechanism) -> Vec<State> {
+    let mut states = mechanism.assembly_modes(0.4).states;
+    let mut random = Random(21);
+    for _ in 0..if states.is_empty() { 40 } else { 0 } {
+        let mut pose = anywhere(mechanism, &mut random);
+        pose.drive = 0.4;
+        pose.place(&mechanism.chain, &mechanism.chain.order);
+        let work = &mut super::super::newton::Work::new(&mechanism.chain);
+        if mechanism.chain.newton(&mut pose, None, work) {
+            states.extend(State::new(mechanism, pose));
+        }
+    }
+    assert!(!states.is_empty());
+    states
+}
+
 /// The Jacobian is the derivative of the residual.
 #[test]
 fn jacobians_are_derivatives() {
@@ -66,13 +83,7 @@ fn jacobians_are_derivatives() {
 #[test]
 fn joints_are_together() {
     for (what, mechanism) in all() {
-        // The modes of gears are not enumerated.
-        let modes = mechanism.assembly_modes(0.4);
-        assert!(
-            !modes.states.is_empty() || what == "gears and rack",
-            "{what}"
-        );
-        for state in modes.states {
+        for state in closed(&mechanism) {
             let at = |p: &Point| mechanism.point(&state, p).r;
             let turn = |body: usize| mechanism.body_angle(&state, body).angle.rad();
             for joint in &mechanism.description().joints {
@@ -93,7 +104,31 @@ fn joints_are_together() {
                         let ([x, y], [a, b]) = (at(p), at(&guide.origin));
                         (c * (y - b) - s * (x - a)).abs()
                     }
-                    _ => 0.0,
+                    Joint::Gears {
+                        wheels: [a, b],
+                        carrier,
+                        ratio,
+                        phase,
+                    } => {
+                        let [a, b] = [a, b].map(|&w| turn(w) - turn(*carrier));
+                        (b - ratio * a - phase.rad()).abs()
+                    }
+                    Joint::Rack {
+                        wheel,
+                        slide,
+                        radius,
+                        phase,
+                    } => {
+                        let Joint::Slide { slider, guide, .. } =
+                            &mechanism.description().joints[*slide].part
+                        else {
+                            unreachable!("a rack slides")
+                        };
+                        let (s, c) = (turn(guide.origin.body) + guide.direction.rad()).sin_cos();
+                        let ([x, y], [a, b]) = (at(slider), at(&guide.origin));
+                        let rolled = radius.m() * (turn(*wheel) - turn(guide.origin.body));
+                        (c * (x - a) + s * (y - b) - rolled - phase.m()).abs()
+                    }
                 };
                 assert!(off < 1e-14, "{what}: {} {off}", joint.name);
                 if let Joint::Slide {
@@ -139,6 +174,44 @@ fn little_turns() {
                     .max((pose.p[b] - due.p[b]).norm());
                 assert!(off < 4e-15, "{what}: body {b} {off:e}");
                 assert!(!bits || pose.e[b] == due.e[b], "{what}: body {b}");
+            }
+        }
+    }
+}
+
+/// Rates of angles, points and displacements are the derivatives along the branch.
+#[test]
+fn rates_are_derivatives() {
+    for (what, mechanism) in all() {
+        let bodies = 1..mechanism.description().bodies.len();
+        let values = |state: &State| -> Vec<[f64; 3]> {
+            let mut all = Vec::new();
+            for b in bodies.clone() {
+                let a = mechanism.body_angle(state, b);
+                let p = mechanism.point(state, &Point::from_m(b, [0.13, -0.21]));
+                all.push([a.angle.rad(), a.first, a.second]);
+                all.extend([0, 1].map(|i| [p.r[i], p.first[i], p.second[i]]));
+            }
+            let joints = 0..mechanism.description().joints.len();
+            let slides = joints.filter_map(|j| mechanism.joint_displacement(state, j));
+            all.extend(slides.map(|s| [s.s_m, s.first_m, s.second_m]));
+            all
+        };
+        for state in closed(&mechanism) {
+            const H: f64 = 1e-4;
+            let beside = |h: f64| mechanism.follow(&state, 0.4 + h).map(|s| values(&s));
+            let (Ok(back), Ok(ahead)) = (beside(-H), beside(H)) else {
+                continue;
+            };
+            for (k, [x, first, second]) in values(&state).into_iter().enumerate() {
+                let slope = (ahead[k][0] - back[k][0]) / (2.0 * H);
+                let bend = (ahead[k][0] - 2.0 * x + back[k][0]) / (H * H);
+                let size = 1.0 + first.abs() + second.abs();
+                let off = (first - slope).abs().max(0.01 * (second - bend).abs());
+                assert!(
+                    off < 1e-7 * size * size,
+                    "{what}: {k}: {first} {slope} {second} {bend}"
+                );
             }
         }
     }

@@ -100,12 +100,8 @@ impl Wrenches<'_> {
                 self.push(a.body, force, a.at);
                 self.push(b.body, -force, b.at);
             }
-            Closure::Line { rail, point } | Closure::Travel { rail, point } => {
-                let along = e[rail.body] * rail.along;
-                let force = match closure {
-                    Closure::Line { .. } => quarter(along) * size[0],
-                    _ => along * size[0],
-                };
+            Closure::Line { rail, point } => {
+                let force = quarter(e[rail.body] * rail.along) * size[0];
                 self.push(point.body, force, point.at);
                 self.push_at(rail.body, -force, self.pose.at(point));
             }

@@ -54,11 +54,12 @@ pub(super) fn slider_crank([a, b, e]: [f64; 3]) -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
+/// A slider at 0.25 rad against its guide's body.
 pub(super) fn slide(slider: (usize, [f64; 2]), on: (usize, [f64; 2]), direction: f64) -> Joint {
     Joint::Slide {
         slider: Point::from_m(slider.0, slider.1),
         guide: guide(on, direction),
-        turn: Angle::from_rad(0.0),
+        turn: Angle::from_rad(0.25),
     }
 }
 
