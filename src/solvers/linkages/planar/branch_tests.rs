@@ -96,43 +96,6 @@ fn change_points_are_told() {
     }
 }
 
-/// Rates by finite differences of the continuation.
-#[test]
-fn rates_are_derivatives() {
-    for mechanism in [
-        class_iii(&SAND_SCREEN),
-        slider_crank([0.1, 0.3, 0.02]),
-        double_butterfly(),
-    ] {
-        let h = 1e-4;
-        for mid in mechanism.assembly_modes(0.1).states {
-            let (Ok(a), Ok(b)) = (
-                mechanism.follow(&mid, 0.1 - h),
-                mechanism.follow(&mid, 0.1 + h),
-            ) else {
-                continue;
-            };
-            for body in 1..mechanism.description().bodies.len() {
-                let p = Point::from_m(body, [0.3, -0.2]);
-                let [x, y, z] = [&a, &mid, &b].map(|s| mechanism.point(s, &p));
-                for i in 0..2 {
-                    let first = (z.r[i] - x.r[i]) / (2.0 * h);
-                    let second = (z.r[i] - 2.0 * y.r[i] + x.r[i]) / (h * h);
-                    let size = 1.0 + y.first[i].abs() + y.second[i].abs();
-                    assert!(
-                        (first - y.first[i]).abs() < 1e-3 * size.powi(3),
-                        "{first} {y:?}"
-                    );
-                    assert!(
-                        (second - y.second[i]).abs() < 1e-3 * size.powi(4),
-                        "{second} {y:?}"
-                    );
-                }
-            }
-        }
-    }
-}
-
 /// A driver alone has no unknowns; it goes to every value of the drive, zero among them.
 #[test]
 fn a_driver_without_groups() {

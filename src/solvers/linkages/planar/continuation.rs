@@ -284,3 +284,7 @@ impl Mechanism {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "continuation_tests.rs"]
+mod tests;

@@ -182,7 +182,8 @@ fn little_turns() {
 /// Rates of angles, points and displacements are the derivatives along the branch.
 #[test]
 fn rates_are_derivatives() {
-    for (what, mechanism) in all() {
+    let large = ("double butterfly", double_butterfly());
+    for (what, mechanism) in all().into_iter().chain([large]) {
         let bodies = 1..mechanism.description().bodies.len();
         let values = |state: &State| -> Vec<[f64; 3]> {
             let mut all = Vec::new();

@@ -1,0 +1,275 @@
+//! Steps are proved: what the proof says of a ball holds in samples of it, and no step is shorter than it has to be.
+
+use super::super::bounds::Bound;
+use super::super::dense::Matrix;
+use super::super::equilibrium_tests::*;
+use super::super::model::{Description, Drive, GROUND};
+use super::super::pose::Pose;
+use super::super::tests::*;
+use super::*;
+use num_complex::Complex64;
+
+/// Mechanisms with a drive at which they have modes.
+fn all() -> [(&'static str, Mechanism, f64); 9] {
+    [
+        ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), 0.7),
+        ("class III", class_iii(&SAND_SCREEN), 0.25),
+        ("slider-crank", slider_crank([0.1, 0.3, 0.02]), 0.4),
+        ("quick return", quick_return(), 0.4),
+        ("slotted lever", slotted_lever(), 2.2),
+        ("slotted crank", slotted_crank(), 0.4),
+        ("trammel", trammel(), 0.4),
+        ("cylinder", cylinder(), 0.4),
+        ("cross slides", cross_slides(), 0.4),
+    ]
+}
+
+fn states() -> impl Iterator<Item = (&'static str, Mechanism, State)> {
+    all().into_iter().flat_map(|(what, mechanism, drive)| {
+        let states = mechanism.assembly_modes(drive).states;
+        assert!(!states.is_empty(), "{what}");
+        states
+            .into_iter()
+            .map(move |s| (what, mechanism.clone(), s))
+    })
+}
+
+fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |m, x| m.max(x.abs()))
+}
+
+/// `A b`.
+fn solved(state: &State, b: impl Fn(usize) -> f64) -> Vec<f64> {
+    let mut x = vec![0.0; state.pose.u.len()];
+    state.factors.solve(b, &mut x);
+    x
+}
+
+/// κ, μ and ω from the rows' bounds.
+fn norms(mechanism: &Mechanism, state: &State) -> [f64; 3] {
+    let n = mechanism.chain.unknowns;
+    let mut rows: Vec<Bound> = Vec::new();
+    bounds(&mechanism.chain, &state.pose, &mut rows);
+    let inverse: Vec<Vec<f64>> = (0..n)
+        .map(|r| solved(state, |k| f64::from(u8::from(k == r))))
+        .collect();
+    let of = |part: fn(&Bound) -> f64| -> f64 {
+        let row = |i: usize| {
+            (0..n)
+                .map(|r| inverse[r][i].abs() * part(&rows[r]))
+                .sum::<f64>()
+        };
+        largest(&(0..n).map(row).collect::<Vec<f64>>())
+    };
+    [of(|b| b.k), of(|b| b.m), of(|b| b.w)]
+}
+
+#[test]
+fn steps_are_as_long_as_the_proof_lets_them() {
+    for (what, mechanism, state) in states() {
+        let step = mechanism.longest_step(&state, &mut Work::new(&mechanism.chain));
+        let [kappa, mu, omega] = norms(&mechanism, &state);
+        let nu = largest(&state.rates[0]);
+        let Step { length, radius, .. } = step;
+        assert!(
+            (step.kappa - kappa).abs() <= 1e-12 * kappa,
+            "{what}: {step:?} {kappa}"
+        );
+        assert!((step.mu - mu).abs() <= 1e-12 * mu, "{what}: {step:?} {mu}");
+        // The first, with 4 κ r ≤ 1, makes the map contract by a half, the second takes the ball into itself. Arms are
+        // bounded where no unknown and not the drive has moved by more than the slack.
+        let shares = [
+            4.0 * (kappa * nu + mu) * length,
+            length * length * (kappa * nu * nu + 2.0 * mu * nu + omega) / radius,
+            2.0 * length * nu.max(1.0) / SLACK,
+        ];
+        assert!(shares.iter().all(|s| *s <= 1.0), "{what}: {shares:?}");
+        let most = shares.iter().fold(0.0f64, |m, s| m.max(*s));
+        assert!(most > 0.95, "{what}: {shares:?}");
+        let due = (0.25 / kappa).min(0.5 * SLACK);
+        assert!(
+            (radius - due).abs() <= 1e-12 * due,
+            "{what}: {radius} {due}"
+        );
+    }
+}
+
+#[test]
+fn the_ball_is_mapped_into_itself() {
+    let mut random = Random(41);
+    // The largest shares of the bounds that are found.
+    let mut reached = [0.0f64; 2];
+    for (what, mechanism, state) in states() {
+        let n = mechanism.chain.unknowns;
+        let Step { length, radius, .. } =
+            mechanism.longest_step(&state, &mut Work::new(&mechanism.chain));
+        let mut jacobian = Matrix::new(n, n + 1);
+        let mut rows = Vec::new();
+        for k in 0..200 {
+            let s = length * [1.0, -1.0, random.within(-1.0, 1.0)][k % 3];
+            let drive = state.pose.drive + s;
+            let on_tangent: Vec<f64> = (0..n)
+                .map(|k| state.pose.u[k] + state.rates[0][k] * s)
+                .collect();
+            let pose = Pose::new(&mechanism.chain, drive, on_tangent.clone());
+            pose.residual(&mechanism.chain, &mechanism.chain.closures, &mut rows);
+            let defect = largest(&solved(&state, |r| rows[r])) / (0.5 * radius);
+            let off = |x: &f64| x + radius * random.within(-1.0, 1.0).signum();
+            let u = on_tangent.iter().map(off).collect();
+            let pose = Pose::new(&mechanism.chain, drive, u);
+            pose.jacobian(
+                &mechanism.chain,
+                0..mechanism.chain.closures.len(),
+                &mut jacobian,
+            );
+            let mut sums = vec![0.0; n];
+            for c in 0..n {
+                let column = solved(&state, |r| jacobian[(r, c)]);
+                for r in 0..n {
+                    sums[r] += (column[r] - f64::from(u8::from(r == c))).abs();
+                }
+            }
+            let found = [defect, 2.0 * largest(&sums)];
+            assert!(found.iter().all(|x| *x <= 1.0), "{what}: {found:?}");
+            reached = [0, 1].map(|i| reached[i].max(found[i]));
+        }
+    }
+    assert!(reached[0] > 0.15 && reached[1] > 0.5, "{reached:?}");
+}
+
+/// A solution outside the ball is another one for all that is known.
+#[test]
+fn solutions_outside_the_ball_are_refused() {
+    for (what, mechanism, state) in states() {
+        let mut work = Work::new(&mechanism.chain);
+        let step = mechanism.longest_step(&state, &mut work);
+        let drive = state.pose.drive + 0.9 * step.length;
+        let mut anchor = Anchor::default();
+        anchor.moor(&state, step);
+        let mut next = state.clone();
+        assert!(
+            mechanism.correct(&state, &mut next, drive, &anchor, &mut work),
+            "{what}"
+        );
+        let off = |k: usize| (next.pose.u[k] - anchor.tangent(k, drive)).abs();
+        let away = (0..mechanism.chain.unknowns).map(off).fold(0.0, f64::max);
+        assert!(away <= step.radius && away > 0.0, "{what}: {away} {step:?}");
+        for (share, inside) in [(1.01, true), (0.99, false)] {
+            anchor.step.radius = share * away;
+            let mut next = state.clone();
+            let found = mechanism.correct(&state, &mut next, drive, &anchor, &mut work);
+            assert_eq!(found, inside, "{what}: {share}");
+        }
+    }
+}
+
+#[test]
+fn anchors_hold_for_their_own_states_within_their_steps() {
+    let mechanism = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let state = mechanism.assembly_modes(0.7).states.remove(0);
+    let mut anchor = Anchor::default();
+    assert!(!anchor.holds(&state, 0.7));
+    let step = Step {
+        length: 0.125,
+        ..Step::default()
+    };
+    anchor.moor(&state, step);
+    let at = state.pose.drive;
+    assert!(anchor.holds(&state, at + 0.1) && anchor.holds(&state, at - 0.1));
+    assert!(!anchor.holds(&state, at + 0.13) && !anchor.holds(&state, at - 0.13));
+    let mut other = state.clone();
+    other.pose.u[0] = other.pose.u[0].next_up();
+    assert!(!anchor.holds(&other, at));
+    anchor.step.length = 0.0;
+    assert!(!anchor.holds(&state, at));
+}
+
+/// What Newton's correction would still change, over the rounding errors of residuals and angles.
+#[test]
+fn corrections_leave_nothing() {
+    let mut worst = 0.0f64;
+    for (what, mechanism, start) in states() {
+        let from = mechanism.drive_of(&start);
+        for step in [1e-6, 1e-4, 6e-3, 0.05] {
+            let step = if what == "cylinder" { 0.1 * step } else { step };
+            let drives = (1..=60).map(|k| from + step * f64::from(k));
+            let rows = mechanism
+                .sweep(&start, drives)
+                .unwrap_or_else(|(rows, _)| rows);
+            assert!(!rows.is_empty(), "{what}: {step}");
+            for row in &rows {
+                let mut f = Vec::new();
+                row.pose
+                    .residual(&mechanism.chain, &mechanism.chain.closures, &mut f);
+                let left = largest(&solved(row, |r| f[r]));
+                let n = f.len();
+                let inverse = |r: usize| largest(&solved(row, |k| f64::from(u8::from(k == r))));
+                let size = 1.0 + (0..n).map(inverse).sum::<f64>() + largest(&row.pose.u);
+                worst = worst.max(left / size);
+            }
+        }
+    }
+    assert!(worst < 2.0 * f64::EPSILON, "{worst:e}");
+}
+
+#[test]
+fn drives_out_of_range_are_refused() {
+    let mut m = Description::new();
+    let crank = m.body("crank");
+    m.pin("O", &[(GROUND, [0.2, 0.1]), (crank, [0.3, 0.0])]);
+    m.drive = Drive::Angle {
+        body: crank,
+        from: GROUND,
+    };
+    let mechanism = Mechanism::new(m).unwrap();
+    let state = mechanism.assembly_modes(0.3).states.remove(0);
+    assert_eq!(mechanism.checked(1e6).ok(), Some(1e6));
+    for to in [1e6f64.next_up(), -1.1e6, f64::INFINITY, f64::NAN] {
+        let refused = mechanism.follow(&state, to);
+        assert!(
+            matches!(refused, Err(PositionError::Drive { value }) if value.to_bits() == to.to_bits())
+        );
+    }
+    // A stroke is measured in the chain's unit.
+    let cylinder = cylinder();
+    let state = cylinder.assembly_modes(0.4).states.remove(0);
+    let to = 1.1e6 * cylinder.chain.metres;
+    assert!(matches!(
+        cylinder.follow(&state, to),
+        Err(PositionError::Drive { .. })
+    ));
+}
+
+/// A rocker driven beyond its range: the branch ends at the fold, in the drive's own unit, and what is before it has been
+/// seen.
+#[test]
+fn branches_end_where_they_fold() {
+    let mechanism = four_bar([0.3, 0.4, 0.2, 0.35]);
+    // Coupler and rocker in one line.
+    let cosine = (0.3f64.powi(2) + 0.35f64.powi(2) - 0.6f64.powi(2)) / (2.0 * 0.3 * 0.35);
+    let fold = cosine.acos();
+    let start = mechanism.assembly_modes(1.0).states.remove(0);
+    let ends = |e: &PositionError| matches!(e, PositionError::Ends { drive } if (drive - fold).abs() < 1e-6);
+    assert!(ends(&mechanism.follow(&start, 3.0).unwrap_err()));
+    let (last, e) = mechanism.follow_as_far(&start, 3.0);
+    assert!(e.as_ref().is_some_and(ends) && mechanism.gap(&last) < 1e-14);
+    assert!((mechanism.drive_of(&last) - fold).abs() < 1e-6);
+    let (last, e) = mechanism.follow_as_far(&start, 1.5);
+    assert!(e.is_none() && mechanism.drive_of(&last) == 1.5);
+    let drives = [1.0, 1.2, 1.5, 3.0, 1.0];
+    let (rows, e) = mechanism.sweep(&start, drives).unwrap_err();
+    assert!(ends(&e));
+    let seen: Vec<f64> = rows.iter().map(|s| mechanism.drive_of(s)).collect();
+    assert_eq!(seen, drives[..3]);
+    let cylinder = cylinder();
+    let start = cylinder.assembly_modes(0.4).states.remove(0);
+    let e = cylinder.follow(&start, 3.0).unwrap_err();
+    // Cylinder and arm in one line: the distance of the pivots and the arm give the reach of the piston's pin.
+    let reach = 0.9f64.hypot(0.1) + 0.5;
+    let (turn, along) = (Complex64::cis(0.25), Complex64::cis(0.1));
+    let pin = |s: f64| (0.05 + along * s + turn * Complex64::new(0.4, 0.02)).norm();
+    assert!(
+        matches!(e, PositionError::Ends { drive } if (pin(drive) - reach).abs() < 1e-6),
+        "{e}"
+    );
+}
