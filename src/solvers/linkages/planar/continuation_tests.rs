@@ -10,7 +10,7 @@ use super::*;
 use num_complex::Complex64;
 
 /// Mechanisms with a drive at which they have modes.
-fn all() -> [(&'static str, Mechanism, f64); 9] {
+fn all() -> [(&'static str, Mechanism, f64); 12] {
     [
         ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), 0.7),
         ("class III", class_iii(&SAND_SCREEN), 0.25),
@@ -21,6 +21,9 @@ fn all() -> [(&'static str, Mechanism, f64); 9] {
         ("trammel", trammel(), 0.4),
         ("cylinder", cylinder(), 0.4),
         ("cross slides", cross_slides(), 0.4),
+        ("elbow", elbow(), 0.4),
+        ("slotted block", slotted_block(false), 0.4),
+        ("two blocks", two_blocks(), 0.4),
     ]
 }
 

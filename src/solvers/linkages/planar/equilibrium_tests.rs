@@ -257,6 +257,96 @@ pub(super) fn gears_and_rack() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
+/// A four-bar driven at its elbow: the coupler turns with an unknown and with the drive.
+pub(super) fn elbow() -> Mechanism {
+    let mut m = four_bar([0.5, 0.4, 0.3, 0.9]).description().clone();
+    m.drive = Drive::Angle { body: 2, from: 1 };
+    Mechanism::new(m).unwrap()
+}
+
+/// A block on a lever that turns, moved along it by the drive or by a link, and its pin in the slot of another lever.
+pub(super) fn slotted_block(driven: bool) -> Mechanism {
+    let (mut m, b) = cranked(&["lever", "block", "link", "slotted lever"]);
+    let joint = m.joint(
+        "rail",
+        slide((b[1], [0.01, 0.0]), (b[0], [0.05, 0.02]), 0.2),
+    );
+    m.pin("A", &[(b[1], [0.03, 0.0]), (b[2], [0.0, 0.0])]);
+    m.pin("B", &[(GROUND, [0.9, 0.3]), (b[2], [0.7, 0.0])]);
+    m.pin("C", &[(GROUND, [-0.4, -0.6]), (b[3], [0.0, 0.0])]);
+    m.joint("slot", slot((b[1], [0.02, 0.05]), (b[3], [0.05, 0.1]), 0.5));
+    if driven {
+        m.drive = Drive::Displacement { joint };
+    }
+    Mechanism::new(m).unwrap()
+}
+
+/// A block on a carriage on a lever that swings, its pins on the crank and in a slot of the ground.
+pub(super) fn stacked() -> Mechanism {
+    let (mut m, b) = cranked(&["crank", "lever", "carriage", "block"]);
+    m.pin("C", &[(GROUND, [0.1, -0.9]), (b[1], [0.0, 0.0])]);
+    m.joint("lower", slide((b[2], [0.0, 0.02]), (b[1], [0.1, 0.0]), 1.2));
+    m.joint(
+        "upper",
+        slide((b[3], [0.03, 0.0]), (b[2], [0.1, 0.1]), -0.3),
+    );
+    m.pin("A", &[(b[0], [0.3, 0.0]), (b[3], [0.0, 0.0])]);
+    m.joint("slot", slot((b[3], [0.2, 0.1]), (GROUND, [0.0, 0.3]), 0.1));
+    Mechanism::new(m).unwrap()
+}
+
+/// A second block on the lever of a quick return, on a link.
+pub(super) fn two_blocks() -> Mechanism {
+    let mut m = quick_return().description().clone();
+    let [block, link] = ["second block", "link"].map(|n| m.body(n));
+    m.joint("second", slide((block, [0.02, 0.0]), (3, [0.4, 0.2]), 0.5));
+    m.pin("D", &[(block, [0.0, 0.04]), (link, [0.0, 0.0])]);
+    m.pin("E", &[(GROUND, [0.9, 0.1]), (link, [0.8, 0.0])]);
+    Mechanism::new(m).unwrap()
+}
+
+/// A quick return driven by its block's angle: the block's slide gives its angle, the drive a closure.
+pub(super) fn turned_block() -> Mechanism {
+    let mut m = Description::new();
+    let b = ["crank", "block", "lever"].map(|n| m.body(n));
+    m.pin("C", &[(GROUND, [0.1, -0.9]), (b[2], [0.0, 0.0])]);
+    m.joint(
+        "lever",
+        slide((b[1], [0.03, -0.02]), (b[2], [0.05, 0.1]), 1.5),
+    );
+    m.pin("O", &[(GROUND, [0.0, 0.0]), (b[0], [0.0, 0.0])]);
+    m.pin("A", &[(b[0], [0.3, 0.0]), (b[1], [0.02, 0.01])]);
+    m.drive = Drive::Angle {
+        body: b[1],
+        from: GROUND,
+    };
+    Mechanism::new(m).unwrap()
+}
+
+/// Every kind of joint, on turning bodies and others, driven and not.
+pub(super) fn every() -> Vec<(&'static str, Mechanism)> {
+    vec![
+        ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35])),
+        ("class III", class_iii(&SAND_SCREEN)),
+        ("slider-crank", slider_crank([0.1, 0.3, 0.02])),
+        ("quick return", quick_return()),
+        ("slotted lever", slotted_lever()),
+        ("slotted crank", slotted_crank()),
+        ("scotch yoke", scotch_yoke()),
+        ("trammel", trammel()),
+        ("cylinder", cylinder()),
+        ("cross slides", cross_slides()),
+        ("common pin", common_pin()),
+        ("gears and rack", gears_and_rack()),
+        ("elbow", elbow()),
+        ("slotted block", slotted_block(false)),
+        ("driven block", slotted_block(true)),
+        ("stacked", stacked()),
+        ("two blocks", two_blocks()),
+        ("turned block", turned_block()),
+    ]
+}
+
 #[test]
 fn teeth_are_refused() {
     let mechanism = gears_and_rack();
@@ -270,7 +360,7 @@ fn teeth_are_refused() {
 
 #[test]
 fn every_body_is_in_equilibrium() {
-    let all: [(&str, Mechanism, &[f64]); 10] = [
+    let all: [(&str, Mechanism, &[f64]); 15] = [
         ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), &[0.3, 2.0]),
         ("slider-crank", slider_crank([0.1, 0.3, 0.02]), &[0.7, 2.5]),
         ("quick return", quick_return(), &[0.4, 2.2, -1.0]),
@@ -281,6 +371,11 @@ fn every_body_is_in_equilibrium() {
         ("cylinder", cylinder(), &[0.3, 0.5]),
         ("cross slides", cross_slides(), &[0.4, 2.2, -1.0]),
         ("common pin", common_pin(), &[0.4, 2.2, -1.0]),
+        ("elbow", elbow(), &[0.4, 2.2, -1.0]),
+        ("slotted block", slotted_block(false), &[0.4, 2.2, -1.0]),
+        ("driven block", slotted_block(true), &[0.4, 0.6]),
+        ("two blocks", two_blocks(), &[0.4, 2.2, -1.0]),
+        ("turned block", turned_block(), &[0.4]),
     ];
     for (what, mechanism, drives) in all {
         let mut seen = 0;

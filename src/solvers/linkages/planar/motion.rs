@@ -54,7 +54,7 @@ impl Motion {
             });
             let e = pose.e[b];
             let origin = match chain.entries[b] {
-                Entry::Ground => [Complex64::new(0.0, 0.0); 2],
+                Entry::Ground => continue,
                 Entry::Pin { on, own } => {
                     let [_, v, a] = self.spot(pose, on);
                     let [dv, da] = turned(e * own, turn);

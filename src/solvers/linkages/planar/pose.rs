@@ -67,7 +67,7 @@ impl Pose {
             let e = turned(self, b);
             self.e[b] = e;
             self.p[b] = match chain.entries[b] {
-                Entry::Ground => Complex64::new(0.0, 0.0),
+                Entry::Ground => continue,
                 Entry::Pin { on, own } => self.at(on) - e * own,
                 Entry::OnRail { rail, own, travel } => {
                     let s = self.travel(travel);
