@@ -110,11 +110,10 @@ impl Motion {
         [[u, u1, u2], std::array::from_fn(|k| to[k] - from[k])]
     }
 
-    /// Second derivatives of the closures.
+    /// Second derivatives of the closures where those of the unknowns are zero.
     pub(super) fn second(&self, pose: &Pose, closures: &[Closure], out: &mut Vec<f64>) {
         out.clear();
         let dots = |[u, d]: [Jet; 2]| dot(u[2], d[0]) + 2.0 * dot(u[1], d[1]) + dot(u[0], d[2]);
-        let angle = |body: usize| self.bodies[body].turn[1];
         for closure in closures {
             match *closure {
                 Closure::Pin { a, b } => {
@@ -125,26 +124,9 @@ impl Motion {
                     let [u, d] = self.along(pose, rail, point);
                     out.push(cross(u[2], d[0]) + 2.0 * cross(u[1], d[1]) + cross(u[0], d[2]));
                 }
-                Closure::Rack {
-                    rail,
-                    point,
-                    wheel,
-                    radius,
-                    ..
-                } => {
-                    let turn = angle(wheel) - angle(rail.body);
-                    out.push(dots(self.along(pose, rail, point)) - radius * turn);
-                }
-                Closure::Tie { a, b, .. } => out.push(angle(b) - angle(a)),
-                Closure::Gears {
-                    wheels: [a, b],
-                    carrier,
-                    ratio,
-                    ..
-                } => {
-                    let c = angle(carrier);
-                    out.push((angle(b) - c) - ratio * (angle(a) - c));
-                }
+                // Angles are linear in the unknowns: nothing of their own.
+                Closure::Rack { rail, point, .. } => out.push(dots(self.along(pose, rail, point))),
+                Closure::Tie { .. } | Closure::Gears { .. } => out.push(0.0),
             }
         }
     }

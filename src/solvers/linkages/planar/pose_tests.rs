@@ -184,7 +184,13 @@ fn rates_are_derivatives() {
         };
         for state in closed(&mechanism) {
             const H: f64 = 1e-4;
-            let beside = |h: f64| mechanism.follow(&state, 0.4 + h).map(|s| values(&s));
+            let beside = |h: f64| {
+                mechanism.follow(&state, 0.4 + h).map(|s| {
+                    let own = State::new(&mechanism, s.pose.clone()).unwrap();
+                    assert_eq!(own.rates, s.rates, "{what}");
+                    values(&s)
+                })
+            };
             let (Ok(back), Ok(ahead)) = (beside(-H), beside(H)) else {
                 continue;
             };
