@@ -9,7 +9,8 @@
 //! diagonals, 2.9 next to zeros. `mechaudit audit faddeeva` judges it; `benches/peers` measures it beside other codes.
 //!
 //! Proved by machine for every finite z with Im z ≥ 0: 1.25 · 2⁻⁵² of the norm and 4 units in the last place of each
-//! component, but for what underflows (`mechaudit prove faddeeva`).
+//! component, but for what underflows (`mechaudit prove faddeeva`); for Im z < 0, where w does not overflow, 2.5 · 2⁻⁵² of the
+//! norm (`--part lower`).
 //!
 //! # Method
 //! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]; [`SEAMS`] has the limits):
@@ -29,8 +30,8 @@
 //! In the lower half-plane `w(z) = 2e^{−z²} − w(−z)` (DLMF 7.4.3) with `z²` in double-double and
 //! exponent and phase reduced accordingly (Payne–Hanek for huge phases), and with the formulas above
 //! carried on to pairs of `f64`; single ones suffice in cells and with 26 terms beyond the first hyperbola of
-//! [`SEAMS`], because one of the terms dominates there. Where a component is smaller than a fortieth of its
-//! terms it is computed again in double-double by the trapezoidal rule with the residue at its pole, and where it is below 2⁻³⁶ of them once more
+//! [`SEAMS`], because one of the terms dominates there. Where a component is smaller than a twenty-fifth of its
+//! terms, or both are small, w is computed again in double-double by the trapezoidal rule with the residue at its pole, and where a component is below 2⁻³⁶ of them once more
 //! in 256 bits (|z| < 4096; beyond, by the asymptotic series, below 2⁻²²). So is a component whose phase is within
 //! 2⁻⁶⁰ of a multiple of π/2. Next to the first twelve zeros w comes from Taylor series about the zero, which is
 //! stored to 160 bits.

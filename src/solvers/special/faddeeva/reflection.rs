@@ -9,6 +9,8 @@ use crate::real::{ROUND, Real};
 
 /// A component smaller than this part of its terms is computed again in double-double.
 pub(super) const CANCELLED: f64 = 0.04;
+/// And both components where neither is larger than this part of the larger one of w(−z): around zeros.
+pub(super) const BOTH_CANCELLED: f64 = 0.18;
 /// The same where `e^{−z²}` dominates and the terms are rounded.
 const CANCELLED_ROUNDED: f64 = 2.0;
 /// The part of its modulus below which a component of `e^{−z²}` has to be computed again: the rest of a phase that is
@@ -68,8 +70,8 @@ pub(super) fn close<R: Real>(a: R, b: R) -> R {
 }
 
 /// `(Re w, Im w)` at `a − i b` from those at `a + i b` and `e^{−z²} = (c + i s) 2^k`, `n = ROUND + k`,
-/// `k` below [`ALONE`]; `true` where the terms of a component cancel, or a component of `e^{−z²}` is below the part
-/// `close` of its modulus.
+/// `k` below [`ALONE`]; `true` where the terms of a component, or of both, cancel, or a component of `e^{−z²}` is below
+/// the part `close` of its modulus.
 #[inline(always)]
 pub(super) fn reflect<R: Real>(
     (u, v): (Dd<R>, Dd<R>),
@@ -80,12 +82,15 @@ pub(super) fn reflect<R: Real>(
     let none = n.below(n.like(ROUND - 1021.0));
     let factor = n.pick(none, n.like(0.0), (n + n.like(1.0)).power_of_two());
     let (re, im) = (scaled_sum(c, factor, -u), scaled_sum(s, factor, v));
+    let (p, q) = (re.magnitude(), im.magnitude());
     let (part, close) = (n.like(CANCELLED), factor * close);
     let lost = n.or(
-        re.magnitude().below(u.hi.fma(part, close)),
-        im.magnitude().below(v.hi.fma(part, close)),
+        p.below(u.hi.fma(part, close)),
+        q.below(v.hi.fma(part, close)),
     );
-    (re, im, lost)
+    let larger = u.hi.at_least(v.hi);
+    let both = p.at_least(q).below(larger * n.like(BOTH_CANCELLED));
+    (re, im, n.or(lost, both))
 }
 
 /// Whether `2e^{−z²}` is below 2⁻⁶⁶ of both components of w(−z).

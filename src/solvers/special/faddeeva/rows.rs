@@ -16,8 +16,9 @@ pub(super) const REAL_AXIS_PITCH: f64 = 0.0625;
 /// there, and products with smaller numbers would be subnormal.
 const LEAST: f64 = 1e-80;
 
-/// Half the side of the squares around the zeros in which the expansions are used.
-pub(super) const REACH: f64 = 0.0625;
+/// Half the side of the square around a zero in which its expansion is used, times the real part of the zero: farther off
+/// the second term of the expansion, `|z_k||δ|` of the first, would make its roundings those of w.
+pub(super) const REACH: f64 = 0.124;
 
 /// Entry `n` of a table that has it: the last one otherwise, which costs less than a bounds check
 /// that may panic.
@@ -133,7 +134,8 @@ pub(super) fn nearest_zero(a: f64, b: f64) -> Option<usize> {
     }
     let k = (a * b * FRAC_1_PI - 0.365) as usize;
     let z = &ZEROS.get(k)?.0;
-    ((a - z[0]).abs() <= REACH && (b + z[3]).abs() <= REACH).then_some(k)
+    let near = |d: f64| d.abs() * z[0] <= REACH;
+    (near(a - z[0]) && near(b + z[3])).then_some(k)
 }
 
 /// The row of zero `k`.

@@ -91,3 +91,30 @@ fn cancellation_is_told() {
     }
     assert!(told > 300, "{told}");
 }
+
+/// Around zeros values are told whose components are both small, though neither is small beside its terms.
+#[test]
+fn cancellation_of_both_components_is_told() {
+    let mut random = Random(133);
+    let mut met = [0; 2];
+    for k in 13..60 {
+        let zero = mechaudit_reference::faddeeva::zero(k, 60).unwrap();
+        let at = [zero.re.mid().to_f64(), zero.im.mid().to_f64()];
+        for _ in 0..40 {
+            // |w| from a twentieth to a half of |w(−z)|, as w is (2i/√π) δ.
+            let size = random.between(0.025, 0.25) / at[0].hypot(at[1]);
+            let (s, c) = random.between(0.0, std::f64::consts::TAU).sin_cos();
+            let (a, b) = (at[0] + size * c, -(at[1] + size * s));
+            let (u, v) = super::super::asymptotic::series::<_, 26>(a, b);
+            let e = crate::exponential::exp_minus_square_any(a, -b);
+            let (re, im, lost) = reflect((u, v), e, close(a, b));
+            let (p, q) = (re.abs() / u.hi, im.abs() / v.hi);
+            let larger = re.abs().max(im.abs()) / u.hi.max(v.hi);
+            if p.min(q) > CANCELLED {
+                met[usize::from(lost)] += 1;
+                assert_eq!(lost, larger < BOTH_CANCELLED, "{a} -{b}: {larger}");
+            }
+        }
+    }
+    assert!(met.iter().all(|n| *n > 200), "{met:?}");
+}

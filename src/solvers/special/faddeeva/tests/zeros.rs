@@ -25,21 +25,22 @@ fn squares_are_found() {
     let mut random = Random(101);
     for (k, row) in ZEROS.iter().enumerate() {
         let (x, y) = (row.0[0], -row.0[3]);
+        let reach = REACH / x;
         for _ in 0..5000 {
-            let t = 0.999 * REACH;
+            let t = 0.999 * reach;
             let (a, b) = (x + random.between(-t, t), y + random.between(-t, t));
             assert_eq!(nearest_zero(a, b), Some(k), "{a} − {b} i");
         }
         for side in -50..=50 {
-            let (s, t) = (0.019_999 * REACH * f64::from(side), 0.999_999 * REACH);
+            let (s, t) = (0.019_999 * reach * f64::from(side), 0.999_999 * reach);
             for (p, q) in [(s, t), (s, -t), (t, s), (-t, s)] {
                 assert_eq!(nearest_zero(x + p, y + q), Some(k));
             }
         }
         for (p, q) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-            let t = 0.999_999 * REACH;
+            let t = 0.999_999 * reach;
             assert_eq!(nearest_zero(x + p * t, y + q * t), Some(k));
-            assert_eq!(nearest_zero(x + 1.001 * p * REACH, y), None);
+            assert_eq!(nearest_zero(x + 1.001 * p * reach, y), None);
         }
     }
     for (a, b) in [
