@@ -59,6 +59,16 @@ pub(crate) static ASYMPTOTIC: LazyLock<Vec<Constant>> = LazyLock::new(|| {
     all.into_iter().flatten().collect()
 });
 
+/// That of the values around zeros, 2/√π.
+pub(crate) static TWO_OVER_SQRT_PI: LazyLock<Vec<Constant>> = LazyLock::new(|| {
+    let exact = &inverse_sqrt_pi() * &Ball::integer(BITS, 2);
+    let all = [
+        constant(1.128_379_167_095_512_6, &exact),
+        low_part(1.533_545_961_316_588e-17),
+    ];
+    all.into_iter().flatten().collect()
+});
+
 /// Those of the Maclaurin series.
 pub(crate) static MACLAURIN: LazyLock<Vec<Constant>> = LazyLock::new(|| {
     const STORED: f64 = 0.564_189_583_547_756_3;

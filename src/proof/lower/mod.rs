@@ -1,9 +1,10 @@
 //! The open lower half-plane, `w(z) = 2e^{−z²} − w(−z)`.
 //!
-//! Proved is the norm, at every finite `f64` point with `Im z < 0` where w does not overflow and the code neither computes
-//! the value again because terms cancel ([`NOT_PROVED`]) nor takes it from a stored zero. Every bound and its derivation: the
-//! chapter on proofs of the book.
+//! Proved is the norm, at every finite `f64` point with `Im z < 0` where w does not overflow. Every bound and its derivation:
+//! the chapter on proofs of the book.
 
+mod again;
+mod apart;
 mod dominated;
 mod exponential;
 mod phase;
@@ -12,13 +13,17 @@ mod reflection;
 mod regions;
 mod rows;
 mod theorem;
+mod zeros;
 
+pub use again::Again;
+pub use apart::Apart;
 pub use dominated::Dominated;
 pub use exponential::{Exponential, Factors};
 pub use prove::{Certificate, LOWER_HALF_PLANE, Leaf, Target, lower_half_plane, roots};
 pub use regions::{Code, Region};
 pub use rows::Rows;
 pub use theorem::{NOT_PROVED, OfRegion, Theorem, theorem};
+pub use zeros::AroundZeros;
 
 #[cfg(test)]
 mod tests;

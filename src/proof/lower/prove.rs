@@ -10,8 +10,6 @@ use crate::form::power_of_two;
 pub struct Target {
     /// Of the norm, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/8`.
-    pub away: f64,
     /// Of the norm where one formula serves.
     pub single: f64,
     /// How often a rectangle is halved at most.
@@ -20,8 +18,7 @@ pub struct Target {
 
 /// The target that the proof of the lower half-plane reaches on every rectangle.
 pub const LOWER_HALF_PLANE: Target = Target {
-    norm: 6.25,
-    away: 2.5,
+    norm: 2.5,
     single: 1.5,
     depth: 40,
 };
@@ -35,8 +32,6 @@ pub struct Leaf {
     pub region: Region,
     /// What is proved of the norm, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/8`.
-    pub away: f64,
 }
 
 /// Leaves together cover the quadrant up to `|z|² = 10²⁰⁰` but for overflow, unless something is open.
@@ -104,7 +99,7 @@ fn refine(
             true => target.norm,
             false => target.single,
         };
-        l.norm <= norm && l.away <= target.away
+        l.norm <= norm
     };
     match leaves {
         Ok(leaves) if leaves.iter().all(good) => {
@@ -135,13 +130,8 @@ fn refine(
 pub(super) fn leaves(code: &Code, at: &Rectangle) -> Result<Vec<Leaf>, &'static str> {
     let all = regions(code, at)?.into_iter();
     all.map(|(at, region)| {
-        let [norm, away] = bound(code, region, &at)?;
-        Ok(Leaf {
-            at,
-            region,
-            norm,
-            away,
-        })
+        let norm = bound(code, region, &at)?;
+        Ok(Leaf { at, region, norm })
     })
     .collect()
 }

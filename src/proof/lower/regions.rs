@@ -1,13 +1,13 @@
 //! Which formulas the code may use on a rectangle of the lower half-plane, and the bound of each.
 
 use super::exponential::{Exponential, Factors};
-use super::reflection::{Value, decay, overflows, reflected, reflected_off_zeros};
+use super::reflection::{Value, decay, overflows, reflected};
 use super::rows::{Kind, Rows, disc_at};
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::{Rectangle, pieces};
 use crate::exact::Exact;
 use crate::formula::offsets;
-use crate::interval::hypot_up;
+use crate::interval::{down, hypot_up};
 use crate::tables::{Tables, cell_at, real_axis_at};
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation;
@@ -239,36 +239,34 @@ fn with_rows(
     Ok(())
 }
 
-/// `|w(z)|` above this part of `|w(−z)|` counts as away from zeros.
-const AWAY: f64 = 0.125;
-
-/// The bound of the norm on a rectangle, in units of 2⁻⁵², and that away from zeros.
+/// The bound of the norm on a rectangle, in units of 2⁻⁵².
 ///
 /// # Errors
 /// Why there is none.
-pub(super) fn bound(code: &Code, region: Region, at: &Rectangle) -> Result<[f64; 2], &'static str> {
-    let rho = code.exponential.pair;
-    let norm = |w: &Value| match region {
-        Region::Cell { .. } | Region::Asymptotic { .. } => {
-            let both = [code.limits.cancelled, AWAY].map(|part| reflected(*w, at, rho, part));
-            // Beside the first zeros there is room for a better one.
-            match region {
-                Region::Cell { .. } if both[0] > 2.5 => {
-                    let off = reflected_off_zeros(*w, at, rho);
-                    both.map(|k| k.min(off))
-                }
-                _ => both,
-            }
-        }
-        _ => [w.norm(); 2],
+pub(super) fn bound(code: &Code, region: Region, at: &Rectangle) -> Result<f64, &'static str> {
+    // Not by rectangles.
+    if region == Region::Dominated {
+        return Ok(0.0);
+    }
+    let norm = |w: &Value| match region.is_reflected() {
+        true => reflected(*w, at, code.exponential.pair, used(&code.limits)),
+        false => w.norm(),
     };
-    let ways = match region {
-        // Not by rectangles.
-        Region::Dominated => return Ok([0.0; 2]),
-        _ => values(code, region, at)?,
-    };
-    let worst = |p: [f64; 2], q: [f64; 2]| [p[0].max(q[0]), p[1].max(q[1])];
-    Ok(ways.iter().map(norm).fold([0.0; 2], worst))
+    let ways = values(code, region, at)?;
+    Ok(ways.iter().map(norm).fold(0.0, f64::max))
+}
+
+/// The part λ of `|w(−z)|` that |w| has at least where its value is used: neither component is below [`Limits::cancelled`]
+/// of that of w(−z), and one is above [`Limits::both_cancelled`] of the larger one, which is at least `|w(−z)|/√2`.
+///
+/// [`Limits::cancelled`]: code::Limits::cancelled
+/// [`Limits::both_cancelled`]: code::Limits::both_cancelled
+fn used(limits: &code::Limits) -> f64 {
+    /// 1/√2, rounded down.
+    const HALF_ROOT: f64 = 0.707_106_781_186_547_4;
+    limits
+        .cancelled
+        .max(down(limits.both_cancelled * HALF_ROOT))
 }
 
 /// What the formula gives, on each way through its decisions; of the reflected ones w(−z).

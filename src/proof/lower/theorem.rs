@@ -1,17 +1,15 @@
 //! All bounds of the lower half-plane together.
 
-use super::{Certificate, Code, Dominated, Leaf, Target, lower_half_plane};
+use super::apart::Apart;
+use super::{Again, AroundZeros, Certificate, Code, Dominated, Leaf, Target, lower_half_plane};
 use crate::certificate::{Open, Watch};
 use crate::cover::Rectangle;
 use crate::prove::{self, UPPER_HALF_PLANE};
 use crate::tracked::Rounding;
+use mechaudit_solvers::faddeeva::proof::lower as code;
 
 /// What is not proved.
-pub const NOT_PROVED: [&str; 3] = [
-    "the components",
-    "points that are computed again, in double-double or 256 bits, because terms cancel",
-    "points around the first twelve zeros that are computed from the stored zero",
-];
+pub const NOT_PROVED: [&str; 1] = ["the components"];
 
 /// The worst of one formula.
 #[derive(Clone, Debug)]
@@ -22,8 +20,6 @@ pub struct OfRegion {
     pub boxes: usize,
     /// Of the norm, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/8`.
-    pub away: f64,
     /// Where it is attained, `Re z` and `−Im z`; `None` for a bound without rectangles.
     pub at: Option<Rectangle>,
 }
@@ -33,12 +29,12 @@ pub struct OfRegion {
 pub struct Theorem {
     /// K, in units of 2⁻⁵².
     pub norm: f64,
-    /// The same where `|w(z)| ≥ |w(−z)|/8`.
-    pub away: f64,
     /// Each formula.
     pub regions: Vec<OfRegion>,
     /// Boxes of the exponential and its phase.
     pub of_exponential: usize,
+    /// What shows that no zero is next to an `f64`.
+    pub apart: Apart,
     /// Rectangles on which nothing is proved.
     pub open: Vec<Open>,
 }
@@ -52,30 +48,34 @@ pub fn theorem(
     within: Option<f64>,
     watch: &Watch,
 ) -> Result<Option<Theorem>, String> {
-    let code = Code::of_the_solver()?;
+    let solver = Code::of_the_solver()?;
     let upper = prove::Code {
-        tables: code.tables.clone(),
+        tables: solver.tables.clone(),
         branch: |a, b| mechaudit_solvers::faddeeva::branch(num_complex::Complex::new(a, b)),
         rounding: Rounding::default(),
     };
     debug_assert!(UPPER_HALF_PLANE.norm <= target.norm);
-    let Some(dominated) = Dominated::of(&upper, &code.exponential, &code.limits, watch)? else {
+    let zeros = AroundZeros::of(&AroundZeros::rows()?, solver.rounding, target.norm)?;
+    let again = Again::of(&code::again(), code::constants().half_pi)?;
+    let Some(apart) = Apart::all(within, watch)? else {
+        return Ok(None);
+    };
+    let Some(dominated) = Dominated::of(&upper, &solver.exponential, &solver.limits, watch)? else {
         return Ok(None);
     };
     let wanted = |r: &Rectangle| within.is_none_or(|most| r.a[1].max(r.b[1]) < most);
-    Ok(lower_half_plane(&code, target, watch, wanted)
-        .map(|found| together(&code, &dominated, found)))
+    Ok(lower_half_plane(&solver, target, watch, wanted)
+        .map(|found| together(&solver, &dominated, (zeros, again, apart), found)))
 }
 
-fn together(code: &Code, dominated: &Dominated, found: Certificate) -> Theorem {
+fn together(
+    solver: &Code,
+    dominated: &Dominated,
+    (zeros, again, apart): (AroundZeros, Again, Apart),
+    found: Certificate,
+) -> Theorem {
     let mut regions: Vec<OfRegion> = Vec::new();
-    for Leaf {
-        at,
-        region,
-        norm,
-        away,
-    } in &found.leaves
-    {
+    for Leaf { at, region, norm } in &found.leaves {
         // Those have bounds without rectangles.
         if *region == super::Region::Dominated {
             continue;
@@ -86,14 +86,12 @@ fn together(code: &Code, dominated: &Dominated, found: Certificate) -> Theorem {
             name,
             boxes: 1,
             norm: *norm,
-            away: *away,
             at: Some(*at),
         };
         match known {
             None => regions.push(new),
             Some(r) => {
                 r.boxes += 1;
-                r.away = r.away.max(*away);
                 if *norm > r.norm {
                     (r.norm, r.at) = (*norm, new.at);
                 }
@@ -105,20 +103,27 @@ fn together(code: &Code, dominated: &Dominated, found: Certificate) -> Theorem {
         ("26 terms, exponential small", dominated.image_by_series),
         ("exponential, cell small", dominated.exponential),
         ("scaled", dominated.huge),
+        ("again, pairs, |z| < 4096", again.near),
+        ("again, pairs, beyond", again.far),
+        ("again, 256 bits", again.long),
     ] {
         regions.push(OfRegion {
             name,
             boxes: 0,
             norm,
-            away: norm,
             at: None,
         });
     }
-    let worst = |of: fn(&OfRegion) -> f64| regions.iter().map(of).fold(0.0, f64::max);
+    regions.push(OfRegion {
+        name: "stored zeros",
+        boxes: zeros.boxes,
+        norm: zeros.norm,
+        at: zeros.at,
+    });
     Theorem {
-        norm: worst(|r| r.norm),
-        away: worst(|r| r.away),
-        of_exponential: code.exponential.boxes,
+        apart,
+        norm: regions.iter().map(|r| r.norm).fold(0.0, f64::max),
+        of_exponential: solver.exponential.boxes,
         open: found.open,
         regions,
     }

@@ -7,6 +7,10 @@ use crate::double_double::{Dd, two_prod, two_sum};
 use crate::lanes::Lanes;
 use crate::real::{ROUND, Real};
 
+/// `1/n!`, and ln 2.
+#[cfg(feature = "proof")]
+pub(crate) const CONSTANTS: (&[[f64; 2]], [f64; 3]) = (&INVERSE_FACTORIAL, LN_2);
+
 /// `x − k (c₀ + c₁ + c₂)`.
 #[inline(always)]
 fn minus_multiple<R: Real>(x: Dd<R>, k: R, c: [f64; 3]) -> Dd<R> {

@@ -53,14 +53,9 @@ fn text(found: &Theorem, within: Option<f64>, seconds: f64) -> String {
             format!(", |Re z| and |Im z| in the binades below {r}")
         });
         out += &line(format!(
-            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite f64 z with Im z < 0 where w does not overflow{part}, \
-             but"
+            "|faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite f64 z with Im z < 0 where w does not overflow{part}:"
         ));
-        out += &line(format!(
-            "for what is not proved: K = {}, and {} where |w(z)| ≥ |w(−z)|/8",
-            up(found.norm),
-            up(found.away)
-        ));
+        out += &line(format!("K = {}", up(found.norm)));
     } else {
         let text = format!("not proved: {} rectangles are open", found.open.len());
         out += &line(paint(BAD, &text));
@@ -68,16 +63,12 @@ fn text(found: &Theorem, within: Option<f64>, seconds: f64) -> String {
             out += &line(format!("{}: {}", below(&open.at), open.why));
         }
     }
-    let mut table = Table::new(
-        &["formula", "boxes", "norm", "away from zeros", "attained in"],
-        &[0, 4],
-    );
+    let mut table = Table::new(&["formula", "boxes", "norm", "attained in"], &[0, 3]);
     for r in &found.regions {
         table.row(vec![
             (r.name.to_string(), PLAIN),
             (r.boxes.to_string(), DIM),
             (up(r.norm), PLAIN),
-            (up(r.away), PLAIN),
             (r.at.as_ref().map_or_else(|| "–".into(), below), DIM),
         ]);
     }
@@ -88,6 +79,11 @@ fn text(found: &Theorem, within: Option<f64>, seconds: f64) -> String {
         out += &line(format!("Not proved: {what}"));
     }
     let boxes: usize = found.regions.iter().map(|r| r.boxes).sum();
+    let apart = &found.apart;
+    out += &line(format!(
+        "No zero is next to an f64: {} boxes, {} zeros, {} lines",
+        apart.boxes, apart.zeros, apart.lines
+    ));
     out += &line(format!(
         "{boxes} boxes, and {} of the exponential, {seconds:.1} s",
         found.of_exponential
@@ -105,7 +101,6 @@ fn document(found: &Theorem, within: Option<f64>, seconds: f64) -> Value {
                 "formula": r.name,
                 "boxes": r.boxes,
                 "norm": r.norm,
-                "away_from_zeros": r.away,
                 "box": r.at.as_ref().map(ends),
             })
         })
@@ -123,8 +118,8 @@ fn document(found: &Theorem, within: Option<f64>, seconds: f64) -> Value {
         "within": within,
         "proved": found.open.is_empty(),
         "norm": found.norm,
-        "away_from_zeros": found.away,
         "boxes_of_exponential": found.of_exponential,
+        "zeros_apart": { "boxes": found.apart.boxes, "zeros": found.apart.zeros, "lines": found.apart.lines },
         "seconds": seconds,
         "formulas": formulas,
         "open": open,

@@ -59,6 +59,12 @@ impl Long {
         }
     }
 
+    /// Exponent and words of m.
+    #[cfg(feature = "proof")]
+    pub(super) fn words(self) -> (i64, [u64; WORDS]) {
+        (self.exponent, self.m)
+    }
+
     /// `±0.m · 2^exponent` with any words.
     pub(super) fn normal<const N: usize>(negative: bool, exponent: i64, m: &[u64; N]) -> Long {
         let Some(words) = m.iter().position(|w| *w != 0) else {

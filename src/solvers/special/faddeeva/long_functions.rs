@@ -7,7 +7,7 @@ use crate::payne_hanek;
 pub(super) type Complex = (Long, Long);
 
 /// ln 2.
-const LN_2: Long = Long::parts(
+pub(super) const LN_2: Long = Long::parts(
     0,
     [
         0xb172_17f7_d1cf_79ab,

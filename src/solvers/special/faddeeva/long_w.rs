@@ -30,6 +30,10 @@ const TERMS: u32 = 12;
 /// Im z above which the residue is below the remainder.
 const ABOVE: f64 = 12.5;
 
+/// Both.
+#[cfg(feature = "proof")]
+pub(super) const RULE: (u32, f64) = (NODES, ABOVE);
+
 /// The rule with the nodes `(k + σ)/4`, σ = 0 or ½: `(i/(4π)) Σ e^{−t²}/(z − t)` at `a + i y`.
 fn sum(halfway: bool, a: f64, y: f64) -> Complex {
     let (x, y) = (Long::from(a), Long::from(y));

@@ -31,6 +31,9 @@ const LANES: usize = 8;
 const TWO_PI: Dd = Dd::new(2.0 * Dd::PI.hi, 2.0 * Dd::PI.lo);
 /// 2π/23.
 const TWO_PI_OVER_PER: Dd = Dd::new(hex("0x1.17bd03a9ebb32p-2"), hex("0x1.1d7c187b51ea1p-56"));
+/// 2π and 2π/23.
+#[cfg(feature = "proof")]
+pub(super) const CONSTANTS: (Dd, Dd) = (TWO_PI, TWO_PI_OVER_PER);
 /// 1/h = 64/23.
 const STEPS: f64 = 64.0;
 const PER: f64 = 23.0;

@@ -6,10 +6,14 @@ use super::super::branch::formula_at;
 use super::super::reflection as limits;
 use super::super::rows::{REACH, below_real_axis, disc_cell, disc_row, zero_row};
 use super::super::taylor::{ComplexRow, complex_row as unevaluated};
-use super::super::{branch::Branch, plane, tables, zeros};
+use super::super::{
+    asymptotic, branch::Branch, long_functions, long_w, plane, tables, trapezoidal, zeros,
+};
 use super::{Real, Row, Vectors};
 use crate::double_double::Dd;
+use crate::double_double_functions as functions;
 use crate::exponential as exponentials;
+use crate::lanes::{Lanes, Task, with_best};
 
 /// Two numbers whose sum is meant.
 pub type Pair<R> = (R, R);
@@ -73,7 +77,7 @@ pub fn on_real_line<R: Real>(a: R, y: R) -> (R, R, R::Mask) {
     plane::on_real_line(a, y)
 }
 
-/// The stored zeros, and half the side of the squares around them.
+/// The stored zeros, and half the side of the square around each, times its real part.
 pub fn zero_rows() -> (Vec<&'static [f64; 46]>, f64) {
     ((0..tables::ZEROS.len()).map(zero_row).collect(), REACH)
 }
@@ -176,6 +180,8 @@ pub fn constants() -> Constants {
 pub struct Limits {
     /// A component below this part of that of w(−z) is computed again.
     pub cancelled: f64,
+    /// Both are where neither is above this part of the larger one of w(−z).
+    pub both_cancelled: f64,
     /// `|Re z²|` above which one term dominates.
     pub dominant: f64,
     /// `Re z²` above which `e^{−z²}` is not added.
@@ -189,8 +195,77 @@ pub struct Limits {
 /// The solver's.
 pub const LIMITS: Limits = Limits {
     cancelled: limits::CANCELLED,
+    both_cancelled: limits::BOTH_CANCELLED,
     dominant: limits::DOMINANT,
     negligible: limits::NEGLIGIBLE,
     alone: limits::ALONE,
     large_phase: exponentials::LARGE_PHASE,
 };
+
+/// What the values that are computed again are made of.
+#[derive(Clone)]
+pub struct Again {
+    /// The squares of the nodes of both trapezoidal rules.
+    pub nodes: [[f64; trapezoidal::NODES]; 2],
+    /// Leading and low parts of the weights.
+    pub weights: [[[f64; trapezoidal::NODES]; 2]; 2],
+    /// Half the nodes that each rule of 256 bits has, and `Im z` above which it has no residue.
+    pub long_rule: (u32, f64),
+    /// `1/n!`, in two parts.
+    pub inverse_factorial: &'static [[f64; 2]],
+    /// ln 2 in three parts.
+    pub ln_2: [f64; 3],
+    /// 2π, and 2π/23, in two parts.
+    pub two_pi: [Pair<f64>; 2],
+    /// 1/√π in two parts.
+    pub inverse_sqrt_pi: Pair<f64>,
+    /// ln 2, π/2 and 1/√π in 256 bits: `0.m · 2^exponent`.
+    pub long: [(i64, [u64; 4]); 3],
+    /// The part of its terms below which a component is computed in 256 bits: below |z| = 4096, and beyond.
+    pub vanishing: [f64; 2],
+}
+
+/// The solver's.
+pub fn again() -> Again {
+    let (two_pi, part) = trapezoidal::CONSTANTS;
+    Again {
+        nodes: tables::TRAPEZOIDAL_NODES,
+        weights: tables::TRAPEZOIDAL_WEIGHTS,
+        long_rule: long_w::RULE,
+        inverse_factorial: functions::CONSTANTS.0,
+        ln_2: functions::CONSTANTS.1,
+        two_pi: [pair(two_pi), pair(part)],
+        inverse_sqrt_pi: pair(super::super::constants::INV_SQRT_PI),
+        long: [
+            long_functions::LN_2,
+            long_functions::HALF_PI,
+            long_w::INV_SQRT_PI,
+        ]
+        .map(|x| x.words()),
+        vanishing: [4095.0, 4097.0].map(|a| long_w::vanishing_part(a, a)),
+    }
+}
+
+struct Pairs(f64, f64);
+
+impl Task for Pairs {
+    type Output = (Dd, Dd, f64);
+    #[inline(always)]
+    fn run<L: Lanes>(self, lanes: L) -> (Dd, Dd, f64) {
+        match self.0.max(self.1) < 4096.0 {
+            true => trapezoidal::lower(lanes, self.0, self.1),
+            false => asymptotic::large(lanes, self.0, self.1),
+        }
+    }
+}
+
+/// w at `a − i b`, `1 ≤ |z| ≤ 10¹⁰⁰`, as it is computed again in pairs.
+pub fn in_pairs(a: f64, b: f64) -> [Pair<f64>; 2] {
+    let (re, im, _) = with_best(Pairs(a, b));
+    pairs((re, im))
+}
+
+/// The same in 256 bits, rounded.
+pub fn in_long(a: f64, b: f64) -> (f64, f64) {
+    long_w::lower(a, b)
+}

@@ -1,0 +1,101 @@
+//! The quadrant `1 ≤ |z|`, `|z|² ≤ 126` below the axis.
+//!
+//! Around a zero `w′ = −2zw + 2i/√π` gives `|w| ≤ 1.13|δ| e^{2R|δ|}` and `|w − (2i/√π)δ| ≤ 1.13 R|δ|² e^{2R|δ|}`, so that `|w| ≥ 0.9|δ|`
+//! where `8R|δ| ≤ 1`.
+
+use super::super::reflection::{decay, exponential};
+use crate::bounds::above;
+use crate::cover::Rectangle;
+use crate::interval::{down, hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
+use mechaudit_reference::faddeeva::w_f64;
+use mechaudit_reference::{Ball, ComplexBall, Mag, faddeeva};
+
+/// Above `√126`.
+const REACH: f64 = 11.25;
+/// More zeros than there are: `|z_22|² > 130`.
+const ZEROS: u32 = 22;
+const DEPTH: u32 = 40;
+
+/// A lower bound of |w| over a rectangle, from its value at the centre: with D the distance of the farthest point and
+/// `|w′| ≤ 2|z||w| + 2/√π`, the largest |w| is at most `M = (|w(c)| + 1.13 D)/(1 − 2RD)` for `|z| ≤ R` (infinite
+/// unless `2RD < 1`), and the least at least `|w(c)| − D (2RM + 1.13)`. Zero where that is nothing.
+fn least_of_w(at: &Rectangle) -> f64 {
+    let middle = |[lo, hi]: [f64; 2]| lo + 0.5 * (hi - lo);
+    let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).max(up(c - lo));
+    let (a, b) = (middle(at.a), middle(at.b));
+    let d = hypot_up(far(at.a, a), far(at.b, b));
+    let r = hypot_up(at.a[1], at.b[1]);
+    let Ok(w) = w_f64(a, -b, 60) else { return 0.0 };
+    let size = |f: fn(&Ball) -> f64| [f(&w.re), f(&w.im)];
+    let [p, q] = size(|x| down(x.mignitude().to_f64()));
+    let [s, t] = size(above);
+    let turn = product_up(product_up(2.0, r), d);
+    let most = quotient_up(
+        sum_up(hypot_up(s, t), product_up(1.13, d)),
+        down(1.0 - turn),
+    );
+    let slope = sum_up(product_up(product_up(2.0, r), most), 1.13);
+    down(hypot_down(p, q) - product_up(d, slope)).max(0.0)
+}
+
+/// Whether a component of a zero is 2⁻¹⁰⁰ or more off every `f64`.
+fn is_off(z: &ComplexBall) -> bool {
+    [&z.re, &z.im].into_iter().any(|x| {
+        let nearest = x.mid().to_f64();
+        (x - &Ball::exact(64, nearest)).mignitude() > Mag::power_of_two(-100)
+    })
+}
+
+/// Whether the rectangle is within `1/(8R)` of one of the zeros.
+fn is_beside(at: &Rectangle, zeros: &[(f64, f64)]) -> bool {
+    let most = quotient_up(1.0, up(8.0 * 11.5)).min(0.0108);
+    zeros.iter().any(|&(x, y)| {
+        let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).abs().max(up(c - lo).abs());
+        up(hypot_up(far(at.a, x), far(at.b, y)) + 1e-12) < most
+    })
+}
+
+fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, String> {
+    let far = hypot_up(at.a[1], at.b[1]);
+    let near = hypot_down(at.a[0], at.b[0]);
+    if far < 1.0 || near > REACH {
+        return Ok(0);
+    }
+    let d = decay(&at);
+    // |w(−z)| ≤ 1.
+    let large = exponential([d.lo, d.hi])[0] > 3.0;
+    if large || least_of_w(&at) > 1e-9 || is_beside(&at, zeros) {
+        return Ok(1);
+    }
+    if depth == DEPTH {
+        return Err(format!("w may be zero in {at:?}"));
+    }
+    let middle = |[lo, hi]: [f64; 2]| lo + 0.5 * (hi - lo);
+    let mut parts = [at, at];
+    match at.a[1] - at.a[0] >= at.b[1] - at.b[0] {
+        true => (parts[0].a[1], parts[1].a[0]) = (middle(at.a), middle(at.a)),
+        false => (parts[0].b[1], parts[1].b[0]) = (middle(at.b), middle(at.b)),
+    }
+    Ok(count(parts[0], depth + 1, zeros)? + count(parts[1], depth + 1, zeros)?)
+}
+
+/// How many squares prove it.
+///
+/// # Errors
+/// Where it is open.
+pub(super) fn all() -> Result<usize, String> {
+    let zeros: Result<Vec<ComplexBall>, String> = (1..=ZEROS)
+        .map(|k| faddeeva::zero(k, 160).map_err(|e| e.to_string()))
+        .collect();
+    let zeros = zeros?;
+    if let Some(z) = zeros.iter().find(|z| !is_off(z)) {
+        return Err(format!("a zero next to an f64: {z:?}"));
+    }
+    let at = |x: &Ball| x.mid().to_f64();
+    let near: Vec<_> = zeros.iter().map(|z| (at(&z.re), -at(&z.im))).collect();
+    let whole = Rectangle {
+        a: [0.0, REACH],
+        b: [0.0, REACH],
+    };
+    count(whole, 0, &near)
+}

@@ -1,0 +1,104 @@
+//! Points at which both terms of w are equal: the equation `ζ = G(ζ) − 2πim` and its real part along a line.
+
+use super::middle;
+use crate::interval::{product_up, quotient_up, sqrt_up, up};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
+use rug::{Float, Rational};
+
+/// A residual below this part of ζ ends an iteration, at 192 bits and at more.
+const RESIDUAL: [i64; 2] = [-135, -175];
+
+fn residual(bits: u32) -> i64 {
+    RESIDUAL[usize::from(bits > 200)]
+}
+
+/// `√(e(N + 3/2)) T_N/T_0` for the least N that makes it small enough, from a lower bound of |ζ|.
+fn terms(size: f64, bits: u32) -> (u32, f64) {
+    let enough = f64::from(residual(bits) as i32 - 10).exp2();
+    let (mut n, mut ratio) = (0, 1.0);
+    loop {
+        n += 1;
+        ratio = product_up(ratio, quotient_up(f64::from(n) - 0.5, size));
+        // √e < 1.65
+        let bound = product_up(product_up(1.65, sqrt_up(f64::from(n) + 1.5)), ratio);
+        if bound < enough || f64::from(n) > 0.9 * size {
+            return (n, bound);
+        }
+    }
+}
+
+fn exact(x: &Ball, bits: u32) -> Ball {
+    Ball::new(Float::with_val(bits, x.mid()), Mag::ZERO)
+}
+
+/// `(G, |ζ|²)`.
+fn g(zeta: &ComplexBall, bits: u32) -> (ComplexBall, Ball) {
+    let norm = zeta.norm_sqr();
+    let size = norm.mignitude().to_f64().sqrt() * (1.0 - 1e-9);
+    let (n, missing) = terms(size, bits);
+    let q = ComplexBall::new(&zeta.re / &norm, -(&zeta.im / &norm));
+    let one = Ball::integer(bits, 1);
+    let mut a = ComplexBall::new(one.clone(), Ball::integer(bits, 0));
+    for k in (1..n).rev() {
+        let next = (&a * &q).scaled(&Ball::exact(bits, f64::from(k) - 0.5));
+        a = ComplexBall::new(next.re + &one, next.im);
+    }
+    let a = a.widened(Mag::from_f64(up(missing)));
+    let pi = Ball::pi(bits);
+    // ln(2√π) + ½ ln |ζ| − ln |A|, from ¼ ln(16π² |ζ|²/|A|⁴).
+    let of_a = a.norm_sqr();
+    let inside = (&pi * &pi).shift(4) * &norm / &of_a.square();
+    let re = inside.ln().shift(-2);
+    let im = pi.shift(-1) + &zeta.arg().shift(-1) - &a.arg();
+    (ComplexBall::new(re, im), norm)
+}
+
+/// `−Im z` at zero number m of the equation.
+pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, String> {
+    let turns = Ball::pi(bits).shift(1) * Ball::rational(bits, &Rational::from(m));
+    // To 2⁻⁵², A apart.
+    let (mut x, mut p) = (3.0f64, middle(&turns));
+    for _ in 0..6 {
+        (x, p) = (
+            1.265_512_123_484_645_4 + 0.5 * x.hypot(p).ln(),
+            middle(&turns) - std::f64::consts::FRAC_PI_2 + 0.5 * p.atan2(x),
+        );
+    }
+    let mut zeta = ComplexBall::new(Ball::exact(bits, x), Ball::exact(bits, -p));
+    for _ in 0..60 {
+        let (g, _) = g(&zeta, bits);
+        let next = ComplexBall::new(g.re, g.im - &turns);
+        let off = (&next - &zeta).magnitude();
+        if off <= zeta.magnitude().shift(residual(bits)) {
+            let found = zeta.widened(off.mul(Mag::from_f64(1.05)).add(Mag::power_of_two(-128)));
+            // a² = (|ζ| + D)/2, b = P/(2a).
+            let a = (found.norm_sqr().sqrt() + &found.re).shift(-1).sqrt();
+            return Ok(-(found.im / &a.shift(1)));
+        }
+        zeta = ComplexBall::new(exact(&next.re, bits), exact(&next.im, bits));
+    }
+    Err(format!("zero {m} is not found"))
+}
+
+/// S on the line `a − b = jδ`, `δ = 2^{k−52}`.
+pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, String> {
+    let unit = |x: Ball, sign: i32| x.shift(sign * (2 * k - 104));
+    let number = Ball::rational(bits, &Rational::from(j));
+    let square = number.square();
+    // D next to 11 + 0.7 (k − 13).
+    let mut d = Ball::exact(bits, 11.0 + 0.7 * f64::from(k - 13));
+    for _ in 0..60 {
+        let s = unit(&d / &number, -1);
+        let p = unit(s.square() - &square, 1).shift(-1);
+        let (g, _) = g(&ComplexBall::new(d.clone(), -p), bits);
+        let off = g.re - &d;
+        if off.magnitude() <= Mag::power_of_two(residual(bits)) {
+            let radius = off.magnitude().shift(1).add(Mag::power_of_two(-128));
+            return Ok(unit(d.widened(radius) / &number, -1));
+        }
+        // Newton's method: Re G is ln D and a constant, nearly.
+        let size = middle(&d);
+        d = exact(&(d + off * Ball::exact(bits, size / (size - 1.0))), bits);
+    }
+    Err(format!("line {j} of binade {k} is not found"))
+}

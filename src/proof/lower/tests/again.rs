@@ -1,0 +1,70 @@
+use super::*;
+use mechaudit_reference::faddeeva::w_f64;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use rug::Float;
+
+fn proved(change: impl FnOnce(&mut code::Again)) -> [f64; 3] {
+    let mut c = code::again();
+    change(&mut c);
+    match Again::of(&c, code::constants().half_pi) {
+        Ok(found) => [found.near, found.far, found.long],
+        Err(_) => [f64::INFINITY; 3],
+    }
+}
+
+#[test]
+fn bounds_are_little_above_one_rounding() {
+    let found = proved(|_| ());
+    assert!(
+        found.into_iter().all(|k| (0.5..2.5).contains(&k)),
+        "{found:?}"
+    );
+}
+
+/// A weight off, a node moved, a factorial without its low part, 2π/23 or a word of ln 2 wrong, a limit moved.
+#[test]
+fn faults_show() {
+    let [near, far, long] = proved(|_| ());
+    let off = |x: f64| f64::from_bits(x.to_bits() + 1);
+    assert!(proved(|c| c.weights[1][1][3] = 0.0)[0] > 1.2 * near);
+    assert!(proved(|c| c.nodes[0][5] = off(c.nodes[0][5]))[0].is_infinite());
+    assert!(proved(|c| c.two_pi[1].1 = 0.0)[0].is_infinite());
+    assert!(proved(|c| c.long[0].1[3] ^= 1 << 20)[2].is_infinite());
+    assert!(proved(|c| c.vanishing[0] = 2f64.powi(-41))[0] > 1.2 * near);
+    assert!(proved(|c| c.vanishing[1] = 2f64.powi(-24))[1] > 1.2 * far);
+    assert!(long < 0.51);
+    static NONE: [[f64; 2]; 32] = [[0.0; 2]; 32];
+    assert!(proved(|c| c.inverse_factorial = &NONE)[0] > 1.2 * near);
+    let [p, q, _] = code::constants().half_pi;
+    let c = code::again();
+    assert!(Again::of(&c, [p, q, 0.0]).is_ok_and(|found| found.near > 1.2 * near));
+}
+
+/// Along the curve on which both terms have one size, and beside it, pairs are within E M of w.
+#[test]
+fn errors_of_pairs_are_below_their_bounds() {
+    let mut random = ChaCha8Rng::seed_from_u64(17);
+    let c = code::again();
+    let [near, far, _] = proved(|_| ());
+    let mut most = [0.0f64; 2];
+    for i in 0..6000 {
+        let mut unit = || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
+        let b = 1.3 * 2f64.powf(24.0 * unit());
+        let d = (2.0 * 1.7725 * 1.4143 * b).ln() + 3.0 * (unit() - 0.5);
+        let a = b.hypot(d.max(0.1).sqrt());
+        let k = usize::from(a >= 4096.0);
+        let [re, im] = code::in_pairs(a, b);
+        let w = w_f64(a, -b, 140).expect("decided");
+        let part = |(hi, lo): (f64, f64), w: &Ball| {
+            (Float::with_val(400, hi) + Float::with_val(400, lo) - w.mid()).square()
+        };
+        let off = (part(re, &w.re) + part(im, &w.im)).sqrt();
+        let size = ((b - a) * (b + a)).exp().max(a / (a * a + b * b));
+        let off = (off / size).to_f64() / c.vanishing[k] * TWO_52;
+        let bound = [near, far][k] - 0.5;
+        assert!(off <= bound, "{i} {a} {b} {off} {bound}");
+        most[k] = most[k].max(off / bound);
+    }
+    assert!(most.into_iter().all(|m| m > 1e-4), "{most:?}");
+}
