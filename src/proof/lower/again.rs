@@ -18,8 +18,8 @@
 //! * **−Re z²** is wrong by at most `9|Re z²|` (as in [`super::exponential`]). The exponential is below `2²⁰⁰` where
 //!   it comes to this, and as a part `|Re z²| x ≤ 140 max(x, 1/r)` for `r < 5800`, `240 max(x, 1/r)` for `r < 2³³³`.
 //! * **Sums over nodes.** With `d = |z − t|`, `d′ = |z + t|`, `ϱ = r²/(d d′)`: since `d′ ≥ r`, `d ≥ D = h/4` for the rule that is
-//!   chosen, and `r ≤ d + t`, `ϱ ≤ r/d ≤ 1 + t/D`. `r² − t²` is wrong by `3r²` and 2 of itself, `M = |z² − t²|²` therefore by
-//!   `6ϱ + 14` of itself, `weight/M` by `6ϱ + 28`, each component of a term by `9ϱ + 40` of `weight/d`, and eleven sums, a
+//!   chosen, and `r ≤ d + t`, `ϱ ≤ r/d ≤ 1 + t/D`. `r² − t²` is wrong by `3r²` and 2 of itself, `|z² − t²|²` therefore by
+//!   `6ϱ + 14` of itself, the weight divided by it by `6ϱ + 28`, each component of a term by `9ϱ + 40` of `weight/d`, and eleven sums, a
 //!   factor and the last sum make `9ϱ + 80`. So r times the error of both components is at most
 //!   `√2 Σ weight (1 + t/D)(9(1 + t/D) + 80)`.
 //! * **Residue**, `2e^{−z²}(1 + κG − iGσ)/(1 + 2κG + G²)`, `κ ≥ 0`, `G ≤ 1`: the factor is at most one, the divisor at least.

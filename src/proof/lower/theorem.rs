@@ -9,7 +9,7 @@ use crate::tracked::Rounding;
 use mechaudit_solvers::faddeeva::proof::lower as code;
 
 /// What is not proved.
-pub const NOT_PROVED: [&str; 1] = ["the components"];
+pub const NOT_PROVED: [&str; 1] = ["a component as a part of itself; of |w| each is within K"];
 
 /// The worst of one formula.
 #[derive(Clone, Debug)]
