@@ -63,7 +63,7 @@ pub(crate) static ASYMPTOTIC: LazyLock<Vec<Constant>> = LazyLock::new(|| {
 pub(crate) static TWO_OVER_SQRT_PI: LazyLock<Vec<Constant>> = LazyLock::new(|| {
     let exact = &inverse_sqrt_pi() * &Ball::integer(BITS, 2);
     let all = [
-        constant(1.128_379_167_095_512_6, &exact),
+        constant(std::f64::consts::FRAC_2_SQRT_PI, &exact),
         low_part(1.533_545_961_316_588e-17),
     ];
     all.into_iter().flatten().collect()

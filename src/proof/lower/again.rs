@@ -293,11 +293,11 @@ impl Again {
         let far = circle(c, reduction(half_pi, 7e8).max(product_up(64.0, REDUCED)));
         // The phase of the residue, and its modulus G.
         let turn = sum_up(
-            product_up(3.1416, sum(&[DIV, MUL, 1.0])),
+            product_up(up(std::f64::consts::PI), sum(&[DIV, MUL, 1.0])),
             reduction(half_pi, 3.0),
         );
         let turn = circle(c, turn);
-        let g = sum_up(e, quotient_up(sum_up(MUL, 1.0), 2.718));
+        let g = sum_up(e, quotient_up(sum_up(MUL, 1.0), 2.7));
         let p = sum(&[turn, g, MUL, 2.0 * ADD_F]);
         let q = sum(&[turn, g, MUL]);
         let divisor = sum(&[g, 2.0 * turn, 3.0 * ADD, 3.0 * g, 3.0 * MUL, 4.0 * ADD_F]);
@@ -311,7 +311,7 @@ impl Again {
         let gaussian = |circle: f64, x: f64| sum(&[product_up(9.0, x), e, circle, MUL]);
         let u2 = U * U;
         // 1/r ≤ √2 max(a, b)/r²; x ≤ 1.4143 times its power of two.
-        let root = 1.414_214;
+        let root = up(std::f64::consts::SQRT_2);
         let near = {
             let x = sum_up(gaussian(near, EXPONENTS[0]), residue);
             let all = sum_up(product_up(x, 1.4143), product_up(root, sums(c)?));

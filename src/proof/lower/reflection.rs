@@ -1,11 +1,13 @@
 //! `2e^{−z²} − w(−z)` where both terms are pairs, and the norm of other formulas.
 
 use super::exponential::LEAST;
-use crate::bounds::exp_up;
+use crate::bounds::{above, exp_up};
 use crate::cover::Rectangle;
 use crate::form::TINIEST;
 use crate::interval::{Interval, down, hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
 use crate::tracked::Result as Tracks;
+use mechaudit_reference::Ball;
+use mechaudit_reference::faddeeva::w_f64;
 
 pub(super) const TWO_52: f64 = 4_503_599_627_370_496.0;
 /// The last rounding, and what is left out, in units of 2⁻⁵².
@@ -66,6 +68,36 @@ pub(super) fn exponential([lo, hi]: [f64; 2]) -> [f64; 2] {
         t => up(2.0 * exp_up(-t)),
     };
     [below(hi), above(lo)]
+}
+
+/// A lower bound of |w| over a rectangle, from its value at the centre: with D the distance of the farthest point and
+/// `|w′| ≤ 2|z||w| + 2/√π`, the largest |w| is at most `M = (|w(c)| + 1.13 D)/(1 − 2RD)` for `|z| ≤ R` (infinite
+/// unless `2RD < 1`), and the least at least `|w(c)| − D (2RM + 1.13)`. Zero where that is nothing.
+pub(super) fn least_of_w(at: &Rectangle) -> f64 {
+    let middle = |[lo, hi]: [f64; 2]| lo + 0.5 * (hi - lo);
+    let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).max(up(c - lo));
+    let (a, b) = (middle(at.a), middle(at.b));
+    let d = hypot_up(far(at.a, a), far(at.b, b));
+    let r = hypot_up(at.a[1], at.b[1]);
+    let Ok(w) = w_f64(a, -b, 60) else { return 0.0 };
+    let size = |f: fn(&Ball) -> f64| [f(&w.re), f(&w.im)];
+    let [p, q] = size(|x| down(x.mignitude().to_f64()));
+    let [s, t] = size(above);
+    let turn = product_up(product_up(2.0, r), d);
+    let most = quotient_up(
+        sum_up(hypot_up(s, t), product_up(1.13, d)),
+        down(1.0 - turn),
+    );
+    let slope = sum_up(product_up(product_up(2.0, r), most), 1.13);
+    down(hypot_down(p, q) - product_up(d, slope)).max(0.0)
+}
+
+/// The bound of [`reflected`] where |w| is known to be larger than the code makes sure.
+pub(super) fn reflected_off_zeros(w: Value, at: &Rectangle, rho: f64) -> f64 {
+    let decay = decay(at);
+    let [_, most] = exponential([decay.lo, decay.hi]);
+    let error = sum_up(w.error, product_up(rho, most));
+    sum_up(quotient_up(error, least_of_w(at)) * TWO_52, ROUNDINGS)
 }
 
 /// Whether a component of w overflows on the whole rectangle.

@@ -1,7 +1,7 @@
 //! Which formulas the code may use on a rectangle of the lower half-plane, and the bound of each.
 
 use super::exponential::{Exponential, Factors};
-use super::reflection::{Value, decay, overflows, reflected};
+use super::reflection::{Value, decay, overflows, reflected, reflected_off_zeros};
 use super::rows::{Kind, Rows, disc_at};
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::{Rectangle, pieces};
@@ -248,9 +248,15 @@ pub(super) fn bound(code: &Code, region: Region, at: &Rectangle) -> Result<f64, 
     if region == Region::Dominated {
         return Ok(0.0);
     }
-    let norm = |w: &Value| match region.is_reflected() {
-        true => reflected(*w, at, code.exponential.pair, used(&code.limits)),
-        false => w.norm(),
+    let rho = code.exponential.pair;
+    let norm = |w: &Value| match region {
+        _ if !region.is_reflected() => w.norm(),
+        // Beside the first zeros there is room for a better one.
+        Region::Cell { .. } => match reflected(*w, at, rho, used(&code.limits)) {
+            k if k > 2.0 => k.min(reflected_off_zeros(*w, at, rho)),
+            k => k,
+        },
+        _ => reflected(*w, at, rho, used(&code.limits)),
     };
     let ways = values(code, region, at)?;
     Ok(ways.iter().map(norm).fold(0.0, f64::max))

@@ -127,7 +127,7 @@ fn the_first_partition_has_no_hole() {
 #[test]
 fn rings_of_zeros_are_proved() {
     let watch = crate::Watch::default();
-    let wanted = |r: &Rectangle| (2.0..16.0).contains(&r.a[1].max(r.b[1]));
+    let wanted = |r: &Rectangle| (1.0..16.0).contains(&r.a[1].max(r.b[1]));
     let found = lower_half_plane(&CODE, LOWER_HALF_PLANE, &watch, wanted).expect("not stopped");
     assert!(found.open.is_empty(), "{:?}", found.open.first());
     let most = found.leaves.iter().map(|l| l.norm).fold(0.0, f64::max);

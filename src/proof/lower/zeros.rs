@@ -31,7 +31,7 @@ const BITS: u32 = 320;
 const STORED: usize = 20;
 const TERMS: usize = 60;
 /// Above 2/√π.
-const SLOPE: f64 = 1.128_379_167_095_513;
+const SLOPE: f64 = std::f64::consts::FRAC_2_SQRT_PI * (1.0 + f64::EPSILON);
 
 /// A stored zero and its row, for tests perhaps with a fault.
 #[derive(Clone)]

@@ -3,11 +3,9 @@
 //! Around a zero `w′ = −2zw + 2i/√π` gives `|w| ≤ 1.13|δ| e^{2R|δ|}` and `|w − (2i/√π)δ| ≤ 1.13 R|δ|² e^{2R|δ|}`, so that `|w| ≥ 0.9|δ|`
 //! where `8R|δ| ≤ 1`.
 
-use super::super::reflection::{decay, exponential};
-use crate::bounds::above;
+use super::super::reflection::{decay, exponential, least_of_w};
 use crate::cover::Rectangle;
-use crate::interval::{down, hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
-use mechaudit_reference::faddeeva::w_f64;
+use crate::interval::{hypot_down, hypot_up, quotient_up, up};
 use mechaudit_reference::{Ball, ComplexBall, Mag, faddeeva};
 
 /// Above `√126`.
@@ -15,28 +13,6 @@ const REACH: f64 = 11.25;
 /// More zeros than there are: `|z_22|² > 130`.
 const ZEROS: u32 = 22;
 const DEPTH: u32 = 40;
-
-/// A lower bound of |w| over a rectangle, from its value at the centre: with D the distance of the farthest point and
-/// `|w′| ≤ 2|z||w| + 2/√π`, the largest |w| is at most `M = (|w(c)| + 1.13 D)/(1 − 2RD)` for `|z| ≤ R` (infinite
-/// unless `2RD < 1`), and the least at least `|w(c)| − D (2RM + 1.13)`. Zero where that is nothing.
-fn least_of_w(at: &Rectangle) -> f64 {
-    let middle = |[lo, hi]: [f64; 2]| lo + 0.5 * (hi - lo);
-    let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).max(up(c - lo));
-    let (a, b) = (middle(at.a), middle(at.b));
-    let d = hypot_up(far(at.a, a), far(at.b, b));
-    let r = hypot_up(at.a[1], at.b[1]);
-    let Ok(w) = w_f64(a, -b, 60) else { return 0.0 };
-    let size = |f: fn(&Ball) -> f64| [f(&w.re), f(&w.im)];
-    let [p, q] = size(|x| down(x.mignitude().to_f64()));
-    let [s, t] = size(above);
-    let turn = product_up(product_up(2.0, r), d);
-    let most = quotient_up(
-        sum_up(hypot_up(s, t), product_up(1.13, d)),
-        down(1.0 - turn),
-    );
-    let slope = sum_up(product_up(product_up(2.0, r), most), 1.13);
-    down(hypot_down(p, q) - product_up(d, slope)).max(0.0)
-}
 
 /// Whether a component of a zero is 2⁻¹⁰⁰ or more off every `f64`.
 fn is_off(z: &ComplexBall) -> bool {
