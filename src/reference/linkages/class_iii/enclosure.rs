@@ -99,7 +99,7 @@ impl Linkage {
         ]
     }
 
-    fn approximate_inverse(&self, a: &ComplexBall, z: &Point4) -> Option<Matrix4<f64>> {
+    pub(super) fn approximate_inverse(&self, a: &ComplexBall, z: &Point4) -> Option<Matrix4<f64>> {
         let (c, d) = boxed(z, Mag::ZERO, 64);
         let j = self.jacobian(a, &c, &d);
         let m = Matrix4::from_fn(|i, k| j[i][k].mid().to_f64());
@@ -107,7 +107,7 @@ impl Linkage {
     }
 
     /// An upper bound on `‖I − Y F'(X)‖∞`.
-    fn contraction(
+    pub(super) fn contraction(
         &self,
         y: &Matrix4<f64>,
         a: &ComplexBall,
@@ -165,14 +165,11 @@ impl Linkage {
         let (c, d) = exact(&z);
         let step = apply(&y, &self.residual(&a, &c, &d));
         let size = largest(&step);
-        let r = size.shift(2);
-        if size.is_zero() {
-            // The zero is hit exactly; any box shows that it is alone.
-            let tiny = Mag::power_of_two(-i64::from(self.bits));
-            let (bc, bd) = boxed(&z, tiny, 64);
-            return (self.contraction(&y, &a, &bc, &bd) < Mag::from_f64(1.0))
-                .then(|| self.configuration(e1, a, c, d));
-        }
+        // Where the zero is hit exactly, any box shows that it is alone.
+        let r = match size.is_zero() {
+            true => Mag::power_of_two(-i64::from(self.bits)),
+            false => size.shift(2),
+        };
         let (bc, bd) = boxed(&z, r, 64);
         let contraction = self.contraction(&y, &a, &bc, &bd);
         let reach = size.add(contraction.mul(r));

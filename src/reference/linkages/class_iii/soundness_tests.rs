@@ -30,6 +30,13 @@ fn a_box_without_a_root_is_refused() {
     let whole = Linkage::new(&zinchenko(), 128);
     for mode in whole.modes(&phi).unwrap() {
         let [cx, cy, dx, dy] = coordinates(&mode.configuration).map(|b| b.mid().to_f64());
+        let found = whole.near(&phi, [cx, cy], [dx, dy]).expect("it is there");
+        let pairs = coordinates(&found).into_iter();
+        assert!(
+            pairs
+                .zip(coordinates(&mode.configuration))
+                .all(|(a, b)| a.overlaps(b))
+        );
         for push in [-7.0, 0.0, 0.25, 30.0] {
             assert!(
                 linkage
@@ -211,4 +218,78 @@ fn the_way_between_two_positions_is_all_of_it() {
         linkage.follow(from, &start, &turned).is_none()
     });
     assert!(ended.count() >= 2);
+}
+
+/// The norm of `I − Y J` counts every entry: where `Y` leaves out one part of `J⁻¹`, the entry there is 5.
+#[test]
+fn the_contraction_counts_every_entry() {
+    let linkage = Linkage::new(&zinchenko(), 128);
+    let mode = &linkage.modes(&degrees("14.426", 128)).unwrap()[0].configuration;
+    let at = mode.coordinates();
+    let inverse = linkage.approximate_inverse(&mode.a, &at).unwrap();
+    let norm =
+        |y: &nalgebra::Matrix4<f64>| linkage.contraction(y, &mode.a, &mode.c, &mode.d).to_f64();
+    assert!(norm(&inverse) < 1e-10);
+    for i in 0..4 {
+        for k in 0..4 {
+            let mut y = inverse;
+            for m in 0..4 {
+                y[(i, m)] -= 5.0 * inverse[(k, m)];
+            }
+            let found = norm(&y);
+            assert!((found - 5.0).abs() < 1e-6, "{i} {k}: {found}");
+        }
+    }
+}
+
+/// A position with whole coordinates, rocker 3 upright: A (1, 0), B (6, 12), C (0, 4), D (4, 4).
+fn upright(bits: u32) -> (Linkage, [Float; 4]) {
+    let b = |x: f64| Ball::exact(bits, x);
+    let z = |x: f64, y: f64| ComplexBall::new(b(x), b(y));
+    let linkage = Linkage {
+        bits,
+        l1: b(1.0),
+        l2: b(13.0),
+        l3: b(4.0),
+        l4: b(4.0),
+        l5: b(5.0),
+        o3: z(0.0, 0.0),
+        o5: z(7.0, 0.0),
+        phi_b: z(3.0, 4.0).arg(),
+        kappa: z(1.5, 2.0),
+        one_minus_kappa: z(-0.5, -2.0),
+    };
+    (linkage, [0, 4, 4, 4].map(|x| Float::with_val(bits, x)))
+}
+
+/// It solves the equations exactly, and is enclosed all the same.
+#[test]
+fn a_zero_hit_exactly_is_enclosed() {
+    let (linkage, at) = upright(96);
+    let e1 = ComplexBall::new(Ball::exact(96, 1.0), Ball::exact(96, 0.0));
+    let found = linkage.enclose(&e1, &at).expect("proved");
+    for (x, due) in coordinates(&found).into_iter().zip(&at) {
+        assert!(x.mid() == due && x.rad() < Mag::power_of_two(-96));
+    }
+}
+
+/// Joint C is at its highest, and an uncertain crank lowers it in second order. The step of Newton's method
+/// does not see that; the term `(I − Y F'(X)) (X − z)` does.
+#[test]
+fn the_radius_holds_the_second_order() {
+    let (linkage, at) = upright(160);
+    let radius = Mag::power_of_two(-24);
+    let enclosed = |phi: &Ball| {
+        linkage
+            .enclose(&ComplexBall::unit(phi), &at)
+            .expect("proved")
+    };
+    let wide = enclosed(&Ball::integer(160, 0).widened(radius));
+    for sign in [-1.0, 1.0] {
+        let there = enclosed(&Ball::exact(160, sign * radius.to_f64()));
+        assert!((&there.c.im - &Ball::integer(160, 4)).mignitude() > Mag::power_of_two(-52));
+        for (wide, inside) in coordinates(&wide).into_iter().zip(coordinates(&there)) {
+            assert!(wide.contains_ball(inside), "{sign}");
+        }
+    }
 }
