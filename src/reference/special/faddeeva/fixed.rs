@@ -104,7 +104,7 @@ fn pow2(k: i64) -> f64 {
 }
 
 /// The real part of the sum and its imaginary part divided by q. `p` and `q2` enclose p and q²,
-/// `|p + iq| ≤ 1`. The truncation after n terms is not included.
+/// `|p + iq| ≤ 1`: where it certainly is not, the radii are infinite. The truncation after n terms is not included.
 pub(super) fn sum(
     p: &Ball,
     q2: &Ball,
@@ -138,6 +138,10 @@ fn sum_checked(
     };
     let vm = pm.hypot(q).min(1.0) * 1.0001;
     if !(pm.is_finite() && qq.is_finite()) {
+        return None;
+    }
+    // The error bounds hold for |v| ≤ 1 only.
+    if (p.with_prec(64).square() + q2.with_prec(64)).lower() > 1 {
         return None;
     }
     let bound = |j: u64| {
@@ -313,6 +317,26 @@ mod tests {
                 let most = Mag::power_of_two(growth as i64 + 24 - i64::from(bits));
                 prop_assert!(a.rad() <= most && b.rad() <= most, "{a:?} {b:?}");
             }
+        }
+    }
+
+    /// `|v| ≤ 1` is what the bounds rest on.
+    #[test]
+    fn outside_the_unit_disc_nothing_is_bound() {
+        let sum = |p: f64, q2: f64| {
+            let (p, q2) = (Ball::exact(64, p), Ball::exact(64, q2));
+            sum(&p, &q2, 100, 30, |k| (1, k + 1))
+        };
+        for (p, q2, finite) in [
+            (1.0, 0.0, true),
+            (-0.5, 0.75, true),
+            (0.0, 1.0, true),
+            (1.0000001, 0.0, false),
+            (-0.5, 0.7500001, false),
+            (0.0, 1.0000001, false),
+        ] {
+            let (a, b) = sum(p, q2);
+            assert_eq!((a.is_finite(), b.is_finite()), (finite, finite), "{p} {q2}");
         }
     }
 
