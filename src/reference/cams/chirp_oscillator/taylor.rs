@@ -197,3 +197,7 @@ impl Tail {
         self.start.mul(grown).mul(power).mul(self.half).shift(2)
     }
 }
+
+#[cfg(test)]
+#[path = "taylor_tests.rs"]
+mod tests;

@@ -313,16 +313,20 @@ impl Mechanism {
         }
         // At least as wide as the enclosure at the centre, so that its zero is the one found here.
         let r = size.shift(1).max(known);
-        // Entries of G_z are linear in z: over |z − z̃| ≤ r each moves by at most max(2, s²) r with
-        // s = |Re κ| + |Im κ| + |Re (1 − κ)| + |Im (1 − κ)|; four in a row.
+        // Over |z − z̃| ≤ r, four entries in a row.
+        q = q.add(rows.mul(self.lipschitz().shift(2)).mul(r));
+        (q <= Mag::from_f64(0.5) && r.is_finite()).then_some(r)
+    }
+
+    /// What an entry of G_z, linear in z, changes by per change of z: at most max(2, s²) with
+    /// s = |Re κ| + |Im κ| + |Re (1 − κ)| + |Im (1 − κ)|.
+    fn lipschitz(&self) -> Mag {
         let s = [&self.kappa, &self.one_minus_kappa]
             .into_iter()
             .fold(Mag::ZERO, |s, k| {
                 s.add(k.re.magnitude()).add(k.im.magnitude())
             });
-        let lipschitz = s.mul(s).max(Mag::from_f64(2.0)).shift(2);
-        q = q.add(rows.mul(lipschitz).mul(r));
-        (q <= Mag::from_f64(0.5) && r.is_finite()).then_some(r)
+        s.mul(s).max(Mag::from_f64(2.0))
     }
 
     /// I_n, dI_n/dφ and M_o from the joints' models and the radius r on the disc of half-width

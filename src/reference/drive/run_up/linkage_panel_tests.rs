@@ -2,6 +2,7 @@
 //! and Cauchy's estimates have to be within a stated factor of necessary.
 
 use super::*;
+use crate::Decimal;
 use crate::class_iii::{ExactAngle, Linkage};
 use crate::run_up::tests::{geometry, masses};
 
@@ -97,6 +98,72 @@ fn what_does_not_contract_is_refused() {
     let moved = Vector([s.c.0[0].plus(&miss(0.05, 0)), s.c.0[1].clone()]);
     let refused = s.mechanism.contraction(&s.pin, &moved, &s.d, ORDER, tiny);
     assert!(refused.is_none());
+}
+
+/// Each joint's coordinate missing by `size · x^k`: only q ≤ ½ is shown, so the radius is twice the step back, and
+/// little more.
+#[test]
+fn the_radius_is_twice_what_is_missing() {
+    let s = setup((1, 50));
+    let tiny = Mag::power_of_two(-120);
+    let size = 1e-6;
+    for joint in 0..4 {
+        for k in [0, 1, 5] {
+            let (mut c, mut d) = (s.c.clone(), s.d.clone());
+            let v = if joint < 2 { &mut c } else { &mut d };
+            v.0[joint % 2] = v.0[joint % 2].plus(&miss(size, k));
+            let r = s.mechanism.contraction(&s.pin, &c, &d, ORDER, tiny);
+            let r = r.expect("it contracts").to_f64();
+            assert!((1.99..3.0).contains(&(r / size)), "{joint} x^{k}: {r}");
+        }
+    }
+}
+
+/// Second differences of the four equations, which are quadratic, against the bound on the change of their Jacobian:
+/// it holds, and is no more than 3.5 times what occurs.
+#[test]
+fn entries_of_the_jacobian_change_by_no_more() {
+    for (lb, turn) in [("0", 0), ("0.22", -39), ("2", 45), ("3", 100)] {
+        let shape = Geometry {
+            lb: Decimal::parse(lb).unwrap().value,
+            phi_b: ExactAngle::Degrees(Rational::from(turn)),
+            ..geometry()
+        };
+        let mechanism = Mechanism::new(&shape, &masses("9.81"), BITS);
+        let of = |z: &ComplexBall| [z.re.to_f64(), z.im.to_f64()];
+        let (k, l) = (of(&mechanism.kappa), of(&mechanism.one_minus_kappa));
+        // Half the squared distances, whose constant and linear parts do not count.
+        let g = |z: [f64; 4]| {
+            let [cx, cy, dx, dy] = z;
+            let square = |x: f64, y: f64| 0.5 * (x * x + y * y);
+            [
+                square(cx, cy),
+                square(dx, dy),
+                square(dx - cx, dy - cy),
+                square(
+                    l[0] * cx - l[1] * cy + k[0] * dx - k[1] * dy,
+                    l[0] * cy + l[1] * cx + k[0] * dy + k[1] * dx,
+                ),
+            ]
+        };
+        let mut most = 0.0f64;
+        for signs in 0..16u32 {
+            let way: [f64; 4] =
+                std::array::from_fn(|i| if signs >> i & 1 == 1 { 1.0 } else { -1.0 });
+            for j in 0..4 {
+                let unit: [f64; 4] = std::array::from_fn(|i| f64::from(u8::from(i == j)));
+                let both = std::array::from_fn(|i| way[i] + unit[i]);
+                for (e, x) in g(both).into_iter().enumerate() {
+                    most = most.max((x - g(way)[e] - g(unit)[e]).abs());
+                }
+            }
+        }
+        let bound = mechanism.lipschitz().to_f64();
+        assert!(
+            most <= bound * (1.0 + 1e-12) && bound < 3.5 * most,
+            "{lb}: {most} {bound}"
+        );
+    }
 }
 
 /// The radius is no smaller than what is known of the centre, so that the zero there is the one that is continued.

@@ -259,3 +259,7 @@ pub(super) mod planted {
         pub static FORGET_DEFECT: Cell<bool> = const { Cell::new(false) };
     }
 }
+
+#[cfg(test)]
+#[path = "proof_tests.rs"]
+mod tests;
