@@ -35,7 +35,7 @@ struct Args {
     #[arg(required_unless_present = "planted")]
     files: Vec<String>,
     /// Plant the faults of this table, one at a time: the test named beside each has to fail
-    #[arg(long, value_name = "CSV", conflicts_with_all = ["files", "sample", "list", "output", "filter", "test"])]
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["files", "sample", "again", "list", "output", "filter", "test"])]
     planted: Option<PathBuf>,
     /// The package they belong to
     #[arg(long, default_value = "mechaudit-reference")]
@@ -55,6 +55,9 @@ struct Args {
     /// The seed of the draw
     #[arg(long, value_name = "N", default_value_t = 1, requires = "sample")]
     seed: u64,
+    /// Only mutants that this table names by file, function, original and instead: survivors, to be met again
+    #[arg(long, value_name = "CSV", conflicts_with = "sample")]
+    again: Option<PathBuf>,
     /// List the mutants and judge none
     #[arg(long)]
     list: bool,
@@ -116,6 +119,10 @@ fn audit(args: &Args) -> Result<bool> {
         mutants.truncate(n);
         mutants.sort_by_key(|m| m.number);
     }
+    if let Some(table) = &args.again {
+        let named = named(table)?;
+        mutants.retain(|m| named.contains(&identity(&row(&sources, m, &Verdict::Missed))));
+    }
     if args.list {
         for m in &mutants {
             let row = row(&sources, m, &Verdict::Unreached);
@@ -166,6 +173,29 @@ fn audit(args: &Args) -> Result<bool> {
     );
     let verdicts = judge(&suite, &viable, jobs)?;
     report(args, &sources, &viable, &verdicts)
+}
+
+/// What names a mutant, wherever its line has moved to.
+fn identity(row: &Row) -> [String; 4] {
+    [row.file, row.function, &row.original, &row.instead].map(str::to_owned)
+}
+
+/// The mutants that a table names.
+fn named(table: &std::path::Path) -> Result<HashSet<[String; 4]>> {
+    let mut rows = csv::Reader::from_path(table).with_context(|| table.display().to_string())?;
+    let headers = rows.headers()?.clone();
+    let columns = ["file", "function", "original", "instead"].map(|name| {
+        let at = headers.iter().position(|h| h == name);
+        at.with_context(|| format!("{}: no column {name}", table.display()))
+    });
+    let [file, function, original, instead] = columns;
+    let columns = [file?, function?, original?, instead?];
+    rows.records()
+        .map(|r| {
+            let r = r?;
+            Ok(columns.map(|c| r[c].to_owned()))
+        })
+        .collect()
 }
 
 fn read(project: &std::path::Path, files: &[String]) -> Result<Vec<Source>> {

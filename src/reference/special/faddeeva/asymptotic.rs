@@ -199,13 +199,17 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
     let re_error = if with_gaussian { beside } else { scale(plain) };
     let im = im.widened(scale(im_error));
     let re = re.widened(re_error);
-    let (re, im) = match (member, lower, with_gaussian) {
-        (Member::Dawson, _, true) => (re, im + &es),
-        (Member::Dawson, _, false) => (re - &ec, im + &es),
-        (_, false, false) => (re, im),
-        (_, false, true) => (&ec + &re, im),
-        (_, true, false) => (ec.shift(1) - &re, es.shift(1) + &im),
-        (_, true, true) => (ec - &re, es.shift(1) + &im),
+    let im = match (member, lower) {
+        (Member::Dawson, _) => im + &es,
+        (_, false) => im,
+        (_, true) => es.shift(1) + &im,
+    };
+    let re = match (member, lower, with_gaussian) {
+        (Member::Dawson, _, true) | (Member::W, false, false) => re,
+        (Member::Dawson, _, false) => re - &ec,
+        (_, false, true) => &ec + &re,
+        (_, true, false) => ec.shift(1) - &re,
+        (_, true, true) => ec - &re,
     };
     Some([Scaled::new(re, by.clone()), Scaled::new(im, by.clone())])
 }
