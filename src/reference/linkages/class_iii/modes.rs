@@ -370,3 +370,7 @@ fn within(phi: &Ball, lo: &Float, hi: &Float) -> bool {
             && !(&hi - &x).contains_zero()
     })
 }
+
+#[cfg(test)]
+#[path = "zeros_tests.rs"]
+mod tests;

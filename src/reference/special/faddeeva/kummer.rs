@@ -114,3 +114,99 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> ComplexBall {
     let (ec, es) = e.relative_to(&Integer::new());
     ComplexBall::new(ec + &re, im - &es)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::faddeeva::argument::Real;
+    use std::f64::consts::LOG2_E;
+
+    /// `log2 (n C^n/(2n+1)!!)`.
+    fn exact_log2(c: f64, n: u64) -> f64 {
+        let odd: f64 = (1..=n).map(|k| (2.0 * k as f64 + 1.0).ln()).sum();
+        ((n as f64).ln() + n as f64 * c.ln() - odd) * LOG2_E
+    }
+
+    /// The bound on a term is above it by the bit to spare and what Stirling's formula leaves.
+    #[test]
+    fn the_tail_is_bounded() {
+        for c in [1e-9, 0.25, 1.0, 7.5, 40.0, 1000.0] {
+            for n in [1u64, 2, 3, 10, 50, 400, 3000] {
+                let more = tail_log2(c, n as f64) - exact_log2(c, n);
+                assert!((0.99..1.2).contains(&more), "{c} {n}: {more}");
+            }
+        }
+    }
+
+    /// From the number of terms on, each is at most half of the one before and all add up to less than asked for;
+    /// a tenth fewer do not suffice.
+    #[test]
+    fn terms_suffice_and_are_needed() {
+        for c in [1e-9, 0.25, 1.0, 7.5, 40.0, 1000.0] {
+            for bits in [2.0, 20.0, 64.0, 300.0, 2000.0] {
+                let n = terms(c, bits);
+                for k in n..n + 40 {
+                    assert!(
+                        exact_log2(c, k + 1) <= exact_log2(c, k) - 1.0 + 1e-9,
+                        "{c} {bits} {n}"
+                    );
+                }
+                assert!(exact_log2(c, n) + 1.0 <= -bits, "{c} {bits} {n}");
+                let fewer = n * 9 / 10;
+                let ratio = c * (fewer as f64 + 1.0) / (fewer as f64 * (2.0 * fewer as f64 + 3.0));
+                let enough = exact_log2(c, fewer.max(1)) + 3.0 <= -bits && ratio <= 0.5;
+                assert!(n <= 8 || !enough, "{c} {bits} {n}");
+            }
+        }
+    }
+
+    #[test]
+    fn scales_are_little_too_large() {
+        for k in -400..=300 {
+            let size = (f64::from(k) / 10.0).exp2();
+            let (c, s) = scale(size);
+            let more = c as f64 / f64::from(s).exp2() / size;
+            let most = match size {
+                x if x >= 1.0 => 1.25 + 1e-9,
+                x if x >= 2f64.powi(-32) => 2.0 + 1e-9,
+                x => 2f64.powi(-32) / x,
+            };
+            assert!((1.0..=most).contains(&more), "{size}: {c} {s}");
+        }
+        for size in [0.5, 1.0, 4.0, 15.75, 16.0, 17.0] {
+            let (c, s) = scale(size);
+            assert!(c as f64 / f64::from(s).exp2() >= size, "{size}");
+        }
+    }
+
+    /// What few bits enclose holds what many find, where `|v|` is all but 1 and nothing is lost on truncation.
+    #[test]
+    fn few_bits_hold_what_many_find() {
+        let at = |x: f64, y: f64| Argument::new(Real::Double(x), Real::Double(y));
+        for norm in [0.1249, 0.49, 3.9999, 8.4999, 12.0, 20.4999] {
+            let r = f64::sqrt(norm);
+            for (x, y) in [
+                (0.0, r),
+                (r, 0.0),
+                (r, 1e-9),
+                (0.6 * r, 0.8 * r),
+                (0.8 * r, -0.6 * r),
+            ] {
+                let z = at(x, y);
+                for member in [Member::W, Member::Dawson] {
+                    let due = parts(&z, member, 400);
+                    for prec in 2..70 {
+                        let found = parts(&z, member, prec);
+                        assert!(
+                            found.re.contains_ball(&due.re) && found.im.contains_ball(&due.im),
+                            "{x} {y} {prec}: {found:?}"
+                        );
+                        let upper = parts(&at(x, y.abs()), Member::W, 60).magnitude();
+                        let least = upper.max(due.magnitude()).shift(-i64::from(prec));
+                        assert!(found.radius() <= least, "{x} {y} {prec}: {found:?}");
+                    }
+                }
+            }
+        }
+    }
+}
