@@ -107,6 +107,10 @@ mod tests {
         let w = &z(1, 2) * &z(3, 4);
         let holds = |b: &Ball, n: i64| b.contains(&Rational::from(n)) && b.rad().is_zero();
         assert!(holds(&w.re, -5) && holds(&w.im, 10));
+        let (sum, difference) = (&z(1, 2) + &z(3, 5), &z(1, 2) - &z(3, 5));
+        assert!(holds(&sum.re, 4) && holds(&sum.im, 7));
+        assert!(holds(&difference.re, -2) && holds(&difference.im, -3));
+        assert!(ComplexBall::zero(64).re.is_zero() && ComplexBall::zero(64).im.is_zero());
         assert!(holds(&z(1, 2).dot(&z(3, 4)), 11));
         assert!(holds(&z(1, 2).cross(&z(3, 4)), -2));
         assert!(holds(&z(3, 4).norm_sqr(), 25));

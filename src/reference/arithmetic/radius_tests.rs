@@ -420,3 +420,119 @@ fn bounds_at_the_ends() {
         );
     }
 }
+
+/// A stream of numbers in [0, 1).
+fn numbers() -> impl FnMut() -> f64 {
+    let mut seed = 1u64;
+    move || {
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// Where second order is below a radius's last bit, the ends of the arguments use all of it: a bound on a midpoint
+/// rounded the wrong way would lose them. The midpoints are just below or above what 53 bits hold.
+#[test]
+fn radii_are_rounded_the_right_way() {
+    const WIDE: u32 = 200;
+    let mut unit = numbers();
+    let just = |low: bool| {
+        let step = (-52f64).exp2();
+        let x = if low {
+            (-90f64).exp2()
+        } else {
+            step - (-90f64).exp2()
+        };
+        Float::with_val(WIDE, x) + 1u32
+    };
+    let holds = |what: &str, b: &Ball, x: &Float| {
+        let way = Float::with_val(WIDE, x - b.mid()).abs();
+        assert!(way <= b.rad().to_float(), "{what}: {way} {b:?}");
+    };
+    for _ in 0..20_000 {
+        let r = Mag::from_f64((1.0 + unit()) * (-100f64).exp2());
+        let end = |x: &Float| Float::with_val(WIDE, r.to_float()) + x;
+        let other = Float::with_val(WIDE, 1.0 + unit());
+        for low in [false, true] {
+            let m = just(low);
+            let b = Ball::new(m.clone(), r);
+            let exact = |x: &Float| Ball::new(x.clone(), Mag::ZERO);
+            holds("square", &b.square(), &end(&m).square());
+            // Either factor, dividend or divisor.
+            let wide = Ball::new(other.clone(), r);
+            for (x, y) in [(&m, &other), (&other, &m)] {
+                let (from, to) = (exact(x), Ball::new(y.clone(), r));
+                holds("product", &(&from * &to), &(end(y) * x));
+                holds("product", &(&to * &from), &(end(y) * x));
+                let low = Float::with_val(WIDE, y - &r.to_float());
+                holds("quotient", &(&from / &to), &Float::with_val(WIDE, x / &low));
+                holds("quotient", &(&to / &from), &(end(y) / x));
+            }
+            holds("sum", &(&b + &wide), &(end(&m) + &end(&other)));
+            let shifted = Float::with_val(WIDE, &m - 1u32);
+            let grown = Float::with_val(WIDE, end(&shifted).exp_ref());
+            holds("exp", &Ball::new(shifted, r).exp(), &grown);
+        }
+        // e^r − 1, for wide balls.
+        let r = 0.5 + unit();
+        let b = Ball::new(Float::new(WIDE), Mag::from_f64(r));
+        holds("wide exp", &b.exp(), &Float::with_val(WIDE, r).exp());
+    }
+}
+
+/// The root of a ball from zero on: the radius reaches zero, from the rounded root of the midpoint, at any precision.
+#[test]
+fn roots_of_balls_from_zero_on() {
+    for prec in [12, 24, 53, 80] {
+        for m in 2..400 {
+            let mid = Float::with_val(prec, m);
+            let rad = Mag::from_f64(mid.to_f64());
+            let root = Ball::new(mid, rad).sqrt();
+            assert!(root.contains(&rug::Rational::new()), "{prec} {m}");
+            assert!(
+                root.contains_ball(&Ball::integer(200, 2 * m).sqrt()),
+                "{prec} {m}"
+            );
+        }
+    }
+}
+
+/// At six bits the rounding of `e^m` is a good part of the radius.
+#[test]
+fn exponentials_of_few_bits() {
+    for k in -256..=256 {
+        for size in 1..14 {
+            let mid = Float::with_val(6, f64::from(k) / 64.0);
+            let r = (-f64::from(size)).exp2();
+            let e = Ball::new(mid.clone(), Mag::from_f64(r)).exp();
+            for end in [-r, r] {
+                let x = Float::with_val(200, &mid) + end;
+                assert!(e.contains(&x.exp().to_rational().unwrap()), "{k} {size}");
+            }
+        }
+    }
+}
+
+/// Whole numbers and doubles are kept, however few bits are asked for; the far end of an interval is held however
+/// small it is beside the other.
+#[test]
+fn few_bits_and_far_exponents() {
+    for n in [1001, -123_456_789, i64::MAX, i64::MIN + 1] {
+        assert!(Ball::integer(8, n).contains(&rug::Rational::from(n)));
+        let x = n as f64 / 3.0;
+        assert!(Ball::exact(8, x).contains(&rug::Rational::from_f64(x).unwrap()));
+    }
+    let tiny = Float::with_val(64, 1) >> 400u32;
+    let far = Float::with_val(64, 2);
+    let q = |x: &Float| x.to_rational().unwrap();
+    let up = Ball::between(64, &-far.clone(), &tiny);
+    assert!(up.contains(&q(&tiny)) && up.contains(&q(&-far.clone())));
+    let down = Ball::between(64, &-tiny.clone(), &far);
+    assert!(down.contains(&q(&-tiny)) && down.contains(&q(&far)));
+    // |z| ≥ 1, though the other part may be 3.
+    let z = ComplexBall::new(ball(1.0, 0.0), ball(0.0, 3.0));
+    assert!(z.mignitude() == Mag::from_f64(1.0));
+    assert!(ComplexBall::new(ball(0.0, 3.0), ball(1.0, 0.0)).mignitude() == Mag::from_f64(1.0));
+}

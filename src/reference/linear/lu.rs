@@ -70,17 +70,24 @@ mod tests {
 
     #[test]
     fn hilbert_matrix() {
-        // x = (1, …, 1) with an ill-conditioned matrix: contained, and sharp enough to be useful.
+        // x = (1, 2, …) with an ill-conditioned matrix: contained, and sharp enough to be useful.
         let n = 6;
         let q = |i: usize, j: usize| Rational::from((1, (i + j + 1) as u32));
         let a = (0..n)
             .map(|i| (0..n).map(|j| Ball::rational(200, &q(i, j))).collect())
             .collect();
         let b: Vec<Ball> = (0..n)
-            .map(|i| Ball::rational(200, &(0..n).map(|j| q(i, j)).sum::<Rational>()))
+            .map(|i| {
+                Ball::rational(
+                    200,
+                    &(0..n).map(|j| q(i, j) * (j as u32 + 1)).sum::<Rational>(),
+                )
+            })
             .collect();
-        for x in BallLu::new(a).unwrap().solve(&b) {
-            assert!(x.contains(&Rational::from(1)));
+        let found = BallLu::new(a).unwrap().solve(&b);
+        assert_eq!(found.len(), n);
+        for (x, due) in found.iter().zip(1u32..) {
+            assert!(x.contains(&Rational::from(due)));
             assert!(x.accuracy_bits() > 150);
         }
     }
