@@ -70,6 +70,49 @@ impl Vector {
     }
 }
 
+/// Precision of what only has to be smaller than a half.
+const BITS: u32 = 64;
+
+/// Row i of `Y F` for a column F.
+fn combined(
+    y: &Matrix4<f64>,
+    i: usize,
+    column: impl Fn(usize) -> TaylorModel,
+    bits: u32,
+) -> TaylorModel {
+    (0..4).fold(TaylorModel::constant(&Ball::integer(bits, 0)), |s, m| {
+        s.plus(&column(m).scaled(&Ball::exact(bits, y[(i, m)])))
+    })
+}
+
+/// Upper bounds on `‖I − Y J‖` over the disc and on `‖Y‖`.
+fn norms(y: &Matrix4<f64>, jacobian: &[[TaylorModel; 4]; 4]) -> (Mag, Mag) {
+    let (mut off, mut rows) = (Mag::ZERO, Mag::ZERO);
+    for i in 0..4 {
+        let mut row = Mag::ZERO;
+        for k in 0..4 {
+            let e = combined(y, i, |m| jacobian[m][k].clone(), BITS);
+            row = row.add(e.plus_ball(&Ball::integer(BITS, -i64::from(i == k))).norm());
+        }
+        off = off.max(row);
+        let weights = (0..4).fold(Mag::ZERO, |s, m| s.add(Mag::from_f64(y[(i, m)])));
+        rows = rows.max(weights);
+    }
+    (off, rows)
+}
+
+/// `df/dy` with `x = ¾ y`, of what misses t by r on `|x| ≤ 1`: `|d(f − t)/dx| ≤ r/(1 − ¾)`.
+fn rate(t: &TaylorModel, outer: &Ball, r: Mag) -> TaylorModel {
+    t.contracted(outer).derivative(r.mul(Mag::from_f64(3.0)))
+}
+
+/// `dI/dy` on `y = ⅔ w`: what I's model leaves out has a derivative of at most rad/(1 − ⅔) there.
+fn slope(inertia: &TaylorModel, inner: &Ball) -> TaylorModel {
+    inertia
+        .derivative(inertia.rad().mul(Mag::from_f64(3.0)))
+        .contracted(inner)
+}
+
 /// The linkage with its masses at a working precision.
 pub(super) struct Mechanism {
     bits: u32,
@@ -266,19 +309,37 @@ impl Mechanism {
         order: usize,
         known: Mag,
     ) -> Option<Mag> {
-        const BITS: u32 = 64;
         let links = self.links(a, c, d);
         let residual: [TaylorModel; 4] = std::array::from_fn(|e| {
             let excess = links[e].squared(order).plus_ball(&-self.length[e].square());
             excess.scaled(&Ball::exact(self.bits, 0.5))
         });
+        let jacobian = self.jacobian(&links);
+        let first = |t: &TaylorModel| t.coefficients()[0].to_f64();
+        let y = Matrix4::from_fn(|i, j| first(&jacobian[i][j])).try_inverse()?;
+        if !y.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let size = (0..4).fold(Mag::ZERO, |m, i| {
+            m.max(combined(&y, i, |m| residual[m].clone(), self.bits).norm())
+        });
+        let (off, rows) = norms(&y, &jacobian);
+        // At least as wide as the enclosure at the centre, so that its zero is the one found here.
+        let r = size.shift(1).max(known);
+        // Over |z − z̃| ≤ r, four entries in a row.
+        let q = off.add(rows.mul(self.lipschitz().shift(2)).mul(r));
+        (q <= Mag::from_f64(0.5) && r.is_finite()).then_some(r)
+    }
+
+    /// G_z at 64 bits over the disc, from the links' vectors.
+    fn jacobian(&self, links: &[Vector; 4]) -> [[TaylorModel; 4]; 4] {
         let low: Vec<Vector> = links.iter().map(|v| v.map(|t| t.with_prec(BITS))).collect();
         let gc = low[3].turned(&self.one_minus_kappa.conj());
         let gd = low[3].turned(&self.kappa.conj());
         let zero = || TaylorModel::constant(&Ball::integer(BITS, 0));
         let [u, v, w] = [&low[0].0, &low[1].0, &low[2].0];
         let negative = |t: &TaylorModel| t.scaled(&Ball::integer(BITS, -1));
-        let jacobian = [
+        [
             [u[0].clone(), u[1].clone(), zero(), zero()],
             [zero(), zero(), v[0].clone(), v[1].clone()],
             [negative(&w[0]), negative(&w[1]), w[0].clone(), w[1].clone()],
@@ -288,34 +349,7 @@ impl Mechanism {
                 gd.0[0].clone(),
                 gd.0[1].clone(),
             ],
-        ];
-        let first = |t: &TaylorModel| t.coefficients()[0].to_f64();
-        let y = Matrix4::from_fn(|i, j| first(&jacobian[i][j])).try_inverse()?;
-        if !y.iter().all(|x| x.is_finite()) {
-            return None;
-        }
-        let combined = |i: usize, column: &dyn Fn(usize) -> TaylorModel, bits: u32| {
-            (0..4).fold(TaylorModel::constant(&Ball::integer(bits, 0)), |s, m| {
-                s.plus(&column(m).scaled(&Ball::exact(bits, y[(i, m)])))
-            })
-        };
-        let (mut size, mut q, mut rows) = (Mag::ZERO, Mag::ZERO, Mag::ZERO);
-        for i in 0..4 {
-            size = size.max(combined(i, &|m| residual[m].clone(), self.bits).norm());
-            let mut row = Mag::ZERO;
-            for k in 0..4 {
-                let e = combined(i, &|m| jacobian[m][k].clone(), BITS);
-                row = row.add(e.plus_ball(&Ball::integer(BITS, -i64::from(i == k))).norm());
-            }
-            q = q.max(row);
-            let weights = (0..4).fold(Mag::ZERO, |s, m| s.add(Mag::from_f64(y[(i, m)])));
-            rows = rows.max(weights);
-        }
-        // At least as wide as the enclosure at the centre, so that its zero is the one found here.
-        let r = size.shift(1).max(known);
-        // Over |z − z̃| ≤ r, four entries in a row.
-        q = q.add(rows.mul(self.lipschitz().shift(2)).mul(r));
-        (q <= Mag::from_f64(0.5) && r.is_finite()).then_some(r)
+        ]
     }
 
     /// What an entry of G_z, linear in z, changes by per change of z: at most max(2, s²) with
@@ -342,11 +376,9 @@ impl Mechanism {
     ) -> Panel {
         let bits = self.bits;
         let fraction = |p: i32, q: i32| Ball::rational(bits, &Rational::from((p, q)));
-        // x = ¾ y; |d(z − z̃)/dx| ≤ r/(1 − ¾) and d/dy = ¾ d/dx.
         let outer = fraction(3, 4);
-        let rate =
-            |v: &Vector| v.map(|t| t.contracted(&outer).derivative(r.mul(Mag::from_f64(3.0))));
-        let (c1, d1) = (rate(c), rate(d));
+        let rates = |v: &Vector| v.map(|t| rate(t, &outer, r));
+        let (c1, d1) = (rates(c), rates(d));
         // dA/dy = ¾ H i A, exactly.
         let step = disc * &outer;
         let a1 = a.map(|t| t.contracted(&outer).scaled(&step));
@@ -386,12 +418,8 @@ impl Mechanism {
         }
         let inertia = inertia.scaled(&step.square().recip());
         let moment = height.scaled(&-(&self.gravity / &step));
-        // y = ⅔ w; |dI/dy| ≤ rad/(1 − ⅔) on |y| ≤ ⅔.
         let inner = fraction(2, 3);
-        let slope = inertia
-            .derivative(inertia.rad().mul(Mag::from_f64(3.0)))
-            .contracted(&inner)
-            .scaled(&step.recip());
+        let slope = slope(&inertia, &inner).scaled(&step.recip());
         Panel {
             inertia: inertia.contracted(&inner),
             slope,

@@ -166,6 +166,149 @@ fn entries_of_the_jacobian_change_by_no_more() {
     }
 }
 
+/// The Jacobian over the disc is the derivative of the equations: exact central differences, as they are quadratic.
+#[test]
+fn the_jacobian_is_that_of_the_equations() {
+    let s = setup((1, 50));
+    let links = |c: &Vector, d: &Vector| s.mechanism.links(&s.pin, c, d);
+    let jacobian = s.mechanism.jacobian(&links(&s.c, &s.d));
+    for joint in 0..4 {
+        let moved = |way: f64| {
+            let (mut c, mut d) = (s.c.clone(), s.d.clone());
+            let v = if joint < 2 { &mut c } else { &mut d };
+            v.0[joint % 2] = v.0[joint % 2].plus(&miss(way, 0));
+            links(&c, &d).map(|v| v.squared(ORDER))
+        };
+        let (up, down) = (moved(1.0), moved(-1.0));
+        for e in 0..4 {
+            for x in [-1.0, 0.0, 0.5, 1.0] {
+                let x = Ball::exact(BITS, x);
+                // Half the squares, over a way of 2.
+                let due = (up[e].eval(&x) - down[e].eval(&x)).shift(-2);
+                let found = jacobian[e][joint].eval(&x.with_prec(64));
+                assert!(
+                    (found - due).magnitude() < Mag::power_of_two(-55),
+                    "{e} {joint}"
+                );
+            }
+        }
+    }
+}
+
+/// Every entry of `I − Y J` counts, and every entry of Y.
+#[test]
+fn norms_count_every_entry() {
+    let s = setup((1, 50));
+    let jacobian = s.mechanism.jacobian(&s.mechanism.links(&s.pin, &s.c, &s.d));
+    let centre = jacobian.each_ref().map(|row| {
+        row.each_ref().map(|t| {
+            let c = t.coefficients()[0].to_f64();
+            TaylorModel::constant(&Ball::exact(64, c))
+        })
+    });
+    let value = |i: usize, k: usize| centre[i][k].coefficients()[0].to_f64();
+    let inverse = Matrix4::from_fn(value).try_inverse().unwrap();
+    for i in 0..4 {
+        for k in 0..4 {
+            let mut y = inverse;
+            for m in 0..4 {
+                y[(i, m)] -= 5.0 * inverse[(k, m)];
+            }
+            let off = norms(&y, &centre).0.to_f64();
+            assert!((off - 5.0).abs() < 1e-9, "{i} {k}: {off}");
+            let mut y = Matrix4::from_element(0.25);
+            y[(i, k)] = -7.0;
+            assert!(
+                (norms(&y, &centre).1.to_f64() - 7.75).abs() < 1e-9,
+                "{i} {k}"
+            );
+        }
+    }
+    // Over the disc J changes; Y is the centre's.
+    let over = norms(&inverse, &jacobian).0.to_f64();
+    let at = |x: f64| {
+        let j = Matrix4::from_fn(|i, k| jacobian[i][k].eval(&Ball::exact(64, x)).to_f64());
+        let off = Matrix4::identity() - inverse * j;
+        (0..4).map(|i| off.row(i).abs().sum()).fold(0.0, f64::max)
+    };
+    let most = at(1.0).max(at(-1.0));
+    assert!(
+        most > 0.005 && (most..3.0 * most).contains(&over),
+        "{most} {over}"
+    );
+}
+
+/// Functions of modulus one on the disc whose derivative at ¾ or ⅔ is the greatest there is, `1/(1 − x²)`
+/// (Schwarz and Pick): Cauchy's estimates hold them and are less than twice as large.
+#[test]
+fn the_fastest_functions_are_held() {
+    let size = 1e-3;
+    let blaschke = |a: f64| {
+        let c = (0..600).map(|k| match k {
+            0 => -a,
+            _ => (1.0 - a * a) * a.powi(k - 1),
+        });
+        TaylorModel::polynomial(c.map(|x| Float::with_val(BITS, x * size)).collect())
+    };
+    let square = miss(1.0, 2);
+    let one = Ball::integer(BITS, 1);
+    let near = |found: &Ball, due: f64| {
+        let way = (found.mid().to_f64() - due).abs() / found.rad().to_f64();
+        assert!(way < 1.0 && way > 0.5, "{way}");
+    };
+    let outer = Ball::rational(BITS, &Rational::from((3, 4)));
+    assert!(blaschke(0.75).eval(&one).magnitude() <= Mag::from_f64(size * (1.0 + 1e-9)));
+    let found = rate(&square, &outer, Mag::from_f64(size)).eval(&one);
+    near(&found, 0.75 * (1.5 + size / (1.0 - 0.75 * 0.75)));
+    let inner = Ball::rational(BITS, &Rational::from((2, 3)));
+    let found = slope(&square.widened(Mag::from_f64(size)), &inner).eval(&one);
+    near(&found, 2.0 * 2.0 / 3.0 + size / (1.0 - 4.0 / 9.0));
+}
+
+/// I_n, its derivative and M_o of a panel against those of class III's own kinematics, over the whole of it.
+#[test]
+fn panels_are_those_of_the_linkage() {
+    let phi = ExactAngle::Degrees(Rational::from(50)).to_ball(BITS);
+    let linkage = Linkage::new(&geometry(), BITS);
+    let at = linkage.modes(&phi).unwrap()[2].configuration.clone();
+    let masses = masses("9.81");
+    let mechanism = Mechanism::new(&geometry(), &masses, BITS);
+    let h = Ball::rational(BITS, &Rational::from((1, 50)));
+    let panel = mechanism.panel(&phi, &at, &h).expect("it contracts");
+    for w in [-1.0, -0.375, 0.0, 0.5, 1.0] {
+        let w = Ball::exact(BITS, w);
+        let there = linkage.follow(&at, &phi, &(&phi + &(&h * &w))).unwrap();
+        let due = linkage.reduce(&linkage.kinematics(&there).unwrap(), &masses);
+        for (found, due) in [
+            (&panel.inertia, &due.inertia),
+            (&panel.slope, &due.inertia_derivative),
+            (&panel.moment, &due.moment),
+        ] {
+            let found = found.eval(&w);
+            assert!(
+                found.overlaps(due) && found.accuracy_bits() > 100,
+                "{found:?} {due:?}"
+            );
+        }
+    }
+    // What is not known of the centre, in any coordinate, is part of the proof.
+    for joint in 0..4 {
+        let mut wide = at.clone();
+        let parts = [
+            &mut wide.c.re,
+            &mut wide.c.im,
+            &mut wide.d.re,
+            &mut wide.d.im,
+        ];
+        for (k, part) in parts.into_iter().enumerate() {
+            if k == joint {
+                *part = part.widened(Mag::from_f64(0.1));
+            }
+        }
+        assert!(mechanism.panel(&phi, &wide, &h).is_none(), "{joint}");
+    }
+}
+
 /// The radius is no smaller than what is known of the centre, so that the zero there is the one that is continued.
 #[test]
 fn the_radius_takes_in_the_centre() {

@@ -83,6 +83,12 @@ fn growth(rest: bool, rate: f64, start: Mag, defect: Mag) -> Growth {
     }
 }
 
+/// `½ J |v² − p²|` at the start, p being the midpoint of v.
+fn start_error(inertia: &Float, v: &Ball) -> Mag {
+    let j0 = Mag::above(inertia);
+    j0.mul(v.magnitude()).mul(v.rad())
+}
+
 /// What (2) and (3) are made of, over one step.
 pub(super) struct Proof<'a> {
     pub set: &'a Setting,
@@ -163,7 +169,7 @@ impl Proof<'_> {
         }
         // ā of (3).
         let speeds = if self.rest {
-            Ball::between(64, &Float::new(64), &tube.upper())
+            tube.union(&Ball::integer(64, 0))
         } else {
             tube.clone()
         };
@@ -209,10 +215,7 @@ impl Proof<'_> {
         } else {
             defect
         };
-        let e0 = start.map_or(Mag::ZERO, |v| {
-            let j0 = Mag::above(&centre.coefficients()[0]);
-            j0.mul(v.magnitude()).mul(v.rad())
-        });
+        let e0 = start.map_or(Mag::ZERO, |v| start_error(&centre.coefficients()[0], v));
         let e = growth(self.rest, rate, e0, defect);
         let chi_error = e.most.div(jc_low).div(low_tube);
         if !(chi_error < slack) {
@@ -235,11 +238,10 @@ impl Proof<'_> {
             .div(low)
             .add(e.mean.div(jc_low).div(low_tube).div(low_tube).div(low));
         let off = off.mul(self.s1.magnitude());
-        let fastest = Mag::above(&tube.upper());
         Ok(Bounds {
             chi_error,
             time: inverse.scaled(self.s1).integral().widened(off),
-            time_rate: below_quotient(self.s1, fastest),
+            time_rate: below_quotient(self.s1, tube.magnitude()),
             speed: v.widened(end),
         })
     }

@@ -59,7 +59,7 @@ impl Case {
     fn bounds(self) -> Result<Bounds, Refusal> {
         let set = Setting {
             bits: BITS,
-            order: 12,
+            order: 64,
             half_width: exact(1.0),
             rotor: exact(0.0),
             motor: self.motor,
@@ -80,8 +80,9 @@ impl Case {
 
     /// The errors of the speed at the end and anywhere within the bounds, which are at most so many times as large.
     fn check(self, name: &str, end: f64, anywhere: f64, most: f64) -> Bounds {
+        let last: f64 = self.chi.iter().sum();
         let found = self.bounds().unwrap_or_else(|why| panic!("{name}: {why}"));
-        let near = |x: Mag, due: f64| (0.99999..most).contains(&(x.to_f64() / due));
+        let near = |x: Mag, due: f64| (0.9999999..most).contains(&(x.to_f64() / due));
         assert!(
             near(found.speed.rad(), end),
             "{name}, end: {:?} {end}",
@@ -92,6 +93,7 @@ impl Case {
             "{name}: {:?} {anywhere}",
             found.chi_error
         );
+        assert!((found.speed.mid().to_f64() - last).abs() < 1e-15, "{name}");
         found
     }
 }
@@ -154,8 +156,15 @@ fn start_errors_grow_as_the_motor_s_slope_tells() {
             1.001,
         );
     }
+    // A slope below one is positive all the same.
+    let case = Case {
+        s1: exact(0.5).widened(Mag::from_f64(0.1)),
+        ..Case::equilibrium(0.9)
+    };
+    let end = SMALL * (0.9f64 * 0.6 / 2.0).exp();
+    case.check("a small slope", end, end, 1.001);
     // J = 1 ∓ 0.4 u with its own slope: e = J v δ.
-    for (n1, bent) in [(12.0, -0.4f64), (-12.0, 0.4)] {
+    for (n1, bent) in [(12.0, -0.4f64), (0.9, -0.4), (-12.0, 0.4)] {
         let case = Case {
             inertia: model(&[1.0, bent]),
             slope: vec![bent],
@@ -199,6 +208,14 @@ fn start_errors_grow_with_the_inertia() {
     };
     // J = 1.3 + 0.2 u.
     other.check("J is greater", SMALL * 1.3 / 1.5, SMALL, 3.0);
+    // J = 0.55 + 0.01 u: nothing but the growth of e is wider than it has to be.
+    let other = Case {
+        inertia: model(&[0.5, 0.01]).widened(Mag::from_f64(0.05)),
+        slope: vec![0.01],
+        moment: vec![0.02],
+        ..Case::equilibrium(0.0)
+    };
+    other.check("J is little greater", SMALL * 0.55 / 0.56, SMALL, 1.1);
 }
 
 /// A torque that the candidate does not know is a defect, and adds to the speed what the equation says.
@@ -287,6 +304,67 @@ fn defects_from_rest() {
     bent.check("a slope of J", SMALL / 4.0, SMALL / 4.0, 4.5);
 }
 
+/// From rest `G = u slope`, and an inertia that rises otherwise lets the error grow.
+#[test]
+fn slopes_from_rest() {
+    // J = 1 + u/2, G = u/2.
+    let case = Case {
+        rest: true,
+        chi: vec![2.0],
+        inverse: vec![0.5],
+        inertia: model(&[1.0, 0.5]),
+        slope: vec![0.5],
+        // J χ² + ½ u G χ² − σ_1 n_0 + load
+        moment: vec![4.0 - 0.5 + SMALL, 2.0, 1.0],
+        motor: linear(1.0, 0.0),
+        s1: exact(0.5),
+        start: 0.0,
+    };
+    // e' = (1 − u)/(2 + u) e + SMALL u
+    let (steps, mut e) = (4000, 0.0f64);
+    for k in 0..steps {
+        let step = 1.0 / f64::from(steps);
+        let u = (f64::from(k) + 0.5) * step;
+        let rate = (1.0 - u) / (2.0 + u);
+        e = (e + 0.5 * step * (rate * e) + step * u * SMALL) / (1.0 - 0.5 * step * rate);
+    }
+    // δ = e/(J χ)
+    let end = e / (1.5 * 2.0);
+    assert!(end > SMALL / 2.0 / 3.0 * 1.01, "{end}");
+    case.check("a slope", end, end, 40.0);
+}
+
+/// `½ J |v² − p²|` at both ends of an uncertain speed, wide or narrow.
+#[test]
+fn start_errors_hold_both_ends() {
+    for k in 0..400 {
+        let part = 1.0 + f64::from(k) / 400.0;
+        let inertia =
+            Float::with_val(200, 1) + (Float::with_val(200, (-52f64).exp2()) - (-90f64).exp2());
+        for rad in [0.25 * part, part * (-20f64).exp2(), part * (-100f64).exp2()] {
+            let v = Ball::new(inertia.clone(), Mag::from_f64(rad));
+            let found = start_error(&inertia, &v).to_float();
+            for end in [-rad, rad] {
+                let x = Float::with_val(200, end) + &inertia;
+                let change = Float::with_val(200, x.square() - inertia.clone().square()).abs();
+                let due = Float::with_val(200, &inertia * change) / 2u32;
+                assert!(due <= found && found < due * 2.5f64, "{rad}");
+            }
+        }
+    }
+}
+
+/// `e^x` from above, also where 64 bits of it end in zeros.
+#[test]
+fn exponentials_from_above() {
+    for k in -20_000..=20_000 {
+        let x = f64::from(k) / 1000.0;
+        let due = Float::with_val(200, x).exp();
+        let found = exp_above(x).to_float();
+        assert!(due <= found && found <= due * (1.0 + 1e-15), "{x}");
+    }
+}
+
 /// Time: `σ_1/v` integrated, with what the reciprocal's polynomial and the speed's error leave out.
 #[test]
 fn time_holds_what_the_speed_and_its_reciprocal_leave_out() {
@@ -305,6 +383,22 @@ fn time_holds_what_the_speed_and_its_reciprocal_leave_out() {
     // σ_1 δ/v²
     let found = radius(Case::equilibrium(0.0));
     assert!(near(found, SMALL / 8.0), "{found}");
+    let light = Case {
+        inertia: model(&[0.5]),
+        ..Case::equilibrium(0.0)
+    };
+    let found = radius(light);
+    assert!(near(found, SMALL / 8.0), "{found}");
+    // σ_1 up to 0.6.
+    let long = Case {
+        s1: exact(0.5).widened(Mag::from_f64(0.1)),
+        ..Case::equilibrium(0.0)
+    };
+    let found = long.bounds().unwrap().time.eval(&one).rad().to_f64() - 0.05;
+    assert!(
+        (0.9999..1.01).contains(&(found / (0.6 * SMALL / 4.0))),
+        "{found}"
+    );
     // The mean of e^{−3u}.
     let found = radius(Case::equilibrium(-12.0));
     assert!(

@@ -87,6 +87,14 @@ fn usable(c: &[Float], bits: u32, sum: f64) -> f64 {
     0.0
 }
 
+/// The model about the start at `bits`, wherever the true start lies, over the reach of a step.
+fn moved(m: &TaylorModel, start: &Start, bits: u32, reach: Mag) -> TaylorModel {
+    let here = Float::with_val(bits, &start.x);
+    let off = Mag::above(&Float::with_val(64, &here - &start.x));
+    let slack = start.slack.add(off);
+    m.shifted(&here, reach).widened(m.motion(slack.shift(1)))
+}
+
 /// A step from `start` towards `limit`, at most half a panel long and at most `longest`.
 pub(super) fn step(
     set: &Setting,
@@ -103,13 +111,7 @@ pub(super) fn step(
     let far = Float::with_val(wide, longest);
     let scale = if left < far { left.clone() } else { far };
     let reach = Mag::above(&scale);
-    let here = Float::with_val(bits, &start.x);
-    let moved = |m: &TaylorModel| {
-        let slack = start
-            .slack
-            .add(Mag::above(&Float::with_val(64, &here - &start.x)));
-        m.shifted(&here, reach).widened(m.motion(slack.shift(1)))
-    };
+    let moved = |m: &TaylorModel| moved(m, start, bits, reach);
     let inertia = moved(&panel.inertia).plus_ball(&set.rotor);
     let (slope, moment) = (moved(&panel.slope), moved(&panel.moment));
     let along = |m: &TaylorModel, theta: &Ball| {
@@ -217,4 +219,57 @@ fn on_grid(x: &Float, length: &Float, sign: i32, bits: u32) -> Float {
         scaled.ceil_mut();
     }
     scaled >> GRID
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From anywhere in the slack the model about the start holds the function, and not much more.
+    #[test]
+    fn the_start_may_lie_anywhere_in_its_slack() {
+        let bits = 100;
+        let c: Vec<Float> = [1.0, -2.0, 0.0, 0.5, 3.0]
+            .map(|x| Float::with_val(bits, x))
+            .into();
+        let f = TaylorModel::polynomial(c);
+        for slack in [0.0, 1e-12, 1e-6] {
+            let start = Start {
+                x: Float::with_val(200, 0.3) + Float::with_val(200, 1e-40),
+                slack: Mag::from_f64(slack),
+                speed: None,
+            };
+            let model = moved(&f, &start, bits, Mag::from_f64(0.4));
+            for off in [-slack, slack] {
+                for y in [-0.375, 0.0, 0.25] {
+                    let x = Float::with_val(300, &start.x + off) + y;
+                    let due = f.eval(&Ball::new(x, Mag::ZERO));
+                    let found = model.eval(&Ball::exact(300, y));
+                    assert!(found.contains_ball(&due), "{slack} {off} {y}");
+                }
+            }
+            assert!(model.rad() < Mag::from_f64(40.0 * slack + 1e-27), "{slack}");
+        }
+    }
+
+    /// On the grid, no further than the length, and less than a unit short of it.
+    #[test]
+    fn steps_end_on_the_grid() {
+        let unit = (-64f64).exp2();
+        for x in [0.0, -0.75, 0.5] {
+            let x = Float::with_val(128, x);
+            for length in [0.3, 1e-3, 0.125] {
+                for sign in [-1, 1] {
+                    let length = Float::with_val(128, length);
+                    let end = on_grid(&x, &length, sign, 128);
+                    assert!((end.clone() << GRID).is_integer());
+                    let way = Float::with_val(200, &end - &x) * sign;
+                    assert!(
+                        way <= length && way > length.clone() - unit,
+                        "{x} {length} {sign}"
+                    );
+                }
+            }
+        }
+    }
 }

@@ -320,6 +320,66 @@ mod tests {
         }
     }
 
+    /// Sums at the ends of uncertain p and q², uncertain by far more than the rounding: all are held, and the
+    /// farthest takes a fifth of the radius of either part in some of the cases.
+    #[test]
+    fn uncertain_arguments_are_carried_on() {
+        let (bits, wide) = (160, (-40f64).exp2());
+        let mut most = [0.0f64; 2];
+        for (r, turn) in [
+            (0.95, 0.02),
+            (0.9, 0.7),
+            (0.95, 1.5),
+            (0.5, 1.0),
+            (0.9, 0.0),
+            (0.95, 3.0),
+        ] {
+            for small in [1.0, 1e-6] {
+                let (p, q) = (r * f64::cos(turn), r * f64::sin(turn) * small);
+                for n in [2u64, 5, 12, 30] {
+                    for (top, factor) in [(1u64, 1u64), (3, 2), (2, 3)] {
+                        let ratio = |k: u64| (top, factor * (k % 3 + 1));
+                        let exact = |p: f64, q2: f64| {
+                            let ball = |x: f64| Ball::exact(600, x);
+                            let (p, q2) = (ball(p), ball(q2));
+                            let (mut re, mut im) = (ball(0.0), ball(0.0));
+                            let (mut power, mut term) = ((ball(1.0), ball(0.0)), ball(1.0));
+                            for k in 0..n {
+                                re = &re + &power.0 * &term;
+                                im = &im + &power.1 * &term;
+                                let next = &p * &power.0 - &q2 * &power.1;
+                                power.1 = &p * &power.1 + &power.0;
+                                power.0 = next;
+                                let (a, b) = ratio(k);
+                                term = &term * Ball::integer(600, a as i64)
+                                    / Ball::integer(600, b as i64);
+                            }
+                            [re, im]
+                        };
+                        let given = |x: f64| Ball::exact(bits + 20, x).widened(Mag::from_f64(wide));
+                        let (a, b) = sum(&given(p), &given(q * q), bits, n, ratio);
+                        for (dp, dq) in [
+                            (1.0, 1.0),
+                            (1.0, -1.0),
+                            (-1.0, 1.0),
+                            (-1.0, -1.0),
+                            (1.0, 0.0),
+                            (0.0, 1.0),
+                        ] {
+                            let due = exact(p + dp * wide, q * q + dq * wide);
+                            for (i, (found, due)) in [&a, &b].into_iter().zip(&due).enumerate() {
+                                assert!(found.contains_ball(due), "{p} {q} {n} {top}: {found:?}");
+                                let way = Float::with_val(64, found.mid() - due.mid()).abs();
+                                most[i] = most[i].max((way / found.rad().to_float()).to_f64());
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(most.iter().all(|m| *m > 0.2), "{most:?}");
+    }
+
     /// `|v| ≤ 1` is what the bounds rest on.
     #[test]
     fn outside_the_unit_disc_nothing_is_bound() {
