@@ -438,14 +438,15 @@ fn numbers() -> impl FnMut() -> f64 {
 fn radii_are_rounded_the_right_way() {
     const WIDE: u32 = 200;
     let mut unit = numbers();
-    let just = |low: bool| {
+    // Just above or just below a number of 53 bits.
+    let just = |base: f64, low: bool| {
         let step = (-52f64).exp2();
         let x = if low {
             (-90f64).exp2()
         } else {
             step - (-90f64).exp2()
         };
-        Float::with_val(WIDE, x) + 1u32
+        Float::with_val(WIDE, x) + base
     };
     let holds = |what: &str, b: &Ball, x: &Float| {
         let way = Float::with_val(WIDE, x - b.mid()).abs();
@@ -456,7 +457,7 @@ fn radii_are_rounded_the_right_way() {
         let end = |x: &Float| Float::with_val(WIDE, r.to_float()) + x;
         let other = Float::with_val(WIDE, 1.0 + unit());
         for low in [false, true] {
-            let m = just(low);
+            let m = just(1.0 + 0.3 * unit(), low);
             let b = Ball::new(m.clone(), r);
             let exact = |x: &Float| Ball::new(x.clone(), Mag::ZERO);
             holds("square", &b.square(), &end(&m).square());
@@ -469,16 +470,19 @@ fn radii_are_rounded_the_right_way() {
                 let low = Float::with_val(WIDE, y - &r.to_float());
                 holds("quotient", &(&from / &to), &Float::with_val(WIDE, x / &low));
                 holds("quotient", &(&to / &from), &(end(y) / x));
+                // One without a rounding of its own.
+                let whole = Float::with_val(WIDE, x * y);
+                let due = Float::with_val(WIDE, &whole / &low);
+                holds("exact quotient", &(&exact(&whole) / &to), &due);
             }
             holds("sum", &(&b + &wide), &(end(&m) + &end(&other)));
-            let shifted = Float::with_val(WIDE, &m - 1u32);
-            let grown = Float::with_val(WIDE, end(&shifted).exp_ref());
-            holds("exp", &Ball::new(shifted, r).exp(), &grown);
+            let grown = Float::with_val(WIDE, end(&m).exp_ref());
+            holds("exp", &b.exp(), &grown);
         }
         // e^r − 1, for wide balls.
-        let r = 0.5 + unit();
-        let b = Ball::new(Float::new(WIDE), Mag::from_f64(r));
-        holds("wide exp", &b.exp(), &Float::with_val(WIDE, r).exp());
+        let (m, r) = (Float::with_val(WIDE, unit()), 0.5 + unit());
+        let far = Float::with_val(WIDE, &m + r).exp();
+        holds("wide exp", &Ball::new(m, Mag::from_f64(r)).exp(), &far);
     }
 }
 

@@ -123,7 +123,7 @@ fn the_radius_is_twice_what_is_missing() {
 /// it holds, and is no more than 3.5 times what occurs.
 #[test]
 fn entries_of_the_jacobian_change_by_no_more() {
-    for (lb, turn) in [("0", 0), ("0.22", -39), ("2", 45), ("3", 100)] {
+    for (lb, turn) in [("0", 0), ("0.22", -39), ("2", 45), ("3", 100), ("3", 0)] {
         let shape = Geometry {
             lb: Decimal::parse(lb).unwrap().value,
             phi_b: ExactAngle::Degrees(Rational::from(turn)),
