@@ -427,3 +427,7 @@ fn half_turns(p: &Fraction) -> (Gauss, Fraction) {
         _ => one(),
     }
 }
+
+#[cfg(test)]
+#[path = "algebra_tests.rs"]
+mod tests;
