@@ -153,7 +153,7 @@ pub fn numbers(text: &str) -> Result<Vec<f64>, LineError> {
     let mut numbers = Vec::new();
     for part in text.split(',') {
         let before = numbers.len();
-        for field in part.split_ascii_whitespace() {
+        for field in part.split_whitespace() {
             if numbers.len() == FIELDS {
                 return Err(LineError::TooManyFields);
             }
