@@ -30,7 +30,7 @@ const BUTTERFLY: &str = include_str!("../examples/double-butterfly.toml");
 const STEPHENSON: &str = include_str!("../examples/stephenson-3.toml");
 
 /// Rows of the sand screen with I_n, dI_n and M_o over a turn: the special solver.
-#[divan::bench(args = [48, 1000, 20_000])]
+#[divan::bench(args = [48, 1000, 100_000])]
 fn special_rows(bencher: Bencher, n: usize) {
     let (linkage, masses, start) = solver_start();
     let angle = |k: usize| Angle::from_rad(start.phi1 + TAU * k as f64 / n as f64);
@@ -54,7 +54,7 @@ fn reduced(machine: &Machine, loads: &Loads, start: &State, n: usize) -> f64 {
 }
 
 /// The same as bodies and joints.
-#[divan::bench(args = [48, 1000, 20_000])]
+#[divan::bench(args = [48, 1000, 100_000])]
 fn general_rows(bencher: Bencher, n: usize) {
     let (machine, start) = machine(SAND_SCREEN);
     let loads = machine.loads.as_ref().expect("masses");

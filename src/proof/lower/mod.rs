@@ -22,7 +22,7 @@ pub use exponential::{Exponential, Factors};
 pub use prove::{Certificate, LOWER_HALF_PLANE, Leaf, Target, lower_half_plane, roots};
 pub use regions::{Code, Region};
 pub use rows::Rows;
-pub use theorem::{NOT_PROVED, OfRegion, Theorem, theorem};
+pub use theorem::{BY_HAND, NOT_PROVED, OfRegion, Theorem, theorem};
 pub use zeros::AroundZeros;
 
 #[cfg(test)]

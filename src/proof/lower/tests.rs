@@ -1,5 +1,6 @@
 use super::exponential::U;
 use super::prove::leaves;
+use super::reflection::least_of_w;
 use super::rows::Kind;
 use super::*;
 use crate::Rectangle;
@@ -199,4 +200,25 @@ fn errors_at_points_are_below_their_bounds() {
         points += 1;
     }
     assert!(points > 2000, "{points}");
+}
+
+/// Around a zero of w there is none, over rectangles too wide for the estimate as well.
+#[test]
+fn the_least_of_w_is_no_more_than_what_it_is_at_a_zero() {
+    for row in solver::zero_rows().0 {
+        let [a, b] = [row[0], -row[3]];
+        for wide in [1e-3, 0.05, 0.1, 0.3, 1.0] {
+            // The zero lies off the centre.
+            let at = Rectangle {
+                a: [a - wide, a + 0.5 * wide],
+                b: [b - 0.5 * wide, b + wide],
+            };
+            assert_eq!(least_of_w(&at), 0.0, "{a} {b} {wide}");
+        }
+    }
+    let off = Rectangle {
+        a: [2.2, 2.21],
+        b: [1.3, 1.31],
+    };
+    assert!(least_of_w(&off) > 0.0);
 }

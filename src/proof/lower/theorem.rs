@@ -11,6 +11,10 @@ use mechaudit_solvers::faddeeva::proof::lower as code;
 /// What is not proved.
 pub const NOT_PROVED: [&str; 1] = ["a component as a part of itself; of |w| each is within K"];
 
+/// What of it is no run of the solver's code.
+pub const BY_HAND: &str =
+    "roundings of points computed again, in pairs and 256 bits; their constants are checked";
+
 /// The worst of one formula.
 #[derive(Clone, Debug)]
 pub struct OfRegion {

@@ -5,7 +5,7 @@ use crate::cli::args::{ProveArgs, TextOrJson};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{print_json, write_to};
 use mechaudit::proof::Rectangle;
-use mechaudit::proof::lower::{LOWER_HALF_PLANE, NOT_PROVED, Theorem, theorem};
+use mechaudit::proof::lower::{BY_HAND, LOWER_HALF_PLANE, NOT_PROVED, Theorem, theorem};
 use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use serde_json::{Value, json};
@@ -75,6 +75,7 @@ fn text(found: &Theorem, within: Option<f64>, seconds: f64) -> String {
     out += &table.render(2);
     out += &line("In units of 2^-52; –: by an inequality, without rectangles".into());
     out += &line("From |z| = 2^960 on another 6 · 2^-1075 in each component: underflow".into());
+    out += &line(format!("By hand: {BY_HAND}"));
     for what in NOT_PROVED {
         out += &line(format!("Not proved: {what}"));
     }
@@ -123,6 +124,7 @@ fn document(found: &Theorem, within: Option<f64>, seconds: f64) -> Value {
         "seconds": seconds,
         "formulas": formulas,
         "open": open,
+        "by_hand": BY_HAND,
         "not_proved": NOT_PROVED,
     })
 }

@@ -99,14 +99,7 @@ fn change_points_are_told() {
 /// A driver alone has no unknowns; it goes to every value of the drive, zero among them.
 #[test]
 fn a_driver_without_groups() {
-    let mut m = Description::new();
-    let crank = m.body("crank");
-    m.pin("O", &[(GROUND, [0.2, 0.1]), (crank, [0.3, 0.0])]);
-    m.drive = Drive::Angle {
-        body: crank,
-        from: GROUND,
-    };
-    let mechanism = Mechanism::new(m).unwrap();
+    let mechanism = driver();
     let state = mechanism.assembly_modes(0.3).states.remove(0);
     for to in [0.0, -0.0, 1.0, -2.5] {
         let found = mechanism.follow(&state, to).unwrap();

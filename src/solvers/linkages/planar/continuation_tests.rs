@@ -3,7 +3,6 @@
 use super::super::bounds::Bound;
 use super::super::dense::Matrix;
 use super::super::equilibrium_tests::*;
-use super::super::model::{Description, Drive, GROUND};
 use super::super::pose::Pose;
 use super::super::tests::*;
 use super::*;
@@ -217,14 +216,7 @@ fn corrections_leave_nothing() {
 
 #[test]
 fn drives_out_of_range_are_refused() {
-    let mut m = Description::new();
-    let crank = m.body("crank");
-    m.pin("O", &[(GROUND, [0.2, 0.1]), (crank, [0.3, 0.0])]);
-    m.drive = Drive::Angle {
-        body: crank,
-        from: GROUND,
-    };
-    let mechanism = Mechanism::new(m).unwrap();
+    let mechanism = driver();
     let state = mechanism.assembly_modes(0.3).states.remove(0);
     assert_eq!(mechanism.checked(1e6).ok(), Some(1e6));
     for to in [1e6f64.next_up(), -1.1e6, f64::INFINITY, f64::NAN] {

@@ -22,6 +22,18 @@ impl Random {
     }
 }
 
+/// A crank that is driven, and nothing else.
+pub(super) fn driver() -> Mechanism {
+    let mut m = Description::new();
+    let crank = m.body("crank");
+    m.pin("O", &[(GROUND, [0.2, 0.1]), (crank, [0.3, 0.0])]);
+    m.drive = Drive::Angle {
+        body: crank,
+        from: GROUND,
+    };
+    Mechanism::new(m).unwrap()
+}
+
 pub(super) fn four_bar([a, b, c, d]: [f64; 4]) -> Mechanism {
     let mut m = Description::new();
     let [crank, coupler, rocker] = ["crank", "coupler", "rocker"].map(|n| m.body(n));

@@ -10,7 +10,7 @@
 //!
 //! Proved by machine for every finite z with Im z ≥ 0: 1.25 · 2⁻⁵² of the norm and 4 units in the last place of each
 //! component, but for what underflows (`mechaudit prove faddeeva`); for Im z < 0, where w does not overflow, 2.5 · 2⁻⁵² of the
-//! norm (`--part lower`).
+//! norm (`--part lower`), where points are computed again by an analysis by hand.
 //!
 //! # Method
 //! In the closed first quadrant, by `|z|` and the distance from the axes ([`Branch`]; [`SEAMS`] has the limits):
