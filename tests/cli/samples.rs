@@ -150,7 +150,7 @@ fn check(file: &str) {
         std::os::unix::fs::symlink(from, folder.path().join(held)).unwrap();
     }
     let mut new: Vec<String> = text.lines().map(String::from).collect();
-    let mut wrong = String::new();
+    let (mut wrong, mut misfits) = (String::new(), String::new());
     for sample in samples(&text) {
         let command = sample.command.as_str();
         if let Some(name) = command.strip_prefix("cat ") {
@@ -179,7 +179,7 @@ fn check(file: &str) {
             }
         };
         match due(&sample.shown, &found) {
-            Err(why) => wrong += &format!("{file}: $ {command}: {why}\n"),
+            Err(why) => misfits += &format!("{file}: $ {command}: {why}\n"),
             Ok(due) => {
                 for (k, (line, was)) in due.into_iter().zip(&sample.shown).enumerate() {
                     if line != *was {
@@ -191,6 +191,8 @@ fn check(file: &str) {
             }
         }
     }
+    // Lines that came or went are for a person to write.
+    assert!(misfits.is_empty(), "{misfits}");
     if writing() {
         std::fs::write(&path, new.join("\n") + "\n").unwrap();
     } else {
