@@ -80,7 +80,7 @@ fn counts_and_zeros_are_left_alone() {
     let method = Planted {
         reference: Box::new(|x, bits| {
             calls.fetch_add(1, Ordering::Relaxed);
-            assert_eq!(bits, 256);
+            assert_eq!(bits, 320);
             assert_eq!((&x[1], &x[2]), (&Rational::from(5), &Rational::new()));
             ReferenceAnswer::exact([&x[0], &x[3]], bits)
         }),
@@ -110,6 +110,23 @@ fn without_values_beside_there_are_no_conditions() {
     assert_eq!(at(2, 2), Some(vec![1.0, 1.0]));
     for (here, beside) in [(0, 2), (2, 0), (2, 1), (1, 2)] {
         assert_eq!(at(here, beside), None, "{here} {beside}");
+    }
+}
+
+/// At an end of the domain the differences are taken towards the inside.
+#[test]
+fn ends_of_the_domain_have_conditions() {
+    for inside in [std::cmp::Ordering::Greater, std::cmp::Ordering::Less] {
+        let method = Planted {
+            reference: Box::new(move |x, bits| match x[0].cmp(&Rational::from(3)) {
+                std::cmp::Ordering::Equal => ReferenceAnswer::exact([&x[0]], bits),
+                side if side == inside => ReferenceAnswer::exact([&x[0]], bits),
+                _ => ReferenceAnswer::Refuses("outside"),
+            }),
+            ..Planted::default()
+        };
+        let found = conditions_by_differences(&method, &[3.0], |_| true);
+        assert_eq!(found, Some(vec![3.0]), "{inside:?}");
     }
 }
 

@@ -1,8 +1,11 @@
 //! Positions, and first and second derivatives with respect to the crank angle.
 
+use super::closure::{Accelerations, Closing, Links};
 use super::geometry::ClassIii;
 use super::loops::{Frame, Jacobian, dot, unit};
 use super::positions::Positions;
+use crate::double_double::Dd;
+use crate::lanes::with_best;
 use crate::units::{Angle, AngularVelocity};
 use num_complex::Complex64;
 
@@ -65,6 +68,8 @@ pub struct State {
 pub struct Velocities {
     /// `dφ/dφ1` of links 2, 3, 4, 5.
     pub first: [f64; 4],
+    refined: [Dd; 4],
+    links: Links,
     jacobian: Jacobian,
     frame: Frame,
     phi1: f64,
@@ -88,12 +93,12 @@ impl Velocities {
     /// # Errors
     /// The position is singular.
     pub fn accelerations(&self) -> Result<[f64; 4], SingularPosition> {
-        let (f, l) = (&self.frame, &self.l);
-        let [w2, w3, w4, w5] = self.first.map(|w| w * w);
-        let r1 = self.e1 * l.l1 + f.e2 * (l.l2 * w2) - f.e3 * (l.l3 * w3) - f.e4b * (l.lb * w4);
-        let r2 = f.e3 * (l.l3 * w3) + f.e4 * (l.l4 * w4) - f.e5 * (l.l5 * w5);
-        let singular = SingularPosition { phi1: self.phi1 };
-        self.jacobian.solve(r1, r2).ok_or(singular)
+        let task = Accelerations {
+            links: &self.links,
+            first: &self.refined,
+            jacobian: &self.jacobian,
+        };
+        with_best(task).ok_or(SingularPosition { phi1: self.phi1 })
     }
 
     /// `dr/dφ1` in metres of the point with the polar vector `s` in the link's frame.
@@ -126,12 +131,17 @@ impl ClassIii {
         let e1 = unit(phi1);
         let frame = Frame::new(l, &positions);
         let jacobian = Jacobian::new(l, &frame);
-        let zero = Complex64::new(0.0, 0.0);
-        let first = jacobian
-            .solve(-(Complex64::i() * e1) * l.l1, zero)
-            .ok_or(SingularPosition { phi1 })?;
+        let task = Closing {
+            l,
+            e1,
+            frame: &frame,
+            jacobian: &jacobian,
+        };
+        let (links, frame, refined) = with_best(task).ok_or(SingularPosition { phi1 })?;
         Ok(Velocities {
-            first,
+            first: refined.map(Dd::value),
+            refined,
+            links,
             jacobian,
             frame,
             phi1,

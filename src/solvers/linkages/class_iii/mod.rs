@@ -23,6 +23,7 @@
 
 mod assembly;
 mod branches;
+mod closure;
 mod continuation;
 mod dead;
 mod geometry;
