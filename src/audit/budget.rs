@@ -14,7 +14,8 @@ pub enum Limit {
     /// subnormal numbers may cost, unless nothing at all is allowed.
     Conditioned(f64),
     /// `|got − ref| ≤ k · 2⁻⁵³ · max_i (|ref_i| + Σ_j |x_j ∂ref_i/∂x_j|)`, the maximum over all
-    /// values of the same output; at least as with [`Conditioned`](Limit::Conditioned).
+    /// values of all outputs with such a limit, which share a unit (components of one vector, parts of complex
+    /// numbers); at least as with [`Conditioned`](Limit::Conditioned).
     Normwise(f64),
     /// `|got − ref| ≤ r · |ref|`, and half the smallest number in any case.
     Relative(f64),

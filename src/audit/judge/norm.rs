@@ -85,7 +85,7 @@ impl Squares {
     }
 }
 
-/// `max_i (|ref_i| + cond_i)` for each output, for the normwise limits; the norm of all values for
+/// `max_i (|ref_i| + cond_i)` over all outputs with normwise limits, for these; the norm of all values for
 /// those of the norm. Sums are rounded down and up. Nothing where no limit asks for it.
 pub(super) fn output_scales(
     outputs: &[Output],
@@ -96,23 +96,24 @@ pub(super) fn output_scales(
     if !outputs.iter().any(asks) {
         return Vec::new();
     }
-    let mut scales = vec![(Mag::ZERO, Mag::ZERO); outputs.len()];
+    let (mut low, mut high) = (Mag::ZERO, Mag::ZERO);
     let mut squares = Mag::ZERO;
     for (i, v) in values.iter().enumerate() {
-        let (low, high) = &mut scales[i % outputs.len()];
+        let limit = outputs[i % outputs.len()].budget.limit;
         // An infinite condition number allows nothing, of another value as of its own.
         let c = conditions.map(|c| c[i]).filter(|c| c.is_finite());
         let c = c.map_or(Mag::ZERO, Mag::from_f64);
         let size = v.number().map_or(Mag::ZERO, Ball::mignitude);
-        *low = low.max(size.add_below(c));
-        *high = high.max(size.add(c));
+        if let Limit::Normwise(_) = limit {
+            low = low.max(size.add_below(c));
+            high = high.max(size.add(c));
+        }
         squares = squares.add(size.mul(size));
     }
-    for (scale, output) in scales.iter_mut().zip(outputs) {
-        if let Limit::OfNorm(_) = output.budget.limit {
-            let root = Squares::root_below(squares, values.len());
-            *scale = (root, root);
-        }
-    }
-    scales
+    let root = Squares::root_below(squares, values.len());
+    let scale = |output: &Output| match output.budget.limit {
+        Limit::OfNorm(_) => (root, root),
+        _ => (low, high),
+    };
+    outputs.iter().map(scale).collect()
 }

@@ -202,15 +202,25 @@ impl MotionLaw {
         }
     }
 
+    /// What the accelerating half still has to go to the middle of the stroke: `1/2 − s`.
+    fn to_middle(&self, left: f64) -> f64 {
+        match &self.shape {
+            Shape::Scca(law) => law.to_middle(0.5 * left),
+            Shape::Symmetric(law) => law.to_middle(0.5 * left),
+            Shape::Polynomial(_) | Shape::Tabulated(_) => f64::NAN,
+        }
+    }
+
     /// The law at `x`, and `1 − s`.
     pub(super) fn both(&self, x: f64) -> Result<(Motion, f64), CamLawError> {
         if !(0.0..=1.0).contains(&x) {
             return Err(CamLawError::Outside { x });
         }
         let accelerating = x < self.fraction;
-        let (distance, half) = match accelerating {
-            true => (Dd::from(x), &self.halves[0]),
-            false => (two_sum(1.0, -x), &self.halves[1]),
+        let [up, down] = &self.halves;
+        let (distance, half, other) = match accelerating {
+            true => (Dd::from(x), up, down),
+            false => (two_sum(1.0, -x), down, up),
         };
         let y = distance.hi / half.displacement.hi;
         // Beside the middle, with a short half before it, `1 − x` rounds away more than `x` says.
@@ -235,9 +245,17 @@ impl MotionLaw {
             };
         };
         let near = times(m.displacement, half.displacement);
+        // In a half that is longer than the other one, from where they meet: the rounding of `near` would be too large.
+        let (near, far) = match near > 0.5 {
+            true => {
+                let far = other.share.hi + times(self.to_middle(left), half.displacement);
+                (1.0 - far, far)
+            }
+            false => (near, 1.0 - near),
+        };
         let (displacement, remaining, sign) = match accelerating {
-            true => (near, 1.0 - near, 1.0),
-            false => (1.0 - near, near, -1.0),
+            true => (near, far, 1.0),
+            false => (far, near, -1.0),
         };
         let motion = Motion {
             displacement,

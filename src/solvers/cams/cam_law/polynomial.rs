@@ -192,11 +192,10 @@ impl Polynomial {
     }
 
     /// `∫ s dx` over the stroke.
-    pub(crate) fn mean(&self) -> f64 {
+    pub(crate) fn mean(&self) -> Dd {
         let terms = self.start.iter().enumerate();
-        let sum = terms.fold(Dd::ZERO, |sum, (k, &c)| {
+        terms.fold(Dd::ZERO, |sum, (k, &c)| {
             sum + c.div(Dd::from((k + 1) as f64))
-        });
-        sum.value()
+        })
     }
 }

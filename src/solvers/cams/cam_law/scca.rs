@@ -205,6 +205,26 @@ impl Scca {
         }
     }
 
+    /// `1/2 − s` at `r` before the middle: what each part from there on adds.
+    pub(super) fn to_middle(&self, r: f64) -> f64 {
+        let (b, c, d) = (self.b, self.c, self.d);
+        let (v1, v2) = (b / PI, b / PI + 0.5 * c);
+        let mut sum = 0.0;
+        let cosine = r.min(0.5 * d);
+        if cosine > 0.0 {
+            let phi = times(cosine, self.cosine.frequency);
+            sum += v2 * cosine + (d / PI) * (d / PI) * phi.sin();
+        }
+        let constant = (r - 0.5 * d).clamp(0.0, 0.5 * c);
+        sum += constant * (v2 - 0.5 * constant);
+        let sine = (r - 0.5 * (c + d)).clamp(0.0, 0.5 * b);
+        if sine > 0.0 {
+            let half = (0.5 * times(sine, self.sine.frequency)).sin();
+            sum += v1 * (sine - v1 * (2.0 * half * half));
+        }
+        self.acceleration * sum
+    }
+
     /// `∫ s dx` over the accelerating half, all terms positive.
     pub(crate) fn half_mean(&self) -> f64 {
         let (b, c, d) = (self.b, self.c, self.d);

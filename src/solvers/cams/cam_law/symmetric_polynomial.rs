@@ -42,6 +42,15 @@ impl SymmetricPolynomial {
         }
     }
 
+    /// `1/2 − s` at `r` before the middle.
+    pub(super) fn to_middle(self, r: f64) -> f64 {
+        let q = r * r;
+        r * match self {
+            SymmetricPolynomial::Degree5 => 1.875 - q * (5.0 - 6.0 * q),
+            SymmetricPolynomial::Degree7 => 2.1875 - q * (8.75 - q * (21.0 - 20.0 * q)),
+        }
+    }
+
     pub(super) fn peaks(self) -> Peaks {
         let (velocity, acceleration, jerk) = match self {
             SymmetricPolynomial::Degree5 => (1.875, 10.0 / 3f64.sqrt(), 60.0),

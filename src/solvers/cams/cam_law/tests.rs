@@ -325,3 +325,66 @@ fn beside_the_ends_of_a_table() {
         2.631_807_992_088_733e-6,
     );
 }
+
+/// Where the longer half of the stroke begins, the displacement (or what remains of it) is a sum from where the
+/// halves meet: `s` of a law with the share λ at `λ + 2(1 − λ) r` is λ more than that of the symmetric law at `1/2 + r`
+/// less a half, times `2(1 − λ)`.
+#[test]
+fn beside_where_a_short_half_meets_a_long_one() {
+    let laws = [
+        MotionLaw::constant_acceleration(),
+        MotionLaw::simple_harmonic(),
+        MotionLaw::modified_trapezoid(),
+        MotionLaw::cycloidal(),
+        MotionLaw::scca(0.25, 0.0, 0.75).unwrap(),
+        MotionLaw::scca(0.5, 0.5, 0.0).unwrap(),
+        MotionLaw::polynomial_345(),
+        MotionLaw::polynomial_4567(),
+    ];
+    for law in laws {
+        let late = law.clone().with_acceleration_fraction(0.0625).unwrap();
+        let early = law.clone().with_acceleration_fraction(0.9375).unwrap();
+        for k in 0..120 {
+            // Exact: r, 2 (1 − λ) r and the places.
+            let r = f64::from(k) / 256.0;
+            let from_middle = 0.5 - law.motion(0.5 - r).unwrap().displacement;
+            let due = 0.0625 + 1.875 * from_middle;
+            if due > 0.5 {
+                continue;
+            }
+            let got = late.motion(0.0625 + 1.875 * r).unwrap().displacement;
+            // The due value has lost what is meant to be kept here.
+            assert!((got - due).abs() < 8e-16, "{law:?} {r}: {got} {due}");
+            let mirrored = early.remaining(0.9375 - 1.875 * r).unwrap();
+            assert!(
+                (got - mirrored).abs() <= 2e-16 * due,
+                "{r}: {got} {mirrored}"
+            );
+        }
+        let at = |x: f64| late.motion(x).unwrap().displacement;
+        assert_eq!(at(0.0625), 0.0625);
+        // Over 2⁻³⁰ of the stroke the velocity is that of the middle.
+        let step = 2f64.powi(-30);
+        let gone = (at(0.0625 + step) - 0.0625) / step;
+        assert!(
+            (gone - law.motion(0.5).unwrap().velocity).abs() < 3e-8,
+            "{gone}"
+        );
+    }
+}
+
+/// Certified to 20 digits.
+#[test]
+fn displacements_after_a_middle_that_comes_early() {
+    let near = |got: f64, due: f64| assert!((got / due - 1.0).abs() < 5e-16, "{got} {due}");
+    let law = MotionLaw::scca(1.0, 0.0, 0.0).unwrap();
+    let law = law
+        .with_acceleration_fraction(0.090_675_256_897_089_98)
+        .unwrap();
+    let m = law.motion(0.090_701_484_745_050_91).unwrap();
+    near(m.displacement, 0.090_747_432_683_818_091_281);
+    let law = MotionLaw::simple_harmonic();
+    let law = law.with_acceleration_fraction(0.25).unwrap();
+    // 1 − s = (1 − λ)(1 − cos(π(1 − x)/(2 − 2λ))) at x = 1/2: a third of a turn's half.
+    near(law.motion(0.5).unwrap().displacement, 1.0 - 0.75 * 0.5);
+}

@@ -7,7 +7,8 @@
 //! about the centre `x_c`, the place of the largest velocity of a law with two halves and the
 //! middle of the stroke of any other. `F(0) = 1`.
 //!
-//! For `q < 2π` it is integrated numerically, piece by piece: `s' ≥ 0` and nothing cancels.
+//! For `q < 2π`, and for laws with a short half up to where the jumps are small, it is integrated numerically, piece by
+//! piece: `s' ≥ 0` and nothing cancels.
 //! Beyond, parts are integrated until only the jumps of derivatives are left,
 //!
 //! ```text
@@ -83,8 +84,10 @@ fn scca(law: &Scca, fraction: f64, t: Turns) -> Complex64 {
     // 1 − λ in two parts: a millionth harmonic sees what rounding it would cost.
     let half = |share: Dd| {
         let stretched = t.times_pair(share.scale(2.0));
-        let end = t.times_pair(share).cis() * c(stretched.times(law.b)).conj();
-        (end - c(stretched.times(law.d))) / (2.0 * share.hi)
+        let (sine, cosine) = (c(stretched.times(law.b)), c(stretched.times(law.d)));
+        // Between them: where the half is short against the wave, or whole waves, nothing cancels but this.
+        let step = t.times_pair(share).cis_less_one() * sine.conj();
+        (step + (sine.conj() - cosine)) / (2.0 * share.hi)
     };
     let (up, down) = (
         half(Dd::from(fraction)),
@@ -206,6 +209,20 @@ fn where_jumps_serve(knots: &[Knot], order: usize) -> f64 {
     }
 }
 
+/// From which number of turns the terms of the jumps, all of one sign, are at most one together, so that their sum is
+/// rounded no more than an integral of one is.
+fn where_jumps_are_small(knots: &[Knot]) -> f64 {
+    let mut turns = 1.0;
+    let sum = |q: f64| -> f64 {
+        let at = |k: &Knot| k.jumps.iter().rev().fold(0.0, |sum, j| (sum + j.abs()) / q);
+        knots.iter().map(at).sum()
+    };
+    while sum(TAU * turns) > 1.0 && turns < 1e4 {
+        turns *= 1.1;
+    }
+    turns
+}
+
 impl Transform {
     pub(super) fn new(law: &MotionLaw) -> Transform {
         let fraction = law.acceleration_fraction();
@@ -214,7 +231,7 @@ impl Transform {
             law: law.clone(),
             centre: fraction,
             tail: Tail::Jumps(Vec::new()),
-            tail_from: 1.0 / shorter,
+            tail_from: 1.0,
             pieces: vec![0.0, fraction, 1.0],
             derivative: None,
         };
@@ -225,10 +242,15 @@ impl Transform {
                     transform.pieces.push(1.0 - 2.0 * (1.0 - fraction) * place);
                 }
                 transform.pieces.sort_by(f64::total_cmp);
+                // Of the order of the sum's rounding, C_a/(2λ q²) u, is that of an integral of one.
+                let turns = (scca.acceleration / shorter).sqrt() / TAU;
+                transform.tail_from = turns.max(1.0);
                 transform.tail = Tail::Scca(*scca);
             }
             Shape::Symmetric(p) => {
-                transform.tail = Tail::Jumps(stretched(p.at_start(), p.in_middle(), fraction));
+                let knots = stretched(p.at_start(), p.in_middle(), fraction);
+                transform.tail_from = where_jumps_are_small(&knots);
+                transform.tail = Tail::Jumps(knots);
             }
             Shape::Polynomial(p) => {
                 let [start, end] = p.at_ends();
@@ -265,8 +287,21 @@ impl Transform {
         }
     }
 
+    /// Without the imaginary part, which is rounding, where the velocity is even about the centre.
+    fn parts(&self, value: Complex64) -> Complex64 {
+        let halves = matches!(self.law.shape(), Shape::Scca(_) | Shape::Symmetric(_));
+        match halves && self.centre == 0.5 {
+            true => Complex64::from(value.re),
+            false => value,
+        }
+    }
+
     /// `F(q)` with `q = 2πt`.
     pub(super) fn at(&self, t: Turns) -> Complex64 {
+        self.parts(self.of_any_law(t))
+    }
+
+    fn of_any_law(&self, t: Turns) -> Complex64 {
         let turns = t.turns();
         if turns < self.tail_from {
             return match &self.derivative {
@@ -287,7 +322,7 @@ impl Transform {
     /// `F(q) − 1` of a stroke so short that F is next to 1: each part within a few u of `|q|`.
     pub(super) fn less_one(&self, t: Turns) -> Option<Complex64> {
         let short = t.turns() <= SHORT;
-        short.then(|| self.integrated(t, Turns::cis_less_one, |x| self.velocity(x)))
+        short.then(|| self.parts(self.integrated(t, Turns::cis_less_one, |x| self.velocity(x))))
     }
 
     fn velocity(&self, x: f64) -> f64 {

@@ -24,6 +24,19 @@ fn where_the_jumps_serve() {
     assert!(most > 1e4 && most < 1.1e4, "{most}");
 }
 
+/// From `60/q² + 720/q⁴ ≤ 1` on, that is from q = 8.39, in steps of a tenth.
+#[test]
+fn where_the_jumps_are_small() {
+    let tenths = |times: usize| (0..times).fold(1.0, |t, _| t * 1.1);
+    let two = [knots(&[0.0, -60.0]), knots(&[0.0, 0.0, 0.0, 720.0])].concat();
+    let from = where_jumps_are_small(&two);
+    assert_eq!(from, tenths(4));
+    assert!(TAU * from >= 8.39 && TAU * tenths(3) < 8.39);
+    assert_eq!(where_jumps_are_small(&knots(&[6.0])), 1.0);
+    assert!(where_jumps_are_small(&knots(&[6.5])) > 1.0);
+    assert!(where_jumps_are_small(&knots(&[1e30])) >= 1e4);
+}
+
 fn polynomials() -> [MotionLaw; 3] {
     // With a velocity, an acceleration and a jerk at the ends.
     [
@@ -84,20 +97,55 @@ fn three_ways_of_a_polynomial() {
 
 #[test]
 fn two_ways_of_sines() {
-    let law = MotionLaw::modified_sine();
-    let law = law.with_acceleration_fraction(0.25).expect("a law");
-    let t = Transform::new(&law);
-    let Shape::Scca(s) = law.shape() else {
-        panic!("{law:?}")
-    };
-    assert_eq!(t.tail_from, 2.0);
-    let velocity = |x: f64| law.motion(x).expect("a place").velocity;
-    let below = turns(2.0f64.next_down());
-    assert_eq!(t.at(below), t.integrated(below, Turns::cis, velocity));
-    for at in [2.0, 2.5] {
-        let due = scca(s, 0.25, turns(at));
-        assert_eq!(t.at(turns(at)), due);
-        assert!((due - t.integrated(turns(at), Turns::cis, velocity)).norm() < 1e-14);
+    for (fraction, from) in [(0.25, 1.0), (0.96875, 1.496)] {
+        let law = MotionLaw::modified_sine();
+        let law = law.with_acceleration_fraction(fraction).expect("a law");
+        let t = Transform::new(&law);
+        let Shape::Scca(s) = law.shape() else {
+            panic!("{law:?}")
+        };
+        let tail = t.tail_from;
+        assert!((tail - from).abs() < 1e-3, "{tail}");
+        let velocity = |x: f64| law.motion(x).expect("a place").velocity;
+        let below = turns(tail.next_down());
+        assert_eq!(t.at(below), t.integrated(below, Turns::cis, velocity));
+        for at in [tail, 1.25 * tail, 2.0 * tail] {
+            let due = scca(s, fraction, turns(at));
+            assert_eq!(t.at(turns(at)), due);
+            let plain = t.integrated(turns(at), Turns::cis, velocity);
+            assert!((due - plain).norm() < 1e-14, "{at}: {due} {plain}");
+        }
+    }
+}
+
+/// Of the law with constant acceleration `F = (sin(q/4)/(q/4))²`: beside its double zeros all digits stay.
+#[test]
+fn beside_double_zeros() {
+    let t = Transform::new(&MotionLaw::constant_acceleration());
+    for zero in [2.0, 10.0, 400.0] {
+        for off in [1e-3, 1e-6, -1e-9] {
+            let at = zero * (1.0 + off);
+            // Exact: the zero is a few bits long.
+            let (beyond, q) = (at - zero, TAU * at);
+            let due = ((TAU * 0.25 * beyond).sin() / (0.25 * q)).powi(2);
+            let got = t.at(turns(at));
+            assert!((got.re / due - 1.0).abs() < 1e-14, "{at}: {got} {due}");
+            assert_eq!(got.im, 0.0);
+        }
+    }
+}
+
+/// An even velocity has a real transform, whichever way it is computed.
+#[test]
+fn even_velocities() {
+    for law in [MotionLaw::cycloidal(), MotionLaw::polynomial_345()] {
+        let t = Transform::new(&law);
+        for at in [0.05, 0.7, 3.3] {
+            assert_eq!(t.at(turns(at)).im, 0.0);
+        }
+        assert_eq!(t.less_one(turns(0.05)).expect("short").im, 0.0);
+        let uneven = Transform::new(&law.with_acceleration_fraction(0.4).expect("a law"));
+        assert!(uneven.at(turns(0.7)).im.abs() > 1e-4);
     }
 }
 
