@@ -21,10 +21,6 @@ fn options_that_do_not_belong_to_a_proof_are_refused() {
             "prove faddeeva --part lower --component 3",
             "--component is for the upper half-plane",
         ),
-        (
-            "prove faddeeva --part lower --boxes x.csv",
-            "--boxes is for the upper half-plane",
-        ),
     ] {
         refused(&command(line), said);
     }

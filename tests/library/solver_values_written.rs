@@ -113,8 +113,11 @@ fn budget(method: &dyn Method, case: &Case, values: &[f64]) -> Vec<f64> {
             Limit::Ulps(k) => k * ulp(values[i]),
             Limit::Conditioned(k) => k * u * size(i),
             Limit::Normwise(k) => {
-                let same = (i % outputs.len()..values.len()).step_by(outputs.len());
-                k * u * same.map(size).fold(0.0, f64::max)
+                let is_one = |i: &usize| {
+                    matches!(outputs[i % outputs.len()].budget.limit, Limit::Normwise(_))
+                };
+                let all = (0..values.len()).filter(is_one);
+                k * u * all.map(size).fold(0.0, f64::max)
             }
             other => unreachable!("no method's own limit: {other}"),
         })

@@ -22,9 +22,10 @@ place of rectangles, and one bound in units in the last place of the value.
 
 A file of boxes has a line for each: the ends of Re z and Im z, both included, the formula, the \
 centre of its Taylor series, the bounds; for a function of a real argument the ends of x, the formula, the centre, the \
-bound. faddeeva_proof.py and real_line_proof.py in reference/independent/ check them.
+bound. faddeeva_proof.py, faddeeva_lower_proof.py and real_line_proof.py in reference/independent/ check them.
 
-For the lower half-plane the targets are fixed, and there is no file of boxes; the output says what is not proved.
+For the lower half-plane the targets are fixed; its file has the bound of the norm alone, and none where an inequality \
+serves. The output says what is not proved.
 
 Exit codes: 0, proved; 1, rectangles are left on which nothing is proved; 2, bad usage; 130, ended \
 by Ctrl-C, without a theorem.";
@@ -34,7 +35,7 @@ by Ctrl-C, without a theorem.";
 pub enum Part {
     /// The closed upper half-plane
     Upper,
-    /// The open lower half-plane: the norm, where nothing is computed again and no stored zero serves
+    /// The open lower half-plane: the norm
     Lower,
 }
 

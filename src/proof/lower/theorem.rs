@@ -41,6 +41,8 @@ pub struct Theorem {
     pub apart: Apart,
     /// Rectangles on which nothing is proved.
     pub open: Vec<Open>,
+    /// All rectangles, those without a bound of their own among them.
+    pub leaves: Vec<Leaf>,
 }
 
 /// Proves what can be proved; up to |Re z|, |Im z| in the binades below `within`. `None` if it was stopped.
@@ -129,6 +131,7 @@ fn together(
         norm: regions.iter().map(|r| r.norm).fold(0.0, f64::max),
         of_exponential: solver.exponential.boxes,
         open: found.open,
+        leaves: found.leaves,
         regions,
     }
 }

@@ -3,25 +3,33 @@
 use super::{place, up, watched};
 use crate::cli::args::{ProveArgs, TextOrJson};
 use crate::cli::failure::{Failure, Outcome};
-use crate::cli::files::output::{print_json, write_to};
+use crate::cli::files::output::{Output, print_json, write_to};
+use mechaudit::audit::hex_float;
 use mechaudit::proof::Rectangle;
-use mechaudit::proof::lower::{BY_HAND, LOWER_HALF_PLANE, NOT_PROVED, Theorem, theorem};
+use mechaudit::proof::lower::{
+    BY_HAND, LOWER_HALF_PLANE, Leaf, NOT_PROVED, Region, Theorem, theorem,
+};
 use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
 use mechaudit::report::text::table::Table;
 use serde_json::{Value, json};
+use std::io::Write;
 use std::time::Instant;
 
 /// Proves, and prints what is proved and what is not.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     let others = [
-        ("--boxes", args.boxes.is_some()),
         ("--norm", args.norm.is_some()),
         ("--component", args.component.is_some()),
     ];
     if let Some((option, _)) = others.into_iter().find(|o| o.1) {
-        let why = "is for the upper half-plane: below the axis targets are fixed, and rectangles are not written";
+        let why = "is for the upper half-plane: below the axis targets are fixed";
         return Err(Failure::new(format!("{option} {why}")));
     }
+    let boxes = args
+        .boxes
+        .as_deref()
+        .map(|p| Output::open(Some(p)))
+        .transpose()?;
     let begin = Instant::now();
     let within = args.within;
     let found = watched("faddeeva", move |watch| {
@@ -30,6 +38,9 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
     let Some(found) = found else {
         return Ok(Outcome::Interrupted);
     };
+    if let Some(output) = boxes {
+        output.write(|out| write_boxes(&found, out))?;
+    }
     let seconds = begin.elapsed().as_secs_f64();
     match args.format {
         TextOrJson::Text => write_to(None, |out| {
@@ -38,6 +49,21 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         TextOrJson::Json => print_json(&document(&found, within, seconds))?,
     }
     Ok(Outcome::of(found.open.is_empty()))
+}
+
+/// Of rectangles on which one term dominates no bound: it is none of theirs.
+fn write_boxes(found: &Theorem, out: &mut dyn Write) -> Result<(), Failure> {
+    writeln!(out, "re_from,re_to,im_from,im_to,formula,norm")?;
+    for Leaf { at, region, norm } in &found.leaves {
+        let [p, q, r, s] = [at.a[0], at.a[1], -at.b[1], -at.b[0]].map(hex_float);
+        let name = region.name().replace(", ", " ");
+        let norm = match region {
+            Region::Dominated => String::new(),
+            _ => hex_float(*norm),
+        };
+        writeln!(out, "{p},{q},{r},{s},{name},{norm}")?;
+    }
+    Ok(())
 }
 
 /// `Re z` and Im z, below the axis.
