@@ -49,27 +49,9 @@ def overflows(a, b):
     return Fraction(b) ** 2 - Fraction(a) ** 2 > OVERFLOW
 
 
-def uncovered(part, boxes):
-    """A pair that no rectangle holds and where w does not certainly overflow."""
-    stack = [part]
-    while stack:
-        square = stack.pop()
-        corner = number(square[0][1]), number(square[1][0])
-        if overflows(*corner):
-            continue
-        if hole(square, boxes) is None:
-            continue
-        # The hole may be where w overflows: cut until it is, or until it is one number.
-        i = 0 if square[0][1] - square[0][0] >= square[1][1] - square[1][0] else 1
-        low, high = square[i]
-        if low == high:
-            return corner
-        mid = (low + high) // 2
-        for side in ((low, mid), (mid + 1, high)):
-            next_square = list(square)
-            next_square[i] = side
-            stack.append(next_square)
-    return None
+def all_overflow(square):
+    """Of the exponent b^2 - a^2 the least is at this corner."""
+    return overflows(number(square[0][1]), number(square[1][0]))
 
 
 def w(x, y):
@@ -113,7 +95,7 @@ def main():
     for k in covered:
         boxes = [[(bits(e[0]), bits(e[1])), (bits(e[2]), bits(e[3]))] for e, *_ in shells[k]]
         for part in quadrant(k):
-            found = uncovered(part, boxes)
+            found = hole(part, boxes, all_overflow)
             if found:
                 sys.exit(f"no box holds {found[0]!r} - {found[1]!r} i")
     points = []

@@ -295,13 +295,16 @@ def computed(name, centre, a, b):
     return None
 
 
-def hole(whole, boxes):
-    """A pair of numbers, by their bits, that no box holds; squares are cut until one box holds them."""
+def hole(whole, boxes, allowed=lambda square: False):
+    """A pair of numbers, by their bits, that no box holds; squares are cut until one box holds them, or none holds any of
+    them and they are allowed to be left out."""
     stack = [(whole, boxes)]
     while stack:
         square_, some = stack.pop()
         here = [r for r in some if all(r[i][0] <= square_[i][1] and square_[i][0] <= r[i][1] for i in (0, 1))]
         if any(all(r[i][0] <= square_[i][0] and square_[i][1] <= r[i][1] for i in (0, 1)) for r in here):
+            continue
+        if not here and allowed(square_):
             continue
         if not here:
             return tuple(number(side[0]) for side in square_)
