@@ -40,39 +40,11 @@
 //! 10^-5 at most (checked: all errors stay below 10^-5 · 2^bits), so the final factor 1.001 covers
 //! both.
 
+mod errors;
+
 use crate::{Ball, Mag};
+use errors::{Errors, Point};
 use rug::{Assign, Float, Integer};
-
-/// Error bounds of one number, in units.
-#[derive(Clone, Copy, Default)]
-struct Errors {
-    re: f64,
-    im: f64,
-    both: f64,
-}
-
-impl Errors {
-    /// The better of the two forms; `low` is a lower bound of |q|.
-    fn least(mut self, low: f64) -> Errors {
-        self.re = self.re.min(self.both);
-        if self.im * low > self.both {
-            self.im = self.both / low;
-        }
-        self
-    }
-
-    fn times(self, rho: f64) -> Errors {
-        Errors {
-            re: self.re * rho,
-            im: self.im * rho,
-            both: self.both * rho,
-        }
-    }
-
-    fn largest(self) -> f64 {
-        self.re.max(self.im).max(self.both)
-    }
-}
 
 /// Terms with a common denominator, at most.
 const GROUP: usize = 12;
@@ -127,27 +99,7 @@ fn sum_checked(
 ) -> Option<(Ball, Ball)> {
     let (pf, ep) = fixed(p, bits)?;
     let (qf, eq) = fixed(q2, bits)?;
-    let pm = p.magnitude().to_f64();
-    let qq = q2.magnitude().to_f64();
-    let q = qq.sqrt();
-    let low = q2.mignitude().to_f64();
-    let low = if low > 1e-300 {
-        low.sqrt() * 0.9999
-    } else {
-        0.0
-    };
-    let vm = pm.hypot(q).min(1.0) * 1.0001;
-    if !(pm.is_finite() && qq.is_finite()) {
-        return None;
-    }
-    // The error bounds hold for |v| ≤ 1 only.
-    if (p.with_prec(64).square() + q2.with_prec(64)).lower() > 1 {
-        return None;
-    }
-    let bound = |j: u64| {
-        let j = j as f64;
-        if j * low > 1.0 { 1.0 / low } else { j }
-    };
+    let v = Point::new(p, q2, [ep, eq])?;
 
     // Powers.
     let m = ((n as f64 * 1.4).sqrt() as u64).clamp(1, n.max(1));
@@ -166,25 +118,16 @@ fn sum_checked(
         let mut im = Integer::from(&pf * &last.im);
         im >>= bits;
         im += &last.re;
-        let (e, s) = (last.errors, bound(j));
-        let (a, b) = (ep + eq * s + 1.0, ep * s + 1.0);
-        let errors = Errors {
-            re: pm * e.re + qq * e.im + a,
-            im: e.re + pm * e.im + b,
-            both: vm * e.both + a + q * b,
-        };
+        let errors = last.errors.next_power(&v, j);
         powers.push(Pair {
             re,
             im,
-            errors: errors.least(low),
+            errors: errors.least(&v),
         });
         largest = largest.max(errors.re).max(errors.im);
     }
     let top = powers.pop()?;
     let q2s = Integer::from(&qf * &top.im) >> bits;
-    let s_m = bound(m);
-    let g_m = qq * top.errors.im + eq * s_m + 1.0;
-    let q2s_size = (qq * s_m).min(q);
 
     // Terms, from the last one down, in groups that share one quotient.
     let mut re = Integer::new();
@@ -204,14 +147,7 @@ fn sum_checked(
             u += &top.im * &re;
             re.assign(&t >> bits);
             im.assign(&u >> bits);
-            let a = top.errors.re * r + g_m * s + unit;
-            let b = top.errors.im * r + top.errors.re * s + unit;
-            e = Errors {
-                re: e.re + q2s_size * e.im + a,
-                im: e.im + s_m * e.re + b,
-                both: e.both + a + q * b,
-            }
-            .least(low);
+            e = e.times_power(top.errors, m, [r, s], &v, unit).least(&v);
         }
         // Terms start..end: their coefficients over the common denominator.
         let floor = (end - 1) / m * m;
@@ -233,10 +169,7 @@ fn sum_checked(
                 shift += STEP;
                 unit = pow2(-shift.min(1000));
             }
-            let power = &powers[(k % m) as usize].errors;
-            e.re += (power.re + 1.0) * unit;
-            e.im += (power.im + 1.0) * unit;
-            e.both += (power.both + 1.0 + q) * unit;
+            e = e.plus(powers[(k % m) as usize].errors, &v, unit);
         }
         if len == 0 {
             return None;
@@ -262,7 +195,7 @@ fn sum_checked(
         }
         end -= len as u64;
     }
-    let e = e.least(low);
+    let e = e.least(&v);
     // Stored powers are near the exact ones.
     if !(largest < pow2((i64::from(bits) - 17).min(1000))) {
         return None;
@@ -397,6 +330,33 @@ mod tests {
         ] {
             let (a, b) = sum(p, q2);
             assert_eq!((a.is_finite(), b.is_finite()), (finite, finite), "{p} {q2}");
+        }
+    }
+
+    /// Terms and bounds that grow beyond 2^512, twice.
+    #[test]
+    fn bounds_beyond_numbers_are_multiples() {
+        let (bits, n) = (1600, 22u64);
+        let ratio = |_: u64| (1u64 << 60, 1u64);
+        let (p, q2) = (Rational::from((1, 2)), Rational::from((1, 4)));
+        let (mut power, mut term) = ((Rational::from(1), Rational::new()), Rational::from(1));
+        let (mut re, mut im) = (Rational::new(), Rational::new());
+        for _ in 0..n {
+            re += Rational::from(&power.0 * &term);
+            im += Rational::from(&power.1 * &term);
+            let next = Rational::from(&p * &power.0) - Rational::from(&q2 * &power.1);
+            power.1 = Rational::from(&p * &power.1) + &power.0;
+            power.0 = next;
+            term <<= 60;
+        }
+        let ball = |x: f64| Ball::exact(64, x);
+        let (a, b) = sum(&ball(0.5), &ball(0.25), bits, n, ratio);
+        assert!(a.contains(&re) && b.contains(&im), "{a:?} {b:?}");
+        // A few units times the product of all ratios but for one.
+        let unit = Mag::power_of_two(60 * (n as i64 - 1) - i64::from(bits));
+        for ball in [&a, &b] {
+            let units = ball.rad().div(unit).to_f64();
+            assert!((2.0..128.0).contains(&units), "{units}");
         }
     }
 

@@ -203,10 +203,10 @@ impl MotionLaw {
     }
 
     /// What the accelerating half still has to go to the middle of the stroke: `1/2 − s`.
-    fn to_middle(&self, left: f64) -> f64 {
+    fn until_middle(&self, left: f64) -> f64 {
         match &self.shape {
-            Shape::Scca(law) => law.to_middle(0.5 * left),
-            Shape::Symmetric(law) => law.to_middle(0.5 * left),
+            Shape::Scca(law) => law.until_middle(0.5 * left),
+            Shape::Symmetric(law) => law.until_middle(0.5 * left),
             Shape::Polynomial(_) | Shape::Tabulated(_) => f64::NAN,
         }
     }
@@ -248,7 +248,7 @@ impl MotionLaw {
         // In a half that is longer than the other one, from where they meet: the rounding of `near` would be too large.
         let (near, far) = match near > 0.5 {
             true => {
-                let far = other.share.hi + times(self.to_middle(left), half.displacement);
+                let far = other.share.hi + times(self.until_middle(left), half.displacement);
                 (1.0 - far, far)
             }
             false => (near, 1.0 - near),

@@ -206,7 +206,7 @@ impl Scca {
     }
 
     /// `1/2 − s` at `r` before the middle: what each part from there on adds.
-    pub(super) fn to_middle(&self, r: f64) -> f64 {
+    pub(super) fn until_middle(&self, r: f64) -> f64 {
         let (b, c, d) = (self.b, self.c, self.d);
         let (v1, v2) = (b / PI, b / PI + 0.5 * c);
         let mut sum = 0.0;

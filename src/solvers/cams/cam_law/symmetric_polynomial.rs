@@ -43,7 +43,7 @@ impl SymmetricPolynomial {
     }
 
     /// `1/2 − s` at `r` before the middle.
-    pub(super) fn to_middle(self, r: f64) -> f64 {
+    pub(super) fn until_middle(self, r: f64) -> f64 {
         let q = r * r;
         r * match self {
             SymmetricPolynomial::Degree5 => 1.875 - q * (5.0 - 6.0 * q),
