@@ -71,6 +71,10 @@ pub struct Judgement {
     /// The share of its budget that the norm of all errors takes up, an upper bound; NaN where there
     /// is no such budget or no norm.
     pub norm_of_budget: f64,
+    /// Whether a share of more than a sixteenth is, by more than half, the width of the reference: what
+    /// the bounds on an error have in common says less than what they do not.
+    #[serde(skip)]
+    pub wide: bool,
 }
 
 impl Judgement {
@@ -82,6 +86,7 @@ impl Judgement {
             components: Vec::new(),
             normwise: f64::INFINITY,
             norm_of_budget: f64::NAN,
+            wide: false,
         }
     }
 
@@ -197,6 +202,7 @@ pub fn judge_by(
     let mut components = Vec::with_capacity(got.len());
     let mut worst = (Verdict::Pass, None, None);
     let mut squares = Squares::default();
+    let mut wide = false;
     for (i, (&g, due)) in got.iter().zip(values.iter()).enumerate() {
         let o = i % outputs.len();
         let (lo, hi) = due.distance(g, rules.format);
@@ -210,6 +216,7 @@ pub fn judge_by(
             format: rules.format,
         };
         let c = component(g, due, [lo, hi], place);
+        wide |= c.of_budget > 1.0 / 16.0 && lo.shift(1) < hi;
         if c.verdict > worst.0 {
             let fault = match c.verdict {
                 Verdict::WrongKind if due.wrong_zero(g) => Fault::Zero,
@@ -248,6 +255,7 @@ pub fn judge_by(
         components,
         normwise: squares.normwise(norms, rules.format),
         norm_of_budget,
+        wide,
     }
 }
 
@@ -262,6 +270,7 @@ fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
             components: Vec::new(),
             normwise: 0.0,
             norm_of_budget: f64::NAN,
+            wide: false,
         },
         ReferenceAnswer::Refuses(due) => {
             Judgement::wrong(Kind::Refusal, format!("{named}, the reference as {due:?}"))

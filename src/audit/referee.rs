@@ -38,7 +38,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Judges the answer to a case; the precision doubles until that can be decided. Without `digits` the
+    /// Judges the answer to a case; the precision doubles until that can be decided, and once more where what
+    /// decides is wide. Without `digits` the
     /// reference's are left out: they cost as much as a judgement.
     pub fn judge(&self, case: Case, answer: SolverAnswer, digits: bool) -> CaseReport {
         self.referee(case).judge_last(answer, digits)
@@ -119,34 +120,47 @@ impl Referee<'_> {
             norm: self.judge.norm.as_ref(),
             format,
         };
-        let mut bits = settings.first_bits;
-        let mut level = 0;
-        loop {
-            if level == self.references.len() {
-                self.next(bits);
-            }
-            let reference = &self.references[level];
-            let conditions = self.conditions.as_ref().and_then(|c| c.as_deref());
-            let mut judgement = judge_by(&rules, &answer, reference, conditions);
-            if judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
-                bits *= 2;
-                level += 1;
-                continue;
-            }
-            if let (SolverAnswer::Values(got), Some(due)) = (&answer, reference.len())
-                && got.len() != due
-                && let Some(reason) = &mut judgement.reason
-            {
-                // Which they are, and in which order.
-                *reason = Reason::Words(format!("{reason}: {}", Layout::new(method).answer()));
-            }
-            return Decided {
-                answer,
-                judgement,
-                bits,
-                level,
-            };
+        let (mut bits, mut level) = (settings.first_bits, 0);
+        let mut judgement = self.judged(&rules, &answer, bits, level);
+        while judgement.verdict == Verdict::Undecided && bits < settings.last_bits {
+            (bits, level) = (2 * bits, level + 1);
+            judgement = self.judged(&rules, &answer, bits, level);
         }
+        // The first reference that decides may be so wide that its own error is what a report would show.
+        if judgement.wide && judgement.is_measured() && bits < settings.last_bits {
+            let closer = self.judged(&rules, &answer, 2 * bits, level + 1);
+            if closer.is_measured() {
+                (judgement, bits, level) = (closer, 2 * bits, level + 1);
+            }
+        }
+        if let (SolverAnswer::Values(got), Some(due)) = (&answer, self.references[level].len())
+            && got.len() != due
+            && let Some(reason) = &mut judgement.reason
+        {
+            // Which they are, and in which order.
+            *reason = Reason::Words(format!("{reason}: {}", Layout::new(method).answer()));
+        }
+        Decided {
+            answer,
+            judgement,
+            bits,
+            level,
+        }
+    }
+
+    /// By the reference with so many bits, the `level`-th.
+    fn judged(
+        &mut self,
+        rules: &Rules,
+        answer: &SolverAnswer,
+        bits: u32,
+        level: usize,
+    ) -> Judgement {
+        if level == self.references.len() {
+            self.next(bits);
+        }
+        let conditions = self.conditions.as_ref().and_then(|c| c.as_deref());
+        judge_by(rules, answer, &self.references[level], conditions)
     }
 }
 

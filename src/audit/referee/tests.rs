@@ -71,8 +71,8 @@ fn references_are_computed_once_at_doubled_precision() {
         (report.judgement.verdict, report.bits, report.radii)
     };
     let rad = |k: i32| vec![2f64.powi(-52 - k)];
-    assert_eq!(judge(&mut referee, 1.0), (Verdict::Pass, 64, rad(1)));
-    assert_eq!(*asked.lock().unwrap(), [64]);
+    assert_eq!(judge(&mut referee, 1.0), (Verdict::Pass, 128, rad(2)));
+    assert_eq!(*asked.lock().unwrap(), [64, 128]);
     // One ulp off: no ball decides.
     let open = (Verdict::Undecided, 512, rad(8));
     assert_eq!(judge(&mut referee, off(1.0, 1)), open);
@@ -83,8 +83,49 @@ fn references_are_computed_once_at_doubled_precision() {
         judge(&mut referee, off(1.0, 3)),
         (Verdict::Over, 64, rad(1))
     );
-    assert_eq!(judge(&mut referee, 1.0), (Verdict::Pass, 64, rad(1)));
+    assert_eq!(judge(&mut referee, 1.0), (Verdict::Pass, 128, rad(2)));
     assert_eq!(*asked.lock().unwrap(), [64, 128, 256, 512]);
+}
+
+/// What is shown of an answer that a wide reference decides is of the next, unless that is undecided, is not there or
+/// the share is of no interest.
+#[test]
+fn errors_are_measured_by_references_that_are_not_wide() {
+    // Radii at 64 and 128 bits, in ulps; what is judged, the last bits; what is reported.
+    let table = [
+        ([0.5, 0.0], 0, 512, (128, 0.0)),
+        ([0.3, 0.0], 1, 512, (64, 1.3)),
+        ([0.5, 0.25], 0, 512, (128, 0.25)),
+        ([0.5, 9.0], 0, 512, (64, 0.5)),
+        ([0.5, 0.0], 0, 64, (64, 0.5)),
+        // A sixteenth of the budget.
+        ([0.24, 0.0], 0, 512, (64, 0.24)),
+        ([0.26, 0.0], 0, 512, (128, 0.0)),
+    ];
+    for (radii, ulps_off, last_bits, due) in table {
+        let method = Planted {
+            reference: Box::new(move |_, bits| {
+                let rad = Mag::from_f64(radii[usize::from(bits > 64)]).shift(-52);
+                ReferenceAnswer::bounded(vec![Ball::new(Float::with_val(64, 1), rad)], "planted")
+            }),
+            outputs: vec![output("x", Limit::Ulps(4.0))],
+            ..Planted::default()
+        };
+        let settings = Settings {
+            first_bits: 64,
+            last_bits,
+            ..Settings::default()
+        };
+        let judge = Judge::new(&method, &settings);
+        let got = off(1.0, ulps_off);
+        let report = judge.judge(case(0, &[1.0]), values(&[got]), true);
+        assert_eq!(report.judgement.verdict, Verdict::Pass);
+        let found = (report.bits, report.judgement.components[0].ulps);
+        assert!(
+            found.0 == due.0 && (found.1 - due.1).abs() < 1e-9,
+            "{radii:?}: {found:?}, not {due:?}"
+        );
+    }
 }
 
 /// Condition numbers are had where a budget or the settings ask for them, once for a case, and of finite

@@ -4,7 +4,7 @@
 use super::ball::{Ball, dot};
 use super::complex::ComplexBall;
 use super::mag::Mag;
-use rug::Float;
+use rug::{Float, Rational};
 
 const P: u32 = 80;
 const HIGH: u32 = 400;
@@ -539,4 +539,45 @@ fn few_bits_and_far_exponents() {
     let z = ComplexBall::new(ball(1.0, 0.0), ball(0.0, 3.0));
     assert!(z.mignitude() == Mag::from_f64(1.0));
     assert!(ComplexBall::new(ball(0.0, 3.0), ball(1.0, 0.0)).mignitude() == Mag::from_f64(1.0));
+}
+
+/// Numbers in `[1, 2)` of 53 bits, the same in every run.
+fn mantissas() -> impl FnMut() -> f64 {
+    let mut state = 1u64;
+    move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        f64::from_bits(0x3ff << 52 | state >> 12)
+    }
+}
+
+/// Radii of 53 bits are computed with a few roundings upwards: one downwards among them would show in some of so many
+/// radii, though it costs a unit in the last place only. Precisions are so high that midpoints are as good as exact.
+#[test]
+fn no_unit_of_a_radius_is_rounded_down() {
+    let mut next = mantissas();
+    let exact = |m: &Mag| Rational::from(m.to_float().to_rational().expect("finite"));
+    for _ in 0..20_000 {
+        // Just above a number of 53 bits, and below the next.
+        let beyond = |x: f64, by: i32| {
+            Float::with_val(200, x)
+                + Float::with_val(200, 1) * by * Float::with_val(53, Float::i_exp(1, -100))
+        };
+        let (x, r) = (next(), Mag::from_f64(next()).shift(-30));
+        let y = beyond(1.0, 1);
+        let a = Ball::new(beyond(x, 1), Mag::ZERO);
+        let b = Ball::new(y.clone(), r);
+        let [x, y, r] = [
+            a.mid().to_rational().unwrap(),
+            y.to_rational().unwrap(),
+            exact(&r),
+        ];
+        let due = x * &r / (Rational::from(&y - &r) * y);
+        assert!(exact(&(&a / &b).rad()) >= due);
+        let b = Ball::new(beyond(next(), -1), Mag::from_f64(next()));
+        let high = Float::with_val(300, b.mid().exp_ref())
+            * Float::with_val(300, b.rad().to_float().exp_m1_ref());
+        assert!(b.exp().rad().to_float() >= high);
+    }
 }

@@ -384,6 +384,7 @@ pub(crate) mod tests {
                 }],
                 normwise: 3.0,
                 norm_of_budget: f64::NAN,
+                wide: false,
             },
             bits: 128,
             reference: vec![Some("0.75000000000000080491".into())],

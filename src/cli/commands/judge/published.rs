@@ -242,6 +242,7 @@ fn judged(variant: &Variant, row: Row, settings: &Settings) -> (CaseReport, Vec<
             components,
             normwise: f64::NAN,
             norm_of_budget: f64::NAN,
+            wide: false,
         },
         bits: found.iter().map(|f| f.bits).max().unwrap_or(0),
         reference: found.iter().map(|f| f.reference.clone()).collect(),

@@ -13,11 +13,13 @@
 //! their rates are read off the coordinates.
 
 mod enclosure;
+mod laurent;
 mod modes;
 mod motion;
 mod sensitivity;
 #[cfg(test)]
 mod soundness_tests;
+mod trigonometric;
 
 pub use enclosure::Configuration;
 pub use modes::Mode;

@@ -181,3 +181,35 @@ pub(super) fn guess(series: &Series, by: &Float) -> Vec<Float> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::soundness_tests::both;
+    use super::super::tests::{cranked, four_bar};
+    use super::*;
+
+    /// What is not a point of the polydisc, be it by less than a bound has bits, has no bound by its residual.
+    #[test]
+    fn only_points_of_the_polydisc_are_bounded() {
+        let linkage = cranked(&four_bar());
+        let drive = Ball::exact(128, 0.875);
+        let start = both(&linkage, &drive).into_iter().next().expect("a mode");
+        let disc = linkage
+            .disc(&drive, &start, Mag::from_f64(0.05))
+            .expect("proved");
+        let zero = vec![Ball::integer(64, 0); disc.centre.len()];
+        for k in 0..disc.centre.len() {
+            for side in [-1, 1] {
+                let mut z: Vec<Float> = disc
+                    .centre
+                    .iter()
+                    .map(|x| Float::with_val(400, x))
+                    .collect();
+                z[k] += disc.r[k].to_float() * side;
+                assert!(disc.bound(&z, &zero).is_some());
+                z[k] += Float::with_val(64, Float::i_exp(side, -180));
+                assert!(disc.bound(&z, &zero).is_none());
+            }
+        }
+    }
+}

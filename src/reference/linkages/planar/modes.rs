@@ -30,7 +30,7 @@ enum Look {
     Open,
 }
 
-fn intersection(a: &Ball, b: &Ball) -> Option<Ball> {
+pub(super) fn intersection(a: &Ball, b: &Ball) -> Option<Ball> {
     let low = if a.lower() > b.lower() {
         a.lower()
     } else {
@@ -106,7 +106,7 @@ impl Linkage {
     }
 
     /// Whether whole turns of the bodies change no gear and no drive.
-    fn keeps(&self, turns: &[i64]) -> bool {
+    pub(super) fn keeps(&self, turns: &[i64]) -> bool {
         let relations = self.mechanism.loops.relations.iter().map(|r| &r.terms);
         relations.chain([&self.drive.0]).all(|terms| {
             let sum: Rational = terms

@@ -1,6 +1,6 @@
 //! Completeness beside other proofs of it: two circles, and the class-III group by elimination.
 
-use super::modes::Found;
+use super::modes::{Found, intersection};
 use super::tests::{cranked, four_bar};
 use super::{Attachment, Body, Drive, Joint, Linkage, Mechanism};
 use crate::class_iii::tests::q;
@@ -110,6 +110,10 @@ fn gears_count_the_turns() {
         let second = Ball::rational(BITS, &(q(ratio) * q(phi) + q("0.25")));
         assert!(modes.iter().all(|m| m.x[2].overlaps(&second)));
     }
+    // Turns of the second crank and of both links; the drive is at the crank or at its link.
+    let keeps = |drive, turns: [i64; 4]| geared("2", drive).keeps(&turns);
+    assert!(keeps(0, [0, 1, 0, -3]) && !keeps(0, [1, 0, 2, 0]) && !keeps(0, [0, 0, 1, 0]));
+    assert!(keeps(1, [1, 0, 2, 5]) && !keeps(1, [1, 0, 1, 0]) && !keeps(1, [1, 1, 2, 0]));
     // Driven at the second crank with the ratio 2, half as many turns of the first: one crank angle and two modes.
     for (ratio, psi) in [("2", "5"), ("0.5", "4")] {
         let modes = geared(ratio, 2).modes(&ball(psi)).unwrap();
@@ -272,7 +276,7 @@ fn a_mode_is_told_by_the_box_in_which_it_is_alone() {
     edge[1] = (&modes[0].x[1] + &Ball::exact(BITS, 0.01)).with_prec(BITS);
     edge[1] = Ball::new(edge[1].mid().clone(), Mag::from_f64(0.01));
     assert!(edge[1].overlaps(&modes[0].x[1]) && !edge[1].contains_ball(&modes[0].x[1]));
-    assert!(linkage.record(&phi, edge, &mut Vec::new()).is_err());
+    assert!(linkage.record(&phi, edge.clone(), &mut Vec::new()).is_err());
     let mut found = Vec::new();
     linkage
         .record(&phi, around(&modes[0].x, 0.0), &mut found)
@@ -283,6 +287,21 @@ fn a_mode_is_told_by_the_box_in_which_it_is_alone() {
     assert_eq!(found.len(), 1);
     linkage
         .record(&phi, around(&modes[1].x, 0.0), &mut found)
+        .unwrap();
+    assert_eq!(found.len(), 2);
+    // With angles beyond a quarter turn as well.
+    let (far, mut twice) = (ball("2.5"), Vec::new());
+    let mode = linkage.modes(&far).unwrap().swap_remove(0);
+    for by in [0.0, 0.001] {
+        linkage
+            .record(&far, around(&mode.x, by), &mut twice)
+            .unwrap();
+    }
+    assert_eq!(twice.len(), 1);
+    // Another mode's box that it only touches.
+    let mut found = known(edge, 1);
+    linkage
+        .record(&phi, around(&modes[0].x, 0.0), &mut found)
         .unwrap();
     assert_eq!(found.len(), 2);
     // In no common box, and not shown to be another.
@@ -327,4 +346,47 @@ fn slides_are_undecided() {
     let bodies = ["crank", "coupler", "slider"].map(Body::massless).to_vec();
     let linkage = cranked(&Mechanism::new(bodies, joints).unwrap());
     assert!(linkage.modes(&ball("0.5")).is_err());
+}
+
+#[test]
+fn boxes_intersect_in_what_both_hold() {
+    let between = |(low, high): (f64, f64)| {
+        let [low, high] = [low, high].map(|x| Ball::exact(64, x));
+        Ball::between(64, low.mid(), high.mid())
+    };
+    for (a, b, due) in [
+        ((0.0, 2.0), (1.0, 3.0), Some((1.0, 2.0))),
+        ((0.0, 4.0), (1.0, 3.0), Some((1.0, 3.0))),
+        ((0.0, 1.0), (2.0, 3.0), None),
+    ] {
+        for (a, b) in [(a, b), (b, a)] {
+            let found = intersection(&between(a), &between(b));
+            let ends = found.map(|x| (x.lower().to_f64(), x.upper().to_f64()));
+            let near = |x: f64, y: f64| (x - y).abs() < 1e-9;
+            let right = match (ends, due) {
+                (Some(e), Some(d)) => near(e.0, d.0) && near(e.1, d.1),
+                (e, d) => e.is_none() && d.is_none(),
+            };
+            assert!(right, "{a:?} {b:?}: {ends:?}");
+        }
+    }
+}
+
+/// A free angle as many half turns to either side as a common denominator says, to the last bit, and one that is solved
+/// for as far as its equation says.
+#[test]
+fn charts_are_as_wide_as_their_turns() {
+    let system = cranked(&four_bar()).coarse;
+    let pi = Ball::pi(400).lower();
+    for q in 1..600 {
+        let slope = (1, Rational::from((1, q)));
+        let x = system.chart(&[(vec![(0, Rational::from(1)), slope], Ball::exact(64, 0.5))]);
+        for (x, turns) in [(&x[1], q), (&x[2], 1)] {
+            assert!(x.mid().is_zero());
+            let (rad, due) = (x.rad().to_float(), pi.clone() * turns);
+            assert!(rad >= due && rad < due * 1.000_000_1f64, "{q}");
+        }
+        let (low, high) = (x[0].lower() - 0.5f64, x[0].upper() - 0.5f64);
+        assert!(low <= -pi.clone() && high >= pi && high < 3.142, "{q}");
+    }
 }
