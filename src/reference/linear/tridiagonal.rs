@@ -317,6 +317,51 @@ mod tests {
         }
     }
 
+    /// Rows without denominators and without a common factor, as they come and after an elimination.
+    #[test]
+    fn rows_are_whole_and_have_no_common_factor() {
+        let row = |entries: &[(usize, (i32, i32))], rhs: (i32, i32)| {
+            let entries = entries.iter().map(|&(j, q)| (j, Rational::from(q)));
+            IntegerRow::new((entries.collect(), vec![Rational::from(rhs)]))
+        };
+        let parts = |r: &IntegerRow| {
+            let entries = r.entries.iter().map(|(&j, v)| (j, v.to_i32().unwrap()));
+            (entries.collect::<Vec<_>>(), r.rhs[0].to_i32().unwrap())
+        };
+        let integers = row(&[(0, (6, 1)), (2, (0, 1)), (3, (-9, 1))], (12, 1));
+        assert_eq!(parts(&integers), (vec![(0, 2), (3, -3)], 4));
+        let even = row(&[(0, (4, 1)), (3, (-6, 1))], (8, 1));
+        assert_eq!(parts(&even), (vec![(0, 2), (3, -3)], 4));
+        let prime = row(&[(1, (4, 1)), (3, (6, 1))], (-9, 1));
+        assert_eq!(parts(&prime), (vec![(1, 4), (3, 6)], -9));
+        let pivot = row(&[(0, (1, 2)), (3, (1, 3))], (1, 6));
+        assert_eq!(parts(&pivot), (vec![(0, 3), (3, 2)], 1));
+        // Three times the one less twice the other: −13 in column 3, 10 on the right.
+        let mut reduced = row(&[(0, (2, 1)), (3, (-3, 1))], (4, 1));
+        reduced.eliminate(0, &pivot);
+        assert_eq!(parts(&reduced), (vec![(3, -13)], 10));
+        let mut reduced = row(&[(0, (3, 1)), (2, (4, 1)), (3, (8, 1))], (7, 1));
+        reduced.eliminate(0, &pivot);
+        assert_eq!(parts(&reduced), (vec![(2, 2), (3, 3)], 3));
+    }
+
+    /// 2x + y = 1, x + 2y = 3, as it stands and closed to a ring.
+    #[test]
+    fn small_systems_have_their_solutions() {
+        let thirds = |v: &[i32]| v.iter().map(|&v| (v, 3).into()).collect::<Vec<Rational>>();
+        let (one, two) = (q(&[1]), q(&[2, 2]));
+        assert_eq!(solve(&one, &two, &one, &q(&[1, 3])), Some(thirds(&[-1, 5])));
+        let rows = inverse(&one, &two, &one).unwrap();
+        assert_eq!(rows, [thirds(&[2, -1]), thirds(&[-1, 2])]);
+        // Both neighbours of a row of two are the other one.
+        let halves: Vec<Rational> = [(1, 2), (1, 2)].map(Rational::from).to_vec();
+        assert_eq!(
+            solve_cyclic(&halves, &two, &halves, &q(&[1, 3])),
+            Some(thirds(&[-1, 5]))
+        );
+        assert_eq!(inverse_cyclic(&halves, &two, &halves).unwrap(), rows);
+    }
+
     #[test]
     fn singular_is_an_answer() {
         assert_eq!(

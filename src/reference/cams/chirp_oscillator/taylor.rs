@@ -100,9 +100,7 @@ fn panel(
     let (terms, ratio) = plan(rate, about(kappa).abs(), h, f64::from(prec) + 8.0);
     let tail = Tail {
         start: norm(p, &here),
-        rate: Mag::above(real(&p.w).mid())
-            .add(real(&p.n).magnitude().shift(1))
-            .add(real(&q).magnitude()),
+        rate: growth_rate(p, &q),
         kappa: real(kappa).magnitude(),
         half: real(half).magnitude(),
         ratio,
@@ -148,6 +146,12 @@ fn panel(
         let by = |x: ComplexBall| ComplexBall::new(&x.re / &share, &x.im / &share);
         before = std::mem::replace(&mut here, (by(a), by(b)));
     }
+}
+
+/// An upper bound on `w + 2n + |q|`.
+fn growth_rate(p: &Problem, q: &Rational) -> Mag {
+    let size = |x: &Rational| Ball::rational(64, x).magnitude();
+    size(&p.w).add(size(&p.n).shift(1)).add(size(q))
 }
 
 /// The number of terms that should do for so many bits, and `R/h`.

@@ -49,6 +49,26 @@ fn the_tail_of_the_fastest_growth() {
     }
 }
 
+/// w + 2n + |q| from above, be they numbers of 64 bits or not.
+#[test]
+fn the_rate_of_growth_has_three_parts() {
+    for (w, n, q, due) in [
+        ((3, 1), (0, 1), (0, 1), (3, 1)),
+        ((3, 1), (1, 4), (0, 1), (7, 2)),
+        ((3, 1), (1, 4), (-5, 1), (17, 2)),
+        ((1, 3), (1, 7), (1, 11), (164, 231)),
+    ] {
+        let mut p = problem(w);
+        p.n = Rational::from(n);
+        let found = growth_rate(&p, &Rational::from(q))
+            .to_float()
+            .to_rational()
+            .unwrap();
+        let due = Rational::from(due);
+        assert!(found >= due && found < due * Rational::from((1_000_000_001, 1_000_000_000)));
+    }
+}
+
 /// `|(wP, Q)|` of vectors with whole lengths.
 #[test]
 fn the_norm_is_euclid_s() {

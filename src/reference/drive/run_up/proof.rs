@@ -54,6 +54,14 @@ struct Growth {
     mean: Mag,
 }
 
+/// The speeds of a step whose speed stays in the tube: from rest, those between as well.
+fn speeds(tube: &Ball, rest: bool) -> Ball {
+    match rest {
+        true => tube.union(&Ball::integer(64, 0)),
+        false => tube.clone(),
+    }
+}
+
 fn growth(rest: bool, rate: f64, start: Mag, defect: Mag) -> Growth {
     if rest {
         // |e|/u².
@@ -168,11 +176,7 @@ impl Proof<'_> {
             return Err(lost);
         }
         // ā of (3).
-        let speeds = if self.rest {
-            tube.union(&Ball::integer(64, 0))
-        } else {
-            tube.clone()
-        };
+        let speeds = speeds(&tube, self.rest);
         let m = self.set.motor.slope(&speeds).with_prec(64).upper();
         let point = |x: Float| Ball::new(x, Mag::ZERO);
         let (jm, cm) = if m < 0 {

@@ -470,3 +470,14 @@ fn quotients_below() {
     let x = below_quotient(&exact(1.0).widened(Mag::from_f64(0.5)), Mag::from_f64(2.0));
     assert!(x.to_f64() <= 0.25 && x.to_f64() > 0.2499);
 }
+
+/// From rest a motor passes all speeds up to the tube's.
+#[test]
+fn speeds_from_rest_begin_at_zero() {
+    let tube = exact(3.0).widened(Mag::from_f64(0.5));
+    let ends = |x: Ball| (x.lower().to_f64(), x.upper().to_f64());
+    let (low, high) = ends(speeds(&tube, true));
+    assert!(low <= 0.0 && low > -1e-9 && (3.5..3.5 + 1e-9).contains(&high));
+    let (low, high) = ends(speeds(&tube, false));
+    assert!((2.5 - 1e-9..=2.5).contains(&low) && (3.5..3.5 + 1e-9).contains(&high));
+}

@@ -99,10 +99,7 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> ComplexBall {
     let q2 = (&x2 * &yy).shift(2) * &inverse;
     let (big_p, big_s) = fixed::sum(&p, &q2, bits, n, |k| (c_top, (2 * k + 3) << c_down));
     let tail = Mag::power_of_two(-i64::from(target));
-    let (big_p, big_s) = (
-        big_p.with_prec(inner).widened(tail),
-        big_s.with_prec(inner).widened(tail),
-    );
+    let [big_p, big_s] = [big_p, big_s].map(|x| x.with_prec(inner).widened(tail));
 
     let factor = Ball::integer(inner, 2) / &Ball::pi(inner).sqrt();
     let re = -((&factor * &y) * &(&big_p - &(&x2 * &big_s)));

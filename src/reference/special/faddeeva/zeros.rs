@@ -182,6 +182,44 @@ mod tests {
     use super::super::erf;
     use super::*;
     use crate::Decimal;
+
+    /// Upper bounds on |z| and |f'| enter, and a lower one on |f'|, be the numbers exact or not.
+    #[test]
+    fn a_certificate_counts_what_is_not_known() {
+        let real = |mid: f64, rad: f64| {
+            let re = Ball::exact(64, mid).widened(Mag::from_f64(rad));
+            ComplexBall::new(re, Ball::integer(64, 0))
+        };
+        let at: fn(&ComplexBall, u32) -> Option<[ComplexBall; 2]> = |_, _| None;
+        let by = |lipschitz| Function { at, lipschitz };
+        let point = by(|_, z, _, _| z);
+        // η = 1/16 and r = 1/8: M = |z| + r has to be at most 2.
+        let beside = |z: ComplexBall| {
+            let found = certificate(&point, &z, &[real(1.0 / 64.0, 0.0), real(0.25, 0.0)]);
+            found.map(Mag::to_f64)
+        };
+        let near = |r: f64| (0.125..0.125 + 1e-9).contains(&r);
+        assert!(beside(real(1.87, 0.0)).is_some_and(near));
+        assert!(beside(real(-1.5, 0.37)).is_some_and(near));
+        assert!(beside(real(1.88, 0.0)).is_none() && beside(real(1.5, 0.38)).is_none());
+        // M = |f'|: value/below · above/below has to be at most 1/2.
+        let slope = by(|[_, slope], _, _, _| slope);
+        let of = |value: f64| {
+            certificate(
+                &slope,
+                &real(0.0, 0.0),
+                &[real(value, 0.0), real(0.25, 0.125)],
+            )
+        };
+        assert!(of(0.0208).is_some() && of(0.0209).is_none());
+    }
+
+    #[test]
+    fn zeros_are_counted_from_one() {
+        for found in [zero(0, 60), zero_of_erf(0, 60)] {
+            assert!(found.unwrap_err().reason.contains("counted from one"));
+        }
+    }
     use rug::Rational;
 
     #[test]

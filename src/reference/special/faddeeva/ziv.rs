@@ -69,3 +69,72 @@ pub(super) fn balls(parts: [Scaled; 2], bits: u32) -> Result<ComplexBall, Undeci
     let [re, im] = parts;
     Ok(ComplexBall::new(re.to_ball(), im.to_ball()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Ball, Mag};
+    use rug::Float;
+    use std::cell::RefCell;
+
+    /// About 1.5, with so many bits; none for what is exact.
+    fn part(accuracy: i64) -> Scaled {
+        let rad = Mag::power_of_two(-accuracy - 1);
+        let part = Ball::new(Float::with_val(64, 1.5), rad);
+        assert_eq!(part.accuracy_bits(), accuracy);
+        Scaled::from(part)
+    }
+
+    /// What a loop asks for, and the precision at which it is undecided.
+    fn asked(bits: u32, once: impl Fn(u32) -> Option<[Scaled; 2]>) -> (Vec<u32>, Option<u32>) {
+        let asked = RefCell::new(Vec::new());
+        let end = decide("planted", bits, 10, |prec| {
+            asked.borrow_mut().push(prec);
+            once(prec)
+        });
+        (asked.into_inner(), end.err().map(|e| e.bits))
+    }
+
+    /// Twelve bits more than are due at first; then what is missing of the worse part, and six.
+    #[test]
+    fn precisions_rise_by_what_is_missing() {
+        for losses in [[20, 5], [5, 20], [20, 20]] {
+            let once = |prec| Some(losses.map(|loss| part(i64::from(prec) - loss)));
+            assert_eq!(asked(100, once), (vec![112, 126], None), "{losses:?}");
+        }
+        let enough = |prec| Some([12, 12].map(|loss| part(i64::from(prec) - loss)));
+        assert_eq!(asked(100, enough), (vec![112], None));
+        // At least two bits are due.
+        assert_eq!(asked(0, enough), (vec![14], None));
+        assert_eq!(asked(3, enough), (vec![15], None));
+        // A part that is zero is as good as any.
+        let zero = || Scaled::from(Ball::integer(64, 0));
+        let beside = |prec| Some([zero(), part(i64::from(prec) - 20)]);
+        assert_eq!(asked(100, beside), (vec![112, 126], None));
+        assert_eq!(asked(100, |_| Some([zero(), zero()])), (vec![112], None));
+    }
+
+    /// Doubled where nothing is known, of either part or at all, up to four times bits and length and 4096.
+    #[test]
+    fn the_precision_has_a_cap() {
+        let due = vec![112, 224, 448, 896, 1792, 3584, 4536];
+        assert_eq!(asked(100, |_| None), (due.clone(), Some(4536)));
+        let unknown = || Scaled::from(Ball::new(Float::with_val(64, 1.5), Mag::from_f64(2.0)));
+        assert_eq!(
+            asked(100, |_| Some([unknown(), part(200)])),
+            (due.clone(), Some(4536))
+        );
+        assert_eq!(
+            asked(100, |_| Some([part(200), unknown()])),
+            (due.clone(), Some(4536))
+        );
+        let infinite = || Scaled::from(Ball::new(Float::with_val(64, 1.5), Mag::INFINITY));
+        assert_eq!(
+            asked(100, |_| Some([part(200), infinite()])),
+            (due, Some(4536))
+        );
+        // A single bit is something: 99 are missing, again and again.
+        let (precisions, end) = asked(100, |_| Some([part(1), part(200)]));
+        assert_eq!((precisions[1], end), (112 + 105, Some(4536)));
+    }
+}
