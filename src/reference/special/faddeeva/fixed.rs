@@ -124,7 +124,7 @@ fn sum_checked(
             im,
             errors: errors.least(&v),
         });
-        largest = largest.max(errors.re).max(errors.im);
+        largest = largest.max(errors.largest());
     }
     let top = powers.pop()?;
     let q2s = Integer::from(&qf * &top.im) >> bits;
@@ -171,9 +171,6 @@ fn sum_checked(
             }
             e = e.plus(powers[(k % m) as usize].errors, &v, unit);
         }
-        if len == 0 {
-            return None;
-        }
         // S_start D = Σ_j (Π_{i<j} a_i) (Π_{i≥j} b_i) v^j + (Π a_i) S_end
         let mut product = 1u64;
         t.assign(0);
@@ -200,15 +197,18 @@ fn sum_checked(
     if !(largest < pow2((i64::from(bits) - 17).min(1000))) {
         return None;
     }
-    let ball = |x: &Integer, error: f64| {
-        let prec = x.significant_bits().max(64);
-        let mid = Float::with_val(prec, x) >> bits;
-        Ball::new(
-            mid,
-            Mag::from_f64(error * 1.001).shift(shift - i64::from(bits)),
-        )
-    };
+    let ball = |x: &Integer, error: f64| enclosed(x, bits, error, shift);
     Some((ball(&re, e.re), ball(&im, e.im)))
+}
+
+/// So many units, with an error of `error 2^shift` of them as it was computed.
+fn enclosed(x: &Integer, bits: u32, error: f64, shift: i64) -> Ball {
+    let prec = x.significant_bits().max(64);
+    let mid = Float::with_val(prec, x) >> bits;
+    Ball::new(
+        mid,
+        Mag::from_f64(error * 1.001).shift(shift - i64::from(bits)),
+    )
 }
 
 #[cfg(test)]
@@ -249,6 +249,48 @@ mod tests {
                 let growth = (f64::from(top as u32) / 2.0) * std::f64::consts::LOG2_E;
                 let most = Mag::power_of_two(growth as i64 + 24 - i64::from(bits));
                 prop_assert!(a.rad() <= most && b.rad() <= most, "{a:?} {b:?}");
+            }
+        }
+    }
+
+    /// To the nearest unit; a half and the radius are errors.
+    #[test]
+    fn numbers_are_stored_to_half_a_unit() {
+        for (mid, rad) in [(0.25, 0.0), (-0.75, 0.0), (0.25, 0.5), (0.3, 1.0 / 3.0)] {
+            let x = Ball::exact(64, mid).widened(Mag::from_f64(rad));
+            let (stored, error) = fixed(&x, 1).unwrap();
+            let ends = [x.lower(), x.upper()].map(|end| (end * 2u32 - &stored).abs().to_f64());
+            assert!(ends[0] <= error && ends[1] <= error, "{mid} {rad}: {error}");
+            assert!(error <= (0.5 + 2.0 * rad) * 1.000_11);
+        }
+    }
+
+    /// By a thousandth more than was computed.
+    #[test]
+    fn radii_cover_their_own_rounding() {
+        for (shift, scale) in [(0, 1.0), (3, 8.0)] {
+            let x = enclosed(&Integer::from(5 << 7), 8, 96.0, shift);
+            assert_eq!(x.mid().to_f64(), 2.5);
+            let rad = x.rad().to_f64() / scale;
+            assert!((0.375 * 1.001..0.375 * 1.001 + 1e-9).contains(&rad));
+        }
+        // A sum of one term has no error but the roundings that were counted.
+        let zero = Ball::exact(64, 0.0);
+        let (re, im) = sum(&zero, &zero, 64, 1, |_| (1, 1));
+        assert_eq!((re.mid().to_f64(), im.mid().to_f64()), (1.0, 0.0));
+    }
+
+    /// Where stored powers are off by more than 2^−17 their products say too little.
+    #[test]
+    fn powers_have_to_be_near_the_exact_ones() {
+        let zero = Ball::exact(64, 0.0);
+        for (part, finite) in [(0.999, true), (1.001, false)] {
+            let wide = Ball::exact(64, 0.5).widened(Mag::from_f64(part).shift(-17));
+            for n in [1, 2, 20] {
+                let (re, im) = sum(&wide, &zero, 60, n, |_| (1, 2));
+                // Of more terms the second power is stored as well, whose error is half as much again.
+                let due = finite && n < 3;
+                assert_eq!([re.is_finite(), im.is_finite()], [due, due], "{part} {n}");
             }
         }
     }
