@@ -2,6 +2,7 @@
 
 use super::plan::{Kind, Part, Plan};
 use crate::audit::Cases;
+use crate::proof::first_rectangles;
 
 /// The numbers `first`, `first + step`, … below `end`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +49,7 @@ impl Deal {
         assert!(shards > 0, "a campaign has a shard");
         let units = |part: &Part| match part.kind {
             Kind::Hunt => (part.hunts, part.evaluations),
+            Kind::Proof => (first_rectangles(part.within).len() as u64, 1),
             Kind::Audit | Kind::Candidate => {
                 let method = part.method();
                 let variant = part.variant(&*method).expect("the plan was checked");

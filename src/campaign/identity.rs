@@ -55,6 +55,9 @@ impl Identity {
             // The work is dealt by the number of cases: hard cases that are added change it.
             solvers.update(format!("{}\n", Cases::new(&*method, &settings).len()));
         }
+        for part in plan.parts.iter().filter(|p| p.kind == Kind::Proof) {
+            solvers.update(super::proofs::probe(part));
+        }
         Identity {
             program: env!("CARGO_PKG_VERSION").into(),
             references: hex(&references.finalize()),

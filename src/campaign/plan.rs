@@ -5,6 +5,7 @@ use crate::audit::{
 };
 use crate::machine::{Refusal, Source};
 use crate::methods;
+use crate::proof::first_rectangles;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -38,6 +39,8 @@ pub enum Kind {
     Hunt,
     /// Random cases of a program.
     Candidate,
+    /// The proof of the method's error bound, a rectangle of inputs after the other.
+    Proof,
 }
 
 /// A program in place of a method's solver.
@@ -87,6 +90,9 @@ pub struct Part {
     pub hunts: u64,
     /// Evaluations of each.
     pub evaluations: u64,
+    /// Only rectangles in the binades below this, of a proof.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within: Option<f64>,
 }
 
 /// What a campaign judges.
@@ -136,6 +142,7 @@ struct FilePart {
     timeout: Option<f64>,
     hunts: Option<u64>,
     evaluations: Option<u64>,
+    within: Option<f64>,
 }
 
 impl Plan {
@@ -255,8 +262,17 @@ impl FilePart {
                 "decimal, binary and timeout belong to kind = \"candidate\"",
             ),
             (
-                self.cases.is_some() != (self.kind == Kind::Hunt),
+                self.cases.is_some() == matches!(self.kind, Kind::Audit | Kind::Candidate),
                 "cases belong to kind = \"audit\" and \"candidate\", which need them",
+            ),
+            (
+                self.within.is_none() || self.kind == Kind::Proof,
+                "within belongs to kind = \"proof\"",
+            ),
+            (self.within.is_none_or(good), "within is a positive number"),
+            (
+                self.kind != Kind::Proof || !self.chooses(),
+                "a proof is of all inputs and outputs: of its keys it has methods and within alone",
             ),
             (
                 self.kind != Kind::Hunt || self.sides.is_none(),
@@ -272,6 +288,18 @@ impl FilePart {
         ];
         let broken = rules.iter().find(|(holds, _)| !holds);
         broken.map_or(Ok(()), |(_, why)| Err(why))
+    }
+
+    /// Whether something is said that other kinds choose by.
+    fn chooses(&self) -> bool {
+        let limits = [self.ulps, self.relative, self.absolute, self.normwise];
+        self.seeds.is_some()
+            || !self.regions.is_empty()
+            || self.sides.is_some()
+            || self.ordinary
+            || self.single
+            || self.outputs.is_some()
+            || limits.iter().any(Option::is_some)
     }
 
     fn part(&self, method: &str, seed: u64) -> Part {
@@ -309,6 +337,7 @@ impl FilePart {
                 Kind::Hunt => self.evaluations.unwrap_or(10_000),
                 _ => 0,
             },
+            within: self.within,
         }
     }
 }
@@ -379,6 +408,18 @@ impl Part {
                 "there is no method {name:?}{meant}; there are: {known}"
             ));
         };
+        if self.kind == Kind::Proof {
+            if self.method != "faddeeva" {
+                let name = &self.method;
+                return Err(format!(
+                    "a proof that is cut into rectangles is of faddeeva, not of {name}"
+                ));
+            }
+            if first_rectangles(self.within).is_empty() {
+                let within = self.within.unwrap_or(0.0);
+                return Err(format!("no rectangle lies within {within}"));
+            }
+        }
         self.variant(&*method).map(drop).map_err(|e| e.to_string())
     }
 
@@ -390,6 +431,12 @@ impl Part {
         }
         if let Some(sides) = &self.sides {
             label += &format!(", {sides}");
+        }
+        if self.kind == Kind::Proof {
+            return match self.within {
+                Some(most) => label + &format!(", proof within {most}"),
+                None => label + ", proof",
+            };
         }
         label + &format!(", seed {}", self.seed)
     }

@@ -3,6 +3,7 @@
 use super::deal::{Deal, Stride};
 use super::hunts::HuntTally;
 use super::plan::{Kind, Part, Plan, Program};
+use super::proofs::{self, ProofTally};
 use crate::audit::{Cases, HuntSettings, Method, Panel, Settings, StoredTally, Tally, hunt_until};
 use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
@@ -28,6 +29,8 @@ pub enum PartContent {
     Candidate(StoredTally, Option<Who>),
     /// Hunts.
     Hunt(HuntTally),
+    /// Rectangles of a proof.
+    Proof(ProofTally),
 }
 
 /// What a shard found, part by part.
@@ -58,7 +61,7 @@ pub type Answering<'a> = dyn Fn(&Program, (Cases, Stride), &Panel, &(dyn Fn(u64)
 /// evaluations as they are made.
 ///
 /// # Errors
-/// A program that does not answer.
+/// A program that does not answer, a proof whose tables the reference is undecided about.
 pub fn run(
     (plan, deal, k): (&Plan, &Deal, u64),
     pool: &ThreadPool,
@@ -82,6 +85,10 @@ pub fn run(
                     false => pool.install(judged).map_err(bad)?,
                 };
                 PartContent::Candidate(panel.into_tally().stored(), who)
+            }
+            (Kind::Proof, _) => {
+                let proved = || proofs::of(part, stride, progress, stop);
+                PartContent::Proof(pool.install(proved).map_err(bad)?)
             }
             (Kind::Hunt, _) => {
                 let hunts = || hunts(&variant, part, stride, progress, stop);

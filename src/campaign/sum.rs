@@ -4,6 +4,7 @@ use super::deal::Deal;
 use super::hunts::HuntTally;
 use super::identity::Identity;
 use super::plan::{Kind, Plan};
+use super::proofs::ProofTally;
 use super::shard::{Content, PartContent, Who};
 use crate::audit::{CandidateReport, Method, MethodReport, StoredError, Tally};
 use crate::report::json;
@@ -13,6 +14,7 @@ use serde_json::{Value, json};
 enum Gathered {
     Tally(Box<Tally>, Option<Who>),
     Hunts(HuntTally),
+    Proof(ProofTally),
 }
 
 /// What was found in a part of a campaign.
@@ -21,6 +23,8 @@ pub enum PartSum {
     Report(Box<MethodReport>),
     /// Of hunts.
     Hunts(HuntTally, Box<dyn Method>),
+    /// Of a proof.
+    Proof(ProofTally),
 }
 
 impl PartSum {
@@ -29,6 +33,7 @@ impl PartSum {
         match self {
             PartSum::Report(report) => report.passed(),
             PartSum::Hunts(hunts, method) => hunts.passed(&**method),
+            PartSum::Proof(found) => found.open == 0,
         }
     }
 }
@@ -71,6 +76,7 @@ impl<'a> Sum<'a> {
         let parts = plan.parts.iter().zip(methods);
         let gathered = parts.map(|(part, method)| match part.kind {
             Kind::Hunt => Gathered::Hunts(HuntTally::default()),
+            Kind::Proof => Gathered::Proof(ProofTally::default()),
             Kind::Audit | Kind::Candidate => {
                 let variant = part.variant(&**method).expect("the plan was checked");
                 let tally = Tally::lean(&variant, &part.settings());
@@ -109,6 +115,7 @@ impl<'a> Sum<'a> {
                     Gathered::Tally(Box::new(tally), who)
                 }
                 (PartContent::Hunt(hunts), Kind::Hunt) => Gathered::Hunts(hunts),
+                (PartContent::Proof(found), Kind::Proof) => Gathered::Proof(found),
                 _ => return Err(SumError::Kind),
             });
         }
@@ -140,6 +147,7 @@ impl<'a> Sum<'a> {
                     *who = who.take().or(other);
                 }
                 (Gathered::Hunts(hunts), Gathered::Hunts(more)) => hunts.merge(more),
+                (Gathered::Proof(found), Gathered::Proof(more)) => found.merge(more),
                 _ => unreachable!("parts of one plan"),
             }
         }
@@ -162,6 +170,7 @@ impl<'a> Sum<'a> {
         let parts = self.plan.parts.iter().zip(self.methods).zip(self.gathered);
         let finished = parts.map(|((part, method), gathered)| match gathered {
             Gathered::Hunts(hunts) => PartSum::Hunts(hunts, part.method()),
+            Gathered::Proof(found) => PartSum::Proof(found),
             Gathered::Tally(mut tally, who) => {
                 if !complete {
                     tally.interrupt();
@@ -195,6 +204,7 @@ pub fn document(plan: &Plan, identity: &Identity, parts: &[PartSum]) -> Value {
         let found = match sum {
             PartSum::Report(report) => json::method(report),
             PartSum::Hunts(hunts, method) => hunts.json(&**method),
+            PartSum::Proof(found) => found.json(),
         };
         json!({ "kind": part.kind, "label": part.label(), "found": found })
     });

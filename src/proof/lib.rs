@@ -30,6 +30,9 @@ pub use certificate::{Open, Watch};
 pub use cover::{Rectangle, hole};
 pub use evaluation::Rounding;
 pub use formula::{Bound, Formula};
-pub use prove::{Certificate, Code, Leaf, Target, UPPER_HALF_PLANE, upper_half_plane};
+pub use prove::{
+    Certificate, Code, Leaf, Target, UPPER_HALF_PLANE, first_rectangles, on_rectangle,
+    upper_half_plane,
+};
 pub use summary::{Attained, OfFormula, Summary};
 pub use tables::Tables;

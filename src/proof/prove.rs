@@ -94,6 +94,25 @@ pub fn upper_half_plane(
     })
 }
 
+/// Proves what can be proved on one rectangle; `None` if it was stopped.
+pub fn on_rectangle(
+    code: &Code,
+    target: Target,
+    watch: &Watch,
+    at: Rectangle,
+) -> Option<Certificate> {
+    let mut found = Certificate::default();
+    refine(code, target, watch, at, 0, &mut found)?;
+    Some(found)
+}
+
+/// The rectangles that a proof of the closed upper half-plane begins with, in the binades below `within` or all.
+pub fn first_rectangles(within: Option<f64>) -> Vec<Rectangle> {
+    let mut all = roots();
+    all.retain(|r| within.is_none_or(|most| r.a[1].max(r.b[1]) < most));
+    all
+}
+
 /// The rectangle, halved as often as it takes.
 fn refine(
     code: &Code,

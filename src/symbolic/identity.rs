@@ -256,6 +256,7 @@ mod tests {
             ("pi - i*pi/2 = 0", "3.1415927-1.5707963*i"),
             ("pi + i*pi/2 = 0", "3.1415927+1.5707963*i"),
             ("W(i*x) + W(i*y) = 0", "0.43439683"),
+            ("int(s, 0, x, exp(-s^2)) = 0", "0.88208139"),
         ] {
             let found = residual(text);
             // Trailing zeros and powers of ten are the decimals' own affair.
@@ -292,6 +293,7 @@ mod tests {
             ("int(s, p, q, s*x) = 0", "p q x"),
             ("sum(k, 1, inf, k*x) = 0", "x"),
             ("sum(k, 1, n_num, k*y) = 0", "y"),
+            ("sum(k, 1, each, k*x) = 0", "x"),
             ("at(t^2 + v, t, x) = 0", "v x"),
             ("s + int(s, 0, 1, s) = 7", "s"),
         ] {

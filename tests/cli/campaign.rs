@@ -31,6 +31,10 @@ const PLAN: &str = r#"
     methods = ["tridiagonal"]
     exec = "sh -c 'while read line; do echo refuse; done'"
     cases = 5
+    [[part]]
+    kind = "proof"
+    methods = ["faddeeva"]
+    within = 0.01
 "#;
 
 fn campaign(args: &[&str]) -> Done {

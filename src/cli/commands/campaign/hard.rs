@@ -10,7 +10,7 @@ use std::path::Path;
 /// Whether a part judges the method's own solver by its own budgets.
 fn is_of_method(part: &Part) -> bool {
     let own = part.limit.is_some() || part.normwise.is_some();
-    part.kind != Kind::Candidate && !own && !part.single && part.outputs.is_none()
+    matches!(part.kind, Kind::Audit | Kind::Hunt) && !own && !part.single && part.outputs.is_none()
 }
 
 /// The worst input of each output of a part.
@@ -43,6 +43,7 @@ fn worst(plan: &Plan, part: &Part, sum: &PartSum, method: &dyn Method) -> Vec<Ha
             };
             worst.iter().map(one).collect()
         }
+        PartSum::Proof(_) => Vec::new(),
     };
     let good = |c: &HardCase| c.share.is_finite() && method.admits(&c.input);
     all.into_iter().filter(good).collect()

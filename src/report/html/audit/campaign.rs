@@ -1,8 +1,7 @@
 //! What a campaign has besides audits.
 
-use crate::audit::Method;
-use crate::audit::MethodReport;
-use crate::campaign::{HuntTally, PartSum, Plan};
+use crate::audit::{Method, MethodReport, rounded_up};
+use crate::campaign::{HuntTally, PartSum, Plan, ProofTally};
 use crate::report::html::page::class;
 use crate::report::words::Tone;
 use crate::report::words::numbers::percent;
@@ -21,7 +20,7 @@ pub fn hunts(plan: &Plan, found: &[PartSum]) -> Markup {
     let hunts: Vec<(String, &HuntTally, &dyn Method)> = parts
         .filter_map(|(part, found)| match found {
             PartSum::Hunts(hunts, method) => Some((part.label(), hunts, &**method)),
-            PartSum::Report(_) => None,
+            PartSum::Report(_) | PartSum::Proof(_) => None,
         })
         .collect();
     html! {
@@ -36,6 +35,52 @@ pub fn hunts(plan: &Plan, found: &[PartSum]) -> Markup {
                     } } "\n"
                     tbody { "\n"
                         @for (label, hunts, method) in &hunts { (lines(label, hunts, *method)) }
+                    } "\n"
+                } } "\n"
+            } "\n"
+        }
+    }
+}
+
+/// The proofs, part by part: what is proved by each formula so far.
+pub fn proofs(plan: &Plan, found: &[PartSum]) -> Markup {
+    let parts = plan.parts.iter().zip(found);
+    let proofs: Vec<(String, &ProofTally)> = parts
+        .filter_map(|(part, found)| match found {
+            PartSum::Proof(proof) => Some((part.label(), proof)),
+            _ => None,
+        })
+        .collect();
+    let bound = |x: f64| match x.is_finite() {
+        true => rounded_up(x).to_string(),
+        false => "–".into(),
+    };
+    html! {
+        @if !proofs.is_empty() {
+            section { "\n"
+                h2 #proofs { "Proofs" } "\n"
+                p { "Bounds of the norm in units of 2⁻⁵², of components in units in the last place, rounded up." } "\n"
+                div.scroll tabindex="0" { table { "\n"
+                    thead { tr {
+                        th.left { "part" } th.left { "formula" } th { "boxes" } th { "norm" } th { "Re" } th { "Im" }
+                        th { "open" }
+                    } } "\n"
+                    tbody { "\n"
+                        @for (label, proof) in &proofs {
+                            @for (name, f) in proof.formulas() {
+                                tr {
+                                    td.left { (label) } td.left { (name) } td { (f.boxes) }
+                                    td { (bound(f.norm.bound())) } td { (bound(f.re.bound())) }
+                                    td { (bound(f.im.bound())) } td {}
+                                } "\n"
+                            }
+                            tr {
+                                td.left { (label) } td.left { b { "all" } } td { (proof.boxes()) }
+                                td { b { (bound(proof.norm())) } }
+                                td colspan="2" { b { (bound(proof.component())) } }
+                                td { span.(class(if proof.open == 0 { Tone::Good } else { Tone::Bad })) { (proof.open) } }
+                            } "\n"
+                        }
                     } "\n"
                 } } "\n"
             } "\n"

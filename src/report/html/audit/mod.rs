@@ -53,7 +53,7 @@ pub fn campaign(plan: &Plan, (done, shards): (u64, u64), found: &[PartSum]) -> S
     let named: Named = parts
         .filter_map(|(label, found)| match found {
             PartSum::Report(report) => Some((label.as_str(), &**report)),
-            PartSum::Hunts(..) => None,
+            PartSum::Hunts(..) | PartSum::Proof(_) => None,
         })
         .collect();
     let reports: Vec<&MethodReport> = named.iter().map(|n| n.1).collect();
@@ -63,7 +63,7 @@ pub fn campaign(plan: &Plan, (done, shards): (u64, u64), found: &[PartSum]) -> S
         kind: "campaign",
         totals: format!("{shards_done}; {}", campaign::totals(&reports)),
         named,
-        first: campaign::hunts(plan, found),
+        first: html! { (campaign::proofs(plan, found)) (campaign::hunts(plan, found)) },
         changes: None,
         approximations: None,
         state: (done == shards).then(|| found.iter().all(PartSum::passed)),

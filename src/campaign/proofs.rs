@@ -1,0 +1,368 @@
+//! What a proof found on its rectangles.
+
+use super::deal::Stride;
+use super::plan::Part;
+use crate::audit::hex_float;
+use crate::proof::{
+    Certificate, Code, Leaf, Rectangle, UPPER_HALF_PLANE, Watch, first_rectangles, on_rectangle,
+};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Rectangles without a bound that are kept.
+const OPEN: usize = 20;
+
+/// The ends of Re z and of Im z, by their bits.
+type Ends = [u64; 4];
+
+fn ends(at: &Rectangle) -> Ends {
+    [at.a[0], at.a[1], at.b[0], at.b[1]].map(f64::to_bits)
+}
+
+fn shown(at: Ends) -> Value {
+    let hex = at.map(|x| hex_float(f64::from_bits(x)));
+    json!({ "re": [hex[0], hex[1]], "im": [hex[2], hex[3]] })
+}
+
+/// The largest bound, and the first rectangle where it is attained.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Attained {
+    /// The complement of the bound's bits, so that the largest comes first; bounds are not negative.
+    order: u64,
+    at: Ends,
+}
+
+impl Attained {
+    fn new(bound: f64, at: &Rectangle) -> Attained {
+        Attained {
+            order: !bound.to_bits(),
+            at: ends(at),
+        }
+    }
+
+    /// The bound; infinite where a rectangle has none.
+    pub fn bound(&self) -> f64 {
+        f64::from_bits(!self.order)
+    }
+
+    fn add(&mut self, other: &Attained) {
+        if other < self {
+            self.clone_from(other);
+        }
+    }
+
+    fn json(&self) -> Value {
+        json!({ "bound": finite(self.bound()), "box": shown(self.at) })
+    }
+}
+
+/// Nothing for what no number says.
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
+
+/// What is proved by one formula.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OfFormula {
+    /// Rectangles.
+    pub boxes: u64,
+    /// Of the norm, in units of 2⁻⁵².
+    pub norm: Attained,
+    /// Of the real part, in units in its last place.
+    pub re: Attained,
+    /// Of the imaginary part.
+    pub im: Attained,
+    /// Of either part, besides, in units of 2⁻¹⁰⁷⁵, where it may be below 2⁻⁹⁶⁰.
+    tiny: Attained,
+}
+
+/// Counts and the largest bounds; adding is exact, in any order.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ProofTally {
+    /// Rectangles of the first partition.
+    pub parts: u64,
+    /// Rectangles without a bound.
+    pub open: u64,
+    /// The first of them, and why.
+    first_open: Vec<(Ends, String)>,
+    formulas: BTreeMap<String, OfFormula>,
+}
+
+impl ProofTally {
+    fn of(found: &Certificate) -> ProofTally {
+        let mut tally = ProofTally {
+            parts: 1,
+            ..ProofTally::default()
+        };
+        for Leaf { at, formula, bound } in &found.leaves {
+            let attained = |x: f64| Attained::new(x, at);
+            tally.add_formula(
+                formula.name().into(),
+                OfFormula {
+                    boxes: 1,
+                    norm: attained(bound.norm),
+                    re: attained(bound.re),
+                    im: attained(bound.im),
+                    tiny: attained(bound.tiny),
+                },
+            );
+        }
+        tally.open = found.open.len() as u64;
+        let open = found.open.iter().map(|o| (ends(&o.at), o.why.into()));
+        tally.first_open = open.collect();
+        tally.cut();
+        tally
+    }
+
+    fn add_formula(&mut self, name: String, more: OfFormula) {
+        match self.formulas.get_mut(&name) {
+            None => drop(self.formulas.insert(name, more)),
+            Some(own) => {
+                own.boxes += more.boxes;
+                own.norm.add(&more.norm);
+                own.re.add(&more.re);
+                own.im.add(&more.im);
+                own.tiny.add(&more.tiny);
+            }
+        }
+    }
+
+    fn cut(&mut self) {
+        self.first_open.sort();
+        self.first_open.truncate(OPEN);
+    }
+
+    /// Adds what was found on other rectangles.
+    pub fn merge(&mut self, other: ProofTally) {
+        self.parts += other.parts;
+        self.open += other.open;
+        self.first_open.extend(other.first_open);
+        self.cut();
+        for (name, more) in other.formulas {
+            self.add_formula(name, more);
+        }
+    }
+
+    /// Each formula, by its name.
+    pub fn formulas(&self) -> impl Iterator<Item = (&str, &OfFormula)> {
+        self.formulas.iter().map(|(name, f)| (name.as_str(), f))
+    }
+
+    /// Rectangles with a bound.
+    pub fn boxes(&self) -> u64 {
+        self.formulas.values().map(|f| f.boxes).sum()
+    }
+
+    fn most<'a>(&'a self, of: impl Fn(&'a OfFormula) -> &'a Attained) -> Option<&'a Attained> {
+        self.formulas.values().map(of).min()
+    }
+
+    /// K: of the norm, in units of 2⁻⁵²; 0 of nothing.
+    pub fn norm(&self) -> f64 {
+        self.most(|f| &f.norm).map_or(0.0, Attained::bound)
+    }
+
+    /// C: of each component, in units in its last place; 0 of nothing.
+    pub fn component(&self) -> f64 {
+        let parts = [self.most(|f| &f.re), self.most(|f| &f.im)];
+        parts
+            .into_iter()
+            .flatten()
+            .min()
+            .map_or(0.0, Attained::bound)
+    }
+
+    /// All of it.
+    pub fn json(&self) -> Value {
+        let parts = [self.most(|f| &f.re), self.most(|f| &f.im)];
+        let tiny = self.most(|f| &f.tiny).map(Attained::bound);
+        let formulas = self.formulas.iter().map(|(name, f)| {
+            json!({
+                "formula": name,
+                "boxes": f.boxes,
+                "norm": f.norm.json(),
+                "re": f.re.json(),
+                "im": f.im.json(),
+                "tiny": f.tiny.bound(),
+            })
+        });
+        let open = self.first_open.iter();
+        let open = open.map(|(at, why)| json!({ "box": shown(*at), "why": why }));
+        json!({
+            "function": "faddeeva",
+            "part": "upper",
+            "passed": self.open == 0,
+            "proved": self.open == 0,
+            "rectangles": self.parts,
+            "norm": self.most(|f| &f.norm).map(Attained::json),
+            "component": parts.into_iter().flatten().min().map(Attained::json),
+            "tiny": tiny,
+            "boxes": self.boxes(),
+            "formulas": formulas.collect::<Vec<Value>>(),
+            "open": self.open,
+            "first_open": open.collect::<Vec<Value>>(),
+        })
+    }
+}
+
+/// Proves what can be proved on some of the rectangles, on the threads of the pool that this runs in; what is found
+/// after `stop` is set means nothing.
+///
+/// # Errors
+/// If the reference is undecided about a coefficient of the solver's tables.
+pub fn of(
+    part: &Part,
+    stride: Stride,
+    progress: &(dyn Fn(u64) + Sync),
+    stop: &AtomicBool,
+) -> Result<ProofTally, String> {
+    if stride.is_empty() {
+        return Ok(ProofTally::default());
+    }
+    let code = Code::of_the_solver()?;
+    let all = first_rectangles(part.within);
+    let watch = Watch::default();
+    let units = (0..stride.len() as usize).into_par_iter().with_max_len(1);
+    let found = units.map(|j| {
+        if stop.load(Ordering::Relaxed) {
+            watch.stop.store(true, Ordering::Relaxed);
+        }
+        let at = all[stride.at(j as u64) as usize];
+        let found = on_rectangle(&code, UPPER_HALF_PLANE, &watch, at);
+        progress(1);
+        found.map_or_else(ProofTally::default, |f| ProofTally::of(&f))
+    });
+    Ok(found.reduce(ProofTally::default, |mut sum, more| {
+        sum.merge(more);
+        sum
+    }))
+}
+
+/// What is proved on two of the rectangles, bit for bit, so that another prover is told.
+pub fn probe(part: &Part) -> String {
+    let all = first_rectangles(part.within);
+    let some = [0, all.len() / 3].map(|i| all[i]);
+    match Code::of_the_solver() {
+        Err(why) => why,
+        Ok(code) => {
+            let found = some.map(|at| on_rectangle(&code, UPPER_HALF_PLANE, &Watch::default(), at));
+            let tally = found.map(|f| f.map(|f| ProofTally::of(&f)));
+            format!("{} {tally:?}\n", all.len())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::campaign::{Deal, Kind, Plan};
+    use crate::machine::Source;
+    use crate::proof::{Open, upper_half_plane};
+
+    fn part(within: f64) -> Part {
+        let text = format!(
+            "name = \"p\"\n[[part]]\nkind = \"proof\"\nmethods = [\"faddeeva\"]\nwithin = {within}"
+        );
+        let mut plan = Plan::read(&Source::toml(&text)).unwrap();
+        assert_eq!(plan.parts[0].kind, Kind::Proof);
+        assert_eq!(
+            Deal::new(&plan, 5).units(),
+            first_rectangles(Some(within)).len() as u64
+        );
+        plan.parts.swap_remove(0)
+    }
+
+    /// The parts together are the proof, in any order.
+    #[test]
+    fn parts_add_up_to_the_proof() {
+        let part = part(0.01);
+        let n = first_rectangles(part.within).len() as u64;
+        let stop = AtomicBool::new(false);
+        let found = |first: u64, step: u64| {
+            let stride = Stride {
+                first,
+                step,
+                end: n,
+            };
+            of(&part, stride, &|_| {}, &stop).unwrap()
+        };
+        let whole = found(0, 1);
+        for order in [[0, 1, 2], [2, 0, 1]] {
+            let mut sum = ProofTally::default();
+            for k in order {
+                let text = serde_json::to_string(&found(k, 3)).unwrap();
+                sum.merge(serde_json::from_str(&text).unwrap());
+            }
+            assert_eq!(sum, whole);
+        }
+        let code = Code::of_the_solver().unwrap();
+        let wanted = |_: usize, r: &Rectangle| r.a[1].max(r.b[1]) < 0.01;
+        let due = upper_half_plane(&code, UPPER_HALF_PLANE, &Watch::default(), wanted).unwrap();
+        let due = due.summary().unwrap();
+        assert_eq!((whole.parts, whole.open), (n, 0));
+        assert_eq!(whole.boxes(), due.boxes as u64);
+        assert_eq!(whole.norm(), due.norm.bound);
+        assert_eq!(whole.component(), due.component.unwrap().bound);
+        let v = whole.json();
+        assert_eq!(
+            (&v["passed"], &v["boxes"]),
+            (&json!(true), &json!(due.boxes))
+        );
+        assert_eq!(v["norm"]["bound"], json!(due.norm.bound));
+    }
+
+    /// A rectangle without a bound is counted, named, and no pass.
+    #[test]
+    fn open_rectangles_are_told() {
+        let mut sum = ProofTally::default();
+        for k in (0..30).rev() {
+            let at = Rectangle {
+                a: [f64::from(k), f64::from(k + 1)],
+                b: [0.0, 1.0],
+            };
+            let why = "several formulas";
+            let open = vec![Open { at, why }];
+            sum.merge(ProofTally::of(&Certificate {
+                open,
+                ..Certificate::default()
+            }));
+        }
+        let v = sum.json();
+        assert_eq!((&v["passed"], &v["open"]), (&json!(false), &json!(30)));
+        let first = v["first_open"].as_array().unwrap();
+        assert_eq!(first.len(), OPEN);
+        assert_eq!(first[0]["box"]["re"][1], json!("0x1p+0"));
+        assert_eq!((v["norm"].is_null(), sum.norm()), (true, 0.0));
+    }
+
+    #[test]
+    fn what_is_no_part_of_a_proof_is_refused() {
+        for (method, more, due) in [
+            ("erf", "", "not of erf"),
+            ("faddeeva", "within = 1e-9", "no rectangle"),
+            ("faddeeva", "within = -1.0", "positive"),
+            ("faddeeva", "cases = 5", "cases belong"),
+            ("faddeeva", "seeds = [2]", "methods and within alone"),
+            (
+                "faddeeva",
+                "regions = [\"mid\"]",
+                "methods and within alone",
+            ),
+            ("faddeeva", "ulps = 3.0", "methods and within alone"),
+        ] {
+            let text = format!(
+                "name = \"p\"\n[[part]]\nkind = \"proof\"\nmethods = [\"{method}\"]\n{more}"
+            );
+            let why = Plan::read(&Source::toml(&text)).unwrap_err().to_string();
+            assert!(why.contains(due), "{why}");
+        }
+        let other = "name = \"p\"\n[[part]]\nmethods = [\"erf\"]\ncases = 1\nwithin = 2.0";
+        let why = Plan::read(&Source::toml(other)).unwrap_err().to_string();
+        assert!(why.contains("within belongs"), "{why}");
+    }
+}
