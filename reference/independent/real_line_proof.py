@@ -2,7 +2,7 @@
 """Checks the intervals of the proofs of erf, erfc, erfcx and Dawson's function of a real argument, with python-flint
 alone.
 
-    mechaudit prove erfcx --boxes erfcx.csv
+    mechaudit prove erfcx --boxes erfcx.csv   # or faddeeva --part real, with all four
     python3 reference/independent/real_line_proof.py erfcx erfcx.csv [--points 2000] [--seed 1]
 
 Covering: every finite number of either sign, of an odd function every positive one, by the bits of the numbers.
@@ -325,6 +325,7 @@ def main():
         rows = [
             ([float.fromhex(r[k]) for k in ("from", "to")], r["formula"], float.fromhex(r["centre"]) if r["centre"] else None, float.fromhex(r["ulps"]))
             for r in csv.DictReader(file)
+            if r["function"] == args.function
         ]
     check_covering(args.function, [ends for ends, *_ in rows])
     kinds = sorted({name for _, name, *_ in rows})

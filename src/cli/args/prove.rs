@@ -11,6 +11,7 @@ Examples:
   mechaudit prove faddeeva --within 64 --component 6
   mechaudit prove erfcx
   mechaudit prove faddeeva --part lower
+  mechaudit prove faddeeva --part real --boxes intervals.csv
 
 Runs the solver's own code over rectangles that cover the closed upper half-plane, all of it or up to --within, with \
 numbers that enclose the exact value and the error of every rounding, halves a rectangle until its bounds \
@@ -18,10 +19,10 @@ are below the targets, and prints the largest that are left: the theorem. The ch
 of the book has the model of arithmetic and every inequality.
 
 erf, erfc, erfcx and dawson are the functions of a real argument, every finite number of either sign: intervals in \
-place of rectangles, and one bound in units in the last place of the value.
+place of rectangles, and one bound in units in the last place of the value. --part real proves all four.
 
 A file of boxes has a line for each: the ends of Re z and Im z, both included, the formula, the \
-centre of its Taylor series, the bounds; for a function of a real argument the ends of x, the formula, the centre, the \
+centre of its Taylor series, the bounds; for functions of a real argument the function, the ends of x, the formula, the centre, the \
 bound. faddeeva_proof.py, faddeeva_lower_proof.py and real_line_proof.py in reference/independent/ check them.
 
 For the lower half-plane the targets are fixed; its file has the bound of the norm alone, and none where an inequality \
@@ -37,6 +38,8 @@ pub enum Part {
     Upper,
     /// The open lower half-plane: the norm
     Lower,
+    /// The real line: erf, erfc, erfcx and dawson, one after the other
+    Real,
 }
 
 /// Arguments of `prove`.

@@ -28,10 +28,12 @@ pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
         .into_iter()
         .find(|f| f.name() == args.function)
     {
-        return real::prove(function, args);
+        return real::prove(&[function], args);
     }
-    if args.part == Some(Part::Lower) {
-        return lower::prove(args);
+    match args.part {
+        Some(Part::Lower) => return lower::prove(args),
+        Some(Part::Real) => return real::prove(&Function::ALL, args),
+        Some(Part::Upper) | None => {}
     }
     let boxes = args
         .boxes

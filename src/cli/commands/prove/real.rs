@@ -14,17 +14,20 @@ use serde_json::{Value, json};
 use std::io::Write;
 use std::time::Instant;
 
-/// Proves, and prints what is proved.
-pub fn prove(function: Function, args: &ProveArgs) -> Result<Outcome, Failure> {
+/// Proves of one function or of several, and prints what is proved.
+pub fn prove(functions: &[Function], args: &ProveArgs) -> Result<Outcome, Failure> {
     let of_w = [
-        ("--part", args.part.is_some()),
+        ("--part", args.part.is_some() && functions.len() == 1),
         ("--norm", args.norm.is_some()),
         ("--within", args.within.is_some()),
     ];
     if let Some((name, _)) = of_w.into_iter().find(|(_, given)| *given) {
+        let what = match functions {
+            [one] => one.name(),
+            _ => "the real line",
+        };
         return Err(Failure::new(format!(
-            "{name} is for faddeeva alone: {} is proved for every real argument",
-            function.name()
+            "{name} is for faddeeva alone: {what} is proved for every real argument"
         )));
     }
     let boxes = args
@@ -32,33 +35,34 @@ pub fn prove(function: Function, args: &ProveArgs) -> Result<Outcome, Failure> {
         .as_deref()
         .map(|p| Output::open(Some(p)))
         .transpose()?;
-    let begin = Instant::now();
-    let target = args.component.unwrap_or(function.ulps());
-    let found = watched(function.name(), move |watch| {
-        let code = Code::of_the_solver(function)?;
-        Ok(real_line(&code, function, target, watch))
-    })?;
-    let Some(found) = found else {
-        return Ok(Outcome::Interrupted);
-    };
+    let mut theorems = Vec::new();
+    for &function in functions {
+        match Theorem::of(function, args.component.unwrap_or(function.ulps()))? {
+            None => return Ok(Outcome::Interrupted),
+            Some(theorem) => theorems.push(theorem),
+        }
+    }
     if let Some(output) = boxes {
-        output.write(|out| write_intervals(&found, function, out))?;
+        output.write(|out| write_intervals(&theorems, out))?;
     }
-    let summary = found
-        .summary(function)
-        .ok_or_else(|| Failure::new("nothing was proved"))?;
-    let theorem = Theorem {
-        function,
-        missing: hole(function, found.leaves.iter().map(|l| l.at)),
-        seconds: begin.elapsed().as_secs_f64(),
-        found,
-        summary,
-    };
     match args.format {
-        TextOrJson::Text => write_to(None, |out| Ok(write!(out, "{}", theorem.text())?))?,
-        TextOrJson::Json => print_json(&theorem.document())?,
+        TextOrJson::Text => write_to(None, |out| {
+            Ok(theorems
+                .iter()
+                .try_for_each(|t| write!(out, "{}", t.text()))?)
+        })?,
+        TextOrJson::Json => print_json(&match theorems.as_slice() {
+            [one] => one.document(),
+            all => json!({
+                "schema_version": 1,
+                "mechaudit_version": env!("CARGO_PKG_VERSION"),
+                "part": "real",
+                "proved": all.iter().all(Theorem::is_proved),
+                "functions": all.iter().map(Theorem::document).collect::<Vec<Value>>(),
+            }),
+        })?,
     }
-    Ok(Outcome::of(theorem.is_proved()))
+    Ok(Outcome::of(theorems.iter().all(Theorem::is_proved)))
 }
 
 struct Theorem {
@@ -69,17 +73,17 @@ struct Theorem {
     seconds: f64,
 }
 
-fn write_intervals(
-    found: &Certificate,
-    function: Function,
-    out: &mut dyn Write,
-) -> Result<(), Failure> {
-    writeln!(out, "from,to,formula,centre,ulps")?;
-    for Leaf { at, formula, ulps } in &found.leaves {
-        let [p, q] = at.signed().map(hex_float);
-        let centre = formula.centre().map(hex_float).unwrap_or_default();
-        let name = formula.name(function, at.negative).replace(", ", " ");
-        writeln!(out, "{p},{q},{name},{centre},{}", hex_float(*ulps))?;
+fn write_intervals(theorems: &[Theorem], out: &mut dyn Write) -> Result<(), Failure> {
+    writeln!(out, "function,from,to,formula,centre,ulps")?;
+    for theorem in theorems {
+        let function = theorem.function;
+        for Leaf { at, formula, ulps } in &theorem.found.leaves {
+            let [p, q] = at.signed().map(hex_float);
+            let centre = formula.centre().map(hex_float).unwrap_or_default();
+            let of = formula.name(function, at.negative).replace(", ", " ");
+            let (name, ulps) = (function.name(), hex_float(*ulps));
+            writeln!(out, "{name},{p},{q},{of},{centre},{ulps}")?;
+        }
     }
     Ok(())
 }
@@ -90,6 +94,28 @@ fn place(at: &Interval) -> String {
 }
 
 impl Theorem {
+    /// Nothing if the user ends it.
+    fn of(function: Function, target: f64) -> Result<Option<Theorem>, Failure> {
+        let begin = Instant::now();
+        let found = watched(function.name(), move |watch| {
+            let code = Code::of_the_solver(function)?;
+            Ok(real_line(&code, function, target, watch))
+        })?;
+        let Some(found) = found else {
+            return Ok(None);
+        };
+        let summary = found
+            .summary(function)
+            .ok_or_else(|| Failure::new("nothing was proved"))?;
+        Ok(Some(Theorem {
+            function,
+            missing: hole(function, found.leaves.iter().map(|l| l.at)),
+            seconds: begin.elapsed().as_secs_f64(),
+            found,
+            summary,
+        }))
+    }
+
     fn is_proved(&self) -> bool {
         self.found.open.is_empty() && self.missing.is_none()
     }
