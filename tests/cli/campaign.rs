@@ -430,7 +430,7 @@ fn the_first_ctrl_c_drops_the_shard_under_way() {
 }
 
 #[test]
-fn a_page_shows_audits_and_hunts() {
+fn a_page_shows_audits_hunts_and_proofs() {
     let folder = tempfile::tempdir().unwrap();
     let own = planned(&folder, "own", PLAN, 3);
     finished(&own);
@@ -440,6 +440,9 @@ fn a_page_shows_audits_and_hunts() {
         "Campaign small",
         "3 of 3 shards done",
         "id=\"hunts\"",
+        "href=\"#hunts\"",
+        "id=\"proofs\"",
+        "href=\"#proofs\"",
         "erf, seed 2",
         "four-bar",
     ] {

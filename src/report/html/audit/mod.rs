@@ -38,6 +38,7 @@ pub fn page(
         kind: "audit",
         named,
         first: html! {},
+        links: Vec::new(),
         totals: totals(reports),
         changes,
         approximations,
@@ -58,12 +59,18 @@ pub fn campaign(plan: &Plan, (done, shards): (u64, u64), found: &[PartSum]) -> S
         .collect();
     let reports: Vec<&MethodReport> = named.iter().map(|n| n.1).collect();
     let shards_done = format!("{done} of {} done", count(shards as usize, "shard"));
+    let mut sections = vec![
+        ("proofs", "Proofs", campaign::proofs(plan, found)),
+        ("hunts", "Hunts", campaign::hunts(plan, found)),
+    ];
+    sections.retain(|s| !s.2.0.is_empty());
     let page = Parts {
         title: format!("Campaign {}", plan.name),
         kind: "campaign",
         totals: format!("{shards_done}; {}", campaign::totals(&reports)),
         named,
-        first: html! { (campaign::proofs(plan, found)) (campaign::hunts(plan, found)) },
+        links: sections.iter().map(|s| (s.0, s.1)).collect(),
+        first: html! { @for (.., section) in &sections { (section) } },
         changes: None,
         approximations: None,
         state: (done == shards).then(|| found.iter().all(PartSum::passed)),
@@ -84,6 +91,7 @@ pub fn comparison(found: &Comparison, changes: Option<&Changes>) -> String {
         kind: "comparison",
         named: codes.iter().map(|c| (c.name.as_str(), &c.report)).collect(),
         first: comparison::table(found),
+        links: vec![("comparison", "Side by side")],
         totals: format!("{good} of {} pass", count(codes.len(), "code")),
         changes,
         approximations: None,
@@ -102,6 +110,8 @@ struct Parts<'a> {
     named: Named<'a>,
     /// Before all else.
     first: Markup,
+    /// Its sections: where the contents lead, and what they call it.
+    links: Vec<(&'a str, &'a str)>,
     totals: String,
     changes: Option<&'a Changes>,
     approximations: Option<&'a [Result<ConvergenceReport, Uncertified>]>,
@@ -152,11 +162,10 @@ impl Parts<'_> {
 
     fn contents(&self, several: bool) -> Markup {
         html! {
-            @if self.kind == "comparison" { li { a href="#comparison" { b { "Side by side" } } } "\n" }
-            @if self.changes.is_some() { li { a href="#changes" { b { "Since the baseline" } } } "\n" }
-            @if self.kind == "campaign" && !self.first.0.is_empty() {
-                li { a href="#hunts" { b { "Hunts" } } } "\n"
+            @for (id, title) in &self.links {
+                li { a href={ "#" (id) } { b { (title) } } } "\n"
             }
+            @if self.changes.is_some() { li { a href="#changes" { b { "Since the baseline" } } } "\n" }
             @if several { li { a href="#overview" { b { "Overview" } } } "\n" }
             @for (k, (name, r)) in self.named.iter().enumerate() {
                 @let (_, tone) = of_method(r);
