@@ -557,7 +557,7 @@ fn mantissas() -> impl FnMut() -> f64 {
 #[test]
 fn no_unit_of_a_radius_is_rounded_down() {
     let mut next = mantissas();
-    let exact = |m: &Mag| Rational::from(m.to_float().to_rational().expect("finite"));
+    let exact = |m: &Mag| m.to_float().to_rational().expect("finite");
     for _ in 0..20_000 {
         // Just above a number of 53 bits, and below the next.
         let beyond = |x: f64, by: i32| {

@@ -387,6 +387,6 @@ fn charts_are_as_wide_as_their_turns() {
             assert!(rad >= due && rad < due * 1.000_000_1f64, "{q}");
         }
         let (low, high) = (x[0].lower() - 0.5f64, x[0].upper() - 0.5f64);
-        assert!(low <= -pi.clone() && high >= pi && high < 3.142, "{q}");
+        assert!(low <= -pi.clone() && high >= pi && high < 3.15, "{q}");
     }
 }
