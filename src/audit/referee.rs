@@ -39,8 +39,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Judges the answer to a case; the precision doubles until that can be decided, and once more where what
-    /// decides is wide. Without `digits` the
-    /// reference's are left out: they cost as much as a judgement.
+    /// decides is wide. Without `digits` the reference's are left out: they cost as much as a judgement.
     pub fn judge(&self, case: Case, answer: SolverAnswer, digits: bool) -> CaseReport {
         self.referee(case).judge_last(answer, digits)
     }
