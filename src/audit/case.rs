@@ -8,6 +8,7 @@ use super::no_such::NoSuch;
 use super::sampling::Sampling;
 use super::settings::Settings;
 use super::ulp::Format;
+use rand_chacha::ChaCha8Rng;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 use std::cmp::Ordering;
@@ -201,6 +202,8 @@ fn quoted(path: &str) -> String {
 pub struct Cases {
     method: &'static str,
     domain: Domain,
+    /// See [`Draw::keyed`].
+    keyed: ChaCha8Rng,
     /// Of each region, see [`Draw::named`].
     streams: Vec<u64>,
     hard: Vec<HardCase>,
@@ -217,6 +220,7 @@ impl Cases {
         let streams = domain.regions.iter().map(|r| Draw::named(name, r.name));
         Cases {
             method: name,
+            keyed: Draw::keyed(settings.seed),
             streams: streams.collect(),
             domain,
             hard: method.hard(),
@@ -401,7 +405,7 @@ impl Cases {
     fn random(&self, region: usize, index: u64) -> Case {
         let (seed, named) = (self.seed, self.streams[region]);
         let region = &self.domain.regions[region];
-        let mut draw = Draw::of(seed, named, index);
+        let mut draw = Draw::of(&self.keyed, named, index);
         let input = (region.sample)(&mut draw);
         self.case(region.name, input, Origin::Random { seed, index })
     }

@@ -14,7 +14,12 @@ pub struct Draw(ChaCha8Rng);
 impl Draw {
     /// The stream of one case.
     pub fn new(seed: u64, method: &str, region: &str, index: u64) -> Draw {
-        Draw::of(seed, Draw::named(method, region), index)
+        Draw::of(&Draw::keyed(seed), Draw::named(method, region), index)
+    }
+
+    /// What all streams of a seed have in common.
+    pub(super) fn keyed(seed: u64) -> ChaCha8Rng {
+        ChaCha8Rng::seed_from_u64(seed)
     }
 
     /// What the streams of a region have in common.
@@ -23,9 +28,9 @@ impl Draw {
         hashed(0xcbf2_9ce4_8422_2325, names)
     }
 
-    /// [`Draw::new`], the names hashed before.
-    pub(super) fn of(seed: u64, named: u64, index: u64) -> Draw {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    /// [`Draw::new`], the seed expanded and the names hashed before.
+    pub(super) fn of(keyed: &ChaCha8Rng, named: u64, index: u64) -> Draw {
+        let mut rng = keyed.clone();
         rng.set_stream(hashed(named, index.to_le_bytes()));
         Draw(rng)
     }

@@ -8,6 +8,8 @@ use std::io::{BufRead, BufReader, Read};
 
 /// The longest line of an input, an answer or a table.
 pub const LONGEST: usize = 1 << 20;
+/// As a rule an answer is not longer.
+const USUAL: usize = 64;
 /// The most numbers on one.
 pub const FIELDS: usize = 100_000;
 
@@ -61,7 +63,7 @@ impl<R: BufRead> Lines<R> {
 
     /// The next line, be it a comment.
     pub fn read_any(&mut self) -> std::io::Result<Option<Line>> {
-        let mut text = Vec::new();
+        let mut text = Vec::with_capacity(USUAL);
         let limit = LONGEST as u64 + 1;
         if (&mut self.input).take(limit).read_until(b'\n', &mut text)? == 0 {
             return Ok(None);
