@@ -16,11 +16,11 @@ const PLAN: &str = r#"
     [[part]]
     methods = ["faddeeva", "erf"]
     seeds = [1, 2]
-    cases = 40
+    cases = 10
     [[part]]
     methods = ["faddeeva"]
     box = "Re z=0..8,Im z=log 1e-9..1"
-    cases = 500
+    cases = 100
     [[part]]
     kind = "hunt"
     methods = ["four-bar"]
@@ -98,7 +98,7 @@ fn the_sum_is_the_same_however_it_is_cut_and_killed() {
     // The sum of an audit is the audit.
     let v: Value = serde_json::from_str(&due).unwrap();
     let audit = run(&[
-        "audit", "erf", "--seed", "2", "--cases", "40", "--format", "json",
+        "audit", "erf", "--seed", "2", "--cases", "10", "--format", "json",
     ]);
     let audit: Value = serde_json::from_str(&audit.out).unwrap();
     let (sum, alone) = (&v["parts"][3]["found"], &audit["methods"][0]);

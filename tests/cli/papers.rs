@@ -1,64 +1,105 @@
 //! Papers and their ledgers.
 
-use crate::common::{markup, needs_nothing_else, refused, run, said, text};
+use crate::common::{markup, needs_nothing_else, refused, run, said, text as path};
+use mechaudit::papers;
+use mechaudit::report::{csv, html, latex, text};
 
+/// In every form, from one audit of each: the dear ones take ten seconds.
 #[test]
 fn papers_in_every_form() {
-    for key in mechaudit::papers::keys() {
-        let form = |f: &str| run(&["paper", key, "--format", f]);
-        let d = form("json");
-        assert_eq!(d.code, 0, "{}", d.err);
-        let v: serde_json::Value = serde_json::from_str(&d.out).unwrap();
-        let entries = v["entries"].as_array().unwrap();
-        let lines: usize = entries
-            .iter()
-            .map(|e| e["variants"].as_object().unwrap().len())
-            .sum();
-        assert_eq!(form("csv").out.lines().count(), 1 + lines);
-        let html = form("html").out;
+    for key in papers::keys() {
+        let paper = papers::find(key).unwrap()(&|_, _, _| {}).unwrap();
+        assert!(paper.as_recorded(), "{key}");
+        let lines: usize = paper.entries.iter().map(|e| e.variants.len()).sum();
+        let mut rows = Vec::new();
+        csv::paper(&paper, &mut rows).unwrap();
+        let rows = String::from_utf8(rows).unwrap();
+        assert_eq!(rows.lines().count(), 1 + lines);
+        let html = html::paper::page(&paper, papers::motion_of(key).as_ref());
         assert!(html.starts_with("<!doctype html>") && html.trim_end().ends_with("</html>"));
         needs_nothing_else(&html);
         readable(&html);
-        let formulas = v["findings"].as_array().unwrap().iter();
-        let formulas = formulas.flat_map(|f| f["figures"].as_array().unwrap());
-        let formulas = formulas.filter(|g| g["latex"].is_string()).count();
+        let figures = paper.findings.iter().flat_map(|f| &f.figures);
+        let formulas = figures.filter(|g| g.latex.is_some()).count();
         assert_eq!(html.matches("<math display=\"block\"").count(), formulas);
         assert_eq!(key == "gembara-senyk", formulas > 20, "{key}: {formulas}");
-        let words = form("text").out;
-        assert!(!words.contains('\u{1b}') && !words.contains("kg m^2"));
+        let words = plain(&text::paper::paper(&paper, WIDTH));
+        assert!(!words.contains("kg m^2"));
+        if key == "gembara-senyk" {
+            for id in [
+                "amplitude-as-printed",
+                "chart-formula-as-printed",
+                "stationary-limit",
+                "sum-of-moduli",
+                "run-up-for-run-down",
+            ] {
+                assert!(paper.findings.iter().any(|f| f.id == id), "{id}");
+            }
+        }
+        if key == QUICK {
+            let json = serde_json::to_string_pretty(&paper).unwrap() + "\n";
+            let all = [("json", json), ("csv", rows), ("html", html), ("text", words)];
+            for (form, due) in all {
+                let d = run(&["paper", key, "--format", form]);
+                assert_eq!((d.code, d.out), (0, due), "{form}: {}", d.err);
+            }
+        }
     }
 }
 
 #[test]
 fn ledgers_in_every_form() {
-    for key in mechaudit::papers::keys() {
-        let form = |f: &str| run(&["paper", key, "--ledger", "--format", f]);
-        let d = form("json");
-        assert_eq!(d.code, 0, "{}", d.err);
-        let v: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    for key in papers::keys() {
+        let ledger = papers::ledger_of(key).unwrap();
+        assert!(ledger.as_recorded(), "{key}");
         // The specification of the N four-bar mechanism prints few formulas, a drawing none.
         let least = match key {
             "n-four-bar" => 25,
             "pmksweb" => 8,
             _ => 50,
         };
-        assert!(v["entries"].as_array().unwrap().len() > least);
-        let html = form("html").out;
+        assert!(ledger.entries.len() > least);
+        let html = html::ledger::page(&ledger);
         assert!(html.starts_with("<!doctype html>") && html.trim_end().ends_with("</html>"));
         needs_nothing_else(&html);
         assert!(html.contains("<math"));
         readable(&html);
-        assert!(form("latex").out.contains(r"\begin{document}"));
-        let words = form("text").out;
-        let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(words.contains("all as recorded"), "{words}");
-        refused(&form("csv"), "a ledger has no CSV form");
-        refused(&run(&["paper", key, "--format", "latex"]), "add --ledger");
+        let latex = latex::ledger(&ledger);
+        assert!(latex.contains(r"\begin{document}"));
+        let words = plain(&text::ledger::ledger(&ledger, WIDTH));
+        let joined = words.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(joined.contains("all as recorded"), "{joined}");
+        if key == QUICK {
+            let form = |f: &str| run(&["paper", key, "--ledger", "--format", f]);
+            let json = serde_json::to_string_pretty(&ledger).unwrap() + "\n";
+            for (name, due) in [("json", json), ("html", html), ("latex", latex)] {
+                let d = form(name);
+                assert_eq!((d.code, d.out), (0, due), "{name}: {}", d.err);
+            }
+            // With the time that it took.
+            let d = form("text");
+            assert_eq!(d.code, 0, "{}", d.err);
+            let head = d.out.split("\nDecided in ").next().unwrap();
+            assert_eq!(head.trim_end(), words.trim_end());
+            refused(&form("csv"), "a ledger has no CSV form");
+            refused(&run(&["paper", key, "--format", "latex"]), "add --ledger");
+        }
     }
     refused(
         &run(&["paper", "none", "--ledger"]),
         "there is no paper \"none\"",
     );
+}
+
+/// The paper that is audited in no time.
+const QUICK: &str = "pmksweb";
+
+/// Where the output is no terminal and no file.
+const WIDTH: usize = 80;
+
+/// Without the colours of a terminal.
+fn plain(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
 }
 
 #[test]
@@ -67,7 +108,7 @@ fn errata_are_written_whole_and_checked() {
     let file = dir.path().join("errata.json");
     let errata = |check: bool| {
         let mut args = vec!["paper", "zinchenko", "--ledger", "--format", "errata"];
-        args.extend(["--output", text(&file)]);
+        args.extend(["--output", path(&file)]);
         args.extend(check.then_some("--check"));
         run(&args)
     };
