@@ -62,6 +62,36 @@ fn jacobians_are_derivatives() {
     }
 }
 
+/// A tie of two turning bodies: their angle less what is due, within half a turn; and its derivatives.
+#[test]
+fn a_tie_is_an_angle_between_bodies() {
+    let mut m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let (offset, by) = (0.25, 0.5);
+    m.chain.closures = vec![Closure::Tie {
+        a: 2,
+        b: 3,
+        offset,
+        drive: by,
+    }];
+    m.chain.arms = vec![None];
+    let chain = &m.chain;
+    for (drive, u) in [(0.7, [0.3, 1.9]), (0.7, [-2.9, 3.1]), (-0.4, [40.0, -3.0])] {
+        let pose = Pose::new(chain, drive, u.to_vec());
+        let between = pose.angle(chain, 3) - pose.angle(chain, 2) - offset - by * drive;
+        let mut rows = Vec::new();
+        pose.residual(chain, &chain.closures, &mut rows);
+        let turns = (rows[0] - between) / TAU;
+        assert!(rows.len() == 1 && rows[0].abs() <= 3.2);
+        assert!((turns - turns.round()).abs() < 1e-14, "{turns}");
+        let mut jacobian = Matrix::new(2, 3);
+        pose.jacobian(chain, 0..1, &mut jacobian);
+        let of = |body: usize| chain.turns[body].unknown.unwrap();
+        for (k, due) in [(of(3), 1.0), (of(2), -1.0), (2, -by)] {
+            assert_eq!(jacobian[(0, k)], due, "{k}");
+        }
+    }
+}
+
 /// A closed mechanism is closed as its description has it: pins in one place, points on their guides.
 #[test]
 fn joints_are_together() {

@@ -167,7 +167,7 @@ impl Mechanism {
         state
             .pose
             .residual(&self.chain, &self.chain.closures, &mut rows);
-        rows.iter().fold(0.0, |m: f64, x| m.max(x.abs())) * self.chain.metres.max(1e-300)
+        rows.iter().fold(0.0, |m: f64, x| m.max(x.abs())) * self.chain.metres
     }
 
     /// The angle ACB in [0, π] of a dyad of two links with pins A, C (the inner one) and B: the
@@ -220,3 +220,7 @@ pub fn curvature(motion: &PointMotion) -> f64 {
     let [a, b] = [motion.first, motion.second];
     (a[0] * b[1] - a[1] * b[0]) / a[0].hypot(a[1]).powi(3)
 }
+
+#[cfg(test)]
+#[path = "state_tests.rs"]
+mod tests;

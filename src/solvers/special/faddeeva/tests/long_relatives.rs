@@ -19,12 +19,13 @@ fn off(solver: Solver, exact: Reference, z: Complex<f64>) -> f64 {
     one(got.re, exact.re.mid()).max(one(got.im, exact.im.mid()))
 }
 
-/// The `f64` next to the curves on which a component is zero: each component within `bound` ε.
+/// The `f64` next to the curves on which a component is zero: each component within `bound` ε. Audits draw far more of
+/// them (`zero-curves-of-re`, `zero-curves-of-im`).
 fn check(seed: u64, solver: Solver, exact: Reference, bound: f64) {
     let mut random = Random(seed);
     let mut worst = (0.0f64, Complex::ZERO);
     let mut n = 0;
-    for k in 0..8000 {
+    for k in 0..2000 {
         let (x, y) = match k % 8 {
             0 => {
                 let x = random.power(3.0, 18.0);
@@ -60,7 +61,7 @@ fn check(seed: u64, solver: Solver, exact: Reference, bound: f64) {
         }
     }
     println!("{} ε at {:e}, {n} points", worst.0, worst.1);
-    assert!(worst.0 < bound && n > 1000, "{worst:?}, {n} points");
+    assert!(worst.0 < bound && n > 250, "{worst:?}, {n} points");
 }
 
 /// Where Re erf is 1 beside the imaginary axis, down to subnormal distances from it.
