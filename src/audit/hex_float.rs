@@ -80,7 +80,10 @@ mod tests {
         assert_eq!(hex_float(1.0 + 2f64.powi(-9)), "0x1.008p+0");
         assert_eq!(hex_float(f64::MAX), "0x1.fffffffffffffp+1023");
         assert_eq!(hex_float(f64::from_bits(1)), "0x0.0000000000001p-1022");
-        assert_eq!(hex_float(-f64::MIN_POSITIVE.next_down()), "-0x0.fffffffffffffp-1022");
+        assert_eq!(
+            hex_float(-f64::MIN_POSITIVE.next_down()),
+            "-0x0.fffffffffffffp-1022"
+        );
         assert_eq!(hex_float(1024.0), "0x1p+10");
         assert_eq!(hex_float(-0.0), "-0x0p+0");
         assert_eq!(hex_float(f64::NEG_INFINITY), "-inf");

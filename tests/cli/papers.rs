@@ -38,7 +38,12 @@ fn papers_in_every_form() {
         }
         if key == QUICK {
             let json = serde_json::to_string_pretty(&paper).unwrap() + "\n";
-            let all = [("json", json), ("csv", rows), ("html", html), ("text", words)];
+            let all = [
+                ("json", json),
+                ("csv", rows),
+                ("html", html),
+                ("text", words),
+            ];
             for (form, due) in all {
                 let d = run(&["paper", key, "--format", form]);
                 assert_eq!((d.code, d.out), (0, due), "{form}: {}", d.err);

@@ -44,6 +44,26 @@ struct Step {
     mu: f64,
 }
 
+impl Step {
+    /// The longest one by κ, μ, ω and ν; of no length where they are not finite.
+    fn proved([kappa, mu, omega]: [f64; 3], nu: f64) -> Step {
+        let radius = (0.25 / kappa).min(0.5 * SLACK);
+        let contracts = 0.25 / (kappa * nu + mu);
+        let within = (radius / (kappa * nu * nu + 2.0 * mu * nu + omega)).sqrt();
+        let near = 0.5 * SLACK / nu.max(1.0);
+        let sound = [kappa, mu, omega, nu].iter().all(|x| x.is_finite());
+        Step {
+            length: match sound {
+                true => SAFETY * contracts.min(within).min(near),
+                false => 0.0,
+            },
+            radius,
+            kappa,
+            mu,
+        }
+    }
+}
+
 /// The state from which a step is proved. For all values of the drive within its length the branch is the one solution
 /// in the ball around the tangent's end, so that further states may be found in it without another proof.
 #[derive(Clone, Debug, Default)]
@@ -187,19 +207,7 @@ impl Mechanism {
         let largest = |i: usize| work.sums.iter().fold(0.0f64, |m, s| m.max(s[i]));
         let [kappa, mu, omega] = [0, 1, 2].map(largest);
         let nu = state.rates[0].iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        let radius = (0.25 / kappa).min(0.5 * SLACK);
-        let contracts = 0.25 / (kappa * nu + mu);
-        let within = (radius / (kappa * nu * nu + 2.0 * mu * nu + omega)).sqrt();
-        let near = 0.5 * SLACK / nu.max(1.0);
-        let length = SAFETY * contracts.min(within).min(near);
-        // NaN is no step.
-        let sound = kappa.is_finite() && mu.is_finite() && omega.is_finite();
-        Step {
-            length: if sound { length } else { 0.0 },
-            radius,
-            kappa,
-            mu,
-        }
+        Step::proved([kappa, mu, omega], nu)
     }
 
     /// The state at another value of the drive, within the anchor's radius of its tangent's end, into `next`.

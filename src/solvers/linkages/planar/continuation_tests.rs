@@ -9,7 +9,7 @@ use super::*;
 use num_complex::Complex64;
 
 /// Mechanisms with a drive at which they have modes.
-fn all() -> [(&'static str, Mechanism, f64); 12] {
+fn all() -> [(&'static str, Mechanism, f64); 14] {
     [
         ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), 0.7),
         ("class III", class_iii(&SAND_SCREEN), 0.25),
@@ -23,6 +23,9 @@ fn all() -> [(&'static str, Mechanism, f64); 12] {
         ("elbow", elbow(), 0.4),
         ("slotted block", slotted_block(false), 0.4),
         ("two blocks", two_blocks(), 0.4),
+        // At a position where the ball is what limits the step.
+        ("class III", class_iii(&SAND_SCREEN), 1.63),
+        ("turned block", turned_block(), 0.4),
     ]
 }
 
@@ -68,6 +71,8 @@ fn norms(mechanism: &Mechanism, state: &State) -> [f64; 3] {
 
 #[test]
 fn steps_are_as_long_as_the_proof_lets_them() {
+    // Which of the three limits is the least one.
+    let mut decides = [0; 3];
     for (what, mechanism, state) in states() {
         let step = mechanism.longest_step(&state, &mut Work::new(&mechanism.chain));
         let [kappa, mu, omega] = norms(&mechanism, &state);
@@ -82,17 +87,70 @@ fn steps_are_as_long_as_the_proof_lets_them() {
         // bounded where no unknown and not the drive has moved by more than the slack.
         let shares = [
             4.0 * (kappa * nu + mu) * length,
-            length * length * (kappa * nu * nu + 2.0 * mu * nu + omega) / radius,
+            length * ((kappa * nu * nu + 2.0 * mu * nu + omega) / radius).sqrt(),
             2.0 * length * nu.max(1.0) / SLACK,
         ];
         assert!(shares.iter().all(|s| *s <= 1.0), "{what}: {shares:?}");
         let most = shares.iter().fold(0.0f64, |m, s| m.max(*s));
         assert!(most > 0.95, "{what}: {shares:?}");
+        for (k, share) in shares.iter().enumerate() {
+            decides[k] += usize::from(*share == most);
+        }
         let due = (0.25 / kappa).min(0.5 * SLACK);
         assert!(
             (radius - due).abs() <= 1e-12 * due,
             "{what}: {radius} {due}"
         );
+    }
+    assert!(decides.iter().all(|n| *n > 0), "{decides:?}");
+}
+
+/// Each of the three limits where it is the least, to the last digits.
+#[test]
+fn limits_of_a_step() {
+    // The map contracts; the ball is mapped into itself; arms are bounded.
+    for (kappa, mu, omega, nu, due) in [
+        (8.0, 3.0, 1.0, 2.0, 0.25 / (8.0 * 2.0 + 3.0)),
+        (
+            5.0,
+            0.5,
+            90.0,
+            0.25,
+            (0.05f64 / (0.3125 + 0.25 + 90.0)).sqrt(),
+        ),
+        (
+            0.01,
+            0.5,
+            900.0,
+            0.25,
+            (0.125f64 / (0.000625 + 0.25 + 900.0)).sqrt(),
+        ),
+        (5.0, 0.5, 20.0, 0.5, (0.05f64 / (1.25 + 0.5 + 20.0)).sqrt()),
+        (0.1, 0.02, 0.01, 0.5, 0.125),
+        (0.1, 0.02, 0.01, 2.5, 0.05),
+    ] {
+        let step = Step::proved([kappa, mu, omega], nu);
+        let limits = [
+            0.25 / (kappa * nu + mu),
+            ((0.25 / kappa).min(0.125) / (kappa * nu * nu + 2.0 * mu * nu + omega)).sqrt(),
+            0.125 / nu.max(1.0),
+        ];
+        let least = limits.into_iter().fold(f64::INFINITY, f64::min);
+        assert!(
+            (least - due).abs() < 1e-15 * due.max(1.0),
+            "{limits:?} {due}"
+        );
+        assert!((step.length - SAFETY * due).abs() < 1e-15, "{step:?} {due}");
+        assert_eq!((step.kappa, step.mu), (kappa, mu));
+        assert_eq!(step.radius, (0.25 / kappa).min(0.125));
+    }
+    for at in 0..4 {
+        for bad in [f64::NAN, f64::INFINITY] {
+            let mut all = [1.0; 4];
+            all[at] = bad;
+            let [kappa, mu, omega, nu] = all;
+            assert_eq!(Step::proved([kappa, mu, omega], nu).length, 0.0);
+        }
     }
 }
 

@@ -99,5 +99,9 @@ fn what_hangs_on_a_dyad_leaves_its_transmission_angle() {
     }
     assert!(seen > 0);
     // The driver is no dyad.
-    assert!(plain.transmission(&plain.assembly_modes(0.4).states[0], 0).is_none());
+    assert!(
+        plain
+            .transmission(&plain.assembly_modes(0.4).states[0], 0)
+            .is_none()
+    );
 }
