@@ -129,3 +129,97 @@ fn bounds_of_a_slotted_lever() {
         assert!((x - due).abs() < 1e-14, "{found:?} {due}");
     }
 }
+
+fn same(found: &Bound, due: [f64; 3]) {
+    for (x, due) in [found.k, found.m, found.w].into_iter().zip(due) {
+        assert!((x - due).abs() < 1e-13, "{found:?} {due}");
+    }
+}
+
+/// The slot turns with the drive.
+#[test]
+fn bounds_of_a_slotted_crank() {
+    let mechanism = slotted_crank();
+    let (phi, theta, metres) = (0.7, -0.4, mechanism.chain.metres);
+    let pose = Pose::new(&mechanism.chain, phi, vec![theta]);
+    let mut found = Vec::new();
+    bounds(&mechanism.chain, &pose, &mut found);
+    let (arm, origin) = (0.65f64.hypot(0.1), Complex64::new(0.05, 0.02));
+    let pin = Complex64::new(0.2, -0.3) + Complex64::cis(theta) * Complex64::new(0.65, 0.1);
+    let far = (pin - Complex64::cis(phi) * origin).norm() / metres;
+    let (arm, origin) = (arm / metres, origin.norm() / metres);
+    let far = far + SLACK * (arm + origin);
+    assert_eq!(found.len(), 1);
+    same(&found[0], [arm, arm, origin + far + 2.0 * origin]);
+}
+
+/// A slot on an arm that turns with another one and, against it, with the drive.
+#[test]
+fn bounds_of_a_slotted_elbow() {
+    let mut m = Description::new();
+    let [upper, fore] = ["upper arm", "forearm"].map(|n| m.body(n));
+    m.pin("O", &[(GROUND, [0.0, 0.0]), (upper, [0.0, 0.0])]);
+    m.pin("A", &[(upper, [0.5, 0.0]), (fore, [0.0, 0.0])]);
+    m.joint(
+        "slot",
+        Joint::Slot {
+            pin: Point::from_m(GROUND, [0.3, 0.4]),
+            slot: guide((fore, [0.1, 0.05]), 0.3),
+        },
+    );
+    m.drive = Drive::Angle {
+        body: fore,
+        from: upper,
+    };
+    let mechanism = Mechanism::new(m).unwrap();
+    let (drive, u, metres) = (0.7, -0.4, mechanism.chain.metres);
+    let pose = Pose::new(&mechanism.chain, drive, vec![u]);
+    let mut found = Vec::new();
+    bounds(&mechanism.chain, &pose, &mut found);
+    let origin = Complex64::new(0.1, 0.05);
+    let at = Complex64::cis(u) * 0.5 + Complex64::cis(u + drive) * origin;
+    let far = (Complex64::new(0.3, 0.4) - at).norm() / metres;
+    let (a, o) = (0.5 / metres, origin.norm() / metres);
+    let far = far + SLACK * (a + o + o);
+    let due = [
+        a + o + far + 2.0 * (a + o),
+        o + far + o + (a + o),
+        o + far + 2.0 * o,
+    ];
+    assert_eq!(found.len(), 1);
+    same(&found[0], due);
+}
+
+/// Displacements on displacements: either may lengthen the arms below it.
+#[test]
+fn bounds_of_a_stack() {
+    let mechanism = stacked();
+    let metres = mechanism.chain.metres;
+    let modes = mechanism.assembly_modes(0.4).states;
+    assert!(!modes.is_empty());
+    for state in modes {
+        let mut found = Vec::new();
+        bounds(&mechanism.chain, &state.pose, &mut found);
+        let joints = &mechanism.description().joints;
+        let travel = |name: &str| {
+            let k = joints.iter().position(|j| j.name == name).unwrap();
+            mechanism.joint_displacement(&state, k).unwrap().s_m
+        };
+        let upper = Complex64::new(0.1, 0.1) + Complex64::cis(-0.3) * travel("upper");
+        let lower = Complex64::new(0.1, 0.0) + Complex64::cis(1.2) * travel("lower");
+        let carriage = (upper - Complex64::new(0.0, 0.02)).norm();
+        let arms = (0.03 + carriage + lower.norm()) / metres + 2.0 * SLACK;
+        let pins = mechanism.chain.closures.iter().scan(0, |row, c| {
+            *row += c.rows();
+            Some((*row - c.rows(), c.rows()))
+        });
+        let mut seen = 0;
+        for (row, rows) in pins {
+            if rows == 2 {
+                same(&found[row], [arms + 4.0, 0.0, 0.3 / metres]);
+                seen += 1;
+            }
+        }
+        assert_eq!(seen, 1);
+    }
+}

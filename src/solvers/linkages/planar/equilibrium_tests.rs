@@ -323,6 +323,21 @@ pub(super) fn turned_block() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
+/// A block that slides along two levers, which turn with it: one slide gives its angle, the other holds the second lever.
+pub(super) fn two_levers() -> Mechanism {
+    let (mut m, b) = cranked(&["lever", "block", "second lever"]);
+    m.joint(
+        "first",
+        slide((b[1], [0.01, 0.0]), (b[0], [0.05, 0.02]), 0.2),
+    );
+    m.joint(
+        "second",
+        slide((b[1], [0.0, 0.03]), (b[2], [0.1, 0.0]), 1.3),
+    );
+    m.pin("C", &[(GROUND, [0.8, 0.2]), (b[2], [0.0, 0.04])]);
+    Mechanism::new(m).unwrap()
+}
+
 /// Every kind of joint, on turning bodies and others, driven and not.
 pub(super) fn every() -> Vec<(&'static str, Mechanism)> {
     vec![
@@ -344,6 +359,7 @@ pub(super) fn every() -> Vec<(&'static str, Mechanism)> {
         ("stacked", stacked()),
         ("two blocks", two_blocks()),
         ("turned block", turned_block()),
+        ("two levers", two_levers()),
     ]
 }
 
@@ -360,7 +376,7 @@ fn teeth_are_refused() {
 
 #[test]
 fn every_body_is_in_equilibrium() {
-    let all: [(&str, Mechanism, &[f64]); 15] = [
+    let all: [(&str, Mechanism, &[f64]); 16] = [
         ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), &[0.3, 2.0]),
         ("slider-crank", slider_crank([0.1, 0.3, 0.02]), &[0.7, 2.5]),
         ("quick return", quick_return(), &[0.4, 2.2, -1.0]),
@@ -376,6 +392,7 @@ fn every_body_is_in_equilibrium() {
         ("driven block", slotted_block(true), &[0.4, 0.6]),
         ("two blocks", two_blocks(), &[0.4, 2.2, -1.0]),
         ("turned block", turned_block(), &[0.4]),
+        ("two levers", two_levers(), &[0.4, 2.2, -1.0]),
     ];
     for (what, mechanism, drives) in all {
         let mut seen = 0;

@@ -38,7 +38,7 @@ fn loaded(mechanism: &Mechanism) -> Loads {
         },
         Load::TorsionSpring {
             body: 3,
-            from: 0,
+            from: 1,
             stiffness: 15.0,
             angle: 0.4,
         },
