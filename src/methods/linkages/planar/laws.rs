@@ -1,7 +1,7 @@
 //! Identities that the solver's values of planar linkages have to satisfy.
 
 use super::drawn::Linkage;
-use super::input::PlanarForcesInput;
+use super::input::{PlanarForcesInput, PlanarLinkageInput};
 use super::kinematics::PlanarLinkage;
 use super::reactions::PlanarReactions;
 use super::reduction::PlanarReduction;
@@ -118,8 +118,13 @@ fn exchange(x: &[f64]) -> Option<f64> {
     };
     // The other drive may leave a group that is not solved, or a mechanism in which it moves only a part.
     let mechanism = Mechanism::new(description).ok()?;
-    let mut driven = i;
-    driven.phi = angle;
+    // Beside a dead position of that body two positions may be next to what was given.
+    let near: Vec<f64> = (0..last).map(|k| here[9 * k]).collect();
+    let driven = PlanarLinkageInput {
+        phi: angle,
+        near: &near,
+        ..i
+    };
     let state = driven.state(&mechanism).ok()?;
     let worst = (0..last).map(|k| {
         let due = here[9 * k + 1] / rate;

@@ -78,6 +78,8 @@ fn steps_are_as_long_as_the_proof_lets_them() {
         let [kappa, mu, omega] = norms(&mechanism, &state);
         let nu = largest(&state.rates[0]);
         let Step { length, radius, .. } = step;
+        let proved = Step::proved([kappa, mu, omega], nu).length;
+        assert!((length - proved).abs() <= 1e-12 * proved, "{what}");
         assert!(
             (step.kappa - kappa).abs() <= 1e-12 * kappa,
             "{what}: {step:?} {kappa}"

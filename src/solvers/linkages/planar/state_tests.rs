@@ -2,7 +2,7 @@
 
 use super::super::tests::*;
 use super::*;
-use crate::planar::{Mechanism, Point};
+use crate::planar::{Mechanism, Point, SingularKind};
 
 #[test]
 fn curvature_is_that_of_the_circle() {
@@ -104,4 +104,24 @@ fn what_hangs_on_a_dyad_leaves_its_transmission_angle() {
             .transmission(&plain.assembly_modes(0.4).states[0], 0)
             .is_none()
     );
+}
+
+/// A four-bar whose links fold onto the frame together, seen from a little before: both branches cross there.
+#[test]
+fn a_change_point_is_found_from_beside_it() {
+    use std::f64::consts::PI;
+    let m = four_bar([0.25, 0.75, 0.5, 1.0]);
+    for start in m.assembly_modes(PI - 0.3).states {
+        for before in [3e-6, 1e-6] {
+            let last = m.follow(&start, PI - before).unwrap();
+            let found = m.singularity(&last).unwrap();
+            assert_eq!(found.kind, SingularKind::ChangePoint);
+            let off = (found.drive - PI).abs();
+            assert!(off < 1e-9, "{off:e} from {before:e}");
+            for angle in &found.angles {
+                let straight = turn(2.0 * angle, 0.0);
+                assert!(straight < 1e-8, "{:?}", found.angles);
+            }
+        }
+    }
 }
