@@ -127,10 +127,7 @@ fn next_to_the_flat_curve() {
     }
     let Worst(most, a, y, n) = worst;
     println!("{most} ε at {a:e} {y:e}, {n} points");
-    assert!(
-        most < 2.0 && n > 650,
-        "{most} ε at {a:e} {y:e}, {n} points"
-    );
+    assert!(most < 2.0 && n > 650, "{most} ε at {a:e} {y:e}, {n} points");
 }
 
 /// The `f64` around zeros, of which both components are small.
