@@ -11,9 +11,10 @@ type Place = [f64; 2];
 
 /// Places that are tried for a pin before all is drawn anew.
 const TRIES: usize = 50;
-/// Triads whose links pass through one point but for less than this are not drawn: their two positions
-/// are so near that `f64` need not tell them apart (below 6e-7 the solver did not).
-const FOLDED: f64 = 2e-6;
+/// Linkages are drawn where the reference tells the position from others with all angles this far off, in radians. Nearer to
+/// a fold `f64` need not tell two positions apart: a solver whose closures round to 1e-13 proves one up to about a third of
+/// this.
+const TOLD: f64 = 5e-6;
 
 /// Assur groups that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,23 +160,8 @@ impl Drawing {
             self.pins
                 .extend(inner.iter().zip(at).map(|(ends, at)| (*ends, at)));
             let spaced = (n + 1..=self.bodies).all(|body| self.spaced(body, least));
-            let told = group != Group::Triad || self.off_one_point(&fixed, near) > FOLDED;
-            (spaced && told).then_some(())
+            spaced.then_some(())
         })
-    }
-
-    /// How far the links of a triad are from passing through one point: the determinant of their lines in Hesse's normal
-    /// form. The inner pins are those from `first` on.
-    fn off_one_point(&self, outer: &[Place], first: usize) -> f64 {
-        let line = |k: usize| {
-            let (from, to) = (outer[k], self.pins[first + k].1);
-            let length = apart(from, to);
-            let [x, y] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-            [x, y, from[0] * y - from[1] * x]
-        };
-        let [a, b, c] = [0, 1, 2].map(line);
-        let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
-        (a[0] * minor(1, 2) - a[1] * minor(0, 2) + a[2] * minor(0, 1)).abs()
     }
 
     /// Whether the pins of a body are apart.
@@ -283,6 +269,11 @@ impl Linkage {
             let mut all = drawing.framed(d);
             let decided = all.decider();
             let exact = all.near.clone();
+            let off = exact.iter().skip(1).map(|x| x + TOLD);
+            let far: Vec<f64> = exact.iter().take(1).copied().chain(off).collect();
+            if !decided(&far) {
+                continue;
+            }
             let mut size = d.log_uniform(1e-8, 0.05);
             for _ in 0..8 {
                 for (near, exact) in all.near.iter_mut().zip(&exact).skip(1) {

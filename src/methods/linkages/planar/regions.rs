@@ -4,7 +4,7 @@ use super::drawn::{Group, Linkage, Places};
 use crate::audit::{Draw, Region};
 use crate::methods::common::region;
 
-const NEAR_FOLD: &str = "dyads stretched and the three links of a triad through one point but for 1e-5 to 0.1 of them \
+const NEAR_FOLD: &str = "dyads stretched and the three links of a triad through one point but for 2e-5 to 0.1 of them \
     (1e-3 where two dyads are), no two positions so near that f64 cannot tell them apart";
 
 /// Up to three dyads.
@@ -46,7 +46,7 @@ fn near_fold(d: &mut Draw) -> Linkage {
         false => vec![Group::Triad],
     };
     // The second of two dyads bears the errors of the first.
-    let least = if groups.len() == 2 { 1e-3 } else { 1e-5 };
+    let least = if groups.len() == 2 { 1e-3 } else { 2e-5 };
     let off = d.log_uniform(least, 0.1);
     Linkage::drawn(d, &groups, Places::NearFold(off))
 }
