@@ -13,6 +13,7 @@ mod comparison;
 mod convergence;
 mod domain;
 mod due;
+mod exact;
 mod hard;
 mod hex_float;
 mod hunt;

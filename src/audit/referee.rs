@@ -3,6 +3,7 @@
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::NormBudget;
 use super::case::Case;
+use super::exact::Exact;
 use super::judge::{Judgement, Rules, Verdict, judge_by};
 use super::judged::CaseReport;
 use super::layout::Layout;
@@ -10,7 +11,6 @@ use super::method::{Method, Output};
 use super::reason::Reason;
 use super::settings::Settings;
 use super::ulp::Format;
-use rug::Rational;
 
 /// Judges answers to a method's cases: what is the same for all of them is asked for once.
 pub struct Judge<'a> {
@@ -47,7 +47,7 @@ impl<'a> Judge<'a> {
     /// For several answers to one case.
     pub fn referee(&self, case: Case) -> Referee<'_> {
         Referee {
-            exact: case.input.iter().map(|&x| Rational::from_f64(x)).collect(),
+            exact: Exact::new(&case.input),
             judge: self,
             case,
             references: Vec::new(),
@@ -60,7 +60,7 @@ impl<'a> Judge<'a> {
 pub struct Referee<'a> {
     judge: &'a Judge<'a>,
     case: Case,
-    exact: Option<Vec<Rational>>,
+    exact: Option<Exact>,
     /// By precision, doubled from one to the next.
     references: Vec<ReferenceAnswer>,
     conditions: Option<Option<Vec<f64>>>,
@@ -71,7 +71,7 @@ impl Referee<'_> {
     fn next(&mut self, bits: u32) {
         let (method, input) = (self.judge.method, &self.case.input);
         let reference = match &self.exact {
-            Some(x) => method.reference(x, bits),
+            Some(x) => method.reference(x.numbers(), bits),
             None => method.reference_not_finite(input),
         };
         let conditional = self.judge.conditional && self.exact.is_some();

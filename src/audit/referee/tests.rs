@@ -6,7 +6,7 @@ use crate::judged::{complete, decimals};
 use crate::planted::{Planted, case, off, output};
 use crate::{BranchAt, Kind, Limit, Proof, answer_of, audit_case, judge_case, judge_case_briefly};
 use mechaudit_reference::{Ball, Mag};
-use rug::Float;
+use rug::{Float, Rational};
 use std::sync::Mutex;
 
 fn values(x: &[f64]) -> SolverAnswer {

@@ -24,7 +24,8 @@ const POSITION: &str = "the last Newton correction leaves a residual of a few ro
     effect of perturbing each coordinate and the drive by a few units";
 const FIRST: &str = "one factored system; its coefficients, directions by arms, carry about 4 u each where conditions \
     count one: cosine and sine 1, their last correction 1, the product √5 at most";
-const FIRST_OF_POINT: &str = "the angle's first derivative, with the product by the point's own arm";
+const FIRST_OF_POINT: &str =
+    "the angle's first derivative, with the product by the point's own arm";
 const SECOND: &str = "the same system with a right side of squared rates, as many units again";
 
 /// Why the reference holds.

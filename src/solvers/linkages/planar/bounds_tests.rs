@@ -1,6 +1,7 @@
 //! The bounds hold, and are near what they bound.
 
 use super::bounds::{Bound, SLACK, bounds};
+use super::chain::{Entry, Rail};
 use super::equilibrium_tests::*;
 use super::pose::Pose;
 use super::tests::*;
@@ -222,4 +223,44 @@ fn bounds_of_a_stack() {
         }
         assert_eq!(seen, 1);
     }
+}
+
+/// The lever on a rail of the carriage, which slides through a point of the block itself: both lengthen its arm.
+#[test]
+fn bounds_of_a_rail_on_a_rail_of_its_own() {
+    let mut mechanism = stacked();
+    let pose = mechanism.assembly_modes(0.4).states.remove(0).pose;
+    let chain = &mut mechanism.chain;
+    let [lever, carriage] = [2, 3];
+    let Entry::WithRail {
+        on,
+        at,
+        along,
+        travel,
+    } = chain.entries[carriage]
+    else {
+        panic!("the carriage slides through a point of the block");
+    };
+    let Entry::WithRail { travel: lower, .. } = chain.entries[lever] else {
+        panic!("the lever slides through a point of the carriage");
+    };
+    let own = Complex64::new(0.3, 0.4);
+    let rail = Rail {
+        body: carriage,
+        at: Complex64::new(0.2, -0.1),
+        along: Complex64::cis(0.4),
+    };
+    chain.entries[lever] = Entry::OnRail {
+        rail,
+        own,
+        travel: lower,
+    };
+    let mut found = Vec::new();
+    bounds(chain, &pose, &mut found);
+    let from = at + along * pose.travel(travel);
+    let to = rail.at + rail.along * pose.travel(lower);
+    let arms = own.norm() + (to - from).norm() + 2.0 * SLACK + on.at.norm();
+    let pin = chain.closures.iter().position(|c| c.rows() == 2).unwrap();
+    let row: usize = chain.closures[..pin].iter().map(|c| c.rows()).sum();
+    same(&found[row], [arms + 4.0, 0.0, 0.3 / chain.metres]);
 }

@@ -62,6 +62,12 @@ impl Step {
             mu,
         }
     }
+
+    /// The part that a correction by the anchor's factors leaves of itself, at unknowns `off` from its own and the drive `s`
+    /// from its: in the ball `|J⁻¹|` is at most twice that of the anchor.
+    fn left(&self, off: f64, s: f64) -> f64 {
+        4.0 * (self.kappa * off + self.mu * s.abs())
+    }
 }
 
 /// The state from which a step is proved. For all values of the drive within its length the branch is the one solution
@@ -221,9 +227,7 @@ impl Mechanism {
     ) -> bool {
         let s = drive - from.pose.drive;
         let [first, second] = &from.rates;
-        let Step {
-            radius, kappa, mu, ..
-        } = anchor.step;
+        let Step { radius, kappa, .. } = anchor.step;
         let n = self.chain.unknowns;
         // What `next` held, the state before, gives third derivatives.
         let before = from.pose.drive - next.pose.drive;
@@ -245,9 +249,8 @@ impl Mechanism {
                 };
             }
             pose.place(&self.chain, &self.chain.order);
-            // In the ball `|J⁻¹|` is at most twice that of the anchor.
             let off = (0..n).fold(0.0f64, |m, k| m.max((pose.u[k] - from.pose.u[k]).abs()));
-            let near = (&from.factors, 4.0 * (kappa * off + mu * s.abs()));
+            let near = (&from.factors, anchor.step.left(off, s));
             let inside = self.chain.newton_within(pose, near, kappa, work)
                 && (0..n).all(|k| (pose.u[k] - anchor.tangent(k, drive)).abs() <= radius);
             if inside {

@@ -156,6 +156,18 @@ fn limits_of_a_step() {
     }
 }
 
+/// κ = ½, μ = ¼: a correction 1/8 off with the drive ½ off.
+#[test]
+fn what_a_correction_leaves() {
+    let step = Step {
+        kappa: 0.5,
+        mu: 0.25,
+        ..Step::default()
+    };
+    assert_eq!(step.left(0.125, -0.5), 0.75);
+    assert_eq!(step.left(0.125, 0.5), 0.75);
+}
+
 #[test]
 fn the_ball_is_mapped_into_itself() {
     let mut random = Random(41);

@@ -323,6 +323,24 @@ pub(super) fn turned_block() -> Mechanism {
     Mechanism::new(m).unwrap()
 }
 
+/// A quick return whose drive is the crank's angle from its block, which turns with the lever: the drive is a closure.
+pub(super) fn turned_from_block() -> Mechanism {
+    let mut m = Description::new();
+    let b = ["crank", "lever", "block"].map(|n| m.body(n));
+    m.pin("O", &[(GROUND, [0.0, 0.0]), (b[0], [0.0, 0.0])]);
+    m.pin("C", &[(GROUND, [0.1, -0.9]), (b[1], [0.0, 0.0])]);
+    m.joint(
+        "lever",
+        slide((b[2], [0.03, -0.02]), (b[1], [0.05, 0.1]), 1.5),
+    );
+    m.pin("A", &[(b[0], [0.3, 0.0]), (b[2], [0.02, 0.01])]);
+    m.drive = Drive::Angle {
+        body: b[0],
+        from: b[2],
+    };
+    Mechanism::new(m).unwrap()
+}
+
 /// A block that slides along two levers, which turn with it: one slide gives its angle, the other holds the second lever.
 pub(super) fn two_levers() -> Mechanism {
     let (mut m, b) = cranked(&["lever", "block", "second lever"]);
@@ -359,6 +377,7 @@ pub(super) fn every() -> Vec<(&'static str, Mechanism)> {
         ("stacked", stacked()),
         ("two blocks", two_blocks()),
         ("turned block", turned_block()),
+        ("turned from block", turned_from_block()),
         ("two levers", two_levers()),
     ]
 }
@@ -376,7 +395,7 @@ fn teeth_are_refused() {
 
 #[test]
 fn every_body_is_in_equilibrium() {
-    let all: [(&str, Mechanism, &[f64]); 16] = [
+    let all: [(&str, Mechanism, &[f64]); 17] = [
         ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), &[0.3, 2.0]),
         ("slider-crank", slider_crank([0.1, 0.3, 0.02]), &[0.7, 2.5]),
         ("quick return", quick_return(), &[0.4, 2.2, -1.0]),
@@ -392,6 +411,7 @@ fn every_body_is_in_equilibrium() {
         ("driven block", slotted_block(true), &[0.4, 0.6]),
         ("two blocks", two_blocks(), &[0.4, 2.2, -1.0]),
         ("turned block", turned_block(), &[0.4]),
+        ("turned from block", turned_from_block(), &[0.4, 2.2, -1.0]),
         ("two levers", two_levers(), &[0.4, 2.2, -1.0]),
     ];
     for (what, mechanism, drives) in all {

@@ -1,7 +1,8 @@
 //! Where the bodies are, the closures' residual and their Jacobian.
 
 use super::chain::{Chain, Closure, Entry, Rail, Spot, Travel};
-use super::dense::Matrix;
+use super::dense::{Factors, Matrix};
+use super::newton::Work;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -96,6 +97,18 @@ impl Pose {
                 None => e,
             }
         });
+    }
+
+    /// One more correction of Newton's method, by which directions turn as computed, where an angle beyond a radian is
+    /// rounded by more than a direction is: rates are theirs.
+    pub(super) fn settle(&mut self, chain: &Chain, factors: &Factors, work: &mut Work) {
+        self.residual(chain, &chain.closures, &mut work.residual);
+        let (residual, step) = (&work.residual, &mut work.step);
+        factors.solve(|r| -residual[r], step);
+        if step.iter().all(|d| d.abs() <= LITTLE) {
+            self.u.iter_mut().zip(&*step).for_each(|(u, d)| *u += d);
+            self.turn_little(chain, step);
+        }
     }
 
     /// The body's angle, not reduced by whole turns.

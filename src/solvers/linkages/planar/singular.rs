@@ -35,16 +35,21 @@ pub enum SingularKind {
 /// change point.
 const NOTHING: f64 = 1e-5;
 
+/// Whether `w·F_φ` is not zero.
+fn is_fold(w: &[f64], column: &[f64]) -> bool {
+    let along: f64 = w.iter().zip(column).map(|(w, f)| w * f).sum();
+    let largest = column.iter().fold(0.0f64, |m, f| m.max(f.abs()));
+    along.abs() > NOTHING * largest
+}
+
 impl Mechanism {
     /// The singular position that a branch ran into, refined from the last state before it; `None` if
     /// there is none near.
     pub fn singularity(&self, last: &State) -> Option<Singularity> {
         let n = self.chain.unknowns;
         let (v, w) = null_vectors(&last.factors, n)?;
-        let column = |r: usize| last.jacobian[(r, n)];
-        let along: f64 = (0..n).map(|r| w[r] * column(r)).sum();
-        let largest = (0..n).fold(0.0f64, |m, r| m.max(column(r).abs()));
-        let (kind, pose) = match along.abs() > NOTHING * largest {
+        let column: Vec<f64> = (0..n).map(|r| last.jacobian[(r, n)]).collect();
+        let (kind, pose) = match is_fold(&w, &column) {
             true => (SingularKind::Fold, self.fold(last, v)?),
             false => (
                 SingularKind::ChangePoint,
@@ -176,4 +181,22 @@ fn null_vectors(factors: &Factors, n: usize) -> Option<(Vec<f64>, Vec<f64>)> {
         unit(&mut left)?;
     }
     Some((right, left))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The drive's column is measured by its largest member, whatever its size.
+    #[test]
+    fn folds_are_told_from_change_points() {
+        assert!(is_fold(&[1.0, 0.0], &[1.0, 0.0]));
+        assert!(is_fold(&[0.0, 1.0], &[1.0, 2e-5]));
+        assert!(!is_fold(&[0.0, -1.0], &[1.0, 5e-6]));
+        assert!(!is_fold(&[0.0, 1.0], &[-1.0, 5e-6]));
+        assert!(is_fold(&[0.0, -1.0], &[1e-3, 2e-8]));
+        assert!(!is_fold(&[0.0, 1.0], &[1e-3, 5e-9]));
+        // Several closures of which each has its part: they cancel.
+        assert!(!is_fold(&[0.6, 0.8], &[0.8, -0.6]));
+    }
 }

@@ -47,7 +47,12 @@ impl State {
             jacobian: Matrix::new(n, n + 1),
             factors: Factors::default(),
         };
-        state.update(chain, &mut Work::default()).then_some(state)
+        let mut work = Work::new(chain);
+        if !state.update(chain, &mut work) {
+            return None;
+        }
+        state.pose.settle(chain, &state.factors, &mut work);
+        state.update(chain, &mut work).then_some(state)
     }
 
     /// Rates from the pose; `false` if it is singular.
