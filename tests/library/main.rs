@@ -1,5 +1,10 @@
 //! The library as its user meets it: solvers, references, audit, methods and papers together.
 
+/// As the program.
+#[cfg(all(feature = "cli", target_os = "linux", target_env = "gnu"))]
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 #[cfg(feature = "oracle")]
 mod double_butterfly;
 #[cfg(feature = "oracle")]

@@ -6,10 +6,11 @@
 //!
 //! To these come the equations themselves, as they are solved one after another, each as if it had data of its own. A
 //! position closes the loops to within the rounding of their terms: a gap of that size in each is a datum which
-//! moves q and, through it alone, q' and q''. The coefficients of the linear systems for q' and q'' add Skeel's
-//! `|F_q⁻¹| (|F_q| |q'| + |right side|)` (*J. ACM* 26 (1979) 494–526). Without these a rate on which position and
-//! coefficients have opposite effects, the data being what they may, would have to be found without using the position,
-//! and a body that by its structure moves as another does would have to have the difference of both exactly.
+//! moves q and, through it alone, q' and q''. The linear systems for q' and q'' add Skeel's `|F_q⁻¹| (|F_q| |q'| + |right
+//! side|)` (*J. ACM* 26 (1979) 494–526), in every loop of the largest term of all: a loop is a sum around it. Without these a
+//! rate on which position and coefficients have opposite effects, the data being what they may, would have to be found
+//! without using the position, a body that by its structure moves as another does would have to have the difference of
+//! both exactly, and one that hardly moves among others that do would have to be found without them.
 
 use super::input::PlanarLinkageInput;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
@@ -169,25 +170,24 @@ impl Flow {
         }
     }
 
+    /// What the systems make of origins and angles if each loop is closed to within the largest term of all: a loop is a sum
+    /// around it, of bodies that hardly move and of others that do.
     fn of_systems(&self) -> Option<Vec<[[f64; 2]; 2]>> {
         let inverse = self.loops.try_inverse()?.abs();
+        let drive = 3 * self.bodies - 1;
         let mut all = vec![[[0.0; 2]; 2]; self.bodies + 1];
         for order in [1, 2] {
-            let mut right = DVector::zeros(3 * self.bodies);
-            for (row, s) in (self.pins.iter().enumerate()).flat_map(|(j, p)| p.map(|s| (2 * j, s)))
-            {
-                let o = self.motion.origin[s.body];
-                let [_, first, second] = self.motion.turn[s.body];
-                let arm = s.at.norm();
+            let term = |s: &Spot| {
+                let [_, first, second] = self.motion.turn[s.body].map(f64::abs);
                 let turning = match order {
-                    1 => arm * first.abs(),
-                    _ => {
-                        arm * (second.abs() + first * first + 2.0 * first.abs() * all[s.body][1][0])
-                    }
+                    1 => first,
+                    _ => second + first * first + 2.0 * first * all[s.body][1][0],
                 };
-                right[row] += o[order].re.abs() + turning;
-                right[row + 1] += o[order].im.abs() + turning;
-            }
+                self.motion.origin[s.body][order].norm() + s.at.norm() * turning
+            };
+            let largest = self.pins.iter().flatten().map(term).fold(0.0, f64::max);
+            let mut right = DVector::from_element(drive + 1, 2.0 * largest);
+            right[drive] = 0.0;
             let size = &inverse * right;
             for (k, of) in all.iter_mut().skip(1).enumerate() {
                 of[0][order - 1] = size[3 * k].max(size[3 * k + 1]);

@@ -22,11 +22,11 @@ pub struct PlanarLinkage;
 
 const POSITION: &str = "the last Newton correction leaves a residual of a few rounding errors in each loop: the \
     effect of perturbing each coordinate and the drive by a few units";
-const FIRST: &str = "one factored system; its coefficients, directions by arms, carry about 4 u each where conditions \
-    count one: cosine and sine 1, their last correction 1, the product √5 at most";
-const FIRST_OF_POINT: &str =
-    "the angle's first derivative, with the product by the point's own arm";
-const SECOND: &str = "the same system with a right side of squared rates, as many units again";
+const FIRST: &str =
+    "one factored system whose matrix carries the position's errors, loops being summed around";
+const SECOND: &str = "the same system with a right side of squared rates";
+const OF_POINT: &str =
+    "the angle's, and the point's own sum of products, each rounded with the direction";
 
 /// Why the reference holds.
 pub(super) const PROOF: &str = "Krawczyk (1969); no nearer position by a one-to-one map on the cube around the \
@@ -68,14 +68,14 @@ impl Definition for PlanarLinkage {
     fn outputs() -> Vec<Output> {
         vec![
             conditioned("theta", "rad", 2.0, POSITION),
-            conditioned("theta'", "1", 4.0, FIRST),
-            conditioned("theta''", "1/rad", 8.0, SECOND),
+            conditioned("theta'", "1", 2.0, FIRST),
+            conditioned("theta''", "1/rad", 2.0, SECOND),
             conditioned("x", "m", 2.0, POSITION),
             conditioned("y", "m", 2.0, POSITION),
-            conditioned("x'", "m", 6.0, FIRST_OF_POINT),
-            conditioned("y'", "m", 6.0, FIRST_OF_POINT),
-            conditioned("x''", "m", 8.0, SECOND),
-            conditioned("y''", "m", 8.0, SECOND),
+            conditioned("x'", "m", 2.0, OF_POINT),
+            conditioned("y'", "m", 2.0, OF_POINT),
+            conditioned("x''", "m", 2.0, OF_POINT),
+            conditioned("y''", "m", 2.0, OF_POINT),
         ]
     }
 

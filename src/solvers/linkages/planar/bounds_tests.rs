@@ -225,13 +225,13 @@ fn bounds_of_a_stack() {
     }
 }
 
-/// The lever on a rail of the carriage, which slides through a point of the block itself: both lengthen its arm.
+/// The lever on a rail of the carriage, which slides through a point of the block or on a rail of it: both lengthen arms.
 #[test]
-fn bounds_of_a_rail_on_a_rail_of_its_own() {
+fn bounds_of_rails_on_rails() {
     let mut mechanism = stacked();
     let pose = mechanism.assembly_modes(0.4).states.remove(0).pose;
     let chain = &mut mechanism.chain;
-    let [lever, carriage] = [2, 3];
+    let [lever, carriage, block] = [2, 3, 4];
     let Entry::WithRail {
         on,
         at,
@@ -244,23 +244,41 @@ fn bounds_of_a_rail_on_a_rail_of_its_own() {
     let Entry::WithRail { travel: lower, .. } = chain.entries[lever] else {
         panic!("the lever slides through a point of the carriage");
     };
-    let own = Complex64::new(0.3, 0.4);
-    let rail = Rail {
-        body: carriage,
+    let rail = |body: usize, turn: f64| Rail {
+        body,
         at: Complex64::new(0.2, -0.1),
-        along: Complex64::cis(0.4),
+        along: Complex64::cis(turn),
     };
+    let (own, upon) = (Complex64::new(0.3, 0.4), rail(carriage, 0.4));
     chain.entries[lever] = Entry::OnRail {
-        rail,
+        rail: upon,
         own,
         travel: lower,
     };
-    let mut found = Vec::new();
-    bounds(chain, &pose, &mut found);
-    let from = at + along * pose.travel(travel);
-    let to = rail.at + rail.along * pose.travel(lower);
-    let arms = own.norm() + (to - from).norm() + 2.0 * SLACK + on.at.norm();
     let pin = chain.closures.iter().position(|c| c.rows() == 2).unwrap();
     let row: usize = chain.closures[..pin].iter().map(|c| c.rows()).sum();
-    same(&found[row], [arms + 4.0, 0.0, 0.3 / chain.metres]);
+    let to = upon.at + upon.along * pose.travel(lower);
+    let through = (to - at - along * pose.travel(travel)).norm() + on.at.norm();
+    let mut found = Vec::new();
+    bounds(chain, &pose, &mut found);
+    let due = |arms: f64| {
+        [
+            own.norm() + arms + 2.0 * SLACK + 4.0,
+            0.0,
+            0.3 / chain.metres,
+        ]
+    };
+    same(&found[row], due(through));
+
+    let own = Complex64::new(-0.1, 0.2);
+    let under = rail(block, -0.7);
+    let on_rail = (to - own).norm() + (under.at + under.along * pose.travel(travel)).norm();
+    let due = due(on_rail);
+    chain.entries[carriage] = Entry::OnRail {
+        rail: under,
+        own,
+        travel,
+    };
+    bounds(chain, &pose, &mut found);
+    same(&found[row], due);
 }
