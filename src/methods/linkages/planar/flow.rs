@@ -7,10 +7,11 @@
 //! To these come the equations themselves, as they are solved one after another, each as if it had data of its own. A
 //! position closes the loops to within the rounding of their terms: a gap of that size in each is a datum which
 //! moves q and, through it alone, q' and q''. The linear systems for q' and q'' add Skeel's `|F_q⁻¹| (|F_q| |q'| + |right
-//! side|)` (*J. ACM* 26 (1979) 494–526), in every loop of the largest term of all: a loop is a sum around it. Without these a
-//! rate on which position and coefficients have opposite effects, the data being what they may, would have to be found
-//! without using the position, a body that by its structure moves as another does would have to have the difference of
-//! both exactly, and one that hardly moves among others that do would have to be found without them.
+//! side|)` (*J. ACM* 26 (1979) 494–526), in every loop of an Assur group of the group's largest term: a loop is a sum around
+//! it, and a group's loops are solved together. What errors of rates make of the squared ones on the right is each pin's own.
+//! Without these a rate on which position and coefficients have opposite effects, the data being what they may, would have
+//! to be found without using the position, a body that by its structure moves as another does would have to have the
+//! difference of both exactly, and one that hardly moves among others that do would have to be found without them.
 
 use super::input::PlanarLinkageInput;
 use nalgebra::{Complex, DMatrix, DVector, Dyn, LU};
@@ -170,24 +171,36 @@ impl Flow {
         }
     }
 
-    /// What the systems make of origins and angles if each loop is closed to within the largest term of all: a loop is a sum
-    /// around it, of bodies that hardly move and of others that do.
+    /// What the systems make of origins and angles if each loop is closed to within the largest term of its group, and what
+    /// errors of rates make of the squared ones on the right.
     fn of_systems(&self) -> Option<Vec<[[f64; 2]; 2]>> {
         let inverse = self.loops.try_inverse()?.abs();
-        let drive = 3 * self.bodies - 1;
+        let group = groups(self.bodies, &self.pins)?;
+        let of_group = |[a, b]: &[Spot; 2]| group[a.body].max(group[b.body]);
         let mut all = vec![[[0.0; 2]; 2]; self.bodies + 1];
         for order in [1, 2] {
-            let term = |s: &Spot| {
-                let [_, first, second] = self.motion.turn[s.body].map(f64::abs);
-                let turning = match order {
-                    1 => first,
-                    _ => second + first * first + 2.0 * first * all[s.body][1][0],
+            let mut largest = vec![0.0f64; self.bodies + 1];
+            for pin in &self.pins {
+                let terms = pin.iter().map(|s| self.rounded(s, order));
+                let most = &mut largest[of_group(pin)];
+                *most = terms.fold(*most, f64::max);
+            }
+            let mut right = DVector::zeros(3 * self.bodies);
+            for (row, pin) in self.pins.iter().enumerate() {
+                let squares: f64 = match order {
+                    1 => 0.0,
+                    _ => (pin.iter())
+                        .map(|s| {
+                            2.0 * s.at.norm()
+                                * self.motion.turn[s.body][1].abs()
+                                * all[s.body][1][0]
+                        })
+                        .sum(),
                 };
-                self.motion.origin[s.body][order].norm() + s.at.norm() * turning
-            };
-            let largest = self.pins.iter().flatten().map(term).fold(0.0, f64::max);
-            let mut right = DVector::from_element(drive + 1, 2.0 * largest);
-            right[drive] = 0.0;
+                let gap = 2.0 * largest[of_group(pin)] + squares;
+                right[2 * row] = gap;
+                right[2 * row + 1] = gap;
+            }
             let size = &inverse * right;
             for (k, of) in all.iter_mut().skip(1).enumerate() {
                 of[0][order - 1] = size[3 * k].max(size[3 * k + 1]);
@@ -195,6 +208,16 @@ impl Flow {
             }
         }
         Some(all)
+    }
+
+    /// The size of the terms of a point's derivative.
+    fn rounded(&self, s: &Spot, order: usize) -> f64 {
+        let [_, first, second] = self.motion.turn[s.body].map(f64::abs);
+        let turning = match order {
+            1 => first,
+            _ => second + first * first,
+        };
+        self.motion.origin[s.body][order].norm() + s.at.norm() * turning
     }
 
     /// What the systems make of the first and second derivative of a body's centre of mass and of its angle.
@@ -346,4 +369,32 @@ impl Flow {
         }
         Some(())
     }
+}
+
+/// The number of each body's Assur group in their order, 0 for ground and driven body: again and again the fewest bodies
+/// that the pins among them and to those before determine.
+fn groups(bodies: usize, pins: &[[Spot; 2]]) -> Option<Vec<usize>> {
+    let mut group: Vec<Option<usize>> = vec![None; bodies + 1];
+    group[..2].fill(Some(0));
+    let mut sets: Vec<usize> = (1..1 << (bodies - 1)).collect();
+    sets.sort_by_key(|set| set.count_ones());
+    for number in 1.. {
+        let free = |body: usize| group[body].is_none();
+        if !(1..=bodies).any(free) {
+            break;
+        }
+        let found = sets.iter().copied().find(|set| {
+            let within = |body: usize| body > 1 && set >> (body - 2) & 1 == 1;
+            let placed = |body: usize| within(body) || !free(body);
+            let joins = |[a, b]: &&[Spot; 2]| {
+                (within(a.body) || within(b.body)) && placed(a.body) && placed(b.body)
+            };
+            (2..=bodies).all(|body| !within(body) || free(body))
+                && 2 * pins.iter().filter(joins).count() == 3 * set.count_ones() as usize
+        })?;
+        for body in (2..=bodies).filter(|body| found >> (body - 2) & 1 == 1) {
+            group[body] = Some(number);
+        }
+    }
+    group.into_iter().collect()
 }
