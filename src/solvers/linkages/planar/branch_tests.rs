@@ -1,4 +1,5 @@
-use super::tests::*;
+use super::super::tests::*;
+use super::super::*;
 use super::*;
 use crate::class_iii::{ClassIii, Geometry};
 use crate::units::Angle;
@@ -27,9 +28,131 @@ fn folds_are_those_of_the_special_solver() {
         assert!((at.drive - fold.phi1).abs() < 1e-9, "{at:?} {fold:?}");
         assert!(turn(at.angles[3], fold.phi4) < 1e-6);
     }
+    assert_eq!(map.rows.len(), drives.len());
     for (row, other) in map.rows.iter().zip(&due.rows) {
         assert_eq!(row.len(), other.len());
+        for (k, a) in row.iter().enumerate() {
+            let apart = |b: &BranchSample| general.distance(&a.state, &b.state);
+            assert!(row[..k].iter().all(|b| apart(b) > 1e-3));
+        }
     }
+}
+
+/// Two dyads on one crank: the rockers' lengths with their pivots.
+fn two_rockers(first: [f64; 3], second: [f64; 3]) -> Mechanism {
+    let mut d = Description::new();
+    let crank = d.body("crank");
+    d.pin("O", &[(GROUND, [0.0, 0.0]), (crank, [0.0, 0.0])]);
+    for [b, c, x] in [first, second] {
+        let [coupler, rocker] = ["coupler", "rocker"].map(|n| d.body(n));
+        d.pin("A", &[(crank, [0.2, 0.0]), (coupler, [0.0, 0.0])]);
+        d.pin("B", &[(coupler, [b, 0.0]), (rocker, [c, 0.0])]);
+        d.pin("C", &[(GROUND, [x, 0.0]), (rocker, [0.0, 0.0])]);
+    }
+    Mechanism::new(d).unwrap()
+}
+
+/// At a fold of one of two dyads the other has two positions: two ends at the same value of the drive.
+#[test]
+fn ends_at_the_same_drive_are_told_apart() {
+    // The first dyad is stretched where the crank's pin is 0.3 off (0.4, 0).
+    let m = two_rockers([0.2, 0.1, 0.4], [0.5, 0.5, 0.5]);
+    let fold = ((0.04 + 0.16 - 0.09f64) / 0.16).acos();
+    let map = m.trace_branches(&[0.2, 0.5, 0.9, 1.2]);
+    assert!(map.complete && map.unmatched == 0 && map.branches == 4);
+    assert_eq!(map.ends.len(), 2);
+    for end in &map.ends {
+        assert!(
+            (end.at.as_ref().unwrap().drive - fold).abs() < 1e-9,
+            "{end:?}"
+        );
+        assert!(end.branches.len() == 2 && !end.begins);
+    }
+    let mut all: Vec<usize> = map.ends.iter().flat_map(|e| e.branches.clone()).collect();
+    all.sort_unstable();
+    assert_eq!(all, [0, 1, 2, 3]);
+    let lengths: Vec<usize> = map.rows.iter().map(Vec::len).collect();
+    assert_eq!(lengths, [4, 4, 0, 0]);
+    // The other way they begin there.
+    let back = m.trace_branches(&[1.2, 0.5]);
+    assert_eq!((back.branches, back.ends.len(), back.unmatched), (4, 2, 0));
+    assert!(back.ends.iter().all(|e| e.begins && e.branches.len() == 2));
+}
+
+/// Ends within one step stand in the order of the drive, whatever the order of their branches.
+#[test]
+fn ends_are_in_order() {
+    // The second dyad ends 0.05 before the first, or after it.
+    for (first, second) in [(0.30, 0.29), (0.29, 0.30)] {
+        let m = two_rockers([0.2, first - 0.2, 0.4], [0.2, second - 0.2, 0.4]);
+        let map = m.trace_branches(&[0.2, 1.2]);
+        let ends: Vec<f64> = map.ends.iter().map(|e| e.drive).collect();
+        assert!(ends.len() >= 2 && ends.is_sorted(), "{ends:?}");
+    }
+    // Four-bars of a slow and a quick fold, met from two modes each.
+    let m = double_butterfly();
+    let map = m.trace_branches(&[-0.3, 0.3]);
+    let kinds = |begins: bool| map.ends.iter().filter(move |e| e.begins == begins);
+    for begins in [false, true] {
+        let ends: Vec<f64> = kinds(begins).map(|e| e.drive).collect();
+        assert!(ends.is_sorted(), "{ends:?}");
+    }
+}
+
+/// A branch met twice, and positions that were not there before though nothing begins: each is counted.
+#[test]
+fn what_does_not_match_is_counted() {
+    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let states = m.assembly_modes(0.3).states;
+    let sample = |branch: usize, k: usize| BranchSample {
+        branch,
+        state: states[k].clone(),
+    };
+    let mut map = BranchMap::default();
+    let twice = vec![sample(0, 0), sample(1, 0), sample(2, 1), sample(3, 0)];
+    let next = m.next_row(&mut map, twice, Some(0.3), 0.4);
+    assert_eq!((map.unmatched, next.len(), map.ends.len()), (2, 4, 0));
+    let next = m.next_row(&mut map, Vec::new(), Some(0.3), 0.4);
+    assert_eq!((map.unmatched, next.len(), map.ends.len()), (4, 2, 0));
+    let next = m.next_row(&mut map, Vec::new(), None, 0.4);
+    assert_eq!((map.unmatched, next.len(), map.ends.len()), (4, 2, 0));
+    let next = m.next_row(&mut map, vec![sample(0, 0), sample(1, 0)], Some(0.3), 0.4);
+    assert_eq!((map.unmatched, next.len(), map.ends.len()), (6, 3, 0));
+}
+
+/// Displacements by themselves, angles to the nearest turn.
+#[test]
+fn distances_of_positions() {
+    let m = slider_crank([0.3, 1.0, 0.1]);
+    let from = m.assembly_modes(0.7).states.remove(0);
+    for (k, length) in m.chain.lengths.clone().into_iter().enumerate() {
+        for (by, due) in [
+            (0.25, 0.25),
+            (TAU + 0.25, if length { TAU + 0.25 } else { 0.25 }),
+        ] {
+            let mut to = from.clone();
+            to.pose.u[k] += by;
+            assert!((m.distance(&from, &to) - due).abs() < 1e-14);
+            assert!((m.distance(&to, &from) - due).abs() < 1e-14);
+        }
+    }
+    assert!(m.chain.lengths.contains(&true) && m.chain.lengths.contains(&false));
+}
+
+/// Lengths are in a power of two metres, next below the largest.
+#[test]
+fn units_of_chains() {
+    for (size, metres) in [(1.0, 0.25), (10.0, 4.0), (1e-3, 2f64.powi(-12))] {
+        let m = four_bar([0.1, 0.4, 0.3, 0.35].map(|x| x * size));
+        assert_eq!(m.chain.metres, metres);
+        assert!(!m.drive_is_displacement());
+    }
+    let mut d = slider_crank([0.3, 1.0, 0.1]).description().clone();
+    d.drive = Drive::Displacement { joint: 3 };
+    let m = Mechanism::new(d).unwrap();
+    assert!(m.drive_is_displacement());
+    let state = m.assembly_modes(1.2).states.remove(0);
+    assert!((m.joint_displacement(&state, 3).unwrap().s_m - 1.2).abs() < 1e-15);
 }
 
 #[test]
@@ -84,7 +207,7 @@ fn change_points_are_told() {
     assert_eq!(modes.states.len(), 2);
     for start in &modes.states {
         let mut state = start.clone();
-        let mut work = super::newton::Work::new(&m.chain);
+        let mut work = Work::new(&m.chain);
         let e = m.advance(&mut state, 4.0, &mut work).unwrap_err();
         assert!(
             matches!(e, PositionError::Ends { drive } if (drive - std::f64::consts::PI).abs() < 1e-3),

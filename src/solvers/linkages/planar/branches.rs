@@ -154,3 +154,7 @@ impl Mechanism {
         ends
     }
 }
+
+#[cfg(test)]
+#[path = "branch_tests.rs"]
+mod tests;

@@ -54,14 +54,10 @@ pub use structure::{Group, GroupKind, Structure};
 #[cfg(test)]
 mod bounds_tests;
 #[cfg(test)]
-mod branch_tests;
-#[cfg(test)]
 mod equilibrium_tests;
 #[cfg(test)]
 mod law_tests;
 #[cfg(test)]
 mod load_tests;
-#[cfg(test)]
-mod nearest_tests;
 #[cfg(test)]
 mod tests;

@@ -304,3 +304,7 @@ impl Chain {
         })
     }
 }
+
+#[cfg(test)]
+#[path = "nearest_tests.rs"]
+mod tests;

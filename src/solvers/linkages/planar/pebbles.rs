@@ -206,6 +206,45 @@ mod tests {
         assert_eq!(six.hold(0), [3, 4, 5]);
     }
 
+    /// With any body held all others that move are told, those joined to it among them, and with none free no one.
+    #[test]
+    fn any_body_may_be_held() {
+        for n in 4..7 {
+            for body in 0..n {
+                let others: Vec<usize> = (0..n).filter(|&v| v != body).collect();
+                let mut game = ring(n).unwrap();
+                assert_eq!(game.hold(body), others);
+                assert_eq!(game.freedoms(), n - 3);
+            }
+        }
+        for body in 0..3 {
+            assert!(ring(3).unwrap().hold(body).is_empty());
+        }
+    }
+
+    /// The constraints that each vertex pays for and its pebbles are always as many as it was given.
+    #[test]
+    fn no_pebble_is_lost() {
+        for (given, pairs) in [
+            (
+                vec![3, 3, 3, 3],
+                vec![(0, 1), (0, 1), (1, 2), (2, 1), (2, 3), (3, 2), (0, 3)],
+            ),
+            (
+                vec![3, 3, 3, 2],
+                vec![(0, 3), (3, 0), (1, 3), (3, 1), (2, 3), (3, 2), (0, 1)],
+            ),
+            (vec![2, 3], vec![(0, 1), (1, 0)]),
+        ] {
+            let mut game = Pebbles::new(given.clone());
+            for (a, b) in pairs {
+                assert_eq!(game.insert(a, b), Ok(()), "{a} {b}");
+                let held = game.free.iter().zip(&game.paid).map(|(f, p)| f + p.len());
+                assert_eq!(held.collect::<Vec<_>>(), given);
+            }
+        }
+    }
+
     #[test]
     fn components_come_after_what_they_lead_to() {
         let edges = vec![vec![1], vec![2], vec![1, 3], vec![], vec![0, 3]];

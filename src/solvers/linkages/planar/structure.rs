@@ -157,8 +157,8 @@ fn joined(description: &Description, joint: &Joint) -> Vec<usize> {
 /// Joints with bodies of later groups belong to those.
 fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Group {
     let inside = |b: &usize| bodies.contains(b);
-    // Of a pin the bodies inside are joined to one another, and once to those known.
-    let (mut order, mut inner) = (0, Vec::new());
+    // Contours run from bodies to joints and back: a pin of many bodies joins any two of them, once.
+    let (mut order, mut inner, mut joints) = (0, Vec::new(), bodies.len());
     let mut pairs = vec![0usize; bodies.len()];
     for joint in &description.joints {
         let mut all = joined(description, &joint.part);
@@ -170,7 +170,8 @@ fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Grou
             continue;
         }
         ours.iter().for_each(|&k| pairs[k] += 1);
-        inner.extend(ours.windows(2).map(|w| [w[0], w[1]]));
+        inner.extend(ours.iter().map(|&k| [k, joints]));
+        joints += 1;
         order += usize::from(all.iter().any(|b| !inside(b)));
     }
     let drive = driven(description);
@@ -178,10 +179,10 @@ fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Grou
     let kind = match bodies.len() {
         1 if driven => GroupKind::Driver,
         1 => GroupKind::Single,
-        n => {
+        _ => {
             let rigid = pairs.iter().copied().filter(|&p| p > 2).max();
             let contour = (0..inner.len())
-                .filter_map(|k| shortest_cycle(n, &inner, k))
+                .filter_map(|k| Some(shortest_cycle(joints, &inner, k)? / 2))
                 .max();
             let class = rigid.into_iter().chain(contour).max().unwrap_or(2);
             GroupKind::Assur { class }
@@ -215,4 +216,149 @@ fn shortest_cycle(n: usize, edges: &[[usize; 2]], over: usize) -> Option<usize> 
         }
     }
     (distance[to] < usize::MAX).then(|| distance[to] + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::slide;
+    use super::*;
+    use crate::units::Angle;
+
+    /// Bodies by number; each pin names those it joins, 0 is the ground. Body 1 is driven.
+    fn groups(bodies: usize, pins: &[&[usize]]) -> Vec<Group> {
+        let mut d = Description::new();
+        (1..=bodies).for_each(|k| drop(d.body(k.to_string())));
+        for pin in pins {
+            let points: Vec<_> = pin.iter().map(|&b| (b, [0.0, 0.0])).collect();
+            d.pin("pin", &points);
+        }
+        structure(&d).unwrap().groups
+    }
+
+    fn assur(bodies: &[usize], class: usize, order: usize) -> Group {
+        Group {
+            bodies: bodies.to_vec(),
+            kind: GroupKind::Assur { class },
+            order,
+        }
+    }
+
+    fn driver() -> Group {
+        Group {
+            bodies: vec![1],
+            kind: GroupKind::Driver,
+            order: 1,
+        }
+    }
+
+    #[test]
+    fn classes_and_orders() {
+        let crank: &[&[usize]] = &[&[0, 1]];
+        let with = |pins: &[&'static [usize]]| [crank, pins].concat();
+        for (bodies, pins, due) in [
+            (3, with(&[&[1, 2], &[2, 3], &[3, 0]]), assur(&[2, 3], 2, 2)),
+            // A ternary body on three links; its pins listed either way.
+            (
+                5,
+                with(&[&[1, 2], &[0, 3], &[5, 0], &[4, 2], &[3, 4], &[4, 5]]),
+                assur(&[2, 3, 4, 5], 3, 3),
+            ),
+            // Two ternary bodies with two links between them: a contour of four.
+            (
+                5,
+                with(&[&[1, 2], &[0, 3], &[2, 4], &[4, 3], &[2, 5], &[5, 3]]),
+                assur(&[2, 3, 4, 5], 4, 2),
+            ),
+            // The double butterfly: a contour of five.
+            (
+                7,
+                with(&[
+                    &[1, 2],
+                    &[2, 3],
+                    &[3, 4],
+                    &[3, 6],
+                    &[6, 5],
+                    &[5, 7],
+                    &[7, 4],
+                    &[4, 0],
+                    &[1, 5],
+                ]),
+                assur(&[2, 3, 4, 5, 6, 7], 5, 3),
+            ),
+            // Two ternary bodies on one pin, two links at each: no contour.
+            (
+                7,
+                with(&[
+                    &[2, 3],
+                    &[2, 4],
+                    &[2, 5],
+                    &[3, 6],
+                    &[3, 7],
+                    &[4, 0],
+                    &[5, 0],
+                    &[6, 0],
+                    &[7, 1],
+                ]),
+                assur(&[2, 3, 4, 5, 6, 7], 3, 4),
+            ),
+            // A triangle of bodies, a link on one of its pins: a contour of three, whatever their numbers.
+            (
+                5,
+                with(&[&[2, 3, 4], &[3, 1], &[4, 5], &[5, 2], &[5, 0]]),
+                assur(&[2, 3, 4, 5], 3, 2),
+            ),
+        ] {
+            assert_eq!(groups(bodies, &pins), [driver(), due], "{pins:?}");
+        }
+    }
+
+    /// A pin that a later group hangs on belongs to the bodies that are known there.
+    #[test]
+    fn a_dyad_on_the_pin_of_a_dyad() {
+        let pins: &[&[usize]] = &[&[0, 1], &[1, 2], &[2, 3, 4], &[3, 0], &[4, 5], &[5, 0]];
+        let due = [driver(), assur(&[2, 3], 2, 2), assur(&[4, 5], 2, 2)];
+        assert_eq!(groups(5, pins), due);
+    }
+
+    #[test]
+    fn single_bodies_and_drivers() {
+        let mut d = Description::new();
+        let [a, b, slider] = ["a", "b", "slider"].map(|n| d.body(n));
+        d.pin("A", &[(GROUND, [0.0, 0.0]), (a, [0.0, 0.0])]);
+        d.pin("B", &[(GROUND, [1.0, 0.0]), (b, [0.0, 0.0])]);
+        d.joint(
+            "mesh",
+            Joint::Gears {
+                wheels: [a, b],
+                carrier: GROUND,
+                ratio: -0.5,
+                phase: Angle::from_rad(0.0),
+            },
+        );
+        let guide = d.joint(
+            "guide",
+            slide((slider, [0.0, 0.0]), (GROUND, [0.0, 2.0]), 0.0),
+        );
+        let rack = Joint::Rack {
+            wheel: b,
+            slide: guide,
+            radius: crate::units::Length::from_m(0.3),
+            phase: crate::units::Length::from_m(0.0),
+        };
+        d.joint("rack", rack);
+        let single = |body: usize, order: usize| Group {
+            bodies: vec![body],
+            kind: GroupKind::Single,
+            order,
+        };
+        let driven = |body: usize, order: usize| Group {
+            kind: GroupKind::Driver,
+            ..single(body, order)
+        };
+        let by_angle = structure(&d).unwrap().groups;
+        assert_eq!(by_angle, [driven(a, 1), single(b, 2), single(slider, 2)]);
+        d.drive = Drive::Displacement { joint: guide };
+        let by_slide = structure(&d).unwrap().groups;
+        assert_eq!(by_slide, [driven(slider, 1), single(b, 2), single(a, 2)]);
+    }
 }
