@@ -122,3 +122,54 @@ fn a_singular_position_has_no_conditions() {
             .is_none()
     );
 }
+
+/// `M_o = −dU/dφ1` with the potential energy `U = g Σ m y`, and its derivative, by differences over 2^-79 rad.
+#[test]
+fn the_moment_is_what_the_weight_loses() {
+    let (g, masses) = (zinchenko(), masses());
+    let phi1 = q("0.4");
+    let h = Rational::from(1) >> STEP;
+    let sine = |x: Ball| x.sin_cos().0;
+    let b = |x: &Rational| Ball::rational(BITS, x);
+    let energy = |phi1: &Rational| {
+        let angles = outputs(&g, phi1, &masses);
+        let all: Vec<Ball> = [b(phi1)].into_iter().chain(angles).take(5).collect();
+        let a = b(&g.l1) * sine(all[0].clone());
+        let c = b(&g.o3[1]) + b(&g.l3) * sine(all[2].clone());
+        let origins = [Ball::integer(BITS, 0), a, b(&g.o3[1]), c, b(&g.o5[1])];
+        let mut sum = Ball::integer(BITS, 0);
+        for (k, body) in masses.bodies.iter().enumerate() {
+            let angle = &all[k] + body.angle.to_ball(BITS);
+            let y = &origins[k] + b(&body.radius) * sine(angle);
+            sum = sum + b(&body.mass) * y;
+        }
+        sum * b(&masses.gravity)
+    };
+    let slope = |of: &dyn Fn(&Rational) -> Ball| {
+        let [before, after] =
+            [Rational::from(&phi1 - &h), Rational::from(&phi1 + &h)].map(|x| of(&x));
+        (after - before).shift(STEP as i32 - 1).to_f64()
+    };
+    let found = outputs(&g, &phi1, &masses);
+    let near = |x: f64, due: f64| assert!((x / due - 1.0).abs() < 1e-12, "{x} {due}");
+    near(found[14].to_f64(), -slope(&energy));
+    near(
+        found[15].to_f64(),
+        slope(&|x| outputs(&g, x, &masses)[14].clone()),
+    );
+    near(
+        found[13].to_f64(),
+        slope(&|x| outputs(&g, x, &masses)[12].clone()),
+    );
+}
+
+#[test]
+fn a_geometry_from_its_values() {
+    let v: [Rational; 11] = std::array::from_fn(|k| Rational::from((k as u32 + 1, 7)));
+    let g = Geometry::from_values(&v);
+    let lengths = [&g.l1, &g.l2, &g.l3, &g.l4, &g.l5, &g.lb];
+    assert!(lengths.into_iter().zip(&v).all(|(l, v)| l == v));
+    assert_eq!(g.phi_b, ExactAngle::Radians(v[6].clone()));
+    assert_eq!((&g.o3[..], &g.o5[..]), (&v[7..9], &v[9..]));
+    assert_eq!(Linkage::new(&g, 96).bits(), 96);
+}
