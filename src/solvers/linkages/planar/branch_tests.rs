@@ -79,24 +79,19 @@ fn ends_at_the_same_drive_are_told_apart() {
     assert!(back.ends.iter().all(|e| e.begins && e.branches.len() == 2));
 }
 
-/// Ends within one step stand in the order of the drive, whatever the order of their branches.
+/// Ends stand in the order of the drive, whatever the order of their branches; those that are not refined stand alone.
 #[test]
 fn ends_are_in_order() {
-    // The second dyad ends 0.05 before the first, or after it.
-    for (first, second) in [(0.30, 0.29), (0.29, 0.30)] {
-        let m = two_rockers([0.2, first - 0.2, 0.4], [0.2, second - 0.2, 0.4]);
-        let map = m.trace_branches(&[0.2, 1.2]);
-        let ends: Vec<f64> = map.ends.iter().map(|e| e.drive).collect();
-        assert!(ends.len() >= 2 && ends.is_sorted(), "{ends:?}");
-    }
-    // Four-bars of a slow and a quick fold, met from two modes each.
-    let m = double_butterfly();
-    let map = m.trace_branches(&[-0.3, 0.3]);
-    let kinds = |begins: bool| map.ends.iter().filter(move |e| e.begins == begins);
-    for begins in [false, true] {
-        let ends: Vec<f64> = kinds(begins).map(|e| e.drive).collect();
-        assert!(ends.is_sorted(), "{ends:?}");
-    }
+    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let sample = |branch: usize, drive: f64| BranchSample {
+        branch,
+        state: m.assembly_modes(drive).states[0].clone(),
+    };
+    let samples = vec![sample(0, 0.9), sample(1, 0.2), sample(2, 0.5)];
+    let ends = m.grouped(samples, true);
+    let order: Vec<&[usize]> = ends.iter().map(|e| &e.branches[..]).collect();
+    assert_eq!(order, [[1], [2], [0]]);
+    assert!(ends.iter().all(|e| e.begins && e.at.is_none()));
 }
 
 /// A branch met twice, and positions that were not there before though nothing begins: each is counted.
@@ -253,4 +248,31 @@ fn rows_under_one_proof() {
             }
         }
     }
+}
+
+/// Wheels that only mesh with others have no place.
+#[test]
+fn bodies_that_hang_on_nothing() {
+    let mut d = Description::new();
+    let [crank, near, far] = ["crank", "near", "far"].map(|n| d.body(n));
+    d.pin("O", &[(GROUND, [0.0, 0.0]), (crank, [0.0, 0.0])]);
+    let mut mesh = |a: usize, b: usize, ratio: f64| {
+        let gears = Joint::Gears {
+            wheels: [a, b],
+            carrier: GROUND,
+            ratio,
+            phase: Angle::from_rad(0.0),
+        };
+        d.joint("mesh", gears);
+    };
+    mesh(near, far, -0.5);
+    mesh(near, far, -0.7);
+    mesh(crank, far, -0.3);
+    mesh(crank, far, -0.2);
+    d.pin("A", &[(crank, [0.1, 0.0]), (near, [0.0, 0.0])]);
+    let error = Mechanism::new(d).unwrap_err();
+    assert!(
+        matches!(&error, MechanismError::Hanging { bodies } if *bodies == ["near", "far"]),
+        "{error:?}"
+    );
 }

@@ -164,6 +164,9 @@ mod tests {
         assert!((on.points[0].im + on.points[1].im).abs() < 1e-15);
         let cross = meet(&[upright, line(z(0.0, 1.0), 4.0)]);
         assert!((cross.points[0] - z(0.5, 2.0)).norm() < 1e-15, "{cross:?}");
+        // x + y = 0.1 and x − y = 0.3.
+        let cross = meet(&[line(z(0.5, -0.5), -0.1), line(z(0.5, 0.5), -0.3)]);
+        assert!((cross.points[0] - z(0.2, -0.1)).norm() < 1e-15, "{cross:?}");
         // x + y = 3 and x − y = 5.
         let cross = meet(&[line(z(0.5, -0.5), -3.0), line(z(0.5, 0.5), -5.0)]);
         assert!((cross.points[0] - z(4.0, -1.0)).norm() < 4e-15, "{cross:?}");
@@ -177,7 +180,7 @@ mod tests {
         for [a, beta, length, x] in [
             [1.0f64, 2.0, 0.5, 3.0],
             [0.5, 2.0, 0.5, 3.0],
-            [0.25, 8.0, 0.5, 0.0],
+            [0.25, 8.0, 0.5, 1.0],
             [1.0, 0.5, 2.0, 64.0],
             [1.0, 1.0, 1048576.0, 0.0],
         ] {
@@ -262,6 +265,14 @@ mod tests {
                 (same, same, 0)
             );
         }
+        // Circles through the origin, whose constant is none of their size.
+        let through = |by: f64| {
+            let b = z(0.6 + by, -0.8);
+            vec![vec![z(0.0, 0.0), b.conj()], vec![b, z(0.2, 0.0)]]
+        };
+        for (by, same) in [(1.8e-13, true), (2.2e-13, false)] {
+            assert_eq!(meet(&[through(0.0), through(by)]).same, same, "{by}");
+        }
         // The same far circle in another scale, and ones whose radius differs by about 1e-12 of the squared distance.
         let far = circle(z(30.0, -40.0), 2.0);
         let scaled = |m: &Bilinear| -> Bilinear {
@@ -300,6 +311,8 @@ mod tests {
         // (0.6 + 0.8) / 5 of a difference counts.
         let oblique = |by: f64| meet(&[line(z(3.0, 4.0), 0.0), line(z(3.0, 4.0), by)]).same;
         assert!(oblique(3.3e-13) && !oblique(3.8e-13));
+        let far = |by: f64| meet(&[line(z(1.0, 0.0), 1e6), line(z(1.0, 0.0), 1e6 + by)]).same;
+        assert!(far(1e-8) && !far(0.15));
         let upright = |by: f64| meet(&[line(z(1.0, 0.0), 0.0), line(z(1.0, 0.0), by)]).same;
         assert!(upright(0.9e-13) && !upright(1.1e-13));
     }

@@ -101,19 +101,19 @@ impl Mechanism {
         if !self.chain.turns_freely() {
             return Err(NearestError::CannotTell);
         }
-        if self.chain.is_of_pins() {
-            match self.nearest_by_newton(drive, &near, reach) {
-                Way::Found(state) => return Ok(*state),
-                Way::None => return Err(NearestError::NoneWithin { reach }),
-                Way::Unknown => {}
-            }
+        match self.nearest_by_newton(drive, &near, reach) {
+            Way::Found(state) => Ok(*state),
+            Way::None => Err(NearestError::NoneWithin { reach }),
+            Way::Unknown => self.nearest_mode(drive, &near, reach),
         }
-        self.nearest_mode(drive, &near, reach)
     }
 
-    /// What Newton's method from `near` tells of the nearest position of a linkage of pins.
+    /// What Newton's method from `near` tells of the nearest position: of linkages of pins alone, for which the estimates are.
     pub(super) fn nearest_by_newton(&self, drive: f64, near: &[f64], reach: f64) -> Way {
         let chain = &self.chain;
+        if !chain.is_of_pins() {
+            return Way::Unknown;
+        }
         let mut work = Work::new(chain);
         let inner = self.inner_drive(drive);
         let given = Pose::new(chain, inner, chain.unknowns_at(inner, near));
@@ -127,13 +127,9 @@ impl Mechanism {
             && let Some(state) = State::new(self, pose)
             && let Some(error) = chain.error_of(&state, &mut work)
         {
-            let off = self.off(&state, near);
-            if chain.is_alone(&given, &state.pose, off + 2.0 * error, &mut work) {
-                return match () {
-                    () if off + error <= reach => Way::Found(Box::new(state)),
-                    () if off - error > reach => Way::None,
-                    () => Way::Unknown,
-                };
+            let off = [self.off(&state, near), error];
+            if let Some(way) = chain.told(&given, state, off, reach, &mut work) {
+                return way;
             }
         }
         match chain.is_open(&given, near, reach, &mut work) {
@@ -254,7 +250,7 @@ impl Chain {
     /// What rounding may do to a row of residual or Jacobian.
     fn rounding(&self, pose: &Pose) -> f64 {
         // Coordinates of joints are less than two units of length.
-        let extent = pose.p.iter().fold(3.0, |m: f64, p| m.max(p.norm() + 3.0));
+        let extent = pose.p.iter().fold(0.0, |m: f64, p| m.max(p.norm() + 3.0));
         16.0 * f64::EPSILON * self.body_count() as f64 * extent
     }
 
@@ -270,6 +266,24 @@ impl Chain {
         (norm <= 0.5).then_some(radius)
     }
 
+    /// What a state so far from the angles given, and at most `error` from an exact position, tells; nothing where another
+    /// may be as near.
+    fn told(
+        &self,
+        given: &Pose,
+        state: State,
+        [off, error]: [f64; 2],
+        reach: f64,
+        work: &mut Work,
+    ) -> Option<Way> {
+        let alone = self.is_alone(given, &state.pose, off + 2.0 * error, work);
+        alone.then(|| match () {
+            () if off + error <= reach => Way::Found(Box::new(state)),
+            () if off - error > reach => Way::None,
+            () => Way::Unknown,
+        })
+    }
+
     /// Whether no position but that of `found` has all unknowns within `d` of those given.
     fn is_alone(&self, given: &Pose, found: &Pose, d: f64, work: &mut Work) -> bool {
         let middle = given.u.iter().zip(&found.u).map(|(a, b)| 0.5 * (a + b));
@@ -277,7 +291,7 @@ impl Chain {
         pose.jacobian(self, 0..self.closures.len(), &mut work.jacobian);
         let blocks = self.blocks.iter().map(|b| b.rows.clone());
         if !work.factors.of_blocks(&work.jacobian, 0, blocks) {
-            return self.unknowns == 0;
+            return false;
         }
         let nothing = vec![0.0; self.unknowns];
         let rounding = self.rounding(&pose);

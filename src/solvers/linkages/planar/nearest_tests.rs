@@ -352,7 +352,8 @@ fn errors_of_positions_are_bounded() {
             let mut work = Work::new(chain);
             // Of the rounding alone.
             let least = chain.error_of(&exact, &mut work);
-            for size in [1e-12, 1e-9, 1e-6, 1e-4, 1e-2, 0.1] {
+            let sizes = (0..30).map(|k| 0.02 * 1.1f64.powi(k));
+            for size in [1e-12, 1e-9, 1e-6, 1e-4].into_iter().chain(sizes) {
                 let by: Vec<f64> = (0..chain.unknowns)
                     .map(|_| random.within(-size, size))
                     .collect();
@@ -369,7 +370,7 @@ fn errors_of_positions_are_bounded() {
                 let at = Estimate::new(&off.jacobian, &off.factors, &work.residual, rounding);
                 let radius = 4.0 * at.correction;
                 let norm = at.norm(radius, radius * radius / 6.0);
-                match chain.error_of(&off, &mut work) {
+                match chain.error_of(&off, &mut Work::new(chain)) {
                     Some(bound) => {
                         bounded += 1;
                         assert!(norm <= 0.5 && distance <= bound + least.unwrap_or(0.0));
@@ -483,11 +484,20 @@ fn unknowns_from_angles_of_bodies() {
         d.drive = Drive::Angle { body: 2, from: 1 };
         Mechanism::new(d).unwrap()
     };
-    for m in [
+    let from_behind = {
+        let mut d = four_bar([0.1, 0.4, 0.3, 0.35]).description().clone();
+        d.drive = Drive::Angle { body: 1, from: 2 };
+        Mechanism::new(d).unwrap()
+    };
+    let all = [
         four_bar([0.1, 0.4, 0.3, 0.35]),
         slider_crank([0.3, 1.0, 0.1]),
         coupled,
-    ] {
+        from_behind,
+        block_on_lever([0, 1, 2]),
+        block_on_lever([2, 1, 0]),
+    ];
+    for m in all {
         let chain = &m.chain;
         for _ in 0..5 {
             let drive = random.within(-2.0, 2.0);
@@ -522,6 +532,9 @@ fn pins_alone_and_gears() {
     assert!(double_butterfly().chain.is_of_pins());
     let slider = slider_crank([0.3, 1.0, 0.1]);
     assert!(!slider.chain.is_of_pins() && slider.chain.turns_freely());
+    let near = placed(&slider, &slider.assembly_modes(0.7).states[0]);
+    let way = slider.nearest_by_newton(0.7, &near, 0.1);
+    assert!(matches!(way, Way::Unknown));
     // A slot beside a loop of pins: neither entries nor closures alone tell.
     let mut d = four_bar([0.1, 0.4, 0.3, 0.35]).description().clone();
     let lever = d.body("lever");
@@ -573,4 +586,139 @@ fn modes_near_merging_are_not_decided() {
     assert!(modes.near_singular);
     let told = m.nearest(0.0, &angles(&near), Angle::from_rad(1.0));
     assert_eq!(told.unwrap_err(), NearestError::CannotTell);
+}
+
+/// A block on the crank's pin that slides along a lever, turned by 0.25 rad against it; bodies in this order.
+fn block_on_lever(order: [usize; 3]) -> Mechanism {
+    let mut d = Description::new();
+    let mut bodies = [0; 3];
+    for k in order {
+        bodies[k] = d.body(["block", "crank", "lever"][k]);
+    }
+    let [block, crank, lever] = bodies;
+    d.pin("O", &[(GROUND, [0.0, 0.0]), (crank, [0.0, 0.0])]);
+    d.pin("A", &[(crank, [0.2, 0.0]), (block, [0.0, 0.0])]);
+    d.pin("B", &[(GROUND, [-0.5, 0.0]), (lever, [0.0, 0.0])]);
+    d.joint(
+        "slide",
+        slide((block, [0.0, 0.0]), (lever, [0.0, 0.0]), 0.0),
+    );
+    d.drive = Drive::Angle {
+        body: crank,
+        from: GROUND,
+    };
+    Mechanism::new(d).unwrap()
+}
+
+/// Whole turns of bodies that hang on slides, the first body among them.
+#[test]
+fn whole_turns_beside_slides() {
+    for order in [[0, 1, 2], [2, 1, 0], [1, 0, 2]] {
+        let m = block_on_lever(order);
+        for state in &m.assembly_modes(0.7).states {
+            let exact = placed(&m, state);
+            let crank = order.iter().position(|k| *k == 1).unwrap();
+            for turns in [-2.0, 1.0, 3.0] {
+                let mut near = exact.clone();
+                for (k, x) in near.iter_mut().enumerate().filter(|(k, _)| *k != crank) {
+                    *x += turns * TAU + 0.01 * k as f64;
+                }
+                let found = m
+                    .nearest(0.7, &angles(&near), Angle::from_rad(0.1))
+                    .unwrap();
+                assert!(off(&m, &found, &near) < 0.03, "{order:?} {turns}");
+            }
+        }
+    }
+}
+
+/// Alone exactly where the norm at the middle, with half the distance, is below 0.95: on both sides of that.
+#[test]
+fn positions_are_alone_within_the_estimate() {
+    let mut random = Random(35);
+    let mut far = 0;
+    for m in some_linkages(&mut random) {
+        let phi = random.within(-3.0, 3.0);
+        let chain = &m.chain;
+        for found in m.assembly_modes(phi).states {
+            let moved = found.pose.u.iter().map(|u| u + random.within(-0.05, 0.05));
+            let given = Pose::new(chain, found.pose.drive, moved.collect());
+            let middle = given
+                .u
+                .iter()
+                .zip(&found.pose.u)
+                .map(|(a, b)| 0.5 * (a + b));
+            let middle = Pose::new(chain, given.drive, middle.collect());
+            let (mut j, mut factors) = (Work::new(chain).jacobian, Factors::default());
+            middle.jacobian(chain, 0..chain.closures.len(), &mut j);
+            let blocks = chain.blocks.iter().map(|b| b.rows.clone());
+            assert!(factors.of_blocks(&j, 0, blocks));
+            let nothing = vec![0.0; chain.unknowns];
+            let at = Estimate::new(&j, &factors, &nothing, chain.rounding(&middle));
+            let norm = |d: f64| at.norm(0.5 * d, d * d / 6.0);
+            let (mut low, mut high) = (0.0, 4.0);
+            for _ in 0..60 {
+                let half = 0.5 * (low + high);
+                (low, high) = if norm(half) < 0.95 {
+                    (half, high)
+                } else {
+                    (low, half)
+                };
+            }
+            far += usize::from(low > 0.3);
+            let alone = |d: f64| chain.is_alone(&given, &found.pose, d, &mut Work::new(chain));
+            assert!(alone(0.999 * low) || low == 0.0);
+            assert!(!alone(1.001 * low + 1e-12));
+        }
+    }
+    assert!(far > 20, "{far}");
+    // Coupler and rocker on one line at the middle: no inverse.
+    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let state = &m.assembly_modes(0.3).states[0];
+    let folded = Pose::new(&m.chain, 0.3, vec![0.0; m.chain.unknowns]);
+    assert!(
+        !m.chain
+            .is_alone(&folded, &folded, 0.0, &mut Work::new(&m.chain))
+    );
+    let alone = m
+        .chain
+        .is_alone(&state.pose, &state.pose, 0.0, &mut Work::new(&m.chain));
+    assert!(alone);
+}
+
+/// The error counts twice beside the distance, that of the position found and that of the exact one, and once on either
+/// side of the reach.
+#[test]
+fn errors_of_both_positions_count() {
+    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let chain = &m.chain;
+    let state = &m.assembly_modes(1.0).states[0];
+    let mut work = Work::new(chain);
+    let (mut low, mut high) = (0.0, 4.0);
+    for _ in 0..60 {
+        let half = 0.5 * (low + high);
+        (low, high) = match chain.is_alone(&state.pose, &state.pose, half, &mut work) {
+            true => (half, high),
+            false => (low, half),
+        };
+    }
+    let mut told =
+        |off: [f64; 2], reach| chain.told(&state.pose, state.clone(), off, reach, &mut work);
+    let off = 0.5 * low;
+    assert!(told([off, 0.249 * low], 4.0).is_some());
+    assert!(told([off, 0.251 * low], 4.0).is_none());
+    for (reach, way) in [
+        (1.11, "found"),
+        (1.09, "open"),
+        (0.91, "open"),
+        (0.89, "none"),
+    ] {
+        let found = told([off, 0.1 * off], reach * off).unwrap();
+        let name = match found {
+            Way::Found(_) => "found",
+            Way::None => "none",
+            Way::Unknown => "open",
+        };
+        assert_eq!(name, way, "{reach}");
+    }
 }

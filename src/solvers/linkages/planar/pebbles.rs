@@ -32,19 +32,18 @@ impl Pebbles {
                 return Err(self.reached(&[a, b]));
             }
         }
-        let (payer, other) = if self.free[a] > 0 { (a, b) } else { (b, a) };
-        self.free[payer] -= 1;
-        self.paid[payer].push(other);
+        // With four pebbles at both ends and at most three at one each has some.
+        self.free[a] -= 1;
+        self.paid[a].push(b);
         Ok(())
     }
 
-    /// Brings a free pebble from anywhere but the vertices of `held` to `to`.
+    /// Brings a free pebble from anywhere but the vertices of `held`, `to` among them, to `to`.
     fn fetch(&mut self, to: usize, held: &[usize]) -> bool {
         let n = self.free.len();
         let mut from = vec![usize::MAX; n];
         let mut seen = vec![false; n];
         held.iter().for_each(|&v| seen[v] = true);
-        seen[to] = true;
         let mut stack = vec![to];
         while let Some(v) = stack.pop() {
             if v != to && self.free[v] > 0 {

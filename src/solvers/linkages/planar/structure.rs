@@ -25,7 +25,7 @@ pub struct Group {
 /// The kind of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GroupKind {
-    /// The driven body, solved by the drive alone (with the ground: Artobolevsky's class I).
+    /// The driven body, solved by the drive alone against the ground (Artobolevsky's class I) or a body known before.
     Driver,
     /// One body held by three constraints without the drive, such as a gear wheel or a lever with a
     /// slot.
@@ -175,7 +175,8 @@ fn group(description: &Description, bodies: Vec<usize>, known: &[usize]) -> Grou
         order += usize::from(all.iter().any(|b| !inside(b)));
     }
     let drive = driven(description);
-    let driven = drive.iter().all(|b| inside(b) || *b == GROUND) && drive.iter().any(inside);
+    let placed = |b: &usize| inside(b) || known.contains(b);
+    let driven = drive.iter().all(placed) && drive.iter().any(inside);
     let kind = match bodies.len() {
         1 if driven => GroupKind::Driver,
         1 => GroupKind::Single,
@@ -220,14 +221,17 @@ fn shortest_cycle(n: usize, edges: &[[usize; 2]], over: usize) -> Option<usize> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::slide;
+    use super::super::model::Point;
+    use super::super::tests::{guide, slide};
     use super::*;
     use crate::units::Angle;
 
     /// Bodies by number; each pin names those it joins, 0 is the ground. Body 1 is driven.
     fn groups(bodies: usize, pins: &[&[usize]]) -> Vec<Group> {
         let mut d = Description::new();
-        (1..=bodies).for_each(|k| drop(d.body(k.to_string())));
+        for k in 1..=bodies {
+            d.body(k.to_string());
+        }
         for pin in pins {
             let points: Vec<_> = pin.iter().map(|&b| (b, [0.0, 0.0])).collect();
             d.pin("pin", &points);
@@ -312,12 +316,48 @@ mod tests {
         }
     }
 
+    /// What a later group hangs on adds nothing to the class of the group that bears it.
+    #[test]
+    fn later_groups_do_not_count() {
+        let pins: &[&[usize]] = &[
+            &[0, 1],
+            &[1, 2],
+            &[2, 3],
+            &[3, 0],
+            &[2, 4],
+            &[4, 5],
+            &[5, 0],
+        ];
+        let due = [driver(), assur(&[2, 3], 2, 2), assur(&[4, 5], 2, 2)];
+        assert_eq!(groups(5, pins), due);
+    }
+
     /// A pin that a later group hangs on belongs to the bodies that are known there.
     #[test]
     fn a_dyad_on_the_pin_of_a_dyad() {
         let pins: &[&[usize]] = &[&[0, 1], &[1, 2], &[2, 3, 4], &[3, 0], &[4, 5], &[5, 0]];
         let due = [driver(), assur(&[2, 3], 2, 2), assur(&[4, 5], 2, 2)];
         assert_eq!(groups(5, pins), due);
+    }
+
+    /// A body on a pin and a slot of the ground, and another driven against it.
+    fn driven_from_a_still_body() -> Vec<Group> {
+        let mut d = Description::new();
+        let [still, arm] = ["still", "arm"].map(|n| d.body(n));
+        d.pin("A", &[(GROUND, [0.0, 0.0]), (still, [0.0, 0.0])]);
+        d.joint(
+            "slot",
+            Joint::Slot {
+                pin: Point::from_m(still, [0.5, 0.0]),
+                slot: guide((GROUND, [0.5, 0.0]), 0.3),
+            },
+        );
+        d.pin("B", &[(still, [1.0, 0.0]), (arm, [0.0, 0.0])]);
+        d.drive = Drive::Angle {
+            body: arm,
+            from: still,
+        };
+        structure(&d).unwrap().groups
     }
 
     #[test]
@@ -359,6 +399,7 @@ mod tests {
         assert_eq!(by_angle, [driven(a, 1), single(b, 2), single(slider, 2)]);
         d.drive = Drive::Displacement { joint: guide };
         let by_slide = structure(&d).unwrap().groups;
+        assert_eq!(driven_from_a_still_body(), [single(1, 2), driven(2, 1)]);
         assert_eq!(by_slide, [driven(slider, 1), single(b, 2), single(a, 2)]);
     }
 }
