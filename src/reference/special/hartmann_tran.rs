@@ -329,4 +329,80 @@ mod tests {
             assert!(hartmann_tran(&line(p), 80).is_err(), "{p:?}");
         }
     }
+
+    /// One rule at a time is broken, just so; what is within them just so is not refused.
+    #[test]
+    fn the_edges_of_the_domain() {
+        let good = [1.0, 0.5, 0.125, 0.0, 0.0, 0.25, 0.5, 1.0];
+        let with = |k: usize, x: f64| {
+            let mut p = good;
+            p[k] = x;
+            refused(&line(p))
+        };
+        let rules = [
+            (0, 0.0, "Doppler"),
+            (0, -1.0, "Doppler"),
+            (1, -0.125, "must not be negative"),
+            (2, -0.125, "must not be negative"),
+            (5, -0.125, "must not be negative"),
+            (6, -0.125, "0..1"),
+            (6, 1.125, "0..1"),
+            (2, 1.0, "speed zero"),
+        ];
+        for (k, x, words) in rules {
+            assert!(with(k, x).is_some_and(|w| w.contains(words)), "{k} {x}");
+        }
+        // (1 - eta)(Gamma0 - 3/2 Gamma2) + nu is zero with Gamma2 at 2/3.
+        for (k, x) in [(1, 0.0), (2, 0.0), (5, 0.0), (6, 0.0), (6, 1.0), (2, 0.625)] {
+            assert_eq!(with(k, x), None, "{k} {x}");
+        }
+        let edge = [1.0, 0.75, 0.5, 0.0, 0.0, 0.0, 0.0, 1.0];
+        assert_eq!(refused(&line(edge)), None);
+        assert_eq!(
+            refused(&line([1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])).is_some(),
+            true
+        );
+    }
+
+    /// A shift alone turns the profile complex; both components have the bits asked for.
+    #[test]
+    fn shifts_are_seen_and_both_components_are_certified() {
+        for (k, x) in [(3, 0.25), (4, 0.25), (7, 0.25), (3, -1e-9), (4, 1e-9)] {
+            let mut p = [1.0, 0.5, 0.125, 0.0, 0.0, 0.25, 0.5, 0.0];
+            p[k] = x;
+            let found = hartmann_tran(&line(p), 120).unwrap();
+            assert!(!found.im.contains_zero(), "{k} {x}");
+            assert!(found.re.accuracy_bits() >= 120 && found.im.accuracy_bits() >= 120);
+        }
+    }
+
+    /// Square roots in every quadrant, and none on or across the cut.
+    #[test]
+    fn principal_roots() {
+        let z = |x: f64, y: f64| ComplexBall::new(Ball::exact(80, x), Ball::exact(80, y));
+        for (x, y) in [
+            (3.0, 4.0),
+            (3.0, -4.0),
+            (-3.0, 4.0),
+            (-3.0, -4.0),
+            (0.0, 2.0),
+            (0.0, -2.0),
+            (2.0, 0.0),
+        ] {
+            let r = root(&z(x, y)).unwrap();
+            let square = &r * &r;
+            assert!(square.re.contains(&Rational::from_f64(x).unwrap()));
+            assert!(square.im.contains(&Rational::from_f64(y).unwrap()));
+            assert!(r.re.is_positive() && (y == 0.0 || r.im.is_negative() == (y < 0.0)));
+        }
+        assert!(root(&z(-2.0, 0.0)).is_none() && root(&z(0.0, 0.0)).is_none());
+        let wide = ComplexBall::new(
+            Ball::exact(80, -2.0),
+            Ball::exact(80, 0.25).widened(crate::Mag::from_f64(0.5)),
+        );
+        assert!(root(&wide).is_none());
+        let at_zero = z(0.0, 0.0).widened(crate::Mag::from_f64(0.5));
+        assert!(root(&at_zero).is_none() && inverse(&at_zero).is_none());
+        assert!(inverse(&z(1.0, 1.0).widened(crate::Mag::INFINITY)).is_none());
+    }
 }

@@ -167,4 +167,8 @@ fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
 }
 
 #[cfg(test)]
+mod ball_tests;
+#[cfg(test)]
+mod scaled_tests;
+#[cfg(test)]
 mod tests;

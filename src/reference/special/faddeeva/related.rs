@@ -38,7 +38,7 @@ fn extra(x: &Real, y: &Real) -> u32 {
 }
 
 /// The product of the complex numbers given by components with their own exponents.
-fn times_gaussian(parts: &[Scaled; 2], x: &Real, y: &Real, prec: u32) -> [Scaled; 2] {
+pub(super) fn times_gaussian(parts: &[Scaled; 2], x: &Real, y: &Real, prec: u32) -> [Scaled; 2] {
     let wide = prec + extra(x, y);
     let e = Gaussian::new(&x.ball(wide), &y.ball(wide), prec);
     let (a, b, k) = aligned(&parts[0], &parts[1]);
