@@ -220,6 +220,68 @@ fn a_closed_pipe_ends_it_quietly() {
     assert_eq!((status.code(), err.as_str()), (Some(0), ""));
 }
 
+/// Frames are answered bit for bit as lines are; refusals are frames, what is laid out otherwise ends the run.
+#[test]
+fn binary_frames() {
+    let in_frames = |method: &str, input: &[u8]| {
+        let mut child = common::program()
+            .args(["eval", method])
+            .env("MECHAUDIT_PROTOCOL", "binary")
+            .stdin(std::process::Stdio::piped())
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        child.stdin.take().unwrap().write_all(input).unwrap();
+        let o = child.wait_with_output().unwrap();
+        (
+            o.status.code(),
+            o.stdout,
+            String::from_utf8(o.stderr).unwrap(),
+        )
+    };
+    let frame = |x: &[f64]| -> Vec<u8> {
+        let count = (x.len() as u64).to_le_bytes();
+        [
+            &count[..],
+            &x.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>(),
+        ]
+        .concat()
+    };
+    let points = [[1.5, -0.25], [0.0, 1.0], [-3.0, 1e-9], [f64::NAN, 0.0]];
+    let frames: Vec<u8> = points.iter().flat_map(|p| frame(p)).collect();
+    let due: Vec<u8> = (points.iter())
+        .flat_map(|p| {
+            let w = faddeeva(Complex::new(p[0], p[1]));
+            frame(&[w.re, w.im])
+        })
+        .collect();
+    assert_eq!(in_frames(W, &frames), (Some(0), due, String::new()));
+    // A crank that cannot be joined.
+    let apart = [1.0, 1.0, 1.0, 2.5, 3.0, 1.0];
+    let (code, out, err) = in_frames("four-bar", &frame(&apart));
+    assert_eq!(
+        (code, out, err.as_str()),
+        (Some(0), u64::MAX.to_le_bytes().to_vec(), "")
+    );
+    for (input, part) in [
+        (frame(&[1.0]), "frame 1"),
+        (frames[..20].to_vec(), "cut off"),
+    ] {
+        let (code, out, err) = in_frames(W, &input);
+        assert_eq!(
+            (code, out.len(), err.lines().count()),
+            (Some(2), 0, 1),
+            "{err}"
+        );
+        assert!(err.contains(part), "{err}");
+    }
+    let program = env!("CARGO_BIN_EXE_mechaudit");
+    let exec = format!("{program} eval erf");
+    let d = common::run(&["audit", "erf", "--cases", "20", "--binary", "--exec", &exec]);
+    assert_eq!(d.code, 0, "{}{}", d.out, d.err);
+}
+
 #[test]
 fn usage() {
     let list = good(&["--list"], "");

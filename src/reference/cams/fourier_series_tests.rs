@@ -1,6 +1,6 @@
 //! Tests of `fourier_series`.
 
-use super::super::cam_law::Family;
+use super::super::cam_law::{Family, Piece};
 use super::super::fourier_transform::near_resonance;
 use super::*;
 
@@ -247,5 +247,111 @@ fn half_turns_up_and_down() {
     for n in [2, 3, 1000] {
         let [a, b] = harmonic(&r(2, 1), &rise, Some(&fall), n);
         assert!(a.contains(&r(0, 1)) && b.contains(&r(0, 1)));
+    }
+}
+
+/// Two parabolas that meet at λ: the mean is `μ + (λ − μ)/3`.
+fn parabolas(fraction: Rational) -> Law {
+    scca(r(0, 1), r(0, 1), fraction)
+}
+
+/// `a_0` by the areas of its parts; whole turns before the start do not count.
+#[test]
+fn means_of_whole_cycles() {
+    let rise = |start| Stroke {
+        law: parabolas(r(1, 4)),
+        start,
+        turns: r(1, 4),
+    };
+    let fall = Stroke {
+        law: parabolas(r(1, 3)),
+        start: r(5, 8),
+        turns: r(3, 10),
+    };
+    let holds = |x: Ball, due: Rational| x.contains(&due) && x.accuracy_bits() > 110;
+    // 1/4 · 7/12 up, 1/4 on top, 3/10 · (1 − 5/9) down.
+    let cycle = mean(&r(3, 1), &rise(r(1, 8)), Some(&fall), 128);
+    assert!(holds(cycle, r(127, 80)));
+    // 1/4 · 7/12 up, 5/8 on top, less the mean 1/2 of θ/2π.
+    for start in [r(1, 8), r(9, 8), r(-7, 8)] {
+        assert!(holds(mean(&r(3, 1), &rise(start), None, 128), r(13, 16)));
+    }
+}
+
+/// At constant speed over B turns from S on `z_n = e^{−2πin(S + B/2)} sinc πnB`, and
+/// `a_n + i b_n = (Im z_n + i Re z_n)/πn`.
+#[test]
+fn a_ramp_anywhere_in_the_turn() {
+    let law = Law::polynomial(&[r(0, 1), r(1, 1)]).unwrap();
+    for (start, turns) in [(r(1, 12), r(1, 6)), (r(2, 7), r(1, 3)), (r(-3, 5), r(1, 2))] {
+        let rise = Stroke {
+            law: law.clone(),
+            start: start.clone(),
+            turns: turns.clone(),
+        };
+        for n in [1u32, 2, 5] {
+            let pi = || Ball::pi(160);
+            let ball = |x: &Rational| Ball::rational(160, x);
+            let middle = ball(&((Rational::from(&turns / 2u32) + &start) * n)) * pi().shift(1);
+            let half = ball(&Rational::from(&turns * n)) * pi();
+            let sinc = half.sin_cos().0 / &half / (pi() * Ball::integer(160, i64::from(n)));
+            let (sine, cosine) = middle.sin_cos();
+            let [a, b] = harmonic(&r(1, 1), &rise, None, n);
+            assert!(a.overlaps(&-(sine * &sinc)) && b.overlaps(&(cosine * &sinc)));
+            assert!(a.rad() < Mag::power_of_two(-120) && b.rad() < Mag::power_of_two(-120));
+        }
+    }
+}
+
+/// The greatest of `max |s^(j)|/(πq)^j`, in whole bits from above: none for zones, and a limited number.
+#[test]
+fn bits_that_the_integration_by_parts_loses() {
+    let law = |end: Rational, c: &[i32]| {
+        let coefficients = c.iter().map(|&c| r(c, 1)).collect();
+        let start = r(0, 1);
+        Law(Form::Pieces(vec![Piece {
+            start,
+            end,
+            coefficients,
+        }]))
+    };
+    let at = |law: &Law, angle: f64| guard(law, angle / PI, 128);
+    let small = 0.9 / 1024.0;
+    // s' = 1: 1024/0.9 is 2^10.15.
+    assert_eq!(at(&law(r(1, 1), &[0, 1]), small), 11);
+    assert_eq!(at(&law(r(1, 1), &[7, -1]), small), 11);
+    // s''' = 12, times 2^30.46: 2^34.04.
+    assert_eq!(at(&law(r(1, 1), &[0, 0, 3, -2]), small), 35);
+    // s' is at most 8, s'' is 16: 8/4.01 is just below 2.
+    assert_eq!(at(&law(r(1, 4), &[0, 4, 8]), 4.01), 1);
+    assert_eq!(at(&law(r(1, 4), &[0, 4, 8]), 3.99), 2);
+    assert_eq!(at(&law(r(1, 4), &[0, 4, 8]), 1000.0), 0);
+    assert_eq!(at(&law(r(1, 1), &[0, 1]), 1e-60), 128);
+    assert_eq!(at(&scca(r(1, 4), r(1, 2), r(1, 2)), 1e-60), 0);
+}
+
+/// What is computed with few bits is not below what is computed with many.
+#[test]
+fn conditions_are_bounds_from_above() {
+    use crate::cubic_spline::Spline;
+    let knots = [r(0, 1), r(1, 5), r(1, 2), r(9, 10), r(1, 1)];
+    let ordinates = [r(0, 1), r(1, 9), r(2, 3), r(4, 5), r(1, 1)];
+    let spline = Spline::clamped(&knots, &ordinates, &r(0, 1), &r(0, 1)).unwrap();
+    let stroke = Stroke {
+        law: Law::spline(&spline, &knots),
+        start: r(1, 11),
+        turns: r(2, 7),
+    };
+    let orders = Orders {
+        first: 3,
+        stride: 2,
+        count: 3,
+    };
+    let all = |bits| {
+        let (mean, found) = data_conditions(&r(1, 1), &stroke, orders, bits);
+        std::iter::once(mean).chain(found.into_iter().flatten())
+    };
+    for (few, many) in all(32).zip(all(256)) {
+        assert!(few > many && few.to_f64() < 1.01 * many.to_f64());
     }
 }

@@ -240,3 +240,7 @@ pub(super) fn by_jumps(jumps: &[Vec<Ball>], angle: &Ball, phases: &[ComplexBall]
     }
     sum
 }
+
+#[cfg(test)]
+#[path = "fourier_transform_tests.rs"]
+mod tests;

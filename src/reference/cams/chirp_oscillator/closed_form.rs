@@ -256,7 +256,7 @@ impl Exponent {
             .unwrap_or_else(|| faddeeva::w_ball(z, 2 * self.prec))
     }
 
-    /// κ = 0: `E = (e^{pt} − 1)/p`, `E′ = (t e^{pt} − E)/p` with `p = λ + iν`, or `t` and `t²/2`.
+    /// κ = 0: `E = (e^{pt} − 1)/p`, `E′ = (t e^{pt} − E)/p` with `p = λ + iν`, or `E = t`.
     fn steady(
         &self,
         lambda: &ComplexBall,
@@ -265,12 +265,10 @@ impl Exponent {
     ) -> (ComplexBall, ComplexBall) {
         let p = ComplexBall::new(lambda.re.clone(), &lambda.im + &self.omega[1]);
         let zero = Ball::integer(self.prec, 0);
-        // Only one of the two roots; the other is 2ν away.
+        // Only one of the two roots; the other is 2ν away. Undamped, they are distinct and need no slope.
         if self.still && p.im.contains_zero() {
-            return (
-                ComplexBall::new(self.t.clone(), zero.clone()),
-                ComplexBall::new(self.t.square().shift(-1), zero),
-            );
+            let slope = ComplexBall::zero(self.prec);
+            return (ComplexBall::new(self.t.clone(), zero), slope);
         }
         let one = ComplexBall::new(Ball::integer(self.prec, 1), zero);
         let e = (grown - &one).div(&p);

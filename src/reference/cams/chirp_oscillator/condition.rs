@@ -236,9 +236,6 @@ fn at(problem: &Problem, bits: u32) -> Option<[f64; 5]> {
     add(&only(problem.y0.clone(), zero()));
     add(&only(zero(), problem.v0.clone()));
     let components = base.components();
-    if sums.iter().any(|sum| !sum.is_finite()) {
-        return None;
-    }
     Some(std::array::from_fn(|i| {
         let sum = sums[i].to_f64();
         (sum - components[i].to_f64().abs()).max(0.0)
@@ -253,7 +250,7 @@ impl Row {
     fn new(parts: &Parts) -> Option<Row> {
         let decided = |z: &ComplexBall| {
             let size = z.magnitude();
-            z.radius() <= size.shift(-ACCURACY) || size.is_zero()
+            size.is_finite() && (z.radius() <= size.shift(-ACCURACY) || size.is_zero())
         };
         let complex = || parts.forced.iter().chain([&parts.amplitude]);
         if !complex().all(decided) {
@@ -363,6 +360,78 @@ mod tests {
         for p in [&steady, &critical, &slow] {
             assert!(by_derivatives(p, 160).is_none());
             assert!(conditions(p).is_some());
+        }
+    }
+
+    /// Whatever is not sharp is refused: the motion where so great a phase leaves few bits of it, and Im A alone where
+    /// it is of a higher order in t than all others.
+    #[test]
+    fn derivatives_that_are_not_sharp_are_refused() {
+        let with = |delta: f64, t: f64| problem([3.0, 0.1, 5.0, 2.0, 1.0, delta, 0.5, 0.5, t]);
+        let power = |k: i32| 2f64.powi(k);
+        // A phase of 2^130 is known to 2^-30; one of 2^100, to 2^-60.
+        assert!(by_derivatives(&with(power(130), 0.7), 160).is_none());
+        assert!(by_derivatives(&with(power(100), 0.7), 160).is_some());
+        // One of 2^115 just does, and A is as sharp as ever beside an acceleration a thousand times as great.
+        let fast = problem([32.0, 0.0, 5.0, 30.0, 1.0, power(115), 0.5, 0.5, 3.3]);
+        assert!(by_derivatives(&fast, 160).is_some());
+        assert!(by_derivatives(&with(1.0, power(-40)), 160).is_none());
+        for t in [power(-40), power(-35), 1.0] {
+            let [derivatives, differences] = [
+                by_derivatives(&with(1.0, t), 320).unwrap(),
+                at(&with(1.0, t), 960).unwrap(),
+            ];
+            for (found, due) in derivatives.iter().zip(differences) {
+                assert!((found / due - 1.0).abs() < 1e-8, "{t}: {found} {due}");
+            }
+        }
+        // No number stands for none: κ = t = 1.
+        assert!(
+            by_derivatives(&problem([3.0, 0.1, 1.0, 2.0, 1.0, 1.0, 0.5, 0.5, 1.0]), 160).is_some()
+        );
+    }
+
+    /// Too few bits for differences: for none of the values, for the motion alone, and where nothing is known.
+    #[test]
+    fn differences_of_undecided_values_are_refused() {
+        let p = problem([3.0, 0.1, 5.0, 2.0, 1.0, 1.0, 0.5, 0.5, 0.7]);
+        assert!(at(&p, 64).is_none() && at(&p, 160).is_some());
+        let turned = Problem {
+            delta: Rational::from(1) << 130u32,
+            ..p
+        };
+        assert!(at(&turned, 160).is_none() && at(&turned, 320).is_some());
+        // So near to undamped resonance that 160 bits do not tell λ + iν from zero.
+        let resonant = problem([1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 4.0]);
+        let near = Problem {
+            omega0: Rational::from(1) + (Rational::from(1) >> 400u32),
+            ..resonant.clone()
+        };
+        assert!(at(&near, 160).is_none());
+        let (near, resonant) = (conditions(&near).unwrap(), conditions(&resonant).unwrap());
+        for (near, resonant) in near.iter().zip(resonant) {
+            assert!((near / resonant - 1.0).abs() < 1e-8, "{near} {resonant}");
+        }
+    }
+
+    /// At `t = 0` the motion is `y₀, v₀, w² cos δ − w² y₀ − 2n v₀`: every summand by hand.
+    #[test]
+    fn conditions_of_the_initial_state() {
+        for [w, n, delta, y0, v0] in [
+            [3.0, 0.125, 1.0, 0.5, 0.5],
+            [3.0, 0.125, -2.0, 0.5, -0.25],
+            [2.0, 5.0, 0.0, 0.0, 3.0],
+        ] {
+            let p = problem([w, n, 5.0, 2.0, 1.0, delta, y0, v0, 0.0]);
+            let found = conditions(&p).unwrap();
+            let (spring, damper) = (w * w * y0, 2.0 * n * v0);
+            // The force itself and through w and δ; of the free vibration itself, w, n, y₀ and v₀.
+            let force = w * w * (3.0 + delta.abs());
+            let free = (spring + damper).abs() + 3.0 * spring.abs() + 2.0 * damper.abs();
+            let second = force + free - (w * w * delta.cos() - spring - damper).abs();
+            for (found, due) in found.iter().zip([y0.abs(), v0.abs(), second, 0.0, 0.0]) {
+                assert!((found - due).abs() <= 1e-9 * due, "{found} {due}");
+            }
         }
     }
 }

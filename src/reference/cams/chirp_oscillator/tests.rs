@@ -243,3 +243,170 @@ fn gauss_legendre_bears_witness() {
         );
     }
 }
+
+/// Within the ball, whose radius is small.
+fn holds(found: &Ball, due: &Ball, bits: i64) -> bool {
+    let scale = Mag::from_f64(1.0).add(due.magnitude());
+    found.overlaps(due) && found.rad() < scale.shift(-bits) && due.rad() < scale.shift(-bits)
+}
+
+/// Free vibration by its elementary solutions: damped below, above and at the critical value, at times where series
+/// are summed and where they are not.
+#[test]
+fn free_vibration_has_its_elementary_solutions() {
+    let r = |n: i32, d: i32| Rational::from((n, d));
+    let ball = |x: &Rational| Ball::rational(200, x);
+    let whole = |n: i64| Ball::integer(200, n);
+    // w, n
+    for (w, n) in [(5, 3), (4, 5), (2, 2)] {
+        for (y0, v0) in [
+            (r(1, 1), r(0, 1)),
+            (r(0, 1), r(1, 1)),
+            (r(2, 3), r(-5, 7)),
+            (r(0, 1), r(0, 1)),
+        ] {
+            for t in [r(0, 1), r(1, 1000), r(1, 8), r(1, 4), r(1, 1), r(7, 2)] {
+                let p = Problem {
+                    w: r(w, 1),
+                    n: r(n, 1),
+                    eps: r(1, 1),
+                    omega0: r(1, 1),
+                    k: r(1, 1),
+                    delta: r(0, 1),
+                    y0: y0.clone(),
+                    v0: v0.clone(),
+                    t: t.clone(),
+                };
+                let (y, v, time) = (ball(&y0), ball(&v0), ball(&t));
+                let decay = |rate: i64| (-(whole(rate) * &time)).exp();
+                let due = match (w, n) {
+                    // e^{−3t} (a cos 4t + b sin 4t), differentiated twice.
+                    (5, 3) => {
+                        let (sine, cosine) = (whole(4) * &time).sin_cos();
+                        let (mut a, mut b) = (y.clone(), (v + whole(3) * &y).shift(-2));
+                        [(); 3].map(|()| {
+                            let value = decay(3) * (&a * &cosine + &b * &sine);
+                            let next = b.shift(2) - whole(3) * &a;
+                            b = -(a.shift(2) + whole(3) * &b);
+                            a = next;
+                            value
+                        })
+                    }
+                    // c e^{−2t} + d e^{−8t}
+                    (4, 5) => {
+                        let c = (y.shift(3) + &v) / whole(6) * decay(2);
+                        let d = -(y.shift(1) + &v) / whole(6) * decay(8);
+                        [&c + &d, -(c.shift(1) + d.shift(3)), c.shift(2) + d.shift(6)]
+                    }
+                    // e^{−2t} (y₀ + ct)
+                    _ => {
+                        let c = v + y.shift(1);
+                        let y = y + &c * &time;
+                        let v = &c - y.shift(1);
+                        let a = -(&c + &v).shift(1);
+                        [y, v, a].map(|x| x * decay(2))
+                    }
+                };
+                let found = super::free::vibration(&p, 160);
+                for (k, (found, due)) in found.iter().zip(&due).enumerate() {
+                    assert!(
+                        holds(found, due, 130),
+                        "{w} {n} {y0} {v0} {t} {k}: {found:?} {due:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// `sin wt/w` and `cos wt` with few bits of numbers that all are exact: what the series leave out is most of the radius.
+#[test]
+fn what_the_series_of_free_vibration_leave_out() {
+    let p = problem([4.0, 0.0, 1.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.125]);
+    let (sin, cos) = Ball::exact(200, 0.5).with_prec(200).sin_cos();
+    for prec in [12, 20, 30, 40] {
+        let (k, rate) = super::free::impulse(&p, &p.t, prec);
+        assert!(k.contains_ball(&sin.shift(-2)) && rate.contains_ball(&cos));
+        let most = Mag::power_of_two(-i64::from(prec) - 4);
+        assert!(
+            k.rad() <= most && rate.rad() <= most,
+            "{prec} {k:?} {rate:?}"
+        );
+    }
+}
+
+/// Undamped and at constant speed, from rest:
+/// `y = w²/(w² − ν²) (cos(νt + δ) − cos δ cos wt + (ν/w) sin δ sin wt)`.
+#[test]
+fn the_phase_leads_the_harmonic() {
+    for (nu, delta, t) in [(1.0, 0.75, 1.5), (-1.0, 0.75, 1.5), (5.0, -2.0, 0.25)] {
+        // w = 2
+        let p = problem([2.0, 0.0, 0.0, nu, 1.0, delta, 0.0, 0.0, t]);
+        let ball = |x: f64| Ball::exact(200, x).with_prec(200);
+        let (sin, cos) = ball(2.0 * t).sin_cos();
+        let (sin_delta, cos_delta) = ball(delta).sin_cos();
+        let (sin_now, cos_now) = ball(nu * t + delta).sin_cos();
+        let gain = ball(4.0) / ball(4.0 - nu * nu);
+        let y = &gain * (&cos_now - &cos_delta * &cos + (&sin_delta * &sin * ball(nu)).shift(-1));
+        let v = &gain
+            * (-(&sin_now * ball(nu))
+                + (&cos_delta * &sin).shift(1)
+                + &sin_delta * &cos * ball(nu));
+        let a = (&cos_now - &y).shift(2);
+        let found = enclose(&p, 160);
+        for (found, due) in [&found.y, &found.v, &found.a].into_iter().zip([y, v, a]) {
+            assert!(holds(found, &due, 130), "{nu} {delta}: {found:?} {due:?}");
+        }
+    }
+}
+
+/// A constant force on an oscillator that already is where the force holds it: it stays there, `y′ = 0`, which no
+/// number of bits shows. As many as the documentation says are tried.
+#[test]
+fn a_component_that_is_zero_is_undecided() {
+    let p = problem([3.0, 0.5, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 2.0]);
+    for bits in [40, 100] {
+        let undecided = response(&p, bits).unwrap_err();
+        assert_eq!(undecided.bits, 4 * bits + 16384);
+    }
+}
+
+/// In the first moments y is about `w²t²/2`, and Im A smaller still: all components have the digits asked for.
+#[test]
+fn all_components_have_the_digits_asked_for() {
+    let p = problem([3.0, 0.5, 1.0, 2.0, 1.0, 0.0, 0.0, 0.0, 1e-12]);
+    let found = response(&p, 100).unwrap();
+    for x in found.components() {
+        assert!(x.accuracy_bits() >= 100, "{x:?}");
+    }
+    assert!((found.y.mid().to_f64() / 4.5e-24 - 1.0).abs() < 1e-11);
+}
+
+/// The integrand of (1) is real under a constant force, and so are `A` and `ψ′` where the phase is zero.
+#[test]
+fn a_constant_force_has_real_parts() {
+    let p = problem([3.0, 0.5, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0]);
+    let parts = super::closed_form::parts(&p, 100);
+    assert!(parts.amplitude.im.is_zero());
+    assert!(parts.forced.iter().all(|z| z.im.is_zero()));
+}
+
+/// With few bits a force next to the resonance, or a damping next to none, looks like undamped resonance. After 160
+/// periods it makes a difference of many last bits.
+#[test]
+fn next_to_undamped_resonance() {
+    let tiny = |k: i32| 2f64.powi(-k);
+    for (n, nu) in [
+        (0.0, 1.0 + tiny(25)),
+        (0.0, -1.0 - tiny(25)),
+        (tiny(27), 1.0),
+        (tiny(27), -1.0),
+    ] {
+        let p = problem([1.0, n, 0.0, nu, 1.0, 0.0, 0.0, 0.0, 1000.0]);
+        overlap(&enclose(&p, 24), &enclose(&p, 300), &format!("{n} {nu}"));
+    }
+    // At resonance A = (−iwt + …)/2 itself: w = ν = 1, y = (t sin t)/2.
+    let p = problem([1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1000.0]);
+    let due = Ball::integer(200, 500) * Ball::integer(200, 1000).sin_cos().0;
+    assert!(holds(&enclose(&p, 160).y, &due, 130));
+}

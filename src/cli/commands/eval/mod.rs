@@ -1,5 +1,7 @@
 //! Values of a function at the cases given on standard input, one a line.
 
+mod binary;
+
 use crate::cli::args::EvalArgs;
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome, chain};
@@ -66,6 +68,9 @@ pub fn eval(args: &EvalArgs) -> Result<Outcome, Failure> {
         let known: Vec<&str> = evaluable().iter().map(|m| m.name()).collect();
         Failure::no_such("method", name, &known)
     })?;
+    if binary::is_asked_for() && args.digits.is_none() {
+        return binary::stream(&*method);
+    }
     let threads = args.threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
