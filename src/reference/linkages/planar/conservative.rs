@@ -56,20 +56,24 @@ pub struct Course {
 const RHO: u32 = 4;
 /// Attempts at a panel before the motion is given up: its length shrinks by 2^−20 and more.
 const ATTEMPTS: usize = 50;
+/// Panels taken before the motion is given up: a drive that goes to infinity within a finite time reaches no later one.
+const MOST_PANELS: usize = 10_000;
 
 pub(super) struct Path<'a> {
     loaded: Loaded<'a>,
     forces: &'a Forces,
     rule: GaussLegendre,
     bits: u32,
+    most_panels: usize,
 }
 
 impl Linkage {
     /// The motion from rest at `start`, drive increasing, at the given times in seconds, ascending and positive.
     ///
     /// # Errors
-    /// [`Undecided`] if a proof fails: the force at the start is not certainly positive, the mechanism may stop, a change
-    /// point or dead position is near the path, the precision is too low, the times do not ascend.
+    /// [`Undecided`] if a proof fails: the force at the start is not certainly positive, the mechanism may stop, a
+    /// change point or dead position is near the path, the precision is too low, the times do not ascend or are not
+    /// reached within ten thousand panels.
     pub fn from_rest(
         &self,
         start: &Ball,
@@ -94,6 +98,7 @@ impl<'a> Path<'a> {
             loaded,
             forces,
             bits,
+            most_panels: MOST_PANELS,
         })
     }
 }
@@ -181,6 +186,9 @@ impl Path<'_> {
         };
         let mut due = times.iter().peekable();
         while due.peek().is_some() {
+            if course.panels >= self.most_panels {
+                return Err(self.undecided("the times are not reached within as many panels"));
+            }
             let at = self.loaded.on(&panel.branch, &from)?;
             panel = self.next(&panel, &from, &at)?;
             let length = exact(&panel.half).shift(1);
@@ -247,5 +255,140 @@ impl Path<'_> {
             rates,
             energy,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::oscillator;
+    use super::super::{Attachment, Body, Drive, Joint, Mechanism};
+    use super::*;
+    use crate::class_iii::ExactAngle;
+
+    const BITS: u32 = 192;
+
+    fn exactly(x: f64) -> Ball {
+        Ball::exact(BITS, x)
+    }
+
+    /// A linkage of one slide from rest at its origin.
+    fn path<'a>(linkage: &'a Linkage, forces: &'a Forces) -> Path<'a> {
+        let at = [0.0, 0.0].map(|x| Float::with_val(64, x));
+        let start = Ball::integer(BITS, 0);
+        let resting = linkage.position(&start, &at).expect("proved");
+        Path::new(Loaded::new(linkage, forces, &start, resting), forces).expect("a rule")
+    }
+
+    /// The first panel up to a power of four and the panel after it.
+    fn panels(path: &Path, width: i32, half: f64) -> [Panel; 2] {
+        let width = power_of_four(width, BITS);
+        let first = path.loaded.first(&width).expect("a panel");
+        let from = exact(&width);
+        let at = path.loaded.on(&first.branch, &from).expect("a position");
+        let half = Float::with_val(64, half);
+        let next = path.loaded.panel(&from, &at, &first.branch, &half);
+        [first, next.expect("a panel")]
+    }
+
+    /// With two nodes a quadrature is off by far more than roundings, and its bound is that of the rule: for
+    /// `2 √(I x²/2W)` over half the root of the width, for `√(I/2W)` over the half-length.
+    #[test]
+    fn times_of_panels_hold_the_error_of_the_rule() {
+        let (linkage, forces) = oscillator();
+        let mut path = path(&linkage, &forces);
+        let [first, next] = panels(&path, -1, 1.0 / 16.0);
+        path.rule = GaussLegendre::new(2, BITS).expect("a rule");
+        // cos 2t = 1 − 8b/3.
+        let to_quarter = exactly(8.0).sqrt().atan2(&exactly(1.0)).shift(-1);
+        let rest = Ball::pi(BITS).shift(-2) - &to_quarter;
+        let start = path
+            .starting(&first, &power_of_four(-1, BITS))
+            .expect("a time");
+        let later = path.integral(&next, &exactly(0.375)).expect("a time");
+        for (found, due, half, most) in [
+            (start, to_quarter, 0.25, first.most.to_f64() * 2.0),
+            (later, rest, 0.0625, next.most.to_f64()),
+        ] {
+            assert!(found.overlaps(&due));
+            assert!((found.mid().clone() - due.mid()).abs() > 1e-9);
+            let error = path.rule.error(Mag::from_f64(most), RHO).to_f64() * half;
+            let wide = found.rad().to_f64();
+            assert!(
+                wide > 0.999 * error && wide < 1.001 * error,
+                "{wide} {error}"
+            );
+        }
+    }
+
+    /// The end of an integral with a radius lies in the panel as a whole: `17/8 (h + w/2) + w/2` is at most 69/32 h.
+    #[test]
+    fn the_end_of_an_integral_is_in_the_panel_with_its_radius() {
+        let (linkage, forces) = oscillator();
+        let path = path(&linkage, &forces);
+        let [_, next] = panels(&path, -1, 1.0 / 16.0);
+        let to = |w: f64| exactly(0.375).widened(Mag::from_f64(w / 16.0));
+        assert!(path.integral(&next, &to(0.0)).is_ok());
+        assert!(path.integral(&next, &to(0.019)).is_ok());
+        for w in [0.021, 0.025, 0.029] {
+            let refused = path.integral(&next, &to(w)).unwrap_err();
+            assert!(refused.reason.contains("outside its panel"), "{w}");
+        }
+    }
+
+    /// A time that takes more panels than there may be is not reached.
+    #[test]
+    fn panels_are_counted() {
+        let (linkage, forces) = oscillator();
+        let mut path = path(&linkage, &forces);
+        let times = [Rational::from((6, 5))];
+        let taken = path.follow(&times).expect("a course").panels;
+        path.most_panels = taken;
+        assert_eq!(path.follow(&times).expect("a course").panels, taken);
+        path.most_panels = taken - 1;
+        let refused = path.follow(&times).unwrap_err();
+        assert!(refused.reason.contains("not reached"), "{refused:?}");
+    }
+
+    /// A mass of 2 under the force 3 has `t'(b) = 1/√(3b)`. In balls that is at least `t'(b) (1 − D/(b − D))` over
+    /// `b ± D`, so that a step of a time within R, with D twice `R/t'(b)`, stays inside for D up to b/3.
+    #[test]
+    fn a_newton_step_stays_inside_up_to_a_third() {
+        let mut mass = Body::massless("mass");
+        mass.mass = Rational::from(2);
+        let origin = || [Rational::new(), Rational::new()];
+        let slide = Joint::Slide {
+            a: Attachment::ground(origin()),
+            direction: [Rational::from(1), Rational::new()],
+            b: Attachment::body(0, origin()),
+            turn: ExactAngle::Radians(Rational::new()),
+        };
+        let mechanism = Mechanism::new(vec![mass], vec![slide]).expect("a mechanism");
+        let linkage = Linkage::new(&mechanism, &Drive::coordinate(1), BITS).expect("a drive");
+        let forces = Forces {
+            drive: Rational::from(3),
+            springs: Vec::new(),
+            gravity: origin(),
+        };
+        let path = path(&linkage, &forces);
+        let [_, next] = panels(&path, 0, 0.75);
+        let b = 1.75f64;
+        let left = path.integral(&next, &exactly(b)).expect("a time");
+        let slowness = (3.0 * b).sqrt().recip();
+        let most = b / 3.0 / 2.0 * slowness;
+        let within = |part: f64| {
+            let left = left.widened(Mag::from_f64(part * most));
+            path.invert(&next, &left, &Float::with_val(BITS, b))
+        };
+        for part in [0.3, 0.98] {
+            let drive = within(part).expect("a drive");
+            let across = part * b / 3.0;
+            let due = part * most / (slowness * (1.0 - across / (b - across)));
+            let wide = drive.rad().to_f64();
+            assert!(wide > 0.999 * due && wide < 1.001 * due, "{wide} {due}");
+        }
+        for part in [1.02, 1.2, 1.5] {
+            let refused = within(part).unwrap_err();
+            assert!(refused.reason.contains("is not proved"), "{part}");
+        }
     }
 }

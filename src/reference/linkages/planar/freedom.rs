@@ -302,3 +302,38 @@ fn kernel(matrix: &[Vec<Rational>], columns: usize) -> Vec<Vec<Rational>> {
     })
     .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(x: i32, y: i32) -> Point {
+        [x, y].map(Rational::from)
+    }
+
+    /// Sums are equal if the terms of every frequency are.
+    #[test]
+    fn sums_differ_in_one_frequency() {
+        let sum = |terms: &[(i32, Point)]| {
+            let mut sum = Sum::default();
+            terms
+                .iter()
+                .for_each(|(omega, z)| sum.add(&Rational::from(*omega), z, 1));
+            sum
+        };
+        let both = sum(&[(1, point(1, 2)), (3, point(0, 4))]);
+        let one = sum(&[(1, point(1, 2))]);
+        assert!(!both.is(&one) && !one.is(&both));
+        let parts = [(3, point(5, 1)), (1, point(1, 2)), (3, point(-5, 3))];
+        assert!(both.is(&sum(&parts)));
+    }
+
+    /// A motion without a turn is none of those that turning proves, be it of bodies on the ground or of none.
+    #[test]
+    fn a_shift_does_not_turn() {
+        let [x, o] = [1, 0].map(Rational::from);
+        let free = Drawing::new(1, Vec::new()).unwrap();
+        assert!(!free.turns(&[x.clone(), o.clone(), o.clone()]));
+        assert!(free.turns(&[o.clone(), o, x]));
+    }
+}

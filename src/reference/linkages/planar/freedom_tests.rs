@@ -134,3 +134,101 @@ fn bad_pins_are_refused() {
     let e = Drawing::new(1, pins).unwrap_err();
     assert_eq!(e, MechanismError::Itself { joint: 0 });
 }
+
+/// Coupler ABC on cranks AD, BE, CF, off the origin, the coupler listed first: none of the first three pins is on the
+/// ground.
+#[test]
+fn the_order_of_bodies_and_the_origin_do_not_matter() {
+    let at = |p| match p {
+        'A' => [8, 1],
+        'B' => [10, 1],
+        'C' => [13, 2],
+        'D' => [7, -2],
+        'E' => [9, -2],
+        _ => [12, -1],
+    };
+    const BODIES: [&str; 5] = ["DEF", "ABC", "AD", "BE", "CF"];
+    let f = freedom(&BODIES, at);
+    assert_eq!(f.mobility, Mobility::Turning { most: 1 });
+    assert_eq!(
+        (f.movable, f.strained),
+        (vec![0, 1, 2, 3], vec![0, 1, 2, 3])
+    );
+    // A third crank twice as long.
+    let unequal = |p| if p == 'F' { [11, -4] } else { at(p) };
+    let f = freedom(&BODIES, unequal);
+    assert_eq!(f.redundant(), 1);
+    assert_eq!(f.mobility, Mobility::Undecided { most: 1 });
+}
+
+/// A bar that turns about the origin has no velocity there. Beside it a triangle with a second bar, held too often.
+#[test]
+fn a_bar_about_the_origin_turns() {
+    let at = |p| match p {
+        'A' => [1, 0],
+        'B' => [5, 0],
+        'C' => [2, 3],
+        'D' => [3, 6],
+        _ => [0, 0],
+    };
+    let f = freedom(&["ABZ", "Z", "ACD", "BC", "BD"], at);
+    assert_eq!((f.movable, f.strained), (vec![0], vec![1, 2, 3]));
+    assert_eq!(f.mobility, Mobility::Turning { most: 1 });
+    let f = freedom(&["ABZ", "ACD", "Z", "BC", "BD"], at);
+    assert_eq!((f.movable, f.strained), (vec![1], vec![0, 2, 3]));
+    assert_eq!(f.mobility, Mobility::Turning { most: 1 });
+}
+
+/// Three parallel cranks turn, whatever two bars on a line beside them do.
+#[test]
+fn one_motion_is_enough() {
+    let at = |p| match p {
+        'G' => [20, 0],
+        'I' => [22, 0],
+        'H' => [25, 0],
+        _ => parallel(p),
+    };
+    let f = freedom(&["ABCGH", "AD", "BE", "CF", "DEF", "GI", "IH"], at);
+    assert_eq!(
+        (f.redundant(), f.mobility),
+        (2, Mobility::Turning { most: 2 })
+    );
+    // Beside a body that hangs on nothing, the first of the list.
+    let f = freedom(&["ABC", "", "AD", "BE", "CF", "DEF"], parallel);
+    assert_eq!(
+        (f.redundant(), f.mobility),
+        (1, Mobility::Turning { most: 4 })
+    );
+}
+
+#[test]
+fn a_body_without_pins_is_free() {
+    let f = Drawing::new(1, Vec::new()).unwrap().freedom();
+    assert_eq!((f.velocities, f.equations, f.rank), (3, 0, 0));
+    assert_eq!((f.movable, f.strained), (vec![0], vec![]));
+    assert_eq!(f.mobility, Mobility::Regular { freedoms: 3 });
+}
+
+/// Three bars from end to end on a line, on no other body, hold one another along it; the chains listed before and
+/// after them are not strained.
+#[test]
+fn bars_on_a_line_are_strained_and_their_neighbours_are_not() {
+    let bodies = ["AF", "AB", "B", "CD", "DE", "CE", "FG", "G"];
+    for turned in [false, true] {
+        let at = |p| {
+            let [x, y] = match p {
+                'A' => [-3, 1],
+                'B' => [-1, 5],
+                'C' => [1, 2],
+                'D' => [4, 2],
+                'E' => [6, 2],
+                'F' => [8, 1],
+                _ => [9, 7],
+            };
+            if turned { [-y, x] } else { [x, y] }
+        };
+        let f = freedom(&bodies, at);
+        assert_eq!((f.velocities, f.equations, f.rank), (21, 14, 13));
+        assert_eq!(f.strained, [2, 3, 4]);
+    }
+}

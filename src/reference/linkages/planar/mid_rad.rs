@@ -186,6 +186,56 @@ mod tests {
         assert_eq!(MidRad::of(&Ball::exact(64, 1.0)).rad, 0.0);
     }
 
+    /// Zero loses and gains nothing, and what is about zero is not zero.
+    #[test]
+    fn zero_is_exact() {
+        let (zero, wide) = (MidRad::exact(0.0), MidRad { mid: 0.0, rad: 1.0 });
+        let unbounded = MidRad::exact(1e300).times(&MidRad::exact(1e300));
+        let tenth = MidRad {
+            mid: 0.1,
+            rad: 1e-30,
+        };
+        for x in [wide, tenth, unbounded] {
+            assert_eq!([zero.times(&x), x.times(&zero)], [zero; 2]);
+            assert_eq!([zero.plus(&x), x.plus(&zero), x.minus(&zero)], [x; 3]);
+        }
+        let five = MidRad::exact(5.0);
+        for sum in [wide.plus(&five), five.plus(&wide), five.minus(&wide)] {
+            assert!(sum.mid == 5.0 && sum.rad >= 1.0);
+        }
+        assert!(wide.times(&five).rad >= 5.0 && five.times(&wide).rad >= 5.0);
+    }
+
+    /// Cosine and sine of an exact number are off by a rounding, of a wide one by two at most.
+    #[test]
+    fn cosines_of_exact_and_of_wide_numbers() {
+        for x in [1.0, -2.5, 0.7, 40.0] {
+            let (c, s) = MidRad::exact(x).cos_sin();
+            let due = Float::with_val(300, x).sin_cos(Float::new(300));
+            assert!(holds(c, &due.1) && holds(s, &due.0), "{x}");
+            assert!(c.rad < 1.001 * U && s.rad < 1.001 * U);
+        }
+        for rad in [3.0, 1e9, f64::INFINITY] {
+            let (c, s) = MidRad { mid: 0.3, rad }.cos_sin();
+            assert!([c, s].iter().all(|x| x.rad >= 2.0 && x.rad < 2.001));
+        }
+    }
+
+    /// An inverse root holds those of both ends, and there is none across zero.
+    #[test]
+    fn inverse_roots_are_held() {
+        let wide = MidRad { mid: 2.0, rad: 0.5 }.over_root();
+        for x in [1.5, 2.0, 2.5] {
+            let root = Float::with_val(300, x).sqrt().recip();
+            assert!(holds(wide, &root), "{x}");
+        }
+        assert!(wide.rad < 0.3);
+        let half = MidRad::exact(4.0).over_root();
+        assert!(holds(half, &Float::with_val(300, 0.5)) && half.rad < 4.0 * U);
+        let across = MidRad { mid: 1.0, rad: 1.5 }.over_root();
+        assert!(!across.size().is_finite());
+    }
+
     #[test]
     fn what_is_not_finite_has_no_bound() {
         let large = MidRad::exact(1e300);

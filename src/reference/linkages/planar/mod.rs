@@ -38,6 +38,8 @@
 
 mod chart;
 mod conservative;
+#[cfg(test)]
+mod conservative_tests;
 mod disc;
 mod enclosure;
 mod energy;
@@ -46,6 +48,8 @@ mod freedom;
 mod freedom_tests;
 mod joint_forces;
 mod loops;
+#[cfg(test)]
+mod loops_tests;
 mod mechanism;
 mod mid_rad;
 mod modes;
@@ -56,6 +60,8 @@ mod nearest;
 mod nearest_tests;
 mod panel;
 mod reactions;
+#[cfg(test)]
+mod reactions_tests;
 mod scalar;
 mod series;
 #[cfg(test)]

@@ -3,8 +3,8 @@
 use super::Position;
 use super::soundness_tests::both;
 use super::tests::{cranked, four_bar};
-use crate::Ball;
 use crate::class_iii::tests::q;
+use crate::{Ball, Mag};
 
 fn ball(text: &str) -> Ball {
     Ball::rational(160, &q(text))
@@ -63,4 +63,57 @@ fn a_farther_position_is_never_the_nearest() {
         }
     }
     assert!(told > 0 && open > 0, "{told} {open}");
+}
+
+/// The loops of the four-bar are shown to be one to one up to the distance where `‖I − Y F'(X)‖` is one: directions are
+/// off by the half-width d, so that the sum of row i is `(2 + 7/2 + 3) d (|Y_i1| + |Y_i2|)`.
+#[test]
+fn a_position_is_the_nearest_as_far_as_the_contraction_shows() {
+    let linkage = cranked(&four_bar());
+    let phi = ball("0.9");
+    let [upper, _] = both(&linkage, &phi);
+    let x: Vec<f64> = upper.x.iter().map(Ball::to_f64).collect();
+    // The largest such factor at a distance d in the coupler's angle.
+    let sum = |d: f64| {
+        let [(s, c), (t, k)] = [x[1] + d, x[2]].map(f64::sin_cos);
+        // [a b; c d] = [−7/2 s, 3 t; 7/2 c, −3 k].
+        let det = 10.5 * (s * k - c * t).abs();
+        let coupler = 3.0 * (t.abs() + k.abs()) / det;
+        let rocker = 3.5 * (s.abs() + c.abs()) / det;
+        8.5 * d * coupler.max(rocker)
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = (low + high) / 2.0;
+        let side = if sum(middle) < 1.0 {
+            &mut low
+        } else {
+            &mut high
+        };
+        *side = middle;
+    }
+    let at = |d: f64| linkage.nearest(&phi, &[x[0], x[1] + d, x[2]], 10.0);
+    let found = at(0.9999 * low).unwrap().expect("a position");
+    assert!(found.x[1].overlaps(&upper.x[1]));
+    for beyond in [1.0001, 1.2, 1.5, 1.9] {
+        assert!(at(beyond * low).is_err(), "{beyond}");
+    }
+}
+
+/// A position that is known within a radius only is as far off as its farthest part.
+#[test]
+fn a_position_has_to_lie_within_reach_as_a_whole() {
+    let linkage = cranked(&four_bar());
+    let phi = ball("0.9").widened(Mag::power_of_two(-20));
+    let [upper, _] = both(&linkage, &ball("0.9"));
+    let guess: Vec<f64> = upper.x.iter().map(Ball::to_f64).collect();
+    let found = linkage.nearest(&phi, &guess, 0.1).unwrap().unwrap();
+    let off = found.x.iter().zip(&guess).map(|(x, g)| {
+        let way = (x.mid().to_f64() - g).abs();
+        way + x.rad().to_f64()
+    });
+    let off = off.fold(0.0, f64::max);
+    assert!(off > 5e-7 && off < 1e-4, "{off}");
+    assert!(linkage.nearest(&phi, &guess, 1.01 * off).unwrap().is_some());
+    assert!(linkage.nearest(&phi, &guess, 0.99 * off).is_err());
 }

@@ -266,3 +266,137 @@ impl<'a> Loaded<'a> {
 pub(super) fn power_of_four(k: i32, bits: u32) -> Float {
     Float::with_val(bits, Rational::from(1)) << (2 * k)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::oscillator;
+    use super::*;
+
+    const BITS: u32 = 192;
+
+    /// The oscillator of mass 2 with `W = 3 (b − b0) − 4 (b² − b0²)` from b0 = 1/8.
+    fn loaded<'a>(linkage: &'a Linkage, forces: &super::super::Forces) -> Loaded<'a> {
+        let start = Ball::exact(BITS, 0.125);
+        let at = [0.0, 0.125].map(|x| Float::with_val(64, x));
+        let resting = linkage.position(&start, &at).expect("proved");
+        Loaded::new(linkage, forces, &start, resting)
+    }
+
+    fn wide(mid: f64, rad: f64) -> Ball {
+        Ball::exact(BITS, mid).widened(Mag::from_f64(rad))
+    }
+
+    fn bounds(found: f64, due: f64) {
+        assert!(found >= due && found < 1.005 * due, "{found} {due}");
+    }
+
+    fn bounds_below(found: f64, due: f64) {
+        assert!(found <= due && found > 0.995 * due, "{found} {due}");
+    }
+
+    /// `W/(b − b0) = 2 − 4 (b − b0)` and `√(I/2W)` as `√((b − b0)/W)` over the first panel's ellipse.
+    #[test]
+    fn the_first_panel_of_an_oscillator() {
+        let (linkage, forces) = oscillator();
+        let mut loaded = loaded(&linkage, &forces);
+        let width = power_of_four(-2, BITS);
+        let panel = loaded.first(&width).expect("a panel");
+        let reach = (25.0f64 / 16.0).powi(2) / 16.0;
+        bounds(panel.reach.to_f64(), reach);
+        assert_eq!(panel.half, 1.0 / 32.0);
+        bounds_below(panel.least_force, 2.0 - 4.0 * reach);
+        bounds(panel.most.to_f64(), (2.0 - 4.0 * reach).sqrt().recip());
+        // Four times as long the force is zero on the ellipse.
+        assert!(loaded.first(&power_of_four(-1, BITS)).is_none());
+        // A force that is known within a half.
+        loaded.coarse.drive = wide(3.0, 0.5);
+        let panel = loaded.first(&width).expect("a panel");
+        bounds_below(panel.least_force, 1.5 - 4.0 * reach);
+        bounds(panel.most.to_f64(), (1.5 - 4.0 * reach).sqrt().recip());
+        // Backwards there is no motion, whatever the force's size.
+        loaded.coarse.drive = wide(-3.0, 0.0);
+        assert!(loaded.first(&width).is_none());
+    }
+
+    /// A panel from 3/16 to 7/32: W at its middle less what slope and curvature take over the reach.
+    #[test]
+    fn a_later_panel_of_an_oscillator() {
+        let (linkage, forces) = oscillator();
+        let mut loaded = loaded(&linkage, &forces);
+        let first = loaded.first(&power_of_four(-2, BITS)).expect("a panel");
+        let from = Ball::exact(BITS, 0.1875);
+        let at = loaded.on(&first.branch, &from).expect("a position");
+        let half = Float::with_val(64, 1.0 / 64.0);
+        let check = |loaded: &Loaded, work: f64, slope: f64, start: f64| {
+            let panel = loaded
+                .panel(&from, &at, &first.branch, &half)
+                .expect("a panel");
+            let (c, reach) = (0.203125, 2.15625 / 64.0);
+            bounds(panel.reach.to_f64(), reach);
+            let whole = 3.0 * (c - 0.125) - 4.0 * (c * c - 1.0 / 64.0);
+            let least = whole - work - (3.0 - 8.0 * c + slope) * reach - 4.0 * reach * reach;
+            bounds(panel.most.to_f64(), least.sqrt().recip());
+            bounds_below(panel.least_force, least / (c - start + 1.0 / 64.0));
+        };
+        check(&loaded, 0.0, 0.0, 0.125);
+        // The slope, the work, the start known within a radius.
+        loaded.coarse.drive = wide(3.0, 0.5);
+        check(&loaded, 0.0, 0.5, 0.125);
+        loaded.coarse.drive = wide(3.0, 0.0);
+        loaded.fine.drive = wide(3.0, 0.5);
+        check(&loaded, 0.5 * 0.078125, 0.0, 0.125);
+        loaded.fine.drive = wide(3.0, 0.0);
+        loaded.start = wide(0.125, 0.005);
+        check(&loaded, 0.015, 0.0, 0.12);
+    }
+
+    /// A position that reaches out of its polydisc starts no branch.
+    #[test]
+    fn a_branch_owns_its_middle() {
+        let (linkage, forces) = oscillator();
+        let loaded = loaded(&linkage, &forces);
+        let reach = Mag::from_f64(0.01);
+        let middle = loaded.resting.clone();
+        assert!(loaded.branch(&loaded.start, &middle, reach).is_some());
+        let x = middle.x.iter().map(|x| x.widened(Mag::from_f64(1.0)));
+        let out = Position { x: x.collect() };
+        assert!(loaded.branch(&loaded.start, &out, reach).is_none());
+    }
+
+    /// Bounds on I and on V from its curvature on, by coefficients and a geometric series.
+    #[test]
+    fn bounds_by_coefficients() {
+        let (linkage, forces) = oscillator();
+        let loaded = loaded(&linkage, &forces);
+        let mut branch = loaded
+            .branch(&loaded.start, &loaded.resting, Mag::from_f64(0.01))
+            .expect("a branch");
+        branch.radius = Mag::from_f64(2.0);
+        branch.most = [10.0, 20.0].map(Mag::from_f64);
+        branch.inertia = vec![wide(3.0, 0.25), wide(-1.0, 0.125)];
+        branch.potential = [(7.0, 0.0), (5.0, 0.0), (-2.0, 0.5), (1.0, 0.0)]
+            .map(|(mid, rad)| wide(mid, rad))
+            .to_vec();
+        // 9/8 s + 10 (s/2)²/(1 − s/2).
+        let spread = |s: f64| 1.125 * s + 10.0 * (s / 2.0).powi(2) / (1.0 - s / 2.0);
+        for s in [0.5, 0.7] {
+            let most = branch.inertia(Mag::from_f64(s)).expect("not zero");
+            bounds(most.to_f64(), 3.25 + spread(s));
+        }
+        // 2.835 is more than 3 − 1/4.
+        for s in [0.72, 1.0, 1.9] {
+            assert!(branch.inertia(Mag::from_f64(s)).is_none(), "{s}");
+        }
+        let curved = |down: usize| branch.curved(down, Mag::from_f64(0.5)).to_f64();
+        let rest = 20.0 / 256.0 / 0.75;
+        bounds(curved(0), 2.5 / 4.0 + 1.0 / 8.0 + rest);
+        bounds(curved(1), 2.5 / 2.0 + 1.0 / 4.0 + 2.0 * rest);
+    }
+
+    #[test]
+    fn powers_of_four() {
+        for (k, due) in [(-3, 1.0 / 64.0), (0, 1.0), (-1, 0.25), (2, 16.0)] {
+            assert_eq!(power_of_four(k, BITS), due);
+        }
+    }
+}

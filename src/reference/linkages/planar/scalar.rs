@@ -181,4 +181,85 @@ mod tests {
         }
         assert!(far[0] > 0.8 && far[1] > 0.8 && far[2] > 0.3, "{far:?}");
     }
+
+    fn disc(mid: f64, rad: f64) -> Round {
+        Round(Ball::exact(64, mid).widened(Mag::from_f64(rad)))
+    }
+
+    /// Sums, products and sizes of discs reach as far as the farthest points do, and no farther.
+    #[test]
+    fn arithmetic_of_discs() {
+        let (a, b) = (disc(2.0, 0.5), disc(-3.0, 1.0));
+        let half = Ball::exact(64, -0.5).widened(Mag::from_f64(0.25));
+        for (found, mid, rad) in [
+            (a.plus(&b), -1.0, 1.5),
+            (a.minus(&b), 5.0, 1.5),
+            (a.times(&b), -6.0, 4.0),
+            (a.by(&half), -1.0, 0.875),
+            (b.by_f64(-1.5), 4.5, 1.5),
+        ] {
+            assert_eq!(found.0.mid().to_f64(), mid);
+            let wide = found.0.rad().to_f64();
+            assert!(wide >= rad && wide < rad * 1.000_001, "{mid} {wide}");
+            let size = found.size().to_f64();
+            let due = mid.abs() + rad;
+            assert!(size >= due && size < due * 1.000_001, "{mid} {size}");
+        }
+    }
+
+    /// About zero a sine goes as far as `sinh r` and a cosine as `cosh r − 1`; elsewhere no less than either part.
+    #[test]
+    fn cosines_of_discs_are_as_wide_as_they_have_to_be() {
+        let mut state = 1u64;
+        let mut unit = || {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / 2f64.powi(53)
+        };
+        for i in 0..2000 {
+            let r = 4.0 * unit() * 2f64.powi(-(i % 40));
+            let up = Float::with_val(300, r).exp();
+            let down = up.clone().recip();
+            let sinh = (up.clone() - &down) / 2u32;
+            let rest = (up + down) / 2u32 - 1u32;
+            let [c, s] = {
+                let (c, s) = disc(0.0, r).cos_sin();
+                [c, s].map(|x| x.0.rad().to_float())
+            };
+            assert!(c >= rest && s >= sinh, "{r}");
+            assert!(
+                c < rest.clone() * 1.000_001f64 + 1e-18f64
+                    && s < sinh.clone() * 1.000_001f64 + 1e-18f64
+            );
+            let m = 6.0 * unit() - 3.0;
+            let (c, s) = disc(m, r).cos_sin();
+            let (sine, cosine) = Float::with_val(300, m).sin_cos(Float::new(300));
+            let [sine, cosine] = [sine.abs(), cosine.abs()];
+            let due = [
+                sine.clone() * &sinh + cosine.clone() * &rest,
+                cosine * &sinh + sine * &rest,
+            ];
+            for (found, due) in [c, s].iter().zip(due) {
+                assert!(found.0.rad().to_float() >= due, "{m} {r}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_has_no_bound_has_no_cosine() {
+        for m in [0.0, 1.0] {
+            let whole = Round(Ball::new(Float::with_val(64, m), Mag::INFINITY));
+            let (c, s) = whole.cos_sin();
+            assert!(!c.size().is_finite() && !s.size().is_finite());
+        }
+    }
+
+    /// Plain numbers follow the same rules.
+    #[test]
+    fn plain_numbers() {
+        assert_eq!(Scalar::over_root(&6.25f64), 0.4);
+        assert_eq!(Scalar::size(&-3.0f64), Mag::from_f64(3.0));
+        assert_eq!(Scalar::cos_sin(&0.0f64), (1.0, 0.0));
+    }
 }

@@ -237,7 +237,7 @@ fn nothing_to_hold() {
 
 /// A mass of 2 on a slide under a constant force 3 and a spring of 8 without length of its own:
 /// `s = (3/8) (1 − cos 2t)`, which turns at t = π/2.
-fn oscillator() -> (Linkage, Forces) {
+pub(super) fn oscillator() -> (Linkage, Forces) {
     let mut mass = Body::massless("mass");
     mass.mass = q("2");
     let joints = vec![Joint::Slide {
