@@ -218,3 +218,82 @@ pub(super) fn unit(angle: Angle) -> num_complex::Complex64 {
     let (s, c) = angle.rad().sin_cos();
     num_complex::Complex64::new(c, s)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{four_bar, guide};
+    use super::*;
+
+    #[test]
+    fn as_many_bodies_and_joints_as_allowed() {
+        let mut d = Description::new();
+        while d.bodies.len() < MOST {
+            d.body("more");
+        }
+        assert_eq!(check(&d), Ok(()));
+        d.body("one too many");
+        let error = MechanismError::TooMany {
+            what: "bodies",
+            count: MOST + 1,
+            most: MOST,
+        };
+        assert_eq!(check(&d), Err(error));
+    }
+
+    #[test]
+    fn slots_and_ratios_are_checked() {
+        let plain = four_bar([0.1, 0.4, 0.3, 0.35]).description().clone();
+        let with = |joint: Joint| {
+            let mut d = plain.clone();
+            d.joint("it", joint);
+            check(&d)
+        };
+        let slot = |body: usize, direction: f64| {
+            with(Joint::Slot {
+                pin: Point::from_m(1, [0.1, 0.0]),
+                slot: guide((body, [0.0, 0.0]), direction),
+            })
+        };
+        assert_eq!(slot(3, 0.5), Ok(()));
+        assert!(matches!(
+            slot(9, 0.5),
+            Err(MechanismError::NoSuchBody { body: 9, .. })
+        ));
+        assert!(matches!(
+            slot(3, f64::NAN),
+            Err(MechanismError::NotFinite { .. })
+        ));
+        let gears = |ratio: f64| {
+            with(Joint::Gears {
+                wheels: [1, 3],
+                carrier: 0,
+                ratio,
+                phase: Angle::from_rad(0.0),
+            })
+        };
+        for ratio in [1.0, -0.5, 1e-300] {
+            assert_eq!(gears(ratio), Ok(()));
+        }
+        assert!(matches!(gears(0.0), Err(MechanismError::Zero { .. })));
+        assert!(matches!(
+            gears(f64::INFINITY),
+            Err(MechanismError::NotFinite { .. })
+        ));
+    }
+
+    #[test]
+    fn sizes_from_1e_100_to_1e100_metres() {
+        let of = |x: f64| {
+            let mut d = Description::new();
+            let crank = d.body("crank");
+            d.pin("O", &[(0, [x, 0.0]), (crank, [0.0, 0.0])]);
+            largest(&d)
+        };
+        for x in [1.1e-100, 0.9e100, -1.0] {
+            assert_eq!(of(x), Ok(x.abs()));
+        }
+        for x in [0.9e-100, 1.1e100, 0.0] {
+            assert_eq!(of(x), Err(MechanismError::Size { largest_m: x }));
+        }
+    }
+}

@@ -440,3 +440,63 @@ fn eliminate(rows: &mut [Form], variables: usize) -> Option<(usize, Vec<Form>)> 
     });
     Some((n, forms.collect()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{PI, TAU};
+
+    #[test]
+    fn angles_are_wrapped_into_a_half_open_turn() {
+        for (angle, due) in [
+            (-PI, PI),
+            (PI, PI),
+            (3.0 * PI, PI),
+            (-3.0, -3.0),
+            (3.0, 3.0),
+            (TAU + 0.5, 0.5),
+            (-TAU - 0.5, -0.5),
+            (4.0, 4.0 - TAU),
+        ] {
+            assert!((wrapped(angle) - due).abs() < 1e-14, "{angle}");
+        }
+    }
+
+    fn form(x: &[f64]) -> Form {
+        x.iter().map(|&x| Complex64::new(x, 0.0)).collect()
+    }
+
+    /// x + y = 3 with another row: independent, the same once more, or contradicting it by so much.
+    #[test]
+    fn linear_equations_are_solved_or_contradict() {
+        let first = form(&[1.0, 1.0, 3.0]);
+        let (n, found) = eliminate(&mut [first.clone(), form(&[1.0, -1.0, 1.0])], 2).unwrap();
+        assert_eq!((n, found), (0, vec![form(&[2.0]), form(&[1.0])]));
+        for (off, solved) in [
+            (0.0, true),
+            (0.9e-9, true),
+            (1.1e-9, false),
+            (-1.1e-9, false),
+            (0.5, false),
+        ] {
+            let rows = &mut [first.clone(), form(&[1.0, 1.0, 3.0 + off])];
+            match eliminate(rows, 2) {
+                Some((n, found)) => {
+                    assert!(solved && n == 1);
+                    // One is free, the other three less it.
+                    let both = [form(&[0.0, 1.0]), form(&[3.0, -1.0])];
+                    let near =
+                        |a: &Form, b: &Form| a.iter().zip(b).all(|(a, b)| (a - b).norm() < 1e-8);
+                    assert!((0..2).all(|k| both.iter().any(|b| near(&found[k], b))));
+                    assert!(!near(&found[0], &found[1]));
+                }
+                None => assert!(!solved, "{off}"),
+            }
+        }
+        // What is left of 1e-12 is no equation; a little more is.
+        let (n, _) = eliminate(&mut [form(&[0.9e-12, 0.0, 0.0])], 2).unwrap();
+        assert_eq!(n, 2);
+        let (n, found) = eliminate(&mut [form(&[1.1e-12, 0.0, 2.2e-12])], 2).unwrap();
+        assert!(n == 1 && (found[0][0].re - 2.0).abs() < 1e-12);
+    }
+}

@@ -223,9 +223,24 @@ fn bad_loads_are_refused() {
         vec![],
         vec![[1.0, 0.0], [1.0, 2.0]],
         vec![[0.0, 0.0], [7.0, 2.0]],
+        vec![[0.0, 0.0], [std::f64::consts::TAU, 2.0]],
+        vec![[0.0, 0.0], [1.0, 2.0], [0.5, 1.0]],
     ] {
         assert_eq!(refused(Vec::new(), table(rows)), LoadError::Table);
     }
+    // A turn is counted from the first row.
+    for rows in [
+        vec![[5.0, 0.0], [11.0, 2.0]],
+        vec![[-3.0, 1.0], [3.0, 2.0]],
+        vec![[2.0, 1.0]],
+    ] {
+        assert!(Loads::new(&m, Vec::new(), table(rows), [0.0; 2]).is_ok());
+    }
+    let beyond = m.description().bodies.len();
+    assert!(matches!(
+        refused(vec![mass(beyond, 1.0, 0.0, [0.0; 2])], none()),
+        LoadError::NoSuchBody { body, .. } if body == beyond
+    ));
 }
 
 #[test]
@@ -236,6 +251,8 @@ fn tables_are_read_by_straight_lines() {
         (3.0, true, [2.0, -2.0]),
         (0.0, true, [2.0, 0.0]),
         (9.0, true, [0.0, 0.0]),
+        (2.0, true, [4.0, -2.0]),
+        (4.0, true, [0.0, 0.0]),
         (1.5 + std::f64::consts::TAU, false, [3.0, 2.0]),
     ] {
         let [a, b] = table.at(x, linear);
@@ -248,4 +265,50 @@ fn tables_are_read_by_straight_lines() {
     let [a, b] = table.at(0.5, false);
     let slope = 2.0 / (1.0 + std::f64::consts::TAU - 4.0);
     assert!((b - slope).abs() < 1e-14 && (a - (2.0 - 0.5 * slope)).abs() < 1e-14);
+}
+
+/// The torque on a body by a table, and its derivative along the drive.
+#[test]
+fn moments_of_tabulated_torques() {
+    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let rows = vec![[0.0, 2.0], [1.0, 5.0], [2.0, -1.0]];
+    let torque = Load::Torque {
+        body: 3,
+        from: 2,
+        torque: Course::Table(rows),
+    };
+    let loads = Loads::new(&m, Vec::new(), vec![torque.clone()], [0.0; 2]).unwrap();
+    for (drive, value) in [(0.4, 3.2), (1.5, 2.0)] {
+        let at = |drive: f64| {
+            let state = m.assembly_modes(drive).states.remove(0);
+            let [a, b] = [2, 3].map(|k| m.body_angle(&state, k).first);
+            (loads.reduce(&m, &state), b - a)
+        };
+        let (found, rate) = at(drive);
+        assert!((found.moment - value * rate).abs() < 1e-13);
+        let h = 1e-5;
+        let slope = (at(drive + h).0.moment - at(drive - h).0.moment) / (2.0 * h);
+        assert!((found.moment_derivative - slope).abs() < 1e-7 * (1.0 + slope.abs()));
+    }
+    let ends = [Point::from_m(1, [0.1, 0.0]), Point::from_m(3, [0.2, 0.0])];
+    let damper = Load::Damper { ends, damping: 1.0 };
+    let turning = Load::TorsionDamper {
+        body: 1,
+        from: 0,
+        damping: 1.0,
+    };
+    for (all, due) in [
+        (vec![], false),
+        (vec![torque.clone()], false),
+        (vec![damper.clone()], true),
+        (vec![torque.clone(), turning], true),
+        (vec![damper, torque], true),
+    ] {
+        assert_eq!(
+            Loads::new(&m, Vec::new(), all, [0.0; 2])
+                .unwrap()
+                .has_dampers(),
+            due
+        );
+    }
 }

@@ -56,6 +56,8 @@ mod bounds_tests;
 #[cfg(test)]
 mod equilibrium_tests;
 #[cfg(test)]
+mod gear_tests;
+#[cfg(test)]
 mod law_tests;
 #[cfg(test)]
 mod load_tests;

@@ -175,3 +175,7 @@ impl Mechanism {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "modes_tests.rs"]
+mod tests;

@@ -1,0 +1,96 @@
+//! What is said of assembly modes beside their positions, and which refined solutions are taken.
+
+use super::super::tests::*;
+use super::*;
+
+#[test]
+fn no_modes_at_what_is_no_drive() {
+    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    for drive in [f64::NAN, f64::INFINITY] {
+        assert!(m.assembly_modes(drive).states.is_empty());
+    }
+}
+
+/// Next to folds of a dyad and of a triad it is said that rounding may decide; away from them not.
+#[test]
+fn near_folds_are_told() {
+    // Coupler and rocker are stretched at the angle zero.
+    let stretched = four_bar([0.25, 0.5, 0.25, 1.0]);
+    assert!(stretched.assembly_modes(0.0).near_singular);
+    assert!(!stretched.assembly_modes(0.3).near_singular);
+    let triad = class_iii(&SAND_SCREEN);
+    let drives: Vec<f64> = (0..=48).map(|k| 0.13 * f64::from(k)).collect();
+    let map = triad.trace_branches(&drives);
+    let fold = map.ends[0].at.as_ref().expect("a fold").drive;
+    assert!(triad.assembly_modes(fold).near_singular);
+    assert!(!triad.assembly_modes(0.3).near_singular);
+}
+
+/// Two dyads of which one is stretched: its position has no rates, and is told.
+#[test]
+fn singular_positions_are_told() {
+    let m = four_bar([0.25, 0.5, 0.25, 1.0]);
+    let start = Pose::new(&m.chain, 0.0, vec![0.0; m.chain.unknowns]);
+    assert!(State::new(&m, start).is_none());
+    assert!(m.assembly_modes(0.0).near_singular);
+}
+
+/// A solution is refined and taken if it is near and new: angles by whole turns, displacements relative to one more than
+/// themselves.
+#[test]
+fn solutions_are_taken_if_near_and_new() {
+    let m = slider_crank([0.3, 1.0, 0.1]);
+    let state = m.assembly_modes(0.7).states.remove(0);
+    let block = &m.chain.blocks[m.chain.blocks.len() - 1];
+    let mut work = Work::new(&m.chain);
+    let moved = |k: usize, by: f64| {
+        let mut pose = state.pose.clone();
+        pose.u[k] += by;
+        pose.place(&m.chain, &m.chain.order);
+        pose
+    };
+    let mut collected = |poses: &[Pose]| {
+        let mut found = Found::default();
+        for pose in poses {
+            m.collect(block, pose.clone(), &mut work, &mut found);
+        }
+        (found.poses.len(), found.near)
+    };
+    for (k, length) in m.chain.lengths.clone().into_iter().enumerate() {
+        let u = state.pose.u[k].abs();
+        // How far a solution may be off, as much of the displacement off as it is moved.
+        let reach = if length {
+            FARTHEST * (1.0 + u)
+        } else {
+            FARTHEST
+        };
+        for (share, due) in [
+            (0.9, (1, false)),
+            (-0.9, (1, false)),
+            (1.2, (0, true)),
+            (-1.2, (0, true)),
+        ] {
+            assert_eq!(collected(&[moved(k, share * reach)]), due, "{k} {share}");
+        }
+        let turned = collected(&[moved(k, 0.0), moved(k, std::f64::consts::TAU)]);
+        assert_eq!(turned, (1, length), "{k}");
+    }
+    assert_eq!(collected(&[moved(0, 0.0), moved(0, 1e-3)]), (1, false));
+    // No position at all.
+    let apart = four_bar([0.1, 0.1, 0.1, 0.9]);
+    let mut found = Found::default();
+    let pose = Pose::new(&apart.chain, 0.3, vec![0.4; apart.chain.unknowns]);
+    let block = &apart.chain.blocks[apart.chain.blocks.len() - 1];
+    apart.collect(block, pose, &mut Work::new(&apart.chain), &mut found);
+    assert!(found.poses.is_empty() && found.near);
+}
+
+/// Two dyads that fall into one have infinitely many positions; that is no complete answer.
+#[test]
+fn circles_that_coincide_are_not_complete() {
+    // Crank and frame of one length, coupler and rocker too, at the angle zero.
+    let m = four_bar([0.5, 0.4, 0.4, 0.5]);
+    let modes = m.assembly_modes(0.0);
+    assert!(!modes.complete && modes.states.is_empty());
+    assert!(m.assembly_modes(0.3).complete);
+}
