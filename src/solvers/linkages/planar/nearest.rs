@@ -320,5 +320,8 @@ impl Chain {
 }
 
 #[cfg(test)]
+#[path = "nearest_estimate_tests.rs"]
+mod estimate_tests;
+#[cfg(test)]
 #[path = "nearest_tests.rs"]
 mod tests;
