@@ -297,6 +297,39 @@ fn bounds_are_rounded_up() {
     assert!(holds(g.contracted(&wide).rad(), Rational::from(1)));
 }
 
+/// Products of bounds are not below those of what they bound, whatever the bits beyond the 53rd.
+#[test]
+fn products_of_bounds_are_rounded_up() {
+    let mut state = 1u64;
+    let mut draw = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        // From one to two.
+        let x = Float::with_val(P, state >> 5 | 1 << 59) >> 59u32;
+        let exact = x.to_rational().unwrap();
+        (x, exact)
+    };
+    let value = |m: Mag| m.to_float().to_rational().unwrap();
+    for _ in 0..2000 {
+        let ((x, a), (y, b)) = (draw(), draw());
+        let zero = Float::new(P);
+        let product = Rational::from(&a * &b);
+        assert!(
+            value(left_out(
+                &[zero.clone(), x.clone()],
+                &[zero.clone(), y.clone()],
+                1
+            )) >= product
+        );
+        let by = Mag::above(&y);
+        let line = TaylorModel::polynomial(vec![zero.clone(), x.clone()]);
+        assert!(value(line.motion(by)) >= Rational::from(&a * value(by)));
+        let wide = Ball::integer(P, 0).widened(by);
+        assert!(value(line.contracted(&wide).rad()) >= Rational::from(&a * value(wide.rad())));
+    }
+}
+
 /// The terms above the order are at most twice the first of them where h is at most 1, and without bound beyond.
 #[test]
 fn tails_of_cosine_and_sine() {

@@ -96,14 +96,18 @@ fn slope(f: impl Fn(&Rational) -> Ball, phi: &Rational) -> Ball {
     (after - before).shift(59).widened(Mag::power_of_two(-90))
 }
 
-/// Crank-rocker, double crank, and double rockers with the crank shorter and longer than the frame.
-fn four_bars() -> [[Rational; 4]; 5] {
+/// Crank-rocker, double crank, and double rockers with the crank shorter and longer than the frame; with long couplers and
+/// rockers, whose joint is far out beyond either end of the base.
+fn four_bars() -> [[Rational; 4]; 8] {
     [
         [q(1, 1), q(4, 1), q(3, 1), q(7, 2)],
         [q(4, 1), q(3, 1), q(7, 2), q(1, 1)],
         [q(2, 1), q(7, 3), q(5, 2), q(11, 4)],
         [q(3, 1), q(1, 1), q(5, 2), q(11, 4)],
         [q(3, 2), q(2, 1), q(5, 2), q(3, 2)],
+        [q(4, 1), q(6, 1), q(5, 2), q(1, 1)],
+        [q(4, 1), q(5, 2), q(6, 1), q(1, 1)],
+        [q(1, 1), q(6, 1), q(5, 2), q(4, 1)],
     ]
 }
 
@@ -311,4 +315,24 @@ fn signs_turns_and_finiteness() {
     assert!(all_finite([&x, &x], 128).is_ok());
     assert!(all_finite([&x, &endless], 128).is_err());
     assert!(all_finite([&endless, &x], 128).is_err());
+}
+
+/// A rod that stands nearly upright on its guide, to either side of it.
+#[test]
+fn steep_rods() {
+    for (k, ahead) in [(97, true), (97, false), (-97, true), (-97, false)] {
+        let l = [q(1, 1), q(1, 1), q(k, 100)];
+        for delta in [q(0, 1), q(5, 2), q(-7, 1)] {
+            let m = slider_crank(&l, &delta, &delta, ahead, 128).unwrap();
+            let tilt = (k as f64 / 100.0).asin();
+            let due = match ahead {
+                true => delta.to_f64() + tilt,
+                false => delta.to_f64() + std::f64::consts::PI - tilt,
+            };
+            assert!(
+                (m.rod[0].to_f64() - due).abs() < 1e-14,
+                "{k} {ahead} {delta}"
+            );
+        }
+    }
 }
