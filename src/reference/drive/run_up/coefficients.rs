@@ -48,6 +48,18 @@ impl Coefficients {
         }
     }
 
+    /// These panels, the first from the angle zero on, in one turn.
+    #[cfg(test)]
+    pub(super) fn of_panels(panels: Vec<Panel>, bits: u32) -> Coefficients {
+        Coefficients {
+            bits,
+            panels: panels.len() as u32,
+            turns: 1,
+            offset: ExactAngle::Radians(Rational::new()),
+            source: Source::Splines(panels.into_iter().map(Arc::new).collect()),
+        }
+    }
+
     /// The exact functions of a linkage.
     pub fn exact(curve: &Arc<LinkageCurve>) -> Coefficients {
         Coefficients {

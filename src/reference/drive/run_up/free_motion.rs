@@ -122,4 +122,21 @@ mod tests {
             assert!(r > 0.0 || e.rad() < Mag::power_of_two(-80));
         }
     }
+
+    /// Radii of all sizes, in all 53 bits: both ends are held, and little more.
+    #[test]
+    fn exponentials_hold_both_ends() {
+        let mut state = 1u64;
+        for k in 0..2000 {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            let r = (state >> 11) as f64 * 2f64.powi(-53 - k % 30);
+            let e = exp(&Ball::new(Float::with_val(120, 0.3), Mag::from_f64(r)));
+            let end = |sign: f64| (Float::with_val(400, r) * sign + 0.3f64).exp();
+            assert!(e.lower() <= end(-1.0) && e.upper() >= end(1.0), "{r}");
+            let width = Float::with_val(400, end(1.0) - Float::with_val(400, 0.3).exp());
+            assert!(e.rad().to_float() <= width * (1.0 + 1e-12), "{r}");
+        }
+    }
 }

@@ -267,7 +267,7 @@ impl Walk<'_> {
         self.model.offset.to_ball(bits) + halves * &self.set.half_width
     }
 
-    fn advance(&mut self, piece: Piece, end: Ball) {
+    pub(super) fn advance(&mut self, piece: Piece, end: Ball) {
         let forward = !self.set.backward;
         let mut x = piece.x1;
         if x == 1 && forward {

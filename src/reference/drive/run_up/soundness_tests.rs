@@ -66,3 +66,80 @@ fn the_start_of_a_step_may_lie_anywhere_in_its_slack() {
         assert!(piece.duration.contains_ball(&time), "{sign}");
     }
 }
+
+/// Steps are counted, and the largest radius of a speed at their ends is told.
+#[test]
+fn steps_and_radii_are_told() {
+    let model = Coefficients::exact(&LOW);
+    let mut run = start(&Rational::from((7, 2)));
+    run.angle = ExactAngle::Degrees(Rational::from(40));
+    let last = Rational::from((3, 4));
+    let motion = integrate_with(&model, &run, std::slice::from_ref(&last), 40).unwrap();
+    let mut walk = Walk::new(&model, &run, 40).unwrap();
+    let (mut steps, mut largest) = (0, Mag::ZERO);
+    let mut time = crate::Ball::integer(120, 0);
+    while time.to_f64() < last.to_f64() {
+        let piece = walk.step().unwrap();
+        largest = largest.max(piece.speed.rad());
+        steps += 1;
+        time = time + &piece.duration;
+        walk.advance(piece, time.clone());
+    }
+    assert!(steps > 3 && largest.to_f64() > 0.0);
+    assert_eq!((motion.steps, motion.largest_radius), (steps, largest));
+}
+
+/// An angle that is the end of a panel but for rounding is not told from it; one that is exactly there begins it.
+#[test]
+fn starts_at_the_ends_of_panels() {
+    let model = Coefficients::constant(&Rational::from(3), &Rational::from(-5), 120);
+    let at = |angle: ExactAngle| {
+        let mut run = start(&Rational::from(1));
+        run.angle = angle;
+        Walk::new(&model, &run, 40).map(drop)
+    };
+    let zero = Rational::new();
+    assert!(at(ExactAngle::Radians(zero.clone())).is_ok());
+    assert!(at(ExactAngle::Radians(Rational::from((-1, 3)))).is_ok());
+    // Zero degrees in radians is a ball about zero only if it is not exactly zero.
+    let tiny = Rational::from(1) >> 400u32;
+    assert!(at(ExactAngle::Radians(tiny)).is_ok());
+    let mut turned = Coefficients::constant(&Rational::from(3), &Rational::from(-5), 120);
+    turned.offset = ExactAngle::Degrees(Rational::from(360));
+    // Two pi, rounded: within its radius of the offset.
+    let near = crate::Ball::pi(120).shift(1).mid().to_rational().unwrap();
+    let mut run = start(&Rational::from(1));
+    run.angle = ExactAngle::Radians(near);
+    assert!(Walk::new(&turned, &run, 40).is_err());
+}
+
+/// What is no motor is refused; the least overload is one.
+#[test]
+fn motors_that_are_none() {
+    let q = |n: i32, d: i32| Rational::from((n, d));
+    let kloss = |slip: Rational, speed: Rational| Motor::Kloss {
+        breakdown_torque: q(40, 1),
+        breakdown_slip: slip,
+        synchronous: speed,
+    };
+    assert!(kloss(q(1, 4), q(10, 1)).fault().is_none());
+    for (slip, speed) in [
+        (q(0, 1), q(10, 1)),
+        (q(-1, 4), q(10, 1)),
+        (q(1, 4), q(0, 1)),
+        (q(1, 4), q(-1, 1)),
+    ] {
+        assert!(kloss(slip, speed).fault().is_some());
+    }
+    let rated = |overload: Rational, slip: Rational, speed: Rational| Motor::Rated {
+        torque: q(40, 1),
+        overload,
+        slip,
+        synchronous: speed,
+    };
+    assert!(rated(q(1, 1), q(1, 20), q(10, 1)).fault().is_none());
+    assert!(rated(q(11, 10), q(1, 20), q(1, 2)).fault().is_none());
+    assert!(rated(q(9, 10), q(1, 20), q(10, 1)).fault().is_some());
+    assert!(rated(q(2, 1), q(0, 1), q(10, 1)).fault().is_some());
+    assert!(rated(q(2, 1), q(1, 20), q(0, 1)).fault().is_some());
+}

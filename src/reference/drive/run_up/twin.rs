@@ -296,3 +296,7 @@ pub(super) mod planted {
         pub static FORGET_EARLIER: Cell<bool> = const { Cell::new(false) };
     }
 }
+
+#[cfg(test)]
+#[path = "twin_tests.rs"]
+mod tests;
