@@ -76,7 +76,7 @@ fn tilded(p: &Parameters) -> [Rational; 2] {
 }
 
 /// The complex profile, each component with a relative radius of at most 2^-bits; its real part is the
-/// absorption. Im is exactly zero where δ, Δ₀ and Δ₂ are.
+/// absorption. Im is exactly zero where δ, Δ₀ and Δ₂ are, and for δ = Δ₀ where Δ₂ and η are zero.
 ///
 /// ```
 /// use mechaudit_reference::hartmann_tran::{Parameters, hartmann_tran};
@@ -106,8 +106,11 @@ pub fn hartmann_tran(p: &Parameters, bits: u32) -> Result<ComplexBall, Undecided
             reason: rule.into(),
         });
     }
-    // Conjugate parameters give the conjugate profile.
-    let real = p.detuning == 0 && p.shifts.iter().all(|d| *d == 0);
+    // Conjugate parameters give the conjugate profile; at the middle of a line that is but shifted they are real: C̃₀ − iδ has
+    // no imaginary part where η = 0 and δ = Δ₀.
+    let [at_rest, by_speed] = &p.shifts;
+    let shifted = *at_rest != 0 && p.correlation != 0;
+    let real = *by_speed == 0 && p.detuning == *at_rest && !shifted;
     let cap = bits.saturating_mul(16).saturating_add(4096);
     let mut prec = bits + 64;
     loop {
@@ -393,6 +396,9 @@ mod tests {
             assert!(square.im.contains(&Rational::from_f64(y).unwrap()));
             assert!(r.re.is_positive() && (y == 0.0 || r.im.is_negative() == (y < 0.0)));
         }
+        // Next to the cut nothing is lost.
+        let r = root(&z(-2.0, 1e-18)).unwrap();
+        assert!(r.re.accuracy_bits() >= 70 && r.im.accuracy_bits() >= 70);
         assert!(root(&z(-2.0, 0.0)).is_none() && root(&z(0.0, 0.0)).is_none());
         let wide = ComplexBall::new(
             Ball::exact(80, -2.0),
@@ -402,5 +408,64 @@ mod tests {
         let at_zero = z(0.0, 0.0).widened(crate::Mag::from_f64(0.5));
         assert!(root(&at_zero).is_none() && inverse(&at_zero).is_none());
         assert!(inverse(&z(1.0, 1.0).widened(crate::Mag::INFINITY)).is_none());
+    }
+
+    /// Im is about 2^-9000 and its error absolute: more bits than are tried.
+    #[test]
+    fn what_cannot_be_told_from_zero_is_undecided() {
+        for bits in [20, 60] {
+            let mut p = line([1.0, 0.5, 0.125, 0.0, 0.0, 0.25, 0.5, 0.0]);
+            p.detuning = Rational::from(1) >> 9000;
+            let open = hartmann_tran(&p, bits).unwrap_err();
+            assert_eq!(open.bits, 16 * bits + 4096);
+            assert!(open.reason.contains("cannot be told from zero"));
+        }
+    }
+
+    /// A small component is certified like a large one.
+    #[test]
+    fn small_components_have_their_bits() {
+        for k in [30u32, 70, 100, 200] {
+            for part in 0..2 {
+                let mut p = line([1.0, 0.5, 0.125, 0.0, 0.0, 0.25, 0.5, 0.0]);
+                let tiny = Rational::from(1) >> k;
+                match part {
+                    0 => p.detuning = tiny,
+                    _ => p.shifts[0] = tiny,
+                }
+                let found = hartmann_tran(&p, 90).unwrap();
+                assert!(found.re.accuracy_bits() >= 90 && found.im.accuracy_bits() >= 90);
+                assert!(found.im.magnitude() < crate::Mag::power_of_two(1 - i64::from(k)));
+            }
+        }
+    }
+
+    /// Without correlation Δ₀ moves the line as a whole.
+    #[test]
+    fn a_shift_without_correlation_moves_the_line() {
+        for delta in [0.5, -0.125, 3.0] {
+            let at = |shift: f64| {
+                let p = [1.0, 0.5, 0.125, shift, 0.0, 0.25, 0.0, delta + shift];
+                hartmann_tran(&line(p), 90).unwrap()
+            };
+            assert!(at(0.75).overlaps(&at(0.0)) && !at(0.0).im.contains_zero());
+        }
+    }
+
+    /// The middle of a line that is shifted as a whole is that of the line: real, and the same.
+    #[test]
+    fn the_middle_of_a_shifted_line() {
+        let at = |p: [f64; 8]| hartmann_tran(&line(p), 100).unwrap();
+        let due = at([1.0, 0.5, 0.125, 0.0, 0.0, 0.25, 0.0, 0.0]);
+        let found = at([1.0, 0.5, 0.125, 0.375, 0.0, 0.25, 0.0, 0.375]);
+        assert!(found.im.is_zero() && found.re.overlaps(&due.re));
+        // Correlated collisions, or a shift that depends on the speed, leave it complex.
+        for p in [
+            [1.0, 0.5, 0.125, 0.375, 0.0, 0.25, 0.5, 0.375],
+            [1.0, 0.5, 0.125, 0.375, 0.25, 0.25, 0.0, 0.375],
+            [1.0, 0.5, 0.125, 0.375, 0.0, 0.25, 0.0, 0.25],
+        ] {
+            assert!(!at(p).im.contains_zero(), "{p:?}");
+        }
     }
 }

@@ -169,6 +169,8 @@ fn slope(z: &ComplexBall, rho: Mag, size: Mag) -> Mag {
 #[cfg(test)]
 mod ball_tests;
 #[cfg(test)]
+mod related_tests;
+#[cfg(test)]
 mod scaled_tests;
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@ use super::argument::{Argument, Real};
 use super::related::times_gaussian;
 use super::scaled::{Scaled, aligned};
 use crate::{Ball, Mag};
+use rug::float::Round;
 use rug::{Float, Integer, Rational};
 
 fn scaled(x: f64, exponent: i64) -> Scaled {
@@ -95,6 +96,12 @@ fn decimals_of_any_size() {
         (mantissa - lead.to_f64()).abs() < 1e-11,
         "{mantissa} {lead}"
     );
+    // All digits of 80 bits, as MPFR writes this power, which its own exponents hold.
+    let direct: Float = Float::with_val(80, 1.5) << 1_000_000_000i32;
+    let (_, text, exponent) = direct.to_sign_string_exp_round(10, Some(24), Round::Nearest);
+    let found = scaled(1.5, 1_000_000_000).to_decimal(24).unwrap();
+    let due = format!("{}.{}e{}", &text[..1], &text[1..], exponent.unwrap() - 1);
+    assert_eq!(found, due);
     // Not more digits than the radius allows.
     let rough = Ball::exact(80, 1.0).widened(Mag::from_f64(1e-8));
     let rough = Scaled::new(rough, Integer::from(1_000_000_000));

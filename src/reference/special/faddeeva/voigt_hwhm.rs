@@ -20,7 +20,8 @@
 //! # Certificate
 //! Newton's method on midpoints proposes t; nothing about it is trusted. Where `f(a) > 0` and `f(b) < 0` are
 //! certain for floats `0 < a < b`, the zero lies between them. The derivative `Re w′ = 2(y Im w − x Re w)` of
-//! the steps loses `2 log₂ y` digits; from `y = 2²⁰` on that of Lorentz's profile replaces it.
+//! the steps loses `2 log₂ y` digits; where these are more than half of all, that of Lorentz's profile, wrong by
+//! about y^-2, replaces it.
 
 use super::argument::{Argument, Real};
 use super::choice::at;
@@ -30,8 +31,6 @@ use crate::{Ball, Undecided};
 use rug::ops::Pow;
 use rug::{Float, Rational};
 
-/// Binary exponent of y from which the steps are those for Lorentz's profile.
-const LORENTZ: i32 = 20;
 /// Newton's steps at one precision; five are used.
 const STEPS: usize = 40;
 
@@ -66,10 +65,18 @@ impl Equation {
         Some((w[0].shift(1) - &self.peak, w))
     }
 
+    /// Whether the steps are those for Lorentz's profile.
+    fn is_far(&self) -> bool {
+        let most = self.prec / 4;
+        self.near
+            .get_exp()
+            .is_some_and(|e| i64::from(e) > i64::from(most))
+    }
+
     /// A first t: within 0.02 % (Olivero & Longbothum 1977), for large y from `t = y + 3/(4y) + …`.
     fn start(&self) -> Float {
         let y = &self.near;
-        if y.get_exp().is_some_and(|e| e > LORENTZ) {
+        if self.is_far() {
             return Float::with_val(self.prec, 0.75 / y) + y;
         }
         let square = Float::with_val(self.prec, y.square_ref()) * 0.86743;
@@ -80,7 +87,7 @@ impl Equation {
     /// Re w′(t + iy), about.
     fn slope(&self, t: &Float, [u, v]: &[Ball; 2]) -> Float {
         let y = &self.near;
-        if y.get_exp().is_some_and(|e| e > LORENTZ) {
+        if self.is_far() {
             // Re w ≈ y/(√π (t² + y²))
             let norm = Float::with_val(self.prec, t.square_ref()) + y.clone().square();
             return Float::with_val(self.prec, t * u.mid()) * -2 / norm;
@@ -154,7 +161,7 @@ pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball,
     let mut prec = bits + 64;
     loop {
         let found = Equation::new(y.clone(), prec).and_then(|equation| {
-            // A step of half the digits leaves an error of all of them, but for linear convergence.
+            // A step of half the digits leaves an error of all of them.
             let t = equation.approached(bits.div_ceil(2) + 6)?;
             equation.certified(&t, bits + 4)
         });
@@ -175,7 +182,7 @@ pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::faddeeva::voigt_scaled;
+    use crate::faddeeva::{voigt_scaled, w_derivative_scaled};
 
     fn exact(x: f64) -> Rational {
         Rational::from_f64(x).expect("finite")
@@ -240,5 +247,53 @@ mod tests {
         assert_eq!(h.to_decimal(30).unwrap(), "1.17741002251547469101156932646");
         assert!(voigt_hwhm(&exact(-1.0), &exact(1.0), 100).is_err());
         assert!(voigt_hwhm(&exact(1.0), &exact(-1.0), 100).is_err());
+    }
+
+    /// Few bits and many, of every size of γ/σ: what comes out is within the width that more bits give.
+    #[test]
+    fn as_many_bits_as_asked_for() {
+        for gamma in [0.0, 1e-30, 0.01, 1.0, 900.0, 7e5, 1.1e6, 2.2e6, 3e9, 1e40] {
+            let fine = voigt_hwhm(&exact(0.75), &exact(gamma), 500).unwrap();
+            for bits in [0, 1, 15, 16, 17, 40, 53, 63, 64, 65, 130, 200, 300, 400] {
+                let h = voigt_hwhm(&exact(0.75), &exact(gamma), bits).unwrap();
+                assert!(h.accuracy_bits() >= i64::from(bits), "{gamma} {bits}");
+                assert!(h.overlaps(&fine), "{gamma} {bits}");
+            }
+        }
+        // More steps than 40 of a fixed gain would take.
+        let wide = voigt_hwhm(&exact(0.75), &exact(1.1e6), 3000).unwrap();
+        assert!(wide.accuracy_bits() >= 3000);
+    }
+
+    /// Olivero and Longbothum's formula, or the two terms for large y: `t = y + 3/(4y) + O(y^-3)`.
+    #[test]
+    fn the_first_t_is_near_the_zero() {
+        for y in [1e-9, 0.125, 3.0, 5e5, 1.1e6, 4e9, 1e12] {
+            let equation = Equation::new(Real::Double(y), 100).unwrap();
+            let fine = Equation::new(Real::Double(y), 400).unwrap();
+            let t = fine.approached(150).unwrap();
+            assert!(fine.certified(&t, 250).is_some(), "{y}");
+            let off = Float::with_val(400, &equation.start() - &t).abs() / &t;
+            let due = if y < 1e8 {
+                2.5e-4
+            } else {
+                4.0 / y.powi(4) + 1e-30
+            };
+            assert!(off < due, "{y}: {off}");
+        }
+    }
+
+    /// The slope of the steps has half of the digits at least.
+    #[test]
+    fn slopes_are_those_of_w() {
+        for y in [1e-9, 0.125, 3.0, 5e5, 1.1e6, 3.3e7, 6e7, 4e9, 1e40] {
+            let equation = Equation::new(Real::Double(y), 100).unwrap();
+            let t = equation.start();
+            let (_, w) = equation.value(&t).unwrap();
+            let x = t.to_rational().unwrap();
+            let due = w_derivative_scaled(&x, &exact(y), 120).unwrap()[0].to_ball();
+            let off: Float = equation.slope(&t, &w) / due.mid() - 1u32;
+            assert!(off.abs() < 1e-14, "{y}");
+        }
     }
 }
