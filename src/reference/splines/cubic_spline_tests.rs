@@ -102,7 +102,9 @@ fn balls_hold_the_exact_periodic_spline() {
         let s = Spline::periodic(&x, &y).unwrap();
         let balls: Vec<Ball> = y[..n].iter().map(|y| Ball::rational(100, y)).collect();
         let b = periodic_uniform(&balls, &Ball::rational(100, &h)).unwrap();
-        for (i, m) in b.second_derivatives().iter().enumerate() {
+        let all = b.second_derivatives();
+        assert_eq!(all.len(), n);
+        for (i, m) in all.iter().enumerate() {
             assert!(m.contains(&s.eval(&x[i])[2]));
             assert!(m.rad().is_zero() || m.rad().exponent().unwrap() < -90);
             for k in [

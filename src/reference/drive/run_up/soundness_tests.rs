@@ -4,7 +4,7 @@ use super::integrate::Walk;
 use super::tests::LOW;
 use super::*;
 use crate::Mag;
-use crate::class_iii::ExactAngle;
+use crate::class_iii::{ExactAngle, Geometry, Linkage};
 use rug::{Float, Rational};
 
 fn start(speed: &Rational) -> Run {
@@ -142,4 +142,49 @@ fn motors_that_are_none() {
     assert!(rated(q(9, 10), q(1, 20), q(10, 1)).fault().is_some());
     assert!(rated(q(2, 1), q(0, 1), q(10, 1)).fault().is_some());
     assert!(rated(q(2, 1), q(1, 20), q(0, 1)).fault().is_some());
+}
+
+/// Of two branches over the whole turn one comes back as itself and one as another: beyond that turn it is refused, and so
+/// are splines over it, whichever is asked for first.
+#[test]
+fn branches_that_exchange_in_a_turn_are_refused() {
+    let bits = 96;
+    let q = |n: i32| Rational::from((n, 64));
+    let geometry = Geometry {
+        l1: q(26),
+        l2: q(75),
+        l3: q(82),
+        l4: q(38),
+        l5: q(112),
+        lb: q(22),
+        phi_b: ExactAngle::Radians(q(148)),
+        o3: [q(-5), q(-36)],
+        o5: [q(-60), q(-49)],
+    };
+    let start = ExactAngle::Radians(Rational::from((1, 4)));
+    let linkage = Linkage::new(&geometry, bits);
+    let modes = linkage.modes(&start.to_ball(bits)).unwrap();
+    assert_eq!(modes.len(), 4);
+    let mut told = Vec::new();
+    for mode in &modes {
+        let curve = || {
+            let masses = super::tests::masses("9.81");
+            LinkageCurve::new(&geometry, &masses, &start, &mode.configuration, 48, bits)
+        };
+        let (by_panels, by_nodes) = (curve(), curve());
+        // The others have no whole turn.
+        if by_panels.panel(47).is_err() {
+            continue;
+        }
+        let beyond = by_panels.panel(48).is_ok();
+        assert_eq!(by_panels.nodes(48).is_ok(), beyond);
+        assert_eq!(by_nodes.nodes(48).is_ok(), beyond);
+        assert_eq!(by_nodes.panel(48).is_ok(), beyond);
+        if beyond {
+            let [first, after] = [0, 48].map(|k| by_panels.panel(k).unwrap());
+            assert!(std::sync::Arc::ptr_eq(&first, &after));
+        }
+        told.push(beyond);
+    }
+    assert_eq!(told, [false, true]);
 }

@@ -499,11 +499,16 @@ proptest! {
         let times = [h(time, 40_000), h(time, 10_000)];
         let coarse = integrate_with(&model(&LOW), &case, &times, order);
         let fine = integrate(&model(&HIGH), &case, &times);
+        // Of two that are equally wide neither has to hold the other.
+        let held = |x: &Ball, y: &Ball| match y.rad() <= x.rad().shift(-20) {
+            true => x.contains_ball(y),
+            false => x.overlaps(y),
+        };
         // A stop or a singular start is undecided at both.
         if let (Ok(a), Ok(b)) = (&coarse, &fine) {
             for (x, y) in a.samples.iter().zip(&b.samples) {
-                prop_assert!(x.speed.contains_ball(&y.speed), "{:?} {:?}", x, y);
-                prop_assert!(x.angle.contains_ball(&y.angle), "{:?} {:?}", x, y);
+                prop_assert!(held(&x.speed, &y.speed), "{:?} {:?}", x, y);
+                prop_assert!(held(&x.angle, &y.angle), "{:?} {:?}", x, y);
             }
         }
         prop_assert!(coarse.is_ok() || fine.is_err() || order < 20, "{coarse:?}");
