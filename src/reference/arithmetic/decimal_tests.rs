@@ -97,3 +97,155 @@ fn digits_are_printed_only_when_certified() {
     assert_eq!(Ball::integer(64, 1200).to_decimal(6).unwrap(), "1200.00");
     assert_eq!(Ball::integer(64, 0).to_decimal(6).unwrap(), "0");
 }
+
+/// The sign belongs to the number, the exponent to its last digit.
+#[test]
+fn signs_and_exponents() {
+    for (text, n, d, exponent) in [
+        ("-1.25", -5, 4, -2),
+        ("-7e2", -700, 1, 2),
+        ("-12.5e-1", -5, 4, -2),
+        ("1.5e1", 15, 1, 0),
+        ("1e0", 1, 1, 0),
+    ] {
+        let x = Decimal::parse(text).unwrap();
+        assert_eq!(x.value, Rational::from((n, d)), "{text}");
+        assert_eq!(x.exponent, exponent, "{text}");
+        assert_eq!(x.places as i32, (-exponent).max(0), "{text}");
+    }
+    assert_eq!(Decimal::parse("1e100000").unwrap().exponent, 100_000);
+    let beyond = Decimal::parse("1e100001").unwrap_err().to_string();
+    assert!(beyond.ends_with("is beyond ±100000"), "{beyond}");
+    for text in ["", "+", "e5", ".e5", "1e+"] {
+        assert!(Decimal::nearest(text).is_err() && Decimal::parse(text).is_err());
+    }
+}
+
+fn around(text: &str, rad: f64) -> Ball {
+    let mid = Float::with_val(300, &Decimal::parse(text).unwrap().value);
+    Ball::new(mid, Mag::from_f64(rad))
+}
+
+/// Not more than 0.51 units wrong: next to a tie a hundredth of a unit is to spare.
+#[test]
+fn a_hundredth_of_a_unit_is_allowed() {
+    let tie = |rad: f64| around("9.995", rad).to_decimal(3);
+    assert_eq!(tie(1.1e-4), None);
+    assert!(tie(5e-5).is_some());
+    let fixed = |text: &str, rad: f64, places: u32| around(text, rad).to_fixed(places);
+    for (text, places, unit) in [
+        ("9.96", 0, 1.0),
+        ("-0.26", 1, 0.1),
+        ("3.004", 2, 0.01),
+        ("0.5006", 3, 0.001),
+    ] {
+        assert_eq!(fixed(text, 0.011 * unit, places), None, "{text}");
+        let due = match places {
+            0 => "10",
+            1 => "-0.3",
+            2 => "3.00",
+            _ => "0.501",
+        };
+        assert_eq!(fixed(text, 0.009 * unit, places).unwrap(), due);
+    }
+    assert_eq!(fixed("0.004", 0.0, 2).unwrap(), "0.00");
+    assert_eq!(fixed("0", 0.0, 0).unwrap(), "0");
+    let all = Ball::new(Float::with_val(64, 1), Mag::INFINITY);
+    assert!(all.to_decimal(1).is_none() && all.to_fixed(0).is_none());
+    assert!(around("0", 1e-9).to_decimal(1).is_none());
+}
+
+/// One digit at least; written out from seven zeros behind the point to twenty-one before it.
+#[test]
+fn how_decimals_are_written() {
+    for (text, digits, due) in [
+        ("0.3421", 0, "0.3"),
+        ("0.3421", 1, "0.3"),
+        ("0.3421", 2, "0.34"),
+        ("1.2e-7", 2, "0.00000012"),
+        ("1.2e-8", 2, "1.2e-8"),
+        ("-1.2e20", 2, "-120000000000000000000"),
+        ("1.2e21", 2, "1.2e21"),
+        ("-1234567", 3, "-1230000"),
+        ("1234567", 9, "1234567.00"),
+    ] {
+        let found = around(text, 0.0).to_decimal(digits).unwrap();
+        assert_eq!(found, due, "{text}");
+    }
+    for (text, due) in [
+        ("1.234e2", "123.4"),
+        ("-1.234e2", "-123.4"),
+        ("1.2e1", "12"),
+        ("1.2e2", "120"),
+        ("1e0", "1"),
+        ("1.2e-1", "0.12"),
+        ("1.2e-2", "0.012"),
+        ("12.5", "12.5"),
+    ] {
+        assert_eq!(plain(text), due);
+    }
+}
+
+/// The radius reaches from the decimal to both ends of the ball, with little to spare.
+#[test]
+fn radii_reach_the_whole_ball() {
+    let check = |ball: &Ball, digits: usize, most: f64| {
+        let (value, radius) = ball.to_decimal_with_radius(digits).unwrap();
+        let read = |text: &str| Decimal::parse(text).unwrap().value;
+        let mid = ball.mid().to_rational().unwrap();
+        let off = (read(&value) - mid).abs() + ball.rad().to_float().to_rational().unwrap();
+        let radius = read(&radius);
+        assert!(radius >= off, "{value}: {radius} {off}");
+        let most = off * Rational::from_f64(most).unwrap();
+        assert!(radius <= most, "{value}: {radius} {most}");
+    };
+    for (text, rad, digits) in [
+        ("0.333333", 0.0, 2),
+        ("-0.333333", 1e-3, 2),
+        ("7123456", 0.0, 3),
+        ("0", 0.25, 3),
+        ("5", 0.0, 0),
+        ("9.995", 1e-4, 3),
+        // Barely more than a radius of three digits.
+        ("0.3000035000000000000000001", 0.0, 5),
+    ] {
+        check(&around(text, rad), digits, 1.0101);
+    }
+    // Barely more than a quarter, a number of few bits.
+    let quarter = Rational::from((41, 4)) + (Rational::from(1) >> 150u32);
+    let quarter = Ball::new(Float::with_val(200, &quarter), Mag::ZERO);
+    check(&quarter, 2, 1.0101);
+    // Too long to be written out: half a unit, which is nearly needed here.
+    for (text, digits) in [
+        ("1.0004999e30000", 4),
+        ("-1.4999e-30000", 1),
+        ("1.04999999e25000", 2),
+    ] {
+        check(&around(text, 0.0), digits, 1.6);
+    }
+    check(&around("1.00000004999e30000", 0.0), 8, 1.02);
+}
+
+#[test]
+fn decimals_with_radii_as_text() {
+    for (text, rad, digits, due) in [
+        ("3", 0.0, 2, ("3.0", "0")),
+        ("0.25", 0.0, 1, ("0.2", "5.00e-2")),
+        ("0", 0.0, 5, ("0", "0")),
+        ("0", 0.25, 5, ("0", "2.50e-1")),
+        ("8.5", 0.125, 0, ("8", "6.25e-1")),
+        ("8.5", 0.0001, 3, ("8.50", "1.01e-4")),
+    ] {
+        let (value, radius) = around(text, rad).to_decimal_with_radius(digits).unwrap();
+        assert_eq!((value.as_str(), radius.as_str()), due, "{text}");
+    }
+    let all = Ball::new(Float::with_val(64, 1), Mag::INFINITY);
+    assert_eq!(all.to_decimal_with_radius(3), None);
+    // Beyond the exponents that are read.
+    let far = Ball::new(Float::with_val(64, 1) << 400_000, Mag::ZERO);
+    let (value, radius) = far.to_decimal_with_radius(0).unwrap();
+    assert!(
+        value.ends_with("e120412") && radius.ends_with("e120412"),
+        "{value} {radius}"
+    );
+}

@@ -214,6 +214,67 @@ mod tests {
         }
     }
 
+    /// Rounded once, below the normal numbers too, and infinite far beyond the largest.
+    #[test]
+    fn long_numbers_are_rounded_once() {
+        for (text, x) in [
+            // 2.5 and a little more, in the smallest subnormal.
+            ("0x5000000000000001p-1135", f64::from_bits(3)),
+            ("0x5000000000000000p-1135", f64::from_bits(2)),
+            ("0x7000000000000000p-1135", f64::from_bits(4)),
+            ("0x50000000000000000001p-1151", f64::from_bits(3)),
+            // Three quarters of a unit.
+            ("0x1.0000000000000cp0", 1.0f64.next_up()),
+            ("0x1.00000000000004p0", 1.0),
+            ("0x20000000000001p2000", f64::INFINITY),
+            ("0x20000000000001p-2000", 0.0),
+            ("0x123456789abcdef01p300000", f64::INFINITY),
+        ] {
+            let got = HexFloat::parse(text).unwrap().to_f64();
+            assert_eq!(got.to_bits(), x.to_bits(), "{text}: {got}");
+        }
+    }
+
+    /// Integers of any length; those below 2⁶⁴ are of the first kind.
+    #[test]
+    fn long_numbers_are_exact() {
+        for (text, few) in [
+            ("0xffffffffffffffff", true),
+            ("0x8000000000000000", true),
+            ("0x00000000000000000001", true),
+            ("0x10000000000000000", false),
+            ("0x1000000000000000000000", false),
+            ("0x123456789abcdef0123456789", false),
+        ] {
+            let x = HexFloat::parse(text).unwrap();
+            let due = Integer::from_str_radix(&text[2..], 16).unwrap();
+            assert_eq!(x.value(), due, "{text}");
+            assert_eq!(matches!(x.digits, Digits::Few(_)), few, "{text}");
+            let pointed = format!("0x{}.{}p4", &text[2..9], &text[9..]);
+            let places = 4 * (text.len() as u32 - 9);
+            let due = Rational::from(due << 4u32) >> places;
+            assert_eq!(HexFloat::parse(&pointed).unwrap().value(), due, "{pointed}");
+        }
+        for bad in [
+            "0x10000000000000000_0",
+            "0x10000000000000000 0",
+            "0x10000000000000000g",
+        ] {
+            let error = HexFloat::parse(bad).unwrap_err().to_string();
+            let due = format!("{bad:?} is not a hexadecimal float (such as -0x1.8p-3)");
+            assert_eq!(error, due);
+        }
+    }
+
+    #[test]
+    fn how_large_exponents_may_be() {
+        let one = HexFloat::parse("0x1p350000").unwrap().value();
+        assert_eq!(one, Rational::from(1) << 350_000u32);
+        assert!(HexFloat::parse("0x1p-350000").is_ok());
+        assert!(HexFloat::parse("0x1p350001").is_err());
+        assert!(HexFloat::parse("0x1p-350001").is_err());
+    }
+
     proptest! {
         #[test]
         fn values_and_rounding(n in any::<u64>(), e in -1160i64..1000, minus in any::<bool>()) {

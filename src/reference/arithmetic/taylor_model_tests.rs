@@ -256,6 +256,10 @@ fn coefficients_are_the_exact_ones_rounded() {
         &f.derivative(Mag::ZERO),
         &[A[1], 2.0 * A[2], 3.0 * A[3], 4.0 * A[4]],
     );
+    off(
+        &f.integral(),
+        &[0.0, A[0], A[1] / 2.0, A[2] / 3.0, A[3] / 4.0, A[4] / 5.0],
+    );
     // Of the model's bits, the first coefficient's.
     let mixed = vec![Float::with_val(SHORT, 1), Float::with_val(90, 1)];
     assert_eq!(TaylorModel::polynomial(mixed).bits(), SHORT);

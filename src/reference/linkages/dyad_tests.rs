@@ -336,3 +336,23 @@ fn steep_rods() {
         }
     }
 }
+
+/// Dyads that are nearly stretched, 150° and more at the joint: the turns of both angles are told there too.
+#[test]
+fn stretched_dyads_keep_their_turns() {
+    for l in [[1, 2, 2, 3], [3, 2, 2, 1]] {
+        let mut l = l.map(|x| q(x, 1));
+        l[1] += q(1, 20);
+        for (k, left) in [
+            (3, true),
+            (3, false),
+            (-3, true),
+            (-3, false),
+            (9, true),
+            (-9, false),
+        ] {
+            let m = four_bar(&l, &q(k, 1), left, 128).unwrap();
+            assert!(m.transmission.to_f64() > 2.6, "{}", m.transmission.to_f64());
+        }
+    }
+}

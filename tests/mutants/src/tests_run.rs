@@ -67,6 +67,8 @@ pub fn run(
         .current_dir(&executable.folder)
         .args(["--exact", name, "--test-threads", "1", "--include-ignored"])
         .env("PROPTEST_CASES", "32")
+        // What a mutant fails on is no case for those after it.
+        .env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true")
         .env("INSTA_UPDATE", "no")
         .envs(environment.iter().copied())
         .stdin(Stdio::null())

@@ -173,3 +173,30 @@ fn a_geometry_from_its_values() {
     assert_eq!((&g.o3[..], &g.o5[..]), (&v[7..9], &v[9..]));
     assert_eq!(Linkage::new(&g, 96).bits(), 96);
 }
+
+/// Over a box of positions conditions are the largest there, not those of its middle.
+#[test]
+fn conditions_of_a_box_are_those_of_its_worst_position() {
+    let (linkage, masses) = (Linkage::new(&zinchenko(), 128), masses());
+    let phi = Ball::rational(128, &q("0.4"));
+    let modes = linkage.modes(&phi).unwrap();
+    let angles = linkage.kinematics(&modes[2].configuration).unwrap().angles;
+    let found = |off: [f64; 2], radius: f64| {
+        let at = |k: usize, off: f64| {
+            let middle = Ball::new(angles[k].mid().clone(), Mag::ZERO);
+            (middle + Ball::exact(128, off)).widened(Mag::from_f64(radius))
+        };
+        let at = linkage.placed(&phi, &at(1, off[0]), &at(3, off[1]));
+        let all = linkage.conditions(&phi, &at, &masses).unwrap();
+        [all.angles, all.first, all.second, all.reduced].concat()
+    };
+    let wide = found([0.0; 2], 1e-4);
+    for off in [[1e-4, 1e-4], [1e-4, -1e-4], [-1e-4, 1e-4], [-1e-4, -1e-4]] {
+        let narrow = found(off, 0.0);
+        assert!(
+            wide.iter()
+                .zip(&narrow)
+                .all(|(w, n)| w.to_f64() > n.to_f64())
+        );
+    }
+}
