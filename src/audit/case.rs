@@ -415,3 +415,6 @@ impl Cases {
         self.case("check-points", point.input.clone(), origin)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -69,4 +69,50 @@ mod tests {
         assert!(SPARE.with_borrow(|spare| (1..=KEPT).contains(&spare.len())));
         assert!(SPARE.with_borrow(|spare| spare.iter().all(|x| x.len() <= LONGEST)));
     }
+
+    /// Bit for bit what GMP makes of the number, also where the memory held others before.
+    #[test]
+    fn numbers_are_exact_at_the_ends_of_the_range() {
+        let tiny = 5e-324;
+        let least = f64::MIN_POSITIVE;
+        let input = [
+            0.0,
+            -0.0,
+            tiny,
+            -tiny,
+            least.next_down(),
+            least,
+            f64::MAX,
+            f64::MIN,
+            0.1,
+            -1.0,
+            1.0f64.next_up(),
+        ];
+        for input in [input.to_vec(), input.iter().rev().copied().collect()] {
+            let exact = Exact::new(&input).unwrap();
+            for (q, x) in exact.numbers().iter().zip(&input) {
+                assert_eq!(*q, Rational::from_f64(*x).unwrap());
+            }
+            let power = |q: &Rational| q.denom().significant_bits() - 1;
+            let least = input.iter().position(|x| *x == tiny).unwrap();
+            assert_eq!(
+                (
+                    power(&exact.numbers()[least]),
+                    exact.numbers()[least].numer()
+                ),
+                (1074, &1.into())
+            );
+        }
+    }
+
+    /// Four are kept, none of more than 256 numbers.
+    #[test]
+    fn little_memory_is_kept() {
+        let kept = |length: usize| {
+            SPARE.with_borrow_mut(Vec::clear);
+            drop([(); 6].map(|()| Exact::new(&vec![1.0; length])));
+            SPARE.with_borrow(Vec::len)
+        };
+        assert_eq!([1, 256, 257].map(kept), [4, 4, 0]);
+    }
 }

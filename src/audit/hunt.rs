@@ -372,19 +372,4 @@ fn within_reach(seed: &[f64], x: &[f64]) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn moves_stay_within_reach() {
-        let mut draw = Draw::new(1, "m", "moves", 0);
-        let x = [1.0, -2.0, 0.0, 5e-324];
-        let near = (0..1000)
-            .filter(|_| within_reach(&x, &moved(&x, &mut draw)))
-            .count();
-        assert!(near > 300, "{near}");
-        assert!(!within_reach(&x, &[1.0, 2.0, 0.0, 5e-324]));
-        assert!(!within_reach(&x, &[5.0, -2.0, 0.0, 5e-324]));
-        assert!(!within_reach(&x, &[1.0, -2.0, 1e-300, 5e-324]));
-    }
-}
+mod tests;

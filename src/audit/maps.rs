@@ -116,3 +116,6 @@ pub fn error_map(
         not_passed: judged.iter().filter(|(_, passed)| !passed).count(),
     })
 }
+
+#[cfg(test)]
+mod tests;
