@@ -190,4 +190,111 @@ mod tests {
         assert!(a.re.overlaps(&b.re) && a.im.overlaps(&-&b.im));
         assert!(antiderivative(&at((40, 1), (0, 1))).is_err());
     }
+
+    fn rational(z: &ComplexBall, due: (Rational, Rational)) -> bool {
+        z.re.contains(&due.0) && z.im.contains(&due.1)
+    }
+
+    /// `z + z³/3 + z⁵/10 + z⁷/42` for `z = q i^turns`.
+    fn few_terms(q: &Rational, turns: u32) -> (Rational, Rational) {
+        let power = |k: u32, over: u32| (0..k).fold(Rational::from((1, over)), |p, _| p * q);
+        let (odd, even) = (power(1, 1) + power(5, 10), power(3, 3) + power(7, 42));
+        match turns {
+            0 => (odd + even, Rational::new()),
+            _ => (Rational::new(), odd - even),
+        }
+    }
+
+    /// What the sum leaves out is above its rounding here, in either part.
+    #[test]
+    fn the_tail_of_the_antiderivative() {
+        for turns in [0, 1] {
+            for k in [11, 16, 22, 24] {
+                let q = Rational::from((1, 1_i64 << k));
+                let (axis, zero) = (Ball::rational(64, &q), Ball::integer(64, 0));
+                let z = match turns {
+                    0 => ComplexBall::new(axis, zero),
+                    _ => ComplexBall::new(zero, axis),
+                };
+                let found = antiderivative(&z).unwrap();
+                let due = few_terms(&q, turns);
+                assert!(rational(&found, due), "{turns} {k}: {found:?}");
+                assert!(found.radius().to_f64() < 1e-18);
+            }
+        }
+        // A ball about zero, in which the powers may vanish.
+        let wide = Ball::integer(64, 0).widened(Mag::from_f64(0.5));
+        let found = antiderivative(&ComplexBall::new(wide.clone(), wide)).unwrap();
+        let half = Rational::from((1, 2));
+        for turns in [0, 1] {
+            // Within 10⁻⁴ of the value, and less than it.
+            let (re, im) = few_terms(&half, turns);
+            assert!(found.re.contains(&re) && found.im.contains(&im));
+            assert!(found.re.contains(&(-re)) && found.im.contains(&(-im)));
+        }
+        assert!(found.radius().to_f64() < 2.0);
+    }
+
+    /// Up to a modulus of twelve, against `G(x) = e^{x²} F(x)` with Dawson's integral F.
+    #[test]
+    fn the_antiderivative_far_out() {
+        for x in [8, 10, 11] {
+            let found = antiderivative(&at((x, 1), (0, 1))).unwrap();
+            // F(x) ~ Σ (2k−1)!!/(2x²)^k/(2x); twenty terms leave less than 10⁻¹².
+            let square = Rational::from(2 * x * x);
+            let mut term = Rational::from((1, 2 * x));
+            let mut sum = Rational::new();
+            for k in 0..20 {
+                sum += &term;
+                term *= Rational::from(2 * k + 1) / &square;
+            }
+            let damped = &exp_real(&Ball::integer(128, i64::from(-x * x))) * &found.re;
+            let off = (&damped - &Ball::rational(128, &sum)).magnitude().to_f64();
+            assert!(off < 1e-10, "{x}: {off:e}");
+        }
+        for (re, im) in [((13, 1), (0, 1)), ((9, 1), (-9, 1)), ((0, 1), (12, 1))] {
+            let found = antiderivative(&at(re, im)).unwrap_err();
+            let due = "an enclosure is too wide for an integral of e^(s^2)";
+            assert_eq!(found.to_string(), due);
+        }
+    }
+
+    /// A number that may lie on either side of the cut, or at its end, has no root.
+    #[test]
+    fn roots_at_the_cut() {
+        let zero = sqrt(&at((0, 1), (0, 1))).unwrap();
+        assert!(zero.re.is_zero() && zero.im.is_zero());
+        let ball = |mid: (i32, i32), rad: f64| {
+            Ball::rational(64, &Rational::from(mid)).widened(Mag::from_f64(rad))
+        };
+        // Right of zero, whatever the sign of the imaginary part.
+        let right = sqrt(&ComplexBall::new(ball((4, 1), 0.0), ball((0, 1), 0.25))).unwrap();
+        assert!(right.re.contains(&2.into()) && right.im.contains_zero());
+        assert!(right.re.is_positive() && right.radius().to_f64() < 0.2);
+        // Beside the imaginary axis, off the real one.
+        let beside = sqrt(&ComplexBall::new(ball((0, 1), 0.25), ball((2, 1), 0.0))).unwrap();
+        assert!(beside.re.contains(&1.into()) && beside.im.contains(&1.into()));
+        for (re, im) in [
+            (ball((-1, 1), 0.0), ball((0, 1), 0.25)),
+            (ball((-2, 1), 1.0), ball((3, 20), 0.05)),
+            (ball((0, 1), 0.5), ball((0, 1), 0.5)),
+            (ball((1, 4), 0.5), ball((0, 1), 0.5)),
+        ] {
+            let found = sqrt(&ComplexBall::new(re, im)).unwrap_err();
+            assert_eq!(found.to_string(), "an enclosure is too wide for a root");
+        }
+    }
+
+    /// A result that vanishes has a radius still, and one beyond all numbers is any number.
+    #[test]
+    fn exponentials_beyond_the_exponents() {
+        let log2 = |k: i64| &Ball::integer(128, 2).ln() * &Ball::integer(128, k);
+        let none = exp_real(&log2(-(1 << 30) - 1000));
+        assert!(none.mid().is_zero() && none.rad() >= Mag::power_of_two(-(1 << 30) - 1000));
+        assert!(none.rad().to_f64() == 0.0 || none.rad().to_f64() < 1e-300);
+        let all = exp_real(&Ball::exact(64, 1e300));
+        assert!(!all.is_finite() && all.contains_zero());
+        let unknown = exp_real(&Ball::integer(64, 1).widened(Mag::INFINITY));
+        assert!(!unknown.is_finite());
+    }
 }

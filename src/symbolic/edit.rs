@@ -275,3 +275,7 @@ mod tests {
         assert!(all.contains(&"y = int(s, b, b, s)".to_string()));
     }
 }
+
+#[cfg(test)]
+#[path = "edit_tests.rs"]
+mod kinds;

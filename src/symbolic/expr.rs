@@ -221,3 +221,7 @@ impl fmt::Display for Equation {
         write!(f, "{} = {}", self.left, self.right)
     }
 }
+
+#[cfg(test)]
+#[path = "expr_tests.rs"]
+mod tests;

@@ -109,3 +109,106 @@ impl Domain for Jets<'_> {
         )))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse;
+    use crate::walk::Definitions;
+    use rug::Rational;
+
+    fn number(q: (i32, i32)) -> ComplexBall {
+        ComplexBall::new(
+            Ball::rational(BITS, &Rational::from(q)),
+            Ball::integer(BITS, 0),
+        )
+    }
+
+    fn overlap(a: &ComplexBall, b: &ComplexBall) -> bool {
+        a.re.overlaps(&b.re) && a.im.overlaps(&b.im)
+    }
+
+    /// `e^{as+s²} e^{bs−s²} = e^{(a+b)s}`, whose coefficients are `(a+b)^k/k!`; no more of them than are exact.
+    #[test]
+    fn products_of_exponentials() {
+        let point = Point::default();
+        let mut jets = Jets { point: &point };
+        let mut e = |q: &[(i32, i32)]| {
+            let series: Series = q.iter().map(|q| number(*q)).collect();
+            jets.call(Func::Exp, &series).unwrap()
+        };
+        let (a, b) = (e(&[(0, 1), (2, 3), (1, 1)]), e(&[(0, 1), (1, 5), (-1, 1)]));
+        let product = jets.mul(&a, &b);
+        assert_eq!(product.len(), Jets::ORDER);
+        let mut due = Rational::from(1);
+        for (k, c) in product.iter().enumerate() {
+            assert!(c.re.contains(&due) && c.im.contains_zero(), "{k}");
+            due *= Rational::from((13, 15)) / Rational::from(k + 1);
+        }
+        let long = vec![number((1, 1)); Jets::ORDER + 9];
+        assert_eq!(jets.mul(&long, &a).len(), Jets::ORDER);
+        let short = jets.mul(&vec![number((2, 1)), number((1, 1))], &a);
+        assert_eq!(short.len(), Jets::ORDER);
+        assert!(overlap(&short[1], &number((7, 3))));
+    }
+
+    /// A series without coefficients is zero.
+    #[test]
+    fn empty_series() {
+        let point = Point::default();
+        let mut jets = Jets { point: &point };
+        let (none, two) = (Series::new(), vec![number((2, 1)), number((3, 1))]);
+        let one = jets.call(Func::Exp, &none).unwrap();
+        assert!(one.len() == 1 && one[0].re.contains(&1.into()) && one[0].im.is_zero());
+        assert_eq!(jets.add(&none, &two).len(), 2);
+        let product = jets.mul(&two, &none);
+        assert!(product.iter().all(|c| c.re.is_zero() && c.im.is_zero()));
+    }
+
+    /// Functions of what does not vary are allowed under an integral; of what does, the exponential alone is.
+    #[test]
+    fn functions_under_integrals() {
+        let point = Point {
+            named: [("x".to_string(), Rational::from(4))].into(),
+            turn: 0,
+        };
+        let value = |text: &str| {
+            Enclosures::new(&point).value(&Definitions::default(), &parse(text).unwrap())
+        };
+        for (text, due) in [
+            ("int(s, 0, 1, sqrt(x)*s)", "1"),
+            ("int(s, 0, 1, abs(-x)*s)", "2"),
+            ("int(s, 0, 1, W(0)*s)", "1/2"),
+            ("int(s, 0, 1, cos(2*s))", "sin(2)/2"),
+        ] {
+            assert!(
+                overlap(&value(text).unwrap(), &value(due).unwrap()),
+                "{text}"
+            );
+        }
+        for (text, due) in [
+            (
+                "int(s, 0, 1, sqrt(s + 1))",
+                "outside the algebra: sqrt under an integral",
+            ),
+            (
+                "int(s, 0, 1, 1/(s + 1))",
+                "outside the algebra: a quotient under an integral",
+            ),
+            (
+                "int(s, 0, 1, s/(x - 4))",
+                "cannot divide by a number that may be zero",
+            ),
+            (
+                "int(s, 0, 1, int(u, 0, 1, u))",
+                "outside the algebra: an integral under an integral",
+            ),
+            (
+                "int(s, 0, 1, D(s, s))",
+                "outside the algebra: a derivative by s in balls",
+            ),
+        ] {
+            assert_eq!(value(text).unwrap_err().to_string(), due);
+        }
+    }
+}

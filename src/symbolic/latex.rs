@@ -216,3 +216,7 @@ mod tests {
         );
     }
 }
+
+#[cfg(test)]
+#[path = "latex_tests.rs"]
+mod formulas;

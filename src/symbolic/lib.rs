@@ -58,6 +58,8 @@ mod gcd;
 mod identity;
 mod jet;
 mod latex;
+#[cfg(test)]
+mod normal_form_tests;
 mod parse;
 mod poly;
 mod symbol;

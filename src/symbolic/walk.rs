@@ -302,3 +302,7 @@ fn named<D: Domain>(d: &mut D, scope: &mut Scope<D::V>, name: &str) -> Result<D:
     }
     out
 }
+
+#[cfg(test)]
+#[path = "walk_tests.rs"]
+mod tests;

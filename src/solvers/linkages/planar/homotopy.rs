@@ -435,3 +435,7 @@ fn subsets(n: usize, k: usize) -> impl Iterator<Item = Vec<bool>> {
         .filter(move |bits| bits.count_ones() as usize == k)
         .map(move |bits| (0..n).map(|i| bits >> i & 1 == 1).collect())
 }
+
+#[cfg(test)]
+#[path = "homotopy_tests.rs"]
+mod tests;
