@@ -31,6 +31,8 @@ pub(super) struct Ends {
     pub infinite: usize,
     /// Ends that are singular.
     pub singular: usize,
+    /// Real ends that are singular: two or more that have merged, or are about to.
+    pub merged: usize,
     /// Paths that could not be followed, and partners that are missing.
     pub lost: usize,
 }
@@ -418,6 +420,7 @@ fn sort(finite: Vec<Finite>, ends: &mut Ends) {
             continue;
         }
         if distance(&f.y, &f.x) <= near {
+            ends.merged += usize::from(!f.regular);
             ends.real.push(f.x.clone());
             continue;
         }

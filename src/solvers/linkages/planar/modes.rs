@@ -36,6 +36,8 @@ struct Found {
 const FARTHEST: f64 = 1e-2;
 /// Solutions nearer than this are one.
 const SAME: f64 = 1e-9;
+/// Solutions nearer than this may have been told apart, or not, by rounding: it moves them by its root where they merge.
+const MERGING: f64 = 1e-6;
 
 impl Mechanism {
     /// All assembly modes at one value of the drive, in radians or metres.
@@ -118,6 +120,7 @@ impl Mechanism {
             n if n <= MOST_UNKNOWNS => {
                 let ends = homotopy::all(&system.forms);
                 found.incomplete |= ends.lost > 0;
+                found.near |= ends.merged > 0;
                 ends.real
             }
             _ => {
@@ -170,7 +173,10 @@ impl Mechanism {
             found.near = true;
             return;
         }
-        if !found.poses.iter().any(|p| apart(p, &pose) < SAME) {
+        let nearest = found.poses.iter().map(|p| apart(p, &pose));
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        found.near |= nearest < MERGING && nearest >= SAME;
+        if !(nearest < SAME) {
             found.poses.push(pose);
         }
     }

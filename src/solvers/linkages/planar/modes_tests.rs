@@ -26,6 +26,39 @@ fn near_folds_are_told() {
     assert!(!triad.assembly_modes(0.3).near_singular);
 }
 
+/// A triad whose links all point to one point, where two positions have merged: told by the polynomial and by the homotopy.
+#[test]
+fn merged_modes_are_told() {
+    for size in [0.01, 1.0, 30.0] {
+        let [b, c, d] = [[1.0, 0.2], [0.3, 0.9], [-0.4, 0.7]];
+        let far = |p: [f64; 2], by: f64| [by * p[0], by * p[1]];
+        let (a, o3, o5) = (far(b, 1.6), far(c, 1.5), far(d, 1.7));
+        let length = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
+        let arg = |p: [f64; 2], q: [f64; 2]| (q[1] - p[1]).atan2(q[0] - p[0]);
+        // The crank ends at A, half its size from the origin along x.
+        let at = |p: [f64; 2]| [p[0] - a[0] + 0.5, p[1] - a[1]];
+        let ([x3, y3], [x5, y5]) = (at(o3), at(o5));
+        let angle = arg(c, b) - arg(c, d);
+        let lengths = [
+            0.5,
+            length(a, b),
+            length(o3, c),
+            length(c, d),
+            length(o5, d),
+            length(c, b),
+        ];
+        let mut v = [0.0; 11];
+        v[..6].copy_from_slice(&lengths.map(|l| l * size));
+        v[6] = angle;
+        v[7..].copy_from_slice(&[x3, y3, x5, y5].map(|x| x * size));
+        let mut m = class_iii(&v);
+        assert!(m.assembly_modes(0.0).near_singular, "{size}");
+        m.triads.fill(None);
+        assert!(m.assembly_modes(0.0).near_singular, "{size}");
+        assert!(!m.assembly_modes(0.4).near_singular, "{size}");
+    }
+}
+
 /// Two dyads of which one is stretched: its position has no rates, and is told.
 #[test]
 fn singular_positions_are_told() {
@@ -76,6 +109,21 @@ fn solutions_are_taken_if_near_and_new() {
         assert_eq!(turned, (1, length), "{k}");
     }
     assert_eq!(collected(&[moved(0, 0.0), moved(0, 1e-3)]), (1, false));
+    // Two that have not merged by a little are told.
+    let angle = m.chain.lengths.iter().position(|length| !length).unwrap();
+    let beside = |by: f64| {
+        let mut found = Found::default();
+        found.poses.push(moved(angle, by));
+        m.collect(
+            block,
+            state.pose.clone(),
+            &mut Work::new(&m.chain),
+            &mut found,
+        );
+        (found.poses.len(), found.near)
+    };
+    assert_eq!((beside(0.9e-9), beside(1.1e-9)), ((1, false), (2, true)));
+    assert_eq!((beside(0.9e-6), beside(1.1e-6)), ((2, true), (2, false)));
     // No position at all.
     let apart = four_bar([0.1, 0.1, 0.1, 0.9]);
     let mut found = Found::default();
