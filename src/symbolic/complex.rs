@@ -12,9 +12,11 @@ pub(super) fn exp_real(x: &Ball) -> Ball {
     if !mid.is_finite() || !x.is_finite() {
         return Ball::new(Float::new(p), Mag::INFINITY);
     }
-    // One unit in the last place is more than the rounding; if the result vanishes, so is this.
-    let exponent = mid.get_exp().unwrap_or(i32::MIN / 2);
-    let rounding = Mag::power_of_two(i64::from(exponent) - i64::from(p));
+    // One unit in the last place is more than the rounding. What vanishes is at most half the least number, 2^(−2^30).
+    let rounding = Mag::power_of_two(match mid.get_exp() {
+        Some(exponent) => i64::from(exponent) - i64::from(p),
+        None => -1 << 30,
+    });
     let mut rad = rounding;
     if !x.rad().is_zero() {
         let r = x.rad().to_float();
@@ -296,5 +298,20 @@ mod tests {
         assert!(!all.is_finite() && all.contains_zero());
         let unknown = exp_real(&Ball::integer(64, 1).widened(Mag::INFINITY));
         assert!(!unknown.is_finite());
+    }
+
+    /// Where `e^x` is below the least number, the ball about zero holds all that may have vanished.
+    #[test]
+    fn exponentials_that_vanish() {
+        let ln2 = Ball::integer(128, 2).ln();
+        for below in [10, 50, 1000] {
+            let x = (Ball::integer(128, -(1 << 30) - below) * &ln2)
+                .mid()
+                .clone();
+            let found = exp_real(&Ball::new(x, Mag::ZERO));
+            assert!(found.mid().is_zero());
+            assert!(found.rad() >= Mag::power_of_two(-(1 << 30) - below));
+            assert!(found.rad() <= Mag::power_of_two(-(1 << 30)));
+        }
     }
 }

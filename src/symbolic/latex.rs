@@ -84,17 +84,31 @@ fn at_least(e: &Expr, strength: u8) -> String {
     }
 }
 
+/// Whether a factor after it would be read as a part of it: integrals, sums, derivatives, products that end so.
+fn swallows(e: &Expr) -> bool {
+    match e {
+        Expr::Int(_) | Expr::Sum(_) => true,
+        Expr::Diff(x, _) => !matches!(**x, Expr::Sym(_)),
+        Expr::Mul(factors) => factors.last().is_some_and(swallows),
+        _ => false,
+    }
+}
+
 fn product(factors: &[Expr]) -> String {
     let mut out = String::new();
     for (k, x) in factors.iter().enumerate() {
         let text = match x {
-            // An integral or a sum swallows what follows it.
-            Expr::Int(_) | Expr::Sum(_) if k + 1 < factors.len() => bracketed(x),
+            x if k + 1 < factors.len() && swallows(x) => bracketed(x),
             Expr::Div(..) => latex(x),
             x => at_least(x, 2),
         };
         if k > 0 {
-            let digit = text.starts_with(|c: char| c.is_ascii_digit());
+            // Two numbers side by side would be one, or a mixed one.
+            let after = match factors[k - 1] {
+                Expr::Num(_) => text.trim_start_matches(r"\frac"),
+                _ => &text,
+            };
+            let digit = (after.trim_start_matches('{')).starts_with(|c: char| c.is_ascii_digit());
             out.push_str(if digit { r" \cdot " } else { r"\, " });
         }
         out.push_str(&text);
@@ -125,7 +139,13 @@ pub fn latex(e: &Expr) -> String {
         Expr::Div(a, b) => format!(r"\frac{{{}}}{{{}}}", latex(a), latex(b)),
         Expr::Pow(x, k) => match &**x {
             Expr::Call(Func::Sin | Func::Cos, _) => format!("{}^{{{k}}}", bracketed(x)),
-            x => format!("{{{}}}^{{{k}}}", at_least(x, 4)),
+            Expr::Num(_) | Expr::I | Expr::Sym(_) | Expr::Index(..) => {
+                format!("{{{}}}^{{{k}}}", latex(x))
+            }
+            Expr::Call(Func::Sqrt | Func::Abs | Func::W, _) => {
+                format!("{{{}}}^{{{k}}}", latex(x))
+            }
+            x => format!("{{{}}}^{{{k}}}", bracketed(x)),
         },
         Expr::Call(f, x) => call(*f, x),
         Expr::Int(b) => format!(
@@ -205,6 +225,21 @@ mod tests {
                 r"\sum_{n=1}^{\infty} a_{n}\, \cos\left(n\, x\right)",
             ),
             ("a - (b + c)", r"a - \left(b + c\right)"),
+            ("re(A)^2", r"{\left(\operatorname{Re} A\right)}^{2}"),
+            ("exp(x)^2", r"{\left(e^{x}\right)}^{2}"),
+            ("sqrt(x)^2", r"{\sqrt{x}}^{2}"),
+            (
+                "at(a*t, t, 2)^2",
+                r"{\left(\left.a\, t\right|_{t=2}\right)}^{2}",
+            ),
+            ("D(a^2, t)*b", r"\left(\frac{d}{dt}{a}^{2}\right)\, b"),
+            ("2*10^3", r"2 \cdot {10}^{3}"),
+            ("2*(1/3)", r"2 \cdot \frac{1}{3}"),
+            ("2*(a/3)", r"2\, \frac{a}{3}"),
+            (
+                "(a*sum(n, 1, 2, n))*b",
+                r"\left(a\, \sum_{n=1}^{2} n\right)\, b",
+            ),
             ("v_S2'", "v_{S2}'"),
         ] {
             assert_eq!(latex(&parse(text).unwrap()), tex);
