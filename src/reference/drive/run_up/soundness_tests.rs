@@ -73,6 +73,9 @@ fn steps_and_radii_are_told() {
     let model = Coefficients::exact(&LOW);
     let mut run = start(&Rational::from((7, 2)));
     run.angle = ExactAngle::Degrees(Rational::from(40));
+    for (nodes, told) in [(2, false), (3, true), (4, true)] {
+        assert_eq!(Coefficients::splines(&LOW, nodes).is_ok(), told);
+    }
     let last = Rational::from((3, 4));
     let motion = integrate_with(&model, &run, std::slice::from_ref(&last), 40).unwrap();
     let mut walk = Walk::new(&model, &run, 40).unwrap();
@@ -123,6 +126,7 @@ fn motors_that_are_none() {
         synchronous: speed,
     };
     assert!(kloss(q(1, 4), q(10, 1)).fault().is_none());
+    assert!(kloss(q(1, 4), q(1, 2)).fault().is_none());
     for (slip, speed) in [
         (q(0, 1), q(10, 1)),
         (q(-1, 4), q(10, 1)),

@@ -32,6 +32,14 @@ struct Found {
     near: bool,
 }
 
+impl Found {
+    /// What the ends of the homotopy's paths say beside the solutions.
+    fn take(&mut self, ends: &homotopy::Ends) {
+        self.incomplete |= ends.lost > 0;
+        self.near |= ends.merged > 0;
+    }
+}
+
 /// How far, in radians or units of length, Newton's method may move a solution.
 const FARTHEST: f64 = 1e-2;
 /// Solutions nearer than this are one.
@@ -119,8 +127,7 @@ impl Mechanism {
             }
             n if n <= MOST_UNKNOWNS => {
                 let ends = homotopy::all(&system.forms);
-                found.incomplete |= ends.lost > 0;
-                found.near |= ends.merged > 0;
+                found.take(&ends);
                 ends.real
             }
             _ => {

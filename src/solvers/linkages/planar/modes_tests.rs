@@ -142,3 +142,20 @@ fn circles_that_coincide_are_not_complete() {
     assert!(!modes.complete && modes.states.is_empty());
     assert!(m.assembly_modes(0.3).complete);
 }
+
+/// A lost path leaves the count incomplete, a merged end tells that rounding may decide.
+#[test]
+fn ends_of_paths_are_told() {
+    let told = |lost: usize, merged: usize| {
+        let ends = homotopy::Ends {
+            lost,
+            merged,
+            ..homotopy::Ends::default()
+        };
+        let mut found = Found::default();
+        found.take(&ends);
+        (found.incomplete, found.near)
+    };
+    assert_eq!((told(0, 0), told(1, 0)), ((false, false), (true, false)));
+    assert_eq!((told(0, 1), told(2, 3)), ((false, true), (true, true)));
+}
