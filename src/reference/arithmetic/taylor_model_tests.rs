@@ -328,9 +328,9 @@ fn products_of_bounds_are_rounded_up() {
         );
         let by = Mag::above(&y);
         let line = TaylorModel::polynomial(vec![zero.clone(), x.clone()]);
-        assert!(value(line.motion(by)) >= Rational::from(&a * value(by)));
+        assert!(value(line.motion(by)) >= &a * value(by));
         let wide = Ball::integer(P, 0).widened(by);
-        assert!(value(line.contracted(&wide).rad()) >= Rational::from(&a * value(wide.rad())));
+        assert!(value(line.contracted(&wide).rad()) >= &a * value(wide.rad()));
     }
 }
 

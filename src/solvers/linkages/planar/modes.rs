@@ -182,7 +182,7 @@ impl Mechanism {
         }
         let nearest = found.poses.iter().map(|p| apart(p, &pose));
         let nearest = nearest.fold(f64::INFINITY, f64::min);
-        found.near |= nearest < MERGING && nearest >= SAME;
+        found.near |= (SAME..MERGING).contains(&nearest);
         if !(nearest < SAME) {
             found.poses.push(pose);
         }
