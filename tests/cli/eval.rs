@@ -264,14 +264,20 @@ fn binary_frames() {
         (code, out, err.as_str()),
         (Some(0), u64::MAX.to_le_bytes().to_vec(), "")
     );
+    assert_eq!(in_frames(W, &[]), (Some(0), vec![], String::new()));
+    // What comes before is answered.
+    let good = frame(&[0.0, 1.0]);
     for (input, part) in [
-        (frame(&[1.0]), "frame 1"),
-        (frames[..20].to_vec(), "cut off"),
+        (frame(&[1.0]), "frame 2: 1 number"),
+        (good[..20].to_vec(), "frame 2: cut off"),
+        (u64::MAX.to_le_bytes().to_vec(), "frame 2: a refusal"),
+        (1000u64.to_le_bytes().to_vec(), "frame 2: cut off"),
+        (1_000_000u64.to_le_bytes().to_vec(), "frame 2 claims"),
     ] {
-        let (code, out, err) = in_frames(W, &input);
+        let (code, out, err) = in_frames(W, &[good.clone(), input].concat());
         assert_eq!(
             (code, out.len(), err.lines().count()),
-            (Some(2), 0, 1),
+            (Some(2), 24, 1),
             "{err}"
         );
         assert!(err.contains(part), "{err}");

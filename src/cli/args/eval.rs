@@ -19,7 +19,8 @@ the nearest 64-bit numbers, as hexadecimal floats; with --digits the reference a
 numbers given, each value correctly rounded or its last digit off by one at most.
 
 With MECHAUDIT_PROTOCOL=binary in its environment, as audit --binary sets it, and without --digits: \
-binary frames in place of lines, see the book's chapter on formats; refusals are frames too.
+binary frames in place of lines, by one thread, see the book's chapter on formats; refusals are \
+frames too.
 
 A line that cannot be read ends the run with its number on standard error and exit code 2; \
 digits that cannot be certified, with exit code 1. Lines before it are answered, lines after it \

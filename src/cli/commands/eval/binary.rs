@@ -13,45 +13,53 @@ pub fn is_asked_for() -> bool {
     std::env::var_os("MECHAUDIT_PROTOCOL").is_some_and(|protocol| protocol == "binary")
 }
 
-/// Reads some frames, answers them in order, and so on.
+/// Answers frames in their order, by one thread; those before one that cannot be read are answered.
 pub fn stream(method: &dyn Evaluable) -> Result<Outcome, Failure> {
     // Not by way of what takes escape sequences out of a text.
     let mut out = std::io::stdout().lock();
-    let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
     let layout = Layout::new(method);
     let unread = |e: std::io::Error| Failure::caused(e).about("cannot read standard input");
-    let mut frames = Frames::new(input);
+    let mut frames = Frames::new(BufReader::with_capacity(BUFFER, std::io::stdin().lock()));
     let mut answers = Vec::new();
     let mut number = 0u64;
     while let Some(frame) = frames.read().map_err(unread)? {
         number += 1;
-        let about = |e: EvalError| Failure::caused(e).about(format!("frame {number}"));
-        let x = match frame {
-            Frame::Answer(SolverAnswer::Values(x)) => x,
-            Frame::Answer(other) => return Err(about(EvalError::NoAnswer(other))),
-            Frame::Text(_) => continue,
-        };
-        layout.lengths(&x).map_err(|e| about(e.into()))?;
-        let refused = method.refusal(&x).is_some();
-        match if refused {
-            SolverAnswer::Declines(None)
-        } else {
-            answer_of(method, &x)
-        } {
-            SolverAnswer::Values(values) => encode(&values, &mut answers),
-            SolverAnswer::Refuses(_) | SolverAnswer::Declines(_) => {
-                answers.extend(REFUSAL.to_le_bytes());
-            }
-            other => return Err(about(EvalError::NoAnswer(other))),
-        }
+        let answered = answer(method, &layout, frame, &mut answers);
         // What has arrived is answered before more is waited for.
-        if frames.is_drained() || answers.len() > 64 * LINES {
+        if answered.is_err() || frames.is_drained() || answers.len() > 64 * LINES {
             out.write_all(&answers)?;
             out.flush()?;
             answers.clear();
         }
+        answered.map_err(|e| Failure::caused(e).about(format!("frame {number}")))?;
     }
-    out.write_all(&answers)?;
-    out.flush()?;
     Ok(Outcome::AsExpected)
+}
+
+/// The answer to a frame, after those before it; a header has none.
+fn answer(
+    method: &dyn Evaluable,
+    layout: &Layout,
+    frame: Frame,
+    answers: &mut Vec<u8>,
+) -> Result<(), EvalError> {
+    let x = match frame {
+        Frame::Answer(SolverAnswer::Values(x)) => x,
+        Frame::Answer(SolverAnswer::Declines(_)) => return Err(EvalError::NotAnInput("a refusal")),
+        Frame::Answer(_) => return Err(EvalError::NotAnInput("cut off")),
+        Frame::Text(_) => return Ok(()),
+    };
+    layout.lengths(&x)?;
+    if method.refusal(&x).is_some() {
+        answers.extend(REFUSAL.to_le_bytes());
+        return Ok(());
+    }
+    match answer_of(method, &x) {
+        SolverAnswer::Values(values) => encode(&values, answers),
+        SolverAnswer::Refuses(_) | SolverAnswer::Declines(_) => {
+            answers.extend(REFUSAL.to_le_bytes());
+        }
+        other => return Err(EvalError::NoAnswer(other)),
+    }
+    Ok(())
 }

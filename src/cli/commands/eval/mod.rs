@@ -42,6 +42,8 @@ enum EvalError {
     OutsideDomain(String),
     #[error("refused: {0}")]
     Refused(&'static str),
+    #[error("{0}, no input")]
+    NotAnInput(&'static str),
     /// A solver that answers neither with values nor with a refusal.
     #[error("{0:?}")]
     NoAnswer(SolverAnswer),

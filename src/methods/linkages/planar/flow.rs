@@ -372,7 +372,8 @@ impl Flow {
 }
 
 /// The number of each body's Assur group in their order, 0 for ground and driven body: again and again the fewest bodies
-/// that the pins among them and to those before determine.
+/// that the pins among them and to those before determine. Counted here: a fault of the solver's own count would widen what it
+/// is judged by.
 fn groups(bodies: usize, pins: &[[Spot; 2]]) -> Option<Vec<usize>> {
     let mut group: Vec<Option<usize>> = vec![None; bodies + 1];
     group[..2].fill(Some(0));

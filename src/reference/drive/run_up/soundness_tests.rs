@@ -104,7 +104,7 @@ fn starts_at_the_ends_of_panels() {
     let zero = Rational::new();
     assert!(at(ExactAngle::Radians(zero.clone())).is_ok());
     assert!(at(ExactAngle::Radians(Rational::from((-1, 3)))).is_ok());
-    // Zero degrees in radians is a ball about zero only if it is not exactly zero.
+    // Close to an end, but certainly beside it.
     let tiny = Rational::from(1) >> 400u32;
     assert!(at(ExactAngle::Radians(tiny)).is_ok());
     let mut turned = Coefficients::constant(&Rational::from(3), &Rational::from(-5), 120);

@@ -59,7 +59,7 @@ fn merged_modes_are_told() {
     }
 }
 
-/// Two dyads of which one is stretched: its position has no rates, and is told.
+/// A dyad that is stretched: its position has no rates, and is told.
 #[test]
 fn singular_positions_are_told() {
     let m = four_bar([0.25, 0.5, 0.25, 1.0]);
@@ -133,7 +133,7 @@ fn solutions_are_taken_if_near_and_new() {
     assert!(found.poses.is_empty() && found.near);
 }
 
-/// Two dyads that fall into one have infinitely many positions; that is no complete answer.
+/// A dyad whose ends coincide may be anywhere about them; that is no complete answer.
 #[test]
 fn circles_that_coincide_are_not_complete() {
     // Crank and frame of one length, coupler and rocker too, at the angle zero.
