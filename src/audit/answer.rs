@@ -86,9 +86,10 @@ impl ReferenceAnswer {
         self,
         signs: impl FnOnce() -> Vec<Option<bool>>,
     ) -> ReferenceAnswer {
-        let signs = match self.has_zeros() {
-            true => signs(),
-            false => Vec::new(),
+        let signs = match (self.has_zeros(), &self) {
+            (true, _) => signs(),
+            (false, ReferenceAnswer::Dues(..)) => return self,
+            (false, _) => Vec::new(),
         };
         let signed = |(i, due): (usize, Due)| due.signed(signs.get(i).copied().flatten());
         match self {

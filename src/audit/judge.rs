@@ -279,8 +279,48 @@ fn judge_refusal(word: Option<&str>, reference: &ReferenceAnswer) -> Judgement {
     }
 }
 
-/// A sum or a product, bounded from one side.
-type Bound = fn(Mag, Mag) -> Mag;
+/// What a limit allows is made of.
+struct Terms {
+    limit: Limit,
+    factor: Mag,
+    size: Mag,
+    condition: Option<f64>,
+    half: Mag,
+    ulp: i64,
+    u: i64,
+}
+
+impl Terms {
+    /// What is allowed, by sums and products from above; from below for what is certainly allowed.
+    #[inline]
+    fn bound(
+        &self,
+        scale: Mag,
+        mul: impl Fn(Mag, Mag) -> Mag,
+        add: impl Fn(Mag, Mag) -> Mag,
+    ) -> Option<Mag> {
+        let Terms {
+            factor, size, half, ..
+        } = *self;
+        // k roundings of numbers of this size.
+        let roundings = |of: Mag| match of.is_zero() {
+            true => Mag::ZERO,
+            false => mul(factor, of.shift(self.u).max(half)),
+        };
+        match (self.limit, self.condition) {
+            (Limit::Ulps(_), _) => Some(factor.shift(self.ulp)),
+            (Limit::Conditioned(_), Some(c)) => Some(roundings(add(size, Mag::from_f64(c)))),
+            (Limit::Normwise(_), Some(_)) => Some(roundings(scale)),
+            (Limit::Relative(_), _) => Some(mul(factor, size).max(half)),
+            (Limit::Absolute(_), _) => Some(factor),
+            (Limit::RelativeOrAbsolute(_, a), _) => {
+                Some(mul(factor, size).max(half).max(Mag::from_f64(a)))
+            }
+            (Limit::OfNorm(_), _) => Some(mul(factor, scale).max(half)),
+            _ => None,
+        }
+    }
+}
 
 /// Where a value stands, and what it is measured by.
 #[derive(Clone, Copy)]
@@ -343,28 +383,17 @@ fn component(got: f64, due: &Due, [lo, hi]: [Mag; 2], place: Place) -> Component
         }
     });
     let factor = Mag::from_f64(limit.factor());
-    // By sums and products from above; from below for what is certainly allowed.
-    let bound = |scale: Mag, mul: Bound, add: Bound| {
-        // k roundings of numbers of this size.
-        let roundings = |of: Mag| match of.is_zero() {
-            true => Mag::ZERO,
-            false => mul(factor, of.shift(u).max(half)),
-        };
-        match (limit, condition) {
-            (Limit::Ulps(_), _) => Some(factor.shift(ulp)),
-            (Limit::Conditioned(_), Some(c)) => Some(roundings(add(size, Mag::from_f64(c)))),
-            (Limit::Normwise(_), Some(_)) => Some(roundings(scale)),
-            (Limit::Relative(_), _) => Some(mul(factor, size).max(half)),
-            (Limit::Absolute(_), _) => Some(factor),
-            (Limit::RelativeOrAbsolute(_, a), _) => {
-                Some(mul(factor, size).max(half).max(Mag::from_f64(a)))
-            }
-            (Limit::OfNorm(_), _) => Some(mul(factor, scale).max(half)),
-            _ => None,
-        }
+    let terms = Terms {
+        limit,
+        factor,
+        size,
+        condition,
+        half,
+        ulp,
+        u,
     };
-    let allowed = bound(scale.1, Mag::mul, Mag::add);
-    let certain = bound(scale.0, Mag::mul_below, Mag::add_below);
+    let allowed = terms.bound(scale.1, Mag::mul, Mag::add);
+    let certain = terms.bound(scale.0, Mag::mul_below, Mag::add_below);
     let verdict = match allowed {
         _ if got.is_nan() || due.wrong_zero(got) => Verdict::WrongKind,
         _ if !reference.is_finite() => Verdict::Undecided,

@@ -144,7 +144,7 @@ fn judged(
             answers.iter_mut().for_each(|a| a.push(batch.next()));
         }
         // The programs have been shown them by now.
-        let cases = (from..to).map(|i| inputs.take(i));
+        let cases = inputs.take(from..to).into_iter();
         let mut cases: Vec<(Case, _)> = cases.zip(answers).collect();
         if ours > 0 {
             cases
@@ -220,7 +220,7 @@ fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<S
 fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
     let n = inputs.len().min(BATCH);
     let all: Vec<Vec<f64>> = (0..n)
-        .map(|k| inputs.take(k * inputs.len() / n).input)
+        .map(|k| inputs.take_one(k * inputs.len() / n).input)
         .collect();
     let round = || {
         let start = Instant::now();

@@ -189,8 +189,8 @@ fn judged(fed: &mut Fed, inputs: &Inputs, panel: &Panel, show: &dyn Fn(u64)) -> 
             0 => Some(fed.rest()),
             due => fed.collect(due.min(BATCH), &mut batch),
         };
-        let cases = batch.into_iter().enumerate();
-        let pairs: Vec<_> = cases.map(|(k, a)| (inputs.take(from + k), a)).collect();
+        let cases = inputs.take(from..from + batch.len());
+        let pairs: Vec<_> = cases.into_iter().zip(batch).collect();
         let whole = judge_batch(panel, pairs);
         show(fed.answered() as u64);
         match end {
@@ -214,7 +214,7 @@ pub fn unanswered(
     if from >= inputs.len() {
         return;
     }
-    let first = inputs.take(from);
+    let first = inputs.take_one(from);
     let answer = SolverAnswer::Unanswered(why.into());
     tally.add(&judge_case(method, first, answer, settings));
     let mut at = from + 1;
@@ -239,32 +239,39 @@ pub enum End {
     Interrupted,
 }
 
+/// Inputs that are drawn and written together.
+const SHOWN: usize = 64;
+
 /// Writes so many inputs; a program that reads no more is noticed by its silence or its end.
 fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: bool) {
     let mut out = BufWriter::with_capacity(1 << 16, stdin);
-    let (mut line, mut frame) = (String::new(), Vec::new());
-    for i in 0..total {
-        let i = i % inputs.len();
-        let case = inputs.take(i);
+    let (mut lines, mut frames) = (String::new(), Vec::new());
+    let mut at = 0;
+    while at < total {
+        let from = at % inputs.len();
+        let some = SHOWN.min(total - at).min(inputs.len() - from);
+        let cases = inputs.take(from..from + some);
+        lines.clear();
+        frames.clear();
+        for case in &cases {
+            match form {
+                Form::Lines => {
+                    wire::write(&mut lines, &case.input, decimal);
+                    lines.push('\n');
+                }
+                Form::Frames => frames::encode(&case.input, &mut frames),
+            }
+        }
+        // Before the answers to them can come.
+        inputs.keep(from, cases);
         let text = match form {
-            Form::Lines => {
-                line.clear();
-                wire::write(&mut line, &case.input, decimal);
-                line.push('\n');
-                line.as_bytes()
-            }
-            Form::Frames => {
-                frame.clear();
-                frames::encode(&case.input, &mut frame);
-                &frame
-            }
+            Form::Lines => lines.as_bytes(),
+            Form::Frames => &frames,
         };
-        // Before the answer to it can come.
-        inputs.keep(i, case);
-        let written = out.write_all(text);
-        if written.is_err() {
+        if out.write_all(text).is_err() {
             return;
         }
+        at += some;
     }
     let _ = out.flush();
 }

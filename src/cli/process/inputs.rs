@@ -4,6 +4,7 @@
 use crate::cli::failure::Failure;
 use mechaudit::audit::{Case, Cases, Method, Settings};
 use mechaudit::campaign::Stride;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Where the inputs of a run come from.
@@ -84,23 +85,36 @@ impl Inputs {
         self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Number `i`, shown to a program: others, and whoever judges their answers, find it kept.
-    pub fn keep(&self, i: usize, case: Case) {
-        if case.input.len() <= SHORT {
-            let mut drawn = self.lock();
-            drawn.resize(KEPT, None);
-            drawn[i % KEPT] = Some((i, case));
+    /// Those from number `from` on, shown to a program: others, and whoever judges their answers, find them kept.
+    pub fn keep(&self, from: usize, cases: Vec<Case>) {
+        let mut drawn = self.lock();
+        drawn.resize(KEPT, None);
+        for (i, case) in (from..).zip(cases) {
+            if case.input.len() <= SHORT {
+                drawn[i % KEPT] = Some((i, case));
+            }
         }
     }
 
-    /// Number `i`, which is kept no longer.
-    pub fn take(&self, i: usize) -> Case {
-        let kept = {
+    /// Those of these numbers, which are kept no longer.
+    pub fn take(&self, numbers: Range<usize>) -> Vec<Case> {
+        let kept: Vec<Option<Case>> = {
             let mut drawn = self.lock();
-            let place = drawn.get_mut(i % KEPT);
-            place.and_then(|place| place.take_if(|(k, _)| *k == i))
+            let mut kept = |i: usize| {
+                let place = drawn.get_mut(i % KEPT)?.take_if(|(k, _)| *k == i);
+                place.map(|(_, case)| case)
+            };
+            numbers.clone().map(&mut kept).collect()
         };
-        kept.map_or_else(|| self.draw(i), |(_, case)| case)
+        let all = numbers.zip(kept);
+        all.map(|(i, case)| case.unwrap_or_else(|| self.draw(i)))
+            .collect()
+    }
+
+    /// One of them.
+    pub fn take_one(&self, i: usize) -> Case {
+        let mut case = self.take(i..i + 1);
+        case.pop().expect("one for each number")
     }
 
     /// The region of the input of that number, and where the next begins.
@@ -136,12 +150,12 @@ mod tests {
             assert_eq!(bits(&given), bits(&drawn), "{i}");
         };
         for i in [5, 6, 5, KEPT + 5, 5, KEPT + 5, KEPT + 6, 6] {
-            let case = inputs.take(i);
+            let case = inputs.take_one(i);
             same(case.clone(), i);
-            inputs.keep(i, case);
+            inputs.keep(i, vec![case]);
         }
         for i in [KEPT + 5, 5, 5, 6, KEPT + 6, 7] {
-            same(inputs.take(i), i);
+            same(inputs.take_one(i), i);
         }
     }
 }

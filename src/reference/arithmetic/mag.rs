@@ -19,6 +19,7 @@ pub struct Mag {
 }
 
 /// `2^k` as an `f64`, for `k` in the normal range.
+#[inline]
 fn pow2(k: i64) -> f64 {
     f64::from_bits(((k + 1023) as u64) << 52)
 }
@@ -38,6 +39,7 @@ impl Mag {
     };
 
     /// Brings `m > 0` back into `[1, 2)`; exact.
+    #[inline]
     fn normal(m: f64, e: i64) -> Mag {
         const FIELD: u64 = 0x7ff << 52;
         let bits = m.to_bits();
@@ -53,6 +55,7 @@ impl Mag {
     }
 
     /// The magnitude of `x`, exactly; infinite for NaN.
+    #[inline]
     pub fn from_f64(x: f64) -> Mag {
         if x.is_nan() {
             return Mag::INFINITY;
@@ -61,6 +64,7 @@ impl Mag {
     }
 
     /// `2^k`.
+    #[inline]
     pub fn power_of_two(k: i64) -> Mag {
         Mag { m: 1.0, e: k }
     }
@@ -110,21 +114,25 @@ impl Mag {
     }
 
     /// Whether this is exactly zero.
+    #[inline]
     pub fn is_zero(self) -> bool {
         self.m == 0.0
     }
 
     /// Whether this bounds anything.
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.m.is_finite()
     }
 
     /// The exponent: the value lies in `[2^e, 2^(e+1))`. `None` for zero and infinity.
+    #[inline]
     pub fn exponent(self) -> Option<i64> {
         (self.m != 0.0 && self.m.is_finite()).then_some(self.e)
     }
 
     /// `self · 2^k`; exact.
+    #[inline]
     pub fn shift(self, k: i64) -> Mag {
         match self.exponent() {
             Some(e) => Mag {
@@ -137,6 +145,7 @@ impl Mag {
 
     /// An upper bound on `self + other`.
     #[allow(clippy::should_implement_trait)]
+    #[inline]
     pub fn add(self, other: Mag) -> Mag {
         if self.is_zero() {
             return other;
@@ -163,6 +172,7 @@ impl Mag {
 
     /// An upper bound on `self · other`; zero times anything finite is zero.
     #[allow(clippy::should_implement_trait)]
+    #[inline]
     pub fn mul(self, other: Mag) -> Mag {
         if !self.is_finite() || !other.is_finite() {
             return Mag::INFINITY;
@@ -176,6 +186,7 @@ impl Mag {
     /// An upper bound on `self / lower` where `lower` is a **lower** bound of the divisor.
     /// Infinite when `lower` is zero and `self` is not.
     #[allow(clippy::should_implement_trait)]
+    #[inline]
     pub fn div(self, lower: Mag) -> Mag {
         if self.is_zero() {
             return Mag::ZERO;
@@ -243,6 +254,7 @@ impl Mag {
     }
 
     /// An upper bound on `√self`.
+    #[inline]
     pub fn sqrt(self) -> Mag {
         match self.exponent() {
             None => self,
@@ -254,6 +266,7 @@ impl Mag {
     }
 
     /// The larger of the two.
+    #[inline]
     pub fn max(self, other: Mag) -> Mag {
         if self.partial_cmp(&other) == Some(Ordering::Less) {
             other
@@ -269,6 +282,7 @@ impl Mag {
 
     /// An upper bound as an `f64` (infinite beyond its range, at least the smallest subnormal for
     /// anything positive).
+    #[inline]
     pub fn to_f64(self) -> f64 {
         match self.exponent() {
             None => self.m,
