@@ -109,18 +109,9 @@ impl Coefficients {
         }
         let share = curve.panels / nodes;
         let h = half_step(curve.bits(), nodes);
-        let part = Ball::rational(curve.bits(), &Rational::from((1, share)));
         let slopes = (0..curve.panels).map(|k| {
             let whole = per_radian(&cubic(&inertia, (k / share) as usize, &h), &h);
-            // Centre of the sub-panel on the segment's −1 … 1.
-            let centre = Rational::from((2 * (k % share) + 1, share)) - 1u32;
-            let x0 = Ball::rational(curve.bits(), &centre);
-            let exact = x0.mid().clone();
-            let slack = whole.motion(x0.rad());
-            whole
-                .shifted(&exact, part.magnitude())
-                .widened(slack)
-                .contracted(&part)
+            part(&whole, k % share, share, curve.bits())
         });
         Ok(Coefficients {
             bits: curve.bits(),
@@ -222,10 +213,46 @@ fn per_radian(c: &[Ball; 4], h: &Ball) -> TaylorModel {
     TaylorModel::from_balls(&d)
 }
 
+/// The k-th of so many equal parts of a segment, on −1 … 1 again; its place is rounded to so many bits.
+fn part(whole: &TaylorModel, k: u32, parts: u32, bits: u32) -> TaylorModel {
+    let part = Ball::rational(bits, &Rational::from((1, parts)));
+    let centre = Rational::from((2 * k + 1, parts)) - 1u32;
+    let x0 = Ball::rational(bits, &centre);
+    whole
+        .shifted(x0.mid(), part.magnitude())
+        .widened(whole.motion(x0.rad()))
+        .contracted(&part)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Mag;
+
+    /// Thirds and fifths, whose centres and widths are rounded to few bits.
+    #[test]
+    fn parts_of_a_segment_are_the_segment() {
+        let coefficients = [2, -3, 5, 7].map(|n| Ball::integer(200, n));
+        let whole = TaylorModel::from_balls(&coefficients);
+        let exact = |x: &Rational| {
+            let poly = [7, 5, -3, 2].map(Rational::from);
+            poly.iter().fold(Rational::new(), |s, c| s * x + c)
+        };
+        for parts in [1, 2, 3, 5, 7] {
+            for k in 0..parts {
+                for bits in [12, 13, 150] {
+                    let found = part(&whole, k, parts, bits);
+                    for w in [-4, -1, 0, 1, 4] {
+                        let w = Rational::from((w, 4));
+                        let x = (Rational::from(2 * k + 1) + &w) / parts - 1u32;
+                        let value = found.eval(&Ball::rational(200, &w));
+                        assert!(value.contains(&exact(&x)), "{k} of {parts}, {bits} bits");
+                        assert!(value.rad() < Mag::power_of_two(7 - i64::from(bits)));
+                    }
+                }
+            }
+        }
+    }
 
     #[test]
     fn the_cubic_of_a_segment_is_the_spline() {

@@ -111,6 +111,44 @@ fn exp(x: &Ball) -> Ball {
 mod tests {
     use super::*;
 
+    /// `∫ S/J dw` over −1 … 1 for the models of S and J.
+    fn over(slope: &[f64], inertia: &[f64], rad: f64, order: usize) -> Option<Ball> {
+        let model = |c: &[f64], rad: f64| {
+            let c: Vec<Ball> = c.iter().map(|x| Ball::exact(120, *x)).collect();
+            TaylorModel::from_balls(&c).widened(Mag::from_f64(rad))
+        };
+        let panel = Panel {
+            inertia: model(inertia, rad),
+            slope: model(slope, 0.0),
+            moment: model(&[0.0], 0.0),
+        };
+        part(&panel, &Ball::integer(120, 0), &Float::new(64), 0, order)
+    }
+
+    /// An inertia of 2 ± 1/10: from 2/2.1 to 2/1.9, and no more than that.
+    #[test]
+    fn the_radius_of_the_inertia_is_carried_on() {
+        let found = over(&[1.0], &[2.0], 0.1, 10).unwrap();
+        for end in [(20, 21), (20, 19)] {
+            assert!(found.contains(&Rational::from(end)), "{found:?}");
+        }
+        assert!(found.rad() < Mag::from_f64(0.0527), "{found:?}");
+    }
+
+    /// From a half to 3.5 with a radius that outweighs the truncation: `(ln 7)/1.5`.
+    #[test]
+    fn a_quotient_as_good_as_its_coefficients_is_good() {
+        let due = 7f64.ln() / 1.5;
+        for (rad, order, good) in [(1e-2, 40, true), (1e-6, 80, true), (1e-6, 20, false)] {
+            let found = over(&[1.0], &[2.0, 1.5], rad, order);
+            assert_eq!(found.is_some(), good, "{rad} {order}");
+            if let Some(found) = found {
+                let off = (found.to_f64() - due).abs();
+                assert!(off < rad && found.rad().to_f64() < 20.0 * rad, "{found:?}");
+            }
+        }
+    }
+
     #[test]
     fn exponential() {
         for (x, r) in [(0.3f64, 0.0f64), (-2.0, 1e-9), (1.5, 0.25)] {

@@ -90,6 +90,17 @@ pub fn integrate_with(
     times: &[Rational],
     order: usize,
 ) -> Result<Motion, Undecided> {
+    integrate_within(model, run, times, order, MOST_STEPS)
+}
+
+/// [`integrate_with`] in so many steps at most.
+pub(super) fn integrate_within(
+    model: &Coefficients,
+    run: &Run,
+    times: &[Rational],
+    order: usize,
+    most_steps: usize,
+) -> Result<Motion, Undecided> {
     let bits = model.bits;
     let undecided = |reason: &str| Undecided {
         bits,
@@ -123,7 +134,7 @@ pub fn integrate_with(
     // A time that may lie on either side of the end of a step is read from both steps.
     let mut earlier: Option<Sample> = None;
     while !pending.is_empty() {
-        if steps == MOST_STEPS {
+        if steps == most_steps {
             return Err(undecided("too many steps"));
         }
         let piece = walk.step()?;

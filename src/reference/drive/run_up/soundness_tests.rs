@@ -1,10 +1,12 @@
 //! What a step carries on: an uncertain start, and a motion that touches its bound.
 
-use super::integrate::Walk;
+use super::integrate::{Walk, integrate_within};
+use super::linkage_panel::Panel;
 use super::tests::LOW;
 use super::*;
-use crate::Mag;
 use crate::class_iii::{ExactAngle, Geometry, Linkage};
+use crate::taylor_model::TaylorModel;
+use crate::{Ball, Mag};
 use rug::{Float, Rational};
 
 fn start(speed: &Rational) -> Run {
@@ -90,6 +92,96 @@ fn steps_and_radii_are_told() {
     }
     assert!(steps > 3 && largest.to_f64() > 0.0);
     assert_eq!((motion.steps, motion.largest_radius), (steps, largest));
+}
+
+/// A run is given up after so many steps.
+#[test]
+fn steps_have_a_limit() {
+    let model = Coefficients::exact(&LOW);
+    let mut run = start(&Rational::from((7, 2)));
+    run.angle = ExactAngle::Degrees(Rational::from(40));
+    let times = [Rational::from((3, 4))];
+    let steps = integrate_with(&model, &run, &times, 40).unwrap().steps;
+    let within = |most| integrate_within(&model, &run, &times, 40, most);
+    assert!(within(steps).is_ok());
+    assert!(within(steps - 1).unwrap_err().reason.contains("steps"));
+}
+
+/// Times about the end of a panel, of which is not known on what side they are; the acceleration is another beyond it.
+#[test]
+fn times_at_the_end_of_a_step_are_read_from_both_steps() {
+    let model = |bits: u32, inertias: [i64; 2]| {
+        let constant = |x: i64| TaylorModel::constant(&Ball::integer(bits, x));
+        let panel = |inertia| Panel {
+            inertia: constant(inertia),
+            slope: constant(0),
+            moment: constant(0),
+        };
+        Coefficients::of_panels(inertias.map(panel).into(), bits)
+    };
+    let run = Run {
+        motor: Motor::Constant {
+            torque: Rational::from(3000),
+        },
+        rotor_inertia: Rational::new(),
+        angle: ExactAngle::Radians(Rational::from((1, 3))),
+        speed: Rational::from(1),
+    };
+    for inertias in [[1, 1000], [1000, 1]] {
+        let (coarse, fine) = (model(48, inertias), model(200, inertias));
+        let mut walk = Walk::new(&coarse, &run, 20).unwrap();
+        let mut end = Ball::integer(48, 0);
+        loop {
+            let piece = walk.step().unwrap();
+            end = &end + &piece.duration;
+            if piece.x1 == 1 {
+                break;
+            }
+            walk.advance(piece, end.clone());
+        }
+        for part in [-0.9, -0.5, 0.1, 0.5, 0.9] {
+            let t = Float::with_val(200, end.rad().to_float() * part) + end.mid();
+            let times = [t.to_rational().unwrap()];
+            let at = |model, order| {
+                let motion: Motion = integrate_with(model, &run, &times, order).unwrap();
+                motion.samples.into_iter().next().unwrap()
+            };
+            let (found, due) = (at(&coarse, 20), at(&fine, 90));
+            assert!(found.speed.contains_ball(&due.speed), "{inertias:?} {part}");
+            assert!(found.angle.contains_ball(&due.angle), "{inertias:?} {part}");
+        }
+    }
+}
+
+/// Splines take the values at their nodes, and a segment is as wide as the panels between two of them.
+#[test]
+fn splines_and_panels_meet_at_the_nodes() {
+    let exact = Coefficients::exact(&LOW);
+    let splines = Coefficients::splines(&LOW, 12).unwrap();
+    let hybrid = Coefficients::hybrid(&LOW, 12).unwrap();
+    for (model, times) in [(&splines, 4), (&hybrid, 1)] {
+        let width = exact.half_width() * Ball::integer(64, times);
+        assert!(model.half_width().overlaps(&width));
+    }
+    let ends = [-1, 1].map(|x| Ball::integer(64, x));
+    for j in 0..12 {
+        let [first, last] = [4 * j, 4 * j + 3].map(|k| exact.panel(k).unwrap());
+        let spline = splines.panel(j).unwrap();
+        for (end, due) in ends.iter().zip([first, last]) {
+            for (a, b) in [
+                (&spline.inertia, &due.inertia),
+                (&spline.moment, &due.moment),
+            ] {
+                assert!(a.eval(end).overlaps(&b.eval(end)), "{j}");
+            }
+        }
+        for k in 0..4 {
+            let part = hybrid.panel(4 * j + k).unwrap();
+            let at = Ball::rational(64, &Rational::from((2 * k - 3, 4)));
+            let due = spline.slope.eval(&at);
+            assert!(part.slope.eval(&Ball::integer(64, 0)).overlaps(&due));
+        }
+    }
 }
 
 /// An angle that is the end of a panel but for rounding is not told from it; one that is exactly there begins it.

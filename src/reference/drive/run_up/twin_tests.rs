@@ -164,8 +164,47 @@ fn errors_go_on_with_the_derivatives() {
         let start = rad.map(|r| Ball::integer(BITS, 1).widened(Mag::from_f64(r)));
         follow_from(&model, &run, start, &[leg])
     };
-    assert!(far([1e-9; 2]).is_ok());
+    // φ' = ψ, ψ' = 1: angle and speed have errors of their own.
+    let [angle, speed] = far([0.0, 1e-3]).unwrap();
+    assert!((angle.rad().to_f64() - 0.25e-3).abs() < 1e-12);
+    assert!((speed.rad().to_f64() - 1e-3).abs() < 1e-12);
     assert!(far([f64::INFINITY, 0.0]).is_err() && far([0.0, f64::INFINITY]).is_err());
+}
+
+/// `ψ' = −½ψ² S/I` falls the faster the larger ψ: what a smaller ψ ends with is farther off.
+#[test]
+fn errors_go_on_with_the_largest_derivative() {
+    let constant = |x: i64| model(&[(x, 1)], 0.0);
+    let panel = || Panel {
+        inertia: constant(1),
+        slope: constant(1),
+        moment: constant(0),
+    };
+    let model = Coefficients::of_panels(vec![panel()], BITS);
+    let euler = RungeKutta {
+        a: vec![vec![]],
+        b: vec![1.0],
+    };
+    let leg = Leg {
+        method: &euler,
+        from: 0.0,
+        to: 0.25,
+    };
+    let run = Run {
+        motor: Motor::Constant { torque: q(0, 1) },
+        rotor_inertia: q(0, 1),
+        angle: crate::class_iii::ExactAngle::Radians(q(1, 1)),
+        speed: q(1, 1),
+    };
+    let half = Mag::from_f64(0.5);
+    let start = [Ball::integer(BITS, 1), Ball::integer(BITS, 1).widened(half)];
+    let [angle, speed] = follow_from(&model, &run, start, &[leg]).unwrap();
+    for psi in [q(1, 2), q(1, 1), q(3, 2)] {
+        let end = psi.clone() - psi.clone() * &psi / 8;
+        assert!(speed.contains(&end) && angle.contains(&(psi / 4 + 1u32)));
+    }
+    // sup |1 − ψ/4| is 7/8.
+    assert!((speed.rad().to_f64() - 7.0 / 16.0).abs() < 1e-9);
 }
 
 /// Inside a panel its own values; across a border the union of both, widened by both radii once more on either side.
@@ -224,6 +263,8 @@ fn coefficients_across_a_border() {
         inside(&inertia.slope, (1.0 - 1e-6) / half) && inside(&inertia.slope, (1.75 - 1e-6) / half)
     );
     // From one panel to the next but one nothing is told.
+    let three = off(1.6).widened(Mag::from_f64(1.65));
+    assert!(model.over(&off(1.6), &three).is_err());
     let wide = off(0.0).widened(Mag::from_f64(3.3));
     assert!(model.over(&at, &wide).is_err());
     assert!(
