@@ -139,8 +139,12 @@ mod tests {
     /// t up to 2^15 in modulus; what is not exact below 40.
     #[test]
     fn there_are_limits() {
-        let some =
-            |x: &Coordinate, y: &Coordinate| gaussian(x, y).is_some() && gaussian(y, x).is_some();
+        // In either order.
+        let some = |x: &Coordinate, y: &Coordinate| {
+            let found = [gaussian(x, y), gaussian(y, x)].map(|g| g.is_some());
+            assert_eq!(found[0], found[1]);
+            found[0]
+        };
         // (y − x)(y + x) = 128 · 256, and a bit more.
         assert!(some(&double(64.0), &double(192.0)));
         assert!(!some(&double(64.0), &double(192.0f64.next_up())));
@@ -234,6 +238,14 @@ mod tests {
                 "{bound}"
             );
         }
+        // From 0.75 to 2.25, and a number without a radius.
+        let wide = Ball::exact(64, 1.5).widened(Mag::from_f64(0.75));
+        assert!(!negligible(Mag::power_of_two(-18), &wide, 10));
+        assert!(negligible(
+            Mag::power_of_two(-18),
+            &Ball::exact(64, 1.0),
+            10
+        ));
         assert!(!negligible(
             Mag::power_of_two(-500),
             &Ball::exact(64, 0.0),

@@ -154,8 +154,8 @@ mod tests {
     /// `ρ(|p|E + q²F + 6 + 3|P| + 20|S|) + 1` and `ρ(E + |p|F + 3 + 3|S|) + 1`.
     #[test]
     fn errors_of_a_term_more() {
-        let found = E.next(0.5, [0.25, 0.125], [2.0, 3.0]);
-        assert_eq!(found.sum, 0.5 * (2.0 + 2.0 + 6.0 + 6.0 + 60.0) + 1.0);
+        let found = E.next(0.5, [0.25, 0.5], [2.0, 3.0]);
+        assert_eq!(found.sum, 0.5 * (2.0 + 8.0 + 6.0 + 6.0 + 60.0) + 1.0);
         assert_eq!(found.rest, 0.5 * (8.0 + 4.0 + 3.0 + 9.0) + 1.0);
         let found = Errors::default().next(2.0, [1.0; 2], [0.0; 2]);
         assert_eq!((found.sum, found.rest), (13.0, 7.0));
@@ -266,6 +266,13 @@ mod tests {
         let one = v.sums(1).unwrap();
         assert_eq!((one.re, one.im), (ONE, ONE));
         assert_eq!(one.error, Errors::default().total(0.0));
+        let whole = Powers {
+            aa: ONE,
+            bb: ONE,
+            ..v
+        };
+        let one = whole.sums(1).unwrap();
+        assert_eq!((one.re, one.im), (ONE, ONE));
         // ρ = 1/16: P = 1 + 1/64, S = 1/16; P + 2 S/2 and P − 2 S/4.
         let two = v.sums(2).unwrap();
         assert_eq!((two.re, two.im), (ONE / 64 * 69, ONE / 64 * 63));
