@@ -135,6 +135,24 @@ mod tests {
         assert!(found.rad() < Mag::from_f64(0.0527), "{found:?}");
     }
 
+    /// S = 1 and I = 2 in a panel of so many turns: π for one of them.
+    #[test]
+    fn the_integral_is_that_of_one_turn() {
+        for turns in [1, 2, 7] {
+            let constant = |x: i64| TaylorModel::constant(&Ball::integer(120, x));
+            let panel = Panel {
+                inertia: constant(1),
+                slope: constant(1),
+                moment: constant(0),
+            };
+            let mut model = Coefficients::of_panels(vec![panel], 120);
+            model.turns = turns;
+            let found = free_motion_factor(&model, &Rational::from(1)).unwrap();
+            assert!(found.integral.overlaps(&Ball::pi(200)), "{turns}");
+            assert!(found.factor.overlaps(&(-Ball::pi(200).shift(-1)).exp()));
+        }
+    }
+
     /// From a half to 3.5 with a radius that outweighs the truncation: `(ln 7)/1.5`.
     #[test]
     fn a_quotient_as_good_as_its_coefficients_is_good() {

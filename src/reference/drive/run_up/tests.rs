@@ -399,6 +399,7 @@ fn refusals() {
     let good = run(rated("200"), "0", "14.426", "0");
     assert!(why(&good, &[q("1"), q("1")]).contains("increase"));
     assert!(why(&good, &[q("-1")]).contains("negative"));
+    assert!(why(&good, &[q("-1"), q("1")]).contains("negative"));
     assert!(
         why(
             &Run {

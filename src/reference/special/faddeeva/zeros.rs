@@ -140,6 +140,12 @@ fn counted(k: u32, name: &str, bits: u32) -> Result<(), Undecided> {
     }
 }
 
+/// Whether either component of what is within r of z has so many bits.
+fn accurate(z: &ComplexBall, r: Mag, bits: u32) -> bool {
+    let least = z.re.mignitude().min(z.im.mignitude());
+    r <= least.shift(-i64::from(bits))
+}
+
 /// The zero that Newton's method finds from a start; or the precision reached and what is missing.
 fn refined(f: &Function, start: (f64, f64), bits: u32) -> Result<ComplexBall, (u32, &'static str)> {
     /// A relative step after which a certificate is tried: the next step has twice as many bits.
@@ -160,12 +166,10 @@ fn refined(f: &Function, start: (f64, f64), bits: u32) -> Result<ComplexBall, (u
         if steps < 7 && step.magnitude() > z.magnitude().shift(LAST) {
             continue;
         }
-        if let Some(r) = certificate(f, &z, &here) {
-            let (a, b) = (z.re.mignitude(), z.im.mignitude());
-            let smaller = if a < b { a } else { b };
-            if r <= smaller.shift(-i64::from(bits)) {
-                return Ok(z.widened(r));
-            }
+        if let Some(r) = certificate(f, &z, &here)
+            && accurate(&z, r, bits)
+        {
+            return Ok(z.widened(r));
         }
         if prec >= cap {
             return Err((prec, "no certificate"));
@@ -182,6 +186,68 @@ mod tests {
     use super::super::erf;
     use super::*;
     use crate::Decimal;
+
+    /// 2^-bits of the least that either component may be.
+    #[test]
+    fn both_components_have_the_bits() {
+        let ball = |mid: f64, rad: f64| Ball::exact(64, mid).widened(Mag::from_f64(rad));
+        for (re, im, due) in [
+            (ball(1.0, 0.0), ball(-4.0, 0.0), [true, false]),
+            (ball(-4.0, 0.0), ball(1.0, 0.0), [true, false]),
+            (ball(4.0, 0.0), ball(4.0, 0.0), [true, true]),
+            (ball(4.0, 0.0), ball(2.25, 1.0), [true, false]),
+            (ball(-2.25, 1.0), ball(4.0, 0.0), [true, false]),
+            (ball(4.0, 0.0), ball(0.5, 0.0), [false, false]),
+        ] {
+            let z = ComplexBall::new(re, im);
+            let found = [-10, -9].map(|k| accurate(&z, Mag::power_of_two(k), 10));
+            assert_eq!(found, due, "{z:?}");
+        }
+    }
+
+    /// Seven steps that do not end, and then one at each precision: twice as many bits, up to 64 more than are asked for,
+    /// 32 more each time, and at last four times as many and 4096.
+    #[test]
+    fn what_has_no_certificate_ends() {
+        use std::cell::RefCell;
+        thread_local! {
+            static ASKED: RefCell<Vec<u32>> = const { RefCell::new(Vec::new()) };
+        }
+        let f = Function {
+            // A step of one, always.
+            at: |_, prec| {
+                ASKED.with_borrow_mut(|asked| asked.push(prec));
+                let one = ComplexBall::new(Ball::integer(prec, 1), Ball::integer(prec, 0));
+                Some([one.clone(), one])
+            },
+            lipschitz: |_, _, _, _| Mag::INFINITY,
+        };
+        for (bits, after, cap) in [
+            (20, vec![128, 160, 192], 4352),
+            (100, vec![164, 196, 228], 4496),
+            (300, vec![192, 364, 396], 5296),
+        ] {
+            ASKED.take();
+            let (at, why) = refined(&f, (0.5, 0.5), bits).unwrap_err();
+            assert_eq!((at, why), (cap, "no certificate"));
+            let mut asked = ASKED.take();
+            assert_eq!(asked[..8], [96; 8]);
+            // Twice each: the value before a step, and after it.
+            assert!(asked[8..].chunks(2).all(|pair| pair[0] == pair[1]));
+            asked.dedup();
+            assert_eq!(asked[1..4], after);
+            assert_eq!(asked.last(), Some(&cap));
+        }
+        let endless = Function {
+            at: |_, prec| {
+                let zero = ComplexBall::zero(prec);
+                Some([zero.clone(), zero])
+            },
+            lipschitz: |_, _, _, _| Mag::ZERO,
+        };
+        let (at, why) = refined(&endless, (0.5, 0.5), 60).unwrap_err();
+        assert_eq!((at, why), (96, "no Newton step"));
+    }
 
     /// Upper bounds on |z| and |f'| enter, and a lower one on |f'|, be the numbers exact or not.
     #[test]
