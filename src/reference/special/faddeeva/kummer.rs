@@ -17,7 +17,9 @@
 //! # Truncation
 //! The term of index k is at most `C^k/(2k+1)!!` in P (|v| ≤ 1), and at most k times that in S, because
 //! `|Im v^k / q| ≤ k |v|^{k−1} ≤ k`. With `T_k = k C^k/(2k+1)!!` and
-//! `T_{k+1}/T_k = C (k+1)/(k (2k+3)) ≤ 1/2` for all k ≥ n both tails are at most `2 T_n`. `T_n` is
+//! `T_{k+1}/T_k = C (k+1)/(k (2k+3)) ≤ 1/2` for all k ≥ n both tails are at most `2 T_n`. Where that ratio is more than
+//! one half at n, `C > n (2n+3)/(2n+2) > n` and `T_n > 5/12`: that is so of n = 1, and `n^{n+1}/(2n+1)!!` grows from 8/15
+//! on. So `2 T_n ≤ 1/2` says that it is not, there and, as it falls, from there on. `T_n` is
 //! bounded through `(2n+1)!! = 2^{n+1} Γ(n+3/2)/√π` and `ln Γ(s) ≥ (s − 1/2) ln s − s + ln(2π)/2`
 //! (DLMF 5.11.1 with its first omitted term positive, s > 0).
 //!
@@ -40,12 +42,9 @@ fn tail_log2(c: f64, n: f64) -> f64 {
     ln * std::f64::consts::LOG2_E + 1.0
 }
 
-/// The smallest convenient n ≥ 1 with `2 T_n ≤ 2^-bits` and term ratios below one half.
+/// The smallest convenient n ≥ 1 with `2 T_n ≤ 2^-bits`, bits > 0: term ratios are below one half there.
 fn terms(c: f64, bits: f64) -> u64 {
-    let enough = |n: u64| {
-        let x = n as f64;
-        c * (x + 1.0) * 2.0 <= x * (2.0 * x + 3.0) && tail_log2(c, x) + 1.0 <= -bits
-    };
+    let enough = |n: u64| tail_log2(c, n as f64) + 1.0 <= -bits;
     let mut high = 8;
     while !enough(high) {
         high *= 2;
@@ -131,6 +130,19 @@ mod tests {
             for n in [1u64, 2, 3, 10, 50, 400, 3000] {
                 let more = tail_log2(c, n as f64) - exact_log2(c, n);
                 assert!((0.99..1.2).contains(&more), "{c} {n}: {more}");
+            }
+        }
+    }
+
+    /// Where a ratio of terms is above one half, they are not small yet.
+    #[test]
+    fn small_terms_fall() {
+        for n in 1..500u64 {
+            let x = n as f64;
+            let c = x * (2.0 * x + 3.0) / (2.0 * x + 2.0);
+            for c in [c, 1.1 * c, 2.0 * c, 1e3 * c] {
+                assert!(exact_log2(c, n) > (0.41f64).log2(), "{c} {n}");
+                assert!(tail_log2(c, x) + 1.0 > -0.5);
             }
         }
     }

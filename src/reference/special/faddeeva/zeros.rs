@@ -1,9 +1,10 @@
 //! Zeros of w, all in the lower half-plane, in pairs z and −conj z, and of erf, in fours ±z, ±conj z.
 //!
 //! # Start
-//! With `λ = √((k − 1/8)π)` and `μ = ln(λ√(2π))` the k-th zero of erfc in the second quadrant is
+//! With `λ = √((k − 1/8)π)` and `μ = ln(2λ√(2π))` the k-th zero of erfc in the second quadrant is
 //! `−λ + μ/(4λ) + i(λ + μ/(4λ))` and terms of order λ^-3 (DLMF §7.13(ii)); erfc(ζ) = 0 means
-//! `w(iζ) = 0`, and the mirror image of iζ is `λ + μ/(4λ) − i(λ − μ/(4λ))`.
+//! `w(iζ) = 0`, and the mirror image of iζ is `λ + μ/(4λ) − i(λ − μ/(4λ))`. Of erf there is
+//! `λ − μ/(4λ) + i(λ + μ/(4λ))` with `μ = ln(λ√(2π))`.
 //!
 //! # Certificate
 //! Newton's method at rising precision, then the Newton–Kantorovich theorem (Ortega & Rheinboldt
@@ -26,7 +27,7 @@ use super::scaled::Scaled;
 use super::w_ball;
 use crate::{Ball, ComplexBall, Mag, Undecided};
 use rug::Float;
-use std::f64::consts::FRAC_2_SQRT_PI;
+use std::f64::consts::{FRAC_2_SQRT_PI, PI};
 
 /// What is proved about a function at an exact point: its value, its derivative, and Z and r from
 /// which a Lipschitz constant of the derivative follows.
@@ -93,10 +94,10 @@ fn certificate(f: &Function, z: &ComplexBall, [value, slope]: &[ComplexBall; 2])
     (eta.mul(m).div(below) <= Mag::from_f64(0.5)).then_some(r)
 }
 
-/// `λ` and `μ/(4λ)`.
-fn start(k: u32) -> (f64, f64) {
-    let lambda = ((f64::from(k) - 0.125) * std::f64::consts::PI).sqrt();
-    let part = (lambda * (2.0 * std::f64::consts::PI).sqrt()).ln() / (4.0 * lambda);
+/// `λ` and `μ/(4λ)`, `μ = ln(factor λ√(2π))`.
+fn start(k: u32, factor: f64) -> (f64, f64) {
+    let lambda = ((f64::from(k) - 0.125) * PI).sqrt();
+    let part = (factor * lambda * (2.0 * PI).sqrt()).ln() / (4.0 * lambda);
     (lambda, part)
 }
 
@@ -109,7 +110,7 @@ fn start(k: u32) -> (f64, f64) {
 /// k = 0, or no certificate at `4 bits + 4096` bits.
 pub fn zero(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
     counted(k, "w", bits)?;
-    let (lambda, part) = start(k);
+    let (lambda, part) = start(k, 2.0);
     refined(&W, (lambda + part, part - lambda), bits)
         .map_err(|(at, why)| open(at, format!("zero {k} of w: {why}")))
 }
@@ -121,7 +122,7 @@ pub fn zero(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
 /// As [`zero`].
 pub fn zero_of_erf(k: u32, bits: u32) -> Result<ComplexBall, Undecided> {
     counted(k, "erf", bits)?;
-    let (lambda, part) = start(k);
+    let (lambda, part) = start(k, 1.0);
     refined(&ERF, (lambda - part, lambda + part), bits)
         .map_err(|(at, why)| open(at, format!("zero {k} of erf: {why}")))
 }
@@ -186,6 +187,26 @@ mod tests {
     use super::super::erf;
     use super::*;
     use crate::Decimal;
+
+    /// Terms of order λ^-3 are left out.
+    #[test]
+    fn starts_are_near_the_zeros() {
+        for k in [3, 10, 40, 100, 1000] {
+            let near = |z: &ComplexBall, (x, y): (f64, f64), lambda: f64| {
+                let off = (z.re.to_f64() - x).hypot(z.im.to_f64() - y);
+                assert!(off < 2.0 / lambda.powi(3), "{k}: {off}");
+            };
+            let (lambda, part) = start(k, 2.0);
+            near(
+                &zero(k, 60).unwrap(),
+                (lambda + part, part - lambda),
+                lambda,
+            );
+            let (lambda, part) = start(k, 1.0);
+            let z = zero_of_erf(k, 60).unwrap();
+            near(&z, (lambda - part, lambda + part), lambda);
+        }
+    }
 
     /// 2^-bits of the least that either component may be.
     #[test]
