@@ -329,6 +329,12 @@ fn products_of_bounds_are_rounded_up() {
         let by = Mag::above(&y);
         let line = TaylorModel::polynomial(vec![zero.clone(), x.clone()]);
         assert!(value(line.motion(by)) >= &a * value(by));
+        for k in 2..8 {
+            let mut c = vec![zero.clone(); k];
+            c.push(x.clone());
+            let motion = TaylorModel::polynomial(c).motion(by);
+            assert!(value(motion) >= Rational::from(&a * k as u32) * value(by));
+        }
         let wide = Ball::integer(P, 0).widened(by);
         assert!(value(line.contracted(&wide).rad()) >= &a * value(wide.rad()));
     }
