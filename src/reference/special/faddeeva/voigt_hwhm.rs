@@ -114,13 +114,13 @@ impl Equation {
         None
     }
 
-    /// `[t(1 − 2^-bits), t(1 + 2^-bits)]` if the zero certainly lies there.
+    /// `[t(1 − 2^-bits), t(1 + 2^-bits)]` if the zero certainly lies there; t and bits are positive. Where both ends are
+    /// rounded to one number f is not of both signs there.
     fn certified(&self, t: &Float, bits: u32) -> Option<Ball> {
         let part = Float::with_val(self.prec, t >> bits);
         let a = Float::with_val(self.prec, t - &part);
         let b = Float::with_val(self.prec, t + &part);
-        let proved =
-            a > 0 && a < b && self.value(&a)?.0.is_positive() && self.value(&b)?.0.is_negative();
+        let proved = self.value(&a)?.0.is_positive() && self.value(&b)?.0.is_negative();
         proved.then(|| Ball::between(self.prec, &a, &b))
     }
 }
@@ -158,16 +158,21 @@ pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball,
     let ratio = Rational::from(gamma / sigma);
     let y = Real::Root(false, Rational::from(ratio.square_ref()) / 2u32);
     let cap = cap(bits, y.length());
-    let mut prec = bits + 64;
+    decided(bits + 64, cap, |prec| {
+        let equation = Equation::new(y.clone(), prec)?;
+        // A step of half the digits leaves an error of all of them.
+        let t = equation.approached(bits.div_ceil(2) + 6)?;
+        let t = equation.certified(&t, bits + 4)?;
+        let root = Ball::integer(prec, 2).sqrt();
+        Some(t * &(Ball::rational(prec, sigma) * &root))
+    })
+}
+
+/// The first that is found at a precision, which is doubled up to the cap.
+fn decided(mut prec: u32, cap: u32, once: impl Fn(u32) -> Option<Ball>) -> Result<Ball, Undecided> {
     loop {
-        let found = Equation::new(y.clone(), prec).and_then(|equation| {
-            // A step of half the digits leaves an error of all of them.
-            let t = equation.approached(bits.div_ceil(2) + 6)?;
-            equation.certified(&t, bits + 4)
-        });
-        if let Some(t) = found {
-            let root = Ball::integer(prec, 2).sqrt();
-            return Ok(t * &(Ball::rational(prec, sigma) * &root));
+        if let Some(found) = once(prec) {
+            return Ok(found);
         }
         if prec == cap {
             return Err(Undecided {
@@ -234,6 +239,24 @@ mod tests {
         assert!(equation.certified(&beside, 90).is_none());
         // Nor does one that the working precision cannot decide.
         assert!(equation.certified(&t, 155).is_none());
+    }
+
+    #[test]
+    fn precisions_double_up_to_the_cap() {
+        let asked = std::cell::RefCell::new(Vec::new());
+        let until = |least: u32| {
+            asked.take();
+            decided(100, 900, |prec| {
+                asked.borrow_mut().push(prec);
+                (prec >= least).then(|| Ball::integer(64, 7))
+            })
+        };
+        assert!(until(0).is_ok());
+        assert_eq!(asked.take(), [100]);
+        assert!(until(801).is_ok());
+        assert_eq!(asked.take(), [100, 200, 400, 800, 900]);
+        assert_eq!(until(901).unwrap_err().bits, 900);
+        assert_eq!(asked.take(), [100, 200, 400, 800, 900]);
     }
 
     #[test]
