@@ -104,7 +104,7 @@ impl Equation {
             let slope = self.slope(&t, &w) * 2;
             let step = Float::with_val(self.prec, f.mid() / &slope);
             t -= &step;
-            if !(t.is_finite() && t > 0) {
+            if !t.is_finite() {
                 return None;
             }
             if step.abs() <= Float::with_val(64, &t * &small) {
@@ -114,13 +114,13 @@ impl Equation {
         None
     }
 
-    /// `[t(1 − 2^-bits), t(1 + 2^-bits)]` if the zero certainly lies there; t and bits are positive. Where both ends are
-    /// rounded to one number f is not of both signs there.
+    /// `[t(1 − 2^-bits), t(1 + 2^-bits)]` if the positive zero certainly lies there; bits > 0. Where both ends are rounded
+    /// to one number f is not of both signs there.
     fn certified(&self, t: &Float, bits: u32) -> Option<Ball> {
         let part = Float::with_val(self.prec, t >> bits);
         let a = Float::with_val(self.prec, t - &part);
         let b = Float::with_val(self.prec, t + &part);
-        let proved = self.value(&a)?.0.is_positive() && self.value(&b)?.0.is_negative();
+        let proved = *t > 0 && self.value(&a)?.0.is_positive() && self.value(&b)?.0.is_negative();
         proved.then(|| Ball::between(self.prec, &a, &b))
     }
 }
@@ -237,6 +237,8 @@ mod tests {
         assert!(equation.certified(&t, 90).is_some());
         let beside = Float::with_val(160, &t + Float::with_val(160, &t >> 80u32));
         assert!(equation.certified(&beside, 90).is_none());
+        // Re w is even, and -t a zero as well.
+        assert!(equation.certified(&-t.clone(), 90).is_none());
         // Nor does one that the working precision cannot decide.
         assert!(equation.certified(&t, 155).is_none());
     }
