@@ -103,7 +103,7 @@ impl Mechanism {
                         trial.u[u] = angle;
                     }
                 }
-                let bodies = self.placed_in(block);
+                let bodies = self.chain.placed_in(block);
                 trial.place(&self.chain, &bodies);
                 self.collect(block, trial, work, &mut found);
             }
@@ -141,12 +141,6 @@ impl Mechanism {
             self.collect(block, trial, work, &mut found);
         }
         found
-    }
-
-    /// The bodies of a group in the order in which they are placed.
-    fn placed_in(&self, block: &Block) -> Vec<usize> {
-        let order = self.chain.order.iter().copied();
-        order.filter(|b| block.bodies.contains(b)).collect()
     }
 
     /// Refines a solution and adds it if it is new.

@@ -36,74 +36,102 @@ impl Work {
             ..Work::default()
         }
     }
-}
 
-/// Whether Newton's method is done after corrections of `last` and `size`: below 2⁻⁵⁰, or below
-/// 1e-12 and no longer halved.
-fn settled(size: f64, last: f64) -> bool {
-    size <= f64::EPSILON * 4.0 || (size <= 1e-12 && size >= last * 0.5)
+    /// Factors the Jacobian of all closures; `false` if it is singular.
+    pub(super) fn factor(&mut self, chain: &Chain) -> bool {
+        let blocks = chain.blocks.iter().map(|b| b.rows.clone());
+        self.factors.of_blocks(&self.jacobian, 0, blocks)
+    }
 }
 
 /// The most rounds.
 const MOST: usize = 30;
+/// Corrections above this lead nowhere.
+const FARTHEST: f64 = 10.0;
+/// Beside a fold the corrections stay near the square root of the rounding error.
+const BESIDE_FOLD: f64 = 1e-6;
+/// What a last correction may leave: half a unit of an angle's rounding error.
+const NOTHING: f64 = 0.25 * f64::EPSILON;
+
+/// What follows a correction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum After {
+    Done,
+    Lost,
+    /// Another one, by a Jacobian of its own or by the factors that are there.
+    Another {
+        fresh: bool,
+    },
+}
+
+/// What follows a correction of `size` after one of `last`; `fresh` if the Jacobian was its own.
+fn after(size: f64, last: f64, fresh: bool) -> After {
+    // Below 2⁻⁵⁰, or below 1e-12 and no longer halved.
+    if size <= f64::EPSILON * 4.0 || (size <= 1e-12 && size >= last * 0.5) {
+        return After::Done;
+    }
+    if !(size <= FARTHEST) {
+        return After::Lost;
+    }
+    // After a small correction the factors are good for more, as long as each of them gains two digits.
+    let good = size <= 1e-5 && (fresh || size <= 1e-2 * last);
+    After::Another { fresh: !good }
+}
+
+/// Whether nothing is left of a correction that leaves a share of itself.
+fn done_by_share(share: f64, size: f64) -> bool {
+    share * size <= NOTHING
+}
+
+/// Whether nothing is left of one by a Jacobian of its own.
+fn done_by_curvature(curvature: f64, size: f64) -> bool {
+    curvature * (size * size) <= NOTHING
+}
 
 impl Chain {
+    /// The bodies of a group in the order in which they are placed.
+    pub(super) fn placed_in(&self, block: &Block) -> Vec<usize> {
+        let order = self.order.iter().copied();
+        order.filter(|b| block.bodies.contains(b)).collect()
+    }
+
     /// Newton's method on the equations of one group, or of all; the pose is the solution where it
     /// settles.
     pub(super) fn newton(&self, pose: &mut Pose, block: Option<&Block>, work: &mut Work) -> bool {
-        let (unknowns, closures, bodies) = match block {
-            Some(b) => (b.unknowns.clone(), b.closures.clone(), Some(&b.bodies)),
-            None => (0..self.unknowns, 0..self.closures.len(), None),
+        let own;
+        let (unknowns, closures, order) = match block {
+            Some(b) => {
+                own = self.placed_in(b);
+                (b.unknowns.clone(), b.closures.clone(), &own)
+            }
+            None => (0..self.unknowns, 0..self.closures.len(), &self.order),
         };
         let n = unknowns.len();
-        let order: Vec<usize> = match bodies {
-            Some(bodies) => self
-                .order
-                .iter()
-                .copied()
-                .filter(|b| bodies.contains(b))
-                .collect(),
-            None => Vec::new(),
-        };
-        let order = if bodies.is_some() {
-            &order
-        } else {
-            &self.order
-        };
-        let mut last = f64::INFINITY;
-        let mut fresh = true;
+        let (mut last, mut fresh) = (f64::INFINITY, true);
         for _ in 0..MOST {
             pose.residual(self, &self.closures[closures.clone()], &mut work.residual);
             if fresh {
                 pose.jacobian(self, closures.clone(), &mut work.jacobian);
                 let factored = match block {
                     Some(_) => work.factors.of(&work.jacobian, n, unknowns.start),
-                    None => {
-                        let blocks = self.blocks.iter().map(|b| b.rows.clone());
-                        work.factors.of_blocks(&work.jacobian, 0, blocks)
-                    }
+                    None => work.factor(self),
                 };
                 if !factored {
-                    return n == 0;
+                    return false;
                 }
             }
             let residual = &work.residual;
             work.factors.solve(|r| -residual[r], &mut work.step[..n]);
             let size = self.moved(pose, unknowns.clone(), &work.step);
             pose.place(self, order);
-            if settled(size, last) {
-                return true;
+            match after(size, last, fresh) {
+                After::Done => return true,
+                After::Lost => return false,
+                After::Another { fresh: own } => fresh = own,
             }
-            if !(size <= 10.0) {
-                return false;
-            }
-            // After a small correction the factors are good for more, as long as each of them gains two
-            // digits.
-            fresh = !(size <= 1e-5 && (fresh || size <= 1e-2 * last));
             last = size;
         }
-        // Beside a fold the corrections stay near the square root of the rounding error.
-        last < 1e-6
+        last < BESIDE_FOLD
     }
 
     /// Moves unknowns by a step, and returns its size: a displacement is as good as its own.
@@ -129,15 +157,13 @@ impl Chain {
         curvature: f64,
         work: &mut Work,
     ) -> bool {
-        // What is left may be half a unit of an angle's rounding error.
-        const NOTHING: f64 = 0.25 * f64::EPSILON;
         let all = 0..self.unknowns;
         pose.residual(self, &self.closures, &mut work.residual);
         // Tried where it would have been enough the last time.
-        if near.1 * work.size <= NOTHING {
+        if done_by_share(near.1, work.size) {
             near.0.solve(|r| -work.residual[r], &mut work.step);
             work.size = self.moved(pose, all.clone(), &work.step);
-            if near.1 * work.size <= NOTHING {
+            if done_by_share(near.1, work.size) {
                 pose.turn_little(self, &work.step);
                 return true;
             }
@@ -145,14 +171,12 @@ impl Chain {
             pose.residual(self, &self.closures, &mut work.residual);
         }
         pose.jacobian(self, 0..self.closures.len(), &mut work.jacobian);
-        let blocks = self.blocks.iter().map(|b| b.rows.clone());
-        if !work.factors.of_blocks(&work.jacobian, 0, blocks) {
-            return self.unknowns == 0;
+        if !work.factor(self) {
+            return false;
         }
         work.factors.solve(|r| -work.residual[r], &mut work.step);
-        let size = self.moved(pose, all, &work.step);
-        work.size = size;
-        if curvature * (size * size) <= NOTHING {
+        work.size = self.moved(pose, all, &work.step);
+        if done_by_curvature(curvature, work.size) {
             pose.turn_little(self, &work.step);
             return true;
         }
@@ -160,3 +184,7 @@ impl Chain {
         self.newton(pose, None, work)
     }
 }
+
+#[cfg(test)]
+#[path = "newton_tests.rs"]
+mod tests;
