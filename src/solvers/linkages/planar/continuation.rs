@@ -19,7 +19,7 @@
 //! the ball, and they join continuously. A step of that length stays on the branch; longer ones are
 //! divided. Near a singular position the steps shrink to nothing.
 
-use super::bounds::{SLACK, bounds};
+use super::bounds::{Bound, SLACK, bounds};
 use super::error::PositionError;
 use super::mechanism::Mechanism;
 use super::newton::Work;
@@ -45,16 +45,17 @@ struct Step {
 }
 
 impl Step {
-    /// The longest one by κ, μ, ω and ν; of no length where they are not finite.
+    /// The longest one by κ, μ, ω and ν; of no length where they are not finite or it is below [`SMALLEST_STEP`].
     fn proved([kappa, mu, omega]: [f64; 3], nu: f64) -> Step {
         let radius = (0.25 / kappa).min(0.5 * SLACK);
         let contracts = 0.25 / (kappa * nu + mu);
         let within = (radius / (kappa * nu * nu + 2.0 * mu * nu + omega)).sqrt();
         let near = 0.5 * SLACK / nu.max(1.0);
         let sound = [kappa, mu, omega, nu].iter().all(|x| x.is_finite());
+        let length = SAFETY * contracts.min(within).min(near);
         Step {
-            length: match sound {
-                true => SAFETY * contracts.min(within).min(near),
+            length: match sound && length >= SMALLEST_STEP {
+                true => length,
                 false => 0.0,
             },
             radius,
@@ -97,10 +98,25 @@ impl Anchor {
         length > 0.0 && (drive - self.drive).abs() <= length && self.last == state.pose.u
     }
 
+    /// The drive as far towards `to` as the step goes.
+    fn towards(&self, to: f64) -> f64 {
+        let (left, length) = (to - self.drive, self.step.length);
+        match left.abs() <= length {
+            true => to,
+            false => self.drive + length.copysign(left),
+        }
+    }
+
     /// The end of the tangent.
     fn tangent(&self, k: usize, drive: f64) -> f64 {
         self.u[k] + self.rates[k] * (drive - self.drive)
     }
+}
+
+/// The largest difference.
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    let pairs = a.iter().zip(b);
+    pairs.fold(0.0, |m, (a, b)| m.max((a - b).abs()))
 }
 
 impl Mechanism {
@@ -155,8 +171,7 @@ impl Mechanism {
         work: &mut Work,
     ) -> Result<(), PositionError> {
         for _ in 0..MOST_STEPS {
-            let left = to - state.pose.drive;
-            if left == 0.0 {
+            if state.pose.drive == to {
                 return Ok(());
             }
             let kept = work.anchor.holds(state, to);
@@ -165,12 +180,8 @@ impl Mechanism {
                 work.anchor.moor(state, step);
             }
             let anchor = std::mem::take(&mut work.anchor);
-            let Step { length, .. } = anchor.step;
-            let drive = match (to - anchor.drive).abs() <= length {
-                true => to,
-                false => state.pose.drive + length.copysign(left),
-            };
-            let found = length >= SMALLEST_STEP && self.correct(state, next, drive, &anchor, work);
+            let drive = anchor.towards(to);
+            let found = anchor.step.length > 0.0 && self.correct(state, next, drive, &anchor, work);
             if !found && kept {
                 // Another proof, from here, before the branch counts as ended.
                 continue;
@@ -198,7 +209,7 @@ impl Mechanism {
         work.sums.resize(n, [0.0; 3]);
         for row in 0..n {
             let b = work.bounds[row];
-            if b.k == 0.0 && b.m == 0.0 && b.w == 0.0 {
+            if b == Bound::default() {
                 continue;
             }
             let unit = |r: usize| f64::from(u8::from(r == row));
@@ -249,8 +260,8 @@ impl Mechanism {
                 };
             }
             pose.place(&self.chain, &self.chain.order);
-            let off = (0..n).fold(0.0f64, |m, k| m.max((pose.u[k] - from.pose.u[k]).abs()));
-            let near = (&from.factors, anchor.step.left(off, s));
+            let left = anchor.step.left(apart(&pose.u, &from.pose.u), s);
+            let near = (&from.factors, left);
             let inside = self.chain.newton_within(pose, near, kappa, work)
                 && (0..n).all(|k| (pose.u[k] - anchor.tangent(k, drive)).abs() <= radius);
             if inside {

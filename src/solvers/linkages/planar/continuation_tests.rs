@@ -154,6 +154,40 @@ fn limits_of_a_step() {
             assert_eq!(Step::proved([kappa, mu, omega], nu).length, 0.0);
         }
     }
+    // Below the smallest step there is none: μ is a quarter of the length's reciprocal.
+    let with = |length: f64| Step::proved([0.0, 0.25 * SAFETY / length, 0.0], 0.0).length;
+    for share in [1.000_001, 1.5] {
+        let length = with(share * SMALLEST_STEP);
+        assert!((length / (share * SMALLEST_STEP) - 1.0).abs() < 1e-12);
+    }
+    assert_eq!(with(0.999_999 * SMALLEST_STEP), 0.0);
+}
+
+#[test]
+fn largest_differences() {
+    assert_eq!(apart(&[1.0, 2.0], &[1.25, 1.5]), 0.5);
+    assert_eq!(apart(&[-1.0, 2.0], &[1.0, 2.5]), 2.0);
+    assert_eq!(apart(&[0.5, 0.25], &[0.5, 0.25]), 0.0);
+}
+
+/// As far as the step goes, to the last digit where that is all the way.
+#[test]
+fn steps_towards_a_drive() {
+    let at = |drive: f64, length: f64| Anchor {
+        drive,
+        step: Step {
+            length,
+            ..Step::default()
+        },
+        ..Anchor::default()
+    };
+    let anchor = at(0.5, 0.125);
+    let drives = [0.7, 0.6, 0.5, 0.45, -3.0].map(|to| anchor.towards(to));
+    assert_eq!(drives, [0.625, 0.6, 0.5, 0.45, 0.375]);
+    // A sum of a difference that is rounded.
+    let (from, to) = (0.2, 0.9);
+    assert_ne!(from + (to - from), to);
+    assert_eq!(at(from, to - from).towards(to), to);
 }
 
 /// κ = ½, μ = ¼: a correction 1/8 off with the drive ½ off.
@@ -222,16 +256,28 @@ fn solutions_outside_the_ball_are_refused() {
         anchor.moor(&state, step);
         let mut next = state.clone();
         assert!(
-            mechanism.correct(&state, &mut next, drive, &anchor, &mut work),
+            mechanism.correct(
+                &state,
+                &mut next,
+                drive,
+                &anchor,
+                &mut Work::new(&mechanism.chain)
+            ),
             "{what}"
         );
         let off = |k: usize| (next.pose.u[k] - anchor.tangent(k, drive)).abs();
         let away = (0..mechanism.chain.unknowns).map(off).fold(0.0, f64::max);
         assert!(away <= step.radius && away > 0.0, "{what}: {away} {step:?}");
-        for (share, inside) in [(1.01, true), (0.99, false)] {
+        for (share, inside) in [(1.01, true), (1.0, true), (0.99, false)] {
             anchor.step.radius = share * away;
             let mut next = state.clone();
-            let found = mechanism.correct(&state, &mut next, drive, &anchor, &mut work);
+            let found = mechanism.correct(
+                &state,
+                &mut next,
+                drive,
+                &anchor,
+                &mut Work::new(&mechanism.chain),
+            );
             assert_eq!(found, inside, "{what}: {share}");
         }
     }
@@ -240,9 +286,9 @@ fn solutions_outside_the_ball_are_refused() {
 #[test]
 fn anchors_hold_for_their_own_states_within_their_steps() {
     let mechanism = four_bar([0.1, 0.4, 0.3, 0.35]);
-    let state = mechanism.assembly_modes(0.7).states.remove(0);
+    let state = mechanism.assembly_modes(0.75).states.remove(0);
     let mut anchor = Anchor::default();
-    assert!(!anchor.holds(&state, 0.7));
+    assert!(!anchor.holds(&state, 0.75));
     let step = Step {
         length: 0.125,
         ..Step::default()
@@ -250,12 +296,98 @@ fn anchors_hold_for_their_own_states_within_their_steps() {
     anchor.moor(&state, step);
     let at = state.pose.drive;
     assert!(anchor.holds(&state, at + 0.1) && anchor.holds(&state, at - 0.1));
+    assert!(anchor.holds(&state, 0.625) && anchor.holds(&state, 0.875));
     assert!(!anchor.holds(&state, at + 0.13) && !anchor.holds(&state, at - 0.13));
     let mut other = state.clone();
     other.pose.u[0] = other.pose.u[0].next_up();
     assert!(!anchor.holds(&other, at));
     anchor.step.length = 0.0;
     assert!(!anchor.holds(&state, at));
+}
+
+/// The first correction is the prediction's error: of the fourth order in the step where the state before gives third
+/// derivatives, no more than two steps back, and of the third where it does not.
+#[test]
+fn orders_of_the_prediction() {
+    for (what, mechanism, start) in [
+        ("four-bar", four_bar([0.1, 0.4, 0.3, 0.35]), 0.75),
+        ("class III", class_iii(&SAND_SCREEN), 0.25),
+        ("quick return", quick_return(), 0.5),
+        ("trammel", trammel(), 0.5),
+    ] {
+        let state = mechanism.assembly_modes(start).states.remove(0);
+        let error = |s: f64, back: f64| {
+            let mut work = Work::new(&mechanism.chain);
+            let mut anchor = Anchor::default();
+            anchor.moor(&state, mechanism.longest_step(&state, &mut work));
+            // By a Jacobian of its own at once.
+            work.size = 1.0;
+            let mut next = match back {
+                0.0 => state.clone(),
+                _ => mechanism.follow(&state, start - back * s).unwrap(),
+            };
+            let drive = start + s;
+            assert!(mechanism.correct(&state, &mut next, drive, &anchor, &mut work));
+            work.size
+        };
+        let s = 2f64.powi(-8);
+        for (back, order) in [(0.0, 3), (1.0, 4), (-1.0, 4), (2.0, 4), (2.1, 3), (0.5, 4)] {
+            let ratio = error(s, back) / error(0.5 * s, back);
+            let due = 2f64.powi(order);
+            assert!((ratio / due - 1.0).abs() < 0.2, "{what} {back}: {ratio}");
+        }
+        // From a state b steps back the error is (b/12 + 1/24) of the fourth derivative.
+        let [near, far] = [1.0, 2.0].map(|back| error(s, back));
+        let ratio = far / near;
+        assert!((ratio * 3.0 / 5.0 - 1.0).abs() < 0.1, "{what}: {ratio}");
+    }
+}
+
+/// A prediction that is far off is given up for the tangent's end, which lies in the ball.
+#[test]
+fn wild_predictions_are_given_up() {
+    for (what, mechanism, state) in states() {
+        let mut work = Work::new(&mechanism.chain);
+        let step = mechanism.longest_step(&state, &mut work);
+        let drive = state.pose.drive + 0.5 * step.length;
+        let mut anchor = Anchor::default();
+        anchor.moor(&state, step);
+        let mut due = state.clone();
+        assert!(mechanism.correct(&state, &mut due, drive, &anchor, &mut work));
+        for wild in [1e12, 1e300] {
+            let mut next = state.clone();
+            next.pose.drive -= 0.5 * step.length;
+            next.rates[1].fill(wild);
+            assert!(
+                mechanism.correct(&state, &mut next, drive, &anchor, &mut work),
+                "{what} {wild}"
+            );
+            assert!(apart(&next.pose.u, &due.pose.u) < 1e-13, "{what} {wild}");
+        }
+    }
+}
+
+/// One proof serves all rows within its step; where a row fails there, another is made from the last state.
+#[test]
+fn proofs_serve_while_they_reach() {
+    for (what, mechanism, start) in states() {
+        let mut work = Work::new(&mechanism.chain);
+        let from = start.pose.drive;
+        let step = mechanism.longest_step(&start, &mut work);
+        let mut state = start.clone();
+        let to = |share: f64| mechanism.outer_drive(from + share * step.length);
+        for share in [0.2, 0.4, 0.6, 0.8] {
+            mechanism.advance(&mut state, to(share), &mut work).unwrap();
+            assert_eq!(work.anchor.drive, from, "{what}");
+            assert!(work.anchor.last == state.pose.u, "{what}");
+        }
+        let last = state.pose.drive;
+        work.anchor.step.radius = 0.0;
+        mechanism.advance(&mut state, to(0.9), &mut work).unwrap();
+        assert_eq!(work.anchor.drive, last, "{what}");
+        mechanism.advance(&mut state, to(1.1), &mut work).unwrap();
+        assert!(mechanism.drive_of(&state) == to(1.1), "{what}");
+    }
 }
 
 /// What Newton's correction would still change, over the rounding errors of residuals and angles.
