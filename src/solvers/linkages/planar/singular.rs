@@ -6,8 +6,10 @@
 //! the system is singular itself, and the smallest singular value of J, which passes through zero along
 //! the branch, is followed to its zero instead.
 
+use super::chain::Chain;
 use super::dense::{Factors, Matrix};
 use super::mechanism::Mechanism;
+use super::newton::Work;
 use super::pose::Pose;
 use super::state::State;
 
@@ -34,6 +36,20 @@ pub enum SingularKind {
 /// Below this share of `‖F_φ‖`, `w·F_φ` counts as zero. A branch is followed to within about 1e-8 of a
 /// change point.
 const NOTHING: f64 = 1e-5;
+
+/// The most corrections of the search for a fold, and the size from which one leads somewhere else.
+const ROUNDS: usize = 40;
+const FARTHEST: f64 = 0.5;
+
+/// Whether a correction is the last one: rounding, or small and no longer halved.
+fn is_last(moved: f64, before: f64) -> bool {
+    moved < 1e-14 || (moved < 1e-9 && moved > 0.5 * before)
+}
+
+/// Whether a fold is the one ahead: the last correction but one was small, and the drive is not far off.
+fn is_near(before: f64, off: f64) -> bool {
+    before < 1e-4 && off.abs() < 1e-2
+}
 
 /// Whether `w·F_φ` is not zero.
 fn is_fold(w: &[f64], column: &[f64]) -> bool {
@@ -79,7 +95,7 @@ impl Mechanism {
                 .collect();
             Pose::new(&self.chain, last.pose.drive + h, u)
         };
-        let mut jacobian = Matrix::new(n, n + 1);
+        let Work { mut jacobian, .. } = Work::new(&self.chain);
         let mut sigma = |pose: &Pose| {
             pose.jacobian(&self.chain, 0..self.chain.closures.len(), &mut jacobian);
             let row = |r: usize| (0..n).map(|c| jacobian[(r, c)] * v[c]).sum::<f64>();
@@ -92,72 +108,99 @@ impl Mechanism {
     }
 
     /// Newton's method on the system of Moore and Spence.
-    fn fold(&self, last: &State, mut v: Vec<f64>) -> Option<Pose> {
-        let n = self.chain.unknowns;
-        let mut pose = last.pose.clone();
-        let v0 = v.clone();
-        let size = 2 * n + 1;
-        let mut matrix = Matrix::new(size, size);
-        let mut factors = Factors::default();
-        let mut jacobian = Matrix::new(n, n + 1);
-        let mut shifted = Matrix::new(n, n + 1);
-        let mut residual = Vec::new();
-        let mut step = vec![0.0; size];
-        let mut last_size = f64::INFINITY;
-        for _ in 0..40 {
-            pose.residual(&self.chain, &self.chain.closures, &mut residual);
-            pose.jacobian(&self.chain, 0..self.chain.closures.len(), &mut jacobian);
-            // The derivative of J v along every unknown and the drive, by central differences of the
-            // Jacobian along v: (J(u + h v) − J(u − h v)) / 2h is symmetric in its arguments.
-            let h = 1e-5;
-            let mut change = |sign: f64| {
-                let u = pose
-                    .u
-                    .iter()
-                    .zip(&v)
-                    .map(|(u, v)| u + sign * h * v)
-                    .collect();
-                let moved = Pose::new(&self.chain, pose.drive, u);
-                moved.jacobian(&self.chain, 0..self.chain.closures.len(), &mut shifted);
-                shifted.clone()
-            };
-            let (plus, minus) = (change(1.0), change(-1.0));
-            matrix.clear();
-            for r in 0..n {
-                for c in 0..=n {
-                    let column = if c == n { 2 * n } else { c };
-                    matrix[(r, column)] = jacobian[(r, c)];
-                    matrix[(n + r, column)] = (plus[(r, c)] - minus[(r, c)]) / (2.0 * h);
-                }
-                for c in 0..n {
-                    matrix[(n + r, n + c)] = jacobian[(r, c)];
-                }
-                matrix[(2 * n, n + r)] = v0[r];
-            }
-            if !factors.of(&matrix, size, 0) {
+    fn fold(&self, last: &State, v: Vec<f64>) -> Option<Pose> {
+        let mut search = Search::new(&self.chain, last.pose.clone(), v);
+        let mut before = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            let Some(moved) = search.correct(&self.chain) else {
                 break;
-            }
-            let product = |r: usize| (0..n).map(|c| jacobian[(r, c)] * v[c]).sum::<f64>();
-            let norm: f64 = v.iter().zip(&v0).map(|(a, b)| a * b).sum();
-            let right = |r: usize| match r {
-                r if r < n => -residual[r],
-                r if r < 2 * n => -product(r - n),
-                _ => 1.0 - norm,
             };
-            factors.solve(right, &mut step);
-            let moved = step.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-            if !(moved < 0.5) {
+            if !(moved < FARTHEST) {
                 return None;
             }
-            let u: Vec<f64> = pose.u.iter().zip(&step).map(|(u, d)| u + d).collect();
-            v.iter_mut().zip(&step[n..]).for_each(|(v, d)| *v += d);
-            pose = Pose::new(&self.chain, pose.drive + step[2 * n], u);
-            if moved < 1e-14 || (moved < 1e-9 && moved > 0.5 * last_size) {
+            if is_last(moved, before) {
                 break;
             }
-            last_size = moved;
+            before = moved;
         }
-        (last_size < 1e-4 && (pose.drive - last.pose.drive).abs() < 1e-2).then_some(pose)
+        let Search { pose, .. } = search;
+        is_near(before, pose.drive - last.pose.drive).then_some(pose)
+    }
+}
+
+/// Newton's method for a fold.
+struct Search {
+    pose: Pose,
+    v: Vec<f64>,
+    v0: Vec<f64>,
+    work: Work,
+    shifted: Matrix,
+    matrix: Matrix,
+    factors: Factors,
+    step: Vec<f64>,
+}
+
+impl Search {
+    fn new(chain: &Chain, pose: Pose, v: Vec<f64>) -> Search {
+        let size = 2 * v.len() + 1;
+        let work = Work::new(chain);
+        Search {
+            pose,
+            v0: v.clone(),
+            v,
+            shifted: work.jacobian.clone(),
+            work,
+            matrix: Matrix::new(size, size),
+            factors: Factors::default(),
+            step: vec![0.0; size],
+        }
+    }
+
+    /// One correction of the pose and v: its size; `None` where the system is singular.
+    fn correct(&mut self, chain: &Chain) -> Option<f64> {
+        let n = chain.unknowns;
+        let all = 0..chain.closures.len();
+        let (pose, v, matrix) = (&mut self.pose, &mut self.v, &mut self.matrix);
+        pose.residual(chain, &chain.closures, &mut self.work.residual);
+        pose.jacobian(chain, all.clone(), &mut self.work.jacobian);
+        // The derivative of J v along every unknown and the drive, by central differences of the
+        // Jacobian along v: (J(u + h v) − J(u − h v)) / 2h is symmetric in its arguments.
+        let h = 1e-5;
+        let shifted = &mut self.shifted;
+        let mut change = |h: f64| {
+            let u = pose.u.iter().zip(&*v).map(|(u, v)| u + h * v).collect();
+            Pose::new(chain, pose.drive, u).jacobian(chain, all.clone(), shifted);
+            shifted.clone()
+        };
+        let (plus, minus) = (change(h), change(-h));
+        let jacobian = &self.work.jacobian;
+        for r in 0..n {
+            for c in 0..=n {
+                let column = if c == n { 2 * n } else { c };
+                matrix[(r, column)] = jacobian[(r, c)];
+                matrix[(n + r, column)] = (plus[(r, c)] - minus[(r, c)]) / (2.0 * h);
+            }
+            for c in 0..n {
+                matrix[(n + r, n + c)] = jacobian[(r, c)];
+            }
+            matrix[(2 * n, n + r)] = self.v0[r];
+        }
+        if !self.factors.of(matrix, 2 * n + 1, 0) {
+            return None;
+        }
+        let product = |r: usize| (0..n).map(|c| jacobian[(r, c)] * v[c]).sum::<f64>();
+        let norm: f64 = v.iter().zip(&self.v0).map(|(a, b)| a * b).sum();
+        let right = |r: usize| match r {
+            r if r < n => -self.work.residual[r],
+            r if r < 2 * n => -product(r - n),
+            _ => 1.0 - norm,
+        };
+        let step = &mut self.step;
+        self.factors.solve(right, step);
+        let u = pose.u.iter().zip(&*step).map(|(u, d)| u + d).collect();
+        *pose = Pose::new(chain, pose.drive + step[2 * n], u);
+        v.iter_mut().zip(&step[n..]).for_each(|(v, d)| *v += d);
+        Some(step.iter().fold(0.0f64, |m, x| m.max(x.abs())))
     }
 }
 
@@ -184,19 +227,5 @@ fn null_vectors(factors: &Factors, n: usize) -> Option<(Vec<f64>, Vec<f64>)> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The drive's column is measured by its largest member, whatever its size.
-    #[test]
-    fn folds_are_told_from_change_points() {
-        assert!(is_fold(&[1.0, 0.0], &[1.0, 0.0]));
-        assert!(is_fold(&[0.0, 1.0], &[1.0, 2e-5]));
-        assert!(!is_fold(&[0.0, -1.0], &[1.0, 5e-6]));
-        assert!(!is_fold(&[0.0, 1.0], &[-1.0, 5e-6]));
-        assert!(is_fold(&[0.0, -1.0], &[1e-3, 2e-8]));
-        assert!(!is_fold(&[0.0, 1.0], &[1e-3, 5e-9]));
-        // Several closures of which each has its part: they cancel.
-        assert!(!is_fold(&[0.6, 0.8], &[0.8, -0.6]));
-    }
-}
+#[path = "singular_tests.rs"]
+mod tests;
