@@ -20,6 +20,14 @@ pub(super) const MOST_UNKNOWNS: usize = 6;
 const ZERO: Complex64 = Complex64::new(0.0, 0.0);
 const ONE: Complex64 = Complex64::new(1.0, 0.0);
 
+/// Rounds of Newton's method in one step, and the size of the last correction of a regular end.
+const ROUNDS: usize = 4;
+const EXACT: f64 = 1e-13;
+/// So far before its end a path tells whether it goes to infinity.
+const BEFORE_END: f64 = 1e-8;
+/// A path is given up where its steps become shorter.
+const SHORTEST: f64 = 1e-12;
+
 /// The ends of all paths.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ends {
@@ -129,6 +137,69 @@ fn norm(v: &[Complex64]) -> f64 {
     v.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt()
 }
 
+/// Whether Newton's method has settled after corrections of `last` and `size`: once one is within the goal, and not where
+/// they no longer halve; `None` where another is needed.
+fn judged(size: f64, last: f64, goal: f64) -> Option<bool> {
+    match size <= goal {
+        true => Some(true),
+        false if size <= 0.5 * last => None,
+        false => Some(false),
+    }
+}
+
+/// How long the steps along a path are: doubled after some that were good, halved after one that was not.
+struct Pace {
+    step: f64,
+    longest: f64,
+    /// Steps since it last changed, and how many double it.
+    good: u32,
+    enough: u32,
+}
+
+impl Pace {
+    fn new(longest: f64, enough: u32) -> Pace {
+        Pace {
+            step: 0.5 * longest,
+            longest,
+            good: 0,
+            enough,
+        }
+    }
+
+    /// The end of the next step.
+    fn next(&self, t: f64) -> f64 {
+        (t + self.step).min(1.0)
+    }
+
+    fn accept(&mut self) {
+        self.good += 1;
+        if self.good >= self.enough {
+            (self.step, self.good) = ((2.0 * self.step).min(self.longest), 0);
+        }
+    }
+
+    /// `false` if the steps become too short.
+    fn refuse(&mut self) -> bool {
+        (self.step, self.good) = (0.5 * self.step, 0);
+        self.step >= SHORTEST
+    }
+}
+
+/// How a path has ended.
+struct Arrival {
+    t: f64,
+    regular: bool,
+    /// The smaller share of x₀ in x and y₀ in y, and what it was [`BEFORE_END`] or more before.
+    share: f64,
+    earlier: f64,
+}
+
+/// Whether Newton's method ended where the prediction was: good to four digits, lest it find another path.
+fn is_close(found: &[Complex64], predicted: &[Complex64]) -> bool {
+    let moved: Vec<Complex64> = found.iter().zip(predicted).map(|(a, b)| a - b).collect();
+    norm(&moved) <= 1e-4 * norm(found)
+}
+
 impl Homotopy {
     fn new(forms: &[Bilinear], seed: u64) -> Homotopy {
         let width = forms.len() / 2 + 1;
@@ -195,8 +266,8 @@ impl Homotopy {
         let (x, y) = v.split_at(w);
         matrix.fill(ZERO);
         let mut rates = rate;
-        for (k, (to, from)) in self.target.iter().zip(&self.start).enumerate() {
-            let row = &mut matrix[k * n..(k + 1) * n];
+        let rows = matrix.chunks_exact_mut(n);
+        for (k, ((to, from), row)) in self.target.iter().zip(&self.start).zip(rows).enumerate() {
             let (mut f, mut df) = (ZERO, ZERO);
             for i in 0..w {
                 let mut by_x = ZERO;
@@ -236,7 +307,7 @@ impl Homotopy {
         good
     }
 
-    /// Newton's method at a fixed t; the size of the last correction relative to the point.
+    /// Newton's method at a fixed t; whether it settles.
     fn correct(
         &self,
         t: f64,
@@ -244,28 +315,32 @@ impl Homotopy {
         work: &mut Work,
         rounds: usize,
         goal: f64,
-    ) -> Option<f64> {
-        let mut last = f64::INFINITY;
+    ) -> bool {
+        let mut last = f64::MAX;
         for _ in 0..rounds {
             self.evaluate(t, v, &mut work.matrix, &mut work.right, None);
             if !solve(&mut work.matrix, &mut work.right) {
-                return None;
+                return false;
             }
             let size = norm(&work.right) / norm(v);
             v.iter_mut().zip(&work.right).for_each(|(z, d)| *z += d);
-            if !size.is_finite() || size > 0.5 * last {
-                return (size <= goal).then_some(size);
+            if let Some(settled) = judged(size, last, goal) {
+                return settled;
             }
             last = size;
-            if size <= goal {
-                return Some(size);
-            }
         }
-        None
+        false
     }
 
-    /// Follows a path from t = 0; how far it came, and whether the end is regular.
-    fn follow(&self, v: &mut Vec<Complex64>, careful: bool) -> (f64, bool) {
+    /// The smaller share of x₀ in x and y₀ in y.
+    fn share(&self, v: &[Complex64]) -> f64 {
+        let (x, y) = v.split_at(self.width);
+        let part = |z: &[Complex64]| z[0].norm() / norm(z);
+        part(x).min(part(y))
+    }
+
+    /// Follows a path from t = 0.
+    fn follow(&self, v: &mut Vec<Complex64>, careful: bool) -> Arrival {
         let n = 2 * self.width;
         let zeros = || vec![ZERO; n];
         let mut work = Work {
@@ -274,39 +349,37 @@ impl Homotopy {
             slope: [zeros(), zeros(), zeros(), zeros()],
             point: zeros(),
         };
-        let (longest, grow, goal) = if careful {
-            (0.02, 8, 1e-11)
+        let (mut pace, goal) = if careful {
+            (Pace::new(0.02, 8), 1e-11)
         } else {
-            (0.1, 3, 1e-9)
+            (Pace::new(0.1, 3), 1e-9)
         };
-        let (mut t, mut step, mut good) = (0.0, longest / 2.0, 0);
+        let (mut t, mut earlier) = (0.0, 1.0);
         let mut trial = v.clone();
         while t < 1.0 {
-            let to = if t + step >= 1.0 { 1.0 } else { t + step };
-            let h = to - t;
-            let predicted = self.predict(t, h, v, &mut work, &mut trial);
-            // The predictor has to be good to four digits, lest Newton's method find another path.
-            let close = predicted && {
-                let before = trial.clone();
-                let settled = self.correct(to, &mut trial, &mut work, 4, goal).is_some();
-                let moved: Vec<Complex64> = trial.iter().zip(&before).map(|(a, b)| a - b).collect();
-                settled && norm(&moved) <= 1e-4 * norm(&trial)
+            let to = pace.next(t);
+            let good = self.predict(t, to - t, v, &mut work, &mut trial) && {
+                let predicted = trial.clone();
+                self.correct(to, &mut trial, &mut work, ROUNDS, goal)
+                    && is_close(&trial, &predicted)
             };
-            if close {
+            if good {
                 std::mem::swap(v, &mut trial);
                 t = to;
-                good += 1;
-                if good >= grow {
-                    (step, good) = ((2.0 * step).min(longest), 0);
+                pace.accept();
+                if t <= 1.0 - BEFORE_END {
+                    earlier = self.share(v);
                 }
-            } else {
-                (step, good) = (0.5 * step, 0);
-                if step < 1e-12 {
-                    return (t, false);
-                }
+            } else if !pace.refuse() {
+                break;
             }
         }
-        (1.0, self.correct(1.0, v, &mut work, 4, 1e-13).is_some())
+        Arrival {
+            t,
+            regular: t >= 1.0 && self.correct(1.0, v, &mut work, ROUNDS, EXACT),
+            share: self.share(v),
+            earlier,
+        }
     }
 
     /// A step of the classical Runge–Kutta method.
@@ -340,6 +413,19 @@ impl Homotopy {
     }
 }
 
+impl Arrival {
+    fn fate(&self) -> Fate {
+        // A regular end is known to rounding. Others are as near as the last step, and what goes to infinity comes nearer
+        // to it with a root of 1 − t.
+        let approaches = !self.regular && self.share < 1e-2 && self.share < 0.5 * self.earlier;
+        match () {
+            () if !(self.regular || self.t > 1.0 - 1e-6) => Fate::Lost,
+            () if self.share < 1e-9 || approaches => Fate::Infinite,
+            () => Fate::Finite,
+        }
+    }
+}
+
 /// A finite end: x and y.
 struct Finite {
     x: Vec<Complex64>,
@@ -352,6 +438,14 @@ fn distance(a: &[Complex64], b: &[Complex64]) -> f64 {
         .zip(b)
         .map(|(p, q)| (p - q.conj()).norm())
         .fold(0.0, f64::max)
+}
+
+/// Where a path has ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fate {
+    Finite,
+    Infinite,
+    Lost,
 }
 
 /// All solutions of 2n bilinear equations in n + n unknowns.
@@ -370,32 +464,20 @@ fn run(forms: &[Bilinear], seed: u64, careful: bool) -> Ends {
     let mut ends = Ends::default();
     let mut finite: Vec<Finite> = Vec::new();
     for set in subsets(forms.len(), forms.len() / 2) {
-        let Some(mut v) = homotopy.beginning(&set) else {
-            ends.lost += 1;
-            continue;
-        };
-        let (t, regular) = homotopy.follow(&mut v, careful);
-        let (x, y) = v.split_at(w);
-        let part = |z: &[Complex64]| z[0].norm() / norm(z);
-        let smallest = part(x).min(part(y));
-        // A regular end is known to rounding; others are as near as the last step.
-        let (at_infinity, there) = if regular {
-            (1e-9, true)
-        } else {
-            (1e-2, t > 1.0 - 1e-6)
-        };
-        if smallest < at_infinity && there {
-            ends.infinite += 1;
-            continue;
+        let end = homotopy.beginning(&set).map(|mut v| {
+            let arrival = homotopy.follow(&mut v, careful);
+            (arrival.fate(), v, arrival.regular)
+        });
+        match end {
+            Some((Fate::Finite, v, regular)) => {
+                let affine = |z: &[Complex64]| z[1..].iter().map(|c| c / z[0]).collect::<Vec<_>>();
+                let (x, y) = (affine(&v[..w]), affine(&v[w..]));
+                ends.singular += usize::from(!regular);
+                finite.push(Finite { x, y, regular });
+            }
+            Some((Fate::Infinite, ..)) => ends.infinite += 1,
+            Some((Fate::Lost, ..)) | None => ends.lost += 1,
         }
-        if !there {
-            ends.lost += 1;
-            continue;
-        }
-        let affine = |z: &[Complex64]| z[1..].iter().map(|c| c / z[0]).collect::<Vec<_>>();
-        let (x, y) = (affine(x), affine(y));
-        ends.singular += usize::from(!regular);
-        finite.push(Finite { x, y, regular });
     }
     sort(finite, &mut ends);
     ends

@@ -90,6 +90,12 @@ fn work() -> Work {
     }
 }
 
+/// How far a path came, and whether its end is regular.
+fn came(h: &Homotopy, v: &mut Vec<Complex64>, careful: bool) -> (f64, bool) {
+    let end = h.follow(v, careful);
+    (end.t, end.regular)
+}
+
 /// The published values of SplitMix64 for the seed 1234567.
 #[test]
 fn the_constants_are_those_of_split_mix() {
@@ -183,14 +189,13 @@ fn newton_s_method_finds_the_root_nearby() {
     let mut v = point(&h, c(x + 1e-3, 2e-3));
     // Off the patch too.
     v.iter_mut().for_each(|z| *z *= 1.01);
-    let size = h.correct(0.5, &mut v, &mut work(), 6, 1e-13).unwrap();
-    assert!(size <= 1e-13);
+    assert!(h.correct(0.5, &mut v, &mut work(), 6, 1e-13));
     assert_near(&v, &due, 1e-14);
     // A single round suffices at the root, and not elsewhere.
     for (off, enough) in [(0.0, true), (1e-3, false)] {
         let mut v = point(&h, c(x + off, 0.0));
         let found = h.correct(0.5, &mut v, &mut work(), 1, 1e-13);
-        assert_eq!(found.is_some(), enough);
+        assert_eq!(found, enough);
     }
 }
 
@@ -201,12 +206,12 @@ fn newton_s_method_does_not_wander() {
     for start in [c(0.02, 1.0), c(-0.05, 0.6), c(0.001, 0.3), c(0.01, -2.0)] {
         let mut v = point(&h, start);
         let found = h.correct(0.5, &mut v, &mut work(), 60, 1e-13);
-        assert_eq!(found, None, "{start}");
+        assert!(!found, "{start}");
     }
     let mut none = root(ONE, ONE);
     none.patches[0].fill(ZERO);
     let mut v = point(&h, ONE);
-    assert_eq!(none.correct(0.5, &mut v, &mut work(), 60, 1e-13), None);
+    assert!(!none.correct(0.5, &mut v, &mut work(), 60, 1e-13));
 }
 
 /// The error of a step falls with the fifth power of its length.
@@ -239,7 +244,7 @@ fn steps_fail_where_the_equations_vanish() {
     assert!(!h.predict(0.0, 0.5, &v, &mut work(), &mut out));
     let mut none = root(ONE, c(4.0, 0.0));
     none.patches[1].fill(ZERO);
-    assert_eq!(none.follow(&mut v.clone(), false), (0.0, false));
+    assert_eq!(came(&none, &mut v.clone(), false), (0.0, false));
 }
 
 /// Two roots that pass one another keep apart, however near they come.
@@ -252,7 +257,7 @@ fn paths_do_not_jump() {
         for careful in [false, true] {
             // The principal square root is continuous there.
             let mut v = point(&h, c(-0.4, past).sqrt() * sign);
-            assert_eq!(h.follow(&mut v, careful), (1.0, true), "{past}");
+            assert_eq!(came(&h, &mut v, careful), (1.0, true), "{past}");
             assert_near(&v, &point(&h, c(0.6, past).sqrt() * sign), 1e-14);
         }
     }
@@ -267,10 +272,10 @@ fn steps_to_another_root_are_refused() {
     let due = |t: f64| point(&h, (square(t) / side).sqrt() * side.sqrt());
     let mut v = vec![ZERO; 4];
     assert!(h.predict(0.0, 0.05, &due(0.0), &mut work(), &mut v));
-    assert!(h.correct(0.05, &mut v, &mut work(), 4, 1e-9).is_some());
+    assert!(h.correct(0.05, &mut v, &mut work(), 4, 1e-9));
     assert!(v.iter().zip(due(0.05)).any(|(a, b)| (a - b).norm() > 1.0));
     let mut v = due(0.0);
-    assert_eq!(h.follow(&mut v, false), (1.0, true));
+    assert_eq!(came(&h, &mut v, false), (1.0, true));
     assert_near(&v, &due(1.0), 1e-13);
 }
 
@@ -281,7 +286,7 @@ fn paths_that_meet_go_no_farther() {
         let h = root(from, to);
         for careful in [false, true] {
             let mut v = point(&h, from.sqrt());
-            let (t, regular) = h.follow(&mut v, careful);
+            let (t, regular) = came(&h, &mut v, careful);
             assert!((t - until).abs() < 1e-7 && t <= 1.0 && !regular);
             assert_near(&v, &point(&h, ZERO), 1e-3);
         }
@@ -319,6 +324,94 @@ fn two_circles() {
     assert_eq!(counts(&ends), [2, 0, 0, 0, 0]);
     let due = [vec![c(far, far)], vec![c(far, -far)]];
     assert_same(&ends.real, &due, 1e-6);
+}
+
+/// Tangent circles whose point is far away, not at infinity.
+#[test]
+fn far_ends_that_are_singular() {
+    for far in [150.0, 1e3, 5e3] {
+        let ends = all(&[circle(ZERO, far), circle(c(2.0 * far, 0.0), far)]);
+        assert_eq!(counts(&ends), [2, 0, 0, 2, 0], "{far}");
+        for x in &ends.real {
+            assert_near(x, &[c(far, 0.0)], 0.05 * far);
+        }
+    }
+}
+
+/// Regular ends by their distance, singular ones where they still come nearer to infinity.
+#[test]
+fn where_paths_have_ended() {
+    let fate = |t: f64, regular: bool, share: f64, earlier: f64| {
+        Arrival {
+            t,
+            regular,
+            share,
+            earlier,
+        }
+        .fate()
+    };
+    for earlier in [1e-12, 1.0] {
+        assert_eq!(fate(1.0, true, 0.9e-9, earlier), Fate::Infinite);
+        assert_eq!(fate(1.0, true, 1e-9, earlier), Fate::Finite);
+        assert_eq!(fate(1.0, false, 0.9e-9, earlier), Fate::Infinite);
+    }
+    assert_eq!(fate(1.0, false, 1e-2, 1.0), Fate::Finite);
+    assert_eq!(fate(1.0, false, 0.0099, 1.0), Fate::Infinite);
+    assert_eq!(fate(1.0, false, 0.001, 0.002), Fate::Finite);
+    assert_eq!(fate(1.0, false, 0.001, 0.0021), Fate::Infinite);
+    // Singular ends are those of paths that came there.
+    let close = 1.0 - 1e-6;
+    for (share, due) in [(1e-4, Fate::Infinite), (0.1, Fate::Finite)] {
+        assert_eq!(fate(close + 1e-8, false, share, 1.0), due);
+        assert_eq!(fate(close, false, share, 1.0), Fate::Lost);
+        assert_eq!(fate(0.5, true, share, 1.0), Fate::Finite);
+    }
+    assert_eq!(fate(f64::NAN, false, 0.0, 1.0), Fate::Lost);
+}
+
+/// Doubled after some good steps, halved after one that was not, never above the longest.
+#[test]
+fn the_pace_of_steps() {
+    let mut pace = Pace::new(0.25, 3);
+    assert_eq!(
+        (pace.step, pace.next(0.5), pace.next(0.9)),
+        (0.125, 0.625, 1.0)
+    );
+    let mut steps = Vec::new();
+    for _ in 0..7 {
+        pace.accept();
+        steps.push(pace.step);
+    }
+    assert_eq!(steps, [0.125, 0.125, 0.25, 0.25, 0.25, 0.25, 0.25]);
+    // One that was not good begins the count anew.
+    pace.accept();
+    assert!(pace.refuse() && pace.step == 0.125);
+    for due in [0.125, 0.125, 0.25] {
+        pace.accept();
+        assert_eq!(pace.step, due);
+    }
+    pace.step = 2.0 * SHORTEST;
+    assert!(pace.refuse() && !pace.refuse());
+}
+
+/// To four digits of the whole point.
+#[test]
+fn predictions_that_hold() {
+    assert!(is_close(&[ONE, c(0.0, 3.0)], &[ONE, c(0.0, 3.0003)]));
+    assert!(!is_close(&[ONE, c(0.0, 3.0)], &[ONE, c(0.0, 3.000_33)]));
+    assert!(!is_close(&[c(f64::NAN, 0.0)], &[ONE]));
+}
+
+#[test]
+fn iterations_settle_or_are_given_up() {
+    assert_eq!(judged(1e-9, 1.0, 1e-9), Some(true));
+    assert_eq!(judged(1e-9, 1e-9, 1e-9), Some(true));
+    assert_eq!(judged(1e-9f64.next_up(), 1.0, 1e-9), None);
+    assert_eq!(judged(0.25, 0.5, 1e-9), None);
+    assert_eq!(judged(0.25f64.next_up(), 0.5, 1e-9), Some(false));
+    for size in [f64::NAN, f64::INFINITY] {
+        assert_eq!(judged(size, f64::MAX, 1e-9), Some(false));
+    }
 }
 
 #[test]
@@ -414,6 +507,34 @@ fn real_ends_and_pairs_are_told_apart() {
     let near = c(1.0, -2.0 + 1e-5);
     assert_eq!(sorted(pair(p, near, true).into()), [0, 2, 0, 0, 0]);
     assert_eq!(sorted(pair(p, near, false).into()), [2, 0, 0, 0, 0]);
+}
+
+/// Twins agree to 1e-8 of one more than the largest coordinate, real ends to 1e-7, singular ones to 1e-3.
+#[test]
+fn tolerances_grow_with_the_coordinates() {
+    for p in [c(3.0, 4.0), c(0.3, -0.4), c(0.0, 0.0)] {
+        let scale = 1.0 + p.norm();
+        let twins = |off: f64| {
+            let end = |x: Complex64| finite(&[x], &[x.conj()], true);
+            sorted(vec![end(p), end(p + off * scale)])
+        };
+        assert_eq!(twins(0.95e-8), [1, 0, 0, 0, 1], "{p}");
+        assert_eq!(twins(1.05e-8), [2, 0, 0, 0, 0], "{p}");
+        for (regular, near) in [(true, 1e-7), (false, 1e-3)] {
+            let real = |off: f64| {
+                let pair = pair(p, p.conj() + off * scale, regular);
+                sorted(pair.into())[0]
+            };
+            assert_eq!((real(0.95 * near), real(1.05 * near)), (2, 0), "{p}");
+        }
+        // A partner that is off by as much is missed.
+        let missing = |off: f64| {
+            let [a, mut b] = pair(p, p.conj() + 1.0, true);
+            b.y[0] += off * (1.0 + p.norm().max((p.conj() + 1.0).norm()));
+            sorted(vec![a, b])[4]
+        };
+        assert_eq!((missing(0.9e-7), missing(1.1e-7)), (0, 2), "{p}");
+    }
 }
 
 #[test]
