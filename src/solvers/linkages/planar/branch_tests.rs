@@ -115,6 +115,25 @@ fn what_does_not_match_is_counted() {
     assert_eq!((map.unmatched, next.len(), map.ends.len()), (6, 3, 0));
 }
 
+/// One position is known to 1e-7 of the drive, and to 1e-3 in each angle up to whole turns.
+#[test]
+fn singular_positions_that_are_one() {
+    let at = |drive: f64, angles: [f64; 2]| Singularity {
+        drive,
+        kind: SingularKind::Fold,
+        angles: angles.to_vec(),
+    };
+    let one = |drive: f64, angles: [f64; 2]| is_same(&at(0.0, [0.0, TAU]), &at(drive, angles));
+    assert!(one(0.0, [0.0, 0.0]) && one(0.99e-7, [0.99e-3, -0.99e-3]));
+    assert!(one(-0.99e-7, [TAU - 0.99e-3, TAU]));
+    for off in [1e-7, -1.01e-7] {
+        assert!(!one(off, [0.0, 0.0]));
+    }
+    for off in [1e-3, -1.01e-3] {
+        assert!(!one(0.0, [off, 0.0]) && !one(0.0, [0.0, off]));
+    }
+}
+
 /// Displacements by themselves, angles to the nearest turn.
 #[test]
 fn distances_of_positions() {

@@ -131,13 +131,7 @@ impl Mechanism {
             let drive = self.drive_of(&state);
             let at = self.singularity(&state);
             let same = |e: &&mut BranchEnd| match (&e.at, &at) {
-                (Some(a), Some(b)) => {
-                    let apart = a.angles.iter().zip(&b.angles);
-                    (a.drive - b.drive).abs() < 1e-7
-                        && apart.fold(0.0f64, |m, (x, y)| {
-                            m.max(super::isotropic::wrapped(x - y).abs())
-                        }) < 1e-3
-                }
+                (Some(a), Some(b)) => is_same(a, b),
                 _ => false,
             };
             match ends.iter_mut().find(same) {
@@ -153,6 +147,12 @@ impl Mechanism {
         ends.sort_by(|a, b| a.drive.total_cmp(&b.drive));
         ends
     }
+}
+
+/// Whether two singular positions are one: angles are known by the square root of rounding alone.
+fn is_same(a: &Singularity, b: &Singularity) -> bool {
+    let near = |(x, y): (&f64, &f64)| super::isotropic::wrapped(x - y).abs() < 1e-3;
+    (a.drive - b.drive).abs() < 1e-7 && a.angles.iter().zip(&b.angles).all(near)
 }
 
 #[cfg(test)]

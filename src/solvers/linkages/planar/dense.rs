@@ -258,7 +258,6 @@ impl Factors {
         if self.are_even() {
             return;
         }
-        room.clear();
         room.resize(2 * self.n, 0.0);
         let (residual, step) = room.split_at_mut(self.n);
         for block in &self.blocks {
@@ -327,11 +326,9 @@ impl Factors {
 
     /// The determinant.
     pub(super) fn determinant(&self) -> f64 {
-        let sign = if self.odd { -1.0 } else { 1.0 };
-        (0..self.n)
-            .map(|k| self.lu[k * self.n + k])
-            .product::<f64>()
-            * sign
+        let pivots = (0..self.n).map(|k| self.lu[k * self.n + k]);
+        let product: f64 = pivots.product();
+        if self.odd { -product } else { product }
     }
 }
 

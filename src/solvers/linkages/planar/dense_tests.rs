@@ -142,6 +142,21 @@ fn even_systems_are_left_alone() {
     assert!(f.of(&a, 2, 0) && f.are_even());
     a[(0, 0)] = (1.0f64 / 16.0).next_down();
     assert!(f.of(&a, 2, 0) && !f.are_even());
+    let mut random = super::super::tests::Random(17);
+    let (mut x, mut y) = ([[0.0; 3]; 2], [[0.0; 3]; 2]);
+    for _ in 0..20 {
+        let mut a = Matrix::new(3, 3);
+        for (r, c) in (0..3).flat_map(|r| (0..3).map(move |c| (r, c))) {
+            a[(r, c)] = random.within(-0.3, 0.3) + f64::from(u8::from(r == c));
+        }
+        let b = [(); 3].map(|()| random.within(-1.0, 1.0));
+        assert!(f.of(&a, 3, 0) && f.are_even());
+        f.solve(|r| b[r], &mut x[0]);
+        f.solve_closely(&a, |r| b[r], &mut x[1], &mut Vec::new());
+        f.solve_transposed(&b, &mut y[0]);
+        f.solve_transposed_closely(&a, &b, &mut y[1]);
+        assert_eq!((x[0], y[0]), (x[1], y[1]));
+    }
 }
 
 /// Blocks whose loops are unrolled are factored and solved as those of any size; solutions solve their systems.

@@ -164,6 +164,27 @@ fn gears_among_unknowns_are_not_solved() {
     assert!(modes.states.is_empty() && !modes.complete);
 }
 
+/// A wheel on a crank that meshes with a rack, and a coupler between both: the rack is among the unknowns.
+#[test]
+fn racks_among_unknowns_are_not_solved() {
+    let mut d = Description::new();
+    let [crank, wheel, bar, coupler] = ["crank", "wheel", "bar", "coupler"].map(|n| d.body(n));
+    d.pin("O", &[(GROUND, [0.0, 0.0]), (crank, [0.0, 0.0])]);
+    d.pin("A", &[(crank, [0.2, 0.0]), (wheel, [0.0, 0.0])]);
+    let guide = d.joint("guide", slide((bar, [0.1, 0.0]), (GROUND, [0.0, 0.5]), 0.3));
+    let rack = Joint::Rack {
+        wheel,
+        slide: guide,
+        radius: Length::from_m(0.4),
+        phase: Length::from_m(0.15),
+    };
+    d.joint("rack", rack);
+    d.pin("W", &[(wheel, [0.3, 0.0]), (coupler, [0.0, 0.0])]);
+    d.pin("B", &[(bar, [0.7, 0.1]), (coupler, [0.9, 0.0])]);
+    let modes = Mechanism::new(d).unwrap().assembly_modes(0.4);
+    assert!(modes.states.is_empty() && !modes.complete);
+}
+
 /// A row of platforms, a leg at each and two at the ends: beyond six complex unknowns nothing is said.
 #[test]
 fn groups_beyond_the_homotopy_are_not_solved() {

@@ -240,10 +240,7 @@ impl Chain {
             let ends = off.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
                 (a.min(x), b.max(x))
             });
-            let turns = ((ends.0 + ends.1) / (2.0 * TAU)).round();
-            if turns != 0.0 && turns.is_finite() {
-                pose.u[k] += turns * TAU;
-            }
+            pose.u[k] += ((ends.0 + ends.1) / (2.0 * TAU)).round() * TAU;
         }
     }
 
@@ -289,8 +286,7 @@ impl Chain {
         let middle = given.u.iter().zip(&found.u).map(|(a, b)| 0.5 * (a + b));
         let pose = Pose::new(self, given.drive, middle.collect());
         pose.jacobian(self, 0..self.closures.len(), &mut work.jacobian);
-        let blocks = self.blocks.iter().map(|b| b.rows.clone());
-        if !work.factors.of_blocks(&work.jacobian, 0, blocks) {
+        if !work.factor(self) {
             return false;
         }
         let nothing = vec![0.0; self.unknowns];

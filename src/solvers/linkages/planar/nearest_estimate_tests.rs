@@ -352,4 +352,11 @@ fn errors_of_both_positions_count() {
         };
         assert_eq!(name, way, "{reach}");
     }
+    // As far as the reach with the error is within it.
+    let unit = 2f64.powi(-7);
+    for (off, within) in [(2.0, true), (4.0, false)] {
+        let found = told([off * unit, unit], 3.0 * unit).unwrap();
+        assert_eq!(matches!(found, Way::Found(_)), within);
+        assert_eq!(matches!(found, Way::Unknown), !within);
+    }
 }

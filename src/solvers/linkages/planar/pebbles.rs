@@ -93,7 +93,7 @@ impl Pebbles {
 
     /// Holds a body: all its pebbles are free. The vertices that can move against it.
     pub(super) fn hold(&mut self, body: usize) -> Vec<usize> {
-        while self.free[body] < NEEDED - 1 && self.fetch(body, &[body]) {}
+        while self.fetch(body, &[body]) {}
         (0..self.free.len())
             .filter(|&v| v != body)
             .filter(|&v| {

@@ -189,7 +189,7 @@ impl Pose {
     /// The point of a body at which it hangs, in its own frame.
     pub(super) fn hinge(&self, chain: &Chain, body: usize) -> Complex64 {
         match chain.entries[body] {
-            Entry::Ground => Complex64::new(0.0, 0.0),
+            Entry::Ground => Complex64::ZERO,
             Entry::Pin { own, .. } | Entry::OnRail { own, .. } => own,
             Entry::WithRail {
                 at, along, travel, ..
@@ -246,7 +246,7 @@ impl Pose {
         out.clear();
         let drive = chain.unknowns;
         let mut row = 0;
-        let real = |x: f64| Complex64::new(x, 0.0);
+        let real = Complex64::from;
         for (closure, arms) in chain.closures[closures.clone()]
             .iter()
             .zip(&chain.arms[closures])
@@ -326,7 +326,7 @@ impl Pose {
         self.turned(
             chain,
             rail.body,
-            Complex64::new(cross(u, d), 0.0),
+            Complex64::from(cross(u, d)),
             &mut |k, x| {
                 out[(row, k)] += x.re;
             },

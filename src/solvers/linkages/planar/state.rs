@@ -39,15 +39,14 @@ impl State {
     /// Rates of a pose that closes the loops; `None` if it is singular.
     pub(super) fn new(mechanism: &Mechanism, pose: Pose) -> Option<State> {
         let chain = &mechanism.chain;
-        let n = chain.unknowns;
+        let mut work = Work::new(chain);
         let mut state = State {
             pose,
-            rates: [vec![0.0; n], vec![0.0; n]],
+            rates: [work.step.clone(), work.step.clone()],
             motion: Motion::default(),
-            jacobian: Matrix::new(n, n + 1),
+            jacobian: work.jacobian.clone(),
             factors: Factors::default(),
         };
-        let mut work = Work::new(chain);
         if !state.update(chain, &mut work) {
             return None;
         }

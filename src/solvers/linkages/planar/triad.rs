@@ -35,9 +35,6 @@ impl Triad {
     /// The triad that a group is, if it is one.
     pub(super) fn of(chain: &Chain, block: &Block) -> Option<Triad> {
         let pins = pins(chain, block)?;
-        if block.bodies.len() != 4 || pins.len() != 6 {
-            return None;
-        }
         let inside = |b: usize| block.bodies.contains(&b);
         let outer = |p: &[Spot; 2]| !inside(p[0].body) || !inside(p[1].body);
         let end = |p: &[Spot; 2], body: usize| p.iter().find(|s| s.body == body).map(|s| s.at);
