@@ -336,6 +336,18 @@ fn orders_of_the_prediction() {
             let due = 2f64.powi(order);
             assert!((ratio / due - 1.0).abs() < 0.2, "{what} {back}: {ratio}");
         }
+        // A state farther back tells nothing, whatever its rates.
+        let size = |wild: f64| {
+            let mut work = Work::new(&mechanism.chain);
+            let mut anchor = Anchor::default();
+            anchor.moor(&state, mechanism.longest_step(&state, &mut work));
+            work.size = 1.0;
+            let mut next = mechanism.follow(&state, start - 3.0 * s).unwrap();
+            next.rates[1].fill(wild);
+            assert!(mechanism.correct(&state, &mut next, start + s, &anchor, &mut work));
+            work.size
+        };
+        assert_eq!(size(0.0), size(1e6), "{what}");
         // From a state b steps back the error is (b/12 + 1/24) of the fourth derivative.
         let [near, far] = [1.0, 2.0].map(|back| error(s, back));
         let ratio = far / near;

@@ -376,7 +376,7 @@ impl Homotopy {
         }
         Arrival {
             t,
-            regular: t >= 1.0 && self.correct(1.0, v, &mut work, ROUNDS, EXACT),
+            regular: t == 1.0 && self.correct(1.0, v, &mut work, ROUNDS, EXACT),
             share: self.share(v),
             earlier,
         }

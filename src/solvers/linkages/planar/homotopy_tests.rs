@@ -383,15 +383,31 @@ fn the_pace_of_steps() {
         steps.push(pace.step);
     }
     assert_eq!(steps, [0.125, 0.125, 0.25, 0.25, 0.25, 0.25, 0.25]);
-    // One that was not good begins the count anew.
+    // One that was not good begins the count anew, and so does a change.
     pace.accept();
     assert!(pace.refuse() && pace.step == 0.125);
-    for due in [0.125, 0.125, 0.25] {
+    pace.accept();
+    assert!(pace.refuse() && pace.step == 0.0625);
+    for due in [0.0625, 0.0625, 0.125, 0.125, 0.125, 0.25] {
         pace.accept();
         assert_eq!(pace.step, due);
     }
     pace.step = 2.0 * SHORTEST;
     assert!(pace.refuse() && !pace.refuse());
+}
+
+/// The smaller one of both spaces, whatever the point's size.
+#[test]
+fn shares_of_the_first_coordinates() {
+    let h = root(ONE, ONE);
+    let v = [c(3.0, 0.0), c(0.0, 4.0), ONE, ZERO];
+    for size in [1.0, 1e-3, 1e3] {
+        let share = |from: usize| {
+            let turned: Vec<Complex64> = (0..4).map(|k| v[(k + from) % 4] * size).collect();
+            h.share(&turned)
+        };
+        assert!((share(0) - 0.6).abs() < 1e-15 && (share(2) - 0.6).abs() < 1e-15);
+    }
 }
 
 /// To four digits of the whole point.

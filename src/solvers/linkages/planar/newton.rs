@@ -134,7 +134,8 @@ impl Chain {
         last < BESIDE_FOLD
     }
 
-    /// Moves unknowns by a step, and returns its size: a displacement is as good as its own.
+    /// Moves unknowns by a step, and returns its size: a displacement is as good as its own. A step that is no number has
+    /// none.
     fn moved(&self, pose: &mut Pose, unknowns: std::ops::Range<usize>, step: &[f64]) -> f64 {
         let mut size = 0.0f64;
         for (k, d) in unknowns.zip(step) {
@@ -142,7 +143,10 @@ impl Chain {
                 true => pose.u[k].abs().max(1.0),
                 false => 1.0,
             };
-            size = size.max(d.abs() / scale);
+            let part = d.abs() / scale;
+            if !(size >= part || size.is_nan()) {
+                size = part;
+            }
             pose.u[k] += d;
         }
         size

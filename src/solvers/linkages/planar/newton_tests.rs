@@ -78,6 +78,13 @@ fn sizes_of_corrections() {
         assert_eq!(size(angle, 100.0 * sign, 0.5), 0.5);
         assert_eq!(size(angle, 0.0, 0.5 * sign), 0.5);
     }
+    // One that is no number is not hidden by others.
+    for bad in 0..chain.unknowns {
+        let mut pose = Pose::new(chain, 0.4, vec![0.0; chain.unknowns]);
+        let mut step = vec![0.5; chain.unknowns];
+        step[bad] = f64::NAN;
+        assert!(chain.moved(&mut pose, 0..chain.unknowns, &step).is_nan());
+    }
 }
 
 /// From a tenth of a radian off every group is solved; where the Jacobian is singular, or nearly, or no number, nothing is.

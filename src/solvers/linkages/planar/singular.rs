@@ -63,7 +63,7 @@ impl Mechanism {
     /// there is none near.
     pub fn singularity(&self, last: &State) -> Option<Singularity> {
         let n = self.chain.unknowns;
-        let (v, w) = null_vectors(&last.factors, n)?;
+        let (v, w) = null_vectors(&last.factors, n);
         let column: Vec<f64> = (0..n).map(|r| last.jacobian[(r, n)]).collect();
         let (kind, pose) = match is_fold(&w, &column) {
             true => (SingularKind::Fold, self.fold(last, v)?),
@@ -204,11 +204,12 @@ impl Search {
     }
 }
 
-/// Unit vectors near the right and left null spaces, by inverse iteration.
-fn null_vectors(factors: &Factors, n: usize) -> Option<(Vec<f64>, Vec<f64>)> {
-    let unit = |v: &mut Vec<f64>| -> Option<()> {
+/// Unit vectors near the right and left null spaces, by inverse iteration; of no numbers where the inverse is beyond their
+/// range, which is no fold and leads to no change point.
+fn null_vectors(factors: &Factors, n: usize) -> (Vec<f64>, Vec<f64>) {
+    let unit = |v: &mut Vec<f64>| {
         let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        (norm.is_finite() && norm > 0.0).then(|| v.iter_mut().for_each(|x| *x /= norm))
+        v.iter_mut().for_each(|x| *x /= norm);
     };
     // Nothing special about the start.
     let mut right: Vec<f64> = (0..n).map(|k| 1.0 + 0.1 * (k as f64).sin()).collect();
@@ -218,12 +219,12 @@ fn null_vectors(factors: &Factors, n: usize) -> Option<(Vec<f64>, Vec<f64>)> {
         // (Jᵀ J)⁻¹ and (J Jᵀ)⁻¹.
         factors.solve_transposed(&right, &mut out);
         factors.solve(|r| out[r], &mut right);
-        unit(&mut right)?;
+        unit(&mut right);
         factors.solve(|r| left[r], &mut out);
         factors.solve_transposed(&out, &mut left);
-        unit(&mut left)?;
+        unit(&mut left);
     }
-    Some((right, left))
+    (right, left)
 }
 
 #[cfg(test)]

@@ -42,20 +42,29 @@ fn null_vectors_of_a_nearly_singular_matrix() {
         }
         let mut factors = Factors::default();
         assert!(factors.of(&a, 2, 0));
-        let (right, left) = null_vectors(&factors, 2).unwrap();
+        let (right, left) = null_vectors(&factors, 2);
         for (found, due, other) in [(right, v, v1), (left, u, u1)] {
             let dot = |x: [f64; 2]| found[0] * x[0] + found[1] * x[1];
             assert!((dot(due).abs() - 1.0).abs() < 1e-15);
             assert!(dot(other).abs() < 1e-10, "{turned}: {:e}", dot(other));
         }
     }
-    // Beyond the range of numbers there is none.
+}
+
+/// Where an inverse is beyond the range of numbers there is neither fold nor change point.
+#[test]
+fn null_vectors_beyond_the_range() {
+    let (m, fold) = rocker();
     for size in [1e-200, 1e200] {
         let mut a = Matrix::new(2, 2);
         (a[(0, 0)], a[(1, 1)]) = (size, size);
-        let mut factors = Factors::default();
-        assert!(factors.of(&a, 2, 0));
-        assert!(null_vectors(&factors, 2).is_none());
+        for mut last in before(&m, fold, 1e-6) {
+            assert!(last.factors.of(&a, 2, 0));
+            let (v, w) = null_vectors(&last.factors, 2);
+            assert!(!is_fold(&w, &[1.0, 1.0]));
+            assert!(m.change_point(&last, [&v, &w]).is_none());
+            assert!(m.singularity(&last).is_none());
+        }
     }
 }
 
@@ -77,7 +86,7 @@ fn before(m: &Mechanism, fold: f64, off: f64) -> Vec<State> {
 fn searches_converge_quadratically() {
     let (m, fold) = rocker();
     for last in before(&m, fold, 5e-3) {
-        let (v, _) = null_vectors(&last.factors, 2).unwrap();
+        let (v, _) = null_vectors(&last.factors, 2);
         let mut search = Search::new(&m.chain, last.pose.clone(), v);
         let mut sizes = Vec::new();
         while sizes.last().is_none_or(|s| *s > 1e-12) {
@@ -130,6 +139,16 @@ fn folds_ahead_are_found() {
             );
         }
     }
+    // A direction that is far from the null vector is given up, though the search would come back to it.
+    for last in before(&m, fold, 1e-6) {
+        let (v, _) = null_vectors(&last.factors, 2);
+        let turned = |by: f64| {
+            let (s, c) = by.sin_cos();
+            vec![c * v[0] - s * v[1], s * v[0] + c * v[1]]
+        };
+        assert!(m.fold(&last, turned(0.1)).is_some());
+        assert!(m.fold(&last, turned(1.0)).is_none());
+    }
     // Of a mechanism that has none there is none.
     let turning = four_bar([0.1, 0.4, 0.3, 0.35]);
     for state in turning.assembly_modes(0.7).states {
@@ -143,7 +162,7 @@ fn change_points_ahead_are_found() {
     let m = four_bar([0.2, 0.5, 0.2, 0.5]);
     for (off, found) in [(1e-6, true), (0.99e-4, true), (1.01e-4, false)] {
         for state in m.assembly_modes(PI - off).states {
-            let (v, w) = null_vectors(&state.factors, 2).unwrap();
+            let (v, w) = null_vectors(&state.factors, 2);
             let pose = m.change_point(&state, [&v, &w]);
             assert_eq!(pose.is_some(), found, "{off}");
             let Some(pose) = pose else { continue };
