@@ -408,3 +408,7 @@ pub(crate) fn evaluate<T>(
         }
     }
 }
+
+#[cfg(test)]
+#[path = "tests/evaluation.rs"]
+mod tests;

@@ -403,3 +403,7 @@ pub(crate) fn regrained(mut form: Form, sigma: Exact) -> Form {
     form.grain = form.grain.max(grain_of(least));
     form
 }
+
+#[cfg(test)]
+#[path = "tests/form.rs"]
+mod tests;

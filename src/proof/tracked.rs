@@ -218,9 +218,10 @@ impl Real for Tracked {
     fn raised(self, least: f64) -> Tracked {
         here(|e| {
             let mut form = e.form(self).plain(e.sigma);
-            if form.range(e.sigma).lo < least {
-                // Between 0 and `least` is added; nothing is rounded.
-                form.rest = sum_up(form.rest, least);
+            let lo = form.range(e.sigma).lo;
+            if lo < least {
+                // Between 0 and `least − lo` is added; nothing is rounded.
+                form.rest = sum_up(form.rest, sum_up(least, (-lo).max(0.0)));
                 form.share = f64::INFINITY;
                 form.grain = form.grain.min(grain_of(least));
                 form = form.summed();
