@@ -100,3 +100,7 @@ fn exponential(u: f64, e: &Exponential, limits: &Limits) -> f64 {
     let rho = e.rounded * TWO_52;
     up(quotient_up(up(u + up(rho * x)), down(x - 1.0)) * (1.0 + 1e-12) + 0.5)
 }
+
+#[cfg(test)]
+#[path = "tests/dominated.rs"]
+mod tests;

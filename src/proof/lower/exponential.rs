@@ -279,18 +279,28 @@ impl Exponential {
             short: phase.short,
             ..t
         };
+        let boxes = all.len() + circle.len() + phase.boxes;
+        Ok(Exponential::together(e, t, boxes))
+    }
+
+    /// `e^x` and the sine and cosine multiplied, with the error of x.
+    fn together(e: Errors, t: Errors, boxes: usize) -> Exponential {
         // (1 + p)(1 + q) − 1, and the error of x.
         let both = |p: f64, q: f64, more: f64| {
             let sum = sum_up(sum_up(p, q), product_up(p, q));
             product_up(sum_up(sum, more), 1.0 + 1e-12)
         };
         let argument = product_up(712.0, ARGUMENT);
-        Ok(Exponential {
+        Exponential {
             pair: both(e.pair, t.pair, sum_up(argument, PRODUCT)),
             rounded: both(e.rounded, t.rounded, sum_up(argument, U)),
             leading: t.leading,
             short: [both(e.short, t.short, U), up(3.01 * U)],
-            boxes: all.len() + circle.len() + phase.boxes,
-        })
+            boxes,
+        }
     }
 }
+
+#[cfg(test)]
+#[path = "tests/exponential.rs"]
+mod tests;

@@ -143,3 +143,7 @@ pub(super) fn reflected(w: Value, at: &Rectangle, rho: f64, cancelled: f64) -> f
     }
     sum_up(worst * TWO_52, ROUNDINGS)
 }
+
+#[cfg(test)]
+#[path = "tests/reflection.rs"]
+mod tests;

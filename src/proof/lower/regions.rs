@@ -372,3 +372,7 @@ fn values(code: &Code, region: Region, at: &Rectangle) -> Result<Vec<Value>, &'s
         Region::Dominated => Err("not a formula of its own"),
     }
 }
+
+#[cfg(test)]
+#[path = "tests/regions.rs"]
+mod tests;

@@ -75,3 +75,7 @@ pub(super) fn all() -> Result<usize, String> {
     };
     count(whole, 0, &near)
 }
+
+#[cfg(test)]
+#[path = "../tests/boxes.rs"]
+mod tests;

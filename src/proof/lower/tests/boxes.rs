@@ -1,0 +1,80 @@
+use super::*;
+
+fn zero(k: u32) -> ComplexBall {
+    faddeeva::zero(k, 160).expect("decided")
+}
+
+fn square(a: f64, b: f64, side: f64) -> Rectangle {
+    Rectangle {
+        a: [a, a + side],
+        b: [b, b + side],
+    }
+}
+
+/// A zero is next to a number only if both its components are.
+#[test]
+fn zeros_next_to_numbers_are_found() {
+    let z = zero(1);
+    assert!(is_off(&z));
+    let number = |x: f64, off: i32| {
+        Ball::exact(300, x).widened(Mag::ZERO) + Ball::integer(300, 1).shift(off)
+    };
+    let ball = |p: i32, q: i32| ComplexBall::new(number(2.0, p), number(-1.5, q));
+    assert!(!is_off(&ball(-101, -101)) && !is_off(&ball(-200, -110)));
+    assert!(is_off(&ball(-99, -101)) && is_off(&ball(-101, -99)));
+    // Known to too few digits it may be next to one.
+    let blurred = ComplexBall::new(
+        number(2.0, -90).widened(Mag::power_of_two(-80)),
+        number(-1.5, -90).widened(Mag::power_of_two(-80)),
+    );
+    assert!(!is_off(&blurred));
+}
+
+/// All of the rectangle is within `1/(8R)` of a zero.
+#[test]
+fn rectangles_beside_a_zero() {
+    let zeros = [(2.0, 1.5), (5.0, 4.0)];
+    let reach = 0.0108;
+    for (x, y) in zeros {
+        assert!(is_beside(&square(x - 0.004, y - 0.004, 0.008), &zeros));
+        // Its farthest corner counts.
+        for (p, q) in [
+            (0.0, 0.0),
+            (-0.0078, 0.0),
+            (0.0, -0.0078),
+            (-0.0078, -0.0078),
+        ] {
+            assert!(!is_beside(&square(x + p, y + q, 0.0078), &zeros));
+            assert!(is_beside(
+                &square(x + p * 0.9, y + q * 0.9, 0.00702),
+                &zeros
+            ));
+        }
+    }
+    assert!(!is_beside(&square(3.0, 1.5, 0.001), &zeros));
+    assert!(reach <= 1.0 / (8.0 * 11.5) && 8.0 * (REACH + reach) * reach <= 1.0);
+}
+
+/// Squares without a zero, one around a known zero, and one around a zero that is not given.
+#[test]
+fn a_zero_that_is_left_out_stays_open() {
+    let z = zero(1);
+    let (x, y) = (z.re.mid().to_f64(), -z.im.mid().to_f64());
+    assert_eq!(count(square(2.0, 1.0, 0.01), 0, &[]), Ok(1));
+    let around = square(x - 0.013, y - 0.011, 0.024);
+    let found = count(around, 0, &[(x, y)]).expect("proved");
+    assert!(found > 4);
+    // Without it, halved as often as may be.
+    assert!(count(square(x - 1e-6, y - 1e-6, 2e-6), DEPTH - 8, &[]).is_err());
+    // Inside the unit circle and beyond the last one nothing has to be shown.
+    assert_eq!(count(square(0.1, 0.1, 0.5), 0, &[]), Ok(0));
+    assert_eq!(count(square(8.0, 8.0, 0.5), 0, &[]), Ok(0));
+    // Across the circle something has.
+    assert!(count(square(0.7, 0.7, 0.1), 0, &[]).expect("proved") > 0);
+    // Where 2e^{−z²} is larger than any w(−z).
+    assert_eq!(count(square(0.5, 9.0, 0.3), 0, &[]), Ok(1));
+    // The last of the zeros is beyond the circle.
+    let last = zero(ZEROS);
+    assert!(last.norm_sqr().lower() > 130 && REACH * REACH > 126.0);
+    assert!(zero(ZEROS - 2).norm_sqr().lower() > 112);
+}

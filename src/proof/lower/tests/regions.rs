@@ -1,0 +1,234 @@
+use super::*;
+use crate::interval::sum_up;
+use crate::lower::exponential::U;
+use mechaudit_reference::faddeeva::w_f64;
+use mechaudit_solvers::faddeeva::faddeeva;
+use num_complex::Complex;
+use rug::Float;
+use std::sync::LazyLock;
+
+/// The solver's code, with bounds of the exponential that `the_exponential_has_bounds` proves.
+pub(crate) static CODE: LazyLock<Code> = LazyLock::new(|| Code {
+    tables: Tables::of_the_solver().expect("decided"),
+    rows: Rows::of_the_solver().expect("decided"),
+    formula: code::formula,
+    exponential: Exponential {
+        pair: 0.28 * U,
+        rounded: 4.0 * U,
+        short: [8.0 * U, 4.0 * U],
+        leading: 4.0 * U,
+        boxes: 0,
+    },
+    limits: code::LIMITS,
+    rounding: Rounding::default(),
+});
+
+fn square(a: f64, b: f64, side: f64) -> Rectangle {
+    Rectangle {
+        a: [a, a + side],
+        b: [b, b + side],
+    }
+}
+
+/// `|computed − w|/|w|` in units of 2⁻⁵².
+fn error(a: f64, b: f64) -> f64 {
+    let got = faddeeva(Complex::new(a, -b));
+    let w = w_f64(a, -b, 100).expect("decided");
+    let part = |g: f64, w: &mechaudit_reference::Ball| (Float::with_val(200, g) - w.mid()).square();
+    let size = |w: &mechaudit_reference::Ball| Float::with_val(200, w.mid().square_ref());
+    let off = part(got.re, &w.re) + part(got.im, &w.im);
+    (off / (size(&w.re) + size(&w.im))).sqrt().to_f64() * 2f64.powi(52)
+}
+
+/// A square in each formula: which one it is, the errors at points below its bound, and the bound no larger than it
+/// was found to be.
+#[test]
+fn every_formula_has_its_bound() {
+    type Due = (f64, f64, f64, fn(Region) -> bool, f64);
+    let all: [Due; 13] = [
+        (
+            0.002,
+            0.002,
+            1e-3,
+            |r| r == Region::Maclaurin { terms: 9 },
+            1.5,
+        ),
+        (
+            0.1,
+            0.1,
+            1e-2,
+            |r| r == Region::Maclaurin { terms: 21 },
+            1.5,
+        ),
+        (0.6, 0.6, 1e-2, |r| matches!(r, Region::Disc { .. }), 1.5),
+        (
+            3.0,
+            0.01,
+            1e-3,
+            |r| matches!(r, Region::RealAxis { .. }),
+            1.5,
+        ),
+        (9.5, 1e-4, 1e-6, |r| r == Region::Strip, 1.5),
+        (12.0, 1e-12, 1e-14, |r| r == Region::RealLine, 1.5),
+        (3.0, 3.0, 1e-2, |r| matches!(r, Region::Cell { .. }), 2.5),
+        (3.0, 2.5, 1e-2, |r| matches!(r, Region::Cell { .. }), 2.5),
+        (
+            6.0,
+            5.9,
+            1e-2,
+            |r| r == Region::Asymptotic { terms: 26 },
+            2.5,
+        ),
+        (
+            10.0,
+            9.9,
+            1e-2,
+            |r| r == Region::Asymptotic { terms: 14 },
+            2.5,
+        ),
+        (
+            40.0,
+            39.5,
+            1e-2,
+            |r| r == Region::Asymptotic { terms: 6 },
+            2.5,
+        ),
+        (3.5, 1.0, 1e-2, |r| r == Region::Dominated, 0.0),
+        (1.0, 3.5, 1e-2, |r| r == Region::Dominated, 0.0),
+    ];
+    for (a, b, side, is, most) in all {
+        let at = square(a, b, side);
+        let found = regions(&CODE, &at).expect("few formulas");
+        assert!(
+            !found.is_empty() && found.iter().all(|(_, r)| is(*r)),
+            "{a} {b} {found:?}"
+        );
+        for (piece, region) in found {
+            let norm = bound(&CODE, region, &piece).expect("a bound");
+            assert!(norm <= most, "{region:?} {norm}");
+            if region == Region::Dominated {
+                continue;
+            }
+            for i in 0..6 {
+                let t = f64::from(i) / 6.0;
+                let x = piece.a[0] + (piece.a[1] - piece.a[0]) * t;
+                let y = piece.b[0] + (piece.b[1] - piece.b[0]) * (1.0 - t);
+                let off = error(x, y);
+                assert!(off <= norm, "{region:?} {x} {y} {off} {norm}");
+            }
+        }
+    }
+}
+
+/// Of the two terms one dominates from `|Re z²| = 7` on; next to the limit both formulas may be used, none where w
+/// overflows.
+#[test]
+fn which_terms_may_dominate() {
+    let limit = CODE.limits.dominant;
+    let of = |a: f64, b: f64, side: f64| {
+        let all = regions(&CODE, &square(a, b, side)).expect("few formulas");
+        let dominated = all.iter().any(|(_, r)| *r == Region::Dominated);
+        let cells = all
+            .iter()
+            .filter(|(_, r)| matches!(r, Region::Cell { .. }))
+            .count();
+        let series = all
+            .iter()
+            .any(|(_, r)| matches!(r, Region::Asymptotic { .. }));
+        (dominated, cells > 0, series)
+    };
+    let cell = |d: f64, side: f64| {
+        let b = 2.1;
+        of((b * b + d).sqrt(), b, side)
+    };
+    assert_eq!(cell(limit - 0.1, 1e-4), (false, true, false));
+    assert_eq!(cell(limit - 1e-5, 1e-3), (true, true, false));
+    assert_eq!(cell(limit + 0.1, 1e-4), (true, false, false));
+    let above = |d: f64, side: f64| of(2.1, (2.1f64 * 2.1 + d).sqrt(), side);
+    assert_eq!(above(limit - 0.1, 1e-4), (false, true, false));
+    assert_eq!(above(limit - 1e-5, 1e-3), (true, true, false));
+    assert_eq!(above(limit + 0.1, 1e-4), (true, false, false));
+    // The series of 26 terms: the exponential may be larger there.
+    let series = |d: f64, side: f64| of((36.0 + d).sqrt(), 6.0, side);
+    assert_eq!(series(limit - 0.1, 1e-4), (false, false, true));
+    assert_eq!(series(limit - 1e-5, 1e-3), (true, false, true));
+    assert_eq!(series(limit + 0.1, 1e-4), (true, false, false));
+    assert_eq!(of(6.0, 7.5, 1e-3), (false, false, true));
+    assert_eq!(of(3.0, 27.0, 1e-3), (false, false, false));
+    assert_eq!(of(12.0, 9.0, 1e-3), (false, false, true));
+}
+
+/// Formulas that follow one another along the rings have no third one between them.
+#[test]
+fn neighbours_along_the_rings() {
+    let series = |terms| Branch::Asymptotic { terms };
+    let rings = [
+        Branch::Maclaurin { terms: 9 },
+        Branch::Maclaurin { terms: 21 },
+        (CODE.formula)(0.6, 0.6),
+        (CODE.formula)(3.0, 3.0),
+        series(26),
+    ];
+    for (i, p) in rings.iter().enumerate() {
+        for (j, q) in rings.iter().enumerate() {
+            assert_eq!(follows(*p, *q), j == i + 1, "{p:?} {q:?}");
+        }
+    }
+    let strip = (CODE.formula)(9.5, 1e-4);
+    let line = (CODE.formula)(12.0, 1e-12);
+    let axis = (CODE.formula)(3.0, 0.01);
+    // Away from the strip 14 terms follow 26; beside it the strip does.
+    assert!(follows(series(26), series(14)) && follows(series(14), series(6)));
+    assert!(follows(series(26), strip) && follows(axis, strip) && follows(axis, line));
+    assert!(follows(strip, series(14)) && follows(line, series(14)));
+    assert!(!follows(series(26), series(6)) && !follows(axis, series(14)));
+    assert!(follows(series(6), Branch::Huge) && !follows(series(14), Branch::Huge));
+    assert_eq!(rank(Branch::Asymptotic { terms: 3 }), None);
+    // Too many of them on one rectangle.
+    let wide = Rectangle {
+        a: [0.01, 9.0],
+        b: [0.01, 9.0],
+    };
+    assert!(regions(&CODE, &wide).is_err());
+    assert!(
+        by_centre(
+            &Rectangle {
+                a: [0.0, 3.0],
+                b: [0.0, 3.0]
+            },
+            |a, b| cell_at(a, b).0
+        )
+        .is_err()
+    );
+    let few = by_centre(
+        &Rectangle {
+            a: [2.9, 3.3],
+            b: [3.0, 3.05],
+        },
+        |a, b| cell_at(a, b).0,
+    );
+    let few = few.expect("few");
+    assert!(
+        few.len() > 1
+            && few
+                .iter()
+                .all(|(r, c)| (r.a[0] - c.0).abs() < 0.26 && (r.b[0] - c.1).abs() < 0.26)
+    );
+    assert!(few.iter().any(|(r, _)| r.a[0] == 2.9) && few.iter().any(|(r, _)| r.a[1] == 3.3));
+}
+
+/// What is used is at least `cancelled` of w(−z), or the part of the larger component.
+#[test]
+fn the_part_that_is_used() {
+    let with = |cancelled: f64, both_cancelled: f64| {
+        used(&code::Limits {
+            cancelled,
+            both_cancelled,
+            ..code::LIMITS
+        })
+    };
+    assert_eq!(with(0.5, 0.1), 0.5);
+    let both = with(0.1, 0.5);
+    assert!(both <= 0.5 * 0.5f64.sqrt() && both > 0.353);
+    assert!(sum_up(0.0, used(&code::LIMITS)) > 0.0);
+}
