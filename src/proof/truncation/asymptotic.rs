@@ -215,3 +215,7 @@ pub(crate) fn huge() -> Truncation {
         sum: None,
     }
 }
+
+#[cfg(test)]
+#[path = "tests/asymptotic.rs"]
+mod tests;

@@ -33,3 +33,7 @@ pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
         sum: None,
     }
 }
+
+#[cfg(test)]
+#[path = "tests/maclaurin.rs"]
+mod tests;

@@ -38,3 +38,7 @@ pub(crate) fn pair_error([hi, lo]: [f64; 2], exact: &Ball) -> f64 {
     let stored = Ball::rational(BITS, &(rational(hi) + rational(lo)));
     quotient_up(above(&(&stored - exact)), hi * 0.999)
 }
+
+#[cfg(test)]
+#[path = "tests/odd.rs"]
+mod tests;

@@ -171,3 +171,7 @@ fn certified(centre: (f64, f64)) -> Result<Vec<ComplexBall>, String> {
     faddeeva::taylor(&rational(centre.0), &rational(centre.1), TERMS - 1, BITS)
         .map_err(|e| e.to_string())
 }
+
+#[cfg(test)]
+#[path = "tests/rows.rs"]
+mod tests;
