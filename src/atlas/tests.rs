@@ -107,3 +107,145 @@ fn single_precision_is_of_single_precision() {
         }
     }
 }
+
+/// FNV-1a over 64-bit words.
+#[derive(Clone, Copy)]
+struct Checksum(u64);
+
+impl Checksum {
+    fn add(&mut self, word: u64) {
+        self.0 = (self.0 ^ word).wrapping_mul(0x0100_0000_01b3);
+    }
+
+    fn add_number(&mut self, x: f64) {
+        // One kind of NaN.
+        self.add(if x.is_nan() { 1 } else { x.to_bits() });
+    }
+}
+
+/// Points of every size, on the axes too; half of them left of the imaginary axis, and below the real one where an
+/// algorithm is defined there.
+fn everywhere(plane: Plane) -> Vec<Complex64> {
+    let mut sizes = vec![0.0, 1e-300, 1e-20, 1e-9, 1e-5, 1e-3, 0.03];
+    sizes.extend((1..90).map(|k| 0.1003 * f64::from(k)));
+    sizes.extend((0..12).map(|k| 9.1 * 1.5f64.powi(k)));
+    sizes.extend([1e4, 1e6, 1e9, 1e20, 1e160]);
+    let mut all = Vec::new();
+    for (i, x) in sizes.iter().enumerate() {
+        for (j, y) in sizes
+            .iter()
+            .enumerate()
+            .filter(|(j, _)| *j < 8 || (i + j) % 3 == 0)
+        {
+            let x = if (i + j) % 2 == 0 { *x } else { -x };
+            all.push(Complex::new(x, *y));
+            if plane == Plane::Whole && j % 5 == 1 && *y < 20.0 {
+                all.push(Complex::new(x, -y));
+            }
+        }
+    }
+    all
+}
+
+/// Values, in single precision too, and numbers of formulas by their bits: they are the same on every machine.
+fn checksum(a: &Algorithm) -> u64 {
+    let mut sum = Checksum(0xcbf2_9ce4_8422_2325);
+    for z in everywhere(a.plane) {
+        let w = (a.w)(z);
+        sum.add_number(w.re);
+        sum.add_number(w.im);
+        if let Some(single) = a.single {
+            let w = single(Complex32::new(z.re as f32, z.im as f32));
+            sum.add_number(w.re.into());
+            sum.add_number(w.im.into());
+        }
+        if let Some(formula) = a.formula {
+            sum.add(formula(z).into());
+        }
+    }
+    sum.0
+}
+
+/// What stands behind what is said of the algorithms: a change of any constant or limit changes a checksum. One that is
+/// meant has its new one here.
+const CHECKSUMS: [(&str, u64); 35] = [
+    ("gautschi-1970", 0x6d23_6266_7eac_a90b),
+    ("cernlib-wwerf", 0xd0b0_8bf5_5b8b_7bbd),
+    ("matta-reichel-1971", 0x1216_6f73_7736_c3ab),
+    ("hunter-regan-1972", 0x53b2_7b6b_a02e_78e0),
+    ("hui-armstrong-wray-1978", 0x89a6_43dd_b66d_e4d8),
+    ("humlicek-1979", 0x9737_a9db_38a2_2c3b),
+    ("humlicek-1982", 0xf85e_c80b_c039_f3ac),
+    ("thompson-cox-hastings-1987", 0xda86_8015_582f_9f51),
+    ("poppe-wijers-1990", 0xdb89_9c63_2e9d_c429),
+    ("mclean-1994", 0x5bcb_8645_58a4_6032),
+    ("weideman-1994-16", 0x5af2_d3e9_99e0_a062),
+    ("weideman-1994-24", 0xcf1f_b45d_ad6d_091f),
+    ("weideman-1994-32", 0x4ddb_48ef_5b5f_af00),
+    ("wells-1999-r2", 0x2b54_36aa_43d1_cfd0),
+    ("wells-1999-r3", 0x1797_e267_19b7_a57d),
+    ("wells-1999-r4", 0x9bd7_4f7b_f45d_505e),
+    ("wells-1999-r5", 0xeb29_d27a_731e_53b1),
+    ("zaghloul-ali-2011", 0x3fe4_7267_2638_a360),
+    ("zaghloul-ali-2011-1e-8", 0x2e93_8c19_d747_2f30),
+    ("zaghloul-ali-2011-1e-4", 0x281d_a24e_b3d3_b604),
+    ("abrarov-quine-2011", 0xa499_fdc9_0a03_ef74),
+    ("abrarov-quine-2016", 0xc226_a917_9fc8_7d75),
+    ("tran-ngo-hartmann-2013-cpf", 0xb291_6ce3_534f_698e),
+    ("karbach-raven-schiller-2014", 0x6ecf_cc64_b187_7981),
+    ("karbach-raven-schiller-2014-fast", 0xd587_4260_2866_c20e),
+    ("zaghloul-2017", 0xce4c_6252_d633_64bf),
+    ("schreier-2011-hum1wei24", 0x12a4_3079_d0ca_e6c4),
+    ("schreier-2018-16", 0xf754_3ad7_ef18_9ff6),
+    ("schreier-2018-16-1.31183", 0x713c_2854_60dd_9ba2),
+    ("schreier-2018-20", 0xd361_364a_c0a0_5a84),
+    ("schreier-2018-hum2zpf16", 0xa257_2167_e207_392f),
+    ("al-azah-chandler-wilde-2021", 0x34d9_f401_63e8_761f),
+    ("tran-ngo-hartmann-2013", 0x340e_9428_798a_ec7a),
+    ("hapi-pcqsdhc", 0x837d_224d_d75d_f1e0),
+    ("schreier-hochstaffl-2021", 0x25d8_4c51_c73f_d7ff),
+];
+
+#[test]
+fn values_have_their_bits() {
+    let mut found: Vec<(&str, u64)> = all().iter().map(|a| (a.name, checksum(a))).collect();
+    found.extend(
+        crate::PROFILES
+            .iter()
+            .map(|p| (p.name, checksum_of_profile(p))),
+    );
+    let listed: Vec<String> = found
+        .iter()
+        .map(|(name, sum)| format!("    ({name:?}, {sum:#018x}),"))
+        .collect();
+    assert_eq!(found, CHECKSUMS, "\n{}", listed.join("\n"));
+}
+
+/// Lines from Voigt's to all effects at once, with sizes of X and Y on both sides of every limit.
+fn checksum_of_profile(p: &crate::Profile) -> u64 {
+    let mut sum = Checksum(0xcbf2_9ce4_8422_2325);
+    let sizes = [
+        0.0, 1e-18, 1e-12, 1e-9, 1e-6, 1e-4, 0.003, 0.05, 0.7, 3.0, 40.0,
+    ];
+    for width in [0.0, 1e-4, 0.02, 0.3, 2.0] {
+        for speed in sizes {
+            for (k, more) in [0.0, 0.1, 0.6].into_iter().enumerate() {
+                for detuning in [-30.0, -2.5, -0.3, 0.0, 1e-6, 0.04, 0.9, 7.0, 300.0] {
+                    let effects = if p.whole { more } else { 0.0 };
+                    let line = crate::Line {
+                        doppler: 0.01 * 30f64.powi(k as i32),
+                        widths: [width, speed],
+                        shifts: [0.1 * effects, 0.07 * effects * speed.min(1.0)],
+                        narrowing: more * 0.5,
+                        correlation: effects,
+                        detuning,
+                    };
+                    let value = (p.value)(&line);
+                    sum.add_number(value.re);
+                    sum.add_number(value.im);
+                }
+            }
+        }
+    }
+    sum.0
+}
