@@ -232,3 +232,66 @@ fn the_part_that_is_used() {
     assert!(both <= 0.5 * 0.5f64.sqrt() && both > 0.353);
     assert!(sum_up(0.0, used(&code::LIMITS)) > 0.0);
 }
+
+/// Squares in every formula, wide ones and next to limits.
+const SOME: [(f64, f64, f64); 16] = [
+    (0.002, 0.002, 1e-3),
+    (0.0, 0.002, 1e-3),
+    (0.1, 0.1, 1e-2),
+    (0.6, 0.6, 1e-2),
+    (0.3, 0.9, 1e-2),
+    (3.0, 0.01, 1e-3),
+    (9.5, 1e-4, 1e-6),
+    (12.0, 1e-12, 1e-14),
+    (3.0, 3.0, 1e-2),
+    (3.0, 2.5, 1e-2),
+    (2.0, 1.3, 1e-3),
+    (6.0, 5.9, 1e-2),
+    (6.0, 7.0, 1e-2),
+    (10.0, 9.9, 1e-2),
+    (12.0, 9.0, 1e-1),
+    (40.0, 39.5, 1e-2),
+];
+
+/// The bounds proved there, in units of 2⁻⁵²; smaller ones would be a better theorem, which has to come from a better proof.
+#[test]
+fn bounds_are_those_that_were_proved() {
+    let mut found = Vec::new();
+    for (a, b, side) in SOME {
+        for (piece, region) in regions(&CODE, &square(a, b, side)).expect("few formulas") {
+            found.push((
+                region.name(),
+                bound(&CODE, region, &piece).unwrap_or(f64::INFINITY),
+            ));
+        }
+    }
+    let listed: Vec<String> = found
+        .iter()
+        .map(|(name, b)| format!("    ({name:?}, {b:.9e}),").replace("inf", "f64::INFINITY"))
+        .collect();
+    let listed = listed.join("\n");
+    assert_eq!(found.len(), PROVED.len(), "\n{listed}");
+    for (p, q) in found.iter().zip(PROVED) {
+        let near = p.1 == q.1 || (p.1 - q.1).abs() <= 1e-6 * q.1;
+        assert!(p.0 == q.0 && near, "{p:?} {q:?}\n{listed}");
+    }
+}
+
+const PROVED: [(&str, f64); 16] = [
+    ("Maclaurin, 9 terms", 5.000929601e-1),
+    ("Maclaurin, 9 terms", 5.000862590e-1),
+    ("Maclaurin, 21 terms", 4.984724132e-1),
+    ("Taylor, lower half-disc", 6.429847394e-1),
+    ("Taylor, lower half-disc", 8.623741630e-1),
+    ("Taylor, real axis", 3.109214270e-1),
+    ("strip", 5.626530088e-1),
+    ("real line", 6.778081378e-1),
+    ("cell, both terms", 6.507212618e-1),
+    ("cell, both terms", 1.524560165e0),
+    ("cell, both terms", 1.181741959e0),
+    ("26 terms, both terms", 6.698587030e-1),
+    ("26 terms, both terms", 6.401000161e-1),
+    ("14 terms, both terms", 6.762341698e-1),
+    ("14 terms, both terms", 5.934774755e-1),
+    ("6 terms, both terms", 5.031198969e-1),
+];

@@ -290,3 +290,251 @@ fn one_operation_that_truncates_shows() {
         assert!(most > sound + 0.003, "{function:?} {sound} {most}");
     }
 }
+
+/// Intervals in every formula, next to limits and to underflow.
+const SOME: [(Function, Interval); 30] = [
+    (Function::Erf, at(false, 0.0, 5e-324)),
+    (Function::Erf, at(false, 1e-310, 1.2e-310)),
+    (Function::Erf, at(false, 3e-308, 3.1e-308)),
+    (Function::Erf, at(false, 1e-280, 1.5e-280)),
+    (Function::Erf, at(false, 0.1, 0.11)),
+    (Function::Erf, at(false, 0.4, 0.41)),
+    (Function::Erf, at(false, 1.0, 1.01)),
+    (Function::Erf, at(false, 4.0, 4.05)),
+    (Function::Erf, at(false, 7.0, 1e10)),
+    (Function::Erfc, at(false, 0.01, 0.02)),
+    (Function::Erfc, at(true, 0.01, 0.02)),
+    (Function::Erfc, at(false, 2.0, 2.01)),
+    (Function::Erfc, at(false, 9.0, 9.01)),
+    (Function::Erfc, at(false, 26.6, 26.6001)),
+    (Function::Erfc, at(false, 30.0, 1e10)),
+    (Function::Erfc, at(true, 0.5, 0.51)),
+    (Function::Erfc, at(true, 30.0, 1e10)),
+    (Function::Erfcx, at(false, 0.3, 0.31)),
+    (Function::Erfcx, at(false, 8.0, 8.1)),
+    (Function::Erfcx, at(false, 50.0, 51.0)),
+    (Function::Erfcx, at(false, 1e200, 1.1e200)),
+    (Function::Erfcx, at(true, 0.5, 0.51)),
+    (Function::Erfcx, at(true, 12.0, 12.001)),
+    (Function::Erfcx, at(true, 26.7, 26.8)),
+    (Function::Dawson, at(false, 1e-310, 1e-300)),
+    (Function::Dawson, at(false, 0.1, 0.11)),
+    (Function::Dawson, at(false, 0.85, 0.86)),
+    (Function::Dawson, at(false, 9.5, 9.6)),
+    (Function::Dawson, at(false, 300.0, 310.0)),
+    (Function::Dawson, at(false, 1e200, 2e200)),
+];
+
+/// The bounds proved there; smaller ones would be a better theorem, which has to come from a better proof.
+#[test]
+fn bounds_are_those_that_were_proved() {
+    let codes = Function::ALL.map(|f| (f, solvers(f)));
+    let found: Vec<(&str, f64)> = SOME
+        .iter()
+        .map(|(function, at)| {
+            let code = &codes.iter().find(|(f, _)| f == function).expect("one").1;
+            let formula = (code.choice)(*function, at.negative, at.ends[0]);
+            assert_eq!(formula, (code.choice)(*function, at.negative, at.ends[1]));
+            let ulps = worst(code, *function, at);
+            (formula.name(*function, at.negative), ulps)
+        })
+        .collect();
+    let listed: Vec<String> = found
+        .iter()
+        .map(|(name, b)| format!("    ({name:?}, {b:.9e}),").replace("inf", "f64::INFINITY"))
+        .collect();
+    let listed = listed.join("\n");
+    assert_eq!(found.len(), PROVED.len(), "\n{listed}");
+    for (p, q) in found.iter().zip(PROVED) {
+        let near = p.1 == q.1 || (p.1 - q.1).abs() <= 1e-6 * q.1;
+        assert!(p.0 == q.0 && near, "{p:?} {q:?}\n{listed}");
+    }
+}
+
+const PROVED: [(&str, f64); 30] = [
+    ("Maclaurin series", 6.261007896e-1),
+    ("Maclaurin series", 6.261007896e-1),
+    ("Maclaurin series", 6.261007896e-1),
+    ("Maclaurin series", 5.041500794e-1),
+    ("Maclaurin series", 5.045688113e-1),
+    ("Maclaurin series", 5.149714305e-1),
+    ("1 - erfc x", 5.772749875e-1),
+    ("1 - erfc x", 5.635547580e-1),
+    ("1", 3.811437921e-7),
+    ("1 - Maclaurin series", 5.156955300e-1),
+    ("1 - Maclaurin series", 5.153090903e-1),
+    ("exp(-x^2) erfcx x, Taylor", 6.167414550e-1),
+    ("exp(-x^2) erfcx x, asymptotic", 8.029305680e-1),
+    ("exp(-x^2) erfcx x, asymptotic", 7.904548568e-1),
+    ("0", 5.000000000e-1),
+    ("2 - erfc |x|", 5.775801278e-1),
+    ("2", 2.225073859e-308),
+    ("Taylor series", 5.192665903e-1),
+    ("asymptotic, 26 terms", 9.149401569e-1),
+    ("asymptotic, 6 terms", 8.636854401e-1),
+    ("1/(sqrt(pi) x), scaled", 5.766706375e-1),
+    ("2 exp(x^2) - erfcx |x|", 6.537447398e-1),
+    ("2 exp(x^2)", 5.733369756e-1),
+    ("2 exp(x^2)", f64::INFINITY),
+    ("Maclaurin series", 1.000000000e-15),
+    ("Maclaurin series", 5.047634051e-1),
+    ("Taylor series", 5.813151088e-1),
+    ("asymptotic, 26 terms", 7.432080410e-1),
+    ("asymptotic, 6 terms", 1.073381061e0),
+    ("1/(2x)", 5.000000000e-1),
+];
+
+fn refined(function: Function, target: f64, at: Interval) -> Certificate {
+    let code = solvers(function);
+    let refined = Refined {
+        code: &code,
+        function,
+        target,
+        formula: (code.choice)(function, at.negative, at.ends[0]),
+    };
+    let mut found = Certificate::default();
+    refined.refine(at, 0, &mut found);
+    found
+}
+
+/// The target is reached by halving; what is not reached comes out with its bound, what has none is open.
+#[test]
+fn intervals_are_halved_until_the_bound_is_good() {
+    let whole = at(false, 1.0, 1.1);
+    let found = refined(Function::Erf, 0.875, whole);
+    assert!(found.open.is_empty() && found.leaves.iter().all(|l| l.ulps <= 0.875));
+    let covers = |leaves: &[Leaf], whole: Interval| {
+        let mut next = whole.ends[0].to_bits();
+        for leaf in leaves {
+            assert_eq!(leaf.at.ends[0].to_bits(), next);
+            next = leaf.at.ends[1].to_bits() + 1;
+        }
+        assert_eq!(next, whole.ends[1].to_bits() + 1);
+    };
+    covers(&found.leaves, whole);
+    // A target below any bound ends at its depth.
+    let narrow = at(false, 1.0, 1.0f64.next_up());
+    let found = refined(Function::Erf, 0.1, narrow);
+    assert!(found.leaves.len() == 2 && found.leaves.iter().all(|l| l.ulps > 0.1));
+    covers(&found.leaves, narrow);
+    for (depth, leaves) in [(DEPTH - 1, 2), (DEPTH, 1)] {
+        let code = solvers(Function::Erf);
+        let refined = Refined {
+            code: &code,
+            function: Function::Erf,
+            target: 0.1,
+            formula: choice(Function::Erf, false, 1.0),
+        };
+        let mut found = Certificate::default();
+        refined.refine(at(false, 1.0, 1.0 + 1e-10), depth, &mut found);
+        assert_eq!(found.leaves.len(), leaves);
+    }
+    // A formula that serves nowhere there leaves every number open.
+    let code = solvers(Function::Erf);
+    let wrong = Refined {
+        code: &code,
+        function: Function::Erf,
+        target: 0.875,
+        formula: Formula::Far,
+    };
+    let mut found = Certificate::default();
+    wrong.refine(
+        at(false, 1.0, f64::from_bits(1f64.to_bits() + 7)),
+        0,
+        &mut found,
+    );
+    assert!(found.leaves.is_empty() && found.open.len() == 8);
+    let watch = Watch::default();
+    watch.stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(real_line(&code, Function::Erf, 0.875, &watch).is_none());
+}
+
+/// Intervals to begin with: all numbers, one formula each.
+#[test]
+fn the_first_intervals_have_one_formula_each() {
+    for function in Function::ALL {
+        let code = solvers(function);
+        let all = roots(&code, function);
+        assert_eq!(hole(function, all.iter().map(|(at, _)| *at)), None);
+        let numbers = |at: &Interval| u128::from(at.ends[1].to_bits() - at.ends[0].to_bits()) + 1;
+        let sum: u128 = all.iter().map(|(at, _)| numbers(at)).sum();
+        let finite = u128::from(f64::MAX.to_bits()) + 1;
+        assert_eq!(sum, finite * function.signs().len() as u128);
+        for (at, formula) in &all {
+            for x in at.ends {
+                assert_eq!((code.choice)(function, at.negative, x), *formula);
+            }
+            let binades = (at.ends[1].to_bits() >> 52) - (at.ends[0].to_bits() >> 52);
+            assert!(at.ends[1] < SMALL || binades < 8, "{at:?}");
+        }
+    }
+    // One that is missing is found on its side.
+    for negative in [false, true] {
+        let some = [
+            at(false, 0.0, f64::MAX),
+            at(true, 0.0, 1.0),
+            at(true, 3.0, f64::MAX),
+        ];
+        let some = some.map(|at| Interval {
+            negative: at.negative == negative,
+            ..at
+        });
+        let x = hole(Function::Erfc, some).expect("a hole");
+        // All numbers of the other sign are there.
+        assert_eq!(x, if negative { -1.0 } else { 1.0 } * 1f64.next_up());
+    }
+    assert_eq!(
+        hole(Function::Erf, [at(false, 0.0, f64::MAX.next_down())]),
+        Some(f64::MAX)
+    );
+    assert_eq!(hole(Function::Erf, []), Some(0.0));
+    assert_eq!(
+        hole(Function::Erf, [at(false, f64::from_bits(1), f64::MAX)]),
+        Some(0.0)
+    );
+    let halves = at(true, 1.0, 2.0).halves();
+    assert!(halves.iter().all(|h| h.negative) && halves[0].ends[1].next_up() == halves[1].ends[0]);
+    assert_eq!((halves[0].ends[0], halves[1].ends[1]), (1.0, 2.0));
+    assert_eq!(at(true, 1.0, 2.0).signed(), [-2.0, -1.0]);
+    assert!(at(true, 1.0, 1.0).is_point() && !at(true, 1.0, 2.0).is_point());
+}
+
+/// The worst of each formula, each sign by itself, in the order of x.
+#[test]
+fn a_summary_has_the_worst_of_each_formula() {
+    let leaf = |negative, lo, hi, formula, ulps| Leaf {
+        at: at(negative, lo, hi),
+        formula,
+        ulps,
+    };
+    let row = Formula::Difference(Inner::Row { centre: 1.0 });
+    let found = Certificate {
+        leaves: vec![
+            leaf(false, 1.0, 2.0, row, 0.6),
+            leaf(false, 3.0, 4.0, row, 0.7),
+            leaf(false, 2.0, 3.0, row, 0.65),
+            leaf(false, 0.0, 1.0, Formula::Near, 0.9),
+            leaf(true, 0.0, 1.0, Formula::Near, 0.8),
+        ],
+        open: Vec::new(),
+    };
+    let summary = found.summary(Function::Erfc).expect("intervals");
+    assert_eq!(
+        (summary.ulps, summary.at, summary.intervals),
+        (0.9, at(false, 0.0, 1.0), 5)
+    );
+    let all: Vec<_> = summary
+        .formulas
+        .iter()
+        .map(|f| (f.ends, f.intervals, f.ulps, f.at))
+        .collect();
+    assert_eq!(
+        all,
+        [
+            ([-1.0, 0.0], 1, 0.8, at(true, 0.0, 1.0)),
+            ([0.0, 1.0], 1, 0.9, at(false, 0.0, 1.0)),
+            ([1.0, 4.0], 3, 0.7, at(false, 3.0, 4.0)),
+        ]
+    );
+    assert!(Certificate::default().summary(Function::Erf).is_none());
+}

@@ -146,6 +146,30 @@ fn components_by_their_formulas() {
         near(found.re, remainder(15, least).min(along + e)),
         "{found:?} {along}"
     );
+    // Where the exponential is as large as the remainder.
+    for (b, small) in [([0.1, 1.0], true), ([0.5, 1.0], false)] {
+        let r = at([3.0, 3.1], b);
+        let found = asymptotic(6, &r);
+        let (least, far) = (f64::hypot(3.0, b[0]), f64::hypot(3.1, 1.0));
+        let e = (1f64 - 9.0).exp();
+        let along = pi_2 * (remainder_slope(7, least) + 2.0 * far * far * e) / least;
+        let due = match small {
+            true => along + e / b[0],
+            false => remainder(7, least).min(along + e),
+        };
+        assert!(near(found.re, due), "{found:?} {due}");
+        let slope = beside(7, &r);
+        assert!(near(slope, along), "{slope} {along}");
+    }
+    // Components of the order of the other side of the quadrant, where the bound by the arc is the better one.
+    let r = at([0.5, 1.0], [3.9, 4.0]);
+    let found = asymptotic(26, &r);
+    let least = f64::hypot(0.5, 3.9);
+    let along = pi_2 * remainder_slope(27, least) / least;
+    assert!(near(found.im, remainder(27, least).min(along * 1.0)));
+    // With the factor Im z on both sides of the diagonal nothing is known of the real part.
+    let r = at([1.0, 30.0], [0.1, 20.0]);
+    assert!(!r.small_im() && asymptotic(6, &r).re.is_finite());
     // A factor Im z, but e^{−z²} next to the diagonal or above it: nothing.
     let r = at([0.5, 30.0], [40.0, 41.0]);
     assert!(asymptotic(6, &r).re.is_finite());
