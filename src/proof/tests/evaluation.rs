@@ -486,3 +486,190 @@ fn constants_stand_for_others() {
     assert!(none.error <= 0.0101 && none.exact.magnitude() <= 0.0101);
     assert_eq!((other.error, other.exact), (0.0, Interval::point(0.5)));
 }
+
+/// A number's grid is that of the least it may be: from 4 on quarters of a unit of ½ are lost.
+#[test]
+fn grids_are_those_of_the_least_numbers() {
+    let errors = only(|| {
+        let x = Tracked::input(0, [0.5, 4.0]);
+        let y = Tracked::input_on_grid(1, [1.0, 4.0], 0);
+        let raised = y.raised(1.25);
+        [x + x_of(4.0), y + x_of(8.0), raised + x_of(8.0)].map(|t| t.result().error)
+    });
+    assert!(errors[0] >= 2f64.powi(-51) && errors[1] == 0.0);
+    assert!(errors[2] >= 1.25 + 2f64.powi(-50), "{errors:?}");
+    let [offset, raised] = only(|| {
+        let x = Tracked::input(0, [1.5, 1.75]);
+        [x.offset(1.0, -52), (x * x).raised(2.5)].map(Tracked::result)
+    });
+    assert_eq!(
+        (offset.exact, offset.error),
+        (Interval::new(0.5f64.next_down(), 0.75f64.next_up()), 0.0)
+    );
+    assert!(raised.relative > 0.5);
+}
+
+/// The sum of two numbers and what is lost of it is exact only if the first one is the larger one for sure.
+#[test]
+fn a_fast_sum_is_exact_only_in_order() {
+    let of = |a: [f64; 2], b: [f64; 2]| {
+        only(|| {
+            let (s, e) = Tracked::input(0, a).fast_two_sum(Tracked::input(1, b));
+            s.exact_sum(e)
+        })
+    };
+    let exact = |r: &Tracks| r.error < 1e-25;
+    assert!(exact(&of([2.0, 2.5], [1.0, 1.5])) && exact(&of([2.0, 2.5], [1.0, 2.0])));
+    for (a, b) in [([0.5, 2.0], [1.0, 1.5]), ([0.3, 0.301], [1.0, 1.001])] {
+        let found = of(a, b);
+        assert!(!exact(&found), "{a:?} {b:?}");
+        assert!(found.exact.lo <= a[0] + b[0] && found.exact.lo > a[0] + b[0] - 3.0);
+        assert!(found.exact.hi >= a[1] + b[1]);
+    }
+    assert!(exact(&of([0.0, 0.0], [1.0, 1.001])));
+}
+
+/// What a product loses is rounded itself where it may be below the normal numbers; with products that are rounded
+/// before a sum it is lost.
+#[test]
+fn what_a_product_loses() {
+    let of = |a: f64, b: f64, rounding: Rounding| {
+        let program = || {
+            let x = Tracked::input(0, [a, 1.1 * a]);
+            let (p, f) = x.two_prod(Tracked::input(1, [b, 1.1 * b]));
+            (p.exact_sum(f), f.result())
+        };
+        evaluate(setting(rounding), program).expect("a bound")[0]
+    };
+    let (sum, _) = of(1.0, 0.3, Rounding::default());
+    assert!(sum.tiny == 0.0 && sum.error < 1e-30);
+    let (sum, lost) = of(1e-150, 1e-150, Rounding::default());
+    assert!(
+        (1.0..1.01).contains(&sum.tiny) && (1.0..1.01).contains(&lost.tiny),
+        "{sum:?} {lost:?}"
+    );
+    let twice = Rounding {
+        fma_rounds_twice: true,
+        truncates: None,
+    };
+    let (sum, lost) = of(1.0, 0.3, twice);
+    assert!(
+        sum.error > 1e-17 && lost.exact.magnitude() < 0.1,
+        "{lost:?}"
+    );
+    // Beside the small factor what is lost has it too, and what underflows besides.
+    let with = Setting {
+        sigma: Exact::coordinate(Interval::new(0.0, 1.0), 0),
+        ..setting(Rounding::default())
+    };
+    let lost = evaluate(with, || {
+        let x = Tracked::sigma();
+        x.two_prod(Tracked::input(1, [1.1, 1.2])).1.result()
+    });
+    let lost = lost.expect("a bound")[0];
+    assert!(
+        lost.small && lost.tiny >= 1.0 && lost.error > 1e-17,
+        "{lost:?}"
+    );
+}
+
+/// A product with a power of two has all errors times it.
+#[test]
+fn powers_of_two_scale_all_errors() {
+    let [half, open, four, negative] = only(|| {
+        let x = Tracked::input(0, [-1.0, 2.0]) / x_of(3.0);
+        let open = x.magnitude();
+        [open * x_of(0.5), open, x_of(4.0) * open, open * x_of(-4.0)].map(Tracked::result)
+    });
+    assert!(half.error >= 0.5 * open.error && half.error < 0.51 * open.error);
+    assert!(four.error >= 4.0 * open.error && four.error < 4.01 * open.error);
+    assert!(negative.error >= 4.0 * open.error && negative.exact.lo <= -8.0 / 3.0);
+    let [below, above] = only(|| {
+        let x = Tracked::input(0, [1.0, 1.001]) * x_of(2f64.powi(-1000));
+        let y = x * x_of(2f64.powi(-60));
+        [y, y * x_of(1024.0)].map(Tracked::result)
+    });
+    assert!(
+        below.tiny == 1.0 && (1024.0..1025.0).contains(&above.tiny),
+        "{above:?}"
+    );
+    // Ends below the normal numbers are rounded outwards.
+    let tiny = f64::from_bits(1);
+    let found = only(|| (Tracked::input(0, [3.0 * tiny, 5.0 * tiny]) * x_of(0.5)).result());
+    assert!(found.exact.lo <= tiny && found.exact.hi >= 3.0 * tiny && found.tiny >= 1.0);
+    // Of an open sign |x| has no error in common with x.
+    let apart = only(|| {
+        let x = Tracked::input(0, [-1.0, 2.0]) / x_of(3.0);
+        let both = x.exact_sum(-x.magnitude());
+        (x.result().error, both.error)
+    });
+    assert!(apart.1 >= 2.0 * apart.0);
+}
+
+/// What a stored number is off has no error in common with an operation.
+#[test]
+fn constants_and_operations_are_apart() {
+    let u = 2f64.powi(-53);
+    let third = Constant {
+        stored: 0.375,
+        exact: Interval::new(0.3, 0.4),
+        error: Interval::point(u),
+    };
+    let with = Setting {
+        constants: &[third],
+        ..setting(Rounding::default())
+    };
+    let errors = evaluate(with, || {
+        let x = Tracked::input(0, [1.0, 1.001]) * Tracked::input(1, [1.3, 1.301]);
+        (x.result().error, x.exact_sum(-x.like(0.375)).error)
+    });
+    let (one, both) = errors.expect("a bound")[0];
+    assert!(both >= one + u);
+}
+
+#[test]
+fn truth_values_and_vectors() {
+    use crate::tracked::Tracking;
+    use mechaudit_solvers::faddeeva::proof::Vectors;
+    let (x, y, picked) = only(|| {
+        let (x, y) = (x_of(1.0), x_of(2.0));
+        let table = [[false, false], [false, true], [true, false], [true, true]];
+        for [a, b] in table {
+            assert_eq!(x.or(a, b), a || b);
+            assert_eq!(x.all(a), a);
+        }
+        (x, y, [x.pick(true, x, y), x.pick(false, x, y)])
+    });
+    assert_eq!(picked, [x, y]);
+    let found = only(|| {
+        let four = |x: [f64; 4]| Tracking.entries(x);
+        let (a, b, c) = (
+            four([1.0, 2.0, 4.0, 8.0]),
+            four([3.0, 5.0, 7.0, 11.0]),
+            four([1.0, 0.5, 2.0, 4.0]),
+        );
+        [
+            Tracking.mul(a, b),
+            Tracking.mul_add(a, b, c),
+            Tracking.neg_mul_add(a, b, c),
+            Tracking.load(a),
+            Tracking.parts(b),
+            Tracking.splat(Tracking.sum(b)),
+        ]
+        .map(|v| {
+            v.map(|x| {
+                let Interval { lo, hi } = x.result().exact;
+                assert!(hi - lo < 1e-12);
+                (0.5 * (lo + hi) * 16.0).round() / 16.0
+            })
+        })
+    });
+    assert_eq!(found[0], [3.0, 10.0, 28.0, 88.0]);
+    assert_eq!(found[1], [4.0, 10.5, 30.0, 92.0]);
+    assert_eq!(found[2], [-2.0, -9.5, -26.0, -84.0]);
+    assert_eq!(
+        (found[3], found[4]),
+        ([1.0, 2.0, 4.0, 8.0], [3.0, 5.0, 7.0, 11.0])
+    );
+    assert_eq!(found[5], [26.0; 4]);
+}

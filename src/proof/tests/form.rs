@@ -194,6 +194,9 @@ fn the_small_factor_and_what_underflows_are_in_the_range() {
     let summed = far.clone().summed();
     assert!(summed.tiny == 0.0 && summed.rest >= 0.5 + 1e200 * TINIEST / 2.0);
     assert_eq!(summed.share, f64::INFINITY);
+    let mut alone = form(1.0, &[], 0.0);
+    alone.tiny = 1e200;
+    assert!(alone.summed().rest >= 1e200 * TINIEST);
     far.small = true;
     assert_eq!(far.summed().tiny, 1e200);
 }
@@ -406,4 +409,72 @@ fn exponents_and_spacings() {
     assert_eq!(product(&x, &y, Exact::ZERO, false).grain, -3);
     let far = Form::exact(Exact::within(Interval::new(8.0, 9.0)), -90);
     assert_eq!(regrained(far, Exact::ZERO).grain, -49);
+}
+
+/// Of intervals the largest numbers count in an error, and the least in a divisor.
+#[test]
+fn the_worst_numbers_of_intervals_count() {
+    let sigma = Exact::ZERO;
+    let of = |lo: f64, hi: f64, rest: f64, tiny: f64| {
+        let mut f = Form::exact(Exact::within(Interval::new(lo, hi)), -1074);
+        (f.rest, f.tiny) = (rest, tiny);
+        f.summed()
+    };
+    let near = |x: f64, due: f64| x >= due && x <= due * (1.0 + 1e-12);
+    let (x, y) = (of(1.0, 2.0, 0.0, 0.0), of(3.0, 5.0, 0.25, 0.0));
+    assert!(
+        near(product(&x, &y, sigma, false).rest, 0.5)
+            && near(product(&y, &x, sigma, false).rest, 0.5)
+    );
+    let t = of(3.0, 5.0, 0.0, 4.0);
+    assert!(
+        near(product(&x, &t, sigma, false).tiny, 8.0)
+            && near(product(&t, &x, sigma, false).tiny, 8.0)
+    );
+    // (r + |Q| q)/|Y| and the second order.
+    let found = quotient(&t, &y).expect("no zero");
+    let due = 5.0 / 3.0 * 0.25 / 3.0;
+    assert!(near(found.rest, due + due * 0.25 / 2.75), "{found:?}");
+    // Doubled, it is twice the same number.
+    let c = Form::exact(Exact::coordinate(Interval::new(1.0, 2.0), 0), -1074);
+    let twice = c.doubled().main + -c.main + -c.main;
+    assert!(twice.range.magnitude() < 1e-14);
+    // One term for each error, in their order.
+    let (p, q) = (
+        form(1.0, &[(2, 0.5), (7, 0.5)], 0.0),
+        form(1.0, &[(1, 0.5), (4, 0.5), (7, 0.25)], 0.0),
+    );
+    for f in [sum(&p, &q), sum(&q, &p), product(&p, &q, sigma, false)] {
+        let keys: Vec<u32> = f.terms.iter().map(|t| t.0).collect();
+        assert_eq!(keys, [1, 2, 4, 7]);
+    }
+    // A square is not negative.
+    let around = of(-1.0, 1.0, 0.0, 0.0);
+    assert!(product(&around, &around, sigma, true).main.range.lo >= 0.0);
+    // From 1 on numbers are multiples of 2⁻⁵², however large they may be.
+    let wide = Form::exact(Exact::within(Interval::new(1.0, 1e10)), -90);
+    assert_eq!(regrained(wide, sigma).grain, -52);
+    // With an error as large as itself it may be subnormal.
+    let u = 2f64.powi(-53);
+    let unsure = of(1.0, 1.5, 4.0, 0.0);
+    assert_eq!(
+        rounded(unsure, sigma, (u, 0.0), 1.0, 7).share,
+        f64::INFINITY
+    );
+    let mut small = of(1.0, 1.5, 0.0, 0.0);
+    small.small = true;
+    let from_zero = Exact::within(Interval::new(0.0, 1.0));
+    assert_eq!(
+        rounded(small.clone(), from_zero, (u, 0.0), 1.0, 7).share,
+        f64::INFINITY
+    );
+    // Half a unit beside σ of the largest, of a truncation a whole one.
+    let (error, _) =
+        rounding(&small, Exact::within(Interval::new(1e-9, 1.0)), 1.0).expect("rounded");
+    assert!(near(error, 1.5 * u));
+    let (error, _) =
+        rounding(&small, Exact::within(Interval::new(1e-9, 1.0)), 2.0).expect("rounded");
+    assert!(near(error, 3.0 * u));
+    let least = Form::exact(Exact::within(Interval::new(0.0, 1e-315)), -1075);
+    assert_eq!(rounding(&least, sigma, 1.0), Some((0.0, 1.0)));
 }
