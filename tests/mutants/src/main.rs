@@ -35,12 +35,18 @@ struct Args {
     #[arg(required_unless_present = "planted")]
     files: Vec<String>,
     /// Plant the faults of this table, one at a time: the test named beside each has to fail
-    #[arg(long, value_name = "CSV", conflicts_with_all = ["files", "sample", "again", "list", "output", "filter", "test"])]
+    #[arg(long, value_name = "CSV", conflicts_with_all = ["files", "sample", "again", "list", "output", "filter", "lib", "bin", "test"])]
     planted: Option<PathBuf>,
     /// The package they belong to
     #[arg(long, default_value = "mechaudit-reference")]
     package: String,
-    /// Test targets, as for cargo test: --lib, or --test NAME; --lib if left out
+    /// The tests in the package's library; the only ones if none are named
+    #[arg(long)]
+    lib: bool,
+    /// The tests in a program of the package
+    #[arg(long, value_name = "NAME")]
+    bin: Vec<String>,
+    /// Tests of the package beside its sources
     #[arg(long, value_name = "NAME")]
     test: Vec<String>,
     /// Only tests with this in their names
@@ -49,7 +55,10 @@ struct Args {
     /// Leave out tests that take longer than this many seconds
     #[arg(long, value_name = "S", default_value_t = 20.0)]
     longest: f64,
-    /// So many mutants, drawn by chance
+    /// Spend so many seconds on one mutant; one that no test has noticed until then is missed
+    #[arg(long, value_name = "S")]
+    most: Option<f64>,
+    /// So many mutants, drawn by chance and judged in that order: those judged first are a sample too
     #[arg(long, value_name = "N")]
     sample: Option<usize>,
     /// The seed of the draw
@@ -67,7 +76,7 @@ struct Args {
     /// Where the copy of the project is changed and built, one folder for each run at a time; target/mutants if left out
     #[arg(long, value_name = "FOLDER")]
     work: Option<PathBuf>,
-    /// Write every mutant with its verdict to this CSV file
+    /// Write every mutant with its verdict to this CSV file, as soon as it is judged
     #[arg(long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -117,7 +126,6 @@ fn audit(args: &Args) -> Result<bool> {
     if let Some(n) = args.sample {
         fastrand::Rng::with_seed(args.seed).shuffle(&mut mutants);
         mutants.truncate(n);
-        mutants.sort_by_key(|m| m.number);
     }
     if let Some(table) = &args.again {
         let named = named(table)?;
@@ -134,12 +142,12 @@ fn audit(args: &Args) -> Result<bool> {
         return Ok(true);
     }
     let tree = Tree::new(&project, &work)?;
-    let mut targets: Vec<String> = args
-        .test
-        .iter()
-        .flat_map(|t| ["--test".into(), t.clone()])
-        .collect();
-    if targets.is_empty() {
+    let named = |kind: &str, names: &[String]| -> Vec<String> {
+        let each = names.iter();
+        each.flat_map(|n| [kind.into(), n.clone()]).collect()
+    };
+    let mut targets = [named("--bin", &args.bin), named("--test", &args.test)].concat();
+    if args.lib || targets.is_empty() {
         targets.push("--lib".into());
     }
     let mut left_out = HashSet::new();
@@ -171,7 +179,14 @@ fn audit(args: &Args) -> Result<bool> {
         suite.tests.len(),
         suite.too_long.len()
     );
-    let verdicts = judge(&suite, &viable, jobs)?;
+    let table = match &args.output {
+        Some(path) => {
+            Some(csv::Writer::from_path(path).with_context(|| path.display().to_string())?)
+        }
+        None => None,
+    };
+    let most = args.most.map(Duration::from_secs_f64);
+    let verdicts = judge(&suite, &sources, &viable, jobs, most, table)?;
     report(args, &sources, &viable, &verdicts)
 }
 
@@ -247,13 +262,13 @@ fn compile(
     mut step: Step,
     left_out: &mut HashSet<u32>,
 ) -> Result<Vec<Executable>> {
-    let libraries = packages.iter().map(|p| tree.library(p));
-    let libraries = libraries.collect::<Result<Vec<String>>>()?;
-    for library in &libraries {
-        if !sources.iter().any(|s| s.name == *library) {
+    let roots = packages.iter().map(|p| tree.roots(p));
+    let roots = roots.collect::<Result<Vec<_>>>()?.concat();
+    for root in &roots {
+        if !sources.iter().any(|s| s.name == *root) {
             // The tree is a fresh copy: no switch stands in it yet.
-            let original = fs::read_to_string(tree.root.join(library))?;
-            tree.write(library, &(original + switch::SOURCE))?;
+            let original = fs::read_to_string(tree.root.join(root))?;
+            tree.write(root, &(original + switch::SOURCE))?;
         }
     }
     for _ in 0..ROUNDS {
@@ -267,7 +282,7 @@ fn compile(
                 left_out,
                 "crate::mutant_switch::on",
             );
-            if libraries.contains(&s.name) {
+            if roots.contains(&s.name) {
                 r.text.push_str(switch::SOURCE);
             }
             tree.write(&s.name, &r.text)?;
@@ -302,29 +317,43 @@ fn compile(
     bail!("after {ROUNDS} rounds there are still mutants that do not compile");
 }
 
-fn judge(suite: &Suite, viable: &[&Mutant], jobs: usize) -> Result<Vec<Verdict>> {
+fn judge(
+    suite: &Suite,
+    sources: &[Source],
+    viable: &[&Mutant],
+    jobs: usize,
+    most: Option<Duration>,
+    table: Option<csv::Writer<fs::File>>,
+) -> Result<Vec<Verdict>> {
     let next = AtomicUsize::new(0);
-    let done = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..jobs {
-            scope.spawn(|| {
-                while let Some((i, m)) = {
-                    let i = next.fetch_add(1, Ordering::Relaxed);
-                    viable.get(i).map(|m| (i, m))
-                } {
-                    let verdict = suite.judge(m.number);
-                    let mut done = done.lock().expect("no job panics");
-                    done.push((i, verdict));
-                    if done.len() % 50 == 0 {
-                        eprintln!("{} of {}", done.len(), viable.len());
-                    }
-                }
-            });
+    let done = Mutex::new((Vec::new(), table));
+    let job = || -> Result<()> {
+        while let Some((i, m)) = {
+            let i = next.fetch_add(1, Ordering::Relaxed);
+            viable.get(i).map(|m| (i, m))
+        } {
+            let verdict = suite.judge(m, most)?;
+            let mut done = done.lock().expect("no job panics");
+            let (verdicts, table) = &mut *done;
+            if let Some(table) = table {
+                table.serialize(row(sources, m, &verdict))?;
+                table.flush()?;
+            }
+            verdicts.push((i, verdict));
+            if verdicts.len() % 50 == 0 {
+                eprintln!("{} of {}", verdicts.len(), viable.len());
+            }
         }
-    });
-    let mut done = done.into_inner().expect("no job panics");
-    done.sort_by_key(|(i, _)| *i);
-    done.into_iter().map(|(_, v)| v).collect()
+        Ok(())
+    };
+    std::thread::scope(|scope| {
+        let jobs: Vec<_> = (0..jobs).map(|_| scope.spawn(job)).collect();
+        let ended = jobs.into_iter().map(|j| j.join().expect("no job panics"));
+        ended.collect::<Result<Vec<()>>>()
+    })?;
+    let (mut verdicts, _) = done.into_inner().expect("no job panics");
+    verdicts.sort_by_key(|(i, _)| *i);
+    Ok(verdicts.into_iter().map(|(_, v)| v).collect())
 }
 
 fn row<'a>(sources: &'a [Source], m: &Mutant, verdict: &Verdict) -> Row<'a> {
@@ -359,12 +388,6 @@ fn report(
     verdicts: &[Verdict],
 ) -> Result<bool> {
     let mut counts = [0; 4];
-    let mut table = match &args.output {
-        Some(path) => {
-            Some(csv::Writer::from_path(path).with_context(|| path.display().to_string())?)
-        }
-        None => None,
-    };
     for (m, verdict) in viable.iter().zip(verdicts) {
         let row = row(sources, m, verdict);
         let k = match verdict {
@@ -386,12 +409,6 @@ fn report(
                 row.instead
             );
         }
-        if let Some(table) = &mut table {
-            table.serialize(row)?;
-        }
-    }
-    if let Some(mut table) = table {
-        table.flush()?;
     }
     let [caught, timed_out, missed, unreached] = counts;
     let n = viable.len();

@@ -1,11 +1,12 @@
 //! The tests: which there are, what each reaches, and which of them fails for a mutant.
 
+use crate::render::Mutant;
 use crate::tree::Executable;
 use anyhow::{Context, Result, bail};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -16,8 +17,36 @@ pub struct Test {
     pub executable: Executable,
     pub name: String,
     pub takes: Duration,
-    /// Mutants it caught.
-    pub catches: AtomicUsize,
+    /// How it fared with the mutants of each file.
+    tries: Mutex<HashMap<usize, Tries>>,
+}
+
+/// How many mutants a test was shown and how many it caught.
+#[derive(Clone, Copy, Default)]
+struct Tries {
+    shown: f64,
+    caught: f64,
+}
+
+impl Test {
+    /// The seconds that it is expected to cost for each catch among mutants of a file; what it did there counts most.
+    fn price(&self, file: usize) -> f64 {
+        let tries = self.tries.lock().expect("no job panics");
+        let (mut shown, mut caught) = (2.0, 1.0);
+        for (at, t) in &*tries {
+            let weight = if *at == file { 4.0 } else { 1.0 };
+            shown += weight * t.shown;
+            caught += weight * t.caught;
+        }
+        (self.takes.as_secs_f64() + 0.01) * shown / caught
+    }
+
+    fn tried(&self, file: usize, caught: bool) {
+        let mut tries = self.tries.lock().expect("no job panics");
+        let t = tries.entry(file).or_default();
+        t.shown += 1.0;
+        t.caught += f64::from(caught);
+    }
 }
 
 /// How a mutant fared.
@@ -63,7 +92,11 @@ pub fn run(
     environment: &[(&str, &str)],
     limit: Duration,
 ) -> Result<Ended> {
-    let mut child = Command::new(&executable.path)
+    let mut command = Command::new(&executable.path);
+    // What the test starts is ended with it.
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
+    let mut child = command
         .current_dir(&executable.folder)
         .args(["--exact", name, "--test-threads", "1", "--include-ignored"])
         .env("PROPTEST_CASES", "32")
@@ -76,15 +109,28 @@ pub fn run(
         .stderr(Stdio::null())
         .spawn()
         .with_context(|| executable.path.display().to_string())?;
-    Ok(match child.wait_timeout(limit)? {
+    let ended = match child.wait_timeout(limit)? {
         Some(status) if status.success() => Ended::Passed,
         Some(_) => Ended::Failed,
-        None => {
-            child.kill()?;
-            child.wait()?;
-            Ended::TimedOut
-        }
-    })
+        None => Ended::TimedOut,
+    };
+    end_group(&child);
+    if ended == Ended::TimedOut {
+        child.kill()?;
+        child.wait()?;
+    }
+    Ok(ended)
+}
+
+/// Ends what a test has started and left behind; there may be nothing.
+fn end_group(child: &Child) {
+    #[cfg(unix)]
+    {
+        use rustix::process::{Pid, Signal, kill_process_group};
+        let _ = kill_process_group(Pid::from_child(child), Signal::KILL);
+    }
+    #[cfg(not(unix))]
+    let _ = child;
 }
 
 /// The names of an executable's tests that hold one of the filters.
@@ -102,7 +148,7 @@ pub fn names(executable: &Executable, filters: &[String]) -> Result<Vec<String>>
 }
 
 impl Suite {
-    /// Runs every test once without a mutant.
+    /// Runs every test once without a mutant. Those that fail are left out, and named.
     pub fn new(
         executables: &[Executable],
         filters: &[String],
@@ -130,7 +176,10 @@ impl Suite {
                     } {
                         let trace = scratch.join(format!("trace-{job}"));
                         match traced(executable, name, &trace) {
-                            Ok(t) => found.lock().unwrap().push((i, t)),
+                            Ok(Some(t)) => found.lock().unwrap().push((i, t)),
+                            Ok(None) => {
+                                eprintln!("{name} fails without any mutant and is left out");
+                            }
                             Err(e) => *failed.lock().unwrap() = Some(e),
                         }
                     }
@@ -162,34 +211,33 @@ impl Suite {
                 executable,
                 name,
                 takes,
-                catches: AtomicUsize::new(0),
+                tries: Mutex::default(),
             });
         }
         Ok(suite)
     }
 
-    /// Runs the tests that reach a mutant, the likeliest and quickest first, until one fails.
-    pub fn judge(&self, mutant: u32) -> Result<Verdict> {
-        let Some(reaching) = self.reaching.get(&mutant) else {
+    /// Runs the tests that reach a mutant, the likeliest and quickest first, until one fails or the time is spent.
+    pub fn judge(&self, mutant: &Mutant, most: Option<Duration>) -> Result<Verdict> {
+        let Some(reaching) = self.reaching.get(&mutant.number) else {
             return Ok(Verdict::Unreached);
         };
-        let mut order = reaching.clone();
-        let price = |i: &usize| {
-            let t = &self.tests[*i];
-            let catches = t.catches.load(Ordering::Relaxed) as f64;
-            (t.takes.as_secs_f64() + 0.01) / (catches + 1.0)
-        };
-        order.sort_by(|a, b| price(a).total_cmp(&price(b)));
-        let number = mutant.to_string();
-        for i in order {
+        let price = |i: usize| (i, self.tests[i].price(mutant.file));
+        let mut order: Vec<(usize, f64)> = reaching.iter().copied().map(price).collect();
+        order.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        let number = mutant.number.to_string();
+        let start = Instant::now();
+        for (i, _) in order {
+            if most.is_some_and(|most| start.elapsed() > most) {
+                break;
+            }
             let t = &self.tests[i];
-            let mutant = [("MUTANT", number.as_str())];
-            match run(&t.executable, &t.name, &mutant, limit(t.takes))? {
+            let named = [("MUTANT", number.as_str())];
+            let ended = run(&t.executable, &t.name, &named, limit(t.takes))?;
+            t.tried(mutant.file, ended != Ended::Passed);
+            match ended {
                 Ended::Passed => {}
-                Ended::Failed => {
-                    t.catches.fetch_add(1, Ordering::Relaxed);
-                    return Ok(Verdict::Caught(t.name.clone()));
-                }
+                Ended::Failed => return Ok(Verdict::Caught(t.name.clone())),
                 Ended::TimedOut => return Ok(Verdict::TimedOut(t.name.clone())),
             }
         }
@@ -197,19 +245,94 @@ impl Suite {
     }
 }
 
-/// The time that a test takes, and the mutants it reaches.
-fn traced(executable: &Executable, name: &str, trace: &Path) -> Result<(Duration, HashSet<u32>)> {
+/// The time that a test takes, and the mutants it reaches; nothing of one that fails.
+fn traced(
+    executable: &Executable,
+    name: &str,
+    trace: &Path,
+) -> Result<Option<(Duration, HashSet<u32>)>> {
     let _ = fs::remove_file(trace);
     let path = trace.to_str().context("a path that is not text")?;
     let start = Instant::now();
-    match run(executable, name, &[("MUTANT_TRACE", path)], LONGEST)? {
-        Ended::Passed => {}
-        _ => bail!("the test {name} fails without any mutant"),
+    if run(executable, name, &[("MUTANT_TRACE", path)], LONGEST)? != Ended::Passed {
+        return Ok(None);
     }
     let takes = start.elapsed();
     let reached = fs::read_to_string(trace).unwrap_or_default();
-    Ok((
-        takes,
-        reached.lines().filter_map(|l| l.parse().ok()).collect(),
-    ))
+    let reached = reached.lines().filter_map(|l| l.parse().ok());
+    Ok(Some((takes, reached.collect())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn test(takes: u64) -> Test {
+        Test {
+            executable: executable("/bin/true".into()),
+            name: String::new(),
+            takes: Duration::from_millis(takes),
+            tries: Mutex::default(),
+        }
+    }
+
+    fn executable(path: std::path::PathBuf) -> Executable {
+        Executable {
+            package: String::new(),
+            path,
+            folder: "/".into(),
+        }
+    }
+
+    #[test]
+    fn a_slow_test_that_catches_in_a_file_comes_before_a_quick_one_that_does_not() {
+        let (quick, slow) = (test(50), test(200));
+        assert!(quick.price(7) < slow.price(7));
+        for _ in 0..3 {
+            quick.tried(7, false);
+            slow.tried(7, true);
+        }
+        assert!(slow.price(7) < quick.price(7));
+        // Elsewhere it counts less.
+        assert!(slow.price(8) > slow.price(7));
+    }
+
+    /// What a test has started ends with it, whether it ends by itself or takes too long.
+    #[cfg(unix)]
+    #[test]
+    fn nothing_is_left_behind() {
+        use std::os::unix::fs::PermissionsExt;
+        for (last, ended) in [("exit 1", Ended::Failed), ("sleep 60", Ended::TimedOut)] {
+            let name = format!("mutants-{}-{ended:?}", std::process::id());
+            let folder = std::env::temp_dir().join(name);
+            fs::create_dir_all(&folder).unwrap();
+            let (script, started) = (folder.join("script"), folder.join("started"));
+            let text = format!(
+                "#!/bin/sh\nsleep 60 &\necho $! > {}\n{last}\n",
+                started.display()
+            );
+            fs::write(&script, text).unwrap();
+            fs::set_permissions(&script, fs::Permissions::from_mode(0o755)).unwrap();
+            let limit = Duration::from_secs(2);
+            assert_eq!(run(&executable(script), "", &[], limit).unwrap(), ended);
+            let number = fs::read_to_string(&started)
+                .unwrap()
+                .trim()
+                .parse()
+                .unwrap();
+            let process = rustix::process::Pid::from_raw(number).unwrap();
+            // Ended, and waited for by whatever takes its parent's place.
+            let gone = || {
+                let stat = fs::read_to_string(format!("/proc/{number}/stat"));
+                let zombie = stat.is_ok_and(|s| s.contains(") Z "));
+                zombie || rustix::process::test_kill_process(process).is_err()
+            };
+            let waited = Instant::now();
+            while !gone() {
+                assert!(waited.elapsed() < Duration::from_secs(10), "{last}");
+                std::thread::sleep(Duration::from_millis(10));
+            }
+            fs::remove_dir_all(&folder).unwrap();
+        }
+    }
 }

@@ -70,8 +70,8 @@ impl Tree {
         write_if_other(&self.root.join(name), text.as_bytes())
     }
 
-    /// The root file of a package's library, relative to the tree.
-    pub fn library(&self, package: &str) -> Result<String> {
+    /// The root files of a package's library and programs, relative to the tree.
+    pub fn roots(&self, package: &str) -> Result<Vec<String>> {
         let out = Command::new("cargo")
             .current_dir(&self.root)
             .args(["metadata", "--no-deps", "--format-version", "1"])
@@ -82,16 +82,17 @@ impl Tree {
         let found = packages.iter().find(|p| p["name"] == package);
         let found = found.with_context(|| format!("there is no package {package:?}"))?;
         let targets = found["targets"].as_array().context("targets")?;
-        let library = targets.iter().find(|t| {
+        let own = targets.iter().filter(|t| {
             let kinds = t["kind"].as_array();
-            kinds.is_some_and(|k| k.iter().any(|k| k == "lib"))
+            kinds.is_some_and(|k| k.iter().any(|k| k == "lib" || k == "bin"))
         });
-        let path = library.context("the package has no library")?["src_path"]
-            .as_str()
-            .context("src_path")?;
         let root = fs::canonicalize(&self.root)?;
-        let inside = Path::new(path).strip_prefix(root).context("src_path")?;
-        Ok(inside.to_string_lossy().into_owned())
+        own.map(|target| {
+            let path = target["src_path"].as_str().context("src_path")?;
+            let inside = Path::new(path).strip_prefix(&root).context("src_path")?;
+            Ok(inside.to_string_lossy().into_owned())
+        })
+        .collect()
     }
 
     /// Checks or builds the tests of packages.
