@@ -108,8 +108,8 @@ enum Shape {
 }
 
 /// `Σ |y_j ∂f/∂y_j| + Σ |end ∂f/∂end|` of the functional `Σ e_j y_j + Σ c_j M_j`, where `M` solves
-/// the spline's system: one solve with the transposed matrix.
-fn linear_condition(y: &[f64], ends: [f64; 2], e: Vec<f64>, c: &[f64]) -> Option<f64> {
+/// the spline's system, and `Σ end ∂f/∂end`: one solve with the transposed matrix.
+fn linear_condition(y: &[f64], ends: [f64; 2], e: Vec<f64>, c: &[f64]) -> [f64; 2] {
     let n = y.len() - 1;
     let z = transposed_solve(c);
     let mut weight = e;
@@ -119,7 +119,8 @@ fn linear_condition(y: &[f64], ends: [f64; 2], e: Vec<f64>, c: &[f64]) -> Option
         weight[i + 1] += z[i];
     }
     let values: f64 = weight.iter().zip(y).map(|(w, y)| (w * y).abs()).sum();
-    Some(values + (ends[0] * z[0]).abs() + (ends[1] * z[n]).abs())
+    let ends = [ends[0] * z[0], ends[1] * z[n]];
+    [values + ends[0].abs() + ends[1].abs(), ends[0] + ends[1]]
 }
 
 /// Solves `Aᵀ z = c` for the spline's matrix: rows `1, 4, 1` between unit rows at both ends. The
@@ -264,30 +265,31 @@ impl Definition for CubicSplineUniform {
             let [s, d, dd, ddd, integral] = base[5 * a..5 * a + 5] else {
                 return None;
             };
-            // |q f'| + |x0 f'| + |h ∂f/∂h|, with h ∂f/∂h = −order·f − (q − x0) f'.
-            let moved = |order: f64, f: f64, df: f64| {
-                ((q * df).abs() + (x0 * df).abs()) + (order * f + (q - x0) * df).abs()
+            // |q f'| + |x0 f'| + |h ∂f/∂h|, with h ∂f/∂h = −order·f − (q − x0) f' + 2 Σ end ∂f/∂end: beside a longer
+            // step a second derivative that stays is a larger one.
+            let moved = |order: f64, f: f64, df: f64, ends: f64| {
+                ((q * df).abs() + (x0 * df).abs()) + (2.0 * ends - order * f - (q - x0) * df).abs()
             };
-            let value = linear(&|e, c| {
+            let [value, of_value] = linear(&|e, c| {
                 (e[i], e[i + 1]) = (w, k);
                 (c[i], c[i + 1]) = (-k * w * (1.0 + w), -k * w * (1.0 + k));
-            })?;
-            let first = linear(&|e, c| {
+            });
+            let [first, of_first] = linear(&|e, c| {
                 (e[i], e[i + 1]) = (-1.0, 1.0);
                 (c[i], c[i + 1]) = (1.0 - 3.0 * w * w, 3.0 * k * k - 1.0);
-            })?;
-            let second = linear(&|_, c| (c[i], c[i + 1]) = (6.0 * w, 6.0 * k))?;
-            let third = linear(&|_, c| (c[i], c[i + 1]) = (-6.0, 6.0))?;
-            let whole = linear(&|e, c| {
+            });
+            let [second, of_second] = linear(&|_, c| (c[i], c[i + 1]) = (6.0 * w, 6.0 * k));
+            let [third, of_third] = linear(&|_, c| (c[i], c[i + 1]) = (-6.0, 6.0));
+            let [whole, of_whole] = linear(&|e, c| {
                 area(other, 1.0, e, c);
                 area(q, -1.0, e, c);
-            })?;
+            });
             let at_other = base[5 * b];
-            let stretched = integral - (other - x0) * at_other + (q - x0) * s;
-            out.push(value + moved(0.0, s, d));
-            out.push(first / h + moved(1.0, d, dd));
-            out.push(second / h / h + moved(2.0, dd, ddd));
-            out.push(third / h / h / h + moved(3.0, ddd, 0.0));
+            let stretched = integral - (other - x0) * at_other + (q - x0) * s + 2.0 * of_whole * h;
+            out.push(value + moved(0.0, s, d, of_value));
+            out.push(first / h + moved(1.0, d, dd, of_first / h));
+            out.push(second / h / h + moved(2.0, dd, ddd, of_second / h / h));
+            out.push(third / h / h / h + moved(3.0, ddd, 0.0, of_third / h / h / h));
             out.push(
                 whole * h
                     + (q * s).abs()
