@@ -230,4 +230,46 @@ mod tests {
             }
         }
     }
+
+    /// What is worse than anything recorded, by a hundredth or more, is new; over budget and new is no pass.
+    #[test]
+    fn what_is_worse_than_recorded_is_new() {
+        let methods = crate::methods::registry();
+        let recorded = |m: &dyn Method| {
+            let output = m.outputs()[0].name;
+            let hard = m.hard();
+            let own = hard.iter().filter(|h| h.output == output);
+            own.map(|h| h.share).fold(0.0, f64::max)
+        };
+        let method = methods.iter().find(|m| recorded(&***m) > 0.0).unwrap();
+        let before = recorded(&**method);
+        let of = |share: f64| {
+            let worst = Worst {
+                order: !share.to_bits(),
+                input: vec![0],
+                seed: 1,
+                reason: String::new(),
+            };
+            HuntTally {
+                worst: vec![(0, vec![worst])],
+                ..HuntTally::default()
+            }
+        };
+        for (share, new) in [
+            (0.5 * before, false),
+            (1.009 * before, false),
+            (1.011 * before, true),
+            (f64::INFINITY, true),
+        ] {
+            let found = of(share).worst(&**method);
+            assert_eq!((found.len(), found[0].new), (1, new), "{share}");
+        }
+        let least = 1.1 * before.max(1.0);
+        assert!(!of(least).passed(&**method) && of(0.5 * before).passed(&**method));
+        let failing = HuntTally {
+            failures: 1,
+            ..HuntTally::default()
+        };
+        assert!(!failing.passed(&**method));
+    }
 }

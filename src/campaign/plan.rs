@@ -476,3 +476,40 @@ pub enum VariantError {
     #[error(transparent)]
     Sampling(#[from] SamplingError),
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_of_one_method_are_told_apart_by_their_labels() {
+        let text = "
+            name = \"labels\"
+            [[part]]
+            methods = [\"faddeeva\"]
+            seeds = [1, 2]
+            cases = 1
+            [[part]]
+            methods = [\"faddeeva\"]
+            regions = [\"small\"]
+            cases = 1
+            [[part]]
+            kind = \"proof\"
+            methods = [\"faddeeva\"]
+            [[part]]
+            kind = \"proof\"
+            methods = [\"faddeeva\"]
+            within = 0.5
+        ";
+        let plan = Plan::read(&Source::toml(text)).unwrap();
+        let labels: Vec<String> = plan.parts.iter().map(Part::label).collect();
+        let due = [
+            "faddeeva, seed 1",
+            "faddeeva, seed 2",
+            "faddeeva, small, seed 1",
+            "faddeeva, proof",
+            "faddeeva, proof within 0.5",
+        ];
+        assert_eq!(labels, due);
+    }
+}

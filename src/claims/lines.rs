@@ -226,4 +226,54 @@ mod tests {
         let error = (re.mid().to_f64() - got).abs() / got;
         assert!(error < 1e-5, "{error:e}");
     }
+
+    /// Each parameter just inside what is called a line, and just outside.
+    #[test]
+    fn what_is_no_line() {
+        let inside = [0.01, 0.02, 0.002, 0.001, -0.0005, 0.004, 0.25, 0.03];
+        assert!(physical(&inside));
+        for (k, good, bad) in [
+            (0, 1e-4, 0.9e-4),
+            (0, 1.0, 1.1),
+            (2, 0.006, 0.0061),
+            (2, 0.0, -1e-9),
+            (3, -0.006, -0.0061),
+            (3, 0.006, 0.0061),
+            (4, -0.002, -0.0021),
+            (4, 0.002, 0.0021),
+            (5, 0.02, 0.021),
+            (5, 0.0, -1e-9),
+            (6, 0.9, 0.91),
+            (6, 0.0, -1e-9),
+            (7, -300.0, -301.0),
+            (7, 300.0, 301.0),
+        ] {
+            for (value, due) in [(good, true), (bad, false), (f64::NAN, false)] {
+                let mut p = inside;
+                p[k] = value;
+                assert_eq!(physical(&p), due, "parameter {k} = {value}");
+            }
+        }
+        let of_ratio = |ratio: f64| physical(&[0.01, 0.01 * ratio, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        for (ratio, due) in [
+            (1.01e-5, true),
+            (0.99e-5, false),
+            (999.0, true),
+            (1001.0, false),
+        ] {
+            assert_eq!(of_ratio(ratio), due, "{ratio}");
+        }
+    }
+
+    /// Codes of simple profiles are not asked for others.
+    #[test]
+    fn shifts_and_correlation_are_not_simple() {
+        let plain = [0.01, 0.02, 0.002, 0.0, 0.0, 0.004, 0.0, 0.03];
+        assert!(simple(&plain));
+        for k in [3, 4, 6] {
+            let mut p = plain;
+            p[k] = -1e-3;
+            assert!(!simple(&p), "parameter {k}");
+        }
+    }
 }

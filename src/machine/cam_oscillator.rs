@@ -544,3 +544,31 @@ fn enough_harmonics(
     });
     Ok(most.max(reach.ceil() as u32).min(MOST_HARMONICS))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(law: &str) -> Result<CamOscillator, Refusal> {
+        let text = include_str!("../../examples/chirp-run-up.toml");
+        let law = text.replacen("law = \"modified-sine\"", &format!("law = {law}"), 1);
+        assert_ne!(law, text);
+        CamOscillator::read(&Source::toml(law), Some(20))
+    }
+
+    /// A table is met at its knots, at rest at its ends.
+    #[test]
+    fn a_law_by_a_table() {
+        let machine = read("{ table = [[0, 0], [0.25, 0.125], [0.5, 0.625], [1, 1]] }").unwrap();
+        assert_eq!(machine.law, "table");
+        let law = &machine.drive.cycle.rise().law;
+        for (x, y) in [(0.0, 0.0), (0.25, 0.125), (0.5, 0.625), (1.0, 1.0)] {
+            let motion = law.motion(x).unwrap();
+            assert!((motion.displacement - y).abs() < 1e-15, "{x}");
+            assert!(x.fract() != 0.0 || motion.velocity.abs() < 1e-14, "{x}");
+        }
+        let two = "{ table = [[0, 0], [1, 1]], scca = [0.2, 0.5, 0.3] }";
+        let refused = read(two).err().unwrap().to_string();
+        assert!(refused.contains("exactly one of"), "{refused}");
+    }
+}

@@ -265,6 +265,12 @@ fn binary_frames() {
         (Some(0), u64::MAX.to_le_bytes().to_vec(), "")
     );
     assert_eq!(in_frames(W, &[]), (Some(0), vec![], String::new()));
+    // A chirp that is refused in words takes a frame among others.
+    let chirp = |w: f64| frame(&[w, 0.5, 4.0, 1.0, 2.0, 0.3, 0.1, -2.0, 3.0]);
+    let good = in_frames("chirp-response", &chirp(10.0)).1;
+    let (code, out, err) = in_frames("chirp-response", &[chirp(-10.0), chirp(10.0)].concat());
+    let due = [&u64::MAX.to_le_bytes()[..], &good].concat();
+    assert_eq!((code, out, err.as_str()), (Some(0), due, ""));
     // What comes before is answered.
     let good = frame(&[0.0, 1.0]);
     for (input, part) in [

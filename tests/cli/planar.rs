@@ -1,7 +1,7 @@
 //! `mechaudit linkage` for mechanisms of bodies and joints, as its user meets it.
 
 use crate::common::{
-    cells, changed, column, command, drawing, refused, run, run_on, said, texts, words,
+    cells, changed, column, command, csv, drawing, refused, run, run_on, said, texts, words,
 };
 use tempfile::tempdir;
 
@@ -298,6 +298,9 @@ fn bad_files_are_refused_by_name() {
         "55.8 cm"           | "155.8 cm"          | no triangle has these sides
         name = "j"          | name = "crank"      | is taken
         name = "j"          | name = "a b"        | must be a name
+        name = "j"          | name = ""           | must be a name
+        name = "j"          | name = "abcdefghijklmnopqrstuvwxyzabcdefghijklmno" | must be a name
+        point = "W"         | point = "W"\nteeth = [1, 2] | a pin has no teeth
         point = "W"         | point = "V"         | point = "V" is on 0 body
         point = "W"         | point = "F"         | point = "F" is on 1 body
         kind = "pin"        | kind = "pinn"       | must be one of
@@ -424,6 +427,68 @@ fn rows_have_certified_digits() {
                 "{name}: {short} {long}"
             );
         }
+    }
+}
+
+/// A coupler driven against the crank that it is pinned to.
+#[test]
+fn a_relative_drive_has_certified_digits() {
+    let text = r#"
+        type = "planar"
+        [ground]
+        points = { A = ["0 m", "0 m"], D = ["3 m", "0 m"] }
+        [[body]]
+        name = "crank"
+        ends = ["A", "B"]
+        length = "1 m"
+        [[body]]
+        name = "coupler"
+        ends = ["B", "C"]
+        length = "3 m"
+        [[body]]
+        name = "rocker"
+        ends = ["D", "C"]
+        length = "2.5 m"
+        [[joint]]
+        kind = "pin"
+        point = "A"
+        [[joint]]
+        kind = "pin"
+        point = "B"
+        [[joint]]
+        kind = "pin"
+        point = "C"
+        [[joint]]
+        kind = "pin"
+        point = "D"
+        [drive]
+        body = "coupler"
+        from = "crank"
+    "#;
+    let rows = |more: &str| {
+        let line = format!("linkage - --from-deg 40 --to-deg 50 --step-deg 10 --branch 0 {more}");
+        let d = run_on(text, &words(&line));
+        assert_eq!(d.code, 0, "{}", d.err);
+        d.out
+    };
+    let (floats, certified) = (rows(""), rows("--digits 20"));
+    let (names, lines) = csv(&certified);
+    assert!(lines.len() == 2 && names.len() > 10, "{certified}");
+    for name in names {
+        for (x, y) in column(&certified, &name).iter().zip(column(&floats, &name)) {
+            close(*x, y, 1e-9);
+        }
+    }
+    let [crank, coupler] = ["crank_deg", "coupler_deg"].map(|n| column(&certified, n));
+    let driven: Vec<f64> = crank.iter().zip(&coupler).map(|(a, b)| b - a).collect();
+    for (got, due) in driven.iter().zip([40.0, 50.0]) {
+        close(
+            (got - due)
+                .rem_euclid(360.0)
+                .min((due - got).rem_euclid(360.0)),
+            0.0,
+            1e-9,
+        );
     }
 }
 

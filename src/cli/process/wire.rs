@@ -245,4 +245,17 @@ mod tests {
         }
         assert_eq!(line(&[f64::NAN], true), "nan");
     }
+
+    /// The longest line is read, with its end and without; a byte more costs that line alone.
+    #[test]
+    fn the_longest_line() {
+        let of = |n: usize| vec![b'1'; n];
+        let text = [of(LONGEST), of(LONGEST + 1), of(LONGEST)].join(&b'\n');
+        let mut lines = Lines::new(&text[..]);
+        let mut next = || lines.read().unwrap();
+        for due in [true, false, true] {
+            assert_eq!(next().unwrap().text().is_ok(), due);
+        }
+        assert!(next().is_none());
+    }
 }

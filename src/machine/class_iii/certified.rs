@@ -205,3 +205,40 @@ fn refined(linkage: &Linkage, angle: &ExactAngle, q: &Configuration) -> Option<C
         .all(|(coarse, fine)| coarse.contains_ball(fine))
         .then_some(found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::{Linkage as File, Source};
+
+    /// A position at a higher precision is the same one only where all four coordinates lie in the old ones.
+    #[test]
+    fn another_position_is_not_the_same_one_refined() {
+        let text = include_str!("../../../examples/sand-screen.toml");
+        let File::ClassIii(file) = File::read(&Source::toml(text)).unwrap() else {
+            unreachable!("of class III");
+        };
+        let at = file.start_degrees().unwrap();
+        let branch = super::super::choose(&file.solver, &at, None, &file.start).unwrap();
+        let angle = ExactAngle::Degrees(at);
+        let [_, _, c, d] = branch.start.joints();
+        let q = Linkage::new(&file.exact, 128)
+            .near(&angle.to_ball(128), c, d)
+            .unwrap();
+        let finer = Linkage::new(&file.exact, 256);
+        let same = refined(&finer, &angle, &q).unwrap();
+        assert!(q.c.re.contains_ball(&same.c.re) && q.d.im.contains_ball(&same.d.im));
+        let beside = |x: &Ball| x + &Ball::rational(128, &Rational::from((1, 1_000_000)));
+        for k in 0..4 {
+            let mut other = q.clone();
+            let moved = match k {
+                0 => &mut other.c.re,
+                1 => &mut other.c.im,
+                2 => &mut other.d.re,
+                _ => &mut other.d.im,
+            };
+            *moved = beside(moved);
+            assert!(refined(&finer, &angle, &other).is_none(), "coordinate {k}");
+        }
+    }
+}

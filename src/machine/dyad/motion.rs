@@ -65,3 +65,48 @@ pub fn motion(dyad: &Dyad, positions: &[Position], start: usize, closed: bool) -
     }
     motion
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::{Linkage, Source};
+
+    fn four_bar(lengths: [u32; 4]) -> Dyad {
+        let [a, b, c, d] = lengths;
+        let text = format!(
+            "type = \"four-bar\"\n[geometry]\ncrank = \"{a} m\"\ncoupler = \"{b} m\"\n\
+             rocker = \"{c} m\"\nframe = \"{d} m\""
+        );
+        match Linkage::read(&Source::toml(text)).unwrap() {
+            Linkage::Dyad(dyad) => *dyad,
+            _ => unreachable!("a dyad"),
+        }
+    }
+
+    #[test]
+    fn a_rocker_swings_over_its_range_and_a_crank_turns() {
+        let crank = four_bar([10, 40, 30, 35]);
+        assert_eq!(
+            drives(&crank, 4, 30.0),
+            (vec![30.0, 120.0, 210.0, 300.0], 0, true)
+        );
+        // It comes no further than where coupler and rocker are in line.
+        let rocker = four_bar([30, 30, 30, 35]);
+        let limit = f64::acos((30f64.powi(2) + 35f64.powi(2) - 60f64.powi(2)) / 2100.0);
+        let limit = limit.to_degrees();
+        let (all, k, turns) = drives(&rocker, 4, 1.0);
+        assert!(!turns && all.is_sorted_by(|a, b| a < b), "{all:?}");
+        for (got, due) in all
+            .iter()
+            .zip([-limit, -0.5 * limit, 0.0, 1.0, 0.5 * limit, limit])
+        {
+            assert!((got - due).abs() < 1e-9, "{all:?}");
+        }
+        assert_eq!((all.len(), k, all[k]), (6, 3, 1.0));
+        // One that is among them already, and one out of reach.
+        let again = drives(&rocker, 4, all[0]);
+        assert_eq!((again.0.len(), again.1), (5, 0));
+        let (all, k, turns) = drives(&rocker, 4, 180.0);
+        assert_eq!((all.len(), k, turns), (5, 0, false));
+    }
+}

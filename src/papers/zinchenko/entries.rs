@@ -191,4 +191,42 @@ mod tests {
         assert!(!within(&d, &wide, 0.5));
         assert!(d.units_off(&ball("0.033")).contains(&Rational::from(1)));
     }
+
+    #[test]
+    fn an_entry_is_judged_by_its_units() {
+        let printed = |text: &str| Printed {
+            column: Column::Inertia,
+            row: 0,
+            text: text.into(),
+            value: Decimal::parse(text).unwrap(),
+        };
+        let all = [printed("10.534"), printed("10.5")];
+        let of = |value: &str, twin: Option<&str>, column_agrees| {
+            let twin = twin.map(ball);
+            let beside = twin.as_ref().map(|v| (&all[1], v));
+            judge(&all, 0, &ball(value), beside, column_agrees)
+        };
+        for (value, twin, agrees, due, units) in [
+            ("10.53449", None, true, EntryVerdict::Agrees, -0.49),
+            ("10.53451", None, true, EntryVerdict::Rounding, -0.51),
+            ("10.53301", None, true, EntryVerdict::Rounding, 0.99),
+            ("10.5329", None, true, EntryVerdict::Unexplained, 1.1),
+            ("10.5321", Some("10.54"), true, EntryVerdict::Misprint, 1.9),
+            (
+                "10.5321",
+                Some("10.56"),
+                true,
+                EntryVerdict::Unexplained,
+                1.9,
+            ),
+            ("10.834", None, true, EntryVerdict::Misprint, -300.0),
+            // Nothing explains one entry of a column that is wrong throughout.
+            ("10.834", None, false, EntryVerdict::Unexplained, -300.0),
+        ] {
+            let found = of(value, twin, agrees);
+            assert_eq!(found.verdict, due, "{value} {twin:?}");
+            assert!((found.units_in_last_digit - units).abs() < 1e-6, "{value}");
+            assert_eq!(found.note.is_some(), due == EntryVerdict::Misprint);
+        }
+    }
 }

@@ -83,4 +83,12 @@ mod tests {
         assert!(text.lines().all(|l| l.len() <= 14));
         assert_eq!(wrap("incompressible", 2, 5), "incompressible");
     }
+
+    #[test]
+    fn only_a_style_and_a_text_make_escapes() {
+        assert_eq!(paint(PLAIN, "x"), "x");
+        assert_eq!(paint(BAD, ""), "");
+        let bad = paint(BAD, "x");
+        assert!(bad.len() > 1 && plain(&bad) == "x");
+    }
 }

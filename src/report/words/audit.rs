@@ -191,4 +191,18 @@ mod tests {
             "1 of 2 methods pass, 799 of 800 cases"
         );
     }
+
+    #[test]
+    fn a_proved_bound_is_said_with_its_inputs_and_its_proof() {
+        let method = crate::methods::find("faddeeva").unwrap();
+        let text = proved(&method.proved()[0]);
+        let bound = &method.proved()[0];
+        for part in [
+            bound.error.to_string().as_str(),
+            bound.inputs,
+            bound.command,
+        ] {
+            assert!(!part.is_empty() && text.contains(part), "{text}");
+        }
+    }
 }

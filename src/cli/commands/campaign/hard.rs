@@ -77,3 +77,33 @@ pub fn record(folder: &Path, plan: &Plan, parts: &[PartSum]) -> Result<(), Failu
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::machine::Source;
+
+    /// What a program, single precision, other budgets or some outputs found is not the method's own.
+    #[test]
+    fn only_the_methods_own_cases_are_kept() {
+        let part = |more: &str| {
+            let text = format!("name = \"x\"\n[[part]]\nmethods = [\"faddeeva\"]\n{more}");
+            Plan::read(&Source::toml(text))
+                .unwrap()
+                .parts
+                .swap_remove(0)
+        };
+        assert!(is_of_method(&part("cases = 1")));
+        assert!(is_of_method(&part("kind = \"hunt\"\nhunts = 1")));
+        for more in [
+            "cases = 1\nulps = 1",
+            "cases = 1\nnormwise = 3",
+            "cases = 1\nsingle = true",
+            "cases = 1\noutputs = [\"Re W\"]",
+            "kind = \"proof\"",
+            "kind = \"candidate\"\ncases = 1\nexec = \"true\"",
+        ] {
+            assert!(!is_of_method(&part(more)), "{more}");
+        }
+    }
+}

@@ -212,4 +212,24 @@ mod tests {
         assert_eq!(shown(0.0, f64::NAN), ["nan", "0"]);
         assert_eq!(shown(f64::NAN, 1.0), ["nan", "nan"]);
     }
+
+    /// At infinity w is i/(√π z): the real part has the sign of Im z, the imaginary part that of Re z.
+    #[test]
+    fn signs_of_zero_at_infinity_and_on_the_axis() {
+        let (inf, plus, minus) = (f64::INFINITY, Some(false), Some(true));
+        for ((x, y), due) in [
+            ((1.0, inf), [plus, plus]),
+            ((-1.0, inf), [plus, minus]),
+            ((-0.0, inf), [plus, minus]),
+            ((-inf, inf), [plus, minus]),
+            ((inf, 2.0), [plus, plus]),
+            ((-inf, -2.0), [minus, minus]),
+            ((inf, 0.0), [None, plus]),
+            ((-0.0, 3.0), [None, minus]),
+            ((0.0, -3.0), [None, plus]),
+            ((f64::NAN, inf), [plus, None]),
+        ] {
+            assert_eq!(signs_of_zero(x, y), due, "{x} {y}");
+        }
+    }
 }

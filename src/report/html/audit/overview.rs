@@ -114,3 +114,34 @@ pub fn sorting(x: f64) -> String {
 pub fn number(there: bool, x: f64) -> Markup {
     html! { @if there { td data-v=(sorting(x)) { (short(x)) } } @else { td { "–" } } }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{brief, heat};
+
+    #[test]
+    fn a_share_is_a_percentage_a_multiple_or_unknown() {
+        for (share, due) in [
+            (0.0, "0 %"),
+            (0.504, "50 %"),
+            (9.99, "999 %"),
+            (9.996, "10×"),
+            (9999.0, "9999×"),
+            (12345.0, "1e4×"),
+            (f64::INFINITY, "inf×"),
+            (f64::NAN, "–"),
+        ] {
+            assert_eq!(brief(share), due);
+        }
+    }
+
+    #[test]
+    fn a_colour_says_how_near_the_budget_is_and_what_is_over_or_failed() {
+        let of = |share| heat(false, share);
+        let shares = [0.25, 0.5, 0.75, 1.0, 1.01, f64::INFINITY];
+        let names = shares.map(of);
+        assert_eq!(names[1..], ["h1", "h2", "h3", "h4", "h4"]);
+        assert!(!names[1..].contains(&names[0]), "{names:?}");
+        assert!(!names.contains(&heat(true, 0.25)), "{names:?}");
+    }
+}
