@@ -53,3 +53,30 @@ pub(super) fn conditioned(
 pub(super) fn held(held: bool) -> Option<f64> {
     Some(if held { 0.0 } else { f64::INFINITY })
 }
+
+/// The largest residual, zero of none; not a number, which breaks the law, where one is none.
+pub(super) fn largest(residuals: impl IntoIterator<Item = f64>) -> f64 {
+    let larger = |worst: f64, x: f64| match worst.is_nan() || x <= worst {
+        true => worst,
+        false => x,
+    };
+    residuals.into_iter().fold(0.0, larger)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest;
+
+    #[test]
+    fn a_residual_that_is_no_number_is_the_largest() {
+        assert_eq!(largest([]), 0.0);
+        assert_eq!(largest([0.5, 2.0, 1.0]), 2.0);
+        for all in [
+            [f64::NAN, 1.0, 2.0],
+            [1.0, f64::NAN, 2.0],
+            [1.0, 2.0, f64::NAN],
+        ] {
+            assert!(largest(all).is_nan(), "{all:?}");
+        }
+    }
+}

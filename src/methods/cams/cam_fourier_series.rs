@@ -2,7 +2,7 @@
 
 use super::law_input::{self as input, LawInput};
 use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Rows, Uncertified};
-use crate::methods::common::{output, point, region};
+use crate::methods::common::{largest, output, point, region};
 use crate::methods::definition::{Definition, conditions_at_reference, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::cam_law::Law as ExactLaw;
@@ -324,7 +324,7 @@ impl Definition for CamFourierSeries {
 fn worst(x: &[f64], law: fn(&FourierSeries, u32) -> f64) -> Option<f64> {
     let i = CamFourierSeries::unpack(x)?;
     let series = series(i).ok()?;
-    Some(i.orders().map(|n| law(&series, n)).fold(0.0, f64::max))
+    Some(largest(i.orders().map(|n| law(&series, n))))
 }
 
 fn amplitude_and_phase(series: &FourierSeries, n: u32) -> f64 {
@@ -342,6 +342,7 @@ fn amplitude_and_phase(series: &FourierSeries, n: u32) -> f64 {
 
 fn decay(series: &FourierSeries, n: u32) -> f64 {
     match series.harmonic(n) {
+        Ok(h) if h.amplitude() == 0.0 => 0.0,
         Ok(h) => h.amplitude() / series.tail_bound(n - 1, 0),
         Err(_) => f64::NAN,
     }

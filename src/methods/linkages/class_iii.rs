@@ -1,7 +1,7 @@
 //! The class-III linkage on a chosen assembly mode: positions, rates and reduced quantities.
 
 use crate::audit::{Budget, Domain, Draw, Law, Limit, Output, ReferenceAnswer, Uncertified};
-use crate::methods::common::{held, output, point, region};
+use crate::methods::common::{held, largest, output, point, region};
 use crate::methods::definition::{Definition, conditions_at_reference, exact};
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::class_iii::{self as reference, Configuration, ExactAngle, Linkage};
@@ -422,10 +422,7 @@ fn round_trip_law(x: &[f64]) -> Option<f64> {
         .ok()?;
     let back = linkage.follow(&there, Angle::from_rad(start.phi1)).ok()?;
     let (a, b) = (start.positions.to_array(), back.positions.to_array());
-    let moved = a
-        .iter()
-        .zip(b)
-        .fold(0.0f64, |m, (x, y)| m.max((x - y).abs()));
+    let moved = largest(a.iter().zip(b).map(|(x, y)| (x - y).abs()));
     Some(moved / (1e-12 * start.condition.max(1.0)))
 }
 

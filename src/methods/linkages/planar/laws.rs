@@ -6,7 +6,7 @@ use super::kinematics::PlanarLinkage;
 use super::reactions::PlanarReactions;
 use super::reduction::PlanarReduction;
 use crate::audit::Law;
-use crate::methods::common::held;
+use crate::methods::common::{held, largest};
 use crate::methods::definition::Definition;
 use crate::solvers::planar::{Drive, GROUND, Mechanism};
 
@@ -58,17 +58,18 @@ pub(super) fn of_reactions() -> Vec<Law> {
     ]
 }
 
+/// A difference over what is allowed, which may be nothing.
+fn share(off: f64, allowed: f64) -> f64 {
+    match off == 0.0 {
+        true => 0.0,
+        false => off.abs() / allowed,
+    }
+}
+
 /// The largest difference over what is allowed, `k u (|value| + condition)`.
 fn within(k: f64, here: &[f64], there: &[f64], conditions: &[f64]) -> f64 {
     let all = here.iter().zip(there).zip(conditions);
-    all.fold(0.0, |worst: f64, ((a, b), c)| {
-        let off = (a - b).abs();
-        let allowed = k * U * (a.abs() + c);
-        match off == 0.0 {
-            true => worst,
-            false => worst.max(off / allowed),
-        }
-    })
+    largest(all.map(|((a, b), c)| share(a - b, k * U * (a.abs() + c))))
 }
 
 fn mirror(x: &[f64]) -> Option<f64> {
@@ -133,9 +134,9 @@ fn exchange(x: &[f64]) -> Option<f64> {
         let slope = (here[9 * k + 2] - due * second) / (rate * rate);
         let condition = conditions[9 * k + 1] / rate.abs() + due.abs() * vague;
         let allowed = 64.0 * U * (due.abs() + condition + slope.abs() * known);
-        (got - due).abs() / allowed
+        share(got - due, allowed)
     });
-    Some(worst.fold(0.0, f64::max))
+    Some(largest(worst))
 }
 
 fn power_balance(x: &[f64]) -> Option<f64> {
@@ -161,8 +162,7 @@ fn virtual_work(x: &[f64]) -> Option<f64> {
     let sizes = PlanarReactions::conditions(x)?;
     let moving = i.linkage.to_vec();
     let of_motion = PlanarLinkage::conditions(&moving)?;
-    let mut worst = 0.0f64;
-    for axis in 0..2 {
+    let worst = [0, 1].map(|axis| {
         let (mut sum, mut allowed) = (0.0, 0.0);
         for (k, (a, b)) in i.linkage.a.iter().zip(i.linkage.b).enumerate() {
             let sign = f64::from(u8::from(*a == 0.0)) - f64::from(u8::from(*b == 0.0));
@@ -178,9 +178,9 @@ fn virtual_work(x: &[f64]) -> Option<f64> {
             let condition = of_motion[second] * square + of_motion[first] * i.acceleration.abs();
             allowed += m * (by.abs() + g.abs() + condition);
         }
-        worst = worst.max(sum.abs() / (16.0 * U * allowed));
-    }
-    Some(worst)
+        share(sum, 16.0 * U * allowed)
+    });
+    Some(largest(worst))
 }
 
 fn masses(x: &[f64]) -> Option<f64> {
@@ -191,4 +191,19 @@ fn masses(x: &[f64]) -> Option<f64> {
     let heavier = PlanarForcesInput { m: &m, j: &j, ..i };
     let there = PlanarReactions::solve(heavier).ok();
     held(there == Some(twice(&here)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_difference_is_measured_by_value_and_condition() {
+        let of = |b: f64, c: f64| within(2.0, &[1.0, 5.0], &[1.0 + b, 5.0], &[c, 0.0]);
+        assert_eq!(of(0.0, 0.0), 0.0);
+        assert_eq!(of(8.0 * U, 0.0), 4.0);
+        assert_eq!(of(8.0 * U, 3.0), 1.0);
+        assert_eq!(of(-8.0 * U, 3.0), 1.0);
+        assert!(of(f64::NAN, 3.0).is_nan() && of(8.0 * U, f64::NAN).is_nan());
+    }
 }
