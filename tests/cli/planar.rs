@@ -251,6 +251,16 @@ fn a_drive_by_displacement() {
         &command("linkage examples/cylinder-boom.toml --from-deg 3"),
         "the drive is a displacement",
     );
+    let boom = include_str!("../../examples/cylinder-boom.toml");
+    for (from, to) in [
+        ("\"1.4 m\"", "\"0.8 m\""),
+        ("\"0.05 m\"", "\"0 m\""),
+        ("\"0.05 m\"", "\"-0.05 m\""),
+        ("\"0.05 m\"", "\"4e-7 m\""),
+    ] {
+        let d = run_on(changed(boom, from, to), &words("linkage -"));
+        refused(&d, "drive.range must ascend");
+    }
 }
 
 #[test]

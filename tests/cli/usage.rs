@@ -175,9 +175,25 @@ fn the_list_names_every_method() {
     let listed = json["methods"].as_array().unwrap();
     let methods = mechaudit::methods::registry();
     assert_eq!(listed.len(), methods.len());
+    let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let said = flat(&d.out);
     for m in methods {
-        assert!(d.out.contains(m.name()));
-        assert!(m.domain().regions.iter().all(|r| d.out.contains(r.name)));
+        let layout = mechaudit::audit::Layout::new(&*m);
+        assert!(said.contains(&format!("input {}", flat(&layout.input()))));
+        let outputs = m.outputs();
+        let budget = &outputs[0].budget;
+        assert!(said.contains(&format!("output {}", layout.output(outputs[0].name))));
+        assert!(said.contains(&format!(": {}; {}", budget.limit, flat(budget.reason))));
+        for bound in m.proved() {
+            assert!(said.contains(&format!("proved error at most {}", bound.error)));
+        }
+        for r in m.domain().regions {
+            assert!(said.contains(&format!("{}: {}", r.name, flat(r.description))));
+        }
+        for law in m.laws() {
+            assert!(said.contains(&format!("{}: {}", law.name, flat(law.statement))));
+        }
+        assert!(said.contains(&flat(m.source())), "{}", m.name());
     }
 }
 

@@ -62,3 +62,48 @@ pub fn position(dyad: &Dyad, assembly: Assembly, crank_deg: f64) -> Option<Posit
         joints_m,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::{Linkage, Source};
+
+    fn dyad(geometry: &str) -> Dyad {
+        match Linkage::read(&Source::toml(geometry)).unwrap() {
+            Linkage::Dyad(dyad) => *dyad,
+            _ => unreachable!("a dyad"),
+        }
+    }
+
+    /// Links keep their lengths; a slider stays on its guide, a rocker at its pivot.
+    #[test]
+    fn joints_are_where_the_links_put_them() {
+        let slider = dyad(
+            "type = \"slider-crank\"\n[geometry]\ncrank = \"2 m\"\nrod = \"5 m\"\noffset = \"1 m\"\n\
+             direction = \"30 deg\"",
+        );
+        let bar = dyad(
+            "type = \"four-bar\"\n[geometry]\ncrank = \"10 m\"\ncoupler = \"40 m\"\nrocker = \"30 m\"\n\
+             frame = \"35 m\"",
+        );
+        let apart = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
+        let near = |x: f64, due: f64| assert!((x - due).abs() < 1e-12 * 40.0, "{x} {due}");
+        for assembly in [Assembly::Positive, Assembly::Negative] {
+            for deg in [0.0, 40.0, 115.0, 250.0] {
+                let [a, b] = position(&slider, assembly, deg).unwrap().joints_m;
+                near(a[0].hypot(a[1]), 2.0);
+                near(
+                    a[1].atan2(a[0]).rem_euclid(std::f64::consts::TAU),
+                    deg.to_radians(),
+                );
+                near(apart(a, b), 5.0);
+                let (s, c) = 30f64.to_radians().sin_cos();
+                near(c * b[1] - s * b[0], 1.0);
+                let [a, b] = position(&bar, assembly, deg).unwrap().joints_m;
+                near(a[0].hypot(a[1]), 10.0);
+                near(apart(a, b), 40.0);
+                near(apart(b, [35.0, 0.0]), 30.0);
+            }
+        }
+    }
+}

@@ -246,3 +246,37 @@ pub(super) fn odd_signs(x: f64, y: f64) -> [Option<bool>; 2] {
 pub(super) const PROOF: Proof = Proof::Bounded(
     "Taylor, Kummer and asymptotic series with remainder bounds (reference::faddeeva)",
 );
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solvers::faddeeva::faddeeva as w;
+
+    fn agrees<R: Relative>() {
+        for z in [C::new(0.5, 0.7), C::new(-1.2, 0.3), C::new(0.8, -0.6)] {
+            let value = (R::VALUE)(z);
+            let near = |got: C, due: C, by: f64| {
+                let name = R::OUTPUTS[0];
+                assert!(
+                    (got - due).norm() < by * due.norm(),
+                    "{name} at {z}: {got} {due}"
+                );
+            };
+            near(R::from_w(w, z), value, 1e-13);
+            let step = 1e-4;
+            let beside = (R::VALUE)(z + step) - (R::VALUE)(z - step);
+            near(R::slope(z, value), beside / (2.0 * step), 1e-6);
+        }
+    }
+
+    /// The search for points next to zero curves starts at the function itself and goes by its slope.
+    #[test]
+    fn definitions_from_w_and_slopes() {
+        agrees::<FaddeevaDerivative>();
+        agrees::<Erf>();
+        agrees::<Erfc>();
+        agrees::<Erfcx>();
+        agrees::<Erfi>();
+        agrees::<Dawson>();
+    }
+}
