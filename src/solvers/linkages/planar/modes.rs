@@ -79,7 +79,7 @@ impl Mechanism {
             poses = next;
         }
         for pose in poses {
-            match State::new(self, pose) {
+            match State::within(self, pose, &mut work) {
                 Some(state) => modes.states.push(state),
                 None => modes.near_singular = true,
             }
@@ -96,6 +96,7 @@ impl Mechanism {
         let mut found = Found::default();
         if let Some((modes, near)) = self.triads[k].as_ref().and_then(|t| t.modes(pose)) {
             found.near = near;
+            let bodies = self.chain.placed_in(block);
             for angles in modes {
                 let mut trial = pose.clone();
                 for (body, angle) in angles {
@@ -103,7 +104,6 @@ impl Mechanism {
                         trial.u[u] = angle;
                     }
                 }
-                let bodies = self.chain.placed_in(block);
                 trial.place(&self.chain, &bodies);
                 self.collect(block, trial, work, &mut found);
             }

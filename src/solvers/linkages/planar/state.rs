@@ -38,29 +38,38 @@ pub struct Displacement {
 impl State {
     /// Rates of a pose that closes the loops; `None` if it is singular.
     pub(super) fn new(mechanism: &Mechanism, pose: Pose) -> Option<State> {
+        State::within(mechanism, pose, &mut Work::new(&mechanism.chain))
+    }
+
+    /// [`State::new`] in memory that is at hand.
+    pub(super) fn within(mechanism: &Mechanism, pose: Pose, work: &mut Work) -> Option<State> {
         let chain = &mechanism.chain;
-        let mut work = Work::new(chain);
         let mut state = State {
             pose,
-            rates: [work.step.clone(), work.step.clone()],
+            rates: [vec![0.0; chain.unknowns], vec![0.0; chain.unknowns]],
             motion: Motion::default(),
             jacobian: work.jacobian.clone(),
             factors: Factors::default(),
         };
-        if !state.update(chain, &mut work) {
+        if !state.factored(chain) {
             return None;
         }
-        state.pose.settle(chain, &state.factors, &mut work);
-        state.update(chain, &mut work).then_some(state)
+        state.pose.settle(chain, &state.factors, work);
+        state.update(chain, work).then_some(state)
+    }
+
+    /// The Jacobian of the pose and its factors; `false` if it is singular.
+    fn factored(&mut self, chain: &Chain) -> bool {
+        self.pose
+            .jacobian(chain, 0..chain.closures.len(), &mut self.jacobian);
+        let blocks = chain.blocks.iter().map(|b| b.rows.clone());
+        self.factors.of_blocks(&self.jacobian, 0, blocks)
     }
 
     /// Rates from the pose; `false` if it is singular.
     pub(super) fn update(&mut self, chain: &Chain, work: &mut Work) -> bool {
         let n = chain.unknowns;
-        self.pose
-            .jacobian(chain, 0..chain.closures.len(), &mut self.jacobian);
-        let blocks = chain.blocks.iter().map(|b| b.rows.clone());
-        if !self.factors.of_blocks(&self.jacobian, 0, blocks) {
+        if !self.factored(chain) {
             return false;
         }
         let [first, second] = &mut self.rates;
