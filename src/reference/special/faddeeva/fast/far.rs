@@ -125,7 +125,7 @@ mod tests {
             let log_r = 6.5 + f64::from(k) * 0.01;
             let norm = log_r.exp2();
             let [angle, turned] = [
-                arc(&f(0.75), log_r).to_f64() / (0.75 * 1.570_796 * norm.sqrt()),
+                arc(&f(0.75), log_r).to_f64() / (0.75 * std::f64::consts::FRAC_PI_2 * norm.sqrt()),
                 turning(-300.0, Mag::from_f64(0.75), log_r).to_f64() / (0.75 * 2.0 * norm),
             ];
             for found in [angle, turned] {

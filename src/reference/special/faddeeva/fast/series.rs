@@ -233,7 +233,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn sums_are_within_their_errors(r in 9.75f64..40.0, turn in 0.0f64..1.5707, n in 1u64..60) {
+        fn sums_are_within_their_errors(r in 9.75f64..40.0, turn in 0.0f64..1.57, n in 1u64..60) {
             let (off, error) = off(r * turn.cos(), r * turn.sin(), n);
             prop_assert!(off[0] <= error && off[1] <= error, "{off:?} {error}");
         }
