@@ -296,6 +296,15 @@ fn places_of_angles() {
 
 #[test]
 fn places_are_cut_to_a_panel() {
+    // What lies in it stays as it is, known to far more bits than its ends would have.
+    for n in [2, 5] {
+        let mid = Float::with_val(BITS, n) / 3u32;
+        let x = within(Ball::new(mid.clone(), Mag::power_of_two(-400)));
+        assert!(
+            *x.mid() == mid - 1u32 && x.rad() == Mag::power_of_two(-400),
+            "{x:?}"
+        );
+    }
     let of = |lo: f64, hi: f64| {
         let mid = Float::with_val(BITS, 0.5 * (lo + hi));
         let x = within(Ball::new(mid, Mag::from_f64(0.5 * (hi - lo))));
