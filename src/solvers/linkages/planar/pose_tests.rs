@@ -258,3 +258,27 @@ fn settled_directions_close_better() {
     println!("{settled:e} {rounded:e}");
     assert!(rounded > 1e-15 && settled < 0.75 * rounded);
 }
+
+/// A last correction of angles and directions alike where it is small; a larger one is none.
+#[test]
+fn the_last_correction_is_that_of_the_angles_too() {
+    let m = four_bar([0.1, 0.4, 0.3, 0.35]);
+    let state = m.assembly_modes(0.7).states.remove(0);
+    let mut work = Work::new(&m.chain);
+    for k in 0..m.chain.unknowns {
+        for (off, corrected) in [(1e-9, true), (-3e-9, true), (1e-6, false)] {
+            let mut u = state.pose.u.clone();
+            u[k] += off;
+            let given = Pose::new(&m.chain, state.pose.drive, u);
+            let mut pose = given.clone();
+            pose.settle(&m.chain, &state.factors, &mut work);
+            let due = if corrected { &state.pose } else { &given };
+            for (a, b) in pose.u.iter().zip(&due.u) {
+                assert!((a - b).abs() < 1e-15, "{off}: {a} {b}");
+            }
+            for (a, b) in pose.e.iter().zip(&due.e) {
+                assert!((a - b).norm() < 1e-15, "{off}: {a} {b}");
+            }
+        }
+    }
+}
