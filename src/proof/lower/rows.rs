@@ -157,3 +157,7 @@ impl Rows {
         *found = RowWithErrors::of(&row, centre, kind).expect("decided");
     }
 }
+
+#[cfg(test)]
+#[path = "tests/rows.rs"]
+mod tests;

@@ -68,3 +68,62 @@ fn errors_of_pairs_are_below_their_bounds() {
     }
     assert!(most.into_iter().all(|m| m > 1e-4), "{most:?}");
 }
+
+/// What the bounds are made of, in units of u², and the bounds; smaller ones would have to come from a better proof.
+#[test]
+fn bounds_are_those_that_were_proved() {
+    let c = code::again();
+    let half_pi = code::constants().half_pi;
+    let found = proved(|_| ());
+    let all = [
+        exponential(&c),
+        circle(&c, 0.0),
+        circle(&c, 50.0),
+        reduction(half_pi, 1.0),
+        reduction(half_pi, 4e7),
+        sums(&c).expect("constants"),
+        truncation() * 1e30,
+        found[0] - 0.5,
+        found[1] - 0.5,
+        found[2] - 0.5,
+    ];
+    let listed: Vec<String> = all.iter().map(|x| format!("{x:.12e}")).collect();
+    for (x, due) in all.iter().zip(PROVED) {
+        assert!((x - due).abs() <= 1e-9 * due, "{}", listed.join(", "));
+    }
+}
+
+const PROVED: [f64; 10] = [
+    2.091652935831e1,
+    3.250379580292e1,
+    1.054338883694e2,
+    6.306766015000e0,
+    6.306766015181e0,
+    1.014558263934e3,
+    1.865018681009e-2,
+    6.314195146710e-2,
+    1.695758289210e0,
+    3.907250000004e-3,
+];
+
+/// Constants of another number are refused, each by itself.
+#[test]
+fn wrong_constants_are_refused() {
+    let refused = |change: fn(&mut code::Again)| proved(change)[2].is_infinite();
+    assert!(!refused(|_| ()));
+    for change in [
+        (|c| c.two_pi[0].1 += 1e-30) as fn(&mut code::Again),
+        |c| c.two_pi[1].1 += 1e-31,
+        |c| c.inverse_sqrt_pi.1 += 1e-32,
+        |c| c.long[1].1[2] ^= 1,
+        |c| c.long[2].1[0] ^= 1,
+        |c| c.long[0].0 += 1,
+        |c| c.long_rule.0 = 51,
+        |c| c.long_rule.1 = 12.0,
+        |c| c.nodes[1][3] = c.nodes[1][3].next_up(),
+    ] {
+        assert!(refused(change));
+    }
+    // The last bit of 256 does not decide.
+    assert!(!refused(|c| c.long[0].1[3] ^= 1));
+}

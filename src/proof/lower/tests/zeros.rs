@@ -71,3 +71,145 @@ fn errors_at_points_are_below_the_bound() {
     }
     assert!(points > 2000 && most > 0.4, "{points} {most}");
 }
+
+const UNIT: [f64; 2] = [0.25, 0.5];
+
+/// Four rectangles make the ring between two squares.
+#[test]
+fn rings_are_covered_once() {
+    let all = ring(UNIT[0], UNIT[1]);
+    let area = |r: &Signed| (r[0][1] - r[0][0]) * (r[1][1] - r[1][0]);
+    assert_eq!(all.iter().map(area).sum::<f64>(), 1.0 - 0.25);
+    let inside =
+        |r: &Signed, x: f64, y: f64| r[0][0] < x && x < r[0][1] && r[1][0] < y && y < r[1][1];
+    for i in 0..40 {
+        for j in 0..40 {
+            let (x, y) = (
+                -0.4875 + 0.025 * f64::from(i),
+                -0.4875 + 0.025 * f64::from(j),
+            );
+            let due = usize::from(x.abs().max(y.abs()) > 0.25);
+            assert_eq!(all.iter().filter(|r| inside(r, x, y)).count(), due);
+        }
+    }
+    assert_eq!([most([-3.0, 2.0]), most([-1.0, 2.0])], [3.0, 2.0]);
+    let zero = &ZEROS[0];
+    let [outer, least] = zero.shells(0.1);
+    assert!(outer >= 0.1 / zero.row[0] && outer < 0.1001 / zero.row[0]);
+    let nearest = zero.row[1].abs().max(zero.row[4].abs());
+    assert!(least <= nearest && least > 0.999 * nearest);
+}
+
+/// `Σ |g̃_n − g_n| Dⁿ⁺¹` and the tail, as a part of |δ|; each entry of a row counts for its coefficient.
+#[test]
+fn coefficients_about_a_zero() {
+    let zero = &ZEROS[1];
+    assert_eq!(zero.errors.len(), TERMS - 2);
+    assert!(
+        zero.errors[..STORED].iter().all(|e| *e < 1e-12),
+        "{:?}",
+        zero.errors
+    );
+    assert!(zero.off < 1e-40, "{:e}", zero.off);
+    let size = zero.row[0].hypot(zero.row[3]);
+    assert!(zero.size >= size && zero.size < 1.000_001 * size);
+    for d in [0.01, 0.05, 0.09] {
+        let sum: f64 = zero
+            .errors
+            .iter()
+            .zip(1..)
+            .map(|(e, n)| e * f64::powi(d, n))
+            .sum();
+        let tail = 1.2 * (2.0 * (size + 1.0)).exp() * d.powi(TERMS as i32 - 1);
+        let found = zero.within(d);
+        assert!(
+            found >= (sum + tail) * (1.0 - 1e-12) && found <= (sum + tail) * (1.0 + 1e-9),
+            "{d}"
+        );
+    }
+    for at in [6, 9, 10, 14, 21, 22, 37, 45] {
+        let mut row = zero.row;
+        row[at] += 1e-3;
+        let faulty = Zero::of(&row, 2).expect("decided");
+        let n = (0..STORED)
+            .find(|n| places(*n).contains(&at))
+            .expect("a place");
+        for (m, e) in faulty.errors.iter().enumerate() {
+            let due = if m == n { 1e-3 } else { zero.errors[m] };
+            assert!((e - due).abs() < 1e-9 * due.max(1e-9), "{at} {m}");
+        }
+    }
+    for at in 0..6 {
+        let mut row = zero.row;
+        row[at] += row[at].abs().max(1e-20) * 1e-3;
+        let faulty = Zero::of(&row, 2).expect("decided");
+        let due = row[at] - zero.row[at];
+        assert!(
+            (faulty.off / due.abs() - 1.0).abs() < 1e-6,
+            "{at} {} {due}",
+            faulty.off
+        );
+    }
+    let all: std::collections::HashSet<usize> = (0..STORED).flat_map(places).collect();
+    assert_eq!(
+        (all.len(), all.iter().min(), all.iter().max()),
+        (40, Some(&6), Some(&45))
+    );
+}
+
+/// Single rectangles of δ, from the farthest to the nearest, and where the code gives up.
+#[test]
+fn rectangles_about_a_zero() {
+    let zero = &ZEROS[0];
+    let of = |x: [f64; 2], y: [f64; 2]| bound(zero, Rounding::default(), &[x, y]);
+    for d in [0.02, 1e-4, 1e-9, 1e-15] {
+        let found = of([d, 1.05 * d], [0.5 * d, 0.52 * d]).expect("a bound");
+        assert!((0.2..1.6).contains(&found), "{d} {found}");
+    }
+    // A worse row, or a zero farther off, adds to it.
+    let at = [[1e-6, 1.01e-6], [1e-6, 1.01e-6]];
+    let sound = bound(zero, Rounding::default(), &at).expect("a bound");
+    let mut off = zero.clone();
+    off.off += 1e-21;
+    let faulty = bound(&off, Rounding::default(), &at).expect("a bound");
+    // Of |δ|, in units of 2⁻⁵².
+    let due = 1e-21 / (1e-6 * 2f64.sqrt()) * TWO_52;
+    assert!((faulty - sound) / due > 0.95 && (faulty - sound) / due < 1.05);
+    let mut off = zero.clone();
+    off.errors[0] += 1e-9;
+    let faulty = bound(&off, Rounding::default(), &at).expect("a bound");
+    let due = 1e-9 * 1.01e-6 * 2f64.sqrt() * TWO_52;
+    assert!((faulty - sound) / due > 0.95 && (faulty - sound) / due < 1.1);
+    // Across zero there is none; halved, both halves are.
+    assert!(
+        of([-1e-3, 1e-3], [-1e-3, 1e-3]).is_err()
+            || !of([-1e-3, 1e-3], [-1e-3, 1e-3]).expect("one").is_finite()
+    );
+    let mut found = Vec::new();
+    assert!(
+        refine(
+            zero,
+            Rounding::default(),
+            2.5,
+            [[-1e-3, 1e-3], [-1e-3, 1e-3]],
+            DEPTH - 2,
+            &mut found
+        )
+        .is_err()
+    );
+    let mut found = Vec::new();
+    refine(
+        zero,
+        Rounding::default(),
+        2.5,
+        [[1e-3, 3e-3], [-1e-3, 1e-3]],
+        0,
+        &mut found,
+    )
+    .expect("proved");
+    let area: f64 = found
+        .iter()
+        .map(|(_, r)| (r[0][1] - r[0][0]) * (r[1][1] - r[1][0]))
+        .sum();
+    assert!((area / 4e-6 - 1.0).abs() < 1e-12 && found.iter().all(|(norm, _)| *norm <= 2.5));
+}

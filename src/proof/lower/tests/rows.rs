@@ -1,0 +1,61 @@
+use super::*;
+
+/// Each entry of a row is compared with its coefficient.
+#[test]
+fn each_entry_stands_for_its_coefficient() {
+    let (centre, row) = cell_at(2.0, 2.3);
+    let sound = RowWithErrors::of(row, centre, Kind::Cell).expect("decided");
+    assert_eq!(sound.errors.len(), TERMS);
+    assert!(sound.errors[..STORED].iter().all(|e| *e < 1e-16) && sound.errors[0] < 1e-30);
+    assert!(sound.errors[STORED..].iter().all(|e| *e > 0.0));
+    for n in 0..STORED {
+        for at in places(n).into_iter().flatten() {
+            let mut row = *row;
+            row[at] += 1e-3;
+            let faulty = RowWithErrors::of(&row, centre, Kind::Cell).expect("decided");
+            for (m, e) in faulty.errors.iter().enumerate() {
+                let due = if m == n { 1e-3 } else { sound.errors[m] };
+                assert!((e - due).abs() < 1e-12, "{n} {at} {m}");
+            }
+        }
+    }
+}
+
+/// `Σ |e_n| Dⁿ` and Cauchy's estimate of the tail.
+#[test]
+fn errors_of_coefficients_add_up() {
+    for kind in [Kind::Cell, Kind::Disc, Kind::RealAxis] {
+        let (centre, row) = match kind {
+            Kind::Disc => disc_at(0.5, 0.5),
+            Kind::Cell => cell_at(2.0, 2.3),
+            Kind::RealAxis => {
+                let (x, row) = real_axis_at(3.0);
+                ((x, 0.0), row)
+            }
+        };
+        let found = RowWithErrors::of(row, centre, kind).expect("decided");
+        // 2e⁹ about centres on or above the axis, 2e¹⁶ down to Im z = −4.
+        let most = if kind == Kind::Disc {
+            2.0 * 16f64.exp()
+        } else {
+            2.0 * 9f64.exp()
+        };
+        assert!(found.most >= most && found.most < 1.01 * most);
+        for d in [0.1f64, 0.3, 1.0] {
+            let sum: f64 = found
+                .errors
+                .iter()
+                .zip(0..)
+                .map(|(e, n)| e * d.powi(n))
+                .sum();
+            let due = sum + 100.0 * found.most * (d / 3.0).powi(40);
+            let within = found.within(d);
+            assert!(
+                within >= due * (1.0 - 1e-12) && within <= due * (1.0 + 1e-9),
+                "{kind:?} {d}"
+            );
+        }
+        assert_eq!(found.within(1.0f64.next_up()), f64::INFINITY);
+        assert_eq!(found.within(f64::NAN), f64::INFINITY);
+    }
+}
