@@ -396,3 +396,7 @@ fn underflowing(function: Function, ends: [f64; 2], constant: f64) -> f64 {
     let off = product_up(off, 0.5 * (TINIEST / power_of_two(ulp)));
     sum_up(sum_up(0.5, off), sum_up(part, ROUNDINGS))
 }
+
+#[cfg(test)]
+#[path = "tests/evaluate.rs"]
+mod tests;

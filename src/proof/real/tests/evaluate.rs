@@ -1,0 +1,224 @@
+use super::*;
+
+const U: f64 = 1.0 / (2.0 * TWO_52);
+
+fn at(lo: f64, hi: f64) -> Interval {
+    Interval {
+        negative: true,
+        ends: [lo, hi],
+    }
+}
+
+fn sum(lo: f64, hi: f64, error: f64) -> Tracks {
+    Tracks {
+        exact: Enclosure::new(lo, hi),
+        error,
+        tiny: 0.0,
+        small: false,
+        relative: f64::INFINITY,
+    }
+}
+
+fn near(x: f64, due: f64) -> bool {
+    x >= due * (1.0 - 1e-14) && x <= due * (1.0 + 1e-9)
+}
+
+/// Half a unit for the last rounding, and what is wrong before it as a part of the least value in units.
+#[test]
+fn one_rounding_after_what_is_wrong() {
+    let none = Rounding::default();
+    let of = |y: &Tracks, part: f64, normal: bool| rounded(y, &at(0.5, 1.0), part, normal, none);
+    let due = |e: f64| 0.5 + e / U;
+    assert!(near(
+        of(&sum(1.0, 2.0, 0.1 * U), 0.0, true).expect("a bound"),
+        due(0.1 * U)
+    ));
+    assert!(near(
+        of(&sum(1.0, 2.0, 0.1 * U), 0.2 * U, true).expect("a bound"),
+        due(0.3 * U)
+    ));
+    // The better of the error by size and the part.
+    let mut y = sum(1.0, 2.0, 0.4 * U);
+    y.relative = 0.1 * U;
+    assert!(near(of(&y, 0.0, true).expect("a bound"), due(0.1 * U)));
+    y.relative = 0.9 * U;
+    assert!(near(of(&y, 0.0, true).expect("a bound"), due(0.4 * U)));
+    // Beside underflow it is rounded twice: ¾ + e/2.
+    assert!(near(
+        of(&sum(1.0, 2.0, 0.1 * U), 0.0, false).expect("a bound"),
+        0.8
+    ));
+    // More than a unit off, or a quarter where the product may be subnormal, nothing is had.
+    assert!(
+        of(&sum(1.0, 2.0, 0.99 * U), 0.0, true).is_ok()
+            && of(&sum(1.0, 2.0, 1.01 * U), 0.0, true).is_err()
+    );
+    assert!(
+        of(&sum(1.0, 2.0, 0.24 * U), 0.0, false).is_ok()
+            && of(&sum(1.0, 2.0, 0.26 * U), 0.0, false).is_err()
+    );
+    assert!(of(&sum(1.0, 2.0, f64::NAN), 0.0, true).is_err());
+    // A truncation is a whole unit.
+    let last = Rounding {
+        fma_rounds_twice: false,
+        truncates: Some(Rounding::LAST),
+    };
+    let found = rounded(&sum(1.0, 2.0, 0.1 * U), &at(0.5, 1.0), 0.0, true, last);
+    assert!(near(found.expect("a bound"), 1.1));
+    let found = rounded(&sum(1.0, 2.0, 0.1 * U), &at(0.5, 1.0), 0.0, false, last);
+    assert!(near(found.expect("a bound"), 1.3));
+}
+
+/// What underflows counts in units of the least value; where these are of its own size nothing is had.
+#[test]
+fn digits_that_underflow_count() {
+    let of = |least: f64, small: bool, tiny: f64, x: f64| {
+        let mut y = sum(least, 2.0 * least, 0.0);
+        (y.tiny, y.small) = (tiny, small);
+        rounded(&y, &at(x, 1.0), 0.0, true, Rounding::default())
+    };
+    let far = 1.01 * FAR_ABOVE;
+    // 0.999 of it is below FAR_ABOVE no longer.
+    let found = of(far, false, 1e15, 1.0).expect("a bound");
+    let due = 0.5 + 1e15 * TINIEST / power_of_two(-960 - 52);
+    assert!(near(found, due) && found > 0.5);
+    assert!(
+        of(FAR_ABOVE, false, 1.0, 1.0).is_err() && of(0.9 * FAR_ABOVE, false, 1.0, 1.0).is_err()
+    );
+    // The factor x of a small one.
+    assert!(of(2.0, true, 1.0, far).is_ok() && of(2.0, true, 1.0, 0.4 * FAR_ABOVE).is_err());
+    assert!(of(2.0, false, 1.0, 0.4 * FAR_ABOVE).is_ok());
+    // Nothing underflows, nothing is lost.
+    assert_eq!(of(1e-300, false, 0.0, 1.0), Ok(0.5));
+}
+
+/// Whether `2^n s` is above 2¹⁰²⁴: all of it, and clear of the limit.
+#[test]
+fn overflow_is_decided_on_all_ways() {
+    let way = |lo: f64, hi: f64, exponent: f64| Way {
+        sum: sum(lo, hi, 0.0),
+        inner: None,
+        exponent: Some(exponent),
+    };
+    let wide = at(1.0, 2.0);
+    let of = |ways: &[Way]| overflows(ways, &wide);
+    assert_eq!(of(&[way(1.1, 1.2, 1024.0)]), Ok(true));
+    assert_eq!(of(&[way(0.8, 0.9, 1024.0)]), Ok(false));
+    assert_eq!(of(&[way(0.8, 0.9, 1025.0)]), Ok(true));
+    assert_eq!(of(&[way(1.1, 1.2, 1023.0)]), Ok(false));
+    assert!(of(&[way(0.9, 1.1, 1024.0)]).is_err());
+    let margin = 2f64.powi(-50);
+    for (lo, hi) in [
+        (1.0, 1.1),
+        (1.0 + 0.9 * margin, 1.1),
+        (0.9, 1.0),
+        (0.9, 1.0 - 0.9 * margin),
+    ] {
+        assert!(of(&[way(lo, hi, 1024.0)]).is_err(), "{lo} {hi}");
+    }
+    assert_eq!(of(&[way(1.0 + 1.5 * margin, 1.1, 1024.0)]), Ok(true));
+    assert_eq!(of(&[way(0.9, 1.0 - 1.5 * margin, 1024.0)]), Ok(false));
+    // Two ways of different answers, none, and one that is not known.
+    assert!(of(&[way(1.1, 1.2, 1024.0), way(0.8, 0.9, 1024.0)]).is_err());
+    assert_eq!(
+        of(&[way(1.1, 1.2, 1024.0), way(1.3, 1.4, 1024.0)]),
+        Ok(true)
+    );
+    assert!(of(&[]).is_err() && of(&[way(1.0, 1.0, 2100.0)]).is_err());
+    assert!(
+        of(&[Way {
+            exponent: None,
+            ..way(1.0, 1.1, 0.0)
+        }])
+        .is_err()
+    );
+    // A single number by its value: the last one whose erfcx is in the range, and the next.
+    let last = 26.628_735_713_751_49;
+    let point = |x: f64| overflows(&[], &at(x, x));
+    assert_eq!(
+        [point(last), point(f64::next_up(last))],
+        [Ok(false), Ok(true)]
+    );
+    assert_eq!([point(1.0), point(26.7)], [Ok(false), Ok(true)]);
+}
+
+/// Limits of the formulas that take no evaluation: refused where they do not hold.
+#[test]
+fn formulas_are_refused_beyond_their_limits() {
+    let tables = Tables::of_the_solver(Function::Erfc).expect("decided");
+    let of = |function, formula, negative, lo, hi| {
+        let at = Interval {
+            negative,
+            ends: [lo, hi],
+        };
+        bound(&tables, function, formula, &at, Rounding::default()).map(|b| b.1)
+    };
+    use Function::{Dawson, Erf, Erfc, Erfcx};
+    assert!(of(Erfcx, Formula::Overflow, true, 26.6, 27.0).is_err());
+    assert_eq!(of(Erfcx, Formula::Overflow, true, 26.65, 27.0), Ok(0.0));
+    assert!(of(Erf, Formula::Constant, false, 1.0, 7.0).is_err());
+    // 2^53 e^{−x²}/(√π x), of erfc half as much.
+    let due = 2.0 * TWO_52 * (-4f64).exp() / (2.0 * 1.77);
+    assert!(near(
+        of(Erf, Formula::Constant, false, 2.0, 7.0).expect("a bound"),
+        due
+    ));
+    assert!(near(
+        of(Erfc, Formula::Constant, true, 2.0, 7.0).expect("a bound"),
+        0.5 * due
+    ));
+    assert!(of(Erfc, Formula::Constant, true, 1.0, 7.0).is_err());
+    assert!(of(Erfc, Formula::Constant, false, 27.29, 28.0).is_err());
+    assert_eq!(of(Erfc, Formula::Constant, false, 27.3, 28.0), Ok(0.5));
+    assert!(of(Dawson, Formula::Far, false, 9e98, 1e100).is_err());
+    assert!(of(Dawson, Formula::Far, false, 1e100, 1e200).is_ok());
+    assert!(of(Erfcx, Formula::Far, false, 1e100, 4e100).is_err());
+    assert!(
+        of(
+            Erfcx,
+            Formula::Value(Inner::Series { terms: 4 }),
+            false,
+            50.0,
+            51.0
+        )
+        .is_err()
+    );
+    // 2e^{x²} alone: erfcx counts.
+    let alone = of(Erfcx, Formula::Exponential, true, 1.0, 1.001);
+    assert!(alone.is_err() || alone.expect("a bound") > 1.0);
+}
+
+/// Where x C is the least of the numbers whose products are not rounded to multiples of the smallest number.
+#[test]
+fn products_beside_underflow() {
+    let [c, _] = code::constants()[0];
+    let limit = power_of_two(-1021);
+    // The first x with x C ≥ 2⁻¹⁰²¹, in rationals.
+    let exact = |x: f64| Rational::from_f64(x).expect("finite");
+    let mut x = limit / c;
+    while exact(x) * exact(c) >= exact(limit) {
+        x = x.next_down();
+    }
+    assert!(!beyond_subnormal(x) && beyond_subnormal(x.next_up()));
+    assert!(!beyond_subnormal(0.5 * x) && beyond_subnormal(2.0 * x));
+    // Two units below; above in quarters of a unit in the last place: p, and t by what there is of it.
+    let found = |lo, hi| underflowing(Function::Erf, [lo, hi], 1e-20);
+    let part = 2e-20 * TWO_52;
+    let below = 0.5 + 2.8e-17 * TWO_52 + part;
+    assert!(near(found(1e-310, 1e-309), below));
+    let (lo, hi) = (2.01 * x, 2.1 * x);
+    let unit = power_of_two(-1020 - 52);
+    let units = hi / TINIEST * 2.0 * 1.54e-17;
+    assert!(units < 1.0);
+    let due = 0.5 + (1.0 + units) * 0.5 * TINIEST / unit + part;
+    assert!(near(found(lo, hi), due + 1e-15), "{} {due}", found(lo, hi));
+    let (lo, hi) = (1e-290, 1.1e-290);
+    let unit = power_of_two(exponent(1.128e-290) - 52);
+    let due = 0.5 + TINIEST / unit + part;
+    assert!(near(found(lo, hi), due + 1e-15));
+    assert!(near(
+        underflowing(Function::Erf, [1e-310, 1e-309], 1e-17),
+        0.5 + (2.8e-17 + 2e-17) * TWO_52
+    ));
+    assert_eq!(underflowing(Function::Dawson, [1e-310, 1e-309], 1.0), 1e-15);
+}
