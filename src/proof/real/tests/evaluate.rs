@@ -210,7 +210,7 @@ fn products_beside_underflow() {
     let unit = power_of_two(-1020 - 52);
     let units = hi / TINIEST * 2.0 * 1.54e-17;
     assert!(units < 1.0);
-    let due = 0.5 + (1.0 + units) * 0.5 * TINIEST / unit + part;
+    let due = 0.5 + (1.0 + units) * 0.5 * (TINIEST / unit) + part;
     assert!(near(found(lo, hi), due + 1e-15), "{} {due}", found(lo, hi));
     let (lo, hi) = (1e-290, 1.1e-290);
     let unit = power_of_two(exponent(1.128e-290) - 52);
