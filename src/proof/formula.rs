@@ -517,3 +517,7 @@ fn component(r: &Tracks, truncated: f64, norm: f64, sigma: Interval) -> (f64, f6
     };
     (relative.min(by_size), smallest)
 }
+
+#[cfg(test)]
+#[path = "tests/formula.rs"]
+mod tests;

@@ -547,3 +547,116 @@ const PROVED: [(&str, [f64; 4]); 36] = [
     ),
     ("scaled", [1.408233155e0, 1.828203288e0, 0.0, 6.000000000e0]),
 ];
+
+/// A rectangle is halved until its bounds are good; at its depth it comes out with what it has, or open.
+#[test]
+fn rectangles_are_halved_until_the_bounds_are_good() {
+    let watch = Watch::default();
+    let of = |target: Target, a: [f64; 2], b: [f64; 2]| {
+        on_rectangle(&CODE, target, &watch, Rectangle { a, b }).expect("not stopped")
+    };
+    let numbers = |[lo, hi]: [f64; 2]| u128::from(hi.to_bits() - lo.to_bits()) + 1;
+    let whole = Rectangle {
+        a: [2.9, 3.3],
+        b: [2.9, 3.0],
+    };
+    let found = of(UPPER_HALF_PLANE, whole.a, whole.b);
+    assert!(found.open.is_empty());
+    for leaf in &found.leaves {
+        let b = leaf.bound;
+        assert!(b.norm <= 1.25 && b.re <= 4.0 && b.im <= 4.0, "{leaf:?}");
+    }
+    let sum: u128 = found
+        .leaves
+        .iter()
+        .map(|l| numbers(l.at.a) * numbers(l.at.b))
+        .sum();
+    assert_eq!(sum, numbers(whole.a) * numbers(whole.b));
+    let none = Target {
+        depth: 0,
+        ..UPPER_HALF_PLANE
+    };
+    assert_eq!(of(none, [0.01, 6.0], [0.01, 6.0]).open.len(), 1);
+    let strict = Target {
+        norm: 1e-3,
+        component: 1e-3,
+        depth: 3,
+    };
+    let found = of(strict, [3.0, 3.01], [3.0, 3.01]);
+    assert!(found.leaves.len() >= 8 && found.leaves.iter().all(|l| l.bound.norm > 1e-3));
+    // Each of the three bounds counts.
+    let leaf = |norm, re, im| Leaf {
+        at: whole,
+        formula: Formula::Strip,
+        bound: Bound {
+            norm,
+            re,
+            im,
+            tiny: 0.0,
+        },
+    };
+    let excess = |norm, re, im| UPPER_HALF_PLANE.excess(&[leaf(0.5, 0.5, 0.5), leaf(norm, re, im)]);
+    assert_eq!(
+        [
+            excess(2.5, 1.0, 1.0),
+            excess(1.0, 8.0, 1.0),
+            excess(1.0, 1.0, 12.0)
+        ],
+        [2.0, 2.0, 3.0]
+    );
+    let stopped = Watch::default();
+    stopped
+        .stop
+        .store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(on_rectangle(&CODE, UPPER_HALF_PLANE, &stopped, whole).is_none());
+    let all = first_rectangles(None);
+    assert_eq!(hole(&all), None);
+    let some = first_rectangles(Some(4.0));
+    assert!(
+        some.iter().all(|r| r.a[1].max(r.b[1]) < 4.0) && some.len() > 30 && some.len() < all.len()
+    );
+}
+
+/// Formulas that follow one another along the rings have no third one between them.
+#[test]
+fn neighbours_along_the_rings() {
+    let series = |terms| Branch::Asymptotic { terms };
+    let at = |a: f64, b: f64| branch(Complex::new(a, b));
+    let (cell, axis) = (at(3.0, 3.0), at(3.0, 0.01));
+    let (strip, line) = (at(9.5, 1e-4), at(12.0, 1e-12));
+    let rings = [
+        Branch::Maclaurin { terms: 9 },
+        Branch::Maclaurin { terms: 21 },
+        cell,
+        series(26),
+        series(14),
+        series(6),
+        series(4),
+        series(2),
+        Branch::Huge,
+    ];
+    for (i, p) in rings.iter().enumerate() {
+        for (j, q) in rings.iter().enumerate() {
+            assert_eq!(follows([*p, *q]), j == i + 1, "{p:?} {q:?}");
+        }
+    }
+    for beside in [strip, line] {
+        assert!(
+            follows([series(26), beside])
+                && follows([axis, beside])
+                && follows([beside, series(14)])
+        );
+        assert!(!follows([cell, beside]) && !follows([beside, series(6)]));
+    }
+    assert!(!follows([axis, series(14)]) && follows([cell, axis]));
+    let wide = Rectangle {
+        a: [0.01, 9.0],
+        b: [0.01, 9.0],
+    };
+    assert!(parts(&CODE, &wide).is_err());
+    let axis = Rectangle {
+        a: [0.0; 2],
+        b: [0.0, 1e4],
+    };
+    assert!(parts(&CODE, &axis).is_err());
+}
