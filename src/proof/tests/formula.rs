@@ -176,7 +176,7 @@ fn norms_from_components() {
         };
         of([part(&both[0]), part(&both[1])], NONE)
     };
-    let (above, below) = (2.0 * FAR_ABOVE, 0.2 * FAR_ABOVE);
+    let (above, below) = (2.0 * FAR_ABOVE, 0.125 * FAR_ABOVE);
     let found = lost(above, 1e16);
     let more = 2e16 * TINIEST / (5.0 * above) * TWO_52;
     assert!(
