@@ -158,10 +158,10 @@ fn the_small_factor_and_what_underflows_are_in_the_range() {
     let mut x = form(2.0, &[(1, 0.5)], 0.25);
     let enclosed = |f: &Form| [f.range(sigma).lo, f.range(sigma).hi];
     let [lo, hi] = enclosed(&x);
-    assert!(lo <= 1.25 && lo > 1.2499 && hi >= 2.75 && hi < 2.7501);
+    assert!(lo <= 1.25 && lo > 1.2499 && (2.75..2.7501).contains(&hi));
     x.small = true;
     let [lo, hi] = enclosed(&x);
-    assert!(lo <= 0.3125 && lo > 0.3124 && hi >= 1.375 && hi < 1.3751);
+    assert!(lo <= 0.3125 && lo > 0.3124 && (1.375..1.3751).contains(&hi));
     let plain = x.plain(sigma);
     assert!(!plain.small && plain.terms[0].0 == 1);
     assert!(is_near(plain.rest, 0.125) && is_near(plain.terms[0].1.hi, 0.25));

@@ -79,7 +79,7 @@ fn circles_at_points_are_within_their_errors() {
         [0.7, 0.705],
         [-0.3, -0.295],
         [0.001, 0.0012],
-        [0.78, 0.7853],
+        [0.78, 0.785],
     ] {
         let found = of_circle(&Factors::default(), &none, polynomials, at).expect("a bound");
         for _ in 0..200 {
