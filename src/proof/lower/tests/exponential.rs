@@ -75,12 +75,7 @@ fn circles_at_points_are_within_their_errors() {
     };
     let polynomials = phase::polynomials(&c);
     let mut most = [0.0f64; 3];
-    for at in [
-        [0.7, 0.705],
-        [-0.3, -0.295],
-        [0.001, 0.0012],
-        [0.78, 0.785],
-    ] {
+    for at in [[0.7, 0.705], [-0.3, -0.295], [0.001, 0.0012], [0.78, 0.785]] {
         let found = of_circle(&Factors::default(), &none, polynomials, at).expect("a bound");
         for _ in 0..200 {
             let h = at[0] + (at[1] - at[0]) * unit();
