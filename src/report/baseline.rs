@@ -311,4 +311,26 @@ mod tests {
             assert!(e.contains(part), "{e}");
         }
     }
+
+    /// Every figure of an output is compared.
+    #[test]
+    fn figures_that_change_are_named() {
+        let changed = |change: fn(&mut crate::audit::OutputStatistics)| {
+            let mut before = fabricated();
+            change(&mut before.regions[0].outputs[0]);
+            let found = of(&before).changes(&[fabricated()]).changes;
+            let each = found.iter().map(|c| (c.figure, c.better));
+            each.collect::<Vec<_>>()
+        };
+        assert_eq!(changed(|o| o.ulps.max *= 2.0), [("worst ulps", true)]);
+        assert_eq!(changed(|o| o.max_of_budget *= 0.5), [("of budget", false)]);
+        assert_eq!(changed(|o| o.ulps.p99 *= 2.0), [("p99 ulps", true)]);
+        assert_eq!(changed(|o| o.ulps.rms *= 0.5), [("RMS ulps", false)]);
+        // Of other values they mean nothing.
+        let other = changed(|o| {
+            o.ulps.count += 1;
+            o.ulps.p99 *= 2.0;
+        });
+        assert_eq!(other, []);
+    }
 }

@@ -105,3 +105,64 @@ fn failure(report: &MethodReport, region: &RegionReport) -> TestCaseStatus {
     status.set_description(texts.collect::<Vec<String>>().join("\n"));
     status
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::CandidateReport;
+    use crate::report::text::method::tests::{fabricated, passing};
+
+    fn failures(report: &MethodReport) -> Vec<(String, String)> {
+        let cases = suite(report).test_cases;
+        let failed = cases.into_iter().filter_map(|c| match c.status {
+            TestCaseStatus::NonSuccess { message, .. } => Some((
+                c.name.to_string(),
+                message.map_or(String::new(), |m| m.to_string()),
+            )),
+            _ => None,
+        });
+        failed.collect()
+    }
+
+    /// Whatever keeps a method from passing is a test that fails, with its reason.
+    #[test]
+    fn all_that_fails_is_a_failure() {
+        assert_eq!(failures(&passing()), []);
+        let failing = fabricated();
+        let regions = failing.regions.iter().filter(|r| r.failed() > 0);
+        let found = failures(&failing);
+        assert!(regions.clone().count() > 0 && found.len() == regions.clone().count());
+        for (region, (name, why)) in regions.zip(found) {
+            let due = format!("{} of {} cases fail", region.failed(), region.cases);
+            assert!(
+                name == region.name && why.starts_with(&due),
+                "{name}: {why}"
+            );
+        }
+        let only = |change: fn(&mut MethodReport)| {
+            let mut report = passing();
+            change(&mut report);
+            failures(&report)
+        };
+        let one = |name: &str, why: &str| vec![(name.to_string(), why.to_string())];
+        assert_eq!(only(|r| r.cases = 1), []);
+        assert_eq!(
+            only(|r| r.cases = 0),
+            one("some cases", "there are no cases")
+        );
+        let trouble = only(|r| {
+            r.candidate = Some(CandidateReport {
+                trouble: Some("it stopped".into()),
+                ..CandidateReport::default()
+            });
+        });
+        assert_eq!(trouble, one("the program", "it stopped"));
+        let interrupted = only(|r| (r.cases, r.interrupted) = (0, true));
+        assert_eq!(
+            interrupted,
+            one("not interrupted", "interrupted after 0 cases")
+        );
+        let law = only(|r| r.laws[0].worst = f64::NAN);
+        assert_eq!(law, one("law energy", "residual NaN times what is allowed"));
+    }
+}

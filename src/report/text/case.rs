@@ -120,3 +120,51 @@ fn values(report: &CaseReport, got: &[f64]) -> String {
     }
     table.render(4)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::{Case, Origin, Settings, audit_case};
+    use crate::methods::find;
+    use crate::report::text::style::plain;
+
+    fn of(name: &str) -> String {
+        let method = find(name).unwrap();
+        let point = &method.domain().check_points[0];
+        let case = Case {
+            method: method.name(),
+            region: "check-points",
+            input: point.input.clone(),
+            origin: Origin::CheckPoint { name: point.name },
+        };
+        plain(&text(
+            &audit_case(&*method, case, &Settings::default()),
+            "",
+            200,
+        ))
+    }
+
+    /// Outputs in rows are counted by row, those of one row are not counted.
+    #[test]
+    fn outputs_are_named() {
+        let spline = of("cubic-spline-uniform");
+        for name in [
+            "S[0]",
+            "S'[0]",
+            "integral[0]",
+            "S[1]",
+            "S'[1]",
+            "integral[1]",
+        ] {
+            assert!(spline.contains(name), "{name} is missing in {spline}");
+        }
+        assert!(!spline.contains("S[2]"), "{spline}");
+        let system = of("tridiagonal");
+        assert!(
+            system.contains("x[0]") && system.contains("x[1]"),
+            "{system}"
+        );
+        let w = of("faddeeva");
+        assert!(w.contains("Re W") && !w.contains("W["), "{w}");
+    }
+}
