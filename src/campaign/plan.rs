@@ -512,4 +512,53 @@ mod tests {
         ];
         assert_eq!(labels, due);
     }
+
+    /// What a part says of cases, outputs and budgets holds for the method as it is judged.
+    #[test]
+    fn a_part_is_judged_as_it_says() {
+        let of = |more: &str| {
+            let text =
+                format!("name = \"x\"\n[[part]]\nmethods = [\"faddeeva\"]\ncases = 1\n{more}");
+            let part = Plan::read(&Source::toml(text))
+                .unwrap()
+                .parts
+                .swap_remove(0);
+            let method = part.method();
+            let v: &dyn Method = &part.variant(&*method).unwrap();
+            let domain = v.domain();
+            (
+                domain.regions.iter().map(|r| r.name).collect::<Vec<_>>(),
+                domain.check_points.len(),
+                v.outputs()
+                    .iter()
+                    .map(|o| format!("{} {}", o.name, o.budget.limit))
+                    .collect::<Vec<_>>(),
+                v.norm_budget().map(|n| n.to_string()),
+                v.laws().len(),
+                v.format(),
+            )
+        };
+        let plain = of("");
+        let ordinary = of("ordinary = true");
+        assert!(ordinary.0.len() < plain.0.len() && ordinary.1 < plain.1);
+        let one = of("regions = [\"far\"]");
+        assert_eq!((one.0, one.1), (vec!["far"], 0));
+        let some = of("outputs = [\"Im W\"]").2;
+        assert!(some.len() == 1 && some[0].starts_with("Im W "), "{some:?}");
+        for (more, part) in [
+            ("ulps = 7", "7 ulp"),
+            ("relative = 0.5", "relative error 5e-1"),
+            ("absolute = 0.25", "2.5e-1"),
+        ] {
+            let limits = of(more).2;
+            assert!(
+                limits.len() == 2 && limits.iter().all(|l| l.contains(part)),
+                "{limits:?}"
+            );
+        }
+        assert_ne!(of("normwise = 123").3, plain.3);
+        assert_ne!(of("single = true").5, plain.5);
+        let program = of("kind = \"candidate\"\nexec = \"true\"");
+        assert!(plain.4 > 0 && program.4 == 0);
+    }
 }

@@ -145,4 +145,22 @@ mod tests {
         bands.last_mut().unwrap()[0] = f64::INFINITY;
         assert_eq!(of_bands(&bands)[0].norm, None);
     }
+
+    #[test]
+    fn bands_are_full_of_points_of_their_own() {
+        let effort = Effort { cases: 40, seed: 1 };
+        for k in [LOW - 1, LOW, -3, HIGH - 1] {
+            let all = points(k, &effort);
+            assert_eq!(all.len(), 40);
+            let (low, high) = match k < LOW {
+                true => (0.0, 1e-20),
+                false => (10f64.powi(k), 10f64.powi(k + 1)),
+            };
+            let slack = 1.0 + 1e-12;
+            let inside = |z: &Vec<f64>| (low / slack..=high * slack).contains(&z[1]);
+            assert!(all.iter().all(inside), "{k}: {all:?}");
+            let on_the_axis = all.iter().filter(|z| z[1] == 0.0).count();
+            assert_eq!(on_the_axis > 0, k < LOW);
+        }
+    }
 }

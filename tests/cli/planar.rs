@@ -501,6 +501,24 @@ fn gravity_has_a_direction() {
     assert_eq!(moments.len(), 8);
 }
 
+/// Angles of drawn bodies are those of their lines, in digits as in floats.
+#[test]
+fn drawn_bodies_have_certified_digits() {
+    for name in ["watt-1", "pmksweb-92"] {
+        let line = format!("linkage examples/{name}.toml --step-deg 360 --all-branches");
+        let (floats, certified) = (command(&line), command(&format!("{line} --digits 12")));
+        assert_eq!((floats.code, certified.code), (0, 0), "{}", certified.err);
+        let (names, lines) = csv(&certified.out);
+        assert!(lines.len() >= 4 && names.len() > 10, "{}", certified.out);
+        for name in names {
+            let due = column(&floats.out, &name);
+            for (x, y) in column(&certified.out, &name).iter().zip(due) {
+                close(*x, y, 1e-8);
+            }
+        }
+    }
+}
+
 /// Where branches meet, their number stays open, and that is told.
 #[test]
 fn a_count_of_modes_that_is_open_is_no_proof() {

@@ -23,6 +23,8 @@ fn inputs_and_answers_are_laid_out_as_said() {
             let single = (0..layout.parts()).all(|k| layout.is_single(k));
             let longer = [&case.input[..], &[1.0]].concat();
             assert!(!single || layout.lengths(&longer).is_err(), "{place}");
+            let refused = SolverAnswer::Refuses("bad layout");
+            assert!(!single || method.solve(&longer) == refused, "{place}");
             let SolverAnswer::Values(values) = method.solve(&case.input) else {
                 continue;
             };

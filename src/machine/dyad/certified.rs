@@ -320,4 +320,35 @@ mod tests {
         assert!(checked > 5000, "{checked}");
         assert!(tightest < 1.5, "{tightest}");
     }
+
+    /// Only the coupler of a parallelogram shifts; that of a crossed one turns.
+    #[test]
+    fn parallelograms_are_told_from_crossed_ones() {
+        let text = "type = \"four-bar\"\n[geometry]\ncrank = \"1 m\"\ncoupler = \"3 m\"\n\
+                    rocker = \"1 m\"\nframe = \"3 m\"";
+        let Linkage::Dyad(dyad) = Linkage::read(&Source::toml(text)).unwrap() else {
+            unreachable!("a dyad");
+        };
+        let mut shifted = Vec::new();
+        for assembly in [Assembly::Positive, Assembly::Negative] {
+            for degrees in [50, 130, 230, 310, 410] {
+                let at = Rational::from(degrees);
+                let floats = super::super::floating(&dyad, &at, assembly)
+                    .unwrap()
+                    .unwrap();
+                let Proved::Values(proved) = certified(&dyad, &at, assembly, 15) else {
+                    panic!("within reach");
+                };
+                for (k, (text, x)) in proved.iter().zip(floats).enumerate() {
+                    let Some(text) = text else { continue };
+                    let near = (text.parse::<f64>().unwrap() - x).abs() < 1e-9 * (1.0 + x.abs());
+                    assert!(near, "value {k} at {degrees}: {text} {x}");
+                }
+                let rate = proved[2].as_deref();
+                shifted.push(rate.expect("a rate") == "0");
+            }
+        }
+        let [left, right] = [&shifted[..5], &shifted[5..]];
+        assert!(left.iter().zip(right).all(|(l, r)| l != r), "{shifted:?}");
+    }
 }
