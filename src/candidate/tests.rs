@@ -166,5 +166,17 @@ fn what_cannot_be_run() {
     assert!(refused(plain().outputs(&["psi"])).contains("no output \"psi\"; it has: phi2"));
     assert!(refused(plain().effort(f64::NAN)).contains("positive"));
     assert!(refused(plain().limit(Limit::Ulps(0.0))).contains("positive"));
+    for norm in [0.0, -1.0, f64::INFINITY, f64::NAN] {
+        assert!(
+            refused(plain().normwise(norm)).contains("positive"),
+            "{norm}"
+        );
+    }
+    for effort in [0.0, f64::INFINITY] {
+        assert!(
+            refused(plain().effort(effort)).contains("positive"),
+            "{effort}"
+        );
+    }
     assert!(refused(plain().case(3)).contains("which region"));
 }

@@ -141,6 +141,30 @@ fn branches_can_be_chosen() {
     );
 }
 
+/// Without a speed of the crank, and with one and an acceleration.
+#[test]
+fn certified_rates_are_by_the_cranks_angle_or_in_time() {
+    let given = "crank_speed = \"1 rad/s\"\n";
+    let faster = "crank_speed = \"3 rad/s\"\ncrank_acceleration = \"-2 rad/s^2\"\n";
+    for speed in ["", faster] {
+        let text = screen(given, speed);
+        let rows = |more: &[&str]| {
+            let d = linkage_of(&text, &[&["--step-deg", "120"], more].concat());
+            assert_eq!(d.code, 0, "{}", d.err);
+            d.out
+        };
+        let (floats, certified) = (rows(&[]), rows(&["--digits", "15"]));
+        let (names, lines) = csv(&certified);
+        assert!(lines.len() == 3 && names.len() > 15, "{certified}");
+        for name in names {
+            let due = column(&floats, &name);
+            for (x, y) in column(&certified, &name).iter().zip(due) {
+                assert!((x - y).abs() <= 1e-9 * (1.0 + y.abs()), "{name}: {x} {y}");
+            }
+        }
+    }
+}
+
 #[test]
 fn certified_digits_agree_with_floats_and_with_more_digits() {
     let file = "examples/sand-screen.toml";
