@@ -9,10 +9,12 @@ fn planted(algorithm: &'static str, place: Place, test: (Measure, Statistic, f64
         algorithm,
         statement: "planted",
         source: "",
-        reading: "",
+        reading: "why it cannot be tested",
         test: Some((place, test.0, test.1, test.2)),
     };
-    decide(&claim, &EFFORT)
+    let decided = decide(&claim, &EFFORT);
+    assert!(!decided.part.contains(claim.reading));
+    decided
 }
 
 const SQUARE: Place = Place {

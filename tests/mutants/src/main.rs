@@ -179,6 +179,9 @@ fn audit(args: &Args) -> Result<bool> {
         suite.tests.len(),
         suite.too_long.len()
     );
+    for name in &suite.too_long {
+        eprintln!("too long: {name}");
+    }
     let table = match &args.output {
         Some(path) => {
             Some(csv::Writer::from_path(path).with_context(|| path.display().to_string())?)

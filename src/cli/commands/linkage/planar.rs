@@ -259,3 +259,43 @@ fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usiz
     ));
     open
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::machine::{Linkage, Source};
+
+    /// A mode that floating point has lost, or has twice, is no proof that these are all.
+    #[test]
+    fn another_number_of_modes_is_open() {
+        let text = include_str!("../../../../examples/watt-1.toml");
+        let Linkage::Planar(machine) = Linkage::read(&Source::toml(text)).unwrap() else {
+            unreachable!("bodies and joints");
+        };
+        let certifier = Certifier::new(&machine, 15).unwrap();
+        let at = machine.start.at.unwrap_or(0.0);
+        let values = Values(
+            vec![(at, at.to_radians())],
+            Rational::from_f64(at).into_iter().collect(),
+        );
+        let map = machine
+            .solver
+            .trace_branches(&[machine.inner(at.to_radians())]);
+        assert!(map.rows[0].len() > 1);
+        assert_eq!(prove_counts(&certifier, &values, &map), 0);
+        let mut fewer = map.clone();
+        fewer.rows[0].pop();
+        assert_eq!(prove_counts(&certifier, &values, &fewer), 1);
+        let mut more = map.clone();
+        more.rows[0].extend_from_within(..1);
+        assert_eq!(prove_counts(&certifier, &values, &more), 1);
+        // What is not matched by both searches is said.
+        let said = |map: &BranchMap| facts::map_lines(&machine, map).join("\n");
+        assert!(!said(&map).contains("but not by both"));
+        let unmatched = BranchMap {
+            unmatched: 2,
+            ..map
+        };
+        assert!(said(&unmatched).contains("2 positions were found by continuation or"));
+    }
+}
