@@ -200,3 +200,43 @@ impl Theorem {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::proof::real::Open;
+
+    /// Nothing open and no number left out: else it is no theorem, and is not said to be one.
+    #[test]
+    fn an_open_interval_or_a_hole_is_no_proof() {
+        let at = Interval {
+            negative: false,
+            ends: [1.0, 2.0],
+        };
+        let of = |open: Vec<Open>, missing| Theorem {
+            function: Function::Erf,
+            found: Certificate {
+                leaves: Vec::new(),
+                open,
+            },
+            summary: Summary {
+                ulps: 0.75,
+                at,
+                intervals: 0,
+                formulas: Vec::new(),
+            },
+            missing,
+            seconds: 0.0,
+        };
+        let open = Open {
+            at,
+            why: "too wide",
+        };
+        let said = |t: &Theorem| t.text().contains("for every finite f64");
+        let whole = of(Vec::new(), None);
+        assert!(whole.is_proved() && said(&whole));
+        for part in [of(vec![open], None), of(Vec::new(), Some(1.5))] {
+            assert!(!part.is_proved() && !said(&part));
+        }
+    }
+}

@@ -232,4 +232,31 @@ mod tests {
             assert_eq!(signs_of_zero(x, y), due, "{x} {y}");
         }
     }
+
+    /// They are asked of a method, and an answer with the other sign is wrong.
+    #[test]
+    fn a_wrong_sign_of_zero_is_found() {
+        let method = crate::methods::find("faddeeva").unwrap();
+        let input = [-2.0, f64::INFINITY];
+        assert_eq!(method.signs_of_zero(&input), [Some(false), Some(true)]);
+        let verdict = |value: [f64; 2]| {
+            let case = crate::audit::Case {
+                method: "faddeeva",
+                region: "any",
+                input: input.to_vec(),
+                origin: crate::audit::Origin::CheckPoint {
+                    name: "at infinity",
+                },
+            };
+            let answer = crate::audit::SolverAnswer::Values(value.to_vec());
+            let settings = crate::audit::Settings::default();
+            crate::audit::judge_case(&*method, case, answer, &settings)
+                .judgement
+                .verdict
+        };
+        assert_eq!(verdict([0.0, -0.0]), crate::audit::Verdict::Pass);
+        for wrong in [[-0.0, -0.0], [0.0, 0.0]] {
+            assert_ne!(verdict(wrong), crate::audit::Verdict::Pass, "{wrong:?}");
+        }
+    }
 }
