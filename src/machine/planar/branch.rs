@@ -44,7 +44,7 @@ pub struct Branch {
     pub mode: usize,
     /// How many there are.
     pub modes: usize,
-    /// Whether these are all.
+    /// Whether these are all; not where one may be singular.
     pub complete: bool,
     /// The position at the start.
     pub start: State,
@@ -108,7 +108,7 @@ pub enum PlanarError {
     },
     /// A group that is not solved.
     #[error(
-        "the positions at {at} were not found: a group has gears among its unknowns, is too large, or has special dimensions"
+        "the positions at {at} were not found: a group has gears among its unknowns, is too large, has special dimensions, or the position is singular"
     )]
     Unsolved {
         /// The drive with its unit.
@@ -185,7 +185,7 @@ fn mode_at(
     let at = machine.drive_text(drive);
     let count = modes.states.len();
     if count == 0 {
-        return Err(match modes.complete {
+        return Err(match modes.complete && !modes.near_singular {
             false => PlanarError::Unsolved { at },
             true => PlanarError::NotHere {
                 at,
@@ -236,7 +236,8 @@ fn mode_at(
 /// [`PlanarError`].
 pub fn choose(machine: &Machine, drive: f64, number: Option<usize>) -> Result<Branch, PlanarError> {
     let (mode, found) = mode_at(machine, drive, number, number.is_none())?;
-    let (modes, complete) = (found.states.len(), found.complete);
+    let complete = found.complete && !found.near_singular;
+    let modes = found.states.len();
     let start = found.states.into_iter().nth(mode).expect("a mode there is");
     let reach = reach(machine, &start);
     Ok(Branch {

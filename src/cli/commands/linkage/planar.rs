@@ -201,7 +201,7 @@ fn all_branches(
         let why = match map.complete {
             true => "the mechanism cannot be assembled at any value of the drive asked for",
             false => {
-                "no position was found: a group has gears among its unknowns, is too large, or has special dimensions"
+                "no position was found: a group has gears among its unknowns, is too large, has special dimensions, or the position is singular"
             }
         };
         return Err(Failure::new(why));

@@ -25,6 +25,7 @@ use super::loops::{cross, dot, unit};
 use super::positions::{Positions, wrap};
 use crate::units::Angle;
 use num_complex::Complex64;
+use std::sync::LazyLock;
 
 /// Every real solution of the loop equations at one crank angle.
 #[derive(Clone, Debug)]
@@ -51,6 +52,8 @@ pub(super) struct Resultant<'a> {
     q1: Complex64,
     p_const: f64,
     q_const: f64,
+    /// The terms that P and Q are the sums of, at their largest.
+    terms: [f64; 2],
 }
 
 /// Values of T and what else falls off.
@@ -111,31 +114,50 @@ impl<'a> Resultant<'a> {
         let a = e1 * l.l1;
         let p0 = l.o3 - l.o5;
         let q0 = l.o3 - a;
+        let p_const = (l.l5 - l.l3) * (l.l5 + l.l3) - p0.norm_sqr() - l.l4 * l.l4;
+        let q_const = (l.l2 - l.l3) * (l.l2 + l.l3) - q0.norm_sqr() - l.lb * l.lb;
         Resultant {
             l,
             a,
             p0,
             q0,
             q1: l.eb * l.lb,
-            p_const: (l.l5 - l.l3) * (l.l5 + l.l3) - p0.norm_sqr() - l.l4 * l.l4,
-            q_const: (l.l2 - l.l3) * (l.l2 + l.l3) - q0.norm_sqr() - l.lb * l.lb,
+            p_const,
+            q_const,
+            terms: [
+                p_const.abs() + 2.0 * p0.norm() * l.l4,
+                q_const.abs() + 2.0 * q0.norm() * l.lb,
+            ],
         }
     }
 
-    fn value(&self, theta: f64) -> Value {
+    /// T alone.
+    fn t(&self, theta: f64) -> f64 {
+        let [(p, pp), (q, qq)] = self.equations(theta);
+        let right = 2.0 * self.l.l3 * cross(p, q);
+        (q * pp - p * qq).norm_sqr() - right * right
+    }
+
+    /// `(p, P)` and `(q, Q)`.
+    #[inline]
+    fn equations(&self, theta: f64) -> [(Complex64, f64); 2] {
         let tau = unit(theta);
         let p1 = tau * self.l.l4;
         let q1 = tau * self.q1;
-        let (p, q) = (self.p0 + p1, self.q0 + q1);
-        let pp = self.p_const - 2.0 * dot(self.p0, p1);
-        let qq = self.q_const - 2.0 * dot(self.q0, q1);
+        [
+            (self.p0 + p1, self.p_const - 2.0 * dot(self.p0, p1)),
+            (self.q0 + q1, self.q_const - 2.0 * dot(self.q0, q1)),
+        ]
+    }
+
+    fn value(&self, theta: f64) -> Value {
+        let [(p, pp), (q, qq)] = self.equations(theta);
         let n = q * pp - p * qq;
         let delta = cross(p, q);
         let squares = n.norm_sqr();
         let right = 2.0 * self.l.l3 * delta;
         let (np, nq) = (p.norm(), q.norm());
-        let p_terms = self.p_const.abs() + 2.0 * self.p0.norm() * self.l.l4;
-        let q_terms = self.q_const.abs() + 2.0 * self.q0.norm() * self.l.lb;
+        let [p_terms, q_terms] = self.terms;
         let sizes = np * q_terms + nq * p_terms + 2.0 * self.l.l3 * np * nq;
         let line = |normal, c, terms| Line { normal, c, terms };
         Value {
@@ -150,14 +172,15 @@ impl<'a> Resultant<'a> {
     /// Coefficients c_0 … c_3 of `T = c_0 + 2 Re Σ c_k e^{ikθ}` from eight samples (exact for a
     /// polynomial of degree 3).
     fn coefficients(&self) -> [Complex64; 4] {
-        let h = std::f64::consts::TAU / 8.0;
-        let samples: [f64; 8] = std::array::from_fn(|j| self.value(j as f64 * h).t);
+        const STEP: f64 = std::f64::consts::TAU / 8.0;
+        /// `e^{−2πij/8}`.
+        static ROOTS: LazyLock<[Complex64; 8]> =
+            LazyLock::new(|| std::array::from_fn(|j| unit(-(j as f64) * STEP)));
+        let samples: [f64; 8] = std::array::from_fn(|j| self.t(j as f64 * STEP));
+        let roots = &*ROOTS;
         std::array::from_fn(|k| {
-            let sum: Complex64 = samples
-                .iter()
-                .enumerate()
-                .map(|(j, &t)| unit(-((j * k % 8) as f64) * h) * t)
-                .sum();
+            let samples = samples.iter().enumerate();
+            let sum: Complex64 = samples.map(|(j, &t)| roots[j * k % 8] * t).sum();
             sum / 8.0
         })
     }
@@ -240,7 +263,7 @@ impl<'a> Resultant<'a> {
             }
         }
         let curvature = derivative(x, 2);
-        let d = -8.0 * self.value(x).t / curvature;
+        let d = -8.0 * self.t(x) / curvature;
         d.is_finite().then_some((d, x))
     }
 }
@@ -333,9 +356,10 @@ fn aberth(poly: &[Complex64], z: &mut [Complex64]) -> usize {
                 continue;
             }
             z[k] -= step;
-            moved = moved.max(step.norm() / z[k].norm().max(1e-300));
+            moved = moved.max(step.norm_sqr() / z[k].norm_sqr().max(f64::MIN_POSITIVE));
         }
-        if moved < 1e-14 {
+        // Squared: no root moved by 1e-14 of itself.
+        if moved < 1e-28 {
             return round + 1;
         }
     }
@@ -385,7 +409,7 @@ impl ClassIii {
             if a.t == 0.0 || (a.t > 0.0) == (b.t > 0.0) {
                 continue;
             }
-            let theta = zero_between(|x| resultant.value(x).t, [lo, hi], a.t);
+            let theta = zero_between(|x| resultant.t(x), [lo, hi], a.t);
             let found = resultant.candidates(theta);
             self.collect(&resultant, e1, theta, &found, &mut modes);
         }

@@ -233,6 +233,17 @@ fn change_points_are_told() {
     }
 }
 
+/// At a change point there is a position, and it is singular: what the map lists there is not all.
+#[test]
+fn a_map_through_a_change_point_is_not_complete() {
+    let m = four_bar([1.0, 2.0, 1.0, 2.0]);
+    let at = m.trace_branches(&[0.0]);
+    assert!(at.rows[0].is_empty() && !at.complete);
+    let beside = m.trace_branches(&[0.5, 1.0]);
+    assert_eq!(beside.rows.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+    assert!(beside.complete);
+}
+
 /// A driver alone has no unknowns; it goes to every value of the drive, zero among them.
 #[test]
 fn a_driver_without_groups() {

@@ -36,7 +36,7 @@ pub struct BranchMap {
     pub branches: usize,
     /// Their ends and beginnings between the first and the last value.
     pub ends: Vec<BranchEnd>,
-    /// Whether at every value all positions were found.
+    /// Whether at every value all positions were found, and none is singular or nearly so: those may have been left out.
     pub complete: bool,
     /// Positions found by continuation that the search for all modes did not give, or the other way
     /// round: should be zero away from singular positions.
@@ -73,7 +73,7 @@ impl Mechanism {
         drive: f64,
     ) -> Vec<BranchSample> {
         let modes = self.assembly_modes(drive);
-        map.complete &= modes.complete;
+        map.complete &= modes.complete && !modes.near_singular;
         let mut open = modes.states;
         let mut next = Vec::new();
         let mut work = Work::new(&self.chain);

@@ -125,8 +125,10 @@ impl Builder<'_> {
         }
         self.close();
         let rows = self.rows();
+        let placed = self.chain.order.iter().copied();
         let block = Block {
             bodies: bodies.to_vec(),
+            placed: placed.filter(|b| bodies.contains(b)).collect(),
             unknowns: first..self.chain.unknowns,
             rows: row..rows,
             closures: closure..self.chain.closures.len(),

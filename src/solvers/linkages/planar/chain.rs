@@ -131,6 +131,8 @@ pub(super) struct Tie {
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     pub bodies: Vec<usize>,
+    /// The same in the order in which they are placed.
+    pub placed: Vec<usize>,
     pub unknowns: std::ops::Range<usize>,
     pub rows: std::ops::Range<usize>,
     pub closures: std::ops::Range<usize>,

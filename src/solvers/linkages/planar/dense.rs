@@ -90,6 +90,8 @@ impl Factors {
         self.odd = false;
         self.pivots = [f64::INFINITY, 0.0];
         self.lu.clear();
+        self.lu.reserve_exact(n * n);
+        self.over.reserve_exact(n);
         self.over.clear();
         for r in 0..n {
             self.lu

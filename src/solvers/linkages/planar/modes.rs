@@ -78,6 +78,7 @@ impl Mechanism {
             }
             poses = next;
         }
+        modes.states.reserve_exact(poses.len());
         for pose in poses {
             match State::within(self, pose, &mut work) {
                 Some(state) => modes.states.push(state),
@@ -96,7 +97,6 @@ impl Mechanism {
         let mut found = Found::default();
         if let Some((modes, near)) = self.triads[k].as_ref().and_then(|t| t.modes(pose)) {
             found.near = near;
-            let bodies = self.chain.placed_in(block);
             for angles in modes {
                 let mut trial = pose.clone();
                 for (body, angle) in angles {
@@ -104,7 +104,7 @@ impl Mechanism {
                         trial.u[u] = angle;
                     }
                 }
-                trial.place(&self.chain, &bodies);
+                trial.place(&self.chain, &block.placed);
                 self.collect(block, trial, work, &mut found);
             }
             return found;
@@ -144,23 +144,24 @@ impl Mechanism {
     }
 
     /// Refines a solution and adds it if it is new.
-    fn collect(&self, block: &Block, trial: Pose, work: &mut Work, found: &mut Found) {
-        let mut pose = trial.clone();
+    fn collect(&self, block: &Block, mut pose: Pose, work: &mut Work, found: &mut Found) {
+        work.before.clone_from(&pose.u);
         if !self.chain.newton(&mut pose, Some(block), work) {
             found.near = true;
             return;
         }
         let range = block.unknowns.clone();
+        let before = &work.before;
         let scale = |k: usize| {
             if self.chain.lengths[k] {
-                1.0 + trial.u[k].abs()
+                1.0 + before[k].abs()
             } else {
                 1.0
             }
         };
-        let apart = |a: &Pose, b: &Pose| -> f64 {
+        let apart = |a: &[f64], b: &[f64]| -> f64 {
             let of = |k: usize| {
-                let d = a.u[k] - b.u[k];
+                let d = a[k] - b[k];
                 let d = if self.chain.lengths[k] {
                     d
                 } else {
@@ -170,11 +171,11 @@ impl Mechanism {
             };
             range.clone().map(of).fold(0.0, f64::max)
         };
-        if apart(&pose, &trial) > FARTHEST {
+        if apart(&pose.u, before) > FARTHEST {
             found.near = true;
             return;
         }
-        let nearest = found.poses.iter().map(|p| apart(p, &pose));
+        let nearest = found.poses.iter().map(|p| apart(&p.u, &pose.u));
         let nearest = nearest.fold(f64::INFINITY, f64::min);
         found.near |= (SAME..MERGING).contains(&nearest);
         if !(nearest < SAME) {

@@ -19,6 +19,8 @@ pub(super) struct Work {
     pub bounds: Vec<Bound>,
     /// Row sums of `|J⁻¹|` times the bounds.
     pub sums: Vec<[f64; 3]>,
+    /// Unknowns before they are refined.
+    pub before: Vec<f64>,
     /// The last first correction of [`Chain::newton_within`].
     pub size: f64,
     /// What is proved about the way ahead of a continuation.
@@ -89,21 +91,11 @@ fn done_by_curvature(curvature: f64, size: f64) -> bool {
 }
 
 impl Chain {
-    /// The bodies of a group in the order in which they are placed.
-    pub(super) fn placed_in(&self, block: &Block) -> Vec<usize> {
-        let order = self.order.iter().copied();
-        order.filter(|b| block.bodies.contains(b)).collect()
-    }
-
     /// Newton's method on the equations of one group, or of all; the pose is the solution where it
     /// settles.
     pub(super) fn newton(&self, pose: &mut Pose, block: Option<&Block>, work: &mut Work) -> bool {
-        let own;
         let (unknowns, closures, order) = match block {
-            Some(b) => {
-                own = self.placed_in(b);
-                (b.unknowns.clone(), b.closures.clone(), &own)
-            }
+            Some(b) => (b.unknowns.clone(), b.closures.clone(), &b.placed),
             None => (0..self.unknowns, 0..self.closures.len(), &self.order),
         };
         let n = unknowns.len();
