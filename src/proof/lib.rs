@@ -19,6 +19,9 @@ mod form;
 mod formula;
 mod interval;
 pub mod lower;
+#[cfg(test)]
+#[path = "tests/pinned.rs"]
+mod pinned;
 mod prove;
 pub mod real;
 mod summary;

@@ -1,6 +1,7 @@
 use super::*;
 use crate::interval::sum_up;
 use crate::lower::exponential::U;
+use crate::pinned::as_proved;
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::faddeeva;
 use num_complex::Complex;
@@ -265,16 +266,7 @@ fn bounds_are_those_that_were_proved() {
             ));
         }
     }
-    let listed: Vec<String> = found
-        .iter()
-        .map(|(name, b)| format!("    ({name:?}, {b:.9e}),").replace("inf", "f64::INFINITY"))
-        .collect();
-    let listed = listed.join("\n");
-    assert_eq!(found.len(), PROVED.len(), "\n{listed}");
-    for (p, q) in found.iter().zip(PROVED) {
-        let near = p.1 == q.1 || (p.1 - q.1).abs() <= 1e-6 * q.1;
-        assert!(p.0 == q.0 && near, "{p:?} {q:?}\n{listed}");
-    }
+    as_proved(&found, &PROVED);
 }
 
 const PROVED: [(&str, f64); 16] = [

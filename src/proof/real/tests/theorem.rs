@@ -1,6 +1,7 @@
 //! The bounds against certified values at points, and with planted faults.
 
 use super::*;
+use crate::pinned::as_proved;
 use crate::real::tables::{MOST, exponential_coefficients, near_error};
 use crate::real::{Inner, choice};
 use crate::truncation::{RowErrors, exponential_error};
@@ -339,16 +340,7 @@ fn bounds_are_those_that_were_proved() {
             (formula.name(*function, at.negative), ulps)
         })
         .collect();
-    let listed: Vec<String> = found
-        .iter()
-        .map(|(name, b)| format!("    ({name:?}, {b:.9e}),").replace("inf", "f64::INFINITY"))
-        .collect();
-    let listed = listed.join("\n");
-    assert_eq!(found.len(), PROVED.len(), "\n{listed}");
-    for (p, q) in found.iter().zip(PROVED) {
-        let near = p.1 == q.1 || (p.1 - q.1).abs() <= 1e-6 * q.1;
-        assert!(p.0 == q.0 && near, "{p:?} {q:?}\n{listed}");
-    }
+    as_proved(&found, &PROVED);
 }
 
 const PROVED: [(&str, f64); 30] = [
