@@ -68,7 +68,7 @@ pub use method::{
 };
 pub use nearest::{did_you_mean, nearest};
 pub use no_such::NoSuch;
-pub use panel::Panel;
+pub use panel::{Answered, Panel};
 pub use parts::ErrorParts;
 pub use printed::{Agreement, EntryJudgement, judge_printed};
 pub use reason::{Fault, Reason};

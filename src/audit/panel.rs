@@ -8,6 +8,7 @@ use super::referee::Judge;
 use super::settings::Settings;
 use super::tally::Tally;
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -16,6 +17,9 @@ use std::sync::{Mutex, PoisonError};
 const BLOCK: u64 = 32;
 /// Blocks for each thread, so that none waits long for the last one.
 const BLOCKS: u64 = 8;
+
+/// Cases of these numbers with the answers to them.
+pub type Answered<'a> = dyn Fn(Range<usize>) -> Vec<(Case, SolverAnswer)> + Sync + 'a;
 
 /// Judges cases of a method on the threads of the current pool. Each thread counts in a tally of its own: how
 /// cases fall to threads does not show in the sum.
@@ -93,20 +97,25 @@ impl<'a> Panel<'a> {
         judged.into_inner() == total
     }
 
-    /// Judges answers that have come from elsewhere as long as `go_on` says so; says whether it was to the end.
+    /// Judges so many answers that have come from elsewhere as long as `go_on` says so; says whether it was to the
+    /// end. Each thread asks for those that it judges.
     pub fn judge(
         &self,
-        answered: Vec<(Case, SolverAnswer)>,
+        total: usize,
+        answered: &Answered,
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> bool {
-        let block = Panel::block(answered.len() as u64) as usize;
+        let block = Panel::block(total as u64) as usize;
         let whole = AtomicBool::new(true);
-        answered.into_par_iter().chunks(block).for_each(|block| {
+        let one = |k: usize| {
+            let from = k * block;
+            let block = answered(from..total.min(from + block));
             let due = block.len() as u64;
             if self.count(block.into_iter(), go_on, &|_| {}, false) < due {
                 whole.store(false, Ordering::Relaxed);
             }
-        });
+        };
+        (0..total.div_ceil(block)).into_par_iter().for_each(one);
         whole.into_inner()
     }
 

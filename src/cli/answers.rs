@@ -4,15 +4,17 @@ use crate::cli::process::frames::{Frame, Frames};
 use crate::cli::process::interrupt;
 use crate::cli::process::wire::Lines;
 use mechaudit::audit::SolverAnswer;
-use std::collections::VecDeque;
 use std::io::{BufReader, Read};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+mod batch;
+pub use batch::Batch;
+
 /// Answers handed over at once, and how many such batches are read before they are asked for.
-const BATCH: usize = 512;
+const TOGETHER: usize = 512;
 const AHEAD: usize = 8;
 /// Characters of a name or version.
 const LONGEST: usize = 80;
@@ -58,18 +60,26 @@ impl Header {
     }
 }
 
-type Batch = Vec<std::io::Result<SolverAnswer>>;
+/// What is handed over: answers, and why there are no more where they cannot be read.
+type Heard = (Batch, Option<std::io::Error>);
 
 /// A stream of answers.
 pub struct Answers {
-    from: Receiver<Batch>,
-    here: VecDeque<std::io::Result<SolverAnswer>>,
+    from: Receiver<Heard>,
+    here: Heard,
+    /// How many of those here are taken.
+    taken: usize,
     header: Arc<Mutex<Header>>,
 }
 
 /// What came of waiting for one.
 pub enum Next {
     Answer(SolverAnswer),
+    End(Silence),
+}
+
+/// Why there is no answer.
+pub enum Silence {
     /// There are no more.
     Closed,
     Unreadable(std::io::Error),
@@ -91,7 +101,8 @@ impl Answers {
         });
         Answers {
             from,
-            here: VecDeque::new(),
+            here: Heard::default(),
+            taken: 0,
             header,
         }
     }
@@ -104,42 +115,58 @@ impl Answers {
 
     /// The next one, waited for as long as that, or for ever.
     pub fn next(&mut self, patience: Option<Duration>) -> Next {
+        match self.wait(patience) {
+            Ok(_) => {
+                self.taken += 1;
+                Next::Answer(self.here.0.get(self.taken - 1))
+            }
+            Err(end) => Next::End(end),
+        }
+    }
+
+    /// Takes the next one, waited for likewise, and what is here of those after it, so many at most.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn take(
+        &mut self,
+        most: usize,
+        patience: Duration,
+        into: &mut Batch,
+    ) -> Result<(), Silence> {
+        let some = self.wait(Some(patience))?.min(most);
+        into.extend(&self.here.0, self.taken..self.taken + some);
+        self.taken += some;
+        Ok(())
+    }
+
+    /// Waits until there are answers here; how many.
+    fn wait(&mut self, patience: Option<Duration>) -> Result<usize, Silence> {
         interrupt::flag();
-        if interrupt::asked() {
-            return Next::Interrupted;
-        }
-        if let Some(answer) = self.here.pop_front() {
-            return taken(answer);
-        }
         let start = Instant::now();
         loop {
+            if interrupt::asked() {
+                return Err(Silence::Interrupted);
+            }
+            let here = self.here.0.len() - self.taken;
+            if here > 0 {
+                return Ok(here);
+            }
+            if let Some(why) = self.here.1.take() {
+                return Err(Silence::Unreadable(why));
+            }
             let left = patience.map(|p| p.saturating_sub(start.elapsed()));
             let wait = left.map_or(interrupt::POLL, |l| l.min(interrupt::POLL));
             match self.from.recv_timeout(wait) {
-                Ok(batch) => {
-                    self.here.extend(batch);
-                    if let Some(answer) = self.here.pop_front() {
-                        return taken(answer);
-                    }
-                }
-                Err(RecvTimeoutError::Disconnected) => return Next::Closed,
+                Ok(heard) => (self.here, self.taken) = (heard, 0),
+                Err(RecvTimeoutError::Disconnected) => return Err(Silence::Closed),
                 Err(RecvTimeoutError::Timeout) => {
                     if left.is_some_and(|l| l <= wait) {
-                        return Next::Silent;
+                        return Err(Silence::Silent);
                     }
                 }
             }
-            if interrupt::asked() {
-                return Next::Interrupted;
-            }
         }
-    }
-}
-
-fn taken(answer: std::io::Result<SolverAnswer>) -> Next {
-    match answer {
-        Ok(answer) => Next::Answer(answer),
-        Err(e) => Next::Unreadable(e),
     }
 }
 
@@ -188,9 +215,9 @@ impl<R: Read> Source for Frames<R> {
 }
 
 /// Hands over answers until there are no more or nobody wants them.
-fn listen(from: &mut impl Source, header: &Mutex<Header>, to: &SyncSender<Batch>) {
+fn listen(from: &mut impl Source, header: &Mutex<Header>, to: &SyncSender<Heard>) {
     let mut first = true;
-    let mut batch = Vec::new();
+    let mut batch = Batch::default();
     loop {
         let answer = from.answer(&mut |line| {
             if first {
@@ -199,11 +226,17 @@ fn listen(from: &mut impl Source, header: &Mutex<Header>, to: &SyncSender<Batch>
             }
         });
         first = false;
-        let last = answer.as_ref().is_none_or(|a| a.is_err());
-        batch.extend(answer);
-        if (last || batch.len() == BATCH || from.is_drained())
-            && !batch.is_empty()
-            && to.send(std::mem::take(&mut batch)).is_err()
+        let (last, unreadable) = match answer {
+            Some(Ok(answer)) => {
+                batch.push(answer);
+                (false, None)
+            }
+            Some(Err(why)) => (true, Some(why)),
+            None => (true, None),
+        };
+        if (last || batch.len() == TOGETHER || from.is_drained())
+            && (!batch.is_empty() || unreadable.is_some())
+            && to.send((std::mem::take(&mut batch), unreadable)).is_err()
         {
             return;
         }

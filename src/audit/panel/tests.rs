@@ -65,8 +65,9 @@ fn batches_of_answers_add_up() {
     let panel = Panel::new(&method, &settings);
     let mut from = 0;
     for due in [1, 32, 0, 1000, 77] {
-        let batch = (from..from + due).map(|i| (nth(i), method.solve(&nth(i).input)));
-        assert!(panel.judge(batch.collect(), &|| true));
+        let one = |i: u64| (nth(i), method.solve(&nth(i).input));
+        let batch = |some: Range<usize>| some.map(|i| one(from + i as u64)).collect();
+        assert!(panel.judge(due as usize, &batch, &|| true));
         from += due;
     }
     let report = panel.into_tally().finish(&method);
@@ -105,9 +106,10 @@ fn a_stop_leaves_the_rest() {
     assert!(solved.len() < 99_000, "{}", solved.len());
     // The same for answers.
     let (panel, left) = (Panel::new(&method, &settings), AtomicI64::new(40));
-    let batch = (0..100).map(|i| (nth(i), SolverAnswer::Values(nth(i).input)));
+    let one = |i: usize| (nth(i as u64), SolverAnswer::Values(nth(i as u64).input));
+    let batch = |some: Range<usize>| some.map(one).collect();
     let go_on = || left.fetch_sub(1, Ordering::Relaxed) > 0 && !stop.load(Ordering::Relaxed);
     stop.store(false, Ordering::Relaxed);
-    assert!(!pool(1).install(|| panel.judge(batch.collect(), &go_on)));
+    assert!(!pool(1).install(|| panel.judge(100, &batch, &go_on)));
     assert!(panel.into_tally().finish(&method).cases <= 40);
 }

@@ -1,5 +1,6 @@
 //! Several programs at the same cases, side by side.
 
+use crate::cli::answers::Batch;
 use crate::cli::args::{CompareArgs, CompareFormat, ProgramArgs};
 use crate::cli::commands::audit::written::POINTS;
 use crate::cli::commands::audit::{find, settings};
@@ -136,12 +137,13 @@ fn judged(
         let to = total.min(from + BATCH);
         let mut answers: Vec<Vec<Option<SolverAnswer>>> = vec![Vec::new(); to - from];
         for (program, end) in programs.iter_mut().zip(&mut ends) {
-            let mut batch = Vec::new();
+            let mut batch = Batch::default();
             if end.is_none() {
                 *end = program.collect(to - from, &mut batch);
             }
-            let mut batch = batch.into_iter();
-            answers.iter_mut().for_each(|a| a.push(batch.next()));
+            let given = |i: usize| (i < batch.len()).then(|| batch.get(i));
+            let all = answers.iter_mut().enumerate();
+            all.for_each(|(i, a)| a.push(given(i)));
         }
         // The programs have been shown them by now.
         let cases = inputs.take(from..to).into_iter();
@@ -187,7 +189,7 @@ fn timed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>, n: usize) -
     let mut fed = Fed::start(command, program, inputs, n).ok()?;
     let mut left = n;
     while left > 0 {
-        let mut batch = Vec::with_capacity(left.min(BATCH));
+        let mut batch = Batch::default();
         if fed.collect(left.min(BATCH), &mut batch).is_some() {
             return None;
         }

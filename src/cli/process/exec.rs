@@ -3,7 +3,7 @@
 //! For each program one thread writes all inputs and one reads answers ahead ([`Answers`]); answers are
 //! judged batch by batch, those of several programs to a case together.
 
-use crate::cli::answers::{Answers, Form, Header, Next};
+use crate::cli::answers::{Answers, Batch, Form, Header, Next, Silence};
 use crate::cli::args::ProgramArgs;
 use crate::cli::failure::Failure;
 use crate::cli::process::candidate::{BATCH, judge_batch};
@@ -17,6 +17,7 @@ use mechaudit::audit::{
 };
 use std::cell::Cell;
 use std::io::{BufWriter, Write};
+use std::ops::Range;
 use std::process::ChildStdin;
 use std::sync::Arc;
 use std::thread;
@@ -58,16 +59,16 @@ impl Fed {
     }
 
     /// Waits for that many answers more, or for their end.
-    pub fn collect(&mut self, due: usize, batch: &mut Vec<SolverAnswer>) -> Option<End> {
-        for _ in 0..due {
-            match self.answers.next(Some(self.timeout)) {
-                Next::Answer(answer) => batch.push(answer),
-                Next::Unreadable(why) => return Some(End::Unreadable(why)),
-                Next::Silent => return Some(End::Silent),
-                Next::Closed => return Some(End::Closed),
-                Next::Interrupted => return Some(End::Interrupted),
+    pub fn collect(&mut self, due: usize, batch: &mut Batch) -> Option<End> {
+        let before = batch.len();
+        while batch.len() < before + due {
+            let left = before + due - batch.len();
+            let here = batch.len();
+            let taken = self.answers.take(left, self.timeout, batch);
+            self.answered += batch.len() - here;
+            if let Err(silence) = taken {
+                return Some(silence.into());
             }
-            self.answered += 1;
         }
         None
     }
@@ -78,12 +79,12 @@ impl Fed {
         loop {
             match self.answers.next(Some(POLL)) {
                 Next::Answer(_) => return End::TooMany,
-                Next::Unreadable(why) => return End::Unreadable(why),
-                Next::Closed => return End::Closed,
-                Next::Interrupted => return End::Interrupted,
-                Next::Silent if start.elapsed() > self.timeout => return End::Silent,
-                Next::Silent if self.child.has_ended() => self.child.end_group(),
-                Next::Silent => {}
+                Next::End(Silence::Silent) if start.elapsed() <= self.timeout => {
+                    if self.child.has_ended() {
+                        self.child.end_group();
+                    }
+                }
+                Next::End(silence) => return silence.into(),
             }
         }
     }
@@ -183,15 +184,18 @@ pub fn gather(
 /// Judges answers until there are no more; says why not. `show` is told how many there were.
 fn judged(fed: &mut Fed, inputs: &Inputs, panel: &Panel, show: &dyn Fn(u64)) -> End {
     loop {
-        let mut batch = Vec::new();
+        let mut batch = Batch::default();
         let from = fed.answered();
         let end = match inputs.len() - from {
             0 => Some(fed.rest()),
             due => fed.collect(due.min(BATCH), &mut batch),
         };
-        let cases = inputs.take(from..from + batch.len());
-        let pairs: Vec<_> = cases.into_iter().zip(batch).collect();
-        let whole = judge_batch(panel, pairs);
+        let answered = |some: Range<usize>| {
+            let cases = inputs.take(from + some.start..from + some.end);
+            let answers = some.map(|i| batch.get(i));
+            cases.into_iter().zip(answers).collect()
+        };
+        let whole = judge_batch(panel, batch.len(), &answered);
         show(fed.answered() as u64);
         match end {
             _ if !whole => return End::Interrupted,
@@ -237,6 +241,17 @@ pub enum End {
     Unreadable(std::io::Error),
     /// The user has asked to stop.
     Interrupted,
+}
+
+impl From<Silence> for End {
+    fn from(silence: Silence) -> End {
+        match silence {
+            Silence::Closed => End::Closed,
+            Silence::Unreadable(why) => End::Unreadable(why),
+            Silence::Silent => End::Silent,
+            Silence::Interrupted => End::Interrupted,
+        }
+    }
 }
 
 /// Inputs that are drawn and written together.

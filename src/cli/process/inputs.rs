@@ -20,13 +20,51 @@ enum Source {
 pub struct Inputs {
     source: Source,
     /// Those shown last, number `i` in place `i` modulo their number, until they are taken.
-    drawn: Mutex<Vec<Option<(usize, Case)>>>,
+    drawn: Mutex<Vec<Option<Kept>>>,
+}
+
+/// An input that is kept. Few numbers are kept in it: memory that is made by the thread that feeds a program and given
+/// back by one that judges is slow.
+#[derive(Clone)]
+struct Kept {
+    number: usize,
+    /// Without those numbers.
+    case: Case,
+    few: [f64; FEW],
+    /// How many they are.
+    length: u8,
+}
+
+impl Kept {
+    fn new(number: usize, mut case: Case) -> Kept {
+        let (mut few, mut length) = ([0.0; FEW], 0);
+        if case.input.len() <= FEW {
+            length = case.input.len();
+            few[..length].copy_from_slice(&case.input);
+            case.input = Vec::new();
+        }
+        Kept {
+            number,
+            case,
+            few,
+            length: length as u8,
+        }
+    }
+
+    fn into_case(self) -> Case {
+        let mut case = self.case;
+        case.input
+            .extend_from_slice(&self.few[..self.length.into()]);
+        case
+    }
 }
 
 /// Inputs kept: more than a program has read and not answered, as a rule.
 const KEPT: usize = 1 << 15;
 /// Numbers of an input that is kept. To draw longer ones is little beside judging them.
 const SHORT: usize = 32;
+/// Numbers of an input that is kept without memory of its own.
+const FEW: usize = 4;
 
 impl Inputs {
     fn new(source: Source) -> Inputs {
@@ -81,7 +119,7 @@ impl Inputs {
     }
 
     /// Nobody panics with the lock held.
-    fn lock(&self) -> MutexGuard<'_, Vec<Option<(usize, Case)>>> {
+    fn lock(&self) -> MutexGuard<'_, Vec<Option<Kept>>> {
         self.drawn.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -91,7 +129,7 @@ impl Inputs {
         drawn.resize(KEPT, None);
         for (i, case) in (from..).zip(cases) {
             if case.input.len() <= SHORT {
-                drawn[i % KEPT] = Some((i, case));
+                drawn[i % KEPT] = Some(Kept::new(i, case));
             }
         }
     }
@@ -101,8 +139,8 @@ impl Inputs {
         let kept: Vec<Option<Case>> = {
             let mut drawn = self.lock();
             let mut kept = |i: usize| {
-                let place = drawn.get_mut(i % KEPT)?.take_if(|(k, _)| *k == i);
-                place.map(|(_, case)| case)
+                let kept = drawn.get_mut(i % KEPT)?.take_if(|k| k.number == i);
+                kept.map(Kept::into_case)
             };
             numbers.clone().map(&mut kept).collect()
         };

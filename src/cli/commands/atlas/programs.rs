@@ -1,6 +1,6 @@
 //! Libraries and programs beside the algorithms.
 
-use crate::cli::answers::Header;
+use crate::cli::answers::{Batch, Header};
 use crate::cli::args::{AtlasArgs, ProgramArgs};
 use crate::cli::failure::Failure;
 use crate::cli::process::exec::Fed;
@@ -122,7 +122,7 @@ fn header(command: &str) -> Header {
     match Fed::start(command, &HOW, &Arc::new(one), 1) {
         Err(_) => Header::default(),
         Ok(mut fed) => {
-            let end = fed.collect(1, &mut Vec::new());
+            let end = fed.collect(1, &mut Batch::default());
             let end = end.unwrap_or_else(|| fed.rest());
             fed.end(end);
             fed.header()
@@ -149,16 +149,19 @@ const HOW: ProgramArgs = ProgramArgs {
 fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
     let listed = inputs.iter().map(|z| case(z.clone()));
     let listed = Arc::new(Inputs::listed(listed.collect()));
-    let mut all = Vec::with_capacity(inputs.len());
+    let mut batch = Batch::default();
     let trouble = match Fed::start(command, &HOW, &listed, inputs.len()) {
         Err(e) => Some(e.to_string()),
         Ok(mut fed) => {
-            let end = fed.collect(inputs.len(), &mut all);
+            let end = fed.collect(inputs.len(), &mut batch);
             let end = end.unwrap_or_else(|| fed.rest());
             fed.end(end)
         }
     };
     let why = trouble.unwrap_or("nothing came".into());
-    all.resize_with(inputs.len(), || SolverAnswer::Unanswered(why.clone()));
-    all
+    let unanswered = || SolverAnswer::Unanswered(why.clone());
+    let given = |i: usize| (i < batch.len()).then(|| batch.get(i));
+    (0..inputs.len())
+        .map(|i| given(i).unwrap_or_else(unanswered))
+        .collect()
 }

@@ -2,7 +2,7 @@
 
 pub mod published;
 
-use crate::cli::answers::{Answers, Form, Next};
+use crate::cli::answers::{Answers, Form, Next, Silence};
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
 use crate::cli::commands::audit::find;
 use crate::cli::commands::audit::written::{self, Besides};
@@ -55,12 +55,12 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     while let Some(case) = inputs.read()? {
         let answer = match values.next(None) {
             Next::Answer(answer) => answer,
-            Next::Unreadable(e) => return Err(unreadable(e)),
-            Next::Interrupted => {
+            Next::End(Silence::Unreadable(e)) => return Err(unreadable(e)),
+            Next::End(Silence::Interrupted) => {
                 interrupted = true;
                 break;
             }
-            Next::Closed | Next::Silent => {
+            Next::End(Silence::Closed | Silence::Silent) => {
                 open = Some(case);
                 break;
             }
@@ -71,14 +71,15 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             batch.push((case, answer));
         }
         if batch.len() == BATCH {
-            interrupted = !judge_batch(&panel, std::mem::take(&mut batch));
+            interrupted = !judge_batch(&panel, BATCH, &|some| batch[some].to_vec());
+            batch.clear();
             progress.show(method.name(), answered, total.unwrap_or(answered));
         }
         if interrupted {
             break;
         }
     }
-    interrupted |= !judge_batch(&panel, batch);
+    interrupted |= !judge_batch(&panel, batch.len(), &|some| batch[some].to_vec());
     let mut tally = panel.into_tally();
     if interrupted {
         tally.interrupt();
@@ -101,9 +102,9 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             Next::Answer(_) => {
                 trouble = Some(format!("there are more values than the {answered} inputs"));
             }
-            Next::Unreadable(e) => return Err(unreadable(e)),
-            Next::Interrupted => tally.interrupt(),
-            Next::Closed | Next::Silent => {}
+            Next::End(Silence::Unreadable(e)) => return Err(unreadable(e)),
+            Next::End(Silence::Interrupted) => tally.interrupt(),
+            Next::End(Silence::Closed | Silence::Silent) => {}
         }
     }
     drop(progress);
