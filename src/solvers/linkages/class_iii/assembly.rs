@@ -268,35 +268,43 @@ impl<'a> Resultant<'a> {
     }
 }
 
-/// The zero of a function between two arguments where it has opposite signs.
-fn zero_between(f: impl Fn(f64) -> f64, [mut lo, mut hi]: [f64; 2], f_lo: f64) -> f64 {
-    // Illinois steps and every third time bisection: never leaves the bracket.
-    let (mut f_lo, mut f_hi) = (f_lo, f(hi));
-    for k in 0..200 {
-        let width = hi - lo;
-        if width <= 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
-            break;
+/// The zero of a function between two arguments where it has opposite signs, by Chandrupatla's method: inverse quadratic
+/// interpolation where it can be trusted, bisection elsewhere; it never leaves the bracket. T. R. Chandrupatla, Advances
+/// in Engineering Software 28 (1997) 145-149.
+fn zero_between(f: impl Fn(f64) -> f64, [lo, hi]: [f64; 2], f_lo: f64) -> f64 {
+    // The newest end of the bracket, the other one, and the end that was given up last.
+    let (mut a, mut b) = ((hi, f(hi)), (lo, f_lo));
+    let mut share = a.1 / (a.1 - b.1);
+    for _ in 0..MOST_STEPS {
+        let best = if a.1.abs() < b.1.abs() { a } else { b };
+        let width = b.0 - a.0;
+        // Of the width: a step is not smaller, so that both ends close in.
+        let least = 2.0 * f64::EPSILON * (1.0 + best.0.abs()) / width.abs();
+        if best.1 == 0.0 || !(least < 0.5) {
+            return best.0;
         }
-        let secant = lo - f_lo * width / (f_hi - f_lo);
-        let x = if k % 3 == 2 || !(secant > lo && secant < hi) {
-            lo + 0.5 * width
-        } else {
-            secant
+        let x = a.0 + share.clamp(least, 1.0 - least) * width;
+        let new = (x, f(x));
+        let c = match (new.1 > 0.0) == (a.1 > 0.0) {
+            true => a,
+            false => std::mem::replace(&mut b, a),
         };
-        let f = f(x);
-        if f == 0.0 {
-            return x;
-        }
-        if (f > 0.0) == (f_lo > 0.0) {
-            (lo, f_lo) = (x, f);
-            f_hi *= 0.5;
-        } else {
-            (hi, f_hi) = (x, f);
-            f_lo *= 0.5;
-        }
+        a = new;
+        // Both quotients on [0, 1]: where the inverse is monotone between the three.
+        let (xi, phi) = ((a.0 - b.0) / (c.0 - b.0), (a.1 - b.1) / (c.1 - b.1));
+        share = match phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+            true => {
+                let (of_b, of_c) = (a.1 / (b.1 - a.1), a.1 / (c.1 - a.1));
+                of_b * (c.1 / (b.1 - c.1)) + (c.0 - a.0) / (b.0 - a.0) * of_c * (b.1 / (c.1 - b.1))
+            }
+            false => 0.5,
+        };
     }
-    lo + 0.5 * (hi - lo)
+    a.0
 }
+
+/// Bisection alone would take no more.
+const MOST_STEPS: usize = 200;
 
 /// All roots of a polynomial with complex coefficients (lowest first) by Aberth's method, leading
 /// and trailing zeros dropped.

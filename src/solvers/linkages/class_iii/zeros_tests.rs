@@ -24,15 +24,15 @@ fn brackets_close_in_few_steps() {
     assert_eq!(search(|x| 2.0 * x - 1.0, 0.0, 2.0), (0.5, 2));
     assert_eq!(search(|x| 3.0 - x, -1.0, 7.0), (3.0, 2));
     let cases: [Bracketed; 9] = [
-        ("x² − 2", &|x| x * x - 2.0, 0.0, 2.0, 2f64.sqrt(), 50),
-        ("2 − x²", &|x| 2.0 - x * x, 0.0, 2.0, 2f64.sqrt(), 50),
+        ("x² − 2", &|x| x * x - 2.0, 0.0, 2.0, 2f64.sqrt(), 8),
+        ("2 − x²", &|x| 2.0 - x * x, 0.0, 2.0, 2f64.sqrt(), 8),
         (
             "x² − 2 from −2",
             &|x| x * x - 2.0,
             -2.0,
             -1.0,
             -(2f64.sqrt()),
-            49,
+            7,
         ),
         (
             "x³ − 20",
@@ -40,33 +40,26 @@ fn brackets_close_in_few_steps() {
             0.0,
             8.0,
             2.7144176165949063,
-            55,
+            11,
         ),
-        ("x³ − x", &|x| x * x * x - x, 0.5, 100.0, 1.0, 70),
+        ("x³ − x", &|x| x * x * x - x, 0.5, 100.0, 1.0, 16),
+        // Halved from the first to the last.
         (
             "a sign",
             &|x| if x < 0.3 { -1.0 } else { 1.0 },
             0.0,
             1.0,
             0.3,
-            21,
+            51,
         ),
-        // The secant is the end itself: halved then.
-        ("at the end", &|x| (x - 1.0) - 1e-20, 1.0, 2.0, 1.0, 50),
-        (
-            "at the beginning",
-            &|x| (x - 2.0) + 1e-20,
-            1.0,
-            2.0,
-            2.0,
-            50,
-        ),
-        ("x⁵", &|x| x * x * x * x * x, -1.0, 1.25, 0.0, 115),
+        ("at the end", &|x| (x - 1.0) - 1e-20, 1.0, 2.0, 1.0, 2),
+        ("at the beginning", &|x| (x - 2.0) + 1e-20, 1.0, 2.0, 2.0, 2),
+        ("x⁵", &|x| x * x * x * x * x, -1.0, 1.25, 0.0, 61),
     ];
     for (name, f, lo, hi, due, most) in cases {
         let (x, asked) = search(f, lo, hi);
         assert!(
-            (x - due).abs() <= 2.0 * f64::EPSILON * (1.0 + due.abs()),
+            (x - due).abs() <= 4.0 * f64::EPSILON * (1.0 + due.abs()),
             "{name}: {x}"
         );
         assert_eq!(asked, most, "{name}");
