@@ -106,9 +106,9 @@ proptest! {
                 prop_assert!(all_finite(state.joints().as_flattened()));
                 let _ = state.rates.at_crank_speed(AngularVelocity::from_rad_per_s(m[21]), m[20]);
                 let _ = state.point(Link::Link4, m[0], m[1]);
-                let _ = said(linkage.follow(&state, rad(to.clamp(-50.0, 50.0))));
+                let _ = said(linkage.follow(&state, rad(to.clamp(-10.0, 10.0))));
                 let _ = linkage.dead_positions(&state, rad(at + 0.1)).map_err(|e| e.1.to_string());
-                let _ = linkage.sweep(&state, [at, at + 0.01, to.min(1e3)].map(rad)).is_ok();
+                let _ = linkage.sweep(&state, [at, at + 0.01, to.min(20.0)].map(rad)).is_ok();
                 #[cfg(feature = "parallel")]
                 let _ = linkage.sweep_parallel(&state, &[at, at + 0.01].map(rad)).is_ok();
                 if let Some(masses) = &masses {
