@@ -110,12 +110,7 @@ impl Zero {
             sum = sum_up(sum, product_up(*e, power));
             power = product_up(power, d);
         }
-        let most = exp_up(up(2.0 * up(self.size + 1.0)));
-        // Σ Dⁿ⁻¹ from `TERMS` on, D below 1/10.
-        sum_up(
-            sum,
-            product_up(product_up(1.2, most), power_up(d, TERMS as u32 - 1)),
-        )
+        sum_up(sum, tail(self.size, d))
     }
 
     /// Half the side of the square that holds all δ, and the least distance of an f64 from the zero
@@ -124,6 +119,27 @@ impl Zero {
         let nearest = self.row[1].abs().max(self.row[4].abs());
         [reach / self.row[0] * (1.0 + 1e-12), nearest * (1.0 - 1e-14)]
     }
+}
+
+/// Above `Σ |d_n| Dⁿ⁻¹` from `TERMS` on, `|d_n| ≤ e^{2(|z_k| + 1)}`, D below 1/10.
+fn tail(size: f64, d: f64) -> f64 {
+    let most = exp_up(up(2.0 * up(size + 1.0)));
+    product_up(product_up(1.2, most), power_up(d, TERMS as u32 - 1))
+}
+
+/// Above |δ| with its low parts, `|δ₁|` at most `(x, y)`.
+fn farthest(x: f64, y: f64) -> f64 {
+    up(hypot_up(x, y) * (1.0 + 1e-12))
+}
+
+/// What rounding makes of δ: `2.1u²` of itself, beside the error of the stored zero.
+fn of_offset(d: f64, off: f64) -> f64 {
+    sum_up(product_up(2.1 * U, product_up(U, d)), off)
+}
+
+/// `2|z||δ|u` with `|z| ≤ |z_k| + |δ|`, and what |w| changes on the way.
+fn turn(size: f64, d: f64) -> f64 {
+    product_up(product_up(2.0, up(size + d)), product_up(d, U)) * (1.0 + 1e-9)
 }
 
 /// Rectangles are cut into no more parts.
@@ -143,6 +159,32 @@ fn ring(inner: f64, outer: f64) -> [Signed; 4] {
     ]
 }
 
+/// Square rings that cover all δ from `least` to `outer` in the larger of its parts.
+fn rings(outer: f64, least: f64) -> Vec<Signed> {
+    let mut all = Vec::new();
+    let mut from = outer;
+    while from > least {
+        let inner = 0.5 * from;
+        all.extend(ring(inner, from));
+        from = inner;
+    }
+    all
+}
+
+/// The largest bound with its rectangle.
+fn largest(found: Vec<(f64, Signed)>) -> Option<(f64, Signed)> {
+    found.into_iter().max_by(|p, q| p.0.total_cmp(&q.0))
+}
+
+/// A rectangle of offsets from the zero of a row as `Re z` and `−Im z`.
+fn place(row: &[f64; 46], [re, im]: Signed) -> Rectangle {
+    let [x, y] = [row[0], row[3]];
+    Rectangle {
+        a: re.map(|d| x + d),
+        b: [-(y + im[1]), -(y + im[0])],
+    }
+}
+
 fn most([lo, hi]: [f64; 2]) -> f64 {
     lo.abs().max(hi.abs())
 }
@@ -155,17 +197,14 @@ fn bound(zero: &Zero, rounding: Rounding, at: &Signed) -> Result<f64, &'static s
         rounding,
     };
     let [x, y] = at.map(most);
-    // With the low parts.
-    let d = up(hypot_up(x, y) * (1.0 + 1e-12));
+    let d = farthest(x, y);
     let ways = evaluate(setting, || {
         let part = |i: usize| (Tracked::input(i, at[i]), around_zero(up(most(at[i]) * U)));
         let (re, im, lost) = code::at_offset(Tracking, &zero.row, [part(0), part(1)]);
         (lost, [re.result(), im.result()])
     })?;
-    let of_offset = sum_up(product_up(2.1 * U, product_up(U, d)), zero.off);
-    let missing = sum_up(product_up(zero.within(d), d), of_offset);
-    // 2|z||δ|u with |z| ≤ |z_k| + |δ|.
-    let turn = product_up(product_up(2.0, up(zero.size + d)), product_up(d, U)) * (1.0 + 1e-9);
+    let missing = sum_up(product_up(zero.within(d), d), of_offset(d, zero.off));
+    let turn = turn(zero.size, d);
     let kept = ways.into_iter().filter(|(lost, _)| !lost);
     let norms = kept.map(|(_, parts)| {
         let value = Value::of(parts, product_up(SLOPE, missing));
@@ -230,13 +269,7 @@ impl AroundZeros {
         let (_, reach) = code::zero_rows();
         let rings = zeros.iter().flat_map(|zero| {
             let [outer, least] = zero.shells(reach);
-            let mut all = Vec::new();
-            let mut from = outer;
-            while from > least {
-                all.extend(ring(0.5 * from, from).map(|r| (zero, r)));
-                from *= 0.5;
-            }
-            all
+            rings(outer, least).into_iter().map(move |r| (zero, r))
         });
         let rings: Vec<(&Zero, Signed)> = rings.collect();
         let each: Result<Vec<_>, String> = rings
@@ -244,22 +277,17 @@ impl AroundZeros {
             .map(|(zero, at)| {
                 let mut found = Vec::new();
                 refine(zero, rounding, target, at, 0, &mut found)?;
-                let worst = found
-                    .iter()
-                    .fold((0.0, at), |p, q| if p.0 < q.0 { *q } else { p });
-                Ok((zero, worst, found.len()))
+                let boxes = found.len();
+                let worst = largest(found).ok_or("no rectangle")?;
+                Ok((zero, worst, boxes))
             })
             .collect();
         let mut all = AroundZeros::default();
         for (zero, (norm, at), boxes) in each? {
             all.boxes += boxes;
             if norm > all.norm {
-                let [a, y] = [zero.row[0], zero.row[3]];
                 all.norm = norm;
-                all.at = Some(Rectangle {
-                    a: at[0].map(|d| a + d),
-                    b: [-(y + at[1][1]), -(y + at[1][0])],
-                });
+                all.at = Some(place(&zero.row, at));
             }
         }
         Ok(all)

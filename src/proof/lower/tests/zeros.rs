@@ -213,3 +213,87 @@ fn rectangles_about_a_zero() {
         .sum();
     assert!((area / 4e-6 - 1.0).abs() < 1e-12 && found.iter().all(|(norm, _)| *norm <= 2.5));
 }
+
+/// No part of the way down to the f64 next to a zero is left out, and none of it twice.
+#[test]
+fn rings_go_down_to_the_nearest() {
+    let mut random = ChaCha8Rng::seed_from_u64(12);
+    for (outer, least) in [(0.1, 1e-17), (1.0, 0.3), (1.0, 0.25), (0.7, 0.69)] {
+        let all = rings(outer, least);
+        let halvings = (outer / least).log2().ceil() as usize;
+        assert_eq!(all.len(), 4 * halvings, "{outer} {least}");
+        for _ in 0..500 {
+            let mut unit = || (random.next_u64() >> 11) as f64 / 2f64.powi(53);
+            let size = least * (outer / least).powf(unit());
+            let (other, signs) = ((2.0 * unit() - 1.0) * size, unit());
+            let size = if signs < 0.5 { size } else { -size };
+            let point = if ((4.0 * signs) as u32).is_multiple_of(2) {
+                [size, other]
+            } else {
+                [other, size]
+            };
+            let inside = |r: &&Signed| (0..2).all(|k| r[k][0] <= point[k] && point[k] <= r[k][1]);
+            let met = all.iter().filter(inside).count();
+            assert!((1..=2).contains(&met), "{point:?} {met}");
+        }
+    }
+    assert_eq!(rings(0.25, 0.25), Vec::<Signed>::new());
+}
+
+/// What each number of a bound is, within what rounding upwards adds.
+#[test]
+fn parts_of_the_bound() {
+    let near = |x: f64, due: f64, share: f64| {
+        assert!(x >= due && x <= due * (1.0 + share), "{x:e} {due:e}");
+    };
+    for (size, d) in [(2.5, 0.05), (9.0, 1e-4), (13.0, 0.01)] {
+        let e = (2.0 * (size + 1.0f64)).exp();
+        near(tail(size, d), 1.2 * e * d.powi(59) * (1.0 - 1e-12), 3e-12);
+        near(of_offset(d, 0.0), 2.1 * U * U * d, 1e-14);
+        near(of_offset(d, 1e-30), 2.1 * U * U * d + 1e-30, 1e-14);
+        near(
+            turn(size, d),
+            2.0 * (size + d) * d * U * (1.0 + 0.9e-9),
+            2e-10,
+        );
+    }
+    near(farthest(3e-5, 4e-5), 5e-5 * (1.0 + 0.9e-12), 2e-13);
+    // Half the side takes in what the code's own rounding of a distance may, the nearest f64 less than there is.
+    let zero = &ZEROS[0];
+    let [outer, least] = zero.shells(0.5);
+    near(outer, 0.5 / zero.row[0] * (1.0 + 0.9e-12), 2e-13);
+    let nearest = zero.row[1].abs().max(zero.row[4].abs());
+    near(least, nearest * (1.0 - 1.1e-14), 2e-15);
+}
+
+/// The tail is what the terms that are left out may come to.
+#[test]
+fn the_tail_is_within() {
+    let zero = &ZEROS[3];
+    for d in [0.02, 0.09] {
+        let sum = zero.errors.iter().zip(1..);
+        let sum: f64 = sum.map(|(e, n)| e * f64::powi(d, n)).sum();
+        let within = zero.within(d);
+        assert!(within >= sum && within >= tail(zero.size, d));
+        assert!(within <= (sum + tail(zero.size, d)) * (1.0 + 1e-12));
+    }
+}
+
+#[test]
+fn the_largest_bound_is_told_with_its_place() {
+    let at = |x: f64| [[x, x + 0.125], [-0.25, 0.5]];
+    let found = vec![(1.0, at(1.0)), (3.0, at(2.0)), (2.0, at(3.0))];
+    assert_eq!(largest(found), Some((3.0, at(2.0))));
+    assert_eq!(largest(Vec::new()), None);
+    // The first zero is at 1.99 - 1.35i.
+    let row = &ZEROS[0].row;
+    let found = place(row, [[-0.25, 0.5], [-0.125, 1.0]]);
+    assert_eq!(found.a, [row[0] - 0.25, row[0] + 0.5]);
+    assert_eq!(found.b, [-row[3] - 1.0, -row[3] + 0.125]);
+    let all = AroundZeros::of(&ZEROS[..2], Rounding::default(), 2.5).expect("proved");
+    let at = all.at.expect("a place");
+    let centre = [(at.a[0] + at.a[1]) / 2.0, -(at.b[0] + at.b[1]) / 2.0];
+    let apart = |z: &Zero| (centre[0] - z.row[0]).hypot(centre[1] - z.row[3]);
+    let apart = ZEROS[..2].iter().map(apart).fold(f64::INFINITY, f64::min);
+    assert!(apart < 0.1, "{at:?} {apart}");
+}
