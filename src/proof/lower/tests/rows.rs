@@ -59,3 +59,14 @@ fn errors_of_coefficients_add_up() {
         assert_eq!(found.within(f64::NAN), f64::INFINITY);
     }
 }
+
+/// As many rows as the solver has for these parts of the plane: one that is not gathered would leave the proof open.
+#[test]
+fn rows_of_the_solver_are_counted() {
+    let rows = Rows::of_the_solver().expect("decided");
+    let count = |of: Kind| rows.0.keys().filter(|(kind, ..)| *kind == of).count();
+    assert_eq!(
+        [Kind::Cell, Kind::Disc, Kind::RealAxis].map(count),
+        [417, 25, 127]
+    );
+}
