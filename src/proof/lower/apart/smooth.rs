@@ -183,3 +183,7 @@ fn unit_differences(table: Vec<Float>, h: u64) -> Vec<u128> {
         .map(modulo)
         .collect()
 }
+
+#[cfg(test)]
+#[path = "../tests/smooth.rs"]
+mod tests;
