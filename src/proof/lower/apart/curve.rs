@@ -102,3 +102,7 @@ pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, String> {
     }
     Err(format!("line {j} of binade {k} is not found"))
 }
+
+#[cfg(test)]
+#[path = "../tests/curve.rs"]
+mod tests;

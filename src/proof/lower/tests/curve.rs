@@ -1,0 +1,97 @@
+use super::*;
+use mechaudit_reference::faddeeva;
+
+/// `√(e(N + 3/2)) T_N/T_0`, `T_N/T_0 = Π (k − ½)/|ζ|`.
+fn missing(n: u32, size: f64) -> f64 {
+    let ratio: f64 = (1..=n).map(|k| (f64::from(k) - 0.5) / size).product();
+    (std::f64::consts::E * (f64::from(n) + 1.5)).sqrt() * ratio
+}
+
+#[test]
+fn terms_until_the_rest_is_small() {
+    for (size, bits) in [
+        (20.0, 192),
+        (60.0, 192),
+        (400.0, 192),
+        (1e4, 192),
+        (300.0, 400),
+        (1e8, 400),
+    ] {
+        let (n, bound) = terms(size, bits);
+        let due = missing(n, size);
+        // √e is taken as 1.65.
+        assert!(
+            bound >= due && bound < 1.001 * due,
+            "{size} {bits} {n} {bound}"
+        );
+        let enough = if bits > 200 { -185 } else { -145 };
+        let enough = f64::exp2(f64::from(enough));
+        let last = f64::from(n) > 0.9 * size;
+        assert!(bound < enough || last, "{size} {bits}");
+        assert!(missing(n - 1, size) > 0.99 * enough && f64::from(n - 1) <= 0.9 * size);
+    }
+}
+
+/// What the series leaves out is in the radius, where it ends early and where it does not.
+#[test]
+fn what_is_left_out_counts() {
+    for (x, y) in [(3.0, -20.0), (5.0, -60.0), (11.0, -1500.0)] {
+        let ball = |x: f64| Ball::exact(192, x);
+        let (found, norm) = g(&ComplexBall::new(ball(x), ball(y)), 192);
+        let due = missing(terms(f64::hypot(x, y), 192).0, f64::hypot(x, y));
+        for part in [&found.re, &found.im] {
+            let radius = part.rad().to_f64();
+            assert!(
+                radius > 0.6 * due && radius < 4.0 * due,
+                "{x} {y} {radius:e} {due:e}"
+            );
+        }
+        assert_eq!(norm.mid().to_f64(), x * x + y * y);
+    }
+}
+
+/// At the zeros and on the lines both terms are equal: `|2e^{−z²}| = |w(−z)|`, and at zeros their phases are opposite.
+#[test]
+fn both_terms_are_equal() {
+    let w = |x: &Float, y: &Float| {
+        let part = |x: &Float| x.to_rational().expect("finite");
+        faddeeva::w(&part(x), &part(y), 160).expect("decided")
+    };
+    for (k, j) in [(13, 200_000_000u64), (16, 3_000_000), (20, 20_000), (26, 6)] {
+        for bits in [192, 400] {
+            let s = line(k, j, bits).expect("found");
+            let half = |sign: i64| {
+                let sum = Float::with_val(400, s.mid()) + sign * j as i64;
+                sum << (k - 53)
+            };
+            let (a, b) = (half(1), half(-1));
+            let w = w(&a, &b);
+            // 2 ln 2 − 2(a² − b²) = ln |w|².
+            let d = Float::with_val(400, &a * &a) - Float::with_val(400, &b * &b);
+            let left = Float::with_val(400, 4).ln() - 2u32 * d;
+            let off = Float::with_val(400, &left - w.norm_sqr().mid().clone().ln()).abs();
+            assert!(off < 1e-35, "{k} {j} {bits} {off}");
+            // 2⁻¹²⁸ of D at least, which is jδ²s.
+            let unit = f64::from(k - 52).exp2();
+            let radius = s.rad().to_f64() * j as f64 * unit * unit;
+            assert!(
+                radius > 2.9e-39 && radius < 1e-35,
+                "{k} {j} {bits} {radius:e}"
+            );
+        }
+    }
+    for m in [20u64, 1000, 20_000_000] {
+        for bits in [192, 400] {
+            let b = zero(m, bits).expect("found");
+            // D = a² − b² and 2ab = P: a from the phase's turns.
+            let radius = b.rad().to_f64();
+            let a = middle(&b);
+            assert!(
+                radius > 2.9e-39 / (2.2 * a) && radius < 1e-30,
+                "{m} {bits} {radius:e}"
+            );
+        }
+        let [few, more] = [192, 400].map(|bits| zero(m, bits).expect("found"));
+        assert!(few.overlaps(&more));
+    }
+}
