@@ -47,20 +47,35 @@ fn left_of_half_pi(parts: &[f64]) -> f64 {
     above(&(&Ball::pi(BITS).shift(-1) - &Ball::rational(BITS, &sum)))
 }
 
-/// `k H₀ + r` with `k` and `r` the coordinates, a low part of it, and `k`.
-fn reducible(h0: f64, k: [f64; 2], r: [f64; 2]) -> ((Tracked, Tracked), Tracked) {
+/// `k H₀ + r` with `k` and `r` the coordinates, and `k`.
+fn quarters_and_rest(h0: f64, k: [f64; 2], r: [f64; 2]) -> [Exact; 2] {
     let whole = match k[0] == k[1] {
         true => Exact::point(k[0]),
         false => Exact::coordinate(Interval::new(k[0], k[1]), 0),
     };
     let rest = Exact::coordinate(Interval::new(r[0], r[1]), 1);
-    let theta = whole * Exact::point(h0) + rest;
-    let most = theta.range.magnitude();
-    let low = around_zero(up(most * U));
-    // A quarter of a turn and more are multiples of 2⁻⁵³, less is any number.
-    let grain = if k[0] > 0.0 { -53 } else { -1074 };
-    let theta = Tracked::of(Form::exact(theta, grain));
+    [whole * Exact::point(h0) + rest, whole]
+}
+
+/// The exponent of what a phase of `k` quarters and more is a multiple of: a quarter of a turn and more of 2⁻⁵³, less is
+/// any number.
+fn grain(k: f64) -> i32 {
+    if k > 0.0 { -53 } else { -1074 }
+}
+
+/// [`quarters_and_rest`], with a low part of the phase.
+fn reducible(h0: f64, k: [f64; 2], r: [f64; 2]) -> ((Tracked, Tracked), Tracked) {
+    let [theta, whole] = quarters_and_rest(h0, k, r);
+    let low = around_zero(up(theta.range.magnitude() * U));
+    let theta = Tracked::of(Form::exact(theta, grain(k[0])));
     ((theta, low), Tracked::of(Form::exact(whole, 0)))
+}
+
+/// The reduced phases of the short form, in parts that meet.
+fn pieces() -> impl Iterator<Item = [f64; 2]> {
+    const PIECES: i32 = 48;
+    let at = |i: i32| REDUCED * (2.0 * f64::from(i) / f64::from(PIECES) - 1.0);
+    (0..PIECES).map(move |i| [at(i), at(i + 1)])
 }
 
 fn setting(rounding: Rounding) -> Setting<'static> {
@@ -103,12 +118,10 @@ impl Phase {
             boxes += 1;
         }
         let mut short: f64 = 0.0;
-        const PIECES: i32 = 48;
         for k in binades(SHORT) {
-            for i in 0..PIECES {
-                let at = |i: i32| REDUCED * (2.0 * f64::from(i) / f64::from(PIECES) - 1.0);
+            for rest in pieces() {
                 let ways = evaluate(setting(rounding), || {
-                    let (theta, k) = reducible(h0, k, [at(i), at(i + 1)]);
+                    let (theta, k) = reducible(h0, k, rest);
                     let (s, c) = code::sin_cos_short(theta, k);
                     hypot_up(s.result().error, c.result().error)
                 })?;

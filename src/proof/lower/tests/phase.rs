@@ -170,3 +170,44 @@ fn polynomials_are_within_their_errors() {
         assert!(most <= bound && bound < 4.0 * most, "{most:e} {bound:e}");
     }
 }
+
+/// The pieces meet, from one end of the reduced phases to the other.
+#[test]
+fn pieces_cover_the_reduced_phases() {
+    let all: Vec<[f64; 2]> = pieces().collect();
+    assert_eq!(all.len(), 48);
+    assert_eq!((all[0][0], all[47][1]), (-REDUCED, REDUCED));
+    assert!(all.windows(2).all(|p| p[0][1] == p[1][0]));
+    assert!(
+        all.iter()
+            .all(|p| p[0] < p[1] && p[1] - p[0] < REDUCED / 20.0)
+    );
+}
+
+/// Quarters and the rest are coordinates of their own: taking the quarters away leaves the rest, and the other way round.
+#[test]
+fn quarters_and_rest_are_coordinates() {
+    let h0 = code::constants().half_pi[0];
+    for (k, r) in [
+        ([0.0; 2], [-0.5, 0.75]),
+        ([1.0; 2], [-REDUCED, REDUCED]),
+        ([64.0, 127.0], [-0.125, 0.25]),
+    ] {
+        let [theta, whole] = quarters_and_rest(h0, k, r);
+        let near = |a: f64, b: f64| assert!((a - b).abs() <= 1e-12, "{k:?} {a} {b}");
+        assert_eq!([whole.range.lo, whole.range.hi], k);
+        near(theta.range.lo, k[0] * h0 + r[0]);
+        near(theta.range.hi, k[1] * h0 + r[1]);
+        let rest = theta + whole * Exact::point(-h0);
+        near(rest.range.lo, r[0]);
+        near(rest.range.hi, r[1]);
+        // A low part as large as half a unit of the largest phase may be.
+        let ((_, low), _) = reducible(h0, k, r);
+        let most = (k[1] * h0 + r[1]).max(-r[0]) * U;
+        let error = low.result().error + low.result().exact.magnitude();
+        assert!(error >= most && error < 2.1 * most, "{error:e} {most:e}");
+    }
+    assert_eq!([0.0, 1.0, 2.0].map(grain), [-1074, -53, -53]);
+    // What a phase of a quarter or more is a multiple of: h0 and the rest from a quarter of it on.
+    assert_eq!((h0 * 2f64.powi(53)).fract(), 0.0);
+}
