@@ -197,6 +197,23 @@ fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Errors, &'static str> {
     })
 }
 
+/// What the code makes of the low part l at `|x|` differs from `l cos x` by, with l `(1 − x²/2)` and l alone, and from
+/// `l sin x` with `l x`.
+fn of_low_part(x: f64, l: f64) -> [f64; 3] {
+    let square = product_up(x, x);
+    let cubed = product_up(square, x);
+    [
+        product_up(l, quotient_up(product_up(cubed, x), 24.0)),
+        product_up(l, product_up(0.5, square)),
+        product_up(l, sum_up(quotient_up(cubed, 6.0), product_up(l, l))),
+    ]
+}
+
+/// The intervals of reduced phases.
+fn circle() -> Vec<[f64; 2]> {
+    intervals(-phase::REDUCED, phase::REDUCED, 1.0 / 96.0)
+}
+
 /// `(sin, cos)` over an interval of the leading part of a reduced phase, `at` within ±0.79: the absolute value of
 /// both errors.
 ///
@@ -223,11 +240,8 @@ fn of_circle(
             error(p.result(), q.result()),
         ]
     })?;
-    let cubed = product_up(product_up(x, x), x);
     let second = product_up(l, l);
-    let cosine = product_up(l, sum_up(quotient_up(cubed, 6.0), second));
-    let sine = product_up(l, quotient_up(product_up(cubed, x), 24.0));
-    let sine_rounded = product_up(l, product_up(0.5, product_up(x, x)));
+    let [sine, sine_rounded, cosine] = of_low_part(x, l);
     let all = |[s, c]: [f64; 2], missing: f64, of: [f64; 2]| {
         sum_up(
             hypot_up(
@@ -260,7 +274,7 @@ impl Exponential {
         let phase = Phase::of(&c, f.rounding)?;
         let of_series = exponential_error(&c.exp, c.ln_2, MOST_EXPONENT);
         let all = arguments();
-        let circle = intervals(-phase::REDUCED, phase::REDUCED, 1.0 / 96.0);
+        let circle = circle();
         let worst = |each: Vec<Result<Errors, &'static str>>| {
             let all: Result<Vec<Errors>, &str> = each.into_iter().collect();
             all.map(|all| all.into_iter().fold(Errors::default(), Errors::max))

@@ -196,3 +196,49 @@ fn factors_are_multiplied() {
         [5e-3, 6e-3, 7e-3, 8e-3]
     );
 }
+
+/// No reduced phase is left out, and no interval is longer than what one run bears.
+#[test]
+fn the_circle_is_covered() {
+    let all = circle();
+    assert_eq!(all[0][0], -phase::REDUCED);
+    assert_eq!(all[all.len() - 1][1], phase::REDUCED);
+    assert!(all.windows(2).all(|p| p[0][1] == p[1][0]));
+    let longest = all.iter().map(|p| p[1] - p[0]).fold(0.0, f64::max);
+    assert!(longest <= 1.0 / 96.0 && longest > 0.9 / 96.0, "{longest}");
+    assert!(all.iter().all(|p| p[0] < p[1]));
+}
+
+/// `|l| x⁴/24`, `|l| x²/2`, `|l| (|x|³/6 + l²)`, and no less than the differences are.
+#[test]
+fn a_low_part_is_turned_nearly() {
+    for (x, l) in [(0.79, 1e-16), (0.3, 2e-17), (0.01, 1e-18), (0.5, 1e-3)] {
+        let found = of_low_part(x, l);
+        let due = [
+            l * x.powi(4) / 24.0,
+            l * x * x / 2.0,
+            l * (x.powi(3) / 6.0 + l * l),
+        ];
+        for (f, d) in found.iter().zip(due) {
+            assert!(
+                *f >= d * (1.0 - 1e-15) && *f <= d * (1.0 + 1e-14),
+                "{x} {l}"
+            );
+        }
+        let less = [
+            (l * (x.cos() - (1.0 - x * x / 2.0))).abs(),
+            (l * (x.cos() - 1.0)).abs(),
+            (l * (x.sin() - x)).abs(),
+        ];
+        for (f, least) in found.iter().zip(less) {
+            assert!(
+                *f >= least && *f < 1.3 * least + l * l * l,
+                "{x} {l} {f} {least}"
+            );
+        }
+    }
+    // Half a unit in the last place.
+    assert_eq!(low([-3.0, 1.0]), 2f64.powi(-52));
+    assert_eq!(low([0.25, 0.5]), 2f64.powi(-54));
+    assert_eq!(low([0.0, 1e-320]), 2f64.powi(-1074));
+}
