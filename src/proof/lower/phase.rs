@@ -71,6 +71,16 @@ fn reducible(h0: f64, k: [f64; 2], r: [f64; 2]) -> ((Tracked, Tracked), Tracked)
     ((theta, low), Tracked::of(Form::exact(whole, 0)))
 }
 
+/// The reduced phases.
+fn reduced() -> [f64; 2] {
+    [-REDUCED, REDUCED]
+}
+
+/// What up to `most` quarters lack, each of them these parts of π/2.
+fn left_of_quarters([_, most]: [f64; 2], parts: &[f64]) -> f64 {
+    product_up(most, left_of_half_pi(parts))
+}
+
 /// The reduced phases of the short form, in parts that meet.
 fn pieces() -> impl Iterator<Item = [f64; 2]> {
     const PIECES: i32 = 48;
@@ -109,11 +119,11 @@ impl Phase {
         let mut boxes = 0;
         for k in binades(quarters) {
             let ways = evaluate(setting(rounding), || {
-                let (theta, k) = reducible(h0, k, [-REDUCED, REDUCED]);
+                let (theta, k) = reducible(h0, k, reduced());
                 let (hi, lo) = code::without_quarters(theta, k);
                 hi.exact_sum(lo).error
             })?;
-            let left = product_up(k[1], left_of_half_pi(&[h0, h1, h2]));
+            let left = left_of_quarters(k, &[h0, h1, h2]);
             error = ways.into_iter().fold(error, |e, w| e.max(sum_up(w, left)));
             boxes += 1;
         }
@@ -125,7 +135,7 @@ impl Phase {
                     let (s, c) = code::sin_cos_short(theta, k);
                     hypot_up(s.result().error, c.result().error)
                 })?;
-                let left = product_up(k[1], left_of_half_pi(&[h0, h1]));
+                let left = left_of_quarters(k, &[h0, h1]);
                 short = ways.into_iter().fold(short, |e, w| e.max(sum_up(w, left)));
                 boxes += 1;
             }

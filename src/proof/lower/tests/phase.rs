@@ -176,7 +176,8 @@ fn polynomials_are_within_their_errors() {
 fn pieces_cover_the_reduced_phases() {
     let all: Vec<[f64; 2]> = pieces().collect();
     assert_eq!(all.len(), 48);
-    assert_eq!((all[0][0], all[47][1]), (-REDUCED, REDUCED));
+    assert_eq!([all[0][0], all[47][1]], [-REDUCED, REDUCED]);
+    assert_eq!(reduced(), [-REDUCED, REDUCED]);
     assert!(all.windows(2).all(|p| p[0][1] == p[1][0]));
     assert!(
         all.iter()
@@ -201,6 +202,12 @@ fn quarters_and_rest_are_coordinates() {
         let rest = theta + whole * Exact::point(-h0);
         near(rest.range.lo, r[0]);
         near(rest.range.hi, r[1]);
+        let apart = rest + whole * Exact::point(-1.0);
+        near(apart.range.lo, r[0] - k[1]);
+        near(apart.range.hi, r[1] - k[0]);
+        let parts = [h0, 1e-17];
+        let left = left_of_quarters(k, &parts);
+        near(left / left_of_half_pi(&parts), k[1]);
         // A low part as large as half a unit of the largest phase may be.
         let ((_, low), _) = reducible(h0, k, r);
         let most = (k[1] * h0 + r[1]).max(-r[0]) * U;
