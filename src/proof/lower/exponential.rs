@@ -140,10 +140,19 @@ fn arguments() -> Vec<[f64; 2]> {
     all
 }
 
+/// The largest absolute value of an interval.
+fn farthest([lo, hi]: [f64; 2]) -> f64 {
+    lo.abs().max(hi.abs())
+}
+
 /// What the low part of a pair may be: half a unit in the last place of the leading one.
-fn low([lo, hi]: [f64; 2]) -> f64 {
-    let most = lo.abs().max(hi.abs());
-    power_of_two((exponent(most) - 53).max(-1074))
+fn low(at: [f64; 2]) -> f64 {
+    power_of_two((exponent(farthest(at)) - 53).max(-1074))
+}
+
+/// An error as a part of the least value.
+fn relative(error: f64, exact: Interval) -> f64 {
+    quotient_up(error, exact.mignitude())
 }
 
 /// Any number within `r` of zero.
@@ -165,7 +174,7 @@ fn setting(rounding: Rounding) -> Setting<'static> {
 
 /// `e^x` over an interval of its leading part, each error as a part of it.
 fn of_exp(f: &Factors, at: [f64; 2]) -> Result<Errors, &'static str> {
-    let relative = |r: crate::tracked::Result| quotient_up(r.error, r.exact.mignitude());
+    let relative = |r: crate::tracked::Result| relative(r.error, r.exact);
     let both = evaluate(setting(f.rounding), || {
         let h = Tracked::input(0, at);
         let l = around_zero(if f.low_part { low(at) } else { 0.0 });
@@ -226,8 +235,7 @@ fn of_circle(
     of_polynomials: [[f64; 2]; 2],
     at: [f64; 2],
 ) -> Result<Errors, &'static str> {
-    let x = at[0].abs().max(at[1].abs());
-    let l = low(at);
+    let (x, l) = (farthest(at), low(at));
     let error = |s: crate::tracked::Result, c: crate::tracked::Result| [s.error, c.error];
     let both = evaluate(setting(f.rounding), || {
         let r = (Tracked::input(0, at), around_zero(l));
