@@ -133,9 +133,8 @@ impl Smooth<'_> {
             ));
         }
         let mut step = unit_differences(table, h);
-        let close = 1u128 << 98;
         for n in first..first + len {
-            if step[0].wrapping_add(close) < 2 * close {
+            if is_close(step[0]) {
                 self.is_off(n)?;
             }
             for i in 1..step.len() {
@@ -144,6 +143,12 @@ impl Smooth<'_> {
         }
         Ok(())
     }
+}
+
+/// Whether a number modulo one, in units of 2⁻¹²⁸, is within [`CLOSE`] of a whole one.
+fn is_close(x: u128) -> bool {
+    const REACH: u128 = 1 << 98;
+    x.wrapping_add(REACH) < 2 * REACH
 }
 
 /// Differences, the first value at their head.
