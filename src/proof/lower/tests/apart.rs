@@ -1,35 +1,4 @@
 use super::*;
-use mechaudit_reference::faddeeva;
-
-#[test]
-fn zeros_of_the_equation_are_those_of_w() {
-    for m in [20, 57, 300] {
-        let [exact, found] = [
-            -faddeeva::zero(m, 100).expect("decided").im,
-            curve::zero(u64::from(m), 192).expect("found"),
-        ];
-        assert!(
-            exact.overlaps(&found) && found.accuracy_bits() > 100,
-            "{m} {exact:?} {found:?}"
-        );
-    }
-}
-
-/// Where a line of a binade crosses the curve, the terms are equal up to the phase.
-#[test]
-fn on_a_line_both_terms_are_equal() {
-    for (k, j) in [(13, 200_000_000u64), (20, 20_000), (26, 6)] {
-        let s = curve::line(k, j, 192).expect("found");
-        let unit = f64::from(k - 52).exp2();
-        let d = j as f64 * middle(&s) * unit * unit;
-        let r = (0.5f64).sqrt() * middle(&s) * unit;
-        assert!(
-            (d - (2.0 * r * std::f64::consts::PI.sqrt()).ln()).abs() < 1e-9,
-            "{d} {r}"
-        );
-        assert!(s.accuracy_bits() > 100);
-    }
-}
 
 #[test]
 fn the_first_zeros_are_off_all_numbers() {

@@ -95,3 +95,17 @@ fn both_terms_are_equal() {
         assert!(few.overlaps(&more));
     }
 }
+
+#[test]
+fn zeros_of_the_equation_are_those_of_w() {
+    for m in [20, 57, 300] {
+        let [exact, found] = [
+            -faddeeva::zero(m, 100).expect("decided").im,
+            zero(u64::from(m), 192).expect("found"),
+        ];
+        assert!(
+            exact.overlaps(&found) && found.accuracy_bits() > 100,
+            "{m} {exact:?} {found:?}"
+        );
+    }
+}
