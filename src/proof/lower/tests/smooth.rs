@@ -117,6 +117,13 @@ fn one_whole_value_is_found_anywhere() {
                 smooth(&value, few).stays_off(first, first + count - 1, &watch)
             };
             assert!(on(0).is_err(), "{first} {at}");
+            let value = line(0);
+            let doubled = Smooth {
+                shift: &|_| 1,
+                ..smooth(&value, few)
+            };
+            let found = doubled.stays_off(first, first + count - 1, &watch);
+            assert!(found.is_err(), "{first} {at} doubled");
             for off in [-1, 1] {
                 assert_eq!(on(off), Ok(Some(count)), "{first} {at} {off}");
             }
