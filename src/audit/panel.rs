@@ -98,7 +98,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Judges so many answers that have come from elsewhere as long as `go_on` says so; says whether it was to the
-    /// end. Each thread asks for those that it judges.
+    /// end, none of them missing. Each thread asks for those that it judges.
     pub fn judge(
         &self,
         total: usize,
@@ -109,9 +109,10 @@ impl<'a> Panel<'a> {
         let whole = AtomicBool::new(true);
         let one = |k: usize| {
             let from = k * block;
-            let block = answered(from..total.min(from + block));
-            let due = block.len() as u64;
-            if self.count(block.into_iter(), go_on, &|_| {}, false) < due {
+            let numbers = from..total.min(from + block);
+            let due = numbers.len() as u64;
+            let block = answered(numbers).into_iter();
+            if self.count(block, go_on, &|_| {}, false) < due {
                 whole.store(false, Ordering::Relaxed);
             }
         };

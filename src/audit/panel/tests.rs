@@ -111,5 +111,8 @@ fn a_stop_leaves_the_rest() {
     let go_on = || left.fetch_sub(1, Ordering::Relaxed) > 0 && !stop.load(Ordering::Relaxed);
     stop.store(false, Ordering::Relaxed);
     assert!(!pool(1).install(|| panel.judge(100, &batch, &go_on)));
+    // An answer that is not there is no end.
+    let short = |some: Range<usize>| some.skip(1).map(one).collect();
+    assert!(!Panel::new(&method, &settings).judge(100, &short, &|| true));
     assert!(panel.into_tally().finish(&method).cases <= 40);
 }

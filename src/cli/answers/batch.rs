@@ -1,7 +1,7 @@
 //! Answers one after the other, their numbers in one piece of memory.
 //!
-//! One thread reads answers and others judge them. Memory that another thread gives back is slow, so that an answer of
-//! its own for each would cost a tenth of what judging it does; here each thread frees what it has made.
+//! One thread reads answers and others judge them. An allocator is slow to take back what another thread has made; here
+//! each thread frees its own.
 
 use mechaudit::audit::SolverAnswer;
 use std::ops::Range;

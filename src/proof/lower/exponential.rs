@@ -140,14 +140,10 @@ fn arguments() -> Vec<[f64; 2]> {
     all
 }
 
-/// The largest absolute value of an interval.
-fn farthest([lo, hi]: [f64; 2]) -> f64 {
-    lo.abs().max(hi.abs())
-}
-
 /// What the low part of a pair may be: half a unit in the last place of the leading one.
-fn low(at: [f64; 2]) -> f64 {
-    power_of_two((exponent(farthest(at)) - 53).max(-1074))
+fn low([lo, hi]: [f64; 2]) -> f64 {
+    let most = Interval::new(lo, hi).magnitude();
+    power_of_two((exponent(most) - 53).max(-1074))
 }
 
 /// An error as a part of the least value.
@@ -235,7 +231,7 @@ fn of_circle(
     of_polynomials: [[f64; 2]; 2],
     at: [f64; 2],
 ) -> Result<Errors, &'static str> {
-    let (x, l) = (farthest(at), low(at));
+    let (x, l) = (Interval::new(at[0], at[1]).magnitude(), low(at));
     let error = |s: crate::tracked::Result, c: crate::tracked::Result| [s.error, c.error];
     let both = evaluate(setting(f.rounding), || {
         let r = (Tracked::input(0, at), around_zero(l));

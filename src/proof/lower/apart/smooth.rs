@@ -42,8 +42,15 @@ const DIRECT: u64 = 1 << 15;
 /// Blocks at a time, between looks at the watch.
 const AT_ONCE: usize = 256;
 
-/// First number, how many, and values.
-type Block = (u64, u64, u64);
+/// A run of numbers. Its values reach as far as it does: beyond them the remainder is no bound.
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    first: u64,
+    len: u64,
+    /// How many, none where each number is looked at by itself, and their distance.
+    values: u64,
+    h: u64,
+}
 
 impl Smooth<'_> {
     /// How many numbers there are from `first` to `last`, none with a value next to a whole number; `None` if it was stopped.
@@ -70,12 +77,21 @@ impl Smooth<'_> {
         let mut all = Vec::new();
         let mut at = first;
         while at <= last {
-            let (values, len) = match at {
-                _ if at < DIRECT => (0, 64.min(DIRECT - at)),
-                _ if self.few || at < 1 << 24 => (10, (at >> 11).min(1017) / 9 * 9),
-                _ => (7, (at >> 14).min(8190) / 6 * 6),
+            let (values, h) = match at {
+                _ if at < DIRECT => (0, 0),
+                _ if self.few || at < 1 << 24 => (10, (at >> 11).min(1017) / 9),
+                _ => (7, (at >> 14).min(8190) / 6),
             };
-            all.push((at, len.min(last - at + 1), values));
+            let len = match values {
+                0 => 64.min(DIRECT - at),
+                _ => (values - 1) * h,
+            };
+            all.push(Block {
+                first: at,
+                len: len.min(last - at + 1),
+                values,
+                h,
+            });
             at += len;
         }
         all
@@ -99,15 +115,16 @@ impl Smooth<'_> {
         Err(format!("number {n} may be next to an f64"))
     }
 
-    fn block(&self, (first, len, values): Block) -> Result<(), String> {
+    fn block(&self, block: Block) -> Result<(), String> {
+        let Block {
+            first,
+            len,
+            values,
+            h,
+        } = block;
         if values == 0 {
             return (first..first + len).try_for_each(|n| self.is_off(n));
         }
-        // A last block may be shorter than its values are apart.
-        let h = match values {
-            10 => (first >> 11).min(1017) / 9,
-            _ => (first >> 14).min(8190) / 6,
-        };
         let mut error = 2f64.powi(-54);
         let mut table: Vec<Float> = Vec::new();
         let (begin, shift) = self.scaled(first, BITS)?;

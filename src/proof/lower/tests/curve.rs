@@ -50,7 +50,7 @@ fn what_is_left_out_counts() {
     }
 }
 
-/// At the zeros and on the lines both terms are equal: `|2e^{−z²}| = |w(−z)|`, and at zeros their phases are opposite.
+/// On the lines both terms are equal: `|2e^{−z²}| = |w(−z)|`.
 #[test]
 fn both_terms_are_equal() {
     let w = |x: &Float, y: &Float| {
@@ -83,8 +83,8 @@ fn both_terms_are_equal() {
     for m in [20u64, 1000, 20_000_000] {
         for bits in [192, 400] {
             let b = zero(m, bits).expect("found");
-            // D = a² − b² and 2ab = P: a from the phase's turns.
             let radius = b.rad().to_f64();
+            // a is a little more than b, and 2⁻¹²⁸ of ζ moves b by 1/(2a) of it.
             let a = middle(&b);
             assert!(
                 radius > 2.9e-39 / (2.2 * a) && radius < 1e-30,

@@ -34,22 +34,17 @@ fn blocks_follow_one_another() {
         ] {
             let blocks = all.blocks(first, last);
             let mut next = first;
-            for &(at, len, values) in &blocks {
+            for block in &blocks {
+                let (at, len, values, h) = (block.first, block.len, block.values, block.h);
                 assert_eq!(at, next, "{first} {last}");
                 assert!(len > 0);
                 next += len;
-                let h = match values {
-                    0 => {
-                        assert!(at < 1 << 15 && len <= 64 && next <= 1 << 15);
-                        continue;
-                    }
-                    10 => (at >> 11).min(1017) / 9,
-                    7 => {
-                        assert!(!few && at >= 1 << 24);
-                        (at >> 14).min(8190) / 6
-                    }
-                    _ => panic!("{values} values"),
-                };
+                if values == 0 {
+                    assert!(at < 1 << 15 && len <= 64 && next <= 1 << 15);
+                    continue;
+                }
+                let many = few || at < 1 << 24;
+                assert_eq!(values, if many { 10 } else { 7 });
                 assert!(at >= 1 << 15 && h > 0 && len <= (values - 1) * h);
                 // The distance, in parts of a quarter of the number.
                 assert!(4.0 * h as f64 / at as f64 <= 1.0 / 4000.0, "{at} {h}");
@@ -227,4 +222,33 @@ fn the_power_of_two_comes_first() {
         few: true,
     };
     assert_eq!(all.stays_off(first, first + 30, &watch), Ok(Some(31)));
+}
+
+/// What the differences themselves are wrong by, 2⁻⁵⁴, is a part of what is allowed.
+#[test]
+fn errors_of_the_differences_count() {
+    let watch = Watch::default();
+    let third = |n: u64, bits: u32| exact(Rational::from((3 * n + 1, 3)), bits);
+    let first = 1 << 20;
+    let passes = |most: f64| {
+        let all = Smooth {
+            value: &third,
+            shift: &|_| 0,
+            most: &|_| most,
+            few: true,
+        };
+        all.stays_off(first, first + 99, &watch).is_ok()
+    };
+    let ratio = 4.0 * 56.0 / first as f64;
+    let share = ratio.powi(10) * 0.25 * 362_880.0;
+    let (mut below, mut above) = (0.5 * f64::exp2(-31.0) / share, f64::exp2(-30.0) / share);
+    for _ in 0..60 {
+        let middle = 0.5 * (below + above);
+        match passes(middle) {
+            true => below = middle,
+            false => above = middle,
+        }
+    }
+    let left = (f64::exp2(-31.0) - below * share) / f64::exp2(-54.0);
+    assert!((0.9..1.1).contains(&left), "{left}");
 }
