@@ -64,10 +64,12 @@ impl<'a> Panel<'a> {
         free().push(tally);
     }
 
-    /// Cases of a block where there are so many in all.
-    fn block(total: u64) -> u64 {
+    /// Judges so many cases in blocks, on all threads.
+    fn in_blocks(total: u64, judge: impl Fn(Range<u64>) + Sync) {
         let blocks = BLOCKS * rayon::current_num_threads() as u64;
-        (total / blocks).clamp(1, BLOCK)
+        let block = (total / blocks).clamp(1, BLOCK);
+        let one = |k: u64| judge(k * block..total.min((k + 1) * block));
+        (0..total.div_ceil(block)).into_par_iter().for_each(one);
     }
 
     /// Judges the method's own solver at so many cases, with its laws, until `stop` is set; says whether it was
@@ -79,21 +81,17 @@ impl<'a> Panel<'a> {
         progress: &(dyn Fn(u64) + Sync),
         stop: &AtomicBool,
     ) -> bool {
-        let block = Panel::block(total);
         let judged = AtomicU64::new(0);
         let go_on = || !stop.load(Ordering::Relaxed);
-        let one = |k: u64| {
-            let from = k * block;
-            let numbers = (from..total.min(from + block)).take_while(|_| go_on());
-            let cases: Vec<Case> = numbers.map(case).collect();
+        Panel::in_blocks(total, |numbers| {
+            let cases: Vec<Case> = numbers.take_while(|_| go_on()).map(case).collect();
             let answer = |c: &Case| answer_of(self.method, &c.input);
             let answers = cases.iter().take_while(|_| go_on()).map(answer);
             let answers: Vec<SolverAnswer> = answers.collect();
             let answered = cases.into_iter().zip(answers);
             let counted = self.count(answered, &go_on, progress, true);
             judged.fetch_add(counted, Ordering::Relaxed);
-        };
-        (0..total.div_ceil(block)).into_par_iter().for_each(one);
+        });
         judged.into_inner() == total
     }
 
@@ -105,18 +103,14 @@ impl<'a> Panel<'a> {
         answered: &Answered,
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> bool {
-        let block = Panel::block(total as u64) as usize;
         let whole = AtomicBool::new(true);
-        let one = |k: usize| {
-            let from = k * block;
-            let numbers = from..total.min(from + block);
-            let due = numbers.len() as u64;
-            let block = answered(numbers).into_iter();
+        Panel::in_blocks(total as u64, |numbers| {
+            let due = numbers.end - numbers.start;
+            let block = answered(numbers.start as usize..numbers.end as usize).into_iter();
             if self.count(block, go_on, &|_| {}, false) < due {
                 whole.store(false, Ordering::Relaxed);
             }
-        };
-        (0..total.div_ceil(block)).into_par_iter().for_each(one);
+        });
         whole.into_inner()
     }
 
