@@ -32,6 +32,8 @@ mod ledger;
 mod methods;
 #[cfg(feature = "oracle")]
 mod peaucellier;
+#[cfg(feature = "cli")]
+mod planted_faults;
 #[cfg(feature = "oracle")]
 mod run_up_accuracy;
 #[cfg(feature = "oracle")]
