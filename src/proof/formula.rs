@@ -4,7 +4,7 @@ use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::Rectangle;
 use crate::exact::Exact;
 use crate::form::{TINIEST, exponent, grain_of, power_of_two};
-use crate::interval::{Interval, hypot_down, hypot_up, product_up, quotient_up, sum_up};
+use crate::interval::{Interval, hypot_down, hypot_up, larger, product_up, quotient_up, sum_up};
 use crate::tables::Tables;
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation::{self, OfSum, Truncation};
@@ -121,10 +121,10 @@ impl Bound {
     /// The worse of both in each respect.
     pub fn max(self, other: Bound) -> Bound {
         Bound {
-            norm: self.norm.max(other.norm),
-            re: self.re.max(other.re),
-            im: self.im.max(other.im),
-            tiny: self.tiny.max(other.tiny),
+            norm: larger(self.norm, other.norm),
+            re: larger(self.re, other.re),
+            im: larger(self.im, other.im),
+            tiny: larger(self.tiny, other.tiny),
         }
     }
 
@@ -197,14 +197,9 @@ fn gathered(
     truncation: Truncation,
 ) -> Result<Bound, &'static str> {
     let sigma = sigma(formula, at);
-    let mut worst = Bound::NONE;
-    for parts in ways {
-        worst = worst.max(Evaluated { parts, truncation }.bound(sigma));
-    }
-    match worst.norm.is_finite() {
-        true => Ok(worst),
-        false => Err("w may be zero"),
-    }
+    let bound = |parts| Evaluated { parts, truncation }.bound(sigma);
+    let worst = ways.into_iter().map(bound).reduce(Bound::max);
+    worst.filter(|b| b.norm.is_finite()).ok_or("w may be zero")
 }
 
 /// The range of the small coordinate.
@@ -441,7 +436,7 @@ impl Evaluated {
             norm,
             re,
             im,
-            tiny: p.max(q),
+            tiny: larger(p, q),
         }
     }
 }
@@ -476,7 +471,7 @@ fn of_sum(r: &Tracks, t: &OfSum, sigma: Interval) -> (f64, f64) {
         (off, size, (size * sigma.lo).next_down())
     } else {
         let slope = quotient_up(t.slope, (t.least - t.slope).next_down());
-        let formula = slope.max(t.exponential);
+        let formula = larger(slope, t.exponential);
         let off = sum_up(product_up(r.relative, sum_up(1.0, formula)), formula);
         (off, 1.0, (r.exact.lo * 0.99).max(0.0))
     };

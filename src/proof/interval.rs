@@ -82,6 +82,23 @@ pub fn hypot_down(a: f64, b: f64) -> f64 {
     down(large * root).max(large)
 }
 
+/// The larger of two bounds; infinite where one of them is not a number, which `f64::max` would pass over.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a >= b {
+        a
+    } else if b >= a {
+        b
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// The largest of some bounds; infinite where there is none, or one that is not a number.
+pub fn worst(bounds: impl IntoIterator<Item = f64>) -> f64 {
+    let most = bounds.into_iter().reduce(larger);
+    most.map_or(f64::INFINITY, |b| larger(b, 0.0))
+}
+
 impl Interval {
     /// Zero.
     pub const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };

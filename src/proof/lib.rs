@@ -11,6 +11,8 @@
 
 mod bounds;
 mod certificate;
+mod choice;
+mod code;
 mod constants;
 mod cover;
 mod evaluation;
@@ -30,12 +32,12 @@ mod tracked;
 mod truncation;
 
 pub use certificate::{Open, Watch};
+pub use code::Code;
 pub use cover::{Rectangle, hole};
 pub use evaluation::Rounding;
 pub use formula::{Bound, Formula};
 pub use prove::{
-    Certificate, Code, Leaf, Target, UPPER_HALF_PLANE, first_rectangles, on_rectangle,
-    upper_half_plane,
+    Certificate, Leaf, Target, UPPER_HALF_PLANE, first_rectangles, on_rectangle, upper_half_plane,
 };
 pub use summary::{Attained, OfFormula, Summary};
 pub use tables::Tables;

@@ -41,7 +41,7 @@ use super::phase::REDUCED;
 use super::reflection::TWO_52;
 use crate::bounds::{above, exp_up, power_up};
 use crate::form::power_of_two;
-use crate::interval::{down, hypot_up, product_up, quotient_up, sum_up, up};
+use crate::interval::{down, hypot_up, larger, product_up, quotient_up, sum_up, up};
 use mechaudit_reference::{Ball, Mag};
 use mechaudit_solvers::faddeeva::proof::lower as code;
 use rug::{Integer, Rational};
@@ -222,7 +222,7 @@ fn sums(c: &code::Again) -> Result<f64, String> {
             let factor = sum(&[product_up(9.03, by), 80.0, product_up(1.01, missing)]);
             all = sum_up(all, product_up(weight, product_up(by, factor)));
         }
-        worst = worst.max(all);
+        worst = larger(worst, all);
     }
     Ok(product_up(std::f64::consts::SQRT_2, worst) * SLACK)
 }

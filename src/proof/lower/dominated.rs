@@ -15,8 +15,9 @@ use super::exponential::Exponential;
 use super::reflection::TWO_52;
 use crate::bounds::exp_up;
 use crate::certificate::Watch;
+use crate::code::Code;
 use crate::formula::Formula;
-use crate::interval::{down, quotient_up, up};
+use crate::interval::{self, down, larger, quotient_up, up};
 use crate::prove::{self, Target};
 use mechaudit_solvers::faddeeva::proof::lower::Limits;
 
@@ -47,7 +48,7 @@ impl Dominated {
     /// # Errors
     /// If a rectangle of it is open.
     pub fn of(
-        code: &prove::Code,
+        code: &Code,
         e: &Exponential,
         limits: &Limits,
         watch: &Watch,
@@ -64,7 +65,7 @@ impl Dominated {
         }
         let worst = |of: fn(Formula) -> bool| {
             let some = found.leaves.iter().filter(|l| of(l.formula));
-            some.map(|l| l.bound.norm).fold(0.0, f64::max)
+            interval::worst(some.map(|l| l.bound.norm))
         };
         let cell = worst(|f| matches!(f, Formula::Cell { .. }));
         let series = worst(|f| matches!(f, Formula::Asymptotic { terms: 26 }));
@@ -73,7 +74,7 @@ impl Dominated {
             image_in_cell: image(cell, e, limits, 0.459 / 6.93),
             image_by_series: image(series, e, limits, 0.548 / 10.6),
             exponential: exponential(cell, e, limits),
-            huge: huge.max(e.leading * TWO_52 + 1e-9),
+            huge: larger(huge, e.leading * TWO_52 + 1e-9),
             boxes: found.leaves.len(),
         }))
     }
@@ -88,8 +89,11 @@ fn image(u: f64, e: &Exponential, limits: &Limits, w: f64) -> f64 {
     let left_out = quotient_up(up(2.0 * exp_up(-limits.negligible)), down(w)) * TWO_52;
     // The worst is at the limit from D = 1 on.
     match d > 1.0 && q < 1.0 {
-        true => up(quotient_up(up(u + up(rho * q)), down(1.0 - q)) * (1.0 + 1e-12) + 0.5)
-            .max(u + left_out),
+        true => {
+            let at_limit =
+                up(quotient_up(up(u + up(rho * q)), down(1.0 - q)) * (1.0 + 1e-12) + 0.5);
+            larger(at_limit, u + left_out)
+        }
         false => f64::INFINITY,
     }
 }

@@ -20,7 +20,7 @@
 use super::phase::{self, Phase};
 use crate::exact::Exact;
 use crate::form::{exponent, power_of_two};
-use crate::interval::{Interval, hypot_up, product_up, quotient_up, sum_up, up};
+use crate::interval::{Interval, hypot_up, larger, product_up, quotient_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use crate::truncation::exponential_error;
 use mechaudit_solvers::faddeeva::proof::lower as code;
@@ -89,10 +89,10 @@ struct Errors {
 impl Errors {
     fn max(self, other: Errors) -> Errors {
         Errors {
-            pair: self.pair.max(other.pair),
-            rounded: self.rounded.max(other.rounded),
-            short: self.short.max(other.short),
-            leading: self.leading.max(other.leading),
+            pair: larger(self.pair, other.pair),
+            rounded: larger(self.rounded, other.rounded),
+            short: larger(self.short, other.short),
+            leading: larger(self.leading, other.leading),
         }
     }
 

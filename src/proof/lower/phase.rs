@@ -13,7 +13,7 @@ use super::exponential::{U, around_zero};
 use crate::bounds::above;
 use crate::exact::Exact;
 use crate::form::{Form, power_of_two};
-use crate::interval::{Interval, hypot_up, product_up, sum_up, up};
+use crate::interval::{Interval, hypot_up, larger, product_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, evaluate};
 use mechaudit_reference::Ball;
 use mechaudit_solvers::faddeeva::proof::lower::{self as code, Constants};
@@ -124,7 +124,9 @@ impl Phase {
                 hi.exact_sum(lo).error
             })?;
             let left = left_of_quarters(k, &[h0, h1, h2]);
-            error = ways.into_iter().fold(error, |e, w| e.max(sum_up(w, left)));
+            error = ways
+                .into_iter()
+                .fold(error, |e, w| larger(e, sum_up(w, left)));
             boxes += 1;
         }
         let mut short: f64 = 0.0;
@@ -136,7 +138,9 @@ impl Phase {
                     hypot_up(s.result().error, c.result().error)
                 })?;
                 let left = left_of_quarters(k, &[h0, h1]);
-                short = ways.into_iter().fold(short, |e, w| e.max(sum_up(w, left)));
+                short = ways
+                    .into_iter()
+                    .fold(short, |e, w| larger(e, sum_up(w, left)));
                 boxes += 1;
             }
         }

@@ -4,7 +4,9 @@ use super::exponential::LEAST;
 use crate::bounds::{above, exp_up};
 use crate::cover::Rectangle;
 use crate::form::TINIEST;
-use crate::interval::{Interval, down, hypot_down, hypot_up, product_up, quotient_up, sum_up, up};
+use crate::interval::{
+    Interval, down, hypot_down, hypot_up, larger, product_up, quotient_up, sum_up, up,
+};
 use crate::tracked::Result as Tracks;
 use mechaudit_reference::Ball;
 use mechaudit_reference::faddeeva::w_f64;
@@ -130,16 +132,16 @@ pub(super) fn reflected(w: Value, at: &Rectangle, rho: f64, cancelled: f64) -> f
     let mut worst: f64 = 0.0;
     if least < near[0] {
         let x = most.min(near[0]);
-        worst = worst.max(quotient_up(error(x), down(w.least - x)));
+        worst = larger(worst, quotient_up(error(x), down(w.least - x)));
     }
     if most > near[1] {
         let x = least.max(near[1]);
-        worst = worst.max(quotient_up(error(x), down(x - w.most)));
+        worst = larger(worst, quotient_up(error(x), down(x - w.most)));
     }
     if least <= near[1] && most >= near[0] {
         let off = error(near[1].min(most));
         let size = down(down(part(w.least) * (1.0 - 1e-12)) - up(1.1 * off));
-        worst = worst.max(quotient_up(off, size));
+        worst = larger(worst, quotient_up(off, size));
     }
     sum_up(worst * TWO_52, ROUNDINGS)
 }

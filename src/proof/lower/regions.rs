@@ -7,7 +7,7 @@ use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::{Rectangle, pieces};
 use crate::exact::Exact;
 use crate::formula::offsets;
-use crate::interval::{down, hypot_up};
+use crate::interval::{down, hypot_up, worst};
 use crate::tables::{Tables, cell_at, real_axis_at};
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use crate::truncation;
@@ -259,7 +259,7 @@ pub(super) fn bound(code: &Code, region: Region, at: &Rectangle) -> Result<f64, 
         _ => reflected(*w, at, rho, used(&code.limits)),
     };
     let ways = values(code, region, at)?;
-    Ok(ways.iter().map(norm).fold(0.0, f64::max))
+    Ok(worst(ways.iter().map(norm)))
 }
 
 /// The part λ of `|w(−z)|` that |w| has at least where its value is used: neither component is below [`Limits::cancelled`]

@@ -4,7 +4,8 @@ use super::apart::Apart;
 use super::{Again, AroundZeros, Certificate, Code, Dominated, Leaf, Target, lower_half_plane};
 use crate::certificate::{Open, Watch};
 use crate::cover::Rectangle;
-use crate::prove::{self, UPPER_HALF_PLANE};
+use crate::interval::worst;
+use crate::prove::UPPER_HALF_PLANE;
 use crate::tracked::Rounding;
 use mechaudit_solvers::faddeeva::proof::lower as code;
 
@@ -55,7 +56,7 @@ pub fn theorem(
     watch: &Watch,
 ) -> Result<Option<Theorem>, String> {
     let solver = Code::of_the_solver()?;
-    let upper = prove::Code {
+    let upper = crate::code::Code {
         tables: solver.tables.clone(),
         branch: |a, b| mechaudit_solvers::faddeeva::branch(num_complex::Complex::new(a, b)),
         rounding: Rounding::default(),
@@ -98,7 +99,7 @@ fn together(
             None => regions.push(new),
             Some(r) => {
                 r.boxes += 1;
-                if *norm > r.norm {
+                if !(*norm <= r.norm) {
                     (r.norm, r.at) = (*norm, new.at);
                 }
             }
@@ -128,7 +129,7 @@ fn together(
     });
     Theorem {
         apart,
-        norm: regions.iter().map(|r| r.norm).fold(0.0, f64::max),
+        norm: worst(regions.iter().map(|r| r.norm)),
         of_exponential: solver.exponential.boxes,
         open: found.open,
         leaves: found.leaves,

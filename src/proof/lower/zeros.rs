@@ -19,7 +19,7 @@ use crate::bounds::{above, exp_up, power_up};
 use crate::constants::TWO_OVER_SQRT_PI;
 use crate::cover::Rectangle;
 use crate::exact::Exact;
-use crate::interval::{hypot_up, product_up, sum_up, up};
+use crate::interval::{hypot_up, larger, product_up, sum_up, up};
 use crate::tracked::{Rounding, Setting, Tracked, Tracking, evaluate};
 use mechaudit_reference::{Ball, ComplexBall, faddeeva};
 use mechaudit_solvers::faddeeva::proof::lower as code;
@@ -210,7 +210,7 @@ fn bound(zero: &Zero, rounding: Rounding, at: &Signed) -> Result<f64, &'static s
         let value = Value::of(parts, product_up(SLOPE, missing));
         sum_up(value.norm(), product_up(turn, TWO_52))
     });
-    Ok(norms.fold(0.0, f64::max))
+    Ok(norms.fold(0.0, larger))
 }
 
 fn refine(

@@ -8,7 +8,7 @@ use crate::constants::ASYMPTOTIC;
 use crate::exact::Exact;
 use crate::form::{TINIEST, exponent, power_of_two};
 use crate::formula::{FAR_ABOVE, TWO_52, lost_units, offsets};
-use crate::interval::{Interval as Enclosure, product_up, quotient_up, sum_up};
+use crate::interval::{Interval as Enclosure, larger, product_up, quotient_up, sum_up};
 use crate::tracked::{Constant, Result as Tracks, Rounding, Setting, Tracked, Tracking, evaluate};
 use mechaudit_reference::faddeeva;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
@@ -134,7 +134,7 @@ pub(super) fn bound(
                 None => true,
                 Some(n) => n + f64::from(exponent(way.sum.exact.mignitude())) > -1022.0,
             };
-            worst = f64::max(worst, rounded(&way.sum, at, part(&way), normal, rounding)?);
+            worst = larger(worst, rounded(&way.sum, at, part(&way), normal, rounding)?);
         }
         Ok((formula, worst))
     };
@@ -354,7 +354,7 @@ fn rounded(
     let once = sum_up(last, e);
     Ok(match normal {
         true => once,
-        false => once.max(sum_up(sum_up(0.25, last), 0.5 * e)),
+        false => larger(once, sum_up(sum_up(0.25, last), 0.5 * e)),
     })
 }
 

@@ -139,7 +139,7 @@ fn a_moved_limit_shows() {
         a: [3.25, 3.3125],
         b: [3.25, 3.3125],
     };
-    let parts = crate::prove::parts(&code, &at).expect("one formula");
+    let parts = crate::choice::parts(&code, &at).expect("one formula");
     let (at, formula) = parts[0];
     let faulty = worst(&code, formula, &at);
     assert!(faulty > 10.0, "{formula:?} {faulty}");
@@ -617,46 +617,95 @@ fn rectangles_are_halved_until_the_bounds_are_good() {
     );
 }
 
-/// Formulas that follow one another along the rings have no third one between them.
+/// By how many rectangles: each rule for cuts counts.
 #[test]
-fn neighbours_along_the_rings() {
-    let series = |terms| Branch::Asymptotic { terms };
-    let at = |a: f64, b: f64| branch(Complex::new(a, b));
-    let (cell, axis) = (at(3.0, 3.0), at(3.0, 0.01));
-    let (strip, line) = (at(9.5, 1e-4), at(12.0, 1e-12));
-    let rings = [
-        Branch::Maclaurin { terms: 9 },
-        Branch::Maclaurin { terms: 21 },
-        cell,
-        series(26),
-        series(14),
-        series(6),
-        series(4),
-        series(2),
-        Branch::Huge,
+fn cuts_are_those_that_need_few_rectangles() {
+    let watch = Watch::default();
+    let strict = Target {
+        norm: 0.45,
+        component: 0.9,
+        depth: 12,
+    };
+    let of = |target: Target, a: [f64; 2], b: [f64; 2]| {
+        let found = on_rectangle(&CODE, target, &watch, Rectangle { a, b }).expect("not stopped");
+        (found.leaves.len(), found.open.len())
+    };
+    let found = [
+        of(UPPER_HALF_PLANE, [0.01, 6.0], [0.01, 6.0]),
+        of(UPPER_HALF_PLANE, [8.0, 10.0], [0.0, 1.0]),
+        of(UPPER_HALF_PLANE, [2.0, 2.25], [0.0, 0.125]),
+        of(strict, [1.0, 1.2], [1.0, 1.4]),
+        of(strict, [1.0, 1.4], [1.0, 1.2]),
     ];
-    for (i, p) in rings.iter().enumerate() {
-        for (j, q) in rings.iter().enumerate() {
-            assert_eq!(follows([*p, *q]), j == i + 1, "{p:?} {q:?}");
+    assert_eq!(found, [(2308, 0), (4297, 0), (49, 0), (3104, 0), (1765, 0)]);
+    assert_eq!(better_cut(0.89, 1.0), Some(true));
+    assert_eq!(better_cut(1.0, 0.89), Some(false));
+    assert_eq!([better_cut(0.91, 1.0), better_cut(1.0, 0.91)], [None; 2]);
+}
+
+/// Beside the real axis lines come first, then columns.
+#[test]
+fn cuts_beside_the_real_axis() {
+    let cut = |formula, a: [f64; 2], b: [f64; 2]| {
+        let at = Rectangle { a, b };
+        let leaf = |formula| Leaf {
+            at,
+            formula,
+            bound: Bound::NONE,
+        };
+        beside_real_axis(&at, &[leaf(Formula::Strip), leaf(formula)])
+    };
+    let low = [1e-300, 1e-290];
+    assert_eq!(cut(Formula::RealLine, [12.0, 12.0045], low), Some(true));
+    assert_eq!(cut(Formula::RealLine, [12.0, 12.0035], low), None);
+    let axis = Formula::RealAxis { centre: 3.0 };
+    let flat = [1e-30, 1e-29];
+    assert_eq!(cut(axis, [3.0, 3.035], flat), Some(true));
+    assert_eq!(cut(axis, [3.0, 3.03], flat), None);
+    assert_eq!(cut(Formula::Strip, [12.0, 13.0], low), None);
+    // A line of Im z at 2⁻⁵¹: across, from it on, up to it, below and above.
+    let line = 2f64.powi(-51);
+    for (b, due) in [
+        ([line / 2.0, line * 2.0], true),
+        ([line, line * 2.0], false),
+        ([line / 2.0, line], true),
+        ([line / 3.0, line / 2.0], false),
+        ([line * 2.0, line * 3.0], false),
+    ] {
+        let found = cut(Formula::RealLine, [12.0, 12.001], b);
+        assert_eq!(found, due.then_some(false), "{b:?}");
+    }
+}
+
+/// A bound that is not a number is none.
+#[test]
+fn what_is_not_a_number_is_no_bound() {
+    let at = Rectangle {
+        a: [3.0, 3.1],
+        b: [3.0, 3.1],
+    };
+    for k in 0..3 {
+        let part = |i| if i == k { f64::NAN } else { 0.5 };
+        let bound = Bound {
+            norm: part(0),
+            re: part(1),
+            im: part(2),
+            tiny: 0.0,
+        };
+        let leaf = |bound| Leaf {
+            at,
+            formula: Formula::Strip,
+            bound,
+        };
+        for leaves in [
+            [leaf(bound), leaf(Bound::NONE)],
+            [leaf(Bound::NONE), leaf(bound)],
+        ] {
+            assert_eq!(UPPER_HALF_PLANE.excess(&leaves), f64::INFINITY);
+        }
+        let both = [bound.max(Bound::NONE), Bound::NONE.max(bound)];
+        for b in both {
+            assert_eq!([b.norm, b.re, b.im][k], f64::INFINITY);
         }
     }
-    for beside in [strip, line] {
-        assert!(
-            follows([series(26), beside])
-                && follows([axis, beside])
-                && follows([beside, series(14)])
-        );
-        assert!(!follows([cell, beside]) && !follows([beside, series(6)]));
-    }
-    assert!(!follows([axis, series(14)]) && follows([cell, axis]));
-    let wide = Rectangle {
-        a: [0.01, 9.0],
-        b: [0.01, 9.0],
-    };
-    assert!(parts(&CODE, &wide).is_err());
-    let axis = Rectangle {
-        a: [0.0; 2],
-        b: [0.0, 1e4],
-    };
-    assert!(parts(&CODE, &axis).is_err());
 }

@@ -1,0 +1,179 @@
+//! The formulas of a rectangle against the code's choice at points of it.
+
+use super::*;
+use crate::cover::hole;
+use mechaudit_solvers::faddeeva::branch;
+use num_complex::Complex;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::sync::LazyLock;
+
+static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
+
+/// The formula of the code at a point, with the row that it takes there.
+fn at_point(a: f64, b: f64) -> Formula {
+    match branch(Complex::new(a, b)) {
+        Branch::Cell { .. } => Formula::Cell {
+            centre: cell_at(a, b).0,
+        },
+        Branch::RealAxis { .. } => Formula::RealAxis {
+            centre: real_axis_at(a).0,
+        },
+        Branch::ImaginaryAxis { .. } => Formula::ImaginaryAxis {
+            centre: imaginary_axis_at(b).0,
+        },
+        other => Formula::of(other, a == 0.0).expect("a branch"),
+    }
+}
+
+fn holds(at: &Rectangle, a: f64, b: f64) -> bool {
+    (at.a[0]..=at.a[1]).contains(&a) && (at.b[0]..=at.b[1]).contains(&b)
+}
+
+/// Wherever the code takes a formula, that is among the parts, on a piece with the point.
+#[test]
+fn the_formula_of_each_point_is_among_the_parts() {
+    let mut random = ChaCha8Rng::seed_from_u64(11);
+    let mut uniform = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
+    let (mut known, mut refused, mut several) = (0, 0, 0);
+    for k in 0..6000 {
+        // Coordinates evenly and by their exponents, sides from a hundredth to more than the coordinate.
+        let mut coordinate = || match uniform() < 0.5 {
+            true => 14.0 * uniform(),
+            false => 2f64.powf(-60.0 + 72.0 * uniform()),
+        };
+        let (x, y) = (coordinate(), coordinate());
+        let side = 2f64.powf(-7.0 + 8.0 * uniform());
+        let long = |c: f64| [c, c + side * c.max(1e-3)];
+        let at = match k % 8 {
+            0 => Rectangle {
+                a: [0.0; 2],
+                b: long(y),
+            },
+            1 => Rectangle {
+                a: long(x),
+                b: [0.0, y],
+            },
+            _ => Rectangle {
+                a: long(x),
+                b: long(y),
+            },
+        };
+        let Ok(all) = parts(&CODE, &at) else {
+            refused += 1;
+            continue;
+        };
+        known += 1;
+        several += usize::from(all.len() > 2);
+        assert!(all.len() <= MANY);
+        let mut within = |[lo, hi]: [f64; 2], end: usize| match end {
+            0 => lo,
+            1 => hi,
+            _ => (lo + (hi - lo) * uniform()).clamp(lo, hi),
+        };
+        for n in 0..24 {
+            let (a, b) = (within(at.a, n % 3), within(at.b, n / 3 % 3));
+            let due = at_point(a, b);
+            let found = all.iter().any(|(p, f)| *f == due && holds(p, a, b));
+            assert!(found, "{at:?} {a} {b} {due:?} {all:?}");
+        }
+    }
+    assert!(
+        known > 2000 && refused > 500 && several > 200,
+        "{known} {refused} {several}"
+    );
+}
+
+/// Pieces of a rectangle together are it, and none is outside.
+#[test]
+fn parts_cover_their_rectangle() {
+    for (a, b) in [
+        ([6.9, 7.1], [6.9, 7.1]),
+        ([2.95, 3.0], [1e-5, 0.13]),
+        ([1.4, 1.6], [1.4, 1.6]),
+        ([8.0, 8.1], [1e-9, 1e-3]),
+        ([0.0, 0.0], [2.9, 3.2]),
+    ] {
+        let at = Rectangle { a, b };
+        let all = parts(&CODE, &at).unwrap_or_else(|why| panic!("{at:?}: {why}"));
+        let mut pieces: Vec<Rectangle> = all.iter().map(|(p, _)| *p).collect();
+        assert!(
+            pieces
+                .iter()
+                .all(|p| holds(&at, p.a[0], p.b[0]) && holds(&at, p.a[1], p.b[1]))
+        );
+        // What is left of the quadrant, and the others in their place.
+        let (below, above) = (
+            |x: f64| [0.0, x.next_down()],
+            |x: f64| [x.next_up(), f64::MAX],
+        );
+        let rest = [
+            (a[0] > 0.0).then(|| (below(a[0]), [0.0, f64::MAX])),
+            Some((above(a[1]), [0.0, f64::MAX])),
+            (b[0] > 0.0).then(|| (a, below(b[0]))),
+            Some((a, above(b[1]))),
+        ];
+        pieces.extend(rest.into_iter().flatten().map(|(a, b)| Rectangle { a, b }));
+        assert_eq!(hole(&pieces), None, "{at:?} {all:?}");
+    }
+}
+
+/// With a third formula between, which the corners do not show, nothing is said.
+#[test]
+fn a_formula_between_those_of_the_corners_is_not_passed_over() {
+    let at = |a: [f64; 2], b: [f64; 2]| parts(&CODE, &Rectangle { a, b });
+    // Across the ring of 14 terms, and of 4.
+    assert!(at([5.0, 60.0], [5.0, 60.0]).is_err());
+    let far = at([50.0, 1e14], [50.0, 1e14]);
+    assert!(far.is_err(), "{far:?}");
+    // Two that follow, and one alone.
+    let names = |all: Vec<Part>| all.iter().map(|(_, f)| f.name()).collect::<Vec<_>>();
+    let two = at([1.0, 40.0], [27.0, 30.0]).map(names);
+    assert_eq!(two, Ok(vec!["asymptotic, 14 terms", "asymptotic, 6 terms"]));
+    let one = at([40.0, 41.0], [27.0, 30.0]).map(names);
+    assert_eq!(one, Ok(vec!["asymptotic, 6 terms"]));
+}
+
+/// Formulas that follow one another along the rings have no third one between them.
+#[test]
+fn neighbours_along_the_rings() {
+    let series = |terms| Branch::Asymptotic { terms };
+    let at = |a: f64, b: f64| branch(Complex::new(a, b));
+    let (cell, axis) = (at(3.0, 3.0), at(3.0, 0.01));
+    let (strip, line) = (at(9.5, 1e-4), at(12.0, 1e-12));
+    let rings = [
+        Branch::Maclaurin { terms: 9 },
+        Branch::Maclaurin { terms: 21 },
+        cell,
+        series(26),
+        series(14),
+        series(6),
+        series(4),
+        series(2),
+        Branch::Huge,
+    ];
+    for (i, p) in rings.iter().enumerate() {
+        for (j, q) in rings.iter().enumerate() {
+            assert_eq!(follows([*p, *q]), j == i + 1, "{p:?} {q:?}");
+        }
+    }
+    for beside in [strip, line] {
+        assert!(
+            follows([series(26), beside])
+                && follows([axis, beside])
+                && follows([beside, series(14)])
+        );
+        assert!(!follows([cell, beside]) && !follows([beside, series(6)]));
+    }
+    assert!(!follows([axis, series(14)]) && follows([cell, axis]));
+    let wide = Rectangle {
+        a: [0.01, 9.0],
+        b: [0.01, 9.0],
+    };
+    assert!(parts(&CODE, &wide).is_err());
+    let axis = Rectangle {
+        a: [0.0; 2],
+        b: [0.0, 1e4],
+    };
+    assert!(parts(&CODE, &axis).is_err());
+}
