@@ -166,14 +166,16 @@ impl Evaluation {
         }
     }
 
-    /// `x y` where one of them is a power of two and nothing is rounded, or below the normal numbers only.
-    fn scaled(&self, x: Tracked, y: Tracked) -> Option<Form> {
-        let (p, q) = (self.form(x), self.form(y));
-        let (by, mut form) = match (p.constant(), q.constant()) {
-            (Some(c), _) if is_power_of_two(c) => (c, q.clone()),
-            (_, Some(c)) if is_power_of_two(c) => (c, p.clone()),
+    /// `x y` where one of them is a power of two and nothing is rounded, or below the normal numbers only; of which
+    /// number, and by what.
+    fn scaled(&self, x: Tracked, y: Tracked) -> Option<(Form, (Tracked, f64))> {
+        let power = |t: Tracked| self.form(t).constant().filter(|c| is_power_of_two(*c));
+        let (of, by) = match (power(x), power(y)) {
+            (_, Some(c)) => (x, c),
+            (Some(c), _) => (y, c),
             _ => return None,
         };
+        let mut form = self.form(of).clone();
         let k = exponent(by.abs());
         let times = |c: Interval| {
             let c = if by < 0.0 { -c } else { c };
@@ -199,7 +201,7 @@ impl Evaluation {
             form.tiny = sum_up(form.tiny, 1.0);
         }
         form.grain = form.grain.max(-1074);
-        Some(form)
+        Some((form, (of, by)))
     }
 
     pub fn multiply(&mut self, x: Tracked, y: Tracked) -> (Tracked, Tracked) {
@@ -209,17 +211,13 @@ impl Evaluation {
             let zero = self.push(Form::point(0.0));
             return (self.push(Form::point(a * b)), zero);
         }
-        if let Some(form) = self.scaled(x, y) {
+        if let Some((form, (of, by))) = self.scaled(x, y) {
             let mut lost = Form::point(0.0);
             let exact = form.tiny == 0.0;
             lost.tiny = form.tiny;
             let lost = self.push(lost);
             let p = self.push(regrained(form, self.sigma));
             if exact {
-                let (of, by) = match self.form(y).constant() {
-                    Some(c) if is_power_of_two(c) => (x, c),
-                    _ => (y, self.form(x).constant().unwrap_or(1.0)),
-                };
                 self.multiples.push((p.0, (of.0, by)));
             }
             return (p, lost);
@@ -241,7 +239,7 @@ impl Evaluation {
         if normal && let Some(&(_, [r, lost])) = self.products.iter().find(|k| k.0 == of) {
             let factor = self.push(Form::point(by));
             let both = [r, lost].map(|t| self.scaled(t, factor));
-            if let [Some(r), Some(lost)] = both
+            if let [Some((r, _)), Some((lost, _))] = both
                 && r.tiny == 0.0
                 && lost.tiny == 0.0
             {
@@ -295,7 +293,7 @@ impl Evaluation {
         }
         let form = match self.scaled(x, y) {
             // Not rounded before the sum.
-            Some(form) if form.tiny == 0.0 => form,
+            Some((form, _)) if form.tiny == 0.0 => form,
             _ => self.product(x, y),
         };
         let p = self.push(form);
@@ -352,8 +350,8 @@ fn exact_product(a: f64, b: f64) -> bool {
 /// Whether `a + b` is an `f64`.
 fn exact_sum(a: f64, b: f64) -> bool {
     let s = a + b;
-    let t = s - a;
-    s.is_finite() && (a - (s - t)) + (b - t) == 0.0
+    let (small, large) = if a.abs() < b.abs() { (a, b) } else { (b, a) };
+    s.is_finite() && s - large == small
 }
 
 /// A number of the evaluation that this thread is doing.
