@@ -14,6 +14,7 @@ use mechaudit_reference::faddeeva;
 use mechaudit_solvers::faddeeva::proof::real_line as code;
 use mechaudit_solvers::faddeeva::proof::{AxisRow, ROUND};
 use rug::Rational;
+use rug::float::Round;
 
 /// What a formula gives before its last rounding.
 struct Way {
@@ -23,6 +24,14 @@ struct Way {
     inner: Option<Tracks>,
     /// The binary exponent of a power of two to be multiplied with.
     exponent: Option<f64>,
+}
+
+impl Way {
+    /// Whether the product with its power of two is no subnormal number anywhere.
+    fn is_normal(&self) -> bool {
+        let least = || f64::from(exponent(self.sum.exact.mignitude()));
+        self.exponent.is_none_or(|n| n + least() > -1022.0)
+    }
 }
 
 /// erfcx, or `(2/√π) F`, over an interval.
@@ -97,9 +106,13 @@ impl<'a> Operand<'a> {
         } else {
             1.0
         };
-        let least = (value.exact.mignitude() * factor).next_down() - self.off;
-        quotient_up(self.off, least.next_down())
+        left_out(self.off, (value.exact.mignitude() * factor).next_down())
     }
+}
+
+/// What a value of at least `least` is wrong by, as a part of the true one, if it is by `off`.
+fn left_out(off: f64, least: f64) -> f64 {
+    quotient_up(off, (least - off).next_down())
 }
 
 fn sum_of([hi, lo]: [Tracked; 2]) -> Tracks {
@@ -130,10 +143,7 @@ pub(super) fn bound(
     let one = |ways: Result<Vec<Way>, &'static str>, part: &dyn Fn(&Way) -> f64| {
         let mut worst = 0.0;
         for way in ways? {
-            let normal = match way.exponent {
-                None => true,
-                Some(n) => n + f64::from(exponent(way.sum.exact.mignitude())) > -1022.0,
-            };
+            let normal = way.is_normal();
             worst = larger(worst, rounded(&way.sum, at, part(&way), normal, rounding)?);
         }
         Ok((formula, worst))
@@ -161,23 +171,18 @@ pub(super) fn bound(
                 let x = Tracked::sigma();
                 alone(sum_of(f(if at.negative { -x } else { x })))
             });
-            let factor = if function == Function::Dawson {
-                0.0
-            } else {
-                two_over_root
-            };
-            // |erf x| is less than erfc x there.
-            one(ways, &|_| joined(tables.near, factor))
+            // |erf x| is less than erfc x there. Dawson's series has no factor.
+            let factors = [0.0, two_over_root];
+            one(ways, &|_| {
+                joined(tables.near, of_function(function, factors))
+            })
         }
         Formula::Value(inner) => {
             let operand = Operand::new(tables, function, inner, ends)?;
             let ways = evaluate(setting(operand.constants()), || {
                 alone(sum_of(operand.at(x())))
             });
-            let factor = match function {
-                Function::Dawson => half_root,
-                _ => 0.0,
-            };
+            let factor = of_function(function, [half_root, 0.0]);
             one(ways, &|way| joined(operand.part(&way.sum), factor))
         }
         Formula::Product(inner) | Formula::Difference(inner) => {
@@ -226,12 +231,7 @@ pub(super) fn bound(
             if overflows(ways.as_deref().map_err(|why| *why)?, at)? {
                 return Ok((Formula::Overflow, 0.0));
             }
-            // erfcx x < 1 beside 2ᵏ and more.
-            one(ways, &|way| {
-                let k = way.exponent.filter(|k| (0.0..2000.0).contains(k));
-                let w = k.map_or(f64::INFINITY, |k| power_of_two(1 - k.min(900.0) as i32));
-                joined(exponential, w)
-            })
+            one(ways, &|way| joined(exponential, erfcx_beside(way.exponent)))
         }
         Formula::Far => {
             // R₁ is less than 1/x² of the first term, and x at least 10⁹⁹.
@@ -243,11 +243,7 @@ pub(super) fn bound(
                 // The quotient is rounded once.
                 return Ok((formula, sum_up(0.5, rest * TWO_52 * 2.0)));
             }
-            let k = exponent(ends[0]);
-            if k != exponent(ends[1]) {
-                return Err("several powers of two");
-            }
-            let scaled = ends.map(|x| x * power_of_two(-k));
+            let (scaled, k) = scaled(ends).ok_or("several powers of two")?;
             let ways = evaluate(setting(&[]), || Way {
                 sum: sum_of(code::erfcx_far(Tracked::input(0, scaled))),
                 inner: None,
@@ -276,6 +272,29 @@ pub(super) fn bound(
     }
 }
 
+/// What is Dawson's function's, or that of the others.
+fn of_function(function: Function, [dawson, others]: [f64; 2]) -> f64 {
+    match function {
+        Function::Dawson => dawson,
+        _ => others,
+    }
+}
+
+/// `erfcx x < 1` as a part of `2ᵏ` and more.
+fn erfcx_beside(k: Option<f64>) -> f64 {
+    match k {
+        Some(k) if (0.0..2000.0).contains(&k) => power_of_two(1 - k.min(900.0) as i32),
+        _ => f64::INFINITY,
+    }
+}
+
+/// Numbers of one binade divided by its power of two, and the exponent.
+fn scaled(ends: [f64; 2]) -> Option<([f64; 2], i32)> {
+    let [k, last] = ends.map(exponent);
+    let down = power_of_two(-k);
+    (k == last).then(|| (ends.map(|x| x * down), k))
+}
+
 /// `(1 + p)(1 + q) − 1`
 fn joined(p: f64, q: f64) -> f64 {
     sum_up(sum_up(p, q), product_up(p, q))
@@ -283,7 +302,7 @@ fn joined(p: f64, q: f64) -> f64 {
 
 /// Whether the value is above the range all over the interval; it may not be within `2⁻⁵⁰` of its end.
 fn overflows(ways: &[Way], at: &Interval) -> Result<bool, &'static str> {
-    let margin = power_of_two(-50);
+    const BOTH: &str = "on both sides of overflow";
     if at.is_point() {
         // x² itself is known to too few digits.
         let x = Rational::from_f64(-at.ends[0]).ok_or("not finite")?;
@@ -291,11 +310,9 @@ fn overflows(ways: &[Way], at: &Interval) -> Result<bool, &'static str> {
             .map_err(|_| "undecided")?
             .re;
         let part = value.shift(-1024);
-        return match (part.lower() > 1.0 + margin, part.upper() < 1.0 - margin) {
-            (true, _) => Ok(true),
-            (_, true) => Ok(false),
-            _ => Err("on both sides of overflow"),
-        };
+        let lower = part.lower().to_f64_round(Round::Down);
+        let upper = part.upper().to_f64_round(Round::Up);
+        return above_one([lower, upper]).ok_or(BOTH);
     }
     let mut all = None;
     for way in ways {
@@ -304,16 +321,23 @@ fn overflows(ways: &[Way], at: &Interval) -> Result<bool, &'static str> {
             return Err("an exponent beyond 2000");
         }
         let by = power_of_two(k as i32);
-        let over = match (way.sum.exact.lo * by, way.sum.exact.hi * by) {
-            (_, hi) if hi < 1.0 - margin => false,
-            (lo, _) if lo > 1.0 + margin => true,
-            _ => return Err("on both sides of overflow"),
-        };
+        let Enclosure { lo, hi } = way.sum.exact;
+        let over = above_one([lo * by, hi * by]).ok_or(BOTH)?;
         if *all.get_or_insert(over) != over {
-            return Err("on both sides of overflow");
+            return Err(BOTH);
         }
     }
     all.ok_or("no way")
+}
+
+/// Whether all numbers between the two are above 1, or none, by `2⁻⁵⁰` at least.
+fn above_one([lo, hi]: [f64; 2]) -> Option<bool> {
+    let margin = power_of_two(-50);
+    match (lo > 1.0 + margin, hi < 1.0 - margin) {
+        (true, _) => Some(true),
+        (_, true) => Some(false),
+        _ => None,
+    }
 }
 
 /// The bound, in units in the last place of f, of a sum y of two numbers that is rounded to nearest, where y without

@@ -526,7 +526,10 @@ fn digits_below_the_normal_numbers_are_lost_twice() {
         [x * c, y * c].map(Tracked::result)
     });
 
-    assert!(full.relative < 1.2e-16 && short.relative > 2e-13, "{full:?} {short:?}");
+    assert!(
+        full.relative < 1.2e-16 && short.relative > 2e-13,
+        "{full:?} {short:?}"
+    );
 }
 
 /// Zeros and what is handled as a factor.

@@ -132,6 +132,15 @@ fn overflow_is_decided_on_all_ways() {
         }])
         .is_err()
     );
+    for (lo, hi, due) in [
+        (1.0 + 1.5 * margin, 1.1, Some(true)),
+        (0.9, 1.0 - 1.5 * margin, Some(false)),
+        (1.0 + 0.5 * margin, 1.1, None),
+        (0.9, 1.0 - 0.5 * margin, None),
+        (0.9, 1.1, None),
+    ] {
+        assert_eq!(above_one([lo, hi]), due, "{lo} {hi}");
+    }
     // A single number by its value: the last one whose erfcx is in the range, and the next.
     let last = 26.628_735_713_751_49;
     let point = |x: f64| overflows(&[], &at(x, x));
@@ -170,7 +179,8 @@ fn formulas_are_refused_beyond_their_limits() {
     assert!(of(Erfc, Formula::Constant, true, 1.0, 7.0).is_err());
     assert!(of(Erfc, Formula::Constant, false, 27.29, 28.0).is_err());
     assert_eq!(of(Erfc, Formula::Constant, false, 27.3, 28.0), Ok(0.5));
-    assert!(of(Dawson, Formula::Far, false, 9e98, 1e100).is_err());
+    assert!(of(Dawson, Formula::Far, false, 9.9e98, 1e100).is_err());
+    assert!(of(Dawson, Formula::Far, false, 1e99, 1e100).is_ok());
     assert!(of(Dawson, Formula::Far, false, 1e100, 1e200).is_ok());
     assert!(of(Erfcx, Formula::Far, false, 1e100, 4e100).is_err());
     assert!(
@@ -178,14 +188,89 @@ fn formulas_are_refused_beyond_their_limits() {
             Erfcx,
             Formula::Value(Inner::Series { terms: 4 }),
             false,
-            50.0,
-            51.0
+            5e6,
+            5.1e6
         )
         .is_err()
     );
     // 2e^{x²} alone: erfcx counts.
     let alone = of(Erfcx, Formula::Exponential, true, 1.0, 1.001);
     assert!(alone.is_err() || alone.expect("a bound") > 1.0);
+}
+
+/// What is left out as a part of the true value: of the least of it.
+#[test]
+fn parts_are_of_the_least_value() {
+    assert!(near(left_out(0.25, 1.0), 0.25 / 0.75));
+    assert_eq!([left_out(1.0, 1.0), left_out(2.0, 1.0)], [f64::INFINITY; 2]);
+    assert_eq!(left_out(0.0, 1.0), 0.0);
+    let operand = |function| Operand {
+        function,
+        row: None,
+        terms: 2,
+        off: 0.25,
+    };
+    let value = sum(1.0, 2.0, 0.0);
+    assert!(near(operand(Function::Erfcx).part(&value), 0.25 / 0.75));
+    assert!(near(operand(Function::Dawson).part(&value), 0.25 / 0.878));
+    // erfcx x beside 2ᵏ; from 900 on the power is not that small.
+    let of = |k: f64| erfcx_beside(Some(k));
+    assert_eq!([of(0.0), of(1.0), of(3.0)], [2.0, 1.0, 0.25]);
+    assert_eq!([of(900.0), of(901.0), of(1999.0)], [power_of_two(-899); 3]);
+    for none in [None, Some(-1.0), Some(2000.0), Some(f64::NAN)] {
+        assert_eq!(erfcx_beside(none), f64::INFINITY);
+    }
+    let each = |f| of_function(f, [1.0, 2.0]);
+    use Function::{Dawson, Erf, Erfc, Erfcx};
+    assert_eq!([Dawson, Erf, Erfc, Erfcx].map(each), [1.0, 2.0, 2.0, 2.0]);
+    assert_eq!(scaled([12.0, 15.0]), Some(([1.5, 1.875], 3)));
+    assert_eq!(scaled([f64::MAX, f64::MAX]).map(|s| s.1), Some(1023));
+    assert_eq!([scaled([7.0, 8.0]), scaled([8.0, 16.0])], [None; 2]);
+}
+
+/// Subnormal results are rounded twice: whether there are any is decided by the least value.
+#[test]
+fn subnormal_results_are_noticed() {
+    let way = |lo: f64, hi: f64, exponent| Way {
+        sum: sum(lo, hi, 0.0),
+        inner: None,
+        exponent,
+    };
+    let normal = |lo: f64, n: f64| way(lo, 1e9, Some(n)).is_normal();
+    assert!(normal(1.0, -1021.0) && !normal(1.0, -1022.0) && !normal(1.0, -1023.0));
+    assert!(normal(8.0, -1024.0) && !normal(8.0, -1025.0));
+    assert!(!normal(0.99, -1021.0) && way(1e-320, 1.0, None).is_normal());
+}
+
+/// `2e^{x²}` on both sides of the end of the range, and Maclaurin's series on both sides of where x² is zero.
+#[test]
+fn formulas_at_the_ends_of_the_range() {
+    let of = |function, formula, negative, lo, hi| {
+        let tables = Tables::of_the_solver(function).expect("decided");
+        let ends = [lo, hi];
+        let at = Interval { negative, ends };
+        bound(&tables, function, formula, &at, Rounding::default())
+    };
+    let exponential = |lo, hi| of(Function::Erfcx, Formula::Exponential, true, lo, hi);
+    assert_eq!(exponential(26.6288, 26.6289), Ok((Formula::Overflow, 0.0)));
+    let below = exponential(26.6286, 26.6287).expect("a bound");
+    assert!(
+        below.0 == Formula::Exponential && below.1 < 1.0,
+        "{below:?}"
+    );
+    assert!(exponential(26.6287, 26.6288).is_err());
+    // Where erfcx is not small beside it nothing is had.
+    assert!(exponential(3.0, 3.0001).is_err());
+    for function in [Function::Erf, Function::Dawson] {
+        let near = |lo, hi| of(function, Formula::Near, false, lo * SMALL, hi * SMALL).map(|b| b.1);
+        let [below, across, above] = [near(0.25, 0.5), near(0.5, 2.0), near(1.0, 2.0)];
+        assert!(below.is_ok_and(|b| b < 0.6), "{below:?}");
+        assert_eq!(across.is_err(), above.is_err());
+        assert!(
+            across.is_err() || across.as_ref().is_ok_and(|b| *b < 0.6),
+            "{across:?}"
+        );
+    }
 }
 
 /// Where x C is the least of the numbers whose products are not rounded to multiples of the smallest number.
@@ -220,5 +305,12 @@ fn products_beside_underflow() {
         underflowing(Function::Erf, [1e-310, 1e-309], 1e-17),
         0.5 + (2.8e-17 + 2e-17) * TWO_52
     ));
+    // On both sides of the limit the worse of both counts: with the unit of the least normal numbers.
+    let due = 0.5 + (1.0 + 4.0 * x / TINIEST * 1.54e-17) * 0.25 + part;
+    assert!(near(found(0.5 * x, 2.0 * x), due + 1e-15));
+    // Where t counts all of it.
+    let (lo, hi) = (2.3e-307, 2.4e-307);
+    let unit = power_of_two(exponent(2.3e-307 * 1.128) - 52);
+    assert!(near(found(lo, hi), 0.5 + TINIEST / unit + part + 1e-15));
     assert_eq!(underflowing(Function::Dawson, [1e-310, 1e-309], 1.0), 1e-15);
 }
