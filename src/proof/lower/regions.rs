@@ -3,8 +3,9 @@
 use super::exponential::{Exponential, Factors};
 use super::reflection::{Value, decay, overflows, reflected, reflected_off_zeros};
 use super::rows::{Kind, Rows, disc_at};
+use crate::choice::{SEVERAL, by_centre, choices};
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
-use crate::cover::{Rectangle, pieces};
+use crate::cover::Rectangle;
 use crate::exact::Exact;
 use crate::formula::offsets;
 use crate::interval::{down, hypot_up, worst};
@@ -127,14 +128,6 @@ fn rank(b: Branch) -> Option<usize> {
     })
 }
 
-/// Whether no third formula comes between the two, which are those at two opposite corners, away from lines.
-fn follows(first: Branch, second: Branch) -> bool {
-    let strip = |b: Branch| matches!(b, Branch::Strip { .. } | Branch::RealLine { .. });
-    let far = matches!(first, Branch::Asymptotic { terms: 26 });
-    let gap = if far && !strip(second) { 2 } else { 1 };
-    matches!((rank(first), rank(second)), (Some(p), Some(q)) if q == p + gap)
-}
-
 /// The formulas that the code may use on a rectangle of `a − i b`, each with its piece; none where w overflows.
 ///
 /// As above the axis: the choice is made by |z|² and by lines.
@@ -143,48 +136,13 @@ pub(super) fn regions(
     at: &Rectangle,
 ) -> Result<Vec<(Rectangle, Region)>, &'static str> {
     let mut out = Vec::new();
-    let [re, im] = at.lines();
-    let side =
-        |lines: &'static [f64]| move |x: f64| lines.iter().filter(|line| x >= **line).count();
-    for (a, _) in pieces(at.a, side(re)) {
-        for (b, _) in pieces(at.b, side(im)) {
-            let piece = Rectangle { a, b };
-            let (p, q) = ((code.formula)(a[0], b[0]), (code.formula)(a[1], b[1]));
-            if p != q && !follows(p, q) {
-                return Err("several formulas");
-            }
-            with_rows(code, &piece, p, &mut out)?;
-            if p != q {
-                with_rows(code, &piece, q, &mut out)?;
-            }
-            if out.len() > MANY {
-                return Err("several formulas");
-            }
-        }
+    for (piece, branch) in choices(at, code.formula, rank)? {
+        with_rows(code, &piece, branch, &mut out)?;
     }
-    Ok(out)
-}
-
-/// Pieces of a rectangle, each with the centre of its row.
-type WithCentres = Vec<(Rectangle, (f64, f64))>;
-
-/// The pieces of a rectangle by the centres of its rows.
-fn by_centre(
-    at: &Rectangle,
-    centre: impl Fn(f64, f64) -> (f64, f64),
-) -> Result<WithCentres, &'static str> {
-    let columns = pieces(at.a, |a| centre(a, at.b[0]).0);
-    let rows = pieces(at.b, |b| centre(at.a[0], b).1);
-    if columns.len() * rows.len() > MANY {
-        return Err("several cells");
+    match out.len() > MANY {
+        true => Err(SEVERAL),
+        false => Ok(out),
     }
-    let mut out = Vec::new();
-    for &(a, x) in &columns {
-        for &(b, y) in &rows {
-            out.push((Rectangle { a, b }, (x, y)));
-        }
-    }
-    Ok(out)
 }
 
 fn with_rows(
@@ -202,12 +160,12 @@ fn with_rows(
     match branch {
         Branch::Maclaurin { terms } => out.push((*at, Region::Maclaurin { terms })),
         Branch::LowerCell { .. } => {
-            for (at, centre) in by_centre(at, |a, b| disc_at(a, b).0)? {
+            for (at, centre) in by_centre(at, |a, b| disc_at(a, b).0) {
                 out.push((at, Region::Disc { centre }));
             }
         }
         Branch::RealAxis { .. } => {
-            for (at, (centre, _)) in by_centre(at, |a, _| (real_axis_at(a).0, 0.0))? {
+            for (at, (centre, _)) in by_centre(at, |a, _| (real_axis_at(a).0, 0.0)) {
                 out.push((at, Region::RealAxis { centre }));
             }
         }
@@ -218,7 +176,7 @@ fn with_rows(
                 out.push((*at, Region::Dominated));
             }
             if !dominated {
-                for (at, centre) in by_centre(at, |a, b| cell_at(a, b).0)? {
+                for (at, centre) in by_centre(at, |a, b| cell_at(a, b).0) {
                     out.push((at, Region::Cell { centre }));
                 }
             }

@@ -154,18 +154,18 @@ fn neighbours_along_the_rings() {
     ];
     for (i, p) in rings.iter().enumerate() {
         for (j, q) in rings.iter().enumerate() {
-            assert_eq!(follows([*p, *q]), j == i + 1, "{p:?} {q:?}");
+            assert_eq!(follows([*p, *q], rank), j == i + 1, "{p:?} {q:?}");
         }
     }
     for beside in [strip, line] {
         assert!(
-            follows([series(26), beside])
-                && follows([axis, beside])
-                && follows([beside, series(14)])
+            follows([series(26), beside], rank)
+                && follows([axis, beside], rank)
+                && follows([beside, series(14)], rank)
         );
-        assert!(!follows([cell, beside]) && !follows([beside, series(6)]));
+        assert!(!follows([cell, beside], rank) && !follows([beside, series(6)], rank));
     }
-    assert!(!follows([axis, series(14)]) && follows([cell, axis]));
+    assert!(!follows([axis, series(14)], rank) && follows([cell, axis], rank));
     let wide = Rectangle {
         a: [0.01, 9.0],
         b: [0.01, 9.0],

@@ -1,10 +1,13 @@
 use super::*;
+use crate::choice::follows;
 use crate::interval::sum_up;
 use crate::lower::exponential::U;
 use crate::pinned::as_proved;
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::faddeeva;
 use num_complex::Complex;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use rug::Float;
 use std::sync::LazyLock;
 
@@ -172,18 +175,22 @@ fn neighbours_along_the_rings() {
     ];
     for (i, p) in rings.iter().enumerate() {
         for (j, q) in rings.iter().enumerate() {
-            assert_eq!(follows(*p, *q), j == i + 1, "{p:?} {q:?}");
+            assert_eq!(follows([*p, *q], rank), j == i + 1, "{p:?} {q:?}");
         }
     }
     let strip = (CODE.formula)(9.5, 1e-4);
     let line = (CODE.formula)(12.0, 1e-12);
     let axis = (CODE.formula)(3.0, 0.01);
     // Away from the strip 14 terms follow 26; beside it the strip does.
-    assert!(follows(series(26), series(14)) && follows(series(14), series(6)));
-    assert!(follows(series(26), strip) && follows(axis, strip) && follows(axis, line));
-    assert!(follows(strip, series(14)) && follows(line, series(14)));
-    assert!(!follows(series(26), series(6)) && !follows(axis, series(14)));
-    assert!(follows(series(6), Branch::Huge) && !follows(series(14), Branch::Huge));
+    assert!(follows([series(26), series(14)], rank) && follows([series(14), series(6)], rank));
+    assert!(
+        follows([series(26), strip], rank)
+            && follows([axis, strip], rank)
+            && follows([axis, line], rank)
+    );
+    assert!(follows([strip, series(14)], rank) && follows([line, series(14)], rank));
+    assert!(!follows([series(26), series(6)], rank) && !follows([axis, series(14)], rank));
+    assert!(follows([series(6), Branch::Huge], rank) && !follows([series(14), Branch::Huge], rank));
     assert_eq!(rank(Branch::Asymptotic { terms: 3 }), None);
     // Too many of them on one rectangle.
     let wide = Rectangle {
@@ -191,16 +198,6 @@ fn neighbours_along_the_rings() {
         b: [0.01, 9.0],
     };
     assert!(regions(&CODE, &wide).is_err());
-    assert!(
-        by_centre(
-            &Rectangle {
-                a: [0.0, 3.0],
-                b: [0.0, 3.0]
-            },
-            |a, b| cell_at(a, b).0
-        )
-        .is_err()
-    );
     let few = by_centre(
         &Rectangle {
             a: [2.9, 3.3],
@@ -208,7 +205,6 @@ fn neighbours_along_the_rings() {
         },
         |a, b| cell_at(a, b).0,
     );
-    let few = few.expect("few");
     assert!(
         few.len() > 1
             && few
@@ -287,3 +283,155 @@ const PROVED: [(&str, f64); 16] = [
     ("14 terms, both terms", 5.934774755e-1),
     ("6 terms, both terms", 5.031198969e-1),
 ];
+
+/// What the code uses at `a − ib`, or may use where rounding decides.
+fn at_point(a: f64, b: f64) -> Vec<Region> {
+    // Of e^{−z²}: it is below e^{−d}.
+    let d = a * a - b * b;
+    let limit = CODE.limits.dominant;
+    let room = 1e-9;
+    match (CODE.formula)(a, b) {
+        Branch::Maclaurin { terms } => vec![Region::Maclaurin { terms }],
+        Branch::LowerCell { .. } => vec![Region::Disc {
+            centre: disc_at(a, b).0,
+        }],
+        Branch::RealAxis { .. } => vec![Region::RealAxis {
+            centre: real_axis_at(a).0,
+        }],
+        Branch::Strip { .. } => vec![Region::Strip],
+        Branch::RealLine { .. } => vec![Region::RealLine],
+        Branch::Cell { .. } => {
+            let cell = Region::Cell {
+                centre: cell_at(a, b).0,
+            };
+            let mut all = Vec::new();
+            if d.abs() > limit - room {
+                all.push(Region::Dominated);
+            }
+            if d.abs() < limit + room {
+                all.push(cell);
+            }
+            all
+        }
+        Branch::Asymptotic { terms } if terms == 26 && d > limit + room => vec![Region::Dominated],
+        // w overflows.
+        Branch::Asymptotic { .. } if d < -708.0 => vec![],
+        Branch::Asymptotic { terms } => vec![Region::Asymptotic { terms }],
+        Branch::Huge => vec![],
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Wherever the code takes a formula, that is among the regions, on a piece with the point.
+#[test]
+fn the_formula_of_each_point_is_among_the_regions() {
+    let mut random = ChaCha8Rng::seed_from_u64(12);
+    let mut uniform = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
+    let (mut known, mut refused, mut several) = (0, 0, 0);
+    for k in 0..6000 {
+        let mut coordinate = || match uniform() < 0.5 {
+            true => 14.0 * uniform(),
+            false => 2f64.powf(-40.0 + 46.0 * uniform()),
+        };
+        let (x, y) = (coordinate(), coordinate());
+        let side = 2f64.powf(-7.0 + 7.0 * uniform());
+        let long = |c: f64| [c, c + side * c.max(1e-3)];
+        let at = match k % 8 {
+            0 => Rectangle {
+                a: [0.0, x],
+                b: long(y),
+            },
+            _ => Rectangle {
+                a: long(x),
+                b: long(y),
+            },
+        };
+        let Ok(all) = regions(&CODE, &at) else {
+            refused += 1;
+            continue;
+        };
+        known += 1;
+        several += usize::from(all.len() > 2);
+        assert!(all.len() <= MANY);
+        let mut within = |[lo, hi]: [f64; 2], end: usize| match end {
+            0 => lo,
+            1 => hi,
+            _ => (lo + (hi - lo) * uniform()).clamp(lo, hi),
+        };
+        for n in 0..24 {
+            let (a, b) = (within(at.a, n % 3), within(at.b, n / 3 % 3));
+            for due in at_point(a, b) {
+                let holds = |p: &Rectangle| {
+                    (p.a[0]..=p.a[1]).contains(&a) && (p.b[0]..=p.b[1]).contains(&b)
+                };
+                let found = all.iter().any(|(p, r)| *r == due && holds(p));
+                assert!(found, "{at:?} {a} {b} {due:?} {all:?}");
+            }
+        }
+    }
+    assert!(
+        known > 2000 && refused > 500 && several > 200,
+        "{known} {refused} {several}"
+    );
+}
+
+/// `|w(z)|`, or `|w(−z)|` for what is reflected, is within what each formula gives on each way.
+#[test]
+fn values_are_enclosed() {
+    for (a, b, side) in [
+        (0.001, 0.002, 1e-4),
+        (0.1, 0.3, 1e-3),
+        (0.61, 0.68, 1e-3),
+        (0.68, 0.61, 1e-3),
+        (3.01, 2.26, 1e-3),
+        (3.0, 0.01, 1e-3),
+        (6.5, 6.4, 1e-3),
+        (9.5, 1e-4, 1e-5),
+        (12.0, 1e-12, 1e-13),
+        (12.0, 12.01, 1e-3),
+        (40.0, 40.01, 1e-3),
+    ] {
+        let at = square(a, b, side);
+        let all = regions(&CODE, &at).expect("few");
+        assert!(!all.is_empty());
+        for (piece, region) in all {
+            for (x, y) in [
+                (piece.a[0], piece.b[0]),
+                (piece.a[0], piece.b[1]),
+                (piece.a[1], piece.b[0]),
+            ] {
+                let sign = if region.is_reflected() { 1.0 } else { -1.0 };
+                let w = w_f64(x, sign * y, 60).expect("decided");
+                let size = f64::hypot(w.re.mid().to_f64(), w.im.mid().to_f64());
+                let room = 1e-13 * size;
+                for v in values(&CODE, region, &piece).expect("a value") {
+                    let inside = v.least <= size + room && size - room <= v.most;
+                    assert!(inside, "{region:?} {piece:?} {size} {v:?}");
+                    assert!(v.most < 1.1 * v.least, "{region:?} {v:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Nine terms on the imaginary axis have a way of their own, and a series leaves out what follows its last term.
+#[test]
+fn maclaurin_series_below_the_axis() {
+    let of = |terms, a: [f64; 2], b: [f64; 2]| {
+        let at = Rectangle { a, b };
+        values(&CODE, Region::Maclaurin { terms }, &at).expect("a value")
+    };
+    let few = [1e-3, 2e-3];
+    assert_eq!(of(9, [0.0, 1e-3], few).len(), 2);
+    assert_eq!(of(9, few, few).len(), 1);
+    assert_eq!(of(21, [0.0, 1e-3], few).len(), 1);
+    for terms in [9, 21] {
+        let left = truncation::maclaurin(terms - 1, f64::hypot(0.2, 0.95)).norm;
+        let found = of(terms, [0.2, 0.2], [0.95, 0.95])[0].error;
+        assert!(left > 1e-14 && found >= left * (1.0 - 1e-12));
+        assert!(
+            found <= left * (1.0 + 1e-12) + 1e-14,
+            "{terms} {left:e} {found:e}"
+        );
+    }
+}
