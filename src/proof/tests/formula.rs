@@ -1,4 +1,10 @@
 use super::*;
+use crate::code::Code;
+use mechaudit_solvers::faddeeva::faddeeva;
+use num_complex::Complex;
+use std::sync::LazyLock;
+
+static TABLES: LazyLock<Tables> = LazyLock::new(|| Code::of_the_solver().expect("decided").tables);
 
 fn near(x: f64, due: f64) -> bool {
     x >= due * (1.0 - 1e-12) && x <= due * (1.0 + 1e-9)
@@ -33,6 +39,8 @@ fn distances_that_are_rounded_are_refused() {
     assert!(of([0.25, 3.0], 1.25).is_err());
     assert!(of([0.25, 1.5], 1.25).is_err() && of([0.5, 0.75], 1.75).is_err());
     assert_eq!(of([1.25, 1.25], 1.25), Ok(([0.0, 0.0], -52)));
+    assert_eq!(of([4.0, 4.5], 3.75), Ok(([0.25, 0.75], -51)));
+    assert!(of([1.25, 3.5], 1.25).is_err());
     assert_eq!(of([1e-9, 0.5], 0.0), Ok(([1e-9, 0.5], grain_of(1e-9))));
     // All numbers of them: no difference is rounded.
     assert_eq!(of([1.1, 2.0], 3.0).map(|t| t.1), Ok(-52));
@@ -66,6 +74,11 @@ fn components_in_units_of_their_least_value() {
     assert_eq!(of(&part(0.0, 0.0, 0.0), 0.5, 1.0), (0.0, f64::INFINITY));
     assert_eq!(of(&part(0.0, 0.0, u), 0.0, 1.0).0, f64::INFINITY);
     assert!(of(&part(1.0, 1.0, 0.0), 0.5, 1.0).0 > 1e14);
+    // Below one unit of the normal numbers as well.
+    let (units, _) = of(&part(0.26, 0.5, 0.25 * u), 0.0, 0.0);
+    assert!(near(units, 1.0));
+    let (units, _) = of(&part(1e-310, 2e-310, 2f64.powi(-1074)), 0.0, 0.0);
+    assert!(near(units, 1.0));
     // Beside the factor σ: a part of the value is at most as many units of 2⁻⁵³, or by the least value.
     let small = Tracks {
         small: true,
@@ -217,4 +230,212 @@ fn norms_from_components() {
         [worst.norm, worst.re, worst.im, worst.tiny],
         [9.0, found.re, 9.0, found.tiny]
     );
+}
+
+/// Which formula has a row, which coordinate is a factor, and which terms serve on the axis.
+#[test]
+fn formulas_and_their_rows() {
+    let centre = (1.5, 2.0);
+    assert_eq!(Formula::Cell { centre }.centre(), Some(centre));
+    let (re, im) = (
+        Formula::RealAxis { centre: 3.0 },
+        Formula::ImaginaryAxis { centre: 2.5 },
+    );
+    assert_eq!(
+        [re.centre(), im.centre()],
+        [Some((3.0, 0.0)), Some((0.0, 2.5))]
+    );
+    assert_eq!(Formula::Strip.centre(), None);
+    let on_axis = |terms| Formula::of(Branch::Asymptotic { terms }, true);
+    for (terms, due) in [(26, 26), (14, 14), (6, 6), (4, 6), (2, 6)] {
+        assert_eq!(
+            on_axis(terms),
+            Some(Formula::AsymptoticOnAxis { terms: due })
+        );
+    }
+    let square = Rectangle {
+        a: [8.0, 8.1],
+        b: [9.0, 9.1],
+    };
+    let narrow = Rectangle {
+        a: [8.0, 8.1],
+        b: [1e-9, 1.0],
+    };
+    let at = |formula| small(formula, &square);
+    assert_eq!(at(Formula::Cell { centre: (0.0, 3.0) }), [true, false]);
+    assert_eq!(at(Formula::Cell { centre }), [false, false]);
+    assert_eq!(at(Formula::Maclaurin { terms: 9 }), [true, false]);
+    let series = Formula::Asymptotic { terms: 6 };
+    assert_eq!(
+        [at(series), small(series, &narrow)],
+        [[false, false], [false, true]]
+    );
+    assert_eq!(
+        [at(Formula::Strip), at(Formula::RealLine)],
+        [[false, true]; 2]
+    );
+    let others = [
+        re,
+        im,
+        Formula::MaclaurinOnAxis,
+        Formula::AsymptoticOnAxis { terms: 6 },
+    ];
+    assert_eq!(others.map(at), [[false, false]; 4]);
+}
+
+/// The formula without rounding is w but for its truncation, at corners of rectangles with and without a small
+/// coordinate.
+#[test]
+fn values_are_enclosed() {
+    let narrow = [1e-3, 0.9];
+    let all = [
+        (Formula::Maclaurin { terms: 9 }, [1e-3, 2e-3], [1e-3, 3e-3]),
+        (Formula::Maclaurin { terms: 21 }, [0.1, 0.12], [0.3, 0.32]),
+        (Formula::MaclaurinOnAxis, [0.0; 2], [1e-3, 3e-3]),
+        (
+            Formula::Cell { centre: (1.5, 1.5) },
+            [1.53, 1.54],
+            [1.55, 1.56],
+        ),
+        (
+            Formula::Cell { centre: (0.0, 3.0) },
+            [1e-3, 0.1],
+            [3.05, 3.06],
+        ),
+        (
+            Formula::RealAxis { centre: 3.0 },
+            [3.001, 3.002],
+            [0.01, 0.02],
+        ),
+        (
+            Formula::ImaginaryAxis { centre: 3.0 },
+            [0.0; 2],
+            [3.01, 3.02],
+        ),
+        (Formula::Strip, [9.5, 9.501], [1e-5, 1e-4]),
+        (Formula::RealLine, [12.0, 12.001], [1e-12, 1e-10]),
+        (Formula::Asymptotic { terms: 26 }, [7.5, 8.5], narrow),
+        (Formula::Asymptotic { terms: 26 }, narrow, [7.5, 8.5]),
+        (Formula::Asymptotic { terms: 14 }, [12.0, 12.1], [3.0, 3.1]),
+        (Formula::Asymptotic { terms: 6 }, [40.0, 60.0], narrow),
+        (Formula::Asymptotic { terms: 4 }, narrow, [200.0, 300.0]),
+        (Formula::Asymptotic { terms: 2 }, [5e4, 9e4], [5e4, 9e4]),
+        (
+            Formula::AsymptoticOnAxis { terms: 26 },
+            [0.0; 2],
+            [7.5, 7.6],
+        ),
+        (
+            Formula::AsymptoticOnAxis { terms: 14 },
+            [0.0; 2],
+            [12.0, 12.1],
+        ),
+        (
+            Formula::AsymptoticOnAxis { terms: 6 },
+            [0.0; 2],
+            [200.0, 210.0],
+        ),
+    ];
+    for (formula, a, b) in all {
+        let at = Rectangle { a, b };
+        let (ways, t) = run(&TABLES, formula, &at, Rounding::default()).expect("a value");
+        for (x, y) in [(a[0], b[0]), (a[0], b[1]), (a[1], b[0]), (a[1], b[1])] {
+            let w = faddeeva(Complex::new(x, y));
+            let room = 1e-13 * w.norm() + t.norm;
+            let [re, im] = small(formula, &at);
+            let factor = match (re, im) {
+                (true, _) => x,
+                (_, true) => y,
+                _ => 1.0,
+            };
+            let holds = |r: &Tracks, w: f64| {
+                let w = if r.small { w / factor } else { w };
+                let room = if r.small { room / factor } else { room };
+                r.exact.lo - room <= w && w <= r.exact.hi + room
+            };
+            let inside = ways.iter().any(|[p, q]| holds(p, w.re) && holds(q, w.im));
+            assert!(inside, "{formula:?} {x} {y} {w} {ways:?}");
+        }
+    }
+}
+
+/// What a formula leaves out, by its terms and at its farthest point.
+#[test]
+fn truncations_of_formulas() {
+    let of = |formula, a, b| {
+        let at = Rectangle { a, b };
+        run(&TABLES, formula, &at, Rounding::default())
+            .expect("a value")
+            .1
+    };
+    let near = |x: f64, due: f64| x >= due && x <= due * (1.0 + 1e-12);
+    let far = [0.9, 0.95];
+    let found = of(Formula::MaclaurinOnAxis, [0.0; 2], far);
+    assert_eq!(found.norm, truncation::maclaurin(8, 0.95).norm);
+    let size = f64::hypot(0.3, 0.95);
+    for terms in [9, 21] {
+        let found = of(Formula::Maclaurin { terms }, [0.2, 0.3], far);
+        assert!(near(
+            found.norm,
+            truncation::maclaurin(terms - 1, size).norm
+        ));
+    }
+    // Off the imaginary axis a cell's components have no better bound than the norm.
+    let found = of(
+        Formula::Cell { centre: (1.5, 1.5) },
+        [1.53, 1.54],
+        [1.55, 1.56],
+    );
+    assert_eq!(found.im, found.norm);
+    let found = of(
+        Formula::Cell { centre: (0.0, 3.0) },
+        [1e-3, 0.1],
+        [3.05, 3.06],
+    );
+    let (_, errors) = TABLES.cell((0.0, 3.0)).expect("a row");
+    let within = errors.within(0.1, 3.06 - 3.0);
+    assert!(found.im == within.im && found.norm == within.norm && found.im != found.norm);
+}
+
+/// A row whose zeros are not stored as zero has no symmetry.
+#[test]
+fn rows_that_are_not_symmetric_are_refused() {
+    let centre = (0.0, 3.0);
+    let at = Rectangle {
+        a: [1e-3, 0.1],
+        b: [3.05, 3.06],
+    };
+    let of = |tables: &Tables| bound(tables, Formula::Cell { centre }, &at, Rounding::default());
+    assert!(of(&TABLES).is_ok());
+    let mut tables = TABLES.clone();
+    tables.change_cell(centre, |row| {
+        let zero = row.iter_mut().find(|c| **c == 0.0).expect("a zero");
+        *zero = 1e-40;
+    });
+    assert!(of(&tables).is_err());
+}
+
+/// Bounds of scaled rectangles are kept by all four ends.
+#[test]
+fn scaled_bounds_are_of_their_rectangle() {
+    let ends =
+        [[1.0, 1.1], [1.0, 1.2], [1.05, 1.1], [0.9, 1.1]].map(|e| e.map(|x| x * 2f64.powi(665)));
+    let of = |tables: &Tables, at: &Rectangle| {
+        bound(tables, Formula::Huge, at, Rounding::default()).expect("a bound")
+    };
+    let long = [1.5, 1.6].map(|x| x * 2f64.powi(665));
+    let mut kept = TABLES.clone();
+    kept.scaled = Default::default();
+    for short in ends {
+        for at in [
+            Rectangle { a: long, b: short },
+            Rectangle { a: short, b: long },
+        ] {
+            let mut tables = kept.clone();
+            tables.scaled = Default::default();
+            assert_eq!(of(&kept, &at), of(&tables, &at), "{at:?}");
+            // Once more, from what is kept.
+            assert_eq!(of(&kept, &at), of(&tables, &at));
+        }
+    }
 }

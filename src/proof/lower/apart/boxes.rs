@@ -5,11 +5,13 @@
 
 use super::super::reflection::{decay, exponential, least_of_w};
 use crate::cover::Rectangle;
-use crate::interval::{hypot_down, hypot_up, quotient_up, up};
+use crate::interval::{hypot_down, hypot_up, up};
 use mechaudit_reference::{Ball, ComplexBall, Mag, faddeeva};
 
 /// Above `√126`.
 const REACH: f64 = 11.25;
+/// Below `1/(8R)`.
+const NEAR: f64 = 0.0108;
 /// More zeros than there are: `|z_22|² > 130`.
 const ZEROS: u32 = 22;
 const DEPTH: u32 = 40;
@@ -24,11 +26,16 @@ fn is_off(z: &ComplexBall) -> bool {
 
 /// Whether the rectangle is within `1/(8R)` of one of the zeros.
 fn is_beside(at: &Rectangle, zeros: &[(f64, f64)]) -> bool {
-    let most = quotient_up(1.0, up(8.0 * 11.5)).min(0.0108);
     zeros.iter().any(|&(x, y)| {
         let far = |[lo, hi]: [f64; 2], c: f64| up(hi - c).abs().max(up(c - lo).abs());
-        up(hypot_up(far(at.a, x), far(at.b, y)) + 1e-12) < most
+        up(hypot_up(far(at.a, x), far(at.b, y)) + 1e-12) < NEAR
     })
+}
+
+/// Whether `2|e^{−z²}|` is larger than `|w(−z)| ≤ 1` all over the rectangle, with room to spare.
+fn is_large(at: &Rectangle) -> bool {
+    let d = decay(at);
+    exponential([d.lo, d.hi])[0] > 3.0
 }
 
 fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, String> {
@@ -37,10 +44,7 @@ fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, Strin
     if far < 1.0 || near > REACH {
         return Ok(0);
     }
-    let d = decay(&at);
-    // |w(−z)| ≤ 1.
-    let large = exponential([d.lo, d.hi])[0] > 3.0;
-    if large || least_of_w(&at) > 1e-9 || is_beside(&at, zeros) {
+    if is_large(&at) || least_of_w(&at) > 1e-9 || is_beside(&at, zeros) {
         return Ok(1);
     }
     if depth == DEPTH {
@@ -63,17 +67,25 @@ pub(super) fn all() -> Result<usize, String> {
     let zeros: Result<Vec<ComplexBall>, String> = (1..=ZEROS)
         .map(|k| faddeeva::zero(k, 160).map_err(|e| e.to_string()))
         .collect();
-    let zeros = zeros?;
-    if let Some(z) = zeros.iter().find(|z| !is_off(z)) {
-        return Err(format!("a zero next to an f64: {z:?}"));
-    }
+    count(WHOLE, 0, &places(&zeros?)?)
+}
+
+const WHOLE: Rectangle = Rectangle {
+    a: [0.0, REACH],
+    b: [0.0, REACH],
+};
+
+/// Zeros as `Re z` and `−Im z`.
+///
+/// # Errors
+/// If one is next to an `f64`.
+fn places(zeros: &[ComplexBall]) -> Result<Vec<(f64, f64)>, String> {
     let at = |x: &Ball| x.mid().to_f64();
-    let near: Vec<_> = zeros.iter().map(|z| (at(&z.re), -at(&z.im))).collect();
-    let whole = Rectangle {
-        a: [0.0, REACH],
-        b: [0.0, REACH],
+    let place = |z: &ComplexBall| match is_off(z) {
+        true => Ok((at(&z.re), -at(&z.im))),
+        false => Err(format!("a zero next to an f64: {z:?}")),
     };
-    count(whole, 0, &near)
+    zeros.iter().map(place).collect()
 }
 
 #[cfg(test)]

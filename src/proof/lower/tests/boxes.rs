@@ -20,6 +20,7 @@ fn zeros_next_to_numbers_are_found() {
         Ball::exact(300, x).widened(Mag::ZERO) + Ball::integer(300, 1).shift(off)
     };
     let ball = |p: i32, q: i32| ComplexBall::new(number(2.0, p), number(-1.5, q));
+    assert!(!is_off(&ball(-100, -100)));
     assert!(!is_off(&ball(-101, -101)) && !is_off(&ball(-200, -110)));
     assert!(is_off(&ball(-99, -101)) && is_off(&ball(-101, -99)));
     // Known to too few digits it may be next to one.
@@ -34,7 +35,6 @@ fn zeros_next_to_numbers_are_found() {
 #[test]
 fn rectangles_beside_a_zero() {
     let zeros = [(2.0, 1.5), (5.0, 4.0)];
-    let reach = 0.0108;
     for (x, y) in zeros {
         assert!(is_beside(&square(x - 0.004, y - 0.004, 0.008), &zeros));
         // Its farthest corner counts.
@@ -52,7 +52,7 @@ fn rectangles_beside_a_zero() {
         }
     }
     assert!(!is_beside(&square(3.0, 1.5, 0.001), &zeros));
-    assert!(reach <= 1.0 / (8.0 * 11.5) && 8.0 * (REACH + reach) * reach <= 1.0);
+    assert!(8.0 * (REACH + NEAR) * NEAR <= 1.0 && 8.0 * 11.5 * NEAR <= 1.0);
 }
 
 /// Squares without a zero, one around a known zero, and one around a zero that is not given.
@@ -69,12 +69,31 @@ fn a_zero_that_is_left_out_stays_open() {
     // Inside the unit circle and beyond the last one nothing has to be shown.
     assert_eq!(count(square(0.1, 0.1, 0.5), 0, &[]), Ok(0));
     assert_eq!(count(square(8.0, 8.0, 0.5), 0, &[]), Ok(0));
-    // Across the circle something has.
+    // Across the circle something has, by the farthest corner; beyond by the nearest.
+    let flat = |a, b| count(Rectangle { a, b }, 0, &[]).expect("proved");
+    let (long, short) = ([0.1, 1.2], [0.1, 0.2]);
+    assert!(flat(long, short) > 0 && flat(short, long) > 0);
+    let long = [11.0, 12.0];
+    assert!(flat(long, short) > 0 && flat(short, long) > 0);
     assert!(count(square(0.7, 0.7, 0.1), 0, &[]).expect("proved") > 0);
-    // Where 2e^{−z²} is larger than any w(−z).
+    // Where 2e^{−z²} is larger than any w(−z): all over the rectangle.
+    assert!(is_large(&square(0.5, 9.0, 0.3)) && !is_large(&square(1.0, 1.0, 1.0)));
     assert_eq!(count(square(0.5, 9.0, 0.3), 0, &[]), Ok(1));
     // The last of the zeros is beyond the circle.
     let last = zero(ZEROS);
     assert!(last.norm_sqr().lower() > 130 && REACH * REACH > 126.0);
     assert!(zero(ZEROS - 2).norm_sqr().lower() > 112);
+}
+
+/// The whole is the disc, and zeros are given below the axis.
+#[test]
+fn the_whole_and_its_zeros() {
+    assert_eq!([WHOLE.a, WHOLE.b], [[0.0, REACH]; 2]);
+    let z = zero(1);
+    let found = places(&[zero(2), z.clone()]).expect("off");
+    assert_eq!(found[1], (z.re.mid().to_f64(), -z.im.mid().to_f64()));
+    assert!(found[0].0 > found[1].0 && found.iter().all(|(x, y)| *x > 0.0 && *y > 0.0));
+    let number = |x: f64| Ball::exact(300, x);
+    let next = ComplexBall::new(number(2.0), number(-1.5));
+    assert!(places(&[z, next]).is_err());
 }
