@@ -102,3 +102,7 @@ pub(crate) static MACLAURIN: LazyLock<Vec<Constant>> = LazyLock::new(|| {
     all.dedup_by(|a, b| a.stored.abs() == b.stored.abs());
     all
 });
+
+#[cfg(test)]
+#[path = "tests/constants.rs"]
+mod tests;

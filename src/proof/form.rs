@@ -304,9 +304,6 @@ pub(crate) fn quotient(x: &Form, y: &Form) -> Option<Form> {
 
 /// The exponent of the spacing of numbers from `x ≥ 0` on: all of them are multiples of `2^` of it.
 pub(crate) fn grain_of(x: f64) -> i32 {
-    if x == 0.0 {
-        return -1074;
-    }
     (exponent(x) - 52).max(-1074)
 }
 
@@ -315,13 +312,9 @@ fn grain_of_point(x: f64) -> i32 {
     if x == 0.0 || !x.is_finite() {
         return grain_of(x.abs());
     }
-    let bits = x.to_bits() & ((1 << 52) - 1);
-    let significand = if x.is_subnormal() {
-        bits
-    } else {
-        bits | 1 << 52
-    };
-    grain_of(x.abs()) + significand.trailing_zeros() as i32
+    // The leading bit of a normal number is not stored; it ends the count.
+    let zeros = (x.to_bits() | 1 << 52).trailing_zeros();
+    grain_of(x.abs()) + zeros as i32
 }
 
 /// The error of one rounding of the number that `form` encloses, in units of s, and the part of it that is

@@ -82,16 +82,18 @@ pub(super) fn least_of_w(at: &Rectangle) -> f64 {
     let d = hypot_up(far(at.a, a), far(at.b, b));
     let r = hypot_up(at.a[1], at.b[1]);
     let Ok(w) = w_f64(a, -b, 60) else { return 0.0 };
-    let size = |f: fn(&Ball) -> f64| [f(&w.re), f(&w.im)];
-    let [p, q] = size(|x| down(x.mignitude().to_f64()));
-    let [s, t] = size(above);
+    let [size, largest] = sizes([&w.re, &w.im]);
     let turn = product_up(product_up(2.0, r), d);
-    let most = quotient_up(
-        sum_up(hypot_up(s, t), product_up(1.13, d)),
-        down(1.0 - turn),
-    );
+    let most = quotient_up(sum_up(largest, product_up(1.13, d)), down(1.0 - turn));
     let slope = sum_up(product_up(product_up(2.0, r), most), 1.13);
-    down(hypot_down(p, q) - product_up(d, slope)).max(0.0)
+    down(size - product_up(d, slope)).max(0.0)
+}
+
+/// Bounds of the absolute value of a number, from below and above.
+fn sizes(parts: [&Ball; 2]) -> [f64; 2] {
+    let [p, q] = parts.map(|x| down(x.mignitude().to_f64()));
+    let [s, t] = parts.map(above);
+    [hypot_down(p, q), hypot_up(s, t)]
 }
 
 /// The bound of [`reflected`] where |w| is known to be larger than the code makes sure.

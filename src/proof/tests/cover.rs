@@ -326,3 +326,23 @@ fn pieces_of_steps() {
     assert_eq!(pieces([3.0, 3.0], |x| x as u8), [([3.0, 3.0], 3)]);
     assert_eq!(pieces([1.0, 2.0], |_| 7), [([1.0, 2.0], 7)]);
 }
+
+/// The largest coordinate of both corners has one power of two, and ends that are rounded are rounded outwards.
+#[test]
+fn scaled_ends_are_rounded_outwards() {
+    let of = |a, b| Rectangle { a, b }.scaled();
+    assert!(of([1.0, 1.5], [0.5, 2.5]).is_none() && of([0.5, 2.5], [1.0, 1.5]).is_none());
+    assert!(of([1.0, 1.5], [0.5, 0.75]).is_some() && of([0.5, 0.75], [1.0, 1.5]).is_some());
+    let big = 2f64.powi(1010);
+    let odd = 2f64.next_down() * 2f64.powi(-30);
+    let found = of([big, big], [odd, odd]).expect("one power of two");
+    assert_eq!(found.a, [1.0, 1.0]);
+    let exact = rug::Rational::from_f64(odd).expect("finite") >> 1010u32;
+    let [lo, hi] = found.b.map(|x| rug::Rational::from_f64(x).expect("finite"));
+    assert!(lo < exact && exact < hi);
+    let least = f64::from_bits(1);
+    assert_eq!(
+        of([big, big], [least, least]).map(|r| r.b),
+        Some([0.0, least])
+    );
+}

@@ -617,6 +617,62 @@ fn evaluations_are_apart() {
     );
 }
 
+/// A fast sum of what may be out of order is the sum, and its second part is off.
+#[test]
+fn a_fast_sum_out_of_order_is_a_sum() {
+    let of = |b: [f64; 2]| {
+        only(|| {
+            let (x, y) = (Tracked::input(0, [1.0, 1.001]), Tracked::input(1, b));
+            let (s, e) = x.fast_two_sum(y);
+            [s.result(), s.exact_sum(e)]
+        })
+    };
+    let [sum, both] = of([0.5, 2.0]);
+    assert!(
+        sum.exact.lo <= 1.5 && sum.exact.hi >= 3.001 && sum.exact.hi < 3.01,
+        "{sum:?}"
+    );
+    assert!(both.error > 1e-17);
+    assert!(of([0.5, 0.9])[1].error < 1e-30);
+    let [sum, both] = only(|| {
+        let (s, e) = x_of(0.0).fast_two_sum(Tracked::input(1, [0.5, 2.0]));
+        [s.result(), s.exact_sum(e)]
+    });
+    assert!(sum.error == 0.0 && both.error == 0.0 && sum.exact.hi <= 2.0);
+}
+
+/// The error of a product is a multiple of the product of both grids: of a number, or rounded to one.
+#[test]
+fn errors_of_products_on_the_finest_grid() {
+    let lost = |k: i32| {
+        only(|| {
+            let x = Tracked::input(0, [1.0, 1.1]);
+            let scale = 2f64.powi(k);
+            let (_, lost) = x.two_prod(Tracked::input(1, [scale, 1.1 * scale]));
+            lost.result().tiny
+        })
+    };
+    assert_eq!([lost(-969), lost(-970)], [0.0; 2]);
+    assert!(lost(-971) >= 1.0);
+}
+
+/// The absolute value of what may have either sign begins at zero, and its errors are no part of it.
+#[test]
+fn magnitudes_of_both_signs() {
+    let found = only(|| {
+        let x = Tracked::input(0, [-2.0, 3.0]);
+        (x * Tracked::input(1, [1.0, 1.1])).magnitude().result()
+    });
+    assert!(found.exact.lo <= 0.0 && found.exact.hi >= 3.3 && found.exact.hi < 3.4);
+    assert_eq!(found.relative, f64::INFINITY);
+    let one = only(|| {
+        let x = Tracked::input(0, [1.0, 1.1]);
+        // Both signs by their errors alone.
+        ((x * x) - x.like(1.1)).magnitude().result()
+    });
+    assert_eq!(one.relative, f64::INFINITY);
+}
+
 /// Integers too large, and too many of them, by their limits.
 #[test]
 fn integers_have_limits() {

@@ -478,3 +478,28 @@ fn the_worst_numbers_of_intervals_count() {
     let least = Form::exact(Exact::within(Interval::new(0.0, 1e-315)), -1075);
     assert_eq!(rounding(&least, sigma, 1.0), Some((0.0, 1.0)));
 }
+
+/// A number that may be subnormal after its errors has no share.
+#[test]
+fn shares_end_at_the_normal_numbers() {
+    let sigma = Exact::ZERO;
+    let of = |least: f64| {
+        let form = Form::exact(Exact::within(Interval::new(least, 1.5 * least)), -1074);
+        let found = rounding(&form, sigma, 1.0);
+        rounded(form, sigma, found.unwrap_or((0.0, 0.0)), 1.0, 1).share
+    };
+    assert_eq!(of(1.9 * f64::MIN_POSITIVE), f64::INFINITY);
+    assert!(of(2.1 * f64::MIN_POSITIVE) < 1e-15);
+}
+
+/// Zero and subnormal numbers are multiples of the smallest number, or of more for a point.
+#[test]
+fn grains_of_the_smallest_numbers() {
+    assert_eq!([grain_of(0.0), grain_of(f64::from_bits(7))], [-1074; 2]);
+    let [three, eight] = [3, 8].map(f64::from_bits);
+    assert_eq!(
+        [three, eight, -eight].map(grain_of_point),
+        [-1074, -1071, -1071]
+    );
+    assert_eq!([0.75, 1.0, 0.0].map(grain_of_point), [-2, 0, -1074]);
+}

@@ -1,4 +1,7 @@
 use super::*;
+use mechaudit_reference::Mag;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use rug::{Float, Rational};
 
 fn at(a: [f64; 2], b: [f64; 2]) -> Rectangle {
@@ -198,4 +201,56 @@ fn beside_zeros_by_the_size_of_w() {
         reflected_off_zeros(value(0.3, e), &zero, rho),
         f64::INFINITY
     );
+}
+
+/// Both bounds of an absolute value, from those of its parts.
+#[test]
+fn sizes_of_numbers_known_to_few_digits() {
+    let ball = |x: f64| Ball::exact(100, x).widened(Mag::from_f64(0.25));
+    let [least, most] = sizes([&ball(3.25), &ball(-4.25)]);
+    assert!((5.0 - 1e-12..=5.0).contains(&least), "{least}");
+    let due = f64::hypot(3.5, 4.5);
+    assert!((due..=due * (1.0 + 1e-12)).contains(&most), "{most}");
+}
+
+/// The bound against the worst of `(e + ρx)/|x − W|` on a grid of all x and W where the value is used.
+#[test]
+fn differences_on_a_grid_are_below_their_bound() {
+    let mut random = ChaCha8Rng::seed_from_u64(31);
+    let mut unit = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
+    let (mut close, mut finite) = (0, 0);
+    for _ in 0..400 {
+        let (a, b) = (0.5 + 2.0 * unit(), 0.5 + 2.0 * unit());
+        let side = 0.3 * unit() * unit();
+        let r = at([a, a + side], [b, b + side]);
+        let d = decay(&r);
+        let [lo, hi] = exponential([d.lo, d.hi]);
+        let least = lo * 2f64.powf(6.0 * unit() - 3.0);
+        let w = Value {
+            least,
+            most: least * (1.0 + 0.3 * unit()),
+            error: 1e-17 * least,
+        };
+        let (rho, cancelled) = (1e-17 * unit(), 0.02 + 0.3 * unit());
+        let found = reflected(w, &r, rho, cancelled);
+        let mut worst = 0.0f64;
+        let step = |i: u32, [lo, hi]: [f64; 2]| lo + (hi - lo) * f64::from(i) / 200.0;
+        for i in 0..=200 {
+            for j in [0, 50, 100, 150, 200] {
+                let (x, size) = (step(i, [lo, hi]), step(j, [w.least, w.most]));
+                let off = (x - size).abs();
+                if off >= cancelled * size {
+                    worst = worst.max((w.error + rho * x) / off);
+                }
+            }
+        }
+        let due = worst * TWO_52 + ROUNDINGS;
+        assert!(
+            found >= due * (1.0 - 1e-12),
+            "{found} {due} {w:?} {lo} {hi}"
+        );
+        finite += usize::from(found.is_finite());
+        close += usize::from(found <= 1.1 * due);
+    }
+    assert!(finite == 400 && close > 250, "{finite} {close}");
 }

@@ -441,6 +441,18 @@ fn intervals_are_halved_until_the_bound_is_good() {
     assert!(real_line(&code, Function::Erf, 0.875, &watch).is_none());
 }
 
+/// Any bound at all is enough here: what the first intervals and a few cuts give.
+#[test]
+fn all_numbers_have_some_bound() {
+    let code = solvers(Function::Dawson);
+    let watch = Watch::default();
+    let found = real_line(&code, Function::Dawson, f64::INFINITY, &watch).expect("not stopped");
+    assert!(found.open.is_empty(), "{:?}", found.open.first());
+    assert!(found.leaves.len() >= roots(&code, Function::Dawson).len());
+    let all = found.leaves.iter().map(|l| l.at);
+    assert_eq!(hole(Function::Dawson, all), None);
+}
+
 /// Intervals to begin with: all numbers, one formula each.
 #[test]
 fn the_first_intervals_have_one_formula_each() {
@@ -460,6 +472,16 @@ fn the_first_intervals_have_one_formula_each() {
             assert!(at.ends[1] < SMALL || binades < 8, "{at:?}");
         }
     }
+    // Where x² is zero the number of the binade counts, where 2x/√π may be subnormal none.
+    let below = SMALL.next_down();
+    assert_eq!(binades(1e-310), (true, 0));
+    assert_eq!(binades(below), (true, below.to_bits() >> 52));
+    for x in [SMALL, 1.0, f64::MAX] {
+        assert_eq!(binades(x), (false, x.to_bits() >> 55));
+    }
+    // In any order.
+    let parts = [at(false, 2.0, f64::MAX), at(false, 0.0, 2.0)];
+    assert_eq!(hole(Function::Erf, parts), None);
     // One that is missing is found on its side.
     for negative in [false, true] {
         let some = [
