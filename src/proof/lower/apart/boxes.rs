@@ -10,8 +10,9 @@ use mechaudit_reference::{Ball, ComplexBall, Mag, faddeeva};
 
 /// Above `√126`.
 const REACH: f64 = 11.25;
-/// Below `1/(8R)`.
+/// `8R|δ| ≤ 1` so near to a zero, R the largest |z| there.
 const NEAR: f64 = 0.0108;
+const _: () = assert!(8.0 * (REACH + 2.0 * NEAR) * NEAR <= 1.0);
 /// More zeros than there are: `|z_22|² > 130`.
 const ZEROS: u32 = 22;
 const DEPTH: u32 = 40;

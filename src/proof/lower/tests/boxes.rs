@@ -52,7 +52,6 @@ fn rectangles_beside_a_zero() {
         }
     }
     assert!(!is_beside(&square(3.0, 1.5, 0.001), &zeros));
-    assert!(8.0 * (REACH + NEAR) * NEAR <= 1.0 && 8.0 * 11.5 * NEAR <= 1.0);
 }
 
 /// Squares without a zero, one around a known zero, and one around a zero that is not given.
