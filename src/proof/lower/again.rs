@@ -260,6 +260,22 @@ fn are_long(c: &code::Again) -> bool {
     })
 }
 
+/// Whether errors in units of u² are those of rounding.
+fn are_pairs(errors: &[f64]) -> bool {
+    errors.iter().all(|e| *e <= 0.9)
+}
+
+/// The errors of phases in units of u²: below 4096² · 2.01 · 2/π quarters, beyond, there by Payne & Hanek too, and of
+/// the residue.
+fn phases(half_pi: [f64; 3]) -> [f64; 3] {
+    let turn = product_up(up(std::f64::consts::PI), sum(&[DIV, MUL, 1.0]));
+    [
+        reduction(half_pi, 4e7),
+        larger(reduction(half_pi, 7e8), product_up(64.0, REDUCED)),
+        sum_up(turn, reduction(half_pi, 3.0)),
+    ]
+}
+
 /// `e/(P − e) + ½` in units of 2⁻⁵².
 fn norm(e: f64, part: f64) -> f64 {
     let left = down(down(part * (1.0 - 1e-12)) - e);
@@ -281,22 +297,15 @@ impl Again {
             .collect();
         let (hi, lo) = c.inverse_sqrt_pi;
         let of_root = units(2.0 * off(&rational([hi, lo]), &Ball::pi(BITS).sqrt().recip()));
-        if of_two_pi.iter().any(|e| *e > 0.9) || of_root > 0.9 {
+        if !(are_pairs(&of_two_pi) && are_pairs(&[of_root])) {
             return Err("2π or 1/√π in pairs are wrong".into());
         }
         if !are_long(c) || c.long_rule != (52, 12.5) {
             return Err("the numbers of 256 bits are wrong".into());
         }
         let e = exponential(c);
-        // Phases below 4096² · 2.01 · 2/π quarters, or by Payne & Hanek.
-        let near = circle(c, reduction(half_pi, 4e7));
-        let far = circle(c, reduction(half_pi, 7e8).max(product_up(64.0, REDUCED)));
-        // The phase of the residue, and its modulus G.
-        let turn = sum_up(
-            product_up(up(std::f64::consts::PI), sum(&[DIV, MUL, 1.0])),
-            reduction(half_pi, 3.0),
-        );
-        let turn = circle(c, turn);
+        let [near, far, turn] = phases(half_pi).map(|off| circle(c, off));
+        // The modulus of the residue, G.
         let g = sum_up(e, quotient_up(sum_up(MUL, 1.0), 2.7));
         let p = sum(&[turn, g, MUL, 2.0 * ADD_F]);
         let q = sum(&[turn, g, MUL]);

@@ -611,6 +611,15 @@ fn rectangles_are_halved_until_the_bounds_are_good() {
     assert!(on_rectangle(&CODE, UPPER_HALF_PLANE, &stopped, whole).is_none());
     let all = first_rectangles(None);
     assert_eq!(hole(&all), None);
+    // A shell that reaches beyond is left out.
+    assert_eq!(
+        first_rectangles(Some(3.0)).len(),
+        first_rectangles(Some(2.0)).len()
+    );
+    let first = |i: usize, _: &Rectangle| i < 2;
+    let found = upper_half_plane(&CODE, UPPER_HALF_PLANE, &watch, first).expect("not stopped");
+    assert!(found.open.is_empty() && found.leaves.iter().any(|l| l.at.a[0] == f64::from_bits(1)));
+    assert!(upper_half_plane(&CODE, UPPER_HALF_PLANE, &stopped, first).is_none());
     let some = first_rectangles(Some(4.0));
     assert!(
         some.iter().all(|r| r.a[1].max(r.b[1]) < 4.0) && some.len() > 30 && some.len() < all.len()
@@ -624,20 +633,20 @@ fn cuts_are_those_that_need_few_rectangles() {
     let strict = Target {
         norm: 0.45,
         component: 0.9,
-        depth: 12,
+        depth: 8,
     };
     let of = |target: Target, a: [f64; 2], b: [f64; 2]| {
         let found = on_rectangle(&CODE, target, &watch, Rectangle { a, b }).expect("not stopped");
         (found.leaves.len(), found.open.len())
     };
     let found = [
-        of(UPPER_HALF_PLANE, [0.01, 6.0], [0.01, 6.0]),
-        of(UPPER_HALF_PLANE, [8.0, 10.0], [0.0, 1.0]),
+        of(UPPER_HALF_PLANE, [2.0, 2.5], [2.0, 2.5]),
+        of(UPPER_HALF_PLANE, [9.0, 9.1], [0.0, 1.0]),
         of(UPPER_HALF_PLANE, [2.0, 2.25], [0.0, 0.125]),
-        of(strict, [1.0, 1.2], [1.0, 1.4]),
-        of(strict, [1.0, 1.4], [1.0, 1.2]),
+        of(strict, [1.0, 1.1], [1.0, 1.2]),
+        of(strict, [1.0, 1.2], [1.0, 1.1]),
     ];
-    assert_eq!(found, [(2308, 0), (4297, 0), (49, 0), (3104, 0), (1765, 0)]);
+    assert_eq!(found, [(12, 0), (15, 0), (49, 0), (162, 0), (126, 0)]);
     assert_eq!(better_cut(0.89, 1.0), Some(true));
     assert_eq!(better_cut(1.0, 0.89), Some(false));
     assert_eq!([better_cut(0.91, 1.0), better_cut(1.0, 0.91)], [None; 2]);

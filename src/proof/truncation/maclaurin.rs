@@ -9,18 +9,13 @@ use crate::interval::{product_up, quotient_up};
 /// Γ grows there, and `|Im vⁿ| ≤ n |Im v| |v|^{n−1}`, `n r^{n−1}` summed at most twice its first term, because
 /// `(n + 1) r/n ≤ ½` for `r ≤ 9/20`.
 pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
-    if !(r <= 0.45) {
-        let norm = f64::INFINITY;
-        return Truncation {
-            norm,
-            re: norm,
-            im: norm,
-            tiny: 0.0,
-            sum: None,
-        };
-    }
     // Γ(5.5) = 945 √π/32 and Γ(11.5) = 13749310575 √π/2048, rounded down.
-    let gamma = if last == 8 { 52.3 } else { 1.189e7 };
+    let gamma = match last {
+        8 if r <= 0.45 => 52.3,
+        20 if r <= 0.45 => 1.189e7,
+        // Nothing is known.
+        _ => 0.0,
+    };
     let first = quotient_up(power_up(r, last + 1), gamma);
     let norm = product_up(2.0, first);
     let slope = quotient_up(power_up(r, last), gamma);

@@ -124,6 +124,65 @@ fn wrong_constants_are_refused() {
     ] {
         assert!(refused(change));
     }
-    // The last bit of 256 does not decide.
-    assert!(!refused(|c| c.long[0].1[3] ^= 1));
+    // The last bit of 256 does not decide, the last but one does.
+    assert!(!refused(|c| c.long[0].1[3] ^= 1) && refused(|c| c.long[0].1[3] ^= 2));
+    assert!(are_pairs(&[0.0, 0.89]) && !are_pairs(&[0.0, 0.91]) && !are_pairs(&[f64::NAN]));
+}
+
+/// Phases by what the quarters lack, the more of them the more.
+#[test]
+fn phases_by_their_quarters() {
+    let [p, q, r] = code::constants().half_pi;
+    let [near, far, turn] = phases([p, q, r]);
+    // All but nothing: the roundings alone.
+    let rounded = REDUCED * (2.0 * ADD + ADD_F);
+    let close = |x: f64, due: f64| (x - due).abs() < 1e-6 * due;
+    let of_turn = std::f64::consts::PI * (DIV + MUL + 1.0);
+    assert!(close(near, rounded) && close(far, 64.0 * REDUCED) && close(turn, of_turn + rounded));
+    // Two parts of π/2 lack the third.
+    let lost = phases([p, q, 0.0]);
+    let unit = r.abs() / (U * U);
+    for ((lost, all), quarters) in lost
+        .iter()
+        .zip([rounded, rounded, of_turn + rounded])
+        .zip([4e7, 7e8, 3.0])
+    {
+        assert!(
+            close(*lost, all + quarters * unit),
+            "{lost} {all} {quarters}"
+        );
+    }
+}
+
+/// As many coefficients count as the code has terms, and ln 2 by the largest number of times that it is taken.
+#[test]
+fn constants_count_as_often_as_they_are_used() {
+    type Of = fn(&code::Again) -> f64;
+    let sound = code::again();
+    let with = |n: usize| {
+        let mut table = sound.inverse_factorial.to_vec();
+        table[n] = table[n].map(|x| 1e8 * x);
+        let mut c = code::again();
+        c.inverse_factorial = table.leak();
+        c
+    };
+    let turned: Of = |c| circle(c, 0.0);
+    for (of, used, others) in [
+        (exponential as Of, [1, 15, 16], [17, 18]),
+        (turned, [1, 26, 27], [28, 29]),
+    ] {
+        let base = of(&sound);
+        for n in used {
+            assert!(of(&with(n)) > base, "{n}");
+        }
+        for n in others {
+            assert_eq!(of(&with(n)), base, "{n}");
+        }
+    }
+    // e^x is squared three times: 2200 (1 + m)⁷/e^{−½ ln 2} parts of what ln 2 lacks.
+    let mut c = code::again();
+    let lost = c.ln_2[2].abs();
+    c.ln_2[2] = 0.0;
+    let more = (exponential(&c) - exponential(&sound)) / (2200.0 * lost / (U * U));
+    assert!((1.8..2.2).contains(&more), "{more}");
 }

@@ -426,12 +426,58 @@ fn maclaurin_series_below_the_axis() {
     assert_eq!(of(9, few, few).len(), 1);
     assert_eq!(of(21, [0.0, 1e-3], few).len(), 1);
     for terms in [9, 21] {
-        let left = truncation::maclaurin(terms - 1, f64::hypot(0.2, 0.95)).norm;
-        let found = of(terms, [0.2, 0.2], [0.95, 0.95])[0].error;
-        assert!(left > 1e-14 && found >= left * (1.0 - 1e-12));
+        let left = truncation::maclaurin(terms - 1, f64::hypot(0.1, 0.43)).norm;
+        let found = of(terms, [0.1, 0.1], [0.43, 0.43])[0].error;
+        assert!(left > 1e-18 && found >= left * (1.0 - 1e-12));
         assert!(
-            found <= left * (1.0 + 1e-12) + 1e-14,
+            found <= left * (1.0 + 1e-12) + 1e-15,
             "{terms} {left:e} {found:e}"
+        );
+    }
+}
+
+/// At the limits, within what rounding of |Re z²| may decide, both formulas count; beyond one does.
+#[test]
+fn both_formulas_count_at_the_limits() {
+    let limit = CODE.limits.dominant;
+    let names = |d: f64, b: f64| -> Vec<bool> {
+        // a² − b² = d but for the rounding of a.
+        let a = (d + b * b).sqrt();
+        let at = square(a, b, 0.0);
+        let found = decay(&at);
+        assert!((found.lo - d).abs() < 1e-13 && (found.hi - d).abs() < 1e-13);
+        let all = regions(&CODE, &at).expect("few");
+        all.iter().map(|(_, r)| *r == Region::Dominated).collect()
+    };
+    // |z|² = 44 where b is the larger one.
+    for (b, sign) in [(1.0, 1.0), (f64::sqrt(0.5 * (44.0 + limit)), -1.0)] {
+        for off in [-0.8e-12, -0.3e-12, 0.3e-12, 0.8e-12] {
+            assert_eq!(names(sign * limit + off, b), [true, false], "{sign} {off}");
+        }
+        let [inside, beyond] = [-1.5e-12, 1.5e-12].map(|off| names(sign * (limit + off), b));
+        assert_eq!((inside, beyond), (vec![false], vec![true]), "{sign}");
+    }
+}
+
+/// Rows are wrong by most at the farthest point of the rectangle.
+#[test]
+fn rows_are_wrong_by_most_at_the_farthest_point() {
+    let at = Rectangle {
+        a: [2.99, 3.01],
+        b: [1e-9, 0.12],
+    };
+    for (piece, region) in regions(&CODE, &at).expect("few") {
+        let Region::RealAxis { centre } = region else {
+            continue;
+        };
+        let row = CODE.rows.get(Kind::RealAxis, (centre, 0.0)).expect("a row");
+        let far = piece.a.map(|a| (a - centre).abs());
+        let due = row.within(f64::hypot(far[0].max(far[1]), 0.12));
+        let near = row.within(far[0].max(far[1]));
+        let least = values(&CODE, region, &piece).expect("a value")[0].error;
+        assert!(
+            least >= due && due > 2.0 * near,
+            "{least:e} {due:e} {near:e}"
         );
     }
 }
