@@ -44,8 +44,6 @@ pub(crate) fn asymptotic(terms: u32, at: &Rectangle) -> Truncation {
             true => sum_up(along, quotient_up(alone, at.b[0])),
             false => whole.min(sum_up(product_up(along, at.b[1]), alone)),
         };
-    } else if at.small_im() {
-        re = f64::INFINITY;
     }
     Truncation {
         norm: whole,
@@ -114,14 +112,9 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64)
     // f a (1 + v p) with f a ≤ 0.5642/a.
     let size = quotient_up(product_up(0.5642, v), a);
     let im = sum_up(remainder(25, a), product_up(size, p0));
-    let slope = sum_up(
-        quotient_up(remainder_slope(25, a), a),
-        quotient_up(product_up(size, p1), a),
-    );
-    let both = sum_up(im, product_up(b, slope));
+    let both = sum_up(im, product_up(b, line_slope(a, product_up(size, p1))));
     let e = decay(at);
-    // e^{−z²} itself, its slope 2|z| e^{−x²}, and what the code adds for it.
-    let exponentials = product_up(e, sum_up(4.0, product_up(2.0 * at.a[1], b)));
+    let exponentials = product_up(e, exponentials_of_line(at.a[1], b));
     let norm = sum_up(sum_up(curved, both), exponentials);
     let cubed = product_up(product_up(0.7, product_up(v, v)), product_up(b, b));
     let phase = product_up(2.0 * at.a[1], b);
@@ -141,6 +134,17 @@ pub(crate) fn on_real_line(at: &Rectangle, [p0, p1]: [f64; 2], exponential: f64)
             least: 0.564 * (1.0 - 1e-9) / (at.a[1] * at.a[1]),
         }),
     }
+}
+
+/// The remainder's slope next to the real axis, and that of the polynomial, which is off by `missing`.
+fn line_slope(a: f64, missing: f64) -> f64 {
+    let remainder = quotient_up(remainder_slope(25, a), a);
+    sum_up(remainder, quotient_up(missing, a))
+}
+
+/// In units of `e^{−x²}`: `e^{−z²}` itself, its slope `2|z|` times b, and what the code adds for it.
+fn exponentials_of_line(a: f64, b: f64) -> f64 {
+    sum_up(4.0, product_up(2.0 * a, b))
 }
 
 /// What `2^k (1 + s + s² Σ c_j s^j)`, evaluated without rounding, differs from `e^x` by, as a part of it:
@@ -187,21 +191,25 @@ pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
     let mut most = Rational::new();
     for piece in 0..PIECES {
         let centre = Rational::from((2 * piece + 1, 2 * 79 * PIECES));
-        // Taylor shift by repeated division.
-        let mut t = c.clone();
-        for i in 0..t.len() {
-            for j in (i..t.len() - 1).rev() {
-                let more = Rational::from(&t[j + 1] * &centre);
-                t[j] += more;
-            }
-        }
-        let bound = t
+        let bound = shifted(&c, &centre)
             .iter()
             .rev()
             .fold(Rational::new(), |sum, t| sum * &half + t.clone().abs());
         most = most.max(bound);
     }
     up(most.to_f64().next_up())
+}
+
+/// The coefficients about another centre, by repeated division.
+fn shifted(c: &[Rational], centre: &Rational) -> Vec<Rational> {
+    let mut t = c.to_vec();
+    for i in 0..t.len() {
+        for j in (i..t.len() - 1).rev() {
+            let more = Rational::from(&t[j + 1] * centre);
+            t[j] += more;
+        }
+    }
+    t
 }
 
 /// One term, `|z| ≥ 10^100`, divided by the first term's scale: below `2⁻⁶⁰⁰`.

@@ -394,3 +394,63 @@ fn polynomials_of_the_real_line_are_within_their_errors() {
         }
     }
 }
+
+/// On the small side of the diagonal a component is bounded along the arc by the farther end of its coordinate; across it
+/// by the whole.
+#[test]
+fn components_by_their_farther_end() {
+    let of = |a, b| asymptotic(2, &Rectangle { a, b });
+    let near = f64::hypot(400.0, 10.0);
+    let along = std::f64::consts::FRAC_PI_2 * remainder_slope(3, near) / near;
+    let is = |x: f64| (x / (along * 20.0) - 1.0).abs() < 1e-12;
+    let (right, left) = (
+        of([400.0, 401.0], [10.0, 20.0]),
+        of([10.0, 20.0], [400.0, 401.0]),
+    );
+    assert!(is(right.re) && is(left.im) && right.re < right.norm);
+    // On both sides of the diagonal, e^{−z²} may be of any size.
+    let across = of([40.0, 45.0], [20.0, 44.0]);
+    assert_eq!(across.re, across.norm);
+    let decayed = of([0.0, 2.0], [20.0, 44.0]);
+    assert_eq!((decayed.re, decayed.tiny), (decayed.norm, 0.0));
+}
+
+/// Next to the real axis, where each of these counts little beside the others.
+#[test]
+fn small_parts_of_the_line() {
+    let near = |x: f64, due: f64| (x / due - 1.0).abs() < 1e-12;
+    let slope = remainder_slope(25, 9.0) / 9.0;
+    assert!(near(line_slope(9.0, 0.0), slope));
+    assert!(near(line_slope(9.0, 90.0 * slope), 11.0 * slope));
+    assert!(near(exponentials_of_line(9.0, 0.5), 13.0));
+    let at = Rectangle {
+        a: [9.0, 9.1],
+        b: [1e-9, 1e-8],
+    };
+    let strip = strip(&at);
+    let line = on_real_line(&at, [0.0; 2], 0.0);
+    assert_eq!((strip.sum.map(|s| s.least), line.tiny), (Some(0.0), 0.0));
+    let none = on_real_line(
+        &Rectangle {
+            a: [1.0, 2.0],
+            ..at
+        },
+        [0.0; 2],
+        0.0,
+    );
+    assert_eq!((none.tiny, none.norm), (0.0, f64::INFINITY));
+}
+
+#[test]
+fn a_polynomial_about_another_centre() {
+    let c: Vec<Rational> = (1..8).map(|k| Rational::from((k * k, 7 - 2 * k))).collect();
+    let value =
+        |c: &[Rational], x: &Rational| c.iter().rev().fold(Rational::new(), |s, c| s * x + c);
+    let centre = Rational::from((3, 5));
+    let found = shifted(&c, &centre);
+    for x in [0, 1, -2, 5] {
+        let x = Rational::from((x, 3));
+        let there = Rational::from(&x + &centre);
+        assert_eq!(value(&found, &x), value(&c, &there));
+    }
+}
