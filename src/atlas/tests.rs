@@ -249,3 +249,27 @@ fn checksum_of_profile(p: &crate::Profile) -> u64 {
     }
     sum.0
 }
+
+/// Where all collisions are correlated the mean over the speed has a formula of its own, near its centre and far out: the
+/// limit of the others.
+#[test]
+fn full_correlation_is_a_limit() {
+    let authors = &crate::PROFILES[0];
+    for (doppler, far) in [(0.3, false), (1e-5, true)] {
+        for detuning in [0.0, 0.1, 0.5, -0.3] {
+            let at = |correlation| {
+                (authors.value)(&crate::Line {
+                    doppler,
+                    widths: [0.2, 0.3],
+                    shifts: [0.02, -0.05],
+                    narrowing: 0.1,
+                    correlation,
+                    detuning,
+                })
+            };
+            let (limit, beside) = (at(1.0), at(1.0 - 1e-5));
+            let off = (limit - beside).norm() / limit.norm();
+            assert!(off < 1e-3, "{far} {detuning} {limit} {beside} {off:e}");
+        }
+    }
+}
