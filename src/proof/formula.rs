@@ -294,11 +294,7 @@ fn run(
                 };
                 both(code::complex_row(Tracking, row, dx, y.tracked(1)))
             })?;
-            let mut t = errors.within(x.most(), y.most());
-            if !small_re {
-                t.im = t.norm;
-            }
-            (ways, t)
+            (ways, errors.within(x.most(), y.most()))
         }
         Formula::RealAxis { centre } => {
             let (row, errors) = tables.real_axis(centre)?;

@@ -569,6 +569,14 @@ fn zeros_and_small_factors() {
         let found = run(f);
         assert!(found.exact.is_zero() && found.error == 0.0, "{found:?}");
     }
+    for zero_first in [true, false] {
+        let lost = only(|| {
+            let (x, zero) = (Tracked::input(0, [1.0, 1.1]), x_of(0.0));
+            let (p, q) = if zero_first { (zero, x) } else { (x, zero) };
+            p.two_sum(q).1.result()
+        });
+        assert!(lost.exact.is_zero() && lost.error == 0.0);
+    }
     // Zero added is nothing done: the sum is still the factor's.
     for f in [
         |s, x| s * x + x_of(0.0),

@@ -176,7 +176,6 @@ pub(crate) fn exponential_error(coefficients: &[f64], ln_2: [f64; 2], most: f64)
 /// The most by which a stored polynomial of the real line differs from `Σ_{k<24} a_{k+1} (2k + 3)^s v^k` for
 /// `0 ≤ v ≤ 1/79`, `s = 0` or 1.
 pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
-    const PIECES: i64 = 64;
     let mut a = Rational::from(1);
     let mut c: Vec<Rational> = Vec::new();
     for k in 0..24i64 {
@@ -187,10 +186,9 @@ pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
     for (k, s) in stored.iter().enumerate() {
         c[k] += Rational::from_f64(*s).expect("finite");
     }
-    let half = Rational::from((1, 2 * 79 * PIECES));
     let mut most = Rational::new();
-    for piece in 0..PIECES {
-        let centre = Rational::from((2 * piece + 1, 2 * 79 * PIECES));
+    let (centres, half) = pieces();
+    for centre in centres {
         let bound = shifted(&c, &centre)
             .iter()
             .rev()
@@ -198,6 +196,14 @@ pub(crate) fn polynomial_error(stored: &[f64; 10], slope: bool) -> f64 {
         most = most.max(bound);
     }
     up(most.to_f64().next_up())
+}
+
+/// Pieces of `0 ≤ v ≤ 1/79`: their centres, and half their length.
+fn pieces() -> (Vec<Rational>, Rational) {
+    const PIECES: i64 = 64;
+    let part = |k: i64| Rational::from((k, 2 * 79 * PIECES));
+    let centres = (0..PIECES).map(|piece| part(2 * piece + 1));
+    (centres.collect(), part(1))
 }
 
 /// The coefficients about another centre, by repeated division.

@@ -186,3 +186,14 @@ fn constants_count_as_often_as_they_are_used() {
     let more = (exponential(&c) - exponential(&sound)) / (2200.0 * lost / (U * U));
     assert!((1.8..2.2).contains(&more), "{more}");
 }
+
+/// `e/(P − e)`, nothing where e is as large as P.
+#[test]
+fn norms_of_what_is_left() {
+    let due = 0.25 / 0.75 * TWO_52 + 0.5;
+    assert!((norm(0.25, 1.0) / due - 1.0).abs() < 1e-11);
+    assert_eq!(
+        [norm(1.0, 1.0), norm(2.0, 1.0), norm(f64::NAN, 1.0)],
+        [f64::INFINITY; 3]
+    );
+}

@@ -427,7 +427,7 @@ fn maclaurin_series_below_the_axis() {
     assert_eq!(of(21, [0.0, 1e-3], few).len(), 1);
     for terms in [9, 21] {
         let left = truncation::maclaurin(terms - 1, f64::hypot(0.1, 0.43)).norm;
-        let found = of(terms, [0.1, 0.1], [0.43, 0.43])[0].error;
+        let found = of(terms, [0.05, 0.1], [0.3, 0.43])[0].error;
         assert!(left > 1e-18 && found >= left * (1.0 - 1e-12));
         assert!(
             found <= left * (1.0 + 1e-12) + 1e-15,
@@ -457,6 +457,13 @@ fn both_formulas_count_at_the_limits() {
         let [inside, beyond] = [-1.5e-12, 1.5e-12].map(|off| names(sign * (limit + off), b));
         assert_eq!((inside, beyond), (vec![false], vec![true]), "{sign}");
     }
+    // Of the series the image alone may dominate.
+    let b = f64::sqrt(0.5 * (60.0 - limit));
+    for off in [-0.8e-12, -0.3e-12, 0.3e-12, 0.8e-12] {
+        assert_eq!(names(limit + off, b), [true, false], "{off}");
+    }
+    let [inside, beyond] = [-1.5e-12, 1.5e-12].map(|off| names(limit + off, b));
+    assert_eq!((inside, beyond), (vec![false], vec![true]));
 }
 
 /// Rows are wrong by most at the farthest point of the rectangle.
@@ -472,12 +479,19 @@ fn rows_are_wrong_by_most_at_the_farthest_point() {
         };
         let row = CODE.rows.get(Kind::RealAxis, (centre, 0.0)).expect("a row");
         let far = piece.a.map(|a| (a - centre).abs());
-        let due = row.within(f64::hypot(far[0].max(far[1]), 0.12));
+        let due = row.within(f64::hypot(far[0].max(far[1]), piece.b[1]));
         let near = row.within(far[0].max(far[1]));
-        let least = values(&CODE, region, &piece).expect("a value")[0].error;
-        assert!(
-            least >= due && due > 2.0 * near,
-            "{least:e} {due:e} {near:e}"
-        );
+        let error = |code: &Code| values(code, region, &piece).expect("a value")[0].error;
+        assert!(error(&CODE) >= due && due > near, "{due:e} {near:e}");
+        // A last coefficient that is off counts by the power of that distance.
+        let mut faulty = CODE.clone();
+        let of = |row: &mut upper::Row| row.iter_mut().for_each(|c| *c += 1e-3);
+        faulty.rows.change(Kind::RealAxis, (centre, 0.0), of);
+        let row = faulty
+            .rows
+            .get(Kind::RealAxis, (centre, 0.0))
+            .expect("a row");
+        let due = row.within(f64::hypot(far[0].max(far[1]), piece.b[1]));
+        assert!(error(&faulty) >= due, "{due:e}");
     }
 }

@@ -441,6 +441,18 @@ fn small_parts_of_the_line() {
     assert_eq!((none.tiny, none.norm), (0.0, f64::INFINITY));
 }
 
+/// From zero to the end, each begins where the one before ends.
+#[test]
+fn pieces_cover_all() {
+    let (centres, half) = pieces();
+    let mut end = Rational::new();
+    for centre in centres {
+        assert_eq!(Rational::from(&centre - &half), end);
+        end = centre + &half;
+    }
+    assert_eq!(end, Rational::from((1, 79)));
+}
+
 #[test]
 fn a_polynomial_about_another_centre() {
     let c: Vec<Rational> = (1..8).map(|k| Rational::from((k * k, 7 - 2 * k))).collect();

@@ -63,8 +63,9 @@ fn what_is_left_out_is_below_its_bounds() {
 
 #[test]
 fn beyond_its_disc_nothing_is_known() {
-    for r in [0.45f64.next_up(), 0.5, f64::NAN] {
-        let found = maclaurin(8, r);
+    let beyond = [0.45f64.next_up(), 0.5, f64::NAN].map(|r| [(8, r), (20, r)]);
+    for (last, r) in beyond.into_iter().flatten().chain([(9, 0.1), (19, 0.1)]) {
+        let found = maclaurin(last, r);
         assert!(
             [found.norm, found.re, found.im]
                 .iter()
