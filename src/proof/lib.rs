@@ -9,6 +9,9 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+#[cfg(test)]
+#[path = "tests/at_points.rs"]
+mod at_points;
 mod bounds;
 mod certificate;
 mod choice;

@@ -1,11 +1,10 @@
 //! The formulas of a rectangle against the code's choice at points of it.
 
 use super::*;
+use crate::at_points::{holds, pieces_hold_what_is_due};
 use crate::cover::hole;
 use mechaudit_solvers::faddeeva::branch;
 use num_complex::Complex;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::sync::LazyLock;
 
 static CODE: LazyLock<Code> = LazyLock::new(|| Code::of_the_solver().expect("decided"));
@@ -26,62 +25,16 @@ fn at_point(a: f64, b: f64) -> Formula {
     }
 }
 
-fn holds(at: &Rectangle, a: f64, b: f64) -> bool {
-    (at.a[0]..=at.a[1]).contains(&a) && (at.b[0]..=at.b[1]).contains(&b)
-}
-
 /// Wherever the code takes a formula, that is among the parts, on a piece with the point.
 #[test]
 fn the_formula_of_each_point_is_among_the_parts() {
-    let mut random = ChaCha8Rng::seed_from_u64(11);
-    let mut uniform = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
-    let (mut known, mut refused, mut several) = (0, 0, 0);
-    for k in 0..6000 {
-        // Coordinates evenly and by their exponents, sides from a hundredth to more than the coordinate.
-        let mut coordinate = || match uniform() < 0.5 {
-            true => 14.0 * uniform(),
-            false => 2f64.powf(-60.0 + 72.0 * uniform()),
-        };
-        let (x, y) = (coordinate(), coordinate());
-        let side = 2f64.powf(-7.0 + 8.0 * uniform());
-        let long = |c: f64| [c, c + side * c.max(1e-3)];
-        let at = match k % 8 {
-            0 => Rectangle {
-                a: [0.0; 2],
-                b: long(y),
-            },
-            1 => Rectangle {
-                a: long(x),
-                b: [0.0, y],
-            },
-            _ => Rectangle {
-                a: long(x),
-                b: long(y),
-            },
-        };
-        let Ok(all) = parts(&CODE, &at) else {
-            refused += 1;
-            continue;
-        };
-        known += 1;
-        several += usize::from(all.len() > 2);
-        assert!(all.len() <= MANY);
-        let mut within = |[lo, hi]: [f64; 2], end: usize| match end {
-            0 => lo,
-            1 => hi,
-            _ => (lo + (hi - lo) * uniform()).clamp(lo, hi),
-        };
-        for n in 0..24 {
-            let (a, b) = (within(at.a, n % 3), within(at.b, n / 3 % 3));
-            let due = at_point(a, b);
-            let found = all.iter().any(|(p, f)| *f == due && holds(p, a, b));
-            assert!(found, "{at:?} {a} {b} {due:?} {all:?}");
-        }
-    }
-    assert!(
-        known > 2000 && refused > 500 && several > 200,
-        "{known} {refused} {several}"
-    );
+    let all = |at: &Rectangle| parts(&CODE, at);
+    let due = |a, b| vec![at_point(a, b)];
+    pieces_hold_what_is_due(all, due, MANY, |at| Rectangle { a: [0.0; 2], ..at });
+    pieces_hold_what_is_due(all, due, MANY, |at| Rectangle {
+        b: [0.0, at.b[1]],
+        ..at
+    });
 }
 
 /// Pieces of a rectangle together are it, and none is outside.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::at_points::pieces_hold_what_is_due;
 use crate::choice::follows;
 use crate::interval::sum_up;
 use crate::lower::exponential::U;
@@ -6,8 +7,6 @@ use crate::pinned::as_proved;
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::faddeeva;
 use num_complex::Complex;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
 use rug::Float;
 use std::sync::LazyLock;
 
@@ -325,54 +324,11 @@ fn at_point(a: f64, b: f64) -> Vec<Region> {
 /// Wherever the code takes a formula, that is among the regions, on a piece with the point.
 #[test]
 fn the_formula_of_each_point_is_among_the_regions() {
-    let mut random = ChaCha8Rng::seed_from_u64(12);
-    let mut uniform = move || (random.next_u64() >> 11) as f64 * 2f64.powi(-53);
-    let (mut known, mut refused, mut several) = (0, 0, 0);
-    for k in 0..6000 {
-        let mut coordinate = || match uniform() < 0.5 {
-            true => 14.0 * uniform(),
-            false => 2f64.powf(-40.0 + 46.0 * uniform()),
-        };
-        let (x, y) = (coordinate(), coordinate());
-        let side = 2f64.powf(-7.0 + 7.0 * uniform());
-        let long = |c: f64| [c, c + side * c.max(1e-3)];
-        let at = match k % 8 {
-            0 => Rectangle {
-                a: [0.0, x],
-                b: long(y),
-            },
-            _ => Rectangle {
-                a: long(x),
-                b: long(y),
-            },
-        };
-        let Ok(all) = regions(&CODE, &at) else {
-            refused += 1;
-            continue;
-        };
-        known += 1;
-        several += usize::from(all.len() > 2);
-        assert!(all.len() <= MANY);
-        let mut within = |[lo, hi]: [f64; 2], end: usize| match end {
-            0 => lo,
-            1 => hi,
-            _ => (lo + (hi - lo) * uniform()).clamp(lo, hi),
-        };
-        for n in 0..24 {
-            let (a, b) = (within(at.a, n % 3), within(at.b, n / 3 % 3));
-            for due in at_point(a, b) {
-                let holds = |p: &Rectangle| {
-                    (p.a[0]..=p.a[1]).contains(&a) && (p.b[0]..=p.b[1]).contains(&b)
-                };
-                let found = all.iter().any(|(p, r)| *r == due && holds(p));
-                assert!(found, "{at:?} {a} {b} {due:?} {all:?}");
-            }
-        }
-    }
-    assert!(
-        known > 2000 && refused > 500 && several > 200,
-        "{known} {refused} {several}"
-    );
+    let all = |at: &Rectangle| regions(&CODE, at);
+    pieces_hold_what_is_due(all, at_point, MANY, |at| Rectangle {
+        a: [0.0, at.a[1]],
+        ..at
+    });
 }
 
 /// `|w(z)|`, or `|w(−z)|` for what is reflected, is within what each formula gives on each way.
