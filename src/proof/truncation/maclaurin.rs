@@ -10,9 +10,10 @@ use crate::interval::{product_up, quotient_up};
 /// `(n + 1) r/n ≤ ½` for `r ≤ 9/20`.
 pub(crate) fn maclaurin(last: u32, r: f64) -> Truncation {
     // Γ(5.5) = 945 √π/32 and Γ(11.5) = 13749310575 √π/2048, rounded down.
+    let inside = r <= 0.45;
     let gamma = match last {
-        8 if r <= 0.45 => 52.3,
-        20 if r <= 0.45 => 1.189e7,
+        8 if inside => 52.3,
+        20 if inside => 1.189e7,
         // Nothing is known.
         _ => 0.0,
     };
