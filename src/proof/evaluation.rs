@@ -410,3 +410,7 @@ pub(crate) fn evaluate<T>(
 #[cfg(test)]
 #[path = "tests/evaluation.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "tests/evaluation_limits.rs"]
+mod limits;
