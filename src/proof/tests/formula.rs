@@ -77,7 +77,7 @@ fn components_in_units_of_their_least_value() {
     // Below one unit of the normal numbers as well.
     let (units, _) = of(&part(0.26, 0.5, 0.25 * u), 0.0, 0.0);
     assert!(near(units, 1.0));
-    let (units, _) = of(&part(1e-310, 2e-310, 2f64.powi(-1074)), 0.0, 0.0);
+    let (units, _) = of(&part(1e-310, 2e-310, f64::from_bits(1)), 0.0, 0.0);
     assert!(near(units, 1.0));
     // Beside the factor σ: a part of the value is at most as many units of 2⁻⁵³, or by the least value.
     let small = Tracks {

@@ -11,6 +11,8 @@ use std::process::{Command, Stdio};
 pub struct Tree {
     pub root: PathBuf,
     target: PathBuf,
+    /// The profile of Cargo.toml that tests are built with.
+    profile: &'static str,
 }
 
 /// An error of the compiler, or what it names beside one: the file, and the bytes of it.
@@ -39,7 +41,7 @@ pub struct Built {
 
 impl Tree {
     /// Copies what has changed since the last copy.
-    pub fn new(project: &Path, work: &Path) -> Result<Tree> {
+    pub fn new(project: &Path, work: &Path, profile: &'static str) -> Result<Tree> {
         let listed = Command::new("git")
             .current_dir(project)
             .args([
@@ -62,7 +64,11 @@ impl Tree {
             }
         }
         let target = work.join("build");
-        Ok(Tree { root, target })
+        Ok(Tree {
+            root,
+            target,
+            profile,
+        })
     }
 
     /// Replaces a file.
@@ -106,11 +112,8 @@ impl Tree {
             } else {
                 &["check"]
             })
-            .args(["--message-format", "json"])
+            .args(["--profile", self.profile, "--message-format", "json"])
             .args(packages.iter().flat_map(|p| ["--package", *p]));
-        if !build {
-            command.args(["--profile", "test"]);
-        }
         command.args(targets);
         let out = command.stderr(Stdio::piped()).output().context("cargo")?;
         let mut built = Built {

@@ -279,7 +279,7 @@ fn a_bound_on_a_norm_from_below_is_below() {
 /// k roundings of subnormal numbers are allowed, no more, and none where nothing has a size.
 #[test]
 fn subnormal_roundings() {
-    let tiny = 2f64.powi(-1074);
+    let tiny = f64::from_bits(1);
     let judged = |got: f64, due: &Ball, limit: Limit, condition: f64| {
         let reference = ReferenceAnswer::Values(Reference {
             values: vec![due.clone()],

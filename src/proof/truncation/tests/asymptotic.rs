@@ -78,7 +78,7 @@ fn what_is_left_out_is_below_its_bounds() {
                 // What e^{−z²} is below the diagonal is in the real part alone.
                 let norm = size(&off.norm_sqr().sqrt());
                 let beside = y <= x && size(&gaussian(x, y).re) > 1e-3 * norm;
-                let tiny = found.tiny * 2f64.powi(-1074);
+                let tiny = found.tiny * f64::from_bits(1);
                 let re = size(&off.re) / if at.small_im() { y } else { 1.0 };
                 let im = size(&off.im) / if at.small_re() { x } else { 1.0 };
                 assert!(re <= found.re + tiny, "{terms} {x} {y} {re:e} {found:?}");
