@@ -26,10 +26,10 @@ elif [ ! -x "$rustc" ]; then
         "$(echo "$lib"/ld-linux-*.so.*)" "$lib" "$root/usr/bin/rustc" "$root/usr" >"$rustc"
     chmod +x "$rustc"
 fi
-# Optimised as far as the dev profile: there are no times to be taken here.
+# Without optimisation: there are no times to be taken here.
 RUSTC=$rustc CARGO_TARGET_DIR=$root/cargo CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc \
-    cargo build --quiet --locked --package mechaudit-capi --target $target
-library=$root/cargo/$target/debug/libmechaudit.a
+    cargo build --quiet --locked --profile planted --package mechaudit-capi --target $target
+library=$root/cargo/$target/planted/libmechaudit.a
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT

@@ -8,6 +8,7 @@ import os
 import shutil
 import subprocess
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -97,9 +98,9 @@ def browser():
         browser.close()
 
 
-@pytest.fixture
-def visit(browser, written):
-    """Opens a page from disk; at the end fails if it logged anything, or asked for anything else."""
+@contextmanager
+def visits(browser, written):
+    """A function that opens a page from disk; at the end fails if one logged anything, or asked for anything else."""
     contexts, complaints = [], []
 
     def visit(name, width=1280, scheme="light", **options):
@@ -119,3 +120,16 @@ def visit(browser, written):
     for context in contexts:
         context.close()
     assert not complaints, "\n".join(complaints)
+
+
+@pytest.fixture
+def visit(browser, written):
+    with visits(browser, written) as visit:
+        yield visit
+
+
+@pytest.fixture(scope="module", params=PAGES)
+def page(request, browser, written):
+    """Each page, opened once for all tests of a module that leave it as it is."""
+    with visits(browser, written) as visit:
+        yield visit(request.param)
