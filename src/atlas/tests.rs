@@ -129,7 +129,7 @@ fn everywhere(plane: Plane) -> Vec<Complex64> {
     let mut sizes = vec![0.0, 1e-300, 1e-20, 1e-9, 1e-5, 1e-3, 0.03];
     sizes.extend((1..90).map(|k| 0.1003 * f64::from(k)));
     sizes.extend((0..12).map(|k| 9.1 * 1.5f64.powi(k)));
-    sizes.extend([1e4, 1e6, 1e9, 1e20, 1e160]);
+    sizes.extend([1e4, 1e6, 1e9, 1e20, 1e160, 4e-4, 1.5e4]);
     let mut all = Vec::new();
     for (i, x) in sizes.iter().enumerate() {
         for (j, y) in sizes

@@ -286,3 +286,42 @@ impl Display for Report {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::Kind;
+
+    /// What is not known is left out of the words, and only that.
+    #[test]
+    fn errors_in_words() {
+        let of = |ulps: f64, conditioned: f64, condition: f64| {
+            error(&ComponentJudgement {
+                output: "y",
+                verdict: Verdict::Over,
+                kind: None,
+                ulps,
+                conditioned,
+                of_budget: 1.5,
+                condition,
+            })
+        };
+        assert_eq!(
+            of(3.0, 0.25, 20.0),
+            "3.000 ulps, 0.250 u (1 + condition), 1.500 of its budget, condition 20.000"
+        );
+        let nan = f64::NAN;
+        assert_eq!(of(nan, 2e7, nan), "2.00e7 u (1 + condition), 1.500 of its budget");
+        assert_eq!(of(2000.0, nan, f64::INFINITY), "2000 ulps, 1.500 of its budget");
+        assert_eq!(of(nan, nan, nan), "1.500 of its budget");
+    }
+
+    #[test]
+    fn wrong_answers_are_counted_by_kind() {
+        let mut kinds = Kinds::default();
+        assert_eq!(wrong(&kinds), "");
+        (kinds[Kind::Nan], kinds[Kind::Missing]) = (2, 1);
+        let [nan, missing] = [Kind::Nan, Kind::Missing].map(Kind::name);
+        assert_eq!(wrong(&kinds), format!("; wrong in kind: 2 {nan}, 1 {missing}"));
+    }
+}

@@ -556,6 +556,20 @@ mod tests {
         CamOscillator::read(&Source::toml(law), Some(20))
     }
 
+    #[test]
+    fn a_chart_has_the_points_asked_for() {
+        let text = include_str!("../../examples/chirp-chart.toml");
+        let machine = CamOscillator::read(&Source::toml(text.into()), Some(20)).unwrap();
+        let file: toml::Table = text.parse().unwrap();
+        let of = |key| file["chart"][key].as_float().unwrap();
+        let (from, to, step) = (of("from"), of("to"), of("step"));
+        let grid = machine.chart.unwrap().grid;
+        assert_eq!(grid.len(), ((to - from) / step).round() as usize + 1);
+        for (k, xi) in grid.iter().enumerate() {
+            assert!((xi - (from + k as f64 * step)).abs() < 1e-12, "{k}");
+        }
+    }
+
     /// A table is met at its knots, at rest at its ends.
     #[test]
     fn a_law_by_a_table() {

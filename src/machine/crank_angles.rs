@@ -217,6 +217,20 @@ mod tests {
     }
 
     #[test]
+    fn angles_are_counted_from_the_first() {
+        for (first, last, due) in [(3, 7, 5), (-2, 2, 5), (4, 4, 1), (5, 4, 0)] {
+            let plan = Plan {
+                first,
+                last,
+                limits: None,
+                from: Rational::from(10),
+                step: Rational::from(2),
+            };
+            assert_eq!((plan.count(), plan.angles().count() as u64), (due, due));
+        }
+    }
+
+    #[test]
     fn decimals_are_written_out() {
         for (n, d, text) in [
             (14_426, 1000, "14.426"),

@@ -191,6 +191,16 @@ mod tests {
     use super::registry;
     use std::collections::HashSet;
 
+    /// The budget supposes that every row is dominant.
+    #[test]
+    fn systems_with_a_row_that_is_not_dominant_are_not_admitted() {
+        let method = super::find("tridiagonal").expect("a method");
+        // lower[1], diagonal[2], upper[1], d[2].
+        let admits = |b0: f64, b1: f64| method.admits(&[-1.0, b0, b1, 1.0, 1.0, 1.0]);
+        assert!(admits(2.0, 3.0));
+        assert!(!admits(0.5, 3.0) && !admits(3.0, 0.5));
+    }
+
     #[test]
     fn every_method_can_be_named_and_sampled() {
         let methods = registry();

@@ -433,8 +433,13 @@ fn the_first_ctrl_c_drops_the_shard_under_way() {
 fn a_page_shows_audits_hunts_and_proofs() {
     let folder = tempfile::tempdir().unwrap();
     let own = planned(&folder, "own", PLAN, 3);
-    finished(&own);
     let d = campaign(&["report", text(&own)]);
+    assert!(d.err.contains("3 of 3 shards not done"), "{}", d.err);
+    finished(&own);
+    let d = campaign(&["status", text(&own)]);
+    assert!(d.out.contains("a second and thread.\n"), "{}", d.out);
+    let d = campaign(&["report", text(&own)]);
+    assert!(!d.err.contains("not done"), "{}", d.err);
     assert_eq!(d.code, 1, "{}", d.err);
     for part in [
         "Campaign small",

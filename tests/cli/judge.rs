@@ -202,6 +202,42 @@ fn inputs_of_the_wrong_length_are_bad_input() {
 }
 
 #[test]
+fn inputs_without_values_are_counted() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let inputs = file("inputs", &"1,2\n".repeat(5));
+    for (answers, left) in [(0, "5 inputs are left"), (2, "3 inputs are left")] {
+        let values = file("values", &"0,0\n".repeat(answers));
+        let d = run(&["judge", "erf", "--inputs", &inputs, "--values", &values]);
+        assert_eq!(d.code, 1, "{}{}", d.out, d.err);
+        let all = d.out + &d.err;
+        assert!(all.contains(&format!("after {answers} answers")) && all.contains(left), "{all}");
+    }
+}
+
+#[test]
+fn points_in_single_precision_are_its_numbers() {
+    let of = |more: &[&str]| {
+        let args = ["points", "erf", "--count", "3", "--decimal"];
+        let d = run(&[&args[..], more].concat());
+        assert_eq!(d.code, 0, "{}", d.err);
+        let lines = d.out.lines().filter(|l| !l.starts_with('#'));
+        let numbers = lines.flat_map(|l| l.split([',', ' '])).filter(|x| !x.is_empty());
+        let numbers: Vec<f64> = numbers.map(|x| x.parse().unwrap()).collect();
+        let single = numbers.iter().filter(|x| f64::from(**x as f32) == **x).count();
+        (numbers.len(), single)
+    };
+    let (all, single) = of(&["--single"]);
+    assert!(all > 10 && single == all, "{single} of {all}");
+    let (all, single) = of(&[]);
+    assert!(single < all / 2, "{single} of {all}");
+}
+
+#[test]
 fn what_has_no_end_is_refused() {
     let start = Instant::now();
     for args in [

@@ -80,6 +80,7 @@ fn json_holds_what_is_known_of_the_turn() {
     let d = command("linkage examples/sand-screen.toml --step-deg 45 --format json");
     let v: serde_json::Value = serde_json::from_str(&d.out).unwrap();
     assert_eq!(v["full_rotation"], true);
+    assert_eq!(v["crank_speed_rad_per_s"], 1.0);
     assert_eq!(v["turns_to_close"], 1);
     assert_eq!(v["dead_positions"].as_array().unwrap().len(), 2);
     assert_eq!(v["rows"].as_array().unwrap().len(), 8);

@@ -272,6 +272,18 @@ fn gears_and_racks_turn_as_their_teeth_say() {
         close(rate[k], -1.5 * rocker[k], 1e-13);
         close(rack[k], 0.04 * rate[k], 1e-13);
     }
+    let geared = include_str!("../../examples/rack-and-wheel.toml");
+    let with = |teeth: &str| {
+        let text = changed(geared, "teeth = [30, 20]", &format!("teeth = {teeth}"));
+        run_on(text, &words("linkage - --step-deg 90"))
+    };
+    for teeth in ["[0, 20]", "[30, 0]"] {
+        refused(&with(teeth), "teeth must be positive");
+    }
+    for teeth in ["[1, 20]", "[30, 1]"] {
+        let d = with(teeth);
+        assert!(!d.err.contains("teeth must be positive"), "{}", d.err);
+    }
     let e = command("linkage examples/rack-and-wheel.toml --reactions");
     refused(&e, "--reactions needs masses or loads");
 }

@@ -77,6 +77,7 @@ fn json_says_what_happened() {
     let events = json["events"].as_array().unwrap();
     assert_eq!(events.last().unwrap()["kind"], "target_speed");
     assert!(json["steady_cycle"]["mean_rad_per_s"].as_f64().unwrap() > 30.0);
+    assert!(json.get("flywheel").is_some());
     let first = json["events"].as_array().unwrap().iter();
     assert!(first.filter(|e| e["kind"] == "dead_position").count() >= 2);
 }
@@ -236,6 +237,7 @@ duration = "1 s"
     let omega = column(&d.out, "omega_rad_per_s");
     assert_eq!(omega.len(), 1001);
     assert!((omega[1000] - 31.4).abs() < 3.0, "{}", omega[1000]);
+    assert!(!d.err.contains("warning"), "{}", d.err);
     refused(
         &runup(&changed(text, "bodies.slider", "bodies.piston"), &[]),
         "unknown field `piston`, expected one of `crank`, `rod`, `slider`",
@@ -344,6 +346,11 @@ fn work_and_precision() {
     );
     assert_eq!(d.code, 0, "{}", d.err);
     assert_eq!(d.out.lines().count(), 1 + 3 * 19);
+    for line in d.out.lines().skip(1) {
+        let tolerance: f64 = line.split(',').nth(1).unwrap().parse().unwrap();
+        let halves = -2.0 * tolerance.log10();
+        assert!((halves - halves.round()).abs() < 1e-9, "{line}");
+    }
     // It is no error that is said.
     assert!(
         d.err.starts_with("mechaudit: error_rad_per_s is the worst"),

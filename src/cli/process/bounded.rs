@@ -101,6 +101,15 @@ mod tests {
     }
 
     #[test]
+    fn whole_mebibytes_are_said_so() {
+        assert_eq!(size(1 << 20), "1 MiB");
+        assert_eq!(size(3 << 20), "3 MiB");
+        assert_eq!(size((1 << 20) + 1), "1048577 bytes");
+        assert_eq!(size(1 << 19), "524288 bytes");
+        assert_eq!(size(2), "2 bytes");
+    }
+
+    #[test]
     fn nothing_is_endless() {
         let mut zeros = Bounded::new(std::io::repeat(0), 1 << 20, 1 << 26);
         let e = std::io::copy(&mut zeros, &mut std::io::sink()).unwrap_err();

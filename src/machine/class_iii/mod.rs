@@ -220,6 +220,33 @@ mod tests {
         assert_eq!(json.exact, read_text(GOOD).unwrap().exact);
     }
 
+    /// The angles at which there is a mode, in parts to a tenth of a degree.
+    #[test]
+    fn where_there_are_modes_is_said() {
+        let linkage = |crank: &str| {
+            let text = GOOD.replacen("\"10 cm\"", crank, 1);
+            read_text(&text).unwrap().solver
+        };
+        let long = linkage("\"70 cm\"");
+        let BranchError::NotHere { degrees, parts } = unassembled(&long, 12.5) else {
+            panic!("assembled somewhere");
+        };
+        assert_eq!(degrees, 12.5);
+        assert!(!parts.is_empty());
+        let modes = |tenths: f64| {
+            long.assembly_modes(Angle::from_deg(tenths / 10.0)).modes.len()
+        };
+        for [from, to] in parts.iter().map(|p| p.map(|x| (10.0 * x).round())) {
+            assert!((0.0..3600.0).contains(&from) && from <= to && to < 3600.0);
+            assert!(modes(from) > 0 && modes(to) > 0, "{from} {to}");
+            assert!(modes(0.5 * (from + to)) > 0, "{from} {to}");
+            assert!(from == 0.0 || modes(from - 1.0) == 0, "{from}");
+            assert!(to == 3599.0 || modes(to + 1.0) == 0, "{to}");
+        }
+        let nowhere = linkage("\"900 cm\"");
+        assert!(matches!(unassembled(&nowhere, 0.0), BranchError::Nowhere));
+    }
+
     #[test]
     fn refusals_name_the_field() {
         for (from, to, part) in [

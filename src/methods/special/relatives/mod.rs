@@ -269,6 +269,15 @@ mod tests {
         }
     }
 
+    /// The formula behind a value of erfcx is that of w at `i z`, and the report says so.
+    #[test]
+    fn the_branch_of_erfcx_is_that_of_w() {
+        for z in [C::new(0.5, 0.7), C::new(3.0, -0.3), C::new(9.0, 2.0)] {
+            let at = Erfcx::branch(z).expect("a branch");
+            assert!(at.seam.ends_with(" of i z"), "{}", at.seam);
+        }
+    }
+
     /// The search for points next to zero curves starts at the function itself and goes by its slope.
     #[test]
     fn definitions_from_w_and_slopes() {

@@ -53,6 +53,14 @@ fn g(zeta: &ComplexBall, bits: u32) -> (ComplexBall, Ball) {
     (ComplexBall::new(re, im), norm)
 }
 
+/// How far a solution is at most from a point that a map moves by `off`, if that is small enough: `factor` is
+/// `1/(1 − L)` of the map, or more.
+fn within(off: &ComplexBall, enough: Mag, factor: f64) -> Option<Mag> {
+    let off = off.magnitude();
+    let radius = off.mul(Mag::from_f64(factor));
+    (off <= enough).then(|| radius.add(Mag::power_of_two(-128)))
+}
+
 /// `−Im z` at zero number m of the equation.
 pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, String> {
     let turns = Ball::pi(bits).shift(1) * Ball::rational(bits, &Rational::from(m));
@@ -68,9 +76,9 @@ pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, String> {
     for _ in 0..60 {
         let (g, _) = g(&zeta, bits);
         let next = ComplexBall::new(g.re, g.im - &turns);
-        let off = (&next - &zeta).magnitude();
-        if off <= zeta.magnitude().shift(residual(bits)) {
-            let found = zeta.widened(off.mul(Mag::from_f64(1.05)).add(Mag::power_of_two(-128)));
+        let enough = zeta.magnitude().shift(residual(bits));
+        if let Some(radius) = within(&(&next - &zeta), enough, 1.05) {
+            let found = zeta.widened(radius);
             // a² = (|ζ| + D)/2, b = P/(2a).
             let a = (found.norm_sqr().sqrt() + &found.re).shift(-1).sqrt();
             return Ok(-(found.im / &a.shift(1)));
@@ -92,8 +100,8 @@ pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, String> {
         let p = unit(s.square() - &square, 1).shift(-1);
         let (g, _) = g(&ComplexBall::new(d.clone(), -p), bits);
         let off = g.re - &d;
-        if off.magnitude() <= Mag::power_of_two(residual(bits)) {
-            let radius = off.magnitude().shift(1).add(Mag::power_of_two(-128));
+        let real = ComplexBall::new(off.clone(), Ball::integer(bits, 0));
+        if let Some(radius) = within(&real, Mag::power_of_two(residual(bits)), 2.0) {
             return Ok(unit(d.widened(radius) / &number, -1));
         }
         // Newton's method: Re G is ln D and a constant, nearly.

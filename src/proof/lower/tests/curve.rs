@@ -47,7 +47,38 @@ fn what_is_left_out_counts() {
             );
         }
         assert_eq!(norm.mid().to_f64(), x * x + y * y);
+        // With more terms the value is another within both radii.
+        let fine = |x: f64| Ball::exact(400, x);
+        let (fine, _) = g(&ComplexBall::new(fine(x), fine(y)), 400);
+        assert!(found.re.overlaps(&fine.re) && found.im.overlaps(&fine.im));
+        // A point is less than 10⁻⁹ larger than it is taken to be.
+        let n = terms(f64::hypot(x, y) * (1.0 - 1e-9), 192).0;
+        assert_eq!(n, terms(f64::hypot(x, y), 192).0);
     }
+}
+
+/// What a map moves by half the limit at most has its solution within the factor of that, and 2⁻¹²⁸ more.
+#[test]
+fn solutions_are_within_the_move() {
+    let complex = |re: Ball, im: Ball| ComplexBall::new(re, im);
+    let zero = || Ball::integer(192, 0);
+    let moved = |k: i32| Ball::exact(192, f64::from(k).exp2());
+    let enough = Mag::power_of_two(-100);
+    for (k, factor) in [(-100, 1.05), (-101, 1.05), (-110, 2.0), (-127, 2.0), (-128, 1.05), (-140, 2.0)] {
+        let due = factor * f64::from(k).exp2() + f64::exp2(-128.0);
+        for off in [complex(moved(k), zero()), complex(zero(), -moved(k))] {
+            let radius = within(&off, enough, factor).expect("small").to_f64();
+            assert!(radius >= due && radius < 1.000_001 * due, "{k} {factor} {radius:e}");
+        }
+    }
+    // The whole of a ball counts.
+    let ball = moved(-102).widened(Mag::power_of_two(-103));
+    let radius = within(&complex(ball, zero()), enough, 2.0).expect("small");
+    assert!((radius.to_f64() / (3.0 * f64::exp2(-102.0)) - 1.0).abs() < 1e-6);
+    let ball = moved(-101).widened(Mag::power_of_two(-100));
+    assert!(within(&complex(ball, zero()), enough, 2.0).is_none());
+    assert!(within(&complex(moved(-99), zero()), enough, 1.05).is_none());
+    assert!(within(&complex(zero(), moved(-99)), enough, 1.05).is_none());
 }
 
 /// On the lines both terms are equal: `|2e^{−z²}| = |w(−z)|`.

@@ -24,6 +24,9 @@ fn the_smaller_exponential_counts_most_at_the_limit() {
     assert!(at(LIMITS.dominant, 2.0 * w) < found);
     let most = all.fold(0.0, f64::max);
     assert!(found <= most * (1.0 + 1e-9), "{found} {most}");
+    // D is as far below the limit as its rounding may put it.
+    let due = (at(LIMITS.dominant - 1e-12, w) - 0.5) * (1.0 + 1e-12) + 0.5;
+    assert!((found / due - 1.0).abs() < 2e-14, "{found} {due}");
     // Left out beyond the second limit.
     assert!(found >= u + 2.0 * (-LIMITS.negligible).exp() / w * TWO_52);
     let mut early = LIMITS;
@@ -36,6 +39,13 @@ fn the_smaller_exponential_counts_most_at_the_limit() {
     assert_eq!(image(u, &E, &near, w), f64::INFINITY);
     near.dominant = 0.9;
     assert_eq!(image(u, &E, &near, 10.0), f64::INFINITY);
+    // As soon as neither is so.
+    near.dominant = 1.5;
+    let x = 2.0 * (-1.5f64).exp();
+    let rho = (E.short[0] + E.short[1] * 1.5) * TWO_52;
+    let due = (u * 0.6 + rho * x) / (0.6 - x) + 0.5;
+    let found = image(u, &E, &near, 0.6);
+    assert!((found / due - 1.0).abs() < 1e-9, "{found} {due}");
 }
 
 /// `(UW + ρx)/(x − W) + ½` with W at most one.
@@ -51,7 +61,8 @@ fn the_larger_exponential_counts_least_at_the_limit() {
         let d = LIMITS.dominant + 0.1 * f64::from(i);
         assert!(at(d, 1.0) <= found && at(d, 0.3) <= found);
     }
-    assert!(found <= at(LIMITS.dominant, 1.0) * (1.0 + 1e-9));
+    let due = (at(LIMITS.dominant - 1e-12, 1.0) - 0.5) * (1.0 + 1e-12) + 0.5;
+    assert!((found / due - 1.0).abs() < 2e-14, "{found} {due}");
 }
 
 /// The lower bounds of |w(−z)| where the exponential is smaller: `1/(√π r) − B₁` at 7 and 48, which cells and 26 terms
