@@ -311,8 +311,14 @@ mod tests {
             "3.000 ulps, 0.250 u (1 + condition), 1.500 of its budget, condition 20.000"
         );
         let nan = f64::NAN;
-        assert_eq!(of(nan, 2e7, nan), "2.00e7 u (1 + condition), 1.500 of its budget");
-        assert_eq!(of(2000.0, nan, f64::INFINITY), "2000 ulps, 1.500 of its budget");
+        assert_eq!(
+            of(nan, 2e7, nan),
+            "2.00e7 u (1 + condition), 1.500 of its budget"
+        );
+        assert_eq!(
+            of(2000.0, nan, f64::INFINITY),
+            "2000 ulps, 1.500 of its budget"
+        );
         assert_eq!(of(nan, nan, nan), "1.500 of its budget");
     }
 
@@ -322,6 +328,9 @@ mod tests {
         assert_eq!(wrong(&kinds), "");
         (kinds[Kind::Nan], kinds[Kind::Missing]) = (2, 1);
         let [nan, missing] = [Kind::Nan, Kind::Missing].map(Kind::name);
-        assert_eq!(wrong(&kinds), format!("; wrong in kind: 2 {nan}, 1 {missing}"));
+        assert_eq!(
+            wrong(&kinds),
+            format!("; wrong in kind: 2 {nan}, 1 {missing}")
+        );
     }
 }

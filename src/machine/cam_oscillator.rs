@@ -559,7 +559,7 @@ mod tests {
     #[test]
     fn a_chart_has_the_points_asked_for() {
         let text = include_str!("../../examples/chirp-chart.toml");
-        let machine = CamOscillator::read(&Source::toml(text.into()), Some(20)).unwrap();
+        let machine = CamOscillator::read(&Source::toml(text), Some(20)).unwrap();
         let file: toml::Table = text.parse().unwrap();
         let of = |key| file["chart"][key].as_float().unwrap();
         let (from, to, step) = (of("from"), of("to"), of("step"));

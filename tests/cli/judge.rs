@@ -215,20 +215,36 @@ fn inputs_without_values_are_counted() {
         let d = run(&["judge", "erf", "--inputs", &inputs, "--values", &values]);
         assert_eq!(d.code, 1, "{}{}", d.out, d.err);
         let all = d.out + &d.err;
-        assert!(all.contains(&format!("after {answers} answers")) && all.contains(left), "{all}");
+        assert!(
+            all.contains(&format!("after {answers} answers")) && all.contains(left),
+            "{all}"
+        );
     }
 }
 
 #[test]
 fn points_in_single_precision_are_its_numbers() {
     let of = |more: &[&str]| {
-        let args = ["points", "erf", "--count", "3", "--decimal"];
+        let args = [
+            "points",
+            "erf",
+            "--region",
+            "mid",
+            "--count",
+            "6",
+            "--decimal",
+        ];
         let d = run(&[&args[..], more].concat());
         assert_eq!(d.code, 0, "{}", d.err);
         let lines = d.out.lines().filter(|l| !l.starts_with('#'));
-        let numbers = lines.flat_map(|l| l.split([',', ' '])).filter(|x| !x.is_empty());
+        let numbers = lines
+            .flat_map(|l| l.split([',', ' ']))
+            .filter(|x| !x.is_empty());
         let numbers: Vec<f64> = numbers.map(|x| x.parse().unwrap()).collect();
-        let single = numbers.iter().filter(|x| f64::from(**x as f32) == **x).count();
+        let single = numbers
+            .iter()
+            .filter(|x| f64::from(**x as f32) == **x)
+            .count();
         (numbers.len(), single)
     };
     let (all, single) = of(&["--single"]);

@@ -15,7 +15,11 @@ fn they_are_what_they_were() {
     };
     let mut text = String::new();
     for method in methods::registry() {
-        if !method.outputs().iter().any(|o| o.budget.limit.needs_conditions()) {
+        if !method
+            .outputs()
+            .iter()
+            .any(|o| o.budget.limit.needs_conditions())
+        {
             continue;
         }
         writeln!(text, "{}", method.name()).unwrap();

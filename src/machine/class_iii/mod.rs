@@ -234,7 +234,9 @@ mod tests {
         assert_eq!(degrees, 12.5);
         assert!(!parts.is_empty());
         let modes = |tenths: f64| {
-            long.assembly_modes(Angle::from_deg(tenths / 10.0)).modes.len()
+            long.assembly_modes(Angle::from_deg(tenths / 10.0))
+                .modes
+                .len()
         };
         for [from, to] in parts.iter().map(|p| p.map(|x| (10.0 * x).round())) {
             assert!((0.0..3600.0).contains(&from) && from <= to && to < 3600.0);

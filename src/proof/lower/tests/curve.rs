@@ -64,11 +64,21 @@ fn solutions_are_within_the_move() {
     let zero = || Ball::integer(192, 0);
     let moved = |k: i32| Ball::exact(192, f64::from(k).exp2());
     let enough = Mag::power_of_two(-100);
-    for (k, factor) in [(-100, 1.05), (-101, 1.05), (-110, 2.0), (-127, 2.0), (-128, 1.05), (-140, 2.0)] {
+    for (k, factor) in [
+        (-101, 1.05),
+        (-102, 1.05),
+        (-110, 2.0),
+        (-127, 2.0),
+        (-128, 1.05),
+        (-140, 2.0),
+    ] {
         let due = factor * f64::from(k).exp2() + f64::exp2(-128.0);
         for off in [complex(moved(k), zero()), complex(zero(), -moved(k))] {
             let radius = within(&off, enough, factor).expect("small").to_f64();
-            assert!(radius >= due && radius < 1.000_001 * due, "{k} {factor} {radius:e}");
+            assert!(
+                radius >= due && radius < 1.000_001 * due,
+                "{k} {factor} {radius:e}"
+            );
         }
     }
     // The whole of a ball counts.
