@@ -144,10 +144,10 @@ impl Phase {
                 boxes += 1;
             }
         }
-        let [_, rounded] = polynomials(c);
+        let [_, [sine, cosine]] = polynomials(c);
         Ok(Phase {
             error,
-            short: sum_up(short, hypot_up(rounded[0], rounded[1])),
+            short: sum_up(short, hypot_up(sine, cosine)),
             boxes,
         })
     }

@@ -108,3 +108,14 @@ fn bounds_are_the_formulas() {
     let ball = Ball::exact(60, 1.0).widened(mechaudit_reference::Mag::from_f64(0.5));
     assert!(above(&ball) >= 1.5 && above(&ball) < 1.5001);
 }
+
+/// Above what is due for all of many arguments: at some of them the value is next to above an f64.
+#[test]
+fn exponentials_are_rounded_up() {
+    for k in 0..40_000 {
+        let t = -20.0 + 0.001 * f64::from(k);
+        let due = Float::with_val(200, t).exp();
+        let found = exp_up(t);
+        assert!(found >= due && found < due * (1.0 + 1e-15), "{t}");
+    }
+}

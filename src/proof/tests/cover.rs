@@ -346,3 +346,17 @@ fn scaled_ends_are_rounded_outwards() {
         Some([0.0, least])
     );
 }
+
+/// Numbers below the normal ones are scaled as the smallest of these.
+#[test]
+fn subnormal_rectangles_are_scaled_as_the_smallest_normal_number() {
+    let [small, large] = [1u64 << 20, 1 << 40].map(f64::from_bits);
+    let at = Rectangle {
+        a: [0.0, large],
+        b: [small, large],
+    };
+    let scaled = at.scaled().expect("one power");
+    let up = |x: f64| x * 2f64.powi(511) * 2f64.powi(511);
+    assert_eq!(scaled.a, [0.0, up(large)]);
+    assert_eq!(scaled.b, [up(small), up(large)]);
+}

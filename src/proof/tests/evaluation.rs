@@ -673,3 +673,15 @@ fn truth_values_and_vectors() {
     );
     assert_eq!(found[5], [26.0; 4]);
 }
+
+/// Sums of constants that need no rounding have no error.
+#[test]
+fn exact_sums_have_nothing_left() {
+    for (a, b) in [(1.0, 2.0), (0.0, 5.0), (3.0, -3.0)] {
+        let [sum, rest] = only(|| {
+            let (s, e) = Tracked::entry(a).two_sum(Tracked::entry(b));
+            [s.constant(), e.constant()]
+        });
+        assert_eq!((sum, rest), (Some(a + b), Some(0.0)));
+    }
+}

@@ -490,6 +490,14 @@ fn shares_end_at_the_normal_numbers() {
     };
     assert_eq!(of(1.9 * f64::MIN_POSITIVE), f64::INFINITY);
     assert!(of(2.1 * f64::MIN_POSITIVE) < 1e-15);
+    // What may be off by most of itself may be below them from any size on.
+    let far = form(
+        3.0 * f64::MIN_POSITIVE,
+        &[(5, 2.1 * f64::MIN_POSITIVE)],
+        0.0,
+    );
+    assert!(far.relative() > 0.6 && far.relative() < 0.8);
+    assert_eq!(rounded(far, sigma, (0.0, 0.0), 1.0, 1).share, f64::INFINITY);
 }
 
 /// Zero and subnormal numbers are multiples of the smallest number, or of more for a point.

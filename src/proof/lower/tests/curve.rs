@@ -137,6 +137,16 @@ fn both_terms_are_equal() {
     }
 }
 
+/// The last step of the iteration is of any size below the limit: the zero is within what is made of it.
+#[test]
+fn zeros_are_within_their_last_step() {
+    for k in 0..60 {
+        let m = (1000.0 * 1.2f64.powi(k)) as u64;
+        let [few, more] = [192, 400].map(|bits| zero(m, bits).expect("found"));
+        assert!(few.overlaps(&more), "{m}");
+    }
+}
+
 #[test]
 fn zeros_of_the_equation_are_those_of_w() {
     for m in [20, 57, 300] {

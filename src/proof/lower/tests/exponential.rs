@@ -61,6 +61,8 @@ fn exponentials_at_points_are_within_their_errors() {
     let [sound, faulty] = [Factors::default(), without].map(|f| of_exp(&f, at).expect("a bound"));
     assert!(faulty.pair >= sound.pair && faulty.pair > 0.9 * low(at));
     assert!(faulty.rounded > sound.rounded + 0.9 * low(at));
+    assert!(faulty.pair < sound.pair + 1.1 * low(at));
+    assert!(faulty.rounded < sound.rounded + 1.1 * low(at));
 }
 
 /// Sine and cosine of a reduced phase and its low part, without what the phase itself is wrong by.

@@ -102,6 +102,17 @@ fn a_first_part_off_the_grid_is_refused() {
     assert!(refused(0.75f64.next_up()) && !refused(1.5));
     // Above twice the largest reduced phase, or below nothing.
     assert!(refused(1.5708007) && refused(-1.5));
+    // With 3·10⁻⁷ of room, which the other checks do not know of.
+    let why = |off: f64| {
+        let mut c = code::constants();
+        c.half_pi[0] = (2.0 * (REDUCED - off) * f64::exp2(40.0)).round() * f64::exp2(-40.0);
+        c.two_over_pi = &[1, 2];
+        Phase::of(&c, Rounding::default())
+            .err()
+            .expect("wrong digits")
+    };
+    let first = "the first part of";
+    assert!(why(2.5e-7).starts_with(first) && !why(3.5e-7).starts_with(first));
 }
 
 #[test]

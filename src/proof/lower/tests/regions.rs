@@ -380,6 +380,11 @@ fn maclaurin_series_below_the_axis() {
     let few = [1e-3, 2e-3];
     assert_eq!(of(9, [0.0, 1e-3], few).len(), 2);
     assert_eq!(of(9, few, few).len(), 1);
+    // Where the real part of z may be zero, w may be real.
+    for v in of(9, [0.0, 0.0], few) {
+        let [lo, hi] = few.map(|y| w_f64(0.0, -y, 60).expect("decided").re.mid().to_f64());
+        assert!(v.least <= lo && v.most >= hi && v.most < 1.01 * hi, "{v:?}");
+    }
     assert_eq!(of(21, [0.0, 1e-3], few).len(), 1);
     for terms in [9, 21] {
         let left = truncation::maclaurin(terms - 1, f64::hypot(0.1, 0.43)).norm;

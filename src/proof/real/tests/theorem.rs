@@ -552,3 +552,39 @@ fn a_summary_has_the_worst_of_each_formula() {
     );
     assert!(Certificate::default().summary(Function::Erf).is_none());
 }
+
+/// A formula's line in the summary holds all of its intervals, in whatever order they come, and the worst of them.
+#[test]
+fn a_summary_holds_every_interval() {
+    let leaf = |ends: [f64; 2], ulps: f64, formula: Formula| Leaf {
+        at: Interval {
+            negative: false,
+            ends,
+        },
+        formula,
+        ulps,
+    };
+    let row = Formula::Value(Inner::Row { centre: 2.5 });
+    assert_eq!(row.centre(), Some(2.5));
+    assert_eq!(Formula::Constant.centre(), None);
+    let found = Certificate {
+        leaves: vec![
+            leaf([8.0, 9.0], 0.5, Formula::Constant),
+            leaf([4.0, 5.0], 0.6, row),
+            leaf([1.0, 2.0], 0.75, row),
+            leaf([2.5, 3.0], 0.5, row),
+        ],
+        ..Certificate::default()
+    };
+    let summary = found.summary(Function::Erf).expect("intervals");
+    assert_eq!(
+        (summary.ulps, summary.at.ends, summary.intervals),
+        (0.75, [1.0, 2.0], 4)
+    );
+    let all: Vec<_> = summary
+        .formulas
+        .iter()
+        .map(|f| (f.ends, f.intervals, f.ulps))
+        .collect();
+    assert_eq!(all, [([1.0, 5.0], 3, 0.75), ([8.0, 9.0], 1, 0.5)]);
+}
