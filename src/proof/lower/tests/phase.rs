@@ -1,4 +1,5 @@
 use super::*;
+use crate::evaluation::here;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rug::Float;
@@ -220,7 +221,8 @@ fn quarters_and_rest_are_coordinates() {
         let left = left_of_quarters(k, &parts);
         near(left / left_of_half_pi(&parts), k[1]);
         // A low part as large as half a unit of the largest phase may be.
-        let ((_, low), _) = reducible(h0, k, r);
+        let ((_, low), number) = reducible(h0, k, r);
+        assert_eq!(here(|e| e.form(number).grain), 0, "an integer");
         let most = (k[1] * h0 + r[1]).max(-r[0]) * U;
         let error = low.result().error + low.result().exact.magnitude();
         assert!(error >= most && error < 2.1 * most, "{error:e} {most:e}");

@@ -297,3 +297,18 @@ fn the_largest_bound_is_told_with_its_place() {
     let apart = ZEROS[..2].iter().map(apart).fold(f64::INFINITY, f64::min);
     assert!(apart < 0.1, "{at:?} {apart}");
 }
+
+/// Next to a zero no f64 is nearer than the larger of the low parts of its coordinates.
+#[test]
+fn numbers_are_off_by_a_low_part() {
+    let mut both = [false; 2];
+    for zero in ZEROS.iter() {
+        let [re, im] = [zero.row[1], zero.row[4]].map(f64::abs);
+        both[usize::from(re > im)] = true;
+        let due = if re > im { re } else { im };
+        let [side, nearest] = zero.shells(1e-3);
+        assert!((nearest / due - 1.0).abs() < 1e-13 && nearest < due);
+        assert!((side * zero.row[0] / 1e-3 - 1.0).abs() < 1e-11 && side > 1e-3 / zero.row[0]);
+    }
+    assert_eq!(both, [true; 2]);
+}
