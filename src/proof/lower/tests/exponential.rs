@@ -53,16 +53,24 @@ fn exponentials_at_points_are_within_their_errors() {
     }
     assert!(most[0] > 1e-3 && most[1] > 0.3 && most[2] > 0.3, "{most:?}");
     // A low part that is left out is missing.
-    let without = Factors {
-        low_part: false,
-        ..Factors::default()
+    let both = |at| {
+        let without = Factors {
+            low_part: false,
+            ..Factors::default()
+        };
+        [Factors::default(), without].map(|f| of_exp(&f, at).expect("a bound"))
     };
     let at = [3.0, 3.02];
-    let [sound, faulty] = [Factors::default(), without].map(|f| of_exp(&f, at).expect("a bound"));
+    let [sound, faulty] = both(at);
     assert!(faulty.pair >= sound.pair && faulty.pair > 0.9 * low(at));
     assert!(faulty.rounded > sound.rounded + 0.9 * low(at));
     assert!(faulty.pair < sound.pair + 1.1 * low(at));
     assert!(faulty.rounded < sound.rounded + 1.1 * low(at));
+    // One that is handed on is rounded too, which is little.
+    let at = [0.5, 0.51];
+    let [sound, faulty] = both(at);
+    let more = sound.pair / (faulty.pair - product_up(1.01, low(at))) - 1.0;
+    assert!(more > 1e-11 && more < 1e-9, "{more:e}");
 }
 
 /// Sine and cosine of a reduced phase and its low part, without what the phase itself is wrong by.

@@ -341,6 +341,7 @@ fn values_are_enclosed() {
         (0.68, 0.61, 1e-3),
         (3.01, 2.26, 1e-3),
         (3.0, 0.01, 1e-3),
+        (3.03, 0.01, 0.03),
         (6.5, 6.4, 1e-3),
         (9.5, 1e-4, 1e-5),
         (12.0, 1e-12, 1e-13),
@@ -355,6 +356,7 @@ fn values_are_enclosed() {
                 (piece.a[0], piece.b[0]),
                 (piece.a[0], piece.b[1]),
                 (piece.a[1], piece.b[0]),
+                (piece.a[1], piece.b[1]),
             ] {
                 let sign = if region.is_reflected() { 1.0 } else { -1.0 };
                 let w = w_f64(x, sign * y, 60).expect("decided");
