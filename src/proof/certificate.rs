@@ -75,3 +75,36 @@ impl<L: Send, P: Send> Certificate<L, P> {
         Some(whole)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is proved and what is open of every part, how many are done, and nothing where it was stopped.
+    #[test]
+    fn all_parts_are_gathered() {
+        let at = Rectangle {
+            a: [1.0; 2],
+            b: [2.0; 2],
+        };
+        let watch = Watch::default();
+        let prove = |root: &u64, found: &mut Certificate<u64>| {
+            found.leaves.extend([*root, 100 + root]);
+            if root % 3 == 0 {
+                let why = "planted";
+                found.open.push(Open { at, why });
+            }
+            (!watch.is_stopped()).then_some(())
+        };
+        let roots: Vec<u64> = (0..10).collect();
+        for _ in 0..2 {
+            let whole = Certificate::of_all(&roots, &watch, prove).expect("not stopped");
+            let due: Vec<u64> = roots.iter().flat_map(|r| [*r, 100 + r]).collect();
+            assert_eq!((whole.leaves, whole.open.len()), (due, 4));
+            let counts = [&watch.done, &watch.of].map(|n| n.load(Ordering::Relaxed));
+            assert_eq!(counts, [10, 10]);
+        }
+        watch.stop.store(true, Ordering::Relaxed);
+        assert!(Certificate::of_all(&roots, &watch, prove).is_none());
+    }
+}

@@ -68,6 +68,16 @@ fn last(b: f64) -> u64 {
     ((2.0 * b * b + 14.0) / TAU) as u64 + 1
 }
 
+/// The exponent of 1 in units of the last place of b, or of half of them.
+fn last_place(b: f64) -> i32 {
+    52 - crate::form::exponent(down(b * 0.999))
+}
+
+/// Above |b| within a quarter of m of zero m: `|ζ| ≤ 8m + 13` there.
+fn most_of_b(m: u64) -> f64 {
+    up((8.0 * m as f64 + 13.0).sqrt())
+}
+
 impl Apart {
     /// Enumerates all, or what is below `within` in `Im z`; `None` if it was stopped.
     ///
@@ -78,9 +88,8 @@ impl Apart {
         let begin = f64::from(LINES).exp2();
         let zeros = Smooth {
             value: &|m, bits| curve::zero(m, bits),
-            // b in units of its last place, or half of them.
-            shift: &|b: f64| 52 - crate::form::exponent(down(b * 0.999)),
-            most: &|m| up((8.0 * m as f64 + 13.0).sqrt()),
+            shift: &last_place,
+            most: &most_of_b,
             few: true,
         };
         let end = last(within.map_or(begin, |w| w.min(begin)));

@@ -12,6 +12,62 @@ fn the_first_zeros_are_off_all_numbers() {
     );
 }
 
+/// `(a − b)/δ` on the curve `a² − b² = D = ln(2√π |z|)` over a binade of b is within the numbers of its lines; these are
+/// those of the smallest D over the largest sum, and the other way round.
+#[test]
+fn lines_of_a_binade_are_those_that_meet_it() {
+    let d_at = |b: f64| {
+        let root = 2.0 * std::f64::consts::PI.sqrt();
+        (0..50).fold(10.0, |d, _| (root * f64::sqrt(2.0 * b * b + d)).ln())
+    };
+    for k in LINES..=28 {
+        let [first, last] = lines(k).map(|j| j as f64);
+        let (binade, unit) = (f64::from(k).exp2(), f64::from(k - 52).exp2());
+        for i in 0..=64 {
+            let b = binade * (1.0 + f64::from(i) / 64.0);
+            let d = d_at(b);
+            let j = d / (f64::sqrt(b * b + d) + b) / unit;
+            assert!(j.floor() <= last && j.ceil() >= first, "{k} {i} {j}");
+        }
+        let least = d_at(binade) / (4.0 * binade) / unit;
+        let most = d_at(2.0 * binade) / (2.0 * binade) / unit;
+        let low = least * (1.0 - 1.2e-4) - 1.0;
+        assert!(first >= low.max(1.0) && first <= (least * (1.0 - 0.9e-4)).max(1.0));
+        let high = most * (1.0 + 4e-6);
+        assert!(
+            last >= high.floor() && last <= most * (1.0 + 7e-6),
+            "{k} {last} {most}"
+        );
+    }
+    // From here on no line is as near to the diagonal as the curve.
+    assert!(lines(26)[1] > 0 && lines(28)[1] == 0);
+}
+
+/// Beyond the last zero b is larger than the limit, and few before it are.
+#[test]
+fn the_last_zero_below_a_limit() {
+    for limit in [64.0, 100.5, 1000.0, 4096.0, 8192.0] {
+        let b = |m: u64| curve::zero(m, 192).expect("found").mid().to_f64();
+        let m = last(limit);
+        assert!(b(m + 1) > limit && b(m - 3) < limit, "{limit} {m}");
+    }
+}
+
+/// Units of b, or halves of them next to a power of two, and a bound of it about a zero.
+#[test]
+fn units_and_bounds_of_zeros() {
+    for k in 6..14 {
+        let binade = f64::from(k).exp2();
+        let found = [1.0001, 1.002, 1.5, 1.999].map(|b| last_place(b * binade));
+        assert_eq!(found, [53 - k, 52 - k, 52 - k, 52 - k]);
+    }
+    for m in [20u64, 1000, 1_000_000, 20_000_000] {
+        let b = curve::zero(m + m / 4, 192).expect("found").mid().to_f64();
+        let most = most_of_b(m);
+        assert!(most > 1.05 * b && most < 2.0 * b, "{m} {most} {b}");
+    }
+}
+
 #[test]
 #[ignore = "minutes"]
 fn all_zeros_are_off_all_numbers() {
