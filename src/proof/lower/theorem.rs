@@ -71,12 +71,20 @@ pub fn theorem(
         return Ok(None);
     };
     let wanted = |r: &Rectangle| within.is_none_or(|most| r.a[1].max(r.b[1]) < most);
-    Ok(lower_half_plane(&solver, target, watch, wanted)
-        .map(|found| together(&solver, &dominated, (zeros, again, apart), found)))
+    Ok(
+        lower_half_plane(&solver, target, watch, wanted).map(|found| {
+            together(
+                solver.exponential.boxes,
+                &dominated,
+                (zeros, again, apart),
+                found,
+            )
+        }),
+    )
 }
 
 fn together(
-    solver: &Code,
+    of_exponential: usize,
     dominated: &Dominated,
     (zeros, again, apart): (AroundZeros, Again, Apart),
     found: Certificate,
@@ -130,9 +138,92 @@ fn together(
     Theorem {
         apart,
         norm: worst(regions.iter().map(|r| r.norm)),
-        of_exponential: solver.exponential.boxes,
+        of_exponential,
         open: found.open,
         leaves: found.leaves,
         regions,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lower::Region;
+
+    /// Rectangles by the names of their formulas with the worst of each, bounds without rectangles, and the worst of all.
+    #[test]
+    fn every_bound_counts() {
+        let leaf = |x: f64, region: Region, norm: f64| Leaf {
+            at: Rectangle {
+                a: [x; 2],
+                b: [1.0; 2],
+            },
+            region,
+            norm,
+        };
+        let (strip, line) = (Region::Strip, Region::RealLine);
+        let leaves = || {
+            vec![
+                leaf(1.0, strip, 1.25),
+                leaf(2.0, line, 1.5),
+                leaf(3.0, strip, 1.75),
+                leaf(4.0, strip, 0.5),
+                leaf(5.0, Region::Dominated, 9.0),
+            ]
+        };
+        let of = |parts: [f64; 8], open: Vec<Open>| {
+            let dominated = Dominated {
+                image_in_cell: parts[0],
+                image_by_series: parts[1],
+                exponential: parts[2],
+                huge: parts[3],
+                boxes: 0,
+            };
+            let again = Again {
+                near: parts[4],
+                far: parts[5],
+                long: parts[6],
+            };
+            let zeros = AroundZeros {
+                norm: parts[7],
+                boxes: 17,
+                at: None,
+            };
+            let apart = Apart {
+                boxes: 1,
+                zeros: 2,
+                lines: 3,
+            };
+            let leaves = leaves();
+            together(
+                11,
+                &dominated,
+                (zeros, again, apart),
+                Certificate { leaves, open },
+            )
+        };
+        let open = Open {
+            at: leaves()[0].at,
+            why: "planted",
+        };
+        let small = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
+        let found = of(small, vec![open]);
+        assert_eq!((found.norm, found.of_exponential), (1.75, 11));
+        assert_eq!((found.open.len(), found.leaves.len()), (1, 5));
+        let rows: Vec<_> = found.regions.iter().map(|r| (r.boxes, r.norm)).collect();
+        let without = small.map(|norm| (if norm == 0.8 { 17 } else { 0 }, norm));
+        assert_eq!(rows, [&[(3, 1.75), (1, 1.5)], &without[..]].concat());
+        let at = found.regions[0].at.expect("a rectangle");
+        assert_eq!((found.regions[0].name, at.a), (strip.name(), [3.0; 2]));
+        for k in 0..8 {
+            for norm in [3.0, f64::INFINITY] {
+                let mut parts = small;
+                parts[k] = norm;
+                assert_eq!(of(parts, Vec::new()).norm, norm, "{k}");
+            }
+            let mut parts = small;
+            parts[k] = f64::NAN;
+            assert!(!(of(parts, Vec::new()).norm <= 2.0), "{k}");
+        }
     }
 }
