@@ -99,3 +99,57 @@ impl Certificate {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Formula;
+
+    /// The worst of each formula with its rectangle, and of all; no component where one has no bound.
+    #[test]
+    fn every_formula_has_a_line() {
+        let leaf = |x: f64, formula: Formula, [norm, re, im, tiny]: [f64; 4]| Leaf {
+            at: Rectangle {
+                a: [x; 2],
+                b: [1.0; 2],
+            },
+            formula,
+            bound: Bound { norm, re, im, tiny },
+        };
+        let nine = Formula::Maclaurin { terms: 9 };
+        let leaves = vec![
+            leaf(1.0, nine, [1.0, 1.5, 1.25, 0.0]),
+            leaf(2.0, Formula::Huge, [2.0, 0.5, 1.75, 3.0]),
+            leaf(3.0, nine, [3.0, 1.25, 1.125, 1.0]),
+        ];
+        let of = |leaves: Vec<Leaf>| {
+            let open = Vec::new();
+            Certificate { leaves, open }.summary().expect("a leaf")
+        };
+        let found = of(leaves.clone());
+        let rows: Vec<_> = found
+            .formulas
+            .iter()
+            .map(|f| (f.name, f.boxes, f.norm.bound, f.tiny))
+            .collect();
+        let due = [
+            (nine.name(), 2, 3.0, 1.0),
+            (Formula::Huge.name(), 1, 2.0, 3.0),
+        ];
+        assert_eq!(rows, due);
+        assert_eq!(
+            (found.norm.bound, found.norm.at.a, found.tiny, found.boxes),
+            (3.0, [3.0; 2], 3.0, 3)
+        );
+        let component = found.component.expect("both parts of each");
+        assert_eq!((component.bound, component.at.a), (1.75, [2.0; 2]));
+        let re = found.formulas[0].re.expect("a bound");
+        assert_eq!((re.bound, re.at.a), (1.5, [1.0; 2]));
+        let mut without = leaves;
+        without[2].bound.im = f64::INFINITY;
+        let found = of(without);
+        assert!(found.component.is_none() && found.formulas[0].im.is_none());
+        assert!(found.formulas[1].im.is_some());
+        assert!(Certificate::default().summary().is_none());
+    }
+}

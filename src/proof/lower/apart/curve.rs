@@ -8,6 +8,10 @@ use rug::{Float, Rational};
 /// A residual below this part of ζ ends an iteration, at 192 bits and at more.
 const RESIDUAL: [i64; 2] = [-135, -175];
 
+/// Above `1/(1 − L)`, L what the map contracts by: of a zero `|G′| < 1/21`, of a line `1/D` and less than half.
+const OF_ZERO: f64 = 1.05;
+const OF_LINE: f64 = 2.0;
+
 fn residual(bits: u32) -> i64 {
     RESIDUAL[usize::from(bits > 200)]
 }
@@ -77,7 +81,7 @@ pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, String> {
         let (g, _) = g(&zeta, bits);
         let next = ComplexBall::new(g.re, g.im - &turns);
         let enough = zeta.magnitude().shift(residual(bits));
-        if let Some(radius) = within(&(&next - &zeta), enough, 1.05) {
+        if let Some(radius) = within(&(&next - &zeta), enough, OF_ZERO) {
             let found = zeta.widened(radius);
             // a² = (|ζ| + D)/2, b = P/(2a).
             let a = (found.norm_sqr().sqrt() + &found.re).shift(-1).sqrt();
@@ -101,7 +105,7 @@ pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, String> {
         let (g, _) = g(&ComplexBall::new(d.clone(), -p), bits);
         let off = g.re - &d;
         let real = ComplexBall::new(off.clone(), Ball::integer(bits, 0));
-        if let Some(radius) = within(&real, Mag::power_of_two(residual(bits)), 2.0) {
+        if let Some(radius) = within(&real, Mag::power_of_two(residual(bits)), OF_LINE) {
             return Ok(unit(d.widened(radius) / &number, -1));
         }
         // Newton's method: Re G is ln D and a constant, nearly.

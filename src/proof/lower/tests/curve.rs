@@ -137,6 +137,36 @@ fn both_terms_are_equal() {
     }
 }
 
+/// The factors are above those of the contraction, the one of zeros by less than a tenth.
+#[test]
+fn steps_contract_as_they_are_taken_to() {
+    let at = |x: f64, p: f64| {
+        let zeta = ComplexBall::new(Ball::exact(192, x), Ball::exact(192, -p));
+        g(&zeta, 192).0
+    };
+    let small = f64::exp2(-20.0);
+    for m in [super::super::FIRST, 100, 10_000] {
+        let p = std::f64::consts::TAU * m as f64 - 1.5;
+        let x = 1.27 + 0.5 * p.ln();
+        for [u, v] in [[small, 0.0], [0.0, small]] {
+            let slope = (&at(x + u, p + v) - &at(x, p)).magnitude().to_f64() / small;
+            assert!(
+                1.0 / (1.0 - slope) < OF_ZERO && OF_ZERO < 1.1 / (1.0 - slope),
+                "{m} {slope}"
+            );
+        }
+    }
+    for k in [13, 20, 26] {
+        let b = f64::from(k).exp2();
+        let d = 1.27 + 0.5 * (2.0 * b * b).ln();
+        // With a − b = c: a + b = D/c and P = ((D/c)² − c²)/2.
+        let c = d / (2.0 * b);
+        let image = |d: f64| middle(&at(d, 0.5 * ((d / c).powi(2) - c * c)).re);
+        let slope = (image(d + small) - image(d)).abs() / small;
+        assert!(slope > 0.01 && 1.0 / (1.0 - slope) < OF_LINE, "{k} {slope}");
+    }
+}
+
 /// The last step of the iteration is of any size below the limit: the zero is within what is made of it.
 #[test]
 fn zeros_are_within_their_last_step() {
