@@ -90,7 +90,7 @@ mod tests {
         let watch = Watch::default();
         let prove = |root: &u64, found: &mut Certificate<u64>| {
             found.leaves.extend([*root, 100 + root]);
-            if root % 3 == 0 {
+            if root.is_multiple_of(3) {
                 let why = "planted";
                 found.open.push(Open { at, why });
             }
