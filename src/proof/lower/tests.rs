@@ -135,6 +135,31 @@ fn rings_of_zeros_are_proved() {
     assert!(most > 2.0 && most <= LOWER_HALF_PLANE.norm, "{most}");
 }
 
+/// With a target that no bound reaches all of a shell is open, as often halved as may be.
+#[test]
+fn what_is_not_proved_is_open() {
+    let watch = crate::Watch::default();
+    let wanted = |r: &Rectangle| (1.0..2.0).contains(&r.a[1].max(r.b[1]));
+    let shell = super::prove::roots().into_iter().filter(wanted).count();
+    for depth in [0, 1, 2, 7] {
+        let target = Target {
+            norm: 1e-9,
+            single: 1e-9,
+            depth,
+        };
+        let found = lower_half_plane(&CODE, target, &watch, wanted).expect("not stopped");
+        assert!(found.leaves.is_empty());
+        assert_eq!(found.open.len(), shell << depth);
+        let above = found
+            .open
+            .iter()
+            .filter(|o| o.why.contains("above the target"));
+        assert!(depth < 7 || above.count() > 10);
+    }
+    watch.stop.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(lower_half_plane(&CODE, LOWER_HALF_PLANE, &watch, wanted).is_none());
+}
+
 #[test]
 #[ignore = "minutes"]
 fn the_whole_half_plane() {
