@@ -272,6 +272,21 @@ mod tests {
         }
     }
 
+    /// `x = a cos ψ + b cos θ` with θ′ ≤ p, θ″ ≤ q, θ‴ ≤ t: the derivatives of `cos θ` are at most p, p² + q and
+    /// p³ + 3pq + t.
+    #[test]
+    fn bounds_of_the_slider_are_those_of_its_angle() {
+        let l = [2, 5, 1].map(Rational::from);
+        let [determinant, distance] = [3.0, 0.25].map(|x| Ball::exact(128, x));
+        let found =
+            slider_bounds(&l, &determinant, &distance).expect("away from the dead position");
+        let [x1, p, x2, q, x3, t, ..] = found.map(|b| b.mid().to_f64());
+        let cosine = [p, p * p + q, p.powi(3) + 3.0 * p * q + t];
+        for (x, c) in [x1, x2, x3].into_iter().zip(cosine) {
+            assert!((x / (2.0 + 5.0 * c) - 1.0).abs() < 1e-14, "{x} {c}");
+        }
+    }
+
     /// Every value within the distance lies in the widened ball, and the bounds are not idle.
     #[test]
     fn widened_values_hold_those_at_all_angles_within_the_distance() {
