@@ -28,8 +28,8 @@ elif [ ! -x "$rustc" ]; then
 fi
 # Without optimisation: there are no times to be taken here.
 RUSTC=$rustc CARGO_TARGET_DIR=$root/cargo CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc \
-    cargo build --quiet --locked --profile planted --package mechaudit-capi --target $target
-library=$root/cargo/$target/planted/libmechaudit.a
+    cargo build --quiet --locked --profile unoptimised --package mechaudit-capi --target $target
+library=$root/cargo/$target/unoptimised/libmechaudit.a
 
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT

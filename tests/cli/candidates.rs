@@ -1,6 +1,6 @@
 //! Programs in other languages under audit, good and bad ones.
 
-use crate::common::{cells, command, refused, run, run_on, skipped};
+use crate::common::{cells, command, file, refused, run, run_on, skipped};
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -271,11 +271,7 @@ fn what_cannot_be_run_is_bad_usage() {
 #[test]
 fn files_of_inputs_and_values() {
     let folder = tempfile::tempdir().unwrap();
-    let file = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path.to_str().unwrap().to_string()
-    };
+    let file = |name: &str, text: &str| file(&folder, name, text);
     let points = run(&["points", "faddeeva", "--count", "3", "--seed", "5"]).out;
     let inputs = file("points", &points);
     let right = run_on(&points, &["eval", "faddeeva"]).out;

@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
+use tempfile::TempDir;
 
 /// The program, in the folder of the sources.
 pub fn program() -> Command {
@@ -29,6 +30,13 @@ pub fn done(o: Output) -> Done {
 
 pub fn run(args: &[&str]) -> Done {
     done(program().args(args).output().unwrap())
+}
+
+/// Writes a file of the folder; its path.
+pub fn file(folder: &TempDir, name: &str, text: &str) -> String {
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().into()
 }
 
 /// Arguments without blanks in them.

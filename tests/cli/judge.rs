@@ -1,6 +1,6 @@
 //! Tables, inputs and answers in files, and refusals of those that cannot be judged.
 
-use crate::common::{cells, refused, run, said};
+use crate::common::{cells, file, refused, run, said};
 use serde_json::Value;
 use std::time::{Duration, Instant};
 
@@ -131,11 +131,7 @@ fn columns_of_a_table_are_known_by_their_names() {
 #[test]
 fn an_answer_of_the_wrong_length_is_told_which_one_is_due() {
     let folder = tempfile::tempdir().unwrap();
-    let file = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path.to_str().unwrap().to_string()
-    };
+    let file = |name: &str, text: &str| file(&folder, name, text);
     for (method, due, answer) in [
         (
             "cubic-spline-not-a-knot",
@@ -204,11 +200,7 @@ fn inputs_of_the_wrong_length_are_bad_input() {
 #[test]
 fn inputs_without_values_are_counted() {
     let folder = tempfile::tempdir().unwrap();
-    let file = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path.to_str().unwrap().to_string()
-    };
+    let file = |name: &str, text: &str| file(&folder, name, text);
     let inputs = file("inputs", &"1,2\n".repeat(5));
     for (answers, left) in [(0, "5 inputs are left"), (2, "3 inputs are left")] {
         let values = file("values", &"0,0\n".repeat(answers));

@@ -28,6 +28,7 @@ fn they_are_what_they_were() {
         for case in all.filter(|c| c.region != "hard" && c.region != "check-points") {
             let found = match method.conditions(&case.input) {
                 Some(found) => {
+                    assert!(found.iter().all(|c| *c >= 0.0), "{}", case.reproduce());
                     let positive = found.iter().filter(|c| **c > 0.0);
                     let (n, zero) = (found.len(), found.len() - positive.clone().count());
                     let sum: f64 = positive.map(|c| c.ln()).sum();
