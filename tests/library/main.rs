@@ -6,6 +6,8 @@
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 #[cfg(feature = "oracle")]
+mod balls;
+#[cfg(feature = "oracle")]
 mod conditions;
 #[cfg(feature = "oracle")]
 mod double_butterfly;

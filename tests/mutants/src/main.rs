@@ -40,6 +40,9 @@ struct Args {
     /// The package they belong to
     #[arg(long, default_value = "mechaudit-reference")]
     package: String,
+    /// The package whose tests they meet, itself if left out
+    #[arg(long, value_name = "PACKAGE")]
+    tests_of: Option<String>,
     /// The tests in the package's library; the only ones if none are named
     #[arg(long)]
     lib: bool,
@@ -151,12 +154,12 @@ fn audit(args: &Args) -> Result<bool> {
         targets.push("--lib".into());
     }
     let mut left_out = HashSet::new();
-    let packages = [args.package.as_str()];
+    let tested = args.tests_of.as_deref().unwrap_or(&args.package);
     // Most of what does not compile is found without generating code.
     let first = Step::Check;
     let executables = compile(
         &tree,
-        &packages,
+        [&[&args.package], &[tested]],
         &sources,
         &mutants,
         &targets,
@@ -255,17 +258,18 @@ enum Step {
     Build,
 }
 
-/// Compiles all mutants, fewer from round to round, until what is left compiles.
+/// Compiles all mutants of packages for the tests of the same or of others, fewer from round to round, until what is left
+/// compiles.
 fn compile(
     tree: &Tree,
-    packages: &[&str],
+    [changed, tested]: [&[&str]; 2],
     sources: &[Source],
     mutants: &[Mutant],
     targets: &[String],
     mut step: Step,
     left_out: &mut HashSet<u32>,
 ) -> Result<Vec<Executable>> {
-    let roots = packages.iter().map(|p| tree.roots(p));
+    let roots = changed.iter().map(|p| tree.roots(p));
     let roots = roots.collect::<Result<Vec<_>>>()?.concat();
     for root in &roots {
         if !sources.iter().any(|s| s.name == *root) {
@@ -291,7 +295,7 @@ fn compile(
             tree.write(&s.name, &r.text)?;
             rendered.push(r);
         }
-        let built = tree.cargo(packages, targets, step == Step::Build)?;
+        let built = tree.cargo(tested, targets, step == Step::Build)?;
         if built.errors.is_empty() {
             if step == Step::Build {
                 return Ok(built.executables);

@@ -43,7 +43,7 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let first = Step::Build;
     let executables = compile(
         &tree,
-        &packages,
+        [&packages, &packages],
         &sources,
         &mutants,
         &targets,
