@@ -6,8 +6,6 @@
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 #[cfg(feature = "oracle")]
-mod balls;
-#[cfg(feature = "oracle")]
 mod conditions;
 #[cfg(feature = "oracle")]
 mod double_butterfly;
@@ -34,6 +32,8 @@ mod ledger;
 mod methods;
 #[cfg(feature = "oracle")]
 mod peaucellier;
+#[cfg(feature = "oracle")]
+mod pinned;
 #[cfg(feature = "cli")]
 mod planted_faults;
 #[cfg(feature = "oracle")]
