@@ -1,5 +1,6 @@
 //! Runs of the program, and checks of its output.
 
+use sha2::{Digest, Sha256};
 use std::io::Write;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
@@ -258,4 +259,22 @@ pub fn is_ignored(signal: &str) -> bool {
     let mask = status.lines().find_map(|l| l.strip_prefix("SigIgn:"));
     let mask = u64::from_str_radix(mask.unwrap().trim(), 16).unwrap();
     mask >> (number - 1) & 1 == 1
+}
+
+/// Size and the first digits of SHA-256.
+pub fn digest(bytes: impl AsRef<[u8]>) -> String {
+    let (bytes, mut short) = (bytes.as_ref(), String::new());
+    for byte in &Sha256::digest(bytes)[..4] {
+        short += &format!("{byte:02x}");
+    }
+    format!("{} {short}", bytes.len())
+}
+
+/// Compares a text with `snapshots/NAME.snap`.
+pub fn pin(name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path("../../snapshots");
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
 }

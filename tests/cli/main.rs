@@ -21,6 +21,7 @@ mod linkage;
 mod linkage_files;
 mod output;
 mod papers;
+mod pinned;
 mod planar;
 mod planar_ranks;
 mod prove;

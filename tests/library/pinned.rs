@@ -36,6 +36,16 @@ fn cut(x: f64) -> f64 {
     f64::from_bits(x.to_bits() >> DROPPED << DROPPED)
 }
 
+/// A method's cases, the hard ones among them.
+fn drawn(method: &dyn Method, per_region: u64) -> Vec<Case> {
+    let settings = Settings {
+        cases_per_region: per_region,
+        ..Settings::default()
+    };
+    let cases = Cases::new(method, &settings);
+    (0..cases.len()).map(|i| cases.get(i)).collect()
+}
+
 /// Of the methods from one to before another, or to the last, region by region, what `text` says of their cases. Hard cases
 /// are left out: their values are written down.
 fn by_region(
@@ -44,17 +54,12 @@ fn by_region(
     per_region: u64,
     text: impl Fn(&dyn Method, &[Case]) -> String,
 ) -> String {
-    let settings = Settings {
-        cases_per_region: per_region,
-        ..Settings::default()
-    };
     let methods = methods::registry();
     let at = |name| methods.iter().position(|m| m.name() == name).expect(name);
     let mut all = String::new();
     for method in &methods[at(from)..to.map_or(methods.len(), at)] {
         writeln!(all, "{}", method.name()).unwrap();
-        let cases = Cases::new(&**method, &settings);
-        let cases: Vec<Case> = (0..cases.len()).map(|i| cases.get(i)).collect();
+        let cases = drawn(&**method, per_region);
         for region in cases.chunk_by(|a, b| a.region == b.region) {
             let name = region[0].region;
             if name != "hard" {
@@ -77,6 +82,26 @@ fn cases() {
         format!("{} {}", cases.len(), digest.text())
     });
     crate::pin("cases", &text);
+}
+
+/// A law that grows lax holds for every solver. Beside the number of cases that it applies to, and of those where it holds
+/// exactly, stands the sum of the logarithms of its residuals, which changes with each.
+#[test]
+fn laws() {
+    let mut text = String::new();
+    for method in methods::registry() {
+        writeln!(text, "{}", method.name()).unwrap();
+        let cases = drawn(&*method, 8);
+        for law in method.laws() {
+            let residuals = cases.iter().filter_map(|c| (law.residual)(&c.input));
+            let residuals: Vec<f64> = residuals.collect();
+            let positive = residuals.iter().filter(|r| **r > 0.0);
+            let (n, exact) = (residuals.len(), residuals.len() - positive.clone().count());
+            let sum: f64 = positive.fold(0.0, |sum, r| sum + r.ln());
+            writeln!(text, "  {}: {n} cases, {exact} exactly, {sum:.4}", law.name).unwrap();
+        }
+    }
+    crate::pin("laws", &text);
 }
 
 /// Adds an answer to the digest; the accuracy of its worst value in bits, if that is neither exact nor without digits.
