@@ -3,44 +3,6 @@
 use mechaudit::audit::{Cases, Layout, Method, Settings, Variant, conditions_by_differences};
 use mechaudit::methods;
 use rug::{Float, Rational};
-use std::fmt::Write;
-
-/// What budgets are measured in: a condition that grows makes its check weaker, and no case fails. The sum of logarithms
-/// over a case's values changes with each of them.
-#[test]
-fn they_are_what_they_were() {
-    let settings = Settings {
-        cases_per_region: 1,
-        ..Settings::default()
-    };
-    let mut text = String::new();
-    for method in methods::registry() {
-        if !method
-            .outputs()
-            .iter()
-            .any(|o| o.budget.limit.needs_conditions())
-        {
-            continue;
-        }
-        writeln!(text, "{}", method.name()).unwrap();
-        let cases = Cases::new(&*method, &settings);
-        let all = (0..cases.len()).map(|i| cases.get(i));
-        for case in all.filter(|c| c.region != "hard" && c.region != "check-points") {
-            let found = match method.conditions(&case.input) {
-                Some(found) => {
-                    assert!(found.iter().all(|c| *c >= 0.0), "{}", case.reproduce());
-                    let positive = found.iter().filter(|c| **c > 0.0);
-                    let (n, zero) = (found.len(), found.len() - positive.clone().count());
-                    let sum: f64 = positive.map(|c| c.ln()).sum();
-                    format!("{n} values, {zero} zero, {sum:.5}")
-                }
-                None => "none".into(),
-            };
-            writeln!(text, "  {}: {found}", case.region).unwrap();
-        }
-    }
-    crate::pin("conditions", &text);
-}
 
 /// Of the method's random cases but those at knots, where differences step over a jump: its conditions, and differences.
 fn all(method: &dyn Method) -> Vec<(String, Vec<f64>, Vec<f64>)> {

@@ -104,6 +104,41 @@ fn laws() {
     crate::pin("laws", &text);
 }
 
+/// What budgets are measured in: a condition that grows makes its check weaker, and no case fails. The sum of logarithms
+/// over a case's values changes with each of them.
+#[test]
+fn conditions() {
+    let needs = |m: &dyn Method| {
+        m.outputs()
+            .iter()
+            .any(|o| o.budget.limit.needs_conditions())
+    };
+    let mut text = String::new();
+    for method in methods::registry().iter().filter(|m| needs(&***m)) {
+        writeln!(text, "{}", method.name()).unwrap();
+        for case in drawn(&**method, 1) {
+            if ["hard", "check-points"].contains(&case.region) {
+                continue;
+            }
+            let input: Vec<f64> = case.input.iter().map(|x| cut(*x)).collect();
+            let found = match method.conditions(&input) {
+                Some(found) => {
+                    assert!(found.iter().all(|c| *c >= 0.0), "{}", case.reproduce());
+                    let positive = found.iter().filter(|c| **c > 0.0);
+                    let (n, zero) = (found.len(), found.len() - positive.clone().count());
+                    let sum: f64 = positive.map(|c| c.ln()).sum();
+                    let mut digest = Digest::new();
+                    digest.add(found);
+                    format!("{n} values, {zero} zero, {sum:.5}, {}", digest.text())
+                }
+                None => "none".into(),
+            };
+            writeln!(text, "  {}: {found}", case.region).unwrap();
+        }
+    }
+    crate::pin("conditions", &text);
+}
+
 /// Adds an answer to the digest; the accuracy of its worst value in bits, if that is neither exact nor without digits.
 fn add(digest: &mut Digest, answer: ReferenceAnswer) -> Option<i64> {
     let dues = match answer {
