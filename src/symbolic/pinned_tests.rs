@@ -2,7 +2,7 @@
 //!
 //! A radius that shrinks may no longer be a bound, and one that grows costs digits: tests of inclusion notice neither.
 
-use crate::complex::{antiderivative, exp_real, w};
+use crate::complex::{antiderivative, exp_real, size, w};
 use crate::{Definitions, Enclosures, Exact, Point, SymbolicError, enclose, parse};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
@@ -137,6 +137,20 @@ fn antiderivatives() {
   near zero: 8c2db82a30229029 4.2e-81 2.2e-60
 ",
     );
+}
+
+/// Below a modulus of twelve, the bound on it rounded up.
+#[test]
+fn antiderivatives_end_at_twelve() {
+    let mut found = [0, 0, 0];
+    for k in -4_i64..4 {
+        let x = f64::from_bits(12f64.to_bits().wrapping_add_signed(k));
+        let z = ComplexBall::new(Ball::exact(64, x), Ball::integer(64, 0));
+        let side = size(&z).total_cmp(&12.0);
+        assert_eq!(antiderivative(&z).is_ok(), side.is_lt(), "{k}");
+        found[(side as i8 + 1) as usize] += 1;
+    }
+    assert!(found.iter().all(|n| *n > 0), "{found:?}");
 }
 
 fn enclosed(text: &str) -> Result<ComplexBall, SymbolicError> {
