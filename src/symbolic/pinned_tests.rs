@@ -120,7 +120,7 @@ fn antiderivatives() {
         // Few terms, down to one.
         let mut digest = Digest::new();
         for k in 1_u32..40 {
-            let small = |n| Ball::new(Float::with_val(bits, number(n, 1)) >> 2 * k, Mag::ZERO);
+            let small = |n| Ball::new(Float::with_val(bits, number(n, 1)) >> (2 * k), Mag::ZERO);
             let z = ComplexBall::new(small(u64::from(k)), small(u64::from(k) + 50));
             digest.complex(&antiderivative(&z).unwrap());
         }

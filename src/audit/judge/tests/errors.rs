@@ -369,7 +369,7 @@ fn multiples_of_a_budget_are_shown() {
     ] {
         let fault = Fault::Over(x);
         let value = Reason::Value {
-            output: "x".into(),
+            output: "x",
             number: 0,
             got: 1.0,
             fault,
