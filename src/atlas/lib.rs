@@ -20,6 +20,8 @@
 
 mod abrarov_quine;
 mod algorithm;
+#[cfg(test)]
+mod border_tests;
 mod elementary;
 mod gauss_hermite;
 mod gautschi;

@@ -154,3 +154,14 @@ impl Sums {
         (1..=self.terms).rev().map(term).sum()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two more than reach `tiny`.
+    #[test]
+    fn numbers_of_terms() {
+        assert_eq!([&FULL, &MIDDLE, &ROUGH].map(|s| s.terms), [15, 9, 6]);
+    }
+}

@@ -151,6 +151,13 @@ mod tests {
     }
 
     #[test]
+    fn a_chance_is_below_its_share() {
+        let draw = || Draw::new(1, "method", "region", 0);
+        let share = draw().unit();
+        assert!(!draw().chance(share) && draw().chance(share.next_up()));
+    }
+
+    #[test]
     fn ranges() {
         let mut d = Draw::new(7, "m", "r", 3);
         for _ in 0..1000 {

@@ -112,6 +112,16 @@ mod tests {
         }
     }
 
+    #[test]
+    fn zeros_have_a_precision() {
+        assert!(
+            [true, false]
+                .map(Due::zero)
+                .iter()
+                .all(|z| z.number().unwrap().prec() == 64)
+        );
+    }
+
     /// Numbers and zeros are certified, infinities and NaN are none.
     #[test]
     fn dues_that_are_numbers_are_certified() {

@@ -183,6 +183,9 @@ mod tests {
             assert!(matches!(e.fault, HardCaseFault::Header(_)), "{e}");
             assert!(e.to_string().contains(HARD_HEADER), "{e}");
         }
+        // A long line is cut.
+        let e = HardCase::read(&"x".repeat(100)).unwrap_err();
+        assert!(matches!(e.fault, HardCaseFault::Header(names) if names == "x".repeat(80)));
         assert_eq!(HardCase::read("# comment\n").unwrap(), Vec::new());
     }
 

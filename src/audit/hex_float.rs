@@ -85,8 +85,15 @@ mod tests {
             "-0x0.fffffffffffffp-1022"
         );
         assert_eq!(hex_float(1024.0), "0x1p+10");
+        assert_eq!(hex_float(1.0), "0x1p+0");
         assert_eq!(hex_float(-0.0), "-0x0p+0");
         assert_eq!(hex_float(f64::NEG_INFINITY), "-inf");
         assert_eq!(hex_float(-f64::NAN), "nan");
+    }
+    /// None of them is moved while it is written.
+    #[test]
+    fn the_longest_has_its_place() {
+        let longest = hex_float(-f64::MIN_POSITIVE.next_down());
+        assert_eq!((longest.len(), longest.capacity()), (24, 24));
     }
 }

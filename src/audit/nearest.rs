@@ -45,6 +45,9 @@ mod tests {
         ] {
             assert_eq!(nearest(name, &known), due, "{name}");
         }
+        // Alike to four fifths, and a little more.
+        assert_eq!(nearest("abxcdeyz", &["abucdevw"]), None);
+        assert_eq!(nearest("abxcdeyz", &["abucdevz"]), Some("abucdevz"));
         assert_eq!(did_you_mean("ercf", &known), " (did you mean \"erfc\"?)");
         assert_eq!(did_you_mean("x", &[""; 0]), "");
     }

@@ -89,4 +89,17 @@ mod tests {
             }
         }
     }
+
+    /// What is after all that are kept is compared with the last of them alone.
+    #[test]
+    fn without_room_there_is_one_comparison() {
+        let mut first = of(&[1, 2, 3, 4, 5, 6, 7, 8], 8);
+        let compared = std::cell::Cell::new(0);
+        let place = |kept: &u16| {
+            compared.set(compared.get() + 1);
+            kept.cmp(&9)
+        };
+        first.offer(place, || unreachable!("there is no room"));
+        assert_eq!(compared.get(), 1);
+    }
 }

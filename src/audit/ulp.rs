@@ -206,4 +206,13 @@ mod tests {
         assert_eq!(ulps(1.0, &one), (0.0, 0.0));
         assert_eq!(ulps(-0.0, &Ball::integer(64, 0)), (0.0, 0.0));
     }
+
+    /// Exact in 64 bits.
+    #[test]
+    fn borders_have_a_precision() {
+        for format in [Format::Double, Format::Single] {
+            let border = format.overflow();
+            assert_eq!((border.prec(), border.rad()), (64, Mag::ZERO));
+        }
+    }
 }

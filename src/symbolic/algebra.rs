@@ -304,15 +304,29 @@ impl Algebra {
 
     /// A normal form as text, with `sqrt(…)` for the roots and `G(…)` for the antiderivative.
     pub fn text(&self, e: &ExpSum) -> String {
-        let mut out = e.to_string();
-        // Last first, so that G:12 is not taken for G:1.
-        for (g, z) in self.antiderivatives.iter().rev() {
-            out = out.replace(&g.name(), &format!("G({z})"));
-        }
-        let mut roots: Vec<_> = self.roots.iter().collect();
-        roots.sort_by_key(|(s, _)| std::cmp::Reverse(s.name().len()));
-        for (s, p) in roots {
-            out = out.replace(&s.name(), &format!("sqrt({p})"));
+        self.spelled(&e.to_string())
+    }
+
+    /// With what generated names stand for in their places: of it others may be part.
+    fn spelled(&self, text: &str) -> String {
+        let roots = self.roots.iter();
+        let roots = roots.map(|(s, p)| (s.name(), "sqrt", p.to_string()));
+        let values = self.antiderivatives.iter();
+        let values = values.map(|(g, z)| (g.name(), "G", z.to_string()));
+        let mut names: Vec<_> = roots.chain(values).collect();
+        // G:12 is not G:1.
+        names.sort_by_key(|(name, ..)| std::cmp::Reverse(name.len()));
+        let (mut out, mut rest) = (String::new(), text);
+        while let Some(c) = rest.chars().next() {
+            let found = names.iter().find(|(name, ..)| rest.starts_with(name));
+            let passed = if let Some((name, function, inner)) = found {
+                out += &format!("{function}({})", self.spelled(inner));
+                name.len()
+            } else {
+                out.push(c);
+                c.len_utf8()
+            };
+            rest = &rest[passed..];
         }
         out
     }

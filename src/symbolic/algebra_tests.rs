@@ -153,3 +153,14 @@ fn half_turns_are_units() {
     assert!(both.as_fraction().is_none());
     assert_ne!(both, ExpSum::constant(Gauss::i()));
 }
+
+/// Nothing is adjoined for what has a rational root.
+#[test]
+fn rational_roots_adjoin_nothing() {
+    let mut algebra = Algebra::new();
+    for c in [Gauss::default(), Gauss::real((9, 4)), Gauss::new(3, 4)] {
+        let root = algebra.sqrt(&number(c.clone())).unwrap();
+        assert_eq!(&root * &root, number(c));
+    }
+    assert!(algebra.roots().is_empty());
+}

@@ -333,4 +333,25 @@ mod tests {
         let beside = at("y*sqrt(x) + 2*y^2", y).unwrap();
         assert_eq!(beside, at("3*sqrt(x) + 18", y).unwrap());
     }
+
+    #[test]
+    fn values_in_polynomials() {
+        let [x, y] = ["x", "y"].map(|n| Symbol::new(n).unwrap());
+        let p = &Poly::symbol(x).pow(2) + &Poly::symbol(y);
+        let found = Exact::default().poly_at(&p, x, &Fraction::integer(3));
+        assert_eq!(found.unwrap().to_string(), "9+y");
+    }
+
+    /// A symbol is positive again behind the value that was put in for it.
+    #[test]
+    fn signs_are_free_inside_of_values_only() {
+        let mut exact = Exact::default();
+        let mut form = |text: &str| exact.value(&Definitions::default(), &parse(text).unwrap());
+        assert_eq!(
+            form("at(x^2, x, -3) + sqrt(x)^2").unwrap().to_string(),
+            "9+x"
+        );
+        assert!(form("at(sqrt(x)^2, x, -3)").is_err());
+        assert_eq!(form("sqrt(x^2)").unwrap().to_string(), "x");
+    }
 }

@@ -111,3 +111,18 @@ fn how_deep_brackets_may_be() {
         assert!(parse(&sum).is_ok(), "{part}");
     }
 }
+
+#[test]
+fn strengths_in_their_order() {
+    for (text, due) in [
+        ("a + b", 0),
+        ("-a", 1),
+        ("a*b", 2),
+        ("a/b", 2),
+        ("a^2", 3),
+        ("a", 4),
+        ("exp(a + b)", 4),
+    ] {
+        assert_eq!(parse(text).unwrap().strength(), due, "{text}");
+    }
+}

@@ -301,6 +301,16 @@ mod tests {
         }
     }
 
+    /// Each definition is looked through once, those of a circle too.
+    #[test]
+    fn coordinates_of_circles() {
+        let circle = Definitions::read(&["a = b + x", "b = 2*a"]).unwrap();
+        let e = parse_equation("a = y").unwrap();
+        let found = coordinates(&circle, &difference(&e), &Point::default());
+        let names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["x", "y"]);
+    }
+
     /// Straight from the data where there is no derivative: the normal form has lost the division by zero.
     #[test]
     fn points_are_tried_without_the_algebra() {

@@ -61,6 +61,8 @@ mod latex;
 #[cfg(test)]
 mod normal_form_tests;
 mod parse;
+#[cfg(test)]
+mod pinned_tests;
 mod poly;
 mod symbol;
 #[cfg(test)]

@@ -155,3 +155,61 @@ fn definitions_as_text() {
         assert_eq!(found.to_string(), due);
     }
 }
+
+/// Integers: without quotients, functions and symbols.
+struct Integers;
+
+fn none<T>(what: &str) -> Result<T, SymbolicError> {
+    Err(SymbolicError::Unsupported(what.into()))
+}
+
+impl Domain for Integers {
+    type V = Rational;
+    fn constant(&mut self, c: &Gauss) -> Rational {
+        c.re.clone()
+    }
+    fn symbol(&mut self, _: &str) -> Result<Rational, SymbolicError> {
+        none("a symbol")
+    }
+    fn add(&mut self, a: &Rational, b: &Rational) -> Rational {
+        Rational::from(a + b)
+    }
+    fn mul(&mut self, a: &Rational, b: &Rational) -> Rational {
+        Rational::from(a * b)
+    }
+    fn div(&mut self, _: &Rational, _: &Rational) -> Result<Rational, SymbolicError> {
+        none("a quotient")
+    }
+    fn call(&mut self, _: Func, _: &Rational) -> Result<Rational, SymbolicError> {
+        none("a function")
+    }
+    fn integral(&mut self, _: &mut Scope<Rational>, _: &Bound) -> Result<Rational, SymbolicError> {
+        none("an integral")
+    }
+    fn derivative(
+        &mut self,
+        _: &mut Scope<Rational>,
+        _: &Expr,
+        _: &str,
+    ) -> Result<Rational, SymbolicError> {
+        none("a derivative")
+    }
+}
+
+/// Only a negative power asks for a quotient.
+#[test]
+fn powers_without_quotients() {
+    let none = Definitions::default();
+    let value = |text: &str| walk(&mut Integers, &mut Scope::new(&none), &parse(text).unwrap());
+    for (text, due) in [
+        ("3^0", 1),
+        ("0^0", 1),
+        ("3^2", 9),
+        ("at(x^2 - x, x, 5)", 20),
+    ] {
+        assert_eq!(value(text).unwrap(), due, "{text}");
+    }
+    for text in ["3^(-1)", "1/2", "x"] {
+        assert!(value(text).is_err(), "{text}");
+    }
+}

@@ -331,3 +331,18 @@ fn inputs_are_numbers_of_the_format() {
     let drawn = (0..cases.len()).map(|i| cases.get(i).input[0]);
     assert!(drawn.into_iter().all(|x| f64::from(x as f32) == x));
 }
+
+/// Where a case comes from decides before its number, name and input.
+#[test]
+fn origins_have_an_order() {
+    let sorted = [
+        of(Origin::CheckPoint { name: "b" }, &[9.0]),
+        of(recorded(0, None), &[8.0]),
+        of(random(0, 0), &[7.0]),
+        of(Origin::Given, &[6.0]),
+        of(Origin::Line { number: 0 }, &[5.0]),
+        of(boxed("", 0, 0), &[4.0]),
+        of(near("", 0, 0), &[3.0]),
+    ];
+    assert!(sorted.is_sorted_by(|a, b| a.order(b) == Ordering::Less));
+}

@@ -320,3 +320,18 @@ fn without_the_truth_there_is_no_report() {
     plan.truths = 0;
     assert!(matches!(convergence(&plan), Err(Uncertified::Undecided(why)) if why == "planted"));
 }
+
+/// Levels next to each other, far from zero on both axes: deviations from the means keep the digits.
+#[test]
+fn a_line_is_fitted_far_from_its_origin() {
+    for n in 5..12 {
+        let mut levels = Plan::of(&vec![1.0; n]).report().levels;
+        for (k, level) in levels.iter_mut().enumerate() {
+            level.work = 1_000_000 + k as u64;
+            let ratio = level.work as f64 / 1e6;
+            level.errors[0].total = 1e-300 / (ratio * ratio);
+        }
+        let order = fitted(&levels, 0).unwrap();
+        assert!((order - 2.0).abs() < 1e-3, "{n}: {order}");
+    }
+}

@@ -157,3 +157,20 @@ fn hard_cases_are_those_of_their_method() {
     let outside = matches!(e.fault, HardCaseFault::OutsideDomain("planted"));
     assert!(e.line == 3 && outside, "{e}");
 }
+
+/// A difference is rounded to 64 bits, and then up to a number of `f64`.
+#[test]
+fn differences_have_64_bits() {
+    let at = |bit: u32| {
+        let d = Rational::from(1) + (Rational::from(1) >> bit);
+        let method = Planted {
+            reference: Box::new(move |x, bits| match x[0] == 1 {
+                true => ReferenceAnswer::exact([&Rational::new()], bits),
+                false => ReferenceAnswer::exact([&d], bits),
+            }),
+            ..Planted::default()
+        };
+        conditions_by_differences(&method, &[1.0], |_| true).unwrap()[0] / 2f64.powi(80)
+    };
+    assert_eq!((at(64), at(63)), (1.0, 1f64.next_up()));
+}

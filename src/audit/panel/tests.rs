@@ -116,3 +116,27 @@ fn a_stop_leaves_the_rest() {
     assert!(!Panel::new(&method, &settings).judge(100, &short, &|| true));
     assert!(panel.into_tally().finish(&method).cases <= 40);
 }
+
+/// Eight blocks for each thread, of one case at least and 32 at most, one after the other.
+#[test]
+fn cases_are_judged_in_blocks() {
+    for (threads, total, due) in [
+        (1, 5, 1),
+        (2, 15, 1),
+        (2, 100, 6),
+        (3, 100, 4),
+        (1, 256, 32),
+        (2, 5000, 32),
+    ] {
+        let asked = Mutex::new(Vec::new());
+        pool(threads).install(|| {
+            Panel::in_blocks(total, |some| {
+                asked.lock().unwrap().push((some.start, some.end))
+            });
+        });
+        let mut asked = asked.into_inner().unwrap();
+        asked.sort_unstable();
+        let blocks = (0..total.div_ceil(due)).map(|k| (k * due, total.min((k + 1) * due)));
+        assert_eq!(asked, blocks.collect::<Vec<_>>(), "{total} on {threads}");
+    }
+}

@@ -141,3 +141,26 @@ fn the_reference_has_the_bits_asked_for() {
     let found = error_parts(&method, &[1.0], 0, 96).unwrap();
     assert!((found.method - 96.0).abs() < 1e-6 && found.rounding == 0.0);
 }
+
+/// The difference of value and twin has the bits of the finer one, 64 at least.
+#[test]
+fn roundings_have_their_bits() {
+    let at = |k: u32, bits: u32| {
+        let twin = Float::with_val(bits, 1) / (k + 3);
+        let method = Planted {
+            twin: Box::new(move |_| Some(vec![Ball::new(twin.clone(), Mag::ZERO)])),
+            reference: Box::new(|_, _| exact(vec![beside(8.0, 0.0)])),
+            solve: Box::new(move |_| SolverAnswer::Values(vec![8.0 + f64::from(k) / 7.0])),
+            ..Planted::default()
+        };
+        error_parts(&method, &[1.0], 0, 128).unwrap().rounding
+    };
+    for (bits, due) in [
+        (53, "[aaab, 4924, e2bf, 1862, 6db7, b6db]"),
+        (64, "[aaac, 4924, e2c0, 1863, 6db8, b6db]"),
+        (128, "[aaac, 4924, e2c0, 1863, 6db8, b6db]"),
+    ] {
+        let last: Vec<u64> = (0..6).map(|k| at(k, bits).to_bits() & 0xffff).collect();
+        assert_eq!(format!("{last:x?}"), due, "{bits}");
+    }
+}

@@ -390,3 +390,19 @@ fn the_ten_worst_are_kept() {
         assert_eq!(found[..5], due.map(|(share, i)| (share, Some(i))));
     }
 }
+
+/// Of the largest numbers one case is kept each, in one tally and in a sum.
+#[test]
+fn one_case_is_kept_of_the_largest() {
+    let all = [ulps(0, &[1, 1]), ulps(1, &[1, 1]), ulps(2, &[1, 1])];
+    let mut sum = empty(0);
+    all.iter()
+        .for_each(|r| sum.merge(&tally(std::slice::from_ref(r))));
+    for t in [tally(&all), sum] {
+        assert_eq!(t.share.room(), 1);
+        for output in &t.outputs {
+            assert_eq!(output.worst.room(), 1);
+            assert!(output.octaves.values().all(|largest| largest.room() == 1));
+        }
+    }
+}

@@ -271,3 +271,29 @@ proptest! {
         prop_assert_eq!(bits(all.spread()), bits(whole.spread()));
     }
 }
+
+/// A list holds 256 numbers of an octave; an array of all bins takes the place of more.
+#[test]
+fn lists_and_arrays_have_their_sizes() {
+    let bins = |tally: &SpreadTally| {
+        let bins = &tally.octaves[&1023].bins;
+        (bins.few.len(), bins.all.len())
+    };
+    for (empty, all) in [
+        (SpreadTally::default(), 1 << 10),
+        (SpreadTally::coarse(), 1 << 7),
+    ] {
+        let mut tally = empty.clone();
+        for n in 1..=FEW {
+            tally.add(1.5);
+            assert_eq!(bins(&tally), (n, 0));
+        }
+        let mut merged = empty;
+        merged.merge(&tally);
+        assert_eq!(bins(&merged), (FEW, 0));
+        tally.add(1.5);
+        assert_eq!(bins(&tally), (0, all));
+        tally.add(1.5);
+        assert_eq!(bins(&tally), (1, all));
+    }
+}

@@ -531,3 +531,29 @@ fn what_no_tally_of_the_method_holds_is_refused() {
     let e = Tally::restored(&Twice, &settings, whole.stored());
     assert!(e.is_err());
 }
+
+/// A norm just at its budget is none over it.
+#[test]
+fn a_norm_at_its_budget_is_forgiven() {
+    for (norm, recorded) in [(1.0, 1), (1f64.next_up(), 0)] {
+        let got = vec![f64::from_bits(RECORDED.to_bits() + 5), 2.0 * RECORDED];
+        let mut case = judged("small", 0, RECORDED, SolverAnswer::Values(got));
+        case.judgement.norm_of_budget = norm;
+        assert_eq!(report(&[case]).total.recorded, recorded);
+    }
+}
+
+/// A tally that was stored keeps no more cases than it did before.
+#[test]
+fn a_stored_tally_has_its_room() {
+    let settings = Settings::default();
+    let mut tally = Tally::lean(&Twice, &settings);
+    tally.add(&off("small", 0, 1));
+    let back = Tally::restored(&Twice, &settings, tally.stored()).unwrap();
+    let region = &back.regions[0].1;
+    assert_eq!(region.share.room(), 1);
+    for output in &region.outputs {
+        assert_eq!(output.worst.room(), 1);
+        assert!(output.octaves.values().all(|largest| largest.room() == 1));
+    }
+}

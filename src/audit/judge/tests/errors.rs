@@ -331,3 +331,52 @@ fn a_budget_is_finite_and_positive() {
         "4.996e-16 of the norm"
     );
 }
+
+/// An error that is at least what is allowed, and no more than that for certain, is undecided.
+#[test]
+fn a_norm_at_its_budget_is_undecided() {
+    let one = Mag::from_f64(1.0);
+    let mut squares = norm::Squares::default();
+    squares.add(Some(one), one.shift(-50), one.shift(-49));
+    let norms = squares.norms(Format::Double);
+    let least = norm::Squares::root_below(one.shift(-50).mul(one.shift(-50)), 1);
+    let allowed = |factor: f64| Mag::from_f64(factor).mul(norms.0).shift(-53);
+    let mut near = (-64..64).map(|k| 8.0 + f64::from(k) * 2f64.powi(-50));
+    let at = near
+        .find(|f| allowed(*f) == least)
+        .expect("a budget at the bound");
+    for (factor, due) in [
+        (at.next_down().next_down(), Verdict::Over),
+        (at, Verdict::Undecided),
+        (at.next_up(), Verdict::Undecided),
+    ] {
+        let budget = NormBudget::new(factor, "planted");
+        assert_eq!(
+            squares.verdict(norms, &budget, Format::Double).0,
+            due,
+            "{factor}"
+        );
+    }
+}
+
+/// Up to ten thousand in full, from there on as a power of ten.
+#[test]
+fn multiples_of_a_budget_are_shown() {
+    for (x, due) in [
+        (1e4f64.next_down(), "10000.000"),
+        (1e4, "1.00e4"),
+        (f64::INFINITY, "more than 1e308"),
+    ] {
+        let fault = Fault::Over(x);
+        let value = Reason::Value {
+            output: "x",
+            number: 0,
+            got: 1.0,
+            fault,
+        };
+        assert_eq!(
+            value.to_string(),
+            format!("x (value 0) is {due} times its budget off")
+        );
+    }
+}

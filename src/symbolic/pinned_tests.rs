@@ -1,0 +1,270 @@
+//! Enclosures bit by bit, and which values and texts are chosen where several would serve.
+//!
+//! A radius that shrinks may no longer be a bound, and one that grows costs digits: tests of inclusion notice neither.
+
+use crate::complex::{antiderivative, exp_real, size, w};
+use crate::{Definitions, Enclosures, Exact, Point, SymbolicError, enclose, parse};
+use mechaudit_reference::{Ball, ComplexBall, Mag};
+use rug::{Float, Rational};
+use std::fmt::Write;
+
+/// A hash of balls (FNV-1a over their texts), with the least and the largest of their radii to be read.
+struct Digest {
+    hash: u64,
+    radii: [Mag; 2],
+}
+
+impl Digest {
+    fn new() -> Digest {
+        Digest {
+            hash: 0xcbf2_9ce4_8422_2325,
+            radii: [Mag::INFINITY, Mag::ZERO],
+        }
+    }
+
+    fn text(&mut self, text: &str) {
+        for byte in text.bytes() {
+            self.hash = (self.hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    fn ball(&mut self, b: &Ball) {
+        let mid = b.mid().to_string_radix(32, None);
+        self.text(&format!("{mid} {} {:?};", b.prec(), b.rad()));
+        if !b.rad().is_zero() {
+            self.radii = [self.radii[0].min(b.rad()), self.radii[1].max(b.rad())];
+        }
+    }
+
+    fn complex(&mut self, z: &ComplexBall) {
+        self.ball(&z.re);
+        self.ball(&z.im);
+    }
+
+    fn line(&self, name: &str) -> String {
+        let [least, largest] = self.radii.map(Mag::to_f64);
+        format!("{name}: {:016x} {least:.1e} {largest:.1e}\n", self.hash)
+    }
+}
+
+/// Draws without the system's functions (splitmix64).
+fn draw(n: u64) -> u64 {
+    let mut x = n.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ x >> 31
+}
+
+/// Between −size and size.
+fn number(n: u64, size: i64) -> Rational {
+    let k = (draw(n) >> 20) as i64 - (1 << 43);
+    Rational::from((k, 1_i64 << 43)) * size
+}
+
+/// Radii of 2⁻⁷ and less, every eighth none.
+fn ball(bits: u32, n: u64, size: i64) -> Ball {
+    let radius = Mag::from_f64((draw(n + 1) >> 11) as f64);
+    let exact = Ball::rational(bits, &number(n, size));
+    match n % 8 {
+        0 => Ball::new(exact.mid().clone(), Mag::ZERO),
+        k => exact.widened(radius.shift(-53 - 7 * k as i64)),
+    }
+}
+
+fn pinned(found: &str, due: &str) {
+    assert!(found == due, "found\n{found}");
+}
+
+#[test]
+fn exponentials() {
+    let mut found = String::new();
+    for bits in [53, 64, 128, 300] {
+        let mut digest = Digest::new();
+        for k in 0..64 {
+            digest.ball(&exp_real(&ball(bits, 3 * k, 12)));
+        }
+        found += &digest.line(&format!("{bits} bits"));
+    }
+    pinned(
+        &found,
+        "\
+53 bits: 241b6a2c21544100 8.5e-22 5.0e2
+64 bits: eee4c56b7254c1ed 4.1e-25 5.0e2
+128 bits: 27e500520f62dc9c 2.2e-44 5.0e2
+300 bits: f366855429aa44f9 3.7e-96 5.0e2
+",
+    );
+}
+
+/// The whole line is about zero.
+#[test]
+fn exponentials_of_the_whole_line() {
+    let unknown = Ball::integer(64, 1).widened(Mag::INFINITY);
+    for x in [unknown, Ball::exact(64, 1e300)] {
+        let found = exp_real(&x);
+        assert!(found.mid().is_zero() && !found.rad().is_finite());
+    }
+}
+
+#[test]
+fn antiderivatives() {
+    let mut found = String::new();
+    for bits in [64, 128, 200] {
+        let mut digest = Digest::new();
+        for k in 0..12 {
+            let z = ComplexBall::new(ball(bits, 5 * k, 3), ball(bits, 5 * k + 2, 3));
+            digest.complex(&antiderivative(&z).unwrap());
+            digest.complex(&w(&z).unwrap());
+        }
+        found += &digest.line(&format!("{bits} bits"));
+        // Few terms, down to one.
+        let mut digest = Digest::new();
+        for k in 1_u32..40 {
+            let small = |n| Ball::new(Float::with_val(bits, number(n, 1)) >> (2 * k), Mag::ZERO);
+            let z = ComplexBall::new(small(u64::from(k)), small(u64::from(k) + 50));
+            digest.complex(&antiderivative(&z).unwrap());
+        }
+        found += &digest.line("  near zero");
+    }
+    pinned(
+        &found,
+        "\
+64 bits: e530cebf89eae202 5.3e-10 1.2e1
+  near zero: 4938bb83b99d4745 3.7e-71 7.5e-20
+128 bits: 0c0b83a607697ab0 5.3e-10 1.2e1
+  near zero: 969187cc9d50762e 3.7e-71 8.4e-39
+200 bits: fe3405be2ed30855 5.3e-10 1.2e1
+  near zero: 8c2db82a30229029 4.2e-81 2.2e-60
+",
+    );
+}
+
+/// Below a modulus of twelve, the bound on it rounded up.
+#[test]
+fn antiderivatives_end_at_twelve() {
+    let mut found = [0, 0, 0];
+    for k in -4_i64..4 {
+        let x = f64::from_bits(12f64.to_bits().wrapping_add_signed(k));
+        let z = ComplexBall::new(Ball::exact(64, x), Ball::integer(64, 0));
+        let side = size(&z).total_cmp(&12.0);
+        assert_eq!(antiderivative(&z).is_ok(), side.is_lt(), "{k}");
+        found[(side as i8 + 1) as usize] += 1;
+    }
+    assert!(found.iter().all(|n| *n > 0), "{found:?}");
+}
+
+fn enclosed(text: &str) -> Result<ComplexBall, SymbolicError> {
+    enclose(
+        &Definitions::default(),
+        &parse(text).unwrap(),
+        &Point::default(),
+    )
+}
+
+/// In one piece, four, sixteen and sixty-four, about the width at which a path is cut, and where one part alone is wide.
+#[test]
+fn integrals() {
+    let mut found = String::new();
+    for rate in [
+        "3",
+        "9.2",
+        "9.3",
+        "9.4",
+        "9.5",
+        "20",
+        "30",
+        "50",
+        "(9 + 8*i)",
+    ] {
+        let mut digest = Digest::new();
+        digest.complex(&enclosed(&format!("int(s, 0, 1, exp({rate}*s))")).unwrap());
+        found += &digest.line(rate);
+    }
+    let wide = "re(int(t, 0, 1, exp(60*t)) - (exp(60) - 1)/60)";
+    for end in [format!("1 + i*{wide}"), format!("i + {wide}")] {
+        let mut digest = Digest::new();
+        let value = enclosed(&format!("int(s, 0, {end}, 1)")).unwrap();
+        digest.complex(&value);
+        found += &digest.line(&end);
+    }
+    pinned(
+        &found,
+        "\
+3: 85d3fe3bec114e3d 2.4e-24 2.4e-24
+9.2: 43e3271338fb0e90 4.4e-13 4.4e-13
+9.3: 23dbf76fe80d580d 6.6e-13 6.6e-13
+9.4: 1eb9e4d09247b663 4.5e-23 4.5e-23
+9.5: 2e1620c92ef74425 5.4e-23 5.4e-23
+20: af4d4afd6bf7f60e 9.9e-15 9.9e-15
+30: 74df0bdd2bd6584f 2.0e-15 2.0e-15
+50: a156b00ae91daefe 6.1e-9 6.1e-9
+(9 + 8*i): 72daaac997af66d1 1.3e-19 1.3e-19
+1 + i*re(int(t, 0, 1, exp(60*t)) - (exp(60) - 1)/60): 168e6351f17d9b1d 3.4e-31 2.3e-4
+i + re(int(t, 0, 1, exp(60*t)) - (exp(60) - 1)/60): 805c304a7cfa5f13 3.4e-31 2.3e-4
+",
+    );
+}
+
+/// The imaginary part of an arc tangent: four times what the argument's may be.
+#[test]
+fn arc_tangents() {
+    let point = Point::default();
+    for k in [2, 10, 40] {
+        let im = Ball::integer(128, 0).widened(Mag::power_of_two(-k));
+        let z = ComplexBall::new(Ball::integer(128, 3), im);
+        let found = crate::Domain::call(&mut Enclosures::new(&point), crate::Func::Arctan, &z);
+        assert_eq!(found.unwrap().im.rad(), Mag::power_of_two(2 - k));
+    }
+}
+
+/// A refutation names its point: the same wherever it is found.
+#[test]
+fn points() {
+    let value = |turn, name| {
+        let point = Point {
+            turn,
+            ..Point::default()
+        };
+        point.value(name).to_string()
+    };
+    let mut found = String::new();
+    for name in ["x", "y", "a_1", "alpha", "phi1_2"] {
+        let line: Vec<String> = (0..4).map(|turn| value(turn, name)).collect();
+        writeln!(found, "{name}: {}", line.join(" ")).unwrap();
+    }
+    pinned(
+        &found,
+        "\
+x: 38/49 103/97 16/25 94/99
+y: 103/97 38/49 94/99 16/25
+a_1: 82/117 101/100 70/111 107/118
+alpha: 95/102 85/111 71/111 41/57
+phi1_2: 7/6 4/3 29/24 21/16
+",
+    );
+}
+
+fn text(e: &str) -> String {
+    let mut exact = Exact::default();
+    let form = exact.value(&Definitions::default(), &parse(e).unwrap());
+    exact.algebra.text(&form.unwrap())
+}
+
+/// One root's name may begin with another's, and one radicand hold another root.
+#[test]
+fn texts_of_roots_and_integrals() {
+    for (e, due) in [
+        ("sqrt(2) + sqrt(23)", "sqrt(2)+sqrt(23)"),
+        ("sqrt(23) + sqrt(2)", "sqrt(2)+sqrt(23)"),
+        ("sqrt(x) + sqrt(x_1)", "sqrt(x)+sqrt(x_1)"),
+        ("sqrt(1 + sqrt(x))", "sqrt(1+sqrt(x))"),
+        ("sqrt(1 + sqrt(1 + x))", "sqrt(1+sqrt(1+x))"),
+        ("sqrt(1 + sqrt(1 + sqrt(2)))", "sqrt(1+sqrt(1+sqrt(2)))"),
+        ("int(s, 0, x, exp(s^2))", "G(x)"),
+        ("int(s, 0, x, exp(-s^2))", "-i*G(i*x)"),
+        ("int(s, 0, x, exp(y*s^2))", "G(sqrt(y)*x)*sqrt(y)/y"),
+    ] {
+        let found = text(e);
+        assert_eq!(found, due, "{e}");
+    }
+}
