@@ -74,6 +74,8 @@ fn motions_in_time() {
             "chirp examples/chirp-run-up.toml --svg {}",
             "chirp examples/chirp-run-up.toml --harmonics 12 --svg {}",
             "chirp examples/chirp-run-down.toml --format csv",
+            "chirp examples/chirp-run-up.toml --rows spectrum --units mm,deg",
+            "chirp examples/chirp-run-up.toml --rows chart",
         ],
     );
 }
@@ -86,6 +88,8 @@ fn audits() {
             "list",
             "list --format json",
             "describe faddeeva",
+            "describe slider-crank",
+            "describe cubic-spline-clamped",
             "describe planar-linkage",
             "describe cam-law",
             "audit faddeeva --cases 1 --format html",
@@ -94,6 +98,11 @@ fn audits() {
             "audit planar-reactions --cases 1 --format csv",
             "audit cam-law --cases 2 --format json",
             "points four-bar --count 3",
+            "hunt slider-crank --evals 300 --hard {}",
+            "converge spline-clamped",
+            "converge spline-natural",
+            "converge spline-not-a-knot --format json",
+            "converge run-up-dop853-rotor",
         ],
     );
 }
@@ -117,8 +126,16 @@ fn atlas() {
         }
     }
     pin("cli-atlas", &all);
+    let only = "atlas --only weideman-1994-32 --cases 10 --no-speed";
     outputs(
         "cli-atlas-forms",
-        &["atlas --only humlicek-1982 --cases 10 --no-speed"],
+        &[
+            only,
+            &format!("{only} --format html"),
+            &format!("{only} --format csv"),
+            "atlas --only hapi-pcqsdhc --cases 10 --no-speed",
+            "atlas --at 0.5,-1",
+            "atlas --at 6,0.25",
+        ],
     );
 }

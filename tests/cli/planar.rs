@@ -587,3 +587,54 @@ fn rows_far_apart_stay_on_the_branch() {
         (0..2).for_each(|i| close(c[i], due[10 * k][i], 1e-11));
     }
 }
+
+/// A crank and dyads one after the other: rods of these lengths from pin to pin, arms from the ground.
+fn chain(crank: &str, dyads: &[[&str; 3]]) -> String {
+    let pins = |names: &[String]| -> String {
+        let each = names.iter();
+        each.map(|n| format!("[[joint]]\nkind = \"pin\"\npoint = \"{n}\"\n"))
+            .collect()
+    };
+    let body = |name: &str, a: &str, b: &str, length: &str| {
+        format!("[[body]]\nname = \"{name}\"\nends = [\"{a}\", \"{b}\"]\nlength = \"{length}\"\n")
+    };
+    let (mut ground, mut names) = (vec!["O = [\"0 m\", \"0 m\"]".to_string()], vec![]);
+    let mut bodies = body("crank", "O", "A0", crank);
+    names.extend(["O".to_string(), "A0".to_string()]);
+    for (k, [rod, arm, at]) in dyads.iter().enumerate() {
+        let (from, to, p) = (format!("A{k}"), format!("A{}", k + 1), format!("P{k}"));
+        bodies += &body(&format!("rod{k}"), &from, &to, rod);
+        bodies += &body(&format!("arm{k}"), &p, &to, arm);
+        ground.push(format!("{p} = [\"{at}\", \"0 m\"]"));
+        names.extend([to, p]);
+    }
+    let ground = ground.join(", ");
+    format!(
+        "type = \"planar\"\n[ground]\npoints = {{ {ground} }}\n{bodies}{}[drive]\nbody = \"crank\"\n",
+        pins(&names)
+    )
+}
+
+#[test]
+fn of_many_modes_some_are_listed() {
+    let dyads = ["3 m", "6 m", "9 m", "12 m", "15 m"].map(|at| ["4 m", "4 m", at]);
+    let d = run_on(chain("1 m", &dyads), &["linkage", "-", "--from-deg", "20"]);
+    refused(&d, "19: ");
+    said(&d, "; 12 more");
+    assert!(!d.err.contains("20: "), "{}", d.err);
+}
+
+/// At 0 degrees the pins are 5 m apart, and the dyad takes 6 to 10: from 39.57 degrees on.
+#[test]
+fn where_else_it_can_be_assembled_is_told() {
+    let d = run_on(
+        chain("3 m", &[["8 m", "2 m", "8 m"]]),
+        &["linkage", "-", "--from-deg", "180"],
+    );
+    refused(&d, "but can be at 40 deg");
+    let d = run_on(
+        chain("3 m", &[["1 m", "1 m", "8 m"]]),
+        &["linkage", "-", "--from-deg", "180"],
+    );
+    refused(&d, "nor at any of 360 values of the drive");
+}
