@@ -14,7 +14,9 @@ fn outputs(name: &str, lines: &[&str]) {
     let mut all = String::new();
     for line in lines {
         let folder = tempdir().unwrap();
-        let Done { code, out, err } = command(&line.replace("{}", text(folder.path())));
+        let at = text(folder.path());
+        let Done { code, out, err } = command(&line.replace("{}", at));
+        let [out, err] = [out, err].map(|t| t.replace(at, "{}"));
         writeln!(all, "{line}").unwrap();
         writeln!(all, "  {code}, {}, {}", digest(out), digest(err)).unwrap();
         let files = std::fs::read_dir(folder.path()).unwrap();
