@@ -16,7 +16,7 @@ use clap::Parser;
 use mutate::{Kind, Place};
 use render::{Mutant, Rendered, render};
 use serde::Serialize;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -67,7 +67,8 @@ struct Args {
     /// The seed of the draw
     #[arg(long, value_name = "N", default_value_t = 1, requires = "sample")]
     seed: u64,
-    /// Only mutants that this table names by file, function, original and instead: survivors, to be met again
+    /// Only mutants that this table names by file, function, original and instead, of several alike by line and column:
+    /// survivors, to be met again
     #[arg(long, value_name = "CSV", conflicts_with = "sample")]
     again: Option<PathBuf>,
     /// List the mutants and judge none
@@ -132,7 +133,23 @@ fn audit(args: &Args) -> Result<bool> {
     }
     if let Some(table) = &args.again {
         let named = named(table)?;
-        mutants.retain(|m| named.contains(&identity(&row(&sources, m, &Verdict::Missed))));
+        let named_here = |m: &Mutant| {
+            let row = row(&sources, m, &Verdict::Missed);
+            let places = named.get(&identity(&row))?;
+            Some((places, identity(&row), [row.line, row.column]))
+        };
+        // Of several that are alike, those that stand where the table says, if any does.
+        let in_place: HashSet<[String; 4]> = mutants
+            .iter()
+            .filter_map(named_here)
+            .filter(|(places, _, at)| places.contains(at))
+            .map(|(_, identity, _)| identity)
+            .collect();
+        mutants.retain(|m| {
+            named_here(m).is_some_and(|(places, identity, at)| {
+                places.contains(&at) || !in_place.contains(&identity)
+            })
+        });
     }
     if args.list {
         for m in &mutants {
@@ -201,22 +218,26 @@ fn identity(row: &Row) -> [String; 4] {
     [row.file, row.function, &row.original, &row.instead].map(str::to_owned)
 }
 
-/// The mutants that a table names.
-fn named(table: &std::path::Path) -> Result<HashSet<[String; 4]>> {
+/// The mutants that a table names, and the lines and columns where it says that they stand.
+fn named(table: &std::path::Path) -> Result<HashMap<[String; 4], HashSet<[usize; 2]>>> {
     let mut rows = csv::Reader::from_path(table).with_context(|| table.display().to_string())?;
     let headers = rows.headers()?.clone();
-    let columns = ["file", "function", "original", "instead"].map(|name| {
-        let at = headers.iter().position(|h| h == name);
-        at.with_context(|| format!("{}: no column {name}", table.display()))
-    });
-    let [file, function, original, instead] = columns;
-    let columns = [file?, function?, original?, instead?];
-    rows.records()
-        .map(|r| {
-            let r = r?;
-            Ok(columns.map(|c| r[c].to_owned()))
-        })
-        .collect()
+    let column = |name: &str| headers.iter().position(|h| h == name);
+    let names = ["file", "function", "original", "instead"]
+        .map(|name| column(name).with_context(|| format!("{}: no column {name}", table.display())));
+    let [file, function, original, instead] = names;
+    let names = [file?, function?, original?, instead?];
+    let places = [column("line"), column("column")];
+    let mut all: HashMap<_, HashSet<_>> = HashMap::new();
+    for record in rows.records() {
+        let record = record?;
+        let at = places.map(|c| record.get(c?)?.parse().ok());
+        let stands = all.entry(names.map(|c| record[c].to_owned())).or_default();
+        if let [Some(line), Some(column)] = at {
+            stands.insert([line, column]);
+        }
+    }
+    Ok(all)
 }
 
 fn read(project: &std::path::Path, files: &[String]) -> Result<Vec<Source>> {
