@@ -85,43 +85,56 @@ impl Apart {
     /// Where a zero may be too close.
     pub fn all(within: Option<f64>, watch: &Watch) -> Result<Option<Apart>, String> {
         let boxes = boxes::all()?;
-        let begin = f64::from(LINES).exp2();
-        let zeros = Smooth {
-            value: &|m, bits| curve::zero(m, bits),
-            shift: &last_place,
-            most: &most_of_b,
-            few: true,
-        };
-        let end = last(within.map_or(begin, |w| w.min(begin)));
-        let Some(zeros) = zeros.stays_off(FIRST, end, watch)? else {
+        let Some(zeros) = zeros(of_zeros(within), watch)? else {
             return Ok(None);
         };
-        let mut of_lines = 0;
-        for k in LINES.. {
-            let [first, last] = lines(k);
-            if last == 0 {
-                break;
-            }
-            if within.is_some_and(|w| f64::from(k).exp2() >= w) {
-                continue;
-            }
-            let smooth = Smooth {
-                value: &|j, bits| curve::line(k, j, bits),
-                shift: &|_| 0,
-                most: &|_| 56f64.exp2(),
-                few: false,
-            };
-            let Some(n) = smooth.stays_off(first, last, watch)? else {
+        let mut lines = 0;
+        for (k, of) in binades(within) {
+            let Some(n) = lines_of(k, of, watch)? else {
                 return Ok(None);
             };
-            of_lines += n;
+            lines += n;
         }
         Ok(Some(Apart {
             boxes,
             zeros,
-            lines: of_lines,
+            lines,
         }))
     }
+}
+
+/// The first and the last zero of those with b below a limit.
+fn of_zeros(within: Option<f64>) -> [u64; 2] {
+    let begin = f64::from(LINES).exp2();
+    [FIRST, last(within.map_or(begin, |w| w.min(begin)))]
+}
+
+/// The binades of b below a limit that have lines, with them.
+fn binades(within: Option<f64>) -> Vec<(i32, [u64; 2])> {
+    let all = (LINES..).map(|k| (k, lines(k)));
+    let some = all.take_while(|(_, [_, last])| *last > 0);
+    some.filter(|(k, _)| within.is_none_or(|w| f64::from(*k).exp2() < w))
+        .collect()
+}
+
+fn zeros([first, last]: [u64; 2], watch: &Watch) -> Result<Option<u64>, String> {
+    let all = Smooth {
+        value: &|m, bits| curve::zero(m, bits),
+        shift: &last_place,
+        most: &most_of_b,
+        few: true,
+    };
+    all.stays_off(first, last, watch)
+}
+
+fn lines_of(k: i32, [first, last]: [u64; 2], watch: &Watch) -> Result<Option<u64>, String> {
+    let all = Smooth {
+        value: &|j, bits| curve::line(k, j, bits),
+        shift: &|_| 0,
+        most: &|_| 56f64.exp2(),
+        few: false,
+    };
+    all.stays_off(first, last, watch)
 }
 
 /// The middle of a ball as an `f64`.

@@ -4,6 +4,7 @@ use crate::choice::follows;
 use crate::interval::sum_up;
 use crate::lower::exponential::U;
 use crate::pinned::as_proved;
+use crate::pinned::{bit_by_bit, counted, of_binades, units};
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::faddeeva;
 use num_complex::Complex;
@@ -457,4 +458,80 @@ fn rows_are_wrong_by_most_at_the_farthest_point() {
         let due = row.within(f64::hypot(far[0].max(far[1]), piece.b[1]));
         assert!(error(&faulty) >= due, "{due:e}");
     }
+}
+
+/// Which formulas rectangles have, their bounds, and how they are halved.
+#[test]
+fn leaves_bit_by_bit() {
+    use crate::certificate::Watch;
+    use crate::lower::prove::{LOWER_HALF_PLANE, Target, lower_half_plane, roots};
+    use std::sync::atomic::Ordering;
+    let mut unit = units(7);
+    let squares: Vec<Rectangle> = (0..400)
+        .map(|i| {
+            let [a, b] = match i % 3 {
+                0 => [3.0 * unit(), 3.0 * unit()],
+                1 => [12.0 * unit(), 12.0 * unit()],
+                _ => [0; 2].map(|_| of_binades(&mut unit, [-40, 6])),
+            };
+            square(a, b, of_binades(&mut unit, [-12, -5]))
+        })
+        .collect();
+    let regions: Vec<_> = squares.iter().map(|r| super::regions(&CODE, r)).collect();
+    let some = regions.iter().flatten().step_by(6).flatten();
+    let bounds: Vec<_> = some.map(|(at, region)| bound(&CODE, *region, at)).collect();
+    let known: Vec<f64> = bounds
+        .iter()
+        .flatten()
+        .copied()
+        .filter(|x| x.is_finite())
+        .collect();
+    let watch = Watch::default();
+    let shell = |r: &Rectangle| [r.a, r.b] == [[2.0, 4f64.next_down()]; 2];
+    let of = |norm: f64, single: f64, depth: u32| {
+        let target = Target {
+            norm,
+            single,
+            depth,
+        };
+        let found = lower_half_plane(&CODE, target, &watch, shell).expect("not stopped");
+        (found.leaves, found.open)
+    };
+    let proved = of(LOWER_HALF_PLANE.norm, LOWER_HALF_PLANE.single, 9);
+    let leaves = proved.0.len() as f64;
+    let halved = [
+        of(0.0, 0.0, 0),
+        of(0.0, 0.0, 3),
+        of(1e9, 1e9, 4),
+        of(2.5, 0.0, 5),
+    ];
+    let point = |r: &Rectangle| r.a[0] == 1.0 && r.b[0] == 1.0;
+    let shallow = Target {
+        depth: 2,
+        ..LOWER_HALF_PLANE
+    };
+    let other = lower_half_plane(&CODE, shallow, &watch, point).expect("not stopped");
+    watch.stop.store(true, Ordering::Relaxed);
+    assert!(lower_half_plane(&CODE, shallow, &watch, point).is_none());
+    let found = [
+        counted("roots", roots()),
+        counted("regions", &regions),
+        (
+            "bounds",
+            crate::pinned::digest(&bounds),
+            known.iter().copied().fold(0.0, f64::max),
+        ),
+        ("proved", crate::pinned::digest([proved]), leaves),
+        counted("halved", halved),
+        counted("shallow", [(other.leaves, other.open)]),
+    ];
+    let due = [
+        ("roots", 0xe4ea81109e04cc54, 2395.0),
+        ("regions", 0x9ad75fb853ba4072, 400.0),
+        ("bounds", 0x77b7706d3437c23e, 1.7431284181047555),
+        ("proved", 0x732b485748bc0ef1, 123.0),
+        ("halved", 0x7b909329c920c4de, 4.0),
+        ("shallow", 0x7342c52a9dc6e96f, 1.0),
+    ];
+    bit_by_bit(&found, &due);
 }
