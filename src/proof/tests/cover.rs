@@ -401,7 +401,7 @@ fn cuts_and_holes_bit_by_bit() {
     let scaled = all.iter().map(|r| (r.scaled(), r.small_re(), r.small_im()));
     let mut holes = Vec::new();
     let whole = roots();
-    for i in (0..whole.len()).step_by(211).chain([whole.len() - 1]) {
+    for i in (0..whole.len()).step_by(2111).chain([whole.len() - 1]) {
         let mut some = whole.clone();
         some.remove(i);
         holes.push(hole(&some));
@@ -436,7 +436,7 @@ fn cuts_and_holes_bit_by_bit() {
         ("roots", 0x8fe9c43e940343a4, 14464.0),
         ("cuts", 0xcdb2d7d5eb42f9ca, 14675.0),
         ("scaled", 0x1500a3e8f01f63ff, 14675.0),
-        ("holes", 0x23e1072a9d4cf169, 147.0),
+        ("holes", 0x30a70dbcdcd41db0, 23.0),
     ];
     bit_by_bit(&found, &due);
 }
