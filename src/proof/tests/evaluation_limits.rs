@@ -387,7 +387,8 @@ fn powers_of_two_bit_by_bit() {
     ];
     let scaled = evaluate(setting, || {
         let mut out = Vec::new();
-        for x in pool() {
+        let fine = Tracked::input_on_grid(0, [1.0, 1.9], -60);
+        for x in pool().into_iter().chain([fine]) {
             for k in powers {
                 for by in [power_of_two(k), -power_of_two(k)].map(x_of) {
                     out.push(here(|e| e.scaled(x, by)));
@@ -434,7 +435,7 @@ fn powers_of_two_bit_by_bit() {
         counted("grids", grids),
     ];
     let due = [
-        ("scaled", 0xd678e091d027eb84, 652.0),
+        ("scaled", 0xa39f5c7ab9eb0f2a, 676.0),
         ("shared", 0x1f3298a3513ad6ad, 240.0),
         ("grids", 0x556e421e6346d2a6, 4.0),
     ];

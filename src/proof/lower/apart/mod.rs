@@ -85,17 +85,12 @@ impl Apart {
     /// Where a zero may be too close.
     pub fn all(within: Option<f64>, watch: &Watch) -> Result<Option<Apart>, String> {
         let boxes = boxes::all()?;
-        let Some(zeros) = zeros(of_zeros(within), watch)? else {
+        let [first, last] = of_zeros(within);
+        let Some(zeros) = ZEROS.stays_off(first, last, watch)? else {
             return Ok(None);
         };
-        let mut lines = 0;
-        for (k, of) in binades(within) {
-            let Some(n) = lines_of(k, of, watch)? else {
-                return Ok(None);
-            };
-            lines += n;
-        }
-        Ok(Some(Apart {
+        let lines = count_lines(&binades(within), watch)?;
+        Ok(lines.map(|lines| Apart {
             boxes,
             zeros,
             lines,
@@ -117,24 +112,35 @@ fn binades(within: Option<f64>) -> Vec<(i32, [u64; 2])> {
         .collect()
 }
 
-fn zeros([first, last]: [u64; 2], watch: &Watch) -> Result<Option<u64>, String> {
-    let all = Smooth {
-        value: &|m, bits| curve::zero(m, bits),
-        shift: &last_place,
-        most: &most_of_b,
-        few: true,
-    };
-    all.stays_off(first, last, watch)
+/// How many lines these binades have, none of them with a whole S; `None` if it was stopped.
+fn count_lines(binades: &[(i32, [u64; 2])], watch: &Watch) -> Result<Option<u64>, String> {
+    let mut lines = 0;
+    for &(k, [first, last]) in binades {
+        let value = |j, bits| curve::line(k, j, bits);
+        let Some(n) = on_lines(&value).stays_off(first, last, watch)? else {
+            return Ok(None);
+        };
+        lines += n;
+    }
+    Ok(Some(lines))
 }
 
-fn lines_of(k: i32, [first, last]: [u64; 2], watch: &Watch) -> Result<Option<u64>, String> {
-    let all = Smooth {
-        value: &|j, bits| curve::line(k, j, bits),
+/// b at the zeros.
+static ZEROS: Smooth = Smooth {
+    value: &curve::zero,
+    shift: &last_place,
+    most: &most_of_b,
+    few: true,
+};
+
+/// S on the lines of a binade.
+fn on_lines(value: smooth::Value<'_>) -> Smooth<'_> {
+    Smooth {
+        value,
         shift: &|_| 0,
         most: &|_| 56f64.exp2(),
         few: false,
-    };
-    all.stays_off(first, last, watch)
+    }
 }
 
 /// The middle of a ball as an `f64`.

@@ -136,7 +136,13 @@ fn what_is_enumerated_bit_by_bit() {
         .chain(&[63.0, 64.0, 64.03, 64.07, 65.0, 127.9, 128.1, 128.2]);
     let m = b.iter().map(|b| (b * b) as u64);
     let last_lines = binades(None).split_off(12);
-    let counts = last_lines.iter().map(|(k, of)| lines_of(*k, *of, &watch));
+    let value = |_: u64, _: u32| Err(String::new());
+    let of_lines = on_lines(&value);
+    let kinds = [&ZEROS, &of_lines].map(|s| {
+        let bounds = [1, 20, 1 << 20].map(s.most);
+        (s.few, bounds, [1.0, 100.0, 5000.0].map(s.shift))
+    });
+    let counts = [0, 1, 2].map(|from| count_lines(&last_lines[from..], &watch));
     let found = [
         counted("lines", (10..30).map(lines)),
         counted("last", b.iter().map(|b| last(*b))),
@@ -145,7 +151,8 @@ fn what_is_enumerated_bit_by_bit() {
         counted("zeros", limits.map(of_zeros)),
         counted("binades", limits.map(binades)),
         counted("last lines", counts),
-        counted("first zeros", [zeros([FIRST, 40], &watch)]),
+        counted("kinds", kinds),
+        counted("first zeros", [ZEROS.stays_off(FIRST, 40, &watch)]),
     ];
     let due = [
         ("lines", 0x2d57ab8df90ea13e, 20.0),
@@ -154,7 +161,8 @@ fn what_is_enumerated_bit_by_bit() {
         ("most", 0x8ee1932399644bbb, 89438.15175304106),
         ("zeros", 0xc30757717f6b2303, 9.0),
         ("binades", 0x06f7ade01ba18542, 9.0),
-        ("last lines", 0x96a55a60f0e515b7, 3.0),
+        ("last lines", 0x1da6965b4ef37fdd, 3.0),
+        ("kinds", 0x78bddc6ceb8e5d2a, 2.0),
         ("first zeros", 0x26e4731f81b6da2d, 1.0),
     ];
     bit_by_bit(&found, &due);

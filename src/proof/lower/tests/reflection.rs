@@ -287,6 +287,29 @@ fn differences_bit_by_bit() {
             all.push(reflected(w, &r, rho, cancelled));
         }
     }
+    // The exponential meets a limit of what is used exactly.
+    let near = |x: f64| (0..17).map(move |i| f64::from_bits(x.to_bits() + i - 8));
+    let r = at([1.5, 1.75], [1.25, 1.5]);
+    let [lo, hi] = exponential([decay(&r).lo, decay(&r).hi]);
+    for w in [2.0 * lo, 2.0 * hi, lo / 1.5, hi / 1.5]
+        .into_iter()
+        .flat_map(near)
+    {
+        all.push(reflected(value(w, 0.0), &r, 1e-17, 0.5));
+    }
+    // Re z² meets the ends of what is proved.
+    let edge = |d: f64, b: f64| near((d + b * b).sqrt());
+    let shifts = [0.0, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0];
+    for b in shifts {
+        for a in edge(700.0, b) {
+            all.push(reflected(
+                value(1e-303, 0.0),
+                &at([a, a], [b, b]),
+                0.0,
+                1e-3,
+            ));
+        }
+    }
     let far = [25.5, 26.4, 26.5, 27.0, 30.0].map(|a| {
         let r = at([a, a], [0.5, 0.5]);
         [0.0, 1e-303, 1e-300, 1e-290].map(|w| reflected(value(w, 0.0), &r, 1e-17, 1e-3))
@@ -304,6 +327,11 @@ fn differences_bit_by_bit() {
         .map(|i| 26.65 + 1e-4 * f64::from(i * i))
         .map(|b| overflows(&at([0.0, 0.125], [b, b])))
         .collect();
+    let edges = shifts
+        .into_iter()
+        .flat_map(|a| edge(OVERFLOW, a).map(move |b| (a, b)));
+    let edges = edges.map(|(a, b)| overflows(&at([a, a], [b, b])));
+    let over: Vec<bool> = over.into_iter().chain(edges).collect();
     let finite = |x: &f64| if x.is_finite() { *x } else { 0.0 };
     let most = all.iter().map(finite).fold(0.0, f64::max);
     let found = [
@@ -315,10 +343,10 @@ fn differences_bit_by_bit() {
     ];
     let due = [
         ("terms", 0xcc23717a55623241, 1e300),
-        ("differences", 0x215797791529f080, 622617460005856.5),
+        ("differences", 0x49d9b32718e0475e, 5609819801627679.0),
         ("far", 0x7ef03e1c9ba3425e, 5.0),
         ("least of w", 0x5e9cab499a125dc6, 121.0),
-        ("overflow", 0xacea6272e5cb1b05, 40.0),
+        ("overflow", 0x4594e68876b1c68b, 159.0),
     ];
     bit_by_bit(&found, &due);
 }

@@ -477,6 +477,59 @@ fn leaves_bit_by_bit() {
             square(a, b, of_binades(&mut unit, [-12, -5]))
         })
         .collect();
+    // In each formula, and beside the first zeros.
+    let mut squares = squares;
+    for (a, b) in [
+        (0.002, 0.002),
+        (0.0, 0.002),
+        (0.1, 0.1),
+        (0.6, 0.6),
+        (3.0, 0.01),
+        (9.5, 1e-4),
+        (12.0, 1e-12),
+        (3.0, 2.5),
+        (6.0, 5.9),
+        (10.0, 9.9),
+        (40.0, 39.5),
+    ] {
+        squares.push(square(a, b, if b < 1e-3 { b } else { 0.0078125 * b }));
+    }
+    let mut beside = Vec::new();
+    for (a, b) in [(1.99146684, 1.35481012), (2.69114902, 2.17704491)] {
+        for off in [0.01, 0.02, 0.04, 0.08, 0.12] {
+            beside.extend([square(a + off, b, 0.004), square(a - off, b - off, 0.002)]);
+        }
+    }
+    let beside: Vec<_> = beside
+        .iter()
+        .flat_map(|r| super::regions(&CODE, r))
+        .flatten()
+        .map(|(at, region)| bound(&CODE, region, &at))
+        .collect();
+    let last = squares[squares.len() - 11..]
+        .iter()
+        .flat_map(|r| super::regions(&CODE, r))
+        .flatten();
+    let each: Vec<_> = last.map(|(at, region)| bound(&CODE, region, &at)).collect();
+    // The limit of one term is met exactly.
+    let mut limited = CODE.clone();
+    let mut met = Vec::new();
+    let at = square(3.0, 2.0, 0.25);
+    let turned = Rectangle { a: at.b, b: at.a };
+    for at in [at, turned] {
+        for end in [decay(&at).lo.abs(), decay(&at).hi.abs()] {
+            for limit in [end - 1e-12, end + 1e-12] {
+                for bits in limit.to_bits() - 2..=limit.to_bits() + 2 {
+                    limited.limits.dominant = f64::from_bits(bits);
+                    for branch in [Branch::Cell { terms: 18 }, Branch::Asymptotic { terms: 26 }] {
+                        let mut out = Vec::new();
+                        with_rows(&limited, &at, branch, &mut out).expect("known");
+                        met.push(out);
+                    }
+                }
+            }
+        }
+    }
     let regions: Vec<_> = squares.iter().map(|r| super::regions(&CODE, r)).collect();
     let some = regions.iter().flatten().step_by(6).flatten();
     let bounds: Vec<_> = some.map(|(at, region)| bound(&CODE, *region, at)).collect();
@@ -511,6 +564,16 @@ fn leaves_bit_by_bit() {
         ..LOWER_HALF_PLANE
     };
     let other = lower_half_plane(&CODE, shallow, &watch, point).expect("not stopped");
+    // Some have a bound in one formula and none in another.
+    let none = Target {
+        norm: 0.0,
+        single: 0.0,
+        depth: 2,
+    };
+    let wide = |r: &Rectangle| (1.0..16.0).contains(&r.a[1].max(r.b[1]));
+    let open = lower_half_plane(&CODE, none, &watch, wide)
+        .expect("not stopped")
+        .open;
     watch.stop.store(true, Ordering::Relaxed);
     assert!(lower_half_plane(&CODE, shallow, &watch, point).is_none());
     let found = [
@@ -523,14 +586,22 @@ fn leaves_bit_by_bit() {
         ),
         ("proved", crate::pinned::digest([proved]), leaves),
         counted("halved", halved),
+        counted("each", each),
+        counted("beside zeros", beside),
+        counted("limits", met),
+        counted("open", open),
         counted("shallow", [(other.leaves, other.open)]),
     ];
     let due = [
         ("roots", 0xe4ea81109e04cc54, 2395.0),
-        ("regions", 0x9ad75fb853ba4072, 400.0),
-        ("bounds", 0x77b7706d3437c23e, 1.7431284181047555),
+        ("regions", 0x526b6a3181fa8adf, 411.0),
+        ("bounds", 0x8a88d10d9f0c9763, 1.7431284181047555),
         ("proved", 0x732b485748bc0ef1, 123.0),
         ("halved", 0x7b909329c920c4de, 4.0),
+        ("each", 0xfd0aadb342701759, 11.0),
+        ("beside zeros", 0xa41c5af5c4c69d1b, 20.0),
+        ("limits", 0xbe46e649bd74ba13, 80.0),
+        ("open", 0x36596ded5ed3bb00, 88.0),
         ("shallow", 0x7342c52a9dc6e96f, 1.0),
     ];
     bit_by_bit(&found, &due);

@@ -369,6 +369,26 @@ fn formulas_bit_by_bit() {
         let most = all.iter().flatten().map(|b| b.1).fold(0.0, f64::max);
         found.push((function.name(), digest(&all), most));
     }
+    // Limits that are met exactly.
+    let near = |x: f64| (0..33).map(move |i| f64::from_bits(x.to_bits() + i - 16));
+    let tables = Tables::of_the_solver(Function::Erfc).expect("decided");
+    let of = |function, formula, x: f64| {
+        let at = Interval {
+            negative: false,
+            ends: [x, x.next_up()],
+        };
+        bound(&tables, function, formula, &at, Rounding::default())
+    };
+    let zero = near(745.2f64.sqrt()).map(|x| of(Function::Erfc, Formula::Constant, x));
+    let above = near(710f64.sqrt()).map(|x| of(Function::Erfcx, Formula::Overflow, x));
+    let met: Vec<_> = zero.chain(above).collect();
+    let way = |exponent: f64| Way {
+        sum: sum(1.25, 1.5, 0.0),
+        inner: None,
+        exponent: Some(exponent),
+    };
+    let exponents = [24.0, 25.0, 1024.0, 2023.0, 2024.0];
+    let over = exponents.map(|n| overflows(&[way(n)], &at(1.0, 2.0)));
     let ones = [0.5, 1.0, 2.0].iter().flat_map(|x| {
         let margin = power_of_two(-50);
         let all = [
@@ -397,6 +417,13 @@ fn formulas_bit_by_bit() {
                 }
             }
         }
+    }
+    for m in near(FAR_ABOVE / 0.999) {
+        let y = Tracks {
+            tiny: 2.0,
+            ..sum(m, 1.5 * m, 0.0)
+        };
+        roundings.push(rounded(&y, &at(0.5, 1.0), 0.0, true, Rounding::default()));
     }
     // An error that is the limit itself.
     for e in [0.25, 1.0] {
@@ -438,6 +465,8 @@ fn formulas_bit_by_bit() {
         counted("underflow", under),
         counted("beside", beside.map(erfcx_beside)),
         counted("scaled", scaled),
+        counted("limits", met),
+        counted("overflow", over),
     ]);
     let due = [
         ("erf", 0x3208374b07af4dd7, 0.5682206508950784),
@@ -445,10 +474,12 @@ fn formulas_bit_by_bit() {
         ("erfcx", 0xd4f9cc92bf7415d5, 0.8386382116760135),
         ("dawson", 0xe1eb37053969e1b9, 0.7298588782757869),
         ("above one", 0x6bf1dfe6c438348e, 75.0),
-        ("roundings", 0x1348d1a8234d5db3, 168.0),
+        ("roundings", 0xf1a8f848acb1b367, 201.0),
         ("underflow", 0x346f4d7cb1b0eb70, 5.0),
         ("beside", 0x40b7f185ea96ec2d, 7.0),
         ("scaled", 0xc3f596ed59a3c664, 4.0),
+        ("limits", 0x381d3f7926f41751, 66.0),
+        ("overflow", 0x2047f73bb01969ca, 5.0),
     ];
     crate::pinned::bit_by_bit(&found, &due);
 }

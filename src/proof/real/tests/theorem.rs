@@ -618,6 +618,42 @@ fn leaves_bit_by_bit() {
         }
         found.push(("leaves", digest([&whole]), whole.leaves.len() as f64));
     }
+    // As many as may be for one interval to begin with, and more.
+    let code = solvers(Function::Erf);
+    let at = Interval {
+        negative: false,
+        ends: [1.0, f64::from_bits(1f64.to_bits() + 40)],
+    };
+    let formula = choice(Function::Erf, false, 1.0);
+    let counts = [
+        (MANY, 0),
+        (MANY + 1, 0),
+        (MANY - 1, 1),
+        (MANY, 1),
+        (0, MANY),
+        (2, MANY - 20),
+    ];
+    let counts = counts.map(|(leaves, open)| {
+        let leaf = Leaf {
+            at,
+            formula,
+            ulps: 0.5,
+        };
+        let why = "planted";
+        let mut found = Certificate {
+            leaves: vec![leaf; leaves],
+            open: vec![Open { at, why }; open],
+        };
+        let refined = Refined {
+            code: &code,
+            function: Function::Erf,
+            target: 0.0,
+            formula,
+        };
+        refined.refine(at, 0, &mut found);
+        (found.leaves.len(), found.open.len())
+    });
+    found.push(counted("many", counts));
     let numbers = [
         0.0,
         f64::from_bits(1),
@@ -652,6 +688,7 @@ fn leaves_bit_by_bit() {
         ("leaves", 0xb6543d08ec1c2c31, 704.0),
         ("dawson", 0x52cf745029b6544d, 454.0),
         ("leaves", 0xd217e53d04ed5ece, 119.0),
+        ("many", 0x4d86ab98c48ea699, 6.0),
         ("binades", 0x748c9d56f0a44b5f, 8.0),
         ("halves", 0x622a5dfaf7dbe33f, 4.0),
     ];
