@@ -59,7 +59,7 @@ pub(crate) fn in_cells() -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// The centres on the real axis.
-pub(crate) fn beside_real_axis() -> impl Iterator<Item = f64> {
+pub(crate) fn on_real_axis() -> impl Iterator<Item = f64> {
     (18..=144).map(|k| 0.0625 * f64::from(k))
 }
 
@@ -85,7 +85,7 @@ impl Tables {
                 .map(|(centre, row)| Ok((key(centre), (*row, RowErrors::of(row, centre)?))))
                 .collect::<Result<HashMap<_, _>, String>>()
         };
-        let real = beside_real_axis().map(|a| {
+        let real = on_real_axis().map(|a| {
             let (centre, row) = real_axis_at(a);
             ((centre, 0.0), row)
         });

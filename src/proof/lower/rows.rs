@@ -2,7 +2,7 @@
 
 use crate::bounds::{above, power_up};
 use crate::interval::{hypot_up, product_up, quotient_up, sum_up};
-use crate::tables::{beside_real_axis, cell_at, in_cells, real_axis_at};
+use crate::tables::{cell_at, in_cells, on_real_axis, real_axis_at};
 use mechaudit_reference::{Ball, faddeeva};
 use mechaudit_solvers::faddeeva::proof::{Row, lower as code};
 use rayon::prelude::*;
@@ -124,7 +124,7 @@ impl Rows {
                 insert(Kind::Disc, disc_at(a, b));
             }
         }
-        for a in beside_real_axis() {
+        for a in on_real_axis() {
             let (centre, row) = real_axis_at(a);
             insert(Kind::RealAxis, ((centre, 0.0), row));
         }

@@ -22,7 +22,7 @@ fn tables_of_the_solver_bit_by_bit() {
     let on_axis = on_axis.map(|k| &tables.imaginary_axis[k].1);
     let found = [
         counted("points", in_cells()),
-        counted("real axis", beside_real_axis()),
+        counted("real axis", on_real_axis()),
         counted("imaginary axis", on_imaginary_axis()),
         counted("cells", &cells),
         counted("centres", &real),

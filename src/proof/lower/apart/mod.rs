@@ -108,7 +108,7 @@ fn of_zeros(within: Option<f64>) -> [u64; 2] {
 fn binades(within: Option<f64>) -> Vec<(i32, [u64; 2])> {
     let all = (LINES..).map(|k| (k, lines(k)));
     let some = all.take_while(|(_, [_, last])| *last > 0);
-    some.filter(|(k, _)| within.is_none_or(|w| f64::from(*k).exp2() < w))
+    some.filter(|(k, _)| !within.is_some_and(|w| f64::from(*k).exp2() >= w))
         .collect()
 }
 
