@@ -48,6 +48,26 @@ pub(crate) fn imaginary_axis_at(b: f64) -> (f64, &'static AxisRow) {
     (b - t, row)
 }
 
+/// Points in all cells that a point of the closed quadrant may have: just inside the corners of the fine cells, which no
+/// line between cells meets.
+pub(crate) fn in_cells() -> impl Iterator<Item = (f64, f64)> {
+    let near = |i: i32, s: f64| (0.25 * f64::from(i) + s).max(0.0);
+    let corners = [(-0.1, -0.1), (-0.1, 0.1), (0.1, -0.1), (0.1, 0.1)];
+    let fine = (0..=30).flat_map(|i| (0..=30).map(move |j| (i, j)));
+    let all = fine.flat_map(move |(i, j)| corners.map(|(s, t)| (near(i, s), near(j, t))));
+    all.filter(|(a, b)| a * a + b * b < 56.0)
+}
+
+/// The centres on the real axis.
+pub(crate) fn on_real_axis() -> impl Iterator<Item = f64> {
+    (18..=144).map(|k| 0.0625 * f64::from(k))
+}
+
+/// The centres on the imaginary axis.
+pub(crate) fn on_imaginary_axis() -> impl Iterator<Item = f64> {
+    (0..=28).map(|k| 0.25 * f64::from(k))
+}
+
 impl Tables {
     /// Those of the solver, at every centre that a point of the upper half-plane may have.
     ///
@@ -55,16 +75,9 @@ impl Tables {
     /// If the reference is undecided about a coefficient.
     pub fn of_the_solver() -> Result<Tables, String> {
         let mut cells: HashMap<Key, ((f64, f64), &'static Row)> = HashMap::new();
-        // Just inside the corners of the fine cells, which no line between cells meets.
-        let near = |i: i32, s: f64| (0.25 * f64::from(i) + s).max(0.0);
-        for (i, j) in (0..=30).flat_map(|i| (0..=30).map(move |j| (i, j))) {
-            for (s, t) in [(-0.1, -0.1), (-0.1, 0.1), (0.1, -0.1), (0.1, 0.1)] {
-                let (a, b) = (near(i, s), near(j, t));
-                if a * a + b * b < 56.0 {
-                    let (centre, row) = cell_at(a, b);
-                    cells.insert(key(centre), (centre, row));
-                }
-            }
+        for (a, b) in in_cells() {
+            let (centre, row) = cell_at(a, b);
+            cells.insert(key(centre), (centre, row));
         }
         let cells = cells.into_values().collect::<Vec<_>>();
         let rows = |c: Vec<((f64, f64), &'static Row)>| {
@@ -72,13 +85,11 @@ impl Tables {
                 .map(|(centre, row)| Ok((key(centre), (*row, RowErrors::of(row, centre)?))))
                 .collect::<Result<HashMap<_, _>, String>>()
         };
-        let real = (18..=144).map(|k| {
-            let (centre, row) = real_axis_at(0.0625 * f64::from(k));
+        let real = on_real_axis().map(|a| {
+            let (centre, row) = real_axis_at(a);
             ((centre, 0.0), row)
         });
-        let imaginary: Vec<_> = (0..=28)
-            .map(|k| imaginary_axis_at(0.25 * f64::from(k)))
-            .collect();
+        let imaginary: Vec<_> = on_imaginary_axis().map(imaginary_axis_at).collect();
         let imaginary_axis = imaginary
             .into_par_iter()
             .map(|(s, row)| Ok((key((0.0, s)), (*row, RowErrors::on_axis(row, s)?))))
@@ -130,3 +141,7 @@ impl Tables {
         *errors = RowErrors::of(row, centre).expect("decided");
     }
 }
+
+#[cfg(test)]
+#[path = "tests/tables.rs"]
+mod tests;

@@ -16,9 +16,10 @@ use super::reflection::TWO_52;
 use crate::bounds::exp_up;
 use crate::certificate::Watch;
 use crate::code::Code;
+use crate::cover::Rectangle;
 use crate::formula::Formula;
 use crate::interval::{self, down, larger, quotient_up, up};
-use crate::prove::{self, Target};
+use crate::prove::{self, Certificate, Target};
 use mechaudit_solvers::faddeeva::proof::lower::Limits;
 
 /// Bounds of the norm, in units of 2⁻⁵².
@@ -53,13 +54,17 @@ impl Dominated {
         limits: &Limits,
         watch: &Watch,
     ) -> Result<Option<Dominated>, String> {
-        let wanted = |_: usize, r: &crate::Rectangle| {
-            let most = r.a[1].max(r.b[1]);
-            (0.5..16.0).contains(&most) || (1e101..2e101).contains(&most)
-        };
-        let Some(found) = prove::upper_half_plane(code, ROUNDED, watch, wanted) else {
+        let Some(found) = prove::upper_half_plane(code, ROUNDED, watch, |_, r| is_behind(r)) else {
             return Ok(None);
         };
+        Dominated::together(&found, e, limits).map(Some)
+    }
+
+    fn together(
+        found: &Certificate,
+        e: &Exponential,
+        limits: &Limits,
+    ) -> Result<Dominated, String> {
         if let Some(open) = found.open.first() {
             return Err(format!("{:?} is open: {}", open.at, open.why));
         }
@@ -70,14 +75,21 @@ impl Dominated {
         let cell = worst(|f| matches!(f, Formula::Cell { .. }));
         let series = worst(|f| matches!(f, Formula::Asymptotic { terms: 26 }));
         let huge = worst(|f| f == Formula::Huge);
-        Ok(Some(Dominated {
+        Ok(Dominated {
             image_in_cell: image(cell, e, limits, 0.459 / 6.93),
             image_by_series: image(series, e, limits, 0.548 / 10.6),
             exponential: exponential(cell, e, limits),
             huge: larger(huge, e.leading * TWO_52 + 1e-9),
             boxes: found.leaves.len(),
-        }))
+        })
     }
+}
+
+/// Whether a rectangle of the upper half-plane may be behind one of the bounds: the shells of the cells and of 26 terms,
+/// and one of those that are scaled.
+fn is_behind(r: &Rectangle) -> bool {
+    let most = r.a[1].max(r.b[1]);
+    (0.5..16.0).contains(&most) || (1e101..2e101).contains(&most)
 }
 
 /// `(UW + ρx)/(W − x) + ½` at the limit, from a lower bound of W.

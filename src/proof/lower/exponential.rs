@@ -297,8 +297,8 @@ impl Exponential {
             short: phase.short,
             ..t
         };
-        let boxes = all.len() + circle.len() + phase.boxes;
-        Ok(Exponential::together(e, t, boxes))
+        let boxes = [all.len(), circle.len(), phase.boxes];
+        Ok(Exponential::together(e, t, boxes.into_iter().sum()))
     }
 
     /// `e^x` and the sine and cosine multiplied, with the error of x.

@@ -2,7 +2,7 @@
 
 use crate::bounds::{above, power_up};
 use crate::interval::{hypot_up, product_up, quotient_up, sum_up};
-use crate::tables::{cell_at, real_axis_at};
+use crate::tables::{cell_at, in_cells, on_real_axis, real_axis_at};
 use mechaudit_reference::{Ball, faddeeva};
 use mechaudit_solvers::faddeeva::proof::{Row, lower as code};
 use rayon::prelude::*;
@@ -118,21 +118,14 @@ impl Rows {
         let mut insert = |kind, (centre, row)| {
             all.insert(key(kind, centre), (kind, centre, row));
         };
-        // Just inside the corners of the fine cells, which no line between cells meets.
-        for (i, j) in (0..=30).flat_map(|i| (0..=30).map(move |j| (i, j))) {
-            for (s, t) in [(-0.1, -0.1), (-0.1, 0.1), (0.1, -0.1), (0.1, 0.1)] {
-                let near = |i: i32, s: f64| (0.25 * f64::from(i) + s).max(0.0);
-                let (a, b) = (near(i, s), near(j, t));
-                if a * a + b * b < 56.0 {
-                    insert(Kind::Cell, cell_at(a, b));
-                }
-                if a.max(b) < 1.1 {
-                    insert(Kind::Disc, disc_at(a, b));
-                }
+        for (a, b) in in_cells() {
+            insert(Kind::Cell, cell_at(a, b));
+            if a.max(b) < 1.1 {
+                insert(Kind::Disc, disc_at(a, b));
             }
         }
-        for k in 18..=144 {
-            let (centre, row) = real_axis_at(0.0625 * f64::from(k));
+        for a in on_real_axis() {
+            let (centre, row) = real_axis_at(a);
             insert(Kind::RealAxis, ((centre, 0.0), row));
         }
         all.into_par_iter()

@@ -4,6 +4,7 @@ use super::reflection::least_of_w;
 use super::rows::Kind;
 use super::*;
 use crate::Rectangle;
+use crate::pinned::{bit_by_bit, largest};
 use mechaudit_reference::Ball;
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::proof::lower as solver;
@@ -31,9 +32,19 @@ fn worst(code: &Code, at: &Rectangle) -> f64 {
 }
 
 #[test]
-fn the_exponential_has_bounds() {
+fn the_exponential_has_bounds_bit_by_bit() {
     let e = &CODE.exponential;
     assert!(e.pair < 0.28 * U && e.rounded < 4.0 * U, "{e:?}");
+    let numbers = [e.pair, e.rounded, e.short[0], e.short[1], e.leading];
+    let found = [
+        largest("bounds", numbers.map(|x| x / U)),
+        ("boxes", 0, e.boxes as f64),
+    ];
+    let due = [
+        ("bounds", 0x14ca256601215a65, 4.613202404843298),
+        ("boxes", 0x0000000000000000, 43343.0),
+    ];
+    bit_by_bit(&found, &due);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The solver's rows and constants with their errors, each computed once.
 
 use super::Function;
-use crate::tables::imaginary_axis_at;
+use crate::tables::{imaginary_axis_at, on_imaginary_axis};
 use crate::truncation::{RowErrors, exponential_error, odd_series_error, pair_error};
 use mechaudit_reference::Ball;
 use mechaudit_solvers::faddeeva::proof::AxisRow;
@@ -46,6 +46,14 @@ pub(super) fn near_error(function: Function, (c, low): (&[f64], f64)) -> f64 {
     }
 }
 
+/// The centres of the rows.
+fn centres(function: Function) -> Vec<f64> {
+    match function {
+        Function::Dawson => (8..=144).map(|k| f64::from(k) / 16.0).collect(),
+        _ => on_imaginary_axis().collect(),
+    }
+}
+
 fn row_of(function: Function, x: f64) -> (f64, AxisRow) {
     match function {
         Function::Dawson => {
@@ -66,11 +74,7 @@ impl Tables {
     /// If the reference is undecided about a coefficient.
     pub fn of_the_solver(function: Function) -> Result<Tables, String> {
         const BITS: u32 = 300;
-        let places: Vec<f64> = match function {
-            Function::Dawson => (8..=144).map(|k| f64::from(k) / 16.0).collect(),
-            _ => (0..=28).map(|k| f64::from(k) / 4.0).collect(),
-        };
-        let rows = places.into_par_iter().map(|x| {
+        let rows = centres(function).into_par_iter().map(|x| {
             let (centre, row) = row_of(function, x);
             let errors = match function {
                 Function::Dawson => RowErrors::of_dawson(&row, centre)?,
@@ -103,3 +107,7 @@ impl Tables {
         self.rows.get(&centre.to_bits()).ok_or("no such centre")
     }
 }
+
+#[cfg(test)]
+#[path = "tests/tables.rs"]
+mod tests;

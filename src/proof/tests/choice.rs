@@ -3,6 +3,7 @@
 use super::*;
 use crate::at_points::{holds, pieces_hold_what_is_due};
 use crate::cover::hole;
+use crate::pinned::{bit_by_bit, counted, of_binades, units};
 use mechaudit_solvers::faddeeva::branch;
 use num_complex::Complex;
 use std::sync::LazyLock;
@@ -129,4 +130,53 @@ fn neighbours_along_the_rings() {
         b: [0.0, 1e4],
     };
     assert!(parts(&CODE, &axis).is_err());
+}
+
+/// Pieces with their formulas, and on which side of lines numbers are.
+#[test]
+fn pieces_of_rectangles_bit_by_bit() {
+    use mechaudit_solvers::faddeeva::branch;
+    let code = |a: f64, b: f64| branch(num_complex::Complex::new(a, b));
+    let mut unit = units(11);
+    let lines = [0.5, 1.0, 2.0];
+    let sides = [0.25, 0.5, 0.75, 1.0, 3.0].map(side(&lines));
+    let floor = |a: f64, b: f64| (a.floor() + 10.0 * b.floor(), b.floor() - 10.0 * a.floor());
+    let mut squares = Vec::new();
+    for i in 0..300 {
+        let [a, b] = [0; 2].map(|_| match i % 2 {
+            0 => 8.0 * unit(),
+            _ => of_binades(&mut unit, [-40, 5]),
+        });
+        let wide = of_binades(&mut unit, [-8, 0]);
+        squares.push(Rectangle {
+            a: [a, a + wide],
+            b: [b, b + wide],
+        });
+    }
+    let centres = squares.iter().map(|at| by_centre(at, floor));
+    let axis = squares.iter().map(|at| {
+        let mut out = Vec::new();
+        let branch = code(0.0, at.b[0]);
+        let at = Rectangle { a: [0.0; 2], ..*at };
+        (on_axis(at, branch, &mut out), out)
+    });
+    let rows = squares.iter().map(|at| {
+        let mut out = Vec::new();
+        (with_rows(*at, code(at.a[0], at.b[0]), &mut out), out)
+    });
+    let found = [
+        counted("sides", sides),
+        counted("centres", centres),
+        counted("axis", axis),
+        counted("rows", rows),
+        counted("choices", squares.iter().map(|at| choices(at, code, rank))),
+    ];
+    let due = [
+        ("sides", 0x47e5efde30b820b1, 5.0),
+        ("centres", 0x41f8eccf49e88694, 300.0),
+        ("axis", 0xe17b249e9a643565, 300.0),
+        ("rows", 0xdb8ef672d3b0c868, 300.0),
+        ("choices", 0x7736f245eaa8f331, 300.0),
+    ];
+    bit_by_bit(&found, &due);
 }

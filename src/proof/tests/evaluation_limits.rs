@@ -2,6 +2,8 @@
 
 use super::tests::{only, setting, ways, x_of};
 use super::*;
+use crate::form::power_of_two;
+use crate::pinned::{bit_by_bit, counted, digest};
 use mechaudit_solvers::faddeeva::proof::Real;
 
 fn x_of_power(k: i32) -> impl Fn() -> Tracked {
@@ -256,4 +258,278 @@ fn integers_have_limits() {
         (1.0 + 2f64.powi(-51)) * 2f64.powi(-1000),
     );
     assert!(!product);
+}
+
+fn form_of(x: Tracked) -> Form {
+    here(|e| e.form(x).clone())
+}
+
+/// Numbers of every kind: zero and other constants, of few and many binades, small, with errors, next to both ends of the
+/// range.
+fn pool() -> Vec<Tracked> {
+    let mut all = [0.0, -0.0, 1.0, 3.0, 0.1, -0.5, 1e-290, 1e300]
+        .map(x_of)
+        .to_vec();
+    all.extend([f64::from_bits(1), f64::MIN_POSITIVE, 2f64.powi(1000)].map(x_of));
+    let boxes = [
+        [1.0, 1.1],
+        [0.5, 1.0],
+        [-1.0, 2.0],
+        [0.0, 1.0],
+        [-2.0, 0.0],
+        [1e-320, 1e-310],
+        [0.5e-300, 2e-300],
+        [1e300, 1e307],
+        [1.25, 1.25],
+    ];
+    all.extend(
+        boxes
+            .iter()
+            .enumerate()
+            .map(|(i, ends)| Tracked::input(i % 2, *ends)),
+    );
+    let (s, x) = (Tracked::sigma(), all[11]);
+    let (y, low) = (x * all[12], all[17] * all[17]);
+    all.extend([
+        s,
+        s * x,
+        y,
+        y * all[5],
+        low,
+        low * x_of(0.25),
+        x * x_of(8.0),
+    ]);
+    all
+}
+
+/// Every operation with every two numbers of the pool: all that is known of the results.
+#[test]
+fn operations_bit_by_bit() {
+    let constants = [Constant {
+        stored: 0.1,
+        exact: Interval::new(0.099, 0.1),
+        error: Interval::new(0.0, 0.001),
+    }];
+    let mut found = Vec::new();
+    for sigma in [[1e-9, 1e-3], [0.0, 1e-3], [1e-300, 1e-290]] {
+        let setting = Setting {
+            sigma: Exact::coordinate(Interval::new(sigma[0], sigma[1]), 0),
+            constants: &constants,
+            rounding: Rounding::default(),
+        };
+        let mut forms = Vec::new();
+        let ended = evaluate(setting, || {
+            let all = pool();
+            let zero = all[0];
+            for (i, x) in all.iter().enumerate() {
+                let one = [
+                    x.like(0.1),
+                    x.like(-0.1),
+                    -*x,
+                    x.magnitude(),
+                    x.raised(1e-300),
+                    x.raised(0.5),
+                ];
+                forms.extend(one.map(form_of));
+                for (j, y) in all.iter().enumerate() {
+                    let ((p, q), (s, t)) = (x.two_prod(*y), x.two_sum(*y));
+                    forms.extend([p, q, s, t, x.fma(*y, zero)].map(form_of));
+                    if (i + j) % 3 == 0 {
+                        let (s, t) = x.fast_two_sum(*y);
+                        forms.extend([s, t, x.fma(*y, all[(i * j) % all.len()])].map(form_of));
+                    }
+                }
+            }
+            forms.len()
+        });
+        let count = forms.len() as f64;
+        found.push(("forms", digest(forms), count));
+        let mut quotients = Vec::new();
+        let number = evaluate(setting, || pool().len()).expect("no division")[0];
+        for (i, j) in (0..number).flat_map(|i| (0..number).map(move |j| (i, j))) {
+            if (i + j) % 4 == 1 {
+                quotients.push(evaluate(setting, || {
+                    let all = pool();
+                    form_of(all[i] / all[j])
+                }));
+            }
+        }
+        found.push((
+            "quotients",
+            digest(&quotients),
+            quotients.iter().flatten().count() as f64,
+        ));
+        found.push(counted("end", [ended]));
+    }
+    let due = [
+        ("forms", 0xd6c01225de2f15d1, 4536.0),
+        ("quotients", 0x7bdeedf0e789d739, 134.0),
+        ("end", 0xdacece55bb22c1b7, 1.0),
+        ("forms", 0x9704ec41b223f42c, 4536.0),
+        ("quotients", 0xd2e4318646679a51, 120.0),
+        ("end", 0xdacece55bb22c1b7, 1.0),
+        ("forms", 0xecbb1c52968f558e, 4536.0),
+        ("quotients", 0x2b9fb7406fe50829, 134.0),
+        ("end", 0xdacece55bb22c1b7, 1.0),
+    ];
+    bit_by_bit(&found, &due);
+}
+
+/// Products by powers of two and those that share their error, at the ends of what they serve for.
+#[test]
+fn powers_of_two_bit_by_bit() {
+    let setting = Setting {
+        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
+        ..setting(Rounding::default())
+    };
+    let powers = [
+        -1074, -1022, -1021, -1000, -500, -30, -1, 0, 1, 30, 500, 1000, 1022, 1023,
+    ];
+    let scaled = evaluate(setting, || {
+        let mut out = Vec::new();
+        let fine = Tracked::input_on_grid(0, [1.0, 1.9], -60);
+        for x in pool().into_iter().chain([fine]) {
+            for k in powers {
+                for by in [power_of_two(k), -power_of_two(k)].map(x_of) {
+                    out.push(here(|e| e.scaled(x, by)));
+                }
+            }
+        }
+        out
+    });
+    let mut shared = Vec::new();
+    for size in [0.7e-250, 1e-250, 1.5e-250, 0.7e-9, 1.0] {
+        for wide in [1.001, 1e3] {
+            for k in [-60, -31, -30, -29, -28, -1, 1, 28, 29, 30, 31, 60] {
+                for sign in [1.0, -1.0] {
+                    shared.push(evaluate(setting, || {
+                        let x = Tracked::input(0, [1.0, 1.001]);
+                        let c = Tracked::input(1, [size, size * wide]);
+                        let (p, q) = x.two_prod(c);
+                        let multiple = x * x_of(sign * power_of_two(k));
+                        let (r, s) = multiple.two_prod(c);
+                        let (t, _) = c.two_prod(multiple * x_of(2.0));
+                        [p, q, r, s, t].map(form_of)
+                    }));
+                }
+            }
+        }
+    }
+    let grids = [-969, -970, -971, -1000].map(|k| {
+        evaluate(setting, || {
+            let x = Tracked::input(0, [1.0, 1.1]);
+            let (p, q) = x.two_prod(Tracked::input(1, [1.0, 1.1].map(|c| c * power_of_two(k))));
+            let subnormal =
+                Tracked::input(0, [power_of_two(k), power_of_two(k)]) * x_of(power_of_two(-53));
+            [p, q, subnormal].map(form_of)
+        })
+    });
+    let scaled = scaled.expect("no division");
+    let found = [
+        (
+            "scaled",
+            digest(&scaled),
+            scaled[0].iter().flatten().count() as f64,
+        ),
+        counted("shared", shared),
+        counted("grids", grids),
+    ];
+    let due = [
+        ("scaled", 0xa39f5c7ab9eb0f2a, 676.0),
+        ("shared", 0x1f3298a3513ad6ad, 240.0),
+        ("grids", 0x556e421e6346d2a6, 4.0),
+    ];
+    bit_by_bit(&found, &due);
+}
+
+/// What is decided at equality, how far decisions are followed, and what stands for a number that has failed.
+#[test]
+fn decisions_bit_by_bit() {
+    let of = |lo: f64, hi: f64| {
+        let x = || Tracked::input(0, [lo, hi]);
+        let all = ways(|| form_of(x().fma(x_of(1.0), x_of(ROUND))).main.range.lo - ROUND);
+        all.map(|w| (w[0], w.len()))
+    };
+    let integers = [
+        of(0.4, 4095.4),
+        of(0.4, 4094.4),
+        of(0.4, 4096.4),
+        of(1e9f64.next_down(), 1e9f64.next_down()),
+        of(1e9, 1e9),
+        of(-2.5, 2.5),
+    ];
+    let chosen = [2, 4096, 4097, 4098].map(|n| ways(|| here(|e| e.choose(n))).map(|w| w.len()));
+    let products = [
+        0.0, 1e-291, 0.75e-290, 1e-290, 1.5e-290, 3e-290, 1e-100, 0.1,
+    ];
+    let products = products
+        .iter()
+        .flat_map(|x| [1.0, 0.5, 0.1].map(|y| exact_product(*x, y)));
+    let sums = [0.0, 1.0, 3.0, -1.0, 0.1, 1e-17, 1e300];
+    let sums = sums.iter().flat_map(|x| sums.map(|y| exact_sum(*x, y)));
+    let mut seen = Vec::new();
+    let failed = ways(|| {
+        let x = Tracked::input(0, [1.0, 2.0]);
+        let y = here(|e| e.fail("planted"));
+        seen.push((form_of(y), x.is_odd(), x_of(3.0).is_odd()));
+    });
+    let below = [
+        [1.0, 2.0],
+        [2.0, 3.0],
+        [2.5, 3.0],
+        [0.5, 1.0],
+        [1.0, 1.0],
+        [2.0, 2.0],
+    ];
+    let below = below.map(|y| ways(|| Tracked::input(0, [1.0, 2.0]).below(Tracked::input(1, y))));
+    let mixed = Setting {
+        sigma: Exact::coordinate(Interval::new(1e-9, 1e-3), 0),
+        ..setting(Rounding::default())
+    };
+    let alike = evaluate(mixed, || {
+        let all = [
+            Tracked::sigma(),
+            x_of(0.0),
+            Tracked::input(1, [1.0, 2.0]),
+            x_of(2.0),
+        ];
+        let pairs = all.iter().flat_map(|x| all.map(|y| (*x, y)));
+        let both =
+            |(x, y)| here(|e: &mut Evaluation| (e.alike(x, y), e.product(x, y), e.sum(x, y)));
+        pairs.map(both).collect::<Vec<_>>()
+    });
+    let twice = Setting {
+        rounding: Rounding {
+            fma_rounds_twice: true,
+            truncates: Some(2),
+        },
+        ..mixed
+    };
+    let twice = evaluate(twice, || {
+        let all = pool();
+        let three = all.iter().zip(&all[3..]).zip(&all[7..]);
+        let f = |((x, y), z): ((&Tracked, &Tracked), &Tracked)| [x.fma(*y, *z), x.two_prod(*y).1];
+        three.flat_map(f).map(form_of).collect::<Vec<_>>()
+    });
+    let found = [
+        counted("integers", integers),
+        counted("chosen", chosen),
+        counted("products", products),
+        counted("sums", sums),
+        counted("failed", [format!("{failed:?} {seen:?}")]),
+        counted("below", below),
+        counted("alike", alike.expect("no division").into_iter().flatten()),
+        counted("faults", twice.expect("no division").into_iter().flatten()),
+    ];
+    let due = [
+        ("integers", 0x3868790eca762a39, 6.0),
+        ("chosen", 0x87e3d6cb428b8f11, 4.0),
+        ("products", 0xda8d4bf1b02dff9b, 24.0),
+        ("sums", 0x6d82bd60f5c26b02, 49.0),
+        ("failed", 0x7b58501e07e8ae3e, 1.0),
+        ("below", 0x798935e53b8cb608, 6.0),
+        ("alike", 0x76a9c15100052c3d, 16.0),
+        ("faults", 0x2d187a7eb93dba2e, 40.0),
+    ];
+    bit_by_bit(&found, &due);
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, digest, largest};
 
 /// A number `m + Σ c_k ε_k + r` with everything a point, σ left out.
 fn form(main: f64, terms: &[(u32, f64)], rest: f64) -> Form {
@@ -510,4 +511,114 @@ fn grains_of_the_smallest_numbers() {
         [-1074, -1071, -1071]
     );
     assert_eq!([0.75, 1.0, 0.0].map(grain_of_point), [-2, 0, -1074]);
+}
+
+/// Operations on numbers with errors, beside a small factor, below the normal numbers, and where a limit is met exactly.
+#[test]
+fn operations_bit_by_bit() {
+    let sigmas = [
+        [1e-9, 1e-3],
+        [0.0, 1.0],
+        [1e-300, 1e-290],
+        [0.5, 0.5],
+        [power_of_two(-1021), 1.0],
+        [power_of_two(-1021), power_of_two(-1021)],
+        [power_of_two(-1022), power_of_two(-1021)],
+    ];
+    let sigmas = sigmas.map(|[lo, hi]| Exact::coordinate(Interval::new(lo, hi), 0));
+    let mut all: Vec<Form> = operands().into_iter().step_by(5).flatten().collect();
+    all.push(Form::point(0.0));
+    all.push(form(0.0, &[(2, 0.25)], 0.5));
+    all.push(form(0.0, &[], f64::from_bits(1)));
+    all.push(form(1.0, &[(1, 0.25), (4, -0.25)], 0.0));
+    all.push(Form::exact(
+        Exact::coordinate(Interval::new(-1.0, 2.0), 0),
+        -60,
+    ));
+    all.push(Form::exact(
+        Exact::coordinate(Interval::new(1e-310, 1e-300), 1),
+        -1074,
+    ));
+    all.push(Form::exact(
+        Exact::within(Interval::new(1e-320, f64::MIN_POSITIVE)),
+        -1074,
+    ));
+    all.push(Form::exact(
+        Exact::within(Interval::new(f64::MIN_POSITIVE, 1e-307)),
+        -1100,
+    ));
+    all.push(Form::exact(
+        Exact::within(Interval::new(1e300, f64::MAX)),
+        900,
+    ));
+    for tiny in [1.0, 0.75e100, 1e100, 1.5e100] {
+        let mut f = form(1.0, &[(1, 1e-16)], 0.0);
+        f.tiny = tiny;
+        all.push(f);
+    }
+    let mut near_half = form(1.0, &[], 0.5);
+    near_half.share = 0.5;
+    all.push(near_half);
+    let small = all.iter().cloned().map(|f| Form { small: true, ..f });
+    let small: Vec<Form> = small.step_by(2).collect();
+    all.extend(small);
+    let mut results = Vec::new();
+    let mut roundings = Vec::new();
+    for f in &all {
+        results.extend([f.negative(), f.doubled(), f.clone().summed()]);
+        for sigma in sigmas {
+            results.extend([f.plain(sigma), regrained(f.clone(), sigma)]);
+            for factor in [1.0, 2.0] {
+                let off = rounding(f, sigma, factor);
+                roundings.push((f.range(sigma), off));
+                if let Some(off) = off {
+                    results.push(rounded(f.clone(), sigma, off, factor, 9));
+                }
+            }
+        }
+        for g in &all {
+            if f.small == g.small {
+                results.push(sum(f, g));
+            }
+            if !(f.small && g.small) {
+                results.push(product(f, g, sigmas[0], false));
+            }
+            results.extend(quotient(f, g));
+        }
+        results.push(product(f, &f.plain(sigmas[0]), sigmas[0], true));
+    }
+    let numbers = [
+        0.0,
+        -0.0,
+        f64::from_bits(1),
+        1e-310,
+        f64::MIN_POSITIVE,
+        0.1,
+        1.0,
+        -3.0,
+        1e300,
+        f64::INFINITY,
+    ];
+    let grains = numbers.map(|x| (grain_of(x.abs()), grain_of_point(x), exponent(x.abs())));
+    let powers = [-1074, -1073, -1023, -1022, -1021, -1, 0, 1023].map(power_of_two);
+    let relative: Vec<f64> = results
+        .iter()
+        .map(Form::relative)
+        .filter(|r| *r < 1e6)
+        .collect();
+    let found = [
+        ("results", digest(&results), results.len() as f64),
+        counted("roundings", roundings),
+        counted("grains", grains),
+        largest("powers", powers),
+        largest("relative", relative),
+    ];
+    let due = [
+        ("results", 0x2eb7587696882cd2, 4228.0),
+        ("roundings", 0xe8b4b2ad4d9ed83a, 588.0),
+        ("grains", 0x4c57cfdc2fba7a89, 10.0),
+        ("powers", 0x05c1cc81cffc96a6, 8.98846567431158e307),
+        ("relative", 0xa547105139d521fe, 109375.00000000009),
+    ];
+    bit_by_bit(&found, &due);
 }

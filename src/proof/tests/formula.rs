@@ -1,5 +1,6 @@
 use super::*;
 use crate::code::Code;
+use crate::pinned::{bit_by_bit, counted, largest, of_binades, units};
 use mechaudit_solvers::faddeeva::faddeeva;
 use num_complex::Complex;
 use std::sync::LazyLock;
@@ -438,4 +439,165 @@ fn scaled_bounds_are_of_their_rectangle() {
             assert_eq!(of(&kept, &at), of(&tables, &at));
         }
     }
+}
+
+/// Bounds from results of every kind, and where a limit is met exactly.
+#[test]
+fn parts_of_bounds_bit_by_bit() {
+    let tiny = f64::from_bits(1);
+    let sigmas = [
+        [0.0, 0.0],
+        [0.0, 0.5],
+        [0.25, 0.5],
+        [1e-300, 1e-290],
+        [FAR_ABOVE, 1.0],
+    ];
+    let sigmas = sigmas.map(|[lo, hi]| Interval::new(lo, hi));
+    let u = power_of_two(-52);
+    let mut results = Vec::new();
+    for (lo, hi) in [
+        (1.5, 1.75),
+        (0.0, 0.0),
+        (0.0, 1.0),
+        (-1.0, 0.5),
+        (tiny, 1.0),
+        (f64::from_bits(2), 1.0),
+        (FAR_ABOVE, 1.0),
+        (FAR_ABOVE.next_up(), 1.0),
+        (1.0, 1.5),
+        (1f64.next_up(), 1.5),
+        (1e-310, 1e-305),
+    ] {
+        for error in [0.0, u, 0.1] {
+            for small in [false, true] {
+                for t in [0.0, 3.0] {
+                    results.push(Tracks {
+                        tiny: t,
+                        small,
+                        relative: error * 0.75,
+                        ..part(lo, hi, error)
+                    });
+                }
+            }
+        }
+    }
+    let sum = |slope: f64, exponential: f64, most: f64| OfSum {
+        slope,
+        exponential,
+        most,
+        least: 0.5,
+    };
+    let sums = [
+        sum(0.0, 0.0, 0.0),
+        sum(1e-20, 1e-18, 1e-17),
+        sum(tiny, 0.0, 0.0),
+        sum(0.75, f64::INFINITY, 1.0),
+        sum(1e-17, f64::INFINITY, 0.0),
+    ];
+    let truncations = [
+        NONE,
+        Truncation {
+            norm: 1e-18,
+            re: 1e-17,
+            im: 1e-16,
+            tiny: 2.0,
+            sum: None,
+        },
+    ];
+    let (mut components, mut of_sums, mut bounds) = (Vec::new(), Vec::new(), Vec::new());
+    for (i, re) in results.iter().enumerate() {
+        for sigma in sigmas {
+            components.extend([0.0, 1e-17, 0.5, 2.0].map(|t| component(re, t, 0.75 * t, sigma)));
+            of_sums.extend(sums.map(|t| of_sum(re, &t, sigma)));
+            for (k, mut truncation) in truncations.into_iter().enumerate() {
+                let im = results[(7 * i + 31 * k) % results.len()];
+                for sum in [None, Some(sums[(i + k) % sums.len()])] {
+                    truncation.sum = sum;
+                    let parts = [*re, im];
+                    bounds.push(Evaluated { parts, truncation }.bound(sigma));
+                }
+            }
+        }
+    }
+    let known = bounds.iter().filter(|b| b.norm.is_finite()).count();
+    let lost = [FAR_ABOVE, 1.0, 1.5, 2.0]
+        .iter()
+        .flat_map(|l| [0.0, 1.0, 1e60].map(|t| lost_units(t, *l)));
+    let found = [
+        counted("components", components),
+        counted("sums", of_sums),
+        ("bounds", crate::pinned::digest(&bounds), known as f64),
+        largest("lost", lost),
+    ];
+    let due = [
+        ("components", 0x1004e16363b760d3, 2640.0),
+        ("sums", 0x0fa1cd3638d97907, 3300.0),
+        ("bounds", 0x00f535e82e99198f, 1330.0),
+        ("lost", 0xbf118e36efc990ef, 2.1684043449710095e41),
+    ];
+    bit_by_bit(&found, &due);
+}
+
+/// Bounds of every formula over rectangles of several sizes; what a scaled one comes to is kept.
+#[test]
+fn formulas_bit_by_bit() {
+    use crate::choice::parts;
+    let mut unit = units(13);
+    let code = Code::of_the_solver().expect("decided");
+    let mut rectangles = Vec::new();
+    for i in 0..320 {
+        let [a, b] = match i % 5 {
+            0 => [0.3 * unit(), 0.3 * unit()],
+            1 => [7.0 * unit(), 7.0 * unit()],
+            2 => [0.0, of_binades(&mut unit, [-6, 6])],
+            3 => [8.0 + 30.0 * unit(), of_binades(&mut unit, [-70, 4])],
+            _ => [0; 2].map(|_| of_binades(&mut unit, [-4, 6])),
+        };
+        let side = of_binades(&mut unit, [-14, -7]);
+        let wide = |x: f64| {
+            if x == 0.0 {
+                [0.0; 2]
+            } else {
+                [x, x * (1.0 + side)]
+            }
+        };
+        let b = if i % 7 == 0 { [0.0, b * side] } else { wide(b) };
+        rectangles.push(Rectangle { a: wide(a), b });
+    }
+    let far = [[1e150, 1.1e150], [1e101, 1.1e101]];
+    rectangles.extend(far.map(|a| Rectangle { a, b: a }));
+    rectangles.push(Rectangle {
+        a: [1e-9, 1e-3],
+        b: [20.0, 20.5],
+    });
+    rectangles.push(Rectangle {
+        a: [20.0, 20.5],
+        b: [1e-9, 1e-3],
+    });
+    let all = rectangles.iter().flat_map(|at| parts(&code, at)).flatten();
+    let all: Vec<(Rectangle, Formula)> = all.collect();
+    let bounds = all
+        .iter()
+        .map(|(at, f)| bound(&code.tables, *f, at, Rounding::default()));
+    let bounds: Vec<_> = bounds.collect();
+    let norms = bounds.iter().flatten().map(|b| b.norm);
+    let kept = code.tables.scaled.lock().expect("no panic").len();
+    let mut names: Vec<&str> = all.iter().map(|(_, f)| f.name()).collect();
+    names.sort_unstable();
+    names.dedup();
+    let found = [
+        counted("names", names),
+        (
+            "bounds",
+            crate::pinned::digest(&bounds),
+            norms.fold(0.0, f64::max),
+        ),
+        ("kept", 0, kept as f64),
+    ];
+    let due = [
+        ("names", 0x5db1b567a4d103ca, 13.0),
+        ("bounds", 0x814cb2cb858e5954, 1.769563358723438),
+        ("kept", 0x0000000000000000, 2.0),
+    ];
+    bit_by_bit(&found, &due);
 }

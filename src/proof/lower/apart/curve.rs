@@ -65,31 +65,40 @@ fn within(off: &ComplexBall, enough: Mag, factor: f64) -> Option<Mag> {
     (off <= enough).then(|| radius.add(Mag::power_of_two(-128)))
 }
 
-/// `−Im z` at zero number m of the equation.
-pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, String> {
-    let turns = Ball::pi(bits).shift(1) * Ball::rational(bits, &Rational::from(m));
-    // To 2⁻⁵², A apart.
-    let (mut x, mut p) = (3.0f64, middle(&turns));
+/// D and P at a zero after that many turns, to 2⁻⁵², A apart.
+fn beside_zero(turns: f64) -> [f64; 2] {
+    let (mut x, mut p) = (3.0f64, turns);
     for _ in 0..6 {
         (x, p) = (
             1.265_512_123_484_645_4 + 0.5 * x.hypot(p).ln(),
-            middle(&turns) - std::f64::consts::FRAC_PI_2 + 0.5 * p.atan2(x),
+            turns - std::f64::consts::FRAC_PI_2 + 0.5 * p.atan2(x),
         );
     }
+    [x, p]
+}
+
+/// `−Im z` at zero number m of the equation.
+pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, String> {
+    let turns = Ball::pi(bits).shift(1) * Ball::rational(bits, &Rational::from(m));
+    let start = beside_zero(middle(&turns));
+    zero_from(start, &turns, bits).ok_or_else(|| format!("zero {m} is not found"))
+}
+
+fn zero_from([x, p]: [f64; 2], turns: &Ball, bits: u32) -> Option<Ball> {
     let mut zeta = ComplexBall::new(Ball::exact(bits, x), Ball::exact(bits, -p));
     for _ in 0..60 {
         let (g, _) = g(&zeta, bits);
-        let next = ComplexBall::new(g.re, g.im - &turns);
+        let next = ComplexBall::new(g.re, g.im - turns);
         let enough = zeta.magnitude().shift(residual(bits));
         if let Some(radius) = within(&(&next - &zeta), enough, OF_ZERO) {
             let found = zeta.widened(radius);
             // a² = (|ζ| + D)/2, b = P/(2a).
             let a = (found.norm_sqr().sqrt() + &found.re).shift(-1).sqrt();
-            return Ok(-(found.im / &a.shift(1)));
+            return Some(-(found.im / &a.shift(1)));
         }
         zeta = ComplexBall::new(exact(&next.re, bits), exact(&next.im, bits));
     }
-    Err(format!("zero {m} is not found"))
+    None
 }
 
 /// S on the line `a − b = jδ`, `δ = 2^{k−52}`.

@@ -85,42 +85,61 @@ impl Apart {
     /// Where a zero may be too close.
     pub fn all(within: Option<f64>, watch: &Watch) -> Result<Option<Apart>, String> {
         let boxes = boxes::all()?;
-        let begin = f64::from(LINES).exp2();
-        let zeros = Smooth {
-            value: &|m, bits| curve::zero(m, bits),
-            shift: &last_place,
-            most: &most_of_b,
-            few: true,
-        };
-        let end = last(within.map_or(begin, |w| w.min(begin)));
-        let Some(zeros) = zeros.stays_off(FIRST, end, watch)? else {
+        let [first, last] = of_zeros(within);
+        let Some(zeros) = ZEROS.stays_off(first, last, watch)? else {
             return Ok(None);
         };
-        let mut of_lines = 0;
-        for k in LINES.. {
-            let [first, last] = lines(k);
-            if last == 0 {
-                break;
-            }
-            if within.is_some_and(|w| f64::from(k).exp2() >= w) {
-                continue;
-            }
-            let smooth = Smooth {
-                value: &|j, bits| curve::line(k, j, bits),
-                shift: &|_| 0,
-                most: &|_| 56f64.exp2(),
-                few: false,
-            };
-            let Some(n) = smooth.stays_off(first, last, watch)? else {
-                return Ok(None);
-            };
-            of_lines += n;
-        }
-        Ok(Some(Apart {
+        let lines = count_lines(&binades(within), watch)?;
+        Ok(lines.map(|lines| Apart {
             boxes,
             zeros,
-            lines: of_lines,
+            lines,
         }))
+    }
+}
+
+/// The first and the last zero of those with b below a limit.
+fn of_zeros(within: Option<f64>) -> [u64; 2] {
+    let begin = f64::from(LINES).exp2();
+    [FIRST, last(within.map_or(begin, |w| w.min(begin)))]
+}
+
+/// The binades of b below a limit that have lines, with them.
+fn binades(within: Option<f64>) -> Vec<(i32, [u64; 2])> {
+    let all = (LINES..).map(|k| (k, lines(k)));
+    let some = all.take_while(|(_, [_, last])| *last > 0);
+    some.filter(|(k, _)| !within.is_some_and(|w| f64::from(*k).exp2() >= w))
+        .collect()
+}
+
+/// How many lines these binades have, none of them with a whole S; `None` if it was stopped.
+fn count_lines(binades: &[(i32, [u64; 2])], watch: &Watch) -> Result<Option<u64>, String> {
+    let mut lines = 0;
+    for &(k, [first, last]) in binades {
+        let value = |j, bits| curve::line(k, j, bits);
+        let Some(n) = on_lines(&value).stays_off(first, last, watch)? else {
+            return Ok(None);
+        };
+        lines += n;
+    }
+    Ok(Some(lines))
+}
+
+/// b at the zeros.
+static ZEROS: Smooth = Smooth {
+    value: &curve::zero,
+    shift: &last_place,
+    most: &most_of_b,
+    few: true,
+};
+
+/// S on the lines of a binade.
+fn on_lines(value: smooth::Value<'_>) -> Smooth<'_> {
+    Smooth {
+        value,
+        shift: &|_| 0,
+        most: &|_| 56f64.exp2(),
+        few: false,
     }
 }
 

@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, largest, units};
 use mechaudit_reference::faddeeva::w_f64;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -196,4 +197,41 @@ fn norms_of_what_is_left() {
         [norm(1.0, 1.0), norm(2.0, 1.0), norm(f64::NAN, 1.0)],
         [f64::INFINITY; 3]
     );
+}
+
+#[test]
+fn parts_of_pairs_bit_by_bit() {
+    let c = code::again();
+    let half_pi = code::constants().half_pi;
+    let all: Vec<_> = (1..=16).map(|n| coefficient(&c, n)).collect();
+    let mut unit = units(6);
+    let series = (0..20).flat_map(|_| series(&all, unit(), 20.0 * unit()));
+    let series: Vec<f64> = series.collect();
+    let norms = [0.0, 1e-33, 1e-32, 0.4999e-3, 0.9e-3, 1e-3];
+    let norms: Vec<f64> = norms.map(|e| norm(e, 1e-3)).to_vec();
+    let pairs = [vec![], vec![0.9], vec![0.9f64.next_up()], vec![0.1, 1.0]];
+    let again = Again::of(&c, half_pi).expect("bounds");
+    let found = [
+        largest("series", series),
+        largest("norm", norms),
+        counted("pairs", pairs.map(|e| are_pairs(&e))),
+        largest("exponential", [exponential(&c)]),
+        largest("circle", [0.0, 10.0].map(|dr| circle(&c, dr))),
+        largest("phases", phases(half_pi)),
+        largest("sums", [sums(&c).expect("sound")]),
+        largest("truncation", [truncation()]),
+        largest("bounds", [again.near, again.far, again.long]),
+    ];
+    let due = [
+        ("series", 0xb97cf365dfb4f3d7, 59139073702.03032),
+        ("norm", 0x39bc97a42330173a, 4.05323966467399e16),
+        ("pairs", 0xff024aefbc004367, 4.0),
+        ("exponential", 0x3b58a858d56a93ff, 20.916529358310182),
+        ("circle", 0x401c9d9ec553dffc, 45.439848378963276),
+        ("phases", 0xa1f6e010bd1ad194, 60.059416317921404),
+        ("sums", 0xb6bb10f679cac674, 1014.5582639337931),
+        ("truncation", 0x86645b458cdfc3d1, 1.8650186810085807e-32),
+        ("bounds", 0x6db8fd9595c4e724, 2.195758289210036),
+    ];
+    bit_by_bit(&found, &due);
 }

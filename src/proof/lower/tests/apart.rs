@@ -1,15 +1,14 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, largest, of_binades, units};
 
 #[test]
-fn the_first_zeros_are_off_all_numbers() {
+fn the_first_zeros_are_off_all_numbers_bit_by_bit() {
     let watch = Watch::default();
     let found = Apart::all(Some(64.0), &watch)
         .expect("proved")
         .expect("not stopped");
-    assert!(
-        found.boxes > 1000 && found.zeros > 1000 && found.lines == 0,
-        "{found:?}"
-    );
+    let found = [found.boxes as u64, found.zeros, found.lines];
+    assert_eq!(found, [86439, 1288, 0]);
 }
 
 /// `(a − b)/δ` on the curve `a² − b² = D = ln(2√π |z|)` over a binade of b is within the numbers of its lines; these are
@@ -113,4 +112,58 @@ fn a_value_next_to_a_whole_number_is_found() {
         };
         assert!(found(&never, first).is_ok());
     }
+}
+
+/// What is enumerated below which limit, and the few lines of the last binades.
+#[test]
+fn what_is_enumerated_bit_by_bit() {
+    let watch = Watch::default();
+    let limits = [
+        None,
+        Some(2.0),
+        Some(64.0),
+        Some(8191.5),
+        Some(8192.0),
+        Some(8193.0),
+        Some(16384.0),
+        Some(1e6),
+        Some(1e99),
+    ];
+    let mut unit = units(2);
+    let b: Vec<f64> = (0..200).map(|_| of_binades(&mut unit, [2, 14])).collect();
+    let limits_of_b = b
+        .iter()
+        .chain(&[63.0, 64.0, 64.03, 64.07, 65.0, 127.9, 128.1, 128.2]);
+    let m = b.iter().map(|b| (b * b) as u64);
+    let last_lines = binades(None).split_off(12);
+    let value = |_: u64, _: u32| Err(String::new());
+    let of_lines = on_lines(&value);
+    let kinds = [&ZEROS, &of_lines].map(|s| {
+        let bounds = [1, 20, 1 << 20].map(s.most);
+        (s.few, bounds, [1.0, 100.0, 5000.0].map(s.shift))
+    });
+    let counts = [0, 1, 2].map(|from| count_lines(&last_lines[from..], &watch));
+    let found = [
+        counted("lines", (10..30).map(lines)),
+        counted("last", b.iter().map(|b| last(*b))),
+        counted("units", limits_of_b.map(|b| last_place(*b))),
+        largest("most", m.map(most_of_b)),
+        counted("zeros", limits.map(of_zeros)),
+        counted("binades", limits.map(binades)),
+        counted("last lines", counts),
+        counted("kinds", kinds),
+        counted("first zeros", [ZEROS.stays_off(FIRST, 40, &watch)]),
+    ];
+    let due = [
+        ("lines", 0x2d57ab8df90ea13e, 20.0),
+        ("last", 0x4bcd8f09b139f577, 200.0),
+        ("units", 0x973418aa9853c012, 208.0),
+        ("most", 0x8ee1932399644bbb, 89438.15175304106),
+        ("zeros", 0xc30757717f6b2303, 9.0),
+        ("binades", 0x06f7ade01ba18542, 9.0),
+        ("last lines", 0x1da6965b4ef37fdd, 3.0),
+        ("kinds", 0x78bddc6ceb8e5d2a, 2.0),
+        ("first zeros", 0x26e4731f81b6da2d, 1.0),
+    ];
+    bit_by_bit(&found, &due);
 }

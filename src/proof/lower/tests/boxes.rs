@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted};
 
 fn zero(k: u32) -> ComplexBall {
     faddeeva::zero(k, 160).expect("decided")
@@ -95,4 +96,62 @@ fn the_whole_and_its_zeros() {
     let number = |x: f64| Ball::exact(300, x);
     let next = ComplexBall::new(number(2.0), number(-1.5));
     assert!(places(&[z, next]).is_err());
+}
+
+/// How many squares show that there is no zero, and from what depth on they are too few.
+#[test]
+fn squares_bit_by_bit() {
+    let all: Vec<ComplexBall> = (1..=3).map(zero).collect();
+    let all = places(&all).expect("off");
+    let squares = [
+        square(1.75, 1.25, 0.375),
+        square(2.5, 2.0, 0.25),
+        square(0.5, 0.75, 0.5),
+        square(0.25, 2.0, 0.75),
+        square(7.75, 7.75, 0.25),
+    ];
+    let counts = squares.map(|s| count(s, 0, &all));
+    let deepest = squares.map(|s| {
+        (0..=DEPTH)
+            .rev()
+            .find(|depth| count(s, *depth, &all).is_ok())
+    });
+    let around = |r: f64| all.iter().map(move |z| square(z.0 - r, z.1 - r, 2.0 * r));
+    let sides = [
+        0.0074,
+        0.0075,
+        0.0076,
+        0.0077,
+        0.0076367532364,
+        0.0076367532374,
+    ];
+    let beside: Vec<bool> = sides
+        .into_iter()
+        .flat_map(around)
+        .map(|s| is_beside(&s, &all))
+        .collect();
+    // 2e^{b²} from 1 to 8.
+    let large = (0..64).map(|i| f64::from(i) / 40.0);
+    let large: Vec<bool> = large
+        .map(|b| {
+            is_large(&Rectangle {
+                a: [0.0; 2],
+                b: [b; 2],
+            })
+        })
+        .collect();
+    let sizes = large.iter().chain(&beside).filter(|x| **x).count();
+    let found = [
+        counted("counts", counts),
+        counted("deepest", deepest),
+        counted("beside a zero", beside),
+        ("large", crate::pinned::digest(large), sizes as f64),
+    ];
+    let due = [
+        ("counts", 0x54bdf746c94918c1, 5.0),
+        ("deepest", 0xd432ea3d9a326c0f, 5.0),
+        ("beside a zero", 0x3f00929ff075e7a6, 18.0),
+        ("large", 0x5e7f428641a427fb, 47.0),
+    ];
+    bit_by_bit(&found, &due);
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, units};
 use mechaudit_reference::faddeeva;
 
 /// `√(e(N + 3/2)) T_N/T_0`, `T_N/T_0 = Π (k − ½)/|ζ|`.
@@ -188,5 +189,72 @@ fn zeros_of_the_equation_are_those_of_w() {
             exact.overlaps(&found) && found.accuracy_bits() > 100,
             "{m} {exact:?} {found:?}"
         );
+    }
+}
+
+/// Terms, values with their radii, and solutions from starts of few bits: how often an iteration has to be repeated shows in
+/// the last bits.
+#[test]
+fn solutions_bit_by_bit() {
+    let of = |size: f64| [192, 200, 201, 400].map(|bits| (residual(bits), terms(size, bits)));
+    let sizes = [0.5, 3.0, 20.0, 60.0, 160.0, 400.0, 1e4, 1e8, 1e15];
+    let mut unit = units(1);
+    let mut points = Vec::new();
+    for size in [8.0, 20.0, 60.0, 300.0, 5e4] {
+        for wide in [-300, -40, -8] {
+            let part = |x: f64| Ball::exact(192, x).widened(Mag::power_of_two(wide));
+            let [x, y] = [size * (0.25 + unit()), -size * (1.0 + unit())];
+            points.push(ComplexBall::new(part(x), part(y)));
+        }
+    }
+    let values = points
+        .iter()
+        .flat_map(|z| [192, 400].map(|bits| g(z, bits)));
+    let off = |k: i64| Ball::new(Float::new(64), Mag::power_of_two(k));
+    let moved = [-101, -100, -99].map(|k| {
+        let off = ComplexBall::new(off(k), off(-300));
+        let equal = off.magnitude();
+        [Mag::power_of_two(-100), equal].map(|enough| within(&off, enough, OF_ZERO))
+    });
+    // As many bits of a start as any library agrees about.
+    let few = |x: f64| (x * 1_048_576.0).floor() / 1_048_576.0;
+    let zeros = [20, 57, 3000, 1_000_000].map(|m| {
+        [192, 400].map(|bits| {
+            let turns = Ball::pi(bits).shift(1) * Ball::rational(bits, &Rational::from(m));
+            let start = beside_zero(middle(&turns)).map(few);
+            zero_from(start, &turns, bits).expect("found")
+        })
+    });
+    let lines = [(13, 200_000_000), (16, 3_000_000), (20, 20_000), (26, 6)];
+    let lines = lines.map(|(k, j)| [192, 400].map(|bits| line(k, j, bits).expect("found")));
+    let found = [
+        counted("terms", sizes.map(of)),
+        counted("values", values),
+        counted("within", moved),
+        counted("zeros", zeros),
+        counted("lines", lines),
+    ];
+    let due = [
+        ("terms", 0xd02afca0f5cd78ec, 9.0),
+        ("values", 0x99282c16577ada09, 30.0),
+        ("within", 0x4f3a6a9762124f45, 3.0),
+        ("zeros", 0xd76bcf58501d9084, 4.0),
+        ("lines", 0xde47bdf0fb0b1ff1, 4.0),
+    ];
+    bit_by_bit(&found, &due);
+}
+
+/// D and P as six steps have them: after one turn they are far from where more would end, later no `f64` is nearer.
+#[test]
+fn starts_bit_by_bit() {
+    // To what libraries may differ by.
+    let near = |x: f64, due: f64| (x / due - 1.0).abs() < 4.0 * f64::EPSILON;
+    for (turns, x, p) in [
+        (1.0, 2.1375559910757223, 5.306314298280731),
+        (20.0, 3.6793399894120506, 124.86357880272227),
+        (1e6, 9.092205873171917, 6283184.5217806995),
+    ] {
+        let found = beside_zero(std::f64::consts::TAU * turns);
+        assert!(near(found[0], x) && near(found[1], p), "{turns} {found:?}");
     }
 }

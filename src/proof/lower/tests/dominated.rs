@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, largest};
 use mechaudit_solvers::faddeeva::proof::lower::LIMITS;
 
 const E: Exponential = Exponential {
@@ -80,4 +81,112 @@ fn the_image_is_no_smaller() {
         }
     }
     assert!(48f64.sqrt() < 6.93 && 112f64.sqrt() < 10.6);
+}
+
+/// Which rectangles of the upper half-plane are behind the bounds, and what these come to.
+#[test]
+fn bounds_and_their_rectangles_bit_by_bit() {
+    use crate::formula::Bound;
+    use crate::prove::Leaf;
+    let square = |a: f64, b: f64| Rectangle {
+        a: [0.0, a],
+        b: [0.0, b],
+    };
+    let ends = [
+        0.25, 0.5, 0.75, 8.0, 16.0, 20.0, 5e100, 1e101, 1.5e101, 2e101, 3e101, 4e101,
+    ];
+    let squares = ends.iter().flat_map(|a| ends.map(|b| square(*a, b)));
+    let kept: Vec<bool> = squares.map(|r| is_behind(&r)).collect();
+    let roots: Vec<Rectangle> = crate::cover::roots()
+        .into_iter()
+        .filter(is_behind)
+        .collect();
+    let leaf = |formula, norm| Leaf {
+        at: square(1.0, 1.0),
+        formula,
+        bound: Bound {
+            norm,
+            ..Bound::NONE
+        },
+    };
+    let of = |[cell, series, huge, leading]: [f64; 4]| {
+        let leaves = vec![
+            leaf(Formula::Strip, 9.0),
+            leaf(Formula::Cell { centre: (1.0, 2.0) }, 0.5 * cell),
+            leaf(Formula::Huge, huge),
+            leaf(Formula::Cell { centre: (2.0, 2.0) }, cell),
+            leaf(Formula::Asymptotic { terms: 14 }, 8.0),
+            leaf(Formula::Asymptotic { terms: 26 }, series),
+        ];
+        let found = Certificate {
+            leaves,
+            open: Vec::new(),
+        };
+        let e = Exponential {
+            leading: leading / TWO_52,
+            ..E
+        };
+        Dominated::together(&found, &e, &LIMITS).expect("nothing open")
+    };
+    let all = [
+        [1.1, 1.2, 0.9, 0.6],
+        [1.2, 1.1, 0.5, 0.6],
+        [0.0, 0.0, 0.0, 0.0],
+        [f64::NAN, 1.0, 1.0, 1.0],
+    ];
+    let all = all.map(of);
+    let numbers = |d: &Dominated| [d.image_in_cell, d.image_by_series, d.exponential, d.huge];
+    let limits = |dominant: f64| Limits { dominant, ..LIMITS };
+    let dominant = [
+        0.9,
+        1.0,
+        1.0 + 1e-12,
+        1f64.next_up() + 1e-12,
+        1.2,
+        1.5,
+        2.0,
+        2.5,
+        3.0,
+        5.0,
+        7.0,
+        9.0,
+    ];
+    let by_limit = dominant.map(|d| {
+        [
+            image(1.2, &E, &limits(d), 0.6),
+            image(1.2, &E, &limits(d), 10.0),
+            exponential(1.2, &E, &limits(d)),
+        ]
+    });
+    let open = crate::Open {
+        at: square(1.0, 1.0),
+        why: "first",
+    };
+    let last = crate::Open {
+        why: "last",
+        ..open
+    };
+    let open = Certificate {
+        leaves: Vec::new(),
+        open: vec![open, last],
+    };
+    let refused = Dominated::together(&open, &E, &LIMITS);
+    let without = Dominated::together(&Certificate::default(), &E, &LIMITS).expect("nothing open");
+    let found = [
+        counted("squares", kept),
+        counted("rectangles", roots),
+        largest("bounds", all.iter().flat_map(numbers)),
+        largest("limits", by_limit.into_iter().flatten()),
+        counted("open", [refused]),
+        counted("no rectangle", numbers(&without)),
+    ];
+    let due = [
+        ("squares", 0x85856a483c5019f4, 144.0),
+        ("rectangles", 0x4f407ad25956750a, 84.0),
+        ("bounds", 0x0403230b07a567a1, 2.753374348581895),
+        ("limits", 0x772c305c90a3dc82, 16.29495381458305),
+        ("open", 0x7fad909011a8c4aa, 1.0),
+        ("no rectangle", 0xdde481a015b89655, 4.0),
+    ];
+    bit_by_bit(&found, &due);
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, largest};
 
 /// Each entry of a row is compared with its coefficient.
 #[test]
@@ -69,4 +70,37 @@ fn rows_of_the_solver_are_counted() {
         [Kind::Cell, Kind::Disc, Kind::RealAxis].map(count),
         [417, 25, 127]
     );
+}
+
+#[test]
+fn rows_of_the_solver_bit_by_bit() {
+    let rows = Rows::of_the_solver().expect("decided");
+    let order = |kind: Kind| {
+        [Kind::Cell, Kind::Disc, Kind::RealAxis]
+            .iter()
+            .position(|k| *k == kind)
+    };
+    let mut keys: Vec<Key> = rows.0.keys().copied().collect();
+    keys.sort_unstable_by_key(|&(kind, x, y)| (order(kind), x, y));
+    let some = keys.iter().step_by(25).map(|k| &rows.0[k]);
+    let errors: Vec<f64> = some.clone().flat_map(|r| r.errors.clone()).collect();
+    let within = some.flat_map(|r| [0.0, 1e-3, 0.125, 0.5, 1.0].map(|d| r.within(d)));
+    let found = [
+        counted("keys", &keys),
+        largest("errors", errors),
+        largest("within", within),
+        counted("places", (0..STORED).map(places)),
+        counted(
+            "signs of zero",
+            [0.0, -0.0].map(|y| key(Kind::Disc, (0.5, y))),
+        ),
+    ];
+    let due = [
+        ("keys", 0xee90b7c7d57190ef, 569.0),
+        ("errors", 0xc6137dcbdfc50094, 1.1462834441048806),
+        ("within", 0x56fb3259e73523f3, 5.031253298578219),
+        ("places", 0xd19ce18f3595f3e7, 18.0),
+        ("signs of zero", 0x86f5bb921141d0fd, 2.0),
+    ];
+    bit_by_bit(&found, &due);
 }

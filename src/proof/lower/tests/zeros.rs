@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{self, bit_by_bit, counted};
 use mechaudit_reference::faddeeva::w_f64;
 use mechaudit_solvers::faddeeva::{Branch, branch, faddeeva};
 use num_complex::Complex;
@@ -311,4 +312,46 @@ fn numbers_are_off_by_a_low_part() {
         assert!((side * zero.row[0] / 1e-3 - 1.0).abs() < 1e-11 && side > 1e-3 / zero.row[0]);
     }
     assert_eq!(both, [true; 2]);
+}
+
+#[test]
+fn rectangles_about_zeros_bit_by_bit() {
+    let (_, reach) = code::zero_rows();
+    let zeros = || ZEROS.iter();
+    let all = zeros().map(|z| (z.size, &z.errors, z.off, z.shells(reach)));
+    let within = zeros().flat_map(|z| [0.0, 1e-9, 1e-3, 0.05].map(|d| z.within(d)));
+    let zero = &ZEROS[0];
+    let mut parts = Vec::new();
+    for at in [
+        [[1e-3, 3e-3], [-1e-3, 1e-3]],
+        [[1e-3, 5e-3], [-4e-3, 3e-3]],
+        [[-1e-9, 1e-9], [1e-9, 2e-9]],
+        [[1e-3, 2e-3], [1e-3, 2e-3]],
+    ] {
+        for target in [2.5, 1.0] {
+            let mut found = Vec::new();
+            let end = refine(zero, Rounding::default(), target, at, DEPTH - 8, &mut found);
+            parts.push((end, found));
+        }
+    }
+    // A bound that is the target serves.
+    let at = [[1e-3, 1.01e-3], [1e-3, 1.01e-3]];
+    let norm = bound(zero, Rounding::default(), &at).expect("a bound");
+    let mut found = Vec::new();
+    let end = refine(zero, Rounding::default(), norm, at, DEPTH, &mut found);
+    parts.push((end, found));
+    let two = AroundZeros::of(&ZEROS[..2], Rounding::default(), 2.5).expect("proved");
+    let found = [
+        counted("zeros", all),
+        pinned::largest("within", within),
+        counted("parts", parts),
+        ("two of them", pinned::digest([two]), two.norm),
+    ];
+    let due = [
+        ("zeros", 0x110c31ad11bc74dd, 12.0),
+        ("within", 0x137e0031c442435a, 2.824036630784192e-17),
+        ("parts", 0x361de2384495ba20, 9.0),
+        ("two of them", 0x4df7bd6baa2d9033, 2.4991909462190756),
+    ];
+    bit_by_bit(&found, &due);
 }

@@ -326,3 +326,160 @@ fn products_beside_underflow() {
     assert!(near(found(lo, hi), 0.5 + TINIEST / unit + part + 1e-15));
     assert_eq!(underflowing(Function::Dawson, [1e-310, 1e-309], 1.0), 1e-15);
 }
+
+/// Bounds of every formula of the four functions over intervals of some sizes.
+#[test]
+fn formulas_bit_by_bit() {
+    use crate::pinned::{counted, digest, of_binades, units};
+    use crate::real::choice;
+    let mut unit = units(15);
+    let mut found = Vec::new();
+    for function in Function::ALL {
+        let tables = Tables::of_the_solver(function).expect("decided");
+        let mut ends: Vec<[f64; 2]> = vec![
+            [SMALL.next_down(); 2],
+            [SMALL; 2],
+            [SMALL * 0.5, SMALL],
+            [SMALL * 0.5, SMALL.next_down()],
+            [26.5, 26.5],
+            [26.64, 26.65],
+            [26.641, 26.641],
+            [26.7, 26.8],
+            [27.3, 27.5],
+            [1e150, 1.1e150],
+            [1e99, 1.1e99],
+        ];
+        for i in 0..60 {
+            let x = match i % 3 {
+                0 => of_binades(&mut unit, [-1000, 300]),
+                1 => 7.0 * unit(),
+                _ => 27.0 * unit(),
+            };
+            let side = of_binades(&mut unit, [-14, -7]);
+            ends.push([x, x * (1.0 + side)]);
+        }
+        let mut all = Vec::new();
+        for ends in ends {
+            for &negative in function.signs() {
+                let at = Interval { negative, ends };
+                let formula = choice(function, negative, ends[0]);
+                all.push(bound(&tables, function, formula, &at, Rounding::default()));
+            }
+        }
+        let most = all.iter().flatten().map(|b| b.1).fold(0.0, f64::max);
+        found.push((function.name(), digest(&all), most));
+    }
+    // Limits that are met exactly.
+    let near = |x: f64| (0..33).map(move |i| f64::from_bits(x.to_bits() + i - 16));
+    let tables = Tables::of_the_solver(Function::Erfc).expect("decided");
+    let of = |function, formula, x: f64| {
+        let at = Interval {
+            negative: false,
+            ends: [x, x.next_up()],
+        };
+        bound(&tables, function, formula, &at, Rounding::default())
+    };
+    let zero = near(745.2f64.sqrt()).map(|x| of(Function::Erfc, Formula::Constant, x));
+    let above = near(710f64.sqrt()).map(|x| of(Function::Erfcx, Formula::Overflow, x));
+    let met: Vec<_> = zero.chain(above).collect();
+    let way = |exponent: f64| Way {
+        sum: sum(1.25, 1.5, 0.0),
+        inner: None,
+        exponent: Some(exponent),
+    };
+    let exponents = [24.0, 25.0, 1024.0, 2023.0, 2024.0];
+    let over = exponents.map(|n| overflows(&[way(n)], &at(1.0, 2.0)));
+    let ones = [0.5, 1.0, 2.0].iter().flat_map(|x| {
+        let margin = power_of_two(-50);
+        let all = [
+            x - margin,
+            *x,
+            x + margin,
+            (x - margin).next_down(),
+            (x + margin).next_up(),
+        ];
+        all.into_iter()
+            .flat_map(move |lo| all.map(|hi| above_one([lo, hi])))
+    });
+    let mut roundings = Vec::new();
+    for error in [
+        0.0, 0.125, 0.249, 0.25, 0.2500001, 0.5, 0.999, 1.0, 1.0000001,
+    ] {
+        for [lo, hi] in [[1.0, 1.5], [1e-310, 1e-300], [FAR_ABOVE, 1.0]] {
+            for (tiny, small) in [(0.0, false), (2.0, false), (2.0, true)] {
+                let y = Tracks {
+                    tiny,
+                    small,
+                    ..sum(lo, hi, error * U * lo)
+                };
+                for normal in [true, false] {
+                    roundings.push(rounded(&y, &at(0.5, 1.0), 0.0, normal, Rounding::default()));
+                }
+            }
+        }
+    }
+    for m in near(FAR_ABOVE / 0.999) {
+        let y = Tracks {
+            tiny: 2.0,
+            ..sum(m, 1.5 * m, 0.0)
+        };
+        roundings.push(rounded(&y, &at(0.5, 1.0), 0.0, true, Rounding::default()));
+    }
+    // An error that is the limit itself.
+    for e in [0.25, 1.0] {
+        let part = (e * U).next_down();
+        let part = [part.next_down(), part, part.next_up()];
+        roundings.extend(part.map(|p| {
+            rounded(
+                &sum(1.0, 1.5, 0.0),
+                &at(1.0, 1.5),
+                p,
+                e == 1.0,
+                Rounding::default(),
+            )
+        }));
+    }
+    let binades = [-1074, -1030, -1022, -1000, -960];
+    let under = binades.map(|k| {
+        let ends = [power_of_two(k), 1.5 * power_of_two(k)];
+        let of = |f| underflowing(f, ends, 1e-33);
+        (
+            of(Function::Erf),
+            of(Function::Dawson),
+            beyond_subnormal(ends[0]),
+        )
+    });
+    let scaled = [[1e99, 1.1e99], [1.0, 1.5], [1.5, 2.0], [1e-300, 1.1e-300]].map(scaled);
+    let beside = [
+        None,
+        Some(-1.0),
+        Some(0.0),
+        Some(60.0),
+        Some(899.0),
+        Some(901.0),
+        Some(2000.0),
+    ];
+    found.extend([
+        counted("above one", ones),
+        counted("roundings", roundings),
+        counted("underflow", under),
+        counted("beside", beside.map(erfcx_beside)),
+        counted("scaled", scaled),
+        counted("limits", met),
+        counted("overflow", over),
+    ]);
+    let due = [
+        ("erf", 0x3208374b07af4dd7, 0.5682206508950784),
+        ("erfc", 0x500e57c789aa0c4d, 1.0161458706390418),
+        ("erfcx", 0xd4f9cc92bf7415d5, 0.8386382116760135),
+        ("dawson", 0xe1eb37053969e1b9, 0.7298588782757869),
+        ("above one", 0x6bf1dfe6c438348e, 75.0),
+        ("roundings", 0xf1a8f848acb1b367, 201.0),
+        ("underflow", 0x346f4d7cb1b0eb70, 5.0),
+        ("beside", 0x40b7f185ea96ec2d, 7.0),
+        ("scaled", 0xc3f596ed59a3c664, 4.0),
+        ("limits", 0x381d3f7926f41751, 66.0),
+        ("overflow", 0x2047f73bb01969ca, 5.0),
+    ];
+    crate::pinned::bit_by_bit(&found, &due);
+}

@@ -588,3 +588,109 @@ fn a_summary_holds_every_interval() {
         .collect();
     assert_eq!(all, [([1.0, 5.0], 3, 0.75), ([8.0, 9.0], 1, 0.5)]);
 }
+
+/// The intervals a proof begins with, and the leaves of one that is halved often.
+#[test]
+fn leaves_bit_by_bit() {
+    use crate::pinned::{bit_by_bit, counted, digest};
+    let mut found = Vec::new();
+    for function in Function::ALL {
+        let code = solvers(function);
+        let roots = roots(&code, function);
+        found.push(counted(function.name(), &roots));
+        let some = roots.iter().step_by(roots.len() / 7 + 1);
+        let mut whole = Certificate::default();
+        for &(at, formula) in some {
+            let refined = |target: f64| Refined {
+                code: &code,
+                function,
+                target,
+                formula,
+            };
+            // Each is a few hundred numbers, so that halving comes to an end.
+            let ends = [
+                at.ends[0],
+                f64::from_bits((at.ends[0].to_bits() + 300).min(at.ends[1].to_bits())),
+            ];
+            let at = Interval { ends, ..at };
+            refined(0.51).refine(at, 0, &mut whole);
+            refined(0.0).refine(at, DEPTH - 4, &mut whole);
+        }
+        found.push(("leaves", digest([&whole]), whole.leaves.len() as f64));
+    }
+    // As many as may be for one interval to begin with, and more.
+    let code = solvers(Function::Erf);
+    let at = Interval {
+        negative: false,
+        ends: [1.0, f64::from_bits(1f64.to_bits() + 40)],
+    };
+    let formula = choice(Function::Erf, false, 1.0);
+    let counts = [
+        (MANY, 0),
+        (MANY + 1, 0),
+        (MANY - 1, 1),
+        (MANY, 1),
+        (0, MANY),
+        (2, MANY - 20),
+    ];
+    let counts = counts.map(|(leaves, open)| {
+        let leaf = Leaf {
+            at,
+            formula,
+            ulps: 0.5,
+        };
+        let why = "planted";
+        let mut found = Certificate {
+            leaves: vec![leaf; leaves],
+            open: vec![Open { at, why }; open],
+        };
+        let refined = Refined {
+            code: &code,
+            function: Function::Erf,
+            target: 0.0,
+            formula,
+        };
+        refined.refine(at, 0, &mut found);
+        (found.leaves.len(), found.open.len())
+    });
+    found.push(counted("many", counts));
+    let numbers = [
+        0.0,
+        f64::from_bits(1),
+        SMALL.next_down(),
+        SMALL,
+        1.0,
+        1.5,
+        300.0,
+        f64::MAX,
+    ];
+    let halves = [
+        [1.0, 1.0],
+        [1.0, 1f64.next_up()],
+        [1.0, 2.0],
+        [0.0, f64::MAX],
+    ];
+    let halves = halves.map(|ends| {
+        Interval {
+            negative: true,
+            ends,
+        }
+        .halves()
+    });
+    found.push(counted("binades", numbers.map(binades)));
+    found.push(counted("halves", halves));
+    let due = [
+        ("erf", 0xcafc26dad6ab7a74, 344.0),
+        ("leaves", 0xa9183dfed0f91492, 719.0),
+        ("erfc", 0x349aca174b27bd12, 702.0),
+        ("leaves", 0x8016c70d5274c179, 419.0),
+        ("erfcx", 0xa0842414b8d46432, 705.0),
+        ("leaves", 0xb6543d08ec1c2c31, 704.0),
+        ("dawson", 0x52cf745029b6544d, 454.0),
+        ("leaves", 0xd217e53d04ed5ece, 119.0),
+        ("many", 0x4d86ab98c48ea699, 6.0),
+        ("binades", 0x748c9d56f0a44b5f, 8.0),
+        ("halves", 0x622a5dfaf7dbe33f, 4.0),
+    ];
+    bit_by_bit(&found, &due);
+}

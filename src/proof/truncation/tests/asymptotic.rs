@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, largest, of_binades, units};
 use mechaudit_reference::{ComplexBall, faddeeva};
 use rug::Float;
 
@@ -465,4 +466,73 @@ fn a_polynomial_about_another_centre() {
         let there = Rational::from(&x + &centre);
         assert_eq!(value(&found, &x), value(&c, &there));
     }
+}
+
+/// Truncations over rectangles beside both axes, the diagonal and where the exponential is nothing, and errors of what is
+/// stored.
+#[test]
+fn truncations_bit_by_bit() {
+    let mut unit = units(14);
+    let at = |a: [f64; 2], b: [f64; 2]| Rectangle { a, b };
+    let mut all = vec![
+        at([8.0, 8.0], [8.0, 8.0]),
+        at([8.0, 8.5], [7.5, 8.0]),
+        at([8.0, 8.5], [7.5, 8.5]),
+        at([0.0, 1e-3], [9.0, 9.5]),
+        at([9.0, 9.5], [0.0, 1e-3]),
+        at([9.0, 9.5], [1e-200, 1e-9]),
+        at([26.0, 26.5], [1e-3, 1e-2]),
+        at([30.0, 30.5], [1e-3, 1e-2]),
+        at([27.0, 27.3], [1e-9, 1e-2]),
+        at([8.9, 9.0], [0.0, 1e-9]),
+        at([8.9f64.next_down(), 9.0], [0.0, 1e-9]),
+        at([1.0, 2.0], [26.0, 27.0]),
+        at([1.0, 2.0], [37.0, 38.0]),
+        at([0.0, 1.0], [10.0 * 7f64.sqrt(), 10.0 * 7f64.sqrt()]),
+    ];
+    for _ in 0..60 {
+        let [a, b] = [0; 2].map(|_| 6.0 + 20.0 * unit());
+        let side = of_binades(&mut unit, [-8, 0]);
+        all.push(at([a, a + side], [b, b + side]));
+        all.push(at([a + 3.0, a + 3.0 + side], [0.0, 1e-9 * side]));
+    }
+    // An exponent that is the limit itself.
+    let top = 700f64.sqrt().to_bits();
+    let edge = (top - 20..top + 20).map(f64::from_bits);
+    let edge = edge.map(|b| decay(&at([0.0, 1.0], [0.0, b])));
+    let decays: Vec<f64> = all.iter().map(decay).chain(edge).collect();
+    let series = all
+        .iter()
+        .flat_map(|r| [2, 4, 6, 14, 26].map(|n| asymptotic(n, r)));
+    let lines = all.iter().map(|r| on_real_line(r, [1e-17, 1e-16], 1e-18));
+    let c: Vec<f64> = (2..14)
+        .map(|n| 1.0 / (1..=n).map(f64::from).product::<f64>())
+        .collect();
+    let ln_2 = [std::f64::consts::LN_2, 2.3e-17];
+    let stored: [f64; 10] = std::array::from_fn(|k| (0..=k).map(|j| j as f64 + 0.5).product());
+    let found = [
+        ("decays", crate::pinned::digest(&decays), decays[5]),
+        counted("series", series),
+        counted("strips", all.iter().map(strip)),
+        counted("lines", lines),
+        counted("scaled", [huge()]),
+        largest(
+            "exponential",
+            [0, 5, 12].map(|n| exponential_error(&c[..n], ln_2, 1200.0)),
+        ),
+        largest(
+            "polynomials",
+            [false, true].map(|slope| polynomial_error(&stored, slope)),
+        ),
+    ];
+    let due = [
+        ("decays", 0xca95d2f445a4e713, 6.639677199580923e-36),
+        ("series", 0x0cea9d146b47197d, 670.0),
+        ("strips", 0x81537f25f45f0e1c, 134.0),
+        ("lines", 0x66931332802bf43a, 134.0),
+        ("scaled", 0xba14ce170488dcb1, 1.0),
+        ("exponential", 0x405429801a0531c6, 0.08909794285714327),
+        ("polynomials", 0xd746ac7ac105f083, 1.03989204529308),
+    ];
+    bit_by_bit(&found, &due);
 }

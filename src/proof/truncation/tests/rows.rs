@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{bit_by_bit, counted, largest};
 use crate::tables::{cell_at, imaginary_axis_at, real_axis_at};
 
 fn errors(parts: Vec<[f64; 2]>, centre: (f64, f64)) -> RowErrors {
@@ -154,4 +155,44 @@ fn components_that_are_zero_by_symmetry() {
     }
     let off = errors(vec![[1.0, 0.0]], (0.5, 1.0));
     assert!(!off.is_symmetric());
+}
+
+#[test]
+fn errors_of_rows_bit_by_bit() {
+    let ((centre, cell), (x, real), (y, axis)) =
+        (cell_at(2.0, 2.3), real_axis_at(3.0), imaginary_axis_at(1.5));
+    let all = [
+        RowErrors::of(cell, centre),
+        RowErrors::of(real, (x, 0.0)),
+        RowErrors::on_axis(axis, y),
+        RowErrors::of_dawson(axis, x),
+    ];
+    let all = all.map(|e| e.expect("decided"));
+    let offsets = [
+        [0.0, 0.0],
+        [0.1, 0.05],
+        [0.0, 1.0],
+        [1.0, 0.0],
+        [1.0, 0.1],
+        [0.6, 0.8],
+        [0.3, 0.9],
+    ];
+    let within = all
+        .iter()
+        .flat_map(|e| offsets.map(|[dx, dy]| e.within(dx, dy)));
+    let within: Vec<Truncation> = within.collect();
+    let norms = within.iter().map(|t| t.norm).filter(|x| x.is_finite());
+    let found = [
+        counted("errors", &all),
+        largest("norms", norms),
+        counted("within", &within),
+        counted("stored", (0..STORED).map(|n| stored(cell, n))),
+    ];
+    let due = [
+        ("errors", 0xe20c1197478b9331, 4.0),
+        ("norms", 0x40f812599713ae31, 0.27574495302496443),
+        ("within", 0x657040e5186e201b, 28.0),
+        ("stored", 0x04a3ae5643574357, 18.0),
+    ];
+    bit_by_bit(&found, &due);
 }
