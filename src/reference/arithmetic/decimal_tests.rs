@@ -1,6 +1,7 @@
 //! Tests of `decimal`.
 
 use super::*;
+use crate::pinned::{Answers, Draw, pin};
 
 #[test]
 fn rational_numbers_are_rounded_once() {
@@ -255,4 +256,49 @@ fn decimals_with_radii_as_text() {
         (value.as_str(), radius.as_str()),
         ("1e120412", "4.99e120411")
     );
+}
+
+#[test]
+fn texts_bit_by_bit() {
+    let lines = [24, 64, 160].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for k in 0..60 {
+                let size = [3, 30, 90][k % 3];
+                let x = draw.ball(bits, -size, size);
+                for digits in [1, 2, 5, 17, 30, 45] {
+                    all.text(x.to_decimal(digits));
+                    all.text(x.to_decimal_with_radius(digits));
+                }
+                for places in [0, 1, 7, 20, 24, 30, 40] {
+                    all.text(x.to_fixed(places));
+                }
+            }
+            let whole = Ball::integer(bits, 0).widened(Mag::INFINITY);
+            all.text((whole.to_decimal(3), whole.to_fixed(0)));
+            all.text(whole.to_decimal_with_radius(3));
+        })
+    });
+    pin(&["24: 2d4990b0", "64: 6e2ab544", "160: 1cb7118d"], lines);
+}
+
+/// On either side of the length from which on a decimal is not written out.
+#[test]
+fn long_texts_bit_by_bit() {
+    let lines = [53, 128].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for k in [65_535, 65_536, 65_537, 65_538, 131_072, 1_000_000] {
+                for k in [k, -k] {
+                    // From a half to one.
+                    let part = draw.between(1, 2) / 2u32;
+                    let x = Ball::rational(bits, &part).shift(k);
+                    for digits in [1, 3, 15, 16, 17, 25, 40] {
+                        all.text(x.to_decimal_with_radius(digits));
+                    }
+                }
+            }
+        })
+    });
+    pin(&["53: 405ca0e6", "128: 80f9d145"], lines);
 }
