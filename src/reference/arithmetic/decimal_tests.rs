@@ -274,12 +274,21 @@ fn texts_bit_by_bit() {
                     all.text(x.to_fixed(places));
                 }
             }
+            // Radii that are just allowed, and just not.
+            for digits in 1..40usize {
+                let x = Ball::rational(bits, &draw.between(1, 2));
+                let unit = ((digits as f64 + 2.0) * std::f64::consts::LOG2_10).ceil() as i64;
+                for r in [1.0f64.next_down(), 1.0, 1.0f64.next_up()] {
+                    let r = Mag::from_f64(r).shift(-unit);
+                    all.text(x.widened(r).to_decimal(digits));
+                }
+            }
             let whole = Ball::integer(bits, 0).widened(Mag::INFINITY);
             all.text((whole.to_decimal(3), whole.to_fixed(0)));
             all.text(whole.to_decimal_with_radius(3));
         })
     });
-    pin(&["24: 2d4990b0", "64: 6e2ab544", "160: 1cb7118d"], lines);
+    pin(&["24: 838dd414", "64: b84cb844", "160: 85d10ac0"], lines);
 }
 
 /// On either side of the length from which on a decimal is not written out.
@@ -301,4 +310,24 @@ fn long_texts_bit_by_bit() {
         })
     });
     pin(&["53: 405ca0e6", "128: 80f9d145"], lines);
+}
+
+/// Units of the last digit, and doubles next to numbers below the normal ones.
+#[test]
+fn readings_bit_by_bit() {
+    let line = Answers::line(53, |all| {
+        for text in [
+            "7", "-0.5", "12.50", "3e0", "3e2", "1.25e1", "1.5e-3", "+.5", "0e5", "75.",
+        ] {
+            let read = Decimal::parse(text).unwrap();
+            all.add(&read.units_off(&Ball::integer(70, 2)));
+            all.text((read.unit(), read));
+        }
+        let mut draw = Draw(53);
+        for _ in 0..60 {
+            let x = draw.sized(-1077, -1020);
+            all.text((nearest_f64(&x), nearest_f64(&draw.sized(1020, 1025))));
+        }
+    });
+    pin(&["53: cf80ec7f, 68 to 69 bits"], [line]);
 }

@@ -49,9 +49,9 @@ impl GaussLegendre {
         };
         let mut nodes = Vec::with_capacity(n);
         for i in 0..n {
-            // Tricomi's approximation.
+            // Tricomi's approximation; by MPFR, so that the last bits are the same on every machine.
             let angle = std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5);
-            let mut x = Float::with_val(work, -angle.cos());
+            let mut x = Float::with_val(work, -Float::with_val(53, angle).cos());
             for _ in 0..8 + work.ilog2() {
                 let (p, slope) = legendre(n, &Ball::new(x.clone(), Mag::ZERO));
                 x -= Float::with_val(work, p.mid() / slope.mid());

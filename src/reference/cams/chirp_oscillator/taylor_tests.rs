@@ -1,6 +1,6 @@
 //! What Taylor panels leave out.
 
-use super::super::tests::drawn;
+use super::super::tests::{drawn, slowed};
 use super::*;
 use crate::pinned::{Answers, Draw, pin};
 
@@ -119,11 +119,15 @@ fn panels_hold_integrals_that_cancel() {
 
 #[test]
 fn panels_bit_by_bit() {
-    let lines = [30, 64, 128].map(|prec| {
+    let lines = [10, 30, 64, 128, 1000, 1800].map(|prec| {
         Answers::line(prec, |all| {
             let mut draw = Draw(u64::from(prec));
-            for _ in 0..12 {
-                let found = enclose(&drawn(&mut draw), prec).unwrap();
+            for k in [0, 0, 0, 0, 0, 0, 0, 0, 6, 9, 13, 25, -7] {
+                let mut p = slowed(&drawn(&mut draw), k);
+                if prec > 200 {
+                    p.t /= 8u32;
+                }
+                let found = enclose(&p, prec).unwrap();
                 all.add(&found.components());
                 all.add(&found.amplitude);
             }
@@ -131,9 +135,12 @@ fn panels_bit_by_bit() {
     });
     pin(
         &[
-            "30: 833370ee, 18 to 27 bits",
-            "64: 9c753895, 54 to 59 bits",
-            "128: 3cffc8b9, 116 to 125 bits",
+            "10: 7093a455, -2 to 6 bits",
+            "30: 8a7344ac, 19 to 27 bits",
+            "64: 14602681, 51 to 59 bits",
+            "128: 7f2c084d, 116 to 125 bits",
+            "1000: 77ee9c8b, 989 to 998 bits",
+            "1800: 724fb309, 1786 to 1798 bits",
         ],
         lines,
     );

@@ -431,6 +431,21 @@ pub(super) fn drawn(draw: &mut Draw) -> Problem {
     .unwrap()
 }
 
+/// The same motion in another unit of time, `2^k` as long.
+pub(super) fn slowed(p: &Problem, k: i32) -> Problem {
+    let mut p = p.clone();
+    for (x, times) in [
+        (&mut p.w, -1),
+        (&mut p.n, -1),
+        (&mut p.omega0, -1),
+        (&mut p.t, 1),
+    ] {
+        *x <<= times * k;
+    }
+    p.eps >>= 2 * k;
+    p
+}
+
 #[test]
 fn closed_forms_bit_by_bit() {
     let lines = [30, 64, 160].map(|prec| {
@@ -439,18 +454,26 @@ fn closed_forms_bit_by_bit() {
             for k in 0..20 {
                 let p = drawn(&mut draw);
                 all.add(&enclose(&p, prec).components());
+                all.add(&enclose(&slowed(&p, -k), 8).components());
                 if k % 3 == 0 {
-                    let decided = response(&p, prec);
-                    all.add(&decided.map(|r| r.components().map(Ball::clone)));
+                    // Soon after the start and next to critical damping much is lost.
+                    let mut soon = p.clone();
+                    soon.t >>= 30 * k;
+                    let mut critical = p.clone();
+                    critical.n = &p.w * (Rational::from(1) + (Rational::from(1) >> (10 * k + 1)));
+                    for p in [&p, &soon, &critical] {
+                        let decided = response(p, prec);
+                        all.add(&decided.map(|r| r.components().map(Ball::clone)));
+                    }
                 }
             }
         })
     });
     pin(
         &[
-            "30: f2505f54, 10 to 22 bits",
-            "64: 4f6ee58b, 41 to 55 bits",
-            "160: 71aba574, 138 to 150 bits",
+            "30: 3906e61d, -81 to 20 bits",
+            "64: 01e7e7ef, -140 to 54 bits",
+            "160: 89e2ee86, -212 to 149 bits",
         ],
         lines,
     );
