@@ -485,19 +485,22 @@ mod tests {
                         detuning: draw.between(-3, 3),
                     };
                     all.add(&hartmann_tran(&p, bits));
-                    let middle = Parameters {
-                        detuning: p.shifts[0].clone(),
-                        ..p
-                    };
+                    let mut middle = p.clone();
+                    middle.detuning = p.shifts[0].clone();
+                    all.add(&hartmann_tran(&middle, bits));
+                    // Next to the middle, where little is left of the imaginary part.
+                    middle.detuning += Rational::from(1) >> (40 * k as u32);
+                    middle.correlation = Rational::new();
+                    middle.shifts[1] = Rational::new();
                     all.add(&hartmann_tran(&middle, bits));
                 }
             })
         });
         pin(
             &[
-                "20: 162d6f14, 46 to 73 bits",
-                "64: 6e7eced8, 96 to 116 bits",
-                "130: 0edede51, 158 to 183 bits",
+                "20: 2d78225d, 26 to 75 bits",
+                "64: 3581a9b6, 78 to 119 bits",
+                "130: d04ce5da, 143 to 185 bits",
             ],
             lines,
         );
