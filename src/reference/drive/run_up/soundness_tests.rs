@@ -347,8 +347,9 @@ fn steps_bit_by_bit() {
                     all.add(&[&piece.theta, &piece.duration, &piece.speed]);
                     all.add(&piece.chi.coefficients().to_vec());
                     all.add(&[piece.chi_error, piece.time_rate, piece.time.rad()]);
-                    for part in [0, 1, 5, 9, 10] {
-                        let part = Ball::rational(bits, &Rational::from((part, 10)));
+                    // A little beyond either end: times are balls.
+                    for part in [-1, 0, 1 << 10, 1 << 13, 1 << 14, (1 << 14) + 1] {
+                        let part = Ball::rational(bits, &Rational::from((part, 1 << 14)));
                         all.add(&piece.at(&(&piece.duration * &part)));
                     }
                     let end = &piece.duration + &Ball::integer(bits, 0);
@@ -359,9 +360,9 @@ fn steps_bit_by_bit() {
     });
     pin(
         &[
-            "56: 16d7fe2d, 4 to 26 bits",
-            "100: a4678a88, 12 to 26 bits",
-            "160: f1877f24, 13 to 26 bits",
+            "56: d0c2cb3b, 1 to 22 bits",
+            "100: 77340758, 10 to 22 bits",
+            "160: e8221fc8, 8 to 21 bits",
         ],
         lines,
     );
