@@ -148,7 +148,7 @@ fn exact_stays_exact() {
 
 /// Doubles next to a number, and so much smaller that their significands just fit beside it or no longer.
 fn doubles_beside(x: f64) -> Vec<f64> {
-    let part = |k: i32| x * 2f64.powi(-k);
+    let part = |k: u64| x * f64::from_bits((1023 - k) << 52);
     let beside = [x, x.next_up(), x * 0.75, part(1), -x, 0.0, 5e-324];
     (beside.into_iter())
         .chain([74, 75, 76, 77].map(part))

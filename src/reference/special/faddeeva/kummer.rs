@@ -231,8 +231,8 @@ mod tests {
     fn terms_and_scales_bit_by_bit() {
         let line = Answers::line(53, |all| {
             let mut draw = Draw(53);
-            for k in -36..12 {
-                let power = f64::from(k).exp2();
+            for k in -36i32..12 {
+                let power = (rug::Rational::from(1) << k).to_f64();
                 let part = draw.between(1, 2).to_f64();
                 for size in [power, power.next_up(), power * part, power * (1.0 + 1e-12)] {
                     all.text(scale(size));
