@@ -22,6 +22,8 @@ mod cams;
 mod drive;
 mod linear;
 mod linkages;
+#[cfg(test)]
+mod pinned;
 mod special;
 mod splines;
 

@@ -1,6 +1,7 @@
 //! Tests of `decimal`.
 
 use super::*;
+use crate::pinned::{Answers, Draw, pin};
 
 #[test]
 fn rational_numbers_are_rounded_once() {
@@ -255,4 +256,78 @@ fn decimals_with_radii_as_text() {
         (value.as_str(), radius.as_str()),
         ("1e120412", "4.99e120411")
     );
+}
+
+#[test]
+fn texts_bit_by_bit() {
+    let lines = [24, 64, 160].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for k in 0..60 {
+                let size = [3, 30, 90][k % 3];
+                let x = draw.ball(bits, -size, size);
+                for digits in [1, 2, 5, 17, 30, 45] {
+                    all.text(x.to_decimal(digits));
+                    all.text(x.to_decimal_with_radius(digits));
+                }
+                for places in [0, 1, 7, 20, 24, 30, 40] {
+                    all.text(x.to_fixed(places));
+                }
+            }
+            // Radii that are just allowed, and just not.
+            for digits in 1..40usize {
+                let x = Ball::rational(bits, &draw.between(1, 2));
+                let unit = ((digits as f64 + 2.0) * std::f64::consts::LOG2_10).ceil() as i64;
+                for r in [1.0f64.next_down(), 1.0, 1.0f64.next_up()] {
+                    let r = Mag::from_f64(r).shift(-unit);
+                    all.text(x.widened(r).to_decimal(digits));
+                }
+            }
+            let whole = Ball::integer(bits, 0).widened(Mag::INFINITY);
+            all.text((whole.to_decimal(3), whole.to_fixed(0)));
+            all.text(whole.to_decimal_with_radius(3));
+        })
+    });
+    pin(&["24: 838dd414", "64: b84cb844", "160: 85d10ac0"], lines);
+}
+
+/// On either side of the length from which on a decimal is not written out.
+#[test]
+fn long_texts_bit_by_bit() {
+    let lines = [53, 128].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for k in [65_535, 65_536, 65_537, 65_538, 131_072, 1_000_000] {
+                for k in [k, -k] {
+                    // From a half to one.
+                    let part = draw.between(1, 2) / 2u32;
+                    let x = Ball::rational(bits, &part).shift(k);
+                    for digits in [1, 3, 15, 16, 17, 25, 40] {
+                        all.text(x.to_decimal_with_radius(digits));
+                    }
+                }
+            }
+        })
+    });
+    pin(&["53: 405ca0e6", "128: 80f9d145"], lines);
+}
+
+/// Units of the last digit, and doubles next to numbers below the normal ones.
+#[test]
+fn readings_bit_by_bit() {
+    let line = Answers::line(53, |all| {
+        for text in [
+            "7", "-0.5", "12.50", "3e0", "3e2", "1.25e1", "1.5e-3", "+.5", "0e5", "75.",
+        ] {
+            let read = Decimal::parse(text).unwrap();
+            all.add(&read.units_off(&Ball::integer(70, 2)));
+            all.text((read.unit(), read));
+        }
+        let mut draw = Draw(53);
+        for _ in 0..60 {
+            let x = draw.sized(-1077, -1020);
+            all.text((nearest_f64(&x), nearest_f64(&draw.sized(1020, 1025))));
+        }
+    });
+    pin(&["53: cf80ec7f, 68 to 69 bits"], [line]);
 }

@@ -214,6 +214,7 @@ fn root(z: &ComplexBall) -> Option<ComplexBall> {
 mod tests {
     use super::*;
     use crate::faddeeva;
+    use crate::pinned::{Answers, Draw, pin};
 
     fn line(p: [f64; 8]) -> Parameters {
         let q = |x: f64| Rational::from_f64(x).expect("finite");
@@ -467,5 +468,41 @@ mod tests {
         ] {
             assert!(!at(p).im.contains_zero(), "{p:?}");
         }
+    }
+
+    #[test]
+    fn profiles_bit_by_bit() {
+        let lines = [20, 64, 130].map(|bits| {
+            Answers::line(bits, |all| {
+                let mut draw = Draw(u64::from(bits));
+                for k in 0..14 {
+                    let p = Parameters {
+                        doppler: draw.between(1, 3) << [-12, 0, 9][k % 3],
+                        widths: [draw.between(3, 5), draw.between(0, 2) * [0u32, 1][k % 2]],
+                        shifts: [draw.fraction(), draw.fraction() * [0u32, 1, 1][k % 3]],
+                        narrowing: draw.between(0, 1),
+                        correlation: draw.between(0, 1) * [1u32, 0][k / 2 % 2],
+                        detuning: draw.between(-3, 3),
+                    };
+                    all.add(&hartmann_tran(&p, bits));
+                    let mut middle = p.clone();
+                    middle.detuning = p.shifts[0].clone();
+                    all.add(&hartmann_tran(&middle, bits));
+                    // Next to the middle, where little is left of the imaginary part.
+                    middle.detuning += Rational::from(1) >> (40 * k as u32);
+                    middle.correlation = Rational::new();
+                    middle.shifts[1] = Rational::new();
+                    all.add(&hartmann_tran(&middle, bits));
+                }
+            })
+        });
+        pin(
+            &[
+                "20: 2d78225d, 26 to 75 bits",
+                "64: 3581a9b6, 78 to 119 bits",
+                "130: d04ce5da, 143 to 185 bits",
+            ],
+            lines,
+        );
     }
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::pinned::{Answers, Draw, pin};
 use crate::{Ball, ComplexBall, Mag};
 use proptest::prelude::*;
 use rug::{Float, Rational};
@@ -409,4 +410,116 @@ fn next_to_undamped_resonance() {
     let p = problem([1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1000.0]);
     let due = Ball::integer(200, 500) * Ball::integer(200, 1000).sin_cos().0;
     assert!(holds(&enclose(&p, 160).y, &due, 130));
+}
+
+/// Problems of every damping, with a chirp and without, from rest and not.
+pub(super) fn drawn(draw: &mut Draw) -> Problem {
+    let w = draw.between(1, 12);
+    let n = &w * draw.between(0, 1) * [0u32, 1, 1, 3][draw.below(4) as usize];
+    let chirp = [0u32, 1, 4][draw.below(3) as usize];
+    Problem::new(&[
+        w,
+        n,
+        draw.between(-6, 6) * chirp,
+        draw.between(-9, 9),
+        draw.between(-3, 3),
+        draw.fraction(),
+        draw.fraction(),
+        draw.fraction(),
+        draw.between(0, 3),
+    ])
+    .unwrap()
+}
+
+/// The same motion in another unit of time, `2^k` as long.
+pub(super) fn slowed(p: &Problem, k: i32) -> Problem {
+    let mut p = p.clone();
+    for (x, times) in [
+        (&mut p.w, -1),
+        (&mut p.n, -1),
+        (&mut p.omega0, -1),
+        (&mut p.t, 1),
+    ] {
+        *x <<= times * k;
+    }
+    p.eps >>= 2 * k;
+    p
+}
+
+#[test]
+fn closed_forms_bit_by_bit() {
+    let lines = [30, 64, 160].map(|prec| {
+        Answers::line(prec, |all| {
+            let mut draw = Draw(u64::from(prec));
+            for k in 0..20 {
+                let p = drawn(&mut draw);
+                all.add(&enclose(&p, prec).components());
+                all.add(&enclose(&slowed(&p, -k), 8).components());
+                if k % 3 == 0 {
+                    // Soon after the start and next to critical damping much is lost.
+                    let mut soon = p.clone();
+                    soon.t >>= 30 * k;
+                    let mut critical = p.clone();
+                    critical.n = &p.w * (Rational::from(1) + (Rational::from(1) >> (10 * k + 1)));
+                    for p in [&p, &soon, &critical] {
+                        let decided = response(p, prec);
+                        all.add(&decided.map(|r| r.components().map(Ball::clone)));
+                    }
+                }
+            }
+        })
+    });
+    pin(
+        &[
+            "30: 3906e61d, -81 to 20 bits",
+            "64: 01e7e7ef, -140 to 54 bits",
+            "160: 89e2ee86, -212 to 149 bits",
+        ],
+        lines,
+    );
+}
+
+/// Next to critical damping, and where the series of free vibrations meet what follows them.
+#[test]
+fn free_vibrations_bit_by_bit() {
+    let lines = [30, 64, 160].map(|prec| {
+        Answers::line(prec, |all| {
+            let mut draw = Draw(u64::from(prec));
+            for _ in 0..20 {
+                let mut p = drawn(&mut draw);
+                for t in [0, 1, 2, 3, 5] {
+                    // |n² − w²| t² up to a little more than 2.
+                    p.t = Rational::from((t, 7)) + draw.between(0, 1) / 16u32;
+                    all.add(&super::free::vibration(&p, prec));
+                    let (n, w) = (p.n.clone(), p.w.clone());
+                    p.n = &w * Rational::from((10 + t, 10));
+                    all.add(&super::free::vibration(&p, prec));
+                    p.n = n;
+                }
+            }
+        })
+    });
+    pin(
+        &[
+            "30: 792f54d3, 18 to 25 bits",
+            "64: 3cea6bd1, 50 to 58 bits",
+            "160: 889a443b, 144 to 154 bits",
+        ],
+        lines,
+    );
+}
+
+/// By derivatives and by differences: doubles to the last bit.
+#[test]
+fn conditions_bit_by_bit() {
+    let line = Answers::line(53, |all| {
+        let mut draw = Draw(53);
+        for _ in 0..12 {
+            let mut p = drawn(&mut draw);
+            all.text(conditions(&p));
+            p.eps = Rational::new();
+            all.text(conditions(&p));
+        }
+    });
+    pin(&["53: 0c92d5a3"], [line]);
 }

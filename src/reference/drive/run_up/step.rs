@@ -224,6 +224,7 @@ fn on_grid(x: &Float, length: &Float, sign: i32, bits: u32) -> Float {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pinned::{Answers, Draw, pin};
 
     /// From anywhere in the slack the model about the start holds the function, and not much more.
     #[test]
@@ -271,5 +272,27 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// How long steps are, which the proof after them hides.
+    #[test]
+    fn shares_bit_by_bit() {
+        let line = Answers::line(60, |all| {
+            let mut draw = Draw(60);
+            for n in [0, 1, 2, 8, 9, 10, 14, 30] {
+                for _ in 0..6 {
+                    let fall = draw.below(9) as i32;
+                    let c = (0..n).map(|k| match draw.below(8) {
+                        0 => Float::new(60),
+                        _ => Float::with_val(60, draw.sized(-2, 4)) >> (k * fall),
+                    });
+                    let c: Vec<Float> = c.collect();
+                    for sum in [0.25, 1.0] {
+                        all.text([0, 40, 60].map(|bits| usable(&c, bits, sum)));
+                    }
+                }
+            }
+        });
+        pin(&["60: da846192"], [line]);
     }
 }

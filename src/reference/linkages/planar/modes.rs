@@ -52,6 +52,11 @@ impl Linkage {
     /// [`Undecided`] with the number of boxes that are left where modes meet or nearly so, where the search takes too
     /// long, and for mechanisms with slides or slots, whose displacements lie in no compact chart.
     pub fn modes(&self, drive: &Ball) -> Result<Vec<Position>, Undecided> {
+        self.modes_within(drive, MOST_BOXES)
+    }
+
+    /// [`Linkage::modes`] by a look at so many boxes at most.
+    fn modes_within(&self, drive: &Ball, most: usize) -> Result<Vec<Position>, Undecided> {
         let n = self.coarse.coordinates;
         if n != self.coarse.bodies {
             return Err(self.undecided("displacements have no compact chart"));
@@ -62,7 +67,7 @@ impl Linkage {
         let (mut looked, mut left) = (0, 0);
         while let Some(x) = boxes.pop() {
             looked += 1;
-            if looked > MOST_BOXES {
+            if looked > most {
                 let open = boxes.len() + 1 + left;
                 return Err(
                     self.undecided(&format!("{open} boxes are left of the search for modes"))
@@ -200,5 +205,109 @@ impl Linkage {
         }
         found.push(Found { position, alone });
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Drive;
+    use super::super::tests::four_bar;
+    use super::*;
+    use crate::pinned::{Answers, Draw, pin};
+
+    /// The search as [`Linkage::modes`] goes, box by box.
+    fn searched(all: &mut Answers, linkage: &Linkage, drive: &Ball) {
+        let coarse = drive.with_prec(64);
+        let mut boxes = vec![linkage.coarse.chart(&linkage.linear(&coarse))];
+        all.add(&boxes);
+        while let Some(x) = boxes.pop() {
+            match linkage.look(&x, &coarse) {
+                Look::Empty => all.text("empty"),
+                Look::Single(alone) => all.add(&alone),
+                Look::Smaller(cut) => {
+                    all.add(&cut);
+                    boxes.push(cut);
+                }
+                Look::Open => {
+                    let widest =
+                        (0..x.len()).max_by(|&i, &j| x[i].rad().partial_cmp(&x[j].rad()).unwrap());
+                    let i = widest.unwrap();
+                    for (low, high) in [
+                        (x[i].lower(), x[i].mid().clone()),
+                        (x[i].mid().clone(), x[i].upper()),
+                    ] {
+                        let mut half = x.clone();
+                        half[i] = Ball::between(64, &low, &high);
+                        boxes.push(half);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn searches_bit_by_bit() {
+        let lines = [64, 192].map(|bits| {
+            Answers::line(bits, |all| {
+                let mut draw = Draw(u64::from(bits));
+                let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), bits).unwrap();
+                for _ in 0..2 {
+                    let drive = Ball::rational(bits, &draw.between(-3, 3));
+                    searched(all, &linkage, &drive);
+                    let modes = linkage.modes(&drive).unwrap();
+                    all.add(&modes.into_iter().map(|m| m.x).collect::<Vec<_>>());
+                }
+                for _ in 0..20 {
+                    let (a, b) = (draw.ball(64, -1, 1), draw.ball(bits, -1, 1));
+                    all.add(&intersection(
+                        &a.widened(b.rad()),
+                        &b.widened(a.magnitude()),
+                    ));
+                }
+            })
+        });
+        pin(
+            &["64: 303857c6, -1 to 4 bits", "192: 2c2541e2, -1 to 5 bits"],
+            lines,
+        );
+    }
+
+    /// The rocker is where crank and coupler are in line: `cos ψ = 7/32`, where two modes meet.
+    fn dead(bits: u32) -> (Linkage, Ball) {
+        let linkage = Linkage::new(&four_bar(), &Drive::coordinate(2), bits).unwrap();
+        let [x, r] = [7, 32].map(|k| Ball::integer(bits, k));
+        let y = (r.square() - x.square()).sqrt();
+        (linkage, y.atan2(&x))
+    }
+
+    #[test]
+    fn a_search_ends_after_so_many_boxes() {
+        let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), 64).unwrap();
+        let drive = Ball::exact(64, 0.875);
+        let reason = |most: usize| linkage.modes_within(&drive, most).map_err(|why| why.reason);
+        // The first box and nothing looked at.
+        let found = reason(0).unwrap_err();
+        assert_eq!(found, "1 boxes are left of the search for modes");
+        let enough = (1..).find(|most| reason(*most).is_ok()).unwrap();
+        assert_eq!(reason(enough).unwrap().len(), 2);
+        // Of a search that would have ended with it.
+        assert_eq!(reason(enough - 1).unwrap_err(), found);
+    }
+
+    #[test]
+    fn ends_of_searches_bit_by_bit() {
+        let line = Answers::line(64, |all| {
+            let drive = Ball::exact(64, 0.875);
+            let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), 64).unwrap();
+            for most in 0..12 {
+                all.text(linkage.modes_within(&drive, most).map(|found| found.len()));
+            }
+            let (linkage, drive) = dead(64);
+            for most in (40..400).step_by(20).chain([MOST_BOXES]) {
+                let found = linkage.modes_within(&drive, most).map(|found| found.len());
+                all.text(found);
+            }
+        });
+        pin(&["64: cd7f1f0c"], [line]);
     }
 }

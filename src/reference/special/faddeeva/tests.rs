@@ -5,6 +5,7 @@ use super::pair::Member;
 use super::ziv::balls;
 use super::*;
 use crate::Decimal;
+use crate::pinned::{Answers, Draw, pin};
 use proptest::prelude::*;
 
 fn q(x: f64) -> Rational {
@@ -444,4 +445,189 @@ fn what_stays_open_is_undecided() {
     assert_eq!(open.bits, 4 * 70 + 4096);
     assert!(open.reason.contains("a test"));
     assert!(ziv::decide("a test", 60, 10, |_| None).is_err());
+}
+
+/// An argument by its kind: moderate, next to the axes, far out, and on the axes; a double or not.
+fn placed(draw: &mut Draw, k: u64) -> [Rational; 2] {
+    let [x, y] = match k % 8 {
+        0 => [draw.sized(-2, 2), draw.sized(-2, 2)],
+        1 => [draw.sized(-2, 3), draw.sized(-60, -20)],
+        2 => [draw.sized(-60, -20), draw.sized(-2, 3)],
+        3 => [draw.sized(3, 5), draw.sized(3, 5)],
+        4 => [draw.sized(4, 40), draw.sized(-30, 40)],
+        5 => [draw.sized(3, 6), draw.sized(-30, 1)],
+        6 => [Rational::new(), draw.sized(-2, 6)],
+        _ => [draw.sized(-2, 6), Rational::new()],
+    };
+    if draw.below(2) == 0 {
+        let double = |q: Rational| Rational::from_f64(q.to_f64()).unwrap();
+        return [double(x), double(y)];
+    }
+    [x, y]
+}
+
+fn add(all: &mut Answers, parts: Option<[Scaled; 2]>) {
+    for part in parts.into_iter().flatten() {
+        all.add(&part.ball);
+        all.text(part.exponent);
+    }
+}
+
+#[test]
+fn values_and_derivatives_bit_by_bit() {
+    let lines = [2, 53, 104, 105, 250].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for k in 0..24 {
+                let [x, y] = placed(&mut draw, k);
+                all.add(&w(&x, &y, bits));
+                if k % 3 > 0 {
+                    all.add(&w_derivative(1, &x, &y, bits));
+                    all.add(&w_derivative(3, &x, &y, bits));
+                    all.add(&taylor(&x, &y, [0, 1, 2, 5, 9][k as usize % 5], bits));
+                }
+                let about = |q: &Rational| Float::with_val(80, q);
+                all.add(&w_float(&about(&x), &about(&y), bits));
+            }
+        })
+    });
+    pin(
+        &[
+            "2: d2c2edf8, 2 to 51 bits",
+            "53: de7701f8, 54 to 100 bits",
+            "104: dc546b06, 105 to 133 bits",
+            "105: 9cfc7c51, 106 to 135 bits",
+            "250: 92694320, 250 to 285 bits",
+        ],
+        lines,
+    );
+}
+
+/// Coefficients that take several precisions: far out each is the difference of two that are larger by |z|².
+#[test]
+fn coefficients_far_out_bit_by_bit() {
+    let lines = [20, 90].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for n in [3, 8, 20] {
+                for k in [2, 5, 9] {
+                    let [x, y] = [0, 1].map(|_| draw.between(1, 2) << k);
+                    all.add(&taylor(&x, &y, n, bits));
+                    all.add(&w_derivative(n, &x, &y, bits));
+                }
+            }
+        })
+    });
+    pin(
+        &[
+            "20: 0a3815e2, 14 to 108 bits",
+            "90: 96aea1b8, 93 to 187 bits",
+        ],
+        lines,
+    );
+}
+
+/// Both series at one precision, which Ziv's loop hides, and the choice between them.
+#[test]
+fn series_bit_by_bit() {
+    let lines = [8, 60, 104, 140].map(|prec| {
+        Answers::line(prec, |all| {
+            let mut draw = Draw(u64::from(prec));
+            for k in 0..64 {
+                let [x, y] = placed(&mut draw, k);
+                let right = Rational::from(x.abs_ref());
+                let above = Rational::from(y.abs_ref());
+                for (y, member) in [(&y, Member::W), (&above, Member::Dawson)] {
+                    let z = Argument::new(Real::of(&right), Real::of(y));
+                    all.text(z.norm_f64());
+                    all.add(&z.norm);
+                    add(all, asymptotic::parts(&z, member, prec));
+                    add(all, choice::at(&z, member, prec));
+                    if z.norm_f64() < 900.0 {
+                        all.add(&kummer::parts(&z, member, prec));
+                    }
+                }
+                let root = Real::Root(k % 2 == 0, right);
+                all.add(&[root.ball(prec), Real::of(&x).ball(prec)]);
+                all.text((root.length(), Real::of(&x).length()));
+            }
+        })
+    });
+    pin(
+        &[
+            "8: e423ebb6, 7 to 35 bits",
+            "60: 0ed6ebdd, 59 to 78 bits",
+            "104: 58661aeb, 77 to 111 bits",
+            "140: 308763a5, 77 to 153 bits",
+        ],
+        lines,
+    );
+}
+
+/// Values whose exponents no ball holds.
+#[test]
+fn exponents_of_any_size_bit_by_bit() {
+    let lines = [20, 120].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for k in [10, 14, 16, 40, 300] {
+                for [x, y] in [[k, 2], [2, k], [k, k], [k, -k], [-k, k]] {
+                    let [x, y] = [x, y].map(|k| draw.sized(k, k));
+                    let [zero, down] = [Rational::new(), Rational::from(-&y)];
+                    for (x, y) in [(&x, &y), (&x, &down), (&y, &zero)] {
+                        for f in [
+                            w_scaled,
+                            dawson_scaled,
+                            erf_scaled,
+                            erfc_scaled,
+                            erfcx_scaled,
+                        ] {
+                            add(all, f(x, y, bits).ok());
+                        }
+                        add(all, w_derivative_scaled(x, y, bits).ok());
+                        for part in erfcx_scaled(x, y, bits).into_iter().flatten() {
+                            all.text([1, 2, 7, 30].map(|digits| part.to_decimal(digits)));
+                        }
+                        let v = voigt_scaled(x, &Rational::from((k, 7)), y, bits);
+                        add(all, v.ok().map(|v| [v.clone(), v]));
+                    }
+                }
+            }
+        })
+    });
+    pin(
+        &[
+            "20: af01606a, 20 to 38 bits",
+            "120: 036081da, 120 to 138 bits",
+        ],
+        lines,
+    );
+}
+
+#[test]
+fn w_of_balls_bit_by_bit() {
+    let lines = [10, 15, 60, 130].map(|prec| {
+        Answers::line(prec, |all| {
+            let mut draw = Draw(u64::from(prec));
+            for k in 0..60 {
+                let [x, y] = placed(&mut draw, k % 6);
+                let mut about = |x: &Rational| {
+                    let down = 2 + draw.below(u64::from(prec));
+                    let x = Ball::rational(prec.max(30), x);
+                    let reach = x.magnitude().shift(-(down as i64));
+                    x.widened(reach)
+                };
+                all.add(&w_ball(&ComplexBall::new(about(&x), about(&y)), prec));
+            }
+        })
+    });
+    pin(
+        &[
+            "10: f49f07ab, -1222582 to 0 bits",
+            "15: 5f217023, -136500 to 3 bits",
+            "60: 6e14c9cb, -40 to 18 bits",
+            "130: 76cf1041, -34 to 37 bits",
+        ],
+        lines,
+    );
 }
