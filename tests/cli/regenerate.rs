@@ -31,11 +31,14 @@ fn copy(name: &str, change: impl Fn(&str) -> String) -> (TempDir, PathBuf) {
 
 #[test]
 fn what_is_held_is_what_the_references_give() {
-    let some = words("slider-crank erfcx zinchenko-errata faddeeva-constants");
+    let some = words(
+        "slider-crank erfcx zinchenko-errata arithmetic-tables faddeeva-constants faddeeva-tables \
+         faddeeva-relatives-tables",
+    );
     let d = run(&[&["regenerate", "--check"][..], &some].concat());
     assert_eq!((d.code, d.err.as_str()), (0, ""), "{}", d.out);
     assert!(
-        d.out.contains("4 of 4 files are what the references give"),
+        d.out.contains("7 of 7 files are what the references give"),
         "{}",
         d.out
     );
