@@ -294,6 +294,31 @@ mod tests {
         assert_eq!(reason(enough - 1).unwrap_err(), found);
     }
 
+    /// A mode that was found elsewhere, and whose ball shares points with this one's without holding it.
+    #[test]
+    fn modes_that_may_be_one_are_not_counted_as_two() {
+        let linkage = Linkage::new(&four_bar(), &Drive::coordinate(0), 64).unwrap();
+        let drive = Ball::exact(64, 0.875);
+        let mode = linkage.modes(&drive).unwrap().remove(0);
+        let alone: Vec<Ball> = mode.x.iter().map(|x| x.widened(x.rad())).collect();
+        let mut found = Vec::new();
+        linkage.record(&drive, alone.clone(), &mut found).unwrap();
+        found[0].alone = alone.iter().map(|a| a + &Ball::integer(64, 1)).collect();
+        let x = &found[0].position.x[1];
+        assert!(!x.rad().is_zero());
+        let radius = x.rad().to_float();
+        let beside = Ball::new(Float::with_val(80, x.mid() + &radius), x.rad());
+        found[0].position.x[1] = beside;
+        let refused = linkage.record(&drive, alone.clone(), &mut found);
+        let reason = refused.unwrap_err().reason;
+        assert_eq!(reason, "two modes are not told apart");
+        // Off by more than both radii they are two.
+        let x = &mut found[0].position.x[1];
+        *x = &*x + &Ball::exact(64, 0.25);
+        linkage.record(&drive, alone, &mut found).unwrap();
+        assert_eq!(found.len(), 2);
+    }
+
     #[test]
     fn ends_of_searches_bit_by_bit() {
         let line = Answers::line(64, |all| {
