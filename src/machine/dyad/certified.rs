@@ -287,9 +287,7 @@ mod tests {
         }
     }
 
-    /// Every value within the distance lies in the widened ball, and the bounds are not idle.
-    #[test]
-    fn widened_values_hold_those_at_all_angles_within_the_distance() {
+    fn shapes() -> [Shape; 6] {
         let four = |l: [u32; 4]| {
             let [a, b, c, d] = l;
             let text = format!(
@@ -301,14 +299,52 @@ mod tests {
             let text = format!("crank = \"{a} m\"\nrod = \"{b} m\"\noffset = \"{e} m\"");
             shape("slider-crank", &text)
         };
-        let shapes = [
+        [
             four([10, 40, 30, 35]),
             four([35, 40, 30, 10]),
             four([30, 40, 30, 35]),
             slider(2, 5, 1),
             slider(3, 5, -1),
             slider(5, 4, 3),
-        ];
+        ]
+    }
+
+    /// The bound on a first derivative is its numerator's over the least determinant: no determinant within the distance is
+    /// below that.
+    #[test]
+    fn no_determinant_is_below_the_least() {
+        let step = Rational::from((1, 50));
+        let (distance, nothing) = (Ball::rational(128, &step), Ball::integer(128, 0));
+        let (mut checked, mut tightest) = (0, f64::INFINITY);
+        for shape in &shapes() {
+            let (numerator, of) = match shape {
+                Shape::FourBar { exact, .. } => (Rational::from(&exact[0] * &exact[2]), 0),
+                Shape::SliderCrank { exact, .. } => (exact[0].clone(), 1),
+            };
+            for (k, left) in (-150..150).flat_map(|k| [(k, true), (k, false)]) {
+                let at = Rational::from((k, 50));
+                let Some((_, bounds)) = near(shape, &at, left, 128, &distance) else {
+                    continue;
+                };
+                let least = &Ball::rational(128, &numerator) / &bounds[of];
+                for j in [-1, 1] {
+                    let other = Rational::from(&step * j) + &at;
+                    let (there, _) = near(shape, &other, left, 128, &nothing).unwrap();
+                    let ratio = (&there[7].abs() / &least).mid().to_f64();
+                    assert!(ratio >= 1.0, "{ratio} at {at}");
+                    tightest = f64::min(tightest, ratio);
+                    checked += 1;
+                }
+            }
+        }
+        assert!(checked > 4000, "{checked}");
+        assert!(tightest < 1.01, "{tightest}");
+    }
+
+    /// Every value within the distance lies in the widened ball, and the bounds are not idle.
+    #[test]
+    fn widened_values_hold_those_at_all_angles_within_the_distance() {
+        let shapes = shapes();
         let step = Rational::from((1, 2000));
         let distance = Ball::rational(128, &step);
         let nothing = Ball::integer(128, 0);
