@@ -61,6 +61,10 @@ fn linkages() {
         "linkage examples/sand-screen.toml --step-deg 60 --digits 30",
         "linkage examples/slider-crank.toml --step-deg 60 --digits 30",
         "linkage examples/jansen-leg.toml --step-deg 60 --paths --units in,deg",
+        "linkage examples/jansen-leg.toml --step-deg 90 --format json",
+        "linkage examples/andrews.toml --step-deg 90 --format json",
+        "linkage examples/sand-screen.toml --step-deg 90 --format json",
+        "linkage examples/slider-crank.toml --step-deg 90 --format json",
         "linkage examples/unassemblable.toml",
     ];
     outputs("cli-linkages", &drawn.chain(rows).collect::<Vec<_>>());
@@ -78,6 +82,8 @@ fn motions_in_time() {
             "chirp examples/chirp-run-down.toml --format csv",
             "chirp examples/chirp-run-up.toml --rows spectrum --units mm,deg",
             "chirp examples/chirp-run-up.toml --rows chart",
+            "chirp examples/chirp-run-up.toml --rows spectrum --format json",
+            "runup examples/four-bar-run-up.toml --format json",
         ],
     );
 }
