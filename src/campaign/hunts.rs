@@ -203,6 +203,34 @@ mod tests {
         }
     }
 
+    #[test]
+    fn new_worst_inputs_within_budget_pass() {
+        let method = crate::methods::find("slider-crank").unwrap();
+        let hunted = |share: f64| {
+            let mut tally = HuntTally {
+                failures: 0,
+                ..found(0, 0, 1)
+            };
+            tally.worst[0].1[0].order = !share.to_bits();
+            tally
+        };
+        // Over every recorded share, and over the budget.
+        let output = method.outputs()[0].name;
+        let recorded = method.hard();
+        let before = recorded.iter().filter(|h| h.output == output);
+        let before = before.map(|h| h.share).fold(0.0, f64::max);
+        assert!(before < 0.9);
+        let within = hunted(0.95);
+        assert!(within.worst(&*method)[0].new && within.passed(&*method));
+        let over = hunted(1.5);
+        assert!(!over.passed(&*method));
+        let failed = HuntTally {
+            failures: 1,
+            ..within
+        };
+        assert!(!failed.passed(&*method));
+    }
+
     proptest! {
         #[test]
         fn hunts_add_up_in_any_order(

@@ -31,6 +31,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn of_one_and_two() {
+        assert_eq!(mean(&[3.0]).within, 0.0);
+        // The standard error of two values is half their distance.
+        assert_eq!(mean(&[0.0, 1.0]).within, 2.0);
+    }
+
+    #[test]
     fn of_a_uniform_sample() {
         let errors: Vec<f64> = (0..1000).map(|k| f64::from(k) / 999.0).collect();
         let m = mean(&errors);

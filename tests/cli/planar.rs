@@ -347,6 +347,17 @@ fn bad_files_are_refused_by_name() {
         &run_on(text, &words("linkage -")),
         "f and ghi have a point \"W\", and no joint holds that of f",
     );
+    // Beside joints that hold other points.
+    let text = changed(
+        QUICK,
+        "\"260 mm\"]",
+        "\"260 mm\"], X = [\"1 mm\", \"0 mm\"]",
+    );
+    let text = changed(&text, "{ C = ", "{ X = [\"0 mm\", \"9 mm\"], C = ");
+    refused(
+        &run_on(text, &words("linkage -")),
+        "have a point \"X\", and no joint holds that of",
+    );
     refused(
         &run_on(JANSEN, &words("linkage - --digits 20")),
         "given by sides, which make it a square root",

@@ -172,6 +172,34 @@ mod tests {
     use mechaudit::methods;
 
     #[test]
+    fn regions_end_where_the_next_begins() {
+        let method = methods::find("erf").unwrap();
+        let settings = Settings {
+            cases_per_region: 3,
+            ..Settings::default()
+        };
+        let cases = || Cases::new(&*method, &settings);
+        let all: Vec<Case> = (0..cases().len()).map(|i| cases().get(i)).collect();
+        let last = all.len() - 1;
+        let one = Inputs::new(Source::One(all[last].clone()));
+        assert_eq!(one.region_of(0), (all[last].region, 1));
+        let listed = Inputs::listed(vec![all[0].clone(), all[last].clone()]);
+        assert_eq!(listed.region_of(0), (all[0].region, 1));
+        assert_eq!(listed.region_of(1), (all[last].region, 2));
+        let whole = Inputs::of(&*method, None, &settings).unwrap();
+        let (mut i, mut regions) = (0, Vec::new());
+        while i < whole.len() {
+            let (region, next) = whole.region_of(i);
+            assert!(all[i..next].iter().all(|c| c.region == region));
+            regions.push(region);
+            i = next;
+        }
+        let mut due: Vec<&str> = all.iter().map(|c| c.region).collect();
+        due.dedup();
+        assert_eq!(regions, due);
+    }
+
+    #[test]
     fn inputs_that_are_kept_are_those_of_their_numbers() {
         let settings = Settings {
             cases_per_region: 2000,
