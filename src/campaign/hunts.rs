@@ -231,6 +231,21 @@ mod tests {
         assert!(!failed.passed(&*method));
     }
 
+    #[test]
+    fn an_input_that_two_hunts_find_is_kept_once() {
+        let mut sum = found(0, 1, 1);
+        for more in [found(2, 1, 1), found(4, 2, 2), found(6, 2, 3)] {
+            sum.merge(more);
+        }
+        let inputs: Vec<u64> = sum.worst[0].1.iter().map(|w| w.input[0]).collect();
+        assert_eq!(inputs, [2, 3, 1]);
+        let worst = &sum.worst[0].1[0];
+        assert_eq!(
+            (worst.share(), worst.input()),
+            (2.0, vec![f64::from_bits(2)])
+        );
+    }
+
     proptest! {
         #[test]
         fn hunts_add_up_in_any_order(

@@ -150,6 +150,37 @@ fn what_has_changed_since() {
     assert_eq!(audit(&right(), &["--baseline", path]).code, 2);
 }
 
+/// Each candidate beside itself, whichever comes first.
+#[test]
+fn nothing_has_changed_in_a_comparison_of_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("old.json");
+    let path = path.to_str().unwrap();
+    let rounded = filtered("sed s/[0-9][0-9]*p/0p/g");
+    let (right, other) = (right(), rounded.as_str());
+    let compare = |candidates: [&str; 2], more: &[&str]| {
+        let [a, b] = candidates;
+        let args = [
+            "compare",
+            "erf",
+            "--region",
+            "mid",
+            "--cases",
+            "10",
+            "--no-speed",
+        ];
+        run(&[&args[..], &["--exec", a, "--exec", b], more].concat())
+    };
+    let d = compare([&right, other], &["--format", "json", "--output", path]);
+    assert_eq!(d.code, 1, "{}", d.err);
+    for candidates in [[&*right, other], [other, &right]] {
+        let d = compare(candidates, &["--baseline", path, "--format", "json"]);
+        let v: Value = serde_json::from_str(&d.out).unwrap();
+        let changes = &v["baseline"]["changes"];
+        assert_eq!(changes.as_array().map(Vec::len), Some(0), "{}", d.out);
+    }
+}
+
 #[test]
 fn where_to_look() {
     let program = right();

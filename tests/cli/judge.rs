@@ -47,6 +47,11 @@ fn a_published_table() {
     ] {
         assert!(d.out.contains(part), "{part} is missing in {}", d.out);
     }
+    let long = format!("Re z,Im z,Re W,Im W\n0,0,1.{},0\n", "0".repeat(1000));
+    refused(
+        &judge("faddeeva", &long, &[]),
+        "a field is longer than 1000 bytes",
+    );
     let d = judge("faddeeva", wrong, &["--format", "csv"]);
     let rows: Vec<&str> = d.out.lines().collect();
     assert!(d.code == 1 && rows.len() == 1 + 2 * 3, "{}", d.out);

@@ -241,4 +241,10 @@ fn a_digit_left_open_is_a_finding() {
     let cell = |name: &str| &rows[0][head.iter().position(|h| h == name).unwrap()];
     assert_eq!(cell("dphi5_dphi1"), "undecided");
     assert!(cell("phi2_deg").parse::<f64>().is_ok());
+    let d = linkage_of(
+        file,
+        &["--step-deg", "360", "--digits", "20", "--all-branches"],
+    );
+    assert_eq!(d.code, 1, "{}{}", d.out, d.err);
+    said(&d, "undecided: ");
 }

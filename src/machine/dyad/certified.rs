@@ -372,6 +372,26 @@ mod tests {
         assert!(tightest < 1.5, "{tightest}");
     }
 
+    /// Pins 1.2 m apart where the dyad spans 4 m to 8 m, and 9.8 m.
+    #[test]
+    fn what_is_too_near_or_too_far_is_beyond_reach() {
+        let text = |frame: u32| {
+            format!(
+                "type = \"four-bar\"\n[geometry]\ncrank = \"3 m\"\ncoupler = \"6 m\"\n\
+                 rocker = \"2 m\"\nframe = \"{frame} m\""
+            )
+        };
+        for (frame, degrees) in [(4, 10), (7, 170)] {
+            let Linkage::Dyad(dyad) = Linkage::read(&Source::toml(text(frame))).unwrap() else {
+                unreachable!("a dyad");
+            };
+            assert_eq!(within_reach(&dyad.shape, &degrees.into(), 128), Some(false));
+            assert_eq!(within_reach(&dyad.shape, &90.into(), 128), Some(true));
+            let proved = certified(&dyad, &degrees.into(), Assembly::Positive, 10);
+            assert!(matches!(proved, Proved::Unreachable));
+        }
+    }
+
     /// Only the coupler of a parallelogram shifts; that of a crossed one turns.
     #[test]
     fn parallelograms_are_told_from_crossed_ones() {
