@@ -63,6 +63,15 @@ fn nan_refutes_whatever_the_bound() {
     assert_eq!(mean.verdict, Verdict::Refuted);
 }
 
+/// Above a floor no cases are drawn beside the hunt's.
+#[test]
+fn a_hunt_alone_finds_what_is_no_number() {
+    let subject = Subject::of("wells-1999-r4").expect("an algorithm of the atlas");
+    let tested = Tested::new(subject, FAR_ON_THE_AXIS, Measure::RelativeIm, 1e9);
+    let search = searched(&tested, -1.0, &EFFORT);
+    assert!(search.worst.is_some_and(|(_, _, over)| over));
+}
+
 #[test]
 fn the_refuting_point_is_of_the_domain_and_certainly_over() {
     let found = planted(

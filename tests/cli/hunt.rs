@@ -1,6 +1,6 @@
 //! Hunts and hard cases.
 
-use crate::common::cells;
+use crate::common::{cells, run};
 use mechaudit::audit::{
     Case, Cases, Domain, HardCase, Hunt, HuntSettings, Input, Method, Origin, Output,
     ReferenceAnswer, Settings, SolverAnswer, Variant, Verdict, audit_case, audit_method, hex_float,
@@ -57,6 +57,20 @@ fn a_hunt_leaves_what_is_no_input_alone() {
 }
 
 /// The share recorded is not exceeded.
+#[test]
+fn a_file_without_rows_keeps_its_header() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("slider-crank.csv");
+    let header = "share,output,reason,input\n";
+    std::fs::write(&path, format!("# By hand.\n{header}")).unwrap();
+    let into = folder.path().to_str().unwrap();
+    let d = run(&["hunt", "slider-crank", "--evals", "60", "--hard", into]);
+    assert_eq!(d.code, 0, "{}", d.err);
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.starts_with("# By hand.\n") && text.lines().count() > 2);
+    assert_eq!(text.matches(header).count(), 1, "{text}");
+}
+
 #[test]
 fn hard_cases_are_as_recorded() {
     let settings = Settings::default();

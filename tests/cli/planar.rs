@@ -347,6 +347,14 @@ fn bad_files_are_refused_by_name() {
         &run_on(text, &words("linkage -")),
         "f and ghi have a point \"W\", and no joint holds that of f",
     );
+    let longest = format!("name = \"{}\"", "j".repeat(40));
+    let d = run_on(
+        changed(JANSEN, "name = \"j\"", &longest),
+        &words("linkage - --step-deg 90"),
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    let text = changed(QUICK, "toward = \"B\"", "toward = \"B\"\nturn = \"1 deg\"");
+    refused(&run_on(text, &words("linkage -")), "a slot has no turn");
     // Beside joints that hold other points.
     let text = changed(
         QUICK,

@@ -167,15 +167,15 @@ fn a_drawing_is_the_same_whenever_it_is_made() {
 /// A length that no column has is that of the drawing.
 #[test]
 fn the_drawing_has_its_own_unit() {
-    let folder = tempdir().unwrap();
-    let file = "linkage examples/watt-1.toml --units cm";
-    refused(&command(file), "no column can be in cm");
-    let d = command(&format!("{file} --dxf {}", text(folder.path())));
-    assert_eq!(d.code, 0, "{}", d.err);
-    assert_eq!(
-        drawing(folder.path()).header.default_drawing_units,
-        Units::Centimeters
-    );
+    for (unit, due) in [("cm", Units::Centimeters), ("dm", Units::Decimeters)] {
+        let folder = tempdir().unwrap();
+        let file = format!("linkage examples/watt-1.toml --units {unit}");
+        refused(&command(&file), &format!("no column can be in {unit}"));
+        let d = command(&format!("{file} --dxf {}", text(folder.path())));
+        assert_eq!(d.code, 0, "{}", d.err);
+        let header = drawing(folder.path()).header;
+        assert_eq!(header.default_drawing_units, due);
+    }
 }
 
 #[test]

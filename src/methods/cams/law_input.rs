@@ -179,3 +179,24 @@ pub(super) fn any_table(d: &mut Draw) -> Vec<f64> {
     p.extend(increasing());
     laid_out(TABLE, 0.5, &p)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_kind_has_so_many_parameters() {
+        let fits = |kind: f64| -> Vec<usize> {
+            let some = [0.0; 8];
+            let of = |n: &usize| LawInput::<f64>::new(kind, 0.5, &some[..*n]).is_some();
+            (0..=8).filter(of).collect()
+        };
+        assert_eq!(fits(SCCA), [2]);
+        assert_eq!(fits(POLYNOMIAL_345), [0]);
+        assert_eq!(fits(POLYNOMIAL_4567), [0]);
+        assert_eq!(fits(POLYNOMIAL), [1, 2, 3, 4, 5, 6, 7, 8]);
+        // Two knots at least, an ordinate at each.
+        assert_eq!(fits(TABLE), [4, 6, 8]);
+        assert!(fits(5.0).is_empty());
+    }
+}
