@@ -1,5 +1,6 @@
 //! Greatest common divisors of polynomials: primitive remainder sequences, one variable at a time.
 
+use super::coprime::certainly_without;
 use super::{Gauss, Poly, Symbol};
 
 /// The monic greatest common divisor; zero only if both are zero.
@@ -21,6 +22,9 @@ pub fn gcd(a: &Poly, b: &Poly) -> Poly {
     if let Some(x) = sb.difference(&sa).next() {
         return gcd(a, &content(b, *x));
     }
+    if sa.iter().all(|x| certainly_without(*x, a, b)) {
+        return Poly::integer(1);
+    }
     for (p, q) in [(a, b), (b, a)] {
         if p.divided_by(q).is_some() {
             return monic(q);
@@ -36,6 +40,9 @@ pub fn gcd(a: &Poly, b: &Poly) -> Poly {
     let (Some(mut p), Some(mut q)) = (a.divided_by(&ca), b.divided_by(&cb)) else {
         return common;
     };
+    if certainly_without(x, &p, &q) {
+        return common;
+    }
     if p.coefficients(x).len() < q.coefficients(x).len() {
         std::mem::swap(&mut p, &mut q);
     }

@@ -46,6 +46,7 @@
 
 mod algebra;
 mod complex;
+mod coprime;
 mod edit;
 mod enclosure;
 mod error;
