@@ -4,7 +4,8 @@ use super::deal::Stride;
 use super::plan::Part;
 use crate::audit::hex_float;
 use crate::proof::{
-    Certificate, Code, Leaf, Rectangle, UPPER_HALF_PLANE, Watch, first_rectangles, on_rectangle,
+    Certificate, Code, Leaf, ProofError, Rectangle, UPPER_HALF_PLANE, Watch, first_rectangles,
+    on_rectangle,
 };
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -220,7 +221,7 @@ pub fn of(
     stride: Stride,
     progress: &(dyn Fn(u64) + Sync),
     stop: &AtomicBool,
-) -> Result<ProofTally, String> {
+) -> Result<ProofTally, ProofError> {
     if stride.is_empty() {
         return Ok(ProofTally::default());
     }
@@ -248,7 +249,7 @@ pub fn probe(part: &Part) -> String {
     let all = first_rectangles(part.within);
     let some = [0, all.len() / 3].map(|i| all[i]);
     match Code::of_the_solver() {
-        Err(why) => why,
+        Err(why) => why.to_string(),
         Ok(code) => {
             let found = some.map(|at| on_rectangle(&code, UPPER_HALF_PLANE, &Watch::default(), at));
             let tally = found.map(|f| f.map(|f| ProofTally::of(&f)));

@@ -7,6 +7,7 @@ use super::proofs::{self, ProofTally};
 use crate::audit::{Cases, HuntSettings, Method, Panel, Settings, StoredTally, Tally, hunt_until};
 use rayon::ThreadPool;
 use serde::{Deserialize, Serialize};
+use std::error::Error;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// A program as it called itself.
@@ -42,18 +43,23 @@ pub struct Content {
 }
 
 /// Why a shard cannot be done.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("part {part}: {why}")]
+#[derive(Debug, thiserror::Error)]
+#[error("part {part}: {source}")]
 pub struct ShardError {
     /// Its part, counted from one.
     pub part: usize,
     /// Why not.
-    pub why: String,
+    pub source: Box<dyn Error + Send + Sync>,
 }
 
 /// Judges a program at some of the cases on the panel: gives who it was, nothing if it was stopped, or
 /// why not every case has an answer. `progress` is told of cases judged.
-pub type Answering<'a> = dyn Fn(&Program, (Cases, Stride), &Panel, &(dyn Fn(u64) + Sync)) -> Result<Option<Who>, String>
+pub type Answering<'a> = dyn Fn(
+        &Program,
+        (Cases, Stride),
+        &Panel,
+        &(dyn Fn(u64) + Sync),
+    ) -> Result<Option<Who>, Box<dyn Error + Send + Sync>>
     + Sync
     + 'a;
 
@@ -71,9 +77,12 @@ pub fn run(
 ) -> Result<Option<Content>, ShardError> {
     let mut parts = Vec::new();
     for (i, (part, stride)) in plan.parts.iter().zip(deal.of(k)).enumerate() {
-        let bad = |why: String| ShardError { part: i + 1, why };
+        let bad = |source| ShardError {
+            part: i + 1,
+            source,
+        };
         let method = part.method();
-        let variant = part.variant(&*method).map_err(|e| bad(e.to_string()))?;
+        let variant = part.variant(&*method).map_err(|e| bad(e.into()))?;
         let settings = part.settings();
         let content = match (part.kind, &part.program) {
             (Kind::Candidate, Some(program)) => {
@@ -88,7 +97,7 @@ pub fn run(
             }
             (Kind::Proof, _) => {
                 let proved = || proofs::of(part, stride, progress, stop);
-                PartContent::Proof(pool.install(proved).map_err(bad)?)
+                PartContent::Proof(pool.install(proved).map_err(|e| bad(e.into()))?)
             }
             (Kind::Hunt, _) => {
                 let hunts = || hunts(&variant, part, stride, progress, stop);

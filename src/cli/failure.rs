@@ -66,7 +66,7 @@ pub enum Failure {
     /// Bad usage or input, or the file system said no: one line for the user.
     Message(String),
     /// The same, with the error it came from.
-    Caused(String, Box<dyn Error>),
+    Caused(String, Box<dyn Error + Send + Sync>),
     /// Nobody reads the output any more.
     ClosedPipe,
 }
@@ -77,18 +77,18 @@ impl Failure {
     }
 
     /// An error with all that caused it.
-    pub fn caused(e: impl Into<Box<dyn Error>>) -> Failure {
+    pub fn caused(e: impl Into<Box<dyn Error + Send + Sync>>) -> Failure {
         let e = e.into();
         Failure::Caused(chain(&*e), e)
     }
 
     /// What cannot be done to a file or folder: "read", "write".
-    pub fn cannot(act: &str, path: &Path, e: impl Into<Box<dyn Error>>) -> Failure {
+    pub fn cannot(act: &str, path: &Path, e: impl Into<Box<dyn Error + Send + Sync>>) -> Failure {
         Failure::caused(e).about(format!("cannot {act} {}", path.display()))
     }
 
     /// An error about what a file describes.
-    pub fn in_file(file: &Path, e: impl Into<Box<dyn Error>>) -> Failure {
+    pub fn in_file(file: &Path, e: impl Into<Box<dyn Error + Send + Sync>>) -> Failure {
         Failure::caused(e).about(file.display())
     }
 
@@ -177,7 +177,7 @@ mod tests {
 
     #[derive(Debug, thiserror::Error)]
     #[error("line {0}")]
-    struct OnLine(u64, #[source] Box<dyn Error>);
+    struct OnLine(u64, #[source] Box<dyn Error + Send + Sync>);
 
     #[test]
     fn failures_tell_their_causes_once() {

@@ -1,5 +1,6 @@
 //! The code whose error is bounded.
 
+use crate::ProofError;
 use crate::tables::Tables;
 use crate::tracked::Rounding;
 use mechaudit_solvers::faddeeva::{Branch, branch};
@@ -26,7 +27,7 @@ impl Code {
     ///
     /// # Errors
     /// If the reference is undecided about a coefficient.
-    pub fn of_the_solver() -> Result<Code, String> {
+    pub fn of_the_solver() -> Result<Code, ProofError> {
         Ok(Code {
             tables: Tables::of_the_solver()?,
             branch: solvers_branch,

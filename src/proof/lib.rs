@@ -18,6 +18,7 @@ mod choice;
 mod code;
 mod constants;
 mod cover;
+mod error;
 mod evaluation;
 mod exact;
 mod form;
@@ -37,6 +38,7 @@ mod truncation;
 pub use certificate::{Open, Watch};
 pub use code::Code;
 pub use cover::{Rectangle, hole};
+pub use error::ProofError;
 pub use evaluation::Rounding;
 pub use formula::{Bound, Formula};
 pub use prove::{

@@ -1,5 +1,6 @@
 //! The solver's tables with their errors, each computed once.
 
+use crate::ProofError;
 use crate::formula::Bound;
 use crate::truncation::{RowErrors, exponential_error, polynomial_error};
 use mechaudit_solvers::faddeeva::proof as code;
@@ -73,7 +74,7 @@ impl Tables {
     ///
     /// # Errors
     /// If the reference is undecided about a coefficient.
-    pub fn of_the_solver() -> Result<Tables, String> {
+    pub fn of_the_solver() -> Result<Tables, ProofError> {
         let mut cells: HashMap<Key, ((f64, f64), &'static Row)> = HashMap::new();
         for (a, b) in in_cells() {
             let (centre, row) = cell_at(a, b);
@@ -83,7 +84,7 @@ impl Tables {
         let rows = |c: Vec<((f64, f64), &'static Row)>| {
             c.into_par_iter()
                 .map(|(centre, row)| Ok((key(centre), (*row, RowErrors::of(row, centre)?))))
-                .collect::<Result<HashMap<_, _>, String>>()
+                .collect::<Result<HashMap<_, _>, ProofError>>()
         };
         let real = on_real_axis().map(|a| {
             let (centre, row) = real_axis_at(a);
@@ -93,7 +94,7 @@ impl Tables {
         let imaginary_axis = imaginary
             .into_par_iter()
             .map(|(s, row)| Ok((key((0.0, s)), (*row, RowErrors::on_axis(row, s)?))))
-            .collect::<Result<HashMap<_, _>, String>>()?;
+            .collect::<Result<HashMap<_, _>, ProofError>>()?;
         let line = code::real_line_polynomials();
         let (coefficients, ln_2) = code::exponential();
         Ok(Tables {

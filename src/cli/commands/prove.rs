@@ -11,8 +11,8 @@ use crate::cli::progress::Progress;
 use mechaudit::audit::hex_float;
 use mechaudit::proof::real::Function;
 use mechaudit::proof::{
-    Attained, Certificate, Code, Leaf, Rectangle, Summary, Target, UPPER_HALF_PLANE, Watch,
-    upper_half_plane,
+    Attained, Certificate, Code, Leaf, ProofError, Rectangle, Summary, Target, UPPER_HALF_PLANE,
+    Watch, upper_half_plane,
 };
 use mechaudit::report::text::style::{BAD, BOLD, DIM, PLAIN, paint};
 use mechaudit::report::text::table::Table;
@@ -82,7 +82,7 @@ fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Fa
 /// A proof on a thread of its own, watched; nothing if the user ends it.
 fn watched<T: Send + 'static>(
     name: &str,
-    proof: impl FnOnce(&Watch) -> Result<Option<T>, String> + Send + 'static,
+    proof: impl FnOnce(&Watch) -> Result<Option<T>, ProofError> + Send + 'static,
 ) -> Result<Option<T>, Failure> {
     let watch = Arc::new(Watch::default());
     let worker = std::thread::spawn({
@@ -101,7 +101,7 @@ fn watched<T: Send + 'static>(
     }
     progress.clear();
     match worker.join() {
-        Ok(found) => found.map_err(Failure::new),
+        Ok(found) => found.map_err(Failure::caused),
         Err(panic) => std::panic::resume_unwind(panic),
     }
 }

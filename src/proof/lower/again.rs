@@ -39,6 +39,7 @@
 use super::exponential::U;
 use super::phase::REDUCED;
 use super::reflection::TWO_52;
+use crate::ProofError;
 use crate::bounds::{above, exp_up, power_up};
 use crate::form::power_of_two;
 use crate::interval::{down, hypot_up, larger, product_up, quotient_up, sum_up, up};
@@ -198,7 +199,7 @@ fn reduction(half_pi: [f64; 3], quarters: f64) -> f64 {
 const STEP: f64 = 23.0 / 64.0;
 
 /// `r` times the error of the sums, in units of u²; the stored nodes and weights are compared with what they stand for.
-fn sums(c: &code::Again) -> Result<f64, String> {
+fn sums(c: &code::Again) -> Result<f64, ProofError> {
     let distance = down(0.25 * STEP * (1.0 - 1e-9));
     let mut worst: f64 = 0.0;
     for rule in 0..2 {
@@ -208,7 +209,9 @@ fn sums(c: &code::Again) -> Result<f64, String> {
             let t = Rational::from((23 * twice, 128));
             let square = Rational::from(&t * &t);
             if Rational::from_f64(*node).as_ref() != Some(&square) {
-                return Err(format!("node {k} of the trapezoidal rule is wrong"));
+                return Err(ProofError::Fails(format!(
+                    "node {k} of the trapezoidal rule is wrong"
+                )));
             }
             // 2h/π e^{−t²}, half of it at zero.
             let step = Rational::from((if twice == 0 { 23 } else { 46 }, 64));
@@ -287,7 +290,7 @@ impl Again {
     ///
     /// # Errors
     /// If a stored number is not what it stands for.
-    pub fn of(c: &code::Again, half_pi: [f64; 3]) -> Result<Again, String> {
+    pub fn of(c: &code::Again, half_pi: [f64; 3]) -> Result<Again, ProofError> {
         let pi = Ball::pi(BITS).shift(1);
         let part = &pi * &Ball::rational(BITS, &Rational::from((1, 23)));
         let of_two_pi: Vec<f64> = [pi, part]

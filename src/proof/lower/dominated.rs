@@ -13,6 +13,7 @@
 
 use super::exponential::Exponential;
 use super::reflection::TWO_52;
+use crate::ProofError;
 use crate::bounds::exp_up;
 use crate::certificate::Watch;
 use crate::code::Code;
@@ -53,7 +54,7 @@ impl Dominated {
         e: &Exponential,
         limits: &Limits,
         watch: &Watch,
-    ) -> Result<Option<Dominated>, String> {
+    ) -> Result<Option<Dominated>, ProofError> {
         let Some(found) = prove::upper_half_plane(code, ROUNDED, watch, |_, r| is_behind(r)) else {
             return Ok(None);
         };
@@ -64,9 +65,12 @@ impl Dominated {
         found: &Certificate,
         e: &Exponential,
         limits: &Limits,
-    ) -> Result<Dominated, String> {
+    ) -> Result<Dominated, ProofError> {
         if let Some(open) = found.open.first() {
-            return Err(format!("{:?} is open: {}", open.at, open.why));
+            return Err(ProofError::Fails(format!(
+                "{:?} is open: {}",
+                open.at, open.why
+            )));
         }
         let worst = |of: fn(Formula) -> bool| {
             let some = found.leaves.iter().filter(|l| of(l.formula));

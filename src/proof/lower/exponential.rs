@@ -18,6 +18,7 @@
 //! [`PRODUCT`].
 
 use super::phase::{self, Phase};
+use crate::ProofError;
 use crate::exact::Exact;
 use crate::form::{exponent, power_of_two};
 use crate::interval::{Interval, hypot_up, larger, product_up, quotient_up, sum_up, up};
@@ -273,7 +274,7 @@ impl Exponential {
     ///
     /// # Errors
     /// Why there are none.
-    pub fn of(f: &Factors) -> Result<Exponential, String> {
+    pub fn of(f: &Factors) -> Result<Exponential, ProofError> {
         let c = (f.constants)();
         let phase = Phase::of(&c, f.rounding)?;
         let of_series = exponential_error(&c.exp, c.ln_2, MOST_EXPONENT);
@@ -282,7 +283,7 @@ impl Exponential {
         let worst = |each: Vec<Result<Errors, &'static str>>| {
             let all: Result<Vec<Errors>, &str> = each.into_iter().collect();
             all.map(|all| all.into_iter().fold(Errors::default(), Errors::max))
-                .map_err(String::from)
+                .map_err(ProofError::from)
         };
         let polynomials = phase::polynomials(&c);
         let e = worst(all.par_iter().map(|at| of_exp(f, *at)).collect())?;

@@ -10,6 +10,7 @@
 //! for π/2: within `2⁻¹⁰⁰` of the phase, which is below one. The stored digits are compared with those of π.
 
 use super::exponential::{U, around_zero};
+use crate::ProofError;
 use crate::bounds::above;
 use crate::exact::Exact;
 use crate::form::{Form, power_of_two};
@@ -108,7 +109,7 @@ fn binades(most: f64) -> Vec<[f64; 2]> {
 }
 
 impl Phase {
-    pub fn of(c: &Constants, rounding: Rounding) -> Result<Phase, String> {
+    pub fn of(c: &Constants, rounding: Rounding) -> Result<Phase, ProofError> {
         let [h0, h1, h2] = c.half_pi;
         if (h0 * 2f64.powi(52)).fract() != 0.0 || !(0.0..REDUCED).contains(&(0.5 * h0 + 3e-7)) {
             return Err("the first part of π/2 is not what the lemma needs".into());
@@ -155,7 +156,7 @@ impl Phase {
 
 /// # Errors
 /// If they are not.
-fn are_digits_of_two_over_pi(words: &[u64]) -> Result<(), String> {
+fn are_digits_of_two_over_pi(words: &[u64]) -> Result<(), ProofError> {
     let mut stored = Integer::new();
     for w in words {
         stored = (stored << 64) + *w;

@@ -3,6 +3,7 @@
 use super::exponential::{Exponential, Factors};
 use super::reflection::{Value, decay, overflows, reflected, reflected_off_zeros};
 use super::rows::{Kind, Rows, disc_at};
+use crate::ProofError;
 use crate::choice::{SEVERAL, by_centre, choices};
 use crate::constants::{ASYMPTOTIC, MACLAURIN};
 use crate::cover::Rectangle;
@@ -37,7 +38,7 @@ impl Code {
     ///
     /// # Errors
     /// If the reference is undecided about a coefficient, or no bound of the exponential is had.
-    pub fn of_the_solver() -> std::result::Result<Code, String> {
+    pub fn of_the_solver() -> std::result::Result<Code, ProofError> {
         Ok(Code {
             tables: Tables::of_the_solver()?,
             rows: Rows::of_the_solver()?,

@@ -1,5 +1,6 @@
 //! Taylor rows as the lower half-plane uses them.
 
+use crate::ProofError;
 use crate::bounds::{above, power_up};
 use crate::interval::{hypot_up, product_up, quotient_up, sum_up};
 use crate::tables::{cell_at, in_cells, on_real_axis, real_axis_at};
@@ -51,9 +52,8 @@ fn places(n: usize) -> [Option<usize>; 4] {
 impl RowWithErrors {
     /// # Errors
     /// If the reference is undecided.
-    pub fn of(row: &Row, centre: (f64, f64), kind: Kind) -> Result<RowWithErrors, String> {
-        let c = faddeeva::taylor(&rational(centre.0), &rational(centre.1), TERMS - 1, BITS)
-            .map_err(|e| e.to_string())?;
+    pub fn of(row: &Row, centre: (f64, f64), kind: Kind) -> Result<RowWithErrors, ProofError> {
+        let c = faddeeva::taylor(&rational(centre.0), &rational(centre.1), TERMS - 1, BITS)?;
         let errors = c.iter().enumerate().map(|(n, c)| {
             if n >= STORED {
                 return hypot_up(above(&c.re), above(&c.im));
@@ -113,7 +113,7 @@ impl Rows {
     ///
     /// # Errors
     /// If the reference is undecided about a coefficient.
-    pub fn of_the_solver() -> Result<Rows, String> {
+    pub fn of_the_solver() -> Result<Rows, ProofError> {
         let mut all: HashMap<Key, (Kind, (f64, f64), &'static Row)> = HashMap::new();
         let mut insert = |kind, (centre, row)| {
             all.insert(key(kind, centre), (kind, centre, row));
@@ -130,7 +130,7 @@ impl Rows {
         }
         all.into_par_iter()
             .map(|(key, (kind, centre, row))| Ok((key, RowWithErrors::of(row, centre, kind)?)))
-            .collect::<Result<_, String>>()
+            .collect::<Result<_, ProofError>>()
             .map(Rows)
     }
 

@@ -2,6 +2,7 @@
 
 use super::apart::Apart;
 use super::{Again, AroundZeros, Certificate, Code, Dominated, Leaf, Target, lower_half_plane};
+use crate::ProofError;
 use crate::certificate::{Open, Watch};
 use crate::cover::Rectangle;
 use crate::interval::worst;
@@ -54,7 +55,7 @@ pub fn theorem(
     target: Target,
     within: Option<f64>,
     watch: &Watch,
-) -> Result<Option<Theorem>, String> {
+) -> Result<Option<Theorem>, ProofError> {
     let solver = Code::of_the_solver()?;
     let upper = crate::code::Code {
         tables: solver.tables.clone(),

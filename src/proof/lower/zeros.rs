@@ -15,6 +15,7 @@
 
 use super::exponential::{U, around_zero};
 use super::reflection::{TWO_52, Value};
+use crate::ProofError;
 use crate::bounds::{above, exp_up, power_up};
 use crate::constants::TWO_OVER_SQRT_PI;
 use crate::cover::Rectangle;
@@ -72,8 +73,8 @@ impl Zero {
     ///
     /// # Errors
     /// If the reference is undecided.
-    pub fn of(row: &[f64; 46], k: u32) -> Result<Zero, String> {
-        let z = faddeeva::zero(k, BITS).map_err(|e| e.to_string())?;
+    pub fn of(row: &[f64; 46], k: u32) -> Result<Zero, ProofError> {
+        let z = faddeeva::zero(k, BITS)?;
         let off =
             |stored: Rational, exact: &Ball| above(&(&Ball::rational(2 * BITS, &stored) - exact));
         let sum = |at: usize| (at..at + 3).fold(Rational::new(), |s, i| s + rational(row[i]));
@@ -220,7 +221,7 @@ fn refine(
     at: Signed,
     depth: u32,
     found: &mut Vec<(f64, Signed)>,
-) -> Result<(), String> {
+) -> Result<(), ProofError> {
     let why = match bound(zero, rounding, &at) {
         Ok(norm) if norm <= target => {
             found.push((norm, at));
@@ -230,7 +231,10 @@ fn refine(
         Err(why) => why.into(),
     };
     if depth == DEPTH {
-        return Err(format!("around {:?} at {at:?}: {why}", &zero.row[..6]));
+        return Err(ProofError::Fails(format!(
+            "around {:?} at {at:?}: {why}",
+            &zero.row[..6]
+        )));
     }
     let across = usize::from(at[1][1] - at[1][0] > at[0][1] - at[0][0]);
     let [lo, hi] = at[across];
@@ -248,7 +252,7 @@ impl AroundZeros {
     ///
     /// # Errors
     /// If the reference is undecided about one.
-    pub(crate) fn rows() -> Result<Vec<Zero>, String> {
+    pub(crate) fn rows() -> Result<Vec<Zero>, ProofError> {
         let (rows, _) = code::zero_rows();
         let numbered: Vec<_> = rows.into_iter().zip(1..).collect();
         numbered
@@ -265,14 +269,14 @@ impl AroundZeros {
         zeros: &[Zero],
         rounding: Rounding,
         target: f64,
-    ) -> Result<AroundZeros, String> {
+    ) -> Result<AroundZeros, ProofError> {
         let (_, reach) = code::zero_rows();
         let rings = zeros.iter().flat_map(|zero| {
             let [outer, least] = zero.shells(reach);
             rings(outer, least).into_iter().map(move |r| (zero, r))
         });
         let rings: Vec<(&Zero, Signed)> = rings.collect();
-        let each: Result<Vec<_>, String> = rings
+        let each: Result<Vec<_>, ProofError> = rings
             .into_par_iter()
             .map(|(zero, at)| {
                 let mut found = Vec::new();

@@ -4,6 +4,7 @@ use super::choice::{Formula, choice};
 use super::evaluate::{SMALL, beyond_subnormal, bound};
 use super::tables::Tables;
 use super::{Function, Interval};
+use crate::ProofError;
 use crate::certificate::{self, Watch};
 use crate::cover::pieces;
 use crate::tracked::Rounding;
@@ -24,7 +25,7 @@ impl Code {
     ///
     /// # Errors
     /// If the reference is undecided about a coefficient.
-    pub fn of_the_solver(function: Function) -> Result<Code, String> {
+    pub fn of_the_solver(function: Function) -> Result<Code, ProofError> {
         Ok(Code {
             tables: Tables::of_the_solver(function)?,
             choice,

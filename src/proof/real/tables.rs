@@ -1,6 +1,7 @@
 //! The solver's rows and constants with their errors, each computed once.
 
 use super::Function;
+use crate::ProofError;
 use crate::tables::{imaginary_axis_at, on_imaginary_axis};
 use crate::truncation::{RowErrors, exponential_error, odd_series_error, pair_error};
 use mechaudit_reference::Ball;
@@ -72,7 +73,7 @@ impl Tables {
     ///
     /// # Errors
     /// If the reference is undecided about a coefficient.
-    pub fn of_the_solver(function: Function) -> Result<Tables, String> {
+    pub fn of_the_solver(function: Function) -> Result<Tables, ProofError> {
         const BITS: u32 = 300;
         let rows = centres(function).into_par_iter().map(|x| {
             let (centre, row) = row_of(function, x);
@@ -82,7 +83,7 @@ impl Tables {
             };
             Ok((centre.to_bits(), (row, errors)))
         });
-        let rows = rows.collect::<Result<HashMap<_, _>, String>>()?;
+        let rows = rows.collect::<Result<HashMap<_, _>, ProofError>>()?;
         let (coefficients, ln_2) = exponential_coefficients();
         let [erf, dawson] = code::odd_series();
         let root = Ball::pi(BITS).sqrt();

@@ -11,6 +11,7 @@
 //! that with a centre on or above the axis `M = 2e⁹`.
 
 use super::Truncation;
+use crate::ProofError;
 use crate::bounds::{above, power_up};
 use crate::interval::{product_up, quotient_up, sum_up};
 use mechaudit_reference::{Ball, ComplexBall, faddeeva};
@@ -60,7 +61,7 @@ impl RowErrors {
     ///
     /// # Errors
     /// If the reference is undecided.
-    pub fn of(row: &Row, centre: (f64, f64)) -> Result<RowErrors, String> {
+    pub fn of(row: &Row, centre: (f64, f64)) -> Result<RowErrors, ProofError> {
         let c = certified(centre)?;
         let parts = c.iter().enumerate().map(|(n, c)| match n < STORED {
             true => {
@@ -77,7 +78,7 @@ impl RowErrors {
     ///
     /// # Errors
     /// If the reference is undecided.
-    pub fn on_axis(row: &AxisRow, s: f64) -> Result<RowErrors, String> {
+    pub fn on_axis(row: &AxisRow, s: f64) -> Result<RowErrors, ProofError> {
         RowErrors::of_real(row, (0.0, s), |n, c| match n % 4 {
             0 => c.re.clone(),
             1 => -c.im.clone(),
@@ -90,7 +91,7 @@ impl RowErrors {
     ///
     /// # Errors
     /// If the reference is undecided.
-    pub fn of_dawson(row: &AxisRow, t: f64) -> Result<RowErrors, String> {
+    pub fn of_dawson(row: &AxisRow, t: f64) -> Result<RowErrors, ProofError> {
         RowErrors::of_real(row, (t, 0.0), |_, c| c.im.clone())
     }
 
@@ -98,7 +99,7 @@ impl RowErrors {
         row: &AxisRow,
         centre: (f64, f64),
         real: impl Fn(usize, &ComplexBall) -> Ball,
-    ) -> Result<RowErrors, String> {
+    ) -> Result<RowErrors, ProofError> {
         let c = certified(centre)?;
         let parts = c.iter().enumerate().map(|(n, c)| {
             let real = real(n, c);
@@ -167,9 +168,9 @@ impl RowErrors {
     }
 }
 
-fn certified(centre: (f64, f64)) -> Result<Vec<ComplexBall>, String> {
+fn certified(centre: (f64, f64)) -> Result<Vec<ComplexBall>, ProofError> {
     faddeeva::taylor(&rational(centre.0), &rational(centre.1), TERMS - 1, BITS)
-        .map_err(|e| e.to_string())
+        .map_err(ProofError::from)
 }
 
 #[cfg(test)]

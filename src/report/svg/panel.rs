@@ -10,9 +10,9 @@ use std::ops::Range;
 /// A page that cannot be drawn, with the reason.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot draw: {0}")]
-pub struct CannotDraw(Box<dyn std::error::Error>);
+pub struct CannotDraw(Box<dyn std::error::Error + Send + Sync>);
 
-pub type Drawn = Result<(), Box<dyn std::error::Error>>;
+pub type Drawn = Result<(), Box<dyn std::error::Error + Send + Sync>>;
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
 
@@ -140,7 +140,7 @@ pub fn titled<'a>(
     page: &mut Page,
     text: &str,
     note: &str,
-) -> Result<Area<'a>, Box<dyn std::error::Error>> {
+) -> Result<Area<'a>, Box<dyn std::error::Error + Send + Sync>> {
     let text = &legible(text);
     page.title.clone_from(text);
     let font = ("sans-serif", 24).into_font().color(&INK);

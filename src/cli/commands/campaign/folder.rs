@@ -219,27 +219,22 @@ impl Folder {
     /// What is in the place of every shard.
     pub fn states(&self) -> Result<Vec<State>, Failure> {
         let all = (0..self.deal.shards()).into_par_iter();
-        let states: Vec<Result<State, String>> = all
-            .map(|k| self.state(k).map_err(|e| e.to_string()))
-            .collect();
-        states
-            .into_iter()
-            .map(|s| s.map_err(Failure::new))
-            .collect()
+        all.map(|k| self.state(k)).collect()
     }
 
     /// What was found in a shard, if it is done.
-    pub fn content(&self, shard: u64) -> Result<Option<Content>, String> {
-        let name = self.file(shard).display().to_string();
-        let bytes = self.bytes(shard).map_err(|e| e.to_string())?;
-        let Some(bytes) = bytes else { return Ok(None) };
+    pub fn content(&self, shard: u64) -> Result<Option<Content>, Failure> {
+        let file = self.file(shard);
+        let Some(bytes) = self.bytes(shard)? else {
+            return Ok(None);
+        };
         match self.record(shard).read(&bytes) {
             Found::Whole(_, body) => {
-                let content = Content::read(body).map_err(|e| format!("{name}: {e}"))?;
+                let content = Content::read(body).map_err(|e| Failure::in_file(&file, e))?;
                 Ok(Some(content))
             }
             Found::Damaged(_) | Found::Foreign(_) => Ok(None),
-            Found::OtherVersion(why) => Err(format!("{name}: {why}")),
+            Found::OtherVersion(why) => Err(Failure::in_file(&file, why)),
         }
     }
 

@@ -145,18 +145,17 @@ fn sum<'a>(folder: &'a Folder, methods: &'a [Box<dyn Method>]) -> Result<(Sum<'a
         loop {
             let k = next.fetch_add(1, Ordering::Relaxed);
             if k >= shards {
-                return Ok::<Sum, String>(sum);
+                return Ok::<Sum, Failure>(sum);
             }
             if let Some(content) = folder.content(k)? {
-                let file = || folder.file(k).display().to_string();
-                sum.add(content).map_err(|e| format!("{}: {e}", file()))?;
+                let bad = |e| Failure::in_file(&folder.file(k), e);
+                sum.add(content).map_err(bad)?;
             }
         }
     });
     let mut all = Sum::new(&folder.plan, methods);
     for sum in added {
-        let sum = sum.map_err(Failure::new)?;
-        all.merge(sum).map_err(Failure::caused)?;
+        all.merge(sum?).map_err(Failure::caused)?;
     }
     let missing = shards - all.shards();
     Ok((all, missing))

@@ -12,6 +12,7 @@ use mechaudit::audit::{Cases, Panel};
 use mechaudit::campaign::{self, Program, Stride, Who};
 use mechaudit::report::words::numbers::count;
 use rayon::ThreadPool;
+use std::error::Error;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -198,18 +199,18 @@ fn answers(
     (cases, stride): (Cases, Stride),
     panel: &Panel,
     progress: &(dyn Fn(u64) + Sync),
-) -> Result<Option<Who>, String> {
+) -> Result<Option<Who>, Box<dyn Error + Send + Sync>> {
     let spoken = ProgramArgs {
-        timeout: Duration::try_from_secs_f64(program.timeout).map_err(|e| e.to_string())?,
+        timeout: Duration::try_from_secs_f64(program.timeout)?,
         decimal: program.decimal,
         binary: program.binary,
     };
     let inputs = Inputs::dealt(cases, stride);
     let found = exec::gather(panel, inputs, &program.exec, &spoken, progress);
-    match found.map_err(|e| e.to_string())? {
+    match found? {
         None => Ok(None),
         Some(report) => match report.trouble {
-            Some(why) => Err(why),
+            Some(why) => Err(why.into()),
             None => Ok(Some(Who {
                 name: report.name,
                 version: report.version,

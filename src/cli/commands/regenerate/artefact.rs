@@ -8,7 +8,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 /// A calculation that may stay undecided.
-pub type Outcome<T> = Result<T, Box<dyn Error>>;
+pub type Outcome<T> = Result<T, Box<dyn Error + Send + Sync>>;
 
 /// Why a file cannot be made, where no layer below says it.
 #[derive(Debug, thiserror::Error)]

@@ -4,6 +4,7 @@
 //! where `8R|δ| ≤ 1`.
 
 use super::super::reflection::{decay, exponential, least_of_w};
+use crate::ProofError;
 use crate::cover::Rectangle;
 use crate::interval::{hypot_down, hypot_up, up};
 use mechaudit_reference::{Ball, ComplexBall, Mag, faddeeva};
@@ -39,7 +40,7 @@ fn is_large(at: &Rectangle) -> bool {
     exponential([d.lo, d.hi])[0] > 3.0
 }
 
-fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, String> {
+fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, ProofError> {
     let far = hypot_up(at.a[1], at.b[1]);
     let near = hypot_down(at.a[0], at.b[0]);
     if far < 1.0 || near > REACH {
@@ -49,7 +50,7 @@ fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, Strin
         return Ok(1);
     }
     if depth == DEPTH {
-        return Err(format!("w may be zero in {at:?}"));
+        return Err(ProofError::Fails(format!("w may be zero in {at:?}")));
     }
     let middle = |[lo, hi]: [f64; 2]| lo + 0.5 * (hi - lo);
     let mut parts = [at, at];
@@ -64,9 +65,9 @@ fn count(at: Rectangle, depth: u32, zeros: &[(f64, f64)]) -> Result<usize, Strin
 ///
 /// # Errors
 /// Where it is open.
-pub(super) fn all() -> Result<usize, String> {
-    let zeros: Result<Vec<ComplexBall>, String> = (1..=ZEROS)
-        .map(|k| faddeeva::zero(k, 160).map_err(|e| e.to_string()))
+pub(super) fn all() -> Result<usize, ProofError> {
+    let zeros: Result<Vec<ComplexBall>, ProofError> = (1..=ZEROS)
+        .map(|k| faddeeva::zero(k, 160).map_err(ProofError::from))
         .collect();
     count(WHOLE, 0, &places(&zeros?)?)
 }
@@ -80,11 +81,11 @@ const WHOLE: Rectangle = Rectangle {
 ///
 /// # Errors
 /// If one is next to an `f64`.
-fn places(zeros: &[ComplexBall]) -> Result<Vec<(f64, f64)>, String> {
+fn places(zeros: &[ComplexBall]) -> Result<Vec<(f64, f64)>, ProofError> {
     let at = |x: &Ball| x.mid().to_f64();
     let place = |z: &ComplexBall| match is_off(z) {
         true => Ok((at(&z.re), -at(&z.im))),
-        false => Err(format!("a zero next to an f64: {z:?}")),
+        false => Err(ProofError::Fails(format!("a zero next to an f64: {z:?}"))),
     };
     zeros.iter().map(place).collect()
 }

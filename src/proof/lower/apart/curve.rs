@@ -1,6 +1,7 @@
 //! Points at which both terms of w are equal: the equation `ζ = G(ζ) − 2πim` and its real part along a line.
 
 use super::middle;
+use crate::ProofError;
 use crate::interval::{product_up, quotient_up, sqrt_up, up};
 use mechaudit_reference::{Ball, ComplexBall, Mag};
 use rug::{Float, Rational};
@@ -78,10 +79,11 @@ fn beside_zero(turns: f64) -> [f64; 2] {
 }
 
 /// `−Im z` at zero number m of the equation.
-pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, String> {
+pub(super) fn zero(m: u64, bits: u32) -> Result<Ball, ProofError> {
     let turns = Ball::pi(bits).shift(1) * Ball::rational(bits, &Rational::from(m));
     let start = beside_zero(middle(&turns));
-    zero_from(start, &turns, bits).ok_or_else(|| format!("zero {m} is not found"))
+    zero_from(start, &turns, bits)
+        .ok_or_else(|| ProofError::Fails(format!("zero {m} is not found")))
 }
 
 fn zero_from([x, p]: [f64; 2], turns: &Ball, bits: u32) -> Option<Ball> {
@@ -102,7 +104,7 @@ fn zero_from([x, p]: [f64; 2], turns: &Ball, bits: u32) -> Option<Ball> {
 }
 
 /// S on the line `a − b = jδ`, `δ = 2^{k−52}`.
-pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, String> {
+pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, ProofError> {
     let unit = |x: Ball, sign: i32| x.shift(sign * (2 * k - 104));
     let number = Ball::rational(bits, &Rational::from(j));
     let square = number.square();
@@ -121,7 +123,9 @@ pub(super) fn line(k: i32, j: u64, bits: u32) -> Result<Ball, String> {
         let size = middle(&d);
         d = exact(&(d + off * Ball::exact(bits, size / (size - 1.0))), bits);
     }
-    Err(format!("line {j} of binade {k} is not found"))
+    Err(ProofError::Fails(format!(
+        "line {j} of binade {k} is not found"
+    )))
 }
 
 #[cfg(test)]

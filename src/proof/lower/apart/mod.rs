@@ -30,6 +30,7 @@ mod boxes;
 mod curve;
 mod smooth;
 
+use crate::ProofError;
 use crate::certificate::Watch;
 use crate::interval::{down, up};
 use mechaudit_reference::Ball;
@@ -83,7 +84,7 @@ impl Apart {
     ///
     /// # Errors
     /// Where a zero may be too close.
-    pub fn all(within: Option<f64>, watch: &Watch) -> Result<Option<Apart>, String> {
+    pub fn all(within: Option<f64>, watch: &Watch) -> Result<Option<Apart>, ProofError> {
         let boxes = boxes::all()?;
         let [first, last] = of_zeros(within);
         let Some(zeros) = ZEROS.stays_off(first, last, watch)? else {
@@ -113,7 +114,7 @@ fn binades(within: Option<f64>) -> Vec<(i32, [u64; 2])> {
 }
 
 /// How many lines these binades have, none of them with a whole S; `None` if it was stopped.
-fn count_lines(binades: &[(i32, [u64; 2])], watch: &Watch) -> Result<Option<u64>, String> {
+fn count_lines(binades: &[(i32, [u64; 2])], watch: &Watch) -> Result<Option<u64>, ProofError> {
     let mut lines = 0;
     for &(k, [first, last]) in binades {
         let value = |j, bits| curve::line(k, j, bits);

@@ -7,6 +7,7 @@
 //! itself is computed.
 
 use super::middle;
+use crate::ProofError;
 use crate::bounds::power_up;
 use crate::certificate::Watch;
 use crate::interval::{product_up, quotient_up, sum_up};
@@ -15,7 +16,7 @@ use rayon::prelude::*;
 use rug::{Float, Integer};
 
 /// The value at a number, with that many bits.
-pub(super) type Value<'a> = &'a (dyn Fn(u64, u32) -> Result<Ball, String> + Sync);
+pub(super) type Value<'a> = &'a (dyn Fn(u64, u32) -> Result<Ball, ProofError> + Sync);
 
 /// A function of whole numbers, times a power of two.
 pub(super) struct Smooth<'a> {
@@ -57,7 +58,12 @@ impl Smooth<'_> {
     ///
     /// # Errors
     /// Where one may be.
-    pub fn stays_off(&self, first: u64, last: u64, watch: &Watch) -> Result<Option<u64>, String> {
+    pub fn stays_off(
+        &self,
+        first: u64,
+        last: u64,
+        watch: &Watch,
+    ) -> Result<Option<u64>, ProofError> {
         if last < first {
             return Ok(Some(0));
         }
@@ -68,7 +74,7 @@ impl Smooth<'_> {
             }
             some.par_iter()
                 .map(|b| self.block(*b))
-                .collect::<Result<(), String>>()?;
+                .collect::<Result<(), ProofError>>()?;
         }
         Ok(Some(last - first + 1))
     }
@@ -97,14 +103,14 @@ impl Smooth<'_> {
         all
     }
 
-    fn scaled(&self, n: u64, bits: u32) -> Result<(Ball, i32), String> {
+    fn scaled(&self, n: u64, bits: u32) -> Result<(Ball, i32), ProofError> {
         let x = (self.value)(n, bits)?;
         let shift = (self.shift)(middle(&x));
         Ok((x.shift(shift), shift))
     }
 
     /// The value itself.
-    fn is_off(&self, n: u64) -> Result<(), String> {
+    fn is_off(&self, n: u64) -> Result<(), ProofError> {
         for bits in [BITS, MORE_BITS] {
             let (x, _) = self.scaled(n, bits)?;
             let whole = Ball::new(Float::with_val(EXACT, x.mid().round_ref()), Mag::ZERO);
@@ -112,10 +118,12 @@ impl Smooth<'_> {
                 return Ok(());
             }
         }
-        Err(format!("number {n} may be next to an f64"))
+        Err(ProofError::Fails(format!(
+            "number {n} may be next to an f64"
+        )))
     }
 
-    fn block(&self, block: Block) -> Result<(), String> {
+    fn block(&self, block: Block) -> Result<(), ProofError> {
         let Block {
             first,
             len,
@@ -145,9 +153,9 @@ impl Smooth<'_> {
             most,
         );
         if sum_up(error, remainder) > 0.5 * CLOSE {
-            return Err(format!(
+            return Err(ProofError::Fails(format!(
                 "from {first} on values are too far apart: {remainder:e}"
-            ));
+            )));
         }
         let mut step = unit_differences(table, h);
         for n in first..first + len {

@@ -136,7 +136,7 @@ fn what_is_enumerated_bit_by_bit() {
         .chain(&[63.0, 64.0, 64.03, 64.07, 65.0, 127.9, 128.1, 128.2]);
     let m = b.iter().map(|b| (b * b) as u64);
     let last_lines = binades(None).split_off(12);
-    let value = |_: u64, _: u32| Err(String::new());
+    let value = |_: u64, _: u32| Err("".into());
     let of_lines = on_lines(&value);
     let kinds = [&ZEROS, &of_lines].map(|s| {
         let bounds = [1, 20, 1 << 20].map(s.most);

@@ -112,6 +112,7 @@ fn a_first_part_off_the_grid_is_refused() {
         Phase::of(&c, Rounding::default())
             .err()
             .expect("wrong digits")
+            .to_string()
     };
     let first = "the first part of";
     assert!(why(2.5e-7).starts_with(first) && !why(3.5e-7).starts_with(first));

@@ -1,4 +1,5 @@
 use super::*;
+use crate::ProofError;
 use crate::pinned::{bit_by_bit, counted, units};
 use rug::Rational;
 
@@ -11,14 +12,14 @@ fn smooth(value: Value<'_>, few: bool) -> Smooth<'_> {
     }
 }
 
-fn exact(x: Rational, bits: u32) -> Result<Ball, String> {
+fn exact(x: Rational, bits: u32) -> Result<Ball, ProofError> {
     Ok(Ball::rational(bits, &x))
 }
 
 /// Every number is in one block, which reaches no farther than its polynomial is good for.
 #[test]
 fn blocks_follow_one_another() {
-    let nothing = |_: u64, _: u32| Err(String::new());
+    let nothing = |_: u64, _: u32| Err("".into());
     for few in [true, false] {
         let all = smooth(&nothing, few);
         for (first, last) in [
@@ -258,7 +259,7 @@ fn errors_of_the_differences_count() {
 #[test]
 fn blocks_and_steps_bit_by_bit() {
     use std::sync::atomic::{AtomicUsize, Ordering};
-    let nothing = |_: u64, _: u32| Err(String::new());
+    let nothing = |_: u64, _: u32| Err("".into());
     let runs = [
         (1, 1),
         (1, 200),
