@@ -136,15 +136,17 @@ fn every_misprint_has_one_repair_that_is_proved() {
 /// A sign error planted in a formula that is proved is refuted, and the search finds the way back.
 #[test]
 fn planted_sign_errors_are_found_and_undone() {
-    let (mut planted, mut refuted, mut senseless) = (0, 0, 0);
+    let (mut formulas, mut planted, mut refuted, mut senseless) = (0, 0, 0, 0);
     for item in items() {
         let Some(text) = item.printed.filter(|_| item.expected == Verdict::Proved) else {
             continue;
         };
         let right = parse_equation(text).unwrap();
         let signs = edits(&right, &Family::default());
-        let signs = signs.into_iter().filter(|(e, _)| e.kind == "sign");
-        for (_, faulty) in signs.take(2) {
+        let mut signs = signs.into_iter().filter(|(e, _)| e.kind == "sign");
+        // The second of every other formula.
+        formulas += 1;
+        if let Some((_, faulty)) = signs.nth(formulas % 2) {
             planted += 1;
             let bad = Item {
                 printed: Some(Box::leak(faulty.to_string().into_boxed_str())),

@@ -161,7 +161,7 @@ fn audit(args: &Args) -> Result<bool> {
         }
         return Ok(true);
     }
-    let tree = Tree::new(&project, &work, "test")?;
+    let tree = Tree::new(&project, &work, &[])?;
     let named = |kind: &str, names: &[String]| -> Vec<String> {
         let each = names.iter();
         each.flat_map(|n| [kind.into(), n.clone()]).collect()

@@ -3,7 +3,7 @@
 use crate::mutate::{Kind, Place};
 use crate::render::Mutant;
 use crate::tests_run::{Ended, LONGEST, limit, names, run};
-use crate::tree::{Executable, Tree};
+use crate::tree::{Executable, Tree, UNOPTIMISED};
 use crate::{Source, Step, compile};
 use anyhow::{Context, Result, bail};
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ pub fn check(project: &Path, work: &Path, table: &Path) -> Result<bool> {
     let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
     let rows = rows.with_context(|| table.display().to_string())?;
     let (sources, mutants) = planted(project, &rows)?;
-    let tree = Tree::new(project, work, "unoptimised")?;
+    let tree = Tree::new(project, work, &UNOPTIMISED)?;
     let packages: BTreeSet<&str> = rows.iter().map(|row| row.package.as_str()).collect();
     let packages: Vec<&str> = packages.into_iter().collect();
     let mut left_out = HashSet::new();

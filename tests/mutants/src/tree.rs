@@ -2,17 +2,29 @@
 
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
+use std::env;
 use std::fs;
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+
+/// Optimisation of what is built once and runs for seconds.
+pub const UNOPTIMISED: [&str; 6] = [
+    "--config",
+    "profile.dev.opt-level=0",
+    "--config",
+    "profile.dev.package.mechaudit-solvers.opt-level=0",
+    "--config",
+    "profile.dev.package.mechaudit-proof.opt-level=0",
+];
 
 /// A copy of the files that git tracks.
 pub struct Tree {
     pub root: PathBuf,
     target: PathBuf,
-    /// The profile of Cargo.toml that tests are built with.
-    profile: &'static str,
+    /// What cargo is told besides.
+    options: &'static [&'static str],
 }
 
 /// An error of the compiler, or what it names beside one: the file, and the bytes of it.
@@ -41,7 +53,7 @@ pub struct Built {
 
 impl Tree {
     /// Copies what has changed since the last copy.
-    pub fn new(project: &Path, work: &Path, profile: &'static str) -> Result<Tree> {
+    pub fn new(project: &Path, work: &Path, options: &'static [&'static str]) -> Result<Tree> {
         let listed = Command::new("git")
             .current_dir(project)
             .args([
@@ -64,10 +76,14 @@ impl Tree {
             }
         }
         let target = work.join("build");
+        if !target.exists() {
+            let own = env::var_os("CARGO_TARGET_DIR").map_or(project.join("target"), PathBuf::from);
+            take_over(&own.join("debug"), &target.join("debug"))?;
+        }
         Ok(Tree {
             root,
             target,
-            profile,
+            options,
         })
     }
 
@@ -110,9 +126,10 @@ impl Tree {
             .args(if build {
                 &["test", "--no-run"][..]
             } else {
-                &["check"]
+                &["check", "--profile", "test"]
             })
-            .args(["--profile", self.profile, "--message-format", "json"])
+            .args(self.options)
+            .args(["--message-format", "json"])
             .args(packages.iter().flat_map(|p| ["--package", *p]));
         command.args(targets);
         let out = command.stderr(Stdio::piped()).output().context("cargo")?;
@@ -139,6 +156,50 @@ impl Tree {
         }
         Ok(built)
     }
+}
+
+/// Takes over what the project's own tests have compiled of others' packages, if there is any. What does not fit is
+/// compiled anew.
+fn take_over(from: &Path, to: &Path) -> Result<()> {
+    // Cargo writes a fingerprint when its package is whole.
+    for part in [".fingerprint", "build", "deps"] {
+        copy(&from.join(part), &to.join(part))
+            .with_context(|| from.join(part).display().to_string())?;
+    }
+    Ok(())
+}
+
+/// Copies what belongs to others, with its times, by which cargo tells what is stale.
+fn copy(from: &Path, to: &Path) -> io::Result<()> {
+    // Another cargo may be at work there.
+    let there = |e: io::Error| (e.kind() != io::ErrorKind::NotFound).then_some(e);
+    let entries = match fs::read_dir(from) {
+        Ok(entries) => entries,
+        Err(e) => return there(e).map_or(Ok(()), Err),
+    };
+    fs::create_dir_all(to)?;
+    // Programs of tests are large, and the copy makes its own.
+    let programs = from.ends_with("deps");
+    for entry in entries {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default();
+        if name.to_string_lossy().contains("mechaudit") || programs && path.extension().is_none() {
+            continue;
+        }
+        let copied = if path.is_dir() {
+            copy(&path, &to.join(name))
+        } else {
+            copy_file(&path, &to.join(name))
+        };
+        copied.or_else(|e| there(e).map_or(Ok(()), Err))?;
+    }
+    Ok(())
+}
+
+fn copy_file(from: &Path, to: &Path) -> io::Result<()> {
+    let time = fs::metadata(from)?.modified()?;
+    fs::copy(from, to)?;
+    fs::File::open(to)?.set_modified(time)
 }
 
 /// The program that a message of cargo tells of.
