@@ -249,6 +249,12 @@ mod tests {
         assert_eq!(claimed(1), (1, 0));
         assert_eq!(claimed(1), (1, 1));
         assert_eq!(claimed(0), (2, 1));
+        // What is done is so whoever has a claim on it.
+        let claim = run.folder.claim(1).unwrap();
+        assert!(claim.is_some() && run.shard(1).unwrap());
+        assert_eq!((run.own, run.before), (2, 2));
+        drop(claim);
+        assert!(run.shard(1).unwrap());
         let names = std::fs::read_dir(place.path().join("x/shards")).unwrap();
         assert_eq!(names.count(), 2, "nothing is set aside");
     }
