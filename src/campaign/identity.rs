@@ -125,3 +125,23 @@ fn reference(method: &dyn Method, input: &[f64], precision: u32) -> String {
         ReferenceAnswer::Failed(_) => "failed\n".into(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Source;
+
+    /// A program's own answers are not known before it runs: its inputs tell two campaigns apart.
+    #[test]
+    fn a_program_is_shown_the_same_inputs() {
+        let of = |seed: u32| {
+            let text = format!(
+                "name = \"x\"\nseed = {seed}\n[[part]]\nkind = \"candidate\"\nmethods = [\"erf\"]\ncases = 1\nexec = \"true\""
+            );
+            Identity::of(&Plan::read(&Source::toml(&text)).unwrap())
+        };
+        let one = of(1);
+        assert_eq!(one.differs(&of(1)), None);
+        assert_ne!(one.solvers, of(2).solvers);
+    }
+}

@@ -513,6 +513,29 @@ mod tests {
         assert_eq!(labels, due);
     }
 
+    #[test]
+    fn what_a_part_leaves_out() {
+        let of = |kind: &str| {
+            let text = format!("name = \"x\"\n[[part]]\nmethods = [\"erf\"]\n{kind}");
+            let plan = Plan::read(&Source::toml(&text)).unwrap();
+            plan.parts.into_iter().next().unwrap()
+        };
+        let program = of("kind = \"candidate\"\ncases = 1\nexec = \"true\"");
+        assert_eq!(
+            (program.seed, program.hunts, program.evaluations),
+            (1, 0, 0)
+        );
+        let spoken = program.program.unwrap();
+        assert_eq!(
+            (spoken.timeout, spoken.decimal, spoken.binary),
+            (60.0, false, false)
+        );
+        let hunts = of("kind = \"hunt\"\nhunts = 3");
+        assert_eq!((hunts.hunts, hunts.evaluations), (3, 10_000));
+        let hunt = of("kind = \"hunt\"\nevaluations = 5");
+        assert_eq!((hunt.hunts, hunt.evaluations), (1, 5));
+    }
+
     /// What a part says of cases, outputs and budgets holds for the method as it is judged.
     #[test]
     fn a_part_is_judged_as_it_says() {

@@ -302,7 +302,7 @@ mod tests {
             assert_eq!(sum, whole);
         }
         let code = Code::of_the_solver().unwrap();
-        let wanted = |_: usize, r: &Rectangle| r.a[1].max(r.b[1]) < 0.01;
+        let wanted = |_: usize, r: &Rectangle| r.is_below(Some(0.01));
         let due = upper_half_plane(&code, UPPER_HALF_PLANE, &Watch::default(), wanted).unwrap();
         let due = due.summary().unwrap();
         assert_eq!((whole.parts, whole.open), (n, 0));
@@ -321,6 +321,7 @@ mod tests {
     #[test]
     fn open_rectangles_are_told() {
         let mut sum = ProofTally::default();
+        let mut all = Certificate::default();
         for k in (0..30).rev() {
             let at = Rectangle {
                 a: [f64::from(k), f64::from(k + 1)],
@@ -328,11 +329,16 @@ mod tests {
             };
             let why = "several formulas";
             let open = vec![Open { at, why }];
+            all.open.extend(open.clone());
             sum.merge(ProofTally::of(&Certificate {
                 open,
                 ..Certificate::default()
             }));
         }
+        // They may as well be parts of one rectangle.
+        let one = ProofTally::of(&all);
+        assert_eq!((one.parts, one.open), (1, 30));
+        assert_eq!(one.first_open, sum.first_open);
         let v = sum.json();
         assert_eq!((&v["passed"], &v["open"]), (&json!(false), &json!(30)));
         let first = v["first_open"].as_array().unwrap();

@@ -323,6 +323,22 @@ mod tests {
     }
 
     #[test]
+    fn figures_are_short() {
+        for (x, due) in [
+            (0.0, "0.000"),
+            (-1.0, "-1.000"),
+            (0.001, "0.001"),
+            (0.0009, "9.00e-4"),
+            (999.9996, "1000.000"),
+            (1234.5, "1234"),
+            (1e6, "1.00e6"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(short(x), due);
+        }
+    }
+
+    #[test]
     fn wrong_answers_are_counted_by_kind() {
         let mut kinds = Kinds::default();
         assert_eq!(wrong(&kinds), "");

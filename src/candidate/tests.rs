@@ -140,6 +140,15 @@ fn a_fault_is_described() {
     }
     let one = lower().case(3).run().unwrap();
     assert_eq!((one.cases, one.passed), (1, 0));
+    // Its label stands before the first number alone, and one case has a norm.
+    let text = one.to_string();
+    assert_eq!(text.matches("  input      Re z = ").count(), 1, "{text}");
+    assert_eq!(text.matches("\n             Im z = ").count(), 1, "{text}");
+    assert!(text.contains("\n  norm       in u worst found "), "{text}");
+    // The statistics, then the cases.
+    let kept = one.snapshot();
+    assert!(kept.starts_with("faddeeva: FAIL, 0 of 1 cases"), "{kept}");
+    assert!(kept.contains("\nlower: Re W (value 0) is "), "{kept}");
     let wide = lower().limit(Limit::Ulps(1e4)).run().unwrap();
     wide.assert_within_budget();
 }

@@ -215,7 +215,7 @@ impl<R: Read> Source for Frames<R> {
 }
 
 /// Hands over answers until there are no more or nobody wants them.
-fn listen(from: &mut impl Source, header: &Mutex<Header>, to: &SyncSender<Heard>) {
+fn listen(from: &mut dyn Source, header: &Mutex<Header>, to: &SyncSender<Heard>) {
     let mut first = true;
     let mut batch = Batch::default();
     loop {
@@ -249,6 +249,7 @@ fn listen(from: &mut impl Source, header: &Mutex<Header>, to: &SyncSender<Heard>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::process::frames;
 
     fn header(bytes: &'static [u8], form: Form) -> (Header, usize) {
         let mut answers = Answers::of(bytes, form);
@@ -263,6 +264,8 @@ mod tests {
     fn a_header_names_the_code() {
         let (found, _) = header(b"# ns: -1\n# ns: 47.5\n# ns: 1\n1\n", Form::Lines);
         assert_eq!(found.ns, Some(47.5));
+        let (found, _) = header(b"# ns: 0\n# ns: inf\n# ns: 0.5\n1\n", Form::Lines);
+        assert_eq!(found.ns, Some(0.5));
         let text = b"# name: libcerf\n# version:  2.4 \n# other: x\n# name: second\n1,2\n# version: 3\n1\n";
         let (found, answers) = header(text, Form::Lines);
         assert_eq!(found.name.as_deref(), Some("libcerf"));
@@ -275,5 +278,31 @@ mod tests {
         let (found, _) = header(b"# name: \x1b[31mred\n# version:\n1\n", Form::Lines);
         assert_eq!(found.name.as_deref(), Some("[31mred"));
         assert_eq!(found.version, None);
+    }
+
+    /// What has arrived is handed over at once, and not an answer at a time.
+    #[test]
+    fn answers_come_together() {
+        let batches = |from: &mut dyn Source| {
+            let (to, heard) = sync_channel(AHEAD);
+            listen(from, &Mutex::default(), &to);
+            drop(to);
+            let lengths = heard.iter().map(|(batch, _)| batch.len());
+            lengths.collect::<Vec<_>>()
+        };
+        let mut bytes = Vec::new();
+        for _ in 0..3 {
+            frames::encode(&[1.0, 2.0], &mut bytes);
+        }
+        let mut whole = Frames::new(BufReader::new(&bytes[..]));
+        assert_eq!(batches(&mut whole), [3]);
+        let lines = b"1,2\n1,2\n1,2\n";
+        assert_eq!(batches(&mut Lines::new(BufReader::new(&lines[..]))), [3]);
+        // Those that have arrived do not wait for others.
+        let rest = (&lines[..8]).chain(&lines[8..]);
+        assert_eq!(batches(&mut Lines::new(BufReader::new(rest))), [2, 1]);
+        let many = "1\n".repeat(TOGETHER + 1);
+        let mut many = Lines::new(BufReader::with_capacity(many.len(), many.as_bytes()));
+        assert_eq!(batches(&mut many), [TOGETHER, 1]);
     }
 }

@@ -52,15 +52,14 @@ pub fn hunt(method: &dyn Method, evaluations: u64) -> Result<(), Failure> {
 /// Seconds for a case on all cores.
 fn each(method: &dyn Method, cases: &Cases, settings: &Settings) -> f64 {
     let start = Instant::now();
-    let tried = sample(cases, |i| drop(audit_case(method, cases.get(i), settings)));
+    let tried = sample(cases, TRIAL, |i| {
+        drop(audit_case(method, cases.get(i), settings));
+    });
     start.elapsed().as_secs_f64() / tried / rayon::current_num_threads() as f64
 }
 
 fn judged(what: &str, seconds: f64) -> Result<(), Failure> {
-    if seconds > ENDLESS {
-        return Err(refused(what));
-    }
-    if seconds > LONG {
+    if is_worth_saying(what, seconds, 0.0)? {
         let cores = rayon::current_num_threads();
         complain(&format!(
             "{what} on {cores} cores; memory grows by some 2 kB for each failing case alone"
@@ -69,38 +68,44 @@ fn judged(what: &str, seconds: f64) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Looks ahead at the inputs of a method as lines.
-pub fn points(cases: &Cases, settings: &Settings, decimal: bool) -> Result<(), Failure> {
-    if settings.cases_per_region <= FEW {
-        return Ok(());
+/// Whether what takes so many seconds and bytes is told; what cannot end is refused.
+fn is_worth_saying(what: &str, seconds: f64, bytes: f64) -> Result<bool, Failure> {
+    match seconds > ENDLESS || bytes > TOO_LARGE {
+        true => Err(refused(what)),
+        false => Ok(seconds > LONG || bytes > LARGE),
     }
-    let (start, mut bytes) = (Instant::now(), 0);
-    let tried = sample(cases, |i| {
-        bytes += wire::line(&cases.get(i).input, decimal).len() + 1;
-    });
-    let each = cases.len() as f64 / tried;
-    let (seconds, bytes) = (each * start.elapsed().as_secs_f64(), each * bytes as f64);
+}
+
+/// Looks ahead at the inputs of a method as lines.
+pub fn points(cases: &Cases, decimal: bool) -> Result<(), Failure> {
+    let [seconds, bytes] = of_lines(cases, decimal, TRIAL);
     let count = cases.len() as f64;
-    let size = format!("{:.2e} bytes", bytes);
     let what = format!(
-        "{count:.2e} inputs are {size} and take about {}",
+        "{count:.2e} inputs are {bytes:.2e} bytes and take about {}",
         time(seconds)
     );
-    if seconds > ENDLESS || bytes > TOO_LARGE {
-        return Err(refused(&what));
-    }
-    if seconds > LONG || bytes > LARGE {
+    if is_worth_saying(&what, seconds, bytes)? {
         complain(&what);
     }
     Ok(())
 }
 
+/// Seconds and bytes of all lines, by those of some that are tried so long at most.
+fn of_lines(cases: &Cases, decimal: bool, trial: Duration) -> [f64; 2] {
+    let (start, mut bytes) = (Instant::now(), 0);
+    let tried = sample(cases, trial, |i| {
+        bytes += wire::line(&cases.get(i).input, decimal).len() + 1;
+    });
+    let each = cases.len() as f64 / tried;
+    [each * start.elapsed().as_secs_f64(), each * bytes as f64]
+}
+
 /// Tries cases from all over the run; how many.
-fn sample(cases: &Cases, mut run: impl FnMut(usize)) -> f64 {
+fn sample(cases: &Cases, trial: Duration, mut run: impl FnMut(usize)) -> f64 {
     let (start, total) = (Instant::now(), cases.len());
     let step = (total / TRIED).max(1);
     let mut tried = 0;
-    while tried < TRIED.min(total) && start.elapsed() < TRIAL {
+    while tried < TRIED.min(total) && start.elapsed() < trial {
         run(tried * step);
         tried += 1;
     }
@@ -165,7 +170,40 @@ mod tests {
             };
             assert!(why.contains("years; more than 30 days"), "{why}");
             let cases = Cases::new(&*method, &settings);
-            assert!(points(&cases, &settings, false).is_err());
+            assert!(points(&cases, false).is_err());
+        }
+    }
+
+    /// Of few inputs every line is tried: they are as many bytes as are written.
+    #[test]
+    fn lines_are_measured() {
+        let method = methods::find("slider-crank").expect("in the registry");
+        let settings = Settings {
+            cases_per_region: 2,
+            ..Settings::default()
+        };
+        let cases = Cases::new(&*method, &settings);
+        assert!(cases.len() < TRIED);
+        for decimal in [false, true] {
+            let lines = (0..cases.len()).map(|i| wire::line(&cases.get(i).input, decimal) + "\n");
+            let [seconds, bytes] = of_lines(&cases, decimal, Duration::MAX);
+            assert_eq!(bytes, lines.collect::<String>().len() as f64);
+            assert!(seconds > 0.0);
+        }
+    }
+
+    #[test]
+    fn what_is_long_or_large_is_told() {
+        let said = |seconds: f64, bytes: f64| is_worth_saying("it", seconds, bytes).ok();
+        for (seconds, bytes, due) in [
+            (LONG, LARGE, Some(false)),
+            (LONG.next_up(), 0.0, Some(true)),
+            (0.0, LARGE.next_up(), Some(true)),
+            (ENDLESS, TOO_LARGE, Some(true)),
+            (ENDLESS.next_up(), 0.0, None),
+            (0.0, TOO_LARGE.next_up(), None),
+        ] {
+            assert_eq!(said(seconds, bytes), due, "{seconds} s, {bytes} bytes");
         }
     }
 }

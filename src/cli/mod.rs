@@ -87,9 +87,9 @@ fn complain(text: &str) {
 fn grammar() -> clap::Command {
     fn negative_numbers(command: clap::Command) -> clap::Command {
         command
-            .mut_args(|a| match a.get_action().takes_values() {
-                true if a.is_allow_hyphen_values_set() => a,
-                takes => a.allow_negative_numbers(takes),
+            .mut_args(|a| {
+                let takes = a.get_action().takes_values();
+                a.allow_negative_numbers(takes)
             })
             .mut_subcommands(negative_numbers)
     }

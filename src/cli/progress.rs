@@ -64,10 +64,8 @@ impl Progress {
         if now < last + PAUSE {
             return;
         }
-        let order = Ordering::Relaxed;
-        if self.shown.compare_exchange(last, now, order, order).is_ok() {
-            self.show(phase, done, total);
-        }
+        self.shown.store(now, Ordering::Relaxed);
+        self.show(phase, done, total);
     }
 
     /// A new phase begins.
@@ -88,5 +86,61 @@ impl Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         self.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One that began long enough ago to have a bar.
+    fn slow() -> Progress {
+        let mut slow = Progress::new();
+        slow.start -= Duration::from_secs(2);
+        slow
+    }
+
+    /// What the bar says: message, position, length.
+    fn bar(progress: &Progress) -> Option<(String, u64, Option<u64>)> {
+        let slot = progress.bar.lock().unwrap();
+        let bar = slot.as_ref()?;
+        Some((bar.message(), bar.position(), bar.length()))
+    }
+
+    #[test]
+    fn what_is_quick_has_no_bar() {
+        let quick = Progress::new();
+        quick.show("first", 1, 3);
+        quick.tick("first", 3);
+        assert_eq!(bar(&quick), None);
+        let slow = slow();
+        slow.show("first", 1, 3);
+        assert_eq!(bar(&slow), Some(("first".into(), 1, Some(3))));
+        slow.show("second", 5, 9);
+        assert_eq!(bar(&slow), Some(("second".into(), 5, Some(9))));
+        slow.clear();
+        assert_eq!(bar(&slow), None);
+    }
+
+    /// Ticks are counted one by one; those that follow soon on one that was shown are not.
+    #[test]
+    fn ticks_are_shown_now_and_then() {
+        let position = |p: &Progress| bar(p).map(|b| b.1);
+        let progress = slow();
+        progress.tick("rows", 9);
+        assert_eq!(position(&progress), Some(1));
+        let last = progress.shown.load(Ordering::Relaxed);
+        progress.shown.store(last + 1_000_000, Ordering::Relaxed);
+        progress.tick("rows", 9);
+        assert_eq!(position(&progress), Some(1));
+        progress.shown.store(last - PAUSE, Ordering::Relaxed);
+        progress.tick("rows", 9);
+        assert_eq!(position(&progress), Some(3));
+        let next = progress.shown.load(Ordering::Relaxed);
+        assert!((last..last + 60_000).contains(&next));
+        progress.restart();
+        progress.shown.store(0, Ordering::Relaxed);
+        progress.tick("rows", 9);
+        assert_eq!(position(&progress), Some(1));
     }
 }

@@ -31,6 +31,11 @@ const BESIDE_REAL_AXIS: &[f64] = &[
 const NARROW: f64 = 4.0;
 
 impl Rectangle {
+    /// Whether both coordinates are below the limit, if there is one.
+    pub fn is_below(&self, limit: Option<f64>) -> bool {
+        limit.is_none_or(|limit| self.a[1].max(self.b[1]) < limit)
+    }
+
     /// Whether Re z is the small coordinate.
     pub(crate) fn small_re(&self) -> bool {
         self.a[1] <= self.b[0] && self.a[0] * NARROW < self.a[1]

@@ -78,7 +78,7 @@ pub fn on_rectangle(
 /// The rectangles that a proof of the closed upper half-plane begins with, in the binades below `within` or all.
 pub fn first_rectangles(within: Option<f64>) -> Vec<Rectangle> {
     let mut all = roots();
-    all.retain(|r| within.is_none_or(|most| r.a[1].max(r.b[1]) < most));
+    all.retain(|r| r.is_below(within));
     all
 }
 

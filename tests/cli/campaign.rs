@@ -456,6 +456,24 @@ fn a_page_shows_audits_hunts_and_proofs() {
     common::needs_nothing_else(&d.out);
 }
 
+/// A shard that another run does is waited for, and done where that run leaves it.
+#[test]
+fn a_shard_of_another_run_is_not_given_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = planned(&folder, "own", &CALM.replace("400", "4"), 2);
+    let lock = fs::File::create(shards(&own).join("000000.lock")).unwrap();
+    lock.lock().unwrap();
+    let child = begun(&own, "1", &[]);
+    while !shard(&own, 1).exists() {
+        thread::sleep(Duration::from_millis(5));
+    }
+    assert!(!shard(&own, 0).exists());
+    drop(lock);
+    let d = done(child.wait_with_output().unwrap());
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert!(d.out.starts_with("2 shards done"), "{}", d.out);
+}
+
 /// Its shard is not done, and nothing is counted in its place; others are.
 #[test]
 fn a_program_that_ends_leaves_its_shard() {

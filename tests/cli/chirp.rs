@@ -125,6 +125,23 @@ fn a_spectrum_falls_within_its_bound() {
     }
 }
 
+/// Nothing is certified: units that are no power of ten lose no digits.
+#[test]
+fn columns_in_inches() {
+    let of = |more: &[&str]| {
+        let args = ["--harmonics", "5", "--rows", "spectrum"];
+        let d = chirp(RUN_UP, &[&args[..], more].concat());
+        assert_eq!(d.code, 0, "{}", d.err);
+        d.out
+    };
+    let (metres, inches) = (of(&[]), of(&["--units", "in"]));
+    let (metres, inches) = (column(&metres, "D_m"), column(&inches, "D_in"));
+    assert_eq!(metres.len(), inches.len());
+    for (m, i) in metres.iter().zip(&inches) {
+        assert!((m / 0.0254 - i).abs() <= 1e-14 * i.abs(), "{m} m, {i} in");
+    }
+}
+
 #[test]
 fn drawings_are_written() {
     let folder = tempfile::tempdir().unwrap();

@@ -154,7 +154,10 @@ fn judging_waits_for_no_more_answers() {
     let d = done(child.wait_with_output().unwrap());
     drop(stdin);
     assert_eq!(d.code, 130, "{}{}", d.out, d.err);
-    assert_eq!(cases(&json(&d)), (1, 1));
+    let v = json(&d);
+    assert_eq!(cases(&v), (1, 1));
+    let trouble = &v["methods"][0]["candidate"]["trouble"];
+    assert_eq!(trouble, "Interrupted after 1 answers.");
 }
 
 #[test]

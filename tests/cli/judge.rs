@@ -219,6 +219,19 @@ fn inputs_without_values_are_counted() {
     }
 }
 
+/// More than are judged at a time.
+#[test]
+fn every_answer_is_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let lines = file(&folder, "lines", &"0,0\n".repeat(1500));
+    let values = ["--values", &lines, "--format", "json"];
+    let d = run(&[&["judge", "erf", "--inputs", &lines][..], &values].concat());
+    assert_eq!(d.code, 0, "{}", d.err);
+    let v: Value = serde_json::from_str(&d.out).unwrap();
+    let m = &v["methods"][0];
+    assert_eq!((&m["cases"], &m["passed"]), (&1500.into(), &1500.into()));
+}
+
 #[test]
 fn points_in_single_precision_are_its_numbers() {
     let of = |more: &[&str]| {

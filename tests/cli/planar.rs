@@ -515,6 +515,20 @@ fn drives_have_certified_digits_over_a_turn_and_against_a_moving_body() {
     }
 }
 
+/// Where the window has no position, that is said; where it has some, it is not.
+#[test]
+fn a_window_beyond_the_range_has_no_rows() {
+    for (from, some) in [(170, false), (0, true)] {
+        let to = from + 1;
+        let window = format!("--from-deg {from} --to-deg {to} --step-deg 1");
+        let d = command(&format!("linkage examples/peaucellier-cell.toml {window}"));
+        assert_eq!(d.code, 0, "{}", d.err);
+        assert_eq!(csv(&d.out).1.len(), if some { 2 } else { 0 }, "{}", d.out);
+        let none = "no value of the drive asked for lies in that range";
+        assert_eq!(d.err.contains(none), !some, "{}", d.err);
+    }
+}
+
 /// Weight pulls where the file says: M = m g r sin(30° − φ) of a crank alone.
 #[test]
 fn gravity_has_a_direction() {

@@ -241,3 +241,57 @@ fn a_page_has_the_rows_asked_for() {
     );
     said(&d, "crank-rocker");
 }
+
+/// The values that the slider of a page runs over, and where it begins.
+fn slider(page: &str) -> (Vec<f64>, usize) {
+    let between = |from: &str, to: char| {
+        let (_, rest) = page.split_once(from).expect(from);
+        rest.split(to).next().unwrap().to_owned()
+    };
+    let drive = between("\"drive\":[", ']');
+    let values = drive.split(',').map(|x| x.parse().unwrap());
+    let start = between("type=\"range\" min=\"0\"", '>');
+    let (_, start) = start.split_once("value=\"").unwrap();
+    let start = start.split('"').next().unwrap().parse().unwrap();
+    (values.collect(), start)
+}
+
+/// Each of the three options asks for a window; without them the page is of all that there is.
+#[test]
+fn a_window_is_asked_for_by_any_of_its_ends() {
+    let of = |more: &str| {
+        let line = format!("linkage examples/four-bar.toml --format html {more}");
+        let (values, _) = slider(&command(&line).out);
+        (values.len(), values[0], values[values.len() - 1])
+    };
+    assert_eq!(of(""), (720, 0.0, 359.5));
+    assert_eq!(of("--step-deg 30"), (12, 0.0, 330.0));
+    assert_eq!(of("--from-deg 15"), (48, 15.0, 367.5));
+    assert_eq!(of("--to-deg 15"), (3, 0.0, 15.0));
+}
+
+/// More than a turn is asked for, of a crank that does not turn fully: each position is there once, in the order of the
+/// crank's angle.
+#[test]
+fn a_part_of_a_turn_is_shown_once() {
+    let page = command(
+        "linkage examples/no-full-turn.toml --from-deg 0 --to-deg 720 --step-deg 30 --format html",
+    );
+    let (values, _) = slider(&page.out);
+    assert!(values.len() > 3, "{values:?}");
+    assert!(values.windows(2).all(|w| w[0] < w[1]), "{values:?}");
+}
+
+/// Coupler and rocker stretch out where the crank is upright: that end of the range has no velocities and is left out.
+#[test]
+fn a_page_begins_with_its_first_position() {
+    let text = "type = \"four-bar\"\n[geometry]\ncrank = \"3 m\"\ncoupler = \"2.5 m\"\n\
+                rocker = \"2.5 m\"\nframe = \"4 m\"\n";
+    let window = ["--from-deg", "-90", "--to-deg", "0", "--step-deg", "30"];
+    let d = run_on(
+        text,
+        &[&["linkage", "-", "--format", "html"][..], &window].concat(),
+    );
+    assert_eq!(d.code, 0, "{}", d.err);
+    assert_eq!(slider(&d.out), (vec![-60.0, -30.0, 0.0], 0));
+}

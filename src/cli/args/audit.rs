@@ -109,3 +109,18 @@ pub enum AuditFormat {
     /// One page without outside parts
     Html,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::seconds;
+    use std::time::Duration;
+
+    #[test]
+    fn a_timeout_is_not_over_before_it_begins() {
+        assert_eq!(seconds("0.25").unwrap(), Duration::from_millis(250));
+        assert_eq!(seconds("1e-9").unwrap(), Duration::from_nanos(1));
+        for bad in ["0", "-1", "1e-10", "1e30", "nan", "inf", "x"] {
+            assert!(seconds(bad).is_err(), "{bad}");
+        }
+    }
+}

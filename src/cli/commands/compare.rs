@@ -207,15 +207,25 @@ fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<S
     // More and more of them, until starting it is no matter.
     let (mut n, mut taken) = (FEW, run(FEW)?.saturating_sub(start));
     while n < MANY && taken < LONG {
-        let wanted = LONG.as_secs_f64() / taken.as_secs_f64().max(1e-9) * n as f64 * 1.25;
-        n = (wanted as usize).clamp(2 * n, 16 * n).min(MANY);
+        n = more(n, taken);
         taken = run(n)?.saturating_sub(start);
     }
     Some(Speed {
-        ns_per_answer: taken.as_secs_f64() * 1e9 / (n - 1) as f64,
+        ns_per_answer: nanoseconds(taken, n - 1),
         start_up_ms: Some(start.as_secs_f64() * 1e3),
         answers: n as u64,
     })
+}
+
+/// How many inputs are likely to take long enough, if `n` took so long: twice as many at least, 16 times at most.
+fn more(n: usize, taken: Duration) -> usize {
+    let wanted = LONG.as_secs_f64() / taken.as_secs_f64().max(1e-9) * n as f64 * 1.25;
+    (wanted as usize).clamp(2 * n, 16 * n).min(MANY)
+}
+
+/// The time for each of so many answers.
+fn nanoseconds(taken: Duration, answers: usize) -> f64 {
+    taken.as_secs_f64() * 1e9 / answers as f64
 }
 
 /// The time for an answer of the method's own solver, called in this process on one core.
@@ -229,11 +239,39 @@ fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
         for input in &all {
             std::hint::black_box(answer_of(method, std::hint::black_box(input)));
         }
-        start.elapsed().as_secs_f64() * 1e9 / n as f64
+        nanoseconds(start.elapsed(), n)
     };
     Speed {
         ns_per_answer: (0..STARTS).map(|_| round()).fold(f64::INFINITY, f64::min),
         start_up_ms: None,
         answers: n as u64,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn timed_runs_grow_until_they_are_long() {
+        let more = |n: usize, ms: u64| more(n, Duration::from_millis(ms));
+        assert_eq!(more(200, 100), 1000);
+        assert_eq!(more(200, 399), 400);
+        assert_eq!(more(200, 1), 3200);
+        assert_eq!(more(200, 0), 3200);
+        assert_eq!(more(100_000, 1), MANY);
+    }
+
+    #[test]
+    fn the_time_of_an_answer() {
+        assert_eq!(nanoseconds(Duration::from_millis(3), 1000), 3000.0);
+        let method = find("slider-crank").unwrap();
+        let inputs = Inputs::of(&*method, None, &Settings::default()).unwrap();
+        let start = Instant::now();
+        let speed = called(&*method, &inputs);
+        let most = start.elapsed().as_secs_f64() * 1e9;
+        // The quickest of its rounds, which are a part of the whole.
+        let all = speed.ns_per_answer * speed.answers as f64 * STARTS as f64;
+        assert!(0.0 < all && all <= most, "{all} ns of {most} ns");
     }
 }

@@ -116,3 +116,66 @@ fn row(level: &LevelReport, o: usize, twin: bool, regular: bool) -> Vec<(String,
     }
     cells
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::audit::LevelError;
+    use mechaudit::report::text::style::plain;
+
+    /// What is known of no level has no column.
+    #[test]
+    fn columns_are_those_that_have_values() {
+        let table = |method: Option<f64>, order: Option<f64>| {
+            let error = LevelError {
+                total: 0.5,
+                method,
+                rounding: method,
+                order,
+                richardson: None,
+            };
+            let level = LevelReport {
+                level: "n = 8".into(),
+                work: 8,
+                failed: None,
+                errors: vec![error],
+            };
+            let text = text(&ConvergenceReport {
+                name: "some",
+                summary: "Made up.",
+                work_unit: "steps",
+                outputs: vec!["y"],
+                orders: vec![None],
+                fitted: vec![None],
+                levels: vec![level],
+            });
+            let text = plain(&text);
+            let lines: Vec<String> = text.lines().skip(2).map(str::to_owned).collect();
+            lines.join("\n")
+        };
+        let words = |text: &str| {
+            let lines = text.lines();
+            let words = lines.map(|l| l.split_whitespace().collect::<Vec<_>>().join(" "));
+            words.collect::<Vec<_>>()
+        };
+        let some = Some(0.25);
+        for (method, order, due) in [
+            (None, None, ["y steps total", "n = 8 8 5.00e-1"]),
+            (
+                None,
+                some,
+                ["y steps total order Richardson", "n = 8 8 5.00e-1 0.250 –"],
+            ),
+            (
+                some,
+                None,
+                [
+                    "y steps total method rounding",
+                    "n = 8 8 5.00e-1 2.50e-1 2.50e-1",
+                ],
+            ),
+        ] {
+            assert_eq!(words(&table(method, order)), due);
+        }
+    }
+}

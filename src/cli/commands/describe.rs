@@ -26,22 +26,22 @@ pub fn describe(args: &DescribeArgs) -> Result<Outcome, Failure> {
     Ok(Outcome::AsExpected)
 }
 
-/// The shortest case with an answer of values among the first of the regions.
+/// The shortest case with an answer of values among the first of the regions; check points come before them.
 fn example(method: &dyn Method) -> Option<(Case, Vec<f64>)> {
     let settings = Settings {
         cases_per_region: 3,
         ..Settings::default()
     };
     let cases = Cases::new(method, &settings);
-    let answered = (0..cases.len()).filter_map(|i| {
+    let points = method.domain().check_points.len();
+    let answered = (points..cases.len()).filter_map(|i| {
         let case = cases.get(i);
         match answer_of(method, &case.input) {
             SolverAnswer::Values(v) if v.iter().all(|x| x.is_finite()) => Some((case, v)),
             _ => None,
         }
     });
-    let random = answered.filter(|(case, _)| case.region != "check-points");
-    random.min_by_key(|(case, v)| case.input.len() + v.len())
+    answered.min_by_key(|(case, v)| case.input.len() + v.len())
 }
 
 fn json(method: &dyn Method) -> Value {

@@ -28,7 +28,7 @@ pub fn points(args: &PointsArgs) -> Result<Outcome, Failure> {
         None => Cases::new(&scope::regions(chosen, &args.place)?, &settings),
     };
     if one.is_none() {
-        forecast::points(&cases, &settings, args.decimal)?;
+        forecast::points(&cases, args.decimal)?;
     }
     output.write(|out| {
         header(&*method, out)?;

@@ -2,6 +2,8 @@
 
 mod lower;
 mod real;
+#[cfg(test)]
+mod tests;
 
 use crate::cli::args::{Part, ProveArgs, TextOrJson};
 use crate::cli::failure::{Failure, Outcome};
@@ -20,7 +22,8 @@ use serde_json::{Value, json};
 use std::io::Write;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
-use std::time::{Duration, Instant};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Instant;
 
 /// Proves, and prints what is proved.
 pub fn prove(args: &ProveArgs) -> Result<Outcome, Failure> {
@@ -74,7 +77,7 @@ fn proved(target: Target, within: Option<f64>) -> Result<Option<Certificate>, Fa
     watched("faddeeva", move |watch| {
         let code = Code::of_the_solver()?;
         Ok(upper_half_plane(&code, target, watch, |_, r| {
-            within.is_none_or(|most| r.a[1].max(r.b[1]) < most)
+            r.is_below(within)
         }))
     })
 }
@@ -85,25 +88,36 @@ fn watched<T: Send + 'static>(
     proof: impl FnOnce(&Watch) -> Result<Option<T>, ProofError> + Send + 'static,
 ) -> Result<Option<T>, Failure> {
     let watch = Arc::new(Watch::default());
+    let (working, ended) = channel::<()>();
     let worker = std::thread::spawn({
         let watch = watch.clone();
-        move || proof(&watch)
+        move || {
+            let _working = working;
+            proof(&watch)
+        }
     });
     let progress = Progress::new();
     let stop = interrupt::flag();
-    while !worker.is_finished() {
+    // Nothing is sent: it is disconnected once the proof has ended.
+    while ended.recv_timeout(interrupt::POLL) == Err(RecvTimeoutError::Timeout) {
         if stop.load(Ordering::Relaxed) {
             watch.stop.store(true, Ordering::Relaxed);
         }
-        let [done, of] = [&watch.done, &watch.of].map(|n| n.load(Ordering::Relaxed));
-        progress.show(name, done, of.max(1));
-        std::thread::sleep(Duration::from_millis(20));
+        if let Some((done, of)) = reached(&watch) {
+            progress.show(name, done, of);
+        }
     }
     progress.clear();
     match worker.join() {
         Ok(found) => found.map_err(Failure::caused),
         Err(panic) => std::panic::resume_unwind(panic),
     }
+}
+
+/// How many parts are done, and of how many; nothing is known before there are some.
+fn reached(watch: &Watch) -> Option<(u64, u64)> {
+    let [done, of] = [&watch.done, &watch.of].map(|n| n.load(Ordering::Relaxed));
+    (of > 0).then_some((done, of))
 }
 
 fn write_boxes(found: &Certificate, out: &mut dyn Write) -> Result<(), Failure> {

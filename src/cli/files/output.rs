@@ -200,7 +200,8 @@ const LINKS: usize = 40;
 /// Where symbolic links lead, also if nothing is there yet.
 fn followed(path: &Path) -> io::Result<PathBuf> {
     let mut path = path.to_path_buf();
-    for _ in 0..LINKS {
+    // One more look tells that the last of them leads to no other.
+    for _ in 0..=LINKS {
         if is_descriptor(&path) {
             return Ok(path);
         }
@@ -216,4 +217,25 @@ fn followed(path: &Path) -> io::Result<PathBuf> {
 fn is_descriptor(path: &Path) -> bool {
     let folder = folder(path).canonicalize();
     folder.is_ok_and(|f| f.starts_with("/proc") || f == Path::new("/dev/fd"))
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::symlink;
+
+    /// As many links are followed as by the system, and no more.
+    #[test]
+    fn links_are_followed_as_the_system_does() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |k: usize| folder.path().join(k.to_string());
+        std::fs::write(at(0), "").unwrap();
+        for k in 1..=LINKS + 1 {
+            symlink(at(k - 1), at(k)).unwrap();
+            let found = followed(&at(k));
+            assert_eq!(found.is_ok(), File::open(at(k)).is_ok(), "{k} links");
+            assert_eq!(found.is_ok(), k <= LINKS, "{k} links");
+            assert!(found.is_err() || found.unwrap() == at(0));
+        }
+    }
 }

@@ -18,14 +18,15 @@ pub struct Temporary {
 impl Temporary {
     /// A new one with those permissions, less the umask.
     pub fn new(folder: &Path, mode: u32) -> io::Result<Temporary> {
-        match unnamed(folder, mode) {
-            Some(file) => Ok(Temporary {
+        #[cfg(target_os = "linux")]
+        if let Some(file) = unnamed(folder, mode) {
+            return Ok(Temporary {
                 file,
                 folder: folder.into(),
                 name: None,
-            }),
-            None => Temporary::named(folder, mode),
+            });
         }
+        Temporary::named(folder, mode)
     }
 
     /// With a temporary name from the start.
@@ -102,11 +103,6 @@ fn unnamed(folder: &Path, mode: u32) -> Option<File> {
     options.custom_flags(flags).open(folder).ok()
 }
 
-#[cfg(not(target_os = "linux"))]
-fn unnamed(_: &Path, _: u32) -> Option<File> {
-    None
-}
-
 #[cfg(target_os = "linux")]
 const DESCRIPTORS: &str = "/proc/self/fd";
 
@@ -147,5 +143,29 @@ mod tests {
         interrupt::remove_unwanted();
         assert_eq!(std::fs::read(&path).unwrap(), b"all");
         assert_eq!(names(), 1);
+    }
+
+    /// Nobody sees a file before it is whole, also where it takes another's place.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_file_under_way_has_no_name() {
+        use rustix::fs::{Mode, OFlags, open};
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        let flags = OFlags::TMPFILE | OFlags::WRONLY;
+        if open(folder, flags, Mode::RUSR).is_err() {
+            // Not on every file system.
+            return;
+        }
+        let names = || std::fs::read_dir(folder).unwrap().count();
+        let path = folder.join("file");
+        for (before, text) in [(0, "first"), (1, "second")] {
+            let new = Temporary::new(folder, 0o666).unwrap();
+            new.file().write_all(text.as_bytes()).unwrap();
+            assert_eq!(names(), before);
+            new.persist(&path).unwrap();
+            assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
+            assert_eq!(names(), 1);
+        }
     }
 }

@@ -107,6 +107,7 @@ mod tests {
         assert_eq!(size((1 << 20) + 1), "1048577 bytes");
         assert_eq!(size(1 << 19), "524288 bytes");
         assert_eq!(size(2), "2 bytes");
+        assert_eq!(size(0), "0 bytes");
     }
 
     #[test]

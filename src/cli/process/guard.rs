@@ -30,6 +30,12 @@ impl Guard {
         Ok(Guard(guard))
     }
 
+    /// Any process: that of tests is no guard.
+    #[cfg(test)]
+    pub fn of(process: Child) -> Guard {
+        Guard(process)
+    }
+
     /// Gives it the group of a child.
     pub fn watch(&mut self, child: &Child) -> Result<()> {
         match &mut self.0.stdin {

@@ -37,7 +37,7 @@ struct Kept {
 
 impl Kept {
     fn new(number: usize, mut case: Case) -> Kept {
-        let (mut few, mut length) = ([0.0; FEW], 0);
+        let (mut few, mut length) = (<[f64; FEW]>::default(), 0);
         if case.input.len() <= FEW {
             length = case.input.len();
             few[..length].copy_from_slice(&case.input);
@@ -186,6 +186,13 @@ mod tests {
         let listed = Inputs::listed(vec![all[0].clone(), all[last].clone()]);
         assert_eq!(listed.region_of(0), (all[0].region, 1));
         assert_eq!(listed.region_of(1), (all[last].region, 2));
+        let stride = Stride {
+            first: 1,
+            step: 3,
+            end: all.len() as u64,
+        };
+        let dealt = Inputs::dealt(cases(), stride);
+        assert_eq!(dealt.region_of(2), (all[7].region, 3));
         let whole = Inputs::of(&*method, None, &settings).unwrap();
         let (mut i, mut regions) = (0, Vec::new());
         while i < whole.len() {
@@ -223,5 +230,32 @@ mod tests {
         for i in [KEPT + 5, 5, 5, 6, KEPT + 6, 7] {
             same(inputs.take_one(i), i);
         }
+    }
+
+    /// What was shown is judged, without being drawn again, until it is taken; unless it is long, or another came in its
+    /// place.
+    #[test]
+    fn inputs_that_were_shown_are_at_hand() {
+        let case = |x: f64, length: usize| Case {
+            method: "erf",
+            region: "given",
+            input: vec![x; length],
+            origin: mechaudit::audit::Origin::Given,
+        };
+        let drawn: Vec<Case> = (0..KEPT + 9).map(|_| case(0.0, 2)).collect();
+        let inputs = Inputs::listed(drawn);
+        let taken = |i: usize| inputs.take_one(i).input;
+        for length in [1, FEW, FEW + 1, SHORT] {
+            inputs.keep(6, vec![case(1.0, length), case(2.0, length)]);
+            assert_eq!(taken(7), vec![2.0; length]);
+            assert_eq!(taken(6), vec![1.0; length]);
+            assert_eq!(taken(6), [0.0; 2]);
+        }
+        inputs.keep(6, vec![case(1.0, SHORT + 1)]);
+        assert_eq!(taken(6), [0.0; 2]);
+        inputs.keep(6, vec![case(1.0, 2), case(2.0, 2)]);
+        inputs.keep(KEPT + 6, vec![case(3.0, 2)]);
+        assert_eq!(taken(6), [0.0; 2]);
+        assert_eq!([taken(KEPT + 6), taken(7)], [[3.0; 2], [2.0; 2]]);
     }
 }

@@ -136,3 +136,44 @@ fn ended(status: ExitStatus) -> String {
         None => "for an unknown reason".into(),
     }
 }
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+    use std::os::unix::process::CommandExt;
+    use std::path::PathBuf;
+
+    fn started(command: &[&str]) -> (Program, PathBuf) {
+        let spawn = |words: &[&str]| {
+            let mut start = Command::new(words[0]);
+            start.args(&words[1..]).process_group(0);
+            start.stdin(Stdio::piped()).stdout(Stdio::null());
+            start.stderr(Stdio::null()).spawn().unwrap()
+        };
+        let program = Program {
+            child: spawn(command),
+            guard: Guard::of(spawn(&["cat"])),
+            waited_for: false,
+        };
+        let process = PathBuf::from(format!("/proc/{}", program.child.id()));
+        assert!(process.exists());
+        (program, process)
+    }
+
+    /// Once it is waited for, its number may be that of another process.
+    #[test]
+    fn what_is_waited_for_has_ended() {
+        let (mut program, process) = started(&["true"]);
+        let end = program.end(End::Closed, Duration::from_secs(60));
+        assert_eq!(end, None);
+        assert!(program.has_ended() && !process.exists());
+    }
+
+    #[test]
+    fn a_program_ends_with_its_owner() {
+        let (mut program, process) = started(&["cat"]);
+        assert!(!program.has_ended());
+        drop(program);
+        assert!(!process.exists());
+    }
+}

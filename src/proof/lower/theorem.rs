@@ -71,14 +71,9 @@ pub fn theorem(
     let Some(dominated) = Dominated::of(&upper, &solver.exponential, &solver.limits, watch)? else {
         return Ok(None);
     };
-    let found = lower_half_plane(&solver, target, watch, |r| is_below(within, r));
+    let found = lower_half_plane(&solver, target, watch, |r| r.is_below(within));
     let boxes = solver.exponential.boxes;
     Ok(found.map(|found| together(boxes, &dominated, (zeros, again, apart), found)))
-}
-
-/// Whether both coordinates are below the limit, if there is one.
-fn is_below(limit: Option<f64>, r: &Rectangle) -> bool {
-    limit.is_none_or(|limit| r.a[1].max(r.b[1]) < limit)
 }
 
 fn together(
@@ -147,17 +142,6 @@ fn together(
 mod tests {
     use super::*;
     use crate::lower::Region;
-
-    #[test]
-    fn rectangles_below_a_limit() {
-        let is = |limit, a: f64, b: f64| {
-            let (a, b) = ([1.0, a], [0.5, b]);
-            is_below(limit, &Rectangle { a, b })
-        };
-        assert!(is(None, 1e9, 1e9) && is(Some(4.0), 3.0, 3.5));
-        assert!(is(Some(4.0), 3.5, 3.0) && !is(Some(4.0), 4.0, 1.5));
-        assert!(!is(Some(4.0), 5.0, 2.0) && !is(Some(4.0), 2.0, 5.0));
-    }
 
     /// Rectangles by the names of their formulas with the worst of each, bounds without rectangles, and the worst of all.
     #[test]

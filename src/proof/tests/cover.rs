@@ -460,3 +460,14 @@ fn cuts_and_holes_bit_by_bit() {
     ];
     bit_by_bit(&found, &due);
 }
+
+#[test]
+fn rectangles_below_a_limit() {
+    let is = |limit, a: f64, b: f64| {
+        let (a, b) = ([1.0, a], [0.5, b]);
+        Rectangle { a, b }.is_below(limit)
+    };
+    assert!(is(None, 1e9, 1e9) && is(Some(4.0), 3.0, 3.5));
+    assert!(is(Some(4.0), 3.5, 3.0) && !is(Some(4.0), 4.0, 1.5));
+    assert!(!is(Some(4.0), 5.0, 2.0) && !is(Some(4.0), 2.0, 5.0));
+}

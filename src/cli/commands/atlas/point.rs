@@ -3,6 +3,7 @@
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
 use crate::cli::terminal::width;
+use anstyle::Style;
 use mechaudit::audit::{
     Case, Judge, Limit, Method, Origin, Settings, SolverAnswer, Variant, hex_float,
 };
@@ -119,12 +120,8 @@ fn table(
         for (k, value) in values.iter().enumerate() {
             let c = report.judgement.components.get(k);
             let error = c.map_or(f64::NAN, |c| c.of_budget * 1e-300);
-            let style = if error > 1e-6 { BAD } else { PLAIN };
             cells.push((format!("{value:.16e}"), PLAIN));
-            cells.push(match error.is_finite() {
-                true => (format!("{error:.1e}"), style),
-                false => ("no number".into(), BAD),
-            });
+            cells.push(off_by(error));
         }
         if values.len() == 1 {
             cells.extend([("–".into(), PLAIN), empty()]);
@@ -144,6 +141,14 @@ fn table(
     Ok(Outcome::AsExpected)
 }
 
+/// A relative error; a large one is marked.
+fn off_by(error: f64) -> (String, Style) {
+    match error {
+        e if !e.is_finite() => ("no number".into(), BAD),
+        e => (format!("{e:.1e}"), if e > 1e-6 { BAD } else { PLAIN }),
+    }
+}
+
 /// Two numbers, or the eight of a line.
 fn read(text: &str) -> Result<Vec<f64>, Failure> {
     let number = |text: &str| {
@@ -161,5 +166,40 @@ fn read(text: &str) -> Result<Vec<f64>, Failure> {
         _ => Err(Failure::new(format!(
             "--at {text:?} must be two finite numbers RE,IM (a line of the Hartmann-Tran profile: eight)"
         ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::claims::PROFILES;
+
+    /// A profile of fewer parameters says so of each of the others.
+    #[test]
+    fn shifts_and_correlation_are_not_for_every_profile() {
+        let simple = PROFILES.iter().find(|p| !p.whole).unwrap();
+        let line = [1.0, 0.5, 0.0625, 0.0, 0.0, 0.125, 0.0, 1.5];
+        assert_eq!(of_line(simple, &line).unwrap().len(), 2);
+        for k in [3, 4, 6] {
+            let mut other = line;
+            other[k] = 0.25;
+            let due = Err("without shifts and correlation");
+            assert_eq!(of_line(simple, &other), due, "{k}");
+            let whole = PROFILES.iter().find(|p| p.whole).unwrap();
+            assert!(of_line(whole, &other).is_ok(), "{k}");
+        }
+    }
+
+    #[test]
+    fn large_errors_are_marked() {
+        for (error, text, style) in [
+            (0.0, "0.0e0", PLAIN),
+            (1e-6, "1.0e-6", PLAIN),
+            (1.5e-6, "1.5e-6", BAD),
+            (f64::INFINITY, "no number", BAD),
+            (f64::NAN, "no number", BAD),
+        ] {
+            assert_eq!(off_by(error), (text.to_string(), style));
+        }
     }
 }

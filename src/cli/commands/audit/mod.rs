@@ -85,8 +85,7 @@ pub fn everything(args: &RunArgs, verbose: bool) -> Result<Outcome, Failure> {
         if stopped {
             break;
         }
-        let (report, seconds) = run(method.as_ref(), &settings, &progress);
-        judging += seconds;
+        let report = run(method.as_ref(), &settings, &progress, &mut judging);
         stopped = report.interrupted;
         reports.push(report);
     }
@@ -123,8 +122,11 @@ fn end(outcome: Outcome) -> End {
 
 /// Cases drawn, solved, judged and counted in a second.
 fn rate(reports: &[MethodReport], seconds: f64) -> String {
-    let cases: u64 = reports.iter().map(|r| r.cases).sum();
-    let cores = rayon::current_num_threads();
+    let cases = reports.iter().map(|r| r.cases).sum();
+    rate_of(cases, seconds, rayon::current_num_threads())
+}
+
+fn rate_of(cases: u64, seconds: f64, cores: usize) -> String {
     let each = cases as f64 / seconds.max(1e-9) / cores as f64;
     let each = match each {
         x if x >= 1e4 => format!("{:.0}e3", x / 1e3),
@@ -141,8 +143,13 @@ pub fn paper(key: &str, progress: &Progress) -> Option<Result<PaperReport, Undec
     }))
 }
 
-/// The report, and the seconds that it took.
-fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (MethodReport, f64) {
+/// The report; the seconds that it took are added to those spent judging.
+fn run(
+    method: &dyn Method,
+    settings: &Settings,
+    progress: &Progress,
+    judging: &mut f64,
+) -> MethodReport {
     let started = Instant::now();
     let mapped = map_points(method).filter(|_| settings.maps).unwrap_or(0);
     let total = (Cases::new(method, settings).len() + mapped) as u64;
@@ -150,7 +157,8 @@ fn run(method: &dyn Method, settings: &Settings, progress: &Progress) -> (Method
     let tick = || progress.tick(method.name(), total);
     let report = audit_method_until(method, settings, &tick, interrupt::flag());
     progress.clear();
-    (report, started.elapsed().as_secs_f64())
+    *judging += started.elapsed().as_secs_f64();
+    report
 }
 
 /// The method as the arguments ask for it.
@@ -226,9 +234,7 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     let progress = Progress::new();
     let (mut reports, mut judging, mut stopped) = (Vec::new(), 0.0, false);
     for method in &chosen {
-        let (report, seconds) = run(method, &settings, &progress);
-        let report = finish(report);
-        judging += seconds;
+        let report = finish(run(method, &settings, &progress, &mut judging));
         if args.format == AuditFormat::Text && output.is_standard() {
             let text = text::method::method(&report, width());
             write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
@@ -254,11 +260,16 @@ pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
     }
     if args.format == AuditFormat::Html && args.method.is_none() && !stopped {
         besides.approximations = approximations();
-        if let (None, Some(last)) = (&besides.approximations, reports.last_mut()) {
-            last.interrupted = true;
-        }
+        stopped_before(&besides, &mut reports);
     }
     written::write(&reports, args.format, output, &besides)
+}
+
+/// A page without the approximations is not all of it.
+fn stopped_before(besides: &Besides, reports: &mut [MethodReport]) {
+    if let (None, Some(last)) = (&besides.approximations, reports.last_mut()) {
+        last.interrupted = true;
+    }
 }
 
 /// The options that a command needs besides to judge a case of this audit again.
@@ -325,7 +336,7 @@ fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
 
 #[cfg(test)]
 mod tests {
-    use super::effort;
+    use super::*;
 
     #[test]
     fn effort_is_a_positive_number() {
@@ -334,5 +345,58 @@ mod tests {
         for bad in ["", "0", "-1", "nan", "inf", "ten"] {
             assert!(effort(Some(bad.as_ref())).is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn rates_are_those_of_a_core() {
+        assert_eq!(
+            rate_of(1000, 2.0, 1),
+            "500 cases a second on each of 1 core"
+        );
+        assert_eq!(
+            rate_of(80_000, 2.0, 4),
+            "10e3 cases a second on each of 4 cores"
+        );
+        assert_eq!(
+            rate_of(79_992, 2.0, 4),
+            "9999 cases a second on each of 4 cores"
+        );
+        assert_eq!(rate_of(0, 0.0, 2), "0 cases a second on each of 2 cores");
+    }
+
+    /// Judging takes time, that of all methods together; a page that is ended before its last part is not whole.
+    #[test]
+    fn methods_one_after_the_other() {
+        let settings = Settings {
+            cases_per_region: 1,
+            ..Settings::default()
+        };
+        let (progress, mut judging) = (Progress::new(), 0.0);
+        let mut before = judging;
+        let mut reports = Vec::new();
+        for name in ["slider-crank", "four-bar"] {
+            let method = find(name).unwrap();
+            reports.push(run(&*method, &settings, &progress, &mut judging));
+            assert!(judging > before, "{name}: {judging} s after {before} s");
+            before = judging;
+        }
+        let cases = reports[0].cases + reports[1].cases;
+        let each = cases as f64 / judging / rayon::current_num_threads() as f64;
+        let said = rate(&reports, judging);
+        assert!(
+            each > 1e4 || said.starts_with(&format!("{each:.0} cases")),
+            "{said}"
+        );
+        let ended = |besides: Besides| {
+            let mut reports = reports.clone();
+            stopped_before(&besides, &mut reports);
+            [reports[0].interrupted, reports[1].interrupted]
+        };
+        assert_eq!(ended(Besides::default()), [false, true]);
+        let whole = Besides {
+            approximations: Some(Vec::new()),
+            ..Besides::default()
+        };
+        assert_eq!(ended(whole), [false, false]);
     }
 }

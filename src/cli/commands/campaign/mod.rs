@@ -214,3 +214,22 @@ fn report(args: &CampaignReportArgs) -> Result<Outcome, Failure> {
         hunts => hunts.passed(),
     })))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::time;
+
+    #[test]
+    fn times_in_words() {
+        for (seconds, due) in [
+            (0.4, "0 s"),
+            (119.0, "119 s"),
+            (120.0, "2 min"),
+            (7199.0, "120 min"),
+            (7200.0, "2.0 h"),
+            (90_000.0, "25.0 h"),
+        ] {
+            assert_eq!(time(seconds), due);
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Doing the shards that are missing.
 
-use super::folder::{Folder, State};
+use super::folder::{Claim, Folder, State};
 use crate::cli::args::{CampaignRunArgs, ProgramArgs};
 use crate::cli::complain;
 use crate::cli::failure::{Failure, Outcome};
@@ -114,14 +114,19 @@ impl Run {
             self.folder.sweep(k);
             return Ok(true);
         }
-        let Some(claim) = self.folder.claim(k)? else {
-            return Ok(false);
-        };
+        match self.folder.claim(k)? {
+            None => Ok(false),
+            Some(claim) => self.claimed(k, claim).map(|()| true),
+        }
+    }
+
+    /// Does a shard that nobody else does now.
+    fn claimed(&mut self, k: u64, claim: Claim) -> Result<(), Failure> {
         // It may have been done since.
         if self.is_done(k)? {
             self.before += 1;
             self.folder.leave(claim);
-            return Ok(true);
+            return Ok(());
         }
         if let State::Bad(why) = self.folder.state(k)? {
             complain(&format!("{}: {why}", self.folder.file(k).display()));
@@ -151,7 +156,7 @@ impl Run {
                 self.failed.push((k, e.to_string()));
             }
         }
-        Ok(true)
+        Ok(())
     }
 
     fn is_done(&self, k: u64) -> Result<bool, Failure> {
@@ -216,5 +221,42 @@ fn answers(
                 version: report.version,
             })),
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::campaign::Plan;
+    use mechaudit::machine::Source;
+
+    /// Another run may end a shard between a look at it and the claim.
+    #[test]
+    fn a_shard_that_is_done_meanwhile_is_not_done_again() {
+        let text = "name = \"x\"\n[[part]]\nmethods = [\"erf\"]\nregions = [\"small\"]\ncases = 2";
+        let plan = Plan::read(&Source::toml(text)).unwrap();
+        let place = tempfile::tempdir().unwrap();
+        let Ok(folder) = Folder::make(&place.path().join("x"), plan, 2) else {
+            panic!("a new folder");
+        };
+        let Ok(mut run) = Run::new(folder, Some(1)) else {
+            panic!("a thread");
+        };
+        let mut claimed = |k: u64| {
+            let claim = run.folder.claim(k).unwrap().expect("nobody else has it");
+            run.claimed(k, claim).unwrap();
+            (run.own, run.before)
+        };
+        assert_eq!(claimed(1), (1, 0));
+        assert_eq!(claimed(1), (1, 1));
+        assert_eq!(claimed(0), (2, 1));
+        // What is done is so whoever has a claim on it.
+        let claim = run.folder.claim(1).unwrap();
+        assert!(claim.is_some() && run.shard(1).unwrap());
+        assert_eq!((run.own, run.before), (2, 2));
+        drop(claim);
+        assert!(run.shard(1).unwrap());
+        let names = std::fs::read_dir(place.path().join("x/shards")).unwrap();
+        assert_eq!(names.count(), 2, "nothing is set aside");
     }
 }

@@ -38,11 +38,8 @@ pub fn history(
 fn columns(run: &Run, response: &CamResponse) -> Vec<Column> {
     let drive = response.drive();
     let width = run.duration / COLUMNS as f64;
-    let fastest = [0.0, run.duration].map(|t| 10.0 * drive.speed(t).abs());
-    let fastest = fastest[0].max(fastest[1]).max(drive.oscillator.w());
-    let samples = (8.0 * fastest * width / TAU)
-        .clamp(1.0, SAMPLES_IN_COLUMN)
-        .ceil() as usize;
+    let speeds = [0.0, run.duration].map(|t| drive.speed(t));
+    let samples = samples(speeds, drive.oscillator.w(), width);
     let one = |k: usize| {
         let start = width * k as f64;
         let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
@@ -64,6 +61,15 @@ fn columns(run: &Run, response: &CamResponse) -> Vec<Column> {
         }
     };
     (0..COLUMNS).into_par_iter().map(one).collect()
+}
+
+/// How often a column of that many seconds is looked at: eight times in a period of the oscillator, and of the tenth
+/// harmonic at the faster of the speeds that the shaft begins and ends with.
+fn samples(speeds: [f64; 2], w: f64, width: f64) -> usize {
+    let fastest = speeds.map(|s| 10.0 * s.abs()).into_iter().fold(w, f64::max);
+    (8.0 * fastest * width / TAU)
+        .clamp(1.0, SAMPLES_IN_COLUMN)
+        .ceil() as usize
 }
 
 /// C_φ(ξ) of each law.
@@ -97,4 +103,27 @@ pub fn spectrum(machine: &CamOscillator) -> Result<String, Failure> {
         harmonics: of(&|_, amplitude| amplitude),
         beyond: of(&|order, _| series.tail_bound(order, 0)),
     })?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::samples;
+    use std::f64::consts::TAU;
+
+    /// The faster end decides, whichever it is and whichever way the shaft turns.
+    #[test]
+    fn columns_are_looked_at_as_often_as_the_shaft_is_fast() {
+        let second = |speeds| samples(speeds, 0.5 * TAU, 1.0);
+        for (speeds, due) in [
+            ([0.0, 0.0], 4),
+            ([0.0, 0.1 * TAU], 8),
+            ([0.1 * TAU, 0.0], 8),
+            ([-0.1 * TAU, 0.05 * TAU], 8),
+            ([0.01 * TAU, 0.02 * TAU], 4),
+            ([0.0, 9.0], 24),
+        ] {
+            assert_eq!(second(speeds), due, "{speeds:?}");
+        }
+        assert_eq!(samples([0.0; 2], TAU, 1e-3), 1);
+    }
 }

@@ -205,10 +205,8 @@ impl Evaluation<'_> {
 
 /// That many certified digits of each value.
 fn digits(method: &dyn Evaluable, x: &[Rational], digits: u32) -> Result<Vec<String>, EvalError> {
-    let first = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
-    // Most references keep to the relative accuracy asked for, so that the first time is enough.
-    for times in [1, 2, 4, 8] {
-        let values = method.certify(x, times * first).map_err(|e| match e {
+    for bits in precisions(digits) {
+        let values = method.certify(x, bits).map_err(|e| match e {
             Uncertified::Refused(why) => EvalError::Refused(why),
             other => EvalError::Uncertified(other),
         })?;
@@ -220,9 +218,62 @@ fn digits(method: &dyn Evaluable, x: &[Rational], digits: u32) -> Result<Vec<Str
     Err(EvalError::Digits(digits))
 }
 
+/// Bits to try: two digits and four bits more than are asked for, and twice as many up to three times. Most references
+/// keep to the relative accuracy asked for, so that the first time is enough.
+fn precisions(digits: u32) -> [u32; 4] {
+    let first = ((f64::from(digits) + 2.0) * std::f64::consts::LOG2_10).ceil() as u32 + 4;
+    [1, 2, 4, 8].map(|times| times * first)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn precisions_double() {
+        assert_eq!(precisions(1), [14, 28, 56, 112]);
+        assert_eq!(precisions(60), [210, 420, 840, 1680]);
+        assert_eq!(precisions(1000), [3333, 6666, 13_332, 26_664]);
+    }
+
+    /// Counts how often something is handed on.
+    #[derive(Default)]
+    struct Handed {
+        text: Vec<u8>,
+        times: usize,
+    }
+
+    impl Write for Handed {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            self.text.write(bytes)
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            self.times += 1;
+            Ok(())
+        }
+    }
+
+    /// Lines that have arrived are answered together, so many for each thread; the end is looked for once more.
+    #[test]
+    fn lines_are_answered_together() {
+        let method = find_evaluable("erf").unwrap();
+        let handed = |text: &str, threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let input = BufReader::with_capacity(text.len(), text.as_bytes());
+            let mut out = Handed::default();
+            let pool = pool.build().unwrap();
+            let end = stream(&*method, None, &pool, input, &mut out);
+            assert!(matches!(end, Ok(Outcome::AsExpected)));
+            (
+                String::from_utf8(out.text).unwrap().lines().count(),
+                out.times,
+            )
+        };
+        assert_eq!(handed("1,0\n2,0\n3,0\n", 1), (3, 2));
+        let many = "#\n".repeat(2 * LINES);
+        assert_eq!(handed(&many, 2), (0, 2));
+        assert_eq!(handed(&format!("{many}#\n"), 2), (0, 3));
+    }
 
     /// The nearest floats to the certified digits are next to what the solver gives.
     #[test]

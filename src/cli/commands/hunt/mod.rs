@@ -164,3 +164,75 @@ fn report(method: &dyn Method, found: &Hunt, new: &[HardCase], evaluations: u64)
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::report::text::style::plain;
+    use std::path::PathBuf;
+
+    fn worst(share: f64) -> Worst {
+        Worst {
+            output: "Re erf",
+            share,
+            input: vec![1.0, 0.0],
+            reason: "drawn".into(),
+        }
+    }
+
+    /// Recorded is what is worse by more than a hundredth than the worst of the same output.
+    #[test]
+    fn small_gains_are_none() {
+        let args = HuntArgs {
+            method: "erf".into(),
+            evals: 5,
+            seed: 2,
+            hard: PathBuf::new(),
+        };
+        let known = |output: &str, share: f64| HardCase {
+            share,
+            output: output.into(),
+            reason: String::new(),
+            input: vec![0.5, 0.0],
+            folder: None,
+        };
+        let known = [
+            known("Re erf", 0.25),
+            known("Re erf", 0.5),
+            known("Im erf", 0.9),
+        ];
+        let is_worse =
+            |share: f64, known: &[HardCase]| worse(&worst(share), known, &args).is_some();
+        assert!(is_worse(0.506, &known));
+        for small in [0.0, 0.3, 0.5, 0.5049] {
+            assert!(!is_worse(small, &known), "{small}");
+        }
+        // Without an error there is nothing to record.
+        assert!(is_worse(1e-9, &[]) && !is_worse(0.0, &[]));
+        let new = worse(&worst(0.75), &known, &args).unwrap();
+        assert_eq!(new.reason, "drawn; 5 evaluations from seed 2");
+    }
+
+    #[test]
+    fn the_first_failure_is_named() {
+        let method = find("erf").unwrap();
+        let failure = |x: f64| Case {
+            method: "erf",
+            region: "hunt",
+            input: vec![x, 0.0],
+            origin: Origin::Given,
+        };
+        let found = Hunt {
+            worst: vec![worst(0.5)],
+            failures: vec![failure(1.0), failure(3.0)],
+            evaluations: 7,
+            interrupted: false,
+        };
+        let text = plain(&report(&*method, &found, &[], 9));
+        let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let first = failure(1.0).reproduce();
+        let due = format!("2 drawn inputs fail without a share of the budget, the first: {first}");
+        assert!(line.ends_with(&due), "{text}");
+        assert!(line.starts_with("erf 7 evaluations output"), "{text}");
+    }
+}

@@ -46,40 +46,20 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
     let mut values = Answers::of(reader(values_path)?, Form::Lines);
     let unreadable = |e| Failure::cannot("read", values_path, e);
     let panel = Panel::new(&method, &settings);
-    let mut interrupted = false;
-    let progress = Progress::new();
-    let mut answered = 0u64;
-    let mut batch = Vec::new();
-    // The first input without an answer.
-    let mut open = None;
-    while let Some(case) = inputs.read()? {
-        let answer = match values.next(None) {
-            Next::Answer(answer) => answer,
-            Next::End(Silence::Unreadable(e)) => return Err(unreadable(e)),
-            Next::End(Silence::Interrupted) => {
-                interrupted = true;
-                break;
-            }
-            Next::End(Silence::Closed | Silence::Silent) => {
-                open = Some(case);
-                break;
-            }
-        };
-        answered += 1;
-        let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
-        if args.line.is_none_or(wanted) {
-            batch.push((case, answer));
-        }
-        if batch.len() == BATCH {
-            interrupted = !judge_batch(&panel, BATCH, &|some| batch[some].to_vec());
-            batch.clear();
-            progress.show(method.name(), answered, total.unwrap_or(answered));
-        }
-        if interrupted {
-            break;
-        }
-    }
-    interrupted |= !judge_batch(&panel, batch.len(), &|some| batch[some].to_vec());
+    let mut next = || match values.next(None) {
+        Next::End(Silence::Unreadable(e)) => Err(unreadable(e)),
+        next => Ok(next),
+    };
+    let given = Given {
+        inputs: &mut inputs,
+        line: args.line,
+        total,
+    };
+    let Judged {
+        answered,
+        open,
+        interrupted,
+    } = given.judge(&panel, method.name(), &mut next)?;
     let mut tally = panel.into_tally();
     if interrupted {
         tally.interrupt();
@@ -98,16 +78,14 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
         }
         trouble = Some(format!("{why}; {left} inputs are left"));
     } else {
-        match values.next(None) {
+        match next()? {
             Next::Answer(_) => {
                 trouble = Some(format!("there are more values than the {answered} inputs"));
             }
-            Next::End(Silence::Unreadable(e)) => return Err(unreadable(e)),
             Next::End(Silence::Interrupted) => tally.interrupt(),
-            Next::End(Silence::Closed | Silence::Silent) => {}
+            Next::End(_) => {}
         }
     }
-    drop(progress);
     let mut report = tally.finish(&method);
     if report.cases == 0 && !report.interrupted {
         let what = args
@@ -138,6 +116,71 @@ pub fn judge(args: &JudgeArgs) -> Result<Outcome, Failure> {
             .collect(),
     };
     written::write(&[report], args.format, output, &Besides::default())
+}
+
+/// What is judged.
+struct Given<'a> {
+    inputs: &'a mut Inputs,
+    /// The input on this line alone.
+    line: Option<u64>,
+    /// How many inputs there are, if that is known.
+    total: Option<u64>,
+}
+
+/// How far it came.
+struct Judged {
+    answered: u64,
+    /// The first input without an answer.
+    open: Option<Case>,
+    /// Whether the user asked to stop.
+    interrupted: bool,
+}
+
+impl Given<'_> {
+    /// Judges answers as long as there are some.
+    fn judge(
+        self,
+        panel: &Panel,
+        name: &str,
+        next: &mut dyn FnMut() -> Result<Next, Failure>,
+    ) -> Result<Judged, Failure> {
+        let progress = Progress::new();
+        let mut judged = Judged {
+            answered: 0,
+            open: None,
+            interrupted: false,
+        };
+        let mut batch = Vec::new();
+        while let Some(case) = self.inputs.read()? {
+            let answer = match next()? {
+                Next::Answer(answer) => answer,
+                Next::End(Silence::Interrupted) => {
+                    judged.interrupted = true;
+                    break;
+                }
+                Next::End(_) => {
+                    judged.open = Some(case);
+                    break;
+                }
+            };
+            judged.answered += 1;
+            let wanted = |n: u64| matches!(case.origin, Origin::Line { number } if number == n);
+            if self.line.is_none_or(wanted) {
+                batch.push((case, answer));
+            }
+            if batch.len() == BATCH {
+                judged.interrupted = !judge_batch(panel, BATCH, &|some| batch[some].to_vec());
+                batch.clear();
+                let done = judged.answered;
+                progress.show(name, done, self.total.unwrap_or(done));
+            }
+            if judged.interrupted {
+                break;
+            }
+        }
+        judged.interrupted |= !judge_batch(panel, batch.len(), &|some| batch[some].to_vec());
+        Ok(judged)
+    }
 }
 
 /// Inputs of a file, for the progress; nothing is known of a pipe.
@@ -226,5 +269,23 @@ impl Inputs {
                 number: line.number,
             },
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::count;
+    use std::path::Path;
+
+    /// Comments and blank lines are no inputs; what has no size has no number of them.
+    #[test]
+    fn inputs_of_a_file_are_counted() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("inputs");
+        std::fs::write(&path, "# region small\n1,2\n\n  \n3,4\nno number").unwrap();
+        assert_eq!(count(&path), Some(3));
+        assert_eq!(count(folder.path()), None);
+        assert_eq!(count(&folder.path().join("none")), None);
+        assert_eq!(count(Path::new("/dev/null")), None);
     }
 }

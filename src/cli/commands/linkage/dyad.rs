@@ -105,9 +105,7 @@ fn all_rows(
             rows.row(&cells)?;
             *count += 1;
         }
-        if args.digits.is_some() || k % 1024 == 0 {
-            progress.show("rows", k, grid.count);
-        }
+        progress.reach("rows", k, grid.count);
     }
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
 }

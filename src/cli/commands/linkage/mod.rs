@@ -186,9 +186,7 @@ fn floating(
             .follow(&here, Angle::from_deg(nearest_f64(&at)))
             .map_err(Failure::caused)?;
         rows.row(&floating_row(linkage, &shown, branch.mode, &here))?;
-        if done % 1024 == 0 {
-            progress.show("rows", done as u64, total);
-        }
+        progress.reach("rows", done as u64, total);
     }
     Ok(Outcome::AsExpected)
 }

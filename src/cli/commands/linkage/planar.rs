@@ -94,7 +94,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         columns,
         certifier: certifier.as_ref(),
     };
-    let (written, undecided) = output.write(|out| {
+    let (any, undecided) = output.write(|out| {
         let Some(form) = shown::form(args.format) else {
             let window = shown::Window {
                 drives: &values.0,
@@ -103,7 +103,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
             };
             let motion = shown::planar(args, machine, &branch, Some(window))?;
             shown::page(out, &motion, &lines)?;
-            return Ok((1, 0));
+            return Ok((true, 0));
         };
         let about = facts::of_branch(machine, &branch);
         let mut rows = Rows::begin(out, form, shown, &about)?;
@@ -112,7 +112,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         Ok(written)
     })?;
     lines.iter().for_each(|l| complain(l));
-    if written == 0 {
+    if !any {
         complain("no value of the drive asked for lies in that range");
     }
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
@@ -159,17 +159,17 @@ fn undecided_in(cells: &[Cell]) -> usize {
     cells.iter().filter(|c| **c == Cell::Undecided).count()
 }
 
-/// The rows of a branch: how many, and how many values of them are undecided.
+/// The rows of a branch: whether there are any, and how many values of them are undecided.
 fn one_branch(
     machine: &Machine,
     branch: &Branch,
     values: &Values,
     asked: &Asked,
     rows: &mut Rows,
-) -> Result<(u64, usize), Failure> {
+) -> Result<(bool, usize), Failure> {
     let progress = Progress::new();
     let mut here = branch.start.clone();
-    let (mut written, mut undecided) = (0, 0);
+    let (mut any, mut undecided) = (false, 0);
     for (done, &(_, drive)) in values.0.iter().enumerate() {
         let Some(at) = branch.turned_to(machine, drive) else {
             continue;
@@ -179,12 +179,10 @@ fn one_branch(
         let cells = asked.row(machine, values, done, (branch.mode, &here));
         undecided += undecided_in(&cells);
         rows.row(&cells)?;
-        written += 1;
-        if asked.certifier.is_some() || done % 1024 == 0 {
-            progress.show("rows", done as u64, values.0.len() as u64);
-        }
+        any = true;
+        progress.reach("rows", done as u64, values.0.len() as u64);
     }
-    Ok((written, undecided))
+    Ok((any, undecided))
 }
 
 fn all_branches(
@@ -264,6 +262,33 @@ fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usiz
 mod tests {
     use super::*;
     use mechaudit::machine::{Linkage, Source};
+
+    #[test]
+    fn modes_are_counted_in_words() {
+        let text = include_str!("../../../../examples/watt-1.toml");
+        let Linkage::Planar(machine) = Linkage::read(&Source::toml(text)).unwrap() else {
+            unreachable!("bodies and joints");
+        };
+        let at = machine.start.at.unwrap_or(0.0).to_radians();
+        let branch = planar::choose(&machine, at, Some(0)).unwrap();
+        let said = |modes: usize, complete: bool| {
+            let branch = Branch {
+                modes,
+                complete,
+                ..branch.clone()
+            };
+            facts::modes_line(&machine, &branch)
+        };
+        let one = said(1, true);
+        assert!(one.starts_with("1 assembly mode at "), "{one}");
+        assert!(
+            one.ends_with(", all that there are; this is number 0"),
+            "{one}"
+        );
+        let some = said(3, false);
+        assert!(some.starts_with("3 assembly modes at "), "{some}");
+        assert!(some.contains(", perhaps not all that there are"), "{some}");
+    }
 
     /// A mode that floating point has lost, or has twice, is no proof that these are all.
     #[test]

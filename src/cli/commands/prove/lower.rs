@@ -154,3 +154,7 @@ fn document(found: &Theorem, within: Option<f64>, seconds: f64) -> Value {
         "not_proved": NOT_PROVED,
     })
 }
+
+#[cfg(test)]
+#[path = "lower_tests.rs"]
+mod tests;

@@ -71,7 +71,7 @@ fn decided<T>(what: &str, f: impl Fn(u32) -> Result<Option<T>, Undecided>) -> Ou
 
 /// `c_0`, `c_1` in two parts, then blocks of four real and four imaginary parts.
 fn complex_row(c: &[ComplexBall]) -> Option<Vec<f64>> {
-    let mut row = Vec::with_capacity(40);
+    let mut row = Vec::new();
     for c in &c[..2] {
         row.extend(parts::<2>(&c.re)?);
         row.extend(parts::<2>(&c.im)?);
@@ -100,7 +100,7 @@ fn erfcx_row(c: &[ComplexBall]) -> Option<Vec<f64>> {
         2 => -&c[n].re,
         _ => c[n].im.clone(),
     };
-    let mut row = Vec::with_capacity(20);
+    let mut row = Vec::new();
     for n in 0..2 {
         row.extend(parts::<2>(&turned(n))?);
     }
@@ -125,7 +125,7 @@ fn zero_row(k: u32, bits: u32) -> Result<Option<Vec<f64>>, Undecided> {
         g.push(next);
     }
     let row = || {
-        let mut row = Vec::with_capacity(46);
+        let mut row = Vec::new();
         row.extend(parts::<3>(&z.re)?);
         row.extend(parts::<3>(&z.im)?);
         blocks(&mut row, &g[2..])?;
@@ -211,10 +211,11 @@ fn cells() -> Vec<(usize, (i64, i64, i64))> {
             }
         }
     }
-    // Squares with side 1/2 outside, as far as they reach into |z| < 7.
+    // Squares with side 1/2 outside, as far as their corner next to zero is in |z| < 7; in the first column, where a side
+    // is nearer, it makes no difference.
     for j in 1..15 {
         for i in 0..15 {
-            let (p, q) = ((2 * i - 1).max(0), 2 * j - 1);
+            let (p, q) = (2 * i - 1, 2 * j - 1);
             if (i > 7 || j > 7) && p * p + q * q < 16 * 49 {
                 cells.push(((512 + 32 * j + i) as usize, (i, j, 2)));
             }

@@ -29,13 +29,10 @@ fn coefficients(slope: bool) -> Vec<Rational> {
         .collect()
 }
 
-/// The Chebyshev polynomial `T_n(2v/V − 1)` in powers of v, `V = 1/PER`.
+/// The Chebyshev polynomial `T_n(2v/V − 1)` in powers of v, `V = 1/PER`, n ≥ 1.
 fn chebyshev(n: usize) -> Vec<Rational> {
     let mut before = vec![Rational::from(1)];
     let mut here = vec![Rational::from(-1), Rational::from(2 * PER)];
-    if n == 0 {
-        return before;
-    }
     for _ in 1..n {
         // T_{k+1} = 2 (2v/V − 1) T_k − T_{k−1}.
         let mut next = vec![Rational::new(); here.len() + 1];
@@ -68,6 +65,14 @@ fn shortened(slope: bool) -> (Vec<Rational>, Rational) {
     (c, off)
 }
 
+/// Refuses a sum of which too much is left out: v times it stands beside 1.
+fn negligible(off: &Rational) -> Result<(), MakeError> {
+    match Rational::from(off / PER).to_f64() {
+        part if part > 2f64.powi(-56) => Err(MakeError::LeftOut(part)),
+        _ => Ok(()),
+    }
+}
+
 pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
     tables.depends_on(&format!("v <= 1/{PER}, {KEPT} of {SUM} terms"));
     tables.open(
@@ -85,13 +90,22 @@ pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
                 .collect();
             Ok(row)
         })?;
-        // v times this stands beside 1.
-        let part = (off / PER).to_f64();
-        if part > 2f64.powi(-56) {
-            return Err(MakeError::LeftOut(part).into());
-        }
+        negligible(&off)?;
         let _ = writeln!(tables.text, "    {row:?},");
     }
     tables.close();
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_eighth_of_the_last_place_is_left_out_at_most() {
+        let most = Rational::from(PER) >> 56u32;
+        assert!(negligible(&most).is_ok());
+        let more = most * Rational::from((1_000_001, 1_000_000));
+        assert!(matches!(negligible(&more), Err(MakeError::LeftOut(_))));
+    }
 }

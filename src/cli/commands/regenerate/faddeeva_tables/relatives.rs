@@ -3,7 +3,7 @@
 
 use super::{Made, Outcome, decided, parts, precision};
 use mechaudit::reference::{Ball, Undecided, faddeeva};
-use rug::{Float, Rational};
+use rug::Rational;
 use std::fmt::Write as _;
 
 /// Zeros of erf.
@@ -64,11 +64,11 @@ pub fn constants() -> Outcome<Made> {
 /// The zero of F′ on the positive real axis, `F(x₀) = 1/(2x₀)`: bisection by certified signs of
 /// `F′ = 1 − 2xF`, which falls from 0 to 3/2.
 fn maximum(bits: u32) -> Result<Ball, Undecided> {
-    let (mut low, mut high) = (Rational::from((9, 10)), Rational::from((19, 20)));
+    let (mut low, mut high) = (Rational::new(), Rational::from(1));
     for _ in 0..bits {
         let middle = Rational::from(&low + &high) / 2u32;
-        let f = faddeeva::dawson(&middle, &Rational::new(), bits + 16)?.re;
-        let slope = Ball::integer(bits, 1) - &(f * &Ball::rational(bits + 16, &middle)).shift(1);
+        let f = faddeeva::dawson(&middle, &Rational::new(), bits)?.re;
+        let slope = Ball::integer(bits, 1) - &(f * &Ball::rational(bits, &middle)).shift(1);
         if slope.is_positive() {
             low = middle;
         } else if slope.is_negative() {
@@ -77,8 +77,7 @@ fn maximum(bits: u32) -> Result<Ball, Undecided> {
             break;
         }
     }
-    let end = |q: &Rational| Float::with_val(2 * bits, q);
-    Ok(Ball::between(bits, &end(&low), &end(&high)))
+    Ok(Ball::rational(bits, &low).union(&Ball::rational(bits, &high)))
 }
 
 /// `relatives_tables.rs`.

@@ -1,0 +1,126 @@
+use super::*;
+use mechaudit::proof::{Bound, Formula, Open};
+use mechaudit::report::text::style::plain;
+
+/// Made up: two rectangles of one formula, one of another without a bound of its imaginary part.
+fn certificate() -> Certificate {
+    let leaf = |a: [f64; 2], b: [f64; 2], formula: Formula, [norm, re, im]: [f64; 3]| Leaf {
+        at: Rectangle { a, b },
+        formula,
+        bound: Bound {
+            norm,
+            re,
+            im,
+            tiny: 2.0,
+        },
+    };
+    let cell = Formula::Cell {
+        centre: (0.25, 0.5),
+    };
+    let four = Formula::Asymptotic { terms: 4 };
+    Certificate {
+        leaves: vec![
+            leaf([0.0, 1.0], [2.0, 3.0], cell, [0.5, 1.5, 2.5]),
+            leaf([1.0, 2.0], [2.0, 3.0], cell, [0.75, 1.0, 2.0]),
+            leaf([8.0, 16.0], [0.0, 0.5], four, [0.25, 3.0, f64::INFINITY]),
+        ],
+        open: Vec::new(),
+    }
+}
+
+fn shown(found: &Certificate, within: Option<f64>) -> String {
+    plain(&text(found, &found.summary().unwrap(), within, 1.25))
+}
+
+#[test]
+fn every_rectangle_has_a_row() {
+    let mut out = Vec::new();
+    write_boxes(&certificate(), &mut out).unwrap();
+    let due = "re_from,re_to,im_from,im_to,formula,centre_re,centre_im,norm,re,im,tiny\n\
+               0x0p+0,0x1p+0,0x1p+1,0x1.8p+1,Taylor cell,0x1p-2,0x1p-1,0x1p-1,0x1.8p+0,0x1.4p+1,0x1p+1\n\
+               0x1p+0,0x1p+1,0x1p+1,0x1.8p+1,Taylor cell,0x1p-2,0x1p-1,0x1.8p-1,0x1p+0,0x1p+1,0x1p+1\n\
+               0x1p+3,0x1p+4,0x0p+0,0x1p-1,asymptotic 4 terms,,,0x1p-2,0x1.8p+1,inf,0x1p+1\n";
+    assert_eq!(String::from_utf8(out).unwrap(), due);
+}
+
+/// Bounds are rounded up.
+#[test]
+fn what_is_proved_in_words() {
+    let found = certificate();
+    let due = "\
+faddeeva, closed upper half-plane
+  |faddeeva(z) − w(z)| ≤ K · 2^-52 |w(z)| for every finite f64 z with Im z ≥ 0: K = 0.751
+  no bound of the components
+  K is attained in [1.0000e0, 2.0000e0] + i [2.0000e0, 3.0000e0]
+  formula              boxes   norm     Re     Im
+  Taylor, cell             2  0.751  1.501  2.501
+  asymptotic, 4 terms      1  0.251  3.001      –
+  Norm in units of 2^-52, components in units in the last place; –: not proved
+  A component below 2^-960 in absolute value may be off by another 2.001 · 2^-1075: underflow
+  3 boxes, 1.2 s
+";
+    assert_eq!(shown(&found, None), due);
+    for (within, said) in [(8.0, "below 8: K"), (1e6, "below 1e6: K")] {
+        let text = shown(&found, Some(within));
+        let head = "z with Im z ≥ 0, |Re z| and Im z in the binades ";
+        assert!(text.contains(&format!("{head}{said}")), "{text}");
+    }
+    let mut components = certificate();
+    components.leaves.pop();
+    let text = shown(&components, None);
+    let due = "C = 2.501, attained in [0.0000e0, 1.0000e0] + i [2.0000e0, 3.0000e0]";
+    assert!(text.contains(due), "{text}");
+}
+
+/// Where a rectangle is open nothing is claimed, and the first five are named.
+#[test]
+fn open_rectangles_are_no_proof() {
+    let open = (0..6).map(|k| Open {
+        at: Rectangle {
+            a: [f64::from(k), 9.0],
+            b: [0.0, 1.0],
+        },
+        why: "several formulas",
+    });
+    let found = Certificate {
+        open: open.collect(),
+        ..certificate()
+    };
+    let text = shown(&found, None);
+    assert!(text.contains("  not proved: 6 rectangles are open\n"));
+    assert!(!text.contains("K · 2^-52") && !text.contains("C = "));
+    let named =
+        |k: u32| format!("  [{k}.0000e0, 9.0000e0] + i [0.0000e0, 1.0000e0]: several formulas\n");
+    for k in 0..6 {
+        assert_eq!(text.contains(&named(k)), k < 5, "{text}");
+    }
+    let json = document(&found, &found.summary().unwrap(), None, 1.25);
+    assert_eq!(json["proved"], false);
+    assert_eq!(json["open"][5]["box"]["re"], json!([5.0, 9.0]));
+}
+
+/// An end of a proof is heard at once, whatever becomes of it.
+#[test]
+fn a_proof_is_waited_for() {
+    let ended = |found: Result<Option<u32>, String>| {
+        let found = watched("some", move |watch| {
+            watch.of.store(3, Ordering::Relaxed);
+            std::thread::sleep(2 * interrupt::POLL);
+            found
+        });
+        found.map_err(|e| e.to_string())
+    };
+    for found in [Ok(Some(5)), Ok(None), Err("undecided".to_string())] {
+        assert_eq!(ended(found.clone()), found);
+    }
+}
+
+#[test]
+fn a_proof_is_so_far() {
+    let watch = Watch::default();
+    assert_eq!(reached(&watch), None);
+    watch.of.store(9, Ordering::Relaxed);
+    assert_eq!(reached(&watch), Some((0, 9)));
+    watch.done.store(4, Ordering::Relaxed);
+    assert_eq!(reached(&watch), Some((4, 9)));
+}
