@@ -23,10 +23,11 @@
 
 use super::values::{Values, at_crank_speed};
 use super::{Dyad, Shape};
+use crate::machine::first_bits;
 use crate::reference::dyad::{four_bar, slider_crank};
 use crate::reference::{Ball, Mag};
 use crate::solvers::dyad::Assembly;
-use rug::Rational;
+use rug::{Complete, Rational};
 
 /// A digit still open at this many times the first precision stays undecided.
 const RAISED_AT_MOST: u32 = 16;
@@ -59,7 +60,7 @@ pub fn certified(dyad: &Dyad, degrees: &Rational, assembly: Assembly, digits: u3
     if dyad.shape.exactly_beyond(degrees) {
         return Proved::Unreachable;
     }
-    let first = ((f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64).max(128);
+    let first = first_bits(digits).max(128);
     let mut proved: Values<Option<String>> = Default::default();
     let mut bits = first;
     while bits <= RAISED_AT_MOST * first && proved.iter().any(Option::is_none) {
@@ -108,7 +109,7 @@ fn within_reach(shape: &Shape, degrees: &Rational, bits: u32) -> Option<bool> {
 
 /// The values of a row in the order of the columns, enclosed.
 fn values(dyad: &Dyad, degrees: &Rational, assembly: Assembly, bits: u32) -> Option<Vec<Ball>> {
-    let angle = dyad.shape.relative(degrees, bits + 32);
+    let angle = dyad.shape.relative(degrees, bits);
     let rational = angle.mid().to_rational()?;
     let distance = Ball::new(angle.rad().to_float(), Mag::ZERO);
     let left = assembly == Assembly::Positive;
@@ -222,13 +223,13 @@ fn slider_bounds(l: &[Rational; 3], determinant: &Ball, distance: &Ball) -> Opti
 fn parallelogram(l: &[Rational; 4], degrees: &Rational, left: bool, v: &mut Values<Ball>) {
     let turns = Rational::from(degrees / 360u32);
     let rest = (&turns - Rational::from(turns.floor_ref())) * 2u32;
-    let parallel = rest != 0 && rest != 1 && (rest < 1) == left;
+    let parallel = !rest.is_integer() && rest.floor_ref().complete() == u32::from(!left);
     if l[0] != l[2] || l[1] != l[3] || !parallel {
         return;
     }
     let zero = || Ball::integer(v[0].prec(), 0);
-    // φ2 is a whole number of turns: zero if it may be zero.
-    let whole = v[0].contains_zero() && v[0].magnitude() < Mag::from_f64(6.0);
+    // φ2 is a whole number of turns: zero if it may be zero and is less than one.
+    let whole = v[0].contains_zero() && v[0].magnitude() < Mag::from_f64(std::f64::consts::TAU);
     let (z0, z2, z4, z5) = (zero(), zero(), zero(), zero());
     if whole {
         v[0] = z0;
@@ -421,5 +422,23 @@ mod tests {
         }
         let [left, right] = [&shifted[..5], &shifted[5..]];
         assert!(left.iter().zip(right).all(|(l, r)| l != r), "{shifted:?}");
+    }
+
+    /// A linkage seen from behind its rocker is the same with coupler and rocker exchanged, and so are its bounds.
+    #[test]
+    fn bounds_of_coupler_and_rocker_are_those_of_the_exchanged_linkage() {
+        let [determinant, distance] = [900.0, 0.01].map(|x| Ball::exact(128, x));
+        let of = |l: [u32; 4]| {
+            let found = four_bar_bounds(&l.map(Rational::from), &determinant, &distance);
+            found.unwrap().map(|b| b.mid().to_f64())
+        };
+        let [p2, p3, q2, q3, t2, t3, turn, d1] = of([10, 40, 30, 35]);
+        let exchanged = of([10, 30, 40, 35]);
+        for (x, due) in exchanged
+            .into_iter()
+            .zip([p3, p2, q3, q2, t3, t2, turn, d1])
+        {
+            assert!((x / due - 1.0).abs() < 1e-14, "{x} {due}");
+        }
     }
 }
