@@ -195,7 +195,7 @@ impl Source {
 
     /// The line of what stands in this place, or of the innermost section there is around it.
     fn line_of(&self, place: &str) -> Option<usize> {
-        // JSON is no TOML: an object at the top begins no line of it.
+        // JSON is no TOML, so nothing of it is found: no line begins with a brace.
         let file = toml::de::DeTable::parse(&self.text).ok()?;
         let mut section = file.get_ref();
         let mut found = None;

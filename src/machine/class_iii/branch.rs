@@ -131,7 +131,7 @@ fn spans(parts: &[[f64; 2]]) -> String {
 }
 
 /// Finds the branch at the crank angle `phi1` in degrees: the mode `number`, else what `start` says. Modes come in pairs,
-/// so there is never only one.
+/// so one of them has to be named.
 ///
 /// ```
 /// use mechaudit::machine::{class_iii, Linkage, Source};

@@ -424,7 +424,8 @@ mod tests {
         assert!(left.iter().zip(right).all(|(l, r)| l != r), "{shifted:?}");
     }
 
-    /// A linkage seen from behind its rocker is the same with coupler and rocker exchanged, and so are its bounds.
+    /// The two links of the dyad may be joined in either order: with their lengths, the bounds of coupler and rocker change
+    /// places.
     #[test]
     fn bounds_of_coupler_and_rocker_are_those_of_the_exchanged_linkage() {
         let [determinant, distance] = [900.0, 0.01].map(|x| Ball::exact(128, x));

@@ -6,7 +6,7 @@ use crate::solvers::planar::State;
 use rug::Rational;
 use std::f64::consts::TAU;
 
-/// A four-bar linkage from A at the origin to D, whose coupler's line is across its own axis.
+/// A four-bar linkage on the pivots A and D, whose coupler lies along the second axis of its frame.
 fn four_bar(lengths: [&str; 4], more: &str) -> Machine {
     let [crank, coupler, rocker, frame] = lengths;
     let pins =

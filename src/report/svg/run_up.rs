@@ -210,15 +210,15 @@ mod tests {
             method: "DOP853",
             points: points.to_vec(),
         };
-        let svg = work_precision("a", &[work(&[(1e-3, 10), (1e-16, 1000), (0.0, 0)])]).unwrap();
+        let svg = work_precision("a", &[work(&[(1e-3, 10), (1e-15, 1000), (0.0, 0)])]).unwrap();
         let [coarse, fine, exact] = dots(&svg)[..] else {
             panic!("{svg}");
         };
         assert!(coarse.0 < fine.0 && coarse.1 > fine.1, "{svg}");
-        // No error at all stands where rounding does, no work where one evaluation does.
-        let decade = (coarse.1 - fine.1) / 2.0;
-        assert_eq!(exact.0, fine.0);
-        assert!((exact.1 - coarse.1 - decade).abs() < 0.02, "{svg}");
+        // No error at all stands at 1e-16, no work where one evaluation does.
+        let decades = [(fine.0 - coarse.0) / 12.0, (coarse.1 - fine.1) / 2.0];
+        assert!((exact.0 - fine.0 - decades[0]).abs() < 0.02, "{svg}");
+        assert!((exact.1 - coarse.1 - decades[1]).abs() < 0.02, "{svg}");
         for power in 3..=16 {
             assert!(texts(&svg).contains(&&*format!("1e-{power}")), "{power}");
         }
