@@ -302,18 +302,9 @@ pub(super) mod tests {
 
     /// The texts of a drawing.
     pub fn texts(svg: &str) -> Vec<&str> {
-        let texts = svg.split("<text ").skip(1);
-        texts
-            .map(|t| {
-                t.split_once('>')
-                    .unwrap()
-                    .1
-                    .split('<')
-                    .next()
-                    .unwrap()
-                    .trim()
-            })
-            .collect()
+        let inner = |tag: &str| tag.find('>').map(|k| k + 1).unwrap();
+        let texts = svg.split("<text ").skip(1).map(|t| &t[inner(t)..]);
+        texts.map(|t| t.split('<').next().unwrap().trim()).collect()
     }
 
     #[test]

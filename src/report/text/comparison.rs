@@ -172,11 +172,11 @@ mod tests {
             better: false,
         };
         let text = |n: usize| {
-            let changes = Changes {
+            let found = Changes {
                 changes: vec![change.clone(); n],
                 not_compared: Vec::new(),
             };
-            plain(&changes_text(&changes))
+            plain(&changes(&found, 100))
         };
         assert_eq!(text(0), "Since the baseline: 0 figures worse, 0 better\n");
         let line = "  worse  a-method  wide            failed       0  1.00\n";
@@ -187,9 +187,5 @@ mod tests {
             let left = "  1 more; --format json lists all of them.\n";
             assert_eq!(rest, Some(if n > SHOWN { left } else { "" }), "{text}");
         }
-    }
-
-    fn changes_text(found: &Changes) -> String {
-        changes(found, 100)
     }
 }

@@ -94,12 +94,12 @@ mod tests {
             text: "y".into(),
             latex: "y".into(),
         };
-        let text = |[single, pairs]: [usize; 2], distinct: usize| {
+        let text = |pairs_that_hold: usize, distinct: usize| {
             search(&Repair {
                 single_edits: 9,
-                single_that_hold: single,
+                single_that_hold: 0,
                 pairs: 30,
-                pairs_that_hold: pairs,
+                pairs_that_hold,
                 without_value: 0,
                 undecided: 0,
                 distinct: (0..distinct).map(|_| formula()).collect(),
@@ -108,14 +108,14 @@ mod tests {
         };
         let none = "None of 9 single edits makes it true; ";
         for (text, due) in [
-            (text([0, 0], 0), "0 of 30 pairs of edits do."),
-            (text([0, 1], 1), "1 of 30 pairs of edits does."),
+            (text(0, 0), "0 of 30 pairs of edits do."),
+            (text(1, 1), "1 of 30 pairs of edits does."),
             (
-                text([0, 2], 1),
+                text(2, 1),
                 "2 of 30 pairs of edits do, all of them giving the same formula.",
             ),
             (
-                text([0, 3], 2),
+                text(3, 2),
                 "3 of 30 pairs of edits do, giving 2 different formulas.",
             ),
         ] {
