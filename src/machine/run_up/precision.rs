@@ -99,8 +99,8 @@ mod tests {
     fn each_part_is_run_by_its_method_alone() {
         let mut whole = machine("2 s").plan;
         whole.settings.switch_when_stiff = true;
-        let part = part(&whole, Method::Dop853, 1e-6, 2);
-        assert_eq!((part.duration, part.sampling), (0.5, None));
+        let part = part(&whole, Method::Dop853, 1e-6, 3);
+        assert_eq!((part.duration, part.sampling), (0.75, None));
         let due = Settings {
             tolerance: 1e-6,
             method: Method::Dop853,
