@@ -585,4 +585,31 @@ mod tests {
         let refused = read(two).err().unwrap().to_string();
         assert!(refused.contains("exactly one of"), "{refused}");
     }
+
+    /// As many rows as there are steps in the duration within rounding, and at most ten billion after the first.
+    #[test]
+    fn a_run_ends_with_a_row() {
+        let read = |duration: f64, step: f64| {
+            let mut file: toml::Table = include_str!("../../examples/chirp-run-up.toml")
+                .parse()
+                .unwrap();
+            let run = file["run"].as_table_mut().unwrap();
+            for (name, value) in [("duration", duration), ("step", step)] {
+                run.insert(name.into(), format!("{value} s").into());
+            }
+            CamOscillator::read(&Source::toml(file.to_string()), Some(20))
+        };
+        for (duration, step, rows) in [
+            (0.3, 0.1, 4),
+            (0.299, 0.1, 3),
+            (1.0 - 7e-13, 0.1, 11),
+            (1.0 - 2e-12, 0.1, 10),
+            (1e10, 1.0, 10_000_000_001),
+        ] {
+            let run = read(duration, step).unwrap().run.unwrap();
+            assert_eq!(run.rows, rows, "{duration} {step}");
+        }
+        let refused = read(1e10 + 1.0, 1.0).err().unwrap().to_string();
+        assert!(refused.contains("at most 1e10 rows"), "{refused}");
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::class_iii::{Branch, Reach};
 use crate::reference::nearest_f64;
+use rug::ops::Pow;
 use rug::{Integer, Rational};
 
 /// Crank angles in degrees, `from + k step`.
@@ -176,12 +177,10 @@ impl Plan {
 /// assert_eq!(decimal(&(-1, 8).into()), "-0.125");
 /// ```
 pub fn decimal(q: &Rational) -> String {
-    let mut scaled = q.clone();
-    let mut places = 0;
-    while *scaled.denom() != 1 && places < 1200 {
-        scaled *= 10;
-        places += 1;
-    }
+    let mut rest = q.denom().clone();
+    let [twos, fives] = [2, 5].map(|p| rest.remove_factor_mut(&Integer::from(p)));
+    let places = twos.max(fives) as usize;
+    let scaled = Rational::from(10).pow(places as u32) * q;
     let n: Integer = scaled.numer().clone();
     let digits = format!(
         "{:0>width$}",
@@ -239,6 +238,11 @@ mod tests {
             (0, 1, "0"),
         ] {
             assert_eq!(decimal(&Rational::from((n, d))), text);
+        }
+        for text in ["1e-1300", "-7.25e-2000", "6.5e1300"] {
+            let number = |text: &str| crate::reference::Decimal::parse(text).unwrap().value;
+            let exact = number(text);
+            assert_eq!(number(&decimal(&exact)), exact, "{text}");
         }
     }
 }

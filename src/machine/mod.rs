@@ -44,3 +44,25 @@ mod source;
 pub use cam_oscillator::CamOscillator;
 pub use linkage::{CrankMotion, Linkage};
 pub use source::{Form, Refusal, Source, SourceError};
+
+/// Bits at which so many significant decimal digits are tried to be proved first.
+fn first_bits(digits: u32) -> u32 {
+    (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_begin_with_the_bits_they_hold_and_a_word() {
+        for (digits, bits) in [
+            (1, 4 + 64),
+            (19, 64 + 64),
+            (30, 100 + 64),
+            (1000, 3322 + 64),
+        ] {
+            assert_eq!(first_bits(digits), bits);
+        }
+    }
+}

@@ -434,7 +434,7 @@ fn is_number_part(text: &str, i: usize, c: char) -> bool {
     let after = text[i + c.len_utf8()..].trim_start_matches(['+', '-']);
     match c {
         '0'..='9' | '.' | '+' | '-' => true,
-        'e' | 'E' => i > 0 && after.starts_with(|d: char| d.is_ascii_digit()),
+        'e' | 'E' => after.starts_with(|d: char| d.is_ascii_digit()),
         _ => false,
     }
 }

@@ -195,9 +195,7 @@ impl Source {
 
     /// The line of what stands in this place, or of the innermost section there is around it.
     fn line_of(&self, place: &str) -> Option<usize> {
-        if self.form == Form::Json {
-            return None;
-        }
+        // JSON is no TOML, so nothing of it is found: no line begins with a brace.
         let file = toml::de::DeTable::parse(&self.text).ok()?;
         let mut section = file.get_ref();
         let mut found = None;

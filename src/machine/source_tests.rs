@@ -138,3 +138,11 @@ fn texts() {
         assert!(e.contains(part), "{e}");
     }
 }
+
+#[test]
+fn no_more_is_read_than_tells_that_a_text_is_too_long() {
+    let mut endless = std::io::Cursor::new(vec![b'#'; 3 * LONGEST as usize]);
+    let refused = Source::read(&mut endless, None).unwrap_err();
+    assert!(matches!(refused, SourceError::TooLong));
+    assert_eq!(endless.position(), LONGEST + 1);
+}

@@ -86,7 +86,7 @@ pub enum BranchError {
         /// φ4 of the modes that there are, in radians.
         modes: Vec<f64>,
     },
-    /// There are several, and nothing says which.
+    /// Nothing says which.
     #[error(
         "which branch? {}; write --branch N, --all-branches, or start.phi4 in the file",
         listed(modes)
@@ -130,8 +130,8 @@ fn spans(parts: &[[f64; 2]]) -> String {
     parts.iter().map(one).collect::<Vec<_>>().join(" and ")
 }
 
-/// Finds the branch at the crank angle `phi1` in degrees: the mode `number`, else what `start`
-/// says, else the only one.
+/// Finds the branch at the crank angle `phi1` in degrees: the mode `number`, else what `start` says. Modes come in pairs,
+/// so one of them has to be named.
 ///
 /// ```
 /// use mechaudit::machine::{class_iii, Linkage, Source};
@@ -184,7 +184,6 @@ pub fn choose(
                 }
             }
         }
-        (None, None) if modes.len() == 1 => 0,
         (None, None) => return Err(BranchError::Ambiguous { modes }),
     };
     let state = linkage.state_near(angle, found[mode])?;
@@ -297,13 +296,57 @@ fn end(
     let Some(ours) = map.rows[0].iter().find(|s| same(&s.state, &before)) else {
         return Ok(plain);
     };
-    let fold = map
-        .folds
-        .iter()
-        .find(|f| !f.begins && f.branches.contains(&ours.branch));
+    let fold = map.folds.iter().find(|f| f.branches.contains(&ours.branch));
     Ok(fold.map_or(plain, |f| End {
         phi1: f.phi1,
         phi4: f.phi4,
         ..plain
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::{Linkage, Source, class_iii};
+
+    fn linkage() -> class_iii::Linkage {
+        let text = include_str!("../../../examples/no-full-turn.toml");
+        match Linkage::read(&Source::toml(text)).unwrap() {
+            Linkage::ClassIii(linkage) => *linkage,
+            _ => unreachable!("of class III"),
+        }
+    }
+
+    /// Beside the fold the margin is half of what is left to it.
+    #[test]
+    fn a_branch_that_starts_within_the_margin_reaches_half_way_to_the_fold() {
+        let linkage = linkage();
+        let at = |phi1: f64| {
+            let degrees = Rational::from_f64(phi1.to_degrees()).unwrap();
+            choose(&linkage.solver, &degrees, Some(0), &linkage.start).unwrap()
+        };
+        let Reach::Part { low, high } = at(0.0).reach else {
+            panic!("the crank does not turn fully");
+        };
+        for (fold, sign) in [(low.phi1, 1.0), (high.phi1, -1.0)] {
+            let branch = at(fold + sign * 1e-7);
+            let Reach::Part { low, high } = branch.reach else {
+                panic!("a fold is near");
+            };
+            let end = if sign > 0.0 { low } else { high };
+            let parts = [end.reached, end.phi1].map(|x| sign * (branch.start.phi1 - x));
+            assert!((parts[1] - 1e-7).abs() < 1e-9, "{parts:?}");
+            assert!((parts[0] / parts[1] - 0.5).abs() < 0.01, "{parts:?}");
+        }
+    }
+
+    #[test]
+    fn several_modes_are_not_chosen_among() {
+        let linkage = linkage();
+        let start = Start::default();
+        let refused = choose(&linkage.solver, &Rational::new(), None, &start);
+        let modes = linkage.solver.assembly_modes(Angle::from_deg(0.0)).modes;
+        let modes = modes.iter().map(|m| m.phi4).collect();
+        assert_eq!(refused.err(), Some(BranchError::Ambiguous { modes }));
+    }
 }

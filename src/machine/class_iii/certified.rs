@@ -2,6 +2,7 @@
 //! asked for is proved.
 
 use super::Linkage as Description;
+use crate::machine::first_bits;
 use crate::reference::class_iii::{Configuration, ExactAngle, Kinematics, Linkage};
 use crate::reference::{Ball, ComplexBall};
 use crate::solvers::class_iii::State;
@@ -39,7 +40,7 @@ pub struct Certifier<'a> {
 impl<'a> Certifier<'a> {
     /// For `digits` significant digits of every value.
     pub fn new(description: &'a Description, digits: u32) -> Certifier<'a> {
-        let bits = (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64;
+        let bits = first_bits(digits);
         Certifier {
             description,
             digits: digits as usize,
@@ -58,11 +59,11 @@ impl<'a> Certifier<'a> {
         loop {
             let bits = self.linkage.bits();
             let phi = angle.to_ball(bits);
-            let [_, _, c, d] = state.joints();
+            let [_, _, [cx, cy], [dx, dy]] = state.joints();
             let found = match &self.here {
-                None => self.linkage.near(&phi, c, d),
+                None => self.linkage.near(&phi, [cx, cy], [dx, dy]),
                 Some((at, from)) => {
-                    let guess = [c[0], c[1], d[0], d[1]].map(|x| Float::with_val(bits, x));
+                    let guess = [cx, cy, dx, dy].map(|x| Float::with_val(bits, x));
                     let at = at.to_ball(bits);
                     self.linkage.follow_from(from, &at, &phi, Some(guess))
                 }
@@ -239,6 +240,34 @@ mod tests {
             };
             *moved = beside(moved);
             assert!(refined(&finer, &angle, &other).is_none(), "coordinate {k}");
+        }
+    }
+
+    /// A position of another mode is not taken for the next of the branch, until the branch is left.
+    #[test]
+    fn a_branch_is_not_left_for_another_mode() {
+        let text = include_str!("../../../examples/sand-screen.toml");
+        let File::ClassIii(file) = File::read(&Source::toml(text)).unwrap() else {
+            unreachable!("of class III");
+        };
+        let [here, next] = [15, 16].map(Rational::from);
+        let at = |degrees: &Rational, mode: usize| {
+            super::super::choose(&file.solver, degrees, Some(mode), &file.start)
+                .unwrap()
+                .start
+        };
+        let phi4 = |q: &Configuration, degrees: &Rational, certifier: &Certifier| {
+            let values = certifier.values(degrees, q);
+            values[2].as_ref().unwrap().parse::<f64>().unwrap()
+        };
+        let (ours, other) = (at(&next, 2), at(&next, 0));
+        let mut certifier = Certifier::new(&file, 15);
+        certifier.advance(&here, &at(&here, 2)).unwrap();
+        for due in [&ours, &other] {
+            let found = certifier.advance(&next, &other).unwrap();
+            let off = phi4(&found, &next, &certifier) - due.positions.phi4.to_degrees();
+            assert!((off / 360.0 - (off / 360.0).round()).abs() < 1e-12, "{off}");
+            certifier.lift();
         }
     }
 }

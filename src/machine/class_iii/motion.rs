@@ -42,3 +42,26 @@ pub fn motion(linkage: &Linkage, states: &[State], start: usize, closed: bool) -
         ..all
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::{self, Source};
+
+    #[test]
+    fn the_shown_position_is_among_those_of_the_range_once() {
+        let text = include_str!("../../../examples/no-full-turn.toml");
+        let file = machine::Linkage::read(&Source::toml(text)).unwrap();
+        let machine::Linkage::ClassIii(linkage) = file else {
+            unreachable!("of class III");
+        };
+        let degrees = linkage.start_degrees().unwrap();
+        let branch = super::super::choose(&linkage.solver, &degrees, None, &linkage.start).unwrap();
+        let along = path(&linkage, &branch, 4).unwrap();
+        let (all, k) = positions(&linkage, &branch, 4, &along[2]).unwrap();
+        assert_eq!((all.len(), k), (5, 2));
+        let (all, k) = positions(&linkage, &branch, 4, &branch.start).unwrap();
+        assert_eq!((all.len(), all[k].phi1), (6, branch.start.phi1));
+        assert!(all.is_sorted_by_key(|s| s.phi1));
+    }
+}

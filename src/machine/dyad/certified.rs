@@ -23,10 +23,11 @@
 
 use super::values::{Values, at_crank_speed};
 use super::{Dyad, Shape};
+use crate::machine::first_bits;
 use crate::reference::dyad::{four_bar, slider_crank};
 use crate::reference::{Ball, Mag};
 use crate::solvers::dyad::Assembly;
-use rug::Rational;
+use rug::{Complete, Rational};
 
 /// A digit still open at this many times the first precision stays undecided.
 const RAISED_AT_MOST: u32 = 16;
@@ -59,7 +60,7 @@ pub fn certified(dyad: &Dyad, degrees: &Rational, assembly: Assembly, digits: u3
     if dyad.shape.exactly_beyond(degrees) {
         return Proved::Unreachable;
     }
-    let first = ((f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64).max(128);
+    let first = first_bits(digits).max(128);
     let mut proved: Values<Option<String>> = Default::default();
     let mut bits = first;
     while bits <= RAISED_AT_MOST * first && proved.iter().any(Option::is_none) {
@@ -108,7 +109,7 @@ fn within_reach(shape: &Shape, degrees: &Rational, bits: u32) -> Option<bool> {
 
 /// The values of a row in the order of the columns, enclosed.
 fn values(dyad: &Dyad, degrees: &Rational, assembly: Assembly, bits: u32) -> Option<Vec<Ball>> {
-    let angle = dyad.shape.relative(degrees, bits + 32);
+    let angle = dyad.shape.relative(degrees, bits);
     let rational = angle.mid().to_rational()?;
     let distance = Ball::new(angle.rad().to_float(), Mag::ZERO);
     let left = assembly == Assembly::Positive;
@@ -222,13 +223,13 @@ fn slider_bounds(l: &[Rational; 3], determinant: &Ball, distance: &Ball) -> Opti
 fn parallelogram(l: &[Rational; 4], degrees: &Rational, left: bool, v: &mut Values<Ball>) {
     let turns = Rational::from(degrees / 360u32);
     let rest = (&turns - Rational::from(turns.floor_ref())) * 2u32;
-    let parallel = rest != 0 && rest != 1 && (rest < 1) == left;
+    let parallel = !rest.is_integer() && rest.floor_ref().complete() == u32::from(!left);
     if l[0] != l[2] || l[1] != l[3] || !parallel {
         return;
     }
     let zero = || Ball::integer(v[0].prec(), 0);
-    // φ2 is a whole number of turns: zero if it may be zero.
-    let whole = v[0].contains_zero() && v[0].magnitude() < Mag::from_f64(6.0);
+    // φ2 is a whole number of turns: zero if it may be zero and is less than one.
+    let whole = v[0].contains_zero() && v[0].magnitude() < Mag::from_f64(std::f64::consts::TAU);
     let (z0, z2, z4, z5) = (zero(), zero(), zero(), zero());
     if whole {
         v[0] = z0;
@@ -411,7 +412,7 @@ mod tests {
                     panic!("within reach");
                 };
                 for (k, (text, x)) in proved.iter().zip(floats).enumerate() {
-                    let Some(text) = text else { continue };
+                    let text = text.as_deref().expect("all digits");
                     let near = (text.parse::<f64>().unwrap() - x).abs() < 1e-9 * (1.0 + x.abs());
                     assert!(near, "value {k} at {degrees}: {text} {x}");
                 }
@@ -421,5 +422,47 @@ mod tests {
         }
         let [left, right] = [&shifted[..5], &shifted[5..]];
         assert!(left.iter().zip(right).all(|(l, r)| l != r), "{shifted:?}");
+    }
+
+    /// The two links of the dyad may be joined in either order: with their lengths, the bounds of coupler and rocker change
+    /// places.
+    #[test]
+    fn bounds_of_coupler_and_rocker_are_those_of_the_exchanged_linkage() {
+        let [determinant, distance] = [900.0, 0.01].map(|x| Ball::exact(128, x));
+        let of = |l: [u32; 4]| {
+            let found = four_bar_bounds(&l.map(Rational::from), &determinant, &distance);
+            found.unwrap().map(|b| b.mid().to_f64())
+        };
+        let [p2, p3, q2, q3, t2, t3, turn, d1] = of([10, 40, 30, 35]);
+        let exchanged = of([10, 30, 40, 35]);
+        for (x, due) in exchanged
+            .into_iter()
+            .zip([p3, p2, q3, q2, t3, t2, turn, d1])
+        {
+            assert!((x / due - 1.0).abs() < 1e-14, "{x} {due}");
+        }
+    }
+
+    /// The coupler's angle is a whole number of turns: none where it may be zero and is less than one, else it stays open.
+    #[test]
+    fn the_coupler_of_a_parallelogram_has_turned_by_nothing_or_by_turns() {
+        let l = [1, 3, 1, 3].map(Rational::from);
+        let turn = std::f64::consts::TAU;
+        for (angle, radius, due) in [
+            (0.0, 1e-20, true),
+            (1e-21, 1e-20, true),
+            (turn, 1e-15, false),
+            (0.0, 7.0, false),
+            (2.0, 1e-15, false),
+        ] {
+            let ball = Ball::exact(128, angle).widened(Mag::from_f64(radius));
+            let mut v: Values<Ball> = std::array::from_fn(|_| Ball::exact(128, turn));
+            v[0] = ball.clone();
+            parallelogram(&l, &50.into(), true, &mut v);
+            assert_eq!(v[0].is_zero(), due, "{angle} {radius}");
+            assert!(due || v[0].contains_ball(&ball));
+            assert!([2, 4, 5].iter().all(|i| v[*i].is_zero()));
+            assert!([1, 3, 6, 7].iter().all(|i| !v[*i].is_zero()));
+        }
     }
 }

@@ -106,4 +106,24 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_range_is_the_one_that_holds_the_start_its_ends_included() {
+        let mut bar = dyad(
+            "type = \"four-bar\"\n[geometry]\ncrank = \"3 m\"\ncoupler = \"2 m\"\nrocker = \"3 m\"\n\
+             frame = \"3 m\"",
+        );
+        let Turn::Parts(parts) = turn(&bar.shape) else {
+            panic!("the crank does not turn fully");
+        };
+        assert_eq!(parts.len(), 2);
+        for part in &parts {
+            for start in [part[0], 0.5 * (part[0] + part[1]), part[1]] {
+                bar.start = rug::Rational::from_f64(start);
+                assert_eq!(range(&bar), (*part, false));
+            }
+        }
+        bar.start = None;
+        assert_eq!(range(&bar), (parts[0], false));
+    }
 }

@@ -1,6 +1,7 @@
 //! Rows of a mechanism with certified digits, and the proof that no assembly mode is missing.
 
 use super::Machine;
+use crate::machine::first_bits;
 use crate::reference::planar::{
     self as reference, Attachment, Body, Frame, Linkage, Mechanism, Position,
 };
@@ -98,7 +99,7 @@ impl<'a> Certifier<'a> {
             lines: (0..machine.bodies.len()).map(of).collect(),
             points: points.collect::<Result<_, _>>()?,
             digits: digits as usize,
-            bits: (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32 + 64,
+            bits: first_bits(digits),
         })
     }
 

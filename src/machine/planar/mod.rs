@@ -193,3 +193,6 @@ fn start(
         drawn: false,
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -40,18 +40,7 @@ pub fn work_precision(
     mut progress: impl FnMut(u64, u64),
 ) -> Result<Vec<Point>, RunError> {
     let end = |method, tolerance, moment: u32| -> Result<(f64, u64), RunError> {
-        let plan = Plan {
-            duration: machine.plan.duration * f64::from(moment) / f64::from(MOMENTS),
-            sampling: None,
-            settings: Settings {
-                tolerance,
-                method,
-                switch_when_stiff: false,
-                ..machine.plan.settings
-            },
-            ..machine.plan.clone()
-        };
-        let motion = run(equation, &plan)?;
+        let motion = run(equation, &part(&machine.plan, method, tolerance, moment))?;
         Ok((motion.end.psi, motion.counts.evaluations))
     };
     let finest = (1..=MOMENTS).map(|k| Ok(end(Method::Verner98, FINEST, k)?.0));
@@ -77,4 +66,58 @@ pub fn work_precision(
         }
     }
     Ok(points)
+}
+
+/// The run up to one of the moments by this method alone, without samples.
+fn part(whole: &Plan, method: Method, tolerance: f64, moment: u32) -> Plan {
+    Plan {
+        duration: whole.duration * f64::from(moment) / f64::from(MOMENTS),
+        sampling: None,
+        settings: Settings {
+            tolerance,
+            method,
+            switch_when_stiff: false,
+            ..whole.settings
+        },
+        ..whole.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Source;
+    use crate::machine::run_up::Overrides;
+
+    fn machine(duration: &str) -> Machine {
+        let text = include_str!("../../../examples/four-bar-run-up.toml");
+        let text = text.replace("duration = \"2 s\"", &format!("duration = \"{duration}\""));
+        Machine::read(&Source::toml(text), Overrides::default()).unwrap()
+    }
+
+    #[test]
+    fn each_part_is_run_by_its_method_alone() {
+        let mut whole = machine("2 s").plan;
+        whole.settings.switch_when_stiff = true;
+        let part = part(&whole, Method::Dop853, 1e-6, 3);
+        assert_eq!((part.duration, part.sampling), (0.75, None));
+        let due = Settings {
+            tolerance: 1e-6,
+            method: Method::Dop853,
+            switch_when_stiff: false,
+            ..whole.settings
+        };
+        assert_eq!(part.settings, due);
+    }
+
+    #[test]
+    fn progress_ends_with_the_last_point() {
+        let machine = machine("0.01 ms");
+        let equation = Equation::new(&*machine.model, &machine.drive);
+        let mut heard = Vec::new();
+        let points = work_precision(&machine, &equation, |done, total| heard.push((done, total)));
+        let total = points.unwrap().len() as u64;
+        let due: Vec<(u64, u64)> = (1..=total).map(|k| (k, total)).collect();
+        assert_eq!(heard, due);
+    }
 }

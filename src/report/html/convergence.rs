@@ -12,21 +12,19 @@ pub fn all(reports: &[Result<ConvergenceReport, Uncertified>]) -> Markup {
     let mut rest: Vec<&ConvergenceReport> = reports.iter().flatten().collect();
     let mut problems = Vec::new();
     while let Some(first) = rest.first().copied() {
-        let (same, others) = rest.into_iter().partition(|r| r.summary == first.summary);
+        let (same, others): (Vec<_>, _) =
+            rest.into_iter().partition(|r| r.summary == first.summary);
         rest = others;
-        problems.push(same);
+        problems.push((first, same));
     }
     html! {
         h2 id="convergence" { "Convergence, work and precision" } "\n"
         @for why in reports.iter().filter_map(|r| r.as_ref().err()) { p.alarm { (why) } "\n" }
-        @for same in &problems { (problem(same)) }
+        @for (first, same) in &problems { (problem(first, same)) }
     }
 }
 
-fn problem(reports: &[&ConvergenceReport]) -> Markup {
-    let Some(first) = reports.first() else {
-        return html! {};
-    };
+fn problem(first: &ConvergenceReport, reports: &[&ConvergenceReport]) -> Markup {
     let names: Vec<&str> = reports.iter().map(|r| r.name).collect();
     let levels = || reports.iter().flat_map(|r| &r.levels);
     let failed = levels().filter(|l| l.failed.is_some()).count();
@@ -71,4 +69,60 @@ fn lines(reports: &[&ConvergenceReport], output: usize) -> Vec<Line> {
         }
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::LevelReport;
+
+    fn report(name: &'static str, summary: &'static str, parts: bool) -> ConvergenceReport {
+        let error = |total: f64| LevelError {
+            total,
+            method: parts.then_some(total),
+            rounding: parts.then_some(1e-16),
+            order: None,
+            richardson: None,
+        };
+        let level = |work, total| LevelReport {
+            level: String::new(),
+            work,
+            failed: None,
+            errors: vec![error(total)],
+        };
+        ConvergenceReport {
+            name,
+            summary,
+            work_unit: "steps",
+            outputs: vec!["y"],
+            orders: vec![None],
+            fitted: vec![Some(4.0)],
+            levels: vec![level(10, 1e-2), level(100, 1e-6)],
+        }
+    }
+
+    /// What stands between these two, each time.
+    fn between(text: &str, before: &str, after: &str) -> Vec<String> {
+        let parts = text.split(before).skip(1);
+        let inner = parts.map(|p| p.split(after).next().unwrap().to_string());
+        inner.collect()
+    }
+
+    #[test]
+    fn approximations_of_a_problem_share_a_diagram_with_a_line_for_each_part() {
+        let reports = [
+            report("a", "first", true),
+            report("b", "second", true),
+            report("c", "first", false),
+        ];
+        let page = all(&reports.map(Ok)).into_string();
+        assert_eq!(between(&page, "<h3>", "</h3>"), ["a, c", "b"]);
+        let lines = ["a total", "a method", "a rounding", "c total"];
+        let alone = ["total", "method", "rounding"];
+        assert_eq!(
+            between(&page, "<title>", "</title>"),
+            [&lines[..], &alone].concat()
+        );
+        assert!(page.contains("order over all levels 4.00, 4.00"), "{page}");
+    }
 }

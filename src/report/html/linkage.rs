@@ -81,8 +81,9 @@ fn sentence(line: &str) -> String {
     first.unwrap_or_default() + letters.as_str() + "."
 }
 
+/// A motion has a position at least.
 fn every(motion: &Motion) -> usize {
-    motion.drive.values.len().div_ceil(ROWS).max(1)
+    motion.drive.values.len().div_ceil(ROWS)
 }
 
 fn tables(motion: &Motion) -> Markup {

@@ -67,4 +67,27 @@ mod tests {
         assert_eq!(points.split('"').next().unwrap().split(' ').count(), 2);
         assert!(lines(&[]).into_string().contains("no data"));
     }
+
+    /// The points of the only line.
+    fn placed(line: &[(f64, f64)]) -> (String, String) {
+        let svg = lines(&[("a".into(), line.to_vec())]).into_string();
+        let points = svg.split("points=\"").nth(1).unwrap();
+        (points.split('"').next().unwrap().into(), svg)
+    }
+
+    #[test]
+    fn a_line_runs_from_edge_to_edge_below_the_next_power_of_ten() {
+        let (points, svg) = placed(&[(1.0, 1e-1), (10.0, 1e-3), (100.0, 3e-3)]);
+        assert_eq!(points, "46.0,8.0 211.0,238.0 376.0,183.1");
+        let marks = ["1e-3", "1e-2", "1e-1"].map(|e| format!(">{e}</text>"));
+        assert!(marks.iter().all(|e| svg.contains(e)), "{svg}");
+        let (points, svg) = placed(&[(1.0, 3e-2), (10.0, 1e-3)]);
+        assert_eq!(points, "46.0,68.1 376.0,238.0");
+        assert!(svg.contains(">1e-1</text>"), "{svg}");
+    }
+
+    #[test]
+    fn a_single_point_has_a_place() {
+        assert_eq!(placed(&[(10.0, 1e-3)]).0, "46.0,238.0");
+    }
 }

@@ -125,7 +125,7 @@ pub struct Spectrum<'a> {
 /// The harmonics of the cam's displacement.
 pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
     let lines = &spectrum.harmonics;
-    let largest = lines.iter().map(|l| l.1).fold(0.0, f64::max).max(1e-12);
+    let largest = lines.iter().map(|l| l.1).fold(f64::MIN_POSITIVE, f64::max);
     // Harmonics that vanish have no place on the axis.
     let floor = lines.iter().map(|l| l.1).filter(|d| *d > 1e-9 * largest);
     let low = 10f64.powf(floor.fold(largest, f64::min).log10().floor());
@@ -182,4 +182,29 @@ pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
         ];
         legend(&area, &names)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::panel::tests::dots;
+    use super::*;
+
+    #[test]
+    fn harmonics_that_vanish_are_left_out() {
+        let of = |harmonics: &[(f64, f64)]| {
+            let spectrum = spectrum(&Spectrum {
+                name: "a",
+                law: "b",
+                harmonics: harmonics.to_vec(),
+                beyond: Vec::new(),
+            });
+            spectrum.unwrap()
+        };
+        let [first, tenth] = dots(&of(&[(1.0, 0.5), (2.0, 0.0), (10.0, 5e-4)]))[..] else {
+            panic!("two harmonics are there");
+        };
+        assert!(first.0 < tenth.0 && first.1 < tenth.1);
+        let none = of(&[(1.0, 0.0)]);
+        assert!(dots(&none).is_empty() && !none.contains("NaN"), "{none}");
+    }
 }

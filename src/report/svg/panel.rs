@@ -276,15 +276,42 @@ fn padded(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::super::style::{BLUE, tests::whole};
     use super::*;
+
+    /// The places of a drawing's dots.
+    pub fn dots(svg: &str) -> Vec<(f64, f64)> {
+        let circles = svg.split("<circle ").skip(1);
+        let value = |tag: &str, name: &str| -> f64 {
+            let start = tag.find(&format!("{name}=\"")).unwrap() + name.len() + 2;
+            tag[start..].split('"').next().unwrap().parse().unwrap()
+        };
+        circles.map(|c| (value(c, "cx"), value(c, "cy"))).collect()
+    }
+
+    /// The places of the last curve's points.
+    pub fn points(svg: &str) -> Vec<(f64, f64)> {
+        let line = svg.split("points=\"").last().unwrap();
+        let points = line.split('"').next().unwrap().split(' ');
+        points
+            .map(|p| p.split_once(',').unwrap())
+            .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
+            .collect()
+    }
+
+    /// The texts of a drawing.
+    pub fn texts(svg: &str) -> Vec<&str> {
+        let inner = |tag: &str| tag.find('>').map(|k| k + 1).unwrap();
+        let texts = svg.split("<text ").skip(1).map(|t| &t[inner(t)..]);
+        texts.map(|t| t.split('<').next().unwrap().trim()).collect()
+    }
 
     #[test]
     fn ranges_have_air_and_size() {
         assert_eq!(padded([1.0, 11.0].into_iter()), (0.0, 11.5));
         let (a, b) = padded([3.0, 3.0].into_iter());
-        assert!(a < 3.0 && b > 3.0);
+        assert_eq!((a, b), (1.5, 4.5));
         assert_eq!(padded([f64::NAN].into_iter()), (-1.0, 1.0));
     }
 
@@ -305,18 +332,53 @@ mod tests {
         let svg = svg.unwrap();
         whole(&svg);
         assert!(svg.contains("<title>a &lt; b</title>\n<desc>y of slope</desc>"));
-        let line = svg.split("points=\"").last().unwrap();
-        let points = line.split('"').next().unwrap().split(' ');
-        let points: Vec<(f64, f64)> = points
-            .map(|p| p.split_once(',').unwrap())
-            .map(|(x, y)| (x.parse().unwrap(), y.parse().unwrap()))
-            .collect();
+        let points = points(&svg);
         assert_eq!(points.len(), 5001);
         let (a, b) = (points[0], points[5000]);
         for (k, p) in points.iter().enumerate() {
             let part = k as f64 / 5000.0;
             let due = (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1));
             assert!((p.0 - due.0).hypot(p.1 - due.1) < 0.02, "{k}: {p:?}");
+        }
+    }
+
+    #[test]
+    fn ticks_have_exponents_where_they_are_short_or_long() {
+        for (x, text) in [
+            (0.0, "0"),
+            (1e-3, "0.001"),
+            (-1.5e-3, "-0.0015"),
+            (9.99e-4, "9.99e-4"),
+            (999_999.5, "999999.5"),
+            (1e6, "1.00e6"),
+        ] {
+            assert_eq!(tick(x), text);
+        }
+    }
+
+    fn labels(width: u32, values: [f64; 2]) -> Vec<String> {
+        let line = curve("", vec![(0.0, values[0]), (4.0, values[1])], BLUE);
+        let svg = drawn((width, 300), |root, page| {
+            panel(root, page, ("", ""), &[line])
+        });
+        texts(&svg.unwrap()).into_iter().map(String::from).collect()
+    }
+
+    #[test]
+    fn labels_of_the_abscissa_are_sixty_pixels_apart() {
+        let shown = |width| {
+            let all = labels(width, [10.0, 11.0]);
+            all.into_iter().filter(|l| l.len() == 1).collect::<Vec<_>>()
+        };
+        assert_eq!(shown(112 + 300), ["0", "1", "2", "3", "4"]);
+        assert_eq!(shown(112 + 299), ["0", "2", "4"]);
+    }
+
+    #[test]
+    fn the_tick_at_zero_is_zero() {
+        for high in [0.3, 0.7, 1.3e-3, 29.0] {
+            let all = labels(600, [-high, high]);
+            assert!(!all.iter().any(|l| l.contains("e-1")), "{all:?}");
         }
     }
 }

@@ -57,3 +57,31 @@ pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> Result<String, 
         Ok(())
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::panel::tests::points;
+    use super::*;
+
+    /// The middle nine tenths of a part of the turn are within the drawing, its ends without.
+    #[test]
+    fn what_grows_without_bound_at_the_ends_is_cut_off() {
+        let row = |k: u32| {
+            let moment = if [0, 19].contains(&k) {
+                1e9
+            } else {
+                f64::from(k)
+            };
+            let reduced = Reduced {
+                inertia_kg_m2: 1.0,
+                inertia_derivative_kg_m2: 1.0,
+                moment_n_m: moment,
+                moment_derivative_n_m: 0.0,
+            };
+            (f64::from(k), reduced)
+        };
+        let rows: Vec<(f64, Reduced)> = (0..20).map(row).collect();
+        let drawn = |whole| points(&draw("a", &rows, whole).unwrap()).len();
+        assert_eq!((drawn(false), drawn(true)), (18, 20));
+    }
+}

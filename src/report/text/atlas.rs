@@ -302,3 +302,83 @@ fn decided(c: &Decided, width: usize) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::style::plain;
+    use super::*;
+    use crate::claims::{Effort, Height};
+
+    fn claim() -> Decided {
+        Decided {
+            algorithm: "an-algorithm",
+            statement: "accurate",
+            source: "Nobody (1900)",
+            reading: "",
+            domain: "everywhere",
+            measure: "relative error".into(),
+            bound: Some(1e-6),
+            verdict: Verdict::Holds,
+            part: String::new(),
+            points: 10,
+            found: Some(2e-7),
+            within: None,
+            at: None,
+            reproduce: None,
+        }
+    }
+
+    #[test]
+    fn a_claim_says_how_it_was_read_where_there_is_something_to_say() {
+        let mut claim = claim();
+        let facts = |c: &Decided| plain(&decided(c, 200)).lines().nth(2).unwrap().to_string();
+        let found = "found 2.00e-7, bound 1.00e-6, 10 points";
+        assert_eq!(
+            facts(&claim),
+            format!("    relative error; everywhere; {found}")
+        );
+        claim.reading = "of the norm";
+        let read = format!("    relative error; everywhere; of the norm; {found}");
+        assert_eq!(facts(&claim), read);
+    }
+
+    #[test]
+    fn an_accuracy_that_is_met_everywhere_is_green() {
+        let height = |norm, parts| Height {
+            target: 1e-4,
+            norm,
+            parts,
+        };
+        let all = Some(f64::NEG_INFINITY);
+        let row = Row {
+            name: "a".into(),
+            title: String::new(),
+            source: String::new(),
+            whole_plane: true,
+            real_part_only: false,
+            single: false,
+            parts: Vec::new(),
+            derivative: None,
+            heights: vec![
+                height(all, all),
+                height(all, Some(-3.0)),
+                height(Some(-3.0), None),
+                height(None, None),
+            ],
+            jumps: Vec::new(),
+            nanoseconds: None,
+        };
+        let found = Atlas {
+            effort: Effort { cases: 1, seed: 1 },
+            rows: vec![row],
+            profiles: Vec::new(),
+            claims: Vec::new(),
+            findings: Vec::new(),
+            not_at_hand: Vec::new(),
+        };
+        let text = heights(&found, 100);
+        let green = paint(GOOD, "all / all");
+        let due = format!("a  {green}  all / -3  -3 / –  – / –\n");
+        assert!(text.contains(&due), "{text}");
+    }
+}

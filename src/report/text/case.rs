@@ -167,4 +167,22 @@ mod tests {
         let w = of("faddeeva");
         assert!(w.contains("Re W") && !w.contains("W["), "{w}");
     }
+
+    #[test]
+    fn values_stand_in_columns_and_what_is_no_number_is_a_dash() {
+        let mut report = crate::report::text::method::tests::fabricated()
+            .failures
+            .remove(0);
+        let mut second = report.judgement.components[0].clone();
+        (second.output, second.verdict) = ("p", Verdict::WrongKind);
+        (second.ulps, second.of_budget, second.condition) = (f64::NAN, f64::INFINITY, 2.0);
+        report.judgement.components.push(second);
+        report.reference.push(None);
+        let due = "    \
+    output  got       reference                       ulps  of budget  condition
+    phi2    0.75      0.75000000000000080491 ± 1e-30  7.25    175.0 %      31.00
+    p       -0.00123  not certified                      –        inf       2.00
+";
+        assert_eq!(plain(&values(&report, &[0.75, -0.001_23])), due);
+    }
 }

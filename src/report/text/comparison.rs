@@ -138,3 +138,54 @@ pub fn changes(found: &Changes, width: usize) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::baseline::Change;
+    use crate::report::text::method::tests::{fabricated, passing};
+    use crate::report::text::style::plain;
+
+    #[test]
+    fn a_table_fills_the_width_before_columns_give_way() {
+        let found = Comparison::new("a-method", vec![(fabricated(), None), (passing(), None)]);
+        let table = |width| {
+            let text = plain(&comparison(&found, width));
+            let start = text.find("  region ").unwrap();
+            text[start..].to_string()
+        };
+        let whole = table(200);
+        let longest = whole.lines().map(|l| l.chars().count()).max().unwrap();
+        assert_eq!(table(longest), whole);
+        assert!(!table(longest - 1).contains("RMS"), "{whole}");
+    }
+
+    #[test]
+    fn changes_beyond_those_shown_are_counted() {
+        let change = Change {
+            of: "a-method".into(),
+            region: "wide".into(),
+            output: None,
+            figure: "failed",
+            before: 0.0,
+            now: 1.0,
+            better: false,
+        };
+        let text = |n: usize| {
+            let found = Changes {
+                changes: vec![change.clone(); n],
+                not_compared: Vec::new(),
+            };
+            plain(&changes(&found, 100))
+        };
+        assert_eq!(text(0), "Since the baseline: 0 figures worse, 0 better\n");
+        let line = "  worse  a-method  wide            failed       0  1.00\n";
+        for n in [SHOWN, SHOWN + 1] {
+            let text = text(n);
+            assert_eq!(text.matches(line).count(), SHOWN, "{text}");
+            let rest = text.rsplit(line).next();
+            let left = "  1 more; --format json lists all of them.\n";
+            assert_eq!(rest, Some(if n > SHOWN { left } else { "" }), "{text}");
+        }
+    }
+}

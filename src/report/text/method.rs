@@ -467,4 +467,85 @@ pub(crate) mod tests {
         }
         assert!(text.lines().all(|l| l.chars().count() <= 100), "{text}");
     }
+
+    /// With two outputs, one of two regions in which a case fails, and the other with an error beyond all numbers.
+    fn varied() -> MethodReport {
+        let mut report = fabricated();
+        let mut wrong = Kinds::default();
+        wrong[crate::audit::Kind::Nan] = 1;
+        for region in report.regions.iter_mut().chain([&mut report.total]) {
+            (region.over, region.undecided, region.kinds) = (0, 1, wrong);
+            let second = OutputStatistics {
+                name: "phi3",
+                parts: None,
+                ..region.outputs[0].clone()
+            };
+            region.outputs.push(second);
+        }
+        let near = &mut report.regions[1];
+        (near.passed, near.undecided) = (400, 0);
+        (near.outputs[0].ulps.beyond, near.kinds) = (3, Kinds::default());
+        report
+    }
+
+    #[test]
+    fn regions_in_which_cases_fail_have_a_line_for_each_output() {
+        let mut report = varied();
+        let due = "\
+a-method                                                                        FAIL  399 of 400 cases
+  A method that exists for this test.
+  budget     phi2: 4 ulp
+  output      values  worst ulps   p99  median    RMS  u(1+cond)  of budget  condition  wrong
+  phi2           400        7.25  1.50   0.300  0.400          –    175.0 %      31.00  –
+  phi3           400        7.25  1.50   0.300  0.400          –    175.0 %      31.00  –
+  norm, in u     400        7.25  1.50   0.300  0.400
+  worst phi2: 0.125 ulps of the method, 7.25 of rounding
+  region  cases  failed  output  worst ulps   p99  median    RMS  norm, u  of budget  wrong
+  wide      400       1  phi2          7.25  1.50   0.300  0.400     7.25    175.0 %  1 NaN
+                         phi3          7.25  1.50   0.300  0.400             175.0 %
+  near      400       –              >1e308  1.50   0.300  0.400     7.25    175.0 %  –
+  1 case undecided
+  ✓ energy: The sum is constant within 4 ulp. (worst residual 25.00 % of what is allowed, 400 cases)
+
+  over budget  a-method / wide, decided at 128 bits
+    phi2 (value 0) is 1.750 times its budget off
+    input  unit  decimal  hexadecimal
+                     0.1  0x1.999999999999ap-4
+                    -2.0  -0x1p+1
+    output  got   reference                       ulps  of budget  condition
+    phi2    0.75  0.75000000000000080491 ± 1e-30  7.25    175.0 %      31.00
+    proof      exact arithmetic
+    reproduce  mechaudit audit a-method --region wide --seed 1 --case 17
+";
+        let text = style::plain(&method(&report, 102));
+        let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+        assert_eq!(lines.join("\n") + "\n", due);
+        report.regions.truncate(1);
+        assert_eq!(regions(&report, 102), "");
+    }
+
+    #[test]
+    fn columns_of_regions_give_way_one_column_before_the_edge() {
+        let report = varied();
+        let seen = |width| style::plain(&regions(&report, width));
+        let whole = seen(200);
+        let longest = whole.lines().map(|l| l.chars().count()).max().unwrap();
+        assert_eq!(seen(longest), whole);
+        assert!(!seen(longest - 1).contains("median"), "{whole}");
+    }
+
+    /// A case of the hard region that is over budget comes first, unless it is recorded: then it is among no failures.
+    #[test]
+    fn recorded_cases_are_not_shown_as_failing() {
+        let mut report = fabricated();
+        report.recorded = 1;
+        let other = report.failures[0].clone();
+        let mut hard = other.clone();
+        (hard.case.region, hard.case.input) = ("hard", vec![0.5, 0.5]);
+        report.worst = vec![hard.clone()];
+        let first = |r: &MethodReport| failing(r, 1)[0].case.region;
+        assert_eq!(first(&report), "wide");
+        report.failures.push(hard);
+        assert_eq!(first(&report), "hard");
+    }
 }

@@ -196,6 +196,20 @@ mod tests {
     }
 
     #[test]
+    fn failing_cases_that_are_not_shown_are_counted() {
+        for (failed, more) in [
+            (3, None),
+            (4, Some("\n  1 more: mechaudit audit a-method\n")),
+        ] {
+            let mut report = method();
+            report.total.passed = report.total.cases - failed;
+            let text = plain(&news(&[], &[report], 80));
+            assert_eq!(text.contains(" more: "), more.is_some(), "{text}");
+            assert!(text.contains(more.unwrap_or_default()), "{text}");
+        }
+    }
+
+    #[test]
     fn a_law_that_fails_is_news() {
         let mut report = method();
         report.laws[0].worst = f64::NAN;
@@ -239,6 +253,9 @@ mod tests {
             );
             assert!(text.lines().all(|l| l.chars().count() <= width), "{text}");
         }
+        report.findings[1].title = "ω is too large".into();
+        assert!(plain(&paper(&report, 18)).contains("✗ ω is too large\n"));
+        assert!(!plain(&paper(&report, 17)).contains("large"));
     }
 
     #[test]

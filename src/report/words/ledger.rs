@@ -82,3 +82,44 @@ pub fn search(repair: &Repair) -> String {
     out.push('.');
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::papers::ledger::Formula;
+
+    #[test]
+    fn a_search_says_which_edits_hold_and_whether_they_agree() {
+        let formula = || Formula {
+            text: "y".into(),
+            latex: "y".into(),
+        };
+        let text = |pairs_that_hold: usize, distinct: usize| {
+            search(&Repair {
+                single_edits: 9,
+                single_that_hold: 0,
+                pairs: 30,
+                pairs_that_hold,
+                without_value: 0,
+                undecided: 0,
+                distinct: (0..distinct).map(|_| formula()).collect(),
+                edits: Vec::new(),
+            })
+        };
+        let none = "None of 9 single edits makes it true; ";
+        for (text, due) in [
+            (text(0, 0), "0 of 30 pairs of edits do."),
+            (text(1, 1), "1 of 30 pairs of edits does."),
+            (
+                text(2, 1),
+                "2 of 30 pairs of edits do, all of them giving the same formula.",
+            ),
+            (
+                text(3, 2),
+                "3 of 30 pairs of edits do, giving 2 different formulas.",
+            ),
+        ] {
+            assert_eq!(text, format!("{none}{due}"));
+        }
+    }
+}

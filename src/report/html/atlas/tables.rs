@@ -168,3 +168,19 @@ fn reached(h: Option<f64>) -> Markup {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shades_change_above_their_limits() {
+        let limits = [1e-14, 1e-9, 1e-6, 1e-4, 1e-2];
+        let shades = ["h0", "h1", "h2", "h3", "h4", "h5"];
+        for (k, limit) in limits.into_iter().enumerate() {
+            assert_eq!(shade(limit), shades[k], "{limit}");
+            assert_eq!(shade(limit * 1.001), shades[k + 1], "{limit}");
+        }
+        assert_eq!(shade(f64::NAN), "h5");
+    }
+}

@@ -247,3 +247,36 @@ fn thinned(points: &[Point], most: usize) -> impl Iterator<Item = &Point> {
         *n <= most
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::text::method::tests::fabricated;
+
+    fn of_reports(report: &MethodReport, n: usize) -> Value {
+        serde_json::to_value(Data::of(&vec![("a-method", report); n])).unwrap()
+    }
+
+    #[test]
+    fn a_case_is_held_once_whoever_refers_to_it() {
+        let mut report = fabricated();
+        report.wrong = report.failures.clone();
+        let data = of_reports(&report, 1);
+        let method = &data["methods"][0];
+        for part in ["cases", "whole"] {
+            assert_eq!(method[part].as_array().unwrap().len(), 1, "{part}");
+        }
+    }
+
+    #[test]
+    fn inputs_of_eight_numbers_are_kept_where_methods_are_few() {
+        let mut report = fabricated();
+        report.failures[0].case.input = vec![0.5; 8];
+        report.worst.clear();
+        for (n, kept) in [(1, 8), (3, 8), (4, 0)] {
+            let data = of_reports(&report, n);
+            let case = &data["methods"][n - 1]["cases"][0];
+            assert_eq!(case[3].as_array().unwrap().len(), kept, "{n}");
+        }
+    }
+}

@@ -249,4 +249,18 @@ mod tests {
         assert!(!page.contains("class=\"news\""));
         assert_eq!(markup(&page).1, 6);
     }
+
+    #[test]
+    fn a_comparison_that_was_ended_early_has_no_verdict() {
+        let title = |interrupted| {
+            let mut second = passing();
+            second.interrupted = interrupted;
+            let found = Comparison::new("a-method", vec![(passing(), None), (second, None)]);
+            let page = comparison(&found, None);
+            let title = page.split("<title>").nth(1).unwrap();
+            title.split("</title>").next().unwrap().to_string()
+        };
+        assert_eq!(title(false), "a-method: 2 codes side by side: As expected");
+        assert_eq!(title(true), "a-method: 2 codes side by side: Interrupted");
+    }
 }
