@@ -102,7 +102,7 @@ fn open_rectangles_are_no_proof() {
 /// An end of a proof is heard at once, whatever becomes of it.
 #[test]
 fn a_proof_is_waited_for() {
-    let ended = |found: Result<Option<u32>, String>| {
+    let ended = |found: Result<Option<u32>, ProofError>| {
         let found = watched("some", move |watch| {
             watch.of.store(3, Ordering::Relaxed);
             std::thread::sleep(2 * interrupt::POLL);
@@ -110,8 +110,9 @@ fn a_proof_is_waited_for() {
         });
         found.map_err(|e| e.to_string())
     };
-    for found in [Ok(Some(5)), Ok(None), Err("undecided".to_string())] {
-        assert_eq!(ended(found.clone()), found);
+    for found in [Ok(Some(5)), Ok(None), Err("undecided".into())] {
+        let due = found.clone().map_err(|e: ProofError| e.to_string());
+        assert_eq!(ended(found), due);
     }
 }
 
