@@ -185,7 +185,7 @@ fn bounds_and_their_rectangles_bit_by_bit() {
         ("rectangles", 0x4f407ad25956750a, 84.0),
         ("bounds", 0x0403230b07a567a1, 2.753374348581895),
         ("limits", 0x772c305c90a3dc82, 16.29495381458305),
-        ("open", 0x7fad909011a8c4aa, 1.0),
+        ("open", 0x1a6283c179e8d92a, 1.0),
         ("no rectangle", 0xdde481a015b89655, 4.0),
     ];
     bit_by_bit(&found, &due);

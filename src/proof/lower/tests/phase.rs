@@ -282,7 +282,7 @@ fn phases_bit_by_bit() {
         ("boxes", 0x8789d2db00468530, 415.0),
         ("binades", 0xa9b02129b2090ba7, 4.0),
         ("pieces", 0xc62a8d29416cf6ae, 48.0),
-        ("refused", 0xea9385e2fc2ad051, 7.0),
+        ("refused", 0x00a49b8820a5ffe3, 7.0),
         ("polynomials", 0x8ebd7d0bb5d124fd, 4.600421603104946e-18),
         ("left", 0x4ff1b8b0b0a40829, 6.506507174585695e-15),
     ];

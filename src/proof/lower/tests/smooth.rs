@@ -320,7 +320,7 @@ fn blocks_and_steps_bit_by_bit() {
         ("blocks", 0x25ee7566f564000b, 2206.0),
         ("steps", 0x7f77e41ade405f8a, 4.0),
         ("asked", 0x032e571e05d88a5e, 5.0),
-        ("closest", 0xac39d0a6e0e61916, 3.0),
+        ("closest", 0xe2c33668ae5ee0da, 3.0),
     ];
     bit_by_bit(&found, &due);
 }
