@@ -129,7 +129,10 @@ mod tests {
             assert!(!met.is_empty());
             for a in met {
                 assert!(a.need.ends_with("Im z >= 0.01"), "{}", a.need);
-                assert_eq!((&a.codes[..], &a.others[..]), (&["down".into()][..], &["above".into()][..]));
+                assert_eq!(
+                    (&a.codes[..], &a.others[..]),
+                    (&["down".into()][..], &["above".into()][..])
+                );
             }
         }
     }

@@ -250,7 +250,10 @@ mod tests {
     #[test]
     fn jumps_up_and_down_are_counted_on_level_segments() {
         for (factor, rising) in [
-            ((|x| if x < 10.0 { 1.0 } else { 1.0 + 1e-6 }) as fn(f64) -> f64, 2),
+            (
+                (|x| if x < 10.0 { 1.0 } else { 1.0 + 1e-6 }) as fn(f64) -> f64,
+                2,
+            ),
             (|x| if x < 10.0 { 1.0 } else { 1.0 - 1e-6 }, 0),
         ] {
             let jump = &planted(factor)[0];

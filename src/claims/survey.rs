@@ -213,7 +213,13 @@ fn judged(
     let placed = Placed::new(method, regions.to_vec(), |_| true);
     let mut variant = Variant::new(&placed).limit(Limit::Relative(WHOLE));
     // All of them are of one kind.
-    if let [Code { parts: Parts::Real, .. }, ..] = codes {
+    if let [
+        Code {
+            parts: Parts::Real, ..
+        },
+        ..,
+    ] = codes
+    {
         variant = variant.outputs(&["Re W"]).expect("an output of W");
     }
     if let [Code { single: true, .. }, ..] = codes {

@@ -167,7 +167,10 @@ impl Flow {
         }
         for (size, order) in [(2.0 * square, 2), (forward.abs(), 1)] {
             let turn = |k: usize| self.motion.turn[k + 1][order];
-            add(size, rows(&|k| due(i.m[k], paths[k][order], i.j[k], turn(k))));
+            add(
+                size,
+                rows(&|k| due(i.m[k], paths[k][order], i.j[k], turn(k))),
+            );
         }
         self.each(|size, changes, d, by| {
             let mut right = rows(&|k| {

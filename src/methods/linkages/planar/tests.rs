@@ -91,7 +91,11 @@ fn coordinates_of_zero_are_no_data() {
         let i = PlanarLinkage::unpack(&point.input).unwrap();
         let data = Flow::new(&i, i.near).unwrap().data();
         assert!(data.iter().all(|d| d.size > 0.0), "{}", point.name);
-        zeros += [i.xa, i.ya, i.xb, i.yb].concat().iter().filter(|x| **x == 0.0).count();
+        zeros += [i.xa, i.ya, i.xb, i.yb]
+            .concat()
+            .iter()
+            .filter(|x| **x == 0.0)
+            .count();
     }
     assert!(zeros > 0);
 }

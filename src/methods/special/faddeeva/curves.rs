@@ -364,14 +364,20 @@ mod tests {
         for t in [0.2, 0.25] {
             assert_eq!([t, -t].map(|t| line.off_axis(t)), [None, None]);
         }
-        assert_eq!([0.3, -0.3].map(|t| line.off_axis(t)), [Some(0.3), Some(-0.3)]);
+        assert_eq!(
+            [0.3, -0.3].map(|t| line.off_axis(t)),
+            [Some(0.3), Some(-0.3)]
+        );
     }
 
     /// Far below the axis W turns by 2|z| places from one number to the next.
     #[test]
     fn arguments_are_taken_to_the_last_bit() {
         let (x, y) = (18.0f64.next_up(), -17.0f64.next_up());
-        let (w, due) = (w_and_slope(C::new(x, y)).unwrap()[0], w_f64(x, y, 60).unwrap());
+        let (w, due) = (
+            w_and_slope(C::new(x, y)).unwrap()[0],
+            w_f64(x, y, 60).unwrap(),
+        );
         assert_eq!([w.re, w.im], [due.re.to_f64(), due.im.to_f64()]);
     }
 
