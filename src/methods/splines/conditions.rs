@@ -71,7 +71,7 @@ fn eliminate(mut a: Vec<Vec<Float>>) -> Option<Vec<Float>> {
     let mut x: Vec<Float> = Vec::new();
     for (i, row) in a.iter().enumerate().rev() {
         let mut v = row[n].clone();
-        for (c, known) in row[..n].iter().rev().zip(&x) {
+        for (c, known) in row[n - x.len()..n].iter().zip(x.iter().rev()) {
             if !c.is_zero() {
                 v -= c * known;
             }

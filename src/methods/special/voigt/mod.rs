@@ -147,7 +147,7 @@ fn units(input: &[f64]) -> Option<f64> {
     let [x, s, g] = all;
     let v = voigt(x, s, g);
     // V is at most 1/(2π |x|), 1/(π γ) and 0.4/σ: where it is not small, no argument is large.
-    let plain = |t: f64| t == 0.0 || t.abs() >= 1e-300;
+    let plain = |t: f64| t == 0.0 || (t.is_finite() && t.abs() >= 1e-300);
     if !(v != 0.0 && plain(v) && all.into_iter().all(plain)) {
         return None;
     }
