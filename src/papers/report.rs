@@ -131,7 +131,10 @@ pub(super) use figures;
 
 /// Whether the figures have these values and there are no others.
 pub(super) fn recorded(figures: &[Figure], values: &[&str]) -> bool {
-    figures.iter().map(|f| &f.value[..]).eq(values.iter().copied())
+    figures
+        .iter()
+        .map(|f| &f.value[..])
+        .eq(values.iter().copied())
 }
 
 /// One finding.
@@ -245,7 +248,12 @@ mod tests {
     fn each_figure_has_to_be_the_recorded_one() {
         let figures = ["1.5", "2"].map(|value| figure("a name", value, "1"));
         assert!(recorded(&figures, &["1.5", "2"]));
-        for other in [&["1.5", "3"][..], &["1.6", "2"], &["1.5"], &["1.5", "2", "3"]] {
+        for other in [
+            &["1.5", "3"][..],
+            &["1.6", "2"],
+            &["1.5"],
+            &["1.5", "2", "3"],
+        ] {
             assert!(!recorded(&figures, other), "{other:?}");
         }
     }

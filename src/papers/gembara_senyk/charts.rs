@@ -153,9 +153,8 @@ mod tests {
 
     #[test]
     fn a_harmonic_that_may_vanish_is_enclosed() {
-        let ball = |middle: i64, radius: i64| {
-            Ball::integer(64, middle).widened(Mag::power_of_two(radius))
-        };
+        let ball =
+            |middle: i64, radius: i64| Ball::integer(64, middle).widened(Mag::power_of_two(radius));
         assert!(hypotenuse(&ball(3, -50), &ball(4, -50)).overlaps(&Ball::integer(64, 5)));
         // Up to (1, 1), and to (1, 0).
         let both = hypotenuse(&ball(0, 0), &ball(0, 0));

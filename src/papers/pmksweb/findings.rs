@@ -72,10 +72,18 @@ fn range(linkage: &FourBar) -> Result<Finding, Undecided> {
     let back = in_degrees(&(&dead + linkage.drawn()));
     let short = r + g - l - s;
     let figures = vec![
-        figure("crank and frame less coupler and rocker", shown(&short), "cm"),
+        figure(
+            "crank and frame less coupler and rocker",
+            shown(&short),
+            "cm",
+        ),
         figure("counter-clockwise from the drawing", shown(&onward), "deg"),
         figure("clockwise from the drawing", shown(&back), "deg"),
-        figure("time at 10 rpm, counter-clockwise", shown(&(&onward / &Ball::integer(BITS, 60))), "s"),
+        figure(
+            "time at 10 rpm, counter-clockwise",
+            shown(&(&onward / &Ball::integer(BITS, 60))),
+            "s",
+        ),
     ];
     Ok(Finding {
         id: "91-range",

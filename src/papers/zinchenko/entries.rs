@@ -199,13 +199,14 @@ mod tests {
     #[test]
     fn a_column_with_five_entries_off_has_no_misprints() {
         let printed = tables::printed();
-        for (off, due) in [
-            (4, EntryVerdict::Misprint),
-            (5, EntryVerdict::Unexplained),
-        ] {
+        for (off, due) in [(4, EntryVerdict::Misprint), (5, EntryVerdict::Unexplained)] {
             let mut columns: Vec<Vec<Ball>> = printed
                 .chunks(ROWS)
-                .map(|c| c.iter().map(|p| Ball::rational(200, &p.value.value)).collect())
+                .map(|c| {
+                    c.iter()
+                        .map(|p| Ball::rational(200, &p.value.value))
+                        .collect()
+                })
                 .collect();
             // A thousand too little, in a column without a twin.
             let c = Column::ALL.iter().position(|c| c.twin().is_none()).unwrap();

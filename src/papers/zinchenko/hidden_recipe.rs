@@ -172,7 +172,9 @@ mod tests {
     #[test]
     fn only_twelve_nodes_at_row_0_fit() {
         let all = projections(&printed());
-        let tried = all.chunks(8).map(|c| [0, 1, 2, 3, 4, 5, 6, 7].map(|k| (c[k].nodes, c[k].offset)));
+        let tried = all
+            .chunks(8)
+            .map(|c| [0, 1, 2, 3, 4, 5, 6, 7].map(|k| (c[k].nodes, c[k].offset)));
         for spaces in tried {
             let at_row_0 = [6, 8, 12, 16, 24].map(|nodes| (nodes, 0));
             let moved = [1, 2, 3].map(|offset| (12, offset));

@@ -376,7 +376,8 @@ mod tests {
 
     #[test]
     fn a_factor_that_vanishes_leaves_the_system_open() {
-        let closed = |gain: &[i32]| super::closed(&gain.iter().map(|g| Q::from(*g)).collect::<Vec<_>>());
+        let closed =
+            |gain: &[i32]| super::closed(&gain.iter().map(|g| Q::from(*g)).collect::<Vec<_>>());
         assert!(closed(&[0, 0, -4, 15]));
         assert!(!closed(&[0, 1, -4, 0]) && !closed(&[0, 1, 0, 15]));
     }

@@ -27,7 +27,9 @@ fn planted_faults_are_found() {
     lost(&["table-1-last-row"], |f| f.table[2] = [0, 2, 0]);
     lost(&["lambda-1-eta-1"], |f| f.table[0] = [0, 1, 0]);
     // (19) has no λ_2.
-    lost(&["lambda-1-eta-1"], |f| f.start = |_| (Q::from(-4), Q::from(0)));
+    lost(&["lambda-1-eta-1"], |f| {
+        f.start = |_| (Q::from(-4), Q::from(0))
+    });
 }
 
 #[test]
