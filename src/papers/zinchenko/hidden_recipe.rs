@@ -43,6 +43,13 @@ pub(super) struct Alias {
     pub signal: f64,
 }
 
+impl Alias {
+    /// Whether it is within a fifth of the law.
+    pub(super) fn follows_law(&self) -> bool {
+        5.0 * (self.observed - self.predicted).abs() < self.predicted
+    }
+}
+
 /// Columns that are splines themselves (the difference column is not one).
 const SPLINES: [Column; 6] = [
     Column::Inertia,
@@ -185,6 +192,24 @@ mod tests {
             assert_eq!(p.ratio < 1.5, fits, "{p:?}");
             assert!(fits || p.ratio > 10.0, "{p:?}");
         }
+    }
+
+    #[test]
+    fn a_fifth_is_off_the_law() {
+        let follows = |observed: f64| {
+            let alias = Alias {
+                column: Column::Inertia,
+                harmonic: 1,
+                alias: 13,
+                observed,
+                predicted: 5.0,
+                deviations: 0.0,
+                signal: 0.0,
+            };
+            alias.follows_law()
+        };
+        assert!([4.1, 5.0, 5.9].into_iter().all(follows));
+        assert!(![4.0, 6.0].into_iter().any(follows));
     }
 
     #[test]

@@ -9,17 +9,18 @@ use rug::Rational;
 
 /// The larger of the distances in x and y.
 fn apart(a: &State, b: &State) -> f64 {
-    farther([0, 1].map(|k| (&a.values[k] - &b.values[k]).to_f64()))
+    farther(|k| (&a.values[k] - &b.values[k]).to_f64())
 }
 
-fn farther([x, y]: [f64; 2]) -> f64 {
-    x.abs().max(y.abs())
+/// The larger size of the two coordinates.
+fn farther(along: impl Fn(usize) -> f64) -> f64 {
+    along(0).abs().max(along(1).abs())
 }
 
 /// `printed − certified` of the library's rows: largest size, and when.
 fn library_error(motion: &Motion) -> (f64, f64) {
     let errors = motion.library.iter().map(|(row, due)| {
-        let off = [0, 1].map(|k| row.place[k].difference(&due.values[k]).to_f64());
+        let off = |k: usize| row.place[k].difference(&due.values[k]).to_f64();
         (farther(off), row.time.to_f64())
     });
     errors.fold((0.0, 0.0), |m, e| if e.0 > m.0 { e } else { m })
@@ -233,8 +234,8 @@ mod tests {
 
     #[test]
     fn the_larger_coordinate_counts() {
-        assert_eq!(farther([-2.0, 1.0]), 2.0);
-        assert_eq!(farther([1.0, -2.0]), 2.0);
+        assert_eq!(farther(|k| [-2.0, 1.0][k]), 2.0);
+        assert_eq!(farther(|k| [1.0, -2.0][k]), 2.0);
     }
 
     #[test]

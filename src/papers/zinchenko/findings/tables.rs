@@ -42,10 +42,7 @@ pub(in crate::papers::zinchenko) fn hidden_recipe(
     };
     let most = |nodes, offset| ratios(nodes, offset).fold(0.0, f64::max);
     let clear: Vec<&Alias> = aliases.iter().filter(|a| a.signal > 20.0).collect();
-    let on_law = clear
-        .iter()
-        .filter(|a| (a.observed / a.predicted - 1.0).abs() < 0.2)
-        .count();
+    let on_law = clear.iter().filter(|a| a.follows_law()).count();
     let off_law = clear
         .iter()
         .filter(|a| a.column != Column::DerivativeSlope)

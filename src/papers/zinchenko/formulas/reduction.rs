@@ -201,12 +201,9 @@ fn positive(masses: &Masses) -> bool {
     masses.bodies.iter().all(|b| b.inertia > 0)
 }
 
-/// m_n (l1 ω)² = I_n ω², of degree at most 2 after multiplication by l1².
+/// m_n (l1 ω)² = I_n ω² over ω², of degree at most 2 after multiplication by l1².
 fn same_energy(f: &Forms) -> Identity {
-    Grid::new(&[2, 2, 2]).vanishes(|v| {
-        let (i, l1, omega) = (&v[0], &v[1], &v[2]);
-        (f.mass)(i, l1) * l1 * omega * l1 * omega - i * omega * omega
-    })
+    Grid::new(&[2, 2]).vanishes(|v| (f.mass)(&v[0], &v[1]) * &v[1] * &v[1] - &v[0])
 }
 
 fn energy(f: &Forms, sample: &Sample) -> Finding {

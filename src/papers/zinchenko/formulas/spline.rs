@@ -374,10 +374,34 @@ mod tests {
         assert_eq!(continued(&PRINTED).points, 8);
     }
 
+    /// No two variables are one.
+    #[test]
+    fn variables_are_tried_apart() {
+        for i in 0..6 {
+            for j in 0..i {
+                let differ = on_sections(|s| {
+                    let all = [&s.k, &s.m[0], &s.m[1], &s.y[0], &s.y[1], &s.h];
+                    all[i] - all[j]
+                });
+                assert_eq!(differ.outcome(), Outcome::Fails, "{i} {j}");
+            }
+        }
+        for i in 0..7 {
+            for j in 0..i {
+                let differ = on_nodes(|n| {
+                    let all = [&n.m[0], &n.m[1], &n.m[2], &n.y[0], &n.y[1], &n.y[2], &n.h];
+                    all[i] - all[j]
+                });
+                assert_eq!(differ.outcome(), Outcome::Fails, "{i} {j}");
+            }
+        }
+    }
+
     #[test]
     fn a_factor_that_vanishes_leaves_the_system_open() {
         let closed =
             |gain: &[i32]| super::closed(&gain.iter().map(|g| Q::from(*g)).collect::<Vec<_>>());
+        assert_eq!(ends(&PRINTED).figures[1].value, "-2107560");
         assert!(closed(&[0, 0, -4, 15]));
         assert!(!closed(&[0, 1, -4, 0]) && !closed(&[0, 1, 0, 15]));
     }
