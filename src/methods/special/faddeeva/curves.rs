@@ -124,7 +124,7 @@ impl Line {
 fn w_and_slope(z: C) -> Option<[C; 2]> {
     /// As many as the quick evaluation has.
     const BITS: u32 = 80;
-    let exact = |x: f64| x.is_finite().then(|| Ball::exact(53, x));
+    let exact = |x: f64| x.is_finite().then(|| Ball::exact(BITS, x));
     let w = w_ball(&ComplexBall::new(exact(z.re)?, exact(z.im)?), BITS);
     Some(with_slope(z, C::new(w.re.to_f64(), w.im.to_f64())))
 }
