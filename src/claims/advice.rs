@@ -98,7 +98,44 @@ fn named(mut rows: Vec<&Row>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::heights::Height;
     use serde_json::Value;
+
+    /// A height of Im z = 0.01 itself is enough, a higher one is not.
+    #[test]
+    fn what_is_reached_down_to_a_hundredth() {
+        let row = |name: &str, single: bool, y: f64| Row {
+            name: name.into(),
+            title: String::new(),
+            source: String::new(),
+            whole_plane: false,
+            real_part_only: false,
+            single,
+            parts: Vec::new(),
+            derivative: None,
+            heights: vec![Height {
+                target: 1e-4,
+                norm: Some(y),
+                parts: Some(y),
+            }],
+            jumps: Vec::new(),
+            nanoseconds: None,
+        };
+        for single in [false, true] {
+            let rows = [row("down", single, -2.0), row("above", single, -1.0)];
+            let needs = advice(&rows);
+            let met = needs.iter().filter(|a| !a.codes.is_empty());
+            let met: Vec<&Advice> = met.collect();
+            assert!(!met.is_empty());
+            for a in met {
+                assert!(a.need.ends_with("Im z >= 0.01"), "{}", a.need);
+                assert_eq!(
+                    (&a.codes[..], &a.others[..]),
+                    (&["down".into()][..], &["above".into()][..])
+                );
+            }
+        }
+    }
 
     /// The book's advice is the committed table's, line by line.
     #[test]

@@ -21,6 +21,8 @@ const ROUNDS: usize = 12;
 /// Floats on either side of a jump whose errors tell the rounding, and how far above it a jump is.
 const BESIDE: usize = 16;
 const ABOVE: f64 = 4.0;
+/// Bits of certified values.
+const BITS: u32 = 70;
 /// A few units in which a sum as large as w is rounded.
 const QUANTA: f64 = 16.0 * f64::EPSILON;
 
@@ -91,14 +93,21 @@ fn rounding(nearby: &[Option<f64>]) -> f64 {
 
 /// Re w and |w|, of the upper half-plane.
 fn due([x, y]: [f64; 2]) -> Option<[f64; 2]> {
-    let w = w_f64(x, y, 70).ok()?;
+    let w = w_f64(x, y, BITS).ok()?;
     let [re, im] = [w.re, w.im].map(|part| part.mid().to_f64());
     Some([re, re.hypot(im)])
 }
 
 /// The largest jump of Re w that was found, if any is above rounding.
 pub fn breaks(code: &Code, seed: u64) -> Vec<Jump> {
-    let mut segments: Vec<Segment> = (0..SEGMENTS).map(|k| Segment::drawn(seed, k)).collect();
+    on(code, segments(seed))
+}
+
+fn segments(seed: u64) -> Vec<Segment> {
+    (0..SEGMENTS).map(|k| Segment::drawn(seed, k)).collect()
+}
+
+fn on(code: &Code, mut segments: Vec<Segment>) -> Vec<Jump> {
     let mut last: Vec<[f64; 2]> = Vec::new();
     for _ in 0..ROUNDS {
         let points: Vec<Vec<f64>> = segments.iter().flat_map(Segment::points).collect();
@@ -181,17 +190,91 @@ fn values(code: &Code, points: &[Vec<f64>]) -> Vec<Option<f64>> {
 
 /// Relative, of Re w; nothing where there is no number.
 fn error(z: &[f64], re: Option<f64>) -> Option<f64> {
-    let due = w_f64(z[0], z[1], 70).ok()?.re.mid().to_f64();
+    let due = w_f64(z[0], z[1], BITS).ok()?.re.mid().to_f64();
     Some((re? - due) / due)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mechaudit_atlas::find;
+    use crate::solvers::faddeeva::faddeeva;
+    use mechaudit_atlas::{Parts, Plane, find};
+    use num_complex::Complex;
 
     fn found(name: &str) -> Vec<Jump> {
         breaks(&Code::double(find(name).unwrap()), 1)
+    }
+
+    #[test]
+    fn segments_are_drawn_to_the_ends_of_their_ranges() {
+        let all: Vec<Segment> = (0..40).flat_map(segments).collect();
+        assert_eq!(all.len(), 40 * 48);
+        let (level, upright): (Vec<&Segment>, Vec<&Segment>) = all.iter().partition(|s| s.level);
+        assert!(level.iter().all(|s| s.ends == [0.01, 40.0]));
+        assert!(upright.iter().all(|s| s.ends == [1e-12, 40.0]));
+        let range = |of: &[&Segment]| {
+            let others = || of.iter().map(|s| s.other);
+            let least = others().fold(f64::INFINITY, f64::min);
+            [least, others().fold(0.0, f64::max)]
+        };
+        let [least, most] = range(&level);
+        assert!((1e-12..1.5e-12).contains(&least) && (25.0..30.0).contains(&most));
+        let [least, most] = range(&upright);
+        assert!((0.0..0.1).contains(&least) && (19.0..20.0).contains(&most));
+    }
+
+    #[test]
+    fn wide_segments_are_divided_by_ratios() {
+        let middle = |ends| {
+            let (level, other) = (true, 1.0);
+            Segment { level, other, ends }.points()[PARTS / 2][0]
+        };
+        assert_eq!(middle([2.0, 6.0]), 4.0);
+        assert!((middle([2.0, 18.0]) - 6.0).abs() < 1e-12);
+    }
+
+    /// Jumps of W times a function of Re z, on four segments.
+    fn planted(factor: fn(f64) -> f64) -> Vec<Jump> {
+        let (name, plane) = (("planted", "", ""), Plane::Upper);
+        let name = (name.0.into(), name.1.into(), name.2.into());
+        let code = Code::other(name, plane, Parts::Both, |inputs| {
+            let w = |z: &Vec<f64>| {
+                let w = faddeeva(Complex::new(z[0], z[1])) * factor(z[0]);
+                SolverAnswer::Values(vec![w.re, w.im])
+            };
+            inputs.iter().map(w).collect()
+        });
+        on(&code, (0..4).map(|k| Segment::drawn(1, k)).collect())
+    }
+
+    #[test]
+    fn jumps_up_and_down_are_counted_on_level_segments() {
+        for (factor, rising) in [
+            (
+                (|x| if x < 10.0 { 1.0 } else { 1.0 + 1e-6 }) as fn(f64) -> f64,
+                2,
+            ),
+            (|x| if x < 10.0 { 1.0 } else { 1.0 - 1e-6 }, 0),
+        ] {
+            let jump = &planted(factor)[0];
+            assert!((jump.re - 1e-6).abs() < 1e-9, "{jump:?}");
+            assert_eq!((jump.crossings, jump.rising), (2, rising));
+            assert_eq!(jump.at[0], 10f64.next_down());
+        }
+    }
+
+    /// The rounding on either side counts.
+    #[test]
+    fn a_jump_into_noise_is_none() {
+        let after = |x: f64| match x < 10.0 {
+            true => 1.0,
+            false => 1.0 + 2e-6 + 1e-6 * (x.to_bits() & 1) as f64,
+        };
+        let before = |x: f64| match x < 10.0 {
+            true => 1.0 + 2e-6 + 1e-6 * (x.to_bits() & 1) as f64,
+            false => 1.0,
+        };
+        assert_eq!((planted(after), planted(before)), (vec![], vec![]));
     }
 
     #[test]

@@ -211,12 +211,8 @@ impl Tested {
             j.verdict,
             crate::audit::Verdict::Over | crate::audit::Verdict::WrongKind
         );
-        let share = match self.measure {
-            // The components' shares are of the same bound and no larger.
-            Measure::Norm if j.norm_of_budget.is_finite() => j.norm_of_budget,
-            _ => j.share(),
-        };
-        (share, over)
+        // Of a norm the components' shares are of the same bound and no larger.
+        (j.share(), over)
     }
 
     fn mean(&self, effort: &Effort) -> Option<Mean> {
@@ -310,7 +306,7 @@ fn maximum(decided: &mut Decided, tested: &Tested, effort: &Effort) {
         (false, false) => Verdict::Open,
     };
     // What is left when a strip along the real axis is left out.
-    let ceiling = search.ceiling * (1.0 + 1e-9);
+    let ceiling = search.ceiling;
     let plane = matches!(tested.subject, Subject::W(_));
     if !over || !plane || !(0.0..STRIP).contains(&ceiling) {
         return;

@@ -202,6 +202,20 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_reference_gives_the_digits_that_are_asked_for() {
+        let p = [1.0, 0.5, 0.0625, 0.25, -0.03125, 0.125, 0.25, 1.5];
+        let p = p.map(|x| Rational::from_f64(x).unwrap());
+        for (bits, due) in [(80, 64), (400, 352)] {
+            let ReferenceAnswer::Dues(parts, _) = HartmannTran.reference(&p, bits) else {
+                panic!("no values");
+            };
+            for part in parts {
+                assert!(part.number().unwrap().accuracy_bits() >= due, "{bits}");
+            }
+        }
+    }
+
+    #[test]
     fn lines_that_are_drawn_are_lines() {
         for region in regions() {
             for k in 0..200 {

@@ -82,3 +82,18 @@ impl Method for Placed<'_> {
         Vec::new()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::find;
+
+    #[test]
+    fn conditions_are_those_of_the_method() {
+        let method = find("four-bar").unwrap();
+        let placed = Placed::new(&*method, Vec::new(), |_| true);
+        let input = &method.domain().check_points[0].input;
+        let found = placed.conditions(input);
+        assert!(found.is_some() && found == method.conditions(input));
+    }
+}

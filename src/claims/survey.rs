@@ -212,11 +212,17 @@ fn judged(
     const CHUNK: usize = 4096;
     let placed = Placed::new(method, regions.to_vec(), |_| true);
     let mut variant = Variant::new(&placed).limit(Limit::Relative(WHOLE));
-    let first = codes.first().map(|c| (c.parts, c.single));
-    if let Some((Parts::Real, _)) = first {
+    // All of them are of one kind.
+    if let [
+        Code {
+            parts: Parts::Real, ..
+        },
+        ..,
+    ] = codes
+    {
         variant = variant.outputs(&["Re W"]).expect("an output of W");
     }
-    if let Some((_, true)) = first {
+    if let [Code { single: true, .. }, ..] = codes {
         variant = variant.format(Format::Single);
     }
     let cases = Cases::new(&variant, settings);

@@ -117,3 +117,20 @@ impl Atlas {
         self.claims.iter().filter(|c| c.verdict == verdict).count()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    #[test]
+    fn each_step_is_told_when_it_is_done() {
+        let told = RefCell::new(Vec::new());
+        let code = Code::double(mechaudit_atlas::find("wells-1999-r4").unwrap());
+        let effort = Effort { cases: 1, seed: 1 };
+        let step = |word: &str| told.borrow_mut().push(word.to_string());
+        atlas(&[code], &[], &effort, false, &step);
+        let due = ["values", "derivatives", "heights", "seams", "lines"];
+        assert_eq!(told.into_inner()[..5], due);
+    }
+}

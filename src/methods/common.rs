@@ -63,6 +63,12 @@ pub(super) fn largest(residuals: impl IntoIterator<Item = f64>) -> f64 {
     residuals.into_iter().fold(0.0, larger)
 }
 
+/// `(f(x + h) − f(x − h))/2h`, 2h being the distance of the rounded places.
+pub(super) fn central_difference(f: impl Fn(f64) -> Option<f64>, x: f64, h: f64) -> Option<f64> {
+    let (below, above) = (x - h, x + h);
+    Some((f(above)? - f(below)?) / (above - below))
+}
+
 #[cfg(test)]
 mod tests {
     use super::largest;

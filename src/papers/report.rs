@@ -129,6 +129,14 @@ macro_rules! figures {
 }
 pub(super) use figures;
 
+/// Whether the figures have these values and there are no others.
+pub(super) fn recorded(figures: &[Figure], values: &[&str]) -> bool {
+    figures
+        .iter()
+        .map(|f| &f.value[..])
+        .eq(values.iter().copied())
+}
+
 /// One finding.
 #[derive(Clone, Debug, Serialize)]
 pub struct Finding {
@@ -230,4 +238,23 @@ pub(super) fn all_as_recorded(report: &PaperReport) {
         assert!(f.as_recorded, "{}", f.id);
     }
     assert!(report.as_recorded());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_figure_has_to_be_the_recorded_one() {
+        let figures = ["1.5", "2"].map(|value| figure("a name", value, "1"));
+        assert!(recorded(&figures, &["1.5", "2"]));
+        for other in [
+            &["1.5", "3"][..],
+            &["1.6", "2"],
+            &["1.5"],
+            &["1.5", "2", "3"],
+        ] {
+            assert!(!recorded(&figures, other), "{other:?}");
+        }
+    }
 }

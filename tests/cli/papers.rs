@@ -3,11 +3,20 @@
 use crate::common::{digest, markup, needs_nothing_else, pin, refused, run, said, text as path};
 use mechaudit::papers;
 use mechaudit::report::{csv, html, latex, text};
+use std::sync::Mutex;
 
 /// In every form, from one audit.
 fn in_every_form(key: &str) {
-    let paper = papers::find(key).unwrap()(&|_, _, _| {}).unwrap();
+    let told = Mutex::new(Vec::new());
+    let tell = |phase: &str, done, whole| told.lock().unwrap().push((phase == "done", done, whole));
+    let paper = papers::find(key).unwrap()(&tell).unwrap();
     assert!(paper.as_recorded(), "{key}");
+    // From the first phase to the end, each told as it begins.
+    let told = told.into_inner().unwrap();
+    let last = told.len() as u64 - 1;
+    let due: Vec<_> = (0..=last).map(|k| (k == last, k, last)).collect();
+    assert_eq!(told, due, "{key}");
+    assert!(last > 1, "{key}");
     let lines: usize = paper.entries.iter().map(|e| e.variants.len()).sum();
     let mut rows = Vec::new();
     csv::paper(&paper, &mut rows).unwrap();

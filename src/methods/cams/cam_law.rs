@@ -131,15 +131,12 @@ impl Definition for CamLaw {
         ))
     }
 
-    /// The place as the only number that is known to half an ulp; of a table also its data.
+    /// The place as the only number that is known to half an ulp; of a table also its inner data.
     fn conditions(numbers: &[f64]) -> Option<Vec<f64>> {
         let i = Self::unpack(numbers)?;
         let [_, v, a, j, k] = reference_jet(Self::unpack(&exact(numbers)?)?, 256)?;
         let moved = [&v, &v, &a, &j, &k].map(|d| i.x * d.magnitude().to_f64());
         let law = i.law()?;
-        if !law.is_table() {
-            return Some(moved.to_vec());
-        }
         let first = numbers.len() - i.parameters.len();
         let inner = |k: usize| k >= first && law.is_inner(k - first);
         let data = conditions_by_differences(&Entry::<Self>::NEW, numbers, inner)?;

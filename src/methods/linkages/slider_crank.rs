@@ -2,7 +2,7 @@
 
 use super::four_bar::{refusal, side};
 use crate::audit::{Domain, Draw, Law, Output, ReferenceAnswer, Uncertified};
-use crate::methods::common::{conditioned, held, point, region};
+use crate::methods::common::{central_difference, conditioned, held, point, region};
 use crate::methods::definition::Definition;
 use crate::methods::inputs::{Number, inputs};
 use crate::reference::dyad::slider_crank;
@@ -258,8 +258,14 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     let here = values(&motion(i).ok()?);
     let [a, b, e] = [i.a, i.b, i.e].map(|l| l * 128.0);
     let there = values(&motion(SliderCrankInput { a, b, e, ..i }).ok()?);
-    let slider = (0..3).all(|i| here[i] * 128.0 == there[i]);
-    held(slider && here[3..] == there[3..])
+    held(scaled(&here, &there))
+}
+
+/// Place and derivatives of the slider are lengths; angles are none.
+fn scaled(here: &[f64], there: &[f64]) -> bool {
+    let units = [128.0; 3].into_iter().chain(std::iter::repeat(1.0));
+    let turned = here.iter().zip(units).map(|(x, unit)| x * unit);
+    there.iter().copied().eq(turned)
 }
 
 fn mirror(x: &[f64]) -> Option<f64> {
@@ -287,13 +293,39 @@ fn velocity(x: &[f64]) -> Option<f64> {
     const H: f64 = 1e-4;
     let i = SliderCrank::unpack(x)?;
     let m = motion(i).ok()?;
-    let at = |h: f64| {
+    let place = |phi1: f64| {
         let mut moved = i;
-        moved.phi1 += h;
-        motion(moved).ok().map(|m| (m.slider_m, moved.phi1))
+        moved.phi1 = phi1;
+        motion(moved).ok().map(|m| m.slider_m)
     };
-    let ((p, hi), (q, lo)) = (at(H)?, at(-H)?);
+    let rate = central_difference(place, i.phi1, H)?;
     let size = i.a + i.b + i.e.abs();
     let calm = m.transmission.rad().sin() > 0.5 && size < 10.0 * i.b;
-    calm.then(|| ((p - q) / (hi - lo) - m.slider_first_m).abs() / (1e3 * H * H * size))
+    calm.then(|| (rate - m.slider_first_m).abs() / (1e3 * H * H * size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The sine of the transmission angle is 1/2 to the last bit at the second offset.
+    #[test]
+    fn rates_are_compared_above_thirty_degrees() {
+        let law = |e: f64| velocity(&[1.0, 1.0625, e, 0.0, 0.0, 1.0]);
+        assert!(law(0.920_151_991_520_965).is_some_and(|r| r < 1.0));
+        assert_eq!(law(0.920_151_991_520_966), None);
+        assert_eq!(law(0.920_151_991_520_967), None);
+    }
+
+    #[test]
+    fn one_value_in_other_units_breaks_the_law() {
+        let here = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let there = [128.0, 256.0, 384.0, 4.0, 5.0, 6.0, 7.0];
+        assert!(scaled(&here, &there));
+        for k in 0..7 {
+            let mut off = there;
+            off[k] *= 2.0;
+            assert!(!scaled(&here, &off), "{k}");
+        }
+    }
 }

@@ -67,16 +67,18 @@ fn eliminate(mut a: Vec<Vec<Float>>) -> Option<Vec<Float>> {
             }
         }
     }
-    let mut x: Vec<Float> = vec![Float::new(BITS); n];
-    for i in (0..n).rev() {
-        let mut v = a[i][n].clone();
-        for j in i + 1..n {
-            if !a[i][j].is_zero() {
-                v -= &a[i][j] * &x[j];
+    // The last unknown first.
+    let mut x: Vec<Float> = Vec::new();
+    for (i, row) in a.iter().enumerate().rev() {
+        let mut v = row[n].clone();
+        for (c, known) in row[n - x.len()..n].iter().zip(x.iter().rev()) {
+            if !c.is_zero() {
+                v -= c * known;
             }
         }
-        x[i] = v / &a[i][i];
+        x.push(v / &row[i]);
     }
+    x.reverse();
     Some(x)
 }
 
@@ -197,7 +199,7 @@ impl<'a> Slopes<'a> {
                 integral -= whole;
             }
         }
-        let mut out = Vec::with_capacity(10);
+        let mut out = Vec::new();
         for (k, [v, d, dd, ddd, _]) in at.into_iter().enumerate() {
             let i = if k == 0 {
                 integral.clone()
@@ -253,4 +255,26 @@ pub(super) fn conditions(
         }
     }
     Some(total)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solved(rows: &[&[f64]]) -> Option<Vec<f64>> {
+        let rows = rows.iter().map(|r| r.iter().map(|&v| float(v)).collect());
+        let x = eliminate(rows.collect())?;
+        Some(x.iter().map(Float::to_f64).collect())
+    }
+
+    #[test]
+    fn elimination_takes_a_pivot_from_below() {
+        let rows: [&[f64]; 3] = [
+            &[0.0, 1.0, 1.0, 5.0],
+            &[1.0, 0.0, 2.0, 7.0],
+            &[2.0, 1.0, 0.0, 4.0],
+        ];
+        assert_eq!(solved(&rows), Some(vec![1.0, 2.0, 3.0]));
+        assert_eq!(solved(&[&[0.0, 1.0, 5.0], &[0.0, 2.0, 7.0]]), None);
+    }
 }

@@ -37,9 +37,9 @@ impl EndCondition {
     /// `S'` at the ends is what was given there, bit for bit.
     pub(super) fn ends_residual(self, p: SplineProblem) -> Option<f64> {
         let s = self.fit(p).ok()?;
-        let hit = |x: Option<&f64>, due: f64| s.jet(*x?).ok().map(|j| j.first == due);
-        let [first, last] = p.ends?;
-        held(hit(p.x.first(), first)? && hit(p.x.last(), last)?)
+        let slope = |x: f64| s.jet(x).ok().map(|j| j.first);
+        let [first, last] = [p.x.first(), p.x.last()].map(|x| slope(*x?));
+        held([first?, last?] == p.ends?)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The mechanism as the test set prints it.
 
+use super::motion::BITS;
 use crate::reference::Decimal;
 use crate::reference::planar::{
     Attachment, Body, Drive, Forces, Joint, Mechanism, MechanismError, Point, Spring,
@@ -137,6 +138,6 @@ pub fn fold() -> Drive {
 /// Coordinates near the start, from the printed ones: which of the modes is meant.
 pub(super) fn near_the_start() -> Vec<Float> {
     [-0.06, -0.06, 0.46, 0.71, 0.49, 1.01, 1.23]
-        .map(|x| Float::with_val(64, x))
+        .map(|x| Float::with_val(BITS, x))
         .to_vec()
 }

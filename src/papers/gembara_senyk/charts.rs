@@ -91,10 +91,12 @@ pub fn chart(law: Law, programme: Programme) -> Result<Chart, ChirpChartError> {
 /// `Σ|A_k|` of the run-up at `ξ` (19), corrected and enclosed.
 pub fn certified(law: Law, xi: &Rational, prec: u32) -> Ball {
     let q = |n: i32, d: u32| Rational::from((n, d));
-    let (b, d) = match law {
-        Law::K => (q(0, 1), q(1, 1)),
-        Law::Constant => (q(0, 1), q(0, 1)),
+    // The share of a cosine; nothing of the law is without acceleration.
+    let d = match law {
+        Law::K => q(1, 1),
+        Law::Constant => Rational::new(),
     };
+    let b = Rational::new();
     let form = cam_law::Law::stretched(&cam_law::Family::Scca { b, d }, &q(1, 2));
     let stroke = |start: Rational| fourier_series::Stroke {
         law: form.clone(),
@@ -113,12 +115,7 @@ pub fn certified(law: Law, xi: &Rational, prec: u32) -> Ball {
     (1..=HARMONICS)
         .zip(harmonics)
         .fold(Ball::integer(prec, 0), |sum, (k, [a, b])| {
-            let square = a.square() + b.square();
-            // Some harmonics vanish.
-            let forcing = match square.contains_zero() {
-                true => Ball::integer(prec, 0).widened(a.magnitude().add(b.magnitude())),
-                false => square.sqrt(),
-            };
+            let forcing = hypotenuse(&a, &b);
             let o = Rational::new;
             let values = [
                 q(100, 1),
@@ -139,4 +136,30 @@ pub fn certified(law: Law, xi: &Rational, prec: u32) -> Ball {
                 None => Ball::new(Float::new(prec), Mag::INFINITY),
             }
         })
+}
+
+/// `√(a² + b²)`, also where both may vanish.
+fn hypotenuse(a: &Ball, b: &Ball) -> Ball {
+    let square = a.square() + b.square();
+    match square.contains_zero() {
+        true => Ball::integer(a.prec(), 0).widened(a.magnitude().add(b.magnitude())),
+        false => square.sqrt(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_harmonic_that_may_vanish_is_enclosed() {
+        let ball =
+            |middle: i64, radius: i64| Ball::integer(64, middle).widened(Mag::power_of_two(radius));
+        assert!(hypotenuse(&ball(3, -50), &ball(4, -50)).overlaps(&Ball::integer(64, 5)));
+        // Up to (1, 1), and to (1, 0).
+        let both = hypotenuse(&ball(0, 0), &ball(0, 0));
+        assert!(both.contains_zero() && both.overlaps(&Ball::integer(64, 2).sqrt()));
+        let one = hypotenuse(&ball(0, 0), &ball(0, -50));
+        assert!(one.overlaps(&Ball::integer(64, 1)));
+    }
 }

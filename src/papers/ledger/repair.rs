@@ -4,7 +4,7 @@ use super::{Formula, Repair, Requirement};
 use crate::reference::ComplexBall;
 use crate::symbolic::{
     Cache, Definitions, Edit, Enclosures, Equation, Exact, Expr, Family, Outcome, Point,
-    SymbolicError, edits, enclose, has_derivative, latex_equation,
+    SymbolicError, edits, enclose, latex_equation,
 };
 use std::collections::BTreeSet;
 
@@ -76,9 +76,9 @@ impl<'a> Judge<'a> {
             let Requirement::Equal(e) = r else {
                 return false;
             };
+            // Of derivatives there are no enclosures.
             let value = |e: &Expr, fixed: &Option<ComplexBall>| match fixed {
                 Some(v) => Some(v.clone()),
-                None if has_derivative(with, e) => None,
                 None => {
                     let mut enclosures = Enclosures::remembering(&self.point, &self.cache);
                     enclosures.value(with, e).ok()
@@ -194,4 +194,28 @@ pub(super) fn search(
     let (edits, corrected) = first.map_or((Vec::new(), None), |(e, c)| (e, Some(c)));
     out.edits = edits;
     (out, corrected)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::symbolic::parse_equation;
+
+    /// √2 √2 < 2 cannot be told in balls, whatever is printed.
+    #[test]
+    fn what_stays_undecided_is_counted() {
+        let printed = parse_equation("x = a + b").unwrap();
+        let requirement = Requirement::parse("sqrt(2) * sqrt(2) < 2").unwrap();
+        let found = |most| {
+            let family = Family::default();
+            let (definitions, requirements) = (Definitions::default(), [requirement.clone()]);
+            search(&printed, &family, most, &definitions, &requirements).0
+        };
+        let singles = found(1);
+        assert!(singles.single_edits > 2 && singles.pairs == 0);
+        assert_eq!(singles.undecided, singles.single_edits);
+        let pairs = found(2);
+        assert!(pairs.pairs > 2);
+        assert_eq!(pairs.undecided, pairs.single_edits + pairs.pairs);
+    }
 }

@@ -149,9 +149,9 @@ pub(super) fn undecided(what: &str) -> Undecided {
 /// # Errors
 /// [`Undecided`] if both are equally near as far as the balls tell.
 pub fn nearest_leaves(linkage: &FourBar, step: &Rational) -> Result<Option<Rational>, Undecided> {
-    let drawn = linkage.modes(&Ball::integer(BITS, 0))?;
-    let mut before = drawn.ok_or_else(|| undecided("the drawn position"))?.c[0].clone();
     let mut turned = Rational::new();
+    let drawn = linkage.modes(&degrees(&turned))?;
+    let mut before = drawn.ok_or_else(|| undecided("the drawn position"))?.c[0].clone();
     loop {
         turned -= step;
         let Some(modes) = linkage.modes(&degrees(&turned))? else {

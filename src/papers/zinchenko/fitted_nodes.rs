@@ -18,6 +18,11 @@ pub(super) struct FittedMoment {
     pub left_out: Vec<(Column, usize)>,
 }
 
+/// Rounds of reweighting, after which the nodes have come to rest, and the least weight, which keeps entries that happened
+/// to be hit exactly.
+const ROUNDS: usize = 400;
+const FLOOR: f64 = 1e-9;
+
 /// One printed entry as an equation for the nodes.
 struct Equation {
     design: DVector<f64>,
@@ -80,11 +85,10 @@ pub(super) fn fit(printed: &[Printed]) -> FittedMoment {
         }
         let largest = |u: &[f64]| u.iter().copied().fold(0.0, f64::max);
         let mut best = (largest(&units), first.x.clone());
-        for _ in 0..400 {
+        for _ in 0..ROUNDS {
             let total: f64 = weights.iter().zip(&units).map(|(w, u)| w * u).sum();
             for (w, u) in weights.iter_mut().zip(&units) {
-                // A floor keeps entries that happened to be hit exactly.
-                *w = (*w * u * rows.len() as f64 / total).max(1e-9);
+                *w = (*w * u * rows.len() as f64 / total).max(FLOOR);
             }
             let (fit, next) = fit_weighted(&rows, &weights);
             units = next;

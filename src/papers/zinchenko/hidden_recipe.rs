@@ -43,6 +43,13 @@ pub(super) struct Alias {
     pub signal: f64,
 }
 
+impl Alias {
+    /// Whether it is within a fifth of the law.
+    pub(super) fn follows_law(&self) -> bool {
+        5.0 * (self.observed - self.predicted).abs() < self.predicted
+    }
+}
+
 /// Columns that are splines themselves (the difference column is not one).
 const SPLINES: [Column; 6] = [
     Column::Inertia,
@@ -171,12 +178,38 @@ mod tests {
 
     #[test]
     fn only_twelve_nodes_at_row_0_fit() {
-        let printed = printed();
-        for p in projections(&printed) {
+        let all = projections(&printed());
+        let tried = all
+            .chunks(8)
+            .map(|c| [0, 1, 2, 3, 4, 5, 6, 7].map(|k| (c[k].nodes, c[k].offset)));
+        for spaces in tried {
+            let at_row_0 = [6, 8, 12, 16, 24].map(|nodes| (nodes, 0));
+            let moved = [1, 2, 3].map(|offset| (12, offset));
+            assert_eq!(spaces[..], [&at_row_0[..], &moved].concat());
+        }
+        for p in all {
             let fits = matches!((p.nodes, p.offset), (12 | 24, 0));
             assert_eq!(p.ratio < 1.5, fits, "{p:?}");
             assert!(fits || p.ratio > 10.0, "{p:?}");
         }
+    }
+
+    #[test]
+    fn a_fifth_is_off_the_law() {
+        let follows = |observed: f64| {
+            let alias = Alias {
+                column: Column::Inertia,
+                harmonic: 1,
+                alias: 13,
+                observed,
+                predicted: 5.0,
+                deviations: 0.0,
+                signal: 0.0,
+            };
+            alias.follows_law()
+        };
+        assert!([4.1, 5.0, 5.9].into_iter().all(follows));
+        assert!(![4.0, 6.0].into_iter().any(follows));
     }
 
     #[test]

@@ -203,6 +203,18 @@ mod tests {
         crate::papers::ledger::all_as_recorded(&ledger::items());
     }
 
+    /// Against each of the rows 0, 4, … 44, and no others.
+    #[test]
+    fn metres_are_tried_at_the_nodes() {
+        let with = |row: usize| {
+            let mut printed = tables::printed();
+            let place = |p: &Printed| p.column == Column::Inertia && p.row == row;
+            printed.iter_mut().find(|p| place(p)).unwrap().value.value += 1_000_000_000;
+            in_metres_worst(&printed) > 1e8
+        };
+        assert!((0..49).all(|row| with(row) == (row < 48 && row % 4 == 0)));
+    }
+
     #[test]
     fn every_finding_is_as_recorded() {
         let report = report(&|_, _, _| {}).unwrap();

@@ -332,9 +332,14 @@ impl Model {
             let size = parameter.of(&mut p.clone()).abs().max(0.1);
             design.column_mut(k).scale_mut(size);
         }
-        let s = design.svd(false, false).singular_values;
-        s.iter().filter(|&&x| x > s.max() * 1e-10).count()
+        numerical_rank(&design.singular_values())
     }
+}
+
+/// How many singular values are not rounding beside the largest.
+fn numerical_rank(values: &DVector<f64>) -> usize {
+    let least = values.max() * 1e-10;
+    values.iter().filter(|x| **x > least).count()
 }
 
 /// Median absolute residual, scaled to a standard deviation.
@@ -344,10 +349,14 @@ fn typical_size(residuals: &DVector<f64>) -> f64 {
     sizes[sizes.len() / 2] / 0.6745
 }
 
-/// The f64 states at `n` equally spaced crank angles from row 0, on the paper's branch.
-pub(super) fn node_states(n: usize) -> Vec<State> {
+fn start_deg() -> f64 {
+    data::START_DEG.parse().expect("a decimal in the source")
+}
+
+/// The f64 state of row 0, on the paper's branch.
+pub(super) fn first_state() -> State {
     let linkage = data::solver_linkage();
-    let start: f64 = data::START_DEG.parse().expect("a decimal in the source");
+    let start = start_deg();
     let phi4: f64 = data::START_PHI4_DEG
         .parse()
         .expect("a decimal in the source");
@@ -357,12 +366,17 @@ pub(super) fn node_states(n: usize) -> Vec<State> {
         d(a).total_cmp(&d(b))
     });
     let mode = *mode.expect("the paper's linkage can be assembled");
-    let first = linkage
-        .state_near(Angle::from_deg(start), mode)
-        .expect("a closed start");
-    let angles = (0..n).map(|j| Angle::from_deg(start + 360.0 * j as f64 / n as f64));
     linkage
-        .sweep(&first, angles)
+        .state_near(Angle::from_deg(start), mode)
+        .expect("a closed start")
+}
+
+/// The f64 states at `n` equally spaced crank angles from row 0.
+pub(super) fn node_states(n: usize) -> Vec<State> {
+    let start = start_deg();
+    let angles = (0..n).map(|j| Angle::from_deg(start + 360.0 * j as f64 / n as f64));
+    data::solver_linkage()
+        .sweep(&first_state(), angles)
         .expect("the paper's crank turns fully")
 }
 

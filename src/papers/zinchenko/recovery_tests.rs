@@ -45,3 +45,10 @@ fn the_moment_columns_add_s3_and_s5() {
     );
     assert_eq!(r.rank, 5);
 }
+
+#[test]
+fn rounding_adds_no_rank() {
+    let rank = |values: &[f64]| numerical_rank(&DVector::from_column_slice(values));
+    assert_eq!(rank(&[4.0, 1.0, 4.1e-10]), 3);
+    assert_eq!(rank(&[4.0, 1.0, 4e-10]), 2);
+}

@@ -5,7 +5,7 @@
 //! 200 N·m, overload factor 2.2 and rated slip 0.05, at the crank.
 
 use super::data::{self, MassParameters};
-use super::recovery::node_states;
+use super::recovery::first_state;
 use crate::solvers::run_up::{
     ClassIiiModel, Coefficients, Cycle, Drive, Equation, Hybrid, Kloss, ModelError, Motion, Motor,
     Plan, ReducedModel, Settings, Splined, run, steady_cycle,
@@ -21,6 +21,9 @@ pub(super) const ROTOR: f64 = 1.4;
 const TOLERANCE: f64 = 1e-11;
 /// Seconds of the run.
 const DURATION: f64 = 3.0;
+/// Until when it runs up, and from when on it is steady.
+const RUNNING_UP: f64 = 0.7;
+const STEADY: f64 = 2.0;
 /// Moments of the run at which speeds are compared: worst errors are those found at them.
 pub(super) const MOMENTS: f64 = 30_000.0;
 
@@ -63,12 +66,12 @@ pub(super) const NODES: [usize; 2] = [12, 48];
 
 fn model() -> ClassIiiModel {
     let masses = MassParameters::new(data::RECOVERED).masses();
-    ClassIiiModel::new(data::solver_linkage(), masses, node_states(1)[0])
+    ClassIiiModel::new(data::solver_linkage(), masses, first_state())
 }
 
 /// The crank angle of row 0.
 fn first() -> f64 {
-    node_states(1)[0].phi1
+    first_state().phi1
 }
 
 fn drive(rotor: f64) -> Drive {
@@ -137,8 +140,8 @@ fn against(
     };
     Against {
         nodes,
-        run_up: worst(0.0, 0.7),
-        steady: worst(2.0, DURATION),
+        run_up: worst(0.0, RUNNING_UP),
+        steady: worst(STEADY, DURATION),
         period: cycle.period - exact.1.period,
         fluctuation: cycle.fluctuation - exact.1.fluctuation,
         work: cycle.work[0],

@@ -152,11 +152,16 @@ fn curve(i: ClassIiiInput<Rational>, bits: u32) -> Result<Arc<LinkageCurve>, Unc
         PANELS,
         bits,
     ));
+    keep(&mut known, (key, bits, made.clone()));
+    Ok(made)
+}
+
+/// One more, the oldest being forgotten.
+fn keep<T>(known: &mut Vec<T>, new: T) {
     if known.len() == CURVES_KEPT {
         known.remove(0);
     }
-    known.push((key, bits, made.clone()));
-    Ok(made)
+    known.push(new);
 }
 
 fn reference_model(
@@ -445,4 +450,16 @@ fn moving(d: &mut Draw) -> RunUpInput<'static> {
         i.i1 = d.log_uniform(1e-3, 2.0);
     }
     i
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_eight_curves_are_kept() {
+        let mut known = Vec::new();
+        (0..20).for_each(|k| keep(&mut known, k));
+        assert_eq!(known, [12, 13, 14, 15, 16, 17, 18, 19]);
+    }
 }

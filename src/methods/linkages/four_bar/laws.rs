@@ -2,7 +2,7 @@
 
 use super::{FourBar, FourBarInput, motion, values};
 use crate::audit::Law;
-use crate::methods::common::held;
+use crate::methods::common::{central_difference, held};
 use crate::methods::definition::Definition;
 use std::f64::consts::TAU;
 
@@ -86,10 +86,15 @@ fn mirror(x: &[f64]) -> Option<f64> {
         })
         .ok()?,
     );
-    // φ2, φ3 and their second derivatives are odd in φ1, the first derivatives even.
-    let odd = [0, 1, 4, 5].iter().all(|&i| here[i] == -there[i]);
-    let even = [2, 3, 6, 7].iter().all(|&i| here[i] == there[i]);
-    held(odd && even)
+    held(mirrored(&here, &there))
+}
+
+/// φ2, φ3, their second derivatives and the joint's ordinate are odd in φ1; first derivatives, transmission angle and
+/// abscissa are even.
+fn mirrored(here: &[f64], there: &[f64]) -> bool {
+    let signs = [-1.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 1.0, -1.0];
+    let turned = there.iter().zip(signs).map(|(x, sign)| sign * x);
+    here.iter().copied().eq(turned)
 }
 
 fn angle_sum(x: &[f64]) -> Option<f64> {
@@ -106,19 +111,35 @@ fn velocity(x: &[f64]) -> Option<f64> {
     const H: f64 = 1e-4;
     let i = FourBar::unpack(x)?;
     let m = motion(i).ok()?;
-    let at = |h: f64| {
+    let angle = |phi1: f64| {
         let mut moved = i;
-        moved.phi1 += h;
-        motion(moved)
-            .ok()
-            .map(|m| (m.rocker.angle.rad(), moved.phi1))
+        moved.phi1 = phi1;
+        motion(moved).ok().map(|m| m.rocker.angle.rad())
     };
-    let ((p, hi), (q, lo)) = (at(H)?, at(-H)?);
+    let rate = central_difference(angle, i.phi1, H)?;
     let size = 1.0 + m.rocker.first.abs() + m.rocker.second.abs();
     // Where one step changes the second derivative by little, the third is of the size allowed.
     let lengths = [i.a, i.b, i.c, i.d];
     let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
     let alike = lengths.iter().all(|&l| l < 1e3 * shortest);
     let calm = alike && m.transmission.rad().sin() > 0.3 && spread(i) < 10.0 && size < 10.0;
-    calm.then(|| ((p - q) / (hi - lo) - m.rocker.first).abs() / (1e2 * H * H * size))
+    calm.then(|| (rate - m.rocker.first).abs() / (1e2 * H * H * size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each value by itself is looked at.
+    #[test]
+    fn one_value_that_is_not_mirrored_breaks_the_law() {
+        let here = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0];
+        let there = [-1.0, -2.0, 3.0, 4.0, -5.0, -6.0, 7.0, 8.0, -9.0];
+        assert!(mirrored(&here, &there));
+        for k in 0..9 {
+            let mut off = there;
+            off[k] = -off[k];
+            assert!(!mirrored(&here, &off), "{k}");
+        }
+    }
 }

@@ -213,3 +213,23 @@ fn swinging(r: &mut Draw) -> FourBarInput<'static> {
         return with_angle(r, [a, b, c, d], phi);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Crank and ground in line: b, c and 2 are a triangle with the transmission angle μ, its sine about 2√(b + c − 2).
+    #[test]
+    fn links_next_to_a_limit_are_not_drawn() {
+        let stretched = |sine: f64| FourBarInput {
+            a: 1.0,
+            b: 1.0,
+            c: 1.0 + sine * sine / 4.0,
+            d: 1.0,
+            phi1: PI,
+            assembly: 1.0,
+        };
+        assert!(within(stretched(1.1e-3)));
+        assert!(!within(stretched(0.9e-3)));
+    }
+}

@@ -157,21 +157,19 @@ impl Flow {
         };
         let only = |at: usize, v: [f64; 3]| rows(&|k| if k == at { v } else { [0.0; 3] });
         for k in 0..self.bodies {
-            add(i.m[k], only(k, due(1.0, in_time(&paths[k]) - g, 0.0, 0.0)));
+            let by = in_time(&paths[k]) - g;
+            add(i.m[k], only(k, [by.re, by.im, 0.0]));
             let turn = turning(&self.motion.turn[k + 1]);
             add(i.j[k], only(k, [0.0, 0.0, turn]));
         }
         for (size, along) in [(i.gx.abs(), C::new(1.0, 0.0)), (i.gy.abs(), I)] {
             add(size, rows(&|k| due(i.m[k], -along, 0.0, 0.0)));
         }
-        for (size, order, factor) in [(2.0 * square, 2, 1.0), (forward.abs(), 1, forward.signum())]
-        {
+        for (size, order) in [(2.0 * square, 2), (forward.abs(), 1)] {
+            let turn = |k: usize| self.motion.turn[k + 1][order];
             add(
                 size,
-                rows(&|k| {
-                    let turn = self.motion.turn[k + 1][order] * factor;
-                    due(i.m[k], paths[k][order] * factor, i.j[k], turn)
-                }),
+                rows(&|k| due(i.m[k], paths[k][order], i.j[k], turn(k))),
             );
         }
         self.each(|size, changes, d, by| {

@@ -118,7 +118,7 @@ impl PlanarLinkageInput<'_, Rational> {
             mass: mass.clone(),
             inertia: inertia.clone(),
             centre: [self.xs[k].clone(), self.ys[k].clone()],
-            ..Body::massless(&(k + 1).to_string())
+            ..Body::massless("")
         };
         let bodies = masses.iter().enumerate().map(body).collect();
         let joints = joined.iter().enumerate().map(pin).collect();

@@ -40,7 +40,7 @@ fn values(
     i: &PlanarLinkageInput<Rational>,
 ) -> Result<Vec<Ball>, Undecided> {
     let series = linkage.series(at, 2)?;
-    let mut all = Vec::with_capacity(9 * i.near.len());
+    let mut all = Vec::new();
     for k in 0..i.near.len() {
         match k {
             // The drive itself, exactly.
@@ -103,7 +103,7 @@ impl Definition for PlanarLinkage {
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {
         let mechanism = i.solver()?;
         let state = i.state(&mechanism)?;
-        let mut all = Vec::with_capacity(9 * i.near.len());
+        let mut all = Vec::new();
         for k in 0..i.near.len() {
             let turn = mechanism.body_angle(&state, k + 1);
             all.extend([turn.angle.rad(), turn.first, turn.second]);

@@ -1,5 +1,6 @@
 //! Audits of planar linkages with another seed, planted faults, inputs that are none.
 
+use super::flow::Flow;
 use super::{PlanarLinkage, PlanarReduction};
 use crate::audit::{Settings, SolverAnswer, Variant, audit_method};
 use crate::methods::definition::Definition;
@@ -79,4 +80,22 @@ fn what_is_no_linkage_is_outside() {
         PlanarReduction::solve(PlanarReduction::unpack(&lighter[..]).unwrap()),
         Err("masses")
     );
+}
+
+/// What is zero changes nothing, and costs the solution of a system.
+#[test]
+fn coordinates_of_zero_are_no_data() {
+    let method = find("planar-linkage").unwrap();
+    let mut zeros = 0;
+    for point in method.domain().check_points {
+        let i = PlanarLinkage::unpack(&point.input).unwrap();
+        let data = Flow::new(&i, i.near).unwrap().data();
+        assert!(data.iter().all(|d| d.size > 0.0), "{}", point.name);
+        zeros += [i.xa, i.ya, i.xb, i.yb]
+            .concat()
+            .iter()
+            .filter(|x| **x == 0.0)
+            .count();
+    }
+    assert!(zeros > 0);
 }

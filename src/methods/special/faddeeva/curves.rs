@@ -124,7 +124,7 @@ impl Line {
 fn w_and_slope(z: C) -> Option<[C; 2]> {
     /// As many as the quick evaluation has.
     const BITS: u32 = 80;
-    let exact = |x: f64| x.is_finite().then(|| Ball::exact(53, x));
+    let exact = |x: f64| x.is_finite().then(|| Ball::exact(BITS, x));
     let w = w_ball(&ComplexBall::new(exact(z.re)?, exact(z.im)?), BITS);
     Some(with_slope(z, C::new(w.re.to_f64(), w.im.to_f64())))
 }
@@ -350,6 +350,35 @@ mod tests {
             let rough = w_roughly(C::new(x, y));
             // Next to a node two large terms cancel; |z|^2 places of the exponential's argument are lost.
             assert!((rough - w).norm() < 1e-11 * w.norm(), "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn a_quarter_of_a_step_off_an_axis() {
+        let line = Line {
+            part: Part::Re,
+            along: Along::Re,
+            z: C::new(0.0, -1.0),
+            most: 1.0,
+        };
+        for t in [0.2, 0.25] {
+            assert_eq!([t, -t].map(|t| line.off_axis(t)), [None, None]);
+        }
+        assert_eq!(
+            [0.3, -0.3].map(|t| line.off_axis(t)),
+            [Some(0.3), Some(-0.3)]
+        );
+    }
+
+    /// Where e^{-z²} leads W changes by 2|z| places from one number to the next.
+    #[test]
+    fn arguments_are_taken_to_the_last_bit() {
+        let (x, y) = (17.0f64.next_up(), 18.0f64.next_up());
+        for z in [C::new(x, -18.0), C::new(17.0, -y)] {
+            let [w, _] = w_and_slope(z).unwrap();
+            let due = w_f64(z.re, z.im, 60).unwrap();
+            let due = C::new(due.re.to_f64(), due.im.to_f64());
+            assert!((w - due).norm() < 1e-15 * due.norm(), "{z}: {w} {due}");
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::audit::Law;
 use crate::methods::common::held;
-use crate::methods::special::relatives::laws::{U, gaussian, point, same_pair};
+use crate::methods::special::relatives::laws::{U, equation, gaussian, point, same_pair};
 use crate::solvers::faddeeva::{faddeeva, faddeeva_batch};
 use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
@@ -49,45 +49,14 @@ fn reflection(input: &[f64]) -> Option<f64> {
     Some(rest.norm() / (7.0 * U * size.max(f64::MIN_POSITIVE)))
 }
 
-/// W at z + h by the Taylor series at z, whose coefficients follow from W(z) alone.
-fn equation(input: &[f64]) -> Option<f64> {
-    let z = point(input)?;
-    let r = z.norm();
-    if !(r <= 1e6) {
-        return None;
-    }
-    // A step of about 1/(8|z|), or 1/8, turned by one radian; exact as a difference.
-    let step = 0.125 / r.max(1.0);
-    let to = C::new(z.re + 0.54 * step, z.im + 0.84 * step);
-    let h = to - z;
-    let (start, end) = (faddeeva(z), faddeeva(to));
-    if !(start.norm() < 1e300 && end.norm() < 1e300) {
-        return None;
-    }
-    // The terms c_n h^n, which stay of the size of W where the coefficients do not.
-    let zh = z * h;
-    let mut terms = [start, -2.0 * zh * start + C::new(0.0, FRAC_2_SQRT_PI) * h];
-    let mut sum = terms[0] + terms[1];
-    for n in 2..30 {
-        let next = -(zh * terms[1] + h * h * terms[0]) * (2.0 / n as f64);
-        terms = [terms[1], next];
-        sum += next;
-    }
-    // Errors of 4u in both values, the first grown by e^{1/4}, and some ten operations of the
-    // first terms with 1u each, of the size of 2/√π h where W is smaller.
-    let size = start.norm() + end.norm() + h.norm();
-    Some((sum - end).norm() / (16.0 * U * size))
-}
-
 /// W falls along the imaginary axis.
-fn monotonic(input: &[f64]) -> Option<f64> {
-    let z = point(input)?;
-    if !z.im.is_finite() {
+fn monotonic(w: impl Fn(C) -> C, y: f64) -> Option<f64> {
+    if !y.is_finite() {
         return None;
     }
-    let on_axis = |y: f64| faddeeva(Complex::new(0.0, y));
-    let next = [z.im.next_up(), z.im + z.im.abs() * 2f64.powi(-40)];
-    let here = on_axis(z.im);
+    let on_axis = |y: f64| w(C::new(0.0, y));
+    let next = [y.next_up(), y + y.abs() * 2f64.powi(-40)];
+    let here = on_axis(y);
     held(here.im == 0.0 && next.iter().all(|&y| on_axis(y).re <= here.re))
 }
 
@@ -114,13 +83,31 @@ pub(super) fn all() -> Vec<Law> {
             statement: "the Taylor series of W' = -2 z W + 2i/sqrt(pi) from W(z) gives W(z + h), \
                         |h| = 1/(8 max(|z|, 1)), within 16 u (|W(z)| + |W(z + h)| + |h|), for \
                         |z| <= 1e6",
-            residual: equation,
+            residual: |input| equation(faddeeva, C::new(0.0, FRAC_2_SQRT_PI), point(input)?),
         },
         Law {
             name: "monotonicity",
             statement: "W(iy) is real and does not grow from y to the next number or to \
                         y + 2^-40 |y|",
-            residual: monotonic,
+            residual: |input| monotonic(faddeeva, point(input)?.im),
         },
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn w_may_not_grow_up_the_axis() {
+        let broken = |w: &dyn Fn(f64) -> C| monotonic(|z| w(z.im), 3.0);
+        let jump = |at: f64, to: f64| move |y: f64| C::from(if y > at { to } else { 1.0 });
+        assert_eq!(broken(&|_| C::from(1.0)), Some(0.0));
+        assert_eq!(broken(&jump(3.0, 0.5)), Some(0.0));
+        // At the next number, and only at the farther one of the two that are looked at.
+        assert_eq!(broken(&jump(3.0, 1.5)), Some(f64::INFINITY));
+        assert_eq!(broken(&jump(3.0 + 2e-12, 1.5)), Some(f64::INFINITY));
+        assert_eq!(broken(&jump(3.0 + 3e-12, 1.5)), Some(0.0));
+        assert_eq!(broken(&|_| C::new(1.0, 1e-300)), Some(f64::INFINITY));
+    }
 }

@@ -95,10 +95,9 @@ pub(super) fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
 /// On the imaginary axis `Im W(x + iy) = −x E′(y) + …`, `E = erfcx`, and erfcx falls everywhere. At
 /// infinity `W = i/(√π z) + …`, but for `Im z ≤ 0` beside the axes.
 pub(super) fn signs_of_zero(x: f64, y: f64) -> [Option<bool>; 2] {
-    let re = match (x.is_infinite(), y.is_infinite()) {
-        (_, true) if y > 0.0 => Some(false),
-        (true, false) if y != 0.0 => Some(y < 0.0),
-        _ => None,
+    let re = match y == f64::INFINITY {
+        true => Some(false),
+        false => (x.is_infinite() && y.is_finite() && y != 0.0).then_some(y < 0.0),
     };
     let im = match x == 0.0 || (x.is_infinite() && y.is_finite()) || y == f64::INFINITY {
         true if !x.is_nan() => Some(x.is_sign_negative()),
@@ -227,6 +226,9 @@ mod tests {
             ((inf, 0.0), [None, plus]),
             ((-0.0, 3.0), [None, minus]),
             ((0.0, -3.0), [None, plus]),
+            ((1.0, 3.0), [None, None]),
+            ((1.0, -inf), [None, None]),
+            ((inf, -inf), [None, None]),
             ((f64::NAN, inf), [plus, None]),
         ] {
             assert_eq!(signs_of_zero(x, y), due, "{x} {y}");

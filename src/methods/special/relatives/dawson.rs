@@ -1,6 +1,6 @@
 //! Dawson's function.
 
-use super::laws::{batch_agrees, odd_law, on_the_axis, point, real_argument_law, within};
+use super::laws::{batch_agrees, equation, odd_law, on_the_axis, point, real_argument_law};
 use super::regions::zero_of_erfi;
 use super::{
     C, Exact, NORM_OF_PRODUCTS, Relative, Zeros, exponential, odd_limit, on_axis, on_the_real_line,
@@ -78,7 +78,7 @@ impl Relative for Dawson {
                 statement: "the Taylor series of F' = 1 - 2 z F from F(z) gives F(z + h), \
                             |h| = 1/(8 max(|z|, 1)), within 16 u (|F(z)| + |F(z + h)| + |h|), for \
                             |z| <= 1e6",
-                residual: equation,
+                residual: |input| equation(dawson, C::new(1.0, 0.0), point(input)?),
             },
             Law {
                 name: "batch",
@@ -104,31 +104,4 @@ fn slope_is_negative(x: f64) -> Option<bool> {
         let slope = Ball::integer(bits, 1) - &(Ball::rational(bits, &double) * &f.to_ball());
         (!slope.contains_zero()).then(|| slope.is_negative())
     })
-}
-
-/// F at z + h by the Taylor series at z, whose coefficients follow from F(z) alone.
-fn equation(input: &[f64]) -> Option<f64> {
-    let z = point(input)?;
-    let r = z.norm();
-    if !(r <= 1e6) {
-        return None;
-    }
-    // Turned by one radian; exact as a difference.
-    let step = 0.125 / r.max(1.0);
-    let to = C::new(z.re + 0.54 * step, z.im + 0.84 * step);
-    let h = to - z;
-    let (start, end) = (dawson(z), dawson(to));
-    if !(start.norm() < 1e300 && end.norm() < 1e300) {
-        return None;
-    }
-    let zh = z * h;
-    let mut terms = [start, h - 2.0 * zh * start];
-    let mut sum = terms[0] + terms[1];
-    for n in 2..30 {
-        let next = -(zh * terms[1] + h * h * terms[0]) * (2.0 / f64::from(n));
-        terms = [terms[1], next];
-        sum += next;
-    }
-    // 4 u of both values, the first grown by e^{1/4}, and some ten operations with 1 u each.
-    within(sum - end, 16.0, start.norm() + end.norm() + h.norm())
 }

@@ -99,3 +99,16 @@ fn by_w(input: &[f64]) -> Option<f64> {
     // 4 u of erf, 4 u of W, 6 u of the product's roundings and of the exponential's, 2 u of the sum.
     within((e - 1.0) + g * w, 16.0, 1.0 + e.norm())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_law_with_w_ends_before_the_exponential_overflows() {
+        // e^{y²} at 0 + iy, where erf is 1/(√π y) of it.
+        let law = |size: f64| by_w(&[0.0, libm::sqrt(libm::log(size))]);
+        assert!(law(0.9e290).is_some_and(|r| r < 1.0));
+        assert_eq!(law(1.1e290), None);
+    }
+}

@@ -141,7 +141,7 @@ fn zero(k: usize) -> [f64; 2] {
 fn refined([x, y]: [f64; 2]) -> Option<[f64; 2]> {
     let rough = |b: &ComplexBall| C::new(b.re.to_f64(), b.im.to_f64());
     let mut z = C::new(x, y);
-    for _ in 0..60 {
+    loop {
         let (re, im) = (Rational::from_f64(z.re)?, Rational::from_f64(z.im)?);
         let w = rough(&w_f64(z.re, z.im, 60).ok()?);
         let slope = rough(&faddeeva::w_derivative(1, &re, &im, 60).ok()?);
@@ -153,7 +153,6 @@ fn refined([x, y]: [f64; 2]) -> Option<[f64; 2]> {
         }
         z = next;
     }
-    None
 }
 
 #[cfg(test)]
@@ -174,6 +173,28 @@ mod tests {
             close += usize::from(share < 1e-13);
         }
         assert!((60..140).contains(&close), "{close}");
+    }
+
+    /// At infinity W' is −(i/√π) z^{−2}: −2xy has the sign of the real part's opposite, and the imaginary part that of
+    /// y² − x².
+    #[test]
+    fn signs_of_zero_at_infinity_and_on_the_axis() {
+        let (inf, plus, minus) = (f64::INFINITY, Some(false), Some(true));
+        for ((x, y), due) in [
+            ((inf, 2.0), [minus, minus]),
+            ((inf, -2.0), [plus, minus]),
+            ((inf, 0.0), [None, minus]),
+            ((1.0, inf), [minus, plus]),
+            ((-1.0, inf), [plus, plus]),
+            ((0.0, inf), [minus, plus]),
+            ((-0.0, inf), [plus, plus]),
+            ((-0.0, 3.0), [plus, None]),
+            ((1.0, 3.0), [None, None]),
+            ((inf, inf), [minus, None]),
+        ] {
+            let signs = FaddeevaDerivative::signs_of_zero(x, y);
+            assert_eq!(signs, due, "{x} {y}");
+        }
     }
 
     #[test]

@@ -108,12 +108,19 @@ impl Definition for Voigt {
             Law {
                 name: "batch",
                 statement: "a batch of 1 to 9 points around x gives the scalar values, bit for bit",
-                residual: batch,
+                residual: |input| {
+                    batch_agrees(arguments(input)?, |x, s, g, v| {
+                        voigt_batch(x, s, g, v).is_ok()
+                    })
+                },
             },
             Law {
                 name: "peak",
                 statement: "0 <= V(x) <= V(0) (1 + 12 u)",
-                residual: peak,
+                residual: |input| {
+                    let [x, s, g] = arguments(input)?;
+                    peak(voigt(x, s, g), voigt(0.0, s, g))
+                },
             },
             Law {
                 name: "faddeeva",
@@ -139,26 +146,28 @@ fn units(input: &[f64]) -> Option<f64> {
     let all = arguments(input)?;
     let [x, s, g] = all;
     let v = voigt(x, s, g);
-    let plain = |t: f64| t == 0.0 || (1e-300..1e300).contains(&t.abs());
+    // V is at most 1/(2π |x|), 1/(π γ) and 0.4/σ: where it is not small, no argument is large.
+    let plain = |t: f64| t == 0.0 || (t.is_finite() && t.abs() >= 1e-300);
     if !(v != 0.0 && plain(v) && all.into_iter().all(plain)) {
         return None;
     }
     held(same(voigt(x / 8.0, s / 8.0, g / 8.0), 8.0 * v))
 }
 
-fn batch(input: &[f64]) -> Option<f64> {
-    let [x, s, g] = arguments(input)?;
+fn batch_agrees(
+    [x, s, g]: [f64; 3],
+    batch: impl Fn(&[f64], f64, f64, &mut [f64]) -> bool,
+) -> Option<f64> {
     let n = 1 + x.to_bits() as usize % 9;
     let points: Vec<f64> = (0..n).map(|k| x * (1.0 + 0.25 * k as f64)).collect();
     let mut values = vec![0.0; n];
-    let done = voigt_batch(&points, s, g, &mut values).is_ok();
+    let done = batch(&points, s, g, &mut values);
     let mut pairs = points.iter().zip(&values);
     held(done && pairs.all(|(&x, &v)| same(v, voigt(x, s, g))))
 }
 
-fn peak(input: &[f64]) -> Option<f64> {
-    let [x, s, g] = arguments(input)?;
-    let (v, top) = (voigt(x, s, g), voigt(0.0, s, g));
+/// Of `V(x)` and `V(0)`.
+fn peak(v: f64, top: f64) -> Option<f64> {
     if v.is_nan() || top.is_nan() {
         return None;
     }
@@ -177,4 +186,54 @@ fn by_w(input: &[f64]) -> Option<f64> {
     // small only where |z| is large: z W tends to i/√π.
     let allowed = (20.0 + 8.0 * z.norm_sqr()) * U * w.norm();
     Some((voigt(x, s, g) * unit - w.re).abs() / allowed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn batches_have_all_lengths_from_x_on() {
+        let lengths: BTreeSet<usize> = (0..20)
+            .map(|k| {
+                let length = Cell::new(0);
+                let x = 1.0 + f64::from(k) * f64::EPSILON;
+                let refused = batch_agrees([x, 1.0, 0.5], |points, _, _, _| {
+                    length.set(points.len());
+                    assert_eq!(points[0], x);
+                    false
+                });
+                assert_eq!(refused, Some(f64::INFINITY));
+                length.get()
+            })
+            .collect();
+        assert_eq!(lengths, (1..=9).collect());
+    }
+
+    #[test]
+    fn beside_the_peak_the_profile_may_exceed_it_by_rounding_alone() {
+        let (holds, broken) = (Some(0.0), Some(f64::INFINITY));
+        let tiny = f64::from_bits(1);
+        for (v, top, due) in [
+            (0.5, 1.0, holds),
+            (1.0 + 12.0 * U, 1.0, holds),
+            (1.0 + 14.0 * U, 1.0, broken),
+            (3.0, 2.0, broken),
+            (6.0 * tiny, 0.0, holds),
+            (7.0 * tiny, 0.0, broken),
+            (-tiny, 1.0, broken),
+            (f64::NAN, 1.0, None),
+        ] {
+            assert_eq!(peak(v, top), due, "{v:e} {top:e}");
+        }
+    }
+
+    #[test]
+    fn the_law_with_w_holds_up_to_a_million() {
+        let law = |x: f64| by_w(&[x, 1.0, 1.0]);
+        assert!(law(1.4e6).is_some_and(|r| r < 1.0));
+        assert_eq!(law(1.5e6), None);
+    }
 }

@@ -154,3 +154,19 @@ fn poles_in_closed_form() {
         );
     }
 }
+
+/// Bars of other lengths, as far as the loops are told: a u + c w = b v and a u² + c w² = b v².
+#[test]
+fn both_orders_are_looked_at() {
+    let direction = |x: i32| [Rational::from(x), Rational::new()];
+    let at = Directions {
+        cranks: vec![direction(1), direction(2)],
+        rods: vec![direction(1)],
+    };
+    let rates = |of: [i32; 3]| of.map(Rational::from);
+    assert!(admissible(&at, &rates([1, 1, 1])));
+    assert!(admissible(&at, &rates([2, 2, 2])));
+    // To the first order alone, and to the second alone.
+    assert!(!admissible(&at, &rates([2, 1, 0])));
+    assert!(!admissible(&at, &rates([1, -1, 1])));
+}

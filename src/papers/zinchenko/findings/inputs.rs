@@ -7,6 +7,11 @@ fn cm(e: &Estimate) -> String {
     format!("{:.3} ± {:.3}", e.value * 100.0, e.deviation * 100.0)
 }
 
+/// Whether a value is less than four standard deviations off.
+fn inside(value: f64, due: f64, sd: f64) -> bool {
+    (value - due).abs() < 4.0 * sd
+}
+
 /// The centres of mass.
 pub(in crate::papers::zinchenko) fn recovered_centres(
     inertia: &Recovery,
@@ -34,7 +39,6 @@ pub(in crate::papers::zinchenko) fn recovered_centres(
     let angle_sd = variance(-s, c).sqrt() / radius;
     let s2 = centre(inertia, 0, 0);
     let (s3, s5) = (centre(all, 1, 0), centre(all, 3, 0));
-    let inside = |value: f64, due: f64, sd: f64| (value - due).abs() < 4.0 * sd;
     Finding {
         id: "centres-of-mass",
         subject: Subject::Data,
@@ -165,5 +169,16 @@ pub(in crate::papers::zinchenko) fn units_of_length(
                 "{:.2e}", worst("recovered") => "kg m^2";
         },
         as_recorded: in_metres_worst > 1e4 && printed < 0.2 && worst("recovered") < 1e-3,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::inside;
+
+    #[test]
+    fn four_deviations_are_too_far() {
+        assert!(inside(3.5, 2.0, 0.5) && inside(0.5, 2.0, 0.5));
+        assert!(!inside(4.0, 2.0, 0.5) && !inside(0.0, 2.0, 0.5));
     }
 }

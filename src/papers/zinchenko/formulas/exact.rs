@@ -197,6 +197,11 @@ mod tests {
         assert_eq!(bad.outcome(), Outcome::Fails);
         let (at, value) = bad.failure.unwrap();
         assert_eq!(value, &at[0] * &at[1] * 2);
+        // On the diagonal alone, and on the first line alone.
+        let bad = grid.vanishes(|v| &v[0] * 2 - &v[1] * 3);
+        assert_eq!((bad.points, bad.outcome()), (2, Outcome::Fails));
+        let bad = grid.vanishes(|v| &v[1] - q(1, 3));
+        assert_eq!((bad.points, bad.outcome()), (4, Outcome::Fails));
         // The largest degree allowed has to be caught: (x − 1/2)(x − 3/2) vanishes on two of three.
         let bad = grid.vanishes(|v| (&v[0] - q(1, 2)) * (&v[0] - q(3, 2)));
         assert_eq!((bad.points, bad.outcome()), (3, Outcome::Fails));

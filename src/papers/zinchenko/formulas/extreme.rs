@@ -34,6 +34,22 @@ struct Dead {
     alone: bool,
 }
 
+impl Dead {
+    /// Whether it is stretched, B beyond A, or folded, B on the other side of the crank pivot, with the rest of the
+    /// linkage momentarily at rest.
+    fn is(&self, stretched: bool) -> bool {
+        let at_rest = |rate: &Ball| rate.contains_zero() && rate.rad().to_f64() < 1e-24;
+        let rest = self.motion.first[1..].iter().all(at_rest);
+        let [a, b, ..] = &self.motion.joints;
+        let along = a.r.dot(&b.r);
+        let right = match stretched {
+            true => along.is_positive(),
+            false => along.is_negative(),
+        };
+        self.alone && rest && right
+    }
+}
+
 /// `A × B`, which is `l1 l2 sin(φ2 − φ1)`.
 fn across(q: &Configuration) -> Ball {
     q.a.cross(&q.b)
@@ -112,10 +128,15 @@ fn closure(printed: &Printed, d: &Dimensions) -> [Ball; 4] {
 
 /// The extreme position.
 pub(super) fn finding(printed: &Printed, sample: &Sample) -> Finding {
+    between(BRACKETS, printed, sample)
+}
+
+/// With a stretched position in the first bracket and a folded one in the second.
+fn between(brackets: [(&str, &str); 2], printed: &Printed, sample: &Sample) -> Finding {
     let linkage = sample::linkage(BITS);
     let found = row_zero(&linkage)
         .ok()
-        .map(|row0| BRACKETS.map(|b| dead(&linkage, &row0, b)));
+        .map(|row0| brackets.map(|b| dead(&linkage, &row0, b)));
     let mut figures = Vec::new();
     let mut checks = Vec::new();
     for (i, dead) in found.into_iter().flatten().enumerate() {
@@ -123,20 +144,7 @@ pub(super) fn finding(printed: &Printed, sample: &Sample) -> Finding {
             checks.push((Outcome::Undecided, Outcome::Holds));
             continue;
         };
-        // At a dead position the rest of the linkage is momentarily at rest.
-        let rest = dead.motion.first[1..]
-            .iter()
-            .all(|rate| rate.contains_zero() && rate.rad().to_f64() < 1e-24);
-        checks.push((Outcome::of(dead.alone && rest), Outcome::Holds));
-        // Stretched: B beyond A. Folded: B on the other side of the crank pivot.
-        let [a, b, ..] = &dead.motion.joints;
-        let along = a.r.dot(&b.r);
-        let right = if i == 0 {
-            along.is_positive()
-        } else {
-            along.is_negative()
-        };
-        checks.push((Outcome::of(right), Outcome::Holds));
+        checks.push((Outcome::of(dead.is(i == 0)), Outcome::Holds));
         if i == 1 {
             figures.push(decimals(
                 "phi_1 of the second dead position",
@@ -216,6 +224,12 @@ mod tests {
         let linkage = sample::linkage(BITS);
         let row0 = row_zero(&linkage).unwrap();
         assert!(dead(&linkage, &row0, ("14.43", "14.44")).is_none());
+    }
+
+    #[test]
+    fn a_stretched_position_is_not_folded() {
+        let sample = Sample::new().unwrap();
+        assert!(!between([BRACKETS[0]; 2], &PRINTED, &sample).as_recorded);
     }
 
     /// Seven decimals known from a separate computation with 50 digits.

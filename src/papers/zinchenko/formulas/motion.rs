@@ -13,24 +13,22 @@ pub(super) const PRINTED_1: Acceleration = |i, di, psi, md, mo| (md + mo - psi *
 
 /// The power balance `d/dt(½ I ψ²) = (M_d + M_o) ψ`, right minus left. With `dI/dt = I' ψ` the left
 /// side is `½ I' ψ³ + I ψ dψ/dt`. Degrees: 1 in I, I', M_d, M_o and 3 in ψ.
-/// M_o enters the right side `taken` times, and `owed M_o ψ` are added to it.
-fn balance(form: Acceleration, taken: i32, owed: i32) -> Identity {
+/// M_o enters the right side with its sign or as a resistance, and `owed M_o ψ` are added to it.
+fn balance(form: Acceleration, resistance: bool, owed: i32) -> Identity {
     Grid::new(&[1, 1, 3, 1, 1]).vanishes(|v| {
-        let [i, di, psi, md, mo] = v else {
-            return Q::from(1);
-        };
+        let [i, di, psi, md, mo] = <&[Q; 5]>::try_from(v).expect("five variables");
         let a = form(i, di, psi, md, mo);
         let added = mo * owed * psi;
-        let mo = mo * taken;
+        let mo = if resistance { -mo } else { mo.clone() };
         added + (md + mo) * psi - psi * psi * psi * di / 2 - i * psi * a
     })
 }
 
 /// Formula (1).
 pub(super) fn equation_of_motion(form: Acceleration) -> Finding {
-    let signed = balance(form, 1, 0);
-    let unsigned = balance(form, -1, 0);
-    let exactly = balance(form, -1, 2);
+    let signed = balance(form, false, 0);
+    let unsigned = balance(form, true, 0);
+    let exactly = balance(form, true, 2);
     Draft {
         id: "formula-1",
         place: "(1)",
@@ -126,7 +124,7 @@ fn rated(motor: &Motor) -> Outcome {
 fn breakdown(motor: &Motor) -> Identity {
     Grid::new(&[1, 4, 4]).vanishes(|v| {
         let (mk, s, sk) = (&v[0], &v[1], &v[2]);
-        let plain = |x: Q| Surd::new(&Q::from(1), x, Q::from(0));
+        let plain = |x: Q| Surd::new(mk, x, Q::from(0));
         let Some(torque) = (motor.torque)(mk, &plain(sk / s), &plain(s / sk)) else {
             return Q::from(1);
         };

@@ -1,6 +1,6 @@
 //! Reduction to the crank: formulas (3) to (7).
 
-use super::exact::{Grid, Q};
+use super::exact::{Grid, Identity, Q};
 use super::sample::{
     BITS, Dimensions, Loads, Position, ROWS, Rockers, Sample, ball, masses, number,
 };
@@ -197,13 +197,22 @@ fn some_crank() -> Rational {
     number("1.4")
 }
 
+fn positive(masses: &Masses) -> bool {
+    masses.bodies.iter().all(|b| b.inertia > 0)
+}
+
+/// m_n (l1 ω)² = I_n ω² over ω², of degree at most 2 after multiplication by l1².
+fn same_energy(f: &Forms) -> Identity {
+    Grid::new(&[2, 2]).vanishes(|v| (f.mass)(&v[0], &v[1]) * &v[1] * &v[1] - &v[0])
+}
+
 fn energy(f: &Forms, sample: &Sample) -> Finding {
     let m = per_centimetre();
     let c = Comparison::new(sample, &some_crank());
     let pivot = c.residuals(f.energy, inertia, 2, &m);
     // The same links by König: centre of mass, with I − m s².
     let steiner = masses(Rockers::Steiner, &some_crank());
-    let positive = steiner.bodies.iter().all(|b| b.inertia > 0);
+    let positive = positive(&steiner);
     let centre = masses(Rockers::AboutCentre, &some_crank());
     let against = |masses: &Masses| -> Vec<Ball> {
         let at =
@@ -219,11 +228,7 @@ fn energy(f: &Forms, sample: &Sample) -> Finding {
             if (&b - &a).is_positive() { b } else { a }
         });
     let small = (ball("0.02") - &gap).is_positive();
-    // m_n (l1 ω)² = I_n ω², of degree at most 2 after multiplication by l1².
-    let same_energy = Grid::new(&[2, 2, 2]).vanishes(|v| {
-        let (i, l1, omega) = (&v[0], &v[1], &v[2]);
-        (f.mass)(i, l1) * l1 * omega * l1 * omega - i * omega * omega
-    });
+    let same_energy = same_energy(f);
     Draft {
         id: "formula-3",
         place: "(3)",
@@ -318,6 +323,16 @@ fn mean_value(sample: &Sample) -> Option<(Ball, Ball)> {
     Some((quotient, reduced(&arc)?.inertia_derivative))
 }
 
+/// Enclosures narrower than 1e-20 that share a point, as the theorem says they must.
+fn consistent((quotient, slope): &(Ball, Ball)) -> Outcome {
+    let narrow = [quotient, slope].iter().all(|x| x.rad().to_f64() < 1e-20);
+    match (quotient.overlaps(slope), narrow) {
+        (false, _) => Outcome::Fails,
+        (true, true) => Outcome::Holds,
+        (true, false) => Outcome::Undecided,
+    }
+}
+
 fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
     let m = per_centimetre();
     let c = Comparison::new(sample, &Rational::new());
@@ -326,17 +341,7 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
     let divided = |s: &Speeds, b: &Loads| &(f.derivative)(s, b) / &s.omega1.square();
     let corrected = c.residuals(divided, derivative, 2, &m);
     let mean = mean_value(sample);
-    // Enclosures narrower than 1e-20 that share a point, as the theorem says they must.
-    let consistent = mean
-        .as_ref()
-        .map_or(Outcome::Undecided, |(quotient, slope)| {
-            let narrow = quotient.rad().to_f64() < 1e-20 && slope.rad().to_f64() < 1e-20;
-            match (quotient.overlaps(slope), narrow) {
-                (false, _) => Outcome::Fails,
-                (true, true) => Outcome::Holds,
-                (true, false) => Outcome::Undecided,
-            }
-        });
+    let consistent = mean.as_ref().map_or(Outcome::Undecided, consistent);
     let mut figures = vec![
         decimals(
             format!("dI_n/dφ at row {FIRST}, omega_1 = 1"),

@@ -3,6 +3,12 @@
 use super::super::found;
 use super::*;
 
+/// One at that crank speed and zero at others.
+fn only_at(speed: i64, omega1: &Ball) -> Ball {
+    let there = (omega1 - &Ball::integer(BITS, speed)).contains_zero();
+    Ball::integer(BITS, i64::from(there))
+}
+
 #[test]
 fn planted_faults_are_found() {
     let sample = Sample::new().unwrap();
@@ -35,8 +41,25 @@ fn planted_faults_are_found() {
     lost(&["formula-6"], |f| {
         f.power = |p, v, c, w| (PRINTED.power)(p, v, c, &w.abs())
     });
+    // Wrong at one of the crank speeds alone.
+    lost(&["formula-6"], |f| {
+        f.power = |p, v, c, w| (PRINTED.power)(p, v, c, w) + only_at(1, w)
+    });
+    lost(&["formula-6"], |f| {
+        f.power = |p, v, c, w| (PRINTED.power)(p, v, c, w) + only_at(-2, w)
+    });
     lost(&["formula-7"], |f| {
         f.moment = |s, b| -(PRINTED.moment)(s, b)
+    });
+    // Right in centimetres at the crank speed 1: no longer the recorded error.
+    lost(&["formula-7"], |f| {
+        f.moment = |s, b| {
+            let factor = match (&s.v[0] - &ball("3")).is_positive() {
+                true => Ball::integer(BITS, 1) - ball("0.99") * only_at(1, &s.omega1),
+                false => Ball::integer(BITS, 1),
+            };
+            (PRINTED.moment)(s, b) * factor
+        }
     });
     lost(&["formula-7"], |f| {
         f.moment = |s, b| &(PRINTED.moment)(s, b) / &s.omega1
@@ -50,4 +73,33 @@ fn the_mean_value_test_sees_a_wrong_derivative() {
     assert!(quotient.overlaps(&slope));
     let wrong = &slope + &Ball::rational(BITS, &number("1e-20"));
     assert!(!quotient.overlaps(&wrong));
+}
+
+/// Two wide enclosures that overlap say nothing.
+#[test]
+fn enclosures_have_to_be_narrow() {
+    let ball = |radius: f64| Ball::integer(BITS, 1).widened(Mag::from_f64(radius));
+    for (quotient, slope, due) in [
+        (0.9e-20, 0.9e-20, Outcome::Holds),
+        (0.9e-20, 1.1e-20, Outcome::Undecided),
+        (1.1e-20, 0.9e-20, Outcome::Undecided),
+    ] {
+        assert_eq!(consistent(&(ball(quotient), ball(slope))), due);
+    }
+    let apart = (ball(1e-30), ball(1e-30) + ball(1e-30));
+    assert_eq!(consistent(&apart), Outcome::Fails);
+}
+
+#[test]
+fn one_inertia_that_is_not_positive_is_found() {
+    let mut all = masses(Rockers::Steiner, &some_crank());
+    assert!(positive(&all));
+    all.bodies[4].inertia = Rational::new();
+    assert!(!positive(&all));
+}
+
+/// Three values for each variable of degree 2.
+#[test]
+fn the_reduced_mass_is_tried_on_the_whole_grid() {
+    assert_eq!(same_energy(&PRINTED).points, 9);
 }

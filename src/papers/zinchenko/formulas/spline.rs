@@ -1,6 +1,6 @@
 //! The cubic spline: formulas (8) to (17) and the inline right-hand sides.
 
-use super::exact::{Grid, Identity, Q, q};
+use super::exact::{Grid, Identity, Q};
 use super::{Draft, Outcome};
 use crate::papers::{Finding, FindingVerdict, figure};
 
@@ -228,13 +228,13 @@ fn inline(f: &Forms) -> Finding {
         on_nodes(|n| (f.inline)(n) * &n.h * &n.h / 6 - (f.table)(n)),
     ];
     let (outcome, points) = Identity::all(&identities);
-    // The fragment's factor 6/2 in place of 6/h², in general and on y = 0, 0, 1 with h = 1.
-    let fragment = on_nodes(|n| (f.table)(n) * 3 - (f.moments.1)(n));
+    // The fragment's factor 6/2 in place of 6/h² on y = 0, 0, 1 with h = 1.
     let simple = Nodes {
         m: [0, 0, 0].map(Q::from),
         y: [0, 0, 1].map(Q::from),
         h: Q::from(1),
     };
+    let (due, fragment) = ((f.inline)(&simple), (f.table)(&simple) * 3);
     Draft {
         id: "inline-d",
         place: "text after (17), table 1",
@@ -246,12 +246,12 @@ fn inline(f: &Forms) -> Finding {
                6/2 in place of 6/h² would be wrong for every step but √2.",
         figures: vec![
             figure("exact evaluations", points, "1"),
-            figure("d_i for y = 0, 0, 1 and h = 1", (f.inline)(&simple), "1"),
-            figure("the same with the factor 6/2", (f.table)(&simple) * 3, "1"),
+            figure("d_i for y = 0, 0, 1 and h = 1", &due, "1"),
+            figure("the same with the factor 6/2", &fragment, "1"),
         ],
         checks: vec![
             (outcome, Outcome::Holds),
-            (fragment.outcome(), Outcome::Fails),
+            (Outcome::of(fragment == due), Outcome::Fails),
         ],
     }
     .finding()
@@ -260,31 +260,37 @@ fn inline(f: &Forms) -> Finding {
 /// Longest chain of sections that (17) is tried on.
 const LONGEST: usize = 200;
 
-/// m_0 … m_n from m_0 and m_1 by (16), for given right-hand sides.
-fn shoot(d: &[Q], m0: &Q, m1: &Q) -> Vec<Q> {
-    let mut m = vec![m0.clone(), m1.clone()];
-    for (i, d) in d.iter().enumerate() {
-        m.push(d - &m[i + 1] * 4 - &m[i]);
-    }
-    m
+/// m_{i+1} from m_{i-1} and m_i by (16), for a given right-hand side.
+fn next(d: &Q, before: &Q, m: &Q) -> Q {
+    d - m * 4 - before
+}
+
+/// Any m_0 and m_1 can be continued by (16), node by node, whatever the right-hand sides: two conditions are missing, not
+/// more, not fewer.
+fn continued(f: &Forms) -> Identity {
+    Grid::new(&[1, 1, 1]).vanishes(|v| {
+        let m = [v[0].clone(), v[1].clone(), next(&v[2], &v[0], &v[1])];
+        let y = [0, 0, 0].map(Q::from);
+        let h = Q::from(1);
+        (f.moments.0)(&Nodes { m, y, h }) - &v[2]
+    })
+}
+
+/// Whether m_1 enters every m_n from n = 2 on.
+fn closed(gain: &[Q]) -> bool {
+    gain[2..].iter().all(|g| !g.is_zero())
 }
 
 fn ends(f: &Forms) -> Finding {
-    // Any m_0 and m_1 can be continued by (16): two conditions are missing, not more, not fewer.
-    let d: Vec<Q> = (1..LONGEST as i32).map(|i| q(i * i % 17 - 8, 3)).collect();
-    let unit = |m: &[Q], i: usize| Nodes {
-        m: [m[i - 1].clone(), m[i].clone(), m[i + 1].clone()],
-        y: [Q::from(0), Q::from(0), Q::from(0)],
-        h: Q::from(1),
-    };
-    let solves = |m: &[Q]| (1..m.len() - 1).all(|i| (f.moments.0)(&unit(m, i)) == d[i - 1]);
-    let free = [(0, 0), (1, 0), (0, 1), (-2, 5)]
-        .iter()
-        .all(|&(a, b)| solves(&shoot(&d, &Q::from(a), &Q::from(b))));
+    let free = continued(f);
     // With m_0 given, m_n = (known) + g_n m_1: (17) has one solution exactly when g_n is not zero.
-    let none = vec![Q::from(0); LONGEST - 1];
-    let gain = shoot(&none, &Q::from(0), &Q::from(1));
-    let closed = gain[2..].iter().all(|g| !g.is_zero());
+    let none = Q::from(0);
+    let mut gain = vec![none.clone(), Q::from(1)];
+    while let [.., a, b] = &gain[..]
+        && gain.len() <= LONGEST
+    {
+        gain.push(next(&none, a, b));
+    }
     Draft {
         id: "formula-17",
         place: "(17)",
@@ -301,8 +307,8 @@ fn ends(f: &Forms) -> Finding {
             figure("factor of m_1 in m_n for n = 12", &gain[12], "1"),
         ],
         checks: vec![
-            (Outcome::of(free), Outcome::Holds),
-            (Outcome::of(closed), Outcome::Holds),
+            (free.outcome(), Outcome::Holds),
+            (Outcome::of(closed(&gain)), Outcome::Holds),
         ],
     }
     .finding()
@@ -358,5 +364,45 @@ mod tests {
         });
         lost(&["inline-d"], |f| f.inline = |n| (PRINTED.table)(n) * 3);
         lost(&["inline-d"], |f| f.table = |n| (PRINTED.table)(n) * 2);
+    }
+
+    /// One value more than its degree for each variable.
+    #[test]
+    fn grids_have_as_many_points_as_proofs_ask_for() {
+        assert_eq!(on_sections(|_| Q::from(0)).points, 5 * 2 * 2 * 2 * 2 * 5);
+        assert_eq!(on_nodes(|_| Q::from(0)).points, 64 * 5);
+        assert_eq!(continued(&PRINTED).points, 8);
+    }
+
+    /// No two variables are one.
+    #[test]
+    fn variables_are_tried_apart() {
+        for i in 0..6 {
+            for j in 0..i {
+                let differ = on_sections(|s| {
+                    let all = [&s.k, &s.m[0], &s.m[1], &s.y[0], &s.y[1], &s.h];
+                    all[i] - all[j]
+                });
+                assert_eq!(differ.outcome(), Outcome::Fails, "{i} {j}");
+            }
+        }
+        for i in 0..7 {
+            for j in 0..i {
+                let differ = on_nodes(|n| {
+                    let all = [&n.m[0], &n.m[1], &n.m[2], &n.y[0], &n.y[1], &n.y[2], &n.h];
+                    all[i] - all[j]
+                });
+                assert_eq!(differ.outcome(), Outcome::Fails, "{i} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_factor_that_vanishes_leaves_the_system_open() {
+        let closed =
+            |gain: &[i32]| super::closed(&gain.iter().map(|g| Q::from(*g)).collect::<Vec<_>>());
+        assert_eq!(ends(&PRINTED).figures[1].value, "-2107560");
+        assert!(closed(&[0, 0, -4, 15]));
+        assert!(!closed(&[0, 1, -4, 0]) && !closed(&[0, 1, 0, 15]));
     }
 }

@@ -70,6 +70,11 @@ fn problem(u0: i32, un: i32) -> Problem {
     }
 }
 
+/// The one that the texts speak of.
+fn given() -> Problem {
+    problem(3, -5)
+}
+
 impl Problem {
     /// Table 1 with its column `d h²/6` divided by `h²/6`.
     fn rows(&self, f: &Forms) -> Vec<Row> {
@@ -179,7 +184,7 @@ fn canonical(f: &Forms) -> Finding {
 }
 
 fn last_row(f: &Forms) -> Finding {
-    let problem = problem(3, -5);
+    let problem = given();
     let n = problem.nodes();
     // Everything else right, so that the row alone is tested.
     let with = |row: [i32; 3]| {
@@ -196,14 +201,13 @@ fn last_row(f: &Forms) -> Finding {
     forms.table[2] = f.table[2];
     let bypassed = problem.sweep(&forms, n - 1).is_some_and(|m| solves(&m));
     // How fast the wrong end value fades: 10 at the end, less at each node before it.
-    let change = |i: usize| match (printed.get(i), corrected.get(i)) {
-        (Some(a), Some(b)) => (a - b).abs(),
-        _ => Q::from(0),
+    let changes = printed.iter().zip(&corrected).map(|(a, b)| (a - b).abs());
+    let changes: Vec<Q> = changes.rev().take(3).collect();
+    let fading = |pair: &[Q]| {
+        let [outer, inner] = [&pair[0], &pair[1]];
+        outer.0 > (inner * q(37, 10)).0 && outer.0 < (inner * q(38, 10)).0
     };
-    let fades = (1..3).all(|j| {
-        let (outer, inner) = (change(n + 1 - j), change(n - j));
-        outer.0 > (&inner * q(37, 10)).0 && outer.0 < (&inner * q(38, 10)).0
-    });
+    let fades = changes.len() == 3 && changes.windows(2).all(fading);
     let level = self::problem(3, 0);
     let harmless = level
         .sweep(&forms, n)
@@ -242,9 +246,7 @@ fn last_row(f: &Forms) -> Finding {
 /// number of twelfths, so they differ.
 fn forward_identity(f: &Forms) -> Identity {
     Grid::new(&[2, 2, 2, 2, 2, 2, 2]).vanishes(|v| {
-        let [a, b, c, d, lambda, eta, after] = v else {
-            return Q::from(1);
-        };
+        let [a, b, c, d, lambda, eta, after] = <&[Q; 7]>::try_from(v).expect("seven variables");
         let input = [a, b, c, d, lambda, eta].map(Clone::clone);
         let (next_lambda, next_eta) = (f.forward)(&input);
         let m = next_lambda * after + next_eta;
@@ -255,7 +257,7 @@ fn forward_identity(f: &Forms) -> Identity {
 
 fn forward(f: &Forms) -> Finding {
     let identity = forward_identity(f);
-    let problem = problem(3, -5);
+    let problem = given();
     let forms = Forms {
         forward: f.forward,
         ..CORRECTED
@@ -284,6 +286,11 @@ fn forward(f: &Forms) -> Finding {
     .finding()
 }
 
+/// Whether m_0 = 0 in place of U_0, and all other equations hold.
+fn only_the_end(given: &Problem, residuals: &[Q]) -> bool {
+    residuals[0] == -&given.u0 && all_zero(&residuals[1..])
+}
+
 fn start(f: &Forms) -> Finding {
     let solve = |start, problem: &Problem| {
         let forms = Forms { start, ..CORRECTED };
@@ -291,7 +298,7 @@ fn start(f: &Forms) -> Finding {
             .sweep(&forms, problem.nodes() - 1)
             .unwrap_or_default()
     };
-    let given = problem(3, -5);
+    let given = given();
     let printed = solve(f.start, &given);
     let corrected = solve(CORRECTED.start, &given);
     let natural = problem(0, -5);
@@ -301,7 +308,10 @@ fn start(f: &Forms) -> Finding {
         false => vec![Q::from(1)],
     };
     let r = rest(&given, &printed);
-    let only_the_end = r[0] == Q::from(-3) && all_zero(&r[1..]);
+    let only_the_end = only_the_end(&given, &r);
+    // Row 0 of Table 1 in (19), before which there is nothing.
+    let Row { a, b, c, d } = given.rows(f).swap_remove(0);
+    let by_19 = (CORRECTED.forward)(&[a, b, c, d, Q::from(0), Q::from(0)]);
     let shown = |m: &[Q], i: usize| m.get(i).map_or("undecided".into(), Q::to_string);
     Draft {
         id: "lambda-1-eta-1",
@@ -324,6 +334,7 @@ fn start(f: &Forms) -> Finding {
         checks: vec![
             (Outcome::of(all_zero(&r)), Outcome::Fails),
             (Outcome::of(only_the_end), Outcome::Holds),
+            (Outcome::of(by_19 == (CORRECTED.start)(&given.u0)), Outcome::Holds),
             (Outcome::of(all_zero(&rest(&given, &corrected))), Outcome::Holds),
             (Outcome::of(all_zero(&rest(&natural, &harmless))), Outcome::Holds),
         ],
@@ -332,21 +343,24 @@ fn start(f: &Forms) -> Finding {
 }
 
 fn backward(f: &Forms) -> Finding {
-    let problem = problem(3, -5);
+    let problem = given();
     let n = problem.nodes();
-    let from = |first, table, last| {
+    // The last row of Table 1 is never read.
+    let mut table = CORRECTED.table;
+    table[2] = [0; 3];
+    let from = |first| {
         let forms = Forms {
             backward: f.backward,
             first,
             table,
             ..CORRECTED
         };
-        let m = problem.sweep(&forms, last)?;
+        let m = problem.sweep(&forms, n - 1)?;
         Some(all_zero(&problem.residuals(&m)))
     };
     // As printed, i = n asks for m_{n+1}, and for λ_{n+1} and η_{n+1}, which (19) does not make.
-    let printed = from(f.first, CORRECTED.table, n - 1);
-    let corrected = from(1, CORRECTED.table, n - 1);
+    let printed = from(f.first);
+    let corrected = from(CORRECTED.first);
     Draft {
         id: "formula-20",
         place: "(20)",

@@ -25,13 +25,18 @@ fn planted_faults_are_found() {
         }
     });
     lost(&["table-1-last-row"], |f| f.table[2] = [0, 2, 0]);
+    lost(&["lambda-1-eta-1"], |f| f.table[0] = [0, 1, 0]);
+    // (19) has no λ_2.
+    lost(&["lambda-1-eta-1"], |f| {
+        f.start = |_| (Q::from(-4), Q::from(0))
+    });
 }
 
 #[test]
 fn the_test_problem_is_solved_by_elimination_too() {
     // Cramer's rule on the first unknown after the ends, by a different elimination: shoot from
     // m_0 and fix m_1 by the end value.
-    let p = problem(3, -5);
+    let p = given();
     let n = p.nodes();
     let shoot = |m1: Q| {
         let mut m = vec![p.u0.clone(), m1];
@@ -44,4 +49,24 @@ fn the_test_problem_is_solved_by_elimination_too() {
     let (at0, at1) = (shoot(Q::from(0)), shoot(Q::from(1)));
     let m1 = (&p.un - &at0[n]) / (&at1[n] - &at0[n]);
     assert_eq!(p.sweep(&CORRECTED, n - 1).unwrap(), shoot(m1));
+}
+
+#[test]
+fn the_end_values_are_those_of_the_text() {
+    let of = |f: Finding| f.figures[1].value.clone();
+    assert_eq!([start, last_row].map(|f| of(f(&PRINTED))), ["3", "-5"]);
+}
+
+#[test]
+fn the_end_alone_is_off() {
+    let p = given();
+    let off = |r: [i32; 3]| only_the_end(&p, &r.map(Q::from));
+    assert!(off([-3, 0, 0]));
+    assert!(!off([3, 0, 0]) && !off([-3, 0, 1]) && !off([0, 0, 0]));
+}
+
+/// Three values for each variable of degree 2.
+#[test]
+fn the_forward_sweep_is_tried_on_the_whole_grid() {
+    assert_eq!(forward_identity(&PRINTED).points, 2187);
 }
