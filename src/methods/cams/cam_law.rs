@@ -137,6 +137,10 @@ impl Definition for CamLaw {
         let [_, v, a, j, k] = reference_jet(Self::unpack(&exact(numbers)?)?, 256)?;
         let moved = [&v, &v, &a, &j, &k].map(|d| i.x * d.magnitude().to_f64());
         let law = i.law()?;
+        // Others have no data.
+        if !law.is_table() {
+            return Some(moved.to_vec());
+        }
         let first = numbers.len() - i.parameters.len();
         let inner = |k: usize| k >= first && law.is_inner(k - first);
         let data = conditions_by_differences(&Entry::<Self>::NEW, numbers, inner)?;

@@ -141,7 +141,7 @@ fn zero(k: usize) -> [f64; 2] {
 fn refined([x, y]: [f64; 2]) -> Option<[f64; 2]> {
     let rough = |b: &ComplexBall| C::new(b.re.to_f64(), b.im.to_f64());
     let mut z = C::new(x, y);
-    loop {
+    for _ in 0..60 {
         let (re, im) = (Rational::from_f64(z.re)?, Rational::from_f64(z.im)?);
         let w = rough(&w_f64(z.re, z.im, 60).ok()?);
         let slope = rough(&faddeeva::w_derivative(1, &re, &im, 60).ok()?);
@@ -153,6 +153,7 @@ fn refined([x, y]: [f64; 2]) -> Option<[f64; 2]> {
         }
         z = next;
     }
+    None
 }
 
 #[cfg(test)]
