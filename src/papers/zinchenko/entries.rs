@@ -218,7 +218,6 @@ mod tests {
             assert_eq!(tallies[c].within_one, ROWS - off);
             let verdicts = all[c * ROWS..].iter().map(|e| e.variants[name].verdict);
             let found: Vec<EntryVerdict> = verdicts.take(off).collect();
-            println!("{found:?}");
             assert!(found.contains(&due));
             assert!(!found.contains(&EntryVerdict::Agrees));
         }
