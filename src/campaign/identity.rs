@@ -144,4 +144,20 @@ mod tests {
         assert_eq!(one.differs(&of(1)), None);
         assert_ne!(one.solvers, of(2).solvers);
     }
+
+    /// Proofs have no cases: two rectangles are proved.
+    #[test]
+    fn a_proof_is_known_by_its_rectangles() {
+        let of = |within: f64| {
+            let text = format!(
+                "name = \"x\"\n[[part]]\nkind = \"proof\"\nmethods = [\"faddeeva\"]\nwithin = {within}"
+            );
+            Identity::of(&Plan::read(&Source::toml(&text)).unwrap())
+        };
+        let one = of(0.01);
+        assert_eq!(one.differs(&of(0.01)), None);
+        let other = of(0.02);
+        assert_ne!(one.solvers, other.solvers);
+        assert_eq!(one.references, other.references);
+    }
 }

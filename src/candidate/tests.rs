@@ -5,6 +5,7 @@ use crate::solvers::cyclic_tridiagonal::CyclicSweep;
 use crate::solvers::faddeeva::{dawson, erf, erfc, erfcx, erfi, faddeeva, voigt, w_derivative};
 use crate::solvers::tridiagonal::Sweep;
 use num_complex::Complex;
+use std::sync::Mutex;
 
 fn ours(name: &'static str) -> impl Fn(&[f64]) -> SolverAnswer + Sync {
     let method = methods::find(name).unwrap();
@@ -188,4 +189,26 @@ fn what_cannot_be_run() {
         );
     }
     assert!(refused(plain().case(3)).contains("which region"));
+}
+
+/// The code is asked about nothing outside.
+#[test]
+fn a_box_and_a_neighbourhood_are_where_cases_are_drawn() {
+    let asked = Mutex::new(Vec::new());
+    let seen = |z: Complex<f64>| {
+        asked.lock().unwrap().push(z);
+        faddeeva(z)
+    };
+    let plain = || audit::<Faddeeva>(seen).seed(5).cases(20);
+    plain().sample_box("Re z=3..4,Im z=-2..-1").run().unwrap();
+    let boxed = std::mem::take(&mut *asked.lock().unwrap());
+    plain().near("3.5,-1.5", 1e-3).run().unwrap();
+    let near = std::mem::take(&mut *asked.lock().unwrap());
+    for (found, apart) in [(boxed, 0.5), (near, 0.01)] {
+        assert!(found.len() >= 20, "{}", found.len());
+        for z in found {
+            let away = [z.re - 3.5, z.im + 1.5].map(f64::abs);
+            assert!(away.iter().all(|d| *d <= apart), "{z}");
+        }
+    }
 }

@@ -202,17 +202,28 @@ mod tests {
     #[test]
     fn angles_in_a_part_of_the_turn_are_brought_there() {
         let q = |n: i64| Rational::from(n);
-        let plan = Plan {
-            first: 0,
-            last: 5,
-            limits: Some((q(-100), q(70))),
-            from: q(0),
-            step: q(60),
-        };
-        let all: Vec<(Rational, Rational)> = plan.angles().collect();
-        let due = [(0, 0), (60, 60), (300, -60)].map(|(a, b)| (q(a), q(b)));
-        assert_eq!(all, due);
-        assert_eq!(plan.count(), 3);
+        let cases: [([i64; 2], i64, &[(i64, i64)]); 5] = [
+            ([-100, 70], 0, &[(0, 0), (60, 60), (300, -60)]),
+            // The ends are reached.
+            ([-60, 60], 0, &[(0, 0), (60, 60), (300, -60)]),
+            ([-59, 59], 0, &[(0, 0)]),
+            // The turn has 360 degrees, forwards and backwards.
+            ([360, 361], 1, &[(1, 361)]),
+            ([-1079, -1078], 1, &[(1, -1079)]),
+        ];
+        for ([low, high], from, due) in cases {
+            let plan = Plan {
+                first: 0,
+                last: 5,
+                limits: Some((q(low), q(high))),
+                from: q(from),
+                step: q(60),
+            };
+            let all: Vec<(Rational, Rational)> = plan.angles().collect();
+            let due: Vec<_> = due.iter().map(|(a, b)| (q(*a), q(*b))).collect();
+            assert_eq!(all, due, "{low} to {high}");
+            assert_eq!(plan.count(), due.len() as u64);
+        }
     }
 
     #[test]

@@ -142,3 +142,50 @@ fn a_drawing_without_redundant_equations_names_no_strained_bodies() {
     let bodies = ["ground", "bar"].map(String::from);
     assert_eq!(drawn::words(&freedom, &bodies), due);
 }
+
+/// Its free angle is that between the lines of two bodies as columns show them, wherever these lie in the bodies' frames; off
+/// that it turns back by its stiffness.
+#[test]
+fn a_torsion_spring_is_free_at_the_angle_that_is_shown() {
+    let text = include_str!("../../../examples/watt-1.toml");
+    let read = |more: &str| {
+        let text = text.replace(
+            "[drive]\n",
+            &format!("{more}[drive]\nspeed = \"1 rad/s\"\n"),
+        );
+        Machine::read(&Source::toml(text)).unwrap()
+    };
+    let row = |machine: &Machine| {
+        let at = machine.start.at.unwrap_or(0.0).to_radians();
+        let branch = choose(machine, at, None).unwrap();
+        let row = values(machine, &branch.start, Columns::default());
+        let names = names(machine, Columns::default());
+        move |name: &str| row[names.iter().position(|n| n == name).unwrap() - 2]
+    };
+    let shown = row(&read(""));
+    for (body, from) in [
+        ("coupler", "rocker"),
+        ("FG", "coupler"),
+        ("crank", "ground"),
+    ] {
+        let angle = |name| match name {
+            "ground" => 0.0,
+            _ => shown(&format!("{name}_deg")),
+        };
+        let between = angle(body) - angle(from);
+        for off in [0.0, 10.0] {
+            let spring = format!(
+                "[[torsion_spring]]\nbody = \"{body}\"\nfrom = \"{from}\"\n\
+                 stiffness = \"2 N m/rad\"\nangle = \"{:?} deg\"\n",
+                between - off
+            );
+            let moment = row(&read(&spring))("M_o_N_m");
+            let rate = |name| match name {
+                "ground" => 0.0,
+                _ => shown(&format!("omega_{name}_rad_per_s")),
+            };
+            let due = -2.0 * f64::to_radians(off) * (rate(body) - rate(from));
+            assert!((moment - due).abs() < 1e-9, "{body} {from}: {moment} {due}");
+        }
+    }
+}
