@@ -160,4 +160,31 @@ mod tests {
         assert_ne!(one.solvers, other.solvers);
         assert_eq!(one.references, other.references);
     }
+
+    /// From the first on, evenly among what is named, and every draw.
+    #[test]
+    fn probes_are_a_few_of_the_named_and_all_draws() {
+        for name in ["faddeeva", "four-bar", "class-iii"] {
+            let method = crate::methods::find(name).unwrap();
+            let settings = Settings {
+                cases_per_region: DRAWN,
+                ..Settings::default()
+            };
+            let cases = Cases::new(&*method, &settings);
+            let drawn = method.domain().regions.len() * DRAWN as usize;
+            let named = cases.len() - drawn;
+            let found = probes(&*method, &settings);
+            let some = found.len() - drawn;
+            assert!(
+                some <= NAMED && (2 * some > NAMED || some == named),
+                "{some} of {named}"
+            );
+            let input = |case: &Case| bits(&case.input);
+            let step = (1..).find(|step| named.div_ceil(*step) == some).unwrap();
+            for (k, case) in found.iter().enumerate() {
+                let due = if k < some { k * step } else { named + k - some };
+                assert_eq!(input(case), input(&cases.get(due)), "{name} {k}");
+            }
+        }
+    }
 }

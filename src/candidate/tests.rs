@@ -212,3 +212,44 @@ fn a_box_and_a_neighbourhood_are_where_cases_are_drawn() {
         }
     }
 }
+
+/// What is set up is what the code is asked, in the precision that it has.
+#[test]
+fn a_choice_is_what_is_judged() {
+    let asked = Mutex::new(Vec::new());
+    let method = methods::find("four-bar").unwrap();
+    let plain = || {
+        let seen = |x: &[f64]| {
+            asked.lock().unwrap().push(x.to_vec());
+            method.solve(x)
+        };
+        audit_by_name("four-bar", seen).unwrap().cases(4)
+    };
+    let judged = |audit: Audit| {
+        let report = audit.run().unwrap();
+        let inputs = std::mem::take(&mut *asked.lock().unwrap());
+        assert_eq!(report.cases, inputs.len() as u64);
+        inputs
+    };
+    let region = method.domain().regions[0].name;
+    let in_region = || plain().region(region);
+    let ones = judged(in_region());
+    assert_eq!(ones.len(), 4);
+    assert_eq!(judged(in_region().case(2)), ones[2..3]);
+    assert_eq!(judged(in_region().effort(0.51)).len(), 3);
+    assert_eq!(judged(in_region().effort(2.0)).len(), 8);
+    let point = &method.domain().check_points[1];
+    assert_eq!(
+        judged(plain().check_point(point.name)),
+        [point.input.clone()]
+    );
+    let settings = Settings::default();
+    let first = Cases::new(&*method, &settings).hard_case(1).unwrap();
+    let hard = judged(plain().hard_case(1));
+    assert_eq!(hard, [first.input]);
+    let all = judged(plain());
+    assert!(all.contains(&ones[0]) && all.contains(&point.input) && all.contains(&hard[0]));
+    let held = |x: &f64| x.is_nan() || f64::from(*x as f32) == *x;
+    assert!(!ones.iter().flatten().all(held));
+    assert!(judged(in_region().single()).iter().flatten().all(held));
+}

@@ -653,4 +653,29 @@ mod tests {
             assert!(refused.contains(part), "{refused}");
         }
     }
+
+    /// At the slowest point of a chart the resonance is at its ξ-th harmonic, of the rise or of the turn.
+    #[test]
+    fn harmonics_reach_beyond_the_resonance() {
+        let harmonics = |period: Option<&str>| {
+            let mut file: toml::Table = include_str!("../../examples/chirp-chart.toml")
+                .parse()
+                .unwrap();
+            let cam = file["cam"].as_table_mut().unwrap();
+            cam.insert("law".into(), "cycloidal".into());
+            let chart = file["chart"].as_table_mut().unwrap();
+            chart.remove("laws");
+            match period {
+                Some(period) => _ = chart.insert("period".into(), period.into()),
+                None => _ = file.remove("chart"),
+            }
+            let source = Source::toml(file.to_string());
+            CamOscillator::read(&source, None).unwrap().harmonics
+        };
+        // To ξ = 14, where the rise is a third of a turn.
+        let own = harmonics(None);
+        assert!(own < 84, "{own}");
+        assert_eq!(harmonics(Some("rise")), 84);
+        assert_eq!(harmonics(Some("turn")), own.max(28));
+    }
 }
