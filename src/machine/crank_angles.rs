@@ -202,16 +202,15 @@ mod tests {
     #[test]
     fn angles_in_a_part_of_the_turn_are_brought_there() {
         let q = |n: i64| Rational::from(n);
-        let cases: [([i64; 2], i64, &[(i64, i64)]); 5] = [
-            ([-100, 70], 0, &[(0, 0), (60, 60), (300, -60)]),
+        for ([low, high], from, due) in [
+            ([-100, 70], 0, &[(0, 0), (60, 60), (300, -60)][..]),
             // The ends are reached.
             ([-60, 60], 0, &[(0, 0), (60, 60), (300, -60)]),
             ([-59, 59], 0, &[(0, 0)]),
             // The turn has 360 degrees, forwards and backwards.
             ([360, 361], 1, &[(1, 361)]),
             ([-1079, -1078], 1, &[(1, -1079)]),
-        ];
-        for ([low, high], from, due) in cases {
+        ] {
             let plan = Plan {
                 first: 0,
                 last: 5,
