@@ -144,4 +144,47 @@ mod tests {
         assert_eq!(one.differs(&of(1)), None);
         assert_ne!(one.solvers, of(2).solvers);
     }
+
+    /// Proofs have no cases: two rectangles are proved.
+    #[test]
+    fn a_proof_is_known_by_its_rectangles() {
+        let of = |within: f64| {
+            let text = format!(
+                "name = \"x\"\n[[part]]\nkind = \"proof\"\nmethods = [\"faddeeva\"]\nwithin = {within}"
+            );
+            Identity::of(&Plan::read(&Source::toml(&text)).unwrap())
+        };
+        let one = of(0.01);
+        assert_eq!(one.differs(&of(0.01)), None);
+        let other = of(0.02);
+        assert_ne!(one.solvers, other.solvers);
+        assert_eq!(one.references, other.references);
+    }
+
+    /// From the first on, evenly among what is named, and every draw.
+    #[test]
+    fn probes_are_a_few_of_the_named_and_all_draws() {
+        for name in ["faddeeva", "four-bar", "class-iii"] {
+            let method = crate::methods::find(name).unwrap();
+            let settings = Settings {
+                cases_per_region: DRAWN,
+                ..Settings::default()
+            };
+            let cases = Cases::new(&*method, &settings);
+            let drawn = method.domain().regions.len() * DRAWN as usize;
+            let named = cases.len() - drawn;
+            let found = probes(&*method, &settings);
+            let some = found.len() - drawn;
+            assert!(
+                some <= NAMED && (2 * some > NAMED || some == named),
+                "{some} of {named}"
+            );
+            let input = |case: &Case| bits(&case.input);
+            let step = (1..).find(|step| named.div_ceil(*step) == some).unwrap();
+            for (k, case) in found.iter().enumerate() {
+                let due = if k < some { k * step } else { named + k - some };
+                assert_eq!(input(case), input(&cases.get(due)), "{name} {k}");
+            }
+        }
+    }
 }

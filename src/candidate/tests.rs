@@ -5,6 +5,7 @@ use crate::solvers::cyclic_tridiagonal::CyclicSweep;
 use crate::solvers::faddeeva::{dawson, erf, erfc, erfcx, erfi, faddeeva, voigt, w_derivative};
 use crate::solvers::tridiagonal::Sweep;
 use num_complex::Complex;
+use std::sync::Mutex;
 
 fn ours(name: &'static str) -> impl Fn(&[f64]) -> SolverAnswer + Sync {
     let method = methods::find(name).unwrap();
@@ -188,4 +189,68 @@ fn what_cannot_be_run() {
         );
     }
     assert!(refused(plain().case(3)).contains("which region"));
+}
+
+/// The code is asked about nothing outside.
+#[test]
+fn a_box_and_a_neighbourhood_are_where_cases_are_drawn() {
+    let asked = Mutex::new(Vec::new());
+    let seen = |z: Complex<f64>| {
+        asked.lock().unwrap().push(z);
+        faddeeva(z)
+    };
+    let plain = || audit::<Faddeeva>(seen).seed(5).cases(20);
+    plain().sample_box("Re z=3..4,Im z=-2..-1").run().unwrap();
+    let boxed = std::mem::take(&mut *asked.lock().unwrap());
+    plain().near("3.5,-1.5", 1e-3).run().unwrap();
+    let near = std::mem::take(&mut *asked.lock().unwrap());
+    for (found, apart) in [(boxed, 0.5), (near, 0.01)] {
+        assert!(found.len() >= 20, "{}", found.len());
+        for z in found {
+            let away = [z.re - 3.5, z.im + 1.5].map(f64::abs);
+            assert!(away.iter().all(|d| *d <= apart), "{z}");
+        }
+    }
+}
+
+/// What is set up is what the code is asked, in the precision that it has.
+#[test]
+fn a_choice_is_what_is_judged() {
+    let asked = Mutex::new(Vec::new());
+    let method = methods::find("four-bar").unwrap();
+    let plain = || {
+        let seen = |x: &[f64]| {
+            asked.lock().unwrap().push(x.to_vec());
+            method.solve(x)
+        };
+        audit_by_name("four-bar", seen).unwrap().cases(4)
+    };
+    let judged = |audit: Audit| {
+        let report = audit.run().unwrap();
+        let inputs = std::mem::take(&mut *asked.lock().unwrap());
+        assert_eq!(report.cases, inputs.len() as u64);
+        inputs
+    };
+    let region = method.domain().regions[0].name;
+    let in_region = || plain().region(region);
+    let ones = judged(in_region());
+    assert_eq!(ones.len(), 4);
+    let settings = Settings::default();
+    let cases = Cases::new(&*method, &settings);
+    let third = cases.in_region(region, 2).unwrap().input;
+    assert!(ones.contains(&third));
+    assert_eq!(judged(in_region().case(2)), [third]);
+    assert_eq!(judged(in_region().effort(0.51)).len(), 3);
+    assert_eq!(judged(in_region().effort(2.0)).len(), 8);
+    let point = &method.domain().check_points[1];
+    let held = judged(plain().check_point(point.name));
+    assert_eq!(held, std::slice::from_ref(&point.input));
+    let first = cases.hard_case(1).unwrap();
+    let hard = judged(plain().hard_case(1));
+    assert_eq!(hard, [first.input]);
+    let all = judged(plain());
+    assert!(all.contains(&ones[0]) && all.contains(&point.input) && all.contains(&hard[0]));
+    let held = |x: &f64| x.is_nan() || f64::from(*x as f32) == *x;
+    assert!(!ones.iter().flatten().all(held));
+    assert!(judged(in_region().single()).iter().flatten().all(held));
 }

@@ -612,4 +612,70 @@ mod tests {
         let refused = read(1e10 + 1.0, 1.0).err().unwrap().to_string();
         assert!(refused.contains("at most 1e10 rows"), "{refused}");
     }
+
+    /// The last point is there if the steps end at it within rounding.
+    #[test]
+    fn charts_have_points_and_laws() {
+        let read = |changes: &[(&str, &str)]| {
+            let mut file: toml::Table = include_str!("../../examples/chirp-chart.toml")
+                .parse()
+                .unwrap();
+            let chart = file["chart"].as_table_mut().unwrap();
+            for (name, value) in changes {
+                let value: toml::Table = format!("x = {value}").parse().unwrap();
+                chart.insert((*name).into(), value["x"].clone());
+            }
+            CamOscillator::read(&Source::toml(file.to_string()), Some(20))
+        };
+        for (changes, points, laws) in [
+            ([("to", "2.3"), ("laws", "[\"cycloidal\"]")], 4, 1),
+            ([("to", "2.29"), ("laws", "[\"cycloidal\"]")], 3, 1),
+            (
+                [("to", "2.0"), ("laws", "[\"cycloidal\", \"3-4-5\"]")],
+                1,
+                2,
+            ),
+        ] {
+            let all = [&[("from", "2.0"), ("step", "0.1")], &changes[..]].concat();
+            let chart = read(&all).unwrap().chart.unwrap();
+            assert_eq!((chart.grid.len(), chart.drives.len()), (points, laws));
+        }
+        for (changes, part) in [
+            (&[("laws", "[]")][..], "chart.laws names no law"),
+            (&[("laws", "[\"none\"]")], "none"),
+            (&[("from", "0.0")], "positive numbers in ascending order"),
+            (&[("from", "3.0"), ("to", "2.9")], "in ascending order"),
+            (&[("to", "inf")], "in ascending order"),
+            (&[("step", "0.0")], "at most 1e5 points"),
+            (&[("step", "1e-9")], "at most 1e5 points"),
+        ] {
+            let refused = read(changes).err().expect(part).to_string();
+            assert!(refused.contains(part), "{refused}");
+        }
+    }
+
+    /// At the slowest point of a chart the resonance is at its ξ-th harmonic, of the rise or of the turn.
+    #[test]
+    fn harmonics_reach_beyond_the_resonance() {
+        let harmonics = |period: Option<&str>| {
+            let mut file: toml::Table = include_str!("../../examples/chirp-chart.toml")
+                .parse()
+                .unwrap();
+            let cam = file["cam"].as_table_mut().unwrap();
+            cam.insert("law".into(), "cycloidal".into());
+            let chart = file["chart"].as_table_mut().unwrap();
+            chart.remove("laws");
+            match period {
+                Some(period) => _ = chart.insert("period".into(), period.into()),
+                None => _ = file.remove("chart"),
+            }
+            let source = Source::toml(file.to_string());
+            CamOscillator::read(&source, None).unwrap().harmonics
+        };
+        // To ξ = 14, where the rise is a third of a turn.
+        let own = harmonics(None);
+        assert!(own < 84, "{own}");
+        assert_eq!(harmonics(Some("rise")), 84);
+        assert_eq!(harmonics(Some("turn")), own.max(28));
+    }
 }

@@ -202,17 +202,27 @@ mod tests {
     #[test]
     fn angles_in_a_part_of_the_turn_are_brought_there() {
         let q = |n: i64| Rational::from(n);
-        let plan = Plan {
-            first: 0,
-            last: 5,
-            limits: Some((q(-100), q(70))),
-            from: q(0),
-            step: q(60),
-        };
-        let all: Vec<(Rational, Rational)> = plan.angles().collect();
-        let due = [(0, 0), (60, 60), (300, -60)].map(|(a, b)| (q(a), q(b)));
-        assert_eq!(all, due);
-        assert_eq!(plan.count(), 3);
+        for ([low, high], from, due) in [
+            ([-100, 70], 0, &[(0, 0), (60, 60), (300, -60)][..]),
+            // The ends are reached.
+            ([-60, 60], 0, &[(0, 0), (60, 60), (300, -60)]),
+            ([-59, 59], 0, &[(0, 0)]),
+            // The turn has 360 degrees, forwards and backwards.
+            ([360, 361], 1, &[(1, 361)]),
+            ([-1079, -1078], 1, &[(1, -1079)]),
+        ] {
+            let plan = Plan {
+                first: 0,
+                last: 5,
+                limits: Some((q(low), q(high))),
+                from: q(from),
+                step: q(60),
+            };
+            let all: Vec<(Rational, Rational)> = plan.angles().collect();
+            let due: Vec<_> = due.iter().map(|(a, b)| (q(*a), q(*b))).collect();
+            assert_eq!(all, due, "{low} to {high}");
+            assert_eq!(plan.count(), due.len() as u64);
+        }
     }
 
     #[test]
@@ -244,5 +254,51 @@ mod tests {
             let exact = number(text);
             assert_eq!(number(&decimal(&exact)), exact, "{text}");
         }
+    }
+
+    #[test]
+    fn windows_have_their_ends() {
+        let q = |tenths: i64| Rational::from((tenths, 10));
+        let window = |[step, from, to]: [Option<i64>; 3]| Window {
+            step: step.map(q).unwrap_or_default(),
+            from: from.map(q),
+            to: to.map(q),
+        };
+        for (asked, start, due) in [
+            // A turn without its end, from the start if there is one.
+            ([Some(900), None, None], None, (0, 4)),
+            ([Some(900), None, None], Some(5), (5, 4)),
+            ([Some(700), None, None], None, (0, 6)),
+            ([Some(900), Some(10), None], Some(5), (10, 4)),
+            // To an angle with it.
+            ([Some(10), Some(0), Some(30)], None, (0, 4)),
+            ([Some(10), Some(0), Some(39)], None, (0, 4)),
+            ([Some(10), Some(30), Some(30)], None, (30, 1)),
+        ] {
+            let grid = Grid::new(&window(asked), start.map(q), 10).unwrap();
+            assert_eq!((&grid.from, grid.count), (&q(due.0), due.1), "{asked:?}");
+            assert_eq!(grid.angle(2), q(due.0 + 2 * asked[0].unwrap()));
+        }
+        for (asked, most, due) in [
+            ([Some(0), None, None], 10, GridError::Step { step: 0.0 }),
+            ([Some(-10), None, None], 10, GridError::Step { step: -1.0 }),
+            (
+                [Some(10), Some(30), Some(29)],
+                10,
+                GridError::Backwards { to: 2.9, from: 3.0 },
+            ),
+            (
+                [Some(900), None, None],
+                3,
+                GridError::TooMany {
+                    step: 90.0,
+                    most: 3,
+                },
+            ),
+        ] {
+            let found = Grid::new(&window(asked), None, most);
+            assert_eq!(found.err(), Some(due));
+        }
+        assert!(Grid::new(&window([Some(900), None, None]), None, 4).is_ok());
     }
 }

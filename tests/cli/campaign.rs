@@ -195,6 +195,8 @@ fn what_is_no_shard_is_named_and_done_again() {
         let d = campaign(&["status", text(&own)]);
         assert_eq!(d.code, 1, "{}", d.err);
         assert!(d.out.contains(&format!("000001.json: {why}")), "{}", d.out);
+        let share = "calm: 3 of 4 shards done, 75.";
+        assert!(d.out.starts_with(share), "{}", d.out);
         refused(
             &campaign(&["merge", text(&own)]),
             "1 shard of 4 not done, the first: 1",
@@ -442,7 +444,7 @@ fn a_page_shows_audits_hunts_and_proofs() {
     assert!(!d.err.contains("not done"), "{}", d.err);
     assert_eq!(d.code, 1, "{}", d.err);
     for part in [
-        "Campaign small",
+        "<title>Campaign small: NOT as expected</title>",
         "3 of 3 shards done",
         "id=\"hunts\"",
         "href=\"#hunts\"",

@@ -3,6 +3,7 @@
 
 use crate::common::{done, names, program, refused, run, text};
 use std::fs::{self, Permissions};
+use std::io::Read;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, chown, symlink};
 use std::path::Path;
 use std::process::Command;
@@ -51,6 +52,19 @@ fn a_file_keeps_its_mode_and_owner() {
         fs::remove_file(path).unwrap();
     }
     assert!(names(folder.path()).is_empty());
+}
+
+/// Whoever reads it has either all of the old one or all of the new.
+#[test]
+fn a_file_is_replaced_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = file(folder.path(), "file", 0o644);
+    let mut reader = fs::File::open(&path).unwrap();
+    written(&path);
+    let mut read = String::new();
+    reader.read_to_string(&mut read).unwrap();
+    assert_eq!(read, "before");
+    assert_eq!(fs::read_to_string(&path).unwrap(), expected());
 }
 
 #[test]
@@ -151,8 +165,8 @@ fn standard_output_by_its_names() {
 #[test]
 fn what_cannot_be_written_is_refused_before_the_work() {
     let folder = tempfile::tempdir().unwrap();
-    let within = |name| folder.path().join(name);
-    let begun = within("begun");
+    let within = |name: &str| folder.path().join(name);
+    let (begun, long) = (within("begun"), "a".repeat(300));
     let program = format!("sh -c 'touch {}'", text(&begun));
     let locked = file(folder.path(), "locked", 0o444);
     fs::create_dir(within("folder")).unwrap();
@@ -161,6 +175,7 @@ fn what_cannot_be_written_is_refused_before_the_work() {
         (&within("folder"), "it is a folder"),
         (&within("none/file"), "No such file"),
         (&locked.join("file"), "Not a directory"),
+        (&within(&long), "name too long"),
     ] {
         let args = ["audit", "tridiagonal", "--exec", &program, "--output"];
         refused(&run(&[&args[..], &[text(path)]].concat()), part);

@@ -1,7 +1,7 @@
 //! `mechaudit linkage --format html` and `--dxf`, as their user meets them.
 
 use crate::common::{
-    column, command, markup, needs_nothing_else, refused, run, run_on, said, text,
+    column, command, markup, needs_nothing_else, refused, run, run_on, said, text, words,
 };
 use dxf::entities::{Circle, EntityType, LwPolyline};
 use dxf::enums::Units;
@@ -214,13 +214,28 @@ fn what_cannot_be_shown_is_refused() {
         ));
         refused(&d, part);
     }
-    let tiny = "type = \"four-bar\"\n[geometry]\ncrank = \"1e-8 m\"\ncoupler = \"3e-8 m\"\nrocker = \"2.5e-8 m\"\nframe = \"3.5e-8 m\"\n";
-    refused(
-        &run_on(tiny, &["linkage", "-", "--dxf", into]),
-        "choose another unit of length by --units",
-    );
-    let d = run_on(tiny, &["linkage", "-", "--dxf", into, "--units", "um"]);
+    // As wide as the frame and the reach of the crank to its left.
+    let small = |size: f64| {
+        let [crank, coupler, rocker, frame] = [1.0, 3.0, 2.5, 3.5].map(|x| x / 4.5 * size);
+        format!(
+            "type = \"four-bar\"\n[geometry]\ncrank = \"{crank:e} m\"\ncoupler = \"{coupler:e} m\"\nrocker = \"{rocker:e} m\"\nframe = \"{frame:e} m\"\n"
+        )
+    };
+    let drawn = |size: f64, more: &str| {
+        let args = format!("linkage - --step-deg 90 --dxf {into} {more}");
+        run_on(small(size), &words(&args))
+    };
+    let part = "choose another unit of length by --units";
+    for size in [4e-8, 9.9e-7] {
+        refused(&drawn(size, ""), part);
+        assert_eq!(drawn(size, "--units um").code, 0);
+    }
+    let d = drawn(1.01e-6, "");
     assert_eq!(d.code, 0, "{}", d.err);
+    // The rocker's pivot lies this far from the origin.
+    let far = |x: f64| drawn(x * 4.5 / 3.5, "");
+    refused(&far(1.01e15), part);
+    assert_eq!(far(0.99e15).code, 0);
 }
 
 /// The window asked for is what the slider runs over.

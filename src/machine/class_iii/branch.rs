@@ -249,7 +249,8 @@ fn explore(linkage: &ClassIii, mode: usize, start: State) -> Result<Branch, Bran
     let mut all = dead(low.reached);
     all.extend(dead(high.reached));
     all.sort_by(|a, b| a.state.phi1.total_cmp(&b.state.phi1));
-    all.dedup_by(|a, b| (a.state.phi1 - b.state.phi1).abs() < 1e-12);
+    // The start is on both ways.
+    all.dedup_by_key(|d| d.state.phi1);
     Ok(Branch {
         mode,
         start,
@@ -348,5 +349,18 @@ mod tests {
         let modes = linkage.solver.assembly_modes(Angle::from_deg(0.0)).modes;
         let modes = modes.iter().map(|m| m.phi4).collect();
         assert_eq!(refused.err(), Some(BranchError::Ambiguous { modes }));
+    }
+
+    /// Both ways begin there.
+    #[test]
+    fn a_dead_position_at_the_start_counts_once() {
+        let solver = linkage().solver;
+        let degrees = Rational::new();
+        let branch = choose(&solver, &degrees, Some(0), &Start::default()).unwrap();
+        let mut start = branch.dead[0].state;
+        start.positions.phi2 = start.phi1;
+        let dead = explore(&solver, 0, start).unwrap().dead;
+        assert_eq!(dead.len(), 1);
+        assert_eq!(dead[0].state.phi1, start.phi1);
     }
 }

@@ -288,6 +288,31 @@ mod tests {
         }
     }
 
+    /// With `D f = N`, where `N` is `n` times the sine of the crank's angle less the other link's: each derivative of the
+    /// product by the rule, `|D| ≥ m` and all sines and cosines at most 1.
+    #[test]
+    fn bounds_of_the_four_bar_are_those_of_its_angles() {
+        let l = [2, 5, 4, 6].map(Rational::from);
+        let [determinant, distance] = [19.0, 0.25].map(|x| Ball::exact(128, x));
+        let found =
+            four_bar_bounds(&l, &determinant, &distance).expect("away from the dead position");
+        let [p2, p3, q2, q3, t2, t3, turn, d1] = found.map(|b| b.mid().to_f64());
+        let m = (19f64.powi(2) - 0.25 * 2.0 * 40.0 * 9.0).sqrt();
+        let (first, second) = (20.0 * (p2 + p3), 20.0 * ((p2 + p3).powi(2) + q2 + q3));
+        let near = |x: f64, due: f64| assert!((x / due - 1.0).abs() < 1e-14, "{x} {due}");
+        near(turn, p2 + p3);
+        near(d1, first);
+        for (n, [p, q, t], [other, its]) in [
+            (8.0, [p2, q2, t2], [p3, q3]),
+            (10.0, [p3, q3, t3], [p2, q2]),
+        ] {
+            near(m * p, n);
+            near(m * q, n * (1.0 + other) + p * first);
+            let of_numerator = n * ((1.0 + other).powi(2) + its);
+            near(m * t, of_numerator + 2.0 * q * first + p * second);
+        }
+    }
+
     fn shapes() -> [Shape; 6] {
         let four = |l: [u32; 4]| {
             let [a, b, c, d] = l;

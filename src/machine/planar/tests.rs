@@ -142,3 +142,116 @@ fn a_drawing_without_redundant_equations_names_no_strained_bodies() {
     let bodies = ["ground", "bar"].map(String::from);
     assert_eq!(drawn::words(&freedom, &bodies), due);
 }
+
+/// What each kind of load does along the drive, by virtual work from the velocities of its points and the rates of its bodies. All
+/// bodies are drawn, so that the angles of their lines are not those of their frames.
+#[test]
+fn loads_work_along_the_motion() {
+    let text = include_str!("../../../examples/watt-1.toml");
+    let read = |from: &str, to: &str| {
+        let text = text.replacen(from, to, 1);
+        Machine::read(&Source::toml(text)).unwrap()
+    };
+    let machine = read("", "");
+    let at = machine.start.at.unwrap().to_radians();
+    let start = choose(&machine, at, None).unwrap().start;
+    let number = |name: &str| machine.bodies.iter().position(|b| b == name).unwrap();
+    let turn = |name: &str| machine.solver.body_angle(&start, number(name)).first;
+    let line = |name: &str| machine.line(&start, number(name));
+    let point = |name: &str| {
+        let (_, point) = machine.points.iter().find(|p| p.0 == name).unwrap();
+        let motion = machine.solver.point(&start, point);
+        (motion.r, motion.first)
+    };
+    let along = |name: &str, degrees: f64| {
+        let (_, [x, y]) = point(name);
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        x * cos + y * sin
+    };
+    // From the pivot A, which is the origin.
+    let [distance, parting] = {
+        let ([x, y], [u, v]) = point("E");
+        [x.hypot(y), (x * u + y * v) / x.hypot(y)]
+    };
+    let relative = turn("coupler") - turn("rocker");
+    let free = line("coupler") - line("rocker") - 0.25;
+    let spring = format!(
+        "[[torsion_spring]]\nbody = \"coupler\"\nfrom = \"rocker\"\nstiffness = \"2 N m/rad\"\nangle = \"{free:?} rad\"\n"
+    );
+    let grounded = format!(
+        "[[torsion_spring]]\nbody = \"FG\"\nstiffness = \"2 N m/rad\"\nangle = \"{:?} rad\"\n",
+        line("FG") + 0.5
+    );
+    let between = at.to_degrees() / 90.0;
+    for (load, moment, damping) in [
+        (
+            "[[force]]\nat = \"E\"\ndirection = \"30 deg\"\nvalue = \"5 N\"\n",
+            5.0 * along("E", 30.0),
+            0.0,
+        ),
+        // Frames lie as they are drawn.
+        (
+            "[[force]]\nat = \"rocker.F\"\nwith = \"rocker\"\ndirection = \"-50 deg\"\nvalue = \"4 N\"\n",
+            4.0 * along("F", -50.0),
+            0.0,
+        ),
+        (
+            "[[force]]\nat = \"G\"\ndirection = \"0 deg\"\ntable = [[\"0 deg\", \"2 N\"], [\"90 deg\", \"6 N\"]]\n",
+            (2.0 + 4.0 * between) * along("G", 0.0),
+            0.0,
+        ),
+        (
+            "[[torque]]\nbody = \"coupler\"\nfrom = \"rocker\"\nvalue = \"3 N m\"\n",
+            3.0 * relative,
+            0.0,
+        ),
+        (
+            "[[torque]]\nbody = \"FG\"\ntable = [[\"0 deg\", \"1 N m\"], [\"90 deg\", \"-1 N m\"]]\n",
+            (1.0 - 2.0 * between) * turn("FG"),
+            0.0,
+        ),
+        (
+            "[[spring]]\nends = [\"ground.A\", \"E\"]\nstiffness = \"100 N/m\"\nlength = \"2 cm\"\n",
+            -100.0 * (distance - 0.02) * parting,
+            0.0,
+        ),
+        (&spring, -2.0 * 0.25 * relative, 0.0),
+        (&grounded, 2.0 * 0.5 * turn("FG"), 0.0),
+        (
+            "[[damper]]\nends = [\"ground.A\", \"E\"]\ndamping = \"7 N s/m\"\n",
+            0.0,
+            7.0 * parting * parting,
+        ),
+        (
+            "[[torsion_damper]]\nbody = \"coupler\"\nfrom = \"rocker\"\ndamping = \"3 N m s\"\n",
+            0.0,
+            3.0 * relative * relative,
+        ),
+    ] {
+        let machine = read("[drive]\n", &format!("{load}[drive]\n"));
+        let found = machine.loads.unwrap().reduce(&machine.solver, &start);
+        for (found, due) in [(found.moment, moment), (found.damping, damping)] {
+            assert!((found - due).abs() < 1e-12, "{load}{found}, due {due}");
+        }
+    }
+    let body = "name = \"EG\"\n";
+    let weight = format!(
+        "{body}mass = \"3 kg\"\ninertia = \"0.002 kg m^2\"\ncentre = [\"3 cm\", \"2 cm\"]\n"
+    );
+    let down = read(body, &weight);
+    let aside = format!(
+        "gravity = \"2 m/s^2\"\ngravity_direction = \"10 deg\"\n{}",
+        text.replacen(body, &weight, 1)
+    );
+    let aside = Machine::read(&Source::toml(aside)).unwrap();
+    for (machine, due) in [
+        (down, 3.0 * 9.80665 * along("G", -90.0)),
+        (aside, 3.0 * 2.0 * along("G", 10.0)),
+    ] {
+        let found = machine.loads.unwrap().reduce(&machine.solver, &start);
+        assert!((found.moment - due).abs() < 1e-12, "{} {due}", found.moment);
+        let (_, [x, y]) = point("G");
+        let inertia = 3.0 * (x * x + y * y) + 0.002 * turn("EG").powi(2);
+        assert!((found.inertia - inertia).abs() < 1e-12);
+    }
+}

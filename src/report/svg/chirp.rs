@@ -186,8 +186,35 @@ pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::panel::tests::dots;
+    use super::super::panel::tests::{dots, texts};
     use super::*;
+
+    /// Each law has a row of its own, as high as any, below the title.
+    #[test]
+    fn a_chart_has_a_row_for_each_law() {
+        let laws = ["cycloidal", "modified-sine", "3-4-5"];
+        for (period, axis) in [
+            (Period::Turn, "ξ, the turn as period"),
+            (Period::Rise, "ξ, the rise as period"),
+        ] {
+            let chart = Chart {
+                period,
+                rigid: [5.0; 3],
+                points: Vec::new(),
+            };
+            for n in 1..=laws.len() {
+                let all: Vec<(&str, &Chart)> = laws[..n].iter().map(|l| (*l, &chart)).collect();
+                let svg = super::chart("cam", "", &all).unwrap();
+                let size = format!("viewBox=\"0 0 1240 {}\"", 100 + 360 * n);
+                assert!(svg.contains(&size), "{size} is missing in {svg}");
+                let texts = texts(&svg);
+                assert_eq!(texts.iter().filter(|t| **t == axis).count(), 2 * n);
+                for law in &laws[..n] {
+                    assert!(texts.contains(&&*format!("{law}: displacement, lifts")));
+                }
+            }
+        }
+    }
 
     #[test]
     fn harmonics_that_vanish_are_left_out() {

@@ -237,4 +237,39 @@ pub(crate) mod tests {
             assert!(prose.lines().all(|l| l.chars().count() <= width), "{text}");
         }
     }
+
+    /// Green where all are rounded correctly, plain where all are within a unit, yellow where half are, red below.
+    #[test]
+    fn tallies_have_the_colour_of_how_many_agree() {
+        let of = |entries, within_half, within_one| {
+            tallies(&[Tally {
+                variant: "as_printed",
+                table: 1,
+                column: "phi2",
+                entries,
+                within_half,
+                within_one,
+                worst_units: 12.0,
+                worst: 0.012,
+            }])
+        };
+        for ((entries, half, one), style) in [
+            ((4, 4, 4), Some(GOOD)),
+            ((4, 3, 4), None),
+            ((4, 1, 3), Some(DOUBT)),
+            ((4, 0, 2), Some(DOUBT)),
+            ((5, 0, 2), Some(BAD)),
+            ((4, 0, 0), Some(BAD)),
+        ] {
+            let text = of(entries, half, one);
+            for other in [GOOD, DOUBT, BAD] {
+                let painted = text.contains(&other.render().to_string());
+                assert_eq!(
+                    painted,
+                    Some(other) == style,
+                    "{one} of {entries}: {text:?}"
+                );
+            }
+        }
+    }
 }

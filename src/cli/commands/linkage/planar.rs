@@ -21,7 +21,7 @@ struct Values(Vec<(f64, f64)>, Vec<Rational>);
 
 impl Values {
     fn new(args: &LinkageArgs, machine: &Machine) -> Result<Values, Failure> {
-        let Some([from, to, step]) = machine.window else {
+        let Some(window) = machine.window else {
             let start = machine.start.at.and_then(Rational::from_f64);
             let grid = args.grid(start)?;
             let exact: Vec<Rational> = (0..grid.count as i64).map(|k| grid.angle(k)).collect();
@@ -33,11 +33,15 @@ impl Values {
                 "the drive is a displacement: drive.range and drive.step of the file say which rows there are, not --from-deg and --to-deg",
             ));
         }
-        let count = ((to - from) / step + 1e-9).floor() as u64;
-        let at = |k: u64| from + step * k as f64;
-        let all = (0..=count).map(|k| (at(k), at(k)));
+        let all = displacements(window).map(|s| (s, s));
         Ok(Values(all.collect(), Vec::new()))
     }
+}
+
+/// From the first to the last, which is there if the steps end at it within rounding.
+fn displacements([from, to, step]: [f64; 3]) -> impl Iterator<Item = f64> {
+    let count = ((to - from) / step + 1e-9).floor() as u64;
+    (0..=count).map(move |k| from + step * k as f64)
 }
 
 /// Computes the mechanism as the arguments ask for.
@@ -262,6 +266,21 @@ fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usiz
 mod tests {
     use super::*;
     use mechaudit::machine::{Linkage, Source};
+
+    #[test]
+    fn a_range_has_as_many_rows_as_steps_fit_into_it() {
+        for (to, due) in [
+            (2.0, &[2.0][..]),
+            (2.4, &[2.0]),
+            (2.5, &[2.0, 2.5]),
+            (3.5 - 4e-10, &[2.0, 2.5, 3.0, 3.5]),
+            (3.5 - 6e-10, &[2.0, 2.5, 3.0]),
+            (3.9, &[2.0, 2.5, 3.0, 3.5]),
+        ] {
+            let found: Vec<f64> = displacements([2.0, to, 0.5]).collect();
+            assert_eq!(found, due, "to {to}");
+        }
+    }
 
     #[test]
     fn modes_are_counted_in_words() {

@@ -295,4 +295,33 @@ pub(crate) mod tests {
         assert!(part.contains("at φ1 = 180.000°, from 0.00° to 360.00° faint"));
         assert_eq!(part.matches("opacity=\"0.16\"").count(), 4);
     }
+
+    /// However fine the path is.
+    #[test]
+    fn positions_are_chosen_by_eighths() {
+        let chosen = |n: u32, whole| {
+            let pose = |k: u32| Pose {
+                crank_deg: f64::from(k),
+                joints: Vec::new(),
+                bars: Vec::new(),
+                plate: None,
+            };
+            let path: Vec<Pose> = (0..n).map(pose).collect();
+            let scene = Scene {
+                name: "",
+                pivots: &[],
+                joints: &[],
+                guide: None,
+                path: &path,
+                whole,
+            };
+            let all = scene.chosen();
+            all.iter().map(|p| p.crank_deg as u32).collect::<Vec<_>>()
+        };
+        assert_eq!(chosen(17, true), [0, 2, 4, 6, 8, 10, 12, 14]);
+        assert_eq!(chosen(17, false), [8, 0, 4, 12, 16]);
+        assert_eq!(chosen(8, true), [0, 0, 1, 2, 3, 4, 5, 6]);
+        assert_eq!(chosen(3, false), [0, 1, 2]);
+        assert!(chosen(0, true).is_empty());
+    }
 }
