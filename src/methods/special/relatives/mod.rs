@@ -151,7 +151,10 @@ pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
         return [known(x == 0.0), known(y == 0.0)];
     }
     match (x.is_infinite(), y.is_infinite()) {
-        (true, false) => [number(if x < 0.0 { -right } else { right }), number(0)],
+        (true, false) => [
+            number(if x.is_sign_negative() { -right } else { right }),
+            number(0),
+        ],
         (false, true) if x == 0.0 => [number(0), infinity(y)],
         // No limit.
         _ => [Due::NotANumber, Due::NotANumber],

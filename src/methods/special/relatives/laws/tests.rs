@@ -1,7 +1,7 @@
 //! Laws judge planted functions.
 
 use super::*;
-use crate::methods::special::relatives::Dawson;
+use crate::solvers::faddeeva::dawson;
 use std::cell::Cell;
 use std::collections::BTreeSet;
 
@@ -33,13 +33,14 @@ fn batches_have_all_lengths_and_kinds_of_points() {
         .map(|k| {
             let length = Cell::new(0);
             let z = C::new(1.0 + f64::from(k) * f64::EPSILON, 0.5);
-            let refused = batch_agrees::<Dawson>(z, |points, _| {
+            let refused = batch_agrees(z, 40, dawson, |points, _| {
                 length.set(points.len());
                 let kinds = [
                     z,
                     -z,
+                    z.conj(),
                     C::new(z.im, z.re),
-                    C::new(z.re + 3.0 / 16.0, z.im - 3.0 / 32.0),
+                    C::new(z.re + 4.0 / 16.0, z.im - 4.0 / 32.0),
                     C::new(z.re * 0.5, z.im * 1.5),
                     z,
                 ];
