@@ -82,11 +82,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_finding_is_as_recorded() {
-        crate::papers::report::all_as_recorded(report);
-    }
-
-    #[test]
     fn every_entry_is_as_recorded() {
         crate::papers::ledger::all_as_recorded(&ledger::items());
     }

@@ -241,6 +241,8 @@ mod tests {
     #[test]
     fn planted_sign_errors_are_found() {
         let sample = Sample::new().unwrap();
+        assert!(velocities(VELOCITIES, &sample).as_recorded);
+        assert!(accelerations(ACCELERATIONS, &sample).as_recorded);
         let bad: [System; 4] = [
             faulty!(VELOCITIES, 0, |x| &x.l[1] * &x.psi[1] * &x.sin[1]),
             faulty!(VELOCITIES, 1, |x| &x.l[3] * &x.psi[3] * &x.cos[3]),
