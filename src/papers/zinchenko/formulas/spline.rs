@@ -399,6 +399,12 @@ mod tests {
     }
 
     #[test]
+    fn the_fragment_is_half_of_what_is_due() {
+        let values = inline(&PRINTED).figures.into_iter().map(|f| f.value);
+        assert_eq!(values.skip(1).collect::<Vec<_>>(), ["6", "3"]);
+    }
+
+    #[test]
     fn a_factor_that_vanishes_leaves_the_system_open() {
         let closed =
             |gain: &[i32]| super::closed(&gain.iter().map(|g| Q::from(*g)).collect::<Vec<_>>());
