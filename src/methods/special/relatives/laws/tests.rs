@@ -53,3 +53,20 @@ fn batches_have_all_lengths_and_kinds_of_points() {
         .collect();
     assert_eq!(lengths, (1..=40).collect());
 }
+
+#[test]
+fn a_batch_that_differs_or_refuses_breaks_the_law() {
+    for (by, done, due) in [
+        (1.0, true, 0.0),
+        (1.0, false, f64::INFINITY),
+        (1.0 + f64::EPSILON, true, f64::INFINITY),
+    ] {
+        let law = batch_agrees(C::new(1.0, 0.5), 40, dawson, |points, values| {
+            for (value, &z) in values.iter_mut().zip(points) {
+                *value = dawson(z) * by;
+            }
+            done
+        });
+        assert_eq!(law, Some(due), "{by} {done}");
+    }
+}
