@@ -8,7 +8,7 @@
 use super::code::Code;
 use super::regions::log_uniform;
 use super::rounded;
-use super::seams::{Jump, LEAST};
+use super::seams::{Jump, LEAST, rises};
 use crate::audit::{Draw, SolverAnswer};
 use crate::reference::faddeeva::w_f64;
 use rayon::prelude::*;
@@ -143,9 +143,7 @@ fn on(code: &Code, mut segments: Vec<Segment>) -> Vec<Jump> {
     let mut found: Option<Jump> = None;
     let nearby = nearby.chunks(2 * BESIDE);
     for ((segment, [inner, outer]), nearby) in segments.iter().zip(last).zip(nearby) {
-        let [a, b] = segment.ends;
-        // The ends are neighbours, or the same float after the last division.
-        let near = b - a <= 4.0 * f64::EPSILON * b;
+        let a = segment.ends[0];
         let place = match segment.level {
             true => [a, segment.other],
             false => [segment.other, a],
@@ -155,7 +153,7 @@ fn on(code: &Code, mut segments: Vec<Segment>) -> Vec<Jump> {
         };
         let re = ((outer - inner) / due).abs();
         let least = LEAST + QUANTA * size / due + ABOVE * rounding(nearby);
-        if !near || !re.is_finite() || re <= least {
+        if !re.is_finite() || re <= least {
             continue;
         }
         let jump = found.get_or_insert(Jump {
@@ -167,7 +165,7 @@ fn on(code: &Code, mut segments: Vec<Segment>) -> Vec<Jump> {
             rising: 0,
         });
         jump.crossings += u64::from(segment.level);
-        jump.rising += u64::from(segment.level && outer - inner > 100.0 * LEAST * due);
+        jump.rising += u64::from(segment.level && rises(inner, outer, due));
         if re > jump.re {
             (jump.re, jump.at) = (re, place);
         }

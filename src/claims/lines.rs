@@ -216,6 +216,13 @@ mod tests {
     }
 
     #[test]
+    fn both_parts_are_to_be_as_good_as_the_authors_say() {
+        let limits = HartmannTran.outputs();
+        let limits: Vec<Limit> = limits.iter().map(|o| o.budget.limit).collect();
+        assert_eq!(limits, [Limit::Relative(1e-4); 2]);
+    }
+
+    #[test]
     fn lines_that_are_drawn_are_lines() {
         for region in regions() {
             for k in 0..200 {

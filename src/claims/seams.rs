@@ -58,7 +58,7 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
         } else {
             (v, w)
         };
-        let rises = level && outer.re - inner.re > LEAST * 100.0 * inner.re.abs();
+        let rises = level && rises(inner.re, outer.re, inner.re.abs());
         let (f, g) = (formula(p), formula(q));
         let between = Some([f.min(g), f.max(g)]);
         let known = found.iter().position(|j| j.between == between);
@@ -88,6 +88,11 @@ pub fn jumps(a: &Algorithm, seed: u64) -> Vec<Jump> {
         (j.norm, j.re) = (j.norm.map(rounded), rounded(j.re));
     }
     found
+}
+
+/// Whether it grows by more than a hundred times what is called rounding.
+pub(super) fn rises(inner: f64, outer: f64, size: f64) -> bool {
+    outer - inner > 100.0 * LEAST * size
 }
 
 /// A segment of the right upper quadrant, level or upright.
@@ -125,4 +130,17 @@ fn halved(
         }
     }
     Some((p, q))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rise_is_more_than_a_hundred_times_rounding() {
+        let least = 100.0 * LEAST;
+        assert!(!rises(0.0, least, 1.0) && rises(0.0, least.next_up(), 1.0));
+        assert!(rises(1.0, 1.0 + 2.1e-12, 2.0) && !rises(1.0, 1.0 + 1.9e-12, 2.0));
+        assert!(!rises(1.0, 0.5, 1.0));
+    }
 }

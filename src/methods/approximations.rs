@@ -273,7 +273,7 @@ impl Approximation for RunUp {
     }
 
     fn truth(&self) -> Result<Vec<Ball>, Uncertified> {
-        let truth = || run_up::truth(self.input(), 160);
+        let truth = || run_up::truth(self.input(), BITS);
         self.truth.get_or_init(truth).clone()
     }
 }

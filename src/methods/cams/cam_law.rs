@@ -161,9 +161,15 @@ fn reference_jet(i: CamLawInput<Rational>, bits: u32) -> Option<[Ball; 5]> {
 }
 
 fn complement(x: &[f64]) -> Option<f64> {
-    let v = CamLaw::solve(CamLaw::unpack(x)?).ok()?;
-    let size = v[0].abs().max(v[1].abs()).max(1.0);
-    Some((v[0] + v[1] - 1.0).abs() / (f64::EPSILON * size))
+    match CamLaw::solve(CamLaw::unpack(x)?).ok()?[..] {
+        [s, left, ..] => Some(off_one(s, left)),
+        _ => None,
+    }
+}
+
+fn off_one(s: f64, left: f64) -> f64 {
+    let size = s.abs().max(left.abs()).max(1.0);
+    (s + left - 1.0).abs() / (f64::EPSILON * size)
 }
 
 fn at_any_place(d: &mut Draw, law: fn(&mut Draw) -> Vec<f64>) -> Vec<f64> {
@@ -178,4 +184,23 @@ fn near_the_ends(d: &mut Draw) -> Vec<f64> {
     let mut x = vec![if d.chance(0.5) { off } else { 1.0 - off }];
     x.extend(law(d));
     x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_off_one_is_measured_by_the_larger_part() {
+        let e = f64::EPSILON;
+        for (s, left, due) in [
+            (0.25, 0.75, 0.0),
+            (0.25, 0.75 + e, 1.0),
+            (0.25, 0.75 - e, 1.0),
+            (5.0, -4.0 - 8.0 * e, 1.6),
+            (-7.0, 8.0 + 16.0 * e, 2.0),
+        ] {
+            assert!((off_one(s, left) - due).abs() < 1e-12, "{s} {left}");
+        }
+    }
 }

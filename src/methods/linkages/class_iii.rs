@@ -523,3 +523,17 @@ fn apart(d: &mut Draw) -> ClassIiiInput<'static> {
     g.y5 = g.y3 + far * libm::sin(direction);
     i
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Curves are kept by them: two inputs that differ in one number are not the same.
+    #[test]
+    fn fractions_are_all_numbers_in_their_order() {
+        let fields = ClassIii::fields().len();
+        let numbers: Vec<Rational> = (0..fields).map(|k| Rational::from((k as u32, 7))).collect();
+        let input = ClassIii::unpack(&numbers).unwrap();
+        assert_eq!(input.to_fractions(), numbers);
+    }
+}

@@ -281,12 +281,16 @@ fn mirror(x: &[f64]) -> Option<f64> {
         })
         .ok()?,
     );
-    // x and x'' are even in the crank angle, x' is odd; the rod's angle is odd where the slider is
-    // ahead (behind, it is mirrored at π).
+    held(mirrored(&here, &there, i.assembly))
+}
+
+/// x and x'' are even in the crank angle, x' is odd; the rod's angle is odd where the slider is ahead (behind, it is
+/// mirrored at π).
+fn mirrored(here: &[f64], there: &[f64], assembly: f64) -> bool {
     let even = [0, 2, 4, 6].iter().all(|&i| here[i] == there[i]);
     let odd = [1, 5].iter().all(|&i| here[i] == -there[i]);
-    let angle = i.assembly < 0.0 || here[3] == -there[3];
-    held(even && odd && angle)
+    let angle = assembly < 0.0 || here[3] == -there[3];
+    even && odd && angle
 }
 
 fn velocity(x: &[f64]) -> Option<f64> {
@@ -315,6 +319,21 @@ mod tests {
         assert!(law(0.920_151_991_520_965).is_some_and(|r| r < 1.0));
         assert_eq!(law(0.920_151_991_520_966), None);
         assert_eq!(law(0.920_151_991_520_967), None);
+    }
+
+    #[test]
+    fn one_value_that_is_not_mirrored_breaks_the_law() {
+        let here = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let there = [1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 7.0];
+        for assembly in [1.0, -1.0] {
+            assert!(mirrored(&here, &there, assembly));
+            for k in 0..7 {
+                let mut off = there;
+                off[k] = -off[k];
+                let due = k == 3 && assembly < 0.0;
+                assert_eq!(mirrored(&here, &off, assembly), due, "{k} {assembly}");
+            }
+        }
     }
 
     #[test]

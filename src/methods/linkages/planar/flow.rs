@@ -377,7 +377,8 @@ impl Flow {
 fn groups(bodies: usize, pins: &[[Spot; 2]]) -> Option<Vec<usize>> {
     let mut group: Vec<Option<usize>> = vec![None; bodies + 1];
     group[..2].fill(Some(0));
-    let mut sets: Vec<usize> = (1..1 << (bodies - 1)).collect();
+    // A bit for each body.
+    let mut sets: Vec<usize> = (1..1 << (bodies - 1)).map(|set| set << 2).collect();
     sets.sort_by_key(|set| set.count_ones());
     for number in 1.. {
         let free = |body: usize| group[body].is_none();
@@ -385,16 +386,19 @@ fn groups(bodies: usize, pins: &[[Spot; 2]]) -> Option<Vec<usize>> {
             break;
         }
         let found = sets.iter().copied().find(|set| {
-            let within = |body: usize| body > 1 && set >> (body - 2) & 1 == 1;
+            let within = |body: usize| set >> body & 1 == 1;
             let placed = |body: usize| within(body) || !free(body);
             let joins = |[a, b]: &&[Spot; 2]| {
                 (within(a.body) || within(b.body)) && placed(a.body) && placed(b.body)
             };
-            (2..=bodies).all(|body| !within(body) || free(body))
+            let mut all = group.iter().enumerate();
+            all.all(|(body, group)| !within(body) || group.is_none())
                 && 2 * pins.iter().filter(joins).count() == 3 * set.count_ones() as usize
         })?;
-        for body in (2..=bodies).filter(|body| found >> (body - 2) & 1 == 1) {
-            group[body] = Some(number);
+        for (body, group) in group.iter_mut().enumerate() {
+            if found >> body & 1 == 1 {
+                *group = Some(number);
+            }
         }
     }
     group.into_iter().collect()

@@ -92,11 +92,13 @@ fn scale(x: &[f64]) -> Option<f64> {
     let i = PlanarLinkage::unpack(x)?;
     let here = PlanarLinkage::solve(i).ok()?;
     let other = Linkage::of(&i).scaled(2.0);
-    let Ok(there) = PlanarLinkage::solve(other.input()) else {
-        return held(false);
-    };
-    let angles = |v: &[f64]| -> Vec<[f64; 3]> { v.chunks(9).map(|r| [r[0], r[1], r[2]]).collect() };
-    held(angles(&here) == angles(&there))
+    let there = PlanarLinkage::solve(other.input()).ok();
+    held(there.is_some_and(|there| turns(&here).eq(turns(&there))))
+}
+
+/// Each body's angle and its derivatives, the first of its nine values.
+fn turns(values: &[f64]) -> impl Iterator<Item = &[f64]> {
+    values.chunks(9).map(|of_body| &of_body[..3])
 }
 
 fn exchange(x: &[f64]) -> Option<f64> {
@@ -196,6 +198,13 @@ fn masses(x: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_first_three_of_nine_values_are_angles() {
+        let values: Vec<f64> = (0..18).map(f64::from).collect();
+        let found: Vec<&[f64]> = turns(&values).collect();
+        assert_eq!(found, [[0.0, 1.0, 2.0], [9.0, 10.0, 11.0]]);
+    }
 
     #[test]
     fn a_difference_is_measured_by_value_and_condition() {

@@ -2,7 +2,9 @@
 
 use crate::audit::Law;
 use crate::methods::common::held;
-use crate::methods::special::relatives::laws::{U, equation, gaussian, point, same_pair};
+use crate::methods::special::relatives::laws::{
+    U, batch_agrees, equation, gaussian, point, same_pair,
+};
 use crate::solvers::faddeeva::{faddeeva, faddeeva_batch};
 use num_complex::Complex;
 use std::f64::consts::FRAC_2_SQRT_PI;
@@ -15,23 +17,10 @@ fn conjugation(input: &[f64]) -> Option<f64> {
     held(same_pair(w, faddeeva(z).conj()))
 }
 
-/// The batch at the point and around it, of every length up to 19.
 fn batch(input: &[f64]) -> Option<f64> {
-    let z = point(input)?;
-    let n = 1 + (z.re.to_bits() ^ z.im.to_bits().rotate_left(7)) as usize % 19;
-    let around = |k: usize| match k % 6 {
-        0 => z,
-        1 => -z,
-        2 => z.conj(),
-        3 => Complex::new(z.im, z.re),
-        4 => Complex::new(z.re + k as f64 / 16.0, z.im - k as f64 / 32.0),
-        _ => Complex::new(z.re * 0.5, z.im * 1.5),
-    };
-    let points: Vec<C> = (0..n).map(around).collect();
-    let mut values = vec![C::default(); n];
-    let done = faddeeva_batch(&points, &mut values).is_ok();
-    let mut pairs = points.iter().zip(&values);
-    held(done && pairs.all(|(&z, &w)| same_pair(w, faddeeva(z))))
+    batch_agrees(point(input)?, 19, faddeeva, |z, w| {
+        faddeeva_batch(z, w).is_ok()
+    })
 }
 
 fn reflection(input: &[f64]) -> Option<f64> {

@@ -84,7 +84,9 @@ impl Relative for Dawson {
                 name: "batch",
                 statement: "a batch of 1 to 40 points around z gives the scalar values, bit for bit",
                 residual: |input| {
-                    batch_agrees::<Dawson>(point(input)?, |z, f| dawson_batch(z, f).is_ok())
+                    batch_agrees(point(input)?, 40, Self::VALUE, |z, f| {
+                        dawson_batch(z, f).is_ok()
+                    })
                 },
             },
             real_argument_law(|input| on_the_axis::<Dawson>(dawson_real, input)),

@@ -75,24 +75,27 @@ pub(super) fn on_the_axis<F: Relative>(real: fn(f64) -> f64, input: &[f64]) -> O
     held(a.im == 0.0).map(|r| r.max((a.re - b).abs() / (5.0 * ulp)))
 }
 
-/// The batch at the point and around it, of every length up to 40, gives the scalar values.
-pub(super) fn batch_agrees<F: Relative>(
+/// The batch at the point and around it, of every length up to the longest, gives the scalar values.
+pub(in crate::methods::special) fn batch_agrees(
     z: C,
+    longest: usize,
+    value: impl Fn(C) -> C,
     batch: impl Fn(&[C], &mut [C]) -> bool,
 ) -> Option<f64> {
-    let n = 1 + (z.re.to_bits() ^ z.im.to_bits().rotate_left(7)) as usize % 40;
-    let around = |k: usize| match k % 5 {
+    let n = 1 + (z.re.to_bits() ^ z.im.to_bits().rotate_left(7)) as usize % longest;
+    let around = |k: usize| match k % 6 {
         0 => z,
         1 => -z,
-        2 => Complex::new(z.im, z.re),
-        3 => Complex::new(z.re + k as f64 / 16.0, z.im - k as f64 / 32.0),
+        2 => z.conj(),
+        3 => Complex::new(z.im, z.re),
+        4 => Complex::new(z.re + k as f64 / 16.0, z.im - k as f64 / 32.0),
         _ => Complex::new(z.re * 0.5, z.im * 1.5),
     };
     let points: Vec<C> = (0..n).map(around).collect();
     let mut values = vec![C::default(); n];
     let done = batch(&points, &mut values);
     let mut pairs = points.iter().zip(&values);
-    held(done && pairs.all(|(&z, &f)| same_pair(f, (F::VALUE)(z))))
+    held(done && pairs.all(|(&z, &f)| same_pair(f, value(z))))
 }
 
 /// `factor · e^{−z²}` to 1e-30, for |z| ≤ 1e8.

@@ -151,7 +151,10 @@ pub(super) fn odd_limit(right: i64, x: f64, y: f64) -> [Due; 2] {
         return [known(x == 0.0), known(y == 0.0)];
     }
     match (x.is_infinite(), y.is_infinite()) {
-        (true, false) => [number(if x < 0.0 { -right } else { right }), number(0)],
+        (true, false) => [
+            number(if x.is_sign_negative() { -right } else { right }),
+            number(0),
+        ],
         (false, true) if x == 0.0 => [number(0), infinity(y)],
         // No limit.
         _ => [Due::NotANumber, Due::NotANumber],
@@ -267,6 +270,68 @@ mod tests {
             let beside = (R::VALUE)(z + step) - (R::VALUE)(z - step);
             near(R::slope(z, value), beside / (2.0 * step), 1e-6);
         }
+    }
+
+    /// An infinity, ±0 or NaN as they are; of a ball its middle.
+    fn plain(d: Due) -> String {
+        let signed = |size: f64, negative: bool| if negative { -size } else { size };
+        let value = match d {
+            Due::Number(ball) => ball.mid().to_f64(),
+            Due::Infinity { negative } => signed(f64::INFINITY, negative),
+            Due::Zero { negative, .. } => signed(0.0, negative),
+            Due::NotANumber => f64::NAN,
+        };
+        format!("{value:?}")
+    }
+
+    #[test]
+    fn limits_of_odd_functions() {
+        let inf = f64::INFINITY;
+        for (x, y, due) in [
+            (inf, 1.0, ["3.0", "0.0"]),
+            (-inf, -1.0, ["-3.0", "0.0"]),
+            (0.0, inf, ["0.0", "inf"]),
+            (-0.0, -inf, ["0.0", "-inf"]),
+            (1.0, inf, ["NaN", "NaN"]),
+            (inf, inf, ["NaN", "NaN"]),
+            (f64::NAN, 0.0, ["NaN", "0.0"]),
+            (0.0, f64::NAN, ["0.0", "NaN"]),
+            (f64::NAN, 1.0, ["NaN", "NaN"]),
+        ] {
+            assert_eq!(odd_limit(3, x, y).map(plain), due, "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn negated_values_have_the_other_sign() {
+        let zero = |negative| Due::Zero {
+            ball: Ball::integer(64, 0),
+            negative,
+        };
+        for (value, due) in [
+            (number(2), "-2.0"),
+            (infinity(1.0), "-inf"),
+            (infinity(-1.0), "inf"),
+            (zero(false), "-0.0"),
+            (zero(true), "0.0"),
+            (Due::NotANumber, "NaN"),
+        ] {
+            assert_eq!(plain(negated(value)), due);
+        }
+    }
+
+    #[test]
+    fn signs_where_a_component_vanishes() {
+        for (x, factor, due) in [
+            (0.0, 1.0, Some(false)),
+            (-0.0, 1.0, Some(true)),
+            (0.0, -1.0, Some(true)),
+            (-0.0, -1.0, Some(false)),
+            (1.0, 1.0, None),
+        ] {
+            assert_eq!(on_axis(x, factor), due, "{x} {factor}");
+        }
+        assert_eq!(odd_signs(-0.0, 0.0), [Some(true), Some(false)]);
     }
 
     /// The formula behind a value of erfcx is that of w at `i z`, and the report says so.

@@ -118,3 +118,26 @@ fn certified_motion(motion: &Motion) -> Finding {
         figures,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motion_without_states_is_not_the_recorded_one() {
+        let none = Motion {
+            courses: Vec::new(),
+            library: Vec::new(),
+            two: Vec::new(),
+            exudyn: Vec::new(),
+        };
+        assert!(!certified_motion(&none).as_recorded);
+    }
+
+    #[test]
+    fn what_is_not_known_to_so_many_digits_is_undecided() {
+        let third = &Ball::integer(64, 1) / &Ball::integer(64, 3);
+        assert_eq!(shown(&third, 5), ("0.33333".into(), true));
+        assert_eq!(shown(&third, 30), ("undecided".into(), false));
+    }
+}

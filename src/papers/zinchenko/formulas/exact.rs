@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An exact rational number. The newtype only gives `rug`'s rational the operators that make a
 /// formula look as it is printed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Q(pub Rational);
 
 /// `n/d`.
@@ -22,10 +22,6 @@ impl Q {
 
     pub(super) fn abs(&self) -> Q {
         Q(self.0.clone().abs())
-    }
-
-    pub(super) fn max(self, other: Q) -> Q {
-        if self.0 > other.0 { self } else { other }
     }
 }
 

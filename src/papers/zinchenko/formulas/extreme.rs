@@ -55,6 +55,12 @@ fn across(q: &Configuration) -> Ball {
     q.a.cross(&q.b)
 }
 
+/// Its derivative by the crank angle.
+fn slope(k: &Kinematics) -> Ball {
+    let [a, b, ..] = &k.joints;
+    a.first.cross(&b.r) + a.r.cross(&b.first)
+}
+
 /// An interval of crank angles given in degrees, as a ball of radians.
 fn arc(lo: &Rational, hi: &Rational) -> Ball {
     degrees(lo, BITS).union(&degrees(hi, BITS))
@@ -73,9 +79,7 @@ fn dead(linkage: &Linkage, row0: &Configuration, bracket: (&str, &str)) -> Optio
         (x.is_positive() || x.is_negative()).then(|| x.is_positive())
     };
     let whole = linkage.follow(&base, &at_lo, &arc(&lo, &hi))?;
-    let k = linkage.kinematics(&whole).ok()?;
-    let [a, b, ..] = &k.joints;
-    let slope = a.first.cross(&b.r) + a.r.cross(&b.first);
+    let slope = slope(&linkage.kinematics(&whole).ok()?);
     let alone = slope.is_positive() || slope.is_negative();
     let below = sign(&lo)?;
     if sign(&hi)? == below {
@@ -217,6 +221,19 @@ mod tests {
         assert!(!recorded("14.426", ["283.826", "22.557", "-65.721"]));
         // −65.72149…: the tie is close, the other rounding is still told apart.
         assert!(!recorded("14.426", ["283.826", "22.558", "-65.722"]));
+    }
+
+    #[test]
+    fn the_slope_is_the_limit_of_difference_quotients() {
+        let linkage = sample::linkage(BITS);
+        let row0 = row_zero(&linkage).unwrap();
+        let from = degrees(&row_angle(0), BITS);
+        let to = &from + &Ball::integer(BITS, 1).shift(-60);
+        let next = linkage.follow(&row0, &from, &to).unwrap();
+        let quotient = (across(&next) - across(&row0)).shift(60);
+        let due = slope(&linkage.kinematics(&row0).unwrap());
+        let off = (&quotient - &due).abs().upper();
+        assert!(off < 1e-10 * due.abs().lower(), "{off:e} {due:?}");
     }
 
     #[test]

@@ -123,7 +123,7 @@ fn rated(motor: &Motor) -> Outcome {
 /// `M_k − M = M_k (S − S_k)²/(S² + S_k²)`: M_k is the largest torque, reached at S_k.
 fn breakdown(motor: &Motor) -> Identity {
     Grid::new(&[1, 4, 4]).vanishes(|v| {
-        let (mk, s, sk) = (&v[0], &v[1], &v[2]);
+        let [mk, s, sk] = <&[Q; 3]>::try_from(v).expect("three variables");
         let plain = |x: Q| Surd::new(mk, x, Q::from(0));
         let Some(torque) = (motor.torque)(mk, &plain(sk / s), &plain(s / sk)) else {
             return Q::from(1);

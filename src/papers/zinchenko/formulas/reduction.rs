@@ -10,6 +10,8 @@ use crate::reference::class_iii::{Masses, Reduced};
 use crate::reference::{Ball, ComplexBall, Mag};
 use rug::Rational;
 
+/// A crank speed at which powers of ω1 show.
+const FAST: i64 = 2;
 /// The row whose values are shown.
 const FIRST: u32 = ROWS[0];
 
@@ -209,14 +211,15 @@ fn same_energy(f: &Forms) -> Identity {
 fn energy(f: &Forms, sample: &Sample) -> Finding {
     let m = per_centimetre();
     let c = Comparison::new(sample, &some_crank());
-    let pivot = c.residuals(f.energy, inertia, 2, &m);
+    let pivot = c.residuals(f.energy, inertia, FAST, &m);
     // The same links by König: centre of mass, with I − m s².
     let steiner = masses(Rockers::Steiner, &some_crank());
     let positive = positive(&steiner);
     let centre = masses(Rockers::AboutCentre, &some_crank());
     let against = |masses: &Masses| -> Vec<Ball> {
-        let at =
-            |(i, p): (usize, &Position)| c.value(f.energy, i, 2, &m) - c.reduced(p, masses).inertia;
+        let at = |(i, p): (usize, &Position)| {
+            c.value(f.energy, i, FAST, &m) - c.reduced(p, masses).inertia
+        };
         sample.positions.iter().enumerate().map(at).collect()
     };
     let konig = against(&steiner);
@@ -261,11 +264,11 @@ fn reduced_inertia(f: &Forms, sample: &Sample) -> Finding {
     let (m, cm) = (per_centimetre(), Ball::integer(BITS, 1));
     let paper = Comparison::new(sample, &Rational::new());
     let with_crank = Comparison::new(sample, &some_crank());
-    let crankless = paper.residuals(f.inertia, inertia, 2, &m);
-    let lost = with_crank.residuals(f.inertia, inertia, 2, &m);
+    let crankless = paper.residuals(f.inertia, inertia, FAST, &m);
+    let lost = with_crank.residuals(f.inertia, inertia, FAST, &m);
     let centimetres = paper.residuals(f.inertia, inertia, 1, &cm);
     let corrected = |s: &Speeds, b: &Loads| (f.inertia)(s, b) + &b.i[0];
-    let right = with_crank.residuals(corrected, inertia, 2, &m);
+    let right = with_crank.residuals(corrected, inertia, FAST, &m);
     // What is lost is I_1, nothing else.
     let crank = Ball::rational(BITS, &some_crank());
     let exactly: Vec<Ball> = lost.iter().map(|r| r + &crank).collect();
@@ -337,9 +340,10 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
     let m = per_centimetre();
     let c = Comparison::new(sample, &Rational::new());
     let unit_speed = c.residuals(f.derivative, derivative, 1, &m);
-    let printed = c.residuals(f.derivative, derivative, 2, &m);
+    let printed = c.residuals(f.derivative, derivative, FAST, &m);
+    let fourfold = c.residuals(f.derivative, |r| derivative(r).shift(2), FAST, &m);
     let divided = |s: &Speeds, b: &Loads| &(f.derivative)(s, b) / &s.omega1.square();
-    let corrected = c.residuals(divided, derivative, 2, &m);
+    let corrected = c.residuals(divided, derivative, FAST, &m);
     let mean = mean_value(sample);
     let consistent = mean.as_ref().map_or(Outcome::Undecided, consistent);
     let mut figures = vec![
@@ -351,7 +355,7 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
         ),
         decimals(
             "the same as printed, omega_1 = 2",
-            &c.value(f.derivative, 0, 2, &m),
+            &c.value(f.derivative, 0, FAST, &m),
             9,
             "kg m^2/rad",
         ),
@@ -379,6 +383,7 @@ fn inertia_derivative(f: &Forms, sample: &Sample) -> Finding {
         checks: vec![
             (Outcome::enclosed(&unit_speed), Outcome::Holds),
             (Outcome::enclosed(&printed), Outcome::Fails),
+            (Outcome::enclosed(&fourfold), Outcome::Holds),
             (Outcome::enclosed(&corrected), Outcome::Holds),
             (consistent, Outcome::Holds),
         ],
@@ -422,10 +427,10 @@ fn reduced_moment(f: &Forms, sample: &Sample) -> Finding {
     let (m, cm) = (per_centimetre(), Ball::integer(BITS, 1));
     let c = Comparison::new(sample, &Rational::new());
     let unit_speed = c.residuals(f.moment, moment, 1, &m);
-    let printed = c.residuals(f.moment, moment, 2, &m);
+    let printed = c.residuals(f.moment, moment, FAST, &m);
     let centimetres = c.residuals(f.moment, moment, 1, &cm);
     let divided = |s: &Speeds, b: &Loads| &(f.moment)(s, b) / &s.omega1 * per_centimetre();
-    let corrected = c.residuals(divided, moment, 2, &cm);
+    let corrected = c.residuals(divided, moment, FAST, &cm);
     Draft {
         id: "formula-7",
         place: "(7)",
@@ -436,8 +441,8 @@ fn reduced_moment(f: &Forms, sample: &Sample) -> Finding {
                does not matter at the paper's ω_1 = 1, and speeds in cm/s make the moment a hundred \
                times too large. With both factors it equals −dU/dφ_1 at every row tried.",
         figures: vec![
-            decimals(format!("M_o at row {FIRST} with both factors"), &c.value(divided, 0, 2, &cm), 6, "N m"),
-            decimals(format!("M_o at row {FIRST} with omega_1 = 2, metres"), &c.value(f.moment, 0, 2, &m), 6, "N m"),
+            decimals(format!("M_o at row {FIRST} with both factors"), &c.value(divided, 0, FAST, &cm), 6, "N m"),
+            decimals(format!("M_o at row {FIRST} with omega_1 = 2, metres"), &c.value(f.moment, 0, FAST, &m), 6, "N m"),
             decimals(
                 format!("M_o at row {FIRST} with omega_1 = 1, centimetres"),
                 &c.value(f.moment, 0, 1, &cm),

@@ -269,10 +269,11 @@ fn next(d: &Q, before: &Q, m: &Q) -> Q {
 /// more, not fewer.
 fn continued(f: &Forms) -> Identity {
     Grid::new(&[1, 1, 1]).vanishes(|v| {
-        let m = [v[0].clone(), v[1].clone(), next(&v[2], &v[0], &v[1])];
+        let [before, m, d] = <&[Q; 3]>::try_from(v).expect("three variables");
+        let m = [before.clone(), m.clone(), next(d, before, m)];
         let y = [0, 0, 0].map(Q::from);
         let h = Q::from(1);
-        (f.moments.0)(&Nodes { m, y, h }) - &v[2]
+        (f.moments.0)(&Nodes { m, y, h }) - d
     })
 }
 
@@ -395,6 +396,12 @@ mod tests {
                 assert_eq!(differ.outcome(), Outcome::Fails, "{i} {j}");
             }
         }
+    }
+
+    #[test]
+    fn the_fragment_is_half_of_what_is_due() {
+        let values = inline(&PRINTED).figures.into_iter().map(|f| f.value);
+        assert_eq!(values.skip(1).collect::<Vec<_>>(), ["6", "3"]);
     }
 
     #[test]

@@ -106,10 +106,15 @@ impl Problem {
         r
     }
 
+    /// (19) for i = 1 … n − 1, then (20) from the paper's `m_n = U_n`.
+    fn sweep(&self, f: &Forms) -> Option<Vec<Q>> {
+        self.sweep_to(f, self.nodes() - 1)
+    }
+
     /// (19) for i = 1 … `last`, then (20). With `last = n` the last row of table 1 gives
     /// `m_n = η_{n+1}`; with n − 1 the paper's `m_n = U_n` starts the way back. `None` if an entry
     /// is asked for that (19) has not made.
-    fn sweep(&self, f: &Forms, last: usize) -> Option<Vec<Q>> {
+    fn sweep_to(&self, f: &Forms, last: usize) -> Option<Vec<Q>> {
         let n = self.y.len() - 1;
         let rows = self.rows(f);
         let mut factors = vec![None, Some((f.start)(&self.u0))];
@@ -147,8 +152,9 @@ fn all_zero(r: &[Q]) -> bool {
 fn canonical_identity(f: &Forms) -> Identity {
     let [a, b, c] = f.table[1].map(Q::from);
     Grid::new(&[1, 1, 1]).vanishes(|m| {
-        let m = [m[0].clone(), m[1].clone(), m[2].clone()];
-        (f.canonical)(&a, &b, &c, &m) - (&m[0] + &m[1] * 4 + &m[2])
+        let m = <&[Q; 3]>::try_from(m).expect("three variables");
+        let [before, here, after] = m;
+        (f.canonical)(&a, &b, &c, m) - (before + here * 4 + after)
     })
 }
 
@@ -158,7 +164,7 @@ fn canonical(f: &Forms) -> Finding {
     // y = x³ at x = 1, 2, 3 has m = 6, 12, 18 and d = 6 (1 − 2·8 + 27) = 72.
     let m = [6, 12, 18].map(Q::from);
     let [a, b, c] = f.table[1].map(Q::from);
-    let left = (f.canonical)(&a, &b, &c, &m);
+    let [left, right] = [f, &CORRECTED].map(|f| (f.canonical)(&a, &b, &c, &m));
     Draft {
         id: "formula-18",
         place: "(18)",
@@ -171,13 +177,14 @@ fn canonical(f: &Forms) -> Finding {
                scan alone does not tell whether the paper or its text layer has the wrong index.",
         figures: vec![
             figure("left side as printed, y = x^3", &left, "1"),
-            figure("right side d_i, y = x^3", 72, "1"),
-            figure("residual", &left - 72, "1"),
+            figure("right side d_i, y = x^3", &right, "1"),
+            figure("residual", &left - &right, "1"),
         ],
         checks: vec![
             (printed.outcome(), Outcome::Fails),
             (corrected.outcome(), Outcome::Holds),
             (Outcome::of(left == Q::from(48)), Outcome::Holds),
+            (Outcome::of(right == Q::from(72)), Outcome::Holds),
         ],
     }
     .finding()
@@ -190,7 +197,7 @@ fn last_row(f: &Forms) -> Finding {
     let with = |row: [i32; 3]| {
         let mut forms = CORRECTED;
         forms.table[2] = row;
-        problem.sweep(&forms, n).unwrap_or_default()
+        problem.sweep_to(&forms, n).unwrap_or_default()
     };
     let printed = with(f.table[2]);
     let corrected = with(CORRECTED.table[2]);
@@ -199,7 +206,7 @@ fn last_row(f: &Forms) -> Finding {
     // Started with m_n = U_n the row is never read.
     let mut forms = CORRECTED;
     forms.table[2] = f.table[2];
-    let bypassed = problem.sweep(&forms, n - 1).is_some_and(|m| solves(&m));
+    let bypassed = problem.sweep(&forms).is_some_and(|m| solves(&m));
     // How fast the wrong end value fades: 10 at the end, less at each node before it.
     let changes = printed.iter().zip(&corrected).map(|(a, b)| (a - b).abs());
     let changes: Vec<Q> = changes.rev().take(3).collect();
@@ -210,7 +217,7 @@ fn last_row(f: &Forms) -> Finding {
     let fades = changes.len() == 3 && changes.windows(2).all(fading);
     let level = self::problem(3, 0);
     let harmless = level
-        .sweep(&forms, n)
+        .sweep_to(&forms, n)
         .is_some_and(|m| all_zero(&level.residuals(&m)));
     let shown = |m: &[Q], i: usize| m.get(i).map_or("undecided".into(), Q::to_string);
     Draft {
@@ -263,7 +270,7 @@ fn forward(f: &Forms) -> Finding {
         ..CORRECTED
     };
     let solved = problem
-        .sweep(&forms, problem.nodes() - 1)
+        .sweep(&forms)
         .is_some_and(|m| all_zero(&problem.residuals(&m)));
     Draft {
         id: "formula-19",
@@ -294,9 +301,7 @@ fn only_the_end(given: &Problem, residuals: &[Q]) -> bool {
 fn start(f: &Forms) -> Finding {
     let solve = |start, problem: &Problem| {
         let forms = Forms { start, ..CORRECTED };
-        problem
-            .sweep(&forms, problem.nodes() - 1)
-            .unwrap_or_default()
+        problem.sweep(&forms).unwrap_or_default()
     };
     let given = given();
     let printed = solve(f.start, &given);
@@ -355,7 +360,7 @@ fn backward(f: &Forms) -> Finding {
             table,
             ..CORRECTED
         };
-        let m = problem.sweep(&forms, n - 1)?;
+        let m = problem.sweep(&forms)?;
         Some(all_zero(&problem.residuals(&m)))
     };
     // As printed, i = n asks for m_{n+1}, and for λ_{n+1} and η_{n+1}, which (19) does not make.

@@ -1,7 +1,7 @@
 //! Laws judge planted functions.
 
 use super::*;
-use crate::methods::special::relatives::Dawson;
+use crate::solvers::faddeeva::dawson;
 use std::cell::Cell;
 use std::collections::BTreeSet;
 
@@ -33,13 +33,14 @@ fn batches_have_all_lengths_and_kinds_of_points() {
         .map(|k| {
             let length = Cell::new(0);
             let z = C::new(1.0 + f64::from(k) * f64::EPSILON, 0.5);
-            let refused = batch_agrees::<Dawson>(z, |points, _| {
+            let refused = batch_agrees(z, 40, dawson, |points, _| {
                 length.set(points.len());
                 let kinds = [
                     z,
                     -z,
+                    z.conj(),
                     C::new(z.im, z.re),
-                    C::new(z.re + 3.0 / 16.0, z.im - 3.0 / 32.0),
+                    C::new(z.re + 4.0 / 16.0, z.im - 4.0 / 32.0),
                     C::new(z.re * 0.5, z.im * 1.5),
                     z,
                 ];
@@ -51,4 +52,21 @@ fn batches_have_all_lengths_and_kinds_of_points() {
         })
         .collect();
     assert_eq!(lengths, (1..=40).collect());
+}
+
+#[test]
+fn a_batch_that_differs_or_refuses_breaks_the_law() {
+    for (by, done, due) in [
+        (1.0, true, 0.0),
+        (1.0, false, f64::INFINITY),
+        (1.0 + f64::EPSILON, true, f64::INFINITY),
+    ] {
+        let law = batch_agrees(C::new(1.0, 0.5), 40, dawson, |points, values| {
+            for (value, &z) in values.iter_mut().zip(points) {
+                *value = dawson(z) * by;
+            }
+            done
+        });
+        assert_eq!(law, Some(due), "{by} {done}");
+    }
 }
