@@ -222,31 +222,6 @@ pub struct Tally {
     pub worst: f64,
 }
 
-/// Shows all findings, and fails at the first that is not as recorded or if progress does not count its steps.
-#[cfg(test)]
-pub(super) fn all_as_recorded(audit: super::PaperAudit) -> PaperReport {
-    let steps = std::sync::Mutex::new(Vec::new());
-    let seen = |_: &str, done: u64, total: u64| steps.lock().unwrap().push((done, total));
-    let report = audit(&seen).unwrap();
-    let steps = steps.into_inner().unwrap();
-    let last = steps.len() as u64 - 1;
-    assert!(steps.into_iter().eq((0..=last).map(|done| (done, last))));
-    for f in &report.findings {
-        println!("{} [{:?}] {}\n  {}", f.id, f.verdict, f.title, f.text);
-        for g in &f.figures {
-            println!("    {}: {} {}", g.name, g.value, g.unit);
-        }
-    }
-    for t in &report.tallies {
-        println!("{t:?}");
-    }
-    for f in &report.findings {
-        assert!(f.as_recorded, "{}", f.id);
-    }
-    assert!(report.as_recorded());
-    report
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,7 +10,9 @@ fn in_every_form(key: &str) {
     let told = Mutex::new(Vec::new());
     let tell = |phase: &str, done, whole| told.lock().unwrap().push((phase == "done", done, whole));
     let paper = papers::find(key).unwrap()(&tell).unwrap();
-    assert!(paper.as_recorded(), "{key}");
+    let changed = paper.findings.iter().filter(|f| !f.as_recorded);
+    let changed: Vec<&str> = changed.map(|f| f.id).collect();
+    assert!(paper.as_recorded(), "{key}: {changed:?}");
     // From the first phase to the end, each told as it begins.
     let told = told.into_inner().unwrap();
     let last = told.len() as u64 - 1;

@@ -59,18 +59,3 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("done", 3, 3);
     Ok(PaperReport::new(citation(), findings).with_entries(entries, tallies))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_finding_is_as_recorded() {
-        crate::papers::report::all_as_recorded(report);
-    }
-
-    #[test]
-    fn every_entry_is_as_recorded() {
-        crate::papers::ledger::all_as_recorded(&ledger::items());
-    }
-}

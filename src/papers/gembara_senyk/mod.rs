@@ -76,13 +76,3 @@ fn of_the_ledger(ledger: &Ledger) -> Vec<Finding> {
     });
     out
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_entry_is_as_recorded() {
-        crate::papers::ledger::all_as_recorded(&ledger::items());
-    }
-}

@@ -260,18 +260,3 @@ impl Erratum {
         }
     }
 }
-/// Every entry comes out with the verdict on record; prints how long each takes.
-#[cfg(test)]
-pub(super) fn all_as_recorded(items: &[Item]) {
-    let mut wrong = Vec::new();
-    for item in items {
-        let start = std::time::Instant::now();
-        let e = decide(item);
-        println!("{:24} {:?} {:?}", e.id, e.verdict, start.elapsed());
-        if !e.as_recorded {
-            println!("{e:#?}");
-            wrong.push(e.id);
-        }
-    }
-    assert!(wrong.is_empty(), "{wrong:?}");
-}

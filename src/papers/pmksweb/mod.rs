@@ -48,18 +48,3 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     progress("done", 2, 2);
     Ok(PaperReport::new(citation(), findings))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_finding_is_as_recorded() {
-        crate::papers::report::all_as_recorded(report);
-    }
-
-    #[test]
-    fn every_entry_is_as_recorded() {
-        crate::papers::ledger::all_as_recorded(&ledger::items());
-    }
-}
