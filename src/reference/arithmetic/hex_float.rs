@@ -100,58 +100,48 @@ impl HexFloat {
             Digits::Few(few) => Rational::from(*few),
             Digits::Many(many) => Rational::from(many),
         };
-        let q = match u32::try_from(self.exponent.unsigned_abs()) {
-            Ok(k) if self.exponent >= 0 => digits << k,
-            Ok(k) => digits >> k,
-            Err(_) => unreachable!("the exponent and the length are limited"),
-        };
+        let k = i32::try_from(self.exponent).expect("the exponent and the length are limited");
+        let q = digits << k;
         if self.negative { -q } else { q }
     }
 
     /// The nearest `f64`, ties to even; the sign of a zero is kept.
     pub fn to_f64(&self) -> f64 {
-        const EXACT: u64 = 1 << 53;
-        // What is at most 53 bits long and not below the subnormal numbers is not rounded.
         let size = match &self.digits {
-            Digits::Few(few) if *few <= EXACT && self.exponent >= -1074 => {
-                exact(*few, self.exponent)
+            Digits::Few(few) => nearest(*few, self.exponent),
+            Digits::Many(many) => {
+                // As many bits as fit, the last of them set where more are behind: no tie is one
+                // that was none.
+                let cut = many.significant_bits() - u64::BITS;
+                let first = Integer::from(many >> cut);
+                let more = Integer::from(&first << cut) != *many;
+                let first = first.to_u64().expect("64 bits") | u64::from(more);
+                nearest(first, self.exponent + i64::from(cut))
             }
-            Digits::Few(few) => nearest(&Integer::from(*few), self.exponent),
-            Digits::Many(many) => nearest(many, self.exponent),
         };
         if self.negative { -size } else { size }
     }
 }
 
-/// The `f64` next to `n 2^e`, n ≥ 0.
-fn nearest(n: &Integer, e: i64) -> f64 {
-    let length = i64::from(n.significant_bits());
-    if length == 0 || length + e < -1074 {
-        return 0.0;
-    }
-    if length + e > 1024 {
-        return f64::INFINITY;
-    }
-    // The place of the last bit kept.
-    let last = (length + e - 53).max(-1074);
-    let drop = last - e;
-    let mut kept = match drop {
-        // At most 53 bits: exact.
-        ..=0 => return exact(n.to_u64().unwrap_or(0), e),
-        _ => Integer::from(n >> drop as u32).to_u64().unwrap_or(0),
-    };
-    let half = n.get_bit(drop as u32 - 1);
-    let below = n.find_one(0).is_some_and(|k| i64::from(k) < drop - 1);
-    if half && (below || kept & 1 == 1) {
-        kept += 1;
-    }
-    exact(kept, last)
+/// The `f64` next to `n 2^e`, ties to even.
+fn nearest(n: u64, e: i64) -> f64 {
+    let length = i64::from(u64::BITS - n.leading_zeros());
+    // Bits behind the last one kept: of 53, or of the subnormal numbers'. Of 65 nothing is left.
+    let drop = (length - 53).max(-1074 - e).clamp(0, 65);
+    let halves = u128::from(n) << 1;
+    let kept = halves >> drop >> 1;
+    let (rest, half) = (halves - (kept << 1 << drop), 1 << drop);
+    let up = rest > half || rest == half && kept & 1 == 1;
+    exact(kept as u64 + u64::from(up), e + drop)
 }
+
+/// From here on numbers of at most 53 bits are zero or infinite.
+const FAR: i64 = 1200;
 
 /// `n 2^e` for n up to 2^53 with a result that is an `f64` or beyond the largest.
 fn exact(n: u64, e: i64) -> f64 {
     let power = |k: i64| f64::from_bits(((k + 1023) as u64) << 52);
-    let e = e.clamp(-1200, 1200);
+    let e = e.clamp(-FAR, FAR);
     let (a, b) = (e / 2, e - e / 2);
     // The larger of the halves first: no rounding on the way.
     n as f64 * power(a) * power(b)
