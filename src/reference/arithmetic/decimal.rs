@@ -76,10 +76,6 @@ impl<'a> Written<'a> {
     }
 }
 
-fn power_of_ten(exponent: i32) -> Rational {
-    Rational::from(10).pow(exponent)
-}
-
 impl Decimal {
     /// Reads a decimal such as `-110.0421`, `75` or `1.5e-3`, exactly.
     ///
@@ -109,11 +105,16 @@ impl Decimal {
         if written.negative {
             n = -n;
         }
-        let exponent = exponent - written.fraction.len() as i32;
+        let shift = written.fraction.len() as i32 - exponent;
+        let ten = Integer::from(10).pow(shift.unsigned_abs());
+        let value = match shift {
+            0.. => Rational::from((n, ten)),
+            _ => Rational::from(n * ten),
+        };
         Ok(Decimal {
-            value: power_of_ten(exponent) * n,
-            places: (-exponent).max(0) as u32,
-            exponent,
+            value,
+            places: shift.max(0) as u32,
+            exponent: -shift,
         })
     }
 
@@ -139,7 +140,11 @@ impl Decimal {
 
     /// One unit in the last written digit.
     pub fn unit(&self) -> Rational {
-        power_of_ten(self.exponent)
+        let ten = Rational::from(Integer::from(10).pow(self.exponent.unsigned_abs()));
+        match self.exponent {
+            0.. => ten,
+            _ => ten.recip(),
+        }
     }
 
     /// `(written − value)` in units of the last written digit; correctly rounded is at most a half.

@@ -125,26 +125,33 @@ impl HexFloat {
 
 /// The `f64` next to `n 2^e`, ties to even.
 fn nearest(n: u64, e: i64) -> f64 {
+    // Not rounded to the subnormal numbers' places: as integers are.
+    if e >= LEAST {
+        return exact(n as f64, e);
+    }
     let length = i64::from(u64::BITS - n.leading_zeros());
     // Bits behind the last one kept: of 53, or of the subnormal numbers'. Of 65 nothing is left.
-    let drop = (length - 53).max(-1074 - e).clamp(0, 65);
+    let drop = (length - 53).max(LEAST - e).min(65);
     let halves = u128::from(n) << 1;
     let kept = halves >> drop >> 1;
     let (rest, half) = (halves - (kept << 1 << drop), 1 << drop);
     let up = rest > half || rest == half && kept & 1 == 1;
-    exact(kept as u64 + u64::from(up), e + drop)
+    exact((kept as u64 + u64::from(up)) as f64, e + drop)
 }
 
-/// From here on numbers of at most 53 bits are zero or infinite.
+/// Of two, of the smallest subnormal number.
+const LEAST: i64 = -1074;
+
+/// From here on numbers of at most 64 bits are zero or infinite.
 const FAR: i64 = 1200;
 
-/// `n 2^e` for n up to 2^53 with a result that is an `f64` or beyond the largest.
-fn exact(n: u64, e: i64) -> f64 {
+/// `n 2^e` for n up to 2^64 with a result that is an `f64` or beyond the largest.
+fn exact(n: f64, e: i64) -> f64 {
     let power = |k: i64| f64::from_bits(((k + 1023) as u64) << 52);
     let e = e.clamp(-FAR, FAR);
     let (a, b) = (e / 2, e - e / 2);
     // The larger of the halves first: no rounding on the way.
-    n as f64 * power(a) * power(b)
+    n * power(a) * power(b)
 }
 
 #[cfg(test)]
@@ -213,6 +220,16 @@ mod tests {
             ("0x5000000000000000p-1135", f64::from_bits(2)),
             ("0x7000000000000000p-1135", f64::from_bits(4)),
             ("0x50000000000000000001p-1151", f64::from_bits(3)),
+            // Around half of the smallest subnormal, by all bits of an integer.
+            ("0xffffffffffffffffp-1139", 0.0),
+            ("0xffffffffffffffffp-1138", f64::from_bits(1)),
+            ("0x8000000000000001p-1138", f64::from_bits(1)),
+            ("0x8000000000000000p-1138", 0.0),
+            ("0xffffffffffffffffp-1140", 0.0),
+            ("0x80000000000000000001p-1154", f64::from_bits(1)),
+            ("0x80000000000000000000p-1154", 0.0),
+            ("0x1fffffffffffffp-1075", 2f64.powi(-1022)),
+            ("0x3p-1074", f64::from_bits(3)),
             // Three quarters of a unit.
             ("0x1.0000000000000cp0", 1.0f64.next_up()),
             ("0x1.00000000000004p0", 1.0),

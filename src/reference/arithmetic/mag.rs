@@ -27,12 +27,6 @@ fn pow2(k: i64) -> f64 {
 /// From a distance of 54 binary places on, a number is less than half a unit of another.
 const FAR: i64 = 60;
 
-/// `m 2^-d` as a summand of a number of `[1, 2)`, which what is far below it does not change before it is rounded.
-#[inline]
-fn beside(m: f64, d: i64) -> f64 {
-    m * pow2(-d.min(FAR))
-}
-
 /// A limb, whatever its size here.
 fn wide(limb: impl Into<u64>) -> u64 {
     limb.into()
@@ -175,8 +169,13 @@ impl Mag {
         } else {
             (other, self)
         };
-        let sum = big.m + beside(small.m, big.e - small.e);
-        Mag::normal(sum.next_up(), big.e)
+        let d = big.e - small.e;
+        let m = if d > FAR {
+            big.m.next_up()
+        } else {
+            (big.m + small.m * pow2(-d)).next_up()
+        };
+        Mag::normal(m, big.e)
     }
 
     /// An upper bound on `self · other`; zero times anything finite is zero.
@@ -221,7 +220,12 @@ impl Mag {
         if !self.is_finite() {
             return self;
         }
-        let m = (self.m - beside(upper.m, self.e - upper.e)).next_down();
+        let d = self.e - upper.e;
+        let m = if d > FAR {
+            self.m.next_down()
+        } else {
+            (self.m - upper.m * pow2(-d)).next_down()
+        };
         // Positive still: the two differ by 2⁻⁵³ at least, without rounding where they are near.
         Mag::normal(m, self.e)
     }
@@ -238,7 +242,7 @@ impl Mag {
         if other.is_zero() {
             return self;
         }
-        let small = beside(other.m, self.e - other.e);
+        let small = other.m * pow2(-(self.e - other.e).min(FAR));
         let sum = self.m + small;
         // What was rounded off, exactly.
         let rest = small - (sum - self.m);
