@@ -130,8 +130,8 @@ fn nearest(n: u64, e: i64) -> f64 {
         return exact(n as f64, e);
     }
     let length = i64::from(u64::BITS - n.leading_zeros());
-    // Bits behind the last one kept: of 53, or of the subnormal numbers'. Of 65 nothing is left.
-    let drop = (length - 53).max(LEAST - e).min(65);
+    // Bits behind the last one kept: of 53, or of the subnormal numbers'.
+    let drop = (length - 53).max(LEAST - e).min(ALL);
     let halves = u128::from(n) << 1;
     let kept = halves >> drop >> 1;
     let (rest, half) = (halves - (kept << 1 << drop), 1 << drop);
@@ -141,6 +141,9 @@ fn nearest(n: u64, e: i64) -> f64 {
 
 /// Of two, of the smallest subnormal number.
 const LEAST: i64 = -1074;
+
+/// Less than half is left of 64 bits without so many of them.
+const ALL: i64 = 65;
 
 /// From here on numbers of at most 64 bits are zero or infinite.
 const FAR: i64 = 1200;
@@ -230,6 +233,11 @@ mod tests {
             ("0x80000000000000000000p-1154", 0.0),
             ("0x1fffffffffffffp-1075", 2f64.powi(-1022)),
             ("0x3p-1074", f64::from_bits(3)),
+            // 64 bits below 2^-1074 whose sum is a normal number: a little less than a tie.
+            (
+                "0x8000000000000bffp-1080",
+                1.0f64.next_up() * 2f64.powi(-1017),
+            ),
             // Three quarters of a unit.
             ("0x1.0000000000000cp0", 1.0f64.next_up()),
             ("0x1.00000000000004p0", 1.0),

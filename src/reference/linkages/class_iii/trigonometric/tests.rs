@@ -228,7 +228,7 @@ fn slope_and_curvature() {
     assert!(most > 0.2 * bound, "{most} {bound}");
 }
 
-/// Intervals are halved half as often as there are bits; zeros at `1 ± 2^(−k/4)` are told apart up to a k.
+/// Zeros at `1 ± 2^(−k/4)` are told apart up to a k that grows with the bits.
 #[test]
 fn how_near_zeros_may_be() {
     let last = [32, 48, 64].map(|bits| {
