@@ -15,6 +15,9 @@ use rug::{Float, Rational};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+/// Holds a double, an integer of the machine, and more than a bound: any number of 53 bits or more rounds alike to one.
+const BITS: u32 = 64;
+
 /// A real number known to lie in `[mid − rad, mid + rad]`.
 #[derive(Clone, Debug)]
 pub struct Ball {
@@ -55,7 +58,7 @@ impl Ball {
 
     /// An exact integer (at least 64 bits are kept, so it is exact).
     pub fn integer(prec: u32, n: i64) -> Ball {
-        Ball::new(Float::with_val(prec.max(64), n), Mag::ZERO)
+        Ball::new(Float::with_val(prec.max(BITS), n), Mag::ZERO)
     }
 
     /// An exact `f64`. NaN and infinities give the whole line.
@@ -118,7 +121,7 @@ impl Ball {
             );
             return (low.sub_below(self.rad), high.add(self.rad));
         }
-        let p = self.prec().max(64);
+        let p = self.prec().max(BITS);
         let difference = Float::with_val_round(p, x - &self.mid, Round::Nearest);
         let difference = Ball::rounded(difference, self.rad);
         (difference.mignitude(), difference.magnitude())
@@ -127,6 +130,8 @@ impl Ball {
     /// Bounds on `|x − mid|` in units of `2^e`, of which `|mid|` holds 2¹²⁷ or more, where x holds a
     /// whole number of them: a tenth of the time of a difference in MPFR, which judgements consist of.
     fn mid_from(&self, x: f64) -> Option<([u128; 2], i64)> {
+        /// Bits of the integers beyond those of a double.
+        const SPARE: i64 = u128::BITS as i64 - f64::MANTISSA_DIGITS as i64;
         let e = i64::from(self.mid.get_exp()?) - 128;
         let significand = self.mid.get_significand()?;
         let (mid, rest) = match (significand.as_limbs(), LIMB_BITS) {
@@ -143,8 +148,8 @@ impl Ball {
         let bits = x.to_bits();
         let m = u128::from(bits << 12 >> 12 | 1 << 52);
         let shift = (bits << 1 >> 53) as i64 - 1075 - e;
-        // At most 128 bits, none lost.
-        let x = (0..=75).contains(&shift).then(|| m << shift)?;
+        // No bit is lost.
+        let x = (0..=SPARE).contains(&shift).then(|| m << shift)?;
         // What is cut off of mid is less than a unit.
         let d = mid.abs_diff(x);
         let rest = u128::from(rest);
@@ -158,16 +163,12 @@ impl Ball {
 
     /// A lower bound on the absolute value; zero if the ball contains zero.
     pub fn mignitude(&self) -> Mag {
-        if self.is_finite() {
-            Mag::below(&self.mid).sub_below(self.rad)
-        } else {
-            Mag::ZERO
-        }
+        Mag::below(&self.mid).sub_below(self.rad)
     }
 
     /// Whether zero may be the value.
     pub fn contains_zero(&self) -> bool {
-        !self.is_finite() || !self.is_off_zero()
+        !self.is_off_zero()
     }
 
     /// Certainly greater than zero.
@@ -182,15 +183,8 @@ impl Ball {
 
     /// Whether `|mid| > rad`.
     fn is_off_zero(&self) -> bool {
-        if !self.is_finite() || self.mid.is_zero() {
-            return false;
-        }
-        // The magnitudes' bounds are a unit apart at most; between them only `rad` lies.
-        match Mag::below(&self.mid).partial_cmp(&self.rad) {
-            Some(Ordering::Less) => false,
-            Some(Ordering::Equal) => Mag::above(&self.mid) > self.rad,
-            _ => true,
-        }
+        // A bound has 53 bits: |mid| rounded up to as many is above it where |mid| is, and only there.
+        Mag::above(&self.mid) > self.rad
     }
 
     /// Certainly zero.
@@ -215,9 +209,8 @@ impl Ball {
     /// The smallest ball at `prec` bits that holds `[lo, hi]`.
     pub fn between(prec: u32, lo: &Float, hi: &Float) -> Ball {
         let mid = Float::with_val(prec, lo + hi) >> 1u32;
-        let wide = prec.max(lo.prec()).max(hi.prec()) + 64;
-        let up = Float::with_val_round(wide, hi - &mid, Round::Up).0;
-        let down = Float::with_val_round(wide, &mid - lo, Round::Up).0;
+        let up = Float::with_val_round(BITS, hi - &mid, Round::Up).0;
+        let down = Float::with_val_round(BITS, &mid - lo, Round::Up).0;
         let rad = Mag::above(&up).max(Mag::above(&down));
         Ball::new(mid, rad)
     }
@@ -300,8 +293,7 @@ impl Ball {
     /// `min(r, 2)`.
     pub fn sin_cos(&self) -> (Ball, Ball) {
         let p = self.prec();
-        let two = Mag::from_f64(2.0);
-        let propagated = if self.rad < two { self.rad } else { two };
+        let propagated = self.rad.min(Mag::from_f64(2.0));
         let (mut sine, mut cosine) = (self.mid.clone(), Float::new(p));
         let (s, c) = sine.sin_cos_round(&mut cosine, Round::Nearest);
         (
@@ -319,12 +311,6 @@ impl Ball {
         let p = self.prec().max(x.prec());
         let rho = self.rad.mul(self.rad).add(x.rad.mul(x.rad)).sqrt();
         let mid = Float::with_val_round(p, self.mid.atan2_ref(&x.mid), Round::Nearest);
-        if rho.is_zero() {
-            if self.mid.is_zero() && x.mid.is_zero() {
-                return Ball::new(mid.0, Mag::INFINITY);
-            }
-            return Ball::rounded(mid, Mag::ZERO);
-        }
         // |z| ≥ max(|x|, |y|) is enough for a bound.
         let away = Mag::below(&self.mid).max(Mag::below(&x.mid));
         if !(rho < away) {

@@ -89,6 +89,23 @@ fn a_ball_that_only_touches_zero_has_no_sign() {
     assert!(Ball::integer(120, 0).contains_zero());
 }
 
+/// A box whose corner may be the origin has no angle, the next smaller one has.
+#[test]
+fn angles_end_where_the_box_reaches_the_origin() {
+    let one = Mag::from_f64(1.0);
+    let sizes = (0..9).map(|k| Mag::from_f64(1.0 - f64::from(k) * f64::EPSILON / 2.0));
+    let mut reaching = 0;
+    for rad in sizes {
+        let rho = rad.mul(rad).sqrt();
+        let y = Ball::integer(P, 0).widened(rad);
+        let angle = y.atan2(&Ball::integer(P, 1));
+        assert_eq!(angle.is_finite(), rho < one, "{rad:?}");
+        reaching += u32::from(rho == one);
+    }
+    assert!(reaching > 0);
+    assert!(!Ball::integer(P, 0).atan2(&Ball::integer(P, 0)).is_finite());
+}
+
 /// Against differences in MPFR that lose nothing.
 #[test]
 fn distances_are_exact_and_hold_the_radius() {

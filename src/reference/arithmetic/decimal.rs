@@ -2,6 +2,7 @@
 
 use super::ball::Ball;
 use super::mag::Mag;
+use rug::float::{Round, prec_min};
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 
@@ -33,6 +34,9 @@ pub enum DecimalError {
     },
 }
 
+/// Precision of what is rounded up to a bound.
+const BITS: u32 = 64;
+
 /// Largest size of an exponent that is read exactly.
 const LARGEST_EXPONENT: u32 = 100_000;
 
@@ -55,10 +59,10 @@ impl<'a> Written<'a> {
         let size = unsigned(mantissa);
         let (whole, fraction) = size.split_once('.').unwrap_or((size, ""));
         let power = unsigned(exponent);
+        // That there are any digits is left to the conversions.
         let good = digits(whole)
             && digits(fraction)
             && digits(power)
-            && whole.len() + fraction.len() > 0
             && (mantissa.len() == t.len() || !power.is_empty());
         match good {
             true => Ok(Written {
@@ -103,10 +107,9 @@ impl Decimal {
         }
         let shift = written.fraction.len() as i32 - exponent;
         let ten = Integer::from(10).pow(shift.unsigned_abs());
-        let value = if shift >= 0 {
-            Rational::from((n, ten))
-        } else {
-            Rational::from(n * ten)
+        let value = match shift {
+            0.. => Rational::from((n, ten)),
+            _ => Rational::from(n * ten),
         };
         Ok(Decimal {
             value,
@@ -138,7 +141,10 @@ impl Decimal {
     /// One unit in the last written digit.
     pub fn unit(&self) -> Rational {
         let ten = Rational::from(Integer::from(10).pow(self.exponent.unsigned_abs()));
-        if self.exponent < 0 { ten.recip() } else { ten }
+        match self.exponent {
+            0.. => ten,
+            _ => ten.recip(),
+        }
     }
 
     /// `(written − value)` in units of the last written digit; correctly rounded is at most a half.
@@ -157,11 +163,8 @@ impl Ball {
         if self.is_zero() {
             return Some("0".into());
         }
-        if !self.is_finite() || self.mid().is_zero() {
-            return None;
-        }
         // One hundredth of a unit in the last digit, bounded below by powers of two:
-        // |x| ≥ 2^(e-1), and a digit's unit is at least |x| 10^-digits.
+        // |x| ≥ 2^(e-1), and a digit's unit is at least |x| 10^-digits. Zero has no exponent.
         let e = i64::from(self.mid().get_exp()?) - 1;
         let unit_bits = (digits as f64 + 2.0) * std::f64::consts::LOG2_10;
         if self.rad() > Mag::power_of_two(e - unit_bits.ceil() as i64) {
@@ -169,7 +172,7 @@ impl Ball {
         }
         let text = self
             .mid()
-            .to_string_radix_round(10, Some(digits), rug::float::Round::Nearest);
+            .to_string_radix_round(10, Some(digits), Round::Nearest);
         Some(plain(&text))
     }
 
@@ -194,20 +197,16 @@ impl Ball {
             false => plain(&self.mid().to_string_radix_round(
                 10,
                 Some(digits.max(1)),
-                rug::float::Round::Nearest,
+                Round::Nearest,
             )),
         };
         let off = match self.mid().get_exp() {
-            // Too long to be written out: half a unit of the last digit, at most 10^(1-digits) |x| / 2.
-            Some(e) if e.unsigned_abs() > 1 << 16 => {
-                let power =
-                    Float::with_val(4 * digits.max(16) as u32, 10).pow(digits.max(1) as u32 - 1);
-                Mag::above(self.mid()).shift(-1).div(Mag::below(&power))
-            }
+            // Too long to be written out.
+            Some(e) if e.unsigned_abs() > 1 << 16 => half_a_unit(self.mid(), digits.max(1)),
             _ => {
                 let written = Decimal::parse(&text).ok()?.value;
                 let off = (written - self.mid().to_rational()?).abs();
-                Mag::above(&Float::with_val_round(64, &off, rug::float::Round::Up).0)
+                Mag::above(&Float::with_val_round(BITS, &off, Round::Up).0)
             }
         };
         let radius = self.rad().add(off);
@@ -215,18 +214,15 @@ impl Ball {
             true => "0".into(),
             false => radius
                 .to_float()
-                .to_string_radix_round(10, Some(3), rug::float::Round::Up),
+                .to_string_radix_round(10, Some(3), Round::Up),
         };
         Some((text, radius))
     }
 
     /// The number with `places` digits after the point, wrong by at most 0.51 units of the last.
     pub fn to_fixed(&self, places: u32) -> Option<String> {
-        if !self.is_finite() {
-            return None;
-        }
-        let ten = Float::with_val(64, 10).pow(places as i32 + 2);
-        if self.rad().mul(Mag::above(&ten)) > Mag::from_f64(1.0) {
+        let hundredths = exact(&Integer::from(10).pow(places + 2));
+        if self.rad().mul(Mag::above(&hundredths)) > Mag::from_f64(1.0) {
             return None;
         }
         let scaled = self.mid().to_rational()? * Integer::from(10).pow(places);
@@ -251,19 +247,20 @@ impl Ball {
 /// # Ok::<(), mechaudit_reference::DecimalError>(())
 /// ```
 pub fn nearest_f64(q: &Rational) -> f64 {
-    let rounded = Float::with_val(53, q);
-    // At least 2^-1022: a normal number, or beyond the largest.
-    if rounded.get_exp().is_some_and(|e| e >= -1021) {
-        return rounded.to_f64();
-    }
-    let scaled = Rational::from(q.abs_ref()) << 1074u32;
-    let (rest, mut steps) = scaled.fract_floor(Integer::new());
-    let halves = rest * 2u32;
-    if halves > 1 || (halves == 1 && steps.is_odd()) {
-        steps += 1;
-    }
-    // At most 2^52 steps: the bits of a subnormal, or of the smallest normal number.
-    f64::from_bits(steps.to_u64().unwrap_or(0)).copysign(rounded.to_f64())
+    let (mut x, way) = Float::with_val_round(53, q, Round::Nearest);
+    x.subnormalize_ieee_round(way, Round::Nearest);
+    x.to_f64()
+}
+
+/// An integer of any length as a float.
+pub(crate) fn exact(n: &Integer) -> Float {
+    Float::with_val(n.significant_bits().max(prec_min()), n)
+}
+
+/// Half a unit of the last of so many digits of x from above: `10^(1−digits) |x| / 2`.
+fn half_a_unit(x: &Float, digits: usize) -> Mag {
+    let power = exact(&Integer::from(10).pow(digits as u32 - 1));
+    Mag::above(x).shift(-1).div(Mag::below(&power))
 }
 
 /// `n / 10^places` written out.

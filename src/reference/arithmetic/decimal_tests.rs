@@ -30,6 +30,13 @@ fn rational_numbers_are_rounded_once() {
         let text = format!("{}.{:05}e-{}", 1 + k % 9, k * 37 % 100_000, 300 + k % 26);
         assert_eq!(tiny(&text), text.parse::<f64>().unwrap(), "{text}");
     }
+    for (text, due) in [
+        ("1e-400", 0.0f64),
+        ("-1e-400", -0.0),
+        ("-1e309", f64::NEG_INFINITY),
+    ] {
+        assert_eq!(tiny(text).to_bits(), due.to_bits(), "{text}");
+    }
     assert_eq!(tiny("1e309"), f64::INFINITY);
     assert_eq!(tiny("0.1"), 0.1);
 }
@@ -330,4 +337,43 @@ fn readings_bit_by_bit() {
         }
     });
     pin(&["53: cf80ec7f, 68 to 69 bits"], [line]);
+}
+
+/// A radius that is just a hundredth of a unit is allowed, and none above it.
+#[test]
+fn a_hundredth_of_a_unit_to_the_last_bit() {
+    let mut just = 0;
+    for places in 0..40 {
+        let hundredths: Float = Float::with_val(200, 10).pow(places + 2);
+        let near = Float::with_val(53, hundredths.recip_ref()).to_f64();
+        for k in -8..8 {
+            let rad = Mag::from_f64(near * (1.0 + f64::from(k) * f64::EPSILON));
+            let size = rad.mul(Mag::above(&hundredths));
+            let x = Ball::integer(64, 0).widened(rad);
+            let due = size <= Mag::from_f64(1.0);
+            assert_eq!(x.to_fixed(places as u32).is_some(), due, "{places} {k}");
+            just += u32::from(size == Mag::from_f64(1.0));
+        }
+    }
+    assert!(just > 0);
+}
+
+/// Half a unit of the last digit, from above, and not by more than its roundings.
+#[test]
+fn halves_of_units() {
+    let lines = [53, 200].map(|bits| {
+        Answers::line(bits, |all| {
+            let mut draw = Draw(u64::from(bits));
+            for digits in 1..50 {
+                let x = Ball::rational(bits, &draw.between(1, 2)).mid().clone();
+                let found = half_a_unit(&x, digits);
+                let power: Float = Float::with_val(400, 10).pow(digits as u32 - 1);
+                let due: Float = Float::with_val(400, &x / &power) / 2u32;
+                let found_float = Float::with_val(400, found.to_float());
+                assert!(found_float >= due && found_float <= due * (1.0 + 1e-15));
+                all.add(&found);
+            }
+        })
+    });
+    pin(&["53: cb8210d4", "200: 9accba5a"], lines);
 }

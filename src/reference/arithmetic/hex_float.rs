@@ -100,61 +100,61 @@ impl HexFloat {
             Digits::Few(few) => Rational::from(*few),
             Digits::Many(many) => Rational::from(many),
         };
-        let q = match u32::try_from(self.exponent.unsigned_abs()) {
-            Ok(k) if self.exponent >= 0 => digits << k,
-            Ok(k) => digits >> k,
-            Err(_) => unreachable!("the exponent and the length are limited"),
-        };
+        let k = i32::try_from(self.exponent).expect("the exponent and the length are limited");
+        let q = digits << k;
         if self.negative { -q } else { q }
     }
 
     /// The nearest `f64`, ties to even; the sign of a zero is kept.
     pub fn to_f64(&self) -> f64 {
-        const EXACT: u64 = 1 << 53;
-        // What is at most 53 bits long and not below the subnormal numbers is not rounded.
         let size = match &self.digits {
-            Digits::Few(few) if *few <= EXACT && self.exponent >= -1074 => {
-                exact(*few, self.exponent)
+            Digits::Few(few) => nearest(*few, self.exponent),
+            Digits::Many(many) => {
+                // As many bits as fit, the last of them set where more are behind: no tie is one
+                // that was none.
+                let cut = many.significant_bits() - u64::BITS;
+                let first = Integer::from(many >> cut);
+                let more = Integer::from(&first << cut) != *many;
+                let first = first.to_u64().expect("64 bits") | u64::from(more);
+                nearest(first, self.exponent + i64::from(cut))
             }
-            Digits::Few(few) => nearest(&Integer::from(*few), self.exponent),
-            Digits::Many(many) => nearest(many, self.exponent),
         };
         if self.negative { -size } else { size }
     }
 }
 
-/// The `f64` next to `n 2^e`, n ≥ 0.
-fn nearest(n: &Integer, e: i64) -> f64 {
-    let length = i64::from(n.significant_bits());
-    if length == 0 || length + e < -1074 {
-        return 0.0;
+/// The `f64` next to `n 2^e`, ties to even.
+fn nearest(n: u64, e: i64) -> f64 {
+    // Not rounded to the subnormal numbers' places: as integers are.
+    if e >= LEAST {
+        return exact(n as f64, e);
     }
-    if length + e > 1024 {
-        return f64::INFINITY;
-    }
-    // The place of the last bit kept.
-    let last = (length + e - 53).max(-1074);
-    let drop = last - e;
-    let mut kept = match drop {
-        // At most 53 bits: exact.
-        ..=0 => return exact(n.to_u64().unwrap_or(0), e),
-        _ => Integer::from(n >> drop as u32).to_u64().unwrap_or(0),
-    };
-    let half = n.get_bit(drop as u32 - 1);
-    let below = n.find_one(0).is_some_and(|k| i64::from(k) < drop - 1);
-    if half && (below || kept & 1 == 1) {
-        kept += 1;
-    }
-    exact(kept, last)
+    let length = i64::from(u64::BITS - n.leading_zeros());
+    // Bits behind the last one kept: of 53, or of the subnormal numbers'.
+    let drop = (length - 53).max(LEAST - e).min(ALL);
+    let halves = u128::from(n) << 1;
+    let kept = halves >> drop >> 1;
+    let (rest, half) = (halves - (kept << 1 << drop), 1 << drop);
+    let up = rest > half || rest == half && kept & 1 == 1;
+    exact((kept as u64 + u64::from(up)) as f64, e + drop)
 }
 
-/// `n 2^e` for n up to 2^53 with a result that is an `f64` or beyond the largest.
-fn exact(n: u64, e: i64) -> f64 {
+/// Of two, of the smallest subnormal number.
+const LEAST: i64 = -1074;
+
+/// Less than half is left of 64 bits without so many of them.
+const ALL: i64 = 65;
+
+/// From here on numbers of at most 64 bits are zero or infinite.
+const FAR: i64 = 1200;
+
+/// `n 2^e` for n up to 2^64 with a result that is an `f64` or beyond the largest.
+fn exact(n: f64, e: i64) -> f64 {
     let power = |k: i64| f64::from_bits(((k + 1023) as u64) << 52);
-    let e = e.clamp(-1200, 1200);
+    let e = e.clamp(-FAR, FAR);
     let (a, b) = (e / 2, e - e / 2);
     // The larger of the halves first: no rounding on the way.
-    n as f64 * power(a) * power(b)
+    n * power(a) * power(b)
 }
 
 #[cfg(test)]
@@ -223,6 +223,21 @@ mod tests {
             ("0x5000000000000000p-1135", f64::from_bits(2)),
             ("0x7000000000000000p-1135", f64::from_bits(4)),
             ("0x50000000000000000001p-1151", f64::from_bits(3)),
+            // Around half of the smallest subnormal, by all bits of an integer.
+            ("0xffffffffffffffffp-1139", 0.0),
+            ("0xffffffffffffffffp-1138", f64::from_bits(1)),
+            ("0x8000000000000001p-1138", f64::from_bits(1)),
+            ("0x8000000000000000p-1138", 0.0),
+            ("0xffffffffffffffffp-1140", 0.0),
+            ("0x80000000000000000001p-1154", f64::from_bits(1)),
+            ("0x80000000000000000000p-1154", 0.0),
+            ("0x1fffffffffffffp-1075", 2f64.powi(-1022)),
+            ("0x3p-1074", f64::from_bits(3)),
+            // 64 bits below 2^-1074 whose sum is a normal number: a little less than a tie.
+            (
+                "0x8000000000000bffp-1080",
+                1.0f64.next_up() * 2f64.powi(-1017),
+            ),
             // Three quarters of a unit.
             ("0x1.0000000000000cp0", 1.0f64.next_up()),
             ("0x1.00000000000004p0", 1.0),

@@ -24,6 +24,9 @@ fn pow2(k: i64) -> f64 {
     f64::from_bits(((k + 1023) as u64) << 52)
 }
 
+/// From a distance of 54 binary places on, a number is less than half a unit of another.
+const FAR: i64 = 60;
+
 /// A limb, whatever its size here.
 fn wide(limb: impl Into<u64>) -> u64 {
     limb.into()
@@ -99,6 +102,11 @@ impl Mag {
             let m = (last >> 11) + u64::from(up && cut);
             return Mag::normal(m as f64 * pow2(-52), i64::from(e) - 1);
         }
+        Mag::of_any_limbs(x, up)
+    }
+
+    /// Of a number that is not zero, infinite or NaN.
+    fn of_any_limbs(x: &Float, up: bool) -> Mag {
         let round = if up { Round::AwayZero } else { Round::Zero };
         let (m, e) = x.to_f64_exp_round(round);
         Mag::normal(m.abs(), i64::from(e))
@@ -162,7 +170,7 @@ impl Mag {
             (other, self)
         };
         let d = big.e - small.e;
-        let m = if d > 60 {
+        let m = if d > FAR {
             big.m.next_up()
         } else {
             (big.m + small.m * pow2(-d)).next_up()
@@ -213,7 +221,7 @@ impl Mag {
             return self;
         }
         let d = self.e - upper.e;
-        let m = if d > 60 {
+        let m = if d > FAR {
             self.m.next_down()
         } else {
             (self.m - upper.m * pow2(-d)).next_down()
@@ -228,19 +236,17 @@ impl Mag {
         if !self.is_finite() || !other.is_finite() {
             return Mag::ZERO;
         }
-        let (big, small) = match self >= other {
-            true => (self, other),
-            false => (other, self),
-        };
-        let d = big.e - small.e;
-        if small.is_zero() || d > 60 {
-            return big;
+        if self < other {
+            return other.add_below(self);
         }
-        let small = small.m * pow2(-d);
-        let sum = big.m + small;
+        if other.is_zero() {
+            return self;
+        }
+        let small = other.m * pow2(-(self.e - other.e).min(FAR));
+        let sum = self.m + small;
         // What was rounded off, exactly.
-        let rest = small - (sum - big.m);
-        Mag::normal(if rest < 0.0 { sum.next_down() } else { sum }, big.e)
+        let rest = small - (sum - self.m);
+        Mag::normal(if rest < 0.0 { sum.next_down() } else { sum }, self.e)
     }
 
     /// The largest number of 53 bits that is not above `self · other`, likewise.
@@ -286,20 +292,20 @@ impl Mag {
     pub fn to_f64(self) -> f64 {
         match self.exponent() {
             None => self.m,
-            Some(e) if e > 1023 => f64::INFINITY,
             Some(e) if e < -1022 => {
                 if e < -1074 {
                     return f64::from_bits(1);
                 }
                 (self.m * pow2(e + 200) * pow2(-200)).next_up()
             }
-            Some(e) => self.m * pow2(e),
+            // 2^1024 is infinite.
+            Some(e) => self.m * pow2(e.min(1024)),
         }
     }
 
     /// The exact value as a 53-bit float.
     pub fn to_float(self) -> Float {
-        let f = Float::with_val(53, self.m);
+        let f = Float::with_val(f64::MANTISSA_DIGITS, self.m);
         match self.exponent() {
             Some(e) => f << i32::try_from(e).unwrap_or(i32::MAX),
             None => f,

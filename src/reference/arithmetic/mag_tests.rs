@@ -112,6 +112,10 @@ fn the_ends_of_the_range() {
     assert_eq!(Mag::from_f64(f64::from_bits(1)).to_f64(), f64::from_bits(2));
     assert_eq!(Mag::from_f64(f64::MAX).to_f64(), f64::MAX);
     assert_eq!(Mag::power_of_two(5000).to_f64(), f64::INFINITY);
+    for k in [1024, 1025, 2047] {
+        assert_eq!(Mag::power_of_two(k).to_f64(), f64::INFINITY);
+    }
+    assert_eq!(Mag::power_of_two(1023).to_f64(), 2f64.powi(1023));
     assert_eq!(Mag::power_of_two(-5000).to_f64(), f64::from_bits(1));
     assert!(!Mag::from_f64(f64::NAN).is_finite());
     assert!(!Mag::ZERO.mul(Mag::INFINITY).is_finite());
@@ -153,4 +157,23 @@ fn differences_from_below_whatever_the_exponents() {
     assert!(!above.is_zero() && above.to_f64() <= f64::EPSILON / 2.0);
     let above = Mag::from_f64(1.0f64.next_up()).sub_below(one);
     assert!(!above.is_zero() && above.to_f64() <= f64::EPSILON);
+}
+
+/// Without a look at limbs the bounds are the same.
+#[test]
+fn bounds_do_not_depend_on_limbs() {
+    for bits in [2, 24, 53, 54, 64, 65, 200] {
+        let mut full = Float::with_val(bits, 2);
+        full.next_down();
+        for k in 1..30 {
+            let third: Float = Float::with_val(bits, k) / 3u32;
+            let (third, full): (Float, Float) = (third << (300 * k - 4500), full.clone() >> k);
+            for x in [third, full] {
+                for x in [-x.clone(), x] {
+                    assert_eq!(Mag::of_any_limbs(&x, true), Mag::above(&x), "{x}");
+                    assert_eq!(Mag::of_any_limbs(&x, false), Mag::below(&x), "{x}");
+                }
+            }
+        }
+    }
 }

@@ -70,7 +70,7 @@ impl Vector {
     }
 }
 
-/// Precision of what only has to be smaller than a half.
+/// Precision of what only has to be smaller than a half, or tells when the terms are small.
 const BITS: u32 = 64;
 
 /// Row i of `Y F` for a column F.
@@ -176,11 +176,10 @@ impl Mechanism {
             Vector([c.scaled(&self.crank), s.scaled(&self.crank)])
         };
         let series = self.series(&crank(order_max), at, order_max)?;
-        let order = series[0].len() - 1;
+        let [cx, cy, dx, dy] = series.map(TaylorModel::polynomial);
+        let order = cx.coefficients().len() - 1;
         let a = crank(order);
-        let model = |k: usize| TaylorModel::polynomial(series[k].clone());
-        let c = Vector([model(0), model(1)]);
-        let d = Vector([model(2), model(3)]);
+        let (c, d) = (Vector([cx, cy]), Vector([dx, dy]));
         let joints = [&at.c.re, &at.c.im, &at.d.re, &at.d.im];
         let known = joints.iter().fold(Mag::ZERO, |m, b| m.max(b.rad()));
         let r = self.contraction(&a, &c, &d, order, known)?;
@@ -254,14 +253,15 @@ impl Mechanism {
             vec![gc[0].clone(), gc[1].clone(), gd[0].clone(), gd[1].clone()],
         ];
         let inverse = invert(jacobian, bits)?;
-        let small = Float::with_val(64, 1) >> (bits + 2);
-        let scale = Float::with_val(64, self.length[0].mid());
+        let small = Float::with_val(BITS, 1) >> (bits + 2);
+        let scale = Float::with_val(BITS, self.length[0].mid());
         let mut quiet = 0;
         for j in 1..=order_max {
             let rhs: [Float; 4] = std::array::from_fn(|e| {
                 let mut sum = zero();
                 for i in 0..2 {
-                    sum -= convolution(&p[e][i], &p[e][i], j, 1, j - 1, bits);
+                    // The coefficients so far: without those of z's own coefficient j.
+                    sum -= convolution(&p[e][i], &p[e][i], j, 0, j, bits);
                 }
                 sum >>= 1u32;
                 if e == 3 {
@@ -271,16 +271,13 @@ impl Mechanism {
                 }
                 sum
             });
-            let mut largest = Float::new(64);
+            let mut largest = Float::new(BITS);
             for (row, z) in inverse.iter().zip(&mut z) {
                 let mut x = zero();
                 for (y, r) in row.iter().zip(&rhs) {
                     x += y * r;
                 }
-                let size = Float::with_val(64, x.abs_ref());
-                if size > largest {
-                    largest = size;
-                }
+                largest.max_mut(&Float::with_val(BITS, x.abs_ref()));
                 z.push(x);
             }
             push(
@@ -288,7 +285,7 @@ impl Mechanism {
                 link([&z[0][j], &z[1][j], &z[2][j], &z[3][j]], false),
                 j,
             );
-            quiet = if largest < Float::with_val(64, &scale * &small) {
+            quiet = if largest < Float::with_val(BITS, &scale * &small) {
                 quiet + 1
             } else {
                 0
@@ -317,9 +314,6 @@ impl Mechanism {
         let jacobian = self.jacobian(&links);
         let first = |t: &TaylorModel| t.coefficients()[0].to_f64();
         let y = Matrix4::from_fn(|i, j| first(&jacobian[i][j])).try_inverse()?;
-        if !y.iter().all(|x| x.is_finite()) {
-            return None;
-        }
         let size = (0..4).fold(Mag::ZERO, |m, i| {
             m.max(combined(&y, i, |m| residual[m].clone(), self.bits).norm())
         });

@@ -317,3 +317,84 @@ fn the_radius_takes_in_the_centre() {
     let radius = s.mechanism.contraction(&s.pin, &s.c, &s.d, ORDER, known);
     assert!(radius.is_some_and(|r| r >= known));
 }
+
+/// A contraction by no more than a half is enough, and the next larger radius is refused.
+#[test]
+fn contractions_go_up_to_a_half() {
+    let s = setup((1, 50));
+    let jacobian = s.mechanism.jacobian(&s.mechanism.links(&s.pin, &s.c, &s.d));
+    let centre = |i: usize, k: usize| jacobian[i][k].coefficients()[0].to_f64();
+    let y = Matrix4::from_fn(centre).try_inverse().unwrap();
+    let (off, rows) = norms(&y, &jacobian);
+    let change = s.mechanism.lipschitz().shift(2);
+    let q = |bits: u64| off.add(rows.mul(change).mul(Mag::from_f64(f64::from_bits(bits))));
+    let half = Mag::from_f64(0.5);
+    let (mut low, mut high) = (1e-9f64.to_bits(), 1f64.to_bits());
+    while high - low > 1 {
+        let mid = low + (high - low) / 2;
+        if q(mid) <= half {
+            low = mid;
+        } else {
+            high = mid;
+        }
+    }
+    let proved = |bits: u64| {
+        let known = Mag::from_f64(f64::from_bits(bits));
+        let r = s.mechanism.contraction(&s.pin, &s.c, &s.d, ORDER, known);
+        r.is_some()
+    };
+    assert!(proved(low) && !proved(high));
+}
+
+/// 2 of the equations of two joints, or s², with the widths of κ and 1 − κ.
+#[test]
+fn changes_of_the_jacobian_count_what_is_not_known() {
+    let mut mechanism = Mechanism::new(&geometry(), &masses("9.81"), BITS);
+    let part = |mid: f64, rad: f64| Ball::exact(BITS, mid).widened(Mag::from_f64(rad));
+    mechanism.one_minus_kappa = ComplexBall::new(part(0.0, 0.0), part(0.0, 0.0));
+    for (re, im, due) in [
+        (part(1.0, 0.0), part(-0.25, 0.0), 2.0),
+        (part(1.0, 0.5), part(-0.5, 0.0), 4.0),
+        (part(-1.0, 0.0), part(0.5, 0.5), 4.0),
+    ] {
+        mechanism.kappa = ComplexBall::new(re, im);
+        let found = mechanism.lipschitz().to_f64();
+        assert!((due..due * (1.0 + 1e-12)).contains(&found), "{found} {due}");
+    }
+}
+
+/// Three terms in a row have to be small: how many are taken for panels of any width.
+#[test]
+fn how_many_terms_are_taken() {
+    let s = setup((1, 50));
+    let phi = ExactAngle::Degrees(Rational::from(50)).to_ball(BITS);
+    let linkage = Linkage::new(&geometry(), BITS);
+    let at = linkage.modes(&phi).unwrap()[2].configuration.clone();
+    let terms = [1, 3, 9, 20, 31, 40, 57, 65, 83, 100, 140, 171, 200].map(|part| {
+        let disc = Ball::rational(BITS, &Rational::from((part, 1000)));
+        let (x, y) = TaylorModel::cos_sin(&phi, &disc, ORDER);
+        let pin = Vector([x.scaled(&s.mechanism.crank), y.scaled(&s.mechanism.crank)]);
+        let series = s.mechanism.series(&pin, &at, ORDER).unwrap();
+        series.each_ref().map(Vec::len)
+    });
+    assert!(terms.iter().all(|n| n.iter().all(|k| *k == n[0])));
+    let due = [18, 20, 23, 26, 29, 30, 33, 34, 36, 38, 42, 45, 47];
+    assert_eq!(terms.map(|n| n[0]), due);
+}
+
+/// Without a finite pivot that is not zero there is no inverse.
+#[test]
+fn matrices_without_an_inverse() {
+    let inverse = |rows: [[f64; 2]; 2]| {
+        let rows = rows.map(|row| row.map(|x| Float::with_val(BITS, x)).to_vec());
+        invert(rows.to_vec(), BITS)
+    };
+    let found = inverse([[0.0, 2.0], [4.0, 1.0]]).unwrap();
+    let found: Vec<f64> = found.iter().flatten().map(Float::to_f64).collect();
+    assert_eq!(found, [-0.125, 0.25, 0.5, 0.0]);
+    assert!(inverse([[1.0, 2.0], [2.0, 4.0]]).is_none());
+    assert!(inverse([[0.0, 2.0], [0.0, 4.0]]).is_none());
+    for bad in [f64::NAN, f64::INFINITY] {
+        assert!(inverse([[bad, 1.0], [1.0, 1.0]]).is_none());
+    }
+}

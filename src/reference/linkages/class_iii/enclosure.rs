@@ -26,6 +26,12 @@ pub struct Configuration {
     pub d: ComplexBall,
 }
 
+/// Precision of what only has to contract: the approximate inverse, boxes and arcs.
+const BITS: u32 = 64;
+
+/// Arcs are halved so often until there is no proof.
+const HALVINGS: u32 = 20;
+
 /// Coordinates (Cx, Cy, Dx, Dy).
 pub(super) type Point4 = [Float; 4];
 
@@ -48,9 +54,9 @@ fn boxed(z: &Point4, r: Mag, bits: u32) -> (ComplexBall, ComplexBall) {
 /// The largest upper bound of `|Y v|`, with each component.
 fn apply(y: &Matrix4<f64>, v: &[Ball; 4]) -> [Ball; 4] {
     std::array::from_fn(|i| {
-        let mut sum = Ball::integer(64, 0);
+        let mut sum = Ball::integer(BITS, 0);
         for (j, x) in v.iter().enumerate() {
-            sum = sum + &Ball::exact(64, y[(i, j)]) * x;
+            sum = sum + &Ball::exact(BITS, y[(i, j)]) * x;
         }
         sum
     })
@@ -85,7 +91,7 @@ impl Linkage {
         c: &ComplexBall,
         d: &ComplexBall,
     ) -> [[Ball; 4]; 4] {
-        let zero = || Ball::integer(64, 0);
+        let zero = || Ball::integer(BITS, 0);
         let (u, v, w) = (c - &self.o3, d - &self.o5, d - c);
         let arm = &self.joint_b(c, d) - a;
         // B = (1 − κ) C + κ D, so the gradient of ½|B − A|² is conj(1 − κ) arm, conj(κ) arm.
@@ -100,10 +106,10 @@ impl Linkage {
     }
 
     pub(super) fn approximate_inverse(&self, a: &ComplexBall, z: &Point4) -> Option<Matrix4<f64>> {
-        let (c, d) = boxed(z, Mag::ZERO, 64);
+        let (c, d) = boxed(z, Mag::ZERO, BITS);
         let j = self.jacobian(a, &c, &d);
         let m = Matrix4::from_fn(|i, k| j[i][k].mid().to_f64());
-        m.try_inverse().filter(|y| y.iter().all(|x| x.is_finite()))
+        m.try_inverse()
     }
 
     /// An upper bound on `‖I − Y F'(X)‖∞`.
@@ -119,9 +125,9 @@ impl Linkage {
         for i in 0..4 {
             let mut row = Mag::ZERO;
             for k in 0..4 {
-                let mut e = Ball::integer(64, i64::from(i == k));
+                let mut e = Ball::integer(BITS, i64::from(i == k));
                 for (m, jm) in j.iter().enumerate() {
-                    e = e - &Ball::exact(64, y[(i, m)]) * &jm[k];
+                    e = e - &Ball::exact(BITS, y[(i, m)]) * &jm[k];
                 }
                 row = row.add(e.magnitude());
             }
@@ -143,14 +149,11 @@ impl Linkage {
         let mut y = self.approximate_inverse(&a, &z)?;
         let mut last = Mag::INFINITY;
         // Each round gains some 40 bits or more; the count is only a guard.
-        for round in 0..40 + self.bits / 16 {
+        for round in 0..self.bits {
             let (c, d) = exact(&z);
             let step = apply(&y, &self.residual(&a, &c, &d));
             let size = largest(&step);
-            if !size.is_finite() {
-                return None;
-            }
-            // Settled: the step is rounding, and no longer shrinks.
+            // Settled: the step is rounding, or not finite, and no longer shrinks.
             if round > 1 && size >= last.shift(-1) {
                 break;
             }
@@ -170,7 +173,7 @@ impl Linkage {
             true => Mag::power_of_two(-i64::from(self.bits)),
             false => size.shift(2),
         };
-        let (bc, bd) = boxed(&z, r, 64);
+        let (bc, bd) = boxed(&z, r, BITS);
         let contraction = self.contraction(&y, &a, &bc, &bd);
         let reach = size.add(contraction.mul(r));
         if !(reach < r) {
@@ -211,7 +214,6 @@ impl Linkage {
         from: &Configuration,
         to: &Configuration,
     ) -> bool {
-        const BITS: u32 = 64;
         let a = self.pin(arc);
         let hull = |x: &Ball, y: &Ball| x.with_prec(BITS).union(&y.with_prec(BITS));
         let ends = [
@@ -259,11 +261,11 @@ impl Linkage {
         let mut guess = guess;
         loop {
             let mut next = phi_to.clone();
-            let mut tries = 0;
+            let mut left = HALVINGS;
             loop {
                 let e1 = ComplexBall::unit(&next);
                 let start = guess.take().unwrap_or_else(|| here.coordinates());
-                let arc = ComplexBall::unit(&at.with_prec(64).union(&next.with_prec(64)));
+                let arc = ComplexBall::unit(&at.with_prec(BITS).union(&next.with_prec(BITS)));
                 let found = self.enclose(&e1, &start);
                 if let Some(found) = found
                     && self.joined(&arc, &here, &found)
@@ -271,10 +273,7 @@ impl Linkage {
                     here = found;
                     break;
                 }
-                tries += 1;
-                if tries > 20 {
-                    return None;
-                }
+                left = left.checked_sub(1)?;
                 // Half the arc; any intermediate angle will do, so its midpoint is taken as exact.
                 let middle = (&at + &next).shift(-1);
                 next = Ball::new(middle.mid().clone(), Mag::ZERO);

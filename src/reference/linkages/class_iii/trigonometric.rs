@@ -58,6 +58,12 @@ fn changes_sign(a: &Ball, b: &Ball) -> Option<bool> {
     (told(a) && told(b)).then(|| a.is_positive() != b.is_positive())
 }
 
+/// Steps towards a zero, at most.
+const ROUNDS: u32 = 200;
+
+/// 2⁻⁵⁰: from so near the position itself goes on.
+const NEAR: f64 = 4.0 * f64::EPSILON;
+
 const ON_A_CUT: &str = "a zero of the resultant lies on a cut";
 
 impl Trigonometric {
@@ -168,7 +174,7 @@ impl Trigonometric {
         let (mut lo, mut hi) = (lo.clone(), hi.clone());
         let rising = self.value(&lo).0.is_negative();
         let mut x = Float::with_val(self.bits, &lo + &hi) >> 1u32;
-        for _ in 0..200 {
+        for _ in 0..ROUNDS {
             let (t, d) = self.value(&x);
             if t.mid().is_zero() {
                 return x;
@@ -183,9 +189,9 @@ impl Trigonometric {
             if !(next > lo && next < hi) {
                 next = Float::with_val(self.bits, &lo + &hi) >> 1u32;
             }
-            let moved = Mag::above(&Float::with_val(64, &next - &x));
+            let moved = Float::with_val(self.bits, &next - &x).to_f64();
             x = next;
-            if moved <= Mag::power_of_two(-50) {
+            if moved.abs() <= NEAR {
                 break;
             }
         }

@@ -61,7 +61,7 @@ use super::argument::Argument;
 use super::fixed;
 use super::gaussian::Gaussian;
 use super::pair::Member;
-use super::scaled::Scaled;
+use super::scaled::{REACH, Scaled};
 use crate::{Ball, Mag};
 use rug::Integer;
 use std::f64::consts::FRAC_PI_2;
@@ -88,18 +88,23 @@ pub(super) fn remainder(n: u64, log_r: f64) -> Remainder {
     }
 }
 
+/// Below |z|² = 8 no number of terms suffices for two bits.
+const LEAST: f64 = 3.0;
+
+/// What `log2 |z|²` may be off by.
+const SLACK: f64 = 1e-8;
+
+/// Precision of an exponent that is rounded to an integer.
+const BITS: u32 = 64;
+
 /// The number of terms that makes the remainder small enough for `prec` bits of each component,
 /// if there is one.
 pub(super) fn terms(log_r: f64, prec: u32) -> Option<u64> {
     let wanted = -f64::from(prec) - 0.5 * log_r - 3.0;
-    if log_r < 3.0 {
+    if log_r < LEAST {
         return None;
     }
-    let most = if log_r > 40.0 {
-        1 << 40
-    } else {
-        log_r.exp2() as u64
-    };
+    let most = log_r.exp2() as u64;
     let enough = |n: u64| remainder(n, log_r).turning <= wanted;
     if !enough(most) {
         return None;
@@ -123,7 +128,7 @@ pub(super) fn terms(log_r: f64, prec: u32) -> Option<u64> {
 /// w (or w − e^{−z²}, first quadrant only) by components; `None` where the series does not reach
 /// `prec` bits. `z.x` must not be negative.
 pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 2]> {
-    let log_r = z.norm_log2() - 1e-8;
+    let log_r = z.norm_log2() - SLACK;
     let n = terms(log_r, prec)?;
     let inner = prec + 24;
     let (x, y) = (z.x.ball(inner), z.y.ball(inner));
@@ -132,7 +137,7 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
     let norm = x.square() + h.square();
 
     // The series, per component divided by the small coordinate.
-    let log_c = (log_r.floor() as i64).clamp(0, 40) as u32;
+    let log_c = (log_r as u32).min(40);
     let (a, b) = (&x / &norm, &h / &norm);
     let (aa, bb) = (
         a.square().shift(log_c as i32),
@@ -173,7 +178,7 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
         Gaussian::absent(negligible(z), inner)
     } else {
         // Digits of the exponent and of the angle 2xy.
-        let wide = inner + (log_r.max(0.0) as u32) + 16;
+        let wide = inner + (log_r as u32) + 16;
         Gaussian::new(&z.x.ball(wide), &z.y.ball(wide).abs(), inner)
     };
     if z.y.is_zero() {
@@ -185,12 +190,12 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
         return Some([re, plain_scaled(im.widened(im_error))]);
     }
     let zero = Integer::new();
-    let by = if e.k > 0 { &e.k } else { &zero };
+    let by = (&e.k).max(&zero);
     let (ec, es) = e.relative_to(by);
     let down = Integer::from(-by);
     let scale = |b: &Ball| Scaled::shifted(b, &down);
     let (re, im) = (scale(&re), scale(&im));
-    let scale = |m: Mag| m.shift(down.to_i64().unwrap_or(-(1 << 29)).max(-(1 << 29)));
+    let scale = |m: Mag| m.shift(down.to_i64().unwrap_or(-REACH).max(-REACH));
     // |e^{−z²}| ≤ |c| + |s|, relative to 2^by.
     let gaussian = ec.magnitude().add(es.magnitude());
     let twice = z.norm.magnitude().shift(1).mul(gaussian);
@@ -216,7 +221,7 @@ pub(super) fn parts(z: &Argument, member: Member, prec: u32) -> Option<[Scaled; 
 
 /// An upper bound on `|e^{−z²}| = e^{y²−x²}`, by a power of two: `e^{−g} ≤ 2^{−1.44 g}`.
 fn negligible(z: &Argument) -> Mag {
-    let gap = z.x.ball(64).square() - z.y.ball(64).square();
+    let gap = z.x.ball(BITS).square() - z.y.ball(BITS).square();
     if !gap.is_positive() {
         return Mag::INFINITY;
     }

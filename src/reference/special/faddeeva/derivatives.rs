@@ -17,12 +17,17 @@ use super::ziv::{balls, cap, decide};
 use crate::{Ball, ComplexBall, Undecided};
 use rug::{Integer, Rational};
 
+/// Bits that the recurrence may lose at each order until a coefficient is undecided.
+const LOST: u32 = 64;
+
+/// Orders that count for the precision; the coefficients of more do not fit into memory.
+const MOST: usize = 1 << 20;
+
 /// `c_0 … c_n` in ball arithmetic of `prec` bits.
 fn coefficients(x: &Real, y: &Real, n: usize, prec: u32) -> Option<Vec<ComplexBall>> {
     let [re, im] = once(x.clone(), y.clone(), prec)?.map(|part| part.to_ball_or_tiny());
     let z = ComplexBall::new(x.ball(prec), y.ball(prec));
-    let mut c = Vec::with_capacity(n + 2);
-    c.push(ComplexBall::new(re, im));
+    let mut c = vec![ComplexBall::new(re, im)];
     let two = Ball::integer(prec, 2);
     let slope = &two / &Ball::pi(prec).sqrt();
     let product = (&z * &c[0]).scaled(&-two);
@@ -53,8 +58,9 @@ pub fn taylor(
 ) -> Result<Vec<ComplexBall>, Undecided> {
     let (x, y) = (Real::of(re), Real::of(im));
     let length = x.length().saturating_add(y.length());
-    let cap = cap(bits, length.saturating_add(64 * n.min(1 << 20) as u32));
-    let mut prec = bits + 32 + 2 * n.min(1 << 20) as u32;
+    let order = n.min(MOST) as u32;
+    let cap = cap(bits, length.saturating_add(LOST * order));
+    let mut prec = bits + 32 + 2 * order;
     loop {
         if let Some(c) = coefficients(&x, &y, n, prec) {
             let good = |c: &ComplexBall| {
@@ -91,7 +97,7 @@ pub fn w_derivative(
     }
     let (x, y) = (Real::of(re), Real::of(im));
     let length = x.length().saturating_add(y.length());
-    let factorial = Integer::from(Integer::factorial(n.min(u32::MAX as usize) as u32));
+    let factorial = Integer::from(Integer::factorial(u32::try_from(n).unwrap_or(u32::MAX)));
     let parts = decide("the derivative of w", bits, length, |prec| {
         let c = coefficients(&x, &y, n, prec)?.pop()?;
         let f = Ball::rational(prec, &Rational::from(&factorial));

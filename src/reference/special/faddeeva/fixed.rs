@@ -68,9 +68,10 @@ fn fixed(x: &Ball, bits: u32) -> Option<(Integer, f64)> {
 
 /// `|x| 2^-bits` from above.
 fn size(x: &Integer, bits: i64) -> f64 {
-    pow2((i64::from(x.significant_bits()) - bits).max(-1000))
+    pow2(i64::from(x.significant_bits()) - bits)
 }
 
+/// `2^k`; beyond the numbers infinite, below them the least one or the next one up.
 fn pow2(k: i64) -> f64 {
     Mag::power_of_two(k).to_f64()
 }
@@ -102,14 +103,13 @@ fn sum_checked(
     let v = Point::new(p, q2, [ep, eq])?;
 
     // Powers.
-    let m = ((n as f64 * 1.4).sqrt() as u64).clamp(1, n.max(1));
+    let m = (n as f64 * 1.4).sqrt() as u64;
     let one = Integer::from(1) << bits;
     let mut powers = vec![Pair {
         re: one.clone(),
         im: Integer::new(),
         errors: Errors::default(),
     }];
-    let mut largest = 0.0f64;
     for j in 0..m {
         let last = &powers[j as usize];
         let mut re = Integer::from(&pf * &last.re);
@@ -119,12 +119,15 @@ fn sum_checked(
         im >>= bits;
         im += &last.re;
         let errors = last.errors.next_power(&v, j);
+        // Stored powers are near the exact ones.
+        if !(errors.largest() < pow2(i64::from(bits) - 17)) {
+            return None;
+        }
         powers.push(Pair {
             re,
             im,
             errors: errors.least(&v),
         });
-        largest = largest.max(errors.largest());
     }
     let top = powers.pop()?;
     let q2s = Integer::from(&qf * &top.im) >> bits;
@@ -151,7 +154,7 @@ fn sum_checked(
         }
         // Terms start..end: their coefficients over the common denominator.
         let floor = (end - 1) / m * m;
-        let mut group = [(1u64, 1u64); GROUP];
+        let mut group: [(u64, u64); GROUP] = Default::default();
         let (mut len, mut denominator, mut largest_factor) = (0, 1u64, 1u64);
         while len < GROUP && end - len as u64 > floor {
             let k = end - 1 - len as u64;
@@ -167,7 +170,7 @@ fn sum_checked(
             if e.largest() > pow2(STEP) {
                 e = e.times(pow2(-STEP));
                 shift += STEP;
-                unit = pow2(-shift.min(1000));
+                unit = pow2(-shift);
             }
             e = e.plus(powers[(k % m) as usize].errors, &v, unit);
         }
@@ -193,10 +196,6 @@ fn sum_checked(
         end -= len as u64;
     }
     let e = e.least(&v);
-    // Stored powers are near the exact ones.
-    if !(largest < pow2((i64::from(bits) - 17).min(1000))) {
-        return None;
-    }
     let ball = |x: &Integer, error: f64| enclosed(x, bits, error, shift);
     Some((ball(&re, e.re), ball(&im, e.im)))
 }

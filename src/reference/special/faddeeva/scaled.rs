@@ -1,12 +1,16 @@
 //! A ball times a power of two beyond MPFR's exponents.
 
+use crate::arithmetic::decimal::exact;
 use crate::{Ball, Mag};
 use rug::float::Round;
 use rug::{Float, Integer};
 use std::ops::Neg;
 
 /// Powers of two up to this one are applied to a ball directly.
-const REACH: i64 = 1 << 29;
+pub(super) const REACH: i64 = 1 << 29;
+
+/// Bits beyond those of the ball.
+const GUARD: u32 = 16;
 
 /// `ball · 2^exponent`, for values such as `e^{−x²}` at x = 10^300, whose exponent no floating
 /// format holds.
@@ -43,13 +47,13 @@ impl Scaled {
         }
         // b 2^k = (b 2^k 10^-e) 10^e with e near k log10 2, the factor by logarithms.
         let size = self.exponent.significant_bits();
-        let prec = self.ball.prec() + size + 16;
+        let prec = self.ball.prec() + size + GUARD;
         let (ln2, ln10) = (Ball::integer(prec, 2).ln(), Ball::integer(prec, 10).ln());
-        let k = Ball::new(Float::with_val(size.max(64), &self.exponent), Mag::ZERO);
+        let k = Ball::new(exact(&self.exponent), Mag::ZERO);
         let e = (&(&k * &ln2) / &ln10).mid().to_integer()?;
-        let f = Ball::new(Float::with_val(e.significant_bits().max(64), &e), Mag::ZERO);
+        let f = Ball::new(exact(&e), Mag::ZERO);
         let rest = (&(&k * &ln2) - &(&f * &ln10)).exp();
-        let value = &self.ball * &rest.with_prec(self.ball.prec() + 16);
+        let value = &self.ball * &rest.with_prec(self.ball.prec() + GUARD);
         value.to_decimal(digits)?;
         let (minus, text, exponent) =
             value
@@ -91,7 +95,7 @@ impl Scaled {
         let zero = Float::new(b.prec());
         match k.to_i64() {
             Some(k) if k.abs() < REACH => b.shift(k as i32),
-            _ if *k < 0 && b.magnitude() <= Mag::from_f64(2.0) => {
+            _ if k.is_negative() && b.magnitude() <= Mag::from_f64(2.0) => {
                 Ball::new(zero, Mag::power_of_two(1 - REACH))
             }
             _ => Ball::new(zero, Mag::INFINITY),

@@ -106,6 +106,8 @@ fn decimals_of_any_size() {
     let rough = Ball::exact(80, 1.0).widened(Mag::from_f64(1e-8));
     let rough = Scaled::new(rough, Integer::from(1_000_000_000));
     assert!(rough.to_decimal(4).is_some() && rough.to_decimal(9).is_none());
+    let nothing = Ball::exact(80, 1.0).widened(Mag::INFINITY);
+    assert_eq!(Scaled::new(nothing, Integer::new()).to_decimal(1), None);
 }
 
 #[test]

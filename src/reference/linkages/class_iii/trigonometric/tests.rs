@@ -111,6 +111,18 @@ fn how_many_zeros_an_interval_can_hold() {
         let found = zeros_within(&t, &slope, curvature, Mag::from_f64(0.25));
         assert_eq!(found, due, "{t:?} {slope:?} {curvature:?}");
     }
+    // Bounds that are just met show nothing.
+    let (r, one, l) = (Mag::from_f64(0.25), Mag::from_f64(1.0), Mag::from_f64(8.0));
+    let reach = one.mul(r).add(l.mul(r).mul(r).shift(-1)).to_f64();
+    let bend = l.mul(r).to_f64();
+    for ((t, slope), due) in [
+        ((reach, 1.0), Zeros::Unknown),
+        ((reach.next_up(), 1.0), Zeros::None),
+        ((0.0, bend), Zeros::Unknown),
+        ((0.0, bend.next_up()), Zeros::AtMostOne),
+    ] {
+        assert_eq!(zeros_within(&ball(t, 0.0), &ball(slope, 0.0), l, r), due);
+    }
 }
 
 /// The larger side, to the last bit, and not below it.
@@ -174,6 +186,15 @@ fn a_gap_is_closed_by_the_slope() {
     let keeps = |gap: Ball| t.keeps_its_sign(&Float::new(64), &gap);
     assert!(keeps(ball(2.9, 0.0)) && keeps(ball(-2.9, 0.0)) && keeps(ball(2.0, 0.9)));
     assert!(!keeps(ball(3.1, 0.0)) && !keeps(ball(-3.1, 0.0)) && !keeps(ball(2.0, 1.1)));
+    // Just what T is from zero.
+    let gaps = (0..9).map(|k| 3.0 - f64::from(k) * f64::EPSILON);
+    let mut just = 0;
+    for gap in gaps {
+        let change = t.curvature.mul(Mag::from_f64(gap));
+        assert_eq!(keeps(ball(gap, 0.0)), change < Mag::from_f64(1.5), "{gap}");
+        just += u32::from(change == Mag::from_f64(1.5));
+    }
+    assert!(just > 0);
     let wide = Trigonometric::new(
         64,
         vec![
@@ -205,4 +226,19 @@ fn slope_and_curvature() {
         most = most.max(second.abs());
     }
     assert!(most > 0.2 * bound, "{most} {bound}");
+}
+
+/// Zeros at `1 ± 2^(−k/4)` are told apart up to a k that grows with the bits.
+#[test]
+fn how_near_zeros_may_be() {
+    let last = [32, 48, 64].map(|bits| {
+        let told = |k: &u32| {
+            let d = (-f64::from(*k) / 4.0).exp2();
+            with_zeros(&[(1.0, d), (0.3, 0.5), (2.0, 1.0)], bits)
+                .isolate()
+                .is_ok()
+        };
+        (8u32..).take_while(told).last()
+    });
+    assert_eq!(last, [13, 32, 44].map(Some));
 }
