@@ -314,6 +314,9 @@ impl Mechanism {
         let jacobian = self.jacobian(&links);
         let first = |t: &TaylorModel| t.coefficients()[0].to_f64();
         let y = Matrix4::from_fn(|i, j| first(&jacobian[i][j])).try_inverse()?;
+        if !y.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let size = (0..4).fold(Mag::ZERO, |m, i| {
             m.max(combined(&y, i, |m| residual[m].clone(), self.bits).norm())
         });

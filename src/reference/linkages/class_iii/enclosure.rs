@@ -109,7 +109,7 @@ impl Linkage {
         let (c, d) = boxed(z, Mag::ZERO, BITS);
         let j = self.jacobian(a, &c, &d);
         let m = Matrix4::from_fn(|i, k| j[i][k].mid().to_f64());
-        m.try_inverse()
+        m.try_inverse().filter(|y| y.iter().all(|x| x.is_finite()))
     }
 
     /// An upper bound on `‖I − Y F'(X)‖∞`.
