@@ -233,9 +233,8 @@ mod tests {
 
     /// Jumps of W times a function of Re z, on four segments.
     fn planted(factor: fn(f64) -> f64) -> Vec<Jump> {
-        let (name, plane) = (("planted", "", ""), Plane::Upper);
-        let name = (name.0.into(), name.1.into(), name.2.into());
-        let code = Code::other(name, plane, Parts::Both, |inputs| {
+        let name = ("planted".into(), String::new(), String::new());
+        let code = Code::other(name, Plane::Upper, Parts::Both, |inputs| {
             let w = |z: &Vec<f64>| {
                 let w = faddeeva(Complex::new(z[0], z[1])) * factor(z[0]);
                 SolverAnswer::Values(vec![w.re, w.im])

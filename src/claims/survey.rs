@@ -213,16 +213,10 @@ fn judged(
     let placed = Placed::new(method, regions.to_vec(), |_| true);
     let mut variant = Variant::new(&placed).limit(Limit::Relative(WHOLE));
     // All of them are of one kind.
-    if let [
-        Code {
-            parts: Parts::Real, ..
-        },
-        ..,
-    ] = codes
-    {
+    if codes.iter().any(|c| matches!(c.parts, Parts::Real)) {
         variant = variant.outputs(&["Re W"]).expect("an output of W");
     }
-    if let [Code { single: true, .. }, ..] = codes {
+    if codes.iter().any(|c| c.single) {
         variant = variant.format(Format::Single);
     }
     let cases = Cases::new(&variant, settings);

@@ -22,7 +22,7 @@ pub(in crate::papers::zinchenko) fn claim_0119(
         .to_decimal(8)
         .unwrap_or_else(|| "undecided".into());
     let e12 = errors[0];
-    let figures = vec![
+    let mut figures = vec![
         figure(
             format!("largest printed difference (row {})", printed_max.0),
             printed_max.1.clone(),
@@ -33,32 +33,14 @@ pub(in crate::papers::zinchenko) fn claim_0119(
             &value,
             "kg m^2",
         ),
-        figure(
-            "worst found between rows, S'_In",
-            format!("{:.5}", e12.slope),
-            "kg m^2",
-        ),
-        figure(
-            "worst found, I_n column",
-            format!("{:.4}", e12.inertia),
-            "kg m^2",
-        ),
-        figure(
-            "worst found, dI_n/dphi column",
-            format!("{:.4}", e12.derivative),
-            "kg m^2",
-        ),
-        figure(
-            "worst found, M_o column",
-            format!("{:.4}", e12.moment),
-            "N m",
-        ),
-        figure(
-            "worst found, S'_Mo column",
-            format!("{:.3}", e12.moment_slope),
-            "N m",
-        ),
     ];
+    figures.extend(figures! {
+        "worst found between rows, S'_In": "{:.5}", e12.slope => "kg m^2";
+        "worst found, I_n column": "{:.4}", e12.inertia => "kg m^2";
+        "worst found, dI_n/dphi column": "{:.4}", e12.derivative => "kg m^2";
+        "worst found, M_o column": "{:.4}", e12.moment => "N m";
+        "worst found, S'_Mo column": "{:.3}", e12.moment_slope => "N m";
+    });
     Finding {
         id: "claim-0.119",
         subject: Subject::Claim,
