@@ -57,17 +57,17 @@ fn reduced(machine: &Machine, loads: &Loads, start: &State, n: usize) -> f64 {
 #[divan::bench(args = [48, 1000, 100_000])]
 fn general_rows(bencher: Bencher, n: usize) {
     let (machine, start) = machine(SAND_SCREEN);
-    let loads = machine.loads.as_ref().expect("masses");
+    let loads = machine.loads_on(&start).expect("masses");
     bencher
         .counter(ItemsCount::new(n))
-        .bench(|| reduced(&machine, loads, &start, n));
+        .bench(|| reduced(&machine, &loads, &start, n));
 }
 
 /// Forces in the joints at one position.
 #[divan::bench]
 fn reactions(bencher: Bencher) {
     let (machine, start) = machine(SAND_SCREEN);
-    let loads = machine.loads.as_ref().expect("masses");
+    let loads = machine.loads_on(&start).expect("masses");
     let one = || {
         loads
             .reactions(&machine.solver, divan::black_box(&start), 1.0, 0.0)

@@ -9,7 +9,7 @@ use mechaudit::machine::{self, CamOscillator, Source};
 use mechaudit::reference::nearest_f64;
 use mechaudit::report::svg::linkage as drawn;
 use mechaudit::solvers::dyad::Assembly;
-use mechaudit::solvers::planar::State;
+use mechaudit::solvers::planar::{Loads, State};
 use mechaudit::solvers::run_up::{Equation, Hybrid, ReducedModel, Splined, run};
 use mechaudit::solvers::units::Angle;
 use numpy::ndarray::Array2;
@@ -72,9 +72,14 @@ fn drive(linkage: &planar::Machine, given: f64) -> f64 {
     }
 }
 
-fn planar_row(linkage: &planar::Machine, given: f64, number: usize, state: &State) -> Vec<f64> {
+fn planar_row(
+    linkage: &planar::Machine,
+    given: f64,
+    number: usize,
+    (loads, state): (Option<&Loads>, &State),
+) -> Vec<f64> {
     let mut row = vec![given, number as f64];
-    row.extend(planar::values(linkage, state, ALL));
+    row.extend(planar::values(linkage, loads, state, ALL));
     row
 }
 
@@ -172,7 +177,10 @@ impl Linkage {
             }
             machine::Linkage::Planar(l) => {
                 let modes = l.solver.assembly_modes(l.inner(drive(l, phi_deg)));
-                let row = |(k, state)| planar_row(l, phi_deg, k, state);
+                let row = |(k, state)| {
+                    let loads = l.loads_on(state);
+                    planar_row(l, phi_deg, k, (loads.as_ref(), state))
+                };
                 modes.states.iter().enumerate().map(row).collect()
             }
         };
@@ -279,7 +287,8 @@ impl Linkage {
                         continue;
                     };
                     here = l.solver.follow(&here, l.inner(at)).map_err(value_error)?;
-                    rows.push(planar_row(l, phi, chosen.mode, &here));
+                    let at = (chosen.loads.as_ref(), &here);
+                    rows.push(planar_row(l, phi, chosen.mode, at));
                 }
             }
         }

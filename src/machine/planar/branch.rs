@@ -1,7 +1,7 @@
 //! The choice of a branch, and how far the drive goes on it.
 
 use super::Machine;
-use crate::solvers::planar::{Modes, SingularKind, State};
+use crate::solvers::planar::{Loads, Modes, SingularKind, State};
 use std::f64::consts::TAU;
 
 /// Turns after which a branch is given up to close.
@@ -50,6 +50,8 @@ pub struct Branch {
     pub start: State,
     /// How far the drive goes.
     pub reach: Reach,
+    /// Masses and loads, if the file has them.
+    pub loads: Option<Loads>,
 }
 
 impl Branch {
@@ -240,7 +242,9 @@ pub fn choose(machine: &Machine, drive: f64, number: Option<usize>) -> Result<Br
     let modes = found.states.len();
     let start = found.states.into_iter().nth(mode).expect("a mode there is");
     let reach = reach(machine, &start);
+    let loads = machine.loads_on(&start);
     Ok(Branch {
+        loads,
         mode,
         modes,
         complete,

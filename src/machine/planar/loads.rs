@@ -1,13 +1,15 @@
 //! Masses and loads.
 
+use super::Machine;
 use super::bodies::Bodies;
 use super::file::File;
 use super::joints::drive_value;
 use crate::machine::quantity::{Dimension, Force, Quantity};
 use crate::machine::source::{Refusal, Source};
 use crate::reference::nearest_f64;
-use crate::solvers::planar::{BodyMass, Course, GROUND, Load, Loads, Mechanism};
+use crate::solvers::planar::{BodyMass, Course, GROUND, Load, Loads, Mechanism, State};
 use crate::solvers::units::{Inertia, Length, Mass, Torque};
+use std::f64::consts::{PI, TAU};
 use std::str::FromStr;
 
 /// A value or a table over the drive; `offset` is the angle of the driven body's line in its frame.
@@ -173,7 +175,7 @@ fn loads(
             let rule = format!("{place}: write it for each radian, for instance in N m/rad");
             return Err(source.breach(&place, rule));
         }
-        // Between the lines of the bodies, as angles are shown.
+        // From the angle between the bodies' lines to that between their frames; turns are those of the branch.
         let (b, f) = (body(&at, "body", &s.body)?, from(&at, &s.from)?);
         all.push(Load::TorsionSpring {
             body: b,
@@ -197,4 +199,52 @@ fn loads(
         });
     }
     Ok(all)
+}
+
+/// How near to −180 degrees a line counts as at 180: rounding must not wind a spring by a turn.
+const SEAM: f64 = 1e-9;
+
+impl Machine {
+    /// Whether there are masses or loads.
+    pub fn has_loads(&self) -> bool {
+        self.loads.is_some()
+    }
+
+    /// Masses and loads on the branch of a position, with the torsion springs' turns counted on it: the angle between
+    /// two bodies is the difference of their lines' angles, each in (−180°, 180°], where the branch passes the drive at
+    /// which it is to start (0° or the range's beginning if the file does not say) next to the position, or at its lower
+    /// end if it does not pass there.
+    pub fn loads_on(&self, position: &State) -> Option<Loads> {
+        let mut loads = self.loads.clone()?;
+        if loads.has_torsion_springs() {
+            let from = self.counted_from(position);
+            let turns = |body: usize| {
+                let line = self.line(&from, body);
+                ((line - PI - SEAM) / TAU).ceil() * TAU
+            };
+            loads.shift_torsion_springs(|body, from| turns(body) - turns(from));
+        }
+        Some(loads)
+    }
+
+    fn counted_from(&self, position: &State) -> State {
+        let here = self.outer(self.solver.drive_of(position));
+        let at = |drive: f64| {
+            let (state, error) = self.solver.follow_as_far(position, self.inner(drive));
+            (state, error.is_none())
+        };
+        let tried = match (self.rotary(), self.start.at) {
+            (true, at) => {
+                let at = at.unwrap_or(0.0).to_radians();
+                let near = at + ((here - at) / TAU).round() * TAU;
+                let other = if near > here { near - TAU } else { near + TAU };
+                [Some(near), Some(other)]
+            }
+            (false, at) => [at.or(self.window.map(|w| w[0])), None],
+        };
+        let low = self.window.map_or(here - TAU, |w| w[0]);
+        let passes = |drive: f64| Some(at(drive)).filter(|(_, reached)| *reached);
+        let passed = tried.into_iter().flatten().find_map(passes);
+        passed.unwrap_or_else(|| at(low)).0
+    }
 }

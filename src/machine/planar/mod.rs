@@ -29,8 +29,8 @@ pub struct Machine {
     pub name: Option<String>,
     /// Bodies, joints and drive.
     pub solver: Mechanism,
-    /// Where the file gives masses or loads.
-    pub loads: Option<Loads>,
+    /// Where the file gives masses or loads; [`Machine::loads_on`] counts a branch's turns.
+    loads: Option<Loads>,
     /// Names of all bodies, the ground first.
     pub bodies: Vec<String>,
     /// Names of the joints.

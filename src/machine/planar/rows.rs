@@ -1,7 +1,7 @@
 //! The columns of a mechanism's rows, and a row in floating point.
 
 use super::Machine;
-use crate::solvers::planar::{GroupKind, Joint, State, curvature};
+use crate::solvers::planar::{GroupKind, Joint, Loads, State, curvature};
 
 /// Which columns there are besides the bodies' angles.
 #[derive(Clone, Copy, Debug, Default)]
@@ -175,8 +175,14 @@ fn forces(machine: &Machine) -> Vec<(usize, usize, bool)> {
     all
 }
 
-/// The values of a row from the column after `branch` on. Forces that are not determined are NaN.
-pub fn values(machine: &Machine, state: &State, columns: Columns) -> Vec<f64> {
+/// The values of a row from the column after `branch` on, with the branch's loads. Forces that are not determined are
+/// NaN.
+pub fn values(
+    machine: &Machine,
+    loads: Option<&Loads>,
+    state: &State,
+    columns: Columns,
+) -> Vec<f64> {
     let solver = &machine.solver;
     let by = |first: f64, second: f64| match machine.speed {
         Some([w, e]) => [first * w, second * w * w + first * e],
@@ -196,7 +202,7 @@ pub fn values(machine: &Machine, state: &State, columns: Columns) -> Vec<f64> {
             all.extend(by(s.first_m, s.second_m));
         }
     }
-    if let Some(loads) = &machine.loads {
+    if let Some(loads) = loads {
         let r = loads.reduce(solver, state);
         all.extend([
             r.inertia,
@@ -219,7 +225,7 @@ pub fn values(machine: &Machine, state: &State, columns: Columns) -> Vec<f64> {
             all.push(curvature(&m));
         }
     }
-    if let (true, Some(loads)) = (columns.reactions, &machine.loads) {
+    if let (true, Some(loads)) = (columns.reactions, loads) {
         let [w, e] = machine.speed.unwrap_or_default();
         let found = loads.reactions(solver, state, w, e).ok();
         for (joint, body, moment) in forces(machine) {

@@ -34,7 +34,10 @@ fn row(machine: &Machine, degrees: i32, state: &State) -> (Vec<Option<f64>>, Vec
     let digits = digits
         .iter()
         .map(|d| d.as_ref().map(|d| d.parse().unwrap()));
-    (digits.collect(), values(machine, state, Columns::default()))
+    (
+        digits.collect(),
+        values(machine, None, state, Columns::default()),
+    )
 }
 
 fn assert_near(digits: &[Option<f64>], values: &[f64]) {
@@ -253,5 +256,127 @@ fn loads_work_along_the_motion() {
         let (_, [x, y]) = point("G");
         let inertia = 3.0 * (x * x + y * y) + 0.002 * turn("EG").powi(2);
         assert!((found.inertia - inertia).abs() < 1e-12);
+    }
+}
+
+/// The examples' mechanisms with a torsion spring between two bodies in place of their loads.
+fn sprung(text: &str, [body, from]: [&str; 2], free: f64) -> Machine {
+    let spring = format!(
+        "[[torsion_spring]]\nbody = \"{body}\"\nfrom = \"{from}\"\nstiffness = \"2 N m/rad\"\nangle = \"{free:?} rad\"\n"
+    );
+    let text = text.replacen("[drive]\n", &format!("{spring}[drive]\n"), 1);
+    Machine::read(&Source::toml(text)).unwrap()
+}
+
+/// A spring's moment for the turn of its bodies against each other: stiffness times the angle by which it is wound.
+fn wound(machine: &Machine, loads: &Loads, state: &State, [body, from]: [usize; 2]) -> f64 {
+    let turn = |b: usize| machine.solver.body_angle(state, b).first;
+    -loads.reduce(&machine.solver, state).moment / (2.0 * (turn(body) - turn(from)))
+}
+
+/// A spring that is free as rows show a mode is free there, whichever side of ±180° the lines lie on, and whole turns
+/// count from there on: wherever on the branch it is first seen, the spring is wound alike.
+#[test]
+fn torsion_springs_are_wound_from_the_start_of_their_branch() {
+    let text = include_str!("../../../examples/watt-1.toml");
+    let plain = Machine::read(&Source::toml(text)).unwrap();
+    let number = |name: &str| plain.bodies.iter().position(|b| b == name).unwrap();
+    let start = plain.inner(plain.start.at.unwrap().to_radians());
+    let modes = plain.solver.assembly_modes(start).states;
+    assert_eq!(modes.len(), 4);
+    let shown = |state: &State, body: usize| {
+        let line = plain.line(state, body);
+        line - TAU * (line / TAU).round()
+    };
+    let mut turned = 0;
+    for pair in [
+        ["coupler", "rocker"],
+        ["rocker", "coupler"],
+        ["EG", "FG"],
+        ["FG", "coupler"],
+        ["EG", "rocker"],
+    ] {
+        let [body, from] = pair.map(number);
+        for mode in &modes {
+            let free = shown(mode, body) - shown(mode, from) - 0.25;
+            let machine = sprung(text, pair, free);
+            let loads = machine.loads_on(mode).unwrap();
+            let at = wound(&machine, &loads, mode, [body, from]);
+            assert!((at - 0.25).abs() < 1e-12, "{pair:?} wound by {at}");
+            let as_read = machine.loads.as_ref().unwrap();
+            turned += usize::from((wound(&machine, as_read, mode, [body, from]) - at).abs() > 6.0);
+            // Seen first at another drive, within half a turn either way.
+            for away in [-170.0_f64, -90.0, 60.0, 170.0] {
+                let drive = start + away.to_radians();
+                let (there, error) = machine.solver.follow_as_far(mode, drive);
+                if error.is_some() {
+                    continue;
+                }
+                let due = wound(&machine, &loads, &there, [body, from]);
+                let same = |s: &State| {
+                    let apart = (1..machine.bodies.len()).map(|b| shown(s, b) - shown(&there, b));
+                    apart.fold(0.0, |m: f64, a| m.max((a - TAU * (a / TAU).round()).abs())) < 1e-9
+                };
+                let seen = machine.solver.assembly_modes(drive).states;
+                let seen = seen.iter().find(|s| same(s)).unwrap();
+                let loads = machine.loads_on(seen).unwrap();
+                let found = wound(&machine, &loads, seen, [body, from]);
+                assert!(
+                    (found - due).abs() < 1e-9,
+                    "{pair:?} {away}: {found}, due {due}"
+                );
+            }
+        }
+    }
+    assert!(turned > 0, "no mode has a line on the other side");
+}
+
+/// A crank that swings from 41.4° over 180° to 318.6°: the start may be met the long way round, or not at all.
+#[test]
+fn a_branch_with_ends_counts_turns_from_its_start_or_its_lower_end() {
+    let spring =
+        "[[torsion_spring]]\nbody = \"crank\"\nstiffness = \"2 N m/rad\"\nangle = \"0 deg\"\n";
+    for (start, drive, due) in [
+        // By the short way over the fold at 318.6° there is nothing: from 60° on to 300°, shown as −60°.
+        (300.0, 60.0, -300.0),
+        (300.0, -170.0, -170.0),
+        (60.0, 290.0, 290.0),
+        (60.0, -70.0, 290.0),
+        (180.0, 200.0, 200.0),
+        // A start at which the loop does not close.
+        (10.0, 60.0, 60.0),
+        (10.0, 200.0, 200.0),
+        (10.0, -160.0, 200.0),
+    ] {
+        let more = format!("{spring}[start]\nat = \"{start} deg\"\n");
+        let machine = four_bar(["2 m", "4 m", "2 m", "3 m"], &more);
+        for mode in &machine.solver.assembly_modes(f64::to_radians(drive)).states {
+            let loads = machine.loads_on(mode).unwrap();
+            let found = wound(&machine, &loads, mode, [1, 0]).to_degrees();
+            assert!(
+                (found - due).abs() < 1e-9,
+                "{start} {drive}: {found}, due {due}"
+            );
+        }
+    }
+    // By displacement from the range's beginning, or from where the file says.
+    let text = include_str!("../../../examples/cylinder-boom.toml");
+    let (text, _) = text.split_once("[[force]]").unwrap();
+    for (start, first) in [("", 0.9), ("[start]\nat = \"1 m\"\n", 1.0)] {
+        let text = format!("{text}{start}").replacen("9.81 m/s^2", "0 m/s^2", 1);
+        let plain = Machine::read(&Source::toml(&*text)).unwrap();
+        let solver = &plain.solver;
+        for start in solver.assembly_modes(first).states {
+            let end = solver.follow(&start, 1.4).unwrap();
+            for body in 1..plain.bodies.len() {
+                let line = |state: &State| plain.line(state, body);
+                let free = line(&start) - TAU * (line(&start) / TAU).round();
+                let machine = sprung(&text, [&plain.bodies[body], "ground"], free);
+                let loads = machine.loads_on(&end).unwrap();
+                let found = wound(&machine, &loads, &end, [body, 0]);
+                let due = line(&end) - line(&start);
+                assert!((found - due).abs() < 1e-9, "{found}, due {due}");
+            }
+        }
     }
 }

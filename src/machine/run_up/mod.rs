@@ -333,9 +333,12 @@ fn planar_model(
     source: &Source,
     machine: planar::Machine,
 ) -> Result<(Box<dyn ReducedModel>, f64), MachineError> {
-    let loads = machine.loads.clone().ok_or(MachineError::NoMasses)?;
+    if !machine.has_loads() {
+        return Err(MachineError::NoMasses);
+    }
     let phi = machine.start.at.unwrap_or(0.0).to_radians();
     let branch = planar::choose(&machine, phi, None)?;
+    let loads = branch.loads.ok_or(MachineError::NoMasses)?;
     let offset = machine.outer(0.0);
     let model = PlanarModel::new(machine.solver, loads, branch.start, offset);
     let model = model.map_err(|e| source.refuse("drive", e))?;

@@ -13,8 +13,9 @@ use mechaudit::report::cell::Cell;
 use mechaudit::report::columns::Columns as Shown;
 use mechaudit::report::rows::Rows;
 use mechaudit::report::svg::linkage as drawn;
-use mechaudit::solvers::planar::{BranchMap, State};
+use mechaudit::solvers::planar::{BranchMap, Loads, State};
 use rug::Rational;
+use std::collections::BTreeMap;
 
 /// The values of the drive: as shown (degrees or metres) and in radians or metres; angles in degrees exactly.
 struct Values(Vec<(f64, f64)>, Vec<Rational>);
@@ -57,7 +58,7 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         paths: args.paths,
         reactions: args.reactions,
     };
-    if args.reactions && (machine.loads.is_none() || machine.speed.is_none()) {
+    if args.reactions && (!machine.has_loads() || machine.speed.is_none()) {
         let text = "--reactions needs masses or loads, and drive.speed, in the file";
         return Err(Failure::new(text).about(args.file.display()));
     }
@@ -139,12 +140,13 @@ impl Asked<'_> {
         machine: &Machine,
         values: &Values,
         number: usize,
-        (branch, state): (usize, &State),
+        branch: usize,
+        (loads, state): (Option<&Loads>, &State),
     ) -> Vec<Cell> {
         match self.certifier {
             None => {
                 let mut cells = vec![Cell::Float(values.0[number].0), Cell::Count(branch)];
-                let row = planar::values(machine, state, self.columns);
+                let row = planar::values(machine, loads, state, self.columns);
                 cells.extend(row.into_iter().map(Cell::Float));
                 cells
             }
@@ -180,7 +182,13 @@ fn one_branch(
         };
         let next = machine.solver.follow(&here, machine.inner(at));
         here = next.map_err(Failure::caused)?;
-        let cells = asked.row(machine, values, done, (branch.mode, &here));
+        let cells = asked.row(
+            machine,
+            values,
+            done,
+            branch.mode,
+            (branch.loads.as_ref(), &here),
+        );
         undecided += undecided_in(&cells);
         rows.row(&cells)?;
         any = true;
@@ -212,9 +220,13 @@ fn all_branches(
         let about = facts::of_map(machine, &map);
         let mut rows = Rows::begin(out, shown::rows(args.format), shown, &about)?;
         let mut undecided = 0;
+        let mut loads = BTreeMap::new();
         for (number, samples) in map.rows.iter().enumerate() {
             for s in samples {
-                let cells = asked.row(machine, values, number, (s.branch, &s.state));
+                let on = loads
+                    .entry(s.branch)
+                    .or_insert_with(|| machine.loads_on(&s.state));
+                let cells = asked.row(machine, values, number, s.branch, (on.as_ref(), &s.state));
                 undecided += undecided_in(&cells);
                 rows.row(&cells)?;
             }

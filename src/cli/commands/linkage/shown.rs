@@ -257,7 +257,7 @@ pub fn planar(
     if let Some(Window { named, columns, .. }) = page {
         let rows = positions
             .iter()
-            .map(|(_, s)| planar::values(machine, s, columns));
+            .map(|(_, s)| planar::values(machine, branch.loads.as_ref(), s, columns));
         motion.courses = html::linkage::courses(named, &rows.collect::<Vec<_>>());
     }
     Ok(motion)

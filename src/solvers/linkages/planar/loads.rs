@@ -335,6 +335,25 @@ impl Loads {
         self.loads.iter().any(damper)
     }
 
+    /// Whether there are torsion springs.
+    pub fn has_torsion_springs(&self) -> bool {
+        let spring = |l: &Load| matches!(l, Load::TorsionSpring { .. });
+        self.loads.iter().any(spring)
+    }
+
+    /// Adds to the free angle of each torsion spring, in radians, by its body and the one that takes the reaction:
+    /// a branch's own count of whole turns.
+    pub fn shift_torsion_springs(&mut self, by: impl Fn(usize, usize) -> f64) {
+        for load in &mut self.loads {
+            if let Load::TorsionSpring {
+                body, from, angle, ..
+            } = load
+            {
+                *angle += by(*body, *from);
+            }
+        }
+    }
+
     /// The reduced quantities at a position.
     pub fn reduce(&self, mechanism: &Mechanism, state: &State) -> ReducedLoads {
         let mut sum = ReducedLoads::default();
