@@ -108,3 +108,128 @@ fn tables(motion: &Motion) -> Markup {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{Drive, Point};
+
+    #[test]
+    fn numbers_have_four_decimals_at_most_and_lines_a_full_stop() {
+        for (x, due) in [
+            (1.5, "1.5"),
+            (2.0, "2"),
+            (100.0, "100"),
+            (0.123_44, "0.1234"),
+            (-0.000_01, "0"),
+            (0.0, "0"),
+            (-30.25, "-30.25"),
+        ] {
+            assert_eq!(number(x), due);
+        }
+        assert_eq!(sentence("one body"), "One body.");
+        assert_eq!(sentence("φ1 turns"), "Φ1 turns.");
+        assert_eq!(sentence(""), ".");
+    }
+
+    #[test]
+    fn courses_are_the_columns_behind_drive_and_branch() {
+        let names = ["phi1_deg", "branch", "x_m", "omega_rad_per_s"].map(String::from);
+        let units = ["mm", "deg"].map(String::from);
+        let columns = Columns::of(names.to_vec(), &units, false).unwrap();
+        let courses = courses(&columns, &[vec![0.5, 0.0], vec![-2.0, 1.0]]);
+        let [x, omega] = &courses[..] else {
+            panic!("{courses:?}");
+        };
+        assert_eq!((&*x.name, &*x.unit), ("x", "mm"));
+        assert_eq!(x.variants, [(String::new(), vec![500.0, -2000.0])]);
+        assert_eq!((&*omega.name, &*omega.unit), ("omega", "°/s"));
+        assert_eq!(omega.variants[0].1, [0.0, 1f64.to_degrees()]);
+        assert!(x.printed.is_empty());
+    }
+
+    /// `n` positions, ten degrees apart, and courses of the squares of their numbers.
+    fn moving(n: usize, courses: usize) -> Motion {
+        let values = |f: fn(f64) -> f64| (0..n).map(|k| f(k as f64)).collect::<Vec<f64>>();
+        let course = |k: usize| {
+            let mut values = values(|x| x * x);
+            if k > 0 {
+                values[0] = f64::NAN;
+            }
+            Course {
+                name: format!("y{k}"),
+                unit: if k == 1 { "m".into() } else { String::new() },
+                variants: vec![(String::new(), values)],
+                printed: Vec::new(),
+            }
+        };
+        Motion {
+            name: "a crank".into(),
+            drive: Drive {
+                symbol: "φ1",
+                unit: "°",
+                values: values(|x| 10.0 * x),
+            },
+            closed: true,
+            start: 0,
+            points: vec![Point::fixed("O", [0.0, 0.0])],
+            links: Vec::new(),
+            plates: Vec::new(),
+            guides: Vec::new(),
+            wheels: Vec::new(),
+            courses: (0..courses).map(course).collect(),
+        }
+    }
+
+    /// What stands between these two, each time.
+    fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
+        let parts = text.split(before).skip(1);
+        parts.map(|p| p.split(after).next().unwrap()).collect()
+    }
+
+    #[test]
+    fn tables_have_25_positions_and_six_columns_at_most() {
+        for (n, rows) in [(25, 25), (26, 13), (50, 25), (51, 17)] {
+            let html = tables(&moving(n, 1)).into_string();
+            assert_eq!(html.matches("<td>").count(), rows, "{n}");
+        }
+        let html = tables(&moving(26, 7)).into_string();
+        let heads: Vec<Vec<&str>> = between(&html, "<thead>", "</thead>")
+            .into_iter()
+            .map(|h| between(h, "<th>", "</th>"))
+            .collect();
+        assert_eq!(
+            heads,
+            [
+                &["φ1, °", "y0", "y1, m", "y2", "y3", "y4", "y5"][..],
+                &["φ1, °", "y6"]
+            ]
+        );
+        let rows = between(&html, "<tr><th>", "</tr>");
+        // Two heads, and 13 lines of each table.
+        assert_eq!(rows.len(), 2 + 2 * 13);
+        let line = |k: usize| {
+            (
+                rows[k].split('<').next().unwrap(),
+                between(rows[k], "<td>", "</td>"),
+            )
+        };
+        assert_eq!(line(1), ("0", vec!["0", "–", "–", "–", "–", "–"]));
+        assert_eq!(line(3), ("40", vec!["16.00"; 6]));
+    }
+
+    #[test]
+    fn the_page_says_where_its_positions_lie() {
+        let text = page(&moving(51, 1), &["two bodies".into(), "it turns".into()]);
+        for part in [
+            "<title>a crank: linkage</title>",
+            "51 positions by the f64 solver, φ1 from 0 to 500 °. Arrow keys",
+            "<p>Two bodies.</p>",
+            "<p>It turns.</p>",
+            "at every 3",
+        ] {
+            assert!(text.contains(part), "{part} is missing");
+        }
+        super::super::page::tests::whole(&text);
+    }
+}

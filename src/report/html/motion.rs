@@ -24,7 +24,9 @@ impl View {
     fn of(motion: &Motion) -> View {
         let [x, y] = motion.extent();
         let size = [x[1] - x[0], y[1] - y[0]];
-        let scale = (WIDTH - 2.0 * MARGIN) / size[0].max(size[1]).max(f64::MIN_POSITIVE);
+        let larger = size[0].max(size[1]);
+        // What has no size has a place.
+        let scale = (WIDTH - 2.0 * MARGIN) / if larger > 0.0 { larger } else { 1.0 };
         let slack = 0.5 * (WIDTH - 2.0 * MARGIN - size[0] * scale);
         View {
             scale,
@@ -281,25 +283,5 @@ fn drawing(motion: &Motion) -> Markup {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_few_values_at_the_ends_do_not_dwarf_the_others() {
-        let shown = |bulk: f64, ends: [f64; 2]| {
-            let inner = (0..=80).map(|k| 10.0 + bulk * f64::from(k) / 80.0);
-            let values = inner.chain(ends).collect();
-            range(&Course {
-                name: "I".into(),
-                unit: String::new(),
-                variants: vec![(String::new(), values)],
-                printed: Vec::new(),
-            })
-        };
-        // The bulk, without two values at each end, and as much again on either side.
-        assert_eq!(shown(80.0, [-1e3, 1e3]), [11.0 - 78.0, 89.0 + 78.0]);
-        // Ends that are near stay, and so do those of what is otherwise constant.
-        assert_eq!(shown(80.0, [-100.0, 50.0]), [-100.0, 90.0]);
-        assert_eq!(shown(0.0, [-1e3, 1e3]), [-1e3, 1e3]);
-    }
-}
+#[path = "motion_tests.rs"]
+mod tests;

@@ -185,53 +185,5 @@ pub fn spectrum(spectrum: &Spectrum) -> Result<String, CannotDraw> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::panel::tests::{dots, texts};
-    use super::*;
-
-    /// Each law has a row of its own, as high as any, below the title.
-    #[test]
-    fn a_chart_has_a_row_for_each_law() {
-        let laws = ["cycloidal", "modified-sine", "3-4-5"];
-        for (period, axis) in [
-            (Period::Turn, "ξ, the turn as period"),
-            (Period::Rise, "ξ, the rise as period"),
-        ] {
-            let chart = Chart {
-                period,
-                rigid: [5.0; 3],
-                points: Vec::new(),
-            };
-            for n in 1..=laws.len() {
-                let all: Vec<(&str, &Chart)> = laws[..n].iter().map(|l| (*l, &chart)).collect();
-                let svg = super::chart("cam", "", &all).unwrap();
-                let size = format!("viewBox=\"0 0 1240 {}\"", 100 + 360 * n);
-                assert!(svg.contains(&size), "{size} is missing in {svg}");
-                let texts = texts(&svg);
-                assert_eq!(texts.iter().filter(|t| **t == axis).count(), 2 * n);
-                for law in &laws[..n] {
-                    assert!(texts.contains(&&*format!("{law}: displacement, lifts")));
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn harmonics_that_vanish_are_left_out() {
-        let of = |harmonics: &[(f64, f64)]| {
-            let spectrum = spectrum(&Spectrum {
-                name: "a",
-                law: "b",
-                harmonics: harmonics.to_vec(),
-                beyond: Vec::new(),
-            });
-            spectrum.unwrap()
-        };
-        let [first, tenth] = dots(&of(&[(1.0, 0.5), (2.0, 0.0), (10.0, 5e-4)]))[..] else {
-            panic!("two harmonics are there");
-        };
-        assert!(first.0 < tenth.0 && first.1 < tenth.1);
-        let none = of(&[(1.0, 0.0)]);
-        assert!(dots(&none).is_empty() && !none.contains("NaN"), "{none}");
-    }
-}
+#[path = "chirp_tests.rs"]
+mod tests;

@@ -166,47 +166,5 @@ fn pivot(view: &View, name: &str, at: Point) -> Markup {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::style::tests::whole;
-    use super::*;
-
-    #[test]
-    fn a_scene_is_drawn_with_every_text_escaped() {
-        let pose = |k: u32| {
-            let (sin, cos) = (f64::from(k) * 45.0).to_radians().sin_cos();
-            Pose {
-                drive: f64::from(k) * 45.0,
-                points: vec![[cos, sin]],
-                shapes: vec![
-                    Shape {
-                        corners: vec![[0.0, 0.0], [cos, sin]],
-                    },
-                    Shape {
-                        corners: vec![[0.0, 0.0], [cos, sin], [1.0, 1.0], [0.5, 0.6]],
-                    },
-                    Shape {
-                        corners: vec![[cos, sin]],
-                    },
-                ],
-            }
-        };
-        let scene = Scene {
-            name: "crank & more",
-            unit: "°",
-            fixed: &[("O".into(), [0.0, 0.0])],
-            points: &["A".into()],
-            poses: &(0..=8).map(pose).collect::<Vec<_>>(),
-            whole: true,
-        };
-        let text = scene.draw();
-        whole(&text);
-        for part in [
-            "<title>crank &amp; more</title>",
-            "drive at 0.000°, every eighth",
-            "paths of A<",
-        ] {
-            assert!(text.contains(part), "{part} is missing in {text}");
-        }
-        assert_eq!(text.matches("opacity=\"0.16\"").count(), 7);
-    }
-}
+#[path = "mechanism_tests.rs"]
+mod tests;

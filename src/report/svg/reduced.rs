@@ -60,7 +60,7 @@ pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> Result<String, 
 
 #[cfg(test)]
 mod tests {
-    use super::super::panel::tests::points;
+    use super::super::panel::tests::{curves, points, texts};
     use super::*;
 
     /// The middle nine tenths of a part of the turn are within the drawing, its ends without.
@@ -83,5 +83,63 @@ mod tests {
         let rows: Vec<(f64, Reduced)> = (0..20).map(row).collect();
         let drawn = |whole| points(&draw("a", &rows, whole).unwrap()).len();
         assert_eq!((drawn(false), drawn(true)), (18, 20));
+    }
+
+    fn rows(values: &[f64]) -> Vec<(f64, Reduced)> {
+        let row = |(k, v): (usize, &f64)| {
+            let reduced = Reduced {
+                inertia_kg_m2: *v,
+                inertia_derivative_kg_m2: 2.0 * v,
+                moment_n_m: -v,
+                moment_derivative_n_m: 0.0,
+            };
+            (k as f64, reduced)
+        };
+        values.iter().enumerate().map(row).collect()
+    }
+
+    /// A twentieth of the rows at each end is not asked for the range, and may lie in it all the same.
+    #[test]
+    fn the_range_is_that_of_the_middle() {
+        let slope = |n: u32| (0..n).map(f64::from).collect::<Vec<f64>>();
+        let counted = |values: &[f64], whole| {
+            let lines = curves(&draw("a", &rows(values), whole).unwrap());
+            lines.iter().map(Vec::len).collect::<Vec<_>>()
+        };
+        assert_eq!(counted(&slope(40), false), [36; 3]);
+        assert_eq!(counted(&slope(40), true), [40; 3]);
+        assert_eq!(counted(&slope(19), false), [19; 3]);
+        assert_eq!(counted(&slope(1), false), [1; 3]);
+        assert!(counted(&[], false).is_empty());
+        // A curve that comes back has a gap.
+        let mut inside = slope(40);
+        inside[39] = 20.0;
+        assert_eq!(counted(&inside, false), [36, 1, 36, 1, 36, 1]);
+        // What is beyond at both ends leaves the abscissa as long as it is.
+        let svg = draw("a", &rows(&slope(40)), false).unwrap();
+        let line = &curves(&svg)[0];
+        let at = |k: f64| 102.0 + k / 39.0 * (955.0 - 102.0);
+        assert!((line[0].0 - at(2.0)).abs() < 0.011 && (line[35].0 - at(37.0)).abs() < 0.011);
+    }
+
+    #[test]
+    fn only_the_lowest_panel_names_the_angle() {
+        for whole in [true, false] {
+            let svg = draw("a", &rows(&[1.0, 2.0, 3.0]), whole).unwrap();
+            let texts = texts(&svg);
+            for (text, n) in [
+                ("crank angle φ1, degrees", 1),
+                ("I_n, kg·m²", 1),
+                ("dI_n/dφ1, kg·m²/rad", 1),
+                ("M_o, N·m", 1),
+            ] {
+                assert_eq!(texts.iter().filter(|t| **t == text).count(), n, "{text}");
+            }
+            let noted = texts.iter().any(|t| t.contains("does not turn fully"));
+            assert_eq!(noted, !whole);
+            // Rising, twice as steep, falling.
+            let lines = curves(&svg);
+            assert!(lines[0][0].1 > lines[0][2].1 && lines[2][0].1 < lines[2][2].1);
+        }
     }
 }

@@ -143,12 +143,13 @@ fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
     let work = |p: &(f64, u64)| (p.1.max(1) as f64).log10();
     let bounds = |f: &dyn Fn(&(f64, u64)) -> f64| {
         let all = || methods.iter().flat_map(|m| &m.points).map(f);
-        (
-            all().fold(f64::INFINITY, f64::min).floor(),
-            all().fold(f64::NEG_INFINITY, f64::max).ceil(),
-        )
+        let low = all().fold(f64::INFINITY, f64::min).floor();
+        let high = all().fold(f64::NEG_INFINITY, f64::max).ceil();
+        (low, high.max(low + 1.0))
     };
     let ((x0, x1), (y0, y1)) = (bounds(&error), bounds(&work));
+    // No labels between powers of ten.
+    let labels = (x1 - x0 + 1.0).min(14.0) as usize;
     // Errors fall to the right.
     let mut chart = ChartBuilder::on(body)
         .margin(8)
@@ -159,7 +160,7 @@ fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
     let power = |x: f64| format!("1e{:.0}", -x);
     chart
         .configure_mesh()
-        .x_labels(14)
+        .x_labels(labels)
         .x_label_formatter(&|x| power(*x))
         .y_label_formatter(&|y| format!("{y:.0}"))
         .x_desc("worst error of the speed found, rad/s")
@@ -182,45 +183,5 @@ fn diagram(body: &Area, page: &mut Page, methods: &[Work]) -> Drawn {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::panel::tests::{dots, texts};
-    use super::*;
-
-    #[test]
-    fn few_samples_are_all_drawn_and_of_many_the_extremes() {
-        let sample = |k: usize| Sample {
-            t: (k / 4) as f64 + 0.1 + 1e-3 * (k % 4) as f64,
-            psi: (k % 4) as f64,
-            ..Sample::default()
-        };
-        let seen = |n: usize| {
-            let samples: Vec<Sample> = (0..n).map(sample).collect();
-            thinned(&samples, |s| s.psi, BINS as f64)
-        };
-        assert_eq!(seen(2 * BINS).len(), 2 * BINS);
-        let many = seen(2 * BINS + 4);
-        assert_eq!(many.len(), BINS + 2);
-        assert!(many.chunks(2).all(|p| [p[0].1, p[1].1] == [0.0, 3.0]));
-    }
-
-    /// A dot for each point, errors falling to the right, on axes of whole powers of ten.
-    #[test]
-    fn work_stands_over_precision() {
-        let work = |points: &[(f64, u64)]| Work {
-            method: "DOP853",
-            points: points.to_vec(),
-        };
-        let svg = work_precision("a", &[work(&[(1e-3, 10), (1e-15, 1000), (0.0, 0)])]).unwrap();
-        let [coarse, fine, exact] = dots(&svg)[..] else {
-            panic!("{svg}");
-        };
-        assert!(coarse.0 < fine.0 && coarse.1 > fine.1, "{svg}");
-        // No error at all stands at 1e-16, no work where one evaluation does.
-        let decades = [(fine.0 - coarse.0) / 12.0, (coarse.1 - fine.1) / 2.0];
-        assert!((exact.0 - fine.0 - decades[0]).abs() < 0.02, "{svg}");
-        assert!((exact.1 - coarse.1 - decades[1]).abs() < 0.02, "{svg}");
-        for power in 3..=16 {
-            assert!(texts(&svg).contains(&&*format!("1e-{power}")), "{power}");
-        }
-    }
-}
+#[path = "run_up_tests.rs"]
+mod tests;

@@ -27,7 +27,9 @@ impl View {
             })
         };
         let ([x0, x1], [y0, y1]) = (range(0), range(1));
-        let size = (x1 - x0).max(y1 - y0).max(f64::MIN_POSITIVE);
+        let size = (x1 - x0).max(y1 - y0);
+        // What has no size has a place.
+        let size = if size > 0.0 { size } else { 1.0 };
         let scale = (WIDTH - 2.0 * MARGIN) / size;
         let slack = 0.5 * (size - (x1 - x0)) * scale;
         View {
@@ -49,5 +51,56 @@ impl View {
             format!("{x:.2},{y:.2}")
         };
         points.map(text).collect::<Vec<_>>().join(" ")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 860 by as much as is needed, 70 from the edges and 56 more from the upper one, in the middle of the page.
+    #[test]
+    fn the_larger_side_fills_the_frame() {
+        for (points, height, places) in [
+            // A square.
+            (
+                &[[0.0, 0.0], [1.0, 1.0]][..],
+                1056.0,
+                &[
+                    ([0.0, 0.0], (70.0, 986.0)),
+                    ([1.0, 1.0], (930.0, 126.0)),
+                    ([0.5, 0.25], (500.0, 771.0)),
+                ][..],
+            ),
+            // Wide and away from the origin.
+            (
+                &[[5.0, 3.0], [1.0, 2.0]],
+                411.0,
+                &[([1.0, 2.0], (70.0, 341.0)), ([5.0, 3.0], (930.0, 126.0))],
+            ),
+            // High, with a point that is nowhere.
+            (
+                &[[-1.0, 0.0], [0.0, 4.0], [f64::NAN, f64::INFINITY]],
+                1056.0,
+                &[([-1.0, 0.0], (392.5, 986.0)), ([0.0, 4.0], (607.5, 126.0))],
+            ),
+            // Of no size.
+            (&[[3.0, -2.0]], 196.0, &[([3.0, -2.0], (500.0, 126.0))]),
+        ] {
+            let view = View::new(points.iter().copied());
+            assert!((view.height - height).abs() < 1e-9, "{points:?}");
+            for (p, due) in places {
+                let (x, y) = view.at(*p);
+                let far = (x - due.0).hypot(y - due.1);
+                assert!(far < 1e-9, "{points:?}: {p:?} at {x}, {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn lines_have_hundredths() {
+        let view = View::new([[0.0, 0.0], [3.0, 3.0]].into_iter());
+        let line = view.line([[0.0, 0.0], [1.0, 2.0]].into_iter());
+        assert_eq!(line, "70.00,986.00 356.67,412.67");
     }
 }
