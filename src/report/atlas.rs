@@ -146,3 +146,7 @@ pub fn claims(atlas: &Atlas, out: &mut dyn Write) -> Result<(), ::csv::Error> {
     }
     Ok(csv.flush()?)
 }
+
+#[cfg(test)]
+#[path = "atlas_tests.rs"]
+pub(crate) mod tests;

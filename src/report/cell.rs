@@ -83,4 +83,38 @@ mod tests {
             assert!(text.len() < 25, "{text}");
         }
     }
+
+    #[test]
+    fn exponents_are_for_what_is_small_or_large() {
+        for (x, due) in [
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (0.5, "0.5"),
+            (1e-5, "0.00001"),
+            (1.5e-5, "0.000015"),
+            (9e-6, "9e-6"),
+            (-9e-6, "-9e-6"),
+            (9e15, "9000000000000000"),
+            (1e16, "1e16"),
+            (1.5e16, "1.5e16"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(Cell::Float(x).text(), due);
+        }
+    }
+
+    #[test]
+    fn every_value_has_a_text_and_a_place_in_json() {
+        for (cell, text, json) in [
+            (Cell::Count(3), "3", Value::from(3)),
+            (Cell::Float(0.5), "0.5", Value::from(0.5)),
+            (Cell::certified(Some("0.50".into())), "0.50", "0.50".into()),
+            (Cell::certified(None), "undecided", Value::Null),
+            (Cell::Name("a"), "a", "a".into()),
+            (Cell::Word("b".into()), "b", "b".into()),
+            (Cell::Float(f64::NAN), "NaN", Value::Null),
+        ] {
+            assert_eq!((cell.text().as_str(), cell.json()), (text, json));
+        }
+    }
 }

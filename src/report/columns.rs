@@ -109,7 +109,6 @@ impl Wanted<'_> {
         let known = quantity::KNOWN;
         let unit =
             quantity::unit(text).map_err(|e| UnitsError(format!("{e}; there are {known}")))?;
-        let simple = SYMBOLS.iter().any(|s| dimension(s) == Some(unit.dimension));
         let label = match text {
             "°" => "deg".into(),
             "µm" | "μm" => "um".into(),
@@ -119,7 +118,8 @@ impl Wanted<'_> {
         let word = |c: char| c.is_ascii_alphabetic();
         let good = match unit.dimension {
             SPEED => label.chars().all(|c| word(c) || matches!(c, '_' | '1')),
-            _ => simple && label.chars().all(word),
+            // What has a name of letters alone is in [`SYMBOLS`] by other sizes.
+            _ => label.chars().all(word),
         };
         if !good {
             return Err(UnitsError(format!(

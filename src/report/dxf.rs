@@ -87,11 +87,11 @@ impl Unit {
         let same = |k: &&(Units, (u32, u32))| {
             unit.dimension == length && unit.scale == Rational::from(k.1)
         };
-        let found = known.iter().find(same).ok_or_else(refused)?;
+        let (units, (over, under)) = *known.iter().find(same).ok_or_else(refused)?;
         Ok(Unit {
             name: name.into(),
-            metres: unit.scale.to_f64(),
-            units: found.0,
+            metres: f64::from(over) / f64::from(under),
+            units,
         })
     }
 }
@@ -248,3 +248,7 @@ impl Sheet<'_> {
 fn path_layer(point: &Point) -> String {
     format!("PATH_{}", point.label)
 }
+
+#[cfg(test)]
+#[path = "dxf_tests.rs"]
+mod tests;

@@ -165,4 +165,72 @@ mod tests {
         let law = only(|r| r.laws[0].worst = f64::NAN);
         assert_eq!(law, one("law energy", "residual NaN times what is allowed"));
     }
+
+    #[test]
+    fn a_suite_has_properties_a_test_for_each_region_and_the_first_failures_in_full() {
+        let mut report = fabricated();
+        report.candidate = Some(CandidateReport {
+            name: "other".into(),
+            answered: 1,
+            ..CandidateReport::default()
+        });
+        report.regions[0].undecided = 2;
+        report.regions[0].kinds[crate::audit::Kind::Nan] = 1;
+        let one = report.failures[0].clone();
+        report.worst.clear();
+        let case = |index| {
+            let mut other = one.clone();
+            other.case.origin = crate::audit::Origin::Random { seed: 1, index };
+            other.judgement.reason = Some(format!("reason {index}").into());
+            other
+        };
+        report.failures = (0..7).map(case).collect();
+        let suite = suite(&report);
+        let properties: Vec<(&str, &str)> = suite
+            .properties
+            .iter()
+            .map(|p| (p.name.as_str(), p.value.as_str()))
+            .collect();
+        let run = settings(&report.settings);
+        let due = [
+            ("budget", "phi2: 4 ulp"),
+            ("settings", run.as_str()),
+            ("candidate", "other, 1 answer"),
+        ];
+        assert_eq!(properties, due);
+        let names: Vec<&str> = suite.test_cases.iter().map(|c| c.name.as_str()).collect();
+        assert_eq!(names, ["wide", "near", "law energy"]);
+        let out = suite.test_cases[0].system_out.as_ref().unwrap().as_str();
+        let figures = "phi2: 400 values, worst 7.25 ulps, p99 1.50, median 0.300, RMS 0.400, 175.0 % of budget";
+        assert_eq!(out, figures);
+        let TestCaseStatus::NonSuccess {
+            message,
+            description,
+            ..
+        } = &suite.test_cases[0].status
+        else {
+            panic!("it fails");
+        };
+        let nan = crate::audit::Kind::Nan.name();
+        let due = format!("1 of 400 cases fail; 1 {nan}; 2 cases undecided; the worst: reason 0");
+        assert_eq!(message.as_ref().unwrap().as_str(), due);
+        let text = description.as_ref().unwrap().as_str();
+        assert_eq!(
+            text.matches("    reproduce  ").count(),
+            FAILURES_SHOWN,
+            "{text}"
+        );
+        assert!(
+            text.contains("--case 4\n") && !text.contains("--case 5"),
+            "{text}"
+        );
+        // None of the cases written out is of the other region.
+        let TestCaseStatus::NonSuccess { message, .. } = &suite.test_cases[1].status else {
+            panic!("it fails");
+        };
+        let due = "1 of 400 cases fail";
+        assert_eq!(message.as_ref().unwrap().as_str(), due);
+        let both = document(&[report, passing()]).unwrap();
+        assert_eq!(both.matches("<testsuite ").count(), 2, "{both}");
+    }
 }

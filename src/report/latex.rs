@@ -93,4 +93,43 @@ mod tests {
         assert!(tex.contains(r"A square \& more."));
         assert!(tex.contains(r"{\left(a + b\right)}^{2}"));
     }
+
+    #[test]
+    fn what_means_something_in_latex_is_written_out() {
+        assert_eq!(escape("a & b_1 {50 %} #$"), r"a \& b\_1 \{50 \%\} \#\$");
+        assert_eq!(
+            escape(r"~^\φ"),
+            r"\textasciitilde{}\textasciicircum{}\textbackslash{}φ"
+        );
+    }
+
+    #[test]
+    fn an_entry_has_its_formulas_and_what_came_of_them() {
+        let mut all = fabricated();
+        let good = entry(&all.entries[0]);
+        let start = "\n\\subsection*{(1) \\normalfont\\small [proved]}\nA square.\n\n\\noindent Printed:\n\\[ ";
+        assert!(good.starts_with(start), "{good}");
+        assert!(
+            good.contains("\\noindent Requirement (proved):\n"),
+            "{good}"
+        );
+        assert!(!good.contains("Corrected:"), "{good}");
+        let slip = &mut all.entries[1];
+        slip.note = "See 50 %.";
+        let text = entry(slip);
+        for part in [
+            "\\noindent Corrected:\n",
+            "single edits",
+            "Requirement (refuted as printed, proved as corrected):",
+        ] {
+            assert!(text.contains(part), "{part} is missing in {text}");
+        }
+        assert!(text.ends_with("See 50 \\%.\n"), "{text}");
+        slip.composed = true;
+        let text = entry(slip);
+        assert!(text.contains("\\noindent Of corrected parts:\n") && !text.contains("Printed:"));
+        let tex = ledger(&all);
+        assert_eq!(tex.matches("\\subsection*").count(), 3);
+        assert!(tex.contains("A \\& B. 3 entries: "), "{tex}");
+    }
 }

@@ -111,4 +111,38 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn rows_of_json_are_separated_and_come_behind_what_is_known() {
+        let about: Map<String, Value> = [("name".to_string(), Value::from("a"))]
+            .into_iter()
+            .collect();
+        for (n, due) in [
+            (
+                0,
+                "{\n  \"name\": \"a\",\n  \"columns\": [\"x\"],\n  \"rows\": [\n  ]\n}\n",
+            ),
+            (
+                2,
+                "{\n  \"name\": \"a\",\n  \"columns\": [\"x\"],\n  \"rows\": [\n    {\"x\":0},\n    {\"x\":1}\n  ]\n}\n",
+            ),
+        ] {
+            let mut out = Vec::new();
+            let names = vec!["x".to_string()];
+            let mut rows = Rows::begin(&mut out, Form::Json, names, &about).unwrap();
+            for k in 0..n {
+                rows.row(&[Cell::Count(k)]).unwrap();
+            }
+            rows.end().unwrap();
+            assert_eq!(String::from_utf8(out).unwrap(), due);
+        }
+    }
+
+    #[test]
+    fn csv_has_no_end() {
+        let mut out = Vec::new();
+        let rows = Rows::begin(&mut out, Form::Csv, vec!["x".to_string()], &Map::new());
+        rows.unwrap().end().unwrap();
+        assert_eq!(out, b"x\n");
+    }
 }

@@ -125,4 +125,37 @@ mod tests {
         );
         assert!(page.contains("order over all levels 4.00, 4.00"), "{page}");
     }
+
+    #[test]
+    fn runs_that_failed_are_counted_and_parts_are_drawn_where_any_level_has_them() {
+        let mut first = report("a", "first", true);
+        first.levels[1].errors[0].method = None;
+        first.levels.push(LevelReport {
+            level: String::new(),
+            work: 1000,
+            failed: Some("too long".into()),
+            errors: Vec::new(),
+        });
+        let page = all(&[Ok(first)]).into_string();
+        assert!(page.contains("; 1 runs failed</figcaption>"), "{page}");
+        let due = ["total", "method", "rounding"];
+        assert_eq!(between(&page, "<title>", "</title>"), due);
+        let points = between(&page, "points=\"", "\"");
+        assert_eq!(
+            points
+                .iter()
+                .map(|p| p.split(' ').count())
+                .collect::<Vec<_>>(),
+            [2, 1, 2]
+        );
+        let whole = all(&[Ok(report("a", "first", false))]).into_string();
+        assert!(!whole.contains("failed"), "{whole}");
+        let why = crate::audit::Uncertified::Undecided("y".into());
+        let text = why.to_string();
+        let page = all(&[Err(why)]).into_string();
+        assert!(
+            page.contains(&format!("<p class=\"alarm\">{text}</p>")),
+            "{page}"
+        );
+    }
 }

@@ -157,4 +157,25 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn entries_of_long_formulas_are_wide() {
+        let of = |change: &dyn Fn(&mut LedgerEntry)| {
+            let mut e = fabricated().entries.remove(1);
+            change(&mut e);
+            let html = entry(&e).into_string();
+            let tag = html.split('>').next().unwrap();
+            tag.contains("wide")
+        };
+        let formula = |n: usize| Formula {
+            text: "φ".repeat(n),
+            latex: "a".into(),
+        };
+        assert!(!of(&|_| ()));
+        for (n, wide) in [(WIDE, false), (WIDE + 1, true)] {
+            assert_eq!(of(&|e| e.printed = Some(formula(n))), wide);
+            assert_eq!(of(&|e| e.corrected = Some(formula(n))), wide);
+            assert_eq!(of(&|e| e.obligations[0].formula = formula(n)), wide);
+        }
+    }
 }

@@ -232,4 +232,46 @@ pub(crate) mod tests {
         let back: Vec<String> = serde_json::from_str(&json).unwrap();
         assert_eq!(back, [hostile]);
     }
+
+    #[test]
+    fn verdicts_are_counted_in_the_order_in_which_they_come() {
+        let all = ["b", "a", "b", "b", "c", "a"];
+        let due = [("b", 3), ("a", 2), ("c", 1)].map(|(v, n)| (v.to_string(), n));
+        assert_eq!(counted(all.into_iter()), due);
+        assert_eq!(counted([].into_iter()), []);
+    }
+
+    #[test]
+    fn a_page_about_a_paper_says_at_once_whether_all_is_as_recorded() {
+        let of = |year, recorded| {
+            let about = AboutPaper {
+                paper: &Citation {
+                    key: "key",
+                    authors: "A. Nobody",
+                    title: "On tests",
+                    year,
+                    venue: "Nowhere",
+                },
+                kind: "audit",
+                verdict: (recorded, "2 findings".into()),
+                contents: html! {},
+                main: html! { "the rest" },
+                data: &[],
+                scripts: &[],
+            };
+            about.page()
+        };
+        let page = of(Some(1900), true);
+        for part in [
+            "<title>On tests: audit</title>",
+            "audit of key",
+            "<p class=\"soft\">A. Nobody (1900), Nowhere</p>",
+            "<span class=\"sign t-good\">As recorded</span>: 2 findings.</p>\nthe rest",
+        ] {
+            assert!(page.contains(part), "{part} is missing");
+        }
+        let page = of(None, false);
+        assert!(page.contains("<p class=\"soft\">A. Nobody, Nowhere</p>"));
+        assert!(page.contains("<span class=\"sign t-bad\">NOT as recorded</span>"));
+    }
 }

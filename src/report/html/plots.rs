@@ -90,4 +90,54 @@ mod tests {
     fn a_single_point_has_a_place() {
         assert_eq!(placed(&[(10.0, 1e-3)]).0, "46.0,238.0");
     }
+
+    /// What stands between these two, each time.
+    fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
+        let parts = text.split(before).skip(1);
+        parts.map(|p| p.split(after).next().unwrap()).collect()
+    }
+
+    #[test]
+    fn eight_decades_are_all_named_and_of_more_every_second() {
+        for (decades, every) in [(2, 1), (8, 1), (9, 2), (16, 2), (17, 3)] {
+            let low = 10f64.powi(-decades);
+            let (_, svg) = placed(&[(1.0, 1.0), (10.0, low)]);
+            let marks = between(&svg, "text-anchor=\"end\">", "</text>");
+            let due = (-decades..=0).filter(|e| e % every == 0);
+            let due: Vec<String> = due.map(|e| format!("1e{e}")).collect();
+            assert_eq!(marks, due);
+        }
+    }
+
+    #[test]
+    fn axes_have_their_marks_where_they_belong() {
+        let (_, svg) = placed(&[(1.6, 1.0), (100.0, 1e-2)]);
+        assert!(svg.contains("viewBox=\"0 0 390 264\""), "{svg}");
+        assert!(svg.contains("class=\"axis\" d=\"M46 8V238H376\""), "{svg}");
+        let grid = between(&svg, "class=\"grid\" d=\"", "\"");
+        assert_eq!(grid, ["M46 238.0h330", "M46 123.0h330", "M46 8.0h330"]);
+        let marks = between(&svg, "<text x=\"42\" y=\"", "\"");
+        assert_eq!(marks, ["242.0", "127.0", "12.0"]);
+        let work = between(&svg, "text-anchor=\"middle\">", "</text>");
+        assert_eq!(work, ["2", "100"]);
+        assert!(svg.contains("x=\"46.0\" y=\"256\"") && svg.contains("x=\"376.0\" y=\"256\""));
+    }
+
+    #[test]
+    fn the_fourth_line_looks_like_the_first() {
+        let line = |name: &str| (name.to_string(), vec![(1.0, 1.0), (10.0, 0.1)]);
+        let svg = lines(&["a", "b", "c", "d"].map(line)).into_string();
+        let classes = between(&svg, "<polyline class=\"", "\"");
+        assert_eq!(classes, ["s0", "s1", "s2", "s0"]);
+        let keys = between(&svg, "<span class=\"", "\"");
+        assert_eq!(keys, ["k0", "k1", "k2", "k0"]);
+        assert_eq!(between(&svg, "<title>", "</title>"), ["a", "b", "c", "d"]);
+        assert_eq!(between(&svg, "▬</span> ", "</span>"), ["a", "b", "c", "d"]);
+    }
+
+    #[test]
+    fn no_work_and_negative_errors_have_no_place() {
+        let (points, _) = placed(&[(0.0, 1e-1), (1.0, 1.0), (10.0, -1e-5), (100.0, 0.1)]);
+        assert_eq!(points, "46.0,8.0 376.0,238.0");
+    }
 }

@@ -155,4 +155,67 @@ mod tests {
             assert_eq!(prose(text).into_string(), due);
         }
     }
+
+    #[test]
+    fn an_index_belongs_to_a_symbol() {
+        for (text, due) in [
+            // One letter, which differentials may stand before, or the name of a Greek one.
+            ("DI_n", "DI<sub>n</sub>"),
+            ("d_n", "d<sub>n</sub>"),
+            ("ab_n", "ab_n"),
+            ("_n", "_n"),
+            ("phi_1 and phi", "φ<sub>1</sub> and phi"),
+            ("dphi_1", "dφ<sub>1</sub>"),
+            ("2 phi_1", "2 φ<sub>1</sub>"),
+            ("∇_x", "∇<sub>x</sub>"),
+            ("∇f_x", "∇f_x"),
+            ("x_1_2", "x_1_2"),
+            ("x_1 y_2", "x<sub>1</sub> y<sub>2</sub>"),
+            ("a_b_c x_1", "a_b_c x<sub>1</sub>"),
+            (
+                "x_-1, x_−1, x_+1",
+                "x<sub>-1</sub>, x<sub>−1</sub>, x<sub>+1</sub>",
+            ),
+            ("x_-", "x_-"),
+            ("x_,", "x_,"),
+            ("x_(a(b)c)d", "x<sub>a(b)c</sub>d"),
+            ("x_{a", "x_{a"),
+            ("x_*_1", "x<sub>*</sub>_1"),
+        ] {
+            assert_eq!(prose(text).into_string(), due, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_power_belongs_to_whatever_stands_before_it() {
+        for (text, due) in [
+            ("x^2", "x<sup>2</sup>"),
+            ("(a b)^2 c", "(a b)<sup>2</sup> c"),
+            ("word^n", "word<sup>n</sup>"),
+            ("^2", "^2"),
+            ("x^", "x^"),
+            ("x^{a+b}!", "x<sup>a+b</sup>!"),
+            ("e^(x_1)", "e<sup>x<sub>1</sub></sup>"),
+            ("phi^2", "phi<sup>2</sup>"),
+            ("x^2_1", "x^2_1"),
+            ("a^b·c", "a<sup>b</sup>·c"),
+        ] {
+            assert_eq!(prose(text).into_string(), due, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_typeset_stays_text() {
+        let sum = |first: &str| format!("{first}{}", "+a".repeat(44));
+        let (longest, longer) = (sum("aa"), sum("aaa"));
+        assert_eq!((longest.len(), longer.len()), (90, 91));
+        let typeset = |text: &str| expression(text).into_string();
+        assert!(typeset(&longest).starts_with("<math"));
+        assert_eq!(typeset(&longer), format!("<code>{longer}</code>"));
+        assert_eq!(typeset("a + ("), "<code>a + (</code>");
+        let math = |latex: &str| math(latex, "a < b", DisplayMode::Inline).into_string();
+        assert_eq!(math(""), "<code>a &lt; b</code>");
+        assert_eq!(math(r"\frac{a"), "<code>a &lt; b</code>");
+        assert!(math("a < b").starts_with("<math"));
+    }
 }

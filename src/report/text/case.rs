@@ -185,4 +185,99 @@ mod tests {
 ";
         assert_eq!(plain(&values(&report, &[0.75, -0.001_23])), due);
     }
+
+    #[test]
+    fn whatever_the_answer_is_the_case_says_so() {
+        let text = |change: &dyn Fn(&mut CaseReport)| {
+            let mut report = crate::report::text::method::tests::fabricated()
+                .failures
+                .remove(0);
+            change(&mut report);
+            plain(&super::text(&report, "again", 100))
+        };
+        for (answer, due) in [
+            (None, "no answer"),
+            (Some(SolverAnswer::Fails("it broke".into())), "no answer"),
+            (Some(SolverAnswer::Unanswered("late".into())), "no answer"),
+            (Some(SolverAnswer::Refuses("singular")), "refusal: singular"),
+            (
+                Some(SolverAnswer::Declines(None)),
+                "refusal: without a reason",
+            ),
+        ] {
+            let text = text(&|r| r.answer = answer.clone());
+            assert!(
+                text.contains(&format!("\n    got        {due}\n")),
+                "{text}"
+            );
+            assert!(!text.contains("reference"), "{text}");
+        }
+        let plain = text(&|r| (r.proof, r.judgement.reason) = (None, None));
+        assert!(
+            !plain.contains("proof") && !plain.contains("branch"),
+            "{plain}"
+        );
+        assert!(plain.ends_with("    reproduce  again\n"), "{plain}");
+        let bounded = text(&|r| {
+            r.proof = Some(Proof::Bounded("a bound"));
+            r.branch = Some(crate::audit::BranchAt {
+                branch: Some("Taylor".into()),
+                seam: "|z| = 7".into(),
+                distance: 0.25,
+            });
+        });
+        let due = "    proof      a bound\n    branch     Taylor; 0.250 from the seam |z| = 7\n    reproduce  again\n";
+        assert!(bounded.ends_with(due), "{bounded}");
+    }
+
+    /// What was given beyond what was judged is listed, without a judgement.
+    #[test]
+    fn values_too_many_have_numbers_for_names() {
+        let mut report = crate::report::text::method::tests::fabricated()
+            .failures
+            .remove(0);
+        report.radii = vec![0.0];
+        let text = plain(&values(&report, &[0.75, 2.0]));
+        let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
+        let lines: Vec<String> = text.lines().map(words).collect();
+        assert_eq!(
+            lines[1],
+            "phi2 0.75 0.75000000000000080491 7.25 175.0 % 31.00"
+        );
+        assert_eq!(lines[2], "[1] 2.0 none – – –");
+        // Two rows of two outputs.
+        let one = report.judgement.components[0].clone();
+        let mut other = one.clone();
+        other.output = "p";
+        report.judgement.components = vec![one.clone(), other.clone(), one, other];
+        let text = plain(&values(&report, &[1.0, 2.0, 3.0, 4.0]));
+        let names: Vec<&str> = text
+            .lines()
+            .skip(1)
+            .map(|l| l.split_whitespace().next().unwrap())
+            .collect();
+        assert_eq!(names, ["phi2[0]", "p[0]", "phi2[1]", "p[1]"]);
+    }
+
+    #[test]
+    fn a_value_has_the_colour_of_its_verdict() {
+        for (verdict, style) in [
+            (Verdict::Pass, PLAIN),
+            (Verdict::Undecided, DOUBT),
+            (Verdict::Over, BAD),
+            (Verdict::WrongKind, BAD),
+        ] {
+            let mut report = crate::report::text::method::tests::fabricated()
+                .failures
+                .remove(0);
+            report.judgement.components[0].verdict = verdict;
+            let text = values(&report, &[0.75]);
+            for part in ["phi2", "7.25", "175.0 %"] {
+                assert!(text.contains(&paint(style, part)), "{verdict:?}: {text:?}");
+            }
+            let painted = text.contains(&DOUBT.render().to_string());
+            assert_eq!(painted, style == DOUBT);
+            assert_eq!(text.contains(&BAD.render().to_string()), style == BAD);
+        }
+    }
 }

@@ -188,4 +188,139 @@ mod tests {
             assert_eq!(rest, Some(if n > SHOWN { left } else { "" }), "{text}");
         }
     }
+
+    #[test]
+    fn codes_have_letters_as_far_as_these_go() {
+        let seen = [0, 1, 25, 26, 300].map(letter);
+        assert_eq!(seen, ["A", "B", "Z", "26", "300"]);
+    }
+
+    #[test]
+    fn a_line_says_what_fails_and_marks_the_best() {
+        let standing = Standing {
+            cases: 400,
+            failed: 0,
+            wrong: 0,
+            of_budget: 0.5,
+            worst_ulps: 2.0,
+            rms_ulps: 0.25,
+            ratio: Some(1.0),
+            best: true,
+        };
+        let cells = line(0, "wide", &standing, String::new());
+        let due = [
+            ("wide", PLAIN),
+            ("A*", GOOD),
+            ("400", DIM),
+            ("–", DIM),
+            ("50.00 %", PLAIN),
+            ("1.00", GOOD),
+            ("2.00", PLAIN),
+            ("0.250", PLAIN),
+            ("", BAD),
+        ];
+        assert_eq!(cells, due.map(|(text, style)| (text.to_string(), style)));
+        let worse = Standing {
+            failed: 3,
+            of_budget: 1.5,
+            ratio: None,
+            best: false,
+            ..standing
+        };
+        let cells = line(1, "wide", &worse, "3 NaN".into());
+        let texts: Vec<&str> = cells.iter().map(|c| c.0.as_str()).collect();
+        let due = [
+            "", "B ", "400", "3", "150.0 %", "–", "2.00", "0.250", "3 NaN",
+        ];
+        assert_eq!(texts, due);
+        assert_eq!((cells[1].1, cells[3].1, cells[4].1), (PLAIN, BAD, BAD));
+    }
+
+    #[test]
+    fn a_program_says_what_its_start_takes() {
+        let of = |start_up_ms| {
+            speed(&Speed {
+                ns_per_answer: 12.5,
+                start_up_ms,
+                answers: 9,
+            })
+        };
+        assert_eq!(of(None), "12.50 ns an answer, called");
+        let due = "12.50 ns an answer through the protocol, start-up 3.00 ms";
+        assert_eq!(of(Some(3.0)), due);
+    }
+
+    #[test]
+    fn every_code_has_its_verdict_and_every_region_its_lines() {
+        let mut other = passing();
+        other.candidate = Some(crate::audit::CandidateReport {
+            name: "other".into(),
+            answered: 800,
+            trouble: Some("it stopped".into()),
+            ..Default::default()
+        });
+        let mut first = fabricated();
+        first.regions[0].kinds[crate::audit::Kind::Nan] = 2;
+        let speed = Speed {
+            ns_per_answer: 12.5,
+            start_up_ms: None,
+            answers: 9,
+        };
+        let found = Comparison::new("a-method", vec![(first, Some(speed)), (other, None)]);
+        let text = plain(&comparison(&found, 200));
+        let [a, b] = [0, 1].map(|k| found.candidates[k].name.as_str());
+        let due = format!(
+            "a-method\n  budget     phi2: 4 ulp\n  A FAIL {a}: the method's own solver; 12.50 ns an answer, \
+             called\n  B FAIL {b}: other, 800 answers\n     it stopped\n"
+        );
+        assert!(text.starts_with(&due), "{text}\n{due}");
+        let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
+        let lines: Vec<String> = text.lines().skip(due.lines().count()).map(words).collect();
+        assert_eq!(lines.len(), 1 + 3 * 2, "{text}");
+        assert!(
+            lines[1].starts_with("wide A") && lines[1].ends_with("2 NaN"),
+            "{text}"
+        );
+        assert!(
+            lines[2].starts_with('B') && lines[5].starts_with("all A"),
+            "{text}"
+        );
+        assert_eq!(text.matches("NaN").count(), 1, "{text}");
+    }
+
+    #[test]
+    fn worse_and_better_are_counted_and_coloured() {
+        let change = |figure, before: f64, now: f64| Change {
+            of: "a-method".into(),
+            region: "wide".into(),
+            output: Some("phi2".into()),
+            figure,
+            before,
+            now,
+            better: now < before,
+        };
+        let found = Changes {
+            changes: vec![
+                change("of budget", 0.5, 0.75),
+                change("worst ulps", 7.0, 5.0),
+                change("RMS ulps", 2.0, 1.0),
+            ],
+            not_compared: vec!["other: not in the baseline".into()],
+        };
+        let text = changes(&found, 100);
+        let head = "Since the baseline: 1 figures worse, 2 better\n";
+        let due = [
+            "          of        region  output  figure      before    now",
+            "  worse   a-method  wide    phi2    of budget    0.500  0.750",
+            "  better  a-method  wide    phi2    worst ulps    7.00   5.00",
+            "  better  a-method  wide    phi2    RMS ulps      2.00   1.00",
+            "  other: not in the baseline\n",
+        ];
+        let due = due.join("\n");
+        assert_eq!(plain(&text), format!("{head}{due}"));
+        for (style, now) in [(BAD, "0.750"), (GOOD, "5.00"), (GOOD, "1.00")] {
+            assert!(text.contains(&paint(style, now)), "{text:?}");
+        }
+        assert!(text.contains(&paint(BAD, "worse")) && text.contains(&paint(GOOD, "better")));
+    }
 }

@@ -142,4 +142,72 @@ pub(crate) mod tests {
         }
         assert!(text.lines().all(|l| l.chars().count() <= 90), "{text}");
     }
+
+    #[test]
+    fn a_ledger_is_its_paper_its_counts_and_its_entries() {
+        let mut all = fabricated();
+        all.entries.truncate(1);
+        let text = style::plain(&ledger(&all, 90));
+        let due = "\
+A & B. On <tests>.
+
+1 entries: 1 proved; all as recorded.
+
+  ✓ (1) [proved; good]
+    A square.
+    printed    y = (a + b)^2
+    requires   y = a^2 + 2*a*b + b^2 [proved]
+";
+        let words = |t: &str| t.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
+        assert_eq!(words(&text), words(due));
+        let e = &mut all.entries[0];
+        (e.as_recorded, e.composed, e.note) = (false, true, "A note.");
+        let text = style::plain(&entry(e, 90));
+        let start = "\n  ✓ (1) [proved; good]\n    NOT AS RECORDED\n    A square.\n    composed   ";
+        assert!(
+            text.starts_with(start) && text.ends_with("\n    A note.\n"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn what_is_refuted_has_residual_and_witness() {
+        let all = fabricated();
+        let mut o = all.entries[1].obligations[0].clone();
+        let text = |o: &Obligation| style::plain(&obligation(o, 400));
+        let witness = |point: &[(&str, &str)]| crate::symbolic::Witness {
+            point: point
+                .iter()
+                .map(|(n, v)| (n.to_string(), v.to_string()))
+                .collect(),
+            residual: "-4".into(),
+        };
+        o.witness = Some(witness(&[("a", "1"), ("b", "2")]));
+        let seen = text(&o);
+        assert!(
+            seen.ends_with("\n    witness    -4 at a = 1, b = 2\n"),
+            "{seen}"
+        );
+        o.witness = Some(witness(&[]));
+        assert!(text(&o).ends_with("\n    witness    -4\n"));
+        let clipped = |n: usize| {
+            let residual = "x".repeat(n);
+            let o = Obligation {
+                residual: Some(residual),
+                witness: None,
+                ..o.clone()
+            };
+            let seen = text(&o);
+            (seen.matches('x').count(), seen.ends_with(" …\n"))
+        };
+        assert_eq!((clipped(300), clipped(301)), ((300, false), (300, true)));
+        let colours = obligation(&o, 400);
+        assert!(colours.contains(&DIM.render().to_string()), "{colours:?}");
+        // Elsewhere neither is of interest.
+        o.printed = Outcome::Proved;
+        assert_eq!(text(&o).lines().count(), 1);
+        assert!(text(&o).starts_with("    requires   "));
+        o.recorded = Some(Outcome::Proved);
+        assert!(text(&o).starts_with("    fact       ") && text(&o).lines().count() == 1);
+    }
 }

@@ -272,4 +272,93 @@ pub(crate) mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_paper_has_its_citation_findings_and_tallies() {
+        let mut report = fabricated();
+        report.findings.truncate(1);
+        report.findings[0].text = "It follows.".into();
+        let text = style::plain(&paper(&report, 90));
+        let due = "\
+A. Nobody (1900). On <tests> & such. Proceedings of Nowhere 1, 1–2.
+
+1 finding: 1 recovered; all as recorded. 3 printed entries recomputed.
+
+Data
+
+  + The mass of link 4 is not printed [recovered; Section 2]
+    It follows.
+      mass of link 4 ... 550 kg
+
+Table 1: entries that agree
+  data        column  entries  within ½ unit  within 1  worst units  worst deviation
+  as printed  phi2          3              2         2        12.00            0.012
+  Units of the last printed digit; within ½ is the correct rounding.
+";
+        assert_eq!(text, due);
+        report.tallies.clear();
+        report.paper.year = None;
+        let text = style::plain(&paper(&report, 90));
+        assert!(
+            text.starts_with("A. Nobody. On") && text.ends_with("550 kg\n"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn every_table_has_its_own_tallies_in_order() {
+        let tally = |table, variant| Tally {
+            table,
+            variant,
+            ..fabricated().tallies.remove(0)
+        };
+        let all = [
+            tally(3, "as_printed"),
+            tally(2, "as_printed"),
+            tally(3, "recovered"),
+        ];
+        let text = style::plain(&tallies(&all));
+        let heads: Vec<&str> = text.lines().filter(|l| l.starts_with("Table")).collect();
+        assert_eq!(
+            heads,
+            ["Table 2: entries that agree", "Table 3: entries that agree"]
+        );
+        let (second, third) = text.split_once("Table 3").unwrap();
+        assert_eq!(
+            (
+                second.matches("phi2").count(),
+                third.matches("phi2").count()
+            ),
+            (1, 2)
+        );
+    }
+
+    /// Up to a common column, which leaves forty characters for values; a line that is too long is wrapped.
+    #[test]
+    fn figures_have_leaders_as_far_as_there_is_room() {
+        let figure = |name: &str, value: &str| Figure {
+            name: name.into(),
+            value: value.into(),
+            unit: "1",
+            latex: None,
+        };
+        let of = |figures: Vec<Figure>, width| {
+            let mut finding = fabricated().findings.remove(1);
+            finding.as_recorded = true;
+            finding.figures = figures;
+            let text = style::plain(&super::finding(&finding, width));
+            let lines = text.lines().filter(|l| l.starts_with("      "));
+            lines.map(String::from).collect::<Vec<_>>()
+        };
+        let two = || vec![figure("a", "1"), figure("abcde", "2")];
+        assert_eq!(of(two(), 80), ["      a ....... 1", "      abcde ... 2"]);
+        // With 44 characters there are four for names.
+        assert_eq!(of(two(), 44), ["      a ...... 1", "      abcde ... 2"]);
+        assert_eq!(of(two(), 43), ["      a ..... 1", "      abcde ... 2"]);
+        assert_eq!(of(two(), 20), ["      a ... 1", "      abcde ... 2"]);
+        let long = || vec![figure("ab", "one two")];
+        assert_eq!(of(long(), 20), ["      ab ... one two"]);
+        assert_eq!(of(long(), 19), ["      ab: one two"]);
+        assert!(of(Vec::new(), 80).is_empty());
+    }
 }

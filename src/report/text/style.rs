@@ -91,4 +91,27 @@ mod tests {
         let bad = paint(BAD, "x");
         assert!(bad.len() > 1 && plain(&bad) == "x");
     }
+
+    #[test]
+    fn a_line_is_as_long_as_the_width_and_no_longer() {
+        for (width, due) in [
+            (11, "aaa bbb ccc"),
+            (10, "aaa bbb\nccc"),
+            (7, "aaa bbb\nccc"),
+            (6, "aaa\nbbb\nccc"),
+        ] {
+            assert_eq!(wrap("aaa  bbb\nccc", 0, width), due, "{width}");
+        }
+        assert_eq!(wrap("aaa bbb", 2, 9), "aaa bbb");
+        assert_eq!(wrap("aaa bbb", 2, 8), "aaa\n  bbb");
+        assert_eq!(wrap("φφφ ψψψ", 0, 7), "φφφ ψψψ");
+        assert_eq!(wrap("", 3, 9), "");
+        assert_eq!(paragraph("aaa bbb", 2, 8), "  aaa\n  bbb\n");
+    }
+
+    #[test]
+    fn every_tone_has_its_style() {
+        let tones = [Tone::Good, Tone::Bad, Tone::Doubt, Tone::New, Tone::Plain];
+        assert_eq!(tones.map(of), [GOOD, BAD, DOUBT, NEW, PLAIN]);
+    }
 }

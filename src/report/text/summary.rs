@@ -281,4 +281,92 @@ mod tests {
         let mut lines = text.lines().filter(commands);
         assert!(lines.all(|l| l.chars().count() <= 80), "{text}");
     }
+
+    #[test]
+    fn the_verdict_says_what_came_of_it_and_how() {
+        for (end, word, style) in [
+            (End::AsExpected, "All as expected", GOOD),
+            (End::NotAsExpected, "NOT as expected", BAD),
+            (End::Interrupted, "Interrupted", BAD),
+        ] {
+            let text = verdict(end, "1 method", &["seed 1".into(), "2 s".into()], 80);
+            let head = format!("{}: 1 method.\n", paint(style, word));
+            let tail = format!("{}\n{}\n", paint(DIM, "seed 1"), paint(DIM, "2 s"));
+            assert_eq!(text, head + &tail);
+        }
+    }
+
+    #[test]
+    fn nothing_new_has_no_heading() {
+        let mut report = paper_report();
+        report.findings.remove(1);
+        let (papers, mut methods) = ([report], vec![passing(); 2]);
+        methods[1].settings.seed = 9;
+        let text = plain(&everything(
+            (End::AsExpected, "1.5 s"),
+            &papers,
+            &methods,
+            200,
+        ));
+        let start = "All as expected: 1 paper with 1 finding; 2 methods pass, 800 cases.\nseed 1, ";
+        assert!(text.starts_with(start), "{text}");
+        assert!(
+            !text.contains("New or over budget") && !text.contains("seed 9"),
+            "{text}"
+        );
+        let text = plain(&everything((End::AsExpected, "1.5 s"), &[], &[], 200));
+        assert!(text.starts_with(
+            "All as expected: 0 papers with 0 findings; 0 methods pass, 0 cases.\n1.5 s\n"
+        ));
+    }
+
+    #[test]
+    fn news_of_a_law_have_its_worst_case() {
+        let mut report = method();
+        report.laws[0].worst = 2.0;
+        report.failures.clear();
+        report.worst.clear();
+        let mut holding = report.laws[0].clone();
+        (holding.name, holding.worst) = ("another", 0.5);
+        report.laws.push(holding);
+        let text = plain(&news(&[], &[report.clone()], 80));
+        let due = "\na-method\n  law energy does not hold: The sum is constant within 4 ulp.\n";
+        assert_eq!(text, due);
+        report.laws[0].worst_case = method().failures[0].case.clone().into();
+        let text = plain(&news(&[], &[report], 80));
+        let again = "    reproduce  mechaudit audit a-method --region wide --seed 1 --case 17\n";
+        assert_eq!(text, format!("{due}{again}"));
+    }
+
+    #[test]
+    fn an_interrupted_method_has_no_count() {
+        let mut report = method();
+        report.interrupted = true;
+        let text = plain(&methods(&[report], 80));
+        assert!(text.ends_with("  interrupted\n"), "{text}");
+        assert!(
+            text.starts_with("method    cases  ulps  u(1+cond)  of budget  verdict\n"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_title_is_cut_between_words() {
+        for (room, due) in [
+            (11, "one two six"),
+            (10, "one two …"),
+            (9, "one two …"),
+            (8, "one …"),
+            (5, "one …"),
+            (1, "one …"),
+        ] {
+            assert_eq!(first_line("one two six", room), due, "{room}");
+        }
+        let mut report = paper_report();
+        report.findings.truncate(1);
+        report.findings[0].as_recorded = false;
+        let text = plain(&paper(&report, 80));
+        let due = "nobody: A. Nobody (1900), 1 finding, 1 NOT as recorded\n  1 recovered\n  + The mass of link 4 is not printed\n";
+        assert_eq!(text, due);
+    }
 }

@@ -109,4 +109,41 @@ mod tests {
         let narrow = lines(t.fitted(18, &["none", "much", "name"]));
         assert_eq!(narrow, "name  verdict\na     pass\n");
     }
+
+    /// Of three columns the gaps are four characters; what is left of a flush column stays flush.
+    #[test]
+    fn columns_are_left_out_one_by_one() {
+        let mut t = Table::new(&["a", "bb", "cc", "dd", "e"], &[0, 3]);
+        t.row(
+            ["1", "2", "3", "4444", "5"]
+                .map(|c| (c.to_string(), PLAIN))
+                .to_vec(),
+        );
+        let first = |width, names: &[&str]| {
+            let text = plain(&t.clone().fitted(width, names).render(0));
+            text.lines().next().unwrap().to_string()
+        };
+        assert_eq!(first(18, &["bb", "cc"]), "a  bb  cc  dd    e");
+        assert_eq!(first(17, &["bb", "cc"]), "a  cc  dd    e");
+        assert_eq!(first(14, &["bb", "cc"]), "a  cc  dd    e");
+        assert_eq!(first(13, &["bb", "cc"]), "a  dd    e");
+        assert_eq!(first(1, &["dd"]), "a  bb  cc  e");
+        assert_eq!(first(1, &["a", "e"]), "bb  cc  dd");
+        let empty = Table::new(&[], &[]).fitted(0, &["a"]).render(1);
+        assert_eq!(plain(&empty), " \n");
+    }
+
+    #[test]
+    fn the_head_is_dim_and_cells_have_their_style() {
+        let mut t = Table::new(&["a", "b"], &[0]);
+        t.row(vec![("1".into(), PLAIN), ("2".into(), super::DIM)]);
+        let text = t.render(0);
+        let due = format!(
+            "{}  {}\n1  {}\n",
+            paint(DIM, "a"),
+            paint(DIM, "b"),
+            paint(DIM, "2")
+        );
+        assert_eq!(text, due);
+    }
 }

@@ -122,4 +122,63 @@ mod tests {
             assert_eq!(text, format!("{none}{due}"));
         }
     }
+
+    #[test]
+    fn a_search_counts_single_edits_and_what_came_of_the_others() {
+        let formula = || Formula {
+            text: "y".into(),
+            latex: "y".into(),
+        };
+        let repair = |single_that_hold, pairs, pairs_that_hold, distinct: usize| Repair {
+            single_edits: 9,
+            single_that_hold,
+            pairs,
+            pairs_that_hold,
+            without_value: 0,
+            undecided: 0,
+            distinct: (0..distinct).map(|_| formula()).collect(),
+            edits: Vec::new(),
+        };
+        for (repair, due) in [
+            (repair(0, 0, 0, 0), "None of 9 single edits makes it true."),
+            (repair(1, 0, 0, 1), "1 of 9 single edits makes it true."),
+            (
+                repair(2, 0, 0, 1),
+                "2 of 9 single edits make it true, all of them giving the same formula.",
+            ),
+            (
+                repair(3, 0, 0, 2),
+                "3 of 9 single edits make it true, giving 2 different formulas.",
+            ),
+            (
+                repair(1, 1, 1, 2),
+                "1 of 9 single edits makes it true; 1 of 1 pairs of edits does, giving 2 different formulas.",
+            ),
+        ] {
+            assert_eq!(search(&repair), due);
+        }
+        let mut open = repair(1, 0, 0, 1);
+        (open.without_value, open.undecided) = (1, 0);
+        let start = "1 of 9 single edits makes it true";
+        assert_eq!(search(&open), format!("{start}; 1 divide by zero."));
+        (open.without_value, open.undecided) = (0, 1);
+        assert_eq!(search(&open), format!("{start}; 1 undecided."));
+        (open.without_value, open.undecided) = (4, 2);
+        assert_eq!(
+            search(&open),
+            format!("{start}; 4 divide by zero; 2 undecided.")
+        );
+    }
+
+    #[test]
+    fn counts_say_how_many_are_not_as_recorded() {
+        let mut ledger = crate::report::text::ledger::tests::fabricated();
+        let entries = "3 entries: 1 proved, 1 misprint, 1 model claim tested";
+        assert_eq!(counts(&ledger), format!("{entries}; all as recorded."));
+        ledger.entries[0].as_recorded = false;
+        ledger.entries[2].as_recorded = false;
+        assert_eq!(counts(&ledger), format!("{entries}; 2 NOT as recorded."));
+        ledger.entries.truncate(1);
+        assert_eq!(super::entries(&ledger), "1 entries: 1 proved");
+    }
 }

@@ -95,4 +95,36 @@ mod tests {
         assert_eq!(clipped("φab", 3), "φab");
         assert_eq!(clipped("φabc", 3), "φab …");
     }
+
+    #[test]
+    fn figures_depend_on_the_size() {
+        for (x, text) in [
+            (1e-3, "0.001"),
+            (9.99e-4, "9.99e-4"),
+            (1.5e-3, "0.002"),
+            (-0.5, "-0.500"),
+            (0.75, "0.750"),
+            (1.5, "1.50"),
+            (60.0, "60.00"),
+            (100.0, "100.0"),
+            (150.0, "150.0"),
+            (600.0, "600.0"),
+            (1000.0, "1000"),
+            (1500.0, "1500"),
+            (999_999.0, "999999"),
+            (1e6, "1.00e6"),
+            (-1.5e6, "-1.50e6"),
+            (f64::NAN, "NaN"),
+            (f64::NEG_INFINITY, "-inf"),
+        ] {
+            assert_eq!(short(x), text);
+        }
+        assert_eq!(short_if(true, 1.0), "1.00");
+        assert_eq!(percent(f64::INFINITY), "inf");
+        assert_eq!(percent(f64::NAN), "NaN");
+        assert_eq!(
+            [0, 1, 2].map(|n| count(n, "case")),
+            ["0 cases", "1 case", "2 cases"]
+        );
+    }
 }

@@ -84,3 +84,62 @@ pub fn counts(report: &PaperReport) -> String {
         report.entries.len()
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::text::paper::tests::fabricated;
+
+    #[test]
+    fn findings_are_counted_by_kind() {
+        let mut report = fabricated();
+        assert_eq!(
+            counts(&report),
+            "2 findings: 1 refuted, 1 recovered; 1 NOT as recorded. 3 printed entries recomputed."
+        );
+        let verdicts = [
+            FindingVerdict::Confirmed,
+            FindingVerdict::ErrorOfPaper,
+            FindingVerdict::ErrorOfPaper,
+            FindingVerdict::PrintOrScan,
+            FindingVerdict::Unexplained,
+        ];
+        let one = report.findings[0].clone();
+        report.findings = verdicts
+            .map(|verdict| Finding {
+                verdict,
+                ..one.clone()
+            })
+            .to_vec();
+        report.findings[2].as_recorded = false;
+        report.findings[3].as_recorded = false;
+        report.entries.clear();
+        let kinds = "1 confirmed, 2 errors of the paper, 1 of print or scan, 1 unexplained";
+        assert_eq!(
+            counts(&report),
+            format!("5 findings: {kinds}; 2 NOT as recorded. 0 printed entries recomputed.")
+        );
+        report.findings.truncate(2);
+        assert_eq!(
+            findings(&report),
+            "2 findings: 1 confirmed, 1 error of the paper"
+        );
+        assert_eq!(recorded(0), "all as recorded");
+    }
+
+    #[test]
+    fn findings_are_told_apart_by_their_subject() {
+        let report = fabricated();
+        let of = |subject| {
+            of_subject(&report, subject)
+                .into_iter()
+                .map(|f| f.id)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            (of(Subject::Data), of(Subject::Claim)),
+            (vec!["mass"], vec!["claim"])
+        );
+        assert!(of(Subject::Tables).is_empty() && of(Subject::Formula).is_empty());
+    }
+}

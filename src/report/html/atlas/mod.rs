@@ -219,4 +219,53 @@ mod tests {
             assert!(page.contains(part), "{part}");
         }
     }
+
+    #[test]
+    fn a_claim_says_what_was_found_in_the_tone_of_its_verdict() {
+        for (verdict, class, part) in [
+            (Verdict::Holds, "t-good", false),
+            (Verdict::Refuted, "t-bad", false),
+            (Verdict::InPart, "t-doubt", true),
+            (Verdict::Open, "t-doubt", false),
+            (Verdict::NotTestable, "t-new", false),
+        ] {
+            let c = crate::report::atlas::tests::claim(verdict);
+            let html = claim(&c).into_string();
+            let start = format!("<div class=\"finding claim {class}\"");
+            assert!(html.starts_with(&start), "{html}");
+            assert_eq!(html.contains("from Im z = 1 on"), part);
+            let found = "relative error; everywhere. Read as: of the norm. Found 2.00e-7 ± 1.0e-9, bound 1.00e-6, 10 points.";
+            assert!(html.contains(found), "{html}");
+        }
+    }
+
+    #[test]
+    fn the_page_has_what_there_is() {
+        let mut found = crate::report::atlas::tests::fabricated();
+        let maps = vec![(
+            "first".to_string(),
+            map(&Code::double(find("humlicek-1982").unwrap())),
+        )];
+        let full = page(&found, &maps);
+        let work = "\"work\":[[\"first\",12.345,0.001,0.002,0.04]]";
+        assert!(full.contains(work), "{work} is missing");
+        assert!(full.contains("; fastest: first</dd>"), "{full}");
+        found.rows[0].real_part_only = true;
+        assert!(page(&found, &maps).contains("[[\"first\",12.345,null,0.002,0.04]]"));
+        found.rows[0].nanoseconds = None;
+        assert!(!page(&found, &maps).contains("fastest: first"));
+        let ids = ["findings", "lines", "maps", "work", "missing"];
+        for id in ids {
+            assert!(full.contains(&format!("id=\"{id}\"")), "{id}");
+            assert!(full.contains(&format!("href=\"#{id}\"")), "{id}");
+        }
+        found.findings.clear();
+        found.profiles.clear();
+        found.not_at_hand.clear();
+        let bare = page(&found, &[]);
+        for id in ids {
+            assert!(!bare.contains(&format!("id=\"{id}\"")), "{id}");
+            assert!(!bare.contains(&format!("href=\"#{id}\"")), "{id}");
+        }
+    }
 }

@@ -183,4 +183,60 @@ mod tests {
         }
         assert_eq!(shade(f64::NAN), "h5");
     }
+
+    /// The cells of each line of a table's body, with what they sort by where they say it.
+    fn cells(html: &str) -> Vec<Vec<(String, String)>> {
+        let body = html.split("<tbody>").nth(1).unwrap();
+        let rows = body.split("<tr>").skip(1);
+        let cell = |td: &str| {
+            let (tag, text) = td.split_once('>').unwrap();
+            let key = tag
+                .split("data-v=\"")
+                .nth(1)
+                .map(|v| v.split('"').next().unwrap());
+            let text = text.split('<').next().unwrap();
+            (text.to_string(), key.unwrap_or("").to_string())
+        };
+        rows.map(|r| r.split("<td").skip(1).map(cell).collect())
+            .collect()
+    }
+
+    fn texts(html: &str) -> Vec<String> {
+        let rows = cells(html).into_iter();
+        let line = |r: Vec<(String, String)>| r.into_iter().map(|c| c.0).collect::<Vec<_>>();
+        rows.map(|r| line(r).join(" ")).collect()
+    }
+
+    #[test]
+    fn every_table_has_a_line_for_each_code() {
+        let found = crate::report::atlas::tests::fabricated();
+        assert_eq!(
+            texts(&rows(&found).into_string()),
+            [
+                "first 1.0e-3 1.0e-4 1.0e-5 2.0e-3 3.0e-3 1.5e-2 4.0e-2 5.0e-2 6.0e-2 7.0e-2 3 2 7 3.0e-9 3 8.0e-3 12",
+                "bare – – – – – – – – – – – – – – – – –",
+            ]
+        );
+        assert_eq!(
+            texts(&heights(&found).into_string()),
+            ["first all all all 1e-3 1e-20 – – –", "bare – – – – – – – –"]
+        );
+        assert_eq!(
+            texts(&lines(&found).into_string()),
+            ["profile 2.0e-3 1.0e-3 – – – – – 2.0e-3 – – – – 1 3 100"]
+        );
+    }
+
+    #[test]
+    fn cells_sort_by_their_numbers_and_what_is_unknown_comes_first() {
+        let found = crate::report::atlas::tests::fabricated();
+        let all = cells(&rows(&found).into_string());
+        let keys = |k: usize| all[k].iter().map(|c| &*c.1).collect::<Vec<_>>();
+        assert_eq!(keys(0)[1], "1e-3");
+        assert_eq!(keys(0)[11..14], ["3", "2", "7"]);
+        assert_eq!(keys(0)[17], "12.35");
+        assert_eq!(keys(1)[1..11], ["-1"; 10]);
+        assert_eq!(keys(1)[11..14], ["0"; 3]);
+        assert_eq!(keys(1)[17], "-1");
+    }
 }

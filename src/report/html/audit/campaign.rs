@@ -110,3 +110,30 @@ fn lines(label: &str, hunts: &HuntTally, method: &dyn Method) -> Markup {
 fn tone(share: f64) -> Tone {
     if share > 1.0 { Tone::Bad } else { Tone::Doubt }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::text::method::tests::{fabricated, passing};
+
+    #[test]
+    fn what_is_new_is_bad_where_it_is_over_budget() {
+        for (share, due) in [
+            (0.5, Tone::Doubt),
+            (1.0, Tone::Doubt),
+            (1.001, Tone::Bad),
+            (f64::INFINITY, Tone::Bad),
+        ] {
+            assert_eq!(tone(share), due, "{share}");
+        }
+    }
+
+    #[test]
+    fn recorded_cases_count_as_passed() {
+        let mut recorded = passing();
+        (recorded.passed, recorded.recorded) = (390, 10);
+        let all = [&fabricated(), &recorded];
+        assert_eq!(totals(&all), "799 of 800 cases pass");
+        assert_eq!(totals(&[]), "0 of 0 cases pass");
+    }
+}

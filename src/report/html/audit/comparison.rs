@@ -117,3 +117,82 @@ pub fn changes(found: &Changes) -> Markup {
         } "\n"
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::baseline::Change;
+
+    fn contest(cases: [u64; 2]) -> Contest {
+        let standing = |cases| Standing {
+            cases,
+            failed: 3,
+            wrong: 2,
+            of_budget: 0.5,
+            worst_ulps: 2.0,
+            rms_ulps: 0.25,
+            ratio: None,
+            best: false,
+        };
+        Contest {
+            region: "wide",
+            standings: cases.map(standing).to_vec(),
+        }
+    }
+
+    /// A program that stopped has fewer cases than there are.
+    #[test]
+    fn a_region_has_the_cases_of_the_code_that_had_most() {
+        for cases in [[400, 7], [7, 400]] {
+            let html = line(&contest(cases)).into_string();
+            let start = "<tr><td class=\"left\">wide</td><td>400</td>";
+            assert!(html.starts_with(start), "{html}");
+        }
+        let html = line(&Contest {
+            standings: Vec::new(),
+            ..contest([0, 0])
+        });
+        assert!(html.into_string().contains("<td>0</td>"));
+    }
+
+    #[test]
+    fn the_best_has_a_star_and_what_is_wrong_its_number() {
+        let mut s = contest([400, 400]).standings.remove(0);
+        let html = standing(&s).into_string();
+        for part in [
+            "class=\"h5\"",
+            "title=\"3 of 400 cases fail, 2 of the wrong kind or undecided, worst 50.00 % of the budget\"",
+            ">50 % ✗ 2</td><td>–</td>",
+        ] {
+            assert!(html.contains(part), "{part} is missing in {html}");
+        }
+        (s.best, s.wrong, s.failed, s.ratio) = (true, 0, 0, Some(1.0));
+        let html = standing(&s).into_string();
+        assert!(
+            html.contains("class=\"h1\"") && html.contains(">★ 50 %</td>"),
+            "{html}"
+        );
+        assert!(html.contains("<td data-v=\"1.000e0\">1.00</td>"), "{html}");
+    }
+
+    #[test]
+    fn figures_worse_and_better_are_counted() {
+        let change = |better| Change {
+            of: "a-method".into(),
+            region: "wide".into(),
+            output: None,
+            figure: "failed",
+            before: 1.0,
+            now: 2.0,
+            better,
+        };
+        let found = Changes {
+            changes: vec![change(false), change(true), change(true)],
+            not_compared: Vec::new(),
+        };
+        let html = changes(&found).into_string();
+        assert!(html.contains("<p>1 figures worse, 2 better.</p>"), "{html}");
+        assert_eq!(html.matches("t-bad\">worse").count(), 1);
+        assert_eq!(html.matches("t-good\">better").count(), 2);
+    }
+}

@@ -109,4 +109,68 @@ mod tests {
             assert!(k == 1 || ulps > end(k - 1).unwrap(), "{ulps}");
         }
     }
+
+    /// Each level is a quarter of an octave, the first up to 2⁻⁵ ulps.
+    #[test]
+    fn levels_end_at_quarters_of_octaves() {
+        for (ulps, due) in [
+            (0.031_25, 1),
+            (0.031_26, 2),
+            (1.0, 21),
+            (1.1, 22),
+            (2f64.powf(10.25), 62),
+            (2f64.powf(10.26), 63),
+            (1e9, 63),
+        ] {
+            assert_eq!(level(ulps), due, "{ulps}");
+        }
+        assert_eq!((end(0), end(1), end(21)), (None, Some(0.031_25), Some(1.0)));
+        assert_eq!((end(62), end(63)), (Some(2f64.powf(10.25)), Some(f64::MAX)));
+    }
+
+    #[test]
+    fn a_map_has_a_letter_for_each_cell_and_runs_of_formulas() {
+        let ulps = vec![f64::NAN, 0.0, 1.0, f64::INFINITY, 0.5, 0.01];
+        let map = ErrorMap {
+            columns: 3,
+            rows: 2,
+            corner: [-9.0, -6.5],
+            side: 6.0,
+            outputs: vec![crate::audit::MapOutput { name: "Re W", ulps }],
+            not_passed: 0,
+        };
+        let written = serde_json::to_value(Map::of(&map, "faddeeva")).unwrap();
+        // Nothing, nought, 2^0 and all that is beyond; 2^-1 is four levels before 2^0.
+        assert_eq!(written["outputs"][0][1], "ABV_RB");
+        assert_eq!(
+            (&written["columns"], &written["rows"]),
+            (&3.into(), &2.into())
+        );
+        assert_eq!(written["ends"].as_array().unwrap().len(), 64);
+        let at = |k: usize, n: usize| written["at"][k][n].as_f64().unwrap();
+        for (k, n) in [(0, 3), (1, 2)] {
+            assert_eq!(written["at"][k].as_array().unwrap().len(), n);
+            for i in 1..n {
+                assert!((at(k, i) - at(k, i - 1) - 6.0).abs() < 1e-12);
+            }
+            assert!((map.corner[k]..map.corner[k] + 6.0).contains(&at(k, 0)));
+        }
+        let (names, runs) = branches(&map, "faddeeva").unwrap();
+        let method = crate::methods::find("faddeeva").unwrap();
+        let due = (0..6).map(|k| {
+            method
+                .branch(&map.at(k % 3, k / 3))
+                .unwrap()
+                .branch
+                .unwrap()
+        });
+        let seen = runs.iter().flat_map(|(k, n)| vec![names[*k].clone(); *n]);
+        assert!(seen.eq(due), "{names:?} {runs:?}");
+        assert!(runs.windows(2).all(|w| w[0].0 != w[1].0), "{runs:?}");
+        let mut sorted = names.clone();
+        sorted.sort();
+        sorted.dedup();
+        assert!(sorted.len() == names.len() && names.len() > 1, "{names:?}");
+        assert!(branches(&map, "four-bar").is_none() && branches(&map, "none").is_none());
+    }
 }

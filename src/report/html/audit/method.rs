@@ -220,3 +220,100 @@ fn first(k: usize, r: &MethodReport, data: &Data) -> Markup {
         } } "\n"
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::audit::Kind;
+    use crate::report::text::method::tests::fabricated;
+
+    fn cell_of(change: impl Fn(&mut RegionReport)) -> String {
+        let mut region = fabricated().total;
+        region.outputs[0].max_of_budget = 1.0;
+        change(&mut region);
+        let o = region.outputs[0].clone();
+        of_output(Some(3), &region, &o).into_string()
+    }
+
+    /// By its share, unless it is over budget where cases fail, or has values of the wrong kind.
+    #[test]
+    fn an_output_has_the_colour_of_its_share_or_of_a_failure() {
+        let class = |html: &str| html[..html.find('>').unwrap()].contains("\"h5\"");
+        assert!(cell_of(|_| ()).starts_with("<td class=\"h3\" data-v=\"7.250e0\">"));
+        assert!(class(&cell_of(|r| r.outputs[0].max_of_budget = 1.25)));
+        let recorded = cell_of(|r| {
+            r.outputs[0].max_of_budget = 1.25;
+            (r.passed, r.over) = (r.cases, 0);
+        });
+        assert!(recorded.contains("class=\"h4\""), "{recorded}");
+        let wrong = |n| cell_of(move |r| r.outputs[0].kinds[Kind::Nan] = n);
+        assert!(class(&wrong(1)) && !class(&wrong(0)));
+        let label =
+            "title=\"p99 1.50, median 0.300, 100.0 % of budget\" data-c=\"3\">7.25</button>";
+        assert!(wrong(1).contains(label), "{}", wrong(1));
+    }
+
+    #[test]
+    fn an_output_without_errors_has_a_dash_or_its_wrong_values() {
+        let none = |n| {
+            cell_of(move |r| {
+                r.outputs[0].ulps.count = 0;
+                r.outputs[0].kinds[Kind::Nan] = n;
+            })
+        };
+        let label = "title=\"p99 –, median –, 100.0 % of budget\"";
+        assert!(
+            none(0).contains(label) && none(0).contains(">–</button>"),
+            "{}",
+            none(0)
+        );
+        assert!(none(4).contains(">✗ 4</button>"), "{}", none(4));
+        let one = cell_of(|r| r.outputs[0].ulps.count = 1);
+        assert!(one.contains(">7.25</button>"), "{one}");
+    }
+
+    #[test]
+    fn figures_stand_where_there_are_errors() {
+        let mut o = fabricated().total.outputs.remove(0);
+        o.conditioned.max = 0.5;
+        let cells = |o: &OutputStatistics| -> Vec<String> {
+            let html = output(o).into_string();
+            let texts = html.split("</td>").filter_map(|td| td.rsplit('>').next());
+            let texts: Vec<String> = texts.map(|t| t.trim().to_string()).collect();
+            texts[..texts.len() - 1].to_vec()
+        };
+        let due = [
+            "phi2", "400", "0", "7.25", "1.50", "0.300", "0.400", "–", "175.0 %", "–",
+        ];
+        assert_eq!(cells(&o)[..10], due);
+        (o.ulps.count, o.conditioned.count) = (0, 1);
+        let due = [
+            "phi2", "400", "0", "–", "–", "–", "–", "0.500", "175.0 %", "31.00",
+        ];
+        assert_eq!(cells(&o)[..10], due);
+        (o.ulps.count, o.conditioned.count) = (1, 0);
+        assert_eq!((&*cells(&o)[3], &*cells(&o)[7]), ("7.25", "–"));
+    }
+
+    #[test]
+    fn failing_cases_beyond_those_shown_are_counted() {
+        let seen = |failures: usize, left_out: u64| {
+            let mut report = fabricated();
+            report.failures = vec![report.failures[0].clone(); failures];
+            report.failures_left_out = left_out;
+            let named = [("a-method", &report)];
+            let html = section(0, "a-method", &report, &Data::of(&named), false).into_string();
+            let more = html.split(" more failing cases").next().unwrap();
+            let left = html.contains("more failing cases").then(|| {
+                let digits = more.rsplit('>').next().unwrap();
+                digits.parse::<u64>().unwrap()
+            });
+            (html.matches("<pre>").count(), left)
+        };
+        assert_eq!(seen(FAILURES_SHOWN, 0), (FAILURES_SHOWN, None));
+        assert_eq!(seen(FAILURES_SHOWN + 3, 0), (FAILURES_SHOWN, Some(3)));
+        assert_eq!(seen(FAILURES_SHOWN + 3, 4), (FAILURES_SHOWN, Some(7)));
+        assert_eq!(seen(2, 4), (2, Some(4)));
+        assert_eq!(seen(0, 0), (0, None));
+    }
+}

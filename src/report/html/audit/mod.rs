@@ -263,4 +263,42 @@ mod tests {
         assert_eq!(title(false), "a-method: 2 codes side by side: As expected");
         assert_eq!(title(true), "a-method: 2 codes side by side: Interrupted");
     }
+
+    #[test]
+    fn a_law_that_fails_and_trouble_are_news() {
+        let mut report = passing();
+        report.laws[0].worst = 1.5;
+        report.candidate = Some(crate::audit::CandidateReport {
+            trouble: Some("it stopped".into()),
+            ..Default::default()
+        });
+        let page = |r: &MethodReport| super::page(std::slice::from_ref(r), None, None, false);
+        let text = page(&report);
+        let news = "0 of 400 cases do not pass; law energy does not hold; it stopped</li>";
+        assert!(text.contains(news), "{text}");
+        report.interrupted = true;
+        let text = page(&report);
+        let news = "interrupted after 400 cases; law energy";
+        assert!(text.contains(news), "{text}");
+    }
+
+    /// Contents of a page of one method lead into it; a page of several has an overview, and one of three all statistics.
+    #[test]
+    fn what_a_page_has_depends_on_how_many_methods_there_are() {
+        for n in 1..=4 {
+            let text = page(&vec![fabricated(); n], None, None, false);
+            assert_eq!(text.contains("href=\"#regions-0\""), n == 1, "{n}");
+            assert_eq!(text.contains("href=\"#overview\""), n > 1, "{n}");
+            assert_eq!(text.contains("id=\"overview-table\""), n > 1, "{n}");
+            let all = text.matches("All statistics by region and output").count();
+            assert_eq!(all, if n <= 3 { n } else { 0 });
+        }
+        let text = page(&[fabricated()], None, None, true);
+        assert!(text.contains("<title>Audit of a-method: Interrupted</title>"));
+        assert!(text.contains("<p class=\"soft\">seed 1, "), "{text}");
+        let found = Comparison::new("a-method", vec![(passing(), None), (fabricated(), None)]);
+        let text = comparison(&found, None);
+        assert!(!text.contains("id=\"overview-table\""), "{text}");
+        assert!(text.contains("1 of 2 codes pass."), "{text}");
+    }
 }

@@ -117,7 +117,9 @@ pub fn number(there: bool, x: f64) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use super::{brief, heat};
+    use super::*;
+    use crate::audit::Kind;
+    use crate::report::text::method::tests::fabricated;
 
     #[test]
     fn a_share_is_a_percentage_a_multiple_or_unknown() {
@@ -144,5 +146,49 @@ mod tests {
         assert_eq!(names[1..], ["h1", "h2", "h3", "h4", "h4"]);
         assert!(!names[1..].contains(&names[0]), "{names:?}");
         assert!(!names.contains(&heat(true, 0.25)), "{names:?}");
+    }
+
+    #[test]
+    fn numbers_sort_as_scripts_read_them() {
+        for (x, due) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (f64::INFINITY, "Infinity"),
+            (f64::NEG_INFINITY, "-Infinity"),
+            (f64::NAN, "NaN"),
+            (0.25, "2.500e-1"),
+            (-1e300, "-1.000e300"),
+        ] {
+            assert_eq!(sorting(x), due);
+        }
+        let cell = |there| number(there, 0.25).into_string();
+        assert_eq!(cell(true), "<td data-v=\"2.500e-1\">0.250</td>");
+        assert_eq!(cell(false), "<td>–</td>");
+    }
+
+    #[test]
+    fn a_line_has_the_worst_of_its_method_and_a_cell_for_each_region() {
+        let mut report = fabricated();
+        let mut second = report.total.outputs[0].clone();
+        second.ulps.max = 9.5;
+        report.total.outputs.insert(0, second);
+        (report.regions[0].over, report.regions[0].passed) = (0, 400);
+        report.regions[1].kinds[Kind::Nan] = 3;
+        let data = Data::of(&[("a-method", &report), ("a-method", &report)]);
+        let html = table(&[&report, &report], &data).into_string();
+        let rows: Vec<&str> = html.split("<tr data-m=").skip(1).collect();
+        assert_eq!(rows.len(), 2);
+        for part in [
+            "\"0\"><td class=\"left\"><a href=\"#method-0\">a-method</a>",
+            "<td>400</td><td>1</td>",
+            "<td data-v=\"9.500e0\">9.50</td>",
+            "<td data-v=\"1.750e0\">175.0 %</td>",
+            "<button class=\"heat h4\" title=\"wide: 400 of 400 cases pass, worst 175.0 % of its budget\" \
+             data-c=\"0\">175 %</button>",
+            "<button class=\"heat h5\" title=\"near: 399 of 400 cases pass, worst 175.0 % of its budget\" \
+             data-c=\"0\">✗ 3</button>",
+        ] {
+            assert!(rows[0].contains(part), "{part} is missing in {}", rows[0]);
+        }
     }
 }
