@@ -73,6 +73,7 @@ fn lines(reports: &[&ConvergenceReport], output: usize) -> Vec<Line> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::page::tests::between;
     use super::*;
     use crate::audit::LevelReport;
 
@@ -99,13 +100,6 @@ mod tests {
             fitted: vec![Some(4.0)],
             levels: vec![level(10, 1e-2), level(100, 1e-6)],
         }
-    }
-
-    /// What stands between these two, each time.
-    fn between(text: &str, before: &str, after: &str) -> Vec<String> {
-        let parts = text.split(before).skip(1);
-        let inner = parts.map(|p| p.split(after).next().unwrap().to_string());
-        inner.collect()
     }
 
     #[test]

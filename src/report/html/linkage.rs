@@ -111,6 +111,7 @@ fn tables(motion: &Motion) -> Markup {
 
 #[cfg(test)]
 mod tests {
+    use super::super::page::tests::between;
     use super::*;
     use crate::motion::{Drive, Point};
 
@@ -179,12 +180,6 @@ mod tests {
             wheels: Vec::new(),
             courses: (0..courses).map(course).collect(),
         }
-    }
-
-    /// What stands between these two, each time.
-    fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
-        let parts = text.split(before).skip(1);
-        parts.map(|p| p.split(after).next().unwrap()).collect()
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Tests of `motion`.
 
+use super::super::page::tests::between;
 use super::*;
 use crate::motion::{Drive, Wheel};
 use serde_json::{Value, json};
@@ -72,6 +73,19 @@ fn what_is_far_off_is_cut_at_five_times_the_bulk() {
     assert_eq!(shown(91.0 - 389.0), [91.0 - 389.0, 91.0]);
 }
 
+/// A fortieth of the values at each end.
+#[test]
+fn the_bulk_is_nineteen_twentieths() {
+    let shown = |n: u32| {
+        let inner = (0..n - 2).map(|k| 10.0 + f64::from(k));
+        let all: Vec<f64> = inner.chain([-1e3, 1e3]).collect();
+        range(&course("a", "", &all))
+    };
+    // From 11 to 86, and from 10 to 86.
+    assert_eq!(shown(80), [11.0 - 75.0, 86.0 + 75.0]);
+    assert_eq!(shown(79), [10.0 - 76.0, 86.0 + 76.0]);
+}
+
 #[test]
 fn an_angle_that_jumps_by_a_turn_breaks_its_line() {
     let values = [0.0, 190.0, 10.0, 195.0, f64::NAN, 1.234_567_89];
@@ -92,6 +106,10 @@ fn an_angle_that_jumps_by_a_turn_breaks_its_line() {
             .breaks
             .is_empty()
     );
+    // The line that is drawn first.
+    let mut two = angle.clone();
+    two.variants.push((String::new(), vec![0.0; 6]));
+    assert_eq!(super::row(&two, true).breaks, [1, 3]);
 }
 
 /// A metre is 100 pixels, from (160, 160).
@@ -198,18 +216,18 @@ fn some_courses_are_drawn_from_the_start() {
         with(course("x", "m", &[0.0, 90.0, 180.0, 270.0])),
         "xxx----"
     );
+    // To a thousand millionth of a turn.
+    let off = |turns: f64| with(angle([0.0, 90.0, 180.0, 360.0 * turns + 270.0]));
+    assert_eq!((&*off(0.7e-9), &*off(1.5e-9)), ("---xxx-", "xxx----"));
+    // The second course may be the drive's, but only the first is left out.
+    let second = vec![other(), angle([0.0, 90.0, 180.0, 270.0]), other(), other()];
+    assert_eq!(drawn(second), "xxx-");
     for name in ["I_n", "dI_n_dphi", "M_o", "m_n", "dm_n_ds", "F_o"] {
         let reduced = course(name, "", &[1.0; 4]);
         let mut all = others(5);
         all.insert(4, reduced);
         assert_eq!(drawn(all), "----x-", "{name}");
     }
-}
-
-/// What stands between these two, each time.
-fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
-    let parts = text.split(before).skip(1);
-    parts.map(|p| p.split(after).next().unwrap()).collect()
 }
 
 #[test]

@@ -184,6 +184,12 @@ pub fn entry_of_contents(id: &str, tone: Tone, sign: &str, name: &str) -> Markup
 pub(crate) mod tests {
     use super::*;
 
+    /// What stands between these two, each time.
+    pub fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
+        let parts = text.split(before).skip(1);
+        parts.map(|p| p.split(after).next().unwrap()).collect()
+    }
+
     /// The page without its scripts' and style sheets' text, and how many scripts run.
     pub fn markup(page: &str) -> (String, usize) {
         let mut parts = page.split("<script>");

@@ -57,6 +57,7 @@ pub fn lines(lines: &[(String, Vec<(f64, f64)>)]) -> Markup {
 
 #[cfg(test)]
 mod tests {
+    use super::super::page::tests::between;
     use super::*;
 
     #[test]
@@ -89,12 +90,6 @@ mod tests {
     #[test]
     fn a_single_point_has_a_place() {
         assert_eq!(placed(&[(10.0, 1e-3)]).0, "46.0,238.0");
-    }
-
-    /// What stands between these two, each time.
-    fn between<'a>(text: &'a str, before: &str, after: &str) -> Vec<&'a str> {
-        let parts = text.split(before).skip(1);
-        parts.map(|p| p.split(after).next().unwrap()).collect()
     }
 
     #[test]
