@@ -61,7 +61,7 @@ pub fn claim(verdict: Verdict) -> Decided {
     }
 }
 
-/// Two codes, of one of which nothing is known, and a profile.
+/// Two codes and two profiles; of one of each hardly anything is known.
 pub fn fabricated() -> Atlas {
     let jump = |re, rising| Jump {
         between: None,
@@ -155,6 +155,13 @@ pub fn fabricated() -> Atlas {
         nanoseconds: Some(99.6),
         ..row("profile")
     };
+    let second = Row {
+        parts: vec![Part {
+            re: Some(0.5),
+            ..part("wings", 1)
+        }],
+        ..row("second")
+    };
     let untestable = Decided {
         part: String::new(),
         bound: None,
@@ -167,7 +174,7 @@ pub fn fabricated() -> Atlas {
     Atlas {
         effort: Effort { cases: 40, seed: 7 },
         rows: vec![first, bare],
-        profiles: vec![profile],
+        profiles: vec![profile, second],
         claims: vec![claim(Verdict::InPart), untestable],
         findings: vec![Finding {
             algorithm: "first",
@@ -208,6 +215,7 @@ fn what_is_about_all_regions_stands_in_their_line() {
         "profile,double,mixed,0,,,,9e0,,0,0,,,,,",
         "profile,double,wings,12,,,,2e-3,,0,0,,,,,",
         "profile,double,all,22,,,,,,1,3,,,,,1e2",
+        "second,double,wings,1,,,,5e-1,,0,0,,,,,",
     ];
     assert_eq!(lines.len(), due.len(), "{text}");
     for (line, due) in lines.iter().zip(due) {

@@ -214,8 +214,15 @@ fn harmonics_stand_on_logarithmic_axes() {
     type Points<'a> = &'a [(f64, f64)];
     let all: [(Points, Points, f64, (f64, f64)); 5] = [
         (
-            &[(1.0, 0.5), (4.0, 0.02), (10.0, 5e-4)],
-            &[(1.0, 2.0), (2.0, 1e-3), (3.0, 5e-5), (4.0, f64::INFINITY)],
+            // What stands on the lowest line has no height.
+            &[(1.0, 0.5), (4.0, 0.02), (5.0, 1e-4), (10.0, 5e-4)],
+            &[
+                (1.0, 2.0),
+                (2.0, 1e-3),
+                (2.5, 1e-4),
+                (3.0, 5e-5),
+                (4.0, f64::INFINITY),
+            ],
             11.0,
             (-4.0, 1.0),
         ),
@@ -288,4 +295,7 @@ fn harmonics_stand_on_logarithmic_axes() {
         assert!(seen.iter().any(|t| t.0 == text), "{text}: {seen:?}");
     }
     assert!(seen.contains(&("D_n", [144.0, 86.0, 15.0])), "{seen:?}");
+    for (text, size) in [("harmonic n", 17.0), ("D_n, lifts", 17.0), ("10", 15.0)] {
+        assert!(seen.iter().any(|t| t.0 == text && t.1[2] == size), "{text}");
+    }
 }

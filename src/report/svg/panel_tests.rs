@@ -404,3 +404,19 @@ fn curves_are_two_pixels_wide_and_dashed_where_they_are_to_be() {
     assert!(dashed.contains("stroke-width=\"2\"") && dashed.contains("dasharray=\"7 5\""));
     assert!(solid.contains(&hex(BLUE)) && dashed.contains(&hex(ORANGE)));
 }
+
+#[test]
+fn axes_have_larger_letters_than_their_ticks() {
+    let line = vec![(2.0, 2.0), (3.0, 3.0)];
+    let svg = drawn((600, 400), |root, page| {
+        panel(root, page, ("across", "up"), &[curve("", line, BLUE)])
+    });
+    for (text, [_, _, size]) in placed(&svg.unwrap()) {
+        let due = if ["across", "up"].contains(&text) {
+            17.0
+        } else {
+            15.0
+        };
+        assert_eq!(size, due, "{text}");
+    }
+}

@@ -108,6 +108,7 @@ mod tests {
         };
         assert_eq!(counted(&slope(40), false), [36; 3]);
         assert_eq!(counted(&slope(40), true), [40; 3]);
+        assert_eq!(counted(&slope(39), false), [37; 3]);
         assert_eq!(counted(&slope(19), false), [19; 3]);
         assert_eq!(counted(&slope(1), false), [1; 3]);
         assert!(counted(&[], false).is_empty());

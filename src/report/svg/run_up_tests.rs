@@ -220,6 +220,9 @@ fn points_stand_between_whole_powers_of_ten() {
         seen.contains(&("a", [10.0 + 134.0, 76.0 + 10.0, 15.0])),
         "{seen:?}"
     );
+    for (text, size) in [("evaluations of the right-hand side", 17.0), ("1000", 15.0)] {
+        assert!(seen.iter().any(|t| t.0 == text && t.1[2] == size), "{text}");
+    }
     for (text, n) in [
         ("worst error of the speed found, rad/s", 1),
         ("evaluations of the right-hand side", 1),
@@ -245,5 +248,40 @@ fn what_has_one_value_has_a_decade() {
     let seen = texts(&svg);
     for text in ["1e-3", "1e-2", "100", "1000"] {
         assert!(seen.contains(&text), "{text}: {seen:?}");
+    }
+}
+
+#[test]
+fn fourteen_decades_have_a_label_each_and_of_more_every_second() {
+    let work = |points: &[(f64, u64)]| Work {
+        method: "a",
+        points: points.to_vec(),
+    };
+    let svg = work_precision("a", &[work(&[(1e-2, 10), (1e-16, 100)])]).unwrap();
+    let seen = texts(&svg);
+    assert!(
+        seen.contains(&"1e-4") && seen.contains(&"1e-14"),
+        "{seen:?}"
+    );
+    assert!(
+        !seen.contains(&"1e-3") && !seen.contains(&"1e-15"),
+        "{seen:?}"
+    );
+}
+
+/// However long the run is.
+#[test]
+fn a_run_has_two_points_in_each_of_seven_hundred_columns() {
+    for end in [0.7, 7.0] {
+        let sample = |k: u32| Sample {
+            t: end * f64::from(k) / 7000.0,
+            psi: f64::from(k % 2),
+            ..Sample::default()
+        };
+        let samples: Vec<Sample> = (0..=7000).map(sample).collect();
+        let seen = curves(&[PANELS[0].1[0]], &samples, 1.0);
+        let n = seen[0].points.len();
+        // The last sample may have a column of its own.
+        assert!((1400..=1402).contains(&n), "{n}");
     }
 }

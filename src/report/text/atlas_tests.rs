@@ -92,7 +92,7 @@ fn every_table_has_a_line_for_each_code() {
     let found = crate::report::atlas::tests::fabricated();
     let text = atlas(&found, 100);
     assert_eq!(
-        lines(&text, &["first", "bare", "profile"]),
+        lines(&text, &["first", "bare", "profile", "second"]),
         [
             "first 1.0e-3 2.0e-3 4.0e-2 8.0e-3 12",
             "bare – – – – –",
@@ -102,6 +102,7 @@ fn every_table_has_a_line_for_each_code() {
             "first 3 2 7 3.0e-9 3",
             "bare – – – – –",
             "profile 1e-3 – – 2e-3 – 3 100",
+            "second – – – 5e-1 – – –",
             "first all / all all / -3 -20 / – – / –",
             "bare – / – – / – – / – – / –",
             "first holds in part",
@@ -110,7 +111,7 @@ fn every_table_has_a_line_for_each_code() {
     );
     let text = plain(&text);
     for part in [
-        "3 codes; 2 claims: 1 holds in part, 1 not testable.\n\nWorst relative errors\n",
+        "4 codes; 2 claims: 1 holds in part, 1 not testable.\n\nWorst relative errors\n",
         "Worst found of 40 points a region.",
         "found of 12 lines a region",
         "“accurate” (Nobody (1900))",

@@ -223,7 +223,10 @@ mod tests {
         );
         assert_eq!(
             texts(&lines(&found).into_string()),
-            ["profile 2.0e-3 1.0e-3 – – – – – 2.0e-3 – – – – 1 3 100"]
+            [
+                "profile 2.0e-3 1.0e-3 – – – – – 2.0e-3 – – – – 1 3 100",
+                "second – – – – – – – 5.0e-1 – – – – – – –",
+            ]
         );
     }
 

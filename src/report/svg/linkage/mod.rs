@@ -1,6 +1,8 @@
 //! Linkages at several positions, with the paths of their joints.
 
 mod class_iii;
+#[cfg(test)]
+mod drawn_tests;
 mod dyad;
 mod planar;
 mod scene;
