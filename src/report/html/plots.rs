@@ -89,7 +89,11 @@ mod tests {
 
     #[test]
     fn a_single_point_has_a_place() {
-        assert_eq!(placed(&[(10.0, 1e-3)]).0, "46.0,238.0");
+        let (points, svg) = placed(&[(10.0, 1e-3)]);
+        assert_eq!(points, "46.0,238.0");
+        // A tenth of a decade beside it.
+        let work = between(&svg, "text-anchor=\"middle\">", "</text>");
+        assert_eq!(work, ["10", "13"]);
     }
 
     #[test]
@@ -132,7 +136,7 @@ mod tests {
 
     #[test]
     fn no_work_and_negative_errors_have_no_place() {
-        let (points, _) = placed(&[(0.0, 1e-1), (1.0, 1.0), (10.0, -1e-5), (100.0, 0.1)]);
+        let (points, _) = placed(&[(0.0, 1e-1), (0.5, 1.0), (10.0, -1e-5), (50.0, 0.1)]);
         assert_eq!(points, "46.0,8.0 376.0,238.0");
     }
 }

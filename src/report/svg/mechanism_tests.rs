@@ -109,7 +109,7 @@ fn every_part_stands_where_it_is() {
     assert_eq!(corners, ["70.00,626.00 370.00,626.00 70.00,326.00"; 2]);
     let blocks = attributes(&svg, "rect", "x")
         .into_iter()
-        .zip(attributes(&svg, "rect", "y").into_iter());
+        .zip(attributes(&svg, "rect", "y"));
     let blocks: Vec<_> = blocks.collect();
     assert_eq!(blocks, [("156.0", "417.0"), ("56.0", "417.0")]);
     let circles = attributes(&svg, "circle", "cx")

@@ -61,8 +61,10 @@ pub fn placed(svg: &str) -> Vec<(&str, [f64; 3])> {
         .collect()
 }
 
+pub type Points = Vec<(f64, f64)>;
+
 /// The points of each line of a drawing, with its colour and width.
-pub fn polylines(svg: &str) -> Vec<(String, u32, Vec<(f64, f64)>)> {
+pub fn polylines(svg: &str) -> Vec<(String, u32, Points)> {
     let colours = attributes(svg, "polyline", "stroke").into_iter();
     let widths = attributes(svg, "polyline", "stroke-width").into_iter();
     let points = attributes(svg, "polyline", "points").into_iter();
@@ -79,7 +81,7 @@ pub fn polylines(svg: &str) -> Vec<(String, u32, Vec<(f64, f64)>)> {
 }
 
 /// The points of the lines that the program draws itself, in hundredths of a pixel.
-pub fn curves(svg: &str) -> Vec<Vec<(f64, f64)>> {
+pub fn curves(svg: &str) -> Vec<Points> {
     let own = svg.split("stroke-linejoin=\"round\"").skip(1);
     let points = own.map(|tag| tag.split("points=\"").nth(1).unwrap().split('"').next());
     let place = |p: &str| {

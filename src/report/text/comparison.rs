@@ -259,6 +259,8 @@ mod tests {
             trouble: Some("it stopped".into()),
             ..Default::default()
         });
+        // The budget shown is that of the first.
+        other.budgets[0].name = "p";
         let mut first = fabricated();
         first.regions[0].kinds[crate::audit::Kind::Nan] = 2;
         let speed = Speed {
@@ -286,6 +288,15 @@ mod tests {
             "{text}"
         );
         assert_eq!(text.matches("NaN").count(), 1, "{text}");
+        // Words are flush left, numbers right.
+        let line =
+            "\n  wide    A     400       1    175.0 %            1.00        7.25  0.400  2 NaN\n";
+        assert!(text.contains(line), "{text}");
+        let narrow = plain(&comparison(&found, 40));
+        let mut own = narrow.lines().skip_while(|l| !l.starts_with("  A "));
+        let second = own.nth(1).unwrap();
+        let indent = second.len() - second.trim_start().len();
+        assert_eq!(indent, 5, "{narrow}");
     }
 
     #[test]

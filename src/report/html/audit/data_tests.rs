@@ -155,6 +155,9 @@ fn a_page_of_much_holds_less_of_each() {
     assert_eq!(counted(&report, 1), [601, 301]);
     assert_eq!(counted(&report, 2), [301, 151]);
     report.failures.clear();
+    let mut alone = report.clone();
+    alone.regions.truncate(1);
+    assert_eq!(counted(&alone, 1), [1201, 1]);
     let region = report.regions[1].clone();
     report.regions.extend(vec![region; 598]);
     assert_eq!(counted(&report, 1), [4, 1]);
@@ -179,4 +182,10 @@ fn much_of_a_long_case_is_left_out() {
         let input = &data["methods"][0]["cases"][0][3];
         assert_eq!(input.as_array().unwrap().len(), kept);
     }
+}
+
+#[test]
+fn a_page_of_nothing_has_no_data() {
+    let data = serde_json::to_value(Data::of(&[])).unwrap();
+    assert_eq!(data["methods"], serde_json::json!([]));
 }

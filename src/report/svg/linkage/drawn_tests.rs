@@ -91,6 +91,7 @@ fn links_of_class_iii_hang_from_their_own_pivots() {
         assert_eq!(label.1 < circles(&svg)[k].1, hangs, "{name}");
     }
     labels(&svg, ["1", "2", "3", "4", "5", "A", "B", "C", "D"]);
+    assert!(svg.contains("; paths of A (dashed), B, C, D<"), "{svg}");
 }
 
 #[test]
