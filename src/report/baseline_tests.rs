@@ -210,6 +210,9 @@ fn small_changes_of_statistics_are_none() {
     assert!(changed(1000.9, 1000.0).is_empty());
     assert_eq!(changed(1000.0, 1001.1), [false]);
     assert_eq!(changed(1001.1, 1000.0), [true]);
+    // Of the larger of the two.
+    assert!(changed(1000.0, 1001.0005).is_empty());
+    assert!(changed(1001.0005, 1000.0).is_empty());
     assert!(changed(0.0, 0.0).is_empty());
     assert_eq!(changed(0.0, 1e-9), [false]);
     assert!(changed(0.5, 0.5004).is_empty());

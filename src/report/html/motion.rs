@@ -94,7 +94,7 @@ fn range(course: &Course) -> [f64; 2] {
         false => (low, high),
     };
     // What is constant but for rounding is a straight line.
-    let least = 1e-9 * low.abs().max(high.abs());
+    let least = 1e-9 * high.abs();
     match high - low > least {
         true => [low, high],
         false => [

@@ -123,6 +123,7 @@ fn a_history_has_the_ends_of_each_column_within_its_envelope() {
             );
         }
     }
+    assert!(svg.contains("viewBox=\"0 0 1000 1080\""));
     let thin = ("1", false);
     let envelope = ("2", true);
     assert_eq!(
@@ -287,6 +288,7 @@ fn harmonics_stand_on_logarithmic_axes() {
         beyond: Vec::new(),
     });
     let svg = svg.unwrap();
+    assert!(svg.contains("viewBox=\"0 0 1000 640\""));
     let seen = placed(&svg);
     assert_eq!(seen[0], ("a", [24.0, 18.0, 24.0]));
     let note = "law b, amplitudes D_n of the displacement in lifts";

@@ -27,11 +27,8 @@ pub fn draw(name: &str, rows: &[(f64, Reduced)], whole: bool) -> Result<String, 
             "the crank does not turn fully; beyond the drawing the curves grow without bound at both ends"
         }
     };
-    let (first, last) = match rows {
-        [] => (0.0, 0.0),
-        [(first, _), .., (last, _)] => (*first, *last),
-        [(only, _)] => (*only, *only),
-    };
+    let at = |row: Option<&(f64, Reduced)>| row.map_or(0.0, |r| r.0);
+    let (first, last) = (at(rows.first()), at(rows.last()));
     drawn((1000, 1080), |root, page| {
         let areas = titled(root, page, name, note)?.split_evenly((PANELS.len(), 1));
         for (k, (area, (label, colour, value))) in areas.iter().zip(PANELS).enumerate() {
@@ -136,6 +133,7 @@ mod tests {
             ] {
                 assert_eq!(texts.iter().filter(|t| **t == text).count(), n, "{text}");
             }
+            assert!(svg.contains("viewBox=\"0 0 1000 1080\""));
             let noted = texts.iter().any(|t| t.contains("does not turn fully"));
             assert_eq!(noted, !whole);
             // Rising, twice as steep, falling.

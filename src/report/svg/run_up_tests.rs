@@ -212,6 +212,7 @@ fn points_stand_between_whole_powers_of_ten() {
     assert_eq!(lines.iter().map(Vec::len).collect::<Vec<_>>(), [2, 1, 1, 1]);
     let colours = [BLUE, BLUE, ORANGE, GREEN, PURPLE].map(hex);
     assert_eq!(attributes(&svg, "circle", "fill"), colours);
+    assert!(svg.contains("viewBox=\"0 0 1000 700\""));
     let seen = placed(&svg);
     assert_eq!(seen[0], ("a: work and precision", [24.0, 18.0, 24.0]));
     assert_eq!(seen[1].1, [24.0, 50.0, 15.0]);

@@ -519,3 +519,45 @@ fn outputs_give_way_one_column_before_the_edge() {
     assert!(!seen(longest - 1).contains("condition"), "{whole}");
     assert!(seen(longest - 1).contains("median"), "{whole}");
 }
+
+/// One value is enough for a figure.
+#[test]
+fn figures_stand_where_there_are_values() {
+    let seen = |count: u64| {
+        let mut report = fabricated();
+        let spread = Spread {
+            count,
+            ..report.total.outputs[0].ulps
+        };
+        for region in report.regions.iter_mut().chain([&mut report.total]) {
+            region.normwise = Some(spread);
+            (region.outputs[0].ulps, region.outputs[0].conditioned) = (spread, spread);
+        }
+        let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
+        let lines = |text: String| {
+            style::plain(&text)
+                .lines()
+                .skip(1)
+                .map(words)
+                .collect::<Vec<_>>()
+        };
+        let (outputs, regions) = (outputs(&report, 200), regions(&report, 200));
+        [&lines(outputs)[..2], &lines(regions)[..1]].concat()
+    };
+    assert_eq!(
+        seen(1),
+        [
+            "phi2 400 7.25 1.50 0.300 0.400 7.25 175.0 % 31.00 –",
+            "norm, in u 1 7.25 1.50 0.300 0.400",
+            "wide 400 1 7.25 1.50 0.300 0.400 7.25 175.0 % –",
+        ]
+    );
+    assert_eq!(
+        seen(0),
+        [
+            "phi2 400 – – – – – 175.0 % 31.00 –",
+            "norm, in u 0 – – – –",
+            "wide 400 1 – – – – – 175.0 % –",
+        ]
+    );
+}

@@ -136,4 +136,81 @@ mod tests {
         assert_eq!(totals(&all), "799 of 800 cases pass");
         assert_eq!(totals(&[]), "0 of 0 cases pass");
     }
+
+    fn plan(kinds: &[&str]) -> Plan {
+        let part = |kind: &&str| {
+            let hunts = if *kind == "hunt" { "hunts = 3" } else { "" };
+            format!("[[part]]\nkind = \"{kind}\"\nmethods = [\"faddeeva\"]\n{hunts}\n")
+        };
+        let parts: String = kinds.iter().map(part).collect();
+        let text = format!("name = \"x\"\n{parts}");
+        Plan::read(&crate::machine::Source::toml(text)).unwrap()
+    }
+
+    /// Of each output the worst input alone, and each kind of part in a section of its own.
+    #[test]
+    fn hunts_and_proofs_have_a_section_where_there_are_any() {
+        let worst = |share: f64, seed: u64| {
+            serde_json::json!({
+                "order": !share.to_bits(),
+                "input": [0.5f64.to_bits(), 1.0f64.to_bits()],
+                "seed": seed,
+                "reason": "planted",
+            })
+        };
+        let found = serde_json::json!({
+            "hunts": 3,
+            "evaluations": 700,
+            "failures": 1,
+            "first_failures": [],
+            "worst": [[0, [worst(1e9, 7), worst(0.5, 8)]], [1, [worst(1e-9, 9)]]],
+        });
+        let tally: HuntTally = serde_json::from_value(found).unwrap();
+        let method = || crate::methods::find("faddeeva").unwrap();
+        let names: Vec<&str> = method().outputs().iter().map(|o| o.name).collect();
+        let sums = || vec![PartSum::Hunts(tally.clone(), method())];
+        let html = hunts(&plan(&["hunt"]), &sums()).into_string();
+        let rows: Vec<&str> = html
+            .split("<tbody>")
+            .nth(1)
+            .unwrap()
+            .split("<tr>")
+            .skip(1)
+            .collect();
+        assert_eq!(rows.len(), 2, "{html}");
+        for (k, seed) in [(0, 7), (1, 9)] {
+            let due = format!(
+                "<td>3</td><td>700</td><td>1</td><td class=\"left\">{}</td>",
+                names[k]
+            );
+            assert!(rows[k].contains(&due), "{due}: {}", rows[k]);
+            assert!(
+                rows[k].contains(&format!("planted, seed {seed}</td>")),
+                "{}",
+                rows[k]
+            );
+        }
+        assert!(
+            rows[0].contains("<span class=\"sign t-bad\">new</span>") && !rows[1].contains("new")
+        );
+        assert_eq!(proofs(&plan(&["hunt"]), &sums()).into_string(), "");
+        let proof = || vec![PartSum::Proof(ProofTally::default())];
+        assert_eq!(hunts(&plan(&["proof"]), &proof()).into_string(), "");
+        let html = proofs(&plan(&["proof"]), &proof()).into_string();
+        assert!(
+            html.contains("<b>all</b>") && html.contains("<span class=\"t-good\">0</span>"),
+            "{html}"
+        );
+        let page = crate::report::html::audit::campaign(&plan(&["hunt"]), (1, 4), &sums());
+        let (hunts, proofs) = ("<a href=\"#hunts\">", "<a href=\"#proofs\">");
+        assert!(page.contains(hunts) && !page.contains(proofs));
+        assert!(page.contains("<title>Campaign x: Under way</title>"));
+        assert!(
+            page.contains("1 of 4 shards done; 0 of 0 cases pass."),
+            "{page}"
+        );
+        let page = crate::report::html::audit::campaign(&plan(&["proof"]), (4, 4), &proof());
+        assert!(!page.contains(hunts) && page.contains(proofs));
+        assert!(!page.contains("Under way"));
+    }
 }
