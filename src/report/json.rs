@@ -85,3 +85,79 @@ pub fn comparison(found: &Comparison, changes: Option<&Changes>) -> Value {
     }
     value
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::text::method::tests::{fabricated, passing};
+
+    #[test]
+    fn a_case_has_its_exact_numbers_and_its_command() {
+        let mut report = fabricated().failures.remove(0);
+        (report.case.method, report.case.input) = ("faddeeva", vec![0.5, -1.0]);
+        let value = case(&report, "again");
+        assert_eq!(value["input_names"], json!(["Re z", "Im z"]));
+        assert_eq!(value["input_hexadecimal"], json!(["0x1p-1", "-0x1p+0"]));
+        assert_eq!(value["reproduce"], "again");
+        assert_eq!(value["share"], 1.75);
+        let got = |answer| {
+            let mut report = report.clone();
+            report.answer = answer;
+            case(&report, "")["got"].clone()
+        };
+        let values = json!({ "values": [0.75], "hexadecimal": ["0x1.8p-1"] });
+        for (answer, due) in [
+            (Some(SolverAnswer::Values(vec![0.75])), values),
+            (
+                Some(SolverAnswer::Fails("a".into())),
+                json!({ "fails": "a" }),
+            ),
+            (
+                Some(SolverAnswer::Unanswered("b".into())),
+                json!({ "unanswered": "b" }),
+            ),
+            (Some(SolverAnswer::Refuses("c")), json!({ "refuses": "c" })),
+            (Some(SolverAnswer::Declines(None)), json!({ "refuses": "" })),
+            (None, Value::Null),
+        ] {
+            assert_eq!(got(answer), due);
+        }
+    }
+
+    #[test]
+    fn a_method_has_its_cases_in_full() {
+        let mut report = fabricated();
+        report.wrong = vec![report.failures[0].clone(); 2];
+        report.failures = vec![report.failures[0].clone(); 3];
+        let value = method(&report);
+        assert_eq!(value["passed_all"], false);
+        let again = "mechaudit audit a-method --region wide --seed 1 --case 17";
+        for (list, n) in [("worst", 1), ("wrong", 2), ("failures", 3)] {
+            let all = value[list].as_array().unwrap();
+            assert_eq!(all.len(), n, "{list}");
+            assert!(all.iter().all(|c| c["reproduce"] == again), "{list}");
+        }
+        assert_eq!(method(&passing())["passed_all"], true);
+        for (interrupted, passed) in [(false, true), (true, false)] {
+            let whole = document(&[passing()], interrupted);
+            assert_eq!(
+                (&whole["passed"], &whole["interrupted"]),
+                (&json!(passed), &json!(interrupted))
+            );
+            assert_eq!(whole["methods"].as_array().unwrap().len(), 1);
+        }
+    }
+
+    #[test]
+    fn a_comparison_has_the_baseline_where_there_is_one() {
+        let found = Comparison::new("a-method", vec![(passing(), None)]);
+        assert!(comparison(&found, None).get("baseline").is_none());
+        let changes = Changes::default();
+        let value = comparison(&found, Some(&changes));
+        assert_eq!(value["baseline"], json!(changes));
+        assert_eq!(
+            (&value["passed"], &value["method"]),
+            (&json!(true), &json!("a-method"))
+        );
+    }
+}

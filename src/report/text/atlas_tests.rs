@@ -179,3 +179,38 @@ fn a_claim_without_figures_has_none() {
     let due = "  an-algorithm holds as far as searched\n    “accurate” (Nobody (1900))\n    \n";
     assert_eq!(text, due);
 }
+
+#[test]
+fn what_is_wrapped_stays_two_characters_from_the_edge() {
+    let mut found = crate::report::atlas::tests::fabricated();
+    found.findings[0].sentence = "It is off ".repeat(9);
+    found.not_at_hand[0].why = "nobody has it any more".into();
+    let text = plain(&atlas(&found, 40));
+    let wrapped = |heading: &str| -> Vec<usize> {
+        let part = text.split(&format!("\n{heading}\n")).nth(1).unwrap();
+        let lines = part.lines().take_while(|l| !l.is_empty());
+        lines.map(|l| l.len() - l.trim_start().len()).collect()
+    };
+    let (command, rest) = wrapped("Findings")
+        .split_last()
+        .map(|(c, r)| (*c, r.to_vec()))
+        .unwrap();
+    assert!(
+        command == 4 && rest.len() > 1 && rest.iter().all(|n| *n == 2),
+        "{text}"
+    );
+    let advice = wrapped("What meets which need");
+    assert!(
+        advice.len() > 20 && advice.iter().all(|n| *n == 2),
+        "{text}"
+    );
+    assert_eq!(wrapped("Not at hand"), [2, 2], "{text}");
+    assert!(
+        text.contains("\nall: every Im z >= 0; –: nowhere."),
+        "{text}"
+    );
+    assert!(
+        text.contains("\nOver all regions. wrong: NaN or infinity"),
+        "{text}"
+    );
+}

@@ -280,4 +280,20 @@ mod tests {
             assert_eq!(text.contains(&BAD.render().to_string()), style == BAD);
         }
     }
+
+    /// Behind the width of labels, and four characters from the edge.
+    #[test]
+    fn long_reasons_and_proofs_are_wrapped_below_their_beginning() {
+        let mut report = crate::report::text::method::tests::fabricated()
+            .failures
+            .remove(0);
+        report.judgement.reason = Some("one two three".to_string().into());
+        report.proof = Some(Proof::Bounded("four five six"));
+        let text = plain(&super::text(&report, "again", 20));
+        assert!(text.contains("\n    one two three\n"), "{text}");
+        let due = "    proof      four\n               five\n               six\n";
+        assert!(text.contains(due), "{text}");
+        let text = plain(&super::text(&report, "again", 12));
+        assert!(text.contains("\n    one two\n    three\n"), "{text}");
+    }
 }

@@ -210,4 +210,14 @@ A & B. On <tests>.
         o.recorded = Some(Outcome::Proved);
         assert!(text(&o).starts_with("    fact       ") && text(&o).lines().count() == 1);
     }
+
+    #[test]
+    fn claims_and_notes_are_wrapped_four_characters_from_the_edge() {
+        let mut e = fabricated().entries.remove(0);
+        (e.claim, e.note) = ("aaa bbb ccc", "ddd eee fff");
+        e.obligations.clear();
+        let text = style::plain(&entry(&e, 12));
+        assert!(text.contains("\n    aaa bbb\n    ccc\n"), "{text}");
+        assert!(text.ends_with("\n    ddd eee\n    fff\n"), "{text}");
+    }
 }

@@ -238,3 +238,11 @@ fn figures_have_leaders_as_far_as_there_is_room() {
     assert_eq!(of(long(), 19), ["      ab: one two"]);
     assert!(of(Vec::new(), 80).is_empty());
 }
+
+#[test]
+fn a_finding_is_wrapped_four_characters_from_the_edge() {
+    let mut finding = fabricated().findings.remove(1);
+    finding.text = "aaa bbb ccc".into();
+    let text = style::plain(&super::finding(&finding, 12));
+    assert!(text.ends_with("\n    aaa bbb\n    ccc\n"), "{text}");
+}

@@ -163,6 +163,23 @@ fn a_page_of_much_holds_less_of_each() {
     assert_eq!(counted(&report, 1), [4, 1]);
 }
 
+/// An input that is kept needs none of its numbers beside it.
+#[test]
+fn points_bring_the_inputs_that_their_case_has_not() {
+    for (n, beside) in [(8, 0), (9, 2)] {
+        let mut report = fabricated();
+        report.points = vec![Point {
+            case: case("wide", 3, vec![0.5; n]),
+            verdict: crate::audit::Verdict::Pass,
+            ulps: Vec::new(),
+            of_budget: 0.0,
+        }];
+        let data = of_reports(&report, 1);
+        let point = &data["methods"][0]["points"][0];
+        assert_eq!(point[2].as_array().unwrap().len(), beside, "{n}");
+    }
+}
+
 #[test]
 fn much_of_a_long_case_is_left_out() {
     let mut report = fabricated();
