@@ -47,7 +47,7 @@ pub fn atlas(args: &AtlasArgs) -> Result<Outcome, Failure> {
                 AtlasTable::Rows => report::atlas::rows(&found, out),
                 AtlasTable::Claims => report::atlas::claims(&found, out),
             };
-            written.map_err(|e| Failure::new(e.to_string()))
+            Ok(written?)
         })?,
         AtlasFormat::Html => output.text(&html::atlas::page(&found, &maps))?,
     }
