@@ -188,7 +188,7 @@ fn rectangles_add_up_in_any_order() {
         let mut sum = ProofTally::default();
         for k in order {
             sum.merge(ProofTally::of(&Certificate {
-                leaves: vec![whole.leaves[k].clone()],
+                leaves: vec![whole.leaves[k]],
                 open: Vec::new(),
             }));
         }

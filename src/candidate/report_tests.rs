@@ -244,7 +244,8 @@ fn a_case_says_what_came_and_where_it_is() {
     let wrong = SolverAnswer::Values(vec![0.25, 1e9]);
     let point = crate::methods::find("erf").unwrap().domain().check_points[0].name;
     let boxed = "Re z=1..2,Im z=1..2";
-    let places: [(&dyn Fn(Audit<'_>) -> Audit<'_>, String); 5] = [
+    type Place<'a> = &'a dyn Fn(Audit<'_>) -> Audit<'_>;
+    let places: [(Place, String); 5] = [
         (
             &|a| a.check_point(point),
             format!(".check_point({point:?})"),

@@ -25,6 +25,16 @@ pub fn audit(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure
     if settings.cases_per_region <= FEW {
         return Ok(());
     }
+    let [count, seconds] = sums(methods, settings, &each);
+    judged("cases", count, seconds)
+}
+
+/// Cases of all methods, and seconds by those that `each` gives for one.
+fn sums(
+    methods: &[&dyn Method],
+    settings: &Settings,
+    each: &dyn Fn(&dyn Method, &Cases, &Settings) -> f64,
+) -> [f64; 2] {
     let (mut count, mut seconds) = (0.0, 0.0);
     for method in methods {
         let cases = Cases::new(*method, settings);
@@ -32,7 +42,7 @@ pub fn audit(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure
         count += total;
         seconds += total * each(*method, &cases, settings);
     }
-    judged("cases", count, seconds)
+    [count, seconds]
 }
 
 /// Looks ahead at a hunt of so many evaluations.
@@ -221,17 +231,48 @@ mod tests {
         );
     }
 
-    /// As many as are run without a word are not even tried.
+    /// As many as are run without a word are not even tried; of one more, a few are.
     #[test]
     fn few_cases_are_not_asked() {
+        use mechaudit::audit::{SolverAnswer, Variant};
+        use std::sync::atomic::{AtomicUsize, Ordering};
         assert_eq!(FEW, 10_000);
         let method = methods::find("slider-crank").expect("in the registry");
-        let settings = Settings {
-            cases_per_region: FEW,
+        let asked = AtomicUsize::new(0);
+        let solver = |_: &[f64]| {
+            asked.fetch_add(1, Ordering::Relaxed);
+            SolverAnswer::Declines(None)
+        };
+        let counted = Variant::new(&*method).solver(solver);
+        let settings = |cases_per_region| Settings {
+            cases_per_region,
             ..Settings::default()
         };
-        assert!(audit(&[&*method], &settings).is_ok());
-        assert!(hunt(&*method, FEW).is_ok());
+        assert!(audit(&[&counted], &settings(FEW)).is_ok() && hunt(&counted, FEW).is_ok());
+        assert_eq!(asked.swap(0, Ordering::Relaxed), 0);
+        assert!(audit(&[&counted], &settings(FEW + 1)).is_ok());
+        let tried = asked.swap(0, Ordering::Relaxed);
+        assert!(tried > 0 && tried <= TRIED, "{tried}");
+        assert!(hunt(&counted, FEW + 1).is_ok());
+        assert!(asked.load(Ordering::Relaxed) > 0);
+    }
+
+    #[test]
+    fn seconds_are_those_of_all_cases() {
+        let methods = ["slider-crank", "erf"].map(|m| methods::find(m).expect("in the registry"));
+        let [one, other] = methods.each_ref().map(|m| &**m);
+        let settings = Settings {
+            cases_per_region: 3,
+            ..Settings::default()
+        };
+        let counts = [one, other].map(|m| Cases::new(m, &settings).len() as f64);
+        let each = |m: &dyn Method, cases: &Cases, _: &Settings| {
+            assert_eq!(cases.len(), Cases::new(m, &settings).len());
+            if m.name() == "erf" { 0.5 } else { 4.0 }
+        };
+        let due = [counts[0] + counts[1], 4.0 * counts[0] + 0.5 * counts[1]];
+        assert_eq!(sums(&[one, other], &settings, &each), due);
+        assert_eq!(sums(&[], &settings, &each), [0.0, 0.0]);
     }
 
     #[test]

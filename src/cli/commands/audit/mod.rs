@@ -27,16 +27,20 @@ use std::time::Instant;
 
 /// The settings that arguments and environment ask for.
 pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
+    let effort = effort(std::env::var_os("MECHAUDIT_EFFORT").as_deref())?;
+    Ok(at_effort(args, effort))
+}
+
+fn at_effort(args: &RunArgs, effort: f64) -> Settings {
     let default = Settings::default();
     let cases = args.cases.unwrap_or(default.cases_per_region);
-    let effort = effort(std::env::var_os("MECHAUDIT_EFFORT").as_deref())?;
     // Saturates; at least one case unless none were asked for.
     let scaled = (cases as f64 * effort).ceil() as u64;
-    Ok(Settings {
+    Settings {
         seed: args.seed.unwrap_or(default.seed),
         cases_per_region: if effort == 1.0 { cases } else { scaled },
         ..default
-    })
+    }
 }
 
 fn effort(value: Option<&std::ffi::OsStr>) -> Result<f64, Failure> {

@@ -99,13 +99,25 @@ fn json(words: &[&str]) -> Value {
 
 #[test]
 fn settings_are_the_usual_ones_but_for_what_is_asked() {
-    let of = |words: &[&str]| settings(&arguments(words).run).unwrap();
+    let of = |words: &[&str], effort: f64| at_effort(&arguments(words).run, effort);
     let usual = Settings::default();
-    let plain = of(&[]);
-    let numbers = |s: &Settings| (s.seed, s.cases_per_region);
-    assert_eq!(numbers(&plain), numbers(&usual));
-    let asked = of(&["--seed", "7", "--cases", "3"]);
-    assert_eq!(numbers(&asked), (7, 3));
+    let numbers = |s: Settings| (s.seed, s.cases_per_region);
+    assert_eq!(numbers(of(&[], 1.0)), numbers(usual.clone()));
+    assert_eq!(numbers(of(&["--seed", "7", "--cases", "3"], 1.0)), (7, 3));
+    // Rounded up, and no more than there is.
+    for (cases, effort, due) in [
+        ("3", 0.1, 1),
+        ("30", 0.1, 3),
+        ("31", 0.1, 4),
+        ("3", 2.0, 6),
+        ("9007199254740993", 1.0, 9_007_199_254_740_993),
+        ("9007199254740993", 1e30, u64::MAX),
+    ] {
+        let found = of(&["--cases", cases], effort);
+        assert_eq!(found.cases_per_region, due, "{cases} {effort}");
+    }
+    let most = usual.cases_per_region * 2;
+    assert_eq!(of(&[], 2.0).cases_per_region, most);
 }
 
 #[test]

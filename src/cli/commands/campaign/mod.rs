@@ -248,5 +248,4 @@ fn report(args: &CampaignReportArgs) -> Result<Outcome, Failure> {
 }
 
 #[cfg(test)]
-#[path = "status_tests.rs"]
 mod tests;

@@ -121,3 +121,100 @@ fn times_in_words() {
         assert_eq!(time(seconds), due);
     }
 }
+
+/// A folder of ten cases in three shards, of which these are done.
+fn begun(more: &str, done: &[u64]) -> (tempfile::TempDir, PathBuf) {
+    let text = format!(
+        "name = \"x\"\n[[part]]\nmethods = [\"erf\"]\nregions = [\"small\"]\ncases = 10\n{more}"
+    );
+    let plan = Plan::read(&Source::toml(text)).unwrap();
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("x");
+    let folder = Folder::make(&path, plan, 3).unwrap_or_else(|e| panic!("{e}"));
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    let stop = std::sync::atomic::AtomicBool::new(false);
+    for k in done {
+        let (plan, deal) = (&folder.plan, &folder.deal);
+        let none: &mechaudit::campaign::Answering = &|_, _, _, _| Ok(None);
+        let found = mechaudit::campaign::run((plan, deal, *k), &pool, none, &|_| (), &stop);
+        let claim = folder.claim(*k).unwrap().unwrap();
+        folder
+            .write(claim, *k, &found.unwrap().unwrap(), (1.0, 1))
+            .unwrap();
+    }
+    (place, path)
+}
+
+/// A step that writes a file: what it came to, and the file.
+fn step(words: &[&str], folder: &std::path::Path) -> (Result<Outcome, String>, String) {
+    let file = folder.with_extension("out");
+    let [folder, output] = [folder, &file].map(|p| p.to_str().unwrap());
+    let all = [
+        &["campaign"],
+        &words[..1],
+        &[folder, "--output", output],
+        &words[1..],
+    ]
+    .concat();
+    let outcome = crate::cli::ran(&all).map_err(|e| e.to_string());
+    (outcome, std::fs::read_to_string(&file).unwrap_or_default())
+}
+
+#[test]
+fn a_sum_is_of_all_shards() {
+    let (_place, path) = begun("", &[0, 2]);
+    let (outcome, text) = step(&["merge"], &path);
+    let due = format!("{}: 1 shard of 3 not done, the first: 1", path.display());
+    assert_eq!((outcome, text.as_str()), (Err(due), ""));
+    let (_none, path) = begun("", &[]);
+    let due = format!("{}: 3 shards of 3 not done, the first: 0", path.display());
+    assert_eq!(step(&["merge"], &path).0, Err(due));
+    let (_whole, path) = begun("", &[0, 1, 2]);
+    let (outcome, text) = step(&["merge"], &path);
+    assert_eq!(outcome, Ok(Outcome::AsExpected));
+    let v: Value = serde_json::from_str(&text).unwrap();
+    let found = &v["parts"][0]["found"];
+    assert_eq!(
+        (&found["cases"], &found["passed"], &v["passed"]),
+        (&json!(10), &json!(10), &json!(true))
+    );
+    assert_eq!(found["interrupted"], false);
+    // No solver is as close as that.
+    let (_strict, path) = begun("ulps = 1e-6", &[0, 1, 2]);
+    assert_eq!(step(&["merge"], &path).0, Ok(Outcome::Finding));
+    assert_eq!(step(&["report"], &path).0, Ok(Outcome::Finding));
+}
+
+#[test]
+fn hard_cases_go_to_a_folder_that_is_there() {
+    let (place, path) = begun("", &[0, 1, 2]);
+    let hard = place.path().join("hard");
+    let words = ["merge", "--hard", hard.to_str().unwrap()];
+    let due = format!("--hard {}: there is no such folder", hard.display());
+    assert_eq!(step(&words, &path), (Err(due), String::new()));
+    std::fs::create_dir(&hard).unwrap();
+    let plain = step(&["merge"], &path).1;
+    assert_eq!(step(&words, &path), (Ok(Outcome::AsExpected), plain));
+    assert!(hard.join("erf.csv").exists());
+}
+
+/// A page of what is done until now is no failure.
+#[test]
+fn a_page_says_how_many_shards_are_done() {
+    for (done, share) in [
+        (&[0, 2][..], "2 of 3 shards done"),
+        (&[0, 1, 2], "3 of 3 shards done"),
+    ] {
+        let (_place, path) = begun("", done);
+        let (outcome, page) = step(&["report"], &path);
+        assert_eq!(outcome, Ok(Outcome::AsExpected), "{share}");
+        assert!(
+            page.starts_with("<!doctype html>") && page.contains(share),
+            "{share}"
+        );
+        assert_eq!(page.contains("Under way"), done.len() < 3);
+    }
+}
