@@ -133,4 +133,68 @@ mod tests {
             assert_eq!((work, deal.units()), (deal.work(), 142));
         }
     }
+
+    #[test]
+    fn strides_count_and_number() {
+        for (first, step, end, due) in [
+            (0, 1, 0, vec![]),
+            (3, 2, 3, vec![]),
+            (5, 2, 3, vec![]),
+            (2, 7, 3, vec![2]),
+            (1, 3, 7, vec![1, 4]),
+            (1, 3, 8, vec![1, 4, 7]),
+        ] {
+            let stride = Stride { first, step, end };
+            let found: Vec<u64> = (0..stride.len()).map(|j| stride.at(j)).collect();
+            assert_eq!(found, due);
+            assert_eq!(stride.is_empty(), due.is_empty());
+        }
+    }
+
+    /// A unit is a case, a rectangle, or a hunt of so many evaluations.
+    #[test]
+    fn work_is_counted_by_kind() {
+        let of = |part: &str| {
+            let text = format!("name = \"x\"\n[[part]]\nmethods = [\"faddeeva\"]\n{part}");
+            let plan = Plan::read(&crate::machine::Source::toml(text)).unwrap();
+            let deal = Deal::new(&plan, 3);
+            let shards: u64 = (0..deal.shards()).map(|k| deal.work_of(k)).sum();
+            assert_eq!((deal.shards(), shards), (3, deal.work()));
+            (deal.units(), deal.work())
+        };
+        assert_eq!(of("cases = 12\nregions = [\"mid\"]"), (12, 12));
+        assert_eq!(of("cases = 12\nregions = [\"mid\", \"far\"]"), (24, 24));
+        let program = "kind = \"candidate\"\nexec = \"true\"\ncases = 7\nregions = [\"mid\"]";
+        assert_eq!(of(program), (7, 7));
+        let hunts = "kind = \"hunt\"\nhunts = 5\nevaluations = 40";
+        assert_eq!(of(hunts), (5, 200));
+        let n = first_rectangles(Some(0.01)).len() as u64;
+        assert_eq!(of("kind = \"proof\"\nwithin = 0.01"), (n, n));
+    }
+
+    /// What is too much to be counted is the most there is.
+    #[test]
+    fn endless_work_does_not_come_round() {
+        let deal = Deal {
+            parts: vec![(u64::MAX, 3), (2, 1)],
+            shards: 2,
+        };
+        assert_eq!((deal.units(), deal.work()), (u64::MAX, u64::MAX));
+        assert_eq!(
+            deal.of(1)[1],
+            Stride {
+                first: 0,
+                step: 2,
+                end: 2
+            }
+        );
+        assert_eq!(
+            deal.of(0)[1],
+            Stride {
+                first: 1,
+                step: 2,
+                end: 2
+            }
+        );
+    }
 }

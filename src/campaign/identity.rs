@@ -187,4 +187,68 @@ mod tests {
             }
         }
     }
+
+    /// A part of the domain without check points and hard cases has its draws alone.
+    #[test]
+    fn probes_of_a_region_are_its_draws() {
+        let method = crate::methods::find("erf").unwrap();
+        let region = crate::audit::Variant::new(&*method).region("mid").unwrap();
+        let settings = Settings {
+            cases_per_region: DRAWN,
+            ..Settings::default()
+        };
+        let found = probes(&region, &settings);
+        let inputs: Vec<Vec<u64>> = found.iter().map(|c| bits(&c.input)).collect();
+        let cases = Cases::new(&region, &settings);
+        assert_eq!(inputs, [0, 1].map(|i| bits(&cases.get(i).input)));
+    }
+
+    #[test]
+    fn the_first_difference_is_told_by_its_digests() {
+        let identity = |program: &str, references: &str, solvers: &str| Identity {
+            program: program.into(),
+            references: references.into(),
+            solvers: solvers.into(),
+        };
+        let own = identity("1.0", "0123456789abcdef", "short");
+        let said = |other: Identity| own.differs(&other);
+        assert_eq!(said(own.clone()), None);
+        let why = "it is of version \"2.0\", this program of \"1.0\"";
+        assert_eq!(said(identity("2.0", "x", "y")).unwrap(), why);
+        let why =
+            "its references answered otherwise (fedcba987654) than this program's (0123456789ab)";
+        assert_eq!(said(identity("1.0", "fedcba9876543210", "y")).unwrap(), why);
+        let why = "its solvers or draws answered otherwise (long) than this program's (short)";
+        assert_eq!(
+            said(identity("1.0", "0123456789abcdef", "long")).unwrap(),
+            why
+        );
+    }
+
+    /// Another method, draw or number of parts is another campaign; the order of its parts is none.
+    #[test]
+    fn an_identity_is_of_methods_and_seeds() {
+        let of = |parts: &str| {
+            let text = format!("name = \"x\"\n{parts}");
+            Identity::of(&Plan::read(&Source::toml(text)).unwrap())
+        };
+        let part = |method: &str, seed: u32| {
+            format!("[[part]]\nmethods = [\"{method}\"]\nseeds = [{seed}]\ncases = 1\n")
+        };
+        let (a, b) = (part("erf", 1), part("slider-crank", 1));
+        let one = of(&a);
+        assert_eq!(one.program, env!("CARGO_PKG_VERSION"));
+        assert_eq!((one.references.len(), one.solvers.len()), (64, 64));
+        assert_eq!(of(&format!("{a}{b}")), of(&format!("{b}{a}")));
+        assert_eq!(of(&format!("{a}{a}")), one);
+        for other in [b, part("erf", 2), part("erfc", 1)] {
+            let other = of(&other);
+            assert!(other.references != one.references && other.solvers != one.solvers);
+        }
+        // A program's answers are not known: those of the method's own solver are no part of it.
+        let program =
+            of("[[part]]\nkind = \"candidate\"\nmethods = [\"erf\"]\ncases = 1\nexec = \"w\"");
+        assert_eq!(program.references, one.references);
+        assert_ne!(program.solvers, one.solvers);
+    }
 }

@@ -223,3 +223,7 @@ pub fn document(plan: &Plan, identity: &Identity, parts: &[PartSum]) -> Value {
         "parts": shown.collect::<Vec<Value>>(),
     })
 }
+
+#[cfg(test)]
+#[path = "sum_tests.rs"]
+mod tests;

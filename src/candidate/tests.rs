@@ -254,3 +254,156 @@ fn a_choice_is_what_is_judged() {
     assert!(!ones.iter().flatten().all(held));
     assert!(judged(in_region().single()).iter().flatten().all(held));
 }
+
+/// A case is that of its check point or number, of one region, one box or one neighbourhood.
+#[test]
+fn one_case_is_of_one_place() {
+    let plain = || audit_by_name("erf", ours("erf")).unwrap().cases(3);
+    let place = |audit: Audit| {
+        let method = methods::find("erf").unwrap();
+        let (_, _, case) = audit.planned(&*method).unwrap();
+        case.map(|c| c.place())
+    };
+    let refused = |audit: Audit| audit.run().unwrap_err();
+    assert_eq!(place(plain()), None);
+    assert_eq!(place(plain().region("mid")), None);
+    let mid = Some("--region mid --seed 1 --case 2".to_string());
+    assert_eq!(place(plain().region("mid").case(2)), mid);
+    let two = || plain().region("mid").region("small");
+    assert_eq!(place(two()), None);
+    assert_eq!(refused(two().case(2)), AuditError::NoRegion(2));
+    assert_eq!(refused(plain().case(4)), AuditError::NoRegion(4));
+    let point = methods::find("erf").unwrap().domain().check_points[0].name;
+    let at = Some(format!("--check-point {point}"));
+    assert_eq!(place(plain().check_point(point)), at);
+    assert_eq!(place(plain().check_point(point).case(2)), at);
+    assert_eq!(
+        place(plain().hard_case(1).check_point(point)),
+        Some("--hard-case 1".into())
+    );
+    let text = "Re z=0..1";
+    let boxed = place(plain().region("mid").sample_box(text).case(1)).unwrap();
+    assert!(boxed.starts_with("--box "), "{boxed}");
+    let near = place(plain().near("0.5,0.5", 0.25).case(1)).unwrap();
+    assert!(near.starts_with("--near "), "{near}");
+    assert!(matches!(
+        refused(plain().hard_case(1_000_000)),
+        AuditError::NoSuch(_)
+    ));
+    assert!(matches!(
+        refused(plain().sample_box("Re y=1")),
+        AuditError::Sampling(_)
+    ));
+    assert!(matches!(
+        refused(plain().near("x", 0.5)),
+        AuditError::Sampling(_)
+    ));
+}
+
+/// Ten per cent more or less are rounded up; a number that is too large is the largest.
+#[test]
+fn effort_multiplies_the_cases() {
+    let method = methods::find("erf").unwrap();
+    let of = |cases: u64, effort: f64| {
+        let audit = audit_by_name("erf", ours("erf")).unwrap();
+        let (settings, ..) = audit.cases(cases).effort(effort).planned(&*method).unwrap();
+        settings.cases_per_region
+    };
+    for (cases, effort, due) in [
+        (200, 1.0, 200),
+        (200, 0.001, 1),
+        (10, 1.05, 11),
+        (0, 7.0, 0),
+        (u64::MAX, 2.0, u64::MAX),
+    ] {
+        assert_eq!(of(cases, effort), due, "{cases} {effort}");
+    }
+}
+
+#[test]
+fn what_is_asked_for_is_how_it_is_judged() {
+    let method = methods::find("erf").unwrap();
+    let plain = || {
+        audit_by_name("erf", ours("erf"))
+            .unwrap()
+            .cases(2)
+            .region("mid")
+    };
+    let budgets = |audit: Audit| {
+        let (settings, variant, _) = audit.planned(&*method).unwrap();
+        let variant: &dyn Method = &variant;
+        let outputs = variant.outputs();
+        let limits: Vec<Limit> = outputs.iter().map(|o| o.budget.limit).collect();
+        (limits, variant.norm_budget().is_some(), settings.conditions)
+    };
+    let own: Vec<Limit> = method.outputs().iter().map(|o| o.budget.limit).collect();
+    assert_eq!(
+        budgets(plain()),
+        (own.clone(), method.norm_budget().is_some(), false)
+    );
+    let strict = Limit::Relative(0.5);
+    assert_eq!(budgets(plain().limit(strict)).0, [strict; 2]);
+    assert_eq!(budgets(plain().outputs(&["Im erf"])).0.len(), 1);
+    assert!(budgets(plain().normwise(0.5)).1 && budgets(plain().conditions()).2);
+    let laws = |audit: Audit| audit.planned(&*method).unwrap().1.laws().len();
+    assert_eq!(laws(plain()), 0);
+    let regions = |audit: Audit| audit.planned(&*method).unwrap().1.domain().regions.len();
+    let all = || audit_by_name("erf", ours("erf")).unwrap();
+    assert!(regions(all().ordinary()) < regions(all()));
+    assert_eq!(regions(plain().region("small")), 2);
+    // Code that says nothing of itself is a closure.
+    let named = |audit: Audit| {
+        let candidate = audit.run().unwrap().candidate.clone().unwrap();
+        assert_eq!(
+            (candidate.answered, candidate.command, candidate.trouble),
+            (2, None, None)
+        );
+        (candidate.name, candidate.version)
+    };
+    assert_eq!(named(plain()), ("closure".into(), None));
+    assert_eq!(
+        named(plain().named("mine", Some("2"))),
+        ("mine".into(), Some("2".into()))
+    );
+}
+
+/// Code beside code: each under its name, at the same cases.
+#[test]
+fn code_is_compared_over_many_cases() {
+    let wrong = |_: Complex<f64>| Complex::new(2.0, 2.0);
+    let pair = || {
+        compare::<Erf>()
+            .candidate("right", erf)
+            .candidate("wrong", wrong)
+    };
+    let found = pair()
+        .ours()
+        .over(|a| a.region("mid").cases(3))
+        .run()
+        .unwrap();
+    let names: Vec<&str> = found.candidates.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(
+        (found.method, names),
+        ("erf", vec!["right", "wrong", "ours"])
+    );
+    let all = &found.regions.last().unwrap().standings;
+    let failed: Vec<(u64, u64)> = all.iter().map(|s| (s.cases, s.failed)).collect();
+    assert_eq!(failed, [(3, 0), (3, 3), (3, 0)]);
+    let one = pair().over(|a| a.region("mid").case(1)).run().unwrap_err();
+    let place = "--region mid --seed 1 --case 1";
+    assert_eq!(one, AuditError::OneCase(place.into()));
+    assert_eq!(
+        one.to_string(),
+        format!("{place} is one case: a comparison is over many")
+    );
+    let shown = format!("{:?}", pair());
+    assert!(
+        shown.starts_with("Compare {") && shown.contains("contenders: 2"),
+        "{shown}"
+    );
+    let shown = format!("{:?}", audit::<Erf>(erf).seed(77));
+    assert!(
+        shown.starts_with("Audit {") && shown.contains("\"erf\"") && shown.contains("seed: 77"),
+        "{shown}"
+    );
+}

@@ -157,9 +157,12 @@ impl From<mechaudit::report::svg::CannotDraw> for Failure {
 
 impl From<csv::Error> for Failure {
     fn from(e: csv::Error) -> Failure {
-        match e.is_io_error() {
-            true => std::io::Error::from(e).into(),
-            false => Failure::caused(e).about("cannot write CSV"),
+        match e.kind() {
+            csv::ErrorKind::Io(why) if why.kind() == std::io::ErrorKind::BrokenPipe => {
+                Failure::ClosedPipe
+            }
+            csv::ErrorKind::Io(_) => Failure::caused(e).about("cannot write"),
+            _ => Failure::caused(e).about("cannot write CSV"),
         }
     }
 }
@@ -192,5 +195,104 @@ mod tests {
             chain(&OnLine(3, Box::new(OnLine(3, "x".into())))),
             "line 3: x"
         );
+    }
+
+    #[test]
+    fn an_outcome_is_of_what_was_found() {
+        assert_eq!(
+            [Outcome::of(true), Outcome::of(false)],
+            [Outcome::AsExpected, Outcome::Finding]
+        );
+        for (interrupted, good, due) in [
+            (false, true, Outcome::AsExpected),
+            (false, false, Outcome::Finding),
+            (true, true, Outcome::Interrupted),
+            (true, false, Outcome::Interrupted),
+        ] {
+            assert_eq!(Outcome::unless_interrupted(interrupted, good), due);
+        }
+        for (undecided, due) in [
+            (0, Outcome::AsExpected),
+            (1, Outcome::Finding),
+            (2, Outcome::Finding),
+        ] {
+            assert_eq!(Outcome::decided(undecided, 30), due);
+        }
+    }
+
+    /// What nobody reads is no failure, other errors of files are said.
+    #[test]
+    fn a_closed_pipe_is_quiet() {
+        use std::io::{Error as Io, ErrorKind};
+        let pipe = || Io::from(ErrorKind::BrokenPipe);
+        let full = || Io::from(ErrorKind::StorageFull);
+        let why = full().to_string();
+        assert!(matches!(Failure::from(pipe()), Failure::ClosedPipe));
+        assert_eq!(
+            Failure::from(full()).to_string(),
+            format!("cannot write: {why}")
+        );
+        assert!(matches!(
+            Failure::from(csv::Error::from(pipe())),
+            Failure::ClosedPipe
+        ));
+        assert_eq!(
+            Failure::from(csv::Error::from(full())).to_string(),
+            format!("cannot write: {why}")
+        );
+        let json = |e: Io| {
+            struct Bad(Option<Io>);
+            impl std::io::Write for Bad {
+                fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+                    Err(self.0.take().expect("one write"))
+                }
+                fn flush(&mut self) -> std::io::Result<()> {
+                    Ok(())
+                }
+            }
+            Failure::from(serde_json::to_writer(Bad(Some(e)), &1).unwrap_err())
+        };
+        assert!(matches!(json(pipe()), Failure::ClosedPipe));
+        assert!(json(full()).to_string().starts_with("cannot write: "));
+        let mut rows = csv::WriterBuilder::new().from_writer(Vec::new());
+        rows.write_record(["a", "b"]).unwrap();
+        let uneven = rows.write_record(["a"]).unwrap_err();
+        let text = Failure::from(uneven).to_string();
+        assert!(text.starts_with("cannot write CSV: "), "{text}");
+    }
+
+    #[test]
+    fn a_failure_is_said_of_something() {
+        let file = Path::new("some/file");
+        let cause = || std::io::Error::other("gone");
+        assert_eq!(
+            Failure::cannot("read", file, cause()).to_string(),
+            "cannot read some/file: gone"
+        );
+        assert_eq!(
+            Failure::in_file(file, cause()).to_string(),
+            "some/file: gone"
+        );
+        assert_eq!(Failure::new("no").about("it").to_string(), "it: no");
+        assert!(Failure::new("no").source().is_none());
+        assert!(matches!(
+            Failure::ClosedPipe.about("it"),
+            Failure::ClosedPipe
+        ));
+        assert_eq!(Failure::ClosedPipe.to_string(), "nobody reads the output");
+        let none = Failure::no_such("thing", "abd", &["abc", "xyz"]).to_string();
+        assert_eq!(
+            none,
+            "there is no thing \"abd\" (did you mean \"abc\"?); there are: abc, xyz"
+        );
+    }
+
+    /// A diagram over several lines is left to the error above it.
+    #[test]
+    fn causes_are_on_one_line() {
+        let diagram = OnLine(1, Box::new(OnLine(2, "a\nb".into())));
+        assert_eq!(chain(&diagram), "line 1: line 2");
+        let long = OnLine(1, Box::new(OnLine(2, Box::new(OnLine(3, "x".into())))));
+        assert_eq!(chain(&long), "line 1: line 2: line 3: x");
     }
 }

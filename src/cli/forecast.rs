@@ -25,6 +25,16 @@ pub fn audit(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure
     if settings.cases_per_region <= FEW {
         return Ok(());
     }
+    let [count, seconds] = sums(methods, settings, &each);
+    judged("cases", count, seconds)
+}
+
+/// Cases of all methods, and seconds by those that `each` gives for one.
+fn sums(
+    methods: &[&dyn Method],
+    settings: &Settings,
+    each: &dyn Fn(&dyn Method, &Cases, &Settings) -> f64,
+) -> [f64; 2] {
     let (mut count, mut seconds) = (0.0, 0.0);
     for method in methods {
         let cases = Cases::new(*method, settings);
@@ -32,8 +42,7 @@ pub fn audit(methods: &[&dyn Method], settings: &Settings) -> Result<(), Failure
         count += total;
         seconds += total * each(*method, &cases, settings);
     }
-    let what = format!("{count:.2e} cases take about {}", time(seconds));
-    judged(&what, seconds)
+    [count, seconds]
 }
 
 /// Looks ahead at a hunt of so many evaluations.
@@ -45,8 +54,7 @@ pub fn hunt(method: &dyn Method, evaluations: u64) -> Result<(), Failure> {
     let cases = Cases::new(method, &settings);
     let count = evaluations as f64;
     let seconds = count * each(method, &cases, &settings);
-    let what = format!("{count:.2e} evaluations take about {}", time(seconds));
-    judged(&what, seconds)
+    judged("evaluations", count, seconds)
 }
 
 /// Seconds for a case on all cores.
@@ -55,11 +63,18 @@ fn each(method: &dyn Method, cases: &Cases, settings: &Settings) -> f64 {
     let tried = sample(cases, TRIAL, |i| {
         drop(audit_case(method, cases.get(i), settings));
     });
-    start.elapsed().as_secs_f64() / tried / rayon::current_num_threads() as f64
+    let seconds = start.elapsed().as_secs_f64();
+    share(seconds, tried, rayon::current_num_threads())
 }
 
-fn judged(what: &str, seconds: f64) -> Result<(), Failure> {
-    if is_worth_saying(what, seconds, 0.0)? {
+/// Of seconds that so many cases took on one core, those of a case on all cores.
+fn share(seconds: f64, tried: f64, cores: usize) -> f64 {
+    seconds / tried / cores as f64
+}
+
+fn judged(of: &str, count: f64, seconds: f64) -> Result<(), Failure> {
+    let what = format!("{count:.2e} {of} take about {}", time(seconds));
+    if is_worth_saying(&what, seconds, 0.0)? {
         let cores = rayon::current_num_threads();
         complain(&format!(
             "{what} on {cores} cores; memory grows by some 2 kB for each failing case alone"
@@ -143,9 +158,19 @@ mod tests {
     fn times_in_words() {
         for (seconds, due) in [
             (30.0, "30 seconds"),
+            (119.9, "120 seconds"),
+            (120.0, "2 minutes"),
             (600.0, "10 minutes"),
+            (7199.0, "120 minutes"),
+            (7200.0, "2 hours"),
             (36_000.0, "10 hours"),
+            (172_799.0, "48 hours"),
+            (172_800.0, "2 days"),
             (864_000.0, "10 days"),
+            (729.0 * 86_400.0, "729 days"),
+            (730.5 * 86_400.0, "2 years"),
+            (9999.0 * 365.25 * 86_400.0, "9999 years"),
+            (1e4 * 365.25 * 86_400.0, "1.0e4 years"),
             (1e12, "3.2e4 years"),
         ] {
             assert_eq!(time(seconds), due);
@@ -174,6 +199,112 @@ mod tests {
         }
     }
 
+    /// How many there are is said, of all methods together.
+    #[test]
+    fn what_is_refused_is_counted() {
+        let methods = ["slider-crank", "erf"].map(|m| methods::find(m).expect("in the registry"));
+        let [one, other] = methods.each_ref().map(|m| &**m);
+        let settings = Settings {
+            cases_per_region: 10_000_000_000_000,
+            ..Settings::default()
+        };
+        let count = |m: &dyn Method| Cases::new(m, &settings).len() as f64;
+        let refused = |found: Result<(), Failure>| match found {
+            Err(Failure::Message(why)) => why,
+            _ => panic!("it is begun"),
+        };
+        let all = count(one) + count(other);
+        let why = refused(audit(&[one, other], &settings));
+        assert!(
+            why.starts_with(&format!("{all:.2e} cases take about ")),
+            "{why}"
+        );
+        let end = "; more than 30 days or 1e12 bytes are refused: take fewer";
+        assert!(why.ends_with(end), "{why}");
+        let why = refused(hunt(one, 3_000_000_000_000_000_000));
+        assert!(why.starts_with("3.00e18 evaluations take about "), "{why}");
+        let why = refused(points(&Cases::new(other, &settings), true));
+        let head = format!("{:.2e} inputs are ", count(other));
+        assert!(
+            why.starts_with(&head) && why.contains(" bytes and take about "),
+            "{why}"
+        );
+    }
+
+    /// As many as are run without a word are not even tried; of one more, a few are.
+    #[test]
+    fn few_cases_are_not_asked() {
+        use mechaudit::audit::{SolverAnswer, Variant};
+        use std::sync::atomic::{AtomicUsize, Ordering};
+        assert_eq!(FEW, 10_000);
+        let method = methods::find("slider-crank").expect("in the registry");
+        let asked = AtomicUsize::new(0);
+        let solver = |_: &[f64]| {
+            asked.fetch_add(1, Ordering::Relaxed);
+            SolverAnswer::Declines(None)
+        };
+        let counted = Variant::new(&*method).solver(solver);
+        let settings = |cases_per_region| Settings {
+            cases_per_region,
+            ..Settings::default()
+        };
+        assert!(audit(&[&counted], &settings(FEW)).is_ok() && hunt(&counted, FEW).is_ok());
+        assert_eq!(asked.swap(0, Ordering::Relaxed), 0);
+        assert!(audit(&[&counted], &settings(FEW + 1)).is_ok());
+        let tried = asked.swap(0, Ordering::Relaxed);
+        assert!(tried > 0 && tried <= TRIED, "{tried}");
+        assert!(hunt(&counted, FEW + 1).is_ok());
+        assert!(asked.load(Ordering::Relaxed) > 0);
+    }
+
+    #[test]
+    fn seconds_are_those_of_all_cases() {
+        let methods = ["slider-crank", "erf"].map(|m| methods::find(m).expect("in the registry"));
+        let [one, other] = methods.each_ref().map(|m| &**m);
+        let settings = Settings {
+            cases_per_region: 3,
+            ..Settings::default()
+        };
+        let counts = [one, other].map(|m| Cases::new(m, &settings).len() as f64);
+        let each = |m: &dyn Method, cases: &Cases, _: &Settings| {
+            assert_eq!(cases.len(), Cases::new(m, &settings).len());
+            if m.name() == "erf" { 0.5 } else { 4.0 }
+        };
+        let due = [counts[0] + counts[1], 4.0 * counts[0] + 0.5 * counts[1]];
+        assert_eq!(sums(&[one, other], &settings, &each), due);
+        assert_eq!(sums(&[], &settings, &each), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_case_takes_its_share_of_all_cores() {
+        assert_eq!(share(12.0, 3.0, 2), 2.0);
+        assert_eq!(share(0.5, 1.0, 1), 0.5);
+    }
+
+    /// Cases all over the run are tried, as many as there is time for.
+    #[test]
+    fn cases_are_tried_from_the_first_on() {
+        let method = methods::find("slider-crank").expect("in the registry");
+        let tried = |cases_per_region: u64, trial: Duration| {
+            let settings = Settings {
+                cases_per_region,
+                ..Settings::default()
+            };
+            let cases = Cases::new(&*method, &settings);
+            let mut seen = Vec::new();
+            let count = sample(&cases, trial, |i| seen.push(i));
+            (cases.len(), count, seen)
+        };
+        let (total, count, seen) = tried(1, Duration::MAX);
+        assert!(total < TRIED && count == total as f64);
+        assert!(seen.into_iter().eq(0..total));
+        let (total, count, seen) = tried(1000, Duration::MAX);
+        assert_eq!(count, 64.0);
+        assert!(seen.into_iter().eq((0..64).map(|k| k * (total / 64))));
+        let (_, count, seen) = tried(1000, Duration::ZERO);
+        assert!(count == 1.0 && seen.is_empty());
+    }
+
     /// Of few inputs every line is tried: they are as many bytes as are written.
     #[test]
     fn lines_are_measured() {
@@ -186,10 +317,25 @@ mod tests {
         assert!(cases.len() < TRIED);
         for decimal in [false, true] {
             let lines = (0..cases.len()).map(|i| wire::line(&cases.get(i).input, decimal) + "\n");
+            let start = Instant::now();
             let [seconds, bytes] = of_lines(&cases, decimal, Duration::MAX);
             assert_eq!(bytes, lines.collect::<String>().len() as f64);
-            assert!(seconds > 0.0);
+            assert!(0.0 < seconds && seconds <= start.elapsed().as_secs_f64());
         }
+        // Of many, some stand for all.
+        let settings = Settings {
+            cases_per_region: 1000,
+            ..Settings::default()
+        };
+        let cases = Cases::new(&*method, &settings);
+        let step = cases.len() / TRIED;
+        let tried = (0..TRIED).map(|k| wire::line(&cases.get(k * step).input, true).len() + 1);
+        let due = tried.sum::<usize>() as f64 * cases.len() as f64 / TRIED as f64;
+        let start = Instant::now();
+        let [seconds, bytes] = of_lines(&cases, true, Duration::MAX);
+        assert!((bytes / due - 1.0).abs() < 1e-12, "{bytes} for {due}");
+        let each = cases.len() as f64 / TRIED as f64;
+        assert!(seconds <= each * start.elapsed().as_secs_f64());
     }
 
     #[test]

@@ -75,6 +75,15 @@ fn run(args: Args) -> Result<Outcome, Failure> {
     }
 }
 
+/// What a command comes to, without the program around it.
+#[cfg(test)]
+fn ran(words: &[&str]) -> Result<Outcome, Failure> {
+    let words = [&["mechaudit"], words].concat();
+    let read = grammar().try_get_matches_from(words);
+    let args = read.and_then(|m| Args::from_arg_matches(&m));
+    run(args.expect("a command"))
+}
+
 /// One line on stderr.
 fn complain(text: &str) {
     use std::io::Write;
@@ -102,16 +111,7 @@ fn usage(e: &clap::Error) -> ExitCode {
         let _ = e.print();
         return ExitCode::SUCCESS;
     }
-    let text = e.to_string();
-    let text = text.strip_prefix("error: ").unwrap_or(&text);
-    let end = text.find("\n\nUsage").or_else(|| text.find("\n\nFor more"));
-    let line = text[..end.unwrap_or(text.len())].trim();
-    // A tip is a part of the sentence, unless it is about names that begin with a hyphen.
-    let line = match line.split_once("\n\n  tip: ") {
-        Some((line, tip)) if tip.starts_with("to pass") => line.to_string(),
-        Some((line, tip)) => format!("{line}; {tip}"),
-        None => line.to_string(),
-    };
+    let line = in_one_line(&e.to_string());
     let grammar = Args::command();
     let command = std::env::args().skip(1).find(|a| {
         let named = |c: &clap::Command| c.get_name() == a;
@@ -120,4 +120,35 @@ fn usage(e: &clap::Error) -> ExitCode {
     let command = command.map_or(String::new(), |c| format!(" {c}"));
     complain(&format!("{line} (see mechaudit{command} --help)"));
     ExitCode::from(2)
+}
+
+/// What is wrong, without the grammar's preface and its usage.
+fn in_one_line(text: &str) -> String {
+    let text = text.strip_prefix("error: ").unwrap_or(text);
+    let end = text.find("\n\nUsage").or_else(|| text.find("\n\nFor more"));
+    let line = text[..end.unwrap_or(text.len())].trim();
+    // A tip is a part of the sentence, unless it is about names that begin with a hyphen.
+    match line.split_once("\n\n  tip: ") {
+        Some((line, tip)) if tip.starts_with("to pass") => line.to_string(),
+        Some((line, tip)) => format!("{line}; {tip}"),
+        None => line.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_the_grammar_is_a_line() {
+        for (text, due) in [
+            ("error: bad\n\nUsage: mechaudit\n\nFor more, --help", "bad"),
+            ("error: bad\n\nFor more, try --help.\n", "bad"),
+            ("bad thing\n", "bad thing"),
+            ("error: bad\n\n  tip: some\n\nUsage: x", "bad; some"),
+            ("error: bad\n\n  tip: to pass '-x' as\n\nUsage: x", "bad"),
+        ] {
+            assert_eq!(in_one_line(text), due);
+        }
+    }
 }

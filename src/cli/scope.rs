@@ -143,3 +143,113 @@ pub fn words(scope: &ScopeArgs, place: &WhereArgs) -> Vec<String> {
     }
     words
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::methods;
+
+    fn scope(ulps: Option<f64>, relative: Option<f64>, absolute: Option<f64>) -> ScopeArgs {
+        ScopeArgs {
+            ulps,
+            relative,
+            absolute,
+            ..ScopeArgs::default()
+        }
+    }
+
+    #[test]
+    fn a_limit_is_the_one_asked_for() {
+        for (args, due) in [
+            (scope(None, None, None), None),
+            (scope(Some(3.0), None, None), Some(Limit::Ulps(3.0))),
+            (scope(None, Some(0.5), None), Some(Limit::Relative(0.5))),
+            (scope(None, None, Some(0.25)), Some(Limit::Absolute(0.25))),
+            (
+                scope(None, Some(0.5), Some(0.25)),
+                Some(Limit::RelativeOrAbsolute(0.5, 0.25)),
+            ),
+        ] {
+            assert_eq!(limit(&args), due);
+            let method = methods::find("erf").unwrap();
+            let judged: &dyn Method = &judged(&*method, &args).unwrap();
+            let own = method.outputs();
+            for (a, b) in judged.outputs().iter().zip(&own) {
+                assert_eq!(a.budget.limit, due.unwrap_or(b.budget.limit));
+            }
+        }
+    }
+
+    #[test]
+    fn outputs_format_and_norm_are_those_asked_for() {
+        let method = methods::find("erf").unwrap();
+        let args = ScopeArgs {
+            outputs: Some(vec!["Im erf".into()]),
+            normwise: Some(0.5),
+            single: true,
+            ..ScopeArgs::default()
+        };
+        let found: &dyn Method = &judged(&*method, &args).unwrap();
+        assert!(found.outputs().len() == 1 && found.outputs()[0].name == "Im erf");
+        assert_eq!(found.format(), Format::Single);
+        assert!(found.norm_budget().is_some());
+        let plain: &dyn Method = &judged(&*method, &ScopeArgs::default()).unwrap();
+        assert_eq!((plain.outputs().len(), plain.format()), (2, Format::Double));
+        let none = ScopeArgs {
+            outputs: Some(vec!["Im".into()]),
+            ..ScopeArgs::default()
+        };
+        assert!(judged(&*method, &none).is_err());
+    }
+
+    /// Cases are where the arguments say.
+    #[test]
+    fn places_are_those_asked_for() {
+        let method = methods::find("erf").unwrap();
+        let settings = Settings {
+            cases_per_region: 4,
+            ..Settings::default()
+        };
+        let names = |place: &WhereArgs| {
+            let variant = placed(Variant::new(&*method), place, &settings, true).unwrap();
+            let variant = regions(variant, place).unwrap();
+            let cases = Cases::new(&variant, &settings);
+            let mut all: Vec<&str> = (0..cases.len()).map(|i| cases.get(i).region).collect();
+            all.dedup();
+            all
+        };
+        let some = |list: &[&str]| list.iter().map(|r| r.to_string()).collect();
+        let place = WhereArgs {
+            regions: some(&["mid", "small"]),
+            ..WhereArgs::default()
+        };
+        let mut two = names(&place);
+        two.sort();
+        assert_eq!(two, ["mid", "small"]);
+        let boxed = WhereArgs {
+            sides: Some("Re z=0..1,Im z=0..1".into()),
+            ..place
+        };
+        assert_eq!(names(&boxed), ["box"]);
+        let near = WhereArgs {
+            near: Some("1,1".into()),
+            radius: Some(0.25),
+            ..WhereArgs::default()
+        };
+        assert_eq!(names(&near), ["near"]);
+        let plain = names(&WhereArgs::default());
+        let ordinary = names(&WhereArgs {
+            ordinary: true,
+            ..WhereArgs::default()
+        });
+        assert!(
+            ordinary.len() < plain.len() && plain.contains(&"hard"),
+            "{plain:?}"
+        );
+        let nowhere = WhereArgs {
+            regions: some(&["nowhere"]),
+            ..WhereArgs::default()
+        };
+        assert!(regions(Variant::new(&*method), &nowhere).is_err());
+    }
+}

@@ -250,3 +250,41 @@ fn an_ignored_hang_up_stays_ignored() {
     child.kill().unwrap();
     child.wait().unwrap();
 }
+
+/// Also where whoever runs the tests ignores hang-ups: `env` gives them back.
+#[cfg(target_os = "linux")]
+#[test]
+fn every_signal_that_ends_the_program_is_listened_to() {
+    let env = |words: &[&str]| {
+        let mut env = Command::new("env");
+        env.arg("--default-signal=HUP").args(words);
+        env.stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null());
+        env
+    };
+    if !env(&["true"]).status().is_ok_and(|s| s.success()) {
+        return common::skipped("env --default-signal");
+    }
+    let program = env!("CARGO_BIN_EXE_mechaudit");
+    let mut child = env(&[program, "audit", "faddeeva", "--cases", "500000"])
+        .spawn()
+        .unwrap();
+    let status = format!("/proc/{}/status", child.id());
+    let listens = |signal: u32| {
+        let text = std::fs::read_to_string(&status).unwrap();
+        let mask = text
+            .lines()
+            .find_map(|l| l.strip_prefix("SigCgt:"))
+            .unwrap();
+        u64::from_str_radix(mask.trim(), 16).unwrap() & 1 << (signal - 1) != 0
+    };
+    let mut patience = 500;
+    while ![1, 2, 15].into_iter().all(listens) && patience > 0 {
+        patience -= 1;
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let all = [1, 2, 15].map(listens);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert_eq!(all, [true; 3]);
+}

@@ -112,3 +112,24 @@ fn shards(text: &str) -> Result<(u64, u64), number::Refused> {
         false => Err(number::Refused::Whole(from)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shards_are_one_or_from_one_to_another() {
+        for (text, due) in [
+            ("3", (3, 3)),
+            ("2-5", (2, 5)),
+            ("4-4", (4, 4)),
+            ("0", (0, 0)),
+        ] {
+            assert_eq!(shards(text), Ok(due), "{text}");
+        }
+        assert_eq!(shards("5-2"), Err(number::Refused::Whole(5)));
+        for text in ["", "x", "2-", "-2", "1-2-3"] {
+            assert_eq!(shards(text), Err(number::Refused::Whole(0)), "{text}");
+        }
+    }
+}

@@ -100,4 +100,34 @@ mod tests {
         assert_eq!(counting::<u64>()("0"), Err(Refused::Whole(1)));
         assert!(positive("1e-9").is_ok() && positive("0").is_err() && positive("x").is_err());
     }
+
+    /// With an exponent or a point as far as every whole number is an `f64`.
+    #[test]
+    fn whole_numbers_are_exact() {
+        assert_eq!(whole("9007199254740992.0"), Ok(9_007_199_254_740_992));
+        assert_eq!(
+            whole("9.007199254740994e15"),
+            Err(Refused::AtMost(u64::MAX))
+        );
+        assert_eq!(whole("1e300"), Err(Refused::AtMost(u64::MAX)));
+        assert_eq!(whole("0.0"), Ok(0));
+        assert_eq!((index("3"), index("x")), (Ok(3), Err(Refused::Whole(0))));
+        assert_eq!(
+            (counting::<u64>()("1"), counting::<u32>()("1")),
+            (Ok(1), Ok(1))
+        );
+        assert_eq!(counting::<u32>()("4294967296"), Err(Refused::Whole(1)));
+        assert_eq!(
+            (within::<u32>(1..=7)("1"), within::<u32>(1..=7)("7")),
+            (Ok(1), Ok(7))
+        );
+    }
+
+    #[test]
+    fn positive_numbers() {
+        assert_eq!((positive("0.5"), positive("1e300")), (Ok(0.5), Ok(1e300)));
+        for text in ["0", "-0", "-1", "inf", "-inf", "nan", "1e999", "", "x"] {
+            assert_eq!(positive(text), Err(Refused::Positive), "{text}");
+        }
+    }
 }

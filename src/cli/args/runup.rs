@@ -89,3 +89,32 @@ fn method() -> impl TypedValueParser<Value = Method> {
     PossibleValuesParser::new(Method::ALL.map(|m| m.name()))
         .try_map(move |name| named(name).ok_or("unknown"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
+
+    #[test]
+    fn models_and_methods_are_known_by_their_names() {
+        let read = |option: &str, name: &str| {
+            let words = ["mechaudit", "runup", "file", option, name];
+            match Args::try_parse_from(words).unwrap().command {
+                Some(Command::Runup(args)) => args,
+                other => panic!("{other:?}"),
+            }
+        };
+        for model in Coefficients::ALL {
+            let args = read("--coefficients", model.name());
+            assert_eq!(
+                args.coefficients.map(Coefficients::name),
+                Some(model.name())
+            );
+        }
+        for method in Method::ALL {
+            let args = read("--method", method.name());
+            assert_eq!(args.method.map(|m| m.name()), Some(method.name()));
+        }
+    }
+}

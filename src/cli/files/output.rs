@@ -238,4 +238,102 @@ mod tests {
             assert!(found.is_err() || found.unwrap() == at(0));
         }
     }
+
+    fn written(name: &Path, text: &str) {
+        Output::open(Some(name)).unwrap().text(text).unwrap();
+    }
+
+    #[test]
+    fn a_folder_is_the_part_before_the_name() {
+        for (path, due) in [("a/b", "a"), ("/a", "/"), ("a", "."), ("a/b/c", "a/b")] {
+            assert_eq!(folder(Path::new(path)), Path::new(due));
+        }
+    }
+
+    #[test]
+    fn nothing_and_a_hyphen_are_standard_output() {
+        let standard =
+            |name: Option<&str>| Output::open(name.map(Path::new)).unwrap().is_standard();
+        assert!(standard(None) && standard(Some("-")));
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("-");
+        assert!(!Output::open(Some(&file)).unwrap().is_standard());
+    }
+
+    /// All of it or nothing.
+    #[test]
+    fn a_file_appears_whole_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("file");
+        let broken = Output::open(Some(&file)).unwrap();
+        let result: Result<(), Failure> = broken.write(|out| {
+            write!(out, "half")?;
+            Err(Failure::new("stop"))
+        });
+        assert_eq!(result.unwrap_err().to_string(), "stop");
+        assert!(!file.exists());
+        written(&file, "one");
+        let value = Output::open(Some(&file)).unwrap().write(|out| {
+            write!(out, "\u{1b}[1mtwo\u{1b}[0m")?;
+            Ok(7)
+        });
+        assert_eq!(value.unwrap(), 7);
+        assert_eq!(
+            std::fs::read_to_string(&file).unwrap(),
+            "two",
+            "without colours"
+        );
+        let json = Output::open(Some(&file)).unwrap();
+        write_json(json, &serde_json::json!({ "a": 1 })).unwrap();
+        assert_eq!(
+            std::fs::read_to_string(&file).unwrap(),
+            "{\n  \"a\": 1\n}\n"
+        );
+        let names = std::fs::read_dir(folder.path()).unwrap().count();
+        assert_eq!(names, 1);
+    }
+
+    #[test]
+    fn a_shorter_content_takes_the_place_of_a_longer_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, other] = ["file", "other"].map(|n| folder.path().join(n));
+        std::fs::write(&file, "something long").unwrap();
+        std::fs::hard_link(&file, &other).unwrap();
+        written(&file, "short");
+        assert_eq!(std::fs::read_to_string(&other).unwrap(), "short");
+        std::fs::remove_file(&other).unwrap();
+        written(&file, "new");
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), "new");
+    }
+
+    #[test]
+    fn folders_are_made_where_they_are_missing() {
+        let root = tempfile::tempdir().unwrap();
+        let deep = root.path().join("a/b");
+        Output::within(&deep, "file").unwrap().text("x").unwrap();
+        assert_eq!(std::fs::read_to_string(deep.join("file")).unwrap(), "x");
+        let blocked = Output::within(&deep.join("file"), "y")
+            .map(|_| ())
+            .unwrap_err();
+        assert!(
+            blocked.to_string().starts_with("cannot make the folder "),
+            "{blocked}"
+        );
+        let taken = Output::open(Some(&deep)).map(|_| ()).unwrap_err();
+        let due = format!("cannot write {}: it is a folder", deep.display());
+        assert_eq!(taken.to_string(), due);
+    }
+
+    /// Whatever stands for an open file of a process is no file of a folder.
+    #[test]
+    fn descriptors_are_known_by_their_folder() {
+        for (path, due) in [
+            ("/dev/fd/1", true),
+            ("/proc/self/fd/1", true),
+            ("/dev/null", false),
+            ("/tmp/file", false),
+        ] {
+            assert_eq!(is_descriptor(Path::new(path)), due, "{path}");
+        }
+    }
 }

@@ -290,3 +290,7 @@ fn feed(stdin: ChildStdin, inputs: &Inputs, total: usize, form: Form, decimal: b
     }
     let _ = out.flush();
 }
+
+#[cfg(all(test, unix))]
+#[path = "exec_tests.rs"]
+mod tests;

@@ -196,4 +196,114 @@ mod tests {
         long.extend(u64::MAX.to_le_bytes());
         assert!(all(&long).1.unwrap().contains("more than 4096"));
     }
+
+    /// A text of that many bytes, filled up to whole words.
+    fn text(length: usize) -> Vec<u8> {
+        let mut bytes = TEXT.to_le_bytes().to_vec();
+        bytes.extend((length as u64).to_le_bytes());
+        bytes.resize(bytes.len() + length, b'a');
+        bytes.resize(bytes.len().next_multiple_of(8), 0);
+        bytes
+    }
+
+    #[test]
+    fn texts_end_with_whole_words() {
+        for length in [0, 1, 7, 8, 9, LONGEST] {
+            let mut bytes = text(length);
+            encode(&[2.0], &mut bytes);
+            let due = [
+                Frame::Text("a".repeat(length)),
+                Frame::Answer(Values(vec![2.0])),
+            ];
+            assert_eq!(all(&bytes), (due.into(), None), "{length}");
+        }
+        let (found, why) = all(&text(LONGEST + 1));
+        assert!(found.is_empty());
+        assert_eq!(why.unwrap(), "a text of 4097 bytes, more than 4096");
+    }
+
+    /// Texts are no answers, and are not counted as such.
+    #[test]
+    fn a_bad_frame_is_named_by_its_number() {
+        let mut bytes = text(3);
+        encode(&[1.0], &mut bytes);
+        bytes.extend(text(3));
+        let mut large = bytes.clone();
+        large.extend((FIELDS as u64 + 1).to_le_bytes());
+        let due = "frame 2 claims 100001 values, more than 100000";
+        assert_eq!(all(&large).1.as_deref(), Some(due));
+        bytes.extend(1u64.to_le_bytes());
+        let (found, error) = all(&bytes);
+        let last = Frame::Answer(Fails("frame 2 is cut off".into()));
+        assert_eq!((found.last(), error), (Some(&last), None));
+    }
+
+    #[test]
+    fn the_longest_answer_is_read() {
+        let mut bytes = Vec::new();
+        encode(&vec![1.0; FIELDS], &mut bytes);
+        let (found, error) = all(&bytes);
+        assert_eq!((found.len(), error), (1, None));
+        assert!(matches!(&found[0], Frame::Answer(Values(v)) if v.len() == FIELDS));
+    }
+
+    /// After its end a stream has no more frames, whatever its source gives.
+    #[test]
+    fn a_stream_that_is_cut_off_has_ended() {
+        let mut frames = Frames::new(BufReader::new(&[1, 2, 3][..]));
+        let cut = frames.read().unwrap();
+        assert_eq!(cut, Some(Frame::Answer(Fails("frame 1 is cut off".into()))));
+        assert_eq!(frames.read().unwrap(), None);
+        let mut none = Frames::new(BufReader::new(&[][..]));
+        assert_eq!(none.read().unwrap(), None);
+    }
+
+    /// What is in memory is not waited for, what is not whole is.
+    #[test]
+    fn a_frame_that_is_not_whole_is_waited_for() {
+        let drained = |bytes: &[u8]| {
+            // A refusal before it fills the memory of the reader.
+            let all = [&REFUSAL.to_le_bytes(), bytes].concat();
+            let mut frames = Frames::new(BufReader::new(&all[..]));
+            assert!(frames.is_drained());
+            frames.read().unwrap();
+            frames.is_drained()
+        };
+        let mut two = Vec::new();
+        encode(&[1.0, 2.0], &mut two);
+        assert!(drained(&[]) && drained(&two[..7]) && drained(&two[..8]));
+        assert!(drained(&two[..two.len() - 1]) && !drained(&two));
+        assert!(!drained(&REFUSAL.to_le_bytes()) && !drained(&0u64.to_le_bytes()));
+        assert!(drained(&TEXT.to_le_bytes()));
+    }
+
+    /// A source that is interrupted is asked again; one that fails is not.
+    #[test]
+    fn interruptions_are_no_errors() {
+        struct Source(Vec<std::result::Result<u8, ErrorKind>>);
+        impl Read for Source {
+            fn read(&mut self, to: &mut [u8]) -> std::io::Result<usize> {
+                match self.0.pop() {
+                    None => Ok(0),
+                    Some(Ok(byte)) => {
+                        to[0] = byte;
+                        Ok(1)
+                    }
+                    Some(Err(kind)) => Err(kind.into()),
+                }
+            }
+        }
+        let of = |kind: ErrorKind| {
+            let mut bytes = Vec::new();
+            encode(&[4.0], &mut bytes);
+            let mut steps: Vec<_> = bytes.into_iter().map(Ok).collect();
+            steps.insert(3, Err(kind));
+            steps.reverse();
+            Frames::new(BufReader::with_capacity(1, Source(steps))).read()
+        };
+        let found = of(ErrorKind::Interrupted).unwrap();
+        assert_eq!(found, Some(Frame::Answer(Values(vec![4.0]))));
+        let why = of(ErrorKind::TimedOut).unwrap_err();
+        assert_eq!(why.kind(), ErrorKind::TimedOut);
+    }
 }

@@ -258,4 +258,37 @@ mod tests {
         assert_eq!(taken(6), [0.0; 2]);
         assert_eq!([taken(KEPT + 6), taken(7)], [[3.0; 2], [2.0; 2]]);
     }
+
+    #[test]
+    fn inputs_are_one_or_all_or_those_dealt() {
+        let method = methods::find("erf").unwrap();
+        let settings = Settings {
+            cases_per_region: 2,
+            ..Settings::default()
+        };
+        let cases = Cases::new(&*method, &settings);
+        let one = Inputs::of(&*method, Some(cases.get(3)), &settings).unwrap();
+        assert_eq!(one.len(), 1);
+        assert_eq!(one.take_one(0).input, cases.get(3).input);
+        let stride = Stride {
+            first: 2,
+            step: 5,
+            end: 14,
+        };
+        let dealt = Inputs::dealt(Cases::new(&*method, &settings), stride);
+        assert_eq!(dealt.len(), 3);
+        for (j, i) in [2, 7, 12].into_iter().enumerate() {
+            let bits = |case: Case| case.input.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+            assert_eq!(bits(dealt.take_one(j)), bits(cases.get(i)), "{i}");
+        }
+        let nowhere = Settings {
+            cases_per_region: 0,
+            ..Settings::default()
+        };
+        let region = method.domain().regions[0].name;
+        let variant = mechaudit::audit::Variant::new(&*method).region(region);
+        let none = Inputs::of(&variant.unwrap(), None, &nowhere);
+        let why = none.map(|_| ()).unwrap_err().to_string();
+        assert_eq!(why, "there are no cases to audit");
+    }
 }

@@ -142,3 +142,28 @@ pub fn unless_asked<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static
         }
     }
 }
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+
+    /// Rust ignores SIGPIPE for every program; nobody can ignore SIGKILL.
+    #[test]
+    fn a_signal_is_ignored_by_the_mask_of_the_process() {
+        assert!(is_ignored(13) && !is_ignored(9));
+    }
+
+    #[test]
+    fn work_gives_its_value_or_its_panic() {
+        assert_eq!(unless_asked(|| 5), Some(5));
+        let slow = unless_asked(|| {
+            thread::sleep(3 * POLL);
+            6
+        });
+        assert_eq!(slow, Some(6));
+        let panic = std::panic::catch_unwind(|| unless_asked(|| -> u32 { panic!("planted") }));
+        let panic = panic.unwrap_err();
+        assert_eq!(panic.downcast_ref::<&str>(), Some(&"planted"));
+        assert!(!asked());
+    }
+}

@@ -47,7 +47,7 @@ pub fn atlas(args: &AtlasArgs) -> Result<Outcome, Failure> {
                 AtlasTable::Rows => report::atlas::rows(&found, out),
                 AtlasTable::Claims => report::atlas::claims(&found, out),
             };
-            written.map_err(|e| Failure::new(e.to_string()))
+            Ok(written?)
         })?,
         AtlasFormat::Html => output.text(&html::atlas::page(&found, &maps))?,
     }
@@ -85,4 +85,56 @@ fn chosen(names: &[String]) -> Result<Chosen, Failure> {
     chosen.retain(|a| wanted(a.name));
     profiles.retain(|p| wanted(p.name));
     Ok((chosen, profiles))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn algorithms_and_profiles_are_chosen_by_name() {
+        let of = |names: &[&str]| {
+            let names: Vec<String> = names.iter().map(|n| n.to_string()).collect();
+            let (algorithms, profiles) = chosen(&names)?;
+            let all: Vec<&str> = algorithms
+                .iter()
+                .map(|a| a.name)
+                .chain(profiles.iter().map(|p| p.name))
+                .collect();
+            Ok::<_, Failure>((algorithms.len(), profiles.len(), all))
+        };
+        let all = of(&[]).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!((all.0, all.1), (algorithms().len(), PROFILES.len()));
+        let (first, profile) = (all.2[0], PROFILES[0].name);
+        let (n, m, names) = of(&[profile, first]).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!((n, m, names), (1, 1, vec![first, profile]));
+        let why = of(&[first, "none"]).map(|_| ()).unwrap_err().to_string();
+        assert!(why.starts_with("there is no algorithm \"none\""), "{why}");
+    }
+
+    /// Maps are of codes in double precision, and made where they are asked for.
+    #[test]
+    fn maps_are_made_for_pages() {
+        let effort = Effort { cases: 1, seed: 1 };
+        let one = |mapped: bool| {
+            let some = algorithms()
+                .into_iter()
+                .find(|a| a.single.is_some())
+                .unwrap();
+            let name = some.name;
+            let (found, maps) = made(
+                ((vec![some], Vec::new()), Vec::new()),
+                effort,
+                false,
+                mapped,
+            );
+            let rows: Vec<String> = found.rows.iter().map(|r| r.name.clone()).collect();
+            let names: Vec<String> = maps.into_iter().map(|m| m.0).collect();
+            (name, rows, names)
+        };
+        let (name, rows, maps) = one(true);
+        assert_eq!(rows, [name.to_string(), format!("{name} (f32)")]);
+        assert_eq!(maps, [name]);
+        assert!(one(false).2.is_empty());
+    }
 }

@@ -165,3 +165,107 @@ fn answers(command: &str, inputs: &[Vec<f64>]) -> Vec<SolverAnswer> {
         .map(|i| given(i).unwrap_or_else(unanswered))
         .collect()
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use crate::cli::args::{Args, Command as Asked};
+    use clap::Parser;
+
+    fn shell(script: &str) -> String {
+        format!("sh -c {}", shell_words::quote(script))
+    }
+
+    const HEAD: &str = "echo '# name: w'; echo '# version: 7'; echo '# ns: 47.5'; ";
+
+    fn asked(words: &[&str]) -> Vec<Library> {
+        let read = Args::try_parse_from([&["mechaudit", "atlas"], words].concat());
+        let Some(Asked::Atlas(args)) = read.unwrap().command else {
+            panic!("the atlas");
+        };
+        let (found, missing) = all(&args).unwrap();
+        assert_eq!(missing.len(), 0);
+        found
+    }
+
+    #[test]
+    fn programs_are_called_as_they_say() {
+        let known = shell(&format!("{HEAD} read x; echo 0,0"));
+        let (silent, gone) = (shell("read x; echo 0,0"), "/no/such/program");
+        let of = |more: &[&str]| {
+            asked(&[&["--exec", &known, "--exec", &silent, "--exec", gone], more].concat())
+        };
+        let found = of(&[]);
+        let facts = |l: &Library| {
+            (
+                l.name.clone(),
+                l.version.clone(),
+                l.command.clone(),
+                l.nanoseconds,
+            )
+        };
+        let due = [
+            ("w".to_string(), "7".to_string(), known.clone(), Some(47.5)),
+            (silent.clone(), String::new(), silent.clone(), None),
+            (gone.to_string(), String::new(), gone.to_string(), None),
+        ];
+        assert_eq!(found.iter().map(facts).collect::<Vec<_>>(), due);
+        assert!(of(&["--no-speed"]).iter().all(|l| l.nanoseconds.is_none()));
+        let codes: Vec<Code> = found.into_iter().map(Library::code).collect();
+        let titles: Vec<&str> = codes.iter().map(|c| c.title.as_str()).collect();
+        assert_eq!(titles, ["w 7", "a program", "a program"]);
+        let first = &codes[0];
+        let named = (
+            first.name.as_str(),
+            first.source.as_str(),
+            first.nanoseconds,
+        );
+        assert_eq!(named, ("w", "7", Some(47.5)));
+        assert!(
+            codes
+                .iter()
+                .all(|c| c.plane == Plane::Whole && c.parts == Parts::Both)
+        );
+    }
+
+    /// Libraries of the real line's profile and of the upper half-plane are asked nothing below it.
+    #[test]
+    fn libraries_have_their_half_plane() {
+        for (name, parts) in KNOWN {
+            let library = Library {
+                name: name.into(),
+                version: "1".into(),
+                command: String::new(),
+                parts,
+                nanoseconds: None,
+            };
+            let code = library.code();
+            let whole = ["scipy", "libcerf", "mpmath"].contains(&name);
+            assert_eq!(code.plane == Plane::Whole, whole, "{name}");
+            assert_eq!(
+                code.parts == Parts::Real,
+                ["astropy", "lmfit"].contains(&name),
+                "{name}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_does_not_come_is_unanswered() {
+        let inputs = vec![vec![1.0, 2.0], vec![3.0, 4.0], vec![5.0, 6.0]];
+        let given = |script: &str| answers(&shell(script), &inputs);
+        let all = given("while read x; do echo $x; done");
+        let due: Vec<SolverAnswer> = inputs.iter().cloned().map(SolverAnswer::Values).collect();
+        assert_eq!(all, due);
+        let why = "The program answered 1 times, then ended: exit status 3; 2 of 3 inputs are unanswered.";
+        let left = SolverAnswer::Unanswered(why.into());
+        let some = given("read x; echo $x; exit 3");
+        assert_eq!(some, [due[0].clone(), left.clone(), left]);
+        for answer in answers("/no/such/program", &inputs) {
+            let SolverAnswer::Unanswered(why) = answer else {
+                panic!("{answer:?}");
+            };
+            assert!(why.starts_with("cannot start "), "{why}");
+        }
+    }
+}

@@ -27,16 +27,20 @@ use std::time::Instant;
 
 /// The settings that arguments and environment ask for.
 pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
+    let effort = effort(std::env::var_os("MECHAUDIT_EFFORT").as_deref())?;
+    Ok(at_effort(args, effort))
+}
+
+fn at_effort(args: &RunArgs, effort: f64) -> Settings {
     let default = Settings::default();
     let cases = args.cases.unwrap_or(default.cases_per_region);
-    let effort = effort(std::env::var_os("MECHAUDIT_EFFORT").as_deref())?;
     // Saturates; at least one case unless none were asked for.
     let scaled = (cases as f64 * effort).ceil() as u64;
-    Ok(Settings {
+    Settings {
         seed: args.seed.unwrap_or(default.seed),
         cases_per_region: if effort == 1.0 { cases } else { scaled },
         ..default
-    })
+    }
 }
 
 fn effort(value: Option<&std::ffi::OsStr>) -> Result<f64, Failure> {
@@ -151,14 +155,19 @@ fn run(
     judging: &mut f64,
 ) -> MethodReport {
     let started = Instant::now();
-    let mapped = map_points(method).filter(|_| settings.maps).unwrap_or(0);
-    let total = (Cases::new(method, settings).len() + mapped) as u64;
+    let total = work(method, settings);
     progress.restart();
     let tick = || progress.tick(method.name(), total);
     let report = audit_method_until(method, settings, &tick, interrupt::flag());
     progress.clear();
     *judging += started.elapsed().as_secs_f64();
     report
+}
+
+/// Cases, and points of a map.
+fn work(method: &dyn Method, settings: &Settings) -> u64 {
+    let mapped = map_points(method).filter(|_| settings.maps).unwrap_or(0);
+    (Cases::new(method, settings).len() + mapped) as u64
 }
 
 /// The method as the arguments ask for it.
@@ -181,16 +190,19 @@ fn foresee(methods: &[Box<dyn Method>], settings: &Settings) -> Result<(), Failu
     forecast::audit(&methods, settings)
 }
 
+/// The settings, with what a page shows besides.
+fn asked(args: &AuditArgs) -> Result<Settings, Failure> {
+    let page = args.format == AuditFormat::Html;
+    Ok(Settings {
+        maps: args.maps || (page && args.program.exec.is_none()),
+        points: if page { written::POINTS } else { 0 },
+        ..settings(&args.run)?
+    })
+}
+
 /// Audits methods as the arguments ask for.
 pub fn methods(args: &AuditArgs) -> Result<Outcome, Failure> {
-    let settings = Settings {
-        maps: args.maps || (args.format == AuditFormat::Html && args.program.exec.is_none()),
-        points: match args.format {
-            AuditFormat::Html => written::POINTS,
-            _ => 0,
-        },
-        ..settings(&args.run)?
-    };
+    let settings = asked(args)?;
     let chosen = match &args.method {
         None => methods::registry(),
         Some(name) => vec![find(name)?],
@@ -335,68 +347,4 @@ fn given(method: &dyn Method, input: &[f64]) -> Result<Case, Failure> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn effort_is_a_positive_number() {
-        assert_eq!(effort(None).unwrap(), 1.0);
-        assert_eq!(effort(Some("2.5".as_ref())).unwrap(), 2.5);
-        for bad in ["", "0", "-1", "nan", "inf", "ten"] {
-            assert!(effort(Some(bad.as_ref())).is_err(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn rates_are_those_of_a_core() {
-        assert_eq!(
-            rate_of(1000, 2.0, 1),
-            "500 cases a second on each of 1 core"
-        );
-        assert_eq!(
-            rate_of(80_000, 2.0, 4),
-            "10e3 cases a second on each of 4 cores"
-        );
-        assert_eq!(
-            rate_of(79_992, 2.0, 4),
-            "9999 cases a second on each of 4 cores"
-        );
-        assert_eq!(rate_of(0, 0.0, 2), "0 cases a second on each of 2 cores");
-    }
-
-    /// Judging takes time, that of all methods together; a page that is ended before its last part is not whole.
-    #[test]
-    fn methods_one_after_the_other() {
-        let settings = Settings {
-            cases_per_region: 1,
-            ..Settings::default()
-        };
-        let (progress, mut judging) = (Progress::new(), 0.0);
-        let mut before = judging;
-        let mut reports = Vec::new();
-        for name in ["slider-crank", "four-bar"] {
-            let method = find(name).unwrap();
-            reports.push(run(&*method, &settings, &progress, &mut judging));
-            assert!(judging > before, "{name}: {judging} s after {before} s");
-            before = judging;
-        }
-        let cases = reports[0].cases + reports[1].cases;
-        let each = cases as f64 / judging / rayon::current_num_threads() as f64;
-        let said = rate(&reports, judging);
-        assert!(
-            each > 1e4 || said.starts_with(&format!("{each:.0} cases")),
-            "{said}"
-        );
-        let ended = |besides: Besides| {
-            let mut reports = reports.clone();
-            stopped_before(&besides, &mut reports);
-            [reports[0].interrupted, reports[1].interrupted]
-        };
-        assert_eq!(ended(Besides::default()), [false, true]);
-        let whole = Besides {
-            approximations: Some(Vec::new()),
-            ..Besides::default()
-        };
-        assert_eq!(ended(whole), [false, false]);
-    }
-}
+mod tests;

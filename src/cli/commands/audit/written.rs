@@ -68,9 +68,7 @@ pub fn write(
             }
             write_json(output, &value)?;
         }
-        AuditFormat::Csv => {
-            output.write(|out| csv::audit(reports, out).map_err(|e| Failure::new(e.to_string())))?
-        }
+        AuditFormat::Csv => output.write(|out| Ok(csv::audit(reports, out)?))?,
         AuditFormat::Junit => {
             let text = junit::document(reports).map_err(|e| Failure::new(e.to_string()))?;
             output.write(|out| Ok(writeln!(out, "{text}")?))?;

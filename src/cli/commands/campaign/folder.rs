@@ -296,3 +296,7 @@ impl Folder {
         Ok(())
     }
 }
+
+#[cfg(test)]
+#[path = "folder_tests.rs"]
+mod tests;

@@ -106,4 +106,60 @@ mod tests {
             assert!(!is_of_method(&part(more)), "{more}");
         }
     }
+
+    /// The worst that was drawn or hunted of each output, with where it is from.
+    #[test]
+    fn the_worst_of_each_output_is_kept() {
+        use mechaudit::campaign::{Deal, Sum, run};
+        let text = "name = \"some\"\n[[part]]\nmethods = [\"slider-crank\"]\nseeds = [3]\nregions = [\"central\"]\ncases = 4\n\
+                    [[part]]\nkind = \"hunt\"\nmethods = [\"slider-crank\"]\nseeds = [5]\nhunts = 2\nevaluations = 40";
+        let plan = Plan::read(&Source::toml(text)).unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(1)
+            .build()
+            .unwrap();
+        let stop = std::sync::atomic::AtomicBool::new(false);
+        let deal = Deal::new(&plan, 1);
+        let found = run(
+            (&plan, &deal, 0),
+            &pool,
+            &|_, _, _, _| Ok(None),
+            &|_| (),
+            &stop,
+        );
+        let methods = plan.methods();
+        let mut sum = Sum::new(&plan, &methods);
+        sum.add(found.unwrap().unwrap()).unwrap();
+        let parts = sum.finish(true);
+        let outputs = methods[0].outputs();
+        for (k, reason) in [(0, " from seed 3; campaign some"), (1, "; campaign some")] {
+            let kept = worst(&plan, &plan.parts[k], &parts[k], &*methods[k]);
+            assert!(!kept.is_empty() && kept.len() <= outputs.len());
+            let mut names: Vec<&str> = kept.iter().map(|c| c.output.as_str()).collect();
+            for case in &kept {
+                assert!(case.reason.ends_with(reason), "{}", case.reason);
+                assert!(case.share.is_finite() && methods[k].admits(&case.input));
+                let drawn = case.reason.starts_with("drawn in ");
+                assert_eq!(drawn, k == 0, "{}", case.reason);
+                assert!(k == 0 || case.reason.contains(", seed "), "{}", case.reason);
+            }
+            names.dedup();
+            assert_eq!(names.len(), kept.len(), "one of each output");
+        }
+        // A share that is no number is none to be met again.
+        if let PartSum::Report(report) = &parts[0] {
+            for case in worst(&plan, &plan.parts[0], &parts[0], &*methods[0]) {
+                let of = report
+                    .outputs()
+                    .iter()
+                    .find(|o| o.name == case.output)
+                    .unwrap();
+                assert_eq!(case.share, rounded_up(of.max_of_budget));
+                assert!(!matches!(
+                    of.worst.as_ref().unwrap().origin,
+                    Origin::Hard { .. }
+                ));
+            }
+        }
+    }
 }

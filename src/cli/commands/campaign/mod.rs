@@ -16,7 +16,8 @@ use mechaudit::audit::Method;
 use mechaudit::campaign::{PartSum, Plan, Sum, document};
 use mechaudit::report::html;
 use mechaudit::report::words::numbers::count;
-use serde_json::json;
+use serde_json::{Value, json};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Does a step.
@@ -49,83 +50,114 @@ fn plan(args: &PlanArgs) -> Result<Outcome, Failure> {
 
 fn status(args: &StatusArgs) -> Result<Outcome, Failure> {
     let folder = Folder::open(&args.folder)?;
-    let (mut done, mut work, mut seconds) = (0, 0, 0.0);
-    let (mut missing, mut bad, mut refused) = (Vec::new(), Vec::new(), Vec::new());
-    for (k, state) in folder.states()?.into_iter().enumerate() {
-        let k = k as u64;
-        match state {
-            State::Done(header) => {
-                done += 1;
-                work += folder.deal.work_of(k);
-                seconds += header.seconds * header.threads as f64;
-            }
-            State::Missing => missing.push(k),
-            State::Bad(why) => {
-                missing.push(k);
-                bad.push((k, why));
-            }
-            State::Refused(why) => refused.push((k, why)),
-        }
-    }
-    let (shards, total) = (folder.deal.shards(), folder.deal.work());
-    // Of threads that had a core each.
-    let rate = if seconds > 0.0 {
-        work as f64 / seconds
-    } else {
-        0.0
-    };
-    let named = |all: &[(u64, String)]| -> Vec<(String, String)> {
-        let file = |k: u64| folder.file(k).display().to_string();
-        all.iter().map(|(k, why)| (file(*k), why.clone())).collect()
-    };
+    let status = Status::of(&folder)?;
     if args.missing {
         write_to(None, |out| {
-            missing.iter().try_for_each(|k| writeln!(out, "{k}"))?;
-            Ok(())
+            let mut missing = status.missing.iter();
+            Ok(missing.try_for_each(|k| writeln!(out, "{k}"))?)
         })?;
     } else if args.format == TextOrJson::Json {
-        let files = |all: &[(u64, String)]| -> Vec<serde_json::Value> {
+        print_json(&status.document())?;
+    } else {
+        write_to(None, |out| {
+            Ok(write!(out, "{}", status.text(&|k| folder.file(k)))?)
+        })?;
+    }
+    if let Some((k, why)) = status.refused.first() {
+        let file = folder.file(*k);
+        return Err(Failure::new(format!("{}: {why}", file.display())));
+    }
+    Ok(Outcome::of(status.done == status.shards))
+}
+
+/// How far a campaign is.
+#[derive(Default)]
+struct Status {
+    name: String,
+    shards: u64,
+    done: u64,
+    /// Those that are not done, numbers alone.
+    missing: Vec<u64>,
+    /// Those of them in whose place is something else, and what.
+    bad: Vec<(u64, String)>,
+    refused: Vec<(u64, String)>,
+    /// Cases and evaluations of all shards, and of those done.
+    total: u64,
+    judged: u64,
+    /// Of all threads together.
+    seconds: f64,
+}
+
+impl Status {
+    fn of(folder: &Folder) -> Result<Status, Failure> {
+        let mut status = Status {
+            name: folder.plan.name.clone(),
+            shards: folder.deal.shards(),
+            total: folder.deal.work(),
+            ..Status::default()
+        };
+        for (k, state) in (0..).zip(folder.states()?) {
+            match state {
+                State::Done(header) => {
+                    status.done += 1;
+                    status.judged += folder.deal.work_of(k);
+                    status.seconds += header.seconds * header.threads as f64;
+                }
+                State::Missing => status.missing.push(k),
+                State::Bad(why) => {
+                    status.missing.push(k);
+                    status.bad.push((k, why));
+                }
+                State::Refused(why) => status.refused.push((k, why)),
+            }
+        }
+        Ok(status)
+    }
+
+    fn document(&self) -> Value {
+        let files = |all: &[(u64, String)]| -> Vec<Value> {
             let all = all.iter();
             all.map(|(k, why)| json!({ "shard": k, "why": why }))
                 .collect()
         };
-        print_json(&json!({
+        json!({
             "schema_version": 1,
-            "name": folder.plan.name,
-            "shards": shards,
-            "done": done,
-            "missing": missing,
-            "bad": files(&bad),
-            "refused": files(&refused),
-            "judgements": total,
-            "judged": work,
-            "thread_seconds": seconds,
-        }))?;
-    } else {
-        write_to(None, |out| {
-            let (name, share) = (&folder.plan.name, 100.0 * work as f64 / total.max(1) as f64);
-            writeln!(
-                out,
-                "{name}: {done} of {} done, {share:.1} % of {total} judgements.",
-                count(shards as usize, "shard")
-            )?;
-            if done > 0 {
-                let left = match total - work {
-                    0 => ".".into(),
-                    n => format!("; {} on one thread for the others.", time(n as f64 / rate)),
-                };
-                writeln!(out, "{rate:.0} a second and thread{left}")?;
-            }
-            for (file, why) in named(&bad) {
-                writeln!(out, "{file}: {why}")?;
-            }
-            Ok(())
-        })?;
+            "name": self.name,
+            "shards": self.shards,
+            "done": self.done,
+            "missing": self.missing,
+            "bad": files(&self.bad),
+            "refused": files(&self.refused),
+            "judgements": self.total,
+            "judged": self.judged,
+            "thread_seconds": self.seconds,
+        })
     }
-    if let Some((file, why)) = named(&refused).first() {
-        return Err(Failure::new(format!("{file}: {why}")));
+
+    fn text(&self, file: &dyn Fn(u64) -> PathBuf) -> String {
+        let (name, total) = (&self.name, self.total);
+        let share = 100.0 * self.judged as f64 / total.max(1) as f64;
+        let shards = count(self.shards as usize, "shard");
+        let done = self.done;
+        let mut text =
+            format!("{name}: {done} of {shards} done, {share:.1} % of {total} judgements.\n");
+        if done > 0 {
+            // Of threads that had a core each.
+            let rate = match self.seconds > 0.0 {
+                true => self.judged as f64 / self.seconds,
+                false => 0.0,
+            };
+            let left = match total - self.judged {
+                0 => ".".into(),
+                n => format!("; {} on one thread for the others.", time(n as f64 / rate)),
+            };
+            text += &format!("{rate:.0} a second and thread{left}\n");
+        }
+        for (k, why) in &self.bad {
+            text += &format!("{}: {why}\n", file(*k).display());
+        }
+        text
     }
-    Ok(Outcome::of(done == shards))
 }
 
 fn time(seconds: f64) -> String {
@@ -216,20 +248,4 @@ fn report(args: &CampaignReportArgs) -> Result<Outcome, Failure> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::time;
-
-    #[test]
-    fn times_in_words() {
-        for (seconds, due) in [
-            (0.4, "0 s"),
-            (119.0, "119 s"),
-            (120.0, "2 min"),
-            (7199.0, "120 min"),
-            (7200.0, "2.0 h"),
-            (90_000.0, "25.0 h"),
-        ] {
-            assert_eq!(time(seconds), due);
-        }
-    }
-}
+mod tests;

@@ -24,7 +24,7 @@ const PATIENCE: Duration = Duration::from_millis(200);
 pub fn run(args: &CampaignRunArgs) -> Result<Outcome, Failure> {
     let folder = Folder::open(&args.folder)?;
     folder.same_program()?;
-    let asked = asked(args, folder.deal.shards())?;
+    let asked = asked(&args.shards, folder.deal.shards())?;
     let mut run = Run::new(folder, args.jobs)?;
     let mut left: Vec<u64> = asked;
     while !left.is_empty() && !interrupt::asked() {
@@ -47,15 +47,15 @@ pub fn run(args: &CampaignRunArgs) -> Result<Outcome, Failure> {
 }
 
 /// The numbers of the shards asked for, in their order.
-fn asked(args: &CampaignRunArgs, shards: u64) -> Result<Vec<u64>, Failure> {
-    let beyond = args.shards.iter().find(|(_, to)| *to >= shards);
+fn asked(some: &[(u64, u64)], shards: u64) -> Result<Vec<u64>, Failure> {
+    let beyond = some.iter().find(|(_, to)| *to >= shards);
     if let Some((_, to)) = beyond {
         let last = shards - 1;
         return Err(Failure::new(format!(
             "--shard {to}: the shards are numbered 0 to {last}"
         )));
     }
-    let mut all: Vec<u64> = match args.shards.as_slice() {
+    let mut all: Vec<u64> = match some {
         [] => (0..shards).collect(),
         some => some.iter().flat_map(|(from, to)| *from..=*to).collect(),
     };
@@ -177,24 +177,29 @@ impl Run {
     fn end(self) -> Result<Outcome, Failure> {
         self.progress.clear();
         let stopped = interrupt::asked();
-        let shards = |n: u64| count(n as usize, "shard");
-        let mark = if stopped { "Interrupted: " } else { "" };
-        let text = format!(
-            "{mark}{} done, {} done before.",
-            shards(self.own),
-            self.before
-        );
+        let text = done(stopped, self.own, self.before);
         write_to(None, |out| Ok(writeln!(out, "{text}")?))?;
-        if stopped {
-            return Ok(Outcome::Interrupted);
+        outcome(stopped, &self.failed)
+    }
+}
+
+fn done(stopped: bool, own: u64, before: u64) -> String {
+    let mark = if stopped { "Interrupted: " } else { "" };
+    let own = count(own as usize, "shard");
+    format!("{mark}{own} done, {before} done before.")
+}
+
+/// What a run came to that was stopped, or left some undone.
+fn outcome(stopped: bool, failed: &[(u64, String)]) -> Result<Outcome, Failure> {
+    match failed.first() {
+        _ if stopped => Ok(Outcome::Interrupted),
+        None => Ok(Outcome::AsExpected),
+        Some((k, why)) => {
+            let n = count(failed.len(), "shard");
+            Err(Failure::new(format!(
+                "{n} cannot be done, the first: {k}, {why}"
+            )))
         }
-        let Some((k, why)) = self.failed.first() else {
-            return Ok(Outcome::AsExpected);
-        };
-        let n = shards(self.failed.len() as u64);
-        Err(Failure::new(format!(
-            "{n} cannot be done, the first: {k}, {why}"
-        )))
     }
 }
 
@@ -258,5 +263,96 @@ mod tests {
         assert!(run.shard(1).unwrap());
         let names = std::fs::read_dir(place.path().join("x/shards")).unwrap();
         assert_eq!(names.count(), 2, "nothing is set aside");
+    }
+
+    #[test]
+    fn shards_asked_for_are_done_once_in_their_order() {
+        let of = |some: &[(u64, u64)]| asked(some, 6).map_err(|e| e.to_string());
+        assert_eq!(of(&[]).unwrap(), [0, 1, 2, 3, 4, 5]);
+        assert_eq!(of(&[(4, 5), (1, 1), (3, 4)]).unwrap(), [1, 3, 4, 5]);
+        assert_eq!(of(&[(0, 5)]).unwrap().len(), 6);
+        let why = "--shard 6: the shards are numbered 0 to 5";
+        assert_eq!(of(&[(1, 1), (2, 6)]), Err(why.into()));
+    }
+
+    #[test]
+    fn a_run_says_what_it_came_to() {
+        assert_eq!(done(false, 1, 0), "1 shard done, 0 done before.");
+        assert_eq!(
+            done(true, 2, 3),
+            "Interrupted: 2 shards done, 3 done before."
+        );
+        let failed = |n: u64| {
+            (4..4 + n)
+                .map(|k| (k, format!("why {k}")))
+                .collect::<Vec<_>>()
+        };
+        let of = |stopped, n| outcome(stopped, &failed(n)).map_err(|e| e.to_string());
+        assert_eq!(of(false, 0), Ok(Outcome::AsExpected));
+        assert_eq!(of(true, 2), Ok(Outcome::Interrupted));
+        let why = "1 shard cannot be done, the first: 4, why 4";
+        assert_eq!(of(false, 1), Err(why.into()));
+        let why = "2 shards cannot be done, the first: 4, why 4";
+        assert_eq!(of(false, 2), Err(why.into()));
+    }
+
+    fn run_of(plan: &str, shards: u64) -> (tempfile::TempDir, Run) {
+        let plan = Plan::read(&Source::toml(plan)).unwrap();
+        let place = tempfile::tempdir().unwrap();
+        let Ok(folder) = Folder::make(&place.path().join("x"), plan, shards) else {
+            panic!("a new folder");
+        };
+        let Ok(run) = Run::new(folder, Some(1)) else {
+            panic!("a thread");
+        };
+        (place, run)
+    }
+
+    const PROGRAM: &str = "name = \"x\"\n[[part]]\nkind = \"candidate\"\nmethods = [\"erf\"]\nregions = [\"small\"]\n\
+                           cases = 6\nexec = ";
+
+    /// Cases are counted as they are done; those of a shard that failed are taken back.
+    #[cfg(unix)]
+    #[test]
+    fn what_is_done_is_what_is_written() {
+        let right = format!("{PROGRAM}\"sh -c 'while read x; do echo refuse; done'\"");
+        let (_place, mut run) = run_of(&right, 2);
+        let total = run.total;
+        assert_eq!((total, run.threads), (6, 1));
+        assert!(run.shard(0).unwrap());
+        let at = |run: &Run| run.done.load(Ordering::Relaxed);
+        assert_eq!((at(&run), run.own, run.before), (3, 1, 0));
+        assert!(run.shard(0).unwrap() && run.shard(1).unwrap());
+        assert_eq!((run.own, run.before), (2, 1));
+        let wrong = format!("{PROGRAM}\"sh -c 'read x; echo refuse'\"");
+        let (_place, mut run) = run_of(&wrong, 2);
+        assert!(run.shard(1).unwrap() && run.shard(0).unwrap());
+        assert_eq!((at(&run), run.own, run.failed.len()), (0, 0, 2));
+        let due = "part 1: The program answered 1 times, then it ended its output, with exit status 0; \
+                   2 of 3 inputs are unanswered.";
+        assert_eq!(run.failed[0], (1, due.to_string()));
+        assert!(!run.folder.file(1).exists());
+        let names = std::fs::read_dir(run.folder.file(1).parent().unwrap()).unwrap();
+        assert_eq!(names.count(), 0, "no claim is left");
+    }
+
+    /// A shard that somebody else has is left to them; one of another version to nobody.
+    #[test]
+    fn shards_of_others_are_left_alone() {
+        let text = "name = \"x\"\n[[part]]\nmethods = [\"erf\"]\nregions = [\"small\"]\ncases = 2";
+        let (_place, mut run) = run_of(text, 2);
+        let lock = run.folder.file(1).with_extension("lock");
+        let file = std::fs::File::create(&lock).unwrap();
+        file.lock().unwrap();
+        assert!(!run.shard(1).unwrap() && run.shard(0).unwrap());
+        drop(file);
+        assert!(run.shard(1).unwrap());
+        let path = run.folder.file(0);
+        let whole = std::fs::read_to_string(&path).unwrap();
+        let other = whole.replacen("\"campaign_shard\":1", "\"campaign_shard\":2", 1);
+        std::fs::write(&path, other).unwrap();
+        let why = run.shard(0).unwrap_err().to_string();
+        let due = format!("{}: its form has version 2, not 1", path.display());
+        assert_eq!(why, due);
     }
 }

@@ -273,19 +273,4 @@ impl Inputs {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::count;
-    use std::path::Path;
-
-    /// Comments and blank lines are no inputs; what has no size has no number of them.
-    #[test]
-    fn inputs_of_a_file_are_counted() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("inputs");
-        std::fs::write(&path, "# region small\n1,2\n\n  \n3,4\nno number").unwrap();
-        assert_eq!(count(&path), Some(3));
-        assert_eq!(count(folder.path()), None);
-        assert_eq!(count(&folder.path().join("none")), None);
-        assert_eq!(count(Path::new("/dev/null")), None);
-    }
-}
+mod tests;

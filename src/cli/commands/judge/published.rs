@@ -20,6 +20,7 @@ use rayon::prelude::*;
 use rug::Rational;
 use serde_json::json;
 use std::collections::BTreeMap;
+use std::io::Read;
 use std::path::Path;
 
 /// The largest table, and the longest field of one.
@@ -292,15 +293,15 @@ fn table(header: &[String], judged: &[Judged]) -> String {
 }
 
 /// The header and the lines of a table.
-pub fn read(
-    method: &dyn Method,
-    input: impl std::io::Read,
-) -> Result<(Vec<String>, Vec<Row>), TableError> {
+pub fn read(method: &dyn Method, input: impl Read) -> Result<(Vec<String>, Vec<Row>), TableError> {
+    let mut text = Vec::new();
+    let read = Bounded::new(input, LONGEST, WHOLE).read_to_end(&mut text);
+    read.map_err(csv::Error::from)?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
         .flexible(true)
-        .from_reader(Bounded::new(input, LONGEST, WHOLE));
+        .from_reader(text.as_slice());
     let layout = Layout::new(method);
     let header = reader.headers()?;
     if header.len() > FIELDS {
@@ -320,7 +321,7 @@ pub fn read(
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = record.position().map_or(0, |at| line(&text, at));
         let row = row(&layout, &columns, &record, line);
         rows.push(row.map_err(|source| TableError::Line { line, source })?);
     }
@@ -328,6 +329,25 @@ pub fn read(
         return Err(TableError::Empty);
     }
     Ok((names, rows))
+}
+
+/// The line of the record whose search begins there: comments and empty lines may come first.
+fn line(text: &[u8], from: &csv::Position) -> u64 {
+    let mut line = from.line();
+    let mut comment = false;
+    for byte in text.iter().skip(from.byte() as usize) {
+        match byte {
+            b'\n' => {
+                line += 1;
+                comment = false;
+            }
+            b'\r' => {}
+            b'#' => comment = true,
+            _ if comment => {}
+            _ => break,
+        }
+    }
+    line
 }
 
 /// What the reader says, without its own preface.
@@ -453,3 +473,7 @@ fn row(
         false => Err(RowError::Lengths(layout.input())),
     }
 }
+
+#[cfg(test)]
+#[path = "published_tests.rs"]
+mod tests;

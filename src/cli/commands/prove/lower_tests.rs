@@ -100,3 +100,33 @@ fn open_rectangles_are_no_proof() {
     assert_eq!(json["proved"], false);
     assert_eq!(json["open"][5]["box"]["re"], json!([5.0, 9.0]));
 }
+
+#[test]
+fn what_is_proved_for_programs() {
+    let v = document(&found(), Some(8.0), 1.25);
+    let due = json!({
+        "schema_version": 1,
+        "mechaudit_version": env!("CARGO_PKG_VERSION"),
+        "function": "faddeeva",
+        "part": "lower",
+        "within": 8.0,
+        "proved": true,
+        "norm": 2.25,
+        "boxes_of_exponential": 7,
+        "zeros_apart": { "boxes": 11, "zeros": 12, "lines": 13 },
+        "seconds": 1.25,
+        "formulas": [
+            {
+                "formula": "strip",
+                "boxes": 3,
+                "norm": 2.25,
+                "box": { "re": [0.5, 1.0], "minus_im": [2.0, 3.0] },
+            },
+            { "formula": "around the zeros", "boxes": 0, "norm": 1.5, "box": null },
+        ],
+        "open": [],
+        "by_hand": BY_HAND,
+        "not_proved": NOT_PROVED,
+    });
+    assert_eq!(v, due);
+}

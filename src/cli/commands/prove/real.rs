@@ -239,4 +239,143 @@ mod tests {
             assert!(!part.is_proved() && !said(&part));
         }
     }
+
+    fn leaf(from: f64, to: f64, negative: bool, formula: Formula, ulps: f64) -> Leaf {
+        Leaf {
+            at: Interval {
+                negative,
+                ends: [from, to],
+            },
+            formula,
+            ulps,
+        }
+    }
+
+    /// Made up: a formula on two intervals, one of them negative, and one behind which the value overflows.
+    fn theorem(open: Vec<Open>, missing: Option<f64>) -> Theorem {
+        let function = Function::Erfc;
+        let found = Certificate {
+            leaves: vec![
+                leaf(0.0, 1.0, false, Formula::Overflow, 0.0),
+                leaf(1.0, 2.0, false, Formula::Overflow, 0.0),
+                leaf(0.5, 1.0, true, Formula::Overflow, 0.0),
+            ],
+            open,
+        };
+        let summary = Summary {
+            ulps: 0.75,
+            at: found.leaves[2].at,
+            intervals: 3,
+            formulas: vec![mechaudit::proof::real::OfFormula {
+                name: "some",
+                intervals: 3,
+                ends: [-1.0, 2.0],
+                ulps: 0.75,
+                at: found.leaves[2].at,
+            }],
+        };
+        Theorem {
+            function,
+            found,
+            summary,
+            missing,
+            seconds: 1.25,
+        }
+    }
+
+    fn open(k: u32) -> Open {
+        Open {
+            at: Interval {
+                negative: false,
+                ends: [f64::from(k), 9.0],
+            },
+            why: "too wide",
+        }
+    }
+
+    #[test]
+    fn what_is_proved_in_words() {
+        use mechaudit::report::text::style::plain;
+        let due = "\
+erfc, real argument
+  |erfc_real(x) − erfc x| ≤ C ulp(erfc x) for every finite f64 x: C = 0.751
+  but infinity where the value is above the range
+  C is attained in [-1.0000e0, -5.0000e-1]
+  formula  intervals        from        to      C
+  some             3  -1.0000e0  2.0000e0  0.751
+  ulp: the unit in the last place of the value, at least 2^-1074
+  3 intervals, 1.2 s
+";
+        let squeezed = |text: &str| -> Vec<String> {
+            let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
+            text.lines().map(words).collect()
+        };
+        let whole = theorem(Vec::new(), None);
+        assert_eq!(squeezed(&plain(&whole.text())), squeezed(due));
+        let part = plain(&theorem((0..6).map(open).collect(), Some(2.5)).text());
+        assert!(
+            part.contains("\n  not proved: 6 intervals are open\n"),
+            "{part}"
+        );
+        assert!(
+            part.contains("\n  2.5e0 is in no interval with a bound\n"),
+            "{part}"
+        );
+        assert!(
+            !part.contains("C = ") && !part.contains("infinity"),
+            "{part}"
+        );
+        for k in 0..6 {
+            let line = format!("\n  [{k}.0000e0, 9.0000e0]: too wide\n");
+            assert_eq!(part.contains(&line), k < 5, "{part}");
+        }
+    }
+
+    #[test]
+    fn every_interval_has_a_row_and_a_place_in_json() {
+        let whole = theorem(Vec::new(), None);
+        let mut out = Vec::new();
+        write_intervals(
+            &[theorem(Vec::new(), None), theorem(Vec::new(), None)],
+            &mut out,
+        )
+        .unwrap();
+        let text = String::from_utf8(out).unwrap();
+        let rows: Vec<&str> = text.lines().collect();
+        assert_eq!(rows.len(), 7);
+        assert_eq!(rows[0], "function,from,to,formula,centre,ulps");
+        let of = |negative| {
+            Formula::Overflow
+                .name(Function::Erfc, negative)
+                .replace(", ", " ")
+        };
+        assert_eq!(rows[2], format!("erfc,0x1p+0,0x1p+1,{},,0x0p+0", of(false)));
+        assert_eq!(
+            rows[3],
+            format!("erfc,-0x1p+0,-0x1p-1,{},,0x0p+0", of(true))
+        );
+        let v = whole.document();
+        assert_eq!(
+            (&v["function"], &v["part"], &v["proved"]),
+            (&json!("erfc"), &json!("real"), &json!(true))
+        );
+        assert_eq!(
+            v["ulps"],
+            json!({ "bound": 0.75, "interval": [-1.0, -0.5] })
+        );
+        assert_eq!(
+            (&v["intervals"], &v["seconds"], &v["missing"]),
+            (&json!(3), &json!(1.25), &json!(null))
+        );
+        let of_formula = json!([{
+            "formula": "some", "intervals": 3, "range": [-1.0, 2.0], "ulps": 0.75, "attained": [-1.0, -0.5],
+        }]);
+        assert_eq!(v["formulas"], of_formula);
+        let v = theorem(vec![open(3)], Some(2.5)).document();
+        assert_eq!((&v["proved"], &v["missing"]), (&json!(false), &json!(2.5)));
+        assert_eq!(
+            v["open"],
+            json!([{ "interval": [3.0, 9.0], "why": "too wide" }])
+        );
+    }
 }

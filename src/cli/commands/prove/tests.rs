@@ -125,3 +125,141 @@ fn a_proof_is_so_far() {
     watch.done.store(4, Ordering::Relaxed);
     assert_eq!(reached(&watch), Some((4, 9)));
 }
+
+#[test]
+fn what_is_proved_for_programs() {
+    let found = certificate();
+    let v = document(&found, &found.summary().unwrap(), Some(8.0), 1.25);
+    let at = |from: f64, to: f64, im: [f64; 2]| json!({ "re": [from, to], "im": im });
+    let cell = [2.0, 3.0];
+    let due = json!({
+        "schema_version": 1,
+        "mechaudit_version": env!("CARGO_PKG_VERSION"),
+        "function": "faddeeva",
+        "part": "upper",
+        "within": 8.0,
+        "proved": true,
+        "norm": { "bound": 0.75, "box": at(1.0, 2.0, cell) },
+        "component": null,
+        "tiny": 2.0,
+        "boxes": 3,
+        "seconds": 1.25,
+        "formulas": [
+            {
+                "formula": "Taylor, cell",
+                "boxes": 2,
+                "norm": { "bound": 0.75, "box": at(1.0, 2.0, cell) },
+                "re": { "bound": 1.5, "box": at(0.0, 1.0, cell) },
+                "im": { "bound": 2.5, "box": at(0.0, 1.0, cell) },
+                "tiny": 2.0,
+            },
+            {
+                "formula": "asymptotic, 4 terms",
+                "boxes": 1,
+                "norm": { "bound": 0.25, "box": at(8.0, 16.0, [0.0, 0.5]) },
+                "re": { "bound": 3.0, "box": at(8.0, 16.0, [0.0, 0.5]) },
+                "im": null,
+                "tiny": 2.0,
+            },
+        ],
+        "open": [],
+    });
+    assert_eq!(v["formulas"], due["formulas"]);
+    for (key, value) in due.as_object().unwrap() {
+        if key != "component" {
+            assert_eq!(&v[key], value, "{key}");
+        }
+    }
+}
+
+/// Bounds are never rounded down, and what has three places is still raised.
+#[test]
+fn bounds_are_rounded_up() {
+    for (x, due) in [
+        (0.0, "0.001"),
+        (0.9990001, "1.000"),
+        (1.2341, "1.235"),
+        (2.0, "2.001"),
+        (12.3456, "12.346"),
+    ] {
+        assert_eq!(up(x), due);
+    }
+}
+
+/// Below a million as it is, then with an exponent.
+#[test]
+fn a_part_of_the_plane_is_named() {
+    let found = certificate();
+    for (within, said) in [
+        (0.5, "below 0.5: K"),
+        (999_999.0, "below 999999: K"),
+        (1e6, "below 1e6: K"),
+        (2.5e7, "below 2.5e7: K"),
+    ] {
+        let text = shown(&found, Some(within));
+        assert!(text.contains(said), "{text}");
+    }
+}
+
+/// A file for the rectangles is refused before anything is proved.
+#[test]
+fn a_file_that_cannot_be_written_is_refused() {
+    use crate::cli::ran;
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("none/boxes.csv");
+    let boxes = ["--boxes", file.to_str().unwrap()];
+    for words in [
+        &["prove", "faddeeva", "--within", "0.01"][..],
+        &["prove", "faddeeva", "--part", "lower"],
+        &["prove", "faddeeva", "--part", "real"],
+        &["prove", "erf"],
+    ] {
+        let why = ran(&[words, &boxes].concat()).unwrap_err().to_string();
+        assert!(why.starts_with("cannot write "), "{why}");
+    }
+}
+
+#[test]
+fn options_belong_to_a_part() {
+    use crate::cli::ran;
+    let lower = "is for the upper half-plane: below the axis targets are fixed";
+    let line = "is for faddeeva alone: the real line is proved for every real argument";
+    let erf = "is for faddeeva alone: erf is proved for every real argument";
+    for (words, due) in [
+        ("faddeeva --part lower --norm 2", format!("--norm {lower}")),
+        (
+            "faddeeva --part lower --component 2",
+            format!("--component {lower}"),
+        ),
+        ("faddeeva --part real --norm 2", format!("--norm {line}")),
+        (
+            "faddeeva --part real --within 2",
+            format!("--within {line}"),
+        ),
+        ("erf --norm 2", format!("--norm {erf}")),
+        ("erf --within 2", format!("--within {erf}")),
+        ("erf --part real", format!("--part {erf}")),
+        ("erf --part upper --norm 2", format!("--part {erf}")),
+    ] {
+        let words: Vec<&str> = ["prove"].into_iter().chain(words.split(' ')).collect();
+        assert_eq!(ran(&words).unwrap_err().to_string(), due);
+    }
+}
+
+/// A hundredth of the binades about zero is proved in a moment: the bounds asked for are those that are met.
+#[test]
+fn targets_are_those_asked_for() {
+    let found = |norm: f64, component: f64| {
+        let target = Target {
+            norm,
+            component,
+            ..UPPER_HALF_PLANE
+        };
+        let found = proved(target, Some(0.01)).unwrap().unwrap();
+        assert!(found.open.is_empty());
+        found.summary().unwrap()
+    };
+    let usual = found(UPPER_HALF_PLANE.norm, UPPER_HALF_PLANE.component);
+    assert!(usual.norm.bound <= UPPER_HALF_PLANE.norm);
+    assert!(usual.component.unwrap().bound <= UPPER_HALF_PLANE.component);
+}

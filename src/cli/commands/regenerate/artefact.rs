@@ -235,4 +235,101 @@ mod tests {
         assert_eq!(found, "line 2, column 1: found ``, due `b`");
         assert!(difference("a", "a\n").unwrap().contains("(the end)"));
     }
+
+    #[test]
+    fn a_header_says_how_a_file_was_made() {
+        let version = env!("CARGO_PKG_VERSION");
+        let (recipe, content) = (digest("two numbers"), digest("1,2\n"));
+        let made = Made {
+            title: "Numbers\n\nof two kinds".into(),
+            ..made("1,2\n")
+        };
+        let lines = |mark: &str| {
+            format!(
+                "{mark} Numbers\n{mark}\n{mark} of two kinds\n{mark}\n\
+                 {mark} Made by `mechaudit regenerate some` (mechaudit {version}); not to be edited.\n\
+                 {mark} precision: exact\n{mark} SHA-256 of the recipe: {recipe}\n\
+                 {mark} SHA-256 of all lines below: {content}\n1,2\n"
+            )
+        };
+        assert_eq!(document("some", Form::Csv, &made).unwrap(), lines("#"));
+        assert_eq!(document("some", Form::Rust, &made).unwrap(), lines("//!"));
+    }
+
+    #[test]
+    fn a_header_of_json_stands_first() {
+        let body = "{\n  \"b\": 1,\n  \"a\": 2\n}\n";
+        let text = document("some", Form::Json, &made(body)).unwrap();
+        let version = env!("CARGO_PKG_VERSION");
+        let (recipe, content) = (digest("two numbers"), digest(body));
+        let due = format!(
+            "{{\n  \"generated\": {{\n    \"title\": \"Numbers\",\n    \
+             \"made_by\": \"mechaudit regenerate some\",\n    \"mechaudit_version\": \"{version}\",\n    \
+             \"precision\": \"exact\",\n    \"recipe_sha256\": \"{recipe}\",\n    \
+             \"content_sha256\": \"{content}\"\n  }},\n  \"b\": 1,\n  \"a\": 2\n}}\n"
+        );
+        assert_eq!(text, due);
+        let none = document("some", Form::Json, &made("[1]")).unwrap_err();
+        assert_eq!(none.to_string(), "the content is no JSON object");
+        for (text, due) in [
+            ("[1]", Some("it is no JSON object")),
+            ("{", Some("it is no JSON object")),
+            (
+                "{\"generated\": {}}",
+                Some("there is no digest in its header"),
+            ),
+            (
+                "{\"generated\": {\"content_sha256\": 1}}",
+                Some("there is no digest in its header"),
+            ),
+            (&text, None),
+        ] {
+            assert_eq!(broken(Form::Json, text).as_deref(), due, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_file_is_made_by_its_recipe() {
+        let artefact = Artefact {
+            name: "some".into(),
+            path: "some.csv".into(),
+            form: Form::Csv,
+            make: Box::new(|| Ok(made("1\n"))),
+        };
+        let due = document("some", Form::Csv, &made("1\n")).unwrap();
+        assert_eq!(artefact.text().unwrap(), due);
+    }
+
+    /// A few characters before the first that differ, forty-eight in all.
+    #[test]
+    fn a_long_line_is_shown_about_its_difference() {
+        let of = |before: usize, after: usize| {
+            let (a, b) = ("x".repeat(before), "y".repeat(after));
+            difference(&format!("{a}1{b}"), &format!("{a}2{b}")).unwrap()
+        };
+        assert_eq!(
+            of(12, 3),
+            format!(
+                "line 1, column 13: found `{0}1yyy`, due `{0}2yyy`",
+                "x".repeat(12)
+            )
+        );
+        assert_eq!(
+            of(13, 3),
+            format!(
+                "line 1, column 14: found `… {0}1yyy`, due `… {0}2yyy`",
+                "x".repeat(12)
+            )
+        );
+        let long = of(20, 100);
+        assert!(long.starts_with("line 1, column 21: found `… "), "{long}");
+        assert_eq!(
+            difference("a\n\n", "a\n\nb"),
+            Some("line 3, column 1: found ``, due `b`".into())
+        );
+        assert_eq!(
+            difference("a", "a\nb"),
+            Some("line 2, column 1: found `(the end)`, due `b`".into())
+        );
+    }
 }

@@ -9,6 +9,8 @@
 mod arithmetic;
 mod real_line;
 mod relatives;
+#[cfg(test)]
+mod tests;
 
 pub use arithmetic::tables as arithmetic_tables;
 pub use relatives::{constants, tables as relatives_tables};
@@ -165,32 +167,17 @@ impl Tables {
         self.text.push_str("];\n\n");
     }
 
-    /// A table of rows of Taylor coefficients about the centres, given in units of `1/per`.
-    fn taylor(
-        &mut self,
-        doc: &str,
-        (name, row): (&str, &str),
-        (centres, per): (&[(i64, i64)], i64),
-        make: fn(&[ComplexBall]) -> Option<Vec<f64>>,
-    ) -> Outcome<()> {
-        let centres: Vec<_> = centres.iter().map(|&(x, y)| (x, y, per)).collect();
-        self.rows(doc, (name, row), &centres, make)
-    }
-
-    fn rows(
-        &mut self,
-        doc: &str,
-        (name, kind): (&str, &str),
-        centres: &[(i64, i64, i64)],
-        make: fn(&[ComplexBall]) -> Option<Vec<f64>>,
-    ) -> Outcome<()> {
-        self.open(doc, name, &format!("[{kind}; {}]", centres.len()));
+    /// A table with a row about each centre.
+    fn taylor(&mut self, table: &Taylor) -> Outcome<()> {
+        let Taylor { name, kind, .. } = table;
+        let centres = &table.centres;
+        self.open(&table.doc, name, &format!("[{kind}; {}]", centres.len()));
         for &(x, y, per) in centres {
             let (x, y) = (Rational::from((x, per)), Rational::from((y, per)));
             let what = format!("{name} at {x} + {y} i");
             self.depends_on(&what);
             let row = decided(&what, |bits| {
-                Ok(make(&faddeeva::taylor(&x, &y, ORDER, bits)?))
+                Ok((table.make)(&faddeeva::taylor(&x, &y, ORDER, bits)?))
             })?;
             let _ = writeln!(self.text, "    {kind}({row:?}),");
         }
@@ -199,8 +186,20 @@ impl Tables {
     }
 }
 
+/// A table of rows of Taylor coefficients of w.
+struct Taylor {
+    doc: String,
+    name: &'static str,
+    kind: &'static str,
+    /// `(x + y i)/per`.
+    centres: Vec<Centre>,
+    make: fn(&[ComplexBall]) -> Option<Vec<f64>>,
+}
+
+type Centre = (i64, i64, i64);
+
 /// The cells of the upper quadrant: where each begins in the index, and its centre.
-fn cells() -> Vec<(usize, (i64, i64, i64))> {
+fn cells() -> Vec<(usize, Centre)> {
     let mut cells = Vec::new();
     // Squares with side 1/4, up to |Re z|, |Im z| = 3.75, and a second line along the real axis.
     for j in 0..16 {
@@ -224,10 +223,10 @@ fn cells() -> Vec<(usize, (i64, i64, i64))> {
     cells
 }
 
-fn cell_tables(tables: &mut Tables) -> Outcome<()> {
-    let cells = cells();
+/// Where the row of each cell is.
+fn cell_index(tables: &mut Tables) -> Outcome<()> {
     let mut index = [0u16; 1024];
-    for (row, (at, _)) in cells.iter().enumerate() {
+    for (row, (at, _)) in cells().iter().enumerate() {
         index[*at] = row.try_into()?;
     }
     tables.open(
@@ -241,40 +240,48 @@ fn cell_tables(tables: &mut Tables) -> Outcome<()> {
         let _ = writeln!(tables.text, "    {},", line.join(", "));
     }
     tables.close();
-    let centres: Vec<_> = cells.iter().map(|&(_, centre)| centre).collect();
-    tables.rows(
-        "Taylor coefficients of w about the centres of the cells of the upper quadrant.",
-        ("CELLS", "ComplexRow"),
-        &centres,
-        complex_row,
-    )?;
+    Ok(())
+}
 
-    let disc: Vec<_> = (0..5).flat_map(|j| (0..5).map(move |i| (i, -j))).collect();
-    tables.taylor(
-        "Taylor coefficients of w about the centres `(p − q i)/4` of the lower half-disc, at\n\
-         `5 q + p`.",
-        ("DISC", "ComplexRow"),
-        (&disc, 4),
-        complex_row,
-    )?;
+fn taylor_tables() -> [Taylor; 4] {
     let (first, last, per) = REAL_AXIS;
-    let real: Vec<_> = (first..=last).map(|i| (i, 0)).collect();
-    tables.taylor(
-        &format!(
-            "Taylor coefficients of w about `{first}/{per}, {}/{per}, …` on the real axis.",
-            first + 1
-        ),
-        ("REAL_AXIS", "ComplexRow"),
-        (&real, per),
-        complex_row,
-    )?;
-    let imaginary: Vec<_> = (0..29).map(|j| (0, j)).collect();
-    tables.taylor(
-        "Taylor coefficients of `erfcx s = w(i s)` about `0, 1/4, … 28/4`.",
-        ("IMAGINARY_AXIS", "RealRow"),
-        (&imaginary, 4),
-        erfcx_row,
-    )
+    let disc = (0..5).flat_map(|j| (0..5).map(move |i| (i, -j, 4)));
+    [
+        Taylor {
+            doc: "Taylor coefficients of w about the centres of the cells of the upper quadrant."
+                .into(),
+            name: "CELLS",
+            kind: "ComplexRow",
+            centres: cells().into_iter().map(|(_, centre)| centre).collect(),
+            make: complex_row,
+        },
+        Taylor {
+            doc: "Taylor coefficients of w about the centres `(p − q i)/4` of the lower half-disc, at\n\
+                  `5 q + p`."
+                .into(),
+            name: "DISC",
+            kind: "ComplexRow",
+            centres: disc.collect(),
+            make: complex_row,
+        },
+        Taylor {
+            doc: format!(
+                "Taylor coefficients of w about `{first}/{per}, {}/{per}, …` on the real axis.",
+                first + 1
+            ),
+            name: "REAL_AXIS",
+            kind: "ComplexRow",
+            centres: (first..=last).map(|i| (i, 0, per)).collect(),
+            make: complex_row,
+        },
+        Taylor {
+            doc: "Taylor coefficients of `erfcx s = w(i s)` about `0, 1/4, … 28/4`.".into(),
+            name: "IMAGINARY_AXIS",
+            kind: "RealRow",
+            centres: (0..29).map(|j| (0, j, 4)).collect(),
+            make: erfcx_row,
+        },
+    ]
 }
 
 fn zero_table(tables: &mut Tables) -> Outcome<()> {
@@ -353,7 +360,10 @@ fn trapezoidal(tables: &mut Tables) -> Outcome<()> {
 /// `tables.rs`.
 pub fn tables() -> Outcome<Made> {
     let mut tables = Tables::default();
-    cell_tables(&mut tables)?;
+    cell_index(&mut tables)?;
+    for table in &taylor_tables() {
+        tables.taylor(table)?;
+    }
     zero_table(&mut tables)?;
     trapezoidal(&mut tables)?;
     real_line::polynomials(&mut tables)?;

@@ -171,3 +171,72 @@ fn row(method: &dyn Method, case: &Case, settings: &Settings) -> Result<Row, Mak
         condition: relative.join(" "),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::methods;
+
+    /// The start of a file as it is committed: the same numbers from the same code.
+    #[test]
+    fn values_are_those_that_are_held() {
+        for name in ["slider-crank", "erf", "tridiagonal"] {
+            let method = methods::find(name).unwrap();
+            let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+            let file = root.join("reference/values").join(format!("{name}.csv"));
+            let held = std::fs::read_to_string(file).unwrap();
+            let at = held.find(COLUMNS).unwrap();
+            let rows: Vec<&str> = held[at..].lines().skip(1).collect();
+            let settings = Settings::default();
+            let cases = chosen(&*method, &settings).unwrap();
+            assert_eq!(rows.len(), cases.len(), "{name}");
+            for (line, case) in rows.iter().zip(&cases) {
+                let found = row(&*method, case, &settings).unwrap();
+                let end = format!(",{},{},{}", found.value, found.radius, found.condition);
+                assert!(line.ends_with(&end), "{line} for {end}");
+                let place = match &case.origin {
+                    Origin::CheckPoint { name } => (*name).to_string(),
+                    Origin::Random { index, .. } => index.to_string(),
+                    other => panic!("{other:?}"),
+                };
+                assert!(
+                    line.starts_with(&format!("{},{place},", case.region)),
+                    "{line}"
+                );
+            }
+        }
+    }
+
+    /// Check points in their order, then a few short cases of each region.
+    #[test]
+    fn cases_are_few_and_short() {
+        for method in methods::registry() {
+            let (name, domain) = (method.name(), method.domain());
+            let cases = chosen(&*method, &Settings::default()).unwrap();
+            assert!(cases.iter().all(|c| c.input.len() <= LONGEST), "{name}");
+            let points = domain
+                .check_points
+                .iter()
+                .filter(|p| p.input.len() <= LONGEST);
+            let points: Vec<&str> = points.map(|p| p.name).collect();
+            let found = cases.iter().map_while(|c| match &c.origin {
+                Origin::CheckPoint { name } => Some(*name),
+                _ => None,
+            });
+            assert_eq!(found.collect::<Vec<_>>(), points, "{name}");
+            for region in &domain.regions {
+                let own: Vec<u64> = cases
+                    .iter()
+                    .filter(|c| c.region == region.name)
+                    .filter_map(|c| match c.origin {
+                        Origin::Random { index, .. } => Some(index),
+                        _ => None,
+                    })
+                    .collect();
+                assert!(
+                    own.len() <= PER_REGION && own.is_sorted() && own.iter().all(|i| *i < TRIES)
+                );
+            }
+        }
+    }
+}

@@ -220,4 +220,83 @@ mod tests {
         }
         assert_eq!(made, there);
     }
+
+    #[test]
+    fn files_are_chosen_by_name() {
+        let names = |asked: &[&str]| {
+            let asked: Vec<String> = asked.iter().map(|n| n.to_string()).collect();
+            chosen(&asked).map(|all| all.into_iter().map(|a| a.name).collect::<Vec<_>>())
+        };
+        let of = |asked: &[&str]| names(asked).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(of(&["faddeeva-tables", "erf"]), ["erf", "faddeeva-tables"]);
+        let all = of(&[]);
+        for method in methods::registry() {
+            assert!(all.iter().any(|n| n == method.name()));
+        }
+        let why = names(&["erf", "erff"]).unwrap_err().to_string();
+        assert!(
+            why.starts_with(
+                "there is no generated file \"erff\" (did you mean \"erf\"?); there are: "
+            ),
+            "{why}"
+        );
+    }
+
+    #[test]
+    fn a_fault_is_a_place_and_a_digest() {
+        let made = |body: &str| Made {
+            title: "Numbers".into(),
+            facts: Vec::new(),
+            recipe: String::new(),
+            body: body.into(),
+        };
+        let due = artefact::document("some", Form::Csv, &made("1\n")).unwrap();
+        let other = artefact::document("some", Form::Csv, &made("2\n")).unwrap();
+        let edited = due.replace("\n1\n", "\n2\n");
+        let line = due.lines().count();
+        // Its own digest holds: it is of another recipe.
+        assert!(!fault(Form::Csv, &other, &due).contains(';'));
+        let said = fault(Form::Csv, &edited, &due);
+        let end = "; its content does not match the digest in its header";
+        assert_eq!(
+            said,
+            format!("line {line}, column 1: found `2`, due `1`{end}")
+        );
+    }
+
+    /// A folder like that of the sources, with a file of values as it is held, changed and gone.
+    #[test]
+    fn files_are_compared_or_written() {
+        use crate::cli::ran;
+        let root = tempfile::tempdir().unwrap();
+        let at = |path: &str| root.path().join(path);
+        let run = |more: &[&str]| {
+            let root = ["regenerate", "--root", root.path().to_str().unwrap()];
+            ran(&[&root[..], &["faddeeva-constants"], more].concat()).map_err(|e| e.to_string())
+        };
+        for folder in [VALUES, PUBLISHED, SOLVERS] {
+            let why = run(&["--check"]).unwrap_err();
+            let due =
+                format!("holds no {folder}: --root has to be the folder of mechaudit's sources");
+            assert!(why.ends_with(&due), "{why}");
+            std::fs::create_dir_all(at(folder)).unwrap();
+        }
+        let path = "src/solvers/special/faddeeva/constants.rs";
+        std::fs::create_dir_all(at(path).parent().unwrap()).unwrap();
+        let due =
+            std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+        assert_eq!(run(&["--check"]), Ok(Outcome::Finding));
+        assert!(!at(path).exists());
+        assert_eq!(run(&[]), Ok(Outcome::AsExpected));
+        assert_eq!(std::fs::read_to_string(at(path)).unwrap(), due);
+        assert_eq!(run(&["--check"]), Ok(Outcome::AsExpected));
+        let changed = due.replace("1.1283791670955126", "1.1283791670955127");
+        std::fs::write(at(path), &changed).unwrap();
+        assert_eq!(run(&["--check"]), Ok(Outcome::Finding));
+        assert_eq!(std::fs::read_to_string(at(path)).unwrap(), changed);
+        assert_eq!(run(&[]), Ok(Outcome::AsExpected));
+        assert_eq!(std::fs::read_to_string(at(path)).unwrap(), due);
+        assert!(held(&at(path)).unwrap().is_some() && held(&at("none")).unwrap().is_none());
+        assert!(held(root.path()).is_err());
+    }
 }

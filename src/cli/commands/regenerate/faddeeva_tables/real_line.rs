@@ -101,6 +101,58 @@ pub fn polynomials(tables: &mut Tables) -> Outcome<()> {
 mod tests {
     use super::*;
 
+    /// `a_1 = 1/2, a_2 = 3/4, a_3 = 15/8`, times 3, 5, 7 for the slope.
+    #[test]
+    fn coefficients_are_those_of_the_series() {
+        for (slope, due) in [
+            (false, [(1, 2), (3, 4), (15, 8), (105, 16)]),
+            (true, [(3, 2), (15, 4), (105, 8), (945, 16)]),
+        ] {
+            let found = coefficients(slope);
+            assert_eq!(found.len(), SUM);
+            assert_eq!(found[..4], due.map(Rational::from), "{slope}");
+        }
+    }
+
+    /// T_1 = u, T_2 = 2 u² − 1, T_3 = 4 u³ − 3 u of u = 2 · 79 v − 1.
+    #[test]
+    fn chebyshev_polynomials_are_shifted() {
+        for v in [(0, 1), (1, 79), (1, 158), (1, 79 * 3)] {
+            let v = Rational::from(v);
+            let u = Rational::from(&v * 158) - 1;
+            let at = |n: usize| {
+                let c = chebyshev(n);
+                assert_eq!(c.len(), n + 1);
+                c.iter().rev().fold(Rational::new(), |sum, c| sum * &v + c)
+            };
+            let square = Rational::from(&u * &u);
+            assert_eq!(at(1), u);
+            assert_eq!(at(2), Rational::from(&square * 2) - 1);
+            assert_eq!(at(3), (Rational::from(&square * 4) - 3u32) * &u);
+        }
+    }
+
+    /// The polynomial is as far from the sum as it says, and no farther.
+    #[test]
+    fn what_is_left_out_is_bounded() {
+        for slope in [false, true] {
+            let (c, off) = shortened(slope);
+            let sum = coefficients(slope);
+            assert_eq!(c.len(), KEPT);
+            let at = |c: &[Rational], v: &Rational| {
+                c.iter().rev().fold(Rational::new(), |sum, c| sum * v + c)
+            };
+            let mut most = Rational::new();
+            for k in 0..=40 {
+                let v = Rational::from((k, 40 * PER));
+                let apart = (at(&c, &v) - at(&sum, &v)).abs();
+                assert!(apart <= off, "{k}");
+                most = most.max(apart);
+            }
+            assert!(most > off / 4u32);
+        }
+    }
+
     #[test]
     fn an_eighth_of_the_last_place_is_left_out_at_most() {
         let most = Rational::from(PER) >> 56u32;
