@@ -92,7 +92,7 @@ fn ends_are_folds() {
                 let near = |m: &&Positions| (0.5 * (m.phi4 - end.phi4)).sin().abs() < 0.02;
                 let pair: Vec<f64> = all.iter().filter(near).map(|m| m.phi4).collect();
                 assert_eq!(pair.len(), 2, "{pair:?}");
-                assert!((0.5 * (pair[0] + pair[1]) - end.phi4).sin().abs() < 20.0 * left);
+                assert!((0.5 * (pair[0] + pair[1]) - end.phi4).sin().abs() < 1e-3);
                 (pair[0] - pair[1]).sin().powi(2)
             };
             let [near, far] = [1e-6, 2e-6].map(apart);
