@@ -15,13 +15,16 @@ pub const TURNS: u32 = 12;
 const NEAR: f64 = 0.261;
 /// How close to a fold rows are computed, in radians.
 const MARGIN: f64 = 1e-6;
+/// Angles between which the branch tracer looks for a fold, before and beyond the last position, in radians.
+const BEFORE: f64 = 1e-4;
+const BEYOND: f64 = 2e-3;
 
 /// The end of a branch, where the linkage is singular.
 #[derive(Clone, Copy, Debug)]
 pub struct End {
     /// Crank angle of the fold in radians, on the branch's own count of turns.
     pub phi1: f64,
-    /// The last crank angle in use, a millionth of a radian within the branch.
+    /// The last crank angle in use, a millionth of a radian before the last position found.
     pub reached: f64,
     /// φ4 of the two modes that merge, in radians.
     pub phi4: f64,
@@ -287,13 +290,14 @@ fn end(
         reached: last.phi1 - direction * inset,
         phi4: last.positions.phi4,
     };
-    // From a little before the last angle reached to a little beyond the fold.
-    let before = last.phi1 - direction * 1e-4;
-    let Ok(before) = linkage.follow(&last, Angle::from_rad(before)) else {
+    // From a little before the last angle reached, where the position is too near to the fold to be followed from, to a
+    // little beyond the fold.
+    let before = last.phi1 - direction * BEFORE;
+    let Ok(before) = linkage.follow(start, Angle::from_rad(before)) else {
         return Ok(plain);
     };
     let map =
-        linkage.trace_branches(&[before.phi1, last.phi1 + direction * 2e-3].map(Angle::from_rad));
+        linkage.trace_branches(&[before.phi1, last.phi1 + direction * BEYOND].map(Angle::from_rad));
     let Some(ours) = map.rows[0].iter().find(|s| same(&s.state, &before)) else {
         return Ok(plain);
     };

@@ -11,7 +11,7 @@ fn linkage() -> class_iii::Linkage {
     }
 }
 
-/// Beside the fold the margin is half of what is left to it.
+/// Beside the fold the margin is half of what is left to the last position before it.
 #[test]
 fn a_branch_that_starts_within_the_margin_reaches_half_way_to_the_fold() {
     let linkage = linkage();
@@ -23,14 +23,14 @@ fn a_branch_that_starts_within_the_margin_reaches_half_way_to_the_fold() {
         panic!("the crank does not turn fully");
     };
     for (fold, sign) in [(low.phi1, 1.0), (high.phi1, -1.0)] {
-        let branch = at(fold + sign * 1e-7);
+        let branch = at(fold + sign * 1.5e-6);
         let Reach::Part { low, high } = branch.reach else {
             panic!("a fold is near");
         };
         let end = if sign > 0.0 { low } else { high };
         let parts = [end.reached, end.phi1].map(|x| sign * (branch.start.phi1 - x));
-        assert!((parts[1] - 1e-7).abs() < 1e-9, "{parts:?}");
-        assert!((parts[0] / parts[1] - 0.5).abs() < 0.01, "{parts:?}");
+        assert!((parts[1] - 1.5e-6).abs() < 1e-9, "{parts:?}");
+        assert!((0.48..0.5).contains(&(parts[0] / parts[1])), "{parts:?}");
     }
 }
 
@@ -81,7 +81,7 @@ fn ends_are_folds() {
         assert!(low.phi1 < 0.0 && 0.0 < high.phi1);
         for (end, outwards) in [(low, -1.0), (high, 1.0)] {
             let inside = outwards * (end.phi1 - end.reached);
-            assert!((inside - 1e-6).abs() < 1e-8, "{inside}");
+            assert!((1e-6..1.2e-6).contains(&inside), "{inside}");
             assert_eq!(
                 modes(end.phi1 - outwards * 1e-6).len(),
                 modes(end.phi1 + outwards * 1e-6).len() + 2
@@ -92,7 +92,7 @@ fn ends_are_folds() {
                 let near = |m: &&Positions| (0.5 * (m.phi4 - end.phi4)).sin().abs() < 0.02;
                 let pair: Vec<f64> = all.iter().filter(near).map(|m| m.phi4).collect();
                 assert_eq!(pair.len(), 2, "{pair:?}");
-                assert!((0.5 * (pair[0] + pair[1]) - end.phi4).sin().abs() < 1e-3);
+                assert!((0.5 * (pair[0] + pair[1]) - end.phi4).sin().abs() < 20.0 * left);
                 (pair[0] - pair[1]).sin().powi(2)
             };
             let [near, far] = [1e-6, 2e-6].map(apart);
