@@ -90,7 +90,7 @@ impl Grid {
         Ok(Grid {
             from,
             step,
-            count: steps.numer().to_u64().unwrap_or(0),
+            count: steps.numer().to_u64().unwrap_or_default(),
             asked: window.from.is_some() || window.to.is_some(),
         })
     }
@@ -122,7 +122,7 @@ pub fn plan(grid: &Grid, branch: &Branch) -> Plan {
         };
     }
     let steps = |x: &Rational| Rational::from(x - &grid.from) / &grid.step;
-    let integer = |q: Rational| q.numer().to_i64().unwrap_or(0);
+    let integer = |q: Rational| q.numer().to_i64().unwrap_or_default();
     let (first, last) = (integer(steps(&low).ceil()), integer(steps(&high).floor()));
     Plan {
         first,

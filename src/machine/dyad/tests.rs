@@ -581,6 +581,8 @@ fn motions_have_pivots_or_a_guide() {
 fn paths_go_over_a_turn_or_the_range() {
     let bar = four_bar_of([1.0, 3.0, 3.0, 4.0], "start = { phi1 = \"30 deg\" }");
     assert_eq!(range(&bar), ([30.0, 390.0], true));
+    let plain = four_bar_of([1.0, 3.0, 3.0, 4.0], "");
+    assert_eq!(range(&plain), ([0.0, 360.0], true));
     let (all, turn) = path(&bar, Assembly::Negative, 4);
     let at: Vec<f64> = all.iter().map(|p| p.crank_deg).collect();
     assert_eq!((at, turn), (vec![30.0, 120.0, 210.0, 300.0, 390.0], true));

@@ -133,6 +133,8 @@ fn a_drive_is_turned_to_where_the_branch_reaches() {
         (None, Some(2.0), -50.0, true),
         (None, Some(2.0), 2.5, false),
         (Some(1.0), None, 50.0, true),
+        (Some(1.0), Some(2.0), 1.0 + MARGIN, true),
+        (Some(1.0), Some(2.0), 2.0 - MARGIN, true),
         (None, None, 50.0, true),
     ] {
         let due = reached.then_some(drive);
