@@ -155,3 +155,41 @@ fn hulls_have_no_inner_points() {
         assert_eq!(hull(&corners), due, "{corners:?}");
     }
 }
+
+/// Pivots where the geometry has them, joints at the ends of links that keep their lengths.
+#[test]
+fn a_linkage_of_class_iii_is_drawn_between_its_joints() {
+    use crate::machine::{Linkage, Source, class_iii};
+    let text = include_str!("../examples/sand-screen.toml");
+    let Linkage::ClassIii(linkage) = Linkage::read(&Source::toml(text)).unwrap() else {
+        unreachable!("of class III");
+    };
+    let start = linkage.start_degrees().unwrap();
+    let branch = class_iii::choose(&linkage.solver, &start, None, &linkage.start).unwrap();
+    let states = class_iii::path(&linkage, &branch, 3).unwrap();
+    let shown = super::class_iii(&linkage.solver, &states, vec![1.0, 2.0, 3.0, 4.0]);
+    assert_eq!((shown.closed, shown.start), (true, 0));
+    assert_eq!(shown.drive.values, [1.0, 2.0, 3.0, 4.0]);
+    let labels: Vec<&str> = shown.points.iter().map(|p| &*p.label).collect();
+    assert_eq!(labels, ["O1", "O3", "O5", "A", "B", "C", "D"]);
+    for (point, due) in shown
+        .points
+        .iter()
+        .zip([[0.0, 0.0], [0.75, 0.93], [1.285, 1.035]])
+    {
+        assert!(point.pivot);
+        assert_near(point.at(0), due);
+    }
+    assert_eq!(shown.plates.len(), 1);
+    let named: Vec<&str> = shown.plates[0].iter().map(|k| labels[*k]).collect();
+    assert_eq!(named, ["B", "C", "D"]);
+    for k in 0..4 {
+        let apart = |[a, b]: [usize; 2]| {
+            let (p, q) = (shown.points[a].at(k), shown.points[b].at(k));
+            (p[0] - q[0]).hypot(p[1] - q[1])
+        };
+        for (link, due) in shown.links.iter().zip([0.1, 1.04, 0.6, 0.485]) {
+            assert!((apart(*link) - due).abs() < 1e-12);
+        }
+    }
+}

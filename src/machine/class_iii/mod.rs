@@ -247,7 +247,9 @@ mod tests {
         }
         for tenths in (5..3600).step_by(90) {
             let tenths = f64::from(tenths);
-            let told = parts.iter().any(|p| (10.0 * p[0]..=10.0 * p[1]).contains(&tenths));
+            let told = parts
+                .iter()
+                .any(|p| (10.0 * p[0]..=10.0 * p[1]).contains(&tenths));
             assert_eq!(told, modes(tenths) > 0, "{tenths}");
         }
         let nowhere = linkage("\"900 cm\"");

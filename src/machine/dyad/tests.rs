@@ -36,6 +36,7 @@ fn rational_cosines_are_those_of_niven() {
         }
     }
     assert_eq!(cosine(&Rational::from((121, 2))), None);
+    assert_eq!(cosine(&Rational::from((60, 7))), None);
 }
 
 #[test]

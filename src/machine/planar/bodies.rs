@@ -184,7 +184,8 @@ fn drawn(source: &Source, file: &File, at: &str, name: &str) -> Result<[Rational
 }
 
 fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points, Refusal> {
-    if !body.drawn.is_empty() && !(body.ends.is_empty() && body.points.is_empty()) {
+    let alone = body.ends.is_empty() && body.points.is_empty();
+    if !(body.drawn.is_empty() || alone) {
         let rule = format!("{at}: drawn stands alone, without points and ends");
         return Err(source.breach(at, rule));
     }
