@@ -203,48 +203,5 @@ pub fn hull(corners: &[[f64; 2]]) -> Vec<usize> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// As far as something slides, and a little farther on both sides.
-    #[test]
-    fn a_guide_reaches_as_far_as_what_slides_on_it() {
-        let mut motion = Motion {
-            name: String::new(),
-            drive: Drive {
-                symbol: "s",
-                unit: "m",
-                values: Vec::new(),
-            },
-            closed: false,
-            start: 0,
-            points: Vec::new(),
-            links: Vec::new(),
-            plates: Vec::new(),
-            guides: Vec::new(),
-            wheels: Vec::new(),
-            courses: Vec::new(),
-        };
-        let path = vec![[1.0, 1.0], [1.0, 4.0], [1.0, 0.0]];
-        motion.add(Point::moving("slider", path.clone()));
-        let up: Vec<([f64; 2], f64)> = path.iter().map(|p| (*p, 90f64.to_radians())).collect();
-        motion.add_guide(&up);
-        let [low, high] = motion.guides[0].map(|k| motion.points[k].path[0]);
-        for (end, due) in [(low, [1.0, -0.28]), (high, [1.0, 4.28])] {
-            assert!((end[0] - due[0]).hypot(end[1] - due[1]) < 1e-12, "{end:?}");
-        }
-    }
-
-    #[test]
-    fn hulls_have_no_inner_points() {
-        let corners = [
-            [0.0, 0.0],
-            [2.0, 0.0],
-            [1.0, 0.5],
-            [2.0, 2.0],
-            [0.0, 2.0],
-            [1.0, 0.0],
-        ];
-        assert_eq!(hull(&corners), [0, 1, 3, 4]);
-    }
-}
+#[path = "motion_tests.rs"]
+mod tests;

@@ -397,8 +397,10 @@ fn cycle(
         stroke(falling, &cam.fall),
         cam.low_dwell.in_turns(),
     );
-    let start = cam.start.as_ref().map_or(0.0, Quantity::in_turns);
-    let cycle = cycle.and_then(|c| c.starting_at(start));
+    let cycle = match &cam.start {
+        Some(start) => cycle.and_then(|c| c.starting_at(start.in_turns())),
+        None => cycle,
+    };
     cycle.map_err(|e| source.refuse("cam", e))
 }
 
@@ -546,136 +548,5 @@ fn enough_harmonics(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn read(law: &str) -> Result<CamOscillator, Refusal> {
-        let text = include_str!("../../examples/chirp-run-up.toml");
-        let law = text.replacen("law = \"modified-sine\"", &format!("law = {law}"), 1);
-        assert_ne!(law, text);
-        CamOscillator::read(&Source::toml(law), Some(20))
-    }
-
-    #[test]
-    fn a_chart_has_the_points_asked_for() {
-        let text = include_str!("../../examples/chirp-chart.toml");
-        let machine = CamOscillator::read(&Source::toml(text), Some(20)).unwrap();
-        let file: toml::Table = text.parse().unwrap();
-        let of = |key| file["chart"][key].as_float().unwrap();
-        let (from, to, step) = (of("from"), of("to"), of("step"));
-        let grid = machine.chart.unwrap().grid;
-        assert_eq!(grid.len(), ((to - from) / step).round() as usize + 1);
-        for (k, xi) in grid.iter().enumerate() {
-            assert!((xi - (from + k as f64 * step)).abs() < 1e-12, "{k}");
-        }
-    }
-
-    /// A table is met at its knots, at rest at its ends.
-    #[test]
-    fn a_law_by_a_table() {
-        let machine = read("{ table = [[0, 0], [0.25, 0.125], [0.5, 0.625], [1, 1]] }").unwrap();
-        assert_eq!(machine.law, "table");
-        let law = &machine.drive.cycle.rise().law;
-        for (x, y) in [(0.0, 0.0), (0.25, 0.125), (0.5, 0.625), (1.0, 1.0)] {
-            let motion = law.motion(x).unwrap();
-            assert!((motion.displacement - y).abs() < 1e-15, "{x}");
-            assert!(x.fract() != 0.0 || motion.velocity.abs() < 1e-14, "{x}");
-        }
-        let two = "{ table = [[0, 0], [1, 1]], scca = [0.2, 0.5, 0.3] }";
-        let refused = read(two).err().unwrap().to_string();
-        assert!(refused.contains("exactly one of"), "{refused}");
-    }
-
-    /// As many rows as there are steps in the duration within rounding, and at most ten billion after the first.
-    #[test]
-    fn a_run_ends_with_a_row() {
-        let read = |duration: f64, step: f64| {
-            let mut file: toml::Table = include_str!("../../examples/chirp-run-up.toml")
-                .parse()
-                .unwrap();
-            let run = file["run"].as_table_mut().unwrap();
-            for (name, value) in [("duration", duration), ("step", step)] {
-                run.insert(name.into(), format!("{value} s").into());
-            }
-            CamOscillator::read(&Source::toml(file.to_string()), Some(20))
-        };
-        for (duration, step, rows) in [
-            (0.3, 0.1, 4),
-            (0.299, 0.1, 3),
-            (1.0 - 7e-13, 0.1, 11),
-            (1.0 - 2e-12, 0.1, 10),
-            (1e10, 1.0, 10_000_000_001),
-        ] {
-            let run = read(duration, step).unwrap().run.unwrap();
-            assert_eq!(run.rows, rows, "{duration} {step}");
-        }
-        let refused = read(1e10 + 1.0, 1.0).err().unwrap().to_string();
-        assert!(refused.contains("at most 1e10 rows"), "{refused}");
-    }
-
-    /// The last point is there if the steps end at it within rounding.
-    #[test]
-    fn charts_have_points_and_laws() {
-        let read = |changes: &[(&str, &str)]| {
-            let mut file: toml::Table = include_str!("../../examples/chirp-chart.toml")
-                .parse()
-                .unwrap();
-            let chart = file["chart"].as_table_mut().unwrap();
-            for (name, value) in changes {
-                let value: toml::Table = format!("x = {value}").parse().unwrap();
-                chart.insert((*name).into(), value["x"].clone());
-            }
-            CamOscillator::read(&Source::toml(file.to_string()), Some(20))
-        };
-        for (changes, points, laws) in [
-            ([("to", "2.3"), ("laws", "[\"cycloidal\"]")], 4, 1),
-            ([("to", "2.29"), ("laws", "[\"cycloidal\"]")], 3, 1),
-            (
-                [("to", "2.0"), ("laws", "[\"cycloidal\", \"3-4-5\"]")],
-                1,
-                2,
-            ),
-        ] {
-            let all = [&[("from", "2.0"), ("step", "0.1")], &changes[..]].concat();
-            let chart = read(&all).unwrap().chart.unwrap();
-            assert_eq!((chart.grid.len(), chart.drives.len()), (points, laws));
-        }
-        for (changes, part) in [
-            (&[("laws", "[]")][..], "chart.laws names no law"),
-            (&[("laws", "[\"none\"]")], "none"),
-            (&[("from", "0.0")], "positive numbers in ascending order"),
-            (&[("from", "3.0"), ("to", "2.9")], "in ascending order"),
-            (&[("to", "inf")], "in ascending order"),
-            (&[("step", "0.0")], "at most 1e5 points"),
-            (&[("step", "1e-9")], "at most 1e5 points"),
-        ] {
-            let refused = read(changes).err().expect(part).to_string();
-            assert!(refused.contains(part), "{refused}");
-        }
-    }
-
-    /// At the slowest point of a chart the resonance is at its ξ-th harmonic, of the rise or of the turn.
-    #[test]
-    fn harmonics_reach_beyond_the_resonance() {
-        let harmonics = |period: Option<&str>| {
-            let mut file: toml::Table = include_str!("../../examples/chirp-chart.toml")
-                .parse()
-                .unwrap();
-            let cam = file["cam"].as_table_mut().unwrap();
-            cam.insert("law".into(), "cycloidal".into());
-            let chart = file["chart"].as_table_mut().unwrap();
-            chart.remove("laws");
-            match period {
-                Some(period) => _ = chart.insert("period".into(), period.into()),
-                None => _ = file.remove("chart"),
-            }
-            let source = Source::toml(file.to_string());
-            CamOscillator::read(&source, None).unwrap().harmonics
-        };
-        // To ξ = 14, where the rise is a third of a turn.
-        let own = harmonics(None);
-        assert!(own < 84, "{own}");
-        assert_eq!(harmonics(Some("rise")), 84);
-        assert_eq!(harmonics(Some("turn")), own.max(28));
-    }
-}
+#[path = "cam_oscillator_tests.rs"]
+mod tests;

@@ -90,7 +90,7 @@ impl Grid {
         Ok(Grid {
             from,
             step,
-            count: steps.numer().to_u64().unwrap_or(0),
+            count: steps.numer().to_u64().unwrap_or_default(),
             asked: window.from.is_some() || window.to.is_some(),
         })
     }
@@ -122,7 +122,7 @@ pub fn plan(grid: &Grid, branch: &Branch) -> Plan {
         };
     }
     let steps = |x: &Rational| Rational::from(x - &grid.from) / &grid.step;
-    let integer = |q: Rational| q.numer().to_i64().unwrap_or(0);
+    let integer = |q: Rational| q.numer().to_i64().unwrap_or_default();
     let (first, last) = (integer(steps(&low).ceil()), integer(steps(&high).floor()));
     Plan {
         first,
@@ -245,7 +245,13 @@ mod tests {
             (14_426, 1000, "14.426"),
             (-1, 8, "-0.125"),
             (360, 1, "360"),
+            (-300, 1, "-300"),
             (0, 1, "0"),
+            (-1, 20, "-0.05"),
+            (1, 2, "0.5"),
+            (7, 5, "1.4"),
+            (-1003, 16, "-62.6875"),
+            (1, 125, "0.008"),
         ] {
             assert_eq!(decimal(&Rational::from((n, d))), text);
         }
@@ -300,5 +306,106 @@ mod tests {
             assert_eq!(found.err(), Some(due));
         }
         assert!(Grid::new(&window([Some(900), None, None]), None, 4).is_ok());
+    }
+
+    /// A branch between two angles in degrees, or all round.
+    fn branch(ends: Option<[f64; 2]>) -> Branch {
+        use crate::machine::class_iii::{End, choose};
+        let text = include_str!("../../examples/sand-screen.toml");
+        let file = crate::machine::Linkage::read(&crate::machine::Source::toml(text)).unwrap();
+        let crate::machine::Linkage::ClassIii(linkage) = file else {
+            unreachable!("of class III");
+        };
+        let branch = choose(&linkage.solver, &15.into(), Some(2), &linkage.start).unwrap();
+        let end = |degrees: f64| End {
+            phi1: f64::NAN,
+            reached: degrees.to_radians(),
+            phi4: 0.0,
+        };
+        let reach = match ends {
+            Some([low, high]) => Reach::Part {
+                low: end(low),
+                high: end(high),
+            },
+            None => branch.reach,
+        };
+        Branch { reach, ..branch }
+    }
+
+    /// Without a window the grid goes through the whole branch, or one turn of it; with one each angle is looked for on it.
+    #[test]
+    fn rows_are_on_the_branch() {
+        let window = |step: i32, from: Option<i32>, to: Option<i32>| Window {
+            step: step.into(),
+            from: from.map(Rational::from),
+            to: to.map(Rational::from),
+        };
+        let turn = |k: i32| (k, k);
+        for (window, start, ends, due) in [
+            (
+                window(90, None, None),
+                10,
+                None,
+                [10, 100, 190, 280].map(turn).to_vec(),
+            ),
+            (
+                window(90, Some(0), None),
+                10,
+                None,
+                [0, 90, 180, 270].map(turn).to_vec(),
+            ),
+            (
+                window(90, None, Some(190)),
+                10,
+                None,
+                [10, 100, 190].map(turn).to_vec(),
+            ),
+            (
+                window(30, None, None),
+                10,
+                Some([-101.0, 71.0]),
+                [-80, -50, -20, 10, 40, 70].map(turn).to_vec(),
+            ),
+            // Ends beside the grid.
+            (
+                window(30, None, None),
+                10,
+                Some([-79.0, 69.0]),
+                [-50, -20, 10, 40].map(turn).to_vec(),
+            ),
+            (
+                window(30, None, None),
+                10,
+                Some([-81.0, -51.0]),
+                vec![turn(-80)],
+            ),
+            (window(30, None, None), 10, Some([11.0, 39.0]), vec![]),
+            // Three turns and more.
+            (
+                window(120, None, None),
+                10,
+                Some([-371.0, 800.0]),
+                [-350, -230, -110].map(turn).to_vec(),
+            ),
+            (
+                window(90, Some(0), None),
+                10,
+                Some([-100.0, 71.0]),
+                vec![(0, 0), (270, -90)],
+            ),
+            (
+                window(90, None, Some(280)),
+                10,
+                Some([-100.0, 71.0]),
+                vec![(10, 10), (280, -80)],
+            ),
+        ] {
+            let grid = Grid::new(&window, Some(start.into()), 100).unwrap();
+            let plan = plan(&grid, &branch(ends));
+            let found: Vec<(Rational, Rational)> = plan.angles().collect();
+            let due: Vec<_> = due.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
+            assert_eq!(found, due, "{window:?} {ends:?}");
+            assert_eq!(plan.count(), due.len() as u64);
+        }
     }
 }

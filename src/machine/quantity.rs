@@ -17,6 +17,7 @@ use crate::reference::class_iii::ExactAngle;
 use crate::reference::{Ball, Decimal, DecimalError, nearest_f64};
 use crate::solvers::units::{Acceleration, Angle, AngularVelocity, Inertia, Length, Mass, Torque};
 use rug::Rational;
+use rug::ops::Pow;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use std::error::Error;
 use std::fmt;
@@ -275,18 +276,24 @@ pub fn unit(text: &str) -> Result<Unit, UnitError> {
         .replace(['*', '·'], " ")
         .replace('/', " / ")
         .replace('²', "^2");
-    let mut sign = 1;
+    let mut divided = false;
     for (k, token) in spaced.split_whitespace().enumerate() {
         if k == MOST_UNITS {
             return Err(UnitError::TooMany);
         }
         if token == "/" {
-            sign = -1;
+            divided = true;
             continue;
         }
         let (name, power) = token.split_once('^').unwrap_or((token, "1"));
         let power = match power.parse::<i32>() {
-            Ok(p) if (-4..=4).contains(&p) => p * sign,
+            Ok(p) if (-4..=4).contains(&p) => {
+                if divided {
+                    -p
+                } else {
+                    p
+                }
+            }
             _ => {
                 return Err(UnitError::Power {
                     factor: token.into(),
@@ -300,15 +307,9 @@ pub fn unit(text: &str) -> Result<Unit, UnitError> {
         for (d, k) in all.dimension.iter_mut().zip(one.dimension) {
             *d += power * k;
         }
-        for _ in 0..power.abs() {
-            if power > 0 {
-                all.scale *= &one.scale;
-            } else {
-                all.scale /= &one.scale;
-            }
-        }
+        all.scale *= one.scale.pow(power);
         all.degrees |= one.degrees;
-        sign = 1;
+        divided = false;
     }
     Ok(all)
 }

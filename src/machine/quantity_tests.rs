@@ -156,3 +156,89 @@ fn refusals_say_what_to_write() {
         assert!(!e.contains('\n'));
     }
 }
+
+/// A stroke divides by the next factor alone; powers are whole numbers from −4 to 4.
+#[test]
+fn products_of_units_are_exact() {
+    let q = |n: i64, d: i64| Rational::from((n, d));
+    for (text, scale, dimension) in [
+        ("m^0", q(1, 1), [0, 0, 0, 0]),
+        ("cm^4", q(1, 100_000_000), [4, 0, 0, 0]),
+        ("cm^-4", q(100_000_000, 1), [-4, 0, 0, 0]),
+        ("kN/cm^2", q(10_000_000, 1), [-1, 1, -2, 0]),
+        ("g/cm/s", q(1, 10), [-1, 1, -1, 0]),
+        ("1 m".strip_prefix("1 ").unwrap(), q(1, 1), [1, 0, 0, 0]),
+        ("m/s·kg", q(1, 1), [1, 1, -1, 0]),
+        ("kg / min^2 * mm", q(1, 3_600_000), [1, 1, -2, 0]),
+        ("N m s^2/min", q(1, 60), [2, 1, -1, 0]),
+        ("s^-1/ms^-1", q(1, 1000), [0, 0, 0, 0]),
+    ] {
+        let found = unit(text).unwrap();
+        assert_eq!(
+            (found.scale, found.dimension, found.degrees),
+            (scale, dimension, false),
+            "{text}"
+        );
+    }
+    assert_eq!(unit("deg/s^2").unwrap().dimension, [0, 0, -2, 1]);
+    assert!(unit("rad/s").is_ok_and(|u| !u.degrees) && unit("s^-1 deg").is_ok_and(|u| u.degrees));
+    for text in ["m^5", "m^-5", "m^1.5", "m^", "m^x"] {
+        let factor = text.into();
+        assert_eq!(unit(text), Err(UnitError::Power { factor }));
+    }
+    for text in ["", " ", "  \t"] {
+        assert_eq!(unit(text), Err(UnitError::Empty));
+    }
+    let name = "M".into();
+    assert_eq!(unit("m M"), Err(UnitError::Unknown { name }));
+    assert_eq!(unit("rad 1"), Err(UnitError::Frequency));
+    assert_eq!(unit(&"m ".repeat(16)).unwrap().dimension, [16, 0, 0, 0]);
+    assert_eq!(unit(&"m ".repeat(17)), Err(UnitError::TooMany));
+}
+
+/// An exponent has digits; what follows the number is its unit.
+#[test]
+fn numbers_end_where_units_begin() {
+    for (text, due) in [
+        ("1e3m", 1000.0),
+        ("2.5E-1 m", 0.25),
+        ("1e+2m", 100.0),
+        ("+.5m", 0.5),
+        (" 7 m ", 7.0),
+        ("-3\u{b5}m", -3e-6),
+    ] {
+        let found: Quantity<Length> = text.parse().unwrap();
+        assert_eq!(found.to_f64(), due, "{text}");
+    }
+    for text in ["1em", "1e", "1e-m", "1e+", "e3 m", "m", "--1 m", "1-2 m"] {
+        assert!(text.parse::<Quantity<Length>>().is_err(), "{text}");
+    }
+}
+
+/// Degrees stay what they are; radians are in SI units.
+#[test]
+fn angles_are_degrees_or_radians() {
+    let angle = |text: &str| text.parse::<Quantity<Angle>>().unwrap();
+    let [degrees, radians] = ["45 deg", "0.5 rad"].map(angle);
+    assert_eq!(
+        [degrees.to_f64(), radians.to_f64()],
+        [45f64.to_radians(), 0.5]
+    );
+    assert_eq!(degrees.in_degrees(), Some(Rational::from(45)));
+    assert_eq!(
+        radians.in_degrees(),
+        Rational::from_f64(0.5f64.to_degrees())
+    );
+    assert_eq!(
+        [degrees.in_turns(), radians.in_turns()],
+        [0.125, 0.25 / std::f64::consts::PI]
+    );
+    assert_eq!(angle("1 rev").in_turns(), 1.0);
+    let q = |n: i32, d: i32| Rational::from((n, d));
+    assert_eq!(degrees.exact_angle(), ExactAngle::Degrees(q(45, 1)));
+    assert_eq!(radians.exact_angle(), ExactAngle::Radians(q(1, 2)));
+    assert_eq!(radians.to_ball(64).to_f64(), 0.5);
+    assert!((degrees.to_ball(64).to_f64() - 45f64.to_radians()).abs() < 1e-16);
+    let si = Quantity::<Angle>::si(q(1, 2));
+    assert_eq!((si.to_f64(), si), (0.5, radians));
+}

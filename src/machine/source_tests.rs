@@ -128,6 +128,7 @@ fn texts() {
     let read = |bytes: &[u8]| Source::read(bytes, None);
     assert_eq!(read(b" {}").unwrap().form, Form::Json);
     assert_eq!(read("\u{feff}a = 1".as_bytes()).unwrap().text, "a = 1");
+    assert!(read(&vec![b'#'; LONGEST as usize]).is_ok());
     let long = vec![b'#'; LONGEST as usize + 1];
     for (bytes, part) in [
         (&b"\n"[..], "empty"),

@@ -15,13 +15,16 @@ pub const TURNS: u32 = 12;
 const NEAR: f64 = 0.261;
 /// How close to a fold rows are computed, in radians.
 const MARGIN: f64 = 1e-6;
+/// Angles between which the branch tracer looks for a fold, before and beyond the last position, in radians.
+const BEFORE: f64 = 1e-4;
+const BEYOND: f64 = 2e-3;
 
 /// The end of a branch, where the linkage is singular.
 #[derive(Clone, Copy, Debug)]
 pub struct End {
     /// Crank angle of the fold in radians, on the branch's own count of turns.
     pub phi1: f64,
-    /// The last crank angle in use, a millionth of a radian within the branch.
+    /// The last crank angle in use, a millionth of a radian before the last position found.
     pub reached: f64,
     /// φ4 of the two modes that merge, in radians.
     pub phi4: f64,
@@ -287,13 +290,14 @@ fn end(
         reached: last.phi1 - direction * inset,
         phi4: last.positions.phi4,
     };
-    // From a little before the last angle reached to a little beyond the fold.
-    let before = last.phi1 - direction * 1e-4;
-    let Ok(before) = linkage.follow(&last, Angle::from_rad(before)) else {
+    // From a little before the last angle reached, where the position is too near to the fold to be followed from, to a
+    // little beyond the fold.
+    let before = last.phi1 - direction * BEFORE;
+    let Ok(before) = linkage.follow(start, Angle::from_rad(before)) else {
         return Ok(plain);
     };
     let map =
-        linkage.trace_branches(&[before.phi1, last.phi1 + direction * 2e-3].map(Angle::from_rad));
+        linkage.trace_branches(&[before.phi1, last.phi1 + direction * BEYOND].map(Angle::from_rad));
     let Some(ours) = map.rows[0].iter().find(|s| same(&s.state, &before)) else {
         return Ok(plain);
     };
@@ -306,61 +310,5 @@ fn end(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::machine::{Linkage, Source, class_iii};
-
-    fn linkage() -> class_iii::Linkage {
-        let text = include_str!("../../../examples/no-full-turn.toml");
-        match Linkage::read(&Source::toml(text)).unwrap() {
-            Linkage::ClassIii(linkage) => *linkage,
-            _ => unreachable!("of class III"),
-        }
-    }
-
-    /// Beside the fold the margin is half of what is left to it.
-    #[test]
-    fn a_branch_that_starts_within_the_margin_reaches_half_way_to_the_fold() {
-        let linkage = linkage();
-        let at = |phi1: f64| {
-            let degrees = Rational::from_f64(phi1.to_degrees()).unwrap();
-            choose(&linkage.solver, &degrees, Some(0), &linkage.start).unwrap()
-        };
-        let Reach::Part { low, high } = at(0.0).reach else {
-            panic!("the crank does not turn fully");
-        };
-        for (fold, sign) in [(low.phi1, 1.0), (high.phi1, -1.0)] {
-            let branch = at(fold + sign * 1e-7);
-            let Reach::Part { low, high } = branch.reach else {
-                panic!("a fold is near");
-            };
-            let end = if sign > 0.0 { low } else { high };
-            let parts = [end.reached, end.phi1].map(|x| sign * (branch.start.phi1 - x));
-            assert!((parts[1] - 1e-7).abs() < 1e-9, "{parts:?}");
-            assert!((parts[0] / parts[1] - 0.5).abs() < 0.01, "{parts:?}");
-        }
-    }
-
-    #[test]
-    fn several_modes_are_not_chosen_among() {
-        let linkage = linkage();
-        let start = Start::default();
-        let refused = choose(&linkage.solver, &Rational::new(), None, &start);
-        let modes = linkage.solver.assembly_modes(Angle::from_deg(0.0)).modes;
-        let modes = modes.iter().map(|m| m.phi4).collect();
-        assert_eq!(refused.err(), Some(BranchError::Ambiguous { modes }));
-    }
-
-    /// Both ways begin there.
-    #[test]
-    fn a_dead_position_at_the_start_counts_once() {
-        let solver = linkage().solver;
-        let degrees = Rational::new();
-        let branch = choose(&solver, &degrees, Some(0), &Start::default()).unwrap();
-        let mut start = branch.dead[0].state;
-        start.positions.phi2 = start.phi1;
-        let dead = explore(&solver, 0, start).unwrap().dead;
-        assert_eq!(dead.len(), 1);
-        assert_eq!(dead[0].state.phi1, start.phi1);
-    }
-}
+#[path = "branch_tests.rs"]
+mod tests;

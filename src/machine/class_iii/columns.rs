@@ -84,3 +84,95 @@ pub fn values(linkage: &Linkage, state: &State) -> Vec<f64> {
     ]);
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::class_iii::{Certifier, choose};
+    use crate::machine::{self, Source};
+
+    /// The sand screen without its bodies and with another motion of the crank.
+    fn read(bodies: bool, crank: &str) -> Linkage {
+        let text = include_str!("../../../examples/sand-screen.toml");
+        let lines = text.lines().filter(|l| !l.starts_with("crank_"));
+        let text: String = lines.map(|l| format!("{l}\n")).collect();
+        let text = match bodies {
+            true => text,
+            false => text.split_once("[bodies.").unwrap().0.to_string(),
+        };
+        let source = Source::toml(format!("{crank}\n{text}"));
+        match machine::Linkage::read(&source).unwrap() {
+            machine::Linkage::ClassIii(linkage) => *linkage,
+            _ => unreachable!("of class III"),
+        }
+    }
+
+    const CRANK: &str = "crank_speed = \"3 rad/s\"\ncrank_acceleration = \"-5 rad/s^2\"";
+
+    #[test]
+    fn columns_have_names_with_units() {
+        let links = |pattern: &str| [2, 3, 4, 5].map(|k| pattern.replace('*', &k.to_string()));
+        let reduced = [
+            "I_n_kg_m2",
+            "dI_n_dphi_kg_m2_per_rad",
+            "M_o_N_m",
+            "dM_o_dphi_N_m_per_rad",
+        ];
+        for (bodies, crank) in [(false, ""), (false, CRANK), (true, ""), (true, CRANK)] {
+            let linkage = read(bodies, crank);
+            let mut due = vec!["phi1_deg".to_string(), "branch".to_string()];
+            due.extend(links("phi*_deg"));
+            due.extend(links(if crank.is_empty() {
+                "dphi*_dphi1"
+            } else {
+                "omega*_rad_per_s"
+            }));
+            due.extend(links(match crank.is_empty() {
+                true => "d2phi*_dphi1_2_per_rad",
+                false => "epsilon*_rad_per_s2",
+            }));
+            due.extend(reduced.iter().filter(|_| bodies).map(|n| n.to_string()));
+            due.extend(["det_J_m4", "condition", "pressure_angle_deg"].map(String::from));
+            assert_eq!(names(&linkage, false), due);
+            due.retain(|n| n != "condition");
+            assert_eq!(names(&linkage, true), due);
+        }
+    }
+
+    /// Certified digits and floating point say the same in every column, with rates at the crank's speed.
+    #[test]
+    fn rows_are_certified_column_by_column() {
+        let at = rug::Rational::from(50);
+        let mut still: Option<Vec<f64>> = None;
+        for (bodies, crank) in [(true, ""), (true, CRANK), (false, CRANK)] {
+            let linkage = read(bodies, crank);
+            let start = choose(&linkage.solver, &at, Some(2), &linkage.start)
+                .unwrap()
+                .start;
+            let row = values(&linkage, &start);
+            let all = names(&linkage, false);
+            assert_eq!(all.len(), row.len() + 2);
+            let mut certifier = Certifier::new(&linkage, 15);
+            let position = certifier.advance(&at, &start).unwrap();
+            let digits = certifier.values(&at, &position);
+            let due = names(&linkage, true);
+            assert_eq!(due.len(), digits.len() + 2);
+            for (name, text) in due[2..].iter().zip(&digits) {
+                let k = all.iter().position(|n| n == name).unwrap() - 2;
+                let x: f64 = text.as_deref().expect(name).parse().unwrap();
+                let apart = (x - row[k]).abs();
+                assert!(apart < 1e-9 * (1.0 + x.abs()), "{name}: {x} {}", row[k]);
+            }
+            match &still {
+                None => still = Some(row),
+                Some(still) => {
+                    for k in 4..8 {
+                        let (first, second) = (still[k], still[k + 4]);
+                        assert!((row[k] - 3.0 * first).abs() < 1e-12);
+                        assert!((row[k + 4] - 9.0 * second + 5.0 * first).abs() < 1e-12);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -245,6 +245,13 @@ mod tests {
             assert!(from == 0.0 || modes(from - 1.0) == 0, "{from}");
             assert!(to == 3599.0 || modes(to + 1.0) == 0, "{to}");
         }
+        for tenths in (5..3600).step_by(90) {
+            let tenths = f64::from(tenths);
+            let told = parts
+                .iter()
+                .any(|p| (10.0 * p[0]..=10.0 * p[1]).contains(&tenths));
+            assert_eq!(told, modes(tenths) > 0, "{tenths}");
+        }
         let nowhere = linkage("\"900 cm\"");
         assert!(matches!(unassembled(&nowhere, 0.0), BranchError::Nowhere));
     }

@@ -295,40 +295,4 @@ fn cosine(degrees: &Rational) -> Option<Rational> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rational_cosines_are_those_of_niven() {
-        for k in -720..=720i32 {
-            let x = f64::from(k).to_radians().cos();
-            let near = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|r| (x - r).abs() < 1e-9);
-            let found = cosine(&Rational::from(k));
-            assert_eq!(found.is_some(), near.contains(&true), "{k}");
-            if let Some(c) = found {
-                assert!((c.to_f64() - x).abs() < 1e-9, "{k}");
-            }
-        }
-        assert_eq!(cosine(&Rational::from((121, 2))), None);
-    }
-
-    #[test]
-    fn any_one_body_is_bodies() {
-        let link = "{ mass = \"1 kg\", inertia = \"1 kg m^2\", radius = \"1 cm\" }";
-        for (body, due) in [
-            (String::new(), None),
-            (format!("crank = {link}"), Some(0.0)),
-            (format!("rod = {link}"), Some(0.0)),
-            ("slider = { mass = \"2 kg\" }".into(), Some(2.0)),
-        ] {
-            let text = format!(
-                "type = \"slider-crank\"\n[geometry]\ncrank = \"2 m\"\nrod = \"5 m\"\n[bodies]\n{body}\n"
-            );
-            let dyad = slider_crank(&Source::toml(text)).unwrap();
-            let Shape::SliderCrank { bodies, .. } = dyad.shape else {
-                unreachable!("a slider-crank");
-            };
-            assert_eq!(bodies.map(|b| b.1.kg()), due, "{body}");
-        }
-    }
-}
+mod tests;

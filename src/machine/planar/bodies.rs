@@ -73,8 +73,9 @@ impl Bodies {
                 return Err(source.breach(&format!("{at}.name"), rule));
             }
             let points = points(source, file, body, &at)?;
+            // The first point drawn is the origin.
             let line = match (&points[..], body.drawn.is_empty()) {
-                ([(_, p, _), (_, q, _), ..], false) => (q[1] - p[1]).atan2(q[0] - p[0]),
+                ([_, (_, [x, y], _), ..], false) => y.atan2(*x),
                 _ => 0.0,
             };
             all.names.push(body.name.clone());
@@ -183,8 +184,8 @@ fn drawn(source: &Source, file: &File, at: &str, name: &str) -> Result<[Rational
 }
 
 fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points, Refusal> {
-    let ways = [!body.drawn.is_empty(), !body.ends.is_empty()];
-    if ways == [true, true] || (ways[0] && !body.points.is_empty()) {
+    let alone = body.ends.is_empty() && body.points.is_empty();
+    if !(body.drawn.is_empty() || alone) {
         let rule = format!("{at}: drawn stands alone, without points and ends");
         return Err(source.breach(at, rule));
     }
@@ -253,3 +254,7 @@ fn points(source: &Source, file: &File, body: &Body, at: &str) -> Result<Points,
     }
     Ok(all)
 }
+
+#[cfg(test)]
+#[path = "bodies_tests.rs"]
+mod tests;

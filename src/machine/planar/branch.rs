@@ -172,7 +172,8 @@ impl Machine {
     }
 }
 
-fn wrapped(angle: f64) -> f64 {
+/// The angle within half a turn of zero.
+pub(super) fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
@@ -295,3 +296,7 @@ fn reach(machine: &Machine, start: &State) -> Reach {
     }
     Reach::Whole { turns: None }
 }
+
+#[cfg(test)]
+#[path = "branch_tests.rs"]
+mod tests;

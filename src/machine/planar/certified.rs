@@ -156,10 +156,8 @@ impl<'a> Certifier<'a> {
         let solver = &self.machine.solver;
         let angle = |b: usize| solver.body_angle(state, b).angle.rad();
         let near: Vec<f64> = (1..self.machine.bodies.len()).map(angle).collect();
-        let here = match self.driven {
-            [body, GROUND] => near[body - 1],
-            [body, from] => near[body - 1] - near[from - 1],
-        };
+        let [body, from] = self.driven.map(angle);
+        let here = body - from;
         let due = self.drive(degrees, 0, 64).to_f64();
         let turns = ((here - due) / std::f64::consts::TAU).round() as i64;
         let linkage = self.linkage(bits)?;
@@ -229,3 +227,7 @@ fn attached(machine: &Machine, point: &Point) -> Result<Attachment, NotExact> {
         point: first.clone(),
     })
 }
+
+#[cfg(test)]
+#[path = "certified_tests.rs"]
+mod tests;

@@ -88,3 +88,103 @@ pub(super) fn words(freedom: &Freedom, bodies: &[String]) -> String {
     }
     line
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Source;
+
+    /// Velocities, equations and rank, what it means for motions, which bodies are held too often and which move if not all.
+    #[test]
+    fn a_drawing_is_told_in_one_line() {
+        let bodies = ["ground", "a", "b", "c"].map(String::from);
+        let line = |rank: usize, movable: &[usize], strained: &[usize], mobility: Mobility| {
+            let freedom = Freedom {
+                velocities: 9,
+                equations: 8,
+                rank,
+                movable: movable.to_vec(),
+                strained: strained.to_vec(),
+                mobility,
+            };
+            let all = words(&freedom, &bodies);
+            let due = format!("as drawn, proved: rank {rank} of 8 equations for 9 velocities, ");
+            all.strip_prefix(&due).expect("ranks").to_string()
+        };
+        let all = &[0, 1, 2][..];
+        for (found, due) in [
+            (
+                line(8, all, &[], Mobility::Regular { freedoms: 1 }),
+                "one degree of freedom",
+            ),
+            (
+                line(8, all, &[], Mobility::Regular { freedoms: 2 }),
+                "2 degrees of freedom",
+            ),
+            (
+                line(8, &[1, 2], &[], Mobility::Regular { freedoms: 1 }),
+                "one degree of freedom; can move: b, c",
+            ),
+            (line(8, &[], &[], Mobility::Locked), "nothing can move"),
+            (
+                line(7, &[0], &[1, 2], Mobility::Turning { most: 1 }),
+                "it moves, with one degree of freedom; 1 redundant among b, c; can move: a",
+            ),
+            (
+                line(6, all, &[0, 2], Mobility::Turning { most: 3 }),
+                "it moves, with at most 3 degrees of freedom; 2 redundant among a, c",
+            ),
+            (
+                line(7, all, all, Mobility::Undecided { most: 1 }),
+                "undecided whether it moves, with at most one degree of freedom; 1 redundant among a, b, c",
+            ),
+        ] {
+            assert_eq!(found, due);
+        }
+    }
+
+    fn ranks(text: &str) -> Option<Freedom> {
+        let source = Source::toml(text);
+        let file: File = source.parse().unwrap();
+        freedom(&file, &Bodies::new(&source, &file).unwrap())
+    }
+
+    /// A pin of n bodies is n − 1 pairs; ranks are for pins and bodies that are drawn.
+    #[test]
+    fn ranks_are_those_of_drawn_pins() {
+        let watt = include_str!("../../../examples/watt-1.toml");
+        let found = ranks(watt).unwrap();
+        let counts = (found.velocities, found.equations, found.rank);
+        assert_eq!((counts, found.movable.len()), ((15, 14, 14), 5));
+        // Three bodies at one point.
+        let text = "points = { A = [\"0 m\", \"0 m\"], B = [\"1 m\", \"2 m\"], C = [\"2 m\", \"0 m\"] }\n\
+                    drive = { body = \"a\" }\nground = { drawn = [\"A\", \"C\"] }\n\
+                    body = [{ name = \"a\", drawn = [\"A\", \"B\"] }, { name = \"b\", drawn = [\"B\", \"C\"] }, { name = \"c\", drawn = [\"B\"] }]\n\
+                    joint = [{ kind = \"pin\", point = \"A\" }, { kind = \"pin\", point = \"B\" }, { kind = \"pin\", point = \"C\" }]\n";
+        let found = ranks(text).unwrap();
+        assert_eq!((found.velocities, found.equations, found.rank), (9, 8, 8));
+        assert_eq!(found.movable, [2]);
+        // Points of the ground's own have to be where they are drawn.
+        let own = text.replace(
+            "ground = { drawn = [\"A\", \"C\"] }",
+            "ground = { drawn = [\"C\"], points = { A = [\"0 m\", \"0 m\"] } }",
+        );
+        assert_eq!(ranks(&own), Some(found));
+        for (from, to) in [
+            ("A = [\"0 m\", \"0 m\"] } }", "A = [\"0 m\", \"1 mm\"] } }"),
+            (
+                "{ name = \"c\", drawn = [\"B\"] }",
+                "{ name = \"c\", points = { B = [\"0 m\", \"0 m\"] } }",
+            ),
+            (
+                "{ kind = \"pin\", point = \"A\" }",
+                "{ kind = \"slot\", point = \"A\", body = \"a\", through = \"C\", direction = \"0 deg\" }",
+            ),
+            ("{ kind = \"pin\", point = \"A\" }", "{ kind = \"pin\" }"),
+        ] {
+            let other = own.replace(from, to);
+            assert_ne!(other, own, "{from}");
+            assert_eq!(ranks(&other), None, "{to}");
+        }
+    }
+}

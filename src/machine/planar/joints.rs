@@ -368,3 +368,7 @@ pub(super) fn drive(source: &Source, file: &File, rotary: bool) -> Result<DriveM
     };
     Ok(DriveMotion { speed, window })
 }
+
+#[cfg(test)]
+#[path = "joints_tests.rs"]
+mod tests;

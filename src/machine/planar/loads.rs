@@ -248,3 +248,7 @@ impl Machine {
         passed.unwrap_or_else(|| at(low)).0
     }
 }
+
+#[cfg(test)]
+#[path = "loads_tests.rs"]
+mod tests;

@@ -224,3 +224,7 @@ impl Scene<'_> {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "motion_tests.rs"]
+mod tests;

@@ -61,3 +61,76 @@ fn along(
     }
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Source;
+    use crate::machine::planar::choose;
+
+    fn read(text: &str) -> Machine {
+        Machine::read(&Source::toml(text)).unwrap()
+    }
+
+    fn assert_near(found: &[(f64, State)], due: &[f64]) {
+        assert_eq!(found.len(), due.len());
+        for ((drive, _), due) in found.iter().zip(due) {
+            assert!((drive - due).abs() < 1e-9, "{drive} {due}");
+        }
+    }
+
+    /// Each position is the solver's at its drive, a millionth of a radian off the folds.
+    #[test]
+    fn a_part_of_a_turn_is_passed_in_equal_steps() {
+        let machine = read(include_str!("../../../examples/watt-1.toml"));
+        let start = machine.start.at.unwrap().to_radians();
+        let branch = choose(&machine, start, None).unwrap();
+        let Reach::Part { low, high } = branch.reach else {
+            panic!("no full turn");
+        };
+        let (low, high) = (low.unwrap().drive + 1e-6, high.unwrap().drive - 1e-6);
+        let due = [0.0, 0.25, 0.5, 0.75, 1.0].map(|s| low + s * (high - low));
+        let all = path(&machine, &branch, 4);
+        assert_near(&all, &due);
+        for (drive, state) in &all {
+            assert!((machine.outer(machine.solver.drive_of(state)) - drive).abs() < 1e-14);
+            let there = machine
+                .solver
+                .follow(&branch.start, machine.inner(*drive))
+                .unwrap();
+            let turn = |s: &State| machine.solver.body_angle(s, 3).angle.rad();
+            assert!((turn(state) - turn(&there)).abs() < 1e-9);
+        }
+        // The position shown is among them, once.
+        let (same, k) = positions(&machine, &branch, 4, &all[2].1);
+        assert_eq!((same.len(), k), (5, 2));
+        let (more, k) = positions(&machine, &branch, 4, &branch.start);
+        assert_eq!(more.len(), 6);
+        assert!((more[k].0 - start).abs() < 1e-14 && more.is_sorted_by(|a, b| a.0 < b.0));
+    }
+
+    #[test]
+    fn a_turn_is_passed_from_its_start() {
+        let machine = read(include_str!("../../../examples/watt-2.toml"));
+        let start = machine.start.at.unwrap_or(10.0).to_radians();
+        let branch = choose(&machine, start, None).unwrap();
+        let due = [0.0, 0.25, 0.5, 0.75, 1.0].map(|s| start + s * TAU);
+        assert_near(&path(&machine, &branch, 4), &due);
+        let (all, k) = positions(&machine, &branch, 4, &branch.start);
+        assert_eq!(k, 0);
+        assert_near(&all, &due[..4]);
+    }
+
+    /// To the ends of the range, or to the fold within it.
+    #[test]
+    fn a_displacement_goes_over_its_range() {
+        let boom = include_str!("../../../examples/cylinder-boom.toml");
+        let fold = 1.2f64.hypot(0.1) + 0.4f64.hypot(0.6) - 1e-6;
+        for (to, end) in [("1.4 m", 1.4), ("3 m", fold)] {
+            let machine = read(&boom.replace("\"1.4 m\"", &format!("\"{to}\"")));
+            let branch = choose(&machine, 1.0, None).unwrap();
+            let due = [0.0, 0.5, 1.0].map(|s| 0.9 + s * (end - 0.9));
+            assert_near(&path(&machine, &branch, 2), &due);
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! The columns of a mechanism's rows, and a row in floating point.
 
 use super::Machine;
+use super::branch::wrapped;
 use crate::solvers::planar::{GroupKind, Joint, Loads, State, curvature};
 
 /// Which columns there are besides the bodies' angles.
@@ -45,6 +46,25 @@ impl Derivatives {
             (false, false) => [format!("d{name}_ds"), format!("d2{name}_ds_2_per_m")],
         }
     }
+
+    /// The drive, `branch`, and the angles of the moving bodies with theirs.
+    fn bodies(&self, machine: &Machine) -> Vec<String> {
+        let drive = if self.rotary { "phi_deg" } else { "s_m" };
+        let mut all: Vec<String> = vec![drive.into(), "branch".into()];
+        for name in &machine.bodies[1..] {
+            all.push(format!("{name}_deg"));
+            all.extend(self.angle(name));
+        }
+        all
+    }
+
+    /// The coordinates of a point, and then theirs.
+    fn point(&self, name: &str) -> Vec<String> {
+        let [x, y] = ["x", "y"].map(|c| format!("{c}_{name}"));
+        let [of_x, of_y] = [&x, &y].map(|c| self.length(c));
+        let places = [&x, &y].map(|c| format!("{c}_m"));
+        places.into_iter().chain(of_x).chain(of_y).collect()
+    }
 }
 
 /// The columns' names with their units; the drive and `branch` first.
@@ -54,12 +74,7 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
         speed: machine.speed.is_some(),
         rotary,
     };
-    let drive = if rotary { "phi_deg" } else { "s_m" };
-    let mut all: Vec<String> = vec![drive.into(), "branch".into()];
-    for name in &machine.bodies[1..] {
-        all.push(format!("{name}_deg"));
-        all.extend(by.angle(name));
-    }
+    let mut all = by.bodies(machine);
     for (_, name) in travels(machine) {
         all.push(format!("s_{name}_m"));
         all.extend(by.length(&format!("s_{name}")));
@@ -86,10 +101,7 @@ pub fn names(machine: &Machine, columns: Columns) -> Vec<String> {
     }
     if columns.paths {
         for (name, _) in &machine.points {
-            all.extend(["x", "y"].map(|c| format!("{c}_{name}_m")));
-            for c in ["x", "y"] {
-                all.extend(by.length(&format!("{c}_{name}")));
-            }
+            all.extend(by.point(name));
             all.push(format!("curvature_{name}_per_m"));
         }
     }
@@ -112,16 +124,9 @@ pub fn certified_names(machine: &Machine, paths: bool) -> Vec<String> {
         speed: false,
         rotary: true,
     };
-    let mut all: Vec<String> = vec!["phi_deg".into(), "branch".into()];
-    for name in &machine.bodies[1..] {
-        all.push(format!("{name}_deg"));
-        all.extend(by.angle(name));
-    }
+    let mut all = by.bodies(machine);
     for (name, _) in machine.points.iter().filter(|_| paths) {
-        all.extend(["x", "y"].map(|c| format!("{c}_{name}_m")));
-        for c in ["x", "y"] {
-            all.extend(by.length(&format!("{c}_{name}")));
-        }
+        all.extend(by.point(name));
     }
     all
 }
@@ -137,26 +142,19 @@ fn travels(machine: &Machine) -> Vec<(usize, &str)> {
 
 /// Groups that are dyads with three pins.
 fn dyads(machine: &Machine) -> Vec<usize> {
-    let pinned = |body: usize| {
-        machine
-            .solver
-            .description()
-            .joints
-            .iter()
-            .all(|j| match &j.part {
-                Joint::Pin { .. } => true,
-                Joint::Slide { slider, guide, .. } => {
-                    slider.body != body && guide.origin.body != body
-                }
-                Joint::Slot { pin, slot } => pin.body != body && slot.origin.body != body,
-                Joint::Gears { wheels, .. } => !wheels.contains(&body),
-                Joint::Rack { wheel, .. } => *wheel != body,
-            })
+    let joints = machine.solver.description().joints.iter();
+    let held = |joint: &Joint| match joint {
+        Joint::Pin { .. } => Vec::new(),
+        Joint::Slide { slider, guide, .. } => vec![slider.body, guide.origin.body],
+        Joint::Slot { pin, slot } => vec![pin.body, slot.origin.body],
+        Joint::Gears { wheels, .. } => wheels.to_vec(),
+        Joint::Rack { wheel, .. } => vec![*wheel],
     };
+    let otherwise: Vec<usize> = joints.flat_map(|j| held(&j.part)).collect();
     let groups = machine.solver.structure().groups.iter().enumerate();
     groups
         .filter(|(_, g)| g.kind == GroupKind::Assur { class: 2 } && g.bodies.len() == 2)
-        .filter(|(_, g)| g.bodies.iter().all(|&b| pinned(b)))
+        .filter(|(_, g)| !g.bodies.iter().any(|b| otherwise.contains(b)))
         .map(|(k, _)| k)
         .collect()
 }
@@ -191,9 +189,7 @@ pub fn values(
     let mut all = Vec::new();
     for body in 1..machine.bodies.len() {
         let turn = solver.body_angle(state, body);
-        let angle = turn.angle.rad() + machine.lines[body];
-        let turns = (angle / std::f64::consts::TAU).round();
-        all.push((angle - turns * std::f64::consts::TAU).to_degrees());
+        all.push(wrapped(machine.line(state, body)).to_degrees());
         all.extend(by(turn.first, turn.second));
     }
     for (joint, _) in travels(machine) {
@@ -240,3 +236,7 @@ pub fn values(
     }
     all
 }
+
+#[cfg(test)]
+#[path = "rows_tests.rs"]
+mod tests;

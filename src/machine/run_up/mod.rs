@@ -477,3 +477,6 @@ impl MotorSection {
         all.into_iter().filter(|f| f.1).map(|f| f.0).collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

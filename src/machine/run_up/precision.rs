@@ -120,4 +120,43 @@ mod tests {
         let due: Vec<(u64, u64)> = (1..=total).map(|k| (k, total)).collect();
         assert_eq!(heard, due);
     }
+
+    /// Two tolerances a decade for each method; the error is the worst of eight moments, the cost that of the whole run.
+    #[test]
+    fn points_hold_the_worst_error_and_the_whole_cost() {
+        let machine = machine("40 ms");
+        let equation = Equation::new(&*machine.model, &machine.drive);
+        let points = work_precision(&machine, &equation, |_, _| ()).unwrap();
+        let of = |method: Method, tolerance: f64| -> Vec<_> {
+            let end = |k: u32| {
+                let mut plan = machine.plan.clone();
+                plan.duration = 0.04 * f64::from(k) / 8.0;
+                plan.sampling = None;
+                plan.settings.method = method;
+                plan.settings.tolerance = tolerance;
+                plan.settings.switch_when_stiff = false;
+                run(&equation, &plan).unwrap()
+            };
+            (1..=8).map(end).collect()
+        };
+        let finest = of(Method::Verner98, 1e-14);
+        for (method, all) in Method::ALL.into_iter().zip(points.chunks(19)) {
+            for (k, point) in all.iter().enumerate() {
+                assert_eq!(point.method, method);
+                let due = 10f64.powf(-4.0 - 0.5 * k as f64);
+                assert!((point.tolerance / due - 1.0).abs() < 1e-12);
+            }
+            let ends = of(method, all[0].tolerance);
+            let apart = ends
+                .iter()
+                .zip(&finest)
+                .map(|(a, b)| (a.end.psi - b.end.psi).abs());
+            let worst = apart.fold(0.0, f64::max);
+            assert!(
+                (all[0].error - worst).abs() <= 1e-3 * worst && worst > 0.0,
+                "{worst}"
+            );
+            assert_eq!(all[0].evaluations, ends[7].counts.evaluations);
+        }
+    }
 }
