@@ -321,6 +321,19 @@ mod tests {
         assert_eq!(law(0.920_151_991_520_967), None);
     }
 
+    /// Crank and rod in line: lengths of 9.9 and 10.1 for a rod of 1.
+    #[test]
+    fn rates_are_compared_for_rods_that_are_not_too_short() {
+        let law = |a: f64| velocity(&[a, 1.0, 0.0, 0.0, 0.0, 1.0]);
+        assert!(law(8.9).is_some_and(|r| r < 1.0));
+        assert_eq!(law(9.1), None);
+        // The offset counts as a length, whatever its sign.
+        for e in [0.25, -0.25] {
+            let law = velocity(&[8.9, 1.0, e, 0.0, 0.0, 1.0]);
+            assert_eq!(law, None, "{e}");
+        }
+    }
+
     #[test]
     fn one_value_that_is_not_mirrored_breaks_the_law() {
         let here = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];

@@ -176,6 +176,22 @@ impl Definition for Faddeeva {
 mod tests {
     use super::*;
 
+    /// 48 bits fewer, but not fewer than 64.
+    #[test]
+    fn fewer_bits_are_asked_for() {
+        let all = [
+            (0, 64),
+            (64, 64),
+            (112, 64),
+            (113, 65),
+            (128, 80),
+            (400, 352),
+        ];
+        for (bits, due) in all {
+            assert_eq!(asked(bits), due, "{bits}");
+        }
+    }
+
     fn reference(x: f64, y: f64) -> Vec<Due> {
         let exact = [x, y].map(|v| Rational::from_f64(v).unwrap());
         dues(&exact[0], &exact[1], 128).unwrap()

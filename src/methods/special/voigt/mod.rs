@@ -97,13 +97,13 @@ impl Definition for Voigt {
             Law {
                 name: "even",
                 statement: "V(-x) = V(x), bit for bit",
-                residual: even,
+                residual: |input| even(voigt, input),
             },
             Law {
                 name: "units",
                 statement: "V(x/8, sigma/8, gamma/8) = 8 V(x, sigma, gamma), bit for bit, where \
                             nothing is subnormal or overflows",
-                residual: units,
+                residual: |input| units(voigt, input),
             },
             Law {
                 name: "batch",
@@ -137,21 +137,21 @@ fn arguments(input: &[f64]) -> Option<[f64; 3]> {
     Some([i.x, i.sigma, i.gamma])
 }
 
-fn even(input: &[f64]) -> Option<f64> {
+fn even(v: impl Fn(f64, f64, f64) -> f64, input: &[f64]) -> Option<f64> {
     let [x, s, g] = arguments(input)?;
-    held(same(voigt(x, s, g), voigt(-x, s, g)))
+    held(same(v(x, s, g), v(-x, s, g)))
 }
 
-fn units(input: &[f64]) -> Option<f64> {
+fn units(density: impl Fn(f64, f64, f64) -> f64, input: &[f64]) -> Option<f64> {
     let all = arguments(input)?;
     let [x, s, g] = all;
-    let v = voigt(x, s, g);
+    let v = density(x, s, g);
     // V is at most 1/(2π |x|), 1/(π γ) and 0.4/σ: where it is not small, no argument is large.
     let plain = |t: f64| t == 0.0 || (t.is_finite() && t.abs() >= 1e-300);
     if !(v != 0.0 && plain(v) && all.into_iter().all(plain)) {
         return None;
     }
-    held(same(voigt(x / 8.0, s / 8.0, g / 8.0), 8.0 * v))
+    held(same(density(x / 8.0, s / 8.0, g / 8.0), 8.0 * v))
 }
 
 fn batch_agrees(
@@ -192,6 +192,48 @@ fn by_w(input: &[f64]) -> Option<f64> {
 mod tests {
     use super::*;
     use std::cell::Cell;
+
+    fn shown(answer: ReferenceAnswer) -> String {
+        match answer {
+            ReferenceAnswer::Dues(dues, _) => dues[0].to_decimal(5).unwrap(),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    /// A point mass where both widths are zero; no width is negative.
+    #[test]
+    fn what_is_due_at_the_ends_of_the_widths() {
+        let method = crate::methods::find("voigt").unwrap();
+        for (input, due) in [
+            ([0.0, 0.0, 0.0], "inf"),
+            ([1.0, 0.0, 0.0], "0"),
+            ([0.0, -1.0, 1.0], "nan"),
+            ([0.0, 1.0, -1.0], "nan"),
+            // 1/(π γ).
+            ([0.0, 0.0, 1.0], "0.31831"),
+            // 1/(σ √(2π)).
+            ([0.0, 1.0, 0.0], "0.39894"),
+        ] {
+            let exact = input.map(|x| Rational::from_f64(x).unwrap());
+            assert_eq!(shown(method.reference(&exact, 128)), due, "{input:?}");
+        }
+        let (inf, nan) = (f64::INFINITY, f64::NAN);
+        for (input, due) in [
+            ([inf, 1.0, 1.0], "0"),
+            ([-inf, 0.0, 0.0], "0"),
+            ([0.0, inf, 1.0], "0"),
+            ([0.0, 1.0, inf], "0"),
+            ([nan, 1.0, 1.0], "nan"),
+            ([nan, inf, 1.0], "nan"),
+            ([0.0, -inf, 1.0], "nan"),
+            ([inf, 1.0, -1.0], "nan"),
+            ([0.0, nan, 1.0], "nan"),
+            ([0.0, 1.0, nan], "nan"),
+        ] {
+            assert_eq!(shown(method.reference_not_finite(&input)), due, "{input:?}");
+        }
+        assert_eq!(method.signs_of_zero(&[inf, 1.0, 1.0]), [Some(false)]);
+    }
     use std::collections::BTreeSet;
 
     #[test]
@@ -235,5 +277,69 @@ mod tests {
         let law = |x: f64| by_w(&[x, 1.0, 1.0]);
         assert!(law(1.4e6).is_some_and(|r| r < 1.0));
         assert_eq!(law(1.5e6), None);
+    }
+
+    #[test]
+    fn the_law_with_w_asks_for_widths_of_a_profile() {
+        let holds = |s: f64, g: f64| by_w(&[s, s, g]).map(|r| r < 1.0);
+        for (s, g, due) in [
+            (1e-100, 1e-100, Some(true)),
+            (0.9e-100, 1e-100, None),
+            (0.9e100, 1e100, Some(true)),
+            (1e100, 1e100, None),
+            (1.0, 0.0, Some(true)),
+            (1.0, -1e-300, None),
+            (1.0, f64::NAN, None),
+            (-1.0, 1.0, None),
+        ] {
+            assert_eq!(holds(s, g), due, "{s:e} {g:e}");
+        }
+    }
+
+    #[test]
+    fn a_function_that_is_no_density_breaks_the_laws() {
+        let (holds, broken) = (Some(0.0), Some(f64::INFINITY));
+        let input = [3.0, 2.0, 1.0];
+        assert_eq!(even(|x, s, g| x * x + s + g, &input), holds);
+        assert_eq!(even(|x, s, g| x + s + g, &input), broken);
+        assert_eq!(units(|x, s, g| 1.0 / (x + s + g), &input), holds);
+        assert_eq!(units(|_, _, _| 1.0, &input), broken);
+        for one in [0, 1, 2] {
+            let of_others = |x: f64, s: f64, g: f64| {
+                let mut all = [x, s, g];
+                all[one] = 1.0;
+                1.0 / all.iter().sum::<f64>()
+            };
+            assert_eq!(units(of_others, &input), broken, "{one}");
+        }
+        assert_eq!(units(|_, _, _| 1.0, &input[..2]), None);
+    }
+
+    #[test]
+    fn units_are_changed_where_nothing_is_subnormal() {
+        for (t, applies) in [
+            (1e-300, true),
+            (0.9e-300, false),
+            (0.0, true),
+            (-1e-300, true),
+            (f64::INFINITY, false),
+            (f64::NAN, false),
+        ] {
+            for place in [0, 1, 2] {
+                let mut input = [1.0; 3];
+                input[place] = t;
+                let law = units(|_, _, _| 1.0, &input);
+                assert_eq!(law.is_some(), applies, "{t:e} at {place}");
+            }
+        }
+        for (v, applies) in [
+            (1e-300, true),
+            (0.9e-300, false),
+            (0.0, false),
+            (f64::INFINITY, false),
+        ] {
+            let law = units(|_, _, _| v, &[1.0; 3]);
+            assert_eq!(law.is_some(), applies, "{v:e}");
+        }
     }
 }
