@@ -165,3 +165,29 @@ fn twins_take_the_steps_of_explicit_methods() {
     assert!(implicit.twin(0).is_none() && implicit.twin_of_half_steps(0).is_none());
     assert!(implicit.run(0).0 > 10);
 }
+
+/// The rotor under its motor for 31 ms, the sand screen's first 4 ms.
+#[test]
+fn run_ups_are_those_of_their_names() {
+    let machines = [
+        ("rotor", run_up::bare_rotor_under_kloss()),
+        ("sand-screen", run_up::sand_screen_from_rest(0.004)),
+    ];
+    let methods = [
+        ("verner98", Integration::Verner98),
+        ("dop853", Integration::Dop853),
+        ("radau5", Integration::Radau5),
+    ];
+    for (machine, input) in machines {
+        for (name, method) in methods {
+            let a = find_approximation(&format!("run-up-{name}-{machine}")).unwrap();
+            assert_eq!(
+                a.run(3),
+                run_up::at_tolerance(input, 1e-6, method),
+                "{name} {machine}"
+            );
+            assert_eq!(a.outputs(), [("phi", None), ("psi", None)]);
+            assert_eq!(a.work_unit(), "evaluations");
+        }
+    }
+}

@@ -267,6 +267,12 @@ mod tests {
                 let Some(exact) = exact(&input).filter(|_| due != "overflow") else {
                     continue;
                 };
+                let no_spline = ["too few knots", "knots not increasing"].contains(&due);
+                assert_eq!(
+                    method.conditions(&input).is_none(),
+                    no_spline,
+                    "{name} {input:?}"
+                );
                 match method.reference(&exact, 128) {
                     ReferenceAnswer::Refuses(word) => assert_eq!(word, due, "{name} {input:?}"),
                     other => panic!("{name} {input:?}: {other:?}"),
