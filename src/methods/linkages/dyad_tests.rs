@@ -119,6 +119,19 @@ fn a_side_is_1_or_minus_1() {
             input[5] = side;
             assert_eq!(method.admits(&input), due, "{name} {side}");
         }
+        // Of what is neither both make the same.
+        let of = |side: f64| {
+            let mut input = input.clone();
+            input[5] = side;
+            let exact: Vec<_> = input
+                .iter()
+                .map(|x| Rational::from_f64(*x).unwrap())
+                .collect();
+            let reference = method.reference(&exact, 64);
+            (method.solve(&input), format!("{reference:?}"))
+        };
+        assert_eq!(of(0.0), of(-1.0), "{name}");
+        assert_ne!(of(0.0), of(1.0), "{name}");
     }
 }
 

@@ -60,6 +60,28 @@ fn what_is_no_cycle_is_refused_by_its_name() {
     assert!(matches!(method.solve(&last), SolverAnswer::Values(_)));
 }
 
+/// 1 − 0.3 − 0.3 − 0.4 is −2^-54 in f64.
+#[test]
+fn a_cycle_may_fill_the_turn() {
+    let full = changed(|c| (c.rise, c.high_dwell, c.fall) = (0.3, 0.3, 0.4));
+    let method = find("cam-fourier-series").unwrap();
+    assert!(matches!(method.solve(&full), SolverAnswer::Values(_)));
+}
+
+/// From the twentieth harmonic on they are taken in steps of up to seven.
+#[test]
+fn the_first_nineteen_harmonics_are_followed_by_their_neighbours() {
+    let drawn = (0..4000).map(|k| {
+        let mut d = Draw::new(1, "cam-fourier-series", "any", k);
+        let cycle = any_cycle(&mut d, input::any_symmetric).cycle;
+        (cycle.first, cycle.stride)
+    });
+    let (few, many): (Vec<_>, Vec<_>) = drawn.partition(|c| c.0 < 20.0);
+    assert!(few.iter().all(|c| c.1 == 1.0) && few.iter().any(|c| c.0 == 19.0));
+    assert!(many.iter().all(|c| (1.0..=7.0).contains(&c.1)));
+    assert!(many.iter().any(|c| c.0 == 20.0 && c.1 > 1.0));
+}
+
 #[test]
 fn the_reference_refuses_the_same_harmonics() {
     let word = |input: &[f64]| {

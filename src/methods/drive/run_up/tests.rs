@@ -1,6 +1,7 @@
 //! Inputs that are none, closed forms of a bare rotor, the curves that are kept.
 
 use super::*;
+use crate::methods::linkages::ClassIii;
 
 #[test]
 fn the_last_eight_curves_are_kept() {
@@ -247,4 +248,18 @@ fn more_evaluations_are_made_at_a_smaller_tolerance() {
         panic!("no values");
     };
     assert!(a != b && (a[1] / b[1] - 1.0).abs() < 1e-3, "{a:?} {b:?}");
+}
+
+/// A curve of another linkage or of fewer bits is another curve.
+#[test]
+fn curves_are_kept_by_linkage_and_precision() {
+    let kept = |change: fn(&mut ClassIiiInput), bits: u32| {
+        let mut linkage = at_degrees(14.426, 2.0);
+        change(&mut linkage);
+        let numbers = exact(&linkage.to_vec()).unwrap();
+        curve(ClassIii::unpack(&numbers).unwrap(), bits).unwrap()
+    };
+    let here = kept(|_| (), 64);
+    assert!(!Arc::ptr_eq(&here, &kept(|_| (), 72)));
+    assert!(!Arc::ptr_eq(&here, &kept(|l| l.m4 = 500.0, 64)));
 }

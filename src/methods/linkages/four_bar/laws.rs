@@ -182,6 +182,7 @@ mod tests {
             // The shortest link is 1/900 and 1/1100 of the others.
             ([1.0 / 900.0, 1.0, 1.0, 1.0, 1.0, 1.0], true),
             ([1.0 / 1100.0, 1.0, 1.0, 1.0, 1.0, 1.0], false),
+            ([1.0, 1000.0, 1000.0, 1000.0, 1.0, 1.0], false),
             // The lengths are 9.7 and 10.03 times the span of the dyad.
             ([1.0, 0.26, 0.26, 1.0, 0.26, 1.0], true),
             ([1.0, 0.25, 0.25, 1.0, 0.25, 1.0], false),

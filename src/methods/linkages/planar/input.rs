@@ -52,7 +52,8 @@ pub(super) const NONE: &str = "no position near";
 impl<T: Number> PlanarLinkageInput<'_, T> {
     /// The bodies of each pin; nothing if the counts or the bodies are none.
     pub(super) fn joined(&self) -> Option<Vec<[usize; 2]>> {
-        let count = |x: f64| (x.fract() == 0.0 && (0.0..=64.0).contains(&x)).then_some(x as usize);
+        let few = 0.0..=f64::from(u8::MAX);
+        let count = |x: f64| (x.fract() == 0.0 && few.contains(&x)).then_some(x as usize);
         let bodies = count(T::near(self.bodies)).filter(|n| (1..=MOST_BODIES).contains(n))?;
         let pins = count(T::near(self.pins)).filter(|p| 2 * p + 1 == 3 * bodies)?;
         let body = |x: &T| count(x.nearest()).filter(|b| *b <= bodies);

@@ -97,7 +97,7 @@ impl Definition for PlanarLinkage {
     fn admits(i: Self::Input<'_, f64>) -> bool {
         let numbers = i.to_vec();
         let placed = |x: &Vec<Rational>| Some(PlanarLinkage::unpack(x)?.placed(64).is_ok());
-        i.joined().is_some() && exact(&numbers).as_ref().and_then(placed) == Some(true)
+        exact(&numbers).as_ref().and_then(placed) == Some(true)
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {

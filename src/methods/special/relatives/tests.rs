@@ -271,6 +271,35 @@ fn laws_with_an_exponential_end_at_a_hundred_million() {
     }
 }
 
+/// On an axis, where W and its relatives are small or near one.
+#[test]
+fn a_hundred_million_itself_is_not_beyond_it() {
+    for (method, name, z) in [
+        ("faddeeva", "reflection", [1e8, 0.0]),
+        ("erf", "faddeeva", [1e8, 0.0]),
+        ("erfcx", "reflection", [0.0, 1e8]),
+    ] {
+        let laws = crate::methods::find(method).unwrap().laws();
+        let law = laws.iter().find(|l| l.name == name).unwrap().residual;
+        assert!(law(&z).is_some_and(|r| r <= 1.0), "{method} {name}");
+    }
+}
+
+/// W(−iy) = 2e^{y²} − …, and the sum with W(iy) is as large.
+#[test]
+fn the_reflection_of_w_ends_where_sums_may_overflow() {
+    let laws = crate::methods::find("faddeeva").unwrap().laws();
+    let law = laws
+        .iter()
+        .find(|l| l.name == "reflection")
+        .unwrap()
+        .residual;
+    for (half, applies) in [(0.45e307f64, true), (0.55e307, false)] {
+        let found = law(&[0.0, -half.ln().sqrt()]);
+        assert_eq!(found.is_some(), applies, "{half:e}");
+    }
+}
+
 /// On the left erf is the sum of terms that grow, so the law with W stands on the right alone.
 #[test]
 fn the_law_of_erf_with_w_stands_on_the_right() {
