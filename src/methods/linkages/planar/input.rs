@@ -43,6 +43,8 @@ inputs! {
 
 /// How far from `near` the angles may be.
 pub(super) const REACH: f64 = 0.1;
+/// Bits that prove most positions.
+pub(super) const BITS: u32 = 64;
 /// More bodies than this are not taken: what the solver's homotopy is for.
 const MOST_BODIES: usize = 9;
 
@@ -149,7 +151,7 @@ impl PlanarLinkageInput<'_, Rational> {
     /// The angles that conditions are taken at: with few bits if they are enough to prove the position.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         let at = |bits| Some(self.placed(bits).ok()?.1);
-        let position = at(64).or_else(|| at(128))?;
+        let position = at(BITS).or_else(|| at(2 * BITS))?;
         Some(position.x.iter().map(Ball::to_f64).collect())
     }
 

@@ -12,10 +12,15 @@ use std::sync::OnceLock;
 /// Zeros kept.
 const ZEROS: usize = 400;
 
+/// Bits of a zero that is rounded to `f64`.
+pub(in crate::methods::special) const BITS_OF_ZEROS: u32 = 60;
+/// Bits of a value that a zero is looked for from.
+pub(in crate::methods::special) const FEW_BITS: u32 = 30;
+
 /// The `f64` next to the k-th zero with positive real part, k = 1 … 400.
 pub(in crate::methods::special) fn zero(k: usize) -> [f64; 2] {
     static ALL: [OnceLock<[f64; 2]>; ZEROS] = [const { OnceLock::new() }; ZEROS];
-    *ALL[(k - 1) % ZEROS].get_or_init(|| match certified(k as u32, 60) {
+    *ALL[(k - 1) % ZEROS].get_or_init(|| match certified(k as u32, BITS_OF_ZEROS) {
         Ok(z) => [z.re.to_f64(), z.im.to_f64()],
         // An argument that the audit shows as not finite.
         Err(_) => [f64::NAN; 2],
@@ -132,7 +137,7 @@ fn w_and_slope(z: C) -> Option<[C; 2]> {
 /// [`w_and_slope`] with proved components: beside the real axis Re W is far below the norm. More bits would cost a
 /// second evaluation.
 fn parts_and_slope(z: C) -> Option<[C; 2]> {
-    let w = w_f64(z.re, z.im, 30).ok()?;
+    let w = w_f64(z.re, z.im, FEW_BITS).ok()?;
     Some(with_slope(z, C::new(w.re.to_f64(), w.im.to_f64())))
 }
 

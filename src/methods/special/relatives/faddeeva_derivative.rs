@@ -4,7 +4,7 @@ use super::laws::{point, same_pair, within};
 use super::{C, Exact, NORM, Relative, Zeros, infinity, number, on_axis};
 use crate::audit::{Draw, Due, Law, Region};
 use crate::methods::common::{held, region};
-use crate::methods::special::faddeeva::curves::{Beside, zero as zero_of_w};
+use crate::methods::special::faddeeva::curves::{BITS_OF_ZEROS, Beside, zero as zero_of_w};
 use crate::reference::ComplexBall;
 use crate::reference::faddeeva::{self, w_f64};
 use crate::solvers::faddeeva::{faddeeva as w, w_derivative};
@@ -143,8 +143,8 @@ fn refined([x, y]: [f64; 2]) -> Option<[f64; 2]> {
     let mut z = C::new(x, y);
     for _ in 0..60 {
         let (re, im) = (Rational::from_f64(z.re)?, Rational::from_f64(z.im)?);
-        let w = rough(&w_f64(z.re, z.im, 60).ok()?);
-        let slope = rough(&faddeeva::w_derivative(1, &re, &im, 60).ok()?);
+        let w = rough(&w_f64(z.re, z.im, BITS_OF_ZEROS).ok()?);
+        let slope = rough(&faddeeva::w_derivative(1, &re, &im, BITS_OF_ZEROS).ok()?);
         // W'' = −2 (W + z W').
         let step = slope / (-2.0 * (w + z * slope));
         let next = z - step;
