@@ -48,7 +48,7 @@ pub(super) fn of_reactions() -> Vec<Law> {
             name: "virtual-work",
             statement: "in a translation of all bodies the pins on the ground do the work of weight and inertia, \
                         within 16 u of sizes and conditions",
-            residual: virtual_work,
+            residual: |x| virtual_work(PlanarReactions::solve, x),
         },
         Law {
             name: "masses",
@@ -160,9 +160,9 @@ fn power_balance(x: &[f64]) -> Option<f64> {
 }
 
 /// What the pins on the ground exert, and what weight and inertia ask for.
-fn virtual_work(x: &[f64]) -> Option<f64> {
+fn virtual_work(solve: SolveForces, x: &[f64]) -> Option<f64> {
     let i = PlanarReactions::unpack(x)?;
-    let forces = PlanarReactions::solve(i).ok()?;
+    let forces = solve(i).ok()?;
     let rows = PlanarLinkage::solve(i.linkage).ok()?;
     let sizes = PlanarReactions::conditions(x)?;
     let moving = i.linkage.to_vec();

@@ -255,6 +255,24 @@ mod tests {
     }
 
     #[test]
+    fn a_batch_that_differs_or_refuses_breaks_the_law() {
+        let broken = f64::INFINITY;
+        for (by, done, due) in [
+            (1.0, true, 0.0),
+            (1.0, false, broken),
+            (1.0 + f64::EPSILON, true, broken),
+        ] {
+            let law = batch_agrees([1.5, 1.0, 0.5], |points, s, g, values| {
+                for (value, &x) in values.iter_mut().zip(points) {
+                    *value = voigt(x, s, g) * by;
+                }
+                done
+            });
+            assert_eq!(law, Some(due), "{by} {done}");
+        }
+    }
+
+    #[test]
     fn beside_the_peak_the_profile_may_exceed_it_by_rounding_alone() {
         let (holds, broken) = (Some(0.0), Some(f64::INFINITY));
         let tiny = f64::from_bits(1);

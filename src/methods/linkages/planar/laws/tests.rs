@@ -96,3 +96,33 @@ fn a_force_that_does_not_double_with_the_masses_breaks_the_law() {
     assert_eq!(law(|i| Ok(vec![1.0; i.m[0] as usize])), BROKEN);
     assert_eq!(law(|_| Err("masses")), None);
 }
+
+/// Without masses nothing is asked for: pins of a four-bar, the first and the last of which are on the ground.
+#[test]
+fn a_force_on_the_ground_that_nothing_asks_for_breaks_the_law() {
+    let mut x = check_point("planar-reactions");
+    let masses = x.len() - 6;
+    let heavy = x.clone();
+    x[masses..].fill(0.0);
+    let law = |solve: SolveForces, x: &[f64]| virtual_work(solve, x);
+    assert!(law(PlanarReactions::solve, &heavy).is_some_and(|r| r <= 1.0));
+    assert_eq!(law(|_| Ok(vec![0.0; 8]), &x), Some(0.0));
+    // Pins between moving bodies, and a couple of forces on the ground: pin 0 is on its body b, pin 3 likewise.
+    assert_eq!(
+        law(|_| Ok(vec![0.0, 0.0, 5.0, 6.0, 7.0, 8.0, 0.0, 0.0]), &x),
+        Some(0.0)
+    );
+    assert_eq!(
+        law(|_| Ok(vec![2.0, 3.0, 0.0, 0.0, 0.0, 0.0, -2.0, -3.0]), &x),
+        Some(0.0)
+    );
+    // All that is allowed is 16 u of the force itself.
+    for solve in [
+        (|_| Ok(vec![2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])) as SolveForces,
+        |_| Ok(vec![0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -3.0]),
+    ] {
+        let found = law(solve, &x).unwrap();
+        assert!((found * 16.0 * U - 1.0).abs() < 1e-12, "{found:e}");
+    }
+    assert_eq!(law(|_| Err("masses"), &x), None);
+}
