@@ -184,6 +184,24 @@ pub(super) fn any_table(d: &mut Draw) -> Vec<f64> {
 mod tests {
     use super::*;
 
+    /// Shares b and d of the constant, harmonic, trapezoidal, modified sine, cycloidal laws and of one more.
+    #[test]
+    fn named_laws_are_drawn() {
+        let drawn = |k| any_scca(&mut Draw::new(1, "cam-law", "scca", k))[3..].to_vec();
+        let all: Vec<Vec<f64>> = (0..400).map(drawn).collect();
+        for (b, d) in [
+            (0.0, 0.0),
+            (0.0, 1.0),
+            (0.25, 0.25),
+            (0.25, 0.75),
+            (0.5, 0.5),
+            (1.0, 0.0),
+        ] {
+            let count = all.iter().filter(|p| p[..] == [b, d]).count();
+            assert!(count > 8, "{b} {d}: {count}");
+        }
+    }
+
     /// Ends of a table are given, not measured.
     #[test]
     fn inner_knots_and_ordinates_are_data() {
