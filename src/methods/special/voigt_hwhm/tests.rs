@@ -104,6 +104,7 @@ fn what_is_due_at_the_ends_of_the_widths() {
     let (inf, nan) = (f64::INFINITY, f64::NAN);
     for (input, due) in [
         ([inf, 1.0], "inf"),
+        ([inf, 0.0], "inf"),
         ([0.0, inf], "inf"),
         ([inf, inf], "inf"),
         ([inf, -1.0], "nan"),
