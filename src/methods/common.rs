@@ -71,7 +71,34 @@ pub(super) fn central_difference(f: impl Fn(f64) -> Option<f64>, x: f64, h: f64)
 
 #[cfg(test)]
 mod tests {
-    use super::largest;
+    use super::*;
+
+    #[test]
+    fn what_does_not_hold_is_off_beyond_all_bounds() {
+        assert_eq!((held(true), held(false)), (Some(0.0), Some(f64::INFINITY)));
+    }
+
+    /// Of a parabola the difference is the slope itself.
+    #[test]
+    fn differences_are_taken_on_both_sides() {
+        let square = |x: f64| Some(x * x);
+        assert_eq!(central_difference(square, 3.0, 0.5), Some(6.0));
+        assert_eq!(central_difference(square, -1.0, 0.25), Some(-2.0));
+        let from = |x: f64| (x >= 3.0).then_some(x);
+        let to = |x: f64| (x <= 3.0).then_some(x);
+        assert_eq!(central_difference(from, 3.0, 0.5), None);
+        assert_eq!(central_difference(to, 3.0, 0.5), None);
+    }
+
+    #[test]
+    fn a_line_of_a_table_is_a_name_and_numbers() {
+        let found = points("first  1 -2.5\nsecond inf");
+        let shown: Vec<_> = found.iter().map(|p| (p.name, &p.input[..])).collect();
+        assert_eq!(
+            shown,
+            [("first", &[1.0, -2.5][..]), ("second", &[f64::INFINITY])]
+        );
+    }
 
     #[test]
     fn a_residual_that_is_no_number_is_the_largest() {

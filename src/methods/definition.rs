@@ -235,3 +235,98 @@ pub(super) fn conditions_at_reference<D: Definition>(
 pub(super) fn exact(numbers: &[f64]) -> Option<Vec<Rational>> {
     numbers.iter().map(|&x| Rational::from_f64(x)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::{find, find_evaluable};
+
+    /// A number too few, one too many, none.
+    #[test]
+    fn what_is_not_laid_out_as_it_should_be_is_refused() {
+        for name in ["four-bar", "faddeeva", "cam-law", "planar-linkage"] {
+            let method = find_evaluable(name).unwrap();
+            let good = method.domain().check_points[0].input.clone();
+            assert!(method.admits(&good), "{name}");
+            let longer = [&good[..], &[0.5]].concat();
+            for bad in [&good[..good.len() - 1], &longer, &[]] {
+                let exact = exact(bad).unwrap();
+                assert_eq!(method.solve(bad), SolverAnswer::Refuses("bad layout"));
+                for answer in [
+                    method.reference(&exact, 128),
+                    method.reference_not_finite(bad),
+                ] {
+                    assert!(
+                        matches!(answer, ReferenceAnswer::Refuses("bad layout")),
+                        "{name}"
+                    );
+                }
+                assert!(method.signs_of_zero(bad).is_empty() && method.twin(bad).is_none());
+                assert!(
+                    method.branch(bad).is_none() && !method.admits(bad),
+                    "{name}"
+                );
+                assert_eq!(method.refusal(bad), None, "{name}");
+                let refused = Err(Uncertified::Refused(BAD_LAYOUT));
+                assert_eq!(method.certify(&exact, 64).map(|_| ()), refused, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn conditions_are_those_of_values_or_of_what_is_not_decided() {
+        let method = find("four-bar").unwrap();
+        let input = [1.0, 3.0, 4.0, 6.0, 0.0, 1.0];
+        let due = method.conditions(&input);
+        assert!(due.is_some());
+        let exact = exact(&input).unwrap();
+        let values = method.reference(&exact, 128);
+        let beside = |answer: &ReferenceAnswer| method.conditions_beside(&input, answer);
+        assert!(matches!(values, ReferenceAnswer::Values(_)));
+        assert_eq!(beside(&values), due);
+        assert_eq!(beside(&ReferenceAnswer::Undecided("few bits".into())), due);
+        assert_eq!(beside(&ReferenceAnswer::Refuses("singular")), None);
+        assert_eq!(beside(&ReferenceAnswer::Failed("lost".into())), None);
+    }
+
+    /// The side of a four-bar is chosen; a number that there is not counts as data.
+    #[test]
+    fn numbers_that_choose_are_no_data() {
+        let method = find("four-bar").unwrap();
+        let data: Vec<bool> = (0..8).map(|k| method.is_data(k)).collect();
+        assert_eq!(data, [true, true, true, true, true, false, true, true]);
+    }
+
+    #[test]
+    fn fractions_are_those_of_finite_numbers() {
+        let halves = [0.5, -1.5].map(|x| Rational::from_f64(x).unwrap());
+        assert_eq!(exact(&[0.5, -1.5]), Some(halves.to_vec()));
+        assert_eq!(exact(&[]), Some(Vec::new()));
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(exact(&[0.5, bad]), None);
+        }
+    }
+
+    /// Functions that have limits say what is due; others refuse.
+    #[test]
+    fn what_is_not_finite_is_refused_without_a_limit() {
+        let refused = find("four-bar").unwrap();
+        let input = [1.0, 3.0, 4.0, f64::INFINITY, 0.0, 1.0];
+        let answer = refused.reference_not_finite(&input);
+        assert!(matches!(answer, ReferenceAnswer::Refuses("not finite")));
+        assert!(refused.signs_of_zero(&input).is_empty() && refused.twin(&input).is_none());
+        let limit = find("faddeeva").unwrap();
+        let found = limit.reference_not_finite(&[f64::INFINITY, 0.0]);
+        assert!(matches!(found, ReferenceAnswer::Dues(..)));
+    }
+
+    #[test]
+    fn names_of_earlier_releases_are_known_to_eval_alone() {
+        let faddeeva = find_evaluable("faddeeva.w").unwrap();
+        assert_eq!(faddeeva.name(), "faddeeva");
+        assert_eq!(faddeeva.former_names(), ["faddeeva.w"]);
+        assert!(find("faddeeva.w").is_none());
+        assert!(find_evaluable("run-up").unwrap().former_names().is_empty());
+        assert!(find_evaluable("faddeeva.").is_none() && find_evaluable("").is_none());
+    }
+}

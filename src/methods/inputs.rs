@@ -212,3 +212,109 @@ macro_rules! inputs {
     (@change $all:ident $value:expr, $one:ident) => { $all.extend([&mut $value]) };
 }
 pub(super) use inputs;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    inputs! {
+        pub struct Base {
+            length: number "l", "m";
+            ends: choices "ends[n]", "1";
+        }
+    }
+
+    inputs! {
+        pub struct Prism {
+            height: number "h", "m";
+            kind: choice "kind", "1";
+            base: (Base);
+            weights: list "weights[n]", "kg";
+        }
+    }
+
+    const LENGTHS: [usize; 5] = [1, 1, 1, 2, 3];
+    const NUMBERS: [f64; 8] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
+
+    fn taken(numbers: &[f64]) -> Option<Prism<'_>> {
+        Prism::take(&mut Row::new(numbers, LENGTHS.to_vec()))
+    }
+
+    #[test]
+    fn fields_are_declared_in_their_order() {
+        let fields = <Prism<'_, f64> as Fields<'_, f64>>::fields();
+        let shown: Vec<_> = fields
+            .iter()
+            .map(|f| (f.input.name, f.input.unit, f.is_data))
+            .collect();
+        let due = [
+            ("h", "m", true),
+            ("kind", "1", false),
+            ("l", "m", true),
+            ("ends[n]", "1", false),
+            ("weights[n]", "kg", true),
+        ];
+        assert_eq!(shown, due);
+    }
+
+    #[test]
+    fn numbers_are_taken_and_given_back_in_their_order() {
+        let mut prism = taken(&NUMBERS).unwrap();
+        assert_eq!(
+            (prism.height, prism.kind, prism.base.length),
+            (1.0, 2.0, 3.0)
+        );
+        assert_eq!(
+            (prism.base.ends, prism.weights),
+            (&[4.0, 5.0][..], &[6.0, 7.0, 8.0][..])
+        );
+        assert_eq!(prism.to_vec(), NUMBERS);
+        for single in prism.numbers_mut() {
+            *single = -*single;
+        }
+        assert_eq!(prism.to_vec(), [-1.0, -2.0, -3.0, 4.0, 5.0, 6.0, 7.0, 8.0]);
+        assert_eq!(
+            format!("{:?}", prism.base),
+            "Base { length: -3.0, ends: [4.0, 5.0] }"
+        );
+    }
+
+    #[test]
+    fn what_is_too_short_is_not_taken() {
+        for length in 0..8 {
+            assert!(taken(&NUMBERS[..length]).is_none(), "{length}");
+        }
+        // Numbers and lengths that are left over are for others.
+        let longer = [&NUMBERS[..], &[9.0]].concat();
+        let mut row = Row::new(&longer, [&LENGTHS[..], &[1]].concat());
+        assert!(Prism::take(&mut row).is_some() && !row.is_empty());
+        assert_eq!(row.number(), Some(9.0));
+        assert!(row.is_empty() && row.number().is_none());
+    }
+
+    #[test]
+    fn one_number_is_no_list() {
+        let numbers = [1.0, 2.0];
+        assert_eq!(Row::new(&numbers, vec![2]).number(), None);
+        assert_eq!(Row::new(&numbers, vec![0, 2]).number(), None);
+        assert_eq!(Row::new(&numbers, vec![2]).list(), Some(&numbers[..]));
+        assert_eq!(Row::new(&numbers, Vec::new()).list(), None);
+        let mut singles = Row::of_singles(&numbers);
+        assert_eq!(
+            [singles.number(), singles.number(), singles.number()],
+            [Some(1.0), Some(2.0), None]
+        );
+    }
+
+    #[test]
+    fn the_nearest_number_is_that_of_any_type() {
+        let third = Rational::from((1, 3));
+        let float = Float::with_val(80, &third);
+        assert_eq!(
+            [third.nearest(), Rational::near(third.of())],
+            [1.0 / 3.0; 2]
+        );
+        assert_eq!([float.nearest(), Float::near(float.of())], [1.0 / 3.0; 2]);
+        assert_eq!([0.5f64.nearest(), f64::near(0.5f64.of())], [0.5; 2]);
+    }
+}

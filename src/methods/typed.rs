@@ -91,3 +91,35 @@ impl<T: IntoAnswer, E> IntoAnswer for Result<T, E> {
         self.ok().into_answer()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_are_numbers_in_a_row_or_refusals() {
+        let values = |v: &[f64]| SolverAnswer::Values(v.to_vec());
+        let declined = SolverAnswer::Declines(None);
+        let z = Complex::new(1.0, 2.0);
+        let rows = [[1.0, 2.0], [3.0, 4.0]];
+        for (answer, due) in [
+            (1.0.into_answer(), values(&[1.0])),
+            (z.into_answer(), values(&[1.0, 2.0])),
+            (vec![3.0, 1.0].into_answer(), values(&[3.0, 1.0])),
+            ([3.0, 1.0].into_answer(), values(&[3.0, 1.0])),
+            (rows.into_answer(), values(&[1.0, 2.0, 3.0, 4.0])),
+            (rows.to_vec().into_answer(), values(&[1.0, 2.0, 3.0, 4.0])),
+            (Some(1.0).into_answer(), values(&[1.0])),
+            (None::<f64>.into_answer(), declined.clone()),
+            (Ok::<_, String>(z).into_answer(), values(&[1.0, 2.0])),
+            (Err::<f64, _>("why").into_answer(), declined.clone()),
+            (Ok::<_, ()>(None::<f64>).into_answer(), declined),
+            (
+                SolverAnswer::Refuses("singular").into_answer(),
+                SolverAnswer::Refuses("singular"),
+            ),
+        ] {
+            assert_eq!(answer, due);
+        }
+    }
+}

@@ -108,9 +108,9 @@ fn node_edits(e: &Expr, family: &Family, out: &mut Edited) {
                 }
             }
             if let Ok(k) = n.parse::<i64>() {
-                let mut others = vec![2 * k, 3 * k, 4 * k];
-                others.extend([2, 3, 4].into_iter().filter(|d| k % d == 0).map(|d| k / d));
-                for other in others {
+                let times = [2, 3, 4].into_iter().filter_map(|f| k.checked_mul(f));
+                let parts = [2, 3, 4].into_iter().filter(|d| k % d == 0).map(|d| k / d);
+                for other in times.chain(parts) {
                     push(out, "constant", e, Expr::Num(other.to_string()));
                 }
             }

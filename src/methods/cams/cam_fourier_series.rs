@@ -407,3 +407,6 @@ fn near_singularity(d: &mut Draw) -> Drawn {
     (c.first, c.stride) = (n, 1.0);
     drawn
 }
+
+#[cfg(test)]
+mod tests;

@@ -189,6 +189,41 @@ fn near_the_ends(d: &mut Draw) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::audit::SolverAnswer;
+
+    #[test]
+    fn what_is_no_law_or_no_place_on_it_is_refused_by_its_name() {
+        let method = crate::methods::find("cam-law").unwrap();
+        // x, kind, share, p, parameters
+        for (input, due, admitted) in [
+            (&[0.5, 5.0, 0.5, 0.0][..], "bad layout", false),
+            (&[0.5, 0.0, 0.5, 1.0, 0.5], "bad layout", false),
+            (&[0.5, 0.5, 0.5, 2.0, 0.0, 1.0], "bad layout", false),
+            // Parts of a half and two thirds.
+            (&[0.5, 0.0, 0.5, 2.0, 0.5, 0.75], "law", true),
+            (&[0.5, 1.0, 1.0, 0.0], "law", true),
+            (&[-1e-9, 1.0, 0.5, 0.0], "place", true),
+            (&[1.0 + 1e-9, 1.0, 0.5, 0.0], "place", true),
+        ] {
+            assert_eq!(method.solve(input), SolverAnswer::Refuses(due), "{input:?}");
+            assert_eq!(method.admits(input), admitted, "{input:?}");
+        }
+    }
+
+    /// At mid-stroke the 3-4-5 law has s' = 15/8, s'' = 0, s''' = −30; by x that is half of each derivative's own.
+    #[test]
+    fn conditions_of_laws_without_data_are_those_of_the_place() {
+        let found = CamLaw::conditions(&[0.5, 1.0, 0.5, 0.0]).unwrap();
+        // s = 10x³ − 15x⁴ + 6x⁵ and its derivatives: 15/8, 15/8, 0, 30, 0 at 1/2.
+        let due = [15.0 / 16.0, 15.0 / 16.0, 0.0, 15.0, 0.0];
+        let close = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
+        assert!(
+            found.len() == 5 && found.iter().zip(&due).all(close),
+            "{found:?}"
+        );
+        assert_eq!(CamLaw::conditions(&[0.5, 5.0, 0.5, 0.0]), None);
+        assert_eq!(CamLaw::conditions(&[f64::NAN, 1.0, 0.5, 0.0]), None);
+    }
 
     #[test]
     fn what_is_off_one_is_measured_by_the_larger_part() {

@@ -184,6 +184,53 @@ pub(super) fn any_table(d: &mut Draw) -> Vec<f64> {
 mod tests {
     use super::*;
 
+    /// Shares b and d of the constant, harmonic, trapezoidal, modified sine, cycloidal laws and of one more.
+    #[test]
+    fn named_laws_are_drawn() {
+        let drawn = |k| any_scca(&mut Draw::new(1, "cam-law", "scca", k))[3..].to_vec();
+        let all: Vec<Vec<f64>> = (0..400).map(drawn).collect();
+        for (b, d) in [
+            (0.0, 0.0),
+            (0.0, 1.0),
+            (0.25, 0.25),
+            (0.25, 0.75),
+            (0.5, 0.5),
+            (1.0, 0.0),
+        ] {
+            let count = all.iter().filter(|p| p[..] == [b, d]).count();
+            assert!(count > 8, "{b} {d}: {count}");
+        }
+    }
+
+    /// Ends of a table are given, not measured.
+    #[test]
+    fn inner_knots_and_ordinates_are_data() {
+        let some = [0.0; 10];
+        let inner = |kind: f64, count: usize| -> Vec<usize> {
+            let law = LawInput::<f64>::new(kind, 0.5, &some[..count]).unwrap();
+            (0..12).filter(|k| law.is_inner(*k)).collect()
+        };
+        assert_eq!(inner(TABLE, 10), [1, 2, 3, 6, 7, 8]);
+        assert_eq!(inner(TABLE, 6), [1, 4]);
+        assert!(inner(TABLE, 4).is_empty());
+        assert!(inner(POLYNOMIAL, 10).is_empty() && inner(SCCA, 2).is_empty());
+    }
+
+    #[test]
+    fn tables_alone_are_tables() {
+        let some = [0.0; 4];
+        for (kind, count, due) in [
+            (SCCA, 2, false),
+            (POLYNOMIAL_345, 0, false),
+            (POLYNOMIAL_4567, 0, false),
+            (POLYNOMIAL, 4, false),
+            (TABLE, 4, true),
+        ] {
+            let law = LawInput::<f64>::new(kind, 0.5, &some[..count]).unwrap();
+            assert_eq!(law.is_table(), due, "{kind}");
+        }
+    }
+
     #[test]
     fn a_kind_has_so_many_parameters() {
         let fits = |kind: f64| -> Vec<usize> {

@@ -149,12 +149,48 @@ impl Definition for CyclicTridiagonal {
         vec![Law {
             name: "scaling",
             statement: "x(8 A, 8 d) = x(A, d), bit for bit",
-            residual: |numbers| {
-                let all: Vec<f64> = numbers.iter().map(|v| 8.0 * v).collect();
-                let solved =
-                    |numbers| CyclicTridiagonal::solve(CyclicTridiagonal::unpack(numbers)?).ok();
-                Some(identical(&solved(numbers)?, &solved(&all)?))
-            },
+            residual: |numbers| scaling(|i| CyclicTridiagonal::solve(i).ok(), numbers),
         }]
+    }
+}
+
+fn scaling(
+    solve: impl Fn(CyclicTridiagonalInput) -> Option<Vec<f64>>,
+    numbers: &[f64],
+) -> Option<f64> {
+    let all: Vec<f64> = numbers.iter().map(|v| 8.0 * v).collect();
+    let solved = |numbers| solve(CyclicTridiagonal::unpack(numbers)?);
+    Some(identical(&solved(numbers)?, &solved(&all)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_solver_that_does_not_scale_breaks_the_law() {
+        let ring: Vec<f64> = (1..=12).map(f64::from).collect();
+        let law =
+            |solve: fn(CyclicTridiagonalInput) -> Vec<f64>| scaling(|i| Some(solve(i)), &ring);
+        assert_eq!(law(|i| vec![i.d[0] / i.diagonal[0]]), Some(0.0));
+        assert_eq!(law(|i| i.d.to_vec()), Some(f64::INFINITY));
+        assert_eq!(scaling(|_| None, &ring), None);
+    }
+
+    /// Two rows are no ring, and every row counts.
+    #[test]
+    fn rings_of_dominant_rows_are_admitted() {
+        let method = crate::methods::find("cyclic-tridiagonal").unwrap();
+        let ring = |diagonal: &[f64]| {
+            let ones = vec![1.0; diagonal.len()];
+            method.admits(&[&ones[..], diagonal, &ones, &ones].concat())
+        };
+        assert!(ring(&[4.0, -3.0, 2.5]) && ring(&[4.0; 5]));
+        for k in 0..3 {
+            let mut diagonal = [4.0; 3];
+            diagonal[k] = 2.0;
+            assert!(!ring(&diagonal), "{k}");
+        }
+        assert!(!ring(&[4.0; 2]));
     }
 }

@@ -227,27 +227,40 @@ impl Definition for Tridiagonal {
             Law {
                 name: "scaling",
                 statement: "x(A, 8 d) = 8 x(A, d) and x(8 A, 8 d) = x(A, d), bit for bit",
-                residual: |numbers| {
-                    let i = Tridiagonal::unpack(numbers)?;
-                    let times_8 = |v: &[f64]| v.iter().map(|v| 8.0 * v).collect::<Vec<f64>>();
-                    let x = solution(i, i.d).ok()?;
-                    let all = times_8(numbers);
-                    let both = solution(Tridiagonal::unpack(&all)?, &times_8(i.d)).ok()?;
-                    let right = solution(i, &times_8(i.d)).ok()?;
-                    Some(identical(&both, &x) + identical(&right, &times_8(&x)))
-                },
+                residual: |numbers| scaling(solution, Tridiagonal::unpack(numbers)?),
             },
             Law {
                 name: "signs",
                 statement: "x(A, -d) = -x(A, d), bit for bit but for the sign of zero",
-                residual: |numbers| {
-                    let i = Tridiagonal::unpack(numbers)?;
-                    let minus: Vec<f64> = i.d.iter().map(|v| -v).collect();
-                    let (x, y) = (solution(i, i.d).ok()?, solution(i, &minus).ok()?);
-                    let same = x.iter().zip(&y).all(|(x, y)| *x == -*y);
-                    held(same)
-                },
+                residual: |numbers| signs(solution, Tridiagonal::unpack(numbers)?),
             },
         ]
     }
 }
+
+/// A solver of a system with another right-hand side.
+type Solve = fn(TridiagonalInput, &[f64]) -> Result<Vec<f64>, &'static str>;
+
+fn scaling(solve: Solve, i: TridiagonalInput) -> Option<f64> {
+    let times_8 = |v: &[f64]| v.iter().map(|v| 8.0 * v).collect::<Vec<f64>>();
+    let x = solve(i, i.d).ok()?;
+    let [lower, diagonal, upper, d] = [i.lower, i.diagonal, i.upper, i.d].map(times_8);
+    let (lower, diagonal, upper) = (&lower[..], &diagonal[..], &upper[..]);
+    let larger = TridiagonalInput {
+        lower,
+        diagonal,
+        upper,
+        d: &d,
+    };
+    let (both, right) = (solve(larger, &d).ok()?, solve(i, &d).ok()?);
+    Some(identical(&both, &x) + identical(&right, &times_8(&x)))
+}
+
+fn signs(solve: Solve, i: TridiagonalInput) -> Option<f64> {
+    let minus: Vec<f64> = i.d.iter().map(|v| -v).collect();
+    let (x, y) = (solve(i, i.d).ok()?, solve(i, &minus).ok()?);
+    held(x.iter().zip(&y).all(|(x, y)| *x == -*y))
+}
+
+#[cfg(test)]
+mod tests;

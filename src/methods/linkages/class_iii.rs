@@ -254,7 +254,7 @@ fn values(
 ) -> Result<Vec<Ball>, Undecided> {
     let k = linkage.kinematics(at)?;
     let r = linkage.reduce(&k, &i.exact_masses());
-    let mut all: Vec<Ball> = Vec::with_capacity(16);
+    let mut all: Vec<Ball> = Vec::new();
     all.extend(k.angles);
     all.extend(k.first);
     all.extend(k.second);
@@ -409,8 +409,12 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     let a = i.row().ok()?;
     let geometry = i.geometry.scaled(2.0);
     let b = ClassIiiInput { geometry, ..i }.row().ok()?;
-    let same = a.state.positions == b.state.positions && a.state.rates == b.state.rates;
-    held(same)
+    held(same_turns(&a.state, &b.state))
+}
+
+/// Whether angles and rates are the same.
+fn same_turns(a: &State, b: &State) -> bool {
+    a.positions == b.positions && a.rates == b.rates
 }
 
 fn round_trip_law(x: &[f64]) -> Option<f64> {
@@ -525,15 +529,4 @@ fn apart(d: &mut Draw) -> ClassIiiInput<'static> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Curves are kept by them: two inputs that differ in one number are not the same.
-    #[test]
-    fn fractions_are_all_numbers_in_their_order() {
-        let fields = ClassIii::fields().len();
-        let numbers: Vec<Rational> = (0..fields).map(|k| Rational::from((k as u32, 7))).collect();
-        let input = ClassIii::unpack(&numbers).unwrap();
-        assert_eq!(input.to_fractions(), numbers);
-    }
-}
+mod tests;

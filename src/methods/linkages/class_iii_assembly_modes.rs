@@ -139,7 +139,7 @@ impl Definition for ClassIiiAssemblyModes {
         let i = Self::unpack(&exact)?;
         let linkage = linkage(i, bits);
         let phi1 = Ball::rational(bits, i.phi1);
-        let mut all = Vec::with_capacity(values.len());
+        let mut all = Vec::new();
         for angles in values.chunks(4) {
             let at = linkage.placed(&phi1, &angles[1], &angles[3]);
             all.extend(linkage.angle_conditions(&phi1, &at)?.map(Mag::to_f64));

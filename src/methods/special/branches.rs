@@ -47,6 +47,72 @@ mod tests {
     use super::*;
     use crate::solvers::faddeeva::SEAMS;
 
+    /// A circle of radius 2, |Re z| = 1, |Im z| = 0.5 and |Re z²| = 3.
+    #[test]
+    fn the_nearest_of_all_seams_is_named() {
+        let mut seams = SEAMS;
+        (seams.circles, seams.re) = (&[4.0], &[1.0]);
+        (seams.im, seams.hyperbolas) = (&[0.5], &[3.0]);
+        let at = |re, im| {
+            let found = nearest(Complex::new(re, im), &seams, Some("series".into())).unwrap();
+            assert_eq!(found.branch.as_deref(), Some("series"));
+            (found.seam, found.distance)
+        };
+        for (re, im, seam, distance) in [
+            (1.1, 0.25, "|Re z| = 1e0", 0.1),
+            (-0.9, 0.0, "|Re z| = 1e0", 0.1),
+            (0.0, 0.375, "|Im z| = 5e-1", 0.125),
+            (0.0, -0.625, "|Im z| = 5e-1", 0.125),
+            (0.0, 2.25, "|z|^2 = 4", 0.25),
+            (-1.8, 0.0, "|z|^2 = 4", 0.2),
+            // |Re z²| = 2.88 at |z| = 1.8: 0.12/3.6 away.
+            (
+                0.42426406871192845,
+                -1.7492855684535902,
+                "|Re z^2| = 3",
+                0.12 / 3.6,
+            ),
+            // Above the axis no hyperbola parts anything.
+            (0.42426406871192845, 1.7492855684535902, "|z|^2 = 4", 0.2),
+        ] {
+            let (name, off) = at(re, im);
+            assert_eq!(name, seam, "{re} {im}");
+            assert!((off - distance).abs() < 1e-12, "{re} {im}: {off}");
+        }
+        // Squares do not overflow.
+        for im in [-1e99, -1e200] {
+            assert!(at(1.0, im).1.is_finite(), "{im:e}");
+        }
+        for z in [
+            Complex::new(f64::INFINITY, 0.0),
+            Complex::new(0.0, f64::NAN),
+        ] {
+            assert!(nearest(z, &seams, None).is_none());
+        }
+    }
+
+    /// W and what is W at another argument name the formula, too.
+    #[test]
+    fn functions_of_a_complex_argument_have_seams() {
+        for (name, formula) in [
+            ("faddeeva", true),
+            ("erfcx", true),
+            ("faddeeva-derivative", false),
+            ("dawson", false),
+            ("erf", false),
+            ("erfc", false),
+            ("erfi", false),
+        ] {
+            let method = crate::methods::find(name).unwrap();
+            let found = method.branch(&[0.5, 0.75]).expect(name);
+            assert_eq!(found.branch.is_some(), formula, "{name}");
+            assert!(found.distance < 1.0, "{name}: {found:?}");
+            assert!(method.branch(&[f64::INFINITY, 0.0]).is_none(), "{name}");
+        }
+        let real = crate::methods::find("voigt-hwhm").unwrap();
+        assert!(real.branch(&[1.0, 1.0]).is_none());
+    }
+
     #[test]
     fn seams_are_found_from_either_side() {
         let at = |re, im| nearest(Complex::new(re, im), &SEAMS, None).unwrap();

@@ -114,7 +114,7 @@ pub(super) fn outputs_of<G: Grid>(s: &Spline<G>, q: [f64; 2]) -> Result<Vec<f64>
         EvaluationError::Outside { .. } => "outside",
         _ => "not finite",
     };
-    let mut out = Vec::with_capacity(10);
+    let mut out = Vec::new();
     for (a, b) in [(q[0], q[1]), (q[1], q[0])] {
         let j = s.jet(a).map_err(refuse)?;
         let integral = s.integral(a, b).map_err(refuse)?;
@@ -133,7 +133,7 @@ pub(super) fn reference_of(
     if q.iter().any(|q| **q < x[0] || **q > x[x.len() - 1]) {
         return Err(Uncertified::Refused("outside"));
     }
-    let mut values = Vec::with_capacity(10);
+    let mut values = Vec::new();
     let integral = s.integral(q[0], q[1]);
     values.extend(s.eval(q[0]));
     values.push(integral.clone());
@@ -171,6 +171,7 @@ pub(super) const ROWS: Rows = Rows {
 mod tests {
     use super::*;
     use crate::audit::{Draw, Settings, SolverAnswer, Verdict, audit_method, judge};
+    use crate::methods::definition::exact;
 
     const NAMES: [&str; 7] = [
         "tridiagonal",
@@ -224,6 +225,77 @@ mod tests {
                 assert_eq!(verdict(bad), Verdict::Over, "{name}, value {i}");
             }
         }
+    }
+
+    /// Solver and reference in one word.
+    #[test]
+    fn what_is_no_spline_is_refused_by_its_name() {
+        let (inf, max) = (f64::INFINITY, f64::MAX);
+        // x, y, queries
+        let inputs = [
+            (&[0.0][..], &[1.0][..], [0.0, 0.0], "too few knots"),
+            (
+                &[0.0, 1.0, 1.0],
+                &[1.0, 2.0, 1.0],
+                [0.0, 1.0],
+                "knots not increasing",
+            ),
+            (&[0.0, 1.0, 2.0], &[1.0, 2.0, 1.0], [-0.25, 2.0], "outside"),
+            (&[0.0, 1.0, 2.0], &[1.0, 2.0, 1.0], [0.0, 2.25], "outside"),
+            (&[0.0, 1.0, 2.0], &[1.0, 2.0, 1.0], [2.25, 0.0], "outside"),
+            (&[0.0, 1.0, inf], &[1.0, 2.0, 1.0], [0.0, 1.0], "not finite"),
+            (&[0.0, 1.0, 2.0], &[1.0, inf, 1.0], [0.0, 1.0], "not finite"),
+            (
+                &[0.0, 1.0, 2.0],
+                &[1.0, 2.0, 1.0],
+                [0.0, f64::NAN],
+                "not finite",
+            ),
+            (&[0.0, 1.0, 2.0], &[max, -max, max], [0.0, 1.0], "overflow"),
+        ];
+        for (name, ends) in [
+            ("cubic-spline-second-derivatives", 2),
+            ("cubic-spline-clamped", 2),
+            ("cubic-spline-not-a-knot", 0),
+            ("cubic-spline-periodic", 0),
+        ] {
+            let method = crate::methods::find(name).expect("registered");
+            for (x, y, queries, due) in inputs {
+                let input = [x, y, &[0.5, 0.25][..ends], &queries].concat();
+                let answer = method.solve(&input);
+                assert_eq!(answer, SolverAnswer::Refuses(due), "{name} {input:?}");
+                let Some(exact) = exact(&input).filter(|_| due != "overflow") else {
+                    continue;
+                };
+                let no_spline = ["too few knots", "knots not increasing"].contains(&due);
+                assert_eq!(
+                    method.conditions(&input).is_none(),
+                    no_spline,
+                    "{name} {input:?}"
+                );
+                match method.reference(&exact, 128) {
+                    ReferenceAnswer::Refuses(word) => assert_eq!(word, due, "{name} {input:?}"),
+                    other => panic!("{name} {input:?}: {other:?}"),
+                }
+            }
+            // At the ends themselves.
+            let good = [
+                &[0.0, 1.0, 2.0, 1.0, 2.0, 1.0][..],
+                &[0.5, 0.25][..ends],
+                &[0.0, 2.0],
+            ];
+            let answer = method.solve(&good.concat());
+            assert!(matches!(answer, SolverAnswer::Values(_)), "{name}");
+        }
+        let uneven = [0.0, 1.0, 2.0, 1.0, 2.0, 1.5, 0.0, 2.0];
+        let periodic = crate::methods::find("cubic-spline-periodic").expect("registered");
+        assert_eq!(
+            periodic.solve(&uneven),
+            SolverAnswer::Refuses("not periodic")
+        );
+        assert_eq!(periodic.conditions(&uneven), None);
+        let answer = periodic.reference(&exact(&uneven).unwrap(), 128);
+        assert!(matches!(answer, ReferenceAnswer::Refuses("not periodic")));
     }
 
     #[test]

@@ -8,8 +8,7 @@ impl EndCondition {
     /// `S(x_i) = y_i` bit for bit.
     pub(super) fn knots_residual(self, p: SplineProblem) -> Option<f64> {
         let s = self.fit(p).ok()?;
-        let hit = |(x, y): (&f64, &f64)| s.value(*x).is_ok_and(|v| v == *y);
-        held(p.x.iter().zip(p.y).all(hit))
+        held(interpolates(p, |x| s.value(x).ok()))
     }
 
     /// Abscissae times 4 and ordinates times 8 give the same bits in the new units.
@@ -29,9 +28,7 @@ impl EndCondition {
         }) else {
             return held(false);
         };
-        let units = [8.0, 2.0, 0.5, 0.125, 32.0];
-        let mut all = base.iter().zip(&scaled).zip(units.iter().cycle());
-        held(all.all(|((a, b), u)| a * u == *b))
+        held(in_other_units(&base, &scaled))
     }
 
     /// `S'` at the ends is what was given there, bit for bit.
@@ -41,6 +38,18 @@ impl EndCondition {
         let [first, last] = [p.x.first(), p.x.last()].map(|x| slope(*x?));
         held([first?, last?] == p.ends?)
     }
+}
+
+/// Whether a function has the ordinates at all knots.
+fn interpolates(p: SplineProblem, value: impl Fn(f64) -> Option<f64>) -> bool {
+    p.x.iter().zip(p.y).all(|(x, y)| value(*x) == Some(*y))
+}
+
+/// Whether `S, S', S'', S'''` and the integral of every query are those for x in units of 1/4, y of 1/8.
+fn in_other_units(here: &[f64], there: &[f64]) -> bool {
+    let units = [8.0, 2.0, 0.5, 0.125, 32.0].into_iter().cycle();
+    let due = here.iter().zip(units).map(|(x, unit)| x * unit);
+    there.iter().copied().eq(due)
 }
 
 /// The law of [`EndCondition::knots_residual`].
@@ -67,5 +76,67 @@ pub(super) fn ends_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
         name: "ends",
         statement: "S'(x_0) = s_0 and S'(x_n) = s_n, exactly",
         residual,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn problem<'a>(x: &'a [f64], y: &'a [f64]) -> SplineProblem<'a> {
+        let queries = [x[0], x[0]];
+        SplineProblem {
+            x,
+            y,
+            ends: None,
+            queries,
+        }
+    }
+
+    #[test]
+    fn a_function_has_to_have_every_ordinate() {
+        let (x, y) = ([0.0, 1.0, 3.0], [5.0, 6.0, 8.0]);
+        let p = problem(&x, &y);
+        assert!(interpolates(p, |x| Some(x + 5.0)));
+        for off in x {
+            let moved = |x: f64| Some(if x == off { 0.0 } else { x + 5.0 });
+            let lost = |x: f64| (x != off).then_some(x + 5.0);
+            assert!(!interpolates(p, moved) && !interpolates(p, lost), "{off}");
+        }
+    }
+
+    /// With x in quarters and y in eighths S is 8 times what it was, S' twice, S'' a half, S''' an eighth, the integral
+    /// 32 times.
+    #[test]
+    fn every_value_is_measured_in_its_own_unit() {
+        let here: Vec<f64> = (1..=10).map(f64::from).collect();
+        let due = [8.0, 4.0, 1.5, 0.5, 160.0, 48.0, 14.0, 4.0, 1.125, 320.0];
+        assert!(in_other_units(&here, &due));
+        for k in 0..10 {
+            let mut off = due;
+            off[k] *= 2.0;
+            assert!(!in_other_units(&here, &off), "{k}");
+        }
+        assert!(!in_other_units(&here, &due[..9]));
+    }
+
+    /// A straight line with slope 1 at both ends.
+    #[test]
+    fn laws_of_a_line() {
+        let kind = EndCondition::Clamped;
+        let p = SplineProblem {
+            ends: Some([1.0, 1.0]),
+            ..problem(&[0.0, 1.0, 3.0], &[5.0, 6.0, 8.0])
+        };
+        assert_eq!(kind.knots_residual(p), Some(0.0));
+        assert_eq!(kind.scaling_residual(p), Some(0.0));
+        assert_eq!(kind.ends_residual(p), Some(0.0));
+        let lost = SplineProblem { x: &[0.0], ..p };
+        assert_eq!(kind.knots_residual(lost), None);
+        assert_eq!(kind.scaling_residual(lost), None);
+        assert_eq!(kind.ends_residual(lost), None);
+        // With second derivatives of 1 given a line is left, and its slopes are others.
+        let bent = EndCondition::SecondDerivatives;
+        assert_eq!(bent.ends_residual(p), Some(f64::INFINITY));
     }
 }

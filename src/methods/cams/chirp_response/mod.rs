@@ -198,6 +198,55 @@ mod tests {
     use crate::audit::{Case, Origin, Settings, SolverAnswer, Verdict, audit_case, audit_method};
     use crate::methods::find;
 
+    /// |k ω0 t| + |k ε t²| + |δ|, each by itself and together.
+    #[test]
+    fn the_equation_is_looked_at_up_to_a_thousand_radians() {
+        let law = |eps: f64, omega0: f64, k: f64, delta: f64, t: f64| {
+            equation(&[1.0, 0.5, eps, omega0, k, delta, 0.0, 0.0, t])
+        };
+        for (eps, omega0, k, delta, t, applies) in [
+            (0.0, 2.0, 1.0, 0.0, 499.0, true),
+            (0.0, 2.0, -1.0, 0.0, 501.0, false),
+            (0.0, -1.0, 2.0, 0.0, 501.0, false),
+            (1e-3, 0.0, 1.0, 0.0, 990.0, true),
+            (-1e-3, 0.0, 1.0, 0.0, 1010.0, false),
+            (0.0, 0.0, 1.0, -999.0, 1.0, true),
+            (0.0, 0.0, 1.0, -1000.0, 1.0, false),
+            (0.0, 1.0, 1.0, -600.0, 600.0, false),
+            (1e-3, -0.9, 1.0, 0.0, 700.0, false),
+        ] {
+            let found = law(eps, omega0, k, delta, t);
+            assert_eq!(found.is_some(), applies, "{eps} {omega0} {k} {delta} {t}");
+            assert!(found.is_none_or(|r| r <= 1.0), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn laws_apply_to_oscillators_alone() {
+        let good = [10.0, 0.5, 4.0, 1.0, 2.0, 0.3, 0.1, -2.0, 3.0];
+        let mut bad = good;
+        bad[0] = -10.0;
+        for law in ChirpResponse::laws() {
+            assert!(
+                (law.residual)(&good).is_some_and(|r| r <= 1.0),
+                "{}",
+                law.name
+            );
+            assert_eq!((law.residual)(&bad), None, "{}", law.name);
+            assert_eq!((law.residual)(&good[1..]), None, "{}", law.name);
+        }
+        // In words, where the solver says more than a name.
+        let i = ChirpResponse::unpack(&bad[..]).unwrap();
+        assert_ne!(
+            ChirpResponse::refusal(i),
+            values(i).err().map(|e| e.name().into())
+        );
+        assert_eq!(
+            ChirpResponse::refusal(ChirpResponse::unpack(&good[..]).unwrap()),
+            None
+        );
+    }
+
     #[test]
     fn the_audit_passes_with_another_seed() {
         let settings = Settings {

@@ -314,19 +314,4 @@ pub(super) fn check_points() -> Vec<CheckPoint> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Where force and free vibration turn together |p| is taken for w/10: t is a number that is known.
-    #[test]
-    fn seams_in_resonance_are_drawn() {
-        let times: Vec<f64> = (0..4000)
-            .map(|k| seam(&mut Draw::new(1, "chirp-response", "seams", k)))
-            .map(|x| x[0] * x[8])
-            .collect();
-        for due in [40.0, 160.0] {
-            let found = times.iter().filter(|t| (**t / due - 1.0).abs() < 1e-6);
-            assert!(found.count() >= 3, "{due}");
-        }
-    }
-}
+mod tests;

@@ -453,13 +453,4 @@ fn moving(d: &mut Draw) -> RunUpInput<'static> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_last_eight_curves_are_kept() {
-        let mut known = Vec::new();
-        (0..20).for_each(|k| keep(&mut known, k));
-        assert_eq!(known, [12, 13, 14, 15, 16, 17, 18, 19]);
-    }
-}
+mod tests;

@@ -71,7 +71,12 @@ fn scale_law(x: &[f64]) -> Option<f64> {
     let here = values(&motion(i).ok()?);
     let [a, b, c, d] = [i.a, i.b, i.c, i.d].map(|l| l * 128.0);
     let there = values(&motion(FourBarInput { a, b, c, d, ..i }).ok()?);
-    held(here[..7] == there[..7])
+    held(same_turns(&here, &there))
+}
+
+/// Angles and derivatives, before the joint's coordinates.
+fn same_turns(here: &[f64], there: &[f64]) -> bool {
+    here[..7] == there[..7]
 }
 
 fn mirror(x: &[f64]) -> Option<f64> {
@@ -129,6 +134,7 @@ fn velocity(x: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::FRAC_PI_2;
 
     /// Each value by itself is looked at.
     #[test]
@@ -140,6 +146,53 @@ mod tests {
             let mut off = there;
             off[k] = -off[k];
             assert!(!mirrored(&here, &off), "{k}");
+        }
+    }
+
+    #[test]
+    fn one_angle_or_derivative_that_differs_breaks_the_law_of_scale() {
+        let here = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0];
+        for k in 0..9 {
+            let mut there = here;
+            there[k] *= 128.0;
+            assert_eq!(same_turns(&here, &there), k >= 7, "{k}");
+        }
+    }
+
+    /// Links of 1 on a span of 2 cos(μ/2): a crank of 0.1, upright.
+    fn nearly_stretched(sine: f64) -> [f64; 6] {
+        let span = 2.0 * (sine.asin() / 2.0).cos();
+        [0.1, 1.0, 1.0, (span * span - 0.01).sqrt(), FRAC_PI_2, 1.0]
+    }
+
+    #[test]
+    fn laws_apply_away_from_singular_positions() {
+        for (name, least) in [("closure", 0.1), ("angle-sum", 0.1), ("velocity", 0.3)] {
+            let laws = all();
+            let law = laws.iter().find(|l| l.name == name).unwrap().residual;
+            let above = law(&nearly_stretched(least + 0.01));
+            assert!(above.is_some_and(|r| r <= 1.0), "{name}: {above:?}");
+            assert_eq!(law(&nearly_stretched(least - 0.01)), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn rates_are_compared_where_they_are_calm() {
+        for (input, applies) in [
+            // The shortest link is 1/900 and 1/1100 of the others.
+            ([1.0 / 900.0, 1.0, 1.0, 1.0, 1.0, 1.0], true),
+            ([1.0 / 1100.0, 1.0, 1.0, 1.0, 1.0, 1.0], false),
+            ([1.0, 1000.0, 1000.0, 1000.0, 1.0, 1.0], false),
+            // The lengths are 9.7 and 10.03 times the span of the dyad.
+            ([1.0, 0.26, 0.26, 1.0, 0.26, 1.0], true),
+            ([1.0, 0.25, 0.25, 1.0, 0.25, 1.0], false),
+            // 1 + |φ3'| + |φ3''| = 1 + 2.99 + 4.82 and 1 + 3.12 + 6.31.
+            ([1.392, 0.759, 0.438, 1.621, 0.62, 1.0], true),
+            ([1.392, 0.759, 0.438, 1.621, 0.644, 1.0], false),
+        ] {
+            let law = velocity(&input);
+            assert_eq!(law.is_some(), applies, "{input:?}");
+            assert!(law.is_none_or(|r| r <= 1.0), "{input:?} {law:?}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Linkages drawn at random at a position: the pins first, then the bodies' frames, so that each can be assembled.
 
-use super::input::{PlanarForcesInput, PlanarLinkageInput, REACH};
+use super::input::{BITS, PlanarForcesInput, PlanarLinkageInput, REACH};
 use super::kinematics::PlanarLinkage;
 use crate::audit::Draw;
 use crate::methods::definition::Definition;
@@ -290,7 +290,6 @@ impl Linkage {
     /// Whether angles are those of a position that the reference proves to be the nearest: [`PlanarLinkage::admits`], the
     /// linkage being made once.
     fn decider(&self) -> impl Fn(&[f64]) -> bool + use<> {
-        const BITS: u32 = 64;
         let numbers = crate::methods::definition::exact(&self.input().to_vec());
         let linkage = numbers.and_then(|x| PlanarLinkage::unpack(&x)?.massless(BITS).ok());
         let phi = Ball::exact(BITS, self.phi);
@@ -318,7 +317,7 @@ impl Linkage {
     fn is_open(&self) -> bool {
         let numbers = self.input().to_vec();
         let exact = crate::methods::definition::exact(&numbers);
-        let placed = exact.and_then(|x| Some(PlanarLinkage::unpack(&x)?.placed(64).err()));
+        let placed = exact.and_then(|x| Some(PlanarLinkage::unpack(&x)?.placed(BITS).err()));
         placed.flatten() == Some(crate::audit::Uncertified::Refused(super::input::NONE))
     }
 

@@ -403,3 +403,6 @@ fn groups(bodies: usize, pins: &[[Spot; 2]]) -> Option<Vec<usize>> {
     }
     group.into_iter().collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -43,6 +43,8 @@ inputs! {
 
 /// How far from `near` the angles may be.
 pub(super) const REACH: f64 = 0.1;
+/// Bits that prove most positions.
+pub(super) const BITS: u32 = 64;
 /// More bodies than this are not taken: what the solver's homotopy is for.
 const MOST_BODIES: usize = 9;
 
@@ -52,7 +54,8 @@ pub(super) const NONE: &str = "no position near";
 impl<T: Number> PlanarLinkageInput<'_, T> {
     /// The bodies of each pin; nothing if the counts or the bodies are none.
     pub(super) fn joined(&self) -> Option<Vec<[usize; 2]>> {
-        let count = |x: f64| (x.fract() == 0.0 && (0.0..=64.0).contains(&x)).then_some(x as usize);
+        let few = 0.0..=f64::from(u8::MAX);
+        let count = |x: f64| (x.fract() == 0.0 && few.contains(&x)).then_some(x as usize);
         let bodies = count(T::near(self.bodies)).filter(|n| (1..=MOST_BODIES).contains(n))?;
         let pins = count(T::near(self.pins)).filter(|p| 2 * p + 1 == 3 * bodies)?;
         let body = |x: &T| count(x.nearest()).filter(|b| *b <= bodies);
@@ -148,7 +151,7 @@ impl PlanarLinkageInput<'_, Rational> {
     /// The angles that conditions are taken at: with few bits if they are enough to prove the position.
     pub(super) fn angles(&self) -> Option<Vec<f64>> {
         let at = |bits| Some(self.placed(bits).ok()?.1);
-        let position = at(64).or_else(|| at(128))?;
+        let position = at(BITS).or_else(|| at(2 * BITS))?;
         Some(position.x.iter().map(Ball::to_f64).collect())
     }
 

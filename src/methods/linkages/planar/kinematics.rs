@@ -1,7 +1,7 @@
 //! Positions, rates and accelerations of a planar linkage.
 
 use super::flow::Flow;
-use super::input::PlanarLinkageInput;
+use super::input::{BITS, PlanarLinkageInput};
 use super::{laws, points, regions};
 use crate::audit::{Domain, Law, Output, ReferenceAnswer, Rows, Uncertified};
 use crate::methods::common::conditioned;
@@ -96,8 +96,8 @@ impl Definition for PlanarLinkage {
 
     fn admits(i: Self::Input<'_, f64>) -> bool {
         let numbers = i.to_vec();
-        let placed = |x: &Vec<Rational>| Some(PlanarLinkage::unpack(x)?.placed(64).is_ok());
-        i.joined().is_some() && exact(&numbers).as_ref().and_then(placed) == Some(true)
+        let placed = |x: &Vec<Rational>| Some(PlanarLinkage::unpack(x)?.placed(BITS).is_ok());
+        exact(&numbers).as_ref().and_then(placed) == Some(true)
     }
 
     fn solve(i: Self::Input<'_, f64>) -> Result<Vec<f64>, &'static str> {

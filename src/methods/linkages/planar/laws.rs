@@ -18,12 +18,12 @@ pub(super) fn of_linkages() -> Vec<Law> {
             name: "mirror",
             statement: "mirrored at the x-axis, angles and ordinates change their sign and nothing else, within \
                         16 u of size and condition",
-            residual: mirror,
+            residual: |x| mirror(PlanarLinkage::solve, x),
         },
         Law {
             name: "scale",
             statement: "lengths times 2 leave angles and their derivatives bit for bit the same",
-            residual: scale,
+            residual: |x| scale(PlanarLinkage::solve, x),
         },
         Law {
             name: "exchange",
@@ -48,12 +48,12 @@ pub(super) fn of_reactions() -> Vec<Law> {
             name: "virtual-work",
             statement: "in a translation of all bodies the pins on the ground do the work of weight and inertia, \
                         within 16 u of sizes and conditions",
-            residual: virtual_work,
+            residual: |x| virtual_work(PlanarReactions::solve, x),
         },
         Law {
             name: "masses",
             statement: "masses and inertias times 2 double the forces bit for bit",
-            residual: masses,
+            residual: |x| masses(PlanarReactions::solve, x),
         },
     ]
 }
@@ -72,11 +72,14 @@ fn within(k: f64, here: &[f64], there: &[f64], conditions: &[f64]) -> f64 {
     largest(all.map(|((a, b), c)| share(a - b, k * U * (a.abs() + c))))
 }
 
-fn mirror(x: &[f64]) -> Option<f64> {
+type Solve = fn(PlanarLinkageInput) -> Result<Vec<f64>, &'static str>;
+type SolveForces = fn(PlanarForcesInput) -> Result<Vec<f64>, &'static str>;
+
+fn mirror(solve: Solve, x: &[f64]) -> Option<f64> {
     let i = PlanarLinkage::unpack(x)?;
-    let here = PlanarLinkage::solve(i).ok()?;
+    let here = solve(i).ok()?;
     let other = Linkage::of(&i).mirrored();
-    let Ok(mut there) = PlanarLinkage::solve(other.input()) else {
+    let Ok(mut there) = solve(other.input()) else {
         return held(false);
     };
     // θ and its derivatives over φ: the first is even. Of x, y and their derivatives each derivative changes the sign.
@@ -88,11 +91,11 @@ fn mirror(x: &[f64]) -> Option<f64> {
     Some(within(16.0, &here, &there, &conditions))
 }
 
-fn scale(x: &[f64]) -> Option<f64> {
+fn scale(solve: Solve, x: &[f64]) -> Option<f64> {
     let i = PlanarLinkage::unpack(x)?;
-    let here = PlanarLinkage::solve(i).ok()?;
+    let here = solve(i).ok()?;
     let other = Linkage::of(&i).scaled(2.0);
-    let there = PlanarLinkage::solve(other.input()).ok();
+    let there = solve(other.input()).ok();
     held(there.is_some_and(|there| turns(&here).eq(turns(&there))))
 }
 
@@ -157,9 +160,9 @@ fn power_balance(x: &[f64]) -> Option<f64> {
 }
 
 /// What the pins on the ground exert, and what weight and inertia ask for.
-fn virtual_work(x: &[f64]) -> Option<f64> {
+fn virtual_work(solve: SolveForces, x: &[f64]) -> Option<f64> {
     let i = PlanarReactions::unpack(x)?;
-    let forces = PlanarReactions::solve(i).ok()?;
+    let forces = solve(i).ok()?;
     let rows = PlanarLinkage::solve(i.linkage).ok()?;
     let sizes = PlanarReactions::conditions(x)?;
     let moving = i.linkage.to_vec();
@@ -185,34 +188,15 @@ fn virtual_work(x: &[f64]) -> Option<f64> {
     Some(largest(worst))
 }
 
-fn masses(x: &[f64]) -> Option<f64> {
+fn masses(solve: SolveForces, x: &[f64]) -> Option<f64> {
     let i = PlanarReactions::unpack(x)?;
-    let here = PlanarReactions::solve(i).ok()?;
+    let here = solve(i).ok()?;
     let twice = |v: &[f64]| -> Vec<f64> { v.iter().map(|x| 2.0 * x).collect() };
     let (m, j) = (twice(i.m), twice(i.j));
     let heavier = PlanarForcesInput { m: &m, j: &j, ..i };
-    let there = PlanarReactions::solve(heavier).ok();
+    let there = solve(heavier).ok();
     held(there == Some(twice(&here)))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_first_three_of_nine_values_are_angles() {
-        let values: Vec<f64> = (0..18).map(f64::from).collect();
-        let found: Vec<&[f64]> = turns(&values).collect();
-        assert_eq!(found, [[0.0, 1.0, 2.0], [9.0, 10.0, 11.0]]);
-    }
-
-    #[test]
-    fn a_difference_is_measured_by_value_and_condition() {
-        let of = |b: f64, c: f64| within(2.0, &[1.0, 5.0], &[1.0 + b, 5.0], &[c, 0.0]);
-        assert_eq!(of(0.0, 0.0), 0.0);
-        assert_eq!(of(8.0 * U, 0.0), 4.0);
-        assert_eq!(of(8.0 * U, 3.0), 1.0);
-        assert_eq!(of(-8.0 * U, 3.0), 1.0);
-        assert!(of(f64::NAN, 3.0).is_nan() && of(8.0 * U, f64::NAN).is_nan());
-    }
-}
+mod tests;

@@ -12,10 +12,15 @@ use std::sync::OnceLock;
 /// Zeros kept.
 const ZEROS: usize = 400;
 
+/// Bits of a zero that is rounded to `f64`.
+pub(in crate::methods::special) const BITS_OF_ZEROS: u32 = 60;
+/// Bits of a value that a zero is looked for from.
+pub(in crate::methods::special) const FEW_BITS: u32 = 30;
+
 /// The `f64` next to the k-th zero with positive real part, k = 1 … 400.
 pub(in crate::methods::special) fn zero(k: usize) -> [f64; 2] {
     static ALL: [OnceLock<[f64; 2]>; ZEROS] = [const { OnceLock::new() }; ZEROS];
-    *ALL[(k - 1) % ZEROS].get_or_init(|| match certified(k as u32, 60) {
+    *ALL[(k - 1) % ZEROS].get_or_init(|| match certified(k as u32, BITS_OF_ZEROS) {
         Ok(z) => [z.re.to_f64(), z.im.to_f64()],
         // An argument that the audit shows as not finite.
         Err(_) => [f64::NAN; 2],
@@ -132,7 +137,7 @@ fn w_and_slope(z: C) -> Option<[C; 2]> {
 /// [`w_and_slope`] with proved components: beside the real axis Re W is far below the norm. More bits would cost a
 /// second evaluation.
 fn parts_and_slope(z: C) -> Option<[C; 2]> {
-    let w = w_f64(z.re, z.im, 30).ok()?;
+    let w = w_f64(z.re, z.im, FEW_BITS).ok()?;
     Some(with_slope(z, C::new(w.re.to_f64(), w.im.to_f64())))
 }
 
@@ -264,128 +269,4 @@ fn flat_zero_far_out(x: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn component(x: f64, y: f64, part: Part) -> f64 {
-        let w = w_f64(x, y, 30).unwrap();
-        match part {
-            Part::Re => w.re.to_f64(),
-            Part::Im => w.im.to_f64(),
-        }
-    }
-
-    /// Of 100 lines parallel to the real axis at least 90 meet a curve, and a component changes its sign within two
-    /// places of where they do.
-    #[test]
-    fn zeros_on_lines_are_those_of_f64() {
-        for part in [Part::Re, Part::Im] {
-            let mut found = 0;
-            for i in 0..100 {
-                let mut d = Draw::new(2, "m", "r", i);
-                let b = d.log_uniform(0.5, 1e4);
-                let z = C::new(b * (1.0 - d.unit() * (20.0 / (b * b)).min(0.9)), -b);
-                let turn = PI / (4.0 * b);
-                let line = Line {
-                    part,
-                    along: Along::Re,
-                    z,
-                    most: turn,
-                };
-                let rough = |z| Some(with_slope(z, w_roughly(z)));
-                let Some(x) = line.beside(Beside::Places(3), rough, w_and_slope) else {
-                    continue;
-                };
-                let ends = [x.next_down().next_down(), x.next_up().next_up()];
-                let [p, q] = ends.map(|x| component(x, -b, part));
-                assert!(p * q <= 0.0, "{x:e} {b:e}: {p:e} {q:e}");
-                found += 1;
-            }
-            assert!(found >= 90, "{found}");
-        }
-    }
-
-    #[test]
-    fn the_flat_curve_far_out() {
-        let mut next = 0;
-        for i in 0..100 {
-            // Squares of steps do not underflow there.
-            let x = Draw::new(4, "m", "r", i).uniform(6.5, 15.0);
-            let y = flat_zero_far_out(x);
-            let off = (y - flat_zero(x)).abs() / (y.next_up() - y);
-            assert!(off <= 6.0, "{x}: {y:e} {off}");
-            next += i32::from(off <= 3.0);
-        }
-        assert!(next >= 90, "{next}");
-    }
-
-    #[test]
-    fn the_points_lie_beside_the_curves() {
-        let mut found = 0;
-        for i in 0..100 {
-            let mut d = Draw::new(1, "m", "r", i);
-            for part in [Part::Re, Part::Im] {
-                let z = beside_curve(&mut d, part);
-                let [re, im] = [Part::Re, Part::Im].map(|p| component(z[0], z[1], p));
-                let (small, size) = match part {
-                    Part::Re => (re, im),
-                    Part::Im => (im, re),
-                };
-                found += usize::from(small.abs() < 0.3 * size.abs());
-            }
-            let z = beside_flat_curve(&mut d);
-            let re = component(z[0], z[1], Part::Re);
-            assert!(re.abs() < 0.2 * (-z[0] * z[0]).exp(), "{z:?} {re}");
-        }
-        assert!(found > 150, "{found}");
-    }
-
-    #[test]
-    fn twelve_digits() {
-        for i in 0..1000 {
-            let mut d = Draw::new(3, "m", "r", i);
-            let (x, y) = (d.uniform(-12.0, 12.0), d.uniform(-9.0, 12.0));
-            let w = w_f64(x, y, 60).unwrap();
-            let w = C::new(w.re.to_f64(), w.im.to_f64());
-            let rough = w_roughly(C::new(x, y));
-            // Next to a node two large terms cancel; |z|^2 places of the exponential's argument are lost.
-            assert!((rough - w).norm() < 1e-11 * w.norm(), "{x} {y}");
-        }
-    }
-
-    #[test]
-    fn a_quarter_of_a_step_off_an_axis() {
-        let line = Line {
-            part: Part::Re,
-            along: Along::Re,
-            z: C::new(0.0, -1.0),
-            most: 1.0,
-        };
-        for t in [0.2, 0.25] {
-            assert_eq!([t, -t].map(|t| line.off_axis(t)), [None, None]);
-        }
-        assert_eq!(
-            [0.3, -0.3].map(|t| line.off_axis(t)),
-            [Some(0.3), Some(-0.3)]
-        );
-    }
-
-    /// Where e^{-z²} leads W changes by 2|z| places from one number to the next.
-    #[test]
-    fn arguments_are_taken_to_the_last_bit() {
-        let (x, y) = (17.0f64.next_up(), 18.0f64.next_up());
-        for z in [C::new(x, -18.0), C::new(17.0, -y)] {
-            let [w, _] = w_and_slope(z).unwrap();
-            let due = w_f64(z.re, z.im, 60).unwrap();
-            let due = C::new(due.re.to_f64(), due.im.to_f64());
-            assert!((w - due).norm() < 1e-15 * due.norm(), "{z}: {w} {due}");
-        }
-    }
-
-    #[test]
-    fn the_first_zero() {
-        // DLMF table 7.13.1: erfc has its first zero at -1.3548101281 + 1.9914668428 i.
-        let z = zero(1);
-        assert!((z[0] - 1.991_466_842_8).abs() < 1e-9 && (z[1] + 1.354_810_128_1).abs() < 1e-9);
-    }
-}
+mod tests;

@@ -5,7 +5,7 @@ mod laws;
 pub(super) mod regions;
 
 use super::branches::nearest;
-use super::relatives::{NORM, PROOF};
+use super::relatives::{NORM, PROOF, number};
 use crate::audit::{
     BranchAt, Budget, Domain, Due, Law, Limit, NormBudget, Output, Proof, ProvedBound, ProvedError,
     ReferenceAnswer, Uncertified,
@@ -78,16 +78,15 @@ fn dues(re: &Rational, im: &Rational, bits: u32) -> Result<Vec<Due>, Undecided> 
 /// The limits at infinity, where there are any. W tends to 0 in the closed upper half-plane and
 /// for Im z < 0 with Re z → ±∞, to +∞ down the imaginary axis, on which it is real.
 pub(super) fn dues_not_finite(x: f64, y: f64) -> [Due; 2] {
-    let zero = || Due::Number(Ball::integer(64, 0));
     if x == 0.0 && y == f64::NEG_INFINITY {
-        return [Due::Infinity { negative: false }, zero()];
+        return [Due::Infinity { negative: false }, number(0)];
     }
     if x.is_nan() || y.is_nan() {
-        let im = if x == 0.0 { zero() } else { Due::NotANumber };
+        let im = if x == 0.0 { number(0) } else { Due::NotANumber };
         return [Due::NotANumber, im];
     }
     if y > f64::NEG_INFINITY {
-        return [zero(), zero()];
+        return [number(0), number(0)];
     }
     [Due::NotANumber, Due::NotANumber]
 }
@@ -175,6 +174,22 @@ impl Definition for Faddeeva {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 48 bits fewer, but not fewer than 64.
+    #[test]
+    fn fewer_bits_are_asked_for() {
+        let all = [
+            (0, 64),
+            (64, 64),
+            (112, 64),
+            (113, 65),
+            (128, 80),
+            (400, 352),
+        ];
+        for (bits, due) in all {
+            assert_eq!(asked(bits), due, "{bits}");
+        }
+    }
 
     fn reference(x: f64, y: f64) -> Vec<Due> {
         let exact = [x, y].map(|v| Rational::from_f64(v).unwrap());

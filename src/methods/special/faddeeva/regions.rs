@@ -441,3 +441,6 @@ pub(in crate::methods::special) fn check_points() -> Vec<CheckPoint> {
     ];
     named_points(&named, curves::zero, 5)
 }
+
+#[cfg(test)]
+mod tests;

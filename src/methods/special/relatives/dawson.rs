@@ -89,7 +89,7 @@ impl Relative for Dawson {
                     })
                 },
             },
-            real_argument_law(|input| on_the_axis::<Dawson>(dawson_real, input)),
+            real_argument_law(|input| on_the_axis(Self::VALUE, dawson_real, input)),
         ]
     }
 }

@@ -75,7 +75,7 @@ impl Relative for Erf {
                             0 <= Re z, |z| <= 1e8",
                 residual: by_w,
             },
-            real_argument_law(|input| on_the_axis::<Erf>(erf_real, input)),
+            real_argument_law(|input| on_the_axis(Self::VALUE, erf_real, input)),
         ]
     }
 }

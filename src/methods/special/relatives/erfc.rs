@@ -83,7 +83,7 @@ impl Relative for Erfc {
                 statement: "erfc(z) = exp(-z^2) erfcx(z) within 14 u |erfc(z)|, for |z| <= 1e8",
                 residual: scaled,
             },
-            real_argument_law(|input| on_the_axis::<Erfc>(erfc_real, input)),
+            real_argument_law(|input| on_the_axis(Self::VALUE, erfc_real, input)),
         ]
     }
 }

@@ -97,11 +97,11 @@ impl Relative for Erfcx {
                     })
                 },
             },
-            real_argument_law(|input| on_the_axis::<Erfcx>(erfcx_real, input)),
+            real_argument_law(|input| on_the_axis(Self::VALUE, erfcx_real, input)),
             Law {
                 name: "monotonicity",
                 statement: "on the real axis erfcx does not grow from x to x + 2^-40 |x|",
-                residual: monotonic,
+                residual: |input| monotonic(erfcx_real, point(input)?.re),
             },
         ]
     }
@@ -125,11 +125,33 @@ fn reflection(input: &[f64]) -> Option<f64> {
     within(rest, 7.0, a.norm() + b.norm())
 }
 
-fn monotonic(input: &[f64]) -> Option<f64> {
-    let x = point(input)?.re;
+fn monotonic(f: impl Fn(f64) -> f64, x: f64) -> Option<f64> {
     if !x.is_finite() {
         return None;
     }
     let next = x + x.abs() * 2f64.powi(-40);
-    held(erfcx_real(next) <= erfcx_real(x))
+    held(f(next) <= f(x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn erfcx_may_not_grow_along_the_axis() {
+        let jump = |at: f64, to: f64| move |x: f64| if x > at { to } else { 1.0 };
+        let law = |at: f64, to: f64, x: f64| monotonic(jump(at, to), x);
+        let (holds, broken) = (Some(0.0), Some(f64::INFINITY));
+        assert_eq!(law(3.0, 1.0, 3.0), holds);
+        assert_eq!(law(3.0, 0.5, 3.0), holds);
+        assert_eq!(law(3.0, 1.5, 3.0), broken);
+        // 2^-40 |x| is 2.73e-12 for x = 3 and x = -3.
+        for x in [3.0, -3.0] {
+            assert_eq!(law(x + 2.7e-12, 1.5, x), broken);
+            assert_eq!(law(x + 2.8e-12, 1.5, x), holds);
+        }
+        for x in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            assert_eq!(law(3.0, 1.5, x), None);
+        }
+    }
 }

@@ -69,7 +69,7 @@ impl Relative for Erfi {
                 statement: "erfi(z) = 2/sqrt(pi) exp(z^2) F(z) within 16 u |erfi(z)|, for |z| <= 1e8",
                 residual: by_dawson,
             },
-            real_argument_law(|input| on_the_axis::<Erfi>(erfi_real, input)),
+            real_argument_law(|input| on_the_axis(Self::VALUE, erfi_real, input)),
         ]
     }
 }

@@ -26,23 +26,23 @@ pub(in crate::methods::special) fn same_pair(a: C, b: C) -> bool {
 }
 
 /// `f(−z) = −f(z)`, `f(z̄) = conj f(z)`, bit for bit.
-fn odd<F: Relative>(input: &[f64]) -> Option<f64> {
+fn odd(f: impl Fn(C) -> C, input: &[f64]) -> Option<f64> {
     let z = point(input)?;
-    let f = (F::VALUE)(z);
-    held(same_pair((F::VALUE)(-z), -f) && same_pair((F::VALUE)(z.conj()), f.conj()))
+    let value = f(z);
+    held(same_pair(f(-z), -value) && same_pair(f(z.conj()), value.conj()))
 }
 
 /// `f(z̄) = conj f(z)`, bit for bit.
-fn conjugation<F: Relative>(input: &[f64]) -> Option<f64> {
+fn conjugation(f: impl Fn(C) -> C, input: &[f64]) -> Option<f64> {
     let z = point(input)?;
-    held(same_pair((F::VALUE)(z.conj()), (F::VALUE)(z).conj()))
+    held(same_pair(f(z.conj()), f(z).conj()))
 }
 
 pub(super) fn odd_law<F: Relative>() -> Law {
     Law {
         name: "symmetry",
         statement: "f(-z) = -f(z) and f(conj z) = conj f(z), bit for bit",
-        residual: odd::<F>,
+        residual: |input| odd(F::VALUE, input),
     }
 }
 
@@ -50,7 +50,7 @@ pub(super) fn conjugation_law<F: Relative>() -> Law {
     Law {
         name: "conjugation",
         statement: "f(conj z) = conj f(z), bit for bit",
-        residual: conjugation::<F>,
+        residual: |input| conjugation(F::VALUE, input),
     }
 }
 
@@ -65,9 +65,13 @@ pub(super) fn real_argument_law(residual: fn(&[f64]) -> Option<f64>) -> Law {
 
 /// How far the function of a real argument is from the complex one on the real axis: four units in the last place for
 /// that one, and one for this, of which less than 7/8 is proved (erfi: found).
-pub(super) fn on_the_axis<F: Relative>(real: fn(f64) -> f64, input: &[f64]) -> Option<f64> {
+pub(super) fn on_the_axis(
+    complex: impl Fn(C) -> C,
+    real: impl Fn(f64) -> f64,
+    input: &[f64],
+) -> Option<f64> {
     let x = point(input)?.re;
-    let (a, b) = ((F::VALUE)(Complex::new(x, 0.0)), real(x));
+    let (a, b) = (complex(Complex::new(x, 0.0)), real(x));
     if !a.re.is_finite() || !b.is_finite() {
         return held(same(a.re, b));
     }

@@ -7,7 +7,7 @@ use super::{C, Relative};
 use crate::audit::{CheckPoint, Draw, Region};
 use crate::methods::common::region;
 use crate::methods::special::faddeeva::curves::{
-    Along, Beside, Line, Part, w_roughly, zero as zero_of_w,
+    Along, BITS_OF_ZEROS, Beside, FEW_BITS, Line, Part, w_roughly, zero as zero_of_w,
 };
 use crate::methods::special::faddeeva::regions::{
     TINY_PART, beside, both_signs, in_either_order, listed, named_points, one_of, polar, tiny_part,
@@ -35,7 +35,7 @@ static ON_LINES: LazyLock<String> = LazyLock::new(|| {
 /// The `f64` next to the k-th zero of erf in the first quadrant.
 pub(super) fn zero_of_erf(k: usize) -> [f64; 2] {
     static ALL: [OnceLock<[f64; 2]>; ZEROS] = [const { OnceLock::new() }; ZEROS];
-    *ALL[(k - 1) % ZEROS].get_or_init(|| match certified(k as u32, 60) {
+    *ALL[(k - 1) % ZEROS].get_or_init(|| match certified(k as u32, BITS_OF_ZEROS) {
         Ok(z) => [z.re.to_f64(), z.im.to_f64()],
         // An argument that the audit shows as not finite.
         Err(_) => [f64::NAN; 2],
@@ -58,7 +58,7 @@ pub(super) fn zero_of_erfc(k: usize) -> [f64; 2] {
 /// The certified value and the derivative, roughly.
 fn value_and_slope<F: Relative>(z: C) -> Option<[C; 2]> {
     let (re, im) = (Rational::from_f64(z.re)?, Rational::from_f64(z.im)?);
-    let [re, im] = (F::EXACT)(&re, &im, 30)
+    let [re, im] = (F::EXACT)(&re, &im, FEW_BITS)
         .ok()?
         .map(|part| part.to_ball().to_f64());
     let value = C::new(re, im);

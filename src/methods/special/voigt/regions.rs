@@ -181,3 +181,27 @@ pub(super) fn check_points() -> Vec<CheckPoint> {
     ];
     named.map(|(name, input)| point(name, input)).to_vec()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::SQRT_2;
+
+    /// x or γ on a seam is found there in units of σ√2.
+    #[test]
+    fn every_seam_is_drawn() {
+        let all = all();
+        let region = all.iter().find(|r| r.name == "seams").unwrap();
+        let drawn: Vec<Vec<f64>> = (0..2000)
+            .map(|k| (region.sample)(&mut Draw::new(1, "voigt", "seams", k)))
+            .collect();
+        for due in [7.0, 10.0, 0.125, 0.25, 134_217_728.0, 2f64.powi(-400)] {
+            for place in [0, 2] {
+                let near =
+                    |x: &&Vec<f64>| (x[place].abs() / x[1] / SQRT_2 / due - 1.0).abs() < 1e-6;
+                let count = drawn.iter().filter(near).count();
+                assert!(count > 40, "{due} at {place}: {count}");
+            }
+        }
+    }
+}
