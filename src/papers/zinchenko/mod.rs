@@ -177,7 +177,8 @@ fn in_metres_worst(printed: &[Printed]) -> f64 {
             let moving = full.reduce(&states[j]).inertia_kg_m2 - turning;
             (turning + 1e4 * moving - entries[4 * j].to_f64()).abs()
         })
-        .fold(0.0, f64::max)
+        .reduce(f64::max)
+        .expect("nodes")
 }
 
 fn claims(printed: &[Printed], recovered: &Variant) -> Result<Vec<Finding>, Undecided> {
