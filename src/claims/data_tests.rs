@@ -55,7 +55,7 @@ fn points_are_drawn_near_the_axis_and_far() {
             );
         }
         let count =
-            |range: std::ops::Range<f64>| drawn.iter().filter(|x| range.contains(x)).count();
+            |range: std::ops::Range<f64>| drawn.iter().filter(|x| range.contains(*x)).count();
         assert!(count(low..1.05 * low) > 4 && count(0.0..low) < 6, "{low}");
         assert!(
             count(0.95 * high..high) > 4 && count(high..2.0 * high) == 0,
