@@ -219,4 +219,20 @@ mod tests {
         };
         assert!((0..49).all(|row| with(row) == (row < 48 && row % 4 == 0)));
     }
+
+    #[test]
+    fn a_fitted_node_is_a_millionth_s_multiple() {
+        for (x, due) in [
+            (1.234_567_8, 1_234_568),
+            (-0.000_002_4, -2),
+            (12.0, 12_000_000),
+        ] {
+            let due = Rational::from((due, 1_000_000));
+            assert!(
+                (exact_micro(x) - Ball::rational(BITS, &due)).contains_zero(),
+                "{x}"
+            );
+            assert!(exact_micro(x).rad().to_f64() < 1e-50);
+        }
+    }
 }
