@@ -188,3 +188,18 @@ fn profiles_are_surveyed_over_lines() {
         assert!((1e-17..0.1).contains(&norm.worst), "{norm:?}");
     }
 }
+
+#[test]
+fn an_answer_of_one_part_has_no_slope() {
+    let code = Code::other(Default::default(), Plane::Upper, Parts::Both, |inputs| {
+        let answer = |_| SolverAnswer::Values(vec![1.0]);
+        inputs.iter().map(answer).collect()
+    });
+    let settings = Settings {
+        cases_per_region: 3,
+        ..Settings::default()
+    };
+    let ordinary = vec![regions::upper().swap_remove(0)];
+    let found = &judged_slopes(&[&code], ordinary, &settings)[0].total;
+    assert_eq!((found.cases, found.kinds.total()), (3, 3));
+}

@@ -327,4 +327,17 @@ mod tests {
         }
         assert!(shifts(&a, &[]).is_empty() && shifts(&[], &a).is_empty());
     }
+
+    #[test]
+    fn findings_on_charts_are_as_recorded() {
+        let all = comparison();
+        let found: Vec<(&str, bool)> = all.iter().map(|f| (f.id, f.as_recorded)).collect();
+        assert_eq!(
+            found,
+            [("sum-of-moduli", true), ("run-up-for-run-down", true)]
+        );
+        let text = &all[1].text;
+        assert!(text.contains("differ by up to 46.4 %"), "{text}");
+        assert!(text.contains("lie up to 4.5 %"), "{text}");
+    }
 }

@@ -146,4 +146,22 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn exact_nodes_are_at_equal_angles() {
+        let exact = exact_nodes(&data::masses(data::RECOVERED), NODES, 96).unwrap();
+        let own = data::MassParameters::new(data::RECOVERED).masses();
+        let states = super::super::recovery::node_states(NODES);
+        assert_eq!(exact.inertia.len(), NODES);
+        for (j, state) in states.iter().enumerate() {
+            let due = own.reduce(state);
+            for (found, due) in [
+                (&exact.inertia[j], due.inertia_kg_m2),
+                (&exact.derivative[j], due.inertia_derivative_kg_m2),
+                (&exact.moment[j], due.moment_n_m),
+            ] {
+                assert!((found.to_f64() - due).abs() < 1e-8, "{j}: {found:?} {due}");
+            }
+        }
+    }
 }

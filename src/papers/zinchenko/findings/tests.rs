@@ -1,6 +1,7 @@
 //! Findings of planted figures: each condition that one is recorded with, by itself.
 
 use super::*;
+use crate::papers::zinchenko::derivative_claim::NodeErrors;
 use crate::papers::zinchenko::fitted_nodes::FittedMoment;
 use crate::papers::zinchenko::hidden_recipe::{self, Alias};
 use crate::papers::zinchenko::moment_residual::MomentResidual;
@@ -481,4 +482,122 @@ fn the_recipe_is_told_by_clear_aliases_and_all_projections() {
         assert_eq!(set(nodes, offset, 1e9), !least, "{nodes} {offset}");
     }
     assert!(!set(12, 0, 2.0) && set(24, 0, 1.0) && set(24, 0, 1e3));
+}
+
+fn errors(nodes: usize, slope_at_nodes: f64, slope: f64) -> NodeErrors {
+    NodeErrors {
+        nodes,
+        slope_at_nodes,
+        slope,
+        inertia: 0.0181,
+        derivative: 0.0451,
+        moment: 0.3043,
+        moment_slope: 1.685,
+    }
+}
+
+#[test]
+fn the_claim_is_refuted_by_the_largest_error_of_the_rows() {
+    let found = |rows: &[f64], e: NodeErrors, printed: &str| {
+        let rows: Vec<Ball> = rows.iter().map(|x| Ball::exact(128, *x)).collect();
+        claim_0119(&rows, &[e, errors(24, 9.0, 9.0)], (17, printed.into()))
+    };
+    let twelve = errors(12, 0.09, 0.10555);
+    let rows = [0.01, 0.094_232_677, 0.05];
+    let right = found(&rows, twelve, "-0.119");
+    assert!(right.as_recorded);
+    assert!(
+        right.text.contains("is 0.094232677 (row 1, 21.926°)"),
+        "{}",
+        right.text
+    );
+    assert!(
+        right
+            .text
+            .contains("0.1056 is the largest found between them"),
+        "{}",
+        right.text
+    );
+    assert!(
+        right.figures[0].name.contains("(row 17)") && right.figures[1].name.contains("(row 1)")
+    );
+    assert!(!found(&rows, twelve, "-0.118").as_recorded);
+    assert!(!found(&rows[..1], twelve, "-0.119").as_recorded);
+    let plants: [fn(&mut NodeErrors); 5] = [
+        |e| e.slope = 0.10556,
+        |e| e.inertia = 0.0182,
+        |e| e.derivative = 0.0452,
+        |e| e.moment = 0.3044,
+        |e| e.moment_slope = 1.686,
+    ];
+    for plant in plants {
+        let mut other = twelve;
+        plant(&mut other);
+        assert!(!found(&rows, other, "-0.119").as_recorded);
+    }
+}
+
+/// Quotients of the errors are powers of two: 19.8 is 2 to the 4.31.
+#[test]
+fn orders_are_those_of_the_errors() {
+    let all = [
+        errors(12, 9.372e-2, 1.056e-1),
+        errors(24, 4.733e-3, 1.023e-2),
+        errors(48, 2.787e-4, 1.212e-3),
+        errors(96, 1.744e-5, 1.485e-4),
+    ];
+    let right = convergence(&all);
+    assert!(right.as_recorded);
+    for text in [
+        "12 nodes it is 0.106",
+        "1.2e-3",
+        "settles at 3.0 between the nodes and 4.0 at them",
+    ] {
+        assert!(right.text.contains(text), "{text}: {}", right.text);
+    }
+    let names = right
+        .figures
+        .iter()
+        .map(|f| f.name.split(" nodes").next().unwrap());
+    let due = [
+        "12",
+        "24",
+        "48",
+        "96",
+        "observed order, 12 to 24",
+        "observed order, 24 to 48",
+        "observed order, 48 to 96",
+    ];
+    assert_eq!(names.collect::<Vec<_>>(), due);
+    for k in 0..4 {
+        let mut other = all;
+        other[k].slope *= 1.01;
+        assert!(!convergence(&other).as_recorded, "{k}");
+        other = all;
+        other[k].slope_at_nodes *= 1.01;
+        assert!(!convergence(&other).as_recorded, "{k}");
+    }
+}
+
+/// e^(−0.1275665) = 0.8802: an eighth of the speed in a turn.
+#[test]
+fn the_conclusion_costs_speed() {
+    let right = conclusion([(12, 0.255_133_026_431), (48, 0.000_262_105)]);
+    assert!(right.as_recorded);
+    assert!(
+        right
+            .text
+            .contains("multiplied by 0.8802348666 every turn, a loss of 12 %"),
+        "{}",
+        right.text
+    );
+    assert!(
+        right
+            .text
+            .contains("with 48 nodes the factor is 0.99986896"),
+        "{}",
+        right.text
+    );
+    assert!(!conclusion([(12, 0.255_133_026_441), (48, 0.000_262_105)]).as_recorded);
+    assert!(!conclusion([(12, 0.255_133_026_431), (48, 0.000_262_107)]).as_recorded);
 }
