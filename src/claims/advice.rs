@@ -99,30 +99,43 @@ fn named(mut rows: Vec<&Row>) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::claims::heights::Height;
+    use crate::claims::survey::Figures;
     use serde_json::Value;
 
-    /// A height of Im z = 0.01 itself is enough, a higher one is not.
-    #[test]
-    fn what_is_reached_down_to_a_hundredth() {
-        let row = |name: &str, single: bool, y: f64| Row {
+    /// Of a code of both parts in double precision of which nothing is known.
+    fn row(name: &str) -> Row {
+        Row {
             name: name.into(),
             title: String::new(),
             source: String::new(),
             whole_plane: false,
             real_part_only: false,
-            single,
+            single: false,
             parts: Vec::new(),
             derivative: None,
-            heights: vec![Height {
-                target: 1e-4,
-                norm: Some(y),
-                parts: Some(y),
-            }],
+            heights: Vec::new(),
             jumps: Vec::new(),
             nanoseconds: None,
-        };
+        }
+    }
+
+    fn height(target: f64, norm: Option<f64>, parts: Option<f64>) -> Height {
+        Height {
+            target,
+            norm,
+            parts,
+        }
+    }
+
+    /// A height of Im z = 0.01 itself is enough, a higher one is not.
+    #[test]
+    fn what_is_reached_down_to_a_hundredth() {
         for single in [false, true] {
-            let rows = [row("down", single, -2.0), row("above", single, -1.0)];
+            let rows = [("down", -2.0), ("above", -1.0)].map(|(name, y)| Row {
+                single,
+                heights: vec![height(1e-4, Some(y), Some(y))],
+                ..row(name)
+            });
             let needs = advice(&rows);
             let met = needs.iter().filter(|a| !a.codes.is_empty());
             let met: Vec<&Advice> = met.collect();
@@ -158,5 +171,138 @@ mod tests {
         let (_, table) = book.split_once("| need | met by |\n|---|---|\n").unwrap();
         let lines: Vec<&str> = table.lines().take_while(|l| l.starts_with('|')).collect();
         assert_eq!(lines, due);
+    }
+
+    #[test]
+    fn the_shorter_list_is_told() {
+        let words = |codes: &[&str], others: &[&str]| {
+            let names = |all: &[&str]| all.iter().map(|n| n.to_string()).collect();
+            let (codes, others) = (names(codes), names(others));
+            let need = String::new();
+            Advice {
+                need,
+                codes,
+                others,
+            }
+            .words()
+        };
+        assert_eq!(words(&[], &["a"]), "none of these");
+        assert_eq!(words(&["a", "b"], &[]), "all of these");
+        assert_eq!(words(&["a", "b"], &["c"]), "all but c");
+        assert_eq!(words(&["a", "b"], &["c", "d"]), "a, b");
+        assert_eq!(words(&["a"], &["c", "d"]), "a");
+    }
+
+    /// One of both parts that reaches less and less, one of Re w alone, one in single precision; each with a worse one
+    /// beside it.
+    #[test]
+    fn each_need_is_told_with_what_meets_it() {
+        let everywhere = Some(f64::NEG_INFINITY);
+        let derivative = |worst: f64| {
+            let (p99, median) = (0.0, 0.0);
+            Some(Figures { worst, p99, median })
+        };
+        let rows = [
+            Row {
+                heights: vec![
+                    height(1e-4, everywhere, everywhere),
+                    height(1e-6, everywhere, Some(-2.0)),
+                    height(1e-10, Some(-3.0), Some(-1.0)),
+                    height(2.0 * f64::EPSILON, None, None),
+                ],
+                derivative: derivative(1e-12),
+                nanoseconds: Some(9.0),
+                ..row("a")
+            },
+            Row {
+                heights: vec![height(1e-4, everywhere, Some(-1.9)); 4],
+                derivative: derivative(1.1e-12),
+                nanoseconds: Some(5.0),
+                ..row("b")
+            },
+            Row {
+                derivative: derivative(1e-6),
+                ..row("d")
+            },
+            Row {
+                derivative: derivative(1.1e-6),
+                ..row("c")
+            },
+            Row {
+                real_part_only: true,
+                heights: vec![height(1e-4, None, everywhere)],
+                ..row("re")
+            },
+            Row {
+                single: true,
+                heights: vec![
+                    height(1e-4, Some(-2.0), None),
+                    height(1e-6, Some(-1.9), None),
+                ],
+                derivative: derivative(0.0),
+                ..row("f")
+            },
+            Row {
+                single: true,
+                heights: vec![
+                    height(1e-4, Some(-1.9), None),
+                    height(1e-6, Some(-2.1), None),
+                ],
+                ..row("g")
+            },
+        ];
+        let found = advice(&rows);
+        let found: Vec<[String; 3]> = found
+            .iter()
+            .map(|a| [a.need.clone(), a.codes.join(" "), a.others.join(" ")])
+            .collect();
+        let slope = |within: &str| {
+            format!(
+                "W' by -2zW + 2i/sqrt(pi) within {within} of its norm, -8 < Re z < 8, Im z = 0.1..8"
+            )
+        };
+        let single =
+            |within: &str| format!("in single precision, {within} of the norm, Im z >= 0.01");
+        let due = [
+            ("1e-4 of the norm, every Im z >= 0".into(), "b a", "c d"),
+            ("1e-4 of each part, every Im z >= 0".into(), "a re", "b c d"),
+            ("1e-4 of the norm, Im z >= 0.01".into(), "b a", "c d"),
+            ("1e-4 of each part, Im z >= 0.01".into(), "a re", "b c d"),
+            ("1e-6 of the norm, every Im z >= 0".into(), "b a", "c d"),
+            (
+                "1e-6 of each part, every Im z >= 0".into(),
+                "",
+                "b a c d re",
+            ),
+            ("1e-6 of the norm, Im z >= 0.01".into(), "b a", "c d"),
+            ("1e-6 of each part, Im z >= 0.01".into(), "a", "b c d re"),
+            ("1e-10 of the norm, every Im z >= 0".into(), "b", "a c d"),
+            (
+                "1e-10 of each part, every Im z >= 0".into(),
+                "",
+                "b a c d re",
+            ),
+            ("1e-10 of the norm, Im z >= 0.01".into(), "b a", "c d"),
+            ("1e-10 of each part, Im z >= 0.01".into(), "", "b a c d re"),
+            ("2 ε of the norm, every Im z >= 0".into(), "b", "a c d"),
+            ("2 ε of each part, every Im z >= 0".into(), "", "b a c d re"),
+            ("2 ε of the norm, Im z >= 0.01".into(), "b", "a c d"),
+            ("2 ε of each part, Im z >= 0.01".into(), "", "b a c d re"),
+            (slope("1e-6"), "b a d", "c"),
+            (slope("1e-12"), "a", "b c d"),
+            (single("1e-4"), "f", "g"),
+            (single("1e-6"), "g", "f"),
+        ];
+        let due = due
+            .map(|(need, codes, others): (String, &str, &str)| [need, codes.into(), others.into()]);
+        assert_eq!(found, due);
+        // Nobody asks where there is nothing to choose from.
+        let doubles: Vec<Row> = rows.into_iter().filter(|r| !r.single).collect();
+        assert_eq!(advice(&doubles).len(), 18);
+        let good = [Row {
+            heights: vec![height(1e-4, everywhere, everywhere); 4],
+            ..row("good")
+        }];
+        assert_eq!(advice(&good).len(), 18);
     }
 }

@@ -137,3 +137,53 @@ pub fn answer(a: &Algorithm, z: &[f64]) -> SolverAnswer {
         Parts::Real => vec![w.re],
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit_atlas::find;
+
+    #[test]
+    fn a_command_names_the_code_and_the_exact_point() {
+        let code = Code::double(find("humlicek-1982").unwrap());
+        assert_eq!(
+            code.at(&[1.0625, -0.15625]),
+            "atlas --only humlicek-1982 --at 0x1.1p+0,-0x1.4p-3"
+        );
+    }
+
+    #[test]
+    fn both_precisions_answer_with_their_own_values() {
+        let a = find("humlicek-1982").unwrap();
+        let z = vec![1.25, 0.1];
+        let (double, single) = (Code::double(a), Code::single(a).unwrap());
+        assert!(!double.single && single.single);
+        assert_eq!(single.name, "humlicek-1982 (f32)");
+        let w = (a.w)(Complex::new(1.25, 0.1));
+        let due = SolverAnswer::Values(vec![w.re, w.im]);
+        assert_eq!(double.answers(&[z.clone()]), [due]);
+        let w = (a.single.unwrap())(Complex32::new(1.25, 0.1));
+        let due = SolverAnswer::Values(vec![f64::from(w.re), f64::from(w.im)]);
+        assert_eq!(single.answers(&[z]), [due]);
+        let other = Code::other(Default::default(), a.plane, a.parts, |_| Vec::new());
+        assert!(!other.single);
+    }
+
+    #[test]
+    fn profiles_of_half_of_the_lines_are_told_from_those_of_all() {
+        let mut seen = [false; 2];
+        for p in mechaudit_atlas::PROFILES {
+            let code = Code::line(p);
+            assert_eq!(code.plane == Plane::Whole, p.whole, "{}", p.name);
+            seen[usize::from(p.whole)] = true;
+        }
+        assert_eq!(seen, [true; 2]);
+    }
+
+    #[test]
+    fn the_suite_s_own_solver_stands_beside_the_others() {
+        let all = algorithms();
+        assert_eq!(all.len(), mechaudit_atlas::all().len() + 1);
+        assert!(all.iter().any(|a| a.name == "mechaudit"));
+    }
+}

@@ -585,35 +585,5 @@ pub fn claims() -> Vec<Claim> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Within the part of the plane that is tried no zero is left out.
-    #[test]
-    fn the_last_zero_is_below() {
-        assert!(ZEROS.last().unwrap()[1] < -6.2);
-        assert!(!off_zeros(ZEROS[0][0], ZEROS[0][1]) && off_zeros(1.0, -1.0));
-    }
-
-    #[test]
-    fn every_claim_is_drawn_where_it_holds() {
-        for claim in claims() {
-            let mut lines = mechaudit_atlas::PROFILES.iter();
-            let known = mechaudit_atlas::find(claim.algorithm).is_some()
-                || lines.any(|p| p.name == claim.algorithm);
-            let missing = mechaudit_atlas::NOT_AT_HAND.iter();
-            let missing = missing.into_iter().any(|m| m.name == claim.algorithm);
-            assert!(known || missing, "{}", claim.algorithm);
-            let Some((place, _, _, bound)) = claim.test else {
-                assert!(!claim.reading.is_empty());
-                continue;
-            };
-            assert!(bound > 0.0 && bound.is_finite());
-            let inside = (0..200).filter(|i| {
-                let z = (place.draw)(&mut Draw::new(1, "atlas", "claim", *i));
-                (place.holds)(&z)
-            });
-            assert!(inside.count() > 100, "{}", claim.statement);
-        }
-    }
-}
+#[path = "data_tests.rs"]
+mod tests;

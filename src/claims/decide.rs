@@ -100,11 +100,7 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
             decided.points = m.points;
             decided.found = Some(rounded(m.mean));
             decided.within = Some(rounded(m.within));
-            decided.verdict = match bound {
-                b if m.mean + m.within <= b => Verdict::Holds,
-                b if m.mean - m.within > b => Verdict::Refuted,
-                _ => Verdict::Open,
-            };
+            decided.verdict = of_mean(&m, bound);
         }
     }
     decided.reproduce = decided
@@ -112,6 +108,15 @@ pub fn decide(claim: &Claim, effort: &Effort) -> Decided {
         .as_ref()
         .map(|z| format!("mechaudit {}", code::at(claim.algorithm, z)));
     decided
+}
+
+/// The interval of a mean is below the bound, above it, or holds it.
+fn of_mean(m: &Mean, bound: f64) -> Verdict {
+    match bound {
+        b if m.mean + m.within <= b => Verdict::Holds,
+        b if m.mean - m.within > b => Verdict::Refuted,
+        _ => Verdict::Open,
+    }
 }
 
 /// What a claim is about.

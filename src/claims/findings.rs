@@ -227,4 +227,20 @@ mod tests {
         let none = findings(&|name| name == "hunter-regan-1972");
         assert!(none.is_empty());
     }
+
+    #[test]
+    fn numbers_of_common_size_have_no_exponent() {
+        for (x, text) in [
+            (0.001, "0.001"),
+            (0.0015, "0.0015"),
+            (9.99e-4, "9.99e-4"),
+            (999_999.0, "999999"),
+            (1e6, "1e6"),
+            (1.5e6, "1.5e6"),
+            (-4.5, "-4.5"),
+            (1e-12, "1e-12"),
+        ] {
+            assert_eq!(plain(x), text);
+        }
+    }
 }

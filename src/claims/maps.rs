@@ -79,6 +79,9 @@ pub fn map(code: &Code) -> Map {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solvers::faddeeva::faddeeva;
+    use mechaudit_atlas::Plane;
+    use num_complex::Complex;
 
     #[test]
     fn levels_are_thirds_of_decades() {
@@ -87,5 +90,72 @@ mod tests {
         assert_eq!(level(1e300), LEVELS.len() - 1);
         assert_eq!(LEVELS.len(), 53);
         assert!(level(1e-6) < level(1e-5));
+    }
+
+    #[test]
+    fn a_level_holds_what_its_third_of_a_decade_ends_with() {
+        for (error, due) in [
+            (1e-300, 1),
+            (1e-18, 1),
+            (2.1e-17, 2),
+            (2.2e-17, 3),
+            (3e-5, 39),
+            (0.4, 51),
+            (0.9, 52),
+            (f64::INFINITY, 0),
+        ] {
+            assert_eq!(level(error), due, "{error:e}");
+        }
+    }
+
+    /// One answer that is a number, off in a single part, or of that part alone.
+    #[test]
+    fn each_cell_has_a_point_of_its_own() {
+        let (row, column) = (46, 7);
+        let off = 3e-5;
+        for parts in [Parts::Both, Parts::Real] {
+            let asked = std::cell::RefCell::new(Vec::new());
+            let code = Code::other(Default::default(), Plane::Upper, parts, |points| {
+                *asked.borrow_mut() = points.to_vec();
+                let answer = |(i, z): (usize, &Vec<f64>)| {
+                    let w = faddeeva(Complex::new(z[0], z[1]));
+                    match (i == row * COLUMNS + column, parts) {
+                        (false, _) => SolverAnswer::Values(vec![f64::NAN; 2]),
+                        (_, Parts::Both) => SolverAnswer::Values(vec![w.re * (1.0 + off), w.im]),
+                        (_, Parts::Real) => SolverAnswer::Values(vec![w.re * (1.0 + off)]),
+                    }
+                };
+                points.iter().enumerate().map(answer).collect()
+            });
+            let map = map(&code);
+            let points = asked.take();
+            assert_eq!(points.len(), 54 * 64);
+            assert_eq!((map.rows, map.columns), (54, 64));
+            for (i, z) in points.iter().enumerate() {
+                let (row, column) = ((i / 64) as f64, (i % 64) as f64);
+                let place = [z[0] * 4.0 - column, (z[1].log10() + 16.0) * 3.0 - row];
+                assert!(place.iter().all(|p| (0.4..0.6).contains(p)), "{i}: {z:?}");
+            }
+            let z = &points[row * 64 + column];
+            let w = faddeeva(Complex::new(z[0], z[1]));
+            let letter = |error: f64| LEVELS.chars().nth(level(error)).unwrap();
+            let due = |error: f64| -> String {
+                let at = |i: usize| {
+                    if i == row * 64 + column {
+                        letter(error)
+                    } else {
+                        '0'
+                    }
+                };
+                (0..54 * 64).map(at).collect()
+            };
+            assert_eq!(map.parts, due(off), "{parts:?}");
+            let of_norm = match parts {
+                Parts::Both => off * w.re / w.norm(),
+                Parts::Real => off,
+            };
+            assert!(level(of_norm) < level(off) || parts == Parts::Real);
+            assert_eq!(map.norm, due(of_norm), "{parts:?}");
+        }
     }
 }

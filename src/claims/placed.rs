@@ -96,4 +96,47 @@ mod tests {
         let found = placed.conditions(input);
         assert!(found.is_some() && found == method.conditions(input));
     }
+
+    /// What a claim says is of the method, where it says it is its own.
+    #[test]
+    fn a_placed_method_is_the_method_elsewhere() {
+        for name in ["faddeeva", "four-bar"] {
+            let method = find(name).unwrap();
+            let region = method.domain().regions[0].clone();
+            let placed = Placed::new(&*method, vec![region.clone()], |z| z[1] > 0.0);
+            let names = |of: &dyn Method| {
+                let inputs = of.inputs().into_iter().map(|i| i.name);
+                let outputs: Vec<&str> = of.outputs().iter().map(|o| o.name).collect();
+                (inputs.collect::<Vec<_>>(), outputs)
+            };
+            assert_eq!(names(&placed), names(&*method));
+            assert!(!names(&placed).0.is_empty() && !names(&placed).1.is_empty());
+            let limit = |of: &dyn Method| of.norm_budget().map(|b| format!("{b:?}"));
+            assert_eq!(limit(&placed), limit(&*method));
+            let domain = placed.domain();
+            let regions: Vec<&str> = domain.regions.iter().map(|r| r.name).collect();
+            assert_eq!(regions, [region.name]);
+            assert!(domain.check_points.is_empty() && placed.hard().is_empty());
+            assert!(placed.laws().is_empty() && !method.laws().is_empty());
+            let input = &method.domain().check_points[0].input;
+            assert_eq!(placed.solve(input), method.solve(input));
+            assert_eq!(placed.signs_of_zero(input), method.signs_of_zero(input));
+            assert!(placed.branch(input).is_none());
+        }
+    }
+
+    #[test]
+    fn a_hunt_stays_where_both_admit_it() {
+        let method = find("faddeeva").unwrap();
+        let right = Placed::new(&*method, Vec::new(), |z| z[0] > 0.0);
+        let both = Placed::new(&right, Vec::new(), |z| z[1] > 0.0);
+        for (z, due) in [
+            ([1.0, 1.0], true),
+            ([-1.0, 1.0], false),
+            ([1.0, -1.0], false),
+            ([-1.0, -1.0], false),
+        ] {
+            assert_eq!(both.admits(&z), due, "{z:?}");
+        }
+    }
 }

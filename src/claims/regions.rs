@@ -103,3 +103,43 @@ pub fn of_single() -> Vec<Region> {
     all.retain(|r| !left.contains(&r.name));
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn multiples_of_a_fourth_are_all_drawn_but_zero() {
+        let drawn = (0..2000).map(|k| fourth(&mut Draw::new(1, "atlas", "fourth", k), 32.0) * 4.0);
+        let drawn: BTreeSet<u64> = drawn.map(f64::to_bits).collect();
+        let due: BTreeSet<u64> = (1..=32).map(|k| f64::from(k).to_bits()).collect();
+        assert_eq!(drawn, due);
+    }
+
+    #[test]
+    fn single_precision_leaves_out_what_it_cannot_hold() {
+        let names = |all: Vec<Region>| -> Vec<&str> { all.iter().map(|r| r.name).collect() };
+        let mut due = names(upper());
+        due.retain(|name| !["at-axis", "huge"].contains(name));
+        assert_eq!(due.len(), 8);
+        assert_eq!(names(of_single()), due);
+    }
+
+    #[test]
+    fn each_region_is_drawn_on_its_side_of_the_axis() {
+        for (regions, sign) in [(upper(), 1.0), (lower(), -1.0)] {
+            for r in regions {
+                let points = (0..100).map(|k| (r.sample)(&mut Draw::new(1, "atlas", r.name, k)));
+                let points: Vec<Vec<f64>> = points.collect();
+                assert!(
+                    points.iter().all(|z| z.len() == 2 && z[1] * sign >= 0.0),
+                    "{}",
+                    r.name
+                );
+                let left = points.iter().filter(|z| z[0] < 0.0).count();
+                assert!((25..75).contains(&left), "{}: {left}", r.name);
+            }
+        }
+    }
+}

@@ -133,14 +133,5 @@ fn halved(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_rise_is_more_than_a_hundred_times_rounding() {
-        let least = 100.0 * LEAST;
-        assert!(!rises(0.0, least, 1.0) && rises(0.0, least.next_up(), 1.0));
-        assert!(rises(1.0, 1.0 + 2.1e-12, 2.0) && !rises(1.0, 1.0 + 1.9e-12, 2.0));
-        assert!(!rises(1.0, 0.5, 1.0));
-    }
-}
+#[path = "seams_tests.rs"]
+mod tests;

@@ -60,4 +60,25 @@ mod tests {
         }
         assert!(counts.iter().all(|n| (28..35).contains(n)), "{counts:?}");
     }
+
+    /// Codes that sleep, two points each.
+    #[test]
+    fn the_time_is_that_of_one_value() {
+        let sleep = |microseconds: &u64, _: u8| {
+            std::thread::sleep(std::time::Duration::from_micros(*microseconds));
+        };
+        let found = in_turn(&[200, 2000], &[0; 4], sleep);
+        assert!(found[0] >= 2e5 && found[0] < 1.9e6, "{found:?}");
+        assert!(found[1] >= 2e6 && found[1] < 2e7, "{found:?}");
+    }
+
+    #[test]
+    fn each_code_and_profile_has_a_time() {
+        let algorithms =
+            ["humlicek-1982", "wells-1999-r4"].map(|n| mechaudit_atlas::find(n).unwrap());
+        let found = nanoseconds(&algorithms);
+        assert!(found.len() == 2 && found.iter().all(|t| *t > 0.0 && t.is_finite()));
+        let found = nanoseconds_of_lines(&mechaudit_atlas::PROFILES[..1]);
+        assert!(found.len() == 1 && found[0] > 0.0 && found[0].is_finite());
+    }
 }

@@ -322,3 +322,7 @@ fn figures(report: &MethodReport, negative: &[(&'static str, u64)], unit: f64) -
     parts.push(part(&report.total, "all"));
     parts
 }
+
+#[cfg(test)]
+#[path = "survey_tests.rs"]
+mod tests;

@@ -133,4 +133,49 @@ mod tests {
         let due = ["values", "derivatives", "heights", "seams", "lines"];
         assert_eq!(told.into_inner()[..5], due);
     }
+
+    /// Times are of algorithms in double precision and of profiles, and only where they are asked for.
+    #[test]
+    fn what_is_chosen_is_surveyed_timed_and_decided() {
+        let algorithm = mechaudit_atlas::find("humlicek-1982").unwrap();
+        let profile = *mechaudit_atlas::PROFILES
+            .iter()
+            .find(|p| p.name == "hapi-pcqsdhc")
+            .unwrap();
+        let effort = Effort { cases: 1, seed: 1 };
+        for timed in [true, false] {
+            let told = RefCell::new(Vec::new());
+            let step = |word: &str| told.borrow_mut().push(word.to_string());
+            let codes = [Code::single(algorithm).unwrap(), Code::double(algorithm)];
+            let found = atlas(&codes, &[profile], &effort, timed, &step);
+            assert_eq!(found.effort, effort);
+            let times = found.rows.iter().map(|r| r.nanoseconds.is_some());
+            assert_eq!(times.collect::<Vec<_>>(), [false, timed]);
+            let names = found
+                .profiles
+                .iter()
+                .map(|r| (r.name.as_str(), r.nanoseconds.is_some()));
+            assert_eq!(names.collect::<Vec<_>>(), [("hapi-pcqsdhc", timed)]);
+            let decided: Vec<&str> = found.claims.iter().map(|c| c.algorithm).collect();
+            assert_eq!(decided, ["humlicek-1982", "humlicek-1982", "hapi-pcqsdhc"]);
+            let told = told.into_inner();
+            assert_eq!(told.contains(&"speed".into()), timed);
+            assert_eq!(told[told.len() - 3..], decided[..]);
+            let findings: Vec<&str> = found.findings.iter().map(|f| f.algorithm).collect();
+            assert_eq!(findings, ["humlicek-1982", "hapi-pcqsdhc", "hapi-pcqsdhc"]);
+            assert!(found.not_at_hand.is_empty());
+            let verdicts = [
+                Verdict::Holds,
+                Verdict::InPart,
+                Verdict::Refuted,
+                Verdict::Open,
+            ];
+            assert_eq!(verdicts.map(|v| found.count(v)).iter().sum::<usize>(), 3);
+            for v in verdicts {
+                let due = found.claims.iter().filter(|c| c.verdict == v).count();
+                assert_eq!(found.count(v), due);
+            }
+            assert_eq!(found.count(Verdict::NotTestable), 0);
+        }
+    }
 }

@@ -89,3 +89,30 @@ pub fn motion_of(key: &str) -> Option<Motion> {
 pub fn keys() -> Vec<&'static str> {
     PAPERS.iter().map(|p| p.key).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn papers_are_found_by_their_keys() {
+        let keys = keys();
+        assert_eq!(
+            keys,
+            [
+                "zinchenko",
+                "gembara-senyk",
+                "andrews",
+                "n-four-bar",
+                "pmksweb"
+            ]
+        );
+        assert!(keys.iter().all(|key| find(key).is_some()));
+        let moving: Vec<&&str> = keys.iter().filter(|key| motion_of(key).is_some()).collect();
+        assert_eq!(moving, [&"zinchenko"]);
+        assert_eq!(ledger_of("pmksweb").unwrap().paper.key, "pmksweb");
+        assert!(
+            find("none").is_none() && ledger_of("none").is_none() && motion_of("none").is_none()
+        );
+    }
+}

@@ -171,4 +171,70 @@ mod tests {
         assert!(!p.within(&near.widened(Mag::INFINITY), 0.5));
         assert_eq!(p.right_digits(&near.widened(Mag::from_f64(6e-5))).0, 3);
     }
+
+    #[test]
+    fn a_number_is_judged_by_its_last_digit() {
+        for (value, due, units) in [
+            ("12.34499", EntryVerdict::Agrees, -0.499),
+            ("12.34501", EntryVerdict::Rounding, -0.501),
+            ("12.33001", EntryVerdict::Rounding, 0.999),
+            ("12.32999", EntryVerdict::Unexplained, 1.001),
+        ] {
+            let found = Number::read("12.34").judged(&ball(value), 7);
+            assert_eq!(
+                (found.verdict, found.units_in_last_digit),
+                (due, units),
+                "{value}"
+            );
+        }
+        let agrees = Number::read("12.34").judged(&ball("12.34499"), 7);
+        assert_eq!(
+            (agrees.recomputed.as_str(), agrees.note),
+            ("12.34499", None)
+        );
+        let off = Number::read("12.34").judged(&ball("12.1"), 4).note.unwrap();
+        assert_eq!(off, "2 of 4 digits are right: 12.|34");
+        let wide = ball("12.34").widened(crate::reference::Mag::from_f64(1.0));
+        assert_eq!(
+            Number::read("12.34").judged(&wide, 4).recomputed,
+            "undecided"
+        );
+    }
+
+    /// Digits as large as the number's own: 9 and 10 of which the last is not begun with.
+    #[test]
+    fn the_digits_that_are_right_are_those_before_the_first_wrong_one() {
+        for (text, value, due) in [
+            ("0.99", "1.01", (0, 2)),
+            ("1.00", "0.98", (0, 3)),
+            ("105", "109.4", (2, 3)),
+            ("100", "109.4", (2, 3)),
+            ("-105", "-109.4", (2, 3)),
+            ("105", "-109.4", (0, 3)),
+            ("5e2", "507", (1, 1)),
+            ("5.1e2", "507", (2, 2)),
+            ("5.3e2", "507", (1, 2)),
+        ] {
+            assert_eq!(
+                Number::read(text).right_digits(&ball(value)),
+                due,
+                "{text} {value}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_column_is_counted_within_half_a_unit_and_one() {
+        let numbers = ["1.00", "2.00", "3.0"].map(Number::read);
+        let values = ["1.004", "1.991", "3.13"].map(ball);
+        let pairs: Vec<(&Number, &Ball)> = numbers.iter().zip(&values).collect();
+        let found = tally(["variant", "column"], 2, &pairs);
+        assert_eq!(
+            (found.entries, found.within_half, found.within_one),
+            (3, 1, 2)
+        );
+        assert!((found.worst_units - 1.3).abs() < 1e-12 && (found.worst - 0.13).abs() < 1e-12);
+        let right = tally(["variant", "column"], 2, &pairs[..1]);
+        assert!((right.worst_units - 0.4).abs() < 1e-12 && (right.worst - 0.004).abs() < 1e-12);
+    }
 }

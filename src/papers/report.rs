@@ -239,4 +239,30 @@ mod tests {
             assert!(!recorded(&figures, other), "{other:?}");
         }
     }
+
+    #[test]
+    fn one_finding_that_has_changed_is_enough() {
+        let finding = |as_recorded| Finding {
+            id: "",
+            subject: Subject::Data,
+            place: "",
+            title: String::new(),
+            verdict: FindingVerdict::Confirmed,
+            text: String::new(),
+            figures: Vec::new(),
+            as_recorded,
+        };
+        let recorded = |of: &[bool]| {
+            let paper = Citation {
+                key: "",
+                authors: "",
+                title: "",
+                year: None,
+                venue: "",
+            };
+            PaperReport::new(paper, of.iter().map(|r| finding(*r)).collect()).as_recorded()
+        };
+        assert!(recorded(&[true]) && recorded(&[true, true]));
+        assert!(!recorded(&[true, false]) && !recorded(&[false, true]) && !recorded(&[]));
+    }
 }

@@ -54,7 +54,7 @@ pub fn report(progress: Progress) -> Result<PaperReport, Undecided> {
     let motion = motion(BITS)?;
     progress("digits", 2, 3);
     let printed = printed();
-    let (entries, tallies) = entries::entries(&printed, &motion);
+    let (entries, tallies) = entries::entries(&printed, &motion.values);
     let findings = findings::all(&ledger, &printed, &motion);
     progress("done", 3, 3);
     Ok(PaperReport::new(citation(), findings).with_entries(entries, tallies))

@@ -72,3 +72,22 @@ pub fn printed() -> Vec<Printed> {
     let rows = reader.records().map(|r| row(r.expect("a row of values")));
     rows.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantities_come_in_four_kinds() {
+        assert_eq!(
+            [0, 6, 7, 13, 14, 20, 21, 26].map(kind),
+            [0, 0, 1, 1, 2, 2, 3, 3]
+        );
+        assert_eq!([0, 7, 14, 21].map(unit), ["rad", "rad/s", "rad/s^2", "N"]);
+        let all = printed();
+        let first = &all[0];
+        assert_eq!((first.time.as_str(), first.quantity), ("0", 0));
+        assert_eq!(first.number.text, "-0.0617138900142764496358948458001");
+        assert!(all.iter().any(|p| p.time == "0.03" && p.quantity == 26));
+    }
+}

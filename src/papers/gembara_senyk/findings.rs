@@ -39,12 +39,12 @@ fn vanish(errors: &[f64]) -> bool {
     errors.iter().all(|e| e.abs() < ENCLOSED)
 }
 
+/// The largest of either sign, with its time.
 fn worst(errors: &[f64]) -> (f64, f64) {
-    errors
-        .iter()
-        .enumerate()
-        .map(|(i, e)| (0.1 * (i + 1) as f64, *e))
-        .fold((0.0, 0.0), |a, b| if b.1.abs() > a.1.abs() { b } else { a })
+    let times = (1..).map(|i| 0.1 * f64::from(i));
+    let timed = times.zip(errors.iter().copied());
+    let worst = timed.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    worst.unwrap_or_default()
 }
 
 /// (18) and (19) as printed at an oscillator.
@@ -144,9 +144,10 @@ fn differences(a: &Chart, b: &Chart, curve: fn(&ChartPoint) -> f64) -> Vec<f64> 
 }
 
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values
+    let largest = values
         .into_iter()
-        .fold(0.0, |m, x| if x.abs() > f64::abs(m) { x } else { m })
+        .max_by(|a, b| a.abs().total_cmp(&b.abs()));
+    largest.unwrap_or_default()
 }
 
 /// For each beat zone of the first the relative distance to the nearest one of the second.
@@ -306,5 +307,37 @@ mod tests {
         assert_eq!(worst(&[0.5, -2.0, 1.0]), (0.2, -2.0));
         assert_eq!(largest([0.5, -2.0, 1.0]), -2.0);
         assert_eq!(largest([]), 0.0);
+    }
+
+    /// To the nearest zone on either side, of which there may be none.
+    #[test]
+    fn beat_zones_are_compared_with_the_nearest() {
+        let zone = |xi: &f64| BeatZone {
+            xi: *xi,
+            value: 1.0,
+            spacing: 1.0,
+        };
+        let zones = |all: &[f64]| -> Vec<BeatZone> { all.iter().map(zone).collect() };
+        let (a, b) = (zones(&[2.0, 4.0, 10.0]), zones(&[2.5, 3.9, 4.2]));
+        let found = shifts(&a, &b);
+        let due = [0.25, -0.025, -0.58];
+        assert_eq!(found.len(), 3);
+        for (x, y) in found.iter().zip(due) {
+            assert!((x - y).abs() < 1e-12, "{found:?}");
+        }
+        assert!(shifts(&a, &[]).is_empty() && shifts(&[], &a).is_empty());
+    }
+
+    #[test]
+    fn findings_on_charts_are_as_recorded() {
+        let all = comparison();
+        let found: Vec<(&str, bool)> = all.iter().map(|f| (f.id, f.as_recorded)).collect();
+        assert_eq!(
+            found,
+            [("sum-of-moduli", true), ("run-up-for-run-down", true)]
+        );
+        let text = &all[1].text;
+        assert!(text.contains("differ by up to 46.4 %"), "{text}");
+        assert!(text.contains("lie up to 4.5 %"), "{text}");
     }
 }

@@ -260,3 +260,6 @@ impl Erratum {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

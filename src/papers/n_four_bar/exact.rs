@@ -66,4 +66,19 @@ mod tests {
         assert_eq!(x, [Rational::from((1, 6)), Rational::from((1, 2))]);
         assert!(solve(matrix(&[[1, 2, 1], [2, 4, 2]])).is_none());
     }
+
+    #[test]
+    fn only_square_systems_of_full_rank_are_solved() {
+        assert!(solve(matrix(&[[1, 2, 1]])).is_none());
+        assert!(solve(matrix(&[[1, 1], [2, 2]])).is_none());
+        assert!(solve(Vec::new()).is_none());
+        let x = solve(matrix(&[[2, 1, 1, 9], [4, 1, 2, 17], [1, 3, 5, 16]])).unwrap();
+        assert_eq!(x, [3, 1, 2]);
+        assert_eq!(
+            rank(matrix(&[[1, 2, 3], [4, 5, 6], [7, 8, 9], [1, 1, 1]])),
+            2
+        );
+        assert_eq!(rank(matrix(&[[0, 0, 1], [0, 2, 1], [3, 1, 1]])), 3);
+        assert_eq!(rank(Vec::new()), 0);
+    }
 }

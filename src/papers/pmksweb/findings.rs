@@ -2,7 +2,7 @@
 
 use super::drawing::{BITS, Drawn, FourBar, degrees, nearest_leaves, point, undecided};
 use crate::papers::ledger::{Ledger, Verdict};
-use crate::papers::{Finding, FindingVerdict, Subject, figure, recorded};
+use crate::papers::{Finding, FindingVerdict, Subject, figure, figures, recorded};
 use crate::reference::{Ball, ComplexBall, Undecided};
 use rug::Rational;
 
@@ -109,26 +109,39 @@ fn range(linkage: &FourBar) -> Result<Finding, Undecided> {
 
 /// The largest turn of the coupler over a step of the crank clockwise, in degrees, and where it ends.
 fn swiftest(linkage: &FourBar, step: u32) -> Result<(f64, u32), Undecided> {
-    let mut most = (0.0, 0);
+    let mut turns = Vec::new();
     let mut before: Option<ComplexBall> = None;
     let mut turned = 0;
     while let Some(modes) = linkage.modes(&degrees(&-Rational::from(turned)))? {
         let coupler = &modes.c[0] - &modes.b;
         if let Some(before) = &before {
             let turn = in_degrees(&before.cross(&coupler).atan2(&before.dot(&coupler)));
-            let size = turn.to_f64().abs();
-            most = if size > most.0 { (size, turned) } else { most };
+            turns.push((turn.to_f64().abs(), turned));
         }
         before = Some(coupler);
         turned += step;
     }
-    Ok(most)
+    let most = turns.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(most.unwrap_or_default())
 }
 
 fn held_side(linkage: &FourBar) -> Result<Finding, Undecided> {
     let (turn, at) = swiftest(linkage, 1)?;
     let [r, l, s, g] = &linkage.lengths;
     let gap = (r - g).abs() - (l - s).abs();
+    let figures = vec![
+        figure(
+            "least |BD| less the difference of coupler and rocker",
+            shown(&gap),
+            "cm",
+        ),
+        figure(
+            "largest turn of the coupler for one degree",
+            format!("{turn:.6}"),
+            "deg",
+        ),
+        figure("ending at degrees clockwise from the drawing", at, "deg"),
+    ];
     Ok(Finding {
         id: "91-held-side",
         subject: Subject::Claim,
@@ -140,24 +153,19 @@ fn held_side(linkage: &FourBar) -> Result<Finding, Undecided> {
                below, and stretched is where the crank ends. So the side is the branch. That path looks wrong and is not: \
                with B near D the coupler whirls, by the turn below for one degree of the crank."
             .into(),
-        figures: vec![
-            figure("least |BD| less the difference of coupler and rocker", shown(&gap), "cm"),
-            figure("largest turn of the coupler for one degree", format!("{turn:.6}"), "deg"),
-            figure("ending at degrees clockwise from the drawing", at, "deg"),
-        ],
-        as_recorded: linkage.never_folds() && turn > 60.0 && at == 20,
+        as_recorded: linkage.never_folds()
+            && recorded(&figures, &["0.024796788351602587246", "64.707081", "20"]),
+        figures,
     })
 }
 
 fn nearest(linkage: &FourBar) -> Result<Finding, Undecided> {
     let mut figures = Vec::new();
-    let mut leaves = Vec::new();
     for step in [1u32, 2, 3, 4, 5, 6, 8, 10] {
         let found = nearest_leaves(linkage, &Rational::from(step))?;
         let text = found
             .as_ref()
             .map_or("not at all".into(), Rational::to_string);
-        leaves.push(found.is_some());
         let unit = if found.is_some() { "deg" } else { "1" };
         figures.push(figure(
             format!("steps of {step} deg: leaves the branch after"),
@@ -176,8 +184,11 @@ fn nearest(linkage: &FourBar) -> Result<Finding, Undecided> {
                they lost the branch there or went on past a dead position cannot be decided from them. Where they differ \
                from the held side between the dead positions, they are wrong."
             .into(),
+        as_recorded: recorded(
+            &figures,
+            &["not at all", "not at all", "21", "20", "20", "24", "24", "20"],
+        ),
         figures,
-        as_recorded: leaves == [false, false, true, true, true, true, true, true],
     })
 }
 
@@ -186,6 +197,10 @@ fn after_the_dead_position(linkage: &FourBar) -> Result<Finding, Undecided> {
     let dead = dead(linkage)?;
     let (sine, _) = dead.sin_cos();
     let slope = (r * g).shift(1) * &sine;
+    let figures = vec![
+        figure("d|BD|²/dψ at the dead positions", shown(&slope), "cm^2"),
+        figure("crank's range", shown(&in_degrees(&dead.shift(1))), "deg"),
+    ];
     Ok(Finding {
         id: "91-after",
         subject: Subject::Claim,
@@ -197,11 +212,8 @@ fn after_the_dead_position(linkage: &FourBar) -> Result<Finding, Undecided> {
                linkage that comes to the dead position with its coupler moving goes over to the other mode as the crank turns \
                back. Positions alone do not say which; a crank that is driven at constant speed does neither."
             .into(),
-        figures: vec![
-            figure("d|BD|²/dψ at the dead positions", shown(&slope), "cm^2"),
-            figure("crank's range", shown(&in_degrees(&dead.shift(1))), "deg"),
-        ],
-        as_recorded: slope.is_positive(),
+        as_recorded: recorded(&figures, &["24.779718655816873906", "288.01013565556753508"]),
+        figures,
     })
 }
 
@@ -261,6 +273,9 @@ fn tangency(ledger: &Ledger) -> Finding {
     let (holds, all) = of.fold((0, 0), |(n, all), e| {
         (n + usize::from(e.as_recorded), all + 1)
     });
+    let figures = figures! {
+        "statements of the ledger that hold": "{holds} of {all}" => "1";
+    };
     Finding {
         id: "231-tangency",
         subject: Subject::Claim,
@@ -273,7 +288,7 @@ fn tangency(ledger: &Ledger) -> Finding {
                ends at a dead position before it, with a longer one the slider turns back short of the foot (ledger, \
                pm-apart): which of the three it is cannot be decided from rounded coordinates."
             .into(),
-        figures: vec![figure("statements of the ledger that hold", format!("{holds} of {all}"), "1")],
-        as_recorded: holds == all && all == 4,
+        as_recorded: recorded(&figures, &["4 of 4"]),
+        figures,
     }
 }

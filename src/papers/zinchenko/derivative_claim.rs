@@ -155,4 +155,17 @@ mod tests {
         assert!((i - 0.255_133_026_431_421_6).abs() < 1e-12, "{i}");
         assert!(((-0.5 * fine.hybrid_integral(48)).exp() - 0.999_868_96).abs() < 1e-7);
     }
+
+    #[test]
+    fn rows_are_seven_and_a_half_degrees_apart() {
+        for (row, due) in [(0, 14.426), (2, 29.426), (48, 374.426)] {
+            assert!((degrees(row) - due).abs() < 1e-12, "{row}");
+        }
+    }
+
+    #[test]
+    fn the_worst_difference_is_of_either_sign() {
+        assert_eq!(worst([(1.0, 0.5), (1.0, 3.0), (2.0, 1.5)].into_iter()), 2.0);
+        assert_eq!(worst([(1.0, 0.75)].into_iter()), 0.25);
+    }
 }

@@ -119,4 +119,48 @@ mod tests {
         );
         assert!(fit.covariance[(0, 0)].is_infinite());
     }
+
+    /// A row counts by what it is off in deviations: the mean of 1 and 4 with the deviations 1 and 2 is (1 + 1)/(1 + 1/4),
+    /// its variance 1/(1 + 1/4).
+    #[test]
+    fn rows_are_weighted_by_their_deviations() {
+        let a = DMatrix::from_element(2, 1, 1.0);
+        let b = DVector::from_column_slice(&[1.0, 4.0]);
+        let fit = least_squares(&a, &b, &DVector::from_column_slice(&[1.0, 2.0]));
+        assert!((fit.x[0] - 1.6).abs() < 1e-12 && (fit.covariance[(0, 0)] - 0.8).abs() < 1e-12);
+        assert!((fit.residuals[0] - 0.6).abs() < 1e-12 && (fit.residuals[1] + 1.2).abs() < 1e-12);
+    }
+
+    /// Only parameters that take part in it.
+    #[test]
+    fn a_direction_that_is_not_seen_leaves_the_others() {
+        let a = DMatrix::from_fn(5, 3, |i, j| match j {
+            0 => i as f64,
+            _ => 1.0,
+        });
+        let b = DVector::from_fn(5, |i, _| 3.0 * i as f64 + 2.0);
+        let fit = least_squares(&a, &b, &DVector::from_element(5, 1.0));
+        // Σ(i − 2)² = 10.
+        assert!((fit.x[0] - 3.0).abs() < 1e-12 && (fit.covariance[(0, 0)] - 0.1).abs() < 1e-12);
+        assert!((fit.x[1] - 1.0).abs() < 1e-12 && (fit.x[2] - 1.0).abs() < 1e-12);
+        assert!(fit.covariance[(1, 1)].is_infinite() && fit.covariance[(2, 2)].is_infinite());
+    }
+
+    /// A node's spline one row on is that of a design one row on; slopes are its derivative.
+    #[test]
+    fn nodes_may_be_moved_by_rows() {
+        let (here, moved) = (spline_rows(12, 0, false), spline_rows(12, 3, false));
+        for row in 0..TURN {
+            assert_eq!(moved.row((row + 3) % TURN), here.row(row));
+        }
+        let slope = spline_rows(12, 0, true);
+        // A cosine through twelve nodes.
+        let nodes = DVector::from_fn(12, |j, _| (TAU * j as f64 / 12.0).cos());
+        for row in 0..TURN {
+            let x = TAU * row as f64 / 48.0;
+            assert!(((&here * &nodes)[row] - x.cos()).abs() < 1e-3, "{row}");
+            assert!(((&slope * &nodes)[row] + x.sin()).abs() < 1e-2, "{row}");
+        }
+        assert!((rounding_deviation(3.0) - 0.75f64.sqrt()).abs() < 1e-15);
+    }
 }

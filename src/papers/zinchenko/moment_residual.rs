@@ -48,3 +48,44 @@ pub(super) fn moment_residual(
         errors: std::array::from_fn(|j| fitted.nodes[j] - exact.moment[j].to_f64()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tables::printed;
+    use super::*;
+
+    /// Twelve entries of three decimals: their mean is known to a unit over 12.
+    #[test]
+    fn means_are_of_twelve_nodes() {
+        let of = |k: usize| Ball::integer(64, k as i64);
+        let exact = Nodes {
+            inertia: Vec::new(),
+            derivative: Vec::new(),
+            moment: (1..=NODES).map(of).collect(),
+        };
+        let fitted = FittedMoment {
+            nodes: std::array::from_fn(|j| 0.5 * j as f64),
+            deviations: [0.0; NODES],
+            worst_units: 0.0,
+            left_out: Vec::new(),
+        };
+        let mut printed = printed();
+        let nodes =
+            |p: &&mut Printed| p.column == Column::Moment && p.row < 48 && p.row.is_multiple_of(4);
+        for (k, p) in printed.iter_mut().filter(nodes).enumerate() {
+            p.value.value = rug::Rational::from((k * k) as u32);
+        }
+        let found = moment_residual(&printed, &exact, &fitted);
+        assert_eq!(found.exact_mean.to_f64(), 6.5);
+        // (0 + 1 + 4 + … + 121)/12.
+        assert!((found.printed_mean - 506.0 / 12.0).abs() < 1e-12);
+        assert!(
+            (found.mean_deviation - 1e-3 / 12.0).abs() < 1e-12,
+            "{}",
+            found.mean_deviation
+        );
+        for (j, e) in found.errors.iter().enumerate() {
+            assert_eq!(*e, -0.5 * j as f64 - 1.0);
+        }
+    }
+}

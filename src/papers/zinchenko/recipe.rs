@@ -97,3 +97,71 @@ impl Splines {
         Column::ALL.iter().map(column).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solvers::cubic_spline::{Boundary, UniformCubicSpline};
+
+    /// The solvers' spline through the same nodes gives the same columns.
+    #[test]
+    fn columns_are_read_off_the_splines_of_the_nodes() {
+        let bits = 128;
+        let values = [3, -1, 4, 1, -5, 9, 2, -6, 5, 3, -5, 8];
+        let shifted = |by: usize| -> Vec<i64> { (0..12).map(|j| values[(j + by) % 12]).collect() };
+        let balls = |by: usize| {
+            shifted(by)
+                .into_iter()
+                .map(|x| Ball::integer(bits, x))
+                .collect()
+        };
+        let splines = Splines::new(&Nodes {
+            inertia: balls(0),
+            derivative: balls(1),
+            moment: balls(5),
+        });
+        let tau = std::f64::consts::TAU;
+        let solver = |by: usize| {
+            let mut y: Vec<f64> = shifted(by).into_iter().map(|x| x as f64).collect();
+            y.push(y[0]);
+            UniformCubicSpline::fit(0.0, tau / 12.0, y, Boundary::Periodic).unwrap()
+        };
+        let [inertia, derivative, moment] = [0, 1, 5].map(solver);
+        let all = splines.columns();
+        assert_eq!(all.len(), Column::ALL.len());
+        for (c, column) in Column::ALL.iter().zip(&all) {
+            assert_eq!(column.len(), ROWS);
+            for (row, found) in column.iter().enumerate() {
+                let jet = |s: &UniformCubicSpline| s.jet((row % 48) as f64 * tau / 48.0).unwrap();
+                let due = match c {
+                    Column::Inertia => jet(&inertia).value,
+                    Column::InertiaSlope | Column::InertiaSlope3 => jet(&inertia).first,
+                    Column::Derivative | Column::Derivative3 => jet(&derivative).value,
+                    Column::DerivativeSlope => jet(&derivative).first,
+                    Column::Moment => jet(&moment).value,
+                    Column::MomentSlope => jet(&moment).first,
+                    Column::Difference => jet(&derivative).value - jet(&inertia).first,
+                };
+                assert!((found.to_f64() - due).abs() < 1e-11, "{c:?} {row}");
+            }
+        }
+    }
+
+    #[test]
+    fn exact_nodes_are_at_equal_angles() {
+        let exact = exact_nodes(&data::masses(data::RECOVERED), NODES, 96).unwrap();
+        let own = data::MassParameters::new(data::RECOVERED).masses();
+        let states = super::super::recovery::node_states(NODES);
+        assert_eq!(exact.inertia.len(), NODES);
+        for (j, state) in states.iter().enumerate() {
+            let due = own.reduce(state);
+            for (found, due) in [
+                (&exact.inertia[j], due.inertia_kg_m2),
+                (&exact.derivative[j], due.inertia_derivative_kg_m2),
+                (&exact.moment[j], due.moment_n_m),
+            ] {
+                assert!((found.to_f64() - due).abs() < 1e-8, "{j}: {found:?} {due}");
+            }
+        }
+    }
+}

@@ -245,4 +245,61 @@ mod tests {
         near(f.hybrids[1].free, 0.999_868_96, 5e-9);
         near(f.start_times[1], 0.054, 5e-4);
     }
+
+    /// Speeds are compared up to 0.7 s and from 2 s on, ends included, and of either sign.
+    #[test]
+    fn speeds_are_compared_in_two_stretches() {
+        let cycle = |x: f64| Cycle {
+            psi: 0.0,
+            period: x,
+            mean: 0.0,
+            least: (0.0, 0.0),
+            most: (0.0, 0.0),
+            fluctuation: 0.1 * x,
+            multiplier: 0.0,
+            work: [7.0 * x, 1.0, 2.0],
+            kinetic_energy: 0.0,
+            mismatch: 0.0,
+            iterations: 0,
+            counts: Default::default(),
+        };
+        let motion = |off: [f64; 6], evaluations: u64| {
+            let sample = |(t, psi)| crate::solvers::run_up::Sample {
+                t,
+                psi,
+                ..crate::solvers::run_up::Sample::default()
+            };
+            Motion {
+                start: Default::default(),
+                end: Default::default(),
+                samples: [0.0, 0.7, 0.71, 1.99, 2.0, 3.0]
+                    .into_iter()
+                    .zip(off)
+                    .map(sample)
+                    .collect(),
+                events: Vec::new(),
+                turns: Vec::new(),
+                outcome: crate::solvers::run_up::Outcome::TimeUp,
+                counts: crate::solvers::run_up::Counts {
+                    evaluations,
+                    ..Default::default()
+                },
+                stiff_from: None,
+            }
+        };
+        let of = |off| {
+            let exact = (motion([1.0; 6], 5), cycle(2.0), 1.0);
+            against(12, &(motion(off, 9), cycle(3.0), 0.5), &exact, 0.25)
+        };
+        let found = of([1.0, 0.5, 9.0, 9.0, 1.0, 0.75]);
+        assert_eq!((found.run_up, found.steady), (0.5, 0.25));
+        let found = of([1.125, 1.0, 9.0, 9.0, 1.25, 1.0]);
+        assert_eq!((found.run_up, found.steady), (0.125, 0.25));
+        assert_eq!((found.nodes, found.period, found.work), (12, 1.0, 21.0));
+        assert!((found.fluctuation - 0.1).abs() < 1e-15);
+        assert_eq!(
+            (found.evaluations, found.free, found.within),
+            (9, 0.5, 0.25)
+        );
+    }
 }

@@ -17,14 +17,22 @@ fn farther(along: impl Fn(usize) -> f64) -> f64 {
     along(0).abs().max(along(1).abs())
 }
 
+/// The largest with its time.
+fn largest(of: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
+    of.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default()
+}
+
 /// `printed − certified` of the library's rows: largest size, and when.
 fn library_error(motion: &Motion) -> (f64, f64) {
     let errors = motion.library.iter().map(|(row, due)| {
         let off = |k: usize| row.place[k].difference(&due.values[k]).to_f64();
         (farther(off), row.time.to_f64())
     });
-    errors.fold((0.0, 0.0), |m, e| if e.0 > m.0 { e } else { m })
+    largest(errors)
 }
+
+/// Numbers of the library that are right to the last digit, and all of them; then its figures.
+const LIBRARY: ((usize, usize), [&str; 4]) = ((431, 802), ["4.088e-6", "18.70", "0.66", "2"]);
 
 pub(super) fn library(motion: &Motion) -> Finding {
     let numbers = || {
@@ -43,6 +51,12 @@ pub(super) fn library(motion: &Motion) -> Finding {
         ((x * vx + y * vy) / (vx.square() + vy.square())).to_f64()
     };
     let last = motion.library.last().map_or(f64::NAN, late);
+    let figures = figures! {
+        "largest error of x or y": "{worst:.3e}" => "m";
+        "at": "{when:.2}" => "s";
+        "ahead in time at the end": "{:.2}", last * 1e6 => "µs";
+        "fewest right digits, but for x at t = 0": "{least}" => "1";
+    };
     Finding {
         id: "library-reference",
         subject: Subject::Tables,
@@ -56,13 +70,8 @@ pub(super) fn library(motion: &Motion) -> Finding {
                and serves as a reference where a thousandth is asked for. x at t = 0 is printed as -1.03833E-13, the \
                code's error of assembly; it is 0."
             .into(),
-        figures: figures! {
-            "largest error of x or y": "{worst:.3e}" => "m";
-            "at": "{when:.2}" => "s";
-            "ahead in time at the end": "{:.2}", last * 1e6 => "µs";
-            "fewest right digits, but for x at t = 0": "{least}" => "1";
-        },
-        as_recorded: all == 802 && half > 300 && (4.0e-6..4.2e-6).contains(&worst),
+        as_recorded: (half, all) == LIBRARY.0 && recorded(&figures, &LIBRARY.1),
+        figures,
     }
 }
 
@@ -99,8 +108,12 @@ fn gaps(motion: &Motion) -> Vec<(f64, f64)> {
 }
 
 pub(super) fn opensim(motion: &Motion) -> Finding {
-    let gaps = gaps(motion).into_iter();
-    let (gap, when) = gaps.fold((0.0, 0.0), |m, g| if g.0 > m.0 { g } else { m });
+    let (gap, when) = largest(gaps(motion).into_iter());
+    let figures = figures! {
+        "largest distance in x or y within 10 s, N = 2 and N = 40": "{gap:.4}" => "m";
+        "at": "{when:.2}" => "s";
+        "difference of the periods": "{:.6}", (&motion.of(40).period - &motion.of(2).period).to_f64() => "s";
+    };
     Finding {
         id: "opensim",
         subject: Subject::Claim,
@@ -112,12 +125,8 @@ pub(super) fn opensim(motion: &Motion) -> Finding {
                same authors gives N = 40. One of the two is wrong, and the curves are pictures, from which it cannot be \
                decided which."
             .into(),
-        figures: figures! {
-            "largest distance in x or y within 10 s, N = 2 and N = 40": "{gap:.4}" => "m";
-            "at": "{when:.2}" => "s";
-            "difference of the periods": "{:.6}", (&motion.of(40).period - &motion.of(2).period).to_f64() => "s";
-        },
-        as_recorded: (0.68..0.69).contains(&gap),
+        as_recorded: recorded(&figures, &["0.6866", "8.80", "0.023087"]),
+        figures,
     }
 }
 
@@ -149,15 +158,18 @@ pub(super) fn exudyn(motion: &Motion) -> Finding {
         };
         figures.push(figure(name, copied.number.marked(due), unit));
     }
-    for (step, ratio) in steps.iter().skip(1).zip(&ratios) {
+    let halved = steps.iter().skip(1).zip(ratios).map(|(step, ratio)| {
         let name = format!("error of x at 10 s, twice the step over h = {step} s");
-        figures.push(figure(name, format!("{ratio:.3}"), "1"));
-    }
-    let right = motion
-        .exudyn
-        .iter()
-        .filter_map(|(c, v)| Some(c.number.right_digits(v.as_ref()?).0));
-    let (least, most) = right.fold((usize::MAX, 0), |(a, b), n| (a.min(n), b.max(n)));
+        figure(name, format!("{ratio:.3}"), "1")
+    });
+    let halved: Vec<Figure> = halved.collect();
+    let second_order = recorded(&halved, &RATIOS);
+    figures.extend(halved);
+    let right = || {
+        let all = motion.exudyn.iter();
+        all.filter_map(|(c, v)| Some(c.number.right_digits(v.as_ref()?).0))
+    };
+    let [least, most] = [right().min(), right().max()].map(Option::unwrap_or_default);
     Finding {
         id: "exudyn",
         subject: Subject::Tables,
@@ -169,12 +181,12 @@ pub(super) fn exudyn(motion: &Motion) -> Finding {
                are right, the next one is wrong."
             .into(),
         figures,
-        as_recorded: ratios.len() == 3
-            && ratios.iter().all(|r| (3.9..4.1).contains(r))
-            && (least, most) == RIGHT,
+        as_recorded: second_order && (least, most) == RIGHT,
     }
 }
 
+/// By what halving the step divides the error: four, as far as the first digits tell.
+const RATIOS: [&str; 3] = ["4.041", "4.000", "3.947"];
 /// Fewest and most digits found to be right in EXUDYN's numbers.
 const RIGHT: (usize, usize) = (2, 6);
 
@@ -194,14 +206,14 @@ pub(super) fn drift(motion: &Motion) -> Finding {
         motion.exudyn.iter().find(at).map(|(c, _)| &c.number)
     };
     let mut figures = Vec::new();
-    let mut within = 0;
+    let mut within = Vec::new();
     for step in ["0.001", "0.0005", "0.00025", "0.000125"] {
         let state = ["B0_y", "B0_vx", "B0_vy"].map(|q| find(step, q));
         let ([Some(y), Some(vx), Some(vy)], Some(drift)) = (state, find(step, "drift")) else {
             continue;
         };
         let energy = energy([&y.value, &vx.value, &vy.value]);
-        within += usize::from(Rational::from(energy.abs_ref()) < drift.value.value);
+        within.push(Rational::from(energy.abs_ref()) < drift.value.value);
         let name = |what: &str| format!("h = {step} s, {what}");
         figures.push(figure(name("largest drift, printed"), &drift.text, "J"));
         let shown = format!("{:.4e}", energy.to_f64());
@@ -222,7 +234,7 @@ pub(super) fn drift(motion: &Motion) -> Finding {
                below the largest error: the error is not left behind but comes and goes with the speed. A small drift at \
                the end says little of a run."
             .into(),
-        as_recorded: within == 4,
+        as_recorded: within == [true; 4],
         figures,
     }
 }
@@ -242,5 +254,71 @@ mod tests {
     fn ten_seconds_are_compared() {
         let gaps = gaps(&motion(BITS).unwrap());
         assert_eq!((gaps.len(), gaps[200].1), (201, 10.0));
+    }
+
+    /// What is printed and what is due, both of which a finding is recorded with.
+    #[test]
+    fn a_number_that_is_off_is_no_longer_as_recorded() {
+        let right = motion(BITS).unwrap();
+        let findings = |m: &Motion| {
+            let all = [library(m), tolerances(m), opensim(m), exudyn(m), drift(m)];
+            all.map(|f| (f.id, f.as_recorded))
+        };
+        let lost = |m: &Motion| -> Vec<&str> {
+            let all = findings(m).into_iter();
+            all.filter(|f| !f.1).map(|f| f.0).collect()
+        };
+        assert!(lost(&right).is_empty());
+        // A row less at the end.
+        let mut m = right;
+        let last = (m.library.pop().unwrap(), m.two.pop().unwrap());
+        assert_eq!(lost(&m), ["library-reference"]);
+        m.library.push(last.0);
+        m.two.push(last.1);
+        assert!(lost(&m).is_empty());
+        // The last row alone, by 1e-7 s along the way.
+        let small = Ball::rational(BITS, &Rational::from((1, 10_000_000)));
+        let place = |m: &Motion| [0, 1].map(|k| m.library[400].1.values[k].clone());
+        let before = place(&m);
+        let state = &mut m.library[400].1;
+        for k in [0, 1] {
+            let step = &state.values[k + 2] * &small;
+            state.values[k] = &state.values[k] + &step;
+        }
+        assert_eq!(lost(&m), ["library-reference"]);
+        for (k, value) in before.into_iter().enumerate() {
+            m.library[400].1.values[k] = value;
+        }
+        // A largest drift that the printed state exceeds, and another position for two windows.
+        let drift = m.exudyn.iter_mut().find(|(c, _)| c.quantity == "drift");
+        let number = &mut drift.unwrap().0.number;
+        let before = std::mem::replace(number, Number::read("1e-6"));
+        assert_eq!(lost(&m), ["drift"]);
+        let drift = m.exudyn.iter_mut().find(|(c, _)| c.quantity == "drift");
+        drift.unwrap().0.number = before;
+        let x = m.two[100].values[0].clone();
+        m.two[100].values[0] = &x + &Ball::integer(BITS, 3);
+        assert_eq!(lost(&m), ["opensim"]);
+        m.two[100].values[0] = x;
+        // One step of four.
+        m.exudyn.retain(|(c, _)| c.step != "0.00025");
+        assert_eq!(lost(&m), ["exudyn", "drift"]);
+    }
+
+    /// ½ · 3 · (0.6² + 0.8²) + 7/2 · 9.81 · (y − 1) − 3/2.
+    #[test]
+    fn energy_is_that_at_the_start() {
+        let read = |text: &str| Decimal::parse(text).unwrap();
+        let of = |y: &str, vx: &str, vy: &str| energy([&read(y), &read(vx), &read(vy)]);
+        assert_eq!(of("1", "0.6", "0.8"), 0);
+        assert_eq!(of("0", "0.6", "0.8"), Rational::from((-6867, 200)));
+        assert_eq!(of("1", "2", "-1"), 6);
+    }
+
+    #[test]
+    fn the_largest_is_told_with_its_time() {
+        let of = |all: &[(f64, f64)]| largest(all.iter().copied());
+        assert_eq!(of(&[(1.0, 0.5), (3.0, 1.0), (2.0, 1.5)]), (3.0, 1.0));
+        assert_eq!(of(&[]), (0.0, 0.0));
     }
 }

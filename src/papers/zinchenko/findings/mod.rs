@@ -9,3 +9,6 @@ pub(super) use claims::{claim_0119, conclusion, convergence};
 pub(super) use inputs::{identifiability, recovered_centres, units_of_length};
 pub(super) use run_up::run_up;
 pub(super) use tables::{hidden_recipe, misprints, moment, reproduction};
+
+#[cfg(test)]
+mod tests;

@@ -167,18 +167,20 @@ fn between(brackets: [(&str, &str); 2], printed: &Printed, sample: &Sample) -> F
             (&phi4, printed.others[1]),
             (&phi5, printed.others[2]),
         ];
-        let rounded = printed_ones
-            .iter()
-            .all(|(exact, text)| rounds_to(exact, text));
-        checks.push((Outcome::of(rounded), Outcome::Holds));
+        checks.extend(printed_ones.map(|(exact, text)| {
+            let rounded = rounds_to(exact, text);
+            (Outcome::of(rounded), Outcome::Holds)
+        }));
         figures.push(decimals("phi_1 = phi_2", &dead.crank, 20, "deg"));
         figures.push(decimals("phi_3", &phi3, 20, "deg"));
         figures.push(decimals("phi_4", &phi4, 20, "deg"));
         figures.push(decimals("phi_5", &phi5, 20, "deg"));
     }
     let gap = closure(printed, &sample.dimensions);
-    let close = gap.iter().all(|g| g.abs().upper() <= 4e-4);
-    checks.push((Outcome::of(close), Outcome::Holds));
+    checks.extend(gap.each_ref().map(|g| {
+        let close = g.abs().upper() <= 4e-4;
+        (Outcome::of(close), Outcome::Holds)
+    }));
     let worst = gap.iter().map(Ball::abs);
     let worst = worst.fold(Ball::integer(sample::BITS, 0), |a, b| {
         if (&b - &a).is_positive() { b } else { a }
@@ -266,5 +268,65 @@ mod tests {
             let gap = (number(&figure.value) - number(text)).abs();
             assert!(gap <= number("5e-8"), "{name}: {}", figure.value);
         }
+    }
+
+    /// Each condition by itself: the only one, all other links at rest as far as 10⁻²⁴ tells, and stretched.
+    #[test]
+    fn a_dead_position_is_at_rest() {
+        let linkage = sample::linkage(BITS);
+        let row0 = row_zero(&linkage).unwrap();
+        let found = || dead(&linkage, &row0, BRACKETS[0]).unwrap();
+        assert!(found().is(true) && !found().is(false));
+        let folded = dead(&linkage, &row0, BRACKETS[1]).unwrap();
+        assert!(folded.is(false) && !folded.is(true));
+        let mut one_of_many = found();
+        one_of_many.alone = false;
+        assert!(!one_of_many.is(true));
+        let zero =
+            |radius: f64| Ball::integer(BITS, 0).widened(crate::reference::Mag::from_f64(radius));
+        for k in 1..4 {
+            for (rate, due) in [
+                (zero(0.9e-24), true),
+                (zero(1.1e-24), false),
+                (Ball::exact(BITS, 1e-30), false),
+            ] {
+                let mut d = found();
+                d.motion.first[k] = rate;
+                assert_eq!(d.is(true), due, "{k}");
+            }
+        }
+    }
+
+    #[test]
+    fn half_a_unit_of_the_third_decimal_is_allowed() {
+        for (exact, due) in [
+            (14.42649, true),
+            (14.42551, true),
+            (14.42651, false),
+            (14.42549, false),
+        ] {
+            let exact = Ball::exact(BITS, exact);
+            assert_eq!(rounds_to(&exact, "14.426"), due, "{exact:?}");
+        }
+    }
+
+    /// 4.6e-4° in φ3 move C by 4.8e-4 cm.
+    #[test]
+    fn angles_that_are_off_do_not_close_the_loops() {
+        let sample = Sample::new().unwrap();
+        let off = |others| {
+            let printed = Printed {
+                crank: "14.426",
+                others,
+            };
+            let gap = closure(&printed, &sample.dimensions);
+            let worst = gap.iter().map(|g| g.abs().to_f64()).fold(0.0, f64::max);
+            (worst, finding(&printed, &sample).as_recorded)
+        };
+        let (right, recorded) = off(PRINTED.others);
+        assert!(recorded && right < 4e-4, "{right}");
+        // Within the rounding of the third decimal all the same.
+        let (wrong, recorded) = off(["283.8262", "22.558", "-65.721"]);
+        assert!(!recorded && (4e-4..8e-4).contains(&wrong), "{wrong}");
     }
 }

@@ -236,4 +236,43 @@ mod tests {
             Outcome::Undecided
         );
     }
+
+    /// One check that is not the recorded one is enough, and so is none at all.
+    #[test]
+    fn a_draft_is_recorded_with_all_its_checks() {
+        let (holds, fails) = (Outcome::Holds, Outcome::Fails);
+        let recorded = |checks: &[(Outcome, Outcome)]| {
+            let draft = Draft {
+                id: "",
+                place: "",
+                title: "",
+                verdict: FindingVerdict::Confirmed,
+                text: "",
+                figures: Vec::new(),
+                checks: checks.to_vec(),
+            };
+            draft.finding().as_recorded
+        };
+        assert!(recorded(&[(holds, holds), (fails, fails)]));
+        assert!(!recorded(&[(holds, holds), (fails, holds)]));
+        assert!(!recorded(&[(Outcome::Undecided, holds), (holds, holds)]));
+        assert!(!recorded(&[]));
+        let none = Undecided {
+            bits: 1,
+            reason: "nothing".into(),
+        };
+        assert!(!undecided("id", "place", &none).as_recorded);
+        assert_eq!([Outcome::of(true), Outcome::of(false)], [holds, fails]);
+    }
+
+    #[test]
+    fn the_largest_residual_is_bounded_from_above() {
+        use crate::reference::Mag;
+        let ball = |x: i64, r: f64| Ball::integer(64, x).widened(Mag::from_f64(r));
+        assert_eq!(
+            largest(&[ball(0, 1e-3), ball(-2, 0.45), ball(1, 0.25)]),
+            "2.5e0"
+        );
+        assert_eq!(largest(&[ball(0, 0.245)]), "2.5e-1");
+    }
 }

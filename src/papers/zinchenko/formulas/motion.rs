@@ -202,4 +202,73 @@ mod tests {
         motor.slip = |synchronous, speed| (synchronous - speed) / speed.abs().max(Q::from(1));
         assert!(!kloss(&motor).as_recorded);
     }
+
+    /// (1 + 2r)(3 − r) with r² = k² − 1 = 3 for k = 2, and so on.
+    #[test]
+    fn surds_are_added_scaled_and_inverted() {
+        let surd = |a: i32, b: i32| Surd::new(&Q::from(2), Q::from(a), Q::from(b));
+        assert_eq!(surd(1, 2).radicand(), Q::from(3));
+        assert_eq!(surd(1, 2).plus(&surd(3, -5)), surd(4, -3));
+        assert_eq!(surd(1, 2).scaled(&Q::from(3)), surd(3, 6));
+        // 1/(2 + r) = 2 − r, 1/(1 + r) = (r − 1)/2.
+        assert_eq!(surd(2, 1).inverse(), Some(surd(2, -1)));
+        let half = Surd::new(&Q::from(2), q(-1, 2), q(1, 2));
+        assert_eq!(surd(1, 1).inverse(), Some(half));
+        assert_eq!(surd(0, 0).inverse(), None);
+        assert!(surd(0, 0).is_zero() && !surd(1, 0).is_zero() && !surd(0, 1).is_zero());
+    }
+
+    /// One value more than its degree for each variable.
+    #[test]
+    fn identities_are_tried_on_the_whole_grid() {
+        assert_eq!(balance(PRINTED_1, false, 0).points, 2 * 2 * 4 * 2 * 2);
+        assert_eq!(balance(PRINTED_1, true, 2).points, 64);
+        assert_eq!(breakdown(&PRINTED_2).points, 2 * 5 * 5);
+    }
+
+    /// Right but at one of the values that are tried.
+    #[test]
+    fn a_fault_at_a_single_value_is_found() {
+        fn off_at(k: &Q, at: Q) -> Surd {
+            let b = if *k == at { 2 } else { 1 };
+            Surd::new(k, k.clone(), Q::from(b))
+        }
+        let forms: [fn(&Q) -> Surd; 4] = [
+            |k| off_at(k, q(5, 4)),
+            |k| off_at(k, q(8, 4)),
+            |k| off_at(k, q(11, 4)),
+            |k| off_at(k, q(14, 4)),
+        ];
+        for critical_slip in forms {
+            let motor = Motor {
+                critical_slip,
+                ..PRINTED_2
+            };
+            assert_eq!(rated(&motor), Outcome::Fails);
+        }
+        let slips: [fn(&Q, &Q) -> Q; 3] = [
+            |_, _| Q::from(1),
+            |_, _| Q::from(0),
+            |synchronous, speed| (speed - synchronous) / synchronous,
+        ];
+        for slip in slips {
+            assert!(!kloss(&Motor { slip, ..PRINTED_2 }).as_recorded);
+        }
+        // Without an inverse there is no torque to be right.
+        let motor = Motor {
+            torque: |_, _, _| None,
+            ..PRINTED_2
+        };
+        assert_eq!(breakdown(&motor).outcome(), Outcome::Fails);
+        assert_eq!(rated(&motor), Outcome::Fails);
+    }
+
+    /// S_k/S_n = 2.2 + √3.84 = 4.1596, twentieth of it at S_n = 0.05.
+    #[test]
+    fn the_example_has_the_text_s_numbers() {
+        let shown = kloss(&PRINTED_2).figures;
+        let value = |k: usize| shown[k].value.parse::<f64>().unwrap();
+        let ratio = 2.2 + 3.84f64.sqrt();
+        assert!((value(0) - ratio).abs() < 1e-11 && (value(1) - 0.05 * ratio).abs() < 1e-11);
+    }
 }
