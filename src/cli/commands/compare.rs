@@ -72,7 +72,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
             let command = report.candidate.as_ref().and_then(|c| c.command.clone());
             let speed = match command {
                 _ if args.no_speed || stopped => None,
-                Some(command) => speed(&command, &args.program, &inputs),
+                Some(command) => speed(|n| timed(&command, &args.program, &inputs, n)),
                 None => Some(called(&variant, &inputs)),
             };
             (report, speed)
@@ -199,9 +199,8 @@ fn timed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>, n: usize) -
     fed.end(end).is_none().then(|| start.elapsed())
 }
 
-/// The time for an answer through the protocol, start-up apart.
-fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<Speed> {
-    let run = |n: usize| timed(command, program, inputs, n);
+/// The time for an answer through the protocol, start-up apart; `run` takes so many inputs.
+fn speed(run: impl Fn(usize) -> Option<Duration>) -> Option<Speed> {
     let starts: Option<Vec<Duration>> = (0..STARTS).map(|_| run(1)).collect();
     let start = starts?.into_iter().min()?;
     // More and more of them, until starting it is no matter.
@@ -230,10 +229,10 @@ fn nanoseconds(taken: Duration, answers: usize) -> f64 {
 
 /// The time for an answer of the method's own solver, called in this process on one core.
 fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
-    let n = inputs.len().min(BATCH);
-    let all: Vec<Vec<f64>> = (0..n)
-        .map(|k| inputs.take_one(k * inputs.len() / n).input)
+    let all: Vec<Vec<f64>> = spread(inputs.len())
+        .map(|k| inputs.take_one(k).input)
         .collect();
+    let n = all.len();
     let round = || {
         let start = Instant::now();
         for input in &all {
@@ -248,9 +247,94 @@ fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
     }
 }
 
+/// Numbers of as many inputs as are judged together, evenly spread over all.
+fn spread(all: usize) -> impl Iterator<Item = usize> {
+    let n = all.min(BATCH);
+    (0..n).map(move |k| k * all / n)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
+    use std::cell::RefCell;
+
+    fn compared(line: &str) -> CompareArgs {
+        let words = line.split_whitespace();
+        match Args::parse_from(["mechaudit", "compare"].into_iter().chain(words)).command {
+            Some(Command::Compare(args)) => args,
+            _ => unreachable!("a comparison"),
+        }
+    }
+
+    /// One input takes 50 ms or more, every other the same time.
+    #[test]
+    fn starting_a_program_is_no_part_of_its_speed() {
+        let found = |each: Duration| {
+            let asked = RefCell::new(Vec::new());
+            let speed = speed(|n| {
+                let late = [60, 50, 55].get(asked.borrow().len()).unwrap_or(&50);
+                asked.borrow_mut().push(n);
+                Some(Duration::from_millis(*late) + each * (n as u32 - 1))
+            });
+            let speed = speed.unwrap();
+            let start = speed.start_up_ms.unwrap();
+            assert!((start - 50.0).abs() < 1e-9, "{start}");
+            let due = each.as_secs_f64() * 1e9;
+            assert!((speed.ns_per_answer / due - 1.0).abs() < 1e-9, "{due}");
+            assert_eq!(asked.borrow().last(), Some(&(speed.answers as usize)));
+            (asked.into_inner(), speed.answers)
+        };
+        // 1999 others of 0.25 ms are enough.
+        let (asked, answers) = found(Duration::from_micros(250));
+        assert_eq!(asked[..4], [1, 1, 1, 200]);
+        assert!((2000..=3200).contains(&answers), "{answers}");
+        let (asked, answers) = found(Duration::from_millis(3));
+        assert_eq!((&asked[..], answers), (&[1, 1, 1, 200][..], 200));
+        // As many as there may be do not take long.
+        let (asked, answers) = found(Duration::from_nanos(10));
+        assert_eq!((asked[4..].len(), answers), (3, 500_000));
+    }
+
+    #[test]
+    fn long_enough_is_long_enough() {
+        let speed = speed(|n| Some(if n > 1 { LONG } else { Duration::ZERO }));
+        assert_eq!(speed.map(|s| s.answers), Some(200));
+    }
+
+    /// Whichever run it is that fails.
+    #[test]
+    fn what_does_not_answer_has_no_speed() {
+        for bad in [1, 200, 3200] {
+            let run = |n: usize| (n != bad).then_some(Duration::ZERO);
+            assert!(speed(run).is_none(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn the_form_of_numbers_is_part_of_a_command() {
+        for (more, due) in [
+            ("", ""),
+            ("--decimal", " --decimal"),
+            ("--binary", " --binary"),
+        ] {
+            assert_eq!(
+                form(&compared(&format!("erf --exec cat {more}")).program),
+                due
+            );
+        }
+    }
+
+    #[test]
+    fn inputs_are_spread_over_all() {
+        assert_eq!(spread(0).count(), 0);
+        assert_eq!(spread(3).collect::<Vec<_>>(), [0, 1, 2]);
+        assert!(spread(BATCH).eq(0..BATCH));
+        assert!(spread(3 * BATCH).eq((0..BATCH).map(|k| 3 * k)));
+        let last = spread(BATCH + 1).last();
+        assert_eq!((spread(BATCH + 1).count(), last), (BATCH, Some(BATCH - 1)));
+    }
 
     #[test]
     fn timed_runs_grow_until_they_are_long() {
@@ -273,5 +357,8 @@ mod tests {
         // The quickest of its rounds, which are a part of the whole.
         let all = speed.ns_per_answer * speed.answers as f64 * STARTS as f64;
         assert!(0.0 < all && all <= most, "{all} ns of {most} ns");
+        assert_eq!((speed.answers, speed.start_up_ms), (1024, None));
+        // Roots and sines take more than nothing.
+        assert!(speed.ns_per_answer > 20.0, "{}", speed.ns_per_answer);
     }
 }
