@@ -268,6 +268,70 @@ mod tests {
         }
     }
 
+    /// What a comparison of the method's own solver alone writes into a file.
+    fn ours(folder: &Path, line: &str) -> (Outcome, String) {
+        let file = folder.join("found");
+        let line = format!("{line} --with ours --exec none --output {}", file.display());
+        let mut args = compared(&line);
+        args.exec.clear();
+        let outcome = compare(&args).unwrap();
+        (outcome, std::fs::read_to_string(&file).unwrap())
+    }
+
+    /// More cases than are judged together, one of them, other budgets, with and without its speed.
+    #[test]
+    fn the_methods_own_solver_is_compared() {
+        let folder = tempfile::tempdir().unwrap();
+        let json = |more: &str| -> serde_json::Value {
+            let line = format!("slider-crank --region central --format json {more}");
+            let (outcome, text) = ours(folder.path(), &line);
+            assert_eq!(outcome, Outcome::AsExpected, "{more}");
+            serde_json::from_str(&text).unwrap()
+        };
+        let report = |v: &serde_json::Value| v["candidates"][0]["report"].clone();
+        let many = json("--cases 1030 --no-speed");
+        assert_eq!(many["candidates"].as_array().map(Vec::len), Some(1));
+        assert_eq!(
+            (&report(&many)["cases"], &report(&many)["passed"]),
+            (&1030.into(), &1030.into())
+        );
+        assert!(many["candidates"][0]["speed"].is_null() && report(&many)["candidate"].is_null());
+        assert_eq!(report(&many)["settings"]["points"], 0);
+        assert_eq!(report(&many)["reproduce"]["tail"], "");
+        let one = json("--case 3 --ulps 1000 --no-speed");
+        assert_eq!(report(&one)["cases"], 1);
+        assert_eq!(report(&one)["reproduce"]["tail"], " --ulps 1000.0");
+        let timed = json("--cases 4");
+        let speed = &timed["candidates"][0]["speed"];
+        assert_eq!(
+            (report(&timed)["cases"].as_u64(), speed["answers"].as_u64()),
+            (Some(4), Some(4))
+        );
+        assert!(speed["ns_per_answer"].as_f64().unwrap() > 0.0 && speed["start_up_ms"].is_null());
+    }
+
+    #[test]
+    fn a_comparison_has_four_forms() {
+        let folder = tempfile::tempdir().unwrap();
+        let line = "slider-crank --region central --region offset --cases 3 --no-speed";
+        let form = |form: &str| ours(folder.path(), &format!("{line} --format {form}")).1;
+        // A line for each region and one for all.
+        assert_eq!(form("csv").lines().count(), 1 + 3);
+        let page = form("html");
+        assert!(page.trim_end().ends_with("</html>") && page.contains("class=\"heat\""));
+        assert!(form("text").contains("times the best"));
+        let old = folder.path().join("old.json");
+        std::fs::write(&old, form("json")).unwrap();
+        let line = format!("{line} --baseline {} --format json", old.display());
+        let (outcome, text) = ours(folder.path(), &line);
+        let found: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(outcome, Outcome::AsExpected);
+        assert_eq!(
+            found["baseline"]["changes"].as_array().map(Vec::len),
+            Some(0)
+        );
+    }
+
     /// One input takes 50 ms or more, every other the same time.
     #[test]
     fn starting_a_program_is_no_part_of_its_speed() {

@@ -62,9 +62,15 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
         Ok(writeln!(out, "{closing}")?)
     })?;
     added.transpose()?;
-    let over = new.iter().any(|c| c.share > 1.0);
-    let good = !over && found.failures.is_empty();
-    Ok(Outcome::unless_interrupted(found.interrupted, good))
+    Ok(Outcome::unless_interrupted(
+        found.interrupted,
+        is_good(&found, &new),
+    ))
+}
+
+/// Nothing new is over budget, and nothing fails without a share of it.
+fn is_good(found: &Hunt, new: &[HardCase]) -> bool {
+    new.iter().all(|c| c.share <= 1.0) && found.failures.is_empty()
 }
 
 /// Every input found, with the outputs that it is the worst for and the command that judges it again.
@@ -273,6 +279,36 @@ mod tests {
             reason: w.reason.clone(),
             input: w.input.clone(),
             folder: None,
+        }
+    }
+
+    /// A share is a number of [0, ∞).
+    #[test]
+    fn what_is_over_budget_is_a_finding() {
+        let good = |shares: &[f64], failures: usize| {
+            let new: Vec<HardCase> = shares.iter().map(|s| recorded(&worst(*s))).collect();
+            let failure = Case {
+                method: "erf",
+                region: "hunt",
+                input: vec![1.0, 0.0],
+                origin: Origin::Given,
+            };
+            let found = Hunt {
+                failures: vec![failure; failures],
+                ..whole(Vec::new())
+            };
+            is_good(&found, &new)
+        };
+        for (shares, failures, due) in [
+            (&[][..], 0, true),
+            (&[0.5, 1.0], 0, true),
+            (&[0.5, 1.001], 0, false),
+            (&[1.5, 0.25], 0, false),
+            (&[f64::INFINITY], 0, false),
+            (&[], 1, false),
+            (&[0.5], 2, false),
+        ] {
+            assert_eq!(good(shares, failures), due, "{shares:?} {failures}");
         }
     }
 
