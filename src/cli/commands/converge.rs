@@ -213,8 +213,8 @@ mod tests {
             orders: vec![Some(4.0), None],
             fitted: vec![Some(3.875), Some(2.0)],
             levels: vec![
-                level("n = 8", vec![full.clone(), little.clone()], None),
-                level("n = 4000", vec![little.clone(), full.clone()], None),
+                level("n = 8", vec![full, little], None),
+                level("n = 4000", vec![little, full], None),
                 level("n = 1", Vec::new(), Some("it stopped")),
             ],
         }));
