@@ -305,4 +305,110 @@ mod tests {
         let mut many = Lines::new(BufReader::with_capacity(many.len(), many.as_bytes()));
         assert_eq!(batches(&mut many), [TOGETHER, 1]);
     }
+
+    fn values(batch: &Batch) -> Vec<f64> {
+        (0..batch.len())
+            .map(|k| match batch.get(k) {
+                SolverAnswer::Values(v) => v[0],
+                other => panic!("{other:?}"),
+            })
+            .collect()
+    }
+
+    /// So many at most, in their order, beside what has been taken before; then there are no more.
+    #[test]
+    fn answers_are_taken_in_pieces() {
+        let patience = Duration::from_secs(60);
+        let mut answers = Answers::of(&b"1\n2\n3\n4\n5\n6\n"[..], Form::Lines);
+        let mut all = Batch::default();
+        for (most, due) in [(2, 2), (1, 3)] {
+            assert!(answers.take(most, patience, &mut all).is_ok());
+            assert_eq!(all.len(), due);
+        }
+        for due in [4.0, 5.0] {
+            match answers.next(Some(patience)) {
+                Next::Answer(SolverAnswer::Values(v)) => assert_eq!(v, [due]),
+                _ => panic!("{due}"),
+            }
+        }
+        assert!(answers.take(9, patience, &mut all).is_ok());
+        assert_eq!(values(&all), [1.0, 2.0, 3.0, 6.0]);
+        for _ in 0..2 {
+            assert!(matches!(
+                answers.take(9, patience, &mut all),
+                Err(Silence::Closed)
+            ));
+        }
+        assert!(matches!(answers.next(None), Next::End(Silence::Closed)));
+    }
+
+    /// What comes before it is handed over.
+    #[test]
+    fn what_cannot_be_read_is_told_once() {
+        let mut bytes = Vec::new();
+        frames::encode(&[7.0], &mut bytes);
+        frames::encode(&[8.0], &mut bytes);
+        bytes.truncate(bytes.len() - 1);
+        let mut answers = Answers::of(std::io::Cursor::new(bytes), Form::Frames);
+        match answers.next(None) {
+            Next::Answer(SolverAnswer::Values(v)) => assert_eq!(v, [7.0]),
+            _ => panic!("an answer"),
+        }
+        // The last one is cut off, which is an answer of its own or none at all.
+        let ends: Vec<bool> = (0..3)
+            .map(|_| matches!(answers.next(None), Next::End(Silence::Closed)))
+            .collect();
+        assert!(ends[2], "{ends:?}");
+        // Nothing but what cannot be read.
+        struct Broken;
+        impl Read for Broken {
+            fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+                Err(std::io::Error::other("broken"))
+            }
+        }
+        let mut answers = Answers::of(Broken, Form::Lines);
+        match answers.next(None) {
+            Next::End(Silence::Unreadable(why)) => assert_eq!(why.to_string(), "broken"),
+            _ => panic!("an error"),
+        }
+        assert!(matches!(answers.next(None), Next::End(Silence::Closed)));
+    }
+
+    /// As long as asked for, be it shorter or longer than the time between two looks for Ctrl-C.
+    #[test]
+    fn silence_is_waited_for() {
+        let (sender, receiver) = sync_channel::<Vec<u8>>(1);
+        struct Later(Receiver<Vec<u8>>);
+        impl Read for Later {
+            fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+                let bytes = self.0.recv().unwrap_or_default();
+                into[..bytes.len()].copy_from_slice(&bytes);
+                Ok(bytes.len())
+            }
+        }
+        let mut answers = Answers::of(Later(receiver), Form::Lines);
+        for patience in [Duration::ZERO, interrupt::POLL / 4, interrupt::POLL * 5 / 2] {
+            let start = Instant::now();
+            let end = answers.next(Some(patience));
+            assert!(matches!(end, Next::End(Silence::Silent)), "{patience:?}");
+            assert!(start.elapsed() >= patience);
+        }
+        sender.send(b"4\n".to_vec()).unwrap();
+        assert!(matches!(answers.next(None), Next::Answer(_)));
+        drop(sender);
+        assert!(matches!(answers.next(None), Next::End(Silence::Closed)));
+    }
+
+    /// Names and versions are short, and those in frames count as well.
+    #[test]
+    fn a_header_is_short() {
+        let long = "x".repeat(LONGEST + 1);
+        let text: &'static [u8] = format!("# name: {long}\n# version: {}\n1\n", &long[1..])
+            .leak()
+            .as_bytes();
+        let (found, _) = header(text, Form::Lines);
+        assert_eq!(found.name.as_deref(), Some(&long[1..]));
+        assert_eq!(found.version.as_deref(), Some(&long[1..]));
+        assert_eq!(LONGEST, 80);
+    }
 }

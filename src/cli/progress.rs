@@ -143,4 +143,30 @@ mod tests {
         progress.tick("rows", 9);
         assert_eq!(position(&progress), Some(1));
     }
+
+    /// Nothing more is shown once it is over; the time between two that are shown is that of the last.
+    #[test]
+    fn a_pause_is_as_long_as_it_says() {
+        let position = |p: &Progress| bar(p).map(|b| b.1);
+        let progress = slow();
+        let now = progress.start.elapsed().as_millis() as u64;
+        // Almost a pause ago, and longer ago.
+        progress.shown.store(now + 60_000, Ordering::Relaxed);
+        progress.reach("rows", 4, 9);
+        assert_eq!(position(&progress), None);
+        progress.shown.store(now - PAUSE, Ordering::Relaxed);
+        progress.reach("rows", 5, 9);
+        assert_eq!(position(&progress), Some(5));
+        assert!(progress.shown.load(Ordering::Relaxed) >= now);
+    }
+
+    #[test]
+    fn a_bar_is_taken_away_with_its_progress() {
+        let progress = slow();
+        progress.show("rows", 1, 9);
+        let bar = progress.bar.lock().unwrap().clone().unwrap();
+        assert!(!bar.is_finished());
+        drop(progress);
+        assert!(bar.is_finished());
+    }
 }

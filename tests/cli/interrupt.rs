@@ -183,6 +183,13 @@ fn convergence_and_everything() {
     let args = ["converge", "--format", "json"];
     let v = json(&interrupted_after(Duration::ZERO, &args));
     assert!(v["approximations"].is_array());
+    let d = interrupted_after(Duration::ZERO, &["converge"]);
+    let last = d.out.lines().last().unwrap();
+    assert!(
+        last.starts_with("Interrupted: ") && last.ends_with(" approximations."),
+        "{}",
+        d.out
+    );
     let d = interrupted(&["--cases", MANY]);
     // The verdict is the first line; papers are read to their end before any method begins.
     let verdict = "Interrupted: 0 papers with 0 findings; 0 methods pass, 0 cases.";

@@ -1,6 +1,6 @@
 //! `mechaudit linkage` for class-III linkages.
 
-use crate::common::{Done, changed, column, command, csv, refused, run, run_on, said};
+use crate::common::{Done, changed, column, command, csv, names, refused, run, run_on, said};
 
 const SCREEN: &str = include_str!("../../examples/sand-screen.toml");
 
@@ -247,4 +247,24 @@ fn a_digit_left_open_is_a_finding() {
     );
     assert_eq!(d.code, 1, "{}{}", d.out, d.err);
     said(&d, "undecided: ");
+}
+
+/// Masses have a drawing of their own.
+#[test]
+fn without_masses_there_is_one_drawing() {
+    let (bare, _) = SCREEN.split_once("[bodies").unwrap();
+    let missing = "reduced.svg is not drawn: the file gives no masses";
+    for (text, drawn) in [
+        (bare, &["mechanism.svg"][..]),
+        (SCREEN, &["mechanism.svg", "reduced.svg"]),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let args = ["--step-deg", "90", "--svg", folder.path().to_str().unwrap()];
+        let d = linkage_of(text, &args);
+        assert_eq!(
+            (d.code, names(folder.path())),
+            (0, drawn.iter().map(|n| n.to_string()).collect())
+        );
+        assert_eq!(d.err.contains(missing), drawn.len() == 1, "{}", d.err);
+    }
 }

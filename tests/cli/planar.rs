@@ -199,6 +199,10 @@ fn all_branches_with_their_folds() {
     for e in ends {
         assert_eq!(e["branches"].as_array().unwrap().len(), 2, "{e}");
     }
+    said(
+        &d,
+        "one degree of freedom; groups in the order of solving: ",
+    );
     said(&d, "branches, from ");
     said(
         &d,

@@ -366,7 +366,45 @@ fn work_and_precision() {
             "{method}: {errors:?}"
         );
     }
-    assert!(folder.path().join("work-precision.svg").exists());
+    // Each method has a curve of its own points.
+    let svg = std::fs::read_to_string(folder.path().join("work-precision.svg")).unwrap();
+    let curves: Vec<usize> = drawing(&svg).iter().map(Vec::len).collect();
+    assert!(
+        curves.len() == 3 && curves.iter().all(|n| (10..=19).contains(n)),
+        "{curves:?}"
+    );
+}
+
+#[test]
+fn work_and_precision_in_json() {
+    let short = changed(FOUR_BAR, "\"2 s\"", "\"0.01 s\"");
+    let d = runup(&short, &["--work-precision", "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    for (key, due) in [
+        ("schema_version", serde_json::json!(1)),
+        ("mechaudit_version", env!("CARGO_PKG_VERSION").into()),
+        ("name", "crank-rocker, run-up".into()),
+        ("duration_s", serde_json::json!(0.01)),
+    ] {
+        assert_eq!(json[key], due);
+    }
+    assert_eq!(json["rows"].as_array().unwrap().len(), 3 * 19);
+}
+
+/// Only where the crank does not turn fully.
+#[test]
+fn how_far_the_crank_turns_is_said() {
+    let short = changed(SCREEN, "\"3 s\"", "\"0.01 s\"");
+    let short = changed(&short, "fluctuation = 0.05", "");
+    let d = runup(&short, &[]);
+    assert!(d.code == 0 && !d.err.contains("fully"), "{}", d.err);
+    let held = changed(&short, "l1 = \"10 cm\"", "l1 = \"45 cm\"");
+    let held = changed(&held, "\"22.6 deg\"", "\"22 deg\"");
+    let d = runup(&held, &[]);
+    said(
+        &d,
+        "the crank cannot turn fully on this branch: it reaches from -96.62",
+    );
 }
 
 #[test]

@@ -257,6 +257,17 @@ fn a_page_has_the_rows_asked_for() {
     said(&d, "crank-rocker");
 }
 
+/// What is said of a window without rows is not said of a page.
+#[test]
+fn a_page_is_not_without_rows() {
+    for file in ["four-bar", "sand-screen", "watt-2"] {
+        let line = format!("linkage examples/{file}.toml --format html --step-deg 90");
+        let d = command(&line);
+        assert_eq!(d.code, 0, "{}", d.err);
+        assert!(!d.err.contains("asked for lies in that range"), "{}", d.err);
+    }
+}
+
 /// The values that the slider of a page runs over, and where it begins.
 fn slider(page: &str) -> (Vec<f64>, usize) {
     let between = |from: &str, to: char| {

@@ -282,3 +282,24 @@ fn a_closed_pipe_ends_quietly() {
     let d = done(child.wait_with_output().unwrap());
     assert_eq!((d.code, d.err.as_str()), (0, ""));
 }
+
+/// One in text, the same in JSON, each to its end.
+#[test]
+fn an_approximation_converges() {
+    let d = run(&["converge", "spline-clamped"]);
+    assert_eq!((d.code, d.err.as_str()), (0, ""));
+    assert!(
+        d.out.starts_with("spline-clamped\n") && !d.out.contains("nterrupted"),
+        "{}",
+        d.out
+    );
+    let d = run(&["converge", "spline-clamped", "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&d.out).unwrap();
+    assert_eq!((d.code, &json["interrupted"]), (0, &false.into()));
+    let all = json["approximations"].as_array().unwrap();
+    assert!(
+        all.len() == 1 && all[0]["name"] == "spline-clamped",
+        "{}",
+        d.out
+    );
+}

@@ -72,7 +72,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
             let command = report.candidate.as_ref().and_then(|c| c.command.clone());
             let speed = match command {
                 _ if args.no_speed || stopped => None,
-                Some(command) => speed(&command, &args.program, &inputs),
+                Some(command) => speed(|n| timed(&command, &args.program, &inputs, n)),
                 None => Some(called(&variant, &inputs)),
             };
             (report, speed)
@@ -199,9 +199,8 @@ fn timed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>, n: usize) -
     fed.end(end).is_none().then(|| start.elapsed())
 }
 
-/// The time for an answer through the protocol, start-up apart.
-fn speed(command: &str, program: &ProgramArgs, inputs: &Arc<Inputs>) -> Option<Speed> {
-    let run = |n: usize| timed(command, program, inputs, n);
+/// The time for an answer through the protocol, start-up apart; `run` takes so many inputs.
+fn speed(run: impl Fn(usize) -> Option<Duration>) -> Option<Speed> {
     let starts: Option<Vec<Duration>> = (0..STARTS).map(|_| run(1)).collect();
     let start = starts?.into_iter().min()?;
     // More and more of them, until starting it is no matter.
@@ -230,10 +229,10 @@ fn nanoseconds(taken: Duration, answers: usize) -> f64 {
 
 /// The time for an answer of the method's own solver, called in this process on one core.
 fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
-    let n = inputs.len().min(BATCH);
-    let all: Vec<Vec<f64>> = (0..n)
-        .map(|k| inputs.take_one(k * inputs.len() / n).input)
+    let all: Vec<Vec<f64>> = spread(inputs.len())
+        .map(|k| inputs.take_one(k).input)
         .collect();
+    let n = all.len();
     let round = || {
         let start = Instant::now();
         for input in &all {
@@ -248,9 +247,158 @@ fn called(method: &dyn Method, inputs: &Inputs) -> Speed {
     }
 }
 
+/// Numbers of as many inputs as are judged together, evenly spread over all.
+fn spread(all: usize) -> impl Iterator<Item = usize> {
+    let n = all.min(BATCH);
+    (0..n).map(move |k| k * all / n)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
+    use std::cell::RefCell;
+
+    fn compared(line: &str) -> CompareArgs {
+        let words = line.split_whitespace();
+        match Args::parse_from(["mechaudit", "compare"].into_iter().chain(words)).command {
+            Some(Command::Compare(args)) => args,
+            _ => unreachable!("a comparison"),
+        }
+    }
+
+    /// What a comparison of the method's own solver alone writes into a file.
+    fn ours(folder: &Path, line: &str) -> (Outcome, String) {
+        let file = folder.join("found");
+        let line = format!("{line} --with ours --exec none --output {}", file.display());
+        let mut args = compared(&line);
+        args.exec.clear();
+        let outcome = compare(&args).unwrap();
+        (outcome, std::fs::read_to_string(&file).unwrap())
+    }
+
+    /// More cases than are judged together, one of them, other budgets, with and without its speed.
+    #[test]
+    fn the_methods_own_solver_is_compared() {
+        let folder = tempfile::tempdir().unwrap();
+        let json = |more: &str| -> serde_json::Value {
+            let line = format!("slider-crank --region central --format json {more}");
+            let (outcome, text) = ours(folder.path(), &line);
+            assert_eq!(outcome, Outcome::AsExpected, "{more}");
+            serde_json::from_str(&text).unwrap()
+        };
+        let report = |v: &serde_json::Value| v["candidates"][0]["report"].clone();
+        let many = json("--cases 1030 --no-speed");
+        assert_eq!(many["candidates"].as_array().map(Vec::len), Some(1));
+        assert_eq!(
+            (&report(&many)["cases"], &report(&many)["passed"]),
+            (&1030.into(), &1030.into())
+        );
+        assert!(many["candidates"][0]["speed"].is_null() && report(&many)["candidate"].is_null());
+        assert_eq!(report(&many)["settings"]["points"], 0);
+        assert_eq!(report(&many)["reproduce"]["tail"], "");
+        let one = json("--case 3 --ulps 1000 --no-speed");
+        assert_eq!(report(&one)["cases"], 1);
+        assert_eq!(report(&one)["reproduce"]["tail"], " --ulps 1000.0");
+        let timed = json("--cases 4");
+        let speed = &timed["candidates"][0]["speed"];
+        assert_eq!(
+            (report(&timed)["cases"].as_u64(), speed["answers"].as_u64()),
+            (Some(4), Some(4))
+        );
+        assert!(speed["ns_per_answer"].as_f64().unwrap() > 0.0 && speed["start_up_ms"].is_null());
+    }
+
+    #[test]
+    fn a_comparison_has_four_forms() {
+        let folder = tempfile::tempdir().unwrap();
+        let line = "slider-crank --region central --region offset --cases 3 --no-speed";
+        let form = |form: &str| ours(folder.path(), &format!("{line} --format {form}")).1;
+        // A line for each region and one for all.
+        assert_eq!(form("csv").lines().count(), 1 + 3);
+        let page = form("html");
+        assert!(page.trim_end().ends_with("</html>") && page.contains("class=\"heat\""));
+        assert!(form("text").contains("times the best"));
+        let old = folder.path().join("old.json");
+        std::fs::write(&old, form("json")).unwrap();
+        let line = format!("{line} --baseline {} --format json", old.display());
+        let (outcome, text) = ours(folder.path(), &line);
+        let found: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(outcome, Outcome::AsExpected);
+        assert_eq!(
+            found["baseline"]["changes"].as_array().map(Vec::len),
+            Some(0)
+        );
+    }
+
+    /// One input takes 50 ms or more, every other the same time.
+    #[test]
+    fn starting_a_program_is_no_part_of_its_speed() {
+        let found = |each: Duration| {
+            let asked = RefCell::new(Vec::new());
+            let speed = speed(|n| {
+                let late = [60, 50, 55].get(asked.borrow().len()).unwrap_or(&50);
+                asked.borrow_mut().push(n);
+                Some(Duration::from_millis(*late) + each * (n as u32 - 1))
+            });
+            let speed = speed.unwrap();
+            let start = speed.start_up_ms.unwrap();
+            assert!((start - 50.0).abs() < 1e-9, "{start}");
+            let due = each.as_secs_f64() * 1e9;
+            assert!((speed.ns_per_answer / due - 1.0).abs() < 1e-9, "{due}");
+            assert_eq!(asked.borrow().last(), Some(&(speed.answers as usize)));
+            (asked.into_inner(), speed.answers)
+        };
+        // 1999 others of 0.25 ms are enough.
+        let (asked, answers) = found(Duration::from_micros(250));
+        assert_eq!(asked[..4], [1, 1, 1, 200]);
+        assert!((2000..=3200).contains(&answers), "{answers}");
+        let (asked, answers) = found(Duration::from_millis(3));
+        assert_eq!((&asked[..], answers), (&[1, 1, 1, 200][..], 200));
+        // As many as there may be do not take long.
+        let (asked, answers) = found(Duration::from_nanos(10));
+        assert_eq!((asked[4..].len(), answers), (3, 500_000));
+    }
+
+    #[test]
+    fn long_enough_is_long_enough() {
+        let speed = speed(|n| Some(if n > 1 { LONG } else { Duration::ZERO }));
+        assert_eq!(speed.map(|s| s.answers), Some(200));
+    }
+
+    /// Whichever run it is that fails.
+    #[test]
+    fn what_does_not_answer_has_no_speed() {
+        for bad in [1, 200, 3200] {
+            let run = |n: usize| (n != bad).then_some(Duration::ZERO);
+            assert!(speed(run).is_none(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn the_form_of_numbers_is_part_of_a_command() {
+        for (more, due) in [
+            ("", ""),
+            ("--decimal", " --decimal"),
+            ("--binary", " --binary"),
+        ] {
+            assert_eq!(
+                form(&compared(&format!("erf --exec cat {more}")).program),
+                due
+            );
+        }
+    }
+
+    #[test]
+    fn inputs_are_spread_over_all() {
+        assert_eq!(spread(0).count(), 0);
+        assert_eq!(spread(3).collect::<Vec<_>>(), [0, 1, 2]);
+        assert!(spread(BATCH).eq(0..BATCH));
+        assert!(spread(3 * BATCH).eq((0..BATCH).map(|k| 3 * k)));
+        let last = spread(BATCH + 1).last();
+        assert_eq!((spread(BATCH + 1).count(), last), (BATCH, Some(BATCH - 1)));
+    }
 
     #[test]
     fn timed_runs_grow_until_they_are_long() {
@@ -273,5 +421,8 @@ mod tests {
         // The quickest of its rounds, which are a part of the whole.
         let all = speed.ns_per_answer * speed.answers as f64 * STARTS as f64;
         assert!(0.0 < all && all <= most, "{all} ns of {most} ns");
+        assert_eq!((speed.answers, speed.start_up_ms), (1024, None));
+        // Roots and sines take more than nothing.
+        assert!(speed.ns_per_answer > 20.0, "{}", speed.ns_per_answer);
     }
 }

@@ -40,17 +40,17 @@ pub fn converge(args: &ConvergeArgs) -> Result<Outcome, Failure> {
             TextOrJson::Json => reports.push(report),
         }
     }
+    let interrupted = done < total;
     if args.format == TextOrJson::Json {
         print_json(&json!({
             "schema_version": 1,
             "mechaudit_version": env!("CARGO_PKG_VERSION"),
-            "interrupted": done < total,
+            "interrupted": interrupted,
             "approximations": reports,
         }))?;
     }
-    let interrupted = done < total;
     if interrupted && args.format == TextOrJson::Text {
-        let text = format!("Interrupted: {done} of {} approximations.", total);
+        let text = format!("Interrupted: {done} of {total} approximations.");
         write_to(None, |out| Ok(writeln!(out, "{}", paint(BAD, &text))?))?;
     }
     Ok(Outcome::unless_interrupted(interrupted, true))
@@ -177,5 +177,83 @@ mod tests {
         ] {
             assert_eq!(words(&table(method, order)), due);
         }
+    }
+
+    fn level(name: &str, errors: Vec<LevelError>, failed: Option<&str>) -> LevelReport {
+        LevelReport {
+            level: name.into(),
+            work: 8,
+            failed: failed.map(Into::into),
+            errors,
+        }
+    }
+
+    /// One level has all that can be known, one little, one nothing.
+    #[test]
+    fn a_report_has_a_table_for_each_output() {
+        let full = LevelError {
+            total: 0.5,
+            method: Some(0.25),
+            rounding: Some(0.125),
+            order: Some(2.0),
+            richardson: Some(1.5),
+        };
+        let little = LevelError {
+            total: 0.75,
+            method: None,
+            rounding: None,
+            order: None,
+            richardson: None,
+        };
+        let text = plain(&text(&ConvergenceReport {
+            name: "some",
+            summary: "Made up.",
+            work_unit: "steps",
+            outputs: vec!["y", "z"],
+            orders: vec![Some(4.0), None],
+            fitted: vec![Some(3.875), Some(2.0)],
+            levels: vec![
+                level("n = 8", vec![full, little], None),
+                level("n = 4000", vec![little, full], None),
+                level("n = 1", Vec::new(), Some("it stopped")),
+            ],
+        }));
+        let lines: Vec<&str> = text.lines().collect();
+        let words: Vec<String> = lines
+            .iter()
+            .map(|l| l.split_whitespace().collect::<Vec<_>>().join(" "))
+            .collect();
+        let all = "n = 8 8 5.00e-1 2.50e-1 1.25e-1 2.00 1.50";
+        assert_eq!(
+            words,
+            [
+                "some",
+                "Made up.",
+                "y steps total method rounding order Richardson",
+                all,
+                "n = 4000 8 7.50e-1 – – – –",
+                "n = 1 8 failed – – – –",
+                "order over all levels: 3.88, due 4",
+                "z steps total method rounding order Richardson",
+                "n = 8 8 7.50e-1 – – – –",
+                &all.replace("n = 8", "n = 4000"),
+                "n = 1 8 failed – – – –",
+                "order over all levels: 2.00",
+                "n = 1 failed: it stopped",
+            ]
+        );
+        // Names of levels to the left, numbers to the right, all by two.
+        for (k, begin) in [
+            (1, "  Made"),
+            (2, "  y "),
+            (3, "  n = 8 "),
+            (4, "  n = 4000 "),
+            (6, "    order"),
+            (12, "  n = 1 failed"),
+        ] {
+            assert!(lines[k].starts_with(begin), "{text}");
+        }
+        let width = |k: usize| lines[k].chars().count();
+        assert!((3..6).all(|k| width(k) == width(2)), "{text}");
     }
 }

@@ -76,3 +76,109 @@ fn heading(method: &dyn Method, case: &Case, out: &mut dyn Write) -> Result<(), 
         case.region
     )?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
+
+    /// What `points` writes into a file.
+    fn written(line: &str) -> String {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("points");
+        let line = format!("mechaudit points {line} --output {}", file.display());
+        let Some(Command::Points(args)) = Args::parse_from(line.split_whitespace()).command else {
+            unreachable!("points")
+        };
+        assert_eq!(points(&args).unwrap(), Outcome::AsExpected);
+        std::fs::read_to_string(&file).unwrap()
+    }
+
+    /// Comments that begin with this, and inputs.
+    fn parts<'a>(text: &'a str, begin: &str) -> (Vec<&'a str>, Vec<&'a str>) {
+        let comments = text.lines().filter(|l| l.starts_with(begin));
+        let inputs = text.lines().filter(|l| !l.starts_with('#'));
+        (comments.collect(), inputs.collect())
+    }
+
+    /// Check points and hard cases are named, then each region with its description and so many inputs.
+    #[test]
+    fn every_region_has_a_heading() {
+        let method = find("erf").unwrap();
+        let text = written("erf --count 3 --seed 5");
+        let (_, inputs) = parts(&text, "#");
+        let domain = method.domain();
+        let named = domain.check_points.len() + method.hard().len();
+        assert_eq!(inputs.len(), named + 3 * domain.regions.len());
+        let layout = Layout::new(&*method);
+        let head = [
+            format!(
+                "# erf: {} (mechaudit {})",
+                method.summary(),
+                env!("CARGO_PKG_VERSION")
+            ),
+            format!("# input: {}", layout.input()),
+            format!("# answer: {}", layout.answer()),
+        ];
+        assert!(text.lines().take(3).eq(&head), "{text}");
+        for r in &domain.regions {
+            let heading = format!("# region {} (seed 5, from 0): {}", r.name, r.description);
+            let lines: Vec<&str> = text.lines().collect();
+            let at: Vec<usize> = (0..lines.len()).filter(|k| lines[*k] == heading).collect();
+            assert_eq!(at.len(), 1, "{heading}: {text}");
+            let drawn = lines[at[0] + 1..]
+                .iter()
+                .take_while(|l| !l.starts_with('#'));
+            assert_eq!(drawn.count(), 3, "{heading}");
+        }
+        let (headings, _) = parts(&text, "# region ");
+        let named = headings.iter().filter(|h| h.ends_with(" (named)")).count();
+        assert_eq!(headings.len(), domain.regions.len() + named);
+        assert!((1..=2).contains(&named), "{headings:?}");
+    }
+
+    #[test]
+    fn one_case_is_one_of_all() {
+        let all = written("erf --region mid --count 4");
+        let (headings, inputs) = parts(&all, "# region ");
+        assert_eq!((headings.len(), inputs.len()), (1, 4), "{all}");
+        let one = written("erf --region mid --case 2");
+        let (headings, found) = parts(&one, "# region ");
+        assert!(
+            headings.len() == 1 && headings[0].starts_with("# region mid (seed 1, from 2): "),
+            "{one}"
+        );
+        assert_eq!(found, [inputs[2]]);
+        let other = written("erf --region mid --case 2 --seed 9");
+        assert_ne!(parts(&other, "#").1, found);
+    }
+
+    /// In single precision 29 bits of the fraction are zero; a decimal reads back as the same number.
+    #[test]
+    fn the_form_of_numbers() {
+        let numbers = |line: &str| -> Vec<f64> {
+            let text = written(line);
+            let (_, inputs) = parts(&text, "#");
+            let fields = inputs.iter().flat_map(|l| l.split(','));
+            fields
+                .map(|f| crate::cli::number::Number::parse(f).unwrap().nearest())
+                .collect()
+        };
+        let double = numbers("erf --region mid --count 5");
+        assert_eq!(numbers("erf --region mid --count 5 --decimal"), double);
+        let text = written("erf --region mid --count 5 --decimal");
+        assert!(
+            parts(&text, "#").1.iter().all(|l| !l.contains("0x")),
+            "{text}"
+        );
+        let text = written("erf --region mid --count 5");
+        assert!(
+            parts(&text, "#").1.iter().all(|l| l.contains("0x")),
+            "{text}"
+        );
+        let is_single = |x: &f64| f64::from(*x as f32) == *x;
+        let single = numbers("erf --region mid --count 5 --single");
+        assert!(single.iter().all(is_single) && !double.iter().all(is_single));
+    }
+}

@@ -107,8 +107,66 @@ pub fn spectrum(machine: &CamOscillator) -> Result<String, Failure> {
 
 #[cfg(test)]
 mod tests {
-    use super::samples;
-    use std::f64::consts::TAU;
+    use super::*;
+    use mechaudit::machine::Source;
+
+    const RUN_UP: &str = include_str!("../../../../examples/chirp-run-up.toml");
+
+    fn machine(speed: &str, duration: &str) -> CamOscillator {
+        let text = RUN_UP.replace("[speed]", &format!("[speed]\nstart = \"{speed}\""));
+        let text = text.replace("\"12 s\"", &format!("\"{duration}\""));
+        CamOscillator::read(&Source::toml(text), Some(5)).unwrap()
+    }
+
+    /// Against a hundred states in every column.
+    #[test]
+    fn a_column_holds_the_motion_while_it_lasts() {
+        let machine = machine("20 rad/s", "12 s");
+        let run = machine.run.unwrap();
+        let response = machine.response(&machine.drive).unwrap();
+        let all = columns(&run, &response);
+        assert_eq!(all.len(), 1200);
+        let values = |t: f64| {
+            let s = response.state(t).unwrap();
+            [s.displacement, s.cam, s.acceleration]
+        };
+        for k in [0, 1, 500, 1199] {
+            let (column, start) = (&all[k], 0.01 * k as f64);
+            let near = |x: f64, due: f64| assert!((x - due).abs() < 1e-11, "{k}: {x} {due}");
+            near(column.times[0], start);
+            near(column.times[1], start + 0.005);
+            near(column.speed, 20.0 + 2.5 * start);
+            assert_eq!(column.envelope, response.envelope(column.times[0]).unwrap());
+            let fine: Vec<[f64; 3]> = (0..100)
+                .map(|i| values(start + 0.01 * f64::from(i) / 100.0))
+                .collect();
+            let first = values(column.times[0]);
+            for i in 0..3 {
+                let [low, high] = column.ranges[i];
+                let least = fine.iter().map(|v| v[i]).fold(f64::INFINITY, f64::min);
+                let most = fine.iter().map(|v| v[i]).fold(f64::NEG_INFINITY, f64::max);
+                let slack = 0.45 * (most - least) + 1e-12;
+                assert!(low <= first[i] && first[i] <= high, "{k} {i}");
+                for (x, due) in [(low, least), (high, most)] {
+                    assert!((x - due).abs() <= slack, "{k} {i}: {x} {due}");
+                }
+            }
+        }
+    }
+
+    /// The heights of bars and of the bound are shares of the lift, so that they do not know its size.
+    #[test]
+    fn a_spectrum_is_one_of_shares() {
+        let drawn = |lift: &str| {
+            let text = RUN_UP.replace("\"20 mm\"", lift);
+            let machine = CamOscillator::read(&Source::toml(text), Some(12)).unwrap();
+            spectrum(&machine).unwrap()
+        };
+        let curves = |svg: &str| svg.matches("<path").count() + svg.matches("<polyline").count();
+        let (small, large) = (drawn("\"1 mm\""), drawn("\"1024 mm\""));
+        assert!(curves(&small) > 0 && small.contains("<title>"));
+        assert_eq!(small, large);
+    }
 
     /// The faster end decides, whichever it is and whichever way the shaft turns.
     #[test]

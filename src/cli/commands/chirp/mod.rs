@@ -69,3 +69,114 @@ pub fn chirp(args: &ChirpArgs) -> Result<Outcome, Failure> {
     }
     Ok(Outcome::AsExpected)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
+    use std::path::Path;
+    use tempfile::tempdir;
+
+    const RUN_UP: &str = include_str!("../../../../examples/chirp-run-up.toml");
+    const CHART: &str = include_str!("../../../../examples/chirp-chart.toml");
+
+    /// Runs it on a file of the folder; what it writes to `rows.csv` there.
+    fn run(folder: &Path, text: &str, more: &str) -> Result<String, Failure> {
+        let at = folder.display();
+        std::fs::write(folder.join("made.toml"), text).unwrap();
+        let line =
+            format!("mechaudit chirp {at}/made.toml --harmonics 8 --output {at}/rows.csv {more}");
+        let Some(Command::Chirp(args)) = Args::parse_from(line.split_whitespace()).command else {
+            unreachable!("a chirp")
+        };
+        assert_eq!(chirp(&args)?, Outcome::AsExpected);
+        Ok(std::fs::read_to_string(folder.join("rows.csv")).unwrap())
+    }
+
+    fn begun(section: &str, text: &str) -> String {
+        text.split(section).next().unwrap().to_owned()
+    }
+
+    /// The rows are those of the first section that there is, and each section has its drawing.
+    #[test]
+    fn rows_and_drawings_are_those_of_the_sections() {
+        let short = RUN_UP.replace("\"5 ms\"", "\"1 s\"");
+        let coarse = CHART.replace("step = 0.1", "step = 4.0");
+        let bare = begun("[run]", RUN_UP);
+        let both = format!("{coarse}\n[run]\nduration = \"2 s\"\nstep = \"1 s\"\n");
+        for (text, more, head, rows, drawn) in [
+            (&short, "", "t_s,", 13, &["history.svg", "spectrum.svg"][..]),
+            (
+                &short,
+                "--rows spectrum",
+                "n,a_m,",
+                8,
+                &["history.svg", "spectrum.svg"],
+            ),
+            (&coarse, "", "law,", 8, &["chart.svg", "spectrum.svg"]),
+            (
+                &coarse,
+                "--rows spectrum",
+                "n,a_rad,",
+                8,
+                &["chart.svg", "spectrum.svg"],
+            ),
+            (&bare, "", "n,a_m,", 8, &["spectrum.svg"]),
+            (
+                &both,
+                "",
+                "t_s,",
+                3,
+                &["chart.svg", "history.svg", "spectrum.svg"],
+            ),
+            (
+                &both,
+                "--rows chart",
+                "law,",
+                8,
+                &["chart.svg", "history.svg", "spectrum.svg"],
+            ),
+        ] {
+            let folder = tempdir().unwrap();
+            let plain = run(folder.path(), text, more).unwrap();
+            assert!(plain.starts_with(head), "{plain}");
+            assert_eq!(plain.lines().count(), 1 + rows, "{more}: {plain}");
+            let pictures = folder.path().join("pictures");
+            let more = format!("{more} --svg {}", pictures.display());
+            assert_eq!(run(folder.path(), text, &more).unwrap(), plain);
+            let files = std::fs::read_dir(&pictures).unwrap();
+            let mut names: Vec<String> = files
+                .map(|f| f.unwrap().file_name().into_string().unwrap())
+                .collect();
+            names.sort();
+            assert_eq!(names, drawn);
+            for name in drawn {
+                let svg = std::fs::read_to_string(pictures.join(name)).unwrap();
+                assert!(svg.starts_with("<svg"), "{name}");
+                assert!(*name != "chart.svg" || svg.contains("0050"), "{svg}");
+            }
+        }
+    }
+
+    #[test]
+    fn rows_of_a_section_that_is_missing() {
+        let folder = tempdir().unwrap();
+        for (text, rows, section) in [(CHART, "history", "run"), (RUN_UP, "chart", "chart")] {
+            let why = run(folder.path(), text, &format!("--rows {rows}"))
+                .unwrap_err()
+                .to_string();
+            assert!(
+                why.ends_with(&format!("made.toml: the section [{section}] is missing")),
+                "{why}"
+            );
+        }
+        // Nothing here is certified: no unit costs digits.
+        let inches = run(folder.path(), &begun("[run]", RUN_UP), "--units in").unwrap();
+        assert!(
+            inches.starts_with("n,a_in,b_in,D_in,delta_deg,left_out_in\n"),
+            "{inches}"
+        );
+        assert!(!folder.path().join("pictures").exists());
+    }
+}

@@ -234,3 +234,7 @@ pub fn spectrum(
     }
     Ok(rows.end()?)
 }
+
+#[cfg(test)]
+#[path = "rows_tests.rs"]
+mod tests;

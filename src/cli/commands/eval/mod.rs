@@ -317,4 +317,87 @@ mod tests {
         let long = shortened("é".repeat(500).as_bytes());
         assert_eq!(long.chars().count(), 81);
     }
+
+    /// What a stream by one thread comes to: its output, and its outcome or why it ended.
+    fn streamed(
+        name: &str,
+        digits: Option<u32>,
+        input: &[u8],
+    ) -> (String, Result<Outcome, String>) {
+        let method = find_evaluable(name).unwrap();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(1)
+            .build()
+            .unwrap();
+        let mut out = Vec::new();
+        let end = stream(&*method, digits, &pool, BufReader::new(input), &mut out);
+        (
+            String::from_utf8(out).unwrap(),
+            end.map_err(|e| e.to_string()),
+        )
+    }
+
+    /// The longest line is answered, and the next one too.
+    #[test]
+    fn a_line_may_be_as_long_as_this() {
+        let padded = |length: usize| {
+            let mut text = vec![b' '; length - 4];
+            text.extend(b"0,0\n1,0\n");
+            streamed("erf", None, &text)
+        };
+        let (out, end) = padded(LONGEST);
+        assert!(
+            out.lines().count() == 2 && end == Ok(Outcome::AsExpected),
+            "{end:?}"
+        );
+        let (out, end) = padded(LONGEST + 1);
+        let why = end.unwrap_err();
+        assert_eq!(out, "");
+        assert!(
+            why.starts_with("line 1 (") && why.ends_with("): longer than 1048576 bytes"),
+            "{why}"
+        );
+    }
+
+    /// Answers up to it are there; it is named by its number, comments and blank lines counted.
+    #[test]
+    fn a_line_that_is_wrong_is_named() {
+        for (line, why) in [
+            ("1", "1 number"),
+            ("1,2,3", "3 numbers"),
+            ("1,x", "is neither a decimal nor"),
+            ("1,", "is neither a decimal nor"),
+        ] {
+            let (out, end) = streamed("erf", None, format!("0,0\n# c\n\n{line}\n1,0\n").as_bytes());
+            let end = end.unwrap_err();
+            assert_eq!(out.lines().count(), 1, "{line}");
+            assert!(
+                end.starts_with(&format!("line 4 ({line:?}): ")) && end.contains(why),
+                "{end}"
+            );
+        }
+        let (out, end) = streamed("erf", None, b"# only\n \n");
+        assert_eq!((&*out, end), ("", Ok(Outcome::AsExpected)));
+        let (_, end) = streamed("erf", Some(5), b"inf,0\n");
+        assert!(end.unwrap_err().contains("must be finite"));
+        let (_, end) = streamed("four-bar", None, b"1,1,1,2.5,3,1\n");
+        assert!(end.unwrap_err().starts_with("line 1 ("));
+    }
+
+    /// Its line is right, and its value cannot be had.
+    #[test]
+    fn some_errors_are_no_fault_of_the_line() {
+        use mechaudit::audit::Uncertified as Why;
+        for (e, due) in [
+            (EvalError::TooLong, false),
+            (EvalError::Refused("no"), false),
+            (EvalError::OutsideDomain("no".into()), false),
+            (EvalError::NotAnInput("cut off"), false),
+            (EvalError::NoAnswer(SolverAnswer::Declines(None)), true),
+            (EvalError::Uncertified(Why::Refused("no")), true),
+            (EvalError::Digits(5), true),
+        ] {
+            assert_eq!(e.is_undecided(), due, "{e}");
+        }
+    }
 }

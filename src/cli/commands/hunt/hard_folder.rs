@@ -98,3 +98,91 @@ fn lock(folder: &Path) -> io::Result<File> {
     lock.lock()?;
     Ok(lock)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::commands::audit::find;
+    use std::fs::{create_dir, read_to_string, write};
+    use tempfile::tempdir;
+
+    fn case(share: f64, re: f64) -> HardCase {
+        HardCase {
+            share,
+            output: "Re erf".into(),
+            reason: "by hand".into(),
+            input: vec![re, 0.0],
+            folder: None,
+        }
+    }
+
+    /// Lines stay as they are, whether the last one is ended or not; there is one header.
+    #[test]
+    fn lines_are_added_to_what_is_there() {
+        let method = find("erf").unwrap();
+        let head = "# Worst inputs found by mechaudit hunt erf; lines are only added.\n";
+        let [old, new] = [case(0.25, 1.0), case(0.5, 2.0)].map(|c| c.line());
+        let begun = format!("{HARD_HEADER}\n{old}");
+        for (before, due) in [
+            (None, format!("{head}{HARD_HEADER}\n{new}")),
+            (Some(String::new()), format!("{head}{HARD_HEADER}\n{new}")),
+            (
+                Some("# ours\n".into()),
+                format!("# ours\n{HARD_HEADER}\n{new}"),
+            ),
+            (
+                Some(format!("# ours\n{HARD_HEADER}\n")),
+                format!("# ours\n{HARD_HEADER}\n{new}"),
+            ),
+            (Some(begun.clone()), format!("{begun}{new}")),
+            (Some(begun.trim_end().into()), format!("{begun}{new}")),
+        ] {
+            let folder = tempdir().unwrap();
+            let path = folder.path().join("erf.csv");
+            let known = usize::from(before.as_ref().is_some_and(|t| t.contains("Re erf")));
+            before.iter().for_each(|text| write(&path, text).unwrap());
+            check_writable(folder.path(), &*method).unwrap();
+            let added = add(folder.path(), &*method, |there| {
+                assert_eq!(there.len(), known, "{before:?}");
+                vec![case(0.5, 2.0)]
+            });
+            assert_eq!(added.unwrap(), [(known + 1, case(0.5, 2.0))]);
+            assert_eq!(read_to_string(&path).unwrap(), due, "{before:?}");
+            let found = of_method(folder.path(), &*method).unwrap();
+            let own = folder.path().to_str().map(str::to_owned);
+            assert_eq!(found.len(), known + 1);
+            assert!(found.iter().all(|c| c.folder == own));
+        }
+    }
+
+    #[test]
+    fn nothing_new_leaves_the_folder_alone() {
+        let method = find("erf").unwrap();
+        let folder = tempdir().unwrap();
+        let added = add(folder.path(), &*method, |_| Vec::new());
+        assert!(added.unwrap().is_empty());
+        assert!(!folder.path().join("erf.csv").exists());
+        assert!(read(folder.path(), &*method).unwrap().is_none());
+        let why = of_method(folder.path(), &*method).unwrap_err().to_string();
+        assert!(why.ends_with(": it holds no erf.csv"), "{why}");
+    }
+
+    #[test]
+    fn what_is_no_folder_of_hard_cases() {
+        let method = find("erf").unwrap();
+        let folder = tempdir().unwrap();
+        let missing = folder.path().join("none");
+        let why = read(&missing, &*method).unwrap_err().to_string();
+        assert!(why.ends_with("none: there is no such folder"), "{why}");
+        let why = read(Path::new("3"), &*method).unwrap_err().to_string();
+        assert_eq!(
+            why,
+            "--hard 3: there is no such folder; --hard-case 3 chooses one case"
+        );
+        // Something that cannot be read is not a file that is missing.
+        create_dir(folder.path().join("erf.csv")).unwrap();
+        assert!(read(folder.path(), &*method).is_err());
+        assert!(check_writable(folder.path(), &*method).is_err());
+        assert!(add(folder.path(), &*method, |_| vec![case(0.5, 2.0)]).is_err());
+    }
+}

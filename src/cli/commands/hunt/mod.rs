@@ -62,9 +62,15 @@ pub fn hunt(args: &HuntArgs) -> Result<Outcome, Failure> {
         Ok(writeln!(out, "{closing}")?)
     })?;
     added.transpose()?;
-    let over = new.iter().any(|c| c.share > 1.0);
-    let good = !over && found.failures.is_empty();
-    Ok(Outcome::unless_interrupted(found.interrupted, good))
+    Ok(Outcome::unless_interrupted(
+        found.interrupted,
+        is_good(&found, &new),
+    ))
+}
+
+/// Nothing new is over budget, and nothing fails without a share of it.
+fn is_good(found: &Hunt, new: &[HardCase]) -> bool {
+    new.iter().all(|c| c.share <= 1.0) && found.failures.is_empty()
 }
 
 /// Every input found, with the outputs that it is the worst for and the command that judges it again.
@@ -234,5 +240,158 @@ mod tests {
         let due = format!("2 drawn inputs fail without a share of the budget, the first: {first}");
         assert!(line.ends_with(&due), "{text}");
         assert!(line.starts_with("erf 7 evaluations output"), "{text}");
+    }
+
+    fn hunted(hard: &str) -> HuntArgs {
+        HuntArgs {
+            method: "erf".into(),
+            evals: 5,
+            seed: 2,
+            hard: PathBuf::from(hard),
+        }
+    }
+
+    fn words(line: &str) -> String {
+        line.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    fn of(output: &'static str, share: f64, x: f64) -> Worst {
+        Worst {
+            output,
+            input: vec![x, 0.0],
+            ..worst(share)
+        }
+    }
+
+    fn whole(worst: Vec<Worst>) -> Hunt {
+        Hunt {
+            worst,
+            failures: Vec::new(),
+            evaluations: 7,
+            interrupted: false,
+        }
+    }
+
+    fn recorded(w: &Worst) -> HardCase {
+        HardCase {
+            share: w.share,
+            output: w.output.into(),
+            reason: w.reason.clone(),
+            input: w.input.clone(),
+            folder: None,
+        }
+    }
+
+    /// A share is a number of [0, ∞).
+    #[test]
+    fn what_is_over_budget_is_a_finding() {
+        let good = |shares: &[f64], failures: usize| {
+            let new: Vec<HardCase> = shares.iter().map(|s| recorded(&worst(*s))).collect();
+            let failure = Case {
+                method: "erf",
+                region: "hunt",
+                input: vec![1.0, 0.0],
+                origin: Origin::Given,
+            };
+            let found = Hunt {
+                failures: vec![failure; failures],
+                ..whole(Vec::new())
+            };
+            is_good(&found, &new)
+        };
+        for (shares, failures, due) in [
+            (&[][..], 0, true),
+            (&[0.5, 1.0], 0, true),
+            (&[0.5, 1.001], 0, false),
+            (&[1.5, 0.25], 0, false),
+            (&[f64::INFINITY], 0, false),
+            (&[], 1, false),
+            (&[0.5], 2, false),
+        ] {
+            assert_eq!(good(shares, failures), due, "{shares:?} {failures}");
+        }
+    }
+
+    /// Numbers to the right, words to the left, what is new beside its share.
+    #[test]
+    fn a_report_is_a_table() {
+        let method = find("erf").unwrap();
+        let (re, im) = (of("Re erf", 12.5, 1.0), of("Im erf", 0.5, 2.0));
+        let found = whole(vec![re.clone(), im.clone()]);
+        let text = plain(&report(&*method, &found, &[recorded(&re)], 9));
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines[..2], ["erf", "  7 evaluations"]);
+        let [head, first, second] = [2, 3, 4].map(|k| lines[k]);
+        assert_eq!(lines.len(), 5, "{text}");
+        assert_eq!(words(head), "output of budget found");
+        assert_eq!(words(first), "Re erf 1250 % new drawn");
+        assert_eq!(words(second), "Im erf 50.00 % drawn");
+        for (line, begin) in [
+            (head, "  output"),
+            (first, "  Re erf"),
+            (second, "  Im erf"),
+        ] {
+            assert!(line.starts_with(begin), "{text}");
+        }
+        let at = |line: &str, word: &str| line.find(word).unwrap();
+        assert_eq!(at(first, "drawn"), at(second, "drawn"), "{text}");
+        assert_eq!(at(head, "found"), at(first, "drawn"), "{text}");
+        assert_eq!(at(first, "%"), at(second, "%"), "{text}");
+        let stopped = Hunt {
+            interrupted: true,
+            ..found
+        };
+        let text = plain(&report(&*method, &stopped, &[], 9));
+        assert!(
+            text.contains("\n  interrupted after 7 of 9 evaluations\n"),
+            "{text}"
+        );
+        assert!(!text.contains("new"), "{text}");
+    }
+
+    /// More than the budget is marked, the whole of it is not.
+    #[test]
+    fn shares_above_the_budget_are_marked() {
+        let method = find("erf").unwrap();
+        for (share, due) in [(0.6, false), (1.0, false), (1.5, true), (3.0, true)] {
+            let found = whole(vec![of("Re erf", share, 1.0)]);
+            let marked = paint(BAD, &percent(share));
+            let text = report(&*method, &found, &[], 9);
+            let cell = text.lines().nth(3).unwrap();
+            let style = marked.split(&percent(share)).next().unwrap();
+            assert_eq!(cell.contains(style), due, "{share}: {text:?}");
+        }
+    }
+
+    /// Every input once, with all its outputs, and by its number where it is recorded.
+    #[test]
+    fn inputs_are_named_with_their_commands() {
+        let method = find("erf").unwrap();
+        let all = [
+            of("Re erf", 0.5, 1.0),
+            of("Im erf", 0.4, 1.0),
+            of("Re erf", 0.3, -0.0),
+        ];
+        let found = whole(all.to_vec());
+        let case = recorded(&all[2]);
+        let text = plain(&inputs(
+            &*method,
+            &found,
+            &[(4, &case)],
+            &hunted("some/folder"),
+        ));
+        let lines: Vec<String> = text.lines().map(words).collect();
+        assert_eq!(lines.len(), 6, "{text}");
+        assert_eq!(lines[..2], ["worst for Re erf, Im erf", "input 1.0, 0.0"]);
+        assert_eq!(lines[3..5], ["worst for Re erf", "input -0.0, 0.0"]);
+        assert!(
+            lines[2].starts_with("again mechaudit audit erf --at "),
+            "{text}"
+        );
+        assert!(lines[5].starts_with("again mechaudit audit erf "), "{text}");
+        assert!(
+            lines[5].contains("some/folder") && lines[5].contains("--hard-case 4"),
+            "{text}"
+        );
     }
 }

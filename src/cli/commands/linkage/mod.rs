@@ -319,3 +319,6 @@ fn certified_row(degrees: &Rational, branch: usize, digits: Vec<Option<String>>)
         .chain(digits.into_iter().map(Cell::certified))
         .collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -77,13 +77,9 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         let outcome = all_branches(args, machine, &values, &asked, shown);
         return outcome.map_err(|f| f.about(args.file.display()));
     }
-    let start = match (args.branch, machine.start.at) {
-        (None, Some(at)) if machine.rotary() => at.to_radians(),
-        (None, Some(at)) => at,
-        _ => first,
-    };
     let output = Output::open(args.output.as_deref())?;
-    let branch = planar::choose(machine, start, args.branch).map_err(in_file)?;
+    let branch = planar::choose(machine, start(args, machine, first), args.branch);
+    let branch = branch.map_err(in_file)?;
     if let Some(folder) = &args.svg {
         let drawing = Output::within(folder, "mechanism.svg")?;
         drawing.text(&drawn::planar(machine, &branch))?;
@@ -121,6 +117,16 @@ pub fn linkage(args: &LinkageArgs, machine: &Machine) -> Result<Outcome, Failure
         complain("no value of the drive asked for lies in that range");
     }
     Ok(Outcome::decided(undecided, args.digits.unwrap_or(0)))
+}
+
+/// The value of the drive, in radians or metres, at which the branch is chosen: the file's own, or the first one if
+/// its number is asked for.
+fn start(args: &LinkageArgs, machine: &Machine, first: f64) -> f64 {
+    match (args.branch, machine.start.at) {
+        (None, Some(at)) if machine.rotary() => at.to_radians(),
+        (None, Some(at)) => at,
+        _ => first,
+    }
 }
 
 fn in_file_of(args: &LinkageArgs) -> impl Fn(NotExact) -> Failure + '_ {
@@ -275,83 +281,5 @@ fn prove_counts(certifier: &Certifier, values: &Values, map: &BranchMap) -> usiz
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use mechaudit::machine::{Linkage, Source};
-
-    #[test]
-    fn a_range_has_as_many_rows_as_steps_fit_into_it() {
-        for (to, due) in [
-            (2.0, &[2.0][..]),
-            (2.4, &[2.0]),
-            (2.5, &[2.0, 2.5]),
-            (3.5 - 4e-10, &[2.0, 2.5, 3.0, 3.5]),
-            (3.5 - 6e-10, &[2.0, 2.5, 3.0]),
-            (3.9, &[2.0, 2.5, 3.0, 3.5]),
-        ] {
-            let found: Vec<f64> = displacements([2.0, to, 0.5]).collect();
-            assert_eq!(found, due, "to {to}");
-        }
-    }
-
-    #[test]
-    fn modes_are_counted_in_words() {
-        let text = include_str!("../../../../examples/watt-1.toml");
-        let Linkage::Planar(machine) = Linkage::read(&Source::toml(text)).unwrap() else {
-            unreachable!("bodies and joints");
-        };
-        let at = machine.start.at.unwrap_or(0.0).to_radians();
-        let branch = planar::choose(&machine, at, Some(0)).unwrap();
-        let said = |modes: usize, complete: bool| {
-            let branch = Branch {
-                modes,
-                complete,
-                ..branch.clone()
-            };
-            facts::modes_line(&machine, &branch)
-        };
-        let one = said(1, true);
-        assert!(one.starts_with("1 assembly mode at "), "{one}");
-        assert!(
-            one.ends_with(", all that there are; this is number 0"),
-            "{one}"
-        );
-        let some = said(3, false);
-        assert!(some.starts_with("3 assembly modes at "), "{some}");
-        assert!(some.contains(", perhaps not all that there are"), "{some}");
-    }
-
-    /// A mode that floating point has lost, or has twice, is no proof that these are all.
-    #[test]
-    fn another_number_of_modes_is_open() {
-        let text = include_str!("../../../../examples/watt-1.toml");
-        let Linkage::Planar(machine) = Linkage::read(&Source::toml(text)).unwrap() else {
-            unreachable!("bodies and joints");
-        };
-        let certifier = Certifier::new(&machine, 15).unwrap();
-        let at = machine.start.at.unwrap_or(0.0);
-        let values = Values(
-            vec![(at, at.to_radians())],
-            Rational::from_f64(at).into_iter().collect(),
-        );
-        let map = machine
-            .solver
-            .trace_branches(&[machine.inner(at.to_radians())]);
-        assert!(map.rows[0].len() > 1);
-        assert_eq!(prove_counts(&certifier, &values, &map), 0);
-        let mut fewer = map.clone();
-        fewer.rows[0].pop();
-        assert_eq!(prove_counts(&certifier, &values, &fewer), 1);
-        let mut more = map.clone();
-        more.rows[0].extend_from_within(..1);
-        assert_eq!(prove_counts(&certifier, &values, &more), 1);
-        // What is not matched by both searches is said.
-        let said = |map: &BranchMap| facts::map_lines(&machine, map).join("\n");
-        assert!(!said(&map).contains("but not by both"));
-        let unmatched = BranchMap {
-            unmatched: 2,
-            ..map
-        };
-        assert!(said(&unmatched).contains("2 positions were found by continuation or"));
-    }
-}
+#[path = "planar_tests.rs"]
+mod tests;

@@ -236,3 +236,7 @@ pub fn map_lines(machine: &Machine, map: &BranchMap) -> Vec<String> {
     }
     lines
 }
+
+#[cfg(test)]
+#[path = "planar_facts_tests.rs"]
+mod tests;

@@ -90,7 +90,8 @@ impl LinkageArgs {
 }
 
 /// In motion: at the angles of the plan if the arguments ask for a window, else over all that there is; with the
-/// columns' values. Without these for a drawing of the position at `--from-deg` or the start.
+/// columns' values. Without these for a drawing of the position at `--from-deg`, which itself asks for a window, or the
+/// start.
 pub fn class_iii(
     args: &LinkageArgs,
     linkage: &class_iii::Linkage,
@@ -112,8 +113,8 @@ pub fn class_iii(
             let states = states.map_err(|e| Failure::caused(e.1))?;
             (states, 0, args.to_deg.is_none() && turns == Some(1))
         }
-        page => {
-            let shown = match args.from().filter(|_| page.is_none()) {
+        _ => {
+            let shown = match args.from() {
                 None => branch.start,
                 Some(degrees) => {
                     let at =
@@ -139,12 +140,20 @@ pub fn class_iii(
 }
 
 /// An angle in radians on the branch's own count of turns, if it is reached.
-fn on_branch(angle: f64, branch: &class_iii::Branch) -> Option<f64> {
+pub fn on_branch(angle: f64, branch: &class_iii::Branch) -> Option<f64> {
     let class_iii::Reach::Part { low, high } = branch.reach else {
         return Some(angle);
     };
     let at = low.reached + (angle - low.reached).rem_euclid(std::f64::consts::TAU);
     (at <= high.reached).then_some(at)
+}
+
+/// In ascending order, each once: whole turns taken off an angle leave a rounding.
+fn in_order(angles: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut all: Vec<f64> = angles.collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|later, kept| *later - *kept < 1e-11);
+    all
 }
 
 /// As [`class_iii`].
@@ -165,13 +174,11 @@ pub fn dyad(
                     from + (d - from).rem_euclid(360.0)
                 }
             };
-            let mut all: Vec<f64> = angles.map(turned).filter(|d| whole || *d <= to).collect();
-            all.sort_by(f64::total_cmp);
-            all.dedup();
-            (all, 0, whole && args.to_deg.is_none())
+            let all = angles.map(turned).filter(|d| whole || *d <= to);
+            (in_order(all), 0, whole && args.to_deg.is_none())
         }
-        page => {
-            let from = args.from().filter(|_| page.is_none());
+        _ => {
+            let from = args.from();
             let shown = from.or(dyad.start.as_ref().map(nearest_f64)).unwrap_or(0.0);
             if from.is_some() && dyad::position(dyad, assembly, shown).is_none() {
                 return Err(args.unreached());
@@ -225,22 +232,18 @@ pub fn planar(
     let (positions, start, closed) = match &page {
         Some(window) if args.asks_for_window() && machine.rotary() => {
             let drives = window.drives.iter();
-            let mut drives: Vec<f64> = drives
-                .filter_map(|d| branch.turned_to(machine, d.1))
-                .collect();
-            drives.sort_by(f64::total_cmp);
-            drives.dedup();
+            let drives = drives.filter_map(|d| branch.turned_to(machine, d.1));
             let mut here = branch.start.clone();
             let mut all = Vec::new();
-            for drive in drives {
+            for drive in in_order(drives) {
                 let next = solver.follow(&here, machine.inner(drive));
                 here = next.map_err(Failure::caused)?;
                 all.push((drive, here.clone()));
             }
             (all, 0, args.to_deg.is_none() && turns == Some(1))
         }
-        page => {
-            let shown = match args.from().filter(|_| page.is_none()) {
+        _ => {
+            let shown = match args.from() {
                 None => branch.start.clone(),
                 Some(degrees) => {
                     let at = branch.turned_to(machine, degrees.to_radians());

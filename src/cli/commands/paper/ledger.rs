@@ -64,3 +64,54 @@ fn check(args: &PaperArgs, written: &str) -> Result<Outcome, Failure> {
     }
     Ok(Outcome::of(same))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
+
+    fn asked(line: &str) -> PaperArgs {
+        let words = ["mechaudit", "paper"]
+            .into_iter()
+            .chain(line.split_whitespace());
+        match Args::parse_from(words).command {
+            Some(Command::Paper(args)) => args,
+            _ => unreachable!("a paper"),
+        }
+    }
+
+    /// A file has the text in 100 columns and nothing of how long it took.
+    #[test]
+    fn a_ledger_in_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("ledger");
+        let found = papers::ledger_of("n-four-bar").unwrap();
+        let wide =
+            |width| anstream::adapter::strip_str(&text::ledger::ledger(&found, width)).to_string();
+        let due = wide(100);
+        assert!(wide(99) != due && wide(101) != due);
+        let file = path.display();
+        let run = |more: &str| ledger(&asked(&format!("n-four-bar --ledger {more}")));
+        let good = Outcome::of(found.as_recorded());
+        assert_eq!(run(&format!("--output {file}")).unwrap(), good);
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), due);
+        assert_eq!(
+            run(&format!("--output {file} --check")).unwrap(),
+            Outcome::AsExpected
+        );
+        std::fs::write(&path, format!("{due} ")).unwrap();
+        assert_eq!(
+            run(&format!("--output {file} --check")).unwrap(),
+            Outcome::Finding
+        );
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), format!("{due} "));
+        assert!(run("--format csv").is_err());
+        assert_eq!(
+            run(&format!("--output {file} --format json")).unwrap(),
+            good
+        );
+        let json = std::fs::read_to_string(&path).unwrap();
+        assert!(json.ends_with("}\n") && serde_json::from_str::<serde_json::Value>(&json).is_ok());
+    }
+}

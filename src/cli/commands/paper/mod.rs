@@ -52,3 +52,48 @@ pub fn paper(args: &PaperArgs) -> Result<Outcome, Failure> {
     })?;
     Ok(Outcome::of(report.as_recorded()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::args::{Args, Command};
+    use clap::Parser;
+
+    /// A report in a file has 100 columns, and the forms of ledgers are for these.
+    #[test]
+    fn a_report_in_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report");
+        let run = |key: &str, more: &str| {
+            let line = format!("mechaudit paper {key} --output {} {more}", path.display());
+            match Args::parse_from(line.split_whitespace()).command {
+                Some(Command::Paper(args)) => paper(&args),
+                _ => unreachable!("a paper"),
+            }
+        };
+        let mut told_apart = [false; 2];
+        for key in ["pmksweb", "n-four-bar"] {
+            let report = audit::paper(key, &Progress::new()).unwrap().unwrap();
+            let wide = |width| {
+                let text = text::paper::paper(&report, width);
+                anstream::adapter::strip_str(&text).to_string()
+            };
+            assert_eq!(run(key, "").unwrap(), Outcome::of(report.as_recorded()));
+            let due = wide(100);
+            assert_eq!(std::fs::read_to_string(&path).unwrap(), due);
+            let apart = [99, 101].map(|width| wide(width) != due);
+            told_apart = [0, 1].map(|k| told_apart[k] || apart[k]);
+        }
+        assert_eq!(told_apart, [true; 2]);
+        for (more, due) in [
+            ("--format latex", false),
+            ("--format errata", false),
+            ("--format json", true),
+            ("--format csv", true),
+            ("--format latex --ledger", true),
+        ] {
+            assert_eq!(run("pmksweb", more).is_ok(), due, "{more}");
+        }
+        assert!(run("none", "").is_err());
+    }
+}

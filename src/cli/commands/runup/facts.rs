@@ -236,3 +236,7 @@ pub fn json(
     put("flywheel", flywheel);
     map
 }
+
+#[cfg(test)]
+#[path = "facts_tests.rs"]
+mod tests;

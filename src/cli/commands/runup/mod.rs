@@ -106,14 +106,9 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
     let motion = run(&equation, &machine.plan).map_err(in_file)?;
     let steady = Steady::of(&machine, &equation, &motion);
     if let Some(drawing) = drawing {
-        let start = start::short_start(&motion.samples).map(|duration| {
-            let plan = Plan {
-                duration,
-                sampling: Some(duration / 400.0),
-                ..machine.plan.clone()
-            };
-            run(&equation, &plan).map_err(in_file)
-        });
+        let start = start::short_start(&motion.samples);
+        let start = start
+            .map(|duration| run(&equation, &enlarged(&machine.plan, duration)).map_err(in_file));
         let start = start.transpose()?.map(|m| m.samples);
         drawing.text(&drawings::draw(
             &machine.name,
@@ -133,6 +128,15 @@ pub fn runup(args: &RunupArgs) -> Result<Outcome, Failure> {
         complain(&line);
     }
     Ok(Outcome::AsExpected)
+}
+
+/// The first part of a run, so often that its drawing is smooth.
+fn enlarged(plan: &Plan, duration: f64) -> Plan {
+    Plan {
+        duration,
+        sampling: Some(duration / 400.0),
+        ..plan.clone()
+    }
 }
 
 fn lines(machine: &Machine, motion: &Motion, steady: &Steady) -> Vec<String> {
@@ -160,4 +164,81 @@ fn row(s: &Sample) -> Vec<Cell> {
         s.balance,
     ];
     values.map(Cell::Float).to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mechaudit::machine::Source;
+
+    fn example(changed: [&str; 2]) -> Machine {
+        let text = include_str!("../../../../examples/four-bar-run-up.toml");
+        let text = text.replacen(changed[0], changed[1], 1);
+        Machine::read(&Source::toml(text), Overrides::default()).unwrap()
+    }
+
+    #[test]
+    fn a_row_has_the_values_that_its_columns_name() {
+        let sample = Sample {
+            t: 1.0,
+            phi: std::f64::consts::PI,
+            psi: 3.0,
+            acceleration: 4.0,
+            inertia: 5.0,
+            motor: 6.0,
+            weights: 7.0,
+            resistance: 8.0,
+            kinetic_energy: 9.0,
+            work: [10.0, 11.0, 12.0],
+            balance: 13.0,
+        };
+        let due = [
+            ("t_s", 1.0),
+            ("phi1_deg", 180.0),
+            ("omega_rad_per_s", 3.0),
+            ("epsilon_rad_per_s2", 4.0),
+            ("I_kg_m2", 5.0),
+            ("M_motor_N_m", 6.0),
+            ("M_o_N_m", 7.0),
+            ("M_load_N_m", 8.0),
+            ("kinetic_energy_J", 9.0),
+            ("work_motor_J", 10.0),
+            ("work_weights_J", 11.0),
+            ("work_load_J", 12.0),
+            ("energy_balance_J", 13.0),
+        ];
+        let found: Vec<_> = COLUMNS.into_iter().zip(row(&sample)).collect();
+        assert_eq!(found, due.map(|(name, x)| (name, Cell::Float(x))));
+    }
+
+    #[test]
+    fn the_start_is_enlarged_by_400_samples() {
+        let plan = example(["", ""]).plan;
+        let found = enlarged(&plan, 0.5);
+        assert_eq!((found.duration, found.sampling), (0.5, Some(0.00125)));
+        assert_eq!((found.phi, found.psi), (plan.phi, plan.psi));
+        assert_eq!(found.settings.tolerance, plan.settings.tolerance);
+    }
+
+    /// How it ends, stiffness, cost, cycle and flywheel, in this order.
+    #[test]
+    fn lines_come_in_their_order() {
+        let machine = example(["\"2 s\"", "\"0.01 s\"\nfluctuation = 1.5"]);
+        let equation = Equation::new(&*machine.model, &machine.drive);
+        let mut motion = run(&equation, &machine.plan).unwrap();
+        motion.stiff_from = Some(0.001);
+        let steady = Steady::of(&machine, &equation, &motion);
+        let lines = lines(&machine, &motion, &steady);
+        let begins = [
+            "the time is over after 0.010000 s",
+            "stiff from 1.000e-3 s on",
+            "verner98, then radau5, at tolerance",
+            "steady cycle: ",
+            "flywheel: none is needed",
+        ];
+        assert_eq!(lines.len(), begins.len(), "{lines:?}");
+        for (line, begin) in lines.iter().zip(begins) {
+            assert!(line.starts_with(begin), "{line}");
+        }
+    }
 }

@@ -17,7 +17,66 @@ pub fn short_start(samples: &[Sample]) -> Option<f64> {
     if !(there > 0.0 && there < SHORT * end) {
         return None;
     }
-    // One significant digit, and no longer than the run.
-    let decade = 10f64.powf((2.0 * there).log10().floor());
-    Some(((2.0 * there / decade).ceil() * decade).min(end))
+    // One significant digit: no more than four times as long.
+    let longer = 2.0 * there;
+    let decade = 10f64.powf(longer.log10().floor());
+    Some((longer / decade).ceil() * decade)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn samples(of: &[(f64, f64)]) -> Vec<Sample> {
+        let one = |&(t, psi): &(f64, f64)| Sample {
+            t,
+            psi,
+            ..Sample::default()
+        };
+        of.iter().map(one).collect()
+    }
+
+    /// From the middle of the run on the speed lies between 9 and 11: the start is over when it first does.
+    #[test]
+    fn a_start_is_short_beside_the_run() {
+        let run = |rise: &[(f64, f64)]| {
+            let rest = [
+                (3.0, 4.0),
+                (5.0, 9.0),
+                (6.0, 10.0),
+                (8.0, 11.0),
+                (10.0, 10.0),
+            ];
+            short_start(&samples(&[&[(0.0, 0.0)], rise, &rest].concat()))
+        };
+        for (rise, due) in [
+            (&[(0.1, 5.0), (0.2, 8.9), (0.3, 9.5)][..], Some(0.6)),
+            (&[(0.3, 9.0)], Some(0.6)),
+            (&[(0.3, 11.0)], Some(0.6)),
+            (&[(0.3, 11.1), (0.35, 10.0)], Some(0.7)),
+            (&[(0.06, 10.0)], Some(0.2)),
+            (&[(0.003, 10.0)], Some(0.006)),
+            (&[(0.399, 10.0)], Some(0.8)),
+            (&[(0.4, 10.0)], None),
+            (&[(0.5, 10.0)], None),
+            (&[], None),
+        ] {
+            let found = run(rise);
+            let same = match (found, due) {
+                (Some(a), Some(b)) => (a - b).abs() < 1e-12,
+                _ => found == due,
+            };
+            assert!(same, "{rise:?}: {found:?}");
+        }
+    }
+
+    /// It is never over, or was from the first moment on.
+    #[test]
+    fn some_runs_have_no_start() {
+        assert_eq!(short_start(&[]), None);
+        assert_eq!(
+            short_start(&samples(&[(0.0, 1.0), (0.1, 1.0), (9.0, 1.0)])),
+            None
+        );
+    }
 }
