@@ -161,7 +161,7 @@ mod tests {
         assert_eq!(single.name, "humlicek-1982 (f32)");
         let w = (a.w)(Complex::new(1.25, 0.1));
         let due = SolverAnswer::Values(vec![w.re, w.im]);
-        assert_eq!(double.answers(&[z.clone()]), [due]);
+        assert_eq!(double.answers(std::slice::from_ref(&z)), [due]);
         let w = (a.single.unwrap())(Complex32::new(1.25, 0.1));
         let due = SolverAnswer::Values(vec![f64::from(w.re), f64::from(w.im)]);
         assert_eq!(single.answers(&[z]), [due]);
