@@ -3,6 +3,7 @@
 //! A file holds lines `share,output,reason,input`: the share of the budget found, rounded up, for
 //! that output, how the input was found, and the input as hexadecimal floats. Lines are only added.
 
+use super::csv_line::csv_line;
 use super::hex_float::hex_float;
 use super::no_such::NoSuch;
 use mechaudit_reference::{HexFloat, HexFloatError};
@@ -86,19 +87,18 @@ impl HardCase {
         let bad = |line, fault| HardCaseError { line, fault };
         let header = reader.headers().map_err(|e| bad(1, e.into()))?;
         let names: Vec<&str> = header.iter().collect();
+        let names = names.join(",");
         // Without any line there is nothing that could be misread.
-        if !names.is_empty() && names.join(",") != HARD_HEADER {
-            let comment = |l: &str| l.trim().is_empty() || l.starts_with('#');
-            let line = text.lines().take_while(|l| comment(l)).count() as u64 + 1;
-            let names = names.join(",").chars().take(80).collect();
+        if !names.is_empty() && names != HARD_HEADER {
+            let line = csv_line(text.as_bytes(), &csv::Position::new());
+            let names = names.chars().take(80).collect();
             return Err(bad(line, HardCaseFault::Header(names)));
         }
         for record in reader.records() {
-            let record = record.map_err(|e| {
-                let line = e.position().map_or(0, csv::Position::line);
-                bad(line, e.into())
-            })?;
-            let line = record.position().map_or(0, csv::Position::line);
+            let at =
+                |from: Option<&csv::Position>| from.map_or(0, |p| csv_line(text.as_bytes(), p));
+            let record = record.map_err(|e| bad(at(e.position()), e.into()))?;
+            let line = at(record.position());
             let fields: Vec<&str> = record.iter().collect();
             let &[share, output, reason, input] = fields.as_slice() else {
                 return Err(bad(line, HardCaseFault::Fields(fields.len())));
@@ -186,7 +186,9 @@ mod tests {
         // A long line is cut.
         let e = HardCase::read(&"x".repeat(100)).unwrap_err();
         assert!(matches!(e.fault, HardCaseFault::Header(names) if names == "x".repeat(80)));
-        assert_eq!(HardCase::read("# comment\n").unwrap(), Vec::new());
+        for nothing in ["", "\n", "# comment\n", "# comment", "\n# comment"] {
+            assert_eq!(HardCase::read(nothing).unwrap(), Vec::new(), "{nothing:?}");
+        }
     }
 
     /// A fault is on its line, comments and good lines before it counted.
@@ -194,8 +196,8 @@ mod tests {
     fn faults_are_found_on_their_lines() {
         let good = "0.5,x,planted,0x1p0";
         for bad in ["1,x,y", "1,x,y,0x1p0,z", "-1,x,y,0x1p0", "1,x,y,1.5"] {
-            let text = format!("{HARD_HEADER}\n# one\n# two\n{good}\n{bad}\n");
-            assert_eq!(HardCase::read(&text).unwrap_err().line, 5, "{bad}");
+            let text = format!("{HARD_HEADER}\n# one\n# two\n{good}\n# three\n\n{bad}\n");
+            assert_eq!(HardCase::read(&text).unwrap_err().line, 7, "{bad}");
         }
         let zero = HardCase::read(&format!("{HARD_HEADER}\n0,x,planted,0x1p0\n")).unwrap();
         assert_eq!(zero[0].share, 0.0);

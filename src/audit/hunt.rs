@@ -144,8 +144,7 @@ fn choose(seeds: &[Seed], outputs: usize) -> Vec<(Seed, usize)> {
     let mut taken = vec![vec![false; seeds.len()]; outputs];
     let mut met: Vec<HashMap<&str, usize>> = vec![HashMap::new(); outputs];
     let mut chosen = Vec::new();
-    for k in 0..ROUNDS * STARTS.max(outputs) {
-        let o = k % outputs;
+    for o in (0..outputs).cycle().take(ROUNDS * STARTS.max(outputs)) {
         let rank = |i: usize| {
             let times = met[o].get(seeds[i].region).copied().unwrap_or(0);
             (std::cmp::Reverse(times), seeds[i].found.share(o))

@@ -11,6 +11,7 @@ mod budget;
 mod case;
 mod comparison;
 mod convergence;
+mod csv_line;
 mod domain;
 mod due;
 mod exact;
@@ -53,6 +54,7 @@ pub use comparison::{
     Compared, Comparison, Contender, Contest, Speed, Standing, compare, judge_together,
 };
 pub use convergence::{Approximation, ConvergenceReport, LevelError, LevelReport, convergence};
+pub use csv_line::csv_line;
 pub use domain::{CheckPoint, Domain, Draw, Region};
 pub use due::Due;
 pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};

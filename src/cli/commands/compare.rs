@@ -90,8 +90,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
         })?,
         CompareFormat::Json => write_json(output, &json::comparison(&found, changes.as_ref()))?,
         CompareFormat::Html => output.text(&html::audit::comparison(&found, changes.as_ref()))?,
-        CompareFormat::Csv => output
-            .write(|out| csv::comparison(&found, out).map_err(|e| Failure::new(e.to_string())))?,
+        CompareFormat::Csv => output.write(|out| Ok(csv::comparison(&found, out)?))?,
     }
     let outcome = Outcome::unless_interrupted(found.interrupted(), found.passed());
     Ok(outcome)

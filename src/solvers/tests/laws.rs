@@ -110,8 +110,17 @@ fn motions_of_a_cycle() {
 #[test]
 fn shares_of_the_stroke() {
     let law = MotionLaw::cycloidal;
-    for bad in [0.0, 1.0, -0.1, 1.1, f64::NAN] {
+    let least = 1e-3f64;
+    let (below, above) = (least.next_down(), (1.0 - least).next_up());
+    for bad in [0.0, 5e-324, below, above, 1.0, -0.1, 1.1, f64::NAN] {
         assert!(law().with_acceleration_fraction(bad).is_err(), "{bad}");
+    }
+    for good in [least, 1.0 - least] {
+        let m = law()
+            .with_acceleration_fraction(good)
+            .expect("a law")
+            .motion(good);
+        assert!((m.expect("a place").velocity - 2.0).abs() < 1e-14, "{good}");
     }
     // Symmetric halves stretched to 2λ and 2 − 2λ.
     for share in [0.2, 0.5, 0.7] {

@@ -9,7 +9,7 @@ use crate::cli::process::wire::{FIELDS, LONGEST};
 use mechaudit::audit::{
     Agreement, CandidateReport, Case, CaseReport, Column, ComponentJudgement, EntryJudgement,
     Judgement, Kind, Layout, LayoutError, Limit, Method, Origin, Reproduce, Settings, SolverAnswer,
-    Tally, Variant, Verdict, did_you_mean, judge_printed,
+    Tally, Variant, Verdict, csv_line, did_you_mean, judge_printed,
 };
 use mechaudit::reference::{Decimal, DecimalError, nearest_f64};
 use mechaudit::report::json as in_json;
@@ -321,7 +321,7 @@ pub fn read(method: &dyn Method, input: impl Read) -> Result<(Vec<String>, Vec<R
     let mut rows = Vec::new();
     for record in reader.records() {
         let record = record?;
-        let line = record.position().map_or(0, |at| line(&text, at));
+        let line = record.position().map_or(0, |at| csv_line(&text, at));
         let row = row(&layout, &columns, &record, line);
         rows.push(row.map_err(|source| TableError::Line { line, source })?);
     }
@@ -329,25 +329,6 @@ pub fn read(method: &dyn Method, input: impl Read) -> Result<(Vec<String>, Vec<R
         return Err(TableError::Empty);
     }
     Ok((names, rows))
-}
-
-/// The line of the record whose search begins there: comments and empty lines may come first.
-fn line(text: &[u8], from: &csv::Position) -> u64 {
-    let mut line = from.line();
-    let mut comment = false;
-    for byte in text.iter().skip(from.byte() as usize) {
-        match byte {
-            b'\n' => {
-                line += 1;
-                comment = false;
-            }
-            b'\r' => {}
-            b'#' => comment = true,
-            _ if comment => {}
-            _ => break,
-        }
-    }
-    line
 }
 
 /// What the reader says, without its own preface.

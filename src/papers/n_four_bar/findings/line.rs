@@ -275,6 +275,17 @@ pub(super) fn forces() -> Finding {
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_jacobian_is_named_by_its_size() {
+        let names: Vec<String> = ranks()
+            .figures
+            .into_iter()
+            .map(|f| f.name.to_string())
+            .collect();
+        assert_eq!(names[0], "N = 1, rank of the 2 x 3 Jacobian, sin θ = 4/5");
+        assert_eq!(names[3], "N = 2, rank of the 4 x 5 Jacobian, horizontal");
+    }
+
     /// All of them, of the largest the ends and the middle.
     #[test]
     fn positions_with_all_bars_on_one_line_are_looked_at() {

@@ -170,3 +170,19 @@ fn both_orders_are_looked_at() {
     assert!(!admissible(&at, &rates([2, 1, 0])));
     assert!(!admissible(&at, &rates([1, -1, 1])));
 }
+
+/// Cranks to the right, then to the left; the rod between two that differ points left. On the parallelograms all cranks turn.
+#[test]
+fn bars_point_as_they_are_said_to() {
+    let signs = |all: &[Direction]| -> Vec<Rational> {
+        assert!(all.iter().all(|d| d[1] == 0));
+        all.iter().map(|d| d[0].clone()).collect()
+    };
+    let at = on_one_line(3, 2);
+    assert_eq!(signs(&at.cranks), [1, 1, -1, -1]);
+    assert_eq!(signs(&at.rods), [1, -1, 1]);
+    let at = parallelogram(2);
+    let turned = [Rational::from((3, 5)), Rational::from((4, 5))];
+    assert_eq!(at.cranks, vec![turned; 3]);
+    assert_eq!(signs(&at.rods), [1, 1]);
+}

@@ -198,6 +198,9 @@ mod tests {
         assert_eq!((bad.points, bad.outcome()), (2, Outcome::Fails));
         let bad = grid.vanishes(|v| &v[1] - q(1, 3));
         assert_eq!((bad.points, bad.outcome()), (4, Outcome::Fails));
+        let only = |v: &[Q]| v[0] == q(1, 2) && v[1] == q(1, 3);
+        let bad = grid.vanishes(|v| Q::from(i32::from(only(v))));
+        assert_eq!((bad.points, bad.outcome()), (1, Outcome::Fails));
         // The largest degree allowed has to be caught: (x − 1/2)(x − 3/2) vanishes on two of three.
         let bad = grid.vanishes(|v| (&v[0] - q(1, 2)) * (&v[0] - q(3, 2)));
         assert_eq!((bad.points, bad.outcome()), (3, Outcome::Fails));

@@ -27,8 +27,8 @@ pub enum CamLawError {
         /// Their sum.
         sum: f64,
     },
-    /// A share of the rise spent accelerating that is not inside (0, 1).
-    #[error("acceleration fraction {value} must lie between 0 and 1, both excluded")]
+    /// A share of the rise spent accelerating that leaves one half none, or next to none.
+    #[error("acceleration fraction {value} must lie between 0.001 and 0.999")]
     AccelerationFraction {
         /// The number.
         value: f64,

@@ -61,6 +61,9 @@ impl Stretch {
     }
 }
 
+/// The least share of the stroke that a half takes.
+const LEAST: f64 = 1e-3;
+
 impl MotionLaw {
     fn of(shape: Shape) -> MotionLaw {
         MotionLaw {
@@ -171,12 +174,13 @@ impl MotionLaw {
     /// `C_a/(2λ)` accelerating and `C_a/(2 − 2λ)` decelerating.
     ///
     /// # Errors
-    /// A share that is not inside (0, 1); a polynomial or a table, which have no halves.
+    /// A share outside [10⁻³, 1 − 10⁻³], where derivatives overflow sooner or later and harmonics lose their digits; a
+    /// polynomial or a table, which have no halves.
     pub fn with_acceleration_fraction(mut self, fraction: f64) -> Result<MotionLaw, CamLawError> {
         if let Shape::Polynomial(_) | Shape::Tabulated(_) = self.shape {
             return Err(CamLawError::NoHalves);
         }
-        if !(fraction > 0.0 && fraction < 1.0) {
+        if !(LEAST..=1.0 - LEAST).contains(&fraction) {
             return Err(CamLawError::AccelerationFraction { value: fraction });
         }
         self.fraction = fraction;

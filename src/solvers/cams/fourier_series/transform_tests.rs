@@ -186,3 +186,15 @@ fn jumps_in_the_middle_beside_equal_halves() {
         assert!(off.abs() < 1e-15, "{j}: {off:e}");
     }
 }
+
+/// The shortest half, too, has a number of turns from which its jumps, added up, are small.
+#[test]
+fn jumps_of_the_shortest_halves_serve_in_time() {
+    for law in [MotionLaw::polynomial_345(), MotionLaw::polynomial_4567()] {
+        for fraction in [1e-3, 1.0 - 1e-3] {
+            let law = law.clone().with_acceleration_fraction(fraction);
+            let from = Transform::new(&law.expect("a law")).tail_from;
+            assert!((1.0..9e3).contains(&from), "{fraction}: {from}");
+        }
+    }
+}
