@@ -359,6 +359,41 @@ fn a_branch_with_ends_counts_turns_from_its_start_or_its_lower_end() {
             );
         }
     }
+    // Coupler and rocker, from wherever on the branch; with the pivots exchanged their lines pass 180 degrees.
+    let at = f64::to_radians;
+    let mut crossed = 0;
+    for (frame, shift) in [("3 m", 0.0), ("-3 m", 180.0)] {
+        for (body, name) in [(2, "coupler"), (3, "rocker")] {
+            for start in [45.0, 90.0, 130.0, 230.0, 315.0].map(|d| d + shift) {
+                let spring = spring.replace("crank", name);
+                let more = format!("{spring}[start]\nat = \"{start} deg\"\n");
+                let machine = four_bar(["2 m", "4 m", "2 m", frame], &more);
+                let solver = &machine.solver;
+                let line = |drive: f64, state: &State| {
+                    machine.line(&solver.follow(state, at(drive)).unwrap(), body)
+                };
+                let turns = |angle: f64| (angle / TAU).round();
+                for drive in [42.0, 100.0, 180.0, 260.0, 318.0].map(|d| d + shift) {
+                    for mode in &solver.assembly_modes(at(drive)).states {
+                        let begun = line(start, mode);
+                        let due = line(drive, mode) - TAU * turns(begun);
+                        let loads = machine.loads_on(mode).unwrap();
+                        let found = wound(&machine, &loads, mode, [body, 0]);
+                        assert!(
+                            (found - due).abs() < 1e-9,
+                            "{name} {start} {drive}: {found}, due {due}"
+                        );
+                        let low = line(41.5 + shift, mode);
+                        crossed += usize::from(turns(low) != turns(begun));
+                    }
+                }
+            }
+        }
+    }
+    assert!(
+        crossed > 0,
+        "nothing passes 180 degrees between the lower end and a start"
+    );
     // By displacement from the range's beginning, or from where the file says.
     let text = include_str!("../../../examples/cylinder-boom.toml");
     let (text, _) = text.split_once("[[force]]").unwrap();

@@ -201,6 +201,14 @@ mod tests {
         }
     }
 
+    /// |AD| − |AB| = 2.26, and coupler and rocker differ by nothing, or by 2.59.
+    #[test]
+    fn coupler_and_rocker_fold_where_their_difference_is_reached() {
+        assert!(FourBar::new(SWINGING).unwrap().never_folds());
+        let [a, b, _, d] = SWINGING;
+        assert!(!FourBar::new([a, b, ["5", "1"], d]).unwrap().never_folds());
+    }
+
     /// Stretched to 4 beyond |AB| + |AD|, or short of it.
     #[test]
     fn a_crank_ends_where_coupler_and_rocker_are_too_short() {

@@ -163,6 +163,27 @@ fn step(words: &[&str], folder: &std::path::Path) -> (Result<Outcome, String>, S
     (outcome, std::fs::read_to_string(&file).unwrap_or_default())
 }
 
+/// Of shards of another version the first is named.
+#[test]
+fn a_shard_of_another_version_ends_a_look_at_all() {
+    let (_place, path) = begun("", &[0, 1, 2]);
+    let folder = Folder::open(&path).unwrap();
+    for k in [2, 1] {
+        let text = std::fs::read_to_string(folder.file(k)).unwrap();
+        let other = text.replacen("\"campaign_shard\":1", "\"campaign_shard\":2", 1);
+        std::fs::write(folder.file(k), other).unwrap();
+    }
+    let text = path.to_str().unwrap();
+    let why = crate::cli::ran(&["campaign", "status", text])
+        .unwrap_err()
+        .to_string();
+    let due = format!(
+        "{}: its form has version 2, not 1",
+        folder.file(1).display()
+    );
+    assert_eq!(why, due);
+}
+
 #[test]
 fn a_sum_is_of_all_shards() {
     let (_place, path) = begun("", &[0, 2]);
