@@ -99,14 +99,8 @@ impl<'a> Certifier<'a> {
         loop {
             let linkage = finer.as_ref().unwrap_or(&self.linkage);
             if let Some(values) = self.enclosed(linkage, &q) {
-                let texts = values.iter().map(|x| x.to_decimal(self.digits));
-                if digits.is_empty() {
-                    digits = texts.collect();
-                } else {
-                    for (known, text) in digits.iter_mut().zip(texts) {
-                        *known = known.take().or(text);
-                    }
-                }
+                // Finer balls have the digits that coarser ones had.
+                digits = values.iter().map(|x| x.to_decimal(self.digits)).collect();
                 if digits.iter().all(Option::is_some) {
                     break;
                 }

@@ -427,7 +427,7 @@ fn round_trip_law(x: &[f64]) -> Option<f64> {
     let back = linkage.follow(&there, Angle::from_rad(start.phi1)).ok()?;
     let (a, b) = (start.positions.to_array(), back.positions.to_array());
     let moved = largest(a.iter().zip(b).map(|(x, y)| (x - y).abs()));
-    Some(moved / (1e-12 * start.condition.max(1.0)))
+    Some(moved / (1e-12 * start.condition))
 }
 
 /// The paper's dimensions in metres, angle φB, a mode and the recovered masses.

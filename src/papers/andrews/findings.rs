@@ -244,9 +244,13 @@ fn never_stops(motion: &Motion) -> Finding {
             "panels": "{}", course.panels => "1";
             "largest moment that can be left over": "{largest:.1e}" => "N·m";
         },
-        as_recorded: balanced(&rests)
-            && format!("{turns:.6} {:.5}", course.least_force) == "2.526184 0.00116",
+        as_recorded: turned(&rests, turns, course.least_force),
     }
+}
+
+/// Whether nothing is left over, and turns and bound are those recorded.
+fn turned(rests: &[Ball], turns: f64, least_force: f64) -> bool {
+    balanced(rests) && format!("{turns:.6} {least_force:.5}") == "2.526184 0.00116"
 }
 
 fn certified_motion(values: &[Vec<Ball>]) -> Finding {

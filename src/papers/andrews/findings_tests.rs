@@ -170,7 +170,16 @@ fn one_moment_that_is_left_over_is_found() {
     let [none, some] = [0, 1].map(|k| Ball::integer(BITS, k));
     assert!(balanced(&[none.clone(), none.clone(), none.clone()]));
     assert!(!balanced(&[none.clone(), some, none.clone()]));
-    assert!(!balanced(&[none.clone(), none]));
+    assert!(!balanced(&[none.clone(), none.clone()]));
+    let three = vec![none; 3];
+    assert!(turned(&three[..], 2.526_184_1, 0.001_158));
+    for (rests, turns, least) in [
+        (&three[..2], 2.526_184_1, 0.001_158),
+        (&three[..], 2.526_185, 0.001_158),
+        (&three[..], 2.526_184_1, 0.001_14),
+    ] {
+        assert!(!turned(rests, turns, least));
+    }
 }
 
 #[test]

@@ -165,7 +165,6 @@ fn in_metres_worst(printed: &[Printed]) -> f64 {
     // I_n = Σ J φ'² + 10⁻⁴ Σ m |r'|² with r in centimetres.
     let states = recovery::node_states(NODES);
     let mut rotation = data::MassParameters::new(data::PRINTED);
-    rotation.centre = [[0.0; 2]; 4];
     let mut printed_masses = data::MassParameters::new(data::PRINTED);
     printed_masses.mass[1] = 0.0;
     let full = printed_masses.masses();

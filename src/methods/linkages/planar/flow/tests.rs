@@ -53,10 +53,8 @@ fn products_of_vectors() {
     assert_eq!((cross(a, b), cross(b, a)), (-1.0, 1.0));
 }
 
-/// A crank of length 2 at phi and a second body on its end and, by a rod, on the ground: a point of the crank turns about
-/// the origin, with r' = i r and r'' = −r.
-#[test]
-fn a_point_of_the_crank_turns_with_it() {
+/// A crank of length 2 at 0.5 rad and a second body on its end and, by a rod, on the ground.
+fn crank() -> Flow {
     let linkage = super::super::drawn::Linkage {
         phi: 0.5,
         a: vec![0.0, 1.0, 2.0, 0.0],
@@ -69,7 +67,43 @@ fn a_point_of_the_crank_turns_with_it() {
         ys: vec![0.5, 0.0, 0.0],
         near: vec![0.5, 0.0, 1.5],
     };
-    let flow = Flow::new(&linkage.input(), &[0.5, 0.25, 1.5]).unwrap();
+    Flow::new(&linkage.input(), &[0.5, 0.25, 1.5]).unwrap()
+}
+
+/// With its body and in it at once: `O + e^{iθ} z` and its derivatives by the drive, by differences.
+#[test]
+fn a_point_changes_with_its_body_and_in_it() {
+    let flow = crank();
+    let (spot, by) = (flow.centre(1), C::new(0.25, -0.5));
+    let mut d = Motion::still(flow.bodies);
+    d.origin[2] = [C::new(0.5, 2.0), C::new(-1.0, 0.25), C::new(0.125, 3.0)];
+    d.turn[2] = [0.75, -0.5, 0.375];
+    let at = |h: f64| -> Path {
+        let [turn, first, second] = [0, 1, 2].map(|k| flow.motion.turn[2][k] + h * d.turn[2][k]);
+        let [o, o1, o2] = [0, 1, 2].map(|k| flow.motion.origin[2][k] + d.origin[2][k] * h);
+        let arm = C::from_polar(1.0, turn) * (spot.at + by * h);
+        [
+            o + arm,
+            o1 + I * first * arm,
+            o2 + (I * second - first * first) * arm,
+        ]
+    };
+    let h = 1e-6;
+    let found = flow.change(spot, by, &d);
+    for (k, (more, less)) in at(h).into_iter().zip(at(-h)).enumerate() {
+        let due = (more - less) / (2.0 * h);
+        assert!(
+            (found[k] - due).norm() < 1e-8,
+            "{k}: {}, due {due}",
+            found[k]
+        );
+    }
+}
+
+/// A point of the crank turns about the origin, with r' = i r and r'' = −r.
+#[test]
+fn a_point_of_the_crank_turns_with_it() {
+    let flow = crank();
     let [r, first, second] = flow.path(flow.centre(0));
     let due = C::new(1.0, 0.5) * C::from_polar(1.0, 0.5);
     assert!((r - due).norm() < 1e-15);
