@@ -398,3 +398,8 @@ fn seeds_come_from_all_regions() {
         assert_eq!(seeds.iter().filter(right).count(), seeds.len());
     }
 }
+
+#[test]
+fn without_outputs_or_seeds_there_is_nothing_to_climb_for() {
+    assert!(choose(&[], 0).is_empty() && choose(&[], 2).is_empty());
+}
