@@ -2,7 +2,7 @@
 
 use super::answer::SolverAnswer;
 use super::case::{Case, Cases};
-use super::judged::CaseReport;
+use super::case_report::CaseReport;
 use super::method::Method;
 use super::referee::Judge;
 use super::report::{CandidateReport, MethodReport, RegionReport};

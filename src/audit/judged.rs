@@ -1,71 +1,13 @@
-//! One case, judged.
+//! The judgement of one case.
 
-use super::answer::{Proof, ReferenceAnswer, SolverAnswer};
+use super::answer::SolverAnswer;
 use super::budget::Limit;
 use super::case::Case;
-use super::judge::Judgement;
-use super::method::{BranchAt, Method, Output};
+use super::case_report::CaseReport;
+use super::method::{Method, Output};
 use super::referee::Judge;
 use super::settings::Settings;
-use mechaudit_reference::Mag;
-use serde::Serialize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// One case with its judgement.
-#[derive(Clone, Debug, Serialize)]
-pub struct CaseReport {
-    /// The case.
-    pub case: Case,
-    /// What the solver answered.
-    #[serde(skip)]
-    pub answer: Option<SolverAnswer>,
-    /// The judgement.
-    pub judgement: Judgement,
-    /// The working precision that decided.
-    pub bits: u32,
-    /// The reference's values to 20 digits, where it certifies them.
-    pub reference: Vec<Option<String>>,
-    /// Bounds on the distance from the reference's midpoints to the true values.
-    pub radii: Vec<f64>,
-    /// Why the reference holds.
-    pub proof: Option<Proof>,
-    /// Where the case stands among the formulas of the method's own solver, if that is known.
-    pub branch: Option<BranchAt>,
-    /// The reference whose digits are not written out yet: they cost as much as a judgement, and few cases are kept.
-    #[serde(skip)]
-    pub unwritten: Option<ReferenceAnswer>,
-}
-
-impl CaseReport {
-    /// With the reference's digits, if there is one to write.
-    pub(super) fn written(mut self) -> CaseReport {
-        if let Some(reference) = self.unwritten.take() {
-            (self.reference, self.radii, self.proof) = decimals(&reference);
-        }
-        self
-    }
-}
-
-/// The reference's values to 20 digits, their radii, and why they hold.
-pub(super) fn decimals(
-    reference: &ReferenceAnswer,
-) -> (Vec<Option<String>>, Vec<f64>, Option<Proof>) {
-    match reference {
-        ReferenceAnswer::Values(r) => (
-            r.values.iter().map(|b| b.to_decimal(20)).collect(),
-            r.values.iter().map(|b| b.rad().to_f64()).collect(),
-            Some(r.proof),
-        ),
-        ReferenceAnswer::Dues(dues, proof) => (
-            dues.iter().map(|d| d.to_decimal(20)).collect(),
-            dues.iter()
-                .map(|d| d.number().map_or(Mag::ZERO, |b| b.rad()).to_f64())
-                .collect(),
-            Some(*proof),
-        ),
-        _ => (Vec::new(), Vec::new(), None),
-    }
-}
 
 /// What the method's own solver answers; a panic is a failure to answer.
 pub fn answer_of(method: &dyn Method, input: &[f64]) -> SolverAnswer {

@@ -2,7 +2,8 @@
 
 use super::answer::SolverAnswer;
 use super::case::Case;
-use super::judged::{CaseReport, judge_case_briefly};
+use super::case_report::CaseReport;
+use super::judged::judge_case_briefly;
 use super::method::Method;
 use super::settings::Settings;
 

@@ -9,6 +9,7 @@
 mod answer;
 mod budget;
 mod case;
+mod case_report;
 mod comparison;
 mod convergence;
 mod csv_line;
@@ -50,6 +51,7 @@ mod variant;
 pub use answer::{Proof, Reference, ReferenceAnswer, SolverAnswer, Uncertified};
 pub use budget::{Budget, Limit, NormBudget};
 pub use case::{Case, Cases, Origin};
+pub use case_report::CaseReport;
 pub use comparison::{
     Compared, Comparison, Contender, Contest, Speed, Standing, compare, judge_together,
 };
@@ -61,7 +63,7 @@ pub use hard::{HARD_HEADER, HardCase, HardCaseError, HardCaseFault, rounded_up};
 pub use hex_float::{hex_float, write_hex_float};
 pub use hunt::{Hunt, HuntSettings, Worst, hunt, hunt_until};
 pub use judge::{ComponentJudgement, Judgement, Rules, Verdict, judge, judge_by, judge_with_norm};
-pub use judged::{CaseReport, answer_of, audit_case, judge_case, judge_case_briefly};
+pub use judged::{answer_of, audit_case, judge_case, judge_case_briefly};
 pub use kind::{Kind, Kinds};
 pub use layout::{Column, Layout, LayoutError, Shape};
 pub use maps::{ErrorMap, MapOutput, error_map, map_points};

@@ -3,9 +3,9 @@
 use super::answer::{ReferenceAnswer, SolverAnswer};
 use super::budget::NormBudget;
 use super::case::Case;
+use super::case_report::CaseReport;
 use super::exact::Exact;
 use super::judge::{Judgement, Rules, Verdict, judge_by};
-use super::judged::CaseReport;
 use super::layout::Layout;
 use super::method::{Method, Output};
 use super::reason::Reason;

@@ -2,8 +2,8 @@
 //! is associative and commutative, bit for bit.
 
 use super::case::Case;
+use super::case_report::CaseReport;
 use super::judge::{ComponentJudgement, Verdict};
-use super::judged::CaseReport;
 use super::kept::Kept;
 use super::kind::{Kind, Kinds};
 use super::ranking::First;

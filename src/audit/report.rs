@@ -3,8 +3,8 @@
 
 use super::budget::{Budget, NormBudget};
 use super::case::{Case, briefly, briefly_if};
+use super::case_report::CaseReport;
 use super::judge::Verdict;
-use super::judged::CaseReport;
 use super::kind::Kinds;
 use super::maps::ErrorMap;
 use super::method::ProvedBound;

@@ -1,9 +1,10 @@
 //! What was found, gathered case by case, on one machine or on many.
 
 use super::case::Case;
+use super::case_report::CaseReport;
 use super::hard::HardCase;
 use super::judge::Verdict;
-use super::judged::{CaseReport, complete};
+use super::judged::complete;
 use super::kept::Kept;
 use super::layout::Layout;
 use super::method::Method;

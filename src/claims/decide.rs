@@ -2,10 +2,10 @@
 
 use super::claim::{Claim, Measure, Place, Statistic, Verdict};
 use super::code::{self, answer};
+use super::effort::Effort;
 use super::lines::{self, HartmannTran};
 use super::mean::{Mean, mean};
 use super::placed::Placed;
-use super::whole::Effort;
 use super::{at, rounded};
 use crate::audit::{
     Cases, HuntSettings, Limit, Method, Region, Settings, SolverAnswer, Variant, audit_method,

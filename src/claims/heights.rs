@@ -1,7 +1,7 @@
 //! From which distance to the real axis on a code reaches an accuracy.
 
 use super::code::Code;
-use super::whole::Effort;
+use super::effort::Effort;
 use super::{WHOLE, at, regions};
 use crate::audit::{Draw, Format, Judge, Limit, Method, Settings, SolverAnswer, Variant};
 use crate::methods::find;

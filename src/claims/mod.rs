@@ -18,6 +18,7 @@ mod claim;
 mod code;
 mod data;
 mod decide;
+mod effort;
 mod findings;
 mod heights;
 mod lines;
@@ -35,6 +36,7 @@ pub use claim::{Claim, Measure, Place, Statistic, Verdict};
 pub use code::{Code, algorithms};
 pub use data::claims;
 pub use decide::{Decided, decide};
+pub use effort::Effort;
 pub use findings::{Finding, findings};
 pub use heights::{Height, TARGETS};
 pub use lines::{HartmannTran, answer};
@@ -42,7 +44,7 @@ pub use maps::{LEVELS, Map, level, map};
 pub use seams::Jump;
 pub use speed::{nanoseconds, nanoseconds_of_lines};
 pub use survey::{Figures, Part, Row, survey, survey_lines};
-pub use whole::{Atlas, Effort, Missing, atlas};
+pub use whole::{Atlas, Missing, atlas};
 
 pub use mechaudit_atlas::{
     Algorithm, NOT_AT_HAND, NotAtHand, PROFILES, Parts, Plane, Profile, all, find,

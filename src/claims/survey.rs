@@ -2,11 +2,11 @@
 
 use super::breaks::breaks;
 use super::code::Code;
+use super::effort::Effort;
 use super::heights::{Height, heights};
 use super::lines::{self, HartmannTran};
 use super::placed::Placed;
 use super::seams::{Jump, jumps};
-use super::whole::Effort;
 use super::{WHOLE, regions, rounded};
 use crate::audit::{
     Case, Cases, Format, Limit, Method, MethodReport, RegionReport, Settings, SolverAnswer, Tally,

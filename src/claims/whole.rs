@@ -3,21 +3,13 @@
 use super::claim::Verdict;
 use super::code::Code;
 use super::decide::{Decided, decide};
+use super::effort::Effort;
 use super::findings::{Finding, findings};
 use super::speed::{nanoseconds, nanoseconds_of_lines};
 use super::survey::{Row, survey, survey_lines};
 use super::{NOT_AT_HAND, claims};
 use mechaudit_atlas::{Algorithm, Profile};
 use serde::Serialize;
-
-/// How much is done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Effort {
-    /// Points in each region; searches are multiples.
-    pub cases: u64,
-    /// Key of the random stream.
-    pub seed: u64,
-}
 
 /// An algorithm that is missing.
 #[derive(Clone, Debug, Serialize)]

@@ -2,6 +2,7 @@
 
 mod answers;
 mod args;
+mod asked;
 mod commands;
 mod failure;
 mod files;

@@ -39,10 +39,12 @@ mod linkage;
 pub mod planar;
 pub mod quantity;
 pub mod run_up;
+mod sections;
 mod source;
 
 pub use cam_oscillator::CamOscillator;
-pub use linkage::{CrankMotion, Linkage};
+pub use linkage::Linkage;
+pub use sections::CrankMotion;
 pub use source::{Form, Refusal, Source, SourceError};
 
 /// Bits at which so many significant decimal digits are tried to be proved first.

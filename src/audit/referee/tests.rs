@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::Rows;
-use crate::judged::{complete, decimals};
+use crate::case_report::decimals;
+use crate::judged::complete;
 use crate::planted::{Planted, case, off, output};
 use crate::{BranchAt, Kind, Limit, Proof, answer_of, audit_case, judge_case, judge_case_briefly};
 use mechaudit_reference::{Ball, Mag};

@@ -1,6 +1,8 @@
 use super::*;
 use crate::answer::{ReferenceAnswer, SolverAnswer};
-use crate::case::Cases;
+use crate::case::{Case, Cases};
+use crate::method::Method;
+use crate::settings::Settings;
 use crate::{CheckPoint, Format, Input, Law, Output, Variant};
 use rug::Rational;
 

@@ -4,7 +4,10 @@
 //! shown.
 
 mod case;
+mod error;
 mod spread;
+
+pub use self::error::StoredError;
 
 use self::case::{Bits, Known, StoredCase, StoredKept};
 use self::spread::StoredSpread;
@@ -18,22 +21,6 @@ use crate::region_tally::{EXAMPLES, Largest, OutputTally, RegionTally, WORST};
 use crate::report::Point;
 use crate::settings::Settings;
 use serde::{Deserialize, Serialize};
-
-/// Why a stored tally is none of a method and its settings.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum StoredError {
-    /// A region, check point, output or law that the method does not have.
-    #[error("the method has no {what} {name:?}")]
-    Name {
-        /// What it would be.
-        what: &'static str,
-        /// Its name.
-        name: String,
-    },
-    /// Values that no tally holds.
-    #[error("{0} that no tally holds")]
-    Value(&'static str),
-}
 
 /// A [lean](Tally::lean) tally to be written and read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

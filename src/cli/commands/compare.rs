@@ -2,13 +2,14 @@
 
 use crate::cli::answers::Batch;
 use crate::cli::args::{CompareArgs, CompareFormat, ProgramArgs};
-use crate::cli::commands::audit::written::POINTS;
-use crate::cli::commands::audit::{find, settings};
+use crate::cli::asked::{find, settings};
+use crate::cli::commands::audit::written::{self, POINTS};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
-use crate::cli::process::exec::{End, Fed, unanswered};
+use crate::cli::process::exec::{Fed, unanswered};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt;
+use crate::cli::process::program::End;
 use crate::cli::progress::Progress;
 use crate::cli::scope;
 use crate::cli::terminal::width;
@@ -16,12 +17,8 @@ use mechaudit::audit::{
     Case, Comparison, Method, MethodReport, Settings, SolverAnswer, Speed, Tally, answer_of,
     judge_together,
 };
-use mechaudit::report::baseline::Baseline;
 use mechaudit::report::{csv, html, json, text};
 use rayon::prelude::*;
-use std::fs::File;
-use std::io::Read;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -42,7 +39,7 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
     }
     let method = find(&args.method)?;
     let output = Output::open(args.output.as_deref())?;
-    let before = args.baseline.as_deref().map(baseline).transpose()?;
+    let before = args.baseline.as_deref().map(written::read).transpose()?;
     let variant = scope::judged(&*method, &args.scope)?.without_laws();
     let variant = scope::placed(variant, &args.place, &settings, true)?;
     let one = scope::one_case(&variant, &args.place, &settings)?;
@@ -94,20 +91,6 @@ pub fn compare(args: &CompareArgs) -> Result<Outcome, Failure> {
     }
     let outcome = Outcome::unless_interrupted(found.interrupted(), found.passed());
     Ok(outcome)
-}
-
-/// The longest baseline.
-const WHOLE: u64 = 1 << 30;
-
-/// A report of an earlier run.
-pub fn baseline(path: &Path) -> Result<Baseline, Failure> {
-    let refused = |e: std::io::Error| Failure::cannot("read", path, e);
-    let mut text = String::new();
-    let file = File::open(path).map_err(refused)?;
-    file.take(WHOLE)
-        .read_to_string(&mut text)
-        .map_err(refused)?;
-    Baseline::read(&text).map_err(|e| Failure::in_file(path, e))
 }
 
 fn form(program: &ProgramArgs) -> &'static str {
@@ -258,6 +241,7 @@ mod tests {
     use crate::cli::args::{Args, Command};
     use clap::Parser;
     use std::cell::RefCell;
+    use std::path::Path;
 
     fn compared(line: &str) -> CompareArgs {
         let words = line.split_whitespace();

@@ -1,7 +1,7 @@
 //! A method described to whoever writes a candidate, from the layout that the judge reads answers by.
 
 use crate::cli::args::{DescribeArgs, TextOrJson};
-use crate::cli::commands::audit::find;
+use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{print_json, write_to};
 use crate::cli::process::wire;

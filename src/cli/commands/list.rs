@@ -1,7 +1,7 @@
 //! The list of methods and papers.
 
 use crate::cli::args::{ListArgs, TextOrJson};
-use crate::cli::commands::audit::find;
+use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{print_json, write_to};
 use crate::cli::terminal::width;

@@ -1,7 +1,7 @@
 //! Inputs of a method, as lines for programs in any language.
 
 use crate::cli::args::PointsArgs;
-use crate::cli::commands::audit::find;
+use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;
 use crate::cli::{forecast, process::wire, scope};

@@ -9,7 +9,7 @@ use crate::cli::failure::Failure;
 use crate::cli::process::candidate::{BATCH, judge_batch};
 use crate::cli::process::inputs::Inputs;
 use crate::cli::process::interrupt::POLL;
-use crate::cli::process::program::Program;
+use crate::cli::process::program::{End, Program};
 use crate::cli::process::{frames, wire};
 use crate::cli::progress::Progress;
 use mechaudit::audit::{
@@ -226,31 +226,6 @@ pub fn unanswered(
         let (region, end) = inputs.region_of(at);
         tally.unanswered(region, (end - at) as u64);
         at = end;
-    }
-}
-
-/// Why there are no more answers to judge.
-pub enum End {
-    /// Its output has ended.
-    Closed,
-    /// One answer more than there are inputs.
-    TooMany,
-    /// Nothing came for so long.
-    Silent,
-    /// Its output cannot be read.
-    Unreadable(std::io::Error),
-    /// The user has asked to stop.
-    Interrupted,
-}
-
-impl From<Silence> for End {
-    fn from(silence: Silence) -> End {
-        match silence {
-            Silence::Closed => End::Closed,
-            Silence::Unreadable(why) => End::Unreadable(why),
-            Silence::Silent => End::Silent,
-            Silence::Interrupted => End::Interrupted,
-        }
     }
 }
 

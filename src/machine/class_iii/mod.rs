@@ -13,8 +13,8 @@ pub use columns::{names, values};
 pub use motion::{motion, positions};
 pub use path::path;
 
-use super::linkage::{BodySection, CrankMotion, File, massless, rounded};
 use super::quantity::Quantity;
+use super::sections::{BodySection, CrankMotion, File, massless, rounded};
 use super::source::{Refusal, Source};
 use crate::reference::class_iii as exact;
 use crate::reference::nearest_f64;

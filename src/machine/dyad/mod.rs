@@ -13,8 +13,8 @@ pub use path::{Position, path, position, range};
 pub use range::{Dead, Turn, dead, swing, turn};
 pub use values::{ASSEMBLIES, RowError, Values, floating, names, number};
 
-use super::linkage::{BodySection, CrankMotion, File, massless, rounded};
 use super::quantity::Quantity;
+use super::sections::{BodySection, CrankMotion, File, massless, rounded};
 use super::source::{Refusal, Source};
 use crate::reference::class_iii::ExactAngle;
 use crate::reference::{Ball, nearest_f64};

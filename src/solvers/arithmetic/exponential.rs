@@ -334,6 +334,13 @@ pub(crate) fn exp_minus_square_any(a: f64, y: f64) -> (Dd, Dd, f64) {
     product(exp(exponent(a, y)), reduce_any(a, y))
 }
 
+/// Both parts of `t 2^k`, `n = ROUND + k`, `k` below 1000.
+#[inline(always)]
+pub(crate) fn pair_times_power<R: Real>(t: Dd<R>, n: R) -> Dd<R> {
+    let n = n.raised(ROUND - 2040.0);
+    Dd::new(scaled(t.hi, n), scaled(t.lo, n))
+}
+
 /// `t 2^k`, `n = ROUND + k`, for any `k`: in range where t is subnormal and k above 2040, too.
 #[inline(always)]
 pub(crate) fn times_power(t: f64, n: f64) -> f64 {

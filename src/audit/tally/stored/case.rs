@@ -1,6 +1,6 @@
 //! Cases and answers, stored.
 
-use super::StoredError;
+use super::error::StoredError;
 use crate::answer::SolverAnswer;
 use crate::case::{Case, Origin};
 use crate::kept::Kept;

@@ -1,7 +1,7 @@
 //! Spreads of errors, stored.
 
-use super::StoredError;
 use super::case::Bits;
+use super::error::StoredError;
 use crate::spread::{Bin, SpreadTally, Squares};
 use serde::{Deserialize, Serialize};
 

@@ -4,6 +4,7 @@ pub mod written;
 
 use self::written::Besides;
 use crate::cli::args::{AuditArgs, AuditFormat, Numbers, RunArgs};
+use crate::cli::asked::{find, settings};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_to};
 use crate::cli::progress::Progress;
@@ -14,7 +15,6 @@ use mechaudit::audit::{
     Variant, answer_of, audit_method_until, audit_one, convergence, map_points,
 };
 use mechaudit::papers::PaperReport;
-use mechaudit::reference::Decimal;
 use mechaudit::reference::Undecided;
 use mechaudit::report::text;
 use mechaudit::report::text::summary::{self, End};
@@ -24,35 +24,6 @@ use mechaudit::{methods, papers};
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::time::Instant;
-
-/// The settings that arguments and environment ask for.
-pub fn settings(args: &RunArgs) -> Result<Settings, Failure> {
-    let effort = effort(std::env::var_os("MECHAUDIT_EFFORT").as_deref())?;
-    Ok(at_effort(args, effort))
-}
-
-fn at_effort(args: &RunArgs, effort: f64) -> Settings {
-    let default = Settings::default();
-    let cases = args.cases.unwrap_or(default.cases_per_region);
-    // Saturates; at least one case unless none were asked for.
-    let scaled = (cases as f64 * effort).ceil() as u64;
-    Settings {
-        seed: args.seed.unwrap_or(default.seed),
-        cases_per_region: if effort == 1.0 { cases } else { scaled },
-        ..default
-    }
-}
-
-fn effort(value: Option<&std::ffi::OsStr>) -> Result<f64, Failure> {
-    let Some(value) = value else { return Ok(1.0) };
-    let text = value.to_string_lossy();
-    match Decimal::nearest(&text) {
-        Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
-        _ => Err(Failure::new(format!(
-            "MECHAUDIT_EFFORT = {text:?} must be a positive number, for instance 0.1 or 10"
-        ))),
-    }
-}
 
 /// Audits every paper and every method: the verdict first, then what is new, then a line for each
 /// method and finding. With `verbose` all of it in full, below.
@@ -303,14 +274,6 @@ fn approximations() -> Option<Vec<Result<ConvergenceReport, Uncertified>>> {
     interrupt::unless_asked(|| {
         let all = methods::approximations();
         all.par_iter().map(|a| convergence(&**a)).collect()
-    })
-}
-
-/// The method of that name.
-pub fn find(name: &str) -> Result<Box<dyn Method>, Failure> {
-    methods::find(name).ok_or_else(|| {
-        let known: Vec<&str> = methods::registry().iter().map(|m| m.name()).collect();
-        Failure::no_such("method", name, &known)
     })
 }
 

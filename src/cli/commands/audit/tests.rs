@@ -1,15 +1,6 @@
 use super::*;
 
 #[test]
-fn effort_is_a_positive_number() {
-    assert_eq!(effort(None).unwrap(), 1.0);
-    assert_eq!(effort(Some("2.5".as_ref())).unwrap(), 2.5);
-    for bad in ["", "0", "-1", "nan", "inf", "ten"] {
-        assert!(effort(Some(bad.as_ref())).is_err(), "{bad}");
-    }
-}
-
-#[test]
 fn rates_are_those_of_a_core() {
     assert_eq!(
         rate_of(1000, 2.0, 1),
@@ -95,29 +86,6 @@ fn refused(words: &[&str]) -> String {
 fn json(words: &[&str]) -> Value {
     let (_, text) = audited(&[words, &["--format", "json"]].concat());
     serde_json::from_str(&text).unwrap()
-}
-
-#[test]
-fn settings_are_the_usual_ones_but_for_what_is_asked() {
-    let of = |words: &[&str], effort: f64| at_effort(&arguments(words).run, effort);
-    let usual = Settings::default();
-    let numbers = |s: Settings| (s.seed, s.cases_per_region);
-    assert_eq!(numbers(of(&[], 1.0)), numbers(usual.clone()));
-    assert_eq!(numbers(of(&["--seed", "7", "--cases", "3"], 1.0)), (7, 3));
-    // Rounded up, and no more than there is.
-    for (cases, effort, due) in [
-        ("3", 0.1, 1),
-        ("30", 0.1, 3),
-        ("31", 0.1, 4),
-        ("3", 2.0, 6),
-        ("9007199254740993", 1.0, 9_007_199_254_740_993),
-        ("9007199254740993", 1e30, u64::MAX),
-    ] {
-        let found = of(&["--cases", cases], effort);
-        assert_eq!(found.cases_per_region, due, "{cases} {effort}");
-    }
-    let most = usual.cases_per_region * 2;
-    assert_eq!(of(&[], 2.0).cases_per_region, most);
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Reports of audits written in the form asked for, whosever code was audited.
 
 use crate::cli::args::AuditFormat;
-use crate::cli::commands::compare;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::{Output, write_json};
 use crate::cli::terminal::width;
@@ -9,6 +8,8 @@ use mechaudit::audit::{ConvergenceReport, MethodReport, Uncertified};
 use mechaudit::report::baseline::Baseline;
 use mechaudit::report::words::audit::{all_pass, totals};
 use mechaudit::report::{csv, html, json, junit, text};
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 /// Cases of each region that a page shows whatever they are.
@@ -26,11 +27,25 @@ pub struct Besides {
     pub baseline: Option<Baseline>,
 }
 
+/// The longest baseline.
+const WHOLE: u64 = 1 << 30;
+
+/// A report of an earlier run.
+pub fn read(path: &Path) -> Result<Baseline, Failure> {
+    let refused = |e: std::io::Error| Failure::cannot("read", path, e);
+    let mut text = String::new();
+    let file = File::open(path).map_err(refused)?;
+    file.take(WHOLE)
+        .read_to_string(&mut text)
+        .map_err(refused)?;
+    Baseline::read(&text).map_err(|e| Failure::in_file(path, e))
+}
+
 /// The earlier report that the arguments name, for forms that show what has changed.
 pub fn baseline(path: Option<&Path>, format: AuditFormat) -> Result<Option<Baseline>, Failure> {
     match (path, format) {
         (None, _) => Ok(None),
-        (Some(path), AuditFormat::Text | AuditFormat::Json) => compare::baseline(path).map(Some),
+        (Some(path), AuditFormat::Text | AuditFormat::Json) => read(path).map(Some),
         _ => Err(Failure::new(
             "--baseline: changes are shown in text and json",
         )),

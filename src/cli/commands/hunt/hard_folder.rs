@@ -102,7 +102,7 @@ fn lock(folder: &Path) -> io::Result<File> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cli::commands::audit::find;
+    use crate::cli::asked::find;
     use std::fs::{create_dir, read_to_string, write};
     use tempfile::tempdir;
 

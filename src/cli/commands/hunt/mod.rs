@@ -3,7 +3,7 @@
 pub mod hard_folder;
 
 use crate::cli::args::HuntArgs;
-use crate::cli::commands::audit::find;
+use crate::cli::asked::find;
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::write_to;
 use crate::cli::progress::Progress;

@@ -4,7 +4,7 @@ pub mod published;
 
 use crate::cli::answers::{Answers, Form, Next, Silence};
 use crate::cli::args::{AuditFormat, JudgeArgs, WhereArgs};
-use crate::cli::commands::audit::find;
+use crate::cli::asked::find;
 use crate::cli::commands::audit::written::{self, Besides};
 use crate::cli::failure::{Failure, Outcome};
 use crate::cli::files::output::Output;

@@ -13,11 +13,11 @@ use super::taylor::{ComplexRow, RealRow, complex_row, real_row};
 use super::trapezoidal;
 use crate::double_double::{Dd, fast_two_sum, two_prod};
 use crate::double_double_functions as exact;
-pub(super) use crate::exponential::{circle, exp_wide, gaussian, times_power};
+pub(super) use crate::exponential::{circle, exp_wide, gaussian, pair_times_power, times_power};
 use crate::exponential::{exp_minus_square_any, exponent};
 use crate::hex::hex;
 use crate::lanes::{Lanes, Task};
-use crate::real::{ROUND, Real, scaled};
+use crate::real::ROUND;
 
 /// A sum smaller than this part of its terms is computed again in double-double.
 const CANCELLED: f64 = 1.0 / 6.0;
@@ -26,13 +26,6 @@ const CANCELLED: f64 = 1.0 / 6.0;
 #[inline(always)]
 pub(super) fn lost(sum: Dd, term: Dd) -> bool {
     sum.hi.abs() < CANCELLED * term.hi.abs()
-}
-
-/// Both parts of `t 2^k`, `n = ROUND + k`, `k` below 1000.
-#[inline(always)]
-pub(super) fn pair_times_power<R: Real>(t: Dd<R>, n: R) -> Dd<R> {
-    let n = n.raised(ROUND - 2040.0);
-    Dd::new(scaled(t.hi, n), scaled(t.lo, n))
 }
 
 /// The binary exponent of `t 2^k`, `n = ROUND + k`; that of zero is very low.

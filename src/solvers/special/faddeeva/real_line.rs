@@ -4,9 +4,8 @@
 use super::constants::{HALF_SQRT_PI, INV_SQRT_PI, TWO_OVER_SQRT_PI};
 pub(super) use super::erf::COMPLEMENT;
 use super::odd_series::{DAWSON, ERF, odd_real};
-use super::quadrant::pair_times_power;
 use crate::double_double::Dd;
-use crate::exponential::{exp, exponent};
+use crate::exponential::{exp, exponent, pair_times_power};
 use crate::real::{ROUND, Real};
 
 /// |x| below which erf x and Dawson's function are Maclaurin series.
