@@ -92,10 +92,7 @@ fn square(v: &Vector) -> Ball {
 }
 
 fn undecided(bits: u32, reason: &str) -> DyadRefusal {
-    DyadRefusal::Undecided(Undecided {
-        bits,
-        reason: reason.into(),
-    })
+    DyadRefusal::Undecided(Undecided::new(bits, reason))
 }
 
 /// The sign of a ball that is known not to hold zero exactly.

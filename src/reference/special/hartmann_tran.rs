@@ -101,10 +101,7 @@ fn tilded(p: &Parameters) -> [Rational; 2] {
 /// zero at `16 bits + 4096` bits.
 pub fn hartmann_tran(p: &Parameters, bits: u32) -> Result<ComplexBall, Undecided> {
     if let Some(rule) = refused(p) {
-        return Err(Undecided {
-            bits,
-            reason: rule.into(),
-        });
+        return Err(Undecided::new(bits, rule));
     }
     // Conjugate parameters give the conjugate profile; at the middle of a line that is but shifted they are real: C̃₀ − iδ has
     // no imaginary part where η = 0 and δ = Δ₀.
@@ -124,10 +121,10 @@ pub fn hartmann_tran(p: &Parameters, bits: u32) -> Result<ComplexBall, Undecided
             }
         }
         if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "a component of the profile cannot be told from zero".into(),
-            });
+            return Err(Undecided::new(
+                prec,
+                "a component of the profile cannot be told from zero",
+            ));
         }
         prec = prec.saturating_mul(2).min(cap);
     }

@@ -72,10 +72,10 @@ pub fn taylor(
             }
         }
         if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "a Taylor coefficient of w cannot be told from zero".into(),
-            });
+            return Err(Undecided::new(
+                prec,
+                "a Taylor coefficient of w cannot be told from zero",
+            ));
         }
         prec = prec.saturating_add(prec / 2).min(cap);
     }

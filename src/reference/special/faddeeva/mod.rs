@@ -76,10 +76,10 @@ pub fn w(re: &Rational, im: &Rational, bits: u32) -> Result<ComplexBall, Undecid
 /// See the [module](self).
 pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
     if !(re.is_finite() && im.is_finite()) {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: format!("w at the argument ({re}, {im}), which is not finite"),
-        });
+            format!("w at the argument ({re}, {im}), which is not finite"),
+        ));
     }
     value(Real::Double(re), Real::Double(im), bits)
 }
@@ -90,10 +90,10 @@ pub fn w_f64(re: f64, im: f64, bits: u32) -> Result<ComplexBall, Undecided> {
 /// See the [module](self). A NaN or an infinity is refused.
 pub fn w_float(re: &Float, im: &Float, bits: u32) -> Result<ComplexBall, Undecided> {
     if !(re.is_finite() && im.is_finite()) {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: format!("w at the argument ({re}, {im}), which is not finite"),
-        });
+            format!("w at the argument ({re}, {im}), which is not finite"),
+        ));
     }
     value(Real::Float(re.clone()), Real::Float(im.clone()), bits)
 }

@@ -213,10 +213,10 @@ pub fn voigt_scaled(
     bits: u32,
 ) -> Result<Scaled, Undecided> {
     if *sigma < 0 || *gamma < 0 || (*sigma == 0 && *gamma == 0) {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: "the Voigt profile needs σ ≥ 0 and γ ≥ 0, not both zero".into(),
-        });
+            "the Voigt profile needs σ ≥ 0 and γ ≥ 0, not both zero",
+        ));
     }
     let p = bits + 8;
     if *sigma == 0 {

@@ -141,10 +141,10 @@ impl Equation {
 /// [`Undecided`]: σ or γ is negative, or no certificate at `4 (bits + length of the input) + 4096` bits.
 pub fn voigt_hwhm(sigma: &Rational, gamma: &Rational, bits: u32) -> Result<Ball, Undecided> {
     if *sigma < 0 || *gamma < 0 {
-        return Err(Undecided {
+        return Err(Undecided::new(
             bits,
-            reason: "the width of the Voigt profile needs σ ≥ 0 and γ ≥ 0".into(),
-        });
+            "the width of the Voigt profile needs σ ≥ 0 and γ ≥ 0",
+        ));
     }
     let bits = bits.max(16);
     let p = bits + 16;
@@ -175,10 +175,10 @@ fn decided(mut prec: u32, cap: u32, once: impl Fn(u32) -> Option<Ball>) -> Resul
             return Ok(found);
         }
         if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: "no certificate for the width of the Voigt profile".into(),
-            });
+            return Err(Undecided::new(
+                prec,
+                "no certificate for the width of the Voigt profile",
+            ));
         }
         prec = prec.saturating_mul(2).min(cap);
     }

@@ -44,10 +44,10 @@ pub(super) fn decide(
             }
         }
         if prec == cap {
-            return Err(Undecided {
-                bits: prec,
-                reason: format!("a component of {name} is zero or cannot be told from zero"),
-            });
+            return Err(Undecided::new(
+                prec,
+                format!("a component of {name} is zero or cannot be told from zero"),
+            ));
         }
         prec = prec.saturating_add(more).min(cap);
     }
@@ -57,13 +57,13 @@ pub(super) fn decide(
 pub(super) fn balls(parts: [Scaled; 2], bits: u32) -> Result<ComplexBall, Undecided> {
     for (name, part) in ["real", "imaginary"].iter().zip(&parts) {
         if !part.to_ball().is_finite() {
-            return Err(Undecided {
+            return Err(Undecided::new(
                 bits,
-                reason: format!(
+                format!(
                     "the {name} part has a binary exponent of {} bits, beyond what a ball holds",
                     part.exponent.significant_bits()
                 ),
-            });
+            ));
         }
     }
     let [re, im] = parts;
