@@ -23,6 +23,25 @@ pub(super) fn cap(bits: u32, length: u32) -> u32 {
         .saturating_add(4096)
 }
 
+/// What is found first at a working precision that grows by a part of itself up to the cap.
+pub(crate) fn first<T>(
+    mut prec: u32,
+    part: u32,
+    cap: u32,
+    open: &str,
+    once: impl Fn(u32) -> Option<T>,
+) -> Result<T, Undecided> {
+    loop {
+        if let Some(found) = once(prec) {
+            return Ok(found);
+        }
+        if prec == cap {
+            return Err(Undecided::new(prec, open));
+        }
+        prec = prec.saturating_add(prec / part).min(cap);
+    }
+}
+
 /// Ziv's loop: `once` at rising precision until both components have a relative radius of at most
 /// 2^-bits or are exactly zero.
 pub(super) fn decide(
